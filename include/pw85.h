@@ -1,0 +1,299 @@
+/** @file pw85.h
+ * @brief The contact function of Perram and Wertheim for two ellipsoids: the whole main C API.
+ *
+ * An ellipsoid with centre c and quadratic form Q is the set of points m with (m-c)ᵀ Q⁻¹ (m-c) <= 1. Q is symmetric
+ * positive definite; its eigenvalues are the squares of the semi-axes, its eigenvectors their directions. For two
+ * ellipsoids with forms Q1, Q2 and r12 = c2 - c1, the contact function is
+ *
+ *     μ² = max { f(λ), 0 <= λ <= 1 },    f(λ) = λ(1-λ) r12ᵀ [(1-λ) Q1 + λ Q2]⁻¹ r12.
+ *
+ * μ is the common factor by which both ellipsoids must be scaled, their centres fixed, to touch from outside: μ² < 1
+ * if they overlap, μ² > 1 if they are apart (J. W. Perram and M. S. Wertheim, J. Comp. Phys. 58, 409, 1985).
+ *
+ * Conventions, for every function unless it says otherwise:
+ *
+ * - Vectors are `double[3]`. Symmetric matrices are `double[6]`: the upper triangle in row-major order, (xx, xy, xz,
+ *   yy, yz, zz). In two dimensions they are `double[2]` and `double[3]` (xx, xy, yy).
+ * - Lengths are in any one unit; forms are in its square; μ² and λ have none.
+ * - Arrays belong to the caller, are not kept, need no alignment beyond that of double, and outputs may not overlap
+ *   inputs.
+ * - A function that returns `int` returns a status, zero for success. When it is not zero, all outputs are NaN (as far
+ *   as the pointers to them are not null).
+ * - Nothing is allocated, no state is shared, nothing is printed, the process is never ended: any number of threads may
+ *   call anything at any time.
+ * - Semi-axes and distances from 1e-150 to 1e150 neither overflow nor underflow inside; a result beyond the range of
+ *   double is infinity or zero.
+ * - A form counts as positive definite when all pivots of its factorisation, computed in double, are positive.
+ */
+#ifndef PW85_H_INCLUDED
+#define PW85_H_INCLUDED
+
+#include <stddef.h>
+#include <stdint.h>
+
+#include <pw85/export.h>
+#include <pw85/status.h>
+#include <pw85/version.h>
+
+/** Dimension of the physical space. */
+#define PW85_DIM 3
+
+/** Number of stored entries of a symmetric matrix. */
+#define PW85_SYM 6
+
+/** Absolute tolerance on λ, in units in which the ellipsoids are of like size, of Brent's method in
+ * pw85_contact_function(). */
+#define PW85_LAMBDA_ATOL 1e-6
+
+/** Maximum number of iterations of Brent's method in pw85_contact_function(). */
+#define PW85_MAX_ITER 25
+
+/** Number of Newton-Raphson iterations that refine the result of Brent's method in pw85_contact_function(). */
+#define PW85_NR_ITER 3
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/** Status codes: the values that functions returning `int` return. */
+enum pw85_status {
+#define PW85_STATUS_ENUMERATOR(c_name, cpp_name, value, text) c_name = value,
+    PW85_STATUS_LIST(PW85_STATUS_ENUMERATOR)
+#undef PW85_STATUS_ENUMERATOR
+};
+
+/** @name Version and errors
+ * @{ */
+
+/** Version of the library that is linked, as "major.minor.patch"; a constant. Compare with #PW85_VERSION, the version
+ * of the header. */
+PW85_API char const *pw85_version(void);
+
+/** Sentence that says what a status means; a constant, never null, for any `status`. */
+PW85_API char const *pw85_strerror(int status);
+
+/** @}
+ * @name Quadratic forms
+ * @{ */
+
+/** Quadratic form of a spheroid, Q = a² I + (c² - a²) n nᵀ.
+ *
+ * @param a equatorial radius, > 0
+ * @param c polar radius, > 0
+ * @param n direction of the axis of revolution, of any length > 0
+ * @param[out] q the form; NaN if a length is not positive or its square leaves the range of double, or n is zero or not
+ *        finite */
+PW85_API void pw85_spheroid(double a, double c, double const n[PW85_DIM], double q[PW85_SYM]);
+
+/** Quadratic form of a general ellipsoid, Q = R diag(semi_axes²) Rᵀ.
+ *
+ * @param semi_axes lengths of the principal semi-axes (not diameters), > 0
+ * @param rotation 3×3 matrix R in row-major order; its columns are the principal directions, so that R takes the body
+ *        frame to the space frame. RᵀR may differ from I by at most 1e-6 in any entry (single precision is
+ *        accepted); reflections are accepted.
+ * @param[out] q the form
+ * @return #PW85_SUCCESS or #PW85_EINVAL */
+PW85_API int pw85_ellipsoid(double const semi_axes[PW85_DIM], double const rotation[PW85_DIM * PW85_DIM],
+                            double q[PW85_SYM]);
+
+/** Quadratic form of a general ellipsoid whose orientation is a quaternion.
+ *
+ * @param semi_axes lengths of the principal semi-axes (not diameters), > 0
+ * @param quaternion (w, x, y, z), scalar first, of any length > 0: normalised inside. It takes the body frame to the
+ *        space frame.
+ * @param[out] q the form
+ * @return #PW85_SUCCESS or #PW85_EINVAL */
+PW85_API int pw85_ellipsoid_quaternion(double const semi_axes[PW85_DIM], double const quaternion[4],
+                                       double q[PW85_SYM]);
+
+/** Quadratic form (xx, xy, yy) of an ellipse.
+ *
+ * @param a first semi-axis, > 0
+ * @param b second semi-axis, > 0
+ * @param angle from the x axis to the first semi-axis, counter-clockwise, in radians
+ * @param[out] q the form
+ * @return #PW85_SUCCESS or #PW85_EINVAL */
+PW85_API int pw85_ellipse(double a, double b, double angle, double q[3]);
+
+/** @}
+ * @name Contact of two ellipsoids
+ * @{ */
+
+/** Contact function of two ellipsoids, by a third-order iteration on log(λ/(1-λ)).
+ *
+ * The error is below 4 u cond, with u = 2⁻⁵³ and cond the entrywise condition number of the problem (see the chapter on
+ * testing). No more than 36 evaluations of f are made.
+ *
+ * @param r12 centre-to-centre vector; zero is valid: μ² = 0, λ = 1/2
+ * @param q1,q2 the forms
+ * @param[out] out (μ², λ)
+ * @return #PW85_SUCCESS, #PW85_EINVAL (null pointer, NaN or infinity), #PW85_ENOTPD */
+PW85_API int pw85_contact(double const r12[PW85_DIM], double const q1[PW85_SYM], double const q2[PW85_SYM],
+                          double out[2]);
+
+/** Contact function of two ellipsoids, by Brent's method on f and Newton-Raphson iterations on f' (the method and the
+ * semantics of pw85 1.0). Same contract as pw85_contact(), which is several times faster.
+ *
+ * The relative error is below 4 u cond too. Brent's method runs on λ in units in which the two ellipsoids are of like
+ * size, so that #PW85_LAMBDA_ATOL is meaningful whatever the sizes. */
+PW85_API int pw85_contact_function(double const r12[PW85_DIM], double const q1[PW85_SYM], double const q2[PW85_SYM],
+                                   double out[2]);
+
+/** Point at which the ellipsoids, scaled by μ, touch, and their common normal.
+ *
+ * @param r12,q1,q2 as for pw85_contact(), r12 != 0
+ * @param lambda from pw85_contact(); any value in (0, 1) gives the point x0(λ) (Perram and Wertheim, eq. 9a of the
+ * theory chapter)
+ * @param[out] point relative to the centre of ellipsoid 1; may be null
+ * @param[out] normal unit vector, outward from ellipsoid 1 and into ellipsoid 2; may be null
+ * @return #PW85_SUCCESS, #PW85_EINVAL (also for lambda outside [0, 1] and r12 = 0), #PW85_ENOTPD */
+PW85_API int pw85_contact_geometry(double const r12[PW85_DIM], double const q1[PW85_SYM], double const q2[PW85_SYM],
+                                   double lambda, double point[PW85_DIM], double normal[PW85_DIM]);
+
+/** Derivatives of μ².
+ *
+ * @param r12,q1,q2 as for pw85_contact()
+ * @param lambda from pw85_contact()
+ * @param[out] d_r12 ∂μ²/∂r12; minus this is the derivative with respect to the centre of ellipsoid 1; may be null
+ * @param[out] d_q1,d_q2 derivatives with respect to the stored entries of q1 and q2 (an off-diagonal entry stands for
+ * two entries of the matrix); may be null
+ * @return #PW85_SUCCESS, #PW85_EINVAL (also for lambda outside [0, 1]), #PW85_ENOTPD */
+PW85_API int pw85_contact_gradient(double const r12[PW85_DIM], double const q1[PW85_SYM], double const q2[PW85_SYM],
+                                   double lambda, double d_r12[PW85_DIM], double d_q1[PW85_SYM], double d_q2[PW85_SYM]);
+
+/** Derivatives of μ² with respect to rotations: for a rotation of an ellipsoid about its own centre by the small vector
+ * ω, dμ² = d_rot·ω. The torque of an energy U(μ²) is -U'(μ²) d_rot.
+ *
+ * @param r12,q1,q2 as for pw85_contact()
+ * @param lambda from pw85_contact()
+ * @param[out] d_rot1,d_rot2 per radian, for ellipsoids 1 and 2; may be null
+ * @return #PW85_SUCCESS, #PW85_EINVAL (also for lambda outside [0, 1]), #PW85_ENOTPD */
+PW85_API int pw85_contact_torque(double const r12[PW85_DIM], double const q1[PW85_SYM], double const q2[PW85_SYM],
+                                 double lambda, double d_rot1[PW85_DIM], double d_rot2[PW85_DIM]);
+
+/** Whether two ellipsoids overlap, μ² < 1. Tangent ellipsoids (μ² = 1) do not.
+ *
+ * The answer is that of exact arithmetic for the numbers given: bounds that take rounding into account decide almost
+ * always, and exact arithmetic the rest.
+ *
+ * @param r12,q1,q2 as for pw85_contact(); r12 = 0 is an overlap
+ * @param[out] overlap 1 or 0; -1 on error
+ * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD */
+PW85_API int pw85_overlap(double const r12[PW85_DIM], double const q1[PW85_SYM], double const q2[PW85_SYM],
+                          int *overlap);
+
+/** Distance of closest approach: the distance of the centres at which two ellipsoids of fixed orientation touch from
+ * outside, when their centres are on a line of given direction: |d|/μ(d).
+ *
+ * @param direction from centre 1 to centre 2, of any length > 0
+ * @param q1,q2 the forms
+ * @param[out] distance in the unit of the semi-axes
+ * @return #PW85_SUCCESS, #PW85_EINVAL (also for a zero direction), #PW85_ENOTPD */
+PW85_API int pw85_closest_approach(double const direction[PW85_DIM], double const q1[PW85_SYM],
+                                   double const q2[PW85_SYM], double *distance);
+
+/** @}
+ * @name Two dimensions
+ * @{ */
+
+/** Contact function of two ellipses; see pw85_contact(). */
+PW85_API int pw85_contact_2d(double const r12[2], double const q1[3], double const q2[3], double out[2]);
+
+/** Distance of closest approach of two ellipses; see pw85_closest_approach(). */
+PW85_API int pw85_closest_approach_2d(double const direction[2], double const q1[3], double const q2[3],
+                                      double *distance);
+
+/** @}
+ * @name Many pairs
+ *
+ * Arrays are contiguous; row i belongs to pair i. A bad pair (NaN, infinity, a form that is not positive definite) is
+ * marked with NaN, or 255 for overlaps; the others are computed all the same, and the status of the first bad pair is
+ * returned. What concerns the call as a whole (a null pointer, a size that overflows, an index out of range) is
+ * #PW85_EINVAL before anything is written. The result for a pair depends on nothing but the pair: not on its position,
+ * the number of pairs, or the number of threads. The instruction set of the processor decides how fast it is; the
+ * environment variable PW85_TARGET (baseline, avx2, avx512), read once, forces an older one. With OpenMP the pairs are
+ * shared among threads, whose number is set as always (OMP_NUM_THREADS, omp_set_num_threads).
+ * @{ */
+
+/** pw85_contact() for n pairs. The relative error of μ² is below 4 u cond, as there; the bits may differ.
+ *
+ * @param n number of pairs; 0 is fine, and pointers may then be null
+ * @param r12 n×3
+ * @param q1,q2 n×6
+ * @param[out] mu2 n
+ * @param[out] lambda n, or null
+ * @return #PW85_SUCCESS, #PW85_EINVAL, or the status of the first bad pair */
+PW85_API int pw85_contact_batch(size_t n, double const *r12, double const *q1, double const *q2, double *mu2,
+                                double *lambda);
+
+/** pw85_overlap() for n pairs; the answers are the same.
+ *
+ * @param n number of pairs
+ * @param r12 n×3
+ * @param q1,q2 n×6
+ * @param[out] overlap n: 1, 0, or 255 for a bad pair
+ * @return as for pw85_contact_batch() */
+PW85_API int pw85_overlap_batch(size_t n, double const *r12, double const *q1, double const *q2,
+                                unsigned char *overlap);
+
+/** pw85_contact() for the pairs of a neighbour list.
+ *
+ * @param num_pairs number of pairs
+ * @param pairs num_pairs×2: indices (i, j) of particles, from 0
+ * @param num_particles number of particles
+ * @param centers num_particles×3
+ * @param q num_particles×6
+ * @param cell 3×3, rows = vectors of the periodic cell, or null if there is none. Of all images of j the nearest to i
+ *        (by the distance of the centres) is taken, for any cell however skewed.
+ * @param[out] mu2 num_pairs
+ * @param[out] lambda num_pairs, or null
+ * @return as for pw85_contact_batch(); #PW85_EINVAL also for a cell that is singular or not finite */
+PW85_API int pw85_contact_pairs(size_t num_pairs, int32_t const *pairs, size_t num_particles, double const *centers,
+                                double const *q, double const *cell, double *mu2, double *lambda);
+
+/** pw85_overlap() for the pairs of a neighbour list; arguments as for pw85_contact_pairs(), overlap as for
+ * pw85_overlap_batch(). */
+PW85_API int pw85_overlap_pairs(size_t num_pairs, int32_t const *pairs, size_t num_particles, double const *centers,
+                                double const *q, double const *cell, unsigned char *overlap);
+
+/** @}
+ * @name Building blocks
+ *
+ * Public for tests and studies. Names with two underscores may change between minor versions.
+ * @{ */
+
+/** Cholesky factorisation A = L Lᵀ.
+ *
+ * @param a symmetric positive definite matrix
+ * @param[out] l lower triangle of L by columns: (l11, l21, l31, l22, l32, l33); NaN if `a` is not positive definite */
+PW85_API void pw85__cholesky_decomp(double const a[PW85_SYM], double l[PW85_SYM]);
+
+/** Solution of L Lᵀ x = b.
+ *
+ * @param l from pw85__cholesky_decomp()
+ * @param b right-hand side
+ * @param[out] x solution; may be the same array as b */
+PW85_API void pw85__cholesky_solve(double const l[PW85_SYM], double const b[PW85_DIM], double x[PW85_DIM]);
+
+/** Residual g(λ) = μ2² - μ1² = -f'(λ), whose root is the maximiser of f.
+ *
+ * @param lambda in [0, 1]
+ * @param r12,q1,q2 as for pw85_contact()
+ * @param[out] out (f, g, g') at λ; NaN for invalid input */
+PW85_API void pw85__residual(double lambda, double const r12[PW85_DIM], double const q1[PW85_SYM],
+                             double const q2[PW85_SYM], double out[3]);
+
+/** -f(λ), shaped for minimisers that pass parameters as one block.
+ *
+ * @param lambda in [0, 1]
+ * @param params `double[15]`: r12, q1, q2 one after the other
+ * @return -f(λ); NaN for invalid input */
+PW85_API double pw85_f_neg(double lambda, double const *params);
+
+/** @} */
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,33 @@
+/// @file
+/// Distance of closest approach: μ² is quadratic in the separation, so along a unit vector d it is 1/μ(d).
+#ifndef PW85_CLOSEST_APPROACH_HPP_INCLUDED
+#define PW85_CLOSEST_APPROACH_HPP_INCLUDED
+
+#include <pw85/contact.hpp>
+
+namespace pw85::inline PW85_TARGET {
+
+/// Distance of the centres at external tangency; NaN where the status is not success.
+template <class T> struct ClosestApproach {
+    T distance;
+    Status status;
+};
+
+template <class T, int D> inline ClosestApproach<T>
+closest_approach(Vector<T, D> direction, SymmetricMatrix<T, D> const &q1, SymmetricMatrix<T, D> const &q2) noexcept
+{
+    T const largest = largest_coordinate(direction);
+    if (!is_finite(direction) || !(largest > T(0))) return {quiet_nan<T>(), Status::invalid_argument};
+    for (int i = 0; i < D; ++i) direction[i] = direction[i] / largest;
+    ScaledPair<T, D> scaled;
+    Status const status = validate(direction, q1, q2, scaled);
+    if (status != Status::success) return {quiet_nan<T>(), status};
+    Maximum<T> const maximum = maximize(scaled.pair);
+    if (!maximum.converged) return {quiet_nan<T>(), Status::no_convergence};
+    T const norm = square_root(dot(direction, direction));
+    return {times_power_of_two(T(norm / square_root(maximum.mu2)), scaled.form - scaled.length), Status::success};
+}
+
+} // namespace pw85::inline PW85_TARGET
+
+#endif

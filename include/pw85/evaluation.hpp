@@ -1,0 +1,91 @@
+/// @file
+/// The function f and its derivatives, by factorisation.
+///
+/// With N = α Q1 + β Q2 and s = N⁻¹ r:
+///
+/// 1. (α, β) = (1-λ, λ) gives f(λ) = λ(1-λ) rᵀs, f' = (1-λ)² sᵀQ1s - λ² sᵀQ2s = μ1² - μ2², and
+///    f'' = -2 rᵀs - 2(1-2λ) sᵀu + 2λ(1-λ) uᵀv, where u = (Q2 - Q1) s and v = N⁻¹u.
+/// 2. (α, β) = (1, t) gives A = sᵀQ1s and B = sᵀQ2s. Since ds/dt = -N⁻¹Q2s, with u = Q2s and v = N⁻¹u:
+///    B' = -2 uᵀv and B'' = 6 vᵀQ2v; since (A + tB)' = (rᵀs)' = -B: A' = -2B - tB' and A'' = -3B' - tB''.
+///    One extra solve gives two derivatives of both.
+#ifndef PW85_EVALUATION_HPP_INCLUDED
+#define PW85_EVALUATION_HPP_INCLUDED
+
+#include <pw85/scaling.hpp>
+
+namespace pw85::inline PW85_TARGET {
+
+/// f and its first two derivatives at some λ.
+template <class T> struct Derivatives {
+    T f;
+    T first;
+    T second;
+};
+
+/// A and B of item 2 with their derivatives in t, all times a common positive factor g(t).
+template <class T> struct Jet {
+    T a, a1, a2;
+    T b, b1, b2;
+    T log_factor; ///< ½ d(log g)/d(log t)
+};
+
+/// N = α Q1 + β Q2, factorised. Pivots are raised to what rounding can hide: the blend of two positive definite forms
+/// is positive definite.
+template <class T, int D> constexpr Factorization<T, D> factorize_blend(T const &alpha, SymmetricMatrix<T, D> const &q1,
+                                                                        T const &beta,
+                                                                        SymmetricMatrix<T, D> const &q2) noexcept
+{
+    return factorize(blend(alpha, q1, beta, q2), T(unit_roundoff<T>()));
+}
+
+/// f at λ (item 1).
+template <class T, int D> constexpr T evaluate_f(T const &lambda, Vector<T, D> const &r12,
+                                                 SymmetricMatrix<T, D> const &q1,
+                                                 SymmetricMatrix<T, D> const &q2) noexcept
+{
+    T const alpha = T(1) - lambda;
+    return lambda * alpha * dot(r12, solve(factorize_blend(alpha, q1, lambda, q2), r12));
+}
+
+/// f, f' and f'' at λ (item 1).
+template <class T, int D> constexpr Derivatives<T> evaluate_derivatives(T const &lambda, Vector<T, D> const &r12,
+                                                                        SymmetricMatrix<T, D> const &q1,
+                                                                        SymmetricMatrix<T, D> const &q2) noexcept
+{
+    T const alpha = T(1) - lambda, weight = lambda * alpha;
+    auto const factors = factorize_blend(alpha, q1, lambda, q2);
+    Vector<T, D> const s = solve(factors, r12);
+    Vector<T, D> const p = product(q1, s), q = product(q2, s);
+    Vector<T, D> u{};
+    for (int i = 0; i < D; ++i) u[i] = q[i] - p[i];
+    T const rs = dot(r12, s), su = dot(s, u), uv = dot(u, solve(factors, u));
+    return {weight * rs, alpha * alpha * dot(s, p) - lambda * lambda * dot(s, q),
+            T(2) * (weight * uv - rs - (alpha - lambda) * su)};
+}
+
+/// sᵀQs from the outer weights of s, at least the size of its own rounding error: positive for s != 0 and a positive
+/// diagonal.
+template <class T, int D>
+constexpr T positive_form(SymmetricMatrix<T, D> const &q, SymmetricMatrix<T, D> const &weights) noexcept
+{
+    T floor = weights(0, 0) * q(0, 0);
+    for (int i = 1; i < D; ++i) floor = floor + weights(i, i) * q(i, i);
+    return maximum(quadratic_form(q, weights), T(unit_roundoff<T>() * floor));
+}
+
+/// A and B and their derivatives at t (item 2).
+template <class T, int D> constexpr Jet<T> evaluate_jet(Pair<T, D> const &pair, T const &t) noexcept
+{
+    auto const factors = factorize_blend(T(1), pair.q1, t, pair.q2);
+    Vector<T, D> const s = solve(factors, pair.r12);
+    Vector<T, D> const u = product(pair.q2, s);
+    Vector<T, D> const v = solve(factors, u);
+    auto const weights = outer_weights(s);
+    T const a = positive_form(pair.q1, weights), b = positive_form(pair.q2, weights);
+    T const b1 = T(-2) * dot(u, v), b2 = T(6) * quadratic_form(pair.q2, v);
+    return {a, T(-2) * b - t * b1, T(-3) * b1 - t * b2, b, b1, b2, T(0)};
+}
+
+} // namespace pw85::inline PW85_TARGET
+
+#endif

@@ -1,0 +1,75 @@
+/// @file
+/// The contact function of Perram and Wertheim for two ellipsoids: the C++ entry header.
+///
+/// Everything is a template over the scalar `T` (float, double, long double, a multiprecision number) and, where it
+/// makes sense, the dimension `D` (2 or 3); inline, noexcept, without allocation, exceptions or state. See pw85.h for
+/// the definitions and the meaning of each function; here results are values, with a `status` that is
+/// `pw85::Status::success` or says why every number in them is NaN.
+///
+///     using namespace pw85;
+///     Vector r12{1.0, 0.0, 0.0};
+///     auto [q1, ok1] = ellipsoid_quaternion(Vector{3.0, 2.0, 1.0}, Vector{1.0, 0.0, 0.0, 0.0});
+///     auto [q2, ok2] = spheroid(1.0, 2.0, Vector{0.0, 1.0, 0.0});
+///     auto [mu2, lambda, status] = contact(r12, q1, q2);
+///
+/// Arguments: `r12` = c2 - c1, `q1` and `q2` the quadratic forms, all in one unit of length; `lambda` a maximiser found
+/// by contact().
+#ifndef PW85_PW85_HPP_INCLUDED
+#define PW85_PW85_HPP_INCLUDED
+
+#include <pw85/status.hpp>
+#include <pw85/symmetric.hpp>
+
+namespace pw85::inline PW85_TARGET {
+
+template <class T, int D> struct Form;            // q, status
+template <class T> struct Contact;                // mu2, lambda, status
+template <class T, int D> struct ContactGeometry; // point, normal, status
+template <class T, int D> struct ContactGradient; // r12, q1, q2, status
+template <class T> struct ContactTorque;          // rotation1, rotation2, status
+template <class T> struct ClosestApproach;        // distance, status
+template <class T, int D> struct Overlap;         // overlap, witness, status
+
+/// Form of a spheroid with equatorial radius `a`, polar radius `c`, and axis along `n`.
+template <class T> constexpr Form<T, 3> spheroid(T const &a, T const &c, Vector<T, 3> n) noexcept;
+
+/// Form of a general ellipsoid; the columns of the row-major `rotation` are its principal directions.
+template <class T> constexpr Form<T, 3> ellipsoid(Vector<T, 3> const &semi_axes, T const (&rotation)[9]) noexcept;
+
+/// Form of a general ellipsoid oriented by the quaternion (w, x, y, z), of any length > 0.
+template <class T>
+constexpr Form<T, 3> ellipsoid_quaternion(Vector<T, 3> const &semi_axes, Vector<T, 4> quaternion) noexcept;
+
+/// Form of an ellipse with semi-axes `a` and `b`, the first at `angle` (radians) from the x axis.
+template <class T> inline Form<T, 2> ellipse(T const &a, T const &b, T const &angle) noexcept;
+
+/// The contact function μ² and its maximiser λ.
+template <class T, int D> inline Contact<T> contact(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
+                                                    SymmetricMatrix<T, D> const &q2) noexcept;
+
+/// Contact point and common normal of the ellipsoids scaled by μ.
+template <class T, int D>
+inline ContactGeometry<T, D> contact_geometry(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
+                                              SymmetricMatrix<T, D> const &q2, T const &lambda) noexcept;
+
+/// Derivatives of μ² with respect to r12 and the stored entries of q1 and q2.
+template <class T, int D>
+inline ContactGradient<T, D> contact_gradient(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
+                                              SymmetricMatrix<T, D> const &q2, T const &lambda) noexcept;
+
+/// Derivatives of μ² with respect to rotations of the ellipsoids about their own centres.
+template <class T> inline ContactTorque<T> contact_torque(Vector<T, 3> const &r12, SymmetricMatrix<T, 3> const &q1,
+                                                          SymmetricMatrix<T, 3> const &q2, T const &lambda) noexcept;
+
+/// Distance of closest approach along `direction`, of any length > 0.
+template <class T, int D> inline ClosestApproach<T>
+closest_approach(Vector<T, D> direction, SymmetricMatrix<T, D> const &q1, SymmetricMatrix<T, D> const &q2) noexcept;
+
+} // namespace pw85::inline PW85_TARGET
+
+#include <pw85/closest_approach.hpp>
+#include <pw85/contact.hpp>
+#include <pw85/forms.hpp>
+#include <pw85/geometry.hpp>
+
+#endif

@@ -1,0 +1,70 @@
+/// @file
+/// What the templates ask of a scalar. A scalar `T` is a floating-point type (float, double, long double, a
+/// multiprecision number) or a pack of them; comparisons of a `T` give a mask, which is `bool` for plain numbers.
+#ifndef PW85_SCALAR_HPP_INCLUDED
+#define PW85_SCALAR_HPP_INCLUDED
+
+#include <cmath>
+#include <limits>
+
+#include <pw85/target.hpp>
+
+namespace pw85::inline PW85_TARGET {
+
+/// The floating-point properties of one lane of `T`; specialised for packs.
+template <class T> struct ScalarTraits {
+    using Lane = T;
+    using Mask = bool;
+};
+
+/// Unit roundoff u of one lane: 2^-53 for double.
+template <class T> constexpr typename ScalarTraits<T>::Lane unit_roundoff() noexcept
+{
+    using Lane = typename ScalarTraits<T>::Lane;
+    return std::numeric_limits<Lane>::epsilon() / Lane(2);
+}
+
+/// Binary digits of the mantissa of one lane.
+template <class T> constexpr int mantissa_digits() noexcept
+{
+    return std::numeric_limits<typename ScalarTraits<T>::Lane>::digits;
+}
+
+/// 2^-n.
+template <class T> constexpr T negative_power_of_two(int n) noexcept
+{
+    T power = T(1);
+    for (int i = 0; i < n; ++i) power = power * T(0.5);
+    return power;
+}
+
+template <class T> constexpr T quiet_nan() noexcept
+{
+    return T(std::numeric_limits<typename ScalarTraits<T>::Lane>::quiet_NaN());
+}
+
+template <class T> constexpr T select(bool condition, T const &yes, T const &no) noexcept
+{
+    return condition ? yes : no;
+}
+
+constexpr bool any_of(bool mask) noexcept { return mask; }
+constexpr bool all_of(bool mask) noexcept { return mask; }
+
+/// The larger of two numbers; the first where either is NaN.
+template <class T> constexpr T maximum(T const &x, T const &y) noexcept { return select(y > x, y, x); }
+
+/// The smaller of two numbers; the first where either is NaN.
+template <class T> constexpr T minimum(T const &x, T const &y) noexcept { return select(y < x, y, x); }
+
+template <class T> constexpr T absolute(T const &x) noexcept { return select(x < T(0), T(-x), x); }
+
+template <class T> inline T square_root(T const &x) noexcept
+{
+    using std::sqrt;
+    return sqrt(x);
+}
+
+} // namespace pw85::inline PW85_TARGET
+
+#endif

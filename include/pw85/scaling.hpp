@@ -1,0 +1,140 @@
+/// @file
+/// Validation of a pair, and its normalisation by powers of two.
+#ifndef PW85_SCALING_HPP_INCLUDED
+#define PW85_SCALING_HPP_INCLUDED
+
+#include <pw85/status.hpp>
+#include <pw85/symmetric.hpp>
+
+namespace pw85::inline PW85_TARGET {
+
+/// A pair of ellipsoids in units of their own: the true forms and separation are Q1, Q2/ratio² and r12, all three
+/// times a power of two.
+///
+/// With τ = λ/(1-λ), every formula below is written in t = τ/ratio², so that M = Q1 + t Q2 blends forms of like
+/// magnitude however much the sizes differ.
+template <class T, int D> struct Pair {
+    Vector<T, D> r12;
+    SymmetricMatrix<T, D> q1, q2;
+    T ratio; ///< size of the units of ellipsoid 1 over that of ellipsoid 2, >= 1
+};
+
+/// A pair in units that keep every intermediate result in range, and the way back.
+template <class T, int D> struct ScaledPair {
+    Pair<T, D> pair;
+    int length;   ///< r12 is the pair's times 2^length
+    int form;     ///< Q1 is the pair's times 4^form, and μ² the pair's times 4^(length - form)
+    bool swapped; ///< whether the roles of the ellipsoids were exchanged, and r12 reversed
+};
+
+/// Whether all coordinates are finite.
+template <class T, int D> constexpr typename ScalarTraits<T>::Mask is_finite(Vector<T, D> const &x) noexcept
+{
+    T zero = x[0] * T(0);
+    for (int i = 1; i < D; ++i) zero = zero + x[i] * T(0);
+    return zero == T(0);
+}
+
+/// Whether all entries are finite.
+template <class T, int D> constexpr typename ScalarTraits<T>::Mask is_finite(SymmetricMatrix<T, D> const &a) noexcept
+{
+    T zero = a[0] * T(0);
+    for (int k = 1; k < a.size; ++k) zero = zero + a[k] * T(0);
+    return zero == T(0);
+}
+
+template <class T, int D> constexpr T largest_coordinate(Vector<T, D> const &x) noexcept
+{
+    T largest = absolute(x[0]);
+    for (int i = 1; i < D; ++i) largest = maximum(largest, absolute(x[i]));
+    return largest;
+}
+
+/// Magnitudes of r12 and of the diagonals up to which, and down to the inverse of which, no scaling is needed. The
+/// largest numbers that the solver forms are of degree 26 in M and 8 in r12 (the square of A B b² of the rational
+/// form), and M exceeds the forms by the ratio of the sizes and the aspect: 2^15 leaves double room for that. Other
+/// types are scaled to order one.
+template <class T> constexpr T unscaled_limit() noexcept
+{
+    using Lane = typename ScalarTraits<T>::Lane;
+    return std::numeric_limits<Lane>::max_exponent >= 1024 ? T(32768) : T(4);
+}
+
+/// Whether a pair of finite, nonzero magnitudes needs no scaling: `r` is its largest coordinate, `q1` and `q2` the
+/// largest diagonal entries.
+template <class T> constexpr typename ScalarTraits<T>::Mask is_in_range(T const &r, T const &q1, T const &q2) noexcept
+{
+    T const limit = unscaled_limit<T>();
+    T const largest = maximum(r, maximum(q1, q2));
+    T const smallest = minimum(r, minimum(q1, q2));
+    return largest < limit && smallest * limit > T(1);
+}
+
+/// The binary exponent of a positive number: x·2^-n lies in [1, 2).
+template <class T> inline int binary_exponent(T const &x) noexcept
+{
+    using std::ilogb;
+    return ilogb(x);
+}
+
+/// Half of it, rounded down: x·4^-n lies in [1, 4).
+template <class T> inline int half_exponent(T const &x) noexcept
+{
+    int const e = binary_exponent(x);
+    return e >= 0 ? e / 2 : -((1 - e) / 2);
+}
+
+template <class T> inline T times_power_of_two(T const &x, int exponent) noexcept
+{
+    using std::ldexp;
+    return ldexp(x, exponent);
+}
+
+template <class T, int D> inline Vector<T, D> times_power_of_two(Vector<T, D> x, int exponent) noexcept
+{
+    if (exponent != 0)
+        for (int i = 0; i < D; ++i) x[i] = times_power_of_two(x[i], exponent);
+    return x;
+}
+
+template <class T, int D>
+inline SymmetricMatrix<T, D> times_power_of_two(SymmetricMatrix<T, D> a, int exponent) noexcept
+{
+    if (exponent != 0)
+        for (int k = 0; k < a.size; ++k) a[k] = times_power_of_two(a[k], exponent);
+    return a;
+}
+
+/// The largest ratio of units that is kept: beyond it the smaller ellipsoid is a point to the larger one, to far
+/// below the precision of any scalar.
+template <class T> constexpr int ratio_exponent_limit() noexcept
+{
+    return std::numeric_limits<typename ScalarTraits<T>::Lane>::max_exponent - 24;
+}
+
+/// Brings a pair with finite entries, positive diagonals and r12 != 0 into range, exactly.
+template <class T, int D> inline ScaledPair<T, D> scale(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
+                                                        SymmetricMatrix<T, D> const &q2) noexcept
+{
+    T const r = largest_coordinate(r12);
+    if (is_in_range(r, largest_diagonal(q1), largest_diagonal(q2))) return {{r12, q1, q2, T(1)}, 0, 0, false};
+    int const er = binary_exponent(r);
+    int const e1 = half_exponent(largest_diagonal(q1)), e2 = half_exponent(largest_diagonal(q2));
+    bool const swapped = e1 < e2;
+    int const difference = swapped ? e2 - e1 : e1 - e2;
+    int const limit = ratio_exponent_limit<T>();
+
+    ScaledPair<T, D> scaled{};
+    scaled.pair.r12 = times_power_of_two(swapped ? times(T(-1), r12) : r12, -er);
+    scaled.pair.q1 = swapped ? times_power_of_two(q2, -2 * e2) : times_power_of_two(q1, -2 * e1);
+    scaled.pair.q2 = swapped ? times_power_of_two(q1, -2 * e1) : times_power_of_two(q2, -2 * e2);
+    scaled.pair.ratio = times_power_of_two(T(1), difference < limit ? difference : limit);
+    scaled.length = er;
+    scaled.form = swapped ? e2 : e1;
+    scaled.swapped = swapped;
+    return scaled;
+}
+
+} // namespace pw85::inline PW85_TARGET
+
+#endif

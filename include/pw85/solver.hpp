@@ -1,0 +1,272 @@
+/// @file
+/// The maximum of f: a third-order iteration in x = log t, prepared on the rational form.
+///
+/// With A and B as in evaluation.hpp, C = (ratio·t)² B (A = μ1² and C = μ2² of x0) and h = ½ log(C/A):
+///
+/// 1. The maximum of f is the root of h, df/dx = λ(1-λ)(A - C), and h increases: in the eigenbasis of the pencil
+///    (Q1, Q2), with eigenvalues d_i and p_i = 1/(1 + t d_i), h' = ea + eb, where ea = -½ d(log A)/dx is an average of
+///    1 - p_i and eb = ½ d(log C)/dx one of p_i over positive weights, and h' <= 1, with equality for spheres.
+/// 2. |h''| <= 3 h', from the same averages. So a step δ of Newton's method from a distance below 0.1 is followed by
+/// one
+///    of less than a quarter of it; where that is not seen, δ is rounding noise.
+/// 3. f <= μ² <= max(A, C), and x - h is nearer to the root than x and on the same side: every evaluation gives a
+/// bound.
+/// 4. 1/√A and 1/√C are nearly affine in t and in 1/t (exactly, where r12 is an eigenvector of the pencil). Equating
+/// the
+///    tangents gives a quadratic for t that converges from afar, as in trust-region methods (J. J. Moré and
+///    D. C. Sorensen, SIAM J. Sci. Stat. Comput. 4, 553, 1983); near the root Halley's method is better.
+#ifndef PW85_SOLVER_HPP_INCLUDED
+#define PW85_SOLVER_HPP_INCLUDED
+
+#include <pw85/rational.hpp>
+
+namespace pw85::inline PW85_TARGET {
+
+/// The largest number of evaluations of f, in either form, that maximize() can make: at most 5 on the rational form, 8
+/// free steps on the factorised one, 6 expansions and 14 bisections of log t (the root lies within a factor 1/√u of 1,
+/// and a bracket of half-width 2^-7 is enough), and the last one.
+inline constexpr int max_evaluations = 36;
+
+/// Value and maximiser of the contact function in the units of a Pair.
+template <class T> struct Maximum {
+    T mu2;
+    T tau;           ///< ratio²·t = λ/(1-λ)
+    int evaluations; ///< of f, in either form
+    bool converged;
+};
+
+/// A step in x that leaves an error below final_step(): Halley's error is about its cube.
+template <class T> constexpr T penultimate_step() noexcept
+{
+    return negative_power_of_two<T>(mantissa_digits<T>() / 9 + 2);
+}
+
+/// A step in x below which Newton's step and second-order Taylor of f are exact to rounding: its cube is below u.
+template <class T> constexpr T final_step() noexcept
+{
+    return negative_power_of_two<T>((mantissa_digits<T>() + 3) / 3);
+}
+
+/// A Jet's view of h: h = artanh(difference/sum); h' = k/weight and h'' = k2/weight².
+template <class T> struct Slope {
+    T sum;        ///< C + A
+    T difference; ///< C - A
+    T weight;     ///< A·B
+    T k, k2;
+};
+
+template <class T> constexpr Slope<T> slope(Jet<T> const &j, T const &ratio, T const &t) noexcept
+{
+    T const y = ratio * t, c = y * y * j.b, weight = j.a * j.b;
+    T const p = t * j.b1 * j.a, q = t * j.a1 * j.b;
+    return {c + j.a, c - j.a, weight, weight + T(0.5) * (p - q),
+            T(0.5) * (weight * ((p - q) + t * t * (j.b2 * j.a - j.a2 * j.b)) - (p - q) * (p + q))};
+}
+
+/// Whether Newton's step is at most ½, where item 2 makes Halley's the better one.
+template <class T> constexpr typename ScalarTraits<T>::Mask is_near(Slope<T> const &s) noexcept
+{
+    return absolute(s.difference) * s.weight <= T(0.5) * (s.sum * s.k);
+}
+
+/// A step in x, as a fraction.
+template <class T> struct Step {
+    T numerator;
+    T denominator; ///< positive
+};
+
+/// Halley's step for the root of tanh h, where is_near().
+template <class T> constexpr Step<T> halley_step(Slope<T> const &s) noexcept
+{
+    T const k = s.sum * s.k * s.k;
+    T const denominator = maximum(T(k - T(0.5) * s.difference * s.k2), T(T(0.5) * k));
+    return {-s.difference * s.k * s.weight, denominator};
+}
+
+/// e^step to third order: the factor by which t changes.
+template <class T> constexpr T exponential(Step<T> const &step) noexcept
+{
+    T const twice = step.denominator + step.denominator;
+    return (twice + step.numerator) / (twice - step.numerator);
+}
+
+/// Whether a step is at most `bound` in magnitude.
+template <class T> constexpr typename ScalarTraits<T>::Mask is_within(Step<T> const &step, T const &bound) noexcept
+{
+    return absolute(step.numerator) <= bound * step.denominator;
+}
+
+/// The factor y on t of item 4: the positive root of ea y² + ((1 - ea) - ω(1 - eb)) y - ω eb, with ω = √(A/C).
+template <class T> inline T secular_factor(Jet<T> const &j, T const &ratio, T const &t) noexcept
+{
+    T const y = ratio * t;
+    T const ea = j.log_factor - T(0.5) * t * j.a1 / j.a;
+    T const eb = T(1) + T(0.5) * t * j.b1 / j.b - j.log_factor;
+    T const omega = square_root(T(j.a / (y * y * j.b)));
+    T const half = T(0.5) * ((T(1) - ea) - omega * (T(1) - eb));
+    T const root = square_root(T(half * half + ea * omega * eb));
+    return select(half > T(0), T(omega * eb / (half + root)), T((root - half) / ea));
+}
+
+/// Where the iteration starts: exact for spheres.
+template <class T, int D> inline T initial_guess(Pair<T, D> const &pair) noexcept
+{
+    auto const weights = outer_weights(pair.r12);
+    return square_root(T(quadratic_form(pair.q1, weights) / quadratic_form(pair.q2, weights))) / pair.ratio;
+}
+
+/// What a search knows when it is about to make its last evaluation.
+template <class T> struct Candidate {
+    T t;
+    T slope; ///< h' at t
+};
+
+/// The end of a step that is within penultimate_step(), with the slope expected there.
+template <class T> constexpr Candidate<T> advance(T const &t, Slope<T> const &s, Step<T> const &step) noexcept
+{
+    T const y = exponential(step), reciprocal = T(1) / s.weight;
+    return {t * y, reciprocal * (s.k + s.k2 * reciprocal * (y - T(1)))};
+}
+
+/// The last evaluation: μ² and τ from any vector near M⁻¹r12 in direction.
+template <class T> struct Finish {
+    T mu2;
+    T tau;
+    T step; ///< Newton's last step, taken into account in μ² and τ
+};
+
+/// From A and B of s and rᵀs. λ(rᵀs)²/(A + tB) is stationary in s as well as in x, so that an error of s counts only
+/// squared, and its scale not at all; to it comes ½ f' x for the last step x.
+template <class T>
+constexpr Finish<T> finish(Candidate<T> const &candidate, T const &ratio, T const &a, T const &b, T const &rs) noexcept
+{
+    T const y = ratio * candidate.t, c = y * y * b, tau = ratio * y;
+    T const step = (a - c) / ((a + c) * candidate.slope);
+    T const m = a + candidate.t * b, complement = T(1) + tau, reciprocal = T(1) / (m * complement);
+    T const scale = rs * complement * reciprocal, mu2 = tau * rs * rs * reciprocal;
+    T const gain = T(0.5) * step * (a - c) * scale * scale * tau * (m * reciprocal) * (m * reciprocal);
+    return {mu2 + gain, tau + tau * step, step};
+}
+
+/// Iterates on the rational form from t until a step is within penultimate_step(); false if rounding errors or the
+/// range of the scalar get in the way, or after 5 evaluations.
+template <class T, int D>
+inline bool prepare(RationalForm<T, D> const &form, T const &ratio, Candidate<T> &candidate, int &evaluations) noexcept
+{
+    T const largest = std::numeric_limits<T>::max();
+    T t = candidate.t;
+    while (evaluations < 5) {
+        Jet<T> const jet = evaluate_jet(form, t);
+        ++evaluations;
+        if (!(jet.a > T(0) && jet.b > T(0))) return false;
+        Slope<T> const s = slope(jet, ratio, t);
+        if (is_near(s)) {
+            Step<T> const step = halley_step(s);
+            if (is_within(step, penultimate_step<T>())) {
+                candidate = advance(t, s, step);
+                return true;
+            }
+            t = t * exponential(step);
+        } else
+            t = t * secular_factor(jet, ratio, t);
+        if (!(t > T(0) && t < largest)) return false;
+        candidate.t = t;
+    }
+    return false;
+}
+
+/// What is known of the root from item 3.
+template <class T> struct Bracket {
+    T lower, upper; ///< of t; zero and infinity when unknown
+
+    /// Takes note of the sign of h at t and of the bound e^-h = √(A/C).
+    void update(Jet<T> const &jet, T const &ratio, T const &t) noexcept
+    {
+        T const image = square_root(T(jet.a / jet.b)) / ratio;
+        if (image > t)
+            lower = maximum(lower, image);
+        else
+            upper = minimum(upper, image);
+    }
+
+    bool has_both() const noexcept { return lower > T(0) && upper < std::numeric_limits<T>::infinity(); }
+
+    /// A point inside, or one far beyond the end that is known.
+    T probe() const noexcept
+    {
+        if (has_both()) return square_root(lower) * square_root(upper);
+        return lower > T(0) ? lower * T(1024) : upper / T(1024);
+    }
+
+    T clamp(T const &t) const noexcept { return minimum(maximum(t, lower), upper); }
+};
+
+/// Iterates on the factorised form until a step is within penultimate_step(), or only rounding noise is left.
+template <class T, int D> inline Candidate<T> search(Pair<T, D> const &pair, T t, int &evaluations) noexcept
+{
+    Bracket<T> bracket{T(0), std::numeric_limits<T>::infinity()};
+    T previous = T(1);
+    for (int i = 1;; ++i) {
+        Jet<T> const jet = evaluate_jet(pair, t);
+        ++evaluations;
+        Slope<T> const s = slope(jet, pair.ratio, t);
+        Step<T> const step = halley_step(s);
+        bool const near = is_near(s);
+        T const size = near ? T(absolute(step.numerator) / step.denominator) : T(1);
+        bracket.update(jet, pair.ratio, t);
+        bool const noise = previous < T(0.1) && size > T(0.5) * previous;
+        if (size <= penultimate_step<T>() || noise || evaluations >= max_evaluations - 1) return advance(t, s, step);
+        previous = size;
+        t = t * (near ? exponential(step) : secular_factor(jet, pair.ratio, t));
+        t = i > 8 && !near ? bracket.probe() : bracket.clamp(t);
+    }
+}
+
+/// The maximum of f over λ in [0, 1] where the rational form is accurate; `converged` tells. The candidate is the
+/// better start for maximize() where it is not.
+template <class T, int D> inline Maximum<T> maximize_rational(Pair<T, D> const &pair, Candidate<T> &candidate) noexcept
+{
+    candidate = {initial_guess(pair), T(1)};
+    RationalForm<T, D> const form = rational_form(pair);
+    int evaluations = 0;
+    if (conditioning(form, pair, candidate.t) < rough_conditioning<T>() ||
+        !prepare(form, pair.ratio, candidate, evaluations) ||
+        conditioning(form, pair, candidate.t) < fine_conditioning<T>())
+        return {T(0), T(0), evaluations, false};
+    Vector<T, D> const s = evaluate_s(form, candidate.t);
+    auto const weights = outer_weights(s);
+    Finish<T> const last = finish(candidate, pair.ratio, quadratic_form(pair.q1, weights),
+                                  quadratic_form(pair.q2, weights), dot(pair.r12, s));
+    return {last.mu2, last.tau, evaluations + 1, absolute(last.step) <= final_step<T>()};
+}
+
+/// The last evaluation on the factorised form.
+template <class T, int D>
+inline Finish<T> finish_factorized(Pair<T, D> const &pair, Candidate<T> const &candidate) noexcept
+{
+    Vector<T, D> const s = solve(factorize_blend(T(1), pair.q1, candidate.t, pair.q2), pair.r12);
+    auto const weights = outer_weights(s);
+    return finish(candidate, pair.ratio, positive_form(pair.q1, weights), positive_form(pair.q2, weights),
+                  dot(pair.r12, s));
+}
+
+/// The maximum of f over λ in [0, 1] by the factorised form alone, after so many evaluations on the rational form.
+template <class T, int D> [[gnu::noinline]] inline Maximum<T>
+maximize_factorized(Pair<T, D> const &pair, Candidate<T> candidate, int evaluations) noexcept
+{
+    candidate = search(pair, candidate.t, evaluations);
+    Finish<T> const last = finish_factorized(pair, candidate);
+    return {last.mu2, last.tau, evaluations + 1, evaluations < max_evaluations - 1};
+}
+
+/// The maximum of f over λ in [0, 1], for a pair of positive definite forms in range with r12 != 0.
+template <class T, int D> inline Maximum<T> maximize(Pair<T, D> const &pair) noexcept
+{
+    Candidate<T> candidate;
+    Maximum<T> const maximum = maximize_rational(pair, candidate);
+    return maximum.converged ? maximum : maximize_factorized(pair, candidate, maximum.evaluations);
+}
+
+} // namespace pw85::inline PW85_TARGET
+
+#endif

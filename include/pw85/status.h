@@ -1,0 +1,15 @@
+/* The status codes of pw85: the one list behind the C enum, the C++ enum, the texts of pw85_strerror() and the
+   table in the documentation. Append only: programs link to the numbers. */
+#ifndef PW85_STATUS_H_INCLUDED
+#define PW85_STATUS_H_INCLUDED
+
+/* X(C name, C++ name, value, text) */
+#define PW85_STATUS_LIST(X)                                                                                            \
+    X(PW85_SUCCESS, success, 0, "success")                                                                             \
+    X(PW85_EINVAL, invalid_argument, 1,                                                                                \
+      "invalid argument: NaN, infinity, a length that is not positive, a rotation that is not orthonormal, "           \
+      "an index or a size out of range, or a null pointer")                                                            \
+    X(PW85_ENOTPD, not_positive_definite, 2, "a quadratic form is not positive definite")                              \
+    X(PW85_ECONVERGENCE, no_convergence, 3, "the iterations did not converge")
+
+#endif

@@ -1,0 +1,33 @@
+/// @file
+/// What a call says of its success.
+#ifndef PW85_STATUS_HPP_INCLUDED
+#define PW85_STATUS_HPP_INCLUDED
+
+#include <pw85/status.h>
+#include <pw85/target.hpp>
+
+namespace pw85::inline PW85_TARGET {
+
+/// Outcome of a call, with the numbers of the C API.
+enum class Status : int {
+#define PW85_STATUS_ENUMERATOR(c_name, name, value, text) name = value,
+    PW85_STATUS_LIST(PW85_STATUS_ENUMERATOR)
+#undef PW85_STATUS_ENUMERATOR
+};
+
+/// A sentence that says what a status means; a constant, never null.
+constexpr char const *strerror(Status status) noexcept
+{
+    switch (status) {
+#define PW85_STATUS_CASE(c_name, name, value, text)                                                                    \
+    case Status::name:                                                                                                 \
+        return text;
+        PW85_STATUS_LIST(PW85_STATUS_CASE)
+#undef PW85_STATUS_CASE
+    }
+    return "unknown status";
+}
+
+} // namespace pw85::inline PW85_TARGET
+
+#endif

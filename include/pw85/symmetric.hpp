@@ -1,0 +1,243 @@
+/// @file
+/// Vectors, packed symmetric matrices, and the factorisation that everything else solves with.
+#ifndef PW85_SYMMETRIC_HPP_INCLUDED
+#define PW85_SYMMETRIC_HPP_INCLUDED
+
+#include <pw85/scalar.hpp>
+
+namespace pw85::inline PW85_TARGET {
+
+/// A point or direction in `D` dimensions, by its Cartesian coordinates.
+template <class T, int D> struct Vector {
+    T coordinates[D];
+
+    constexpr T &operator[](int i) noexcept { return coordinates[i]; }
+    constexpr T const &operator[](int i) const noexcept { return coordinates[i]; }
+};
+
+template <class T, class... U> Vector(T, U...) -> Vector<T, 1 + static_cast<int>(sizeof...(U))>;
+
+/// A symmetric matrix: its upper triangle in row-major order, (xx, xy, xz, yy, yz, zz) in three dimensions.
+template <class T, int D> struct SymmetricMatrix {
+    static constexpr int size = D * (D + 1) / 2;
+
+    T entries[size];
+
+    /// Position of the entry in row i and column j of the upper triangle, i <= j.
+    static constexpr int index(int i, int j) noexcept { return i * D - i * (i - 1) / 2 + (j - i); }
+
+    constexpr T &operator[](int k) noexcept { return entries[k]; }
+    constexpr T const &operator[](int k) const noexcept { return entries[k]; }
+    constexpr T &operator()(int i, int j) noexcept { return entries[i <= j ? index(i, j) : index(j, i)]; }
+    constexpr T const &operator()(int i, int j) const noexcept { return entries[i <= j ? index(i, j) : index(j, i)]; }
+};
+
+template <class T, int D> constexpr T dot(Vector<T, D> const &x, Vector<T, D> const &y) noexcept
+{
+    T sum = x[0] * y[0];
+    for (int i = 1; i < D; ++i) sum = sum + x[i] * y[i];
+    return sum;
+}
+
+template <class T> constexpr Vector<T, 3> cross(Vector<T, 3> const &x, Vector<T, 3> const &y) noexcept
+{
+    return {x[1] * y[2] - x[2] * y[1], x[2] * y[0] - x[0] * y[2], x[0] * y[1] - x[1] * y[0]};
+}
+
+template <class T, int D> constexpr Vector<T, D> times(T const &factor, Vector<T, D> x) noexcept
+{
+    for (int i = 0; i < D; ++i) x[i] = factor * x[i];
+    return x;
+}
+
+/// The product A x.
+template <class T, int D> constexpr Vector<T, D> product(SymmetricMatrix<T, D> const &a, Vector<T, D> const &x) noexcept
+{
+    Vector<T, D> y{};
+    for (int i = 0; i < D; ++i) {
+        y[i] = a(i, 0) * x[0];
+        for (int j = 1; j < D; ++j) y[i] = y[i] + a(i, j) * x[j];
+    }
+    return y;
+}
+
+/// The weights w with xᵀ A x = Σ w_k a_k over the stored entries of A: one set serves several forms.
+template <class T, int D> constexpr SymmetricMatrix<T, D> outer_weights(Vector<T, D> const &x) noexcept
+{
+    SymmetricMatrix<T, D> w{};
+    for (int i = 0; i < D; ++i) {
+        T const twice = x[i] + x[i];
+        w(i, i) = x[i] * x[i];
+        for (int j = i + 1; j < D; ++j) w(i, j) = twice * x[j];
+    }
+    return w;
+}
+
+/// The quadratic form xᵀ A x, from the outer weights of x.
+template <class T, int D>
+constexpr T quadratic_form(SymmetricMatrix<T, D> const &a, SymmetricMatrix<T, D> const &weights) noexcept
+{
+    T diagonal = weights(0, 0) * a(0, 0), rest = weights(0, 1) * a(0, 1);
+    for (int i = 1; i < D; ++i) diagonal = diagonal + weights(i, i) * a(i, i);
+    for (int j = 2; j < D; ++j)
+        for (int i = 0; i < j; ++i) rest = rest + weights(i, j) * a(i, j);
+    return diagonal + rest;
+}
+
+/// The quadratic form xᵀ A x.
+template <class T, int D> constexpr T quadratic_form(SymmetricMatrix<T, D> const &a, Vector<T, D> const &x) noexcept
+{
+    return quadratic_form(a, outer_weights(x));
+}
+
+/// The blend α A + β B.
+template <class T, int D> constexpr SymmetricMatrix<T, D> blend(T const &alpha, SymmetricMatrix<T, D> const &a,
+                                                                T const &beta, SymmetricMatrix<T, D> const &b) noexcept
+{
+    SymmetricMatrix<T, D> c{};
+    for (int k = 0; k < c.size; ++k) c[k] = alpha * a[k] + beta * b[k];
+    return c;
+}
+
+template <class T, int D> constexpr T largest_diagonal(SymmetricMatrix<T, D> const &a) noexcept
+{
+    T largest = a(0, 0);
+    for (int i = 1; i < D; ++i) largest = maximum(largest, a(i, i));
+    return largest;
+}
+
+/// The factorisation A = L·diag(d)·Lᵀ with L unit lower triangular.
+template <class T, int D> struct Factorization {
+    T lower[D][D];    ///< l[i][j] for j < i; the rest is not used
+    T pivots[D];      ///< d
+    T reciprocals[D]; ///< 1/d
+};
+
+/// Factorises a symmetric matrix. Pivots smaller than `floor` times the diagonal entry of `a` in their place are
+/// raised to it. With floor = u this changes `a` by no more than its own rounding, and every pivot of a matrix with
+/// positive diagonal is positive; with floor = 0 and all pivots positive, `a` is positive definite.
+template <class T, int D>
+constexpr Factorization<T, D> factorize(SymmetricMatrix<T, D> const &a, T const &floor) noexcept
+{
+    Factorization<T, D> f{};
+    for (int j = 0; j < D; ++j) {
+        T pivot = a(j, j);
+        for (int k = 0; k < j; ++k) pivot = pivot - f.lower[j][k] * (f.lower[j][k] * f.pivots[k]);
+        f.pivots[j] = maximum(pivot, T(floor * a(j, j)));
+        f.reciprocals[j] = T(1) / f.pivots[j];
+        for (int i = j + 1; i < D; ++i) {
+            T entry = a(j, i);
+            for (int k = 0; k < j; ++k) entry = entry - f.lower[i][k] * (f.lower[j][k] * f.pivots[k]);
+            f.lower[i][j] = entry * f.reciprocals[j];
+        }
+    }
+    return f;
+}
+
+/// Solves A x = b by substitution.
+template <class T, int D> constexpr Vector<T, D> solve(Factorization<T, D> const &f, Vector<T, D> x) noexcept
+{
+    for (int i = 1; i < D; ++i)
+        for (int j = 0; j < i; ++j) x[i] = x[i] - f.lower[i][j] * x[j];
+    for (int i = D - 1; i >= 0; --i) {
+        x[i] = x[i] * f.reciprocals[i];
+        for (int j = i + 1; j < D; ++j) x[i] = x[i] - f.lower[j][i] * x[j];
+    }
+    return x;
+}
+
+/// The Cholesky factor L, A = L·Lᵀ, stored by columns like the upper triangle of its transpose; NaN unless A is
+/// positive definite to working precision.
+template <class T, int D> inline SymmetricMatrix<T, D> cholesky(SymmetricMatrix<T, D> const &a) noexcept
+{
+    Factorization<T, D> const f = factorize(a, T(0));
+    SymmetricMatrix<T, D> l{};
+    bool positive = true;
+    for (int j = 0; j < D; ++j) {
+        positive = positive && f.pivots[j] > T(0);
+        T const root = positive ? square_root(f.pivots[j]) : quiet_nan<T>();
+        l(j, j) = root;
+        for (int i = j + 1; i < D; ++i) l(j, i) = f.lower[i][j] * root;
+    }
+    for (int k = 0; !positive && k < l.size; ++k) l[k] = quiet_nan<T>();
+    return l;
+}
+
+/// Solves L·Lᵀ x = b with L from cholesky().
+template <class T, int D> constexpr Vector<T, D> cholesky_solve(SymmetricMatrix<T, D> const &l, Vector<T, D> x) noexcept
+{
+    for (int i = 0; i < D; ++i) {
+        for (int j = 0; j < i; ++j) x[i] = x[i] - l(j, i) * x[j];
+        x[i] = x[i] / l(i, i);
+    }
+    for (int i = D - 1; i >= 0; --i) {
+        for (int j = i + 1; j < D; ++j) x[i] = x[i] - l(i, j) * x[j];
+        x[i] = x[i] / l(i, i);
+    }
+    return x;
+}
+
+/// Whether a symmetric matrix is positive definite to working precision: all pivots of its factorisation, computed in
+/// `T`, are positive.
+template <class T, int D>
+constexpr typename ScalarTraits<T>::Mask is_positive_definite(SymmetricMatrix<T, D> const &a) noexcept
+{
+    Factorization<T, D> const f = factorize(a, T(0));
+    auto positive = f.pivots[0] > T(0);
+    for (int i = 1; i < D; ++i) positive = positive && f.pivots[i] > T(0);
+    return positive;
+}
+
+/// Whether a symmetric matrix is positive definite by so wide a margin that products alone show it: leading minors
+/// above 512 u of the product of the diagonal, against rounding errors below 16 u (Sylvester's criterion).
+template <class T> constexpr typename ScalarTraits<T>::Mask is_clearly_definite(SymmetricMatrix<T, 2> const &a) noexcept
+{
+    T const bound = T(512) * unit_roundoff<T>();
+    return a[0] > T(0) && a[2] > T(0) && a[0] * a[2] - a[1] * a[1] > bound * (a[0] * a[2]);
+}
+
+template <class T> constexpr typename ScalarTraits<T>::Mask is_clearly_definite(SymmetricMatrix<T, 3> const &a) noexcept
+{
+    T const bound = T(512) * unit_roundoff<T>(), product = a[0] * a[3], minor = product - a[1] * a[1];
+    T const determinant =
+        a[0] * (a[3] * a[5] - a[4] * a[4]) + a[1] * (a[2] * a[4] - a[1] * a[5]) + a[2] * (a[1] * a[4] - a[2] * a[3]);
+    return a[0] > T(0) && a[3] > T(0) && a[5] > T(0) && minor > bound * product &&
+           determinant > bound * (product * a[5]);
+}
+
+/// The adjugate adj(A) = det(A)·A⁻¹ in two dimensions.
+template <class T> constexpr SymmetricMatrix<T, 2> adjugate(SymmetricMatrix<T, 2> const &a) noexcept
+{
+    return {a[2], -a[1], a[0]};
+}
+
+/// The adjugate adj(A) = det(A)·A⁻¹ in three dimensions.
+template <class T> constexpr SymmetricMatrix<T, 3> adjugate(SymmetricMatrix<T, 3> const &a) noexcept
+{
+    return {a[3] * a[5] - a[4] * a[4], a[2] * a[4] - a[1] * a[5], a[1] * a[4] - a[2] * a[3],
+            a[0] * a[5] - a[2] * a[2], a[1] * a[2] - a[0] * a[4], a[0] * a[3] - a[1] * a[1]};
+}
+
+/// The contraction A:B = tr(A·B).
+template <class T, int D>
+constexpr T contraction(SymmetricMatrix<T, D> const &a, SymmetricMatrix<T, D> const &b) noexcept
+{
+    T diagonal = a(0, 0) * b(0, 0), rest = a(0, 1) * b(0, 1);
+    for (int i = 1; i < D; ++i) diagonal = diagonal + a(i, i) * b(i, i);
+    for (int j = 2; j < D; ++j)
+        for (int i = 0; i < j; ++i) rest = rest + a(i, j) * b(i, j);
+    return diagonal + T(2) * rest;
+}
+
+/// The determinant from a matrix and its adjugate, expanded along the first row.
+template <class T, int D>
+constexpr T determinant(SymmetricMatrix<T, D> const &a, SymmetricMatrix<T, D> const &adjugate_of_a) noexcept
+{
+    T sum = a(0, 0) * adjugate_of_a(0, 0);
+    for (int j = 1; j < D; ++j) sum = sum + a(0, j) * adjugate_of_a(0, j);
+    return sum;
+}
+
+} // namespace pw85::inline PW85_TARGET
+
+#endif

@@ -1,0 +1,68 @@
+/** @file pw85_legacy.h
+ * @brief Superseded ways to compute the contact function, kept for reference and comparison (library pw85_legacy).
+ *
+ * Conventions are those of pw85.h. The rational form loses accuracy with the square of the aspect ratio and more; see
+ * the chapter on the implementation.
+ */
+#ifndef PW85_LEGACY_H_INCLUDED
+#define PW85_LEGACY_H_INCLUDED
+
+#include <pw85.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/** Determinant of a symmetric matrix. */
+PW85_API double pw85_legacy__det_sym(double const a[PW85_SYM]);
+
+/** xᵀ adj(A) x, where adj(A) is the adjugate (the transpose of the matrix of cofactors). */
+PW85_API double pw85_legacy__xT_adjA_x(double const x[PW85_DIM], double const a[PW85_SYM]);
+
+/** Coefficients of det[(1-λ) Q1 + λ Q2] in increasing powers of λ.
+ *
+ * @param q1,q2 the forms
+ * @param q3 2 Q1 - Q2, the value of the blend at λ = -1
+ * @param q4 (Q1 + Q2)/2, its value at λ = 1/2
+ * @param[out] b b[0] + b[1] λ + b[2] λ² + b[3] λ³ */
+PW85_API void pw85_legacy__detQ_as_poly(double const q1[PW85_SYM], double const q2[PW85_SYM], double const q3[PW85_SYM],
+                                        double const q4[PW85_SYM], double b[PW85_DIM + 1]);
+
+/** Coefficients of rᵀ adj[(1-λ) Q1 + λ Q2] r in increasing powers of λ.
+ *
+ * @param r vector
+ * @param q1,q2 the forms
+ * @param q3 2 Q1 - Q2, the value of the blend at λ = -1
+ * @param[out] a a[0] + a[1] λ + a[2] λ² */
+PW85_API void pw85_legacy__rT_adjQ_r_as_poly(double const r[PW85_DIM], double const q1[PW85_SYM],
+                                             double const q2[PW85_SYM], double const q3[PW85_SYM], double a[PW85_DIM]);
+
+/** f(λ), by factorisation.
+ *
+ * @param lambda in [0, 1]
+ * @param r12,q1,q2 as for pw85_contact()
+ * @param[out] out (f, f', f''); may be null
+ * @return f(λ); NaN for invalid input */
+PW85_API double pw85_legacy_f1(double lambda, double const r12[PW85_DIM], double const q1[PW85_SYM],
+                               double const q2[PW85_SYM], double *out);
+
+/** f(λ), as a rational function of λ; arguments as for pw85_legacy_f1(). `out` is `double[3]` here too: pw85 1.0 wrote
+ * one number. */
+PW85_API double pw85_legacy_f2(double lambda, double const r12[PW85_DIM], double const q1[PW85_SYM],
+                               double const q2[PW85_SYM], double *out);
+
+/** Contact function by plain Newton-Raphson iterations on f' from λ = 1/2, which often fail; contract as for
+ * pw85_contact(), and #PW85_ECONVERGENCE when they leave [0, 1] or do not settle. */
+PW85_API int pw85_legacy_contact_function1(double const r12[PW85_DIM], double const q1[PW85_SYM],
+                                           double const q2[PW85_SYM], double out[2]);
+
+/** Contact function by bisection on the numerator of f' in rational form; contract as for pw85_contact(), except for
+ * accuracy. */
+PW85_API int pw85_legacy_contact_function2(double const r12[PW85_DIM], double const q1[PW85_SYM],
+                                           double const q2[PW85_SYM], double out[2]);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

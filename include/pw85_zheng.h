@@ -1,0 +1,41 @@
+/** @file pw85_zheng.h
+ * @brief Distance of closest approach by the algorithms of Zheng and Palffy-Muhoray (library pw85_legacy).
+ *
+ * An independent cross-check of pw85_closest_approach(), which is faster and more accurate. Conventions are those of
+ * pw85.h.
+ *
+ * X. Zheng and P. Palffy-Muhoray, Phys. Rev. E 75, 061709 (2007); X. Zheng, W. Iglesias and P. Palffy-Muhoray, Phys.
+ * Rev. E 79, 057702 (2009).
+ */
+#ifndef PW85_ZHENG_H_INCLUDED
+#define PW85_ZHENG_H_INCLUDED
+
+#include <pw85.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/** Distance of closest approach of two ellipses, in closed form (the root of a quartic).
+ *
+ * @param direction from centre 1 to centre 2, of any length > 0
+ * @param q1,q2 forms (xx, xy, yy)
+ * @param[out] distance of the centres at external tangency
+ * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD */
+PW85_API int pw85_zheng_ellipses(double const direction[2], double const q1[3], double const q2[3], double *distance);
+
+/** Distance of closest approach of two ellipsoids: the largest of those of the ellipses that a plane through the line
+ * of centres cuts out, as the plane turns.
+ *
+ * @param direction from centre 1 to centre 2, of any length > 0
+ * @param q1,q2 forms
+ * @param[out] distance of the centres at external tangency
+ * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD */
+PW85_API int pw85_zheng_ellipsoids(double const direction[PW85_DIM], double const q1[PW85_SYM],
+                                   double const q2[PW85_SYM], double *distance);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,49 @@
+// Between the arrays of the C API and the values of the C++ headers.
+#ifndef PW85_C_ARRAYS_HPP_INCLUDED
+#define PW85_C_ARRAYS_HPP_INCLUDED
+
+#include <pw85/symmetric.hpp>
+
+namespace pw85::c_api {
+
+inline bool any_null() noexcept { return false; }
+
+/// Whether any of the pointers is null.
+template <class Pointer, class... Pointers> bool any_null(Pointer first, Pointers... rest) noexcept
+{
+    return first == nullptr || any_null(rest...);
+}
+
+template <int D> Vector<double, D> load_vector(double const *x) noexcept
+{
+    Vector<double, D> v;
+    for (int i = 0; i < D; ++i) v[i] = x[i];
+    return v;
+}
+
+template <int D> SymmetricMatrix<double, D> load_matrix(double const *a) noexcept
+{
+    SymmetricMatrix<double, D> m;
+    for (int k = 0; k < m.size; ++k) m[k] = a[k];
+    return m;
+}
+
+template <int D> void store(Vector<double, D> const &v, double *x) noexcept
+{
+    for (int i = 0; x != nullptr && i < D; ++i) x[i] = v[i];
+}
+
+template <int D> void store(SymmetricMatrix<double, D> const &m, double *a) noexcept
+{
+    for (int k = 0; a != nullptr && k < m.size; ++k) a[k] = m[k];
+}
+
+/// Fills an array with NaN, unless it is null.
+inline void store_nan(double *x, int count) noexcept
+{
+    for (int i = 0; x != nullptr && i < count; ++i) x[i] = quiet_nan<double>();
+}
+
+} // namespace pw85::c_api
+
+#endif

@@ -1,0 +1,167 @@
+// The C API over the C++ headers: null pointers are turned away here, everything else is checked in the core.
+#include <pw85.h>
+
+#include <pw85/pw85.hpp>
+
+#include "c_arrays.hpp"
+#include "gsl_brent.hpp"
+
+using namespace pw85;
+using namespace pw85::c_api;
+
+namespace {
+
+template <int D> int store_form(Form<double, D> const &form, double *q) noexcept
+{
+    store(form.q, q);
+    return static_cast<int>(form.status);
+}
+
+int store_contact(Contact<double> const &contact, double out[2]) noexcept
+{
+    out[0] = contact.mu2;
+    out[1] = contact.lambda;
+    return static_cast<int>(contact.status);
+}
+
+int null_pointer(double *out, int count) noexcept
+{
+    store_nan(out, count);
+    return PW85_EINVAL;
+}
+
+} // namespace
+
+char const *pw85_version(void) { return PW85_VERSION; }
+
+char const *pw85_strerror(int status) { return pw85::strerror(static_cast<Status>(status)); }
+
+void pw85_spheroid(double a, double c, double const n[3], double q[6])
+{
+    if (any_null(n, q)) return store_nan(q, PW85_SYM);
+    store(spheroid(a, c, load_vector<3>(n)).q, q);
+}
+
+int pw85_ellipsoid(double const semi_axes[3], double const rotation[9], double q[6])
+{
+    if (any_null(semi_axes, rotation, q)) return null_pointer(q, PW85_SYM);
+    double r[9];
+    for (int i = 0; i < 9; ++i) r[i] = rotation[i];
+    return store_form(ellipsoid(load_vector<3>(semi_axes), r), q);
+}
+
+int pw85_ellipsoid_quaternion(double const semi_axes[3], double const quaternion[4], double q[6])
+{
+    if (any_null(semi_axes, quaternion, q)) return null_pointer(q, PW85_SYM);
+    return store_form(ellipsoid_quaternion(load_vector<3>(semi_axes), load_vector<4>(quaternion)), q);
+}
+
+int pw85_ellipse(double a, double b, double angle, double q[3])
+{
+    if (any_null(q)) return PW85_EINVAL;
+    return store_form(ellipse(a, b, angle), q);
+}
+
+int pw85_contact(double const r12[3], double const q1[6], double const q2[6], double out[2])
+{
+    if (any_null(r12, q1, q2, out)) return null_pointer(out, 2);
+    return store_contact(contact(load_vector<3>(r12), load_matrix<3>(q1), load_matrix<3>(q2)), out);
+}
+
+int pw85_contact_function(double const r12[3], double const q1[6], double const q2[6], double out[2])
+{
+    if (any_null(r12, q1, q2, out)) return null_pointer(out, 2);
+    constexpr brent::Options options{PW85_LAMBDA_ATOL, PW85_MAX_ITER, PW85_NR_ITER};
+    return store_contact(brent::contact_function(load_vector<3>(r12), load_matrix<3>(q1), load_matrix<3>(q2), options),
+                         out);
+}
+
+int pw85_contact_2d(double const r12[2], double const q1[3], double const q2[3], double out[2])
+{
+    if (any_null(r12, q1, q2, out)) return null_pointer(out, 2);
+    return store_contact(contact(load_vector<2>(r12), load_matrix<2>(q1), load_matrix<2>(q2)), out);
+}
+
+int pw85_contact_geometry(double const r12[3], double const q1[6], double const q2[6], double lambda, double point[3],
+                          double normal[3])
+{
+    if (any_null(r12, q1, q2)) {
+        store_nan(point, PW85_DIM);
+        return null_pointer(normal, PW85_DIM);
+    }
+    auto const g = contact_geometry(load_vector<3>(r12), load_matrix<3>(q1), load_matrix<3>(q2), lambda);
+    store(g.point, point);
+    store(g.normal, normal);
+    return static_cast<int>(g.status);
+}
+
+int pw85_contact_gradient(double const r12[3], double const q1[6], double const q2[6], double lambda, double d_r12[3],
+                          double d_q1[6], double d_q2[6])
+{
+    if (any_null(r12, q1, q2)) {
+        store_nan(d_r12, PW85_DIM);
+        store_nan(d_q1, PW85_SYM);
+        return null_pointer(d_q2, PW85_SYM);
+    }
+    auto const g = contact_gradient(load_vector<3>(r12), load_matrix<3>(q1), load_matrix<3>(q2), lambda);
+    store(g.r12, d_r12);
+    store(g.q1, d_q1);
+    store(g.q2, d_q2);
+    return static_cast<int>(g.status);
+}
+
+int pw85_contact_torque(double const r12[3], double const q1[6], double const q2[6], double lambda, double d_rot1[3],
+                        double d_rot2[3])
+{
+    if (any_null(r12, q1, q2)) {
+        store_nan(d_rot1, PW85_DIM);
+        return null_pointer(d_rot2, PW85_DIM);
+    }
+    auto const t = contact_torque(load_vector<3>(r12), load_matrix<3>(q1), load_matrix<3>(q2), lambda);
+    store(t.rotation1, d_rot1);
+    store(t.rotation2, d_rot2);
+    return static_cast<int>(t.status);
+}
+
+int pw85_closest_approach(double const direction[3], double const q1[6], double const q2[6], double *distance)
+{
+    if (any_null(direction, q1, q2, distance)) return null_pointer(distance, 1);
+    auto const c = closest_approach(load_vector<3>(direction), load_matrix<3>(q1), load_matrix<3>(q2));
+    *distance = c.distance;
+    return static_cast<int>(c.status);
+}
+
+int pw85_closest_approach_2d(double const direction[2], double const q1[3], double const q2[3], double *distance)
+{
+    if (any_null(direction, q1, q2, distance)) return null_pointer(distance, 1);
+    auto const c = closest_approach(load_vector<2>(direction), load_matrix<2>(q1), load_matrix<2>(q2));
+    *distance = c.distance;
+    return static_cast<int>(c.status);
+}
+
+void pw85__cholesky_decomp(double const a[6], double l[6])
+{
+    if (any_null(a, l)) return store_nan(l, PW85_SYM);
+    store(cholesky(load_matrix<3>(a)), l);
+}
+
+void pw85__cholesky_solve(double const l[6], double const b[3], double x[3])
+{
+    if (any_null(l, b, x)) return store_nan(x, PW85_DIM);
+    store(cholesky_solve(load_matrix<3>(l), load_vector<3>(b)), x);
+}
+
+void pw85__residual(double lambda, double const r12[3], double const q1[6], double const q2[6], double out[3])
+{
+    if (any_null(r12, q1, q2, out)) return store_nan(out, 3);
+    auto const f = checked_derivatives(lambda, load_vector<3>(r12), load_matrix<3>(q1), load_matrix<3>(q2));
+    out[0] = f.f;
+    out[1] = -f.first;
+    out[2] = -f.second;
+}
+
+double pw85_f_neg(double lambda, double const *params)
+{
+    if (any_null(params)) return quiet_nan<double>();
+    return -checked_f(lambda, load_vector<3>(params), load_matrix<3>(params + 3), load_matrix<3>(params + 9));
+}
