@@ -123,6 +123,16 @@ int pw85_contact_torque(double const r12[3], double const q1[6], double const q2
     return static_cast<int>(t.status);
 }
 
+int pw85_overlap(double const r12[3], double const q1[6], double const q2[6], int *overlap)
+{
+    if (any_null(overlap)) return PW85_EINVAL;
+    *overlap = -1;
+    if (any_null(r12, q1, q2)) return PW85_EINVAL;
+    auto const answer = pw85::overlap(load_vector<3>(r12), load_matrix<3>(q1), load_matrix<3>(q2));
+    if (answer.status == Status::success) *overlap = answer.overlap ? 1 : 0;
+    return static_cast<int>(answer.status);
+}
+
 int pw85_closest_approach(double const direction[3], double const q1[6], double const q2[6], double *distance)
 {
     if (any_null(direction, q1, q2, distance)) return null_pointer(distance, 1);

@@ -80,11 +80,12 @@ template <class T, int D> inline Contact<T> unscale(ScaledPair<T, D> const &scal
     return {mu2, lambda, Status::success};
 }
 
-/// Whether products alone show that a pair is valid, in range, and r12 != 0: true of almost all pairs.
-template <class T, int D> inline bool is_ordinary(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
-                                                  SymmetricMatrix<T, D> const &q2) noexcept
+/// Whether products alone show that the forms are valid, the pair in range, and r12 != 0: true of almost all pairs. What is
+/// left is whether r12 is finite.
+template <class T, int D> inline typename ScalarTraits<T>::Mask
+is_ordinary(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, SymmetricMatrix<T, D> const &q2) noexcept
 {
-    return is_finite(r12) && is_in_range(largest_coordinate(r12), largest_diagonal(q1), largest_diagonal(q2)) &&
+    return is_in_range(largest_coordinate(r12), largest_diagonal(q1), largest_diagonal(q2)) &&
            is_clearly_definite(q1) && is_clearly_definite(q2);
 }
 
@@ -92,7 +93,7 @@ template <class T, int D> inline Contact<T> contact(Vector<T, D> const &r12, Sym
                                                     SymmetricMatrix<T, D> const &q2) noexcept
 {
     ScaledPair<T, D> scaled{{r12, q1, q2, T(1)}, 0, 0, false};
-    if (!is_ordinary(r12, q1, q2)) {
+    if (!(is_finite(r12) && is_ordinary(r12, q1, q2))) {
         Status const status = validate(r12, q1, q2, scaled);
         if (status != Status::success) return {quiet_nan<T>(), quiet_nan<T>(), status};
         if (largest_coordinate(r12) == T(0)) return {T(0), T(0.5), Status::success};

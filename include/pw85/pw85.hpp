@@ -28,7 +28,8 @@ template <class T, int D> struct ContactGeometry; // point, normal, status
 template <class T, int D> struct ContactGradient; // r12, q1, q2, status
 template <class T> struct ContactTorque;          // rotation1, rotation2, status
 template <class T> struct ClosestApproach;        // distance, status
-template <class T, int D> struct Overlap;         // overlap, witness, status
+struct Overlap;                                   // overlap, tier, status
+template <class T, int D> struct OverlapWitness;  // overlap, lambda, direction, point, status
 
 /// Form of a spheroid with equatorial radius `a`, polar radius `c`, and axis along `n`.
 template <class T> constexpr Form<T, 3> spheroid(T const &a, T const &c, Vector<T, 3> n) noexcept;
@@ -61,6 +62,14 @@ inline ContactGradient<T, D> contact_gradient(Vector<T, D> const &r12, Symmetric
 template <class T> inline ContactTorque<T> contact_torque(Vector<T, 3> const &r12, SymmetricMatrix<T, 3> const &q1,
                                                           SymmetricMatrix<T, 3> const &q2, T const &lambda) noexcept;
 
+/// Whether two ellipsoids overlap, μ² < 1, decided exactly for the numbers given.
+template <class T, int D> inline Overlap overlap(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
+                                                 SymmetricMatrix<T, D> const &q2) noexcept;
+
+/// The same with what shows it: a separating direction, or a point inside both.
+template <class T, int D> inline OverlapWitness<T, D>
+overlap_witness(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, SymmetricMatrix<T, D> const &q2) noexcept;
+
 /// Distance of closest approach along `direction`, of any length > 0.
 template <class T, int D> inline ClosestApproach<T>
 closest_approach(Vector<T, D> direction, SymmetricMatrix<T, D> const &q1, SymmetricMatrix<T, D> const &q2) noexcept;
@@ -71,5 +80,6 @@ closest_approach(Vector<T, D> direction, SymmetricMatrix<T, D> const &q1, Symmet
 #include <pw85/contact.hpp>
 #include <pw85/forms.hpp>
 #include <pw85/geometry.hpp>
+#include <pw85/overlap.hpp>
 
 #endif

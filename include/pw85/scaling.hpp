@@ -50,14 +50,14 @@ template <class T, int D> constexpr T largest_coordinate(Vector<T, D> const &x) 
     return largest;
 }
 
-/// Magnitudes of r12 and of the diagonals up to which, and down to the inverse of which, no scaling is needed. The
-/// largest numbers that the solver forms are of degree 26 in M and 8 in r12 (the square of A B b² of the rational
-/// form), and M exceeds the forms by the ratio of the sizes and the aspect: 2^15 leaves double room for that. Other
-/// types are scaled to order one.
+/// Magnitudes of r12 and of the diagonals up to which, and down to the inverse of which, a pair is not scaled. The largest
+/// numbers that the solver forms are of degree 25 in M and 10 in r12 (halley_step() on the rational form): ordinary aspect
+/// ratios leave the range of double enough room, and where they do not, the rational form gives up and the factorised one
+/// takes over, whose numbers are small. Other types are scaled to order one.
 template <class T> constexpr T unscaled_limit() noexcept
 {
     using Lane = typename ScalarTraits<T>::Lane;
-    return std::numeric_limits<Lane>::max_exponent >= 1024 ? T(32768) : T(4);
+    return T(std::numeric_limits<Lane>::max_exponent >= 1024 ? 0x1p24 : 4.0);
 }
 
 /// Whether a pair of finite, nonzero magnitudes needs no scaling: `r` is its largest coordinate, `q1` and `q2` the
