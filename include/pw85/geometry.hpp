@@ -1,13 +1,12 @@
 /// @file
 /// Contact point, normal and derivatives, from the maximiser λ.
 ///
-/// With τ = λ/(1-λ) and s = (Q1 + τ Q2)⁻¹ r12 (envelope theorem: λ may be held fixed, f being stationary there):
+/// With n = [(1-λ) Q1 + λ Q2]⁻¹ r12 (envelope theorem: λ may be held fixed, f being stationary there):
 ///
-/// 1. x0 - c1 = Q1 s, x0 - c2 = -τ Q2 s; the common normal is along s.
-/// 2. ∂μ²/∂r12 = 2λ s; ∂μ²/∂Q1 = -λ s sᵀ; ∂μ²/∂Q2 = -λτ s sᵀ.
-/// 3. Rotations about the own centres: ∂μ²/∂ω1 = 2λ s × Q1s, ∂μ²/∂ω2 = 2λτ s × Q2s. With 2 and r12 = Q1s + τQ2s their
-/// sum
-///    plus r12 × ∂μ²/∂r12 vanishes: no net torque.
+/// 1. x0 - c1 = (1-λ) Q1 n, x0 - c2 = -λ Q2 n; the common normal is along n.
+/// 2. ∂μ²/∂r12 = 2λ(1-λ) n; ∂μ²/∂Q1 = -λ(1-λ)² n nᵀ; ∂μ²/∂Q2 = -λ²(1-λ) n nᵀ.
+/// 3. Rotations about the own centres: ∂μ²/∂ω1 = 2λ(1-λ)² n × Q1n, ∂μ²/∂ω2 = 2λ²(1-λ) n × Q2n. Their sum plus r12 × ∂μ²/∂r12
+///    vanishes: no net torque.
 #ifndef PW85_GEOMETRY_HPP_INCLUDED
 #define PW85_GEOMETRY_HPP_INCLUDED
 
@@ -35,89 +34,141 @@ template <class T> struct ContactTorque {
     Status status;
 };
 
-/// The pair at a given λ, in the order of the caller: s, the arms Q1s and τQ2s, λ and τ, in units of the scaled pair.
+/// M⁻¹ x: by the adjugate where that is as good as rounding allows, else by factorisation.
+template <class T, int D>
+inline Vector<T, D> solve_blend(SymmetricMatrix<T, D> const &m, Vector<T, D> const &x) noexcept
+{
+    auto const adj = adjugate(m);
+    T const det = determinant(m, adj);
+    T diagonal = m(0, 0);
+    for (int i = 1; i < D; ++i) diagonal = diagonal * m(i, i);
+    if (det > fine_conditioning<T>() * diagonal) return times(T(T(1) / det), product(adj, x));
+    return solve(factorize(m, T(unit_roundoff<T>())), x);
+}
+
+/// n at some λ, with 1-λ and λ and these times the factors by which the forms in hand differ from the true ones.
 template <class T, int D> struct Tangency {
-    Vector<T, D> s, arm1, arm2;
-    T lambda, tau;
-    int length, form; ///< true s: times 2^(length - 2 form); true arms: times 2^length
-    Status status;
+    Vector<T, D> n;
+    T lambda1, lambda2; ///< 1-λ, λ
+    T weight1, weight2; ///< those of the forms in hand
 };
 
-template <class T, int D> inline Tangency<T, D> tangency(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
-                                                         SymmetricMatrix<T, D> const &q2, T const &lambda) noexcept
+/// formula(tangency, q1, q2) for a pair at λ, in units that keep everything in range, and back in the caller's.
+template <class Formula, class T, int D>
+[[gnu::noinline]] inline auto at_tangency_scaled(Formula formula, Vector<T, D> const &r12,
+                                                 SymmetricMatrix<T, D> const &q1, SymmetricMatrix<T, D> const &q2,
+                                                 T const &lambda1, T const &lambda2) noexcept
 {
-    Tangency<T, D> result{};
     ScaledPair<T, D> scaled;
-    bool const in_range = lambda >= T(0) && lambda <= T(1);
-    result.status = in_range ? validate(r12, q1, q2, scaled) : Status::invalid_argument;
-    if (result.status != Status::success || largest_coordinate(r12) == T(0)) return result;
-    // A maximiser that rounds to an end is that of a pair of very different sizes, not the end.
-    T const least = T(0.5) * unit_roundoff<T>();
-    T const complement = maximum(T(T(1) - lambda), least);
-    T const tau = maximum(lambda, std::numeric_limits<T>::min()) / complement;
-    T const ratio = scaled.pair.ratio, t = (scaled.swapped ? T(1) / tau : tau) / ratio / ratio;
-
-    Vector<T, D> const s = solve(factorize_blend(T(1), scaled.pair.q1, t, scaled.pair.q2), scaled.pair.r12);
-    Vector<T, D> const arm1 = product(scaled.pair.q1, s), arm2 = times(t, product(scaled.pair.q2, s));
-    // Exchanging the ellipsoids multiplies s = (Q1 + τQ2)⁻¹r by -1/τ.
-    T const sign = scaled.swapped ? T(-1) : T(1);
-    result.s = times(scaled.swapped ? T(-1) / tau : T(1), s);
-    result.arm1 = times(sign, scaled.swapped ? arm2 : arm1);
-    result.arm2 = times(sign, scaled.swapped ? arm1 : arm2);
-    result.lambda = tau / (T(1) + tau);
-    result.tau = tau;
-    result.length = scaled.length;
-    result.form = scaled.form;
+    Status const status = lambda2 >= T(0) && lambda2 <= T(1) ? validate(r12, q1, q2, scaled) : Status::invalid_argument;
+    bool const defined = status == Status::success && largest_coordinate(r12) > T(0);
+    if (!defined) scaled = {{r12, q1, q2, T(1)}, 0, 0, false};
+    T const small = T(1) / scaled.pair.ratio / scaled.pair.ratio;
+    auto const &p1 = scaled.swapped ? scaled.pair.q2 : scaled.pair.q1;
+    auto const &p2 = scaled.swapped ? scaled.pair.q1 : scaled.pair.q2;
+    Tangency<T, D> at{
+        {}, lambda1, lambda2, lambda1 * (scaled.swapped ? small : T(1)), lambda2 * (scaled.swapped ? T(1) : small)};
+    if (defined)
+        at.n = times(T(scaled.swapped ? -1 : 1), solve_blend(blend(at.weight1, p1, at.weight2, p2), scaled.pair.r12));
+    auto result = formula(at, p1, p2);
+    if (status != Status::success) invalidate(result, status);
+    rescale(result, scaled.length, scaled.form);
     return result;
+}
+
+/// formula(tangency, q1, q2) for a pair at λ.
+template <class Formula, class T, int D>
+inline auto at_tangency(Formula formula, Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
+                        SymmetricMatrix<T, D> const &q2, T const &lambda) noexcept
+{
+    // A maximiser that rounds to 1 is that of a pair of very different sizes, not the end.
+    T const lambda1 = maximum(T(T(1) - lambda), T(T(0.5) * unit_roundoff<T>()));
+    if (lambda >= T(0) && lambda <= T(1) && is_finite(r12) && is_ordinary(r12, q1, q2)) {
+        Vector<T, D> const n = solve_blend(blend(lambda1, q1, lambda, q2), r12);
+        return formula(Tangency<T, D>{n, lambda1, lambda, lambda1, lambda}, q1, q2);
+    }
+    return at_tangency_scaled(formula, r12, q1, q2, lambda1, lambda);
+}
+
+template <class T, int D> inline void invalidate(ContactGeometry<T, D> &g, Status status) noexcept
+{
+    for (int i = 0; i < D; ++i) g.point[i] = g.normal[i] = quiet_nan<T>();
+    g.status = status;
+}
+
+template <class T, int D> inline void rescale(ContactGeometry<T, D> &g, int length, int) noexcept
+{
+    g.point = times_power_of_two(g.point, length);
 }
 
 template <class T, int D>
 inline ContactGeometry<T, D> contact_geometry(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
                                               SymmetricMatrix<T, D> const &q2, T const &lambda) noexcept
 {
-    auto const at = tangency(r12, q1, q2, lambda);
-    ContactGeometry<T, D> result{{}, {}, at.status};
-    T const largest = largest_coordinate(at.s);
-    if (at.status == Status::success && !(largest > T(0))) result.status = Status::invalid_argument;
-    if (result.status != Status::success) {
-        for (int i = 0; i < D; ++i) result.point[i] = result.normal[i] = quiet_nan<T>();
-        return result;
-    }
-    Vector<T, D> const direction = times(T(1) / largest, at.s);
-    result.point = times_power_of_two(at.arm1, at.length);
-    result.normal = times(T(T(1) / square_root(dot(direction, direction))), direction);
-    return result;
+    return at_tangency(
+        [](Tangency<T, D> const &at, SymmetricMatrix<T, D> const &p1, SymmetricMatrix<T, D> const &) {
+            Vector<T, D> const direction = times(T(at.weight1 + at.weight2), at.n);
+            T const norm2 = dot(direction, direction);
+            ContactGeometry<T, D> result{times(at.weight1, product(p1, at.n)),
+                                         times(T(T(1) / square_root(norm2)), direction), Status::success};
+            if (!(norm2 > T(0))) invalidate(result, Status::invalid_argument);
+            return result;
+        },
+        r12, q1, q2, lambda);
 }
 
-/// -weight·s sᵀ by stored entries.
-template <class T, int D>
-constexpr SymmetricMatrix<T, D> negative_outer(T const &weight, Vector<T, D> const &s) noexcept
+template <class T, int D> inline void invalidate(ContactGradient<T, D> &g, Status status) noexcept
 {
-    SymmetricMatrix<T, D> a = outer_weights(s);
-    for (int k = 0; k < a.size; ++k) a[k] = -weight * a[k];
-    return a;
+    g.r12 = times(quiet_nan<T>(), g.r12);
+    g.q1 = times(quiet_nan<T>(), g.q1);
+    g.q2 = times(quiet_nan<T>(), g.q2);
+    g.status = status;
+}
+
+template <class T, int D> inline void rescale(ContactGradient<T, D> &g, int length, int form) noexcept
+{
+    g.r12 = times_power_of_two(g.r12, length - 2 * form);
+    g.q1 = times_power_of_two(g.q1, 2 * (length - 2 * form));
+    g.q2 = times_power_of_two(g.q2, 2 * (length - 2 * form));
 }
 
 template <class T, int D>
 inline ContactGradient<T, D> contact_gradient(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
                                               SymmetricMatrix<T, D> const &q2, T const &lambda) noexcept
 {
-    auto const at = tangency(r12, q1, q2, lambda);
-    T const factor = at.status == Status::success ? T(1) : quiet_nan<T>();
-    int const exponent = at.length - 2 * at.form;
-    return {times_power_of_two(times(T(T(2) * at.lambda * factor), at.s), exponent),
-            times_power_of_two(negative_outer(T(at.lambda * factor), at.s), 2 * exponent),
-            times_power_of_two(negative_outer(T(at.lambda * at.tau * factor), at.s), 2 * exponent), at.status};
+    return at_tangency(
+        [](Tangency<T, D> const &at, SymmetricMatrix<T, D> const &, SymmetricMatrix<T, D> const &) {
+            T const weight = at.lambda1 * at.lambda2;
+            auto const outer = outer_weights(at.n);
+            return ContactGradient<T, D>{times(T(T(2) * weight), at.n), times(T(-weight * at.lambda1), outer),
+                                         times(T(-weight * at.lambda2), outer), Status::success};
+        },
+        r12, q1, q2, lambda);
+}
+
+template <class T> inline void invalidate(ContactTorque<T> &t, Status status) noexcept
+{
+    t.rotation1 = times(quiet_nan<T>(), t.rotation1);
+    t.rotation2 = times(quiet_nan<T>(), t.rotation2);
+    t.status = status;
+}
+
+template <class T> inline void rescale(ContactTorque<T> &t, int length, int form) noexcept
+{
+    t.rotation1 = times_power_of_two(t.rotation1, 2 * (length - form));
+    t.rotation2 = times_power_of_two(t.rotation2, 2 * (length - form));
 }
 
 template <class T> inline ContactTorque<T> contact_torque(Vector<T, 3> const &r12, SymmetricMatrix<T, 3> const &q1,
                                                           SymmetricMatrix<T, 3> const &q2, T const &lambda) noexcept
 {
-    auto const at = tangency(r12, q1, q2, lambda);
-    T const factor = at.status == Status::success ? T(2) * at.lambda : quiet_nan<T>();
-    int const exponent = 2 * (at.length - at.form);
-    return {times_power_of_two(times(factor, cross(at.s, at.arm1)), exponent),
-            times_power_of_two(times(factor, cross(at.s, at.arm2)), exponent), at.status};
+    return at_tangency(
+        [](Tangency<T, 3> const &at, SymmetricMatrix<T, 3> const &p1, SymmetricMatrix<T, 3> const &p2) {
+            T const weight = T(2) * at.lambda1 * at.lambda2;
+            return ContactTorque<T>{times(T(weight * at.weight1), cross(at.n, product(p1, at.n))),
+                                    times(T(weight * at.weight2), cross(at.n, product(p2, at.n))), Status::success};
+        },
+        r12, q1, q2, lambda);
 }
 
 } // namespace pw85::inline PW85_TARGET

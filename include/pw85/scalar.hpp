@@ -65,6 +65,11 @@ template <class T> inline T square_root(T const &x) noexcept
     return sqrt(x);
 }
 
+/// A quotient and a root that only guide an iteration, so that a relative error of 2^-20 does no harm: packs may round
+/// them coarsely.
+template <class T> constexpr T rough_quotient(T const &x, T const &y) noexcept { return x / y; }
+template <class T> inline T rough_root(T const &x) noexcept { return square_root(x); }
+
 } // namespace pw85::inline PW85_TARGET
 
 #endif

@@ -87,7 +87,7 @@ template <class T> constexpr Step<T> halley_step(Slope<T> const &s) noexcept
 template <class T> constexpr T exponential(Step<T> const &step) noexcept
 {
     T const twice = step.denominator + step.denominator;
-    return (twice + step.numerator) / (twice - step.numerator);
+    return rough_quotient(T(twice + step.numerator), T(twice - step.numerator));
 }
 
 /// Whether a step is at most `bound` in magnitude.
@@ -100,19 +100,20 @@ template <class T> constexpr typename ScalarTraits<T>::Mask is_within(Step<T> co
 template <class T> inline T secular_factor(Jet<T> const &j, T const &ratio, T const &t) noexcept
 {
     T const y = ratio * t;
-    T const ea = j.log_factor - T(0.5) * t * j.a1 / j.a;
-    T const eb = T(1) + T(0.5) * t * j.b1 / j.b - j.log_factor;
-    T const omega = square_root(T(j.a / (y * y * j.b)));
+    T const ea = j.log_factor - rough_quotient(T(T(0.5) * t * j.a1), j.a);
+    T const eb = T(1) + rough_quotient(T(T(0.5) * t * j.b1), j.b) - j.log_factor;
+    T const omega = rough_root(rough_quotient(j.a, T(y * y * j.b)));
     T const half = T(0.5) * ((T(1) - ea) - omega * (T(1) - eb));
-    T const root = square_root(T(half * half + ea * omega * eb));
-    return select(half > T(0), T(omega * eb / (half + root)), T((root - half) / ea));
+    T const root = rough_root(T(half * half + ea * omega * eb));
+    auto const positive = half > T(0);
+    return rough_quotient(select(positive, T(omega * eb), T(root - half)), select(positive, T(half + root), ea));
 }
 
 /// Where the iteration starts: exact for spheres.
 template <class T, int D> inline T initial_guess(Pair<T, D> const &pair) noexcept
 {
     auto const weights = outer_weights(pair.r12);
-    return square_root(T(quadratic_form(pair.q1, weights) / quadratic_form(pair.q2, weights))) / pair.ratio;
+    return rough_root(rough_quotient(quadratic_form(pair.q1, weights), quadratic_form(pair.q2, weights))) / pair.ratio;
 }
 
 /// What a search knows when it is about to make its last evaluation.
@@ -124,7 +125,7 @@ template <class T> struct Candidate {
 /// The end of a step that is within penultimate_step(), with the slope expected there.
 template <class T> constexpr Candidate<T> advance(T const &t, Slope<T> const &s, Step<T> const &step) noexcept
 {
-    T const y = exponential(step), reciprocal = T(1) / s.weight;
+    T const y = exponential(step), reciprocal = rough_quotient(T(1), s.weight);
     return {t * y, reciprocal * (s.k + s.k2 * reciprocal * (y - T(1)))};
 }
 

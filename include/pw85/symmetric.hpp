@@ -50,6 +50,12 @@ template <class T, int D> constexpr Vector<T, D> times(T const &factor, Vector<T
     return x;
 }
 
+template <class T, int D> constexpr SymmetricMatrix<T, D> times(T const &factor, SymmetricMatrix<T, D> a) noexcept
+{
+    for (int k = 0; k < a.size; ++k) a[k] = factor * a[k];
+    return a;
+}
+
 /// The product A x.
 template <class T, int D> constexpr Vector<T, D> product(SymmetricMatrix<T, D> const &a, Vector<T, D> const &x) noexcept
 {

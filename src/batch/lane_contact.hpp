@@ -1,9 +1,8 @@
 /// @file
 /// The contact function of one pair per lane.
 ///
-/// The steps are those of the scalar solver on the rational form. Every lane makes the same number of them in a round,
-/// wanted or not; pairs that need another round are collected and go on together, so that lanes stay full, and what
-/// happens to a pair depends on nothing but the pair.
+/// The steps are those of the scalar solver on the rational form. Each stage runs over all packs of a chunk before the next
+/// begins: stages are short and packs independent, so that the processor works on several at a time.
 #ifndef PW85_BATCH_LANE_CONTACT_HPP_INCLUDED
 #define PW85_BATCH_LANE_CONTACT_HPP_INCLUDED
 
@@ -13,60 +12,109 @@
 
 namespace pw85::inline PW85_TARGET {
 
-/// The outcome of a round.
-struct LaneRound {
-    Pack mu2, lambda;
-    Pack t;         ///< where the next round would go on
-    PackMask done;  ///< μ² and λ are right
-    PackMask again; ///< another round may help
+#ifndef PACKS
+#define PACKS 16
+#endif
+inline constexpr std::size_t packs_per_chunk = PACKS;
+inline constexpr std::size_t chunk = packs_per_chunk * lanes;
+
+/// What is known of the pairs of a pack.
+struct LaneState {
+    LanePair pair;
+    Pack a[3], b[4]; ///< of the rational form
+    Candidate<Pack> candidate;
+    unsigned ordinary;
+    unsigned active;
 };
 
-/// Steps of a round: enough for most pairs of moderate aspect.
-inline constexpr int steps_per_round = 2;
-
-PW85_INLINE LaneRound contact_round(LanePair const &pair, RationalForm<Pack, 3> const &form, Pack t) noexcept
+PW85_INLINE void start(LaneState &state, LanePair const &pair) noexcept
 {
-    Candidate<Pack> candidate{};
-    PackMask within{};
-    for (int i = 0; i < steps_per_round; ++i) {
-        Jet<Pack> const jet = evaluate_jet(form, t);
-        Slope<Pack> const s = slope(jet, pair.ratio, t);
-        Step<Pack> const step = halley_step(s);
-        PackMask const near = is_near(s);
-        Pack factor = exponential(step);
-        if (!all_of(near)) factor = select(near, factor, secular_factor(jet, pair.ratio, t));
-        if (i == steps_per_round - 1) {
-            candidate = advance(t, s, step);
-            within = near && is_within(step, penultimate_step<Pack>());
-        }
-        t = t * factor;
-    }
-    candidate.t = t;
-    PackMask const positive = t > Pack(0) && t < Pack(std::numeric_limits<double>::max());
-    Vector<Pack, 3> const s = evaluate_s(form, t);
-    auto const weights = outer_weights(s);
-    Finish<Pack> const last = finish(candidate, pair.ratio, quadratic_form(pair.q1, weights),
-                                     quadratic_form(pair.q2, weights), dot(pair.r12, s));
-    Pack const condition = conditioning(form, pair, t);
-    PackMask const done = within && absolute(last.step) <= final_step<Pack>() && condition >= fine_conditioning<Pack>();
-    PackMask const again = positive && !within && condition >= rough_conditioning<Pack>();
-    return {last.mu2, last.tau / (Pack(1) + last.tau), t, done, again};
+    auto const weights = outer_weights(pair.r12);
+    auto const adj1 = adjugate(pair.q1), adj2 = adjugate(pair.q2);
+    state.pair = pair;
+    state.a[0] = quadratic_form(adj1, weights);
+    state.a[1] = quadratic_form(mixed_adjugate(pair.q1, pair.q2), weights);
+    state.a[2] = quadratic_form(adj2, weights);
+    state.b[0] = determinant(pair.q1, adj1);
+    state.b[1] = contraction(adj1, pair.q2);
+    state.b[2] = contraction(adj2, pair.q1);
+    state.b[3] = determinant(pair.q2, adj2);
+    state.candidate.t = initial_guess(pair);
+    state.ordinary = is_ordinary(pair.r12, pair.q1, pair.q2).to_bits();
 }
 
-/// Pairs per chunk: their indices and the state of those that go on fit into the first-level cache.
-inline constexpr std::size_t chunk = 256;
-inline constexpr int max_rounds = 3;
+PW85_INLINE RationalForm<Pack, 3> form_of(LaneState const &state) noexcept
+{
+    RationalForm<Pack, 3> form;
+    for (int i = 0; i < 3; ++i) form.a[i] = state.a[i];
+    for (int i = 0; i < 4; ++i) form.b[i] = state.b[i];
+    return form;
+}
 
-/// A pair that goes on.
-struct Straggler {
-    std::size_t index;
-    double t;
+/// The first step, which never is the last.
+PW85_INLINE void first_step(LaneState &state) noexcept
+{
+    Pack const t = state.candidate.t;
+    Jet<Pack> const jet = evaluate_jet(form_of(state), t);
+    Slope<Pack> const s = slope(jet, Pack(1.0), t);
+    PackMask const near = is_near(s);
+    Pack factor = exponential(halley_step(s));
+    if (!all_of(near)) factor = select(near, factor, secular_factor(jet, Pack(1.0), t));
+    state.candidate.t = t * factor;
+    state.active = (1u << lanes) - 1u;
+}
+
+/// Another step of those lanes that need it.
+PW85_INLINE void next_step(LaneState &state, PackMask active) noexcept
+{
+    Pack const t = state.candidate.t;
+    Jet<Pack> const jet = evaluate_jet(form_of(state), t);
+    Slope<Pack> const s = slope(jet, Pack(1.0), t);
+    PackMask const near = is_near(s);
+    Step<Pack> const step = halley_step(s);
+    PackMask const within = near && is_within(step, penultimate_step<Pack>());
+    Candidate<Pack> const candidate = advance(t, s, step);
+    Pack next = candidate.t;
+    if (!all_of(near)) next = select(near, next, t * secular_factor(jet, Pack(1.0), t));
+    state.candidate.t = select(active, next, t);
+    state.candidate.slope = select(active, candidate.slope, state.candidate.slope);
+    state.active = (active & !within).to_bits();
+}
+
+struct LaneContact {
+    Pack mu2, lambda;
+    unsigned done;
 };
 
-PW85_INLINE void store_lanes(Pack const &x, std::size_t const *indices, unsigned mask, double *out) noexcept
+PW85_INLINE LaneContact finish(LaneState const &state) noexcept
+{
+    Pair<Pack, 3> const &pair = state.pair;
+    auto const m = blend(Pack(1.0), pair.q1, state.candidate.t, pair.q2);
+    auto const adj = adjugate(m);
+    auto const s = product(adj, pair.r12);
+    auto const weights = outer_weights(s);
+    Finish<Pack> const last = finish(state.candidate, Pack(1.0), quadratic_form(pair.q1, weights),
+                                     quadratic_form(pair.q2, weights), dot(pair.r12, s));
+    PackMask const accurate = determinant(m, adj) >= fine_conditioning<Pack>() * (m[0] * m[3] * m[5]);
+    PackMask const done = absolute(last.step) <= final_step<Pack>() && accurate;
+    return {last.mu2, last.tau / (Pack(1.0) + last.tau), done.to_bits() & state.ordinary & ~state.active};
+}
+
+PW85_INLINE void store_lanes(Pack const &x, std::size_t first, unsigned mask, double *out) noexcept
 {
     for (int i = 0; i < lanes; ++i)
-        if (mask >> i & 1u) out[indices[i]] = x[i];
+        if (mask >> i & 1u) out[first + static_cast<std::size_t>(i)] = x[i];
+}
+
+PW85_INLINE PackMask to_mask(unsigned bits) noexcept
+{
+#if defined(__AVX512F__)
+    return {static_cast<__mmask8>(bits)};
+#else
+    RegisterOf<lanes>::Integers m;
+    for (int i = 0; i < lanes; ++i) m[i] = -static_cast<std::int64_t>(bits >> i & 1u);
+    return {m};
+#endif
 }
 
 /// Contact of `count` <= chunk pairs from `begin` on; returns the number of those left to the scalar path, whose indices go to
@@ -75,62 +123,43 @@ template <class Rows>
 [[gnu::flatten]] inline std::size_t contact_chunk(Rows const &rows, std::size_t begin, std::size_t count, double *mu2,
                                                   double *lambda, std::size_t *rejected) noexcept
 {
-    Straggler stragglers[chunk + lanes];
-    std::size_t num_rejected = 0, num_stragglers = 0;
-    for (std::size_t k = 0; k < count; k += lanes) {
+    LaneState states[packs_per_chunk];
+    std::size_t const packs = (count + lanes - 1) / lanes;
+    for (std::size_t k = 0; k < packs; ++k) {
         std::size_t indices[lanes];
-        unsigned live = 0;
-        for (int i = 0; i < lanes; ++i) {
-            bool const inside = k + static_cast<std::size_t>(i) < count;
-            indices[i] = begin + (inside ? k + static_cast<std::size_t>(i) : count - 1);
-            live |= static_cast<unsigned>(inside) << i;
+        for (std::size_t i = 0; i < lanes; ++i)
+            indices[i] = begin + (k * lanes + i < count ? k * lanes + i : count - 1);
+        start(states[k], rows.load(indices));
+    }
+    for (std::size_t k = 0; k < packs; ++k) first_step(states[k]);
+    unsigned short active[packs_per_chunk];
+    std::size_t num_active = packs;
+    for (std::size_t k = 0; k < packs; ++k) active[k] = static_cast<unsigned short>(k);
+    for (int step = 2; step <= 5 && num_active > 0; ++step) {
+        std::size_t const waiting = num_active;
+        num_active = 0;
+        for (std::size_t k = 0; k < waiting; ++k) {
+            LaneState &state = states[active[k]];
+            next_step(state, to_mask(state.active));
+            active[num_active] = active[k];
+            num_active += state.active != 0;
         }
-        LanePair const pair = rows.load(indices);
-        PackMask const ordinary = is_ordinary(pair.r12, pair.q1, pair.q2);
-        LaneRound const round = contact_round(pair, rational_form(pair), initial_guess(pair));
-        unsigned const done = (round.done && ordinary).to_bits() & live;
-        unsigned const again = (round.again && ordinary).to_bits() & live;
-        if (done == (1u << lanes) - 1u) {
-            std::memcpy(mu2 + begin + k, &round.mu2, sizeof(Pack));
-            if (lambda) std::memcpy(lambda + begin + k, &round.lambda, sizeof(Pack));
+    }
+    std::size_t num_rejected = 0;
+    for (std::size_t k = 0; k < packs; ++k) {
+        LaneContact const c = finish(states[k]);
+        std::size_t const first = begin + k * lanes;
+        if (c.done == (1u << lanes) - 1u && k * lanes + lanes <= count) {
+            std::memcpy(mu2 + first, &c.mu2, sizeof(Pack));
+            if (lambda) std::memcpy(lambda + first, &c.lambda, sizeof(Pack));
             continue;
         }
-        store_lanes(round.mu2, indices, done, mu2);
-        if (lambda) store_lanes(round.lambda, indices, done, lambda);
-        for (int i = 0; i < lanes; ++i) {
-            if (again >> i & 1u)
-                stragglers[num_stragglers++] = {indices[i], round.t[i]};
-            else if ((live & ~done) >> i & 1u)
-                rejected[num_rejected++] = indices[i];
-        }
+        unsigned const live = k * lanes + lanes <= count ? (1u << lanes) - 1u : (1u << (count - k * lanes)) - 1u;
+        store_lanes(c.mu2, first, c.done & live, mu2);
+        if (lambda) store_lanes(c.lambda, first, c.done & live, lambda);
+        for (unsigned i = 0; i < lanes; ++i)
+            if ((live & ~c.done) >> i & 1u) rejected[num_rejected++] = first + i;
     }
-    for (int r = 1; r < max_rounds; ++r) {
-        std::size_t const waiting = num_stragglers;
-        num_stragglers = 0;
-        for (std::size_t k = 0; k < waiting; k += lanes) {
-            std::size_t indices[lanes];
-            Register t{};
-            unsigned live = 0;
-            for (int i = 0; i < lanes; ++i) {
-                std::size_t const j = k + static_cast<std::size_t>(i) < waiting ? k + static_cast<std::size_t>(i) : waiting - 1;
-                indices[i] = stragglers[j].index;
-                t[i] = stragglers[j].t;
-                live |= static_cast<unsigned>(k + static_cast<std::size_t>(i) < waiting) << i;
-            }
-            LanePair const pair = rows.load(indices);
-            LaneRound const round = contact_round(pair, rational_form(pair), t);
-            unsigned const done = round.done.to_bits() & live, again = round.again.to_bits() & live;
-            store_lanes(round.mu2, indices, done, mu2);
-            if (lambda) store_lanes(round.lambda, indices, done, lambda);
-            for (int i = 0; i < lanes; ++i) {
-                if (again >> i & 1u)
-                    stragglers[num_stragglers++] = {indices[i], round.t[i]};
-                else if ((live & ~done) >> i & 1u)
-                    rejected[num_rejected++] = indices[i];
-            }
-        }
-    }
-    for (std::size_t j = 0; j < num_stragglers; ++j) rejected[num_rejected++] = stragglers[j].index;
     return num_rejected;
 }
 

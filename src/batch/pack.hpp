@@ -135,19 +135,7 @@ PW85_INLINE Pack operator-(Pack const &z, Product const &p) noexcept { return fu
 PW85_INLINE Pack operator+(Product const &p, Product const &q) noexcept { return fused(p, q); }
 PW85_INLINE Pack operator-(Product const &p, Product const &q) noexcept { return fused_difference(p, q); }
 
-PW85_INLINE Pack operator/(Pack const &x, Pack const &y) noexcept
-{
-#if defined(__AVX512F__) && defined(__AVX512DQ__) && defined(__AVX512VL__) && !defined(NO_FAST)
-    Register const one = Pack(1.0).v;
-    Register r = _mm512_rcp14_pd(y.v);
-    r = _mm512_fmadd_pd(r, _mm512_fnmadd_pd(y.v, r, one), r);
-    r = _mm512_fmadd_pd(r, _mm512_fnmadd_pd(y.v, r, one), r);
-    Register const q = x.v * r;
-    return _mm512_fmadd_pd(r, _mm512_fnmadd_pd(y.v, q, x.v), q);
-#else
-    return x.v / y.v;
-#endif
-}
+PW85_INLINE Pack operator/(Pack const &x, Pack const &y) noexcept { return x.v / y.v; }
 
 #if defined(__AVX512F__) && defined(__AVX512DQ__) && defined(__AVX512VL__)
 PW85_INLINE PackMask operator<(Pack const &x, Pack const &y) noexcept { return {_mm512_cmp_pd_mask(x.v, y.v, _CMP_LT_OQ)}; }
@@ -163,8 +151,16 @@ PW85_INLINE Pack select(PackMask mask, Pack const &yes, Pack const &no) noexcept
 PW85_INLINE PackMask operator>(Pack const &x, Pack const &y) noexcept { return y < x; }
 PW85_INLINE PackMask operator>=(Pack const &x, Pack const &y) noexcept { return y <= x; }
 
+#if defined(__AVX512F__) && defined(__AVX512DQ__) && defined(__AVX512VL__)
+PW85_INLINE Pack maximum(Pack const &x, Pack const &y) noexcept { return _mm512_max_pd(y.v, x.v); }
+PW85_INLINE Pack minimum(Pack const &x, Pack const &y) noexcept { return _mm512_min_pd(y.v, x.v); }
+#elif defined(__AVX2__) && defined(__FMA__)
+PW85_INLINE Pack maximum(Pack const &x, Pack const &y) noexcept { return _mm256_max_pd(y.v, x.v); }
+PW85_INLINE Pack minimum(Pack const &x, Pack const &y) noexcept { return _mm256_min_pd(y.v, x.v); }
+#else
 PW85_INLINE Pack maximum(Pack const &x, Pack const &y) noexcept { return select(y > x, y, x); }
 PW85_INLINE Pack minimum(Pack const &x, Pack const &y) noexcept { return select(y < x, y, x); }
+#endif
 
 PW85_INLINE Pack absolute(Pack const &x) noexcept
 {
@@ -175,14 +171,8 @@ PW85_INLINE Pack absolute(Pack const &x) noexcept
 PW85_INLINE Pack square_root(Pack const &x) noexcept
 {
 #if defined(__AVX512F__) && defined(__AVX512DQ__) && defined(__AVX512VL__)
-#ifdef NO_FAST
     return _mm512_sqrt_pd(x.v);
-#else
-    Register const r = _mm512_rsqrt14_pd(x.v), half = Pack(0.5).v;
-    Register const root = x.v * r, correction = _mm512_fnmadd_pd(root * half, r, half);
-    return _mm512_fmadd_pd(root, correction, root);
-#endif
-#elif defined(__AVX2__)
+#elif defined(__AVX2__) && defined(__FMA__)
     return _mm256_sqrt_pd(x.v);
 #else
     Register root;
@@ -190,6 +180,23 @@ PW85_INLINE Pack square_root(Pack const &x) noexcept
     return root;
 #endif
 }
+
+#if defined(__AVX512F__) && defined(__AVX512DQ__) && defined(__AVX512VL__)
+PW85_INLINE Pack rough_quotient(Pack const &x, Pack const &y) noexcept
+{
+    Pack const r = _mm512_rcp14_pd(y.v);
+    return x * (r + r * (Pack(1.0) - y * r));
+}
+
+PW85_INLINE Pack rough_root(Pack const &x) noexcept
+{
+    Pack const r = _mm512_rsqrt14_pd(x.v), half = Pack(0.5), root = x * r;
+    return root + root * (half - half * root * r);
+}
+#else
+PW85_INLINE Pack rough_quotient(Pack const &x, Pack const &y) noexcept { return x / y; }
+PW85_INLINE Pack rough_root(Pack const &x) noexcept { return square_root(x); }
+#endif
 
 template <> struct ScalarTraits<Pack> {
     using Lane = double;

@@ -27,8 +27,14 @@ template <int N> PW85_INLINE RegisterOf<N>::Doubles gather_twos(double const *co
         return two;
     } else {
         auto const low = gather_twos<N / 2>(rows, column), high = gather_twos<N / 2>(rows + N / 2, column);
-        if constexpr (N == 4) return __builtin_shufflevector(low, high, 0, 1, 2, 3);
-        else return __builtin_shufflevector(low, high, 0, 1, 2, 3, 4, 5, 6, 7);
+#if defined(__AVX2__) && defined(__FMA__)
+        if constexpr (N == 4)
+            return _mm256_insertf128_pd(_mm256_castpd128_pd256(low), high, 1);
+#if defined(__AVX512F__) && defined(__AVX512DQ__) && defined(__AVX512VL__)
+        else
+            return _mm512_insertf64x4(_mm512_castpd256_pd512(low), high, 1);
+#endif
+#endif
     }
 }
 

@@ -1,0 +1,36 @@
+// The C API of the algorithms of Zheng and Palffy-Muhoray over the C++ headers.
+#include <pw85_zheng.h>
+
+#include <pw85/zheng.hpp>
+
+#include "c_arrays.hpp"
+
+using namespace pw85;
+using namespace pw85::c_api;
+
+namespace {
+
+int store_distance(ClosestApproach<double> const &result, double *distance) noexcept
+{
+    *distance = result.distance;
+    return static_cast<int>(result.status);
+}
+
+ClosestApproach<double> invalid_distance() noexcept { return {quiet_nan<double>(), Status::invalid_argument}; }
+
+} // namespace
+
+int pw85_zheng_ellipses(double const direction[2], double const q1[3], double const q2[3], double *distance)
+{
+    if (any_null(distance)) return PW85_EINVAL;
+    if (any_null(direction, q1, q2)) return store_distance(invalid_distance(), distance);
+    return store_distance(zheng::ellipses(load_vector<2>(direction), load_matrix<2>(q1), load_matrix<2>(q2)), distance);
+}
+
+int pw85_zheng_ellipsoids(double const direction[3], double const q1[6], double const q2[6], double *distance)
+{
+    if (any_null(distance)) return PW85_EINVAL;
+    if (any_null(direction, q1, q2)) return store_distance(invalid_distance(), distance);
+    return store_distance(zheng::ellipsoids(load_vector<3>(direction), load_matrix<3>(q1), load_matrix<3>(q2)),
+                          distance);
+}
