@@ -73,17 +73,17 @@ double maximizer_by_brent(Pair<double, 3> const &pair, Options const &options) n
 // end.
 Maximum<double> refine(Pair<double, 3> const &pair, double t, Options const &options) noexcept
 {
-    Candidate<double> candidate{t, 1.0};
+    Candidate<double> candidate{t, 1.0, 0.0};
     for (int i = 0;; ++i) {
         Jet<double> const jet = evaluate_jet(pair, candidate.t);
         Slope<double> const s = slope(jet, pair.ratio, candidate.t);
-        candidate.slope = s.k / s.weight;
+        candidate.k = s.k / s.weight;
         if (i == options.newton_iterations) break;
         double const h = std::log(pair.ratio * candidate.t * std::sqrt(jet.b / jet.a));
-        candidate.t *= std::exp(-h / candidate.slope);
+        candidate.t *= std::exp(-h / candidate.k);
     }
     Finish<double> const last = finish_factorized(pair, candidate);
-    return {last.mu2, last.tau, 0, absolute(last.step) < 0.1};
+    return {last.mu2, last.lambda, last.complement, 0, absolute(last.step) < 0.1};
 }
 
 } // namespace

@@ -29,7 +29,7 @@ template <class T, int D> constexpr bool has_positive_diagonal(SymmetricMatrix<T
     return smallest > T(0);
 }
 
-/// Validates a pair and brings it into range. On success with r12 = 0 the scaled pair is not set.
+/// Validates a pair and brings it into range.
 template <class T, int D>
 [[gnu::noinline]] inline Status validate(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
                                          SymmetricMatrix<T, D> const &q2, ScaledPair<T, D> &scaled) noexcept
@@ -73,11 +73,10 @@ template <class T, int D> inline Derivatives<T> checked_derivatives(T const &lam
 /// The contact function of a maximum found in scaled units.
 template <class T, int D> inline Contact<T> unscale(ScaledPair<T, D> const &scaled, Maximum<T> const &m) noexcept
 {
-    if (!m.converged) return {quiet_nan<T>(), quiet_nan<T>(), Status::no_convergence};
+    if (!m.converged || !(m.mu2 >= T(0))) return {quiet_nan<T>(), quiet_nan<T>(), Status::no_convergence};
     int const exponent = 2 * (scaled.length - scaled.form);
     T const mu2 = exponent == 0 ? m.mu2 : times_power_of_two(m.mu2, exponent);
-    T const lambda = (scaled.swapped ? T(1) : m.tau) / (T(1) + m.tau);
-    return {mu2, lambda, Status::success};
+    return {mu2, scaled.swapped ? m.complement : m.lambda, Status::success};
 }
 
 /// Whether products alone show that the forms are valid, the pair in range, and r12 != 0: true of almost all pairs. What is

@@ -119,7 +119,7 @@ template <class T, int D> inline Certainty<bool> decide_by_quartic(Pair<T, D> co
 /// by.
 template <class T, int D> inline T condition_number(Pair<T, D> const &pair, Maximum<T> const &m) noexcept
 {
-    T const t = m.tau / pair.ratio / pair.ratio;
+    T const t = m.lambda / pair.ratio / m.complement / pair.ratio;
     Vector<T, D> const s = solve(factorize_blend(T(1), pair.q1, t, pair.q2), pair.r12);
     T forms = T(0), arms = T(0);
     for (int i = 0; i < D; ++i) {
@@ -127,7 +127,7 @@ template <class T, int D> inline T condition_number(Pair<T, D> const &pair, Maxi
         for (int j = 0; j < D; ++j)
             forms = forms + (absolute(pair.q1(i, j)) + t * absolute(pair.q2(i, j))) * absolute(T(s[i] * s[j]));
     }
-    return m.tau / (T(1) + m.tau) * (forms + T(2) * arms) / m.mu2;
+    return m.lambda * (forms + T(2) * arms) / m.mu2;
 }
 
 /// Item 3. The stationary form of finish() sums with an error below 9 u cond, and 16 leaves room for what the inexact s and

@@ -78,7 +78,12 @@ template <class T, int D> constexpr Jet<T> evaluate_jet(RationalForm<T, D> const
     T const b1 = (T(3) * c + T(2) * form.b[2]) * t + form.b[1], b2 = T(6) * c + T(2) * form.b[2];
     T const b3 = T(6) * form.b[3];
     T const n = a * b1 - a1 * b, n1 = a * b2 - a2 * b, n2 = (a * b3 - a2 * b1) + a1 * b2;
-    return {a * b - t * n, T(2) * a1 * b - t * n1, T(2) * (a2 * b + a1 * b1) - n1 - t * n2, n, n1, n2,
+    return {a * b - t * n,
+            T(2) * a1 * b - t * n1,
+            T(2) * (a2 * b + a1 * b1) - n1 - t * n2,
+            n,
+            n1,
+            n2,
             rough_quotient(T(t * b1), b)};
 }
 

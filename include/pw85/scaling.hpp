@@ -16,7 +16,7 @@ namespace pw85::inline PW85_TARGET {
 template <class T, int D> struct Pair {
     Vector<T, D> r12;
     SymmetricMatrix<T, D> q1, q2;
-    T ratio; ///< size of the units of ellipsoid 1 over that of ellipsoid 2, >= 1
+    T ratio; ///< size of the units of ellipsoid 1 over that of ellipsoid 2, not small
 };
 
 /// A pair in units that keep every intermediate result in range, and the way back.
@@ -112,17 +112,16 @@ template <class T> constexpr int ratio_exponent_limit() noexcept
     return std::numeric_limits<typename ScalarTraits<T>::Lane>::max_exponent - 24;
 }
 
-/// Brings a pair with finite entries, positive diagonals and r12 != 0 into range, exactly.
+/// Brings a pair with finite entries and positive diagonals into range, exactly.
 template <class T, int D> inline ScaledPair<T, D> scale(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
                                                         SymmetricMatrix<T, D> const &q2) noexcept
 {
     T const r = largest_coordinate(r12);
     if (is_in_range(r, largest_diagonal(q1), largest_diagonal(q2))) return {{r12, q1, q2, T(1)}, 0, 0, false};
-    int const er = binary_exponent(r);
+    int const er = r > T(0) ? binary_exponent(r) : 0;
     int const e1 = half_exponent(largest_diagonal(q1)), e2 = half_exponent(largest_diagonal(q2));
-    bool const swapped = e1 < e2;
-    int const difference = swapped ? e2 - e1 : e1 - e2;
-    int const limit = ratio_exponent_limit<T>();
+    bool const swapped = e1 < e2 - 24; // pairs in range are not exchanged either: scaling changes no bit of the result
+    int const difference = swapped ? e2 - e1 : e1 - e2, limit = ratio_exponent_limit<T>();
 
     ScaledPair<T, D> scaled{};
     scaled.pair.r12 = times_power_of_two(swapped ? times(T(-1), r12) : r12, -er);

@@ -22,16 +22,16 @@
 
 namespace pw85::inline PW85_TARGET {
 
-/// The largest number of evaluations of f, in either form, that maximize() can make: at most 5 on the rational form, 8
-/// free steps on the factorised one, 6 expansions and 14 bisections of log t (the root lies within a factor 1/√u of 1,
-/// and a bracket of half-width 2^-7 is enough), and the last one.
+/// The largest number of evaluations of f, in either form, that maximize() makes: at most 5 on the rational form, 3 free steps
+/// on the factorised one, expansions and bisections of log t in between (6 and 14: the root lies within a factor 1/√u of
+/// the guess unless the aspect ratio exceeds it, and a bracket of half-width 5/8 is enough), and a few third-order steps.
 inline constexpr int max_evaluations = 36;
 
 /// Value and maximiser of the contact function in the units of a Pair.
 template <class T> struct Maximum {
     T mu2;
-    T tau;           ///< ratio²·t = λ/(1-λ)
-    int evaluations; ///< of f, in either form
+    T lambda, complement; ///< λ and 1-λ
+    int evaluations;      ///< of f, in either form
     bool converged;
 };
 
@@ -63,10 +63,10 @@ template <class T> constexpr Slope<T> slope(Jet<T> const &j, T const &ratio, T c
             T(0.5) * (weight * ((p - q) + t * t * (j.b2 * j.a - j.a2 * j.b)) - (p - q) * (p + q))};
 }
 
-/// Whether Newton's step is at most ½, where item 2 makes Halley's the better one.
+/// Whether Newton's step is at most 5/8, where item 2 makes Halley's the better one.
 template <class T> constexpr typename ScalarTraits<T>::Mask is_near(Slope<T> const &s) noexcept
 {
-    return absolute(s.difference) * s.weight <= T(0.5) * (s.sum * s.k);
+    return absolute(s.difference) * s.weight <= T(0.625) * (s.sum * s.k);
 }
 
 /// A step in x, as a fraction.
@@ -75,11 +75,12 @@ template <class T> struct Step {
     T denominator; ///< positive
 };
 
-/// Halley's step for the root of tanh h, where is_near().
+/// Halley's step for the root of tanh h, where is_near(): by item 2 it is between half and twice Newton's, and is kept there
+/// against rounding noise in h''.
 template <class T> constexpr Step<T> halley_step(Slope<T> const &s) noexcept
 {
     T const k = s.sum * s.k * s.k;
-    T const denominator = maximum(T(k - T(0.5) * s.difference * s.k2), T(T(0.5) * k));
+    T const denominator = minimum(T(k + k), maximum(T(k - T(0.5) * s.difference * s.k2), T(T(0.5) * k)));
     return {-s.difference * s.k * s.weight, denominator};
 }
 
@@ -119,34 +120,42 @@ template <class T, int D> inline T initial_guess(Pair<T, D> const &pair) noexcep
 /// What a search knows when it is about to make its last evaluation.
 template <class T> struct Candidate {
     T t;
-    T slope; ///< h' at t
+    T k, k2; ///< h' and h'' at t
 };
 
-/// The end of a step that is within penultimate_step(), with the slope expected there.
+/// The end of a step that is within penultimate_step(), with the derivatives expected there.
 template <class T> constexpr Candidate<T> advance(T const &t, Slope<T> const &s, Step<T> const &step) noexcept
 {
     T const y = exponential(step), reciprocal = rough_quotient(T(1), s.weight);
-    return {t * y, reciprocal * (s.k + s.k2 * reciprocal * (y - T(1)))};
+    T const k2 = s.k2 * reciprocal * reciprocal;
+    return {t * y, s.k * reciprocal + k2 * (y - T(1)), k2};
 }
 
-/// The last evaluation: μ² and τ from any vector near M⁻¹r12 in direction.
+/// The last evaluation: μ² and λ from any vector near M⁻¹r12 in direction.
 template <class T> struct Finish {
     T mu2;
-    T tau;
-    T step; ///< Newton's last step, taken into account in μ² and τ
+    T lambda, complement; ///< λ and 1-λ
+    T step;               ///< the last step in x, taken into account in all of these
 };
 
 /// From A and B of s and rᵀs. λ(rᵀs)²/(A + tB) is stationary in s as well as in x, so that an error of s counts only
-/// squared, and its scale not at all; to it comes ½ f' x for the last step x.
+/// squared, and its scale not at all; to it comes ½ f' x for the last step x, which is never negative. The step, to third
+/// order, is that of h + k x + ½ k2 x² = 0; where rounding noise makes it meaningless it is limited to ¼.
 template <class T>
 constexpr Finish<T> finish(Candidate<T> const &candidate, T const &ratio, T const &a, T const &b, T const &rs) noexcept
 {
-    T const y = ratio * candidate.t, c = y * y * b, tau = ratio * y;
-    T const step = (a - c) / ((a + c) * candidate.slope);
-    T const m = a + candidate.t * b, complement = T(1) + tau, reciprocal = T(1) / (m * complement);
-    T const scale = rs * complement * reciprocal, mu2 = tau * rs * rs * reciprocal;
-    T const gain = T(0.5) * step * (a - c) * scale * scale * tau * (m * reciprocal) * (m * reciprocal);
-    return {mu2 + gain, tau + tau * step, step};
+    T const y = ratio * candidate.t, c = y * y * b, difference = a - c;
+    T const reciprocal = T(1) / ((a + c) * candidate.k), newton = difference * reciprocal;
+    T const bent = newton - T(0.5) * candidate.k2 * (a + c) * reciprocal * (newton * newton);
+    T const step = minimum(T(0.25), maximum(T(-0.25), bent));
+    T const tau = minimum(T(ratio * y), T(std::numeric_limits<typename ScalarTraits<T>::Lane>::max() / 2));
+    T const complement = T(1) / (T(1) + tau), lambda = tau * complement, weight = lambda * complement;
+    T const scale = rs / (a + candidate.t * b);
+    T const gain = T(0.5) * step * difference * (scale * scale) * weight;
+    T const change = weight * step * (T(1) + T(0.5) * (complement - lambda) * step);
+    T const rest = complement - change;
+    return {lambda * rs * scale + maximum(T(0), gain), select(tau > T(1), T(T(1) - rest), T(lambda + change)), rest,
+            step};
 }
 
 /// Iterates on the rational form from t until a step is within penultimate_step(); false if rounding errors or the
@@ -164,8 +173,10 @@ inline bool prepare(RationalForm<T, D> const &form, T const &ratio, Candidate<T>
         if (is_near(s)) {
             Step<T> const step = halley_step(s);
             if (is_within(step, penultimate_step<T>())) {
-                candidate = advance(t, s, step);
-                return true;
+                Candidate<T> const last = advance(t, s, step);
+                bool const valid = last.t > T(0) && last.t < largest && last.k > T(0);
+                if (valid) candidate = last;
+                return valid;
             }
             t = t * exponential(step);
         } else
@@ -178,34 +189,36 @@ inline bool prepare(RationalForm<T, D> const &form, T const &ratio, Candidate<T>
 
 /// What is known of the root from item 3.
 template <class T> struct Bracket {
-    T lower, upper; ///< of t; zero and infinity when unknown
+    T lower, upper; ///< of t; the limits of the scalar when unknown
 
-    /// Takes note of the sign of h at t and of the bound e^-h = √(A/C).
-    void update(Jet<T> const &jet, T const &ratio, T const &t) noexcept
+    /// Takes note of the fixed-point map's image of some t, a bound on the side where it is from t.
+    void update(T const &t, T const &image) noexcept
     {
-        T const image = square_root(T(jet.a / jet.b)) / ratio;
         if (image > t)
             lower = maximum(lower, image);
         else
             upper = minimum(upper, image);
     }
 
-    bool has_both() const noexcept { return lower > T(0) && upper < std::numeric_limits<T>::infinity(); }
+    bool is_narrow() const noexcept { return upper <= lower + penultimate_step<T>() * lower; }
 
-    /// A point inside, or one far beyond the end that is known.
+    /// The middle of log t, or a point far beyond the end that is known.
     T probe() const noexcept
     {
-        if (has_both()) return square_root(lower) * square_root(upper);
-        return lower > T(0) ? lower * T(1024) : upper / T(1024);
+        if (!(lower > std::numeric_limits<T>::min())) return upper / T(1024);
+        if (!(upper < std::numeric_limits<T>::max())) return lower * T(1024);
+        return square_root(lower) * square_root(upper);
     }
 
     T clamp(T const &t) const noexcept { return minimum(maximum(t, lower), upper); }
 };
 
-/// Iterates on the factorised form until a step is within penultimate_step(), or only rounding noise is left.
+/// Iterates on the factorised form until a step is within penultimate_step(), or only rounding noise is left. Far from the
+/// root, three secular steps are free to go anywhere in the bracket; later ones bisect it.
 template <class T, int D> inline Candidate<T> search(Pair<T, D> const &pair, T t, int &evaluations) noexcept
 {
-    Bracket<T> bracket{T(0), std::numeric_limits<T>::infinity()};
+    T const smallest = std::numeric_limits<T>::min(), largest = std::numeric_limits<T>::max();
+    Bracket<T> bracket{smallest, largest};
     T previous = T(1);
     for (int i = 1;; ++i) {
         Jet<T> const jet = evaluate_jet(pair, t);
@@ -214,12 +227,15 @@ template <class T, int D> inline Candidate<T> search(Pair<T, D> const &pair, T t
         Step<T> const step = halley_step(s);
         bool const near = is_near(s);
         T const size = near ? T(absolute(step.numerator) / step.denominator) : T(1);
-        bracket.update(jet, pair.ratio, t);
-        bool const noise = previous < T(0.1) && size > T(0.5) * previous;
-        if (size <= penultimate_step<T>() || noise || evaluations >= max_evaluations - 1) return advance(t, s, step);
+        T const image = minimum(largest, maximum(smallest, T(square_root(T(jet.a / jet.b)) / pair.ratio)));
+        bracket.update(t, image);
+        bool const noise = bracket.is_narrow() || (near && previous < T(0.1) && size > T(0.5) * previous);
+        if (size <= penultimate_step<T>() || noise || evaluations >= max_evaluations - 1)
+            return near ? advance(t, s, step) : Candidate<T>{bracket.clamp(t), T(1), T(0)};
         previous = size;
-        t = t * (near ? exponential(step) : secular_factor(jet, pair.ratio, t));
-        t = i > 8 && !near ? bracket.probe() : bracket.clamp(t);
+        T const next = t * (near ? exponential(step) : secular_factor(jet, pair.ratio, t));
+        t = bracket.clamp(next > smallest && next < largest ? next : image);
+        if (i > 3 && !near) t = bracket.probe();
     }
 }
 
@@ -227,18 +243,18 @@ template <class T, int D> inline Candidate<T> search(Pair<T, D> const &pair, T t
 /// better start for maximize() where it is not.
 template <class T, int D> inline Maximum<T> maximize_rational(Pair<T, D> const &pair, Candidate<T> &candidate) noexcept
 {
-    candidate = {initial_guess(pair), T(1)};
+    candidate = {initial_guess(pair), T(1), T(0)};
     RationalForm<T, D> const form = rational_form(pair);
     int evaluations = 0;
     if (conditioning(form, pair, candidate.t) < rough_conditioning<T>() ||
         !prepare(form, pair.ratio, candidate, evaluations) ||
         conditioning(form, pair, candidate.t) < fine_conditioning<T>())
-        return {T(0), T(0), evaluations, false};
+        return {T(0), T(0), T(0), evaluations, false};
     Vector<T, D> const s = evaluate_s(form, candidate.t);
     auto const weights = outer_weights(s);
     Finish<T> const last = finish(candidate, pair.ratio, quadratic_form(pair.q1, weights),
                                   quadratic_form(pair.q2, weights), dot(pair.r12, s));
-    return {last.mu2, last.tau, evaluations + 1, absolute(last.step) <= final_step<T>()};
+    return {last.mu2, last.lambda, last.complement, evaluations + 1, absolute(last.step) <= final_step<T>()};
 }
 
 /// The last evaluation on the factorised form.
@@ -257,7 +273,7 @@ maximize_factorized(Pair<T, D> const &pair, Candidate<T> candidate, int evaluati
 {
     candidate = search(pair, candidate.t, evaluations);
     Finish<T> const last = finish_factorized(pair, candidate);
-    return {last.mu2, last.tau, evaluations + 1, evaluations < max_evaluations - 1};
+    return {last.mu2, last.lambda, last.complement, evaluations + 1, evaluations < max_evaluations - 1};
 }
 
 /// The maximum of f over λ in [0, 1], for a pair of positive definite forms in range with r12 != 0.

@@ -71,7 +71,8 @@ template <class T> inline T resolvent_root(T const &r, T const &s) noexcept
     return root > T(0) ? T(root + r + r * (r / root)) : T(0);
 }
 
-/// The root w of item 3, to 32 u relative for any arguments >= 0 the largest of which is of order one (m is M).
+/// The root w of item 3, for arguments >= 0 the largest of which is of order one (m is M): to 16 u in the terms of the
+/// equation, without a polish.
 template <class T> inline T quartic_root(T const &m, T const &kappa1, T const &kappa2) noexcept
 {
     T const k = kappa1 * kappa2, r = (m + (kappa1 - kappa2) * (kappa1 + kappa2)) / T(6);

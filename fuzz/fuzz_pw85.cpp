@@ -1,0 +1,142 @@
+// libFuzzer target: raw bytes as doubles into every public function. A success must not come with a NaN in the outputs, an
+// error must.
+#include <pw85.h>
+#include <pw85_legacy.h>
+#include <pw85_zheng.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <cstring>
+#include <vector>
+
+namespace {
+
+// The arguments of one pair.
+struct Input {
+    double r12[3], q1[6], q2[6], lambda, axes[3], rotation[9];
+    std::uint8_t form, scale;
+};
+
+[[noreturn]] void fail(char const *function, Input const &in)
+{
+    std::fprintf(stderr, "%s\n", function);
+    auto const *x = reinterpret_cast<double const *>(&in);
+    for (std::size_t i = 0; i < offsetof(Input, form) / sizeof *x; ++i) std::fprintf(stderr, "%a\n", x[i]);
+    __builtin_trap();
+}
+
+bool has_nan(double const *x, int n) { return std::any_of(x, x + n, [](double y) { return std::isnan(y); }); }
+bool all_nan(double const *x, int n) { return std::all_of(x, x + n, [](double y) { return std::isnan(y); }); }
+
+void check(char const *function, Input const &in, int status, double const *out, int n)
+{
+    if (status == PW85_SUCCESS ? has_nan(out, n) : !all_nan(out, n)) fail(function, in);
+    if (status < PW85_SUCCESS || status > PW85_ECONVERGENCE) fail(function, in);
+}
+
+void check_builders(Input const &in)
+{
+    double q[6];
+    check("ellipsoid", in, pw85_ellipsoid(in.axes, in.rotation, q), q, 6);
+    check("ellipsoid_quaternion", in, pw85_ellipsoid_quaternion(in.axes, in.rotation, q), q, 6);
+    check("ellipse", in, pw85_ellipse(in.axes[0], in.axes[1], in.axes[2], q), q, 3);
+    pw85_spheroid(in.axes[0], in.axes[1], in.rotation, q);
+    if (has_nan(q, 6) != all_nan(q, 6)) fail("spheroid", in);
+}
+
+void check_pair(Input const &in)
+{
+    double out[3], point[6], gradient[15], torque[6];
+    auto const *r = in.r12, *a = in.q1, *b = in.q2;
+    int const status = pw85_contact(r, a, b, out);
+    check("contact", in, status, out, 2);
+    double const lambda = status == PW85_SUCCESS ? out[1] : in.lambda;
+    if (status == PW85_SUCCESS && !(out[0] >= 0 && lambda >= 0 && lambda <= 1)) fail("contact: range", in);
+    check("contact_function", in, pw85_contact_function(r, a, b, out), out, 2);
+    check("contact_geometry", in, pw85_contact_geometry(r, a, b, lambda, point, point + 3), point, 6);
+    check("contact_gradient", in, pw85_contact_gradient(r, a, b, lambda, gradient, gradient + 3, gradient + 9), gradient,
+          15);
+    check("contact_torque", in, pw85_contact_torque(r, a, b, lambda, torque, torque + 3), torque, 6);
+    check("closest_approach", in, pw85_closest_approach(r, a, b, out), out, 1);
+    check("contact_2d", in, pw85_contact_2d(r, a, b, out), out, 2);
+    check("closest_approach_2d", in, pw85_closest_approach_2d(r, a, b, out), out, 1);
+    check("legacy 1", in, pw85_legacy_contact_function1(r, a, b, out), out, 2);
+    check("zheng_ellipses", in, pw85_zheng_ellipses(r, a, b, out), out, 1);
+    check("zheng_ellipsoids", in, pw85_zheng_ellipsoids(r, a, b, out), out, 1);
+    int overlap = 7;
+    int const overlap_status = pw85_overlap(r, a, b, &overlap);
+    if (overlap_status != status) fail("overlap: status", in);
+    if (overlap_status == PW85_SUCCESS ? overlap != 0 && overlap != 1 : overlap != -1) fail("overlap", in);
+}
+
+void check_batch(Input const &in)
+{
+    double mu2[1], lambda[1];
+    unsigned char overlap = 7;
+    int const status = pw85_contact_batch(1, in.r12, in.q1, in.q2, mu2, lambda);
+    check("contact_batch", in, status, mu2, 1);
+    check("contact_batch: lambda", in, status, lambda, 1);
+    if (pw85_overlap_batch(1, in.r12, in.q1, in.q2, &overlap) != status) fail("overlap_batch: status", in);
+    if (status == PW85_SUCCESS ? overlap > 1 : overlap != 255) fail("overlap_batch", in);
+    double centers[6] = {0, 0, 0, in.r12[0], in.r12[1], in.r12[2]}, forms[12];
+    std::memcpy(forms, in.q1, sizeof in.q1);
+    std::memcpy(forms + 6, in.q2, sizeof in.q2);
+    std::int32_t const pairs[2] = {0, 1};
+    check("contact_pairs", in, pw85_contact_pairs(1, pairs, 2, centers, forms, nullptr, mu2, lambda), mu2, 1);
+    pw85_contact_pairs(1, pairs, 2, centers, forms, in.rotation, mu2, lambda);
+    pw85_overlap_pairs(1, pairs, 2, centers, forms, in.rotation, &overlap);
+}
+
+void check_building_blocks(Input const &in)
+{
+    double out[6], params[15], b[4];
+    pw85__cholesky_decomp(in.q1, out);
+    pw85__cholesky_solve(out, in.r12, b);
+    pw85__residual(in.lambda, in.r12, in.q1, in.q2, out);
+    std::memcpy(params, in.r12, sizeof in.r12);
+    std::memcpy(params + 3, in.q1, sizeof in.q1);
+    std::memcpy(params + 9, in.q2, sizeof in.q2);
+    pw85_f_neg(in.lambda, params);
+    pw85_legacy_f1(in.lambda, in.r12, in.q1, in.q2, out);
+    pw85_legacy_f2(in.lambda, in.r12, in.q1, in.q2, out);
+    pw85_legacy_contact_function2(in.r12, in.q1, in.q2, out);
+    pw85_legacy__det_sym(in.q1);
+    pw85_legacy__xT_adjA_x(in.r12, in.q1);
+    pw85_legacy__detQ_as_poly(in.q1, in.q2, in.q1, in.q2, b);
+    pw85_legacy__rT_adjQ_r_as_poly(in.r12, in.q1, in.q2, in.q1, out);
+    pw85_strerror(in.form);
+}
+
+// Raw bytes rarely make a positive definite matrix: most inputs are turned into L Lᵀ with entries of like magnitude.
+void make_definite(double *q, int exponent)
+{
+    double l[6];
+    for (int k = 0; k < 6; ++k) {
+        int e = 0;
+        l[k] = std::isfinite(q[k]) ? std::frexp(q[k], &e) : 0.5;
+        l[k] = std::ldexp(l[k], e % 24);
+    }
+    for (double *d : {&l[0], &l[3], &l[5]}) *d = std::fabs(*d) + 0x1p-30;
+    double const a[6] = {l[0] * l[0], l[0] * l[1], l[0] * l[2], l[1] * l[1] + l[3] * l[3], l[1] * l[2] + l[3] * l[4],
+                         l[2] * l[2] + l[4] * l[4] + l[5] * l[5]};
+    for (int k = 0; k < 6; ++k) q[k] = std::ldexp(a[k], 2 * exponent);
+}
+
+} // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const *data, std::size_t size)
+{
+    Input in{};
+    std::memcpy(&in, data, std::min(size, sizeof in));
+    if (in.form % 4 != 0) {
+        make_definite(in.q1, in.form % 4 == 1 ? 0 : in.scale - 128);
+        make_definite(in.q2, in.form % 4 == 3 ? 128 - in.scale : 0);
+    }
+    check_builders(in);
+    check_pair(in);
+    check_batch(in);
+    check_building_blocks(in);
+    return 0;
+}

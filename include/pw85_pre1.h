@@ -1,0 +1,54 @@
+/** @file pw85_pre1.h
+ * @brief Opt-in header that keeps programs written for the API before pw85 1.0 compiling.
+ *
+ * Include it instead of pw85.h, and link with pw85 and pw85_legacy. It brings back
+ *
+ * - `double pw85_contact_function(r12, q1, q2, out)`: returns μ², and writes (μ², λ) to `out` unless that is null. There
+ *   was no status then: both are NaN where pw85_contact_function() of pw85.h fails;
+ * - `pw85__det_sym`, `pw85__xT_adjA_x`, `pw85__detQ_as_poly` and `pw85__rT_adjQ_r_as_poly`, now in pw85_legacy.h.
+ *
+ * These are other names for the functions of pw85.h and pw85_legacy.h. In a source file that includes this header the name
+ * pw85_contact_function means the old function, whatever the order of the includes; the new one is
+ * pw85_pre1_current_contact_function there.
+ */
+#ifndef PW85_PRE1_H_INCLUDED
+#define PW85_PRE1_H_INCLUDED
+
+#include <pw85.h>
+#include <pw85_legacy.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/** pw85_contact_function() of pw85.h, which its old namesake hides. */
+static inline int pw85_pre1_current_contact_function(double const r12[PW85_DIM], double const q1[PW85_SYM],
+                                                     double const q2[PW85_SYM], double out[2])
+{
+    return pw85_contact_function(r12, q1, q2, out);
+}
+
+/** μ², and (μ², λ) in `out` unless that is null; NaN for invalid input. */
+static inline double pw85_pre1_contact_function(double const r12[PW85_DIM], double const q1[PW85_SYM],
+                                                double const q2[PW85_SYM], double *out)
+{
+    double result[2];
+    pw85_contact_function(r12, q1, q2, result);
+    if (out) {
+        out[0] = result[0];
+        out[1] = result[1];
+    }
+    return result[0];
+}
+
+#ifdef __cplusplus
+}
+#endif
+
+#define pw85_contact_function pw85_pre1_contact_function
+#define pw85__det_sym pw85_legacy__det_sym
+#define pw85__xT_adjA_x pw85_legacy__xT_adjA_x
+#define pw85__detQ_as_poly pw85_legacy__detQ_as_poly
+#define pw85__rT_adjQ_r_as_poly pw85_legacy__rT_adjQ_r_as_poly
+
+#endif
