@@ -23,7 +23,7 @@ closest_approach(Vector<T, D> direction, SymmetricMatrix<T, D> const &q1, Symmet
     Status const status = validate(direction, q1, q2, scaled);
     if (status != Status::success) return {quiet_nan<T>(), status};
     Maximum<T> const maximum = maximize(scaled.pair);
-    if (!maximum.converged) return {quiet_nan<T>(), Status::no_convergence};
+    if (!maximum.converged || !(maximum.mu2 >= T(0))) return {quiet_nan<T>(), Status::no_convergence};
     T const norm = square_root(dot(direction, direction));
     return {times_power_of_two(T(norm / square_root(maximum.mu2)), scaled.form - scaled.length), Status::success};
 }

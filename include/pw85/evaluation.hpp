@@ -73,7 +73,7 @@ constexpr T positive_form(SymmetricMatrix<T, D> const &q, SymmetricMatrix<T, D> 
     return maximum(quadratic_form(q, weights), T(unit_roundoff<T>() * floor));
 }
 
-/// A and B and their derivatives at t (item 2).
+/// A and B and their derivatives at t (item 2), over A: numbers of like magnitude, whatever the aspect ratio.
 template <class T, int D> constexpr Jet<T> evaluate_jet(Pair<T, D> const &pair, T const &t) noexcept
 {
     auto const factors = factorize_blend(T(1), pair.q1, t, pair.q2);
@@ -82,8 +82,8 @@ template <class T, int D> constexpr Jet<T> evaluate_jet(Pair<T, D> const &pair, 
     Vector<T, D> const v = solve(factors, u);
     auto const weights = outer_weights(s);
     T const a = positive_form(pair.q1, weights), b = positive_form(pair.q2, weights);
-    T const b1 = T(-2) * dot(u, v), b2 = T(6) * quadratic_form(pair.q2, v);
-    return {a, T(-2) * b - t * b1, T(-3) * b1 - t * b2, b, b1, b2, T(0)};
+    T const b1 = T(-2) * (dot(u, v) / a), b2 = T(6) * (quadratic_form(pair.q2, v) / a);
+    return {T(1), T(-2) * (b / a) - t * b1, T(-3) * b1 - t * b2, b / a, b1, b2, T(0)};
 }
 
 } // namespace pw85::inline PW85_TARGET

@@ -225,7 +225,8 @@ template <class T, int D> inline Candidate<T> search(Pair<T, D> const &pair, T t
         ++evaluations;
         Slope<T> const s = slope(jet, pair.ratio, t);
         Step<T> const step = halley_step(s);
-        bool const near = is_near(s);
+        // Out of the range of the scalar the step is 0/0 or NaN.
+        bool const near = is_near(s) && step.denominator > T(0) && is_within(step, T(2));
         T const size = near ? T(absolute(step.numerator) / step.denominator) : T(1);
         T const image = minimum(largest, maximum(smallest, T(square_root(T(jet.a / jet.b)) / pair.ratio)));
         bracket.update(t, image);

@@ -183,32 +183,44 @@ template <class T, int D> constexpr Vector<T, D> cholesky_solve(SymmetricMatrix<
     return x;
 }
 
-/// Whether a symmetric matrix is positive definite to working precision: all pivots of its factorisation, computed in
-/// `T`, are positive.
+/// Whether a symmetric matrix with entries of order one is positive definite to working precision: all pivots of its
+/// factorisation, computed in `T`, exceed the fourth root of the smallest number. (An ellipsoid of aspect ratio 1e38 has a
+/// pivot as small as that in double; its inverse leaves room for products of four entries.)
 template <class T, int D>
-constexpr typename ScalarTraits<T>::Mask is_positive_definite(SymmetricMatrix<T, D> const &a) noexcept
+inline typename ScalarTraits<T>::Mask is_positive_definite(SymmetricMatrix<T, D> const &a) noexcept
 {
+    T const smallest = square_root(square_root(std::numeric_limits<T>::min()));
     Factorization<T, D> const f = factorize(a, T(0));
-    auto positive = f.pivots[0] > T(0);
-    for (int i = 1; i < D; ++i) positive = positive && f.pivots[i] > T(0);
+    auto positive = f.pivots[0] > smallest;
+    for (int i = 1; i < D; ++i) positive = positive && f.pivots[i] > smallest;
     return positive;
 }
 
-/// Whether a symmetric matrix is positive definite by so wide a margin that products alone show it: leading minors
-/// above 512 u of the product of the diagonal, against rounding errors below 16 u (Sylvester's criterion).
+/// The product of the diagonal down to which is_clearly_definite() looks no closer: far above the pivots that
+/// is_positive_definite() still accepts.
+template <class T> constexpr T least_diagonal_product() noexcept
+{
+    constexpr int exponent = std::numeric_limits<typename ScalarTraits<T>::Lane>::max_exponent / 8;
+    return negative_power_of_two<T>(exponent < 128 ? exponent : 128);
+}
+
+/// Whether a symmetric matrix with entries near order one is positive definite by so wide a margin that products alone
+/// show it: leading minors above 512 u of the product of the diagonal, against rounding errors below 16 u (Sylvester's
+/// criterion).
 template <class T> constexpr typename ScalarTraits<T>::Mask is_clearly_definite(SymmetricMatrix<T, 2> const &a) noexcept
 {
-    T const bound = T(512) * unit_roundoff<T>();
-    return a[0] > T(0) && a[2] > T(0) && a[0] * a[2] - a[1] * a[1] > bound * (a[0] * a[2]);
+    T const bound = T(512) * unit_roundoff<T>(), product = a[0] * a[2];
+    return a[0] > T(0) && product > least_diagonal_product<T>() && product - a[1] * a[1] > bound * product;
 }
 
 template <class T> constexpr typename ScalarTraits<T>::Mask is_clearly_definite(SymmetricMatrix<T, 3> const &a) noexcept
 {
-    T const bound = T(512) * unit_roundoff<T>(), product = a[0] * a[3], minor = product - a[1] * a[1];
+    T const bound = T(512) * unit_roundoff<T>(), leading = a[0] * a[3], product = leading * a[5];
+    T const minor = leading - a[1] * a[1];
     T const determinant =
         a[0] * (a[3] * a[5] - a[4] * a[4]) + a[1] * (a[2] * a[4] - a[1] * a[5]) + a[2] * (a[1] * a[4] - a[2] * a[3]);
-    return a[0] > T(0) && a[3] > T(0) && a[5] > T(0) && minor > bound * product &&
-           determinant > bound * (product * a[5]);
+    return a[0] > T(0) && a[3] > T(0) && product > least_diagonal_product<T>() && minor > bound * leading &&
+           determinant > bound * product;
 }
 
 /// The adjugate adj(A) = det(A)·A⁻¹ in two dimensions.
