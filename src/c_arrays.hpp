@@ -2,6 +2,8 @@
 #ifndef PW85_C_ARRAYS_HPP_INCLUDED
 #define PW85_C_ARRAYS_HPP_INCLUDED
 
+#include <cstring>
+
 #include <pw85/symmetric.hpp>
 
 namespace pw85::c_api {
@@ -17,14 +19,14 @@ template <class Pointer, class... Pointers> bool any_null(Pointer first, Pointer
 template <int D> Vector<double, D> load_vector(double const *x) noexcept
 {
     Vector<double, D> v;
-    for (int i = 0; i < D; ++i) v[i] = x[i];
+    std::memcpy(v.coordinates, x, sizeof v.coordinates);
     return v;
 }
 
 template <int D> SymmetricMatrix<double, D> load_matrix(double const *a) noexcept
 {
     SymmetricMatrix<double, D> m;
-    for (int k = 0; k < m.size; ++k) m[k] = a[k];
+    std::memcpy(m.entries, a, sizeof m.entries);
     return m;
 }
 

@@ -93,7 +93,7 @@ Contact<double> contact_function(Vector<double, 3> const &r12, SymmetricMatrix<d
 {
     ScaledPair<double, 3> scaled;
     Status const status = validate(r12, q1, q2, scaled);
-    if (status != Status::success) return {quiet_nan<double>(), quiet_nan<double>(), status};
+    if (status != Status::success) return failed_contact<double>(status);
     if (largest_coordinate(r12) == 0.0) return {0.0, 0.5, Status::success};
     return unscale(scaled, refine(scaled.pair, maximizer_by_brent(scaled.pair, options), options));
 }

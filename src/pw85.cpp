@@ -3,6 +3,7 @@
 
 #include <pw85/pw85.hpp>
 
+#include "batch/kernels.hpp"
 #include "c_arrays.hpp"
 #include "gsl_brent.hpp"
 
@@ -65,7 +66,7 @@ int pw85_ellipse(double a, double b, double angle, double q[3])
 int pw85_contact(double const r12[3], double const q1[6], double const q2[6], double out[2])
 {
     if (any_null(r12, q1, q2, out)) return null_pointer(out, 2);
-    return store_contact(contact(load_vector<3>(r12), load_matrix<3>(q1), load_matrix<3>(q2)), out);
+    return batch::kernels().scalar->contact(r12, q1, q2, out);
 }
 
 int pw85_contact_function(double const r12[3], double const q1[6], double const q2[6], double out[2])
@@ -128,9 +129,7 @@ int pw85_overlap(double const r12[3], double const q1[6], double const q2[6], in
     if (any_null(overlap)) return PW85_EINVAL;
     *overlap = -1;
     if (any_null(r12, q1, q2)) return PW85_EINVAL;
-    auto const answer = pw85::overlap(load_vector<3>(r12), load_matrix<3>(q1), load_matrix<3>(q2));
-    if (answer.status == Status::success) *overlap = answer.overlap ? 1 : 0;
-    return static_cast<int>(answer.status);
+    return batch::kernels().scalar->overlap(r12, q1, q2, overlap);
 }
 
 int pw85_closest_approach(double const direction[3], double const q1[6], double const q2[6], double *distance)

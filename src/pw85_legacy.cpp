@@ -72,15 +72,13 @@ double pw85_legacy_f2(double lambda, double const r12[3], double const q1[6], do
 int pw85_legacy_contact_function1(double const r12[3], double const q1[6], double const q2[6], double out[2])
 {
     if (any_null(out)) return PW85_EINVAL;
-    if (any_null(r12, q1, q2))
-        return store_contact({quiet_nan<double>(), quiet_nan<double>(), Status::invalid_argument}, out);
+    if (any_null(r12, q1, q2)) return store_contact(failed_contact<double>(Status::invalid_argument), out);
     return store_contact(legacy::contact_newton(load_vector<3>(r12), load_matrix<3>(q1), load_matrix<3>(q2)), out);
 }
 
 int pw85_legacy_contact_function2(double const r12[3], double const q1[6], double const q2[6], double out[2])
 {
     if (any_null(out)) return PW85_EINVAL;
-    if (any_null(r12, q1, q2))
-        return store_contact({quiet_nan<double>(), quiet_nan<double>(), Status::invalid_argument}, out);
+    if (any_null(r12, q1, q2)) return store_contact(failed_contact<double>(Status::invalid_argument), out);
     return store_contact(legacy::contact_bisection(load_vector<3>(r12), load_matrix<3>(q1), load_matrix<3>(q2)), out);
 }

@@ -70,13 +70,25 @@ template <class T, int D> inline Derivatives<T> checked_derivatives(T const &lam
     return is_valid(lambda, r12, q1, q2) ? evaluate_derivatives(lambda, r12, q1, q2) : invalid_derivatives<T>();
 }
 
-/// The contact function of a maximum found in scaled units.
+template <class T> constexpr Contact<T> failed_contact(Status status) noexcept
+{
+    return {quiet_nan<T>(), quiet_nan<T>(), status};
+}
+
+/// The contact function from a maximum that was found.
+template <class T> inline Contact<T> to_contact(Maximum<T> const &m) noexcept
+{
+    if (!m.converged || !(m.mu2 >= T(0))) return failed_contact<T>(Status::no_convergence);
+    return {m.mu2, m.lambda, Status::success};
+}
+
+/// The contact function from a maximum that was found in scaled units.
 template <class T, int D> inline Contact<T> unscale(ScaledPair<T, D> const &scaled, Maximum<T> const &m) noexcept
 {
-    if (!m.converged || !(m.mu2 >= T(0))) return {quiet_nan<T>(), quiet_nan<T>(), Status::no_convergence};
-    int const exponent = 2 * (scaled.length - scaled.form);
-    T const mu2 = exponent == 0 ? m.mu2 : times_power_of_two(m.mu2, exponent);
-    return {mu2, scaled.swapped ? m.complement : m.lambda, Status::success};
+    Contact<T> result = to_contact(m);
+    result.mu2 = times_power_of_two(result.mu2, 2 * (scaled.length - scaled.form));
+    if (scaled.swapped && result.status == Status::success) result.lambda = m.complement;
+    return result;
 }
 
 /// Whether products alone show that the forms are valid, the pair in range, and r12 != 0: true of almost all pairs. What is
@@ -88,16 +100,22 @@ is_ordinary(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, SymmetricM
            is_clearly_definite(q1) && is_clearly_definite(q2);
 }
 
+/// contact() for any pair: validated, and in units that keep it in range.
+template <class T, int D> [[gnu::noinline]] inline Contact<T>
+contact_scaled(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, SymmetricMatrix<T, D> const &q2) noexcept
+{
+    ScaledPair<T, D> scaled;
+    Status const status = validate(r12, q1, q2, scaled);
+    if (status != Status::success) return failed_contact<T>(status);
+    if (largest_coordinate(r12) == T(0)) return {T(0), T(0.5), Status::success};
+    return unscale(scaled, maximize(scaled.pair));
+}
+
 template <class T, int D> inline Contact<T> contact(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
                                                     SymmetricMatrix<T, D> const &q2) noexcept
 {
-    ScaledPair<T, D> scaled{{r12, q1, q2, T(1)}, 0, 0, false};
-    if (!(is_finite(r12) && is_ordinary(r12, q1, q2))) {
-        Status const status = validate(r12, q1, q2, scaled);
-        if (status != Status::success) return {quiet_nan<T>(), quiet_nan<T>(), status};
-        if (largest_coordinate(r12) == T(0)) return {T(0), T(0.5), Status::success};
-    }
-    return unscale(scaled, maximize(scaled.pair));
+    if (is_finite(r12) && is_ordinary(r12, q1, q2)) return to_contact(maximize(Pair<T, D>{r12, q1, q2, T(1)}));
+    return contact_scaled(r12, q1, q2);
 }
 
 } // namespace pw85::inline PW85_TARGET

@@ -46,7 +46,7 @@ class Dyadic {
     friend Dyadic operator+(Dyadic const &x, Dyadic const &y) noexcept { return sum(x, y, y.sign_); }
     friend Dyadic operator-(Dyadic const &x, Dyadic const &y) noexcept { return sum(x, y, -y.sign_); }
 
-    friend Dyadic operator*(Dyadic const &x, Dyadic const &y) noexcept
+    [[gnu::noinline]] friend Dyadic operator*(Dyadic const &x, Dyadic const &y) noexcept
     {
         Dyadic z;
         z.exact_ = x.exact_ && y.exact_ && x.size_ + y.size_ <= capacity;
@@ -116,7 +116,7 @@ class Dyadic {
     }
 
     /// x plus |y| with the given sign.
-    static Dyadic sum(Dyadic const &x, Dyadic const &y, int sign_of_y) noexcept
+    [[gnu::noinline]] static Dyadic sum(Dyadic const &x, Dyadic const &y, int sign_of_y) noexcept
     {
         bool const exact = x.exact_ && y.exact_;
         if (!exact || sign_of_y == 0 || x.sign_ == 0) {

@@ -117,7 +117,7 @@ template <class T> inline Contact<T> newton(CommonUnits<T> const &pair) noexcept
         if (absolute(step) <= square_root(unit_roundoff<T>()) * minimum(x, T(T(1) - x)))
             return {evaluate_f(x, pair.r12, pair.q1, pair.q2), x, Status::success};
     }
-    return {quiet_nan<T>(), quiet_nan<T>(), Status::no_convergence};
+    return failed_contact<T>(Status::no_convergence);
 }
 
 /// Bisection on the numerator of f', to the last digit of λ.
@@ -139,7 +139,7 @@ template <class T, class Solver> inline Contact<T> contact_by(Solver solver, Vec
 {
     ScaledPair<T, 3> scaled;
     Status const status = validate(r12, q1, q2, scaled);
-    if (status != Status::success) return {quiet_nan<T>(), quiet_nan<T>(), status};
+    if (status != Status::success) return failed_contact<T>(status);
     if (largest_coordinate(r12) == T(0)) return {T(0), T(0.5), Status::success};
     auto const pair = to_common_units(r12, q1, q2);
     Contact<T> result = solver(pair);

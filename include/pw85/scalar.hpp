@@ -57,7 +57,11 @@ template <class T> constexpr T maximum(T const &x, T const &y) noexcept { return
 /// The smaller of two numbers; the first where either is NaN.
 template <class T> constexpr T minimum(T const &x, T const &y) noexcept { return select(y < x, y, x); }
 
-template <class T> constexpr T absolute(T const &x) noexcept { return select(x < T(0), T(-x), x); }
+template <class T> constexpr T absolute(T const &x) noexcept
+{
+    using std::abs;
+    return abs(x);
+}
 
 template <class T> inline T square_root(T const &x) noexcept
 {

@@ -6,13 +6,10 @@
 /// 1. The maximum of f is the root of h, df/dx = λ(1-λ)(A - C), and h increases: in the eigenbasis of the pencil
 ///    (Q1, Q2), with eigenvalues d_i and p_i = 1/(1 + t d_i), h' = ea + eb, where ea = -½ d(log A)/dx is an average of
 ///    1 - p_i and eb = ½ d(log C)/dx one of p_i over positive weights, and h' <= 1, with equality for spheres.
-/// 2. |h''| <= 3 h', from the same averages. So a step δ of Newton's method from a distance below 0.1 is followed by
-/// one
-///    of less than a quarter of it; where that is not seen, δ is rounding noise.
-/// 3. f <= μ² <= max(A, C), and x - h is nearer to the root than x and on the same side: every evaluation gives a
-/// bound.
-/// 4. 1/√A and 1/√C are nearly affine in t and in 1/t (exactly, where r12 is an eigenvector of the pencil). Equating
-/// the
+/// 2. |h''| <= 2 h', since d p_i/dx = -p_i (1 - p_i). So a step δ of Newton's method from a distance below 0.1 is followed
+///    by one of less than a quarter of it; where that is not seen, δ is rounding noise.
+/// 3. f <= μ² <= max(A, C), and x - h is nearer to the root than x and on the same side: every evaluation gives a bound.
+/// 4. 1/√A and 1/√C are nearly affine in t and in 1/t (exactly, where r12 is an eigenvector of the pencil). Equating the
 ///    tangents gives a quadratic for t that converges from afar, as in trust-region methods (J. J. Moré and
 ///    D. C. Sorensen, SIAM J. Sci. Stat. Comput. 4, 553, 1983); near the root Halley's method is better.
 #ifndef PW85_SOLVER_HPP_INCLUDED
@@ -75,8 +72,8 @@ template <class T> struct Step {
     T denominator; ///< positive
 };
 
-/// Halley's step for the root of tanh h, where is_near(): by item 2 it is between half and twice Newton's, and is kept there
-/// against rounding noise in h''.
+/// Halley's step for the root of tanh h, where is_near(), kept between half and twice Newton's: rounding noise in h'' must
+/// not make it small.
 template <class T> constexpr Step<T> halley_step(Slope<T> const &s) noexcept
 {
     T const k = s.sum * s.k * s.k;
@@ -160,8 +157,8 @@ constexpr Finish<T> finish(Candidate<T> const &candidate, T const &ratio, T cons
 
 /// Iterates on the rational form from t until a step is within penultimate_step(); false if rounding errors or the
 /// range of the scalar get in the way, or after 5 evaluations.
-template <class T, int D>
-inline bool prepare(RationalForm<T, D> const &form, T const &ratio, Candidate<T> &candidate, int &evaluations) noexcept
+template <class T, int D> [[gnu::always_inline]] inline bool prepare(RationalForm<T, D> const &form, T const &ratio,
+                                                                     Candidate<T> &candidate, int &evaluations) noexcept
 {
     T const largest = std::numeric_limits<T>::max();
     T t = candidate.t;
@@ -242,7 +239,8 @@ template <class T, int D> inline Candidate<T> search(Pair<T, D> const &pair, T t
 
 /// The maximum of f over λ in [0, 1] where the rational form is accurate; `converged` tells. The candidate is the
 /// better start for maximize() where it is not.
-template <class T, int D> inline Maximum<T> maximize_rational(Pair<T, D> const &pair, Candidate<T> &candidate) noexcept
+template <class T, int D>
+[[gnu::always_inline]] inline Maximum<T> maximize_rational(Pair<T, D> const &pair, Candidate<T> &candidate) noexcept
 {
     candidate = {initial_guess(pair), T(1), T(0)};
     RationalForm<T, D> const form = rational_form(pair);
@@ -278,7 +276,7 @@ maximize_factorized(Pair<T, D> const &pair, Candidate<T> candidate, int evaluati
 }
 
 /// The maximum of f over λ in [0, 1], for a pair of positive definite forms in range with r12 != 0.
-template <class T, int D> inline Maximum<T> maximize(Pair<T, D> const &pair) noexcept
+template <class T, int D> [[gnu::always_inline]] inline Maximum<T> maximize(Pair<T, D> const &pair) noexcept
 {
     Candidate<T> candidate;
     Maximum<T> const maximum = maximize_rational(pair, candidate);

@@ -8,30 +8,44 @@
 /// ellipse, which is described by its squared half-chord τ along d, by k, and by ρ: for covectors n in the plane,
 ///
 /// 1. n·d = 1 and n·s = ν give nᵀ E n = τ + (ν - k)²/ρ, the square of the support function h. Here τ = 1/(dᵀQ⁻¹d),
-///    c = τ Q⁻¹d, k = c·s, and ρ = (pᵀQp) τ/det Q with the plane's normal p = d×s (the minors of a product of matrices).
+///    c = τ Q⁻¹d, k = c·s, and ρ = (pᵀQp) τ/det Q with the plane's normal p = d×s (minors of a product of matrices).
 /// 2. A common tangent line with normal n is at distance h1 from centre 1 and h2 from centre 2: the distance of closest
-///    approach is the minimum of h1 + h2 over ν. With K = k2 - k1 and t = h1/h2, it is where (ν - k1)/(k2 - ν) =
-///    t ρ1/ρ2. Then h1² = t² h2² reads F = (τ2 t² - τ1) (ρ1 t + ρ2)² - K² (ρ1 - ρ2) t² = 0, a quartic whose coefficients
-///    change sign once: it has one positive root (Descartes).
+///    approach is the minimum of h1 + h2 over ν. With K = k2 - k1 and t = h1/h2 it is where (ν - k1)/(k2 - ν) =
+///    t ρ1/ρ2. Then h1² = t² h2² reads F = (τ2 t² - τ1) (ρ1 t + ρ2)² - K² (ρ1 - ρ2) t² = 0, a quartic with one change
+///    of sign among its coefficients: it has one positive root (Descartes).
 /// 3. With ρ1 >= ρ2, w = ρ1 √τ2 t, κ = ρ √τ, and M = K² (ρ1 - ρ2) it is M/(w + κ2)² + κ1²/w² = 1, w >= κ1. As a
-///    difference of squares its factors are w² + κ2 w - u = ∓[v - κ2 (u - κ1²) w/v], v² = u² + κ1² κ2², where
+///    difference of squares its factors are w² + κ2 w - u = ±[v - κ2 (u - κ1²) w/v], v² = u² + κ1² κ2², where
 ///    u³ - 3 r u² - M κ1² κ2²/2 = 0, 6 r = M + κ1² - κ2². This cubic has one positive root, and with it one factor has
 ///    one positive root and the other none: there is no branch to choose.
 ///
-/// For two ellipsoids, let c = c2 - c1 (c ⊥ d), e = c/|c|, f = d×e. The planes are p = f + x e with s = e - x f, so that
+/// For two ellipsoids let c = c2 - c1 (c ⊥ d), e = c/|c|, f = d×e. The planes are p = f + x e with s = e - x f, so that
 /// K = |c| in all of them; the plane p = e (x infinite) has K = 0 and the least distance, √τ1 + √τ2.
 ///
-/// 4. The distance in a plane has one maximum in x, and increases before and decreases after it. Proof: the half-chord
-///    of an ellipsoid parallel to d at the offset ξ from the line of centres is a strictly concave function of ξ, and so
-///    is the distance Φ(ξ) at which two such chords touch end to end. The distance in a plane is the maximum of Φ along
-///    a line through ξ = 0. Where a convex set {Φ >= const} does not contain 0, the directions in which it is seen from
-///    there are an interval.
+/// 4. The distance in a plane has one maximum in x, and increases before it and decreases after it. Proof: the
+///    half-chord of an ellipsoid parallel to d at the offset ξ from the line of centres is a strictly concave function
+///    of ξ, and so is the distance Φ(ξ) at which two such chords touch end to end. The distance in a plane is the
+///    maximum of Φ along a line through ξ = 0. Where a convex set {Φ >= const} does not contain 0, the directions in
+///    which it is seen from there are an interval.
 /// 5. Along the pencil ρ = 1/(eᵀQe) + g (x - x0)² with x0 = -(eᵀQf)/(eᵀQe) and g = (eᵀQe) τ/det Q. Since the distance
 ///    decreases in ρ1 and in ρ2, its maximum lies between the two x0 (called x1 and x2), and by the envelope theorem it
 ///    is where (x - x1)/(x2 - x) = g2/(t g1).
 ///
-/// Item 5 is solved in y = log[(x - x1)/(x2 - x)] by Newton's method, kept inside a bracket that item 2 gives and item 4
-/// makes certain.
+/// Item 5 is solved in y = log[(x - x1)/(x2 - x)] by Newton's method, kept inside a bracket that item 2 gives and item
+/// 4 makes certain: 2 to 3 planes at aspect 4, 4 at 100, 41 the most seen.
+///
+/// Limits of double precision. For ellipses the last step evaluates two support functions at a normal where their sum
+/// is stationary: the error is that of the forms themselves, 2 u cond at most (cond as for the contact function),
+/// whatever the aspect. For ellipsoids the sections depend on Q⁻¹d and det Q, whose relative error is u κ, with
+/// κ = tr Q tr Q⁻¹ about the square of the aspect ratio: the distance is right to u (κ1 + κ2), of which a quarter has
+/// been seen, even where the pair is so well conditioned that the contact function is right to u. Largest relative
+/// errors for 1000 random pairs (bench/closest_approach), beside those of closest_approach():
+///
+///     aspect   ellipses   (contact)   ellipsoids   (contact)
+///     1        4e-16      (5e-16)     4e-16        (4e-16)
+///     10       4e-15      (5e-15)     2e-15        (3e-15)
+///     100      2e-13      (2e-13)     1e-13        (3e-13)
+///     1e3      9e-12      (4e-12)     8e-12        (3e-11)
+///     1e4      6e-11      (2e-11)     8e-10        (2e-9)
 #ifndef PW85_ZHENG_HPP_INCLUDED
 #define PW85_ZHENG_HPP_INCLUDED
 
@@ -155,16 +169,16 @@ template <class T> inline T distance(Problem<T, 2> const &pair) noexcept
 template <class T> struct Axis {
     Vector<T, 3> c;
     T tau;
-    T minor; ///< det Q/τ, the determinant of Q projected along d
+    T minor; ///< det Q/τ in units of the ellipsoid's own: the determinant of Q projected along d
 };
 
 template <class T> inline Axis<T> axis(Vector<T, 3> const &d, SymmetricMatrix<T, 3> const &q, T const &unit) noexcept
 {
     auto const factors = factorize(q, T(unit_roundoff<T>()));
     Vector<T, 3> const g = solve(factors, d);
-    T const inverse = dot(d, g), area = unit * unit;
-    return {times(T(T(1) / inverse), g), area / inverse,
-            area * area * factors.pivots[0] * factors.pivots[1] * factors.pivots[2] * inverse};
+    T const inverse = dot(d, g);
+    return {times(T(T(1) / inverse), g), unit * unit / inverse,
+            factors.pivots[0] * factors.pivots[1] * factors.pivots[2] * inverse};
 }
 
 /// The sections of an ellipsoid as the plane turns: ρ = least + growth·(x - x0)² (item 5).
@@ -177,8 +191,8 @@ template <class T> struct Fan {
 template <class T> inline Fan<T> fan(Axis<T> const &a, SymmetricMatrix<T, 3> const &q, T const &unit,
                                      Vector<T, 3> const &e, Vector<T, 3> const &f) noexcept
 {
-    T const along = positive_form(q, outer_weights(e)), width = unit * unit * along;
-    return {a.tau, T(1) / width, width / a.minor, -dot(f, product(q, e)) / along};
+    T const along = positive_form(q, outer_weights(e)), area = unit * unit;
+    return {a.tau, T(1) / (area * along), along / (area * a.minor), -dot(f, product(q, e)) / along};
 }
 
 template <class T> inline Section<T> section(Fan<T> const &fan, T const &from_x0) noexcept
@@ -235,7 +249,7 @@ template <class T> inline T largest_distance(Pencil<T> const &pencil) noexcept
     for (;;) {
         Plane<T> const here = plane(pencil, y);
         (here.residual < T(0) ? lower : upper) = y;
-        T step = -here.residual / here.slope;
+        T const step = -here.residual / here.slope;
         // By item 5 the distance changes by less than a fraction |residual| of itself per unit of y.
         if (absolute(T(step * here.residual)) <= unit_roundoff<T>()) return here.distance;
         T const next = y + step, middle = T(0.5) * (lower + upper);

@@ -1,61 +1,64 @@
-// The batch functions of the C API.
+// The batch functions of the C API: what concerns a call as a whole, and the distribution of pairs to threads.
 #include <pw85.h>
 
-#include <cmath>
-
-#include <pw85/pw85.hpp>
+#include <algorithm>
 
 #include "../c_arrays.hpp"
+#include "kernels.hpp"
+#include "lattice.hpp"
 
 using namespace pw85;
-using namespace pw85::c_api;
+using namespace pw85::batch;
+using pw85::c_api::any_null;
 
 namespace {
 
-constexpr size_t max_rows = SIZE_MAX / 2 / (PW85_SYM * sizeof(double));
+/// The largest number of rows that an array of up to 6 doubles per row can have.
+constexpr std::size_t max_rows = PTRDIFF_MAX / (PW85_SYM * sizeof(double));
 
-int contact_row(double const *r12, double const *q1, double const *q2, double *mu2, double *lambda)
+/// Pairs that a thread takes at a time: some tens of microseconds of work.
+constexpr std::size_t block = 4096;
+
+/// Calls kernel(range) for blocks of n pairs, in parallel, and returns the status of the first bad pair.
+template <class Kernel> int for_all_pairs(std::size_t n, Kernel const &kernel) noexcept
 {
-    auto const c = contact(load_vector<3>(r12), load_matrix<3>(q1), load_matrix<3>(q2));
-    *mu2 = c.mu2;
-    if (lambda) *lambda = c.lambda;
-    return static_cast<int>(c.status);
+    Failure first{0, 0};
+    auto const blocks = static_cast<std::ptrdiff_t>((n + block - 1) / block);
+#pragma omp parallel if (blocks > 1)
+    {
+        Failure own{0, 0};
+#pragma omp for schedule(static) nowait
+        for (std::ptrdiff_t b = 0; b < blocks; ++b) {
+            std::size_t const begin = static_cast<std::size_t>(b) * block;
+            own.update(kernel(Range{begin, std::min(n, begin + block)}));
+        }
+#pragma omp critical(pw85_batch)
+        first.update(own);
+    }
+    return first.status;
 }
 
-int overlap_row(double const *r12, double const *q1, double const *q2, unsigned char *overlap)
+/// Whether all indices are in range.
+bool are_valid(std::size_t num_indices, std::int32_t const *indices, std::size_t num_particles) noexcept
 {
-    auto const c = contact(load_vector<3>(r12), load_matrix<3>(q1), load_matrix<3>(q2));
-    *overlap = c.status != Status::success ? 255 : c.mu2 < 1.0;
-    return static_cast<int>(c.status);
+    auto const end = static_cast<std::uint32_t>(std::min<std::size_t>(num_particles, INT32_MAX + std::size_t{1}));
+    auto const count = static_cast<std::ptrdiff_t>(num_indices);
+    int outside = 0;
+#pragma omp parallel for simd schedule(static) reduction(| : outside) if (count > 65536)
+    for (std::ptrdiff_t k = 0; k < count; ++k) outside |= static_cast<std::uint32_t>(indices[k]) >= end;
+    return outside == 0;
 }
 
-bool pairs_ok(size_t m, int32_t const *pairs, size_t n, double const *centers, double const *q)
+/// Checks the arguments that both functions for neighbour lists share, and prepares the lattice.
+int prepare_list(std::size_t num_pairs, std::size_t num_particles, double const *cell, NeighborList &list,
+                 Lattice &lattice) noexcept
 {
-    if (m > max_rows || n > max_rows || any_null(pairs, centers, q)) return false;
-    for (size_t k = 0; k < 2 * m; ++k)
-        if (pairs[k] < 0 || static_cast<size_t>(pairs[k]) >= n) return false;
-    return true;
-}
-
-void separation(double const *ci, double const *cj, double const *cell, double r[3])
-{
-    for (int d = 0; d < 3; ++d) r[d] = cj[d] - ci[d];
-    if (!cell) return;
-    double best[3] = {r[0], r[1], r[2]}, best2 = INFINITY;
-    for (int a = -2; a <= 2; ++a)
-        for (int b = -2; b <= 2; ++b)
-            for (int c = -2; c <= 2; ++c) {
-                double v[3], s = 0;
-                for (int d = 0; d < 3; ++d) {
-                    v[d] = r[d] + a * cell[d] + b * cell[3 + d] + c * cell[6 + d];
-                    s += v[d] * v[d];
-                }
-                if (s < best2) {
-                    best2 = s;
-                    for (int d = 0; d < 3; ++d) best[d] = v[d];
-                }
-            }
-    for (int d = 0; d < 3; ++d) r[d] = best[d];
+    if (num_pairs > max_rows || num_particles > max_rows) return PW85_EINVAL;
+    if (any_null(list.pairs, list.centers, list.q)) return PW85_EINVAL;
+    if (!are_valid(2 * num_pairs, list.pairs, num_particles)) return PW85_EINVAL;
+    if (cell == nullptr) return PW85_SUCCESS;
+    list.lattice = &lattice;
+    return prepare(cell, lattice) ? PW85_SUCCESS : PW85_EINVAL;
 }
 
 } // namespace
@@ -64,54 +67,43 @@ int pw85_contact_batch(size_t n, double const *r12, double const *q1, double con
 {
     if (n == 0) return PW85_SUCCESS;
     if (n > max_rows || any_null(r12, q1, q2, mu2)) return PW85_EINVAL;
-    int first = PW85_SUCCESS;
-    for (size_t i = 0; i < n; ++i) {
-        int const s = contact_row(r12 + 3 * i, q1 + 6 * i, q2 + 6 * i, mu2 + i, lambda ? lambda + i : nullptr);
-        if (!first) first = s;
-    }
-    return first;
+    Kernels const &k = kernels();
+    PairArrays const pairs{r12, q1, q2};
+    ContactArrays const out{mu2, lambda};
+    return for_all_pairs(n, [&](Range range) { return k.lanes->contact_batch(pairs, range, out, *k.scalar); });
 }
 
 int pw85_overlap_batch(size_t n, double const *r12, double const *q1, double const *q2, unsigned char *overlap)
 {
     if (n == 0) return PW85_SUCCESS;
     if (n > max_rows || any_null(r12, q1, q2, overlap)) return PW85_EINVAL;
-    int first = PW85_SUCCESS;
-    for (size_t i = 0; i < n; ++i) {
-        int const s = overlap_row(r12 + 3 * i, q1 + 6 * i, q2 + 6 * i, overlap + i);
-        if (!first) first = s;
-    }
-    return first;
+    Kernels const &k = kernels();
+    PairArrays const pairs{r12, q1, q2};
+    return for_all_pairs(n, [&](Range range) { return k.lanes->overlap_batch(pairs, range, overlap, *k.scalar); });
 }
 
 int pw85_contact_pairs(size_t num_pairs, int32_t const *pairs, size_t num_particles, double const *centers,
                        double const *q, double const *cell, double *mu2, double *lambda)
 {
     if (num_pairs == 0) return PW85_SUCCESS;
-    if (any_null(mu2) || !pairs_ok(num_pairs, pairs, num_particles, centers, q)) return PW85_EINVAL;
-    int first = PW85_SUCCESS;
-    for (size_t k = 0; k < num_pairs; ++k) {
-        int const i = pairs[2 * k], j = pairs[2 * k + 1];
-        double r[3];
-        separation(centers + 3 * i, centers + 3 * j, cell, r);
-        int const s = contact_row(r, q + 6 * i, q + 6 * j, mu2 + k, lambda ? lambda + k : nullptr);
-        if (!first) first = s;
-    }
-    return first;
+    if (any_null(mu2)) return PW85_EINVAL;
+    Lattice lattice;
+    NeighborList list{pairs, centers, q, nullptr};
+    if (int const status = prepare_list(num_pairs, num_particles, cell, list, lattice)) return status;
+    Kernels const &k = kernels();
+    ContactArrays const out{mu2, lambda};
+    return for_all_pairs(num_pairs, [&](Range range) { return k.lanes->contact_pairs(list, range, out, *k.scalar); });
 }
 
 int pw85_overlap_pairs(size_t num_pairs, int32_t const *pairs, size_t num_particles, double const *centers,
                        double const *q, double const *cell, unsigned char *overlap)
 {
     if (num_pairs == 0) return PW85_SUCCESS;
-    if (any_null(overlap) || !pairs_ok(num_pairs, pairs, num_particles, centers, q)) return PW85_EINVAL;
-    int first = PW85_SUCCESS;
-    for (size_t k = 0; k < num_pairs; ++k) {
-        int const i = pairs[2 * k], j = pairs[2 * k + 1];
-        double r[3];
-        separation(centers + 3 * i, centers + 3 * j, cell, r);
-        int const s = overlap_row(r, q + 6 * i, q + 6 * j, overlap + k);
-        if (!first) first = s;
-    }
-    return first;
+    if (any_null(overlap)) return PW85_EINVAL;
+    Lattice lattice;
+    NeighborList list{pairs, centers, q, nullptr};
+    if (int const status = prepare_list(num_pairs, num_particles, cell, list, lattice)) return status;
+    Kernels const &k = kernels();
+    return for_all_pairs(num_pairs,
+                         [&](Range range) { return k.lanes->overlap_pairs(list, range, overlap, *k.scalar); });
 }

@@ -1,8 +1,10 @@
 /// @file
-/// The contact function of one pair per lane.
+/// The contact function, one pair per lane.
 ///
 /// The steps are those of the scalar solver on the rational form. Each stage runs over all packs of a chunk before the next
-/// begins: stages are short and packs independent, so that the processor works on several at a time.
+/// one begins: stages are short and packs independent, so that the processor works on several at a time. A lane that has
+/// converged is left alone, so that what happens to a pair depends on nothing but the pair. Pairs that are out of the
+/// ordinary, ill-conditioned, or slow go to the scalar solver.
 #ifndef PW85_BATCH_LANE_CONTACT_HPP_INCLUDED
 #define PW85_BATCH_LANE_CONTACT_HPP_INCLUDED
 
@@ -12,21 +14,20 @@
 
 namespace pw85::inline PW85_TARGET {
 
-#ifndef PACKS
-#define PACKS 16
-#endif
-inline constexpr std::size_t packs_per_chunk = PACKS;
-inline constexpr std::size_t chunk = packs_per_chunk * lanes;
+/// Packs per chunk: their states, 1.6 kB each with 8 lanes, fit into a first-level cache of 32 kB.
+inline constexpr std::size_t packs_per_chunk = 16;
+inline constexpr std::size_t contact_chunk_size = packs_per_chunk * lanes;
 
 /// What is known of the pairs of a pack.
 struct LaneState {
     LanePair pair;
-    Pack a[3], b[4]; ///< of the rational form
+    Pack a[3], b[4]; ///< coefficients of the rational form
     Candidate<Pack> candidate;
-    unsigned ordinary;
-    unsigned active;
+    unsigned ordinary; ///< lanes of ordinary pairs
+    unsigned active;   ///< lanes that have not converged
 };
 
+/// The coefficients of the rational form; the outer weights of r12 serve all three of a(t).
 PW85_INLINE void start(LaneState &state, LanePair const &pair) noexcept
 {
     auto const weights = outer_weights(pair.r12);
@@ -39,56 +40,77 @@ PW85_INLINE void start(LaneState &state, LanePair const &pair) noexcept
     state.b[1] = contraction(adj1, pair.q2);
     state.b[2] = contraction(adj2, pair.q1);
     state.b[3] = determinant(pair.q2, adj2);
-    state.candidate.t = initial_guess(pair);
+    state.candidate = {initial_guess(pair), Pack(1.0), Pack(0.0)};
     state.ordinary = is_ordinary(pair.r12, pair.q1, pair.q2).to_bits();
+    state.active = all_lanes;
 }
 
-PW85_INLINE RationalForm<Pack, 3> form_of(LaneState const &state) noexcept
+PW85_INLINE Jet<Pack> evaluate_jet(LaneState const &state) noexcept
 {
     RationalForm<Pack, 3> form;
     for (int i = 0; i < 3; ++i) form.a[i] = state.a[i];
     for (int i = 0; i < 4; ++i) form.b[i] = state.b[i];
-    return form;
+    return evaluate_jet(form, state.candidate.t);
 }
 
-/// The first step, which never is the last.
+/// The first step, which is never the last.
 PW85_INLINE void first_step(LaneState &state) noexcept
 {
-    Pack const t = state.candidate.t;
-    Jet<Pack> const jet = evaluate_jet(form_of(state), t);
-    Slope<Pack> const s = slope(jet, Pack(1.0), t);
+    Pack const ratio = Pack(1.0), t = state.candidate.t;
+    Jet<Pack> const jet = evaluate_jet(state);
+    Slope<Pack> const s = slope(jet, ratio, t);
     PackMask const near = is_near(s);
     Pack factor = exponential(halley_step(s));
-    if (!all_of(near)) factor = select(near, factor, secular_factor(jet, Pack(1.0), t));
+    if (!all_of(near)) factor = select(near, factor, secular_factor(jet, ratio, t));
     state.candidate.t = t * factor;
-    state.active = (1u << lanes) - 1u;
 }
 
-/// Another step of those lanes that need it.
-PW85_INLINE void next_step(LaneState &state, PackMask active) noexcept
+/// Another step of the active lanes.
+PW85_INLINE void next_step(LaneState &state) noexcept
 {
-    Pack const t = state.candidate.t;
-    Jet<Pack> const jet = evaluate_jet(form_of(state), t);
-    Slope<Pack> const s = slope(jet, Pack(1.0), t);
-    PackMask const near = is_near(s);
+    Pack const ratio = Pack(1.0), t = state.candidate.t;
+    PackMask const active = PackMask::from_bits(state.active);
+    Jet<Pack> const jet = evaluate_jet(state);
+    Slope<Pack> const s = slope(jet, ratio, t);
     Step<Pack> const step = halley_step(s);
-    PackMask const within = near && is_within(step, penultimate_step<Pack>());
-    Candidate<Pack> const candidate = advance(t, s, step);
-    Pack next = candidate.t;
-    if (!all_of(near)) next = select(near, next, t * secular_factor(jet, Pack(1.0), t));
-    state.candidate.t = select(active, next, t);
-    state.candidate.slope = select(active, candidate.slope, state.candidate.slope);
-    state.active = (active & !within).to_bits();
+    PackMask const near = is_near(s);
+    Candidate<Pack> candidate = advance(t, s, step);
+    if (!all_of(near)) candidate.t = select(near, candidate.t, t * secular_factor(jet, ratio, t));
+    state.candidate = {select(active, candidate.t, t), select(active, candidate.k, state.candidate.k),
+                       select(active, candidate.k2, state.candidate.k2)};
+    state.active = (active && !(near && is_within(step, penultimate_step<Pack>()))).to_bits();
 }
 
+/// Steps until all lanes have converged, five at most as in the scalar solver.
+PW85_INLINE void search(LaneState *states, std::size_t packs) noexcept
+{
+    std::uint8_t active[packs_per_chunk];
+    for (std::size_t k = 0; k < packs; ++k) {
+        first_step(states[k]);
+        active[k] = static_cast<std::uint8_t>(k);
+    }
+    std::size_t num_active = packs;
+    for (int step = 2; step <= 5 && num_active > 0; ++step) {
+        std::size_t num_left = 0;
+        for (std::size_t k = 0; k < num_active; ++k) {
+            next_step(states[active[k]]);
+            active[num_left] = active[k];
+            num_left += states[active[k]].active != 0;
+        }
+        num_active = num_left;
+    }
+}
+
+/// The contact function of a pack.
 struct LaneContact {
     Pack mu2, lambda;
-    unsigned done;
+    unsigned done; ///< lanes where it is right
 };
 
+/// The last evaluation, by the adjugate of M at t, under the conditions of the scalar solver.
 PW85_INLINE LaneContact finish(LaneState const &state) noexcept
 {
-    Pair<Pack, 3> const &pair = state.pair;
+    LanePair const &pair = state.pair;
     auto const m = blend(Pack(1.0), pair.q1, state.candidate.t, pair.q2);
     auto const adj = adjugate(m);
     auto const s = product(adj, pair.r12);
@@ -96,71 +118,68 @@ PW85_INLINE LaneContact finish(LaneState const &state) noexcept
     Finish<Pack> const last = finish(state.candidate, Pack(1.0), quadratic_form(pair.q1, weights),
                                      quadratic_form(pair.q2, weights), dot(pair.r12, s));
     PackMask const accurate = determinant(m, adj) >= fine_conditioning<Pack>() * (m[0] * m[3] * m[5]);
-    PackMask const done = absolute(last.step) <= final_step<Pack>() && accurate;
-    return {last.mu2, last.tau / (Pack(1.0) + last.tau), done.to_bits() & state.ordinary & ~state.active};
+    PackMask const done = accurate && absolute(last.step) <= final_step<Pack>();
+    return {last.mu2, last.lambda, done.to_bits() & state.ordinary & ~state.active};
 }
 
-PW85_INLINE void store_lanes(Pack const &x, std::size_t first, unsigned mask, double *out) noexcept
+/// Stores neighbouring results; those that are not done will be overwritten.
+PW85_INLINE void store(Pack const &x, std::size_t count, double *out) noexcept
 {
-    for (int i = 0; i < lanes; ++i)
-        if (mask >> i & 1u) out[first + static_cast<std::size_t>(i)] = x[i];
+    if (count >= lanes)
+        std::memcpy(out, &x.v, sizeof x.v);
+    else
+        for (std::size_t i = 0; i < count; ++i) out[i] = x[i];
 }
 
-PW85_INLINE PackMask to_mask(unsigned bits) noexcept
-{
-#if defined(__AVX512F__)
-    return {static_cast<__mmask8>(bits)};
-#else
-    RegisterOf<lanes>::Integers m;
-    for (int i = 0; i < lanes; ++i) m[i] = -static_cast<std::int64_t>(bits >> i & 1u);
-    return {m};
-#endif
-}
-
-/// Contact of `count` <= chunk pairs from `begin` on; returns the number of those left to the scalar path, whose indices go to
-/// `rejected`.
-template <class Rows>
-[[gnu::flatten]] inline std::size_t contact_chunk(Rows const &rows, std::size_t begin, std::size_t count, double *mu2,
-                                                  double *lambda, std::size_t *rejected) noexcept
+/// The contact function of up to contact_chunk_size neighbouring pairs; those left to the scalar solver go to `rejected`.
+template <class Rows> PW85_INLINE void contact_chunk(Rows const &rows, std::size_t count,
+                                                     batch::ContactArrays const &out,
+                                                     OffsetList<contact_chunk_size> &rejected) noexcept
 {
     LaneState states[packs_per_chunk];
-    std::size_t const packs = (count + lanes - 1) / lanes;
+    std::size_t const begin = rejected.begin(), packs = (count + lanes - 1) / lanes;
+    for (std::size_t k = 0; k < packs; ++k)
+        start(states[k], load_neighbors(rows, begin + k * lanes, count - k * lanes));
+    search(states, packs);
     for (std::size_t k = 0; k < packs; ++k) {
-        std::size_t indices[lanes];
-        for (std::size_t i = 0; i < lanes; ++i)
-            indices[i] = begin + (k * lanes + i < count ? k * lanes + i : count - 1);
-        start(states[k], rows.load(indices));
+        LaneContact const contact = finish(states[k]);
+        std::size_t const first = k * lanes, left = count - first;
+        store(contact.mu2, left, out.mu2 + begin + first);
+        if (out.lambda != nullptr) store(contact.lambda, left, out.lambda + begin + first);
+        for (unsigned bits = live_lanes(left) & ~contact.done; bits != 0; bits &= bits - 1)
+            rejected.push(first + static_cast<unsigned>(__builtin_ctz(bits)));
     }
-    for (std::size_t k = 0; k < packs; ++k) first_step(states[k]);
-    unsigned short active[packs_per_chunk];
-    std::size_t num_active = packs;
-    for (std::size_t k = 0; k < packs; ++k) active[k] = static_cast<unsigned short>(k);
-    for (int step = 2; step <= 5 && num_active > 0; ++step) {
-        std::size_t const waiting = num_active;
-        num_active = 0;
-        for (std::size_t k = 0; k < waiting; ++k) {
-            LaneState &state = states[active[k]];
-            next_step(state, to_mask(state.active));
-            active[num_active] = active[k];
-            num_active += state.active != 0;
-        }
+}
+
+/// The contact function of a list of pairs by the scalar solver.
+template <class Rows> inline batch::Failure contact_one_by_one(Rows const &rows, OffsetList<contact_chunk_size> &list,
+                                                               batch::ContactArrays const &out,
+                                                               batch::ScalarKernels const &scalar) noexcept
+{
+    batch::Failure first{0, 0};
+    visit_pairs(rows, list, [&](std::size_t index, double const *r12, double const *q1, double const *q2) {
+        double contact[2];
+        first.update({index, scalar.contact(r12, q1, q2, contact)});
+        out.mu2[index] = contact[0];
+        if (out.lambda != nullptr) out.lambda[index] = contact[1];
+    });
+    return first;
+}
+
+/// The contact function of a range of pairs.
+template <class Rows> [[gnu::flatten]] inline batch::Failure contact_rows(Rows const &rows, batch::Range range,
+                                                                          batch::ContactArrays const &out,
+                                                                          batch::ScalarKernels const &scalar) noexcept
+{
+    batch::Failure first{0, 0};
+    for (std::size_t begin = range.begin; begin < range.end; begin += contact_chunk_size) {
+        std::size_t const left = range.end - begin, count = left < contact_chunk_size ? left : contact_chunk_size;
+        rows.prefetch(begin + count, range.end);
+        OffsetList<contact_chunk_size> rejected(begin);
+        contact_chunk(rows, count, out, rejected);
+        if (rejected.size() > 0) first.update(contact_one_by_one(rows, rejected, out, scalar));
     }
-    std::size_t num_rejected = 0;
-    for (std::size_t k = 0; k < packs; ++k) {
-        LaneContact const c = finish(states[k]);
-        std::size_t const first = begin + k * lanes;
-        if (c.done == (1u << lanes) - 1u && k * lanes + lanes <= count) {
-            std::memcpy(mu2 + first, &c.mu2, sizeof(Pack));
-            if (lambda) std::memcpy(lambda + first, &c.lambda, sizeof(Pack));
-            continue;
-        }
-        unsigned const live = k * lanes + lanes <= count ? (1u << lanes) - 1u : (1u << (count - k * lanes)) - 1u;
-        store_lanes(c.mu2, first, c.done & live, mu2);
-        if (lambda) store_lanes(c.lambda, first, c.done & live, lambda);
-        for (unsigned i = 0; i < lanes; ++i)
-            if ((live & ~c.done) >> i & 1u) rejected[num_rejected++] = first + i;
-    }
-    return num_rejected;
+    return first;
 }
 
 } // namespace pw85::inline PW85_TARGET

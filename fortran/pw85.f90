@@ -1,0 +1,445 @@
+!> The contact function of Perram and Wertheim for two ellipsoids: the C API of pw85.h, pw85_legacy.h and pw85_zheng.h.
+!>
+!> See those headers for what each function computes; names, order of arguments and status codes are the same. Vectors
+!> are real(c_double) arrays of 3 numbers, symmetric matrices of 6: (xx, xy, xz, yy, yz, zz); 2 and 3 in two dimensions.
+!> Where C has rows of numbers, Fortran has columns: r12(:, i), q1(:, i) and pairs(:, i) belong to pair i, cell(:, k) is
+!> vector k of the periodic cell. Indices of particles count from 0, as in C. Numbers of pairs are integer(c_size_t).
+!>
+!> Functions return a status, pw85_success or another of the codes below; when it is another, all outputs are NaN.
+!> Outputs that may be null in C are optional here.
+module pw85
+  use, intrinsic :: iso_c_binding, only: c_char, c_double, c_f_pointer, c_int, c_int8_t, c_int32_t, c_loc, c_null_ptr, &
+    c_ptr, c_size_t
+  implicit none
+  private
+
+  include 'pw85_version.inc'
+
+  !> Status codes.
+  integer(c_int), parameter, public :: pw85_success = 0
+  integer(c_int), parameter, public :: pw85_einval = 1
+  integer(c_int), parameter, public :: pw85_enotpd = 2
+  integer(c_int), parameter, public :: pw85_econvergence = 3
+
+  !> Dimension of the physical space, and number of stored entries of a symmetric matrix.
+  integer(c_int), parameter, public :: pw85_dim = 3
+  integer(c_int), parameter, public :: pw85_sym = 6
+
+  !> Parameters of pw85_contact_function().
+  real(c_double), parameter, public :: pw85_lambda_atol = 1e-6_c_double
+  integer(c_int), parameter, public :: pw85_max_iter = 25
+  integer(c_int), parameter, public :: pw85_nr_iter = 3
+
+  public :: pw85_version, pw85_strerror
+  public :: pw85_spheroid, pw85_ellipsoid, pw85_ellipsoid_quaternion, pw85_ellipse
+  public :: pw85_contact, pw85_contact_function, pw85_contact_geometry, pw85_contact_gradient, pw85_contact_torque
+  public :: pw85_overlap, pw85_closest_approach, pw85_contact_2d, pw85_closest_approach_2d
+  public :: pw85_contact_batch, pw85_overlap_batch, pw85_contact_pairs, pw85_overlap_pairs
+  public :: pw85__cholesky_decomp, pw85__cholesky_solve, pw85__residual, pw85_f_neg
+  public :: pw85_legacy__det_sym, pw85_legacy__xt_adja_x, pw85_legacy__detq_as_poly, pw85_legacy__rt_adjq_r_as_poly
+  public :: pw85_legacy_f1, pw85_legacy_f2, pw85_legacy_contact_function1, pw85_legacy_contact_function2
+  public :: pw85_zheng_ellipses, pw85_zheng_ellipsoids
+
+  ! pw85.h
+  interface
+
+    function c_version() result(text) bind(C, name='pw85_version')
+      import :: c_ptr
+      type(c_ptr) :: text
+    end function c_version
+
+    function c_strerror(status) result(text) bind(C, name='pw85_strerror')
+      import :: c_int, c_ptr
+      integer(c_int), value :: status
+      type(c_ptr) :: text
+    end function c_strerror
+
+    !> Form of a spheroid: equatorial radius a, polar radius c, axis n of any length > 0.
+    subroutine pw85_spheroid(a, c, n, q) bind(C, name='pw85_spheroid')
+      import :: c_double
+      real(c_double), value :: a, c
+      real(c_double), intent(in) :: n(3)
+      real(c_double), intent(out) :: q(6)
+    end subroutine pw85_spheroid
+
+    function c_ellipsoid(semi_axes, rotation, q) result(status) bind(C, name='pw85_ellipsoid')
+      import :: c_double, c_int
+      real(c_double), intent(in) :: semi_axes(3), rotation(9)
+      real(c_double), intent(out) :: q(6)
+      integer(c_int) :: status
+    end function c_ellipsoid
+
+    !> Form of an ellipsoid oriented by the quaternion (w, x, y, z) of any length > 0.
+    function pw85_ellipsoid_quaternion(semi_axes, quaternion, q) result(status) &
+        bind(C, name='pw85_ellipsoid_quaternion')
+      import :: c_double, c_int
+      real(c_double), intent(in) :: semi_axes(3), quaternion(4)
+      real(c_double), intent(out) :: q(6)
+      integer(c_int) :: status
+    end function pw85_ellipsoid_quaternion
+
+    !> Form of an ellipse: semi-axes a and b, the first at the angle (radians) from the x axis.
+    function pw85_ellipse(a, b, angle, q) result(status) bind(C, name='pw85_ellipse')
+      import :: c_double, c_int
+      real(c_double), value :: a, b, angle
+      real(c_double), intent(out) :: q(3)
+      integer(c_int) :: status
+    end function pw85_ellipse
+
+    !> Contact function of two ellipsoids: out = [mu**2, lambda].
+    function pw85_contact(r12, q1, q2, out) result(status) bind(C, name='pw85_contact')
+      import :: c_double, c_int
+      real(c_double), intent(in) :: r12(3), q1(6), q2(6)
+      real(c_double), intent(out) :: out(2)
+      integer(c_int) :: status
+    end function pw85_contact
+
+    !> The same, by Brent's method.
+    function pw85_contact_function(r12, q1, q2, out) result(status) bind(C, name='pw85_contact_function')
+      import :: c_double, c_int
+      real(c_double), intent(in) :: r12(3), q1(6), q2(6)
+      real(c_double), intent(out) :: out(2)
+      integer(c_int) :: status
+    end function pw85_contact_function
+
+    function c_contact_geometry(r12, q1, q2, lambda, point, normal) result(status) bind(C, name='pw85_contact_geometry')
+      import :: c_double, c_int, c_ptr
+      real(c_double), intent(in) :: r12(3), q1(6), q2(6)
+      real(c_double), value :: lambda
+      type(c_ptr), value :: point, normal
+      integer(c_int) :: status
+    end function c_contact_geometry
+
+    function c_contact_gradient(r12, q1, q2, lambda, d_r12, d_q1, d_q2) result(status) &
+        bind(C, name='pw85_contact_gradient')
+      import :: c_double, c_int, c_ptr
+      real(c_double), intent(in) :: r12(3), q1(6), q2(6)
+      real(c_double), value :: lambda
+      type(c_ptr), value :: d_r12, d_q1, d_q2
+      integer(c_int) :: status
+    end function c_contact_gradient
+
+    function c_contact_torque(r12, q1, q2, lambda, d_rot1, d_rot2) result(status) bind(C, name='pw85_contact_torque')
+      import :: c_double, c_int, c_ptr
+      real(c_double), intent(in) :: r12(3), q1(6), q2(6)
+      real(c_double), value :: lambda
+      type(c_ptr), value :: d_rot1, d_rot2
+      integer(c_int) :: status
+    end function c_contact_torque
+
+    !> Whether two ellipsoids overlap: 1 or 0; -1 on error.
+    function pw85_overlap(r12, q1, q2, overlap) result(status) bind(C, name='pw85_overlap')
+      import :: c_double, c_int
+      real(c_double), intent(in) :: r12(3), q1(6), q2(6)
+      integer(c_int), intent(out) :: overlap
+      integer(c_int) :: status
+    end function pw85_overlap
+
+    !> Distance of closest approach of two ellipsoids along a direction.
+    function pw85_closest_approach(direction, q1, q2, distance) result(status) bind(C, name='pw85_closest_approach')
+      import :: c_double, c_int
+      real(c_double), intent(in) :: direction(3), q1(6), q2(6)
+      real(c_double), intent(out) :: distance
+      integer(c_int) :: status
+    end function pw85_closest_approach
+
+    !> Contact function of two ellipses: out = [mu**2, lambda].
+    function pw85_contact_2d(r12, q1, q2, out) result(status) bind(C, name='pw85_contact_2d')
+      import :: c_double, c_int
+      real(c_double), intent(in) :: r12(2), q1(3), q2(3)
+      real(c_double), intent(out) :: out(2)
+      integer(c_int) :: status
+    end function pw85_contact_2d
+
+    !> Distance of closest approach of two ellipses along a direction.
+    function pw85_closest_approach_2d(direction, q1, q2, distance) result(status) &
+        bind(C, name='pw85_closest_approach_2d')
+      import :: c_double, c_int
+      real(c_double), intent(in) :: direction(2), q1(3), q2(3)
+      real(c_double), intent(out) :: distance
+      integer(c_int) :: status
+    end function pw85_closest_approach_2d
+
+    function c_contact_batch(n, r12, q1, q2, mu2, lambda) result(status) bind(C, name='pw85_contact_batch')
+      import :: c_double, c_int, c_ptr, c_size_t
+      integer(c_size_t), value :: n
+      real(c_double), intent(in) :: r12(3, *), q1(6, *), q2(6, *)
+      real(c_double), intent(out) :: mu2(*)
+      type(c_ptr), value :: lambda
+      integer(c_int) :: status
+    end function c_contact_batch
+
+    !> Overlaps of n pairs: 1, 0, or -1 (255 in C, where it has no sign) for a bad pair.
+    function pw85_overlap_batch(n, r12, q1, q2, overlap) result(status) bind(C, name='pw85_overlap_batch')
+      import :: c_double, c_int, c_int8_t, c_size_t
+      integer(c_size_t), value :: n
+      real(c_double), intent(in) :: r12(3, *), q1(6, *), q2(6, *)
+      integer(c_int8_t), intent(out) :: overlap(*)
+      integer(c_int) :: status
+    end function pw85_overlap_batch
+
+    function c_contact_pairs(num_pairs, pairs, num_particles, centers, q, cell, mu2, lambda) result(status) &
+        bind(C, name='pw85_contact_pairs')
+      import :: c_double, c_int, c_int32_t, c_ptr, c_size_t
+      integer(c_size_t), value :: num_pairs
+      integer(c_int32_t), intent(in) :: pairs(2, *)
+      integer(c_size_t), value :: num_particles
+      real(c_double), intent(in) :: centers(3, *), q(6, *)
+      type(c_ptr), value :: cell
+      real(c_double), intent(out) :: mu2(*)
+      type(c_ptr), value :: lambda
+      integer(c_int) :: status
+    end function c_contact_pairs
+
+    function c_overlap_pairs(num_pairs, pairs, num_particles, centers, q, cell, overlap) result(status) &
+        bind(C, name='pw85_overlap_pairs')
+      import :: c_double, c_int, c_int8_t, c_int32_t, c_ptr, c_size_t
+      integer(c_size_t), value :: num_pairs
+      integer(c_int32_t), intent(in) :: pairs(2, *)
+      integer(c_size_t), value :: num_particles
+      real(c_double), intent(in) :: centers(3, *), q(6, *)
+      type(c_ptr), value :: cell
+      integer(c_int8_t), intent(out) :: overlap(*)
+      integer(c_int) :: status
+    end function c_overlap_pairs
+
+    !> Cholesky factor of a symmetric matrix, by columns.
+    subroutine pw85__cholesky_decomp(a, l) bind(C, name='pw85__cholesky_decomp')
+      import :: c_double
+      real(c_double), intent(in) :: a(6)
+      real(c_double), intent(out) :: l(6)
+    end subroutine pw85__cholesky_decomp
+
+    subroutine pw85__cholesky_solve(l, b, x) bind(C, name='pw85__cholesky_solve')
+      import :: c_double
+      real(c_double), intent(in) :: l(6), b(3)
+      real(c_double), intent(out) :: x(3)
+    end subroutine pw85__cholesky_solve
+
+    !> out = [f, g, g'] at lambda, with g = -f'.
+    subroutine pw85__residual(lambda, r12, q1, q2, out) bind(C, name='pw85__residual')
+      import :: c_double
+      real(c_double), value :: lambda
+      real(c_double), intent(in) :: r12(3), q1(6), q2(6)
+      real(c_double), intent(out) :: out(3)
+    end subroutine pw85__residual
+
+    !> -f(lambda); params = [r12, q1, q2].
+    function pw85_f_neg(lambda, params) result(f) bind(C, name='pw85_f_neg')
+      import :: c_double
+      real(c_double), value :: lambda
+      real(c_double), intent(in) :: params(15)
+      real(c_double) :: f
+    end function pw85_f_neg
+
+  end interface
+
+  ! pw85_legacy.h
+  interface
+
+    function pw85_legacy__det_sym(a) result(determinant) bind(C, name='pw85_legacy__det_sym')
+      import :: c_double
+      real(c_double), intent(in) :: a(6)
+      real(c_double) :: determinant
+    end function pw85_legacy__det_sym
+
+    function pw85_legacy__xt_adja_x(x, a) result(form) bind(C, name='pw85_legacy__xT_adjA_x')
+      import :: c_double
+      real(c_double), intent(in) :: x(3), a(6)
+      real(c_double) :: form
+    end function pw85_legacy__xt_adja_x
+
+    subroutine pw85_legacy__detq_as_poly(q1, q2, q3, q4, b) bind(C, name='pw85_legacy__detQ_as_poly')
+      import :: c_double
+      real(c_double), intent(in) :: q1(6), q2(6), q3(6), q4(6)
+      real(c_double), intent(out) :: b(4)
+    end subroutine pw85_legacy__detq_as_poly
+
+    subroutine pw85_legacy__rt_adjq_r_as_poly(r, q1, q2, q3, a) bind(C, name='pw85_legacy__rT_adjQ_r_as_poly')
+      import :: c_double
+      real(c_double), intent(in) :: r(3), q1(6), q2(6), q3(6)
+      real(c_double), intent(out) :: a(3)
+    end subroutine pw85_legacy__rt_adjq_r_as_poly
+
+    function c_legacy_f1(lambda, r12, q1, q2, out) result(f) bind(C, name='pw85_legacy_f1')
+      import :: c_double, c_ptr
+      real(c_double), value :: lambda
+      real(c_double), intent(in) :: r12(3), q1(6), q2(6)
+      type(c_ptr), value :: out
+      real(c_double) :: f
+    end function c_legacy_f1
+
+    function c_legacy_f2(lambda, r12, q1, q2, out) result(f) bind(C, name='pw85_legacy_f2')
+      import :: c_double, c_ptr
+      real(c_double), value :: lambda
+      real(c_double), intent(in) :: r12(3), q1(6), q2(6)
+      type(c_ptr), value :: out
+      real(c_double) :: f
+    end function c_legacy_f2
+
+    function pw85_legacy_contact_function1(r12, q1, q2, out) result(status) &
+        bind(C, name='pw85_legacy_contact_function1')
+      import :: c_double, c_int
+      real(c_double), intent(in) :: r12(3), q1(6), q2(6)
+      real(c_double), intent(out) :: out(2)
+      integer(c_int) :: status
+    end function pw85_legacy_contact_function1
+
+    function pw85_legacy_contact_function2(r12, q1, q2, out) result(status) &
+        bind(C, name='pw85_legacy_contact_function2')
+      import :: c_double, c_int
+      real(c_double), intent(in) :: r12(3), q1(6), q2(6)
+      real(c_double), intent(out) :: out(2)
+      integer(c_int) :: status
+    end function pw85_legacy_contact_function2
+
+  end interface
+
+  ! pw85_zheng.h
+  interface
+
+    !> Distance of closest approach of two ellipses, by the algorithm of Zheng and Palffy-Muhoray.
+    function pw85_zheng_ellipses(direction, q1, q2, distance) result(status) bind(C, name='pw85_zheng_ellipses')
+      import :: c_double, c_int
+      real(c_double), intent(in) :: direction(2), q1(3), q2(3)
+      real(c_double), intent(out) :: distance
+      integer(c_int) :: status
+    end function pw85_zheng_ellipses
+
+    !> Distance of closest approach of two ellipsoids, by the algorithm of Zheng, Iglesias and Palffy-Muhoray.
+    function pw85_zheng_ellipsoids(direction, q1, q2, distance) result(status) bind(C, name='pw85_zheng_ellipsoids')
+      import :: c_double, c_int
+      real(c_double), intent(in) :: direction(3), q1(6), q2(6)
+      real(c_double), intent(out) :: distance
+      integer(c_int) :: status
+    end function pw85_zheng_ellipsoids
+
+  end interface
+
+  ! The C library.
+  interface
+    function c_strlen(text) result(length) bind(C, name='strlen')
+      import :: c_ptr, c_size_t
+      type(c_ptr), value :: text
+      integer(c_size_t) :: length
+    end function c_strlen
+  end interface
+
+contains
+
+  !> Version of the library that is linked, "major.minor.patch".
+  function pw85_version() result(text)
+    character(:), allocatable :: text
+    text = fortran_string(c_version())
+  end function pw85_version
+
+  !> Sentence that says what a status means.
+  function pw85_strerror(status) result(text)
+    integer(c_int), intent(in) :: status
+    character(:), allocatable :: text
+    text = fortran_string(c_strerror(status))
+  end function pw85_strerror
+
+  !> Form of an ellipsoid; rotation(:, k) is the direction of semi_axes(k).
+  function pw85_ellipsoid(semi_axes, rotation, q) result(status)
+    real(c_double), intent(in) :: semi_axes(3), rotation(3, 3)
+    real(c_double), intent(out) :: q(6)
+    integer(c_int) :: status
+    status = c_ellipsoid(semi_axes, reshape(transpose(rotation), [9]), q)
+  end function pw85_ellipsoid
+
+  !> Point of contact of the ellipsoids scaled by mu, relative to centre 1, and unit normal from 1 to 2.
+  function pw85_contact_geometry(r12, q1, q2, lambda, point, normal) result(status)
+    real(c_double), intent(in) :: r12(3), q1(6), q2(6), lambda
+    real(c_double), intent(out), optional, target :: point(3), normal(3)
+    integer(c_int) :: status
+    status = c_contact_geometry(r12, q1, q2, lambda, address(point), address(normal))
+  end function pw85_contact_geometry
+
+  !> Derivatives of mu**2 with respect to r12 and the stored entries of q1 and q2.
+  function pw85_contact_gradient(r12, q1, q2, lambda, d_r12, d_q1, d_q2) result(status)
+    real(c_double), intent(in) :: r12(3), q1(6), q2(6), lambda
+    real(c_double), intent(out), optional, target :: d_r12(3), d_q1(6), d_q2(6)
+    integer(c_int) :: status
+    status = c_contact_gradient(r12, q1, q2, lambda, address(d_r12), address(d_q1), address(d_q2))
+  end function pw85_contact_gradient
+
+  !> Derivatives of mu**2 with respect to rotations of either ellipsoid about its own centre.
+  function pw85_contact_torque(r12, q1, q2, lambda, d_rot1, d_rot2) result(status)
+    real(c_double), intent(in) :: r12(3), q1(6), q2(6), lambda
+    real(c_double), intent(out), optional, target :: d_rot1(3), d_rot2(3)
+    integer(c_int) :: status
+    status = c_contact_torque(r12, q1, q2, lambda, address(d_rot1), address(d_rot2))
+  end function pw85_contact_torque
+
+  !> Contact function of n pairs.
+  function pw85_contact_batch(n, r12, q1, q2, mu2, lambda) result(status)
+    integer(c_size_t), intent(in) :: n
+    real(c_double), intent(in) :: r12(3, n), q1(6, n), q2(6, n)
+    real(c_double), intent(out) :: mu2(n)
+    real(c_double), intent(out), optional, target :: lambda(n)
+    integer(c_int) :: status
+    status = c_contact_batch(n, r12, q1, q2, mu2, address(lambda))
+  end function pw85_contact_batch
+
+  !> Contact function of the pairs of a neighbour list; without `cell` there is no periodic cell.
+  function pw85_contact_pairs(num_pairs, pairs, num_particles, centers, q, cell, mu2, lambda) result(status)
+    integer(c_size_t), intent(in) :: num_pairs, num_particles
+    integer(c_int32_t), intent(in) :: pairs(2, num_pairs)
+    real(c_double), intent(in) :: centers(3, num_particles), q(6, num_particles)
+    real(c_double), intent(in), optional, target :: cell(3, 3)
+    real(c_double), intent(out) :: mu2(num_pairs)
+    real(c_double), intent(out), optional, target :: lambda(num_pairs)
+    integer(c_int) :: status
+    status = c_contact_pairs(num_pairs, pairs, num_particles, centers, q, address(cell), mu2, address(lambda))
+  end function pw85_contact_pairs
+
+  !> Overlaps of the pairs of a neighbour list, as in pw85_overlap_batch(); without `cell` there is no periodic cell.
+  function pw85_overlap_pairs(num_pairs, pairs, num_particles, centers, q, cell, overlap) result(status)
+    integer(c_size_t), intent(in) :: num_pairs, num_particles
+    integer(c_int32_t), intent(in) :: pairs(2, num_pairs)
+    real(c_double), intent(in) :: centers(3, num_particles), q(6, num_particles)
+    real(c_double), intent(in), optional, target :: cell(3, 3)
+    integer(c_int8_t), intent(out) :: overlap(num_pairs)
+    integer(c_int) :: status
+    status = c_overlap_pairs(num_pairs, pairs, num_particles, centers, q, address(cell), overlap)
+  end function pw85_overlap_pairs
+
+  !> f(lambda) by factorisation; out = [f, f', f''].
+  function pw85_legacy_f1(lambda, r12, q1, q2, out) result(f)
+    real(c_double), intent(in) :: lambda, r12(3), q1(6), q2(6)
+    real(c_double), intent(out), optional, target :: out(3)
+    real(c_double) :: f
+    f = c_legacy_f1(lambda, r12, q1, q2, address(out))
+  end function pw85_legacy_f1
+
+  !> f(lambda) as a rational function; out = [f, f', f''].
+  function pw85_legacy_f2(lambda, r12, q1, q2, out) result(f)
+    real(c_double), intent(in) :: lambda, r12(3), q1(6), q2(6)
+    real(c_double), intent(out), optional, target :: out(3)
+    real(c_double) :: f
+    f = c_legacy_f2(lambda, r12, q1, q2, address(out))
+  end function pw85_legacy_f2
+
+  !> Address of an array for C: null if there is none.
+  function address(x) result(pointer)
+    real(c_double), intent(in), optional, target :: x(*)
+    type(c_ptr) :: pointer
+    pointer = c_null_ptr
+    if (present(x)) pointer = c_loc(x(1))
+  end function address
+
+  function fortran_string(c_text) result(text)
+    type(c_ptr), intent(in) :: c_text
+    character(:), allocatable :: text
+    character(kind=c_char), pointer :: characters(:)
+    integer(c_size_t) :: i, length
+    length = c_strlen(c_text)
+    call c_f_pointer(c_text, characters, [length])
+    allocate (character(length) :: text)
+    do i = 1, length
+      text(i:i) = characters(i)
+    end do
+  end function fortran_string
+
+end module pw85

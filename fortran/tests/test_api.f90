@@ -1,0 +1,250 @@
+!> Calls every function of the module once, with answers that are known or follow from another function.
+program test_api
+  use, intrinsic :: ieee_arithmetic, only: ieee_is_nan
+  use, intrinsic :: iso_c_binding, only: c_double, c_int, c_int8_t, c_int32_t, c_size_t
+  use, intrinsic :: iso_fortran_env, only: error_unit
+  use pw85
+  implicit none
+
+  ! Relative to numbers of order one: some hundred roundings.
+  real(c_double), parameter :: tolerance = 1e-13_c_double
+
+  ! Spheroids with equatorial and polar radii 1, 2 and 3, 1/2; their axes are x and the diagonal of space.
+  real(c_double) :: q1(6), q2(6)
+  real(c_double), parameter :: r12(3) = [4.0_c_double, -1.0_c_double, 2.0_c_double]
+  integer :: failures
+
+  failures = 0
+  call pw85_spheroid(1.0_c_double, 2.0_c_double, [1.0_c_double, 0.0_c_double, 0.0_c_double], q1)
+  call pw85_spheroid(3.0_c_double, 0.5_c_double, [1.0_c_double, 1.0_c_double, 1.0_c_double], q2)
+
+  call test_strings
+  call test_forms
+  call test_contact
+  call test_derivatives
+  call test_distances
+  call test_batch
+  call test_pairs
+  call test_building_blocks
+  call test_legacy
+  call test_errors
+  if (failures > 0) error stop 1
+
+contains
+
+  subroutine check(ok, what)
+    logical, intent(in) :: ok
+    character(*), intent(in) :: what
+    if (ok) return
+    write (error_unit, '(2a)') 'failed: ', what
+    failures = failures + 1
+  end subroutine check
+
+  elemental function close(x, y)
+    real(c_double), intent(in) :: x, y
+    logical :: close
+    close = abs(x - y) <= tolerance * max(1.0_c_double, abs(y))
+  end function close
+
+  subroutine test_strings
+    character(32) :: expected
+    write (expected, '(i0, ".", i0, ".", i0)') pw85_version_major, pw85_version_minor, pw85_version_patch
+    call check(pw85_version() == trim(expected), 'version')
+    call check(pw85_strerror(pw85_success) == 'success', 'strerror(success)')
+    call check(len(pw85_strerror(pw85_enotpd)) > 20, 'strerror(enotpd)')
+    call check(pw85_strerror(-7_c_int) /= pw85_strerror(pw85_success), 'strerror(unknown)')
+  end subroutine test_strings
+
+  subroutine test_forms
+    real(c_double), parameter :: semi_axes(3) = [3.0_c_double, 2.0_c_double, 1.0_c_double]
+    real(c_double), parameter :: s = sqrt(0.5_c_double)
+    real(c_double) :: q(6), other(6), rotation(3, 3), q2d(3)
+    integer :: status
+    ! A quarter of a turn from x to y, and an eighth: the columns are where the principal directions go.
+    rotation = reshape([0.0_c_double, 1.0_c_double, 0.0_c_double, -1.0_c_double, 0.0_c_double, 0.0_c_double, &
+                        0.0_c_double, 0.0_c_double, 1.0_c_double], [3, 3])
+    status = pw85_ellipsoid(semi_axes, rotation, q)
+    call check(status == pw85_success, 'ellipsoid: status')
+    call check(all(close(q, [4.0_c_double, 0.0_c_double, 0.0_c_double, 9.0_c_double, 0.0_c_double, 1.0_c_double])), &
+               'ellipsoid')
+    rotation(:, 1) = [s, s, 0.0_c_double]
+    rotation(:, 2) = [-s, s, 0.0_c_double]
+    status = pw85_ellipsoid(semi_axes, rotation, q)
+    call check(close(q(2), 2.5_c_double), 'ellipsoid: columns are the principal directions')
+    status = pw85_ellipsoid_quaternion(semi_axes, [cos(atan(1.0_c_double) / 2), 0.0_c_double, 0.0_c_double, &
+                                                   sin(atan(1.0_c_double) / 2)], other)
+    call check(status == pw85_success .and. all(close(q, other)), 'ellipsoid_quaternion')
+    status = pw85_ellipse(3.0_c_double, 2.0_c_double, atan(1.0_c_double), q2d)
+    call check(status == pw85_success .and. all(close(q2d, [q(1), q(2), q(4)])), 'ellipse')
+  end subroutine test_forms
+
+  subroutine test_contact
+    real(c_double) :: out(2), brent(2), residual(3), flat(2)
+    integer(c_int) :: overlap
+    integer :: status
+    status = pw85_contact(r12, q1, q2, out)
+    call check(status == pw85_success .and. out(1) > 0 .and. out(2) > 0 .and. out(2) < 1, 'contact')
+    status = pw85_contact_function(r12, q1, q2, brent)
+    call check(status == pw85_success .and. close(brent(1), out(1)), 'contact_function')
+    call pw85__residual(out(2), r12, q1, q2, residual)
+    call check(close(residual(1), out(1)) .and. abs(residual(2)) <= 1e-6 * abs(residual(3)), 'residual at the maximum')
+    call check(close(pw85_f_neg(out(2), [r12, q1, q2]), -out(1)), 'f_neg')
+    status = pw85_overlap(r12, q1, q2, overlap)
+    call check(status == pw85_success .and. (overlap == 1) .eqv. (out(1) < 1), 'overlap')
+    status = pw85_overlap(0.1_c_double * r12, q1, q2, overlap)
+    call check(status == pw85_success .and. overlap == 1, 'overlap of near ellipsoids')
+    ! Two circles with radii 1 and 2 at the distance 6.
+    status = pw85_contact_2d([0.0_c_double, 6.0_c_double], [1.0_c_double, 0.0_c_double, 1.0_c_double], &
+                             [4.0_c_double, 0.0_c_double, 4.0_c_double], flat)
+    call check(status == pw85_success .and. close(flat(1), 4.0_c_double) .and. close(flat(2), 1.0_c_double / 3), &
+               'contact_2d')
+  end subroutine test_contact
+
+  subroutine test_derivatives
+    real(c_double) :: out(2), point(3), normal(3), alone(3), d_r12(3), d_q1(6), d_q2(6), torque1(3), torque2(3)
+    integer :: status
+    status = pw85_contact(r12, q1, q2, out)
+    status = pw85_contact_geometry(r12, q1, q2, out(2), point, normal)
+    call check(status == pw85_success .and. close(norm2(normal), 1.0_c_double), 'contact_geometry')
+    status = pw85_contact_geometry(r12, q1, q2, out(2), normal=alone)
+    call check(status == pw85_success .and. all(close(alone, normal)), 'contact_geometry, one output')
+    ! The contact function is of degree 2 in r12 and -1 in the forms.
+    status = pw85_contact_gradient(r12, q1, q2, out(2), d_r12, d_q1, d_q2)
+    call check(status == pw85_success .and. close(dot_product(d_r12, r12), 2 * out(1)), 'contact_gradient: r12')
+    call check(close(dot_product(d_q1, q1) + dot_product(d_q2, q2), -out(1)), 'contact_gradient: forms')
+    status = pw85_contact_gradient(r12, q1, q2, out(2), d_r12=alone)
+    call check(status == pw85_success .and. all(close(alone, d_r12)), 'contact_gradient, one output')
+    ! Turning everything changes nothing: d_rot1 + d_rot2 + r12 x d_r12 = 0.
+    status = pw85_contact_torque(r12, q1, q2, out(2), torque1, torque2)
+    alone = torque1 + torque2 + [r12(2) * d_r12(3) - r12(3) * d_r12(2), r12(3) * d_r12(1) - r12(1) * d_r12(3), &
+                                 r12(1) * d_r12(2) - r12(2) * d_r12(1)]
+    call check(status == pw85_success .and. all(abs(alone) <= tolerance * out(1)), 'contact_torque')
+    status = pw85_contact_torque(r12, q1, q2, out(2), d_rot2=alone)
+    call check(status == pw85_success .and. all(close(alone, torque2)), 'contact_torque, one output')
+  end subroutine test_derivatives
+
+  subroutine test_distances
+    real(c_double) :: out(2), distance, zheng, e1(3), e2(3)
+    real(c_double), parameter :: d(2) = [3.0_c_double, 1.0_c_double]
+    integer :: status
+    status = pw85_contact(r12, q1, q2, out)
+    status = pw85_closest_approach(r12, q1, q2, distance)
+    call check(status == pw85_success .and. close(distance, norm2(r12) / sqrt(out(1))), 'closest_approach')
+    status = pw85_zheng_ellipsoids(r12, q1, q2, zheng)
+    call check(status == pw85_success .and. close(zheng, distance), 'zheng_ellipsoids')
+    status = pw85_ellipse(3.0_c_double, 1.0_c_double, 0.3_c_double, e1)
+    status = pw85_ellipse(2.0_c_double, 1.5_c_double, 2.0_c_double, e2)
+    status = pw85_contact_2d(d, e1, e2, out)
+    status = pw85_closest_approach_2d(d, e1, e2, distance)
+    call check(status == pw85_success .and. close(distance, norm2(d) / sqrt(out(1))), 'closest_approach_2d')
+    status = pw85_zheng_ellipses(d, e1, e2, zheng)
+    call check(status == pw85_success .and. close(zheng, distance), 'zheng_ellipses')
+  end subroutine test_distances
+
+  subroutine test_batch
+    integer(c_size_t), parameter :: n = 3
+    real(c_double) :: r(3, n), forms1(6, n), forms2(6, n), mu2(n), alone(n), lambda(n), out(2)
+    integer(c_int8_t) :: overlap(n)
+    integer :: i, status
+    do i = 1, 3
+      r(:, i) = i * 0.6_c_double * r12
+      forms1(:, i) = q1
+      forms2(:, i) = q2
+    end do
+    status = pw85_contact_batch(n, r, forms1, forms2, mu2, lambda)
+    call check(status == pw85_success, 'contact_batch: status')
+    do i = 1, 3
+      status = pw85_contact(r(:, i), q1, q2, out)
+      call check(close(mu2(i), out(1)) .and. abs(lambda(i) - out(2)) <= 1e-7, 'contact_batch')
+    end do
+    status = pw85_contact_batch(n, r, forms1, forms2, alone)
+    call check(status == pw85_success .and. all(close(alone, mu2)), 'contact_batch without lambda')
+    status = pw85_overlap_batch(n, r, forms1, forms2, overlap)
+    call check(status == pw85_success .and. all((overlap == 1) .eqv. (mu2 < 1)), 'overlap_batch')
+    forms1(1, 2) = -1
+    status = pw85_overlap_batch(n, r, forms1, forms2, overlap)
+    call check(status == pw85_enotpd .and. overlap(2) == -1_c_int8_t .and. all(overlap([1, 3]) >= 0), &
+               'overlap_batch: bad pair')
+    status = pw85_contact_batch(0_c_size_t, r, forms1, forms2, mu2, lambda)
+    call check(status == pw85_success, 'contact_batch of nothing')
+  end subroutine test_batch
+
+  subroutine test_pairs
+    integer(c_size_t), parameter :: num_pairs = 2, num_particles = 3
+    integer(c_int32_t), parameter :: pairs(2, num_pairs) = reshape([0, 1, 2, 0], [2, 2])
+    real(c_double) :: centers(3, num_particles), q(6, num_particles), cell(3, 3), mu2(num_pairs), lambda(num_pairs)
+    real(c_double) :: out(2)
+    integer(c_int8_t) :: overlap(num_pairs)
+    integer :: status
+    centers(:, 1) = [0.5_c_double, 0.25_c_double, -0.5_c_double]
+    centers(:, 2) = centers(:, 1) + r12
+    centers(:, 3) = centers(:, 1) - 2 * r12
+    q(:, 1) = q1
+    q(:, 2) = q2
+    q(:, 3) = q2
+    status = pw85_contact_pairs(num_pairs, pairs, num_particles, centers, q, mu2=mu2)
+    call check(status == pw85_success, 'contact_pairs: status')
+    status = pw85_contact(r12, q1, q2, out)
+    call check(close(mu2(1), out(1)), 'contact_pairs, first pair')
+    status = pw85_contact(2 * r12, q2, q1, out)
+    call check(close(mu2(2), out(1)), 'contact_pairs, second pair')
+    status = pw85_overlap_pairs(num_pairs, pairs, num_particles, centers, q, overlap=overlap)
+    call check(status == pw85_success .and. all((overlap == 1) .eqv. (mu2 < 1)), 'overlap_pairs')
+    ! The vectors of the cell are its columns: by the second, particle 2 is r12 - (4, 0, 0) from particle 1.
+    cell(:, 1) = [0.0_c_double, 30.0_c_double, 0.0_c_double]
+    cell(:, 2) = [4.0_c_double, 0.0_c_double, 0.0_c_double]
+    cell(:, 3) = [1.0_c_double, 2.0_c_double, 40.0_c_double]
+    status = pw85_contact_pairs(1_c_size_t, pairs, num_particles, centers, q, cell, mu2, lambda)
+    call check(status == pw85_success, 'contact_pairs in a cell: status')
+    status = pw85_contact(r12 - cell(:, 2), q1, q2, out)
+    call check(close(mu2(1), out(1)) .and. abs(lambda(1) - out(2)) <= 1e-7, 'contact_pairs in a cell')
+    status = pw85_overlap_pairs(1_c_size_t, pairs, num_particles, centers, q, cell, overlap)
+    call check(status == pw85_success .and. (overlap(1) == 1) .eqv. (out(1) < 1), 'overlap_pairs in a cell')
+  end subroutine test_pairs
+
+  subroutine test_building_blocks
+    real(c_double), parameter :: b(3) = [1.0_c_double, 2.0_c_double, 3.0_c_double]
+    real(c_double) :: l(6), x(3)
+    call pw85__cholesky_decomp(q2, l)
+    call check(close(l(1)**2, q2(1)) .and. close(l(1) * l(2), q2(2)), 'cholesky_decomp')
+    call pw85__cholesky_solve(l, b, x)
+    call check(close(q2(1) * x(1) + q2(2) * x(2) + q2(3) * x(3), b(1)), 'cholesky_solve')
+  end subroutine test_building_blocks
+
+  subroutine test_legacy
+    real(c_double), parameter :: x = 0.5_c_double
+    real(c_double) :: a(3), b(4), q3(6), q4(6), residual(3), d1(3), d2(3), contact(2), out(2)
+    integer :: status
+    call check(close(pw85_legacy__det_sym(q1), 4.0_c_double), 'det_sym')
+    call check(close(pw85_legacy__xt_adja_x(r12, q1), r12(1)**2 + 4 * (r12(2)**2 + r12(3)**2)), 'xT_adjA_x')
+    q3 = 2 * q1 - q2
+    q4 = (q1 + q2) / 2
+    call pw85_legacy__detq_as_poly(q1, q2, q3, q4, b)
+    call check(close(b(1) + x * (b(2) + x * (b(3) + x * b(4))), pw85_legacy__det_sym(q4)), 'detQ_as_poly')
+    call pw85_legacy__rt_adjq_r_as_poly(r12, q1, q2, q3, a)
+    call check(close(a(1) + x * (a(2) + x * a(3)), pw85_legacy__xt_adja_x(r12, q4)), 'rT_adjQ_r_as_poly')
+    call pw85__residual(x, r12, q1, q2, residual)
+    call check(close(pw85_legacy_f1(x, r12, q1, q2), residual(1)), 'f1 without derivatives')
+    call check(close(pw85_legacy_f1(x, r12, q1, q2, d1), residual(1)), 'f1')
+    call check(close(pw85_legacy_f2(x, r12, q1, q2), residual(1)), 'f2 without derivatives')
+    call check(close(pw85_legacy_f2(x, r12, q1, q2, d2), residual(1)), 'f2')
+    call check(all(abs(d1 - d2) <= 1e-12 * abs(d1)), 'derivatives of f1 and f2')
+    status = pw85_contact(r12, q1, q2, contact)
+    status = pw85_legacy_contact_function1(r12, q1, q2, out)
+    call check(status == pw85_econvergence .or. abs(out(1) - contact(1)) <= 1e-12 * contact(1), 'contact_function1')
+    status = pw85_legacy_contact_function2(r12, q1, q2, out)
+    call check(status == pw85_success .and. abs(out(1) - contact(1)) <= 1e-12 * contact(1), 'contact_function2')
+  end subroutine test_legacy
+
+  subroutine test_errors
+    real(c_double) :: out(2), distance, bad(6)
+    integer :: status
+    bad = q1
+    bad(4) = -1
+    status = pw85_contact(r12, bad, q2, out)
+    call check(status == pw85_enotpd .and. all(ieee_is_nan(out)), 'form that is not positive definite')
+    status = pw85_closest_approach(0 * r12, q1, q2, distance)
+    call check(status == pw85_einval .and. ieee_is_nan(distance), 'zero direction')
+  end subroutine test_errors
+
+end program test_api

@@ -1,0 +1,77 @@
+/// @file
+/// What is compiled once per instruction set, and the choice among them at run time.
+///
+/// Types here are plain data, the same for every target: they cross the border between units compiled for different
+/// processors.
+#ifndef PW85_BATCH_KERNELS_HPP_INCLUDED
+#define PW85_BATCH_KERNELS_HPP_INCLUDED
+
+#include <cstddef>
+#include <cstdint>
+
+#include "lattice.hpp"
+
+namespace pw85::batch {
+
+/// Rows of pairs: n×3, n×6, n×6.
+struct PairArrays {
+    double const *r12, *q1, *q2;
+};
+
+/// A neighbour list: pairs (i, j) of rows of centers (N×3) and q (N×6).
+struct NeighborList {
+    std::int32_t const *pairs;
+    double const *centers, *q;
+    Lattice const *lattice; ///< null without periodicity
+};
+
+/// Pairs begin, begin + 1, ... end - 1.
+struct Range {
+    std::size_t begin, end;
+};
+
+/// Where the contact functions of pairs go, by the index of the pair.
+struct ContactArrays {
+    double *mu2, *lambda; ///< lambda may be null
+};
+
+/// The first bad pair of a range; `status` is 0 if there is none.
+struct Failure {
+    std::size_t index;
+    int status;
+
+    /// Keeps the earlier of two failures.
+    void update(Failure const &other) noexcept
+    {
+        if (other.status != 0 && (status == 0 || other.index < index)) *this = other;
+    }
+};
+
+/// Functions for one pair, with the contracts of pw85_contact() and pw85_overlap() for pointers that are not null.
+struct ScalarKernels {
+    int (*contact)(double const *r12, double const *q1, double const *q2, double *out) noexcept;
+    int (*overlap)(double const *r12, double const *q1, double const *q2, int *overlap) noexcept;
+};
+
+/// Functions for ranges of pairs. The scalar kernels serve the pairs that lanes cannot; the first bad one is returned.
+struct LaneKernels {
+    Failure (*contact_batch)(PairArrays const &, Range, ContactArrays const &, ScalarKernels const &) noexcept;
+    Failure (*contact_pairs)(NeighborList const &, Range, ContactArrays const &, ScalarKernels const &) noexcept;
+    Failure (*overlap_batch)(PairArrays const &, Range, unsigned char *, ScalarKernels const &) noexcept;
+    Failure (*overlap_pairs)(NeighborList const &, Range, unsigned char *, ScalarKernels const &) noexcept;
+};
+
+/// All functions of one target.
+struct Kernels {
+    char const *name;
+    ScalarKernels const *scalar;
+    LaneKernels const *lanes;
+};
+
+/// The kernels for this processor, or those that the environment variable PW85_TARGET asks for if the processor can run
+/// them. Decided at the first call, once and for all.
+Kernels const &kernels() noexcept;
+
+} // namespace pw85::batch
+
+#endif

@@ -1,0 +1,44 @@
+/// @file
+/// The nearest image of a separation in a lattice.
+#ifndef PW85_BATCH_NEAREST_IMAGE_HPP_INCLUDED
+#define PW85_BATCH_NEAREST_IMAGE_HPP_INCLUDED
+
+#include <pw85/symmetric.hpp>
+
+#include "lattice.hpp"
+
+namespace pw85::inline PW85_TARGET {
+
+/// The nearest integer, for |x| < 2^51; without instructions that old processors lack.
+template <class T> inline T nearest_integer(T const &x) noexcept
+{
+    T const shift = T(0x1.8p52);
+    return (x + shift) - shift;
+}
+
+/// The nearest image of a separation (items 2 and 3 of lattice.hpp).
+template <class T> inline Vector<T, 3> nearest_image(batch::Lattice const &lattice, Vector<T, 3> const &r) noexcept
+{
+    Vector<T, 3> x = r;
+    for (int i = 0; i < 3; ++i) {
+        double const *dual = lattice.dual[i], *basis = lattice.basis[i];
+        T const n = nearest_integer(T(T(dual[0]) * r[0] + T(dual[1]) * r[1] + T(dual[2]) * r[2]));
+        for (int d = 0; d < 3; ++d) x[d] = x[d] - n * T(basis[d]);
+    }
+    T best = T(0), move[3] = {T(0), T(0), T(0)};
+    for (int k = 0; k < lattice.num_shifts; ++k) {
+        double const *v = lattice.shift[k];
+        T const projection = x[0] * T(v[0]) + x[1] * T(v[1]) + x[2] * T(v[2]);
+        T const gain = absolute(projection) - T(lattice.half_square[k]);
+        auto const better = gain > best;
+        T const sign = select(projection < T(0), T(-1), T(1));
+        best = select(better, gain, best);
+        for (int d = 0; d < 3; ++d) move[d] = select(better, T(sign * T(v[d])), move[d]);
+    }
+    for (int d = 0; d < 3; ++d) x[d] = x[d] - move[d];
+    return x;
+}
+
+} // namespace pw85::inline PW85_TARGET
+
+#endif

@@ -1,0 +1,21 @@
+/* The pair of the tutorial, by an installed library, from C99. */
+#include <pw85.h>
+#include <pw85_legacy.h>
+#include <pw85_zheng.h>
+
+#include <stdio.h>
+#include <string.h>
+
+int main(void)
+{
+    double const r12[PW85_DIM] = {0.7, -0.7, 1.1}, n1[PW85_DIM] = {0.0, 0.0, 1.0}, n2[PW85_DIM] = {1.0, 0.0, 0.0};
+    double q1[PW85_SYM], q2[PW85_SYM], out[2], legacy[2], mu2;
+    if (strcmp(pw85_version(), PW85_VERSION) != 0) return 1;
+    pw85_spheroid(10.0, 0.1, n1, q1);
+    pw85_spheroid(0.5, 5.0, n2, q2);
+    if (pw85_contact_function(r12, q1, q2, out) != PW85_SUCCESS) return 2;
+    if (pw85_contact_batch(1, r12, q1, q2, &mu2, NULL) != PW85_SUCCESS) return 3;
+    if (pw85_legacy_contact_function2(r12, q1, q2, legacy) != PW85_SUCCESS) return 4;
+    printf("mu^2 = %g\nlambda = %g\n", out[0], out[1]);
+    return 0;
+}

@@ -1,0 +1,46 @@
+// The reference data (data/README.md): this is the only reader of HDF5.
+#ifndef PW85_TESTS_REFERENCE_DATA_HPP_INCLUDED
+#define PW85_TESTS_REFERENCE_DATA_HPP_INCLUDED
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "sample.hpp"
+
+namespace pw85_tests {
+
+using Form3 = pw85::SymmetricMatrix<double, 3>;
+using Vector3 = pw85::Vector<double, 3>;
+
+/// f on the grid of spheroids × spheroids × directions × lambdas.
+struct SpheroidGrid {
+    std::vector<double> radii, lambdas;
+    std::vector<Vector3> directions;
+    std::vector<Form3> spheroids;
+    std::vector<double> f;
+
+    double f_at(std::size_t spheroid1, std::size_t spheroid2, std::size_t direction, std::size_t lambda) const
+    {
+        return f[((spheroid1 * spheroids.size() + spheroid2) * directions.size() + direction) * lambdas.size() +
+                 lambda];
+    }
+};
+
+/// A pair with its contact function.
+struct ContactProblem {
+    Sample<double, 3> pair;
+    double mu2, mu2_minus_1, lambda, cond;
+    std::string const *category;
+};
+
+/// Path of the file.
+char const *reference_data_path();
+
+/// Read at the first call, which must come from one thread; the process ends if the file cannot be read.
+SpheroidGrid const &spheroid_grid();
+std::vector<ContactProblem> const &contact_problems();
+
+} // namespace pw85_tests
+
+#endif

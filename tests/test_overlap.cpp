@@ -1,0 +1,197 @@
+// pw85_overlap: the exact answer for the numbers given.
+#include <cmath>
+#include <limits>
+
+#include <glib.h>
+
+#include <pw85.h>
+
+#include "failures.hpp"
+#include "random_pairs.hpp"
+#include "reference_data.hpp"
+#include "wide.hpp"
+
+using namespace pw85_tests;
+
+namespace {
+
+constexpr double u = 0x1p-53;
+
+/// 1 or 0, or -1 - status.
+int overlap(Sample<double, 3> const &p)
+{
+    int answer = -1;
+    int const status = pw85_overlap(p.r12.coordinates, p.q1.entries, p.q2.entries, &answer);
+    return status == PW85_SUCCESS ? answer : -1 - status;
+}
+
+/// The answer for a pair whose exact μ² - 1 is known at least by its sign, tangent pairs (0) included.
+void test_problems()
+{
+    Failures failures;
+    long near = 0;
+    for (auto const &p : contact_problems()) {
+        int const expected = p.mu2_minus_1 < 0.0, answer = overlap(p.pair);
+        bool const is_near = pw85::absolute(p.mu2_minus_1) <= 8 * u * p.cond;
+        near += is_near;
+        failures.check(answer == expected, is_near ? "overlap, near contact" : "overlap", answer, expected, [&] {
+            return *p.category + ": mu^2 - 1 = " + hex_text(&p.mu2_minus_1, 1) + ", " + hex_text(p.pair);
+        });
+    }
+    g_test_message("%ld of the pairs are within 8 u cond of contact", near);
+}
+
+// Spheres with integer data: |r|² = (a1+a2)² exactly, by Pythagorean quadruples.
+void test_tangent_spheres()
+{
+    double const quadruples[][4] = {{1, 2, 2, 3},  {2, 3, 6, 7},  {1, 4, 8, 9},
+                                    {2, 6, 9, 11}, {6, 6, 7, 11}, {3, 4, 12, 13}};
+    for (auto const &[x, y, z, length] : quadruples)
+        for (double const scale : {1.0, 0x1p-400, 0x1p400, 3.0}) {
+            double const a1 = scale, a2 = scale * (length - 1.0);
+            Sample<double, 3> p{{scale * x, scale * y, scale * z},
+                                {a1 * a1, 0.0, 0.0, a1 * a1, 0.0, a1 * a1},
+                                {a2 * a2, 0.0, 0.0, a2 * a2, 0.0, a2 * a2}};
+            g_assert_cmpint(overlap(p), ==, 0);
+            auto nearer = p, farther = p;
+            nearer.r12[2] = std::nextafter(p.r12[2], 0.0);
+            farther.r12[2] = std::nextafter(p.r12[2], 1e300);
+            g_assert_cmpint(overlap(nearer), ==, 1);
+            g_assert_cmpint(overlap(farther), ==, 0);
+        }
+}
+
+// Tangent pairs answer 0 and stay so under an exchange; moved by the last bit of one coordinate they answer for that.
+void test_neighbours_of_tangent_pairs()
+{
+    Failures failures;
+    for (auto const &p : contact_problems()) {
+        if (p.mu2_minus_1 != 0.0) continue;
+        auto const describe = [&] { return *p.category + ": " + hex_text(p.pair); };
+        Sample<double, 3> const exchanged{pw85::times(-1.0, p.pair.r12), p.pair.q2, p.pair.q1};
+        failures.check(overlap(exchanged) == 0, "exchanged", overlap(exchanged), 0.0, describe);
+        auto larger = p.pair, smaller = p.pair;
+        for (int k : {0, 3, 5}) {
+            larger.q1[k] = std::nextafter(p.pair.q1[k], 1e300);
+            smaller.q1[k] = std::nextafter(p.pair.q1[k], 0.0);
+        }
+        failures.check(overlap(larger) == 1, "ellipsoid 1 larger", overlap(larger), 1.0, describe);
+        failures.check(overlap(smaller) == 0, "ellipsoid 1 smaller", overlap(smaller), 0.0, describe);
+    }
+}
+
+// Random pairs over the whole range, against the wide type.
+void test_random()
+{
+    Failures failures;
+    Random random(100);
+    int overlapping = 0;
+    for (int n = 0; n < 10000; ++n) {
+        PairOptions const options{.aspect = n % 2 == 0 ? 10.0 : 1e5,
+                                  .size_ratio = n % 3 == 0 ? 1e12 : 3.0,
+                                  .mu2_min = n % 5 == 0 ? 1e-8 : 0.9,
+                                  .mu2_max = n % 5 == 0 ? 1e8 : 1.1};
+        auto const p = random_pair<3>(random, options);
+        auto const w = convert<Wide>(p);
+        bool const expected = pw85::contact(w.r12, w.q1, w.q2).mu2 < 1;
+        int const answer = overlap(p);
+        // A form this slender can lose its definiteness when it is rounded.
+        if (answer == -1 - PW85_ENOTPD) continue;
+        overlapping += expected;
+        failures.check(answer == (expected ? 1 : 0), "overlap", answer, expected, [&] { return hex_text(p); });
+    }
+    g_assert_cmpint(overlapping, >, 3000);
+    g_assert_cmpint(overlapping, <, 7000);
+}
+
+void test_extreme_scales()
+{
+    Failures failures;
+    Random random(101);
+    for (int n = 0; n < 5000; ++n) {
+        auto p = random_pair<3>(random, {.aspect = 10.0, .mu2_min = 0.5, .mu2_max = 2.0});
+        double const length = random.log_uniform(1e-148, 1e148);
+        p.r12 = pw85::times(length, p.r12);
+        for (int k = 0; k < 6; ++k) {
+            p.q1[k] = length * (length * p.q1[k]);
+            p.q2[k] = length * (length * p.q2[k]);
+        }
+        auto const w = convert<Wide>(p);
+        int const expected = pw85::contact(w.r12, w.q1, w.q2).mu2 < 1;
+        failures.check(overlap(p) == expected, "overlap", overlap(p), expected, [&] { return hex_text(p); });
+    }
+}
+
+// Separations and sizes that have nothing to do with each other.
+void test_distances()
+{
+    double const tiny = std::numeric_limits<double>::denorm_min(), large = std::numeric_limits<double>::max();
+    for (double const size : {tiny, 1e-300, 1.0, 1e300})
+        for (double const r : {tiny, 1e-300, 1e-100, 1e100, large}) {
+            Sample<double, 3> const p{
+                {r, 0.0, 0.0}, {size, 0.0, 0.0, size, 0.0, size}, {size, 0.0, 0.0, size, 0.0, size}};
+            g_assert_cmpint(overlap(p), ==, Wide(r) * r < 4 * Wide(size));
+        }
+}
+
+void test_concentric()
+{
+    Sample<double, 3> const p{
+        {0.0, -0.0, 0.0}, {1.0, 0.0, 0.0, 1.0, 0.0, 1.0}, {1e-300, 0.0, 0.0, 1e-300, 0.0, 1e-300}};
+    g_assert_cmpint(overlap(p), ==, 1);
+}
+
+void test_status()
+{
+    double const infinity = std::numeric_limits<double>::infinity(), nan = std::numeric_limits<double>::quiet_NaN();
+    Sample<double, 3> const good{{1.0, 2.0, 3.0}, {1.0, 0.0, 0.0, 1.0, 0.0, 1.0}, {2.0, 0.0, 0.0, 1.0, 0.0, 1.0}};
+    double const *r12 = good.r12.coordinates, *q1 = good.q1.entries, *q2 = good.q2.entries;
+    int answer = 7;
+    g_assert_cmpint(pw85_overlap(nullptr, q1, q2, &answer), ==, PW85_EINVAL);
+    g_assert_cmpint(answer, ==, -1);
+    g_assert_cmpint(pw85_overlap(r12, nullptr, q2, &answer), ==, PW85_EINVAL);
+    g_assert_cmpint(pw85_overlap(r12, q1, nullptr, &answer), ==, PW85_EINVAL);
+    g_assert_cmpint(pw85_overlap(r12, q1, q2, nullptr), ==, PW85_EINVAL);
+    for (double const bad : {nan, infinity, -infinity}) {
+        for (int i = 0; i < 3; ++i) {
+            auto p = good;
+            p.r12[i] = bad;
+            g_assert_cmpint(overlap(p), ==, -1 - PW85_EINVAL);
+        }
+        for (int k = 0; k < 6; ++k) {
+            auto p = good;
+            p.q1[k] = bad;
+            g_assert_cmpint(overlap(p), ==, -1 - PW85_EINVAL);
+            p = good;
+            p.q2[k] = bad;
+            g_assert_cmpint(overlap(p), ==, -1 - PW85_EINVAL);
+        }
+    }
+    for (Form3 const &bad : {Form3{1.0, 2.0, 0.0, 1.0, 0.0, 1.0}, Form3{1.0, 0.0, 0.0, 0.0, 0.0, 1.0},
+                             Form3{-1.0, 0.0, 0.0, -1.0, 0.0, -1.0}, Form3{1.0, 1.0, 1.0, 1.0, 1.0, 1.0}}) {
+        answer = 7;
+        g_assert_cmpint(pw85_overlap(r12, bad.entries, q2, &answer), ==, PW85_ENOTPD);
+        g_assert_cmpint(answer, ==, -1);
+        g_assert_cmpint(pw85_overlap(r12, q1, bad.entries, &answer), ==, PW85_ENOTPD);
+        // Neither far away, where bounding spheres decide, nor at zero distance.
+        double const far[3] = {1e6, 0.0, 0.0}, zero[3] = {0.0, 0.0, 0.0};
+        g_assert_cmpint(pw85_overlap(far, q1, bad.entries, &answer), ==, PW85_ENOTPD);
+        g_assert_cmpint(pw85_overlap(zero, q1, bad.entries, &answer), ==, PW85_ENOTPD);
+    }
+}
+
+} // namespace
+
+int main(int argc, char **argv)
+{
+    g_test_init(&argc, &argv, nullptr);
+    g_test_add_func("/overlap/problems", test_problems);
+    g_test_add_func("/overlap/tangent/spheres", test_tangent_spheres);
+    g_test_add_func("/overlap/tangent/neighbours", test_neighbours_of_tangent_pairs);
+    g_test_add_func("/overlap/random", test_random);
+    g_test_add_func("/overlap/extreme_scales", test_extreme_scales);
+    g_test_add_func("/overlap/distances", test_distances);
+    g_test_add_func("/overlap/concentric", test_concentric);
+    g_test_add_func("/overlap/status", test_status);
+    return g_test_run();
+}

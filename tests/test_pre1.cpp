@@ -1,0 +1,2 @@
+// The program for the API before pw85 1.0, as C++.
+#include "test_pre1.c"

@@ -1,0 +1,79 @@
+// The reference data: its checksum, its shape, and what must hold within it.
+#include <glib.h>
+
+#include "failures.hpp"
+#include "reference_data.hpp"
+
+using namespace pw85_tests;
+
+namespace {
+
+void test_checksum()
+{
+    gchar *contents = nullptr, *expected = nullptr;
+    gsize length = 0;
+    std::string const sum_path = std::string(reference_data_path()) + ".sha256";
+    g_assert_true(g_file_get_contents(reference_data_path(), &contents, &length, nullptr));
+    g_assert_true(g_file_get_contents(sum_path.c_str(), &expected, nullptr, nullptr));
+    gchar *actual = g_compute_checksum_for_data(G_CHECKSUM_SHA256, reinterpret_cast<guchar const *>(contents), length);
+    expected[64] = '\0';
+    g_assert_cmpstr(actual, ==, expected);
+    g_free(actual);
+    g_free(expected);
+    g_free(contents);
+}
+
+void test_grid_shape()
+{
+    auto const &grid = spheroid_grid();
+    g_assert_cmpuint(grid.radii.size(), ==, 3);
+    g_assert_cmpfloat(grid.radii[0], ==, 0.0199);
+    g_assert_cmpfloat(grid.radii[1], ==, 1.999);
+    g_assert_cmpfloat(grid.radii[2], ==, 9.999);
+    g_assert_cmpuint(grid.directions.size(), ==, 12);
+    g_assert_cmpuint(grid.lambdas.size(), ==, 11);
+    g_assert_cmpuint(grid.spheroids.size(), ==, 108);
+    g_assert_cmpuint(grid.f.size(), ==, 108u * 108u * 12u * 11u);
+}
+
+void test_problems_cover()
+{
+    auto const &problems = contact_problems();
+    g_assert_cmpuint(problems.size(), >=, 10000);
+    double nearest = 1.0, largest_cond = 0.0;
+    int tangent = 0;
+    for (auto const &p : problems) {
+        double const distance = pw85::absolute(p.mu2_minus_1);
+        if (distance > 0.0 && distance < nearest) nearest = distance;
+        if (p.cond > largest_cond) largest_cond = p.cond;
+        tangent += distance == 0.0;
+    }
+    g_assert_cmpfloat(nearest, <, 2e-15);
+    g_assert_cmpfloat(largest_cond, >, 1e9);
+    g_assert_cmpint(tangent, ==, 1000);
+}
+
+// What follows from the definitions: λ inside (0, 1), cond >= 1, and mu2 and mu2_minus_1 one number.
+void test_problems_are_consistent()
+{
+    Failures failures;
+    for (auto const &p : contact_problems()) {
+        auto const describe = [&] { return *p.category + ": " + hex_text(p.pair); };
+        failures.check(p.lambda > 0.0 && p.lambda < 1.0, "lambda", p.lambda, 1.0, describe);
+        failures.check(p.cond >= 1.0, "cond", p.cond, 1.0, describe);
+        double const difference = pw85::absolute((p.mu2 - 1.0) - p.mu2_minus_1);
+        failures.check(difference <= 0x1p-53 * (1.0 + p.mu2), "mu2 - 1", difference, 0x1p-53, describe);
+    }
+}
+
+} // namespace
+
+int main(int argc, char **argv)
+{
+    g_test_init(&argc, &argv, nullptr);
+    g_test_add_func("/reference_data/checksum", test_checksum);
+    g_test_add_func("/reference_data/grid/shape", test_grid_shape);
+    g_test_add_func("/reference_data/contact/coverage", test_problems_cover);
+    g_test_add_func("/reference_data/contact/consistency", test_problems_are_consistent);
+    return g_test_run();
+}

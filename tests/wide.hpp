@@ -1,0 +1,37 @@
+// The wider type that serves as the oracle: the core's own templates with 50 digits, and an exponent without limits.
+#ifndef PW85_TESTS_WIDE_HPP_INCLUDED
+#define PW85_TESTS_WIDE_HPP_INCLUDED
+
+#include <boost/multiprecision/cpp_bin_float.hpp>
+
+#include "condition_number.hpp"
+
+namespace pw85_tests {
+
+template <unsigned Digits> using Multiprecision =
+    boost::multiprecision::number<boost::multiprecision::cpp_bin_float<Digits>, boost::multiprecision::et_off>;
+
+using Wide = Multiprecision<50>;
+
+/// The contact function of a pair exactly as given, and its condition number.
+template <class T> struct Truth {
+    T mu2, lambda, cond;
+};
+
+template <class Oracle, class T, int D> Truth<Oracle> truth(Sample<T, D> const &sample)
+{
+    auto const p = convert<Oracle>(sample);
+    auto const c = pw85::contact(p.r12, p.q1, p.q2);
+    return {c.mu2, c.lambda, condition_number(p, c.lambda)};
+}
+
+/// |actual - truth|/truth in units of u·cond, u the unit roundoff of the type of `actual`.
+template <class Oracle, class T> double error_in_units(T const &actual, Truth<Oracle> const &exact)
+{
+    Oracle const error = pw85::absolute(Oracle(Oracle(actual) - exact.mu2)) / exact.mu2;
+    return static_cast<double>(Oracle(error / (Oracle(pw85::unit_roundoff<T>()) * exact.cond)));
+}
+
+} // namespace pw85_tests
+
+#endif
