@@ -213,7 +213,8 @@ PW85_API int pw85_closest_approach_2d(double const direction[2], double const q1
  * #PW85_EINVAL before anything is written. The result for a pair depends on nothing but the pair: not on its position,
  * the number of pairs, or the number of threads. The instruction set of the processor decides how fast it is; the
  * environment variable PW85_TARGET (baseline, avx2, avx512), read once, forces an older one. With OpenMP the pairs are
- * shared among threads, whose number is set as always (OMP_NUM_THREADS, omp_set_num_threads).
+ * shared among threads, whose number is set as always (OMP_NUM_THREADS, omp_set_num_threads). A process forked after a
+ * threaded call must not make another one with GNU OpenMP, whose threads do not survive fork(): set one thread there.
  * @{ */
 
 /** pw85_contact() for n pairs. The relative error of μ² is below 4 u cond, as there; the bits may differ.

@@ -57,7 +57,7 @@ double maximizer_by_brent(Pair<double, 3> const &pair, Options const &options) n
 {
     constexpr int max_rounds = 8;
     constexpr double margin = 0x1p-8;
-    double unit = 1.0 / pair.ratio, x = 0.5;
+    double unit = times_power_of_two(1.0, binary_exponent(initial_guess(pair))), x = 0.5;
     for (int round = 0; round < max_rounds; ++round) {
         Problem problem = make_problem(pair, unit);
         x = minimize(problem, options);

@@ -19,9 +19,11 @@ closest_approach(Vector<T, D> direction, SymmetricMatrix<T, D> const &q1, Symmet
     T const largest = largest_coordinate(direction);
     if (!is_finite(direction) || !(largest > T(0))) return {quiet_nan<T>(), Status::invalid_argument};
     for (int i = 0; i < D; ++i) direction[i] = direction[i] / largest;
-    ScaledPair<T, D> scaled;
-    Status const status = validate(direction, q1, q2, scaled);
-    if (status != Status::success) return {quiet_nan<T>(), status};
+    ScaledPair<T, D> scaled{{direction, q1, q2, T(1)}, 0, 0, false};
+    if (!is_ordinary(direction, q1, q2)) {
+        Status const status = validate(direction, q1, q2, scaled);
+        if (status != Status::success) return {quiet_nan<T>(), status};
+    }
     Maximum<T> const maximum = maximize(scaled.pair);
     if (!maximum.converged || !(maximum.mu2 >= T(0))) return {quiet_nan<T>(), Status::no_convergence};
     T const norm = square_root(dot(direction, direction));

@@ -219,7 +219,7 @@ template <class T, int D> inline Overlap overlap(Vector<T, D> const &r12, Symmet
                                                  SymmetricMatrix<T, D> const &q2) noexcept
 {
     ScaledPair<T, D> scaled{{r12, q1, q2, T(1)}, 0, 0, false};
-    if (is_ordinary(r12, q1, q2)) {
+    if (is_finite(r12) && is_ordinary(r12, q1, q2)) {
         auto const projection = project(scaled.pair);
         if (is_apart(scaled.pair, projection)) return {false, OverlapTier::projection, Status::success};
         auto const certainty = decide_by_quartic(scaled.pair, T(projection.width1 / projection.width2));

@@ -1,0 +1,72 @@
+"""Python against C on the same arrays: python3 compare_speed.py LIBRARY_OF_C_LOOPS [PAIRS]
+
+Prints, for many pairs, the ratio of the times, and for a single call, what Python adds to it. Python and C take turns,
+and the shortest time of each counts, which leaves out most of what else the machine does.
+"""
+
+import ctypes
+import sys
+import time
+
+import numpy as np
+
+import pypw85
+
+ROUNDS = 15
+CALLS = 20_000
+
+
+def seconds(function, *args):
+    start = time.perf_counter()
+    function(*args)
+    return time.perf_counter() - start
+
+
+def shortest(*functions):
+    """Shortest time of each function, all taking turns."""
+    return np.min([[seconds(function) for function in functions] for _ in range(ROUNDS)], axis=0)
+
+
+def c_function(library, name):
+    function = getattr(library, name)
+    function.restype = None
+    return lambda n, *arrays: function(ctypes.c_size_t(n), *(ctypes.c_void_p(x.ctypes.data) for x in arrays))
+
+
+def random_pairs(count):
+    rng = np.random.default_rng(1)
+
+    def forms():
+        return pypw85.ellipsoid_quaternion(rng.uniform(0.5, 2, (count, 3)), rng.normal(size=(count, 4)))
+
+    return rng.normal(scale=1.5, size=(count, 3)), forms(), forms()
+
+
+def compare_many(library, name, count):
+    pairs = random_pairs(count)
+    out = np.empty(count), np.empty(count)
+    from_c, from_python = c_function(library, "c_" + name), getattr(pypw85, name)
+    c, python = shortest(lambda: from_c(count, *pairs, *out), lambda: from_python(*pairs, out))
+    print(f"{name}, {count} pairs: C {1e9 * c / count:.1f} ns, Python {1e9 * python / count:.1f} ns, "
+          f"ratio {python / c:.3f}")
+
+
+def compare_single(library, name):
+    pair = [x[0] for x in random_pairs(1)]
+    from_c, from_python = c_function(library, f"c_{name}_again"), getattr(pypw85, name)
+
+    def python_calls():
+        for _ in range(CALLS):
+            from_python(*pair)
+
+    c, python = shortest(lambda: from_c(CALLS, *pair, np.empty(2)), python_calls)
+    print(f"{name}, single call: C {1e9 * c / CALLS:.0f} ns, Python {1e9 * python / CALLS:.0f} ns, "
+          f"overhead {1e6 * (python - c) / CALLS:.3f} µs")
+
+
+if __name__ == "__main__":
+    loops = ctypes.CDLL(sys.argv[1])
+    pairs_to_compare = int(sys.argv[2]) if len(sys.argv) > 2 else 1_000_000
+    for function_name in ("contact", "contact_function"):
+        compare_many(loops, function_name, pairs_to_compare)
+        compare_single(loops, function_name)

@@ -1,0 +1,83 @@
+"""The contact function of Perram and Wertheim for two ellipsoids.
+
+An ellipsoid with centre c and quadratic form Q is the set of points m with (m-c)ᵀ Q⁻¹ (m-c) <= 1. Q is symmetric
+positive definite; its eigenvalues are the squares of the semi-axes, its eigenvectors their directions. For two
+ellipsoids with forms Q1, Q2 and r12 = c2 - c1, the contact function is
+
+    μ² = max { f(λ), 0 <= λ <= 1 },    f(λ) = λ(1-λ) r12ᵀ [(1-λ) Q1 + λ Q2]⁻¹ r12.
+
+μ is the common factor by which both ellipsoids must be scaled, their centres fixed, to touch: μ² < 1 if they overlap,
+μ² > 1 if they are apart.
+
+Conventions, for every function unless it says otherwise:
+
+- Vectors are arrays (..., 3), forms (..., 6): the upper triangle (xx, xy, xz, yy, yz, zz) in row-major order. In two
+  dimensions, (..., 2) and (..., 3).
+- Leading dimensions broadcast. Arrays may be of any real type and layout; contiguous float64 is used without a copy.
+- Every function is a generalised ufunc of NumPy (see `pypw85.gufuncs`): `out` and the keywords of ufuncs work, other
+  threads run meanwhile, and dask arrays are computed chunk by chunk.
+- A call for a single row that fails raises `PW85Error` and leaves NaN in `out`. In a call for many rows, a bad row
+  becomes NaN, the others are computed all the same, and NumPy reports "invalid value" once, as `numpy.errstate` says;
+  `bad_rows` finds them.
+"""
+
+from . import gufuncs, legacy
+from ._contact import (
+    _cholesky_decomp,
+    _cholesky_solve,
+    closest_approach,
+    closest_approach_2d,
+    contact,
+    contact_2d,
+    contact_function,
+    contact_geometry,
+    contact_gradient,
+    contact_torque,
+    f,
+    overlap,
+    zheng_ellipses,
+    zheng_ellipsoids,
+)
+from ._conversions import from_gsd, from_lammps, from_ovito
+from ._core import strerror, version
+from ._errors import PW85Error, Status, bad_rows
+from ._forms import ellipse, ellipsoid, ellipsoid_quaternion, full, packed, principal_axes, spheroid
+from ._pairs import contact_pairs, overlap_pairs
+from ._plotting import plot
+
+__version__ = version()
+
+__all__ = [
+    "PW85Error",
+    "Status",
+    "bad_rows",
+    "closest_approach",
+    "closest_approach_2d",
+    "contact",
+    "contact_2d",
+    "contact_function",
+    "contact_geometry",
+    "contact_gradient",
+    "contact_pairs",
+    "contact_torque",
+    "ellipse",
+    "ellipsoid",
+    "ellipsoid_quaternion",
+    "f",
+    "from_gsd",
+    "from_lammps",
+    "from_ovito",
+    "full",
+    "gufuncs",
+    "legacy",
+    "overlap",
+    "overlap_pairs",
+    "packed",
+    "plot",
+    "principal_axes",
+    "spheroid",
+    "strerror",
+    "version",
+    "zheng_ellipses",
+    "zheng_ellipsoids",
+]

@@ -1,0 +1,93 @@
+"""What happens to bad input: exceptions for single calls, marked rows for arrays."""
+
+from __future__ import annotations
+
+import enum
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from . import _core
+
+class Status(enum.IntEnum):
+    """Statuses of the library; `strerror` says what they mean."""
+
+    SUCCESS = _core.STATUSES["SUCCESS"]
+    EINVAL = _core.STATUSES["EINVAL"]
+    ENOTPD = _core.STATUSES["ENOTPD"]
+    ECONVERGENCE = _core.STATUSES["ECONVERGENCE"]
+
+
+class PW85Error(ValueError, ArithmeticError):
+    """A call for a single row failed.
+
+    Attributes
+    ----------
+    status : Status
+        What went wrong, as a number.
+    function : str
+        Name of the function that failed.
+    reason : str
+        What went wrong, in words: ``strerror(status)``.
+    """
+
+    def __init__(self, status: int, function: str, reason: str) -> None:
+        super().__init__(status, function, reason)
+        self.status = Status(status)
+        self.function = function
+        self.reason = reason
+
+    def __str__(self) -> str:
+        return f"{self.function}: {self.reason}"
+
+
+def bad_rows(result: Any, core_ndim: int = 0) -> NDArray[np.intp]:
+    """Numbers of the rows of a result that could not be computed.
+
+    Why a row is bad is told by the exception that the same function raises for this row alone.
+
+    Parameters
+    ----------
+    result : array or tuple of arrays
+        What a function of this package returned. Bad rows are NaN; in an array of overlap codes (``uint8``) they
+        are 255.
+    core_ndim : int
+        Number of trailing dimensions that belong to one row: 0 for numbers (the default), 1 for vectors and forms. For
+        a tuple, that of its first array.
+
+    Returns
+    -------
+    array of int
+        Rows, counted from 0 in C order over all leading dimensions (see `numpy.unravel_index`).
+
+    Raises
+    ------
+    TypeError
+        For boolean arrays, which cannot mark a row: call ``overlap(..., dtype=np.uint8)``.
+
+    Examples
+    --------
+    >>> import numpy as np, pypw85
+    >>> q = np.array([pypw85.spheroid(1, 2, [0, 0, 1])] * 3)
+    >>> q[1] = 0
+    >>> with np.errstate(invalid="ignore"):
+    ...     mu2, lambda_ = pypw85.contact([3, 0, 0], q[0], q)
+    >>> pypw85.bad_rows(mu2)
+    array([1])
+    >>> pypw85.contact([3, 0, 0], q[0], q[1])
+    Traceback (most recent call last):
+        ...
+    pypw85.PW85Error: contact: a quadratic form is not positive definite
+    """
+    values = np.asarray(result[0] if isinstance(result, tuple) else result)
+    if values.dtype == np.bool_:
+        raise TypeError("boolean results do not mark bad rows; call overlap(..., dtype=np.uint8)")
+    bad = values == 255 if values.dtype == np.uint8 else np.isnan(values)
+    if core_ndim > 0:
+        bad = bad.any(axis=tuple(range(-core_ndim, 0)))
+    return np.flatnonzero(bad)
+
+
+PW85Error.__module__ = "pypw85"
+Status.__module__ = "pypw85"

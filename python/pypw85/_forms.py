@@ -1,0 +1,273 @@
+"""Quadratic forms: builders, packing, and back to semi-axes and axes."""
+
+from __future__ import annotations
+
+from typing import Any, Optional
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from . import _core
+from ._errors import PW85Error, Status
+
+Floats = NDArray[np.float64]
+
+_PACKED = ([0, 0, 0, 1, 1, 2], [0, 1, 2, 1, 2, 2])
+_FULL = [0, 1, 2, 1, 3, 4, 2, 4, 5]
+
+
+def spheroid(a: ArrayLike, c: ArrayLike, n: ArrayLike, q: Optional[Floats] = None, **kwargs: Any) -> Floats:
+    """Quadratic form of a spheroid, Q = a² I + (c² - a²) n nᵀ.
+
+    Parameters
+    ----------
+    a : (...) array_like
+        Equatorial radius, > 0.
+    c : (...) array_like
+        Polar radius, > 0.
+    n : (..., 3) array_like
+        Direction of the axis of revolution, of any length > 0.
+    q : (..., 6) array, optional
+        Where to put the result.
+    **kwargs
+        As for any ufunc.
+
+    Returns
+    -------
+    (..., 6) array
+        The form, in the square of the unit of `a` and `c`; `q` if given.
+
+    Raises
+    ------
+    PW85Error
+        For a single form: a radius is not positive, or `n` is zero or not finite. Rows of arrays become NaN.
+
+    Examples
+    --------
+    >>> import pypw85
+    >>> pypw85.spheroid(0.5, 5.0, [1, 0, 0])
+    array([25.  ,  0.  ,  0.  ,  0.25,  0.  ,  0.25])
+    """
+    return _core.call_spheroid(a, c, n, q, kwargs)
+
+
+def ellipsoid(semi_axes: ArrayLike, rotation: ArrayLike, out: Any = None, **kwargs: Any) -> Floats:
+    """Quadratic form of an ellipsoid, Q = R diag(semi_axes²) Rᵀ.
+
+    Parameters
+    ----------
+    semi_axes : (..., 3) array_like
+        Lengths of the principal semi-axes (not diameters), > 0.
+    rotation : (..., 3, 3) array_like
+        R. Its columns are the principal directions: R takes the body frame to the space frame. RᵀR may differ from
+        the identity by at most 1e-6 in any entry; reflections are accepted.
+    out : (..., 6) array, optional
+        Where to put the result.
+    **kwargs
+        As for any ufunc.
+
+    Returns
+    -------
+    (..., 6) array
+        The form, in the square of the unit of `semi_axes`.
+
+    Raises
+    ------
+    PW85Error
+        For a single form: a length is not positive, or R is not orthonormal. Rows of arrays become NaN.
+
+    See Also
+    --------
+    principal_axes : the inverse
+
+    Examples
+    --------
+    >>> import numpy as np, pypw85
+    >>> pypw85.ellipsoid([1, 2, 3], np.eye(3))
+    array([1., 0., 0., 4., 0., 9.])
+    """
+    return _core.call_ellipsoid(semi_axes, rotation, out, kwargs)
+
+
+def ellipsoid_quaternion(
+    semi_axes: ArrayLike, quaternion_wxyz: ArrayLike, out: Any = None, **kwargs: Any
+) -> Floats:
+    """Quadratic form of an ellipsoid whose orientation is a quaternion.
+
+    Parameters
+    ----------
+    semi_axes : (..., 3) array_like
+        Lengths of the principal semi-axes (not diameters), > 0.
+    quaternion_wxyz : (..., 4) array_like
+        (w, x, y, z), scalar first, of any length > 0. It takes the body frame to the space frame.
+    out : (..., 6) array, optional
+        Where to put the result.
+    **kwargs
+        As for any ufunc.
+
+    Returns
+    -------
+    (..., 6) array
+        The form, in the square of the unit of `semi_axes`.
+
+    Raises
+    ------
+    PW85Error
+        For a single form: a length is not positive, or the quaternion is zero or not finite. Rows of arrays become NaN.
+
+    See Also
+    --------
+    from_lammps, from_ovito, from_gsd : from the conventions of other programs
+
+    Examples
+    --------
+    >>> import pypw85
+    >>> pypw85.ellipsoid_quaternion([1, 2, 3], [1, 0, 0, 0])
+    array([1., 0., 0., 4., 0., 9.])
+    """
+    return _core.call_ellipsoid_quaternion(semi_axes, quaternion_wxyz, out, kwargs)
+
+
+def ellipse(a: ArrayLike, b: ArrayLike, angle: ArrayLike, out: Any = None, **kwargs: Any) -> Floats:
+    """Quadratic form (xx, xy, yy) of an ellipse.
+
+    Parameters
+    ----------
+    a, b : (...) array_like
+        Semi-axes, > 0.
+    angle : (...) array_like
+        From the x axis to the semi-axis `a`, counter-clockwise, in radians.
+    out : (..., 3) array, optional
+        Where to put the result.
+    **kwargs
+        As for any ufunc.
+
+    Returns
+    -------
+    (..., 3) array
+        The form, in the square of the unit of `a` and `b`.
+
+    Raises
+    ------
+    PW85Error
+        For a single form: a length is not positive, or the angle is not finite. Rows of arrays become NaN.
+
+    Examples
+    --------
+    >>> import pypw85
+    >>> pypw85.ellipse(2, 1, 0)
+    array([4., 0., 1.])
+    """
+    return _core.call_ellipse(a, b, angle, out, kwargs)
+
+
+def full(q: ArrayLike) -> NDArray[Any]:
+    """Symmetric 3×3 matrices from packed ones.
+
+    Parameters
+    ----------
+    q : (..., 6) array_like
+        (xx, xy, xz, yy, yz, zz)
+
+    Returns
+    -------
+    (..., 3, 3) array
+
+    Raises
+    ------
+    ValueError
+        If the last dimension is not 6.
+
+    Examples
+    --------
+    >>> import pypw85
+    >>> pypw85.full([1, 2, 3, 4, 5, 6])
+    array([[1, 2, 3],
+           [2, 4, 5],
+           [3, 5, 6]])
+    """
+    array = np.asarray(q)
+    if array.ndim == 0 or array.shape[-1] != 6:
+        raise ValueError(f"full: the last dimension must be 6, but the shape is {array.shape}")
+    return array[..., _FULL].reshape(array.shape[:-1] + (3, 3))
+
+
+def packed(matrix: ArrayLike) -> NDArray[Any]:
+    """Packed symmetric matrices from 3×3 ones: the upper triangle in row-major order.
+
+    Parameters
+    ----------
+    matrix : (..., 3, 3) array_like
+        Symmetric: entries on either side of the diagonal may differ by at most 1e-6 of the largest entry, which lets
+        single precision pass.
+
+    Returns
+    -------
+    (..., 6) array
+        (xx, xy, xz, yy, yz, zz)
+
+    Raises
+    ------
+    ValueError
+        If the last two dimensions are not 3×3, or a matrix is not symmetric.
+
+    Examples
+    --------
+    >>> import pypw85
+    >>> pypw85.packed([[1, 2, 3], [2, 4, 5], [3, 5, 6]])
+    array([1, 2, 3, 4, 5, 6])
+    """
+    array = np.asarray(matrix)
+    if array.shape[-2:] != (3, 3):
+        raise ValueError(f"packed: the last dimensions must be 3×3, but the shape is {array.shape}")
+    transposed = np.swapaxes(array, -1, -2)
+    largest = np.abs(array).max(axis=(-1, -2), keepdims=True) if array.size else 0
+    if np.any(np.abs(array - transposed) > 1e-6 * largest):
+        raise ValueError("packed: a matrix is not symmetric")
+    return array[(..., *_PACKED)]
+
+
+def principal_axes(q: ArrayLike) -> tuple[Floats, Floats]:
+    """Semi-axes and axes of a form: the inverse of `ellipsoid`.
+
+    The eigenvalues of a form are known to about 1e-16 of the largest, so a semi-axis that is `k` times shorter than the
+    longest is known to about 1e-16 k².
+
+    Parameters
+    ----------
+    q : (..., 6) array_like
+        Positive definite forms.
+
+    Returns
+    -------
+    semi_axes : (..., 3) array
+        In increasing order, in the square root of the unit of `q`.
+    rotation : (..., 3, 3) array
+        Its columns are the principal directions, right-handed: ``ellipsoid(semi_axes, rotation)`` is `q`.
+
+    Raises
+    ------
+    PW85Error
+        For a single form: it is not finite or not positive definite. Rows of arrays become NaN.
+
+    Examples
+    --------
+    >>> import pypw85
+    >>> semi_axes, rotation = pypw85.principal_axes([4, 0, 0, 1, 0, 9])
+    >>> semi_axes
+    array([1., 2., 3.])
+    >>> abs(rotation)
+    array([[0., 1., 0.],
+           [1., 0., 0.],
+           [0., 0., 1.]])
+    """
+    form = np.asarray(q, dtype=np.float64)
+    finite = np.isfinite(form).all(axis=-1, keepdims=True)
+    squares, rotation = np.linalg.eigh(full(np.where(finite, form, 0)))
+    good = finite[..., 0] & (squares[..., 0] > 0)
+    if form.ndim == 1 and not good:
+        status = Status["ENOTPD" if finite.all() else "EINVAL"]
+        raise PW85Error(status, "principal_axes", _core.strerror(status))
+    rotation[..., 0] *= np.sign(np.linalg.det(rotation))[..., np.newaxis]
+    rotation[~good] = np.nan
+    return np.sqrt(np.where(good[..., np.newaxis], squares, -1)), rotation

@@ -1,0 +1,75 @@
+"""A picture of two ellipsoids and their contact. Needs Matplotlib, which is imported only here."""
+
+from __future__ import annotations
+
+from typing import Any, Optional
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from ._contact import contact, contact_geometry
+from ._forms import principal_axes
+
+_COLOURS = ("tab:blue", "tab:orange")
+
+
+def plot(
+    center1: ArrayLike, q1: ArrayLike, center2: ArrayLike, q2: ArrayLike, ax: Optional[Any] = None, resolution: int = 32
+) -> Any:
+    """Draw two ellipsoids, the pair scaled by μ, their contact point and common normal.
+
+    Parameters
+    ----------
+    center1, center2 : (3) array_like
+        Centres, which may not coincide.
+    q1, q2 : (6) array_like
+        Forms.
+    ax : matplotlib axes with ``projection="3d"``, optional
+        Where to draw; a new figure if absent.
+    resolution : int
+        Number of steps from pole to pole.
+
+    Returns
+    -------
+    axes
+        With these artists, found by ``get_label()``: "ellipsoid 1", "ellipsoid 2" (surfaces), "scaled 1", "scaled 2"
+        (wire frames), "contact point", "normal".
+
+    Raises
+    ------
+    ImportError
+        Matplotlib is not installed.
+    PW85Error
+        Invalid input, or coincident centres.
+    """
+    c1 = np.asarray(center1, dtype=np.float64)
+    c2 = np.asarray(center2, dtype=np.float64)
+    mu2, lambda_ = contact(c2 - c1, q1, q2)
+    point, normal = contact_geometry(c2 - c1, q1, q2, lambda_)
+    if ax is None:
+        import matplotlib.pyplot
+
+        ax = matplotlib.pyplot.figure().add_subplot(projection="3d")
+    for k, (center, q) in enumerate(((c1, q1), (c2, q2))):
+        solid = surface(center, q, 1.0, resolution)
+        scaled = surface(center, q, float(np.sqrt(mu2)), resolution)
+        ax.plot_surface(*solid, color=_COLOURS[k], alpha=0.6, label=f"ellipsoid {k + 1}")
+        ax.plot_wireframe(*scaled, color=_COLOURS[k], alpha=0.3, linewidth=0.5, label=f"scaled {k + 1}")
+    x0 = c1 + point
+    ax.scatter(*x0[:, np.newaxis], color="black", label="contact point")
+    ax.quiver(*x0, *normal, length=0.5 * np.linalg.norm(c2 - c1), color="black", label="normal")
+    ax.set(xlabel="x", ylabel="y", zlabel="z", title=f"μ² = {mu2:.6g}, λ = {lambda_:.6g}")
+    ax.set_aspect("equal")
+    return ax
+
+
+def surface(center: ArrayLike, q: ArrayLike, scale: float, resolution: int) -> NDArray[np.float64]:
+    """Points (3, resolution + 1, 2 resolution + 1) on an ellipsoid scaled by `scale`."""
+    semi_axes, rotation = principal_axes(q)
+    theta = np.linspace(0, np.pi, resolution + 1)[:, np.newaxis]
+    phi = np.linspace(0, 2 * np.pi, 2 * resolution + 1)
+    sphere = np.stack(
+        [np.sin(theta) * np.cos(phi), np.sin(theta) * np.sin(phi), np.cos(theta) * np.ones_like(phi)]
+    )
+    points = np.tensordot(rotation * (scale * semi_axes), sphere, axes=1)
+    return points + np.asarray(center, dtype=np.float64)[:, np.newaxis, np.newaxis]

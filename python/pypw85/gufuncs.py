@@ -1,0 +1,44 @@
+"""The generalised ufuncs (`numpy.ufunc`) behind the functions of `pypw85` and `pypw85.legacy`.
+
+They take what ufuncs take (``out``, ``casting``, ``order``, ``dtype``, ``axes`` ...; NumPy has no ``where`` for
+generalised ufuncs) and have what ufuncs have (``signature``, ``types``). They never raise `pypw85.PW85Error`: a bad row
+is NaN, and NumPy reports "invalid value" as `numpy.errstate` says. ``overlap`` has two loops: to ``bool``, true for a
+bad row, and to ``uint8`` (``dtype=np.uint8``), 255 for a bad row.
+
+>>> from pypw85 import gufuncs
+>>> gufuncs.contact.signature
+'(3),(6),(6)->(),()'
+>>> gufuncs.overlap.types
+['ddd->?', 'ddd->B']
+"""
+
+from ._core import (
+    cholesky_decomp,
+    cholesky_solve,
+    closest_approach,
+    closest_approach_2d,
+    contact,
+    contact_2d,
+    contact_function,
+    contact_geometry,
+    contact_gradient,
+    contact_torque,
+    ellipse,
+    ellipsoid,
+    ellipsoid_quaternion,
+    f,
+    legacy_contact_function1,
+    legacy_contact_function2,
+    legacy_det_sym,
+    legacy_detQ_as_poly,
+    legacy_f1,
+    legacy_f2,
+    legacy_rT_adjQ_r_as_poly,
+    legacy_xT_adjA_x,
+    overlap,
+    spheroid,
+    zheng_ellipses,
+    zheng_ellipsoids,
+)
+
+__all__ = [name for name in globals() if not name.startswith("_")]

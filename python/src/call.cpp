@@ -1,0 +1,211 @@
+// Calls for one row go straight to the C function: a ufunc costs microseconds, the function a fraction of one.
+#include <cstring>
+
+#include <pw85.h>
+
+#include "calls.hpp"
+
+namespace pypw85 {
+namespace {
+
+enum class Loaded { failed, one_row, other };
+
+/// Copies the only row of an array of doubles.
+void copy_row(PyArrayObject *array, Core const &core, double *row) noexcept
+{
+    char const *const first = PyArray_BYTES(array);
+    npy_intp const *const strides = PyArray_STRIDES(array);
+    for (npy_intp j = 0; j < core.dims[0]; ++j)
+        for (npy_intp k = 0; k < core.dims[1]; ++k) {
+            npy_intp const offset = (core.ndim > 0 ? j * strides[0] : 0) + (core.ndim > 1 ? k * strides[1] : 0);
+            *row++ = *reinterpret_cast<double const *>(first + offset);
+        }
+}
+
+bool has_core_shape(PyArrayObject *array, Core const &core) noexcept
+{
+    if (PyArray_NDIM(array) != core.ndim) return false;
+    for (int d = 0; d < core.ndim; ++d)
+        if (PyArray_DIM(array, d) != core.dims[d]) return false;
+    return true;
+}
+
+bool is_plain(PyArrayObject *array) noexcept
+{
+    return PyArray_TYPE(array) == NPY_DOUBLE && PyArray_ISBEHAVED_RO(array);
+}
+
+Loaded load_array(PyArrayObject *array, Core const &core, double *row)
+{
+    if (!has_core_shape(array, core)) return Loaded::other;
+    if (is_plain(array)) {
+        copy_row(array, core, row);
+        return Loaded::one_row;
+    }
+    if (!PyArray_CanCastSafely(PyArray_TYPE(array), NPY_DOUBLE)) return Loaded::other;
+    Reference const converted(PyArray_FROM_OTF(reinterpret_cast<PyObject *>(array), NPY_DOUBLE, NPY_ARRAY_CARRAY_RO));
+    if (!converted) return Loaded::failed;
+    copy_row(reinterpret_cast<PyArrayObject *>(converted.get()), core, row);
+    return Loaded::one_row;
+}
+
+Loaded load_number(PyObject *number, Core const &core, double *row)
+{
+    if (core.ndim != 0) return Loaded::other;
+    *row = PyFloat_AsDouble(number);
+    return *row == -1 && PyErr_Occurred() ? Loaded::failed : Loaded::one_row;
+}
+
+/// Loads an argument if it is one row. Subclasses of ndarray and the arrays of other libraries are left to the ufunc.
+Loaded load(PyObject *argument, Core const &core, double *row)
+{
+    if (PyArray_CheckExact(argument)) return load_array(reinterpret_cast<PyArrayObject *>(argument), core, row);
+    if (PyFloat_Check(argument) || PyLong_Check(argument) || PyArray_IsScalar(argument, Floating) ||
+        PyArray_IsScalar(argument, Integer))
+        return load_number(argument, core, row);
+    if (!PyList_Check(argument) && !PyTuple_Check(argument)) return Loaded::other;
+    Reference const array(PyArray_FROM_O(argument));
+    return array ? load_array(reinterpret_cast<PyArrayObject *>(array.get()), core, row) : Loaded::failed;
+}
+
+PyObject *raise(Function const &function, int status)
+{
+    Reference const errors(PyImport_ImportModule("pypw85._errors"));
+    Reference const type(errors ? PyObject_GetAttrString(errors.get(), "PW85Error") : nullptr);
+    Reference const error(type ? PyObject_CallFunction(type.get(), "iss", status, function.name, pw85_strerror(status))
+                               : nullptr);
+    if (error) PyErr_SetObject(type.get(), error.get());
+    return nullptr;
+}
+
+PyObject *new_array(Core const &core, double const *row)
+{
+    npy_intp const dims[2] = {core.dims[0], core.dims[1]};
+    PyObject *const array = PyArray_SimpleNew(core.ndim, const_cast<npy_intp *>(dims), NPY_DOUBLE);
+    if (array != nullptr)
+        std::memcpy(PyArray_DATA(reinterpret_cast<PyArrayObject *>(array)), row,
+                    static_cast<size_t>(core.size()) * sizeof(double));
+    return array;
+}
+
+PyObject *new_value(Function const &function, Core const &core, double const *row)
+{
+    if (core.ndim > 0) return new_array(core, row);
+    if (function.boolean) PyArrayScalar_RETURN_BOOL_FROM_LONG(*row != 0);
+    PyObject *const number = PyArrayScalar_New(Double);
+    if (number != nullptr) PyArrayScalar_ASSIGN(number, Double, *row);
+    return number;
+}
+
+/// Writes a row to an output argument, by the rules of ufuncs for casting and broadcasting; returns the argument.
+PyObject *store(PyObject *out, Core const &core, double const *row)
+{
+    if (!PyArray_Check(out)) return PyErr_Format(PyExc_TypeError, "return arrays must be of ArrayType");
+    auto *const array = reinterpret_cast<PyArrayObject *>(out);
+    Reference const value(new_array(core, row));
+    Reference const from(reinterpret_cast<PyObject *>(PyArray_DescrFromType(NPY_DOUBLE)));
+    if (!value || !from) return nullptr;
+    if (!PyArray_CanCastTypeTo(reinterpret_cast<PyArray_Descr *>(from.get()), PyArray_DESCR(array),
+                               NPY_SAME_KIND_CASTING))
+        return PyErr_Format(PyExc_TypeError, "cannot cast output from float64 to %R by the rule 'same_kind'",
+                            PyArray_DESCR(array));
+    if (PyArray_CopyInto(array, reinterpret_cast<PyArrayObject *>(value.get())) < 0) return nullptr;
+    Py_INCREF(out);
+    return out;
+}
+
+PyObject *store_or_new(Function const &function, PyObject *out, Core const &core, double const *row)
+{
+    if (out == Py_None) return new_value(function, core, row);
+    if (!function.boolean) return store(out, core, row);
+    Reference const truth(PyBool_FromLong(*row != 0));
+    if (!PyArray_Check(out)) return PyErr_Format(PyExc_TypeError, "return arrays must be of ArrayType");
+    if (PyArray_CopyObject(reinterpret_cast<PyArrayObject *>(out), truth.get()) < 0) return nullptr;
+    Py_INCREF(out);
+    return out;
+}
+
+/// Output argument k, borrowed, of `out` as the caller passed it: None, the only array, or a tuple.
+PyObject *output_argument(PyObject *out, int k) noexcept { return PyTuple_Check(out) ? PyTuple_GET_ITEM(out, k) : out; }
+
+PyObject *results(Function const &function, PyObject *out, double rows[][max_core_size])
+{
+    if (out != Py_None && PyTuple_Check(out) ? PyTuple_GET_SIZE(out) != function.nout
+                                             : out != Py_None && function.nout > 1)
+        return PyErr_Format(PyExc_ValueError, "%s: 'out' must be a tuple of %d arrays", function.name, function.nout);
+    Core const *const cores = function.cores + function.nin;
+    if (function.nout == 1) return store_or_new(function, output_argument(out, 0), cores[0], rows[0]);
+    Reference tuple(PyTuple_New(function.nout));
+    for (int k = 0; tuple && k < function.nout; ++k) {
+        PyObject *const item = store_or_new(function, output_argument(out, k), cores[k], rows[k]);
+        if (item == nullptr) return nullptr;
+        PyTuple_SET_ITEM(tuple.get(), k, item);
+    }
+    return tuple.release();
+}
+
+PyObject *call_one_row(Function const &function, double const *const *in, PyObject *out)
+{
+    double rows[max_operands][max_core_size];
+    double *pointers[max_operands];
+    for (int k = 0; k < function.nout; ++k) pointers[k] = rows[k];
+    int const status = function.evaluate(in, pointers);
+    if (status == PW85_SUCCESS) return results(function, out, rows);
+    if (out != Py_None && !Reference(results(function, out, rows))) return nullptr;
+    return raise(function, status);
+}
+
+/// Dask infers the type of a result by a call with arrays of size one, which fixed core dimensions refuse; its
+/// apply_gufunc() has to be told.
+bool is_dask_collection(PyObject *argument)
+{
+    return !PyArray_Check(argument) && PyObject_HasAttrString(argument, "__dask_graph__") != 0;
+}
+
+PyObject *call_dask(Callable const &callable, PyObject *const *args)
+{
+    Reference const module(PyImport_ImportModule("pypw85._dask"));
+    Reference const apply(module ? PyObject_GetAttrString(module.get(), "apply_gufunc") : nullptr);
+    if (!apply) return nullptr;
+    PyObject *all[max_operands + 1] = {callable.ufunc};
+    int const nin = callable.function->nin;
+    for (int k = 0; k < nin; ++k) all[k + 1] = args[k];
+    return PyObject_Vectorcall(apply.get(), all, static_cast<size_t>(nin) + 1, nullptr);
+}
+
+PyObject *call_ufunc(Callable const &callable, PyObject *const *args, PyObject *out, PyObject *keywords)
+{
+    auto const nin = static_cast<size_t>(callable.function->nin);
+    if (out == Py_None) return PyObject_VectorcallDict(callable.ufunc, args, nin, keywords);
+    Reference const with_out(PyDict_Copy(keywords));
+    if (!with_out || PyDict_SetItemString(with_out.get(), "out", out) < 0) return nullptr;
+    return PyObject_VectorcallDict(callable.ufunc, args, nin, with_out.get());
+}
+
+} // namespace
+
+PyObject *call(PyObject *self, PyObject *const *args, Py_ssize_t nargs)
+{
+    auto const *const callable = static_cast<Callable const *>(PyCapsule_GetPointer(self, nullptr));
+    if (callable == nullptr) return nullptr;
+    Function const &function = *callable->function;
+    if (nargs != function.nin + 2 || !PyDict_Check(args[nargs - 1]))
+        return PyErr_Format(PyExc_TypeError, "%s: %d inputs, out and keywords expected", function.name, function.nin);
+    PyObject *const out = args[function.nin], *const keywords = args[function.nin + 1];
+
+    double rows[max_operands][max_core_size];
+    double const *in[max_operands];
+    bool one_row = PyDict_GET_SIZE(keywords) == 0;
+    for (int k = 0; one_row && k < function.nin; ++k) {
+        Loaded const loaded = load(args[k], function.cores[k], rows[k]);
+        if (loaded == Loaded::failed) return nullptr;
+        one_row = loaded == Loaded::one_row;
+        in[k] = rows[k];
+    }
+    if (one_row) return call_one_row(function, in, out);
+    for (int k = 0; k < function.nin; ++k)
+        if (is_dask_collection(args[k])) return call_dask(*callable, args);
+    return call_ufunc(*callable, args, out, keywords);
+}
+
+} // namespace pypw85

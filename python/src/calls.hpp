@@ -1,0 +1,29 @@
+// What the Python layer calls.
+#ifndef PYPW85_CALLS_HPP_INCLUDED
+#define PYPW85_CALLS_HPP_INCLUDED
+
+#include "function.hpp"
+#include "numpy_api.hpp"
+
+namespace pypw85 {
+
+/// A function together with its ufunc, behind one callable of the module.
+struct Callable {
+    Function const *function;
+    PyObject *ufunc;
+};
+
+/// call(input..., out, keywords): for one row of each input the function itself, with a PW85Error if it fails;
+/// for anything else the ufunc. `self` is a capsule of a Callable; `out` is None, an array or a tuple; `keywords` is a
+/// dict.
+PyObject *call(PyObject *self, PyObject *const *args, Py_ssize_t nargs);
+
+/// contact_pairs(pairs, centers, q, cell or None, mu2, lambda): status. Arrays are contiguous and of the right type.
+PyObject *contact_pairs(PyObject *self, PyObject *const *args, Py_ssize_t nargs);
+
+/// overlap_pairs(pairs, centers, q, cell or None, overlap): status. Arrays are contiguous and of the right type.
+PyObject *overlap_pairs(PyObject *self, PyObject *const *args, Py_ssize_t nargs);
+
+} // namespace pypw85
+
+#endif

@@ -1,0 +1,192 @@
+#include "function.hpp"
+
+#include <cmath>
+#include <limits>
+
+#include <pw85.h>
+#include <pw85_legacy.h>
+#include <pw85_zheng.h>
+
+namespace pypw85 {
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+bool all_finite(double const *x, int count) noexcept
+{
+    for (int i = 0; i < count; ++i)
+        if (!std::isfinite(x[i])) return false;
+    return true;
+}
+
+template <auto function> int pair_result(double const *const *in, double *const *out)
+{
+    double result[2];
+    int const status = function(in[0], in[1], in[2], result);
+    *out[0] = result[0];
+    *out[1] = result[1];
+    return status;
+}
+
+template <auto function> int distance_result(double const *const *in, double *const *out)
+{
+    return function(in[0], in[1], in[2], out[0]);
+}
+
+/// Status for a function of λ and a pair that reports invalid input by NaN alone.
+int status_of_value(double value, double const *r12, double const *q1, double const *q2) noexcept
+{
+    if (!std::isnan(value)) return PW85_SUCCESS;
+    double ignored[2];
+    int const status = pw85_contact(r12, q1, q2, ignored);
+    return status != PW85_SUCCESS ? status : PW85_EINVAL;
+}
+
+int f(double const *const *in, double *const *out)
+{
+    double params[PW85_DIM + 2 * PW85_SYM];
+    for (int i = 0; i < PW85_DIM; ++i) params[i] = in[1][i];
+    for (int i = 0; i < PW85_SYM; ++i) {
+        params[PW85_DIM + i] = in[2][i];
+        params[PW85_DIM + PW85_SYM + i] = in[3][i];
+    }
+    *out[0] = -pw85_f_neg(*in[0], params);
+    return status_of_value(*out[0], in[1], in[2], in[3]);
+}
+
+template <auto function> int f_and_derivatives(double const *const *in, double *const *out)
+{
+    double result[3];
+    function(*in[0], in[1], in[2], in[3], result);
+    for (int i = 0; i < 3; ++i) *out[i] = result[i];
+    return status_of_value(result[0], in[1], in[2], in[3]);
+}
+
+int spheroid(double const *const *in, double *const *out)
+{
+    pw85_spheroid(*in[0], *in[1], in[2], out[0]);
+    return std::isnan(out[0][0]) ? PW85_EINVAL : PW85_SUCCESS;
+}
+
+int overlap(double const *const *in, double *const *out)
+{
+    int result;
+    int const status = pw85_overlap(in[0], in[1], in[2], &result);
+    *out[0] = status == PW85_SUCCESS ? result : nan;
+    return status;
+}
+
+int contact_geometry(double const *const *in, double *const *out)
+{
+    return pw85_contact_geometry(in[0], in[1], in[2], *in[3], out[0], out[1]);
+}
+
+int contact_gradient(double const *const *in, double *const *out)
+{
+    return pw85_contact_gradient(in[0], in[1], in[2], *in[3], out[0], out[1], out[2]);
+}
+
+int contact_torque(double const *const *in, double *const *out)
+{
+    return pw85_contact_torque(in[0], in[1], in[2], *in[3], out[0], out[1]);
+}
+
+int cholesky_decomp(double const *const *in, double *const *out)
+{
+    pw85__cholesky_decomp(in[0], out[0]);
+    if (!std::isnan(out[0][0])) return PW85_SUCCESS;
+    return all_finite(in[0], PW85_SYM) ? PW85_ENOTPD : PW85_EINVAL;
+}
+
+int cholesky_solve(double const *const *in, double *const *out)
+{
+    pw85__cholesky_solve(in[0], in[1], out[0]);
+    return PW85_SUCCESS;
+}
+
+int det_sym(double const *const *in, double *const *out)
+{
+    *out[0] = pw85_legacy__det_sym(in[0]);
+    return PW85_SUCCESS;
+}
+
+int xT_adjA_x(double const *const *in, double *const *out)
+{
+    *out[0] = pw85_legacy__xT_adjA_x(in[0], in[1]);
+    return PW85_SUCCESS;
+}
+
+int detQ_as_poly(double const *const *in, double *const *out)
+{
+    pw85_legacy__detQ_as_poly(in[0], in[1], in[2], in[3], out[0]);
+    return PW85_SUCCESS;
+}
+
+int rT_adjQ_r_as_poly(double const *const *in, double *const *out)
+{
+    pw85_legacy__rT_adjQ_r_as_poly(in[0], in[1], in[2], in[3], out[0]);
+    return PW85_SUCCESS;
+}
+
+int ellipsoid(double const *const *in, double *const *out) { return pw85_ellipsoid(in[0], in[1], out[0]); }
+
+int ellipsoid_quaternion(double const *const *in, double *const *out)
+{
+    return pw85_ellipsoid_quaternion(in[0], in[1], out[0]);
+}
+
+int ellipse(double const *const *in, double *const *out) { return pw85_ellipse(*in[0], *in[1], *in[2], out[0]); }
+
+} // namespace
+
+void parse_signature(Function &function) noexcept
+{
+    int operand = -1;
+    bool output = false;
+    for (char const *c = function.signature; *c != '\0'; ++c) {
+        if (*c == '>') output = true;
+        if (*c == '(') {
+            ++operand;
+            ++(output ? function.nout : function.nin);
+        }
+        if (*c >= '0' && *c <= '9') {
+            Core &core = function.cores[operand];
+            core.dims[core.ndim++] = *c - '0';
+        }
+    }
+}
+
+std::vector<Function> &functions()
+{
+    static std::vector<Function> table{
+        {"spheroid", "(),(),(3)->(6)", spheroid},
+        {"ellipsoid", "(3),(3,3)->(6)", ellipsoid},
+        {"ellipsoid_quaternion", "(3),(4)->(6)", ellipsoid_quaternion},
+        {"ellipse", "(),(),()->(3)", ellipse},
+        {"f", "(),(3),(6),(6)->()", f},
+        {"contact", "(3),(6),(6)->(),()", pair_result<pw85_contact>, false, contact_loop},
+        {"contact_function", "(3),(6),(6)->(),()", pair_result<pw85_contact_function>},
+        {"contact_geometry", "(3),(6),(6),()->(3),(3)", contact_geometry},
+        {"contact_gradient", "(3),(6),(6),()->(3),(6),(6)", contact_gradient},
+        {"contact_torque", "(3),(6),(6),()->(3),(3)", contact_torque},
+        {"overlap", "(3),(6),(6)->()", overlap, true},
+        {"closest_approach", "(3),(6),(6)->()", distance_result<pw85_closest_approach>},
+        {"contact_2d", "(2),(3),(3)->(),()", pair_result<pw85_contact_2d>},
+        {"closest_approach_2d", "(2),(3),(3)->()", distance_result<pw85_closest_approach_2d>},
+        {"zheng_ellipses", "(2),(3),(3)->()", distance_result<pw85_zheng_ellipses>},
+        {"zheng_ellipsoids", "(3),(6),(6)->()", distance_result<pw85_zheng_ellipsoids>},
+        {"cholesky_decomp", "(6)->(6)", cholesky_decomp},
+        {"cholesky_solve", "(6),(3)->(3)", cholesky_solve},
+        {"legacy_det_sym", "(6)->()", det_sym},
+        {"legacy_xT_adjA_x", "(3),(6)->()", xT_adjA_x},
+        {"legacy_detQ_as_poly", "(6),(6),(6),(6)->(4)", detQ_as_poly},
+        {"legacy_rT_adjQ_r_as_poly", "(3),(6),(6),(6)->(3)", rT_adjQ_r_as_poly},
+        {"legacy_f1", "(),(3),(6),(6)->(),(),()", f_and_derivatives<pw85_legacy_f1>},
+        {"legacy_f2", "(),(3),(6),(6)->(),(),()", f_and_derivatives<pw85_legacy_f2>},
+        {"legacy_contact_function1", "(3),(6),(6)->(),()", pair_result<pw85_legacy_contact_function1>},
+        {"legacy_contact_function2", "(3),(6),(6)->(),()", pair_result<pw85_legacy_contact_function2>},
+    };
+    return table;
+}
+
+} // namespace pypw85

@@ -1,0 +1,66 @@
+// The description from which a function of the C API becomes a generalised ufunc and a fast call for single arguments.
+#ifndef PYPW85_FUNCTION_HPP_INCLUDED
+#define PYPW85_FUNCTION_HPP_INCLUDED
+
+#include <cstddef>
+#include <vector>
+
+namespace pypw85 {
+
+/// Most numbers in one row of one operand: a 3×3 matrix.
+inline constexpr int max_core_size = 9;
+
+/// Most operands of a function, inputs and outputs together.
+inline constexpr int max_operands = 8;
+
+/// Shape of one row of an operand: the core dimensions.
+struct Core {
+    int ndim = 0;
+    std::ptrdiff_t dims[2] = {1, 1};
+
+    int size() const noexcept { return static_cast<int>(dims[0] * dims[1]); }
+};
+
+/// One function for one row: reads `in`, writes `out`, returns a status; all rows are contiguous.
+using Evaluate = int (*)(double const *const *in, double *const *out);
+
+/// Shape of a gufunc loop of NumPy.
+using Loop = void (*)(char **args, std::ptrdiff_t const *dimensions, std::ptrdiff_t const *steps, void *data);
+
+struct Function {
+    char const *name;
+    char const *signature; ///< core signature, as NumPy writes it, fixed sizes only
+    Evaluate evaluate;
+    bool boolean = false; ///< the only output is a truth value (overlap)
+    Loop loop = nullptr;  ///< null: the loop over `evaluate`
+    int nin = 0;          ///< this and what follows is read from the signature by parse_signature()
+    int nout = 0;
+    Core cores[max_operands] = {};
+
+    int operands() const noexcept { return nin + nout; }
+};
+
+/// Fills in what the signature says.
+void parse_signature(Function &function) noexcept;
+
+/// All functions. Their addresses are kept by the ufuncs, so they live as long as the process.
+std::vector<Function> &functions();
+
+/// Calls `evaluate` for each row; `data` is the Function.
+void row_loop(char **args, std::ptrdiff_t const *dimensions, std::ptrdiff_t const *steps, void *data);
+
+/// pw85_contact_batch() on blocks of rows.
+void contact_loop(char **args, std::ptrdiff_t const *dimensions, std::ptrdiff_t const *steps, void *data);
+
+/// pw85_overlap_batch() on blocks of rows. Output: 0, 1, or 255 for a bad row.
+void overlap_code_loop(char **args, std::ptrdiff_t const *dimensions, std::ptrdiff_t const *steps, void *data);
+
+/// The same with a boolean output, true for a bad row.
+void overlap_boolean_loop(char **args, std::ptrdiff_t const *dimensions, std::ptrdiff_t const *steps, void *data);
+
+/// Raises the floating-point exception "invalid" if a status (C long) is not zero; output: the status, as a double.
+void report_loop(char **args, std::ptrdiff_t const *dimensions, std::ptrdiff_t const *steps, void *data);
+
+} // namespace pypw85
+
+#endif

@@ -1,0 +1,151 @@
+// The extension module pypw85._core: a ufunc and a callable "call_..." for each function, and the pair lists.
+#define PYPW85_IMPORTS_NUMPY
+#include "calls.hpp"
+
+#ifdef _OPENMP
+#include <omp.h>
+#include <pthread.h>
+#endif
+
+#include <string>
+#include <vector>
+
+#include <pw85.h>
+
+namespace pypw85 {
+namespace {
+
+/// Everything that ufuncs and callables keep pointers to; never destroyed, as NumPy asks.
+struct Registered {
+    Callable callable;
+    std::string call_name;
+    PyMethodDef method;
+    PyUFuncGenericFunction loops[2];
+    void *data[2];
+    char types[2 * max_operands];
+};
+
+void describe_loops(Function &function, Registered &registered)
+{
+    int const operands = function.operands();
+    for (int k = 0; k < 2 * operands; ++k) registered.types[k] = NPY_DOUBLE;
+    registered.loops[0] = function.boolean ? overlap_boolean_loop : function.loop != nullptr ? function.loop : row_loop;
+    registered.loops[1] = overlap_code_loop;
+    registered.data[0] = registered.data[1] = &function;
+    if (!function.boolean) return;
+    registered.types[operands - 1] = NPY_BOOL;
+    registered.types[2 * operands - 1] = NPY_UINT8;
+}
+
+bool add(PyObject *module, char const *name, Reference object)
+{
+    return object && PyModule_AddObjectRef(module, name, object.get()) == 0;
+}
+
+bool register_function(PyObject *module, Function &function)
+{
+    parse_signature(function);
+    auto *const registered = new Registered{};
+    describe_loops(function, *registered);
+    Reference ufunc(PyUFunc_FromFuncAndDataAndSignature(registered->loops, registered->data, registered->types,
+                                                        function.boolean ? 2 : 1, function.nin, function.nout,
+                                                        PyUFunc_None, function.name,
+                                                        "Generalised ufunc; see the function of this name in pypw85 or "
+                                                        "pypw85.legacy.",
+                                                        0, function.signature));
+    registered->callable = {&function, ufunc.get()};
+    registered->call_name = std::string("call_") + function.name;
+    registered->method = {registered->call_name.c_str(), reinterpret_cast<PyCFunction>(reinterpret_cast<void *>(call)),
+                          METH_FASTCALL, "call(input..., out, keywords)"};
+    Reference const capsule(PyCapsule_New(&registered->callable, nullptr, nullptr));
+    if (!capsule) return false;
+    Reference callable(PyCFunction_New(&registered->method, capsule.get()));
+    return add(module, function.name, std::move(ufunc)) &&
+           add(module, registered->call_name.c_str(), std::move(callable));
+}
+
+/// Ufuncs whose only purpose is to let NumPy report a failed call of this name as np.errstate says.
+bool register_report(PyObject *module, char const *name, char const *attribute)
+{
+    static PyUFuncGenericFunction loops[] = {report_loop};
+    static void *data[] = {nullptr};
+    static char types[] = {NPY_LONG, NPY_DOUBLE};
+    return add(module, attribute,
+               Reference(PyUFunc_FromFuncAndData(loops, data, types, 1, 1, 1, PyUFunc_None, name,
+                                                 "Reports statuses that are not zero.", 0)));
+}
+
+/// Names and values of the statuses, without the prefix.
+Reference statuses()
+{
+    Reference dict(PyDict_New());
+    bool good = dict != nullptr;
+#define PYPW85_ADD_STATUS(c_name, cpp_name, value, text)                                                               \
+    {                                                                                                                  \
+        Reference const number(PyLong_FromLong(value));                                                                \
+        good = good && number && PyDict_SetItemString(dict.get(), &#c_name[sizeof "PW85_" - 1], number.get()) == 0;    \
+    }
+    PW85_STATUS_LIST(PYPW85_ADD_STATUS)
+#undef PYPW85_ADD_STATUS
+    return good ? std::move(dict) : nullptr;
+}
+
+PyObject *version(PyObject *, PyObject *) { return PyUnicode_FromString(pw85_version()); }
+
+PyObject *strerror(PyObject *, PyObject *status)
+{
+    long const number = PyLong_AsLong(status);
+    if (number == -1 && PyErr_Occurred()) return nullptr;
+    bool const is_int = number == static_cast<int>(number);
+    return PyUnicode_FromString(pw85_strerror(is_int ? static_cast<int>(number) : -1));
+}
+
+template <class Function> PyCFunction as_method(Function *function)
+{
+    return reinterpret_cast<PyCFunction>(reinterpret_cast<void *>(function));
+}
+
+PyMethodDef methods[] = {
+    {"version", version, METH_NOARGS, "version()\n--\n\nVersion of the library, 'major.minor.patch'."},
+    {"strerror", strerror, METH_O, "strerror(status, /)\n--\n\nSentence that says what a status means."},
+    {"contact_pairs", as_method(contact_pairs), METH_FASTCALL, "Status of pw85_contact_pairs()."},
+    {"overlap_pairs", as_method(overlap_pairs), METH_FASTCALL, "Status of pw85_overlap_pairs()."},
+    {nullptr, nullptr, 0, nullptr},
+};
+
+PyModuleDef definition = {
+    PyModuleDef_HEAD_INIT, "_core", "The compiled part of pypw85.", -1, methods, nullptr, nullptr, nullptr, nullptr,
+};
+
+/// The threads of GNU OpenMP do not survive fork(), on which multiprocessing may rely: the child would wait for them
+/// for ever. One thread, the child's own, needs no others.
+bool limit_threads_after_fork()
+{
+#ifdef _OPENMP
+    if (pthread_atfork(nullptr, nullptr, [] { omp_set_num_threads(1); }) != 0) {
+        PyErr_NoMemory();
+        return false;
+    }
+#endif
+    return true;
+}
+
+PyObject *create_module()
+{
+    Reference module(PyModule_Create(&definition));
+    bool good = module != nullptr && add(module.get(), "STATUSES", statuses());
+    for (Function &function : functions()) good = good && register_function(module.get(), function);
+    good = good && register_report(module.get(), "contact_pairs", "report_contact_pairs") &&
+           register_report(module.get(), "overlap_pairs", "report_overlap_pairs");
+    return good && limit_threads_after_fork() ? module.release() : nullptr;
+}
+
+} // namespace
+} // namespace pypw85
+
+PyMODINIT_FUNC PyInit__core()
+{
+    import_array();
+    import_umath();
+    return pypw85::create_module();
+}

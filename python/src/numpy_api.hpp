@@ -1,0 +1,32 @@
+// The NumPy C API, shared by all files of the extension: exactly one of them, module.cpp, imports it.
+#ifndef PYPW85_NUMPY_API_HPP_INCLUDED
+#define PYPW85_NUMPY_API_HPP_INCLUDED
+
+#define PY_SSIZE_T_CLEAN
+#include <Python.h>
+
+#define NPY_NO_DEPRECATED_API NPY_1_19_API_VERSION
+#define PY_ARRAY_UNIQUE_SYMBOL pypw85_array_api
+#define PY_UFUNC_UNIQUE_SYMBOL pypw85_ufunc_api
+#ifndef PYPW85_IMPORTS_NUMPY
+#define NO_IMPORT_ARRAY
+#define NO_IMPORT_UFUNC
+#endif
+#include <numpy/arrayobject.h>
+#include <numpy/arrayscalars.h>
+#include <numpy/ufuncobject.h>
+
+#include <memory>
+
+namespace pypw85 {
+
+struct Decref {
+    void operator()(PyObject *object) const noexcept { Py_DECREF(object); }
+};
+
+/// An owned reference.
+using Reference = std::unique_ptr<PyObject, Decref>;
+
+} // namespace pypw85
+
+#endif

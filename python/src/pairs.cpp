@@ -1,0 +1,90 @@
+// Neighbour lists. The Python layer converts and explains; what would read or write beyond an array is refused here.
+#include <cstdint>
+
+#include <pw85.h>
+
+#include "calls.hpp"
+
+namespace pypw85 {
+namespace {
+
+/// Data of a contiguous array of the given type and shape (n × columns, or n if `columns` is 0); null, with an
+/// exception, if it is something else. `n` < 0 takes the size from the array.
+void *data_of(PyObject *object, int type, npy_intp &n, npy_intp columns, bool writeable)
+{
+    auto *const array = reinterpret_cast<PyArrayObject *>(object);
+    bool const fits = PyArray_Check(object) && PyArray_TYPE(array) == type &&
+                      PyArray_NDIM(array) == (columns > 0 ? 2 : 1) && PyArray_IS_C_CONTIGUOUS(array) &&
+                      PyArray_ISBEHAVED_RO(array) && (!writeable || PyArray_ISWRITEABLE(array)) &&
+                      (columns == 0 || PyArray_DIM(array, 1) == columns) && (n < 0 || PyArray_DIM(array, 0) == n);
+    if (!fits) {
+        PyErr_SetString(PyExc_TypeError, "a contiguous array of another type or shape was expected");
+        return nullptr;
+    }
+    n = PyArray_DIM(array, 0);
+    return PyArray_DATA(array);
+}
+
+struct PairList {
+    npy_intp num_pairs = -1;
+    npy_intp num_particles = -1;
+    std::int32_t const *pairs = nullptr;
+    double const *centers = nullptr;
+    double const *q = nullptr;
+    double const *cell = nullptr;
+};
+
+/// Reads the arguments pairs, centers, q, cell.
+bool read_pair_list(PyObject *const *args, PairList &list)
+{
+    npy_intp cell_rows = 3;
+    list.pairs = static_cast<std::int32_t const *>(data_of(args[0], NPY_INT32, list.num_pairs, 2, false));
+    if (list.pairs == nullptr) return false;
+    list.centers = static_cast<double const *>(data_of(args[1], NPY_DOUBLE, list.num_particles, PW85_DIM, false));
+    if (list.centers == nullptr) return false;
+    list.q = static_cast<double const *>(data_of(args[2], NPY_DOUBLE, list.num_particles, PW85_SYM, false));
+    if (list.q == nullptr) return false;
+    if (args[3] == Py_None) return true;
+    list.cell = static_cast<double const *>(data_of(args[3], NPY_DOUBLE, cell_rows, PW85_DIM, false));
+    return list.cell != nullptr;
+}
+
+bool right_number(Py_ssize_t given, Py_ssize_t expected)
+{
+    if (given != expected) PyErr_Format(PyExc_TypeError, "%zd arguments expected, %zd given", expected, given);
+    return given == expected;
+}
+
+} // namespace
+
+PyObject *contact_pairs(PyObject *, PyObject *const *args, Py_ssize_t nargs)
+{
+    PairList list;
+    if (!right_number(nargs, 6) || !read_pair_list(args, list)) return nullptr;
+    auto *const mu2 = static_cast<double *>(data_of(args[4], NPY_DOUBLE, list.num_pairs, 0, true));
+    if (mu2 == nullptr) return nullptr;
+    auto *const lambda = static_cast<double *>(data_of(args[5], NPY_DOUBLE, list.num_pairs, 0, true));
+    if (lambda == nullptr) return nullptr;
+    int status;
+    Py_BEGIN_ALLOW_THREADS;
+    status = pw85_contact_pairs(static_cast<size_t>(list.num_pairs), list.pairs,
+                                static_cast<size_t>(list.num_particles), list.centers, list.q, list.cell, mu2, lambda);
+    Py_END_ALLOW_THREADS;
+    return PyLong_FromLong(status);
+}
+
+PyObject *overlap_pairs(PyObject *, PyObject *const *args, Py_ssize_t nargs)
+{
+    PairList list;
+    if (!right_number(nargs, 5) || !read_pair_list(args, list)) return nullptr;
+    auto *const overlap = static_cast<unsigned char *>(data_of(args[4], NPY_UINT8, list.num_pairs, 0, true));
+    if (overlap == nullptr) return nullptr;
+    int status;
+    Py_BEGIN_ALLOW_THREADS;
+    status = pw85_overlap_pairs(static_cast<size_t>(list.num_pairs), list.pairs,
+                                static_cast<size_t>(list.num_particles), list.centers, list.q, list.cell, overlap);
+    Py_END_ALLOW_THREADS;
+    return PyLong_FromLong(status);
+}
+
+} // namespace pypw85

@@ -1,0 +1,39 @@
+"""What the tests share: random pairs, and a way to name a failing row."""
+
+import numpy as np
+import pytest
+
+import pypw85
+
+
+@pytest.fixture
+def rng():
+    return np.random.default_rng(20240229)
+
+
+@pytest.fixture
+def random_pairs(rng):
+    """Makes `count` pairs (r12, q1, q2) of triaxial ellipsoids, with aspect ratios up to 4 and around contact."""
+
+    def make(count):
+        def forms():
+            return pypw85.ellipsoid_quaternion(rng.uniform(0.5, 2, (count, 3)), rng.normal(size=(count, 4)))
+
+        return rng.normal(scale=1.5, size=(count, 3)), forms(), forms()
+
+    return make
+
+
+@pytest.fixture
+def assert_rows():
+    """Asserts that a condition holds for all rows, and prints the first row for which it does not, in hexadecimal."""
+
+    def check(condition, *arrays):
+        condition = np.asarray(condition)
+        if condition.all():
+            return
+        first = int(np.flatnonzero(~condition)[0])
+        rows = [np.atleast_1d(np.asarray(array, dtype=float)[first]).ravel() for array in arrays]
+        pytest.fail(f"row {first}: " + "; ".join(" ".join(float(x).hex() for x in row) for row in rows))
+
+    return check

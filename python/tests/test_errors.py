@@ -1,0 +1,167 @@
+"""Bad input: exceptions for single calls, marked rows and one signal for arrays."""
+
+import pickle
+import warnings
+
+import numpy as np
+import pytest
+
+import pypw85
+from pypw85 import PW85Error, Status, _core, legacy
+
+Q = np.array([1.0, 0, 0, 1, 0, 1])
+R = np.array([3.0, 0, 0])
+FLAT = np.array([1.0, 0, 0, 1, 0, 0])
+NAN = np.full(6, np.nan)
+
+FAILURES = [
+    (pypw85.spheroid, (0, 1, [0, 0, 1]), Status.EINVAL),
+    (pypw85.spheroid, (1, 1, [0, 0, 0]), Status.EINVAL),
+    (pypw85.ellipsoid, ([1, 2, 3], np.ones((3, 3))), Status.EINVAL),
+    (pypw85.ellipsoid_quaternion, ([1, 2, -3], [1, 0, 0, 0]), Status.EINVAL),
+    (pypw85.ellipse, (1, 1, np.inf), Status.EINVAL),
+    (pypw85.principal_axes, (FLAT,), Status.ENOTPD),
+    (pypw85.principal_axes, (NAN,), Status.EINVAL),
+    (pypw85.f, (0.5, R, Q, -Q), Status.ENOTPD),
+    (pypw85.f, (1.5, R, Q, Q), Status.EINVAL),
+    (pypw85.contact, (R, Q, FLAT), Status.ENOTPD),
+    (pypw85.contact, (R, NAN, Q), Status.EINVAL),
+    (pypw85.contact_function, (R, FLAT, Q), Status.ENOTPD),
+    (pypw85.contact_function, ([np.inf, 0, 0], Q, Q), Status.EINVAL),
+    (pypw85.overlap, (R, Q, FLAT), Status.ENOTPD),
+    (pypw85.contact_geometry, (0 * R, Q, Q, 0.5), Status.EINVAL),
+    (pypw85.contact_gradient, (R, Q, Q, 2.0), Status.EINVAL),
+    (pypw85.contact_torque, (R, Q, FLAT, 0.5), Status.ENOTPD),
+    (pypw85.closest_approach, (0 * R, Q, Q), Status.EINVAL),
+    (pypw85.contact_2d, ([1, 0], [1, 0, 1], [1, 1, 1]), Status.ENOTPD),
+    (pypw85.closest_approach_2d, ([0, 0], [1, 0, 1], [1, 0, 1]), Status.EINVAL),
+    (pypw85.zheng_ellipses, ([0, 0], [1, 0, 1], [1, 0, 1]), Status.EINVAL),
+    (pypw85.zheng_ellipsoids, (R, Q, FLAT), Status.ENOTPD),
+    (pypw85._cholesky_decomp, (FLAT,), Status.ENOTPD),
+    (pypw85._cholesky_decomp, (NAN,), Status.EINVAL),
+    (legacy.f1, (2.0, R, Q, Q), Status.EINVAL),
+    (legacy.f2, (0.5, R, Q, NAN), Status.EINVAL),
+    (legacy.contact_function1, (R, Q, FLAT), Status.ENOTPD),
+    (legacy.contact_function2, (R, Q, FLAT), Status.ENOTPD),
+]
+
+
+@pytest.mark.parametrize("function, args, status", FAILURES)
+def test_single_call_raises(function, args, status):
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        with pytest.raises(PW85Error) as caught:
+            function(*args)
+    assert caught.value.status is status
+    assert pypw85.strerror(status) in str(caught.value)
+    assert caught.value.function.removeprefix("legacy_") in str(function)
+    assert isinstance(caught.value, ValueError) and isinstance(caught.value, ArithmeticError)
+
+
+@pytest.mark.parametrize("function, args, status", FAILURES)
+def test_bad_row_of_array(function, args, status):
+    rows = [np.stack([np.asarray(arg, dtype=float)] * 3) for arg in args]
+    with pytest.warns(RuntimeWarning, match="invalid value encountered in") as caught:
+        result = function(*rows)
+    assert len(caught) == 1
+    for output in result if isinstance(result, tuple) else (result,):
+        assert output.all() if output.dtype == bool else np.isnan(output).all()
+
+
+def mixed_rows():
+    q = np.tile(Q, (1000, 1))
+    q[[17, 600]] = FLAT
+    return np.tile(R, (1000, 1)), q, np.tile(Q, (1000, 1))
+
+
+@pytest.mark.parametrize("function", [pypw85.contact, pypw85.contact_function])
+def test_good_rows_are_computed_all_the_same(function):
+    with np.errstate(invalid="ignore"):
+        mu2, lambda_ = function(*mixed_rows())
+    np.testing.assert_array_equal(pypw85.bad_rows(mu2), [17, 600])
+    np.testing.assert_array_equal(pypw85.bad_rows((mu2, lambda_)), [17, 600])
+    # The bound of the library, 4 u cond, with cond = 3 for spheres.
+    np.testing.assert_allclose(np.delete(mu2, [17, 600]), 2.25, rtol=12 * 2.0**-53)
+    np.testing.assert_allclose(np.delete(lambda_, [17, 600]), 0.5, rtol=1e-12)
+
+
+def test_bad_rows_of_vectors_and_overlaps():
+    r12, q1, q2 = mixed_rows()
+    with np.errstate(invalid="ignore"):
+        gradient = pypw85.contact_gradient(r12, q1, q2, 0.5)
+        codes = pypw85.overlap(r12, q1, q2, dtype=np.uint8)
+        truths = pypw85.overlap(r12, q1, q2)
+    np.testing.assert_array_equal(pypw85.bad_rows(gradient, core_ndim=1), [17, 600])
+    np.testing.assert_array_equal(pypw85.bad_rows(codes), [17, 600])
+    np.testing.assert_array_equal(np.flatnonzero(truths), [17, 600])
+    with pytest.raises(TypeError, match="uint8"):
+        pypw85.bad_rows(truths)
+
+
+@pytest.mark.parametrize("scattered", [False, True])
+@pytest.mark.parametrize("name", ["contact", "contact_function", "overlap", "closest_approach"])
+def test_errstate(name, scattered):
+    function = getattr(pypw85, name)
+    rows = [x.repeat(2, axis=0)[::2] if scattered else x for x in mixed_rows()]
+    with np.errstate(invalid="ignore"), warnings.catch_warnings():
+        warnings.simplefilter("error")
+        function(*rows)
+    with np.errstate(invalid="warn"), pytest.warns(RuntimeWarning, match=f"invalid value encountered in {name}"):
+        function(*rows)
+    with np.errstate(invalid="raise"), pytest.raises(FloatingPointError, match=name):
+        function(*rows)
+
+
+def test_no_signal_for_good_rows():
+    """Whatever happens inside, a good result says nothing: not for extreme sizes either."""
+    sizes = 10.0 ** np.arange(-140, 141, 20)
+    q = pypw85.spheroid(sizes, 3 * sizes, [0, 0, 1])
+    r12 = sizes[:, None] * [1, 2, 3]
+    with np.errstate(all="raise"):
+        for function in (pypw85.contact, pypw85.contact_function, pypw85.overlap, pypw85.closest_approach):
+            function(r12, q, q)
+        mu2, lambda_ = pypw85.contact(0 * r12, q, q)
+        pypw85.contact_geometry(r12, q, q, lambda_)
+    assert (mu2 == 0).all() and (lambda_ == 0.5).all()
+
+
+def test_signal_of_earlier_operations_is_not_inherited():
+    with np.errstate(invalid="ignore"):
+        np.log(-np.ones(10))
+    with np.errstate(all="raise"):
+        pypw85.contact(*(x[:10] for x in mixed_rows()))
+
+
+@pytest.mark.parametrize("out", [np.zeros(2), (np.zeros(()), np.zeros(()))])
+def test_failed_call_leaves_nan_in_out(out):
+    with pytest.raises(PW85Error):
+        pypw85.contact(R, Q, FLAT, out)
+    assert np.isnan(out).all()
+
+
+def test_failed_form_leaves_nan_in_out():
+    q = np.zeros(6)
+    with pytest.raises(PW85Error):
+        pypw85.spheroid(-1, 1, [0, 0, 1], q)
+    assert np.isnan(q).all()
+
+
+def test_exception_survives_pickling():
+    with pytest.raises(PW85Error) as caught:
+        pypw85.contact(R, Q, FLAT)
+    copy = pickle.loads(pickle.dumps(caught.value))
+    assert (copy.status, str(copy)) == (Status.ENOTPD, str(caught.value))
+
+
+def test_statuses():
+    assert {s.name: int(s) for s in Status} == _core.STATUSES
+    assert [int(s) for s in Status] == [0, 1, 2, 3]
+    assert len({pypw85.strerror(s) for s in Status}) == 4
+    assert pypw85.strerror(12345) == pypw85.strerror(-1) == pypw85.strerror(2**40)
+    with pytest.raises(TypeError):
+        pypw85.strerror("x")
+
+
+def test_version():
+    assert pypw85.version() == pypw85.__version__
+    assert all(part.isdigit() for part in pypw85.version().split("."))
