@@ -44,7 +44,7 @@ bool are_valid(std::size_t num_indices, std::int32_t const *indices, std::size_t
     auto const end = static_cast<std::uint32_t>(std::min<std::size_t>(num_particles, INT32_MAX + std::size_t{1}));
     auto const count = static_cast<std::ptrdiff_t>(num_indices);
     int outside = 0;
-#pragma omp parallel for simd schedule(static) reduction(| : outside) if (count > 65536)
+#pragma omp parallel for schedule(static) reduction(| : outside) if (count > 65536)
     for (std::ptrdiff_t k = 0; k < count; ++k) outside |= static_cast<std::uint32_t>(indices[k]) >= end;
     return outside == 0;
 }

@@ -1,0 +1,20 @@
+# Sourced by the other scripts: installs Debian or Ubuntu packages that are missing, and nothing else.
+
+# install_packages PACKAGE...
+install_packages() {
+  missing=
+  for package in "$@"; do
+    dpkg-query -W -f '${Status}' "$package" 2>/dev/null | grep -q 'ok installed' || missing="$missing $package"
+  done
+  [ -z "$missing" ] && return 0
+  as_root=
+  [ "$(id -u)" -eq 0 ] || as_root=sudo
+  echo "Installing packages:$missing"
+  # shellcheck disable=SC2086 # a list of words
+  $as_root env DEBIAN_FRONTEND=noninteractive apt-get update -qq &&
+    $as_root env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends $missing
+}
+
+build_packages='gcc g++ meson ninja-build pkg-config libgsl-dev'
+test_packages="$build_packages python3 python3-dev python3-numpy python3-pytest python3-h5py python3-matplotlib python3-dask
+  python3-mesonpy python3-pip patchelf cmake gfortran binutils libglib2.0-dev libhdf5-dev libboost-dev"

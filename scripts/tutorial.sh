@@ -1,0 +1,22 @@
+#!/bin/sh
+# Builds pw85, installs it into ./install, builds the C tutorial (examples/c) against the installed library, and runs it.
+# On Debian and Ubuntu, first installs the packages that it needs and that are missing. May be run again at any time.
+set -eu
+cd "$(dirname "$0")/.."
+. scripts/packages.sh
+# shellcheck disable=SC2086 # a list of words
+if command -v apt-get >/dev/null; then install_packages $build_packages; fi
+
+prefix=$PWD/install
+build=$PWD/build-install
+[ -f "$build/build.ninja" ] || meson setup "$build" --prefix="$prefix" --libdir=lib \
+  -Dtests=disabled -Dbench=disabled -Dpython=disabled -Dfortran=disabled
+meson compile -C "$build"
+meson install -C "$build"
+
+tutorial=$PWD/build-tutorial
+[ -f "$tutorial/build.ninja" ] ||
+  meson setup "$tutorial" examples/c -Dpw85_include="$prefix/include" -Dpw85_lib="$prefix/lib"
+meson compile -C "$tutorial"
+echo
+LD_LIBRARY_PATH="$prefix/lib" "$tutorial/tutorial"
