@@ -1,4 +1,4 @@
-"""The checks of .ci/run: README's two commands, every test with gcc and clang without warnings, sanitizers and valgrind over
+"""The checks of .ci/run: README's two commands, all tests with gcc and clang without warnings, sanitizers, valgrind, format.
 
 Results are counted from what `meson test` writes, so that suites need not be listed here; a step that is no test counts as
 one. The last line is "N passed, N failed".
@@ -15,7 +15,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
 BUILDS = ROOT / "build-ci"
-TEST_COMMAND_BUILD = "build-test"  # where scripts/test.sh builds
+TEST_COMMAND_BUILD = ROOT / "build-test"  # where scripts/test.sh builds
 CLANG = {"CC": "clang", "CXX": "clang++"}
 ONLY_TESTS = ["-Dtests=enabled", "-Dbench=disabled", "-Dpython=disabled", "-Dfortran=disabled"]
 
@@ -79,28 +79,27 @@ def build(results, name, options, environment):
     return ok
 
 
-def test(results, name, arguments=(), **environment):
-    folder = ROOT / name if name == TEST_COMMAND_BUILD else BUILDS / name
+def test(results, folder, arguments=(), **environment):
     ok = run(["meson", "test", "-C", str(folder), "--no-rebuild", "--print-errorlogs", *arguments], **environment)
+    report(results, folder, ok)
+
+
+def report(results, folder, ok):
+    """Adds the results of the last `meson test` in a folder, which exited well or not."""
     before = results.failed
     logs = sorted((folder / "meson-logs").glob("testlog*.json"), key=lambda path: path.stat().st_mtime)
     if logs:
-        results.add_report(name, logs[-1])
-    if not ok and results.failed == before:
-        results.add(f"{name}: meson test", False)
+        results.add_report(folder.name, logs[-1])
+    if not logs or (not ok and results.failed == before):
+        results.add(f"{folder.name}: meson test", False)
 
 
 def test_command(results):
-    """Runs README's test command in a fresh folder, with warnings as errors; whether it built."""
-    folder = ROOT / TEST_COMMAND_BUILD
-    shutil.rmtree(folder, ignore_errors=True)
+    """Runs README's test command in a fresh folder, with warnings as errors; whether it got to the tests."""
+    shutil.rmtree(TEST_COMMAND_BUILD, ignore_errors=True)
     ok = run(["scripts/test.sh"], PW85_SETUP_OPTIONS="--werror -Dbench=enabled")
-    report = folder / "meson-logs/testlog.junit.xml"
-    before = results.failed
-    results.add_report("scripts/test.sh", report)
-    if not ok and results.failed == before:
-        results.add("scripts/test.sh", False)
-    return report.exists()
+    report(results, TEST_COMMAND_BUILD, ok)
+    return (TEST_COMMAND_BUILD / "meson-logs/testlog.json").exists()
 
 
 def check_format(results):
@@ -113,17 +112,16 @@ def check_all(results):
     check_format(results)
     results.add("scripts/tutorial.sh", run(["scripts/tutorial.sh"]))
     if test_command(results):
-        test(results, TEST_COMMAND_BUILD, ["--suite", "quick", "--no-suite", "python", "--wrap",
-                              "valgrind --quiet --error-exitcode=99 --leak-check=full --errors-for-leak-kinds=definite",
-                              "--timeout-multiplier", "20"],
+        valgrind = "valgrind --quiet --error-exitcode=99 --leak-check=full --errors-for-leak-kinds=definite"
+        test(results, TEST_COMMAND_BUILD, ["--suite", "quick", "--wrap", valgrind, "--timeout-multiplier", "20"],
              G_SLICE="always-malloc", PW85_TARGET="avx2")  # valgrind knows no AVX-512
     if build(results, "clang", ONLY_TESTS, CLANG):
-        test(results, "clang", ["--no-suite", "install"])
+        test(results, BUILDS / "clang", ["--no-suite", "install"])
     if build(results, "address-undefined", [*ONLY_TESTS, "-Db_sanitize=address,undefined", "-Doptimization=1"], {}):
-        test(results, "address-undefined", ["--no-suite", "install", "--timeout-multiplier", "10"],
+        test(results, BUILDS / "address-undefined", ["--no-suite", "install", "--timeout-multiplier", "10"],
              UBSAN_OPTIONS="halt_on_error=1:print_stacktrace=1", ASAN_OPTIONS="detect_leaks=1")
     if build(results, "thread", [*ONLY_TESTS, "-Db_sanitize=thread", "-Dopenmp=disabled", "-Doptimization=1"], {}):
-        test(results, "thread", ["--suite", "threads", "--timeout-multiplier", "10"], TSAN_OPTIONS="halt_on_error=1")
+        test(results, BUILDS / "thread", ["--suite", "threads", "--timeout-multiplier", "10"], TSAN_OPTIONS="halt_on_error=1")
 
 
 def main():
