@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: GPL-2.0-only
+#include "compute_contact.hpp"
+
+#include <pw85.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <utility>
+
+using namespace LAMMPS_NS;
+
+namespace pw85_lammps {
+
+ComputeContact::ComputeContact(LAMMPS *lammps, int narg, char **arg)
+    : ComputePairs(lammps, narg, arg), below_(std::numeric_limits<double>::infinity())
+{
+    if (narg != 3 && (narg != 5 || std::strcmp(arg[3], "below") != 0))
+        stop_all(*error, "Illegal compute pw85/contact command: the only keyword is below, with a value of mu2");
+    if (narg == 5) below_ = utils::numeric(FLERR, arg[4], false, lmp);
+    if (!(below_ > 0.0)) stop_all(*error, "Compute pw85/contact: the value of below must be positive");
+    if (!atom->tag_enable) stop_all(*error, "Compute pw85/contact needs atom IDs: remove atom_modify id no");
+    local_flag = 1;
+    size_local_cols = static_cast<int>(std::tuple_size_v<Row>);
+}
+
+double ComputeContact::merge(double value, double from_ghost) const { return std::min(value, from_ghost); }
+
+void ComputeContact::compute_local()
+{
+    invoked_local = invoked_peratom = update->ntimestep;
+    evaluate(true);
+    publish_rows();
+}
+
+// Points and normals cost as much as everything else, so they are left out until asked for.
+void ComputeContact::compute_peratom()
+{
+    if (invoked_local == update->ntimestep) return;
+    invoked_peratom = update->ntimestep;
+    evaluate(false);
+}
+
+void ComputeContact::evaluate(bool with_rows)
+{
+    bool const bounded = std::isfinite(below_);
+    begin(bounded ? std::sqrt(below_) : 1.0, std::numeric_limits<double>::infinity());
+    rows_.clear();
+    auto const use = [this, with_rows] { add_batch(with_rows); };
+    if (bounded) {
+        batch.run(neighbours.get(), ellipsoids.reach(below_), use);
+    } else {
+        // The cutoff of the pair style then bounds the pairs, so that results do not depend on the skin.
+        double const *const x = atom->x[0];
+        int const *const type = atom->type;
+        double const *const *const cutsq = force->pair->cutsq;
+        auto const within_cutoff = [this, x, type, cutsq](int i, int j) {
+            double const *a = x + 3 * static_cast<std::ptrdiff_t>(i), *b = x + 3 * static_cast<std::ptrdiff_t>(j);
+            double const dx = b[0] - a[0], dy = b[1] - a[1], dz = b[2] - a[2];
+            bool const near = dx * dx + dy * dy + dz * dz < cutsq[type[i]][type[j]];
+            bool const first = ellipsoids.selected(i), second = ellipsoids.selected(j);
+            return near & first & second;
+        };
+        batch.run(neighbours.get(), within_cutoff, use);
+    }
+    end();
+}
+
+void ComputeContact::add_batch(bool with_rows)
+{
+    // In the order of their tags pairs give the same result whichever processor computes them, positions being equal.
+    for (std::size_t k = 0; k < batch.size(); ++k) {
+        std::int32_t &i = batch.pairs[2 * k], &j = batch.pairs[2 * k + 1];
+        if (atom->tag[i] > atom->tag[j]) std::swap(i, j);
+    }
+    auto const num_particles = static_cast<std::size_t>(atom->nlocal + atom->nghost);
+    int const status = pw85_contact_pairs(batch.size(), batch.pairs.data(), num_particles, atom->x[0],
+                                          ellipsoids.forms(), nullptr, batch.mu2.data(), batch.lambda.data());
+    for (std::size_t k = 0; k < batch.size(); ++k) {
+        int const i = batch.pairs[2 * k], j = batch.pairs[2 * k + 1];
+        double const mu2 = batch.mu2[k];
+        if (std::isnan(mu2)) ellipsoids.refuse_pair(i, j, status);
+        if (!(mu2 < below_)) continue;
+        value(i) = std::min(value(i), mu2);
+        value(j) = std::min(value(j), mu2);
+        if (with_rows && belongs_here(i, j)) add_row(i, j, mu2, batch.lambda[k]);
+    }
+}
+
+void ComputeContact::add_row(int i, int j, double mu2, double lambda)
+{
+    double const *a = atom->x[i], *b = atom->x[j];
+    double const r12[3] = {b[0] - a[0], b[1] - a[1], b[2] - a[2]};
+    double point[3], normal[3];
+    int const status = pw85_contact_geometry(r12, ellipsoids.forms() + PW85_SYM * i, ellipsoids.forms() + PW85_SYM * j,
+                                             lambda, point, normal);
+    // Concentric ellipsoids touch, scaled by zero, in their common centre, and have no normal.
+    if (status != PW85_SUCCESS) std::fill_n(point, 3, 0.0), std::fill_n(normal, 3, 0.0);
+    rows_.push_back({static_cast<double>(atom->tag[i]), static_cast<double>(atom->tag[j]), mu2, a[0] + point[0],
+                     a[1] + point[1], a[2] + point[2], normal[0], normal[1], normal[2]});
+}
+
+// With newton off a pair of an owned atom and a ghost is in the lists of two processors (or twice in that of one, if an
+// atom has its own image as neighbour). One of them reports it: that of the smaller tag if the sum of the tags is even,
+// else the other; for an atom with its own image the side that sees it at larger z, or y, or x.
+bool ComputeContact::belongs_here(int i, int j) const
+{
+    int const ghost = std::max(i, j), owned = std::min(i, j);
+    if (ghost < num_counted()) return true;
+    tagint const a = atom->tag[owned], b = atom->tag[ghost];
+    if (a != b) return (a < b) == ((a % 2 + b % 2) % 2 == 0);
+    double const *x = atom->x[owned], *y = atom->x[ghost];
+    for (int k = 2; k >= 0; --k)
+        if (x[k] != y[k]) return x[k] < y[k];
+    return true;
+}
+
+void ComputeContact::publish_rows()
+{
+    row_pointers_.resize(rows_.size());
+    std::transform(rows_.begin(), rows_.end(), row_pointers_.begin(), [](Row &row) { return row.data(); });
+    array_local = row_pointers_.data();
+    size_local_rows = static_cast<int>(rows_.size());
+}
+
+double ComputeContact::memory_usage()
+{
+    return ComputePairs::memory_usage() +
+           static_cast<double>(rows_.capacity() * sizeof(Row) + row_pointers_.capacity() * sizeof(double *));
+}
+
+} // namespace pw85_lammps

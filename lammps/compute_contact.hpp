@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-2.0-only
+/// @file
+/// compute ID group pw85/contact
+#ifndef PW85_LAMMPS_COMPUTE_CONTACT_HPP_INCLUDED
+#define PW85_LAMMPS_COMPUTE_CONTACT_HPP_INCLUDED
+
+#include "compute_pairs.hpp"
+
+#include <array>
+
+namespace pw85_lammps {
+
+/// Contacts of pairs as a local array, and per atom the smallest contact function.
+class ComputeContact final : public ComputePairs {
+  public:
+    ComputeContact(LAMMPS_NS::LAMMPS *lammps, int narg, char **arg);
+
+    void compute_local() override;
+    void compute_peratom() override;
+    double memory_usage() override;
+
+  private:
+    /// Tags of the two atoms, μ², the point of contact of the scaled ellipsoids, the normal from the first to the
+    /// second.
+    using Row = std::array<double, 9>;
+
+    double merge(double value, double from_ghost) const override;
+    void evaluate(bool with_rows);
+    void add_batch(bool with_rows);
+    void add_row(int i, int j, double mu2, double lambda);
+    bool belongs_here(int i, int j) const;
+    void publish_rows();
+
+    double below_; ///< only contacts with a smaller μ² count
+    std::vector<Row> rows_;
+    std::vector<double *> row_pointers_;
+};
+
+} // namespace pw85_lammps
+
+#endif

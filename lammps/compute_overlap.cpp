@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-2.0-only
+#include "compute_overlap.hpp"
+
+#include <pw85.h>
+
+using namespace LAMMPS_NS;
+
+namespace pw85_lammps {
+
+ComputeOverlap::ComputeOverlap(LAMMPS *lammps, int narg, char **arg) : ComputePairs(lammps, narg, arg)
+{
+    if (narg != 3) stop_all(*error, "Illegal compute pw85/overlap command: it takes no arguments");
+    scalar_flag = 1;
+    extscalar = 0; // a number of pairs stays one when thermo output is normalised by the number of atoms
+}
+
+double ComputeOverlap::compute_scalar()
+{
+    if (invoked_peratom != update->ntimestep) compute_peratom();
+    invoked_scalar = update->ntimestep;
+    bigint halves = 0;
+    MPI_Allreduce(&halves_, &halves, 1, MPI_LMP_BIGINT, MPI_SUM, world);
+    scalar = static_cast<double>(halves / 2);
+    return scalar;
+}
+
+void ComputeOverlap::compute_peratom()
+{
+    invoked_peratom = update->ntimestep;
+    begin(1.0, 0.0);
+    halves_ = 0;
+    batch.run(neighbours.get(), ellipsoids.reach(1.0), [this] { count(); });
+    end();
+}
+
+void ComputeOverlap::count()
+{
+    auto const num_particles = static_cast<std::size_t>(atom->nlocal + atom->nghost);
+    int const status = pw85_overlap_pairs(batch.size(), batch.pairs.data(), num_particles, atom->x[0],
+                                          ellipsoids.forms(), nullptr, batch.overlaps.data());
+    int const counted = num_counted();
+    for (std::size_t k = 0; k < batch.size(); ++k) {
+        if (batch.overlaps[k] == 0) continue;
+        int const i = batch.pairs[2 * k], j = batch.pairs[2 * k + 1];
+        if (batch.overlaps[k] != 1) ellipsoids.refuse_pair(i, j, status);
+        value(i) += 1.0;
+        halves_ += 1;
+        if (j >= counted) continue;
+        value(j) += 1.0;
+        halves_ += 1;
+    }
+}
+
+} // namespace pw85_lammps

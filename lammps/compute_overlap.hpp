@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-2.0-only
+/// @file
+/// compute ID group pw85/overlap
+#ifndef PW85_LAMMPS_COMPUTE_OVERLAP_HPP_INCLUDED
+#define PW85_LAMMPS_COMPUTE_OVERLAP_HPP_INCLUDED
+
+#include "compute_pairs.hpp"
+
+namespace pw85_lammps {
+
+/// Per atom the number of ellipsoids that overlap it, and as a scalar the number of overlapping pairs.
+class ComputeOverlap final : public ComputePairs {
+  public:
+    ComputeOverlap(LAMMPS_NS::LAMMPS *lammps, int narg, char **arg);
+
+    double compute_scalar() override;
+    void compute_peratom() override;
+
+  private:
+    double merge(double value, double from_ghost) const override { return value + from_ghost; }
+    void count();
+
+    LAMMPS_NS::bigint halves_ = 0; ///< of overlapping pairs, on this processor
+};
+
+} // namespace pw85_lammps
+
+#endif

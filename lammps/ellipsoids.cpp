@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: GPL-2.0-only
+#include "ellipsoids.hpp"
+
+#include <pw85.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+using namespace LAMMPS_NS;
+
+namespace pw85_lammps {
+
+namespace {
+
+std::string decimal(double value)
+{
+    std::array<char, 32> text{};
+    std::snprintf(text.data(), text.size(), "%.15g", value);
+    return text.data();
+}
+
+/// A compute property/atom that LAMMPS does not list: only its owner runs it.
+std::unique_ptr<Compute> property_compute(LAMMPS *lammps, Modify &modify, std::vector<std::string> properties)
+{
+    std::vector<std::string> words{"pw85_ellipsoids", "all", "property/atom"};
+    words.insert(words.end(), properties.begin(), properties.end());
+    std::vector<char *> arguments(words.size());
+    std::transform(words.begin(), words.end(), arguments.begin(), [](std::string &word) { return word.data(); });
+    auto const create = modify.compute_map->at("property/atom");
+    std::unique_ptr<Compute> compute(create(lammps, static_cast<int>(arguments.size()), arguments.data()));
+    compute->init();
+    return compute;
+}
+
+} // namespace
+
+Ellipsoids::Ellipsoids(LAMMPS *lammps, std::string style) : Pointers(lammps), style_(std::move(style))
+{
+    if (!atom->style_match("ellipsoid"))
+        stop_all(*error, style_ + " needs ellipsoids: use atom_style ellipsoid, or atom_style hybrid with it");
+    shapes_ = property_compute(lammps, *modify, {"shapex", "shapey", "shapez"});
+    quaternions_ = property_compute(lammps, *modify, {"quatw", "quati", "quatj", "quatk"});
+}
+
+void Ellipsoids::reserve()
+{
+    auto const capacity = static_cast<std::size_t>(atom->nmax);
+    if (radii_.size() >= capacity) return;
+    semi_axes_.resize(PW85_DIM * capacity);
+    forms_.resize(PW85_SYM * capacity);
+    radii_.resize(capacity);
+}
+
+void Ellipsoids::read(std::function<bool(int)> const &selected)
+{
+    reserve();
+    if (!has_all_shapes()) read_shapes();
+    quaternions_->compute_peratom();
+    for (int i = 0; i < atom->nlocal; ++i) {
+        if (selected(i)) {
+            build_form(i);
+        } else {
+            radii_[static_cast<std::size_t>(i)] = 0.0;
+        }
+    }
+}
+
+// Atoms without IDs cannot be told from each other.
+bool Ellipsoids::has_all_shapes() const
+{
+    return atom->tag_enable && std::equal(tags_.begin(), tags_.end(), atom->tag, atom->tag + atom->nlocal);
+}
+
+// What LAMMPS reports for atoms without a shape depends on its release; here they have semi-axes of zero.
+void Ellipsoids::read_shapes()
+{
+    shapes_->compute_peratom();
+    auto const count = static_cast<std::size_t>(atom->nlocal);
+    tags_.assign(atom->tag, atom->tag + count);
+    for (std::size_t i = 0; i < count; ++i) {
+        double const factor = atom->ellipsoid[i] < 0 ? 0.0 : 0.5;
+        for (std::size_t k = 0; k < PW85_DIM; ++k) semi_axes_[PW85_DIM * i + k] = factor * shapes_->array_atom[i][k];
+    }
+}
+
+void Ellipsoids::build_form(int i)
+{
+    auto const index = static_cast<std::size_t>(i);
+    double const *const semi_axes = &semi_axes_[PW85_DIM * index];
+    int const status = pw85_ellipsoid_quaternion(semi_axes, quaternions_->array_atom[i], &forms_[PW85_SYM * index]);
+    if (status != PW85_SUCCESS) refuse_shape(i);
+    radii_[index] = std::max({semi_axes[0], semi_axes[1], semi_axes[2]});
+}
+
+void Ellipsoids::refuse_shape(int i) const
+{
+    if (atom->ellipsoid[i] < 0)
+        refuse(i, "has no shape: give it one with the set command (set ... shape Sx Sy Sz) or in the Ellipsoids "
+                  "section of the data file, or leave it out of the group");
+    refuse(i, "has a bad shape or quaternion: correct it with the set command (set ... shape, set ... quat)");
+}
+
+int Ellipsoids::pack(int count, int const *atoms, double *buffer) const
+{
+    for (int k = 0; k < count; ++k) {
+        auto const i = static_cast<std::size_t>(atoms[k]);
+        buffer = std::copy_n(&forms_[PW85_SYM * i], PW85_SYM, buffer);
+        *buffer++ = radii_[i];
+    }
+    return count * comm_size;
+}
+
+void Ellipsoids::unpack(int count, int first, double const *buffer)
+{
+    for (int k = 0; k < count; ++k, buffer += comm_size) {
+        auto const i = static_cast<std::size_t>(first + k);
+        std::copy_n(buffer, PW85_SYM, &forms_[PW85_SYM * i]);
+        radii_[i] = buffer[PW85_SYM];
+    }
+}
+
+/// Largest bounding radius of each atom type on all processors; 0 where there is none.
+std::vector<double> Ellipsoids::largest_radii() const
+{
+    std::vector<double> largest(static_cast<std::size_t>(atom->ntypes) + 1, 0.0);
+    for (int i = 0; i < atom->nlocal; ++i) {
+        double &entry = largest[static_cast<std::size_t>(atom->type[i])];
+        entry = std::max(entry, radii_[static_cast<std::size_t>(i)]);
+    }
+    MPI_Allreduce(MPI_IN_PLACE, largest.data(), static_cast<int>(largest.size()), MPI_DOUBLE, MPI_MAX, world);
+    return largest;
+}
+
+void Ellipsoids::require_cutoff(double scale) const
+{
+    auto const largest = largest_radii();
+    for (int t = 1; t <= atom->ntypes; ++t) {
+        for (int u = t; u <= atom->ntypes; ++u) {
+            double const a = largest[static_cast<std::size_t>(t)], b = largest[static_cast<std::size_t>(u)];
+            double const reach = scale * (a + b), cutoff = std::sqrt(force->pair->cutsq[t][u]);
+            if (a > 0.0 && b > 0.0 && cutoff * (1.0 + margin) < reach)
+                stop_all(*error, style_ + ": the pair cutoff " + decimal(cutoff) + " of types " + std::to_string(t) +
+                                     " and " + std::to_string(u) + " misses contacts: raise the cutoff in pair_style" +
+                                     " or pair_coeff to " + decimal(reach) + " or more");
+        }
+    }
+}
+
+void Ellipsoids::refuse(int i, std::string const &reason) const
+{
+    stop_one(*error, style_ + ": atom " + std::to_string(atom->tag[i]) + " " + reason);
+}
+
+void Ellipsoids::refuse_pair(int i, int j, int status) const
+{
+    refuse(i, "and atom " + std::to_string(atom->tag[j]) + " have no contact function: " + pw85_strerror(status));
+}
+
+double Ellipsoids::bytes() const
+{
+    return static_cast<double>((semi_axes_.capacity() + forms_.capacity() + radii_.capacity()) * sizeof(double)) +
+           shapes_->memory_usage() + quaternions_->memory_usage();
+}
+
+} // namespace pw85_lammps

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-2.0-only
+/// @file
+/// Quadratic forms and bounding radii of the ellipsoids that a processor owns or sees as ghosts.
+#ifndef PW85_LAMMPS_ELLIPSOIDS_HPP_INCLUDED
+#define PW85_LAMMPS_ELLIPSOIDS_HPP_INCLUDED
+
+#include "host.hpp"
+
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace pw85_lammps {
+
+/// Ellipsoids by local index, owned ones first, as everywhere in LAMMPS.
+///
+/// Shapes and orientations are read through `compute property/atom`, and forms are sent to the ghosts by the style that
+/// owns this object: the headers that LAMMPS installs do not include the one of atom_style ellipsoid.
+class Ellipsoids : protected LAMMPS_NS::Pointers {
+  public:
+    /// Number of values per atom in forward communication.
+    static constexpr int comm_size = 7;
+
+    /// Relative margin of comparisons of distances with sums of radii. Distances, radii and forms carry rounding errors
+    /// of some 1e-15; 2⁻⁴⁰ is far above them, and far below anything that costs time.
+    static constexpr double margin = 0x1p-40;
+
+    /// @param style name of the style that owns this, for error messages
+    Ellipsoids(LAMMPS_NS::LAMMPS *lammps, std::string style);
+
+    /// Forgets all shapes; for the start of a run, before which they may have changed.
+    void forget() { tags_.clear(); }
+
+    /// Reads the owned ellipsoids that are selected; the others count as having no extent. A selected atom without a
+    /// shape is an error. Ghosts are stale until communicated. Orientations are read anew, shapes if atoms have moved
+    /// to other indices.
+    void read(std::function<bool(int)> const &selected);
+
+    int pack(int count, int const *atoms, double *buffer) const;
+    void unpack(int count, int first, double const *buffer);
+
+    /// Stops the run if the cutoff of the pair style for some types is less than `scale` times the largest distance at
+    /// which their ellipsoids can touch. Collective.
+    void require_cutoff(double scale) const;
+
+    /// n×6 forms, by local index.
+    double const *forms() const { return forms_.data(); }
+
+    /// Whether two atoms are selected, and their bounding spheres, scaled by the square root of scale2, meet.
+    class Reach {
+      public:
+        Reach(double const *centers, double const *radii, double scale2)
+            : centers_(centers), radii_(radii), scale2_(scale2 * (1.0 + margin))
+        {
+        }
+
+        bool operator()(int i, int j) const
+        {
+            double const *a = centers_ + 3 * static_cast<std::ptrdiff_t>(i);
+            double const *b = centers_ + 3 * static_cast<std::ptrdiff_t>(j);
+            double const dx = b[0] - a[0], dy = b[1] - a[1], dz = b[2] - a[2], reach = radii_[i] + radii_[j];
+            bool const near = dx * dx + dy * dy + dz * dz <= scale2_ * reach * reach;
+            return near & (radii_[i] > 0.0) & (radii_[j] > 0.0);
+        }
+
+      private:
+        double const *centers_, *radii_;
+        double scale2_;
+    };
+
+    /// A test of pairs, good until atoms move.
+    Reach reach(double scale2) const { return {atom->x[0], radii_.data(), scale2}; }
+
+    bool selected(int i) const { return radii_[static_cast<std::size_t>(i)] > 0.0; }
+
+    /// Stops the run for a pair that the library refused.
+    [[noreturn]] void refuse_pair(int i, int j, int status) const;
+
+    double bytes() const;
+
+  private:
+    void reserve();
+    void read_shapes();
+    bool has_all_shapes() const;
+    void build_form(int i);
+    [[noreturn]] void refuse_shape(int i) const;
+    [[noreturn]] void refuse(int i, std::string const &reason) const;
+    std::vector<double> largest_radii() const;
+
+    std::string style_;
+    std::unique_ptr<LAMMPS_NS::Compute> shapes_, quaternions_;
+    std::vector<LAMMPS_NS::tagint> tags_; ///< whose semi-axes these are
+    std::vector<double> semi_axes_, forms_, radii_;
+};
+
+} // namespace pw85_lammps
+
+#endif

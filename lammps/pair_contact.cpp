@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: GPL-2.0-only
+#include "pair_contact.hpp"
+
+#include <pw85.h>
+
+#include <algorithm>
+#include <cmath>
+
+using namespace LAMMPS_NS;
+
+namespace pw85_lammps {
+
+PairContact::PairContact(LAMMPS *lammps) : Pair(lammps)
+{
+    single_enable = 0; // an energy that depends on orientations has no central force
+    restartinfo = 0;
+    comm_forward = Ellipsoids::comm_size;
+}
+
+PairContact::~PairContact()
+{
+    if (!allocated) return;
+    memory->destroy(setflag);
+    memory->destroy(cutsq);
+    memory->destroy(epsilon_);
+    memory->destroy(cut_);
+}
+
+void PairContact::allocate()
+{
+    allocated = 1;
+    int const n = atom->ntypes + 1;
+    memory->create(setflag, n, n, "pair:setflag");
+    memory->create(cutsq, n, n, "pair:cutsq");
+    memory->create(epsilon_, n, n, "pair:epsilon");
+    memory->create(cut_, n, n, "pair:cut");
+    std::fill_n(setflag[0], n * n, 0);
+}
+
+void PairContact::settings(int narg, char **arg)
+{
+    if (narg < 1 || narg > 2)
+        stop_all(*error, "Illegal pair_style command: use pair_style pw85/contact cutoff [exponent]");
+    cutoff_ = utils::numeric(FLERR, arg[0], false, lmp);
+    exponent_ = narg == 2 ? utils::numeric(FLERR, arg[1], false, lmp) : 2.0;
+    if (!(cutoff_ > 0.0)) stop_all(*error, "Pair pw85/contact: the cutoff must be positive");
+    if (!(exponent_ >= 2.0)) stop_all(*error, "Pair pw85/contact: the exponent must be 2 or more");
+    if (!allocated) return;
+    for (int i = 1; i <= atom->ntypes; ++i)
+        for (int j = i; j <= atom->ntypes; ++j)
+            if (setflag[i][j]) cut_[i][j] = cutoff_;
+}
+
+void PairContact::coeff(int narg, char **arg)
+{
+    if (narg < 3 || narg > 4)
+        stop_all(*error, "Illegal pair_coeff command: pw85/contact takes epsilon and, if it likes, a cutoff");
+    if (!allocated) allocate();
+    int ilo, ihi, jlo, jhi;
+    utils::bounds(FLERR, arg[0], 1, atom->ntypes, ilo, ihi, error);
+    utils::bounds(FLERR, arg[1], 1, atom->ntypes, jlo, jhi, error);
+    double const epsilon = utils::numeric(FLERR, arg[2], false, lmp);
+    double const cut = narg == 4 ? utils::numeric(FLERR, arg[3], false, lmp) : cutoff_;
+    int count = 0;
+    for (int i = ilo; i <= ihi; ++i) {
+        for (int j = std::max(jlo, i); j <= jhi; ++j, ++count) {
+            epsilon_[i][j] = epsilon;
+            cut_[i][j] = cut;
+            setflag[i][j] = 1;
+        }
+    }
+    if (count == 0) stop_all(*error, "Incorrect args for pair coefficients");
+}
+
+void PairContact::init_style()
+{
+    ellipsoids_.emplace(lmp, "Pair pw85/contact");
+    checked_ = false;
+    // As a part of pair_style hybrid this acts on some of the types only; the others need no shapes.
+    used_types_.assign(static_cast<std::size_t>(atom->ntypes) + 1, false);
+    for (int i = 1; i <= atom->ntypes; ++i)
+        for (int j = i; j <= atom->ntypes; ++j)
+            if (setflag[i][j])
+                used_types_[static_cast<std::size_t>(i)] = used_types_[static_cast<std::size_t>(j)] = true;
+    Pair::init_style();
+}
+
+double PairContact::init_one(int i, int j)
+{
+    if (setflag[i][j] == 0) {
+        epsilon_[i][j] = mix_energy(epsilon_[i][i], epsilon_[j][j], 1.0, 1.0);
+        cut_[i][j] = mix_distance(cut_[i][i], cut_[j][j]);
+    }
+    epsilon_[j][i] = epsilon_[i][j];
+    return cut_[i][j];
+}
+
+void PairContact::compute(int eflag, int vflag)
+{
+    ev_init(eflag, vflag);
+    ellipsoids_->read([this](int i) { return used_types_[static_cast<std::size_t>(atom->type[i])]; });
+    if (!checked_ || neighbor->ago == 0) ellipsoids_->require_cutoff(1.0);
+    checked_ = true;
+    forward_to_ghosts(*comm, this);
+    batch_.run(*list, ellipsoids_->reach(1.0), [this, eflag] { add_batch(eflag); });
+    if (vflag_fdotr) virial_fdotr_compute();
+}
+
+void PairContact::add_batch(int eflag)
+{
+    auto const num_particles = static_cast<std::size_t>(atom->nlocal + atom->nghost);
+    int const status = pw85_contact_pairs(batch_.size(), batch_.pairs.data(), num_particles, atom->x[0],
+                                          ellipsoids_->forms(), nullptr, batch_.mu2.data(), batch_.lambda.data());
+    for (std::size_t k = 0; k < batch_.size(); ++k) {
+        int const i = batch_.pairs[2 * k], j = batch_.pairs[2 * k + 1];
+        if (std::isnan(batch_.mu2[k])) ellipsoids_->refuse_pair(i, j, status);
+        if (!(batch_.mu2[k] < 1.0)) continue;
+        double const strength = force->special_lj[batch_.special[k]] * epsilon_[atom->type[i]][atom->type[j]];
+        Action const action = act(i, j, batch_.mu2[k], batch_.lambda[k], strength);
+        apply(i, j, action);
+        double const *a = atom->x[i], *b = atom->x[j];
+        if (evflag)
+            ev_tally_xyz(i, j, atom->nlocal, force->newton_pair, eflag ? action.energy : 0.0, 0.0, action.force[0],
+                         action.force[1], action.force[2], a[0] - b[0], a[1] - b[1], a[2] - b[2]);
+    }
+}
+
+// With dU/dμ² = -ε (1 - μ)^(α-1) / (2μ): the force on the first is -∂U/∂x1 = U' ∂μ²/∂r12, the torques are -U' ∂μ²/∂ω.
+// Concentric ellipsoids (μ = 0) have a maximum of the energy, with a kink; no direction is better than another.
+PairContact::Action PairContact::act(int i, int j, double mu2, double lambda, double strength) const
+{
+    double const mu = std::sqrt(mu2), slope = strength * std::pow(1.0 - mu, exponent_ - 1.0);
+    Action action{slope * (1.0 - mu) / exponent_, {}, {}, {}};
+    if (!(mu2 > 0.0)) return action;
+
+    double const *a = atom->x[i], *b = atom->x[j];
+    double const r12[3] = {b[0] - a[0], b[1] - a[1], b[2] - a[2]};
+    double const *q1 = ellipsoids_->forms() + PW85_SYM * i, *q2 = ellipsoids_->forms() + PW85_SYM * j;
+    double d_r12[3], d_rot1[3], d_rot2[3];
+    pw85_contact_gradient(r12, q1, q2, lambda, d_r12, nullptr, nullptr);
+    pw85_contact_torque(r12, q1, q2, lambda, d_rot1, d_rot2);
+    double const derivative = -slope / (2.0 * mu);
+    for (int k = 0; k < 3; ++k) {
+        action.force[k] = derivative * d_r12[k];
+        action.torque1[k] = -derivative * d_rot1[k];
+        action.torque2[k] = -derivative * d_rot2[k];
+    }
+    return action;
+}
+
+void PairContact::apply(int i, int j, Action const &action)
+{
+    bool const both = force->newton_pair || j < atom->nlocal;
+    for (int k = 0; k < 3; ++k) {
+        atom->f[i][k] += action.force[k];
+        atom->torque[i][k] += action.torque1[k];
+        if (!both) continue;
+        atom->f[j][k] -= action.force[k];
+        atom->torque[j][k] += action.torque2[k];
+    }
+}
+
+int PairContact::pack_forward_comm(int count, int *atoms, double *buffer, int, int *)
+{
+    return ellipsoids_->pack(count, atoms, buffer);
+}
+
+void PairContact::unpack_forward_comm(int count, int first, double *buffer)
+{
+    ellipsoids_->unpack(count, first, buffer);
+}
+
+double PairContact::memory_usage() { return Pair::memory_usage() + (ellipsoids_ ? ellipsoids_->bytes() : 0.0); }
+
+} // namespace pw85_lammps

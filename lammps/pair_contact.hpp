@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-2.0-only
+/// @file
+/// pair_style pw85/contact
+#ifndef PW85_LAMMPS_PAIR_CONTACT_HPP_INCLUDED
+#define PW85_LAMMPS_PAIR_CONTACT_HPP_INCLUDED
+
+#include "ellipsoids.hpp"
+#include "neighbours.hpp"
+
+#include <optional>
+
+namespace pw85_lammps {
+
+/// Soft repulsion of overlapping ellipsoids, U = ε/α (1 - μ)^α for μ < 1, else 0.
+class PairContact final : public LAMMPS_NS::Pair {
+  public:
+    explicit PairContact(LAMMPS_NS::LAMMPS *lammps);
+    ~PairContact() override;
+
+    void compute(int eflag, int vflag) override;
+    void settings(int narg, char **arg) override;
+    void coeff(int narg, char **arg) override;
+    void init_style() override;
+    double init_one(int i, int j) override;
+    int pack_forward_comm(int count, int *atoms, double *buffer, int pbc_flag, int *pbc) override;
+    void unpack_forward_comm(int count, int first, double *buffer) override;
+    double memory_usage() override;
+
+  private:
+    /// Energy of a pair, and what it exerts on each of the two.
+    struct Action {
+        double energy, force[3], torque1[3], torque2[3];
+    };
+
+    void allocate();
+    void add_batch(int eflag);
+    Action act(int i, int j, double mu2, double lambda, double strength) const;
+    void apply(int i, int j, Action const &action);
+
+    double cutoff_ = 0.0, exponent_ = 2.0;
+    double **epsilon_ = nullptr, **cut_ = nullptr;
+    std::vector<bool> used_types_;
+    std::optional<Ellipsoids> ellipsoids_;
+    PairBatch batch_;
+    bool checked_ = false;
+};
+
+} // namespace pw85_lammps
+
+#endif

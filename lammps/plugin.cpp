@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-2.0-only
+/// @file
+/// Makes the styles known to LAMMPS: as a plugin, or by a plain call where LAMMPS was built without plugins.
+#include "compute_contact.hpp"
+#include "compute_overlap.hpp"
+#include "pair_contact.hpp"
+
+#include <pw85/version.h>
+
+using namespace LAMMPS_NS;
+
+namespace {
+
+template <class Style> Compute *create_compute(LAMMPS *lammps, int narg, char **arg)
+{
+    return new Style(lammps, narg, arg);
+}
+
+Pair *create_pair(LAMMPS *lammps) { return new pw85_lammps::PairContact(lammps); }
+
+/// The C interface of plugins, as published in lammpsplugin.h (which LAMMPS does not install).
+struct Plugin {
+    char const *version, *style, *name, *info, *author;
+    void *creator, *handle;
+};
+
+using RegisterPlugin = void (*)(Plugin *, void *);
+
+} // namespace
+
+#define PW85_LAMMPS_API extern "C" __attribute__((visibility("default")))
+
+/// Adds the styles to a running LAMMPS, given as the pointer that its Python module and its C library pass around.
+PW85_LAMMPS_API void pw85_lammps_register(void *lammps)
+{
+    auto *const lmp = static_cast<LAMMPS *>(lammps);
+    (*lmp->modify->compute_map)["pw85/overlap"] = create_compute<pw85_lammps::ComputeOverlap>;
+    (*lmp->modify->compute_map)["pw85/contact"] = create_compute<pw85_lammps::ComputeContact>;
+    (*lmp->force->pair_map)["pw85/contact"] = create_pair;
+}
+
+/// Entry point of `plugin load`. The version of LAMMPS is left open: the installed headers do not tell it.
+PW85_LAMMPS_API void lammpsplugin_init(void *lammps, void *handle, void *register_function)
+{
+    auto const add = reinterpret_cast<RegisterPlugin>(register_function);
+    auto const info = "contact function of ellipsoids, pw85 " PW85_VERSION;
+    auto const author = "the authors of pw85";
+    Plugin overlap{nullptr, "compute", "pw85/overlap",
+                   info,    author,    reinterpret_cast<void *>(create_compute<pw85_lammps::ComputeOverlap>),
+                   handle};
+    Plugin contact{nullptr, "compute", "pw85/contact",
+                   info,    author,    reinterpret_cast<void *>(create_compute<pw85_lammps::ComputeContact>),
+                   handle};
+    Plugin pair{nullptr, "pair", "pw85/contact", info, author, reinterpret_cast<void *>(create_pair), handle};
+    for (Plugin *plugin : {&overlap, &contact, &pair}) add(plugin, lammps);
+}
