@@ -27,8 +27,14 @@ struct Input {
     __builtin_trap();
 }
 
-bool has_nan(double const *x, int n) { return std::any_of(x, x + n, [](double y) { return std::isnan(y); }); }
-bool all_nan(double const *x, int n) { return std::all_of(x, x + n, [](double y) { return std::isnan(y); }); }
+bool has_nan(double const *x, int n)
+{
+    return std::any_of(x, x + n, [](double y) { return std::isnan(y); });
+}
+bool all_nan(double const *x, int n)
+{
+    return std::all_of(x, x + n, [](double y) { return std::isnan(y); });
+}
 
 void check(char const *function, Input const &in, int status, double const *out, int n)
 {
@@ -56,8 +62,8 @@ void check_pair(Input const &in)
     if (status == PW85_SUCCESS && !(out[0] >= 0 && lambda >= 0 && lambda <= 1)) fail("contact: range", in);
     check("contact_function", in, pw85_contact_function(r, a, b, out), out, 2);
     check("contact_geometry", in, pw85_contact_geometry(r, a, b, lambda, point, point + 3), point, 6);
-    check("contact_gradient", in, pw85_contact_gradient(r, a, b, lambda, gradient, gradient + 3, gradient + 9), gradient,
-          15);
+    check("contact_gradient", in, pw85_contact_gradient(r, a, b, lambda, gradient, gradient + 3, gradient + 9),
+          gradient, 15);
     check("contact_torque", in, pw85_contact_torque(r, a, b, lambda, torque, torque + 3), torque, 6);
     check("closest_approach", in, pw85_closest_approach(r, a, b, out), out, 1);
     check("contact_2d", in, pw85_contact_2d(r, a, b, out), out, 2);
@@ -119,7 +125,11 @@ void make_definite(double *q, int exponent)
         l[k] = std::ldexp(l[k], e % 24);
     }
     for (double *d : {&l[0], &l[3], &l[5]}) *d = std::fabs(*d) + 0x1p-30;
-    double const a[6] = {l[0] * l[0], l[0] * l[1], l[0] * l[2], l[1] * l[1] + l[3] * l[3], l[1] * l[2] + l[3] * l[4],
+    double const a[6] = {l[0] * l[0],
+                         l[0] * l[1],
+                         l[0] * l[2],
+                         l[1] * l[1] + l[3] * l[3],
+                         l[1] * l[2] + l[3] * l[4],
                          l[2] * l[2] + l[4] * l[4] + l[5] * l[5]};
     for (int k = 0; k < 6; ++k) q[k] = std::ldexp(a[k], 2 * exponent);
 }
