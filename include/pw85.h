@@ -66,11 +66,15 @@ enum pw85_status {
 /** @name Version and errors
  * @{ */
 
-/** Version of the library that is linked, as "major.minor.patch"; a constant. Compare with #PW85_VERSION, the version
- * of the header. */
+/** Version of the library that is linked. Compare with #PW85_VERSION, the version of the header.
+ *
+ * @return "major.minor.patch", a constant */
 PW85_API char const *pw85_version(void);
 
-/** Sentence that says what a status means; a constant, never null, for any `status`. */
+/** Sentence that says what a status means.
+ *
+ * @param status any number
+ * @return the sentence, a constant; never null */
 PW85_API char const *pw85_strerror(int status);
 
 /** @}

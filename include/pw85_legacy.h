@@ -13,10 +13,17 @@
 extern "C" {
 #endif
 
-/** Determinant of a symmetric matrix. */
+/** Determinant of a symmetric matrix.
+ *
+ * @param a the matrix
+ * @return det A */
 PW85_API double pw85_legacy__det_sym(double const a[PW85_SYM]);
 
-/** xᵀ adj(A) x, where adj(A) is the adjugate (the transpose of the matrix of cofactors). */
+/** Quadratic form of the adjugate (the transpose of the matrix of cofactors).
+ *
+ * @param x vector
+ * @param a symmetric matrix
+ * @return xᵀ adj(A) x */
 PW85_API double pw85_legacy__xT_adjA_x(double const x[PW85_DIM], double const a[PW85_SYM]);
 
 /** Coefficients of det[(1-λ) Q1 + λ Q2] in increasing powers of λ.

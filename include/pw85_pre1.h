@@ -21,14 +21,18 @@
 extern "C" {
 #endif
 
-/** pw85_contact_function() of pw85.h, which its old namesake hides. */
+/** The function of pw85.h that its old namesake hides; contract as for pw85_contact(). */
 static inline int pw85_pre1_current_contact_function(double const r12[PW85_DIM], double const q1[PW85_SYM],
                                                      double const q2[PW85_SYM], double out[2])
 {
     return pw85_contact_function(r12, q1, q2, out);
 }
 
-/** μ², and (μ², λ) in `out` unless that is null; NaN for invalid input. */
+/** Contact function as it was before pw85 1.0.
+ *
+ * @param r12,q1,q2 as for pw85_contact()
+ * @param[out] out (μ², λ); may be null
+ * @return μ²; NaN for invalid input */
 static inline double pw85_pre1_contact_function(double const r12[PW85_DIM], double const q1[PW85_SYM],
                                                 double const q2[PW85_SYM], double *out)
 {

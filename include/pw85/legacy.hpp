@@ -120,7 +120,8 @@ template <class T> inline Contact<T> newton(CommonUnits<T> const &pair) noexcept
     return failed_contact<T>(Status::no_convergence);
 }
 
-/// Bisection on the numerator of f', to the last digit of λ.
+/// Bisection on the numerator of f', to the last digit of λ. Where cancellation in the polynomials leaves no sensible value
+/// of f there, it is that of the factorised form.
 template <class T> inline Contact<T> bisection(CommonUnits<T> const &pair) noexcept
 {
     auto const p = polynomials(pair.r12, pair.q1, pair.q2);
@@ -129,7 +130,9 @@ template <class T> inline Contact<T> bisection(CommonUnits<T> const &pair) noexc
         (numerator(p, x) > T(0) ? lower : upper) = x;
         x = T(0.5) * (lower + upper);
     }
-    return {evaluate_rational(p, x).f, x, Status::success};
+    T const f = evaluate_rational(p, x).f;
+    bool const sensible = f > T(0) && f <= std::numeric_limits<T>::max();
+    return {sensible ? f : evaluate_f(x, pair.r12, pair.q1, pair.q2), x, Status::success};
 }
 
 /// The contact function by one of the solvers above.

@@ -1,0 +1,64 @@
+"""Configuration of Sphinx. Meson passes the release, the place of Doxygen's XML, and the built Python package."""
+
+import sys
+from pathlib import Path
+
+HERE = Path(__file__).resolve().parent
+sys.path.insert(0, str(HERE / "extensions"))
+
+project = "pw85"
+copyright = "the authors of pw85"
+author = "the authors of pw85"
+extensions = [
+    "breathe",
+    "sphinx.ext.autodoc",
+    "sphinx.ext.mathjax",
+    "sphinx.ext.napoleon",
+    "sphinx_inline_tabs",
+    "measured_table",
+    "status_table",
+]
+highlight_language = "none"
+nitpicky = True
+nitpick_ignore_regex = [
+    # Standard types; template parameters; the namespace, which has no page.
+    ("c:identifier", r"size_t|int32_t"),
+    ("cpp:identifier", r"T|D|pw85"),
+]
+add_function_parentheses = True
+numfig = True
+
+breathe_default_project = "c"
+breathe_domain_by_extension = {"h": "c", "hpp": "cpp"}
+breathe_show_include = False
+
+autodoc_typehints = "none"
+autodoc_member_order = "bysource"
+napoleon_use_rtype = False
+napoleon_use_param = False
+
+html_theme = "furo"
+html_title = "pw85"
+html_static_path = ["_static"]
+html_css_files = ["pw85.css"]
+html_show_copyright = False
+html_copy_source = False
+
+# Formulas are typeset by KaTeX from the system, copied into the pages so that they need no network; where it is not
+# installed, by MathJax from its servers.
+katex = Path("/usr/share/javascript/katex")
+if katex.is_dir():
+    html_static_path += [str(katex)]
+    html_css_files += ["katex.min.css"]
+    mathjax_path = "katex.min.js"
+    mathjax_options = {"defer": "defer"}
+    html_js_files = [("typeset.js", {"defer": "defer"})]
+
+
+def escape_bars(app, what, name, obj, options, lines):
+    """|x| in docstrings is a length, not a substitution."""
+    lines[:] = [line if line.lstrip().startswith((">>>", "...")) else line.replace("|", "\\|") for line in lines]
+
+
+def setup(app):
+    app.connect("autodoc-process-docstring", escape_bars)

@@ -1,0 +1,55 @@
+"""What Doxygen and Breathe cannot read in our headers, rewritten for them: a filter from a file to standard output."""
+
+import re
+import sys
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parent / "extensions"))
+from status_table import status_codes  # noqa: E402
+
+# @param a,b text: one @param for each name. The text ends at the next command, a blank line, or the end of the comment.
+SHARED_PARAMETERS = re.compile(
+    r"^( \* )@param(\[out\])? (\w+(?:,\w+)+) ((?:.*\n)(?: \*(?!/| @| *\n).*\n)*?)(?= \* @|.*\*/| \* *\n)", re.MULTILINE
+)
+
+
+def split_parameters(match):
+    begin, direction, names, text = match.group(1), match.group(2) or "", match.group(3), match.group(4)
+    return "".join(f"{begin}@param{direction} {name} {text}" for name in names.split(","))
+
+
+def end_of_comment_alone(source):
+    """The end of a comment on a line of its own, so that texts may be repeated."""
+    return re.sub(r"^( \* .*\S) ?\*/$", r"\1\n */", source, flags=re.MULTILINE)
+
+
+def enumerators(name):
+    """The status codes, which a macro lists, as enumerators with their texts."""
+    return "".join(f"{code[name]} = {code[2]}, /**< {code[3]} */\n" for code in status_codes())
+
+
+STATUS_MACRO = re.compile(
+    r"#define PW85_STATUS_ENUMERATOR\(c_name, (?P<cpp>name|cpp_name).*?#undef PW85_STATUS_ENUMERATOR\n", re.DOTALL
+)
+
+
+def main():
+    source = Path(sys.argv[1]).read_text(encoding="utf-8")
+    if "@file" not in source:
+        source = "/** @file */\n" + source
+    source = SHARED_PARAMETERS.sub(split_parameters, end_of_comment_alone(source))
+    # Doxygen does not know namespaces that are inline by a macro, and takes attributes and constraints for types.
+    source = source.replace("namespace pw85::inline PW85_TARGET", "namespace pw85").replace("[[gnu::noinline]] ", "")
+    source = re.sub(r"^( *)requires\(.*\) explicit", r"\1explicit", source, flags=re.MULTILINE)
+    source = STATUS_MACRO.sub(lambda macro: enumerators(0 if macro["cpp"] == "cpp_name" else 1), source)
+    # Names of headers are not to become links to pages that there are not.
+    source = re.sub(
+        r"^(?!#)(?!.*@file)(.*)$",
+        lambda line: re.sub(r"\bpw85\w*\.h\b", r"%\g<0>", line[0]),
+        source,
+        flags=re.MULTILINE,
+    )
+    sys.stdout.write(source)
+
+
+main()

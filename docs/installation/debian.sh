@@ -1,0 +1,6 @@
+# Debian 12 or later, Ubuntu 24.04 or later.
+# start
+sudo apt-get install g++ meson pkg-config libgsl-dev            # the library
+sudo apt-get install gfortran python3-dev python3-numpy         # Fortran and Python
+sudo apt-get install libglib2.0-dev libhdf5-dev libboost-dev    # tests
+# end

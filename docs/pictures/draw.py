@@ -1,0 +1,20 @@
+"""Draws all pictures of these pages anew from the library's output and the measured tables, with pypw85 on the path.
+
+Usage: draw.py [LIBRARY], the shared library for the one picture that calls it directly.
+"""
+
+import subprocess
+import sys
+from pathlib import Path
+
+HERE = Path(__file__).resolve().parent
+PICTURES = (
+    "accuracy", "digits", "energy", "evaluations", "function_f", "scaled_pair", "throughput", "turning_plane"
+)  # fmt: skip
+
+for picture in PICTURES:
+    subprocess.run([sys.executable, HERE / f"{picture}.py"], check=True)
+    print(picture, flush=True)
+for library in sys.argv[1:]:
+    subprocess.run([sys.executable, HERE / "contact.py", library], check=True)
+    print("contact", flush=True)

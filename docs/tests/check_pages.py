@@ -1,0 +1,132 @@
+"""Checks the built pages, in the Test Anything Protocol. Usage: check_pages.py WORDS HTML
+
+- links: everything that a page refers to within the pages exists;
+- formulas: KaTeX can typeset them all (skipped without Node.js and KaTeX);
+- spelling: hunspell with a British dictionary and our own list knows every word of prose (skipped without it).
+"""
+
+import json
+import re
+import shutil
+import subprocess
+import sys
+from html.parser import HTMLParser
+from pathlib import Path
+from urllib.parse import unquote, urldefrag
+
+KATEX = Path("/usr/share/javascript/katex/katex.js")
+TYPESET = """
+const katex = require(process.argv[1]);
+for (const formula of JSON.parse(require("fs").readFileSync(0, "utf-8")))
+    try { katex.renderToString(formula, {displayMode: true}); } catch (error) { console.log(error.message); }
+"""
+VOID = {"area", "base", "br", "col", "embed", "hr", "img", "input", "link", "meta", "source", "track", "wbr"}
+NOT_PROSE = {"script", "style", "code", "pre", "svg", "dt", "head"}
+NOT_PROSE_CLASSES = {"math", "toc-drawer", "sidebar-drawer", "citation", "label", "related-pages", "reference"}
+
+
+class Page(HTMLParser):
+    """Identifiers, references, formulas and prose of a page."""
+
+    def __init__(self, path):
+        super().__init__()
+        self.path, self.ids, self.references, self.formulas, self.prose = path, set(), [], [], []
+        self.open = []  # (tag, whether it is prose, whether it is a formula)
+        self.feed(path.read_text(encoding="utf-8"))
+
+    def handle_starttag(self, tag, attributes):
+        attributes = dict(attributes)
+        if "id" in attributes:
+            self.ids.add(attributes["id"])
+        self.references += [attributes[name] for name in ("href", "src") if attributes.get(name)]
+        if tag in VOID:
+            return
+        classes = set((attributes.get("class") or "").split())
+        prose = (self.open[-1][1] if self.open else True) and tag not in NOT_PROSE and not classes & NOT_PROSE_CLASSES
+        self.open.append((tag, prose, "math" in classes))
+        if "math" in classes:
+            self.formulas.append("")
+
+    def handle_endtag(self, tag):
+        while self.open and self.open.pop()[0] != tag:
+            pass
+
+    def handle_data(self, data):
+        if any(formula for _, _, formula in self.open):
+            self.formulas[-1] += data
+        elif self.open and self.open[-1][1]:
+            self.prose.append(data)
+
+
+def check_links(pages):
+    for page in pages.values():
+        for reference in page.references:
+            if re.match(r"[a-z]+:", reference):
+                continue
+            path, fragment = urldefrag(reference)
+            path = path.partition("?")[0]
+            target = (page.path.parent / unquote(path)).resolve() if path else page.path
+            if not target.exists():
+                yield f"{page.path}: {reference} does not exist"
+            elif fragment and target in pages and unquote(fragment) not in pages[target].ids:
+                yield f"{page.path}: nothing is called {reference}"
+
+
+def check_formulas(pages):
+    for page in pages.values():
+        formulas = [
+            re.sub(r"^(\(\d+\))?.?\\[(\[]|\\[)\]]$", "", formula.strip(), flags=re.DOTALL) for formula in page.formulas
+        ]
+        done = subprocess.run(
+            ["node", "-e", TYPESET, KATEX],
+            input=json.dumps(formulas),
+            check=True,
+            stdout=subprocess.PIPE,
+            encoding="utf-8",
+        )
+        yield from (f"{page.path}: {line}" for line in done.stdout.splitlines())
+
+
+def check_spelling(pages, words):
+    for page in pages.values():
+        # Names have digits, underscores, dots, or capitals inside, or are not written in Latin letters.
+        tokens = re.findall(r"[^\s/()\[\]{},;:\"“”–—…=]+", " ".join(page.prose).replace("’", "'"))
+        candidates = {token.strip(".'!?*‘-") for token in tokens}
+        prose = [word for word in candidates if re.fullmatch(r"[A-Z]?[a-zé'-]+", word)]
+        done = subprocess.run(
+            ["hunspell", "-l", "-d", "en_GB", "-i", "utf-8"],
+            input="\n".join(prose),
+            check=True,
+            stdout=subprocess.PIPE,
+            encoding="utf-8",
+        )
+        unknown = sorted(set(done.stdout.split()) - words)
+        yield from (f"{page.path}: {word}" for word in unknown)
+
+
+def has_hunspell():
+    if not shutil.which("hunspell"):
+        return False
+    return subprocess.run(["hunspell", "-l", "-d", "en_GB"], input=b"", stderr=subprocess.DEVNULL).returncode == 0
+
+
+def main():
+    words = set(Path(sys.argv[1]).read_text(encoding="utf-8").split())
+    root = Path(sys.argv[2]).resolve()
+    pages = {path.resolve(): Page(path) for path in sorted(root.rglob("*.html"))}
+    ours = {path: page for path, page in pages.items() if page.path.stem not in ("genindex", "search", "py-modindex")}
+    checks = [
+        ("links", True, lambda: check_links(pages)),
+        ("formulas", bool(shutil.which("node")) and KATEX.exists(), lambda: check_formulas(ours)),
+        ("spelling", has_hunspell(), lambda: check_spelling(ours, words)),
+    ]
+    print(f"1..{len(checks)}")
+    for number, (name, possible, check) in enumerate(checks, 1):
+        complaints = list(check()) if possible else []
+        if len(ours) < 15 or not any(page.formulas for page in ours.values()):
+            complaints.append("pages or formulas are missing")
+        print("\n".join(f"# {complaint}" for complaint in complaints))
+        print(f"{'not ok' if complaints else 'ok'} {number} {name}{'' if possible else ' # SKIP'}")
+
+
+main()
