@@ -214,27 +214,34 @@ decide_exactly(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, Symmetr
     return {exact && has_root, exact && !has_root};
 }
 
-/// Whether two ellipsoids overlap, μ² < 1.
-template <class T, int D> inline Overlap overlap(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
-                                                 SymmetricMatrix<T, D> const &q2) noexcept
+/// Items 3 and 4, for any pair.
+template <class T, int D> [[gnu::noinline]] inline Overlap
+overlap_near_contact(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, SymmetricMatrix<T, D> const &q2) noexcept
 {
-    ScaledPair<T, D> scaled{{r12, q1, q2, T(1)}, 0, 0, false};
-    if (is_finite(r12) && is_ordinary(r12, q1, q2)) {
-        auto const projection = project(scaled.pair);
-        if (is_apart(scaled.pair, projection)) return {false, OverlapTier::projection, Status::success};
-        auto const certainty = decide_by_quartic(scaled.pair, T(projection.width1 / projection.width2));
-        if (certainty.apart || certainty.overlap) return {certainty.overlap, OverlapTier::quartic, Status::success};
-    } else {
-        Status const status = validate(r12, q1, q2, scaled);
-        if (status != Status::success) return {false, OverlapTier::projection, status};
-        if (largest_coordinate(r12) == T(0)) return {true, OverlapTier::projection, Status::success};
-    }
+    ScaledPair<T, D> scaled;
+    Status const status = validate(r12, q1, q2, scaled);
+    if (status != Status::success) return {false, OverlapTier::contact, status};
+    if (largest_coordinate(r12) == T(0)) return {true, OverlapTier::contact, Status::success};
     T const tangent = times_power_of_two(T(1), 2 * (scaled.form - scaled.length));
     auto const by_contact = decide_by_contact(scaled.pair, tangent);
     if (by_contact.apart || by_contact.overlap) return {by_contact.overlap, OverlapTier::contact, Status::success};
     auto const exactly = decide_exactly(r12, q1, q2);
     if (exactly.apart || exactly.overlap) return {exactly.overlap, OverlapTier::exact, Status::success};
     return {maximize(scaled.pair).mu2 < tangent, OverlapTier::contact, Status::success};
+}
+
+/// Whether two ellipsoids overlap, μ² < 1.
+template <class T, int D> inline Overlap overlap(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
+                                                 SymmetricMatrix<T, D> const &q2) noexcept
+{
+    if (is_finite(r12) && is_ordinary(r12, q1, q2)) {
+        Pair<T, D> const pair{r12, q1, q2, T(1)};
+        auto const projection = project(pair);
+        if (is_apart(pair, projection)) return {false, OverlapTier::projection, Status::success};
+        auto const certainty = decide_by_quartic(pair, T(projection.width1 / projection.width2));
+        if (certainty.apart || certainty.overlap) return {certainty.overlap, OverlapTier::quartic, Status::success};
+    }
+    return overlap_near_contact(r12, q1, q2);
 }
 
 /// Whether two ellipsoids overlap, with what shows it.

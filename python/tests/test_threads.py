@@ -1,10 +1,7 @@
 """Other threads run while arrays are computed, and processes may fork."""
 
-import hashlib
 import multiprocessing
-import os
 import threading
-import time
 
 import numpy as np
 import pytest
@@ -39,39 +36,6 @@ def test_gil_is_released(random_pairs):
     # Python counts millions per second, and the call takes some 0.2 s. Waiting for the GIL alone would give at most the
     # two switch intervals (5 ms) around the call.
     assert during > 100_000, during
-
-
-def processors_used(function, arguments):
-    """Processor time over elapsed time while the function runs in two threads."""
-    threads = [threading.Thread(target=function, args=(argument,)) for argument in arguments]
-    wall, processor = time.perf_counter(), time.process_time()
-    for thread in threads:
-        thread.start()
-    for thread in threads:
-        thread.join()
-    return (time.process_time() - processor) / (time.perf_counter() - wall)
-
-
-@pytest.mark.skipif(len(os.sched_getaffinity(0)) < 2, reason="one processor")
-def test_two_threads_are_faster_than_one(random_pairs):
-    """Threads that take turns use one processor at most, on a quiet machine as on a busy one.
-
-    So a single attempt with more shows that two do the work in less time than one could. If all fail, hashlib, which is
-    known to release the GIL, tells whether the machine had a second processor to give.
-    """
-    pairs = random_pairs(40_000)
-    halves = [[x[:20_000] for x in pairs], [x[20_000:] for x in pairs]]
-    data = [bytes(8_000_000)] * 2
-    used, used_by_hashlib = [], []
-    for _ in range(50):
-        used.append(processors_used(work, halves))
-        if used[-1] > 1.25:
-            return
-        used_by_hashlib.append(processors_used(hashlib.sha256, data))
-        time.sleep(0.02)
-    if max(used_by_hashlib) > 1.25:
-        pytest.fail(f"processors used: {max(used)} at best, where hashlib used {max(used_by_hashlib)}")
-    pytest.skip("the other processors are busy")
 
 
 def test_errors_of_threads_are_separate(random_pairs):
