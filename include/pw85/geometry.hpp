@@ -46,11 +46,13 @@ inline Vector<T, D> solve_blend(SymmetricMatrix<T, D> const &m, Vector<T, D> con
     return solve(factorize(m, T(unit_roundoff<T>())), x);
 }
 
-/// n at some λ, with 1-λ and λ and these times the factors by which the forms in hand differ from the true ones.
+/// A pair at some λ, by a vector v along n whose size is that of N⁻¹r12 for weights that add up to one: in units of their
+/// own the forms may be weighted by numbers far from one.
 template <class T, int D> struct Tangency {
-    Vector<T, D> n;
+    Vector<T, D> v;
     T lambda1, lambda2; ///< 1-λ, λ
-    T weight1, weight2; ///< those of the forms in hand
+    T factor1, factor2; ///< (1-λ) n and λ n are these times v
+    T weight1, weight2; ///< (1-λ) Q1 n and λ Q2 n are these times the forms in hand times v
 };
 
 /// formula(tangency, q1, q2) for a pair at λ, in units that keep everything in range, and back in the caller's.
@@ -66,10 +68,11 @@ template <class Formula, class T, int D>
     T const small = T(1) / scaled.pair.ratio / scaled.pair.ratio;
     auto const &p1 = scaled.swapped ? scaled.pair.q2 : scaled.pair.q1;
     auto const &p2 = scaled.swapped ? scaled.pair.q1 : scaled.pair.q2;
-    Tangency<T, D> at{
-        {}, lambda1, lambda2, lambda1 * (scaled.swapped ? small : T(1)), lambda2 * (scaled.swapped ? T(1) : small)};
+    T const weight1 = lambda1 * (scaled.swapped ? small : T(1)), weight2 = lambda2 * (scaled.swapped ? T(1) : small);
+    T const sum = weight1 + weight2;
+    Tangency<T, D> at{{}, lambda1, lambda2, lambda1 / sum, lambda2 / sum, weight1 / sum, weight2 / sum};
     if (defined)
-        at.n = times(T(scaled.swapped ? -1 : 1), solve_blend(blend(at.weight1, p1, at.weight2, p2), scaled.pair.r12));
+        at.v = times(T(scaled.swapped ? -1 : 1), solve_blend(blend(at.weight1, p1, at.weight2, p2), scaled.pair.r12));
     auto result = formula(at, p1, p2);
     if (status != Status::success) invalidate(result, status);
     rescale(result, scaled.length, scaled.form);
@@ -84,8 +87,8 @@ inline auto at_tangency(Formula formula, Vector<T, D> const &r12, SymmetricMatri
     // A maximiser that rounds to 1 is that of a pair of very different sizes, not the end.
     T const lambda1 = maximum(T(T(1) - lambda), T(T(0.5) * unit_roundoff<T>()));
     if (lambda >= T(0) && lambda <= T(1) && is_finite(r12) && is_ordinary(r12, q1, q2)) {
-        Vector<T, D> const n = solve_blend(blend(lambda1, q1, lambda, q2), r12);
-        return formula(Tangency<T, D>{n, lambda1, lambda, lambda1, lambda}, q1, q2);
+        Vector<T, D> const v = solve_blend(blend(lambda1, q1, lambda, q2), r12);
+        return formula(Tangency<T, D>{v, lambda1, lambda, lambda1, lambda, lambda1, lambda}, q1, q2);
     }
     return at_tangency_scaled(formula, r12, q1, q2, lambda1, lambda);
 }
@@ -107,10 +110,9 @@ inline ContactGeometry<T, D> contact_geometry(Vector<T, D> const &r12, Symmetric
 {
     return at_tangency(
         [](Tangency<T, D> const &at, SymmetricMatrix<T, D> const &p1, SymmetricMatrix<T, D> const &) {
-            Vector<T, D> const direction = times(T(at.weight1 + at.weight2), at.n);
-            T const norm2 = dot(direction, direction);
-            ContactGeometry<T, D> result{times(at.weight1, product(p1, at.n)),
-                                         times(T(T(1) / square_root(norm2)), direction), Status::success};
+            T const norm2 = dot(at.v, at.v);
+            ContactGeometry<T, D> result{times(at.weight1, product(p1, at.v)),
+                                         times(T(T(1) / square_root(norm2)), at.v), Status::success};
             if (!(norm2 > T(0))) invalidate(result, Status::invalid_argument);
             return result;
         },
@@ -138,10 +140,9 @@ inline ContactGradient<T, D> contact_gradient(Vector<T, D> const &r12, Symmetric
 {
     return at_tangency(
         [](Tangency<T, D> const &at, SymmetricMatrix<T, D> const &, SymmetricMatrix<T, D> const &) {
-            T const weight = at.lambda1 * at.lambda2;
-            auto const outer = outer_weights(at.n);
-            return ContactGradient<T, D>{times(T(T(2) * weight), at.n), times(T(-weight * at.lambda1), outer),
-                                         times(T(-weight * at.lambda2), outer), Status::success};
+            Vector<T, D> const v1 = times(at.factor1, at.v), v2 = times(at.factor2, at.v);
+            return ContactGradient<T, D>{times(T(T(2) * at.lambda2), v1), times(T(-at.lambda2), outer_weights(v1)),
+                                         times(T(-at.lambda1), outer_weights(v2)), Status::success};
         },
         r12, q1, q2, lambda);
 }
@@ -164,9 +165,10 @@ template <class T> inline ContactTorque<T> contact_torque(Vector<T, 3> const &r1
 {
     return at_tangency(
         [](Tangency<T, 3> const &at, SymmetricMatrix<T, 3> const &p1, SymmetricMatrix<T, 3> const &p2) {
-            T const weight = T(2) * at.lambda1 * at.lambda2;
-            return ContactTorque<T>{times(T(weight * at.weight1), cross(at.n, product(p1, at.n))),
-                                    times(T(weight * at.weight2), cross(at.n, product(p2, at.n))), Status::success};
+            Vector<T, 3> const v1 = times(at.factor1, at.v), v2 = times(at.factor2, at.v);
+            Vector<T, 3> const arm1 = times(at.weight1, product(p1, at.v)), arm2 = times(at.weight2, product(p2, at.v));
+            return ContactTorque<T>{times(T(T(2) * at.lambda2), cross(v1, arm1)),
+                                    times(T(T(2) * at.lambda1), cross(v2, arm2)), Status::success};
         },
         r12, q1, q2, lambda);
 }
