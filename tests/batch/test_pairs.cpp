@@ -1,6 +1,7 @@
 // The functions for neighbour lists: the same as a batch of the separations, and nearest images in any periodic cell.
 #include <algorithm>
 #include <cstdint>
+#include <initializer_list>
 
 #include <glib.h>
 
@@ -64,7 +65,7 @@ void test_like_batch()
 {
     Failures failures;
     Random random(11);
-    for (std::size_t const n : {0, 1, 2, 7, 8, 9, 31, 1000, 20000}) {
+    for (std::size_t const n : std::initializer_list<std::size_t>{0, 1, 2, 7, 8, 9, 31, 1000, 20000}) {
         System system(random, 300, n, 10.0);
         if (n == 1000) {
             system.q[17][3] = -1.0;
@@ -282,7 +283,7 @@ void test_bad_indices()
     std::vector<unsigned char> overlap(n, 7);
     for (std::size_t const k : {std::size_t{0}, n / 2, n - 1})
         for (std::int32_t const bad : {-1, 50, INT32_MAX, INT32_MIN})
-            for (std::size_t const end : {0, 1}) {
+            for (std::size_t const end : std::initializer_list<std::size_t>{0, 1}) {
                 std::int32_t const good = system.pairs[k][end];
                 system.pairs[k][end] = bad;
                 pw85::Particles const particles{system.centers, system.q};
