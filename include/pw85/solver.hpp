@@ -226,8 +226,9 @@ template <class T, int D> inline Candidate<T> search(Pair<T, D> const &pair, T t
         bool const near = is_near(s) && step.denominator > T(0) && is_within(step, T(2));
         T const size = near ? T(absolute(step.numerator) / step.denominator) : T(1);
         T const image = minimum(largest, maximum(smallest, T(square_root(T(jet.a / jet.b)) / pair.ratio)));
+        bool const pinned = bracket.is_narrow(); // t is in it
         bracket.update(t, image);
-        bool const noise = bracket.is_narrow() || (near && previous < T(0.1) && size > T(0.5) * previous);
+        bool const noise = pinned || (near && previous < T(0.1) && size > T(0.5) * previous);
         if (size <= penultimate_step<T>() || noise || evaluations >= max_evaluations - 1)
             return near ? advance(t, s, step) : Candidate<T>{bracket.clamp(t), T(1), T(0)};
         previous = size;
