@@ -5,9 +5,9 @@
 ///
 /// 1. (α, β) = (1-λ, λ) gives f(λ) = λ(1-λ) rᵀs, f' = (1-λ)² sᵀQ1s - λ² sᵀQ2s = μ1² - μ2², and
 ///    f'' = -2 rᵀs - 2(1-2λ) sᵀu + 2λ(1-λ) uᵀv, where u = (Q2 - Q1) s and v = N⁻¹u.
-/// 2. (α, β) = (1, t) gives A = sᵀQ1s and B = sᵀQ2s. Since ds/dt = -N⁻¹Q2s, with u = Q2s and v = N⁻¹u:
-///    B' = -2 uᵀv and B'' = 6 vᵀQ2v; since (A + tB)' = (rᵀs)' = -B: A' = -2B - tB' and A'' = -3B' - tB''.
-///    One extra solve gives two derivatives of both.
+/// 2. (α, β) = (1, t) gives A = sᵀQ1s and B = sᵀQ2s. With v = N⁻¹Q2s, A' = -2 vᵀQ1s, B' = -2 vᵀQ2s, A'' = 6 vᵀQ1v and
+///    B'' = 6 vᵀQ2v: in the eigenbasis of the pencil (Q1, Q2), with eigenvalues d and p = 1/(1 + t d), these are sums of
+///    the terms p², d p², -2 d p³, -2 d² p³, 6 d² p⁴ and 6 d³ p⁴. One extra solve gives two derivatives of both.
 #ifndef PW85_EVALUATION_HPP_INCLUDED
 #define PW85_EVALUATION_HPP_INCLUDED
 
@@ -78,12 +78,12 @@ template <class T, int D> constexpr Jet<T> evaluate_jet(Pair<T, D> const &pair, 
 {
     auto const factors = factorize_blend(T(1), pair.q1, t, pair.q2);
     Vector<T, D> const s = solve(factors, pair.r12);
-    Vector<T, D> const u = product(pair.q2, s);
-    Vector<T, D> const v = solve(factors, u);
-    auto const weights = outer_weights(s);
+    Vector<T, D> const p = product(pair.q1, s), q = product(pair.q2, s), v = solve(factors, q);
+    auto const weights = outer_weights(s), change = outer_weights(v);
     T const a = positive_form(pair.q1, weights), b = positive_form(pair.q2, weights);
-    T const b1 = T(-2) * (dot(u, v) / a), b2 = T(6) * (quadratic_form(pair.q2, v) / a);
-    return {T(1), T(-2) * (b / a) - t * b1, T(-3) * b1 - t * b2, b / a, b1, b2, T(0)};
+    return {T(1),  T(-2) * (dot(p, v) / a), T(6) * (quadratic_form(pair.q1, change) / a),
+            b / a, T(-2) * (dot(q, v) / a), T(6) * (quadratic_form(pair.q2, change) / a),
+            T(0)};
 }
 
 } // namespace pw85::inline PW85_TARGET

@@ -46,16 +46,39 @@ inline Vector<T, D> solve_blend(SymmetricMatrix<T, D> const &m, Vector<T, D> con
     return solve(factorize(m, T(unit_roundoff<T>())), x);
 }
 
-/// A pair at some λ, by a vector v along n whose size is that of N⁻¹r12 for weights that add up to one: in units of their
-/// own the forms may be weighted by numbers far from one.
+/// A pair at some λ, in units of its own: n is proportional to v = (w1 Q1 + w2 Q2)⁻¹ r12.
 template <class T, int D> struct Tangency {
     Vector<T, D> v;
     T lambda1, lambda2; ///< 1-λ, λ
-    T factor1, factor2; ///< (1-λ) n and λ n are these times v
-    T weight1, weight2; ///< (1-λ) Q1 n and λ Q2 n are these times the forms in hand times v
+    T weight1, weight2; ///< w1, w2: proportional to 1-λ and λ
 };
 
-/// formula(tangency, q1, q2) for a pair at λ, in units that keep everything in range, and back in the caller's.
+/// Exponents that lead from the units of a Tangency back to the caller's.
+struct TangencyUnits {
+    int length; ///< of r12
+    int normal; ///< of n
+    int lambda; ///< of λ
+};
+
+/// The pair at λ in units in which its forms, the larger of its weights and λ are of order one, so that everything that is
+/// made of them stays in range. `scaled` is the pair, in its order and scaled.
+template <class T, int D> inline Tangency<T, D> scaled_tangency(ScaledPair<T, D> const &scaled, T const &lambda1,
+                                                                T const &lambda2, TangencyUnits &units) noexcept
+{
+    T const &first = scaled.swapped ? lambda2 : lambda1, &second = scaled.swapped ? lambda1 : lambda2;
+    int const small = -2 * binary_exponent(scaled.pair.ratio);
+    bool const first_leads =
+        !(second > T(0)) || (first > T(0) && binary_exponent(first) > binary_exponent(second) + small);
+    int const weight = first_leads ? binary_exponent(first) : binary_exponent(second) + small;
+    T const w1 = times_power_of_two(first, -weight), w2 = times_power_of_two(second, small - weight);
+    auto const v = solve_blend(blend(w1, scaled.pair.q1, w2, scaled.pair.q2), scaled.pair.r12);
+    int const lambda = lambda2 > T(0) ? binary_exponent(lambda2) : 0;
+    units = {scaled.length, scaled.length - 2 * scaled.form - weight, lambda};
+    return {times(T(scaled.swapped ? -1 : 1), v), lambda1, times_power_of_two(lambda2, -lambda),
+            scaled.swapped ? w2 : w1, scaled.swapped ? w1 : w2};
+}
+
+/// formula(tangency, q1, q2) for any pair at λ.
 template <class Formula, class T, int D>
 [[gnu::noinline]] inline auto at_tangency_scaled(Formula formula, Vector<T, D> const &r12,
                                                  SymmetricMatrix<T, D> const &q1, SymmetricMatrix<T, D> const &q2,
@@ -63,19 +86,17 @@ template <class Formula, class T, int D>
 {
     ScaledPair<T, D> scaled;
     Status const status = lambda2 >= T(0) && lambda2 <= T(1) ? validate(r12, q1, q2, scaled) : Status::invalid_argument;
-    bool const defined = status == Status::success && largest_coordinate(r12) > T(0);
-    if (!defined) scaled = {{r12, q1, q2, T(1)}, 0, 0, false};
-    T const small = T(1) / scaled.pair.ratio / scaled.pair.ratio;
-    auto const &p1 = scaled.swapped ? scaled.pair.q2 : scaled.pair.q1;
-    auto const &p2 = scaled.swapped ? scaled.pair.q1 : scaled.pair.q2;
-    T const weight1 = lambda1 * (scaled.swapped ? small : T(1)), weight2 = lambda2 * (scaled.swapped ? T(1) : small);
-    T const sum = weight1 + weight2;
-    Tangency<T, D> at{{}, lambda1, lambda2, lambda1 / sum, lambda2 / sum, weight1 / sum, weight2 / sum};
-    if (defined)
-        at.v = times(T(scaled.swapped ? -1 : 1), solve_blend(blend(at.weight1, p1, at.weight2, p2), scaled.pair.r12));
-    auto result = formula(at, p1, p2);
-    if (status != Status::success) invalidate(result, status);
-    rescale(result, scaled.length, scaled.form);
+    Tangency<T, D> at{};
+    if (status != Status::success || !(largest_coordinate(r12) > T(0))) {
+        auto result = formula(at, q1, q2);
+        if (status != Status::success) invalidate(result, status);
+        return result;
+    }
+    TangencyUnits units;
+    at = scaled_tangency(scaled, lambda1, lambda2, units);
+    auto result =
+        scaled.swapped ? formula(at, scaled.pair.q2, scaled.pair.q1) : formula(at, scaled.pair.q1, scaled.pair.q2);
+    rescale(result, units);
     return result;
 }
 
@@ -88,7 +109,7 @@ inline auto at_tangency(Formula formula, Vector<T, D> const &r12, SymmetricMatri
     T const lambda1 = maximum(T(T(1) - lambda), T(T(0.5) * unit_roundoff<T>()));
     if (lambda >= T(0) && lambda <= T(1) && is_finite(r12) && is_ordinary(r12, q1, q2)) {
         Vector<T, D> const v = solve_blend(blend(lambda1, q1, lambda, q2), r12);
-        return formula(Tangency<T, D>{v, lambda1, lambda, lambda1, lambda, lambda1, lambda}, q1, q2);
+        return formula(Tangency<T, D>{v, lambda1, lambda, lambda1, lambda}, q1, q2);
     }
     return at_tangency_scaled(formula, r12, q1, q2, lambda1, lambda);
 }
@@ -99,9 +120,9 @@ template <class T, int D> inline void invalidate(ContactGeometry<T, D> &g, Statu
     g.status = status;
 }
 
-template <class T, int D> inline void rescale(ContactGeometry<T, D> &g, int length, int) noexcept
+template <class T, int D> inline void rescale(ContactGeometry<T, D> &g, TangencyUnits const &units) noexcept
 {
-    g.point = times_power_of_two(g.point, length);
+    g.point = times_power_of_two(g.point, units.length);
 }
 
 template <class T, int D>
@@ -127,11 +148,11 @@ template <class T, int D> inline void invalidate(ContactGradient<T, D> &g, Statu
     g.status = status;
 }
 
-template <class T, int D> inline void rescale(ContactGradient<T, D> &g, int length, int form) noexcept
+template <class T, int D> inline void rescale(ContactGradient<T, D> &g, TangencyUnits const &units) noexcept
 {
-    g.r12 = times_power_of_two(g.r12, length - 2 * form);
-    g.q1 = times_power_of_two(g.q1, 2 * (length - 2 * form));
-    g.q2 = times_power_of_two(g.q2, 2 * (length - 2 * form));
+    g.r12 = times_power_of_two(g.r12, units.normal + units.lambda);
+    g.q1 = times_power_of_two(g.q1, 2 * units.normal + units.lambda);
+    g.q2 = times_power_of_two(g.q2, 2 * (units.normal + units.lambda));
 }
 
 template <class T, int D>
@@ -140,9 +161,10 @@ inline ContactGradient<T, D> contact_gradient(Vector<T, D> const &r12, Symmetric
 {
     return at_tangency(
         [](Tangency<T, D> const &at, SymmetricMatrix<T, D> const &, SymmetricMatrix<T, D> const &) {
-            Vector<T, D> const v1 = times(at.factor1, at.v), v2 = times(at.factor2, at.v);
-            return ContactGradient<T, D>{times(T(T(2) * at.lambda2), v1), times(T(-at.lambda2), outer_weights(v1)),
-                                         times(T(-at.lambda1), outer_weights(v2)), Status::success};
+            auto const nn = outer_weights(at.v);
+            T const weight = at.lambda1 * at.lambda2;
+            return ContactGradient<T, D>{times(T(T(2) * weight), at.v), times(T(-at.lambda1 * weight), nn),
+                                         times(T(-at.lambda2 * weight), nn), Status::success};
         },
         r12, q1, q2, lambda);
 }
@@ -154,10 +176,11 @@ template <class T> inline void invalidate(ContactTorque<T> &t, Status status) no
     t.status = status;
 }
 
-template <class T> inline void rescale(ContactTorque<T> &t, int length, int form) noexcept
+template <class T> inline void rescale(ContactTorque<T> &t, TangencyUnits const &units) noexcept
 {
-    t.rotation1 = times_power_of_two(t.rotation1, 2 * (length - form));
-    t.rotation2 = times_power_of_two(t.rotation2, 2 * (length - form));
+    int const exponent = units.length + units.normal + units.lambda;
+    t.rotation1 = times_power_of_two(t.rotation1, exponent);
+    t.rotation2 = times_power_of_two(t.rotation2, exponent);
 }
 
 template <class T> inline ContactTorque<T> contact_torque(Vector<T, 3> const &r12, SymmetricMatrix<T, 3> const &q1,
@@ -165,10 +188,9 @@ template <class T> inline ContactTorque<T> contact_torque(Vector<T, 3> const &r1
 {
     return at_tangency(
         [](Tangency<T, 3> const &at, SymmetricMatrix<T, 3> const &p1, SymmetricMatrix<T, 3> const &p2) {
-            Vector<T, 3> const v1 = times(at.factor1, at.v), v2 = times(at.factor2, at.v);
-            Vector<T, 3> const arm1 = times(at.weight1, product(p1, at.v)), arm2 = times(at.weight2, product(p2, at.v));
-            return ContactTorque<T>{times(T(T(2) * at.lambda2), cross(v1, arm1)),
-                                    times(T(T(2) * at.lambda1), cross(v2, arm2)), Status::success};
+            Vector<T, 3> const n = times(T(T(2) * at.lambda1 * at.lambda2), at.v);
+            return ContactTorque<T>{cross(n, times(at.weight1, product(p1, at.v))),
+                                    cross(n, times(at.weight2, product(p2, at.v))), Status::success};
         },
         r12, q1, q2, lambda);
 }

@@ -7,7 +7,8 @@
 ///    (Q1, Q2), with eigenvalues d_i and p_i = 1/(1 + t d_i), h' = ea + eb, where ea = -½ d(log A)/dx is an average of
 ///    1 - p_i and eb = ½ d(log C)/dx one of p_i over positive weights, and h' <= 1, with equality for spheres.
 /// 2. |h''| <= 2 h', since d p_i/dx = -p_i (1 - p_i). So a step δ of Newton's method from a distance below 0.1 is followed
-///    by one of less than a quarter of it; where that is not seen, δ is rounding noise.
+///    by one of less than a quarter of it; where that is not seen, δ is rounding noise. Farther away a step may be small and
+///    the root still far: where h grows like e^(2x), h/h' is 1/2.
 /// 3. f <= μ² <= max(A, C), and x - h is nearer to the root than x and on the same side: every evaluation gives a bound.
 /// 4. 1/√A and 1/√C are nearly affine in t and in 1/t (exactly, where r12 is an eigenvector of the pencil). Equating the
 ///    tangents gives a quadratic for t that converges from afar, as in trust-region methods (J. J. Moré and
@@ -19,10 +20,10 @@
 
 namespace pw85::inline PW85_TARGET {
 
-/// The largest number of evaluations of f, in either form, that maximize() makes: at most 5 on the rational form, 3 free steps
-/// on the factorised one, expansions and bisections of log t in between (6 and 14: the root lies within a factor 1/√u of
-/// the guess unless the aspect ratio exceeds it, and a bracket of half-width 5/8 is enough), and a few third-order steps.
-inline constexpr int max_evaluations = 36;
+/// The largest number of evaluations of f, in either form, that maximize() makes for a pair of doubles: 5 on the rational
+/// form; on the factorised one 3 free steps, 8 of growing length to enclose the root, which lies in the range of double, 17
+/// bisections of log t to make the bracket narrow, 8 steps that halve down to penultimate_step(), and the last one.
+inline constexpr int max_evaluations = 42;
 
 /// Value and maximiser of the contact function in the units of a Pair.
 template <class T> struct Maximum {
@@ -60,10 +61,11 @@ template <class T> constexpr Slope<T> slope(Jet<T> const &j, T const &ratio, T c
             T(0.5) * (weight * ((p - q) + t * t * (j.b2 * j.a - j.a2 * j.b)) - (p - q) * (p + q))};
 }
 
-/// Whether Newton's step is at most 5/8, where item 2 makes Halley's the better one.
+/// Whether Newton's step is at most 5/8, where item 2 makes Halley's the better one. Where rounding noise exceeds the
+/// largest h', it counts as that.
 template <class T> constexpr typename ScalarTraits<T>::Mask is_near(Slope<T> const &s) noexcept
 {
-    return absolute(s.difference) * s.weight <= T(0.625) * (s.sum * s.k);
+    return absolute(s.difference) * s.weight <= T(0.625) * (s.sum * minimum(s.k, s.weight));
 }
 
 /// A step in x, as a fraction.
@@ -187,6 +189,7 @@ template <class T, int D> [[gnu::always_inline]] inline bool prepare(RationalFor
 /// What is known of the root from item 3.
 template <class T> struct Bracket {
     T lower, upper; ///< of t; the limits of the scalar when unknown
+    T reach;        ///< factor from the end that is known to the next probe
 
     /// Takes note of the fixed-point map's image of some t, a bound on the side where it is from t.
     void update(T const &t, T const &image) noexcept
@@ -199,24 +202,26 @@ template <class T> struct Bracket {
 
     bool is_narrow() const noexcept { return upper <= lower + penultimate_step<T>() * lower; }
 
-    /// The middle of log t, or a point far beyond the end that is known.
-    T probe() const noexcept
+    /// The middle of log t, or a point far beyond the end that is known, the farther the more were tried.
+    T probe() noexcept
     {
-        if (!(lower > std::numeric_limits<T>::min())) return upper / T(1024);
-        if (!(upper < std::numeric_limits<T>::max())) return lower * T(1024);
-        return square_root(lower) * square_root(upper);
+        bool const below = !(lower > std::numeric_limits<T>::min()), above = !(upper < std::numeric_limits<T>::max());
+        if (!below && !above) return square_root(lower) * square_root(upper);
+        T const t = clamp(below ? T(upper / reach) : T(lower * reach));
+        reach = reach * reach;
+        return t;
     }
 
     T clamp(T const &t) const noexcept { return minimum(maximum(t, lower), upper); }
 };
 
-/// Iterates on the factorised form until a step is within penultimate_step(), or only rounding noise is left. Far from the
-/// root, three secular steps are free to go anywhere in the bracket; later ones bisect it.
+/// Iterates on the factorised form until a step is within penultimate_step(), or only rounding noise is left. Three steps
+/// are free to go anywhere in the bracket; later ones bisect it unless Halley's steps halve.
 template <class T, int D> inline Candidate<T> search(Pair<T, D> const &pair, T t, int &evaluations) noexcept
 {
     T const smallest = std::numeric_limits<T>::min(), largest = std::numeric_limits<T>::max();
-    Bracket<T> bracket{smallest, largest};
-    T previous = T(1);
+    Bracket<T> bracket{smallest, largest, T(1024)};
+    T shortest = T(2); // of Halley's steps, which is_near() keeps below 5/4
     for (int i = 1;; ++i) {
         Jet<T> const jet = evaluate_jet(pair, t);
         ++evaluations;
@@ -224,17 +229,17 @@ template <class T, int D> inline Candidate<T> search(Pair<T, D> const &pair, T t
         Step<T> const step = halley_step(s);
         // Out of the range of the scalar the step is 0/0 or NaN.
         bool const near = is_near(s) && step.denominator > T(0) && is_within(step, T(2));
-        T const size = near ? T(absolute(step.numerator) / step.denominator) : T(1);
+        T const size = near ? T(absolute(step.numerator) / step.denominator) : T(2);
         T const image = minimum(largest, maximum(smallest, T(square_root(T(jet.a / jet.b)) / pair.ratio)));
         bool const pinned = bracket.is_narrow(); // t is in it
         bracket.update(t, image);
-        bool const noise = pinned || (near && previous < T(0.1) && size > T(0.5) * previous);
-        if (size <= penultimate_step<T>() || noise || evaluations >= max_evaluations - 1)
+        bool const halves = size <= T(0.5) * shortest, noise = near && !halves && shortest < T(0.1);
+        if (size <= penultimate_step<T>() || pinned || noise || evaluations >= max_evaluations - 1)
             return near ? advance(t, s, step) : Candidate<T>{bracket.clamp(t), T(1), T(0)};
-        previous = size;
+        shortest = minimum(shortest, size);
         T const next = t * (near ? exponential(step) : secular_factor(jet, pair.ratio, t));
         t = bracket.clamp(next > smallest && next < largest ? next : image);
-        if (i > 3 && !near) t = bracket.probe();
+        if (i > 3 && !halves) t = bracket.probe();
     }
 }
 

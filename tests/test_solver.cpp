@@ -1,0 +1,139 @@
+// The solver on the pairs that are hardest for it: the bound on its evaluations, and that it is right when it stops.
+#include <cmath>
+
+#include <glib.h>
+
+#include <pw85.h>
+
+#include "failures.hpp"
+#include "random_pairs.hpp"
+#include "wide.hpp"
+
+using namespace pw85_tests;
+
+namespace {
+
+using Lower = pw85::SymmetricMatrix<double, 3>;
+
+/// L Lᵀ: positive definite up to rounding, for any L with positive diagonal (by rows of its transpose).
+pw85::SymmetricMatrix<double, 3> square(Lower const &l)
+{
+    return {l[0] * l[0],
+            l[0] * l[1],
+            l[0] * l[2],
+            l[1] * l[1] + l[3] * l[3],
+            l[1] * l[2] + l[3] * l[4],
+            l[2] * l[2] + l[4] * l[4] + l[5] * l[5]};
+}
+
+/// Axes along the coordinates, nearly so, or anywhere, with lengths that differ by up to `binades` binades.
+pw85::SymmetricMatrix<double, 3> extreme_form(Random &random, int kind, double binades)
+{
+    Lower l{};
+    for (int k : {0, 3, 5}) l[k] = std::exp2(random.uniform(-0.5, 0.5) * binades);
+    if (kind == 1) {
+        l[1] = random.uniform(-0.5, 0.5) * l[3];
+        l[2] = random.uniform(-0.5, 0.5) * l[5];
+        l[4] = random.uniform(-0.5, 0.5) * l[5];
+    }
+    if (kind == 2)
+        for (int k : {1, 2, 4}) l[k] = std::copysign(std::exp2(random.uniform(-10.0, 10.0)), random.uniform(-1.0, 1.0));
+    return square(l);
+}
+
+/// A pair whose shapes, sizes and distance may be anything that a form of doubles can be.
+Sample<double, 3> extreme_pair(Random &random, int kind)
+{
+    double const binades = std::fmin(480.0, std::exp2(random.uniform(1.0, 10.0)));
+    double const shapes = kind == 2 ? 20.0 : 0.5 * binades;
+    Sample<double, 3> p{{}, extreme_form(random, kind, shapes), extreme_form(random, kind, shapes)};
+    for (int i = 0; i < 3; ++i)
+        p.r12[i] = std::copysign(std::exp2(random.uniform(-0.5, 0.5) * binades), random.uniform(-1.0, 1.0));
+    return p;
+}
+
+void test_bound_on_evaluations()
+{
+    Failures failures;
+    Random random(80);
+    int most = 0;
+    for (int n = 0; n < 500000; ++n) {
+        auto const p = extreme_pair(random, n % 3);
+        pw85::ScaledPair<double, 3> scaled;
+        if (pw85::validate(p.r12, p.q1, p.q2, scaled) != pw85::Status::success) continue;
+        auto const maximum = pw85::maximize(scaled.pair);
+        failures.check(maximum.converged && maximum.evaluations <= pw85::max_evaluations, "evaluations",
+                       maximum.evaluations, pw85::max_evaluations, [&] { return hex_text(p); });
+        most = maximum.evaluations > most ? maximum.evaluations : most;
+    }
+    g_test_message("%ld pairs, at most %d evaluations", failures.checked(), most);
+}
+
+void test_extreme_shapes()
+{
+    Failures failures;
+    Random random(81);
+    for (int n = 0; n < 5000; ++n) {
+        auto const p = extreme_pair(random, n % 3);
+        double out[2];
+        if (pw85_contact(p.r12.coordinates, p.q1.entries, p.q2.entries, out) != PW85_SUCCESS) continue;
+        auto const exact = truth<Wide>(p);
+        if (!(exact.mu2 > std::numeric_limits<double>::min() && exact.mu2 < std::numeric_limits<double>::max()))
+            continue;
+        double const units = error_in_units(out[0], exact);
+        failures.check(units <= 4.0, "error of mu^2 in u cond", units, 4.0, [&] { return hex_text(p); });
+    }
+}
+
+struct HardPair {
+    char const *name;
+    Sample<double, 3> pair;
+};
+
+HardPair const hard_pairs[] = {
+    // The bracket is narrow before a point inside it was evaluated.
+    {"narrow_bracket",
+     {{0x1.ba708deba76fbp-6, 0x1.86e703d92e3f3p-4, 0x1.53cfd3d1df0c9p-5},
+      {0x1.8af7e5c6f7dfp-7, -0x1.248a8702de56fp-5, 0x1.a5d728b13042bp-4, 0x1.b26d2c9b23c2ep-4, -0x1.391750c38c474p-2,
+       0x1.c391a875a15e1p-1},
+      {0x1.8820676051e9fp+4, 0x1.144bffbb40f29p+7, 0x1.fd1bf3d0f227ep+4, 0x1.855d269d8b859p+9, 0x1.66b96263af613p+7,
+       0x1.4a7edb7e1e361p+5}}},
+    // h is below its rounding errors over 50 binades of t.
+    {"flat",
+     {{0x1.848484848p-859, 0x0.10a010000ffe4p-1022, 0x1.0abafa6a400f5p+437},
+      {0x1.254b754866b31p-7, 0x1.254b7370124a1p-7, 0x1.254b7370124a1p-7, 0x1.254b71c82e548p-6, 0x1.b49d6d40c20ebp+17,
+       0x1.44fc16b417b6cp+42},
+      {0x1.254b71f89ec4fp-7, 0x1.254b71c82ea94p-7, 0x1.254b71c82e547p-7, 0x1.254b71c82ea94p-6, -0x1.79eb8d2cc0218p+4,
+       0x1.e754ffb677401p+15}}},
+    // Halley's steps shrink slowly from afar: 0.96, 0.74, 0.17.
+    {"slow_start",
+     {{0x1.c0b4bbd640628p+0, 0x1.8c9472666f647p-2, -0x1.a63b977a7445cp-3},
+      {0x1.da1b20485bc69p-5, 0x1.9b0b870c86b0ap-4, -0x1.50d2b616509f5p-1, 0x1.6475f6e95f702p-3, -0x1.2434ebf0a17fcp+0,
+       0x1.df599086aa21bp+2},
+      {0x1.42364d081773fp+4, -0x1.989235ece7e32p+1, 0x1.fc7362c4cc395p+2, 0x1.4fab258f5e5bep+4, 0x1.bddc2b6dfe647p+2,
+       0x1.9c19f6a8470a8p+2}}},
+};
+
+void test_hard_pair(void const *data)
+{
+    auto const &p = static_cast<HardPair const *>(data)->pair;
+    Failures failures;
+    double out[2];
+    auto const describe = [&] { return hex_text(p); };
+    int const status = pw85_contact(p.r12.coordinates, p.q1.entries, p.q2.entries, out);
+    if (!failures.check(status == PW85_SUCCESS, "status", status, 0.0, describe)) return;
+    double const units = error_in_units(out[0], truth<Wide>(p));
+    failures.check(units <= 4.0, "error of mu^2 in u cond", units, 4.0, describe);
+}
+
+} // namespace
+
+int main(int argc, char **argv)
+{
+    g_test_init(&argc, &argv, nullptr);
+    g_test_add_func("/solver/bound_on_evaluations", test_bound_on_evaluations);
+    g_test_add_func("/solver/extreme_shapes", test_extreme_shapes);
+    for (auto const &hard : hard_pairs)
+        g_test_add_data_func((std::string("/solver/") + hard.name).c_str(), &hard, test_hard_pair);
+    return g_test_run();
+}
