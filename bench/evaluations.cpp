@@ -15,7 +15,7 @@ namespace {
 
 struct Work {
     std::map<int, int> evaluations;
-    int tiers[4] = {};
+    int tiers[3] = {};
     int total = 0;
 
     void add(Sample<double, 3> const &p)
@@ -32,7 +32,7 @@ struct Work {
         std::printf("%s: %d pairs, %.2f evaluations on average\n  evaluations:", what, total,
                     static_cast<double>(sum) / total);
         for (auto const &[count, pairs] : evaluations) std::printf("  %d: %.3g %%", count, 100.0 * pairs / total);
-        std::printf("\n  overlap decided by  projection: %.3g %%  quartic: %.3g %%  contact: %.3g %%  exact: %.3g %%\n",
+        std::printf("\n  overlap decided by  quartic: %.3g %%  contact: %.3g %%  exact: %.3g %%\n",
                     100.0 * tiers[0] / total, 100.0 * tiers[1] / total, 100.0 * tiers[2] / total,
                     100.0 * tiers[3] / total);
     }

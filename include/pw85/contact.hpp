@@ -91,13 +91,12 @@ template <class T, int D> inline Contact<T> unscale(ScaledPair<T, D> const &scal
     return result;
 }
 
-/// Whether products alone show that the forms are valid, the pair in range, and r12 != 0: true of almost all pairs. What is
-/// left is whether r12 is finite.
+/// Whether products alone show that a pair is valid and in range, and r12 != 0: true of almost all pairs.
 template <class T, int D> inline typename ScalarTraits<T>::Mask
 is_ordinary(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, SymmetricMatrix<T, D> const &q2) noexcept
 {
-    return is_in_range(largest_coordinate(r12), largest_diagonal(q1), largest_diagonal(q2)) &&
-           is_clearly_definite(q1) && is_clearly_definite(q2);
+    return is_in_range(sum_of_magnitudes(r12), largest_diagonal(q1), largest_diagonal(q2)) && is_clearly_definite(q1) &&
+           is_clearly_definite(q2);
 }
 
 /// contact() for any pair: validated, and in units that keep it in range.
@@ -114,7 +113,7 @@ contact_scaled(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, Symmetr
 template <class T, int D> inline Contact<T> contact(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
                                                     SymmetricMatrix<T, D> const &q2) noexcept
 {
-    if (is_finite(r12) && is_ordinary(r12, q1, q2)) return to_contact(maximize(Pair<T, D>{r12, q1, q2, T(1)}));
+    if (is_ordinary(r12, q1, q2)) return to_contact(maximize(Pair<T, D>{r12, q1, q2, T(1)}));
     return contact_scaled(r12, q1, q2);
 }
 

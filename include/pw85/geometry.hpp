@@ -38,11 +38,8 @@ template <class T> struct ContactTorque {
 template <class T, int D>
 inline Vector<T, D> solve_blend(SymmetricMatrix<T, D> const &m, Vector<T, D> const &x) noexcept
 {
-    auto const adj = adjugate(m);
-    T const det = determinant(m, adj);
-    T diagonal = m(0, 0);
-    for (int i = 1; i < D; ++i) diagonal = diagonal * m(i, i);
-    if (det > fine_conditioning<T>() * diagonal) return times(T(T(1) / det), product(adj, x));
+    auto const solution = solve_by_adjugate(m, x);
+    if (is_accurate(solution)) return times(T(T(1) / solution.determinant), solution.s);
     return solve(factorize(m, T(unit_roundoff<T>())), x);
 }
 
@@ -107,7 +104,7 @@ inline auto at_tangency(Formula formula, Vector<T, D> const &r12, SymmetricMatri
 {
     // A maximiser that rounds to 1 is that of a pair of very different sizes, not the end.
     T const lambda1 = maximum(T(T(1) - lambda), T(T(0.5) * unit_roundoff<T>()));
-    if (lambda >= T(0) && lambda <= T(1) && is_finite(r12) && is_ordinary(r12, q1, q2)) {
+    if (lambda >= T(0) && lambda <= T(1) && is_ordinary(r12, q1, q2)) {
         Vector<T, D> const v = solve_blend(blend(lambda1, q1, lambda, q2), r12);
         return formula(Tangency<T, D>{v, lambda1, lambda, lambda1, lambda}, q1, q2);
     }

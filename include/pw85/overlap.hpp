@@ -1,14 +1,14 @@
 /// @file
 /// Whether two ellipsoids overlap, decided by the cheapest means that is certain.
 ///
-/// 1. Projection. The ellipsoids project on the line of centres with half-widths √(rᵀQ1r)/|r| and √(rᵀQ2r)/|r|: if these do
-///    not fill |r|, the ellipsoids are apart.
-/// 2. Quartic. With M = Q1 + t Q2, a = rᵀ adj(M) r and b = det M, the ellipsoids are apart where p(t) = t a - (1 + t) b > 0
-///    for some t > 0 (W. Wang, J. Wang and M.-S. Kim, Comput. Aided Geom. Des. 18, 531, 2001), that is f > 1; and for any
-///    t, x0 is inside both, and they overlap, if A < 1 and t²B < 1. Both are tested at a few t, with margins for rounding.
-/// 3. Contact. μ² by the solver, against 1, with a margin for rounding.
-/// 4. Exact. The number of positive roots of the quartic, by Sturm's theorem in exact arithmetic: none if and only if the
-///    ellipsoids overlap. p is negative at both ends of (0, ∞), and where it is not negative μ² >= 1.
+/// 1. Quartic. With M = Q1 + t Q2, a = rᵀ adj(M) r and b = det M, the ellipsoids are apart where t a - (1 + t) b > 0 for some
+///    t > 0 (W. Wang, J. Wang and M.-S. Kim, Comput. Aided Geom. Des. 18, 531, 2001), that is f > 1; and for any t, x0 is
+///    inside both, and they overlap, if A < 1 and t²B < 1. Both are tested at a few t at once, with margins for rounding.
+///    The first t is about √(rᵀQ1r/rᵀQ2r): there f > 1 whenever the projections on the line of centres are apart, as those
+///    of bounding spheres are, since rᵀM⁻¹r >= |r|⁴/rᵀMr.
+/// 2. Contact. μ² by the solver, against 1, with a margin for rounding.
+/// 3. Exact. The number of positive roots of the quartic, by Sturm's theorem in exact arithmetic: none if and only if the
+///    ellipsoids overlap. The quartic is negative at both ends of (0, ∞), and where it is not negative μ² >= 1.
 #ifndef PW85_OVERLAP_HPP_INCLUDED
 #define PW85_OVERLAP_HPP_INCLUDED
 
@@ -18,7 +18,7 @@
 namespace pw85::inline PW85_TARGET {
 
 /// The means by which a pair was decided.
-enum class OverlapTier { projection, quartic, contact, exact };
+enum class OverlapTier { quartic, contact, exact };
 
 /// Whether two ellipsoids overlap; false where the status is not success.
 struct Overlap {
@@ -36,82 +36,99 @@ template <class T, int D> struct OverlapWitness {
     Status status;
 };
 
-/// What is certain after a test; both false if nothing is.
+/// What is certain after a test.
+enum class Decision { none, apart, overlap };
+
+/// The decision from two conditions, of which at most one holds. Which one cannot be foreseen: no branches.
+constexpr Decision to_decision(bool apart, bool overlap) noexcept
+{
+    return static_cast<Decision>(static_cast<unsigned>(apart) + 2u * static_cast<unsigned>(overlap));
+}
+
+/// What is certain after a test in each lane.
 template <class Mask> struct Certainty {
     Mask apart;
     Mask overlap;
 };
 
-/// Margin, relative to one, of the tests on the quartic. They require the scaled determinant d of conditioning() to be at
-/// least fine_conditioning(), and R = rᵀM⁻¹r < 64. Then bR and b err by less than 128 u/d < 2^-27 of themselves, and s by
-/// e < √(u/8) in the norm of M, where it measures √R: √B√t and hence √A err by less than 8e < 2^-24, and the sums in the
-/// quadratic form by 54 u R/d < 2^-23.
-template <class T> constexpr T quartic_margin() noexcept
-{
-    return negative_power_of_two<T>(mantissa_digits<T>() / 2 - 6);
-}
-
-/// Half-widths of the projections on r12, times |r12|.
-template <class T> struct Projection {
-    T width1, width2;
-};
-
-template <class T, int D> inline Projection<T> project(Pair<T, D> const &pair) noexcept
-{
-    auto const weights = outer_weights(pair.r12);
-    return {square_root(quadratic_form(pair.q1, weights)), square_root(quadratic_form(pair.q2, weights))};
-}
-
-/// Item 1. Valid forms of clear definiteness project with a relative error far below the margin.
-template <class T, int D>
-constexpr typename ScalarTraits<T>::Mask is_apart(Pair<T, D> const &pair, Projection<T> const &p) noexcept
-{
-    return dot(pair.r12, pair.r12) > (T(1) + quartic_margin<T>()) * (p.width1 + p.width2);
-}
-
-/// b = det M, b R = rᵀ adj(M) r, and b²B at t.
+/// What the test on the quartic needs to know at t.
 template <class T> struct QuarticEvaluation {
-    T b, rs, form;
-    T diagonal; ///< product of the diagonal of M
+    T b;                                     ///< det M
+    T a;                                     ///< b R, with R = rᵀM⁻¹r
+    T form;                                  ///< b²B
+    typename ScalarTraits<T>::Mask accurate; ///< whether M is well-conditioned
 };
 
 template <class T, int D> constexpr QuarticEvaluation<T> evaluate_quartic(Pair<T, D> const &pair, T const &t) noexcept
 {
-    auto const m = blend(T(1), pair.q1, t, pair.q2);
-    auto const adj = adjugate(m);
-    Vector<T, D> const s = product(adj, pair.r12);
-    T diagonal = m(0, 0);
-    for (int i = 1; i < D; ++i) diagonal = diagonal * m(i, i);
-    return {determinant(m, adj), dot(pair.r12, s), quadratic_form(pair.q2, s), diagonal};
+    auto const solution = solve_by_adjugate(blend(pair.q1, t, pair.q2), pair.r12);
+    return {solution.determinant, dot(pair.r12, solution.s), quadratic_form(pair.q2, solution.s),
+            is_accurate(solution)};
 }
 
 /// b²A, from A + tB = R.
 template <class T> constexpr T complement(QuarticEvaluation<T> const &e, T const &t) noexcept
 {
-    return e.b * e.rs - t * e.form;
+    return e.a * e.b - t * e.form;
 }
 
-/// Item 2, at one t, for a pair with ratio 1.
+/// Margin, relative to one, of the tests on the quartic. Where M is well-conditioned, a and b err by less than 128 u/d <
+/// 2^-27 of themselves, and s by e < √(u/8) = 2^-28 in the norm of M, where it measures √R: √(tB) and hence √A err by less
+/// than 8 e where R < 64, t√B by less than 2^9 e where t R < 2^18, and the sums in the quadratic forms by 54 u R/d < 2^-23.
+/// Where A < 1 and t²B < 1, R < 1 + 1/t.
+template <class T> constexpr T quartic_margin() noexcept
+{
+    return negative_power_of_two<T>(mantissa_digits<T>() / 2 - 9);
+}
+
+/// Item 1, at one t, for a pair with ratio 1.
 template <class T>
 constexpr Certainty<typename ScalarTraits<T>::Mask> decide(QuarticEvaluation<T> const &e, T const &t) noexcept
 {
-    T const margin = T(1) + quartic_margin<T>();
-    auto const reliable = e.b > fine_conditioning<T>() * e.diagonal && e.rs < T(64) * e.b;
-    auto const apart = t * e.rs > (T(1) + t) * margin * e.b;
-    auto const overlap = maximum(complement(e, t), T(t * t * e.form)) * margin < e.b * e.b;
-    return {reliable && apart, reliable && overlap};
+    T const rest = T(1) - quartic_margin<T>();
+    T const square = rest * e.b * e.b;
+    auto const apart = t * rest * e.a > (T(1) + t) * e.b;
+    auto const inside = complement(e, t) < square && t * t * e.form < square;
+    auto const resolvable = t > T(0x1p-5) && t < T(0x1p17);
+    return {e.accurate && apart, e.accurate && resolvable && inside};
 }
 
-/// Item 2 for a pair with ratio 1, from t on. The fixed-point map of the solver's item 3 is slow to converge, but cheap, and
-/// two or three points are enough unless the ellipsoids are nearly tangent.
-template <class T, int D> inline Certainty<bool> decide_by_quartic(Pair<T, D> const &pair, T t) noexcept
+template <class Lanes, class T, int D> constexpr Vector<Lanes, D> broadcast(Vector<T, D> const &x) noexcept
 {
-    constexpr int max_points = 5;
-    for (int i = 1;; ++i) {
+    Vector<Lanes, D> copies{};
+    for (int i = 0; i < D; ++i) copies[i] = Lanes(x[i]);
+    return copies;
+}
+
+template <class Lanes, class T, int D>
+constexpr SymmetricMatrix<Lanes, D> broadcast(SymmetricMatrix<T, D> const &a) noexcept
+{
+    SymmetricMatrix<Lanes, D> copies{};
+    for (int k = 0; k < a.size; ++k) copies[k] = Lanes(a[k]);
+    return copies;
+}
+
+/// Where the quartic is tested at once, relative to the first point, in as many lanes as there are: eight decide 95 to 98 %
+/// of random pairs of aspect ratios from 2 to 100, four 92 to 97 %, the first alone 80 to 96 %.
+template <class T> inline constexpr T test_points[8] = {T(1), T(0.5), T(2), T(0.25), T(0.7), T(1.4), T(4), T(0.85)};
+
+/// Item 1 for any pair. A test that follows upon another costs most where its need cannot be foreseen, so that several are
+/// made at once; from there on the fixed-point map of the solver's item 3 leads.
+template <class Lanes, class T, int D> [[gnu::always_inline]] inline Decision
+decide_by_quartic(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, SymmetricMatrix<T, D> const &q2) noexcept
+{
+    if (!is_ordinary(r12, q1, q2)) return Decision::none;
+    constexpr int max_rounds = 5;
+    auto const weights = outer_weights(r12);
+    T center = coarse_root_of_ratio(quadratic_form(q1, weights), quadratic_form(q2, weights));
+    Pair<Lanes, D> const pair{broadcast<Lanes>(r12), broadcast<Lanes>(q1), broadcast<Lanes>(q2), Lanes(T(1))};
+    for (int round = 1;; ++round) {
+        Lanes const t = Lanes(center) * load_lanes<Lanes>(test_points<T>);
         auto const e = evaluate_quartic(pair, t);
         auto const certainty = decide(e, t);
-        if (certainty.apart || certainty.overlap || i == max_points) return certainty;
-        t = square_root(T(complement(e, t) / e.form));
+        Decision const decision = to_decision(any_of(certainty.apart), any_of(certainty.overlap));
+        if (decision != Decision::none || round == max_rounds) return decision;
+        center = coarse_root_of_ratio(first_lane(complement(e, t)), first_lane(e.form));
     }
 }
 
@@ -130,15 +147,15 @@ template <class T, int D> inline T condition_number(Pair<T, D> const &pair, Maxi
     return m.lambda * (forms + T(2) * arms) / m.mu2;
 }
 
-/// Item 3. The stationary form of finish() sums with an error below 9 u cond, and 16 leaves room for what the inexact s and
+/// Item 2. The stationary form of finish() sums with an error below 9 u cond, and 16 leaves room for what the inexact s and
 /// λ add. `tangent` is μ² of tangent ellipsoids in the units of the pair.
 template <class T, int D>
-[[gnu::noinline]] inline Certainty<bool> decide_by_contact(Pair<T, D> const &pair, T const &tangent) noexcept
+[[gnu::noinline]] inline Decision decide_by_contact(Pair<T, D> const &pair, T const &tangent) noexcept
 {
     Maximum<T> const m = maximize(pair);
-    if (!m.converged) return {false, false};
+    if (!m.converged) return Decision::none;
     T const error = T(16) * unit_roundoff<T>() * condition_number(pair, m) * m.mu2;
-    return {m.mu2 - error > tangent, m.mu2 + error < tangent};
+    return to_decision(m.mu2 - error > tangent, m.mu2 + error < tangent);
 }
 
 /// A polynomial of degree up to 4, in increasing powers.
@@ -193,9 +210,9 @@ inline int count_positive_roots(ExactPolynomial p, bool &exact) noexcept
     return at_zero - at_infinity;
 }
 
-/// Item 4, for the numbers as they were given. Not certain if their magnitudes span so many binades that 16384 bits do not
+/// Item 3, for the numbers as they were given. Not certain if their magnitudes span so many binades that 16384 bits do not
 /// hold what comes of them.
-template <class T, int D> [[gnu::noinline]] inline Certainty<bool>
+template <class T, int D> [[gnu::noinline]] inline Decision
 decide_exactly(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, SymmetricMatrix<T, D> const &q2) noexcept
 {
     Vector<Dyadic, D> r;
@@ -211,10 +228,10 @@ decide_exactly(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, Symmetr
                             4};
     bool exact = true;
     bool const has_root = count_positive_roots(quartic, exact) > 0;
-    return {exact && has_root, exact && !has_root};
+    return to_decision(exact && has_root, exact && !has_root);
 }
 
-/// Items 3 and 4, for any pair.
+/// Items 2 and 3, for any pair.
 template <class T, int D> [[gnu::noinline]] inline Overlap
 overlap_near_contact(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, SymmetricMatrix<T, D> const &q2) noexcept
 {
@@ -223,10 +240,10 @@ overlap_near_contact(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, S
     if (status != Status::success) return {false, OverlapTier::contact, status};
     if (largest_coordinate(r12) == T(0)) return {true, OverlapTier::contact, Status::success};
     T const tangent = times_power_of_two(T(1), 2 * (scaled.form - scaled.length));
-    auto const by_contact = decide_by_contact(scaled.pair, tangent);
-    if (by_contact.apart || by_contact.overlap) return {by_contact.overlap, OverlapTier::contact, Status::success};
-    auto const exactly = decide_exactly(r12, q1, q2);
-    if (exactly.apart || exactly.overlap) return {exactly.overlap, OverlapTier::exact, Status::success};
+    Decision const by_contact = decide_by_contact(scaled.pair, tangent);
+    if (by_contact != Decision::none) return {by_contact == Decision::overlap, OverlapTier::contact, Status::success};
+    Decision const exactly = decide_exactly(r12, q1, q2);
+    if (exactly != Decision::none) return {exactly == Decision::overlap, OverlapTier::exact, Status::success};
     return {maximize(scaled.pair).mu2 < tangent, OverlapTier::contact, Status::success};
 }
 
@@ -234,13 +251,8 @@ overlap_near_contact(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, S
 template <class T, int D> inline Overlap overlap(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
                                                  SymmetricMatrix<T, D> const &q2) noexcept
 {
-    if (is_finite(r12) && is_ordinary(r12, q1, q2)) {
-        Pair<T, D> const pair{r12, q1, q2, T(1)};
-        auto const projection = project(pair);
-        if (is_apart(pair, projection)) return {false, OverlapTier::projection, Status::success};
-        auto const certainty = decide_by_quartic(pair, T(projection.width1 / projection.width2));
-        if (certainty.apart || certainty.overlap) return {certainty.overlap, OverlapTier::quartic, Status::success};
-    }
+    Decision const decision = decide_by_quartic<T>(r12, q1, q2);
+    if (decision != Decision::none) return {decision == Decision::overlap, OverlapTier::quartic, Status::success};
     return overlap_near_contact(r12, q1, q2);
 }
 

@@ -12,10 +12,9 @@
 namespace pw85::inline PW85_TARGET {
 
 /// Coefficients in increasing powers of t; in two dimensions the last of each is zero.
-template <class T, int D> struct RationalForm {
-    Vector<T, D> v[3]; ///< adj(Q1 + t Q2) r12
-    T a[3];            ///< a(t)
-    T b[4];            ///< b(t)
+template <class T> struct RationalForm {
+    T a[3]; ///< of a(t)
+    T b[4]; ///< of b(t)
 };
 
 /// The coefficient of t in adj(P + t Q).
@@ -30,47 +29,37 @@ constexpr SymmetricMatrix<T, 3> mixed_adjugate(SymmetricMatrix<T, 3> const &p, S
             (p[0] * q[3] + q[0] * p[3]) - T(2) * p[1] * q[1]};
 }
 
-template <class T> constexpr RationalForm<T, 2> rational_form(Pair<T, 2> const &pair) noexcept
+template <class T> constexpr RationalForm<T> rational_form(Pair<T, 2> const &pair) noexcept
 {
+    auto const weights = outer_weights(pair.r12);
     auto const adj1 = adjugate(pair.q1), adj2 = adjugate(pair.q2);
-    auto const v0 = product(adj1, pair.r12), v1 = product(adj2, pair.r12);
-    return {{v0, v1, {T(0), T(0)}},
-            {dot(pair.r12, v0), dot(pair.r12, v1), T(0)},
+    return {{quadratic_form(adj1, weights), quadratic_form(adj2, weights), T(0)},
             {determinant(pair.q1, adj1), contraction(adj1, pair.q2), determinant(pair.q2, adj2), T(0)}};
 }
 
-template <class T> constexpr RationalForm<T, 3> rational_form(Pair<T, 3> const &pair) noexcept
+template <class T> constexpr RationalForm<T> rational_form(Pair<T, 3> const &pair) noexcept
 {
+    auto const weights = outer_weights(pair.r12);
     auto const adj1 = adjugate(pair.q1), adj2 = adjugate(pair.q2);
-    auto const v0 = product(adj1, pair.r12), v2 = product(adj2, pair.r12);
-    auto const v1 = product(mixed_adjugate(pair.q1, pair.q2), pair.r12);
-    return {{v0, v1, v2},
-            {dot(pair.r12, v0), dot(pair.r12, v1), dot(pair.r12, v2)},
+    return {{quadratic_form(adj1, weights), quadratic_form(mixed_adjugate(pair.q1, pair.q2), weights),
+             quadratic_form(adj2, weights)},
             {determinant(pair.q1, adj1), contraction(adj1, pair.q2), contraction(adj2, pair.q1),
              determinant(pair.q2, adj2)}};
 }
 
-template <class T, int D> constexpr T evaluate_a(RationalForm<T, D> const &form, T const &t) noexcept
+template <class T> constexpr T evaluate_a(RationalForm<T> const &form, T const &t) noexcept
 {
     return (form.a[2] * t + form.a[1]) * t + form.a[0];
 }
 
-template <class T, int D> constexpr T evaluate_b(RationalForm<T, D> const &form, T const &t) noexcept
+template <class T> constexpr T evaluate_b(RationalForm<T> const &form, T const &t) noexcept
 {
     return (form.b[1] * t + form.b[0]) + (t * t) * (form.b[3] * t + form.b[2]);
 }
 
-/// s = (Q1 + t Q2)⁻¹ r12 times det(Q1 + t Q2).
-template <class T, int D> constexpr Vector<T, D> evaluate_s(RationalForm<T, D> const &form, T const &t) noexcept
-{
-    Vector<T, D> s{};
-    for (int i = 0; i < D; ++i) s[i] = (form.v[2][i] * t + form.v[1][i]) * t + form.v[0][i];
-    return s;
-}
-
 /// A and B and their derivatives, all times b². With R = a/b: B = -R' and A = R + tR', hence b²B = N and
 /// b²A = ab - tN with N = ab' - a'b.
-template <class T, int D> constexpr Jet<T> evaluate_jet(RationalForm<T, D> const &form, T const &t) noexcept
+template <class T> constexpr Jet<T> evaluate_jet(RationalForm<T> const &form, T const &t) noexcept
 {
     T const c = form.b[3] * t;
     T const a = evaluate_a(form, t), b = evaluate_b(form, t);
@@ -87,18 +76,11 @@ template <class T, int D> constexpr Jet<T> evaluate_jet(RationalForm<T, D> const
             rough_quotient(T(t * b1), b)};
 }
 
-/// det M over the product of its diagonal, in (0, 1]: what the accuracy of the rational form at t depends on.
-///
-/// Scale M to a unit diagonal, with determinant d. Every product in a cofactor scales alike, so the entries of the
-/// adjugate err by at most 12 u, b by 16 u/d of itself, and s by e with |e| <= 3·3·12 u/d of itself in the norm of M,
-/// since the largest eigenvalue is at most 3.
-template <class T, int D>
-constexpr T conditioning(RationalForm<T, D> const &form, Pair<T, D> const &pair, T const &t) noexcept
-{
-    T diagonal = pair.q1(0, 0) + t * pair.q2(0, 0);
-    for (int i = 1; i < D; ++i) diagonal = diagonal * (pair.q1(i, i) + t * pair.q2(i, i));
-    return evaluate_b(form, t) / diagonal;
-}
+// The conditioning of M at t is det M over the product of its diagonal, in (0, 1]. Scale M to a unit diagonal, with
+// determinant d. Every product in a cofactor scales alike, so the entries of the adjugate err by at most 12 u, b by 16 u/d
+// of itself, and s = adj(M) r12 by e with |e| <= 3·3·12 u/d of itself in the norm of M, since the largest eigenvalue is at
+// most 3. From its coefficients b errs by 80 u/d of itself (13 roundings in a sum of products that is at most 6), and a by
+// 234 u/d (13 in one that is at most 6|r|², where a is at least d|r|²/3).
 
 /// Conditioning above which the rational form is right to some per cent: a fair guide to the root.
 template <class T> constexpr T rough_conditioning() noexcept { return T(1024) * unit_roundoff<T>(); }
@@ -107,6 +89,27 @@ template <class T> constexpr T rough_conditioning() noexcept { return T(1024) * 
 template <class T> constexpr T fine_conditioning() noexcept
 {
     return negative_power_of_two<T>(maximum(mantissa_digits<T>() / 2 - 8, 0));
+}
+
+/// The solution of M s = det(M) x by the adjugate.
+template <class T, int D> struct AdjugateSolution {
+    Vector<T, D> s;
+    T determinant;
+    T diagonal; ///< product of the diagonal of M
+};
+
+template <class T, int D>
+constexpr AdjugateSolution<T, D> solve_by_adjugate(SymmetricMatrix<T, D> const &m, Vector<T, D> const &x) noexcept
+{
+    auto const adj = adjugate(m);
+    return {product(adj, x), determinant(m, adj), diagonal_product(m)};
+}
+
+/// Whether the error of s counts for nothing where it counts squared.
+template <class T, int D>
+constexpr typename ScalarTraits<T>::Mask is_accurate(AdjugateSolution<T, D> const &solution) noexcept
+{
+    return solution.determinant > fine_conditioning<T>() * solution.diagonal;
 }
 
 } // namespace pw85::inline PW85_TARGET

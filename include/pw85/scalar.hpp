@@ -4,7 +4,9 @@
 #ifndef PW85_SCALAR_HPP_INCLUDED
 #define PW85_SCALAR_HPP_INCLUDED
 
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 
 #include <pw85/target.hpp>
@@ -15,7 +17,14 @@ namespace pw85::inline PW85_TARGET {
 template <class T> struct ScalarTraits {
     using Lane = T;
     using Mask = bool;
+    static constexpr int lanes = 1;
 };
+
+/// As many numbers as `T` has lanes, from memory.
+template <class T> constexpr T load_lanes(typename ScalarTraits<T>::Lane const *x) noexcept { return *x; }
+
+/// The number in the first lane.
+template <class T> constexpr T first_lane(T const &x) noexcept { return x; }
 
 /// Unit roundoff u of one lane: 2^-53 for double.
 template <class T> constexpr typename ScalarTraits<T>::Lane unit_roundoff() noexcept
@@ -73,6 +82,20 @@ template <class T> inline T square_root(T const &x) noexcept
 /// them coarsely.
 template <class T> constexpr T rough_quotient(T const &x, T const &y) noexcept { return x / y; }
 template <class T> inline T rough_root(T const &x) noexcept { return square_root(x); }
+
+/// √(x/y), to 10 % or better.
+template <class T> inline T coarse_root_of_ratio(T const &x, T const &y) noexcept
+{
+    return rough_root(rough_quotient(x, y));
+}
+
+/// The bits of a positive double are about its logarithm.
+inline double coarse_root_of_ratio(double x, double y) noexcept
+{
+    static_assert(std::numeric_limits<double>::is_iec559);
+    constexpr auto one = std::bit_cast<std::uint64_t>(1.0);
+    return std::bit_cast<double>((std::bit_cast<std::uint64_t>(x) - std::bit_cast<std::uint64_t>(y) + 2 * one) >> 1);
+}
 
 } // namespace pw85::inline PW85_TARGET
 

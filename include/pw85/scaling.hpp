@@ -43,6 +43,14 @@ template <class T, int D> constexpr typename ScalarTraits<T>::Mask is_finite(Sym
     return zero == T(0);
 }
 
+/// Between the largest magnitude and three times that; NaN if a coordinate is.
+template <class T, int D> constexpr T sum_of_magnitudes(Vector<T, D> const &x) noexcept
+{
+    T sum = absolute(x[0]);
+    for (int i = 1; i < D; ++i) sum = sum + absolute(x[i]);
+    return sum;
+}
+
 template <class T, int D> constexpr T largest_coordinate(Vector<T, D> const &x) noexcept
 {
     T largest = absolute(x[0]);
@@ -60,8 +68,8 @@ template <class T> constexpr T unscaled_limit() noexcept
     return T(std::numeric_limits<Lane>::max_exponent >= 1024 ? 0x1p24 : 4.0);
 }
 
-/// Whether a pair of finite, nonzero magnitudes needs no scaling: `r` is its largest coordinate, `q1` and `q2` the
-/// largest diagonal entries.
+/// Whether a pair of such magnitudes needs no scaling: `r` of r12, `q1` and `q2` the largest diagonal entries. False where r
+/// is NaN.
 template <class T> constexpr typename ScalarTraits<T>::Mask is_in_range(T const &r, T const &q1, T const &q2) noexcept
 {
     T const limit = unscaled_limit<T>();

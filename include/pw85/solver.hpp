@@ -159,8 +159,8 @@ constexpr Finish<T> finish(Candidate<T> const &candidate, T const &ratio, T cons
 
 /// Iterates on the rational form from t until a step is within penultimate_step(); false if rounding errors or the
 /// range of the scalar get in the way, or after 5 evaluations.
-template <class T, int D> [[gnu::always_inline]] inline bool prepare(RationalForm<T, D> const &form, T const &ratio,
-                                                                     Candidate<T> &candidate, int &evaluations) noexcept
+template <class T> [[gnu::always_inline]] inline bool prepare(RationalForm<T> const &form, T const &ratio,
+                                                              Candidate<T> &candidate, int &evaluations) noexcept
 {
     T const largest = std::numeric_limits<T>::max();
     T t = candidate.t;
@@ -249,16 +249,17 @@ template <class T, int D>
 [[gnu::always_inline]] inline Maximum<T> maximize_rational(Pair<T, D> const &pair, Candidate<T> &candidate) noexcept
 {
     candidate = {initial_guess(pair), T(1), T(0)};
-    RationalForm<T, D> const form = rational_form(pair);
+    RationalForm<T> const form = rational_form(pair);
     int evaluations = 0;
-    if (conditioning(form, pair, candidate.t) < rough_conditioning<T>() ||
-        !prepare(form, pair.ratio, candidate, evaluations) ||
-        conditioning(form, pair, candidate.t) < fine_conditioning<T>())
+    T const diagonal = diagonal_product(blend(pair.q1, candidate.t, pair.q2));
+    if (evaluate_b(form, candidate.t) < rough_conditioning<T>() * diagonal ||
+        !prepare(form, pair.ratio, candidate, evaluations))
         return {T(0), T(0), T(0), evaluations, false};
-    Vector<T, D> const s = evaluate_s(form, candidate.t);
-    auto const weights = outer_weights(s);
+    auto const solution = solve_by_adjugate(blend(pair.q1, candidate.t, pair.q2), pair.r12);
+    if (!is_accurate(solution)) return {T(0), T(0), T(0), evaluations, false};
+    auto const weights = outer_weights(solution.s);
     Finish<T> const last = finish(candidate, pair.ratio, quadratic_form(pair.q1, weights),
-                                  quadratic_form(pair.q2, weights), dot(pair.r12, s));
+                                  quadratic_form(pair.q2, weights), dot(pair.r12, solution.s));
     return {last.mu2, last.lambda, last.complement, evaluations + 1, absolute(last.step) <= final_step<T>()};
 }
 

@@ -105,11 +105,27 @@ template <class T, int D> constexpr SymmetricMatrix<T, D> blend(T const &alpha, 
     return c;
 }
 
+/// The sum A + β B.
+template <class T, int D> constexpr SymmetricMatrix<T, D> blend(SymmetricMatrix<T, D> const &a, T const &beta,
+                                                                SymmetricMatrix<T, D> const &b) noexcept
+{
+    SymmetricMatrix<T, D> c{};
+    for (int k = 0; k < c.size; ++k) c[k] = a[k] + beta * b[k];
+    return c;
+}
+
 template <class T, int D> constexpr T largest_diagonal(SymmetricMatrix<T, D> const &a) noexcept
 {
     T largest = a(0, 0);
     for (int i = 1; i < D; ++i) largest = maximum(largest, a(i, i));
     return largest;
+}
+
+template <class T, int D> constexpr T diagonal_product(SymmetricMatrix<T, D> const &a) noexcept
+{
+    T product = a(0, 0);
+    for (int i = 1; i < D; ++i) product = product * a(i, i);
+    return product;
 }
 
 /// The factorisation A = L·diag(d)·Lᵀ with L unit lower triangular.
@@ -219,7 +235,7 @@ template <class T> constexpr typename ScalarTraits<T>::Mask is_clearly_definite(
     T const minor = leading - a[1] * a[1];
     T const determinant =
         a[0] * (a[3] * a[5] - a[4] * a[4]) + a[1] * (a[2] * a[4] - a[1] * a[5]) + a[2] * (a[1] * a[4] - a[2] * a[3]);
-    return a[0] > T(0) && a[3] > T(0) && product > least_diagonal_product<T>() && minor > bound * leading &&
+    return a[0] > T(0) && product > least_diagonal_product<T>() && minor > bound * leading &&
            determinant > bound * product;
 }
 

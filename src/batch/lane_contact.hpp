@@ -21,43 +21,26 @@ inline constexpr std::size_t contact_chunk_size = packs_per_chunk * lanes;
 /// What is known of the pairs of a pack.
 struct LaneState {
     LanePair pair;
-    Pack a[3], b[4]; ///< coefficients of the rational form
+    RationalForm<Pack> form;
     Candidate<Pack> candidate;
     unsigned ordinary; ///< lanes of ordinary pairs
     unsigned active;   ///< lanes that have not converged
 };
 
-/// The coefficients of the rational form; the outer weights of r12 serve all three of a(t).
 PW85_INLINE void start(LaneState &state, LanePair const &pair) noexcept
 {
-    auto const weights = outer_weights(pair.r12);
-    auto const adj1 = adjugate(pair.q1), adj2 = adjugate(pair.q2);
     state.pair = pair;
-    state.a[0] = quadratic_form(adj1, weights);
-    state.a[1] = quadratic_form(mixed_adjugate(pair.q1, pair.q2), weights);
-    state.a[2] = quadratic_form(adj2, weights);
-    state.b[0] = determinant(pair.q1, adj1);
-    state.b[1] = contraction(adj1, pair.q2);
-    state.b[2] = contraction(adj2, pair.q1);
-    state.b[3] = determinant(pair.q2, adj2);
+    state.form = rational_form(pair);
     state.candidate = {initial_guess(pair), Pack(1.0), Pack(0.0)};
     state.ordinary = is_ordinary(pair.r12, pair.q1, pair.q2).to_bits();
     state.active = all_lanes;
-}
-
-PW85_INLINE Jet<Pack> evaluate_jet(LaneState const &state) noexcept
-{
-    RationalForm<Pack, 3> form;
-    for (int i = 0; i < 3; ++i) form.a[i] = state.a[i];
-    for (int i = 0; i < 4; ++i) form.b[i] = state.b[i];
-    return evaluate_jet(form, state.candidate.t);
 }
 
 /// The first step, which is never the last.
 PW85_INLINE void first_step(LaneState &state) noexcept
 {
     Pack const ratio = Pack(1.0), t = state.candidate.t;
-    Jet<Pack> const jet = evaluate_jet(state);
+    Jet<Pack> const jet = evaluate_jet(state.form, t);
     Slope<Pack> const s = slope(jet, ratio, t);
     PackMask const near = is_near(s);
     Pack factor = exponential(halley_step(s));
@@ -70,7 +53,7 @@ PW85_INLINE void next_step(LaneState &state) noexcept
 {
     Pack const ratio = Pack(1.0), t = state.candidate.t;
     PackMask const active = PackMask::from_bits(state.active);
-    Jet<Pack> const jet = evaluate_jet(state);
+    Jet<Pack> const jet = evaluate_jet(state.form, t);
     Slope<Pack> const s = slope(jet, ratio, t);
     Step<Pack> const step = halley_step(s);
     PackMask const near = is_near(s);
@@ -111,14 +94,11 @@ struct LaneContact {
 PW85_INLINE LaneContact finish(LaneState const &state) noexcept
 {
     LanePair const &pair = state.pair;
-    auto const m = blend(Pack(1.0), pair.q1, state.candidate.t, pair.q2);
-    auto const adj = adjugate(m);
-    auto const s = product(adj, pair.r12);
-    auto const weights = outer_weights(s);
+    auto const solution = solve_by_adjugate(blend(pair.q1, state.candidate.t, pair.q2), pair.r12);
+    auto const weights = outer_weights(solution.s);
     Finish<Pack> const last = finish(state.candidate, Pack(1.0), quadratic_form(pair.q1, weights),
-                                     quadratic_form(pair.q2, weights), dot(pair.r12, s));
-    PackMask const accurate = determinant(m, adj) >= fine_conditioning<Pack>() * (m[0] * m[3] * m[5]);
-    PackMask const done = accurate && absolute(last.step) <= final_step<Pack>();
+                                     quadratic_form(pair.q2, weights), dot(pair.r12, solution.s));
+    PackMask const done = is_accurate(solution) && absolute(last.step) <= final_step<Pack>();
     return {last.mu2, last.lambda, done.to_bits() & state.ordinary & ~state.active};
 }
 

@@ -11,6 +11,7 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 
 #include <pw85/scalar.hpp>
 
@@ -215,7 +216,17 @@ PW85_INLINE Pack rough_root(Pack const &x) noexcept { return square_root(x); }
 template <> struct ScalarTraits<Pack> {
     using Lane = double;
     using Mask = PackMask;
+    static constexpr int lanes = static_cast<int>(pw85::lanes);
 };
+
+template <> PW85_INLINE Pack load_lanes<Pack>(double const *x) noexcept
+{
+    Pack p;
+    std::memcpy(&p.v, x, sizeof p.v);
+    return p;
+}
+
+PW85_INLINE double first_lane(Pack const &x) noexcept { return x[0]; }
 
 /// Without the loop of the template, which compilers do not carry out beforehand for a pack.
 template <> PW85_INLINE Pack negative_power_of_two<Pack>(int n) noexcept
