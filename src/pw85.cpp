@@ -90,10 +90,7 @@ int pw85_contact_geometry(double const r12[3], double const q1[6], double const 
         store_nan(point, PW85_DIM);
         return null_pointer(normal, PW85_DIM);
     }
-    auto const g = contact_geometry(load_vector<3>(r12), load_matrix<3>(q1), load_matrix<3>(q2), lambda);
-    store(g.point, point);
-    store(g.normal, normal);
-    return static_cast<int>(g.status);
+    return batch::kernels().scalar->contact_geometry(r12, q1, q2, lambda, point, normal);
 }
 
 int pw85_contact_gradient(double const r12[3], double const q1[6], double const q2[6], double lambda, double d_r12[3],
@@ -104,11 +101,7 @@ int pw85_contact_gradient(double const r12[3], double const q1[6], double const 
         store_nan(d_q1, PW85_SYM);
         return null_pointer(d_q2, PW85_SYM);
     }
-    auto const g = contact_gradient(load_vector<3>(r12), load_matrix<3>(q1), load_matrix<3>(q2), lambda);
-    store(g.r12, d_r12);
-    store(g.q1, d_q1);
-    store(g.q2, d_q2);
-    return static_cast<int>(g.status);
+    return batch::kernels().scalar->contact_gradient(r12, q1, q2, lambda, d_r12, d_q1, d_q2);
 }
 
 int pw85_contact_torque(double const r12[3], double const q1[6], double const q2[6], double lambda, double d_rot1[3],
@@ -118,10 +111,7 @@ int pw85_contact_torque(double const r12[3], double const q1[6], double const q2
         store_nan(d_rot1, PW85_DIM);
         return null_pointer(d_rot2, PW85_DIM);
     }
-    auto const t = contact_torque(load_vector<3>(r12), load_matrix<3>(q1), load_matrix<3>(q2), lambda);
-    store(t.rotation1, d_rot1);
-    store(t.rotation2, d_rot2);
-    return static_cast<int>(t.status);
+    return batch::kernels().scalar->contact_torque(r12, q1, q2, lambda, d_rot1, d_rot2);
 }
 
 int pw85_overlap(double const r12[3], double const q1[6], double const q2[6], int *overlap)
@@ -135,9 +125,7 @@ int pw85_overlap(double const r12[3], double const q1[6], double const q2[6], in
 int pw85_closest_approach(double const direction[3], double const q1[6], double const q2[6], double *distance)
 {
     if (any_null(direction, q1, q2, distance)) return null_pointer(distance, 1);
-    auto const c = closest_approach(load_vector<3>(direction), load_matrix<3>(q1), load_matrix<3>(q2));
-    *distance = c.distance;
-    return static_cast<int>(c.status);
+    return batch::kernels().scalar->closest_approach(direction, q1, q2, distance);
 }
 
 int pw85_closest_approach_2d(double const direction[2], double const q1[3], double const q2[3], double *distance)

@@ -282,8 +282,9 @@ maximize_factorized(Pair<T, D> const &pair, Candidate<T> candidate, int evaluati
     return {last.mu2, last.lambda, last.complement, evaluations + 1, evaluations < max_evaluations - 1};
 }
 
-/// The maximum of f over λ in [0, 1], for a pair of positive definite forms in range with r12 != 0.
-template <class T, int D> [[gnu::always_inline]] inline Maximum<T> maximize(Pair<T, D> const &pair) noexcept
+/// The maximum of f over λ in [0, 1], for a pair of positive definite forms in range with r12 != 0. All callers share one
+/// instance, so that products are fused alike and scaling changes no bit of the result.
+template <class T, int D> [[gnu::noinline]] inline Maximum<T> maximize(Pair<T, D> const &pair) noexcept
 {
     Candidate<T> candidate;
     Maximum<T> const maximum = maximize_rational(pair, candidate);

@@ -47,10 +47,17 @@ struct Failure {
     }
 };
 
-/// Functions for one pair, with the contracts of pw85_contact() and pw85_overlap() for pointers that are not null.
+/// Functions for one pair, with the contracts of the C API where inputs are not null.
 struct ScalarKernels {
     int (*contact)(double const *r12, double const *q1, double const *q2, double *out) noexcept;
     int (*overlap)(double const *r12, double const *q1, double const *q2, int *overlap) noexcept;
+    int (*contact_geometry)(double const *r12, double const *q1, double const *q2, double lambda, double *point,
+                            double *normal) noexcept;
+    int (*contact_gradient)(double const *r12, double const *q1, double const *q2, double lambda, double *d_r12,
+                            double *d_q1, double *d_q2) noexcept;
+    int (*contact_torque)(double const *r12, double const *q1, double const *q2, double lambda, double *d_rot1,
+                          double *d_rot2) noexcept;
+    int (*closest_approach)(double const *direction, double const *q1, double const *q2, double *distance) noexcept;
 };
 
 /// Functions for ranges of pairs. The scalar kernels serve the pairs that lanes cannot; the first bad one is returned.

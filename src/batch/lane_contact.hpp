@@ -64,11 +64,11 @@ PW85_INLINE void next_step(LaneState &state) noexcept
     state.active = (active && !(near && is_within(step, penultimate_step<Pack>()))).to_bits();
 }
 
-/// Steps until all lanes have converged, five at most as in the scalar solver.
+/// Steps until all lanes of up to packs_per_chunk packs have converged, five at most as in the scalar solver.
 PW85_INLINE void search(LaneState *states, std::size_t packs) noexcept
 {
     std::uint8_t active[packs_per_chunk];
-    for (std::size_t k = 0; k < packs; ++k) {
+    for (std::size_t k = 0; k < packs && k < packs_per_chunk; ++k) { // the compiler cannot know it
         first_step(states[k]);
         active[k] = static_cast<std::uint8_t>(k);
     }

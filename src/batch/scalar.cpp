@@ -1,4 +1,6 @@
 // The functions for one pair, compiled once per instruction set.
+#include <pw85/closest_approach.hpp>
+#include <pw85/geometry.hpp>
 #include <pw85/overlap.hpp>
 
 #include "../c_arrays.hpp"
@@ -35,9 +37,49 @@ int overlap(double const *r12, double const *q1, double const *q2, int *overlap)
     return static_cast<int>(Status::success);
 }
 
+int contact_geometry(double const *r12, double const *q1, double const *q2, double lambda, double *point,
+                     double *normal) noexcept
+{
+    auto const g = pw85::contact_geometry(c_api::load_vector<3>(r12), c_api::load_matrix<3>(q1),
+                                          c_api::load_matrix<3>(q2), lambda);
+    c_api::store(g.point, point);
+    c_api::store(g.normal, normal);
+    return static_cast<int>(g.status);
+}
+
+int contact_gradient(double const *r12, double const *q1, double const *q2, double lambda, double *d_r12, double *d_q1,
+                     double *d_q2) noexcept
+{
+    auto const g = pw85::contact_gradient(c_api::load_vector<3>(r12), c_api::load_matrix<3>(q1),
+                                          c_api::load_matrix<3>(q2), lambda);
+    c_api::store(g.r12, d_r12);
+    c_api::store(g.q1, d_q1);
+    c_api::store(g.q2, d_q2);
+    return static_cast<int>(g.status);
+}
+
+int contact_torque(double const *r12, double const *q1, double const *q2, double lambda, double *d_rot1,
+                   double *d_rot2) noexcept
+{
+    auto const t =
+        pw85::contact_torque(c_api::load_vector<3>(r12), c_api::load_matrix<3>(q1), c_api::load_matrix<3>(q2), lambda);
+    c_api::store(t.rotation1, d_rot1);
+    c_api::store(t.rotation2, d_rot2);
+    return static_cast<int>(t.status);
+}
+
+int closest_approach(double const *direction, double const *q1, double const *q2, double *distance) noexcept
+{
+    auto const c =
+        pw85::closest_approach(c_api::load_vector<3>(direction), c_api::load_matrix<3>(q1), c_api::load_matrix<3>(q2));
+    *distance = c.distance;
+    return static_cast<int>(c.status);
+}
+
 } // namespace
 
 extern ScalarKernels const PW85_SCALAR_KERNELS;
-ScalarKernels const PW85_SCALAR_KERNELS = {contact, overlap};
+ScalarKernels const PW85_SCALAR_KERNELS = {contact,          overlap,        contact_geometry,
+                                           contact_gradient, contact_torque, closest_approach};
 
 } // namespace pw85::batch
