@@ -104,6 +104,92 @@ void test_random()
     g_assert_cmpint(overlapping, <, 7000);
 }
 
+/// A pair with |μ² - 1| log-uniform from far below the margins of all tests to far above them, of any sizes.
+Sample<double, 3> pair_near_margins(Random &random, int n)
+{
+    double const distance = std::copysign(random.log_uniform(1e-9, 0.7), n % 2 == 0 ? 1.0 : -1.0);
+    return random_pair<3>(random, {.aspect = n % 4 < 2 ? 10.0 : 1e3,
+                                   .size_ratio = random.log_uniform(1.0, 1e7),
+                                   .mu2_min = 1.0 + distance,
+                                   .mu2_max = 1.0 + distance});
+}
+
+// The tests are made at several points at once where the library has lanes, and at one after the other in the headers.
+template <class T> void test_margins()
+{
+    Failures failures;
+    Random random(102);
+    int tiers[3] = {};
+    for (int n = 0; n < 10000; ++n) {
+        auto const p = convert<T>(pair_near_margins(random, n));
+        auto const w = convert<Wide>(p);
+        bool const expected = pw85::contact(w.r12, w.q1, w.q2).mu2 < 1;
+        auto const describe = [&] { return hex_text(p); };
+        auto const answer = pw85::overlap(p.r12, p.q1, p.q2);
+        if (answer.status == pw85::Status::not_positive_definite) continue; // what rounding can do to it
+        ++tiers[static_cast<int>(answer.tier)];
+        failures.check(answer.status == pw85::Status::success && answer.overlap == expected, "pw85::overlap",
+                       answer.overlap, expected, describe);
+        if constexpr (std::is_same_v<T, double>)
+            failures.check(overlap(p) == expected, "pw85_overlap", overlap(p), expected, describe);
+    }
+    g_test_message("quartic %d, contact %d, exact %d", tiers[0], tiers[1], tiers[2]);
+    g_assert_cmpint(tiers[0], >, 0);
+    g_assert_cmpint(tiers[1], >, 0);
+}
+
+/// Half-width of an ellipsoid's projection on a unit vector.
+Wide half_width(pw85::SymmetricMatrix<Wide, 3> const &q, pw85::Vector<Wide, 3> const &direction)
+{
+    return sqrt(pw85::quadratic_form(q, direction));
+}
+
+/// xᵀQ⁻¹x: below 1 inside.
+Wide level(pw85::SymmetricMatrix<Wide, 3> const &q, pw85::Vector<Wide, 3> const &x)
+{
+    return pw85::dot(x, pw85::cholesky_solve(pw85::cholesky(q), x));
+}
+
+// What is returned as a proof is one: a plane that separates the ellipsoids, or a point that is inside both.
+void test_witness()
+{
+    Failures failures;
+    Random random(103);
+    for (int n = 0; n < 5000; ++n) {
+        auto const p = random_pair<3>(random, {.aspect = 100.0, .size_ratio = 100.0, .mu2_min = 1e-3, .mu2_max = 1e3});
+        auto const witness = pw85::overlap_witness(p.r12, p.q1, p.q2);
+        auto const w = convert<Wide>(p);
+        auto const describe = [&] { return hex_text(p); };
+        if (witness.overlap) {
+            auto const x = convert<Wide>(witness.point);
+            pw85::Vector<Wide, 3> const from2{x[0] - w.r12[0], x[1] - w.r12[1], x[2] - w.r12[2]};
+            double const deepest = static_cast<double>(pw85::maximum(level(w.q1, x), level(w.q2, from2)));
+            failures.check(deepest < 1.0, "point inside both", deepest, 1.0, describe);
+            failures.check(std::isnan(witness.direction[0]), "no direction", witness.direction[0], 0.0, describe);
+        } else {
+            auto const normal = convert<Wide>(witness.direction);
+            double const gap = static_cast<double>(
+                Wide(pw85::dot(normal, w.r12) - half_width(w.q1, normal) - half_width(w.q2, normal)));
+            failures.check(gap > 0.0, "gap between the planes", gap, 0.0, describe);
+            double const f = static_cast<double>(pw85::evaluate_f(Wide(witness.lambda), w.r12, w.q1, w.q2));
+            failures.check(f > 1.0, "f(lambda)", f, 1.0, describe);
+            failures.check(std::isnan(witness.point[0]), "no point", witness.point[0], 0.0, describe);
+        }
+    }
+}
+
+void test_witness_of_special_pairs()
+{
+    Sample<double, 3> p{{0.0, 0.0, 0.0}, {1.0, 0.0, 0.0, 1.0, 0.0, 1.0}, {4.0, 0.0, 0.0, 1.0, 0.0, 1.0}};
+    auto const concentric = pw85::overlap_witness(p.r12, p.q1, p.q2);
+    g_assert_true(concentric.overlap && concentric.status == pw85::Status::success);
+    for (int i = 0; i < 3; ++i) g_assert_cmpfloat(concentric.point[i], ==, 0.0);
+    p.q2[0] = -1.0;
+    auto const invalid = pw85::overlap_witness(p.r12, p.q1, p.q2);
+    g_assert_true(!invalid.overlap && invalid.status == pw85::Status::not_positive_definite);
+    g_assert_true(std::isnan(invalid.point[0]) && std::isnan(invalid.direction[0]));
+}
+
 void test_extreme_scales()
 {
     Failures failures;
@@ -189,6 +275,11 @@ int main(int argc, char **argv)
     g_test_add_func("/overlap/tangent/spheres", test_tangent_spheres);
     g_test_add_func("/overlap/tangent/neighbours", test_neighbours_of_tangent_pairs);
     g_test_add_func("/overlap/random", test_random);
+    g_test_add_func("/overlap/margins/float", test_margins<float>);
+    g_test_add_func("/overlap/margins/double", test_margins<double>);
+    g_test_add_func("/overlap/margins/long_double", test_margins<long double>);
+    g_test_add_func("/overlap/witness/random", test_witness);
+    g_test_add_func("/overlap/witness/special", test_witness_of_special_pairs);
     g_test_add_func("/overlap/extreme_scales", test_extreme_scales);
     g_test_add_func("/overlap/distances", test_distances);
     g_test_add_func("/overlap/concentric", test_concentric);

@@ -1,6 +1,6 @@
 """Evaluations of f per pair, and what decides overlaps, against the aspect ratio."""
 
-from style import BLACK, BLUE, GREEN, ORANGE, PURPLE, SKY, figure, read_table, save
+from style import BLUE, GREEN, ORANGE, PURPLE, SKY, figure, read_table, save
 
 
 def main():
@@ -16,7 +16,7 @@ def main():
     left.set(xlabel="aspect ratio", ylabel="evaluations of $f$ per pair", ylim=(0, 41))
     left.legend(fontsize=9, loc="upper left", ncol=2)
 
-    tiers = {"projection": BLACK, "quartic": SKY, "contact": ORANGE, "exact": PURPLE}
+    tiers = {"quartic": SKY, "contact": ORANGE, "exact": PURPLE}
     shares = [[float(row[f"percent_{tier}"]) for row in rows] for tier in tiers]
     right.stackplot(aspect, shares, labels=list(tiers), colors=list(tiers.values()), alpha=0.75)
     right.set(
