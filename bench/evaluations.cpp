@@ -33,8 +33,7 @@ struct Work {
                     static_cast<double>(sum) / total);
         for (auto const &[count, pairs] : evaluations) std::printf("  %d: %.3g %%", count, 100.0 * pairs / total);
         std::printf("\n  overlap decided by  quartic: %.3g %%  contact: %.3g %%  exact: %.3g %%\n",
-                    100.0 * tiers[0] / total, 100.0 * tiers[1] / total, 100.0 * tiers[2] / total,
-                    100.0 * tiers[3] / total);
+                    100.0 * tiers[0] / total, 100.0 * tiers[1] / total, 100.0 * tiers[2] / total);
     }
 };
 

@@ -11,10 +11,9 @@
 
 #include <glib.h>
 
-#include <pw85.h>
-
 #include "failures.hpp"
 #include "random_pairs.hpp"
+#include "solvers.hpp"
 #include "wide.hpp"
 
 using namespace pw85_tests;
@@ -22,15 +21,6 @@ using namespace pw85_tests;
 namespace {
 
 constexpr double u = 0x1p-53;
-
-using ContactFunction = int (*)(double const *, double const *, double const *, double *);
-
-struct Solver {
-    char const *name;
-    ContactFunction call;
-};
-
-Solver const solvers[] = {{"contact", pw85_contact}, {"contact_function", pw85_contact_function}};
 
 struct Result {
     double mu2, lambda;
@@ -177,22 +167,16 @@ void test_spheres(void const *solver)
     }
 }
 
-void add_for_each_solver(char const *name, GTestDataFunc test)
-{
-    for (auto const &solver : solvers)
-        g_test_add_data_func((std::string("/invariance/") + solver.name + "/" + name).c_str(), &solver, test);
-}
-
 } // namespace
 
 int main(int argc, char **argv)
 {
     g_test_init(&argc, &argv, nullptr);
-    add_for_each_solver("exchange", test_exchange);
-    add_for_each_solver("rotation", test_rotation);
-    add_for_each_solver("linear_map", test_linear_map);
-    add_for_each_solver("powers_of_two", test_powers_of_two);
-    add_for_each_solver("scaling_of_separation", test_scaling_of_separation);
-    add_for_each_solver("spheres", test_spheres);
+    add_for_each_solver("/invariance", "exchange", test_exchange);
+    add_for_each_solver("/invariance", "rotation", test_rotation);
+    add_for_each_solver("/invariance", "linear_map", test_linear_map);
+    add_for_each_solver("/invariance", "powers_of_two", test_powers_of_two);
+    add_for_each_solver("/invariance", "scaling_of_separation", test_scaling_of_separation);
+    add_for_each_solver("/invariance", "spheres", test_spheres);
     return g_test_run();
 }

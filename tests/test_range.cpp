@@ -4,10 +4,9 @@
 
 #include <glib.h>
 
-#include <pw85.h>
-
 #include "failures.hpp"
 #include "random_pairs.hpp"
+#include "solvers.hpp"
 #include "wide.hpp"
 
 using namespace pw85_tests;
@@ -15,15 +14,6 @@ using namespace pw85_tests;
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-
-using ContactFunction = int (*)(double const *, double const *, double const *, double *);
-
-struct Solver {
-    char const *name;
-    ContactFunction call;
-};
-
-Solver const solvers[] = {{"contact", pw85_contact}, {"contact_function", pw85_contact_function}};
 
 /// A pair with all lengths times `length`: exact up to rounding, which the oracle sees as well.
 Sample<double, 3> times_length(Sample<double, 3> const &p, double length)
@@ -161,21 +151,15 @@ void test_derivatives_scale()
     }
 }
 
-void add_for_each_solver(char const *name, GTestDataFunc test)
-{
-    for (auto const &solver : solvers)
-        g_test_add_data_func((std::string("/range/") + solver.name + "/" + name).c_str(), &solver, test);
-}
-
 } // namespace
 
 int main(int argc, char **argv)
 {
     g_test_init(&argc, &argv, nullptr);
-    add_for_each_solver("sizes", test_sizes);
-    add_for_each_solver("distances", test_distances);
-    add_for_each_solver("denormal", test_denormal);
-    add_for_each_solver("largest", test_largest);
+    add_for_each_solver("/range", "sizes", test_sizes);
+    add_for_each_solver("/range", "distances", test_distances);
+    add_for_each_solver("/range", "denormal", test_denormal);
+    add_for_each_solver("/range", "largest", test_largest);
     g_test_add_func("/range/derivatives", test_derivatives_scale);
     return g_test_run();
 }

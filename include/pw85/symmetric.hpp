@@ -79,15 +79,35 @@ template <class T, int D> constexpr SymmetricMatrix<T, D> outer_weights(Vector<T
     return w;
 }
 
+/// Σ a_ii b_ii and Σ a_ij b_ij over i < j.
+template <class T> struct EntrywiseSums {
+    T diagonal, rest;
+};
+
+template <class T, int D>
+constexpr EntrywiseSums<T> entrywise_sums(SymmetricMatrix<T, D> const &a, SymmetricMatrix<T, D> const &b) noexcept
+{
+    T diagonal = a(0, 0) * b(0, 0), rest = a(0, 1) * b(0, 1);
+    for (int i = 1; i < D; ++i) diagonal = diagonal + a(i, i) * b(i, i);
+    for (int j = 2; j < D; ++j)
+        for (int i = 0; i < j; ++i) rest = rest + a(i, j) * b(i, j);
+    return {diagonal, rest};
+}
+
+/// The contraction A:B = tr(A·B).
+template <class T, int D>
+constexpr T contraction(SymmetricMatrix<T, D> const &a, SymmetricMatrix<T, D> const &b) noexcept
+{
+    auto const sums = entrywise_sums(a, b);
+    return sums.diagonal + T(2) * sums.rest;
+}
+
 /// The quadratic form xᵀ A x, from the outer weights of x.
 template <class T, int D>
 constexpr T quadratic_form(SymmetricMatrix<T, D> const &a, SymmetricMatrix<T, D> const &weights) noexcept
 {
-    T diagonal = weights(0, 0) * a(0, 0), rest = weights(0, 1) * a(0, 1);
-    for (int i = 1; i < D; ++i) diagonal = diagonal + weights(i, i) * a(i, i);
-    for (int j = 2; j < D; ++j)
-        for (int i = 0; i < j; ++i) rest = rest + weights(i, j) * a(i, j);
-    return diagonal + rest;
+    auto const sums = entrywise_sums(a, weights);
+    return sums.diagonal + sums.rest;
 }
 
 /// The quadratic form xᵀ A x.
@@ -250,17 +270,6 @@ template <class T> constexpr SymmetricMatrix<T, 3> adjugate(SymmetricMatrix<T, 3
 {
     return {a[3] * a[5] - a[4] * a[4], a[2] * a[4] - a[1] * a[5], a[1] * a[4] - a[2] * a[3],
             a[0] * a[5] - a[2] * a[2], a[1] * a[2] - a[0] * a[4], a[0] * a[3] - a[1] * a[1]};
-}
-
-/// The contraction A:B = tr(A·B).
-template <class T, int D>
-constexpr T contraction(SymmetricMatrix<T, D> const &a, SymmetricMatrix<T, D> const &b) noexcept
-{
-    T diagonal = a(0, 0) * b(0, 0), rest = a(0, 1) * b(0, 1);
-    for (int i = 1; i < D; ++i) diagonal = diagonal + a(i, i) * b(i, i);
-    for (int j = 2; j < D; ++j)
-        for (int i = 0; i < j; ++i) rest = rest + a(i, j) * b(i, j);
-    return diagonal + T(2) * rest;
 }
 
 /// The determinant from a matrix and its adjugate, expanded along the first row.
