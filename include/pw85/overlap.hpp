@@ -127,7 +127,7 @@ decide_by_quartic(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, Symm
         auto const certainty = decide(e, t);
         Decision const decision = to_decision(any_of(certainty.apart), any_of(certainty.overlap));
         if (decision != Decision::none || round == max_rounds) return decision;
-        center = coarse_root_of_ratio(first_lane(complement(e, t)), first_lane(e.form));
+        center = rough_root(rough_quotient(first_lane(complement(e, t)), first_lane(e.form)));
     }
 }
 
