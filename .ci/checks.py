@@ -1,4 +1,5 @@
-"""The checks of .ci/run: README's two commands, all tests with gcc and clang without warnings, sanitizers, valgrind, format.
+"""The checks of .ci/run: README's two commands, all tests with gcc and clang without warnings, the styles for LAMMPS,
+sanitizers, valgrind, format.
 
 Results are counted from what `meson test` writes, so that suites need not be listed here; a step that is no test counts as
 one. The last line is "N passed, N failed".
@@ -115,6 +116,8 @@ def check_all(results):
         valgrind = "valgrind --quiet --error-exitcode=99 --leak-check=full --errors-for-leak-kinds=definite"
         test(results, TEST_COMMAND_BUILD, ["--suite", "quick", "--wrap", valgrind, "--timeout-multiplier", "20"],
              G_SLICE="always-malloc", PW85_TARGET="avx2")  # valgrind knows no AVX-512
+    if build(results, "lammps", [*ONLY_TESTS, "-Dlammps=enabled"], {}):
+        test(results, BUILDS / "lammps", ["--suite", "lammps"])
     if build(results, "clang", ONLY_TESTS, CLANG):
         test(results, BUILDS / "clang", ["--no-suite", "install"])
     if build(results, "address-undefined", [*ONLY_TESTS, "-Db_sanitize=address,undefined", "-Doptimization=2"], {}):
