@@ -122,7 +122,7 @@ class Installation:
     def with_cmake(self, kind, language):
         folder = self.project(f"cmake-{kind}-{language}")
         build = folder / "build"
-        run("cmake", "-S", folder, "-B", build, f"-DCMAKE_PREFIX_PATH={self.prefix}",
+        run("cmake", "-G", "Ninja", "-S", folder, "-B", build, f"-DCMAKE_PREFIX_PATH={self.prefix}",
             f"-DPW85_USE_STATIC_LIBS={'ON' if kind == 'static' else 'OFF'}",
             f"-DLANGUAGE={'C' if language == 'c' else 'CXX'}")
         run("cmake", "--build", build)
@@ -165,7 +165,7 @@ class Installation:
         elsewhere = self.work / "elsewhere"
         shutil.copytree(self.prefix, elsewhere, symlinks=True)
         folder = self.project("cmake-moved")
-        run("cmake", "-S", folder, "-B", folder / "build", f"-DCMAKE_PREFIX_PATH={elsewhere}", "-DLANGUAGE=C")
+        run("cmake", "-G", "Ninja", "-S", folder, "-B", folder / "build", f"-DCMAKE_PREFIX_PATH={elsewhere}", "-DLANGUAGE=C")
         run("cmake", "--build", folder / "build")
         cache = (folder / "build/CMakeCache.txt").read_text()
         if f"{elsewhere}/lib/cmake/pw85" not in cache:
