@@ -58,7 +58,6 @@ template <class T> constexpr T select(bool condition, T const &yes, T const &no)
 }
 
 constexpr bool any_of(bool mask) noexcept { return mask; }
-constexpr bool all_of(bool mask) noexcept { return mask; }
 
 /// The larger of two numbers; the first where either is NaN.
 template <class T> constexpr T maximum(T const &x, T const &y) noexcept { return select(y > x, y, x); }
