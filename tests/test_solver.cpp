@@ -1,4 +1,5 @@
 // The solver on the pairs that are hardest for it: the bound on its evaluations, and that it is right when it stops.
+#include <algorithm>
 #include <cmath>
 
 #include <glib.h>
@@ -85,6 +86,27 @@ void test_extreme_shapes()
     }
 }
 
+// Derivatives of such pairs may be infinite or zero; a product of both must not come out of it.
+void test_derivatives_of_extreme_shapes()
+{
+    Failures failures;
+    Random random(82);
+    for (int n = 0; n < 50000; ++n) {
+        auto const p = extreme_pair(random, n % 3);
+        double const *r12 = p.r12.coordinates, *q1 = p.q1.entries, *q2 = p.q2.entries;
+        double contact[2], out[27];
+        if (pw85_contact(r12, q1, q2, contact) != PW85_SUCCESS) continue;
+        for (double const lambda : {contact[1], 0.0, 0x1p-1074, 1.0}) {
+            int const status = pw85_contact_geometry(r12, q1, q2, lambda, out, out + 3) |
+                               pw85_contact_gradient(r12, q1, q2, lambda, out + 6, out + 9, out + 15) |
+                               pw85_contact_torque(r12, q1, q2, lambda, out + 21, out + 24);
+            bool const any_nan = std::any_of(out, out + 27, [](double x) { return std::isnan(x); });
+            failures.check(status == PW85_SUCCESS && !any_nan, "NaN, status", status, 0.0,
+                           [&] { return hex_text(p) + ", lambda = " + hex_text(&lambda, 1); });
+        }
+    }
+}
+
 struct HardPair {
     char const *name;
     Sample<double, 3> pair;
@@ -133,6 +155,7 @@ int main(int argc, char **argv)
     g_test_init(&argc, &argv, nullptr);
     g_test_add_func("/solver/bound_on_evaluations", test_bound_on_evaluations);
     g_test_add_func("/solver/extreme_shapes", test_extreme_shapes);
+    g_test_add_func("/solver/derivatives_of_extreme_shapes", test_derivatives_of_extreme_shapes);
     for (auto const &hard : hard_pairs)
         g_test_add_data_func((std::string("/solver/") + hard.name).c_str(), &hard, test_hard_pair);
     return g_test_run();
