@@ -92,7 +92,10 @@ void test_derivatives_of_extreme_shapes()
     Failures failures;
     Random random(82);
     for (int n = 0; n < 50000; ++n) {
-        auto const p = extreme_pair(random, n % 3);
+        auto p = extreme_pair(random, n % 3);
+        p.r12 = pw85::times_power_of_two(p.r12, static_cast<int>(random.uniform(-700.0, 700.0)));
+        p.q1 = pw85::times_power_of_two(p.q1, 2 * static_cast<int>(random.uniform(-350.0, 350.0)));
+        p.q2 = pw85::times_power_of_two(p.q2, 2 * static_cast<int>(random.uniform(-350.0, 350.0)));
         double const *r12 = p.r12.coordinates, *q1 = p.q1.entries, *q2 = p.q2.entries;
         double contact[2], out[27];
         if (pw85_contact(r12, q1, q2, contact) != PW85_SUCCESS) continue;
