@@ -39,7 +39,7 @@ def main():
         source = "/** @file */\n" + source
     source = SHARED_PARAMETERS.sub(split_parameters, end_of_comment_alone(source))
     # Doxygen does not know namespaces that are inline by a macro, and takes attributes and constraints for types.
-    source = source.replace("namespace pw85::inline PW85_TARGET", "namespace pw85").replace("[[gnu::noinline]] ", "")
+    source = source.replace("[[gnu::noinline]] ", "").replace("[[gnu::always_inline]] ", "")
     source = re.sub(r"^( *)requires\(.*\) explicit", r"\1explicit", source, flags=re.MULTILINE)
     source = STATUS_MACRO.sub(lambda macro: enumerators(0 if macro["cpp"] == "cpp_name" else 1), source)
     # Names of headers are not to become links to pages that there are not.

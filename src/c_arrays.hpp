@@ -6,7 +6,8 @@
 
 #include <pw85/symmetric.hpp>
 
-namespace pw85::inline PW85_TARGET::c_api {
+namespace pw85::c_api {
+namespace {
 
 inline bool any_null() noexcept { return false; }
 
@@ -46,6 +47,7 @@ inline void store_nan(double *x, int count) noexcept
     for (int i = 0; x != nullptr && i < count; ++i) x[i] = quiet_nan<double>();
 }
 
-} // namespace pw85::inline PW85_TARGET::c_api
+} // namespace
+} // namespace pw85::c_api
 
 #endif

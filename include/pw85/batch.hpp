@@ -17,7 +17,7 @@
 #include <pw85/status.hpp>
 #include <pw85/symmetric.hpp>
 
-namespace pw85::inline PW85_TARGET {
+namespace pw85 {
 
 using Vectors = std::span<Vector<double, 3> const>;
 using Forms = std::span<SymmetricMatrix<double, 3> const>;
@@ -36,24 +36,24 @@ struct Particles {
 };
 
 /// contact() for pairs of double precision.
-inline Status contact_batch(Vectors r12, Forms q1, Forms q2, std::span<double> mu2,
-                            std::span<double> lambda = {}) noexcept;
+static inline Status contact_batch(Vectors r12, Forms q1, Forms q2, std::span<double> mu2,
+                                   std::span<double> lambda = {}) noexcept;
 
 /// contact() for pairs of single precision: the forms are widened, computed with in double, and the results rounded.
-inline Status contact_batch(std::span<Vector<float, 3> const> r12, std::span<SymmetricMatrix<float, 3> const> q1,
-                            std::span<SymmetricMatrix<float, 3> const> q2, std::span<float> mu2,
-                            std::span<float> lambda = {}) noexcept;
+static inline Status contact_batch(std::span<Vector<float, 3> const> r12, std::span<SymmetricMatrix<float, 3> const> q1,
+                                   std::span<SymmetricMatrix<float, 3> const> q2, std::span<float> mu2,
+                                   std::span<float> lambda = {}) noexcept;
 
 /// overlap() for pairs: 1, 0, or 255.
-inline Status overlap_batch(Vectors r12, Forms q1, Forms q2, std::span<unsigned char> overlap) noexcept;
+static inline Status overlap_batch(Vectors r12, Forms q1, Forms q2, std::span<unsigned char> overlap) noexcept;
 
 /// contact() for the pairs of a neighbour list.
-inline Status contact_pairs(std::span<IndexPair const> pairs, Particles const &particles, std::span<double> mu2,
-                            std::span<double> lambda = {}) noexcept;
+static inline Status contact_pairs(std::span<IndexPair const> pairs, Particles const &particles, std::span<double> mu2,
+                                   std::span<double> lambda = {}) noexcept;
 
 /// overlap() for the pairs of a neighbour list.
-inline Status overlap_pairs(std::span<IndexPair const> pairs, Particles const &particles,
-                            std::span<unsigned char> overlap) noexcept;
+static inline Status overlap_pairs(std::span<IndexPair const> pairs, Particles const &particles,
+                                   std::span<unsigned char> overlap) noexcept;
 
 namespace detail {
 
@@ -61,31 +61,31 @@ static_assert(sizeof(Vector<double, 3>) == 3 * sizeof(double));
 static_assert(sizeof(SymmetricMatrix<double, 3>) == 6 * sizeof(double));
 static_assert(sizeof(IndexPair) == 2 * sizeof(std::int32_t));
 
-template <class Row> double const *numbers(std::span<Row const> rows) noexcept
+template <class Row> static double const *numbers(std::span<Row const> rows) noexcept
 {
     return reinterpret_cast<double const *>(rows.data());
 }
 
-inline std::int32_t const *numbers(std::span<IndexPair const> pairs) noexcept
+static inline std::int32_t const *numbers(std::span<IndexPair const> pairs) noexcept
 {
     return reinterpret_cast<std::int32_t const *>(pairs.data());
 }
 
-inline double const *numbers(Cell const *cell) noexcept { return reinterpret_cast<double const *>(cell); }
+static inline double const *numbers(Cell const *cell) noexcept { return reinterpret_cast<double const *>(cell); }
 
 /// The output, or null if it was left out.
-inline double *optional(std::span<double> lambda) noexcept { return lambda.empty() ? nullptr : lambda.data(); }
+static inline double *optional(std::span<double> lambda) noexcept { return lambda.empty() ? nullptr : lambda.data(); }
 
-template <class Lambda> bool fits(std::size_t n, Lambda lambda) noexcept
+template <class Lambda> static bool fits(std::size_t n, Lambda lambda) noexcept
 {
     return lambda.empty() || lambda.size() == n;
 }
 
-inline bool fit(Particles const &particles) noexcept { return particles.centers.size() == particles.q.size(); }
+static inline bool fit(Particles const &particles) noexcept { return particles.centers.size() == particles.q.size(); }
 
 /// Copies `count` rows and widens them.
 template <class Row, class Wide>
-void widen(std::span<Row const> rows, std::size_t first, std::size_t count, Wide *wide) noexcept
+static void widen(std::span<Row const> rows, std::size_t first, std::size_t count, Wide *wide) noexcept
 {
     for (std::size_t i = 0; i < count; ++i)
         for (int k = 0; k < static_cast<int>(sizeof(Row) / sizeof(float)); ++k)
@@ -94,7 +94,8 @@ void widen(std::span<Row const> rows, std::size_t first, std::size_t count, Wide
 
 } // namespace detail
 
-inline Status contact_batch(Vectors r12, Forms q1, Forms q2, std::span<double> mu2, std::span<double> lambda) noexcept
+static inline Status contact_batch(Vectors r12, Forms q1, Forms q2, std::span<double> mu2,
+                                   std::span<double> lambda) noexcept
 {
     std::size_t const n = mu2.size();
     if (r12.size() != n || q1.size() != n || q2.size() != n || !detail::fits(n, lambda))
@@ -103,9 +104,9 @@ inline Status contact_batch(Vectors r12, Forms q1, Forms q2, std::span<double> m
                                                   mu2.data(), detail::optional(lambda)));
 }
 
-inline Status contact_batch(std::span<Vector<float, 3> const> r12, std::span<SymmetricMatrix<float, 3> const> q1,
-                            std::span<SymmetricMatrix<float, 3> const> q2, std::span<float> mu2,
-                            std::span<float> lambda) noexcept
+static inline Status contact_batch(std::span<Vector<float, 3> const> r12, std::span<SymmetricMatrix<float, 3> const> q1,
+                                   std::span<SymmetricMatrix<float, 3> const> q2, std::span<float> mu2,
+                                   std::span<float> lambda) noexcept
 {
     constexpr std::size_t block = 256;
     std::size_t const n = mu2.size();
@@ -131,7 +132,7 @@ inline Status contact_batch(std::span<Vector<float, 3> const> r12, std::span<Sym
     return first_bad;
 }
 
-inline Status overlap_batch(Vectors r12, Forms q1, Forms q2, std::span<unsigned char> overlap) noexcept
+static inline Status overlap_batch(Vectors r12, Forms q1, Forms q2, std::span<unsigned char> overlap) noexcept
 {
     std::size_t const n = overlap.size();
     if (r12.size() != n || q1.size() != n || q2.size() != n) return Status::invalid_argument;
@@ -139,8 +140,8 @@ inline Status overlap_batch(Vectors r12, Forms q1, Forms q2, std::span<unsigned 
         pw85_overlap_batch(n, detail::numbers(r12), detail::numbers(q1), detail::numbers(q2), overlap.data()));
 }
 
-inline Status contact_pairs(std::span<IndexPair const> pairs, Particles const &particles, std::span<double> mu2,
-                            std::span<double> lambda) noexcept
+static inline Status contact_pairs(std::span<IndexPair const> pairs, Particles const &particles, std::span<double> mu2,
+                                   std::span<double> lambda) noexcept
 {
     std::size_t const n = pairs.size();
     if (mu2.size() != n || !detail::fits(n, lambda) || !detail::fit(particles)) return Status::invalid_argument;
@@ -149,8 +150,8 @@ inline Status contact_pairs(std::span<IndexPair const> pairs, Particles const &p
         detail::numbers(particles.q), detail::numbers(particles.cell), mu2.data(), detail::optional(lambda)));
 }
 
-inline Status overlap_pairs(std::span<IndexPair const> pairs, Particles const &particles,
-                            std::span<unsigned char> overlap) noexcept
+static inline Status overlap_pairs(std::span<IndexPair const> pairs, Particles const &particles,
+                                   std::span<unsigned char> overlap) noexcept
 {
     std::size_t const n = pairs.size();
     if (overlap.size() != n || !detail::fit(particles)) return Status::invalid_argument;
@@ -159,6 +160,6 @@ inline Status overlap_pairs(std::span<IndexPair const> pairs, Particles const &p
                                                   detail::numbers(particles.cell), overlap.data()));
 }
 
-} // namespace pw85::inline PW85_TARGET
+} // namespace pw85
 
 #endif

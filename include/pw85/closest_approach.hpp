@@ -5,7 +5,7 @@
 
 #include <pw85/contact.hpp>
 
-namespace pw85::inline PW85_TARGET {
+namespace pw85 {
 
 /// Distance of the centres at external tangency; NaN where the status is not success.
 template <class T> struct ClosestApproach {
@@ -13,7 +13,7 @@ template <class T> struct ClosestApproach {
     Status status;
 };
 
-template <class T, int D> inline ClosestApproach<T>
+template <class T, int D> static inline ClosestApproach<T>
 closest_approach(Vector<T, D> direction, SymmetricMatrix<T, D> const &q1, SymmetricMatrix<T, D> const &q2) noexcept
 {
     T const largest = largest_coordinate(direction);
@@ -30,6 +30,6 @@ closest_approach(Vector<T, D> direction, SymmetricMatrix<T, D> const &q1, Symmet
     return {times_power_of_two(T(norm / square_root(maximum.mu2)), scaled.form - scaled.length), Status::success};
 }
 
-} // namespace pw85::inline PW85_TARGET
+} // namespace pw85
 
 #endif

@@ -7,9 +7,7 @@
 #include <cstdint>
 #include <type_traits>
 
-#include <pw85/target.hpp>
-
-namespace pw85::inline PW85_TARGET {
+namespace pw85 {
 
 /// A number ± m·2^(32 e) with an integer m of up to 16384 bits. Sums, differences and products are exact as long as they
 /// fit; a result that does not, and all that is computed from it, says so in is_exact().
@@ -158,6 +156,6 @@ class Dyadic {
     bool exact_ = true;
 };
 
-} // namespace pw85::inline PW85_TARGET
+} // namespace pw85
 
 #endif

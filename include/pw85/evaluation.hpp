@@ -13,7 +13,7 @@
 
 #include <pw85/scaling.hpp>
 
-namespace pw85::inline PW85_TARGET {
+namespace pw85 {
 
 /// f and its first two derivatives at some λ.
 template <class T> struct Derivatives {
@@ -31,26 +31,26 @@ template <class T> struct Jet {
 
 /// N = α Q1 + β Q2, factorised. Pivots are raised to what rounding can hide: the blend of two positive definite forms
 /// is positive definite.
-template <class T, int D> constexpr Factorization<T, D> factorize_blend(T const &alpha, SymmetricMatrix<T, D> const &q1,
-                                                                        T const &beta,
-                                                                        SymmetricMatrix<T, D> const &q2) noexcept
+template <class T, int D>
+static constexpr Factorization<T, D> factorize_blend(T const &alpha, SymmetricMatrix<T, D> const &q1, T const &beta,
+                                                     SymmetricMatrix<T, D> const &q2) noexcept
 {
     return factorize(blend(alpha, q1, beta, q2), T(unit_roundoff<T>()));
 }
 
 /// f at λ (item 1).
-template <class T, int D> constexpr T evaluate_f(T const &lambda, Vector<T, D> const &r12,
-                                                 SymmetricMatrix<T, D> const &q1,
-                                                 SymmetricMatrix<T, D> const &q2) noexcept
+template <class T, int D> static constexpr T evaluate_f(T const &lambda, Vector<T, D> const &r12,
+                                                        SymmetricMatrix<T, D> const &q1,
+                                                        SymmetricMatrix<T, D> const &q2) noexcept
 {
     T const alpha = T(1) - lambda;
     return lambda * alpha * dot(r12, solve(factorize_blend(alpha, q1, lambda, q2), r12));
 }
 
 /// f, f' and f'' at λ (item 1).
-template <class T, int D> constexpr Derivatives<T> evaluate_derivatives(T const &lambda, Vector<T, D> const &r12,
-                                                                        SymmetricMatrix<T, D> const &q1,
-                                                                        SymmetricMatrix<T, D> const &q2) noexcept
+template <class T, int D> static constexpr Derivatives<T> evaluate_derivatives(T const &lambda, Vector<T, D> const &r12,
+                                                                               SymmetricMatrix<T, D> const &q1,
+                                                                               SymmetricMatrix<T, D> const &q2) noexcept
 {
     T const alpha = T(1) - lambda, weight = lambda * alpha;
     auto const factors = factorize_blend(alpha, q1, lambda, q2);
@@ -66,7 +66,7 @@ template <class T, int D> constexpr Derivatives<T> evaluate_derivatives(T const 
 /// sᵀQs from the outer weights of s, at least the size of its own rounding error: positive for s != 0 and a positive
 /// diagonal.
 template <class T, int D>
-constexpr T positive_form(SymmetricMatrix<T, D> const &q, SymmetricMatrix<T, D> const &weights) noexcept
+static constexpr T positive_form(SymmetricMatrix<T, D> const &q, SymmetricMatrix<T, D> const &weights) noexcept
 {
     T floor = weights(0, 0) * q(0, 0);
     for (int i = 1; i < D; ++i) floor = floor + weights(i, i) * q(i, i);
@@ -74,7 +74,7 @@ constexpr T positive_form(SymmetricMatrix<T, D> const &q, SymmetricMatrix<T, D> 
 }
 
 /// A and B and their derivatives at t (item 2), over A: numbers of like magnitude, whatever the aspect ratio.
-template <class T, int D> constexpr Jet<T> evaluate_jet(Pair<T, D> const &pair, T const &t) noexcept
+template <class T, int D> static constexpr Jet<T> evaluate_jet(Pair<T, D> const &pair, T const &t) noexcept
 {
     auto const factors = factorize_blend(T(1), pair.q1, t, pair.q2);
     Vector<T, D> const s = solve(factors, pair.r12);
@@ -86,6 +86,6 @@ template <class T, int D> constexpr Jet<T> evaluate_jet(Pair<T, D> const &pair, 
             T(0)};
 }
 
-} // namespace pw85::inline PW85_TARGET
+} // namespace pw85
 
 #endif

@@ -12,7 +12,7 @@
 
 #include <pw85/contact.hpp>
 
-namespace pw85::inline PW85_TARGET {
+namespace pw85 {
 
 /// Where and how the ellipsoids, scaled by μ, touch.
 template <class T, int D> struct ContactGeometry {
@@ -36,7 +36,7 @@ template <class T> struct ContactTorque {
 
 /// M⁻¹ x: by the adjugate where that is as good as rounding allows, else by factorisation.
 template <class T, int D>
-inline Vector<T, D> solve_blend(SymmetricMatrix<T, D> const &m, Vector<T, D> const &x) noexcept
+static inline Vector<T, D> solve_blend(SymmetricMatrix<T, D> const &m, Vector<T, D> const &x) noexcept
 {
     auto const solution = solve_by_adjugate(m, x);
     if (is_accurate(solution)) return times(T(T(1) / solution.determinant), solution.s);
@@ -59,8 +59,8 @@ struct TangencyUnits {
 
 /// The pair at λ in units in which its forms, the larger of its weights and λ are of order one, so that everything that is
 /// made of them stays in range. `scaled` is the pair, in its order and scaled.
-template <class T, int D> inline Tangency<T, D> scaled_tangency(ScaledPair<T, D> const &scaled, T const &lambda1,
-                                                                T const &lambda2, TangencyUnits &units) noexcept
+template <class T, int D> static inline Tangency<T, D> scaled_tangency(ScaledPair<T, D> const &scaled, T const &lambda1,
+                                                                       T const &lambda2, TangencyUnits &units) noexcept
 {
     T const &first = scaled.swapped ? lambda2 : lambda1, &second = scaled.swapped ? lambda1 : lambda2;
     int const small = -2 * binary_exponent(scaled.pair.ratio);
@@ -76,10 +76,9 @@ template <class T, int D> inline Tangency<T, D> scaled_tangency(ScaledPair<T, D>
 }
 
 /// formula(tangency, q1, q2) for any pair at λ.
-template <class Formula, class T, int D>
-[[gnu::noinline]] inline auto at_tangency_scaled(Formula formula, Vector<T, D> const &r12,
-                                                 SymmetricMatrix<T, D> const &q1, SymmetricMatrix<T, D> const &q2,
-                                                 T const &lambda1, T const &lambda2) noexcept
+template <class Formula, class T, int D> [[gnu::noinline]] static inline auto
+at_tangency_scaled(Formula formula, Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
+                   SymmetricMatrix<T, D> const &q2, T const &lambda1, T const &lambda2) noexcept
 {
     ScaledPair<T, D> scaled;
     Status const status = lambda2 >= T(0) && lambda2 <= T(1) ? validate(r12, q1, q2, scaled) : Status::invalid_argument;
@@ -99,8 +98,8 @@ template <class Formula, class T, int D>
 
 /// formula(tangency, q1, q2) for a pair at λ.
 template <class Formula, class T, int D>
-inline auto at_tangency(Formula formula, Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
-                        SymmetricMatrix<T, D> const &q2, T const &lambda) noexcept
+static inline auto at_tangency(Formula formula, Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
+                               SymmetricMatrix<T, D> const &q2, T const &lambda) noexcept
 {
     // A maximiser that rounds to 1 is that of a pair of very different sizes, not the end.
     T const lambda1 = maximum(T(T(1) - lambda), T(T(0.5) * unit_roundoff<T>()));
@@ -111,20 +110,20 @@ inline auto at_tangency(Formula formula, Vector<T, D> const &r12, SymmetricMatri
     return at_tangency_scaled(formula, r12, q1, q2, lambda1, lambda);
 }
 
-template <class T, int D> inline void invalidate(ContactGeometry<T, D> &g, Status status) noexcept
+template <class T, int D> static inline void invalidate(ContactGeometry<T, D> &g, Status status) noexcept
 {
     for (int i = 0; i < D; ++i) g.point[i] = g.normal[i] = quiet_nan<T>();
     g.status = status;
 }
 
-template <class T, int D> inline void rescale(ContactGeometry<T, D> &g, TangencyUnits const &units) noexcept
+template <class T, int D> static inline void rescale(ContactGeometry<T, D> &g, TangencyUnits const &units) noexcept
 {
     g.point = times_power_of_two(g.point, units.length);
 }
 
 template <class T, int D>
-inline ContactGeometry<T, D> contact_geometry(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
-                                              SymmetricMatrix<T, D> const &q2, T const &lambda) noexcept
+static inline ContactGeometry<T, D> contact_geometry(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
+                                                     SymmetricMatrix<T, D> const &q2, T const &lambda) noexcept
 {
     return at_tangency(
         [](Tangency<T, D> const &at, SymmetricMatrix<T, D> const &p1, SymmetricMatrix<T, D> const &) {
@@ -137,7 +136,7 @@ inline ContactGeometry<T, D> contact_geometry(Vector<T, D> const &r12, Symmetric
         r12, q1, q2, lambda);
 }
 
-template <class T, int D> inline void invalidate(ContactGradient<T, D> &g, Status status) noexcept
+template <class T, int D> static inline void invalidate(ContactGradient<T, D> &g, Status status) noexcept
 {
     g.r12 = times(quiet_nan<T>(), g.r12);
     g.q1 = times(quiet_nan<T>(), g.q1);
@@ -145,7 +144,7 @@ template <class T, int D> inline void invalidate(ContactGradient<T, D> &g, Statu
     g.status = status;
 }
 
-template <class T, int D> inline void rescale(ContactGradient<T, D> &g, TangencyUnits const &units) noexcept
+template <class T, int D> static inline void rescale(ContactGradient<T, D> &g, TangencyUnits const &units) noexcept
 {
     g.r12 = times_power_of_two(g.r12, units.normal + units.lambda);
     g.q1 = times_power_of_two(g.q1, 2 * units.normal + units.lambda);
@@ -153,8 +152,8 @@ template <class T, int D> inline void rescale(ContactGradient<T, D> &g, Tangency
 }
 
 template <class T, int D>
-inline ContactGradient<T, D> contact_gradient(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
-                                              SymmetricMatrix<T, D> const &q2, T const &lambda) noexcept
+static inline ContactGradient<T, D> contact_gradient(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
+                                                     SymmetricMatrix<T, D> const &q2, T const &lambda) noexcept
 {
     return at_tangency(
         [](Tangency<T, D> const &at, SymmetricMatrix<T, D> const &, SymmetricMatrix<T, D> const &) {
@@ -166,22 +165,23 @@ inline ContactGradient<T, D> contact_gradient(Vector<T, D> const &r12, Symmetric
         r12, q1, q2, lambda);
 }
 
-template <class T> inline void invalidate(ContactTorque<T> &t, Status status) noexcept
+template <class T> static inline void invalidate(ContactTorque<T> &t, Status status) noexcept
 {
     t.rotation1 = times(quiet_nan<T>(), t.rotation1);
     t.rotation2 = times(quiet_nan<T>(), t.rotation2);
     t.status = status;
 }
 
-template <class T> inline void rescale(ContactTorque<T> &t, TangencyUnits const &units) noexcept
+template <class T> static inline void rescale(ContactTorque<T> &t, TangencyUnits const &units) noexcept
 {
     int const exponent = units.length + units.normal + units.lambda;
     t.rotation1 = times_power_of_two(t.rotation1, exponent);
     t.rotation2 = times_power_of_two(t.rotation2, exponent);
 }
 
-template <class T> inline ContactTorque<T> contact_torque(Vector<T, 3> const &r12, SymmetricMatrix<T, 3> const &q1,
-                                                          SymmetricMatrix<T, 3> const &q2, T const &lambda) noexcept
+template <class T>
+static inline ContactTorque<T> contact_torque(Vector<T, 3> const &r12, SymmetricMatrix<T, 3> const &q1,
+                                              SymmetricMatrix<T, 3> const &q2, T const &lambda) noexcept
 {
     return at_tangency(
         [](Tangency<T, 3> const &at, SymmetricMatrix<T, 3> const &p1, SymmetricMatrix<T, 3> const &p2) {
@@ -192,6 +192,6 @@ template <class T> inline ContactTorque<T> contact_torque(Vector<T, 3> const &r1
         r12, q1, q2, lambda);
 }
 
-} // namespace pw85::inline PW85_TARGET
+} // namespace pw85
 
 #endif

@@ -15,7 +15,7 @@
 #include <pw85/dyadic.hpp>
 #include <pw85/geometry.hpp>
 
-namespace pw85::inline PW85_TARGET {
+namespace pw85 {
 
 /// The means by which a pair was decided.
 enum class OverlapTier { quartic, contact, exact };
@@ -40,7 +40,7 @@ template <class T, int D> struct OverlapWitness {
 enum class Decision { none, apart, overlap };
 
 /// The decision from two conditions, of which at most one holds. Which one cannot be foreseen: no branches.
-constexpr Decision to_decision(bool apart, bool overlap) noexcept
+static constexpr Decision to_decision(bool apart, bool overlap) noexcept
 {
     return static_cast<Decision>(static_cast<unsigned>(apart) + 2u * static_cast<unsigned>(overlap));
 }
@@ -59,7 +59,8 @@ template <class T> struct QuarticEvaluation {
     typename ScalarTraits<T>::Mask accurate; ///< whether M is well-conditioned
 };
 
-template <class T, int D> constexpr QuarticEvaluation<T> evaluate_quartic(Pair<T, D> const &pair, T const &t) noexcept
+template <class T, int D>
+static constexpr QuarticEvaluation<T> evaluate_quartic(Pair<T, D> const &pair, T const &t) noexcept
 {
     auto const solution = solve_by_adjugate(blend(pair.q1, t, pair.q2), pair.r12);
     return {solution.determinant, dot(pair.r12, solution.s), quadratic_form(pair.q2, solution.s),
@@ -67,7 +68,7 @@ template <class T, int D> constexpr QuarticEvaluation<T> evaluate_quartic(Pair<T
 }
 
 /// b²A, from A + tB = R.
-template <class T> constexpr T complement(QuarticEvaluation<T> const &e, T const &t) noexcept
+template <class T> static constexpr T complement(QuarticEvaluation<T> const &e, T const &t) noexcept
 {
     return e.a * e.b - t * e.form;
 }
@@ -76,14 +77,14 @@ template <class T> constexpr T complement(QuarticEvaluation<T> const &e, T const
 /// 2^-27 of themselves, and s by e < √(u/8) = 2^-28 in the norm of M, where it measures √R: √(tB) and hence √A err by less
 /// than 8 e where R < 64, t√B by less than 2^9 e where t R < 2^18, and the sums in the quadratic forms by 54 u R/d < 2^-23.
 /// Where A < 1 and t²B < 1, R < 1 + 1/t.
-template <class T> constexpr T quartic_margin() noexcept
+template <class T> static constexpr T quartic_margin() noexcept
 {
     return negative_power_of_two<T>(mantissa_digits<T>() / 2 - 9);
 }
 
 /// Item 1, at one t, for a pair with ratio 1.
 template <class T>
-constexpr Certainty<typename ScalarTraits<T>::Mask> decide(QuarticEvaluation<T> const &e, T const &t) noexcept
+static constexpr Certainty<typename ScalarTraits<T>::Mask> decide(QuarticEvaluation<T> const &e, T const &t) noexcept
 {
     T const rest = T(1) - quartic_margin<T>();
     T const square = rest * e.b * e.b;
@@ -93,7 +94,7 @@ constexpr Certainty<typename ScalarTraits<T>::Mask> decide(QuarticEvaluation<T> 
     return {e.accurate && apart, e.accurate && resolvable && inside};
 }
 
-template <class Lanes, class T, int D> constexpr Vector<Lanes, D> broadcast(Vector<T, D> const &x) noexcept
+template <class Lanes, class T, int D> static constexpr Vector<Lanes, D> broadcast(Vector<T, D> const &x) noexcept
 {
     Vector<Lanes, D> copies{};
     for (int i = 0; i < D; ++i) copies[i] = Lanes(x[i]);
@@ -101,7 +102,7 @@ template <class Lanes, class T, int D> constexpr Vector<Lanes, D> broadcast(Vect
 }
 
 template <class Lanes, class T, int D>
-constexpr SymmetricMatrix<Lanes, D> broadcast(SymmetricMatrix<T, D> const &a) noexcept
+static constexpr SymmetricMatrix<Lanes, D> broadcast(SymmetricMatrix<T, D> const &a) noexcept
 {
     SymmetricMatrix<Lanes, D> copies{};
     for (int k = 0; k < a.size; ++k) copies[k] = Lanes(a[k]);
@@ -110,7 +111,7 @@ constexpr SymmetricMatrix<Lanes, D> broadcast(SymmetricMatrix<T, D> const &a) no
 
 /// Item 1 for any pair. A test that follows upon another costs most where its need cannot be foreseen, so that several are
 /// made at once; from there on the fixed-point map of the solver's item 3 leads.
-template <class Lanes, class T, int D> [[gnu::always_inline]] inline Decision
+template <class Lanes, class T, int D> [[gnu::always_inline]] static inline Decision
 decide_by_quartic(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, SymmetricMatrix<T, D> const &q2) noexcept
 {
     if (!is_ordinary(r12, q1, q2)) return Decision::none;
@@ -133,7 +134,7 @@ decide_by_quartic(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, Symm
 
 /// The condition number of the contact function at the maximum: cond·u is what entrywise rounding of the data moves μ²/μ²
 /// by.
-template <class T, int D> inline T condition_number(Pair<T, D> const &pair, Maximum<T> const &m) noexcept
+template <class T, int D> static inline T condition_number(Pair<T, D> const &pair, Maximum<T> const &m) noexcept
 {
     T const t = m.lambda / pair.ratio / m.complement / pair.ratio;
     Vector<T, D> const s = solve(factorize_blend(T(1), pair.q1, t, pair.q2), pair.r12);
@@ -149,7 +150,7 @@ template <class T, int D> inline T condition_number(Pair<T, D> const &pair, Maxi
 /// Item 2. The stationary form of finish() sums with an error below 9 u cond, and 16 leaves room for what the inexact s and
 /// λ add. `tangent` is μ² of tangent ellipsoids in the units of the pair.
 template <class T, int D>
-[[gnu::noinline]] inline Decision decide_by_contact(Pair<T, D> const &pair, T const &tangent) noexcept
+[[gnu::noinline]] static inline Decision decide_by_contact(Pair<T, D> const &pair, T const &tangent) noexcept
 {
     Maximum<T> const m = maximize(pair);
     if (!m.converged) return Decision::none;
@@ -169,7 +170,7 @@ struct ExactPolynomial {
 };
 
 /// Minus the remainder of p by q, times a positive number.
-inline ExactPolynomial negative_remainder(ExactPolynomial p, ExactPolynomial const &q) noexcept
+static inline ExactPolynomial negative_remainder(ExactPolynomial p, ExactPolynomial const &q) noexcept
 {
     bool negative = true;
     while (p.degree >= q.degree) {
@@ -188,7 +189,7 @@ inline ExactPolynomial negative_remainder(ExactPolynomial p, ExactPolynomial con
 }
 
 /// The number of distinct roots of p in (0, ∞), by Sturm's theorem; p(0) != 0. `exact` becomes false if a number did not fit.
-inline int count_positive_roots(ExactPolynomial p, bool &exact) noexcept
+static inline int count_positive_roots(ExactPolynomial p, bool &exact) noexcept
 {
     p.trim();
     ExactPolynomial q{{}, p.degree - 1};
@@ -211,7 +212,7 @@ inline int count_positive_roots(ExactPolynomial p, bool &exact) noexcept
 
 /// Item 3, for the numbers as they were given. Not certain if their magnitudes span so many binades that 16384 bits do not
 /// hold what comes of them.
-template <class T, int D> [[gnu::noinline]] inline Decision
+template <class T, int D> [[gnu::noinline]] static inline Decision
 decide_exactly(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, SymmetricMatrix<T, D> const &q2) noexcept
 {
     Vector<Dyadic, D> r;
@@ -231,7 +232,7 @@ decide_exactly(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, Symmetr
 }
 
 /// Items 2 and 3, for any pair.
-template <class T, int D> [[gnu::noinline]] inline Overlap
+template <class T, int D> [[gnu::noinline]] static inline Overlap
 overlap_near_contact(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, SymmetricMatrix<T, D> const &q2) noexcept
 {
     ScaledPair<T, D> scaled;
@@ -247,8 +248,8 @@ overlap_near_contact(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, S
 }
 
 /// Whether two ellipsoids overlap, μ² < 1.
-template <class T, int D> inline Overlap overlap(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
-                                                 SymmetricMatrix<T, D> const &q2) noexcept
+template <class T, int D> static inline Overlap overlap(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
+                                                        SymmetricMatrix<T, D> const &q2) noexcept
 {
     Decision const decision = decide_by_quartic<T>(r12, q1, q2);
     if (decision != Decision::none) return {decision == Decision::overlap, OverlapTier::quartic, Status::success};
@@ -256,7 +257,7 @@ template <class T, int D> inline Overlap overlap(Vector<T, D> const &r12, Symmet
 }
 
 /// Whether two ellipsoids overlap, with what shows it.
-template <class T, int D> inline OverlapWitness<T, D>
+template <class T, int D> static inline OverlapWitness<T, D>
 overlap_witness(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, SymmetricMatrix<T, D> const &q2) noexcept
 {
     Overlap const answer = overlap(r12, q1, q2);
@@ -273,6 +274,6 @@ overlap_witness(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, Symmet
     return witness;
 }
 
-} // namespace pw85::inline PW85_TARGET
+} // namespace pw85
 
 #endif

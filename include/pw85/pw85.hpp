@@ -20,7 +20,7 @@
 #include <pw85/status.hpp>
 #include <pw85/symmetric.hpp>
 
-namespace pw85::inline PW85_TARGET {
+namespace pw85 {
 
 template <class T, int D> struct Form;            // q, status
 template <class T> struct Contact;                // mu2, lambda, status
@@ -32,49 +32,51 @@ struct Overlap;                                   // overlap, tier, status
 template <class T, int D> struct OverlapWitness;  // overlap, lambda, direction, point, status
 
 /// Form of a spheroid with equatorial radius `a`, polar radius `c`, and axis along `n`.
-template <class T> constexpr Form<T, 3> spheroid(T const &a, T const &c, Vector<T, 3> n) noexcept;
+template <class T> static constexpr Form<T, 3> spheroid(T const &a, T const &c, Vector<T, 3> n) noexcept;
 
 /// Form of a general ellipsoid; the columns of the row-major `rotation` are its principal directions.
-template <class T> constexpr Form<T, 3> ellipsoid(Vector<T, 3> const &semi_axes, T const (&rotation)[9]) noexcept;
+template <class T>
+static constexpr Form<T, 3> ellipsoid(Vector<T, 3> const &semi_axes, T const (&rotation)[9]) noexcept;
 
 /// Form of a general ellipsoid oriented by the quaternion (w, x, y, z), of any length > 0.
 template <class T>
-constexpr Form<T, 3> ellipsoid_quaternion(Vector<T, 3> const &semi_axes, Vector<T, 4> quaternion) noexcept;
+static constexpr Form<T, 3> ellipsoid_quaternion(Vector<T, 3> const &semi_axes, Vector<T, 4> quaternion) noexcept;
 
 /// Form of an ellipse with semi-axes `a` and `b`, the first at `angle` (radians) from the x axis.
-template <class T> inline Form<T, 2> ellipse(T const &a, T const &b, T const &angle) noexcept;
+template <class T> static inline Form<T, 2> ellipse(T const &a, T const &b, T const &angle) noexcept;
 
 /// The contact function μ² and its maximiser λ.
-template <class T, int D> inline Contact<T> contact(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
-                                                    SymmetricMatrix<T, D> const &q2) noexcept;
+template <class T, int D> static inline Contact<T> contact(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
+                                                           SymmetricMatrix<T, D> const &q2) noexcept;
 
 /// Contact point and common normal of the ellipsoids scaled by μ.
 template <class T, int D>
-inline ContactGeometry<T, D> contact_geometry(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
-                                              SymmetricMatrix<T, D> const &q2, T const &lambda) noexcept;
+static inline ContactGeometry<T, D> contact_geometry(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
+                                                     SymmetricMatrix<T, D> const &q2, T const &lambda) noexcept;
 
 /// Derivatives of μ² with respect to r12 and the stored entries of q1 and q2.
 template <class T, int D>
-inline ContactGradient<T, D> contact_gradient(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
-                                              SymmetricMatrix<T, D> const &q2, T const &lambda) noexcept;
+static inline ContactGradient<T, D> contact_gradient(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
+                                                     SymmetricMatrix<T, D> const &q2, T const &lambda) noexcept;
 
 /// Derivatives of μ² with respect to rotations of the ellipsoids about their own centres.
-template <class T> inline ContactTorque<T> contact_torque(Vector<T, 3> const &r12, SymmetricMatrix<T, 3> const &q1,
-                                                          SymmetricMatrix<T, 3> const &q2, T const &lambda) noexcept;
+template <class T>
+static inline ContactTorque<T> contact_torque(Vector<T, 3> const &r12, SymmetricMatrix<T, 3> const &q1,
+                                              SymmetricMatrix<T, 3> const &q2, T const &lambda) noexcept;
 
 /// Whether two ellipsoids overlap, μ² < 1, decided exactly for the numbers given.
-template <class T, int D> inline Overlap overlap(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
-                                                 SymmetricMatrix<T, D> const &q2) noexcept;
+template <class T, int D> static inline Overlap overlap(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
+                                                        SymmetricMatrix<T, D> const &q2) noexcept;
 
 /// The same with what shows it: a separating direction, or a point inside both.
-template <class T, int D> inline OverlapWitness<T, D>
+template <class T, int D> static inline OverlapWitness<T, D>
 overlap_witness(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, SymmetricMatrix<T, D> const &q2) noexcept;
 
 /// Distance of closest approach along `direction`, of any length > 0.
-template <class T, int D> inline ClosestApproach<T>
+template <class T, int D> static inline ClosestApproach<T>
 closest_approach(Vector<T, D> direction, SymmetricMatrix<T, D> const &q1, SymmetricMatrix<T, D> const &q2) noexcept;
 
-} // namespace pw85::inline PW85_TARGET
+} // namespace pw85
 
 #include <pw85/closest_approach.hpp>
 #include <pw85/contact.hpp>

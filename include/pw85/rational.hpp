@@ -9,7 +9,7 @@
 
 #include <pw85/evaluation.hpp>
 
-namespace pw85::inline PW85_TARGET {
+namespace pw85 {
 
 /// Coefficients in increasing powers of t; in two dimensions the last of each is zero.
 template <class T> struct RationalForm {
@@ -18,8 +18,8 @@ template <class T> struct RationalForm {
 };
 
 /// The coefficient of t in adj(P + t Q).
-template <class T>
-constexpr SymmetricMatrix<T, 3> mixed_adjugate(SymmetricMatrix<T, 3> const &p, SymmetricMatrix<T, 3> const &q) noexcept
+template <class T> static constexpr SymmetricMatrix<T, 3> mixed_adjugate(SymmetricMatrix<T, 3> const &p,
+                                                                         SymmetricMatrix<T, 3> const &q) noexcept
 {
     return {(p[3] * q[5] + q[3] * p[5]) - T(2) * p[4] * q[4],
             (p[2] * q[4] + q[2] * p[4]) - (p[1] * q[5] + q[1] * p[5]),
@@ -29,7 +29,7 @@ constexpr SymmetricMatrix<T, 3> mixed_adjugate(SymmetricMatrix<T, 3> const &p, S
             (p[0] * q[3] + q[0] * p[3]) - T(2) * p[1] * q[1]};
 }
 
-template <class T> constexpr RationalForm<T> rational_form(Pair<T, 2> const &pair) noexcept
+template <class T> static constexpr RationalForm<T> rational_form(Pair<T, 2> const &pair) noexcept
 {
     auto const weights = outer_weights(pair.r12);
     auto const adj1 = adjugate(pair.q1), adj2 = adjugate(pair.q2);
@@ -37,7 +37,7 @@ template <class T> constexpr RationalForm<T> rational_form(Pair<T, 2> const &pai
             {determinant(pair.q1, adj1), contraction(adj1, pair.q2), determinant(pair.q2, adj2), T(0)}};
 }
 
-template <class T> constexpr RationalForm<T> rational_form(Pair<T, 3> const &pair) noexcept
+template <class T> static constexpr RationalForm<T> rational_form(Pair<T, 3> const &pair) noexcept
 {
     auto const weights = outer_weights(pair.r12);
     auto const adj1 = adjugate(pair.q1), adj2 = adjugate(pair.q2);
@@ -47,19 +47,19 @@ template <class T> constexpr RationalForm<T> rational_form(Pair<T, 3> const &pai
              determinant(pair.q2, adj2)}};
 }
 
-template <class T> constexpr T evaluate_a(RationalForm<T> const &form, T const &t) noexcept
+template <class T> static constexpr T evaluate_a(RationalForm<T> const &form, T const &t) noexcept
 {
     return (form.a[2] * t + form.a[1]) * t + form.a[0];
 }
 
-template <class T> constexpr T evaluate_b(RationalForm<T> const &form, T const &t) noexcept
+template <class T> static constexpr T evaluate_b(RationalForm<T> const &form, T const &t) noexcept
 {
     return (form.b[1] * t + form.b[0]) + (t * t) * (form.b[3] * t + form.b[2]);
 }
 
 /// A and B and their derivatives, all times b². With R = a/b: B = -R' and A = R + tR', hence b²B = N and
 /// b²A = ab - tN with N = ab' - a'b.
-template <class T> constexpr Jet<T> evaluate_jet(RationalForm<T> const &form, T const &t) noexcept
+template <class T> static constexpr Jet<T> evaluate_jet(RationalForm<T> const &form, T const &t) noexcept
 {
     T const c = form.b[3] * t;
     T const a = evaluate_a(form, t), b = evaluate_b(form, t);
@@ -83,10 +83,10 @@ template <class T> constexpr Jet<T> evaluate_jet(RationalForm<T> const &form, T 
 // 234 u/d (13 in one that is at most 6|r|², where a is at least d|r|²/3).
 
 /// Conditioning above which the rational form is right to some per cent: a fair guide to the root.
-template <class T> constexpr T rough_conditioning() noexcept { return T(1024) * unit_roundoff<T>(); }
+template <class T> static constexpr T rough_conditioning() noexcept { return T(1024) * unit_roundoff<T>(); }
 
 /// Conditioning above which |e|² < u/8: the error of s adds less than a rounding error to a stationary value.
-template <class T> constexpr T fine_conditioning() noexcept
+template <class T> static constexpr T fine_conditioning() noexcept
 {
     return negative_power_of_two<T>(maximum(mantissa_digits<T>() / 2 - 8, 0));
 }
@@ -98,8 +98,8 @@ template <class T, int D> struct AdjugateSolution {
     T diagonal; ///< product of the diagonal of M
 };
 
-template <class T, int D>
-constexpr AdjugateSolution<T, D> solve_by_adjugate(SymmetricMatrix<T, D> const &m, Vector<T, D> const &x) noexcept
+template <class T, int D> static constexpr AdjugateSolution<T, D> solve_by_adjugate(SymmetricMatrix<T, D> const &m,
+                                                                                    Vector<T, D> const &x) noexcept
 {
     auto const adj = adjugate(m);
     return {product(adj, x), determinant(m, adj), diagonal_product(m)};
@@ -107,11 +107,11 @@ constexpr AdjugateSolution<T, D> solve_by_adjugate(SymmetricMatrix<T, D> const &
 
 /// Whether the error of s counts for nothing where it counts squared.
 template <class T, int D>
-constexpr typename ScalarTraits<T>::Mask is_accurate(AdjugateSolution<T, D> const &solution) noexcept
+static constexpr typename ScalarTraits<T>::Mask is_accurate(AdjugateSolution<T, D> const &solution) noexcept
 {
     return solution.determinant > fine_conditioning<T>() * solution.diagonal;
 }
 
-} // namespace pw85::inline PW85_TARGET
+} // namespace pw85
 
 #endif

@@ -9,9 +9,7 @@
 #include <cstdint>
 #include <limits>
 
-#include <pw85/target.hpp>
-
-namespace pw85::inline PW85_TARGET {
+namespace pw85 {
 
 /// The floating-point properties of one lane of `T`; specialised for packs.
 template <class T> struct ScalarTraits {
@@ -21,57 +19,57 @@ template <class T> struct ScalarTraits {
 };
 
 /// As many numbers as `T` has lanes, from memory.
-template <class T> constexpr T load_lanes(typename ScalarTraits<T>::Lane const *x) noexcept { return *x; }
+template <class T> static constexpr T load_lanes(typename ScalarTraits<T>::Lane const *x) noexcept { return *x; }
 
 /// The number in the first lane.
-template <class T> constexpr T first_lane(T const &x) noexcept { return x; }
+template <class T> static constexpr T first_lane(T const &x) noexcept { return x; }
 
 /// Unit roundoff u of one lane: 2^-53 for double.
-template <class T> constexpr typename ScalarTraits<T>::Lane unit_roundoff() noexcept
+template <class T> static constexpr typename ScalarTraits<T>::Lane unit_roundoff() noexcept
 {
     using Lane = typename ScalarTraits<T>::Lane;
     return std::numeric_limits<Lane>::epsilon() / Lane(2);
 }
 
 /// Binary digits of the mantissa of one lane.
-template <class T> constexpr int mantissa_digits() noexcept
+template <class T> static constexpr int mantissa_digits() noexcept
 {
     return std::numeric_limits<typename ScalarTraits<T>::Lane>::digits;
 }
 
 /// 2^-n.
-template <class T> constexpr T negative_power_of_two(int n) noexcept
+template <class T> static constexpr T negative_power_of_two(int n) noexcept
 {
     T power = T(1);
     for (int i = 0; i < n; ++i) power = power * T(0.5);
     return power;
 }
 
-template <class T> constexpr T quiet_nan() noexcept
+template <class T> static constexpr T quiet_nan() noexcept
 {
     return T(std::numeric_limits<typename ScalarTraits<T>::Lane>::quiet_NaN());
 }
 
-template <class T> constexpr T select(bool condition, T const &yes, T const &no) noexcept
+template <class T> static constexpr T select(bool condition, T const &yes, T const &no) noexcept
 {
     return condition ? yes : no;
 }
 
-constexpr bool any_of(bool mask) noexcept { return mask; }
+static constexpr bool any_of(bool mask) noexcept { return mask; }
 
 /// The larger of two numbers; the first where either is NaN.
-template <class T> constexpr T maximum(T const &x, T const &y) noexcept { return select(y > x, y, x); }
+template <class T> static constexpr T maximum(T const &x, T const &y) noexcept { return select(y > x, y, x); }
 
 /// The smaller of two numbers; the first where either is NaN.
-template <class T> constexpr T minimum(T const &x, T const &y) noexcept { return select(y < x, y, x); }
+template <class T> static constexpr T minimum(T const &x, T const &y) noexcept { return select(y < x, y, x); }
 
-template <class T> constexpr T absolute(T const &x) noexcept
+template <class T> static constexpr T absolute(T const &x) noexcept
 {
     using std::abs;
     return abs(x);
 }
 
-template <class T> inline T square_root(T const &x) noexcept
+template <class T> static inline T square_root(T const &x) noexcept
 {
     using std::sqrt;
     return sqrt(x);
@@ -79,23 +77,23 @@ template <class T> inline T square_root(T const &x) noexcept
 
 /// A quotient and a root that only guide an iteration, so that a relative error of 2^-20 does no harm: packs may round
 /// them coarsely.
-template <class T> constexpr T rough_quotient(T const &x, T const &y) noexcept { return x / y; }
-template <class T> inline T rough_root(T const &x) noexcept { return square_root(x); }
+template <class T> static constexpr T rough_quotient(T const &x, T const &y) noexcept { return x / y; }
+template <class T> static inline T rough_root(T const &x) noexcept { return square_root(x); }
 
 /// √(x/y), to 10 % or better.
-template <class T> inline T coarse_root_of_ratio(T const &x, T const &y) noexcept
+template <class T> static inline T coarse_root_of_ratio(T const &x, T const &y) noexcept
 {
     return rough_root(rough_quotient(x, y));
 }
 
 /// The bits of a positive double are about its logarithm.
-inline double coarse_root_of_ratio(double x, double y) noexcept
+static inline double coarse_root_of_ratio(double x, double y) noexcept
 {
     static_assert(std::numeric_limits<double>::is_iec559);
     constexpr auto one = std::bit_cast<std::uint64_t>(1.0);
     return std::bit_cast<double>((std::bit_cast<std::uint64_t>(x) - std::bit_cast<std::uint64_t>(y) + 2 * one) >> 1);
 }
 
-} // namespace pw85::inline PW85_TARGET
+} // namespace pw85
 
 #endif

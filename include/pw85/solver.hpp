@@ -18,7 +18,7 @@
 
 #include <pw85/rational.hpp>
 
-namespace pw85::inline PW85_TARGET {
+namespace pw85 {
 
 /// The largest number of evaluations of f, in either form, that maximize() makes for a pair of doubles: 5 on the rational
 /// form; on the factorised one 3 free steps, 8 of growing length to enclose the root, which lies in the range of double, 17
@@ -34,13 +34,13 @@ template <class T> struct Maximum {
 };
 
 /// A step in x that leaves an error below final_step(): Halley's error is about its cube.
-template <class T> constexpr T penultimate_step() noexcept
+template <class T> static constexpr T penultimate_step() noexcept
 {
     return negative_power_of_two<T>(mantissa_digits<T>() / 9 + 2);
 }
 
 /// A step in x below which Newton's step and second-order Taylor of f are exact to rounding: its cube is below u.
-template <class T> constexpr T final_step() noexcept
+template <class T> static constexpr T final_step() noexcept
 {
     return negative_power_of_two<T>((mantissa_digits<T>() + 3) / 3);
 }
@@ -53,7 +53,7 @@ template <class T> struct Slope {
     T k, k2;
 };
 
-template <class T> constexpr Slope<T> slope(Jet<T> const &j, T const &ratio, T const &t) noexcept
+template <class T> static constexpr Slope<T> slope(Jet<T> const &j, T const &ratio, T const &t) noexcept
 {
     T const y = ratio * t, c = y * y * j.b, weight = j.a * j.b;
     T const p = t * j.b1 * j.a, q = t * j.a1 * j.b;
@@ -63,7 +63,7 @@ template <class T> constexpr Slope<T> slope(Jet<T> const &j, T const &ratio, T c
 
 /// Whether Newton's step is at most 5/8, where item 2 makes Halley's the better one. Where rounding noise exceeds the
 /// largest h', it counts as that.
-template <class T> constexpr typename ScalarTraits<T>::Mask is_near(Slope<T> const &s) noexcept
+template <class T> static constexpr typename ScalarTraits<T>::Mask is_near(Slope<T> const &s) noexcept
 {
     return absolute(s.difference) * s.weight <= T(0.625) * (s.sum * minimum(s.k, s.weight));
 }
@@ -76,7 +76,7 @@ template <class T> struct Step {
 
 /// Halley's step for the root of tanh h, where is_near(), kept between half and twice Newton's: rounding noise in h'' must
 /// not make it small.
-template <class T> constexpr Step<T> halley_step(Slope<T> const &s) noexcept
+template <class T> static constexpr Step<T> halley_step(Slope<T> const &s) noexcept
 {
     T const k = s.sum * s.k * s.k;
     T const denominator = minimum(T(k + k), maximum(T(k - T(0.5) * s.difference * s.k2), T(T(0.5) * k)));
@@ -84,20 +84,21 @@ template <class T> constexpr Step<T> halley_step(Slope<T> const &s) noexcept
 }
 
 /// e^step to third order: the factor by which t changes.
-template <class T> constexpr T exponential(Step<T> const &step) noexcept
+template <class T> static constexpr T exponential(Step<T> const &step) noexcept
 {
     T const twice = step.denominator + step.denominator;
     return rough_quotient(T(twice + step.numerator), T(twice - step.numerator));
 }
 
 /// Whether a step is at most `bound` in magnitude.
-template <class T> constexpr typename ScalarTraits<T>::Mask is_within(Step<T> const &step, T const &bound) noexcept
+template <class T>
+static constexpr typename ScalarTraits<T>::Mask is_within(Step<T> const &step, T const &bound) noexcept
 {
     return absolute(step.numerator) <= bound * step.denominator;
 }
 
 /// The factor y on t of item 4: the positive root of ea y² + ((1 - ea) - ω(1 - eb)) y - ω eb, with ω = √(A/C).
-template <class T> inline T secular_factor(Jet<T> const &j, T const &ratio, T const &t) noexcept
+template <class T> static inline T secular_factor(Jet<T> const &j, T const &ratio, T const &t) noexcept
 {
     T const y = ratio * t;
     T const ea = j.log_factor - rough_quotient(T(T(0.5) * t * j.a1), j.a);
@@ -110,7 +111,7 @@ template <class T> inline T secular_factor(Jet<T> const &j, T const &ratio, T co
 }
 
 /// Where the iteration starts: exact for spheres.
-template <class T, int D> inline T initial_guess(Pair<T, D> const &pair) noexcept
+template <class T, int D> static inline T initial_guess(Pair<T, D> const &pair) noexcept
 {
     auto const weights = outer_weights(pair.r12);
     return rough_root(rough_quotient(quadratic_form(pair.q1, weights), quadratic_form(pair.q2, weights))) / pair.ratio;
@@ -123,7 +124,7 @@ template <class T> struct Candidate {
 };
 
 /// The end of a step that is within penultimate_step(), with the derivatives expected there.
-template <class T> constexpr Candidate<T> advance(T const &t, Slope<T> const &s, Step<T> const &step) noexcept
+template <class T> static constexpr Candidate<T> advance(T const &t, Slope<T> const &s, Step<T> const &step) noexcept
 {
     T const y = exponential(step), reciprocal = rough_quotient(T(1), s.weight);
     T const k2 = s.k2 * reciprocal * reciprocal;
@@ -140,8 +141,8 @@ template <class T> struct Finish {
 /// From A and B of s and rᵀs. λ(rᵀs)²/(A + tB) is stationary in s as well as in x, so that an error of s counts only
 /// squared, and its scale not at all; to it comes ½ f' x for the last step x, which is never negative. The step, to third
 /// order, is that of h + k x + ½ k2 x² = 0; where rounding noise makes it meaningless it is limited to ¼.
-template <class T>
-constexpr Finish<T> finish(Candidate<T> const &candidate, T const &ratio, T const &a, T const &b, T const &rs) noexcept
+template <class T> static constexpr Finish<T> finish(Candidate<T> const &candidate, T const &ratio, T const &a,
+                                                     T const &b, T const &rs) noexcept
 {
     T const y = ratio * candidate.t, c = y * y * b, difference = a - c;
     T const reciprocal = T(1) / ((a + c) * candidate.k), newton = difference * reciprocal;
@@ -159,8 +160,8 @@ constexpr Finish<T> finish(Candidate<T> const &candidate, T const &ratio, T cons
 
 /// Iterates on the rational form from t until a step is within penultimate_step(); false if rounding errors or the
 /// range of the scalar get in the way, or after 5 evaluations.
-template <class T> [[gnu::always_inline]] inline bool prepare(RationalForm<T> const &form, T const &ratio,
-                                                              Candidate<T> &candidate, int &evaluations) noexcept
+template <class T> [[gnu::always_inline]] static inline bool prepare(RationalForm<T> const &form, T const &ratio,
+                                                                     Candidate<T> &candidate, int &evaluations) noexcept
 {
     T const largest = std::numeric_limits<T>::max();
     T t = candidate.t;
@@ -217,7 +218,7 @@ template <class T> struct Bracket {
 
 /// Iterates on the factorised form until a step is within penultimate_step(), or only rounding noise is left. Three steps
 /// are free to go anywhere in the bracket; later ones bisect it unless Halley's steps halve.
-template <class T, int D> inline Candidate<T> search(Pair<T, D> const &pair, T t, int &evaluations) noexcept
+template <class T, int D> static inline Candidate<T> search(Pair<T, D> const &pair, T t, int &evaluations) noexcept
 {
     T const smallest = std::numeric_limits<T>::min(), largest = std::numeric_limits<T>::max();
     Bracket<T> bracket{smallest, largest, T(1024)};
@@ -245,8 +246,8 @@ template <class T, int D> inline Candidate<T> search(Pair<T, D> const &pair, T t
 
 /// The maximum of f over λ in [0, 1] where the rational form is accurate; `converged` tells. The candidate is the
 /// better start for maximize() where it is not.
-template <class T, int D>
-[[gnu::always_inline]] inline Maximum<T> maximize_rational(Pair<T, D> const &pair, Candidate<T> &candidate) noexcept
+template <class T, int D> [[gnu::always_inline]] static inline Maximum<T>
+maximize_rational(Pair<T, D> const &pair, Candidate<T> &candidate) noexcept
 {
     candidate = {initial_guess(pair), T(1), T(0)};
     RationalForm<T> const form = rational_form(pair);
@@ -265,7 +266,7 @@ template <class T, int D>
 
 /// The last evaluation on the factorised form.
 template <class T, int D>
-inline Finish<T> finish_factorized(Pair<T, D> const &pair, Candidate<T> const &candidate) noexcept
+static inline Finish<T> finish_factorized(Pair<T, D> const &pair, Candidate<T> const &candidate) noexcept
 {
     Vector<T, D> const s = solve(factorize_blend(T(1), pair.q1, candidate.t, pair.q2), pair.r12);
     auto const weights = outer_weights(s);
@@ -274,7 +275,7 @@ inline Finish<T> finish_factorized(Pair<T, D> const &pair, Candidate<T> const &c
 }
 
 /// The maximum of f over λ in [0, 1] by the factorised form alone, after so many evaluations on the rational form.
-template <class T, int D> [[gnu::noinline]] inline Maximum<T>
+template <class T, int D> [[gnu::noinline]] static inline Maximum<T>
 maximize_factorized(Pair<T, D> const &pair, Candidate<T> candidate, int evaluations) noexcept
 {
     candidate = search(pair, candidate.t, evaluations);
@@ -284,13 +285,13 @@ maximize_factorized(Pair<T, D> const &pair, Candidate<T> candidate, int evaluati
 
 /// The maximum of f over λ in [0, 1], for a pair of positive definite forms in range with r12 != 0. All callers share one
 /// instance, so that products are fused alike and scaling changes no bit of the result.
-template <class T, int D> [[gnu::noinline]] inline Maximum<T> maximize(Pair<T, D> const &pair) noexcept
+template <class T, int D> [[gnu::noinline]] static inline Maximum<T> maximize(Pair<T, D> const &pair) noexcept
 {
     Candidate<T> candidate;
     Maximum<T> const maximum = maximize_rational(pair, candidate);
     return maximum.converged ? maximum : maximize_factorized(pair, candidate, maximum.evaluations);
 }
 
-} // namespace pw85::inline PW85_TARGET
+} // namespace pw85
 
 #endif

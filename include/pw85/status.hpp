@@ -4,9 +4,8 @@
 #define PW85_STATUS_HPP_INCLUDED
 
 #include <pw85/status.h>
-#include <pw85/target.hpp>
 
-namespace pw85::inline PW85_TARGET {
+namespace pw85 {
 
 /// Outcome of a call, with the numbers of the C API.
 enum class Status : int {
@@ -16,7 +15,7 @@ enum class Status : int {
 };
 
 /// A sentence that says what a status means; a constant, never null.
-constexpr char const *strerror(Status status) noexcept
+static constexpr char const *strerror(Status status) noexcept
 {
     switch (status) {
 #define PW85_STATUS_CASE(c_name, name, value, text)                                                                    \
@@ -28,6 +27,6 @@ constexpr char const *strerror(Status status) noexcept
     return "unknown status";
 }
 
-} // namespace pw85::inline PW85_TARGET
+} // namespace pw85
 
 #endif

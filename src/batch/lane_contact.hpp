@@ -12,7 +12,8 @@
 
 #include "rows.hpp"
 
-namespace pw85::inline PW85_TARGET {
+namespace pw85 {
+namespace {
 
 /// Packs per chunk: their states, 1.6 kB each with 8 lanes, fit into a first-level cache of 32 kB.
 inline constexpr std::size_t packs_per_chunk = 16;
@@ -162,6 +163,7 @@ template <class Rows> [[gnu::flatten]] inline batch::Failure contact_rows(Rows c
     return first;
 }
 
-} // namespace pw85::inline PW85_TARGET
+} // namespace
+} // namespace pw85
 
 #endif

@@ -12,7 +12,8 @@
 
 #include "lane_contact.hpp"
 
-namespace pw85::inline PW85_TARGET {
+namespace pw85 {
+namespace {
 
 /// Pairs that are tested before the undecided ones among them are taken up again.
 inline constexpr std::size_t overlap_chunk_size = 2048;
@@ -165,6 +166,7 @@ overlap_rows(Rows const &rows, batch::Range range, unsigned char *out, batch::Sc
     return first;
 }
 
-} // namespace pw85::inline PW85_TARGET
+} // namespace
+} // namespace pw85
 
 #endif

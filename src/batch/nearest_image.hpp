@@ -7,7 +7,8 @@
 
 #include "lattice.hpp"
 
-namespace pw85::inline PW85_TARGET {
+namespace pw85 {
+namespace {
 
 /// The nearest integer, for |x| < 2^51; without instructions that old processors lack.
 template <class T> inline T nearest_integer(T const &x) noexcept
@@ -39,6 +40,7 @@ template <class T> inline Vector<T, 3> nearest_image(batch::Lattice const &latti
     return x;
 }
 
-} // namespace pw85::inline PW85_TARGET
+} // namespace
+} // namespace pw85
 
 #endif

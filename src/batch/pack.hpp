@@ -26,7 +26,8 @@
 /// Kernels are one function each: what they call must not be left to the compiler's idea of size.
 #define PW85_INLINE __attribute__((always_inline)) inline
 
-namespace pw85::inline PW85_TARGET {
+namespace pw85 {
+namespace {
 
 #if defined(PW85_LANES_AVX512)
 inline constexpr std::size_t lanes = 8;
@@ -213,11 +214,19 @@ PW85_INLINE Pack rough_quotient(Pack const &x, Pack const &y) noexcept { return 
 PW85_INLINE Pack rough_root(Pack const &x) noexcept { return square_root(x); }
 #endif
 
+} // namespace
+
 template <> struct ScalarTraits<Pack> {
     using Lane = double;
     using Mask = PackMask;
     static constexpr int lanes = static_cast<int>(pw85::lanes);
 };
+
+namespace {
+
+PW85_INLINE double first_lane(Pack const &x) noexcept { return x[0]; }
+
+} // namespace
 
 template <> PW85_INLINE Pack load_lanes<Pack>(double const *x) noexcept
 {
@@ -226,14 +235,12 @@ template <> PW85_INLINE Pack load_lanes<Pack>(double const *x) noexcept
     return p;
 }
 
-PW85_INLINE double first_lane(Pack const &x) noexcept { return x[0]; }
-
 /// Without the loop of the template, which compilers do not carry out beforehand for a pack.
 template <> PW85_INLINE Pack negative_power_of_two<Pack>(int n) noexcept
 {
     return Pack(std::bit_cast<double>(static_cast<std::int64_t>(1023 - n) << 52));
 }
 
-} // namespace pw85::inline PW85_TARGET
+} // namespace pw85
 
 #endif

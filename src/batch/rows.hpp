@@ -11,7 +11,8 @@
 #include "nearest_image.hpp"
 #include "pack.hpp"
 
-namespace pw85::inline PW85_TARGET {
+namespace pw85 {
+namespace {
 
 using LanePair = Pair<Pack, 3>;
 
@@ -218,6 +219,7 @@ inline void visit_pairs(Rows const &rows, OffsetList<Capacity> &list, Visit visi
     }
 }
 
-} // namespace pw85::inline PW85_TARGET
+} // namespace
+} // namespace pw85
 
 #endif
