@@ -75,15 +75,17 @@ Maximum<double> refine(Pair<double, 3> const &pair, double t, Options const &opt
 {
     Candidate<double> candidate{t, 1.0, 0.0};
     for (int i = 0;; ++i) {
-        Jet<double> const jet = evaluate_jet(pair, candidate.t);
+        auto const factors = factorize_blend(1.0, pair.q1, candidate.t, pair.q2);
+        Jet<double> const jet = evaluate_jet(pair, factors, solve(factors, pair.r12));
         Slope<double> const s = slope(jet, pair.ratio, candidate.t);
         candidate.k = s.k / s.weight;
         if (i == options.newton_iterations) break;
         double const h = std::log(pair.ratio * candidate.t * std::sqrt(jet.b / jet.a));
         candidate.t *= std::exp(-h / candidate.k);
     }
-    Finish<double> const last = finish_factorized(pair, candidate);
-    return {last.mu2, last.lambda, last.complement, 0, absolute(last.step) < 0.1};
+    auto const last = last_evaluation(pair, candidate, Precision::working);
+    if (!last.certain) return maximize_factorized(pair, candidate, 0);
+    return to_maximum(last.value, 0, true);
 }
 
 } // namespace

@@ -103,7 +103,7 @@ void test_number_of_evaluations()
         auto const scaled = pw85::scale(p.pair.r12, p.pair.q1, p.pair.q2);
         int const evaluations = pw85::maximize(scaled.pair).evaluations;
         ++histogram[evaluations];
-        failures.check(evaluations <= 12, "evaluations", evaluations, 12.0,
+        failures.check(evaluations <= pw85::max_evaluations, "evaluations", evaluations, pw85::max_evaluations,
                        [&] { return *p.category + ": " + hex_text(p.pair); });
     }
     for (auto const &[evaluations, count] : histogram) g_test_message("%2d evaluations: %d pairs", evaluations, count);

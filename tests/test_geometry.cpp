@@ -186,7 +186,7 @@ void test_no_net_torque()
         double const norm = std::sqrt(pw85::dot(d.r12, d.r12)), trace = m[0] + m[3] + m[5];
         double const conditioning = pw85::determinant(m, pw85::adjugate(m)) / (m[0] * m[3] * m[5]);
         double residual = 32 * u * trace * norm / weight;
-        if (conditioning > 0.9 * pw85::fine_conditioning<double>())
+        if (conditioning > 0.9 * pw85::adjugate_conditioning<double>())
             residual += std::sqrt(trace * pw85::dot(p.r12, d.r12) / weight) * 108 * u / conditioning;
         for (int i = 0; i < 3; ++i) {
             double const sum = d.rotation1[i] + d.rotation2[i] + arm[i], bound = norm * residual;

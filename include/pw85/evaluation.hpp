@@ -73,11 +73,11 @@ static constexpr T positive_form(SymmetricMatrix<T, D> const &q, SymmetricMatrix
     return maximum(quadratic_form(q, weights), T(unit_roundoff<T>() * floor));
 }
 
-/// A and B and their derivatives at t (item 2), over A: numbers of like magnitude, whatever the aspect ratio.
-template <class T, int D> static constexpr Jet<T> evaluate_jet(Pair<T, D> const &pair, T const &t) noexcept
+/// A and B and their derivatives at t (item 2), over A: numbers of like magnitude, whatever the aspect ratio. From the factors of
+/// M and s = M⁻¹r12.
+template <class T, int D> static constexpr Jet<T>
+evaluate_jet(Pair<T, D> const &pair, Factorization<T, D> const &factors, Vector<T, D> const &s) noexcept
 {
-    auto const factors = factorize_blend(T(1), pair.q1, t, pair.q2);
-    Vector<T, D> const s = solve(factors, pair.r12);
     Vector<T, D> const p = product(pair.q1, s), q = product(pair.q2, s), v = solve(factors, q);
     auto const weights = outer_weights(s), change = outer_weights(v);
     T const a = positive_form(pair.q1, weights), b = positive_form(pair.q2, weights);

@@ -76,20 +76,16 @@ template <class T> static constexpr Jet<T> evaluate_jet(RationalForm<T> const &f
             rough_quotient(T(t * b1), b)};
 }
 
-// The conditioning of M at t is det M over the product of its diagonal, in (0, 1]. Scale M to a unit diagonal, with
-// determinant d. Every product in a cofactor scales alike, so the entries of the adjugate err by at most 12 u, b by 16 u/d
-// of itself, and s = adj(M) r12 by e with |e| <= 3·3·12 u/d of itself in the norm of M, since the largest eigenvalue is at
-// most 3. From its coefficients b errs by 80 u/d of itself (13 roundings in a sum of products that is at most 6), and a by
-// 234 u/d (13 in one that is at most 6|r|², where a is at least d|r|²/3).
+// The conditioning of M at t is det M over the product P of its diagonal, in (0, 1]. Scale M to a unit diagonal, so that entries
+// of M and of adj M are at most 1; let d be its determinant. To first order in u, the entries of M err by 2u, and s = M⁻¹x with
+// them by 6u over the least eigenvalue, which is at least 4/9 d, of itself in the norm of M. Those of adj M err by 3u more, and
+// as much in the product with x: by E x with |E| <= 18 u, where adj(M) x is at least d|x|/√3 long and the largest eigenvalue at
+// most 3. So s errs by e <= (27/2 + 54) u/d of itself.
 
-/// Conditioning above which the rational form is right to some per cent: a fair guide to the root.
+/// Conditioning above which the rational form is right to some per cent: a fair guide to the root. From its coefficients b errs
+/// by 80 u/d of itself (13 roundings in a sum of products that is at most 6), and a by 234 u/d (13 in one that is at most
+/// 6|r|², where a is at least d|r|²/3).
 template <class T> static constexpr T rough_conditioning() noexcept { return T(1024) * unit_roundoff<T>(); }
-
-/// Conditioning above which |e|² < u/8: the error of s adds less than a rounding error to a stationary value.
-template <class T> static constexpr T fine_conditioning() noexcept
-{
-    return negative_power_of_two<T>(maximum(mantissa_digits<T>() / 2 - 8, 0));
-}
 
 /// The solution of M s = det(M) x by the adjugate.
 template <class T, int D> struct AdjugateSolution {
@@ -103,13 +99,6 @@ template <class T, int D> static constexpr AdjugateSolution<T, D> solve_by_adjug
 {
     auto const adj = adjugate(m);
     return {product(adj, x), determinant(m, adj), diagonal_product(m)};
-}
-
-/// Whether the error of s counts for nothing where it counts squared.
-template <class T, int D>
-static constexpr typename ScalarTraits<T>::Mask is_accurate(AdjugateSolution<T, D> const &solution) noexcept
-{
-    return solution.determinant > fine_conditioning<T>() * solution.diagonal;
 }
 
 } // namespace pw85

@@ -56,6 +56,7 @@ template <class T> static constexpr T select(bool condition, T const &yes, T con
 }
 
 static constexpr bool any_of(bool mask) noexcept { return mask; }
+static constexpr bool all_of(bool mask) noexcept { return mask; }
 
 /// The larger of two numbers; the first where either is NaN.
 template <class T> static constexpr T maximum(T const &x, T const &y) noexcept { return select(y > x, y, x); }

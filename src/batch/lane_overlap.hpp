@@ -1,14 +1,13 @@
 /// @file
-/// The overlap test, one pair per lane.
+/// The overlap test of many pairs, one per lane: a driver of the tests on the quartic.
 ///
-/// The test on the quartic of the scalar path, with its margins, at the t where the scalar path begins, and at two more of
-/// its points; undecided pairs are collected in between, so that lanes stay full. Where that is not enough, the search of
-/// lane_contact.hpp leads to a t at which the same test leaves only pairs that are tangent to about six digits, or
-/// ill-conditioned, to the scalar path.
+/// Each pair is tested where the scalar path begins; undecided ones are collected, so that lanes stay full, and tested where the
+/// fixed-point map leads, then where the search on the rational form does. What that leaves, tangent to about as many digits as
+/// the pair's conditioning leaves, or out of the ordinary, goes to the scalar path.
 #ifndef PW85_BATCH_LANE_OVERLAP_HPP_INCLUDED
 #define PW85_BATCH_LANE_OVERLAP_HPP_INCLUDED
 
-#include <pw85/overlap.hpp>
+#include <pw85/quartic.hpp>
 
 #include "lane_contact.hpp"
 
@@ -16,7 +15,7 @@ namespace pw85 {
 namespace {
 
 /// Pairs that are tested before the undecided ones among them are taken up again.
-inline constexpr std::size_t overlap_chunk_size = 2048;
+inline constexpr std::size_t overlap_chunk_size = 512;
 using OverlapList = OffsetList<overlap_chunk_size>;
 
 /// Undecided pairs, with the square of the t of their next test.
@@ -49,15 +48,15 @@ struct UndecidedList {
 /// The outcome of a test.
 struct LaneDecision {
     unsigned overlap, decided; ///< lanes that are certain
-    Pack next;                 ///< square of the next t of the fixed-point map of the scalar path
+    Pack next;                 ///< square of the next t of the fixed-point map
 };
 
-PW85_INLINE LaneDecision decide(LanePair const &pair, Pack const &t) noexcept
+PW85_INLINE LaneDecision decide_lanes(LanePair const &pair, Pack const &t) noexcept
 {
     auto const e = evaluate_quartic(pair, t);
     auto const certainty = decide(e, t);
     unsigned const apart = certainty.apart.to_bits(), overlap = certainty.overlap.to_bits();
-    return {overlap, overlap | apart, rough_quotient(complement(e, t), e.form)};
+    return {overlap, overlap | apart, fixed_point_square(e, t)};
 }
 
 /// Stores neighbouring answers; those that are not decided will be overwritten.
@@ -70,8 +69,8 @@ PW85_INLINE void store(unsigned overlap, std::size_t count, unsigned char *out) 
 }
 
 /// First test, for neighbouring pairs.
-template <class Rows> PW85_INLINE void test_first(Rows const &rows, std::size_t count, unsigned char *out,
-                                                  UndecidedList &undecided, OverlapList &rejected) noexcept
+template <class Rows> PW85_INLINE void test_neighbors(Rows const &rows, std::size_t count, unsigned char *out,
+                                                      UndecidedList &undecided, OverlapList &rejected) noexcept
 {
     std::size_t const begin = rejected.begin();
     for (std::size_t first = 0; first < count; first += lanes) {
@@ -79,7 +78,7 @@ template <class Rows> PW85_INLINE void test_first(Rows const &rows, std::size_t 
         if (first % prefetch_distance == 0) rows.prefetch(begin + first + prefetch_distance, begin + count);
         LanePair const pair = load_neighbors(rows, begin + first, left);
         unsigned const ordinary = is_ordinary(pair.r12, pair.q1, pair.q2).to_bits();
-        LaneDecision const decision = decide(pair, initial_guess(pair));
+        LaneDecision const decision = decide_lanes(pair, initial_guess(pair));
         store(decision.overlap, left, out + begin + first);
         for (unsigned bits = live_lanes(left) & ordinary & ~decision.decided; bits != 0; bits &= bits - 1) {
             auto const i = static_cast<unsigned>(__builtin_ctz(bits));
@@ -90,41 +89,50 @@ template <class Rows> PW85_INLINE void test_first(Rows const &rows, std::size_t 
     }
 }
 
-/// Another test of undecided pairs, which are replaced by those that remain.
-template <class Rows> PW85_INLINE void test_again(Rows const &rows, unsigned char *out, UndecidedList &list) noexcept
+/// Stores the answers for the lanes of pack k of a list that are decided, and calls keep(offset, lane) for the others.
+template <class Keep> PW85_INLINE void store_decided(OverlapList const &pairs, std::size_t size, std::size_t k,
+                                                     LaneDecision const &decision, unsigned char *out,
+                                                     Keep const &keep) noexcept
+{
+    for (unsigned i = 0; i < lanes && k * lanes + i < size; ++i) {
+        std::size_t const offset = pairs.offset(k, i);
+        out[pairs.begin() + offset] = decision.overlap >> i & 1u;
+        if (!(decision.decided >> i & 1u)) keep(offset, i);
+    }
+}
+
+/// A test of the undecided pairs, which are replaced by those that remain.
+template <class Rows>
+PW85_INLINE void test_undecided(Rows const &rows, unsigned char *out, UndecidedList &list) noexcept
 {
     OverlapList &pairs = list.pairs;
     list.pad();
     std::size_t const packs = pairs.packs(), size = pairs.size();
     pairs.clear();
     for (std::size_t k = 0; k < packs; ++k) {
-        LaneDecision const decision = decide(pairs.load(rows, k), list.load_next(k));
-        for (unsigned i = 0; i < lanes && k * lanes + i < size; ++i) {
-            std::size_t const offset = pairs.offset(k, i);
-            out[pairs.begin() + offset] = decision.overlap >> i & 1u;
-            if (!(decision.decided >> i & 1u)) list.push(offset, decision.next[i]);
-        }
+        LaneDecision const decision = decide_lanes(pairs.load(rows, k), list.load_next(k));
+        store_decided(pairs, size, k, decision, out,
+                      [&](std::size_t offset, unsigned i) { list.push(offset, decision.next[i]); });
     }
 }
 
-/// The last test, at the maximum of f; those that remain go to `rejected`.
-template <class Rows>
-PW85_INLINE void test_last(Rows const &rows, unsigned char *out, OverlapList &pairs, OverlapList &rejected) noexcept
+/// The last test, where the search has converged; those that remain go to `rejected`.
+template <class Rows> PW85_INLINE void test_converged(Rows const &rows, unsigned char *out, OverlapList &pairs,
+                                                      OverlapList &rejected) noexcept
 {
-    LaneState states[packs_per_chunk];
+    RationalSearch<Pack> searches[packs_per_chunk];
     pairs.pad();
     for (std::size_t first = 0; first < pairs.packs(); first += packs_per_chunk) {
         std::size_t const left = pairs.packs() - first, packs = left < packs_per_chunk ? left : packs_per_chunk;
-        for (std::size_t k = 0; k < packs; ++k) start(states[k], pairs.load(rows, first + k));
-        search(states, packs);
         for (std::size_t k = 0; k < packs; ++k) {
-            LaneDecision const decision = decide(states[k].pair, states[k].candidate.t);
-            for (unsigned i = 0; i < lanes && (first + k) * lanes + i < pairs.size(); ++i) {
-                std::size_t const offset = pairs.offset(first + k, i);
-                out[pairs.begin() + offset] = decision.overlap >> i & 1u;
-                if (!(decision.decided >> i & 1u)) rejected.push(offset);
-            }
+            LanePair const pair = pairs.load(rows, first + k);
+            searches[k] = start_search(pair, initial_guess(pair));
         }
+        run(searches, packs);
+        for (std::size_t k = 0; k < packs; ++k)
+            store_decided(pairs, pairs.size(), first + k,
+                          decide_lanes(pairs.load(rows, first + k), searches[k].candidate.t), out,
+                          [&](std::size_t offset, unsigned) { rejected.push(offset); });
     }
 }
 
@@ -133,10 +141,10 @@ template <class Rows>
 PW85_INLINE void overlap_chunk(Rows const &rows, std::size_t count, unsigned char *out, OverlapList &rejected) noexcept
 {
     UndecidedList undecided(rejected.begin());
-    test_first(rows, count, out, undecided, rejected);
-    test_again(rows, out, undecided);
-    test_again(rows, out, undecided);
-    test_last(rows, out, undecided.pairs, rejected);
+    test_neighbors(rows, count, out, undecided, rejected);
+    test_undecided(rows, out, undecided);
+    test_undecided(rows, out, undecided);
+    test_converged(rows, out, undecided.pairs, rejected);
 }
 
 /// The overlap test for a list of pairs by the scalar path.

@@ -19,22 +19,12 @@ int contact(double const *r12, double const *q1, double const *q2, double *out) 
     return static_cast<int>(c.status);
 }
 
-// A function of its own, so that the arguments are not copied to memory where they are not needed there.
-[[gnu::noinline]] int overlap_of_hard_pair(double const *r12, double const *q1, double const *q2, int *overlap) noexcept
-{
-    auto const o =
-        overlap_near_contact(c_api::load_vector<3>(r12), c_api::load_matrix<3>(q1), c_api::load_matrix<3>(q2));
-    *overlap = o.status == Status::success ? static_cast<int>(o.overlap) : -1;
-    return static_cast<int>(o.status);
-}
-
 int overlap(double const *r12, double const *q1, double const *q2, int *overlap) noexcept
 {
-    Decision const decision =
-        decide_by_quartic<Pack>(c_api::load_vector<3>(r12), c_api::load_matrix<3>(q1), c_api::load_matrix<3>(q2));
-    if (decision == Decision::none) return overlap_of_hard_pair(r12, q1, q2, overlap);
-    *overlap = static_cast<int>(decision == Decision::overlap);
-    return static_cast<int>(Status::success);
+    auto const o =
+        overlap_by_lanes<Pack>(c_api::load_vector<3>(r12), c_api::load_matrix<3>(q1), c_api::load_matrix<3>(q2));
+    *overlap = o.status == Status::success ? static_cast<int>(o.overlap) : -1;
+    return static_cast<int>(o.status);
 }
 
 int contact_geometry(double const *r12, double const *q1, double const *q2, double lambda, double *point,

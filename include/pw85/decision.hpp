@@ -1,0 +1,18 @@
+/// @file
+/// What is certain after a test for overlap.
+#ifndef PW85_DECISION_HPP_INCLUDED
+#define PW85_DECISION_HPP_INCLUDED
+
+namespace pw85 {
+
+enum class Decision { none, apart, overlap };
+
+/// The decision from two conditions, of which at most one holds. Which one cannot be foreseen: no branches.
+static constexpr Decision to_decision(bool apart, bool overlap) noexcept
+{
+    return static_cast<Decision>(static_cast<unsigned>(apart) + 2u * static_cast<unsigned>(overlap));
+}
+
+} // namespace pw85
+
+#endif

@@ -1,0 +1,128 @@
+/// @file
+/// The search for the maximum of f on the factorised form, for pairs whose rational form is not accurate: slower, right for
+/// all, and one pair at a time.
+#ifndef PW85_FACTORIZED_SEARCH_HPP_INCLUDED
+#define PW85_FACTORIZED_SEARCH_HPP_INCLUDED
+
+#include <pw85/iteration.hpp>
+#include <pw85/refinement.hpp>
+
+namespace pw85 {
+
+/// The largest number of evaluations that one search on the factorised form makes: 3 free steps, 8 of growing length to enclose
+/// the root, which lies in the range of double, 17 bisections of log t to make the bracket narrow, 8 steps that halve down to
+/// penultimate_step(), and the last evaluation.
+inline constexpr int max_factorized_steps = 37;
+
+/// What is known of the root from item 3.
+template <class T> struct Bracket {
+    T lower, upper; ///< of t; the limits of the scalar when unknown
+    T reach;        ///< factor from the end that is known to the next probe
+};
+
+/// Takes note of the fixed-point map's image of some t, a bound on the side where it is from t.
+template <class T> static inline void update(Bracket<T> &bracket, T const &t, T const &image) noexcept
+{
+    if (image > t)
+        bracket.lower = maximum(bracket.lower, image);
+    else
+        bracket.upper = minimum(bracket.upper, image);
+}
+
+template <class T> static inline bool is_narrow(Bracket<T> const &bracket) noexcept
+{
+    return bracket.upper <= bracket.lower + penultimate_step<T>() * bracket.lower;
+}
+
+template <class T> static inline T clamp(Bracket<T> const &bracket, T const &t) noexcept
+{
+    return minimum(maximum(t, bracket.lower), bracket.upper);
+}
+
+/// The middle of log t, or a point far beyond the end that is known, the farther the more were tried.
+template <class T> static inline T probe(Bracket<T> &bracket) noexcept
+{
+    bool const below = !(bracket.lower > std::numeric_limits<T>::min());
+    bool const above = !(bracket.upper < std::numeric_limits<T>::max());
+    if (!below && !above) return square_root(bracket.lower) * square_root(bracket.upper);
+    T const t = clamp(bracket, below ? T(bracket.upper / bracket.reach) : T(bracket.lower * bracket.reach));
+    bracket.reach = bracket.reach * bracket.reach;
+    return t;
+}
+
+/// How a search solves with M: by factorisation, or with the solution refined.
+enum class Precision { working, refined };
+
+/// M⁻¹ r12.
+template <class T, int D> static inline Vector<T, D> solve_for_separation(Pair<T, D> const &pair, T const &t,
+                                                                          Factorization<T, D> const &factors,
+                                                                          Precision precision) noexcept
+{
+    Vector<T, D> const s = solve(factors, pair.r12);
+    return precision == Precision::refined ? refine(pair, t, factors, s) : s;
+}
+
+/// Iterates from the candidate until a step is within penultimate_step(), or only rounding noise is left. Three steps are free
+/// to go anywhere in the bracket; later ones bisect it unless Halley's steps halve. False after max_factorized_steps.
+template <class T, int D> static inline bool search(Pair<T, D> const &pair, Candidate<T> &candidate,
+                                                    Precision precision, int &evaluations) noexcept
+{
+    T const smallest = std::numeric_limits<T>::min(), largest = std::numeric_limits<T>::max();
+    Bracket<T> bracket{smallest, largest, T(1024)};
+    T t = clamp(bracket, candidate.t), shortest = T(2); // of Halley's steps, which is_near() keeps below 5/4
+    for (int i = 1;; ++i) {
+        auto const factors = factorize_blend(T(1), pair.q1, t, pair.q2);
+        Jet<T> const jet = evaluate_jet(pair, factors, solve_for_separation(pair, t, factors, precision));
+        ++evaluations;
+        Slope<T> const s = slope(jet, pair.ratio, t);
+        Step<T> const step = halley_step(s);
+        // Out of the range of the scalar the step is 0/0 or NaN.
+        bool const near = is_near(s) && step.denominator > T(0) && is_within(step, T(2));
+        T const size = near ? T(absolute(step.numerator) / step.denominator) : T(2);
+        T const image = minimum(largest, maximum(smallest, T(square_root(T(jet.a / jet.b)) / pair.ratio)));
+        bool const pinned = is_narrow(bracket); // t is in it
+        update(bracket, t, image);
+        bool const halves = size <= T(0.5) * shortest, noise = near && !halves && shortest < T(0.1);
+        if (size <= penultimate_step<T>() || pinned || noise || i == max_factorized_steps - 1) {
+            T const factor = near ? exponential(step) : T(1);
+            candidate = {clamp(bracket, T(t * factor)), T(1), T(0)};
+            expect_derivatives(candidate, s, factor, near);
+            return i < max_factorized_steps - 1;
+        }
+        shortest = minimum(shortest, size);
+        T const next = t * (near ? exponential(step) : secular_factor(jet, pair.ratio, t));
+        t = clamp(bracket, next > smallest && next < largest ? next : image);
+        if (i > 3 && !halves) t = probe(bracket);
+    }
+}
+
+/// A bound on the inverse of the smallest eigenvalue of M scaled to a unit diagonal: the sum of M_ii (M⁻¹)_ii.
+template <class T, int D>
+static inline T condition(Factorization<T, D> const &factors, SymmetricMatrix<T, D> const &m) noexcept
+{
+    T sum = T(0);
+    for (int i = 0; i < D; ++i) {
+        Vector<T, D> unit{};
+        unit[i] = T(1);
+        sum = sum + m(i, i) * solve(factors, unit)[i];
+    }
+    return sum;
+}
+
+/// The last evaluation, by factorisation. With M scaled to a unit diagonal, whose entries err by 2u and the product of whose
+/// factors by 8u more, s errs by e <= 3·10 u κ of itself in the norm of M, with κ from condition().
+template <class T, int D> static inline LastEvaluation<T>
+last_evaluation(Pair<T, D> const &pair, Candidate<T> const &candidate, Precision precision) noexcept
+{
+    auto const m = blend(pair.q1, candidate.t, pair.q2);
+    auto const factors = factorize(m, T(unit_roundoff<T>()));
+    auto const s = solve_for_separation(pair, candidate.t, factors, precision);
+    auto const weights = outer_weights(s);
+    auto const value = stationary_value(candidate, pair.ratio, positive_form(pair.q1, weights),
+                                        positive_form(pair.q2, weights), dot(pair.r12, s));
+    return {value, is_certain(candidate, value.step, T(T(30) * condition(factors, m)), T(1))};
+}
+
+} // namespace pw85
+
+#endif
