@@ -1,0 +1,19 @@
+/// @file
+/// What a test for overlap can conclude.
+#ifndef PW85_DECISION_HPP_INCLUDED
+#define PW85_DECISION_HPP_INCLUDED
+
+namespace pw85 {
+
+/// What is certain after a test.
+enum class Decision { none, apart, overlap };
+
+/// The decision from two conditions, of which at most one holds. Which one cannot be foreseen: no branches.
+static constexpr Decision to_decision(bool apart, bool overlap) noexcept
+{
+    return static_cast<Decision>(static_cast<unsigned>(apart) + 2u * static_cast<unsigned>(overlap));
+}
+
+} // namespace pw85
+
+#endif
