@@ -287,40 +287,57 @@ void test_spans(gconstpointer data)
     g_assert_cmpint(kinds.overlapping, >, 25);
 }
 
-// Forms near the end of the range with off-diagonal entries at the other end, and coordinates at both: the memory is needed to
-// the last limb.
+// Forms at one end of the range with off-diagonal entries at the other, and coordinates that reach as far: the memory is needed
+// to the last limb.
 template <class T> void test_widest()
 {
     using Limits = std::numeric_limits<T>;
     Failures failures;
     T const tiny = Limits::denorm_min(), large = Limits::max(), radius2 = std::ldexp(T(1), Limits::max_exponent - 2);
-    T const diameter = 2 * std::sqrt(radius2);
+    T const diameter = 2 * std::sqrt(radius2), far = std::nextafter(2 * diameter, T(0));
     pw85::SymmetricMatrix<T, 3> const ball{radius2, 0, 0, radius2, 0, radius2};
-    pw85::SymmetricMatrix<T, 3> const blob{radius2, tiny, -tiny, radius2, tiny, radius2},
-        flat{large, tiny, 0, large, 0, tiny};
+    pw85::SymmetricMatrix<T, 3> const blob{radius2, tiny, -tiny, radius2, tiny, radius2};
+    pw85::SymmetricMatrix<T, 3> const flat{large, tiny, 0, large, 0, tiny},
+        full{large, tiny, -tiny, large, tiny, large};
     using S = Sample<T, 3>;
     struct {
         S pair;
         bool overlap;
     } const cases[] = {
-        {{{large, -large, tiny}, {large, tiny, -tiny, large, tiny, large}, {large, -tiny, tiny, large, -tiny, large}},
-         false},
-        {{{large, large, tiny}, blob, flat}, false},
-        {{{tiny, tiny, tiny}, blob, flat}, true},
+        {{{large, -large, tiny}, full, full}, false},
+        {{{far, -far, tiny}, full, full}, false},
+        {{{far, far, tiny}, full, flat}, false},
+        {{{diameter, tiny, tiny}, full, full}, true},
+        {{{tiny, tiny, tiny}, full, flat}, true},
         {{{diameter, 0, 0}, ball, ball}, false},
         {{{diameter, tiny, 0}, ball, ball}, false},
         {{{diameter, 0, 0}, ball, blob}, false}, // a slightly turned plane separates them
         {{{std::nextafter(diameter, T(0)), tiny, 0}, ball, ball}, true},
         {{{std::nextafter(diameter, large), tiny, 0}, blob, blob}, false},
     };
-    int bits = 0;
+    int widest = 0;
     for (auto const &[pair, overlap] : cases) {
         auto const decision = decide(pair);
         failures.check(decision == (overlap ? pw85::Decision::overlap : pw85::Decision::apart), "decision",
                        static_cast<double>(decision), overlap, [p = pair] { return hex_text(p); });
-        bits = std::max(bits, pw85::exact::to_numbers(pair.r12, pair.q1, pair.q2).bits);
+        auto const numbers = pw85::exact::to_numbers(pair.r12, pair.q1, pair.q2);
+        if (!is_far(numbers)) widest = std::max(widest, bits(numbers));
     }
-    g_assert_cmpint(bits, ==, pw85::exact::max_bits<T>());
+    // q.high is even, and 2 r.high at most q.high + 2.
+    g_assert_cmpint(widest, ==, pw85::exact::max_bits<T>() - 1);
+}
+
+// Where bounding boxes are taken for a proof they are one, just within and beyond that limit.
+void test_far()
+{
+    Failures failures;
+    Kinds kinds;
+    for (double const r : {4.0, std::nextafter(4.0, 0.0)})
+        for (double const a : {std::nextafter(4.0, 0.0), 4.0, std::nextafter(8.0, 0.0)}) {
+            compare(Sample<double, 3>{{r, 0, 0}, {a, 0, 0, a, 0, a}, {a, 0, 0, a, 0, a}}, failures, kinds);
+            compare(Sample<double, 2>{{0, r}, {a, 0, a}, {a, 0, a}}, failures, kinds);
+        }
+    g_assert_cmpint(kinds.tangent, ==, 2);
 }
 
 // All contact problems, the tangent ones included, past the tiers that decide most of them.
@@ -355,6 +372,7 @@ int main(int argc, char **argv)
     g_test_add_func("/exact/widest/float", test_widest<float>);
     g_test_add_func("/exact/widest/double", test_widest<double>);
     g_test_add_func("/exact/widest/long_double", test_widest<long double>);
+    g_test_add_func("/exact/far", test_far);
     g_test_add_func("/exact/problems", test_problems);
     return g_test_run();
 }
