@@ -305,6 +305,7 @@ template <class T> void test_widest()
         bool overlap;
     } const cases[] = {
         {{{large, -large, tiny}, full, full}, false},
+        {{{2 * far, -far, tiny}, full, full}, false},
         {{{far, -far, tiny}, full, full}, false},
         {{{far, far, tiny}, full, flat}, false},
         {{{diameter, tiny, tiny}, full, full}, true},
