@@ -340,7 +340,7 @@ static inline int sign_of_subdiscriminant(Quartic const &p, WideInteger i, WideI
 } // namespace exact
 
 /// Whether two ellipsoids overlap, for the numbers as they were given: never Decision::none. Its memory, in which everything
-/// has its place, is 9.1 KiB for double, 1.3 KiB for float, 142 KiB for the long double of x86.
+/// has its place, is 9 KiB for double, 1.3 KiB for float, 141 KiB for the long double of x86.
 template <class T, int D>
 requires exact::is_decidable<T>
 [[gnu::noinline]] static Decision decide_exactly(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
