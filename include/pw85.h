@@ -21,6 +21,8 @@
  *   as the pointers to them are not null).
  * - Nothing is allocated, no state is shared, nothing is printed, the process is never ended: any number of threads may
  *   call anything at any time.
+ * - No function needs more than 16 KiB of stack, besides what the dynamic linker takes to bind it at its first call. The
+ *   threads that a batch starts have stacks of their own, which OpenMP provides.
  * - Semi-axes and distances from 1e-150 to 1e150 neither overflow nor underflow inside; a result beyond the range of
  *   double is infinity or zero.
  * - A form counts as positive definite when all pivots of its factorisation, computed in double, are positive; semi-axes

@@ -4,6 +4,7 @@
 
 #include <cstdio>
 #include <string>
+#include <type_traits>
 
 #include <pw85/pw85.hpp>
 
@@ -34,13 +35,16 @@ template <class To, class From, int D> Sample<To, D> convert(Sample<From, D> con
     return {convert<To>(s.r12), convert<To>(s.q1), convert<To>(s.q2)};
 }
 
-inline std::string hex_text(double const *x, int count)
+inline void print_hex(char (&text)[64], double x) { std::snprintf(text, sizeof text, "%a", x); }
+inline void print_hex(char (&text)[64], long double x) { std::snprintf(text, sizeof text, "%La", x); }
+
+template <class T> std::string hex_text(T const *x, int count)
 {
     std::string text = "{";
     for (int i = 0; i < count; ++i) {
-        char number[40];
-        std::snprintf(number, sizeof number, "%s%a", i == 0 ? "" : ", ", x[i]);
-        text += number;
+        char number[64];
+        print_hex(number, x[i]);
+        text += (i == 0 ? "" : ", ") + std::string(number);
     }
     return text + "}";
 }
@@ -48,7 +52,7 @@ inline std::string hex_text(double const *x, int count)
 /// The inputs of a failing case.
 template <class T, int D> std::string hex_text(Sample<T, D> const &s)
 {
-    auto const d = convert<double>(s);
+    auto const d = convert<std::conditional_t<std::is_same_v<T, long double>, long double, double>>(s);
     return "r12 = " + hex_text(d.r12.coordinates, D) + ", q1 = " + hex_text(d.q1.entries, d.q1.size) +
            ", q2 = " + hex_text(d.q2.entries, d.q2.size);
 }

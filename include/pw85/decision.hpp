@@ -1,10 +1,11 @@
 /// @file
-/// What is certain after a test for overlap.
+/// What a test for overlap can conclude.
 #ifndef PW85_DECISION_HPP_INCLUDED
 #define PW85_DECISION_HPP_INCLUDED
 
 namespace pw85 {
 
+/// What is certain after a test.
 enum class Decision { none, apart, overlap };
 
 /// The decision from two conditions, of which at most one holds. Which one cannot be foreseen: no branches.

@@ -31,7 +31,7 @@ template <class T, int D> struct OverlapWitness {
     Status status;
 };
 
-/// The tiers after the first, for any pair.
+/// The tiers after the first, for any pair. A multiprecision number is compared to rounding.
 template <class T, int D> [[gnu::noinline]] static inline Overlap
 overlap_near_contact(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, SymmetricMatrix<T, D> const &q2) noexcept
 {
@@ -42,7 +42,10 @@ overlap_near_contact(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, S
     T const tangent = times_power_of_two(T(1), 2 * (scaled.form - scaled.length));
     Decision const decision = decide_by_comparison(scaled.pair, tangent);
     if (decision != Decision::none) return {decision == Decision::overlap, OverlapTier::contact, Status::success};
-    return {decide_exactly(r12, q1, q2) == Decision::overlap, OverlapTier::exact, Status::success};
+    if constexpr (exact::is_decidable<T>)
+        return {decide_exactly(r12, q1, q2) == Decision::overlap, OverlapTier::exact, Status::success};
+    else
+        return {maximize(scaled.pair).mu2 < tangent, OverlapTier::contact, Status::success};
 }
 
 /// Whether two ellipsoids overlap, μ² < 1; with the first tier at as many points at once as `Lanes` has lanes.
