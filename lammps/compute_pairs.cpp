@@ -31,6 +31,8 @@ void ComputePairs::begin(double reach, double initial_value)
 {
     if (!neighbours.built())
         stop_all(*error, std::string("Compute ") + style + " was asked for a value before a run: use run 0 first");
+    // Fixes that move atoms or the box at the end of a step leave ghosts where they were.
+    comm->forward_comm();
     ellipsoids.read([this](int i) { return (atom->mask[i] & groupbit) != 0; });
     // Shapes and types change between runs, or when atoms are added, which makes LAMMPS rebuild the lists.
     if (!checked_ || neighbor->ago == 0) ellipsoids.require_cutoff(reach);

@@ -46,26 +46,6 @@ OUTPUTS = ("atoms.txt", "contacts.txt", "near.txt")
 GEOMETRY_TOLERANCE = 1e-7
 
 
-class Expected:
-    """What the computes must say about a system."""
-
-    def __init__(self, system, reach):
-        count = len(system.centers)
-        forms = brute_force.forms(system)
-        self.overlapping_pairs, self.neighbours, self.smallest = 0, np.zeros(count), np.full(count, np.inf)
-        self.contacts = {}
-        for i, j, r12 in brute_force.pairs(system, reach):
-            overlaps = brute_force.overlap(r12, forms[i], forms[j])
-            self.overlapping_pairs += overlaps
-            for k in (i, j):
-                self.neighbours[k] += overlaps
-            mu2, _, point, normal, sensitivity = brute_force.contact(r12, forms[i], forms[j])
-            for k in (i, j):
-                self.smallest[k] = min(self.smallest[k], mu2)
-            bound = brute_force.tolerance(system, sensitivity)
-            self.contacts.setdefault((i + 1, j + 1), []).append((mu2, bound, point, normal))
-
-
 def by_pair(rows):
     found = {}
     for row in rows:
@@ -110,7 +90,7 @@ class Computes(unittest.TestCase):
         np.testing.assert_allclose(atoms[:, 3], closest, rtol=0.0, atol=bound)
 
     def test_against_brute_force(self):
-        self.expected = {name: Expected(system, system.cutoff) for name, system in BOXES.items()}
+        self.expected = {name: brute_force.Expected(system, system.cutoff) for name, system in BOXES.items()}
         for name, newton, ranks in itertools.product(BOXES, ("on", "off"), (1, 2, 4)):
             with self.subTest(box=name, newton=newton, ranks=ranks):
                 self.check(name, newton, ranks)
@@ -124,7 +104,7 @@ class Computes(unittest.TestCase):
             "dump contacts all local 1 contacts.txt c_contact[*]\nthermo_style custom step c_overlap\nrun 0\n"
             'print "pairs = $(c_overlap:%.17g)"\n')
         text, ((contacts,),) = run(script, system, 2, ("contacts.txt",))
-        large = [c for pair, found in Expected(system, system.cutoff).contacts.items() for c in found
+        large = [c for pair, found in brute_force.Expected(system, system.cutoff).contacts.items() for c in found
                  if system.types[pair[0] - 1] == 1 and system.types[pair[1] - 1] == 1 and c[0] < 1.0]
         self.assertIn(f"pairs = {len(large)}\n", text)
         self.assertEqual(len(contacts), len(large))
@@ -168,7 +148,7 @@ print("pairs =", int(lmp.extract_compute("o", LMP_STYLE_GLOBAL, LMP_TYPE_SCALAR)
             program = self.PROGRAM.format(plugin=os.environ["PW85_LAMMPS_PLUGIN"], script=script)
             result = subprocess.run([sys.executable, "-c", program], cwd=directory, capture_output=True, text=True,
                                     check=True)
-        self.assertIn(f"pairs = {Expected(system, system.cutoff).overlapping_pairs}\n", result.stdout)
+        self.assertIn(f"pairs = {brute_force.Expected(system, system.cutoff).overlapping_pairs}\n", result.stdout)
 
 
 class Errors(unittest.TestCase):
