@@ -7,7 +7,7 @@ import unittest
 
 import brute_force
 import numpy as np
-from lammps_runs import preamble, random_system, run
+from lammps_runs import preamble, random_system, run, thermo
 
 BOX = random_system(21, 300, np.diag([11.0, 12.0, 13.0]), aspect=2.0)
 
@@ -46,6 +46,7 @@ print "again = $(v_pairs:%.17g)"
 """
 
 REACH = np.sqrt(1.5)
+WARNING = "may miss pairs"
 
 
 def printed(label, text):
@@ -56,6 +57,8 @@ def snapshot(motion, ranks):
     """The system after 100 steps, what the computes say of it then, and the counts printed then and after run 0."""
     script = preamble(BOX) + SNAPSHOT.format(motion=motion.format(cutoff=BOX.cutoff * REACH))
     text, (atoms, contacts) = run(script, BOX, ranks, ("atoms.txt", "contacts.txt"))
+    if WARNING in text:
+        raise AssertionError(f"a skin of 0.4 does not suffice\n{motion}\n{text}")
     lx, xy, ly, xz, yz, lz = printed("cell", text)
     system = dataclasses.replace(BOX, cell=np.array([[lx, 0, 0], [xy, ly, 0], [xz, yz, lz]]),
                                  centers=atoms[-1][:, 1:4].copy(), quaternions=atoms[-1][:, 4:8].copy())
@@ -86,6 +89,21 @@ class Moving(unittest.TestCase):
             with self.subTest(motion=name):
                 self.assertEqual(len(counts), 3)
                 self.assertEqual(len(set(counts.values())), 1, counts)
+
+    def test_warning(self):
+        """Spheres that were too far apart for the neighbour list, until the box shrank at once."""
+        spheres = random_system(22, 2, np.diag([8.0, 8.0, 8.0]), aspect=1.0)
+        spheres.centers[:] = [[3.3, 4.0, 4.0], [4.7, 4.0, 4.0]]
+        spheres.semi_axes[:] = 0.5
+        script = preamble(spheres) + RESTING.format(cutoff=1.0) + (
+            "neighbor 0.3 bin\ncompute overlap all pw85/overlap\nthermo 1\nthermo_style custom step c_overlap\n"
+            "fix box all deform 1 x scale {scale} remap x\nrun 1\nunfix box\nrun 0\n")
+        for ranks in (1, 2):
+            text, _ = run(script.format(scale=0.9), spheres, ranks)
+            self.assertNotIn(WARNING, text)
+            text, _ = run(script.format(scale=0.6), spheres, ranks)
+            self.assertEqual(text.count(WARNING), 1)
+            self.assertEqual(thermo(text)[0, 1], 1)
 
 
 if __name__ == "__main__":
