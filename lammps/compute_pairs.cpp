@@ -12,9 +12,6 @@ ComputePairs::ComputePairs(LAMMPS *lammps, int narg, char **arg)
     : Compute(lammps, narg, arg), ellipsoids(lammps, std::string("Compute ") + arg[2], "leave it out of the group"),
       neighbours(lammps), record_id_(std::string("PW85_BUILD_") + arg[0])
 {
-    // Some releases leave these to their luck, and programs may ask for any of them.
-    vector = vector_atom = vector_local = nullptr;
-    array = array_atom = array_local = nullptr;
     BuildRecord::add(*modify, record_id_);
     peratom_flag = 1;
     size_peratom_cols = 0;

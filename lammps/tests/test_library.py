@@ -10,8 +10,8 @@ import unittest
 from pathlib import Path
 
 import brute_force
-from lammps_runs import preamble, random_system
 import numpy as np
+from lammps_runs import preamble, random_system
 
 SYSTEM = random_system(31, 300, np.diag([11.0, 12.0, 13.0]))
 
@@ -99,15 +99,6 @@ class Library(unittest.TestCase):
 
     def test_clear(self):
         self.expect_values("lmp.command('run 0'); lmp.command('clear'); start(); lmp.command('run 0')")
-
-    def test_what_does_not_exist(self):
-        for name, style, kind in (("o", "ATOM", "ARRAY"), ("c", "ATOM", "ARRAY"), ("c", "LOCAL", "VECTOR"),
-                                  ("c", "GLOBAL", "VECTOR"), ("o", "LOCAL", "ARRAY")):
-            with self.subTest(name=name, style=style, kind=kind):
-                text, ok = self.execute(f"lmp.command('run 0'); print('exists', bool("
-                                        f"lmp.extract_compute('{name}', LMP_STYLE_{style}, LMP_TYPE_{kind})))")
-                self.assertTrue(ok, text[-3000:])
-                self.assertIn("exists False", text)
 
 
 if __name__ == "__main__":
