@@ -59,6 +59,17 @@ class Hybrid(unittest.TestCase):
                        "pair_coeff 2 2 pw85/contact 50.0\nrun 0\n", SYSTEM)
         self.assertIn("of types 2 and 2 misses contacts", text)
 
+    def test_computes_beside_other_styles(self):
+        computes = ("compute overlap all pw85/overlap\ncompute contact all pw85/contact below 1.0\n"
+                    "thermo_style custom step c_overlap c_contact\nrun 0\n")
+        styles = f"pw85/contact {CUTOFF:.17g}\npair_coeff 2 2 pw85/contact 50.0\n"
+        text = failure(preamble(SYSTEM) + f"pair_style hybrid {styles}pair_coeff 1 * none\n{computes}", SYSTEM)
+        self.assertIn("the pair cutoff 0 of types 1 and 1 misses contacts", text)
+        text, _ = run(preamble(SYSTEM) + f"pair_style hybrid/overlay zero {CUTOFF:.17g} {styles}pair_coeff * * zero\n"
+                      "pair_coeff 2 2 pw85/contact 50.0\n" + computes, SYSTEM, 2)
+        overlapping = sum(mu2 < 1.0 for found in self.contacts.values() for mu2, *_ in found)
+        np.testing.assert_array_equal(thermo(text)[0, 1:], [overlapping, overlapping])
+
     def test_mixing(self):
         """Cutoffs that suffice for like types do so for unlike ones; geometric means, if asked for, need not."""
         self.assertLess(CUTOFFS[1], 0.8 * CUTOFFS[0])
