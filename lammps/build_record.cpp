@@ -65,13 +65,16 @@ Movement BuildRecord::movement() const
 double BuildRecord::own_displacement() const
 {
     if (atom->nlocal != num_owned_ || atom->nghost != num_ghosts_) return std::numeric_limits<double>::infinity();
+    // What domain->lamda2x does, in a loop that compilers see through.
+    std::array<double, 6> h{};
+    std::copy_n(domain->h, 6, h.begin());
+    double const x0 = domain->boxlo[0], y0 = domain->boxlo[1], z0 = domain->boxlo[2];
+    double const *s = fractions_.data(), *x = num_owned_ > 0 ? atom->x[0] : nullptr;
     double largest = 0.0;
-    for (int i = 0; i < num_owned_; ++i) {
-        std::array<double, 3> fraction{}, carried{};
-        std::copy_n(&fractions_[3 * static_cast<std::size_t>(i)], 3, fraction.begin());
-        domain->lamda2x(fraction.data(), carried.data());
-        double const *const x = atom->x[i];
-        double const dx = x[0] - carried[0], dy = x[1] - carried[1], dz = x[2] - carried[2];
+    for (int i = 0; i < num_owned_; ++i, s += 3, x += 3) {
+        double const dx = x[0] - (h[0] * s[0] + h[5] * s[1] + h[4] * s[2] + x0);
+        double const dy = x[1] - (h[1] * s[1] + h[3] * s[2] + y0);
+        double const dz = x[2] - (h[2] * s[2] + z0);
         largest = std::max(largest, dx * dx + dy * dy + dz * dz);
     }
     return std::sqrt(largest);

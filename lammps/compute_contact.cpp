@@ -92,6 +92,7 @@ void ComputeContact::add_batch(bool with_rows)
     auto const num_particles = static_cast<std::size_t>(atom->nlocal + atom->nghost);
     int const status = pw85_contact_pairs(batch.size(), batch.pairs.data(), num_particles, atom->x[0],
                                           ellipsoids.forms(), nullptr, batch.mu2.data(), batch.lambda.data());
+    int const counted = num_counted();
     for (std::size_t k = 0; k < batch.size(); ++k) {
         int const i = batch.pairs[2 * k], j = batch.pairs[2 * k + 1];
         double const mu2 = batch.mu2[k];
@@ -99,7 +100,7 @@ void ComputeContact::add_batch(bool with_rows)
         if (!(mu2 < below_)) continue;
         value(i) = std::min(value(i), mu2);
         value(j) = std::min(value(j), mu2);
-        if (!belongs_here(i, j)) continue;
+        if (std::max(i, j) >= counted && !belongs_here(i, j)) continue;
         count_ += 1;
         if (with_rows) add_row(i, j, mu2, batch.lambda[k]);
     }
@@ -123,7 +124,6 @@ void ComputeContact::add_row(int i, int j, double mu2, double lambda)
 bool ComputeContact::belongs_here(int i, int j) const
 {
     int const ghost = std::max(i, j), owned = std::min(i, j);
-    if (ghost < num_counted()) return true;
     tagint const a = atom->tag[owned], b = atom->tag[ghost];
     if (a != b) return (a < b) == ((a % 2 + b % 2) % 2 == 0);
     double const *x = atom->x[owned], *y = atom->x[ghost];

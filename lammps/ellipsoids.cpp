@@ -127,7 +127,8 @@ std::vector<double> Ellipsoids::largest_radii() const
     std::vector<double> largest(static_cast<std::size_t>(atom->ntypes) + 1, 0.0);
     for (int i = 0; i < atom->nlocal; ++i) {
         double &entry = largest[static_cast<std::size_t>(atom->type[i])];
-        entry = std::max(entry, radii_[static_cast<std::size_t>(i)]);
+        double const radius = radii_[static_cast<std::size_t>(i)];
+        if (radius > entry) entry = radius; // seldom, which a branch predicts
     }
     MPI_Allreduce(MPI_IN_PLACE, largest.data(), static_cast<int>(largest.size()), MPI_DOUBLE, MPI_MAX, world);
     return largest;
