@@ -90,20 +90,24 @@ class Moving(unittest.TestCase):
                 self.assertEqual(len(counts), 3)
                 self.assertEqual(len(set(counts.values())), 1, counts)
 
-    def test_warning(self):
-        """Spheres that were too far apart for the neighbour list, until the box shrank at once."""
+    def check_warning(self, motion, slight, strong):
+        """Two spheres too far apart for the neighbour list, that a strong motion brings into contact."""
         spheres = random_system(22, 2, np.diag([8.0, 8.0, 8.0]), aspect=1.0)
         spheres.centers[:] = [[3.3, 4.0, 4.0], [4.7, 4.0, 4.0]]
         spheres.semi_axes[:] = 0.5
         script = preamble(spheres) + RESTING.format(cutoff=1.0) + (
-            "neighbor 0.3 bin\ncompute overlap all pw85/overlap\nthermo 1\nthermo_style custom step c_overlap\n"
-            "fix box all deform 1 x scale {scale} remap x\nrun 1\nunfix box\nrun 0\n")
+            "neighbor 0.3 bin\nneigh_modify delay 20\ncompute overlap all pw85/overlap\nthermo 1\n"
+            f"thermo_style custom step c_overlap\n{motion}\nunfix motion\nrun 0\n")
         for ranks in (1, 2):
-            text, _ = run(script.format(scale=0.9), spheres, ranks)
+            text, _ = run(script.format(slight), spheres, ranks)
             self.assertNotIn(WARNING, text)
-            text, _ = run(script.format(scale=0.6), spheres, ranks)
-            self.assertEqual(text.count(WARNING), 1)
+            text, _ = run(script.format(strong), spheres, ranks)
+            self.assertEqual(text.count(WARNING), 1, text)
             self.assertEqual(thermo(text)[0, 1], 1)
+
+    def test_warning(self):
+        self.check_warning("fix motion all deform 1 x scale {} remap x\nrun 1", 0.9, 0.6)
+        self.check_warning("group first id 1\ntimestep 0.01\nfix motion first move linear {} 0 0\nrun 10", 1.0, 6.0)
 
 
 if __name__ == "__main__":
