@@ -21,15 +21,28 @@ ComputeContact::ComputeContact(LAMMPS *lammps, int narg, char **arg)
     if (narg == 5) below_ = utils::numeric(FLERR, arg[4], false, lmp);
     if (!(below_ > 0.0)) stop_all(*error, "Compute pw85/contact: the value of below must be positive");
     if (!atom->tag_enable) stop_all(*error, "Compute pw85/contact needs atom IDs: remove atom_modify id no");
+    scalar_flag = 1;
+    extscalar = 0; // a number of pairs stays one when thermo output is normalised by the number of atoms
     local_flag = 1;
     size_local_cols = static_cast<int>(std::tuple_size_v<Row>);
 }
 
 double ComputeContact::merge(double value, double from_ghost) const { return std::min(value, from_ghost); }
 
+double ComputeContact::compute_scalar()
+{
+    if (!is_current(INVOKED_PERATOM, invoked_peratom)) compute_peratom();
+    invoked_scalar = update->ntimestep;
+    bigint count = 0;
+    MPI_Allreduce(&count_, &count, 1, MPI_LMP_BIGINT, MPI_SUM, world);
+    scalar = static_cast<double>(count);
+    return scalar;
+}
+
 void ComputeContact::compute_local()
 {
     invoked_local = invoked_peratom = update->ntimestep;
+    invoked_flag |= INVOKED_LOCAL | INVOKED_PERATOM;
     evaluate(true);
     publish_rows();
 }
@@ -37,16 +50,19 @@ void ComputeContact::compute_local()
 // Points and normals cost as much as everything else, so they are left out until asked for.
 void ComputeContact::compute_peratom()
 {
-    if (invoked_local == update->ntimestep) return;
+    if (is_current(INVOKED_LOCAL, invoked_local)) return;
     invoked_peratom = update->ntimestep;
+    invoked_flag |= INVOKED_PERATOM;
     evaluate(false);
 }
 
 void ComputeContact::evaluate(bool with_rows)
 {
     bool const bounded = std::isfinite(below_);
-    begin(bounded ? std::sqrt(below_) : 1.0, std::numeric_limits<double>::infinity());
+    begin(bounded ? Needed::contacts : Needed::all_within_cutoff, bounded ? std::sqrt(below_) : 1.0,
+          std::numeric_limits<double>::infinity());
     rows_.clear();
+    count_ = 0;
     auto const use = [this, with_rows] { add_batch(with_rows); };
     if (bounded) {
         batch.run(neighbours.get(), ellipsoids.reach(below_), use);
@@ -54,11 +70,10 @@ void ComputeContact::evaluate(bool with_rows)
         // The cutoff of the pair style then bounds the pairs, so that results do not depend on the skin.
         double const *const x = atom->x[0];
         int const *const type = atom->type;
-        double const *const *const cutsq = force->pair->cutsq;
-        auto const within_cutoff = [this, x, type, cutsq](int i, int j) {
+        auto const within_cutoff = [this, x, type](int i, int j) {
             double const *a = x + 3 * static_cast<std::ptrdiff_t>(i), *b = x + 3 * static_cast<std::ptrdiff_t>(j);
             double const dx = b[0] - a[0], dy = b[1] - a[1], dz = b[2] - a[2];
-            bool const near = dx * dx + dy * dy + dz * dz < cutsq[type[i]][type[j]];
+            bool const near = dx * dx + dy * dy + dz * dz < cutoffs.square(type[i], type[j]);
             bool const first = ellipsoids.selected(i), second = ellipsoids.selected(j);
             return near & first & second;
         };
@@ -77,6 +92,7 @@ void ComputeContact::add_batch(bool with_rows)
     auto const num_particles = static_cast<std::size_t>(atom->nlocal + atom->nghost);
     int const status = pw85_contact_pairs(batch.size(), batch.pairs.data(), num_particles, atom->x[0],
                                           ellipsoids.forms(), nullptr, batch.mu2.data(), batch.lambda.data());
+    int const counted = num_counted();
     for (std::size_t k = 0; k < batch.size(); ++k) {
         int const i = batch.pairs[2 * k], j = batch.pairs[2 * k + 1];
         double const mu2 = batch.mu2[k];
@@ -84,7 +100,9 @@ void ComputeContact::add_batch(bool with_rows)
         if (!(mu2 < below_)) continue;
         value(i) = std::min(value(i), mu2);
         value(j) = std::min(value(j), mu2);
-        if (with_rows && belongs_here(i, j)) add_row(i, j, mu2, batch.lambda[k]);
+        if (std::max(i, j) >= counted && !belongs_here(i, j)) continue;
+        count_ += 1;
+        if (with_rows) add_row(i, j, mu2, batch.lambda[k]);
     }
 }
 
@@ -93,8 +111,7 @@ void ComputeContact::add_row(int i, int j, double mu2, double lambda)
     double const *a = atom->x[i], *b = atom->x[j];
     double const r12[3] = {b[0] - a[0], b[1] - a[1], b[2] - a[2]};
     double point[3], normal[3];
-    int const status = pw85_contact_geometry(r12, ellipsoids.forms() + PW85_SYM * i, ellipsoids.forms() + PW85_SYM * j,
-                                             lambda, point, normal);
+    int const status = pw85_contact_geometry(r12, ellipsoids.form(i), ellipsoids.form(j), lambda, point, normal);
     // Concentric ellipsoids touch, scaled by zero, in their common centre, and have no normal.
     if (status != PW85_SUCCESS) std::fill_n(point, 3, 0.0), std::fill_n(normal, 3, 0.0);
     rows_.push_back({static_cast<double>(atom->tag[i]), static_cast<double>(atom->tag[j]), mu2, a[0] + point[0],
@@ -107,7 +124,6 @@ void ComputeContact::add_row(int i, int j, double mu2, double lambda)
 bool ComputeContact::belongs_here(int i, int j) const
 {
     int const ghost = std::max(i, j), owned = std::min(i, j);
-    if (ghost < num_counted()) return true;
     tagint const a = atom->tag[owned], b = atom->tag[ghost];
     if (a != b) return (a < b) == ((a % 2 + b % 2) % 2 == 0);
     double const *x = atom->x[owned], *y = atom->x[ghost];

@@ -10,11 +10,12 @@
 
 namespace pw85_lammps {
 
-/// Contacts of pairs as a local array, and per atom the smallest contact function.
+/// Contacts of pairs as a local array, their number as a scalar, and per atom the smallest contact function.
 class ComputeContact final : public ComputePairs {
   public:
     ComputeContact(LAMMPS_NS::LAMMPS *lammps, int narg, char **arg);
 
+    double compute_scalar() override;
     void compute_local() override;
     void compute_peratom() override;
     double memory_usage() override;
@@ -31,7 +32,8 @@ class ComputeContact final : public ComputePairs {
     bool belongs_here(int i, int j) const;
     void publish_rows();
 
-    double below_; ///< only contacts with a smaller μ² count
+    double below_;                ///< only contacts with a smaller μ² count
+    LAMMPS_NS::bigint count_ = 0; ///< of contacts that this processor reports
     std::vector<Row> rows_;
     std::vector<double *> row_pointers_;
 };

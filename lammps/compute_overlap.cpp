@@ -16,7 +16,7 @@ ComputeOverlap::ComputeOverlap(LAMMPS *lammps, int narg, char **arg) : ComputePa
 
 double ComputeOverlap::compute_scalar()
 {
-    if (invoked_peratom != update->ntimestep) compute_peratom();
+    if (!is_current(INVOKED_PERATOM, invoked_peratom)) compute_peratom();
     invoked_scalar = update->ntimestep;
     bigint halves = 0;
     MPI_Allreduce(&halves_, &halves, 1, MPI_LMP_BIGINT, MPI_SUM, world);
@@ -27,7 +27,8 @@ double ComputeOverlap::compute_scalar()
 void ComputeOverlap::compute_peratom()
 {
     invoked_peratom = update->ntimestep;
-    begin(1.0, 0.0);
+    invoked_flag |= INVOKED_PERATOM;
+    begin(Needed::contacts, 1.0, 0.0);
     halves_ = 0;
     batch.run(neighbours.get(), ellipsoids.reach(1.0), [this] { count(); });
     end();

@@ -2,18 +2,27 @@
 #include "compute_pairs.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 using namespace LAMMPS_NS;
 
 namespace pw85_lammps {
 
 ComputePairs::ComputePairs(LAMMPS *lammps, int narg, char **arg)
-    : Compute(lammps, narg, arg), ellipsoids(lammps, std::string("Compute ") + arg[2]), neighbours(lammps)
+    : Compute(lammps, narg, arg), ellipsoids(lammps, std::string("Compute ") + arg[2], "leave it out of the group"),
+      neighbours(lammps), record_id_(std::string("PW85_BUILD_") + arg[0])
 {
+    BuildRecord::add(*modify, record_id_);
     peratom_flag = 1;
     size_peratom_cols = 0;
     comm_forward = Ellipsoids::comm_size;
     comm_reverse = 1;
+}
+
+ComputePairs::~ComputePairs()
+{
+    // At its end LAMMPS removes fixes before computes.
+    if (modify->find_fix(record_id_) >= 0) modify->delete_fix(record_id_);
 }
 
 void ComputePairs::init()
@@ -22,23 +31,61 @@ void ComputePairs::init()
         stop_all(*error, std::string("Compute ") + style +
                              " uses the cutoff and the neighbour list of a pair style: define one, for instance "
                              "pair_style zero 4.0 and pair_coeff * *, with a cutoff that reaches every contact");
+    cutoffs.assign(force->pair->cutsq, atom->ntypes);
     neighbours.request();
     ellipsoids.forget();
-    checked_ = false;
+    warned_ = false;
 }
 
-void ComputePairs::begin(double reach, double initial_value)
+void ComputePairs::begin(Needed needed, double scale, double initial_value)
 {
     if (!neighbours.built())
         stop_all(*error, std::string("Compute ") + style + " was asked for a value before a run: use run 0 first");
+    Movement const movement = movement_since_build();
+    if (!std::isfinite(movement.displacement))
+        stop_all(*error, std::string("Compute ") + style + ": atoms were added, removed or sent to other processors " +
+                             "since the neighbour lists were built: use run 0 first, without pre no");
+    // Fixes that move atoms or the box at the end of a step leave ghosts where they were.
+    comm->forward_comm();
     ellipsoids.read([this](int i) { return (atom->mask[i] & groupbit) != 0; });
-    // Shapes and types change between runs, or when atoms are added, which makes LAMMPS rebuild the lists.
-    if (!checked_ || neighbor->ago == 0) ellipsoids.require_cutoff(reach);
-    checked_ = true;
+    check_reach(needed, scale, movement);
     forward_to_ghosts(*comm, this);
     if (values_.size() < static_cast<std::size_t>(atom->nmax)) values_.resize(static_cast<std::size_t>(atom->nmax));
     std::fill_n(values_.begin(), atom->nlocal + atom->nghost, initial_value);
     vector_atom = values_.data();
+}
+
+Movement ComputePairs::movement_since_build() const
+{
+    int const record = modify->find_fix(record_id_);
+    if (record < 0) stop_all(*error, "Fix " + record_id_ + " is gone, which compute " + id + " needs: define it anew");
+    return static_cast<BuildRecord *>(modify->fix[record])->movement();
+}
+
+// A list has the pairs that were closer than cutoff and skin when it was built. What fixes do at the end of a step comes
+// after LAMMPS's own decision whether to build it anew.
+void ComputePairs::check_reach(Needed needed, double scale, Movement const &movement)
+{
+    bool complete = true;
+    ellipsoids.for_each_reach([&](int t, int u, double reach) {
+        double const cutoff = std::sqrt(cutoffs.square(t, u)), listed = std::sqrt(neighbor->cutneighsq[t][u]);
+        double const distance = scale * reach;
+        ellipsoids.require_cutoff(t, u, cutoff, distance);
+        double const closest = movement.closest(listed) * (1.0 + Ellipsoids::margin);
+        complete &= closest >= (needed == Needed::contacts ? distance : cutoff);
+    });
+    if (complete || warned_) return;
+    warned_ = true;
+    if (comm->me == 0)
+        error->warning(FLERR,
+                       std::string("Compute ") + style + " may miss pairs: atoms and box have moved further since " +
+                           "the neighbour lists were built than the skin allows. Use a larger skin (neighbor), " +
+                           "neigh_modify delay 0, or smaller changes of the box");
+}
+
+bool ComputePairs::is_current(int kind, bigint step) const
+{
+    return (invoked_flag & kind) && step == update->ntimestep;
 }
 
 void ComputePairs::end()

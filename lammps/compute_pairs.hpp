@@ -4,6 +4,7 @@
 #ifndef PW85_LAMMPS_COMPUTE_PAIRS_HPP_INCLUDED
 #define PW85_LAMMPS_COMPUTE_PAIRS_HPP_INCLUDED
 
+#include "build_record.hpp"
 #include "ellipsoids.hpp"
 #include "neighbours.hpp"
 
@@ -13,6 +14,7 @@ namespace pw85_lammps {
 class ComputePairs : public LAMMPS_NS::Compute {
   public:
     ComputePairs(LAMMPS_NS::LAMMPS *lammps, int narg, char **arg);
+    ~ComputePairs() override;
 
     void init() override;
     int pack_forward_comm(int count, int *atoms, double *buffer, int pbc_flag, int *pbc) override;
@@ -22,9 +24,12 @@ class ComputePairs : public LAMMPS_NS::Compute {
     double memory_usage() override;
 
   protected:
-    /// Brings forms of owned and ghost ellipsoids up to date, and sets all values per atom.
-    /// @param reach scale factor of the ellipsoids up to which no contact may be missed
-    void begin(double reach, double initial_value);
+    /// Which pairs must not be missed.
+    enum class Needed { contacts, all_within_cutoff };
+
+    /// Brings positions of ghosts, and forms of all ellipsoids, up to date, and sets all values per atom.
+    /// @param scale scale factor of the ellipsoids up to which they may touch
+    void begin(Needed needed, double scale, double initial_value);
 
     /// Adds what ghosts gathered to the values of their owners.
     void end();
@@ -36,15 +41,24 @@ class ComputePairs : public LAMMPS_NS::Compute {
     /// with another atom is in the list of another processor too.
     int num_counted() const { return force->newton_pair ? atom->nlocal + atom->nghost : atom->nlocal; }
 
+    /// Whether a kind of values, last computed at some step, is that of the present: LAMMPS takes the flag back whenever
+    /// something may have changed, also within a step.
+    bool is_current(int kind, LAMMPS_NS::bigint step) const;
+
     double &value(int i) { return values_[static_cast<std::size_t>(i)]; }
 
     Ellipsoids ellipsoids;
     NeighbourList neighbours;
+    CutoffTable cutoffs;
     PairBatch batch;
 
   private:
+    Movement movement_since_build() const;
+    void check_reach(Needed needed, double scale, Movement const &movement);
+
+    std::string const record_id_;
     std::vector<double> values_;
-    bool checked_ = false;
+    bool warned_ = false;
 };
 
 } // namespace pw85_lammps

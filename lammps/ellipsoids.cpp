@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-only
 #include "ellipsoids.hpp"
 
-#include <pw85.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -36,7 +34,8 @@ std::unique_ptr<Compute> property_compute(LAMMPS *lammps, Modify &modify, std::v
 
 } // namespace
 
-Ellipsoids::Ellipsoids(LAMMPS *lammps, std::string style) : Pointers(lammps), style_(std::move(style))
+Ellipsoids::Ellipsoids(LAMMPS *lammps, std::string style, std::string otherwise)
+    : Pointers(lammps), style_(std::move(style)), otherwise_(std::move(otherwise))
 {
     if (!atom->style_match("ellipsoid"))
         stop_all(*error, style_ + " needs ellipsoids: use atom_style ellipsoid, or atom_style hybrid with it");
@@ -98,7 +97,8 @@ void Ellipsoids::refuse_shape(int i) const
 {
     if (atom->ellipsoid[i] < 0)
         refuse(i, "has no shape: give it one with the set command (set ... shape Sx Sy Sz) or in the Ellipsoids "
-                  "section of the data file, or leave it out of the group");
+                  "section of the data file, or " +
+                      otherwise_);
     refuse(i, "has a bad shape or quaternion: correct it with the set command (set ... shape, set ... quat)");
 }
 
@@ -127,25 +127,30 @@ std::vector<double> Ellipsoids::largest_radii() const
     std::vector<double> largest(static_cast<std::size_t>(atom->ntypes) + 1, 0.0);
     for (int i = 0; i < atom->nlocal; ++i) {
         double &entry = largest[static_cast<std::size_t>(atom->type[i])];
-        entry = std::max(entry, radii_[static_cast<std::size_t>(i)]);
+        double const radius = radii_[static_cast<std::size_t>(i)];
+        if (radius > entry) entry = radius; // seldom, which a branch predicts
     }
     MPI_Allreduce(MPI_IN_PLACE, largest.data(), static_cast<int>(largest.size()), MPI_DOUBLE, MPI_MAX, world);
     return largest;
 }
 
-void Ellipsoids::require_cutoff(double scale) const
+void Ellipsoids::for_each_reach(std::function<void(int, int, double)> const &use) const
 {
     auto const largest = largest_radii();
     for (int t = 1; t <= atom->ntypes; ++t) {
         for (int u = t; u <= atom->ntypes; ++u) {
             double const a = largest[static_cast<std::size_t>(t)], b = largest[static_cast<std::size_t>(u)];
-            double const reach = scale * (a + b), cutoff = std::sqrt(force->pair->cutsq[t][u]);
-            if (a > 0.0 && b > 0.0 && cutoff * (1.0 + margin) < reach)
-                stop_all(*error, style_ + ": the pair cutoff " + decimal(cutoff) + " of types " + std::to_string(t) +
-                                     " and " + std::to_string(u) + " misses contacts: raise the cutoff in pair_style" +
-                                     " or pair_coeff to " + decimal(reach) + " or more");
+            if (a > 0.0 && b > 0.0) use(t, u, a + b);
         }
     }
+}
+
+void Ellipsoids::require_cutoff(int t, int u, double cutoff, double distance) const
+{
+    if (cutoff * (1.0 + margin) < distance)
+        stop_all(*error, style_ + ": the pair cutoff " + decimal(cutoff) + " of types " + std::to_string(t) + " and " +
+                             std::to_string(u) + " misses contacts: raise the cutoff in pair_style or pair_coeff to " +
+                             decimal(distance) + " or more");
 }
 
 void Ellipsoids::refuse(int i, std::string const &reason) const

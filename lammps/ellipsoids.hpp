@@ -6,6 +6,8 @@
 
 #include "host.hpp"
 
+#include <pw85.h>
+
 #include <cstddef>
 #include <functional>
 #include <memory>
@@ -28,7 +30,8 @@ class Ellipsoids : protected LAMMPS_NS::Pointers {
     static constexpr double margin = 0x1p-40;
 
     /// @param style name of the style that owns this, for error messages
-    Ellipsoids(LAMMPS_NS::LAMMPS *lammps, std::string style);
+    /// @param otherwise what to do with an atom that is to have no shape, for them too
+    Ellipsoids(LAMMPS_NS::LAMMPS *lammps, std::string style, std::string otherwise);
 
     /// Forgets all shapes; for the start of a run, before which they may have changed.
     void forget() { tags_.clear(); }
@@ -41,12 +44,16 @@ class Ellipsoids : protected LAMMPS_NS::Pointers {
     int pack(int count, int const *atoms, double *buffer) const;
     void unpack(int count, int first, double const *buffer);
 
-    /// Stops the run if the cutoff of the pair style for some types is less than `scale` times the largest distance at
-    /// which their ellipsoids can touch. Collective.
-    void require_cutoff(double scale) const;
+    /// Calls use(t, u, distance) for all types t <= u of which there are ellipsoids, with the largest distance at which
+    /// two of them can touch. Collective.
+    void for_each_reach(std::function<void(int, int, double)> const &use) const;
+
+    /// Stops the run if the cutoff of the pair style for two types is less than a distance. Called by all processors.
+    void require_cutoff(int t, int u, double cutoff, double distance) const;
 
     /// n×6 forms, by local index.
     double const *forms() const { return forms_.data(); }
+    double const *form(int i) const { return &forms_[PW85_SYM * static_cast<std::size_t>(i)]; }
 
     /// Whether two atoms are selected, and their bounding spheres, scaled by the square root of scale2, meet.
     class Reach {
@@ -75,6 +82,9 @@ class Ellipsoids : protected LAMMPS_NS::Pointers {
 
     bool selected(int i) const { return radii_[static_cast<std::size_t>(i)] > 0.0; }
 
+    /// The same for any index.
+    bool has(int i) const { return static_cast<std::size_t>(i) < radii_.size() && selected(i); }
+
     /// Stops the run for a pair that the library refused.
     [[noreturn]] void refuse_pair(int i, int j, int status) const;
 
@@ -89,7 +99,7 @@ class Ellipsoids : protected LAMMPS_NS::Pointers {
     [[noreturn]] void refuse(int i, std::string const &reason) const;
     std::vector<double> largest_radii() const;
 
-    std::string style_;
+    std::string style_, otherwise_;
     std::unique_ptr<LAMMPS_NS::Compute> shapes_, quaternions_;
     std::vector<LAMMPS_NS::tagint> tags_; ///< whose semi-axes these are
     std::vector<double> semi_axes_, forms_, radii_;

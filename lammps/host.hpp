@@ -20,7 +20,9 @@ template <class... Args, class... Rest> void make_args_checked(Rest &&...) = del
 #include <lammps/atom.h>
 #include <lammps/comm.h>
 #include <lammps/compute.h>
+#include <lammps/domain.h>
 #include <lammps/error.h>
+#include <lammps/fix.h>
 #include <lammps/force.h>
 #include <lammps/memory.h>
 #include <lammps/modify.h>

@@ -6,6 +6,7 @@
 
 #include "host.hpp"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -19,8 +20,7 @@ namespace pw85_lammps {
 /// hybrid styles, granular ones) LAMMPS builds this one.
 class NeighbourList final : public LAMMPS_NS::Pair {
   public:
-    explicit NeighbourList(LAMMPS_NS::LAMMPS *lammps) : Pair(lammps) {}
-
+    explicit NeighbourList(LAMMPS_NS::LAMMPS *lammps) : Pair(lammps) { list = nullptr; }
     void request() { init_style(); }
     bool built() const { return list != nullptr; }
     LAMMPS_NS::NeighList const &get() const { return *list; }
@@ -29,6 +29,29 @@ class NeighbourList final : public LAMMPS_NS::Pair {
     void settings(int, char **) override {}
     void coeff(int, char **) override {}
 };
+
+/// The cutoffs of the pair style for which neighbour lists were made; the pair style itself may change after a run.
+class CutoffTable {
+  public:
+    void assign(double const *const *squares, int num_types);
+
+    double square(int t, int u) const
+    {
+        return squares_[stride_ * static_cast<std::size_t>(t) + static_cast<std::size_t>(u)];
+    }
+
+  private:
+    std::size_t stride_ = 0;
+    std::vector<double> squares_;
+};
+
+inline void CutoffTable::assign(double const *const *squares, int num_types)
+{
+    stride_ = static_cast<std::size_t>(num_types) + 1;
+    squares_.assign(stride_ * stride_, 0.0);
+    for (int t = 1; t <= num_types; ++t)
+        std::copy_n(squares[t] + 1, num_types, &squares_[stride_ * static_cast<std::size_t>(t) + 1]);
+}
 
 /// Pairs of a neighbour list, in batches that fit a cache.
 class PairBatch {

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 using namespace LAMMPS_NS;
 
@@ -12,8 +13,10 @@ namespace pw85_lammps {
 
 PairContact::PairContact(LAMMPS *lammps) : Pair(lammps)
 {
-    single_enable = 0; // an energy that depends on orientations has no central force
     restartinfo = 0;
+    mix_flag = ARITHMETIC; // cutoffs that reach every contact of like types then do so for unlike types, too
+    single_extra = static_cast<int>(single_.size());
+    svector = single_.data();
     comm_forward = Ellipsoids::comm_size;
 }
 
@@ -35,6 +38,8 @@ void PairContact::allocate()
     memory->create(epsilon_, n, n, "pair:epsilon");
     memory->create(cut_, n, n, "pair:cut");
     std::fill_n(setflag[0], n * n, 0);
+    std::fill_n(epsilon_[0], n * n, 0.0);
+    std::fill_n(cut_[0], n * n, 0.0);
 }
 
 void PairContact::settings(int narg, char **arg)
@@ -43,8 +48,9 @@ void PairContact::settings(int narg, char **arg)
         stop_all(*error, "Illegal pair_style command: use pair_style pw85/contact cutoff [exponent]");
     cutoff_ = utils::numeric(FLERR, arg[0], false, lmp);
     exponent_ = narg == 2 ? utils::numeric(FLERR, arg[1], false, lmp) : 2.0;
-    if (!(cutoff_ > 0.0)) stop_all(*error, "Pair pw85/contact: the cutoff must be positive");
-    if (!(exponent_ >= 2.0)) stop_all(*error, "Pair pw85/contact: the exponent must be 2 or more");
+    require_positive(cutoff_);
+    if (!(exponent_ >= 2.0 && std::isfinite(exponent_)))
+        stop_all(*error, "Pair pw85/contact: the exponent must be 2 or more");
     if (!allocated) return;
     for (int i = 1; i <= atom->ntypes; ++i)
         for (int j = i; j <= atom->ntypes; ++j)
@@ -61,6 +67,8 @@ void PairContact::coeff(int narg, char **arg)
     utils::bounds(FLERR, arg[1], 1, atom->ntypes, jlo, jhi, error);
     double const epsilon = utils::numeric(FLERR, arg[2], false, lmp);
     double const cut = narg == 4 ? utils::numeric(FLERR, arg[3], false, lmp) : cutoff_;
+    if (!std::isfinite(epsilon)) stop_all(*error, "Pair pw85/contact: epsilon must be finite");
+    require_positive(cut);
     int count = 0;
     for (int i = ilo; i <= ihi; ++i) {
         for (int j = std::max(jlo, i); j <= jhi; ++j, ++count) {
@@ -72,22 +80,28 @@ void PairContact::coeff(int narg, char **arg)
     if (count == 0) stop_all(*error, "Incorrect args for pair coefficients");
 }
 
+void PairContact::require_positive(double cutoff) const
+{
+    if (!(cutoff > 0.0 && std::isfinite(cutoff)))
+        stop_all(*error, "Pair pw85/contact: the cutoff must be positive and finite");
+}
+
 void PairContact::init_style()
 {
-    ellipsoids_.emplace(lmp, "Pair pw85/contact");
-    checked_ = false;
-    // As a part of pair_style hybrid this acts on some of the types only; the others need no shapes.
+    ellipsoids_.emplace(lmp, "Pair pw85/contact", "give its type to another style of pair_style hybrid");
+    std::fill_n(cutsq[0], (atom->ntypes + 1) * (atom->ntypes + 1), 0.0);
     used_types_.assign(static_cast<std::size_t>(atom->ntypes) + 1, false);
-    for (int i = 1; i <= atom->ntypes; ++i)
-        for (int j = i; j <= atom->ntypes; ++j)
-            if (setflag[i][j])
-                used_types_[static_cast<std::size_t>(i)] = used_types_[static_cast<std::size_t>(j)] = true;
     Pair::init_style();
 }
 
+// As a part of pair_style hybrid this is called for, and acts on, some of the types only; the others need no shapes.
 double PairContact::init_one(int i, int j)
 {
+    used_types_[static_cast<std::size_t>(i)] = used_types_[static_cast<std::size_t>(j)] = true;
     if (setflag[i][j] == 0) {
+        if (epsilon_[i][i] < 0.0 || epsilon_[j][j] < 0.0)
+            stop_all(*error, "Pair pw85/contact: a negative epsilon cannot be mixed: add pair_coeff " +
+                                 std::to_string(i) + " " + std::to_string(j));
         epsilon_[i][j] = mix_energy(epsilon_[i][i], epsilon_[j][j], 1.0, 1.0);
         cut_[i][j] = mix_distance(cut_[i][i], cut_[j][j]);
     }
@@ -95,12 +109,27 @@ double PairContact::init_one(int i, int j)
     return cut_[i][j];
 }
 
+// After fix adapt changed epsilon.
+void PairContact::reinit()
+{
+    for (int i = 1; i <= atom->ntypes; ++i)
+        for (int j = i; j <= atom->ntypes; ++j)
+            if (cutsq[i][j] > 0.0) init_one(i, j);
+}
+
+void *PairContact::extract(char const *name, int &dimension)
+{
+    dimension = 2;
+    return std::strcmp(name, "epsilon") == 0 ? epsilon_ : nullptr;
+}
+
 void PairContact::compute(int eflag, int vflag)
 {
     ev_init(eflag, vflag);
     ellipsoids_->read([this](int i) { return used_types_[static_cast<std::size_t>(atom->type[i])]; });
-    if (!checked_ || neighbor->ago == 0) ellipsoids_->require_cutoff(1.0);
-    checked_ = true;
+    ellipsoids_->for_each_reach([this](int t, int u, double reach) {
+        if (cutsq[t][u] > 0.0) ellipsoids_->require_cutoff(t, u, std::sqrt(cutsq[t][u]), reach);
+    });
     forward_to_ghosts(*comm, this);
     batch_.run(*list, ellipsoids_->reach(1.0), [this, eflag] { add_batch(eflag); });
     if (vflag_fdotr) virial_fdotr_compute();
@@ -135,7 +164,7 @@ PairContact::Action PairContact::act(int i, int j, double mu2, double lambda, do
 
     double const *a = atom->x[i], *b = atom->x[j];
     double const r12[3] = {b[0] - a[0], b[1] - a[1], b[2] - a[2]};
-    double const *q1 = ellipsoids_->forms() + PW85_SYM * i, *q2 = ellipsoids_->forms() + PW85_SYM * j;
+    double const *q1 = ellipsoids_->form(i), *q2 = ellipsoids_->form(j);
     double d_r12[3], d_rot1[3], d_rot2[3];
     pw85_contact_gradient(r12, q1, q2, lambda, d_r12, nullptr, nullptr);
     pw85_contact_torque(r12, q1, q2, lambda, d_rot1, d_rot2);
@@ -146,6 +175,36 @@ PairContact::Action PairContact::act(int i, int j, double mu2, double lambda, do
         action.torque2[k] = -derivative * d_rot2[k];
     }
     return action;
+}
+
+double PairContact::single(int i, int j, int itype, int jtype, double rsq, double, double factor, double &fforce)
+{
+    if (!is_in_place(i, j, rsq))
+        stop_one(*error,
+                 "Pair pw85/contact knows the energy of a pair only where the two atoms are, with the orientations "
+                 "that they had when forces were last computed: use the energy of the system instead");
+    double const *a = atom->x[i], *b = atom->x[j];
+    double const r12[3] = {b[0] - a[0], b[1] - a[1], b[2] - a[2]};
+    double contact[2];
+    int const status = pw85_contact(r12, ellipsoids_->form(i), ellipsoids_->form(j), contact);
+    if (status != PW85_SUCCESS) ellipsoids_->refuse_pair(i, j, status);
+    Action action{};
+    if (contact[0] < 1.0) action = act(i, j, contact[0], contact[1], factor * epsilon_[itype][jtype]);
+    double const *const f = action.force;
+    fforce = rsq > 0.0 ? -(f[0] * r12[0] + f[1] * r12[1] + f[2] * r12[2]) / rsq : 0.0;
+    single_ = {contact[0], f[0], f[1], f[2]};
+    return action.energy;
+}
+
+// Some callers try positions that are not those of the atoms.
+bool PairContact::is_in_place(int i, int j, double rsq) const
+{
+    int const count = atom->nlocal + atom->nghost;
+    if (i < 0 || j < 0 || i >= count || j >= count || !ellipsoids_ || !ellipsoids_->has(i) || !ellipsoids_->has(j))
+        return false;
+    double const *a = atom->x[i], *b = atom->x[j];
+    double const dx = a[0] - b[0], dy = a[1] - b[1], dz = a[2] - b[2];
+    return std::abs(dx * dx + dy * dy + dz * dz - rsq) <= Ellipsoids::margin * rsq;
 }
 
 void PairContact::apply(int i, int j, Action const &action)

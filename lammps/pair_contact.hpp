@@ -7,6 +7,7 @@
 #include "ellipsoids.hpp"
 #include "neighbours.hpp"
 
+#include <array>
 #include <optional>
 
 namespace pw85_lammps {
@@ -22,6 +23,15 @@ class PairContact final : public LAMMPS_NS::Pair {
     void coeff(int narg, char **arg) override;
     void init_style() override;
     double init_one(int i, int j) override;
+    void reinit() override;
+
+    /// "epsilon": the n×n array of them by type.
+    void *extract(char const *name, int &dimension) override;
+
+    /// Energy of a pair where it is, an error elsewhere. `fforce` is the component of the force along the line of centres,
+    /// over the distance, and svector holds μ² and the whole force on the first.
+    double single(int i, int j, int itype, int jtype, double rsq, double factor_coul, double factor_lj,
+                  double &fforce) override;
     int pack_forward_comm(int count, int *atoms, double *buffer, int pbc_flag, int *pbc) override;
     void unpack_forward_comm(int count, int first, double *buffer) override;
     double memory_usage() override;
@@ -33,6 +43,8 @@ class PairContact final : public LAMMPS_NS::Pair {
     };
 
     void allocate();
+    void require_positive(double cutoff) const;
+    bool is_in_place(int i, int j, double rsq) const;
     void add_batch(int eflag);
     Action act(int i, int j, double mu2, double lambda, double strength) const;
     void apply(int i, int j, Action const &action);
@@ -42,7 +54,7 @@ class PairContact final : public LAMMPS_NS::Pair {
     std::vector<bool> used_types_;
     std::optional<Ellipsoids> ellipsoids_;
     PairBatch batch_;
-    bool checked_ = false;
+    std::array<double, 4> single_{};
 };
 
 } // namespace pw85_lammps

@@ -71,3 +71,23 @@ def tolerance(system, sensitivity):
     size, form = 3.0 * np.abs(system.cell).max(), system.semi_axes.max() ** 2
     return UNIT_ROUNDOFF * (8.0 * sensitivity["entries"] + 16.0 * size * sensitivity["position"]
                             + 32.0 * form * sensitivity["form"])
+
+
+class Expected:
+    """What the computes must say about a system."""
+
+    def __init__(self, system, reach):
+        count = len(system.centers)
+        all_forms = forms(system)
+        self.overlapping_pairs, self.neighbours, self.smallest = 0, np.zeros(count), np.full(count, np.inf)
+        self.contacts = {}
+        for i, j, r12 in pairs(system, reach):
+            overlaps = overlap(r12, all_forms[i], all_forms[j])
+            self.overlapping_pairs += overlaps
+            for k in (i, j):
+                self.neighbours[k] += overlaps
+            mu2, _, point, normal, sensitivity = contact(r12, all_forms[i], all_forms[j])
+            for k in (i, j):
+                self.smallest[k] = min(self.smallest[k], mu2)
+            bound = tolerance(system, sensitivity)
+            self.contacts.setdefault((i + 1, j + 1), []).append((mu2, bound, point, normal))

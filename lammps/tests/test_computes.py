@@ -1,15 +1,10 @@
 # SPDX-License-Identifier: GPL-2.0-only
 """The computes against brute force: boxes of all kinds, newton on and off, 1, 2 and 4 ranks."""
 
-import importlib.util
+import dataclasses
 import itertools
-import os
 import re
-import subprocess
-import sys
-import tempfile
 import unittest
-from pathlib import Path
 
 import brute_force
 import numpy as np
@@ -36,34 +31,14 @@ dump near all local 1 near.txt c_near[*]
 dump_modify atoms sort id format float %.17g
 dump_modify contacts format float %.17g
 dump_modify near format float %.17g
-thermo_style custom step c_overlap
+thermo_style custom step c_overlap c_contact c_near
 run 0
-print "pairs = $(c_overlap:%.17g)"
+print "pairs = $(c_overlap:%.17g) rows = $(c_contact:%.17g) $(c_near:%.17g)"
 """
 
 OUTPUTS = ("atoms.txt", "contacts.txt", "near.txt")
 # The solver leaves an error in log τ below 1e-8, which moves the point by less than that part of its distance.
 GEOMETRY_TOLERANCE = 1e-7
-
-
-class Expected:
-    """What the computes must say about a system."""
-
-    def __init__(self, system, reach):
-        count = len(system.centers)
-        forms = brute_force.forms(system)
-        self.overlapping_pairs, self.neighbours, self.smallest = 0, np.zeros(count), np.full(count, np.inf)
-        self.contacts = {}
-        for i, j, r12 in brute_force.pairs(system, reach):
-            overlaps = brute_force.overlap(r12, forms[i], forms[j])
-            self.overlapping_pairs += overlaps
-            for k in (i, j):
-                self.neighbours[k] += overlaps
-            mu2, _, point, normal, sensitivity = brute_force.contact(r12, forms[i], forms[j])
-            for k in (i, j):
-                self.smallest[k] = min(self.smallest[k], mu2)
-            bound = brute_force.tolerance(system, sensitivity)
-            self.contacts.setdefault((i + 1, j + 1), []).append((mu2, bound, point, normal))
 
 
 def by_pair(rows):
@@ -98,7 +73,7 @@ class Computes(unittest.TestCase):
         script = preamble(system, newton) + SNAPSHOT.format(cutoff=system.cutoff)
         text, ((atoms,), (contacts,), (near,)) = run(script, system, ranks, OUTPUTS)
         expected = self.expected[name]
-        self.assertIn(f"pairs = {expected.overlapping_pairs}\n", text)
+        self.assertIn(f"pairs = {expected.overlapping_pairs} rows = {len(contacts)} {len(near)}\n", text)
         np.testing.assert_array_equal(atoms[:, 1], expected.neighbours)
         self.check_contacts(system, expected.contacts, contacts)
         inside = {pair: [c for c in found if c[0] < 0.7] for pair, found in expected.contacts.items()}
@@ -110,7 +85,7 @@ class Computes(unittest.TestCase):
         np.testing.assert_allclose(atoms[:, 3], closest, rtol=0.0, atol=bound)
 
     def test_against_brute_force(self):
-        self.expected = {name: Expected(system, system.cutoff) for name, system in BOXES.items()}
+        self.expected = {name: brute_force.Expected(system, system.cutoff) for name, system in BOXES.items()}
         for name, newton, ranks in itertools.product(BOXES, ("on", "off"), (1, 2, 4)):
             with self.subTest(box=name, newton=newton, ranks=ranks):
                 self.check(name, newton, ranks)
@@ -124,7 +99,7 @@ class Computes(unittest.TestCase):
             "dump contacts all local 1 contacts.txt c_contact[*]\nthermo_style custom step c_overlap\nrun 0\n"
             'print "pairs = $(c_overlap:%.17g)"\n')
         text, ((contacts,),) = run(script, system, 2, ("contacts.txt",))
-        large = [c for pair, found in Expected(system, system.cutoff).contacts.items() for c in found
+        large = [c for pair, found in brute_force.Expected(system, system.cutoff).contacts.items() for c in found
                  if system.types[pair[0] - 1] == 1 and system.types[pair[1] - 1] == 1 and c[0] < 1.0]
         self.assertIn(f"pairs = {len(large)}\n", text)
         self.assertEqual(len(contacts), len(large))
@@ -137,38 +112,26 @@ class Computes(unittest.TestCase):
             "set type * shape 1e-3 1e-3 1e-3\nrun 0\n")
         self.assertEqual(thermo(run(script, system)[0])[0, 1], 0)
 
+    def test_orientations_change_before_run_pre_no(self):
+        """What was computed for the same step, before, is not taken for the present."""
+        system = BOXES["orthogonal"]
+        script = preamble(system) + (
+            f"pair_style zero {system.cutoff:.17g}\npair_coeff * *\ncompute o all pw85/overlap\n"
+            "thermo_style custom step c_o\nrun 0\nset type * quat 0 0 1 60\nrun 0 pre no\n")
+        text, _ = run(script, system, 2)
+        parallel = np.tile([np.cos(np.pi / 6), 0.0, 0.0, np.sin(np.pi / 6)], (len(system.centers), 1))
+        turned = dataclasses.replace(system, quaternions=parallel)
+        counts = [brute_force.Expected(s, system.cutoff).overlapping_pairs for s in (system, turned)]
+        self.assertNotEqual(*counts)
+        self.assertEqual(thermo(text)[0, 1], counts[1])
+
     def test_concentric(self):
         system = random_system(5, 2, np.diag([20.0, 20.0, 20.0]))
         system.centers[1] = system.centers[0]
         script = preamble(system) + SNAPSHOT.format(cutoff=system.cutoff)
         text, (_, (contacts,), _) = run(script, system, 1, OUTPUTS)
-        self.assertIn("pairs = 1\n", text)
+        self.assertIn("pairs = 1 rows = 1 1\n", text)
         np.testing.assert_array_equal(contacts, [[1, 2, 0.0, *system.centers[0], 0, 0, 0]])
-
-
-class PythonModule(unittest.TestCase):
-    """The styles in a LAMMPS that a Python program drives."""
-
-    PROGRAM = """
-import ctypes
-from lammps import LMP_STYLE_GLOBAL, LMP_TYPE_SCALAR, lammps
-lmp = lammps(cmdargs=["-screen", "none", "-log", "none"])
-ctypes.CDLL("{plugin}").pw85_lammps_register(lmp.lmp)
-lmp.commands_string('''{script}''')
-print("pairs =", int(lmp.extract_compute("o", LMP_STYLE_GLOBAL, LMP_TYPE_SCALAR)))
-"""
-
-    @unittest.skipIf(importlib.util.find_spec("lammps") is None, "the Python module of LAMMPS is not installed")
-    def test_register(self):
-        system = BOXES["orthogonal"]
-        script = "\n".join(line for line in preamble(system).splitlines() if not line.startswith("include"))
-        script += f"\npair_style zero {system.cutoff:.17g}\npair_coeff * *\ncompute o all pw85/overlap\nrun 0\n"
-        with tempfile.TemporaryDirectory() as directory:
-            Path(directory, "system.data").write_text(system.data_file())
-            program = self.PROGRAM.format(plugin=os.environ["PW85_LAMMPS_PLUGIN"], script=script)
-            result = subprocess.run([sys.executable, "-c", program], cwd=directory, capture_output=True, text=True,
-                                    check=True)
-        self.assertIn(f"pairs = {Expected(system, system.cutoff).overlapping_pairs}\n", result.stdout)
 
 
 class Errors(unittest.TestCase):
@@ -201,6 +164,15 @@ class Errors(unittest.TestCase):
         cure = self.check_cure(start + f"pair_style pw85/contact {0.9 * cutoff}\npair_coeff * * 1.0\nrun 0\n", cutoff)
         run(start + self.computes(float(cure)), self.system)
 
+    def test_cutoff_when_a_group_grows(self):
+        """Large ellipsoids join the group during a run in which no list is built anew."""
+        script = preamble(self.system) + (
+            f"pair_style zero {0.99 * self.system.cutoff:.17g}\npair_coeff * *\n"
+            "variable joined atom \"type == 2 || step > 5\"\ngroup some dynamic all var joined every 1\n"
+            "compute o some pw85/overlap\nthermo 1\nthermo_style custom step c_o\nrun {steps}\n")
+        run(script.format(steps=5), self.system)
+        self.expect(script.format(steps=6), "raise the cutoff")
+
     def test_no_pair_style(self):
         self.expect(preamble(self.system) + "compute o all pw85/overlap\nthermo_style custom step c_o\nrun 0\n",
                     "pair_style zero")
@@ -208,7 +180,8 @@ class Errors(unittest.TestCase):
     def test_missing_shape(self):
         start = preamble(self.system) + "set atom 17 shape 0 0 0\n"
         self.expect(start + self.computes(5.0), "atom 17 has no shape", "set ... shape")
-        self.expect(start + "pair_style pw85/contact 5.0\npair_coeff * * 1.0\nrun 0\n", "atom 17 has no shape")
+        self.expect(start + "pair_style pw85/contact 5.0\npair_coeff * * 1.0\nrun 0\n", "atom 17 has no shape",
+                    "pair_style hybrid")
 
     def test_atom_style(self):
         start = preamble(self.system).replace("atom_style ellipsoid", "atom_style sphere").replace(
@@ -223,7 +196,10 @@ class Errors(unittest.TestCase):
         self.expect(start + "compute o all pw85/contact below -1\n", "must be positive")
         self.expect(start + "pair_style pw85/contact\n", "cutoff [exponent]")
         self.expect(start + "pair_style pw85/contact 5.0 1.5\n", "exponent must be 2 or more")
-        self.expect(start + "pair_style pw85/contact 5.0\npair_coeff * *\n", "takes epsilon")
+        soft = start + "pair_style pw85/contact 5.0\n"
+        self.expect(soft + "pair_coeff * *\n", "takes epsilon")
+        self.expect(soft + "pair_coeff * * 1e999\n", "epsilon must be finite")
+        self.expect(soft + "pair_coeff * * 1.0 -5.0\n", "cutoff must be positive")
 
 
 if __name__ == "__main__":

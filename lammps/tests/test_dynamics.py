@@ -13,6 +13,7 @@ LIQUID = random_system(11, 200, [[10.0, 0, 0], [2.0, 10.0, 0], [-1.0, 1.5, 10.0]
 
 SOFT = """
 neighbor 0.4 bin
+neigh_modify delay 0
 pair_style pw85/contact {cutoff:.17g} {exponent}
 pair_coeff 1 1 100.0
 pair_coeff 2 2 50.0

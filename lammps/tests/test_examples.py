@@ -15,31 +15,50 @@ EXAMPLES = Path(os.environ["PW85_LAMMPS_EXAMPLES"])
 
 
 class Examples(unittest.TestCase):
-    def run_example(self, name):
-        """Runs a script and draws its dump file; returns what LAMMPS printed, and the path and bytes of the picture."""
-        with tempfile.TemporaryDirectory() as directory:
-            include = f"variable pw85 index {os.environ['PW85_LAMMPS_INCLUDE']}\n"
-            Path(directory, "in.lammps").write_text(include + (EXAMPLES / f"{name}.in").read_text())
-            result = launch(directory, 2)
-            self.assertEqual(result.returncode, 0, result.stdout[-4000:])
-            draw = [sys.executable, EXAMPLES / "draw.py", f"{name}.dump", f"{name}.png"]
-            subprocess.run(draw, cwd=directory, check=True, env={**os.environ, "MPLCONFIGDIR": directory})
-            self.assertTrue(Path(directory, f"{name}.png").read_bytes().startswith(b"\x89PNG"))
-            return result.stdout
+    def setUp(self):
+        directory = tempfile.TemporaryDirectory()
+        self.addCleanup(directory.cleanup)
+        self.directory = directory.name
+
+    def run_example(self, name, end="", **variables):
+        """Runs a script, with more commands at its end, and draws its dump file; returns what LAMMPS printed."""
+        variables["pw85"] = os.environ["PW85_LAMMPS_INCLUDE"]
+        start = "".join(f"variable {name} index {value}\n" for name, value in variables.items())
+        Path(self.directory, "in.lammps").write_text(start + (EXAMPLES / f"{name}.in").read_text() + end)
+        result = launch(self.directory, 2)
+        self.assertEqual(result.returncode, 0, result.stdout[-4000:])
+        draw = [sys.executable, EXAMPLES / "draw.py", f"{name}.dump", f"{name}.png"]
+        subprocess.run(draw, cwd=self.directory, check=True, env={**os.environ, "MPLCONFIGDIR": self.directory})
+        self.assertTrue(Path(self.directory, f"{name}.png").read_bytes().startswith(b"\x89PNG"))
+        return result.stdout
 
     def number(self, label, text):
         return float(re.search(rf"^{label}(\S+)", text, re.MULTILINE).group(1))
 
     def test_check_overlaps(self):
-        text = self.run_example("check_overlaps")
+        text = self.run_example("check_overlaps", "write_data snapshot.data nocoeff\n")
         self.assertGreater(self.number("overlapping pairs: ", text), 0)
         self.assertLess(self.number("deepest overlap: mu2 = ", text), 1)
+        again = self.run_example("check_overlaps", snapshot="snapshot.data")
+        for label in ("overlapping pairs: ", "deepest overlap: mu2 = "):
+            self.assertEqual(self.number(label, again), self.number(label, text))
 
     def test_pack(self):
         text = self.run_example("pack")
         self.assertEqual(self.number("overlapping pairs: ", text), 0)
         self.assertGreaterEqual(self.number("smallest mu2: ", text), 1)
         self.assertAlmostEqual(self.number("volume fraction: ", text), 0.64, delta=1e-9)
+        self.check_steps_printed_twice(text)
+        checked = self.run_example("check_overlaps", snapshot="pack.data", cutoff=1.5)
+        self.assertEqual(self.number("overlapping pairs: ", checked), 0)
+
+    def check_steps_printed_twice(self, text):
+        """The last line of a run and the first of the next have the same step, and the same ellipsoids."""
+        rows = [line.split() for line in text.splitlines() if re.fullmatch(r" *\d+( +\S+){6} *", line)]
+        pairs = [(a, b) for a, b in zip(rows, rows[1:]) if a[0] == b[0]]
+        self.assertEqual([a[0] for a, _ in pairs], ["3000", "4000", "5000"])
+        for a, b in pairs[:2]:  # after the third change, that of the shapes, other ellipsoids overlap
+            self.assertEqual(a[5], b[5])
 
 
 if __name__ == "__main__":
