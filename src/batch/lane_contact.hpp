@@ -14,8 +14,8 @@
 namespace pw85 {
 namespace {
 
-/// Packs per chunk: their searches, 0.7 kB each with 8 lanes, stay below 12 kB of stack.
-inline constexpr std::size_t packs_per_chunk = 16;
+/// Packs per chunk: their searches, 0.75 kB each with 8 lanes, leave the rest of 16 kB of stack to what else is on it.
+inline constexpr std::size_t packs_per_chunk = 12;
 inline constexpr std::size_t contact_chunk_size = packs_per_chunk * lanes;
 
 /// Steps until no lane of up to packs_per_chunk packs is active.
@@ -46,9 +46,10 @@ PW85_INLINE void store(Pack const &x, std::size_t count, double *out) noexcept
 }
 
 /// The contact function of up to contact_chunk_size neighbouring pairs; those left to the scalar solver go to `rejected`.
-template <class Rows> PW85_INLINE void contact_chunk(Rows const &rows, std::size_t count,
-                                                     batch::ContactArrays const &out,
-                                                     OffsetList<contact_chunk_size> &rejected) noexcept
+template <class Rows>
+[[gnu::noinline, gnu::flatten]] inline void contact_chunk(Rows const &rows, std::size_t count,
+                                                          batch::ContactArrays const &out,
+                                                          OffsetList<contact_chunk_size> &rejected) noexcept
 {
     RationalSearch<Pack> searches[packs_per_chunk];
     std::size_t const begin = rejected.begin(), packs = (count + lanes - 1) / lanes;
@@ -85,9 +86,9 @@ template <class Rows> inline batch::Failure contact_one_by_one(Rows const &rows,
 }
 
 /// The contact function of a range of pairs.
-template <class Rows> [[gnu::flatten]] inline batch::Failure contact_rows(Rows const &rows, batch::Range range,
-                                                                          batch::ContactArrays const &out,
-                                                                          batch::ScalarKernels const &scalar) noexcept
+template <class Rows> inline batch::Failure contact_rows(Rows const &rows, batch::Range range,
+                                                         batch::ContactArrays const &out,
+                                                         batch::ScalarKernels const &scalar) noexcept
 {
     batch::Failure first{0, 0};
     for (std::size_t begin = range.begin; begin < range.end; begin += contact_chunk_size) {

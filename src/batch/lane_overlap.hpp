@@ -15,7 +15,7 @@ namespace pw85 {
 namespace {
 
 /// Pairs that are tested before the undecided ones among them are taken up again.
-inline constexpr std::size_t overlap_chunk_size = 512;
+inline constexpr std::size_t overlap_chunk_size = 256;
 using OverlapList = OffsetList<overlap_chunk_size>;
 
 /// Undecided pairs, with the square of the t of their next test.
@@ -136,9 +136,10 @@ template <class Rows> PW85_INLINE void test_converged(Rows const &rows, unsigned
     }
 }
 
-/// All tests for neighbouring pairs; those left to the scalar path go to `rejected`.
-template <class Rows>
-PW85_INLINE void overlap_chunk(Rows const &rows, std::size_t count, unsigned char *out, OverlapList &rejected) noexcept
+/// All tests for neighbouring pairs; those left to the scalar path go to `rejected`. Not inlined, so that its lists are off the
+/// stack when those are tested.
+template <class Rows> [[gnu::noinline, gnu::flatten]] inline void
+overlap_chunk(Rows const &rows, std::size_t count, unsigned char *out, OverlapList &rejected) noexcept
 {
     UndecidedList undecided(rejected.begin());
     test_neighbors(rows, count, out, undecided, rejected);
@@ -161,8 +162,8 @@ template <class Rows> inline batch::Failure overlap_one_by_one(Rows const &rows,
 }
 
 /// The overlap test for a range of pairs.
-template <class Rows> [[gnu::flatten]] inline batch::Failure
-overlap_rows(Rows const &rows, batch::Range range, unsigned char *out, batch::ScalarKernels const &scalar) noexcept
+template <class Rows> inline batch::Failure overlap_rows(Rows const &rows, batch::Range range, unsigned char *out,
+                                                         batch::ScalarKernels const &scalar) noexcept
 {
     batch::Failure first{0, 0};
     for (std::size_t begin = range.begin; begin < range.end; begin += overlap_chunk_size) {
