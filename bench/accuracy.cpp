@@ -14,10 +14,8 @@
 #include <pw85_zheng.h>
 
 #include <reference_data.hpp>
+#include <worst_pairs.hpp>
 
-#include "worst_pairs.hpp"
-
-using namespace pw85_bench;
 using namespace pw85_tests;
 
 namespace {
@@ -148,22 +146,25 @@ void print_problems()
     print_row("all,", all);
 }
 
-/// The worst pairs of each function, or zeros where it never errs. Pairs are written as in data/found_pairs.txt.
+/// One of the worst pairs of a function, as in data/found_pairs.txt.
+void print_found(int function, double aspect, WorstPairs const &all, WorstPairs::Climber const &found)
+{
+    std::printf("%s,%g,%g,%ld,%ld,%.3g,", searched[function], aspect, 10.0 * aspect, all.judged(), all.broken(function),
+                found.error);
+    for (double const x : found.pair.r12.coordinates) std::printf("%a ", x);
+    for (double const x : found.pair.q1.entries) std::printf("%a ", x);
+    for (double const x : found.pair.q2.entries) std::printf("%a ", x);
+    std::puts("");
+}
+
 void print_worst(long pairs)
 {
     std::puts("function,aspect_from,aspect_to,pairs,beyond_bound,error,pair");
-    for (double from = 1.0; from < 1e6; from *= 10.0) {
-        WorstPairs worst(from, 10.0 * from);
-        worst.search(pairs);
+    for (double aspect = 1.0; aspect < 1e6; aspect *= 10.0) {
+        WorstPairs all(aspect, 10.0 * aspect);
+        all.search(pairs);
         for (int f = 0; f < num_searched; ++f)
-            for (auto const &[pair, error] : worst.worst(f)) {
-                std::printf("%s,%g,%g,%ld,%ld,%.3g,", searched[f], from, 10.0 * from, worst.judged(), worst.broken(f),
-                            error);
-                for (double const x : pair.r12.coordinates) std::printf("%a ", x);
-                for (double const x : pair.q1.entries) std::printf("%a ", x);
-                for (double const x : pair.q2.entries) std::printf("%a ", x);
-                std::puts("");
-            }
+            for (auto const &found : all.worst(f)) print_found(f, aspect, all, found);
     }
 }
 

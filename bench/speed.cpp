@@ -6,6 +6,7 @@
 //     FUNCTION/million              on a million pairs of aspect ratio 10, by the time on the wall
 //
 // The environment decides the instruction set (PW85_TARGET) and the threads of the batch (OMP_NUM_THREADS).
+#include <cstdio>
 #include <map>
 #include <memory>
 #include <string>
@@ -33,6 +34,13 @@ void count_pairs(benchmark::State &state, std::size_t pairs)
     state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(pairs));
 }
 
+std::string text(double number)
+{
+    char digits[40];
+    std::snprintf(digits, sizeof digits, "%g", number);
+    return digits;
+}
+
 template <class Run> void add(std::string const &name, double aspect, double excess, Run run)
 {
     auto const measure = [=](benchmark::State &state) {
@@ -40,9 +48,9 @@ template <class Run> void add(std::string const &name, double aspect, double exc
         for ([[maybe_unused]] auto _ : state) run(b);
         count_pairs(state, b.size());
     };
-    char suffix[40];
-    std::snprintf(suffix, sizeof suffix, excess > 0.0 ? "/%g/%g" : "/%g", aspect, excess);
-    benchmark::RegisterBenchmark((name + suffix).c_str(), measure);
+    std::string title = name + '/' + text(aspect);
+    if (excess > 0.0) title += '/' + text(excess);
+    benchmark::RegisterBenchmark(title.c_str(), measure);
 }
 
 void add(Function const &function, double aspect, double excess = 0.0)

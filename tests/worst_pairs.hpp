@@ -1,8 +1,8 @@
 // Random search for the pairs on which the library errs most, judged by the core in a wide type: some climbers for each
 // function, each at the worst pair that it has seen, step to neighbours that are worse; and random pairs, crossed and
 // general ones, take the place of climbers that stay low. A search is determined by its seed and the library's answers.
-#ifndef PW85_BENCH_WORST_PAIRS_HPP_INCLUDED
-#define PW85_BENCH_WORST_PAIRS_HPP_INCLUDED
+#ifndef PW85_TESTS_WORST_PAIRS_HPP_INCLUDED
+#define PW85_TESTS_WORST_PAIRS_HPP_INCLUDED
 
 #include <algorithm>
 #include <array>
@@ -10,13 +10,10 @@
 #include <limits>
 #include <vector>
 
-#include <batch/batch_data.hpp>
-#include <wide.hpp>
+#include "batch/batch_data.hpp"
+#include "wide.hpp"
 
-namespace pw85_bench {
-
-using pw85_tests::Pair3;
-using pw85_tests::Random;
+namespace pw85_tests {
 
 /// The functions that are searched; the last two are judged by their answer alone.
 inline constexpr int num_searched = 5;
@@ -33,13 +30,12 @@ inline constexpr Errors bounds = {4.0, 4.0, 4.0, 0.0, 0.0};
 /// The errors of a generation of pairs.
 inline std::vector<Errors> judge(std::vector<Pair3> const &pairs)
 {
-    using pw85_tests::error_in_units, pw85_tests::Wide;
     constexpr double infinity = std::numeric_limits<double>::infinity();
-    auto const batch = pw85_tests::run_batch(pairs);
+    auto const batch = run_batch(pairs);
     std::vector<Errors> all;
     for (std::size_t i = 0; i < pairs.size(); ++i) {
         double const *r12 = pairs[i].r12.coordinates, *q1 = pairs[i].q1.entries, *q2 = pairs[i].q2.entries;
-        auto const exact = pw85_tests::truth<Wide>(pairs[i]);
+        auto const exact = truth<Wide>(pairs[i]);
         auto const error_of = [&](int status, double mu2) {
             return status == PW85_SUCCESS && !std::isnan(mu2) ? error_in_units(mu2, exact) : infinity;
         };
@@ -98,7 +94,8 @@ class WorstPairs {
     WorstPairs(double aspect_min, double aspect_max)
         : aspect_min_(aspect_min), aspect_max_(aspect_max), random_(static_cast<std::uint64_t>(aspect_min))
     {
-        for (auto &climbers : climbers_) climbers.assign(num_climbers, {{}, 0.0});
+        for (auto &climbers : climbers_)
+            for (std::size_t i = 0; i < num_climbers; ++i) climbers.push_back({fresh(), 0.0});
     }
 
     /// Judges so many pairs more, or a few more than that.
@@ -112,11 +109,12 @@ class WorstPairs {
     /// The number of pairs on which a function broke its bound.
     long broken(int function) const { return broken_[static_cast<std::size_t>(function)]; }
 
-    /// The worst pairs of a function, each of another origin, the worst first.
+    /// The worst pairs of a function, each of another origin, the worst first; if it never errs, some pair.
     std::vector<Climber> worst(int function) const
     {
         auto climbers = climbers_[static_cast<std::size_t>(function)];
         std::sort(climbers.begin(), climbers.end(), [](auto const &a, auto const &b) { return a.error > b.error; });
+        while (climbers.size() > 1 && climbers.back().error == 0.0) climbers.pop_back();
         return climbers;
     }
 
@@ -126,9 +124,9 @@ class WorstPairs {
     Pair3 fresh()
     {
         double const aspect = random_.log_uniform(aspect_min_, aspect_max_);
-        if (random_.sign() < 0.0) return pw85_tests::crossed_pair(random_, aspect);
+        if (random_.sign() < 0.0) return crossed_pair(random_, aspect);
         double const mu2 = 1.0 + random_.sign() * random_.log_uniform(1e-14, 1e-1);
-        return pw85_tests::random_pair<3>(
+        return random_pair<3>(
             random_, {.aspect = aspect, .aspect_min = aspect_min_, .size_ratio = 10.0, .mu2_min = mu2, .mu2_max = mu2});
     }
 
@@ -155,14 +153,17 @@ class WorstPairs {
         parents.push_back(parent);
     }
 
+    /// A neighbour takes the place of its parent if it is worse; any other pair that of the lowest climber. The neighbours of
+    /// another function's climber must top all, lest all climbers be on one hill.
     void consider(std::size_t function, Pair3 const &pair, double error, Climber *parent)
     {
         broken_[function] += error > bounds[function];
         auto &climbers = climbers_[function];
-        bool const own = parent != nullptr && parent >= &climbers.front() && parent <= &climbers.back();
-        if (parent != nullptr && !own) return;
         auto const less = [](Climber const &a, Climber const &b) { return a.error < b.error; };
-        Climber &place = own ? *parent : *std::min_element(climbers.begin(), climbers.end(), less);
+        auto const [lowest, highest] = std::minmax_element(climbers.begin(), climbers.end(), less);
+        bool const own = parent >= &climbers.front() && parent <= &climbers.back();
+        if (parent != nullptr && !own && error <= highest->error) return;
+        Climber &place = own ? *parent : *lowest;
         if (error > place.error) place = {pair, error};
     }
 
@@ -173,6 +174,6 @@ class WorstPairs {
     long judged_ = 0;
 };
 
-} // namespace pw85_bench
+} // namespace pw85_tests
 
 #endif
