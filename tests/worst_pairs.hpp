@@ -130,41 +130,43 @@ class WorstPairs {
             random_, {.aspect = aspect, .aspect_min = aspect_min_, .size_ratio = 10.0, .mu2_min = mu2, .mu2_max = mu2});
     }
 
-    /// One neighbour of each climber, and as many fresh pairs.
+    /// A pair to judge, and whose neighbour it is: a climber of a function, or nobody's.
+    struct Candidate {
+        Pair3 pair;
+        std::size_t function = 0;
+        Climber *parent = nullptr;
+    };
+
+    /// One neighbour of each climber that has erred, and fresh pairs, one for each climber.
     void step()
     {
-        std::vector<Pair3> pairs;
-        std::vector<Climber *> parents;
-        for (auto &climbers : climbers_)
-            for (Climber &climber : climbers) {
-                if (climber.error > 0.0) add(pairs, parents, neighbour(random_, climber.pair), &climber);
-                add(pairs, parents, fresh(), nullptr);
+        std::vector<Candidate> candidates;
+        for (std::size_t f = 0; f < num_searched; ++f)
+            for (Climber &climber : climbers_[f]) {
+                if (climber.error > 0.0) candidates.push_back({neighbour(random_, climber.pair), f, &climber});
+                candidates.push_back({fresh()});
             }
+        std::erase_if(candidates, [](Candidate const &c) { return !is_definite(c.pair); });
+        std::vector<Pair3> pairs;
+        for (auto const &c : candidates) pairs.push_back(c.pair);
         auto const errors = judge(pairs);
-        for (std::size_t i = 0; i < pairs.size(); ++i)
-            for (std::size_t f = 0; f < num_searched; ++f) consider(f, pairs[i], errors[i][f], parents[i]);
-        judged_ += static_cast<long>(pairs.size());
-    }
-
-    static void add(std::vector<Pair3> &pairs, std::vector<Climber *> &parents, Pair3 const &pair, Climber *parent)
-    {
-        if (!is_definite(pair)) return;
-        pairs.push_back(pair);
-        parents.push_back(parent);
+        for (std::size_t i = 0; i < candidates.size(); ++i)
+            for (std::size_t f = 0; f < num_searched; ++f) consider(f, candidates[i], errors[i][f]);
+        judged_ += static_cast<long>(candidates.size());
     }
 
     /// A neighbour takes the place of its parent if it is worse; any other pair that of the lowest climber. The neighbours of
     /// another function's climber must top all, lest all climbers be on one hill.
-    void consider(std::size_t function, Pair3 const &pair, double error, Climber *parent)
+    void consider(std::size_t function, Candidate const &candidate, double error)
     {
         broken_[function] += error > bounds[function];
-        auto &climbers = climbers_[function];
         auto const less = [](Climber const &a, Climber const &b) { return a.error < b.error; };
-        auto const [lowest, highest] = std::minmax_element(climbers.begin(), climbers.end(), less);
-        bool const own = parent >= &climbers.front() && parent <= &climbers.back();
-        if (parent != nullptr && !own && error <= highest->error) return;
-        Climber &place = own ? *parent : *lowest;
-        if (error > place.error) place = {pair, error};
+        auto const [lowest, highest] =
+            std::minmax_element(climbers_[function].begin(), climbers_[function].end(), less);
+        bool const own = candidate.parent != nullptr && candidate.function == function;
+        if (candidate.parent != nullptr && !own && error <= highest->error) return;
+        Climber &place = own ? *candidate.parent : *lowest;
+        if (error > place.error) place = {candidate.pair, error};
     }
 
     double aspect_min_, aspect_max_;
