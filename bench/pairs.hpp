@@ -18,7 +18,7 @@ inline constexpr int block_size = 4096;
 inline std::vector<Pair> random_block(double aspect, double excess = 0.0, int size = block_size)
 {
     pw85_tests::Random random(static_cast<std::uint64_t>(aspect));
-    pw85_tests::PairOptions options{.aspect = aspect, .aspect_min = aspect, .mu2_min = 0.25, .mu2_max = 4.0};
+    pw85_tests::PairOptions options{.aspect = aspect, .mu2_min = 0.25, .mu2_max = 4.0, .aspect_min = aspect};
     std::vector<Pair> block;
     for (int i = 0; i < size; ++i) {
         if (excess > 0.0) options.mu2_min = options.mu2_max = i % 2 == 0 ? 1.0 - excess : 1.0 + excess;

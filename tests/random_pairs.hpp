@@ -71,9 +71,9 @@ template <int D> pw85::SymmetricMatrix<double, D> random_form(Random &random, do
 /// What random pairs range over.
 struct PairOptions {
     double aspect = 10.0;    ///< largest aspect ratio of either, log-uniform from the smallest
-    double aspect_min = 1.0; ///< smallest
     double size_ratio = 2.0; ///< largest ratio of the sizes, either way
     double mu2_min = 0.01, mu2_max = 100.0;
+    double aspect_min = 1.0; ///< smallest aspect ratio
 };
 
 /// The pair with r12 along a direction and such a length that μ² is as given, to rounding.

@@ -127,7 +127,7 @@ class WorstPairs {
         if (random_.sign() < 0.0) return crossed_pair(random_, aspect);
         double const mu2 = 1.0 + random_.sign() * random_.log_uniform(1e-14, 1e-1);
         return random_pair<3>(
-            random_, {.aspect = aspect, .aspect_min = aspect_min_, .size_ratio = 10.0, .mu2_min = mu2, .mu2_max = mu2});
+            random_, {.aspect = aspect, .size_ratio = 10.0, .mu2_min = mu2, .mu2_max = mu2, .aspect_min = aspect_min_});
     }
 
     /// A pair to judge, and whose neighbour it is: a climber of a function, or nobody's.
