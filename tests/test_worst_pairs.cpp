@@ -34,9 +34,9 @@ void test_bounds()
         WorstPairs worst(aspect, 10.0 * aspect);
         worst.search(4000);
         for (int f = 0; f < num_searched; ++f)
-            for (auto const &[pair, error] : worst.worst(f))
-                failures.check(error <= bounds[static_cast<std::size_t>(f)], searched[f], error,
-                               bounds[static_cast<std::size_t>(f)], [&] { return hex_text(pair); });
+            for (auto const &found : worst.worst(f))
+                failures.check(found.error <= bounds[static_cast<std::size_t>(f)], searched[f], found.error,
+                               bounds[static_cast<std::size_t>(f)], [&] { return hex_text(found.pair); });
     }
 }
 
