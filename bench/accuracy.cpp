@@ -59,7 +59,8 @@ double largest_eigenvalue(Form3 const &a)
     return value;
 }
 
-/// Ratio of the largest to the smallest semi-axis. Q⁻¹ is a rounded one, as the smallest eigenvalue of Q is lost to rounding.
+/// Ratio of the largest to the smallest semi-axis. The inverse is computed in a wide type: rounding hides the smallest
+/// eigenvalue of Q.
 double aspect_ratio(Form3 const &q)
 {
     auto const wide = convert<Wide>(q);
@@ -103,8 +104,10 @@ std::vector<Judgement> judge_problems()
 
 void print_statistics(std::vector<double> errors)
 {
-    bool const numbers = std::none_of(errors.begin(), errors.end(), [](double x) { return std::isnan(x); });
-    if (!numbers) return void(std::printf(",nan,nan"));
+    if (std::any_of(errors.begin(), errors.end(), [](double x) { return std::isnan(x); })) {
+        std::printf(",nan,nan");
+        return;
+    }
     std::sort(errors.begin(), errors.end());
     std::size_t const n = errors.size();
     std::printf(",%.3g,%.3g", 0.5 * (errors[(n - 1) / 2] + errors[n / 2]), errors.back());
