@@ -1,153 +1,186 @@
-// The accuracy study: writes CSV files into a folder, for draw_accuracy.py. Usage: accuracy FOLDER
+// Errors in units of u cond, as CSV.
 //
-//   digits.csv   over /F of the reference data, without λ = 0 and 1, where f is 0: per cent of the values with so many
-//                correct digits, for f by factorisation (pw85_f_neg) and in rational form (pw85_legacy_f2)
-//   errors.csv   over the contact problems: the larger aspect ratio, the condition number, and the error of each of
-//                the four contact functions in units of u cond; empty where a function reports failure
+//     accuracy                over the contact problems of the reference data
+//     accuracy worst [PAIRS]  the worst pairs that a random search finds among so many for each decade of aspect ratios
 //
-// and prints the largest errors.
-#include <algorithm>
-#include <cmath>
+// The first table has the median and the largest error of each method for pairs of the categories general_aspect_*, by the
+// larger aspect ratio, and for all pairs in the last row: "nan" where there is no number for some pair. Of overlaps it
+// counts wrong answers. A distance of closest approach d counts as μ² = |r12|²/d².
 #include <cstdio>
-#include <string>
+#include <cstdlib>
+#include <string_view>
 
 #include <pw85_legacy.h>
+#include <pw85_zheng.h>
 
 #include <reference_data.hpp>
+#include <worst_pairs.hpp>
 
 using namespace pw85_tests;
 
 namespace {
 
-constexpr double u = 0x1p-53;
-constexpr int num_bins = 17;
-
-/// Correct decimal digits, 0 to 16; all of them for no error.
-int correct_digits(double actual, double expected)
+double by_zheng(double const *r12, double const *q1, double const *q2)
 {
-    double const error = std::fabs((actual - expected) / expected);
-    if (error == 0.0) return num_bins - 1;
-    if (!(error < 1.0)) return 0;
-    return std::min(num_bins - 1, static_cast<int>(-std::log10(error)));
+    double distance;
+    pw85_zheng_ellipsoids(r12, q1, q2, &distance);
+    return (r12[0] * r12[0] + r12[1] * r12[1] + r12[2] * r12[2]) / (distance * distance);
 }
 
-struct Histograms {
-    long factorised[num_bins] = {}, rational[num_bins] = {};
-    long total = 0;
-};
-
-void add_value(Histograms &h, Sample<double, 3> const &p, double lambda, double expected)
+template <auto Function> double first_of_two(double const *r12, double const *q1, double const *q2)
 {
-    double const *r12 = p.r12.coordinates, *q1 = p.q1.entries, *q2 = p.q2.entries;
-    double params[PW85_DIM + 2 * PW85_SYM];
-    std::copy_n(r12, 3, params);
-    std::copy_n(q1, 6, params + 3);
-    std::copy_n(q2, 6, params + 9);
-    ++h.factorised[correct_digits(-pw85_f_neg(lambda, params), expected)];
-    ++h.rational[correct_digits(pw85_legacy_f2(lambda, r12, q1, q2, nullptr), expected)];
-    ++h.total;
+    double out[2];
+    Function(r12, q1, q2, out);
+    return out[0];
 }
 
-Histograms digits_over_grid()
-{
-    auto const &grid = spheroid_grid();
-    Histograms h;
-    for (std::size_t i = 0; i < grid.spheroids.size(); ++i)
-        for (std::size_t j = 0; j < grid.spheroids.size(); ++j)
-            for (std::size_t k = 0; k < grid.directions.size(); ++k)
-                for (std::size_t l = 1; l + 1 < grid.lambdas.size(); ++l)
-                    add_value(h, {grid.directions[k], grid.spheroids[i], grid.spheroids[j]}, grid.lambdas[l],
-                              grid.f_at(i, j, k, l));
-    return h;
-}
-
-std::FILE *create(std::string const &path)
-{
-    std::FILE *file = std::fopen(path.c_str(), "w");
-    if (file == nullptr) {
-        std::perror(path.c_str());
-        std::exit(1);
-    }
-    return file;
-}
-
-void write_digits(std::string const &folder)
-{
-    auto const h = digits_over_grid();
-    std::FILE *file = create(folder + "/digits.csv");
-    std::fprintf(file, "digits,factorised,rational\n");
-    for (int i = 0; i < num_bins; ++i)
-        std::fprintf(file, "%d,%g,%g\n", i, 100.0 * static_cast<double>(h.factorised[i]) / static_cast<double>(h.total),
-                     100.0 * static_cast<double>(h.rational[i]) / static_cast<double>(h.total));
-    std::fclose(file);
-}
-
-struct Solver {
+struct Method {
     char const *name;
-    int (*call)(double const *, double const *, double const *, double *);
+    double (*mu2)(double const *, double const *, double const *); ///< null: by the batch
 };
 
-constexpr Solver solvers[] = {{"contact", pw85_contact},
-                              {"contact_function", pw85_contact_function},
-                              {"legacy_contact_function1", pw85_legacy_contact_function1},
-                              {"legacy_contact_function2", pw85_legacy_contact_function2}};
+constexpr Method methods[] = {{"contact", first_of_two<pw85_contact>},
+                              {"contact_function", first_of_two<pw85_contact_function>},
+                              {"contact_batch", nullptr},
+                              {"legacy_contact_function2", first_of_two<pw85_legacy_contact_function2>},
+                              {"zheng_ellipsoids", by_zheng}};
+constexpr std::size_t num_methods = std::size(methods);
 
-/// Ratio of the largest to the smallest semi-axis, by the extreme values of xᵀQx over directions x: power iteration on Q
-/// and on adj(Q).
+/// The largest eigenvalue of a positive definite matrix.
+double largest_eigenvalue(Form3 const &a)
+{
+    Vector3 x{0.6, 0.5, 0.62};
+    double value = 0.0;
+    for (int i = 0; i < 200; ++i) {
+        auto const y = pw85::product(a, x);
+        value = std::sqrt(pw85::dot(y, y));
+        x = pw85::times(1.0 / value, y);
+    }
+    return value;
+}
+
+/// Ratio of the largest to the smallest semi-axis. The inverse is computed in a wide type: rounding hides the smallest
+/// eigenvalue of Q.
 double aspect_ratio(Form3 const &q)
 {
-    auto const largest_eigenvalue = [](pw85::SymmetricMatrix<long double, 3> const &a) {
-        pw85::Vector<long double, 3> x{0.6L, 0.5L, 0.62L};
-        long double value = 0.0L;
-        for (int i = 0; i < 200; ++i) {
-            auto const y = pw85::product(a, x);
-            value = std::sqrt(pw85::dot(y, y));
-            x = pw85::times(1.0L / value, y);
-        }
-        return value;
-    };
-    auto const wide = convert<long double>(q);
+    auto const wide = convert<Wide>(q);
     auto const adjugate = pw85::adjugate(wide);
-    long double const det = pw85::determinant(wide, adjugate);
-    return static_cast<double>(std::sqrt(largest_eigenvalue(wide) * largest_eigenvalue(adjugate) / det));
+    Wide const det = pw85::determinant(wide, adjugate);
+    Form3 inverse{};
+    for (int k = 0; k < inverse.size; ++k) inverse[k] = static_cast<double>(Wide(adjugate[k] / det));
+    return std::sqrt(largest_eigenvalue(q) * largest_eigenvalue(inverse));
 }
 
-void write_errors(std::string const &folder)
+/// What was found for one problem.
+struct Judgement {
+    double aspect;
+    double errors[num_methods];
+    bool wrong_overlap, wrong_overlap_batch;
+};
+
+std::vector<Judgement> judge_problems()
 {
-    std::FILE *file = create(folder + "/errors.csv");
-    std::fprintf(file, "category,aspect,cond");
-    for (auto const &solver : solvers) std::fprintf(file, ",%s", solver.name);
-    std::fprintf(file, "\n");
-    double worst[std::size(solvers)] = {};
-    long failed[std::size(solvers)] = {};
-    for (auto const &p : contact_problems()) {
-        double const aspect = std::fmax(aspect_ratio(p.pair.q1), aspect_ratio(p.pair.q2));
-        std::fprintf(file, "%s,%.4g,%.4g", p.category->c_str(), aspect, p.cond);
-        for (std::size_t i = 0; i < std::size(solvers); ++i) {
-            double out[2];
-            int const status = solvers[i].call(p.pair.r12.coordinates, p.pair.q1.entries, p.pair.q2.entries, out);
-            double const units = std::fabs(out[0] - p.mu2) / p.mu2 / (u * p.cond);
-            failed[i] += status != PW85_SUCCESS;
-            if (status == PW85_SUCCESS) worst[i] = std::fmax(worst[i], units);
-            status == PW85_SUCCESS ? std::fprintf(file, ",%.4g", units) : std::fprintf(file, ",");
+    auto const &problems = contact_problems();
+    std::vector<Pair3> pairs;
+    for (auto const &p : problems) pairs.push_back(p.pair);
+    auto const batch = run_batch(pairs);
+    std::vector<Judgement> all;
+    for (std::size_t i = 0; i < problems.size(); ++i) {
+        auto const &p = problems[i];
+        double const *r12 = p.pair.r12.coordinates, *q1 = p.pair.q1.entries, *q2 = p.pair.q2.entries;
+        Judgement j{std::fmax(aspect_ratio(p.pair.q1), aspect_ratio(p.pair.q2)), {}, false, false};
+        for (std::size_t m = 0; m < num_methods; ++m) {
+            double const mu2 = methods[m].mu2 ? methods[m].mu2(r12, q1, q2) : batch.mu2[i];
+            j.errors[m] = std::fabs(mu2 - p.mu2) / p.mu2 / (0x1p-53 * p.cond);
         }
-        std::fprintf(file, "\n");
+        int overlap;
+        pw85_overlap(r12, q1, q2, &overlap);
+        j.wrong_overlap = overlap != static_cast<int>(p.mu2_minus_1 < 0.0);
+        j.wrong_overlap_batch = batch.overlap[i] != static_cast<int>(p.mu2_minus_1 < 0.0);
+        all.push_back(j);
     }
-    std::fclose(file);
-    std::printf("%-26s %22s %9s\n", "", "largest error / u cond", "failures");
-    for (std::size_t i = 0; i < std::size(solvers); ++i)
-        std::printf("%-26s %22.3g %9ld\n", solvers[i].name, worst[i], failed[i]);
+    return all;
+}
+
+void print_statistics(std::vector<double> errors)
+{
+    if (std::any_of(errors.begin(), errors.end(), [](double x) { return std::isnan(x); })) {
+        std::printf(",nan,nan");
+        return;
+    }
+    std::sort(errors.begin(), errors.end());
+    std::size_t const n = errors.size();
+    std::printf(",%.3g,%.3g", 0.5 * (errors[(n - 1) / 2] + errors[n / 2]), errors.back());
+}
+
+void print_row(char const *range, std::vector<Judgement> const &rows)
+{
+    std::printf("%s,%zu", range, rows.size());
+    for (std::size_t m = 0; m < num_methods; ++m) {
+        std::vector<double> errors;
+        for (auto const &row : rows) errors.push_back(row.errors[m]);
+        print_statistics(errors);
+    }
+    long wrong = 0, wrong_batch = 0;
+    for (auto const &row : rows) {
+        wrong += row.wrong_overlap;
+        wrong_batch += row.wrong_overlap_batch;
+    }
+    std::printf(",%ld,%ld\n", wrong, wrong_batch);
+}
+
+void print_problems()
+{
+    std::printf("aspect_from,aspect_to,pairs");
+    for (auto const &method : methods) std::printf(",median_%s,worst_%s", method.name, method.name);
+    std::puts(",wrong_overlap,wrong_overlap_batch");
+    auto const all = judge_problems();
+    for (int half_decade = 0; half_decade < 12; ++half_decade) {
+        double const from = std::pow(10.0, 0.5 * half_decade), to = std::pow(10.0, 0.5 * (half_decade + 1));
+        std::vector<Judgement> rows;
+        for (std::size_t i = 0; i < all.size(); ++i)
+            if (contact_problems()[i].category->starts_with("general_aspect") && all[i].aspect >= from &&
+                all[i].aspect < to)
+                rows.push_back(all[i]);
+        char range[40];
+        std::snprintf(range, sizeof range, "%.4g,%.4g", from, to);
+        print_row(range, rows);
+    }
+    print_row("all,", all);
+}
+
+/// One of the worst pairs of a function, as in data/found_pairs.txt.
+void print_found(int function, double aspect, WorstPairs const &all, WorstPairs::Climber const &found)
+{
+    std::printf("%s,%g,%g,%ld,%ld,%.3g,", searched[function], aspect, 10.0 * aspect, all.judged(), all.broken(function),
+                found.error);
+    for (double const x : found.pair.r12.coordinates) std::printf("%a ", x);
+    for (double const x : found.pair.q1.entries) std::printf("%a ", x);
+    for (double const x : found.pair.q2.entries) std::printf("%a ", x);
+    std::puts("");
+}
+
+void print_worst(long pairs)
+{
+    std::puts("function,aspect_from,aspect_to,pairs,beyond_bound,error,pair");
+    for (double aspect = 1.0; aspect < 1e6; aspect *= 10.0) {
+        WorstPairs all(aspect, 10.0 * aspect);
+        all.search(pairs);
+        for (int f = 0; f < num_searched; ++f)
+            for (auto const &found : all.worst(f)) print_found(f, aspect, all, found);
+    }
 }
 
 } // namespace
 
 int main(int argc, char **argv)
 {
-    if (argc != 2) {
-        std::fprintf(stderr, "usage: %s FOLDER\n", argv[0]);
+    bool const search = argc > 1 && std::string_view(argv[1]) == "worst";
+    long const pairs = search && argc == 3 ? std::atol(argv[2]) : 10000;
+    if (argc > (search ? 3 : 1) || pairs < 1) {
+        std::fprintf(stderr, "usage: %s [worst [PAIRS]]\n", argv[0]);
         return 1;
     }
-    write_digits(argv[1]);
-    write_errors(argv[1]);
+    search ? print_worst(pairs) : print_problems();
     return 0;
 }

@@ -1,55 +1,86 @@
-// How much work the solver and the overlap test do: over random pairs at each aspect ratio and over the contact problems,
-// the histogram of the number of evaluations of f by contact(), and the per cent of pairs that each tier of overlap()
-// decides.
+// Evaluations of f that the solvers need, and the per cent of overlaps that each tier decides, against the aspect ratio,
+// as CSV. Usage: evaluations [PAIRS]
+//
+// Beside the fast solver: Brent's method on f in λ as pw85 1.0 had it, with one evaluation per iteration and one for each
+// of three Newton-Raphson steps.
+#include <algorithm>
 #include <cstdio>
-#include <map>
+#include <cstdlib>
 
-#include <reference_data.hpp>
+#include <gsl/gsl_errno.h>
+#include <gsl/gsl_min.h>
+
+#include <pw85.h>
 
 #include "pairs.hpp"
 
 using namespace pw85_bench;
-using pw85_tests::Sample;
 
 namespace {
 
-struct Work {
-    std::map<int, int> evaluations;
-    int tiers[3] = {};
-    int total = 0;
+struct CountedMinusF {
+    Pair const *pair;
+    int evaluations;
+};
 
-    void add(Sample<double, 3> const &p)
-    {
-        ++evaluations[pw85::maximize(pw85::scale(p.r12, p.q1, p.q2).pair).evaluations];
-        ++tiers[static_cast<int>(pw85::overlap(p.r12, p.q1, p.q2).tier)];
-        ++total;
+double minus_f(double lambda, void *data)
+{
+    auto &counted = *static_cast<CountedMinusF *>(data);
+    ++counted.evaluations;
+    return -pw85::evaluate_f(lambda, counted.pair->r12, counted.pair->q1, counted.pair->q2);
+}
+
+int evaluations_by_brent(Pair const &pair, gsl_min_fminimizer *minimizer)
+{
+    CountedMinusF counted{&pair, 0};
+    gsl_function function{minus_f, &counted};
+    gsl_min_fminimizer_set(minimizer, &function, 0.5, 0.0, 1.0);
+    for (int i = 0; i < PW85_MAX_ITER; ++i) {
+        gsl_min_fminimizer_iterate(minimizer);
+        if (minimizer->x_upper - minimizer->x_lower < PW85_LAMBDA_ATOL) break;
     }
+    return counted.evaluations + PW85_NR_ITER;
+}
 
-    void print(char const *what) const
+struct Count {
+    double sum = 0.0;
+    int largest = 0;
+
+    void add(int n)
     {
-        long sum = 0;
-        for (auto const &[count, pairs] : evaluations) sum += static_cast<long>(count) * pairs;
-        std::printf("%s: %d pairs, %.2f evaluations on average\n  evaluations:", what, total,
-                    static_cast<double>(sum) / total);
-        for (auto const &[count, pairs] : evaluations) std::printf("  %d: %.3g %%", count, 100.0 * pairs / total);
-        std::printf("\n  overlap decided by  quartic: %.3g %%  contact: %.3g %%  exact: %.3g %%\n",
-                    100.0 * tiers[0] / total, 100.0 * tiers[1] / total, 100.0 * tiers[2] / total);
+        sum += n;
+        largest = std::max(largest, n);
     }
 };
 
+void print_row(double aspect, int pairs, gsl_min_fminimizer *minimizer)
+{
+    Count brent, fast;
+    double tiers[3] = {};
+    for (Pair const &pair : random_block(aspect, 0.0, pairs)) {
+        brent.add(evaluations_by_brent(pair, minimizer));
+        fast.add(pw85::maximize(pw85::scale(pair.r12, pair.q1, pair.q2).pair).evaluations);
+        tiers[static_cast<int>(pw85::overlap(pair.r12, pair.q1, pair.q2).tier)] += 100.0 / pairs;
+    }
+    std::printf("%g,%d,%.2f,%d,%.2f,%d,%.3g,%.3g,%.3g\n", aspect, pairs, fast.sum / pairs, fast.largest,
+                brent.sum / pairs, brent.largest, tiers[0], tiers[1], tiers[2]);
+}
+
 } // namespace
 
-int main()
+int main(int argc, char **argv)
 {
-    for (double const aspect : {2.0, 10.0, 100.0, 1000.0}) {
-        Work work;
-        for (auto const &x : make_block(aspect)) work.add(x.pair);
-        char title[40];
-        std::snprintf(title, sizeof title, "aspect %g", aspect);
-        work.print(title);
+    int const pairs = argc > 1 ? std::atoi(argv[1]) : 20000;
+    if (argc > 2 || pairs < 1) {
+        std::fprintf(stderr, "usage: %s [PAIRS]\n", argv[0]);
+        return 1;
     }
-    Work work;
-    for (auto const &p : pw85_tests::contact_problems()) work.add(p.pair);
-    work.print("contact problems");
+    gsl_set_error_handler_off();
+    gsl_min_fminimizer *const minimizer = gsl_min_fminimizer_alloc(gsl_min_fminimizer_brent);
+    std::puts("aspect,pairs,mean_contact,largest_contact,mean_brent,largest_brent,percent_quartic,percent_contact,"
+              "percent_exact");
+    for (double const aspect : {1.0, 2.0, 5.0, 10.0, 30.0, 100.0, 300.0, 1e3, 3e3, 1e4, 1e5, 1e6})
+        print_row(aspect, pairs, minimizer);
+    gsl_min_fminimizer_free(minimizer);
     return 0;
 }

@@ -1,4 +1,4 @@
-// The functions of the C API of one pair, as calls on a BenchPair.
+// The functions of the C API, as calls on a pair and on a block.
 #ifndef PW85_BENCH_FUNCTIONS_HPP_INCLUDED
 #define PW85_BENCH_FUNCTIONS_HPP_INCLUDED
 
@@ -18,57 +18,70 @@ struct Sink {
 
 struct Function {
     char const *name;
-    void (*call)(BenchPair const &, Sink &);
+    void (*call)(Pair const &, double lambda, Sink &);
 };
 
 /// r12, q1, q2 as the C API takes them.
-#define PW85_BENCH_PAIR(x) (x).pair.r12.coordinates, (x).pair.q1.entries, (x).pair.q2.entries
+#define PW85_BENCH_PAIR(x) (x).r12.coordinates, (x).q1.entries, (x).q2.entries
 
 inline constexpr Function functions[] = {
-    {"contact_function", [](BenchPair const &x, Sink &s) { pw85_contact_function(PW85_BENCH_PAIR(x), s.a); }},
-    {"contact", [](BenchPair const &x, Sink &s) { pw85_contact(PW85_BENCH_PAIR(x), s.a); }},
-    {"overlap", [](BenchPair const &x, Sink &s) { pw85_overlap(PW85_BENCH_PAIR(x), &s.overlap); }},
+    {"contact_function", [](Pair const &x, double, Sink &s) { pw85_contact_function(PW85_BENCH_PAIR(x), s.a); }},
+    {"contact", [](Pair const &x, double, Sink &s) { pw85_contact(PW85_BENCH_PAIR(x), s.a); }},
+    {"overlap", [](Pair const &x, double, Sink &s) { pw85_overlap(PW85_BENCH_PAIR(x), &s.overlap); }},
     {"contact_geometry",
-     [](BenchPair const &x, Sink &s) { pw85_contact_geometry(PW85_BENCH_PAIR(x), x.lambda, s.a, s.b); }},
+     [](Pair const &x, double l, Sink &s) { pw85_contact_geometry(PW85_BENCH_PAIR(x), l, s.a, s.b); }},
     {"contact_gradient",
-     [](BenchPair const &x, Sink &s) { pw85_contact_gradient(PW85_BENCH_PAIR(x), x.lambda, s.a, s.b, s.c); }},
-    {"contact_torque",
-     [](BenchPair const &x, Sink &s) { pw85_contact_torque(PW85_BENCH_PAIR(x), x.lambda, s.a, s.b); }},
-    {"closest_approach", [](BenchPair const &x, Sink &s) { pw85_closest_approach(PW85_BENCH_PAIR(x), s.a); }},
+     [](Pair const &x, double l, Sink &s) { pw85_contact_gradient(PW85_BENCH_PAIR(x), l, s.a, s.b, s.c); }},
+    {"contact_torque", [](Pair const &x, double l, Sink &s) { pw85_contact_torque(PW85_BENCH_PAIR(x), l, s.a, s.b); }},
+    {"closest_approach", [](Pair const &x, double, Sink &s) { pw85_closest_approach(PW85_BENCH_PAIR(x), s.a); }},
     {"contact_2d",
-     [](BenchPair const &x, Sink &s) {
+     [](Pair const &x, double, Sink &s) {
          // The lower right blocks of the forms are forms of ellipses.
-         pw85_contact_2d(x.pair.r12.coordinates, x.pair.q1.entries + 3, x.pair.q2.entries + 3, s.a);
+         pw85_contact_2d(x.r12.coordinates, x.q1.entries + 3, x.q2.entries + 3, s.a);
      }},
     {"closest_approach_2d",
-     [](BenchPair const &x, Sink &s) {
-         pw85_closest_approach_2d(x.pair.r12.coordinates, x.pair.q1.entries + 3, x.pair.q2.entries + 3, s.a);
+     [](Pair const &x, double, Sink &s) {
+         pw85_closest_approach_2d(x.r12.coordinates, x.q1.entries + 3, x.q2.entries + 3, s.a);
      }},
-    {"spheroid", [](BenchPair const &x, Sink &s) { pw85_spheroid(1.0, 2.0, x.pair.r12.coordinates, s.a); }},
+    {"spheroid", [](Pair const &x, double, Sink &s) { pw85_spheroid(1.0, 2.0, x.r12.coordinates, s.a); }},
     {"ellipsoid_quaternion",
-     [](BenchPair const &x, Sink &s) {
+     [](Pair const &x, double, Sink &s) {
          double const axes[3] = {1.0, 2.0, 3.0};
-         pw85_ellipsoid_quaternion(axes, x.pair.q1.entries, s.a);
+         pw85_ellipsoid_quaternion(axes, x.q1.entries, s.a);
      }},
-    {"ellipse", [](BenchPair const &x, Sink &s) { pw85_ellipse(1.0, 2.0, x.lambda, s.a); }},
-    {"_cholesky_decomp", [](BenchPair const &x, Sink &s) { pw85__cholesky_decomp(x.pair.q1.entries, s.a); }},
+    {"ellipse", [](Pair const &, double l, Sink &s) { pw85_ellipse(1.0, 2.0, l, s.a); }},
+    {"_cholesky_decomp", [](Pair const &x, double, Sink &s) { pw85__cholesky_decomp(x.q1.entries, s.a); }},
     {"_cholesky_solve",
-     [](BenchPair const &x, Sink &s) { pw85__cholesky_solve(x.pair.q1.entries, x.pair.r12.coordinates, s.a); }},
-    {"_residual", [](BenchPair const &x, Sink &s) { pw85__residual(x.lambda, PW85_BENCH_PAIR(x), s.a); }},
-    {"legacy_f1", [](BenchPair const &x, Sink &s) { pw85_legacy_f1(x.lambda, PW85_BENCH_PAIR(x), s.a); }},
-    {"legacy_f2", [](BenchPair const &x, Sink &s) { pw85_legacy_f2(x.lambda, PW85_BENCH_PAIR(x), s.a); }},
+     [](Pair const &x, double, Sink &s) { pw85__cholesky_solve(x.q1.entries, x.r12.coordinates, s.a); }},
+    {"_residual", [](Pair const &x, double l, Sink &s) { pw85__residual(l, PW85_BENCH_PAIR(x), s.a); }},
+    {"legacy_f1", [](Pair const &x, double l, Sink &s) { pw85_legacy_f1(l, PW85_BENCH_PAIR(x), s.a); }},
+    {"legacy_f2", [](Pair const &x, double l, Sink &s) { pw85_legacy_f2(l, PW85_BENCH_PAIR(x), s.a); }},
     {"legacy_contact_function1",
-     [](BenchPair const &x, Sink &s) { pw85_legacy_contact_function1(PW85_BENCH_PAIR(x), s.a); }},
+     [](Pair const &x, double, Sink &s) { pw85_legacy_contact_function1(PW85_BENCH_PAIR(x), s.a); }},
     {"legacy_contact_function2",
-     [](BenchPair const &x, Sink &s) { pw85_legacy_contact_function2(PW85_BENCH_PAIR(x), s.a); }},
+     [](Pair const &x, double, Sink &s) { pw85_legacy_contact_function2(PW85_BENCH_PAIR(x), s.a); }},
     {"zheng_ellipses",
-     [](BenchPair const &x, Sink &s) {
-         pw85_zheng_ellipses(x.pair.r12.coordinates, x.pair.q1.entries + 3, x.pair.q2.entries + 3, s.a);
+     [](Pair const &x, double, Sink &s) {
+         pw85_zheng_ellipses(x.r12.coordinates, x.q1.entries + 3, x.q2.entries + 3, s.a);
      }},
-    {"zheng_ellipsoids", [](BenchPair const &x, Sink &s) { pw85_zheng_ellipsoids(PW85_BENCH_PAIR(x), s.a); }},
+    {"zheng_ellipsoids", [](Pair const &x, double, Sink &s) { pw85_zheng_ellipsoids(PW85_BENCH_PAIR(x), s.a); }},
 };
 
 #undef PW85_BENCH_PAIR
+
+struct BatchFunction {
+    char const *name;
+    void (*call)(Block &);
+};
+
+inline constexpr BatchFunction batch_functions[] = {
+    {"contact_batch",
+     [](Block &b) {
+         pw85_contact_batch(b.size(), b.r12.data(), b.q1.data(), b.q2.data(), b.mu2.data(), b.lambda.data());
+     }},
+    {"overlap_batch",
+     [](Block &b) { pw85_overlap_batch(b.size(), b.r12.data(), b.q1.data(), b.q2.data(), b.overlap.data()); }},
+};
 
 } // namespace pw85_bench
 

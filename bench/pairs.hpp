@@ -1,36 +1,53 @@
-// Blocks of random pairs that stay in the cache.
+// Blocks of random pairs that stay in the cache, as the functions of one pair and of many take them.
 #ifndef PW85_BENCH_PAIRS_HPP_INCLUDED
 #define PW85_BENCH_PAIRS_HPP_INCLUDED
 
+#include <cstring>
 #include <vector>
 
 #include <random_pairs.hpp>
 
 namespace pw85_bench {
 
-/// A pair with the maximiser, for the functions that take it.
-struct BenchPair {
-    pw85_tests::Sample<double, 3> pair;
-    double lambda;
-};
+using Pair = pw85_tests::Sample<double, 3>;
 
 inline constexpr int block_size = 4096;
 
-/// Pairs of general ellipsoids of the given aspect ratio (the middle semi-axis log-uniform between the others), of sizes
-/// within a factor of 2; μ² is log-uniform from 1/4 to 4, so that half of them overlap.
-inline std::vector<BenchPair> make_block(double aspect)
+/// Pairs of general ellipsoids of one aspect ratio (the middle semi-axis log-uniform between the others), of sizes within
+/// a factor of 2; half of them overlap. μ² is log-uniform from 1/4 to 4, or |μ² - 1| as given.
+inline std::vector<Pair> random_block(double aspect, double excess = 0.0, int size = block_size)
 {
     pw85_tests::Random random(static_cast<std::uint64_t>(aspect));
-    std::vector<BenchPair> block;
-    while (block.size() < block_size) {
-        pw85_tests::Sample<double, 3> p{random.direction<3>(), random.form(1.0, aspect),
-                                        random.form(random.log_uniform(0.5, 2.0), aspect)};
-        double const mu2 = pw85::contact(p.r12, p.q1, p.q2).mu2;
-        p.r12 = pw85::times(std::sqrt(random.log_uniform(0.25, 4.0) / mu2), p.r12);
-        block.push_back({p, pw85::contact(p.r12, p.q1, p.q2).lambda});
+    pw85_tests::PairOptions options{.aspect = aspect, .mu2_min = 0.25, .mu2_max = 4.0, .aspect_min = aspect};
+    std::vector<Pair> block;
+    for (int i = 0; i < size; ++i) {
+        if (excess > 0.0) options.mu2_min = options.mu2_max = i % 2 == 0 ? 1.0 - excess : 1.0 + excess;
+        block.push_back(pw85_tests::random_pair<3>(random, options));
     }
     return block;
 }
+
+/// A block with its maximisers, for the functions that take them, and in contiguous arrays, for the batch.
+struct Block {
+    std::vector<Pair> pairs;
+    std::vector<double> lambdas, r12, q1, q2, mu2, lambda;
+    std::vector<unsigned char> overlap;
+
+    explicit Block(std::vector<Pair> const &block)
+        : pairs(block), lambdas(size()), r12(3 * size()), q1(6 * size()), q2(6 * size()), mu2(size()), lambda(size()),
+          overlap(size())
+    {
+        for (std::size_t i = 0; i < size(); ++i) {
+            Pair const &p = pairs[i];
+            lambdas[i] = pw85::contact(p.r12, p.q1, p.q2).lambda;
+            std::memcpy(&r12[3 * i], p.r12.coordinates, sizeof p.r12);
+            std::memcpy(&q1[6 * i], p.q1.entries, sizeof p.q1);
+            std::memcpy(&q2[6 * i], p.q2.entries, sizeof p.q2);
+        }
+    }
+
+    std::size_t size() const { return pairs.size(); }
+};
 
 } // namespace pw85_bench
 

@@ -31,9 +31,9 @@ at aspect ratio 1e6, size ratio 1e8 (3e14 for round shapes) and lambda or
        sizes are told apart (size ratio squared),
     16 digits in A = g - tau B (see `contact_equation`), as A / g = lambda,
     15 digits in mu^2 - 1,
-     3 digits where the equation to solve is flat (slope of 4e-3 at least),
+    12 digits where the equation to solve is flat (slope of 1e-12 at least),
 
-fewer than 90 altogether, and as many are left to spare. Much less is lost in
+fewer than 100 altogether, and as many are left to spare. Much less is lost in
 fact, since 200 digits hold most products of four doubles exactly: against 400
 digits, lambda is off by 1e-186 at worst, and every dataset is the same.
 """
@@ -321,6 +321,11 @@ def scaled(size, semi_axes):
     return tuple(size * a for a in semi_axes)
 
 
+def turned(rotation, v):
+    """The vector v turned by the rotation."""
+    return tuple(sum(x * y for x, y in zip(row, v)) for row in rotation)
+
+
 def oriented(rotation, semi_axes):
     """Quadratic form, in doubles, of the ellipsoid turned by the rotation."""
     return rounded(congruent(rotation, diagonal(semi_axes)))
@@ -458,6 +463,42 @@ def oblique_tangent(draw):
             *map(unrounded, forms))
 
 
+def crossed(draw):
+    """Slender shapes at right angles, tip to tip: lambda on a plateau of f.
+
+    The long semi-axes are 1 along x and the size of the second along y. For
+    r12 = (1 + tilt1, size (1 + tilt2), offset), f is, between thin layers at
+    its ends, close to a line in lambda that is level if the tilts are equal.
+    Then all is turned, and r12 multiplied: |mu^2 - 1| from 1e-1 to 1e-14.
+    """
+    def sign():
+        return draw.pick((-1, 1))
+
+    shortest = 1 / draw.power_of_ten(mpmath.log10(2000), 6)
+    third = shortest**draw.pick((mpf(0.5), draw.uniform(0, 1)))
+    size = draw.pick((1, draw.power_of_ten(-1, 1)))
+    tilt1 = sign() * draw.power_of_ten(-14, -1)
+    tilt2 = draw.pick((tilt1, sign() * draw.power_of_ten(-14, -1)))
+    offset = sign() * third * draw.power_of_ten(-8, 0)
+    excess = sign() * draw.power_of_ten(-14, -1)
+    rotation = draw.rotation()
+    r12 = (sign() * (1 + tilt1), sign() * size * (1 + tilt2), offset)
+    return placed(turned(rotation, r12), 1 + excess,
+                  oriented(rotation, (1, shortest, third)),
+                  oriented(rotation, scaled(size, (shortest, 1, third))))
+
+
+def read_found():
+    """Pairs that a search for the worst errors has found (see README.md)."""
+    with open(FOUND, encoding='utf-8') as file:
+        for line in file:
+            numbers = tuple(map(float.fromhex, line.split()))
+            yield numbers[:3], numbers[3:9], numbers[9:]
+
+
+FOUND = pathlib.Path(__file__).with_name('found_pairs.txt')
+FOUND_PAIRS = tuple(read_found())
+
 CATEGORIES = (  # (name, number of pairs, how to draw one of them)
     *((f'general_aspect_1e{i}_1e{i + 1}', 1000,
        functools.partial(general, decades=(i, i + 1))) for i in range(6)),
@@ -476,6 +517,9 @@ CATEGORIES = (  # (name, number of pairs, how to draw one of them)
     ('coaxial', 400, coaxial),
     ('coaxial_tangent', 400, coaxial_tangent),
     ('oblique_tangent', 600, oblique_tangent),
+    ('crossed', 2000, crossed),
+    ('crossed_found', len(FOUND_PAIRS),
+     lambda _, pairs=iter(FOUND_PAIRS): next(pairs)),
 )
 
 

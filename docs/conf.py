@@ -4,7 +4,9 @@ import sys
 from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
-sys.path.insert(0, str(HERE / "extensions"))
+sys.path[:0] = [str(HERE), str(HERE / "extensions")]
+
+import measurements  # noqa: E402
 
 project = "pw85"
 copyright = "the authors of pw85"
@@ -27,6 +29,10 @@ nitpick_ignore_regex = [
 ]
 add_function_parentheses = True
 numfig = True
+rst_epilog = f"""
+.. |contact-problems| replace:: {measurements.number_of_contact_problems():,}
+.. |conditions| replace:: {measurements.conditions()}
+"""
 
 breathe_default_project = "c"
 breathe_domain_by_extension = {"h": "c", "hpp": "cpp"}

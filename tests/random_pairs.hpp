@@ -21,6 +21,8 @@ class Random {
         return lower + (upper - lower) * (static_cast<double>(bits_() >> 11) * 0x1p-53);
     }
 
+    double sign() { return uniform(0.0, 1.0) < 0.5 ? -1.0 : 1.0; }
+
     double log_uniform(double lower, double upper) { return std::exp(uniform(std::log(lower), std::log(upper))); }
 
     double normal()
@@ -68,22 +70,50 @@ template <int D> pw85::SymmetricMatrix<double, D> random_form(Random &random, do
 
 /// What random pairs range over.
 struct PairOptions {
-    double aspect = 10.0;    ///< largest aspect ratio of either, log-uniform from 1
+    double aspect = 10.0;    ///< largest aspect ratio of either, log-uniform from the smallest
     double size_ratio = 2.0; ///< largest ratio of the sizes, either way
     double mu2_min = 0.01, mu2_max = 100.0;
+    double aspect_min = 1.0; ///< smallest aspect ratio
 };
+
+/// The pair with r12 along a direction and such a length that μ² is as given, to rounding.
+template <int D> Sample<double, D> placed(pw85::Vector<double, D> const &direction, double mu2,
+                                          pw85::SymmetricMatrix<double, D> const &q1,
+                                          pw85::SymmetricMatrix<double, D> const &q2)
+{
+    double const reached = pw85::contact(direction, q1, q2).mu2;
+    return {pw85::times(std::sqrt(mu2 / reached), direction), q1, q2};
+}
 
 /// A pair of general ellipsoids (D = 3) or ellipses (D = 2) with μ² log-uniform in the given range.
 template <int D> Sample<double, D> random_pair(Random &random, PairOptions const &options)
 {
-    Sample<double, D> s{};
-    s.q1 = random_form<D>(random, 1.0, random.log_uniform(1.0, options.aspect));
-    s.q2 = random_form<D>(random, random.log_uniform(1.0 / options.size_ratio, options.size_ratio),
-                          random.log_uniform(1.0, options.aspect));
+    auto const q1 = random_form<D>(random, 1.0, random.log_uniform(options.aspect_min, options.aspect));
+    auto const q2 = random_form<D>(random, random.log_uniform(1.0 / options.size_ratio, options.size_ratio),
+                                   random.log_uniform(options.aspect_min, options.aspect));
     auto const direction = random.direction<D>();
-    double const mu2 = pw85::contact(direction, s.q1, s.q2).mu2;
-    s.r12 = pw85::times(std::sqrt(random.log_uniform(options.mu2_min, options.mu2_max) / mu2), direction);
-    return s;
+    return placed(direction, random.log_uniform(options.mu2_min, options.mu2_max), q1, q2);
+}
+
+/// Slender shapes at right angles, tip to tip, so that λ is on a plateau of f: those of the category `crossed` of the
+/// reference data, whose generator explains them. |μ² - 1| is from 1e-14 to 1e-1.
+inline Sample<double, 3> crossed_pair(Random &random, double aspect)
+{
+    double const shortest = 1.0 / aspect;
+    double const third = std::pow(shortest, random.sign() < 0.0 ? 0.5 : random.uniform(0.0, 1.0));
+    double const size = random.sign() < 0.0 ? 1.0 : random.log_uniform(0.1, 10.0);
+    double const tilt1 = random.sign() * random.log_uniform(1e-14, 1e-1);
+    double const tilt2 = random.sign() < 0.0 ? tilt1 : random.sign() * random.log_uniform(1e-14, 1e-1);
+    double const offset = random.sign() * third * random.log_uniform(1e-8, 1.0);
+    double const excess = random.sign() * random.log_uniform(1e-14, 1e-1);
+    double const x = random.sign() * (1.0 + tilt1), y = random.sign() * size * (1.0 + tilt2);
+    auto const turn = random.direction<4>();
+    auto const rotation = pw85::rotation_matrix(turn, pw85::dot(turn, turn));
+    pw85::Vector<double, 3> r12{};
+    for (int i = 0; i < 3; ++i)
+        r12[i] = rotation.entries[3 * i] * x + rotation.entries[3 * i + 1] * y + rotation.entries[3 * i + 2] * offset;
+    return placed<3>(r12, 1.0 + excess, pw85::ellipsoid({1.0, shortest, third}, rotation.entries).q,
+                     pw85::ellipsoid({size * shortest, size, size * third}, rotation.entries).q);
 }
 
 } // namespace pw85_tests

@@ -53,6 +53,23 @@ void test_problems_cover()
     g_assert_cmpint(tangent, ==, 1000);
 }
 
+// Crossed pairs are tip to tip, near contact, and among those found are the three that showed what was wrong with λ on a
+// plateau: in the batch, in its overlaps, and for one pair.
+void test_crossed_pairs()
+{
+    int drawn = 0, found = 0, known = 0;
+    for (auto const &p : contact_problems()) {
+        drawn += *p.category == "crossed";
+        if (*p.category == "crossed") g_assert_cmpfloat(pw85::absolute(p.mu2_minus_1), <, 0.1);
+        found += *p.category == "crossed_found";
+        double const x = p.pair.r12[0];
+        known += x == -0x1.4698768475adcp-2 || x == -0x1.8163e57088631p-1 || x == 0x1.8d996658961cp+0;
+    }
+    g_assert_cmpint(drawn, ==, 2000);
+    g_assert_cmpint(found, >=, 240);
+    g_assert_cmpint(known, ==, 3);
+}
+
 // What follows from the definitions: λ inside (0, 1), cond >= 1, and mu2 and mu2_minus_1 one number.
 void test_problems_are_consistent()
 {
@@ -74,6 +91,7 @@ int main(int argc, char **argv)
     g_test_add_func("/reference_data/checksum", test_checksum);
     g_test_add_func("/reference_data/grid/shape", test_grid_shape);
     g_test_add_func("/reference_data/contact/coverage", test_problems_cover);
+    g_test_add_func("/reference_data/contact/crossed", test_crossed_pairs);
     g_test_add_func("/reference_data/contact/consistency", test_problems_are_consistent);
     return g_test_run();
 }

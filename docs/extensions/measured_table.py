@@ -1,41 +1,54 @@
-"""Directive ``measured-table``: chosen columns of a file in docs/measurements, with headings for readers.
+"""Directive ``measured-table``: chosen columns of a table in docs/measurements.json, with headings for readers; and chosen
+rows, those with one of the values in a column.
 
-.. measured-table:: file.csv
+.. measured-table:: table
    :columns: column=heading; column=heading
+   :where: column=value value
    :name: label
 
    Caption.
 """
 
-import csv
-from pathlib import Path
-
+import measurements
 from docutils import nodes
 from docutils.parsers.rst import Directive, directives
 from docutils.statemachine import StringList
 
-MEASUREMENTS = Path(__file__).resolve().parents[1] / "measurements"
+
+def text(cell):
+    return f"{cell:g}" if isinstance(cell, float) else str(cell)
 
 
 class MeasuredTable(Directive):
     required_arguments = 1
     has_content = True
-    option_spec = {"columns": directives.unchanged_required, "name": directives.unchanged}
+    option_spec = {
+        "columns": directives.unchanged_required,
+        "where": directives.unchanged,
+        "name": directives.unchanged,
+    }
+
+    def rows(self):
+        rows = measurements.read_table(self.arguments[0])
+        if "where" in self.options:
+            column, _, values = self.options["where"].partition("=")
+            rows = [row for row in rows if row[column] in values.split()]
+        return rows
 
     def run(self):
-        path = MEASUREMENTS / self.arguments[0]
-        self.state.document.settings.record_dependencies.add(str(path))
+        path = str(measurements.RESULTS)
+        self.state.document.settings.record_dependencies.add(path)
         columns = [entry.strip().split("=") for entry in self.options["columns"].split(";")]
-        with path.open(newline="", encoding="utf-8") as file:
-            rows = list(csv.DictReader(file))
         lines = [f".. list-table:: {' '.join(self.content)}", "   :header-rows: 1", "   :class: numbers"]
         if "name" in self.options:
             lines.append(f"   :name: {self.options['name']}")
         lines.append("")
-        for cells in [[heading for _, heading in columns]] + [[row[column] for column, _ in columns] for row in rows]:
+        table = [[heading for _, heading in columns]]
+        table += [[text(row.get(column, "")) for column, _ in columns] for row in self.rows()]
+        for cells in table:
             lines += [("   * - " if i == 0 else "     - ") + cell for i, cell in enumerate(cells)]
         container = nodes.container()
-        self.state.nested_parse(StringList(lines, str(path)), self.content_offset, container)
+        self.state.nested_parse(StringList(lines, path), self.content_offset, container)
         return container.children
 
 

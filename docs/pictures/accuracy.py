@@ -12,7 +12,7 @@ METHODS = {
 
 
 def main():
-    rows = [row for row in read_table("accuracy.csv") if row["aspect_from"] != "all"]
+    rows = [row for row in read_table("accuracy") if row["aspect_from"] != "all"]
     aspect = np.array([np.sqrt(float(row["aspect_from"]) * float(row["aspect_to"])) for row in rows])
     fig, axes = figure(2, width=10, sharey=True)
     for ax, statistic, title in zip(axes, ("median", "worst"), ("median", "worst of the pairs")):
@@ -24,7 +24,7 @@ def main():
     axes[0].text(1.2, 5, "bound promised: 4", va="bottom", fontsize=10)
     axes[0].set_ylabel("$|$error$|/\\mu^2$ in units of $u\\cdot$cond")
     axes[0].legend(loc="center right")
-    save(fig, "accuracy.svg")
+    save(fig, "accuracy.svg", "accuracy")
 
 
 main()

@@ -5,7 +5,7 @@ from style import BLUE, ORANGE, figure, read_table, save
 
 
 def main():
-    rows = read_table("digits.csv")
+    rows = read_table("digits")
     digits = np.array([int(row["correct_digits"]) for row in rows])
     fig, ax = figure(height=3.6)
     for shift, name, colour in ((-0.2, "factorised", BLUE), (0.2, "rational", ORANGE)):
@@ -13,7 +13,7 @@ def main():
     ax.set(xlabel="correct decimal digits of $f(\\lambda)$", ylabel="share of the values [%]", xlim=(8.4, 16.6))
     ax.set_xticks(digits[9:], [str(d) for d in digits[9:-1]] + ["≥ 16"])
     ax.legend(loc="upper left")
-    save(fig, "digits.svg")
+    save(fig, "digits.svg", "digits")
 
 
 main()

@@ -4,7 +4,7 @@ from style import BLUE, GREEN, ORANGE, PURPLE, SKY, figure, read_table, save
 
 
 def main():
-    rows = read_table("evaluations.csv")
+    rows = read_table("evaluations")
     aspect = [float(row["aspect"]) for row in rows]
     fig, (left, right) = figure(2, width=10)
     for name, label, colour in (("brent", "Brent and Newton in $\\lambda$", GREEN), ("contact", "fast solver", BLUE)):
@@ -23,7 +23,7 @@ def main():
         xscale="log", xlabel="aspect ratio", ylabel="overlaps decided by the tier [%]", xlim=(1, 1e6), ylim=(0, 100)
     )
     right.legend(fontsize=9, loc="lower left", frameon=True)
-    save(fig, "evaluations.svg")
+    save(fig, "evaluations.svg", "evaluations")
 
 
 main()

@@ -1,8 +1,8 @@
 """What all pictures share: a white background, fit for print and for a dark page, and colours that colour-blind readers
 can tell apart (M. Okabe and K. Ito, 2008)."""
 
-import csv
 import pathlib
+import sys
 
 import matplotlib
 
@@ -12,8 +12,11 @@ import matplotlib.pyplot as plt  # noqa: E402
 
 BLUE, ORANGE, GREEN, PURPLE = "#0072B2", "#D55E00", "#009E73", "#CC79A7"
 BLACK, SKY, YELLOW = "#000000", "#56B4E9", "#F0A830"
-HERE = pathlib.Path(__file__).parent
-MEASUREMENTS = HERE.parent / "measurements"
+HERE = pathlib.Path(__file__).resolve().parent
+sys.path.append(str(HERE.parent))
+
+import measurements  # noqa: E402
+from measurements import read_table  # noqa: E402, F401
 
 plt.rcParams.update(
     {
@@ -36,12 +39,9 @@ def figure(columns=1, width=7.0, height=4.2, **kwargs):
     return plt.subplots(1, columns, figsize=(width, height), constrained_layout=True, **kwargs)
 
 
-def save(fig, name):
-    """Writes the picture beside the scripts; the same bytes each time."""
-    fig.savefig(HERE / name, metadata={"Date": None} if name.endswith(".svg") else None, dpi=160)
-
-
-def read_table(name):
-    """Rows of a measured table, as dictionaries of text."""
-    with open(MEASUREMENTS / name, newline="") as file:
-        return list(csv.DictReader(file))
+def save(fig, name, table=None):
+    """Writes the picture beside the scripts, the same bytes each time, with the source of the measured table it shows."""
+    metadata = {"Date": None} if name.endswith(".svg") else {}
+    if table:
+        metadata["Source"] = measurements.source(table)
+    fig.savefig(HERE / name, metadata=metadata or None, dpi=160)

@@ -6,13 +6,13 @@ from style import BLUE, GREEN, ORANGE, figure, read_table, save
 ASPECTS = {"2": BLUE, "10": ORANGE, "100": GREEN}
 FUNCTIONS = {
     "contact_function": "contact_function\n(one at a time)",
-    "contact": "contact batch",
-    "overlap": "overlap batch",
+    "contact_batch": "contact batch",
+    "overlap_batch": "overlap batch",
 }
 
 
 def main():
-    rows = {(row["function"], row["target"]): row for row in read_table("throughput.csv")}
+    rows = {(row["function"], row["target"]): row for row in read_table("speed") if row["function"] in FUNCTIONS}
     keys = sorted(rows, key=lambda key: (list(FUNCTIONS).index(key[0]), list(rows).index(key)))
     labels = [FUNCTIONS[f] if f == "contact_function" else f"{FUNCTIONS[f]}\n{target}" for f, target in keys]
     fig, ax = figure(width=9)
@@ -24,7 +24,7 @@ def main():
     ax.set(ylabel="million pairs per second, one thread")
     ax.grid(False, axis="x")
     ax.legend(loc="upper left")
-    save(fig, "throughput.svg")
+    save(fig, "throughput.svg", "speed")
 
 
 main()

@@ -37,15 +37,8 @@
 /// is stationary: the error is that of the forms themselves, 2 u cond at most (cond as for the contact function),
 /// whatever the aspect. For ellipsoids the sections depend on Q⁻¹d and det Q, whose relative error is u κ, with
 /// κ = tr Q tr Q⁻¹ about the square of the aspect ratio: the distance is right to u (κ1 + κ2), of which a quarter has
-/// been seen, even where the pair is so well conditioned that the contact function is right to u. Largest relative
-/// errors for 1000 random pairs (bench/closest_approach), beside those of closest_approach():
-///
-///     aspect   ellipses   (contact)   ellipsoids   (contact)
-///     1        4e-16      (5e-16)     4e-16        (4e-16)
-///     10       4e-15      (5e-15)     2e-15        (3e-15)
-///     100      2e-13      (2e-13)     1e-13        (3e-13)
-///     1e3      9e-12      (4e-12)     8e-12        (3e-11)
-///     1e4      6e-11      (2e-11)     8e-10        (2e-9)
+/// been seen, even where the pair is so well conditioned that the contact function is right to u. The chapter on
+/// closest approach has the largest errors of random pairs.
 #ifndef PW85_ZHENG_HPP_INCLUDED
 #define PW85_ZHENG_HPP_INCLUDED
 

@@ -1,0 +1,163 @@
+"""Measures everything that README and manual show, and makes their tables and pictures from it.
+
+Usage: measure.py PROGRAM..., the programs of this folder. Have the machine to yourself.
+
+All tables come from one run. They are written to docs/measurements.json, with the conditions under which they were measured.
+Times are nanoseconds per pair, the shortest of several repetitions in which the functions take turns.
+"""
+
+import csv
+import datetime
+import json
+import os
+import platform
+import subprocess
+import sys
+from operator import itemgetter
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent.parent
+RESULTS = ROOT / "docs" / "measurements.json"
+REPETITIONS = 31
+FLAGS = {"baseline": set(), "avx2": {"avx2", "fma"}, "avx512": {"avx2", "fma", "avx512f", "avx512dq", "avx512vl"}}
+DISPATCHED = "^(contact|overlap|contact_batch|overlap_batch)/[0-9e+]+$"
+
+
+def processor(key):
+    """What /proc/cpuinfo says of the first processor."""
+    try:
+        lines = Path("/proc/cpuinfo").read_text().splitlines()
+    except OSError:
+        return ""
+    return next((line.split(":", 1)[1].strip() for line in lines if line.startswith(key)), "")
+
+
+def environment(target, threads=1):
+    return dict(os.environ, PW85_TARGET=target, OMP_NUM_THREADS=str(threads))
+
+
+def read_table(program, *arguments, target):
+    text = subprocess.run([program, *arguments], check=True, stdout=subprocess.PIPE, text=True, env=environment(target))
+    return list(csv.DictReader(text.stdout.splitlines()))
+
+
+def nanoseconds(program, name_filter, target, repetitions, threads=1):
+    """Context, and the least time of each benchmark that matches."""
+    options = {"filter": name_filter, "format": "json", "repetitions": repetitions, "min_time": 0.003}
+    if repetitions > 1:
+        options["enable_random_interleaving"] = "true"
+    command = [program, *(f"--benchmark_{option}={value}" for option, value in options.items())]
+    done = subprocess.run(command, check=True, stdout=subprocess.PIPE, env=environment(target, threads))
+    output = json.loads(done.stdout)
+    times = {}
+    for run in sorted(output["benchmarks"], key=itemgetter("family_index")):
+        if run["run_type"] == "iteration":
+            time = 1e9 / run["items_per_second"]
+            times[run["run_name"]] = min(time, times.get(run["run_name"], time))
+    return output["context"], times
+
+
+def significant(time):
+    return float(f"{time:.3g}")
+
+
+def speed_rows(times, target):
+    """FUNCTION/ASPECT as one row for each function, a column for each aspect ratio."""
+    rows = {}
+    for name, time in times.items():
+        function, *case = name.split("/")
+        if len(case) == 1:
+            row = rows.setdefault(function, {"function": function, "target": target})
+            row[f"aspect_{case[0]}"] = significant(time)
+    return list(rows.values())
+
+
+def near_rows(times, target):
+    """FUNCTION/ASPECT/EXCESS as one row for each function and aspect ratio, a column for each |μ² - 1|."""
+    rows = {}
+    for name, time in times.items():
+        function, aspect, excess = name.split("/")
+        row = rows.setdefault((function, aspect), {"function": function, "target": target, "aspect": aspect})
+        row[f"excess_{excess}"] = significant(time)
+    return list(rows.values())
+
+
+def list_rows(times, target):
+    rows = {}
+    for name, time in times.items():
+        function, _, order, cell = name.split("/")
+        row = rows.setdefault((function, order), {"function": function, "target": target, "order": order})
+        row[cell] = significant(time)
+    return list(rows.values())
+
+
+def thread_rows(program, target):
+    for threads in range(1, (os.cpu_count() or 1) + 1):
+        if threads & (threads - 1) == 0:
+            for name, time in nanoseconds(program, "/million", target, 3, threads)[1].items():
+                yield {"function": name.split("/")[0], "target": target, "threads": threads, "time": significant(time)}
+
+
+def speed_tables(program, targets):
+    """The tables of speed, with the context of the first."""
+    best = targets[-1]
+    context, times = nanoseconds(program, "^[a-z0-9_]+/[0-9e+]+$", best, REPETITIONS)
+    others = [row for t in targets[:-1] for row in speed_rows(nanoseconds(program, DISPATCHED, t, REPETITIONS)[1], t)]
+    tables = {
+        "speed": others + speed_rows(times, best),
+        "near": near_rows(nanoseconds(program, "^overlap[a-z_]*/[0-9]+/[0-9]", best, REPETITIONS)[1], best),
+        "lists": list_rows(nanoseconds(program, "/list/", best, 3)[1], best),
+        "threads": list(thread_rows(program, best)),
+    }
+    return context, tables
+
+
+def worst_rows(program, targets):
+    """One row for each target and range of aspect ratios, with the worst error of each function."""
+    rows = {}
+    for target in targets:
+        for found in read_table(program, "worst", target=target):
+            ends = {key: found[key] for key in ("aspect_from", "aspect_to", "pairs")}
+            row = rows.setdefault((target, found["aspect_from"]), {"target": target, **ends})
+            row.setdefault(found["function"], found["error"])  # the worst comes first
+    return list(rows.values())
+
+
+def measure(programs):
+    available = set(processor("flags").split())
+    targets = [target for target, flags in FLAGS.items() if flags <= available]
+    best = targets[-1]
+    context, tables = speed_tables(programs["speed"], targets)
+    tables["accuracy"] = read_table(programs["accuracy"], target=best)
+    tables["worst"] = worst_rows(programs["accuracy"], targets)
+    for name in ("closest_approach", "digits", "evaluations"):
+        tables[name] = read_table(programs[name], target=best)
+    conditions = {
+        "version": context["pw85"],
+        "date": datetime.date.today().isoformat(),
+        "compiler": context["compiler"],
+        "processor": processor("model name") or platform.machine(),
+        "processors": context["num_cpus"],
+        "load_average": significant(context["load_avg"][0]) if context.get("load_avg") else None,
+    }
+    return {"conditions": conditions, "tables": tables}
+
+
+def to_json(results):
+    """One row of a table a line."""
+    tables = ",\n".join(
+        f'  "{name}": [\n' + ",\n".join(f"   {json.dumps(row)}" for row in rows) + "\n  ]"
+        for name, rows in results["tables"].items()
+    )
+    return f'{{\n "conditions": {json.dumps(results["conditions"])},\n "tables": {{\n{tables}\n }}\n}}\n'
+
+
+def main():
+    programs = {Path(path).stem: path for path in sys.argv[1:]}
+    results = measure(programs)
+    RESULTS.write_text(to_json(results), encoding="utf-8")
+    subprocess.run([sys.executable, ROOT / "docs" / "measured_pages.py"], check=True)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,88 @@
+"""Writes the measured section of README.md and the pictures of measurements anew from docs/measurements.json.
+
+Usage: measured_pages.py [--check]; with --check nothing is written: it fails, and says why, if any of them is out of date.
+The measured tables of the manual are made with its pages (extensions/measured_table.py).
+"""
+
+import re
+import subprocess
+import sys
+from html import escape
+from pathlib import Path
+
+import measurements
+
+HERE = Path(__file__).resolve().parent
+README = HERE.parent / "README.md"
+SECTION = re.compile(r"(?<=<!-- measured -->\n).*(?=\n<!-- end of measured -->)", re.DOTALL)
+PICTURES = {"accuracy": "accuracy", "digits": "digits", "evaluations": "evaluations", "throughput": "speed"}
+ASPECTS = ("2", "10", "100", "1000")
+FUNCTIONS = {
+    "contact_function": "`pw85_contact_function` (Brent's method, as in pw85 1.0)",
+    **{
+        name: f"`pw85_{name}`"
+        for name in ("contact", "overlap", "contact_geometry", "contact_gradient", "contact_torque")
+    },
+    "contact_batch": "`pw85_contact_batch`",
+    "overlap_batch": "`pw85_overlap_batch`",
+}
+
+
+def accuracy_of(function, row):
+    """The cell of a function in the column of errors."""
+    if f"worst_{function}" in row:
+        return f"{float(row[f'worst_{function}']):.2g}"
+    if f"wrong_{function}" in row:
+        wrong = int(row[f"wrong_{function}"])
+        return f"{wrong} wrong answers" if wrong else "exact answer"
+    return ""
+
+
+def readme_section():
+    every = measurements.accuracy_of_all_problems()
+    times = {row["function"]: row for row in measurements.read_table("speed")}  # the last is the best target
+    lines = [
+        "Errors are the largest relative ones of μ² in units of u·cond, with u = 2⁻⁵³ and the entrywise",
+        f"[condition number](data/README.md) of the pair, over {int(every['pairs']):,} pairs with aspect ratios to 10⁶, "
+        "size ratios to 10¹⁴",
+        "and |μ² - 1| down to 0. Times are nanoseconds per pair, for general ellipsoids half of which overlap, in one "
+        "thread.",
+        "",
+        "| | error / (u·cond) | aspect " + " | ".join(ASPECTS) + " |",
+        "|---|---:|" + "---:|" * len(ASPECTS),
+    ]
+    for function, label in FUNCTIONS.items():
+        row = times[function]
+        cells = [label, accuracy_of(function, every), *(f"{row[f'aspect_{a}']:g}" for a in ASPECTS)]
+        lines.append("| " + " | ".join(cells) + " |")
+    return "\n".join([*lines, "", f"({measurements.conditions()}; instructions: {times['contact']['target']}.)"])
+
+
+def out_of_date():
+    if SECTION.search(README.read_text(encoding="utf-8"))[0] != readme_section():
+        yield "README.md"
+    for picture, table in PICTURES.items():
+        path = HERE / "pictures" / f"{picture}.svg"
+        if escape(measurements.source(table)) not in path.read_text(encoding="utf-8"):
+            yield str(path)
+
+
+def write():
+    text = README.read_text(encoding="utf-8")
+    README.write_text(SECTION.sub(lambda _: readme_section(), text), encoding="utf-8")
+    for picture in PICTURES:
+        subprocess.run([sys.executable, HERE / "pictures" / f"{picture}.py"], check=True)
+
+
+def main():
+    if sys.argv[1:] != ["--check"]:
+        write()
+        return 0
+    stale = list(out_of_date())
+    for page in stale:
+        print(f"{page} does not show what is in docs/measurements.json: run docs/measured_pages.py")
+    return 1 if stale else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
