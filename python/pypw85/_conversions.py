@@ -5,11 +5,11 @@ from __future__ import annotations
 from typing import Any, Mapping, Sequence
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from ._arrays import plain
 from ._forms import ellipsoid_quaternion
-
-Floats = NDArray[np.float64]
+from ._typing import Floats
 
 
 def from_lammps(diameters: ArrayLike, quaternions_wxyz: ArrayLike) -> Floats:
@@ -38,7 +38,7 @@ def from_lammps(diameters: ArrayLike, quaternions_wxyz: ArrayLike) -> Floats:
     >>> pypw85.from_lammps([2, 4, 6], [1, 0, 0, 0])
     array([1., 0., 0., 4., 0., 9.])
     """
-    return ellipsoid_quaternion(np.multiply(diameters, 0.5), quaternions_wxyz)
+    return ellipsoid_quaternion(0.5 * plain(diameters), quaternions_wxyz)
 
 
 def from_ovito(semi_axes: ArrayLike, quaternions_xyzw: ArrayLike) -> Floats:
@@ -68,7 +68,7 @@ def from_ovito(semi_axes: ArrayLike, quaternions_xyzw: ArrayLike) -> Floats:
     >>> pypw85.from_ovito([1, 2, 3], [0, 0, 1, 1]).round(12) + 0.0
     array([4., 0., 0., 1., 0., 9.])
     """
-    return ellipsoid_quaternion(semi_axes, np.roll(quaternions_xyzw, 1, axis=-1))
+    return ellipsoid_quaternion(semi_axes, plain(quaternions_xyzw)[..., [3, 0, 1, 2]])
 
 
 def from_gsd(
@@ -82,7 +82,7 @@ def from_gsd(
         ``particles/type_shapes``, one for each type: ``{"type": "Ellipsoid", "a": ..., "b": ..., "c": ...}`` with
         semi-axes, or ``{"type": "Sphere", "diameter": ...}``.
     typeid : (n) array_like of int
-        ``particles/typeid``.
+        ``particles/typeid``. Computed at once if it is a dask array.
     orientations_wxyz : (n, 4) array_like
         ``particles/orientation``.
 
@@ -96,6 +96,8 @@ def from_gsd(
         A type that occurs has another shape.
     IndexError
         A type is not in `type_shapes`.
+    TypeError
+        Types are not integers.
 
     Examples
     --------
@@ -105,7 +107,10 @@ def from_gsd(
     array([[1., 0., 0., 1., 0., 1.],
            [1., 0., 0., 4., 0., 9.]])
     """
-    types = np.asarray(typeid, dtype=np.intp)
+    types = np.asarray(plain(typeid))
+    if types.size and types.dtype.kind not in "iu":
+        raise TypeError(f"typeid must be integers, but they are {types.dtype}")
+    types = types.astype(np.intp)
     semi_axes = np.full((len(type_shapes), 3), np.nan)
     for k in np.unique(types):
         if not 0 <= k < len(type_shapes):

@@ -4,6 +4,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 STATUSES: dict[str, int]
+LAMBDA_ATOL: float
 
 def version() -> str: ...
 def strerror(status: int, /) -> str: ...

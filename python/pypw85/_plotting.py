@@ -7,6 +7,7 @@ from typing import Any, Optional
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from ._arrays import plain
 from ._contact import contact, contact_geometry
 from ._forms import principal_axes
 
@@ -42,8 +43,7 @@ def plot(
     PW85Error
         Invalid input, or coincident centres.
     """
-    c1 = np.asarray(center1, dtype=np.float64)
-    c2 = np.asarray(center2, dtype=np.float64)
+    c1, q1, c2, q2 = (np.asarray(plain(x), dtype=np.float64) for x in (center1, q1, center2, q2))
     mu2, lambda_ = contact(c2 - c1, q1, q2)
     point, normal = contact_geometry(c2 - c1, q1, q2, lambda_)
     if ax is None:

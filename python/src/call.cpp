@@ -1,4 +1,5 @@
 // Calls for one row go straight to the C function: a ufunc costs microseconds, the function a fraction of one.
+#include <algorithm>
 #include <cstring>
 
 #include <pw85.h>
@@ -128,8 +129,39 @@ PyObject *store_or_new(Function const &function, PyObject *out, Core const &core
 /// Output argument k, borrowed, of `out` as the caller passed it: None, the only array, or a tuple.
 PyObject *output_argument(PyObject *out, int k) noexcept { return PyTuple_Check(out) ? PyTuple_GET_ITEM(out, k) : out; }
 
+/// Whether one array is given for outputs that are numbers.
+bool is_array_of_columns(Function const &function, PyObject *out)
+{
+    if (function.nout == 1 || !PyArray_Check(out)) return false;
+    for (int k = function.nin; k < function.operands(); ++k)
+        if (function.cores[k].ndim > 0) return false;
+    return true;
+}
+
+bool is_one_row(PyObject *out, int count)
+{
+    auto *const array = reinterpret_cast<PyArrayObject *>(out);
+    return PyArray_NDIM(array) == 1 && PyArray_DIM(array, 0) == count;
+}
+
+/// Writes the numbers of one row to an array (nout); returns them.
+PyObject *store_columns(Function const &function, PyObject *out, double rows[][max_core_size])
+{
+    double numbers[max_operands];
+    Reference tuple(PyTuple_New(function.nout));
+    for (int k = 0; tuple && k < function.nout; ++k) {
+        numbers[k] = rows[k][0];
+        PyObject *const number = new_value(function, Core{}, rows[k]);
+        if (number == nullptr) return nullptr;
+        PyTuple_SET_ITEM(tuple.get(), k, number);
+    }
+    Core const row{1, {function.nout, 1}};
+    return tuple && Reference(store(out, row, numbers)) ? tuple.release() : nullptr;
+}
+
 PyObject *results(Function const &function, PyObject *out, double rows[][max_core_size])
 {
+    if (is_array_of_columns(function, out)) return store_columns(function, out, rows);
     if (out != Py_None && PyTuple_Check(out) ? PyTuple_GET_SIZE(out) != function.nout
                                              : out != Py_None && function.nout > 1)
         return PyErr_Format(PyExc_ValueError, "%s: 'out' must be a tuple of %d arrays", function.name, function.nout);
@@ -155,22 +187,46 @@ PyObject *call_one_row(Function const &function, double const *const *in, PyObje
     return raise(function, status);
 }
 
-/// Dask infers the type of a result by a call with arrays of size one, which fixed core dimensions refuse; its
-/// apply_gufunc() has to be told.
-bool is_dask_collection(PyObject *argument)
+/// Calls a function of pypw85._arrays.
+template <class... Args> PyObject *delegate(char const *name, char const *format, Args... args)
 {
-    return !PyArray_Check(argument) && PyObject_HasAttrString(argument, "__dask_graph__") != 0;
+    Reference const module(PyImport_ImportModule("pypw85._arrays"));
+    Reference const function(module ? PyObject_GetAttrString(module.get(), name) : nullptr);
+    return function ? PyObject_CallFunction(function.get(), format, args...) : nullptr;
 }
 
-PyObject *call_dask(Callable const &callable, PyObject *const *args)
+Reference inputs(Function const &function, PyObject *const *args)
 {
-    Reference const module(PyImport_ImportModule("pypw85._dask"));
-    Reference const apply(module ? PyObject_GetAttrString(module.get(), "apply_gufunc") : nullptr);
-    if (!apply) return nullptr;
-    PyObject *all[max_operands + 1] = {callable.ufunc};
-    int const nin = callable.function->nin;
-    for (int k = 0; k < nin; ++k) all[k + 1] = args[k];
-    return PyObject_Vectorcall(apply.get(), all, static_cast<size_t>(nin) + 1, nullptr);
+    Reference tuple(PyTuple_New(function.nin));
+    for (int k = 0; tuple && k < function.nin; ++k) {
+        Py_INCREF(args[k]);
+        PyTuple_SET_ITEM(tuple.get(), k, args[k]);
+    }
+    return tuple;
+}
+
+/// Whether NumPy alone knows what to do with an array: it is no subclass, and is converted to double safely.
+bool is_plain_array(PyObject *argument)
+{
+    return PyArray_CheckExact(argument) &&
+           PyArray_CanCastSafely(PyArray_TYPE(reinterpret_cast<PyArrayObject *>(argument)), NPY_DOUBLE);
+}
+
+bool is_plain_number(PyObject *argument)
+{
+    return PyFloat_Check(argument) || PyLong_Check(argument) || PyArray_IsScalar(argument, Double);
+}
+
+/// Whether outputs are such that results reach the caller; otherwise an exception is set.
+bool is_good_output(PyObject *out)
+{
+    auto const is_plain = [](PyObject *array) { return array == Py_None || PyArray_CheckExact(array); };
+    bool plain = is_plain(out);
+    if (PyTuple_Check(out)) {
+        PyObject *const *const first = &PyTuple_GET_ITEM(out, 0);
+        plain = std::all_of(first, first + PyTuple_GET_SIZE(out), is_plain);
+    }
+    return plain || Reference(delegate("check_out", "(O)", out)) != nullptr;
 }
 
 PyObject *call_ufunc(Callable const &callable, PyObject *const *args, PyObject *out, PyObject *keywords)
@@ -192,6 +248,7 @@ PyObject *call(PyObject *self, PyObject *const *args, Py_ssize_t nargs)
     if (nargs != function.nin + 2 || !PyDict_Check(args[nargs - 1]))
         return PyErr_Format(PyExc_TypeError, "%s: %d inputs, out and keywords expected", function.name, function.nin);
     PyObject *const out = args[function.nin], *const keywords = args[function.nin + 1];
+    if (!is_good_output(out)) return nullptr;
 
     double rows[max_operands][max_core_size];
     double const *in[max_operands];
@@ -202,9 +259,15 @@ PyObject *call(PyObject *self, PyObject *const *args, Py_ssize_t nargs)
         one_row = loaded == Loaded::one_row;
         in[k] = rows[k];
     }
-    if (one_row) return call_one_row(function, in, out);
+    bool const columns = is_array_of_columns(function, out);
+    if (one_row && (!columns || is_one_row(out, function.nout))) return call_one_row(function, in, out);
+    if (columns)
+        return delegate("apply_to_columns", "OOOOi", callable->object, inputs(function, args).get(), out, keywords,
+                        function.nout);
     for (int k = 0; k < function.nin; ++k)
-        if (is_dask_collection(args[k])) return call_dask(*callable, args);
+        if (!is_plain_array(args[k]) && !is_plain_number(args[k]))
+            return delegate("apply", "OOOOO", callable->object, callable->ufunc, inputs(function, args).get(), out,
+                            keywords);
     return call_ufunc(*callable, args, out, keywords);
 }
 
