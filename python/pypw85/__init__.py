@@ -18,7 +18,7 @@ Conventions, for every function unless it says otherwise:
 - Every function of numbers is a generalised ufunc of NumPy (see `pypw85.gufuncs`): `out` and the keywords of ufuncs
   work, and other threads run meanwhile.
 - Dask arrays give dask arrays, computed chunk by chunk when you say so; lists and arrays of NumPy may be mixed with
-  them. `out` cannot be used then, nor any keyword but dtype, axes, keepdims, casting and order.
+  them. `out` cannot be used then, nor any keyword but dtype, axes, casting and order.
 - A masked entry counts as NaN. Arrays of pandas and xarray are taken by position, without regard to their labels; the
   results are arrays of NumPy (or dask, if that is what xarray holds).
 - A call for a single row that fails raises `PW85Error` and leaves NaN in `out`. In a call for many rows, a bad row

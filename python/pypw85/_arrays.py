@@ -7,14 +7,16 @@ The compiled part (`_core.call_...`) takes numbers, sequences and arrays of NumP
 from __future__ import annotations
 
 import functools
+import importlib
 import sys
-from typing import Any, Callable
+from typing import Any, Callable, TypeVar, cast
 
 import numpy as np
 
-# Keywords of ufuncs that can be used with dask arrays, too, besides dtype.
-_OF_DASK = frozenset({"axes", "keepdims"})  # dask moves axes itself
-_OF_CHUNKS = frozenset({"casting", "order"})
+# Keywords that a ufunc gets with the chunks of dask arrays. Besides them there is "axes", which dask moves itself.
+_OF_CHUNKS = frozenset({"casting", "dtype", "order"})
+
+Result = TypeVar("Result")
 
 
 def plain(x: Any) -> Any:
@@ -59,8 +61,10 @@ def _is_instance(x: Any, module: str, *names: str) -> bool:
     return library is not None and isinstance(x, tuple(getattr(library, name) for name in names))
 
 
-def apply(call: Callable[..., Any], ufunc: np.ufunc, inputs: tuple[Any, ...], out: Any, keywords: dict[str, Any]) -> Any:
-    """What the compiled `call` does when an input is not plain; it comes back here with no input that can be changed."""
+def apply(
+    call: Callable[..., Any], ufunc: np.ufunc, inputs: tuple[Any, ...], out: Any, keywords: dict[str, Any]
+) -> Any:
+    """What the compiled `call` does when an input is not plain; it comes back here with inputs that stay as they are."""
     arrays = tuple(map(plain, inputs))
     if any(map(is_dask_array, arrays)):
         return _apply_lazily(ufunc, arrays, out, keywords)
@@ -87,13 +91,13 @@ def check_out(out: Any) -> None:
             raise TypeError(f"'out' must be an array of NumPy without a mask, not {type(array).__qualname__}")
 
 
-def by_rows(function: Callable[..., Any], name: str, signature: str, x: Any) -> Any:
+def by_rows(function: Callable[..., Result], name: str, signature: str, x: Any) -> Result:
     """Call a function of one NumPy array, which has this signature as a gufunc and keeps the type; lazily with dask."""
     array = plain(x)
     if not is_dask_array(array):
         return function(np.asarray(array))
     _check_shapes(name, signature, (array,))
-    return _by_chunks(functools.partial(_chunk, function, {}), signature, (array,), (array.dtype,) * 2)
+    return cast(Result, _by_chunks(functools.partial(_chunk, function, {}), signature, (array,), (array.dtype,) * 2))
 
 
 def _apply_lazily(ufunc: np.ufunc, arrays: tuple[Any, ...], out: Any, keywords: dict[str, Any]) -> Any:
@@ -103,35 +107,35 @@ def _apply_lazily(ufunc: np.ufunc, arrays: tuple[Any, ...], out: Any, keywords: 
     """
     name, signature = ufunc.__name__, str(ufunc.signature)
     given = {key: value for key, value in keywords.items() if value is not None}
-    refused = sorted(given.keys() - _OF_DASK - _OF_CHUNKS - {"dtype"})
+    refused = sorted(given.keys() - _OF_CHUNKS - {"axes"})
     if any(array is not None for array in (out if isinstance(out, tuple) else (out,))):
         refused.append("out")
     if refused:
         raise TypeError(f"{name}: with dask arrays, there can be no {' or '.join(map(repr, refused))}")
-    if "axes" not in given:
+    axes = given.pop("axes", None)
+    if axes is None:
         _check_shapes(name, signature, arrays)
-    function = functools.partial(_chunk, ufunc, {key: given[key] for key in given.keys() - _OF_DASK})
     types = _output_types(ufunc, given.get("dtype"))
-    return _by_chunks(function, signature, arrays, types, **{key: given[key] for key in given.keys() & _OF_DASK})
+    return _by_chunks(functools.partial(_chunk, ufunc, given), signature, arrays, types, axes)
 
 
 def _chunk(function: Callable[..., Any], keywords: dict[str, Any], *chunks: Any) -> Any:
     return function(*map(plain, chunks), **keywords)
 
 
-def _by_chunks(function: Any, signature: str, arrays: tuple[Any, ...], types: tuple[Any, ...], **keywords: Any) -> Any:
-    """Dask would find types and sizes of outputs by a call with arrays of size one, which fixed sizes rightly refuse."""
-    import dask.array
-
+def _by_chunks(
+    function: Any, signature: str, arrays: tuple[Any, ...], types: tuple[Any, ...], axes: Any = None
+) -> Any:
+    """Dask would find types and sizes of outputs by a call with arrays of size one, which fixed sizes refuse."""
     outputs = signature.split("->")[1]
-    return dask.array.apply_gufunc(
+    return importlib.import_module("dask.array").apply_gufunc(
         function,
         signature,
         *arrays,
         output_dtypes=types if outputs.count("(") > 1 else types[0],
         output_sizes={size: int(size) for size in outputs if size.isdigit()},
         allow_rechunk=True,
-        **keywords,
+        axes=axes,
     )
 
 

@@ -12,13 +12,12 @@ Function = TypeVar("Function", bound=Callable[..., object])
 def documented(function: Function) -> Function:
     """Decorator: puts the paragraph of that name in place of a line like ``{forms}`` in the text of a function."""
     if function.__doc__:  # not with python -OO
-        function.__doc__ = re.sub(
-            r"^( *)\{(\w+)\}\n",
-            lambda line: textwrap.indent(PARAGRAPHS[line[2]].lstrip("\n"), line[1]),
-            function.__doc__,
-            flags=re.MULTILINE,
-        )
+        function.__doc__ = re.sub(r"^( *)\{(\w+)\}\n", _paragraph, function.__doc__, flags=re.MULTILINE)
     return function
+
+
+def _paragraph(line: re.Match[str]) -> str:
+    return textwrap.indent(PARAGRAPHS[line[2]].lstrip("\n"), line[1])
 
 
 PARAGRAPHS = {

@@ -110,7 +110,7 @@ def _outputs(out: Any, count: int) -> tuple[Floats, Floats]:
     if not isinstance(out, tuple) or len(out) != 2 or any(array is None for array in out):
         raise TypeError("contact_pairs: 'out' must be a tuple of two arrays")
     check_out(out)
-    return out
+    return out[0], out[1]
 
 
 def _pair_list(

@@ -20,7 +20,7 @@ __all__ = ["contact_function1", "contact_function2", "f1", "f2"]
 
 
 @overload
-def _det_sym(a: Row, out: None = None) -> np.float64: ...
+def _det_sym(a: Row, out: None = None) -> float: ...
 @overload
 def _det_sym(a: ArrayLike, out: Any = None, **kwargs: Any) -> Any: ...
 @documented
@@ -47,7 +47,7 @@ def _det_sym(a: ArrayLike, out: Any = None, **kwargs: Any) -> Any:
 
 
 @overload
-def _xT_adjA_x(x: Row, a: Row, out: None = None) -> np.float64: ...
+def _xT_adjA_x(x: Row, a: Row, out: None = None) -> float: ...
 @overload
 def _xT_adjA_x(x: ArrayLike, a: ArrayLike, out: Any = None, **kwargs: Any) -> Any: ...
 @documented
@@ -166,7 +166,7 @@ def _value_of_f(call: Any, args: tuple[Any, ...], out: Optional[Floats], kwargs:
 
 
 @overload
-def f1(lambda_: float, r12: Row, q1: Row, q2: Row, out: Optional[Floats] = None) -> np.float64: ...
+def f1(lambda_: float, r12: Row, q1: Row, q2: Row, out: Optional[Floats] = None) -> float: ...
 @overload
 def f1(
     lambda_: ArrayLike, r12: ArrayLike, q1: ArrayLike, q2: ArrayLike, out: Optional[Floats] = None, **kwargs: Any
@@ -210,7 +210,7 @@ def f1(
 
 
 @overload
-def f2(lambda_: float, r12: Row, q1: Row, q2: Row, out: Optional[Floats] = None) -> np.float64: ...
+def f2(lambda_: float, r12: Row, q1: Row, q2: Row, out: Optional[Floats] = None) -> float: ...
 @overload
 def f2(
     lambda_: ArrayLike, r12: ArrayLike, q1: ArrayLike, q2: ArrayLike, out: Optional[Floats] = None, **kwargs: Any
@@ -244,7 +244,7 @@ def f2(
 
 
 @overload
-def contact_function1(r12: Row, q1: Row, q2: Row, out: None = None) -> tuple[np.float64, np.float64]: ...
+def contact_function1(r12: Row, q1: Row, q2: Row, out: None = None) -> tuple[float, float]: ...
 @overload
 def contact_function1(
     r12: ArrayLike, q1: ArrayLike, q2: ArrayLike, out: Any = None, **kwargs: Any
@@ -273,7 +273,7 @@ def contact_function1(
 
 
 @overload
-def contact_function2(r12: Row, q1: Row, q2: Row, out: None = None) -> tuple[np.float64, np.float64]: ...
+def contact_function2(r12: Row, q1: Row, q2: Row, out: None = None) -> tuple[float, float]: ...
 @overload
 def contact_function2(
     r12: ArrayLike, q1: ArrayLike, q2: ArrayLike, out: Any = None, **kwargs: Any
