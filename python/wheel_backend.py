@@ -14,18 +14,19 @@ __all__ = [
     "get_requires_for_build_editable",
     "get_requires_for_build_sdist",
     "get_requires_for_build_wheel",
+    "prepare_metadata_for_build_editable",
 ]
 
 
-def get_requires_for_build_editable(config_settings=None):
-    """Refuse an editable installation: without this function, pip would pretend that it succeeded."""
+def _refuse_editable(*args, **kwargs):
+    """Without the hooks for it, pip would pretend that an editable installation succeeded."""
     raise SystemExit(
         "pypw85 has no editable installation: install it without -e, or build it with Meson and add the folder python "
         "of the build folder to PYTHONPATH"
     )
 
 
-build_editable = get_requires_for_build_editable
+get_requires_for_build_editable = prepare_metadata_for_build_editable = build_editable = _refuse_editable
 
 
 if tuple(int(part) for part in mesonpy.__version__.split(".")[:2]) < (0, 13):
