@@ -21,9 +21,9 @@ Conventions, for every function unless it says otherwise:
   them. `out` cannot be used then, nor any keyword but dtype, axes, casting and order.
 - A masked entry counts as NaN. Arrays of pandas and xarray are taken by position, without regard to their labels; the
   results are arrays of NumPy (or dask, if that is what xarray holds).
-- A call for a single row that fails raises `PW85Error` and leaves NaN in `out`. In a call for many rows, a bad row
-  becomes NaN, the others are computed all the same, and NumPy reports "invalid value" once, as `numpy.errstate` says;
-  `bad_rows` finds them.
+- A call for a single row, without keywords of ufuncs, that fails raises `PW85Error` and leaves NaN in `out`. In a call
+  for many rows, a bad row becomes NaN, the others are computed all the same, and NumPy reports "invalid value" once, as
+  `numpy.errstate` says; `bad_rows` finds them.
 """
 
 from . import gufuncs, legacy, utils

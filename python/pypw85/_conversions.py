@@ -68,7 +68,10 @@ def from_ovito(semi_axes: ArrayLike, quaternions_xyzw: ArrayLike) -> Floats:
     >>> pypw85.from_ovito([1, 2, 3], [0, 0, 1, 1]).round(12) + 0.0
     array([4., 0., 0., 1., 0., 9.])
     """
-    return ellipsoid_quaternion(semi_axes, plain(quaternions_xyzw)[..., [3, 0, 1, 2]])
+    quaternions = plain(quaternions_xyzw)
+    if quaternions.shape[-1:] != (4,):
+        raise ValueError(f"from_ovito: the last dimension must be 4, but the shape is {quaternions.shape}")
+    return ellipsoid_quaternion(semi_axes, quaternions[..., [3, 0, 1, 2]])
 
 
 def from_gsd(
@@ -120,10 +123,9 @@ def from_gsd(
 
 
 def _gsd_semi_axes(shape: Mapping[str, Any]) -> tuple[float, float, float]:
-    kind = shape.get("type")
-    if kind == "Ellipsoid":
+    if shape.get("type") == "Ellipsoid" and shape.keys() >= {"a", "b", "c"}:
         return shape["a"], shape["b"], shape["c"]
-    if kind == "Sphere":
+    if shape.get("type") == "Sphere" and "diameter" in shape:
         radius = 0.5 * shape["diameter"]
         return radius, radius, radius
     raise ValueError(f"not an ellipsoid: {dict(shape)}")

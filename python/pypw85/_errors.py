@@ -81,6 +81,8 @@ def bad_rows(result: Any, core_ndim: int = 0) -> NDArray[np.intp]:
         ...
     pypw85.PW85Error: contact: a quadratic form is not positive definite
     """
+    if core_ndim < 0:
+        raise ValueError(f"core_ndim must not be negative, but it is {core_ndim}")
     values = np.ma.asarray(result[0] if isinstance(result, tuple) else result)
     if values.dtype == np.bool_:
         raise TypeError("boolean results do not mark bad rows; call overlap(..., dtype=np.uint8)")

@@ -141,7 +141,7 @@ def _indices(pairs: ArrayLike, num_particles: int) -> NDArray[np.int32]:
     if np.ma.is_masked(pairs):
         raise TypeError("pairs must not be masked")
     indices = np.asarray(pairs)
-    if indices.size == 0:
+    if indices.size == 0 and indices.shape in ((0,), (0, 2)):
         return np.empty((0, 2), dtype=np.int32)
     if indices.ndim != 2 or indices.shape[1] != 2:
         raise ValueError(f"pairs must have 2 columns, but the shape is {indices.shape}")

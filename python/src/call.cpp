@@ -98,19 +98,16 @@ PyObject *new_value(Function const &function, Core const &core, double const *ro
     return number;
 }
 
-/// Writes a row to an output argument, by the rules of ufuncs for casting and broadcasting; returns the argument.
-PyObject *store(PyObject *out, Core const &core, double const *row)
+/// Writes an array to an output argument, by the rules of ufuncs for casting and broadcasting; returns the argument.
+PyObject *store(PyObject *out, Reference const &value)
 {
-    if (!PyArray_Check(out)) return PyErr_Format(PyExc_TypeError, "return arrays must be of ArrayType");
-    auto *const array = reinterpret_cast<PyArrayObject *>(out);
-    Reference const value(new_array(core, row));
-    Reference const from(reinterpret_cast<PyObject *>(PyArray_DescrFromType(NPY_DOUBLE)));
-    if (!value || !from) return nullptr;
-    if (!PyArray_CanCastTypeTo(reinterpret_cast<PyArray_Descr *>(from.get()), PyArray_DESCR(array),
-                               NPY_SAME_KIND_CASTING))
-        return PyErr_Format(PyExc_TypeError, "cannot cast output from float64 to %R by the rule 'same_kind'",
-                            PyArray_DESCR(array));
-    if (PyArray_CopyInto(array, reinterpret_cast<PyArrayObject *>(value.get())) < 0) return nullptr;
+    if (!value) return nullptr;
+    auto *const to = reinterpret_cast<PyArrayObject *>(out), *const from =
+                                                                 reinterpret_cast<PyArrayObject *>(value.get());
+    if (!PyArray_CanCastTypeTo(PyArray_DESCR(from), PyArray_DESCR(to), NPY_SAME_KIND_CASTING))
+        return PyErr_Format(PyExc_TypeError, "cannot cast output from %R to %R by the rule 'same_kind'",
+                            PyArray_DESCR(from), PyArray_DESCR(to));
+    if (PyArray_CopyInto(to, from) < 0) return nullptr;
     Py_INCREF(out);
     return out;
 }
@@ -118,12 +115,8 @@ PyObject *store(PyObject *out, Core const &core, double const *row)
 PyObject *store_or_new(Function const &function, PyObject *out, Core const &core, double const *row)
 {
     if (out == Py_None) return new_value(function, core, row);
-    if (!function.boolean) return store(out, core, row);
-    Reference const truth(PyBool_FromLong(*row != 0));
-    if (!PyArray_Check(out)) return PyErr_Format(PyExc_TypeError, "return arrays must be of ArrayType");
-    if (PyArray_CopyObject(reinterpret_cast<PyArrayObject *>(out), truth.get()) < 0) return nullptr;
-    Py_INCREF(out);
-    return out;
+    if (!function.boolean) return store(out, Reference(new_array(core, row)));
+    return store(out, Reference(PyArray_FROM_O(*row != 0 ? Py_True : Py_False)));
 }
 
 /// Output argument k, borrowed, of `out` as the caller passed it: None, the only array, or a tuple.
@@ -156,7 +149,7 @@ PyObject *store_columns(Function const &function, PyObject *out, double rows[][m
         PyTuple_SET_ITEM(tuple.get(), k, number);
     }
     Core const row{1, {function.nout, 1}};
-    return tuple && Reference(store(out, row, numbers)) ? tuple.release() : nullptr;
+    return tuple && Reference(store(out, Reference(new_array(row, numbers)))) ? tuple.release() : nullptr;
 }
 
 PyObject *results(Function const &function, PyObject *out, double rows[][max_core_size])
@@ -238,6 +231,20 @@ PyObject *call_ufunc(Callable const &callable, PyObject *const *args, PyObject *
     return PyObject_VectorcallDict(callable.ufunc, args, nin, with_out.get());
 }
 
+/// A call in which the output, which this function calls otherwise, is given as the keyword of ufuncs.
+PyObject *call_with_out(PyObject *self, PyObject *const *args, Py_ssize_t nargs)
+{
+    if (args[nargs - 2] != Py_None) return PyErr_Format(PyExc_TypeError, "'out' is given twice");
+    Reference const keywords(PyDict_Copy(args[nargs - 1]));
+    if (!keywords) return nullptr;
+    PyObject *all[max_operands + 2];
+    std::copy(args, args + nargs - 2, all);
+    all[nargs - 2] = PyDict_GetItemString(args[nargs - 1], "out");
+    all[nargs - 1] = keywords.get();
+    if (PyDict_DelItemString(keywords.get(), "out") < 0) return nullptr;
+    return call(self, all, nargs);
+}
+
 } // namespace
 
 PyObject *call(PyObject *self, PyObject *const *args, Py_ssize_t nargs)
@@ -248,6 +255,7 @@ PyObject *call(PyObject *self, PyObject *const *args, Py_ssize_t nargs)
     if (nargs != function.nin + 2 || !PyDict_Check(args[nargs - 1]))
         return PyErr_Format(PyExc_TypeError, "%s: %d inputs, out and keywords expected", function.name, function.nin);
     PyObject *const out = args[function.nin], *const keywords = args[function.nin + 1];
+    if (PyDict_GetItemString(keywords, "out") != nullptr) return call_with_out(self, args, nargs);
     if (!is_good_output(out)) return nullptr;
 
     double rows[max_operands][max_core_size];

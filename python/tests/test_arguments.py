@@ -204,3 +204,46 @@ def test_one_array_for_both_numbers(expected):
         pypw85.contact(*one, np.empty(2, dtype=int))
     with pytest.raises(ValueError, match="read-only|readonly"):
         pypw85.contact(*one, np.broadcast_to(0.0, 2))
+
+
+def test_output_as_keyword():
+    """Some functions have another name for it; the keyword of ufuncs works all the same."""
+    for names in ({}, {"order": "C"}):
+        q = np.empty(6)
+        assert pypw85.spheroid(1, 2, [0, 0, 1], out=q, **names) is q
+        np.testing.assert_array_equal(q, [1, 0, 0, 1, 0, 4])
+    with pytest.raises(pypw85.PW85Error):
+        pypw85.spheroid(-1, 2, [0, 0, 1], out=q)
+    assert np.isnan(q).all()
+    with pytest.raises(TypeError, match="'out' is given twice"):
+        pypw85.spheroid(1, 2, [0, 0, 1], np.empty(6), out=q)
+    with pytest.raises(TypeError, match="without a mask"):
+        pypw85.spheroid(1, 2, [0, 0, 1], out=np.ma.zeros(6))
+
+
+@pytest.mark.parametrize("dtype", ["M8[s]", "U3", complex])
+def test_output_types_of_one_row_are_those_of_many(dtype):
+    def outcome(rows):
+        try:
+            return pypw85.overlap(rows, Q, Q, np.empty(rows.shape[:-1], dtype=dtype)).tolist()
+        except TypeError:
+            return "refused"
+
+    one, many = outcome(np.array([3.0, 0, 0])), outcome(np.array([[3.0, 0, 0]]))
+    assert many in ("refused", [one])
+
+
+def test_sizes_in_conversions():
+    for wrong in ([0, 0, 1], [0, 0, 0, 1, 7], 1.0):
+        with pytest.raises(ValueError, match="from_ovito: the last dimension must be 4"):
+            pypw85.from_ovito([1, 2, 3], wrong)
+    for shape in ({"type": "Ellipsoid", "a": 1}, {"type": "Sphere"}):
+        with pytest.raises(ValueError, match="not an ellipsoid"):
+            pypw85.from_gsd([shape], [0], [[1, 0, 0, 0]])
+
+
+def test_bad_dimensions():
+    with pytest.raises(ValueError, match="core_ndim"):
+        pypw85.bad_rows(np.full(3, np.nan), core_ndim=-1)
+    with pytest.raises(ValueError, match="2 columns"):
+        pypw85.contact_pairs(np.empty((0, 5), dtype=int), [[0, 0, 0]], [Q])
