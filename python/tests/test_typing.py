@@ -48,25 +48,31 @@ WRONG = ["pypw85.contact(row, form)", "mu2 = pypw85.contact(row, form, form) + 1
          "text: str = pypw85.f(0.5, row, form, form)", "a, b, c = pypw85.contact(row, form, form)"]
 
 
-def mypy(tmp_path, *arguments):
-    command = [sys.executable, "-m", "mypy", "--strict", f"--cache-dir={tmp_path / 'cache'}", *arguments]
-    return subprocess.run(command, cwd=tmp_path, env={**os.environ, "MYPYPATH": str(PACKAGE.parent)},
-                          stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+@pytest.fixture(scope="module")
+def mypy(tmp_path_factory):
+    folder = tmp_path_factory.mktemp("mypy")
+
+    def run(*arguments, **programs):
+        for name, program in programs.items():
+            (folder / f"{name}.py").write_text(program)
+        command = [sys.executable, "-m", "mypy", "--strict", f"--cache-dir={folder / 'cache'}", *arguments]
+        command += [f"{name}.py" for name in programs]
+        return subprocess.run(command, cwd=folder, env={**os.environ, "MYPYPATH": str(PACKAGE.parent)},
+                              stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+
+    return run
 
 
-def test_programs(tmp_path):
-    (tmp_path / "program.py").write_text(PROGRAM)
-    done = mypy(tmp_path, "--follow-imports=silent", "program.py")
+def test_programs(mypy):
+    done = mypy("--follow-imports=silent", program=PROGRAM)
     assert done.returncode == 0, done.stdout
-    for number, line in enumerate(WRONG):
-        (tmp_path / f"wrong{number}.py").write_text(PROGRAM + line + "\n")
-    done = mypy(tmp_path, "--follow-imports=silent", *(f"wrong{number}.py" for number in range(len(WRONG))))
+    done = mypy("--follow-imports=silent", **{f"wrong{n}": PROGRAM + line + "\n" for n, line in enumerate(WRONG)})
     assert {int(n) for n in re.findall(r"^wrong(\d+)\.py:\d+: error", done.stdout, re.M)} == set(range(len(WRONG)))
 
 
-def test_package(tmp_path):
+def test_package(mypy):
     # Parts of NumPy and all of Matplotlib have no types.
-    done = mypy(tmp_path, "--allow-untyped-calls", "--ignore-missing-imports", "-p", "pypw85")
+    done = mypy("--allow-untyped-calls", "--ignore-missing-imports", "-p", "pypw85")
     assert done.returncode == 0, done.stdout
 
 

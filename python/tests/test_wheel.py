@@ -6,6 +6,7 @@ import pathlib
 import shutil
 import subprocess
 import sys
+import venv
 
 import pytest
 
@@ -83,6 +84,6 @@ def test_use(installed, tmp_path):
 
 def test_editable_installation_is_refused(copy, tmp_path):
     """Pip would pretend that it succeeded."""
-    output = run(*PIP, "--target", str(tmp_path / "target"), "-e", str(copy), succeeds=False)
+    venv.create(tmp_path / "env", system_site_packages=True)
+    output = run(str(tmp_path / "env" / "bin" / "python"), *PIP[1:], "-e", str(copy), succeeds=False)
     assert "pypw85 has no editable installation" in output
-    assert not list(copy.rglob("*.egg-info"))
