@@ -87,6 +87,9 @@ def checks(source, work, run_docs):
         return good and (expected is None or output.endswith((copy / expected).read_text(encoding="utf-8"))), output
 
     for name, expected in {**RUN, **(RUN_DOCS if run_docs else {})}.items():
+        if name == "debian" and not shutil.which("dpkg-query"):
+            yield f"{name} # SKIP no dpkg", lambda: (True, "")
+            continue
         yield name, lambda name=name, expected=expected: passes(name, expected)
 
 

@@ -255,7 +255,8 @@ PyObject *call(PyObject *self, PyObject *const *args, Py_ssize_t nargs)
     if (nargs != function.nin + 2 || !PyDict_Check(args[nargs - 1]))
         return PyErr_Format(PyExc_TypeError, "%s: %d inputs, out and keywords expected", function.name, function.nin);
     PyObject *const out = args[function.nin], *const keywords = args[function.nin + 1];
-    if (PyDict_GetItemString(keywords, "out") != nullptr) return call_with_out(self, args, nargs);
+    if (PyDict_GET_SIZE(keywords) > 0 && PyDict_GetItemString(keywords, "out") != nullptr)
+        return call_with_out(self, args, nargs);
     if (!is_good_output(out)) return nullptr;
 
     double rows[max_operands][max_core_size];
