@@ -7,7 +7,27 @@ reference data and more of the library.
 import mesonpy
 from mesonpy import build_sdist, build_wheel, get_requires_for_build_sdist, get_requires_for_build_wheel
 
-__all__ = ["build_sdist", "build_wheel", "get_requires_for_build_sdist", "get_requires_for_build_wheel"]
+__all__ = [
+    "build_editable",
+    "build_sdist",
+    "build_wheel",
+    "get_requires_for_build_editable",
+    "get_requires_for_build_sdist",
+    "get_requires_for_build_wheel",
+    "prepare_metadata_for_build_editable",
+]
+
+
+def _refuse_editable(*args, **kwargs):
+    """Without the hooks for it, pip would pretend that an editable installation succeeded."""
+    raise SystemExit(
+        "pypw85 has no editable installation: install it without -e, or build it with Meson and add the folder python "
+        "of the build folder to PYTHONPATH"
+    )
+
+
+get_requires_for_build_editable = prepare_metadata_for_build_editable = build_editable = _refuse_editable
+
 
 if tuple(int(part) for part in mesonpy.__version__.split(".")[:2]) < (0, 13):
     _install_plan = mesonpy.Project._install_plan

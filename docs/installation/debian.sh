@@ -1,6 +1,7 @@
 # Debian 12 or later, Ubuntu 24.04 or later.
 # start
 sudo apt-get install g++ meson pkg-config libgsl-dev            # the library
-sudo apt-get install gfortran python3-dev python3-numpy         # Fortran and Python
+sudo apt-get install gfortran                                   # Fortran
+sudo apt-get install python3-dev python3-numpy python3-venv python3-mesonpy
 sudo apt-get install libglib2.0-dev libhdf5-dev libboost-dev    # tests
 # end

@@ -1,5 +1,7 @@
-# Run in the root of the repository. On Debian: apt-get install python3-pip python3-mesonpy python3-numpy python3-dev.
+# Run in the root of the repository, after debian.sh.
 set -e
 # start
-python3 -m pip install --no-build-isolation .
+python3 -m venv --system-site-packages "$HOME/.venv/pw85"
+"$HOME/.venv/pw85/bin/pip" install --no-build-isolation .
+"$HOME/.venv/pw85/bin/python" examples/python/tutorial.py
 # end

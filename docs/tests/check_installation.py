@@ -1,7 +1,11 @@
-"""Runs the commands of the chapter on installation, in the Test Anything Protocol. Usage: check_installation.py SOURCE
+"""Runs the commands of the chapter on installation, in the Test Anything Protocol.
 
-In a copy of the source, with a home directory of its own: builds and installs the library, then builds and runs
-programs against it. Commands that install packages, or are tests themselves, are checked for syntax only.
+Usage: check_installation.py SOURCE [--docs]
+
+In a copy of the source, with a home directory of its own and no more of the environment than a login shell has: builds
+and installs the library, then builds and runs programs against it, and installs the Python package into a fresh virtual
+environment. --docs builds the pages and pictures as well. Commands that install packages get an `apt-get` that looks
+whether the packages are there; those of other systems are checked for syntax.
 """
 
 import os
@@ -11,23 +15,50 @@ import sys
 import tempfile
 from pathlib import Path
 
+# Scripts in the order in which they are run, and the file with the output of their last command, if it is on record.
 RUN = {
+    "debian": None,
     "build": None,
     "pkg-config": "examples/c/tutorial.txt",
     "fortran": "examples/fortran/closest_approach.txt",
+    "python": "examples/python/tutorial.out",
+}
+RUN_DOCS = {"docs": None, "pictures": None}
+OTHER_SYSTEMS = ["fedora", "macos", "msys2"]
+# What .ci/run runs itself.
+ELSEWHERE = {"test": "scripts/test.sh"}
+
+TOOLS = {
+    "sudo": 'exec "$@"',
+    "apt-get": """[ "$1" = install ] && shift && for package; do
+  dpkg-query -W -f '${Status}\\n' "$package" | grep -q 'ok installed' || { echo "$package is not installed"; exit 1; }
+done""",
 }
 
 
-def run(script, source, home):
+def make_tools(folder):
+    folder.mkdir()
+    for name, body in TOOLS.items():
+        (folder / name).write_text(f"#!/bin/sh\n{body}\n", encoding="utf-8")
+        (folder / name).chmod(0o755)
+    return folder
+
+
+def run(script, source, home, tools):
     done = subprocess.run(
         ["sh", script],
         cwd=source,
-        env={**os.environ, "HOME": str(home)},
+        env={"HOME": str(home), "PATH": f"{tools}:/usr/local/bin:/usr/bin:/bin", "LANG": "C.UTF-8"},
         stdout=subprocess.PIPE,
         stderr=subprocess.STDOUT,
         encoding="utf-8",
     )
     return done.returncode == 0, done.stdout
+
+
+def commands(script):
+    lines = script.read_text(encoding="utf-8").splitlines()
+    return lines[lines.index("# start") + 1 : lines.index("# end")]
 
 
 def built(source, folder, names):
@@ -37,31 +68,41 @@ def built(source, folder, names):
     ]
 
 
+def checks(source, work, run_docs):
+    """Names of checks, and functions that return whether they pass, and what to print if not."""
+    copy, home = work / "pw85", work / "home"
+    shutil.copytree(source, copy, ignore=lambda folder, names: built(source, folder, names))
+    home.mkdir()
+    scripts = {script.stem: script for script in (copy / "docs" / "installation").glob("*.sh")}
+    known = {*RUN, *RUN_DOCS, *OTHER_SYSTEMS, *ELSEWHERE}
+    yield "each script has a check", lambda: (set(scripts) == known, f"{set(scripts) ^ known}")
+    for name in OTHER_SYSTEMS:
+        yield f"syntax of {name}", lambda name=name: (subprocess.run(["sh", "-n", scripts[name]]).returncode == 0, "")
+    for name, command in ELSEWHERE.items():
+        yield name, lambda name=name, command=command: (commands(scripts[name]) == [command], "")
+    tools = make_tools(work / "tools")
+
+    def passes(name, expected):
+        good, output = run(scripts[name], copy, home, tools)
+        return good and (expected is None or output.endswith((copy / expected).read_text(encoding="utf-8"))), output
+
+    for name, expected in {**RUN, **(RUN_DOCS if run_docs else {})}.items():
+        if name == "debian" and not shutil.which("dpkg-query"):
+            yield f"{name} # SKIP no dpkg", lambda: (True, "")
+            continue
+        yield name, lambda name=name, expected=expected: passes(name, expected)
+
+
 def main():
-    source = Path(sys.argv[1])
-    scripts = sorted((source / "docs" / "installation").glob("*.sh"))
-    print(f"1..{len(scripts) + len(RUN)}")
-    number = 0
-    for script in scripts:
-        number += 1
-        good = subprocess.run(["sh", "-n", script]).returncode == 0
-        print(f"{'ok' if good else 'not ok'} {number} syntax of {script.name}", flush=True)
+    source = Path(sys.argv[1]).resolve()
     with tempfile.TemporaryDirectory(prefix="pw85-docs-") as folder:
-        copy, home = Path(folder) / "pw85", Path(folder) / "home"
-        shutil.copytree(source, copy, ignore=lambda folder, names: built(source, folder, names))
-        home.mkdir()
-        for name, expected in RUN.items():
-            number += 1
-            possible = name != "fortran" or shutil.which("gfortran")
-            good, output = run(copy / "docs" / "installation" / f"{name}.sh", copy, home) if possible else (True, "")
-            good = good and (
-                not possible or expected is None or output == (copy / expected).read_text(encoding="utf-8")
-            )
+        todo = list(checks(source, Path(folder).resolve(), "--docs" in sys.argv))
+        print(f"1..{len(todo)}")
+        for number, (name, check) in enumerate(todo, 1):
+            good, output = check()
             if not good:
                 print("\n".join(f"# {line}" for line in output.splitlines()))
-            print(
-                f"{'ok' if good else 'not ok'} {number} {name}{'' if possible else ' # SKIP no gfortran'}", flush=True
-            )
+            print(f"{'ok' if good else 'not ok'} {number} {name}", flush=True)
 
 
 main()

@@ -14,14 +14,19 @@ Conventions, for every function unless it says otherwise:
 - Vectors are arrays (..., 3), forms (..., 6): the upper triangle (xx, xy, xz, yy, yz, zz) in row-major order. In two
   dimensions, (..., 2) and (..., 3).
 - Leading dimensions broadcast. Arrays may be of any real type and layout; contiguous float64 is used without a copy.
-- Every function is a generalised ufunc of NumPy (see `pypw85.gufuncs`): `out` and the keywords of ufuncs work, other
-  threads run meanwhile, and dask arrays are computed chunk by chunk.
-- A call for a single row that fails raises `PW85Error` and leaves NaN in `out`. In a call for many rows, a bad row
-  becomes NaN, the others are computed all the same, and NumPy reports "invalid value" once, as `numpy.errstate` says;
-  `bad_rows` finds them.
+  Long doubles and objects (fractions, decimals) are converted to float64.
+- Every function of numbers is a generalised ufunc of NumPy (see `pypw85.gufuncs`): `out` and the keywords of ufuncs
+  work, and other threads run meanwhile.
+- Dask arrays give dask arrays, computed chunk by chunk when you say so; lists and arrays of NumPy may be mixed with
+  them. `out` cannot be used then, nor any keyword but dtype, axes, casting and order.
+- A masked entry counts as NaN. Arrays of pandas and xarray are taken by position, without regard to their labels; the
+  results are arrays of NumPy (or dask, if that is what xarray holds).
+- A call for a single row, without keywords of ufuncs, that fails raises `PW85Error` and leaves NaN in `out`. In a call
+  for many rows, a bad row becomes NaN, the others are computed all the same, and NumPy reports "invalid value" once, as
+  `numpy.errstate` says; `bad_rows` finds them.
 """
 
-from . import gufuncs, legacy
+from . import gufuncs, legacy, utils
 from ._contact import (
     _cholesky_decomp,
     _cholesky_solve,
@@ -34,11 +39,13 @@ from ._contact import (
     contact_gradient,
     contact_torque,
     f,
+    f_neg,
     overlap,
     zheng_ellipses,
     zheng_ellipsoids,
 )
 from ._conversions import from_gsd, from_lammps, from_ovito
+from ._core import LAMBDA_ATOL as lambda_atol
 from ._core import strerror, version
 from ._errors import PW85Error, Status, bad_rows
 from ._forms import ellipse, ellipsoid, ellipsoid_quaternion, full, packed, principal_axes, spheroid
@@ -46,6 +53,18 @@ from ._pairs import contact_pairs, overlap_pairs
 from ._plotting import plot
 
 __version__ = version()
+
+# As in pw85 2.0; in an installed package, importlib.metadata.metadata("pypw85") says more.
+metadata = {
+    "name": "pypw85",
+    "version": __version__,
+    "description": "The contact function of Perram and Wertheim for two ellipsoids",
+    "author": "the pw85 authors",
+    "author_email": "",
+    "license": "BSD-3-Clause",
+    "url": "https://github.com/sbrisard/pw85",
+    "year": "2026",
+}
 
 __all__ = [
     "PW85Error",
@@ -64,12 +83,15 @@ __all__ = [
     "ellipsoid",
     "ellipsoid_quaternion",
     "f",
+    "f_neg",
     "from_gsd",
     "from_lammps",
     "from_ovito",
     "full",
     "gufuncs",
+    "lambda_atol",
     "legacy",
+    "metadata",
     "overlap",
     "overlap_pairs",
     "packed",
@@ -77,6 +99,7 @@ __all__ = [
     "principal_axes",
     "spheroid",
     "strerror",
+    "utils",
     "version",
     "zheng_ellipses",
     "zheng_ellipsoids",

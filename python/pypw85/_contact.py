@@ -2,42 +2,30 @@
 
 from __future__ import annotations
 
-from typing import Any, Callable, Optional, Union
+from typing import Any, Optional, overload
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from . import _core
-
-Floats = NDArray[np.float64]
-Values = Union[np.float64, Floats]
-
-
-def contact_call(call: Callable[..., Any], args: tuple[Any, ...], out: Any, kwargs: dict[str, Any]) -> Any:
-    """Call a function that returns (μ², λ) when `out` may be one array (..., 2) for both."""
-    if not isinstance(out, np.ndarray):
-        return call(*args, out, kwargs)
-    if out.ndim == 0 or out.shape[-1] != 2:
-        raise ValueError(f"the last dimension of 'out' must be 2, but its shape is {out.shape}")
-    call(*args, (out[..., 0], out[..., 1]), kwargs)
-    return out[..., 0][()], out[..., 1][()]
+from ._documentation import documented
+from ._typing import Floats, Row
 
 
-def f(lambda_: ArrayLike, r12: ArrayLike, q1: ArrayLike, q2: ArrayLike, out: Any = None, **kwargs: Any) -> Values:
+@overload
+def f(lambda_: float, r12: Row, q1: Row, q2: Row, out: None = None) -> float: ...
+@overload
+def f(lambda_: ArrayLike, r12: ArrayLike, q1: ArrayLike, q2: ArrayLike, out: Any = None, **kwargs: Any) -> Any: ...
+@documented
+def f(lambda_: ArrayLike, r12: ArrayLike, q1: ArrayLike, q2: ArrayLike, out: Any = None, **kwargs: Any) -> Any:
     """f(λ) = λ(1-λ) r12ᵀ [(1-λ) Q1 + λ Q2]⁻¹ r12, whose maximum over λ is the contact function.
 
     Parameters
     ----------
-    lambda_ : (...) array_like
-        In [0, 1].
-    r12 : (..., 3) array_like
-        From the centre of ellipsoid 1 to that of ellipsoid 2.
-    q1, q2 : (..., 6) array_like
-        Forms of the ellipsoids.
-    out : (...) array, optional
-        Where to put the result.
-    **kwargs
-        As for any ufunc.
+    {lambda_in}
+    {r12}
+    {forms}
+    {out}
 
     Returns
     -------
@@ -58,9 +46,47 @@ def f(lambda_: ArrayLike, r12: ArrayLike, q1: ArrayLike, q2: ArrayLike, out: Any
     return _core.call_f(lambda_, r12, q1, q2, out, kwargs)
 
 
+@overload
+def f_neg(lambda_: float, r12: Row, q1: Row, q2: Row) -> float: ...
+@overload
+def f_neg(lambda_: ArrayLike, r12: ArrayLike, q1: ArrayLike, q2: ArrayLike) -> Any: ...
+@documented
+def f_neg(lambda_: ArrayLike, r12: ArrayLike, q1: ArrayLike, q2: ArrayLike) -> Any:
+    """-f(λ), what pw85 2.0 minimises; see `f`.
+
+    Parameters
+    ----------
+    {lambda_in}
+    {r12}
+    {forms}
+
+    Returns
+    -------
+    (...) array or number
+
+    Raises
+    ------
+    PW85Error
+        For a single value: invalid input. Rows of arrays become NaN.
+
+    Examples
+    --------
+    >>> import pypw85
+    >>> q = pypw85.spheroid(1, 1, [0, 0, 1])
+    >>> pypw85.f_neg(0.5, [3, 0, 0], q, q)
+    -2.25
+    """
+    return -f(lambda_, r12, q1, q2)
+
+
+@overload
+def contact_function(r12: Row, q1: Row, q2: Row, out: None = None) -> tuple[float, float]: ...
+@overload
 def contact_function(
     r12: ArrayLike, q1: ArrayLike, q2: ArrayLike, out: Any = None, **kwargs: Any
-) -> tuple[Values, Values]:
+) -> tuple[Any, Any]: ...
+@documented
+def contact_function(r12: ArrayLike, q1: ArrayLike, q2: ArrayLike, out: Any = None, **kwargs: Any) -> tuple[Any, Any]:
     """Contact function of two ellipsoids, by Brent's method and Newton-Raphson iterations (that of pw85 1.0).
 
     μ is the common factor by which both ellipsoids must be scaled, their centres fixed, to touch: they overlap if
@@ -68,24 +94,14 @@ def contact_function(
 
     Parameters
     ----------
-    r12 : (..., 3) array_like
-        From the centre of ellipsoid 1 to that of ellipsoid 2; zero is valid (μ² = 0, λ = 1/2).
-    q1, q2 : (..., 6) array_like
-        Forms of the ellipsoids, in the square of the unit of `r12`.
-    out : (..., 2) array, or a tuple of two (...) arrays, optional
-        Where to put μ² and λ.
-    **kwargs
-        As for any ufunc.
+    {r12}
+        Zero is valid (μ² = 0, λ = 1/2).
+    {forms}
+    {out_contact}
 
-    Returns
-    -------
-    mu2, lambda_ : (...) arrays or numbers
-        μ² and the maximiser λ in [0, 1]; no unit.
+    {returns_contact}
 
-    Raises
-    ------
-    PW85Error
-        For a single pair: invalid input, or a form that is not positive definite. Rows of arrays become NaN.
+    {raises_pair}
 
     Examples
     --------
@@ -94,43 +110,69 @@ def contact_function(
     >>> pypw85.contact_function([3, 0, 0], q, q)
     (2.25, 0.5)
     """
-    if out is None:
-        return _core.call_contact_function(r12, q1, q2, None, kwargs)
-    return contact_call(_core.call_contact_function, (r12, q1, q2), out, kwargs)
+    return _core.call_contact_function(r12, q1, q2, out, kwargs)
 
 
-def contact(r12: ArrayLike, q1: ArrayLike, q2: ArrayLike, out: Any = None, **kwargs: Any) -> tuple[Values, Values]:
-    """Contact function of two ellipsoids, by the fast solver. See `contact_function` for everything else.
+@overload
+def contact(r12: Row, q1: Row, q2: Row, out: None = None) -> tuple[float, float]: ...
+@overload
+def contact(r12: ArrayLike, q1: ArrayLike, q2: ArrayLike, out: Any = None, **kwargs: Any) -> tuple[Any, Any]: ...
+@documented
+def contact(r12: ArrayLike, q1: ArrayLike, q2: ArrayLike, out: Any = None, **kwargs: Any) -> tuple[Any, Any]:
+    """Contact function of two ellipsoids, by the fast solver.
 
-    Arrays go through the batch of the library: SIMD and, where it is built with OpenMP, threads.
+    μ is the common factor by which both ellipsoids must be scaled, their centres fixed, to touch: they overlap if
+    μ² < 1 and are apart if μ² > 1. Arrays go through the batch of the library: SIMD and, where it is built with OpenMP,
+    threads.
+
+    Parameters
+    ----------
+    {r12}
+        Zero is valid (μ² = 0, λ = 1/2).
+    {forms}
+    {out_contact}
+
+    {returns_contact}
+
+    {raises_pair}
+
+    See Also
+    --------
+    overlap : faster, if μ² itself is not needed
+    contact_geometry, contact_gradient, contact_torque : what follows from λ
 
     Examples
     --------
-    One ellipsoid against many:
+    One pair:
 
     >>> import numpy as np, pypw85
     >>> q = pypw85.spheroid(1, 2, [0, 0, 1])
+    >>> pypw85.contact([0, 0, 6], q, q)
+    (2.25, 0.5)
+
+    One ellipsoid against many:
+
     >>> r12 = np.array([[1, 0, 0], [3, 0, 0], [0, 0, 3]])
     >>> mu2, lambda_ = pypw85.contact(r12, q, q)
     >>> mu2
     array([0.25  , 2.25  , 0.5625])
     """
-    if out is None:
-        return _core.call_contact(r12, q1, q2, None, kwargs)
-    return contact_call(_core.call_contact, (r12, q1, q2), out, kwargs)
+    return _core.call_contact(r12, q1, q2, out, kwargs)
 
 
-def overlap(
-    r12: ArrayLike, q1: ArrayLike, q2: ArrayLike, out: Any = None, **kwargs: Any
-) -> Union[np.bool_, NDArray[Any]]:
+@overload
+def overlap(r12: Row, q1: Row, q2: Row, out: None = None) -> np.bool_: ...
+@overload
+def overlap(r12: ArrayLike, q1: ArrayLike, q2: ArrayLike, out: Any = None, **kwargs: Any) -> Any: ...
+@documented
+def overlap(r12: ArrayLike, q1: ArrayLike, q2: ArrayLike, out: Any = None, **kwargs: Any) -> Any:
     """Whether two ellipsoids overlap (μ² < 1), several times faster than μ² itself. Tangent ellipsoids do not.
 
     Parameters
     ----------
-    r12 : (..., 3) array_like
-        From the centre of ellipsoid 1 to that of ellipsoid 2; zero is an overlap.
-    q1, q2 : (..., 6) array_like
-        Forms of the ellipsoids, in the square of the unit of `r12`.
+    {r12}
+        Zero is an overlap.
+    {forms}
     out : (...) array, optional
         Where to put the result.
     **kwargs
@@ -156,6 +198,7 @@ def overlap(
     return _core.call_overlap(r12, q1, q2, out, kwargs)
 
 
+@documented
 def contact_geometry(
     r12: ArrayLike, q1: ArrayLike, q2: ArrayLike, lambda_: ArrayLike, out: Any = None, **kwargs: Any
 ) -> tuple[Floats, Floats]:
@@ -163,16 +206,11 @@ def contact_geometry(
 
     Parameters
     ----------
-    r12 : (..., 3) array_like
-        From the centre of ellipsoid 1 to that of ellipsoid 2, not zero.
-    q1, q2 : (..., 6) array_like
-        Forms of the ellipsoids.
-    lambda_ : (...) array_like
-        From `contact`.
-    out : tuple of two (..., 3) arrays, optional
-        Where to put the results.
-    **kwargs
-        As for any ufunc.
+    {r12}
+        Not zero.
+    {forms}
+    {lambda_found}
+    {out_vectors}
 
     Returns
     -------
@@ -196,6 +234,7 @@ def contact_geometry(
     return _core.call_contact_geometry(r12, q1, q2, lambda_, out, kwargs)
 
 
+@documented
 def contact_gradient(
     r12: ArrayLike, q1: ArrayLike, q2: ArrayLike, lambda_: ArrayLike, out: Any = None, **kwargs: Any
 ) -> tuple[Floats, Floats, Floats]:
@@ -203,16 +242,12 @@ def contact_gradient(
 
     Parameters
     ----------
-    r12 : (..., 3) array_like
-        From the centre of ellipsoid 1 to that of ellipsoid 2.
-    q1, q2 : (..., 6) array_like
-        Forms of the ellipsoids.
-    lambda_ : (...) array_like
-        From `contact`.
+    {r12}
+    {forms}
+    {lambda_found}
     out : tuple of three arrays, (..., 3), (..., 6) and (..., 6), optional
         Where to put the results.
-    **kwargs
-        As for any ufunc.
+    {keywords}
 
     Returns
     -------
@@ -221,10 +256,7 @@ def contact_gradient(
     d_q1, d_q2 : (..., 6) arrays
         With respect to the stored entries of `q1` and `q2`: an off-diagonal entry stands for two of the matrix.
 
-    Raises
-    ------
-    PW85Error
-        For a single pair: invalid input, λ outside [0, 1]. Rows of arrays become NaN.
+    {raises_lambda}
 
     Examples
     --------
@@ -238,6 +270,7 @@ def contact_gradient(
     return _core.call_contact_gradient(r12, q1, q2, lambda_, out, kwargs)
 
 
+@documented
 def contact_torque(
     r12: ArrayLike, q1: ArrayLike, q2: ArrayLike, lambda_: ArrayLike, out: Any = None, **kwargs: Any
 ) -> tuple[Floats, Floats]:
@@ -247,26 +280,17 @@ def contact_torque(
 
     Parameters
     ----------
-    r12 : (..., 3) array_like
-        From the centre of ellipsoid 1 to that of ellipsoid 2.
-    q1, q2 : (..., 6) array_like
-        Forms of the ellipsoids.
-    lambda_ : (...) array_like
-        From `contact`.
-    out : tuple of two (..., 3) arrays, optional
-        Where to put the results.
-    **kwargs
-        As for any ufunc.
+    {r12}
+    {forms}
+    {lambda_found}
+    {out_vectors}
 
     Returns
     -------
     d_rot1, d_rot2 : (..., 3) arrays
         Per radian.
 
-    Raises
-    ------
-    PW85Error
-        For a single pair: invalid input, λ outside [0, 1]. Rows of arrays become NaN.
+    {raises_lambda}
 
     Examples
     --------
@@ -281,29 +305,22 @@ def contact_torque(
     return _core.call_contact_torque(r12, q1, q2, lambda_, out, kwargs)
 
 
-def closest_approach(direction: ArrayLike, q1: ArrayLike, q2: ArrayLike, out: Any = None, **kwargs: Any) -> Values:
+@overload
+def closest_approach(direction: Row, q1: Row, q2: Row, out: None = None) -> float: ...
+@overload
+def closest_approach(direction: ArrayLike, q1: ArrayLike, q2: ArrayLike, out: Any = None, **kwargs: Any) -> Any: ...
+@documented
+def closest_approach(direction: ArrayLike, q1: ArrayLike, q2: ArrayLike, out: Any = None, **kwargs: Any) -> Any:
     """Distance of the centres at which two ellipsoids touch from outside, on a line of given direction.
 
     Parameters
     ----------
-    direction : (..., 3) array_like
-        From centre 1 to centre 2, of any length > 0.
-    q1, q2 : (..., 6) array_like
-        Forms of the ellipsoids.
-    out : (...) array, optional
-        Where to put the result.
-    **kwargs
-        As for any ufunc.
+    {direction}
+    {out}
 
-    Returns
-    -------
-    (...) array or number
-        In the unit of the semi-axes.
+    {returns_distance}
 
-    Raises
-    ------
-    PW85Error
-        For a single pair: invalid input, a zero direction. Rows of arrays become NaN.
+    {raises_direction}
 
     Examples
     --------
@@ -315,28 +332,28 @@ def closest_approach(direction: ArrayLike, q1: ArrayLike, q2: ArrayLike, out: An
     return _core.call_closest_approach(direction, q1, q2, out, kwargs)
 
 
-def contact_2d(r12: ArrayLike, q1: ArrayLike, q2: ArrayLike, out: Any = None, **kwargs: Any) -> tuple[Values, Values]:
-    """Contact function of two ellipses; see `contact`.
+@overload
+def contact_2d(r12: Row, q1: Row, q2: Row, out: None = None) -> tuple[float, float]: ...
+@overload
+def contact_2d(r12: ArrayLike, q1: ArrayLike, q2: ArrayLike, out: Any = None, **kwargs: Any) -> tuple[Any, Any]: ...
+@documented
+def contact_2d(r12: ArrayLike, q1: ArrayLike, q2: ArrayLike, out: Any = None, **kwargs: Any) -> tuple[Any, Any]:
+    """Contact function of two ellipses.
+
+    μ is the common factor by which both ellipses must be scaled, their centres fixed, to touch: they overlap if μ² < 1
+    and are apart if μ² > 1.
 
     Parameters
     ----------
     r12 : (..., 2) array_like
-        From centre 1 to centre 2.
+        From the centre of ellipse 1 to that of ellipse 2. Zero is valid (μ² = 0, λ = 1/2).
     q1, q2 : (..., 3) array_like
-        Forms (xx, xy, yy).
-    out : (..., 2) array, or a tuple of two (...) arrays, optional
-        Where to put μ² and λ.
-    **kwargs
-        As for any ufunc.
+        Forms (xx, xy, yy), in the square of the unit of `r12`.
+    {out_contact}
 
-    Returns
-    -------
-    mu2, lambda_ : (...) arrays or numbers
+    {returns_contact}
 
-    Raises
-    ------
-    PW85Error
-        For a single pair: invalid input, or a form that is not positive definite. Rows of arrays become NaN.
+    {raises_pair}
 
     Examples
     --------
@@ -345,32 +362,25 @@ def contact_2d(r12: ArrayLike, q1: ArrayLike, q2: ArrayLike, out: Any = None, **
     >>> pypw85.contact_2d([3, 0], q, q)
     (2.25, 0.5)
     """
-    return contact_call(_core.call_contact_2d, (r12, q1, q2), out, kwargs)
+    return _core.call_contact_2d(r12, q1, q2, out, kwargs)
 
 
-def closest_approach_2d(direction: ArrayLike, q1: ArrayLike, q2: ArrayLike, out: Any = None, **kwargs: Any) -> Values:
-    """Distance of closest approach of two ellipses; see `closest_approach`.
+@overload
+def closest_approach_2d(direction: Row, q1: Row, q2: Row, out: None = None) -> float: ...
+@overload
+def closest_approach_2d(direction: ArrayLike, q1: ArrayLike, q2: ArrayLike, out: Any = None, **kwargs: Any) -> Any: ...
+@documented
+def closest_approach_2d(direction: ArrayLike, q1: ArrayLike, q2: ArrayLike, out: Any = None, **kwargs: Any) -> Any:
+    """Distance of the centres at which two ellipses touch from outside, on a line of given direction.
 
     Parameters
     ----------
-    direction : (..., 2) array_like
-        From centre 1 to centre 2, of any length > 0.
-    q1, q2 : (..., 3) array_like
-        Forms (xx, xy, yy).
-    out : (...) array, optional
-        Where to put the result.
-    **kwargs
-        As for any ufunc.
+    {direction_2d}
+    {out}
 
-    Returns
-    -------
-    (...) array or number
-        In the unit of the semi-axes.
+    {returns_distance}
 
-    Raises
-    ------
-    PW85Error
-        For a single pair: invalid input, a zero direction. Rows of arrays become NaN.
+    {raises_direction}
 
     Examples
     --------
@@ -381,22 +391,51 @@ def closest_approach_2d(direction: ArrayLike, q1: ArrayLike, q2: ArrayLike, out:
     return _core.call_closest_approach_2d(direction, q1, q2, out, kwargs)
 
 
-def zheng_ellipses(direction: ArrayLike, q1: ArrayLike, q2: ArrayLike, out: Any = None, **kwargs: Any) -> Values:
+@overload
+def zheng_ellipses(direction: Row, q1: Row, q2: Row, out: None = None) -> float: ...
+@overload
+def zheng_ellipses(direction: ArrayLike, q1: ArrayLike, q2: ArrayLike, out: Any = None, **kwargs: Any) -> Any: ...
+@documented
+def zheng_ellipses(direction: ArrayLike, q1: ArrayLike, q2: ArrayLike, out: Any = None, **kwargs: Any) -> Any:
     """Distance of closest approach of two ellipses by the closed form of Zheng and Palffy-Muhoray.
 
-    An independent check of `closest_approach_2d`, which is faster and more accurate and has the same parameters.
+    An independent check of `closest_approach_2d`, which is faster and more accurate.
+
+    Parameters
+    ----------
+    {direction_2d}
+    {out}
+
+    {returns_distance}
+
+    {raises_direction}
     """
     return _core.call_zheng_ellipses(direction, q1, q2, out, kwargs)
 
 
-def zheng_ellipsoids(direction: ArrayLike, q1: ArrayLike, q2: ArrayLike, out: Any = None, **kwargs: Any) -> Values:
+@overload
+def zheng_ellipsoids(direction: Row, q1: Row, q2: Row, out: None = None) -> float: ...
+@overload
+def zheng_ellipsoids(direction: ArrayLike, q1: ArrayLike, q2: ArrayLike, out: Any = None, **kwargs: Any) -> Any: ...
+@documented
+def zheng_ellipsoids(direction: ArrayLike, q1: ArrayLike, q2: ArrayLike, out: Any = None, **kwargs: Any) -> Any:
     """Distance of closest approach of two ellipsoids by the rotating plane of Zheng, Iglesias and Palffy-Muhoray.
 
-    An independent check of `closest_approach`, which is faster and more accurate and has the same parameters.
+    An independent check of `closest_approach`, which is faster and more accurate.
+
+    Parameters
+    ----------
+    {direction}
+    {out}
+
+    {returns_distance}
+
+    {raises_direction}
     """
     return _core.call_zheng_ellipsoids(direction, q1, q2, out, kwargs)
 
 
+@documented
 def _cholesky_decomp(a: ArrayLike, l: Optional[Floats] = None, **kwargs: Any) -> Floats:
     """Cholesky factorisation A = L Lᵀ of 3×3 matrices.
 
@@ -406,8 +445,7 @@ def _cholesky_decomp(a: ArrayLike, l: Optional[Floats] = None, **kwargs: Any) ->
         Packed symmetric positive definite matrices.
     l : (..., 6) array, optional
         Where to put the result.
-    **kwargs
-        As for any ufunc.
+    {keywords}
 
     Returns
     -------
@@ -422,6 +460,7 @@ def _cholesky_decomp(a: ArrayLike, l: Optional[Floats] = None, **kwargs: Any) ->
     return _core.call_cholesky_decomp(a, l, kwargs)
 
 
+@documented
 def _cholesky_solve(l: ArrayLike, b: ArrayLike, x: Optional[Floats] = None, **kwargs: Any) -> Floats:
     """Solution of L Lᵀ x = b.
 
@@ -433,8 +472,7 @@ def _cholesky_solve(l: ArrayLike, b: ArrayLike, x: Optional[Floats] = None, **kw
         Right-hand sides.
     x : (..., 3) array, optional
         Where to put the result; may be `b`.
-    **kwargs
-        As for any ufunc.
+    {keywords}
 
     Returns
     -------

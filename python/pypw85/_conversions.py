@@ -5,11 +5,11 @@ from __future__ import annotations
 from typing import Any, Mapping, Sequence
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from ._arrays import plain
 from ._forms import ellipsoid_quaternion
-
-Floats = NDArray[np.float64]
+from ._typing import Floats
 
 
 def from_lammps(diameters: ArrayLike, quaternions_wxyz: ArrayLike) -> Floats:
@@ -38,7 +38,7 @@ def from_lammps(diameters: ArrayLike, quaternions_wxyz: ArrayLike) -> Floats:
     >>> pypw85.from_lammps([2, 4, 6], [1, 0, 0, 0])
     array([1., 0., 0., 4., 0., 9.])
     """
-    return ellipsoid_quaternion(np.multiply(diameters, 0.5), quaternions_wxyz)
+    return ellipsoid_quaternion(0.5 * plain(diameters), quaternions_wxyz)
 
 
 def from_ovito(semi_axes: ArrayLike, quaternions_xyzw: ArrayLike) -> Floats:
@@ -68,7 +68,10 @@ def from_ovito(semi_axes: ArrayLike, quaternions_xyzw: ArrayLike) -> Floats:
     >>> pypw85.from_ovito([1, 2, 3], [0, 0, 1, 1]).round(12) + 0.0
     array([4., 0., 0., 1., 0., 9.])
     """
-    return ellipsoid_quaternion(semi_axes, np.roll(quaternions_xyzw, 1, axis=-1))
+    quaternions = plain(quaternions_xyzw)
+    if quaternions.shape[-1:] != (4,):
+        raise ValueError(f"from_ovito: the last dimension must be 4, but the shape is {quaternions.shape}")
+    return ellipsoid_quaternion(semi_axes, quaternions[..., [3, 0, 1, 2]])
 
 
 def from_gsd(
@@ -82,7 +85,7 @@ def from_gsd(
         ``particles/type_shapes``, one for each type: ``{"type": "Ellipsoid", "a": ..., "b": ..., "c": ...}`` with
         semi-axes, or ``{"type": "Sphere", "diameter": ...}``.
     typeid : (n) array_like of int
-        ``particles/typeid``.
+        ``particles/typeid``. Computed at once if it is a dask array.
     orientations_wxyz : (n, 4) array_like
         ``particles/orientation``.
 
@@ -96,6 +99,8 @@ def from_gsd(
         A type that occurs has another shape.
     IndexError
         A type is not in `type_shapes`.
+    TypeError
+        Types are not integers.
 
     Examples
     --------
@@ -105,7 +110,10 @@ def from_gsd(
     array([[1., 0., 0., 1., 0., 1.],
            [1., 0., 0., 4., 0., 9.]])
     """
-    types = np.asarray(typeid, dtype=np.intp)
+    types = np.asarray(plain(typeid))
+    if types.size and types.dtype.kind not in "iu":
+        raise TypeError(f"typeid must be integers, but they are {types.dtype}")
+    types = types.astype(np.intp)
     semi_axes = np.full((len(type_shapes), 3), np.nan)
     for k in np.unique(types):
         if not 0 <= k < len(type_shapes):
@@ -115,10 +123,9 @@ def from_gsd(
 
 
 def _gsd_semi_axes(shape: Mapping[str, Any]) -> tuple[float, float, float]:
-    kind = shape.get("type")
-    if kind == "Ellipsoid":
+    if shape.get("type") == "Ellipsoid" and shape.keys() >= {"a", "b", "c"}:
         return shape["a"], shape["b"], shape["c"]
-    if kind == "Sphere":
+    if shape.get("type") == "Sphere" and "diameter" in shape:
         radius = 0.5 * shape["diameter"]
         return radius, radius, radius
     raise ValueError(f"not an ellipsoid: {dict(shape)}")

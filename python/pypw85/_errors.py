@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from . import _core
 
+
 class Status(enum.IntEnum):
     """Statuses of the library; `strerror` says what they mean."""
 
@@ -43,7 +44,7 @@ class PW85Error(ValueError, ArithmeticError):
 
 
 def bad_rows(result: Any, core_ndim: int = 0) -> NDArray[np.intp]:
-    """Numbers of the rows of a result that could not be computed.
+    """Numbers of the rows of a result that could not be computed. Results that are dask arrays are computed for that.
 
     Why a row is bad is told by the exception that the same function raises for this row alone.
 
@@ -51,7 +52,7 @@ def bad_rows(result: Any, core_ndim: int = 0) -> NDArray[np.intp]:
     ----------
     result : array or tuple of arrays
         What a function of this package returned. Bad rows are NaN; in an array of overlap codes (``uint8``) they
-        are 255.
+        are 255. A masked entry is bad, too.
     core_ndim : int
         Number of trailing dimensions that belong to one row: 0 for numbers (the default), 1 for vectors and forms. For
         a tuple, that of its first array.
@@ -80,10 +81,13 @@ def bad_rows(result: Any, core_ndim: int = 0) -> NDArray[np.intp]:
         ...
     pypw85.PW85Error: contact: a quadratic form is not positive definite
     """
-    values = np.asarray(result[0] if isinstance(result, tuple) else result)
+    if core_ndim < 0:
+        raise ValueError(f"core_ndim must not be negative, but it is {core_ndim}")
+    values = np.ma.asarray(result[0] if isinstance(result, tuple) else result)
     if values.dtype == np.bool_:
         raise TypeError("boolean results do not mark bad rows; call overlap(..., dtype=np.uint8)")
-    bad = values == 255 if values.dtype == np.uint8 else np.isnan(values)
+    bad = values.data == 255 if values.dtype == np.uint8 else np.isnan(values.data)
+    bad = bad | np.ma.getmaskarray(values)
     if core_ndim > 0:
         bad = bad.any(axis=tuple(range(-core_ndim, 0)))
     return np.flatnonzero(bad)

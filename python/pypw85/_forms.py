@@ -8,14 +8,16 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _core
+from ._arrays import by_rows, plain
+from ._documentation import documented
 from ._errors import PW85Error, Status
-
-Floats = NDArray[np.float64]
+from ._typing import Floats
 
 _PACKED = ([0, 0, 0, 1, 1, 2], [0, 1, 2, 1, 2, 2])
 _FULL = [0, 1, 2, 1, 3, 4, 2, 4, 5]
 
 
+@documented
 def spheroid(a: ArrayLike, c: ArrayLike, n: ArrayLike, q: Optional[Floats] = None, **kwargs: Any) -> Floats:
     """Quadratic form of a spheroid, Q = a² I + (c² - a²) n nᵀ.
 
@@ -29,8 +31,7 @@ def spheroid(a: ArrayLike, c: ArrayLike, n: ArrayLike, q: Optional[Floats] = Non
         Direction of the axis of revolution, of any length > 0.
     q : (..., 6) array, optional
         Where to put the result.
-    **kwargs
-        As for any ufunc.
+    {keywords}
 
     Returns
     -------
@@ -51,20 +52,17 @@ def spheroid(a: ArrayLike, c: ArrayLike, n: ArrayLike, q: Optional[Floats] = Non
     return _core.call_spheroid(a, c, n, q, kwargs)
 
 
+@documented
 def ellipsoid(semi_axes: ArrayLike, rotation: ArrayLike, out: Any = None, **kwargs: Any) -> Floats:
     """Quadratic form of an ellipsoid, Q = R diag(semi_axes²) Rᵀ.
 
     Parameters
     ----------
-    semi_axes : (..., 3) array_like
-        Lengths of the principal semi-axes (not diameters), > 0.
+    {semi_axes}
     rotation : (..., 3, 3) array_like
         R. Its columns are the principal directions: R takes the body frame to the space frame. RᵀR may differ from
         the identity by at most 1e-6 in any entry; reflections are accepted.
-    out : (..., 6) array, optional
-        Where to put the result.
-    **kwargs
-        As for any ufunc.
+    {out_form}
 
     Returns
     -------
@@ -89,6 +87,7 @@ def ellipsoid(semi_axes: ArrayLike, rotation: ArrayLike, out: Any = None, **kwar
     return _core.call_ellipsoid(semi_axes, rotation, out, kwargs)
 
 
+@documented
 def ellipsoid_quaternion(
     semi_axes: ArrayLike, quaternion_wxyz: ArrayLike, out: Any = None, **kwargs: Any
 ) -> Floats:
@@ -96,14 +95,10 @@ def ellipsoid_quaternion(
 
     Parameters
     ----------
-    semi_axes : (..., 3) array_like
-        Lengths of the principal semi-axes (not diameters), > 0.
+    {semi_axes}
     quaternion_wxyz : (..., 4) array_like
         (w, x, y, z), scalar first, of any length > 0. It takes the body frame to the space frame.
-    out : (..., 6) array, optional
-        Where to put the result.
-    **kwargs
-        As for any ufunc.
+    {out_form}
 
     Returns
     -------
@@ -128,6 +123,7 @@ def ellipsoid_quaternion(
     return _core.call_ellipsoid_quaternion(semi_axes, quaternion_wxyz, out, kwargs)
 
 
+@documented
 def ellipse(a: ArrayLike, b: ArrayLike, angle: ArrayLike, out: Any = None, **kwargs: Any) -> Floats:
     """Quadratic form (xx, xy, yy) of an ellipse.
 
@@ -139,8 +135,7 @@ def ellipse(a: ArrayLike, b: ArrayLike, angle: ArrayLike, out: Any = None, **kwa
         From the x axis to the semi-axis `a`, counter-clockwise, in radians.
     out : (..., 3) array, optional
         Where to put the result.
-    **kwargs
-        As for any ufunc.
+    {keywords}
 
     Returns
     -------
@@ -186,10 +181,13 @@ def full(q: ArrayLike) -> NDArray[Any]:
            [2, 4, 5],
            [3, 5, 6]])
     """
-    array = np.asarray(q)
-    if array.ndim == 0 or array.shape[-1] != 6:
-        raise ValueError(f"full: the last dimension must be 6, but the shape is {array.shape}")
-    return array[..., _FULL].reshape(array.shape[:-1] + (3, 3))
+    return by_rows(_full, "full", "(6)->(3,3)", q)
+
+
+def _full(q: NDArray[Any]) -> NDArray[Any]:
+    if q.ndim == 0 or q.shape[-1] != 6:
+        raise ValueError(f"full: the last dimension must be 6, but the shape is {q.shape}")
+    return q[..., _FULL].reshape(q.shape[:-1] + (3, 3))
 
 
 def packed(matrix: ArrayLike) -> NDArray[Any]:
@@ -209,7 +207,7 @@ def packed(matrix: ArrayLike) -> NDArray[Any]:
     Raises
     ------
     ValueError
-        If the last two dimensions are not 3×3, or a matrix is not symmetric.
+        If the last two dimensions are not 3×3, or a matrix is not symmetric (with dask, when that is computed).
 
     Examples
     --------
@@ -217,14 +215,18 @@ def packed(matrix: ArrayLike) -> NDArray[Any]:
     >>> pypw85.packed([[1, 2, 3], [2, 4, 5], [3, 5, 6]])
     array([1, 2, 3, 4, 5, 6])
     """
-    array = np.asarray(matrix)
-    if array.shape[-2:] != (3, 3):
-        raise ValueError(f"packed: the last dimensions must be 3×3, but the shape is {array.shape}")
-    transposed = np.swapaxes(array, -1, -2)
-    largest = np.abs(array).max(axis=(-1, -2), keepdims=True) if array.size else 0
-    if np.any(np.abs(array - transposed) > 1e-6 * largest):
+    return by_rows(_packed, "packed", "(3,3)->(6)", matrix)
+
+
+def _packed(matrix: NDArray[Any]) -> NDArray[Any]:
+    if matrix.shape[-2:] != (3, 3):
+        raise ValueError(f"packed: the last dimensions must be 3×3, but the shape is {matrix.shape}")
+    transposed = np.swapaxes(matrix, -1, -2)
+    largest = np.abs(matrix).max(axis=(-1, -2), keepdims=True) if matrix.size else 0
+    differ = (np.abs(matrix - transposed) > 1e-6 * largest) | (np.isnan(matrix) != np.isnan(transposed))
+    if differ.any():
         raise ValueError("packed: a matrix is not symmetric")
-    return array[(..., *_PACKED)]
+    return matrix[(..., *_PACKED)]
 
 
 def principal_axes(q: ArrayLike) -> tuple[Floats, Floats]:
@@ -261,9 +263,13 @@ def principal_axes(q: ArrayLike) -> tuple[Floats, Floats]:
            [1., 0., 0.],
            [0., 0., 1.]])
     """
-    form = np.asarray(q, dtype=np.float64)
+    form = plain(q).astype(np.float64, casting="same_kind")
+    return by_rows(_principal_axes, "principal_axes", "(6)->(3),(3,3)", form)
+
+
+def _principal_axes(form: Floats) -> tuple[Floats, Floats]:
     finite = np.isfinite(form).all(axis=-1, keepdims=True)
-    squares, rotation = np.linalg.eigh(full(np.where(finite, form, 0)))
+    squares, rotation = np.linalg.eigh(_full(np.where(finite, form, 0)))
     good = finite[..., 0] & (squares[..., 0] > 0)
     if form.ndim == 1 and not good:
         status = Status["ENOTPD" if finite.all() else "EINVAL"]

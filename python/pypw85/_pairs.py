@@ -8,14 +8,16 @@ import numpy as np
 from numpy.typing import ArrayLike, DTypeLike, NDArray
 
 from . import _core
-
-Floats = NDArray[np.float64]
+from ._arrays import check_out, plain
+from ._documentation import documented
+from ._typing import Floats
 
 # No result has these values: where one is still there after a call, the call was refused as a whole.
 _NO_MU2 = -1.0
 _NO_CODE = 254
 
 
+@documented
 def contact_pairs(
     pairs: ArrayLike,
     centers: ArrayLike,
@@ -23,19 +25,11 @@ def contact_pairs(
     cell: Optional[ArrayLike] = None,
     out: Optional[tuple[Floats, Floats]] = None,
 ) -> tuple[Floats, Floats]:
-    """Contact function for the pairs of a neighbour list; see `contact`.
+    """Contact function (see `contact`) for the pairs of a neighbour list. Dask arrays are computed at once.
 
     Parameters
     ----------
-    pairs : (k, 2) array_like of int
-        Indices (i, j) of particles, from 0. Contiguous int32 is used as it is, anything else copied.
-    centers : (n, 3) array_like
-        Centres of the particles.
-    q : (n, 6) array_like
-        Their forms, in the square of the unit of `centers`.
-    cell : (3, 3) array_like, optional
-        Rows are the vectors of the periodic cell, in the unit of `centers`. Of all images of j the nearest to i (by the
-        distance of the centres) is taken, however skewed the cell.
+    {pair_list}
     out : tuple of two contiguous (k) arrays of float64, optional
         Where to put μ² and λ.
 
@@ -44,12 +38,7 @@ def contact_pairs(
     mu2, lambda_ : (k) arrays
         NaN for a bad pair (see `bad_rows`), which NumPy reports as ``np.errstate(invalid=...)`` says.
 
-    Raises
-    ------
-    IndexError
-        An index is not in [0, n).
-    ValueError
-        Shapes do not match, or the cell is singular or not finite.
+    {raises_pair_list}
 
     Examples
     --------
@@ -59,7 +48,7 @@ def contact_pairs(
     (array([0.25]), array([0.5]))
     """
     arrays = _pair_list(pairs, centers, q, cell)
-    mu2, lambda_ = out if out is not None else (np.empty(len(arrays[0])), np.empty(len(arrays[0])))
+    mu2, lambda_ = _outputs(out, len(arrays[0]))
     if mu2.size:
         mu2.flat[0] = _NO_MU2
     status = _core.contact_pairs(*arrays, mu2, lambda_)
@@ -69,6 +58,7 @@ def contact_pairs(
     return mu2, lambda_
 
 
+@documented
 def overlap_pairs(
     pairs: ArrayLike,
     centers: ArrayLike,
@@ -76,26 +66,20 @@ def overlap_pairs(
     cell: Optional[ArrayLike] = None,
     dtype: DTypeLike = np.bool_,
 ) -> NDArray[Any]:
-    """Whether the pairs of a neighbour list overlap; see `overlap`.
+    """Whether (see `overlap`) the pairs of a neighbour list overlap. Dask arrays are computed at once.
 
     Parameters
     ----------
-    pairs, centers, q, cell
-        As for `contact_pairs`.
+    {pair_list}
     dtype : bool or uint8
-        As for `overlap`: with ``np.uint8`` the result is 1, 0, or 255 for a bad pair.
+        With ``np.uint8`` the result is 1, 0, or 255 for a bad pair.
 
     Returns
     -------
     (k) array of `dtype`
         A bad pair counts as an overlap; NumPy reports it as ``np.errstate(invalid=...)`` says.
 
-    Raises
-    ------
-    IndexError
-        An index is not in [0, n).
-    ValueError
-        Shapes do not match, or the cell is singular or not finite.
+    {raises_pair_list}
 
     Examples
     --------
@@ -120,6 +104,15 @@ def overlap_pairs(
     return codes.view(np.bool_)
 
 
+def _outputs(out: Any, count: int) -> tuple[Floats, Floats]:
+    if out is None:
+        return np.empty(count), np.empty(count)
+    if not isinstance(out, tuple) or len(out) != 2 or any(array is None for array in out):
+        raise TypeError("contact_pairs: 'out' must be a tuple of two arrays")
+    check_out(out)
+    return out[0], out[1]
+
+
 def _pair_list(
     pairs: ArrayLike, centers: ArrayLike, q: ArrayLike, cell: Optional[ArrayLike]
 ) -> tuple[NDArray[np.int32], Floats, Floats, Optional[Floats]]:
@@ -136,15 +129,19 @@ def _pair_list(
 
 
 def _rows(array: ArrayLike, columns: int, name: str) -> Floats:
-    rows = np.require(array, np.float64, ["C", "A"])
+    rows = np.asarray(plain(array))
+    if not np.can_cast(rows.dtype, np.float64, "same_kind"):
+        raise TypeError(f"{name} must be real numbers, but they are {rows.dtype}")
     if rows.ndim != 2 or rows.shape[1] != columns:
         raise ValueError(f"{name} must have {columns} columns, but the shape is {rows.shape}")
-    return rows
+    return np.require(rows, np.float64, ["C", "A"])
 
 
 def _indices(pairs: ArrayLike, num_particles: int) -> NDArray[np.int32]:
+    if np.ma.is_masked(pairs):
+        raise TypeError("pairs must not be masked")
     indices = np.asarray(pairs)
-    if indices.size == 0:
+    if indices.size == 0 and indices.shape in ((0,), (0, 2)):
         return np.empty((0, 2), dtype=np.int32)
     if indices.ndim != 2 or indices.shape[1] != 2:
         raise ValueError(f"pairs must have 2 columns, but the shape is {indices.shape}")

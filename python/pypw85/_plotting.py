@@ -5,10 +5,12 @@ from __future__ import annotations
 from typing import Any, Optional
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from ._arrays import plain
 from ._contact import contact, contact_geometry
 from ._forms import principal_axes
+from ._typing import Floats
 
 _COLOURS = ("tab:blue", "tab:orange")
 
@@ -42,8 +44,7 @@ def plot(
     PW85Error
         Invalid input, or coincident centres.
     """
-    c1 = np.asarray(center1, dtype=np.float64)
-    c2 = np.asarray(center2, dtype=np.float64)
+    c1, q1, c2, q2 = (np.asarray(plain(x), dtype=np.float64) for x in (center1, q1, center2, q2))
     mu2, lambda_ = contact(c2 - c1, q1, q2)
     point, normal = contact_geometry(c2 - c1, q1, q2, lambda_)
     if ax is None:
@@ -63,7 +64,7 @@ def plot(
     return ax
 
 
-def surface(center: ArrayLike, q: ArrayLike, scale: float, resolution: int) -> NDArray[np.float64]:
+def surface(center: ArrayLike, q: ArrayLike, scale: float, resolution: int) -> Floats:
     """Points (3, resolution + 1, 2 resolution + 1) on an ellipsoid scaled by `scale`."""
     semi_axes, rotation = principal_axes(q)
     theta = np.linspace(0, np.pi, resolution + 1)[:, np.newaxis]
@@ -71,5 +72,6 @@ def surface(center: ArrayLike, q: ArrayLike, scale: float, resolution: int) -> N
     sphere = np.stack(
         [np.sin(theta) * np.cos(phi), np.sin(theta) * np.sin(phi), np.cos(theta) * np.ones_like(phi)]
     )
-    points = np.tensordot(rotation * (scale * semi_axes), sphere, axes=1)
-    return points + np.asarray(center, dtype=np.float64)[:, np.newaxis, np.newaxis]
+    shift = np.asarray(center, dtype=np.float64)[:, np.newaxis, np.newaxis]
+    points: Floats = np.tensordot(rotation * (scale * semi_axes), sphere, axes=1) + shift
+    return points

@@ -1,33 +1,37 @@
 """Superseded ways to compute the contact function, kept for reference and comparison.
 
 The rational form (`f2`, `contact_function2`, the polynomials) loses accuracy with the square of the aspect ratio and
-more. Arguments are as in `pypw85`: leading dimensions broadcast, and arrays may be of any real type.
+more. Arguments are as in `pypw85`.
 """
 
 from __future__ import annotations
 
-from typing import Any, Optional
+from typing import Any, Optional, overload
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _core
-from ._contact import Floats, Values, contact_call
+from ._arrays import plain
+from ._documentation import documented
+from ._typing import Floats, Row
 
 __all__ = ["contact_function1", "contact_function2", "f1", "f2"]
 
 
-def _det_sym(a: ArrayLike, out: Any = None, **kwargs: Any) -> Values:
+@overload
+def _det_sym(a: Row, out: None = None) -> float: ...
+@overload
+def _det_sym(a: ArrayLike, out: Any = None, **kwargs: Any) -> Any: ...
+@documented
+def _det_sym(a: ArrayLike, out: Any = None, **kwargs: Any) -> Any:
     """Determinants of symmetric matrices.
 
     Parameters
     ----------
     a : (..., 6) array_like
         Packed matrices.
-    out : (...) array, optional
-        Where to put the result.
-    **kwargs
-        As for any ufunc.
+    {out}
 
     Returns
     -------
@@ -42,7 +46,12 @@ def _det_sym(a: ArrayLike, out: Any = None, **kwargs: Any) -> Values:
     return _core.call_legacy_det_sym(a, out, kwargs)
 
 
-def _xT_adjA_x(x: ArrayLike, a: ArrayLike, out: Any = None, **kwargs: Any) -> Values:
+@overload
+def _xT_adjA_x(x: Row, a: Row, out: None = None) -> float: ...
+@overload
+def _xT_adjA_x(x: ArrayLike, a: ArrayLike, out: Any = None, **kwargs: Any) -> Any: ...
+@documented
+def _xT_adjA_x(x: ArrayLike, a: ArrayLike, out: Any = None, **kwargs: Any) -> Any:
     """xᵀ adj(A) x, where adj(A) is the adjugate, the transpose of the matrix of cofactors.
 
     Parameters
@@ -51,10 +60,7 @@ def _xT_adjA_x(x: ArrayLike, a: ArrayLike, out: Any = None, **kwargs: Any) -> Va
         Vectors.
     a : (..., 6) array_like
         Packed matrices.
-    out : (...) array, optional
-        Where to put the result.
-    **kwargs
-        As for any ufunc.
+    {out}
 
     Returns
     -------
@@ -71,9 +77,10 @@ def _xT_adjA_x(x: ArrayLike, a: ArrayLike, out: Any = None, **kwargs: Any) -> Va
 
 def _outside(q1: ArrayLike, q2: ArrayLike) -> Any:
     """Value of the blend (1-λ) Q1 + λ Q2 at λ = -1."""
-    return 2 * np.asarray(q1) - np.asarray(q2)
+    return 2 * plain(q1) - plain(q2)
 
 
+@documented
 def _detQ_as_poly(
     q1: ArrayLike,
     q2: ArrayLike,
@@ -88,14 +95,12 @@ def _detQ_as_poly(
     ----------
     q1, q2 : (..., 6) array_like
         Forms.
-    q3 : (..., 6) array_like, optional
-        2 Q1 - Q2, if it is at hand.
+    {q3}
     q4 : (..., 6) array_like, optional
         (Q1 + Q2)/2, if it is at hand.
     b : (..., 4) array, optional
         Where to put the result.
-    **kwargs
-        As for any ufunc.
+    {keywords}
 
     Returns
     -------
@@ -111,10 +116,11 @@ def _detQ_as_poly(
     if q3 is None:
         q3 = _outside(q1, q2)
     if q4 is None:
-        q4 = 0.5 * (np.asarray(q1) + np.asarray(q2))
+        q4 = 0.5 * (plain(q1) + plain(q2))
     return _core.call_legacy_detQ_as_poly(q1, q2, q3, q4, b, kwargs)
 
 
+@documented
 def _rT_adjQ_r_as_poly(
     r: ArrayLike,
     q1: ArrayLike,
@@ -131,12 +137,10 @@ def _rT_adjQ_r_as_poly(
         Vectors.
     q1, q2 : (..., 6) array_like
         Forms.
-    q3 : (..., 6) array_like, optional
-        2 Q1 - Q2, if it is at hand.
+    {q3}
     a : (..., 3) array, optional
         Where to put the result.
-    **kwargs
-        As for any ufunc.
+    {keywords}
 
     Returns
     -------
@@ -154,40 +158,33 @@ def _rT_adjQ_r_as_poly(
     return _core.call_legacy_rT_adjQ_r_as_poly(r, q1, q2, q3, a, kwargs)
 
 
-def _value_of_f(call: Any, args: tuple[Any, ...], out: Optional[Floats], kwargs: dict[str, Any]) -> Values:
-    if out is None:
-        return call(*args, None, kwargs)[0]
-    if out.ndim == 0 or out.shape[-1] not in (1, 3):
-        raise ValueError(f"the last dimension of 'out' must be 3 (or 1), but its shape is {out.shape}")
-    if out.shape[-1] == 1:
-        out[..., 0] = call(*args, None, kwargs)[0]
-    else:
-        call(*args, tuple(out[..., k] for k in range(3)), kwargs)
-    return out[..., 0][()]
+def _value_of_f(call: Any, args: tuple[Any, ...], out: Optional[Floats], kwargs: dict[str, Any]) -> Any:
+    if isinstance(out, np.ndarray) and out.shape[-1:] == (1,):
+        rest = np.empty(out.shape[:-1]), np.empty(out.shape[:-1])
+        return call(*args, (out[..., 0], *rest), kwargs)[0][()]
+    return call(*args, out, kwargs)[0]
 
 
+@overload
+def f1(lambda_: float, r12: Row, q1: Row, q2: Row, out: Optional[Floats] = None) -> float: ...
+@overload
 def f1(
-    lambda_: ArrayLike,
-    r12: ArrayLike,
-    q1: ArrayLike,
-    q2: ArrayLike,
-    out: Optional[Floats] = None,
-    **kwargs: Any,
-) -> Values:
+    lambda_: ArrayLike, r12: ArrayLike, q1: ArrayLike, q2: ArrayLike, out: Optional[Floats] = None, **kwargs: Any
+) -> Any: ...
+@documented
+def f1(
+    lambda_: ArrayLike, r12: ArrayLike, q1: ArrayLike, q2: ArrayLike, out: Optional[Floats] = None, **kwargs: Any
+) -> Any:
     """f(λ) = λ(1-λ) r12ᵀ [(1-λ) Q1 + λ Q2]⁻¹ r12 and its derivatives, by Cholesky factorisation.
 
     Parameters
     ----------
-    lambda_ : (...) array_like
-        In [0, 1].
-    r12 : (..., 3) array_like
-        From the centre of ellipsoid 1 to that of ellipsoid 2.
-    q1, q2 : (..., 6) array_like
-        Forms of the ellipsoids.
+    {lambda_in}
+    {r12}
+    {forms}
     out : (..., 3) array, optional
-        Where to put f, f' and f''. An array (..., 1), as the manual of pw85 1.0 has it for `f2`, receives f alone.
-    **kwargs
-        As for any ufunc.
+        Where to put f, f' and f''. An array (..., 1) receives f alone.
+    {keywords}
 
     Returns
     -------
@@ -212,34 +209,89 @@ def f1(
     return _value_of_f(_core.call_legacy_f1, (lambda_, r12, q1, q2), out, kwargs)
 
 
+@overload
+def f2(lambda_: float, r12: Row, q1: Row, q2: Row, out: Optional[Floats] = None) -> float: ...
+@overload
 def f2(
-    lambda_: ArrayLike,
-    r12: ArrayLike,
-    q1: ArrayLike,
-    q2: ArrayLike,
-    out: Optional[Floats] = None,
-    **kwargs: Any,
-) -> Values:
-    """The same as `f1`, as a rational function of λ."""
+    lambda_: ArrayLike, r12: ArrayLike, q1: ArrayLike, q2: ArrayLike, out: Optional[Floats] = None, **kwargs: Any
+) -> Any: ...
+@documented
+def f2(
+    lambda_: ArrayLike, r12: ArrayLike, q1: ArrayLike, q2: ArrayLike, out: Optional[Floats] = None, **kwargs: Any
+) -> Any:
+    """The same as `f1`, as a rational function of λ, which loses accuracy with the square of the aspect ratio and more.
+
+    Parameters
+    ----------
+    {lambda_in}
+    {r12}
+    {forms}
+    out : (..., 3) array, optional
+        Where to put f, f' and f''. An array (..., 1), as in pw85 1.0, receives f alone.
+    {keywords}
+
+    Returns
+    -------
+    (...) array or number
+        f(λ)
+
+    Raises
+    ------
+    PW85Error
+        For a single value: invalid input. Rows of arrays become NaN.
+    """
     return _value_of_f(_core.call_legacy_f2, (lambda_, r12, q1, q2), out, kwargs)
 
 
+@overload
+def contact_function1(r12: Row, q1: Row, q2: Row, out: None = None) -> tuple[float, float]: ...
+@overload
 def contact_function1(
     r12: ArrayLike, q1: ArrayLike, q2: ArrayLike, out: Any = None, **kwargs: Any
-) -> tuple[Values, Values]:
+) -> tuple[Any, Any]: ...
+@documented
+def contact_function1(
+    r12: ArrayLike, q1: ArrayLike, q2: ArrayLike, out: Any = None, **kwargs: Any
+) -> tuple[Any, Any]:
     """Contact function by plain Newton-Raphson iterations on f', which often fail.
 
-    Parameters, results and errors are those of `pypw85.contact_function`; ``Status.ECONVERGENCE`` when the iterations
-    leave [0, 1] or do not settle.
+    Parameters
+    ----------
+    {r12}
+    {forms}
+    {out_contact}
+
+    {returns_contact}
+
+    Raises
+    ------
+    PW85Error
+        For a single pair: invalid input, a form that is not positive definite, or ``Status.ECONVERGENCE`` when the
+        iterations leave [0, 1] or do not settle. Rows of arrays become NaN.
     """
-    return contact_call(_core.call_legacy_contact_function1, (r12, q1, q2), out, kwargs)
+    return _core.call_legacy_contact_function1(r12, q1, q2, out, kwargs)
 
 
+@overload
+def contact_function2(r12: Row, q1: Row, q2: Row, out: None = None) -> tuple[float, float]: ...
+@overload
 def contact_function2(
     r12: ArrayLike, q1: ArrayLike, q2: ArrayLike, out: Any = None, **kwargs: Any
-) -> tuple[Values, Values]:
+) -> tuple[Any, Any]: ...
+@documented
+def contact_function2(
+    r12: ArrayLike, q1: ArrayLike, q2: ArrayLike, out: Any = None, **kwargs: Any
+) -> tuple[Any, Any]:
     """Contact function by bisection on the numerator of f' in rational form.
 
-    Parameters, results and errors are those of `pypw85.contact_function`, except for accuracy.
+    Parameters
+    ----------
+    {r12}
+    {forms}
+    {out_contact}
+
+    {returns_contact}
+
+    {raises_pair}
     """
-    return contact_call(_core.call_legacy_contact_function2, (r12, q1, q2), out, kwargs)
+    return _core.call_legacy_contact_function2(r12, q1, q2, out, kwargs)

@@ -1,4 +1,5 @@
 // Calls for one row go straight to the C function: a ufunc costs microseconds, the function a fraction of one.
+#include <algorithm>
 #include <cstring>
 
 #include <pw85.h>
@@ -97,19 +98,16 @@ PyObject *new_value(Function const &function, Core const &core, double const *ro
     return number;
 }
 
-/// Writes a row to an output argument, by the rules of ufuncs for casting and broadcasting; returns the argument.
-PyObject *store(PyObject *out, Core const &core, double const *row)
+/// Writes an array to an output argument, by the rules of ufuncs for casting and broadcasting; returns the argument.
+PyObject *store(PyObject *out, Reference const &value)
 {
-    if (!PyArray_Check(out)) return PyErr_Format(PyExc_TypeError, "return arrays must be of ArrayType");
-    auto *const array = reinterpret_cast<PyArrayObject *>(out);
-    Reference const value(new_array(core, row));
-    Reference const from(reinterpret_cast<PyObject *>(PyArray_DescrFromType(NPY_DOUBLE)));
-    if (!value || !from) return nullptr;
-    if (!PyArray_CanCastTypeTo(reinterpret_cast<PyArray_Descr *>(from.get()), PyArray_DESCR(array),
-                               NPY_SAME_KIND_CASTING))
-        return PyErr_Format(PyExc_TypeError, "cannot cast output from float64 to %R by the rule 'same_kind'",
-                            PyArray_DESCR(array));
-    if (PyArray_CopyInto(array, reinterpret_cast<PyArrayObject *>(value.get())) < 0) return nullptr;
+    if (!value) return nullptr;
+    auto *const to = reinterpret_cast<PyArrayObject *>(out), *const from =
+                                                                 reinterpret_cast<PyArrayObject *>(value.get());
+    if (!PyArray_CanCastTypeTo(PyArray_DESCR(from), PyArray_DESCR(to), NPY_SAME_KIND_CASTING))
+        return PyErr_Format(PyExc_TypeError, "cannot cast output from %R to %R by the rule 'same_kind'",
+                            PyArray_DESCR(from), PyArray_DESCR(to));
+    if (PyArray_CopyInto(to, from) < 0) return nullptr;
     Py_INCREF(out);
     return out;
 }
@@ -117,19 +115,46 @@ PyObject *store(PyObject *out, Core const &core, double const *row)
 PyObject *store_or_new(Function const &function, PyObject *out, Core const &core, double const *row)
 {
     if (out == Py_None) return new_value(function, core, row);
-    if (!function.boolean) return store(out, core, row);
-    Reference const truth(PyBool_FromLong(*row != 0));
-    if (!PyArray_Check(out)) return PyErr_Format(PyExc_TypeError, "return arrays must be of ArrayType");
-    if (PyArray_CopyObject(reinterpret_cast<PyArrayObject *>(out), truth.get()) < 0) return nullptr;
-    Py_INCREF(out);
-    return out;
+    if (!function.boolean) return store(out, Reference(new_array(core, row)));
+    return store(out, Reference(PyArray_FROM_O(*row != 0 ? Py_True : Py_False)));
 }
 
 /// Output argument k, borrowed, of `out` as the caller passed it: None, the only array, or a tuple.
 PyObject *output_argument(PyObject *out, int k) noexcept { return PyTuple_Check(out) ? PyTuple_GET_ITEM(out, k) : out; }
 
+/// Whether one array is given for outputs that are numbers.
+bool is_array_of_columns(Function const &function, PyObject *out)
+{
+    if (function.nout == 1 || !PyArray_Check(out)) return false;
+    for (int k = function.nin; k < function.operands(); ++k)
+        if (function.cores[k].ndim > 0) return false;
+    return true;
+}
+
+bool is_one_row(PyObject *out, int count)
+{
+    auto *const array = reinterpret_cast<PyArrayObject *>(out);
+    return PyArray_NDIM(array) == 1 && PyArray_DIM(array, 0) == count;
+}
+
+/// Writes the numbers of one row to an array (nout); returns them.
+PyObject *store_columns(Function const &function, PyObject *out, double rows[][max_core_size])
+{
+    double numbers[max_operands];
+    Reference tuple(PyTuple_New(function.nout));
+    for (int k = 0; tuple && k < function.nout; ++k) {
+        numbers[k] = rows[k][0];
+        PyObject *const number = new_value(function, Core{}, rows[k]);
+        if (number == nullptr) return nullptr;
+        PyTuple_SET_ITEM(tuple.get(), k, number);
+    }
+    Core const row{1, {function.nout, 1}};
+    return tuple && Reference(store(out, Reference(new_array(row, numbers)))) ? tuple.release() : nullptr;
+}
+
 PyObject *results(Function const &function, PyObject *out, double rows[][max_core_size])
 {
+    if (is_array_of_columns(function, out)) return store_columns(function, out, rows);
     if (out != Py_None && PyTuple_Check(out) ? PyTuple_GET_SIZE(out) != function.nout
                                              : out != Py_None && function.nout > 1)
         return PyErr_Format(PyExc_ValueError, "%s: 'out' must be a tuple of %d arrays", function.name, function.nout);
@@ -155,22 +180,46 @@ PyObject *call_one_row(Function const &function, double const *const *in, PyObje
     return raise(function, status);
 }
 
-/// Dask infers the type of a result by a call with arrays of size one, which fixed core dimensions refuse; its
-/// apply_gufunc() has to be told.
-bool is_dask_collection(PyObject *argument)
+/// Calls a function of pypw85._arrays.
+template <class... Args> PyObject *delegate(char const *name, char const *format, Args... args)
 {
-    return !PyArray_Check(argument) && PyObject_HasAttrString(argument, "__dask_graph__") != 0;
+    Reference const module(PyImport_ImportModule("pypw85._arrays"));
+    Reference const function(module ? PyObject_GetAttrString(module.get(), name) : nullptr);
+    return function ? PyObject_CallFunction(function.get(), format, args...) : nullptr;
 }
 
-PyObject *call_dask(Callable const &callable, PyObject *const *args)
+Reference inputs(Function const &function, PyObject *const *args)
 {
-    Reference const module(PyImport_ImportModule("pypw85._dask"));
-    Reference const apply(module ? PyObject_GetAttrString(module.get(), "apply_gufunc") : nullptr);
-    if (!apply) return nullptr;
-    PyObject *all[max_operands + 1] = {callable.ufunc};
-    int const nin = callable.function->nin;
-    for (int k = 0; k < nin; ++k) all[k + 1] = args[k];
-    return PyObject_Vectorcall(apply.get(), all, static_cast<size_t>(nin) + 1, nullptr);
+    Reference tuple(PyTuple_New(function.nin));
+    for (int k = 0; tuple && k < function.nin; ++k) {
+        Py_INCREF(args[k]);
+        PyTuple_SET_ITEM(tuple.get(), k, args[k]);
+    }
+    return tuple;
+}
+
+/// Whether NumPy alone knows what to do with an array: it is no subclass, and is converted to double safely.
+bool is_plain_array(PyObject *argument)
+{
+    return PyArray_CheckExact(argument) &&
+           PyArray_CanCastSafely(PyArray_TYPE(reinterpret_cast<PyArrayObject *>(argument)), NPY_DOUBLE);
+}
+
+bool is_plain_number(PyObject *argument)
+{
+    return PyFloat_Check(argument) || PyLong_Check(argument) || PyArray_IsScalar(argument, Double);
+}
+
+/// Whether outputs are such that results reach the caller; otherwise an exception is set.
+bool is_good_output(PyObject *out)
+{
+    auto const is_plain = [](PyObject *array) { return array == Py_None || PyArray_CheckExact(array); };
+    bool plain = is_plain(out);
+    if (PyTuple_Check(out)) {
+        PyObject *const *const first = &PyTuple_GET_ITEM(out, 0);
+        plain = std::all_of(first, first + PyTuple_GET_SIZE(out), is_plain);
+    }
+    return plain || Reference(delegate("check_out", "(O)", out)) != nullptr;
 }
 
 PyObject *call_ufunc(Callable const &callable, PyObject *const *args, PyObject *out, PyObject *keywords)
@@ -180,6 +229,20 @@ PyObject *call_ufunc(Callable const &callable, PyObject *const *args, PyObject *
     Reference const with_out(PyDict_Copy(keywords));
     if (!with_out || PyDict_SetItemString(with_out.get(), "out", out) < 0) return nullptr;
     return PyObject_VectorcallDict(callable.ufunc, args, nin, with_out.get());
+}
+
+/// A call in which the output, which this function calls otherwise, is given as the keyword of ufuncs.
+PyObject *call_with_out(PyObject *self, PyObject *const *args, Py_ssize_t nargs)
+{
+    if (args[nargs - 2] != Py_None) return PyErr_Format(PyExc_TypeError, "'out' is given twice");
+    Reference const keywords(PyDict_Copy(args[nargs - 1]));
+    if (!keywords) return nullptr;
+    PyObject *all[max_operands + 2];
+    std::copy(args, args + nargs - 2, all);
+    all[nargs - 2] = PyDict_GetItemString(args[nargs - 1], "out");
+    all[nargs - 1] = keywords.get();
+    if (PyDict_DelItemString(keywords.get(), "out") < 0) return nullptr;
+    return call(self, all, nargs);
 }
 
 } // namespace
@@ -192,6 +255,9 @@ PyObject *call(PyObject *self, PyObject *const *args, Py_ssize_t nargs)
     if (nargs != function.nin + 2 || !PyDict_Check(args[nargs - 1]))
         return PyErr_Format(PyExc_TypeError, "%s: %d inputs, out and keywords expected", function.name, function.nin);
     PyObject *const out = args[function.nin], *const keywords = args[function.nin + 1];
+    if (PyDict_GET_SIZE(keywords) > 0 && PyDict_GetItemString(keywords, "out") != nullptr)
+        return call_with_out(self, args, nargs);
+    if (!is_good_output(out)) return nullptr;
 
     double rows[max_operands][max_core_size];
     double const *in[max_operands];
@@ -202,9 +268,15 @@ PyObject *call(PyObject *self, PyObject *const *args, Py_ssize_t nargs)
         one_row = loaded == Loaded::one_row;
         in[k] = rows[k];
     }
-    if (one_row) return call_one_row(function, in, out);
+    bool const columns = is_array_of_columns(function, out);
+    if (one_row && (!columns || is_one_row(out, function.nout))) return call_one_row(function, in, out);
+    if (columns)
+        return delegate("apply_to_columns", "OOOOi", callable->object, inputs(function, args).get(), out, keywords,
+                        function.nout);
     for (int k = 0; k < function.nin; ++k)
-        if (is_dask_collection(args[k])) return call_dask(*callable, args);
+        if (!is_plain_array(args[k]) && !is_plain_number(args[k]))
+            return delegate("apply", "OOOOO", callable->object, callable->ufunc, inputs(function, args).get(), out,
+                            keywords);
     return call_ufunc(*callable, args, out, keywords);
 }
 

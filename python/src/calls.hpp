@@ -11,11 +11,12 @@ namespace pypw85 {
 struct Callable {
     Function const *function;
     PyObject *ufunc;
+    PyObject *object; ///< the callable itself
 };
 
 /// call(input..., out, keywords): for one row of each input the function itself, with a PW85Error if it fails;
-/// for anything else the ufunc. `self` is a capsule of a Callable; `out` is None, an array or a tuple; `keywords` is a
-/// dict.
+/// for arrays the ufunc; for anything else pypw85._arrays. `self` is a capsule of a Callable; `out` is None, an array or
+/// a tuple; `keywords` is a dict.
 PyObject *call(PyObject *self, PyObject *const *args, Py_ssize_t nargs);
 
 /// contact_pairs(pairs, centers, q, cell or None, mu2, lambda): status. Arrays are contiguous and of the right type.

@@ -53,13 +53,14 @@ bool register_function(PyObject *module, Function &function)
                                                         "Generalised ufunc; see the function of this name in pypw85 or "
                                                         "pypw85.legacy.",
                                                         0, function.signature));
-    registered->callable = {&function, ufunc.get()};
+    registered->callable = {&function, ufunc.get(), nullptr};
     registered->call_name = std::string("call_") + function.name;
     registered->method = {registered->call_name.c_str(), reinterpret_cast<PyCFunction>(reinterpret_cast<void *>(call)),
                           METH_FASTCALL, "call(input..., out, keywords)"};
     Reference const capsule(PyCapsule_New(&registered->callable, nullptr, nullptr));
     if (!capsule) return false;
     Reference callable(PyCFunction_New(&registered->method, capsule.get()));
+    registered->callable.object = callable.get();
     return add(module, function.name, std::move(ufunc)) &&
            add(module, registered->call_name.c_str(), std::move(callable));
 }
@@ -133,7 +134,8 @@ bool limit_threads_after_fork()
 PyObject *create_module()
 {
     Reference module(PyModule_Create(&definition));
-    bool good = module != nullptr && add(module.get(), "STATUSES", statuses());
+    bool good = module != nullptr && add(module.get(), "STATUSES", statuses()) &&
+                add(module.get(), "LAMBDA_ATOL", Reference(PyFloat_FromDouble(PW85_LAMBDA_ATOL)));
     for (Function &function : functions()) good = good && register_function(module.get(), function);
     good = good && register_report(module.get(), "contact_pairs", "report_contact_pairs") &&
            register_report(module.get(), "overlap_pairs", "report_overlap_pairs");

@@ -5,7 +5,10 @@
 #define PY_SSIZE_T_CLEAN
 #include <Python.h>
 
-#define NPY_NO_DEPRECATED_API NPY_1_19_API_VERSION
+// Nothing that is deprecated in the NumPy that is built against; where that is 1.25 or later, the result runs with every
+// version from 1.21, which has the API of 1.20.
+#define NPY_NO_DEPRECATED_API NPY_API_VERSION
+#define NPY_TARGET_VERSION NPY_1_20_API_VERSION
 #define PY_ARRAY_UNIQUE_SYMBOL pypw85_array_api
 #define PY_UFUNC_UNIQUE_SYMBOL pypw85_ufunc_api
 #ifndef PYPW85_IMPORTS_NUMPY

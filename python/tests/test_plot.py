@@ -1,12 +1,12 @@
 """The picture: what is drawn lies where it should."""
 
+import matplotlib
 import numpy as np
 import pytest
 
 import pypw85
 from pypw85 import _plotting
 
-matplotlib = pytest.importorskip("matplotlib")
 matplotlib.use("Agg")
 
 C1, C2 = np.array([1.0, 0, 0]), np.array([4.0, 1, 2])

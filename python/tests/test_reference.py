@@ -2,13 +2,13 @@
 
 import os
 
+import h5py
 import numpy as np
 import pytest
 
 import pypw85
 from pypw85 import legacy
 
-h5py = pytest.importorskip("h5py")
 U = 2.0**-53
 
 

@@ -1,40 +1,68 @@
 """The wheel: built offline from a copy of the sources, installed somewhere else, used from there."""
 
+import email
 import os
 import pathlib
 import shutil
 import subprocess
 import sys
+import venv
 
 import pytest
 
+import pypw85
+
 SOURCE = pathlib.Path(os.environ["PYPW85_SOURCE"])
+PIP = [sys.executable, "-m", "pip", "--no-cache-dir", "--disable-pip-version-check", "install", "--no-index",
+       "--no-build-isolation", "--no-deps"]
 
 
-def run(*command, **kwargs):
+def run(*command, succeeds=True, **kwargs):
     done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, **kwargs)
-    assert done.returncode == 0, done.stdout
+    assert (done.returncode == 0) == succeeds, done.stdout
     return done.stdout
 
 
 @pytest.fixture(scope="module")
-def installed(tmp_path_factory):
+def copy(tmp_path_factory):
     copy = tmp_path_factory.mktemp("source") / "pw85"
     shutil.copytree(SOURCE, copy, ignore=shutil.ignore_patterns(".git", "build*", ".mesonpy*", "__pycache__"))
+    return copy
+
+
+@pytest.fixture(scope="module")
+def installed(copy, tmp_path_factory):
     target = tmp_path_factory.mktemp("target")
-    pip = [sys.executable, "-m", "pip", "--no-cache-dir", "--disable-pip-version-check", "install", "--no-index"]
-    run(*pip, "--no-build-isolation", "--no-deps", "--target", str(target), str(copy))
+    run(*PIP, "--target", str(target), str(copy))
     return target
 
 
-def test_content(installed):
-    """The package and nothing else, with stubs."""
-    names = {path.name for path in installed.iterdir()}
-    version = run(sys.executable, "-c", "import pypw85; print(pypw85.version())").strip()
-    assert names == {"pypw85", f"pypw85-{version}.dist-info"}
+@pytest.fixture(scope="module")
+def information(installed):
+    return installed / f"pypw85-{pypw85.version()}.dist-info"
+
+
+def test_content(installed, information):
+    """The package and nothing else, with stubs and licence."""
+    assert {path.name for path in installed.iterdir()} == {"pypw85", information.name}
     files = {path.name for path in (installed / "pypw85").iterdir()}
-    assert {"__init__.py", "legacy.py", "gufuncs.py", "_core.pyi", "py.typed"} <= files
+    modules = {path.name for path in (SOURCE / "python" / "pypw85").iterdir() if path.suffix in (".py", ".pyi", ".typed")}
+    assert modules | {"py.typed"} <= files
     assert not any(name.startswith("libpw85") for name in files)
+    assert (information / "LICENSE").read_bytes() == (SOURCE / "LICENSE").read_bytes()
+
+
+def test_metadata(information):
+    metadata = email.message_from_bytes((information / "METADATA").read_bytes())
+    assert metadata["Name"] == "pypw85"
+    assert metadata["Version"] == pypw85.metadata["version"]
+    assert metadata["Summary"] == pypw85.metadata["description"]
+    assert metadata["Author"] == pypw85.metadata["author"]
+    assert f"Homepage, {pypw85.metadata['url']}" in metadata.get_all("Project-URL")
+    assert "License :: OSI Approved :: BSD License" in metadata.get_all("Classifier")
+    assert metadata["Description-Content-Type"] == "text/markdown"
+    readme = metadata.get_payload(decode=True).decode("utf-8")
+    assert readme.strip() == (SOURCE / "README.md").read_text(encoding="utf-8").strip()
 
 
 def test_no_shared_library_of_ours(installed):
@@ -52,3 +80,10 @@ def test_use(installed, tmp_path):
     where, mu2 = run(sys.executable, "-c", program, cwd=tmp_path, env=environment).split()
     assert pathlib.Path(where).is_relative_to(installed)
     assert float(mu2) == 1
+
+
+def test_editable_installation_is_refused(copy, tmp_path):
+    """Pip would pretend that it succeeded."""
+    venv.create(tmp_path / "env", system_site_packages=True)
+    output = run(str(tmp_path / "env" / "bin" / "python"), *PIP[1:], "-e", str(copy), succeeds=False)
+    assert "pypw85 has no editable installation" in output

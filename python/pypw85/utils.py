@@ -1,0 +1,45 @@
+"""What programs for pw85 1.0 read from its configuration file, which nothing else needs any more."""
+
+from __future__ import annotations
+
+import configparser
+import os
+import sys
+from pathlib import Path
+
+__all__ = ["get_config_dir", "get_config_option"]
+
+
+def get_config_dir() -> str:
+    """The folder where the configuration file is, if there is one.
+
+    ``.pw85`` in the home directory, ``Library/Application Support/pw85`` there on macOS, ``pw85`` in ``%APPDATA%`` on
+    Windows.
+    """
+    if sys.platform.startswith("darwin"):
+        return str(Path.home() / "Library" / "Application Support" / "pw85")
+    if sys.platform.startswith("win32"):
+        return str(Path(os.environ["APPDATA"]) / "pw85")
+    return str(Path.home() / ".pw85")
+
+
+def get_config_option(name: str) -> str:
+    """An option of the section ``[pw85]`` of the file ``pw85.cfg``.
+
+    Parameters
+    ----------
+    name : str
+        ``"datadir"``, the folder of the reference data, or anything else that is in the file.
+
+    Raises
+    ------
+    RuntimeError
+        There is no such file.
+    KeyError
+        There is no such section or option.
+    """
+    path = Path(get_config_dir(), "pw85.cfg")
+    configuration = configparser.ConfigParser(interpolation=None)
+    if not configuration.read(path, encoding="utf-8"):
+        raise RuntimeError(f"there is no configuration file {path}")
+    return configuration["pw85"][name]

@@ -1,0 +1,108 @@
+"""What type checkers and readers see: stubs under `mypy --strict`, and texts that are whole."""
+
+import inspect
+import os
+import pathlib
+import re
+import subprocess
+import sys
+
+import pytest
+
+import pypw85
+from pypw85 import _documentation, legacy
+
+PACKAGE = pathlib.Path(pypw85.__file__).parent
+PROGRAM = """
+import math
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+import pypw85
+from pypw85 import legacy
+
+row = [3.0, 0.0, 0.0]
+form = (1, 0, 0, 1, 0, 1)
+q: npt.NDArray[np.float64] = pypw85.spheroid(1, 2, [0, 0, 1])
+
+mu2, lambda_ = pypw85.contact(row, form, form)
+total: float = math.sqrt(mu2) + lambda_
+mu2_of_arrays, lambda_of_arrays = pypw85.contact(np.zeros((4, 3)), q, q)
+both: npt.NDArray[np.float64] = mu2_of_arrays
+number: float = pypw85.contact(row, q, q)[0]
+mu2, lambda_ = pypw85.contact(row, form, form, np.empty(2))
+mu2, lambda_ = pypw85.contact_function(row, form, form)
+mu2, lambda_ = pypw85.contact_2d(row[:2], [1, 0, 1], [1, 0, 1])
+mu2, lambda_ = legacy.contact_function2(row, form, form)
+total += pypw85.f(0.5, row, form, form) + pypw85.f_neg(0.5, row, form, form) + legacy.f1(0.5, row, form, form)
+total += pypw85.closest_approach(row, form, form) + legacy._det_sym(form) + pypw85.lambda_atol
+hit: np.bool_ = pypw85.overlap(row, form, form)
+hits: npt.NDArray[np.bool_] = pypw85.overlap([row, row], q, q)
+point, normal = pypw85.contact_geometry(row, q, q, lambda_)
+point += pypw85.contact_gradient(row, q, q, lambda_)[0] + normal
+name: str = pypw85.metadata["name"]
+"""
+WRONG = ["pypw85.contact(row, form)", "mu2 = pypw85.contact(row, form, form) + 1", "pypw85.spheroid(1, 2)",
+         "text: str = pypw85.f(0.5, row, form, form)", "a, b, c = pypw85.contact(row, form, form)"]
+
+
+@pytest.fixture(scope="module")
+def mypy(tmp_path_factory):
+    folder = tmp_path_factory.mktemp("mypy")
+
+    def run(*arguments, **programs):
+        for name, program in programs.items():
+            (folder / f"{name}.py").write_text(program)
+        command = [sys.executable, "-m", "mypy", "--strict", f"--cache-dir={folder / 'cache'}", *arguments]
+        command += [f"{name}.py" for name in programs]
+        return subprocess.run(command, cwd=folder, env={**os.environ, "MYPYPATH": str(PACKAGE.parent)},
+                              stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+
+    return run
+
+
+def test_programs(mypy):
+    done = mypy("--follow-imports=silent", program=PROGRAM)
+    assert done.returncode == 0, done.stdout
+    done = mypy("--follow-imports=silent", **{f"wrong{n}": PROGRAM + line + "\n" for n, line in enumerate(WRONG)})
+    assert {int(n) for n in re.findall(r"^wrong(\d+)\.py:\d+: error", done.stdout, re.M)} == set(range(len(WRONG)))
+
+
+def test_package(mypy):
+    # Parts of NumPy and all of Matplotlib have no types.
+    done = mypy("--allow-untyped-calls", "--ignore-missing-imports", "-p", "pypw85")
+    assert done.returncode == 0, done.stdout
+
+
+BUILDING_BLOCKS = ["_cholesky_decomp", "_cholesky_solve"]
+LEGACY_BUILDING_BLOCKS = ["_det_sym", "_xT_adjA_x", "_detQ_as_poly", "_rT_adjQ_r_as_poly"]
+FUNCTIONS = {f"{module.__name__}.{name}": getattr(module, name)
+             for module, names in ((pypw85, pypw85.__all__ + BUILDING_BLOCKS),
+                                   (legacy, legacy.__all__ + LEGACY_BUILDING_BLOCKS))
+             for name in names if inspect.isfunction(getattr(module, name))}
+
+
+@pytest.mark.parametrize("name", FUNCTIONS)
+def test_texts_are_whole(name):
+    function = FUNCTIONS[name]
+    text = inspect.getdoc(function)
+    assert "{" not in re.sub(r"``.*?``|>>>.*", "", text)
+    assert len(text.split("\n", 1)[0]) <= 120
+    listed = set(re.findall(r"^(?:\*\*)?(\w+(?:, \w+)*)(?: :.*)?$", text.partition("Returns\n---")[0], re.M))
+    listed = {parameter for group in listed for parameter in group.split(", ")}
+    assert set(inspect.signature(function).parameters) <= listed
+    assert "Returns\n-------\n" in text
+
+
+def test_text_of_contact():
+    text = inspect.getdoc(pypw85.contact)
+    for part in ("Parameters", "r12 :", "q1, q2 :", "out :", "Returns", "mu2, lambda_ :", "Raises", "Examples"):
+        assert part in text
+
+
+def test_all_paragraphs_are_used():
+    sources = "".join(path.read_text(encoding="utf-8") for path in PACKAGE.glob("*.py"))
+    for name in _documentation.PARAGRAPHS:
+        assert f"    {{{name}}}\n" in sources, name
