@@ -14,7 +14,7 @@ from numpy.typing import ArrayLike
 from . import _core
 from ._contact import Floats, Values, contact_call
 
-__all__ = ["contact_function1", "contact_function2", "f1", "f2"]
+__all__ = ["contact_function1", "contact_function2", "f1", "f2", "f2_derivatives"]
 
 
 def _det_sym(a: ArrayLike, out: Any = None, **kwargs: Any) -> Values:
@@ -154,16 +154,9 @@ def _rT_adjQ_r_as_poly(
     return _core.call_legacy_rT_adjQ_r_as_poly(r, q1, q2, q3, a, kwargs)
 
 
-def _value_of_f(call: Any, args: tuple[Any, ...], out: Optional[Floats], kwargs: dict[str, Any]) -> Values:
-    if out is None:
-        return call(*args, None, kwargs)[0]
-    if out.ndim == 0 or out.shape[-1] not in (1, 3):
-        raise ValueError(f"the last dimension of 'out' must be 3 (or 1), but its shape is {out.shape}")
-    if out.shape[-1] == 1:
-        out[..., 0] = call(*args, None, kwargs)[0]
-    else:
-        call(*args, tuple(out[..., k] for k in range(3)), kwargs)
-    return out[..., 0][()]
+def _check_last_dimension(out: Floats, length: int) -> None:
+    if out.ndim == 0 or out.shape[-1] != length:
+        raise ValueError(f"the last dimension of 'out' must be {length}, but its shape is {out.shape}")
 
 
 def f1(
@@ -185,7 +178,7 @@ def f1(
     q1, q2 : (..., 6) array_like
         Forms of the ellipsoids.
     out : (..., 3) array, optional
-        Where to put f, f' and f''. An array (..., 1), as the manual of pw85 1.0 has it for `f2`, receives f alone.
+        Where to put f, f' and f''.
     **kwargs
         As for any ufunc.
 
@@ -209,7 +202,10 @@ def f1(
     >>> out
     array([ 1.,  0., -8.])
     """
-    return _value_of_f(_core.call_legacy_f1, (lambda_, r12, q1, q2), out, kwargs)
+    if out is None:
+        return _core.call_legacy_f1(lambda_, r12, q1, q2, None, kwargs)[0]
+    _check_last_dimension(out, 3)
+    return _core.call_legacy_f1(lambda_, r12, q1, q2, tuple(out[..., k] for k in range(3)), kwargs)[0][()]
 
 
 def f2(
@@ -220,8 +216,40 @@ def f2(
     out: Optional[Floats] = None,
     **kwargs: Any,
 ) -> Values:
-    """The same as `f1`, as a rational function of λ."""
-    return _value_of_f(_core.call_legacy_f2, (lambda_, r12, q1, q2), out, kwargs)
+    """f(λ), as a rational function of λ.
+
+    Parameters, result and errors are those of `f1`, except for `out`, of shape (..., 1), which receives f alone.
+    """
+    if out is None:
+        return _core.call_legacy_f2(lambda_, r12, q1, q2, None, kwargs)
+    _check_last_dimension(out, 1)
+    return _core.call_legacy_f2(lambda_, r12, q1, q2, out[..., 0], kwargs)[()]
+
+
+def f2_derivatives(
+    lambda_: ArrayLike,
+    r12: ArrayLike,
+    q1: ArrayLike,
+    q2: ArrayLike,
+    out: Optional[Floats] = None,
+    **kwargs: Any,
+) -> Floats:
+    """f(λ), f'(λ) and f''(λ), as a rational function of λ.
+
+    Parameters and errors are those of `f1`.
+
+    Returns
+    -------
+    (..., 3) array
+        f, f' and f''; `out` if given.
+
+    Examples
+    --------
+    >>> from pypw85 import legacy
+    >>> legacy.f2_derivatives(0.5, [2, 0, 0], [1, 0, 0, 1, 0, 1], [1, 0, 0, 1, 0, 1]).round(12)
+    array([ 1.,  0., -8.])
+    """
+    return _core.call_legacy_f2_derivatives(lambda_, r12, q1, q2, out, kwargs)
 
 
 def contact_function1(
