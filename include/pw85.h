@@ -49,7 +49,7 @@
 /** Maximum number of iterations of Brent's method in pw85_contact_function(). */
 #define PW85_MAX_ITER 25
 
-/** Number of Newton-Raphson iterations that refine the result of Brent's method in pw85_contact_function(). */
+/** Maximum number of Newton-Raphson iterations that refine the result of Brent's method in pw85_contact_function(). */
 #define PW85_NR_ITER 3
 
 #ifdef __cplusplus
