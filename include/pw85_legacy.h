@@ -7,6 +7,11 @@
 #ifndef PW85_LEGACY_H_INCLUDED
 #define PW85_LEGACY_H_INCLUDED
 
+/* As pw85.h of version 1.0 did: programs for it need not include these themselves. */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
 #include <pw85.h>
 
 #ifdef __cplusplus

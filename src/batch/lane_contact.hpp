@@ -1,7 +1,7 @@
 /// @file
 /// The contact function, one pair per lane.
 ///
-/// The steps are those of the scalar solver on the rational form. Each stage runs over all packs of a chunk before the next
+/// The start and the steps are those of the scalar solver on the rational form. Each stage runs over all packs of a chunk before the next
 /// one begins: stages are short and packs independent, so that the processor works on several at a time. A lane that has
 /// converged is left alone, so that what happens to a pair depends on nothing but the pair. Pairs that are out of the
 /// ordinary, ill-conditioned, or slow go to the scalar solver.

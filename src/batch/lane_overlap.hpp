@@ -1,10 +1,10 @@
 /// @file
 /// The overlap test, one pair per lane.
 ///
-/// The test on the quartic of the scalar path, with its margins, at the t where the scalar path begins, and at two more of
-/// its points; undecided pairs are collected in between, so that lanes stay full. Where that is not enough, the search of
-/// lane_contact.hpp leads to a t at which the same test leaves only pairs that are tangent to about six digits, or
-/// ill-conditioned, to the scalar path.
+/// The test on the quartic of the scalar path, with its margins, where the scalar path begins, and where its fixed-point map
+/// leads from there; undecided pairs are collected in between, so that lanes stay full. Where that is not enough, the search
+/// of lane_contact.hpp leads to the maximum of f, at which the same test leaves only pairs that are tangent to within its
+/// margin, or ill-conditioned, to the scalar path.
 #ifndef PW85_BATCH_LANE_OVERLAP_HPP_INCLUDED
 #define PW85_BATCH_LANE_OVERLAP_HPP_INCLUDED
 
