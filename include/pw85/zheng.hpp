@@ -41,11 +41,11 @@
 /// errors for 1000 random pairs (bench/closest_approach), beside those of closest_approach():
 ///
 ///     aspect   ellipses   (contact)   ellipsoids   (contact)
-///     1        4e-16      (5e-16)     4e-16        (4e-16)
-///     10       4e-15      (5e-15)     2e-15        (3e-15)
-///     100      2e-13      (2e-13)     1e-13        (3e-13)
-///     1e3      9e-12      (4e-12)     8e-12        (3e-11)
-///     1e4      6e-11      (2e-11)     8e-10        (2e-9)
+///     1        4e-16      (5e-16)     4e-16        (5e-16)
+///     10       4e-15      (4e-15)     2e-15        (2e-15)
+///     100      2e-13      (2e-13)     1e-13        (2e-13)
+///     1e3      9e-12      (3e-12)     8e-12        (2e-11)
+///     1e4      6e-11      (1e-10)     8e-10        (3e-9)
 #ifndef PW85_ZHENG_HPP_INCLUDED
 #define PW85_ZHENG_HPP_INCLUDED
 
