@@ -29,8 +29,8 @@ Input make_input(bool valid)
     double const x = valid ? 1.5 : std::numeric_limits<double>::quiet_NaN();
     double const form[6] = {2.0, 0.0, 0.0, 2.0, 0.0, 3.0};
     Input in{};
+    for (double &coordinate : in.r12) coordinate = x;
     for (std::size_t i = 0; i < n; ++i) {
-        for (int k = 0; k < 3; ++k) in.r12[3 * i + k] = x;
         std::memcpy(in.q1 + 6 * i, form, sizeof form);
         std::memcpy(in.q2 + 6 * i, form, sizeof form);
     }
