@@ -96,9 +96,10 @@ def report(results, folder, ok):
 
 
 def test_command(results):
-    """Runs README's test command in a fresh folder, with warnings as errors; whether it got to the tests."""
+    """Runs README's test command in a fresh folder, with benchmarks and pages, and with warnings as errors; whether it got
+    to the tests."""
     shutil.rmtree(TEST_COMMAND_BUILD, ignore_errors=True)
-    ok = run(["scripts/test.sh"], PW85_SETUP_OPTIONS="--werror -Dbench=enabled")
+    ok = run(["scripts/test.sh"], PW85_SETUP_OPTIONS="--werror -Dbench=enabled -Ddocs=enabled")
     report(results, TEST_COMMAND_BUILD, ok)
     return (TEST_COMMAND_BUILD / "meson-logs/testlog.json").exists()
 

@@ -37,7 +37,8 @@ module pw85
   public :: pw85_contact_batch, pw85_overlap_batch, pw85_contact_pairs, pw85_overlap_pairs
   public :: pw85__cholesky_decomp, pw85__cholesky_solve, pw85__residual, pw85_f_neg
   public :: pw85_legacy__det_sym, pw85_legacy__xt_adja_x, pw85_legacy__detq_as_poly, pw85_legacy__rt_adjq_r_as_poly
-  public :: pw85_legacy_f1, pw85_legacy_f2, pw85_legacy_contact_function1, pw85_legacy_contact_function2
+  public :: pw85_legacy_f1, pw85_legacy_f2, pw85_legacy_f2_derivatives
+  public :: pw85_legacy_contact_function1, pw85_legacy_contact_function2
   public :: pw85_zheng_ellipses, pw85_zheng_ellipsoids
 
   ! pw85.h
@@ -277,6 +278,14 @@ module pw85
       real(c_double) :: f
     end function c_legacy_f2
 
+    !> f(lambda) as a rational function, with derivatives; out = [f, f', f''].
+    subroutine pw85_legacy_f2_derivatives(lambda, r12, q1, q2, out) bind(C, name='pw85_legacy_f2_derivatives')
+      import :: c_double
+      real(c_double), value :: lambda
+      real(c_double), intent(in) :: r12(3), q1(6), q2(6)
+      real(c_double), intent(out) :: out(3)
+    end subroutine pw85_legacy_f2_derivatives
+
     function pw85_legacy_contact_function1(r12, q1, q2, out) result(status) &
         bind(C, name='pw85_legacy_contact_function1')
       import :: c_double, c_int
@@ -413,10 +422,10 @@ contains
     f = c_legacy_f1(lambda, r12, q1, q2, address(out))
   end function pw85_legacy_f1
 
-  !> f(lambda) as a rational function; out = [f, f', f''].
+  !> f(lambda) as a rational function; out = f.
   function pw85_legacy_f2(lambda, r12, q1, q2, out) result(f)
     real(c_double), intent(in) :: lambda, r12(3), q1(6), q2(6)
-    real(c_double), intent(out), optional, target :: out(3)
+    real(c_double), intent(out), optional, target :: out(1)
     real(c_double) :: f
     f = c_legacy_f2(lambda, r12, q1, q2, address(out))
   end function pw85_legacy_f2

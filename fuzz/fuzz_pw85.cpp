@@ -107,6 +107,7 @@ void check_building_blocks(Input const &in)
     pw85_f_neg(in.lambda, params);
     pw85_legacy_f1(in.lambda, in.r12, in.q1, in.q2, out);
     pw85_legacy_f2(in.lambda, in.r12, in.q1, in.q2, out);
+    pw85_legacy_f2_derivatives(in.lambda, in.r12, in.q1, in.q2, out);
     pw85_legacy_contact_function2(in.r12, in.q1, in.q2, out);
     pw85_legacy__det_sym(in.q1);
     pw85_legacy__xT_adjA_x(in.r12, in.q1);

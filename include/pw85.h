@@ -51,7 +51,7 @@
 /** Maximum number of iterations of Brent's method in pw85_contact_function(). */
 #define PW85_MAX_ITER 25
 
-/** Number of Newton-Raphson iterations that refine the result of Brent's method in pw85_contact_function(). */
+/** Maximum number of Newton-Raphson iterations that refine the result of Brent's method in pw85_contact_function(). */
 #define PW85_NR_ITER 3
 
 #ifdef __cplusplus
@@ -129,7 +129,7 @@ PW85_API int pw85_ellipse(double a, double b, double angle, double q[3]);
 /** Contact function of two ellipsoids, by a third-order iteration on log(λ/(1-λ)).
  *
  * The error is below 4 u cond, with u = 2⁻⁵³ and cond the entrywise condition number of the problem (see the chapter on
- * testing). No more than 36 evaluations of f are made.
+ * testing). No more than 42 evaluations of f are made.
  *
  * @param r12 centre-to-centre vector; zero is valid: μ² = 0, λ = 1/2
  * @param q1,q2 the forms
@@ -149,8 +149,8 @@ PW85_API int pw85_contact_function(double const r12[PW85_DIM], double const q1[P
 /** Point at which the ellipsoids, scaled by μ, touch, and their common normal.
  *
  * @param r12,q1,q2 as for pw85_contact(), r12 != 0
- * @param lambda from pw85_contact(); any value in (0, 1) gives the point x0(λ) (Perram and Wertheim, eq. 9a of the
- * theory chapter)
+ * @param lambda from pw85_contact(); any value in (0, 1) gives x0(λ), the point for which f(λ) is the weighted average of
+ * the squares of the factors that bring either ellipsoid there
  * @param[out] point relative to the centre of ellipsoid 1; may be null
  * @param[out] normal unit vector, outward from ellipsoid 1 and into ellipsoid 2; may be null
  * @return #PW85_SUCCESS, #PW85_EINVAL (also for lambda outside [0, 1] and r12 = 0), #PW85_ENOTPD */

@@ -7,6 +7,11 @@
 #ifndef PW85_LEGACY_H_INCLUDED
 #define PW85_LEGACY_H_INCLUDED
 
+/* As pw85.h of version 1.0 did: programs for it need not include these themselves. */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
 #include <pw85.h>
 
 #ifdef __cplusplus
@@ -48,15 +53,25 @@ PW85_API void pw85_legacy__rT_adjQ_r_as_poly(double const r[PW85_DIM], double co
  *
  * @param lambda in [0, 1]
  * @param r12,q1,q2 as for pw85_contact()
- * @param[out] out (f, f', f''); may be null
+ * @param[out] out (f, f', f''), three numbers; may be null
  * @return f(λ); NaN for invalid input */
 PW85_API double pw85_legacy_f1(double lambda, double const r12[PW85_DIM], double const q1[PW85_SYM],
                                double const q2[PW85_SYM], double *out);
 
-/** f(λ), as a rational function of λ; arguments as for pw85_legacy_f1(). `out` is `double[3]` here too: pw85 1.0 wrote
- * one number. */
+/** f(λ), as a rational function of λ.
+ *
+ * @param lambda,r12,q1,q2 as for pw85_legacy_f1()
+ * @param[out] out f, one number; may be null
+ * @return f(λ); NaN for invalid input */
 PW85_API double pw85_legacy_f2(double lambda, double const r12[PW85_DIM], double const q1[PW85_SYM],
                                double const q2[PW85_SYM], double *out);
+
+/** f(λ) and its derivatives, as a rational function of λ.
+ *
+ * @param lambda,r12,q1,q2 as for pw85_legacy_f1()
+ * @param[out] out (f, f', f''); NaN for invalid input */
+PW85_API void pw85_legacy_f2_derivatives(double lambda, double const r12[PW85_DIM], double const q1[PW85_SYM],
+                                         double const q2[PW85_SYM], double out[3]);
 
 /** Contact function by plain Newton-Raphson iterations on f' from λ = 1/2, which often fail; contract as for
  * pw85_contact(), and #PW85_ECONVERGENCE when they leave [0, 1] or do not settle. */

@@ -13,6 +13,18 @@ struct Options {
     int newton_iterations;
 };
 
+/// Where Brent's method ends.
+struct Rough {
+    double t;
+    int rounds; ///< choices of units that it took
+};
+
+/// The maximiser to about lambda_atol, for a valid pair in range with r12 != 0.
+Rough maximizer_by_brent(Pair<double, 3> const &pair, Options const &options) noexcept;
+
+/// The maximum by at most so many Newton-Raphson iterations from t. Where these do not settle, it has not converged.
+Maximum<double> refine(Pair<double, 3> const &pair, double t, Options const &options) noexcept;
+
 /// μ² and λ of any pair.
 Contact<double> contact_function(Vector<double, 3> const &r12, SymmetricMatrix<double, 3> const &q1,
                                  SymmetricMatrix<double, 3> const &q2, Options const &options) noexcept;

@@ -10,10 +10,23 @@ using namespace pw85::c_api;
 
 namespace {
 
-double store_derivatives(Derivatives<double> const &f, double *out) noexcept
+void store_derivatives(Derivatives<double> const &f, double *out) noexcept
 {
     store(Vector<double, 3>{f.f, f.first, f.second}, out);
-    return f.f;
+}
+
+/// f, f' and f'' by factorisation.
+Derivatives<double> factorized(double lambda, double const *r12, double const *q1, double const *q2) noexcept
+{
+    if (any_null(r12, q1, q2)) return invalid_derivatives<double>();
+    return checked_derivatives(lambda, load_vector<3>(r12), load_matrix<3>(q1), load_matrix<3>(q2));
+}
+
+/// The same in rational form.
+Derivatives<double> rational(double lambda, double const *r12, double const *q1, double const *q2) noexcept
+{
+    if (any_null(r12, q1, q2)) return invalid_derivatives<double>();
+    return legacy::checked_rational(lambda, load_vector<3>(r12), load_matrix<3>(q1), load_matrix<3>(q2));
 }
 
 int store_contact(Contact<double> const &contact, double out[2]) noexcept
@@ -57,16 +70,22 @@ void pw85_legacy__rT_adjQ_r_as_poly(double const r[3], double const q1[6], doubl
 
 double pw85_legacy_f1(double lambda, double const r12[3], double const q1[6], double const q2[6], double *out)
 {
-    if (any_null(r12, q1, q2)) return store_derivatives(invalid_derivatives<double>(), out);
-    return store_derivatives(checked_derivatives(lambda, load_vector<3>(r12), load_matrix<3>(q1), load_matrix<3>(q2)),
-                             out);
+    auto const f = factorized(lambda, r12, q1, q2);
+    store_derivatives(f, out);
+    return f.f;
 }
 
 double pw85_legacy_f2(double lambda, double const r12[3], double const q1[6], double const q2[6], double *out)
 {
-    if (any_null(r12, q1, q2)) return store_derivatives(invalid_derivatives<double>(), out);
-    return store_derivatives(
-        legacy::checked_rational(lambda, load_vector<3>(r12), load_matrix<3>(q1), load_matrix<3>(q2)), out);
+    double const f = rational(lambda, r12, q1, q2).f;
+    if (out) *out = f;
+    return f;
+}
+
+void pw85_legacy_f2_derivatives(double lambda, double const r12[3], double const q1[6], double const q2[6],
+                                double out[3])
+{
+    store_derivatives(rational(lambda, r12, q1, q2), out);
 }
 
 int pw85_legacy_contact_function1(double const r12[3], double const q1[6], double const q2[6], double out[2])

@@ -187,9 +187,11 @@ void test_f2_against_reference()
 {
     Failures failures;
     for_all_of_f([&](Sample<double, 3> const &p, double x, double expected) {
-        double const f = pw85_legacy_f2(x, p.r12.coordinates, p.q1.entries, p.q2.entries, nullptr);
-        failures.check(std::fabs(f - expected) <= 1e-10 * expected, "f2", f, expected,
-                       [&] { return hex_text(p) + ", lambda = " + hex_text(&x, 1); });
+        double out;
+        double const f = pw85_legacy_f2(x, p.r12.coordinates, p.q1.entries, p.q2.entries, &out);
+        auto const describe = [&] { return hex_text(p) + ", lambda = " + hex_text(&x, 1); };
+        failures.check(std::fabs(f - expected) <= 1e-10 * expected, "f2", f, expected, describe);
+        failures.check(out == f, "out of f2", out, f, describe);
     });
 }
 
@@ -203,7 +205,7 @@ void check_derivatives(Failures &failures, Sample<double, 3> const &p, double x)
     if (!e.valid) return;
     double const bounds[3] = {e.f, e.first, e.second};
     double out[3];
-    pw85_legacy_f2(x, p.r12.coordinates, p.q1.entries, p.q2.entries, out);
+    pw85_legacy_f2_derivatives(x, p.r12.coordinates, p.q1.entries, p.q2.entries, out);
     for (int k = 0; k < 3; ++k)
         failures.check(
             std::fabs(out[k] - expected[k]) <= second_order * bounds[k], "derivative of f2", out[k], expected[k],
@@ -303,11 +305,23 @@ void test_invalid()
     for (auto const f : {pw85_legacy_f1, pw85_legacy_f2}) {
         g_assert_true(std::isnan(f(0.5, nullptr, q, q, out)));
         g_assert_true(std::isnan(f(0.5, r12, nullptr, q, nullptr)));
-        g_assert_true(std::isnan(f(0.5, not_a_number, q, q, out)) && std::isnan(out[1]));
-        g_assert_true(std::isnan(f(0.5, r12, q, bad, out)) && std::isnan(out[2]));
+        g_assert_true(std::isnan(f(0.5, not_a_number, q, q, out)) && std::isnan(out[0]));
+        g_assert_true(std::isnan(f(0.5, r12, q, bad, out)) && std::isnan(out[0]));
         g_assert_true(std::isnan(f(1.5, r12, q, q, out)));
         g_assert_true(std::isnan(f(nan, r12, q, q, out)));
         g_assert_cmpfloat(f(0.5, r12, q, q, nullptr), ==, 0.25);
+    }
+    auto const f1_derivatives = [](double x, double const *r, double const *a, double const *b, double *to) {
+        pw85_legacy_f1(x, r, a, b, to);
+    };
+    using GetDerivatives = void (*)(double, double const *, double const *, double const *, double *);
+    for (auto const f : {static_cast<GetDerivatives>(f1_derivatives), pw85_legacy_f2_derivatives}) {
+        for (auto const r : {static_cast<double const *>(nullptr), not_a_number}) {
+            for (double &x : out) x = 0.0;
+            f(0.5, r, q, q, out);
+            for (double const x : out) g_assert_true(std::isnan(x));
+        }
+        f(0.5, r12, q, q, nullptr);
     }
     for (auto const contact : {pw85_legacy_contact_function1, pw85_legacy_contact_function2}) {
         g_assert_cmpint(contact(nullptr, q, q, out), ==, PW85_EINVAL);

@@ -67,9 +67,9 @@ template <class T, int D> void test_closest_approach()
 /// λ of a pair to the last digit of T.
 template <class T, int D> T exact_lambda(Sample<T, D> const &p) { return static_cast<T>(truth<Oracle>(p).lambda); }
 
-// The last step of the iteration is one of Newton's, of at most f = final_step(), with a slope extrapolated over a step
-// of at most p = penultimate_step(). With h = log(μ2/μ1), |h''| <= 3h' and |h'''| <= 13h', log τ errs by 1.5 f² for the
-// former and by 6.5 p² f for the latter, and by rounding.
+// The last step x of the iteration, of at most f = final_step(), is right to third order, with h' and h'' from before a step
+// of at most p = penultimate_step(). With h = log(μ2/μ1), |h''| <= 2h' and |h'''| <= 4h' (differentiate the averages of the
+// theory chapter once more), h' is off by 3p² of itself and h'' by 4p h', and log τ by 3p²f + 2pf² + 3f³ and by rounding.
 template <class T, int D> void test_lambda()
 {
     Failures failures;
@@ -82,7 +82,7 @@ template <class T, int D> void test_lambda()
         T const lambda = pw85::contact(p.r12, p.q1, p.q2).lambda, exact = exact_lambda(p);
         double const error = static_cast<double>(T((lambda - exact) / (exact * (T(1) - exact))));
         // The slope is at least 1/16 and the blend's condition number at most 16.
-        double const bound = (2.0 * last + 8.0 * previous * previous) * last + 1024 * u;
+        double const bound = 4.0 * (last * last + previous * previous) * last + 1024 * u;
         failures.check(std::fabs(error) <= bound, "error of log tau", error, bound, [&] { return hex_text(p); });
     }
 }

@@ -40,7 +40,7 @@ Row call_everything(Sample<double, 3> const &p)
     pw85__cholesky_decomp(q1, out + 38);
     pw85__cholesky_solve(out + 38, r12, out + 44);
     pw85_legacy_f1(lambda, r12, q1, q2, out + 47);
-    pw85_legacy_f2(lambda, r12, q1, q2, out + 50);
+    pw85_legacy_f2_derivatives(lambda, r12, q1, q2, out + 50);
     pw85_legacy_contact_function1(r12, q1, q2, out + 53);
     pw85_legacy_contact_function2(r12, q1, q2, out + 55);
     int overlap = -1;

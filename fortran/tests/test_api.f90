@@ -212,7 +212,7 @@ contains
   end subroutine test_building_blocks
 
   subroutine test_legacy
-    real(c_double), parameter :: x = 0.5_c_double
+    real(c_double), parameter :: x = 0.5_c_double, guard = -1.25_c_double
     real(c_double) :: a(3), b(4), q3(6), q4(6), residual(3), d1(3), d2(3), contact(2), out(2)
     integer :: status
     call check(close(pw85_legacy__det_sym(q1), 4.0_c_double), 'det_sym')
@@ -227,7 +227,10 @@ contains
     call check(close(pw85_legacy_f1(x, r12, q1, q2), residual(1)), 'f1 without derivatives')
     call check(close(pw85_legacy_f1(x, r12, q1, q2, d1), residual(1)), 'f1')
     call check(close(pw85_legacy_f2(x, r12, q1, q2), residual(1)), 'f2 without derivatives')
-    call check(close(pw85_legacy_f2(x, r12, q1, q2, d2), residual(1)), 'f2')
+    d2 = guard
+    call check(close(pw85_legacy_f2(x, r12, q1, q2, d2(1:1)), residual(1)), 'f2')
+    call check(close(d2(1), residual(1)) .and. all(abs(d2(2:3) - guard) <= 0), 'f2 writes one number')
+    call pw85_legacy_f2_derivatives(x, r12, q1, q2, d2)
     call check(all(abs(d1 - d2) <= 1e-12 * abs(d1)), 'derivatives of f1 and f2')
     status = pw85_contact(r12, q1, q2, contact)
     status = pw85_legacy_contact_function1(r12, q1, q2, out)

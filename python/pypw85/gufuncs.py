@@ -33,6 +33,7 @@ from ._core import (
     legacy_detQ_as_poly,
     legacy_f1,
     legacy_f2,
+    legacy_f2_derivatives,
     legacy_rT_adjQ_r_as_poly,
     legacy_xT_adjA_x,
     overlap,

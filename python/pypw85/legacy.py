@@ -16,7 +16,7 @@ from ._arrays import plain
 from ._documentation import documented
 from ._typing import Floats, Row
 
-__all__ = ["contact_function1", "contact_function2", "f1", "f2"]
+__all__ = ["contact_function1", "contact_function2", "f1", "f2", "f2_derivatives"]
 
 
 @overload
@@ -158,11 +158,10 @@ def _rT_adjQ_r_as_poly(
     return _core.call_legacy_rT_adjQ_r_as_poly(r, q1, q2, q3, a, kwargs)
 
 
-def _value_of_f(call: Any, args: tuple[Any, ...], out: Optional[Floats], kwargs: dict[str, Any]) -> Any:
-    if isinstance(out, np.ndarray) and out.shape[-1:] == (1,):
-        rest = np.empty(out.shape[:-1]), np.empty(out.shape[:-1])
-        return call(*args, (out[..., 0], *rest), kwargs)[0][()]
-    return call(*args, out, kwargs)[0]
+def _check_last_dimension(out: Any, length: int) -> None:
+    shape = np.shape(out)
+    if shape[-1:] != (length,):
+        raise ValueError(f"the last dimension of 'out' must be {length}, but its shape is {shape}")
 
 
 @overload
@@ -183,7 +182,7 @@ def f1(
     {r12}
     {forms}
     out : (..., 3) array, optional
-        Where to put f, f' and f''. An array (..., 1) receives f alone.
+        Where to put f, f' and f''.
     {keywords}
 
     Returns
@@ -206,7 +205,10 @@ def f1(
     >>> out
     array([ 1.,  0., -8.])
     """
-    return _value_of_f(_core.call_legacy_f1, (lambda_, r12, q1, q2), out, kwargs)
+    if out is None:
+        return _core.call_legacy_f1(lambda_, r12, q1, q2, None, kwargs)[0]
+    _check_last_dimension(out, 3)
+    return _core.call_legacy_f1(lambda_, r12, q1, q2, tuple(out[..., k] for k in range(3)), kwargs)[0][()]
 
 
 @overload
@@ -219,15 +221,15 @@ def f2(
 def f2(
     lambda_: ArrayLike, r12: ArrayLike, q1: ArrayLike, q2: ArrayLike, out: Optional[Floats] = None, **kwargs: Any
 ) -> Any:
-    """The same as `f1`, as a rational function of λ, which loses accuracy with the square of the aspect ratio and more.
+    """f(λ), as a rational function of λ, which loses accuracy with the square of the aspect ratio and more.
 
     Parameters
     ----------
     {lambda_in}
     {r12}
     {forms}
-    out : (..., 3) array, optional
-        Where to put f, f' and f''. An array (..., 1), as in pw85 1.0, receives f alone.
+    out : (..., 1) array, optional
+        Where to put f.
     {keywords}
 
     Returns
@@ -240,7 +242,44 @@ def f2(
     PW85Error
         For a single value: invalid input. Rows of arrays become NaN.
     """
-    return _value_of_f(_core.call_legacy_f2, (lambda_, r12, q1, q2), out, kwargs)
+    if out is None:
+        return _core.call_legacy_f2(lambda_, r12, q1, q2, None, kwargs)
+    _check_last_dimension(out, 1)
+    return _core.call_legacy_f2(lambda_, r12, q1, q2, out[..., 0], kwargs)[()]
+
+
+@documented
+def f2_derivatives(
+    lambda_: ArrayLike, r12: ArrayLike, q1: ArrayLike, q2: ArrayLike, out: Optional[Floats] = None, **kwargs: Any
+) -> Any:
+    """f(λ), f'(λ) and f''(λ), as a rational function of λ.
+
+    Parameters
+    ----------
+    {lambda_in}
+    {r12}
+    {forms}
+    out : (..., 3) array, optional
+        Where to put f, f' and f''.
+    {keywords}
+
+    Returns
+    -------
+    (..., 3) array
+        f, f' and f''; `out` if given.
+
+    Raises
+    ------
+    PW85Error
+        For a single value: invalid input. Rows of arrays become NaN.
+
+    Examples
+    --------
+    >>> from pypw85 import legacy
+    >>> legacy.f2_derivatives(0.5, [2, 0, 0], [1, 0, 0, 1, 0, 1], [1, 0, 0, 1, 0, 1]).round(12)
+    array([ 1.,  0., -8.])
+    """
+    return _core.call_legacy_f2_derivatives(lambda_, r12, q1, q2, out, kwargs)
 
 
 @overload

@@ -54,12 +54,24 @@ int f(double const *const *in, double *const *out)
     return status_of_value(*out[0], in[1], in[2], in[3]);
 }
 
-template <auto function> int f_and_derivatives(double const *const *in, double *const *out)
+int legacy_f1(double const *const *in, double *const *out)
 {
     double result[3];
-    function(*in[0], in[1], in[2], in[3], result);
+    pw85_legacy_f1(*in[0], in[1], in[2], in[3], result);
     for (int i = 0; i < 3; ++i) *out[i] = result[i];
     return status_of_value(result[0], in[1], in[2], in[3]);
+}
+
+int legacy_f2(double const *const *in, double *const *out)
+{
+    pw85_legacy_f2(*in[0], in[1], in[2], in[3], out[0]);
+    return status_of_value(*out[0], in[1], in[2], in[3]);
+}
+
+int legacy_f2_derivatives(double const *const *in, double *const *out)
+{
+    pw85_legacy_f2_derivatives(*in[0], in[1], in[2], in[3], out[0]);
+    return status_of_value(*out[0], in[1], in[2], in[3]);
 }
 
 int spheroid(double const *const *in, double *const *out)
@@ -181,8 +193,9 @@ std::vector<Function> &functions()
         {"legacy_xT_adjA_x", "(3),(6)->()", xT_adjA_x},
         {"legacy_detQ_as_poly", "(6),(6),(6),(6)->(4)", detQ_as_poly},
         {"legacy_rT_adjQ_r_as_poly", "(3),(6),(6),(6)->(3)", rT_adjQ_r_as_poly},
-        {"legacy_f1", "(),(3),(6),(6)->(),(),()", f_and_derivatives<pw85_legacy_f1>},
-        {"legacy_f2", "(),(3),(6),(6)->(),(),()", f_and_derivatives<pw85_legacy_f2>},
+        {"legacy_f1", "(),(3),(6),(6)->(),(),()", legacy_f1},
+        {"legacy_f2", "(),(3),(6),(6)->()", legacy_f2},
+        {"legacy_f2_derivatives", "(),(3),(6),(6)->(3)", legacy_f2_derivatives},
         {"legacy_contact_function1", "(3),(6),(6)->(),()", pair_result<pw85_legacy_contact_function1>},
         {"legacy_contact_function2", "(3),(6),(6)->(),()", pair_result<pw85_legacy_contact_function2>},
     };

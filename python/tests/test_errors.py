@@ -41,6 +41,7 @@ FAILURES = [
     (pypw85._cholesky_decomp, (NAN,), Status.EINVAL),
     (legacy.f1, (2.0, R, Q, Q), Status.EINVAL),
     (legacy.f2, (0.5, R, Q, NAN), Status.EINVAL),
+    (legacy.f2_derivatives, (0.5, R, Q, FLAT), Status.ENOTPD),
     (legacy.contact_function1, (R, Q, FLAT), Status.ENOTPD),
     (legacy.contact_function2, (R, Q, FLAT), Status.ENOTPD),
 ]

@@ -35,7 +35,8 @@ SIGNATURES = {
     "legacy_detQ_as_poly": "(6),(6),(6),(6)->(4)",
     "legacy_rT_adjQ_r_as_poly": "(3),(6),(6),(6)->(3)",
     "legacy_f1": "(),(3),(6),(6)->(),(),()",
-    "legacy_f2": "(),(3),(6),(6)->(),(),()",
+    "legacy_f2": "(),(3),(6),(6)->()",
+    "legacy_f2_derivatives": "(),(3),(6),(6)->(3)",
     "legacy_contact_function1": "(3),(6),(6)->(),()",
     "legacy_contact_function2": "(3),(6),(6)->(),()",
 }

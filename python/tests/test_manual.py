@@ -170,14 +170,25 @@ def test_rT_adjQ_r_as_poly(given, in_place):
         assert abs(np.polyval(a[::-1], lambda_) - R @ adjugate(blend(lambda_)) @ R) <= bound
 
 
-@pytest.mark.parametrize("f", [legacy.f1, legacy.f2])
-def test_legacy_f(f):
+def derivatives_of_f1(*args):
+    out = np.empty(3)
+    legacy.f1(*args, out)
+    return out
+
+
+@pytest.mark.parametrize(
+    "f, size, derivatives", [(legacy.f1, 3, derivatives_of_f1), (legacy.f2, 1, legacy.f2_derivatives)]
+)
+def test_legacy_f(f, size, derivatives):
     q1, q2 = pypw85.spheroid(1, 2, [0, 0, 1]), pypw85.spheroid(3, 1, [1, 1, 0])
     r12 = np.array([1.0, 2.0, 3.0])
     for lambda_ in (0.1, 0.5, 0.8):
-        out = np.empty(3)
-        value = f(lambda_, r12, q1, q2, out)
-        assert value == out[0] == f(lambda_, r12, q1, q2) == f(lambda_, r12, q1, q2, np.empty(1))
+        written = np.empty(size)
+        value = f(lambda_, r12, q1, q2, written)
+        out = derivatives(lambda_, r12, q1, q2)
+        assert value == written[0] == out[0] == f(lambda_, r12, q1, q2)
+        with pytest.raises(ValueError, match=f"must be {size}"):
+            f(lambda_, r12, q1, q2, np.empty(4 - size))
         assert value == pytest.approx(f_and_cond(lambda_, r12, q1, q2)[0], rel=1e-14)
         # Central differences: h² f'''/6 with h = 1e-4 and derivatives of the order of 100, against rounding u f/h.
         h = 1e-4

@@ -1,0 +1,41 @@
+"""Whether numbers that pages and comments repeat are those of the code. Usage: check_numbers.py SOURCE"""
+
+import re
+import sys
+from pathlib import Path
+
+SOLVER, HEADER, DATA = "include/pw85/solver.hpp", "include/pw85.h", "data/README.md"
+EVALUATIONS = (SOLVER, r"max_evaluations = (\d+);")
+PROBLEMS = (DATA, r"`mu2` \| float64 \| \((\d+)\)")
+
+# (file, pattern of the number in it), (file, pattern of the number that it must be)
+REPEATED = [
+    ((HEADER, r"No more than (\d+) evaluations"), EVALUATIONS),
+    (("docs/optimization.rst", r"No more than (\d+) evaluations"), EVALUATIONS),
+    (("docs/optimization.rst", r"``PW85_MAX_ITER`` \((\d+)\)"), (HEADER, r"define PW85_MAX_ITER (\d+)")),
+    (("docs/optimization.rst", r"``PW85_NR_ITER`` \((\d+)\)"), (HEADER, r"define PW85_NR_ITER (\d+)")),
+    (("docs/optimization.rst", r"``PW85_LAMBDA_ATOL`` \(10\\ :sup:`-(\d+)`\)"), (HEADER, r"LAMBDA_ATOL 1e-(\d+)")),
+    (("docs/testing.rst", r"([\d,]+) contact problems"), PROBLEMS),
+    (("README.md", r"largest over ([\d,]+) pairs"), PROBLEMS),
+    (("src/gsl_brent.cpp", r"lambda_atol, (1e-\d+),"), (HEADER, r"LAMBDA_ATOL (1e-\d+)")),
+]
+
+
+def number(source, place):
+    path, pattern = place
+    found = re.findall(pattern, (source / path).read_text(encoding="utf-8"))
+    return found[0].replace(",", "") if len(found) == 1 else f"{len(found)} matches of {pattern} in {path}"
+
+
+def main():
+    source = Path(sys.argv[1])
+    wrong = 0
+    for repeated, original in REPEATED:
+        stated, actual = number(source, repeated), number(source, original)
+        if stated != actual:
+            wrong += 1
+            print(f"{repeated[0]} says {stated}, but {original[0]} {actual}")
+    return 1 if wrong else 0
+
+
+sys.exit(main())

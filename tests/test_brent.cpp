@@ -1,0 +1,159 @@
+// What is inside of pw85_contact_function(): units, iterations, shapes that none of these settle, and no side effects.
+#include <algorithm>
+#include <cerrno>
+#include <cmath>
+
+#include <glib.h>
+#include <gsl/gsl_errno.h>
+#include <gsl_brent.hpp>
+
+#include <pw85.h>
+
+#include "failures.hpp"
+#include "random_pairs.hpp"
+#include "reference_data.hpp"
+#include "wide.hpp"
+
+using namespace pw85_tests;
+
+namespace {
+
+constexpr pw85::brent::Options options{PW85_LAMBDA_ATOL, PW85_MAX_ITER, PW85_NR_ITER};
+
+/// Ellipsoids of one aspect ratio, of sizes within a factor of 2.
+Sample<double, 3> pair_of_aspect(Random &random, double aspect)
+{
+    return {random.direction<3>(), random.form(1.0, aspect), random.form(random.log_uniform(0.5, 2.0), aspect)};
+}
+
+/// The pair in range; false where its forms as rounded are not positive definite.
+bool in_range(Sample<double, 3> const &p, pw85::Pair<double, 3> &pair)
+{
+    pw85::ScaledPair<double, 3> scaled{};
+    bool const valid = pw85::validate(p.r12, p.q1, p.q2, scaled) == pw85::Status::success;
+    pair = scaled.pair;
+    return valid;
+}
+
+// The table of rounds in gsl_brent.cpp: what is stated is needed, and is enough.
+void test_rounds()
+{
+    struct Row {
+        double aspect;
+        int rounds;
+    };
+    for (auto const &[aspect, rounds] : {Row{10.0, 1}, Row{1e6, 2}, Row{1e9, 3}, Row{1e36, 3}}) {
+        Random random(120);
+        int most = 0;
+        for (int n = 0; n < 20000; ++n) {
+            pw85::Pair<double, 3> pair;
+            if (!in_range(pair_of_aspect(random, aspect), pair)) continue;
+            auto const rough = pw85::brent::maximizer_by_brent(pair, options);
+            most = std::max(most, rough.rounds);
+        }
+        g_test_message("aspect %g: %d rounds", aspect, most);
+        g_assert_cmpint(most, ==, rounds);
+    }
+}
+
+// Number of contact problems that so many Newton-Raphson iterations do not settle.
+int unsettled(int newton_iterations)
+{
+    auto with = options;
+    with.newton_iterations = newton_iterations;
+    int count = 0;
+    for (auto const &p : contact_problems()) {
+        pw85::Pair<double, 3> pair;
+        g_assert_true(in_range(p.pair, pair));
+        double const t = pw85::brent::maximizer_by_brent(pair, options).t;
+        count += !pw85::brent::refine(pair, t, with).converged;
+    }
+    g_test_message("%d iterations leave %d unsettled", newton_iterations, count);
+    return count;
+}
+
+// Of 15,300 problems PW85_NR_ITER iterations leave 0.1 % to the search, and one less leaves 2 %.
+void test_iterations()
+{
+    g_assert_cmpint(unsettled(PW85_NR_ITER), <=, 30);
+    g_assert_cmpint(unsettled(PW85_NR_ITER - 1), >=, 150);
+}
+
+// Shapes so slender that rounding hides a part of them: neither method settles, and the answer is right all the same.
+void test_slender()
+{
+    Failures failures;
+    double worst = 0.0;
+    int searched = 0;
+    for (double const aspect : {1e6, 1e8, 1e9, 1e12, 1e20, 1e36}) {
+        Random random(121);
+        for (int n = 0; n < 4000; ++n) {
+            auto const p = pair_of_aspect(random, aspect);
+            pw85::Pair<double, 3> pair;
+            if (!in_range(p, pair)) continue;
+            auto const wide = convert<Wide>(p);
+            if (pw85::contact(wide.r12, wide.q1, wide.q2).status != pw85::Status::success) continue;
+            searched += !pw85::brent::refine(pair, pw85::brent::maximizer_by_brent(pair, options).t, options).converged;
+            double out[2];
+            auto const describe = [&] { return hex_text(p); };
+            int const status = pw85_contact_function(p.r12.coordinates, p.q1.entries, p.q2.entries, out);
+            if (!failures.check(status == PW85_SUCCESS, "status", status, 0.0, describe)) continue;
+            double const units = error_in_units(out[0], truth<Wide>(p));
+            failures.check(units <= 4.0, "error of mu^2 in u cond", units, 4.0, describe);
+            worst = std::fmax(worst, units);
+        }
+    }
+    g_test_message("largest error %.2f u cond; %d of %ld pairs were left to the search", worst, searched,
+                   failures.checked() / 2);
+    g_assert_cmpint(searched, >, 100);
+}
+
+// A thin disc on the axis of a huge sphere, 2^1047 times as thick: τ is beyond the range of double, λ is 0 or 1.
+void test_points()
+{
+    double const disc[6] = {0x1p-820, 0.0, 0.0, 0x1p-1072, 0.0, 0x1p-820}, r12[3] = {0.0, 0x3p511, 0.0};
+    double const sphere[6] = {0x1p1022, 0.0, 0.0, 0x1p1022, 0.0, 0x1p1022};
+    for (auto const solver : {pw85_contact, pw85_contact_function}) {
+        double out[2];
+        g_assert_cmpint(solver(r12, sphere, disc, out), ==, PW85_SUCCESS);
+        g_assert_cmpfloat(std::fabs(out[0] - 9.0), <=, 0x1p-48);
+        g_assert_cmpfloat(out[1], ==, 1.0);
+        g_assert_cmpint(solver(r12, disc, sphere, out), ==, PW85_SUCCESS);
+        g_assert_cmpfloat(std::fabs(out[0] - 9.0), <=, 0x1p-48);
+        g_assert_true(out[1] >= 0.0 && out[1] <= 0x1p-1000);
+    }
+}
+
+int handled = 0;
+
+void count_error(char const *, char const *, int, int) { ++handled; }
+
+void test_no_side_effects()
+{
+    auto *const before = gsl_set_error_handler(count_error);
+    Failures failures;
+    errno = 0;
+    auto const check = [&](Sample<double, 3> const &p) {
+        double out[2];
+        pw85_contact_function(p.r12.coordinates, p.q1.entries, p.q2.entries, out);
+        failures.check(handled == 0 && errno == 0, "errors and errno", handled, errno, [&] { return hex_text(p); });
+    };
+    for (auto const &p : contact_problems()) check(p.pair);
+    Random random(122);
+    for (double const aspect : {1.0, 1e9, 1e36})
+        for (int n = 0; n < 1000; ++n) check(pair_of_aspect(random, aspect));
+    g_assert_true(gsl_set_error_handler(before) == count_error);
+}
+
+} // namespace
+
+int main(int argc, char **argv)
+{
+    g_test_init(&argc, &argv, nullptr);
+    g_test_add_func("/brent/rounds", test_rounds);
+    g_test_add_func("/brent/iterations", test_iterations);
+    g_test_add_func("/brent/slender", test_slender);
+    g_test_add_func("/brent/points", test_points);
+    g_test_add_func("/brent/no_side_effects", test_no_side_effects);
+    return g_test_run();
+}
