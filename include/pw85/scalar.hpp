@@ -4,6 +4,8 @@
 #ifndef PW85_SCALAR_HPP_INCLUDED
 #define PW85_SCALAR_HPP_INCLUDED
 
+#include <pw85/requirements.hpp>
+
 #include <bit>
 #include <cmath>
 #include <cstdint>
@@ -17,6 +19,17 @@ template <class T> struct ScalarTraits {
     using Mask = bool;
     static constexpr int lanes = 1;
 };
+
+/// A floating-point type or a pack of them. Integers are none: their quotients are truncated.
+template <class T>
+concept Scalar = !std::numeric_limits<typename ScalarTraits<T>::Lane>::is_integer;
+
+/// To be asserted by whatever is made of scalars.
+template <class T> static consteval bool require_scalar() noexcept
+{
+    static_assert(Scalar<T>, "pw85 computes with floating-point numbers: write 1.0, not 1");
+    return true;
+}
 
 /// As many numbers as `T` has lanes, from memory.
 template <class T> static constexpr T load_lanes(typename ScalarTraits<T>::Lane const *x) noexcept { return *x; }

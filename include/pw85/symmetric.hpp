@@ -9,6 +9,8 @@ namespace pw85 {
 
 /// A point or direction in `D` dimensions, by its Cartesian coordinates.
 template <class T, int D> struct Vector {
+    static_assert(require_scalar<T>());
+
     T coordinates[D];
 
     [[gnu::always_inline]] constexpr T &operator[](int i) noexcept { return coordinates[i]; }
@@ -19,6 +21,7 @@ template <class T, class... U> Vector(T, U...) -> Vector<T, 1 + static_cast<int>
 
 /// A symmetric matrix: its upper triangle in row-major order, (xx, xy, xz, yy, yz, zz) in three dimensions.
 template <class T, int D> struct SymmetricMatrix {
+    static_assert(require_scalar<T>());
     static constexpr int size = D * (D + 1) / 2;
 
     T entries[size];
