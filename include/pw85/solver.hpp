@@ -148,7 +148,7 @@ template <class T> static constexpr Finish<T> finish(Candidate<T> const &candida
     T const reciprocal = T(1) / ((a + c) * candidate.k), newton = difference * reciprocal;
     T const bent = newton - T(0.5) * candidate.k2 * (a + c) * reciprocal * (newton * newton);
     T const step = minimum(T(0.25), maximum(T(-0.25), bent));
-    T const tau = minimum(T(ratio * y), T(std::numeric_limits<typename ScalarTraits<T>::Lane>::max() / 2));
+    T const tau = minimum(T(ratio * y), T(T(0.5) * largest_number<T>()));
     T const complement = T(1) / (T(1) + tau), lambda = tau * complement, weight = lambda * complement;
     T const scale = rs / (a + candidate.t * b);
     T const gain = T(0.5) * step * difference * (scale * scale) * weight;
@@ -163,7 +163,7 @@ template <class T> static constexpr Finish<T> finish(Candidate<T> const &candida
 template <class T> [[gnu::always_inline]] static inline bool prepare(RationalForm<T> const &form, T const &ratio,
                                                                      Candidate<T> &candidate, int &evaluations) noexcept
 {
-    T const largest = std::numeric_limits<T>::max();
+    T const largest = largest_number<T>();
     T t = candidate.t;
     while (evaluations < 5) {
         Jet<T> const jet = evaluate_jet(form, t);
@@ -193,7 +193,7 @@ template <class T> struct Bracket {
     T reach;        ///< factor from the end that is known to the next probe
 
     /// Takes note of the fixed-point map's image of some t, a bound on the side where it is from t.
-    void update(T const &t, T const &image) noexcept
+    [[gnu::always_inline]] void update(T const &t, T const &image) noexcept
     {
         if (image > t)
             lower = maximum(lower, image);
@@ -201,26 +201,26 @@ template <class T> struct Bracket {
             upper = minimum(upper, image);
     }
 
-    bool is_narrow() const noexcept { return upper <= lower + penultimate_step<T>() * lower; }
+    [[gnu::always_inline]] bool is_narrow() const noexcept { return upper <= lower + penultimate_step<T>() * lower; }
 
     /// The middle of log t, or a point far beyond the end that is known, the farther the more were tried.
-    T probe() noexcept
+    [[gnu::always_inline]] T probe() noexcept
     {
-        bool const below = !(lower > std::numeric_limits<T>::min()), above = !(upper < std::numeric_limits<T>::max());
+        bool const below = !(lower > smallest_number<T>()), above = !(upper < largest_number<T>());
         if (!below && !above) return square_root(lower) * square_root(upper);
         T const t = clamp(below ? T(upper / reach) : T(lower * reach));
         reach = reach * reach;
         return t;
     }
 
-    T clamp(T const &t) const noexcept { return minimum(maximum(t, lower), upper); }
+    [[gnu::always_inline]] T clamp(T const &t) const noexcept { return minimum(maximum(t, lower), upper); }
 };
 
 /// Iterates on the factorised form until a step is within penultimate_step(), or only rounding noise is left. Three steps
 /// are free to go anywhere in the bracket; later ones bisect it unless Halley's steps halve.
 template <class T, int D> static inline Candidate<T> search(Pair<T, D> const &pair, T t, int &evaluations) noexcept
 {
-    T const smallest = std::numeric_limits<T>::min(), largest = std::numeric_limits<T>::max();
+    T const smallest = smallest_number<T>(), largest = largest_number<T>();
     Bracket<T> bracket{smallest, largest, T(1024)};
     T shortest = T(2); // of Halley's steps, which is_near() keeps below 5/4
     for (int i = 1;; ++i) {

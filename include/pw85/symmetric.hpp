@@ -27,7 +27,10 @@ template <class T, int D> struct SymmetricMatrix {
     T entries[size];
 
     /// Position of the entry in row i and column j of the upper triangle, i <= j.
-    static constexpr int index(int i, int j) noexcept { return i * D - i * (i - 1) / 2 + (j - i); }
+    [[gnu::always_inline]] static constexpr int index(int i, int j) noexcept
+    {
+        return i * D - i * (i - 1) / 2 + (j - i);
+    }
 
     [[gnu::always_inline]] constexpr T &operator[](int k) noexcept { return entries[k]; }
     [[gnu::always_inline]] constexpr T const &operator[](int k) const noexcept { return entries[k]; }
@@ -238,7 +241,7 @@ static constexpr Vector<T, D> cholesky_solve(SymmetricMatrix<T, D> const &l, Vec
 template <class T, int D>
 static inline typename ScalarTraits<T>::Mask is_positive_definite(SymmetricMatrix<T, D> const &a) noexcept
 {
-    T const smallest = square_root(square_root(std::numeric_limits<T>::min()));
+    T const smallest = square_root(square_root(smallest_number<T>()));
     Factorization<T, D> const f = factorize(a, T(0));
     auto positive = f.pivots[0] > smallest;
     for (int i = 1; i < D; ++i) positive = positive && f.pivots[i] > smallest;
