@@ -1,8 +1,11 @@
 // A user's unit with all of the C++ API, to be compiled with any flags; UNIT is the name of its one function.
-#include <pw85/batch.hpp>
 #include <pw85/legacy.hpp>
 #include <pw85/pw85.hpp>
 #include <pw85/zheng.hpp>
+
+#ifndef HEADERS_ONLY
+#include <pw85/batch.hpp>
+#endif
 
 double UNIT(double x);
 
@@ -40,12 +43,15 @@ template <class T> T everything(T const &x)
     Vector<T, 2> const flat{x, T(1)};
     auto const e1 = ellipse(x, T(2), T(1)).q, e2 = ellipse(x, T(1), T(2)).q;
     return both(r12, q1, q2) + both(r12, q3, q2) + both(flat, e1, e2) + sum(t.rotation1) + sum(t.rotation2) +
-           legacy::contact_newton(r12, q1, q2).mu2 + legacy::contact_bisection(r12, q1, q2).mu2 + zheng::ellipses(flat, e1, e2).distance +
-           zheng::ellipsoids(r12, q1, q2).distance;
+           legacy::contact_newton(r12, q1, q2).mu2 + legacy::contact_bisection(r12, q1, q2).mu2 +
+           zheng::ellipses(flat, e1, e2).distance + zheng::ellipsoids(r12, q1, q2).distance;
 }
 
 double of_batches(double x)
 {
+#ifdef HEADERS_ONLY
+    return x;
+#else
     Vector<double, 3> const r12[] = {{x, 1.0, 2.0}, {x, 2.0, 1.0}};
     SymmetricMatrix<double, 3> const q[] = {{1.0, 0.0, 0.0, 1.0, 0.0, 1.0}, {2.0, 0.5, 0.0, 1.0, 0.0, 1.0}};
     double mu2[2];
@@ -53,6 +59,7 @@ double of_batches(double x)
     contact_batch(r12, q, q, mu2);
     overlap_batch(r12, q, q, decided);
     return mu2[0] + mu2[1] + decided[0] + decided[1];
+#endif
 }
 
 } // namespace
