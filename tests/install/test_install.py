@@ -1,5 +1,5 @@
 """Installs pw85 into a fresh prefix, and builds and runs programs in C99 and C++20 against it in four ways: pkg-config and
-the compiler, CMake, Meson with the system dependency, Meson with a subproject; each with shared and static libraries.
+the compiler, CMake, Meson with the system dependency, Meson with a subproject; each with shared and static libraries. The headers alone, too, where there is nothing else.
 
 Prints the Test Anything Protocol. Usage: test_install.py SOURCE_DIR
 """
@@ -67,7 +67,7 @@ class Installation:
     def check_files(self):
         wanted = [self.libdir / name for name in (
             "libpw85.so", "libpw85.so.3", "libpw85.a", "libpw85_legacy.so", "libpw85_legacy.so.3", "libpw85_legacy.a",
-            "pkgconfig/pw85.pc", "pkgconfig/pw85_legacy.pc", "cmake/pw85/pw85Config.cmake",
+            "pkgconfig/pw85.pc", "pkgconfig/pw85-headers.pc", "pkgconfig/pw85_legacy.pc", "cmake/pw85/pw85Config.cmake",
             "cmake/pw85/pw85ConfigVersion.cmake")]
         wanted += [self.prefix / "include" / name for name in (
             "pw85.h", "pw85_legacy.h", "pw85_zheng.h", "pw85_pre1.h", "pw85/pw85.hpp", "pw85/version.h")]
@@ -151,6 +151,34 @@ class Installation:
         if links_shared_library(program) != (kind == "shared"):
             raise Failed(f"{program} links the wrong kind of library: not {kind}")
 
+    def headers_only(self):
+        """Where there is no GSL, nor anything else, the headers can be installed, and used in every way."""
+        prefix, build = self.work / "headers", self.work / "build-headers"
+        nothing = {"PKG_CONFIG_LIBDIR": str(self.work / "nowhere"), "PKG_CONFIG_PATH": ""}
+        run("meson", "setup", build, self.source, f"--prefix={prefix}", "--libdir=lib", "-Dlibrary=false", **nothing)
+        run("meson", "install", "-C", build, **nothing)
+        installed = {**nothing, "PKG_CONFIG_PATH": str(prefix / "lib/pkgconfig")}
+        folder = self.work / "headers-only"
+        (folder / "subprojects").mkdir(parents=True)
+        (folder / "subprojects/pw85").symlink_to(self.source)
+        shutil.copy(HERE / "headers.cpp", folder)
+        shutil.copy(HERE / "headers_CMakeLists.txt", folder / "CMakeLists.txt")
+        shutil.copy(HERE / "headers_meson.build", folder / "meson.build")
+        (folder / "meson_options.txt").write_text("option('subproject', type: 'boolean')\n")
+
+        flags = run("pkg-config", "--cflags", "--libs", "pw85-headers", **installed).split()
+        command = os.environ.get("CXX", "c++").split()
+        run(*command, "-std=c++20", folder / "headers.cpp", "-o", folder / "consumer", *flags)
+        check_program(folder / "consumer")
+        run("cmake", "-G", "Ninja", "-S", folder, "-B", folder / "cmake", f"-DCMAKE_PREFIX_PATH={prefix}")
+        run("cmake", "--build", folder / "cmake")
+        check_program(folder / "cmake/consumer")
+        for subproject in ("false", "true"):
+            meson = folder / f"meson-{subproject}"
+            run("meson", "setup", meson, folder, f"-Dsubproject={subproject}", **(nothing if subproject == "true" else installed))
+            run("meson", "compile", "-C", meson)
+            check_program(meson / "consumer")
+
     def example(self, name, *options):
         """An example, as a project of its own against the installed library."""
         build = self.work / f"example-{name}"
@@ -185,6 +213,7 @@ def cases(installation):
             for language in LANGUAGES:
                 yield f"{way}/{kind}/{language}", lambda t=test, k=kind, l=language: t(k, l)
     yield "cmake/moved", installation.moved
+    yield "headers", installation.headers_only
     yield "examples/c", lambda: installation.example("c", f"-Dpw85_lib={installation.libdir}")
     yield "examples/cpp", lambda: installation.example("cpp")
 
