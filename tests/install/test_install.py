@@ -4,6 +4,7 @@ the compiler, CMake, Meson with the system dependency, Meson with a subproject; 
 Prints the Test Anything Protocol. Usage: test_install.py SOURCE_DIR
 """
 
+import json
 import os
 import shutil
 import subprocess
@@ -13,8 +14,9 @@ from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
 EXPECTED = "mu^2 = 3.36271\nlambda = 0.166859\n"
+LIBRARIES_ONLY = [f"-D{name}=disabled" for name in ("tests", "bench", "python", "fortran")]
 # How fast the library is does not matter here; unoptimised it takes less time to build.
-OPTIONS = [f"-D{name}=disabled" for name in ("tests", "bench", "python", "fortran")] + ["-Doptimization=0", "-Doptimized=false"]
+OPTIONS = [*LIBRARIES_ONLY, "-Doptimization=0", "-Doptimized=false"]
 LANGUAGES = {"c": ("CC", "cc", "c99"), "cpp": ("CXX", "c++", "c++20")}
 
 
@@ -179,6 +181,31 @@ class Installation:
             run("meson", "compile", "-C", meson)
             check_program(meson / "consumer")
 
+    def optimization(self):
+        """The library sets its own level, behind those of build types, of flags of a distribution, and of other projects."""
+        ways = {"plain": ["--buildtype=plain"], "debug": ["--buildtype=debug"], "own": ["--buildtype=debug", "-Doptimized=false"]}
+        for way, options in ways.items():
+            build = self.work / f"optimization-{way}"
+            run("meson", "setup", build, self.source, *LIBRARIES_ONLY, *options, CXXFLAGS="-O2")
+            self.check_level(build, "-O2" if way == "own" else "-O3")
+        folder = self.project("optimization-subproject")
+        (folder / "subprojects").mkdir()
+        (folder / "subprojects/pw85").symlink_to(self.source)
+        run("meson", "setup", folder / "build", folder, "--buildtype=debug", "-Dsubproject=true")
+        self.check_level(folder / "build", "-O3")
+
+    def check_level(self, build, wanted):
+        """Of several levels on a command line, the last one counts."""
+        units = 0
+        for unit in json.loads((build / "compile_commands.json").read_text()):
+            if (build / unit["file"]).resolve().is_relative_to(self.source / "src"):
+                units += 1
+                levels = [word for word in unit["command"].split() if word.startswith("-O")]
+                if levels[-1:] != [wanted]:
+                    raise Failed(f"{build}: {unit['file']} is compiled with {levels}, not {wanted}")
+        if units == 0:
+            raise Failed(f"{build} has no unit of the library")
+
     def example(self, name, *options):
         """An example, as a project of its own against the installed library."""
         build = self.work / f"example-{name}"
@@ -214,6 +241,7 @@ def cases(installation):
                 yield f"{way}/{kind}/{language}", lambda t=test, k=kind, l=language: t(k, l)
     yield "cmake/moved", installation.moved
     yield "headers", installation.headers_only
+    yield "optimization", installation.optimization
     yield "examples/c", lambda: installation.example("c", f"-Dpw85_lib={installation.libdir}")
     yield "examples/cpp", lambda: installation.example("cpp")
 
