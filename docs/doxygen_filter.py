@@ -40,6 +40,8 @@ def main():
     source = SHARED_PARAMETERS.sub(split_parameters, end_of_comment_alone(source))
     # Doxygen does not know namespaces that are inline by a macro, and takes attributes and constraints for types.
     source = source.replace("[[gnu::noinline]] ", "").replace("[[gnu::always_inline]] ", "")
+    # What has internal linkage it lists twice, in its file and in its namespace.
+    source = re.sub(r"^(template <.*> )?static (?=constexpr|inline)", r"\1", source, flags=re.MULTILINE)
     source = re.sub(r"^( *)requires\(.*\) explicit", r"\1explicit", source, flags=re.MULTILINE)
     source = STATUS_MACRO.sub(lambda macro: enumerators(0 if macro["cpp"] == "cpp_name" else 1), source)
     # Names of headers are not to become links to pages that there are not.

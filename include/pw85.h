@@ -21,6 +21,8 @@
  *   as the pointers to them are not null).
  * - Nothing is allocated, no state is shared, nothing is printed, the process is never ended: any number of threads may
  *   call anything at any time.
+ * - Computations are in the default floating-point environment, whatever the caller's, whose modes, status flags and traps
+ *   stay as they are.
  * - Semi-axes and distances from 1e-150 to 1e150 neither overflow nor underflow inside; a result beyond the range of
  *   double is infinity or zero.
  * - A form counts as positive definite when all pivots of its factorisation, computed in double, are positive; semi-axes
