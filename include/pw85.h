@@ -23,6 +23,8 @@
  *   call anything at any time.
  * - No function needs more than 16 KiB of stack, besides what the dynamic linker takes to bind it at its first call. The
  *   threads that a batch starts have stacks of their own, which OpenMP provides.
+ * - Computations are in the default floating-point environment, whatever the caller's, whose modes, status flags and traps
+ *   stay as they are.
  * - Semi-axes and distances from 1e-150 to 1e150 neither overflow nor underflow inside; a result beyond the range of
  *   double is infinity or zero.
  * - A form counts as positive definite when all pivots of its factorisation, computed in double, are positive; semi-axes

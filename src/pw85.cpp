@@ -5,6 +5,7 @@
 
 #include "batch/kernels.hpp"
 #include "c_arrays.hpp"
+#include "floating_point_environment.hpp"
 #include "gsl_brent.hpp"
 
 using namespace pw85;
@@ -40,7 +41,7 @@ char const *pw85_strerror(int status) { return pw85::strerror(static_cast<Status
 void pw85_spheroid(double a, double c, double const n[3], double q[6])
 {
     if (any_null(n, q)) return store_nan(q, PW85_SYM);
-    store(spheroid(a, c, load_vector<3>(n)).q, q);
+    in_default_environment([&] { store(spheroid(a, c, load_vector<3>(n)).q, q); });
 }
 
 int pw85_ellipsoid(double const semi_axes[3], double const rotation[9], double q[6])
@@ -48,24 +49,26 @@ int pw85_ellipsoid(double const semi_axes[3], double const rotation[9], double q
     if (any_null(semi_axes, rotation, q)) return null_pointer(q, PW85_SYM);
     double r[9];
     for (int i = 0; i < 9; ++i) r[i] = rotation[i];
-    return store_form(ellipsoid(load_vector<3>(semi_axes), r), q);
+    return in_default_environment([&] { return store_form(ellipsoid(load_vector<3>(semi_axes), r), q); });
 }
 
 int pw85_ellipsoid_quaternion(double const semi_axes[3], double const quaternion[4], double q[6])
 {
     if (any_null(semi_axes, quaternion, q)) return null_pointer(q, PW85_SYM);
-    return store_form(ellipsoid_quaternion(load_vector<3>(semi_axes), load_vector<4>(quaternion)), q);
+    return in_default_environment(
+        [&] { return store_form(ellipsoid_quaternion(load_vector<3>(semi_axes), load_vector<4>(quaternion)), q); });
 }
 
 int pw85_ellipse(double a, double b, double angle, double q[3])
 {
     if (any_null(q)) return PW85_EINVAL;
-    return store_form(ellipse(a, b, angle), q);
+    return in_default_environment([&] { return store_form(ellipse(a, b, angle), q); });
 }
 
 int pw85_contact(double const r12[3], double const q1[6], double const q2[6], double out[2])
 {
     if (any_null(r12, q1, q2, out)) return null_pointer(out, 2);
+    DefaultEnvironment const environment;
     return batch::kernels().scalar->contact(r12, q1, q2, out);
 }
 
@@ -73,14 +76,17 @@ int pw85_contact_function(double const r12[3], double const q1[6], double const 
 {
     if (any_null(r12, q1, q2, out)) return null_pointer(out, 2);
     constexpr brent::Options options{PW85_LAMBDA_ATOL, PW85_MAX_ITER, PW85_NR_ITER};
-    return store_contact(brent::contact_function(load_vector<3>(r12), load_matrix<3>(q1), load_matrix<3>(q2), options),
-                         out);
+    return in_default_environment([&] {
+        return store_contact(
+            brent::contact_function(load_vector<3>(r12), load_matrix<3>(q1), load_matrix<3>(q2), options), out);
+    });
 }
 
 int pw85_contact_2d(double const r12[2], double const q1[3], double const q2[3], double out[2])
 {
     if (any_null(r12, q1, q2, out)) return null_pointer(out, 2);
-    return store_contact(contact(load_vector<2>(r12), load_matrix<2>(q1), load_matrix<2>(q2)), out);
+    return in_default_environment(
+        [&] { return store_contact(contact(load_vector<2>(r12), load_matrix<2>(q1), load_matrix<2>(q2)), out); });
 }
 
 int pw85_contact_geometry(double const r12[3], double const q1[6], double const q2[6], double lambda, double point[3],
@@ -90,6 +96,7 @@ int pw85_contact_geometry(double const r12[3], double const q1[6], double const 
         store_nan(point, PW85_DIM);
         return null_pointer(normal, PW85_DIM);
     }
+    DefaultEnvironment const environment;
     return batch::kernels().scalar->contact_geometry(r12, q1, q2, lambda, point, normal);
 }
 
@@ -101,6 +108,7 @@ int pw85_contact_gradient(double const r12[3], double const q1[6], double const 
         store_nan(d_q1, PW85_SYM);
         return null_pointer(d_q2, PW85_SYM);
     }
+    DefaultEnvironment const environment;
     return batch::kernels().scalar->contact_gradient(r12, q1, q2, lambda, d_r12, d_q1, d_q2);
 }
 
@@ -111,6 +119,7 @@ int pw85_contact_torque(double const r12[3], double const q1[6], double const q2
         store_nan(d_rot1, PW85_DIM);
         return null_pointer(d_rot2, PW85_DIM);
     }
+    DefaultEnvironment const environment;
     return batch::kernels().scalar->contact_torque(r12, q1, q2, lambda, d_rot1, d_rot2);
 }
 
@@ -119,46 +128,54 @@ int pw85_overlap(double const r12[3], double const q1[6], double const q2[6], in
     if (any_null(overlap)) return PW85_EINVAL;
     *overlap = -1;
     if (any_null(r12, q1, q2)) return PW85_EINVAL;
+    DefaultEnvironment const environment;
     return batch::kernels().scalar->overlap(r12, q1, q2, overlap);
 }
 
 int pw85_closest_approach(double const direction[3], double const q1[6], double const q2[6], double *distance)
 {
     if (any_null(direction, q1, q2, distance)) return null_pointer(distance, 1);
+    DefaultEnvironment const environment;
     return batch::kernels().scalar->closest_approach(direction, q1, q2, distance);
 }
 
 int pw85_closest_approach_2d(double const direction[2], double const q1[3], double const q2[3], double *distance)
 {
     if (any_null(direction, q1, q2, distance)) return null_pointer(distance, 1);
-    auto const c = closest_approach(load_vector<2>(direction), load_matrix<2>(q1), load_matrix<2>(q2));
-    *distance = c.distance;
-    return static_cast<int>(c.status);
+    return in_default_environment([&] {
+        auto const c = closest_approach(load_vector<2>(direction), load_matrix<2>(q1), load_matrix<2>(q2));
+        *distance = c.distance;
+        return static_cast<int>(c.status);
+    });
 }
 
 void pw85__cholesky_decomp(double const a[6], double l[6])
 {
     if (any_null(a, l)) return store_nan(l, PW85_SYM);
-    store(cholesky(load_matrix<3>(a)), l);
+    in_default_environment([&] { store(cholesky(load_matrix<3>(a)), l); });
 }
 
 void pw85__cholesky_solve(double const l[6], double const b[3], double x[3])
 {
     if (any_null(l, b, x)) return store_nan(x, PW85_DIM);
-    store(cholesky_solve(load_matrix<3>(l), load_vector<3>(b)), x);
+    in_default_environment([&] { store(cholesky_solve(load_matrix<3>(l), load_vector<3>(b)), x); });
 }
 
 void pw85__residual(double lambda, double const r12[3], double const q1[6], double const q2[6], double out[3])
 {
     if (any_null(r12, q1, q2, out)) return store_nan(out, 3);
-    auto const f = checked_derivatives(lambda, load_vector<3>(r12), load_matrix<3>(q1), load_matrix<3>(q2));
-    out[0] = f.f;
-    out[1] = -f.first;
-    out[2] = -f.second;
+    in_default_environment([&] {
+        auto const f = checked_derivatives(lambda, load_vector<3>(r12), load_matrix<3>(q1), load_matrix<3>(q2));
+        out[0] = f.f;
+        out[1] = -f.first;
+        out[2] = -f.second;
+    });
 }
 
 double pw85_f_neg(double lambda, double const *params)
 {
     if (any_null(params)) return quiet_nan<double>();
-    return -checked_f(lambda, load_vector<3>(params), load_matrix<3>(params + 3), load_matrix<3>(params + 9));
+    return in_default_environment([&] {
+        return -checked_f(lambda, load_vector<3>(params), load_matrix<3>(params + 3), load_matrix<3>(params + 9));
+    });
 }

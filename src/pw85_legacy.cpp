@@ -4,6 +4,7 @@
 #include <pw85/legacy.hpp>
 
 #include "c_arrays.hpp"
+#include "floating_point_environment.hpp"
 
 using namespace pw85;
 using namespace pw85::c_api;
@@ -19,14 +20,16 @@ void store_derivatives(Derivatives<double> const &f, double *out) noexcept
 Derivatives<double> factorized(double lambda, double const *r12, double const *q1, double const *q2) noexcept
 {
     if (any_null(r12, q1, q2)) return invalid_derivatives<double>();
-    return checked_derivatives(lambda, load_vector<3>(r12), load_matrix<3>(q1), load_matrix<3>(q2));
+    return in_default_environment(
+        [&] { return checked_derivatives(lambda, load_vector<3>(r12), load_matrix<3>(q1), load_matrix<3>(q2)); });
 }
 
 /// The same in rational form.
 Derivatives<double> rational(double lambda, double const *r12, double const *q1, double const *q2) noexcept
 {
     if (any_null(r12, q1, q2)) return invalid_derivatives<double>();
-    return legacy::checked_rational(lambda, load_vector<3>(r12), load_matrix<3>(q1), load_matrix<3>(q2));
+    return in_default_environment(
+        [&] { return legacy::checked_rational(lambda, load_vector<3>(r12), load_matrix<3>(q1), load_matrix<3>(q2)); });
 }
 
 int store_contact(Contact<double> const &contact, double out[2]) noexcept
@@ -40,12 +43,14 @@ int store_contact(Contact<double> const &contact, double out[2]) noexcept
 
 double pw85_legacy__det_sym(double const a[6])
 {
-    return any_null(a) ? quiet_nan<double>() : legacy::determinant(load_matrix<3>(a));
+    if (any_null(a)) return quiet_nan<double>();
+    return in_default_environment([&] { return legacy::determinant(load_matrix<3>(a)); });
 }
 
 double pw85_legacy__xT_adjA_x(double const x[3], double const a[6])
 {
-    return any_null(x, a) ? quiet_nan<double>() : legacy::adjugate_form(load_vector<3>(x), load_matrix<3>(a));
+    if (any_null(x, a)) return quiet_nan<double>();
+    return in_default_environment([&] { return legacy::adjugate_form(load_vector<3>(x), load_matrix<3>(a)); });
 }
 
 void pw85_legacy__detQ_as_poly(double const q1[6], double const q2[6], double const q3[6], double const q4[6],
@@ -53,8 +58,10 @@ void pw85_legacy__detQ_as_poly(double const q1[6], double const q2[6], double co
 {
     if (any_null(q1, q2, q3, q4, b)) return store_nan(b, 4);
     double coefficients[4];
-    legacy::interpolate_cubic(pw85_legacy__det_sym(q1), pw85_legacy__det_sym(q2), pw85_legacy__det_sym(q3),
-                              pw85_legacy__det_sym(q4), coefficients);
+    in_default_environment([&] {
+        legacy::interpolate_cubic(pw85_legacy__det_sym(q1), pw85_legacy__det_sym(q2), pw85_legacy__det_sym(q3),
+                                  pw85_legacy__det_sym(q4), coefficients);
+    });
     for (int i = 0; i < 4; ++i) b[i] = coefficients[i];
 }
 
@@ -63,8 +70,10 @@ void pw85_legacy__rT_adjQ_r_as_poly(double const r[3], double const q1[6], doubl
 {
     if (any_null(r, q1, q2, q3, a)) return store_nan(a, 3);
     double coefficients[3];
-    legacy::interpolate_quadratic(pw85_legacy__xT_adjA_x(r, q1), pw85_legacy__xT_adjA_x(r, q2),
-                                  pw85_legacy__xT_adjA_x(r, q3), coefficients);
+    in_default_environment([&] {
+        legacy::interpolate_quadratic(pw85_legacy__xT_adjA_x(r, q1), pw85_legacy__xT_adjA_x(r, q2),
+                                      pw85_legacy__xT_adjA_x(r, q3), coefficients);
+    });
     for (int i = 0; i < 3; ++i) a[i] = coefficients[i];
 }
 
@@ -92,12 +101,17 @@ int pw85_legacy_contact_function1(double const r12[3], double const q1[6], doubl
 {
     if (any_null(out)) return PW85_EINVAL;
     if (any_null(r12, q1, q2)) return store_contact(failed_contact<double>(Status::invalid_argument), out);
-    return store_contact(legacy::contact_newton(load_vector<3>(r12), load_matrix<3>(q1), load_matrix<3>(q2)), out);
+    return in_default_environment([&] {
+        return store_contact(legacy::contact_newton(load_vector<3>(r12), load_matrix<3>(q1), load_matrix<3>(q2)), out);
+    });
 }
 
 int pw85_legacy_contact_function2(double const r12[3], double const q1[6], double const q2[6], double out[2])
 {
     if (any_null(out)) return PW85_EINVAL;
     if (any_null(r12, q1, q2)) return store_contact(failed_contact<double>(Status::invalid_argument), out);
-    return store_contact(legacy::contact_bisection(load_vector<3>(r12), load_matrix<3>(q1), load_matrix<3>(q2)), out);
+    return in_default_environment([&] {
+        return store_contact(legacy::contact_bisection(load_vector<3>(r12), load_matrix<3>(q1), load_matrix<3>(q2)),
+                             out);
+    });
 }

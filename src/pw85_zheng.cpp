@@ -4,6 +4,7 @@
 #include <pw85/zheng.hpp>
 
 #include "c_arrays.hpp"
+#include "floating_point_environment.hpp"
 
 using namespace pw85;
 using namespace pw85::c_api;
@@ -24,13 +25,18 @@ int pw85_zheng_ellipses(double const direction[2], double const q1[3], double co
 {
     if (any_null(distance)) return PW85_EINVAL;
     if (any_null(direction, q1, q2)) return store_distance(invalid_distance(), distance);
-    return store_distance(zheng::ellipses(load_vector<2>(direction), load_matrix<2>(q1), load_matrix<2>(q2)), distance);
+    return in_default_environment([&] {
+        return store_distance(zheng::ellipses(load_vector<2>(direction), load_matrix<2>(q1), load_matrix<2>(q2)),
+                              distance);
+    });
 }
 
 int pw85_zheng_ellipsoids(double const direction[3], double const q1[6], double const q2[6], double *distance)
 {
     if (any_null(distance)) return PW85_EINVAL;
     if (any_null(direction, q1, q2)) return store_distance(invalid_distance(), distance);
-    return store_distance(zheng::ellipsoids(load_vector<3>(direction), load_matrix<3>(q1), load_matrix<3>(q2)),
-                          distance);
+    return in_default_environment([&] {
+        return store_distance(zheng::ellipsoids(load_vector<3>(direction), load_matrix<3>(q1), load_matrix<3>(q2)),
+                              distance);
+    });
 }

@@ -129,7 +129,7 @@ template <class T> static inline BinaryFraction<T> to_binary_fraction(T const &x
     BinaryFraction<T> result{};
     if (x == T(0)) return result;
     auto &m = result.magnitude;
-    T fraction = std::frexp(absolute(x), &result.exponent);
+    T fraction = elementary::frexp(absolute(x), &result.exponent);
     for (int i = m.size - 1; i >= 0; --i) {
         fraction *= radix;
         m.limbs[i] = static_cast<Limb>(fraction);

@@ -42,8 +42,8 @@ template <class T> static inline T clamp(Bracket<T> const &bracket, T const &t) 
 /// The middle of log t, or a point far beyond the end that is known, the farther the more were tried.
 template <class T> static inline T probe(Bracket<T> &bracket) noexcept
 {
-    bool const below = !(bracket.lower > std::numeric_limits<T>::min());
-    bool const above = !(bracket.upper < std::numeric_limits<T>::max());
+    bool const below = !(bracket.lower > smallest_number<T>());
+    bool const above = !(bracket.upper < largest_number<T>());
     if (!below && !above) return square_root(bracket.lower) * square_root(bracket.upper);
     T const t = clamp(bracket, below ? T(bracket.upper / bracket.reach) : T(bracket.lower * bracket.reach));
     bracket.reach = bracket.reach * bracket.reach;
@@ -67,7 +67,7 @@ template <class T, int D> static inline Vector<T, D> solve_for_separation(Pair<T
 template <class T, int D> static inline bool search(Pair<T, D> const &pair, Candidate<T> &candidate,
                                                     Precision precision, int &evaluations) noexcept
 {
-    T const smallest = std::numeric_limits<T>::min(), largest = std::numeric_limits<T>::max();
+    T const smallest = smallest_number<T>(), largest = largest_number<T>();
     Bracket<T> bracket{smallest, largest, T(1024)};
     T t = clamp(bracket, candidate.t), shortest = T(2); // of Halley's steps, which is_near() keeps below 5/4
     for (int i = 1;; ++i) {

@@ -33,10 +33,7 @@ template <class T, int D> static constexpr Form<T, D> checked_form(SymmetricMatr
     return valid ? Form<T, D>{q, Status::success} : invalid_form<T, D>();
 }
 
-template <class T> static constexpr bool is_length(T const &x) noexcept
-{
-    return x > T(0) && x <= std::numeric_limits<T>::max();
-}
+template <class T> static constexpr bool is_length(T const &x) noexcept { return x > T(0) && x <= largest_number<T>(); }
 
 /// Q = a² (I - nnᵀ) + c² nnᵀ for the unit vector along n, without cancellation for any ratio of the lengths.
 template <class T> static constexpr Form<T, 3> spheroid(T const &a, T const &c, Vector<T, 3> n) noexcept
@@ -111,8 +108,8 @@ static constexpr Form<T, 3> ellipsoid_quaternion(Vector<T, 3> const &semi_axes, 
 /// The form of an ellipse with semi-axes a, b, the first at `angle` (radians, counter-clockwise) from the x axis.
 template <class T> static inline Form<T, 2> ellipse(T const &a, T const &b, T const &angle) noexcept
 {
-    using std::cos;
-    using std::sin;
+    using elementary::cos;
+    using elementary::sin;
     if (!is_length(a) || !is_length(b) || !(angle * T(0) == T(0))) return invalid_form<T, 2>();
     T const c = cos(angle), s = sin(angle);
     T const rotation[4] = {c, -s, s, c};

@@ -136,7 +136,7 @@ template <class T> static constexpr StationaryValue<T> stationary_value(Candidat
     T const reciprocal = T(1) / ((a + c) * candidate.k), newton = difference * reciprocal;
     T const bent = newton - T(0.5) * candidate.k2 * (a + c) * reciprocal * (newton * newton);
     T const step = minimum(T(0.25), maximum(T(-0.25), bent));
-    T const tau = minimum(T(ratio * y), T(std::numeric_limits<typename ScalarTraits<T>::Lane>::max() / 2));
+    T const tau = minimum(T(ratio * y), T(T(0.5) * largest_number<T>()));
     T const complement = T(1) / (T(1) + tau), lambda = tau * complement, weight = lambda * complement;
     T const scale = rs / (a + candidate.t * b);
     T const gain = T(0.5) * step * difference * (scale * scale) * weight;

@@ -131,7 +131,7 @@ template <class T> static inline Contact<T> bisection(CommonUnits<T> const &pair
         x = T(0.5) * (lower + upper);
     }
     T const f = evaluate_rational(p, x).f;
-    bool const sensible = f > T(0) && f <= std::numeric_limits<T>::max();
+    bool const sensible = f > T(0) && f <= largest_number<T>();
     return {sensible ? f : evaluate_f(x, pair.r12, pair.q1, pair.q2), x, Status::success};
 }
 

@@ -16,11 +16,11 @@ template <class T> struct Parts {
 
 static inline double leading_bits(double x) noexcept
 {
-    return std::bit_cast<double>(std::bit_cast<std::uint64_t>(x) & ~std::uint64_t{0x7ffffff});
+    return __builtin_bit_cast(double, __builtin_bit_cast(std::uint64_t, x) & ~std::uint64_t{0x7ffffff});
 }
 static inline float leading_bits(float x) noexcept
 {
-    return std::bit_cast<float>(std::bit_cast<std::uint32_t>(x) & ~std::uint32_t{0xfff});
+    return __builtin_bit_cast(float, __builtin_bit_cast(std::uint32_t, x) & ~std::uint32_t{0xfff});
 }
 
 /// T. J. Dekker, Numer. Math. 18, 224 (1971), for types whose products are never fused.

@@ -4,10 +4,12 @@
 #ifndef PW85_SCALAR_HPP_INCLUDED
 #define PW85_SCALAR_HPP_INCLUDED
 
-#include <bit>
-#include <cmath>
+#include <pw85/elementary.hpp>
+#include <pw85/requirements.hpp>
+
 #include <cstdint>
 #include <limits>
+#include <type_traits>
 
 namespace pw85 {
 
@@ -18,17 +20,51 @@ template <class T> struct ScalarTraits {
     static constexpr int lanes = 1;
 };
 
+/// A floating-point type or a pack of them. Integers are none: their quotients are truncated.
+template <class T>
+concept Scalar = !std::numeric_limits<typename ScalarTraits<T>::Lane>::is_integer;
+
+/// To be asserted by whatever is made of scalars.
+template <class T> static consteval bool require_scalar() noexcept
+{
+    static_assert(Scalar<T>, "pw85 computes with floating-point numbers: write 1.0, not 1");
+    return true;
+}
+
 /// As many numbers as `T` has lanes, from memory.
 template <class T> static constexpr T load_lanes(typename ScalarTraits<T>::Lane const *x) noexcept { return *x; }
 
 /// The number in the first lane.
 template <class T> static constexpr T first_lane(T const &x) noexcept { return x; }
 
+/// One of the functions of numeric_limits for a lane of `T`: of a native type a constant, so that there is no call of it.
+template <class T, auto function> static constexpr typename ScalarTraits<T>::Lane lane_limit() noexcept
+{
+    using Lane = typename ScalarTraits<T>::Lane;
+    if constexpr (std::is_floating_point_v<Lane>) {
+        constexpr Lane value = function();
+        return value;
+    } else
+        return function();
+}
+
+/// The largest finite number.
+template <class T> static constexpr T largest_number() noexcept
+{
+    return T(lane_limit<T, std::numeric_limits<typename ScalarTraits<T>::Lane>::max>());
+}
+
+/// The smallest positive number of full precision.
+template <class T> static constexpr T smallest_number() noexcept
+{
+    return T(lane_limit<T, std::numeric_limits<typename ScalarTraits<T>::Lane>::min>());
+}
+
 /// Unit roundoff u of one lane: 2^-53 for double.
 template <class T> static constexpr typename ScalarTraits<T>::Lane unit_roundoff() noexcept
 {
     using Lane = typename ScalarTraits<T>::Lane;
-    return std::numeric_limits<Lane>::epsilon() / Lane(2);
+    return lane_limit<T, std::numeric_limits<Lane>::epsilon>() / Lane(2);
 }
 
 /// Binary digits of the mantissa of one lane.
@@ -47,7 +83,7 @@ template <class T> static constexpr T negative_power_of_two(int n) noexcept
 
 template <class T> static constexpr T quiet_nan() noexcept
 {
-    return T(std::numeric_limits<typename ScalarTraits<T>::Lane>::quiet_NaN());
+    return T(lane_limit<T, std::numeric_limits<typename ScalarTraits<T>::Lane>::quiet_NaN>());
 }
 
 template <class T> static constexpr T select(bool condition, T const &yes, T const &no) noexcept
@@ -66,13 +102,13 @@ template <class T> static constexpr T minimum(T const &x, T const &y) noexcept {
 
 template <class T> static constexpr T absolute(T const &x) noexcept
 {
-    using std::abs;
+    using elementary::abs;
     return abs(x);
 }
 
 template <class T> static inline T square_root(T const &x) noexcept
 {
-    using std::sqrt;
+    using elementary::sqrt;
     return sqrt(x);
 }
 
@@ -91,8 +127,9 @@ template <class T> static inline T coarse_root_of_ratio(T const &x, T const &y) 
 static inline double coarse_root_of_ratio(double x, double y) noexcept
 {
     static_assert(std::numeric_limits<double>::is_iec559);
-    constexpr auto one = std::bit_cast<std::uint64_t>(1.0);
-    return std::bit_cast<double>((std::bit_cast<std::uint64_t>(x) - std::bit_cast<std::uint64_t>(y) + 2 * one) >> 1);
+    constexpr auto one = __builtin_bit_cast(std::uint64_t, 1.0);
+    return __builtin_bit_cast(
+        double, (__builtin_bit_cast(std::uint64_t, x) - __builtin_bit_cast(std::uint64_t, y) + 2 * one) >> 1);
 }
 
 } // namespace pw85

@@ -83,7 +83,7 @@ static constexpr typename ScalarTraits<T>::Mask is_in_range(T const &r, T const 
 /// The binary exponent of a positive number: x·2^-n lies in [1, 2).
 template <class T> static inline int binary_exponent(T const &x) noexcept
 {
-    using std::ilogb;
+    using elementary::ilogb;
     return ilogb(x);
 }
 
@@ -96,7 +96,7 @@ template <class T> static inline int half_exponent(T const &x) noexcept
 
 template <class T> static inline T times_power_of_two(T const &x, int exponent) noexcept
 {
-    using std::ldexp;
+    using elementary::ldexp;
     return ldexp(x, exponent);
 }
 

@@ -22,7 +22,7 @@ static inline Maximum<T> to_maximum(StationaryValue<T> const &value, int evaluat
 template <class T, int D> [[gnu::noinline]] static inline Maximum<T>
 maximize_factorized(Pair<T, D> const &pair, Candidate<T> candidate, int evaluations) noexcept
 {
-    if (!(candidate.t > T(0) && candidate.t < std::numeric_limits<T>::max())) candidate.t = initial_guess(pair);
+    if (!(candidate.t > T(0) && candidate.t < largest_number<T>())) candidate.t = initial_guess(pair);
     bool const found = search(pair, candidate, Precision::working, evaluations);
     auto const last = last_evaluation(pair, candidate, Precision::working);
     ++evaluations;

@@ -3,6 +3,7 @@
 #ifndef PW85_STATUS_HPP_INCLUDED
 #define PW85_STATUS_HPP_INCLUDED
 
+#include <pw85/requirements.hpp>
 #include <pw85/status.h>
 
 namespace pw85 {

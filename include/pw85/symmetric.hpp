@@ -9,6 +9,8 @@ namespace pw85 {
 
 /// A point or direction in `D` dimensions, by its Cartesian coordinates.
 template <class T, int D> struct Vector {
+    static_assert(require_scalar<T>());
+
     T coordinates[D];
 
     [[gnu::always_inline]] constexpr T &operator[](int i) noexcept { return coordinates[i]; }
@@ -19,12 +21,16 @@ template <class T, class... U> Vector(T, U...) -> Vector<T, 1 + static_cast<int>
 
 /// A symmetric matrix: its upper triangle in row-major order, (xx, xy, xz, yy, yz, zz) in three dimensions.
 template <class T, int D> struct SymmetricMatrix {
+    static_assert(require_scalar<T>());
     static constexpr int size = D * (D + 1) / 2;
 
     T entries[size];
 
     /// Position of the entry in row i and column j of the upper triangle, i <= j.
-    static constexpr int index(int i, int j) noexcept { return i * D - i * (i - 1) / 2 + (j - i); }
+    [[gnu::always_inline]] static constexpr int index(int i, int j) noexcept
+    {
+        return i * D - i * (i - 1) / 2 + (j - i);
+    }
 
     [[gnu::always_inline]] constexpr T &operator[](int k) noexcept { return entries[k]; }
     [[gnu::always_inline]] constexpr T const &operator[](int k) const noexcept { return entries[k]; }
@@ -235,7 +241,7 @@ static constexpr Vector<T, D> cholesky_solve(SymmetricMatrix<T, D> const &l, Vec
 template <class T, int D>
 static inline typename ScalarTraits<T>::Mask is_positive_definite(SymmetricMatrix<T, D> const &a) noexcept
 {
-    T const smallest = square_root(square_root(std::numeric_limits<T>::min()));
+    T const smallest = square_root(square_root(smallest_number<T>()));
     Factorization<T, D> const f = factorize(a, T(0));
     auto positive = f.pivots[0] > smallest;
     for (int i = 1; i < D; ++i) positive = positive && f.pivots[i] > smallest;

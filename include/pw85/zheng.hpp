@@ -64,10 +64,10 @@ template <class T> struct Tangency {
 /// term.
 template <class T> static inline T resolvent_root(T const &r, T const &s) noexcept
 {
-    using std::atan2;
-    using std::cbrt;
-    using std::cos;
-    using std::sin;
+    using elementary::atan2;
+    using elementary::cbrt;
+    using elementary::cos;
+    using elementary::sin;
     T const r3 = r * r * r, discriminant = r3 + T(0.25) * s;
     if (discriminant < T(0)) {
         T const angle = atan2(square_root(s), square_root(T(T(-4) * discriminant))) / T(3);
@@ -219,8 +219,8 @@ template <class T> static constexpr T ratio_slope(Section<T> const &s1, Section<
 
 template <class T> static inline Plane<T> plane(Pencil<T> const &pencil, T const &y) noexcept
 {
-    using std::exp;
-    using std::log;
+    using elementary::exp;
+    using elementary::log;
     T const ratio = exp(-absolute(y)), near = ratio / (T(1) + ratio), far = T(1) / (T(1) + ratio);
     T const before = y > T(0) ? far : near, after = y > T(0) ? near : far;
     T const range = pencil.fan2.x0 - pencil.fan1.x0, x1 = range * before, x2 = range * after;
@@ -235,7 +235,7 @@ template <class T> static inline Plane<T> plane(Pencil<T> const &pencil, T const
 /// The largest distance over the planes of a pencil.
 template <class T> static inline T largest_distance(Pencil<T> const &pencil) noexcept
 {
-    using std::log;
+    using elementary::log;
     Fan<T> const &f1 = pencil.fan1, &f2 = pencil.fan2;
     T const k2 = pencil.offset * pencil.offset, centre = log(f2.growth / f1.growth);
     T lower = centre - T(0.5) * log((f1.tau + k2 / f1.least) / f2.tau);

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "../c_arrays.hpp"
+#include "../floating_point_environment.hpp"
 #include "kernels.hpp"
 #include "lattice.hpp"
 
@@ -26,6 +27,7 @@ template <class Kernel> int for_all_pairs(std::size_t n, Kernel const &kernel) n
     auto const blocks = static_cast<std::ptrdiff_t>((n + block - 1) / block);
 #pragma omp parallel if (blocks > 1)
     {
+        DefaultEnvironment const environment; // threads have their own
         Failure own{0, 0};
 #pragma omp for schedule(static) nowait
         for (std::ptrdiff_t b = 0; b < blocks; ++b) {
@@ -58,6 +60,7 @@ int prepare_list(std::size_t num_pairs, std::size_t num_particles, double const 
     if (!are_valid(2 * num_pairs, list.pairs, num_particles)) return PW85_EINVAL;
     if (cell == nullptr) return PW85_SUCCESS;
     list.lattice = &lattice;
+    DefaultEnvironment const environment;
     return prepare(cell, lattice) ? PW85_SUCCESS : PW85_EINVAL;
 }
 

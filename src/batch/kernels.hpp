@@ -41,7 +41,7 @@ struct Failure {
     int status;
 
     /// Keeps the earlier of two failures.
-    void update(Failure const &other) noexcept
+    [[gnu::always_inline]] void update(Failure const &other) noexcept
     {
         if (other.status != 0 && (status == 0 || other.index < index)) *this = other;
     }

@@ -8,7 +8,6 @@
 #ifndef PW85_BATCH_PACK_HPP_INCLUDED
 #define PW85_BATCH_PACK_HPP_INCLUDED
 
-#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -238,7 +237,7 @@ template <> PW85_INLINE Pack load_lanes<Pack>(double const *x) noexcept
 /// Without the loop of the template, which compilers do not carry out beforehand for a pack.
 template <> PW85_INLINE Pack negative_power_of_two<Pack>(int n) noexcept
 {
-    return Pack(std::bit_cast<double>(static_cast<std::int64_t>(1023 - n) << 52));
+    return Pack(__builtin_bit_cast(double, static_cast<std::int64_t>(1023 - n) << 52));
 }
 
 } // namespace pw85

@@ -1,9 +1,10 @@
 """Installs pw85 into a fresh prefix, and builds and runs programs in C99 and C++20 against it in four ways: pkg-config and
-the compiler, CMake, Meson with the system dependency, Meson with a subproject; each with shared and static libraries.
+the compiler, CMake, Meson with the system dependency, Meson with a subproject; each with shared and static libraries. The headers alone, too, where there is nothing else.
 
 Prints the Test Anything Protocol. Usage: test_install.py SOURCE_DIR
 """
 
+import json
 import os
 import shutil
 import subprocess
@@ -13,8 +14,9 @@ from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
 EXPECTED = "mu^2 = 3.36271\nlambda = 0.166859\n"
-# How the library is built does not matter here; unoptimised it takes less time.
-OPTIONS = [f"-D{name}=disabled" for name in ("tests", "bench", "python", "fortran")] + ["-Doptimization=0"]
+LIBRARIES_ONLY = [f"-D{name}=disabled" for name in ("tests", "bench", "python", "fortran")]
+# How fast the library is does not matter here; unoptimised it takes less time to build.
+OPTIONS = [*LIBRARIES_ONLY, "-Doptimization=0", "-Doptimized=false"]
 LANGUAGES = {"c": ("CC", "cc", "c99"), "cpp": ("CXX", "c++", "c++20")}
 
 
@@ -67,7 +69,7 @@ class Installation:
     def check_files(self):
         wanted = [self.libdir / name for name in (
             "libpw85.so", "libpw85.so.3", "libpw85.a", "libpw85_legacy.so", "libpw85_legacy.so.3", "libpw85_legacy.a",
-            "pkgconfig/pw85.pc", "pkgconfig/pw85_legacy.pc", "cmake/pw85/pw85Config.cmake",
+            "pkgconfig/pw85.pc", "pkgconfig/pw85-headers.pc", "pkgconfig/pw85_legacy.pc", "cmake/pw85/pw85Config.cmake",
             "cmake/pw85/pw85ConfigVersion.cmake")]
         wanted += [self.prefix / "include" / name for name in (
             "pw85.h", "pw85_legacy.h", "pw85_zheng.h", "pw85_pre1.h", "pw85/pw85.hpp", "pw85/version.h")]
@@ -137,8 +139,9 @@ class Installation:
                 (folder / "subprojects").mkdir()
                 (folder / "subprojects/pw85").symlink_to(self.source)
             environment = {} if subproject else self.environment()
+            fast_to_build = ["-Dpw85:optimized=false"] if subproject else []
             run("meson", "setup", folder / "build", folder, f"-Ddefault_library={kind}",
-                f"-Dsubproject={'true' if subproject else 'false'}", "-Doptimization=0", **environment)
+                f"-Dsubproject={'true' if subproject else 'false'}", "-Doptimization=0", *fast_to_build, **environment)
             run("meson", "compile", "-C", folder / "build")
         self.check(folder / f"build/consumer_{language}", kind, installed=not subproject)
 
@@ -149,6 +152,59 @@ class Installation:
         check_program(program, **(self.environment() if installed else {}))
         if links_shared_library(program) != (kind == "shared"):
             raise Failed(f"{program} links the wrong kind of library: not {kind}")
+
+    def headers_only(self):
+        """Where there is no GSL, nor anything else, the headers can be installed, and used in every way."""
+        prefix, build = self.work / "headers", self.work / "build-headers"
+        nothing = {"PKG_CONFIG_LIBDIR": str(self.work / "nowhere"), "PKG_CONFIG_PATH": ""}
+        run("meson", "setup", build, self.source, f"--prefix={prefix}", "--libdir=lib", "-Dlibrary=false", **nothing)
+        run("meson", "install", "-C", build, **nothing)
+        installed = {**nothing, "PKG_CONFIG_PATH": str(prefix / "lib/pkgconfig")}
+        folder = self.work / "headers-only"
+        (folder / "subprojects").mkdir(parents=True)
+        (folder / "subprojects/pw85").symlink_to(self.source)
+        shutil.copy(HERE / "headers.cpp", folder)
+        shutil.copy(HERE / "headers_CMakeLists.txt", folder / "CMakeLists.txt")
+        shutil.copy(HERE / "headers_meson.build", folder / "meson.build")
+        (folder / "meson_options.txt").write_text("option('subproject', type: 'boolean')\n")
+
+        flags = run("pkg-config", "--cflags", "--libs", "pw85-headers", **installed).split()
+        command = os.environ.get("CXX", "c++").split()
+        run(*command, "-std=c++20", folder / "headers.cpp", "-o", folder / "consumer", *flags)
+        check_program(folder / "consumer")
+        run("cmake", "-G", "Ninja", "-S", folder, "-B", folder / "cmake", f"-DCMAKE_PREFIX_PATH={prefix}")
+        run("cmake", "--build", folder / "cmake")
+        check_program(folder / "cmake/consumer")
+        for subproject in ("false", "true"):
+            meson = folder / f"meson-{subproject}"
+            run("meson", "setup", meson, folder, f"-Dsubproject={subproject}", **(nothing if subproject == "true" else installed))
+            run("meson", "compile", "-C", meson)
+            check_program(meson / "consumer")
+
+    def optimization(self):
+        """The library sets its own level, behind those of build types, of flags of a distribution, and of other projects."""
+        ways = {"plain": ["--buildtype=plain"], "debug": ["--buildtype=debug"], "own": ["--buildtype=debug", "-Doptimized=false"]}
+        for way, options in ways.items():
+            build = self.work / f"optimization-{way}"
+            run("meson", "setup", build, self.source, *LIBRARIES_ONLY, *options, CXXFLAGS="-O2")
+            self.check_level(build, "-O2" if way == "own" else "-O3")
+        folder = self.project("optimization-subproject")
+        (folder / "subprojects").mkdir()
+        (folder / "subprojects/pw85").symlink_to(self.source)
+        run("meson", "setup", folder / "build", folder, "--buildtype=debug", "-Dsubproject=true")
+        self.check_level(folder / "build", "-O3")
+
+    def check_level(self, build, wanted):
+        """Of several levels on a command line, the last one counts."""
+        units = 0
+        for unit in json.loads((build / "compile_commands.json").read_text()):
+            if (build / unit["file"]).resolve().is_relative_to(self.source / "src"):
+                units += 1
+                levels = [word for word in unit["command"].split() if word.startswith("-O")]
+                if levels[-1:] != [wanted]:
+                    raise Failed(f"{build}: {unit['file']} is compiled with {levels}, not {wanted}")
+        if units == 0:
+            raise Failed(f"{build} has no unit of the library")
 
     def example(self, name, *options):
         """An example, as a project of its own against the installed library."""
@@ -184,6 +240,8 @@ def cases(installation):
             for language in LANGUAGES:
                 yield f"{way}/{kind}/{language}", lambda t=test, k=kind, l=language: t(k, l)
     yield "cmake/moved", installation.moved
+    yield "headers", installation.headers_only
+    yield "optimization", installation.optimization
     yield "examples/c", lambda: installation.example("c", f"-Dpw85_lib={installation.libdir}")
     yield "examples/cpp", lambda: installation.example("cpp")
 

@@ -1,0 +1,21 @@
+/// @file
+/// What the headers ask of the compiler.
+///
+/// NaN, infinity and rounding must be those of IEEE 754: the checks of the arguments look for the former two, the bounds on
+/// errors rest on the latter. With options that give them up, NaN passes for a number and a wrong answer for success. Who
+/// defines PW85_ALLOW_FAST_MATH takes that upon himself.
+#ifndef PW85_REQUIREMENTS_HPP_INCLUDED
+#define PW85_REQUIREMENTS_HPP_INCLUDED
+
+#if __cplusplus < 202002L
+#error "pw85 needs C++20: compile with -std=c++20"
+#include <pw85/stop> // There is no such file: compilers go on after #error, but not after this.
+#endif
+
+#ifndef PW85_ALLOW_FAST_MATH
+#if defined(__FAST_MATH__) || __FINITE_MATH_ONLY__ || defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__)
+#error "pw85 needs IEEE arithmetic: compile without -ffast-math, -Ofast and their like, or define PW85_ALLOW_FAST_MATH"
+#endif
+#endif
+
+#endif

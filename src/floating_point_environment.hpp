@@ -1,0 +1,67 @@
+/// @file
+/// The floating-point environment of the library: that of IEEE 754's defaults, whatever the caller's.
+///
+/// Pairs are computed with first and looked at afterwards, so that valid input may overflow or give NaN on the way. The caller
+/// sees nothing of that: his status flags and traps are as they were. Nor do his modes change a result: rounding is to
+/// nearest, and subnormal numbers are kept, which a program that is linked with -ffast-math gives up for all of its threads.
+#ifndef PW85_FLOATING_POINT_ENVIRONMENT_HPP_INCLUDED
+#define PW85_FLOATING_POINT_ENVIRONMENT_HPP_INCLUDED
+
+#include <type_traits>
+
+#ifdef __SSE2_MATH__
+#include <xmmintrin.h>
+#else
+#include <cfenv>
+#endif
+
+namespace pw85 {
+namespace {
+
+/// Sets the default environment for the life of the object, and restores the caller's. It serves for calls that a compiler
+/// cannot see through, as those of kernels are; it may move other arithmetic across, see in_default_environment().
+class DefaultEnvironment {
+  public:
+    DefaultEnvironment(DefaultEnvironment const &) = delete;
+    DefaultEnvironment &operator=(DefaultEnvironment const &) = delete;
+
+#ifdef __SSE2_MATH__
+    [[gnu::always_inline]] DefaultEnvironment() noexcept : caller_(_mm_getcsr()) { _mm_setcsr(0x1f80); }
+    [[gnu::always_inline]] ~DefaultEnvironment() { _mm_setcsr(caller_); }
+
+  private:
+    unsigned caller_;
+#else
+    [[gnu::always_inline]] DefaultEnvironment() noexcept
+    {
+        std::fegetenv(&caller_);
+        std::fesetenv(FE_DFL_ENV);
+    }
+    [[gnu::always_inline]] ~DefaultEnvironment() { std::fesetenv(&caller_); }
+
+  private:
+    std::fenv_t caller_;
+#endif
+};
+
+/// The result of function() in the default environment. What the function refers to passes through memory, where the compiler
+/// must leave it in order.
+template <class Function> [[gnu::always_inline]] inline auto in_default_environment(Function const &function) noexcept
+{
+    DefaultEnvironment const environment;
+    Function const *own = &function;
+    asm volatile("" : "+r"(own) : : "memory");
+    if constexpr (std::is_void_v<decltype(function())>) {
+        (*own)();
+        asm volatile("" : : : "memory");
+    } else {
+        auto const result = (*own)();
+        asm volatile("" : : "m"(result) : "memory");
+        return result;
+    }
+}
+
+} // namespace
+} // namespace pw85
+
+#endif

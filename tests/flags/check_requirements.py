@@ -1,0 +1,94 @@
+"""What the C++ headers say to compilers that they cannot work with, in the Test Anything Protocol.
+
+One message that names the cure for an older standard and for arithmetic that is not that of IEEE 754, and the first one
+does for integers. Nothing for the flags that the manual calls safe, with which its program prints what it shows. Usage: check_requirements.py
+SOURCE_DIR BUILT_INCLUDE_DIR COMPILER...
+"""
+
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+ENTRIES = ["pw85/pw85.hpp", "pw85/batch.hpp", "pw85/legacy.hpp", "pw85/zheng.hpp"]
+INTEGERS = {
+    "a vector of integers": "pw85::Vector const v{1, 0, 0}; (void)v;",
+    "a spheroid of integers": "(void)pw85::spheroid(1, 2, pw85::Vector{0, 0, 1});",
+    "an ellipse of integers": "(void)pw85::ellipse(1, 2, 0);",
+    "a form of integers": "pw85::SymmetricMatrix<int, 3> const q{1, 0, 0, 1, 0, 1}; (void)q;",
+    "a vector of truth values": "pw85::Vector<bool, 2> const v{true, false}; (void)v;",
+}
+
+
+class Compiler:
+    def __init__(self, command, includes, work):
+        self.command = [*command, *(f"-I{folder}" for folder in includes)]
+        self.work = work
+        self.is_gcc = "__clang__" not in self.macros()
+
+    def macros(self):
+        return subprocess.run([*self.command, "-dM", "-E", "-x", "c++", "/dev/null"], check=True, text=True,
+                              stdout=subprocess.PIPE).stdout
+
+    def run(self, *arguments):
+        return subprocess.run([*self.command, *arguments], text=True, stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+
+    def compile(self, text, *flags):
+        source = self.work / "unit.cpp"
+        source.write_text(text)
+        return self.run(*flags, "-c", str(source), "-o", str(self.work / "unit.o"))
+
+
+def errors(done):
+    return [line for line in done.stdout.splitlines() if "error:" in line]
+
+
+def refused(done, cure, most=1):
+    """Whether the first of so many errors names the cure, besides that of stopping there."""
+    lines = [line for line in errors(done) if "pw85/stop" not in line]
+    return done.returncode != 0 and 1 <= len(lines) <= most and cure in lines[0], done.stdout
+
+
+def accepted(done):
+    return done.returncode == 0, done.stdout
+
+
+def prints(compiler, program, flags):
+    """Whether the program of the manual prints with some flags what the manual shows."""
+    built = compiler.run("-std=c++20", *flags, str(program), "-o", str(compiler.work / "program"))
+    if built.returncode != 0:
+        return False, built.stdout
+    ran = subprocess.run([compiler.work / "program"], text=True, stdout=subprocess.PIPE)
+    return ran.returncode == 0 and ran.stdout == program.with_suffix(".out").read_text(), ran.stdout
+
+
+def cases(compiler, page):
+    include_all = "".join(f"#include <{entry}>\n" for entry in ENTRIES)
+    for entry in ENTRIES:
+        for standard in ("c++11", "c++17"):
+            yield f"{entry} in {standard}", refused(compiler.compile(f"#include <{entry}>\n", f"-std={standard}"), "-std=c++20")
+        yield f"{entry} in c++20", accepted(compiler.compile(f"#include <{entry}>\n", "-std=c++20"))
+    others = ["-funsafe-math-optimizations", "-freciprocal-math"] if compiler.is_gcc else []
+    for flag in [*(page / "refused.txt").read_text().split(), *others]:
+        yield f"{flag} is refused", refused(compiler.compile(include_all, "-std=c++20", flag), "-ffast-math")
+        yield f"{flag} is allowed", accepted(compiler.compile("#define PW85_ALLOW_FAST_MATH\n" + include_all, "-std=c++20", flag))
+    for name, statement in INTEGERS.items():
+        text = f"{include_all}int main() {{ {statement} }}\n"
+        yield name, refused(compiler.compile(text, "-std=c++20"), "write 1.0, not 1", most=3)
+    for flag in (page / "safe.txt").read_text().split():
+        yield f"{flag} is safe", prints(compiler, page / "contact.cpp", [flag])
+
+
+def main():
+    source, built_include, *command = sys.argv[1:]
+    number = 0
+    with tempfile.TemporaryDirectory(prefix="pw85-flags-") as work:
+        compiler = Compiler(command, [Path(source) / "include", built_include], Path(work))
+        for number, (name, (ok, output)) in enumerate(cases(compiler, Path(source) / "docs/flags"), 1):
+            print(f"{'ok' if ok else 'not ok'} {number} {name}", flush=True)
+            if not ok:
+                print("\n".join(f"# {line}" for line in output.splitlines()), flush=True)
+    print(f"1..{number}")
+
+
+main()

@@ -1,0 +1,71 @@
+// A user's unit with all of the C++ API, to be compiled with any flags; UNIT is the name of its one function.
+#include <pw85/legacy.hpp>
+#include <pw85/pw85.hpp>
+#include <pw85/zheng.hpp>
+
+#ifndef HEADERS_ONLY
+#include <pw85/batch.hpp>
+#endif
+
+double UNIT(double x);
+
+using namespace pw85;
+
+namespace {
+
+template <class T, int D> T sum(Vector<T, D> const &x)
+{
+    T total = T(0);
+    for (int i = 0; i < D; ++i) total = total + x[i];
+    return total;
+}
+
+/// What has two dimensions, and three.
+template <class T, int D>
+T both(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, SymmetricMatrix<T, D> const &q2)
+{
+    auto const c = contact(r12, q1, q2);
+    auto const g = contact_geometry(r12, q1, q2, c.lambda);
+    auto const d = contact_gradient(r12, q1, q2, c.lambda);
+    auto const w = overlap_witness(r12, q1, q2);
+    return c.mu2 + sum(g.point) + sum(g.normal) + sum(d.r12) + d.q1[0] + d.q2[1] + T(w.overlap) +
+           T(overlap(r12, q1, q2).overlap) + closest_approach(r12, q1, q2).distance;
+}
+
+template <class T> T everything(T const &x)
+{
+    Vector<T, 3> const r12{x, T(1), T(2)};
+    T const rotation[9] = {T(1), T(0), T(0), T(0), T(1), T(0), T(0), T(0), T(1)};
+    auto const q1 = spheroid(x, T(2), Vector<T, 3>{T(0), T(1), T(1)}).q;
+    auto const q2 = ellipsoid_quaternion(r12, Vector<T, 4>{T(1), x, T(2), T(3)}).q;
+    auto const q3 = ellipsoid(r12, rotation).q;
+    auto const t = contact_torque(r12, q1, q2, T(0.5));
+    Vector<T, 2> const flat{x, T(1)};
+    auto const e1 = ellipse(x, T(2), T(1)).q, e2 = ellipse(x, T(1), T(2)).q;
+    return both(r12, q1, q2) + both(r12, q3, q2) + both(flat, e1, e2) + sum(t.rotation1) + sum(t.rotation2) +
+           legacy::contact_newton(r12, q1, q2).mu2 + legacy::contact_bisection(r12, q1, q2).mu2 +
+           zheng::ellipses(flat, e1, e2).distance + zheng::ellipsoids(r12, q1, q2).distance;
+}
+
+double of_batches(double x)
+{
+#ifdef HEADERS_ONLY
+    return x;
+#else
+    Vector<double, 3> const r12[] = {{x, 1.0, 2.0}, {x, 2.0, 1.0}};
+    SymmetricMatrix<double, 3> const q[] = {{1.0, 0.0, 0.0, 1.0, 0.0, 1.0}, {2.0, 0.5, 0.0, 1.0, 0.0, 1.0}};
+    double mu2[2];
+    unsigned char decided[2];
+    contact_batch(r12, q, q, mu2);
+    overlap_batch(r12, q, q, decided);
+    return mu2[0] + mu2[1] + decided[0] + decided[1];
+#endif
+}
+
+} // namespace
+
+double UNIT(double x)
+{
+    return everything(x) + static_cast<double>(everything(static_cast<float>(x))) +
+           static_cast<double>(everything(static_cast<long double>(x))) + of_batches(x);
+}
