@@ -121,7 +121,8 @@ def check_all(results):
         test(results, BUILDS / "lammps", ["--suite", "lammps"])
     if build(results, "clang", ONLY_TESTS, CLANG):
         test(results, BUILDS / "clang", ["--no-suite", "install"])
-    if build(results, "address-undefined", [*ONLY_TESTS, "-Db_sanitize=address,undefined", "-Doptimization=2", "-Doptimized=false"], {}):
+    if build(results, "address-undefined", [*ONLY_TESTS, "-Db_sanitize=address,undefined", "-Doptimization=2",
+                                            "-Doptimized=false"], {}):
         test(results, BUILDS / "address-undefined", ["--no-suite", "install", "--timeout-multiplier", "10"],
              UBSAN_OPTIONS="halt_on_error=1:print_stacktrace=1", ASAN_OPTIONS="detect_leaks=1")
     if build(results, "thread", [*ONLY_TESTS, "-Db_sanitize=thread", "-Dopenmp=disabled", "-Doptimization=1",

@@ -177,13 +177,15 @@ class Installation:
         check_program(folder / "cmake/consumer")
         for subproject in ("false", "true"):
             meson = folder / f"meson-{subproject}"
-            run("meson", "setup", meson, folder, f"-Dsubproject={subproject}", **(nothing if subproject == "true" else installed))
+            run("meson", "setup", meson, folder, f"-Dsubproject={subproject}",
+                **(nothing if subproject == "true" else installed))
             run("meson", "compile", "-C", meson)
             check_program(meson / "consumer")
 
     def optimization(self):
         """The library sets its own level, behind those of build types, of flags of a distribution, and of other projects."""
-        ways = {"plain": ["--buildtype=plain"], "debug": ["--buildtype=debug"], "own": ["--buildtype=debug", "-Doptimized=false"]}
+        ways = {"plain": ["--buildtype=plain"], "debug": ["--buildtype=debug"],
+                "own": ["--buildtype=debug", "-Doptimized=false"]}
         for way, options in ways.items():
             build = self.work / f"optimization-{way}"
             run("meson", "setup", build, self.source, *LIBRARIES_ONLY, *options, CXXFLAGS="-O2")
