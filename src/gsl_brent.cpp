@@ -63,9 +63,9 @@ Evaluation evaluate(Pair<double, 3> const &pair, double t) noexcept
 
 Maximum<double> maximize(Pair<double, 3> const &pair, Options const &options) noexcept
 {
-    double const t = maximizer_by_brent(pair, options).t;
-    Maximum<double> const maximum = refine(pair, t, options);
-    return maximum.converged ? maximum : maximize_factorized(pair, Candidate<double>{t, 1.0, 0.0}, 0);
+    auto const [candidate, settled] = refine(pair, maximizer_by_brent(pair, options).t, options);
+    auto const last = last_evaluation(pair, candidate, Precision::working);
+    return settled && last.certain ? to_maximum(last.value, 0, true) : maximize_factorized(pair, candidate, 0);
 }
 
 } // namespace
@@ -90,22 +90,21 @@ Rough maximizer_by_brent(Pair<double, 3> const &pair, Options const &options) no
 // for ellipsoids of very different sizes, where f is flat. Since |h''| <= 2h', a step below √u leaves an error below u, and
 // one below 0.1 is followed by one of less than a quarter of it, or by rounding noise: then, too, there is nothing left to
 // gain. A step of 1 or more says that rounding hides the slope, or that Brent's method ended far away.
-Maximum<double> refine(Pair<double, 3> const &pair, double t, Options const &options) noexcept
+Refined refine(Pair<double, 3> const &pair, double t, Options const &options) noexcept
 {
+    Candidate<double> candidate{t, 1.0, 0.0};
     double const enough = square_root(unit_roundoff<double>());
     double last_step = 1.0;
     for (int i = 0; i <= options.newton_iterations; ++i) {
-        auto const [a, b, k] = evaluate(pair, t);
-        double const y = pair.ratio * t, c = y * y * b, step = std::fabs(c - a) / ((c + a) * k);
+        auto const [a, b, k] = evaluate(pair, candidate.t);
+        candidate.k = k;
+        double const y = pair.ratio * candidate.t, c = y * y * b, step = std::fabs(c - a) / ((c + a) * k);
         if (!(k > 0.0 && step < 1.0)) break;
-        if (step <= enough || (last_step < 0.1 && step >= 0.25 * last_step)) {
-            auto const last = last_evaluation(pair, Candidate<double>{t, k, 0.0}, Precision::working);
-            return to_maximum(last.value, i + 1, last.certain);
-        }
+        if (step <= enough || (last_step < 0.1 && step >= 0.25 * last_step)) return {candidate, true};
         last_step = step;
-        t *= std::exp(-0.5 * std::log(c / a) / k);
+        candidate.t *= std::exp(-0.5 * std::log(c / a) / k);
     }
-    return {0.0, 0.0, 0.0, options.newton_iterations + 1, false};
+    return {candidate, false};
 }
 
 Contact<double> contact_function(Vector<double, 3> const &r12, SymmetricMatrix<double, 3> const &q1,

@@ -66,13 +66,13 @@ int unsettled(int newton_iterations)
         pw85::Pair<double, 3> pair;
         g_assert_true(in_range(p.pair, pair));
         double const t = pw85::brent::maximizer_by_brent(pair, options).t;
-        count += !pw85::brent::refine(pair, t, with).converged;
+        count += !pw85::brent::refine(pair, t, with).settled;
     }
     g_test_message("%d iterations leave %d unsettled", newton_iterations, count);
     return count;
 }
 
-// Of 15,300 problems PW85_NR_ITER iterations leave 0.1 % to the search, and one less leaves 2 %.
+// Of the contact problems PW85_NR_ITER iterations leave 0.1 % to the search, and one less leaves 2 %.
 void test_iterations()
 {
     g_assert_cmpint(unsettled(PW85_NR_ITER), <=, 30);
@@ -93,7 +93,7 @@ void test_slender()
             if (!in_range(p, pair)) continue;
             auto const wide = convert<Wide>(p);
             if (pw85::contact(wide.r12, wide.q1, wide.q2).status != pw85::Status::success) continue;
-            searched += !pw85::brent::refine(pair, pw85::brent::maximizer_by_brent(pair, options).t, options).converged;
+            searched += !pw85::brent::refine(pair, pw85::brent::maximizer_by_brent(pair, options).t, options).settled;
             double out[2];
             auto const describe = [&] { return hex_text(p); };
             int const status = pw85_contact_function(p.r12.coordinates, p.q1.entries, p.q2.entries, out);

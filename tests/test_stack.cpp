@@ -175,6 +175,8 @@ std::vector<Case> cases_of_pairs()
          for_each_pair([](Numbers r, Numbers p, Numbers q) { out[3] = pw85_legacy_f1(0.3, r, p, q, out); })},
         {"pw85_legacy_f2",
          for_each_pair([](Numbers r, Numbers p, Numbers q) { out[3] = pw85_legacy_f2(0.3, r, p, q, out); })},
+        {"pw85_legacy_f2_derivatives",
+         for_each_pair([](Numbers r, Numbers p, Numbers q) { pw85_legacy_f2_derivatives(0.3, r, p, q, out); })},
         {"pw85_legacy_contact_function1",
          for_each_pair([](Numbers r, Numbers p, Numbers q) { status = pw85_legacy_contact_function1(r, p, q, out); })},
         {"pw85_legacy_contact_function2",

@@ -145,7 +145,7 @@ template <class T> static inline BinaryFraction<T> to_binary_fraction(T const &x
 
 /// Bounds of the binary digits of some numbers: they are multiples of 2^low and smaller than 2^high.
 struct BitRange {
-    int low = 1 << 24, high = -(1 << 24);
+    int low, high;
 
     template <class T> [[gnu::always_inline]] void include(BinaryFraction<T> const &x) noexcept
     {
@@ -154,6 +154,9 @@ struct BitRange {
         high = maximum(high, x.exponent + x.length);
     }
 };
+
+/// The bounds of no number at all.
+static constexpr BitRange no_digits() noexcept { return {1 << 24, -(1 << 24)}; }
 
 /// The numbers of a pair, in the order of symbolic_form().
 template <class T, int D> struct Numbers {
@@ -165,6 +168,7 @@ template <class T, int D> static inline Numbers<T, D>
 to_numbers(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, SymmetricMatrix<T, D> const &q2) noexcept
 {
     Numbers<T, D> numbers;
+    numbers.r = numbers.q = no_digits();
     int index = 0;
     for (int i = 0; i < D; ++i) numbers.r.include(numbers.x[index++] = to_binary_fraction(r12[i]));
     for (int k = 0; k < q1.size; ++k) numbers.q.include(numbers.x[index++] = to_binary_fraction(q1[k]));

@@ -58,7 +58,7 @@ template <int N> static inline int trailing_zeros(Digits<N> const &x) noexcept
 {
     int i = 0;
     while (x.limbs[i] == 0) ++i;
-    return i * limb_bits + std::countr_zero(x.limbs[i]);
+    return i * limb_bits + __builtin_ctzll(x.limbs[i]);
 }
 
 /// x/2^exponent, rounded down; 0 <= exponent < limb_bits·N.
@@ -162,13 +162,13 @@ static inline WideInteger value(WideSum sum) noexcept
 
 /// A sum of products of limbs, in halves that cannot overflow: of up to 2^(limb_bits - 2) products.
 struct SumOfProducts {
-    DoubleLimb low = 0, high = 0;
+    DoubleLimb low, high;
 };
 
 /// The products that make up one limb of |x y|, without what is carried into it.
 static inline SumOfProducts column_of_product(WideInteger x, WideInteger y, int column) noexcept
 {
-    SumOfProducts sum;
+    SumOfProducts sum{};
     for (int i = column < y.size ? 0 : column - y.size + 1; i <= column && i < x.size; ++i) {
         DoubleLimb const product = DoubleLimb{x.limbs[i]} * y.limbs[column - i];
         sum.low += static_cast<Limb>(product);
