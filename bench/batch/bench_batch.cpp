@@ -147,7 +147,7 @@ template <class Run> void run_list(benchmark::State &state, Run run)
     auto const cell = state.range(1) == skewed ? system.skewed_cell() : system.cell();
     double const *const cell_or_null = state.range(1) == no_cell ? nullptr : cell.data();
     for (auto _ : state)
-        run(system.pairs.size(), system.pairs[0].data(), system.centers.size(), system.centers[0].coordinates,
+        run(system.pairs.size(), system.pairs[0].data(), nullptr, system.centers.size(), system.centers[0].coordinates,
             system.q[0].entries, cell_or_null);
     report(state, system.pairs.size(), list_reference(sorted));
     state.counters["pairs"] = static_cast<double>(system.pairs.size());

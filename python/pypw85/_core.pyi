@@ -12,6 +12,7 @@ def contact_pairs(
     centers: NDArray[np.float64],
     q: NDArray[np.float64],
     cell: Optional[NDArray[np.float64]],
+    images: Optional[NDArray[np.int32]],
     mu2: NDArray[np.float64],
     lambda_: NDArray[np.float64],
     /,
@@ -21,6 +22,7 @@ def overlap_pairs(
     centers: NDArray[np.float64],
     q: NDArray[np.float64],
     cell: Optional[NDArray[np.float64]],
+    images: Optional[NDArray[np.int32]],
     overlap: NDArray[np.uint8],
     /,
 ) -> int: ...

@@ -18,10 +18,10 @@ struct Callable {
 /// dict.
 PyObject *call(PyObject *self, PyObject *const *args, Py_ssize_t nargs);
 
-/// contact_pairs(pairs, centers, q, cell or None, mu2, lambda): status. Arrays are contiguous and of the right type.
+/// contact_pairs(pairs, centers, q, cell or None, images or None, mu2, lambda): status. Arrays are contiguous and of the right type.
 PyObject *contact_pairs(PyObject *self, PyObject *const *args, Py_ssize_t nargs);
 
-/// overlap_pairs(pairs, centers, q, cell or None, overlap): status. Arrays are contiguous and of the right type.
+/// overlap_pairs(pairs, centers, q, cell or None, images or None, overlap): status. Arrays are contiguous and of the right type.
 PyObject *overlap_pairs(PyObject *self, PyObject *const *args, Py_ssize_t nargs);
 
 } // namespace pypw85
