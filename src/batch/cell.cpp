@@ -16,17 +16,17 @@ using pw85::c_api::any_null;
 
 namespace {
 
-/// The largest vᵀQv/|v|⁴ over the faces of the lattice's Voronoi cell, half-way to vectors v. (Any other lattice vector gives no
-/// more: v/|v|² is in the hull of those of the faces.)
+/// The largest vᵀQv/|v|⁴ over the faces of a lattice's Voronoi cell, half-way to vectors v: see item 3 of lattice.hpp. (Other vectors
+/// give no more: v/|v|² is in the hull of those of the faces.)
 double largest_width(Lattice const &lattice, SymmetricMatrix<double, 3> const &q) noexcept
 {
     double largest = 0.0;
-    auto const try_vector = [&](Vector<double, 3> const &v) {
+    for (int n = 1; n <= 13; ++n) { // coordinates -1, 0 or 1; one of each ± couple
+        double const a = (n + 13) / 9 - 1, b = (n + 13) / 3 % 3 - 1, c = (n + 13) % 3 - 1;
+        Vector<double, 3> v;
+        for (int d = 0; d < 3; ++d) v[d] = a * lattice.basis[0][d] + b * lattice.basis[1][d] + c * lattice.basis[2][d];
         largest = std::max(largest, quadratic_form(q, times(1.0 / dot(v, v), v)));
-    };
-    for (auto const &v : lattice.basis) try_vector(c_api::load_vector<3>(v));
-    for (int k = 0; k < lattice.num_shifts; ++k)
-        try_vector({lattice.shift[0][k], lattice.shift[1][k], lattice.shift[2][k]});
+    }
     return largest;
 }
 

@@ -128,17 +128,14 @@ void list_shifts(Lattice &lattice, Basis const &basis, Gram const &g) noexcept
         skew = i;
         ++num_skew;
     }
-    lattice.num_shifts = num_skew == 0 ? 0 : num_skew == 1 ? 3 : 13;
+    lattice.num_shifts = num_skew == 0 ? 0 : num_skew == 1 ? 2 : 9;
     if (num_skew == 0) return;
-    double const sign = g.product[skew] > 0.0 ? -1.0 : 1.0;
     for (int d = 0; d < 3; ++d) {
-        double const x = basis.b[skew][d], y = basis.b[(skew + 1) % 3][d], z = sign * basis.b[(skew + 2) % 3][d];
-        double const sum = y + z, difference = y - z;
-        double const shifts[13] = {
-            y, z, sum, difference, x, x + y, x - y, x + z, x - z, x + sum, x - sum, x + difference, x - difference};
-        std::copy_n(shifts, 13, lattice.shift[d]);
+        double const x = basis.b[skew][d], y = basis.b[(skew + 1) % 3][d], z = basis.b[(skew + 2) % 3][d];
+        double const shifts[9] = {y, z, x, y + z, y - z, x + y, x - y, x + z, x - z};
+        std::copy_n(shifts, 9, lattice.shift[d]);
     }
-    for (int k = 0; k < 13; ++k) {
+    for (int k = 0; k < 9; ++k) {
         double const x = lattice.shift[0][k], y = lattice.shift[1][k], z = lattice.shift[2][k];
         lattice.half_square[k] = 0.5 * (x * x + y * y + z * z);
     }

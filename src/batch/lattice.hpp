@@ -15,9 +15,9 @@
 ///    current between these nodes takes, at most 3/2; and less, because by item 1 it does not all go through both others: the p
 ///    between the two nodes, or else from one of them to the farther of the others, is positive.
 /// 4. A separation is moved by its rounded coordinates y in the basis, so that |y_i| <= ½. By item 3 the nearest image is this or
-///    one that differs by coordinates -1, 0 or 1: r - v is nearer than r if and only if r·v > ½|v|². There are 13 couples ±v; none is
-///    needed if the b_i are orthogonal, and where only two of them are not, it is enough to try these and the shorter of their
-///    sum and difference, because |r·v| <= ½ Σ|b_i·v|.
+///    one that differs by coordinates -1, 0 or 1: r - v is nearer than r if and only if r·v > ½|v|². Since |r·v| <= ½ Σ|b_i·v|, that
+///    needs Σ|b_i·v| > |v|². For v = ±b_1 ±b_2 ±b_3 the sum is |v|² by item 1, which leaves nine couples ±v. If only two of
+///    the b_i are not orthogonal, the same is true of their sum and difference, which leaves these two; if all are, none is needed.
 #ifndef PW85_BATCH_LATTICE_HPP_INCLUDED
 #define PW85_BATCH_LATTICE_HPP_INCLUDED
 
@@ -25,10 +25,10 @@ namespace pw85::batch {
 
 /// A periodic lattice, prepared for the search of nearest images: plain data, as kernels.hpp asks for.
 struct Lattice {
-    double basis[3][3];     ///< reduced basis vectors
-    double dual[3][3];      ///< dual[i]·basis[j] = 1 if i = j, else 0
-    double shift[3][13];    ///< coordinates of the vectors v of item 4
-    double half_square[13]; ///< ½|v|² of each
+    double basis[3][3];    ///< reduced basis vectors
+    double dual[3][3];     ///< dual[i]·basis[j] = 1 if i = j, else 0
+    double shift[3][9];    ///< coordinates of the vectors v of item 4
+    double half_square[9]; ///< ½|v|² of each
     int num_shifts;
 };
 
