@@ -248,6 +248,24 @@ void test_shifts_of_prisms()
         }
 }
 
+// Two vectors orthogonal to each other, but not to the third: all nine couples, whichever vector it is.
+void test_shifts_of_oblique_cells()
+{
+    Failures failures;
+    Random random(36);
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        for (double const x : {-0.25, 0.4375})
+            for (double const y : {-0.3125, 0.375}) {
+                pw85::Cell cell{};
+                cell[(axis + 1) % 3][0] = 1.0;
+                cell[(axis + 2) % 3][1] = 0.875;
+                cell[axis] = {x, y, 0.75};
+                std::map<Multiples, int> decided;
+                for (int n = 0; n < 30; ++n) check_shifts(failures, random, cell, decided);
+                g_assert_cmpuint(decided.size(), >=, 4);
+            }
+}
+
 // A list with images is a batch of the separations that they mean, for any cell that is finite.
 void test_images()
 {
@@ -361,6 +379,27 @@ void test_limit()
     }
 }
 
+// Needles along each of the lattice vectors that can be half-way through a face: of the body-centred lattice, by bases of all
+// signs, they are the vectors of the basis, three sums of two and one of three.
+void test_limit_of_needles()
+{
+    Failures failures;
+    for (int signs = 0; signs < 8; ++signs) {
+        pw85::Cell cell = {{{-1, 1, 1}, {1, -1, 1}, {1, 1, -1}}};
+        for (std::size_t i = 0; i < 3; ++i)
+            if (signs >> i & 1) cell[i] = pw85::times(-1.0, cell[i]);
+        visit_multiples(1, [&](Multiples const &k) {
+            if (k == Multiples{}) return;
+            std::vector<Form3> const needle = {pw85::spheroid(0x1p-6, 0.5, combine(cell, k)).q};
+            double limit = 0.0;
+            g_assert_true(pw85::nearest_image_limit(needle, cell, limit) == pw85::Status::success);
+            double const expected = expected_limit(cell, needle);
+            failures.check(std::fabs(limit / expected - 1.0) <= 1e-13, "limit", limit, expected,
+                           [&] { return cell_text(cell) + hex_text(needle[0].entries, 6); });
+        });
+    }
+}
+
 void test_limit_arguments()
 {
     double const cell[9] = {8, 0, 0, 0, 4, 0, 0, 0, 6}, singular[9] = {1, 0, 0, 0, 1, 0, 1, 1, 0};
@@ -396,9 +435,11 @@ int main(int argc, char **argv)
     g_test_add_func("/lattice/reduce_range", test_reduce_range);
     g_test_add_func("/lattice/every_shift", test_every_shift);
     g_test_add_func("/lattice/shifts_of_prisms", test_shifts_of_prisms);
+    g_test_add_func("/lattice/shifts_of_oblique_cells", test_shifts_of_oblique_cells);
     g_test_add_func("/lattice/images", test_images);
     g_test_add_func("/lattice/image_arguments", test_image_arguments);
     g_test_add_func("/lattice/limit", test_limit);
+    g_test_add_func("/lattice/limit_of_needles", test_limit_of_needles);
     g_test_add_func("/lattice/limit_arguments", test_limit_arguments);
     return g_test_run();
 }
