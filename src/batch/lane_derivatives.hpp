@@ -6,6 +6,8 @@
 #ifndef PW85_BATCH_LANE_DERIVATIVES_HPP_INCLUDED
 #define PW85_BATCH_LANE_DERIVATIVES_HPP_INCLUDED
 
+#include <utility>
+
 #include <pw85/geometry.hpp>
 
 #include "lane_contact.hpp"
@@ -22,16 +24,22 @@ PW85_INLINE double *row_of(double *rows, std::size_t index) noexcept
     return rows == nullptr ? nullptr : rows + 3 * index;
 }
 
-/// Stores the vectors of the given lanes in rows begin, begin + 1 ..., unless the array is null.
-PW85_INLINE void store_rows(Vector<Pack, 3> const &x, unsigned bits, double *rows, std::size_t begin) noexcept
+/// Register m of the coordinates of vectors one after the other: x0, y0, z0, x1 ... Its element j is coordinate k % 3 of lane k / 3
+/// with k = m lanes + j.
+template <std::size_t m, std::size_t... j>
+PW85_INLINE Register interleave(Vector<Pack, 3> const &x, std::index_sequence<j...>) noexcept
 {
-    if (rows == nullptr) return;
-    double columns[3][lanes];
-    for (int d = 0; d < 3; ++d) std::memcpy(columns[d], &x[d].v, sizeof columns[d]);
-    for (; bits != 0; bits &= bits - 1) {
-        auto const i = static_cast<unsigned>(__builtin_ctz(bits));
-        for (std::size_t d = 0; d < 3; ++d) rows[3 * (begin + i) + d] = columns[d][i];
-    }
+    Register const xy = __builtin_shufflevector(
+        x[0].v, x[1].v, ((m * lanes + j) % 3 == 1 ? lanes + (m * lanes + j) / 3 : (m * lanes + j) / 3)...);
+    return __builtin_shufflevector(xy, x[2].v, ((m * lanes + j) % 3 == 2 ? lanes + (m * lanes + j) / 3 : j)...);
+}
+
+/// Stores the vectors of the first `count` lanes in neighbouring rows; those that are not done will be overwritten.
+PW85_INLINE void store_rows(Vector<Pack, 3> const &x, std::size_t count, double *rows) noexcept
+{
+    constexpr auto all = std::make_index_sequence<lanes>();
+    Register const interleaved[3] = {interleave<0>(x, all), interleave<1>(x, all), interleave<2>(x, all)};
+    std::memcpy(rows, interleaved, 3 * sizeof(double) * (count < lanes ? count : lanes));
 }
 
 /// Derivatives of one pair by the functions for one; NaN where λ is. A concentric pair, which has no normal, is valid otherwise.
@@ -49,23 +57,22 @@ PW85_INLINE void derive_one(LanePair const &pair, std::size_t lane, double lambd
     scalar.contact_torque(r12, q1, q2, lambda, row_of(out.d_rot1, index), row_of(out.d_rot2, index));
 }
 
-/// Derivatives of a pack of neighbouring pairs, at their λ.
-PW85_INLINE void derive(LanePair const &pair, Pack const &lambda, unsigned live, batch::DerivativeArrays const &out,
+/// Derivatives of a pack of neighbouring pairs, of which there are `count`, at their λ.
+PW85_INLINE void derive(LanePair const &pair, Pack const &lambda, std::size_t count, batch::DerivativeArrays const &out,
                         std::size_t begin, batch::ScalarKernels const &scalar) noexcept
 {
     Pack const lambda1 = complement_of(lambda);
     auto const solution = solve_by_adjugate(blend(lambda1, pair.q1, lambda, pair.q2), pair.r12);
     PackMask const good = is_accurate(solution) && is_ordinary(pair.r12, pair.q1, pair.q2) && lambda == lambda;
-    Tangency<Pack, 3> const at{times(Pack(Pack(1.0) / solution.determinant), solution.s), lambda1, lambda, lambda1,
-                               lambda};
-    unsigned const done = good.to_bits() & live;
+    Pack const reciprocal = Pack(1.0) / solution.determinant;
+    Tangency<Pack, 3> const at{times(reciprocal, solution.s), lambda1, lambda, lambda1, lambda};
+    if (out.point != nullptr) store_rows(tangency_point(at, pair.q1), count, row_of(out.point, begin));
+    if (out.normal != nullptr) store_rows(tangency_normal(at), count, row_of(out.normal, begin));
+    if (out.d_r12 != nullptr) store_rows(separation_gradient(at), count, row_of(out.d_r12, begin));
     auto const gradients = rotation_gradients(at, pair.q1, pair.q2);
-    store_rows(tangency_point(at, pair.q1), done, out.point, begin);
-    store_rows(tangency_normal(at), done, out.normal, begin);
-    store_rows(separation_gradient(at), done, out.d_r12, begin);
-    store_rows(gradients.first, done, out.d_rot1, begin);
-    store_rows(gradients.second, done, out.d_rot2, begin);
-    for (unsigned bits = live & ~done; bits != 0; bits &= bits - 1) {
+    if (out.d_rot1 != nullptr) store_rows(gradients.first, count, row_of(out.d_rot1, begin));
+    if (out.d_rot2 != nullptr) store_rows(gradients.second, count, row_of(out.d_rot2, begin));
+    for (unsigned bits = live_lanes(count) & ~good.to_bits(); bits != 0; bits &= bits - 1) {
         auto const i = static_cast<unsigned>(__builtin_ctz(bits));
         derive_one(pair, i, lambda[i], out, begin + i, scalar);
     }
@@ -89,8 +96,8 @@ template <class Rows>
         if (out.lambda != nullptr) std::memcpy(out.lambda + begin, lambda, count * sizeof(double));
         for (std::size_t i = count; i % lanes != 0; ++i) lambda[i] = lambda[count - 1];
         for (std::size_t k = 0; k < count; k += lanes)
-            derive(load_neighbors(chunk, k, count - k), load_lanes<Pack>(lambda + k), live_lanes(count - k), out,
-                   begin + k, scalar);
+            derive(load_neighbors(chunk, k, count - k), load_lanes<Pack>(lambda + k), count - k, out, begin + k,
+                   scalar);
     }
     return first;
 }
