@@ -23,8 +23,8 @@ struct DirectionRows {
     PW85_INLINE void prefetch(std::size_t, std::size_t) const noexcept {}
 };
 
-/// Replaces the μ² of neighbouring pairs by their distances. Pairs without one, and those whose μ² is near the ends of the range
-/// of double, which the distance is not, go to the function for one pair.
+/// Replaces the μ² of neighbouring pairs by their distances. Pairs without one, and those whose μ² leaves the range of double, which
+/// the distance does not, go to the function for one pair.
 PW85_INLINE batch::Failure to_distances(DirectionRows const &rows, std::size_t begin, std::size_t count,
                                         double *distance, batch::ScalarKernels const &scalar) noexcept
 {
@@ -33,7 +33,7 @@ PW85_INLINE batch::Failure to_distances(DirectionRows const &rows, std::size_t b
     double mu2[lanes];
     for (std::size_t i = 0; i < lanes; ++i) mu2[i] = distance[begin + (i < count ? i : count - 1)];
     Pack const squares = load_lanes<Pack>(mu2);
-    unsigned const good = (squares > Pack(0x1p-1000) && squares < Pack(0x1p1000)).to_bits();
+    unsigned const good = (squares > Pack(0.0) && squares < Pack(HUGE_VAL)).to_bits();
     store(square_root(dot(direction, direction)) / square_root(squares), count, distance + begin);
     for (unsigned bits = live_lanes(count) & ~good; bits != 0; bits &= bits - 1) {
         std::size_t const i = begin + static_cast<unsigned>(__builtin_ctz(bits));

@@ -63,7 +63,7 @@ PW85_INLINE void derive(LanePair const &pair, Pack const &lambda, std::size_t co
 {
     Pack const lambda1 = complement_of(lambda);
     auto const solution = solve_by_adjugate(blend(lambda1, pair.q1, lambda, pair.q2), pair.r12);
-    PackMask const good = is_accurate(solution) && is_ordinary(pair.r12, pair.q1, pair.q2) && lambda == lambda;
+    PackMask const good = is_accurate(solution) && is_ordinary(pair.r12, pair.q1, pair.q2);
     Pack const reciprocal = Pack(1.0) / solution.determinant;
     Tangency<Pack, 3> const at{times(reciprocal, solution.s), lambda1, lambda, lambda1, lambda};
     if (out.point != nullptr) store_rows(tangency_point(at, pair.q1), count, row_of(out.point, begin));
@@ -94,6 +94,7 @@ template <class Rows>
         first.update({begin + bad.index, bad.status});
         if (out.mu2 != nullptr) std::memcpy(out.mu2 + begin, mu2, count * sizeof(double));
         if (out.lambda != nullptr) std::memcpy(out.lambda + begin, lambda, count * sizeof(double));
+        // Lanes that are filling do what the last one does: numbers from nowhere could raise exceptions.
         for (std::size_t i = count; i % lanes != 0; ++i) lambda[i] = lambda[count - 1];
         for (std::size_t k = 0; k < count; k += lanes)
             derive(load_neighbors(chunk, k, count - k), load_lanes<Pack>(lambda + k), count - k, out, begin + k,

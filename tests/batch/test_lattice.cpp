@@ -351,8 +351,9 @@ void test_limit()
     Failures failures;
     Random random(35);
     for (int n = 0; n < 60; ++n) {
-        auto const [cell, status] = pw85::cell_reduce(random_cell(random, n % 3 == 0 ? 0.25 : 1.0));
-        if (status != pw85::Status::success) continue;
+        pw85::ReducedCell const reduced = pw85::cell_reduce(random_cell(random, n % 3 == 0 ? 0.25 : 1.0));
+        if (reduced.status != pw85::Status::success) continue;
+        pw85::Cell const &cell = reduced.cell;
         pw85::Cell const skewed = skew(random, cell, n % 4);
         std::vector<Form3> q;
         for (int i = 0; i < 3; ++i)
