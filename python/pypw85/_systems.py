@@ -59,8 +59,8 @@ def contact_derivatives(
     >>> import pypw85
     >>> q = pypw85.spheroid(1, 1, [0, 0, 1])
     >>> result = pypw85.contact_derivatives([3, 0, 0], q, q)
-    >>> result.mu2, result.point, result.d_r12
-    (2.25, array([1.5, 0. , 0. ]), array([1.5, 0. , 0. ]))
+    >>> result.point, result.d_r12
+    (array([1.5, 0. , 0. ]), array([1.5, 0. , 0. ]))
     """
     return ContactDerivatives(*_core.call_contact_derivatives(r12, q1, q2, out, kwargs))
 
