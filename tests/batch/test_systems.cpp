@@ -207,6 +207,8 @@ void test_bounding_boxes()
     double boxes[5][3];
     g_assert_cmpint(pw85_bounding_boxes(5, forms[0], boxes[0]), ==, PW85_ENOTPD);
     g_assert_cmpint(pw85_bounding_boxes(3, forms[2], boxes[2]), ==, PW85_EINVAL);
+    double const zeros[6] = {};
+    g_assert_cmpint(pw85_bounding_boxes(1, zeros, boxes[1]), ==, PW85_ENOTPD);
     g_assert_true(boxes[0][0] == 1.0 && boxes[0][1] == 2.0 && boxes[0][2] == 3.0 && boxes[4][2] == 1.0);
     for (int const bad : {1, 2, 3})
         for (double const x : boxes[bad]) g_assert_true(std::isnan(x));
