@@ -10,20 +10,21 @@ using pw85::c_api::any_null;
 
 namespace {
 
-/// Whether the indices of a range are below `end`.
-bool are_below(std::uint32_t end, std::int32_t const *indices, Range range) noexcept
+/// Whether the indices of a range of pairs are below `end`.
+bool are_below(std::uint32_t end, std::int32_t const *pairs, Range range) noexcept
 {
     bool outside = false;
-    for (std::size_t k = range.begin; k < range.end; ++k) outside |= static_cast<std::uint32_t>(indices[k]) >= end;
+    for (std::size_t k = 2 * range.begin; k < 2 * range.end; ++k)
+        outside |= static_cast<std::uint32_t>(pairs[k]) >= end;
     return !outside;
 }
 
 /// Whether all indices are in range.
-bool are_valid(std::size_t num_indices, std::int32_t const *indices, std::size_t num_particles) noexcept
+bool are_valid(std::size_t num_pairs, std::int32_t const *pairs, std::size_t num_particles) noexcept
 {
     auto const end = static_cast<std::uint32_t>(std::min<std::size_t>(num_particles, INT32_MAX + std::size_t{1}));
-    return for_all(num_indices, [=](Range range) {
-               return Failure{range.begin, are_below(end, indices, range) ? PW85_SUCCESS : PW85_EINVAL};
+    return for_all(num_pairs, [=](Range range) {
+               return Failure{range.begin, are_below(end, pairs, range) ? PW85_SUCCESS : PW85_EINVAL};
            }) == PW85_SUCCESS;
 }
 
@@ -33,7 +34,7 @@ int prepare_list(std::size_t num_pairs, std::size_t num_particles, NeighborList 
     if (num_pairs > max_rows || num_particles > max_rows) return PW85_EINVAL;
     if (any_null(list.pairs, list.centers, list.q)) return PW85_EINVAL;
     if (list.images != nullptr && (list.cell == nullptr || !is_finite_cell(list.cell))) return PW85_EINVAL;
-    if (!are_valid(2 * num_pairs, list.pairs, num_particles)) return PW85_EINVAL;
+    if (!are_valid(num_pairs, list.pairs, num_particles)) return PW85_EINVAL;
     if (list.cell == nullptr || list.images != nullptr) return PW85_SUCCESS;
     list.lattice = &lattice;
     return prepare(list.cell, lattice) ? PW85_SUCCESS : PW85_EINVAL;

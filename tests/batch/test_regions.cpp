@@ -30,12 +30,12 @@ void test_regions()
     }
     Random random(41);
     auto const pairs = mixed_pairs(random, 10000);
-    std::vector<std::int32_t> indices(2 * 2048, 0);
-    std::vector<double> mu2(2048);
+    std::vector<std::int32_t> indices(2 * 4096, 0);
+    std::vector<double> mu2(4096);
     double const x[6] = {1, 0, 0, 1, 0, 1}, cell[9] = {4, 0, 0, 1, 5, 0, 1, 2, 6};
     num_regions = 0;
     for (std::size_t const n : {std::size_t{1}, std::size_t{100}, std::size_t{4096}}) run_batch(pairs, 0, n);
-    for (std::size_t const n : {std::size_t{1}, std::size_t{2048}})
+    for (std::size_t const n : {std::size_t{1}, std::size_t{4096}})
         g_assert_cmpint(pw85_contact_pairs(n, indices.data(), nullptr, 1, x, x, cell, mu2.data(), nullptr), ==,
                         PW85_SUCCESS);
     g_assert_cmpint(num_regions, ==, 0);
