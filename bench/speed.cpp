@@ -88,6 +88,7 @@ NeighborSystem const &neighbor_system(bool sorted)
 }
 
 enum class Cell { none, cubic, skewed };
+constexpr std::int32_t const *no_images = nullptr; // the nearest ones
 
 template <class Run> void add_list(char const *function, bool sorted, Cell kind, Run run)
 {
@@ -98,8 +99,8 @@ template <class Run> void add_list(char const *function, bool sorted, Cell kind,
         NeighborSystem const &system = neighbor_system(sorted);
         auto const cell = kind == Cell::skewed ? system.skewed_cell() : system.cell();
         for ([[maybe_unused]] auto _ : state)
-            run(system.pairs.size(), system.pairs[0].data(), system.centers.size(), system.centers[0].coordinates,
-                system.q[0].entries, kind == Cell::none ? nullptr : cell.data());
+            run(system.pairs.size(), system.pairs[0].data(), no_images, system.centers.size(),
+                system.centers[0].coordinates, system.q[0].entries, kind == Cell::none ? nullptr : cell.data());
         count_pairs(state, system.pairs.size());
     })->Unit(benchmark::kMillisecond);
 }

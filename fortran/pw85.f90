@@ -35,6 +35,8 @@ module pw85
   public :: pw85_contact, pw85_contact_function, pw85_contact_geometry, pw85_contact_gradient, pw85_contact_torque
   public :: pw85_overlap, pw85_closest_approach, pw85_contact_2d, pw85_closest_approach_2d
   public :: pw85_contact_batch, pw85_overlap_batch, pw85_contact_pairs, pw85_overlap_pairs
+  public :: pw85_closest_approach_batch, pw85_contact_derivatives_batch, pw85_contact_derivatives_pairs, pw85_overlap_any
+  public :: pw85_cell_reduce, pw85_nearest_image_limit, pw85_ellipsoid_quaternion_batch, pw85_bounding_boxes
   public :: pw85__cholesky_decomp, pw85__cholesky_solve, pw85__residual, pw85_f_neg
   public :: pw85_legacy__det_sym, pw85_legacy__xt_adja_x, pw85_legacy__detq_as_poly, pw85_legacy__rt_adjq_r_as_poly
   public :: pw85_legacy_f1, pw85_legacy_f2, pw85_legacy_f2_derivatives
@@ -179,11 +181,12 @@ module pw85
       integer(c_int) :: status
     end function pw85_overlap_batch
 
-    function c_contact_pairs(num_pairs, pairs, num_particles, centers, q, cell, mu2, lambda) result(status) &
-        bind(C, name='pw85_contact_pairs')
+    function c_contact_pairs(num_pairs, pairs, images, num_particles, centers, q, cell, mu2, lambda) &
+        result(status) bind(C, name='pw85_contact_pairs')
       import :: c_double, c_int, c_int32_t, c_ptr, c_size_t
       integer(c_size_t), value :: num_pairs
       integer(c_int32_t), intent(in) :: pairs(2, *)
+      type(c_ptr), value :: images
       integer(c_size_t), value :: num_particles
       real(c_double), intent(in) :: centers(3, *), q(6, *)
       type(c_ptr), value :: cell
@@ -192,17 +195,93 @@ module pw85
       integer(c_int) :: status
     end function c_contact_pairs
 
-    function c_overlap_pairs(num_pairs, pairs, num_particles, centers, q, cell, overlap) result(status) &
+    function c_overlap_pairs(num_pairs, pairs, images, num_particles, centers, q, cell, overlap) result(status) &
         bind(C, name='pw85_overlap_pairs')
       import :: c_double, c_int, c_int8_t, c_int32_t, c_ptr, c_size_t
       integer(c_size_t), value :: num_pairs
       integer(c_int32_t), intent(in) :: pairs(2, *)
+      type(c_ptr), value :: images
       integer(c_size_t), value :: num_particles
       real(c_double), intent(in) :: centers(3, *), q(6, *)
       type(c_ptr), value :: cell
       integer(c_int8_t), intent(out) :: overlap(*)
       integer(c_int) :: status
     end function c_overlap_pairs
+
+    !> Distances of closest approach of n pairs, for directions of any lengths > 0.
+    function pw85_closest_approach_batch(n, directions, q1, q2, distance) result(status) &
+        bind(C, name='pw85_closest_approach_batch')
+      import :: c_double, c_int, c_size_t
+      integer(c_size_t), value :: n
+      real(c_double), intent(in) :: directions(3, *), q1(6, *), q2(6, *)
+      real(c_double), intent(out) :: distance(*)
+      integer(c_int) :: status
+    end function pw85_closest_approach_batch
+
+    function c_contact_derivatives_batch(n, r12, q1, q2, mu2, lambda, point, normal, d_r12, d_rot1, d_rot2) &
+        result(status) bind(C, name='pw85_contact_derivatives_batch')
+      import :: c_double, c_int, c_ptr, c_size_t
+      integer(c_size_t), value :: n
+      real(c_double), intent(in) :: r12(3, *), q1(6, *), q2(6, *)
+      type(c_ptr), value :: mu2, lambda, point, normal, d_r12, d_rot1, d_rot2
+      integer(c_int) :: status
+    end function c_contact_derivatives_batch
+
+    function c_contact_derivatives_pairs(num_pairs, pairs, images, num_particles, centers, q, cell, mu2, lambda, &
+        point, normal, d_r12, d_rot1, d_rot2) result(status) bind(C, name='pw85_contact_derivatives_pairs')
+      import :: c_double, c_int, c_int32_t, c_ptr, c_size_t
+      integer(c_size_t), value :: num_pairs
+      integer(c_int32_t), intent(in) :: pairs(2, *)
+      type(c_ptr), value :: images
+      integer(c_size_t), value :: num_particles
+      real(c_double), intent(in) :: centers(3, *), q(6, *)
+      type(c_ptr), value :: cell, mu2, lambda, point, normal, d_r12, d_rot1, d_rot2
+      integer(c_int) :: status
+    end function c_contact_derivatives_pairs
+
+    !> Whether an ellipsoid overlaps any of n others: 1, 0, or -1 on error.
+    function pw85_overlap_any(n, q1, r12, q2, any) result(status) bind(C, name='pw85_overlap_any')
+      import :: c_double, c_int, c_size_t
+      integer(c_size_t), value :: n
+      real(c_double), intent(in) :: q1(6), r12(3, *), q2(6, *)
+      integer(c_int), intent(out) :: any
+      integer(c_int) :: status
+    end function pw85_overlap_any
+
+    function c_cell_reduce(cell, reduced) result(status) bind(C, name='pw85_cell_reduce')
+      import :: c_double, c_int
+      real(c_double), intent(in) :: cell(9)
+      real(c_double), intent(out) :: reduced(9)
+      integer(c_int) :: status
+    end function c_cell_reduce
+
+    !> Up to which mu**2 nearest images are all there is; the vectors of the cell are its columns.
+    function pw85_nearest_image_limit(n, q, cell, mu2) result(status) bind(C, name='pw85_nearest_image_limit')
+      import :: c_double, c_int, c_size_t
+      integer(c_size_t), value :: n
+      real(c_double), intent(in) :: q(6, *), cell(3, 3)
+      real(c_double), intent(out) :: mu2
+      integer(c_int) :: status
+    end function pw85_nearest_image_limit
+
+    !> Forms of n ellipsoids whose orientations are quaternions (w, x, y, z).
+    function pw85_ellipsoid_quaternion_batch(n, semi_axes, quaternions, q) result(status) &
+        bind(C, name='pw85_ellipsoid_quaternion_batch')
+      import :: c_double, c_int, c_size_t
+      integer(c_size_t), value :: n
+      real(c_double), intent(in) :: semi_axes(3, *), quaternions(4, *)
+      real(c_double), intent(out) :: q(6, *)
+      integer(c_int) :: status
+    end function pw85_ellipsoid_quaternion_batch
+
+    !> Half-widths of the tight boxes around n ellipsoids.
+    function pw85_bounding_boxes(n, q, half_widths) result(status) bind(C, name='pw85_bounding_boxes')
+      import :: c_double, c_int, c_size_t
+      integer(c_size_t), value :: n
+      real(c_double), intent(in) :: q(6, *)
+      real(c_double), intent(out) :: half_widths(3, *)
+      integer(c_int) :: status
+    end function pw85_bounding_boxes
 
     !> Cholesky factor of a symmetric matrix, by columns.
     subroutine pw85__cholesky_decomp(a, l) bind(C, name='pw85__cholesky_decomp')
@@ -391,28 +470,71 @@ contains
     status = c_contact_batch(n, r12, q1, q2, mu2, address(lambda))
   end function pw85_contact_batch
 
-  !> Contact function of the pairs of a neighbour list; without `cell` there is no periodic cell.
-  function pw85_contact_pairs(num_pairs, pairs, num_particles, centers, q, cell, mu2, lambda) result(status)
+  !> Contact function of the pairs of a neighbour list; without `cell` there is no periodic cell, without `images` the nearest
+  !> ones are taken.
+  function pw85_contact_pairs(num_pairs, pairs, num_particles, centers, q, cell, mu2, lambda, images) result(status)
     integer(c_size_t), intent(in) :: num_pairs, num_particles
     integer(c_int32_t), intent(in) :: pairs(2, num_pairs)
     real(c_double), intent(in) :: centers(3, num_particles), q(6, num_particles)
     real(c_double), intent(in), optional, target :: cell(3, 3)
     real(c_double), intent(out) :: mu2(num_pairs)
     real(c_double), intent(out), optional, target :: lambda(num_pairs)
+    integer(c_int32_t), intent(in), optional, target :: images(3, num_pairs)
     integer(c_int) :: status
-    status = c_contact_pairs(num_pairs, pairs, num_particles, centers, q, address(cell), mu2, address(lambda))
+    status = c_contact_pairs(num_pairs, pairs, address_of_integers(images), num_particles, centers, q, address(cell), &
+                             mu2, address(lambda))
   end function pw85_contact_pairs
 
-  !> Overlaps of the pairs of a neighbour list, as in pw85_overlap_batch(); without `cell` there is no periodic cell.
-  function pw85_overlap_pairs(num_pairs, pairs, num_particles, centers, q, cell, overlap) result(status)
+  !> Overlaps of the pairs of a neighbour list, as in pw85_overlap_batch(); `cell` and `images` as in pw85_contact_pairs().
+  function pw85_overlap_pairs(num_pairs, pairs, num_particles, centers, q, cell, overlap, images) result(status)
     integer(c_size_t), intent(in) :: num_pairs, num_particles
     integer(c_int32_t), intent(in) :: pairs(2, num_pairs)
     real(c_double), intent(in) :: centers(3, num_particles), q(6, num_particles)
     real(c_double), intent(in), optional, target :: cell(3, 3)
     integer(c_int8_t), intent(out) :: overlap(num_pairs)
+    integer(c_int32_t), intent(in), optional, target :: images(3, num_pairs)
     integer(c_int) :: status
-    status = c_overlap_pairs(num_pairs, pairs, num_particles, centers, q, address(cell), overlap)
+    status = c_overlap_pairs(num_pairs, pairs, address_of_integers(images), num_particles, centers, q, address(cell), &
+                             overlap)
   end function pw85_overlap_pairs
+
+  !> Contact function, contact point, normal and derivatives of n pairs.
+  function pw85_contact_derivatives_batch(n, r12, q1, q2, mu2, lambda, point, normal, d_r12, d_rot1, d_rot2) &
+      result(status)
+    integer(c_size_t), intent(in) :: n
+    real(c_double), intent(in) :: r12(3, n), q1(6, n), q2(6, n)
+    real(c_double), intent(out), optional, target :: mu2(n), lambda(n)
+    real(c_double), intent(out), optional, target :: point(3, n), normal(3, n), d_r12(3, n), d_rot1(3, n), d_rot2(3, n)
+    integer(c_int) :: status
+    status = c_contact_derivatives_batch(n, r12, q1, q2, address(mu2), address(lambda), address(point), &
+                                         address(normal), address(d_r12), address(d_rot1), address(d_rot2))
+  end function pw85_contact_derivatives_batch
+
+  !> The same for the pairs of a neighbour list; `cell` and `images` as in pw85_contact_pairs().
+  function pw85_contact_derivatives_pairs(num_pairs, pairs, num_particles, centers, q, cell, mu2, lambda, point, &
+      normal, d_r12, d_rot1, d_rot2, images) result(status)
+    integer(c_size_t), intent(in) :: num_pairs, num_particles
+    integer(c_int32_t), intent(in) :: pairs(2, num_pairs)
+    real(c_double), intent(in) :: centers(3, num_particles), q(6, num_particles)
+    real(c_double), intent(in), optional, target :: cell(3, 3)
+    real(c_double), intent(out), optional, target :: mu2(num_pairs), lambda(num_pairs), point(3, num_pairs), &
+      normal(3, num_pairs), d_r12(3, num_pairs), d_rot1(3, num_pairs), d_rot2(3, num_pairs)
+    integer(c_int32_t), intent(in), optional, target :: images(3, num_pairs)
+    integer(c_int) :: status
+    status = c_contact_derivatives_pairs(num_pairs, pairs, address_of_integers(images), num_particles, centers, q, &
+                                         address(cell), address(mu2), address(lambda), address(point), &
+                                         address(normal), address(d_r12), address(d_rot1), address(d_rot2))
+  end function pw85_contact_derivatives_pairs
+
+  !> A reduced cell of the same lattice; columns are the vectors.
+  function pw85_cell_reduce(cell, reduced) result(status)
+    real(c_double), intent(in) :: cell(3, 3)
+    real(c_double), intent(out) :: reduced(3, 3)
+    real(c_double) :: rows(9)
+    integer(c_int) :: status
+    status = c_cell_reduce(reshape(cell, [9]), rows)
+    reduced = reshape(rows, [3, 3])
+  end function pw85_cell_reduce
 
   !> f(lambda) by factorisation; out = [f, f', f''].
   function pw85_legacy_f1(lambda, r12, q1, q2, out) result(f)
@@ -437,6 +559,13 @@ contains
     pointer = c_null_ptr
     if (present(x)) pointer = c_loc(x(1))
   end function address
+
+  function address_of_integers(x) result(pointer)
+    integer(c_int32_t), intent(in), optional, target :: x(*)
+    type(c_ptr) :: pointer
+    pointer = c_null_ptr
+    if (present(x)) pointer = c_loc(x(1))
+  end function address_of_integers
 
   function fortran_string(c_text) result(text)
     type(c_ptr), intent(in) :: c_text

@@ -90,9 +90,9 @@ void check_batch(Input const &in)
     std::memcpy(forms, in.q1, sizeof in.q1);
     std::memcpy(forms + 6, in.q2, sizeof in.q2);
     std::int32_t const pairs[2] = {0, 1};
-    check("contact_pairs", in, pw85_contact_pairs(1, pairs, 2, centers, forms, nullptr, mu2, lambda), mu2, 1);
-    pw85_contact_pairs(1, pairs, 2, centers, forms, in.rotation, mu2, lambda);
-    pw85_overlap_pairs(1, pairs, 2, centers, forms, in.rotation, &overlap);
+    check("contact_pairs", in, pw85_contact_pairs(1, pairs, nullptr, 2, centers, forms, nullptr, mu2, lambda), mu2, 1);
+    pw85_contact_pairs(1, pairs, nullptr, 2, centers, forms, in.rotation, mu2, lambda);
+    pw85_overlap_pairs(1, pairs, nullptr, 2, centers, forms, in.rotation, &overlap);
 }
 
 void check_building_blocks(Input const &in)

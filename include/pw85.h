@@ -246,25 +246,129 @@ PW85_API int pw85_contact_batch(size_t n, double const *r12, double const *q1, d
 PW85_API int pw85_overlap_batch(size_t n, double const *r12, double const *q1, double const *q2,
                                 unsigned char *overlap);
 
+/** pw85_closest_approach() for n pairs. The relative error is below 2 u cond + 4 u; the bits may differ.
+ *
+ * @param n number of pairs
+ * @param directions n×3, of any lengths > 0
+ * @param q1,q2 n×6
+ * @param[out] distance n
+ * @return as for pw85_contact_batch(); a zero direction is #PW85_EINVAL */
+PW85_API int pw85_closest_approach_batch(size_t n, double const *directions, double const *q1, double const *q2,
+                                         double *distance);
+
+/** pw85_contact(), pw85_contact_geometry(), pw85_contact_gradient() and pw85_contact_torque() for n pairs: what the forces and
+ * torques of an energy U(μ²) are made of. A pair with r12 = 0 is valid: its derivatives are zero, its point and normal NaN.
+ *
+ * @param n number of pairs
+ * @param r12 n×3
+ * @param q1,q2 n×6
+ * @param[out] mu2,lambda n each; any output may be null
+ * @param[out] point,normal n×3 each: contact points relative to the centres of the first ellipsoids, unit normals
+ * @param[out] d_r12 n×3: ∂μ²/∂r12
+ * @param[out] d_rot1,d_rot2 n×3 each: ∂μ²/∂(rotation vector) of either ellipsoid about its own centre, per radian
+ * @return as for pw85_contact_batch() */
+PW85_API int pw85_contact_derivatives_batch(size_t n, double const *r12, double const *q1, double const *q2,
+                                            double *mu2, double *lambda, double *point, double *normal, double *d_r12,
+                                            double *d_rot1, double *d_rot2);
+
+/** Whether an ellipsoid overlaps any of n others: pw85_overlap() for one after the other, up to the first that overlaps or is
+ * bad. One thread works, on as many pairs at a time as it has lanes.
+ *
+ * @param n number of others; 0 is fine
+ * @param q1 form of the one
+ * @param r12 n×3: centres of the others relative to that of the one
+ * @param q2 n×6
+ * @param[out] any 1 or 0; -1 on error
+ * @return #PW85_SUCCESS, #PW85_EINVAL, or the status of a bad pair that no overlap precedes */
+PW85_API int pw85_overlap_any(size_t n, double const q1[PW85_SYM], double const *r12, double const *q2, int *any);
+
 /** pw85_contact() for the pairs of a neighbour list.
+ *
+ * In a periodic cell a pair stands for one image of j, either that of `images` or the nearest one (by the distance of the
+ * centres), which is found for any cell however skewed. Where cells are small or particles large, an image that is not the
+ * nearest can have a smaller μ²: pw85_nearest_image_limit() says where.
  *
  * @param num_pairs number of pairs
  * @param pairs num_pairs×2: indices (i, j) of particles, from 0
+ * @param images num_pairs×3: multiples of the cell vectors, as given, to be added to the centre of j; or null for the nearest
+ *        images
  * @param num_particles number of particles
- * @param centers num_particles×3
+ * @param centers num_particles×3, anywhere in space; where nearest images are asked for, no farther from each other than 2⁵⁰
+ *        times the cell
  * @param q num_particles×6
- * @param cell 3×3, rows = vectors of the periodic cell, or null if there is none. Of all images of j the nearest to i
- *        (by the distance of the centres) is taken, for any cell however skewed.
+ * @param cell 3×3, rows = vectors of the periodic cell, or null if there is none. It need not be reduced, but then each call
+ *        takes some hundred nanoseconds more than for the reduced one: see pw85_cell_reduce().
  * @param[out] mu2 num_pairs
  * @param[out] lambda num_pairs, or null
- * @return as for pw85_contact_batch(); #PW85_EINVAL also for a cell that is singular or not finite */
-PW85_API int pw85_contact_pairs(size_t num_pairs, int32_t const *pairs, size_t num_particles, double const *centers,
-                                double const *q, double const *cell, double *mu2, double *lambda);
+ * @return as for pw85_contact_batch(); #PW85_EINVAL also for `images` without `cell`, a cell that is not finite or, unless
+ *         there are images, singular */
+PW85_API int pw85_contact_pairs(size_t num_pairs, int32_t const *pairs, int32_t const *images, size_t num_particles,
+                                double const *centers, double const *q, double const *cell, double *mu2,
+                                double *lambda);
 
 /** pw85_overlap() for the pairs of a neighbour list; arguments as for pw85_contact_pairs(), overlap as for
  * pw85_overlap_batch(). */
-PW85_API int pw85_overlap_pairs(size_t num_pairs, int32_t const *pairs, size_t num_particles, double const *centers,
-                                double const *q, double const *cell, unsigned char *overlap);
+PW85_API int pw85_overlap_pairs(size_t num_pairs, int32_t const *pairs, int32_t const *images, size_t num_particles,
+                                double const *centers, double const *q, double const *cell, unsigned char *overlap);
+
+/** pw85_contact_derivatives_batch() for the pairs of a neighbour list; other arguments as for pw85_contact_pairs(). */
+PW85_API int pw85_contact_derivatives_pairs(size_t num_pairs, int32_t const *pairs, int32_t const *images,
+                                            size_t num_particles, double const *centers, double const *q,
+                                            double const *cell, double *mu2, double *lambda, double *point,
+                                            double *normal, double *d_r12, double *d_rot1, double *d_rot2);
+
+/** @}
+ * @name Periodic cells
+ * @{ */
+
+/** A reduced cell of the same lattice: none of its vectors gets shorter by adding or subtracting others. It is the prepared
+ * form of a cell, to be kept by the caller: the functions of neighbour lists recognise it by a few inequalities. Rectangular
+ * cells are reduced, and so are those whose vectors are of like length and at angles between 60 and 120 degrees.
+ *
+ * Combinations of cell vectors are rounded. `images` that were made for one cell are not those for the other.
+ *
+ * @param cell 3×3, rows = vectors
+ * @param[out] reduced 3×3; may be the same array as cell
+ * @return #PW85_SUCCESS or #PW85_EINVAL (a null pointer, a cell that is singular or not finite) */
+PW85_API int pw85_cell_reduce(double const cell[9], double reduced[9]);
+
+/** Up to which μ² nearest images are all there is: any image of a pair of these particles with a smaller μ² is the nearest.
+ *
+ * So pw85_overlap_pairs() with nearest images misses no overlap, of any image, if mu2 >= 1; and a μ² below mu2 from
+ * pw85_contact_pairs() is the smallest of all images. In a rectangular cell, the limit is (L/4h)² for the direction where that
+ * is smallest, with the side L of the cell and the largest half-width h of the particles' bounding boxes: mu2 >= 1 where no
+ * box is wider than half the cell. Otherwise directions are those of the faces of the lattice's Voronoi cell. Beyond the limit,
+ * list the images that matter and give them as `images`.
+ *
+ * @param n number of particles; infinity is the limit of none
+ * @param q n×6
+ * @param cell 3×3, rows = vectors
+ * @param[out] mu2 the limit
+ * @return #PW85_SUCCESS, #PW85_EINVAL (a cell that is singular or not finite, too), #PW85_ENOTPD */
+PW85_API int pw85_nearest_image_limit(size_t n, double const *q, double const *cell, double *mu2);
+
+/** @}
+ * @name Many forms
+ *
+ * What is said of many pairs holds for rows here: bad ones are marked with NaN.
+ * @{ */
+
+/** pw85_ellipsoid_quaternion() for n ellipsoids; the bits are the same.
+ *
+ * @param n number of ellipsoids
+ * @param semi_axes n×3
+ * @param quaternions n×4: (w, x, y, z)
+ * @param[out] q n×6
+ * @return #PW85_SUCCESS, #PW85_EINVAL */
+PW85_API int pw85_ellipsoid_quaternion_batch(size_t n, double const *semi_axes, double const *quaternions, double *q);
+
+/** Tight boxes, with sides along the axes, around n ellipsoids.
+ *
+ * @param n number of ellipsoids
+ * @param q n×6
+ * @param[out] half_widths n×3: √Qxx, √Qyy, √Qzz, in the unit of the semi-axes
+ * @return #PW85_SUCCESS, #PW85_EINVAL, or the status of the first bad form */
+PW85_API int pw85_bounding_boxes(size_t n, double const *q, double *half_widths);
 
 /** @}
  * @name Building blocks

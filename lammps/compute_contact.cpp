@@ -90,7 +90,7 @@ void ComputeContact::add_batch(bool with_rows)
         if (atom->tag[i] > atom->tag[j]) std::swap(i, j);
     }
     auto const num_particles = static_cast<std::size_t>(atom->nlocal + atom->nghost);
-    int const status = pw85_contact_pairs(batch.size(), batch.pairs.data(), num_particles, atom->x[0],
+    int const status = pw85_contact_pairs(batch.size(), batch.pairs.data(), nullptr, num_particles, atom->x[0],
                                           ellipsoids.forms(), nullptr, batch.mu2.data(), batch.lambda.data());
     int const counted = num_counted();
     for (std::size_t k = 0; k < batch.size(); ++k) {

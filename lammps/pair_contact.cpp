@@ -138,7 +138,7 @@ void PairContact::compute(int eflag, int vflag)
 void PairContact::add_batch(int eflag)
 {
     auto const num_particles = static_cast<std::size_t>(atom->nlocal + atom->nghost);
-    int const status = pw85_contact_pairs(batch_.size(), batch_.pairs.data(), num_particles, atom->x[0],
+    int const status = pw85_contact_pairs(batch_.size(), batch_.pairs.data(), nullptr, num_particles, atom->x[0],
                                           ellipsoids_->forms(), nullptr, batch_.mu2.data(), batch_.lambda.data());
     for (std::size_t k = 0; k < batch_.size(); ++k) {
         int const i = batch_.pairs[2 * k], j = batch_.pairs[2 * k + 1];

@@ -144,7 +144,9 @@ contains
   subroutine test_batch
     integer(c_size_t), parameter :: n = 3
     real(c_double) :: r(3, n), forms1(6, n), forms2(6, n), mu2(n), alone(n), lambda(n), out(2)
+    real(c_double) :: distance(n), point(3, n), d_rot2(3, n), boxes(3, n), quaternions(4, 1), form(6), x(3)
     integer(c_int8_t) :: overlap(n)
+    integer(c_int) :: any_overlap
     integer :: i, status
     do i = 1, 3
       r(:, i) = i * 0.6_c_double * r12
@@ -167,6 +169,29 @@ contains
                'overlap_batch: bad pair')
     status = pw85_contact_batch(0_c_size_t, r, forms1, forms2, mu2, lambda)
     call check(status == pw85_success, 'contact_batch of nothing')
+    forms1(1, 2) = q1(1)
+    status = pw85_contact_batch(n, r, forms1, forms2, mu2, lambda)
+    status = pw85_closest_approach_batch(n, r, forms1, forms2, distance)
+    do i = 1, 3
+      call check(status == pw85_success .and. close(distance(i), norm2(r(:, i)) / sqrt(mu2(i))), 'closest_approach_batch')
+    end do
+    status = pw85_contact_derivatives_batch(n, r, forms1, forms2, point=point, d_rot2=d_rot2)
+    call check(status == pw85_success, 'contact_derivatives_batch')
+    do i = 1, 3
+      status = pw85_contact_geometry(r(:, i), q1, q2, lambda(i), x)
+      call check(all(close(point(:, i), x)), 'contact_derivatives_batch: point')
+      status = pw85_contact_torque(r(:, i), q1, q2, lambda(i), d_rot2=x)
+      call check(all(abs(d_rot2(:, i) - x) <= 1e-12_c_double * norm2(x)), 'contact_derivatives_batch: d_rot2')
+    end do
+    status = pw85_overlap_any(n, q1, r, forms2, any_overlap)
+    call check(status == pw85_success .and. (any_overlap == 1) .eqv. any(mu2 < 1), 'overlap_any')
+    status = pw85_bounding_boxes(n, forms2, boxes)
+    call check(status == pw85_success .and. all(close(boxes(:, 3)**2, q2([1, 4, 6]))), 'bounding_boxes')
+    quaternions(:, 1) = [1.0_c_double, 2.0_c_double, -1.0_c_double, 0.5_c_double]
+    status = pw85_ellipsoid_quaternion_batch(1_c_size_t, boxes, quaternions, forms1)
+    call check(status == pw85_success, 'ellipsoid_quaternion_batch: status')
+    status = pw85_ellipsoid_quaternion(boxes(:, 1), quaternions(:, 1), form)
+    call check(all(close(forms1(:, 1), form)), 'ellipsoid_quaternion_batch')
   end subroutine test_batch
 
   subroutine test_pairs
@@ -174,6 +199,8 @@ contains
     integer(c_int32_t), parameter :: pairs(2, num_pairs) = reshape([0, 1, 2, 0], [2, 2])
     real(c_double) :: centers(3, num_particles), q(6, num_particles), cell(3, 3), mu2(num_pairs), lambda(num_pairs)
     real(c_double) :: out(2)
+    real(c_double) :: reduced(3, 3), limit, d_r12(3, 1), d_rot1(3, 1), gradient(3)
+    integer(c_int32_t) :: images(3, 1)
     integer(c_int8_t) :: overlap(num_pairs)
     integer :: status
     centers(:, 1) = [0.5_c_double, 0.25_c_double, -0.5_c_double]
@@ -200,6 +227,26 @@ contains
     call check(close(mu2(1), out(1)) .and. abs(lambda(1) - out(2)) <= 1e-7, 'contact_pairs in a cell')
     status = pw85_overlap_pairs(1_c_size_t, pairs, num_particles, centers, q, cell, overlap)
     call check(status == pw85_success .and. (overlap(1) == 1) .eqv. (out(1) < 1), 'overlap_pairs in a cell')
+    ! The same image by its multiples, and another cell of the same lattice.
+    images(:, 1) = [0, -1, 0]
+    status = pw85_contact_pairs(1_c_size_t, pairs, num_particles, centers, q, cell, mu2, images=images)
+    call check(status == pw85_success .and. close(mu2(1), out(1)), 'contact_pairs with images')
+    status = pw85_overlap_pairs(1_c_size_t, pairs, num_particles, centers, q, cell, overlap, images)
+    call check(status == pw85_success .and. (overlap(1) == 1) .eqv. (out(1) < 1), 'overlap_pairs with images')
+    status = pw85_contact_pairs(1_c_size_t, pairs, num_particles, centers, q, mu2=mu2, images=images)
+    call check(status == pw85_einval, 'contact_pairs: images without a cell')
+    status = pw85_contact_derivatives_pairs(1_c_size_t, pairs, num_particles, centers, q, cell, mu2, lambda, &
+                                            d_r12=d_r12, d_rot1=d_rot1)
+    call check(status == pw85_success .and. close(mu2(1), out(1)), 'contact_derivatives_pairs')
+    status = pw85_contact_gradient(r12 - cell(:, 2), q1, q2, lambda(1), gradient)
+    call check(status == pw85_success .and. all(close(d_r12(:, 1), gradient)), 'contact_derivatives_pairs: d_r12')
+    status = pw85_nearest_image_limit(num_particles, q, cell, limit)
+    call check(status == pw85_success .and. limit > 0, 'nearest_image_limit')
+    cell(:, 3) = cell(:, 3) + 10 * cell(:, 2)
+    status = pw85_cell_reduce(cell, reduced)
+    call check(status == pw85_success .and. maxval(abs(reduced)) <= 40, 'cell_reduce')
+    status = pw85_contact_pairs(1_c_size_t, pairs, num_particles, centers, q, reduced, mu2)
+    call check(status == pw85_success .and. close(mu2(1), out(1)), 'contact_pairs in a reduced cell')
   end subroutine test_pairs
 
   subroutine test_building_blocks

@@ -3,7 +3,7 @@
 ///
 /// The contracts are those of pw85.h: a bad pair is marked (NaN, or 255 for overlaps) and the status of the first one is
 /// returned; sizes that do not fit together, or an index out of range, are `Status::invalid_argument` before anything is
-/// written. Empty spans are fine. The lambda outputs may be left out.
+/// written. Empty spans are fine. Outputs with a default may be left out.
 #ifndef PW85_BATCH_HPP_INCLUDED
 #define PW85_BATCH_HPP_INCLUDED
 
@@ -25,8 +25,29 @@ using Forms = std::span<SymmetricMatrix<double, 3> const>;
 /// Particles i and j of a pair.
 using IndexPair = std::array<std::int32_t, 2>;
 
+/// Multiples of the vectors of a cell, to be added to the second particle of a pair.
+using Image = std::array<std::int32_t, 3>;
+
 /// Rows = vectors of a periodic cell.
 using Cell = std::array<Vector<double, 3>, 3>;
+
+/// A reduced cell, NaN where the status is not success.
+struct ReducedCell {
+    Cell cell;
+    Status status;
+};
+
+/// Where the contact functions of pairs and their derivatives go; see pw85_contact_derivatives_batch().
+struct DerivativeSpans {
+    std::span<double> mu2 = {}, lambda = {};
+    std::span<Vector<double, 3>> point = {}, normal = {}, d_r12 = {}, d_rot1 = {}, d_rot2 = {};
+};
+
+/// The pairs of a neighbour list, each with the image that it stands for; without images they are the nearest ones.
+struct PairList {
+    std::span<IndexPair const> pairs;
+    std::span<Image const> images = {};
+};
 
 /// Particles, in a periodic cell or not.
 struct Particles {
@@ -47,41 +68,84 @@ static inline Status contact_batch(std::span<Vector<float, 3> const> r12, std::s
 /// overlap() for pairs: 1, 0, or 255.
 static inline Status overlap_batch(Vectors r12, Forms q1, Forms q2, std::span<unsigned char> overlap) noexcept;
 
+/// closest_approach() for pairs.
+static inline Status closest_approach_batch(Vectors directions, Forms q1, Forms q2,
+                                            std::span<double> distance) noexcept;
+
+/// contact(), contact_geometry() and the derivatives for pairs.
+static inline Status contact_derivatives_batch(Vectors r12, Forms q1, Forms q2, DerivativeSpans const &out) noexcept;
+
+/// Whether an ellipsoid overlaps any of others: 1, 0, or -1. Looks at the pairs up to the first that overlaps or is bad.
+static inline Status overlap_any(SymmetricMatrix<double, 3> const &q1, Vectors r12, Forms q2, int &any) noexcept;
+
 /// contact() for the pairs of a neighbour list.
-static inline Status contact_pairs(std::span<IndexPair const> pairs, Particles const &particles, std::span<double> mu2,
+static inline Status contact_pairs(PairList const &list, Particles const &particles, std::span<double> mu2,
                                    std::span<double> lambda = {}) noexcept;
 
 /// overlap() for the pairs of a neighbour list.
-static inline Status overlap_pairs(std::span<IndexPair const> pairs, Particles const &particles,
+static inline Status overlap_pairs(PairList const &list, Particles const &particles,
                                    std::span<unsigned char> overlap) noexcept;
+
+/// contact_derivatives_batch() for the pairs of a neighbour list.
+static inline Status contact_derivatives_pairs(PairList const &list, Particles const &particles,
+                                               DerivativeSpans const &out) noexcept;
+
+/// A reduced cell of the same lattice, the prepared form of a cell: see pw85_cell_reduce().
+static inline ReducedCell cell_reduce(Cell const &cell) noexcept;
+
+/// Up to which μ² nearest images are all there is: see pw85_nearest_image_limit().
+static inline Status nearest_image_limit(Forms q, Cell const &cell, double &mu2) noexcept;
+
+/// ellipsoid_quaternion() for many ellipsoids.
+static inline Status ellipsoid_quaternion_batch(Vectors semi_axes, std::span<Vector<double, 4> const> quaternions,
+                                                std::span<SymmetricMatrix<double, 3>> q) noexcept;
+
+/// bounding_box() for many ellipsoids.
+static inline Status bounding_boxes(Forms q, std::span<Vector<double, 3>> half_widths) noexcept;
 
 namespace detail {
 
 static_assert(sizeof(Vector<double, 3>) == 3 * sizeof(double));
 static_assert(sizeof(SymmetricMatrix<double, 3>) == 6 * sizeof(double));
+static_assert(sizeof(Vector<double, 4>) == 4 * sizeof(double));
 static_assert(sizeof(IndexPair) == 2 * sizeof(std::int32_t));
+static_assert(sizeof(Image) == 3 * sizeof(std::int32_t));
+static_assert(sizeof(Cell) == 9 * sizeof(double));
 
 template <class Row> static double const *numbers(std::span<Row const> rows) noexcept
 {
     return reinterpret_cast<double const *>(rows.data());
 }
 
-static inline std::int32_t const *numbers(std::span<IndexPair const> pairs) noexcept
+template <std::size_t N> static std::int32_t const *integers(std::span<std::array<std::int32_t, N> const> rows) noexcept
 {
-    return reinterpret_cast<std::int32_t const *>(pairs.data());
+    return rows.empty() ? nullptr : reinterpret_cast<std::int32_t const *>(rows.data());
 }
 
 static inline double const *numbers(Cell const *cell) noexcept { return reinterpret_cast<double const *>(cell); }
 
 /// The output, or null if it was left out.
-static inline double *optional(std::span<double> lambda) noexcept { return lambda.empty() ? nullptr : lambda.data(); }
-
-template <class Lambda> static bool fits(std::size_t n, Lambda lambda) noexcept
+template <class Row> static double *optional(std::span<Row> rows) noexcept
 {
-    return lambda.empty() || lambda.size() == n;
+    return rows.empty() ? nullptr : reinterpret_cast<double *>(rows.data());
 }
 
-static inline bool fit(Particles const &particles) noexcept { return particles.centers.size() == particles.q.size(); }
+/// Whether rows that may be left out are n.
+template <class Row> static bool fits(std::size_t n, std::span<Row> rows) noexcept
+{
+    return rows.empty() || rows.size() == n;
+}
+
+static inline bool fits(std::size_t n, DerivativeSpans const &out) noexcept
+{
+    return fits(n, out.mu2) && fits(n, out.lambda) && fits(n, out.point) && fits(n, out.normal) && fits(n, out.d_r12) &&
+           fits(n, out.d_rot1) && fits(n, out.d_rot2);
+}
+
+static inline bool fit(PairList const &list, Particles const &particles) noexcept
+{
+    return fits(list.pairs.size(), list.images) && particles.centers.size() == particles.q.size();
+}
 
 /// Copies `count` rows and widens them.
 template <class Row, class Wide>
@@ -140,24 +204,94 @@ static inline Status overlap_batch(Vectors r12, Forms q1, Forms q2, std::span<un
         pw85_overlap_batch(n, detail::numbers(r12), detail::numbers(q1), detail::numbers(q2), overlap.data()));
 }
 
-static inline Status contact_pairs(std::span<IndexPair const> pairs, Particles const &particles, std::span<double> mu2,
-                                   std::span<double> lambda) noexcept
+static inline Status closest_approach_batch(Vectors directions, Forms q1, Forms q2, std::span<double> distance) noexcept
 {
-    std::size_t const n = pairs.size();
-    if (mu2.size() != n || !detail::fits(n, lambda) || !detail::fit(particles)) return Status::invalid_argument;
-    return static_cast<Status>(pw85_contact_pairs(
-        n, detail::numbers(pairs), particles.centers.size(), detail::numbers(particles.centers),
-        detail::numbers(particles.q), detail::numbers(particles.cell), mu2.data(), detail::optional(lambda)));
+    std::size_t const n = distance.size();
+    if (directions.size() != n || q1.size() != n || q2.size() != n) return Status::invalid_argument;
+    return static_cast<Status>(pw85_closest_approach_batch(n, detail::numbers(directions), detail::numbers(q1),
+                                                           detail::numbers(q2), distance.data()));
 }
 
-static inline Status overlap_pairs(std::span<IndexPair const> pairs, Particles const &particles,
+static inline Status contact_derivatives_batch(Vectors r12, Forms q1, Forms q2, DerivativeSpans const &out) noexcept
+{
+    std::size_t const n = r12.size();
+    if (q1.size() != n || q2.size() != n || !detail::fits(n, out)) return Status::invalid_argument;
+    return static_cast<Status>(pw85_contact_derivatives_batch(
+        n, detail::numbers(r12), detail::numbers(q1), detail::numbers(q2), detail::optional(out.mu2),
+        detail::optional(out.lambda), detail::optional(out.point), detail::optional(out.normal),
+        detail::optional(out.d_r12), detail::optional(out.d_rot1), detail::optional(out.d_rot2)));
+}
+
+static inline Status overlap_any(SymmetricMatrix<double, 3> const &q1, Vectors r12, Forms q2, int &any) noexcept
+{
+    any = -1;
+    if (r12.size() != q2.size()) return Status::invalid_argument;
+    return static_cast<Status>(
+        pw85_overlap_any(r12.size(), q1.entries, detail::numbers(r12), detail::numbers(q2), &any));
+}
+
+static inline Status contact_pairs(PairList const &list, Particles const &particles, std::span<double> mu2,
+                                   std::span<double> lambda) noexcept
+{
+    std::size_t const n = list.pairs.size();
+    if (mu2.size() != n || !detail::fits(n, lambda) || !detail::fit(list, particles)) return Status::invalid_argument;
+    return static_cast<Status>(pw85_contact_pairs(n, detail::integers(list.pairs), detail::integers(list.images),
+                                                  particles.centers.size(), detail::numbers(particles.centers),
+                                                  detail::numbers(particles.q), detail::numbers(particles.cell),
+                                                  mu2.data(), detail::optional(lambda)));
+}
+
+static inline Status overlap_pairs(PairList const &list, Particles const &particles,
                                    std::span<unsigned char> overlap) noexcept
 {
-    std::size_t const n = pairs.size();
-    if (overlap.size() != n || !detail::fit(particles)) return Status::invalid_argument;
-    return static_cast<Status>(pw85_overlap_pairs(n, detail::numbers(pairs), particles.centers.size(),
-                                                  detail::numbers(particles.centers), detail::numbers(particles.q),
-                                                  detail::numbers(particles.cell), overlap.data()));
+    std::size_t const n = list.pairs.size();
+    if (overlap.size() != n || !detail::fit(list, particles)) return Status::invalid_argument;
+    return static_cast<Status>(pw85_overlap_pairs(n, detail::integers(list.pairs), detail::integers(list.images),
+                                                  particles.centers.size(), detail::numbers(particles.centers),
+                                                  detail::numbers(particles.q), detail::numbers(particles.cell),
+                                                  overlap.data()));
+}
+
+static inline Status contact_derivatives_pairs(PairList const &list, Particles const &particles,
+                                               DerivativeSpans const &out) noexcept
+{
+    std::size_t const n = list.pairs.size();
+    if (!detail::fits(n, out) || !detail::fit(list, particles)) return Status::invalid_argument;
+    return static_cast<Status>(pw85_contact_derivatives_pairs(
+        n, detail::integers(list.pairs), detail::integers(list.images), particles.centers.size(),
+        detail::numbers(particles.centers), detail::numbers(particles.q), detail::numbers(particles.cell),
+        detail::optional(out.mu2), detail::optional(out.lambda), detail::optional(out.point),
+        detail::optional(out.normal), detail::optional(out.d_r12), detail::optional(out.d_rot1),
+        detail::optional(out.d_rot2)));
+}
+
+static inline ReducedCell cell_reduce(Cell const &cell) noexcept
+{
+    ReducedCell result;
+    result.status =
+        static_cast<Status>(pw85_cell_reduce(detail::numbers(&cell), reinterpret_cast<double *>(&result.cell)));
+    return result;
+}
+
+static inline Status nearest_image_limit(Forms q, Cell const &cell, double &mu2) noexcept
+{
+    return static_cast<Status>(pw85_nearest_image_limit(q.size(), detail::numbers(q), detail::numbers(&cell), &mu2));
+}
+
+static inline Status ellipsoid_quaternion_batch(Vectors semi_axes, std::span<Vector<double, 4> const> quaternions,
+                                                std::span<SymmetricMatrix<double, 3>> q) noexcept
+{
+    std::size_t const n = q.size();
+    if (semi_axes.size() != n || quaternions.size() != n) return Status::invalid_argument;
+    return static_cast<Status>(pw85_ellipsoid_quaternion_batch(n, detail::numbers(semi_axes),
+                                                               detail::numbers(quaternions), detail::optional(q)));
+}
+
+static inline Status bounding_boxes(Forms q, std::span<Vector<double, 3>> half_widths) noexcept
+{
+    std::size_t const n = half_widths.size();
+    if (q.size() != n) return Status::invalid_argument;
+    return static_cast<Status>(pw85_bounding_boxes(n, detail::numbers(q), detail::optional(half_widths)));
 }
 
 } // namespace pw85

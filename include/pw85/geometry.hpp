@@ -41,13 +41,18 @@ template <class T> static constexpr T adjugate_conditioning() noexcept
     return negative_power_of_two<T>(maximum(mantissa_digits<T>() / 2 - 8, 0));
 }
 
+template <class T, int D>
+static constexpr typename ScalarTraits<T>::Mask is_accurate(AdjugateSolution<T, D> const &solution) noexcept
+{
+    return solution.determinant > adjugate_conditioning<T>() * solution.diagonal;
+}
+
 /// M⁻¹ x: by the adjugate where that is as good as rounding allows, else by factorisation.
 template <class T, int D>
 static inline Vector<T, D> solve_blend(SymmetricMatrix<T, D> const &m, Vector<T, D> const &x) noexcept
 {
     auto const solution = solve_by_adjugate(m, x);
-    if (solution.determinant > adjugate_conditioning<T>() * solution.diagonal)
-        return times(T(T(1) / solution.determinant), solution.s);
+    if (is_accurate(solution)) return times(T(T(1) / solution.determinant), solution.s);
     return solve(factorize(m, T(unit_roundoff<T>())), x);
 }
 
@@ -57,6 +62,43 @@ template <class T, int D> struct Tangency {
     T lambda1, lambda2; ///< 1-λ, λ
     T weight1, weight2; ///< w1, w2: proportional to 1-λ and λ
 };
+
+/// The point x0, relative to the centre of ellipsoid 1 (item 1).
+template <class T, int D>
+static constexpr Vector<T, D> tangency_point(Tangency<T, D> const &at, SymmetricMatrix<T, D> const &q1) noexcept
+{
+    return times(at.weight1, product(q1, at.v));
+}
+
+/// The unit vector along n; not finite where n is zero.
+template <class T, int D> static inline Vector<T, D> tangency_normal(Tangency<T, D> const &at) noexcept
+{
+    return times(T(T(1) / square_root(dot(at.v, at.v))), at.v);
+}
+
+/// ∂μ²/∂r12 (item 2).
+template <class T, int D> static constexpr Vector<T, D> separation_gradient(Tangency<T, D> const &at) noexcept
+{
+    return times(T(T(2) * at.lambda1 * at.lambda2), at.v);
+}
+
+/// ∂μ²/∂ω1 and ∂μ²/∂ω2 (item 3).
+template <class T> struct RotationGradients {
+    Vector<T, 3> first, second;
+};
+
+template <class T> static constexpr RotationGradients<T>
+rotation_gradients(Tangency<T, 3> const &at, SymmetricMatrix<T, 3> const &q1, SymmetricMatrix<T, 3> const &q2) noexcept
+{
+    Vector<T, 3> const n = separation_gradient(at);
+    return {cross(n, times(at.weight1, product(q1, at.v))), cross(n, times(at.weight2, product(q2, at.v)))};
+}
+
+/// 1-λ: a maximiser that rounds to 1 is that of a pair of very different sizes, not the end.
+template <class T> static constexpr T complement_of(T const &lambda) noexcept
+{
+    return maximum(T(T(1) - lambda), T(T(0.5) * unit_roundoff<T>()));
+}
 
 /// Exponents that lead from the units of a Tangency back to the caller's.
 struct TangencyUnits {
@@ -109,8 +151,7 @@ template <class Formula, class T, int D>
 static inline auto at_tangency(Formula formula, Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
                                SymmetricMatrix<T, D> const &q2, T const &lambda) noexcept
 {
-    // A maximiser that rounds to 1 is that of a pair of very different sizes, not the end.
-    T const lambda1 = maximum(T(T(1) - lambda), T(T(0.5) * unit_roundoff<T>()));
+    T const lambda1 = complement_of(lambda);
     if (lambda >= T(0) && lambda <= T(1) && is_ordinary(r12, q1, q2)) {
         Vector<T, D> const v = solve_blend(blend(lambda1, q1, lambda, q2), r12);
         return formula(Tangency<T, D>{v, lambda1, lambda, lambda1, lambda}, q1, q2);
@@ -135,10 +176,8 @@ static inline ContactGeometry<T, D> contact_geometry(Vector<T, D> const &r12, Sy
 {
     return at_tangency(
         [](Tangency<T, D> const &at, SymmetricMatrix<T, D> const &p1, SymmetricMatrix<T, D> const &) {
-            T const norm2 = dot(at.v, at.v);
-            ContactGeometry<T, D> result{times(at.weight1, product(p1, at.v)),
-                                         times(T(T(1) / square_root(norm2)), at.v), Status::success};
-            if (!(norm2 > T(0))) invalidate(result, Status::invalid_argument);
+            ContactGeometry<T, D> result{tangency_point(at, p1), tangency_normal(at), Status::success};
+            if (!(dot(at.v, at.v) > T(0))) invalidate(result, Status::invalid_argument);
             return result;
         },
         r12, q1, q2, lambda);
@@ -167,7 +206,7 @@ static inline ContactGradient<T, D> contact_gradient(Vector<T, D> const &r12, Sy
         [](Tangency<T, D> const &at, SymmetricMatrix<T, D> const &, SymmetricMatrix<T, D> const &) {
             auto const nn = outer_weights(at.v);
             T const weight = at.lambda1 * at.lambda2;
-            return ContactGradient<T, D>{times(T(T(2) * weight), at.v), times(T(-at.lambda1 * weight), nn),
+            return ContactGradient<T, D>{separation_gradient(at), times(T(-at.lambda1 * weight), nn),
                                          times(T(-at.lambda2 * weight), nn), Status::success};
         },
         r12, q1, q2, lambda);
@@ -193,9 +232,8 @@ static inline ContactTorque<T> contact_torque(Vector<T, 3> const &r12, Symmetric
 {
     return at_tangency(
         [](Tangency<T, 3> const &at, SymmetricMatrix<T, 3> const &p1, SymmetricMatrix<T, 3> const &p2) {
-            Vector<T, 3> const n = times(T(T(2) * at.lambda1 * at.lambda2), at.v);
-            return ContactTorque<T>{cross(n, times(at.weight1, product(p1, at.v))),
-                                    cross(n, times(at.weight2, product(p2, at.v))), Status::success};
+            auto const gradients = rotation_gradients(at, p1, p2);
+            return ContactTorque<T>{gradients.first, gradients.second, Status::success};
         },
         r12, q1, q2, lambda);
 }

@@ -28,6 +28,7 @@ template <class T, int D> struct ContactGeometry; // point, normal, status
 template <class T, int D> struct ContactGradient; // r12, q1, q2, status
 template <class T> struct ContactTorque;          // rotation1, rotation2, status
 template <class T> struct ClosestApproach;        // distance, status
+template <class T, int D> struct BoundingBox;     // half_widths, status
 struct Overlap;                                   // overlap, tier, status
 template <class T, int D> struct OverlapWitness;  // overlap, lambda, direction, point, status
 
@@ -44,6 +45,9 @@ static constexpr Form<T, 3> ellipsoid_quaternion(Vector<T, 3> const &semi_axes, 
 
 /// Form of an ellipse with semi-axes `a` and `b`, the first at `angle` (radians) from the x axis.
 template <class T> static inline Form<T, 2> ellipse(T const &a, T const &b, T const &angle) noexcept;
+
+/// Half-widths of the tight box with sides along the axes.
+template <class T, int D> static inline BoundingBox<T, D> bounding_box(SymmetricMatrix<T, D> const &q) noexcept;
 
 /// The contact function μ² and its maximiser λ.
 template <class T, int D> static inline Contact<T> contact(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
@@ -78,6 +82,7 @@ closest_approach(Vector<T, D> direction, SymmetricMatrix<T, D> const &q1, Symmet
 
 } // namespace pw85
 
+#include <pw85/bounding_box.hpp>
 #include <pw85/closest_approach.hpp>
 #include <pw85/contact.hpp>
 #include <pw85/forms.hpp>

@@ -65,7 +65,7 @@ def time_batch(library, centers, forms, pairs):
     def pointer(array):
         return array.ctypes.data_as(ctypes.c_void_p)
     mu2, lam, overlaps = np.empty(len(pairs)), np.empty(len(pairs)), np.empty(len(pairs), dtype=np.uint8)
-    common = [ctypes.c_size_t(len(pairs)), pointer(pairs), ctypes.c_size_t(len(centers)), pointer(centers),
+    common = [ctypes.c_size_t(len(pairs)), pointer(pairs), None, ctypes.c_size_t(len(centers)), pointer(centers),
               pointer(forms), None]
     return (fastest(lambda: library.pw85_overlap_pairs(*common, pointer(overlaps))),
             fastest(lambda: library.pw85_contact_pairs(*common, pointer(mu2), pointer(lam))))

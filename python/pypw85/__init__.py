@@ -51,6 +51,15 @@ from ._errors import PW85Error, Status, bad_rows
 from ._forms import ellipse, ellipsoid, ellipsoid_quaternion, full, packed, principal_axes, spheroid
 from ._pairs import contact_pairs, overlap_pairs
 from ._plotting import plot
+from ._systems import (
+    ContactDerivatives,
+    bounding_boxes,
+    cell_reduce,
+    contact_derivatives,
+    contact_derivatives_pairs,
+    nearest_image_limit,
+    overlap_any,
+)
 
 __version__ = version()
 
@@ -67,13 +76,18 @@ metadata = {
 }
 
 __all__ = [
+    "ContactDerivatives",
     "PW85Error",
     "Status",
     "bad_rows",
+    "bounding_boxes",
+    "cell_reduce",
     "closest_approach",
     "closest_approach_2d",
     "contact",
     "contact_2d",
+    "contact_derivatives",
+    "contact_derivatives_pairs",
     "contact_function",
     "contact_geometry",
     "contact_gradient",
@@ -92,7 +106,9 @@ __all__ = [
     "lambda_atol",
     "legacy",
     "metadata",
+    "nearest_image_limit",
     "overlap",
+    "overlap_any",
     "overlap_pairs",
     "packed",
     "plot",

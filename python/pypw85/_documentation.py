@@ -123,8 +123,11 @@ centers : (n, 3) array_like
 q : (n, 6) array_like
     Their forms, in the square of the unit of `centers`.
 cell : (3, 3) array_like, optional
-    Rows are the vectors of the periodic cell, in the unit of `centers`. Of all images of j the nearest to i (by the
-    distance of the centres) is taken, however skewed the cell.
+    Rows are the vectors of the periodic cell, in the unit of `centers`. Unless `images` says otherwise, the image of j
+    nearest to i (by the distance of the centres) is taken, however skewed the cell. In small cells another one can have a
+    smaller μ²: see `nearest_image_limit`.
+images : (k, 3) array_like of int, optional
+    Multiples of the vectors of the cell, to be added to the centres of j.
 """,
     "raises_pair_list": """
 Raises

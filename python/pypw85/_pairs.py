@@ -24,6 +24,7 @@ def contact_pairs(
     q: ArrayLike,
     cell: Optional[ArrayLike] = None,
     out: Optional[tuple[Floats, Floats]] = None,
+    images: Optional[ArrayLike] = None,
 ) -> tuple[Floats, Floats]:
     """Contact function (see `contact`) for the pairs of a neighbour list. Dask arrays are computed at once.
 
@@ -47,7 +48,7 @@ def contact_pairs(
     >>> pypw85.contact_pairs([[0, 1]], [[0, 0, 0], [9, 0, 0]], q, cell=10 * np.eye(3))
     (array([0.25]), array([0.5]))
     """
-    arrays = _pair_list(pairs, centers, q, cell)
+    arrays = _pair_list(pairs, centers, q, cell, images)
     mu2, lambda_ = _outputs(out, len(arrays[0]))
     if mu2.size:
         mu2.flat[0] = _NO_MU2
@@ -65,6 +66,7 @@ def overlap_pairs(
     q: ArrayLike,
     cell: Optional[ArrayLike] = None,
     dtype: DTypeLike = np.bool_,
+    images: Optional[ArrayLike] = None,
 ) -> NDArray[Any]:
     """Whether (see `overlap`) the pairs of a neighbour list overlap. Dask arrays are computed at once.
 
@@ -92,7 +94,7 @@ def overlap_pairs(
     """
     if np.dtype(dtype) not in (np.dtype(np.bool_), np.dtype(np.uint8)):
         raise TypeError("overlap_pairs: dtype must be bool or uint8")
-    arrays = _pair_list(pairs, centers, q, cell)
+    arrays = _pair_list(pairs, centers, q, cell, images)
     codes = np.full(len(arrays[0]), _NO_CODE, dtype=np.uint8)
     status = _core.overlap_pairs(*arrays, codes)
     if status:
@@ -114,18 +116,45 @@ def _outputs(out: Any, count: int) -> tuple[Floats, Floats]:
 
 
 def _pair_list(
-    pairs: ArrayLike, centers: ArrayLike, q: ArrayLike, cell: Optional[ArrayLike]
-) -> tuple[NDArray[np.int32], Floats, Floats, Optional[Floats]]:
+    pairs: ArrayLike, centers: ArrayLike, q: ArrayLike, cell: Optional[ArrayLike], images: Optional[ArrayLike]
+) -> tuple[NDArray[np.int32], Floats, Floats, Optional[Floats], Optional[NDArray[np.int32]]]:
     """Contiguous arrays of the types that the library takes."""
     centers = _rows(centers, 3, "centers")
     q = _rows(q, 6, "q")
     if len(centers) != len(q):
         raise ValueError(f"{len(centers)} centers, but {len(q)} forms")
-    if cell is not None:
-        cell = _rows(cell, 3, "cell")
-        if len(cell) != 3:
-            raise ValueError(f"cell must have the shape (3, 3), but it is {cell.shape}")
-    return _indices(pairs, len(centers)), centers, q, cell
+    indices = _indices(pairs, len(centers))
+    return indices, centers, q, _cell(cell), _images(images, len(indices), cell is not None)
+
+
+def _cell(cell: Optional[ArrayLike]) -> Optional[Floats]:
+    if cell is None:
+        return None
+    rows = _rows(cell, 3, "cell")
+    if len(rows) != 3:
+        raise ValueError(f"cell must have the shape (3, 3), but it is {rows.shape}")
+    return rows
+
+
+def _images(images: Optional[ArrayLike], num_pairs: int, has_cell: bool) -> Optional[NDArray[np.int32]]:
+    if images is None:
+        return None
+    if not has_cell:
+        raise ValueError("images are multiples of the vectors of a cell, but there is no cell")
+    multiples = np.asarray(images)
+    if multiples.size == 0 and num_pairs == 0:
+        return np.empty((0, 3), dtype=np.int32)
+    if multiples.shape != (num_pairs, 3):
+        raise ValueError(f"images must have the shape ({num_pairs}, 3), but it is {multiples.shape}")
+    return _int32(multiples, "images")
+
+
+def _int32(array: NDArray[Any], name: str) -> NDArray[np.int32]:
+    if array.dtype.kind not in "iu":
+        raise TypeError(f"{name} must be integers, but they are {array.dtype}")
+    if not np.array_equal(array, array.astype(np.int32)):
+        raise OverflowError(f"{name} must fit into 32 bits")
+    return np.require(array, np.int32, ["C", "A"])
 
 
 def _rows(array: ArrayLike, columns: int, name: str) -> Floats:
@@ -160,7 +189,13 @@ def _check_indices(indices: NDArray[Any], num_particles: int) -> None:
 
 
 def _explain(
-    status: int, pairs: NDArray[np.int32], centers: Floats, q: Floats, cell: Optional[Floats], refused: bool
+    status: int,
+    pairs: NDArray[np.int32],
+    centers: Floats,
+    q: Floats,
+    cell: Optional[Floats],
+    images: Optional[NDArray[np.int32]],
+    refused: bool,
 ) -> None:
     """Raise what fits if the call was refused as a whole."""
     if not refused:

@@ -13,12 +13,15 @@ bad row, and to ``uint8`` (``dtype=np.uint8``), 255 for a bad row.
 """
 
 from ._core import (
+    bounding_boxes,
+    cell_reduce,
     cholesky_decomp,
     cholesky_solve,
     closest_approach,
     closest_approach_2d,
     contact,
     contact_2d,
+    contact_derivatives,
     contact_function,
     contact_geometry,
     contact_gradient,

@@ -19,11 +19,21 @@ struct Callable {
 /// a tuple; `keywords` is a dict.
 PyObject *call(PyObject *self, PyObject *const *args, Py_ssize_t nargs);
 
-/// contact_pairs(pairs, centers, q, cell or None, mu2, lambda): status. Arrays are contiguous and of the right type.
+/// contact_pairs(pairs, centers, q, cell or None, images or None, mu2, lambda): status. Arrays are contiguous and of the right type.
 PyObject *contact_pairs(PyObject *self, PyObject *const *args, Py_ssize_t nargs);
 
-/// overlap_pairs(pairs, centers, q, cell or None, overlap): status. Arrays are contiguous and of the right type.
+/// overlap_pairs(pairs, centers, q, cell or None, images or None, overlap): status. Arrays are contiguous and of the right type.
 PyObject *overlap_pairs(PyObject *self, PyObject *const *args, Py_ssize_t nargs);
+
+/// contact_derivatives_pairs(pairs, centers, q, cell or None, images or None, mu2, lambda, point, normal, d_r12, d_rot1, d_rot2):
+/// status. Arrays are contiguous and of the right type.
+PyObject *contact_derivatives_pairs(PyObject *self, PyObject *const *args, Py_ssize_t nargs);
+
+/// overlap_any(q1 of one row, r12, q2): (status, any).
+PyObject *overlap_any(PyObject *self, PyObject *const *args, Py_ssize_t nargs);
+
+/// nearest_image_limit(q, cell): (status, mu2).
+PyObject *nearest_image_limit(PyObject *self, PyObject *const *args, Py_ssize_t nargs);
 
 } // namespace pypw85
 

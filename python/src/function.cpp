@@ -103,6 +103,16 @@ int contact_torque(double const *const *in, double *const *out)
     return pw85_contact_torque(in[0], in[1], in[2], *in[3], out[0], out[1]);
 }
 
+int contact_derivatives(double const *const *in, double *const *out)
+{
+    return pw85_contact_derivatives_batch(1, in[0], in[1], in[2], out[0], out[1], out[2], out[3], out[4], out[5],
+                                          out[6]);
+}
+
+int cell_reduce(double const *const *in, double *const *out) { return pw85_cell_reduce(in[0], out[0]); }
+
+int bounding_boxes(double const *const *in, double *const *out) { return pw85_bounding_boxes(1, in[0], out[0]); }
+
 int cholesky_decomp(double const *const *in, double *const *out)
 {
     pw85__cholesky_decomp(in[0], out[0]);
@@ -181,8 +191,12 @@ std::vector<Function> &functions()
         {"contact_geometry", "(3),(6),(6),()->(3),(3)", contact_geometry},
         {"contact_gradient", "(3),(6),(6),()->(3),(6),(6)", contact_gradient},
         {"contact_torque", "(3),(6),(6),()->(3),(3)", contact_torque},
+        {"contact_derivatives", "(3),(6),(6)->(),(),(3),(3),(3),(3),(3)", contact_derivatives, false,
+         contact_derivatives_loop},
         {"overlap", "(3),(6),(6)->()", overlap, true},
-        {"closest_approach", "(3),(6),(6)->()", distance_result<pw85_closest_approach>},
+        {"cell_reduce", "(3,3)->(3,3)", cell_reduce},
+        {"bounding_boxes", "(6)->(3)", bounding_boxes},
+        {"closest_approach", "(3),(6),(6)->()", distance_result<pw85_closest_approach>, false, closest_approach_loop},
         {"contact_2d", "(2),(3),(3)->(),()", pair_result<pw85_contact_2d>},
         {"closest_approach_2d", "(2),(3),(3)->()", distance_result<pw85_closest_approach_2d>},
         {"zheng_ellipses", "(2),(3),(3)->()", distance_result<pw85_zheng_ellipses>},

@@ -11,7 +11,7 @@ namespace pypw85 {
 inline constexpr int max_core_size = 9;
 
 /// Most operands of a function, inputs and outputs together.
-inline constexpr int max_operands = 8;
+inline constexpr int max_operands = 10;
 
 /// Shape of one row of an operand: the core dimensions.
 struct Core {
@@ -51,6 +51,12 @@ void row_loop(char **args, std::ptrdiff_t const *dimensions, std::ptrdiff_t cons
 
 /// pw85_contact_batch() on blocks of rows.
 void contact_loop(char **args, std::ptrdiff_t const *dimensions, std::ptrdiff_t const *steps, void *data);
+
+/// pw85_closest_approach_batch() on blocks of rows.
+void closest_approach_loop(char **args, std::ptrdiff_t const *dimensions, std::ptrdiff_t const *steps, void *data);
+
+/// pw85_contact_derivatives_batch() on blocks of rows.
+void contact_derivatives_loop(char **args, std::ptrdiff_t const *dimensions, std::ptrdiff_t const *steps, void *data);
 
 /// pw85_overlap_batch() on blocks of rows. Output: 0, 1, or 255 for a bad row.
 void overlap_code_loop(char **args, std::ptrdiff_t const *dimensions, std::ptrdiff_t const *steps, void *data);

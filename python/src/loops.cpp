@@ -148,18 +148,56 @@ template <class Batch> bool for_blocks(std::ptrdiff_t count, Rows const *rows, B
     return bad == 0;
 }
 
-bool contact_blocks(std::ptrdiff_t count, Rows const *rows) noexcept
+/// Batch functions with outputs of floating-point numbers, by their arrays: r12 or directions, q1, q2, outputs.
+int contact_batch(std::size_t n, double const *const *in, double *const *out) noexcept
 {
-    return for_blocks(count, rows, [rows](PairBlocks &pairs, std::ptrdiff_t first, std::ptrdiff_t n) {
-        double mu2[block_rows], lambda[block_rows];
-        int const status = pw85_contact_batch(static_cast<size_t>(n), pairs.r12(first, n), pairs.q1(first, n),
-                                              pairs.q2(first, n), mu2, lambda);
-        for (std::ptrdiff_t i = 0; i < n; ++i) {
-            element<double>(rows[3], first + i) = mu2[i];
-            element<double>(rows[4], first + i) = lambda[i];
+    return pw85_contact_batch(n, in[0], in[1], in[2], out[0], out[1]);
+}
+
+int closest_approach_batch(std::size_t n, double const *const *in, double *const *out) noexcept
+{
+    return pw85_closest_approach_batch(n, in[0], in[1], in[2], out[0]);
+}
+
+int contact_derivatives_batch(std::size_t n, double const *const *in, double *const *out) noexcept
+{
+    return pw85_contact_derivatives_batch(n, in[0], in[1], in[2], out[0], out[1], out[2], out[3], out[4], out[5],
+                                          out[6]);
+}
+
+/// Most numbers that a batch function gives per row.
+constexpr int max_outputs = 2 + 5 * PW85_DIM;
+
+/// Calls a batch function for gathered rows, and scatters its outputs. Whether all are good.
+template <auto batch> bool pair_blocks(std::ptrdiff_t count, Rows const *rows, int operands) noexcept
+{
+    return for_blocks(count, rows, [rows, operands](PairBlocks &pairs, std::ptrdiff_t first, std::ptrdiff_t n) {
+        double buffer[max_outputs * block_rows], *out[max_operands], *next = buffer;
+        for (int k = 3; k < operands; ++k) {
+            out[k - 3] = next;
+            next += rows[k].core.size() * block_rows;
         }
+        double const *const in[] = {pairs.r12(first, n), pairs.q1(first, n), pairs.q2(first, n)};
+        int const status = batch(static_cast<std::size_t>(n), in, out);
+        for (int k = 3; k < operands; ++k)
+            for (std::ptrdiff_t i = 0; i < n; ++i) rows[k].store(first + i, out[k - 3] + i * rows[k].core.size());
         return status;
     });
+}
+
+/// The loop of a batch function.
+template <auto batch>
+void pair_loop(char **args, std::ptrdiff_t const *dimensions, std::ptrdiff_t const *steps, void *data) noexcept
+{
+    Function const &function = *static_cast<Function const *>(data);
+    int const operands = function.operands();
+    Rows rows[max_operands];
+    find_rows(function, args, steps, rows);
+    FloatingPointFlags flags;
+    if (!all_contiguous(rows, operands)) return flags.note(!pair_blocks<batch>(dimensions[0], rows, operands));
+    double *arrays[max_operands];
+    std::transform(args, args + operands, arrays, numbers);
+    flags.note(batch(static_cast<std::size_t>(dimensions[0]), arrays, arrays + 3) != PW85_SUCCESS);
 }
 
 template <bool boolean> bool overlap_blocks(std::ptrdiff_t count, Rows const *rows) noexcept
@@ -214,13 +252,17 @@ void row_loop(char **args, std::ptrdiff_t const *dimensions, std::ptrdiff_t cons
 
 void contact_loop(char **args, std::ptrdiff_t const *dimensions, std::ptrdiff_t const *steps, void *data)
 {
-    Rows rows[max_operands];
-    find_rows(*static_cast<Function const *>(data), args, steps, rows);
-    FloatingPointFlags flags;
-    std::ptrdiff_t const n = dimensions[0];
-    if (!all_contiguous(rows, 5)) return flags.note(!contact_blocks(n, rows));
-    flags.note(pw85_contact_batch(static_cast<size_t>(n), numbers(args[0]), numbers(args[1]), numbers(args[2]),
-                                  numbers(args[3]), numbers(args[4])) != PW85_SUCCESS);
+    pair_loop<contact_batch>(args, dimensions, steps, data);
+}
+
+void closest_approach_loop(char **args, std::ptrdiff_t const *dimensions, std::ptrdiff_t const *steps, void *data)
+{
+    pair_loop<closest_approach_batch>(args, dimensions, steps, data);
+}
+
+void contact_derivatives_loop(char **args, std::ptrdiff_t const *dimensions, std::ptrdiff_t const *steps, void *data)
+{
+    pair_loop<contact_derivatives_batch>(args, dimensions, steps, data);
 }
 
 void overlap_code_loop(char **args, std::ptrdiff_t const *dimensions, std::ptrdiff_t const *steps, void *data)

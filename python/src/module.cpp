@@ -111,6 +111,11 @@ PyMethodDef methods[] = {
     {"strerror", strerror, METH_O, "strerror(status, /)\n--\n\nSentence that says what a status means."},
     {"contact_pairs", as_method(contact_pairs), METH_FASTCALL, "Status of pw85_contact_pairs()."},
     {"overlap_pairs", as_method(overlap_pairs), METH_FASTCALL, "Status of pw85_overlap_pairs()."},
+    {"contact_derivatives_pairs", as_method(contact_derivatives_pairs), METH_FASTCALL,
+     "Status of pw85_contact_derivatives_pairs()."},
+    {"overlap_any", as_method(overlap_any), METH_FASTCALL, "Status and answer of pw85_overlap_any()."},
+    {"nearest_image_limit", as_method(nearest_image_limit), METH_FASTCALL,
+     "Status and limit of pw85_nearest_image_limit()."},
     {nullptr, nullptr, 0, nullptr},
 };
 

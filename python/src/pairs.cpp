@@ -1,4 +1,4 @@
-// Neighbour lists. The Python layer converts and explains; what would read or write beyond an array is refused here.
+// Neighbour lists and systems. The Python layer converts and explains; what would read or write beyond an array is refused here.
 #include <cstdint>
 
 #include <pw85.h>
@@ -32,9 +32,10 @@ struct PairList {
     double const *centers = nullptr;
     double const *q = nullptr;
     double const *cell = nullptr;
+    std::int32_t const *images = nullptr;
 };
 
-/// Reads the arguments pairs, centers, q, cell.
+/// Reads the arguments pairs, centers, q, cell, images.
 bool read_pair_list(PyObject *const *args, PairList &list)
 {
     npy_intp cell_rows = 3;
@@ -44,9 +45,13 @@ bool read_pair_list(PyObject *const *args, PairList &list)
     if (list.centers == nullptr) return false;
     list.q = static_cast<double const *>(data_of(args[2], NPY_DOUBLE, list.num_particles, PW85_SYM, false));
     if (list.q == nullptr) return false;
-    if (args[3] == Py_None) return true;
-    list.cell = static_cast<double const *>(data_of(args[3], NPY_DOUBLE, cell_rows, PW85_DIM, false));
-    return list.cell != nullptr;
+    if (args[3] != Py_None) {
+        list.cell = static_cast<double const *>(data_of(args[3], NPY_DOUBLE, cell_rows, PW85_DIM, false));
+        if (list.cell == nullptr) return false;
+    }
+    if (args[4] == Py_None) return true;
+    list.images = static_cast<std::int32_t const *>(data_of(args[4], NPY_INT32, list.num_pairs, PW85_DIM, false));
+    return list.images != nullptr;
 }
 
 bool right_number(Py_ssize_t given, Py_ssize_t expected)
@@ -60,14 +65,14 @@ bool right_number(Py_ssize_t given, Py_ssize_t expected)
 PyObject *contact_pairs(PyObject *, PyObject *const *args, Py_ssize_t nargs)
 {
     PairList list;
-    if (!right_number(nargs, 6) || !read_pair_list(args, list)) return nullptr;
-    auto *const mu2 = static_cast<double *>(data_of(args[4], NPY_DOUBLE, list.num_pairs, 0, true));
+    if (!right_number(nargs, 7) || !read_pair_list(args, list)) return nullptr;
+    auto *const mu2 = static_cast<double *>(data_of(args[5], NPY_DOUBLE, list.num_pairs, 0, true));
     if (mu2 == nullptr) return nullptr;
-    auto *const lambda = static_cast<double *>(data_of(args[5], NPY_DOUBLE, list.num_pairs, 0, true));
+    auto *const lambda = static_cast<double *>(data_of(args[6], NPY_DOUBLE, list.num_pairs, 0, true));
     if (lambda == nullptr) return nullptr;
     int status;
     Py_BEGIN_ALLOW_THREADS;
-    status = pw85_contact_pairs(static_cast<size_t>(list.num_pairs), list.pairs,
+    status = pw85_contact_pairs(static_cast<size_t>(list.num_pairs), list.pairs, list.images,
                                 static_cast<size_t>(list.num_particles), list.centers, list.q, list.cell, mu2, lambda);
     Py_END_ALLOW_THREADS;
     return PyLong_FromLong(status);
@@ -76,15 +81,66 @@ PyObject *contact_pairs(PyObject *, PyObject *const *args, Py_ssize_t nargs)
 PyObject *overlap_pairs(PyObject *, PyObject *const *args, Py_ssize_t nargs)
 {
     PairList list;
-    if (!right_number(nargs, 5) || !read_pair_list(args, list)) return nullptr;
-    auto *const overlap = static_cast<unsigned char *>(data_of(args[4], NPY_UINT8, list.num_pairs, 0, true));
+    if (!right_number(nargs, 6) || !read_pair_list(args, list)) return nullptr;
+    auto *const overlap = static_cast<unsigned char *>(data_of(args[5], NPY_UINT8, list.num_pairs, 0, true));
     if (overlap == nullptr) return nullptr;
     int status;
     Py_BEGIN_ALLOW_THREADS;
-    status = pw85_overlap_pairs(static_cast<size_t>(list.num_pairs), list.pairs,
+    status = pw85_overlap_pairs(static_cast<size_t>(list.num_pairs), list.pairs, list.images,
                                 static_cast<size_t>(list.num_particles), list.centers, list.q, list.cell, overlap);
     Py_END_ALLOW_THREADS;
     return PyLong_FromLong(status);
+}
+
+PyObject *contact_derivatives_pairs(PyObject *, PyObject *const *args, Py_ssize_t nargs)
+{
+    PairList list;
+    if (!right_number(nargs, 12) || !read_pair_list(args, list)) return nullptr;
+    double *out[7];
+    for (int k = 0; k < 7; ++k) {
+        out[k] = static_cast<double *>(data_of(args[5 + k], NPY_DOUBLE, list.num_pairs, k < 2 ? 0 : PW85_DIM, true));
+        if (out[k] == nullptr) return nullptr;
+    }
+    int status;
+    Py_BEGIN_ALLOW_THREADS;
+    status = pw85_contact_derivatives_pairs(static_cast<size_t>(list.num_pairs), list.pairs, list.images,
+                                            static_cast<size_t>(list.num_particles), list.centers, list.q, list.cell,
+                                            out[0], out[1], out[2], out[3], out[4], out[5], out[6]);
+    Py_END_ALLOW_THREADS;
+    return PyLong_FromLong(status);
+}
+
+PyObject *overlap_any(PyObject *, PyObject *const *args, Py_ssize_t nargs)
+{
+    npy_intp one = 1, n = -1;
+    if (!right_number(nargs, 3)) return nullptr;
+    auto const *const q1 = static_cast<double const *>(data_of(args[0], NPY_DOUBLE, one, PW85_SYM, false));
+    if (q1 == nullptr) return nullptr;
+    auto const *const r12 = static_cast<double const *>(data_of(args[1], NPY_DOUBLE, n, PW85_DIM, false));
+    if (r12 == nullptr) return nullptr;
+    auto const *const q2 = static_cast<double const *>(data_of(args[2], NPY_DOUBLE, n, PW85_SYM, false));
+    if (q2 == nullptr) return nullptr;
+    int status, any;
+    Py_BEGIN_ALLOW_THREADS;
+    status = pw85_overlap_any(static_cast<size_t>(n), q1, r12, q2, &any);
+    Py_END_ALLOW_THREADS;
+    return Py_BuildValue("ii", status, any);
+}
+
+PyObject *nearest_image_limit(PyObject *, PyObject *const *args, Py_ssize_t nargs)
+{
+    npy_intp n = -1, cell_rows = 3;
+    if (!right_number(nargs, 2)) return nullptr;
+    auto const *const q = static_cast<double const *>(data_of(args[0], NPY_DOUBLE, n, PW85_SYM, false));
+    if (q == nullptr) return nullptr;
+    auto const *const cell = static_cast<double const *>(data_of(args[1], NPY_DOUBLE, cell_rows, PW85_DIM, false));
+    if (cell == nullptr) return nullptr;
+    int status;
+    double mu2;
+    Py_BEGIN_ALLOW_THREADS;
+    status = pw85_nearest_image_limit(static_cast<size_t>(n), q, cell, &mu2);
+    Py_END_ALLOW_THREADS;
+    return Py_BuildValue("id", status, mu2);
 }
 
 } // namespace pypw85

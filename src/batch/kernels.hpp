@@ -18,11 +18,19 @@ struct PairArrays {
     double const *r12, *q1, *q2;
 };
 
-/// A neighbour list: pairs (i, j) of rows of centers (N×3) and q (N×6).
+/// A neighbour list: pairs (i, j) of rows of centers (N×3) and q (N×6). Of the images of j it takes those that `images` names, as
+/// multiples of the rows of `cell`, or else the nearest in the lattice, or else j itself.
 struct NeighborList {
     std::int32_t const *pairs;
     double const *centers, *q;
-    Lattice const *lattice; ///< null without periodicity
+    std::int32_t const *images; ///< null, or one row per pair
+    double const *cell;         ///< null without periodicity
+    Lattice const *lattice;     ///< null, or prepared for nearest images
+};
+
+/// One ellipsoid, and others: r12 n×3, q2 n×6.
+struct OneToMany {
+    double const *q1, *r12, *q2;
 };
 
 /// Pairs begin, begin + 1, ... end - 1.
@@ -33,6 +41,12 @@ struct Range {
 /// Where the contact functions of pairs go, by the index of the pair.
 struct ContactArrays {
     double *mu2, *lambda; ///< lambda may be null
+};
+
+/// Where contact functions and derivatives go; any may be null.
+struct DerivativeArrays {
+    double *mu2, *lambda;
+    double *point, *normal, *d_r12, *d_rot1, *d_rot2; ///< three numbers per pair
 };
 
 /// The first bad pair of a range; `status` is 0 if there is none.
@@ -66,6 +80,10 @@ struct LaneKernels {
     Failure (*contact_pairs)(NeighborList const &, Range, ContactArrays const &, ScalarKernels const &) noexcept;
     Failure (*overlap_batch)(PairArrays const &, Range, unsigned char *, ScalarKernels const &) noexcept;
     Failure (*overlap_pairs)(NeighborList const &, Range, unsigned char *, ScalarKernels const &) noexcept;
+    Failure (*derivatives_batch)(PairArrays const &, Range, DerivativeArrays const &, ScalarKernels const &) noexcept;
+    Failure (*derivatives_pairs)(NeighborList const &, Range, DerivativeArrays const &, ScalarKernels const &) noexcept;
+    Failure (*closest_approach_batch)(PairArrays const &, Range, double *, ScalarKernels const &) noexcept;
+    int (*overlap_any)(OneToMany const &, std::size_t, int *, ScalarKernels const &) noexcept;
 };
 
 /// All functions of one target.

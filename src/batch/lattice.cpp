@@ -1,8 +1,8 @@
 // Reduction of a lattice; items as in lattice.hpp.
 #include "lattice.hpp"
 
+#include <algorithm>
 #include <cmath>
-#include <initializer_list>
 
 #include <pw85/symmetric.hpp>
 
@@ -10,84 +10,166 @@ namespace pw85::batch {
 
 namespace {
 
-/// Three linearly independent lattice vectors.
-struct LatticeBasis {
+/// Three lattice vectors, times unit.
+struct Basis {
     Vector<double, 3> b[3];
+    double unit; ///< a power of two, 1 unless the lengths are extreme
 };
 
-/// Replaces `x` by `candidate` if that is shorter by more than rounding; so reductions come to an end.
-bool shorten(Vector<double, 3> &x, Vector<double, 3> const &candidate) noexcept
+/// What the inequalities of item 1 are about.
+struct Gram {
+    double square[3];  ///< b_i·b_i
+    double product[3]; ///< [i]: the product of the two others
+};
+
+/// Magnitudes of the largest entry of a cell, and of their inverses, up to which it is not scaled.
+constexpr double unscaled_limit = 0x1p100;
+
+/// Inequalities count as fulfilled where squares of lengths and products of vectors miss them by this fraction: far above the
+/// rounding of either.
+constexpr double tolerance = 0x1p-44;
+
+/// The cell in units in which products of its entries stay in range; false if it is not finite, or zero.
+bool load(double const *cell, Basis &basis) noexcept
 {
-    bool const shorter = dot(candidate, candidate) < (1.0 - 0x1p-44) * dot(x, x);
-    if (shorter) x = candidate;
-    return shorter;
+    double largest = 0.0;
+    for (int k = 0; k < 9; ++k) largest = std::max(largest, std::fabs(cell[k]));
+    if (!(is_finite_cell(cell) && largest > 0.0)) return false;
+    bool const in_range = largest < unscaled_limit && largest * unscaled_limit > 1.0;
+    basis.unit = in_range ? 1.0 : std::ldexp(1.0, std::max(std::ilogb(largest), -1022));
+    for (int i = 0; i < 3; ++i)
+        for (int d = 0; d < 3; ++d) basis.b[i][d] = cell[3 * i + d] / basis.unit;
+    return true;
 }
 
-/// x + k y.
-Vector<double, 3> plus_multiple(Vector<double, 3> x, double k, Vector<double, 3> const &y) noexcept
+Gram gram(Basis const &basis) noexcept
 {
-    for (int i = 0; i < 3; ++i) x[i] = std::fma(k, y[i], x[i]);
-    return x;
-}
-
-/// Item 1, for b_i.
-bool reduce_vector(LatticeBasis &basis, int i) noexcept
-{
-    Vector<double, 3> &x = basis.b[i];
-    Vector<double, 3> const &y = basis.b[(i + 1) % 3], &z = basis.b[(i + 2) % 3];
-    bool reduced = false;
-    for (Vector<double, 3> const &w : {y, z})
-        if (double const square = dot(w, w); square > 0.0)
-            reduced = shorten(x, plus_multiple(x, -std::round(dot(x, w) / square), w)) || reduced;
-    for (double sign_y : {-1.0, 1.0})
-        for (double sign_z : {-1.0, 1.0})
-            reduced = shorten(x, plus_multiple(plus_multiple(x, sign_y, y), sign_z, z)) || reduced;
-    return reduced;
-}
-
-/// Item 1; false if the cell is singular to working precision: then reduction ends with a vector that is all rounding.
-bool reduce(LatticeBasis &basis) noexcept
-{
-    double longest = 0.0, shortest = HUGE_VAL;
-    for (auto const &b : basis.b) longest = std::fmax(longest, dot(b, b));
-    // Each pass over a couple of vectors shortens like Euclid's algorithm: 53 bits are gone in far fewer rounds than this.
-    bool reduced = true;
-    for (int round = 0; reduced && round < 1000; ++round) {
-        reduced = false;
-        for (int i = 0; i < 3; ++i) reduced = reduce_vector(basis, i) || reduced;
+    Gram g;
+    for (int i = 0; i < 3; ++i) {
+        g.square[i] = dot(basis.b[i], basis.b[i]);
+        g.product[i] = dot(basis.b[(i + 1) % 3], basis.b[(i + 2) % 3]);
     }
-    for (auto const &b : basis.b) shortest = std::fmin(shortest, dot(b, b));
-    return !reduced && shortest > 0x1p-80 * longest;
+    return g;
 }
 
-/// Item 3, for the vector with coordinates k in the reduced basis. Images whose squared distances agree to 2^-44 count as
-/// equally near.
-void add_shift(Lattice &lattice, LatticeBasis const &basis, int const (&k)[3]) noexcept
+/// The shortest of b_1 ± b_2 ± b_3.
+struct Triple {
+    double sign[3];
+    double square;
+};
+
+Triple shortest_triple(Gram const &g) noexcept
 {
-    Vector<double, 3> v{};
-    for (int i = 0; i < 3; ++i) v = plus_multiple(v, k[i], basis.b[i]);
-    double reach = 0.0;
-    for (auto const &b : basis.b) reach += std::fabs(dot(b, v));
-    if (!(reach > (1.0 + 0x1p-44) * dot(v, v))) return;
-    for (int d = 0; d < 3; ++d) lattice.shift[lattice.num_shifts][d] = v[d];
-    lattice.half_square[lattice.num_shifts++] = 0.5 * dot(v, v);
+    double const sum = g.square[0] + g.square[1] + g.square[2];
+    Triple shortest{{}, HUGE_VAL};
+    for (double const second : {-1.0, 1.0})
+        for (double const third : {-1.0, 1.0}) {
+            double const products = second * third * g.product[0] + third * g.product[1] + second * g.product[2];
+            if (double const square = sum + 2.0 * products; square < shortest.square)
+                shortest = {{1.0, second, third}, square};
+        }
+    return shortest;
 }
 
-/// Lists the lattice vectors of item 3 with coordinates up to 2, one of each ± couple.
-void list_shifts(Lattice &lattice, LatticeBasis const &basis) noexcept
+Vector<double, 3> combine(Basis const &basis, double const (&sign)[3]) noexcept
 {
-    lattice.num_shifts = 0;
-    for (int a = 0; a <= 2; ++a)
-        for (int b = a > 0 ? -2 : 0; b <= 2; ++b)
-            for (int c = a > 0 || b > 0 ? -2 : 1; c <= 2; ++c) add_shift(lattice, basis, {a, b, c});
+    Vector<double, 3> v;
+    for (int d = 0; d < 3; ++d) v[d] = sign[0] * basis.b[0][d] + sign[1] * basis.b[1][d] + sign[2] * basis.b[2][d];
+    return v;
 }
 
-/// Item 1 and what it takes to find coordinates, for a cell of order one; false if it is singular.
-bool prepare_scaled(LatticeBasis basis, Lattice &lattice) noexcept
+/// Whether a vector can be shortened by another one, of the given square, with which it has the given product.
+bool is_reducible(double product, double square, double other) noexcept
 {
-    if (!reduce(basis)) return false;
+    double const excess = std::fabs(product) - 0.5 * other;
+    return excess > 0.0 && excess * excess > tolerance * tolerance * (square * other);
+}
+
+/// Shortens a vector, as item 1 has it; false if the basis is reduced.
+bool shorten(Basis &basis, Gram const &g) noexcept
+{
+    for (int k = 0; k < 3; ++k)
+        for (int const i : {(k + 1) % 3, (k + 2) % 3}) {
+            int const j = 3 - i - k;
+            if (!is_reducible(g.product[k], g.square[i], g.square[j])) continue;
+            double const multiple = std::round(g.product[k] / g.square[j]);
+            for (int d = 0; d < 3; ++d) basis.b[i][d] = std::fma(-multiple, basis.b[j][d], basis.b[i][d]);
+            return true;
+        }
+    Triple const triple = shortest_triple(g);
+    auto const longest = std::max_element(g.square, g.square + 3) - g.square;
+    if (!(triple.square < (1.0 - tolerance) * g.square[longest])) return false;
+    basis.b[longest] = times(triple.sign[longest], combine(basis, triple.sign));
+    return true;
+}
+
+/// Reduces a basis, which takes no step if it is reduced; false if it is singular to working precision: then reduction leads to
+/// a vector that is all rounding.
+bool reduce(Basis &basis, Gram &g) noexcept
+{
+    g = gram(basis);
+    double const least = 0x1p-80 * *std::max_element(g.square, g.square + 3);
+    // Steps shorten like those of Euclid's algorithm: 53 bits are gone in far fewer than this.
+    for (int step = 0; step < 1000; ++step) {
+        if (!(*std::min_element(g.square, g.square + 3) > least)) return false;
+        if (!shorten(basis, g)) return true;
+        g = gram(basis);
+    }
+    return false;
+}
+
+/// Lists the vectors of item 4.
+void list_shifts(Lattice &lattice, Basis const &basis, Gram const &g) noexcept
+{
+    int num_skew = 0, skew = 0; // couples of vectors that are not orthogonal; the vector that is not in one of them
+    for (int i = 0; i < 3; ++i) {
+        double const bound = tolerance * tolerance * g.square[(i + 1) % 3] * g.square[(i + 2) % 3];
+        if (g.product[i] * g.product[i] <= bound) continue;
+        skew = i;
+        ++num_skew;
+    }
+    lattice.num_shifts = num_skew == 0 ? 0 : num_skew == 1 ? 2 : 9;
+    if (num_skew == 0) return;
+    for (int d = 0; d < 3; ++d) {
+        double const x = basis.b[skew][d], y = basis.b[(skew + 1) % 3][d], z = basis.b[(skew + 2) % 3][d];
+        double const shifts[9] = {y, z, x, y + z, y - z, x + y, x - y, x + z, x - z};
+        std::copy_n(shifts, 9, lattice.shift[d]);
+    }
+    for (int k = 0; k < 9; ++k) {
+        double const x = lattice.shift[0][k], y = lattice.shift[1][k], z = lattice.shift[2][k];
+        lattice.half_square[k] = 0.5 * (x * x + y * y + z * z);
+    }
+}
+
+/// Takes a lattice from units of the basis to the caller's.
+void rescale(Lattice &lattice, double unit) noexcept
+{
+    for (int i = 0; i < 3; ++i)
+        for (int d = 0; d < 3; ++d) {
+            lattice.basis[i][d] *= unit;
+            lattice.dual[i][d] /= unit;
+        }
+    for (int k = 0; k < lattice.num_shifts; ++k) {
+        for (auto &coordinates : lattice.shift) coordinates[k] *= unit;
+        lattice.half_square[k] *= unit * unit;
+    }
+}
+
+} // namespace
+
+bool is_finite_cell(double const *cell) noexcept
+{
+    double zero = 0.0;
+    for (int k = 0; k < 9; ++k) zero += 0.0 * cell[k];
+    return zero == 0.0;
+}
+
+bool prepare(double const *cell, Lattice &lattice) noexcept
+{
+    Basis basis;
+    Gram g;
+    if (!load(cell, basis) || !reduce(basis, g)) return false;
     double const volume = dot(basis.b[0], cross(basis.b[1], basis.b[2]));
-    if (!std::isnormal(volume)) return false;
     for (int i = 0; i < 3; ++i) {
         auto const normal = cross(basis.b[(i + 1) % 3], basis.b[(i + 2) % 3]);
         for (int d = 0; d < 3; ++d) {
@@ -95,34 +177,18 @@ bool prepare_scaled(LatticeBasis basis, Lattice &lattice) noexcept
             lattice.dual[i][d] = normal[d] / volume;
         }
     }
-    list_shifts(lattice, basis);
+    list_shifts(lattice, basis, g);
+    if (basis.unit != 1.0) rescale(lattice, basis.unit);
     return true;
 }
 
-} // namespace
-
-bool prepare(double const *cell, Lattice &lattice) noexcept
+bool reduce(double const *cell, double *reduced) noexcept
 {
-    double largest = 0.0;
-    for (int k = 0; k < 9; ++k) {
-        if (!std::isfinite(cell[k])) return false;
-        largest = std::fmax(largest, std::fabs(cell[k]));
-    }
-    if (largest == 0.0) return false;
-    int const e = std::ilogb(largest);
-    LatticeBasis basis;
+    Basis basis;
+    Gram g;
+    if (!load(cell, basis) || !reduce(basis, g)) return false;
     for (int i = 0; i < 3; ++i)
-        for (int d = 0; d < 3; ++d) basis.b[i][d] = std::ldexp(cell[3 * i + d], -e);
-    if (!prepare_scaled(basis, lattice)) return false;
-    for (int i = 0; i < 3; ++i)
-        for (int d = 0; d < 3; ++d) {
-            lattice.basis[i][d] = std::ldexp(lattice.basis[i][d], e);
-            lattice.dual[i][d] = std::ldexp(lattice.dual[i][d], -e);
-        }
-    for (int k = 0; k < lattice.num_shifts; ++k) {
-        for (double &x : lattice.shift[k]) x = std::ldexp(x, e);
-        lattice.half_square[k] = std::ldexp(lattice.half_square[k], 2 * e);
-    }
+        for (int d = 0; d < 3; ++d) reduced[3 * i + d] = basis.unit * basis.b[i][d];
     return true;
 }
 

@@ -17,7 +17,7 @@ template <class T> inline T nearest_integer(T const &x) noexcept
     return (x + shift) - shift;
 }
 
-/// The nearest image of a separation (items 2 and 3 of lattice.hpp).
+/// The nearest image of a separation (item 4 of lattice.hpp).
 template <class T> inline Vector<T, 3> nearest_image(batch::Lattice const &lattice, Vector<T, 3> const &r) noexcept
 {
     Vector<T, 3> x = r;
@@ -28,7 +28,7 @@ template <class T> inline Vector<T, 3> nearest_image(batch::Lattice const &latti
     }
     T best = T(0), move[3] = {T(0), T(0), T(0)};
     for (int k = 0; k < lattice.num_shifts; ++k) {
-        double const *v = lattice.shift[k];
+        double const v[3] = {lattice.shift[0][k], lattice.shift[1][k], lattice.shift[2][k]};
         T const projection = x[0] * T(v[0]) + x[1] * T(v[1]) + x[2] * T(v[2]);
         T const gain = absolute(projection) - T(lattice.half_square[k]);
         auto const better = gain > best;

@@ -113,6 +113,12 @@ struct BatchRows {
     }
 
     PW85_INLINE void prefetch(std::size_t, std::size_t) const noexcept {}
+
+    /// The pairs from `begin` on.
+    PW85_INLINE BatchRows from(std::size_t begin) const noexcept
+    {
+        return {{arrays.r12 + 3 * begin, arrays.q1 + 6 * begin, arrays.q2 + 6 * begin}};
+    }
 };
 
 /// Pairs whose particles are asked for ahead: a chunk of the contact function with 8 lanes.
@@ -135,7 +141,10 @@ struct ParticleRows {
         }
         Vector<Pack, 3> const x = load_vectors(center1), y = load_vectors(center2);
         Vector<Pack, 3> r12 = {y[0] - x[0], y[1] - x[1], y[2] - x[2]};
-        if (list.lattice != nullptr) r12 = nearest_image(*list.lattice, r12);
+        if (list.images != nullptr)
+            r12 = add_images(r12, indices);
+        else if (list.lattice != nullptr)
+            r12 = nearest_image(*list.lattice, r12);
         return {r12, load_matrices(q1), load_matrices(q2), Pack(1.0)};
     }
 
@@ -149,6 +158,28 @@ struct ParticleRows {
             __builtin_prefetch(list.q + 6 * particle);
             __builtin_prefetch(list.q + 6 * particle + 5);
         }
+    }
+
+    /// The pairs from `begin` on.
+    PW85_INLINE ParticleRows from(std::size_t begin) const noexcept
+    {
+        ParticleRows rest = *this;
+        rest.list.pairs += 2 * begin;
+        if (rest.list.images != nullptr) rest.list.images += 3 * begin;
+        return rest;
+    }
+
+  private:
+    /// Separations plus the cell vectors that the list adds to the second particles.
+    PW85_INLINE Vector<Pack, 3> add_images(Vector<Pack, 3> r12, std::size_t const *indices) const noexcept
+    {
+        for (std::size_t row = 0; row < 3; ++row) {
+            double multiples[lanes];
+            for (std::size_t i = 0; i < lanes; ++i) multiples[i] = list.images[3 * indices[i] + row];
+            Pack const n = load_lanes<Pack>(multiples);
+            for (int d = 0; d < 3; ++d) r12[d] = r12[d] + n * Pack(list.cell[3 * row + static_cast<std::size_t>(d)]);
+        }
+        return r12;
     }
 };
 

@@ -55,8 +55,8 @@ BatchResult run_pairs(System const &system, pw85::Cell const *cell = nullptr)
     std::size_t const n = system.pairs.size();
     BatchResult result{std::vector<double>(n), std::vector<double>(n), std::vector<unsigned char>(n), 0, 0};
     pw85::Particles const particles{system.centers, system.q, cell};
-    result.contact_status = static_cast<int>(pw85::contact_pairs(system.pairs, particles, result.mu2, result.lambda));
-    result.overlap_status = static_cast<int>(pw85::overlap_pairs(system.pairs, particles, result.overlap));
+    result.contact_status = static_cast<int>(pw85::contact_pairs({system.pairs}, particles, result.mu2, result.lambda));
+    result.overlap_status = static_cast<int>(pw85::overlap_pairs({system.pairs}, particles, result.overlap));
     return result;
 }
 
@@ -242,7 +242,7 @@ void test_cell_sizes()
         std::vector<Form3> const forms(2, Form3{q, 0, 0, q, 0, q});
         std::vector<pw85::IndexPair> const pairs = {{0, 1}};
         std::vector<double> mu2(1);
-        auto const status = pw85::contact_pairs(pairs, {centers, forms, &cell}, mu2);
+        auto const status = pw85::contact_pairs({pairs}, {centers, forms, &cell}, mu2);
         g_assert_cmpint(static_cast<int>(status), ==, PW85_SUCCESS);
         // (3, 3, 3) - (1, 4, 4) = (2, -1, -1): the squared distance is 6 in units of the scale.
         g_assert_cmpfloat(std::fabs(mu2[0] - 1.5), <=, 1e-14);
@@ -267,8 +267,8 @@ void test_bad_cells()
         std::vector<double> mu2(20, 7.0), lambda(20, 7.0);
         std::vector<unsigned char> overlap(20, 7);
         pw85::Particles const particles{system.centers, system.q, &cell};
-        g_assert_true(pw85::contact_pairs(system.pairs, particles, mu2, lambda) == pw85::Status::invalid_argument);
-        g_assert_true(pw85::overlap_pairs(system.pairs, particles, overlap) == pw85::Status::invalid_argument);
+        g_assert_true(pw85::contact_pairs({system.pairs}, particles, mu2, lambda) == pw85::Status::invalid_argument);
+        g_assert_true(pw85::overlap_pairs({system.pairs}, particles, overlap) == pw85::Status::invalid_argument);
         for (std::size_t k = 0; k < 20; ++k) g_assert_true(mu2[k] == 7.0 && lambda[k] == 7.0 && overlap[k] == 7);
     }
 }
@@ -287,9 +287,9 @@ void test_bad_indices()
                 std::int32_t const good = system.pairs[k][end];
                 system.pairs[k][end] = bad;
                 pw85::Particles const particles{system.centers, system.q};
-                auto const status = pw85::contact_pairs(system.pairs, particles, mu2, lambda);
+                auto const status = pw85::contact_pairs({system.pairs}, particles, mu2, lambda);
                 g_assert_true(status == pw85::Status::invalid_argument);
-                g_assert_true(pw85::overlap_pairs(system.pairs, particles, overlap) == status);
+                g_assert_true(pw85::overlap_pairs({system.pairs}, particles, overlap) == status);
                 system.pairs[k][end] = good;
             }
     g_assert_true(std::all_of(mu2.begin(), mu2.end(), [](double x) { return x == 7.0; }));
@@ -303,26 +303,27 @@ void test_arguments()
     std::int32_t const pairs[2] = {0, 0};
     double mu2 = 7.0, lambda = 7.0;
     unsigned char overlap = 7;
-    g_assert_cmpint(pw85_contact_pairs(0, nullptr, 0, nullptr, nullptr, nullptr, nullptr, nullptr), ==, PW85_SUCCESS);
-    g_assert_cmpint(pw85_overlap_pairs(0, nullptr, 0, nullptr, nullptr, nullptr, nullptr), ==, PW85_SUCCESS);
-    g_assert_cmpint(pw85_contact_pairs(1, nullptr, 1, x, x, cell, &mu2, &lambda), ==, PW85_EINVAL);
-    g_assert_cmpint(pw85_contact_pairs(1, pairs, 1, nullptr, x, cell, &mu2, &lambda), ==, PW85_EINVAL);
-    g_assert_cmpint(pw85_contact_pairs(1, pairs, 1, x, nullptr, cell, &mu2, &lambda), ==, PW85_EINVAL);
-    g_assert_cmpint(pw85_contact_pairs(1, pairs, 1, x, x, cell, nullptr, &lambda), ==, PW85_EINVAL);
-    g_assert_cmpint(pw85_contact_pairs(1, pairs, 0, x, x, cell, &mu2, &lambda), ==, PW85_EINVAL);
-    g_assert_cmpint(pw85_overlap_pairs(1, nullptr, 1, x, x, cell, &overlap), ==, PW85_EINVAL);
-    g_assert_cmpint(pw85_overlap_pairs(1, pairs, 1, nullptr, x, cell, &overlap), ==, PW85_EINVAL);
-    g_assert_cmpint(pw85_overlap_pairs(1, pairs, 1, x, nullptr, cell, &overlap), ==, PW85_EINVAL);
-    g_assert_cmpint(pw85_overlap_pairs(1, pairs, 1, x, x, cell, nullptr), ==, PW85_EINVAL);
+    g_assert_cmpint(pw85_contact_pairs(0, nullptr, nullptr, 0, nullptr, nullptr, nullptr, nullptr, nullptr), ==,
+                    PW85_SUCCESS);
+    g_assert_cmpint(pw85_overlap_pairs(0, nullptr, nullptr, 0, nullptr, nullptr, nullptr, nullptr), ==, PW85_SUCCESS);
+    g_assert_cmpint(pw85_contact_pairs(1, nullptr, nullptr, 1, x, x, cell, &mu2, &lambda), ==, PW85_EINVAL);
+    g_assert_cmpint(pw85_contact_pairs(1, pairs, nullptr, 1, nullptr, x, cell, &mu2, &lambda), ==, PW85_EINVAL);
+    g_assert_cmpint(pw85_contact_pairs(1, pairs, nullptr, 1, x, nullptr, cell, &mu2, &lambda), ==, PW85_EINVAL);
+    g_assert_cmpint(pw85_contact_pairs(1, pairs, nullptr, 1, x, x, cell, nullptr, &lambda), ==, PW85_EINVAL);
+    g_assert_cmpint(pw85_contact_pairs(1, pairs, nullptr, 0, x, x, cell, &mu2, &lambda), ==, PW85_EINVAL);
+    g_assert_cmpint(pw85_overlap_pairs(1, nullptr, nullptr, 1, x, x, cell, &overlap), ==, PW85_EINVAL);
+    g_assert_cmpint(pw85_overlap_pairs(1, pairs, nullptr, 1, nullptr, x, cell, &overlap), ==, PW85_EINVAL);
+    g_assert_cmpint(pw85_overlap_pairs(1, pairs, nullptr, 1, x, nullptr, cell, &overlap), ==, PW85_EINVAL);
+    g_assert_cmpint(pw85_overlap_pairs(1, pairs, nullptr, 1, x, x, cell, nullptr), ==, PW85_EINVAL);
     for (std::size_t const n : {SIZE_MAX, SIZE_MAX / 2, SIZE_MAX / 8, SIZE_MAX / 96 + 1}) {
-        g_assert_cmpint(pw85_contact_pairs(n, pairs, 1, x, x, cell, &mu2, &lambda), ==, PW85_EINVAL);
-        g_assert_cmpint(pw85_contact_pairs(1, pairs, n, x, x, cell, &mu2, &lambda), ==, PW85_EINVAL);
-        g_assert_cmpint(pw85_overlap_pairs(n, pairs, 1, x, x, cell, &overlap), ==, PW85_EINVAL);
+        g_assert_cmpint(pw85_contact_pairs(n, pairs, nullptr, 1, x, x, cell, &mu2, &lambda), ==, PW85_EINVAL);
+        g_assert_cmpint(pw85_contact_pairs(1, pairs, nullptr, n, x, x, cell, &mu2, &lambda), ==, PW85_EINVAL);
+        g_assert_cmpint(pw85_overlap_pairs(n, pairs, nullptr, 1, x, x, cell, &overlap), ==, PW85_EINVAL);
     }
     g_assert_true(mu2 == 7.0 && lambda == 7.0 && overlap == 7);
     // A particle with itself; λ left out.
-    g_assert_cmpint(pw85_contact_pairs(1, pairs, 1, x, x, cell, &mu2, nullptr), ==, PW85_SUCCESS);
-    g_assert_cmpint(pw85_overlap_pairs(1, pairs, 1, x, x, nullptr, &overlap), ==, PW85_SUCCESS);
+    g_assert_cmpint(pw85_contact_pairs(1, pairs, nullptr, 1, x, x, cell, &mu2, nullptr), ==, PW85_SUCCESS);
+    g_assert_cmpint(pw85_overlap_pairs(1, pairs, nullptr, 1, x, x, nullptr, &overlap), ==, PW85_SUCCESS);
     g_assert_true(mu2 == 0.0 && lambda == 7.0 && overlap == 1);
 }
 

@@ -1,0 +1,253 @@
+"""Systems of particles: derivatives, periodic cells, one ellipsoid against many, bounding boxes."""
+
+from __future__ import annotations
+
+from typing import Any, NamedTuple, Optional
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from . import _core
+from ._errors import PW85Error
+from ._pairs import Floats, _cell, _explain, _pair_list, _rows
+
+
+class ContactDerivatives(NamedTuple):
+    """The contact function of pairs with its derivatives, by columns."""
+
+    mu2: Any
+    lambda_: Any
+    point: Any
+    normal: Any
+    d_r12: Any
+    d_rot1: Any
+    d_rot2: Any
+
+
+def contact_derivatives(
+    r12: ArrayLike, q1: ArrayLike, q2: ArrayLike, out: Any = None, **kwargs: Any
+) -> ContactDerivatives:
+    """μ², λ, contact point, normal and the derivatives of μ²: what the forces and torques of an energy U(μ²) are made of.
+
+    Faster than `contact`, `contact_geometry`, `contact_gradient` and `contact_torque` one after the other.
+
+    Parameters
+    ----------
+    r12 : (..., 3) array_like
+        From the centre of ellipsoid 1 to that of ellipsoid 2. Zero is valid: derivatives are 0, point and normal NaN.
+    q1, q2 : (..., 6) array_like
+        Forms of the ellipsoids.
+    out : tuple of seven arrays, optional
+        Where to put the results.
+    **kwargs
+        As for any ufunc.
+
+    Returns
+    -------
+    ContactDerivatives
+        A named tuple: `mu2` and `lambda_` (...), `point` (..., 3) relative to the centre of ellipsoid 1, `normal`
+        (..., 3) from 1 to 2, `d_r12` (..., 3), and `d_rot1`, `d_rot2` (..., 3), the derivatives with respect to
+        rotations of either ellipsoid about its own centre.
+
+    Raises
+    ------
+    PW85Error
+        For a single pair: invalid input, or a form that is not positive definite. Rows of arrays become NaN.
+
+    Examples
+    --------
+    >>> import pypw85
+    >>> q = pypw85.spheroid(1, 1, [0, 0, 1])
+    >>> result = pypw85.contact_derivatives([3, 0, 0], q, q)
+    >>> result.point, result.d_r12
+    (array([1.5, 0. , 0. ]), array([1.5, 0. , 0. ]))
+    """
+    return ContactDerivatives(*_core.call_contact_derivatives(r12, q1, q2, out, kwargs))
+
+
+def contact_derivatives_pairs(
+    pairs: ArrayLike,
+    centers: ArrayLike,
+    q: ArrayLike,
+    cell: Optional[ArrayLike] = None,
+    images: Optional[ArrayLike] = None,
+) -> ContactDerivatives:
+    """`contact_derivatives` for the pairs of a neighbour list.
+
+    Parameters
+    ----------
+    pairs, centers, q, cell, images
+        As for `contact_pairs`.
+
+    Returns
+    -------
+    ContactDerivatives
+        Arrays with one row for each pair; NaN for a bad pair, which NumPy reports as ``np.errstate(invalid=...)`` says.
+
+    Raises
+    ------
+    IndexError
+        An index is not in [0, n).
+    ValueError
+        Shapes do not match, or the cell is singular or not finite.
+
+    Examples
+    --------
+    >>> import numpy as np, pypw85
+    >>> q = np.array([pypw85.spheroid(1, 1, [0, 0, 1])] * 2)
+    >>> pypw85.contact_derivatives_pairs([[0, 1]], [[0, 0, 0], [9, 0, 0]], q, cell=10 * np.eye(3)).d_r12
+    array([[-0.5,  0. ,  0. ]])
+    """
+    arrays = _pair_list(pairs, centers, q, cell, images)
+    n = len(arrays[0])
+    result = ContactDerivatives(np.full(n, -1.0), np.empty(n), *(np.empty((n, 3)) for _ in range(5)))
+    status = _core.contact_derivatives_pairs(*arrays, *result)
+    if status:
+        _explain(status, *arrays, refused=n == 0 or result.mu2[0] == -1.0)
+        _core.report_contact_pairs(status)
+    return result
+
+
+def overlap_any(q1: ArrayLike, r12: ArrayLike, q2: ArrayLike) -> bool:
+    """Whether an ellipsoid overlaps any of n others; looks at them one after the other up to the first that does.
+
+    Parameters
+    ----------
+    q1 : (6) array_like
+        Form of the one.
+    r12 : (n, 3) array_like
+        Centres of the others, relative to that of the one.
+    q2 : (n, 6) array_like
+        Their forms.
+
+    Returns
+    -------
+    bool
+
+    Raises
+    ------
+    PW85Error
+        A pair that no overlap precedes is bad.
+    ValueError
+        Shapes do not match.
+
+    Examples
+    --------
+    >>> import numpy as np, pypw85
+    >>> q = np.array([pypw85.spheroid(1, 1, [0, 0, 1])] * 2)
+    >>> pypw85.overlap_any(q[0], [[3, 0, 0], [0, 1.5, 0]], q)
+    True
+    """
+    form = _rows([q1], 6, "q1")
+    separations, forms = _rows(r12, 3, "r12"), _rows(q2, 6, "q2")
+    if len(separations) != len(forms):
+        raise ValueError(f"{len(separations)} separations, but {len(forms)} forms")
+    status, overlap = _core.overlap_any(form, separations, forms)
+    _check(status, "overlap_any")
+    return bool(overlap)
+
+
+def cell_reduce(cell: ArrayLike, out: Any = None, **kwargs: Any) -> Floats:
+    """A reduced cell of the same lattice: none of its vectors gets shorter by adding or subtracting others.
+
+    It is the prepared form of a cell: `contact_pairs` and its relatives recognise it, where they have to reduce others in
+    each call.
+
+    Parameters
+    ----------
+    cell : (..., 3, 3) array_like
+        Rows are the vectors.
+    out : (..., 3, 3) array, optional
+        Where to put the result.
+    **kwargs
+        As for any ufunc.
+
+    Returns
+    -------
+    (..., 3, 3) array
+
+    Raises
+    ------
+    PW85Error
+        For a single cell that is singular or not finite. Cells of arrays become NaN.
+
+    Examples
+    --------
+    >>> import pypw85
+    >>> pypw85.cell_reduce([[1, 0, 0], [5, 1, 0], [0, -3, 1]])
+    array([[1., 0., 0.],
+           [0., 1., 0.],
+           [0., 0., 1.]])
+    """
+    return _core.call_cell_reduce(cell, out, kwargs)
+
+
+def nearest_image_limit(q: ArrayLike, cell: ArrayLike) -> float:
+    """Up to which μ² nearest images are all there is: any image of a pair with a smaller μ² is the nearest one.
+
+    Where the limit is 1 or more, `overlap_pairs` with nearest images misses no overlap; a smaller μ² from `contact_pairs`
+    than the limit is the smallest of all images. In a rectangular cell, the limit is at least 1 where no bounding box is
+    wider than half the cell.
+
+    Parameters
+    ----------
+    q : (n, 6) array_like
+        Forms of the particles.
+    cell : (3, 3) array_like
+        Rows are the vectors of the periodic cell.
+
+    Returns
+    -------
+    float
+
+    Raises
+    ------
+    PW85Error
+        A form is bad, or the cell is singular or not finite.
+
+    Examples
+    --------
+    >>> import numpy as np, pypw85
+    >>> pypw85.nearest_image_limit([pypw85.spheroid(1, 2, [0, 0, 1])], 8 * np.eye(3))
+    1.0
+    """
+    rows = _cell(cell)
+    status, limit = _core.nearest_image_limit(_rows(q, 6, "q"), rows)
+    _check(status, "nearest_image_limit")
+    return float(limit)
+
+
+def bounding_boxes(q: ArrayLike, out: Any = None, **kwargs: Any) -> Floats:
+    """Half-widths of the tight boxes, with sides along the axes, around ellipsoids.
+
+    Parameters
+    ----------
+    q : (..., 6) array_like
+        Forms of the ellipsoids.
+    out : (..., 3) array, optional
+        Where to put the result.
+    **kwargs
+        As for any ufunc.
+
+    Returns
+    -------
+    (..., 3) array
+        In the unit of the semi-axes.
+
+    Raises
+    ------
+    PW85Error
+        For a single form that is bad. Rows of arrays become NaN.
+
+    Examples
+    --------
+    >>> import pypw85
+    >>> pypw85.bounding_boxes(pypw85.spheroid(1, 2, [0, 0, 1]))
+    array([1., 1., 2.])
+    """
+    return _core.call_bounding_boxes(q, out, kwargs)
+
+
+def _check(status: int, name: str) -> None:
+    if status:
+        raise PW85Error(status, name, _core.strerror(status))

@@ -1,0 +1,122 @@
+"""Derivatives of many pairs, images, cells, one against many, boxes: against the functions of one pair."""
+
+import numpy as np
+import pytest
+
+import pypw85
+
+CELL = np.array([[6.0, 0, 0], [2, 5, 0], [-1, 2, 7]])
+
+
+@pytest.fixture
+def particles():
+    rng = np.random.default_rng(5)
+    q = pypw85.ellipsoid_quaternion(rng.uniform(0.5, 1.5, (30, 3)), rng.normal(size=(30, 4)))
+    pairs = rng.integers(0, 30, (200, 2))
+    pairs = pairs[pairs[:, 0] != pairs[:, 1]]
+    return pairs, rng.uniform(0, 6, (30, 3)), q
+
+
+def separate(result):
+    """What `contact_derivatives` gives, by the functions of one purpose."""
+    def check(r12, q1, q2):
+        mu2, lambda_ = pypw85.contact(r12, q1, q2)
+        np.testing.assert_allclose(result.mu2, mu2, rtol=1e-12)
+        np.testing.assert_allclose(result.lambda_, lambda_, rtol=1e-6)
+        point, normal = pypw85.contact_geometry(r12, q1, q2, result.lambda_)
+        d_rot1, d_rot2 = pypw85.contact_torque(r12, q1, q2, result.lambda_)
+        d_r12, _, _ = pypw85.contact_gradient(r12, q1, q2, result.lambda_)
+        for actual, expected in zip(result[2:], (point, normal, d_r12, d_rot1, d_rot2)):
+            np.testing.assert_allclose(actual, expected, rtol=1e-10, atol=1e-11)
+    return check
+
+
+@pytest.mark.parametrize("rows", [(), (1,), (5, 200), (2000,)])
+def test_contact_derivatives(particles, rows):
+    rng = np.random.default_rng(6)
+    _, _, q = particles
+    r12, q1, q2 = rng.normal(size=rows + (3,)), q[rng.integers(0, 30, rows)], q[rng.integers(0, 30, rows)]
+    separate(pypw85.contact_derivatives(r12, q1, q2))(r12, q1, q2)
+    scattered = [np.asfortranarray(x) for x in (r12, q1, q2)]
+    result = pypw85.contact_derivatives(*scattered)
+    for actual, expected in zip(result, pypw85.contact_derivatives(r12, q1, q2)):
+        np.testing.assert_array_equal(actual, expected)
+
+
+def test_derivatives_of_pairs(particles):
+    pairs, centers, q = particles
+    i, j = pairs.T
+    images = np.random.default_rng(7).integers(-1, 2, (len(pairs), 3))
+    r12 = centers[j] + images @ CELL - centers[i]
+    separate(pypw85.contact_derivatives_pairs(pairs, centers, q, CELL, images))(r12, q[i], q[j])
+    separate(pypw85.contact_derivatives_pairs(pairs, centers, q))(centers[j] - centers[i], q[i], q[j])
+
+
+def test_images(particles):
+    pairs, centers, q = particles
+    i, j = pairs.T
+    images = np.random.default_rng(8).integers(-2, 3, (len(pairs), 3))
+    expected, _ = pypw85.contact(centers[j] + images @ CELL - centers[i], q[i], q[j])
+    for kind in (np.int32, np.int64, np.uint8):
+        given = images.astype(kind) if kind != np.uint8 else np.abs(images).astype(kind)
+        mu2, _ = pypw85.contact_pairs(pairs, centers, q, CELL, images=given)
+        if kind != np.uint8:
+            np.testing.assert_allclose(mu2, expected, rtol=1e-12)
+            np.testing.assert_array_equal(pypw85.overlap_pairs(pairs, centers, q, CELL, images=given), expected < 1)
+
+
+def test_wrong_images(particles):
+    pairs, centers, q = particles
+    images = np.zeros((len(pairs), 3), dtype=int)
+    for function in (pypw85.contact_pairs, pypw85.overlap_pairs, pypw85.contact_derivatives_pairs):
+        with pytest.raises(ValueError, match="no cell"):
+            function(pairs, centers, q, images=images)
+        with pytest.raises(ValueError, match="shape"):
+            function(pairs, centers, q, CELL, images=images[1:])
+        with pytest.raises(TypeError, match="integers"):
+            function(pairs, centers, q, CELL, images=images * 1.0)
+        with pytest.raises(OverflowError, match="32 bits"):
+            function(pairs, centers, q, CELL, images=images + 2**40)
+
+
+def test_closest_approach_of_arrays(particles):
+    rng = np.random.default_rng(9)
+    _, _, q = particles
+    direction = rng.normal(size=(100, 3)) * 10.0 ** rng.uniform(-200, 200, (100, 1))
+    q1, q2 = q[rng.integers(0, 30, 100)], q[rng.integers(0, 30, 100)]
+    one_by_one = [pypw85.closest_approach(*row) for row in zip(direction, q1, q2)]
+    np.testing.assert_allclose(pypw85.closest_approach(direction, q1, q2), one_by_one, rtol=1e-13)
+    direction[3] = 0
+    with pytest.warns(RuntimeWarning, match="invalid value"):
+        distance = pypw85.closest_approach(direction, q1, q2)
+    assert np.isnan(distance).tolist() == [k == 3 for k in range(100)]
+
+
+def test_overlap_any(particles):
+    _, centers, q = particles
+    for k in range(30):
+        others = np.arange(30) != k
+        expected = pypw85.overlap(2 * (centers[others] - centers[k]), q[k], q[others]).any()
+        assert pypw85.overlap_any(q[k], 2 * (centers[others] - centers[k]), q[others]) is bool(expected)
+    assert pypw85.overlap_any(q[0], np.empty((0, 3)), np.empty((0, 6))) is False
+    with pytest.raises(pypw85.PW85Error):
+        pypw85.overlap_any(q[0], [[np.nan, 0, 0]], q[:1])
+    with pytest.raises(ValueError):
+        pypw85.overlap_any(q[0], [[9, 0, 0]], q[:2])
+
+
+def test_cells(particles):
+    pairs, centers, q = particles
+    skewed = np.array([[1, 0, 0], [3, 1, 0], [-4, 7, 1]]) @ CELL
+    reduced = pypw85.cell_reduce(skewed)
+    assert abs(np.linalg.det(reduced)) == pytest.approx(np.linalg.det(CELL))
+    assert np.linalg.norm(reduced, axis=1).max() <= np.linalg.norm(CELL, axis=1).max() * (1 + 1e-12)
+    np.testing.assert_allclose(
+        pypw85.contact_pairs(pairs, centers, q, skewed), pypw85.contact_pairs(pairs, centers, q, reduced), rtol=1e-6
+    )
+    with pytest.raises(pypw85.PW85Error):
+        pypw85.cell_reduce(np.ones((3, 3)))
+    assert pypw85.nearest_image_limit(q, 4 * CELL) == pytest.approx(16 * pypw85.nearest_image_limit(q, skewed))
+    with pytest.raises(pypw85.PW85Error):
+        pypw85.nearest_image_limit(q, np.ones((3, 3)))
+    np.testing.assert_array_equal(pypw85.bounding_boxes(q), np.sqrt(q[:, [0, 3, 5]]))

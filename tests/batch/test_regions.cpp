@@ -1,0 +1,53 @@
+// Small batches open no parallel region: it costs some hundred nanoseconds, even where it has one thread. Counted by a function of
+// the name of the one with which GCC opens them, in front of libgomp's.
+#include <dlfcn.h>
+
+#include <glib.h>
+
+#include "batch_data.hpp"
+
+namespace {
+int num_regions = 0;
+}
+
+extern "C" __attribute__((visibility("default"))) void GOMP_parallel(void (*body)(void *), void *data, unsigned threads,
+                                                                     unsigned flags)
+{
+    static auto *const next = reinterpret_cast<decltype(&GOMP_parallel)>(dlsym(RTLD_NEXT, "GOMP_parallel"));
+    ++num_regions;
+    next(body, data, threads, flags);
+}
+
+using namespace pw85_tests;
+
+namespace {
+
+void test_regions()
+{
+    if (dlsym(RTLD_NEXT, "GOMP_parallel") == nullptr) {
+        g_test_skip("no OpenMP by GCC");
+        return;
+    }
+    Random random(41);
+    auto const pairs = mixed_pairs(random, 10000);
+    std::vector<std::int32_t> indices(2 * 4096, 0);
+    std::vector<double> mu2(4096);
+    double const x[6] = {1, 0, 0, 1, 0, 1}, cell[9] = {4, 0, 0, 1, 5, 0, 1, 2, 6};
+    num_regions = 0;
+    for (std::size_t const n : {std::size_t{1}, std::size_t{100}, std::size_t{4096}}) run_batch(pairs, 0, n);
+    for (std::size_t const n : {std::size_t{1}, std::size_t{4096}})
+        g_assert_cmpint(pw85_contact_pairs(n, indices.data(), nullptr, 1, x, x, cell, mu2.data(), nullptr), ==,
+                        PW85_SUCCESS);
+    g_assert_cmpint(num_regions, ==, 0);
+    run_batch(pairs);
+    g_assert_cmpint(num_regions, ==, 2);
+}
+
+} // namespace
+
+int main(int argc, char **argv)
+{
+    g_test_init(&argc, &argv, nullptr);
+    g_test_add_func("/regions/regions", test_regions);
+    return g_test_run();
+}

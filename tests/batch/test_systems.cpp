@@ -1,0 +1,266 @@
+// Distances of closest approach of many pairs, one ellipsoid against many, and forms in bulk: the same as one by one.
+#include <cmath>
+
+#include <glib.h>
+
+#include <pw85/batch.hpp>
+
+#include "../condition_number.hpp"
+#include "../failures.hpp"
+#include "batch_data.hpp"
+
+using namespace pw85_tests;
+
+namespace {
+
+constexpr double u = 0x1p-53;
+
+using Vector3 = pw85::Vector<double, 3>;
+using Vector4 = pw85::Vector<double, 4>;
+using Form3 = pw85::SymmetricMatrix<double, 3>;
+
+/// Columns of a vector of pairs.
+struct Columns {
+    std::vector<Vector3> r12;
+    std::vector<Form3> q1, q2;
+
+    explicit Columns(std::vector<Pair3> const &pairs)
+    {
+        for (Pair3 const &p : pairs) {
+            r12.push_back(p.r12);
+            q1.push_back(p.q1);
+            q2.push_back(p.q2);
+        }
+    }
+};
+
+// Marks and statuses as one by one, any direction's length; distances within twice the bound of either, which is half that of
+// μ², 4 u cond, and some roundings.
+void test_closest_approach()
+{
+    Failures failures;
+    Random random(61);
+    auto pairs = mixed_pairs(random, 20000);
+    for (std::size_t i = 0; i < pairs.size(); i += 3)
+        pairs[i].r12 = pw85::times(std::ldexp(1.0, static_cast<int>(random.uniform(-1000.0, 1000.0))), pairs[i].r12);
+    Columns const columns(pairs);
+    std::vector<double> distance(pairs.size());
+    auto const status = pw85::closest_approach_batch(columns.r12, columns.q1, columns.q2, distance);
+    int first = 0;
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+        auto const &p = pairs[i];
+        double expected;
+        int const own = pw85_closest_approach(p.r12.coordinates, p.q1.entries, p.q2.entries, &expected);
+        if (first == 0) first = own;
+        auto const describe = [&] { return hex_text(p); };
+        failures.check(std::isnan(distance[i]) == (own != 0), "mark", distance[i], expected, describe);
+        if (own != 0) continue;
+        double const largest = std::fmax(std::fabs(p.r12[0]), std::fmax(std::fabs(p.r12[1]), std::fabs(p.r12[2])));
+        Sample<double, 3> scaled = p;
+        for (int d = 0; d < 3; ++d) scaled.r12[d] = p.r12[d] / largest;
+        auto const wide = convert<long double>(scaled);
+        double const cond =
+            static_cast<double>(condition_number(wide, pw85::contact(wide.r12, wide.q1, wide.q2).lambda));
+        double const bound = (4 * cond + 8) * u * expected, error = std::fabs(distance[i] - expected);
+        failures.check(error <= bound, "difference of distances", error, bound, describe);
+    }
+    g_assert_cmpint(static_cast<int>(status), ==, first);
+}
+
+// Sizes for which the square of the distance leaves the range of double, though the distance does not.
+void test_closest_approach_range()
+{
+    for (double const q : {0x1p-1074, 0x1p-1040, 0x1p-1000, 1.0, 0x1p1000, 0x1p1022}) {
+        Pair3 const p{{3, 0, 4}, {q, 0, 0, q, 0, q}, {q, 0, 0, q, 0, q}};
+        std::vector<double> distance(1);
+        auto const status =
+            pw85::closest_approach_batch(std::span(&p.r12, 1), std::span(&p.q1, 1), std::span(&p.q2, 1), distance);
+        g_assert_cmpint(static_cast<int>(status), ==, PW85_SUCCESS);
+        g_assert_cmpfloat(std::fabs(distance[0] / (2.0 * std::sqrt(q)) - 1.0), <=, 8 * u);
+    }
+}
+
+// Any number, at any position: the same bits.
+void test_closest_approach_positions()
+{
+    Random random(62);
+    Columns const columns(mixed_pairs(random, 9000));
+    std::vector<double> whole(9000);
+    pw85::closest_approach_batch(columns.r12, columns.q1, columns.q2, whole);
+    for (std::size_t const first : {std::size_t{1}, std::size_t{4095}})
+        for (std::size_t const n : {std::size_t{1}, std::size_t{9}, std::size_t{130}}) {
+            std::vector<double> part(n);
+            pw85::closest_approach_batch(pw85::Vectors(columns.r12).subspan(first, n),
+                                         pw85::Forms(columns.q1).subspan(first, n),
+                                         pw85::Forms(columns.q2).subspan(first, n), part);
+            g_assert_true(std::memcmp(part.data(), whole.data() + first, n * sizeof(double)) == 0);
+        }
+}
+
+/// What a loop over pw85_overlap() says.
+int any_one_by_one(Form3 const &q1, std::vector<Vector3> const &r12, std::vector<Form3> const &q2, int &any)
+{
+    any = 0;
+    for (std::size_t i = 0; i < r12.size() && any == 0; ++i) {
+        int const status = pw85_overlap(r12[i].coordinates, q1.entries, q2[i].entries, &any);
+        if (status != 0) return status;
+    }
+    return 0;
+}
+
+// Others in any order, bad ones among them: the first that overlaps or is bad decides.
+void test_overlap_any()
+{
+    Failures failures;
+    Random random(63);
+    int counts[3] = {};
+    for (int n = 0; n < 20000; ++n) {
+        auto const size = static_cast<std::size_t>(random.uniform(0.0, n % 10 == 0 ? 200.0 : 20.0));
+        Form3 const q1 = random.form(1.0, 5.0);
+        std::vector<Vector3> r12;
+        std::vector<Form3> q2;
+        for (std::size_t i = 0; i < size; ++i) {
+            double const distance = random.uniform(0.0, 1.0) < 0.03 ? 0.5 : random.uniform(1.2, 2.5);
+            r12.push_back(pw85::times(distance, random.direction<3>()));
+            q2.push_back(random.form(1.0, 5.0));
+            if (random.uniform(0.0, 1.0) < 0.01) q2.back()[3] = -1.0;
+        }
+        int expected, actual = 7;
+        int const status = any_one_by_one(q1, r12, q2, expected);
+        auto const describe = [&] { return "q1 = " + hex_text(q1.entries, 6) + ", trial " + std::to_string(n); };
+        failures.check(static_cast<int>(pw85::overlap_any(q1, r12, q2, actual)) == status, "status", status, 0,
+                       describe);
+        failures.check(actual == expected, "any", actual, expected, describe);
+        ++counts[expected + 1];
+    }
+    for (int const count : counts) g_assert_cmpint(count, >, 100);
+}
+
+// Others beyond the first that overlaps are not looked at: neither theirs nor the status of one that overlaps is bad.
+void test_overlap_any_order()
+{
+    double const nan = std::numeric_limits<double>::quiet_NaN();
+    Form3 const sphere{1, 0, 0, 1, 0, 1};
+    std::vector<Form3> const q2(100, sphere);
+    for (std::size_t const hit : {std::size_t{0}, std::size_t{7}, std::size_t{31}, std::size_t{32}, std::size_t{99}}) {
+        std::vector<Vector3> r12(100, Vector3{3, 0, 0});
+        int any = 7;
+        r12[hit] = {1, 0, 0};
+        g_assert_true(pw85::overlap_any(sphere, r12, q2, any) == pw85::Status::success);
+        g_assert_cmpint(any, ==, 1);
+        for (std::size_t i = hit + 1; i < 100; ++i) r12[i][1] = nan;
+        g_assert_true(pw85::overlap_any(sphere, r12, q2, any) == pw85::Status::success);
+        g_assert_cmpint(any, ==, 1);
+        r12[hit][1] = nan;
+        g_assert_true(pw85::overlap_any(sphere, r12, q2, any) == pw85::Status::invalid_argument);
+        g_assert_cmpint(any, ==, -1);
+    }
+}
+
+// Rows as one by one, in threads too: the same bits, marks, and the status of the first bad one.
+void test_forms()
+{
+    Random random(64);
+    std::size_t const n = 10001;
+    std::vector<Vector3> semi_axes(n), half_widths(n);
+    std::vector<Vector4> quaternions(n);
+    std::vector<Form3> q(n);
+    for (std::size_t i = 0; i < n; ++i) {
+        semi_axes[i] = pw85::times(random.log_uniform(1e-150, 1e150), random.semi_axes(1.0, 100.0));
+        quaternions[i] = pw85::times(random.log_uniform(1e-3, 1e3), random.direction<4>());
+    }
+    g_assert_true(pw85::ellipsoid_quaternion_batch(semi_axes, quaternions, q) == pw85::Status::success);
+    g_assert_true(pw85::bounding_boxes(q, half_widths) == pw85::Status::success);
+    semi_axes[7000][1] = 0.0;
+    quaternions[300] = {};
+    g_assert_true(pw85::ellipsoid_quaternion_batch(semi_axes, quaternions, q) == pw85::Status::invalid_argument);
+    for (std::size_t i = 0; i < n; ++i) {
+        Form3 expected;
+        pw85_ellipsoid_quaternion(semi_axes[i].coordinates, quaternions[i].coordinates, expected.entries);
+        bool const bad = i == 300 || i == 7000;
+        for (int k = 0; k < 6; ++k) g_assert_true(bad ? std::isnan(q[i][k]) : q[i][k] == expected[k]);
+        for (int d = 0; d < 3 && !bad; ++d) g_assert_cmpfloat(half_widths[i][d], ==, std::sqrt(q[i](d, d)));
+    }
+}
+
+// A box is touched by the ellipsoid on each side, at ± Q e/√(eᵀQe), and by no point of it left.
+void test_bounding_boxes()
+{
+    Failures failures;
+    Random random(65);
+    for (int n = 0; n < 1000; ++n) {
+        Form3 const q = random.form(1.0, 20.0);
+        Vector3 half_widths;
+        g_assert_cmpint(pw85_bounding_boxes(1, q.entries, half_widths.coordinates), ==, PW85_SUCCESS);
+        auto const inverse = pw85::factorize(q, 0.0);
+        for (int d = 0; d < 3; ++d) {
+            Vector3 const column = {q(0, d), q(1, d), q(2, d)};
+            Vector3 const touching = pw85::times(1.0 / half_widths[d], column);
+            double const level = pw85::dot(touching, pw85::solve(inverse, touching));
+            failures.check(std::fabs(level - 1.0) <= 1e-12 && std::fabs(touching[d] - half_widths[d]) <= 4 * u, "level",
+                           level, 1.0, [&] { return hex_text(q.entries, 6); });
+        }
+    }
+    double const nan = std::numeric_limits<double>::quiet_NaN();
+    double const forms[5][6] = {
+        {1, 0, 0, 4, 0, 9}, {1, 2, 0, 1, 0, 1}, {1, 0, 0, nan, 0, 1}, {1, 0, 0, 0, 0, 1}, {1, 0, 0, 1, 0, 1}};
+    double boxes[5][3];
+    g_assert_cmpint(pw85_bounding_boxes(5, forms[0], boxes[0]), ==, PW85_ENOTPD);
+    g_assert_cmpint(pw85_bounding_boxes(3, forms[2], boxes[2]), ==, PW85_EINVAL);
+    double const zeros[6] = {};
+    g_assert_cmpint(pw85_bounding_boxes(1, zeros, boxes[1]), ==, PW85_ENOTPD);
+    g_assert_true(boxes[0][0] == 1.0 && boxes[0][1] == 2.0 && boxes[0][2] == 3.0 && boxes[4][2] == 1.0);
+    for (int const bad : {1, 2, 3})
+        for (double const x : boxes[bad]) g_assert_true(std::isnan(x));
+    g_assert_true(pw85::bounding_box(pw85::SymmetricMatrix<float, 2>{4.0f, 1.0f, 9.0f}).half_widths[1] == 3.0f);
+}
+
+void test_arguments()
+{
+    double const x[6] = {1.0, 0.0, 0.0, 1.0, 0.0, 1.0};
+    double out[6] = {7.0, 7.0, 7.0, 7.0, 7.0, 7.0};
+    int any = 7;
+    std::size_t const huge = SIZE_MAX / 48 + 1;
+    g_assert_cmpint(pw85_closest_approach_batch(0, nullptr, nullptr, nullptr, nullptr), ==, PW85_SUCCESS);
+    g_assert_cmpint(pw85_closest_approach_batch(1, nullptr, x, x, out), ==, PW85_EINVAL);
+    g_assert_cmpint(pw85_closest_approach_batch(1, x, nullptr, x, out), ==, PW85_EINVAL);
+    g_assert_cmpint(pw85_closest_approach_batch(1, x, x, nullptr, out), ==, PW85_EINVAL);
+    g_assert_cmpint(pw85_closest_approach_batch(1, x, x, x, nullptr), ==, PW85_EINVAL);
+    g_assert_cmpint(pw85_closest_approach_batch(huge, x, x, x, out), ==, PW85_EINVAL);
+    g_assert_cmpint(pw85_ellipsoid_quaternion_batch(0, nullptr, nullptr, nullptr), ==, PW85_SUCCESS);
+    g_assert_cmpint(pw85_ellipsoid_quaternion_batch(1, nullptr, x, out), ==, PW85_EINVAL);
+    g_assert_cmpint(pw85_ellipsoid_quaternion_batch(1, x, nullptr, out), ==, PW85_EINVAL);
+    g_assert_cmpint(pw85_ellipsoid_quaternion_batch(1, x, x, nullptr), ==, PW85_EINVAL);
+    g_assert_cmpint(pw85_ellipsoid_quaternion_batch(huge, x, x, out), ==, PW85_EINVAL);
+    g_assert_cmpint(pw85_bounding_boxes(0, nullptr, nullptr), ==, PW85_SUCCESS);
+    g_assert_cmpint(pw85_bounding_boxes(1, nullptr, out), ==, PW85_EINVAL);
+    g_assert_cmpint(pw85_bounding_boxes(1, x, nullptr), ==, PW85_EINVAL);
+    g_assert_cmpint(pw85_bounding_boxes(huge, x, out), ==, PW85_EINVAL);
+    for (double const y : out) g_assert_cmpfloat(y, ==, 7.0);
+    g_assert_cmpint(pw85_overlap_any(0, nullptr, nullptr, nullptr, &any), ==, PW85_SUCCESS);
+    g_assert_cmpint(any, ==, 0);
+    g_assert_cmpint(pw85_overlap_any(1, x, x, x, nullptr), ==, PW85_EINVAL);
+    for (int missing = 0; missing < 4; ++missing) {
+        any = 7;
+        g_assert_cmpint(pw85_overlap_any(missing == 3 ? huge : 1, missing == 0 ? nullptr : x,
+                                         missing == 1 ? nullptr : x, missing == 2 ? nullptr : x, &any),
+                        ==, PW85_EINVAL);
+        g_assert_cmpint(any, ==, -1);
+    }
+}
+
+} // namespace
+
+int main(int argc, char **argv)
+{
+    g_test_init(&argc, &argv, nullptr);
+    g_test_add_func("/systems/closest_approach", test_closest_approach);
+    g_test_add_func("/systems/closest_approach_range", test_closest_approach_range);
+    g_test_add_func("/systems/closest_approach_positions", test_closest_approach_positions);
+    g_test_add_func("/systems/overlap_any", test_overlap_any);
+    g_test_add_func("/systems/overlap_any_order", test_overlap_any_order);
+    g_test_add_func("/systems/forms", test_forms);
+    g_test_add_func("/systems/bounding_boxes", test_bounding_boxes);
+    g_test_add_func("/systems/arguments", test_arguments);
+    return g_test_run();
+}
