@@ -33,7 +33,7 @@ PW85_INLINE batch::Failure to_distances(DirectionRows const &rows, std::size_t b
     double mu2[lanes];
     for (std::size_t i = 0; i < lanes; ++i) mu2[i] = distance[begin + (i < count ? i : count - 1)];
     Pack const squares = load_lanes<Pack>(mu2);
-    unsigned const good = (squares > Pack(0.0) && squares < Pack(HUGE_VAL)).to_bits();
+    unsigned const good = (squares > Pack(0.0) && squares <= Pack(largest_number<double>())).to_bits();
     store(square_root(dot(direction, direction)) / square_root(squares), count, distance + begin);
     for (unsigned bits = live_lanes(count) & ~good; bits != 0; bits &= bits - 1) {
         std::size_t const i = begin + static_cast<unsigned>(__builtin_ctz(bits));
