@@ -156,14 +156,41 @@ std::vector<Row> const many_pairs{
     {"pw85_contact_pairs",
      {n, n},
      [](auto const &in, auto &out) {
-         pw85_contact_pairs(n, pairs, n, in.r12, in.q1, identity, at(out, 0), at(out, 1));
+         pw85_contact_pairs(n, pairs, nullptr, n, in.r12, in.q1, identity, at(out, 0), at(out, 1));
      }},
     {"pw85_overlap_pairs",
      {n},
      [](auto const &in, auto &out) {
-         pw85_overlap_pairs(n, pairs, n, in.r12, in.q1, identity, out[0].template data<unsigned char>());
+         pw85_overlap_pairs(n, pairs, nullptr, n, in.r12, in.q1, identity, out[0].template data<unsigned char>());
      },
      1},
+    {"pw85_contact_derivatives_batch",
+     {n, n, 3 * n, 3 * n, 3 * n, 3 * n, 3 * n},
+     [](auto const &in, auto &out) {
+         pw85_contact_derivatives_batch(n, in.r12, in.q1, in.q2, at(out, 0), at(out, 1), at(out, 2), at(out, 3),
+                                        at(out, 4), at(out, 5), at(out, 6));
+     }},
+    {"pw85_contact_derivatives_pairs",
+     {n, n, 3 * n, 3 * n, 3 * n, 3 * n, 3 * n},
+     [](auto const &in, auto &out) {
+         pw85_contact_derivatives_pairs(n, pairs, nullptr, n, in.r12, in.q1, identity, at(out, 0), at(out, 1),
+                                        at(out, 2), at(out, 3), at(out, 4), at(out, 5), at(out, 6));
+     }},
+    {"pw85_closest_approach_batch",
+     {n},
+     [](auto const &in, auto &out) { pw85_closest_approach_batch(n, in.r12, in.q1, in.q2, at(out, 0)); }},
+    {"pw85_overlap_any",
+     {1},
+     [](auto const &in, auto &out) { pw85_overlap_any(n, in.q1, in.r12, in.q2, out[0].template data<int>()); },
+     sizeof(int)},
+    {"pw85_ellipsoid_quaternion_batch",
+     {6 * n},
+     [](auto const &in, auto &out) { pw85_ellipsoid_quaternion_batch(n, in.q1, in.q2, at(out, 0)); }},
+    {"pw85_bounding_boxes", {3 * n}, [](auto const &in, auto &out) { pw85_bounding_boxes(n, in.q1, at(out, 0)); }},
+    {"pw85_cell_reduce", {9}, [](auto const &in, auto &out) { pw85_cell_reduce(in.q1, at(out, 0)); }},
+    {"pw85_nearest_image_limit",
+     {1},
+     [](auto const &in, auto &out) { pw85_nearest_image_limit(n, in.q1, identity, at(out, 0)); }},
 };
 
 std::vector<Row> const superseded{

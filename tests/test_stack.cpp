@@ -222,6 +222,9 @@ std::vector<Case> cases_of_batches()
     static std::vector<double> mu2(inputs().n), lambda(inputs().n);
     static std::vector<unsigned char> overlap(inputs().n);
     static double const cell[9] = {3, 1, 0, -1, 4, 1, 0.5, 1, 5};
+    static std::vector<double> vectors[6];
+    for (auto &rows : vectors) rows.resize(6 * inputs().n);
+    auto const v = [](int i) { return vectors[i].data(); };
     auto const n = inputs().n;
     auto const *r = inputs().r12.data(), *p = inputs().q1.data(), *q = inputs().q2.data();
     auto const *x = inputs().centers.data(), *forms = inputs().forms.data();
@@ -230,11 +233,26 @@ std::vector<Case> cases_of_batches()
         {"pw85_contact_batch", [=] { status = pw85_contact_batch(n, r, p, q, mu2.data(), lambda.data()); }},
         {"pw85_overlap_batch", [=] { status = pw85_overlap_batch(n, r, p, q, overlap.data()); }},
         {"pw85_contact_pairs",
-         [=] { status = pw85_contact_pairs(n, list, 2 * n, x, forms, nullptr, mu2.data(), lambda.data()); }},
+         [=] { status = pw85_contact_pairs(n, list, nullptr, 2 * n, x, forms, nullptr, mu2.data(), lambda.data()); }},
         {"pw85_contact_pairs",
-         [=] { status = pw85_contact_pairs(n, list, 2 * n, x, forms, cell, mu2.data(), nullptr); }},
-        {"pw85_overlap_pairs", [=] { status = pw85_overlap_pairs(n, list, 2 * n, x, forms, nullptr, overlap.data()); }},
-        {"pw85_overlap_pairs", [=] { status = pw85_overlap_pairs(n, list, 2 * n, x, forms, cell, overlap.data()); }},
+         [=] { status = pw85_contact_pairs(n, list, nullptr, 2 * n, x, forms, cell, mu2.data(), nullptr); }},
+        {"pw85_overlap_pairs",
+         [=] { status = pw85_overlap_pairs(n, list, nullptr, 2 * n, x, forms, nullptr, overlap.data()); }},
+        {"pw85_overlap_pairs",
+         [=] { status = pw85_overlap_pairs(n, list, nullptr, 2 * n, x, forms, cell, overlap.data()); }},
+        {"pw85_contact_derivatives_batch",
+         [=] { status = pw85_contact_derivatives_batch(n, r, p, q, mu2.data(), v(0), v(1), v(2), v(3), v(4), v(5)); }},
+        {"pw85_contact_derivatives_pairs",
+         [=] {
+             status = pw85_contact_derivatives_pairs(n, list, nullptr, 2 * n, x, forms, cell, mu2.data(), v(0), v(1),
+                                                     v(2), v(3), v(4), v(5));
+         }},
+        {"pw85_closest_approach_batch", [=] { status = pw85_closest_approach_batch(n, r, p, q, mu2.data()); }},
+        {"pw85_overlap_any", [=] { status = pw85_overlap_any(n, p, r, q, &answer); }},
+        {"pw85_ellipsoid_quaternion_batch", [=] { status = pw85_ellipsoid_quaternion_batch(n, x, forms, v(0)); }},
+        {"pw85_bounding_boxes", [=] { status = pw85_bounding_boxes(n, p, v(0)); }},
+        {"pw85_cell_reduce", [=] { status = pw85_cell_reduce(cell, out); }},
+        {"pw85_nearest_image_limit", [=] { status = pw85_nearest_image_limit(n, p, cell, out); }},
     };
 }
 

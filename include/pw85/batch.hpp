@@ -172,7 +172,7 @@ static inline Status contact_batch(std::span<Vector<float, 3> const> r12, std::s
                                    std::span<SymmetricMatrix<float, 3> const> q2, std::span<float> mu2,
                                    std::span<float> lambda) noexcept
 {
-    constexpr std::size_t block = 32; // 4 KiB of stack
+    constexpr std::size_t block = 16; // 2 KiB of stack
     std::size_t const n = mu2.size();
     if (r12.size() != n || q1.size() != n || q2.size() != n || !detail::fits(n, lambda))
         return Status::invalid_argument;
