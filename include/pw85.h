@@ -131,7 +131,7 @@ PW85_API int pw85_ellipse(double a, double b, double angle, double q[3]);
 /** Contact function of two ellipsoids, by a third-order iteration on log(λ/(1-λ)).
  *
  * The error is below 4 u cond, with u = 2⁻⁵³ and cond the entrywise condition number of the problem (see the chapter on
- * testing). No more than 42 evaluations of f are made.
+ * testing). No more than 83 evaluations of f are made.
  *
  * @param r12 centre-to-centre vector; zero is valid: μ² = 0, λ = 1/2
  * @param q1,q2 the forms
@@ -311,7 +311,8 @@ PW85_API int pw85_contact_pairs(size_t num_pairs, int32_t const *pairs, int32_t 
 PW85_API int pw85_overlap_pairs(size_t num_pairs, int32_t const *pairs, int32_t const *images, size_t num_particles,
                                 double const *centers, double const *q, double const *cell, unsigned char *overlap);
 
-/** pw85_contact_derivatives_batch() for the pairs of a neighbour list; other arguments as for pw85_contact_pairs(). */
+/** pw85_contact_derivatives_batch() for the pairs of a neighbour list: `point`, `normal`, `d_r12`, `d_rot1` and `d_rot2` as
+ * there, num_pairs×3 or null; other arguments as for pw85_contact_pairs(). */
 PW85_API int pw85_contact_derivatives_pairs(size_t num_pairs, int32_t const *pairs, int32_t const *images,
                                             size_t num_particles, double const *centers, double const *q,
                                             double const *cell, double *mu2, double *lambda, double *point,

@@ -4,9 +4,8 @@ import re
 import sys
 from pathlib import Path
 
-SOLVER, HEADER, DATA = "include/pw85/solver.hpp", "include/pw85.h", "data/README.md"
+SOLVER, HEADER = "include/pw85/solver.hpp", "include/pw85.h"
 EVALUATIONS = (SOLVER, r"max_evaluations = (\d+);")
-PROBLEMS = (DATA, r"`mu2` \| float64 \| \((\d+)\)")
 
 # (file, pattern of the number in it), (file, pattern of the number that it must be)
 REPEATED = [
@@ -15,8 +14,6 @@ REPEATED = [
     (("docs/optimization.rst", r"``PW85_MAX_ITER`` \((\d+)\)"), (HEADER, r"define PW85_MAX_ITER (\d+)")),
     (("docs/optimization.rst", r"``PW85_NR_ITER`` \((\d+)\)"), (HEADER, r"define PW85_NR_ITER (\d+)")),
     (("docs/optimization.rst", r"``PW85_LAMBDA_ATOL`` \(10\\ :sup:`-(\d+)`\)"), (HEADER, r"LAMBDA_ATOL 1e-(\d+)")),
-    (("docs/testing.rst", r"([\d,]+) contact problems"), PROBLEMS),
-    (("README.md", r"largest over ([\d,]+) pairs"), PROBLEMS),
     (("src/gsl_brent.cpp", r"lambda_atol, (1e-\d+),"), (HEADER, r"LAMBDA_ATOL (1e-\d+)")),
 ]
 

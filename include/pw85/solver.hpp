@@ -10,7 +10,8 @@
 namespace pw85 {
 
 /// The largest number of evaluations of f, in either form, that maximize() makes for a pair of doubles.
-inline constexpr int max_evaluations = max_rational_steps + 1 + 2 * max_factorized_steps;
+inline constexpr int max_evaluations = 83;
+static_assert(max_evaluations == max_rational_steps + 1 + 2 * max_factorized_steps);
 
 template <class T>
 static inline Maximum<T> to_maximum(StationaryValue<T> const &value, int evaluations, bool converged) noexcept

@@ -9,7 +9,8 @@ from numpy.typing import ArrayLike
 
 from . import _core
 from ._errors import PW85Error
-from ._pairs import Floats, _cell, _explain, _pair_list, _rows
+from ._pairs import _cell, _explain, _pair_list, _rows
+from ._typing import Floats
 
 
 class ContactDerivatives(NamedTuple):
@@ -138,7 +139,7 @@ def overlap_any(q1: ArrayLike, r12: ArrayLike, q2: ArrayLike) -> bool:
     >>> pypw85.overlap_any(q[0], [[3, 0, 0], [0, 1.5, 0]], q)
     True
     """
-    form = _rows([q1], 6, "q1")
+    form = _rows(np.asarray(q1)[np.newaxis], 6, "q1")
     separations, forms = _rows(r12, 3, "r12"), _rows(q2, 6, "q2")
     if len(separations) != len(forms):
         raise ValueError(f"{len(separations)} separations, but {len(forms)} forms")

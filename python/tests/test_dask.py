@@ -158,7 +158,7 @@ def test_refused_out(chunked):
     with pytest.raises(TypeError, match="spheroid: .*'out'"):
         pypw85.spheroid(arrays[0][:, 0], 1, [0, 0, 1], np.empty((1000, 6)))
     with pytest.raises(TypeError, match="legacy_f1: .*'out'"):
-        legacy.f1(0.5, *arrays, np.empty((1000, 1)))
+        legacy.f1(0.5, *arrays, np.empty((1000, 3)))
     with pytest.raises(TypeError, match="'out' must be an array of NumPy"):
         pypw85.closest_approach(*pairs, da.empty(1000))
     assert_same(pypw85.contact(*arrays, (None, None)), pypw85.contact(*pairs))
