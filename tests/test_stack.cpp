@@ -287,8 +287,9 @@ void test_cases(std::vector<Case> const &cases)
     if (is_instrumented) return g_test_skip("built for other ends than use");
     std::size_t const empty = touched_by([] {});
     for (auto const &[function, call] : cases) {
+        g_test_message("%s", function); // the last words if the stack does not suffice
         std::size_t const first = touched_by(call) - empty, used = touched_by(call) - empty;
-        g_test_message("%6zu bytes (%6zu the first time) %s", used, first, function);
+        g_test_message("    %zu bytes, %zu the first time", used, first);
         if (used > bound) g_test_fail_printf("%s uses %zu bytes of stack", function, used);
     }
 }

@@ -124,12 +124,18 @@ template <int N> static inline void add(WideSum sum, Digits<N> const &x, int pos
 {
     bool const negative = sign * x.sign * y.sign < 0;
     if (negative) complement(sum);
-    for (int i = 0; i < x.size; ++i) {
+    for (int i = 0; i < x.size && i < sum.size; ++i) {
+        Limb *const limbs = sum.limbs + i;
+        int const room = sum.size - i, size = y.size < room ? y.size : room;
         DoubleLimb carry = 0;
-        for (int j = 0; i + j < sum.size && (j < y.size || carry != 0); ++j) {
-            carry += sum.limbs[i + j];
-            if (j < y.size) carry += DoubleLimb{x.limbs[i]} * y.limbs[j];
-            sum.limbs[i + j] = static_cast<Limb>(carry);
+        for (int j = 0; j < size; ++j) {
+            carry += limbs[j] + DoubleLimb{x.limbs[i]} * y.limbs[j];
+            limbs[j] = static_cast<Limb>(carry);
+            carry >>= limb_bits;
+        }
+        for (int j = size; j < room && carry != 0; ++j) {
+            carry += limbs[j];
+            limbs[j] = static_cast<Limb>(carry);
             carry >>= limb_bits;
         }
     }
