@@ -8,11 +8,14 @@ and t, by climbing from many random starts at once. All formulas are homogeneous
 has a unit diagonal without loss of generality. A fused multiplication and addition leaves out one δ_k, and the sum only loses a
 term: the constants hold with and without.
 
-    rounding_bounds.py [--starts N] [--steps N]            print the table
-    rounding_bounds.py --check INCLUDE [...]               compare it with the constants in the headers of INCLUDE/pw85
+    rounding_bounds.py [--starts N] [--steps N]
+
+prints the worst cases, what the margins need to be, and the constants of the headers; it fails where one of these is too small, or
+larger than needed by more than a third.
 """
 
 import argparse
+import pathlib
 import re
 import sys
 
@@ -229,6 +232,13 @@ def inside2(parameters, d):
     return worst_case((t * (t * form + 0.0) - b * b).exactly()) / (sample.t * sample.det * sample.square)
 
 
+def separation(parameters, d):
+    """is_well_conditioned(): a, over a P/d."""
+    sample = Sample(parameters, d)
+    _, a, _, _ = quartic(sample)
+    return worst_case(a) / sample.square
+
+
 def adjugate_solution(parameters, d):
     """last_evaluation() by the adjugate: what s errs by across itself in the norm of M, over u/d."""
     sample = Sample(parameters, d)
@@ -283,7 +293,31 @@ def definite(parameters, d):
     return errors + worst_case(result)
 
 
-MARGINS = [apart, inside1, inside2, adjugate_solution, factorized_solution, value, definite]
+class Margin:
+    """A constant of a header: for which dimensions it holds, and what it has to be at least, from the worst case found."""
+
+    def __init__(self, worst, header, pattern, needed=lambda found: found, dimensions=(2, 3)):
+        self.worst, self.header, self.pattern = worst, header, pattern
+        self.needed, self.dimensions = needed, dimensions
+
+    def constant(self, include):
+        with open(include / "pw85" / self.header, encoding="utf-8") as header:
+            return int(re.search(self.pattern + r"\D*?(\d+)", header.read())[1])
+
+
+# a itself is in the form of the margins inside, and errs by 5 %; second order adds 1 %. is_certain() admits 2u, and a comparison
+# u, where cond >= 3.
+MARGINS = [
+    Margin(apart, "quartic.hpp", "apart_margin ="),
+    Margin(inside1, "quartic.hpp", "inside1_margin =", lambda found: 1.06 * found),
+    Margin(inside2, "quartic.hpp", "inside2_margin =", lambda found: 1.06 * found),
+    Margin(separation, "quartic.hpp", "least_conditioning =", lambda found: found / 0.05),
+    Margin(adjugate_solution, "rational_search.hpp", "adjugate_error ="),
+    Margin(factorized_solution, "factorized_search.hpp", "factorization_error ="),
+    Margin(value, "comparison.hpp", "value_margin =", lambda found: found + 1.0),
+    Margin(definite, "symmetric.hpp", r"definite_margin = D == 2 \?", dimensions=(2,)),
+    Margin(definite, "symmetric.hpp", r"definite_margin = D == 2 \? \d+ :", dimensions=(3,)),
+]
 
 
 def maximise(ratio, d, starts, steps, rng):
@@ -316,24 +350,29 @@ def maximise(ratio, d, starts, steps, rng):
             half = starts // 2
             parameters[:, order[:half]] = parameters[:, order[-half:]]
             best[order[:half]] = best[order[-half:]]
-    winner = np.argmax(best)
-    return best[winner], parameters[:, winner]
+    return best.max()
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--starts", type=int, default=512)
     parser.add_argument("--steps", type=int, default=4000)
-    parser.add_argument("--only")
+    parser.add_argument("--include", type=pathlib.Path, default=pathlib.Path(__file__).parents[1] / "include")
     arguments = parser.parse_args()
     rng = np.random.default_rng(1)
+    failures = 0
+    print(f"{'worst case':22}{'D':>4}{'found':>8}{'needed':>8}{'constant':>10}")
     for margin in MARGINS:
-        if arguments.only and margin.__name__ not in arguments.only:
-            continue
-        for d in (2, 3):
-            found, at_ = maximise(margin, d, arguments.starts, arguments.steps, rng)
-            s = Sample(at_[:, None], d)
-            print(f"{margin.__name__:20} {d} {found:8.3f}   d={s.det[0]:.2g} t={s.t[0]:.3g}", flush=True)
+        found = max(maximise(margin.worst, d, arguments.starts, arguments.steps, rng) for d in margin.dimensions)
+        needed, constant = margin.needed(found), margin.constant(arguments.include)
+        tight = needed <= constant <= 4 / 3 * needed
+        failures += not tight
+        dimensions = ", ".join(map(str, margin.dimensions))
+        print(
+            f"{margin.worst.__name__:22}{dimensions:>4}{found:8.2f}{needed:8.2f}{constant:10}{'' if tight else '  not tight'}",
+            flush=True,
+        )
+    return failures > 0
 
 
 if __name__ == "__main__":

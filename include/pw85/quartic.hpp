@@ -48,28 +48,53 @@ template <class T> static constexpr T fixed_point_square(QuarticEvaluation<T> co
     return rough_quotient(first_form(e, t), e.form);
 }
 
-/// The margins of decide() in units of u; the worst cases, 19.6, 31.6 and 46.6, are found by scripts/rounding_bounds.py.
+// What one t > 0 shows, for a pair with ratio 1 that is_ordinary(). Each error has a form that bounds it whatever the pair: in
+// units in which M has a unit diagonal and det M = d, the eigenvalues of adj(M) are between d/3 and 9/4. The margins, in units of
+// u, are the worst cases that scripts/rounding_bounds.py finds to first order: 19.6, 31.6 and 46.6. The last two are 6 % more, for
+// a itself, which errs by 24.2 u/d, is in their form.
+
 inline constexpr int apart_margin = 20, inside1_margin = 34, inside2_margin = 50;
 
-/// The conditioning, in units of u, above which a is right to 6 %.
+/// The conditioning d, in units of u, above which a is right to 5 %, and what is of second order in u/d is 1 % of the margins.
 inline constexpr int least_conditioning = 512;
 
-/// What one t shows, for a pair with ratio 1 that is_ordinary(). Units in which M has a unit diagonal show that each error is
-/// bounded by its form whatever the pair: there the eigenvalues of adj(M) are between d/3 and 9/4.
-///
-/// Apart. If the ellipsoids overlap, t a <= (1 + t) b, and r is so short that t a - (1 + t) b errs by less than 20 u (1 + t) P.
-/// Overlap. b²A errs by less than 32 u a P where A = 1, and b²t²B by less than 47 u t a P where t²B = 1, b² included; a longer r
-/// only makes a larger. Where d > 512 u, a itself errs by 6 %, and what is of second order in u/d by less than 1 % of these.
+/// f > 1. Where f <= 1, r is so short that both sides err by less than the margin times (1 + t) P.
+template <class T>
+static constexpr typename ScalarTraits<T>::Mask shows_apart(QuarticEvaluation<T> const &e, T const &t) noexcept
+{
+    T const margin = T(apart_margin * unit_roundoff<T>());
+    return t * e.a > T(T(1) + t) * T(e.b + margin * e.diagonal);
+}
+
+template <class T>
+static constexpr typename ScalarTraits<T>::Mask is_well_conditioned(QuarticEvaluation<T> const &e) noexcept
+{
+    return e.b > T(least_conditioning * unit_roundoff<T>()) * e.diagonal;
+}
+
+/// A < 1, for a pair that is well-conditioned: b²A errs by less than the margin times a P where A = 1, and where A is larger, so
+/// is a.
+template <class T>
+static constexpr typename ScalarTraits<T>::Mask shows_inside1(QuarticEvaluation<T> const &e, T const &t) noexcept
+{
+    T const margin = T(inside1_margin * unit_roundoff<T>());
+    return e.a * T(e.b + margin * e.diagonal) - t * e.form < T(e.b * e.b);
+}
+
+/// t²B < 1, alike: b² t²B errs by less than the margin times t a P.
+template <class T>
+static constexpr typename ScalarTraits<T>::Mask shows_inside2(QuarticEvaluation<T> const &e, T const &t) noexcept
+{
+    T const margin = T(inside2_margin * unit_roundoff<T>());
+    return t * T(t * e.form + T(margin * e.diagonal) * e.a) < T(e.b * e.b);
+}
+
 template <class T>
 static constexpr Certainty<typename ScalarTraits<T>::Mask> decide(QuarticEvaluation<T> const &e, T const &t) noexcept
 {
-    auto const u = unit_roundoff<T>();
-    T const square = e.b * e.b, t_form = t * e.form;
     auto const positive = t > T(0);
-    auto const apart = t * e.a > T(T(1) + t) * T(e.b + T(apart_margin * u) * e.diagonal);
-    auto const inside1 = e.a * T(e.b + T(inside1_margin * u) * e.diagonal) - t_form < square;
-    auto const inside2 = t * T(t_form + T(T(inside2_margin * u) * e.diagonal) * e.a) < square;
-    return {positive && apart, positive && e.b > T(least_conditioning * u) * e.diagonal && inside1 && inside2};
+    return {positive && shows_apart(e, t),
+            positive && is_well_conditioned(e) && shows_inside1(e, t) && shows_inside2(e, t)};
 }
 
 template <class Lanes, class T, int D> static constexpr Vector<Lanes, D> broadcast(Vector<T, D> const &x) noexcept
