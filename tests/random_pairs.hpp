@@ -97,7 +97,7 @@ template <int D> Sample<double, D> random_pair(Random &random, PairOptions const
 
 /// Slender shapes at right angles, tip to tip, so that λ is on a plateau of f: those of the category `crossed` of the
 /// reference data, whose generator explains them. |μ² - 1| is from 1e-14 to 1e-1.
-inline Sample<double, 3> crossed_pair(Random &random, double aspect)
+template <int D = 3> Sample<double, D> crossed_pair(Random &random, double aspect)
 {
     double const shortest = 1.0 / aspect;
     double const third = std::pow(shortest, random.sign() < 0.0 ? 0.5 : random.uniform(0.0, 1.0));
@@ -107,13 +107,20 @@ inline Sample<double, 3> crossed_pair(Random &random, double aspect)
     double const offset = random.sign() * third * random.log_uniform(1e-8, 1.0);
     double const excess = random.sign() * random.log_uniform(1e-14, 1e-1);
     double const x = random.sign() * (1.0 + tilt1), y = random.sign() * size * (1.0 + tilt2);
-    auto const turn = random.direction<4>();
-    auto const rotation = pw85::rotation_matrix(turn, pw85::dot(turn, turn));
-    pw85::Vector<double, 3> r12{};
-    for (int i = 0; i < 3; ++i)
-        r12[i] = rotation.entries[3 * i] * x + rotation.entries[3 * i + 1] * y + rotation.entries[3 * i + 2] * offset;
-    return placed<3>(r12, 1.0 + excess, pw85::ellipsoid({1.0, shortest, third}, rotation.entries).q,
-                     pw85::ellipsoid({size * shortest, size, size * third}, rotation.entries).q);
+    if constexpr (D == 2) {
+        double const angle = random.uniform(0.0, std::numbers::pi), c = std::cos(angle), s = std::sin(angle);
+        return placed<2>({c * x - s * y, s * x + c * y}, 1.0 + excess, pw85::ellipse(1.0, shortest, angle).q,
+                         pw85::ellipse(size * shortest, size, angle).q);
+    } else {
+        auto const turn = random.direction<4>();
+        auto const rotation = pw85::rotation_matrix(turn, pw85::dot(turn, turn));
+        pw85::Vector<double, 3> r12{};
+        for (int i = 0; i < 3; ++i)
+            r12[i] =
+                rotation.entries[3 * i] * x + rotation.entries[3 * i + 1] * y + rotation.entries[3 * i + 2] * offset;
+        return placed<3>(r12, 1.0 + excess, pw85::ellipsoid({1.0, shortest, third}, rotation.entries).q,
+                         pw85::ellipsoid({size * shortest, size, size * third}, rotation.entries).q);
+    }
 }
 
 } // namespace pw85_tests

@@ -23,14 +23,17 @@ template <class T, int D> static inline T condition_number(Pair<T, D> const &pai
     return m.lambda * (forms + T(2) * arms) / m.mu2;
 }
 
-/// The tier for a pair in range, whose `tangent` is μ² of tangent ellipsoids in its units. The sums of stationary_value() err by
-/// less than 9 u cond, and 16 leaves room for what the inexact s and λ add (is_certain() in iteration.hpp).
+/// What μ² errs by at most, in units of u cond: the roundings of stationary_value() (scripts/rounding_bounds.py: 6.7), what
+/// is_certain() admits, at most 2u where cond >= 3, and u for the comparison.
+inline constexpr int value_margin = 8;
+
+/// The tier for a pair in range, whose `tangent` is μ² of tangent ellipsoids in its units.
 template <class T, int D>
 [[gnu::noinline]] static inline Decision decide_by_comparison(Pair<T, D> const &pair, T const &tangent) noexcept
 {
     Maximum<T> const m = maximize(pair);
     if (!m.converged) return Decision::none;
-    T const error = T(16) * unit_roundoff<T>() * condition_number(pair, m) * m.mu2;
+    T const error = T(value_margin * unit_roundoff<T>()) * condition_number(pair, m) * m.mu2;
     return to_decision(m.mu2 - error > tangent, m.mu2 + error < tangent);
 }
 

@@ -109,8 +109,11 @@ static inline T condition(Factorization<T, D> const &factors, SymmetricMatrix<T,
     return sum;
 }
 
-/// The last evaluation, by factorisation. With M scaled to a unit diagonal, whose entries err by 2u and the product of whose
-/// factors by 8u more, s errs by e <= 3·10 u κ of itself in the norm of M, with κ from condition().
+/// By how many u κ the solution by factorisation errs across s, in the norm of M, with κ from condition()
+/// (scripts/rounding_bounds.py: 4.8).
+inline constexpr int factorization_error = 5;
+
+/// The last evaluation, by factorisation.
 template <class T, int D> static inline LastEvaluation<T>
 last_evaluation(Pair<T, D> const &pair, Candidate<T> const &candidate, Precision precision) noexcept
 {
@@ -120,7 +123,7 @@ last_evaluation(Pair<T, D> const &pair, Candidate<T> const &candidate, Precision
     auto const weights = outer_weights(s);
     auto const value = stationary_value(candidate, pair.ratio, positive_form(pair.q1, weights),
                                         positive_form(pair.q2, weights), dot(pair.r12, s));
-    return {value, is_certain(candidate, value.step, T(T(30) * condition(factors, m)), T(1))};
+    return {value, is_certain(candidate, value.step, T(T(factorization_error) * condition(factors, m)), T(1))};
 }
 
 } // namespace pw85

@@ -152,15 +152,20 @@ template <class T> struct LastEvaluation {
     typename ScalarTraits<T>::Mask certain;
 };
 
-/// Whether a last evaluation is right to rounding, from an s that errs by e = u n/d of itself in the norm of M. Its A and C err
-/// by 2e/√λ and 2e/√(1-λ) of themselves, so that the root of h is missed, beyond the step x that is known, by half the sum of
-/// these over k = h'. This costs 2e²/k of μ²; and the share of the step, ½ f' x, errs by 3/2 e x. Either has to be below u, and
-/// is then below a third of u cond. e² itself is smaller still. False for a t and k that are not positive, or NaN.
+/// Whether a last evaluation is right to rounding, from an s that errs by e = u n/d of itself across its direction, in the norm
+/// of M. The value then errs by the sum of three parts, and each is kept below u, where cond >= 3:
+///
+/// 1. λ(rᵀs)²/(A + tB) is e² too small, and a wrong root of h costs e²(1 - k)/k, with k = h': where the eigenvalues p of Q1
+///    relative to M, weighted with s, have mean λ and variance σ², k = 1 - σ²/(λ(1-λ)), and h errs by eσ/(λ(1-λ)).
+/// 2. The share of the step, ½ f' x, errs by 2λ(1-λ) x times that, at most e x.
+/// 3. What is of third order in x.
+///
+/// False for a t and k that are not positive, or NaN.
 template <class T> static constexpr typename ScalarTraits<T>::Mask
 is_certain(Candidate<T> const &candidate, T const &step, T const &n, T const &d) noexcept
 {
-    T const x = absolute(step), twice_u = T(2) * unit_roundoff<T>();
-    return candidate.t > T(0) && twice_u * n * n < candidate.k * d * d && T(1.5) * n * x < d && x <= final_step<T>();
+    T const x = absolute(step), u = T(unit_roundoff<T>());
+    return candidate.t > T(0) && u * n * n < candidate.k * d * d && n * x < d && x <= final_step<T>();
 }
 
 /// The maximum of f in the units of a Pair.

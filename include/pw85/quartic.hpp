@@ -20,33 +20,20 @@ template <class Mask> struct Certainty {
     Mask overlap;
 };
 
-/// What the test needs to know at t. In units in which M has a unit diagonal, `diagonal` is 1 and `arms` is |r|².
+/// What the test needs to know at t.
 template <class T> struct QuarticEvaluation {
     T b;        ///< det M
     T a;        ///< b R, with R = rᵀM⁻¹r
     T form;     ///< b²B
     T diagonal; ///< P, the product of the diagonal of M
-    T arms;     ///< W = Σ r_i² P/M_ii
 };
-
-/// Σ r_i² P/M_ii, with P the product of the diagonal of M.
-template <class T> static constexpr T weighted_square(SymmetricMatrix<T, 2> const &m, Vector<T, 2> const &r) noexcept
-{
-    return T(r[0] * r[0]) * m[2] + T(r[1] * r[1]) * m[0];
-}
-
-template <class T> static constexpr T weighted_square(SymmetricMatrix<T, 3> const &m, Vector<T, 3> const &r) noexcept
-{
-    return T(T(r[0] * r[0]) * m[3] + T(r[1] * r[1]) * m[0]) * m[5] + T(T(r[2] * r[2]) * m[0]) * m[3];
-}
 
 template <class T, int D>
 static constexpr QuarticEvaluation<T> evaluate_quartic(Pair<T, D> const &pair, T const &t) noexcept
 {
     auto const m = blend(pair.q1, t, pair.q2);
     auto const solution = solve_by_adjugate(m, pair.r12);
-    return {solution.determinant, dot(pair.r12, solution.s), quadratic_form(pair.q2, solution.s), solution.diagonal,
-            weighted_square(m, pair.r12)};
+    return {solution.determinant, dot(pair.r12, solution.s), quadratic_form(pair.q2, solution.s), solution.diagonal};
 }
 
 /// b²A, from A + tB = R.
@@ -61,28 +48,53 @@ template <class T> static constexpr T fixed_point_square(QuarticEvaluation<T> co
     return rough_quotient(first_form(e, t), e.form);
 }
 
-/// What one t shows, for a pair with ratio 1 that is_ordinary(). Errors to first order in u, in units in which M has a unit
-/// diagonal and det M = d, where adj(M) errs by 11u in each entry and s by e = 126 u/d of itself (rational.hpp):
-///
-/// Apart. a errs by 17u (Σ|r_i|)² <= 51 u W and b by 48 u; t a and (1 + t) b are at most 9/4 t W and 1 + t, and rounded three
-/// times more. So 64 u (t W + (1 + t) P) is more than t a - (1 + t) b errs by.
-///
-/// Overlap. Relative to b² R: a b errs by (3·51 + 48 + 2) u/d, since b R >= W d/3; t b²B by 2e, and by 54 u/d from rounding
-/// (8 roundings of |s|²·3, where |s|² <= 9/4 R/d); b² errs by 96 u/d of itself. In total A errs by less than 640 u/d R, and
-/// t²B by less than 450 u/d t R. Where d > 2048 u, R is less than 11 % more than computed, and that is A + tB < 1 + 1/t
-/// where what is to be shown is. So A and t²B err by less than 1024 u/d (1 + 1/t) and 1024 u/d (1 + t).
+// What one t > 0 shows, for a pair with ratio 1 that is_ordinary(). Each error has a form that bounds it whatever the pair: in
+// units in which M has a unit diagonal and det M = d, the eigenvalues of adj(M) are between d/3 and 9/4. The margins, in units of
+// u, are the worst cases that scripts/rounding_bounds.py finds to first order: 19.6, 31.6 and 46.6. The last two are 6 % more, for
+// a itself, which errs by 24.2 u/d, is in their form.
+
+inline constexpr int apart_margin = 20, inside1_margin = 34, inside2_margin = 50;
+
+/// The conditioning d, in units of u, above which a is right to 5 %, and what is of second order in u/d is 1 % of the margins.
+inline constexpr int least_conditioning = 512;
+
+/// f > 1. Where f <= 1, r is so short that both sides err by less than the margin times (1 + t) P.
+template <class T>
+static constexpr typename ScalarTraits<T>::Mask shows_apart(QuarticEvaluation<T> const &e, T const &t) noexcept
+{
+    T const margin = T(apart_margin * unit_roundoff<T>());
+    return t * e.a > T(T(1) + t) * T(e.b + margin * e.diagonal);
+}
+
+template <class T>
+static constexpr typename ScalarTraits<T>::Mask is_well_conditioned(QuarticEvaluation<T> const &e) noexcept
+{
+    return e.b > T(least_conditioning * unit_roundoff<T>()) * e.diagonal;
+}
+
+/// A < 1, for a pair that is well-conditioned: b²A errs by less than the margin times a P where A = 1, and where A is larger, so
+/// is a.
+template <class T>
+static constexpr typename ScalarTraits<T>::Mask shows_inside1(QuarticEvaluation<T> const &e, T const &t) noexcept
+{
+    T const margin = T(inside1_margin * unit_roundoff<T>());
+    return e.a * T(e.b + margin * e.diagonal) - t * e.form < T(e.b * e.b);
+}
+
+/// t²B < 1, alike: b² t²B errs by less than the margin times t a P.
+template <class T>
+static constexpr typename ScalarTraits<T>::Mask shows_inside2(QuarticEvaluation<T> const &e, T const &t) noexcept
+{
+    T const margin = T(inside2_margin * unit_roundoff<T>());
+    return t * T(t * e.form + T(margin * e.diagonal) * e.a) < T(e.b * e.b);
+}
+
 template <class T>
 static constexpr Certainty<typename ScalarTraits<T>::Mask> decide(QuarticEvaluation<T> const &e, T const &t) noexcept
 {
-    auto const u = unit_roundoff<T>();
-    T const one_plus_t = T(1) + t, pb = e.diagonal * e.b, square = e.b * e.b;
-    T const error_apart = T(64 * u) * (t * e.arms + one_plus_t * e.diagonal);
-    T const error_overlap = T(1024 * u) * T(one_plus_t * pb);
     auto const positive = t > T(0);
-    auto const apart = t * e.a > one_plus_t * e.b + error_apart;
-    auto const inside1 = t * first_form(e, t) + error_overlap < t * square;
-    auto const inside2 = t * T(t * e.form) + error_overlap < square;
-    return {positive && apart, positive && e.b > T(2048 * u) * e.diagonal && inside1 && inside2};
+    return {positive && shows_apart(e, t),
+            positive && is_well_conditioned(e) && shows_inside1(e, t) && shows_inside2(e, t)};
 }
 
 template <class Lanes, class T, int D> static constexpr Vector<Lanes, D> broadcast(Vector<T, D> const &x) noexcept

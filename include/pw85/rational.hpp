@@ -77,10 +77,7 @@ template <class T> static constexpr Jet<T> evaluate_jet(RationalForm<T> const &f
 }
 
 // The conditioning of M at t is det M over the product P of its diagonal, in (0, 1]. Scale M to a unit diagonal, so that entries
-// of M and of adj M are at most 1; let d be its determinant. To first order in u, the entries of M err by 2u, and s = M⁻¹x with
-// them by 6u over the least eigenvalue, which is at least 4/9 d, of itself in the norm of M. Those of adj M err by 3u more, and
-// as much in the product with x: by E x with |E| <= 18 u, where adj(M) x is at least d|x|/√3 long and the largest eigenvalue at
-// most 3. So s errs by e <= (27/2 + 54) u/d of itself.
+// of M and of adj M are at most 1; let d be its determinant.
 
 /// Conditioning above which the rational form is right to some per cent: a fair guide to the root. From its coefficients b errs
 /// by 80 u/d of itself (13 roundings in a sum of products that is at most 6), and a by 234 u/d (13 in one that is at most

@@ -42,7 +42,10 @@ template <class T> static inline void take_step(RationalSearch<T> &search, T con
     search.active = active && !converged;
 }
 
-/// The last evaluation, by the adjugate of M at t; for the error of s see rational.hpp.
+/// By how many u/d solve_by_adjugate() errs across s, in the norm of M (scripts/rounding_bounds.py: 12.2).
+inline constexpr int adjugate_error = 13;
+
+/// The last evaluation, by the adjugate of M at t.
 template <class T, int D>
 static inline LastEvaluation<T> last_evaluation(Pair<T, D> const &pair, Candidate<T> const &candidate) noexcept
 {
@@ -50,7 +53,7 @@ static inline LastEvaluation<T> last_evaluation(Pair<T, D> const &pair, Candidat
     auto const weights = outer_weights(solution.s);
     auto const value = stationary_value(candidate, pair.ratio, quadratic_form(pair.q1, weights),
                                         quadratic_form(pair.q2, weights), dot(pair.r12, solution.s));
-    return {value, is_certain(candidate, value.step, T(T(68) * solution.diagonal), solution.determinant)};
+    return {value, is_certain(candidate, value.step, T(T(adjugate_error) * solution.diagonal), solution.determinant)};
 }
 
 } // namespace pw85

@@ -248,35 +248,6 @@ static inline typename ScalarTraits<T>::Mask is_positive_definite(SymmetricMatri
     return positive;
 }
 
-/// The product of the diagonal down to which is_clearly_definite() looks no closer: far above the pivots that
-/// is_positive_definite() still accepts.
-template <class T> static constexpr T least_diagonal_product() noexcept
-{
-    constexpr int exponent = std::numeric_limits<typename ScalarTraits<T>::Lane>::max_exponent / 8;
-    return negative_power_of_two<T>(exponent < 128 ? exponent : 128);
-}
-
-/// Whether a symmetric matrix with entries near order one is positive definite by so wide a margin that products alone
-/// show it: leading minors above 512 u of the product of the diagonal, against rounding errors below 16 u (Sylvester's
-/// criterion).
-template <class T>
-static constexpr typename ScalarTraits<T>::Mask is_clearly_definite(SymmetricMatrix<T, 2> const &a) noexcept
-{
-    T const bound = T(512) * unit_roundoff<T>(), product = a[0] * a[2];
-    return a[0] > T(0) && product > least_diagonal_product<T>() && product - a[1] * a[1] > bound * product;
-}
-
-template <class T>
-static constexpr typename ScalarTraits<T>::Mask is_clearly_definite(SymmetricMatrix<T, 3> const &a) noexcept
-{
-    T const bound = T(512) * unit_roundoff<T>(), leading = a[0] * a[3], product = leading * a[5];
-    T const minor = leading - a[1] * a[1];
-    T const determinant =
-        a[0] * (a[3] * a[5] - a[4] * a[4]) + a[1] * (a[2] * a[4] - a[1] * a[5]) + a[2] * (a[1] * a[4] - a[2] * a[3]);
-    return a[0] > T(0) && product > least_diagonal_product<T>() && minor > bound * leading &&
-           determinant > bound * product;
-}
-
 /// The adjugate adj(A) = det(A)·A⁻¹ in two dimensions.
 template <class T> static constexpr SymmetricMatrix<T, 2> adjugate(SymmetricMatrix<T, 2> const &a) noexcept
 {
@@ -297,6 +268,37 @@ static constexpr T determinant(SymmetricMatrix<T, D> const &a, SymmetricMatrix<T
     T sum = a(0, 0) * adjugate_of_a(0, 0);
     for (int j = 1; j < D; ++j) sum = sum + a(0, j) * adjugate_of_a(0, j);
     return sum;
+}
+
+/// The product of the diagonal down to which is_clearly_definite() looks no closer: far above the pivots that
+/// is_positive_definite() still accepts.
+template <class T> static constexpr T least_diagonal_product() noexcept
+{
+    constexpr int exponent = std::numeric_limits<typename ScalarTraits<T>::Lane>::max_exponent / 8;
+    return negative_power_of_two<T>(exponent < 128 ? exponent : 128);
+}
+
+/// By how many u of the product of the diagonal products and pivots together may misjudge a determinant that is about zero
+/// (scripts/rounding_bounds.py: 8 and 15.8).
+template <int D> inline constexpr int definite_margin = D == 2 ? 8 : 16;
+
+/// Whether a symmetric matrix with entries near order one is positive definite by so wide a margin that products alone
+/// show it (Sylvester's criterion): is_positive_definite() says so, too.
+template <class T>
+static constexpr typename ScalarTraits<T>::Mask is_clearly_definite(SymmetricMatrix<T, 2> const &a) noexcept
+{
+    T const bound = T(definite_margin<2> * unit_roundoff<T>()), product = a[0] * a[2];
+    return a[0] > T(0) && product > least_diagonal_product<T>() && product - a[1] * a[1] > bound * product;
+}
+
+template <class T>
+static constexpr typename ScalarTraits<T>::Mask is_clearly_definite(SymmetricMatrix<T, 3> const &a) noexcept
+{
+    auto const u = unit_roundoff<T>();
+    auto const adj = adjugate(a);
+    T const leading = a[0] * a[3], product = leading * a[5];
+    return a[0] > T(0) && product > least_diagonal_product<T>() && adj[5] > T(definite_margin<2> * u) * leading &&
+           determinant(a, adj) > T(definite_margin<3> * u) * product;
 }
 
 } // namespace pw85
