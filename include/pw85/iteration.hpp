@@ -159,7 +159,7 @@ template <class T> struct LastEvaluation {
 /// 1. λ(rᵀs)²/(A + tB) is e² too small, and a wrong root of h costs e²(1 - k)/k, with k = h': where the eigenvalues p of Q1
 ///    relative to M, weighted with s, have mean λ and variance σ², k = 1 - σ²/(λ(1-λ)), and h errs by eσ/(λ(1-λ)).
 /// 2. The share of the step, ½ f' x, errs by 2λ(1-λ) x times that, at most e x.
-/// 3. What is of third order in x.
+/// 3. What is of third order in x (final_step()).
 ///
 /// False for a t and k that are not positive, or NaN.
 template <class T> static constexpr typename ScalarTraits<T>::Mask
