@@ -103,6 +103,11 @@ void test_conditioning()
     Wide const a = pw85::dot(x.pair.r12, pw85::product(pw85::adjugate(x.m), x.pair.r12));
     g_assert_true(pw85::absolute(Wide(e.a - a)) > a / 16);
     g_assert_false(pw85::is_well_conditioned(e));
+    auto near = separation_pair;
+    near.pair.r12 = pw85::times(0x1p-20f, near.pair.r12);
+    auto const inside = evaluate(near);
+    g_assert_true(pw85::shows_inside1(inside, near.t) && pw85::shows_inside2(inside, near.t));
+    g_assert_false(pw85::decide(inside, near.t).overlap);
 }
 
 // At a negative t, M may be indefinite, and t a - (1 + t) b positive for ellipsoids that overlap.

@@ -26,10 +26,11 @@ template <class T> static constexpr T penultimate_step() noexcept
     return negative_power_of_two<T>(mantissa_digits<T>() / 9 + 2);
 }
 
-/// A step in x below which Newton's step and second-order Taylor of f are exact to rounding: its cube is below u.
+/// A step x to the root up to which f + ½ f' x is right to u: it errs by f‴x³/12, where |f‴| <= 2.4 f by items 1 and 2, and the
+/// cube is at most 4u.
 template <class T> static constexpr T final_step() noexcept
 {
-    return negative_power_of_two<T>((mantissa_digits<T>() + 3) / 3);
+    return negative_power_of_two<T>(mantissa_digits<T>() / 3);
 }
 
 /// A Jet's view of h: h = artanh(difference/sum); h' = k/weight and h'' = k2/weight².
@@ -158,7 +159,7 @@ template <class T> struct LastEvaluation {
 /// 1. λ(rᵀs)²/(A + tB) is e² too small, and a wrong root of h costs e²(1 - k)/k, with k = h': where the eigenvalues p of Q1
 ///    relative to M, weighted with s, have mean λ and variance σ², k = 1 - σ²/(λ(1-λ)), and h errs by eσ/(λ(1-λ)).
 /// 2. The share of the step, ½ f' x, errs by 2λ(1-λ) x times that, at most e x.
-/// 3. What is of third order in x.
+/// 3. What is of third order in x (final_step()).
 ///
 /// False for a t and k that are not positive, or NaN.
 template <class T> static constexpr typename ScalarTraits<T>::Mask
