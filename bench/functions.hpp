@@ -35,6 +35,7 @@ inline constexpr Function functions[] = {
     {"contact_torque",
      [](BenchPair const &x, Sink &s) { pw85_contact_torque(PW85_BENCH_PAIR(x), x.lambda, s.a, s.b); }},
     {"closest_approach", [](BenchPair const &x, Sink &s) { pw85_closest_approach(PW85_BENCH_PAIR(x), s.a); }},
+    {"distance", [](BenchPair const &x, Sink &s) { pw85_distance(PW85_BENCH_PAIR(x), s.a, s.b, s.c); }},
     {"contact_2d",
      [](BenchPair const &x, Sink &s) {
          // The lower right blocks of the forms are forms of ellipses.

@@ -34,6 +34,7 @@ module pw85
   public :: pw85_spheroid, pw85_ellipsoid, pw85_ellipsoid_quaternion, pw85_ellipse
   public :: pw85_contact, pw85_contact_function, pw85_contact_geometry, pw85_contact_gradient, pw85_contact_torque
   public :: pw85_overlap, pw85_closest_approach, pw85_contact_2d, pw85_closest_approach_2d
+  public :: pw85_distance, pw85_distance_derivatives, pw85_distance_2d
   public :: pw85_contact_batch, pw85_overlap_batch, pw85_contact_pairs, pw85_overlap_pairs
   public :: pw85__cholesky_decomp, pw85__cholesky_solve, pw85__residual, pw85_f_neg
   public :: pw85_legacy__det_sym, pw85_legacy__xt_adja_x, pw85_legacy__detq_as_poly, pw85_legacy__rt_adjq_r_as_poly
@@ -159,6 +160,30 @@ module pw85
       real(c_double), intent(out) :: distance
       integer(c_int) :: status
     end function pw85_closest_approach_2d
+
+    function c_distance(r12, q1, q2, distance, point1, point2) result(status) bind(C, name='pw85_distance')
+      import :: c_double, c_int, c_ptr
+      real(c_double), intent(in) :: r12(3), q1(6), q2(6)
+      real(c_double), intent(out) :: distance
+      type(c_ptr), value :: point1, point2
+      integer(c_int) :: status
+    end function c_distance
+
+    function c_distance_derivatives(r12, q1, q2, d_r12, d_rot1, d_rot2, hessian) result(status) &
+        bind(C, name='pw85_distance_derivatives')
+      import :: c_double, c_int, c_ptr
+      real(c_double), intent(in) :: r12(3), q1(6), q2(6)
+      type(c_ptr), value :: d_r12, d_rot1, d_rot2, hessian
+      integer(c_int) :: status
+    end function c_distance_derivatives
+
+    function c_distance_2d(r12, q1, q2, distance, point1, point2) result(status) bind(C, name='pw85_distance_2d')
+      import :: c_double, c_int, c_ptr
+      real(c_double), intent(in) :: r12(2), q1(3), q2(3)
+      real(c_double), intent(out) :: distance
+      type(c_ptr), value :: point1, point2
+      integer(c_int) :: status
+    end function c_distance_2d
 
     function c_contact_batch(n, r12, q1, q2, mu2, lambda) result(status) bind(C, name='pw85_contact_batch')
       import :: c_double, c_int, c_ptr, c_size_t
@@ -371,6 +396,32 @@ contains
     integer(c_int) :: status
     status = c_contact_torque(r12, q1, q2, lambda, address(d_rot1), address(d_rot2))
   end function pw85_contact_torque
+
+  !> Distance of the surfaces of two ellipsoids and their closest points, relative to centre 1; 0 and NaN if they overlap.
+  function pw85_distance(r12, q1, q2, distance, point1, point2) result(status)
+    real(c_double), intent(in) :: r12(3), q1(6), q2(6)
+    real(c_double), intent(out) :: distance
+    real(c_double), intent(out), optional, target :: point1(3), point2(3)
+    integer(c_int) :: status
+    status = c_distance(r12, q1, q2, distance, address(point1), address(point2))
+  end function pw85_distance
+
+  !> Derivatives of the distance with respect to r12, rotations of either ellipsoid, and all of these twice.
+  function pw85_distance_derivatives(r12, q1, q2, d_r12, d_rot1, d_rot2, hessian) result(status)
+    real(c_double), intent(in) :: r12(3), q1(6), q2(6)
+    real(c_double), intent(out), optional, target :: d_r12(3), d_rot1(3), d_rot2(3), hessian(9, 9)
+    integer(c_int) :: status
+    status = c_distance_derivatives(r12, q1, q2, address(d_r12), address(d_rot1), address(d_rot2), address(hessian))
+  end function pw85_distance_derivatives
+
+  !> Distance of two ellipses.
+  function pw85_distance_2d(r12, q1, q2, distance, point1, point2) result(status)
+    real(c_double), intent(in) :: r12(2), q1(3), q2(3)
+    real(c_double), intent(out) :: distance
+    real(c_double), intent(out), optional, target :: point1(2), point2(2)
+    integer(c_int) :: status
+    status = c_distance_2d(r12, q1, q2, distance, address(point1), address(point2))
+  end function pw85_distance_2d
 
   !> Contact function of n pairs.
   function pw85_contact_batch(n, r12, q1, q2, mu2, lambda) result(status)

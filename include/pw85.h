@@ -209,6 +209,44 @@ PW85_API int pw85_closest_approach_2d(double const direction[2], double const q1
                                       double *distance);
 
 /** @}
+ * @name Distance
+ * @{ */
+
+/** Distance of the surfaces of two ellipsoids, and the points where they are closest.
+ *
+ * The error of the distance is below 8 u Σ, with u = 2⁻⁵³ and Σ = Σ|n_i r12_i| + Σ|n_i q1_ij n_j|/(2α) + Σ|n_i q2_ij n_j|/(2β),
+ * the sums over all i and j: what entrywise rounding of the data may change it by is u Σ. Here n is the unit normal, and α
+ * and β are the half-widths of the ellipsoids along it. The answer can be checked without trust: any unit vector n gives a
+ * lower bound n·r12 - α - β of the distance, and any two points of the ellipsoids an upper one. `distance` is the lower
+ * bound of its normal (that of pw85_distance_derivatives()), and |point2 - point1| the upper one.
+ *
+ * @param r12,q1,q2 as for pw85_contact()
+ * @param[out] distance in the unit of r12; zero if the ellipsoids overlap, which is decided as in pw85_overlap(); may be null
+ * @param[out] point1,point2 the closest points of ellipsoids 1 and 2, both relative to the centre of ellipsoid 1; NaN if they
+ *        overlap, also on success; may be null
+ * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD */
+PW85_API int pw85_distance(double const r12[PW85_DIM], double const q1[PW85_SYM], double const q2[PW85_SYM],
+                           double *distance, double point1[PW85_DIM], double point2[PW85_DIM]);
+
+/** Derivatives of the distance of two ellipsoids that are apart; NaN if they overlap, also on success.
+ *
+ * @param r12,q1,q2 as for pw85_contact()
+ * @param[out] d_r12 with respect to r12: the unit vector normal to both surfaces at the closest points, out of ellipsoid 1
+ *        and into ellipsoid 2; may be null
+ * @param[out] d_rot1,d_rot2 with respect to rotations of ellipsoids 1 and 2 by small vectors about their own centres, per
+ *        radian; may be null
+ * @param[out] hessian 9×9, symmetric: second derivatives with respect to r12, rotation 1 and rotation 2, where the vector ω
+ *        stands for the rotation by |ω| about ω; may be null
+ * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD */
+PW85_API int pw85_distance_derivatives(double const r12[PW85_DIM], double const q1[PW85_SYM], double const q2[PW85_SYM],
+                                       double d_r12[PW85_DIM], double d_rot1[PW85_DIM], double d_rot2[PW85_DIM],
+                                       double hessian[81]);
+
+/** Distance of two ellipses; see pw85_distance(). */
+PW85_API int pw85_distance_2d(double const r12[2], double const q1[3], double const q2[3], double *distance,
+                              double point1[2], double point2[2]);
+
+/** @}
  * @name Many pairs
  *
  * Arrays are contiguous; row i belongs to pair i. A bad pair (NaN, infinity, a form that is not positive definite) is

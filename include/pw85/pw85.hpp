@@ -30,6 +30,8 @@ template <class T> struct ContactTorque;          // rotation1, rotation2, statu
 template <class T> struct ClosestApproach;        // distance, status
 struct Overlap;                                   // overlap, tier, status
 template <class T, int D> struct OverlapWitness;  // overlap, lambda, direction, point, status
+template <class T, int D> struct Distance;        // distance, point1, point2, normal, status
+template <class T> struct DistanceDerivatives;    // r12, rotation1, rotation2, hessian, status
 
 /// Form of a spheroid with equatorial radius `a`, polar radius `c`, and axis along `n`.
 template <class T> static constexpr Form<T, 3> spheroid(T const &a, T const &c, Vector<T, 3> n) noexcept;
@@ -76,10 +78,21 @@ overlap_witness(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, Symmet
 template <class T, int D> static inline ClosestApproach<T>
 closest_approach(Vector<T, D> direction, SymmetricMatrix<T, D> const &q1, SymmetricMatrix<T, D> const &q2) noexcept;
 
+/// Distance of the surfaces, closest points and common normal; zero and NaN points if the ellipsoids overlap.
+template <class T, int D> static inline Distance<T, D>
+distance(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, SymmetricMatrix<T, D> const &q2) noexcept;
+
+/// First and second derivatives of the distance with respect to r12 and rotations of the ellipsoids about their own centres.
+template <class T> static inline DistanceDerivatives<T> distance_derivatives(Vector<T, 3> const &r12,
+                                                                             SymmetricMatrix<T, 3> const &q1,
+                                                                             SymmetricMatrix<T, 3> const &q2) noexcept;
+
 } // namespace pw85
 
 #include <pw85/closest_approach.hpp>
 #include <pw85/contact.hpp>
+#include <pw85/distance.hpp>
+#include <pw85/distance_derivatives.hpp>
 #include <pw85/forms.hpp>
 #include <pw85/geometry.hpp>
 #include <pw85/overlap.hpp>

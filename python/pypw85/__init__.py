@@ -40,6 +40,7 @@ from ._contact import (
 )
 from ._conversions import from_gsd, from_lammps, from_ovito
 from ._core import strerror, version
+from ._distance import distance, distance_2d, distance_derivatives
 from ._errors import PW85Error, Status, bad_rows
 from ._forms import ellipse, ellipsoid, ellipsoid_quaternion, full, packed, principal_axes, spheroid
 from ._pairs import contact_pairs, overlap_pairs
@@ -60,6 +61,9 @@ __all__ = [
     "contact_gradient",
     "contact_pairs",
     "contact_torque",
+    "distance",
+    "distance_2d",
+    "distance_derivatives",
     "ellipse",
     "ellipsoid",
     "ellipsoid_quaternion",

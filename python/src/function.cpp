@@ -91,6 +91,16 @@ int contact_torque(double const *const *in, double *const *out)
     return pw85_contact_torque(in[0], in[1], in[2], *in[3], out[0], out[1]);
 }
 
+template <auto function> int distance_and_points(double const *const *in, double *const *out)
+{
+    return function(in[0], in[1], in[2], out[0], out[1], out[2]);
+}
+
+int distance_derivatives(double const *const *in, double *const *out)
+{
+    return pw85_distance_derivatives(in[0], in[1], in[2], out[0], out[1], out[2], out[3]);
+}
+
 int cholesky_decomp(double const *const *in, double *const *out)
 {
     pw85__cholesky_decomp(in[0], out[0]);
@@ -171,6 +181,9 @@ std::vector<Function> &functions()
         {"contact_torque", "(3),(6),(6),()->(3),(3)", contact_torque},
         {"overlap", "(3),(6),(6)->()", overlap, true},
         {"closest_approach", "(3),(6),(6)->()", distance_result<pw85_closest_approach>},
+        {"distance", "(3),(6),(6)->(),(3),(3)", distance_and_points<pw85_distance>},
+        {"distance_derivatives", "(3),(6),(6)->(3),(3),(3),(9,9)", distance_derivatives},
+        {"distance_2d", "(2),(3),(3)->(),(2),(2)", distance_and_points<pw85_distance_2d>},
         {"contact_2d", "(2),(3),(3)->(),()", pair_result<pw85_contact_2d>},
         {"closest_approach_2d", "(2),(3),(3)->()", distance_result<pw85_closest_approach_2d>},
         {"zheng_ellipses", "(2),(3),(3)->()", distance_result<pw85_zheng_ellipses>},

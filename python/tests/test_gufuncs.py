@@ -24,6 +24,9 @@ SIGNATURES = {
     "contact_torque": "(3),(6),(6),()->(3),(3)",
     "overlap": "(3),(6),(6)->()",
     "closest_approach": "(3),(6),(6)->()",
+    "distance": "(3),(6),(6)->(),(3),(3)",
+    "distance_derivatives": "(3),(6),(6)->(3),(3),(3),(9,9)",
+    "distance_2d": "(2),(3),(3)->(),(2),(2)",
     "contact_2d": "(2),(3),(3)->(),()",
     "closest_approach_2d": "(2),(3),(3)->()",
     "zheng_ellipses": "(2),(3),(3)->()",
@@ -58,6 +61,8 @@ def arguments(name, leading, rng):
         if shape == (3, 3):
             values = np.broadcast_to(np.eye(3)[[1, 2, 0]], leading + (3, 3)).copy()
         args.append(values)
+    if name.startswith("distance"):
+        args[0] += 3  # apart
     return args
 
 
