@@ -36,6 +36,8 @@ inline constexpr Function functions[] = {
      [](BenchPair const &x, Sink &s) { pw85_contact_torque(PW85_BENCH_PAIR(x), x.lambda, s.a, s.b); }},
     {"closest_approach", [](BenchPair const &x, Sink &s) { pw85_closest_approach(PW85_BENCH_PAIR(x), s.a); }},
     {"distance", [](BenchPair const &x, Sink &s) { pw85_distance(PW85_BENCH_PAIR(x), s.a, s.b, s.c); }},
+    {"distance_plane", [](BenchPair const &x,
+                          Sink &s) { pw85_distance_plane(x.pair.r12.coordinates, 1.0, x.pair.q1.entries, s.a, s.b); }},
     {"contact_2d",
      [](BenchPair const &x, Sink &s) {
          // The lower right blocks of the forms are forms of ellipses.

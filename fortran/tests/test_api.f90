@@ -24,6 +24,7 @@ program test_api
   call test_derivatives
   call test_distances
   call test_surfaces
+  call test_walls
   call test_batch
   call test_pairs
   call test_building_blocks
@@ -164,6 +165,34 @@ contains
     status = pw85_distance(0 * r12, q1, q2, gap)
     call check(status == pw85_success .and. gap == 0, 'distance of an overlap')
   end subroutine test_surfaces
+
+  subroutine test_walls
+    real(c_double), parameter :: q(6) = [4.0_c_double, 0.0_c_double, 0.0_c_double, 1.0_c_double, 0.0_c_double, 1.0_c_double]
+    real(c_double), parameter :: x(3) = [3.0_c_double, 0.0_c_double, 0.0_c_double]
+    real(c_double), parameter :: z(3) = [0.0_c_double, 0.0_c_double, 2.0_c_double]
+    real(c_double) :: gap, point(3), normal(3), turn(3), t(2)
+    integer :: status
+    status = pw85_distance_plane(x, 15.0_c_double, q, gap, point)
+    call check(status == pw85_success .and. close(gap, 3.0_c_double) .and. close(point(1), 2.0_c_double), 'distance_plane')
+    status = pw85_distance_plane_derivatives(x, q, normal, turn)
+    call check(status == pw85_success .and. close(normal(1), -1.0_c_double) .and. all(turn == 0), &
+      'distance_plane_derivatives')
+    status = pw85_contact_plane(x, 15.0_c_double, q, gap, point)
+    call check(status == pw85_success .and. close(gap, 6.25_c_double) .and. close(point(1), 5.0_c_double), 'contact_plane')
+    status = pw85_distance_box(-x - z - 2, x + z + 3, q, gap, point, normal)
+    call check(status == pw85_success .and. close(gap, 1.0_c_double) .and. close(point(2), -1.0_c_double) &
+      .and. close(normal(2), -1.0_c_double), 'distance_box')
+    status = pw85_distance_cylinder(z, 5.0_c_double, x, q, gap, point, normal)
+    call check(status == pw85_success .and. close(gap, 0.0_c_double) .and. close(normal(1), 1.0_c_double), &
+      'distance_cylinder')
+    status = pw85_distance_point(x, q, gap, point, normal)
+    call check(status == pw85_success .and. close(gap, 1.0_c_double) .and. close(point(1), 2.0_c_double), 'distance_point')
+    status = pw85_distance_point(0 * x, q, gap)
+    call check(status == pw85_success .and. close(gap, -1.0_c_double), 'distance_point, inside')
+    status = pw85_intersect_line(-x, x, q, t)
+    call check(status == pw85_success .and. close(t(1), 1.0_c_double / 3) .and. close(t(2), 5.0_c_double / 3), &
+      'intersect_line')
+  end subroutine test_walls
 
   subroutine test_batch
     integer(c_size_t), parameter :: n = 3

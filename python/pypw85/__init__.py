@@ -45,6 +45,15 @@ from ._errors import PW85Error, Status, bad_rows
 from ._forms import ellipse, ellipsoid, ellipsoid_quaternion, full, packed, principal_axes, spheroid
 from ._pairs import contact_pairs, overlap_pairs
 from ._plotting import plot
+from ._walls import (
+    contact_plane,
+    distance_box,
+    distance_cylinder,
+    distance_plane,
+    distance_plane_derivatives,
+    distance_point,
+    intersect_line,
+)
 
 __version__ = version()
 
@@ -60,10 +69,16 @@ __all__ = [
     "contact_geometry",
     "contact_gradient",
     "contact_pairs",
+    "contact_plane",
     "contact_torque",
     "distance",
     "distance_2d",
+    "distance_box",
+    "distance_cylinder",
     "distance_derivatives",
+    "distance_plane",
+    "distance_plane_derivatives",
+    "distance_point",
     "ellipse",
     "ellipsoid",
     "ellipsoid_quaternion",
@@ -73,6 +88,7 @@ __all__ = [
     "from_ovito",
     "full",
     "gufuncs",
+    "intersect_line",
     "legacy",
     "overlap",
     "overlap_pairs",
