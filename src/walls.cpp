@@ -25,9 +25,8 @@ SurfaceDistance<double, 3> null_pointer() noexcept { return no_surface_distance<
 
 int pw85_distance_plane(double const normal[3], double offset, double const q[6], double *distance, double point[3])
 {
-    auto d = null_pointer();
-    if (!any_null(normal, q)) d = distance_plane(load_vector<3>(normal), offset, load_matrix<3>(q));
-    return store_distance(d, distance, point, nullptr);
+    if (any_null(normal, q)) return store_distance(null_pointer(), distance, point, nullptr);
+    return store_distance(distance_plane(load_vector<3>(normal), offset, load_matrix<3>(q)), distance, point, nullptr);
 }
 
 int pw85_distance_plane_derivatives(double const normal[3], double const q[6], double d_center[3], double d_rot[3])
@@ -59,25 +58,23 @@ int pw85_contact_plane(double const normal[3], double offset, double const q[6],
 int pw85_distance_box(double const lower[3], double const upper[3], double const q[6], double *distance,
                       double point[3], double normal[3])
 {
-    auto d = null_pointer();
-    if (!any_null(lower, upper, q)) d = distance_box(load_vector<3>(lower), load_vector<3>(upper), load_matrix<3>(q));
-    return store_distance(d, distance, point, normal);
+    if (any_null(lower, upper, q)) return store_distance(null_pointer(), distance, point, normal);
+    return store_distance(distance_box(load_vector<3>(lower), load_vector<3>(upper), load_matrix<3>(q)), distance,
+                          point, normal);
 }
 
 int pw85_distance_cylinder(double const axis[3], double radius, double const center[3], double const q[6],
                            double *distance, double point[3], double normal[3])
 {
-    auto d = null_pointer();
-    if (!any_null(axis, center, q))
-        d = distance_cylinder(load_vector<3>(axis), radius, load_vector<3>(center), load_matrix<3>(q));
-    return store_distance(d, distance, point, normal);
+    if (any_null(axis, center, q)) return store_distance(null_pointer(), distance, point, normal);
+    return store_distance(distance_cylinder(load_vector<3>(axis), radius, load_vector<3>(center), load_matrix<3>(q)),
+                          distance, point, normal);
 }
 
 int pw85_distance_point(double const r[3], double const q[6], double *distance, double point[3], double normal[3])
 {
-    auto d = null_pointer();
-    if (!any_null(r, q)) d = distance_point(load_vector<3>(r), load_matrix<3>(q));
-    return store_distance(d, distance, point, normal);
+    if (any_null(r, q)) return store_distance(null_pointer(), distance, point, normal);
+    return store_distance(distance_point(load_vector<3>(r), load_matrix<3>(q)), distance, point, normal);
 }
 
 int pw85_intersect_line(double const origin[3], double const direction[3], double const q[6], double t[2])

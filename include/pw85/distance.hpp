@@ -155,20 +155,8 @@ template <class T, int D> static inline Multipliers<T> initial_multipliers(Dista
     return {a / b, a * maximum(T(0), width)};
 }
 
-/// The sum of `next` and what the rounding errors of u = det(M) M⁻¹r12 leave to be corrected.
-template <class T, int D>
-static inline Vector<T, D> refined(DistancePair<T, D> const &pair, SymmetricMatrix<T, D> const &m,
-                                   Adjugate<T, D> const &inverse, Vector<T, D> next, Vector<T, D> const &u) noexcept
-{
-    Vector<T, D> w = product(m, times(T(T(1) / inverse.scale), u));
-    for (int k = 0; k < D; ++k) w[k] = pair.r12[k] - w[k];
-    w = solve(inverse, w);
-    for (int k = 0; k < D; ++k) next[k] = next[k] + w[k];
-    return next;
-}
-
 /// A vector along the normal by item 2; false if 6 evaluations are not enough or a step goes far, which is rare up to aspect
-/// ratios of 10.
+/// ratios of 10, or where the error of the adjugate would count even squared.
 template <class T, int D>
 static inline bool find_normal(DistancePair<T, D> const &pair, Multipliers<T> x, Vector<T, D> &u) noexcept
 {
@@ -176,11 +164,11 @@ static inline bool find_normal(DistancePair<T, D> const &pair, Multipliers<T> x,
         auto const m = normal_matrix(pair, x);
         Adjugate<T, D> inverse{adjugate(m), T(0)};
         inverse.scale = determinant(m, inverse.entries);
-        if (!(inverse.scale > T(0x1p-20) * diagonal_product(m))) return false;
+        if (!(inverse.scale > fine_conditioning<T>() * diagonal_product(m))) return false;
         auto const jet = evaluate_normal(pair, inverse);
         Multipliers<T> const step = newton_step(jet, x);
         if (is_last(pair, jet, x, step)) {
-            u = refined(pair, m, inverse, advance(jet, step), jet.u);
+            u = advance(jet, step);
             return true;
         }
         T const ratio = x.ratio + jet.scale * step.ratio;

@@ -34,14 +34,20 @@ template <class T, int D> static inline SurfaceDistance<T, D> no_surface_distanc
     return result;
 }
 
-/// Status of a single form.
-template <class T, int D> static inline Status check_form(SymmetricMatrix<T, D> const &q) noexcept
+/// check_form() where products do not show that a form is valid.
+template <class T, int D>
+[[gnu::noinline]] static inline Status check_hard_form(SymmetricMatrix<T, D> const &q) noexcept
 {
     if (!is_finite(q)) return Status::invalid_argument;
     if (!has_positive_diagonal(q)) return Status::not_positive_definite;
-    if (is_clearly_definite(q)) return Status::success;
     auto const scaled = times_power_of_two(q, -2 * half_exponent(largest_diagonal(q)));
     return is_positive_definite(scaled) ? Status::success : Status::not_positive_definite;
+}
+
+/// Status of a single form.
+template <class T, int D> static inline Status check_form(SymmetricMatrix<T, D> const &q) noexcept
+{
+    return is_clearly_definite(q) ? Status::success : check_hard_form(q);
 }
 
 /// The squares of the semi-axes, positive, and their directions as columns.

@@ -21,7 +21,7 @@ template <class T, int D> struct PlaneContact {
     Status status;
 };
 
-/// A wall in units of its own: n·x >= offset with a normal whose largest coordinate is one.
+/// A wall in units of its own: n·x >= offset with a normal whose largest coordinate is of order one.
 template <class T, int D> struct Wall {
     Vector<T, D> normal;
     T offset;
@@ -31,14 +31,16 @@ template <class T, int D> struct Wall {
 template <class T, int D>
 static inline Wall<T, D> normalize_wall(Vector<T, D> normal, T const &offset, SymmetricMatrix<T, D> const &q) noexcept
 {
+    Status const status = offset * T(0) == T(0) ? check_form(q) : Status::invalid_argument;
+    if (is_in_range(sum_of_magnitudes(normal), T(1), T(1))) return {normal, offset, status};
     T const largest = largest_coordinate(normal);
-    bool const valid = is_finite(normal) && largest > T(0) && offset * T(0) == T(0);
+    bool const valid = is_finite(normal) && largest > T(0);
     for (int i = 0; i < D; ++i) normal[i] = normal[i] / largest;
-    return {normal, offset / largest, valid ? check_form(q) : Status::invalid_argument};
+    return {normal, offset / largest, valid ? status : Status::invalid_argument};
 }
 
 /// Distance from an ellipsoid with its centre at 0 to the half-space normal·x >= offset; `normal` of any length > 0.
-template <class T, int D> static inline SurfaceDistance<T, D>
+template <class T, int D> [[gnu::always_inline]] static inline SurfaceDistance<T, D>
 distance_plane(Vector<T, D> const &normal, T const &offset, SymmetricMatrix<T, D> const &q) noexcept
 {
     Wall<T, D> const wall = normalize_wall(normal, offset, q);
@@ -81,18 +83,19 @@ distance_box(Vector<T, D> const &lower, Vector<T, D> const &upper, SymmetricMatr
     bool valid = is_finite(lower) && is_finite(upper);
     for (int i = 0; i < D; ++i) valid = valid && lower[i] <= upper[i];
     Status const status = valid ? check_form(q) : Status::invalid_argument;
-    auto result = no_surface_distance<T, D>(status);
-    for (int i = 0; status == Status::success && i < D; ++i) {
-        T const extent = square_root(q(i, i)), nearer = minimum(upper[i], T(-lower[i])) - extent;
-        if (i > 0 && !(nearer < result.distance)) continue;
-        T const side = upper[i] <= -lower[i] ? T(1) : T(-1);
-        result.distance = nearer;
-        for (int k = 0; k < D; ++k) {
-            result.point[k] = side * q(i, k) / extent;
-            result.normal[k] = i == k ? side : T(0);
-        }
+    if (status != Status::success) return no_surface_distance<T, D>(status);
+    int nearest = 0;
+    T distance = std::numeric_limits<T>::infinity();
+    for (int i = 0; i < D; ++i) {
+        T const clearance = minimum(upper[i], T(-lower[i])) - square_root(q(i, i));
+        nearest = clearance < distance ? i : nearest;
+        distance = minimum(distance, clearance);
     }
-    return result;
+    Vector<T, D> normal{}, point{};
+    normal[nearest] = upper[nearest] <= -lower[nearest] ? T(1) : T(-1);
+    T const factor = normal[nearest] / square_root(q(nearest, nearest));
+    for (int k = 0; k < D; ++k) point[k] = factor * q(nearest, k);
+    return {distance, point, normal, Status::success};
 }
 
 /// Two unit vectors that make a right-handed basis with the unit vector `axis`.
