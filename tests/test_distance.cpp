@@ -467,11 +467,29 @@ void test_derivatives_in_double()
     }
 }
 
+// So far apart that the ellipsoids are points, and out of the range of the contract: still no garbage.
+void test_far_apart()
+{
+    Sample<double, 3> const p{{0.0, 0x1p-508, 0x1p823},
+                              {0x1p615, 0.0, 0x1p438, 0x1p438, 0.0, 0x1p438},
+                              {0x1p438, 0.0, 0.0, 0x1.1p438, 0x1p438, 0x1p438}};
+    auto const d = c_distance(p);
+    g_assert_cmpfloat(d.distance, ==, 0x1p823);
+    assert_close(d.point1[2], 0x1p219, 0x1p167);
+    double normal[3], hessian[81];
+    g_assert_cmpint(
+        pw85_distance_derivatives(p.r12.coordinates, p.q1.entries, p.q2.entries, normal, nullptr, nullptr, hessian), ==,
+        PW85_SUCCESS);
+    g_assert_cmpfloat(normal[2], ==, 1.0);
+    for (double const x : hessian) g_assert_true(std::isfinite(x));
+}
+
 void test_statuses()
 {
     double const nan = std::numeric_limits<double>::quiet_NaN();
     double const r12[3] = {9.0, 0.0, 0.0}, zero[3] = {0.0, 0.0, 0.0}, bad_r12[3] = {9.0, nan, 0.0};
     double const q[6] = {1.0, 0.0, 0.0, 1.0, 0.0, 1.0}, bad[6] = {1.0, 2.0, 0.0, 1.0, 0.0, 1.0};
+    double const ones[2] = {1.0, 1.0};
     auto const expect = [](double const *r, double const *q1, double const *q2, int expected, bool empty) {
         double out[90] = {}, distance = 1.0, point1[3] = {}, point2[3] = {};
         g_assert_cmpint(pw85_distance(r, q1, q2, &distance, point1, point2), ==, expected);
@@ -490,6 +508,10 @@ void test_statuses()
     expect(nullptr, q, q, PW85_EINVAL, true);
     expect(r12, nullptr, q, PW85_EINVAL, true);
     expect(r12, q, nullptr, PW85_EINVAL, true);
+    double distance = 1.0, points[4] = {};
+    double const circle[3] = {1.0, 0.0, 1.0};
+    g_assert_cmpint(pw85_distance_2d(ones, circle, circle, &distance, points, points + 2), ==, PW85_SUCCESS);
+    g_assert_true(distance == 0.0 && all_nan(points, 4));
 }
 
 } // namespace
@@ -512,6 +534,7 @@ int main(int argc, char **argv)
     g_test_add_func("/distance/invariance", test_invariance);
     g_test_add_func("/distance/extreme/sizes", test_extreme_sizes);
     g_test_add_func("/distance/extreme/shapes", test_extreme_shapes);
+    g_test_add_func("/distance/extreme/far_apart", test_far_apart);
     g_test_add_func("/distance/scalars", test_scalars);
     g_test_add_func("/distance/derivatives/differences", test_derivatives_by_differences);
     g_test_add_func("/distance/derivatives/double", test_derivatives_in_double);

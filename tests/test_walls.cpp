@@ -389,6 +389,18 @@ bool all_nan(double const *x, int count)
     return true;
 }
 
+// As far away as doubles reach, in units of the ellipsoid: along r, with the half-width that it has there.
+void test_point_far_away()
+{
+    double const r[3] = {0x1p900, 0x1p900, 0.0}, q[6] = {0x1p-1000, 0.0, 0.0, 0x1p-998, 0.0, 0x1p-1002};
+    double d, point[3], normal[3];
+    g_assert_cmpint(pw85_distance_point(r, q, &d, point, normal), ==, PW85_SUCCESS);
+    assert_close(d / 0x1p900, std::sqrt(2.0), 8 * u);
+    for (int i = 0; i < 3; ++i) assert_close(normal[i], i < 2 ? std::sqrt(0.5) : 0.0, 4 * u);
+    assert_close(point[0] * 0x1p500, std::sqrt(0.2), 8 * u);
+    assert_close(point[1] * 0x1p500, std::sqrt(3.2), 8 * u);
+}
+
 /// Every function of one ellipsoid; `out` is 7 numbers, of which `count` are written.
 struct Function {
     int count;
@@ -421,7 +433,7 @@ void test_statuses()
 {
     double const x[3] = {1.0, 1.0, 1.0}, bad_x[3] = {1.0, nan, 1.0}, infinite[3] = {1.0, 1.0, HUGE_VAL};
     double const q[6] = {4.0, 0.5, 0.0, 3.0, 0.0, 2.0}, bad_q[6] = {4.0, nan, 0.0, 3.0, 0.0, 2.0};
-    double const flat[6] = {1.0, 2.0, 0.0, 1.0, 0.0, 1.0}, negative[6] = {1.0, 0.0, 0.0, -1.0, 0.0, 1.0};
+    double const flat[6] = {1.0, 2.0, 0.0, 1.0, 0.0, 1.0}, negative[6] = {1.0, 0.0, 0.0, -1.0, 0.0, 1.0}, none[6] = {};
     for (auto const &f : functions) {
         expect(f, x, q, PW85_SUCCESS);
         expect(f, bad_x, q, PW85_EINVAL);
@@ -431,6 +443,7 @@ void test_statuses()
         expect(f, x, nullptr, PW85_EINVAL);
         expect(f, x, flat, PW85_ENOTPD);
         expect(f, x, negative, PW85_ENOTPD);
+        expect(f, x, none, PW85_ENOTPD);
     }
     double const zero[3] = {0.0, 0.0, 0.0};
     for (int i : {0, 1, 2, 5, 9}) expect(functions[i], zero, q, PW85_EINVAL);
@@ -485,6 +498,7 @@ int main(int argc, char **argv)
     g_test_add_func("/walls/point/optimality", test_point_optimality);
     g_test_add_func("/walls/point/rounding_errors", test_point_rounding_errors);
     g_test_add_func("/walls/point/by_hand", test_point_by_hand);
+    g_test_add_func("/walls/point/far_away", test_point_far_away);
     g_test_add_func("/walls/line", test_line);
     g_test_add_func("/walls/line/by_hand", test_line_by_hand);
     g_test_add_func("/walls/statuses", test_statuses);

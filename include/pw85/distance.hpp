@@ -254,7 +254,11 @@ template <class T, int D> static inline Distance<T, D> distance_in_range(Distanc
 {
     Multipliers<T> const start = initial_multipliers(pair);
     Vector<T, D> u;
-    if (!find_normal(pair, start, u)) u = search_normal(pair, start.ratio);
+    // Semi-axes are below √12 of their units, so that n is within 7 scales of the direction of r12: rounding.
+    if (maximum(pair.scale1, pair.scale2) <= T(0.125) * unit_roundoff<T>())
+        u = pair.r12;
+    else if (!find_normal(pair, start, u))
+        u = search_normal(pair, start.ratio);
     T const norm = T(1) / square_root(dot(u, u));
     Support<T, D> const s1 = support(pair.q1, u), s2 = support(pair.q2, u);
     T const width = norm * (dot(u, pair.r12) - pair.scale1 * s1.extent - pair.scale2 * s2.extent);

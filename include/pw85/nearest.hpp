@@ -114,13 +114,23 @@ template <class T, int D> static inline T secular_root(T const (&gaps)[D], T con
     return sigma;
 }
 
+/// The exponent of the unit of length in which r is given to an ellipsoid with that of its own: larger only where r is so far
+/// away that its distance makes no difference to directions.
+template <class T, int D> static inline int point_exponent(Vector<T, D> const &r, int exponent) noexcept
+{
+    T const largest = largest_coordinate(r);
+    if (!(largest > T(0))) return exponent;
+    int const least = binary_exponent(largest) - std::numeric_limits<T>::max_exponent / 2;
+    return exponent < least ? least : exponent;
+}
+
 /// The unit normal at the nearest or the farthest point of a valid ellipsoid from r.
 template <class T, int D>
 static inline Vector<T, D> extreme_normal(SymmetricMatrix<T, D> const &q, Vector<T, D> const &r, bool nearest) noexcept
 {
     int const exponent = half_exponent(largest_diagonal(q));
     PrincipalAxes<T, D> const p = principal_axes(times_power_of_two(q, -2 * exponent));
-    Vector<T, D> const x = times_power_of_two(r, -exponent);
+    Vector<T, D> const x = times_power_of_two(r, -point_exponent(r, exponent));
     int last = 0;
     for (int i = 1; i < D; ++i)
         if (nearest ? p.squares[i] < p.squares[last] : p.squares[i] > p.squares[last]) last = i;
