@@ -456,6 +456,17 @@ void test_statuses()
         g_assert_cmpint(pw85_distance_plane(x, offset, q, out, out + 1), ==, PW85_EINVAL);
 }
 
+// μ beyond the range of double is infinity, and no coordinate is NaN.
+void test_plane_out_of_range()
+{
+    double const normal[3] = {0x1p-950, 0.0, 0.0}, q[6] = {4.0, 0.0, 0.0, 3.0, 0.0, 2.0};
+    double mu2, point[3];
+    g_assert_cmpint(pw85_contact_plane(normal, 0x1p600, q, &mu2, point), ==, PW85_SUCCESS);
+    g_assert_cmpfloat(mu2, ==, HUGE_VAL);
+    g_assert_cmpfloat(point[0], ==, HUGE_VAL);
+    g_assert_true(point[1] == 0.0 && point[2] == 0.0);
+}
+
 void test_null_outputs()
 {
     double const x[3] = {1.0, 1.0, 1.0}, q[6] = {4.0, 0.5, 0.0, 3.0, 0.0, 2.0};
@@ -492,6 +503,7 @@ int main(int argc, char **argv)
     g_test_init(&argc, &argv, nullptr);
     g_test_add_func("/walls/plane", test_plane);
     g_test_add_func("/walls/plane/derivatives", test_plane_derivatives);
+    g_test_add_func("/walls/plane/out_of_range", test_plane_out_of_range);
     g_test_add_func("/walls/box", test_box);
     g_test_add_func("/walls/cylinder", test_cylinder);
     g_test_add_func("/walls/cylinder/by_hand", test_cylinder_by_hand);

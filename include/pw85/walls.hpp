@@ -70,9 +70,13 @@ template <class T, int D> static inline PlaneContact<T, D> contact_plane(Vector<
 {
     Wall<T, D> const wall = normalize_wall(normal, offset, q);
     Support<T, D> const s = support(q, wall.normal);
-    T const mu = wall.status == Status::success ? maximum(T(0), T(wall.offset / s.extent)) : quiet_nan<T>();
+    // Where μ leaves the range of T, its products with zeros of the point must not be NaN.
+    T const mu = minimum(std::numeric_limits<T>::max(), maximum(T(0), T(wall.offset / s.extent)));
     PlaneContact<T, D> result{mu * mu, times(mu, s.point), wall.status};
-    if (wall.status != Status::success) result.point = times(quiet_nan<T>(), wall.normal);
+    if (wall.status != Status::success) {
+        result.mu2 = quiet_nan<T>();
+        result.point = times(quiet_nan<T>(), wall.normal);
+    }
     return result;
 }
 
