@@ -45,6 +45,8 @@ def test_wide_types(expected, dtype):
     np.testing.assert_array_equal(pypw85.from_lammps(abs(wide[0]), [1, 0, 0, 0]),
                                   pypw85.from_lammps(abs(pairs[0]), [1, 0, 0, 0]))
     np.testing.assert_array_equal(pypw85.principal_axes(wide[1])[0], pypw85.principal_axes(pairs[1])[0])
+    assert_equal_arrays(pypw85.distance(*wide), pypw85.distance(*pairs))
+    assert_equal_arrays(pypw85.distance_point(*wide[:2]), pypw85.distance_point(*pairs[:2]))
     np.testing.assert_array_equal(legacy._detQ_as_poly(*wide[1:]), legacy._detQ_as_poly(*pairs[1:]))
 
 
