@@ -437,8 +437,8 @@ PW85_API int pw85_contact_pairs(size_t num_pairs, int32_t const *pairs, int32_t 
 PW85_API int pw85_overlap_pairs(size_t num_pairs, int32_t const *pairs, int32_t const *images, size_t num_particles,
                                 double const *centers, double const *q, double const *cell, unsigned char *overlap);
 
-/** pw85_contact_derivatives_batch() for the pairs of a neighbour list: `point`, `normal`, `d_r12`, `d_rot1` and `d_rot2` as
- * there, num_pairs×3 or null; other arguments as for pw85_contact_pairs(). */
+/** pw85_contact_derivatives_batch() for the pairs of a neighbour list: `point`, `normal`, `d_r12`, `d_rot1` and `d_rot2`,
+ * num_pairs×3 or null, as for pw85_contact_derivatives_batch(); other arguments as for pw85_contact_pairs(). */
 PW85_API int pw85_contact_derivatives_pairs(size_t num_pairs, int32_t const *pairs, int32_t const *images,
                                             size_t num_particles, double const *centers, double const *q,
                                             double const *cell, double *mu2, double *lambda, double *point,
