@@ -34,6 +34,9 @@ inline constexpr Function functions[] = {
      [](Pair const &x, double l, Sink &s) { pw85_contact_gradient(PW85_BENCH_PAIR(x), l, s.a, s.b, s.c); }},
     {"contact_torque", [](Pair const &x, double l, Sink &s) { pw85_contact_torque(PW85_BENCH_PAIR(x), l, s.a, s.b); }},
     {"closest_approach", [](Pair const &x, double, Sink &s) { pw85_closest_approach(PW85_BENCH_PAIR(x), s.a); }},
+    {"distance", [](Pair const &x, double, Sink &s) { pw85_distance(PW85_BENCH_PAIR(x), s.a, s.b, s.c); }},
+    {"distance_plane",
+     [](Pair const &x, double, Sink &s) { pw85_distance_plane(x.r12.coordinates, 1.0, x.q1.entries, s.a, s.b); }},
     {"contact_2d",
      [](Pair const &x, double, Sink &s) {
          // The lower right blocks of the forms are forms of ellipses.

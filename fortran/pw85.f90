@@ -34,6 +34,9 @@ module pw85
   public :: pw85_spheroid, pw85_ellipsoid, pw85_ellipsoid_quaternion, pw85_ellipse
   public :: pw85_contact, pw85_contact_function, pw85_contact_geometry, pw85_contact_gradient, pw85_contact_torque
   public :: pw85_overlap, pw85_closest_approach, pw85_contact_2d, pw85_closest_approach_2d
+  public :: pw85_distance, pw85_distance_derivatives, pw85_distance_2d
+  public :: pw85_distance_plane, pw85_distance_plane_derivatives, pw85_contact_plane, pw85_distance_box
+  public :: pw85_distance_cylinder, pw85_distance_point, pw85_intersect_line
   public :: pw85_contact_batch, pw85_overlap_batch, pw85_contact_pairs, pw85_overlap_pairs
   public :: pw85_closest_approach_batch, pw85_contact_derivatives_batch, pw85_contact_derivatives_pairs, pw85_overlap_any
   public :: pw85_cell_reduce, pw85_nearest_image_limit, pw85_ellipsoid_quaternion_batch, pw85_bounding_boxes
@@ -162,6 +165,91 @@ module pw85
       real(c_double), intent(out) :: distance
       integer(c_int) :: status
     end function pw85_closest_approach_2d
+
+    function c_distance(r12, q1, q2, distance, point1, point2) result(status) bind(C, name='pw85_distance')
+      import :: c_double, c_int, c_ptr
+      real(c_double), intent(in) :: r12(3), q1(6), q2(6)
+      real(c_double), intent(out) :: distance
+      type(c_ptr), value :: point1, point2
+      integer(c_int) :: status
+    end function c_distance
+
+    function c_distance_derivatives(r12, q1, q2, d_r12, d_rot1, d_rot2, hessian) result(status) &
+        bind(C, name='pw85_distance_derivatives')
+      import :: c_double, c_int, c_ptr
+      real(c_double), intent(in) :: r12(3), q1(6), q2(6)
+      type(c_ptr), value :: d_r12, d_rot1, d_rot2, hessian
+      integer(c_int) :: status
+    end function c_distance_derivatives
+
+    function c_distance_2d(r12, q1, q2, distance, point1, point2) result(status) bind(C, name='pw85_distance_2d')
+      import :: c_double, c_int, c_ptr
+      real(c_double), intent(in) :: r12(2), q1(3), q2(3)
+      real(c_double), intent(out) :: distance
+      type(c_ptr), value :: point1, point2
+      integer(c_int) :: status
+    end function c_distance_2d
+
+    function c_distance_plane(normal, offset, q, distance, point) result(status) bind(C, name='pw85_distance_plane')
+      import :: c_double, c_int, c_ptr
+      real(c_double), intent(in) :: normal(3), q(6)
+      real(c_double), value :: offset
+      real(c_double), intent(out) :: distance
+      type(c_ptr), value :: point
+      integer(c_int) :: status
+    end function c_distance_plane
+
+    function c_distance_plane_derivatives(normal, q, d_center, d_rot) result(status) &
+        bind(C, name='pw85_distance_plane_derivatives')
+      import :: c_double, c_int, c_ptr
+      real(c_double), intent(in) :: normal(3), q(6)
+      type(c_ptr), value :: d_center, d_rot
+      integer(c_int) :: status
+    end function c_distance_plane_derivatives
+
+    function c_contact_plane(normal, offset, q, mu2, point) result(status) bind(C, name='pw85_contact_plane')
+      import :: c_double, c_int, c_ptr
+      real(c_double), intent(in) :: normal(3), q(6)
+      real(c_double), value :: offset
+      real(c_double), intent(out) :: mu2
+      type(c_ptr), value :: point
+      integer(c_int) :: status
+    end function c_contact_plane
+
+    function c_distance_box(lower, upper, q, distance, point, normal) result(status) &
+        bind(C, name='pw85_distance_box')
+      import :: c_double, c_int, c_ptr
+      real(c_double), intent(in) :: lower(3), upper(3), q(6)
+      real(c_double), intent(out) :: distance
+      type(c_ptr), value :: point, normal
+      integer(c_int) :: status
+    end function c_distance_box
+
+    function c_distance_cylinder(axis, radius, center, q, distance, point, normal) result(status) &
+        bind(C, name='pw85_distance_cylinder')
+      import :: c_double, c_int, c_ptr
+      real(c_double), intent(in) :: axis(3), center(3), q(6)
+      real(c_double), value :: radius
+      real(c_double), intent(out) :: distance
+      type(c_ptr), value :: point, normal
+      integer(c_int) :: status
+    end function c_distance_cylinder
+
+    function c_distance_point(r, q, distance, point, normal) result(status) bind(C, name='pw85_distance_point')
+      import :: c_double, c_int, c_ptr
+      real(c_double), intent(in) :: r(3), q(6)
+      real(c_double), intent(out) :: distance
+      type(c_ptr), value :: point, normal
+      integer(c_int) :: status
+    end function c_distance_point
+
+    !> The part t(1) <= t <= t(2) of the line origin + t*direction in an ellipsoid; NaN if it misses.
+    function pw85_intersect_line(origin, direction, q, t) result(status) bind(C, name='pw85_intersect_line')
+      import :: c_double, c_int
+      real(c_double), intent(in) :: origin(3), direction(3), q(6)
+      real(c_double), intent(out) :: t(2)
+      integer(c_int) :: status
+    end function pw85_intersect_line
 
     function c_contact_batch(n, r12, q1, q2, mu2, lambda) result(status) bind(C, name='pw85_contact_batch')
       import :: c_double, c_int, c_ptr, c_size_t
@@ -459,6 +547,85 @@ contains
     integer(c_int) :: status
     status = c_contact_torque(r12, q1, q2, lambda, address(d_rot1), address(d_rot2))
   end function pw85_contact_torque
+
+  !> Distance of the surfaces of two ellipsoids and their closest points, relative to centre 1; 0 and NaN if they overlap.
+  function pw85_distance(r12, q1, q2, distance, point1, point2) result(status)
+    real(c_double), intent(in) :: r12(3), q1(6), q2(6)
+    real(c_double), intent(out) :: distance
+    real(c_double), intent(out), optional, target :: point1(3), point2(3)
+    integer(c_int) :: status
+    status = c_distance(r12, q1, q2, distance, address(point1), address(point2))
+  end function pw85_distance
+
+  !> Derivatives of the distance with respect to r12, rotations of either ellipsoid, and all of these twice.
+  function pw85_distance_derivatives(r12, q1, q2, d_r12, d_rot1, d_rot2, hessian) result(status)
+    real(c_double), intent(in) :: r12(3), q1(6), q2(6)
+    real(c_double), intent(out), optional, target :: d_r12(3), d_rot1(3), d_rot2(3), hessian(9, 9)
+    integer(c_int) :: status
+    status = c_distance_derivatives(r12, q1, q2, address(d_r12), address(d_rot1), address(d_rot2), address(hessian))
+  end function pw85_distance_derivatives
+
+  !> Distance of two ellipses.
+  function pw85_distance_2d(r12, q1, q2, distance, point1, point2) result(status)
+    real(c_double), intent(in) :: r12(2), q1(3), q2(3)
+    real(c_double), intent(out) :: distance
+    real(c_double), intent(out), optional, target :: point1(2), point2(2)
+    integer(c_int) :: status
+    status = c_distance_2d(r12, q1, q2, distance, address(point1), address(point2))
+  end function pw85_distance_2d
+
+  !> Distance from an ellipsoid at 0 to the half-space normal.x >= offset; negative if they overlap.
+  function pw85_distance_plane(normal, offset, q, distance, point) result(status)
+    real(c_double), intent(in) :: normal(3), offset, q(6)
+    real(c_double), intent(out) :: distance
+    real(c_double), intent(out), optional, target :: point(3)
+    integer(c_int) :: status
+    status = c_distance_plane(normal, offset, q, distance, address(point))
+  end function pw85_distance_plane
+
+  !> Derivatives of the distance to a half-space with respect to the centre and to rotations about it.
+  function pw85_distance_plane_derivatives(normal, q, d_center, d_rot) result(status)
+    real(c_double), intent(in) :: normal(3), q(6)
+    real(c_double), intent(out), optional, target :: d_center(3), d_rot(3)
+    integer(c_int) :: status
+    status = c_distance_plane_derivatives(normal, q, address(d_center), address(d_rot))
+  end function pw85_distance_plane_derivatives
+
+  !> Contact function of an ellipsoid at 0 and the half-space normal.x >= offset.
+  function pw85_contact_plane(normal, offset, q, mu2, point) result(status)
+    real(c_double), intent(in) :: normal(3), offset, q(6)
+    real(c_double), intent(out) :: mu2
+    real(c_double), intent(out), optional, target :: point(3)
+    integer(c_int) :: status
+    status = c_contact_plane(normal, offset, q, mu2, address(point))
+  end function pw85_contact_plane
+
+  !> Distance from an ellipsoid at 0 to the nearest face of a box around it.
+  function pw85_distance_box(lower, upper, q, distance, point, normal) result(status)
+    real(c_double), intent(in) :: lower(3), upper(3), q(6)
+    real(c_double), intent(out) :: distance
+    real(c_double), intent(out), optional, target :: point(3), normal(3)
+    integer(c_int) :: status
+    status = c_distance_box(lower, upper, q, distance, address(point), address(normal))
+  end function pw85_distance_box
+
+  !> Distance from an ellipsoid to the wall of a cylinder around it, with its axis through 0.
+  function pw85_distance_cylinder(axis, radius, center, q, distance, point, normal) result(status)
+    real(c_double), intent(in) :: axis(3), radius, center(3), q(6)
+    real(c_double), intent(out) :: distance
+    real(c_double), intent(out), optional, target :: point(3), normal(3)
+    integer(c_int) :: status
+    status = c_distance_cylinder(axis, radius, center, q, distance, address(point), address(normal))
+  end function pw85_distance_cylinder
+
+  !> Distance from a point, relative to the centre, to the surface of an ellipsoid; negative inside.
+  function pw85_distance_point(r, q, distance, point, normal) result(status)
+    real(c_double), intent(in) :: r(3), q(6)
+    real(c_double), intent(out) :: distance
+    real(c_double), intent(out), optional, target :: point(3), normal(3)
+    integer(c_int) :: status
+    status = c_distance_point(r, q, distance, address(point), address(normal))
+  end function pw85_distance_point
 
   !> Contact function of n pairs.
   function pw85_contact_batch(n, r12, q1, q2, mu2, lambda) result(status)

@@ -77,6 +77,39 @@ void check_pair(Input const &in)
     if (overlap_status == PW85_SUCCESS ? overlap != 0 && overlap != 1 : overlap != -1) fail("overlap", in);
 }
 
+// Points and derivatives of a pair that overlaps are NaN.
+void check_distance(Input const &in)
+{
+    double distance, points[6], derivatives[90];
+    int overlap;
+    int const status = pw85_overlap(in.r12, in.q1, in.q2, &overlap);
+    if (pw85_distance(in.r12, in.q1, in.q2, &distance, points, points + 3) != status) fail("distance: status", in);
+    check("distance", in, status, &distance, 1);
+    if (distance < 0) fail("distance: negative", in);
+    bool const apart = status == PW85_SUCCESS && overlap == 0;
+    if (apart ? has_nan(points, 6) : !all_nan(points, 6)) fail("distance: points", in);
+    if (pw85_distance_derivatives(in.r12, in.q1, in.q2, derivatives, derivatives + 3, derivatives + 6,
+                                  derivatives + 9) != status)
+        fail("distance_derivatives: status", in);
+    if (apart ? has_nan(derivatives, 90) : !all_nan(derivatives, 90)) fail("distance_derivatives", in);
+    check("distance_2d", in, pw85_distance_2d(in.r12, in.q1, in.q2, &distance, points, points + 2), &distance, 1);
+}
+
+void check_walls(Input const &in)
+{
+    double out[7];
+    auto const *r = in.r12, *q = in.q1, *x = in.axes, *y = in.rotation;
+    check("distance_plane", in, pw85_distance_plane(r, in.lambda, q, out, out + 1), out, 4);
+    check("distance_plane_derivatives", in, pw85_distance_plane_derivatives(r, q, out, out + 3), out, 6);
+    check("contact_plane", in, pw85_contact_plane(r, in.lambda, q, out, out + 1), out, 4);
+    check("distance_box", in, pw85_distance_box(x, y, q, out, out + 1, out + 4), out, 7);
+    check("distance_cylinder", in, pw85_distance_cylinder(x, in.lambda, r, q, out, out + 1, out + 4), out, 7);
+    check("distance_point", in, pw85_distance_point(r, q, out, out + 1, out + 4), out, 7);
+    int const status = pw85_intersect_line(x, r, q, out);
+    if (std::isnan(out[0]) != std::isnan(out[1]) || out[0] > out[1]) fail("intersect_line", in);
+    if (status != PW85_SUCCESS && !all_nan(out, 2)) fail("intersect_line: status", in);
+}
+
 void check_batch(Input const &in)
 {
     double mu2[1], lambda[1];
@@ -147,6 +180,8 @@ extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const *data, std::size_t size
     }
     check_builders(in);
     check_pair(in);
+    check_distance(in);
+    check_walls(in);
     check_batch(in);
     check_building_blocks(in);
     return 0;

@@ -213,6 +213,132 @@ PW85_API int pw85_closest_approach_2d(double const direction[2], double const q1
                                       double *distance);
 
 /** @}
+ * @name Distance
+ * @{ */
+
+/** Distance of the surfaces of two ellipsoids, and the points where they are closest.
+ *
+ * The error of the distance is below 8 u Σ, with u = 2⁻⁵³ and Σ = Σ|n_i r12_i| + Σ|n_i q1_ij n_j|/(2α) + Σ|n_i q2_ij n_j|/(2β),
+ * the sums over all i and j: what entrywise rounding of the data may change it by is u Σ. Here n is the unit normal, and α
+ * and β are the half-widths of the ellipsoids along it. The answer can be checked without trust: any unit vector n gives a
+ * lower bound n·r12 - α - β of the distance, and any two points of the ellipsoids an upper one. `distance` is the lower
+ * bound of its normal (that of pw85_distance_derivatives()), and |point2 - point1| the upper one.
+ *
+ * @param r12,q1,q2 as for pw85_contact()
+ * @param[out] distance in the unit of r12; zero if the ellipsoids overlap, which is decided as in pw85_overlap(); may be null
+ * @param[out] point1,point2 the closest points of ellipsoids 1 and 2, both relative to the centre of ellipsoid 1; NaN if they
+ *        overlap, also on success; may be null
+ * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD */
+PW85_API int pw85_distance(double const r12[PW85_DIM], double const q1[PW85_SYM], double const q2[PW85_SYM],
+                           double *distance, double point1[PW85_DIM], double point2[PW85_DIM]);
+
+/** Derivatives of the distance of two ellipsoids that are apart; NaN if they overlap, also on success.
+ *
+ * @param r12,q1,q2 as for pw85_contact()
+ * @param[out] d_r12 with respect to r12: the unit vector normal to both surfaces at the closest points, out of ellipsoid 1
+ *        and into ellipsoid 2; may be null
+ * @param[out] d_rot1,d_rot2 with respect to rotations of ellipsoids 1 and 2 by small vectors about their own centres, per
+ *        radian; may be null
+ * @param[out] hessian 9×9, symmetric: second derivatives with respect to r12, rotation 1 and rotation 2, where the vector ω
+ *        stands for the rotation by |ω| about ω; may be null
+ * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD */
+PW85_API int pw85_distance_derivatives(double const r12[PW85_DIM], double const q1[PW85_SYM], double const q2[PW85_SYM],
+                                       double d_r12[PW85_DIM], double d_rot1[PW85_DIM], double d_rot2[PW85_DIM],
+                                       double hessian[81]);
+
+/** Distance of two ellipses; see pw85_distance(). */
+PW85_API int pw85_distance_2d(double const r12[2], double const q1[3], double const q2[3], double *distance,
+                              double point1[2], double point2[2]);
+
+/** @}
+ * @name Walls, points and lines
+ *
+ * One ellipsoid. The distance is the largest or smallest of n·x ∓ α over unit vectors n, with α the half-width of the
+ * ellipsoid along n, as said for each function; its error is below 8 u Σ, with Σ the sum of the magnitudes of the terms of
+ * n·x and of other lengths in it, and of Σ|n_i q_ij n_j|/(2α).
+ *
+ * The derivatives of a distance with respect to the position of the centre and to small rotations about it follow from the
+ * point and the normal: see pw85_distance_plane_derivatives().
+ * @{ */
+
+/** Distance from an ellipsoid with its centre at 0 to the half-space normal·x >= offset: (offset - α)/|normal|.
+ *
+ * @param normal into the half-space, of any length > 0
+ * @param offset in the unit of normal·x; negative if the centre is in the half-space
+ * @param q the form
+ * @param[out] distance in the unit of the semi-axes; negative if the two overlap: minus the depth; may be null
+ * @param[out] point of the ellipsoid that is nearest to the half-space, or deepest in it; may be null
+ * @return #PW85_SUCCESS, #PW85_EINVAL (also for a zero normal), #PW85_ENOTPD */
+PW85_API int pw85_distance_plane(double const normal[PW85_DIM], double offset, double const q[PW85_SYM],
+                                 double *distance, double point[PW85_DIM]);
+
+/** Derivatives of the distance to a half-space, which do not depend on its offset: -n and n × point, with n the unit normal.
+ *
+ * @param normal,q as for pw85_distance_plane()
+ * @param[out] d_center with respect to the position of the centre; may be null
+ * @param[out] d_rot with respect to small rotation vectors about the centre, per radian; may be null
+ * @return #PW85_SUCCESS, #PW85_EINVAL (also for a zero normal), #PW85_ENOTPD */
+PW85_API int pw85_distance_plane_derivatives(double const normal[PW85_DIM], double const q[PW85_SYM],
+                                             double d_center[PW85_DIM], double d_rot[PW85_DIM]);
+
+/** Contact function of an ellipsoid with its centre at 0 and the half-space normal·x >= offset.
+ *
+ * @param normal,offset,q as for pw85_distance_plane()
+ * @param[out] mu2 square of the factor by which the ellipsoid must be scaled to touch; 0 if the centre is in the half-space;
+ *             may be null
+ * @param[out] point where the scaled ellipsoid touches; may be null
+ * @return #PW85_SUCCESS, #PW85_EINVAL (also for a zero normal), #PW85_ENOTPD */
+PW85_API int pw85_contact_plane(double const normal[PW85_DIM], double offset, double const q[PW85_SYM], double *mu2,
+                                double point[PW85_DIM]);
+
+/** Distance from an ellipsoid with its centre at 0 to the nearest face of a box around it.
+ *
+ * @param lower,upper corners of the box, relative to the centre of the ellipsoid; lower <= upper
+ * @param q the form
+ * @param[out] distance negative if the ellipsoid is not inside of the box; may be null
+ * @param[out] point of the ellipsoid that is nearest to that face, or farthest beyond it; may be null
+ * @param[out] normal outward unit normal of that face; may be null
+ * @return #PW85_SUCCESS, #PW85_EINVAL (also for lower > upper), #PW85_ENOTPD */
+PW85_API int pw85_distance_box(double const lower[PW85_DIM], double const upper[PW85_DIM], double const q[PW85_SYM],
+                               double *distance, double point[PW85_DIM], double normal[PW85_DIM]);
+
+/** Distance from an ellipsoid to the wall of a cylinder of infinite length around it.
+ *
+ * @param axis direction of the axis, which goes through 0; of any length > 0
+ * @param radius of the cylinder, > 0
+ * @param center of the ellipsoid
+ * @param q the form
+ * @param[out] distance negative if the ellipsoid is not inside of the cylinder; may be null
+ * @param[out] point of the ellipsoid that is farthest from the axis, relative to its centre; may be null
+ * @param[out] normal outward unit normal of the wall there; may be null
+ * @return #PW85_SUCCESS, #PW85_EINVAL (also for a zero axis or a radius that is not positive), #PW85_ENOTPD */
+PW85_API int pw85_distance_cylinder(double const axis[PW85_DIM], double radius, double const center[PW85_DIM],
+                                    double const q[PW85_SYM], double *distance, double point[PW85_DIM],
+                                    double normal[PW85_DIM]);
+
+/** Distance from a point to the surface of an ellipsoid.
+ *
+ * @param r the point, relative to the centre of the ellipsoid
+ * @param q the form
+ * @param[out] distance negative if the point is inside; may be null
+ * @param[out] point of the surface that is nearest to r, relative to the centre; one of them if there are several; may be null
+ * @param[out] normal unit vector out of the ellipsoid at this point, the derivative of the distance; may be null
+ * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD */
+PW85_API int pw85_distance_point(double const r[PW85_DIM], double const q[PW85_SYM], double *distance,
+                                 double point[PW85_DIM], double normal[PW85_DIM]);
+
+/** The part t[0] <= t <= t[1] of the line origin + t·direction that is in an ellipsoid. A ray from the origin has t >= 0,
+ * the segment from the origin to origin + direction 0 <= t <= 1.
+ *
+ * @param origin of the line, relative to the centre of the ellipsoid
+ * @param direction of any length > 0
+ * @param q the form
+ * @param[out] t NaN if the line misses the ellipsoid, also on success
+ * @return #PW85_SUCCESS, #PW85_EINVAL (also for a zero direction), #PW85_ENOTPD */
+PW85_API int pw85_intersect_line(double const origin[PW85_DIM], double const direction[PW85_DIM],
+                                 double const q[PW85_SYM], double t[2]);
+
+/** @}
  * @name Many pairs
  *
  * Arrays are contiguous; row i belongs to pair i. A bad pair (NaN, infinity, a form that is not positive definite) is

@@ -24,7 +24,7 @@ using namespace pw85_tests;
 namespace {
 
 constexpr int exceptions = FE_INVALID | FE_DIVBYZERO | FE_OVERFLOW;
-using Results = std::array<double, 20>;
+using Results = std::array<double, 96>;
 
 /// A pair with what is asked of it.
 struct Question {
@@ -56,6 +56,16 @@ void call_f_neg(Question const &q, double *out)
     *out = pw85_f_neg(q.lambda, params);
 }
 
+void call_distance_box(Question const &q, double *out)
+{
+    double lower[3], upper[3];
+    for (int i = 0; i < 3; ++i) {
+        upper[i] = pw85::absolute(q.pair.r12[i]);
+        lower[i] = -upper[i];
+    }
+    pw85_distance_box(lower, upper, q.pair.q1.entries, out, out + 1, out + 4);
+}
+
 Function const functions[] = {
     PW85_FUNCTION(pw85_contact, PW85_PAIR, out),
     PW85_FUNCTION(pw85_contact_function, PW85_PAIR, out),
@@ -66,6 +76,17 @@ Function const functions[] = {
     PW85_FUNCTION(pw85_overlap, PW85_PAIR, reinterpret_cast<int *>(out)),
     PW85_FUNCTION(pw85_closest_approach, PW85_PAIR, out),
     PW85_FUNCTION(pw85_closest_approach_2d, PW85_PAIR, out),
+    PW85_FUNCTION(pw85_distance, PW85_PAIR, out, out + 1, out + 4),
+    PW85_FUNCTION(pw85_distance_derivatives, PW85_PAIR, out, out + 3, out + 6, out + 9),
+    PW85_FUNCTION(pw85_distance_2d, PW85_PAIR, out, out + 1, out + 3),
+    PW85_FUNCTION(pw85_distance_plane, q.pair.r12.coordinates, q.lambda, q.pair.q1.entries, out, out + 1),
+    PW85_FUNCTION(pw85_distance_plane_derivatives, q.pair.r12.coordinates, q.pair.q1.entries, out, out + 3),
+    PW85_FUNCTION(pw85_contact_plane, q.pair.r12.coordinates, q.lambda, q.pair.q1.entries, out, out + 1),
+    {"pw85_distance_box", call_distance_box},
+    PW85_FUNCTION(pw85_distance_cylinder, q.pair.q2.entries, 1.0, q.pair.r12.coordinates, q.pair.q1.entries, out,
+                  out + 1, out + 4),
+    PW85_FUNCTION(pw85_distance_point, q.pair.r12.coordinates, q.pair.q1.entries, out, out + 1, out + 4),
+    PW85_FUNCTION(pw85_intersect_line, q.pair.r12.coordinates, q.pair.q2.entries, q.pair.q1.entries, out),
     PW85_FUNCTION(pw85__cholesky_decomp, q.pair.q1.entries, out),
     PW85_FUNCTION(pw85__cholesky_solve, q.pair.q1.entries, q.pair.r12.coordinates, out),
     PW85_FUNCTION(pw85__residual, q.lambda, PW85_PAIR, out),

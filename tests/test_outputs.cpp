@@ -143,6 +143,48 @@ std::vector<Row> const single_pairs{
      [](auto const &in, auto &out) { pw85_zheng_ellipsoids(in.r12, in.q1, in.q2, at(out, 0)); }},
 };
 
+// Distances of pairs, and from one ellipsoid to walls and points.
+std::vector<Row> const distances{
+    {"pw85_distance",
+     {1, 3, 3},
+     [](auto const &in, auto &out) { pw85_distance(in.r12, in.q1, in.q2, at(out, 0), at(out, 1), at(out, 2)); }},
+    {"pw85_distance_derivatives",
+     {3, 3, 3, 81},
+     [](auto const &in, auto &out) {
+         pw85_distance_derivatives(in.r12, in.q1, in.q2, at(out, 0), at(out, 1), at(out, 2), at(out, 3));
+     }},
+    {"pw85_distance_2d",
+     {1, 2, 2},
+     [](auto const &in, auto &out) {
+         pw85_distance_2d(in.r12, in.q1 + 3, in.q2 + 3, at(out, 0), at(out, 1), at(out, 2));
+     }},
+    {"pw85_distance_plane",
+     {1, 3},
+     [](auto const &in, auto &out) { pw85_distance_plane(in.r12, 1.0, in.q1, at(out, 0), at(out, 1)); }},
+    {"pw85_distance_plane_derivatives",
+     {3, 3},
+     [](auto const &in, auto &out) { pw85_distance_plane_derivatives(in.r12, in.q1, at(out, 0), at(out, 1)); }},
+    {"pw85_contact_plane",
+     {1, 3},
+     [](auto const &in, auto &out) { pw85_contact_plane(in.r12, 1.0, in.q1, at(out, 0), at(out, 1)); }},
+    {"pw85_distance_box",
+     {1, 3, 3},
+     [](auto const &in, auto &out) {
+         pw85_distance_box(in.params, in.r12, in.q1, at(out, 0), at(out, 1), at(out, 2));
+     }},
+    {"pw85_distance_cylinder",
+     {1, 3, 3},
+     [](auto const &in, auto &out) {
+         pw85_distance_cylinder(axes, 4.0, in.r12, in.q1, at(out, 0), at(out, 1), at(out, 2));
+     }},
+    {"pw85_distance_point",
+     {1, 3, 3},
+     [](auto const &in, auto &out) { pw85_distance_point(in.r12, in.q1, at(out, 0), at(out, 1), at(out, 2)); }},
+    {"pw85_intersect_line",
+     {2},
+     [](auto const &in, auto &out) { pw85_intersect_line(in.r12, axes, in.q1, at(out, 0)); }},
+};
+
 std::vector<Row> const many_pairs{
     {"pw85_contact_batch",
      {n, n},
@@ -222,7 +264,7 @@ std::vector<Row> const superseded{
 std::vector<Row> all_rows()
 {
     std::vector<Row> rows;
-    for (auto const *part : {&single_forms, &single_pairs, &many_pairs, &superseded})
+    for (auto const *part : {&single_forms, &single_pairs, &distances, &many_pairs, &superseded})
         rows.insert(rows.end(), part->begin(), part->end());
     return rows;
 }

@@ -135,7 +135,7 @@ struct Case {
 };
 
 // What the functions return is the concern of other tests.
-double out[64];
+double out[96];
 int status, answer;
 
 std::vector<Case> cases_of_pairs()
@@ -185,6 +185,43 @@ std::vector<Case> cases_of_pairs()
          for_each_pair([](Numbers r, Numbers p, Numbers q) { status = pw85_zheng_ellipses(r, p + 3, q + 3, out); })},
         {"pw85_zheng_ellipsoids",
          for_each_pair([](Numbers r, Numbers p, Numbers q) { status = pw85_zheng_ellipsoids(r, p, q, out); })},
+    };
+}
+
+/// Distances of pairs, and from one ellipsoid to walls and points.
+std::vector<Case> cases_of_distances()
+{
+    using Numbers = double const *;
+    return {
+        {"pw85_distance", for_each_pair([](Numbers r, Numbers p, Numbers q) {
+             status = pw85_distance(r, p, q, out, out + 1, out + 4);
+         })},
+        {"pw85_distance_derivatives", for_each_pair([](Numbers r, Numbers p, Numbers q) {
+             status = pw85_distance_derivatives(r, p, q, out, out + 3, out + 6, out + 9);
+         })},
+        {"pw85_distance_2d", for_each_pair([](Numbers r, Numbers p, Numbers q) {
+             status = pw85_distance_2d(r, p + 3, q + 3, out, out + 1, out + 3);
+         })},
+        {"pw85_distance_plane",
+         for_each_pair([](Numbers r, Numbers p, Numbers) { status = pw85_distance_plane(r, 1.0, p, out, out + 1); })},
+        {"pw85_distance_plane_derivatives", for_each_pair([](Numbers r, Numbers p, Numbers) {
+             status = pw85_distance_plane_derivatives(r, p, out, out + 3);
+         })},
+        {"pw85_contact_plane",
+         for_each_pair([](Numbers r, Numbers p, Numbers) { status = pw85_contact_plane(r, 1.0, p, out, out + 1); })},
+        {"pw85_distance_box", for_each_pair([](Numbers r, Numbers p, Numbers) {
+             double const lower[3] = {-pw85::absolute(r[0]), -pw85::absolute(r[1]), -pw85::absolute(r[2])};
+             double const upper[3] = {-lower[0], -lower[1], -lower[2]};
+             status = pw85_distance_box(lower, upper, p, out, out + 1, out + 4);
+         })},
+        {"pw85_distance_cylinder", for_each_pair([](Numbers r, Numbers p, Numbers q) {
+             status = pw85_distance_cylinder(q, 4.0, r, p, out, out + 1, out + 4);
+         })},
+        {"pw85_distance_point", for_each_pair([](Numbers r, Numbers p, Numbers) {
+             status = pw85_distance_point(r, p, out, out + 1, out + 4);
+         })},
+        {"pw85_intersect_line",
+         for_each_pair([](Numbers r, Numbers p, Numbers q) { status = pw85_intersect_line(r, q, p, out); })},
     };
 }
 
@@ -295,6 +332,7 @@ void test_cases(std::vector<Case> const &cases)
 }
 
 void test_pairs() { test_cases(cases_of_pairs()); }
+void test_distances() { test_cases(cases_of_distances()); }
 void test_forms() { test_cases(cases_of_forms()); }
 void test_batches() { test_cases(cases_of_batches()); }
 void test_headers() { test_cases(cases_of_headers()); }
@@ -315,7 +353,7 @@ std::set<std::string> declared_in(char const *path)
 void test_all_are_here()
 {
     std::set<std::string> tested;
-    for (auto const &cases : {cases_of_pairs(), cases_of_forms(), cases_of_batches()})
+    for (auto const &cases : {cases_of_pairs(), cases_of_distances(), cases_of_forms(), cases_of_batches()})
         for (auto const &c : cases) tested.insert(c.function);
     std::size_t declared = 0;
     for (char const *header : {"pw85.h", "pw85_legacy.h", "pw85_zheng.h"})
@@ -332,6 +370,7 @@ int main(int argc, char **argv)
 {
     g_test_init(&argc, &argv, nullptr);
     g_test_add_func("/stack/pairs", test_pairs);
+    g_test_add_func("/stack/distances", test_distances);
     g_test_add_func("/stack/forms", test_forms);
     g_test_add_func("/stack/batches", test_batches);
     g_test_add_func("/stack/headers", test_headers);

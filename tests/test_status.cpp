@@ -54,6 +54,12 @@ std::vector<Function> const &functions()
          [](auto r, auto q1, auto q2, double, double *out) { return pw85_closest_approach(r, q1, q2, out); }},
         {"closest_approach_2d", 2, 1, false, true,
          [](auto r, auto q1, auto q2, double, double *out) { return pw85_closest_approach_2d(r, q1, q2, out); }},
+        {"distance", 3, 1, false, false,
+         [](auto r, auto q1, auto q2, double, double *out) { return pw85_distance(r, q1, q2, out, nullptr, nullptr); }},
+        {"distance_2d", 2, 1, false, false,
+         [](auto r, auto q1, auto q2, double, double *out) {
+             return pw85_distance_2d(r, q1, q2, out, nullptr, nullptr);
+         }},
         {"contact_geometry", 3, 6, true, true,
          [](auto r, auto q1, auto q2, double lambda, double *out) {
              return pw85_contact_geometry(r, q1, q2, lambda, out, out + 3);

@@ -20,7 +20,8 @@ REPEATED = [
 
 def number(source, place):
     path, pattern = place
-    found = re.findall(pattern, (source / path).read_text(encoding="utf-8"))
+    text = " ".join((source / path).read_text(encoding="utf-8").split())
+    found = re.findall(pattern, text)
     return found[0].replace(",", "") if len(found) == 1 else f"{len(found)} matches of {pattern} in {path}"
 
 

@@ -23,6 +23,8 @@ program test_api
   call test_contact
   call test_derivatives
   call test_distances
+  call test_surfaces
+  call test_walls
   call test_batch
   call test_pairs
   call test_building_blocks
@@ -140,6 +142,57 @@ contains
     status = pw85_zheng_ellipses(d, e1, e2, zheng)
     call check(status == pw85_success .and. close(zheng, distance), 'zheng_ellipses')
   end subroutine test_distances
+
+  subroutine test_surfaces
+    real(c_double) :: apart(3), gap, point1(3), point2(3), normal(3), torque1(3), torque2(3), hessian(9, 9), alone(3)
+    real(c_double) :: ellipse1(3), ellipse2(3), end1(2), end2(2)
+    integer :: status
+    apart = 4 * r12
+    status = pw85_distance(apart, q1, q2, gap, point1, point2)
+    call check(status == pw85_success .and. close(norm2(point2 - point1), gap), 'distance')
+    status = pw85_distance(apart, q1, q2, alone(1))
+    call check(status == pw85_success .and. alone(1) == gap, 'distance without points')
+    status = pw85_distance_derivatives(apart, q1, q2, normal, torque1, torque2, hessian)
+    call check(status == pw85_success .and. all(close(gap * normal, point2 - point1)), 'distance_derivatives')
+    call check(all(abs(matmul(hessian(1:3, 1:3), normal)) <= tolerance), 'distance_derivatives, hessian')
+    status = pw85_distance_derivatives(apart, q1, q2, d_rot2=alone)
+    call check(status == pw85_success .and. all(alone == torque2), 'distance_derivatives, one output')
+    status = pw85_ellipse(2.0_c_double, 1.0_c_double, 0.0_c_double, ellipse1)
+    status = pw85_ellipse(1.0_c_double, 3.0_c_double, 0.0_c_double, ellipse2)
+    status = pw85_distance_2d([7.0_c_double, 0.0_c_double], ellipse1, ellipse2, gap, end1, end2)
+    call check(status == pw85_success .and. close(gap, 4.0_c_double) .and. close(end1(1), 2.0_c_double) &
+      .and. close(end2(1), 6.0_c_double), 'distance_2d')
+    status = pw85_distance(0 * r12, q1, q2, gap)
+    call check(status == pw85_success .and. gap == 0, 'distance of an overlap')
+  end subroutine test_surfaces
+
+  subroutine test_walls
+    real(c_double), parameter :: q(6) = [4.0_c_double, 0.0_c_double, 0.0_c_double, 1.0_c_double, 0.0_c_double, 1.0_c_double]
+    real(c_double), parameter :: x(3) = [3.0_c_double, 0.0_c_double, 0.0_c_double]
+    real(c_double), parameter :: z(3) = [0.0_c_double, 0.0_c_double, 2.0_c_double]
+    real(c_double) :: gap, point(3), normal(3), turn(3), t(2)
+    integer :: status
+    status = pw85_distance_plane(x, 15.0_c_double, q, gap, point)
+    call check(status == pw85_success .and. close(gap, 3.0_c_double) .and. close(point(1), 2.0_c_double), 'distance_plane')
+    status = pw85_distance_plane_derivatives(x, q, normal, turn)
+    call check(status == pw85_success .and. close(normal(1), -1.0_c_double) .and. all(turn == 0), &
+      'distance_plane_derivatives')
+    status = pw85_contact_plane(x, 15.0_c_double, q, gap, point)
+    call check(status == pw85_success .and. close(gap, 6.25_c_double) .and. close(point(1), 5.0_c_double), 'contact_plane')
+    status = pw85_distance_box(-x - z - 2, x + z + 3, q, gap, point, normal)
+    call check(status == pw85_success .and. close(gap, 1.0_c_double) .and. close(point(2), -1.0_c_double) &
+      .and. close(normal(2), -1.0_c_double), 'distance_box')
+    status = pw85_distance_cylinder(z, 5.0_c_double, x, q, gap, point, normal)
+    call check(status == pw85_success .and. close(gap, 0.0_c_double) .and. close(normal(1), 1.0_c_double), &
+      'distance_cylinder')
+    status = pw85_distance_point(x, q, gap, point, normal)
+    call check(status == pw85_success .and. close(gap, 1.0_c_double) .and. close(point(1), 2.0_c_double), 'distance_point')
+    status = pw85_distance_point(0 * x, q, gap)
+    call check(status == pw85_success .and. close(gap, -1.0_c_double), 'distance_point, inside')
+    status = pw85_intersect_line(-x, x, q, t)
+    call check(status == pw85_success .and. close(t(1), 1.0_c_double / 3) .and. close(t(2), 5.0_c_double / 3), &
+      'intersect_line')
+  end subroutine test_walls
 
   subroutine test_batch
     integer(c_size_t), parameter :: n = 3

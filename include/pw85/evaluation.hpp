@@ -63,14 +63,28 @@ template <class T, int D> static constexpr Derivatives<T> evaluate_derivatives(T
             T(2) * (weight * uv - rs - (alpha - lambda) * su)};
 }
 
-/// sᵀQs from the outer weights of s, at least the size of its own rounding error: positive for s != 0 and a positive
-/// diagonal.
-template <class T, int D>
-static constexpr T positive_form(SymmetricMatrix<T, D> const &q, SymmetricMatrix<T, D> const &weights) noexcept
+/// A computed sᵀQs, at least the size of its own rounding error: positive for s != 0 and a positive diagonal. From the outer
+/// weights of s.
+template <class T, int D> static constexpr T raise_form(T const &form, SymmetricMatrix<T, D> const &q,
+                                                        SymmetricMatrix<T, D> const &weights) noexcept
 {
     T floor = weights(0, 0) * q(0, 0);
     for (int i = 1; i < D; ++i) floor = floor + weights(i, i) * q(i, i);
-    return maximum(quadratic_form(q, weights), T(unit_roundoff<T>() * floor));
+    return maximum(form, T(unit_roundoff<T>() * floor));
+}
+
+/// sᵀQs from the outer weights of s, positive.
+template <class T, int D>
+static constexpr T positive_form(SymmetricMatrix<T, D> const &q, SymmetricMatrix<T, D> const &weights) noexcept
+{
+    return raise_form(quadratic_form(q, weights), q, weights);
+}
+
+/// sᵀQs from Qs, positive.
+template <class T, int D>
+static constexpr T positive_form(SymmetricMatrix<T, D> const &q, Vector<T, D> const &s, Vector<T, D> const &qs) noexcept
+{
+    return raise_form(dot(s, qs), q, outer_weights(s));
 }
 
 /// A and B and their derivatives at t (item 2), over A: numbers of like magnitude, whatever the aspect ratio. From the factors of

@@ -31,6 +31,12 @@ template <class T> struct ClosestApproach;        // distance, status
 template <class T, int D> struct BoundingBox;     // half_widths, status
 struct Overlap;                                   // overlap, tier, status
 template <class T, int D> struct OverlapWitness;  // overlap, lambda, direction, point, status
+template <class T, int D> struct Distance;        // distance, point1, point2, normal, status
+template <class T> struct DistanceDerivatives;    // r12, rotation1, rotation2, hessian, status
+template <class T, int D> struct SurfaceDistance; // distance, point, normal, status
+template <class T> struct PlaneDerivatives;       // center, rotation, status
+template <class T, int D> struct PlaneContact;    // mu2, point, status
+template <class T> struct Chord;                  // enter, leave, status
 
 /// Form of a spheroid with equatorial radius `a`, polar radius `c`, and axis along `n`.
 template <class T> static constexpr Form<T, 3> spheroid(T const &a, T const &c, Vector<T, 3> n) noexcept;
@@ -80,13 +86,56 @@ overlap_witness(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, Symmet
 template <class T, int D> static inline ClosestApproach<T>
 closest_approach(Vector<T, D> direction, SymmetricMatrix<T, D> const &q1, SymmetricMatrix<T, D> const &q2) noexcept;
 
+/// Distance of the surfaces, closest points and common normal; zero and NaN points if the ellipsoids overlap.
+template <class T, int D> static inline Distance<T, D>
+distance(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, SymmetricMatrix<T, D> const &q2) noexcept;
+
+/// First and second derivatives of the distance with respect to r12 and rotations of the ellipsoids about their own centres.
+template <class T> static inline DistanceDerivatives<T> distance_derivatives(Vector<T, 3> const &r12,
+                                                                             SymmetricMatrix<T, 3> const &q1,
+                                                                             SymmetricMatrix<T, 3> const &q2) noexcept;
+
+/// Distance from an ellipsoid with its centre at 0 to the half-space normal·x >= offset.
+template <class T, int D> static inline SurfaceDistance<T, D>
+distance_plane(Vector<T, D> const &normal, T const &offset, SymmetricMatrix<T, D> const &q) noexcept;
+
+/// Derivatives of the distance to a half-space with respect to the centre of the ellipsoid and to rotations about it.
+template <class T> static inline PlaneDerivatives<T>
+distance_plane_derivatives(Vector<T, 3> const &normal, SymmetricMatrix<T, 3> const &q) noexcept;
+
+/// Contact function of an ellipsoid with its centre at 0 and the half-space normal·x >= offset.
+template <class T, int D> static inline PlaneContact<T, D> contact_plane(Vector<T, D> const &normal, T const &offset,
+                                                                         SymmetricMatrix<T, D> const &q) noexcept;
+
+/// Distance from an ellipsoid with its centre at 0 to the nearest face of the box lower <= x <= upper around it.
+template <class T, int D> static inline SurfaceDistance<T, D>
+distance_box(Vector<T, D> const &lower, Vector<T, D> const &upper, SymmetricMatrix<T, D> const &q) noexcept;
+
+/// Distance from an ellipsoid to the wall of a cylinder around it, whose axis goes through 0.
+template <class T> static inline SurfaceDistance<T, 3> distance_cylinder(Vector<T, 3> axis, T const &radius,
+                                                                         Vector<T, 3> const &center,
+                                                                         SymmetricMatrix<T, 3> const &q) noexcept;
+
+/// Distance from the point r, relative to the centre, to the surface of an ellipsoid; negative inside.
+template <class T, int D>
+static inline SurfaceDistance<T, D> distance_point(Vector<T, D> const &r, SymmetricMatrix<T, D> const &q) noexcept;
+
+/// The part of the line origin + t·direction, relative to the centre, that is in an ellipsoid.
+template <class T, int D> static inline Chord<T>
+intersect_line(Vector<T, D> const &origin, Vector<T, D> const &direction, SymmetricMatrix<T, D> const &q) noexcept;
+
 } // namespace pw85
 
 #include <pw85/bounding_box.hpp>
 #include <pw85/closest_approach.hpp>
 #include <pw85/contact.hpp>
+#include <pw85/distance.hpp>
+#include <pw85/distance_derivatives.hpp>
 #include <pw85/forms.hpp>
 #include <pw85/geometry.hpp>
+#include <pw85/line.hpp>
+#include <pw85/nearest.hpp>
 #include <pw85/overlap.hpp>
+#include <pw85/walls.hpp>
 
 #endif

@@ -118,7 +118,7 @@ static constexpr SymmetricMatrix<Lanes, D> broadcast(SymmetricMatrix<T, D> const
 template <class Lanes, class T, int D>
 [[gnu::always_inline]] static inline Decision decide_by_points(Pair<T, D> const &pair, T &t) noexcept
 {
-    constexpr T points[8] = {T(1), T(0.5), T(2), T(0.25), T(0.7), T(1.4), T(4), T(0.85)};
+    T const points[8] = {T(1), T(0.5), T(2), T(0.25), T(0.7), T(1.4), T(4), T(0.85)};
     auto const weights = outer_weights(pair.r12);
     T const center = coarse_root_of_ratio(quadratic_form(pair.q1, weights), quadratic_form(pair.q2, weights));
     Lanes const probes = Lanes(center) * load_lanes<Lanes>(points);

@@ -47,6 +47,7 @@ from ._contact import (
 from ._conversions import from_gsd, from_lammps, from_ovito
 from ._core import LAMBDA_ATOL as lambda_atol
 from ._core import strerror, version
+from ._distance import distance, distance_2d, distance_derivatives
 from ._errors import PW85Error, Status, bad_rows
 from ._forms import ellipse, ellipsoid, ellipsoid_quaternion, full, packed, principal_axes, spheroid
 from ._pairs import contact_pairs, overlap_pairs
@@ -59,6 +60,15 @@ from ._systems import (
     contact_derivatives_pairs,
     nearest_image_limit,
     overlap_any,
+)
+from ._walls import (
+    contact_plane,
+    distance_box,
+    distance_cylinder,
+    distance_plane,
+    distance_plane_derivatives,
+    distance_point,
+    intersect_line,
 )
 
 __version__ = version()
@@ -92,7 +102,16 @@ __all__ = [
     "contact_geometry",
     "contact_gradient",
     "contact_pairs",
+    "contact_plane",
     "contact_torque",
+    "distance",
+    "distance_2d",
+    "distance_box",
+    "distance_cylinder",
+    "distance_derivatives",
+    "distance_plane",
+    "distance_plane_derivatives",
+    "distance_point",
     "ellipse",
     "ellipsoid",
     "ellipsoid_quaternion",
@@ -103,6 +122,7 @@ __all__ = [
     "from_ovito",
     "full",
     "gufuncs",
+    "intersect_line",
     "lambda_atol",
     "legacy",
     "metadata",

@@ -37,6 +37,16 @@ r12 : (..., 3) array_like
 q1, q2 : (..., 6) array_like
     Forms of the ellipsoids, in the square of the unit of `r12`.
 """,
+    "form": """
+q : (..., 6) array_like
+    Form of the ellipsoid.
+""",
+    "half_space": """
+normal : (..., 3) array_like
+    Into the half-space, of any length > 0.
+offset : (...) array_like
+    In the unit of normal·x; negative if the centre is in the half-space.
+""",
     "direction": """
 direction : (..., 3) array_like
     From centre 1 to centre 2, of any length > 0.
@@ -79,6 +89,12 @@ out : tuple of two (..., 3) arrays, optional
 **kwargs
     As for any ufunc.
 """,
+    "out_several": """
+out : tuple of arrays, optional
+    Where to put the results.
+**kwargs
+    As for any ufunc.
+""",
     "out_contact": """
 out : (..., 2) array, or a tuple of two (...) arrays, optional
     Where to put μ² and λ.
@@ -102,6 +118,12 @@ Raises
 ------
 PW85Error
     For a single pair: invalid input, or a form that is not positive definite. Rows of arrays become NaN.
+""",
+    "raises_row": """
+Raises
+------
+PW85Error
+    For a single row: invalid input, or a form that is not positive definite. Rows of arrays become NaN.
 """,
     "raises_direction": """
 Raises

@@ -113,6 +113,41 @@ int cell_reduce(double const *const *in, double *const *out) { return pw85_cell_
 
 int bounding_boxes(double const *const *in, double *const *out) { return pw85_bounding_boxes(1, in[0], out[0]); }
 
+template <auto function> int distance_and_points(double const *const *in, double *const *out)
+{
+    return function(in[0], in[1], in[2], out[0], out[1], out[2]);
+}
+
+int distance_derivatives(double const *const *in, double *const *out)
+{
+    return pw85_distance_derivatives(in[0], in[1], in[2], out[0], out[1], out[2], out[3]);
+}
+
+int distance_plane(double const *const *in, double *const *out)
+{
+    return pw85_distance_plane(in[0], *in[1], in[2], out[0], out[1]);
+}
+
+int distance_plane_derivatives(double const *const *in, double *const *out)
+{
+    return pw85_distance_plane_derivatives(in[0], in[1], out[0], out[1]);
+}
+
+int contact_plane(double const *const *in, double *const *out)
+{
+    return pw85_contact_plane(in[0], *in[1], in[2], out[0], out[1]);
+}
+
+int distance_cylinder(double const *const *in, double *const *out)
+{
+    return pw85_distance_cylinder(in[0], *in[1], in[2], in[3], out[0], out[1], out[2]);
+}
+
+int distance_point(double const *const *in, double *const *out)
+{
+    return pw85_distance_point(in[0], in[1], out[0], out[1], out[2]);
+}
+
 int cholesky_decomp(double const *const *in, double *const *out)
 {
     pw85__cholesky_decomp(in[0], out[0]);
@@ -197,6 +232,16 @@ std::vector<Function> &functions()
         {"cell_reduce", "(3,3)->(3,3)", cell_reduce},
         {"bounding_boxes", "(6)->(3)", bounding_boxes},
         {"closest_approach", "(3),(6),(6)->()", distance_result<pw85_closest_approach>, false, closest_approach_loop},
+        {"distance", "(3),(6),(6)->(),(3),(3)", distance_and_points<pw85_distance>},
+        {"distance_derivatives", "(3),(6),(6)->(3),(3),(3),(9,9)", distance_derivatives},
+        {"distance_2d", "(2),(3),(3)->(),(2),(2)", distance_and_points<pw85_distance_2d>},
+        {"distance_plane", "(3),(),(6)->(),(3)", distance_plane},
+        {"distance_plane_derivatives", "(3),(6)->(3),(3)", distance_plane_derivatives},
+        {"contact_plane", "(3),(),(6)->(),(3)", contact_plane},
+        {"distance_box", "(3),(3),(6)->(),(3),(3)", distance_and_points<pw85_distance_box>},
+        {"distance_cylinder", "(3),(),(3),(6)->(),(3),(3)", distance_cylinder},
+        {"distance_point", "(3),(6)->(),(3),(3)", distance_point},
+        {"intersect_line", "(3),(3),(6)->(),()", pair_result<pw85_intersect_line>},
         {"contact_2d", "(2),(3),(3)->(),()", pair_result<pw85_contact_2d>},
         {"closest_approach_2d", "(2),(3),(3)->()", distance_result<pw85_closest_approach_2d>},
         {"zheng_ellipses", "(2),(3),(3)->()", distance_result<pw85_zheng_ellipses>},

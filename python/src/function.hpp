@@ -7,8 +7,8 @@
 
 namespace pypw85 {
 
-/// Most numbers in one row of one operand: a 3×3 matrix.
-inline constexpr int max_core_size = 9;
+/// Most numbers in one row of one operand: a 9×9 matrix.
+inline constexpr int max_core_size = 81;
 
 /// Most operands of a function, inputs and outputs together.
 inline constexpr int max_operands = 10;

@@ -45,6 +45,8 @@ def test_wide_types(expected, dtype):
     np.testing.assert_array_equal(pypw85.from_lammps(abs(wide[0]), [1, 0, 0, 0]),
                                   pypw85.from_lammps(abs(pairs[0]), [1, 0, 0, 0]))
     np.testing.assert_array_equal(pypw85.principal_axes(wide[1])[0], pypw85.principal_axes(pairs[1])[0])
+    assert_equal_arrays(pypw85.distance(*wide), pypw85.distance(*pairs))
+    assert_equal_arrays(pypw85.distance_point(*wide[:2]), pypw85.distance_point(*pairs[:2]))
     np.testing.assert_array_equal(legacy._detQ_as_poly(*wide[1:]), legacy._detQ_as_poly(*pairs[1:]))
 
 
@@ -76,7 +78,7 @@ def test_no_imaginary_part_is_dropped():
             pypw85.contact_pairs([[0, 0]], [[0, 0, 0]], wrong)
 
 
-@pytest.mark.parametrize("name", ["contact", "contact_function", "closest_approach"])
+@pytest.mark.parametrize("name", ["contact", "contact_function", "closest_approach", "distance"])
 def test_masked_rows(expected, name):
     pairs, _ = expected
     function = getattr(pypw85, name)
@@ -154,6 +156,8 @@ def test_xarray(expected):
     assert_equal_arrays(pypw85.contact(*arrays), result)
     assert_equal_arrays(pypw85.contact(*(x.variable for x in arrays)), result)
     assert_equal_arrays(pypw85.contact(arrays[0], *pairs[1:]), result)
+    assert_equal_arrays(pypw85.distance(*arrays), pypw85.distance(*pairs))
+    assert_equal_arrays(pypw85.distance_plane(arrays[0], 1.0, arrays[1]), pypw85.distance_plane(pairs[0], 1.0, pairs[1]))
     np.testing.assert_array_equal(pypw85.principal_axes(arrays[1])[0], pypw85.principal_axes(pairs[1])[0])
     mu2, _ = pypw85.contact(*(x.chunk(7) for x in arrays))
     assert isinstance(mu2, dask.array.Array)
@@ -173,6 +177,8 @@ def test_refused_outputs(random_pairs, rows, out):
         pypw85.closest_approach(*pairs, out)
     with pytest.raises(TypeError, match="'out' must be an array of NumPy without a mask"):
         pypw85.contact(*pairs, (np.empty(4), out))
+    with pytest.raises(TypeError, match="'out' must be an array of NumPy without a mask"):
+        pypw85.distance(*pairs, (out, None, None))
     with pytest.raises(TypeError, match="'out' must be"):
         pypw85.contact_pairs([[0, 1]] * 4, np.zeros((2, 3)), [Q, Q], out=(np.empty(4), out))
 

@@ -47,6 +47,22 @@ def test_outputs_with_sizes_of_their_own(chunked, name):
     assert_same(getattr(pypw85, name)(*arrays, 0.5), getattr(pypw85, name)(*pairs, 0.5))
 
 
+@pytest.mark.parametrize("name", ["distance", "distance_derivatives"])
+def test_distances(chunked, name):
+    pairs, arrays = chunked
+    assert_same(getattr(pypw85, name)(*arrays), getattr(pypw85, name)(*pairs))
+
+
+def test_walls(chunked):
+    (r, q, _), (lazy_r, lazy_q, _) = chunked
+    for name, scalars in (("distance_plane", (2.0,)), ("contact_plane", (2.0,)), ("distance_plane_derivatives", ()),
+                          ("distance_cylinder", (9.0, [1, 0, 0])), ("distance_point", ()),
+                          ("intersect_line", ([0, 0, 1],))):
+        function = getattr(pypw85, name)
+        assert_same(function(lazy_r, *scalars, lazy_q), function(r, *scalars, q))
+    assert_same(pypw85.distance_box(-abs(lazy_r), abs(r), lazy_q), pypw85.distance_box(-abs(r), abs(r), q))
+
+
 @pytest.mark.parametrize("function", [legacy.f1, legacy.f2, pypw85.f, pypw85.f_neg])
 def test_functions_of_lambda(chunked, function):
     pairs, arrays = chunked

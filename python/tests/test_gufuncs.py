@@ -25,6 +25,16 @@ SIGNATURES = {
     "contact_torque": "(3),(6),(6),()->(3),(3)",
     "overlap": "(3),(6),(6)->()",
     "closest_approach": "(3),(6),(6)->()",
+    "distance": "(3),(6),(6)->(),(3),(3)",
+    "distance_derivatives": "(3),(6),(6)->(3),(3),(3),(9,9)",
+    "distance_2d": "(2),(3),(3)->(),(2),(2)",
+    "distance_plane": "(3),(),(6)->(),(3)",
+    "distance_plane_derivatives": "(3),(6)->(3),(3)",
+    "contact_plane": "(3),(),(6)->(),(3)",
+    "distance_box": "(3),(3),(6)->(),(3),(3)",
+    "distance_cylinder": "(3),(),(3),(6)->(),(3),(3)",
+    "distance_point": "(3),(6)->(),(3),(3)",
+    "intersect_line": "(3),(3),(6)->(),()",
     "contact_2d": "(2),(3),(3)->(),()",
     "closest_approach_2d": "(2),(3),(3)->()",
     "zheng_ellipses": "(2),(3),(3)->()",
@@ -62,6 +72,10 @@ def arguments(name, leading, rng):
         if shape == (3, 3):
             values = np.broadcast_to(np.eye(3)[[1, 2, 0]], leading + (3, 3)).copy()
         args.append(values)
+    if name in ("distance", "distance_2d", "distance_derivatives"):
+        args[0] += 3  # apart
+    if name == "distance_box":
+        args[1] += 1  # lower <= upper
     return args
 
 

@@ -41,11 +41,15 @@ total += pypw85.closest_approach(row, form, form) + legacy._det_sym(form) + pypw
 hit: np.bool_ = pypw85.overlap(row, form, form)
 hits: npt.NDArray[np.bool_] = pypw85.overlap([row, row], q, q)
 point, normal = pypw85.contact_geometry(row, q, q, lambda_)
+gap, point, other = pypw85.distance(row, form, form)
+total += gap + pypw85.distance_plane(row, 1.0, form)[0] + pypw85.intersect_line(row, row, form)[1]
+gaps: npt.NDArray[np.float64] = pypw85.distance([row, row], q, q)[0]
+point += pypw85.distance_derivatives(row, q, q)[3] + other
 point += pypw85.contact_gradient(row, q, q, lambda_)[0] + normal
 name: str = pypw85.metadata["name"]
 """
 WRONG = ["pypw85.contact(row, form)", "mu2 = pypw85.contact(row, form, form) + 1", "pypw85.spheroid(1, 2)",
-         "text: str = pypw85.f(0.5, row, form, form)", "a, b, c = pypw85.contact(row, form, form)"]
+         "text: str = pypw85.f(0.5, row, form, form)", "a, b, c = pypw85.contact(row, form, form)", "text: str = pypw85.distance(row, form, form)[0]"]
 
 
 @pytest.fixture(scope="module")

@@ -72,6 +72,10 @@ struct ScalarKernels {
     int (*contact_torque)(double const *r12, double const *q1, double const *q2, double lambda, double *d_rot1,
                           double *d_rot2) noexcept;
     int (*closest_approach)(double const *direction, double const *q1, double const *q2, double *distance) noexcept;
+    int (*distance)(double const *r12, double const *q1, double const *q2, double *distance, double *point1,
+                    double *point2) noexcept;
+    int (*distance_derivatives)(double const *r12, double const *q1, double const *q2, double *d_r12, double *d_rot1,
+                                double *d_rot2, double *hessian) noexcept;
 };
 
 /// Functions for ranges of pairs. The scalar kernels serve the pairs that lanes cannot; the first bad one is returned.

@@ -1,5 +1,6 @@
 // The functions for one pair, compiled once per instruction set.
 #include <pw85/closest_approach.hpp>
+#include <pw85/distance_derivatives.hpp>
 #include <pw85/geometry.hpp>
 #include <pw85/overlap.hpp>
 
@@ -66,10 +67,36 @@ int closest_approach(double const *direction, double const *q1, double const *q2
     return static_cast<int>(c.status);
 }
 
+int distance(double const *r12, double const *q1, double const *q2, double *distance, double *point1,
+             double *point2) noexcept
+{
+    int overlapping = 0;
+    auto const status = static_cast<Status>(overlap(r12, q1, q2, &overlapping));
+    auto const d = overlapping == 0 ? distance_apart(c_api::load_vector<3>(r12), c_api::load_matrix<3>(q1),
+                                                     c_api::load_matrix<3>(q2))
+                                    : no_distance<double, 3>(status);
+    if (distance != nullptr) *distance = d.distance;
+    c_api::store(d.point1, point1);
+    c_api::store(d.point2, point2);
+    return static_cast<int>(d.status);
+}
+
+int distance_derivatives(double const *r12, double const *q1, double const *q2, double *d_r12, double *d_rot1,
+                         double *d_rot2, double *hessian) noexcept
+{
+    auto const d =
+        pw85::distance_derivatives(c_api::load_vector<3>(r12), c_api::load_matrix<3>(q1), c_api::load_matrix<3>(q2));
+    c_api::store(d.r12, d_r12);
+    c_api::store(d.rotation1, d_rot1);
+    c_api::store(d.rotation2, d_rot2);
+    if (hessian != nullptr) std::memcpy(hessian, d.hessian, sizeof d.hessian);
+    return static_cast<int>(d.status);
+}
+
 } // namespace
 
 extern ScalarKernels const PW85_SCALAR_KERNELS;
-ScalarKernels const PW85_SCALAR_KERNELS = {contact,          overlap,        contact_geometry,
-                                           contact_gradient, contact_torque, closest_approach};
+ScalarKernels const PW85_SCALAR_KERNELS = {contact,        overlap,          contact_geometry, contact_gradient,
+                                           contact_torque, closest_approach, distance,         distance_derivatives};
 
 } // namespace pw85::batch

@@ -28,8 +28,13 @@ T both(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, SymmetricMatrix
     auto const g = contact_geometry(r12, q1, q2, c.lambda);
     auto const d = contact_gradient(r12, q1, q2, c.lambda);
     auto const w = overlap_witness(r12, q1, q2);
+    auto const s = distance(times(T(100), r12), q1, q2);
+    auto const p = distance_plane(r12, T(2), q1);
+    auto const b = distance_box(times(T(-1), r12), r12, q1);
     return c.mu2 + sum(g.point) + sum(g.normal) + sum(d.r12) + d.q1[0] + d.q2[1] + T(w.overlap) +
-           T(overlap(r12, q1, q2).overlap) + closest_approach(r12, q1, q2).distance;
+           T(overlap(r12, q1, q2).overlap) + closest_approach(r12, q1, q2).distance + s.distance + sum(s.point1) +
+           sum(s.normal) + p.distance + sum(p.point) + b.distance + sum(b.normal) + distance_point(r12, q1).distance +
+           contact_plane(r12, T(2), q1).mu2 + intersect_line(r12, r12, q1).enter;
 }
 
 template <class T> T everything(T const &x)
@@ -40,9 +45,12 @@ template <class T> T everything(T const &x)
     auto const q2 = ellipsoid_quaternion(r12, Vector<T, 4>{T(1), x, T(2), T(3)}).q;
     auto const q3 = ellipsoid(r12, rotation).q;
     auto const t = contact_torque(r12, q1, q2, T(0.5));
+    auto const s = distance_derivatives(times(T(100), r12), q1, q2);
+    auto const p = distance_plane_derivatives(r12, q1);
     Vector<T, 2> const flat{x, T(1)};
     auto const e1 = ellipse(x, T(2), T(1)).q, e2 = ellipse(x, T(1), T(2)).q;
     return both(r12, q1, q2) + both(r12, q3, q2) + both(flat, e1, e2) + sum(t.rotation1) + sum(t.rotation2) +
+           sum(s.rotation1) + s.hessian[0][0] + sum(p.center) + distance_cylinder(r12, x, r12, q1).distance +
            legacy::contact_newton(r12, q1, q2).mu2 + legacy::contact_bisection(r12, q1, q2).mu2 +
            zheng::ellipses(flat, e1, e2).distance + zheng::ellipsoids(r12, q1, q2).distance;
 }

@@ -1,0 +1,146 @@
+/// @file
+/// An ellipsoid and walls: half-space, box, cylinder. Distances are clearances, negative where the ellipsoid is in the wall.
+///
+/// With the support α(n) = √(nᵀQn), reached at Qn/α:
+///
+/// 1. A wall n·x >= c, |n| = 1, is c - α away; the ellipsoid must be scaled by μ = c/α to touch it. Moving the centre by
+///    y changes the distance by -n·y, a small rotation ω about it by ω·(n × Qn/α).
+/// 2. A box is six such walls, a cylinder one for every normal n to its axis: R - n·c - α(n) is smallest where the projection of
+///    the ellipsoid is farthest from the axis.
+#ifndef PW85_WALLS_HPP_INCLUDED
+#define PW85_WALLS_HPP_INCLUDED
+
+#include <pw85/nearest.hpp>
+
+namespace pw85 {
+
+/// The contact function of an ellipsoid and a half-space.
+template <class T, int D> struct PlaneContact {
+    T mu2; ///< square of the factor by which the ellipsoid must be scaled to touch; 0 if its centre is in the wall
+    Vector<T, D> point; ///< where it then touches, relative to its centre
+    Status status;
+};
+
+/// A wall in units of its own: n·x >= offset with a normal whose largest coordinate is of order one.
+template <class T, int D> struct Wall {
+    Vector<T, D> normal;
+    T offset;
+    Status status;
+};
+
+template <class T, int D>
+static inline Wall<T, D> normalize_wall(Vector<T, D> normal, T const &offset, SymmetricMatrix<T, D> const &q) noexcept
+{
+    Status const status = offset * T(0) == T(0) ? check_form(q) : Status::invalid_argument;
+    if (is_in_range(sum_of_magnitudes(normal), T(1), T(1))) return {normal, offset, status};
+    T const largest = largest_coordinate(normal);
+    bool const valid = is_finite(normal) && largest > T(0);
+    for (int i = 0; i < D; ++i) normal[i] = normal[i] / largest;
+    return {normal, offset / largest, valid ? status : Status::invalid_argument};
+}
+
+/// Distance from an ellipsoid with its centre at 0 to the half-space normal·x >= offset; `normal` of any length > 0.
+template <class T, int D> [[gnu::always_inline]] static inline SurfaceDistance<T, D>
+distance_plane(Vector<T, D> const &normal, T const &offset, SymmetricMatrix<T, D> const &q) noexcept
+{
+    Wall<T, D> const wall = normalize_wall(normal, offset, q);
+    if (wall.status != Status::success) return no_surface_distance<T, D>(wall.status);
+    Support<T, D> const s = support(q, wall.normal);
+    T const reciprocal = T(1) / square_root(dot(wall.normal, wall.normal));
+    return {(wall.offset - s.extent) * reciprocal, s.point, times(reciprocal, wall.normal), Status::success};
+}
+
+/// Derivatives of the distance to a half-space with respect to the centre, and to the rotation vector about it.
+template <class T> struct PlaneDerivatives {
+    Vector<T, 3> center, rotation;
+    Status status;
+};
+
+/// Derivatives of distance_plane(), whatever the offset.
+template <class T> static inline PlaneDerivatives<T> distance_plane_derivatives(Vector<T, 3> const &normal,
+                                                                                SymmetricMatrix<T, 3> const &q) noexcept
+{
+    auto const d = distance_plane(normal, T(0), q);
+    return {times(T(-1), d.normal), cross(d.normal, d.point), d.status};
+}
+
+/// Contact function of an ellipsoid with its centre at 0 and the half-space normal·x >= offset.
+template <class T, int D> static inline PlaneContact<T, D> contact_plane(Vector<T, D> const &normal, T const &offset,
+                                                                         SymmetricMatrix<T, D> const &q) noexcept
+{
+    Wall<T, D> const wall = normalize_wall(normal, offset, q);
+    Support<T, D> const s = support(q, wall.normal);
+    // Where μ leaves the range of T, its products with zeros of the point must not be NaN.
+    T const mu = minimum(largest_number<T>(), maximum(T(0), T(wall.offset / s.extent)));
+    PlaneContact<T, D> result{mu * mu, times(mu, s.point), wall.status};
+    if (wall.status != Status::success) {
+        result.mu2 = quiet_nan<T>();
+        result.point = times(quiet_nan<T>(), wall.normal);
+    }
+    return result;
+}
+
+/// Distance from an ellipsoid with its centre at 0 to the nearest face of the box lower_i <= x_i <= upper_i around it.
+template <class T, int D> static inline SurfaceDistance<T, D>
+distance_box(Vector<T, D> const &lower, Vector<T, D> const &upper, SymmetricMatrix<T, D> const &q) noexcept
+{
+    bool valid = is_finite(lower) && is_finite(upper);
+    for (int i = 0; i < D; ++i) valid = valid && lower[i] <= upper[i];
+    Status const status = valid ? check_form(q) : Status::invalid_argument;
+    if (status != Status::success) return no_surface_distance<T, D>(status);
+    int nearest = 0;
+    T distance = T(0);
+    for (int i = 0; i < D; ++i) {
+        T const clearance = minimum(upper[i], T(-lower[i])) - square_root(q(i, i));
+        if (i > 0 && !(clearance < distance)) continue;
+        nearest = i;
+        distance = clearance;
+    }
+    Vector<T, D> normal{}, point{};
+    normal[nearest] = upper[nearest] <= -lower[nearest] ? T(1) : T(-1);
+    T const factor = normal[nearest] / square_root(q(nearest, nearest));
+    for (int k = 0; k < D; ++k) point[k] = factor * q(nearest, k);
+    return {distance, point, normal, Status::success};
+}
+
+/// Two unit vectors that make a right-handed basis with the unit vector `axis`.
+template <class T>
+static inline void complete_basis(Vector<T, 3> const &axis, Vector<T, 3> &e1, Vector<T, 3> &e2) noexcept
+{
+    int least = 0;
+    for (int i = 1; i < 3; ++i)
+        if (absolute(axis[i]) < absolute(axis[least])) least = i;
+    Vector<T, 3> e{};
+    e[least] = T(1);
+    e1 = cross(e, axis);
+    e1 = times(T(T(1) / square_root(dot(e1, e1))), e1);
+    e2 = cross(axis, e1);
+}
+
+/// Distance from an ellipsoid to the wall of a cylinder of some radius around it. The axis goes through 0, along `axis` of any
+/// length > 0; `center` is that of the ellipsoid.
+template <class T> static inline SurfaceDistance<T, 3> distance_cylinder(Vector<T, 3> axis, T const &radius,
+                                                                         Vector<T, 3> const &center,
+                                                                         SymmetricMatrix<T, 3> const &q) noexcept
+{
+    T const largest = largest_coordinate(axis);
+    bool const valid = is_finite(axis) && largest > T(0) && is_finite(center) && radius > T(0) && radius * T(0) == T(0);
+    Status const status = valid ? check_form(q) : Status::invalid_argument;
+    if (status != Status::success) return no_surface_distance<T, 3>(status);
+    for (int i = 0; i < 3; ++i) axis[i] = axis[i] / largest;
+    axis = times(T(T(1) / square_root(dot(axis, axis))), axis);
+    Vector<T, 3> e1, e2;
+    complete_basis(axis, e1, e2);
+    Vector<T, 3> const q1 = product(q, e1), q2 = product(q, e2);
+    Vector<T, 2> const across{dot(e1, center), dot(e2, center)};
+    auto const n2 = extreme_normal(
+        SymmetricMatrix<T, 2>{positive_form(q, e1, q1), dot(e1, q2), positive_form(q, e2, q2)}, across, false);
+    Vector<T, 3> n = times(n2[0], e1);
+    for (int i = 0; i < 3; ++i) n[i] = n[i] + n2[1] * e2[i];
+    Support<T, 3> const s = support(q, n);
+    return {radius - dot(n2, across) - s.extent, s.point, n, Status::success};
+}
+
+} // namespace pw85
+
+#endif

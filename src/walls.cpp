@@ -1,0 +1,104 @@
+// The C API of walls, points and lines: null pointers are turned away here, everything else is checked in the core.
+#include <pw85.h>
+
+#include <pw85/line.hpp>
+#include <pw85/walls.hpp>
+
+#include "c_arrays.hpp"
+#include "floating_point_environment.hpp"
+
+using namespace pw85;
+using namespace pw85::c_api;
+
+namespace {
+
+int store_distance(SurfaceDistance<double, 3> const &d, double *distance, double *point, double *normal) noexcept
+{
+    if (distance != nullptr) *distance = d.distance;
+    store(d.point, point);
+    store(d.normal, normal);
+    return static_cast<int>(d.status);
+}
+
+int null_pointer(double *number, double *vector1, double *vector2) noexcept
+{
+    store_nan(number, 1);
+    store_nan(vector1, PW85_DIM);
+    store_nan(vector2, PW85_DIM);
+    return PW85_EINVAL;
+}
+
+} // namespace
+
+int pw85_distance_plane(double const normal[3], double offset, double const q[6], double *distance, double point[3])
+{
+    if (any_null(normal, q)) return null_pointer(distance, point, nullptr);
+    return in_default_environment([&] {
+        return store_distance(distance_plane(load_vector<3>(normal), offset, load_matrix<3>(q)), distance, point,
+                              nullptr);
+    });
+}
+
+int pw85_distance_plane_derivatives(double const normal[3], double const q[6], double d_center[3], double d_rot[3])
+{
+    if (any_null(normal, q)) return null_pointer(nullptr, d_center, d_rot);
+    return in_default_environment([&] {
+        auto const d = distance_plane_derivatives(load_vector<3>(normal), load_matrix<3>(q));
+        store(d.center, d_center);
+        store(d.rotation, d_rot);
+        return static_cast<int>(d.status);
+    });
+}
+
+int pw85_contact_plane(double const normal[3], double offset, double const q[6], double *mu2, double point[3])
+{
+    if (any_null(normal, q)) return null_pointer(mu2, point, nullptr);
+    return in_default_environment([&] {
+        auto const c = contact_plane(load_vector<3>(normal), offset, load_matrix<3>(q));
+        if (mu2 != nullptr) *mu2 = c.mu2;
+        store(c.point, point);
+        return static_cast<int>(c.status);
+    });
+}
+
+int pw85_distance_box(double const lower[3], double const upper[3], double const q[6], double *distance,
+                      double point[3], double normal[3])
+{
+    if (any_null(lower, upper, q)) return null_pointer(distance, point, normal);
+    return in_default_environment([&] {
+        return store_distance(distance_box(load_vector<3>(lower), load_vector<3>(upper), load_matrix<3>(q)), distance,
+                              point, normal);
+    });
+}
+
+int pw85_distance_cylinder(double const axis[3], double radius, double const center[3], double const q[6],
+                           double *distance, double point[3], double normal[3])
+{
+    if (any_null(axis, center, q)) return null_pointer(distance, point, normal);
+    return in_default_environment([&] {
+        return store_distance(
+            distance_cylinder(load_vector<3>(axis), radius, load_vector<3>(center), load_matrix<3>(q)), distance, point,
+            normal);
+    });
+}
+
+int pw85_distance_point(double const r[3], double const q[6], double *distance, double point[3], double normal[3])
+{
+    if (any_null(r, q)) return null_pointer(distance, point, normal);
+    return in_default_environment(
+        [&] { return store_distance(distance_point(load_vector<3>(r), load_matrix<3>(q)), distance, point, normal); });
+}
+
+int pw85_intersect_line(double const origin[3], double const direction[3], double const q[6], double t[2])
+{
+    if (any_null(origin, direction, q, t)) {
+        store_nan(t, 2);
+        return PW85_EINVAL;
+    }
+    return in_default_environment([&] {
+        auto const chord = intersect_line(load_vector<3>(origin), load_vector<3>(direction), load_matrix<3>(q));
+        t[0] = chord.enter;
+        t[1] = chord.leave;
+        return static_cast<int>(chord.status);
+    });
+}

@@ -1,0 +1,543 @@
+// Distance, closest points and derivatives. The numbers are those of include/pw85/distance.hpp.
+#include <cmath>
+#include <limits>
+
+#include <glib.h>
+
+#include <pw85.h>
+
+#include "failures.hpp"
+#include "random_pairs.hpp"
+#include "rotated.hpp"
+#include "wide.hpp"
+
+using namespace pw85_tests;
+
+namespace {
+
+constexpr double u = 0x1p-53;
+
+template <class T, int D> pw85::Vector<T, D> difference(pw85::Vector<T, D> x, pw85::Vector<T, D> const &y)
+{
+    for (int i = 0; i < D; ++i) x[i] = x[i] - y[i];
+    return x;
+}
+
+template <class T, int D> double largest_difference(pw85::Vector<T, D> const &x, pw85::Vector<T, D> const &y)
+{
+    return static_cast<double>(pw85::largest_coordinate(difference(x, y)));
+}
+
+template <int D> pw85::Distance<double, D> c_distance(Sample<double, D> const &p)
+{
+    pw85::Distance<double, D> d{};
+    double const *r12 = p.r12.coordinates, *q1 = p.q1.entries, *q2 = p.q2.entries;
+    double *point1 = d.point1.coordinates, *point2 = d.point2.coordinates;
+    int const status = D == 3 ? pw85_distance(r12, q1, q2, &d.distance, point1, point2)
+                              : pw85_distance_2d(r12, q1, q2, &d.distance, point1, point2);
+    d.status = static_cast<pw85::Status>(status);
+    return d;
+}
+
+template <class T, int D> pw85::Distance<T, D> distance(Sample<T, D> const &p)
+{
+    return pw85::distance(p.r12, p.q1, p.q2);
+}
+
+/// Σ of the contract of pw85_distance(): what relative errors of one in every number change the distance by at most.
+template <class T, int D> T sensitivity(Sample<T, D> const &p, pw85::Vector<T, D> const &n)
+{
+    T sum = absolute_form(p.q1, n) / (2 * pw85::support(p.q1, n).extent) +
+            absolute_form(p.q2, n) / (2 * pw85::support(p.q2, n).extent);
+    for (int i = 0; i < D; ++i) sum = sum + pw85::absolute(T(n[i] * p.r12[i]));
+    return sum;
+}
+
+/// Pairs that are apart, of all shapes, sizes and gaps.
+template <int D> Sample<double, D> pair_apart(Random &random, double aspect)
+{
+    for (;;) {
+        double const excess = random.log_uniform(1e-10, 1e6);
+        auto const s = random_pair<D>(random, {.aspect = random.log_uniform(1.0, aspect),
+                                               .size_ratio = random.log_uniform(1.0, 1e6),
+                                               .mu2_min = 1.0 + excess,
+                                               .mu2_max = 1.0 + excess * 1.001});
+        if (!pw85::overlap(s.r12, s.q1, s.q2).overlap) return s;
+    }
+}
+
+// Item 1: points on both surfaces, joined by the common normal, are the closest, since ellipsoids are convex. So the truth
+// of all other tests needs no trust in how it was found.
+template <int D> void test_optimality()
+{
+    Failures failures;
+    Random random(300 + D);
+    for (int n = 0; n < 2000; ++n) {
+        auto const s = pair_apart<D>(random, 1e3);
+        auto const p = convert<Wide>(s);
+        auto const d = distance(p);
+        auto const text = [&] { return hex_text(s); };
+        auto const inverse_form = [](auto const &q, auto const &x) {
+            return pw85::dot(x, pw85::solve(pw85::factorize(q, Wide(0)), x));
+        };
+        auto const check = [&](Wide const &x, Wide const &expected, char const *what) {
+            double const error = static_cast<double>(pw85::absolute(Wide(x - expected)));
+            failures.check(error <= 1e-35, what, error, 1e-35, text);
+        };
+        check(inverse_form(p.q1, d.point1), 1, "point 1 on its surface");
+        check(inverse_form(p.q2, difference(d.point2, p.r12)), 1, "point 2 on its surface");
+        check(norm(d.normal), 1, "unit normal");
+        auto const joint = difference(d.point2, d.point1);
+        auto const outward1 = pw85::solve(pw85::factorize(p.q1, Wide(0)), d.point1);
+        auto const outward2 = pw85::solve(pw85::factorize(p.q2, Wide(0)), difference(d.point2, p.r12));
+        check(pw85::dot(outward1, d.normal) / norm(outward1), 1, "normal 1");
+        check(pw85::dot(outward2, d.normal) / norm(outward2), -1, "normal 2");
+        check(norm(difference(joint, pw85::times(d.distance, d.normal))) / norm(p.r12), 0, "line of the points");
+        failures.check(d.distance > 0, "distance", static_cast<double>(d.distance), 0.0, text);
+    }
+}
+
+// The contract. Rounding adds up to at most 6uΣ: products and sums of three terms in n·r, twice that in the forms, whose roots
+// halve it, and the normalisation; what n lacks counts only squared.
+template <int D> void test_rounding_errors()
+{
+    Failures failures;
+    Random random(310 + D);
+    for (int n = 0; n < 5000; ++n) {
+        auto const s = pair_apart<D>(random, 1e6);
+        auto const p = convert<Wide>(s);
+        auto const exact = distance(p);
+        auto const d = c_distance(s);
+        Wide const sigma = sensitivity(p, exact.normal);
+        double const error = static_cast<double>(Wide(pw85::absolute(Wide(d.distance - exact.distance)) / (u * sigma)));
+        failures.check(error <= 8.0, "error in u Σ", error, 8.0, [&] { return hex_text(s); });
+    }
+}
+
+// The points of a pair in double are those of a pair whose numbers differ by rounding, which moves the normal by that times
+// the condition number of the forms, aspect² or less, and 32 for the roundings of a solution and its use.
+template <int D> void test_points()
+{
+    Failures failures;
+    Random random(320 + D);
+    for (int n = 0; n < 5000; ++n) {
+        double const aspect = random.log_uniform(1.0, 100.0), bound = 32 * u * aspect * aspect;
+        auto const s = random_pair<D>(random, {.aspect = aspect, .mu2_min = 1.0 + 1e-6, .mu2_max = 100.0});
+        auto const exact = distance(convert<Wide>(s));
+        auto const d = c_distance(s);
+        double const size = norm(s.r12) + 3.0, error1 = largest_difference(convert<Wide>(d.point1), exact.point1),
+                     error2 = largest_difference(convert<Wide>(d.point2), exact.point2);
+        failures.check(error1 <= bound * size, "point 1", error1, bound * size, [&] { return hex_text(s); });
+        failures.check(error2 <= bound * size, "point 2", error2, bound * size, [&] { return hex_text(s); });
+    }
+}
+
+// The two bounds that need no trust, in double: that of the normal and that of the points enclose the distance, and leave a
+// gap of the square of the error of the points over the distance.
+void test_certificate()
+{
+    Failures failures;
+    Random random(330);
+    for (int n = 0; n < 5000; ++n) {
+        double const aspect = random.log_uniform(1.0, 100.0), error = 32 * u * aspect * aspect;
+        auto const s = random_pair<3>(random, {.aspect = aspect, .mu2_min = 1.0 + 1e-6, .mu2_max = 100.0});
+        auto const d = c_distance(s);
+        double normal[3];
+        pw85_distance_derivatives(s.r12.coordinates, s.q1.entries, s.q2.entries, normal, nullptr, nullptr, nullptr);
+        auto const p = convert<Wide>(s);
+        auto const unit = convert<Wide>(pw85::Vector<double, 3>{normal[0], normal[1], normal[2]});
+        Wide const lower =
+            (pw85::dot(unit, p.r12) - pw85::support(p.q1, unit).extent - pw85::support(p.q2, unit).extent) / norm(unit);
+        Wide const upper = norm(difference(convert<Wide>(d.point2), convert<Wide>(d.point1)));
+        Wide const exact = distance(p).distance, rounding = 8 * u * sensitivity(p, unit);
+        double const size = norm(s.r12) + 3.0, gap = static_cast<double>(Wide(upper - lower));
+        double const bound =
+            3 * error * size * std::fmin(1.0, error * size / d.distance) + static_cast<double>(rounding);
+        auto const text = [&] { return hex_text(s); };
+        failures.check(lower <= exact, "lower bound", static_cast<double>(lower), static_cast<double>(exact), text);
+        failures.check(pw85::absolute(Wide(lower - d.distance)) <= rounding, "distance is the lower bound", d.distance,
+                       static_cast<double>(lower), text);
+        failures.check(gap <= bound, "duality gap", gap, bound, text);
+    }
+}
+
+// Items 2 and 3 one without the other: the search alone finds what Newton's method finds, and what it does not.
+void test_search()
+{
+    Failures failures;
+    Random random(340);
+    int given_up = 0;
+    for (int n = 0; n < 5000; ++n) {
+        auto const s = pair_apart<3>(random, 1e4);
+        auto const p = convert<Wide>(s);
+        pw85::DistancePair<double, 3> const pair{s.r12, s.q1, s.q2, 1.0, 1.0};
+        pw85::Multipliers<double> const start = pw85::initial_multipliers(pair);
+        auto const exact = distance(p);
+        Wide const sigma = sensitivity(p, exact.normal);
+        auto const check = [&](pw85::Vector<double, 3> const &direction, char const *what) {
+            auto const v = convert<Wide>(direction);
+            Wide const width =
+                (pw85::dot(v, p.r12) - pw85::support(p.q1, v).extent - pw85::support(p.q2, v).extent) / norm(v);
+            double const error = static_cast<double>(Wide((exact.distance - width) / (u * sigma)));
+            failures.check(error >= 0.0 && error <= 2.0, what, error, 2.0, [&] { return hex_text(s); });
+        };
+        check(pw85::search_normal(pair, start.ratio), "search");
+        check(pw85::search_normal(pair, 1e-3 * start.ratio), "search from below");
+        check(pw85::search_normal(pair, 1e3 * start.ratio), "search from above");
+        pw85::Vector<double, 3> direction{};
+        if (pw85::find_normal(pair, start, direction))
+            check(direction, "Newton's method");
+        else
+            ++given_up;
+    }
+    g_assert_cmpint(given_up, >, 0);
+    g_assert_cmpint(given_up, <, 2500);
+}
+
+void assert_close(double actual, double expected, double tolerance)
+{
+    g_assert_cmpfloat(std::fabs(actual - expected), <=, tolerance);
+}
+
+// Spheres of radii 2 and 1: the gap on the line of the centres.
+void test_spheres()
+{
+    Sample<double, 3> const p{{3.0, 6.0, 6.0}, {4.0, 0.0, 0.0, 4.0, 0.0, 4.0}, {1.0, 0.0, 0.0, 1.0, 0.0, 1.0}};
+    auto const d = c_distance(p);
+    assert_close(d.distance, 6.0, 16 * u);
+    for (int i = 0; i < 3; ++i) {
+        assert_close(d.point1[i], p.r12[i] * 2.0 / 9.0, 8 * u);
+        assert_close(d.point2[i], p.r12[i] * 8.0 / 9.0, 16 * u);
+    }
+    double normal[3], torque[3], hessian[81];
+    g_assert_cmpint(
+        pw85_distance_derivatives(p.r12.coordinates, p.q1.entries, p.q2.entries, normal, torque, nullptr, hessian), ==,
+        PW85_SUCCESS);
+    for (int i = 0; i < 3; ++i) {
+        assert_close(normal[i], p.r12[i] / 9.0, 4 * u);
+        assert_close(torque[i], 0.0, 8 * u);
+        for (int j = 0; j < 9; ++j) {
+            double const expected = j < 3 ? ((i == j ? 1.0 : 0.0) - p.r12[i] * p.r12[j] / 81.0) / 9.0 : 0.0;
+            assert_close(hessian[9 * i + j], expected, 16 * u);
+            assert_close(hessian[9 * j + i], expected, 16 * u);
+        }
+    }
+}
+
+// Two spheroids on one axis, end to end; and side by side.
+void test_coaxial()
+{
+    double const q1[6] = {1.0, 0.0, 0.0, 1.0, 0.0, 16.0}, q2[6] = {9.0, 0.0, 0.0, 9.0, 0.0, 4.0};
+    auto const axial =
+        c_distance<3>({{0.0, 0.0, 8.0}, {1.0, 0.0, 0.0, 1.0, 0.0, 16.0}, {9.0, 0.0, 0.0, 9.0, 0.0, 4.0}});
+    assert_close(axial.distance, 2.0, 8 * u);
+    assert_close(axial.point1[2], 4.0, 8 * u);
+    assert_close(axial.point2[2], 6.0, 8 * u);
+    double const beside[3] = {-8.0, 0.0, 0.0};
+    double distance, point1[3], point2[3];
+    g_assert_cmpint(pw85_distance(beside, q1, q2, &distance, point1, point2), ==, PW85_SUCCESS);
+    assert_close(distance, 4.0, 8 * u);
+    assert_close(point1[0], -1.0, 8 * u);
+    assert_close(point2[0], -5.0, 8 * u);
+}
+
+bool all_nan(double const *x, int count)
+{
+    for (int i = 0; i < count; ++i)
+        if (!std::isnan(x[i])) return false;
+    return true;
+}
+
+// Overlapping pairs: zero and NaN. The decision is that of pw85_overlap().
+void test_overlapping()
+{
+    Failures failures;
+    Random random(350);
+    for (int n = 0; n < 5000; ++n) {
+        auto const s = random_pair<3>(random, {.aspect = random.log_uniform(1.0, 1e4),
+                                               .mu2_min = n % 2 == 0 ? 1e-3 : 1.0 - 1e-15,
+                                               .mu2_max = 1.0 + 1e-15});
+        int overlap = -1;
+        pw85_overlap(s.r12.coordinates, s.q1.entries, s.q2.entries, &overlap);
+        auto const d = c_distance(s);
+        double derivatives[90];
+        int const status = pw85_distance_derivatives(s.r12.coordinates, s.q1.entries, s.q2.entries, derivatives,
+                                                     derivatives + 3, derivatives + 6, derivatives + 9);
+        bool ok = d.status == pw85::Status::success && status == PW85_SUCCESS;
+        double const points[6] = {d.point1[0], d.point1[1], d.point1[2], d.point2[0], d.point2[1], d.point2[2]};
+        if (overlap == 1)
+            ok = ok && d.distance == 0.0 && all_nan(points, 6) && all_nan(derivatives, 90);
+        else {
+            ok = ok && d.distance >= 0.0;
+            for (double const x : points) ok = ok && std::isfinite(x);
+            for (double const x : derivatives) ok = ok && std::isfinite(x);
+        }
+        failures.check(ok, "overlap", d.distance, overlap, [&] { return hex_text(s); });
+    }
+}
+
+// Tangent spheres do not overlap.
+void test_tangent()
+{
+    auto const d = c_distance<3>({{3.0, 0.0, 0.0}, {4.0, 0.0, 0.0, 4.0, 0.0, 4.0}, {1.0, 0.0, 0.0, 1.0, 0.0, 1.0}});
+    assert_close(d.distance, 0.0, 8 * u);
+    assert_close(d.point1[0], 2.0, 8 * u);
+    assert_close(d.point2[0], 2.0, 8 * u);
+}
+
+// Exchanging the ellipsoids exchanges the points; a power of two on all lengths changes nothing but the unit.
+void test_invariance()
+{
+    Failures failures;
+    Random random(360);
+    for (int n = 0; n < 5000; ++n) {
+        double const aspect = random.log_uniform(1.0, 100.0);
+        auto const s = random_pair<3>(random, {.aspect = aspect, .mu2_min = 1.0 + 1e-6, .mu2_max = 100.0});
+        auto const d = c_distance(s), e = c_distance<3>({pw85::times(-1.0, s.r12), s.q2, s.q1});
+        double const bound = 16 * u * static_cast<double>(sensitivity(s, distance(s).normal));
+        failures.check(std::fabs(d.distance - e.distance) <= bound, "exchange", d.distance, e.distance,
+                       [&] { return hex_text(s); });
+        for (double const exponent : {-480.0, -100.0, 100.0, 480.0}) {
+            double const f = std::exp2(exponent);
+            Sample<double, 3> const scaled{pw85::times(f, s.r12), pw85::times(f * f, s.q1), pw85::times(f * f, s.q2)};
+            auto const g = c_distance(scaled);
+            failures.check(g.distance == f * d.distance, "unit", g.distance, f * d.distance,
+                           [&] { return hex_text(scaled); });
+            failures.check(largest_difference(g.point1, pw85::times(f, d.point1)) == 0.0, "unit", g.point1[0],
+                           f * d.point1[0], [&] { return hex_text(scaled); });
+        }
+    }
+}
+
+// Sizes and separations from 1e-150 to 1e150, in any combination that is apart: the contract holds.
+void test_extreme_sizes()
+{
+    Failures failures;
+    Random random(370);
+    for (int n = 0; n < 5000; ++n) {
+        Sample<double, 3> s{{},
+                            random.form(random.log_uniform(1e-149, 1e149), random.log_uniform(1.0, 10.0)),
+                            random.form(random.log_uniform(1e-149, 1e149), random.log_uniform(1.0, 10.0))};
+        auto const direction = random.direction<3>();
+        double const contact =
+            1.0 / std::sqrt(static_cast<double>(
+                      pw85::contact(convert<Wide>(direction), convert<Wide>(s.q1), convert<Wide>(s.q2)).mu2));
+        s.r12 = pw85::times(std::fmin(1e150, contact * (1.0 + random.log_uniform(1e-6, 1e100))), direction);
+        auto const p = convert<Wide>(s);
+        auto const exact = distance(p);
+        auto const d = c_distance(s);
+        Wide const bound = 8 * u * sensitivity(p, exact.normal);
+        failures.check(pw85::absolute(Wide(d.distance - exact.distance)) <= bound, "distance", d.distance,
+                       static_cast<double>(exact.distance), [&] { return hex_text(s); });
+        for (int i = 0; i < 3; ++i) {
+            Wide const size1 = norm(exact.point1), size2 = norm(p.r12);
+            failures.check(pw85::absolute(Wide(d.point1[i] - exact.point1[i])) <= 3200 * u * size1, "point 1",
+                           d.point1[i], static_cast<double>(exact.point1[i]), [&] { return hex_text(s); });
+            failures.check(pw85::absolute(Wide(d.point2[i] - exact.point2[i])) <= 3200 * u * (size1 + size2), "point 2",
+                           d.point2[i], static_cast<double>(exact.point2[i]), [&] { return hex_text(s); });
+        }
+        double derivatives[90];
+        pw85_distance_derivatives(s.r12.coordinates, s.q1.entries, s.q2.entries, derivatives, derivatives + 3,
+                                  derivatives + 6, derivatives + 9);
+        for (double const x : derivatives)
+            failures.check(std::isfinite(x), "derivatives", x, 0.0, [&] { return hex_text(s); });
+    }
+}
+
+// Shapes up to the limit of what counts as positive definite, aligned with the axes so that the forms are exact. The search
+// must end, and its answer obey the contract.
+void test_extreme_shapes()
+{
+    Failures failures;
+    Random random(380);
+    for (int n = 0; n < 5000; ++n) {
+        auto const axis = [&] { return random.log_uniform(1e-15, 1e15); };
+        auto const square = [](double x) { return x * x; };
+        Sample<double, 3> s{random.direction<3>(),
+                            {square(axis()), 0.0, 0.0, square(axis()), 0.0, square(axis())},
+                            {square(axis()), 0.0, 0.0, square(axis()), 0.0, square(axis())}};
+        double const mu2 =
+            static_cast<double>(pw85::contact(convert<Wide>(s.r12), convert<Wide>(s.q1), convert<Wide>(s.q2)).mu2);
+        s.r12 = pw85::times(std::sqrt((1.0 + random.log_uniform(1e-10, 1e10)) / mu2), s.r12);
+        auto const p = convert<Wide>(s);
+        auto const exact = distance(p);
+        auto const d = c_distance(s);
+        Wide const bound = 8 * u * sensitivity(p, exact.normal);
+        failures.check(pw85::absolute(Wide(d.distance - exact.distance)) <= bound, "distance", d.distance,
+                       static_cast<double>(exact.distance), [&] { return hex_text(s); });
+    }
+}
+
+template <class T> void check_scalar(Failures &failures, Random &random)
+{
+    auto const s = pair_apart<3>(random, 10.0);
+    auto const narrow = convert<T>(s);
+    auto const p = convert<Wide>(narrow);
+    auto const d = distance(narrow);
+    if (d.distance == T(0)) return;
+    auto const exact = distance(p);
+    Wide const bound = 8 * Wide(pw85::unit_roundoff<T>()) * sensitivity(p, exact.normal);
+    failures.check(pw85::absolute(Wide(Wide(d.distance) - exact.distance)) <= bound, "distance",
+                   static_cast<double>(d.distance), static_cast<double>(exact.distance), [&] { return hex_text(s); });
+}
+
+void test_scalars()
+{
+    Failures failures;
+    Random random(390);
+    for (int n = 0; n < 2000; ++n) {
+        check_scalar<float>(failures, random);
+        check_scalar<long double>(failures, random);
+    }
+}
+
+/// The distance after changes of r12 and rotations of both ellipsoids.
+Wide moved_distance(Sample<Wide, 3> p, Wide const (&change)[9])
+{
+    for (int i = 0; i < 3; ++i) p.r12[i] += change[i];
+    p.q1 = rotated(p.q1, {change[3], change[4], change[5]});
+    p.q2 = rotated(p.q2, {change[6], change[7], change[8]});
+    return distance(p).distance;
+}
+
+// Central differences, of second order in h: with h = 1e-10 truncation leaves 1e-20 times derivatives of third and fourth
+// order, which are below 1e5 for aspect ratios up to 4, gaps above 1e-2 and sizes of one.
+void test_derivatives_by_differences()
+{
+    Failures failures;
+    Random random(400);
+    Wide const h("1e-10");
+    for (int n = 0; n < 20; ++n) {
+        auto const s = random_pair<3>(random, {.aspect = 4.0, .mu2_min = 1.1, .mu2_max = 10.0});
+        auto const p = convert<Wide>(s);
+        auto const d = pw85::distance_derivatives(p.r12, p.q1, p.q2);
+        auto const at = [&](int i, int si, int j, int sj) {
+            Wide change[9] = {};
+            change[i] += si * h;
+            change[j] += sj * h;
+            return moved_distance(p, change);
+        };
+        auto const check = [&](Wide const &actual, Wide const &expected, char const *what) {
+            double const error = static_cast<double>(pw85::absolute(Wide(actual - expected)));
+            failures.check(error <= 1e-15, what, error, 1e-15, [&] { return hex_text(s); });
+        };
+        for (int i = 0; i < 9; ++i) {
+            Wide const gradient = i < 3 ? d.r12[i] : i < 6 ? d.rotation1[i - 3] : d.rotation2[i - 6];
+            check(gradient, (at(i, 1, i, 0) - at(i, -1, i, 0)) / (2 * h), "gradient");
+            for (int j = i; j < 9; ++j) {
+                Wide const second =
+                    (at(i, 1, j, 1) - at(i, 1, j, -1) - at(i, -1, j, 1) + at(i, -1, j, -1)) / (4 * h * h);
+                check(d.hessian[i][j], second, "hessian");
+                check(d.hessian[j][i], second, "hessian, transposed");
+            }
+        }
+    }
+}
+
+// The C functions in double against the templates in the wide type. The normal errs as in test_points(), and the curvatures
+// (and with them the Hessian) by aspect² times as much, each relative to its largest entry of the same unit.
+void test_derivatives_in_double()
+{
+    Failures failures;
+    Random random(410);
+    for (int n = 0; n < 3000; ++n) {
+        double const aspect = random.log_uniform(1.0, 30.0), bound = 256 * u * aspect * aspect;
+        auto const s = random_pair<3>(random, {.aspect = aspect, .mu2_min = 1.01, .mu2_max = 100.0});
+        auto const p = convert<Wide>(s);
+        auto const exact = pw85::distance_derivatives(p.r12, p.q1, p.q2);
+        pw85::DistanceDerivatives<double> d{};
+        double hessian[81];
+        pw85_distance_derivatives(s.r12.coordinates, s.q1.entries, s.q2.entries, d.r12.coordinates,
+                                  d.rotation1.coordinates, d.rotation2.coordinates, hessian);
+        auto const check = [&](double error, double tolerance, char const *what) {
+            failures.check(error <= tolerance, what, error, tolerance, [&] { return hex_text(s); });
+        };
+        check(largest_difference(convert<Wide>(d.r12), exact.r12), bound, "d_r12");
+        check(largest_difference(convert<Wide>(d.rotation1), exact.rotation1), 4 * bound, "d_rot1");
+        check(largest_difference(convert<Wide>(d.rotation2), exact.rotation2), 4 * bound, "d_rot2");
+        double largest = 0.0, error = 0.0;
+        for (int i = 0; i < 9; ++i)
+            for (int j = 0; j < 9; ++j) {
+                largest = std::fmax(largest, static_cast<double>(pw85::absolute(exact.hessian[i][j])));
+                error = std::fmax(error,
+                                  static_cast<double>(pw85::absolute(Wide(hessian[9 * i + j] - exact.hessian[i][j]))));
+                check(std::fabs(hessian[9 * i + j] - hessian[9 * j + i]), 0.0, "symmetry");
+            }
+        check(error, bound * aspect * aspect * largest, "hessian");
+    }
+}
+
+// So far apart that the ellipsoids are points, and out of the range of the contract: still no garbage.
+void test_far_apart()
+{
+    Sample<double, 3> const p{{0.0, 0x1p-508, 0x1p823},
+                              {0x1p615, 0.0, 0x1p438, 0x1p438, 0.0, 0x1p438},
+                              {0x1p438, 0.0, 0.0, 0x1.1p438, 0x1p438, 0x1p438}};
+    auto const d = c_distance(p);
+    g_assert_cmpfloat(d.distance, ==, 0x1p823);
+    assert_close(d.point1[2], 0x1p219, 0x1p167);
+    double normal[3], hessian[81];
+    g_assert_cmpint(
+        pw85_distance_derivatives(p.r12.coordinates, p.q1.entries, p.q2.entries, normal, nullptr, nullptr, hessian), ==,
+        PW85_SUCCESS);
+    g_assert_cmpfloat(normal[2], ==, 1.0);
+    for (double const x : hessian) g_assert_true(std::isfinite(x));
+}
+
+void test_statuses()
+{
+    double const nan = std::numeric_limits<double>::quiet_NaN();
+    double const r12[3] = {9.0, 0.0, 0.0}, zero[3] = {0.0, 0.0, 0.0}, bad_r12[3] = {9.0, nan, 0.0};
+    double const q[6] = {1.0, 0.0, 0.0, 1.0, 0.0, 1.0}, bad[6] = {1.0, 2.0, 0.0, 1.0, 0.0, 1.0};
+    double const ones[2] = {1.0, 1.0};
+    auto const expect = [](double const *r, double const *q1, double const *q2, int expected, bool empty) {
+        double out[90] = {}, distance = 1.0, point1[3] = {}, point2[3] = {};
+        g_assert_cmpint(pw85_distance(r, q1, q2, &distance, point1, point2), ==, expected);
+        g_assert_true(std::isnan(distance) == (expected != PW85_SUCCESS));
+        g_assert_true(all_nan(point1, 3) == empty && all_nan(point2, 3) == empty);
+        g_assert_cmpint(pw85_distance_derivatives(r, q1, q2, out, out + 3, out + 6, out + 9), ==, expected);
+        g_assert_true(all_nan(out, 90) == empty);
+        g_assert_cmpint(pw85_distance(r, q1, q2, nullptr, nullptr, nullptr), ==, expected);
+        g_assert_cmpint(pw85_distance_derivatives(r, q1, q2, nullptr, nullptr, nullptr, nullptr), ==, expected);
+    };
+    expect(r12, q, q, PW85_SUCCESS, false);
+    expect(zero, q, q, PW85_SUCCESS, true);
+    expect(zero, bad, q, PW85_ENOTPD, true);
+    expect(r12, q, bad, PW85_ENOTPD, true);
+    expect(bad_r12, q, q, PW85_EINVAL, true);
+    expect(nullptr, q, q, PW85_EINVAL, true);
+    expect(r12, nullptr, q, PW85_EINVAL, true);
+    expect(r12, q, nullptr, PW85_EINVAL, true);
+    double distance = 1.0, points[4] = {};
+    double const circle[3] = {1.0, 0.0, 1.0};
+    g_assert_cmpint(pw85_distance_2d(ones, circle, circle, &distance, points, points + 2), ==, PW85_SUCCESS);
+    g_assert_true(distance == 0.0 && all_nan(points, 4));
+}
+
+} // namespace
+
+int main(int argc, char **argv)
+{
+    g_test_init(&argc, &argv, nullptr);
+    g_test_add_func("/distance/optimality/3d", test_optimality<3>);
+    g_test_add_func("/distance/optimality/2d", test_optimality<2>);
+    g_test_add_func("/distance/rounding_errors/3d", test_rounding_errors<3>);
+    g_test_add_func("/distance/rounding_errors/2d", test_rounding_errors<2>);
+    g_test_add_func("/distance/points/3d", test_points<3>);
+    g_test_add_func("/distance/points/2d", test_points<2>);
+    g_test_add_func("/distance/certificate", test_certificate);
+    g_test_add_func("/distance/search", test_search);
+    g_test_add_func("/distance/spheres", test_spheres);
+    g_test_add_func("/distance/coaxial", test_coaxial);
+    g_test_add_func("/distance/overlapping", test_overlapping);
+    g_test_add_func("/distance/tangent", test_tangent);
+    g_test_add_func("/distance/invariance", test_invariance);
+    g_test_add_func("/distance/extreme/sizes", test_extreme_sizes);
+    g_test_add_func("/distance/extreme/shapes", test_extreme_shapes);
+    g_test_add_func("/distance/extreme/far_apart", test_far_apart);
+    g_test_add_func("/distance/scalars", test_scalars);
+    g_test_add_func("/distance/derivatives/differences", test_derivatives_by_differences);
+    g_test_add_func("/distance/derivatives/double", test_derivatives_in_double);
+    g_test_add_func("/distance/statuses", test_statuses);
+    return g_test_run();
+}

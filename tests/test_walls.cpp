@@ -1,0 +1,520 @@
+// Walls, points and lines: include/pw85/walls.hpp, nearest.hpp, line.hpp.
+#include <cmath>
+#include <limits>
+
+#include <glib.h>
+
+#include <pw85.h>
+
+#include "failures.hpp"
+#include "random_pairs.hpp"
+#include "rotated.hpp"
+
+using namespace pw85_tests;
+
+namespace {
+
+constexpr double u = 0x1p-53;
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+using Vector3 = pw85::Vector<double, 3>;
+using Form3 = pw85::SymmetricMatrix<double, 3>;
+using WideVector = pw85::Vector<Wide, 3>;
+using WideForm = pw85::SymmetricMatrix<Wide, 3>;
+
+std::string text(Vector3 const &x, Form3 const &q)
+{
+    return "x = " + hex_text(x.coordinates, 3) + ", q = " + hex_text(q.entries, 6);
+}
+
+/// Σ|n_i q_ij n_j|/(2α).
+Wide width_sensitivity(WideForm const &q, WideVector const &n)
+{
+    return absolute_form(q, n) / (2 * pw85::support(q, n).extent);
+}
+
+Wide absolute_dot(WideVector const &x, WideVector const &y)
+{
+    Wide sum = 0;
+    for (int i = 0; i < 3; ++i) sum += abs(x[i] * y[i]);
+    return sum;
+}
+
+Form3 random_form_of_any_size(Random &random)
+{
+    return random.form(random.log_uniform(1e-100, 1e100), random.log_uniform(1.0, 1e4));
+}
+
+double size_of(Form3 const &q) { return std::sqrt(q[0] + q[3] + q[5]); }
+
+// (offset - α)/|n| in the wide type; the sign agrees with μ² < 1.
+void test_plane()
+{
+    Failures failures;
+    Random random(500);
+    for (int n = 0; n < 20000; ++n) {
+        auto const q = random_form_of_any_size(random);
+        double const length = random.log_uniform(1e-100, 1e100);
+        auto const normal = pw85::times(length, random.direction<3>());
+        double const offset = length * size_of(q) * random.uniform(-1.0, 3.0);
+        double distance, mu2;
+        Vector3 point{}, touching{};
+        pw85_distance_plane(normal.coordinates, offset, q.entries, &distance, point.coordinates);
+        pw85_contact_plane(normal.coordinates, offset, q.entries, &mu2, touching.coordinates);
+        auto const w = convert<Wide>(q);
+        auto const v = convert<Wide>(normal);
+        Wide const l = norm(v);
+        auto const unit = pw85::times(Wide(1 / l), v);
+        auto const s = pw85::support(w, unit);
+        Wide const exact = offset / l - s.extent, bound = 8 * u * (abs(Wide(offset / l)) + width_sensitivity(w, unit));
+        auto const inputs = [&] { return text(normal, q) + ", offset = " + hex_text(&offset, 1); };
+        failures.check(abs(Wide(distance - exact)) <= bound, "distance", distance, static_cast<double>(exact), inputs);
+        Wide const mu = offset > 0 ? Wide(offset / l / s.extent) : Wide(0);
+        // Half-width and offset each err by half of 8 u of their terms, and μ² by twice that of their ratio.
+        Wide const mu2_bound = 8 * u * (1 + width_sensitivity(w, unit) / s.extent) * mu * mu;
+        failures.check(abs(Wide(mu2 - mu * mu)) <= mu2_bound, "mu2", mu2, static_cast<double>(Wide(mu * mu)), inputs);
+        for (int i = 0; i < 3; ++i) {
+            Wide const error = 16 * u * absolute_form(w, unit) / s.extent / s.extent * norm(s.point);
+            failures.check(abs(Wide(point[i] - s.point[i])) <= error, "point", point[i],
+                           static_cast<double>(s.point[i]), inputs);
+            failures.check(abs(Wide(touching[i] - mu * s.point[i])) <= 2 * error * mu, "touching point", touching[i],
+                           static_cast<double>(Wide(mu * s.point[i])), inputs);
+        }
+        failures.check((distance < 0) == (mu2 < 1) || abs(exact) <= 2 * bound, "sign", distance, mu2, inputs);
+    }
+}
+
+// Differences in the wide type: h = 1e-15 leaves 1e-30.
+void test_plane_derivatives()
+{
+    Failures failures;
+    Random random(510);
+    Wide const h("1e-15");
+    for (int n = 0; n < 200; ++n) {
+        auto const q = random.form(1.0, 4.0);
+        auto const normal = pw85::times(random.uniform(0.5, 2.0), random.direction<3>());
+        Vector3 d_center{}, d_rot{};
+        pw85_distance_plane_derivatives(normal.coordinates, q.entries, d_center.coordinates, d_rot.coordinates);
+        auto const w = convert<Wide>(q);
+        auto const v = convert<Wide>(normal);
+        for (int i = 0; i < 3; ++i) {
+            auto const at = [&](int sign) {
+                WideVector omega{};
+                omega[i] = sign * h;
+                return pw85::distance_plane(v, Wide(1), rotated(w, omega)).distance;
+            };
+            double const turned = static_cast<double>(Wide((at(1) - at(-1)) / (2 * h)));
+            double const moved = static_cast<double>(Wide(-v[i] / norm(v)));
+            failures.check(std::fabs(d_rot[i] - turned) <= 256 * u, "d_rot", d_rot[i], turned,
+                           [&] { return text(normal, q); });
+            failures.check(std::fabs(d_center[i] - moved) <= 4 * u, "d_center", d_center[i], moved,
+                           [&] { return text(normal, q); });
+        }
+    }
+}
+
+/// Whether a symmetric matrix is positive semidefinite up to rounding of the wide type, `scale` being its size.
+bool is_semidefinite(WideForm a, Wide const &scale)
+{
+    for (int i = 0; i < 3; ++i) a(i, i) += scale * Wide("1e-30");
+    auto const f = pw85::factorize(a, Wide(0));
+    return f.pivots[0] > 0 && f.pivots[1] > 0 && f.pivots[2] > 0;
+}
+
+/// A point: outside, inside, near a plane of symmetry of the ellipsoid or in it, near the surface, near the centre.
+Vector3 random_point(Random &random, Form3 const &q, int kind)
+{
+    auto const direction = random.direction<3>();
+    double const size = size_of(q);
+    auto const s = pw85::support(q, direction);
+    switch (kind % 4) {
+    case 0:
+        return pw85::times(size * random.log_uniform(1e-3, 1e3), direction);
+    case 1:
+        return pw85::times(random.uniform(0.0, 1.0), s.point);
+    case 2:
+        return pw85::times(1.0 + random.uniform(-1e-10, 1e-10), s.point);
+    default:
+        return pw85::times(size * random.log_uniform(1e-100, 1.0), direction);
+    }
+}
+
+// nearest.hpp, item 1: with r - p = s Q⁻¹p, p on the surface, p is a nearest point if Q + s I is semidefinite: for x on the
+// surface |x - r|² - |p - r|² = (x - p)ᵀ(I + s Q⁻¹)(x - p).
+void test_point_optimality()
+{
+    Failures failures;
+    Random random(520);
+    for (int n = 0; n < 2000; ++n) {
+        auto q = random.form(1.0, random.log_uniform(1.0, 1e3));
+        if (n % 5 == 0) q[1] = q[2] = q[4] = 0.0; // points in planes of symmetry follow
+        auto r = random_point(random, q, n);
+        if (n % 3 == 0) r[n % 2] = 0.0;
+        auto const w = convert<Wide>(q);
+        auto const x = convert<Wide>(r);
+        auto const d = pw85::distance_point(x, w);
+        auto const gradient = pw85::solve(pw85::factorize(w, Wide(0)), d.point);
+        Wide const s = d.distance / norm(gradient);
+        Wide residual = abs(Wide(pw85::dot(gradient, d.point) - 1));
+        for (int i = 0; i < 3; ++i) residual += abs(Wide(x[i] - d.point[i] - s * gradient[i]));
+        WideForm shifted = w;
+        for (int i = 0; i < 3; ++i) shifted(i, i) += s;
+        failures.check(residual <= 1e-35, "residual", static_cast<double>(residual), 1e-35, [&] { return text(r, q); });
+        failures.check(is_semidefinite(shifted, 1), "nearest of all", static_cast<double>(d.distance), 0.0,
+                       [&] { return text(r, q); });
+    }
+}
+
+// In double, of any size. Normals of double precision: the value is stationary, so that their error counts squared.
+void test_point_rounding_errors()
+{
+    Failures failures;
+    Random random(530);
+    for (int n = 0; n < 10000; ++n) {
+        auto const q = random_form_of_any_size(random);
+        auto const r = random_point(random, q, n);
+        double distance;
+        Vector3 point{}, normal{};
+        pw85_distance_point(r.coordinates, q.entries, &distance, point.coordinates, normal.coordinates);
+        auto const w = convert<Wide>(q);
+        auto const x = convert<Wide>(r);
+        auto const exact = pw85::distance_point(x, w);
+        Wide const bound = 8 * u * (absolute_dot(exact.normal, x) + width_sensitivity(w, exact.normal));
+        failures.check(abs(Wide(distance - exact.distance)) <= bound, "distance", distance,
+                       static_cast<double>(exact.distance), [&] { return text(r, q); });
+        failures.check(std::fabs(norm(normal) - 1.0) <= 4 * u, "normal", norm(normal), 1.0, [&] { return text(r, q); });
+        // The point is on the surface, its distance from r is that which is given, but for the error of the normal.
+        auto const p = convert<Wide>(point);
+        Wide const form = pw85::dot(p, pw85::solve(pw85::factorize(w, Wide(0)), p));
+        failures.check(abs(Wide(form - 1)) <= 1e-6, "on the surface", static_cast<double>(form), 1.0,
+                       [&] { return text(r, q); });
+    }
+}
+
+void assert_close(double actual, double expected, double tolerance)
+{
+    g_assert_cmpfloat(std::fabs(actual - expected), <=, tolerance);
+}
+
+// The centre, points of the axes inside and outside, and beyond the evolute, where the nearest point leaves the axis.
+void test_point_by_hand()
+{
+    double const q[6] = {9.0, 0.0, 0.0, 4.0, 0.0, 1.0};
+    auto const distance = [&](double x, double y, double z) {
+        double const r[3] = {x, y, z};
+        double d;
+        g_assert_cmpint(pw85_distance_point(r, q, &d, nullptr, nullptr), ==, PW85_SUCCESS);
+        return d;
+    };
+    assert_close(distance(0.0, 0.0, 0.0), -1.0, 8 * u);
+    assert_close(distance(0.0, 0.0, 0.5), -0.5, 8 * u);
+    assert_close(distance(0.0, 0.0, -3.0), 2.0, 8 * u);
+    assert_close(distance(5.0, 0.0, 0.0), 2.0, 16 * u);
+    assert_close(distance(0.0, 2.0, 0.0), 0.0, 8 * u);
+    // On the long axis: nearest in the plane xz, at height √(1 - x²/9·81/64), x p = 9x/8.
+    double const x = 1.0, p = 9.0 / 8.0, z2 = 1.0 - p * p / 9.0;
+    assert_close(distance(x, 0.0, 0.0), -std::sqrt((p - x) * (p - x) + z2), 16 * u);
+    double const sphere[6] = {4.0, 0.0, 0.0, 4.0, 0.0, 4.0}, center[3] = {0.0, 0.0, 0.0};
+    double d, point[3];
+    g_assert_cmpint(pw85_distance_point(center, sphere, &d, point, nullptr), ==, PW85_SUCCESS);
+    assert_close(d, -2.0, 8 * u);
+    assert_close(std::hypot(point[0], point[1], point[2]), 2.0, 16 * u);
+}
+
+// The nearest of six half-spaces.
+void test_box()
+{
+    Failures failures;
+    Random random(540);
+    for (int n = 0; n < 5000; ++n) {
+        auto const q = random_form_of_any_size(random);
+        double const size = size_of(q);
+        Vector3 lower{}, upper{}, point{}, normal{}, deepest{};
+        for (int i = 0; i < 3; ++i) {
+            lower[i] = size * random.uniform(-2.0, 0.5);
+            upper[i] = lower[i] + size * random.uniform(0.0, 3.0);
+        }
+        double distance, expected = std::numeric_limits<double>::infinity();
+        g_assert_cmpint(pw85_distance_box(lower.coordinates, upper.coordinates, q.entries, &distance, point.coordinates,
+                                          normal.coordinates),
+                        ==, PW85_SUCCESS);
+        for (int face = 0; face < 6; ++face) {
+            double outward[3] = {}, d, p[3];
+            outward[face / 2] = face % 2 == 0 ? 1.0 : -1.0;
+            pw85_distance_plane(outward, face % 2 == 0 ? upper[face / 2] : -lower[face / 2], q.entries, &d, p);
+            if (d < expected) {
+                expected = d;
+                deepest = {p[0], p[1], p[2]};
+            }
+        }
+        failures.check(std::fabs(distance - expected) <= 4 * u * 3 * size, "distance", distance, expected,
+                       [&] { return text(lower, q) + text(upper, q); });
+        for (int i = 0; i < 3; ++i)
+            failures.check(std::fabs(point[i] - deepest[i]) <= 4 * u * size, "point", point[i], deepest[i],
+                           [&] { return text(lower, q); });
+        failures.check(std::fabs(pw85::dot(normal, normal) - 1.0) == 0.0, "normal", normal[0], 1.0,
+                       [&] { return text(lower, q); });
+    }
+}
+
+// The farthest point of the projection, p: with c + p = ν Q⁻¹p in the plane across the axis, it is farthest if ν I - Q is
+// semidefinite there (the counterpart of test_point_optimality()).
+void test_cylinder()
+{
+    Failures failures;
+    Random random(550);
+    for (int n = 0; n < 5000; ++n) {
+        auto const q = random_form_of_any_size(random);
+        double const size = size_of(q), radius = size * random.uniform(0.1, 3.0);
+        auto const axis = pw85::times(random.log_uniform(1e-100, 1e100), random.direction<3>());
+        auto const center =
+            pw85::times(n % 7 == 0 ? 0.0 : size * random.log_uniform(1e-10, 10.0), random.direction<3>());
+        double distance;
+        Vector3 point{}, normal{};
+        g_assert_cmpint(pw85_distance_cylinder(axis.coordinates, radius, center.coordinates, q.entries, &distance,
+                                               point.coordinates, normal.coordinates),
+                        ==, PW85_SUCCESS);
+        auto const w = convert<Wide>(q);
+        auto const c = convert<Wide>(center);
+        auto const a = convert<Wide>(axis);
+        auto const exact = pw85::distance_cylinder(a, Wide(radius), c, w);
+        auto const inputs = [&] {
+            return text(center, q) + ", axis = " + hex_text(axis.coordinates, 3) + ", radius = " + hex_text(&radius, 1);
+        };
+        Wide const bound = 8 * u * (radius + absolute_dot(exact.normal, c) + width_sensitivity(w, exact.normal));
+        failures.check(abs(Wide(distance - exact.distance)) <= bound, "distance", distance,
+                       static_cast<double>(exact.distance), inputs);
+        // No other normal gives less, and this one is that of a point as far from the axis.
+        Wide const along = pw85::dot(a, exact.normal) / norm(a);
+        auto position = c;
+        for (int i = 0; i < 3; ++i) position[i] += exact.point[i];
+        Wide const off = norm(pw85::cross(position, a)) / norm(a);
+        failures.check(abs(along) <= 1e-40 && abs(Wide(radius - off - exact.distance)) <= 1e-35 * (radius + off),
+                       "farthest point", static_cast<double>(off), static_cast<double>(Wide(radius - exact.distance)),
+                       inputs);
+        WideVector e1, e2;
+        pw85::complete_basis(pw85::times(Wide(1 / norm(a)), a), e1, e2);
+        for (int k = 0; k < 64; ++k) {
+            auto other = pw85::times(Wide(cos(Wide(k) / 10)), e1);
+            for (int i = 0; i < 3; ++i) other[i] += sin(Wide(k) / 10) * e2[i];
+            Wide const clearance = radius - pw85::dot(other, c) - pw85::support(w, other).extent;
+            failures.check(clearance >= exact.distance, "another normal", static_cast<double>(clearance),
+                           static_cast<double>(exact.distance), inputs);
+        }
+    }
+}
+
+// A spheroid across a cylinder, off its axis; and along it.
+void test_cylinder_by_hand()
+{
+    double const axis[3] = {0.0, 0.0, 2.0}, q[6] = {9.0, 0.0, 0.0, 1.0, 0.0, 1.0},
+                 long_one[6] = {1.0, 0.0, 0.0, 1.0, 0.0, 400.0};
+    double const center[3] = {0.5, 0.0, 7.0}, beside[3] = {0.0, -3.0, 0.0};
+    double d, point[3], normal[3];
+    g_assert_cmpint(pw85_distance_cylinder(axis, 5.0, center, q, &d, point, normal), ==, PW85_SUCCESS);
+    assert_close(d, 1.5, 16 * u);
+    assert_close(point[0], 3.0, 16 * u);
+    assert_close(normal[0], 1.0, 4 * u);
+    g_assert_cmpint(pw85_distance_cylinder(axis, 5.0, beside, long_one, &d, point, nullptr), ==, PW85_SUCCESS);
+    assert_close(d, 1.0, 16 * u);
+    assert_close(point[1], -1.0, 16 * u);
+}
+
+// Both ends of the chord are on the surface, and its middle is inside; the wide type decides which lines miss.
+void test_line()
+{
+    Failures failures;
+    Random random(560);
+    int hits = 0, misses = 0;
+    for (int n = 0; n < 20000; ++n) {
+        double const aspect = random.log_uniform(1.0, 100.0);
+        auto const q = random.form(random.log_uniform(1e-100, 1e100), aspect);
+        double const size = size_of(q), far = random.log_uniform(1e-3, 1e6), step = random.log_uniform(1e-20, 1e20);
+        auto const direction = random.direction<3>(), aside = random.direction<3>();
+        Vector3 origin{}, d{};
+        for (int i = 0; i < 3; ++i) {
+            origin[i] = size * (0.5 * aside[i] - far * direction[i]);
+            d[i] = size * step * direction[i];
+        }
+        double t[2];
+        g_assert_cmpint(pw85_intersect_line(origin.coordinates, d.coordinates, q.entries, t), ==, PW85_SUCCESS);
+        auto const exact = pw85::intersect_line(convert<Wide>(origin), convert<Wide>(d), convert<Wide>(q));
+        // The nearest point errs by u times the distance of the origin, in the norm of Q⁻¹ by the aspect ratio as much again, and
+        // the half chord by that over itself.
+        Wide const half = (exact.leave - exact.enter) / 2, error = 64 * u * aspect * aspect * (1 + far) / step;
+        auto const inputs = [&] { return text(origin, q) + ", direction = " + hex_text(d.coordinates, 3); };
+        if (std::isnan(t[0]) || exact.enter != exact.enter) {
+            failures.check(std::isnan(t[0]) == (exact.enter != exact.enter) || half * half <= error / step, "miss",
+                           t[0], static_cast<double>(exact.enter), inputs);
+            ++misses;
+            continue;
+        }
+        ++hits;
+        Wide const bound = error * (1 + 1 / (half * step));
+        failures.check(abs(Wide(t[0] - exact.enter)) <= bound, "enter", t[0], static_cast<double>(exact.enter), inputs);
+        failures.check(abs(Wide(t[1] - exact.leave)) <= bound, "leave", t[1], static_cast<double>(exact.leave), inputs);
+        failures.check(t[0] <= t[1], "order", t[0], t[1], inputs);
+        auto const on_surface = [&](Wide const &at) {
+            WideVector x = convert<Wide>(origin);
+            for (int i = 0; i < 3; ++i) x[i] += at * d[i];
+            Wide const form = pw85::dot(x, pw85::solve(pw85::factorize(convert<Wide>(q), Wide(0)), x));
+            failures.check(abs(Wide(form - 1)) <= 1e-25, "on the surface", static_cast<double>(form), 1.0, inputs);
+        };
+        on_surface(exact.enter);
+        on_surface(exact.leave);
+    }
+    g_assert_cmpint(hits, >, 1000);
+    g_assert_cmpint(misses, >, 1000);
+}
+
+void test_line_by_hand()
+{
+    double const q[6] = {4.0, 0.0, 0.0, 1.0, 0.0, 1.0}, direction[3] = {2.0, 0.0, 0.0};
+    double const before[3] = {-6.0, 0.0, 0.0}, tangent[3] = {-6.0, 1.0, 0.0}, above[3] = {-6.0, 1.0 + 0x1p-52, 0.0};
+    double t[2];
+    g_assert_cmpint(pw85_intersect_line(before, direction, q, t), ==, PW85_SUCCESS);
+    assert_close(t[0], 2.0, 8 * u);
+    assert_close(t[1], 4.0, 8 * u);
+    g_assert_cmpint(pw85_intersect_line(tangent, direction, q, t), ==, PW85_SUCCESS);
+    assert_close(t[0], 3.0, 8 * u);
+    assert_close(t[1], 3.0, 8 * u);
+    g_assert_cmpint(pw85_intersect_line(above, direction, q, t), ==, PW85_SUCCESS);
+    g_assert_true(std::isnan(t[0]) && std::isnan(t[1]));
+}
+
+bool all_nan(double const *x, int count)
+{
+    for (int i = 0; i < count; ++i)
+        if (!std::isnan(x[i])) return false;
+    return true;
+}
+
+// As far away as doubles reach, in units of the ellipsoid: along r, with the half-width that it has there.
+void test_point_far_away()
+{
+    double const r[3] = {0x1p900, 0x1p900, 0.0}, q[6] = {0x1p-1000, 0.0, 0.0, 0x1p-998, 0.0, 0x1p-1002};
+    double d, point[3], normal[3];
+    g_assert_cmpint(pw85_distance_point(r, q, &d, point, normal), ==, PW85_SUCCESS);
+    assert_close(d / 0x1p900, std::sqrt(2.0), 8 * u);
+    for (int i = 0; i < 3; ++i) assert_close(normal[i], i < 2 ? std::sqrt(0.5) : 0.0, 4 * u);
+    assert_close(point[0] * 0x1p500, std::sqrt(0.2), 8 * u);
+    assert_close(point[1] * 0x1p500, std::sqrt(3.2), 8 * u);
+}
+
+/// Every function of one ellipsoid; `out` is 7 numbers, of which `count` are written.
+struct Function {
+    int count;
+    int (*call)(double const *x, double const *q, double *out);
+};
+
+constexpr double ones[3] = {1.0, 1.0, 1.0};
+constexpr Function functions[] = {
+    {4, [](auto x, auto q, auto out) { return pw85_distance_plane(x, 1.0, q, out, out + 1); }},
+    {6, [](auto x, auto q, auto out) { return pw85_distance_plane_derivatives(x, q, out, out + 3); }},
+    {4, [](auto x, auto q, auto out) { return pw85_contact_plane(x, 1.0, q, out, out + 1); }},
+    {7, [](auto x, auto q, auto out) { return pw85_distance_box(x, ones, q, out, out + 1, out + 4); }},
+    {7, [](auto x, auto q, auto out) { return pw85_distance_box(ones, x, q, out, out + 1, out + 4); }},
+    {7, [](auto x, auto q, auto out) { return pw85_distance_cylinder(x, 1.0, ones, q, out, out + 1, out + 4); }},
+    {7, [](auto x, auto q, auto out) { return pw85_distance_cylinder(ones, 1.0, x, q, out, out + 1, out + 4); }},
+    {7, [](auto x, auto q, auto out) { return pw85_distance_point(x, q, out, out + 1, out + 4); }},
+    {2, [](auto x, auto q, auto out) { return pw85_intersect_line(x, ones, q, out); }},
+    {2, [](auto x, auto q, auto out) { return pw85_intersect_line(ones, x, q, out); }},
+};
+
+void expect(Function const &f, double const *x, double const *q, int expected)
+{
+    double out[7] = {};
+    g_assert_cmpint(f.call(x, q, out), ==, expected);
+    g_assert_true(expected == PW85_SUCCESS ? !std::isnan(out[0]) : all_nan(out, f.count));
+    for (int i = f.count; i < 7; ++i) g_assert_cmpfloat(out[i], ==, 0.0);
+}
+
+void test_statuses()
+{
+    double const x[3] = {1.0, 1.0, 1.0}, bad_x[3] = {1.0, nan, 1.0}, infinite[3] = {1.0, 1.0, HUGE_VAL};
+    double const q[6] = {4.0, 0.5, 0.0, 3.0, 0.0, 2.0}, bad_q[6] = {4.0, nan, 0.0, 3.0, 0.0, 2.0};
+    double const flat[6] = {1.0, 2.0, 0.0, 1.0, 0.0, 1.0}, negative[6] = {1.0, 0.0, 0.0, -1.0, 0.0, 1.0}, none[6] = {};
+    for (auto const &f : functions) {
+        expect(f, x, q, PW85_SUCCESS);
+        expect(f, bad_x, q, PW85_EINVAL);
+        expect(f, infinite, q, PW85_EINVAL);
+        expect(f, x, bad_q, PW85_EINVAL);
+        expect(f, nullptr, q, PW85_EINVAL);
+        expect(f, x, nullptr, PW85_EINVAL);
+        expect(f, x, flat, PW85_ENOTPD);
+        expect(f, x, negative, PW85_ENOTPD);
+        expect(f, x, none, PW85_ENOTPD);
+    }
+    double const zero[3] = {0.0, 0.0, 0.0};
+    for (int i : {0, 1, 2, 5, 9}) expect(functions[i], zero, q, PW85_EINVAL);
+    double const above[3] = {0.0, 0.0, 1.5};
+    expect(functions[3], above, q, PW85_EINVAL);
+    double out[7];
+    for (double const radius : {0.0, -1.0, nan, HUGE_VAL})
+        g_assert_cmpint(pw85_distance_cylinder(x, radius, x, q, out, out + 1, out + 4), ==, PW85_EINVAL);
+    for (double const offset : {nan, HUGE_VAL, -HUGE_VAL})
+        g_assert_cmpint(pw85_distance_plane(x, offset, q, out, out + 1), ==, PW85_EINVAL);
+}
+
+// μ beyond the range of double is infinity, and no coordinate is NaN.
+void test_plane_out_of_range()
+{
+    double const normal[3] = {0x1p-950, 0.0, 0.0}, q[6] = {4.0, 0.0, 0.0, 3.0, 0.0, 2.0};
+    double mu2, point[3];
+    g_assert_cmpint(pw85_contact_plane(normal, 0x1p600, q, &mu2, point), ==, PW85_SUCCESS);
+    g_assert_cmpfloat(mu2, ==, HUGE_VAL);
+    g_assert_cmpfloat(point[0], ==, HUGE_VAL);
+    g_assert_true(point[1] == 0.0 && point[2] == 0.0);
+}
+
+void test_null_outputs()
+{
+    double const x[3] = {1.0, 1.0, 1.0}, q[6] = {4.0, 0.5, 0.0, 3.0, 0.0, 2.0};
+    g_assert_cmpint(pw85_distance_plane(x, 1.0, q, nullptr, nullptr), ==, PW85_SUCCESS);
+    g_assert_cmpint(pw85_distance_plane_derivatives(x, q, nullptr, nullptr), ==, PW85_SUCCESS);
+    g_assert_cmpint(pw85_contact_plane(x, 1.0, q, nullptr, nullptr), ==, PW85_SUCCESS);
+    g_assert_cmpint(pw85_distance_box(x, x, q, nullptr, nullptr, nullptr), ==, PW85_SUCCESS);
+    g_assert_cmpint(pw85_distance_cylinder(x, 1.0, x, q, nullptr, nullptr, nullptr), ==, PW85_SUCCESS);
+    g_assert_cmpint(pw85_distance_point(x, q, nullptr, nullptr, nullptr), ==, PW85_SUCCESS);
+    g_assert_cmpint(pw85_intersect_line(x, x, q, nullptr), ==, PW85_EINVAL);
+}
+
+// The templates in two dimensions and other scalars agree with three dimensions and double.
+void test_templates()
+{
+    pw85::SymmetricMatrix<float, 2> const flat{4.0f, 0.0f, 1.0f};
+    auto const d = pw85::distance_point(pw85::Vector<float, 2>{3.0f, 0.0f}, flat);
+    assert_close(static_cast<double>(d.distance), 1.0, 1e-6);
+    auto const plane = pw85::distance_plane(pw85::Vector<float, 2>{0.0f, 2.0f}, 4.0f, flat);
+    assert_close(static_cast<double>(plane.distance), 1.0, 1e-6);
+    auto const box = pw85::distance_box(pw85::Vector<float, 2>{-3.0f, -3.0f}, pw85::Vector<float, 2>{2.5f, 3.0f}, flat);
+    assert_close(static_cast<double>(box.distance), 0.5, 1e-6);
+    auto const chord =
+        pw85::intersect_line(pw85::Vector<long double, 2>{-4.0L, 0.0L}, pw85::Vector<long double, 2>{1.0L, 0.0L},
+                             pw85::SymmetricMatrix<long double, 2>{4.0L, 0.0L, 1.0L});
+    assert_close(static_cast<double>(chord.enter), 2.0, 4 * u);
+    assert_close(static_cast<double>(chord.leave), 6.0, 8 * u);
+}
+
+} // namespace
+
+int main(int argc, char **argv)
+{
+    g_test_init(&argc, &argv, nullptr);
+    g_test_add_func("/walls/plane", test_plane);
+    g_test_add_func("/walls/plane/derivatives", test_plane_derivatives);
+    g_test_add_func("/walls/plane/out_of_range", test_plane_out_of_range);
+    g_test_add_func("/walls/box", test_box);
+    g_test_add_func("/walls/cylinder", test_cylinder);
+    g_test_add_func("/walls/cylinder/by_hand", test_cylinder_by_hand);
+    g_test_add_func("/walls/point/optimality", test_point_optimality);
+    g_test_add_func("/walls/point/rounding_errors", test_point_rounding_errors);
+    g_test_add_func("/walls/point/by_hand", test_point_by_hand);
+    g_test_add_func("/walls/point/far_away", test_point_far_away);
+    g_test_add_func("/walls/line", test_line);
+    g_test_add_func("/walls/line/by_hand", test_line_by_hand);
+    g_test_add_func("/walls/statuses", test_statuses);
+    g_test_add_func("/walls/null_outputs", test_null_outputs);
+    g_test_add_func("/walls/templates", test_templates);
+    return g_test_run();
+}
