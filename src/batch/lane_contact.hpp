@@ -15,7 +15,7 @@ namespace pw85 {
 namespace {
 
 /// Packs per chunk: their searches, 0.75 kB each with 8 lanes, leave the rest of 16 kB of stack to what else is on it.
-inline constexpr std::size_t packs_per_chunk = 10;
+inline constexpr std::size_t packs_per_chunk = 8;
 inline constexpr std::size_t contact_chunk_size = packs_per_chunk * lanes;
 
 /// Steps until no lane of up to packs_per_chunk packs is active.

@@ -78,11 +78,20 @@ PW85_INLINE void derive(LanePair const &pair, Pack const &lambda, std::size_t co
     }
 }
 
-/// Contact functions and derivatives of a range of pairs.
+/// Derivatives of a chunk at its λ, which reach to the end of its last pack. Not inlined: see contact_chunk().
 template <class Rows>
-[[gnu::flatten]] inline batch::Failure derivatives_rows(Rows const &rows, batch::Range range,
-                                                        batch::DerivativeArrays const &out,
-                                                        batch::ScalarKernels const &scalar) noexcept
+[[gnu::noinline, gnu::flatten]] inline void derive_chunk(Rows const &chunk, double const *lambda, std::size_t count,
+                                                         batch::DerivativeArrays const &out, std::size_t begin,
+                                                         batch::ScalarKernels const &scalar) noexcept
+{
+    for (std::size_t k = 0; k < count; k += lanes)
+        derive(load_neighbors(chunk, k, count - k), load_lanes<Pack>(lambda + k), count - k, out, begin + k, scalar);
+}
+
+/// Contact functions and derivatives of a range of pairs.
+template <class Rows> inline batch::Failure derivatives_rows(Rows const &rows, batch::Range range,
+                                                             batch::DerivativeArrays const &out,
+                                                             batch::ScalarKernels const &scalar) noexcept
 {
     batch::Failure first{0, 0};
     double mu2[derivatives_chunk_size], lambda[derivatives_chunk_size];
@@ -96,9 +105,7 @@ template <class Rows>
         if (out.lambda != nullptr) std::memcpy(out.lambda + begin, lambda, count * sizeof(double));
         // Lanes that are filling do what the last one does: numbers from nowhere could raise exceptions.
         for (std::size_t i = count; i % lanes != 0; ++i) lambda[i] = lambda[count - 1];
-        for (std::size_t k = 0; k < count; k += lanes)
-            derive(load_neighbors(chunk, k, count - k), load_lanes<Pack>(lambda + k), count - k, out, begin + k,
-                   scalar);
+        derive_chunk(chunk, lambda, count, out, begin, scalar);
     }
     return first;
 }
