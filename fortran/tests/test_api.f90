@@ -151,19 +151,19 @@ contains
     status = pw85_distance(apart, q1, q2, gap, point1, point2)
     call check(status == pw85_success .and. close(norm2(point2 - point1), gap), 'distance')
     status = pw85_distance(apart, q1, q2, alone(1))
-    call check(status == pw85_success .and. alone(1) == gap, 'distance without points')
+    call check(status == pw85_success .and. abs(alone(1) - gap) <= 0, 'distance without points')
     status = pw85_distance_derivatives(apart, q1, q2, normal, torque1, torque2, hessian)
     call check(status == pw85_success .and. all(close(gap * normal, point2 - point1)), 'distance_derivatives')
     call check(all(abs(matmul(hessian(1:3, 1:3), normal)) <= tolerance), 'distance_derivatives, hessian')
     status = pw85_distance_derivatives(apart, q1, q2, d_rot2=alone)
-    call check(status == pw85_success .and. all(alone == torque2), 'distance_derivatives, one output')
+    call check(status == pw85_success .and. all(abs(alone - torque2) <= 0), 'distance_derivatives, one output')
     status = pw85_ellipse(2.0_c_double, 1.0_c_double, 0.0_c_double, ellipse1)
     status = pw85_ellipse(1.0_c_double, 3.0_c_double, 0.0_c_double, ellipse2)
     status = pw85_distance_2d([7.0_c_double, 0.0_c_double], ellipse1, ellipse2, gap, end1, end2)
     call check(status == pw85_success .and. close(gap, 4.0_c_double) .and. close(end1(1), 2.0_c_double) &
       .and. close(end2(1), 6.0_c_double), 'distance_2d')
     status = pw85_distance(0 * r12, q1, q2, gap)
-    call check(status == pw85_success .and. gap == 0, 'distance of an overlap')
+    call check(status == pw85_success .and. abs(gap) <= 0, 'distance of an overlap')
   end subroutine test_surfaces
 
   subroutine test_walls
@@ -175,7 +175,7 @@ contains
     status = pw85_distance_plane(x, 15.0_c_double, q, gap, point)
     call check(status == pw85_success .and. close(gap, 3.0_c_double) .and. close(point(1), 2.0_c_double), 'distance_plane')
     status = pw85_distance_plane_derivatives(x, q, normal, turn)
-    call check(status == pw85_success .and. close(normal(1), -1.0_c_double) .and. all(turn == 0), &
+    call check(status == pw85_success .and. close(normal(1), -1.0_c_double) .and. all(abs(turn) <= 0), &
       'distance_plane_derivatives')
     status = pw85_contact_plane(x, 15.0_c_double, q, gap, point)
     call check(status == pw85_success .and. close(gap, 6.25_c_double) .and. close(point(1), 5.0_c_double), 'contact_plane')
