@@ -1,9 +1,7 @@
 // Every function of the libraries writes what its contract says and nothing behind it, for valid and for invalid pairs.
 #include <cstring>
-#include <fstream>
 #include <functional>
 #include <limits>
-#include <regex>
 #include <set>
 #include <string>
 #include <vector>
@@ -13,6 +11,8 @@
 #include <pw85.h>
 #include <pw85_legacy.h>
 #include <pw85_zheng.h>
+
+#include "declarations.hpp"
 
 namespace {
 
@@ -272,13 +272,8 @@ std::vector<Row> all_rows()
 void test_every_function_is_called()
 {
     std::set<std::string> declared, called;
-    for (char const *header : {"pw85.h", "pw85_legacy.h", "pw85_zheng.h"}) {
-        std::ifstream file(std::string(PW85_INCLUDE) + "/" + header);
-        std::string const text{std::istreambuf_iterator<char>(file), {}};
-        std::regex const declaration(R"(PW85_API [\w *]*?(pw85\w+)\()");
-        for (std::sregex_iterator match(text.begin(), text.end(), declaration), end; match != end; ++match)
-            declared.insert((*match)[1]);
-    }
+    for (char const *header : {"pw85.h", "pw85_legacy.h", "pw85_zheng.h"})
+        declared.merge(pw85_tests::declared_in(header));
     for (auto const &row : all_rows()) called.insert(row.name);
     for (auto const &name : declared)
         if (!called.contains(name)) g_test_message("%s is not called here", name.c_str());
