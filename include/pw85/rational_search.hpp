@@ -9,7 +9,8 @@
 
 namespace pw85 {
 
-/// The number of steps after which a search gives up. Of random pairs that end up certain, 99.9 % need at most 4.
+/// The number of steps after which a search gives up. Of 20,000 random pairs of aspect ratios to 1000, 413 need more than 5, 56 more
+/// than 6, 7 more than 7, and none more than 8.
 inline constexpr int max_rational_steps = 8;
 
 /// A search under way. What becomes of a lane depends on nothing but its pair: one that has converged is left alone.

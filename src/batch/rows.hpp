@@ -201,9 +201,6 @@ template <std::size_t Capacity> class OffsetList {
     PW85_INLINE std::size_t packs() const noexcept { return (size_ + lanes - 1) / lanes; }
     PW85_INLINE std::size_t offset(std::size_t k, std::size_t i) const noexcept { return offsets_[k * lanes + i]; }
 
-    /// Bits of the lanes of pack k that are not filling.
-    PW85_INLINE unsigned live(std::size_t k) const noexcept { return live_lanes(size_ - k * lanes); }
-
     /// To be called between the last push() and load().
     PW85_INLINE void pad() noexcept
     {
