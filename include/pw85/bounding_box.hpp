@@ -15,7 +15,7 @@ template <class T, int D> struct BoundingBox {
 };
 
 /// Status of one form.
-template <class T, int D> static inline Status validate(SymmetricMatrix<T, D> const &q) noexcept
+template <class T, int D> PW85_FUNCTION inline Status validate(SymmetricMatrix<T, D> const &q) noexcept
 {
     if (!is_finite(q)) return Status::invalid_argument;
     if (!has_positive_diagonal(q)) return Status::not_positive_definite;
@@ -26,7 +26,7 @@ template <class T, int D> static inline Status validate(SymmetricMatrix<T, D> co
 }
 
 /// The support function of the ellipsoid in the direction of an axis is the root of a diagonal entry.
-template <class T, int D> static inline BoundingBox<T, D> bounding_box(SymmetricMatrix<T, D> const &q) noexcept
+template <class T, int D> PW85_FUNCTION inline BoundingBox<T, D> bounding_box(SymmetricMatrix<T, D> const &q) noexcept
 {
     BoundingBox<T, D> box{{}, validate(q)};
     for (int i = 0; i < D; ++i)

@@ -13,7 +13,7 @@ template <class T> struct ClosestApproach {
     Status status;
 };
 
-template <class T, int D> static inline ClosestApproach<T>
+template <class T, int D> PW85_FUNCTION inline ClosestApproach<T>
 closest_approach(Vector<T, D> direction, SymmetricMatrix<T, D> const &q1, SymmetricMatrix<T, D> const &q2) noexcept
 {
     T const largest = largest_coordinate(direction);

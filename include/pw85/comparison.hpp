@@ -10,7 +10,7 @@ namespace pw85 {
 
 /// The condition number of the contact function at the maximum: cond·u is what entrywise rounding of the data moves μ²/μ²
 /// by.
-template <class T, int D> static inline T condition_number(Pair<T, D> const &pair, Maximum<T> const &m) noexcept
+template <class T, int D> PW85_FUNCTION inline T condition_number(Pair<T, D> const &pair, Maximum<T> const &m) noexcept
 {
     T const t = m.lambda / pair.ratio / m.complement / pair.ratio;
     Vector<T, D> const s = solve(factorize_blend(T(1), pair.q1, t, pair.q2), pair.r12);
@@ -29,7 +29,7 @@ inline constexpr int value_margin = 8;
 
 /// The tier for a pair in range, whose `tangent` is μ² of tangent ellipsoids in its units.
 template <class T, int D>
-[[gnu::noinline]] static inline Decision decide_by_comparison(Pair<T, D> const &pair, T const &tangent) noexcept
+[[gnu::noinline]] PW85_FUNCTION inline Decision decide_by_comparison(Pair<T, D> const &pair, T const &tangent) noexcept
 {
     Maximum<T> const m = maximize(pair);
     if (!m.converged) return Decision::none;

@@ -3,13 +3,15 @@
 #ifndef PW85_DECISION_HPP_INCLUDED
 #define PW85_DECISION_HPP_INCLUDED
 
+#include <pw85/attributes.hpp>
+
 namespace pw85 {
 
 /// What is certain after a test.
 enum class Decision { none, apart, overlap };
 
 /// The decision from two conditions, of which at most one holds. Which one cannot be foreseen: no branches.
-static constexpr Decision to_decision(bool apart, bool overlap) noexcept
+PW85_FUNCTION constexpr Decision to_decision(bool apart, bool overlap) noexcept
 {
     return static_cast<Decision>(static_cast<unsigned>(apart) + 2u * static_cast<unsigned>(overlap));
 }

@@ -46,8 +46,8 @@ template <class T, int D> struct DistancePair {
 
 /// Brings a valid pair that is apart into range.
 template <class T, int D>
-static inline DistancePair<T, D> scale_distance(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
-                                                SymmetricMatrix<T, D> const &q2, DistanceUnits &units) noexcept
+PW85_FUNCTION inline DistancePair<T, D> scale_distance(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
+                                                       SymmetricMatrix<T, D> const &q2, DistanceUnits &units) noexcept
 {
     units = {binary_exponent(largest_coordinate(r12)), half_exponent(largest_diagonal(q1)),
              half_exponent(largest_diagonal(q2))};
@@ -61,8 +61,8 @@ template <class T> struct Multipliers {
     T ratio, shift;
 };
 
-template <class T, int D>
-static constexpr SymmetricMatrix<T, D> normal_matrix(DistancePair<T, D> const &pair, Multipliers<T> const &x) noexcept
+template <class T, int D> PW85_FUNCTION constexpr SymmetricMatrix<T, D> normal_matrix(DistancePair<T, D> const &pair,
+                                                                                      Multipliers<T> const &x) noexcept
 {
     SymmetricMatrix<T, D> m = blend(pair.scale1, pair.q1, T(x.ratio * pair.scale2), pair.q2);
     for (int i = 0; i < D; ++i) m(i, i) = m(i, i) + x.shift;
@@ -75,13 +75,14 @@ template <class T, int D> struct Adjugate {
     T scale; ///< det M
 };
 
-template <class T, int D> static constexpr Vector<T, D> solve(Adjugate<T, D> const &a, Vector<T, D> const &x) noexcept
+template <class T, int D>
+PW85_FUNCTION constexpr Vector<T, D> solve(Adjugate<T, D> const &a, Vector<T, D> const &x) noexcept
 {
     return product(a.entries, x);
 }
 
-template <class T, int D> static constexpr T scale_of(Adjugate<T, D> const &a) noexcept { return a.scale; }
-template <class T, int D> static constexpr T scale_of(Factorization<T, D> const &) noexcept { return T(1); }
+template <class T, int D> PW85_FUNCTION constexpr T scale_of(Adjugate<T, D> const &a) noexcept { return a.scale; }
+template <class T, int D> PW85_FUNCTION constexpr T scale_of(Factorization<T, D> const &) noexcept { return T(1); }
 
 /// u with A and B, and their derivatives in t and s; all with `scale` M⁻¹ in the place of M⁻¹.
 template <class T, int D> struct NormalJet {
@@ -92,7 +93,7 @@ template <class T, int D> struct NormalJet {
 };
 
 template <class T, int D, class Solver>
-static inline NormalJet<T, D> evaluate_normal(DistancePair<T, D> const &pair, Solver const &solver) noexcept
+PW85_FUNCTION inline NormalJet<T, D> evaluate_normal(DistancePair<T, D> const &pair, Solver const &solver) noexcept
 {
     Vector<T, D> const u = solve(solver, pair.r12), p = product(pair.q1, u), q = product(pair.q2, u);
     Vector<T, D> const u_ratio = times(pair.scale2, solve(solver, q)), u_shift = solve(solver, u);
@@ -110,7 +111,7 @@ static inline NormalJet<T, D> evaluate_normal(DistancePair<T, D> const &pair, So
 
 /// Newton's step of item 2, over the scale.
 template <class T, int D>
-static inline Multipliers<T> newton_step(NormalJet<T, D> const &j, Multipliers<T> const &x) noexcept
+PW85_FUNCTION inline Multipliers<T> newton_step(NormalJet<T, D> const &j, Multipliers<T> const &x) noexcept
 {
     T const root_a = square_root(j.a), root_b = square_root(j.b), reciprocal = T(1) / j.scale;
     T const a = j.a * (reciprocal * root_a - T(1)), b = j.b * (reciprocal * x.ratio * root_b - T(1));
@@ -120,8 +121,9 @@ static inline Multipliers<T> newton_step(NormalJet<T, D> const &j, Multipliers<T
 
 /// Whether a step is so small that its square is below rounding: relative to t, and to u in the norm of M, whose square counts
 /// against n·r. (In this norm t changes u by less than by its own relative change.)
-template <class T, int D> static constexpr bool is_last(DistancePair<T, D> const &pair, NormalJet<T, D> const &j,
-                                                        Multipliers<T> const &x, Multipliers<T> const &step) noexcept
+template <class T, int D> PW85_FUNCTION constexpr bool is_last(DistancePair<T, D> const &pair, NormalJet<T, D> const &j,
+                                                               Multipliers<T> const &x,
+                                                               Multipliers<T> const &step) noexcept
 {
     constexpr int digits = mantissa_digits<T>() + 1;
     return absolute(T(j.scale * step.ratio)) <= negative_power_of_two<T>(digits / 2) * x.ratio &&
@@ -130,7 +132,7 @@ template <class T, int D> static constexpr bool is_last(DistancePair<T, D> const
 
 /// u after a step.
 template <class T, int D>
-static constexpr Vector<T, D> advance(NormalJet<T, D> const &j, Multipliers<T> const &step) noexcept
+PW85_FUNCTION constexpr Vector<T, D> advance(NormalJet<T, D> const &j, Multipliers<T> const &step) noexcept
 {
     Vector<T, D> u = j.u;
     for (int i = 0; i < D; ++i) u[i] = u[i] - (step.ratio * j.u_ratio[i] + step.shift * j.u_shift[i]);
@@ -138,7 +140,8 @@ static constexpr Vector<T, D> advance(NormalJet<T, D> const &j, Multipliers<T> c
 }
 
 /// Where the iteration starts: exact for spheres.
-template <class T, int D> static inline Multipliers<T> initial_multipliers(DistancePair<T, D> const &pair) noexcept
+template <class T, int D>
+PW85_FUNCTION inline Multipliers<T> initial_multipliers(DistancePair<T, D> const &pair) noexcept
 {
     auto const weights = outer_weights(pair.r12);
     T const a = square_root(positive_form(pair.q1, weights)), b = square_root(positive_form(pair.q2, weights));
@@ -149,7 +152,7 @@ template <class T, int D> static inline Multipliers<T> initial_multipliers(Dista
 /// A vector along the normal by item 2; false if 6 evaluations are not enough or a step goes far, which is rare up to aspect
 /// ratios of 10, or where the error of the adjugate would count even squared.
 template <class T, int D>
-static inline bool find_normal(DistancePair<T, D> const &pair, Multipliers<T> x, Vector<T, D> &u) noexcept
+PW85_FUNCTION inline bool find_normal(DistancePair<T, D> const &pair, Multipliers<T> x, Vector<T, D> &u) noexcept
 {
     for (int i = 0; i < 6; ++i) {
         auto const m = normal_matrix(pair, x);
@@ -170,15 +173,15 @@ static inline bool find_normal(DistancePair<T, D> const &pair, Multipliers<T> x,
 }
 
 /// What solves with M by factorisation, which serves any shape.
-template <class T, int D>
-static inline Factorization<T, D> factorize_normal(DistancePair<T, D> const &pair, Multipliers<T> const &x) noexcept
+template <class T, int D> PW85_FUNCTION inline Factorization<T, D> factorize_normal(DistancePair<T, D> const &pair,
+                                                                                    Multipliers<T> const &x) noexcept
 {
     return factorize(normal_matrix(pair, x), T(unit_roundoff<T>()));
 }
 
 /// s of item 3, for some t. Residual times slope falls from step to step to a quarter: for aspect ratios up to 2^127 the slope
 /// by 2^254 in all, the residual by 2^85 for 50 digits, which 170 steps exhaust.
-template <class T, int D> static inline T find_shift(DistancePair<T, D> const &pair, T const &ratio) noexcept
+template <class T, int D> PW85_FUNCTION inline T find_shift(DistancePair<T, D> const &pair, T const &ratio) noexcept
 {
     T const weight = pair.scale2 * ratio, target = pair.scale1 + pair.scale2 / ratio;
     T shift = T(0);
@@ -196,12 +199,12 @@ template <class T, int D> static inline T find_shift(DistancePair<T, D> const &p
 /// The largest number of values of t that search_normal() tries: 13 of growing distance to enclose the one it looks for, which
 /// is in the range of T, 15 and as many as there are digits to make the bracket as narrow as rounding allows, and Newton's
 /// steps, which halve as often at most.
-template <class T> static constexpr int max_ratios() noexcept { return 2 * mantissa_digits<T>() + 28; }
+template <class T> PW85_FUNCTION constexpr int max_ratios() noexcept { return 2 * mantissa_digits<T>() + 28; }
 
 /// A vector along the normal, by a search for t with s from find_shift(): Newton's steps where they stay in the bracket of
 /// item 4 and halve; else bisection of log t, or a point far beyond the end that is known, the farther the more were tried.
 template <class T, int D>
-[[gnu::noinline]] static inline Vector<T, D> search_normal(DistancePair<T, D> const &pair, T ratio) noexcept
+[[gnu::noinline]] PW85_FUNCTION inline Vector<T, D> search_normal(DistancePair<T, D> const &pair, T ratio) noexcept
 {
     T const largest = largest_number<T>();
     T lower = T(0), upper = largest, reach = T(16), shortest = T(2);
@@ -232,7 +235,7 @@ template <class T, int D> struct Support {
 };
 
 template <class T, int D>
-static inline Support<T, D> support(SymmetricMatrix<T, D> const &q, Vector<T, D> const &n) noexcept
+PW85_FUNCTION inline Support<T, D> support(SymmetricMatrix<T, D> const &q, Vector<T, D> const &n) noexcept
 {
     Vector<T, D> const point = product(q, n);
     T const extent = square_root(positive_form(q, n, point));
@@ -241,7 +244,7 @@ static inline Support<T, D> support(SymmetricMatrix<T, D> const &q, Vector<T, D>
 
 /// distance() of a pair that is in range and apart, with both points relative to their own centres. All callers share one
 /// instance, so that products are fused alike and scaling changes no bit of the result.
-template <class T, int D> static inline Distance<T, D> distance_in_range(DistancePair<T, D> const &pair) noexcept
+template <class T, int D> PW85_FUNCTION inline Distance<T, D> distance_in_range(DistancePair<T, D> const &pair) noexcept
 {
     Multipliers<T> const start = initial_multipliers(pair);
     Vector<T, D> u;
@@ -257,7 +260,7 @@ template <class T, int D> static inline Distance<T, D> distance_in_range(Distanc
 }
 
 /// distance() of a valid pair that is apart.
-template <class T, int D> static inline Distance<T, D>
+template <class T, int D> PW85_FUNCTION inline Distance<T, D>
 distance_apart(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, SymmetricMatrix<T, D> const &q2) noexcept
 {
     Distance<T, D> result;
@@ -275,14 +278,14 @@ distance_apart(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, Symmetr
 }
 
 /// The distance of a pair that overlaps or is invalid.
-template <class T, int D> static inline Distance<T, D> no_distance(Status status) noexcept
+template <class T, int D> PW85_FUNCTION inline Distance<T, D> no_distance(Status status) noexcept
 {
     Distance<T, D> result{status == Status::success ? T(0) : quiet_nan<T>(), {}, {}, {}, status};
     for (int i = 0; i < D; ++i) result.point1[i] = result.point2[i] = result.normal[i] = quiet_nan<T>();
     return result;
 }
 
-template <class T, int D> static inline Distance<T, D>
+template <class T, int D> PW85_FUNCTION inline Distance<T, D>
 distance(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, SymmetricMatrix<T, D> const &q2) noexcept
 {
     Overlap const decision = overlap(r12, q1, q2);

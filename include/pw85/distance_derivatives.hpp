@@ -30,8 +30,8 @@ template <class T> struct SurfaceElement {
     SymmetricMatrix<T, 3> turn; ///< A of item 2
 };
 
-template <class T> static inline SurfaceElement<T> surface_element(SymmetricMatrix<T, 3> const &q, T const &scale,
-                                                                   Vector<T, 3> const &n) noexcept
+template <class T> PW85_FUNCTION inline SurfaceElement<T>
+surface_element(SymmetricMatrix<T, 3> const &q, T const &scale, Vector<T, 3> const &n) noexcept
 {
     Support<T, 3> const s = support(q, n);
     SurfaceElement<T> element{times(scale, s.point), q};
@@ -40,7 +40,7 @@ template <class T> static inline SurfaceElement<T> surface_element(SymmetricMatr
     return element;
 }
 
-template <class T> static constexpr Vector<T, 3> unit_vector(int i) noexcept
+template <class T> PW85_FUNCTION constexpr Vector<T, 3> unit_vector(int i) noexcept
 {
     Vector<T, 3> e{};
     e[i] = T(1);
@@ -48,7 +48,7 @@ template <class T> static constexpr Vector<T, 3> unit_vector(int i) noexcept
 }
 
 /// x less its part along the unit vector n.
-template <class T> static constexpr Vector<T, 3> project(Vector<T, 3> x, Vector<T, 3> const &n) noexcept
+template <class T> PW85_FUNCTION constexpr Vector<T, 3> project(Vector<T, 3> x, Vector<T, 3> const &n) noexcept
 {
     T const along = dot(x, n);
     for (int i = 0; i < 3; ++i) x[i] = x[i] - along * n[i];
@@ -56,7 +56,7 @@ template <class T> static constexpr Vector<T, 3> project(Vector<T, 3> x, Vector<
 }
 
 /// A1 + A2 + d I, stiffened along n, where A1 and A2 have nothing, by their trace.
-template <class T> static inline Factorization<T, 3>
+template <class T> PW85_FUNCTION inline Factorization<T, 3>
 factorize_stiffness(SurfaceElement<T> const (&elements)[2], T const &distance, Vector<T, 3> const &n) noexcept
 {
     SymmetricMatrix<T, 3> stiffness = blend(elements[0].turn, T(1), elements[1].turn);
@@ -70,7 +70,7 @@ factorize_stiffness(SurfaceElement<T> const (&elements)[2], T const &distance, V
 
 /// K of item 2.
 template <class T>
-static inline SymmetricMatrix<T, 3> bend(SurfaceElement<T> const &element, Vector<T, 3> const &n) noexcept
+PW85_FUNCTION inline SymmetricMatrix<T, 3> bend(SurfaceElement<T> const &element, Vector<T, 3> const &n) noexcept
 {
     SymmetricMatrix<T, 3> k{};
     Vector<T, 3> const &p = element.point;
@@ -85,8 +85,8 @@ static inline SymmetricMatrix<T, 3> bend(SurfaceElement<T> const &element, Vecto
 }
 
 /// The Hessian in the units of a DistancePair (item 2).
-template <class T> static inline void distance_hessian(SurfaceElement<T> const (&elements)[2], T const &distance,
-                                                       Vector<T, 3> const &n, T (&hessian)[9][9]) noexcept
+template <class T> PW85_FUNCTION inline void distance_hessian(SurfaceElement<T> const (&elements)[2], T const &distance,
+                                                              Vector<T, 3> const &n, T (&hessian)[9][9]) noexcept
 {
     auto const factors = factorize_stiffness(elements, distance, n);
     Vector<T, 3> rows[9], turned[9]; // of J and J G
@@ -113,9 +113,9 @@ template <class T> static inline void distance_hessian(SurfaceElement<T> const (
 
 /// distance_derivatives() of a valid pair that is apart.
 template <class T>
-static inline DistanceDerivatives<T> distance_derivatives_apart(Vector<T, 3> const &r12,
-                                                                SymmetricMatrix<T, 3> const &q1,
-                                                                SymmetricMatrix<T, 3> const &q2) noexcept
+PW85_FUNCTION inline DistanceDerivatives<T> distance_derivatives_apart(Vector<T, 3> const &r12,
+                                                                       SymmetricMatrix<T, 3> const &q1,
+                                                                       SymmetricMatrix<T, 3> const &q2) noexcept
 {
     DistanceUnits units;
     DistancePair<T, 3> const pair = scale_distance(r12, q1, q2, units);
@@ -137,7 +137,7 @@ static inline DistanceDerivatives<T> distance_derivatives_apart(Vector<T, 3> con
 }
 
 /// The derivatives of a pair that overlaps or is invalid.
-template <class T> static inline DistanceDerivatives<T> no_distance_derivatives(Status status) noexcept
+template <class T> PW85_FUNCTION inline DistanceDerivatives<T> no_distance_derivatives(Status status) noexcept
 {
     DistanceDerivatives<T> result{{}, {}, {}, {}, status};
     for (int i = 0; i < 3; ++i) result.r12[i] = result.rotation1[i] = result.rotation2[i] = quiet_nan<T>();
@@ -146,7 +146,7 @@ template <class T> static inline DistanceDerivatives<T> no_distance_derivatives(
     return result;
 }
 
-template <class T> static inline DistanceDerivatives<T>
+template <class T> PW85_FUNCTION inline DistanceDerivatives<T>
 distance_derivatives(Vector<T, 3> const &r12, SymmetricMatrix<T, 3> const &q1, SymmetricMatrix<T, 3> const &q2) noexcept
 {
     Overlap const decision = overlap(r12, q1, q2);

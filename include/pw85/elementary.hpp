@@ -6,20 +6,22 @@
 #ifndef PW85_ELEMENTARY_HPP_INCLUDED
 #define PW85_ELEMENTARY_HPP_INCLUDED
 
+#include <pw85/attributes.hpp>
+
 namespace pw85::elementary {
 
 #define PW85_ELEMENTARY(type, suffix)                                                                                  \
-    static constexpr type abs(type x) noexcept { return __builtin_fabs##suffix(x); }                                   \
-    static inline type sqrt(type x) noexcept { return __builtin_sqrt##suffix(x); }                                     \
-    static inline type cbrt(type x) noexcept { return __builtin_cbrt##suffix(x); }                                     \
-    static inline type exp(type x) noexcept { return __builtin_exp##suffix(x); }                                       \
-    static inline type log(type x) noexcept { return __builtin_log##suffix(x); }                                       \
-    static inline type sin(type x) noexcept { return __builtin_sin##suffix(x); }                                       \
-    static inline type cos(type x) noexcept { return __builtin_cos##suffix(x); }                                       \
-    static inline type atan2(type y, type x) noexcept { return __builtin_atan2##suffix(y, x); }                        \
-    static inline type frexp(type x, int *exponent) noexcept { return __builtin_frexp##suffix(x, exponent); }          \
-    static inline type ldexp(type x, int exponent) noexcept { return __builtin_ldexp##suffix(x, exponent); }           \
-    static inline int ilogb(type x) noexcept { return __builtin_ilogb##suffix(x); }
+    PW85_FUNCTION constexpr type abs(type x) noexcept { return __builtin_fabs##suffix(x); }                            \
+    PW85_FUNCTION inline type sqrt(type x) noexcept { return __builtin_sqrt##suffix(x); }                              \
+    PW85_FUNCTION inline type cbrt(type x) noexcept { return __builtin_cbrt##suffix(x); }                              \
+    PW85_FUNCTION inline type exp(type x) noexcept { return __builtin_exp##suffix(x); }                                \
+    PW85_FUNCTION inline type log(type x) noexcept { return __builtin_log##suffix(x); }                                \
+    PW85_FUNCTION inline type sin(type x) noexcept { return __builtin_sin##suffix(x); }                                \
+    PW85_FUNCTION inline type cos(type x) noexcept { return __builtin_cos##suffix(x); }                                \
+    PW85_FUNCTION inline type atan2(type y, type x) noexcept { return __builtin_atan2##suffix(y, x); }                 \
+    PW85_FUNCTION inline type frexp(type x, int *exponent) noexcept { return __builtin_frexp##suffix(x, exponent); }   \
+    PW85_FUNCTION inline type ldexp(type x, int exponent) noexcept { return __builtin_ldexp##suffix(x, exponent); }    \
+    PW85_FUNCTION inline int ilogb(type x) noexcept { return __builtin_ilogb##suffix(x); }
 
 PW85_ELEMENTARY(float, f)
 PW85_ELEMENTARY(double, )

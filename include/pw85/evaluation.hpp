@@ -32,25 +32,26 @@ template <class T> struct Jet {
 /// N = α Q1 + β Q2, factorised. Pivots are raised to what rounding can hide: the blend of two positive definite forms
 /// is positive definite.
 template <class T, int D>
-static constexpr Factorization<T, D> factorize_blend(T const &alpha, SymmetricMatrix<T, D> const &q1, T const &beta,
-                                                     SymmetricMatrix<T, D> const &q2) noexcept
+PW85_FUNCTION constexpr Factorization<T, D> factorize_blend(T const &alpha, SymmetricMatrix<T, D> const &q1,
+                                                            T const &beta, SymmetricMatrix<T, D> const &q2) noexcept
 {
     return factorize(blend(alpha, q1, beta, q2), T(unit_roundoff<T>()));
 }
 
 /// f at λ (item 1).
-template <class T, int D> static constexpr T evaluate_f(T const &lambda, Vector<T, D> const &r12,
-                                                        SymmetricMatrix<T, D> const &q1,
-                                                        SymmetricMatrix<T, D> const &q2) noexcept
+template <class T, int D> PW85_FUNCTION constexpr T evaluate_f(T const &lambda, Vector<T, D> const &r12,
+                                                               SymmetricMatrix<T, D> const &q1,
+                                                               SymmetricMatrix<T, D> const &q2) noexcept
 {
     T const alpha = T(1) - lambda;
     return lambda * alpha * dot(r12, solve(factorize_blend(alpha, q1, lambda, q2), r12));
 }
 
 /// f, f' and f'' at λ (item 1).
-template <class T, int D> static constexpr Derivatives<T> evaluate_derivatives(T const &lambda, Vector<T, D> const &r12,
-                                                                               SymmetricMatrix<T, D> const &q1,
-                                                                               SymmetricMatrix<T, D> const &q2) noexcept
+template <class T, int D>
+PW85_FUNCTION constexpr Derivatives<T> evaluate_derivatives(T const &lambda, Vector<T, D> const &r12,
+                                                            SymmetricMatrix<T, D> const &q1,
+                                                            SymmetricMatrix<T, D> const &q2) noexcept
 {
     T const alpha = T(1) - lambda, weight = lambda * alpha;
     auto const factors = factorize_blend(alpha, q1, lambda, q2);
@@ -65,8 +66,8 @@ template <class T, int D> static constexpr Derivatives<T> evaluate_derivatives(T
 
 /// A computed sᵀQs, at least the size of its own rounding error: positive for s != 0 and a positive diagonal. From the outer
 /// weights of s.
-template <class T, int D> static constexpr T raise_form(T const &form, SymmetricMatrix<T, D> const &q,
-                                                        SymmetricMatrix<T, D> const &weights) noexcept
+template <class T, int D> PW85_FUNCTION constexpr T raise_form(T const &form, SymmetricMatrix<T, D> const &q,
+                                                               SymmetricMatrix<T, D> const &weights) noexcept
 {
     T floor = weights(0, 0) * q(0, 0);
     for (int i = 1; i < D; ++i) floor = floor + weights(i, i) * q(i, i);
@@ -75,21 +76,21 @@ template <class T, int D> static constexpr T raise_form(T const &form, Symmetric
 
 /// sᵀQs from the outer weights of s, positive.
 template <class T, int D>
-static constexpr T positive_form(SymmetricMatrix<T, D> const &q, SymmetricMatrix<T, D> const &weights) noexcept
+PW85_FUNCTION constexpr T positive_form(SymmetricMatrix<T, D> const &q, SymmetricMatrix<T, D> const &weights) noexcept
 {
     return raise_form(quadratic_form(q, weights), q, weights);
 }
 
 /// sᵀQs from Qs, positive.
-template <class T, int D>
-static constexpr T positive_form(SymmetricMatrix<T, D> const &q, Vector<T, D> const &s, Vector<T, D> const &qs) noexcept
+template <class T, int D> PW85_FUNCTION constexpr T positive_form(SymmetricMatrix<T, D> const &q, Vector<T, D> const &s,
+                                                                  Vector<T, D> const &qs) noexcept
 {
     return raise_form(dot(s, qs), q, outer_weights(s));
 }
 
 /// A and B and their derivatives at t (item 2), over A: numbers of like magnitude, whatever the aspect ratio. From the factors of
 /// M and s = M⁻¹r12.
-template <class T, int D> static constexpr Jet<T>
+template <class T, int D> PW85_FUNCTION constexpr Jet<T>
 evaluate_jet(Pair<T, D> const &pair, Factorization<T, D> const &factors, Vector<T, D> const &s) noexcept
 {
     Vector<T, D> const p = product(pair.q1, s), q = product(pair.q2, s), v = solve(factors, q);

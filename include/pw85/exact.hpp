@@ -48,7 +48,7 @@ struct Polynomial {
     }
 };
 
-static constexpr Polynomial variable(int index) noexcept
+PW85_FUNCTION constexpr Polynomial variable(int index) noexcept
 {
     Polynomial x(1);
     x.terms[0].degree = 1;
@@ -56,21 +56,21 @@ static constexpr Polynomial variable(int index) noexcept
     return x;
 }
 
-static constexpr Monomial operator*(Monomial x, Monomial const &y) noexcept
+PW85_FUNCTION constexpr Monomial operator*(Monomial x, Monomial const &y) noexcept
 {
     x.coefficient = static_cast<signed char>(x.coefficient * y.coefficient);
     for (int i = 0; i < y.degree; ++i) x.factors[static_cast<int>(x.degree++)] = y.factors[i];
     return x;
 }
 
-static constexpr bool has_same_factors(Monomial const &x, Monomial const &y) noexcept
+PW85_FUNCTION constexpr bool has_same_factors(Monomial const &x, Monomial const &y) noexcept
 {
     bool same = x.degree == y.degree;
     for (int i = 0; i < 4; ++i) same = same && x.factors[i] == y.factors[i];
     return same;
 }
 
-static constexpr void add(Polynomial &sum, Monomial const &term) noexcept
+PW85_FUNCTION constexpr void add(Polynomial &sum, Monomial const &term) noexcept
 {
     int i = 0;
     while (i < sum.size && !has_same_factors(sum.terms[i], term)) ++i;
@@ -80,7 +80,7 @@ static constexpr void add(Polynomial &sum, Monomial const &term) noexcept
         sum.terms[i].coefficient = static_cast<signed char>(sum.terms[i].coefficient + term.coefficient);
 }
 
-static constexpr Polynomial operator*(Polynomial const &x, Polynomial const &y) noexcept
+PW85_FUNCTION constexpr Polynomial operator*(Polynomial const &x, Polynomial const &y) noexcept
 {
     Polynomial product(0);
     for (int i = 0; i < x.size; ++i)
@@ -88,17 +88,17 @@ static constexpr Polynomial operator*(Polynomial const &x, Polynomial const &y) 
     return product;
 }
 
-static constexpr Polynomial operator+(Polynomial x, Polynomial const &y) noexcept
+PW85_FUNCTION constexpr Polynomial operator+(Polynomial x, Polynomial const &y) noexcept
 {
     for (int i = 0; i < y.size; ++i) add(x, y.terms[i]);
     return x;
 }
 
-static constexpr Polynomial operator-(Polynomial const &x) noexcept { return Polynomial(-1) * x; }
-static constexpr Polynomial operator-(Polynomial const &x, Polynomial const &y) noexcept { return x + -y; }
+PW85_FUNCTION constexpr Polynomial operator-(Polynomial const &x) noexcept { return Polynomial(-1) * x; }
+PW85_FUNCTION constexpr Polynomial operator-(Polynomial const &x, Polynomial const &y) noexcept { return x + -y; }
 
 /// The rational form in the symbols x: r12, q1 and q2, one after the other.
-template <int D> static constexpr RationalForm<Polynomial> symbolic_form() noexcept
+template <int D> PW85_FUNCTION constexpr RationalForm<Polynomial> symbolic_form() noexcept
 {
     Pair<Polynomial, D> pair{};
     int index = 0;
@@ -123,7 +123,7 @@ template <class T> struct BinaryFraction {
 };
 
 /// A finite number, exactly.
-template <class T> static inline BinaryFraction<T> to_binary_fraction(T const &x) noexcept
+template <class T> PW85_FUNCTION inline BinaryFraction<T> to_binary_fraction(T const &x) noexcept
 {
     constexpr T radix = T(2) * static_cast<T>(Limb{1} << (limb_bits - 1));
     BinaryFraction<T> result{};
@@ -156,7 +156,7 @@ struct BitRange {
 };
 
 /// The bounds of no number at all.
-static constexpr BitRange no_digits() noexcept { return {1 << 24, -(1 << 24)}; }
+PW85_FUNCTION constexpr BitRange no_digits() noexcept { return {1 << 24, -(1 << 24)}; }
 
 /// The numbers of a pair, in the order of symbolic_form().
 template <class T, int D> struct Numbers {
@@ -164,7 +164,7 @@ template <class T, int D> struct Numbers {
     BitRange r, q; ///< of the coordinates, of the entries of both forms
 };
 
-template <class T, int D> static inline Numbers<T, D>
+template <class T, int D> PW85_FUNCTION inline Numbers<T, D>
 to_numbers(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, SymmetricMatrix<T, D> const &q2) noexcept
 {
     Numbers<T, D> numbers;
@@ -177,7 +177,7 @@ to_numbers(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, SymmetricMa
 }
 
 /// Whether bounding boxes are apart: their half-widths are less than √2^q.high, and a coordinate is at least 2^(r.high - 1).
-template <class T, int D> static inline bool is_far(Numbers<T, D> const &numbers) noexcept
+template <class T, int D> PW85_FUNCTION inline bool is_far(Numbers<T, D> const &numbers) noexcept
 {
     return 2 * numbers.r.high >= numbers.q.high + 4;
 }
@@ -186,19 +186,19 @@ template <class T, int D> static inline bool is_far(Numbers<T, D> const &numbers
 // more than 72: 36 in rᵀ adj r, where a cofactor has up to 4, and 18 in each of two coefficients of det.
 
 /// The coefficients of p are multiples of 2^unit.
-template <class T, int D> static inline int unit(Numbers<T, D> const &numbers) noexcept
+template <class T, int D> PW85_FUNCTION inline int unit(Numbers<T, D> const &numbers) noexcept
 {
     return (D - 1) * numbers.q.low + minimum(2 * numbers.r.low, numbers.q.low);
 }
 
 /// They are smaller than 2^(unit + bits).
-template <class T, int D> static inline int bits(Numbers<T, D> const &numbers) noexcept
+template <class T, int D> PW85_FUNCTION inline int bits(Numbers<T, D> const &numbers) noexcept
 {
     return (D - 1) * numbers.q.high + maximum(2 * numbers.r.high, numbers.q.high) + 7 - unit(numbers);
 }
 
 /// What bits() is at most, unless the pair is far: every number is a multiple of the smallest positive one.
-template <class T> static constexpr int max_bits() noexcept
+template <class T> PW85_FUNCTION constexpr int max_bits() noexcept
 {
     using Limits = std::numeric_limits<T>;
     return 3 * Limits::max_exponent + 3 + 7 - 4 * (Limits::min_exponent - Limits::digits);
@@ -220,8 +220,8 @@ struct Sizes {
 };
 
 /// The magnitude of the product of `Count` factors of a monomial, from the given one on.
-template <int Count, class T, int D>
-static inline auto magnitude_of_product(Numbers<T, D> const &numbers, Monomial const &monomial, int first = 0) noexcept
+template <int Count, class T, int D> PW85_FUNCTION inline auto
+magnitude_of_product(Numbers<T, D> const &numbers, Monomial const &monomial, int first = 0) noexcept
 {
     if constexpr (Count == 1)
         return numbers.x[monomial.factors[first]].magnitude;
@@ -238,7 +238,7 @@ template <int N> struct Term {
 };
 
 template <int Degree, class T, int D>
-static inline auto evaluate(Numbers<T, D> const &numbers, Monomial const &monomial) noexcept
+PW85_FUNCTION inline auto evaluate(Numbers<T, D> const &numbers, Monomial const &monomial) noexcept
 {
     int sign = monomial.coefficient < 0 ? -1 : 1;
     int exponent = (monomial.coefficient % 2 == 0 ? 1 : 0) - unit(numbers); // the coefficient is ±1 or ±2
@@ -251,7 +251,7 @@ static inline auto evaluate(Numbers<T, D> const &numbers, Monomial const &monomi
     return Term<shifted.size>{shifted, exponent / limb_bits, sign};
 }
 
-template <int N> static inline void add(WideSum sum, Term<N> const &term, int sign) noexcept
+template <int N> PW85_FUNCTION inline void add(WideSum sum, Term<N> const &term, int sign) noexcept
 {
     if (term.sign != 0) add(sum, term.magnitude, term.position, sign * term.sign);
 }
@@ -281,8 +281,8 @@ template <class T, int D>
 }
 
 /// 2J, in its memory; uses that of a quadratic sum.
-[[gnu::noinline]] static inline WideInteger twice_j(Quartic const &p, Sizes const &sizes, Limb *memory,
-                                                    Limb *scratch) noexcept
+[[gnu::noinline]] PW85_FUNCTION inline WideInteger twice_j(Quartic const &p, Sizes const &sizes, Limb *memory,
+                                                           Limb *scratch) noexcept
 {
     auto const &[e, d, c, b, a] = p.coefficients;
     WideSum const sum = zero_sum(memory, sizes.cubic);
@@ -305,7 +305,7 @@ template <class T, int D>
     return value(sum);
 }
 
-static inline WideInteger invariant_i(Quartic const &p, Sizes const &sizes, Limb *memory) noexcept
+PW85_FUNCTION inline WideInteger invariant_i(Quartic const &p, Sizes const &sizes, Limb *memory) noexcept
 {
     auto const &[e, d, c, b, a] = p.coefficients;
     WideSum const sum = zero_sum(memory, sizes.quadratic);
@@ -318,7 +318,8 @@ static inline WideInteger invariant_i(Quartic const &p, Sizes const &sizes, Limb
 }
 
 /// The sign of the discriminant; uses memory for a quartic sum.
-static inline int sign_of_discriminant(WideInteger i, WideInteger twice_j, Sizes const &sizes, Limb *memory) noexcept
+PW85_FUNCTION inline int sign_of_discriminant(WideInteger i, WideInteger twice_j, Sizes const &sizes,
+                                              Limb *memory) noexcept
 {
     if (i.sign < 0) return -1;
     WideSum const square = zero_sum(memory, sizes.quartic);
@@ -328,8 +329,8 @@ static inline int sign_of_discriminant(WideInteger i, WideInteger twice_j, Sizes
 }
 
 /// The sign of the subdiscriminant where the discriminant is zero; uses memory for a quadratic sum.
-static inline int sign_of_subdiscriminant(Quartic const &p, WideInteger i, WideInteger twice_j, Sizes const &sizes,
-                                          Limb *memory) noexcept
+PW85_FUNCTION inline int sign_of_subdiscriminant(Quartic const &p, WideInteger i, WideInteger twice_j,
+                                                 Sizes const &sizes, Limb *memory) noexcept
 {
     auto const &[e, d, c, b, a] = p.coefficients;
     WideSum const sum = zero_sum(memory, sizes.quadratic);

@@ -21,7 +21,7 @@ template <class T> struct Bracket {
 };
 
 /// Takes note of the fixed-point map's image of some t, a bound on the side where it is from t.
-template <class T> static inline void update(Bracket<T> &bracket, T const &t, T const &image) noexcept
+template <class T> PW85_FUNCTION inline void update(Bracket<T> &bracket, T const &t, T const &image) noexcept
 {
     if (image > t)
         bracket.lower = maximum(bracket.lower, image);
@@ -29,18 +29,18 @@ template <class T> static inline void update(Bracket<T> &bracket, T const &t, T 
         bracket.upper = minimum(bracket.upper, image);
 }
 
-template <class T> static inline bool is_narrow(Bracket<T> const &bracket) noexcept
+template <class T> PW85_FUNCTION inline bool is_narrow(Bracket<T> const &bracket) noexcept
 {
     return bracket.upper <= bracket.lower + penultimate_step<T>() * bracket.lower;
 }
 
-template <class T> static inline T clamp(Bracket<T> const &bracket, T const &t) noexcept
+template <class T> PW85_FUNCTION inline T clamp(Bracket<T> const &bracket, T const &t) noexcept
 {
     return minimum(maximum(t, bracket.lower), bracket.upper);
 }
 
 /// The middle of log t, or a point far beyond the end that is known, the farther the more were tried.
-template <class T> static inline T probe(Bracket<T> &bracket) noexcept
+template <class T> PW85_FUNCTION inline T probe(Bracket<T> &bracket) noexcept
 {
     bool const below = !(bracket.lower > smallest_number<T>());
     bool const above = !(bracket.upper < largest_number<T>());
@@ -54,9 +54,9 @@ template <class T> static inline T probe(Bracket<T> &bracket) noexcept
 enum class Precision { working, refined };
 
 /// M⁻¹ r12.
-template <class T, int D> static inline Vector<T, D> solve_for_separation(Pair<T, D> const &pair, T const &t,
-                                                                          Factorization<T, D> const &factors,
-                                                                          Precision precision) noexcept
+template <class T, int D> PW85_FUNCTION inline Vector<T, D> solve_for_separation(Pair<T, D> const &pair, T const &t,
+                                                                                 Factorization<T, D> const &factors,
+                                                                                 Precision precision) noexcept
 {
     Vector<T, D> const s = solve(factors, pair.r12);
     return precision == Precision::refined ? refine(pair, t, factors, s) : s;
@@ -64,8 +64,8 @@ template <class T, int D> static inline Vector<T, D> solve_for_separation(Pair<T
 
 /// Iterates from the candidate until a step is within penultimate_step(), or only rounding noise is left. Three steps are free
 /// to go anywhere in the bracket; later ones bisect it unless Halley's steps halve. False after max_factorized_steps.
-template <class T, int D> static inline bool search(Pair<T, D> const &pair, Candidate<T> &candidate,
-                                                    Precision precision, int &evaluations) noexcept
+template <class T, int D> PW85_FUNCTION inline bool search(Pair<T, D> const &pair, Candidate<T> &candidate,
+                                                           Precision precision, int &evaluations) noexcept
 {
     T const smallest = smallest_number<T>(), largest = largest_number<T>();
     Bracket<T> bracket{smallest, largest, T(1024)};
@@ -98,7 +98,7 @@ template <class T, int D> static inline bool search(Pair<T, D> const &pair, Cand
 
 /// A bound on the inverse of the smallest eigenvalue of M scaled to a unit diagonal: the sum of M_ii (M⁻¹)_ii.
 template <class T, int D>
-static inline T condition(Factorization<T, D> const &factors, SymmetricMatrix<T, D> const &m) noexcept
+PW85_FUNCTION inline T condition(Factorization<T, D> const &factors, SymmetricMatrix<T, D> const &m) noexcept
 {
     T sum = T(0);
     for (int i = 0; i < D; ++i) {
@@ -114,7 +114,7 @@ static inline T condition(Factorization<T, D> const &factors, SymmetricMatrix<T,
 inline constexpr int factorization_error = 5;
 
 /// The last evaluation, by factorisation.
-template <class T, int D> static inline LastEvaluation<T>
+template <class T, int D> PW85_FUNCTION inline LastEvaluation<T>
 last_evaluation(Pair<T, D> const &pair, Candidate<T> const &candidate, Precision precision) noexcept
 {
     auto const m = blend(pair.q1, candidate.t, pair.q2);

@@ -17,7 +17,7 @@ template <class T, int D> struct Form {
 /// some room.
 inline constexpr double rotation_tolerance = 1e-6;
 
-template <class T, int D> static constexpr Form<T, D> invalid_form() noexcept
+template <class T, int D> PW85_FUNCTION constexpr Form<T, D> invalid_form() noexcept
 {
     Form<T, D> form{{}, Status::invalid_argument};
     for (int k = 0; k < form.q.size; ++k) form.q[k] = quiet_nan<T>();
@@ -26,17 +26,20 @@ template <class T, int D> static constexpr Form<T, D> invalid_form() noexcept
 
 /// A form with its status: entries must be finite and the diagonal positive, which they are not when the square of a
 /// length overflows or vanishes.
-template <class T, int D> static constexpr Form<T, D> checked_form(SymmetricMatrix<T, D> const &q) noexcept
+template <class T, int D> PW85_FUNCTION constexpr Form<T, D> checked_form(SymmetricMatrix<T, D> const &q) noexcept
 {
     bool valid = is_finite(q);
     for (int i = 0; i < D; ++i) valid = valid && q(i, i) > T(0);
     return valid ? Form<T, D>{q, Status::success} : invalid_form<T, D>();
 }
 
-template <class T> static constexpr bool is_length(T const &x) noexcept { return x > T(0) && x <= largest_number<T>(); }
+template <class T> PW85_FUNCTION constexpr bool is_length(T const &x) noexcept
+{
+    return x > T(0) && x <= largest_number<T>();
+}
 
 /// Q = a² (I - nnᵀ) + c² nnᵀ for the unit vector along n, without cancellation for any ratio of the lengths.
-template <class T> static constexpr Form<T, 3> spheroid(T const &a, T const &c, Vector<T, 3> n) noexcept
+template <class T> PW85_FUNCTION constexpr Form<T, 3> spheroid(T const &a, T const &c, Vector<T, 3> n) noexcept
 {
     T const largest = largest_coordinate(n);
     if (!is_length(a) || !is_length(c) || !is_finite(n) || !(largest > T(0))) return invalid_form<T, 3>();
@@ -53,7 +56,7 @@ template <class T> static constexpr Form<T, 3> spheroid(T const &a, T const &c, 
 
 /// Q = R diag(semi_axes²) Rᵀ, for R known to be orthogonal.
 template <class T, int D>
-static constexpr Form<T, D> form_of_axes(Vector<T, D> const &semi_axes, T const (&rotation)[D * D]) noexcept
+PW85_FUNCTION constexpr Form<T, D> form_of_axes(Vector<T, D> const &semi_axes, T const (&rotation)[D * D]) noexcept
 {
     SymmetricMatrix<T, D> q{};
     for (int i = 0; i < D; ++i)
@@ -64,7 +67,8 @@ static constexpr Form<T, D> form_of_axes(Vector<T, D> const &semi_axes, T const 
 }
 
 /// The form of a general ellipsoid; the columns of `rotation` (row-major) are its principal directions.
-template <class T> static constexpr Form<T, 3> ellipsoid(Vector<T, 3> const &semi_axes, T const (&rotation)[9]) noexcept
+template <class T>
+PW85_FUNCTION constexpr Form<T, 3> ellipsoid(Vector<T, 3> const &semi_axes, T const (&rotation)[9]) noexcept
 {
     bool valid = true;
     for (int i = 0; i < 3; ++i) {
@@ -84,7 +88,7 @@ template <class T> struct RotationMatrix {
 };
 
 template <class T>
-static constexpr RotationMatrix<T> rotation_matrix(Vector<T, 4> const &quaternion, T const &norm2) noexcept
+PW85_FUNCTION constexpr RotationMatrix<T> rotation_matrix(Vector<T, 4> const &quaternion, T const &norm2) noexcept
 {
     auto const [w, x, y, z] = quaternion.coordinates;
     T const two = T(2) / norm2;
@@ -95,7 +99,7 @@ static constexpr RotationMatrix<T> rotation_matrix(Vector<T, 4> const &quaternio
 
 /// The form of a general ellipsoid whose orientation is a quaternion (w, x, y, z) of any length > 0.
 template <class T>
-static constexpr Form<T, 3> ellipsoid_quaternion(Vector<T, 3> const &semi_axes, Vector<T, 4> quaternion) noexcept
+PW85_FUNCTION constexpr Form<T, 3> ellipsoid_quaternion(Vector<T, 3> const &semi_axes, Vector<T, 4> quaternion) noexcept
 {
     T const largest = largest_coordinate(quaternion);
     bool valid = is_finite(quaternion) && largest > T(0);
@@ -106,7 +110,7 @@ static constexpr Form<T, 3> ellipsoid_quaternion(Vector<T, 3> const &semi_axes, 
 }
 
 /// The form of an ellipse with semi-axes a, b, the first at `angle` (radians, counter-clockwise) from the x axis.
-template <class T> static inline Form<T, 2> ellipse(T const &a, T const &b, T const &angle) noexcept
+template <class T> PW85_FUNCTION inline Form<T, 2> ellipse(T const &a, T const &b, T const &angle) noexcept
 {
     using elementary::cos;
     using elementary::sin;

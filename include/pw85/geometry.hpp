@@ -36,20 +36,20 @@ template <class T> struct ContactTorque {
 
 /// Conditioning (rational.hpp) above which the adjugate gives M⁻¹x to 126 u/d < 2^-28 in double, a few times what the rounding of
 /// λ and of the forms leaves certain of the derivatives of such a pair.
-template <class T> static constexpr T adjugate_conditioning() noexcept
+template <class T> PW85_FUNCTION constexpr T adjugate_conditioning() noexcept
 {
     return negative_power_of_two<T>(maximum(mantissa_digits<T>() / 2 - 8, 0));
 }
 
 template <class T, int D>
-static constexpr typename ScalarTraits<T>::Mask is_accurate(AdjugateSolution<T, D> const &solution) noexcept
+PW85_FUNCTION constexpr typename ScalarTraits<T>::Mask is_accurate(AdjugateSolution<T, D> const &solution) noexcept
 {
     return solution.determinant > adjugate_conditioning<T>() * solution.diagonal;
 }
 
 /// M⁻¹ x: by the adjugate where that is as good as rounding allows, else by factorisation.
 template <class T, int D>
-static inline Vector<T, D> solve_blend(SymmetricMatrix<T, D> const &m, Vector<T, D> const &x) noexcept
+PW85_FUNCTION inline Vector<T, D> solve_blend(SymmetricMatrix<T, D> const &m, Vector<T, D> const &x) noexcept
 {
     auto const solution = solve_by_adjugate(m, x);
     if (is_accurate(solution)) return times(T(T(1) / solution.determinant), solution.s);
@@ -65,19 +65,19 @@ template <class T, int D> struct Tangency {
 
 /// The point x0, relative to the centre of ellipsoid 1 (item 1).
 template <class T, int D>
-static constexpr Vector<T, D> tangency_point(Tangency<T, D> const &at, SymmetricMatrix<T, D> const &q1) noexcept
+PW85_FUNCTION constexpr Vector<T, D> tangency_point(Tangency<T, D> const &at, SymmetricMatrix<T, D> const &q1) noexcept
 {
     return times(at.weight1, product(q1, at.v));
 }
 
 /// The unit vector along n; not finite where n is zero.
-template <class T, int D> static inline Vector<T, D> tangency_normal(Tangency<T, D> const &at) noexcept
+template <class T, int D> PW85_FUNCTION inline Vector<T, D> tangency_normal(Tangency<T, D> const &at) noexcept
 {
     return times(T(T(1) / square_root(dot(at.v, at.v))), at.v);
 }
 
 /// ∂μ²/∂r12 (item 2).
-template <class T, int D> static constexpr Vector<T, D> separation_gradient(Tangency<T, D> const &at) noexcept
+template <class T, int D> PW85_FUNCTION constexpr Vector<T, D> separation_gradient(Tangency<T, D> const &at) noexcept
 {
     return times(T(T(2) * at.lambda1 * at.lambda2), at.v);
 }
@@ -87,7 +87,7 @@ template <class T> struct RotationGradients {
     Vector<T, 3> first, second;
 };
 
-template <class T> static constexpr RotationGradients<T>
+template <class T> PW85_FUNCTION constexpr RotationGradients<T>
 rotation_gradients(Tangency<T, 3> const &at, SymmetricMatrix<T, 3> const &q1, SymmetricMatrix<T, 3> const &q2) noexcept
 {
     Vector<T, 3> const n = separation_gradient(at);
@@ -95,7 +95,7 @@ rotation_gradients(Tangency<T, 3> const &at, SymmetricMatrix<T, 3> const &q1, Sy
 }
 
 /// 1-λ: a maximiser that rounds to 1 is that of a pair of very different sizes, not the end.
-template <class T> static constexpr T complement_of(T const &lambda) noexcept
+template <class T> PW85_FUNCTION constexpr T complement_of(T const &lambda) noexcept
 {
     return maximum(T(T(1) - lambda), T(T(0.5) * unit_roundoff<T>()));
 }
@@ -109,8 +109,8 @@ struct TangencyUnits {
 
 /// The pair at λ in units in which its forms, the larger of its weights and λ are of order one, so that everything that is
 /// made of them stays in range. `scaled` is the pair, in its order and scaled.
-template <class T, int D> static inline Tangency<T, D> scaled_tangency(ScaledPair<T, D> const &scaled, T const &lambda1,
-                                                                       T const &lambda2, TangencyUnits &units) noexcept
+template <class T, int D> PW85_FUNCTION inline Tangency<T, D>
+scaled_tangency(ScaledPair<T, D> const &scaled, T const &lambda1, T const &lambda2, TangencyUnits &units) noexcept
 {
     T const &first = scaled.swapped ? lambda2 : lambda1, &second = scaled.swapped ? lambda1 : lambda2;
     int const small = -2 * binary_exponent(scaled.pair.ratio);
@@ -126,7 +126,7 @@ template <class T, int D> static inline Tangency<T, D> scaled_tangency(ScaledPai
 }
 
 /// formula(tangency, q1, q2) for any pair at λ.
-template <class Formula, class T, int D> [[gnu::noinline]] static inline auto
+template <class Formula, class T, int D> [[gnu::noinline]] PW85_FUNCTION inline auto
 at_tangency_scaled(Formula formula, Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
                    SymmetricMatrix<T, D> const &q2, T const &lambda1, T const &lambda2) noexcept
 {
@@ -148,8 +148,8 @@ at_tangency_scaled(Formula formula, Vector<T, D> const &r12, SymmetricMatrix<T, 
 
 /// formula(tangency, q1, q2) for a pair at λ.
 template <class Formula, class T, int D>
-static inline auto at_tangency(Formula formula, Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
-                               SymmetricMatrix<T, D> const &q2, T const &lambda) noexcept
+PW85_FUNCTION inline auto at_tangency(Formula formula, Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
+                                      SymmetricMatrix<T, D> const &q2, T const &lambda) noexcept
 {
     T const lambda1 = complement_of(lambda);
     if (lambda >= T(0) && lambda <= T(1) && is_ordinary(r12, q1, q2)) {
@@ -159,20 +159,21 @@ static inline auto at_tangency(Formula formula, Vector<T, D> const &r12, Symmetr
     return at_tangency_scaled(formula, r12, q1, q2, lambda1, lambda);
 }
 
-template <class T, int D> static inline void invalidate(ContactGeometry<T, D> &g, Status status) noexcept
+template <class T, int D> PW85_FUNCTION inline void invalidate(ContactGeometry<T, D> &g, Status status) noexcept
 {
     for (int i = 0; i < D; ++i) g.point[i] = g.normal[i] = quiet_nan<T>();
     g.status = status;
 }
 
-template <class T, int D> static inline void rescale(ContactGeometry<T, D> &g, TangencyUnits const &units) noexcept
+template <class T, int D>
+PW85_FUNCTION inline void rescale(ContactGeometry<T, D> &g, TangencyUnits const &units) noexcept
 {
     g.point = times_power_of_two(g.point, units.length);
 }
 
 template <class T, int D>
-static inline ContactGeometry<T, D> contact_geometry(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
-                                                     SymmetricMatrix<T, D> const &q2, T const &lambda) noexcept
+PW85_FUNCTION inline ContactGeometry<T, D> contact_geometry(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
+                                                            SymmetricMatrix<T, D> const &q2, T const &lambda) noexcept
 {
     return at_tangency(
         [](Tangency<T, D> const &at, SymmetricMatrix<T, D> const &p1, SymmetricMatrix<T, D> const &) {
@@ -183,7 +184,7 @@ static inline ContactGeometry<T, D> contact_geometry(Vector<T, D> const &r12, Sy
         r12, q1, q2, lambda);
 }
 
-template <class T, int D> static inline void invalidate(ContactGradient<T, D> &g, Status status) noexcept
+template <class T, int D> PW85_FUNCTION inline void invalidate(ContactGradient<T, D> &g, Status status) noexcept
 {
     g.r12 = times(quiet_nan<T>(), g.r12);
     g.q1 = times(quiet_nan<T>(), g.q1);
@@ -191,7 +192,8 @@ template <class T, int D> static inline void invalidate(ContactGradient<T, D> &g
     g.status = status;
 }
 
-template <class T, int D> static inline void rescale(ContactGradient<T, D> &g, TangencyUnits const &units) noexcept
+template <class T, int D>
+PW85_FUNCTION inline void rescale(ContactGradient<T, D> &g, TangencyUnits const &units) noexcept
 {
     g.r12 = times_power_of_two(g.r12, units.normal + units.lambda);
     g.q1 = times_power_of_two(g.q1, 2 * units.normal + units.lambda);
@@ -199,8 +201,8 @@ template <class T, int D> static inline void rescale(ContactGradient<T, D> &g, T
 }
 
 template <class T, int D>
-static inline ContactGradient<T, D> contact_gradient(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
-                                                     SymmetricMatrix<T, D> const &q2, T const &lambda) noexcept
+PW85_FUNCTION inline ContactGradient<T, D> contact_gradient(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
+                                                            SymmetricMatrix<T, D> const &q2, T const &lambda) noexcept
 {
     return at_tangency(
         [](Tangency<T, D> const &at, SymmetricMatrix<T, D> const &, SymmetricMatrix<T, D> const &) {
@@ -212,14 +214,14 @@ static inline ContactGradient<T, D> contact_gradient(Vector<T, D> const &r12, Sy
         r12, q1, q2, lambda);
 }
 
-template <class T> static inline void invalidate(ContactTorque<T> &t, Status status) noexcept
+template <class T> PW85_FUNCTION inline void invalidate(ContactTorque<T> &t, Status status) noexcept
 {
     t.rotation1 = times(quiet_nan<T>(), t.rotation1);
     t.rotation2 = times(quiet_nan<T>(), t.rotation2);
     t.status = status;
 }
 
-template <class T> static inline void rescale(ContactTorque<T> &t, TangencyUnits const &units) noexcept
+template <class T> PW85_FUNCTION inline void rescale(ContactTorque<T> &t, TangencyUnits const &units) noexcept
 {
     int const exponent = units.length + units.normal + units.lambda;
     t.rotation1 = times_power_of_two(t.rotation1, exponent);
@@ -227,8 +229,8 @@ template <class T> static inline void rescale(ContactTorque<T> &t, TangencyUnits
 }
 
 template <class T>
-static inline ContactTorque<T> contact_torque(Vector<T, 3> const &r12, SymmetricMatrix<T, 3> const &q1,
-                                              SymmetricMatrix<T, 3> const &q2, T const &lambda) noexcept
+PW85_FUNCTION inline ContactTorque<T> contact_torque(Vector<T, 3> const &r12, SymmetricMatrix<T, 3> const &q1,
+                                                     SymmetricMatrix<T, 3> const &q2, T const &lambda) noexcept
 {
     return at_tangency(
         [](Tangency<T, 3> const &at, SymmetricMatrix<T, 3> const &p1, SymmetricMatrix<T, 3> const &p2) {

@@ -21,14 +21,14 @@
 namespace pw85 {
 
 /// A step in x that leaves an error below final_step(): Halley's error is about its cube.
-template <class T> static constexpr T penultimate_step() noexcept
+template <class T> PW85_FUNCTION constexpr T penultimate_step() noexcept
 {
     return negative_power_of_two<T>(mantissa_digits<T>() / 9 + 2);
 }
 
 /// A step x to the root up to which f + ½ f' x is right to u: it errs by f‴x³/12, where |f‴| <= 2.4 f by items 1 and 2, and the
 /// cube is at most 4u.
-template <class T> static constexpr T final_step() noexcept
+template <class T> PW85_FUNCTION constexpr T final_step() noexcept
 {
     return negative_power_of_two<T>(mantissa_digits<T>() / 3);
 }
@@ -41,7 +41,7 @@ template <class T> struct Slope {
     T k, k2;
 };
 
-template <class T> static constexpr Slope<T> slope(Jet<T> const &j, T const &ratio, T const &t) noexcept
+template <class T> PW85_FUNCTION constexpr Slope<T> slope(Jet<T> const &j, T const &ratio, T const &t) noexcept
 {
     T const y = ratio * t, c = y * y * j.b, weight = j.a * j.b;
     T const p = t * j.b1 * j.a, q = t * j.a1 * j.b;
@@ -51,7 +51,7 @@ template <class T> static constexpr Slope<T> slope(Jet<T> const &j, T const &rat
 
 /// Whether Newton's step is at most 5/8, where item 2 makes Halley's the better one. Where rounding noise exceeds the
 /// largest h', it counts as that. False where rounding errors have made A·B negative.
-template <class T> static constexpr typename ScalarTraits<T>::Mask is_near(Slope<T> const &s) noexcept
+template <class T> PW85_FUNCTION constexpr typename ScalarTraits<T>::Mask is_near(Slope<T> const &s) noexcept
 {
     return s.weight > T(0) && absolute(s.difference) * s.weight <= T(0.625) * (s.sum * minimum(s.k, s.weight));
 }
@@ -64,7 +64,7 @@ template <class T> struct Step {
 
 /// Halley's step for the root of tanh h, where is_near(), kept between half and twice Newton's: rounding noise in h'' must
 /// not make it small.
-template <class T> static constexpr Step<T> halley_step(Slope<T> const &s) noexcept
+template <class T> PW85_FUNCTION constexpr Step<T> halley_step(Slope<T> const &s) noexcept
 {
     T const k = s.sum * s.k * s.k;
     T const denominator = minimum(T(k + k), maximum(T(k - T(0.5) * s.difference * s.k2), T(T(0.5) * k)));
@@ -72,7 +72,7 @@ template <class T> static constexpr Step<T> halley_step(Slope<T> const &s) noexc
 }
 
 /// e^step to third order: the factor by which t changes.
-template <class T> static constexpr T exponential(Step<T> const &step) noexcept
+template <class T> PW85_FUNCTION constexpr T exponential(Step<T> const &step) noexcept
 {
     T const twice = step.denominator + step.denominator;
     return rough_quotient(T(twice + step.numerator), T(twice - step.numerator));
@@ -80,13 +80,13 @@ template <class T> static constexpr T exponential(Step<T> const &step) noexcept
 
 /// Whether a step is at most `bound` in magnitude.
 template <class T>
-static constexpr typename ScalarTraits<T>::Mask is_within(Step<T> const &step, T const &bound) noexcept
+PW85_FUNCTION constexpr typename ScalarTraits<T>::Mask is_within(Step<T> const &step, T const &bound) noexcept
 {
     return absolute(step.numerator) <= bound * step.denominator;
 }
 
 /// The factor y on t of item 4: the positive root of ea y² + ((1 - ea) - ω(1 - eb)) y - ω eb, with ω = √(A/C).
-template <class T> static inline T secular_factor(Jet<T> const &j, T const &ratio, T const &t) noexcept
+template <class T> PW85_FUNCTION inline T secular_factor(Jet<T> const &j, T const &ratio, T const &t) noexcept
 {
     T const y = ratio * t;
     T const ea = j.log_factor - rough_quotient(T(T(0.5) * t * j.a1), j.a);
@@ -99,7 +99,7 @@ template <class T> static inline T secular_factor(Jet<T> const &j, T const &rati
 }
 
 /// Where the iteration starts: exact for spheres.
-template <class T, int D> static inline T initial_guess(Pair<T, D> const &pair) noexcept
+template <class T, int D> PW85_FUNCTION inline T initial_guess(Pair<T, D> const &pair) noexcept
 {
     auto const weights = outer_weights(pair.r12);
     return rough_root(rough_quotient(quadratic_form(pair.q1, weights), quadratic_form(pair.q2, weights))) / pair.ratio;
@@ -112,8 +112,9 @@ template <class T> struct Candidate {
 };
 
 /// Takes note of the derivatives to expect at the end of a step by a factor near 1.
-template <class T> static constexpr void expect_derivatives(Candidate<T> &candidate, Slope<T> const &s, T const &factor,
-                                                            typename ScalarTraits<T>::Mask where) noexcept
+template <class T> PW85_FUNCTION constexpr void expect_derivatives(Candidate<T> &candidate, Slope<T> const &s,
+                                                                   T const &factor,
+                                                                   typename ScalarTraits<T>::Mask where) noexcept
 {
     T const reciprocal = rough_quotient(T(1), s.weight), k2 = s.k2 * reciprocal * reciprocal;
     candidate.k = select(where, T(s.k * reciprocal + k2 * (factor - T(1))), candidate.k);
@@ -130,8 +131,8 @@ template <class T> struct StationaryValue {
 /// From A and B of s and rᵀs. λ(rᵀs)²/(A + tB) is stationary in s as well as in x, so that an error of s counts only
 /// squared, and its scale not at all; to it comes ½ f' x for the last step x, which is never negative. The step, to third
 /// order, is that of h + k x + ½ k2 x² = 0; where rounding noise makes it meaningless it is limited to ¼.
-template <class T> static constexpr StationaryValue<T> stationary_value(Candidate<T> const &candidate, T const &ratio,
-                                                                        T const &a, T const &b, T const &rs) noexcept
+template <class T> PW85_FUNCTION constexpr StationaryValue<T>
+stationary_value(Candidate<T> const &candidate, T const &ratio, T const &a, T const &b, T const &rs) noexcept
 {
     T const y = ratio * candidate.t, c = y * y * b, difference = a - c;
     T const reciprocal = T(1) / ((a + c) * candidate.k), newton = difference * reciprocal;
@@ -162,7 +163,7 @@ template <class T> struct LastEvaluation {
 /// 3. What is of third order in x (final_step()).
 ///
 /// False for a t and k that are not positive, or NaN.
-template <class T> static constexpr typename ScalarTraits<T>::Mask
+template <class T> PW85_FUNCTION constexpr typename ScalarTraits<T>::Mask
 is_certain(Candidate<T> const &candidate, T const &step, T const &n, T const &d) noexcept
 {
     T const x = absolute(step), u = T(unit_roundoff<T>());

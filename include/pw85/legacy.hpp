@@ -10,13 +10,14 @@
 
 namespace pw85::legacy {
 
-template <class T> static constexpr T determinant(SymmetricMatrix<T, 3> const &a) noexcept
+template <class T> PW85_FUNCTION constexpr T determinant(SymmetricMatrix<T, 3> const &a) noexcept
 {
     return pw85::determinant(a, adjugate(a));
 }
 
 /// xᵀ adj(A) x.
-template <class T> static constexpr T adjugate_form(Vector<T, 3> const &x, SymmetricMatrix<T, 3> const &a) noexcept
+template <class T>
+PW85_FUNCTION constexpr T adjugate_form(Vector<T, 3> const &x, SymmetricMatrix<T, 3> const &a) noexcept
 {
     return quadratic_form(adjugate(a), x);
 }
@@ -28,8 +29,8 @@ template <class T> struct Polynomials {
 };
 
 /// The cubic b from det at λ = 0, 1, -1 and 1/2.
-template <class T> static constexpr void interpolate_cubic(T const &at0, T const &at1, T const &at_minus1,
-                                                           T const &at_half, T (&b)[4]) noexcept
+template <class T> PW85_FUNCTION constexpr void interpolate_cubic(T const &at0, T const &at1, T const &at_minus1,
+                                                                  T const &at_half, T (&b)[4]) noexcept
 {
     b[0] = at0;
     b[1] = T(8) * at_half / T(3) - T(2) * at0 - at1 / T(2) - at_minus1 / T(6);
@@ -39,15 +40,15 @@ template <class T> static constexpr void interpolate_cubic(T const &at0, T const
 
 /// The quadratic a from its values at λ = 0, 1 and -1.
 template <class T>
-static constexpr void interpolate_quadratic(T const &at0, T const &at1, T const &at_minus1, T (&a)[3]) noexcept
+PW85_FUNCTION constexpr void interpolate_quadratic(T const &at0, T const &at1, T const &at_minus1, T (&a)[3]) noexcept
 {
     a[0] = at0;
     a[1] = (at1 - at_minus1) / T(2);
     a[2] = (at1 + at_minus1) / T(2) - at0;
 }
 
-template <class T> static constexpr Polynomials<T> polynomials(Vector<T, 3> const &r12, SymmetricMatrix<T, 3> const &q1,
-                                                               SymmetricMatrix<T, 3> const &q2) noexcept
+template <class T> PW85_FUNCTION constexpr Polynomials<T>
+polynomials(Vector<T, 3> const &r12, SymmetricMatrix<T, 3> const &q1, SymmetricMatrix<T, 3> const &q2) noexcept
 {
     auto const q3 = blend(T(2), q1, T(-1), q2), q4 = blend(T(0.5), q1, T(0.5), q2);
     Polynomials<T> p{};
@@ -57,7 +58,8 @@ template <class T> static constexpr Polynomials<T> polynomials(Vector<T, 3> cons
 }
 
 /// f, f' and f'' from the polynomials: with g = λ(1-λ)a, f' = (g' - f b')/b and f'' = (g'' - 2f'b' - f b'')/b.
-template <class T> static constexpr Derivatives<T> evaluate_rational(Polynomials<T> const &p, T const &x) noexcept
+template <class T>
+PW85_FUNCTION constexpr Derivatives<T> evaluate_rational(Polynomials<T> const &p, T const &x) noexcept
 {
     T const w = x * (T(1) - x), w1 = T(1) - T(2) * x;
     T const a = (p.a[2] * x + p.a[1]) * x + p.a[0], a1 = T(2) * p.a[2] * x + p.a[1], a2 = T(2) * p.a[2];
@@ -68,16 +70,16 @@ template <class T> static constexpr Derivatives<T> evaluate_rational(Polynomials
 }
 
 /// f, f' and f'' at λ; NaN for invalid input.
-template <class T> static inline Derivatives<T> checked_rational(T const &lambda, Vector<T, 3> const &r12,
-                                                                 SymmetricMatrix<T, 3> const &q1,
-                                                                 SymmetricMatrix<T, 3> const &q2) noexcept
+template <class T> PW85_FUNCTION inline Derivatives<T> checked_rational(T const &lambda, Vector<T, 3> const &r12,
+                                                                        SymmetricMatrix<T, 3> const &q1,
+                                                                        SymmetricMatrix<T, 3> const &q2) noexcept
 {
     return is_valid(lambda, r12, q1, q2) ? evaluate_rational(polynomials(r12, q1, q2), lambda)
                                          : invalid_derivatives<T>();
 }
 
 /// The numerator c(λ) of f' = c/b².
-template <class T> static constexpr T numerator(Polynomials<T> const &p, T const &x) noexcept
+template <class T> PW85_FUNCTION constexpr T numerator(Polynomials<T> const &p, T const &x) noexcept
 {
     T const w = x * (T(1) - x), w1 = T(1) - T(2) * x;
     T const a = (p.a[2] * x + p.a[1]) * x + p.a[0], a1 = T(2) * p.a[2] * x + p.a[1];
@@ -93,7 +95,7 @@ template <class T> struct CommonUnits {
     int length, form;
 };
 
-template <class T> static inline CommonUnits<T>
+template <class T> PW85_FUNCTION inline CommonUnits<T>
 to_common_units(Vector<T, 3> const &r12, SymmetricMatrix<T, 3> const &q1, SymmetricMatrix<T, 3> const &q2) noexcept
 {
     int const length = binary_exponent(largest_coordinate(r12));
@@ -104,7 +106,7 @@ to_common_units(Vector<T, 3> const &r12, SymmetricMatrix<T, 3> const &q1, Symmet
 
 /// Newton-Raphson iterations on f' from λ = 1/2. They leave [0, 1] or wander more often than not when f varies sharply
 /// near an end, and then the status says so.
-template <class T> static inline Contact<T> newton(CommonUnits<T> const &pair) noexcept
+template <class T> PW85_FUNCTION inline Contact<T> newton(CommonUnits<T> const &pair) noexcept
 {
     constexpr int max_iterations = 50;
     T x = T(0.5);
@@ -122,7 +124,7 @@ template <class T> static inline Contact<T> newton(CommonUnits<T> const &pair) n
 
 /// Bisection on the numerator of f', to the last digit of λ. Where cancellation in the polynomials leaves no sensible value
 /// of f there, it is that of the factorised form.
-template <class T> static inline Contact<T> bisection(CommonUnits<T> const &pair) noexcept
+template <class T> PW85_FUNCTION inline Contact<T> bisection(CommonUnits<T> const &pair) noexcept
 {
     auto const p = polynomials(pair.r12, pair.q1, pair.q2);
     T lower = T(0), upper = T(1), x = T(0.5);
@@ -136,9 +138,9 @@ template <class T> static inline Contact<T> bisection(CommonUnits<T> const &pair
 }
 
 /// The contact function by one of the solvers above.
-template <class T, class Solver> static inline Contact<T> contact_by(Solver solver, Vector<T, 3> const &r12,
-                                                                     SymmetricMatrix<T, 3> const &q1,
-                                                                     SymmetricMatrix<T, 3> const &q2) noexcept
+template <class T, class Solver> PW85_FUNCTION inline Contact<T> contact_by(Solver solver, Vector<T, 3> const &r12,
+                                                                            SymmetricMatrix<T, 3> const &q1,
+                                                                            SymmetricMatrix<T, 3> const &q2) noexcept
 {
     ScaledPair<T, 3> scaled;
     Status const status = validate(r12, q1, q2, scaled);
@@ -150,14 +152,14 @@ template <class T, class Solver> static inline Contact<T> contact_by(Solver solv
     return result;
 }
 
-template <class T> static inline Contact<T> contact_newton(Vector<T, 3> const &r12, SymmetricMatrix<T, 3> const &q1,
-                                                           SymmetricMatrix<T, 3> const &q2) noexcept
+template <class T> PW85_FUNCTION inline Contact<T>
+contact_newton(Vector<T, 3> const &r12, SymmetricMatrix<T, 3> const &q1, SymmetricMatrix<T, 3> const &q2) noexcept
 {
     return contact_by(newton<T>, r12, q1, q2);
 }
 
-template <class T> static inline Contact<T> contact_bisection(Vector<T, 3> const &r12, SymmetricMatrix<T, 3> const &q1,
-                                                              SymmetricMatrix<T, 3> const &q2) noexcept
+template <class T> PW85_FUNCTION inline Contact<T>
+contact_bisection(Vector<T, 3> const &r12, SymmetricMatrix<T, 3> const &q1, SymmetricMatrix<T, 3> const &q2) noexcept
 {
     return contact_by(bisection<T>, r12, q1, q2);
 }

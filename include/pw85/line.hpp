@@ -18,7 +18,7 @@ template <class T> struct Chord {
 
 /// The part of a line in an ellipsoid with its centre at 0. A ray from `origin` has t >= 0, a segment to origin + direction
 /// 0 <= t <= 1.
-template <class T, int D> static inline Chord<T>
+template <class T, int D> PW85_FUNCTION inline Chord<T>
 intersect_line(Vector<T, D> const &origin, Vector<T, D> const &direction, SymmetricMatrix<T, D> const &q) noexcept
 {
     T const largest = largest_coordinate(direction), nan = quiet_nan<T>();

@@ -27,7 +27,7 @@ template <class T, int D> struct SurfaceDistance {
     Status status;
 };
 
-template <class T, int D> static inline SurfaceDistance<T, D> no_surface_distance(Status status) noexcept
+template <class T, int D> PW85_FUNCTION inline SurfaceDistance<T, D> no_surface_distance(Status status) noexcept
 {
     SurfaceDistance<T, D> result{quiet_nan<T>(), {}, {}, status};
     for (int i = 0; i < D; ++i) result.point[i] = result.normal[i] = quiet_nan<T>();
@@ -36,7 +36,7 @@ template <class T, int D> static inline SurfaceDistance<T, D> no_surface_distanc
 
 /// check_form() where products do not show that a form is valid.
 template <class T, int D>
-[[gnu::noinline]] static inline Status check_hard_form(SymmetricMatrix<T, D> const &q) noexcept
+[[gnu::noinline]] PW85_FUNCTION inline Status check_hard_form(SymmetricMatrix<T, D> const &q) noexcept
 {
     if (!is_finite(q)) return Status::invalid_argument;
     if (!has_positive_diagonal(q)) return Status::not_positive_definite;
@@ -45,7 +45,7 @@ template <class T, int D>
 }
 
 /// Status of a single form.
-template <class T, int D> static inline Status check_form(SymmetricMatrix<T, D> const &q) noexcept
+template <class T, int D> PW85_FUNCTION inline Status check_form(SymmetricMatrix<T, D> const &q) noexcept
 {
     return is_clearly_definite(q) ? Status::success : check_hard_form(q);
 }
@@ -58,7 +58,7 @@ template <class T, int D> struct PrincipalAxes {
 
 /// By Jacobi's rotations, which find small eigenvalues of a positive definite matrix to the accuracy that its entries allow. They
 /// converge quadratically, to any precision in far less than 50 sweeps.
-template <class T, int D> static inline PrincipalAxes<T, D> principal_axes(SymmetricMatrix<T, D> a) noexcept
+template <class T, int D> PW85_FUNCTION inline PrincipalAxes<T, D> principal_axes(SymmetricMatrix<T, D> a) noexcept
 {
     PrincipalAxes<T, D> p{};
     for (int i = 0; i < D; ++i) p.axes[i][i] = T(1);
@@ -95,7 +95,7 @@ template <class T, int D> static inline PrincipalAxes<T, D> principal_axes(Symme
 
 /// The root of item 2, where F(0) >= 1, or zero; `roots` are √q_i |r_i|. 170 steps are more than any shape needs: see
 /// find_shift().
-template <class T, int D> static inline T secular_root(T const (&gaps)[D], T const (&roots)[D]) noexcept
+template <class T, int D> PW85_FUNCTION inline T secular_root(T const (&gaps)[D], T const (&roots)[D]) noexcept
 {
     T sigma = T(0);
     for (int i = 0; i < D; ++i) sigma = maximum(sigma, T(roots[i] - gaps[i]));
@@ -116,7 +116,7 @@ template <class T, int D> static inline T secular_root(T const (&gaps)[D], T con
 
 /// The exponent of the unit of length in which r is given to an ellipsoid with that of its own: larger only where r is so far
 /// away that its distance makes no difference to directions.
-template <class T, int D> static inline int point_exponent(Vector<T, D> const &r, int exponent) noexcept
+template <class T, int D> PW85_FUNCTION inline int point_exponent(Vector<T, D> const &r, int exponent) noexcept
 {
     T const largest = largest_coordinate(r);
     if (!(largest > T(0))) return exponent;
@@ -125,8 +125,8 @@ template <class T, int D> static inline int point_exponent(Vector<T, D> const &r
 }
 
 /// The unit normal at the nearest or the farthest point of a valid ellipsoid from r.
-template <class T, int D>
-static inline Vector<T, D> extreme_normal(SymmetricMatrix<T, D> const &q, Vector<T, D> const &r, bool nearest) noexcept
+template <class T, int D> PW85_FUNCTION inline Vector<T, D> extreme_normal(SymmetricMatrix<T, D> const &q,
+                                                                           Vector<T, D> const &r, bool nearest) noexcept
 {
     int const exponent = half_exponent(largest_diagonal(q));
     PrincipalAxes<T, D> const p = principal_axes(times_power_of_two(q, -2 * exponent));
@@ -157,8 +157,8 @@ static inline Vector<T, D> extreme_normal(SymmetricMatrix<T, D> const &q, Vector
 }
 
 /// Distance of the point r, relative to the centre, from the surface of an ellipsoid; negative inside.
-template <class T, int D>
-static inline SurfaceDistance<T, D> distance_point(Vector<T, D> const &r, SymmetricMatrix<T, D> const &q) noexcept
+template <class T, int D> PW85_FUNCTION inline SurfaceDistance<T, D>
+distance_point(Vector<T, D> const &r, SymmetricMatrix<T, D> const &q) noexcept
 {
     Status const status = is_finite(r) ? check_form(q) : Status::invalid_argument;
     if (status != Status::success) return no_surface_distance<T, D>(status);

@@ -32,7 +32,7 @@ template <class T, int D> struct OverlapWitness {
 };
 
 /// The tiers after the first, for any pair. A multiprecision number is compared to rounding.
-template <class T, int D> [[gnu::noinline]] static inline Overlap
+template <class T, int D> [[gnu::noinline]] PW85_FUNCTION inline Overlap
 overlap_near_contact(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, SymmetricMatrix<T, D> const &q2) noexcept
 {
     ScaledPair<T, D> scaled;
@@ -49,7 +49,7 @@ overlap_near_contact(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, S
 }
 
 /// Whether two ellipsoids overlap, μ² < 1; with the first tier at as many points at once as `Lanes` has lanes.
-template <class Lanes, class T, int D> [[gnu::always_inline]] static inline Overlap
+template <class Lanes, class T, int D> [[gnu::always_inline]] PW85_FUNCTION inline Overlap
 overlap_by_lanes(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, SymmetricMatrix<T, D> const &q2) noexcept
 {
     Decision const decision = decide_by_quartic<Lanes>(r12, q1, q2);
@@ -57,14 +57,14 @@ overlap_by_lanes(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, Symme
     return overlap_near_contact(r12, q1, q2);
 }
 
-template <class T, int D> static inline Overlap overlap(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
-                                                        SymmetricMatrix<T, D> const &q2) noexcept
+template <class T, int D> PW85_FUNCTION inline Overlap overlap(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
+                                                               SymmetricMatrix<T, D> const &q2) noexcept
 {
     return overlap_by_lanes<T>(r12, q1, q2);
 }
 
 /// Whether two ellipsoids overlap, with what shows it.
-template <class T, int D> static inline OverlapWitness<T, D>
+template <class T, int D> PW85_FUNCTION inline OverlapWitness<T, D>
 overlap_witness(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, SymmetricMatrix<T, D> const &q2) noexcept
 {
     Overlap const answer = overlap(r12, q1, q2);

@@ -18,8 +18,8 @@ template <class T> struct RationalForm {
 };
 
 /// The coefficient of t in adj(P + t Q).
-template <class T> static constexpr SymmetricMatrix<T, 3> mixed_adjugate(SymmetricMatrix<T, 3> const &p,
-                                                                         SymmetricMatrix<T, 3> const &q) noexcept
+template <class T> PW85_FUNCTION constexpr SymmetricMatrix<T, 3> mixed_adjugate(SymmetricMatrix<T, 3> const &p,
+                                                                                SymmetricMatrix<T, 3> const &q) noexcept
 {
     return {(p[3] * q[5] + q[3] * p[5]) - T(2) * p[4] * q[4],
             (p[2] * q[4] + q[2] * p[4]) - (p[1] * q[5] + q[1] * p[5]),
@@ -29,7 +29,7 @@ template <class T> static constexpr SymmetricMatrix<T, 3> mixed_adjugate(Symmetr
             (p[0] * q[3] + q[0] * p[3]) - T(2) * p[1] * q[1]};
 }
 
-template <class T> static constexpr RationalForm<T> rational_form(Pair<T, 2> const &pair) noexcept
+template <class T> PW85_FUNCTION constexpr RationalForm<T> rational_form(Pair<T, 2> const &pair) noexcept
 {
     auto const weights = outer_weights(pair.r12);
     auto const adj1 = adjugate(pair.q1), adj2 = adjugate(pair.q2);
@@ -37,7 +37,7 @@ template <class T> static constexpr RationalForm<T> rational_form(Pair<T, 2> con
             {determinant(pair.q1, adj1), contraction(adj1, pair.q2), determinant(pair.q2, adj2), T(0)}};
 }
 
-template <class T> static constexpr RationalForm<T> rational_form(Pair<T, 3> const &pair) noexcept
+template <class T> PW85_FUNCTION constexpr RationalForm<T> rational_form(Pair<T, 3> const &pair) noexcept
 {
     auto const weights = outer_weights(pair.r12);
     auto const adj1 = adjugate(pair.q1), adj2 = adjugate(pair.q2);
@@ -47,19 +47,19 @@ template <class T> static constexpr RationalForm<T> rational_form(Pair<T, 3> con
              determinant(pair.q2, adj2)}};
 }
 
-template <class T> static constexpr T evaluate_a(RationalForm<T> const &form, T const &t) noexcept
+template <class T> PW85_FUNCTION constexpr T evaluate_a(RationalForm<T> const &form, T const &t) noexcept
 {
     return (form.a[2] * t + form.a[1]) * t + form.a[0];
 }
 
-template <class T> static constexpr T evaluate_b(RationalForm<T> const &form, T const &t) noexcept
+template <class T> PW85_FUNCTION constexpr T evaluate_b(RationalForm<T> const &form, T const &t) noexcept
 {
     return (form.b[1] * t + form.b[0]) + (t * t) * (form.b[3] * t + form.b[2]);
 }
 
 /// A and B and their derivatives, all times b². With R = a/b: B = -R' and A = R + tR', hence b²B = N and
 /// b²A = ab - tN with N = ab' - a'b.
-template <class T> static constexpr Jet<T> evaluate_jet(RationalForm<T> const &form, T const &t) noexcept
+template <class T> PW85_FUNCTION constexpr Jet<T> evaluate_jet(RationalForm<T> const &form, T const &t) noexcept
 {
     T const c = form.b[3] * t;
     T const a = evaluate_a(form, t), b = evaluate_b(form, t);
@@ -82,7 +82,7 @@ template <class T> static constexpr Jet<T> evaluate_jet(RationalForm<T> const &f
 /// Conditioning above which the rational form is right to some per cent: a fair guide to the root. From its coefficients b errs
 /// by 80 u/d of itself (13 roundings in a sum of products that is at most 6), and a by 234 u/d (13 in one that is at most
 /// 6|r|², where a is at least d|r|²/3).
-template <class T> static constexpr T rough_conditioning() noexcept { return T(1024) * unit_roundoff<T>(); }
+template <class T> PW85_FUNCTION constexpr T rough_conditioning() noexcept { return T(1024) * unit_roundoff<T>(); }
 
 /// The solution of M s = det(M) x by the adjugate.
 template <class T, int D> struct AdjugateSolution {
@@ -91,8 +91,8 @@ template <class T, int D> struct AdjugateSolution {
     T diagonal; ///< product of the diagonal of M
 };
 
-template <class T, int D> static constexpr AdjugateSolution<T, D> solve_by_adjugate(SymmetricMatrix<T, D> const &m,
-                                                                                    Vector<T, D> const &x) noexcept
+template <class T, int D> PW85_FUNCTION constexpr AdjugateSolution<T, D>
+solve_by_adjugate(SymmetricMatrix<T, D> const &m, Vector<T, D> const &x) noexcept
 {
     auto const adj = adjugate(m);
     return {product(adj, x), determinant(m, adj), diagonal_product(m)};

@@ -21,14 +21,15 @@ template <class T> struct RationalSearch {
 };
 
 /// A search that is about to begin at t.
-template <class T, int D> static inline RationalSearch<T> start_search(Pair<T, D> const &pair, T const &t) noexcept
+template <class T, int D>
+PW85_FUNCTION inline RationalSearch<T> start_search(Pair<T, D> const &pair, T const &t) noexcept
 {
     return {rational_form(pair), {t, T(0), T(0)}, t == t};
 }
 
 /// One step: Halley's, or that of item 4 from afar. Lanes converge with a step within penultimate_step(); those that rounding
 /// errors or the range of the scalar lead astray never do, or end where the last evaluation is not certain.
-template <class T> static inline void take_step(RationalSearch<T> &search, T const &ratio) noexcept
+template <class T> PW85_FUNCTION inline void take_step(RationalSearch<T> &search, T const &ratio) noexcept
 {
     T const t = search.candidate.t;
     Jet<T> const jet = evaluate_jet(search.form, t);
@@ -48,7 +49,7 @@ inline constexpr int adjugate_error = 13;
 
 /// The last evaluation, by the adjugate of M at t.
 template <class T, int D>
-static inline LastEvaluation<T> last_evaluation(Pair<T, D> const &pair, Candidate<T> const &candidate) noexcept
+PW85_FUNCTION inline LastEvaluation<T> last_evaluation(Pair<T, D> const &pair, Candidate<T> const &candidate) noexcept
 {
     auto const solution = solve_by_adjugate(blend(pair.q1, candidate.t, pair.q2), pair.r12);
     auto const weights = outer_weights(solution.s);

@@ -14,23 +14,23 @@ template <class T> struct Parts {
     T high, low;
 };
 
-static inline double leading_bits(double x) noexcept
+PW85_FUNCTION inline double leading_bits(double x) noexcept
 {
     return __builtin_bit_cast(double, __builtin_bit_cast(std::uint64_t, x) & ~std::uint64_t{0x7ffffff});
 }
-static inline float leading_bits(float x) noexcept
+PW85_FUNCTION inline float leading_bits(float x) noexcept
 {
     return __builtin_bit_cast(float, __builtin_bit_cast(std::uint32_t, x) & ~std::uint32_t{0xfff});
 }
 
 /// T. J. Dekker, Numer. Math. 18, 224 (1971), for types whose products are never fused.
-template <class T> static inline T leading_bits(T const &x) noexcept
+template <class T> PW85_FUNCTION inline T leading_bits(T const &x) noexcept
 {
     T const scaled = x * (T(1) + T(1) / negative_power_of_two<T>((mantissa_digits<T>() + 1) / 2));
     return scaled - (scaled - x);
 }
 
-template <class T> static inline Parts<T> split(T const &x) noexcept
+template <class T> PW85_FUNCTION inline Parts<T> split(T const &x) noexcept
 {
     T const high = leading_bits(x);
     return {high, x - high};
@@ -41,7 +41,7 @@ template <class T> struct CompensatedSum {
     T sum, rest;
 };
 
-template <class T> static inline void add(CompensatedSum<T> &c, T const &x) noexcept
+template <class T> PW85_FUNCTION inline void add(CompensatedSum<T> &c, T const &x) noexcept
 {
     T const sum = c.sum + x, part = sum - c.sum;
     c.rest = c.rest + ((c.sum - (sum - part)) + (x - part));
@@ -49,7 +49,7 @@ template <class T> static inline void add(CompensatedSum<T> &c, T const &x) noex
 }
 
 template <class T>
-static inline void subtract_product(CompensatedSum<T> &c, Parts<T> const &x, Parts<T> const &y) noexcept
+PW85_FUNCTION inline void subtract_product(CompensatedSum<T> &c, Parts<T> const &x, Parts<T> const &y) noexcept
 {
     add(c, T(-(x.high * y.high)));
     add(c, T(-(x.high * y.low)));
@@ -59,7 +59,7 @@ static inline void subtract_product(CompensatedSum<T> &c, Parts<T> const &x, Par
 
 /// r12 - (Q1 + t Q2) s.
 template <class T, int D>
-static inline Vector<T, D> residual(Pair<T, D> const &pair, T const &t, Vector<T, D> const &s) noexcept
+PW85_FUNCTION inline Vector<T, D> residual(Pair<T, D> const &pair, T const &t, Vector<T, D> const &s) noexcept
 {
     Parts<T> const tau = split(t);
     Vector<T, D> result{};
@@ -77,8 +77,8 @@ static inline Vector<T, D> residual(Pair<T, D> const &pair, T const &t, Vector<T
 }
 
 /// Three corrections: each leaves u κ of the error, with κ the condition number of the matrix scaled to a unit diagonal.
-template <class T, int D> static inline Vector<T, D> refine(Pair<T, D> const &pair, T const &t,
-                                                            Factorization<T, D> const &factors, Vector<T, D> s) noexcept
+template <class T, int D> PW85_FUNCTION inline Vector<T, D>
+refine(Pair<T, D> const &pair, T const &t, Factorization<T, D> const &factors, Vector<T, D> s) noexcept
 {
     for (int n = 0; n < 3; ++n) {
         Vector<T, D> const change = solve(factors, residual(pair, t, s));

@@ -25,20 +25,20 @@ template <class T>
 concept Scalar = !std::numeric_limits<typename ScalarTraits<T>::Lane>::is_integer;
 
 /// To be asserted by whatever is made of scalars.
-template <class T> static consteval bool require_scalar() noexcept
+template <class T> PW85_FUNCTION consteval bool require_scalar() noexcept
 {
     static_assert(Scalar<T>, "pw85 computes with floating-point numbers: write 1.0, not 1");
     return true;
 }
 
 /// As many numbers as `T` has lanes, from memory.
-template <class T> static constexpr T load_lanes(typename ScalarTraits<T>::Lane const *x) noexcept { return *x; }
+template <class T> PW85_FUNCTION constexpr T load_lanes(typename ScalarTraits<T>::Lane const *x) noexcept { return *x; }
 
 /// The number in the first lane.
-template <class T> static constexpr T first_lane(T const &x) noexcept { return x; }
+template <class T> PW85_FUNCTION constexpr T first_lane(T const &x) noexcept { return x; }
 
 /// One of the functions of numeric_limits for a lane of `T`: of a native type a constant, so that there is no call of it.
-template <class T, auto function> static constexpr typename ScalarTraits<T>::Lane lane_limit() noexcept
+template <class T, auto function> PW85_FUNCTION constexpr typename ScalarTraits<T>::Lane lane_limit() noexcept
 {
     using Lane = typename ScalarTraits<T>::Lane;
     if constexpr (std::is_floating_point_v<Lane>) {
@@ -49,64 +49,64 @@ template <class T, auto function> static constexpr typename ScalarTraits<T>::Lan
 }
 
 /// The largest finite number.
-template <class T> static constexpr T largest_number() noexcept
+template <class T> PW85_FUNCTION constexpr T largest_number() noexcept
 {
     return T(lane_limit<T, std::numeric_limits<typename ScalarTraits<T>::Lane>::max>());
 }
 
 /// The smallest positive number of full precision.
-template <class T> static constexpr T smallest_number() noexcept
+template <class T> PW85_FUNCTION constexpr T smallest_number() noexcept
 {
     return T(lane_limit<T, std::numeric_limits<typename ScalarTraits<T>::Lane>::min>());
 }
 
 /// Unit roundoff u of one lane: 2^-53 for double.
-template <class T> static constexpr typename ScalarTraits<T>::Lane unit_roundoff() noexcept
+template <class T> PW85_FUNCTION constexpr typename ScalarTraits<T>::Lane unit_roundoff() noexcept
 {
     using Lane = typename ScalarTraits<T>::Lane;
     return lane_limit<T, std::numeric_limits<Lane>::epsilon>() / Lane(2);
 }
 
 /// Binary digits of the mantissa of one lane.
-template <class T> static constexpr int mantissa_digits() noexcept
+template <class T> PW85_FUNCTION constexpr int mantissa_digits() noexcept
 {
     return std::numeric_limits<typename ScalarTraits<T>::Lane>::digits;
 }
 
 /// 2^-n.
-template <class T> static constexpr T negative_power_of_two(int n) noexcept
+template <class T> PW85_FUNCTION constexpr T negative_power_of_two(int n) noexcept
 {
     T power = T(1);
     for (int i = 0; i < n; ++i) power = power * T(0.5);
     return power;
 }
 
-template <class T> static constexpr T quiet_nan() noexcept
+template <class T> PW85_FUNCTION constexpr T quiet_nan() noexcept
 {
     return T(lane_limit<T, std::numeric_limits<typename ScalarTraits<T>::Lane>::quiet_NaN>());
 }
 
-template <class T> static constexpr T select(bool condition, T const &yes, T const &no) noexcept
+template <class T> PW85_FUNCTION constexpr T select(bool condition, T const &yes, T const &no) noexcept
 {
     return condition ? yes : no;
 }
 
-static constexpr bool any_of(bool mask) noexcept { return mask; }
-static constexpr bool all_of(bool mask) noexcept { return mask; }
+PW85_FUNCTION constexpr bool any_of(bool mask) noexcept { return mask; }
+PW85_FUNCTION constexpr bool all_of(bool mask) noexcept { return mask; }
 
 /// The larger of two numbers; the first where either is NaN.
-template <class T> static constexpr T maximum(T const &x, T const &y) noexcept { return select(y > x, y, x); }
+template <class T> PW85_FUNCTION constexpr T maximum(T const &x, T const &y) noexcept { return select(y > x, y, x); }
 
 /// The smaller of two numbers; the first where either is NaN.
-template <class T> static constexpr T minimum(T const &x, T const &y) noexcept { return select(y < x, y, x); }
+template <class T> PW85_FUNCTION constexpr T minimum(T const &x, T const &y) noexcept { return select(y < x, y, x); }
 
-template <class T> static constexpr T absolute(T const &x) noexcept
+template <class T> PW85_FUNCTION constexpr T absolute(T const &x) noexcept
 {
     using elementary::abs;
     return abs(x);
 }
 
-template <class T> static inline T square_root(T const &x) noexcept
+template <class T> PW85_FUNCTION inline T square_root(T const &x) noexcept
 {
     using elementary::sqrt;
     return sqrt(x);
@@ -114,17 +114,17 @@ template <class T> static inline T square_root(T const &x) noexcept
 
 /// A quotient and a root that only guide an iteration, so that a relative error of 2^-20 does no harm: packs may round
 /// them coarsely.
-template <class T> static constexpr T rough_quotient(T const &x, T const &y) noexcept { return x / y; }
-template <class T> static inline T rough_root(T const &x) noexcept { return square_root(x); }
+template <class T> PW85_FUNCTION constexpr T rough_quotient(T const &x, T const &y) noexcept { return x / y; }
+template <class T> PW85_FUNCTION inline T rough_root(T const &x) noexcept { return square_root(x); }
 
 /// √(x/y), to 10 % or better.
-template <class T> static inline T coarse_root_of_ratio(T const &x, T const &y) noexcept
+template <class T> PW85_FUNCTION inline T coarse_root_of_ratio(T const &x, T const &y) noexcept
 {
     return rough_root(rough_quotient(x, y));
 }
 
 /// The bits of a positive double are about its logarithm.
-static inline double coarse_root_of_ratio(double x, double y) noexcept
+PW85_FUNCTION inline double coarse_root_of_ratio(double x, double y) noexcept
 {
     static_assert(std::numeric_limits<double>::is_iec559);
     constexpr auto one = __builtin_bit_cast(std::uint64_t, 1.0);

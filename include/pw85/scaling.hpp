@@ -28,7 +28,8 @@ template <class T, int D> struct ScaledPair {
 };
 
 /// Whether all coordinates are finite.
-template <class T, int D> static constexpr typename ScalarTraits<T>::Mask is_finite(Vector<T, D> const &x) noexcept
+template <class T, int D>
+PW85_FUNCTION constexpr typename ScalarTraits<T>::Mask is_finite(Vector<T, D> const &x) noexcept
 {
     T zero = x[0] * T(0);
     for (int i = 1; i < D; ++i) zero = zero + x[i] * T(0);
@@ -37,7 +38,7 @@ template <class T, int D> static constexpr typename ScalarTraits<T>::Mask is_fin
 
 /// Whether all entries are finite.
 template <class T, int D>
-static constexpr typename ScalarTraits<T>::Mask is_finite(SymmetricMatrix<T, D> const &a) noexcept
+PW85_FUNCTION constexpr typename ScalarTraits<T>::Mask is_finite(SymmetricMatrix<T, D> const &a) noexcept
 {
     T zero = a[0] * T(0);
     for (int k = 1; k < a.size; ++k) zero = zero + a[k] * T(0);
@@ -45,14 +46,14 @@ static constexpr typename ScalarTraits<T>::Mask is_finite(SymmetricMatrix<T, D> 
 }
 
 /// Between the largest magnitude and three times that; NaN if a coordinate is.
-template <class T, int D> static constexpr T sum_of_magnitudes(Vector<T, D> const &x) noexcept
+template <class T, int D> PW85_FUNCTION constexpr T sum_of_magnitudes(Vector<T, D> const &x) noexcept
 {
     T sum = absolute(x[0]);
     for (int i = 1; i < D; ++i) sum = sum + absolute(x[i]);
     return sum;
 }
 
-template <class T, int D> static constexpr T largest_coordinate(Vector<T, D> const &x) noexcept
+template <class T, int D> PW85_FUNCTION constexpr T largest_coordinate(Vector<T, D> const &x) noexcept
 {
     T largest = absolute(x[0]);
     for (int i = 1; i < D; ++i) largest = maximum(largest, absolute(x[i]));
@@ -63,7 +64,7 @@ template <class T, int D> static constexpr T largest_coordinate(Vector<T, D> con
 /// numbers that the solver forms are of degree 25 in M and 10 in r12 (halley_step() on the rational form): ordinary aspect
 /// ratios leave the range of double enough room, and where they do not, the rational form gives up and the factorised one
 /// takes over, whose numbers are small. Other types are scaled to order one.
-template <class T> static constexpr T unscaled_limit() noexcept
+template <class T> PW85_FUNCTION constexpr T unscaled_limit() noexcept
 {
     using Lane = typename ScalarTraits<T>::Lane;
     return T(std::numeric_limits<Lane>::max_exponent >= 1024 ? 0x1p24 : 4.0);
@@ -72,7 +73,7 @@ template <class T> static constexpr T unscaled_limit() noexcept
 /// Whether a pair of such magnitudes needs no scaling: `r` of r12, `q1` and `q2` the largest diagonal entries. False where r
 /// is NaN.
 template <class T>
-static constexpr typename ScalarTraits<T>::Mask is_in_range(T const &r, T const &q1, T const &q2) noexcept
+PW85_FUNCTION constexpr typename ScalarTraits<T>::Mask is_in_range(T const &r, T const &q1, T const &q2) noexcept
 {
     T const limit = unscaled_limit<T>();
     T const largest = maximum(r, maximum(q1, q2));
@@ -81,26 +82,26 @@ static constexpr typename ScalarTraits<T>::Mask is_in_range(T const &r, T const 
 }
 
 /// The binary exponent of a positive number: x·2^-n lies in [1, 2).
-template <class T> static inline int binary_exponent(T const &x) noexcept
+template <class T> PW85_FUNCTION inline int binary_exponent(T const &x) noexcept
 {
     using elementary::ilogb;
     return ilogb(x);
 }
 
 /// Half of it, rounded down: x·4^-n lies in [1, 4).
-template <class T> static inline int half_exponent(T const &x) noexcept
+template <class T> PW85_FUNCTION inline int half_exponent(T const &x) noexcept
 {
     int const e = binary_exponent(x);
     return e >= 0 ? e / 2 : -((1 - e) / 2);
 }
 
-template <class T> static inline T times_power_of_two(T const &x, int exponent) noexcept
+template <class T> PW85_FUNCTION inline T times_power_of_two(T const &x, int exponent) noexcept
 {
     using elementary::ldexp;
     return ldexp(x, exponent);
 }
 
-template <class T, int D> static inline Vector<T, D> times_power_of_two(Vector<T, D> x, int exponent) noexcept
+template <class T, int D> PW85_FUNCTION inline Vector<T, D> times_power_of_two(Vector<T, D> x, int exponent) noexcept
 {
     if (exponent != 0)
         for (int i = 0; i < D; ++i) x[i] = times_power_of_two(x[i], exponent);
@@ -108,7 +109,7 @@ template <class T, int D> static inline Vector<T, D> times_power_of_two(Vector<T
 }
 
 template <class T, int D>
-static inline SymmetricMatrix<T, D> times_power_of_two(SymmetricMatrix<T, D> a, int exponent) noexcept
+PW85_FUNCTION inline SymmetricMatrix<T, D> times_power_of_two(SymmetricMatrix<T, D> a, int exponent) noexcept
 {
     if (exponent != 0)
         for (int k = 0; k < a.size; ++k) a[k] = times_power_of_two(a[k], exponent);
@@ -117,14 +118,14 @@ static inline SymmetricMatrix<T, D> times_power_of_two(SymmetricMatrix<T, D> a, 
 
 /// The largest ratio of units that is kept: beyond it the smaller ellipsoid is a point to the larger one, to far
 /// below the precision of any scalar.
-template <class T> static constexpr int ratio_exponent_limit() noexcept
+template <class T> PW85_FUNCTION constexpr int ratio_exponent_limit() noexcept
 {
     return std::numeric_limits<typename ScalarTraits<T>::Lane>::max_exponent - 24;
 }
 
 /// Brings a pair with finite entries and positive diagonals into range, exactly.
-template <class T, int D> static inline ScaledPair<T, D> scale(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
-                                                               SymmetricMatrix<T, D> const &q2) noexcept
+template <class T, int D> PW85_FUNCTION inline ScaledPair<T, D>
+scale(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, SymmetricMatrix<T, D> const &q2) noexcept
 {
     T const r = largest_coordinate(r12);
     if (is_in_range(r, largest_diagonal(q1), largest_diagonal(q2))) return {{r12, q1, q2, T(1)}, 0, 0, false};

@@ -14,13 +14,13 @@ inline constexpr int max_evaluations = 83;
 static_assert(max_evaluations == max_rational_steps + 1 + 2 * max_factorized_steps);
 
 template <class T>
-static inline Maximum<T> to_maximum(StationaryValue<T> const &value, int evaluations, bool converged) noexcept
+PW85_FUNCTION inline Maximum<T> to_maximum(StationaryValue<T> const &value, int evaluations, bool converged) noexcept
 {
     return {value.mu2, value.lambda, value.complement, evaluations, converged};
 }
 
 /// The maximum of f by the factorised form alone, from where a search on the rational form came to after so many evaluations.
-template <class T, int D> [[gnu::noinline]] static inline Maximum<T>
+template <class T, int D> [[gnu::noinline]] PW85_FUNCTION inline Maximum<T>
 maximize_factorized(Pair<T, D> const &pair, Candidate<T> candidate, int evaluations) noexcept
 {
     if (!(candidate.t > T(0) && candidate.t < largest_number<T>())) candidate.t = initial_guess(pair);
@@ -35,7 +35,7 @@ maximize_factorized(Pair<T, D> const &pair, Candidate<T> candidate, int evaluati
 
 /// The maximum of f over λ in [0, 1], for a pair of positive definite forms in range with r12 != 0. All callers share one
 /// instance, so that products are fused alike and scaling changes no bit of the result.
-template <class T, int D> [[gnu::noinline]] static inline Maximum<T> maximize(Pair<T, D> const &pair) noexcept
+template <class T, int D> [[gnu::noinline]] PW85_FUNCTION inline Maximum<T> maximize(Pair<T, D> const &pair) noexcept
 {
     T const guess = initial_guess(pair);
     auto state = start_search(pair, guess);

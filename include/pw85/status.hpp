@@ -3,6 +3,7 @@
 #ifndef PW85_STATUS_HPP_INCLUDED
 #define PW85_STATUS_HPP_INCLUDED
 
+#include <pw85/attributes.hpp>
 #include <pw85/requirements.hpp>
 #include <pw85/status.h>
 
@@ -16,7 +17,7 @@ enum class Status : int {
 };
 
 /// A sentence that says what a status means; a constant, never null.
-static constexpr char const *strerror(Status status) noexcept
+PW85_FUNCTION constexpr char const *strerror(Status status) noexcept
 {
     switch (status) {
 #define PW85_STATUS_CASE(c_name, name, value, text)                                                                    \

@@ -44,26 +44,26 @@ template <class T, int D> struct SymmetricMatrix {
     }
 };
 
-template <class T, int D> static constexpr T dot(Vector<T, D> const &x, Vector<T, D> const &y) noexcept
+template <class T, int D> PW85_FUNCTION constexpr T dot(Vector<T, D> const &x, Vector<T, D> const &y) noexcept
 {
     T sum = x[0] * y[0];
     for (int i = 1; i < D; ++i) sum = sum + x[i] * y[i];
     return sum;
 }
 
-template <class T> static constexpr Vector<T, 3> cross(Vector<T, 3> const &x, Vector<T, 3> const &y) noexcept
+template <class T> PW85_FUNCTION constexpr Vector<T, 3> cross(Vector<T, 3> const &x, Vector<T, 3> const &y) noexcept
 {
     return {x[1] * y[2] - x[2] * y[1], x[2] * y[0] - x[0] * y[2], x[0] * y[1] - x[1] * y[0]};
 }
 
-template <class T, int D> static constexpr Vector<T, D> times(T const &factor, Vector<T, D> x) noexcept
+template <class T, int D> PW85_FUNCTION constexpr Vector<T, D> times(T const &factor, Vector<T, D> x) noexcept
 {
     for (int i = 0; i < D; ++i) x[i] = factor * x[i];
     return x;
 }
 
 template <class T, int D>
-static constexpr SymmetricMatrix<T, D> times(T const &factor, SymmetricMatrix<T, D> a) noexcept
+PW85_FUNCTION constexpr SymmetricMatrix<T, D> times(T const &factor, SymmetricMatrix<T, D> a) noexcept
 {
     for (int k = 0; k < a.size; ++k) a[k] = factor * a[k];
     return a;
@@ -71,7 +71,7 @@ static constexpr SymmetricMatrix<T, D> times(T const &factor, SymmetricMatrix<T,
 
 /// The product A x.
 template <class T, int D>
-static constexpr Vector<T, D> product(SymmetricMatrix<T, D> const &a, Vector<T, D> const &x) noexcept
+PW85_FUNCTION constexpr Vector<T, D> product(SymmetricMatrix<T, D> const &a, Vector<T, D> const &x) noexcept
 {
     Vector<T, D> y{};
     for (int i = 0; i < D; ++i) {
@@ -82,7 +82,7 @@ static constexpr Vector<T, D> product(SymmetricMatrix<T, D> const &a, Vector<T, 
 }
 
 /// The weights w with xᵀ A x = Σ w_k a_k over the stored entries of A: one set serves several forms.
-template <class T, int D> static constexpr SymmetricMatrix<T, D> outer_weights(Vector<T, D> const &x) noexcept
+template <class T, int D> PW85_FUNCTION constexpr SymmetricMatrix<T, D> outer_weights(Vector<T, D> const &x) noexcept
 {
     SymmetricMatrix<T, D> w{};
     for (int i = 0; i < D; ++i) {
@@ -98,8 +98,8 @@ template <class T> struct EntrywiseSums {
     T diagonal, rest;
 };
 
-template <class T, int D> static constexpr EntrywiseSums<T> entrywise_sums(SymmetricMatrix<T, D> const &a,
-                                                                           SymmetricMatrix<T, D> const &b) noexcept
+template <class T, int D> PW85_FUNCTION constexpr EntrywiseSums<T>
+entrywise_sums(SymmetricMatrix<T, D> const &a, SymmetricMatrix<T, D> const &b) noexcept
 {
     T diagonal = a(0, 0) * b(0, 0), rest = a(0, 1) * b(0, 1);
     for (int i = 1; i < D; ++i) diagonal = diagonal + a(i, i) * b(i, i);
@@ -110,7 +110,7 @@ template <class T, int D> static constexpr EntrywiseSums<T> entrywise_sums(Symme
 
 /// The contraction A:B = tr(A·B).
 template <class T, int D>
-static constexpr T contraction(SymmetricMatrix<T, D> const &a, SymmetricMatrix<T, D> const &b) noexcept
+PW85_FUNCTION constexpr T contraction(SymmetricMatrix<T, D> const &a, SymmetricMatrix<T, D> const &b) noexcept
 {
     auto const sums = entrywise_sums(a, b);
     return sums.diagonal + T(2) * sums.rest;
@@ -118,7 +118,7 @@ static constexpr T contraction(SymmetricMatrix<T, D> const &a, SymmetricMatrix<T
 
 /// The quadratic form xᵀ A x, from the outer weights of x.
 template <class T, int D>
-static constexpr T quadratic_form(SymmetricMatrix<T, D> const &a, SymmetricMatrix<T, D> const &weights) noexcept
+PW85_FUNCTION constexpr T quadratic_form(SymmetricMatrix<T, D> const &a, SymmetricMatrix<T, D> const &weights) noexcept
 {
     auto const sums = entrywise_sums(a, weights);
     return sums.diagonal + sums.rest;
@@ -126,13 +126,13 @@ static constexpr T quadratic_form(SymmetricMatrix<T, D> const &a, SymmetricMatri
 
 /// The quadratic form xᵀ A x.
 template <class T, int D>
-static constexpr T quadratic_form(SymmetricMatrix<T, D> const &a, Vector<T, D> const &x) noexcept
+PW85_FUNCTION constexpr T quadratic_form(SymmetricMatrix<T, D> const &a, Vector<T, D> const &x) noexcept
 {
     return quadratic_form(a, outer_weights(x));
 }
 
 /// The blend α A + β B.
-template <class T, int D> static constexpr SymmetricMatrix<T, D>
+template <class T, int D> PW85_FUNCTION constexpr SymmetricMatrix<T, D>
 blend(T const &alpha, SymmetricMatrix<T, D> const &a, T const &beta, SymmetricMatrix<T, D> const &b) noexcept
 {
     SymmetricMatrix<T, D> c{};
@@ -141,22 +141,22 @@ blend(T const &alpha, SymmetricMatrix<T, D> const &a, T const &beta, SymmetricMa
 }
 
 /// The sum A + β B.
-template <class T, int D> static constexpr SymmetricMatrix<T, D> blend(SymmetricMatrix<T, D> const &a, T const &beta,
-                                                                       SymmetricMatrix<T, D> const &b) noexcept
+template <class T, int D> PW85_FUNCTION constexpr SymmetricMatrix<T, D>
+blend(SymmetricMatrix<T, D> const &a, T const &beta, SymmetricMatrix<T, D> const &b) noexcept
 {
     SymmetricMatrix<T, D> c{};
     for (int k = 0; k < c.size; ++k) c[k] = a[k] + beta * b[k];
     return c;
 }
 
-template <class T, int D> static constexpr T largest_diagonal(SymmetricMatrix<T, D> const &a) noexcept
+template <class T, int D> PW85_FUNCTION constexpr T largest_diagonal(SymmetricMatrix<T, D> const &a) noexcept
 {
     T largest = a(0, 0);
     for (int i = 1; i < D; ++i) largest = maximum(largest, a(i, i));
     return largest;
 }
 
-template <class T, int D> static constexpr T diagonal_product(SymmetricMatrix<T, D> const &a) noexcept
+template <class T, int D> PW85_FUNCTION constexpr T diagonal_product(SymmetricMatrix<T, D> const &a) noexcept
 {
     T product = a(0, 0);
     for (int i = 1; i < D; ++i) product = product * a(i, i);
@@ -174,7 +174,7 @@ template <class T, int D> struct Factorization {
 /// raised to it. With floor = u this changes `a` by no more than its own rounding, and every pivot of a matrix with
 /// positive diagonal is positive; with floor = 0 and all pivots positive, `a` is positive definite.
 template <class T, int D>
-static constexpr Factorization<T, D> factorize(SymmetricMatrix<T, D> const &a, T const &floor) noexcept
+PW85_FUNCTION constexpr Factorization<T, D> factorize(SymmetricMatrix<T, D> const &a, T const &floor) noexcept
 {
     Factorization<T, D> f{};
     for (int j = 0; j < D; ++j) {
@@ -192,7 +192,8 @@ static constexpr Factorization<T, D> factorize(SymmetricMatrix<T, D> const &a, T
 }
 
 /// Solves A x = b by substitution.
-template <class T, int D> static constexpr Vector<T, D> solve(Factorization<T, D> const &f, Vector<T, D> x) noexcept
+template <class T, int D>
+PW85_FUNCTION constexpr Vector<T, D> solve(Factorization<T, D> const &f, Vector<T, D> x) noexcept
 {
     for (int i = 1; i < D; ++i)
         for (int j = 0; j < i; ++j) x[i] = x[i] - f.lower[i][j] * x[j];
@@ -205,7 +206,7 @@ template <class T, int D> static constexpr Vector<T, D> solve(Factorization<T, D
 
 /// The Cholesky factor L, A = L·Lᵀ, stored by columns like the upper triangle of its transpose; NaN unless A is
 /// positive definite to working precision.
-template <class T, int D> static inline SymmetricMatrix<T, D> cholesky(SymmetricMatrix<T, D> const &a) noexcept
+template <class T, int D> PW85_FUNCTION inline SymmetricMatrix<T, D> cholesky(SymmetricMatrix<T, D> const &a) noexcept
 {
     Factorization<T, D> const f = factorize(a, T(0));
     SymmetricMatrix<T, D> l{};
@@ -222,7 +223,7 @@ template <class T, int D> static inline SymmetricMatrix<T, D> cholesky(Symmetric
 
 /// Solves L·Lᵀ x = b with L from cholesky().
 template <class T, int D>
-static constexpr Vector<T, D> cholesky_solve(SymmetricMatrix<T, D> const &l, Vector<T, D> x) noexcept
+PW85_FUNCTION constexpr Vector<T, D> cholesky_solve(SymmetricMatrix<T, D> const &l, Vector<T, D> x) noexcept
 {
     for (int i = 0; i < D; ++i) {
         for (int j = 0; j < i; ++j) x[i] = x[i] - l(j, i) * x[j];
@@ -239,7 +240,7 @@ static constexpr Vector<T, D> cholesky_solve(SymmetricMatrix<T, D> const &l, Vec
 /// factorisation, computed in `T`, exceed the fourth root of the smallest number. (An ellipsoid of aspect ratio 1e38 has a
 /// pivot as small as that in double; its inverse leaves room for products of four entries.)
 template <class T, int D>
-static inline typename ScalarTraits<T>::Mask is_positive_definite(SymmetricMatrix<T, D> const &a) noexcept
+PW85_FUNCTION inline typename ScalarTraits<T>::Mask is_positive_definite(SymmetricMatrix<T, D> const &a) noexcept
 {
     T const smallest = square_root(square_root(smallest_number<T>()));
     Factorization<T, D> const f = factorize(a, T(0));
@@ -249,21 +250,21 @@ static inline typename ScalarTraits<T>::Mask is_positive_definite(SymmetricMatri
 }
 
 /// The adjugate adj(A) = det(A)·A⁻¹ in two dimensions.
-template <class T> static constexpr SymmetricMatrix<T, 2> adjugate(SymmetricMatrix<T, 2> const &a) noexcept
+template <class T> PW85_FUNCTION constexpr SymmetricMatrix<T, 2> adjugate(SymmetricMatrix<T, 2> const &a) noexcept
 {
     return {a[2], -a[1], a[0]};
 }
 
 /// The adjugate adj(A) = det(A)·A⁻¹ in three dimensions.
-template <class T> static constexpr SymmetricMatrix<T, 3> adjugate(SymmetricMatrix<T, 3> const &a) noexcept
+template <class T> PW85_FUNCTION constexpr SymmetricMatrix<T, 3> adjugate(SymmetricMatrix<T, 3> const &a) noexcept
 {
     return {a[3] * a[5] - a[4] * a[4], a[2] * a[4] - a[1] * a[5], a[1] * a[4] - a[2] * a[3],
             a[0] * a[5] - a[2] * a[2], a[1] * a[2] - a[0] * a[4], a[0] * a[3] - a[1] * a[1]};
 }
 
 /// The determinant from a matrix and its adjugate, expanded along the first row.
-template <class T, int D>
-static constexpr T determinant(SymmetricMatrix<T, D> const &a, SymmetricMatrix<T, D> const &adjugate_of_a) noexcept
+template <class T, int D> PW85_FUNCTION constexpr T determinant(SymmetricMatrix<T, D> const &a,
+                                                                SymmetricMatrix<T, D> const &adjugate_of_a) noexcept
 {
     T sum = a(0, 0) * adjugate_of_a(0, 0);
     for (int j = 1; j < D; ++j) sum = sum + a(0, j) * adjugate_of_a(0, j);
@@ -272,7 +273,7 @@ static constexpr T determinant(SymmetricMatrix<T, D> const &a, SymmetricMatrix<T
 
 /// The product of the diagonal down to which is_clearly_definite() looks no closer: far above the pivots that
 /// is_positive_definite() still accepts.
-template <class T> static constexpr T least_diagonal_product() noexcept
+template <class T> PW85_FUNCTION constexpr T least_diagonal_product() noexcept
 {
     constexpr int exponent = std::numeric_limits<typename ScalarTraits<T>::Lane>::max_exponent / 8;
     return negative_power_of_two<T>(exponent < 128 ? exponent : 128);
@@ -285,14 +286,14 @@ template <int D> inline constexpr int definite_margin = D == 2 ? 8 : 16;
 /// Whether a symmetric matrix with entries near order one is positive definite by so wide a margin that products alone
 /// show it (Sylvester's criterion): is_positive_definite() says so, too.
 template <class T>
-static constexpr typename ScalarTraits<T>::Mask is_clearly_definite(SymmetricMatrix<T, 2> const &a) noexcept
+PW85_FUNCTION constexpr typename ScalarTraits<T>::Mask is_clearly_definite(SymmetricMatrix<T, 2> const &a) noexcept
 {
     T const bound = T(definite_margin<2> * unit_roundoff<T>()), product = a[0] * a[2];
     return a[0] > T(0) && product > least_diagonal_product<T>() && product - a[1] * a[1] > bound * product;
 }
 
 template <class T>
-static constexpr typename ScalarTraits<T>::Mask is_clearly_definite(SymmetricMatrix<T, 3> const &a) noexcept
+PW85_FUNCTION constexpr typename ScalarTraits<T>::Mask is_clearly_definite(SymmetricMatrix<T, 3> const &a) noexcept
 {
     auto const u = unit_roundoff<T>();
     auto const adj = adjugate(a);

@@ -28,8 +28,8 @@ template <class T, int D> struct Wall {
     Status status;
 };
 
-template <class T, int D>
-static inline Wall<T, D> normalize_wall(Vector<T, D> normal, T const &offset, SymmetricMatrix<T, D> const &q) noexcept
+template <class T, int D> PW85_FUNCTION inline Wall<T, D> normalize_wall(Vector<T, D> normal, T const &offset,
+                                                                         SymmetricMatrix<T, D> const &q) noexcept
 {
     Status const status = offset * T(0) == T(0) ? check_form(q) : Status::invalid_argument;
     if (is_in_range(sum_of_magnitudes(normal), T(1), T(1))) return {normal, offset, status};
@@ -40,7 +40,7 @@ static inline Wall<T, D> normalize_wall(Vector<T, D> normal, T const &offset, Sy
 }
 
 /// Distance from an ellipsoid with its centre at 0 to the half-space normal·x >= offset; `normal` of any length > 0.
-template <class T, int D> [[gnu::always_inline]] static inline SurfaceDistance<T, D>
+template <class T, int D> [[gnu::always_inline]] PW85_FUNCTION inline SurfaceDistance<T, D>
 distance_plane(Vector<T, D> const &normal, T const &offset, SymmetricMatrix<T, D> const &q) noexcept
 {
     Wall<T, D> const wall = normalize_wall(normal, offset, q);
@@ -57,16 +57,16 @@ template <class T> struct PlaneDerivatives {
 };
 
 /// Derivatives of distance_plane(), whatever the offset.
-template <class T> static inline PlaneDerivatives<T> distance_plane_derivatives(Vector<T, 3> const &normal,
-                                                                                SymmetricMatrix<T, 3> const &q) noexcept
+template <class T> PW85_FUNCTION inline PlaneDerivatives<T>
+distance_plane_derivatives(Vector<T, 3> const &normal, SymmetricMatrix<T, 3> const &q) noexcept
 {
     auto const d = distance_plane(normal, T(0), q);
     return {times(T(-1), d.normal), cross(d.normal, d.point), d.status};
 }
 
 /// Contact function of an ellipsoid with its centre at 0 and the half-space normal·x >= offset.
-template <class T, int D> static inline PlaneContact<T, D> contact_plane(Vector<T, D> const &normal, T const &offset,
-                                                                         SymmetricMatrix<T, D> const &q) noexcept
+template <class T, int D> PW85_FUNCTION inline PlaneContact<T, D>
+contact_plane(Vector<T, D> const &normal, T const &offset, SymmetricMatrix<T, D> const &q) noexcept
 {
     Wall<T, D> const wall = normalize_wall(normal, offset, q);
     Support<T, D> const s = support(q, wall.normal);
@@ -81,7 +81,7 @@ template <class T, int D> static inline PlaneContact<T, D> contact_plane(Vector<
 }
 
 /// Distance from an ellipsoid with its centre at 0 to the nearest face of the box lower_i <= x_i <= upper_i around it.
-template <class T, int D> static inline SurfaceDistance<T, D>
+template <class T, int D> PW85_FUNCTION inline SurfaceDistance<T, D>
 distance_box(Vector<T, D> const &lower, Vector<T, D> const &upper, SymmetricMatrix<T, D> const &q) noexcept
 {
     bool valid = is_finite(lower) && is_finite(upper);
@@ -105,7 +105,7 @@ distance_box(Vector<T, D> const &lower, Vector<T, D> const &upper, SymmetricMatr
 
 /// Two unit vectors that make a right-handed basis with the unit vector `axis`.
 template <class T>
-static inline void complete_basis(Vector<T, 3> const &axis, Vector<T, 3> &e1, Vector<T, 3> &e2) noexcept
+PW85_FUNCTION inline void complete_basis(Vector<T, 3> const &axis, Vector<T, 3> &e1, Vector<T, 3> &e2) noexcept
 {
     int least = 0;
     for (int i = 1; i < 3; ++i)
@@ -119,9 +119,9 @@ static inline void complete_basis(Vector<T, 3> const &axis, Vector<T, 3> &e1, Ve
 
 /// Distance from an ellipsoid to the wall of a cylinder of some radius around it. The axis goes through 0, along `axis` of any
 /// length > 0; `center` is that of the ellipsoid.
-template <class T> static inline SurfaceDistance<T, 3> distance_cylinder(Vector<T, 3> axis, T const &radius,
-                                                                         Vector<T, 3> const &center,
-                                                                         SymmetricMatrix<T, 3> const &q) noexcept
+template <class T> PW85_FUNCTION inline SurfaceDistance<T, 3> distance_cylinder(Vector<T, 3> axis, T const &radius,
+                                                                                Vector<T, 3> const &center,
+                                                                                SymmetricMatrix<T, 3> const &q) noexcept
 {
     T const largest = largest_coordinate(axis);
     bool const valid = is_finite(axis) && largest > T(0) && is_finite(center) && radius > T(0) && radius * T(0) == T(0);

@@ -4,6 +4,8 @@
 #ifndef PW85_WIDE_INTEGER_HPP_INCLUDED
 #define PW85_WIDE_INTEGER_HPP_INCLUDED
 
+#include <pw85/attributes.hpp>
+
 #include <bit>
 #include <cstdint>
 #include <limits>
@@ -23,7 +25,7 @@ using SignedDoubleLimb = std::int64_t;
 static constexpr int limb_bits = std::numeric_limits<Limb>::digits;
 
 /// Limbs that hold so many bits.
-static constexpr int limbs_for(int bits) noexcept { return (bits + limb_bits - 1) / limb_bits; }
+PW85_FUNCTION constexpr int limbs_for(int bits) noexcept { return (bits + limb_bits - 1) / limb_bits; }
 
 /// A small integer, Σ limbs[i] 2^(limb_bits·i).
 template <int N> struct Digits {
@@ -32,7 +34,7 @@ template <int N> struct Digits {
     Limb limbs[N];
 };
 
-template <int M, int N> static inline Digits<M + N> operator*(Digits<M> const &x, Digits<N> const &y) noexcept
+template <int M, int N> PW85_FUNCTION inline Digits<M + N> operator*(Digits<M> const &x, Digits<N> const &y) noexcept
 {
     Digits<M + N> product{};
     for (int i = 0; i < M; ++i) {
@@ -48,13 +50,13 @@ template <int M, int N> static inline Digits<M + N> operator*(Digits<M> const &x
 }
 
 /// x·2^exponent, 0 <= exponent < limb_bits.
-template <int N> static inline Digits<N + 1> times_power_of_two(Digits<N> const &x, int exponent) noexcept
+template <int N> PW85_FUNCTION inline Digits<N + 1> times_power_of_two(Digits<N> const &x, int exponent) noexcept
 {
     return x * Digits<1>{{Limb{1} << exponent}};
 }
 
 /// The largest power of two that divides x > 0.
-template <int N> static inline int trailing_zeros(Digits<N> const &x) noexcept
+template <int N> PW85_FUNCTION inline int trailing_zeros(Digits<N> const &x) noexcept
 {
     int i = 0;
     while (x.limbs[i] == 0) ++i;
@@ -62,7 +64,7 @@ template <int N> static inline int trailing_zeros(Digits<N> const &x) noexcept
 }
 
 /// x/2^exponent, rounded down; 0 <= exponent < limb_bits·N.
-template <int N> static inline Digits<N> over_power_of_two(Digits<N> const &x, int exponent) noexcept
+template <int N> PW85_FUNCTION inline Digits<N> over_power_of_two(Digits<N> const &x, int exponent) noexcept
 {
     int const whole = exponent / limb_bits, bits = exponent % limb_bits;
     Digits<N> quotient{};
@@ -87,20 +89,20 @@ struct WideSum {
 };
 
 /// A sum in the given memory, zero.
-static inline WideSum zero_sum(Limb *memory, int size) noexcept
+PW85_FUNCTION inline WideSum zero_sum(Limb *memory, int size) noexcept
 {
     for (int i = 0; i < size; ++i) memory[i] = 0;
     return {memory, size};
 }
 
 /// sum = -1 - sum: between two of these, additions subtract.
-static inline void complement(WideSum sum) noexcept
+PW85_FUNCTION inline void complement(WideSum sum) noexcept
 {
     for (int i = 0; i < sum.size; ++i) sum.limbs[i] = ~sum.limbs[i];
 }
 
 /// sum += sign·2^(limb_bits·position)·x, sign = ±1.
-template <int N> static inline void add(WideSum sum, Digits<N> const &x, int position, int sign) noexcept
+template <int N> PW85_FUNCTION inline void add(WideSum sum, Digits<N> const &x, int position, int sign) noexcept
 {
     Limb const flip = sign < 0 ? ~Limb{0} : Limb{0};
     DoubleLimb const neutral = flip & 1;
@@ -120,7 +122,7 @@ template <int N> static inline void add(WideSum sum, Digits<N> const &x, int pos
 }
 
 /// sum += sign·x y, sign = ±1.
-[[gnu::noinline]] static inline void add_product(WideSum sum, int sign, WideInteger x, WideInteger y) noexcept
+[[gnu::noinline]] PW85_FUNCTION inline void add_product(WideSum sum, int sign, WideInteger x, WideInteger y) noexcept
 {
     bool const negative = sign * x.sign * y.sign < 0;
     if (negative) complement(sum);
@@ -143,7 +145,7 @@ template <int N> static inline void add(WideSum sum, Digits<N> const &x, int pos
 }
 
 /// sum *= factor.
-static inline void multiply(WideSum sum, Limb factor) noexcept
+PW85_FUNCTION inline void multiply(WideSum sum, Limb factor) noexcept
 {
     DoubleLimb carry = 0;
     for (int i = 0; i < sum.size; ++i) {
@@ -154,7 +156,7 @@ static inline void multiply(WideSum sum, Limb factor) noexcept
 }
 
 /// The value of a sum, whose memory then holds the magnitude.
-static inline WideInteger value(WideSum sum) noexcept
+PW85_FUNCTION inline WideInteger value(WideSum sum) noexcept
 {
     bool const negative = sum.limbs[sum.size - 1] >> (limb_bits - 1) != 0;
     if (negative) {
@@ -172,7 +174,7 @@ struct SumOfProducts {
 };
 
 /// The products that make up one limb of |x y|, without what is carried into it.
-static inline SumOfProducts column_of_product(WideInteger x, WideInteger y, int column) noexcept
+PW85_FUNCTION inline SumOfProducts column_of_product(WideInteger x, WideInteger y, int column) noexcept
 {
     SumOfProducts sum{};
     for (int i = column < y.size ? 0 : column - y.size + 1; i <= column && i < x.size; ++i) {
@@ -185,8 +187,8 @@ static inline SumOfProducts column_of_product(WideInteger x, WideInteger y, int 
 
 /// The sign of |x y| - |u v|, which needs no memory for the products: the difference is formed limb by limb, lowest first,
 /// and nothing is kept of it but whether it is zero and, in the end, what it borrows.
-[[gnu::noinline]] static inline int compare_products(WideInteger x, WideInteger y, WideInteger u,
-                                                     WideInteger v) noexcept
+[[gnu::noinline]] PW85_FUNCTION inline int compare_products(WideInteger x, WideInteger y, WideInteger u,
+                                                            WideInteger v) noexcept
 {
     int const left = x.size + y.size, right = u.size + v.size, columns = left > right ? left : right;
     SignedDoubleLimb carry = 0;

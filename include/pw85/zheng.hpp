@@ -62,7 +62,7 @@ template <class T> struct Tangency {
 
 /// The positive root of u³ - 3 r u² - s for s >= 0. Every sum is of positive terms, or keeps a quarter of its larger
 /// term.
-template <class T> static inline T resolvent_root(T const &r, T const &s) noexcept
+template <class T> PW85_FUNCTION inline T resolvent_root(T const &r, T const &s) noexcept
 {
     using elementary::atan2;
     using elementary::cbrt;
@@ -80,7 +80,7 @@ template <class T> static inline T resolvent_root(T const &r, T const &s) noexce
 
 /// The root w of item 3, for arguments >= 0 the largest of which is of order one (m is M): to 16 u in the terms of the
 /// equation, without a polish.
-template <class T> static inline T quartic_root(T const &m, T const &kappa1, T const &kappa2) noexcept
+template <class T> PW85_FUNCTION inline T quartic_root(T const &m, T const &kappa1, T const &kappa2) noexcept
 {
     T const k = kappa1 * kappa2, r = (m + (kappa1 - kappa2) * (kappa1 + kappa2)) / T(6);
     T const u = resolvent_root(r, T(T(0.5) * m * k * k));
@@ -93,7 +93,7 @@ template <class T> static inline T quartic_root(T const &m, T const &kappa1, T c
 
 /// Closest approach of two sections with rho1 >= rho2, whose k differ by `offset`.
 template <class T>
-static inline Tangency<T> ordered_tangency(Section<T> const &s1, Section<T> const &s2, T const &offset) noexcept
+PW85_FUNCTION inline Tangency<T> ordered_tangency(Section<T> const &s1, Section<T> const &s2, T const &offset) noexcept
 {
     T const kappa1 = s1.rho * square_root(s1.tau), kappa2 = s2.rho * square_root(s2.tau);
     T const root_m = absolute(offset) * square_root(T(s1.rho - s2.rho));
@@ -105,7 +105,7 @@ static inline Tangency<T> ordered_tangency(Section<T> const &s1, Section<T> cons
 
 /// Closest approach of two sections whose k differ by `offset` (items 2 and 3).
 template <class T>
-static inline Tangency<T> tangency(Section<T> const &s1, Section<T> const &s2, T const &offset) noexcept
+PW85_FUNCTION inline Tangency<T> tangency(Section<T> const &s1, Section<T> const &s2, T const &offset) noexcept
 {
     if (s1.rho >= s2.rho) return ordered_tangency(s1, s2, offset);
     Tangency<T> const reversed = ordered_tangency(s2, s1, offset);
@@ -121,12 +121,12 @@ template <class T, int D> struct Problem {
 
 /// The smallest unit that is kept. As the aspect ratio of a valid form is below 1/√u, an ellipsoid so much smaller
 /// adds less than rounding to the distance, and one that is smaller still may be taken for it.
-template <class T> static constexpr T smallest_unit() noexcept
+template <class T> PW85_FUNCTION constexpr T smallest_unit() noexcept
 {
     return negative_power_of_two<T>(3 * mantissa_digits<T>() / 2);
 }
 
-template <class T, int D> static inline Problem<T, D> problem(Pair<T, D> const &pair) noexcept
+template <class T, int D> PW85_FUNCTION inline Problem<T, D> problem(Pair<T, D> const &pair) noexcept
 {
     T const norm = square_root(dot(pair.r12, pair.r12));
     return {times(T(T(1) / norm), pair.r12), pair.q1, pair.q2, maximum(T(T(1) / pair.ratio), smallest_unit<T>())};
@@ -138,8 +138,8 @@ template <class T> struct Ellipse {
     T k;
 };
 
-template <class T>
-static inline Ellipse<T> ellipse_on_line(Vector<T, 2> const &d, SymmetricMatrix<T, 2> const &q, T const &unit) noexcept
+template <class T> PW85_FUNCTION inline Ellipse<T>
+ellipse_on_line(Vector<T, 2> const &d, SymmetricMatrix<T, 2> const &q, T const &unit) noexcept
 {
     Vector<T, 2> const s{-d[1], d[0]};
     auto const factors = factorize(q, T(unit_roundoff<T>()));
@@ -150,7 +150,7 @@ static inline Ellipse<T> ellipse_on_line(Vector<T, 2> const &d, SymmetricMatrix<
 
 /// The sum of the support functions, at the normal found: it is stationary there, so that errors of the quartic and of
 /// the sections count only squared, and the result is as good as the forms allow.
-template <class T> static inline T distance(Problem<T, 2> const &pair) noexcept
+template <class T> PW85_FUNCTION inline T distance(Problem<T, 2> const &pair) noexcept
 {
     Vector<T, 2> const &d = pair.d;
     auto const e1 = ellipse_on_line(d, pair.q1, T(1)), e2 = ellipse_on_line(d, pair.q2, pair.unit);
@@ -167,7 +167,7 @@ template <class T> struct Axis {
 };
 
 template <class T>
-static inline Axis<T> axis(Vector<T, 3> const &d, SymmetricMatrix<T, 3> const &q, T const &unit) noexcept
+PW85_FUNCTION inline Axis<T> axis(Vector<T, 3> const &d, SymmetricMatrix<T, 3> const &q, T const &unit) noexcept
 {
     auto const factors = factorize(q, T(unit_roundoff<T>()));
     Vector<T, 3> const g = solve(factors, d);
@@ -183,14 +183,14 @@ template <class T> struct Fan {
     T x0;
 };
 
-template <class T> static inline Fan<T> fan(Axis<T> const &a, SymmetricMatrix<T, 3> const &q, T const &unit,
-                                            Vector<T, 3> const &e, Vector<T, 3> const &f) noexcept
+template <class T> PW85_FUNCTION inline Fan<T> fan(Axis<T> const &a, SymmetricMatrix<T, 3> const &q, T const &unit,
+                                                   Vector<T, 3> const &e, Vector<T, 3> const &f) noexcept
 {
     T const along = positive_form(q, outer_weights(e)), area = unit * unit;
     return {a.tau, T(1) / (area * along), along / (area * a.minor), -dot(f, product(q, e)) / along};
 }
 
-template <class T> static inline Section<T> section(Fan<T> const &fan, T const &from_x0) noexcept
+template <class T> PW85_FUNCTION inline Section<T> section(Fan<T> const &fan, T const &from_x0) noexcept
 {
     return {fan.tau, fan.least + fan.growth * from_x0 * from_x0};
 }
@@ -209,15 +209,15 @@ template <class T> struct Plane {
 };
 
 /// d(log t)/dy from item 2 by implicit differentiation, for dρ1/dy and dρ2/dy.
-template <class T> static constexpr T ratio_slope(Section<T> const &s1, Section<T> const &s2, T const &offset,
-                                                  T const &t, T const &rho1_slope, T const &rho2_slope) noexcept
+template <class T> PW85_FUNCTION constexpr T ratio_slope(Section<T> const &s1, Section<T> const &s2, T const &offset,
+                                                         T const &t, T const &rho1_slope, T const &rho2_slope) noexcept
 {
     T const k2 = offset * offset, sum = s1.rho * t + s2.rho, twice = T(2) * (s2.tau * t * t - s1.tau) * sum;
     T const change = t * (twice - k2 * t) * rho1_slope + (twice + k2 * t * t) * rho2_slope;
     return -change / (T(2) * sum * (s2.tau * s1.rho * t * t * t + s1.tau * s2.rho));
 }
 
-template <class T> static inline Plane<T> plane(Pencil<T> const &pencil, T const &y) noexcept
+template <class T> PW85_FUNCTION inline Plane<T> plane(Pencil<T> const &pencil, T const &y) noexcept
 {
     using elementary::exp;
     using elementary::log;
@@ -233,7 +233,7 @@ template <class T> static inline Plane<T> plane(Pencil<T> const &pencil, T const
 }
 
 /// The largest distance over the planes of a pencil.
-template <class T> static inline T largest_distance(Pencil<T> const &pencil) noexcept
+template <class T> PW85_FUNCTION inline T largest_distance(Pencil<T> const &pencil) noexcept
 {
     using elementary::log;
     Fan<T> const &f1 = pencil.fan1, &f2 = pencil.fan2;
@@ -255,7 +255,7 @@ template <class T> static inline T largest_distance(Pencil<T> const &pencil) noe
     }
 }
 
-template <class T> static inline T distance(Problem<T, 3> const &pair) noexcept
+template <class T> PW85_FUNCTION inline T distance(Problem<T, 3> const &pair) noexcept
 {
     Vector<T, 3> const &d = pair.d;
     auto const a1 = axis(d, pair.q1, T(1)), a2 = axis(d, pair.q2, pair.unit);
@@ -269,7 +269,7 @@ template <class T> static inline T distance(Problem<T, 3> const &pair) noexcept
 }
 
 /// Distance of closest approach along `direction`, of any length > 0.
-template <class T, int D> static inline ClosestApproach<T>
+template <class T, int D> PW85_FUNCTION inline ClosestApproach<T>
 checked_distance(Vector<T, D> direction, SymmetricMatrix<T, D> const &q1, SymmetricMatrix<T, D> const &q2) noexcept
 {
     if (!is_finite(direction) || !(largest_coordinate(direction) > T(0)))
@@ -281,14 +281,14 @@ checked_distance(Vector<T, D> direction, SymmetricMatrix<T, D> const &q1, Symmet
 }
 
 /// Distance of closest approach of two ellipses, in closed form.
-template <class T> static inline ClosestApproach<T>
+template <class T> PW85_FUNCTION inline ClosestApproach<T>
 ellipses(Vector<T, 2> const &direction, SymmetricMatrix<T, 2> const &q1, SymmetricMatrix<T, 2> const &q2) noexcept
 {
     return checked_distance(direction, q1, q2);
 }
 
 /// Distance of closest approach of two ellipsoids, as the largest of those of their plane sections.
-template <class T> static inline ClosestApproach<T>
+template <class T> PW85_FUNCTION inline ClosestApproach<T>
 ellipsoids(Vector<T, 3> const &direction, SymmetricMatrix<T, 3> const &q1, SymmetricMatrix<T, 3> const &q2) noexcept
 {
     return checked_distance(direction, q1, q2);

@@ -4,15 +4,15 @@
 
 #include <glib.h>
 
-#include "../../src/batch/kernels.hpp"
+#include "../../src/kernels/kernels.hpp"
 
 namespace {
 
 void test_choice()
 {
-    char const *const wanted = std::getenv("PW85_TARGET"), *const chosen = pw85::batch::kernels().name;
+    char const *const wanted = std::getenv("PW85_TARGET"), *const chosen = pw85::kernels::chosen().name;
     g_test_message("wanted %s, chosen %s", wanted == nullptr ? "the best" : wanted, chosen);
-    g_assert_true(&pw85::batch::kernels() == &pw85::batch::kernels());
+    g_assert_true(&pw85::kernels::chosen() == &pw85::kernels::chosen());
     bool has_avx2 = false, has_avx512 = false;
 #if defined(__x86_64__) && defined(PW85_HAVE_X86_TARGETS)
     has_avx2 = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");

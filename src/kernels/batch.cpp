@@ -5,7 +5,7 @@
 #include "parallel.hpp"
 
 using namespace pw85;
-using namespace pw85::batch;
+using namespace pw85::kernels;
 using pw85::c_api::any_null;
 
 namespace {
@@ -47,7 +47,7 @@ int pw85_contact_batch(size_t n, double const *r12, double const *q1, double con
 {
     if (n == 0) return PW85_SUCCESS;
     if (n > max_rows || any_null(r12, q1, q2, mu2)) return PW85_EINVAL;
-    Kernels const &k = kernels();
+    Kernels const &k = chosen();
     PairArrays const pairs{r12, q1, q2};
     ContactArrays const out{mu2, lambda};
     return for_all(n, [&](Range range) { return k.lanes->contact_batch(pairs, range, out, *k.scalar); });
@@ -57,7 +57,7 @@ int pw85_overlap_batch(size_t n, double const *r12, double const *q1, double con
 {
     if (n == 0) return PW85_SUCCESS;
     if (n > max_rows || any_null(r12, q1, q2, overlap)) return PW85_EINVAL;
-    Kernels const &k = kernels();
+    Kernels const &k = chosen();
     PairArrays const pairs{r12, q1, q2};
     return for_all(n, [&](Range range) { return k.lanes->overlap_batch(pairs, range, overlap, *k.scalar); });
 }
@@ -67,7 +67,7 @@ int pw85_closest_approach_batch(size_t n, double const *directions, double const
 {
     if (n == 0) return PW85_SUCCESS;
     if (n > max_rows || any_null(directions, q1, q2, distance)) return PW85_EINVAL;
-    Kernels const &k = kernels();
+    Kernels const &k = chosen();
     PairArrays const pairs{directions, q1, q2};
     return for_all(n, [&](Range range) { return k.lanes->closest_approach_batch(pairs, range, distance, *k.scalar); });
 }
@@ -78,7 +78,7 @@ int pw85_contact_derivatives_batch(size_t n, double const *r12, double const *q1
 {
     if (n == 0) return PW85_SUCCESS;
     if (n > max_rows || any_null(r12, q1, q2)) return PW85_EINVAL;
-    Kernels const &k = kernels();
+    Kernels const &k = chosen();
     PairArrays const pairs{r12, q1, q2};
     DerivativeArrays const out{mu2, lambda, point, normal, d_r12, d_rot1, d_rot2};
     return for_all(n, [&](Range range) { return k.lanes->derivatives_batch(pairs, range, out, *k.scalar); });
@@ -91,7 +91,7 @@ int pw85_overlap_any(size_t n, double const q1[PW85_SYM], double const *r12, dou
     if (n == 0) return PW85_SUCCESS;
     *any = -1;
     if (n > max_rows || any_null(q1, r12, q2)) return PW85_EINVAL;
-    Kernels const &k = kernels();
+    Kernels const &k = chosen();
     DefaultEnvironment const environment;
     return k.lanes->overlap_any(OneToMany{q1, r12, q2}, n, any, *k.scalar);
 }
@@ -104,7 +104,7 @@ int pw85_contact_pairs(size_t num_pairs, int32_t const *pairs, int32_t const *im
     Lattice lattice;
     NeighborList list{pairs, centers, q, images, cell, nullptr};
     if (int const status = prepare_list(num_pairs, num_particles, list, lattice)) return status;
-    Kernels const &k = kernels();
+    Kernels const &k = chosen();
     ContactArrays const out{mu2, lambda};
     return for_all(num_pairs, [&](Range range) { return k.lanes->contact_pairs(list, range, out, *k.scalar); });
 }
@@ -117,7 +117,7 @@ int pw85_overlap_pairs(size_t num_pairs, int32_t const *pairs, int32_t const *im
     Lattice lattice;
     NeighborList list{pairs, centers, q, images, cell, nullptr};
     if (int const status = prepare_list(num_pairs, num_particles, list, lattice)) return status;
-    Kernels const &k = kernels();
+    Kernels const &k = chosen();
     return for_all(num_pairs, [&](Range range) { return k.lanes->overlap_pairs(list, range, overlap, *k.scalar); });
 }
 
@@ -130,7 +130,7 @@ int pw85_contact_derivatives_pairs(size_t num_pairs, int32_t const *pairs, int32
     Lattice lattice;
     NeighborList list{pairs, centers, q, images, cell, nullptr};
     if (int const status = prepare_list(num_pairs, num_particles, list, lattice)) return status;
-    Kernels const &k = kernels();
+    Kernels const &k = chosen();
     DerivativeArrays const out{mu2, lambda, point, normal, d_r12, d_rot1, d_rot2};
     return for_all(num_pairs, [&](Range range) { return k.lanes->derivatives_pairs(list, range, out, *k.scalar); });
 }

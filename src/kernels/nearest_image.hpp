@@ -1,7 +1,7 @@
 /// @file
 /// The nearest image of a separation in a lattice.
-#ifndef PW85_BATCH_NEAREST_IMAGE_HPP_INCLUDED
-#define PW85_BATCH_NEAREST_IMAGE_HPP_INCLUDED
+#ifndef PW85_KERNELS_NEAREST_IMAGE_HPP_INCLUDED
+#define PW85_KERNELS_NEAREST_IMAGE_HPP_INCLUDED
 
 #include <pw85/symmetric.hpp>
 
@@ -18,7 +18,7 @@ template <class T> inline T nearest_integer(T const &x) noexcept
 }
 
 /// The nearest image of a separation (item 4 of lattice.hpp).
-template <class T> inline Vector<T, 3> nearest_image(batch::Lattice const &lattice, Vector<T, 3> const &r) noexcept
+template <class T> inline Vector<T, 3> nearest_image(kernels::Lattice const &lattice, Vector<T, 3> const &r) noexcept
 {
     Vector<T, 3> x = r;
     for (int i = 0; i < 3; ++i) {

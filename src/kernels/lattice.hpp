@@ -18,10 +18,10 @@
 ///    one that differs by coordinates -1, 0 or 1: r - v is nearer than r if and only if r·v > ½|v|². Since |r·v| <= ½ Σ|b_i·v|, that
 ///    needs Σ|b_i·v| > |v|². For v = ±b_1 ±b_2 ±b_3 the sum is |v|² by item 1, which leaves nine couples ±v. If only two of
 ///    the b_i are not orthogonal, the same is true of their sum and difference, which leaves these two; if all are, none is needed.
-#ifndef PW85_BATCH_LATTICE_HPP_INCLUDED
-#define PW85_BATCH_LATTICE_HPP_INCLUDED
+#ifndef PW85_KERNELS_LATTICE_HPP_INCLUDED
+#define PW85_KERNELS_LATTICE_HPP_INCLUDED
 
-namespace pw85::batch {
+namespace pw85::kernels {
 
 /// A periodic lattice, prepared for the search of nearest images: plain data, as kernels.hpp asks for.
 struct Lattice {
@@ -42,6 +42,6 @@ bool prepare(double const *cell, Lattice &lattice) noexcept;
 /// A reduced basis of the lattice of a cell, rows = vectors; false as for prepare().
 bool reduce(double const *cell, double *reduced) noexcept;
 
-} // namespace pw85::batch
+} // namespace pw85::kernels
 
 #endif

@@ -1,7 +1,7 @@
 /// @file
 /// Whether one ellipsoid overlaps any of many, one of these per lane.
-#ifndef PW85_BATCH_LANE_OVERLAP_ANY_HPP_INCLUDED
-#define PW85_BATCH_LANE_OVERLAP_ANY_HPP_INCLUDED
+#ifndef PW85_KERNELS_LANE_OVERLAP_ANY_HPP_INCLUDED
+#define PW85_KERNELS_LANE_OVERLAP_ANY_HPP_INCLUDED
 
 #include "lane_overlap.hpp"
 
@@ -10,7 +10,7 @@ namespace {
 
 /// The pairs of one ellipsoid with others.
 struct OneToManyRows {
-    batch::OneToMany others;
+    kernels::OneToMany others;
 
     PW85_INLINE LanePair load(std::size_t const *indices) const noexcept
     {
@@ -38,13 +38,13 @@ inline constexpr std::size_t any_chunk_size = 32;
 
 /// Looks for the first pair, by its index, that overlaps or is bad. Returns the status of a bad one, with `any` = -1.
 [[gnu::flatten]] inline int overlap_any_rows(OneToManyRows const &rows, std::size_t n, int *any,
-                                             batch::ScalarKernels const &scalar) noexcept
+                                             kernels::ScalarKernels const &scalar) noexcept
 {
     unsigned char answers[any_chunk_size];
     *any = 0;
     for (std::size_t begin = 0; begin < n; begin += any_chunk_size) {
         std::size_t const count = n - begin < any_chunk_size ? n - begin : any_chunk_size;
-        batch::Failure const bad = overlap_rows(rows.from(begin), {0, count}, answers, scalar);
+        kernels::Failure const bad = overlap_rows(rows.from(begin), {0, count}, answers, scalar);
         for (std::size_t i = 0; i < count; ++i) {
             if (answers[i] == 0) continue;
             *any = answers[i] == 1 ? 1 : -1;

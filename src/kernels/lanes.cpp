@@ -6,7 +6,7 @@
 #include "lane_overlap.hpp"
 #include "lane_overlap_any.hpp"
 
-namespace pw85::batch {
+namespace pw85::kernels {
 
 namespace {
 
@@ -61,4 +61,4 @@ extern LaneKernels const PW85_LANE_KERNELS;
 LaneKernels const PW85_LANE_KERNELS = {contact_batch,     contact_pairs,     overlap_batch,          overlap_pairs,
                                        derivatives_batch, derivatives_pairs, closest_approach_batch, overlap_any};
 
-} // namespace pw85::batch
+} // namespace pw85::kernels

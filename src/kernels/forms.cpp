@@ -8,7 +8,7 @@
 #include "parallel.hpp"
 
 using namespace pw85;
-using namespace pw85::batch;
+using namespace pw85::kernels;
 using pw85::c_api::any_null;
 
 namespace {

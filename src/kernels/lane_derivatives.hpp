@@ -3,8 +3,8 @@
 ///
 /// The contact function of a chunk comes first; the formulas of geometry.hpp follow at its λ, as the functions for one pair
 /// have them. Pairs that are out of the ordinary or ill-conditioned go to those functions.
-#ifndef PW85_BATCH_LANE_DERIVATIVES_HPP_INCLUDED
-#define PW85_BATCH_LANE_DERIVATIVES_HPP_INCLUDED
+#ifndef PW85_KERNELS_LANE_DERIVATIVES_HPP_INCLUDED
+#define PW85_KERNELS_LANE_DERIVATIVES_HPP_INCLUDED
 
 #include <utility>
 
@@ -43,8 +43,8 @@ PW85_INLINE void store_rows(Vector<Pack, 3> const &x, std::size_t count, double 
 }
 
 /// Derivatives of one pair by the functions for one; NaN where λ is. A concentric pair, which has no normal, is valid otherwise.
-PW85_INLINE void derive_one(LanePair const &pair, std::size_t lane, double lambda, batch::DerivativeArrays const &out,
-                            std::size_t index, batch::ScalarKernels const &scalar) noexcept
+PW85_INLINE void derive_one(LanePair const &pair, std::size_t lane, double lambda, kernels::DerivativeArrays const &out,
+                            std::size_t index, kernels::ScalarKernels const &scalar) noexcept
 {
     double r12[3], q1[6], q2[6];
     for (int d = 0; d < 3; ++d) r12[d] = pair.r12[d][lane];
@@ -58,8 +58,9 @@ PW85_INLINE void derive_one(LanePair const &pair, std::size_t lane, double lambd
 }
 
 /// Derivatives of a pack of neighbouring pairs, of which there are `count`, at their λ.
-PW85_INLINE void derive(LanePair const &pair, Pack const &lambda, std::size_t count, batch::DerivativeArrays const &out,
-                        std::size_t begin, batch::ScalarKernels const &scalar) noexcept
+PW85_INLINE void derive(LanePair const &pair, Pack const &lambda, std::size_t count,
+                        kernels::DerivativeArrays const &out, std::size_t begin,
+                        kernels::ScalarKernels const &scalar) noexcept
 {
     Pack const lambda1 = complement_of(lambda);
     auto const solution = solve_by_adjugate(blend(lambda1, pair.q1, lambda, pair.q2), pair.r12);
@@ -81,25 +82,25 @@ PW85_INLINE void derive(LanePair const &pair, Pack const &lambda, std::size_t co
 /// Derivatives of a chunk at its λ, which reach to the end of its last pack. Not inlined: see contact_chunk().
 template <class Rows>
 [[gnu::noinline, gnu::flatten]] inline void derive_chunk(Rows const &chunk, double const *lambda, std::size_t count,
-                                                         batch::DerivativeArrays const &out, std::size_t begin,
-                                                         batch::ScalarKernels const &scalar) noexcept
+                                                         kernels::DerivativeArrays const &out, std::size_t begin,
+                                                         kernels::ScalarKernels const &scalar) noexcept
 {
     for (std::size_t k = 0; k < count; k += lanes)
         derive(load_neighbors(chunk, k, count - k), load_lanes<Pack>(lambda + k), count - k, out, begin + k, scalar);
 }
 
 /// Contact functions and derivatives of a range of pairs.
-template <class Rows> inline batch::Failure derivatives_rows(Rows const &rows, batch::Range range,
-                                                             batch::DerivativeArrays const &out,
-                                                             batch::ScalarKernels const &scalar) noexcept
+template <class Rows> inline kernels::Failure derivatives_rows(Rows const &rows, kernels::Range range,
+                                                               kernels::DerivativeArrays const &out,
+                                                               kernels::ScalarKernels const &scalar) noexcept
 {
-    batch::Failure first{0, 0};
+    kernels::Failure first{0, 0};
     double mu2[derivatives_chunk_size], lambda[derivatives_chunk_size];
     for (std::size_t begin = range.begin; begin < range.end; begin += derivatives_chunk_size) {
         std::size_t const left = range.end - begin,
                           count = left < derivatives_chunk_size ? left : derivatives_chunk_size;
         Rows const chunk = rows.from(begin);
-        batch::Failure const bad = contact_rows(chunk, {0, count}, {mu2, lambda}, scalar);
+        kernels::Failure const bad = contact_rows(chunk, {0, count}, {mu2, lambda}, scalar);
         first.update({begin + bad.index, bad.status});
         if (out.mu2 != nullptr) std::memcpy(out.mu2 + begin, mu2, count * sizeof(double));
         if (out.lambda != nullptr) std::memcpy(out.lambda + begin, lambda, count * sizeof(double));

@@ -3,15 +3,15 @@
 ///
 /// Types here are plain data, the same for every target: they cross the border between units compiled for different
 /// processors.
-#ifndef PW85_BATCH_KERNELS_HPP_INCLUDED
-#define PW85_BATCH_KERNELS_HPP_INCLUDED
+#ifndef PW85_KERNELS_KERNELS_HPP_INCLUDED
+#define PW85_KERNELS_KERNELS_HPP_INCLUDED
 
 #include <cstddef>
 #include <cstdint>
 
 #include "lattice.hpp"
 
-namespace pw85::batch {
+namespace pw85::kernels {
 
 /// Rows of pairs: n×3, n×6, n×6.
 struct PairArrays {
@@ -99,8 +99,8 @@ struct Kernels {
 
 /// The kernels for this processor, or those that the environment variable PW85_TARGET asks for if the processor can run
 /// them. Decided at the first call, once and for all.
-Kernels const &kernels() noexcept;
+Kernels const &chosen() noexcept;
 
-} // namespace pw85::batch
+} // namespace pw85::kernels
 
 #endif

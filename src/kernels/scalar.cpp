@@ -8,7 +8,7 @@
 #include "kernels.hpp"
 #include "pack.hpp"
 
-namespace pw85::batch {
+namespace pw85::kernels {
 
 namespace {
 
@@ -99,4 +99,4 @@ extern ScalarKernels const PW85_SCALAR_KERNELS;
 ScalarKernels const PW85_SCALAR_KERNELS = {contact,        overlap,          contact_geometry, contact_gradient,
                                            contact_torque, closest_approach, distance,         distance_derivatives};
 
-} // namespace pw85::batch
+} // namespace pw85::kernels

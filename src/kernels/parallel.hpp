@@ -1,7 +1,7 @@
 /// @file
 /// The distribution of rows to threads.
-#ifndef PW85_BATCH_PARALLEL_HPP_INCLUDED
-#define PW85_BATCH_PARALLEL_HPP_INCLUDED
+#ifndef PW85_KERNELS_PARALLEL_HPP_INCLUDED
+#define PW85_KERNELS_PARALLEL_HPP_INCLUDED
 
 #include <algorithm>
 #include <cstddef>
@@ -10,7 +10,7 @@
 #include "../floating_point_environment.hpp"
 #include "kernels.hpp"
 
-namespace pw85::batch {
+namespace pw85::kernels {
 namespace {
 
 /// The largest number of rows that an array of up to 6 doubles per row can have.
@@ -49,6 +49,6 @@ template <class Kernel> int for_all(std::size_t n, Kernel const &kernel) noexcep
 }
 
 } // namespace
-} // namespace pw85::batch
+} // namespace pw85::kernels
 
 #endif

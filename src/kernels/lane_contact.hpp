@@ -4,8 +4,8 @@
 /// Each stage runs over all packs of a chunk before the next one begins: stages are short and packs independent, so that the
 /// processor works on several at a time. Pairs that are out of the ordinary, and those for which the search is not certain, go to
 /// the scalar solver.
-#ifndef PW85_BATCH_LANE_CONTACT_HPP_INCLUDED
-#define PW85_BATCH_LANE_CONTACT_HPP_INCLUDED
+#ifndef PW85_KERNELS_LANE_CONTACT_HPP_INCLUDED
+#define PW85_KERNELS_LANE_CONTACT_HPP_INCLUDED
 
 #include <pw85/contact.hpp>
 
@@ -48,7 +48,7 @@ PW85_INLINE void store(Pack const &x, std::size_t count, double *out) noexcept
 /// The contact function of up to contact_chunk_size neighbouring pairs; those left to the scalar solver go to `rejected`.
 template <class Rows>
 [[gnu::noinline, gnu::flatten]] inline void contact_chunk(Rows const &rows, std::size_t count,
-                                                          batch::ContactArrays const &out,
+                                                          kernels::ContactArrays const &out,
                                                           OffsetList<contact_chunk_size> &rejected) noexcept
 {
     RationalSearch<Pack> searches[packs_per_chunk];
@@ -71,11 +71,11 @@ template <class Rows>
 }
 
 /// The contact function of a list of pairs by the scalar solver.
-template <class Rows> inline batch::Failure contact_one_by_one(Rows const &rows, OffsetList<contact_chunk_size> &list,
-                                                               batch::ContactArrays const &out,
-                                                               batch::ScalarKernels const &scalar) noexcept
+template <class Rows> inline kernels::Failure contact_one_by_one(Rows const &rows, OffsetList<contact_chunk_size> &list,
+                                                                 kernels::ContactArrays const &out,
+                                                                 kernels::ScalarKernels const &scalar) noexcept
 {
-    batch::Failure first{0, 0};
+    kernels::Failure first{0, 0};
     visit_pairs(rows, list, [&](std::size_t index, double const *r12, double const *q1, double const *q2) {
         double contact[2];
         first.update({index, scalar.contact(r12, q1, q2, contact)});
@@ -86,11 +86,11 @@ template <class Rows> inline batch::Failure contact_one_by_one(Rows const &rows,
 }
 
 /// The contact function of a range of pairs.
-template <class Rows> inline batch::Failure contact_rows(Rows const &rows, batch::Range range,
-                                                         batch::ContactArrays const &out,
-                                                         batch::ScalarKernels const &scalar) noexcept
+template <class Rows> inline kernels::Failure contact_rows(Rows const &rows, kernels::Range range,
+                                                           kernels::ContactArrays const &out,
+                                                           kernels::ScalarKernels const &scalar) noexcept
 {
-    batch::Failure first{0, 0};
+    kernels::Failure first{0, 0};
     for (std::size_t begin = range.begin; begin < range.end; begin += contact_chunk_size) {
         std::size_t const left = range.end - begin, count = left < contact_chunk_size ? left : contact_chunk_size;
         rows.prefetch(begin + count, range.end);

@@ -1,7 +1,7 @@
 /// @file
 /// Loads of pairs, one per lane, from rows in memory.
-#ifndef PW85_BATCH_ROWS_HPP_INCLUDED
-#define PW85_BATCH_ROWS_HPP_INCLUDED
+#ifndef PW85_KERNELS_ROWS_HPP_INCLUDED
+#define PW85_KERNELS_ROWS_HPP_INCLUDED
 
 #include <cstring>
 
@@ -99,7 +99,7 @@ PW85_INLINE SymmetricMatrix<Pack, 3> load_matrices(double const *const *rows) no
 
 /// The pairs of the batch form.
 struct BatchRows {
-    batch::PairArrays arrays;
+    kernels::PairArrays arrays;
 
     PW85_INLINE LanePair load(std::size_t const *indices) const noexcept
     {
@@ -126,7 +126,7 @@ inline constexpr std::size_t prefetch_distance = 128;
 
 /// The pairs of a neighbour list.
 struct ParticleRows {
-    batch::NeighborList list;
+    kernels::NeighborList list;
 
     PW85_INLINE LanePair load(std::size_t const *indices) const noexcept
     {

@@ -5,8 +5,8 @@
 /// A product is a type of its own until it is used, and becomes part of a fused multiply-add where it is added to or
 /// subtracted from something, if the target has one. So the source decides what is fused, not the compiler, and a lane
 /// gives the same bits whatever code surrounds it. Units that use packs are compiled without contraction.
-#ifndef PW85_BATCH_PACK_HPP_INCLUDED
-#define PW85_BATCH_PACK_HPP_INCLUDED
+#ifndef PW85_KERNELS_PACK_HPP_INCLUDED
+#define PW85_KERNELS_PACK_HPP_INCLUDED
 
 #include <cstddef>
 #include <cstdint>

@@ -6,7 +6,7 @@
 
 #include <pw85/symmetric.hpp>
 
-namespace pw85::batch {
+namespace pw85::kernels {
 
 namespace {
 
@@ -192,4 +192,4 @@ bool reduce(double const *cell, double *reduced) noexcept
     return true;
 }
 
-} // namespace pw85::batch
+} // namespace pw85::kernels

@@ -4,7 +4,7 @@
 #include <cstdlib>
 #include <cstring>
 
-namespace pw85::batch {
+namespace pw85::kernels {
 
 extern ScalarKernels const scalar_baseline;
 extern LaneKernels const lanes_baseline;
@@ -46,10 +46,10 @@ Kernels choose() noexcept
 
 } // namespace
 
-Kernels const &kernels() noexcept
+Kernels const &chosen() noexcept
 {
     static Kernels const chosen = choose();
     return chosen;
 }
 
-} // namespace pw85::batch
+} // namespace pw85::kernels

@@ -4,8 +4,8 @@
 /// Each pair is tested where the scalar path begins; undecided ones are collected, so that lanes stay full, and tested where the
 /// fixed-point map leads, then where the search on the rational form does. What that leaves, tangent to about as many digits as
 /// the pair's conditioning leaves, or out of the ordinary, goes to the scalar path.
-#ifndef PW85_BATCH_LANE_OVERLAP_HPP_INCLUDED
-#define PW85_BATCH_LANE_OVERLAP_HPP_INCLUDED
+#ifndef PW85_KERNELS_LANE_OVERLAP_HPP_INCLUDED
+#define PW85_KERNELS_LANE_OVERLAP_HPP_INCLUDED
 
 #include <pw85/quartic.hpp>
 
@@ -149,10 +149,11 @@ overlap_chunk(Rows const &rows, std::size_t count, unsigned char *out, OverlapLi
 }
 
 /// The overlap test for a list of pairs by the scalar path.
-template <class Rows> inline batch::Failure overlap_one_by_one(Rows const &rows, OverlapList &list, unsigned char *out,
-                                                               batch::ScalarKernels const &scalar) noexcept
+template <class Rows> inline kernels::Failure overlap_one_by_one(Rows const &rows, OverlapList &list,
+                                                                 unsigned char *out,
+                                                                 kernels::ScalarKernels const &scalar) noexcept
 {
-    batch::Failure first{0, 0};
+    kernels::Failure first{0, 0};
     visit_pairs(rows, list, [&](std::size_t index, double const *r12, double const *q1, double const *q2) {
         int overlap = 0;
         first.update({index, scalar.overlap(r12, q1, q2, &overlap)});
@@ -162,10 +163,10 @@ template <class Rows> inline batch::Failure overlap_one_by_one(Rows const &rows,
 }
 
 /// The overlap test for a range of pairs.
-template <class Rows> inline batch::Failure overlap_rows(Rows const &rows, batch::Range range, unsigned char *out,
-                                                         batch::ScalarKernels const &scalar) noexcept
+template <class Rows> inline kernels::Failure overlap_rows(Rows const &rows, kernels::Range range, unsigned char *out,
+                                                           kernels::ScalarKernels const &scalar) noexcept
 {
-    batch::Failure first{0, 0};
+    kernels::Failure first{0, 0};
     for (std::size_t begin = range.begin; begin < range.end; begin += overlap_chunk_size) {
         std::size_t const left = range.end - begin;
         OverlapList rejected(begin);
