@@ -3,9 +3,9 @@
 
 #include <pw85/distance.hpp>
 
-#include "kernels/kernels.hpp"
 #include "c_arrays.hpp"
 #include "floating_point_environment.hpp"
+#include "kernels/kernels.hpp"
 
 using namespace pw85;
 using namespace pw85::c_api;
