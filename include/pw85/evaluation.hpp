@@ -44,7 +44,7 @@ template <class T, int D> PW85_FUNCTION constexpr T evaluate_f(T const &lambda, 
                                                                SymmetricMatrix<T, D> const &q2) noexcept
 {
     T const alpha = T(1) - lambda;
-    return lambda * alpha * dot(r12, solve(factorize_blend(alpha, q1, lambda, q2), r12));
+    return lambda * alpha * inverse_form(factorize_blend(alpha, q1, lambda, q2), r12);
 }
 
 /// f, f' and f'' at λ (item 1).

@@ -63,9 +63,10 @@ template <class T, int D> PW85_FUNCTION inline Vector<T, D> solve_for_separation
 }
 
 /// Iterates from the candidate until a step is within penultimate_step(), or only rounding noise is left. Three steps are free
-/// to go anywhere in the bracket; later ones bisect it unless Halley's steps halve. False after max_factorized_steps.
+/// to go anywhere in the bracket; later ones bisect it unless Halley's steps halve. False after max_steps.
 template <class T, int D> PW85_FUNCTION inline bool search(Pair<T, D> const &pair, Candidate<T> &candidate,
-                                                           Precision precision, int &evaluations) noexcept
+                                                           Precision precision, int &evaluations,
+                                                           int max_steps = max_factorized_steps - 1) noexcept
 {
     T const smallest = smallest_number<T>(), largest = largest_number<T>();
     Bracket<T> bracket{smallest, largest, T(1024)};
@@ -83,11 +84,12 @@ template <class T, int D> PW85_FUNCTION inline bool search(Pair<T, D> const &pai
         bool const pinned = is_narrow(bracket); // t is in it
         update(bracket, t, image);
         bool const halves = size <= T(0.5) * shortest, noise = near && !halves && shortest < T(0.1);
-        if (size <= penultimate_step<T>() || pinned || noise || i == max_factorized_steps - 1) {
+        bool const found = size <= penultimate_step<T>() || pinned || noise;
+        if (found || i >= max_steps) {
             T const factor = near ? exponential(step) : T(1);
             candidate = {clamp(bracket, T(t * factor)), T(1), T(0)};
             expect_derivatives(candidate, s, factor, near);
-            return i < max_factorized_steps - 1;
+            return found;
         }
         shortest = minimum(shortest, size);
         T const next = t * (near ? exponential(step) : secular_factor(jet, pair.ratio, t));
