@@ -115,6 +115,22 @@ PW85_FUNCTION inline T condition(Factorization<T, D> const &factors, SymmetricMa
 /// (scripts/rounding_bounds.py: 4.8).
 inline constexpr int factorization_error = 5;
 
+/// By how many u κ at most one correction of refine() shrinks an error, in the norm of M. Factorisation and substitution solve
+/// exactly with some M + E, where |E| <= γ|L||D||Lᵀ|, γ about 4D u (N. J. Higham, Accuracy and Stability of Numerical
+/// Algorithms, theorem 10.4, with the reciprocals' roundings). With M scaled to a unit diagonal no entry of that product exceeds
+/// 1, so that |E| <= 4D² u = 36 u; raised pivots add u; and the inverse is at most κ.
+inline constexpr int correction_error = 64;
+
+/// By how many u the last evaluation's s errs across, in the norm of M, beside what is_certain() need not count: solved by
+/// factorisation, or refined by three corrections. Rounding the refined s to u in each coordinate leaves at most u √cond; its
+/// square over k, which is compared with u cond, is below u cond/16 where k > 16 u, and its product with the step is smaller yet.
+template <class T> PW85_FUNCTION inline T error_of_solution(T const &condition, Precision precision) noexcept
+{
+    if (precision == Precision::working) return T(factorization_error) * condition;
+    T const u = T(unit_roundoff<T>()), ratio = T(T(correction_error) * u) * condition;
+    return ratio * ratio * ratio * ratio / u;
+}
+
 /// The last evaluation, by factorisation.
 template <class T, int D> PW85_FUNCTION inline LastEvaluation<T>
 last_evaluation(Pair<T, D> const &pair, Candidate<T> const &candidate, Precision precision) noexcept
@@ -125,7 +141,8 @@ last_evaluation(Pair<T, D> const &pair, Candidate<T> const &candidate, Precision
     auto const weights = outer_weights(s);
     auto const value = stationary_value(candidate, pair.ratio, positive_form(pair.q1, weights),
                                         positive_form(pair.q2, weights), dot(pair.r12, s));
-    return {value, is_certain(candidate, value.step, T(T(factorization_error) * condition(factors, m)), T(1))};
+    T const error = error_of_solution(condition(factors, m), precision);
+    return {value, candidate.k > T(16 * unit_roundoff<T>()) && is_certain(candidate, value.step, error, T(1))};
 }
 
 } // namespace pw85
