@@ -205,6 +205,9 @@ class Installation:
         run("meson", "setup", meson, self.source, *LIBRARIES_ONLY, "--buildtype=plain", f"-Ddefault_library={kind}", *off)
         run("cmake", "-G", "Ninja", "-S", self.source, "-B", cmake, f"-DBUILD_SHARED_LIBS={kind == 'shared'}",
             f"-DPW85_SIMD={simd}", f"-DPW85_GSL={gsl}", "-DCMAKE_EXPORT_COMPILE_COMMANDS=ON")
+        header, same = "kernels/instruction_sets.h", lambda file: file.read_text().partition("#define")[2].split()
+        if same(meson / "src" / header) != same(cmake / header):
+            raise Failed(f"{header} differs: {(cmake / header).read_text()}")
         differing = set(units(meson, self.source)) ^ set(units(cmake, self.source))
         if differing or not units(meson, self.source):
             raise Failed("\n".join(" ".join(unit) for unit in sorted(differing)))
