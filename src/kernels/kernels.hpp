@@ -71,6 +71,8 @@ struct ScalarKernels {
                             double *d_q1, double *d_q2) noexcept;
     int (*contact_torque)(double const *r12, double const *q1, double const *q2, double lambda, double *d_rot1,
                           double *d_rot2) noexcept;
+    int (*contact_hessian)(double const *r12, double const *q1, double const *q2, double lambda,
+                           double *hessian) noexcept;
     int (*closest_approach)(double const *direction, double const *q1, double const *q2, double *distance) noexcept;
     int (*distance)(double const *r12, double const *q1, double const *q2, double *distance, double *point1,
                     double *point2) noexcept;
