@@ -151,14 +151,13 @@ module pw85
       integer(c_int) :: status
     end function pw85_closest_approach
 
-    !> Second derivatives of mu**2 with respect to r12 and rotations of either ellipsoid about its own centre.
-    function pw85_contact_hessian(r12, q1, q2, lambda, hessian) result(status) bind(C, name='pw85_contact_hessian')
-      import :: c_double, c_int
+    function c_contact_hessian(r12, q1, q2, lambda, hessian) result(status) bind(C, name='pw85_contact_hessian')
+      import :: c_double, c_int, c_ptr
       real(c_double), intent(in) :: r12(3), q1(6), q2(6)
       real(c_double), value :: lambda
-      real(c_double), intent(out) :: hessian(9, 9)
+      type(c_ptr), value :: hessian
       integer(c_int) :: status
-    end function pw85_contact_hessian
+    end function c_contact_hessian
 
     !> Contact function of two ellipses: out = [mu**2, lambda].
     function pw85_contact_2d(r12, q1, q2, out) result(status) bind(C, name='pw85_contact_2d')
@@ -195,15 +194,14 @@ module pw85
       integer(c_int) :: status
     end function c_contact_torque_2d
 
-    !> Second derivatives of mu**2 of two ellipses with respect to r12 and both angles.
-    function pw85_contact_hessian_2d(r12, q1, q2, lambda, hessian) result(status) &
+    function c_contact_hessian_2d(r12, q1, q2, lambda, hessian) result(status) &
         bind(C, name='pw85_contact_hessian_2d')
-      import :: c_double, c_int
+      import :: c_double, c_int, c_ptr
       real(c_double), intent(in) :: r12(2), q1(3), q2(3)
       real(c_double), value :: lambda
-      real(c_double), intent(out) :: hessian(4, 4)
+      type(c_ptr), value :: hessian
       integer(c_int) :: status
-    end function pw85_contact_hessian_2d
+    end function c_contact_hessian_2d
 
     !> Whether two ellipses overlap: 1 or 0; -1 on error.
     function pw85_overlap_2d(r12, q1, q2, overlap) result(status) bind(C, name='pw85_overlap_2d')
@@ -624,6 +622,14 @@ contains
     status = c_contact_torque(r12, q1, q2, lambda, address(d_rot1), address(d_rot2))
   end function pw85_contact_torque
 
+  !> Second derivatives of mu**2 with respect to r12 and rotations of either ellipsoid about its own centre.
+  function pw85_contact_hessian(r12, q1, q2, lambda, hessian) result(status)
+    real(c_double), intent(in) :: r12(3), q1(6), q2(6), lambda
+    real(c_double), intent(out), target :: hessian(9, 9)
+    integer(c_int) :: status
+    status = c_contact_hessian(r12, q1, q2, lambda, address(hessian))
+  end function pw85_contact_hessian
+
   !> Point of contact of the ellipses scaled by mu, relative to centre 1, and unit normal from 1 to 2.
   function pw85_contact_geometry_2d(r12, q1, q2, lambda, point, normal) result(status)
     real(c_double), intent(in) :: r12(2), q1(3), q2(3), lambda
@@ -647,6 +653,14 @@ contains
     integer(c_int) :: status
     status = c_contact_torque_2d(r12, q1, q2, lambda, address_of_number(d_rot1), address_of_number(d_rot2))
   end function pw85_contact_torque_2d
+
+  !> Second derivatives of mu**2 of two ellipses with respect to r12 and both angles.
+  function pw85_contact_hessian_2d(r12, q1, q2, lambda, hessian) result(status)
+    real(c_double), intent(in) :: r12(2), q1(3), q2(3), lambda
+    real(c_double), intent(out), target :: hessian(4, 4)
+    integer(c_int) :: status
+    status = c_contact_hessian_2d(r12, q1, q2, lambda, address(hessian))
+  end function pw85_contact_hessian_2d
 
   !> Distance of the surfaces of two ellipsoids and their closest points, relative to centre 1; 0 and NaN if they overlap.
   function pw85_distance(r12, q1, q2, distance, point1, point2) result(status)
