@@ -18,7 +18,7 @@ int pw85_distance(double const r12[3], double const q1[6], double const q2[6], d
         return PW85_EINVAL;
     }
     DefaultEnvironment const environment;
-    return kernels::chosen().scalar->distance(r12, q1, q2, distance, point1, point2);
+    return kernels::chosen().one_pair->distance(r12, q1, q2, distance, point1, point2);
 }
 
 int pw85_distance_derivatives(double const r12[3], double const q1[6], double const q2[6], double d_r12[3],
@@ -32,5 +32,5 @@ int pw85_distance_derivatives(double const r12[3], double const q1[6], double co
         return PW85_EINVAL;
     }
     DefaultEnvironment const environment;
-    return kernels::chosen().scalar->distance_derivatives(r12, q1, q2, d_r12, d_rot1, d_rot2, hessian);
+    return kernels::chosen().one_pair->distance_derivatives(r12, q1, q2, d_r12, d_rot1, d_rot2, hessian);
 }
