@@ -5,7 +5,6 @@
 
 #include "c_arrays.hpp"
 #include "floating_point_environment.hpp"
-#include "kernels/parallel.hpp"
 
 using namespace pw85;
 using namespace pw85::c_api;
@@ -18,19 +17,6 @@ int of_ellipses(Function const &function, double const *r12, double const *q1, d
 {
     return in_default_environment(
         [&] { return static_cast<int>(function(load_vector<2>(r12), load_matrix<2>(q1), load_matrix<2>(q2))); });
-}
-
-/// Calls function(i, r12, q1, q2), which returns a status, for n pairs of ellipses; returns the status of the first bad one.
-template <class Function> int for_ellipses(std::size_t n, double const *r12, double const *q1, double const *q2,
-                                           Function const &function) noexcept
-{
-    return kernels::for_all(n, [&](kernels::Range range) {
-        kernels::Failure first{0, 0};
-        for (std::size_t i = range.begin; i < range.end; ++i)
-            first.update({i, static_cast<int>(function(i, load_vector<2>(r12 + 2 * i), load_matrix<2>(q1 + 3 * i),
-                                                       load_matrix<2>(q2 + 3 * i)))});
-        return first;
-    });
 }
 
 } // namespace
@@ -157,27 +143,4 @@ int pw85_distance_2d(double const r12[2], double const q1[3], double const q2[3]
             return d.status;
         },
         r12, q1, q2);
-}
-
-int pw85_contact_batch_2d(size_t n, double const *r12, double const *q1, double const *q2, double *mu2, double *lambda)
-{
-    if (n == 0) return PW85_SUCCESS;
-    if (n > kernels::max_rows || any_null(r12, q1, q2, mu2)) return PW85_EINVAL;
-    return for_ellipses(n, r12, q1, q2, [=](std::size_t i, auto const &...pair) {
-        auto const c = contact(pair...);
-        mu2[i] = c.mu2;
-        if (lambda != nullptr) lambda[i] = c.lambda;
-        return c.status;
-    });
-}
-
-int pw85_overlap_batch_2d(size_t n, double const *r12, double const *q1, double const *q2, unsigned char *overlap)
-{
-    if (n == 0) return PW85_SUCCESS;
-    if (n > kernels::max_rows || any_null(r12, q1, q2, overlap)) return PW85_EINVAL;
-    return for_ellipses(n, r12, q1, q2, [=](std::size_t i, auto const &...pair) {
-        auto const o = pw85::overlap(pair...);
-        overlap[i] = o.status != Status::success ? 255 : o.overlap ? 1 : 0;
-        return o.status;
-    });
 }

@@ -48,22 +48,37 @@ template <class T, int D> struct Change {
     T slope;               ///< c
 };
 
-/// The pair at λ as its changes see it. P1, and with it b, X and every slope, is over the unit of λ2.
+/// The pair at λ as its changes see it. The shares, and with them b and every slope, are over a power of two near the larger, so
+/// that their squares stay in range however much the sizes differ.
 template <class T, int D> struct Balance {
     Factorization<T, D> factors; ///< of N
     Vector<T, D> n;
     Vector<T, D> shares[2]; ///< λ1 P1, λ2 P2
     Vector<T, D> bias;      ///< b
-    T stiffness;            ///< P1ᵀN⁻¹P2
+    T stiffness;            ///< (Q1 n)ᵀN⁻¹(Q2 n)
+    int exponent;           ///< of what the product of two slopes over the stiffness is to be multiplied by
 };
+
+/// The binary exponent of the largest coordinate; very small for zero.
+template <class T, int D> PW85_FUNCTION inline int largest_exponent(Vector<T, D> const &x) noexcept
+{
+    T const largest = largest_coordinate(x);
+    return largest > T(0) ? binary_exponent(largest) : -(1 << 20);
+}
 
 template <class T, int D> PW85_FUNCTION inline Balance<T, D>
 balance(Tangency<T, D> const &at, SymmetricMatrix<T, D> const &q1, SymmetricMatrix<T, D> const &q2) noexcept
 {
-    Vector<T, D> const p1 = times_power_of_two(times(at.weight1, product(q1, at.v)), -at.lambda_exponent);
-    Vector<T, D> const p2 = times(at.weight2, product(q2, at.v));
-    Balance<T, D> b{
-        factorize_blend(at.weight1, q1, at.weight2, q2), at.v, {times(at.lambda1, p1), times(at.lambda2, p2)}, {}, {}};
+    Vector<T, D> const p1 = product(q1, at.v), p2 = product(q2, at.v);
+    Vector<T, D> const share1 = times(T(at.lambda1 * at.weight1), p1), share2 = times(T(at.lambda2 * at.weight2), p2);
+    int const exponent1 = largest_exponent(share1), exponent2 = largest_exponent(share2) + at.lambda_exponent;
+    int const unit = exponent1 > exponent2 ? exponent1 : exponent2;
+    Balance<T, D> b{factorize_blend(at.weight1, q1, at.weight2, q2),
+                    at.v,
+                    {times_power_of_two(share1, -unit), times_power_of_two(share2, at.lambda_exponent - unit)},
+                    {},
+                    {},
+                    at.weights_exponent + 2 * unit};
     for (int d = 0; d < D; ++d) b.bias[d] = b.shares[0][d] - b.shares[1][d];
     b.bias = solve(b.factors, b.bias);
     b.stiffness = dot(p1, solve(b.factors, p2));
@@ -89,13 +104,14 @@ template <class T, int D> PW85_FUNCTION inline Change<T, D> turn(Balance<T, D> c
     return {ellipsoid, load, solve(b.factors, load), g, dot(load, b.bias) + (ellipsoid == 1 ? -own : own)};
 }
 
-/// The entry of the Hessian for two changes, over 2w; `stiffness` over the unit of λ2.
-template <class T, int D>
-PW85_FUNCTION inline T second_derivative(Change<T, D> const &x, Change<T, D> const &y, T const &compliance) noexcept
+/// The entry of the Hessian for two changes, in the units of a Tangency; `weight` is its λ1 λ2.
+template <class T, int D> PW85_FUNCTION inline T
+second_derivative(Balance<T, D> const &b, T const &weight, Change<T, D> const &x, Change<T, D> const &y) noexcept
 {
-    T entry = dot(x.dn, y.load) + x.slope * y.slope * compliance;
-    if (x.ellipsoid == y.ellipsoid) entry = entry - T(0.5) * (dot(x.turn, y.load) + dot(y.turn, x.load));
-    return entry;
+    T fixed = dot(x.dn, y.load);
+    if (x.ellipsoid == y.ellipsoid) fixed = fixed - T(0.5) * (dot(x.turn, y.load) + dot(y.turn, x.load));
+    T const follows = b.stiffness > T(0) ? T(x.slope * (y.slope / b.stiffness)) : T(0);
+    return T(2) * (weight * fixed + times_power_of_two(follows, b.exponent));
 }
 
 /// Items 1 and 2, in the units of a Tangency.
@@ -104,19 +120,17 @@ hessian_at(Tangency<T, D> const &at, SymmetricMatrix<T, D> const &q1, SymmetricM
 {
     constexpr int size = ContactHessian<T, D>::size, axes = rotation_axes<D>;
     Balance<T, D> const b = balance(at, q1, q2);
+    T const weight = at.lambda1 * at.lambda2;
     Change<T, D> changes[size];
     for (int i = 0; i < D; ++i) changes[i] = shift(b, i);
     for (int i = 0; i < axes; ++i) {
         changes[D + i] = turn(b, 1, times(at.weight1, q1), i);
         changes[D + axes + i] = turn(b, 2, times(at.weight2, q2), i);
     }
-    T const compliance = b.stiffness > T(0) ? times_power_of_two(T(T(1) / b.stiffness), at.lambda_exponent) : T(0);
-    T const twice_weight = T(2) * at.lambda1 * at.lambda2;
     ContactHessian<T, D> result{{}, Status::success};
     for (int i = 0; i < size; ++i)
         for (int j = i; j < size; ++j)
-            result.entries[i][j] = result.entries[j][i] =
-                twice_weight * second_derivative(changes[i], changes[j], compliance);
+            result.entries[i][j] = result.entries[j][i] = second_derivative(b, weight, changes[i], changes[j]);
     return result;
 }
 

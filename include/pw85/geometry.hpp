@@ -60,9 +60,10 @@ PW85_FUNCTION inline Vector<T, D> solve_blend(SymmetricMatrix<T, D> const &m, Ve
 /// A pair at some λ, in units of its own: n is proportional to v = (w1 Q1 + w2 Q2)⁻¹ r12.
 template <class T, int D> struct Tangency {
     Vector<T, D> v;
-    T lambda1, lambda2;      ///< 1-λ, λ
-    T weight1, weight2;      ///< w1, w2: proportional to 1-λ and λ
-    int lambda_exponent = 0; ///< lambda2 is λ over this power of two
+    T lambda1, lambda2;       ///< 1-λ, λ
+    T weight1, weight2;       ///< w1, w2: proportional to 1-λ and λ
+    int lambda_exponent = 0;  ///< lambda2 is λ over this power of two
+    int weights_exponent = 0; ///< lambda1 lambda2 is w1 w2 times this power of two
 };
 
 /// The point x0, relative to the centre of ellipsoid 1 (item 1).
@@ -128,7 +129,8 @@ scaled_tangency(ScaledPair<T, D> const &scaled, T const &lambda1, T const &lambd
             times_power_of_two(lambda2, -lambda),
             scaled.swapped ? w2 : w1,
             scaled.swapped ? w1 : w2,
-            lambda};
+            lambda,
+            2 * weight - small - lambda};
 }
 
 /// formula(tangency, q1, q2) for any pair at λ.

@@ -157,7 +157,8 @@ template <class Rows, class Arrays> struct LaneKernel {
 template <class... Kernel> struct KernelTable : Kernel... {
 };
 
-using LaneKernels = KernelTable<LaneKernel<PairArrays<3>, ContactArrays>, LaneKernel<NeighborList, ContactArrays>,
+using LaneKernels = KernelTable<LaneKernel<PairArrays<2>, ContactArrays>, LaneKernel<PairArrays<2>, OverlapArray>,
+                                LaneKernel<PairArrays<3>, ContactArrays>, LaneKernel<NeighborList, ContactArrays>,
                                 LaneKernel<PairArrays<3>, OverlapArray>, LaneKernel<NeighborList, OverlapArray>,
                                 LaneKernel<OneToMany, OverlapArray>, LaneKernel<PairArrays<3>, DerivativeArrays>,
                                 LaneKernel<NeighborList, DerivativeArrays>, LaneKernel<Directions, ApproachArray>>;
