@@ -50,6 +50,7 @@ from ._core import strerror, version
 from ._distance import distance, distance_2d, distance_derivatives
 from ._errors import PW85Error, Status, bad_rows
 from ._forms import ellipse, ellipsoid, ellipsoid_quaternion, full, packed, principal_axes, spheroid
+from ._neighbors import Neighbors, neighbors
 from ._pairs import contact_pairs, overlap_pairs
 from ._plotting import plot
 from ._systems import (
@@ -87,6 +88,7 @@ metadata = {
 
 __all__ = [
     "ContactDerivatives",
+    "Neighbors",
     "PW85Error",
     "Status",
     "bad_rows",
@@ -127,6 +129,7 @@ __all__ = [
     "legacy",
     "metadata",
     "nearest_image_limit",
+    "neighbors",
     "overlap",
     "overlap_any",
     "overlap_pairs",
