@@ -3,10 +3,10 @@
 
 #include <pw85/pw85.hpp>
 
-#include "kernels/kernels.hpp"
+#include "brent.hpp"
 #include "c_arrays.hpp"
 #include "floating_point_environment.hpp"
-#include "gsl_brent.hpp"
+#include "kernels/kernels.hpp"
 
 using namespace pw85;
 using namespace pw85::c_api;
@@ -24,12 +24,6 @@ int store_contact(Contact<double> const &contact, double out[2]) noexcept
     out[0] = contact.mu2;
     out[1] = contact.lambda;
     return static_cast<int>(contact.status);
-}
-
-int null_pointer(double *out, int count) noexcept
-{
-    store_nan(out, count);
-    return PW85_EINVAL;
 }
 
 } // namespace
@@ -69,7 +63,7 @@ int pw85_contact(double const r12[3], double const q1[6], double const q2[6], do
 {
     if (any_null(r12, q1, q2, out)) return null_pointer(out, 2);
     DefaultEnvironment const environment;
-    return kernels::chosen().scalar->contact(r12, q1, q2, out);
+    return kernels::chosen().one_pair->contact(r12, q1, q2, out);
 }
 
 int pw85_contact_function(double const r12[3], double const q1[6], double const q2[6], double out[2])
@@ -82,13 +76,6 @@ int pw85_contact_function(double const r12[3], double const q1[6], double const 
     });
 }
 
-int pw85_contact_2d(double const r12[2], double const q1[3], double const q2[3], double out[2])
-{
-    if (any_null(r12, q1, q2, out)) return null_pointer(out, 2);
-    return in_default_environment(
-        [&] { return store_contact(contact(load_vector<2>(r12), load_matrix<2>(q1), load_matrix<2>(q2)), out); });
-}
-
 int pw85_contact_geometry(double const r12[3], double const q1[6], double const q2[6], double lambda, double point[3],
                           double normal[3])
 {
@@ -97,7 +84,7 @@ int pw85_contact_geometry(double const r12[3], double const q1[6], double const 
         return null_pointer(normal, PW85_DIM);
     }
     DefaultEnvironment const environment;
-    return kernels::chosen().scalar->contact_geometry(r12, q1, q2, lambda, point, normal);
+    return kernels::chosen().one_pair->contact_geometry(r12, q1, q2, lambda, point, normal);
 }
 
 int pw85_contact_gradient(double const r12[3], double const q1[6], double const q2[6], double lambda, double d_r12[3],
@@ -109,7 +96,7 @@ int pw85_contact_gradient(double const r12[3], double const q1[6], double const 
         return null_pointer(d_q2, PW85_SYM);
     }
     DefaultEnvironment const environment;
-    return kernels::chosen().scalar->contact_gradient(r12, q1, q2, lambda, d_r12, d_q1, d_q2);
+    return kernels::chosen().one_pair->contact_gradient(r12, q1, q2, lambda, d_r12, d_q1, d_q2);
 }
 
 int pw85_contact_torque(double const r12[3], double const q1[6], double const q2[6], double lambda, double d_rot1[3],
@@ -120,7 +107,14 @@ int pw85_contact_torque(double const r12[3], double const q1[6], double const q2
         return null_pointer(d_rot2, PW85_DIM);
     }
     DefaultEnvironment const environment;
-    return kernels::chosen().scalar->contact_torque(r12, q1, q2, lambda, d_rot1, d_rot2);
+    return kernels::chosen().one_pair->contact_torque(r12, q1, q2, lambda, d_rot1, d_rot2);
+}
+
+int pw85_contact_hessian(double const r12[3], double const q1[6], double const q2[6], double lambda, double hessian[81])
+{
+    if (any_null(r12, q1, q2, hessian)) return null_pointer(hessian, 81);
+    DefaultEnvironment const environment;
+    return kernels::chosen().one_pair->contact_hessian(r12, q1, q2, lambda, hessian);
 }
 
 int pw85_overlap(double const r12[3], double const q1[6], double const q2[6], int *overlap)
@@ -129,24 +123,14 @@ int pw85_overlap(double const r12[3], double const q1[6], double const q2[6], in
     *overlap = -1;
     if (any_null(r12, q1, q2)) return PW85_EINVAL;
     DefaultEnvironment const environment;
-    return kernels::chosen().scalar->overlap(r12, q1, q2, overlap);
+    return kernels::chosen().one_pair->overlap(r12, q1, q2, overlap);
 }
 
 int pw85_closest_approach(double const direction[3], double const q1[6], double const q2[6], double *distance)
 {
     if (any_null(direction, q1, q2, distance)) return null_pointer(distance, 1);
     DefaultEnvironment const environment;
-    return kernels::chosen().scalar->closest_approach(direction, q1, q2, distance);
-}
-
-int pw85_closest_approach_2d(double const direction[2], double const q1[3], double const q2[3], double *distance)
-{
-    if (any_null(direction, q1, q2, distance)) return null_pointer(distance, 1);
-    return in_default_environment([&] {
-        auto const c = closest_approach(load_vector<2>(direction), load_matrix<2>(q1), load_matrix<2>(q2));
-        *distance = c.distance;
-        return static_cast<int>(c.status);
-    });
+    return kernels::chosen().one_pair->closest_approach(direction, q1, q2, distance);
 }
 
 void pw85__cholesky_decomp(double const a[6], double l[6])
