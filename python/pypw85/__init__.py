@@ -58,6 +58,7 @@ from ._ellipses import (
 )
 from ._errors import PW85Error, Status, bad_rows
 from ._forms import ellipse, ellipsoid, ellipsoid_quaternion, full, packed, principal_axes, spheroid
+from ._neighbors import Neighbors, neighbors
 from ._pairs import contact_pairs, overlap_pairs
 from ._plotting import plot
 from ._systems import (
@@ -95,6 +96,7 @@ metadata = {
 
 __all__ = [
     "ContactDerivatives",
+    "Neighbors",
     "PW85Error",
     "Status",
     "bad_rows",
@@ -140,6 +142,7 @@ __all__ = [
     "legacy",
     "metadata",
     "nearest_image_limit",
+    "neighbors",
     "overlap",
     "overlap_2d",
     "overlap_any",

@@ -30,6 +30,16 @@ def overlap_pairs(
 
 def contact_derivatives_pairs(*args: Any) -> int: ...
 def overlap_any(q1: NDArray[np.float64], r12: NDArray[np.float64], q2: NDArray[np.float64], /) -> tuple[int, int]: ...
+def neighbors(
+    centers: NDArray[np.float64],
+    q: NDArray[np.float64],
+    cell: Optional[NDArray[np.float64]],
+    periodic: NDArray[np.int32],
+    scale: float,
+    skin: float,
+    /,
+) -> tuple[int, int, Any, Any, Any]: ...
+def neighbors_hold(list: Any, centers: NDArray[np.float64], q: NDArray[np.float64], /) -> tuple[int, int]: ...
 def nearest_image_limit(q: NDArray[np.float64], cell: Optional[NDArray[np.float64]], /) -> tuple[int, float]: ...
 
 report_contact_pairs: np.ufunc
