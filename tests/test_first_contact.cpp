@@ -1,9 +1,12 @@
 // The time of first contact. The numbers are those of include/pw85/first_contact.hpp.
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 #include <glib.h>
 
+#include <pw85.h>
 #include <pw85/first_contact.hpp>
 
 #include "failures.hpp"
@@ -39,6 +42,24 @@ template <class T, int D> std::string flight_text(Flight<T, D> const &f)
 template <class T, int D> pw85::FirstContact<T> first_contact(Flight<T, D> const &f)
 {
     return pw85::first_contact(f.start.r12, f.start.q1, f.start.q2, f.motion1, f.motion2, f.end);
+}
+
+pw85_motion c_motion(pw85::Motion<double, 3> const &m)
+{
+    pw85_motion c{{}, {}, m.growth};
+    std::copy_n(m.velocity.coordinates, 3, c.velocity);
+    std::copy_n(m.angular_velocity.coordinates, 3, c.angular_velocity);
+    return c;
+}
+
+/// In double and three dimensions by the C API.
+pw85::FirstContact<double> first_contact(Flight<double, 3> const &f)
+{
+    pw85_motion const motion1 = c_motion(f.motion1), motion2 = c_motion(f.motion2);
+    pw85::FirstContact<double> c{};
+    c.status = static_cast<pw85::Status>(pw85_first_contact(f.start.r12.coordinates, f.start.q1.entries,
+                                                            f.start.q2.entries, &motion1, &motion2, f.end, &c.time));
+    return c;
 }
 
 template <class T> pw85::SymmetricMatrix<T, 3> turned_form(pw85::SymmetricMatrix<T, 3> const &q,
@@ -422,6 +443,134 @@ void test_extremes()
     }
 }
 
+// A periodic list: the times are those of single pairs, and next events the least of each particle.
+void test_lists()
+{
+    Failures failures;
+    Random random(600);
+    constexpr std::size_t n = 40;
+    double const side = 6.0, cell[9] = {side, 0.0, 0.0, 0.0, side, 0.0, 0.0, 0.0, side};
+    std::vector<double> centers, forms;
+    std::vector<pw85_motion> motions;
+    std::vector<int32_t> pairs;
+    for (std::size_t i = 0; i < n; ++i) {
+        for (int d = 0; d < 3; ++d) centers.push_back(random.uniform(0.0, side));
+        auto const q = random.form(0.5, 3.0);
+        forms.insert(forms.end(), q.entries, q.entries + 6);
+        motions.push_back(c_motion(random_motion<3>(random, 1.0, i < n / 2 ? Moving::centres : Moving::all)));
+        for (std::size_t j = 0; j < i; ++j)
+            pairs.insert(pairs.end(), {static_cast<int32_t>(i), static_cast<int32_t>(j)});
+    }
+    std::size_t const num_pairs = pairs.size() / 2;
+    std::vector<double> t(num_pairs), next(n), r12, q1, q2, t_batch(num_pairs);
+    std::vector<pw85_motion> motion1, motion2;
+    std::vector<int64_t> next_pair(n);
+    g_assert_cmpint(pw85_first_contact_pairs(num_pairs, pairs.data(), nullptr, n, centers.data(), forms.data(), cell,
+                                             motions.data(), 2.0, t.data(), next.data(), next_pair.data()),
+                    ==, PW85_SUCCESS);
+    std::vector<double> least(n, infinity);
+    std::vector<int32_t> images;
+    for (std::size_t k = 0; k < num_pairs; ++k) {
+        auto const i = static_cast<std::size_t>(pairs[2 * k]), j = static_cast<std::size_t>(pairs[2 * k + 1]);
+        for (std::size_t d = 0; d < 3; ++d) {
+            double const along = centers[3 * j + d] - centers[3 * i + d];
+            images.push_back(-static_cast<int32_t>(std::lround(along / side)));
+            r12.push_back(along + images.back() * side);
+        }
+        q1.insert(q1.end(), forms.begin() + static_cast<std::ptrdiff_t>(6 * i),
+                  forms.begin() + static_cast<std::ptrdiff_t>(6 * i + 6));
+        q2.insert(q2.end(), forms.begin() + static_cast<std::ptrdiff_t>(6 * j),
+                  forms.begin() + static_cast<std::ptrdiff_t>(6 * j + 6));
+        motion1.push_back(motions[i]);
+        motion2.push_back(motions[j]);
+        for (std::size_t const particle : {i, j}) least[particle] = std::fmin(least[particle], t[k]);
+    }
+    g_assert_cmpint(pw85_first_contact_batch(num_pairs, r12.data(), q1.data(), q2.data(), motion1.data(),
+                                             motion2.data(), 2.0, t_batch.data()),
+                    ==, PW85_SUCCESS);
+    auto const text = [] { return std::string(); };
+    for (std::size_t k = 0; k < num_pairs; ++k) {
+        bool const same = t[k] == t_batch[k] || std::fabs(t[k] - t_batch[k]) <= 1e-12;
+        failures.check(same, "list and batch", t[k], t_batch[k], text);
+    }
+    for (std::size_t i = 0; i < n; ++i) {
+        failures.check(next[i] == least[i], "next event", next[i], least[i], text);
+        bool const none = next_pair[i] == -1;
+        failures.check(none ? next[i] == infinity : t[static_cast<std::size_t>(next_pair[i])] == next[i], "next pair",
+                       next[i], static_cast<double>(next_pair[i]), text);
+    }
+    std::vector<double> again(num_pairs);
+    g_assert_cmpint(pw85_first_contact_pairs(num_pairs, pairs.data(), images.data(), n, centers.data(), forms.data(),
+                                             cell, motions.data(), 2.0, again.data(), nullptr, nullptr),
+                    ==, PW85_SUCCESS);
+    for (std::size_t k = 0; k < num_pairs; ++k)
+        failures.check(again[k] == t[k] || std::fabs(again[k] - t[k]) <= 1e-12, "images", again[k], t[k], text);
+}
+
+void test_statuses()
+{
+    double const r12[3] = {3.0, 0.0, 0.0}, q[6] = {1.0, 0.0, 0.0, 1.0, 0.0, 1.0},
+                 nan = std::numeric_limits<double>::quiet_NaN();
+    pw85_motion const still{}, closing{{-1.0, 0.0, 0.0}, {0.0, 0.0, 0.0}, 0.0};
+    auto const expect = [&](int expected, double time, pw85_motion const *motion, double end) {
+        double t = 7.0;
+        g_assert_cmpint(pw85_first_contact(r12, q, q, &still, motion, end, &t), ==, expected);
+        g_assert_true(std::isnan(time) ? std::isnan(t) : t == time);
+    };
+    expect(PW85_SUCCESS, 1.0, &closing, infinity);
+    expect(PW85_SUCCESS, 1.0, &closing, 1.0);
+    expect(PW85_SUCCESS, infinity, &closing, 0.5);
+    expect(PW85_SUCCESS, infinity, &still, infinity);
+    expect(PW85_EINVAL, nan, &closing, -1.0);
+    expect(PW85_EINVAL, nan, &closing, nan);
+    expect(PW85_EINVAL, nan, nullptr, 1.0);
+    for (int k = 0; k < 7; ++k)
+        for (double const bad : {nan, infinity, -infinity}) {
+            pw85_motion motion = closing;
+            (k < 3 ? motion.velocity[k] : k < 6 ? motion.angular_velocity[k - 3] : motion.growth) = bad;
+            expect(PW85_EINVAL, nan, &motion, 1.0);
+        }
+    pw85_motion const shrinking{{0.0, 0.0, 0.0}, {0.0, 0.0, 0.0}, -0.5};
+    expect(PW85_SUCCESS, infinity, &shrinking, 1.5);
+    expect(PW85_EINVAL, nan, &shrinking, 2.0);
+    expect(PW85_EINVAL, nan, &shrinking, infinity);
+    // Two rods that turn within reach of each other: in line they meet, across they never do.
+    double const rod[6] = {1e-6, 0.0, 0.0, 4.0, 0.0, 1e-6}, across[6] = {4.0, 0.0, 0.0, 1e-6, 0.0, 1e-6};
+    pw85_motion const turning{{0.0, 0.0, 0.0}, {0.0, 0.0, 1.0}, 0.0};
+    double t = 7.0;
+    g_assert_cmpint(pw85_first_contact(r12, rod, rod, &turning, &turning, infinity, &t), ==, PW85_SUCCESS);
+    g_assert_cmpint(pw85_first_contact(r12, rod, across, &turning, &turning, infinity, &t), ==, PW85_ECONVERGENCE);
+    g_assert_true(std::isnan(t));
+    g_assert_cmpint(pw85_first_contact(r12, q, q, &still, &closing, 1.0, nullptr), ==, PW85_EINVAL);
+    // Lists: no pairs, no events; whole calls that are wrong write nothing.
+    double next[2] = {7.0, 7.0};
+    int64_t next_pair[2] = {7, 7};
+    g_assert_cmpint(pw85_first_contact_pairs(0, nullptr, nullptr, 2, nullptr, nullptr, nullptr, nullptr, 1.0, nullptr,
+                                             next, next_pair),
+                    ==, PW85_SUCCESS);
+    g_assert_true(next[0] == infinity && next[1] == infinity && next_pair[0] == -1 && next_pair[1] == -1);
+    int32_t const outside[2] = {0, 2};
+    double const centers[6] = {0.0, 0.0, 0.0, 3.0, 0.0, 0.0},
+                 forms[12] = {1.0, 0.0, 0.0, 1.0, 0.0, 1.0, 1.0, 0.0, 0.0, 1.0, 0.0, 1.0};
+    pw85_motion const motions[2] = {still, closing};
+    t = 7.0;
+    g_assert_cmpint(
+        pw85_first_contact_pairs(1, outside, nullptr, 2, centers, forms, nullptr, motions, 1.0, &t, nullptr, nullptr),
+        ==, PW85_EINVAL);
+    int32_t const inside[2] = {0, 1};
+    g_assert_cmpint(
+        pw85_first_contact_pairs(1, inside, nullptr, 2, centers, forms, nullptr, nullptr, 1.0, &t, nullptr, nullptr),
+        ==, PW85_EINVAL);
+    g_assert_cmpint(
+        pw85_first_contact_pairs(1, inside, nullptr, 2, centers, forms, nullptr, motions, 1.0, &t, nullptr, next_pair),
+        ==, PW85_EINVAL);
+    g_assert_cmpfloat(t, ==, 7.0);
+    g_assert_cmpint(
+        pw85_first_contact_pairs(1, inside, nullptr, 2, centers, forms, nullptr, motions, 1.0, &t, next, next_pair), ==,
+        PW85_SUCCESS);
+    g_assert_true(t == 1.0 && next[1] == 1.0 && next_pair[0] == 0);
+}
+
 } // namespace
 
 int main(int argc, char **argv)
@@ -439,5 +588,7 @@ int main(int argc, char **argv)
     g_test_add_func("/first_contact/units", test_units);
     g_test_add_func("/first_contact/scalars", test_scalars);
     g_test_add_func("/first_contact/extremes", test_extremes);
+    g_test_add_func("/first_contact/lists", test_lists);
+    g_test_add_func("/first_contact/statuses", test_statuses);
     return g_test_run();
 }

@@ -384,6 +384,15 @@ template <class T, int D> PW85_FUNCTION inline bool only_translates(Motion<T, D>
     return largest_coordinate(motion.angular_velocity) == T(0) && motion.growth == T(0);
 }
 
+/// The largest of the rates at which the two turn and grow.
+template <class T, int D>
+PW85_FUNCTION inline T fastest(Motion<T, D> const &motion1, Motion<T, D> const &motion2) noexcept
+{
+    T const turning =
+        maximum(largest_coordinate(motion1.angular_velocity), largest_coordinate(motion2.angular_velocity));
+    return maximum(turning, maximum(absolute(motion1.growth), absolute(motion2.growth)));
+}
+
 /// The larger of an exponent and that of x.
 template <class T> PW85_FUNCTION inline int larger_exponent(int exponent, T const &x) noexcept
 {
@@ -399,11 +408,8 @@ first_contact_of_motion(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1
     int const none = std::numeric_limits<T>::min_exponent;
     int length = larger_exponent(half_exponent(largest_diagonal(q1)), square_root(largest_diagonal(q2)));
     length = larger_exponent(length, largest_coordinate(r12));
-    int rate = larger_exponent(none, largest_coordinate(velocity)) - length;
-    for (auto const *motion : {&motion1, &motion2}) {
-        rate = larger_exponent(rate, largest_coordinate(motion->angular_velocity));
-        rate = larger_exponent(rate, absolute(motion->growth));
-    }
+    int const across = larger_exponent(none, largest_coordinate(velocity)) - length;
+    int const rate = larger_exponent(across, fastest(motion1, motion2));
     MovingPair<T, D> const pair{
         r12, times_power_of_two(velocity, -rate), {to_body(q1, motion1, -rate), to_body(q2, motion2, -rate)}};
     auto result = advance_to_contact(pair, times_power_of_two(end, rate));

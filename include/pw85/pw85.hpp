@@ -37,6 +37,8 @@ template <class T, int D> struct SurfaceDistance; // distance, point, normal, st
 template <class T> struct PlaneDerivatives;       // center, rotation, status
 template <class T, int D> struct PlaneContact;    // mu2, point, status
 template <class T> struct Chord;                  // enter, leave, status
+template <class T, int D> struct Motion;          // velocity, angular_velocity, growth
+template <class T> struct FirstContact;           // time, status
 
 /// Form of a spheroid with equatorial radius `a`, polar radius `c`, and axis along `n`.
 template <class T> PW85_FUNCTION constexpr Form<T, 3> spheroid(T const &a, T const &c, Vector<T, 3> n) noexcept;
@@ -96,6 +98,12 @@ PW85_FUNCTION inline DistanceDerivatives<T> distance_derivatives(Vector<T, 3> co
                                                                  SymmetricMatrix<T, 3> const &q1,
                                                                  SymmetricMatrix<T, 3> const &q2) noexcept;
 
+/// The time of the first contact of two ellipsoids that move, not after `end`; infinity if there is none.
+template <class T, int D>
+PW85_FUNCTION inline FirstContact<T> first_contact(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
+                                                   SymmetricMatrix<T, D> const &q2, Motion<T, D> const &motion1,
+                                                   Motion<T, D> const &motion2, T const &end) noexcept;
+
 /// Distance from an ellipsoid with its centre at 0 to the half-space normal·x >= offset.
 template <class T, int D> PW85_FUNCTION inline SurfaceDistance<T, D>
 distance_plane(Vector<T, D> const &normal, T const &offset, SymmetricMatrix<T, D> const &q) noexcept;
@@ -133,6 +141,7 @@ intersect_line(Vector<T, D> const &origin, Vector<T, D> const &direction, Symmet
 #include <pw85/contact.hpp>
 #include <pw85/distance.hpp>
 #include <pw85/distance_derivatives.hpp>
+#include <pw85/first_contact.hpp>
 #include <pw85/forms.hpp>
 #include <pw85/geometry.hpp>
 #include <pw85/line.hpp>

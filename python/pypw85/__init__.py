@@ -50,6 +50,7 @@ from ._core import strerror, version
 from ._distance import distance, distance_2d, distance_derivatives
 from ._errors import PW85Error, Status, bad_rows
 from ._forms import ellipse, ellipsoid, ellipsoid_quaternion, full, packed, principal_axes, spheroid
+from ._motion import first_contact, motion
 from ._pairs import contact_pairs, overlap_pairs
 from ._plotting import plot
 from ._systems import (
@@ -117,6 +118,7 @@ __all__ = [
     "ellipsoid_quaternion",
     "f",
     "f_neg",
+    "first_contact",
     "from_gsd",
     "from_lammps",
     "from_ovito",
@@ -126,6 +128,7 @@ __all__ = [
     "lambda_atol",
     "legacy",
     "metadata",
+    "motion",
     "nearest_image_limit",
     "overlap",
     "overlap_any",

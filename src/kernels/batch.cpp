@@ -1,7 +1,10 @@
 // The functions of many pairs of the C API: what concerns a call as a whole.
 #include <pw85.h>
 
+#include <cmath>
+
 #include "../c_arrays.hpp"
+#include "nearest_image.hpp"
 #include "parallel.hpp"
 
 using namespace pw85;
@@ -26,6 +29,41 @@ bool are_valid(std::size_t num_pairs, std::int32_t const *pairs, std::size_t num
     return for_all(num_pairs, [=](Range range) {
                return Failure{range.begin, are_below(end, pairs, range) ? PW85_SUCCESS : PW85_EINVAL};
            }) == PW85_SUCCESS;
+}
+
+/// Calls row(i) for a range of rows, and returns the first failure.
+template <class Row> Failure for_rows(Range range, Row const &row) noexcept
+{
+    Failure first{0, 0};
+    for (std::size_t i = range.begin; i < range.end; ++i) first.update(Failure{i, row(i)});
+    return first;
+}
+
+/// The separation of pair k of a list.
+Vector<double, 3> separation(NeighborList const &list, std::size_t k) noexcept
+{
+    double const *x = list.centers + 3 * static_cast<std::size_t>(list.pairs[2 * k]);
+    double const *y = list.centers + 3 * static_cast<std::size_t>(list.pairs[2 * k + 1]);
+    Vector<double, 3> r12{y[0] - x[0], y[1] - x[1], y[2] - x[2]};
+    if (list.lattice != nullptr) return nearest_image(*list.lattice, r12);
+    for (std::size_t row = 0; list.images != nullptr && row < 3; ++row)
+        for (std::size_t d = 0; d < 3; ++d) r12.coordinates[d] += list.images[3 * k + row] * list.cell[3 * row + d];
+    return r12;
+}
+
+/// The least time of each particle's pairs, and the pair.
+void find_next(std::size_t num_pairs, std::int32_t const *pairs, double const *t, std::size_t num_particles,
+               double *next, std::int64_t *next_pair) noexcept
+{
+    if (next == nullptr) return;
+    std::fill_n(next, num_particles, HUGE_VAL);
+    if (next_pair != nullptr) std::fill_n(next_pair, num_particles, -1);
+    for (std::size_t k = 0; k < 2 * num_pairs; ++k) {
+        double &least = next[pairs[k]];
+        if (!(t[k / 2] < least)) continue;
+        least = t[k / 2];
+        if (next_pair != nullptr) next_pair[pairs[k]] = static_cast<std::int64_t>(k / 2);
+    }
 }
 
 /// Checks the arguments that the functions for neighbour lists share, and prepares the lattice.
@@ -84,6 +122,19 @@ int pw85_contact_derivatives_batch(size_t n, double const *r12, double const *q1
     return for_all(n, [&](Range range) { return k.lanes->derivatives_batch(pairs, range, out, *k.scalar); });
 }
 
+int pw85_first_contact_batch(size_t n, double const *r12, double const *q1, double const *q2,
+                             pw85_motion const *motion1, pw85_motion const *motion2, double t_max, double *t)
+{
+    if (n == 0) return PW85_SUCCESS;
+    if (n > max_rows || any_null(r12, q1, q2, t) || any_null(motion1, motion2)) return PW85_EINVAL;
+    ScalarKernels const &k = *chosen().scalar;
+    return for_all(n, [&](Range range) {
+        return for_rows(range, [&](std::size_t i) {
+            return k.first_contact(r12 + 3 * i, q1 + 6 * i, q2 + 6 * i, motion1 + i, motion2 + i, t_max, t + i);
+        });
+    });
+}
+
 int pw85_overlap_any(size_t n, double const q1[PW85_SYM], double const *r12, double const *q2, int *any)
 {
     if (any_null(any)) return PW85_EINVAL;
@@ -133,4 +184,27 @@ int pw85_contact_derivatives_pairs(size_t num_pairs, int32_t const *pairs, int32
     Kernels const &k = chosen();
     DerivativeArrays const out{mu2, lambda, point, normal, d_r12, d_rot1, d_rot2};
     return for_all(num_pairs, [&](Range range) { return k.lanes->derivatives_pairs(list, range, out, *k.scalar); });
+}
+
+int pw85_first_contact_pairs(size_t num_pairs, int32_t const *pairs, int32_t const *images, size_t num_particles,
+                             double const *centers, double const *q, double const *cell, pw85_motion const *motions,
+                             double t_max, double *t, double *next, int64_t *next_pair)
+{
+    if (num_particles > max_rows || (any_null(next) && !any_null(next_pair))) return PW85_EINVAL;
+    Lattice lattice;
+    NeighborList list{pairs, centers, q, images, cell, nullptr};
+    if (num_pairs > 0) {
+        if (any_null(t, motions)) return PW85_EINVAL;
+        if (int const status = prepare_list(num_pairs, num_particles, list, lattice)) return status;
+    }
+    ScalarKernels const &k = *chosen().scalar;
+    int const status = for_all(num_pairs, [&](Range range) {
+        return for_rows(range, [&](std::size_t n) {
+            auto const i = static_cast<std::size_t>(pairs[2 * n]), j = static_cast<std::size_t>(pairs[2 * n + 1]);
+            return k.first_contact(separation(list, n).coordinates, q + 6 * i, q + 6 * j, motions + i, motions + j,
+                                   t_max, t + n);
+        });
+    });
+    find_next(num_pairs, pairs, t, num_particles, next, next_pair);
+    return status;
 }

@@ -9,6 +9,8 @@
 #include <cstddef>
 #include <cstdint>
 
+#include <pw85.h>
+
 #include "lattice.hpp"
 
 namespace pw85::kernels {
@@ -76,6 +78,8 @@ struct ScalarKernels {
                     double *point2) noexcept;
     int (*distance_derivatives)(double const *r12, double const *q1, double const *q2, double *d_r12, double *d_rot1,
                                 double *d_rot2, double *hessian) noexcept;
+    int (*first_contact)(double const *r12, double const *q1, double const *q2, pw85_motion const *motion1,
+                         pw85_motion const *motion2, double end, double *time) noexcept;
 };
 
 /// Functions for ranges of pairs. The scalar kernels serve the pairs that lanes cannot; the first bad one is returned.
