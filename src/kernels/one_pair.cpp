@@ -110,9 +110,9 @@ int first_contact(double const *r12, double const *q1, double const *q2, pw85_mo
 
 } // namespace
 
-extern ScalarKernels const PW85_SCALAR_KERNELS;
-ScalarKernels const PW85_SCALAR_KERNELS = {contact,        overlap,          contact_geometry, contact_gradient,
-                                           contact_torque, closest_approach, distance,         distance_derivatives,
-                                           first_contact};
+extern OnePairKernels const PW85_ONE_PAIR_KERNELS;
+OnePairKernels const PW85_ONE_PAIR_KERNELS = {contact,        overlap,          contact_geometry, contact_gradient,
+                                              contact_torque, closest_approach, distance,         distance_derivatives,
+                                              first_contact};
 
 } // namespace pw85::kernels
