@@ -7,7 +7,7 @@
 #include <glib.h>
 
 #include <pw85.h>
-#include <pw85/first_contact.hpp>
+#include <pw85/batch.hpp>
 
 #include "failures.hpp"
 #include "random_pairs.hpp"
@@ -503,6 +503,17 @@ void test_lists()
     g_assert_cmpint(pw85_first_contact_pairs(num_pairs, pairs.data(), images.data(), n, centers.data(), forms.data(),
                                              cell, motions.data(), 2.0, again.data(), nullptr, nullptr),
                     ==, PW85_SUCCESS);
+    pw85::Vectors const vectors(reinterpret_cast<pw85::Vector<double, 3> const *>(centers.data()), n);
+    pw85::Forms const q(reinterpret_cast<pw85::SymmetricMatrix<double, 3> const *>(forms.data()), n);
+    std::span const moving(reinterpret_cast<pw85::Motion<double, 3> const *>(motions.data()), n);
+    pw85::Cell const rows{{{side, 0.0, 0.0}, {0.0, side, 0.0}, {0.0, 0.0, side}}};
+    std::span const listed(reinterpret_cast<pw85::IndexPair const *>(pairs.data()), num_pairs);
+    std::vector<double> in_cpp(num_pairs), next_in_cpp(n);
+    g_assert_true(pw85::first_contact_pairs({listed}, {vectors, q, &rows}, moving, 2.0, {in_cpp, next_in_cpp}) ==
+                  pw85::Status::success);
+    g_assert_true(in_cpp == t && next_in_cpp == next);
+    g_assert_true(pw85::first_contact_pairs({listed}, {vectors, q, &rows}, moving.first(n - 1), 2.0, {in_cpp}) ==
+                  pw85::Status::invalid_argument);
     for (std::size_t k = 0; k < num_pairs; ++k)
         failures.check(again[k] == t[k] || std::fabs(again[k] - t[k]) <= 1e-12, "images", again[k], t[k], text);
 }

@@ -50,7 +50,7 @@ from ._core import strerror, version
 from ._distance import distance, distance_2d, distance_derivatives
 from ._errors import PW85Error, Status, bad_rows
 from ._forms import ellipse, ellipsoid, ellipsoid_quaternion, full, packed, principal_axes, spheroid
-from ._motion import first_contact, motion
+from ._motion import Events, first_contact, first_contact_pairs, motion
 from ._pairs import contact_pairs, overlap_pairs
 from ._plotting import plot
 from ._systems import (
@@ -88,6 +88,7 @@ metadata = {
 
 __all__ = [
     "ContactDerivatives",
+    "Events",
     "PW85Error",
     "Status",
     "bad_rows",
@@ -119,6 +120,7 @@ __all__ = [
     "f",
     "f_neg",
     "first_contact",
+    "first_contact_pairs",
     "from_gsd",
     "from_lammps",
     "from_ovito",

@@ -2,14 +2,23 @@
 
 from __future__ import annotations
 
-from typing import Any, overload
+from typing import Any, NamedTuple, Optional, overload
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from . import _core
 from ._documentation import documented
+from ._pairs import _explain, _pair_list, _rows
 from ._typing import Floats, Row
+
+
+class Events(NamedTuple):
+    """First contacts of pairs, and the next one of each particle."""
+
+    time: Floats
+    next_time: Floats
+    next_pair: NDArray[np.int64]
 
 
 def motion(
@@ -100,3 +109,55 @@ def first_contact(
     inf
     """
     return _core.call_first_contact(r12, q1, q2, motion1, motion2, t_max, out, kwargs)
+
+
+@documented
+def first_contact_pairs(
+    pairs: ArrayLike,
+    centers: ArrayLike,
+    q: ArrayLike,
+    motions: ArrayLike,
+    t_max: float = np.inf,
+    cell: Optional[ArrayLike] = None,
+    images: Optional[ArrayLike] = None,
+) -> Events:
+    """`first_contact` for the pairs of a neighbour list, and the next event of each particle.
+
+    Parameters
+    ----------
+    pairs, centers, q, cell, images
+        As for `contact_pairs`. A pair stands for one image throughout, that of time 0.
+    motions : (n, 7) array_like
+        How the particles move, from `motion`.
+    t_max : number, optional
+        The time up to which contacts count, >= 0.
+
+    Returns
+    -------
+    Events
+        A named tuple: `time` (k) of each pair, infinity where there is no contact and NaN for a bad pair, which NumPy
+        reports as ``np.errstate(invalid=...)`` says; `next_time` (n), the least time of each particle's pairs; and
+        `next_pair` (n), the index of that pair, or -1.
+
+    {raises_pair_list}
+
+    Examples
+    --------
+    >>> import numpy as np, pypw85
+    >>> q = np.array([pypw85.spheroid(1, 1, [0, 0, 1])] * 3)
+    >>> motions = pypw85.motion([[1, 0, 0], [0, 0, 0], [0, 0, 0]])
+    >>> events = pypw85.first_contact_pairs([[0, 1], [0, 2]], [[0, 0, 0], [5, 0, 0], [4, 0, 0]], q, motions)
+    >>> events.time, events.next_pair
+    (array([3., 2.]), array([1, 0, 1]))
+    """
+    arrays = _pair_list(pairs, centers, q, cell, images)
+    rows = _rows(motions, 7, "motions")
+    if len(rows) != len(arrays[1]):
+        raise ValueError(f"{len(arrays[1])} centers, but {len(rows)} motions")
+    n, num_particles = len(arrays[0]), len(rows)
+    result = Events(np.full(n, -1.0), np.empty(num_particles), np.empty(num_particles, dtype=np.int64))
+    status = _core.first_contact_pairs(*arrays, rows, float(t_max), *result)
+    if status:
+        _explain(status, *arrays, refused=n == 0 or result.time[0] == -1.0)
+        _core.report_contact_pairs(status)
+    return result

@@ -148,10 +148,7 @@ int distance_point(double const *const *in, double *const *out)
     return pw85_distance_point(in[0], in[1], out[0], out[1], out[2]);
 }
 
-pw85_motion load_motion(double const *x) noexcept
-{
-    return {{x[0], x[1], x[2]}, {x[3], x[4], x[5]}, x[6]};
-}
+pw85_motion load_motion(double const *x) noexcept { return {{x[0], x[1], x[2]}, {x[3], x[4], x[5]}, x[6]}; }
 
 int first_contact(double const *const *in, double *const *out)
 {
