@@ -3,10 +3,10 @@
 
 #include <pw85/pw85.hpp>
 
-#include "kernels/kernels.hpp"
+#include "brent.hpp"
 #include "c_arrays.hpp"
 #include "floating_point_environment.hpp"
-#include "gsl_brent.hpp"
+#include "kernels/kernels.hpp"
 
 using namespace pw85;
 using namespace pw85::c_api;

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Makes a C++ source of a program for the device. Usage: embed.py PROGRAM SOURCE
 
-Comments and empty lines are left out. An empty program stands for none.
+Comments and empty lines are left out.
 """
 
 import sys
@@ -12,9 +12,6 @@ code = "".join(line + "\n" for line in lines if line).encode() + b"\0"
 rows = [code[i : i + 32] for i in range(0, len(code), 32)]
 text = ",\n".join(", ".join(map(str, row)) for row in rows)
 Path(sys.argv[2]).write_text(
-    "namespace pw85::gpu {\n"
-    "extern char const device_code[];\n"
-    f"char const device_code[] = {{\n{text}}};\n"
-    "} // namespace pw85::gpu\n",
+    f'#include "device_code.hpp"\n\nchar const pw85::gpu::device_code[] = {{\n{text}}};\n',
     encoding="utf-8",
 )

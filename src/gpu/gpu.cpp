@@ -6,6 +6,7 @@
 #include "../c_arrays.hpp"
 #include "../floating_point_environment.hpp"
 #include "../kernels/parallel.hpp"
+#include "device_code.hpp"
 #include "driver.hpp"
 #include "mailboxes.hpp"
 #include "work.hpp"
@@ -14,11 +15,6 @@ using namespace pw85;
 using namespace pw85::gpu;
 using pw85::c_api::any_null;
 using pw85::kernels::max_rows;
-
-namespace pw85::gpu {
-/// The program for the device, as text that its driver compiles; empty where the library was built without.
-extern char const device_code[];
-} // namespace pw85::gpu
 
 namespace {
 
