@@ -7,7 +7,13 @@
 .. cpp-functions:: pw85/pw85.hpp
 
     The sections of a C++ header with all their functions.
+
+.. fortran-functions:: pw85.h
+
+    The same for Fortran, in the sections of the C header.
 """
+
+import textwrap
 
 import declarations
 from docutils import nodes
@@ -54,7 +60,28 @@ class CppFunctions(FromHeader):
             yield from (f".. doxygenfunction:: pw85::{function.name}{signature}", "   :project: cpp", "")
 
 
+class FortranFunctions(FromHeader):
+    def lines(self, section):
+        if section.title:
+            yield from (section.title, "~" * len(section.title), "")
+        module = declarations.fortran_functions()
+        for function in section.functions:
+            yield from self.entry(module[function.name.lower()], function.name)
+
+    def entry(self, function, c_name):
+        yield from (f".. index:: single: {function.name} (Fortran {function.kind})", "")
+        yield from (f".. describe:: {function.kind} {function.name}({', '.join(function.arguments)})", "")
+        yield from (f"   {as_text(function.comment)} See :c:func:`{c_name}`.", "")
+        if function.declarations:
+            yield from ("   .. code-block:: fortran", "")
+        for declaration in function.declarations:
+            lines = textwrap.wrap(declaration, 72, subsequent_indent="  ", break_long_words=False)
+            yield from (f"      {line}{' &' if line is not lines[-1] else ''}" for line in lines)
+        yield ""
+
+
 def setup(app):
+    app.add_directive("fortran-functions", FortranFunctions)
     app.add_directive("function-table", FunctionTable)
     app.add_directive("cpp-functions", CppFunctions)
     return {"parallel_read_safe": True}
