@@ -33,7 +33,9 @@ module pw85
   public :: pw85_version, pw85_strerror
   public :: pw85_spheroid, pw85_ellipsoid, pw85_ellipsoid_quaternion, pw85_ellipse
   public :: pw85_contact, pw85_contact_function, pw85_contact_geometry, pw85_contact_gradient, pw85_contact_torque
-  public :: pw85_overlap, pw85_closest_approach, pw85_contact_2d, pw85_closest_approach_2d
+  public :: pw85_contact_hessian, pw85_overlap, pw85_closest_approach, pw85_contact_2d, pw85_closest_approach_2d
+  public :: pw85_contact_geometry_2d, pw85_contact_gradient_2d, pw85_contact_torque_2d, pw85_contact_hessian_2d
+  public :: pw85_overlap_2d, pw85_contact_batch_2d, pw85_overlap_batch_2d
   public :: pw85_distance, pw85_distance_derivatives, pw85_distance_2d
   public :: pw85_distance_plane, pw85_distance_plane_derivatives, pw85_contact_plane, pw85_distance_box
   public :: pw85_distance_cylinder, pw85_distance_point, pw85_intersect_line
@@ -149,6 +151,14 @@ module pw85
       integer(c_int) :: status
     end function pw85_closest_approach
 
+    function c_contact_hessian(r12, q1, q2, lambda, hessian) result(status) bind(C, name='pw85_contact_hessian')
+      import :: c_double, c_int, c_ptr
+      real(c_double), intent(in) :: r12(3), q1(6), q2(6)
+      real(c_double), value :: lambda
+      type(c_ptr), value :: hessian
+      integer(c_int) :: status
+    end function c_contact_hessian
+
     !> Contact function of two ellipses: out = [mu**2, lambda].
     function pw85_contact_2d(r12, q1, q2, out) result(status) bind(C, name='pw85_contact_2d')
       import :: c_double, c_int
@@ -156,6 +166,50 @@ module pw85
       real(c_double), intent(out) :: out(2)
       integer(c_int) :: status
     end function pw85_contact_2d
+
+    function c_contact_geometry_2d(r12, q1, q2, lambda, point, normal) result(status) &
+        bind(C, name='pw85_contact_geometry_2d')
+      import :: c_double, c_int, c_ptr
+      real(c_double), intent(in) :: r12(2), q1(3), q2(3)
+      real(c_double), value :: lambda
+      type(c_ptr), value :: point, normal
+      integer(c_int) :: status
+    end function c_contact_geometry_2d
+
+    function c_contact_gradient_2d(r12, q1, q2, lambda, d_r12, d_q1, d_q2) result(status) &
+        bind(C, name='pw85_contact_gradient_2d')
+      import :: c_double, c_int, c_ptr
+      real(c_double), intent(in) :: r12(2), q1(3), q2(3)
+      real(c_double), value :: lambda
+      type(c_ptr), value :: d_r12, d_q1, d_q2
+      integer(c_int) :: status
+    end function c_contact_gradient_2d
+
+    function c_contact_torque_2d(r12, q1, q2, lambda, d_rot1, d_rot2) result(status) &
+        bind(C, name='pw85_contact_torque_2d')
+      import :: c_double, c_int, c_ptr
+      real(c_double), intent(in) :: r12(2), q1(3), q2(3)
+      real(c_double), value :: lambda
+      type(c_ptr), value :: d_rot1, d_rot2
+      integer(c_int) :: status
+    end function c_contact_torque_2d
+
+    function c_contact_hessian_2d(r12, q1, q2, lambda, hessian) result(status) &
+        bind(C, name='pw85_contact_hessian_2d')
+      import :: c_double, c_int, c_ptr
+      real(c_double), intent(in) :: r12(2), q1(3), q2(3)
+      real(c_double), value :: lambda
+      type(c_ptr), value :: hessian
+      integer(c_int) :: status
+    end function c_contact_hessian_2d
+
+    !> Whether two ellipses overlap: 1 or 0; -1 on error.
+    function pw85_overlap_2d(r12, q1, q2, overlap) result(status) bind(C, name='pw85_overlap_2d')
+      import :: c_double, c_int
+      real(c_double), intent(in) :: r12(2), q1(3), q2(3)
+      integer(c_int), intent(out) :: overlap
+      integer(c_int) :: status
+    end function pw85_overlap_2d
 
     !> Distance of closest approach of two ellipses along a direction.
     function pw85_closest_approach_2d(direction, q1, q2, distance) result(status) &
@@ -268,6 +322,26 @@ module pw85
       integer(c_int8_t), intent(out) :: overlap(*)
       integer(c_int) :: status
     end function pw85_overlap_batch
+
+    function c_contact_batch_2d(n, r12, q1, q2, mu2, lambda) result(status) &
+        bind(C, name='pw85_contact_batch_2d')
+      import :: c_double, c_int, c_ptr, c_size_t
+      integer(c_size_t), value :: n
+      real(c_double), intent(in) :: r12(2, *), q1(3, *), q2(3, *)
+      real(c_double), intent(out) :: mu2(*)
+      type(c_ptr), value :: lambda
+      integer(c_int) :: status
+    end function c_contact_batch_2d
+
+    !> Overlaps of pairs of ellipses, as in pw85_overlap_batch().
+    function pw85_overlap_batch_2d(n, r12, q1, q2, overlap) result(status) &
+        bind(C, name='pw85_overlap_batch_2d')
+      import :: c_double, c_int, c_int8_t, c_size_t
+      integer(c_size_t), value :: n
+      real(c_double), intent(in) :: r12(2, *), q1(3, *), q2(3, *)
+      integer(c_int8_t), intent(out) :: overlap(*)
+      integer(c_int) :: status
+    end function pw85_overlap_batch_2d
 
     function c_contact_pairs(num_pairs, pairs, images, num_particles, centers, q, cell, mu2, lambda) &
         result(status) bind(C, name='pw85_contact_pairs')
@@ -548,6 +622,46 @@ contains
     status = c_contact_torque(r12, q1, q2, lambda, address(d_rot1), address(d_rot2))
   end function pw85_contact_torque
 
+  !> Second derivatives of mu**2 with respect to r12 and rotations of either ellipsoid about its own centre.
+  function pw85_contact_hessian(r12, q1, q2, lambda, hessian) result(status)
+    real(c_double), intent(in) :: r12(3), q1(6), q2(6), lambda
+    real(c_double), intent(out), target :: hessian(9, 9)
+    integer(c_int) :: status
+    status = c_contact_hessian(r12, q1, q2, lambda, address(hessian))
+  end function pw85_contact_hessian
+
+  !> Point of contact of the ellipses scaled by mu, relative to centre 1, and unit normal from 1 to 2.
+  function pw85_contact_geometry_2d(r12, q1, q2, lambda, point, normal) result(status)
+    real(c_double), intent(in) :: r12(2), q1(3), q2(3), lambda
+    real(c_double), intent(out), optional, target :: point(2), normal(2)
+    integer(c_int) :: status
+    status = c_contact_geometry_2d(r12, q1, q2, lambda, address(point), address(normal))
+  end function pw85_contact_geometry_2d
+
+  !> Derivatives of mu**2 of two ellipses with respect to r12 and the stored entries of q1 and q2.
+  function pw85_contact_gradient_2d(r12, q1, q2, lambda, d_r12, d_q1, d_q2) result(status)
+    real(c_double), intent(in) :: r12(2), q1(3), q2(3), lambda
+    real(c_double), intent(out), optional, target :: d_r12(2), d_q1(3), d_q2(3)
+    integer(c_int) :: status
+    status = c_contact_gradient_2d(r12, q1, q2, lambda, address(d_r12), address(d_q1), address(d_q2))
+  end function pw85_contact_gradient_2d
+
+  !> Derivatives of mu**2 with respect to the angles of two ellipses, counter-clockwise.
+  function pw85_contact_torque_2d(r12, q1, q2, lambda, d_rot1, d_rot2) result(status)
+    real(c_double), intent(in) :: r12(2), q1(3), q2(3), lambda
+    real(c_double), intent(out), optional, target :: d_rot1, d_rot2
+    integer(c_int) :: status
+    status = c_contact_torque_2d(r12, q1, q2, lambda, address_of_number(d_rot1), address_of_number(d_rot2))
+  end function pw85_contact_torque_2d
+
+  !> Second derivatives of mu**2 of two ellipses with respect to r12 and both angles.
+  function pw85_contact_hessian_2d(r12, q1, q2, lambda, hessian) result(status)
+    real(c_double), intent(in) :: r12(2), q1(3), q2(3), lambda
+    real(c_double), intent(out), target :: hessian(4, 4)
+    integer(c_int) :: status
+    status = c_contact_hessian_2d(r12, q1, q2, lambda, address(hessian))
+  end function pw85_contact_hessian_2d
+
   !> Distance of the surfaces of two ellipsoids and their closest points, relative to centre 1; 0 and NaN if they overlap.
   function pw85_distance(r12, q1, q2, distance, point1, point2) result(status)
     real(c_double), intent(in) :: r12(3), q1(6), q2(6)
@@ -636,6 +750,16 @@ contains
     integer(c_int) :: status
     status = c_contact_batch(n, r12, q1, q2, mu2, address(lambda))
   end function pw85_contact_batch
+
+  !> Contact functions of pairs of ellipses, as in pw85_contact_batch().
+  function pw85_contact_batch_2d(n, r12, q1, q2, mu2, lambda) result(status)
+    integer(c_size_t), intent(in) :: n
+    real(c_double), intent(in) :: r12(2, n), q1(3, n), q2(3, n)
+    real(c_double), intent(out) :: mu2(n)
+    real(c_double), intent(out), optional, target :: lambda(n)
+    integer(c_int) :: status
+    status = c_contact_batch_2d(n, r12, q1, q2, mu2, address(lambda))
+  end function pw85_contact_batch_2d
 
   !> Contact function of the pairs of a neighbour list; without `cell` there is no periodic cell, without `images` the nearest
   !> ones are taken.
@@ -726,6 +850,13 @@ contains
     pointer = c_null_ptr
     if (present(x)) pointer = c_loc(x(1))
   end function address
+
+  function address_of_number(x) result(pointer)
+    real(c_double), intent(in), optional, target :: x
+    type(c_ptr) :: pointer
+    pointer = c_null_ptr
+    if (present(x)) pointer = c_loc(x)
+  end function address_of_number
 
   function address_of_integers(x) result(pointer)
     integer(c_int32_t), intent(in), optional, target :: x(*)

@@ -53,7 +53,8 @@
 /** Maximum number of iterations of Brent's method in pw85_contact_function(). */
 #define PW85_MAX_ITER 25
 
-/** Maximum number of Newton-Raphson iterations that refine the result of Brent's method in pw85_contact_function(). */
+/** Maximum number of Newton-Raphson iterations (by Halley's method, in log λ/(1-λ)) that refine the result of Brent's method in
+ * pw85_contact_function(). */
 #define PW85_NR_ITER 3
 
 #ifdef __cplusplus
@@ -180,6 +181,17 @@ PW85_API int pw85_contact_gradient(double const r12[PW85_DIM], double const q1[P
 PW85_API int pw85_contact_torque(double const r12[PW85_DIM], double const q1[PW85_SYM], double const q2[PW85_SYM],
                                  double lambda, double d_rot1[PW85_DIM], double d_rot2[PW85_DIM]);
 
+/** Second derivatives of μ². With the relative errors of λ and 1-λ, which contact functions of double leave at some u times the
+ * square of the aspect ratio (and u/(1-λ), where ellipsoid 1 is much the larger), they err by a few times as much.
+ *
+ * @param r12,q1,q2 as for pw85_contact(), r12 != 0
+ * @param lambda from pw85_contact()
+ * @param[out] hessian 9×9, symmetric: second derivatives with respect to r12, rotation 1 and rotation 2, where the vector ω
+ *        stands for the rotation by |ω| about ω, and λ follows each change
+ * @return #PW85_SUCCESS, #PW85_EINVAL (also for lambda outside [0, 1] and r12 = 0), #PW85_ENOTPD */
+PW85_API int pw85_contact_hessian(double const r12[PW85_DIM], double const q1[PW85_SYM], double const q2[PW85_SYM],
+                                  double lambda, double hessian[81]);
+
 /** Whether two ellipsoids overlap, μ² < 1. Tangent ellipsoids (μ² = 1) do not.
  *
  * The answer is that of exact arithmetic for the numbers given: bounds that take rounding into account decide almost
@@ -207,6 +219,29 @@ PW85_API int pw85_closest_approach(double const direction[PW85_DIM], double cons
 
 /** Contact function of two ellipses; see pw85_contact(). */
 PW85_API int pw85_contact_2d(double const r12[2], double const q1[3], double const q2[3], double out[2]);
+
+/** Point at which the ellipses, scaled by μ, touch, and their common normal; see pw85_contact_geometry(). */
+PW85_API int pw85_contact_geometry_2d(double const r12[2], double const q1[3], double const q2[3], double lambda,
+                                      double point[2], double normal[2]);
+
+/** Derivatives of μ² of two ellipses; see pw85_contact_gradient(). */
+PW85_API int pw85_contact_gradient_2d(double const r12[2], double const q1[3], double const q2[3], double lambda,
+                                      double d_r12[2], double d_q1[3], double d_q2[3]);
+
+/** Derivatives of μ² with respect to the angles of two ellipses, counter-clockwise; see pw85_contact_torque().
+ *
+ * @param[out] d_rot1,d_rot2 one number each, per radian; may be null */
+PW85_API int pw85_contact_torque_2d(double const r12[2], double const q1[3], double const q2[3], double lambda,
+                                    double *d_rot1, double *d_rot2);
+
+/** Second derivatives of μ² of two ellipses; see pw85_contact_hessian().
+ *
+ * @param[out] hessian 4×4, symmetric: with respect to r12, angle 1 and angle 2 */
+PW85_API int pw85_contact_hessian_2d(double const r12[2], double const q1[3], double const q2[3], double lambda,
+                                     double hessian[16]);
+
+/** Whether two ellipses overlap; see pw85_overlap(). */
+PW85_API int pw85_overlap_2d(double const r12[2], double const q1[3], double const q2[3], int *overlap);
 
 /** Distance of closest approach of two ellipses; see pw85_closest_approach(). */
 PW85_API int pw85_closest_approach_2d(double const direction[2], double const q1[3], double const q2[3],
@@ -381,6 +416,14 @@ PW85_API int pw85_overlap_batch(size_t n, double const *r12, double const *q1, d
  * @return as for pw85_contact_batch(); a zero direction is #PW85_EINVAL */
 PW85_API int pw85_closest_approach_batch(size_t n, double const *directions, double const *q1, double const *q2,
                                          double *distance);
+
+/** pw85_contact_2d() for n pairs; arguments as for pw85_contact_batch(), with rows of 2 and 3 numbers. */
+PW85_API int pw85_contact_batch_2d(size_t n, double const *r12, double const *q1, double const *q2, double *mu2,
+                                   double *lambda);
+
+/** pw85_overlap_2d() for n pairs; arguments as for pw85_overlap_batch(), with rows of 2 and 3 numbers. */
+PW85_API int pw85_overlap_batch_2d(size_t n, double const *r12, double const *q1, double const *q2,
+                                   unsigned char *overlap);
 
 /** pw85_contact(), pw85_contact_geometry(), pw85_contact_gradient() and pw85_contact_torque() for n pairs: what the forces and
  * torques of an energy U(μ²) are made of. A pair with r12 = 0 is valid: its derivatives are zero, its point and normal NaN.

@@ -122,6 +122,9 @@ std::vector<Row> const single_pairs{
     {"pw85_contact_torque",
      {3, 3},
      [](auto const &in, auto &out) { pw85_contact_torque(in.r12, in.q1, in.q2, lambda, at(out, 0), at(out, 1)); }},
+    {"pw85_contact_hessian",
+     {81},
+     [](auto const &in, auto &out) { pw85_contact_hessian(in.r12, in.q1, in.q2, lambda, at(out, 0)); }},
     {"pw85_overlap",
      {1},
      [](auto const &in, auto &out) { pw85_overlap(in.r12, in.q1, in.q2, out[0].template data<int>()); },
@@ -132,6 +135,28 @@ std::vector<Row> const single_pairs{
     {"pw85_contact_2d",
      {2},
      [](auto const &in, auto &out) { pw85_contact_2d(in.r12, in.q1 + 3, in.q2 + 3, at(out, 0)); }},
+    {"pw85_contact_geometry_2d",
+     {2, 2},
+     [](auto const &in, auto &out) {
+         pw85_contact_geometry_2d(in.r12, in.q1 + 3, in.q2 + 3, lambda, at(out, 0), at(out, 1));
+     }},
+    {"pw85_contact_gradient_2d",
+     {2, 3, 3},
+     [](auto const &in, auto &out) {
+         pw85_contact_gradient_2d(in.r12, in.q1 + 3, in.q2 + 3, lambda, at(out, 0), at(out, 1), at(out, 2));
+     }},
+    {"pw85_contact_torque_2d",
+     {1, 1},
+     [](auto const &in, auto &out) {
+         pw85_contact_torque_2d(in.r12, in.q1 + 3, in.q2 + 3, lambda, at(out, 0), at(out, 1));
+     }},
+    {"pw85_contact_hessian_2d",
+     {16},
+     [](auto const &in, auto &out) { pw85_contact_hessian_2d(in.r12, in.q1 + 3, in.q2 + 3, lambda, at(out, 0)); }},
+    {"pw85_overlap_2d",
+     {1},
+     [](auto const &in, auto &out) { pw85_overlap_2d(in.r12, in.q1 + 3, in.q2 + 3, out[0].template data<int>()); },
+     sizeof(int)},
     {"pw85_closest_approach_2d",
      {1},
      [](auto const &in, auto &out) { pw85_closest_approach_2d(in.r12, in.q1 + 3, in.q2 + 3, at(out, 0)); }},
@@ -193,6 +218,15 @@ std::vector<Row> const many_pairs{
      {n},
      [](auto const &in, auto &out) {
          pw85_overlap_batch(n, in.r12, in.q1, in.q2, out[0].template data<unsigned char>());
+     },
+     1},
+    {"pw85_contact_batch_2d",
+     {n, n},
+     [](auto const &in, auto &out) { pw85_contact_batch_2d(n, in.r12, in.q1 + 3, in.q2 + 3, at(out, 0), at(out, 1)); }},
+    {"pw85_overlap_batch_2d",
+     {n},
+     [](auto const &in, auto &out) {
+         pw85_overlap_batch_2d(n, in.r12, in.q1 + 3, in.q2 + 3, out[0].template data<unsigned char>());
      },
      1},
     {"pw85_contact_pairs",

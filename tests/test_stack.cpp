@@ -154,12 +154,28 @@ std::vector<Case> cases_of_pairs()
         {"pw85_contact_torque", for_each_pair([](Numbers r, Numbers p, Numbers q) {
              status = pw85_contact_torque(r, p, q, 0.3, out, out + 3);
          })},
+        {"pw85_contact_hessian",
+         for_each_pair([](Numbers r, Numbers p, Numbers q) { status = pw85_contact_hessian(r, p, q, 0.3, out); })},
         {"pw85_overlap",
          for_each_pair([](Numbers r, Numbers p, Numbers q) { status = pw85_overlap(r, p, q, &answer); })},
         {"pw85_closest_approach",
          for_each_pair([](Numbers r, Numbers p, Numbers q) { status = pw85_closest_approach(r, p, q, out); })},
         {"pw85_contact_2d",
          for_each_pair([](Numbers r, Numbers p, Numbers q) { status = pw85_contact_2d(r, p + 3, q + 3, out); })},
+        {"pw85_contact_geometry_2d", for_each_pair([](Numbers r, Numbers p, Numbers q) {
+             status = pw85_contact_geometry_2d(r, p + 3, q + 3, 0.3, out, out + 2);
+         })},
+        {"pw85_contact_gradient_2d", for_each_pair([](Numbers r, Numbers p, Numbers q) {
+             status = pw85_contact_gradient_2d(r, p + 3, q + 3, 0.3, out, out + 2, out + 4);
+         })},
+        {"pw85_contact_torque_2d", for_each_pair([](Numbers r, Numbers p, Numbers q) {
+             status = pw85_contact_torque_2d(r, p + 3, q + 3, 0.3, out, out + 1);
+         })},
+        {"pw85_contact_hessian_2d", for_each_pair([](Numbers r, Numbers p, Numbers q) {
+             status = pw85_contact_hessian_2d(r, p + 3, q + 3, 0.3, out);
+         })},
+        {"pw85_overlap_2d",
+         for_each_pair([](Numbers r, Numbers p, Numbers q) { status = pw85_overlap_2d(r, p + 3, q + 3, &answer); })},
         {"pw85_closest_approach_2d", for_each_pair([](Numbers r, Numbers p, Numbers q) {
              status = pw85_closest_approach_2d(r, p + 3, q + 3, out);
          })},
@@ -269,6 +285,8 @@ std::vector<Case> cases_of_batches()
     return {
         {"pw85_contact_batch", [=] { status = pw85_contact_batch(n, r, p, q, mu2.data(), lambda.data()); }},
         {"pw85_overlap_batch", [=] { status = pw85_overlap_batch(n, r, p, q, overlap.data()); }},
+        {"pw85_contact_batch_2d", [=] { status = pw85_contact_batch_2d(n, r, p, q, mu2.data(), lambda.data()); }},
+        {"pw85_overlap_batch_2d", [=] { status = pw85_overlap_batch_2d(n, r, p, q, overlap.data()); }},
         {"pw85_contact_pairs",
          [=] { status = pw85_contact_pairs(n, list, nullptr, 2 * n, x, forms, nullptr, mu2.data(), lambda.data()); }},
         {"pw85_contact_pairs",
