@@ -33,7 +33,7 @@ nitpick_ignore_regex = [
     ("myst", r".*"),
     # Standard types; template parameters; the namespace, which has no page.
     ("c:identifier", r"size_t|int32_t"),
-    ("cpp:identifier", r"T|D|pw85"),
+    ("cpp:identifier", r"T|D|pw85|rotation_axes<D>|\w+<T, D>"),
 ]
 add_function_parentheses = True
 numfig = True

@@ -70,6 +70,12 @@ def sections(header):
     return found
 
 
+def values(header):
+    """The structures that a C++ header declares, to be defined by those that it includes."""
+    text = (INCLUDE / header).read_text(encoding="utf-8")
+    return re.findall(r"^(?:template <[^;{]*?> ?)?struct (\w+);", text, re.MULTILINE)
+
+
 def functions(header):
     return [function for section in sections(header) for function in section.functions]
 

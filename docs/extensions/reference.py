@@ -8,6 +8,10 @@
 
     The sections of a C++ header with all their functions.
 
+.. cpp-values:: pw85/pw85.hpp
+
+    The structures that it declares, with their members.
+
 .. fortran-functions:: pw85.h
 
     The same for Fortran, in the sections of the C header.
@@ -35,9 +39,12 @@ class FromHeader(Directive):
         path = str(declarations.INCLUDE / header)
         self.state.document.settings.record_dependencies.add(path)
         lines = [line for section in declarations.sections(header) if section.functions for line in self.lines(section)]
+        return self.parsed(lines)
+
+    def parsed(self, lines):
         node = nodes.section()
         node.document = self.state.document
-        nested_parse_with_titles(self.state, StringList(lines, path), node)
+        nested_parse_with_titles(self.state, StringList(lines, self.arguments[0]), node)
         return node.children
 
 
@@ -58,6 +65,14 @@ class CppFunctions(FromHeader):
         for function in section.functions:
             signature = f"({', '.join(function.parameters)})" if names.count(function.name) > 1 else ""
             yield from (f".. doxygenfunction:: pw85::{function.name}{signature}", "   :project: cpp", "")
+
+
+class CppValues(FromHeader):
+    def run(self):
+        lines = []
+        for name in declarations.values(self.arguments[0]):
+            lines += [f".. doxygenstruct:: pw85::{name}", "   :project: cpp", "   :members:", "   :undoc-members:", ""]
+        return self.parsed(lines)
 
 
 class FortranFunctions(FromHeader):
@@ -84,4 +99,5 @@ def setup(app):
     app.add_directive("fortran-functions", FortranFunctions)
     app.add_directive("function-table", FunctionTable)
     app.add_directive("cpp-functions", CppFunctions)
+    app.add_directive("cpp-values", CppValues)
     return {"parallel_read_safe": True}
