@@ -5,8 +5,8 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 INCLUDE = Path(__file__).resolve().parent.parent / "include"
-C_HEADERS = ("pw85.h", "pw85_zheng.h", "pw85_legacy.h", "pw85_pre1.h")
-CPP_HEADERS = ("pw85/pw85.hpp", "pw85/batch.hpp")
+C_HEADERS = ("pw85.h", "pw85_gpu.h", "pw85_zheng.h", "pw85_legacy.h", "pw85_pre1.h")
+CPP_HEADERS = ("pw85/pw85.hpp", "pw85/batch.hpp", "pw85/neighbors.hpp")
 
 SECTION = r"^(?:/\*\*| \*|///) @name (?P<title>[^\n]+)$"
 C = re.compile(
