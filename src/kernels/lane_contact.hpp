@@ -16,7 +16,7 @@ namespace {
 
 /// Packs per chunk, with what their searches need: 1.7 kB each with 8 lanes. Two to eight are about as fast; what is in the first
 /// cache matters, and how much stack there is.
-inline constexpr std::size_t packs_per_chunk = 4;
+inline constexpr std::size_t packs_per_chunk = 3;
 inline constexpr std::size_t contact_chunk_size = packs_per_chunk * lanes;
 
 /// Pairs and their searches.
