@@ -46,7 +46,7 @@ from ._contact import (
 from ._conversions import from_gsd, from_lammps, from_ovito
 from ._core import LAMBDA_ATOL as lambda_atol
 from ._core import strerror, version
-from ._distance import distance, distance_2d, distance_derivatives
+from ._distance import distance, distance_2d, distance_derivatives, penetration
 from ._ellipses import (
     closest_approach_2d,
     contact_2d,
@@ -150,6 +150,7 @@ __all__ = [
     "overlap_any",
     "overlap_pairs",
     "packed",
+    "penetration",
     "plot",
     "principal_axes",
     "spheroid",
