@@ -149,13 +149,7 @@ int pw85_distance_batch(size_t n, double const *r12, double const *q1, double co
 {
     if (n == 0) return PW85_SUCCESS;
     if (n > max_rows || any_null(r12, q1, q2)) return PW85_EINVAL;
-    OnePairKernels const &k = *chosen().one_pair;
-    return for_all(n, [&](Range range) {
-        return for_rows(range, [&](std::size_t i) {
-            return k.distance(r12 + 3 * i, q1 + 6 * i, q2 + 6 * i, row_or_null(distance, 1, i),
-                              row_or_null(point1, 3, i), row_or_null(point2, 3, i));
-        });
-    });
+    return compute_all(n, PairArrays<3>{r12, q1, q2}, DistanceArrays{distance, point1, point2});
 }
 
 int pw85_penetration_batch(size_t n, double const *r12, double const *q1, double const *q2, double *depth,
