@@ -8,8 +8,8 @@
 !> Functions return a status, pw85_success or another of the codes below; when it is another, all outputs are NaN.
 !> Outputs that may be null in C are optional here.
 module pw85
-  use, intrinsic :: iso_c_binding, only: c_char, c_double, c_f_pointer, c_int, c_int8_t, c_int32_t, c_int64_t, c_loc, &
-    c_null_ptr, c_ptr, c_size_t
+  use, intrinsic :: iso_c_binding, only: c_associated, c_char, c_double, c_f_pointer, c_int, c_int8_t, c_int32_t, &
+    c_int64_t, c_loc, c_null_ptr, c_ptr, c_size_t
   implicit none
   private
 
@@ -20,6 +20,7 @@ module pw85
   integer(c_int), parameter, public :: pw85_einval = 1
   integer(c_int), parameter, public :: pw85_enotpd = 2
   integer(c_int), parameter, public :: pw85_econvergence = 3
+  integer(c_int), parameter, public :: pw85_enomem = 4
 
   !> Dimension of the physical space, and number of stored entries of a symmetric matrix.
   integer(c_int), parameter, public :: pw85_dim = 3
@@ -50,6 +51,8 @@ module pw85
   public :: pw85_distance_cylinder, pw85_distance_point, pw85_intersect_line
   public :: pw85_contact_batch, pw85_overlap_batch, pw85_contact_pairs, pw85_overlap_pairs
   public :: pw85_closest_approach_batch, pw85_contact_derivatives_batch, pw85_contact_derivatives_pairs, pw85_overlap_any
+  public :: pw85_neighbors_create, pw85_neighbors_check, pw85_neighbors_holds, pw85_neighbors_size, pw85_neighbors_destroy
+  public :: pw85_neighbors_pairs, pw85_neighbors_images
   public :: pw85_cell_reduce, pw85_nearest_image_limit, pw85_ellipsoid_quaternion_batch, pw85_bounding_boxes
   public :: pw85__cholesky_decomp, pw85__cholesky_solve, pw85__residual, pw85_f_neg
   public :: pw85_legacy__det_sym, pw85_legacy__xt_adja_x, pw85_legacy__detq_as_poly, pw85_legacy__rt_adjq_r_as_poly
@@ -490,6 +493,63 @@ module pw85
       integer(c_int) :: status
     end function pw85_overlap_any
 
+    function c_neighbors_create(n, centers, q, cell, periodic, scale, skin, list) result(status) &
+        bind(C, name='pw85_neighbors_create')
+      import :: c_double, c_int, c_ptr, c_size_t
+      integer(c_size_t), value :: n
+      real(c_double), intent(in) :: centers(3, *), q(6, *)
+      type(c_ptr), value :: cell, periodic
+      real(c_double), value :: scale, skin
+      type(c_ptr), intent(out) :: list
+      integer(c_int) :: status
+    end function c_neighbors_create
+
+    function c_neighbors_check(n, centers, q, cell, periodic, scale, skin, particle) result(status) &
+        bind(C, name='pw85_neighbors_check')
+      import :: c_double, c_int, c_ptr, c_size_t
+      integer(c_size_t), value :: n
+      real(c_double), intent(in) :: centers(3, *), q(6, *)
+      type(c_ptr), value :: cell, periodic
+      real(c_double), value :: scale, skin
+      integer(c_size_t), intent(out) :: particle
+      integer(c_int) :: status
+    end function c_neighbors_check
+
+    !> Whether a neighbour list still has all pairs after motion: 1, 0, or -1 on error.
+    function pw85_neighbors_holds(list, n, centers, q, holds) result(status) bind(C, name='pw85_neighbors_holds')
+      import :: c_double, c_int, c_ptr, c_size_t
+      type(c_ptr), value :: list
+      integer(c_size_t), value :: n
+      real(c_double), intent(in) :: centers(3, *), q(6, *)
+      integer(c_int), intent(out) :: holds
+      integer(c_int) :: status
+    end function pw85_neighbors_holds
+
+    !> Number of pairs of a neighbour list.
+    function pw85_neighbors_size(list) result(size) bind(C, name='pw85_neighbors_size')
+      import :: c_ptr, c_size_t
+      type(c_ptr), value :: list
+      integer(c_size_t) :: size
+    end function pw85_neighbors_size
+
+    function c_neighbors_pairs(list) result(pairs) bind(C, name='pw85_neighbors_pairs')
+      import :: c_ptr
+      type(c_ptr), value :: list
+      type(c_ptr) :: pairs
+    end function c_neighbors_pairs
+
+    function c_neighbors_images(list) result(images) bind(C, name='pw85_neighbors_images')
+      import :: c_ptr
+      type(c_ptr), value :: list
+      type(c_ptr) :: images
+    end function c_neighbors_images
+
+    !> Frees a neighbour list.
+    subroutine pw85_neighbors_destroy(list) bind(C, name='pw85_neighbors_destroy')
+      import :: c_ptr
+      type(c_ptr), value :: list
+    end subroutine pw85_neighbors_destroy
+
     function c_cell_reduce(cell, reduced) result(status) bind(C, name='pw85_cell_reduce')
       import :: c_double, c_int
       real(c_double), intent(in) :: cell(9)
@@ -904,6 +964,45 @@ contains
     status = c_overlap_pairs(num_pairs, pairs, address_of_integers(images), num_particles, centers, q, address(cell), &
                              overlap)
   end function pw85_overlap_pairs
+
+  !> A list of all pairs whose boxes, scaled, are no farther apart than the skin along any axis; the vectors of the cell are its
+  !> columns. Without `periodic` there are images along all of them. To be freed by pw85_neighbors_destroy().
+  function pw85_neighbors_create(n, centers, q, cell, periodic, scale, skin, list) result(status)
+    integer(c_size_t), intent(in) :: n
+    real(c_double), intent(in) :: centers(3, n), q(6, n), scale, skin
+    real(c_double), intent(in), optional, target :: cell(3, 3)
+    integer(c_int32_t), intent(in), optional, target :: periodic(3)
+    type(c_ptr), intent(out) :: list
+    integer(c_int) :: status
+    status = c_neighbors_create(n, centers, q, address(cell), address_of_integers(periodic), scale, skin, list)
+  end function pw85_neighbors_create
+
+  !> Which particle, from 0, is to blame where pw85_neighbors_create() fails; n if none is.
+  function pw85_neighbors_check(n, centers, q, cell, periodic, scale, skin, particle) result(status)
+    integer(c_size_t), intent(in) :: n
+    real(c_double), intent(in) :: centers(3, n), q(6, n), scale, skin
+    real(c_double), intent(in), optional, target :: cell(3, 3)
+    integer(c_int32_t), intent(in), optional, target :: periodic(3)
+    integer(c_size_t), intent(out) :: particle
+    integer(c_int) :: status
+    status = c_neighbors_check(n, centers, q, address(cell), address_of_integers(periodic), scale, skin, particle)
+  end function pw85_neighbors_check
+
+  !> The pairs of a neighbour list: indices from 0, as long as the list lives.
+  function pw85_neighbors_pairs(list) result(pairs)
+    type(c_ptr), intent(in) :: list
+    integer(c_int32_t), pointer :: pairs(:, :)
+    call c_f_pointer(c_neighbors_pairs(list), pairs, [2_c_size_t, pw85_neighbors_size(list)])
+  end function pw85_neighbors_pairs
+
+  !> Their images: multiples of the vectors of the cell; null without a cell.
+  function pw85_neighbors_images(list) result(images)
+    type(c_ptr), intent(in) :: list
+    integer(c_int32_t), pointer :: images(:, :)
+    images => null()
+    if (c_associated(c_neighbors_images(list))) &
+      call c_f_pointer(c_neighbors_images(list), images, [3_c_size_t, pw85_neighbors_size(list)])
+  end function pw85_neighbors_images
 
   !> Contact function, contact point, normal and derivatives of n pairs.
   function pw85_contact_derivatives_batch(n, r12, q1, q2, mu2, lambda, point, normal, d_r12, d_rot1, d_rot2) &

@@ -221,6 +221,36 @@ void check_rows(Input const &in)
     check("cell_reduce", in, pw85_cell_reduce(in.rotation, out), out, 9);
 }
 
+// The images of large particles in a small cell are too many to list.
+bool are_few(Input const &in)
+{
+    double mu2;
+    return pw85_nearest_image_limit(1, in.q1, in.rotation, &mu2) == PW85_SUCCESS && mu2 > 1e-2 &&
+           pw85_nearest_image_limit(1, in.q2, in.rotation, &mu2) == PW85_SUCCESS && mu2 > 1e-2;
+}
+
+void check_neighbors(Input const &in)
+{
+    double centers[6] = {0, 0, 0, in.r12[0], in.r12[1], in.r12[2]}, forms[12];
+    std::memcpy(forms, in.q1, sizeof in.q1);
+    std::memcpy(forms + 6, in.q2, sizeof in.q2);
+    double const *const cell = are_few(in) ? in.rotation : nullptr;
+    pw85_neighbors *list;
+    std::size_t particle = 7;
+    int holds = 7;
+    int const status = pw85_neighbors_create(2, centers, forms, cell, nullptr, 1.0, 0.0, &list);
+    if (pw85_neighbors_check(2, centers, forms, cell, nullptr, 1.0, 0.0, &particle) != status && list != nullptr)
+        fail("neighbors_check", in);
+    if ((status == PW85_SUCCESS) != (list != nullptr)) fail("neighbors_create", in);
+    pw85_neighbors_holds(list, 2, centers, forms, &holds);
+    if (holds != (list != nullptr ? 1 : -1)) fail("neighbors_holds", in);
+    for (std::size_t k = 0; k < 2 * pw85_neighbors_size(list); ++k)
+        if (pw85_neighbors_pairs(list)[k] < 0 || pw85_neighbors_pairs(list)[k] > 1) fail("neighbors_pairs", in);
+    if (pw85_neighbors_size(list) > 0 && (pw85_neighbors_images(list) != nullptr) != (cell != nullptr))
+        fail("neighbors_images", in);
+    pw85_neighbors_destroy(list);
+}
+
 void check_building_blocks(Input const &in)
 {
     double out[6], params[15], b[4];
@@ -281,6 +311,7 @@ extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const *data, std::size_t size
     check_walls(in);
     check_batch(in);
     check_rows(in);
+    check_neighbors(in);
     check_building_blocks(in);
     return 0;
 }

@@ -296,6 +296,34 @@ std::vector<Row> const many_pairs{
      {6 * n},
      [](auto const &in, auto &out) { pw85_ellipsoid_quaternion_batch(n, in.q1, in.q2, at(out, 0)); }},
     {"pw85_bounding_boxes", {3 * n}, [](auto const &in, auto &out) { pw85_bounding_boxes(n, in.q1, at(out, 0)); }},
+    {"pw85_neighbors_create",
+     {1},
+     [](auto const &in, auto &out) {
+         auto **const list = out[0].template data<pw85_neighbors *>();
+         pw85_neighbors_create(n, in.r12, in.q1, identity, nullptr, 1.0, 0.5, list);
+         pw85_neighbors_destroy(*list);
+     },
+     sizeof(pw85_neighbors *)},
+    {"pw85_neighbors_check",
+     {1},
+     [](auto const &in, auto &out) {
+         pw85_neighbors_check(n, in.r12, in.q1, identity, nullptr, 1.0, 0.5, out[0].template data<std::size_t>());
+     },
+     sizeof(std::size_t)},
+    {"pw85_neighbors_holds",
+     {1},
+     [](auto const &in, auto &out) {
+         pw85_neighbors *list;
+         Input const valid = make_input(true);
+         pw85_neighbors_create(n, valid.r12, valid.q1, identity, nullptr, 1.0, 0.5, &list);
+         pw85_neighbors_holds(list, n, in.r12, in.q1, out[0].template data<int>());
+         pw85_neighbors_destroy(list);
+     },
+     sizeof(int)},
+    {"pw85_neighbors_size", {}, [](auto const &, auto &) { pw85_neighbors_size(nullptr); }},
+    {"pw85_neighbors_pairs", {}, [](auto const &, auto &) { pw85_neighbors_pairs(nullptr); }},
+    {"pw85_neighbors_images", {}, [](auto const &, auto &) { pw85_neighbors_images(nullptr); }},
+    {"pw85_neighbors_destroy", {}, [](auto const &, auto &) { pw85_neighbors_destroy(nullptr); }},
     {"pw85_cell_reduce", {9}, [](auto const &in, auto &out) { pw85_cell_reduce(in.q1, at(out, 0)); }},
     {"pw85_nearest_image_limit",
      {1},

@@ -282,6 +282,7 @@ std::vector<Case> cases_of_batches()
     static std::vector<double> mu2(inputs().n), lambda(inputs().n);
     static std::vector<unsigned char> overlap(inputs().n);
     static double const cell[9] = {3, 1, 0, -1, 4, 1, 0.5, 1, 5};
+    static pw85_neighbors *neighbors;
     static std::vector<double> vectors[6];
     for (auto &rows : vectors) rows.resize(6 * inputs().n);
     auto const v = [](int i) { return vectors[i].data(); };
@@ -328,6 +329,18 @@ std::vector<Case> cases_of_batches()
         {"pw85_overlap_any", [=] { status = pw85_overlap_any(n, p, r, q, &answer); }},
         {"pw85_ellipsoid_quaternion_batch", [=] { status = pw85_ellipsoid_quaternion_batch(n, x, forms, v(0)); }},
         {"pw85_bounding_boxes", [=] { status = pw85_bounding_boxes(n, p, v(0)); }},
+        {"pw85_neighbors_create",
+         [=] { status = pw85_neighbors_create(2 * n, x, forms, cell, nullptr, 1.0, 0.5, &neighbors); }},
+        {"pw85_neighbors_check",
+         [=] {
+             std::size_t particle;
+             status = pw85_neighbors_check(2 * n, x, forms, cell, nullptr, 1.0, 0.5, &particle);
+         }},
+        {"pw85_neighbors_holds", [=] { status = pw85_neighbors_holds(neighbors, 2 * n, x, forms, &answer); }},
+        {"pw85_neighbors_size", [=] { answer = static_cast<int>(pw85_neighbors_size(neighbors)); }},
+        {"pw85_neighbors_pairs", [=] { answer = *pw85_neighbors_pairs(neighbors); }},
+        {"pw85_neighbors_images", [=] { answer = *pw85_neighbors_images(neighbors); }},
+        {"pw85_neighbors_destroy", [=] { pw85_neighbors_destroy(neighbors); }},
         {"pw85_cell_reduce", [=] { status = pw85_cell_reduce(cell, out); }},
         {"pw85_nearest_image_limit", [=] { status = pw85_nearest_image_limit(n, p, cell, out); }},
     };

@@ -59,6 +59,7 @@ from ._ellipses import (
 from ._errors import PW85Error, Status, bad_rows
 from ._forms import ellipse, ellipsoid, ellipsoid_quaternion, full, packed, principal_axes, spheroid
 from ._motion import Events, first_contact, first_contact_pairs, motion
+from ._neighbors import Neighbors, neighbors
 from ._pairs import contact_pairs, overlap_pairs
 from ._plotting import plot
 from ._systems import (
@@ -97,6 +98,7 @@ metadata = {
 __all__ = [
     "ContactDerivatives",
     "Events",
+    "Neighbors",
     "PW85Error",
     "Status",
     "bad_rows",
@@ -145,6 +147,7 @@ __all__ = [
     "metadata",
     "motion",
     "nearest_image_limit",
+    "neighbors",
     "overlap",
     "overlap_2d",
     "overlap_any",
