@@ -52,6 +52,7 @@ from ._errors import PW85Error, Status, bad_rows
 from ._forms import ellipse, ellipsoid, ellipsoid_quaternion, full, packed, principal_axes, spheroid
 from ._pairs import contact_pairs, overlap_pairs
 from ._plotting import plot
+from ._system import Contacts, Report, System
 from ._systems import (
     ContactDerivatives,
     bounding_boxes,
@@ -70,6 +71,7 @@ from ._walls import (
     distance_point,
     intersect_line,
 )
+from .formats import FileError, frames, read, write
 
 __version__ = version()
 
@@ -87,8 +89,12 @@ metadata = {
 
 __all__ = [
     "ContactDerivatives",
+    "Contacts",
+    "FileError",
     "PW85Error",
+    "Report",
     "Status",
+    "System",
     "bad_rows",
     "bounding_boxes",
     "cell_reduce",
@@ -117,6 +123,7 @@ __all__ = [
     "ellipsoid_quaternion",
     "f",
     "f_neg",
+    "frames",
     "from_gsd",
     "from_lammps",
     "from_ovito",
@@ -133,10 +140,12 @@ __all__ = [
     "packed",
     "plot",
     "principal_axes",
+    "read",
     "spheroid",
     "strerror",
     "utils",
     "version",
+    "write",
     "zheng_ellipses",
     "zheng_ellipsoids",
 ]
