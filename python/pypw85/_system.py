@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from typing import Any, NamedTuple, Optional, Union
 
 import numpy as np
@@ -164,6 +165,50 @@ class System:
             self._contacts(candidates, below),
             closest,
         )
+
+    def draw(
+        self,
+        path: Optional[Any] = None,
+        *,
+        ax: Optional[Any] = None,
+        contacts: bool = False,
+        elevation: float = 20,
+        azimuth: float = -60,
+        size: int = 1200,
+    ) -> Any:
+        """Draw the ellipsoids, those that overlap in red; needs Matplotlib, except for HTML.
+
+        Parameters
+        ----------
+        path : path, optional
+            Of a picture (.png, .pdf, .svg), or of a page that a browser shows and turns (.html).
+        ax : axes of Matplotlib, optional
+            Where to draw, new ones if absent.
+        contacts : bool
+            Whether to mark the contact points of overlapping pairs.
+        elevation, azimuth : float
+            Angles of view in degrees: above the plane of x and y, and around z.
+        size : int
+            Pixels of the longer side.
+
+        Returns
+        -------
+        axes
+            None for a page.
+        """
+        from . import _drawing
+        from .formats import replacing
+
+        if path is not None and os.fspath(path).lower().endswith((".html", ".htm")):
+            text = _drawing.page(self, contacts)
+            with replacing(path) as temporary, open(temporary, "w", encoding="utf-8") as file:
+                file.write(text)
+            return None
+        axes = _drawing.draw(self, ax, contacts, elevation, azimuth, size)
+        if path is not None:
+            with replacing(path) as temporary:
+                axes.figure.savefig(temporary, dpi=size / 8)
+        return axes
 
     def _candidates(self, scale: float) -> _Candidates:
         found = self.neighbors(scale)

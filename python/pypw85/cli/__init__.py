@@ -13,6 +13,7 @@ import click
 from .._core import version
 from ..formats import discard_unfinished
 from .check import check
+from .draw import draw
 
 
 @click.group(context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 110})
@@ -21,7 +22,7 @@ def pw85() -> None:
     """Ellipsoids in files of simulation programs: which overlap, and what they look like."""
 
 
-for _command in (check,):
+for _command in (check, draw):
     pw85.add_command(_command)
 
 

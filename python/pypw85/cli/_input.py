@@ -8,7 +8,7 @@ from typing import Any, Callable, Iterator, NamedTuple, Optional
 import click
 import numpy as np
 
-from ..formats import READABLE, Location, Options, guess, load, locate
+from ..formats import READABLE, FileError, Location, Options, guess, load, locate
 from .._system import System
 
 
@@ -102,6 +102,13 @@ def input_options(function: Callable[..., Any]) -> Callable[..., Any]:
     for option in reversed(_OPTIONS):
         command = option(command)
     return command
+
+
+def one_frame(given: Input) -> System:
+    """The first of the chosen frames."""
+    for system in given.systems():
+        return system
+    raise FileError(given.path, "there are no such frames: choose others (--frames)")
 
 
 def _names(text: Optional[str], count: int, option: str) -> Optional[list[str]]:

@@ -5,43 +5,36 @@ from __future__ import annotations
 import contextlib
 import sys
 import threading
-from typing import Iterator, Optional
+from typing import Callable, Iterator
 
 from tqdm import tqdm
 
 
-class Progress:
-    """What is done now, how much is done, and of how much."""
-
-    def __init__(self, unit: str, total: Optional[int]) -> None:
-        self.text, self.done, self.unit, self.total = "", 0, unit, total
-
-    def stage(self, text: str) -> None:
-        self.text = text
-
-
 @contextlib.contextmanager
-def progress(unit: str, total: Optional[int] = None) -> Iterator[Progress]:
-    """Another thread draws it, so that time goes on while nothing else does."""
-    state, finished = Progress(unit, total), threading.Event()
-    thread = threading.Thread(target=_draw, args=(state, finished), daemon=True)
+def progress() -> Iterator[Callable[[str], None]]:
+    """Yields a function that takes what is done now. Another thread shows it, so that time goes on while nothing else does."""
+    stage, finished = ["starting"], threading.Event()
+    thread = threading.Thread(target=_show, args=(stage, finished), daemon=True)
     thread.start()
+
+    def change(text: str) -> None:
+        stage[0] = text
+
     try:
-        yield state
+        yield change
     finally:
         finished.set()
         thread.join()
 
 
-def _draw(state: Progress, finished: threading.Event) -> None:
+def _show(stage: list[str], finished: threading.Event) -> None:
     if finished.wait(1.0):
         return
-    with tqdm(total=state.total, unit=f" {state.unit}", file=sys.stderr, leave=False) as bar:
+    with tqdm(bar_format="{desc} [{elapsed}]", file=sys.stderr, leave=False) as bar:
         while not finished.wait(0.5):
-            bar.n = state.done
-            bar.set_description_str(state.text)
+            bar.set_description_str(stage[0])
 
 
 def say(line: str) -> None:
-    """Prints a line without damage to a progress bar."""
+    """Prints a line without damage to that of the progress."""
     tqdm.write(line)

@@ -14,7 +14,7 @@ import numpy as np
 
 from ..formats import FileError, Location
 from ._input import Input, input_options
-from ._progress import Progress, progress, say
+from ._progress import progress, say
 from ._reports import Found, csv_report, hdf5_report, json_report
 
 
@@ -35,12 +35,11 @@ def check(given: Input, worst: int, below: float, csv_path: Optional[str], json_
     summary = _Summary(given, worst)
     with contextlib.ExitStack() as stack:
         adds = [stack.enter_context(kind(path)) for kind, path in outputs if path is not None]
-        state = stack.enter_context(progress("frames"))
-        for found in _survey_all(given, worst, below, workers, state):
+        stage = stack.enter_context(progress())
+        for found in _survey_all(given, worst, below, workers, stage):
             summary.add(found, varying)
             for add in adds:
                 add(found)
-            state.done += 1
     if summary.frames == 0:
         raise FileError(given.path, "there are no such frames: choose others (--frames)")
     summary.end()
@@ -57,15 +56,19 @@ def survey(given: Input, location: Location, worst: int, below: float, stage: Ca
                  system.ids[report.contacts.pairs], system.ids[report.worst.pairs])  # fmt: skip
 
 
-def _survey_all(given: Input, worst: int, below: float, workers: int, state: Progress) -> Iterator[Found]:
+def _survey_all(
+    given: Input, worst: int, below: float, workers: int, stage: Callable[[str], object]
+) -> Iterator[Found]:
     if workers == 1:
         for location in given.locations():
-            yield survey(given, location, worst, below, state.stage)
+            yield survey(given, location, worst, below, stage)
     else:
-        yield from _survey_with_dask(given, worst, below, workers)
+        yield from _survey_with_dask(given, worst, below, workers, stage)
 
 
-def _survey_with_dask(given: Input, worst: int, below: float, workers: int) -> Iterator[Found]:
+def _survey_with_dask(
+    given: Input, worst: int, below: float, workers: int, stage: Callable[[str], object]
+) -> Iterator[Found]:
     """Some frames at a time, so that no more reports than these wait."""
     from concurrent.futures import ProcessPoolExecutor
 
@@ -78,6 +81,7 @@ def _survey_with_dask(given: Input, worst: int, below: float, workers: int) -> I
     with ProcessPoolExecutor(workers, context, signal.signal, (signal.SIGINT, signal.SIG_IGN)) as pool:
         while batch := list(itertools.islice(locations, 4 * workers)):
             tasks = [delayed(_survey_or_error)(given, location, worst, below) for location in batch]
+            stage(f"frames {batch[0].frame} to {batch[-1].frame}")
             for found in compute(*tasks, scheduler="processes", pool=pool):
                 if isinstance(found, Exception):
                     raise found
