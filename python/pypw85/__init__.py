@@ -50,6 +50,7 @@ from ._core import strerror, version
 from ._distance import distance, distance_2d, distance_derivatives
 from ._errors import PW85Error, Status, bad_rows
 from ._forms import ellipse, ellipsoid, ellipsoid_quaternion, full, packed, principal_axes, spheroid
+from ._packing import pack, relax
 from ._pairs import contact_pairs, overlap_pairs
 from ._plotting import plot
 from ._system import Contacts, Report, System
@@ -137,10 +138,12 @@ __all__ = [
     "overlap",
     "overlap_any",
     "overlap_pairs",
+    "pack",
     "packed",
     "plot",
     "principal_axes",
     "read",
+    "relax",
     "spheroid",
     "strerror",
     "utils",

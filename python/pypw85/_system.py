@@ -134,6 +134,13 @@ class System:
             return None
         return float(4 / 3 * np.pi * self.semi_axes.prod(axis=1).sum() / abs(np.linalg.det(self.cell)))
 
+    def wrapped(self) -> Floats:
+        """Centers within the cell, along the vectors along which it is periodic."""
+        if self.cell is None:
+            return self.centers
+        fractions = (self.centers - self.origin) @ np.linalg.inv(self.cell)
+        return self.centers - np.where(self.periodic, np.floor(fractions), 0.0) @ self.cell
+
     def neighbors(self, scale: float = 1.0, skin: float = 0.0) -> Any:
         """Pairs whose boxes meet: see `pypw85.neighbors`."""
         from . import neighbors

@@ -13,7 +13,10 @@ import click
 from .._core import version
 from ..formats import discard_unfinished
 from .check import check
+from .convert import convert
 from .draw import draw
+from .pack import pack, relax
+from .plot import plot
 
 
 @click.group(context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 110})
@@ -22,7 +25,7 @@ def pw85() -> None:
     """Ellipsoids in files of simulation programs: which overlap, and what they look like."""
 
 
-for _command in (check, draw):
+for _command in (check, draw, plot, convert, pack, relax):
     pw85.add_command(_command)
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import contextlib
 import sys
 import threading
-from typing import Callable, Iterator
+from typing import Callable, Iterator, Optional, TextIO
 
 from tqdm import tqdm
 
@@ -35,6 +35,6 @@ def _show(stage: list[str], finished: threading.Event) -> None:
             bar.set_description_str(stage[0])
 
 
-def say(line: str) -> None:
-    """Prints a line without damage to that of the progress."""
-    tqdm.write(line)
+def say(line: str, to: Optional[TextIO] = None) -> None:
+    """Prints a line, to stdout by default, without damage to that of the progress."""
+    tqdm.write(line, to)

@@ -7,6 +7,7 @@ import itertools
 import multiprocessing
 import os
 import signal
+import sys
 from typing import Any, Callable, Iterator, Optional, Union
 
 import click
@@ -142,7 +143,7 @@ class _Summary:
     def _once(self, kind: str, sentence: str, frame: int) -> None:
         if kind not in self.warned:
             self.warned.add(kind)
-            click.echo(f"pw85: warning: {self.given.path}, frame {frame}: {sentence}", err=True)
+            say(f"pw85: warning: {self.given.path}, frame {frame}: {sentence}", sys.stderr)
 
     def end(self) -> None:
         if not self.worst:

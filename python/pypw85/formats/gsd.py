@@ -94,7 +94,7 @@ def save(path: os.PathLike[str], systems: Iterator[System]) -> None:
             particles.N, particles.typeid = len(system), typeid.ravel()
             particles.types = _names(names[:, 0])
             particles.type_shapes = [dict(zip(("type", *"abc"), ("Ellipsoid", *map(float, system.semi_axes[k])))) for k in first]
-            particles.position = system.centers - low - cell.sum(axis=0) / 2
+            particles.position = system.wrapped() - low - cell.sum(axis=0) / 2
             particles.orientation = system.quaternions
             file.append(snapshot)
 
