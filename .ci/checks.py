@@ -119,7 +119,7 @@ def check_all(results):
              G_SLICE="always-malloc", PW85_TARGET="avx2")  # valgrind knows no AVX-512
     if build(results, "lammps", [*ONLY_TESTS, "-Dlammps=enabled"], {}):
         test(results, BUILDS / "lammps", ["--suite", "lammps"])
-    if build(results, "clang", ONLY_TESTS, CLANG):
+    if build(results, "clang", [*ONLY_TESTS, "-Dgsl=disabled"], CLANG):
         test(results, BUILDS / "clang", ["--no-suite", "install"])
     if build(results, "address-undefined", [*ONLY_TESTS, "-Db_sanitize=address,undefined", "-Doptimization=2",
                                             "-Doptimized=false"], {}):

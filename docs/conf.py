@@ -18,6 +18,7 @@ extensions = [
     "sphinx.ext.napoleon",
     "sphinx_inline_tabs",
     "measured_table",
+    "reference",
     "status_table",
 ]
 highlight_language = "none"

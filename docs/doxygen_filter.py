@@ -9,7 +9,9 @@ from status_table import status_codes  # noqa: E402
 
 # @param a,b text: one @param for each name. The text ends at the next command, a blank line, or the end of the comment.
 SHARED_PARAMETERS = re.compile(
-    r"^( \* )@param(\[out\])? (\w+(?:,\w+)+) ((?:.*\n)(?: \*(?!/| @| *\n).*\n)*?)(?= \* @|.*\*/| \* *\n)", re.MULTILINE
+    r"^( \* |/// )@param(\[out\])? (\w+(?:,\w+)+) ((?:.*\n)(?:(?: \*|///)(?!/| @| *\n).*\n)*?)"
+    r"(?=(?: \*|///) @|.*\*/| \* *\n|(?!///))",
+    re.MULTILINE,
 )
 
 

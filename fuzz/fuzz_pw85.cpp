@@ -126,6 +126,27 @@ void check_batch(Input const &in)
     check("contact_pairs", in, pw85_contact_pairs(1, pairs, nullptr, 2, centers, forms, nullptr, mu2, lambda), mu2, 1);
     pw85_contact_pairs(1, pairs, nullptr, 2, centers, forms, in.rotation, mu2, lambda);
     pw85_overlap_pairs(1, pairs, nullptr, 2, centers, forms, in.rotation, &overlap);
+    double limit, out[17];
+    pw85_contact_derivatives_pairs(1, pairs, nullptr, 2, centers, forms, in.rotation, out, out + 1, out + 2, out + 5,
+                                   out + 8, out + 11, out + 14);
+    check("nearest_image_limit", in, pw85_nearest_image_limit(2, forms, in.rotation, &limit), &limit, 1);
+}
+
+// A pair at r12 = 0 has derivatives, but no point and no normal.
+void check_rows(Input const &in)
+{
+    double mu2, out[17];
+    int any = 7;
+    int const status = pw85_contact_derivatives_batch(1, in.r12, in.q1, in.q2, &mu2, out, out + 1, out + 4, out + 7,
+                                                      out + 10, out + 13);
+    check("contact_derivatives_batch", in, status, &mu2, 1);
+    check("contact_derivatives_batch: derivatives", in, status, out + 7, 9);
+    if (pw85_overlap_any(1, in.q1, in.r12, in.q2, &any) != status) fail("overlap_any: status", in);
+    if (status == PW85_SUCCESS ? any != 0 && any != 1 : any != -1) fail("overlap_any", in);
+    check("closest_approach_batch", in, pw85_closest_approach_batch(1, in.r12, in.q1, in.q2, out), out, 1);
+    check("bounding_boxes", in, pw85_bounding_boxes(1, in.q1, out), out, 3);
+    check("ellipsoid_quaternion_batch", in, pw85_ellipsoid_quaternion_batch(1, in.axes, in.rotation, out), out, 6);
+    check("cell_reduce", in, pw85_cell_reduce(in.rotation, out), out, 9);
 }
 
 void check_building_blocks(Input const &in)
@@ -147,6 +168,7 @@ void check_building_blocks(Input const &in)
     pw85_legacy__detQ_as_poly(in.q1, in.q2, in.q1, in.q2, b);
     pw85_legacy__rT_adjQ_r_as_poly(in.r12, in.q1, in.q2, in.q1, out);
     pw85_strerror(in.form);
+    pw85_version();
 }
 
 // Raw bytes rarely make a positive definite matrix: most inputs are turned into L Lᵀ with entries of like magnitude.
@@ -183,6 +205,7 @@ extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const *data, std::size_t size
     check_distance(in);
     check_walls(in);
     check_batch(in);
+    check_rows(in);
     check_building_blocks(in);
     return 0;
 }

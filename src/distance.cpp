@@ -3,9 +3,9 @@
 
 #include <pw85/distance.hpp>
 
-#include "kernels/kernels.hpp"
 #include "c_arrays.hpp"
 #include "floating_point_environment.hpp"
+#include "kernels/kernels.hpp"
 
 using namespace pw85;
 using namespace pw85::c_api;
@@ -20,7 +20,7 @@ int pw85_distance(double const r12[3], double const q1[6], double const q2[6], d
         return PW85_EINVAL;
     }
     DefaultEnvironment const environment;
-    return kernels::chosen().scalar->distance(r12, q1, q2, distance, point1, point2);
+    return kernels::chosen().one_pair->distance(r12, q1, q2, distance, point1, point2);
 }
 
 int pw85_distance_derivatives(double const r12[3], double const q1[6], double const q2[6], double d_r12[3],
@@ -34,7 +34,7 @@ int pw85_distance_derivatives(double const r12[3], double const q1[6], double co
         return PW85_EINVAL;
     }
     DefaultEnvironment const environment;
-    return kernels::chosen().scalar->distance_derivatives(r12, q1, q2, d_r12, d_rot1, d_rot2, hessian);
+    return kernels::chosen().one_pair->distance_derivatives(r12, q1, q2, d_r12, d_rot1, d_rot2, hessian);
 }
 
 int pw85_distance_2d(double const r12[2], double const q1[3], double const q2[3], double *distance, double point1[2],

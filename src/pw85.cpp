@@ -3,10 +3,10 @@
 
 #include <pw85/pw85.hpp>
 
-#include "kernels/kernels.hpp"
+#include "brent.hpp"
 #include "c_arrays.hpp"
 #include "floating_point_environment.hpp"
-#include "gsl_brent.hpp"
+#include "kernels/kernels.hpp"
 
 using namespace pw85;
 using namespace pw85::c_api;
@@ -69,7 +69,7 @@ int pw85_contact(double const r12[3], double const q1[6], double const q2[6], do
 {
     if (any_null(r12, q1, q2, out)) return null_pointer(out, 2);
     DefaultEnvironment const environment;
-    return kernels::chosen().scalar->contact(r12, q1, q2, out);
+    return kernels::chosen().one_pair->contact(r12, q1, q2, out);
 }
 
 int pw85_contact_function(double const r12[3], double const q1[6], double const q2[6], double out[2])
@@ -97,7 +97,7 @@ int pw85_contact_geometry(double const r12[3], double const q1[6], double const 
         return null_pointer(normal, PW85_DIM);
     }
     DefaultEnvironment const environment;
-    return kernels::chosen().scalar->contact_geometry(r12, q1, q2, lambda, point, normal);
+    return kernels::chosen().one_pair->contact_geometry(r12, q1, q2, lambda, point, normal);
 }
 
 int pw85_contact_gradient(double const r12[3], double const q1[6], double const q2[6], double lambda, double d_r12[3],
@@ -109,7 +109,7 @@ int pw85_contact_gradient(double const r12[3], double const q1[6], double const 
         return null_pointer(d_q2, PW85_SYM);
     }
     DefaultEnvironment const environment;
-    return kernels::chosen().scalar->contact_gradient(r12, q1, q2, lambda, d_r12, d_q1, d_q2);
+    return kernels::chosen().one_pair->contact_gradient(r12, q1, q2, lambda, d_r12, d_q1, d_q2);
 }
 
 int pw85_contact_torque(double const r12[3], double const q1[6], double const q2[6], double lambda, double d_rot1[3],
@@ -120,7 +120,7 @@ int pw85_contact_torque(double const r12[3], double const q1[6], double const q2
         return null_pointer(d_rot2, PW85_DIM);
     }
     DefaultEnvironment const environment;
-    return kernels::chosen().scalar->contact_torque(r12, q1, q2, lambda, d_rot1, d_rot2);
+    return kernels::chosen().one_pair->contact_torque(r12, q1, q2, lambda, d_rot1, d_rot2);
 }
 
 int pw85_overlap(double const r12[3], double const q1[6], double const q2[6], int *overlap)
@@ -129,14 +129,14 @@ int pw85_overlap(double const r12[3], double const q1[6], double const q2[6], in
     *overlap = -1;
     if (any_null(r12, q1, q2)) return PW85_EINVAL;
     DefaultEnvironment const environment;
-    return kernels::chosen().scalar->overlap(r12, q1, q2, overlap);
+    return kernels::chosen().one_pair->overlap(r12, q1, q2, overlap);
 }
 
 int pw85_closest_approach(double const direction[3], double const q1[6], double const q2[6], double *distance)
 {
     if (any_null(direction, q1, q2, distance)) return null_pointer(distance, 1);
     DefaultEnvironment const environment;
-    return kernels::chosen().scalar->closest_approach(direction, q1, q2, distance);
+    return kernels::chosen().one_pair->closest_approach(direction, q1, q2, distance);
 }
 
 int pw85_closest_approach_2d(double const direction[2], double const q1[3], double const q2[3], double *distance)

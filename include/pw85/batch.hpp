@@ -1,5 +1,5 @@
 /// @file
-/// Many pairs at once, from C++: std::span over the functions of the compiled library (link with pw85).
+/// Many pairs at once, from C++: `std::span` over the functions of the compiled library (link with pw85).
 ///
 /// The contracts are those of pw85.h: a bad pair is marked (NaN, or 255 for overlaps) and the status of the first one is
 /// returned; sizes that do not fit together, or an index out of range, are `Status::invalid_argument` before anything is
@@ -56,52 +56,124 @@ struct Particles {
     Cell const *cell = nullptr;
 };
 
-/// contact() for pairs of double precision.
+/// @name Many pairs
+/// @{
+
+/// contact() for pairs of double precision: see pw85_contact_batch().
+///
+/// @param r12,q1,q2 one row for each pair
+/// @param[out] mu2 one number for each pair
+/// @param[out] lambda the same, or empty
+/// @return Status::success, Status::invalid_argument, or the status of the first bad pair, which is NaN
 static inline Status contact_batch(Vectors r12, Forms q1, Forms q2, std::span<double> mu2,
                                    std::span<double> lambda = {}) noexcept;
 
 /// contact() for pairs of single precision: the forms are widened, computed with in double, and the results rounded.
+///
+/// @param r12,q1,q2,mu2,lambda as for contact_batch() of double precision
+/// @return as for contact_batch() of double precision
 static inline Status contact_batch(std::span<Vector<float, 3> const> r12, std::span<SymmetricMatrix<float, 3> const> q1,
                                    std::span<SymmetricMatrix<float, 3> const> q2, std::span<float> mu2,
                                    std::span<float> lambda = {}) noexcept;
 
-/// overlap() for pairs: 1, 0, or 255.
+/// overlap() for pairs: see pw85_overlap_batch().
+///
+/// @param r12,q1,q2 as for contact_batch()
+/// @param[out] overlap one for each pair: 1, 0, or 255 for a bad one
+/// @return as for contact_batch()
 static inline Status overlap_batch(Vectors r12, Forms q1, Forms q2, std::span<unsigned char> overlap) noexcept;
 
-/// closest_approach() for pairs.
+/// closest_approach() for pairs: see pw85_closest_approach_batch().
+///
+/// @param directions one for each pair, of any lengths > 0
+/// @param q1,q2 as for contact_batch()
+/// @param[out] distance one for each pair
+/// @return as for contact_batch(); a zero direction is Status::invalid_argument
 static inline Status closest_approach_batch(Vectors directions, Forms q1, Forms q2,
                                             std::span<double> distance) noexcept;
 
-/// contact(), contact_geometry() and the derivatives for pairs.
+/// contact(), contact_geometry() and the derivatives for pairs: see pw85_contact_derivatives_batch().
+///
+/// @param r12,q1,q2 as for contact_batch()
+/// @param[out] out one row for each pair in all spans, or in some
+/// @return as for contact_batch()
 static inline Status contact_derivatives_batch(Vectors r12, Forms q1, Forms q2, DerivativeSpans const &out) noexcept;
 
-/// Whether an ellipsoid overlaps any of others: 1, 0, or -1. Looks at the pairs up to the first that overlaps or is bad.
+/// Whether an ellipsoid overlaps any of others. Looks at these up to the first that overlaps or is bad.
+///
+/// @param q1 form of the one
+/// @param r12,q2 centres of the others relative to that of the one, and their forms
+/// @param[out] any 1 or 0; -1 on error
+/// @return Status::success, Status::invalid_argument, or the status of a bad pair that no overlap precedes
 static inline Status overlap_any(SymmetricMatrix<double, 3> const &q1, Vectors r12, Forms q2, int &any) noexcept;
 
-/// contact() for the pairs of a neighbour list.
+/// contact() for the pairs of a neighbour list: see pw85_contact_pairs().
+///
+/// @param list indices of particles, with or without images
+/// @param particles centres, forms and cell; sizes must fit, and indices be those of particles
+/// @param[out] mu2,lambda as for contact_batch()
+/// @return as for contact_batch(); Status::invalid_argument also for images without a cell, a cell that is not finite or,
+/// unless there are images, singular
 static inline Status contact_pairs(PairList const &list, Particles const &particles, std::span<double> mu2,
                                    std::span<double> lambda = {}) noexcept;
 
 /// overlap() for the pairs of a neighbour list.
+///
+/// @param list,particles as for contact_pairs()
+/// @param[out] overlap as for overlap_batch()
+/// @return as for contact_pairs()
 static inline Status overlap_pairs(PairList const &list, Particles const &particles,
                                    std::span<unsigned char> overlap) noexcept;
 
 /// contact_derivatives_batch() for the pairs of a neighbour list.
+///
+/// @param list,particles as for contact_pairs()
+/// @param[out] out as for contact_derivatives_batch()
+/// @return as for contact_pairs()
 static inline Status contact_derivatives_pairs(PairList const &list, Particles const &particles,
                                                DerivativeSpans const &out) noexcept;
 
+/// @}
+
+/// @name Periodic cells
+/// @{
+
 /// A reduced cell of the same lattice, the prepared form of a cell: see pw85_cell_reduce().
+///
+/// @param cell rows are its vectors
+/// @return the reduced cell; Status::invalid_argument for a cell that is singular or not finite
 static inline ReducedCell cell_reduce(Cell const &cell) noexcept;
 
 /// Up to which μ² nearest images are all there is: see pw85_nearest_image_limit().
+///
+/// @param q forms of the particles; infinity is the limit of none
+/// @param cell rows are its vectors
+/// @param[out] mu2 the limit
+/// @return Status::success, Status::invalid_argument (also a cell that is singular or not finite),
+/// Status::not_positive_definite
 static inline Status nearest_image_limit(Forms q, Cell const &cell, double &mu2) noexcept;
 
-/// ellipsoid_quaternion() for many ellipsoids.
+/// @}
+
+/// @name Many forms
+/// @{
+
+/// ellipsoid_quaternion() for many ellipsoids; the bits are the same.
+///
+/// @param semi_axes,quaternions one for each ellipsoid: lengths, and (w, x, y, z)
+/// @param[out] q one form for each
+/// @return Status::success or Status::invalid_argument; a bad row is NaN
 static inline Status ellipsoid_quaternion_batch(Vectors semi_axes, std::span<Vector<double, 4> const> quaternions,
                                                 std::span<SymmetricMatrix<double, 3>> q) noexcept;
 
 /// bounding_box() for many ellipsoids.
+///
+/// @param q their forms
+/// @param[out] half_widths √Q_ii, one row for each
+/// @return Status::success, Status::invalid_argument, or the status of the first bad form, whose row is NaN
 static inline Status bounding_boxes(Forms q, std::span<Vector<double, 3>> half_widths) noexcept;
+
+/// @}
 
 namespace detail {
 

@@ -25,7 +25,7 @@ template <class T, int D> PW85_FUNCTION inline Status validate(SymmetricMatrix<T
     return definite ? Status::success : Status::not_positive_definite;
 }
 
-/// The support function of the ellipsoid in the direction of an axis is the root of a diagonal entry.
+// The support function of the ellipsoid in the direction of an axis is the root of a diagonal entry.
 template <class T, int D> PW85_FUNCTION inline BoundingBox<T, D> bounding_box(SymmetricMatrix<T, D> const &q) noexcept
 {
     BoundingBox<T, D> box{{}, validate(q)};

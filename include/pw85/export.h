@@ -1,8 +1,10 @@
-/* Visibility of the symbols of the shared libraries. */
+/* Visibility of the symbols of the shared libraries; those of static ones (PW85_HIDDEN) go no further than what they become part of. */
 #ifndef PW85_EXPORT_H_INCLUDED
 #define PW85_EXPORT_H_INCLUDED
 
-#if defined(_WIN32) && defined(PW85_BUILDING)
+#if defined(PW85_HIDDEN)
+#define PW85_API
+#elif defined(_WIN32) && defined(PW85_BUILDING)
 #define PW85_API __declspec(dllexport)
 #elif defined(__GNUC__)
 #define PW85_API __attribute__((visibility("default")))

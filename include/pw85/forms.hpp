@@ -38,7 +38,7 @@ template <class T> PW85_FUNCTION constexpr bool is_length(T const &x) noexcept
     return x > T(0) && x <= largest_number<T>();
 }
 
-/// Q = a² (I - nnᵀ) + c² nnᵀ for the unit vector along n, without cancellation for any ratio of the lengths.
+// Q = a² (I - nnᵀ) + c² nnᵀ for the unit vector along n, without cancellation for any ratio of the lengths.
 template <class T> PW85_FUNCTION constexpr Form<T, 3> spheroid(T const &a, T const &c, Vector<T, 3> n) noexcept
 {
     T const largest = largest_coordinate(n);
@@ -66,7 +66,6 @@ PW85_FUNCTION constexpr Form<T, D> form_of_axes(Vector<T, D> const &semi_axes, T
     return checked_form(q);
 }
 
-/// The form of a general ellipsoid; the columns of `rotation` (row-major) are its principal directions.
 template <class T>
 PW85_FUNCTION constexpr Form<T, 3> ellipsoid(Vector<T, 3> const &semi_axes, T const (&rotation)[9]) noexcept
 {
@@ -97,7 +96,6 @@ PW85_FUNCTION constexpr RotationMatrix<T> rotation_matrix(Vector<T, 4> const &qu
              T(1) - two * (x * x + y * y)}};
 }
 
-/// The form of a general ellipsoid whose orientation is a quaternion (w, x, y, z) of any length > 0.
 template <class T>
 PW85_FUNCTION constexpr Form<T, 3> ellipsoid_quaternion(Vector<T, 3> const &semi_axes, Vector<T, 4> quaternion) noexcept
 {
@@ -109,7 +107,6 @@ PW85_FUNCTION constexpr Form<T, 3> ellipsoid_quaternion(Vector<T, 3> const &semi
     return form_of_axes(semi_axes, rotation_matrix(quaternion, dot(quaternion, quaternion)).entries);
 }
 
-/// The form of an ellipse with semi-axes a, b, the first at `angle` (radians, counter-clockwise) from the x axis.
 template <class T> PW85_FUNCTION inline Form<T, 2> ellipse(T const &a, T const &b, T const &angle) noexcept
 {
     using elementary::cos;

@@ -16,8 +16,6 @@ template <class T> struct Chord {
     Status status;
 };
 
-/// The part of a line in an ellipsoid with its centre at 0. A ray from `origin` has t >= 0, a segment to origin + direction
-/// 0 <= t <= 1.
 template <class T, int D> PW85_FUNCTION inline Chord<T>
 intersect_line(Vector<T, D> const &origin, Vector<T, D> const &direction, SymmetricMatrix<T, D> const &q) noexcept
 {

@@ -156,7 +156,6 @@ template <class T, int D> PW85_FUNCTION inline Vector<T, D> extreme_normal(Symme
     return times(T(T(1) / square_root(dot(n, n))), n);
 }
 
-/// Distance of the point r, relative to the centre, from the surface of an ellipsoid; negative inside.
 template <class T, int D> PW85_FUNCTION inline SurfaceDistance<T, D>
 distance_point(Vector<T, D> const &r, SymmetricMatrix<T, D> const &q) noexcept
 {

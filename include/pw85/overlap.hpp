@@ -63,7 +63,6 @@ template <class T, int D> PW85_FUNCTION inline Overlap overlap(Vector<T, D> cons
     return overlap_by_lanes<T>(r12, q1, q2);
 }
 
-/// Whether two ellipsoids overlap, with what shows it.
 template <class T, int D> PW85_FUNCTION inline OverlapWitness<T, D>
 overlap_witness(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, SymmetricMatrix<T, D> const &q2) noexcept
 {

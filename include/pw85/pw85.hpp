@@ -1,10 +1,14 @@
 /// @file
-/// The contact function of Perram and Wertheim for two ellipsoids: the C++ entry header.
+/// The contact function of Perram and Wertheim for two ellipsoids, in C++: header-only, for any scalar.
 ///
-/// Everything is a template over the scalar `T` (float, double, long double, a multiprecision number) and, where it
-/// makes sense, the dimension `D` (2 or 3); inline, noexcept, without allocation, exceptions or state. See pw85.h for
-/// the definitions and the meaning of each function; here results are values, with a `status` that is
-/// `pw85::Status::success` or says why every number in them is NaN.
+/// An ellipsoid with centre c and quadratic form Q is the set of points m with (m-c)ᵀ Q⁻¹ (m-c) <= 1. Q is symmetric
+/// positive definite; its eigenvalues are the squares of the semi-axes, its eigenvectors their directions. For two
+/// ellipsoids with forms Q1, Q2 and r12 = c2 - c1, the contact function is
+///
+///     μ² = max { f(λ), 0 <= λ <= 1 },    f(λ) = λ(1-λ) r12ᵀ [(1-λ) Q1 + λ Q2]⁻¹ r12.
+///
+/// μ is the common factor by which both ellipsoids must be scaled, their centres fixed, to touch from outside: μ² < 1 if
+/// they overlap, μ² > 1 if they are apart.
 ///
 ///     using namespace pw85;
 ///     Vector r12{1.0, 0.0, 0.0};
@@ -12,8 +16,26 @@
 ///     auto [q2, ok2] = spheroid(1.0, 2.0, Vector{0.0, 1.0, 0.0});
 ///     auto [mu2, lambda, status] = contact(r12, q1, q2);
 ///
-/// Arguments: `r12` = c2 - c1, `q1` and `q2` the quadratic forms, all in one unit of length; `lambda` a maximiser found
-/// by contact().
+/// Conventions, for every function unless it says otherwise:
+///
+/// - `T` is float, double, long double or a multiprecision number such as those of Boost, `D` the dimension, 2 or 3.
+/// - A Vector has `D` coordinates; a SymmetricMatrix is its upper triangle in row-major order, (xx, xy, xz, yy, yz, zz)
+///   or (xx, xy, yy).
+/// - Lengths are in any one unit; forms are in its square; μ² and λ have none.
+/// - The result is a value, with a Status that is Status::success or says why every number in it is NaN.
+/// - Everything is noexcept, and constexpr where the standard lets it; nothing is allocated, kept, shared or printed.
+/// - Semi-axes and distances from 1e-150 to 1e150 neither overflow nor underflow inside in double.
+/// - Code is compiled with the flags of the unit that includes it, and runs in the caller's floating-point environment.
+///   `-ffast-math` is refused.
+///
+/// Its neighbours:
+///
+/// - pw85/batch.hpp: many pairs, neighbour lists and periodic cells, as spans; needs the compiled library, which chooses
+///   the instruction set at run time.
+/// - pw85/legacy.hpp: the rational form of f and the solvers that were superseded; pw85/zheng.hpp: the distance of closest
+///   approach by the algorithms of Zheng et al. Both are there to check the contact function.
+/// - pw85.h: the C API of the compiled library, with Brent's method as in pw85 1.0, which needs GSL.
+/// - The headers that this one includes hold the definitions, one idea each, with its mathematics at the top.
 #ifndef PW85_PW85_HPP_INCLUDED
 #define PW85_PW85_HPP_INCLUDED
 
@@ -38,93 +60,238 @@ template <class T> struct PlaneDerivatives;       // center, rotation, status
 template <class T, int D> struct PlaneContact;    // mu2, point, status
 template <class T> struct Chord;                  // enter, leave, status
 
-/// Form of a spheroid with equatorial radius `a`, polar radius `c`, and axis along `n`.
+/// @name Quadratic forms
+/// @{
+
+/// Form of a spheroid, Q = a² I + (c² - a²) n nᵀ.
+///
+/// @param a equatorial radius, > 0
+/// @param c polar radius, > 0
+/// @param n direction of the axis of revolution, of any length > 0
+/// @return the form; Status::invalid_argument if a length is not positive or its square leaves the range of `T`, or `n` is
+/// zero or not finite
 template <class T> PW85_FUNCTION constexpr Form<T, 3> spheroid(T const &a, T const &c, Vector<T, 3> n) noexcept;
 
-/// Form of a general ellipsoid; the columns of the row-major `rotation` are its principal directions.
+/// Form of a general ellipsoid, Q = R diag(semi_axes²) Rᵀ.
+///
+/// @param semi_axes lengths of the principal semi-axes (not diameters), > 0
+/// @param rotation 3×3 matrix R in row-major order; its columns are the principal directions, so that R takes the body frame
+/// to the space frame. RᵀR may differ from I by at most 1e-6 in any entry; reflections are accepted.
+/// @return the form; Status::invalid_argument
 template <class T>
 PW85_FUNCTION constexpr Form<T, 3> ellipsoid(Vector<T, 3> const &semi_axes, T const (&rotation)[9]) noexcept;
 
-/// Form of a general ellipsoid oriented by the quaternion (w, x, y, z), of any length > 0.
+/// Form of a general ellipsoid whose orientation is a quaternion.
+///
+/// @param semi_axes as for ellipsoid()
+/// @param quaternion (w, x, y, z), scalar first, of any length > 0: normalised inside. It takes the body frame to the space
+/// frame.
+/// @return the form; Status::invalid_argument
 template <class T> PW85_FUNCTION constexpr Form<T, 3> ellipsoid_quaternion(Vector<T, 3> const &semi_axes,
                                                                            Vector<T, 4> quaternion) noexcept;
 
-/// Form of an ellipse with semi-axes `a` and `b`, the first at `angle` (radians) from the x axis.
+/// Form (xx, xy, yy) of an ellipse.
+///
+/// @param a first semi-axis, > 0
+/// @param b second semi-axis, > 0
+/// @param angle from the x axis to the first semi-axis, counter-clockwise, in radians
+/// @return the form; Status::invalid_argument
 template <class T> PW85_FUNCTION inline Form<T, 2> ellipse(T const &a, T const &b, T const &angle) noexcept;
 
-/// Half-widths of the tight box with sides along the axes.
+/// Tight box with sides along the axes around an ellipsoid: half-widths √Q_ii.
+///
+/// @param q the form
+/// @return the half-widths; Status::invalid_argument, Status::not_positive_definite
 template <class T, int D> PW85_FUNCTION inline BoundingBox<T, D> bounding_box(SymmetricMatrix<T, D> const &q) noexcept;
 
-/// The contact function μ² and its maximiser λ.
+/// @}
+
+/// @name Contact of two ellipsoids
+/// @{
+
+/// The contact function μ² and its maximiser λ, by a third-order iteration on log(λ/(1-λ)).
+///
+/// The error is below 4 u cond, with u the rounding unit of `T` (2⁻⁵³ for double) and cond the entrywise condition number of
+/// the problem (see the chapter on testing).
+///
+/// @param r12 c2 - c1; zero is valid: μ² = 0, λ = 1/2
+/// @param q1,q2 the forms, in the square of the unit of `r12`
+/// @return μ² and λ in [0, 1]; Status::invalid_argument (NaN or infinity), Status::not_positive_definite
 template <class T, int D> PW85_FUNCTION inline Contact<T>
 contact(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, SymmetricMatrix<T, D> const &q2) noexcept;
 
-/// Contact point and common normal of the ellipsoids scaled by μ.
+/// Point at which the ellipsoids, scaled by μ, touch, and their common normal.
+///
+/// @param r12,q1,q2 as for contact(), r12 != 0
+/// @param lambda from contact(); any value in (0, 1) gives x0(λ), the point for which f(λ) is the weighted average of the
+/// squares of the factors that bring either ellipsoid there
+/// @return the point, relative to the centre of ellipsoid 1, and the unit vector out of ellipsoid 1 and into ellipsoid 2;
+/// Status::invalid_argument (also for λ outside [0, 1] and r12 = 0), Status::not_positive_definite
 template <class T, int D>
 PW85_FUNCTION inline ContactGeometry<T, D> contact_geometry(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
                                                             SymmetricMatrix<T, D> const &q2, T const &lambda) noexcept;
 
-/// Derivatives of μ² with respect to r12 and the stored entries of q1 and q2.
+/// Derivatives of μ² with respect to the separation and the stored entries of both forms.
+///
+/// @param r12,q1,q2 as for contact()
+/// @param lambda from contact()
+/// @return ∂μ²/∂r12, of which minus is the derivative with respect to centre 1; ∂μ²/∂q1 and ∂μ²/∂q2, where an off-diagonal
+/// entry stands for two entries of the matrix; Status::invalid_argument (also for λ outside [0, 1]),
+/// Status::not_positive_definite
 template <class T, int D>
 PW85_FUNCTION inline ContactGradient<T, D> contact_gradient(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
                                                             SymmetricMatrix<T, D> const &q2, T const &lambda) noexcept;
 
-/// Derivatives of μ² with respect to rotations of the ellipsoids about their own centres.
+/// Derivatives of μ² with respect to rotations: turning an ellipsoid about its own centre by the small vector
+/// ω changes μ² by rotation·ω. The torque of an energy U(μ²) is -U'(μ²) rotation.
+///
+/// @param r12,q1,q2 as for contact()
+/// @param lambda from contact()
+/// @return both vectors, per radian; Status::invalid_argument (also for λ outside [0, 1]), Status::not_positive_definite
 template <class T>
 PW85_FUNCTION inline ContactTorque<T> contact_torque(Vector<T, 3> const &r12, SymmetricMatrix<T, 3> const &q1,
                                                      SymmetricMatrix<T, 3> const &q2, T const &lambda) noexcept;
 
-/// Whether two ellipsoids overlap, μ² < 1, decided exactly for the numbers given.
+/// Whether two ellipsoids overlap, μ² < 1. Tangent ellipsoids (μ² = 1) do not.
+///
+/// For float, double and long double the answer is that of exact arithmetic for the numbers given: bounds that take rounding
+/// into account decide almost always, and exact arithmetic the rest. For a multiprecision number it is right to its rounding.
+///
+/// @param r12,q1,q2 as for contact(); r12 = 0 is an overlap
+/// @return the answer, and the means that decided; Status::invalid_argument, Status::not_positive_definite
 template <class T, int D> PW85_FUNCTION inline Overlap overlap(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
                                                                SymmetricMatrix<T, D> const &q2) noexcept;
 
-/// The same with what shows it: a separating direction, or a point inside both.
+/// overlap() with what shows the answer: a separating direction, or a point inside both. These are right to
+/// rounding.
+///
+/// @param r12,q1,q2 as for overlap()
+/// @return the answer, λ, and, if the ellipsoids are apart, the unit normal of a plane between them; if they overlap, a point in
+/// both, relative to the centre of ellipsoid 1; the other of the two is NaN; Status::invalid_argument,
+/// Status::not_positive_definite
 template <class T, int D> PW85_FUNCTION inline OverlapWitness<T, D>
 overlap_witness(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, SymmetricMatrix<T, D> const &q2) noexcept;
 
-/// Distance of closest approach along `direction`, of any length > 0.
+/// Distance of closest approach: the distance of the centres at which two ellipsoids of fixed orientation touch
+/// from outside, when their centres are on a line of given direction: |d|/μ(d).
+///
+/// @param direction from centre 1 to centre 2, of any length > 0
+/// @param q1,q2 the forms
+/// @return the distance, in the unit of the semi-axes; Status::invalid_argument (also for a zero direction),
+/// Status::not_positive_definite
 template <class T, int D> PW85_FUNCTION inline ClosestApproach<T>
 closest_approach(Vector<T, D> direction, SymmetricMatrix<T, D> const &q1, SymmetricMatrix<T, D> const &q2) noexcept;
 
-/// Distance of the surfaces, closest points and common normal; zero and NaN points if the ellipsoids overlap.
+/// @}
+
+/// @name Distance
+/// @{
+
+/// Distance of the surfaces of two ellipsoids, and the points where they are closest.
+///
+/// The error of the distance is below 8 u Σ, with Σ as said for pw85_distance() in pw85.h: what entrywise rounding of the data
+/// may change it by is u Σ.
+///
+/// @param r12,q1,q2 as for contact()
+/// @return the distance, in the unit of `r12`, the closest points of both ellipsoids, relative to centre 1, and the unit
+/// normal out of ellipsoid 1 and into ellipsoid 2. If they overlap, which is decided as in overlap(), the distance is zero and the
+/// vectors are NaN, also on success; Status::invalid_argument, Status::not_positive_definite
 template <class T, int D> PW85_FUNCTION inline Distance<T, D>
 distance(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, SymmetricMatrix<T, D> const &q2) noexcept;
 
-/// First and second derivatives of the distance with respect to r12 and rotations of the ellipsoids about their own centres.
+/// First and second derivatives of the distance of two ellipsoids that are apart.
+///
+/// @param r12,q1,q2 as for contact()
+/// @return derivatives with respect to r12 (the unit normal of distance()) and to rotations of ellipsoids 1 and 2 by small
+/// vectors about their own centres, per radian; the symmetric 9×9 matrix of second derivatives with respect to r12, rotation 1
+/// and rotation 2, where the vector ω stands for the rotation by |ω| about ω; NaN if they overlap, also on success;
+/// Status::invalid_argument, Status::not_positive_definite
 template <class T>
 PW85_FUNCTION inline DistanceDerivatives<T> distance_derivatives(Vector<T, 3> const &r12,
                                                                  SymmetricMatrix<T, 3> const &q1,
                                                                  SymmetricMatrix<T, 3> const &q2) noexcept;
 
-/// Distance from an ellipsoid with its centre at 0 to the half-space normal·x >= offset.
+/// @}
+
+/// @name Walls, points and lines
+///
+/// One ellipsoid with its centre at 0, unless said otherwise. The error of a distance is below 8 u Σ, with Σ as
+/// said in pw85.h.
+/// @{
+
+/// Distance from an ellipsoid to the half-space normal·x >= offset.
+///
+/// @param normal into the half-space, of any length > 0
+/// @param offset in the unit of normal·x; negative if the centre is in the half-space
+/// @param q the form
+/// @return the distance, negative if the two overlap (minus the depth), the point of the ellipsoid that is nearest to the
+/// half-space or deepest in it, and the unit normal; Status::invalid_argument (also for a zero normal),
+/// Status::not_positive_definite
 template <class T, int D> PW85_FUNCTION inline SurfaceDistance<T, D>
 distance_plane(Vector<T, D> const &normal, T const &offset, SymmetricMatrix<T, D> const &q) noexcept;
 
-/// Derivatives of the distance to a half-space with respect to the centre of the ellipsoid and to rotations about it.
+/// Derivatives of the distance to a half-space, which do not depend on its offset.
+///
+/// @param normal,q as for distance_plane()
+/// @return derivatives with respect to the position of the centre and to small rotation vectors about it, per radian;
+/// Status::invalid_argument (also for a zero normal), Status::not_positive_definite
 template <class T> PW85_FUNCTION inline PlaneDerivatives<T>
 distance_plane_derivatives(Vector<T, 3> const &normal, SymmetricMatrix<T, 3> const &q) noexcept;
 
-/// Contact function of an ellipsoid with its centre at 0 and the half-space normal·x >= offset.
+/// Contact function of an ellipsoid and the half-space normal·x >= offset.
+///
+/// @param normal,offset,q as for distance_plane()
+/// @return the square of the factor by which the ellipsoid must be scaled to touch, 0 if its centre is in the half-space, and
+/// where it then touches; Status::invalid_argument (also for a zero normal), Status::not_positive_definite
 template <class T, int D> PW85_FUNCTION inline PlaneContact<T, D>
 contact_plane(Vector<T, D> const &normal, T const &offset, SymmetricMatrix<T, D> const &q) noexcept;
 
-/// Distance from an ellipsoid with its centre at 0 to the nearest face of the box lower <= x <= upper around it.
+/// Distance from an ellipsoid to the nearest face of the box lower <= x <= upper around it.
+///
+/// @param lower,upper corners of the box, relative to the centre of the ellipsoid; lower <= upper
+/// @param q the form
+/// @return the distance, negative if the ellipsoid is not inside of the box, the point of the ellipsoid that is nearest to that
+/// face, or farthest beyond it, and the outward unit normal of that face; Status::invalid_argument (also for lower > upper),
+/// Status::not_positive_definite
 template <class T, int D> PW85_FUNCTION inline SurfaceDistance<T, D>
 distance_box(Vector<T, D> const &lower, Vector<T, D> const &upper, SymmetricMatrix<T, D> const &q) noexcept;
 
-/// Distance from an ellipsoid to the wall of a cylinder around it, whose axis goes through 0.
+/// Distance from an ellipsoid to the wall of a cylinder of infinite length around it.
+///
+/// @param axis direction of the axis, which goes through 0; of any length > 0
+/// @param radius of the cylinder, > 0
+/// @param center of the ellipsoid
+/// @param q the form
+/// @return the distance, negative if the ellipsoid is not inside of the cylinder, the point of the ellipsoid that is farthest
+/// from the axis, relative to its centre, and the outward unit normal of the wall there; Status::invalid_argument (also for a zero
+/// axis or a radius that is not positive), Status::not_positive_definite
 template <class T>
 PW85_FUNCTION inline SurfaceDistance<T, 3> distance_cylinder(Vector<T, 3> axis, T const &radius,
                                                              Vector<T, 3> const &center,
                                                              SymmetricMatrix<T, 3> const &q) noexcept;
 
-/// Distance from the point r, relative to the centre, to the surface of an ellipsoid; negative inside.
+/// Distance from a point to the surface of an ellipsoid.
+///
+/// @param r the point, relative to the centre
+/// @param q the form
+/// @return the distance, negative if the point is inside, the point of the surface that is nearest to `r` (one of them if there
+/// are several), and the unit normal out of the ellipsoid there, the derivative of the distance;
+/// Status::invalid_argument, Status::not_positive_definite
 template <class T, int D> PW85_FUNCTION inline SurfaceDistance<T, D>
 distance_point(Vector<T, D> const &r, SymmetricMatrix<T, D> const &q) noexcept;
 
-/// The part of the line origin + t·direction, relative to the centre, that is in an ellipsoid.
+/// The part enter <= t <= leave of the line origin + t·direction that is in an ellipsoid. A ray from the origin has
+/// t >= 0, the segment from `origin` to origin + direction 0 <= t <= 1.
+///
+/// @param origin of the line, relative to the centre of the ellipsoid
+/// @param direction of any length > 0
+/// @param q the form
+/// @return the part; NaN if the line misses the ellipsoid, also on success; Status::invalid_argument (also for a zero
+/// direction), Status::not_positive_definite
 template <class T, int D> PW85_FUNCTION inline Chord<T>
 intersect_line(Vector<T, D> const &origin, Vector<T, D> const &direction, SymmetricMatrix<T, D> const &q) noexcept;
+
+/// @}
 
 } // namespace pw85
 

@@ -44,6 +44,7 @@ template <class T, int D> struct SymmetricMatrix {
     }
 };
 
+/// x·y.
 template <class T, int D> PW85_FUNCTION constexpr T dot(Vector<T, D> const &x, Vector<T, D> const &y) noexcept
 {
     T sum = x[0] * y[0];
@@ -51,11 +52,13 @@ template <class T, int D> PW85_FUNCTION constexpr T dot(Vector<T, D> const &x, V
     return sum;
 }
 
+/// x × y.
 template <class T> PW85_FUNCTION constexpr Vector<T, 3> cross(Vector<T, 3> const &x, Vector<T, 3> const &y) noexcept
 {
     return {x[1] * y[2] - x[2] * y[1], x[2] * y[0] - x[0] * y[2], x[0] * y[1] - x[1] * y[0]};
 }
 
+/// factor x.
 template <class T, int D> PW85_FUNCTION constexpr Vector<T, D> times(T const &factor, Vector<T, D> x) noexcept
 {
     for (int i = 0; i < D; ++i) x[i] = factor * x[i];

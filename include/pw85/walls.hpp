@@ -39,7 +39,6 @@ template <class T, int D> PW85_FUNCTION inline Wall<T, D> normalize_wall(Vector<
     return {normal, offset / largest, valid ? status : Status::invalid_argument};
 }
 
-/// Distance from an ellipsoid with its centre at 0 to the half-space normal·x >= offset; `normal` of any length > 0.
 template <class T, int D> [[gnu::always_inline]] PW85_FUNCTION inline SurfaceDistance<T, D>
 distance_plane(Vector<T, D> const &normal, T const &offset, SymmetricMatrix<T, D> const &q) noexcept
 {
@@ -56,7 +55,6 @@ template <class T> struct PlaneDerivatives {
     Status status;
 };
 
-/// Derivatives of distance_plane(), whatever the offset.
 template <class T> PW85_FUNCTION inline PlaneDerivatives<T>
 distance_plane_derivatives(Vector<T, 3> const &normal, SymmetricMatrix<T, 3> const &q) noexcept
 {
@@ -64,7 +62,6 @@ distance_plane_derivatives(Vector<T, 3> const &normal, SymmetricMatrix<T, 3> con
     return {times(T(-1), d.normal), cross(d.normal, d.point), d.status};
 }
 
-/// Contact function of an ellipsoid with its centre at 0 and the half-space normal·x >= offset.
 template <class T, int D> PW85_FUNCTION inline PlaneContact<T, D>
 contact_plane(Vector<T, D> const &normal, T const &offset, SymmetricMatrix<T, D> const &q) noexcept
 {
@@ -80,7 +77,6 @@ contact_plane(Vector<T, D> const &normal, T const &offset, SymmetricMatrix<T, D>
     return result;
 }
 
-/// Distance from an ellipsoid with its centre at 0 to the nearest face of the box lower_i <= x_i <= upper_i around it.
 template <class T, int D> PW85_FUNCTION inline SurfaceDistance<T, D>
 distance_box(Vector<T, D> const &lower, Vector<T, D> const &upper, SymmetricMatrix<T, D> const &q) noexcept
 {
@@ -117,8 +113,6 @@ PW85_FUNCTION inline void complete_basis(Vector<T, 3> const &axis, Vector<T, 3> 
     e2 = cross(axis, e1);
 }
 
-/// Distance from an ellipsoid to the wall of a cylinder of some radius around it. The axis goes through 0, along `axis` of any
-/// length > 0; `center` is that of the ellipsoid.
 template <class T> PW85_FUNCTION inline SurfaceDistance<T, 3> distance_cylinder(Vector<T, 3> axis, T const &radius,
                                                                                 Vector<T, 3> const &center,
                                                                                 SymmetricMatrix<T, 3> const &q) noexcept

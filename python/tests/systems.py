@@ -40,4 +40,4 @@ def command(capsys, monkeypatch, *arguments):
     capsys.readouterr()
     status = cli._run()
     out, err = capsys.readouterr()
-    return Outcome(status, out, re.sub(r"\r[^\r\n]*\[[\d:]+\]|\r *", "", err))
+    return Outcome(status, out, re.sub(r"\r[^\r\n]*\[[\d:]+\] *|\r *", "", err))

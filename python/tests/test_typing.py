@@ -1,5 +1,6 @@
 """What type checkers and readers see: stubs under `mypy --strict`, and texts that are whole."""
 
+import ast
 import inspect
 import os
 import pathlib
@@ -7,10 +8,11 @@ import re
 import subprocess
 import sys
 
+import numpy as np
 import pytest
 
 import pypw85
-from pypw85 import _documentation, legacy
+from pypw85 import _core, _documentation, gufuncs, legacy
 
 PACKAGE = pathlib.Path(pypw85.__file__).parent
 PROGRAM = """
@@ -78,6 +80,17 @@ def test_package(mypy):
     # Parts of NumPy and all of Matplotlib have no types.
     done = mypy("--allow-untyped-calls", "--ignore-missing-imports", "-p", "pypw85")
     assert done.returncode == 0, done.stdout
+
+
+def test_stub_has_all():
+    """What the compiled module has, its stub has, and the module of ufuncs has all of these."""
+    tree = ast.parse((PACKAGE / "_core.pyi").read_text(encoding="utf-8"))
+    stubs = {node.name for node in tree.body if isinstance(node, ast.FunctionDef)}
+    stubs |= {node.target.id for node in tree.body if isinstance(node, ast.AnnAssign)}
+    names = {name for name in dir(_core) if not name.startswith("__")}
+    assert stubs == names
+    ufuncs = {name for name in names if isinstance(getattr(_core, name), np.ufunc) and not name.startswith("report_")}
+    assert ufuncs <= set(gufuncs.__all__)
 
 
 BUILDING_BLOCKS = ["_cholesky_decomp", "_cholesky_solve"]

@@ -52,6 +52,12 @@ def test_content(installed, information):
     assert (information / "LICENSE").read_bytes() == (SOURCE / "LICENSE").read_bytes()
 
 
+def test_licence(installed):
+    """Nothing of the GNU Scientific Library, so that the licence is the one that the wheel states."""
+    [extension] = (installed / "pypw85").glob("_core*.so")
+    assert b"gsl_" not in extension.read_bytes()
+
+
 def test_metadata(information):
     metadata = email.message_from_bytes((information / "METADATA").read_bytes())
     assert metadata["Name"] == "pypw85"

@@ -4,14 +4,17 @@
 #include <cstdlib>
 #include <cstring>
 
+#include "instruction_sets.h"
+
 namespace pw85::kernels {
 
-extern ScalarKernels const scalar_baseline;
-extern LaneKernels const lanes_baseline;
-#ifdef PW85_HAVE_X86_TARGETS
-extern ScalarKernels const scalar_avx2, scalar_avx512;
-extern LaneKernels const lanes_avx2, lanes_avx512;
-#endif
+// Defined where they are compiled.
+#define PW85_DECLARE(target, available)                                                                                \
+    extern OnePairKernels const one_pair_##target;                                                                     \
+    extern LaneKernels const lanes_##target;
+PW85_INSTRUCTION_SETS(PW85_DECLARE)
+PW85_DECLARE(baseline, true)
+#undef PW85_DECLARE
 
 namespace {
 
@@ -23,16 +26,9 @@ struct Target {
 /// The best of the available targets, no newer than the one that is asked for.
 Kernels choose() noexcept
 {
-    // From the newest to the oldest.
-    Target const targets[] = {
-#ifdef PW85_HAVE_X86_TARGETS
-        {{"avx512", &scalar_avx512, &lanes_avx512},
-         __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
-             __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")},
-        {{"avx2", &scalar_avx2, &lanes_avx2}, __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")},
-#endif
-        {{"baseline", &scalar_baseline, &lanes_baseline}, true},
-    };
+#define PW85_TARGET(target, available) {{#target, &one_pair_##target, &lanes_##target}, available},
+    Target const targets[] = {PW85_INSTRUCTION_SETS(PW85_TARGET) PW85_TARGET(baseline, true)};
+#undef PW85_TARGET
     char const *const wanted = std::getenv("PW85_TARGET");
     bool allowed = true;
     if (wanted != nullptr)
@@ -41,7 +37,7 @@ Kernels choose() noexcept
         allowed = allowed || std::strcmp(wanted, target.kernels.name) == 0;
         if (allowed && target.available) return target.kernels;
     }
-    return {"baseline", &scalar_baseline, &lanes_baseline};
+    return {"baseline", &one_pair_baseline, &lanes_baseline};
 }
 
 } // namespace

@@ -2,7 +2,9 @@
 /// What is compiled once per instruction set, and the choice among them at run time.
 ///
 /// Types here are plain data, the same for every target: they cross the border between units compiled for different
-/// processors.
+/// processors. A kernel is a pair of them, what it reads (rows) and what it writes (arrays by the same index); a new one is a line in
+/// LaneKernels, its types where they are new, `compute()` for the arrays that it writes (lanes.cpp) and `settle()` for a pair that
+/// lanes leave (many_pairs.hpp).
 #ifndef PW85_KERNELS_KERNELS_HPP_INCLUDED
 #define PW85_KERNELS_KERNELS_HPP_INCLUDED
 
@@ -10,59 +12,120 @@
 #include <cstdint>
 
 #include "lattice.hpp"
+#include "worklist.hpp"
 
 namespace pw85::kernels {
 
-/// Rows of pairs: n×3, n×6, n×6.
-struct PairArrays {
+/// Row `index` of an array of rows of `width` numbers.
+template <class Number>
+[[gnu::always_inline]] inline Number *row_of(Number *rows, int width, std::size_t index) noexcept
+{
+    return rows + static_cast<std::size_t>(width) * index;
+}
+
+/// The same of an array that may be null.
+template <class Number>
+[[gnu::always_inline]] inline Number *row_or_null(Number *rows, int width, std::size_t index) noexcept
+{
+    return rows == nullptr ? nullptr : row_of(rows, width, index);
+}
+
+// Rows of pairs; from() gives those from a pair on.
+
+/// Arrays of separations and forms: n×3, n×6, n×6 in three dimensions.
+template <int D> struct PairArrays {
+    static constexpr int dimension = D;
+    static constexpr int form = D * (D + 1) / 2;
     double const *r12, *q1, *q2;
+
+    [[gnu::always_inline]] PairArrays from(std::size_t begin) const noexcept
+    {
+        return {row_of(r12, D, begin), row_of(q1, form, begin), row_of(q2, form, begin)};
+    }
+};
+
+/// Pairs whose separation is a direction, of any length.
+struct Directions {
+    static constexpr int dimension = 3;
+    PairArrays<3> arrays;
+
+    [[gnu::always_inline]] Directions from(std::size_t begin) const noexcept { return {arrays.from(begin)}; }
+};
+
+/// One ellipsoid, and others: r12 n×3, q2 n×6.
+struct OneToMany {
+    static constexpr int dimension = 3;
+    double const *q1, *r12, *q2;
+
+    [[gnu::always_inline]] OneToMany from(std::size_t begin) const noexcept
+    {
+        return {q1, row_of(r12, 3, begin), row_of(q2, 6, begin)};
+    }
 };
 
 /// A neighbour list: pairs (i, j) of rows of centers (N×3) and q (N×6). Of the images of j it takes those that `images` names, as
 /// multiples of the rows of `cell`, or else the nearest in the lattice, or else j itself.
 struct NeighborList {
+    static constexpr int dimension = 3;
     std::int32_t const *pairs;
     double const *centers, *q;
     std::int32_t const *images; ///< null, or one row per pair
     double const *cell;         ///< null without periodicity
     Lattice const *lattice;     ///< null, or prepared for nearest images
+
+    [[gnu::always_inline]] NeighborList from(std::size_t begin) const noexcept
+    {
+        return {row_of(pairs, 2, begin), centers, q, row_or_null(images, 3, begin), cell, lattice};
+    }
 };
 
-/// One ellipsoid, and others: r12 n×3, q2 n×6.
-struct OneToMany {
-    double const *q1, *r12, *q2;
+/// One pair of any of these.
+template <int D> struct PairRow {
+    double r12[D], q1[D * (D + 1) / 2], q2[D * (D + 1) / 2];
 };
 
-/// Pairs begin, begin + 1, ... end - 1.
-struct Range {
-    std::size_t begin, end;
-};
+// Where results of pairs go; from() as above.
 
-/// Where the contact functions of pairs go, by the index of the pair.
+/// Contact functions.
 struct ContactArrays {
     double *mu2, *lambda; ///< lambda may be null
+
+    [[gnu::always_inline]] ContactArrays from(std::size_t begin) const noexcept
+    {
+        return {row_of(mu2, 1, begin), row_or_null(lambda, 1, begin)};
+    }
 };
 
-/// Where contact functions and derivatives go; any may be null.
+/// Answers of the overlap test.
+struct OverlapArray {
+    unsigned char *overlap;
+
+    [[gnu::always_inline]] OverlapArray from(std::size_t begin) const noexcept { return {overlap + begin}; }
+};
+
+/// Distances of closest approach.
+struct ApproachArray {
+    double *distance;
+
+    [[gnu::always_inline]] ApproachArray from(std::size_t begin) const noexcept { return {distance + begin}; }
+};
+
+/// Contact functions and derivatives; any may be null, but for the kernels' lambda, which is NaN where a pair is left to the
+/// function for one before its λ is known.
 struct DerivativeArrays {
     double *mu2, *lambda;
     double *point, *normal, *d_r12, *d_rot1, *d_rot2; ///< three numbers per pair
-};
 
-/// The first bad pair of a range; `status` is 0 if there is none.
-struct Failure {
-    std::size_t index;
-    int status;
-
-    /// Keeps the earlier of two failures.
-    [[gnu::always_inline]] void update(Failure const &other) noexcept
+    [[gnu::always_inline]] DerivativeArrays from(std::size_t begin) const noexcept
     {
-        if (other.status != 0 && (status == 0 || other.index < index)) *this = other;
+        return {row_or_null(mu2, 1, begin),    row_or_null(lambda, 1, begin), row_or_null(point, 3, begin),
+                row_or_null(normal, 3, begin), row_or_null(d_r12, 3, begin),  row_or_null(d_rot1, 3, begin),
+                row_or_null(d_rot2, 3, begin)};
     }
 };
 
 /// Functions for one pair, with the contracts of the C API where inputs are not null.
-struct ScalarKernels {
+struct OnePairKernels {
     int (*contact)(double const *r12, double const *q1, double const *q2, double *out) noexcept;
     int (*overlap)(double const *r12, double const *q1, double const *q2, int *overlap) noexcept;
     int (*contact_geometry)(double const *r12, double const *q1, double const *q2, double lambda, double *point,
@@ -78,22 +141,29 @@ struct ScalarKernels {
                                 double *d_rot2, double *hessian) noexcept;
 };
 
-/// Functions for ranges of pairs. The scalar kernels serve the pairs that lanes cannot; the first bad one is returned.
-struct LaneKernels {
-    Failure (*contact_batch)(PairArrays const &, Range, ContactArrays const &, ScalarKernels const &) noexcept;
-    Failure (*contact_pairs)(NeighborList const &, Range, ContactArrays const &, ScalarKernels const &) noexcept;
-    Failure (*overlap_batch)(PairArrays const &, Range, unsigned char *, ScalarKernels const &) noexcept;
-    Failure (*overlap_pairs)(NeighborList const &, Range, unsigned char *, ScalarKernels const &) noexcept;
-    Failure (*derivatives_batch)(PairArrays const &, Range, DerivativeArrays const &, ScalarKernels const &) noexcept;
-    Failure (*derivatives_pairs)(NeighborList const &, Range, DerivativeArrays const &, ScalarKernels const &) noexcept;
-    Failure (*closest_approach_batch)(PairArrays const &, Range, double *, ScalarKernels const &) noexcept;
-    int (*overlap_any)(OneToMany const &, std::size_t, int *, ScalarKernels const &) noexcept;
+/// A function for many pairs, one per lane.
+template <class Rows, class Arrays> struct LaneKernel {
+    /// Computes the first of n pairs, as many as it returns; those that are left to the function for one pair replace what is in
+    /// `left`.
+    std::size_t (*compute)(Rows const &, std::size_t n, Arrays const &, Worklist &left) noexcept;
+    /// Some rows, as lanes see them.
+    void (*gather)(Rows const &, std::uint16_t const *indices, std::size_t count,
+                   PairRow<Rows::dimension> *pairs) noexcept;
 };
+
+/// Kernels by their types: each is a base.
+template <class... Kernel> struct KernelTable : Kernel... {
+};
+
+using LaneKernels = KernelTable<LaneKernel<PairArrays<3>, ContactArrays>, LaneKernel<NeighborList, ContactArrays>,
+                                LaneKernel<PairArrays<3>, OverlapArray>, LaneKernel<NeighborList, OverlapArray>,
+                                LaneKernel<OneToMany, OverlapArray>, LaneKernel<PairArrays<3>, DerivativeArrays>,
+                                LaneKernel<NeighborList, DerivativeArrays>, LaneKernel<Directions, ApproachArray>>;
 
 /// All functions of one target.
 struct Kernels {
     char const *name;
-    ScalarKernels const *scalar;
+    OnePairKernels const *one_pair;
     LaneKernels const *lanes;
 };
 

@@ -3,7 +3,7 @@
 ///
 /// Each pair is tested where the scalar path begins; undecided ones are collected, so that lanes stay full, and tested where the
 /// fixed-point map leads, then where the search on the rational form does. What that leaves, tangent to about as many digits as
-/// the pair's conditioning leaves, or out of the ordinary, goes to the scalar path.
+/// the pair's conditioning leaves, or out of the ordinary, is left over.
 #ifndef PW85_KERNELS_LANE_OVERLAP_HPP_INCLUDED
 #define PW85_KERNELS_LANE_OVERLAP_HPP_INCLUDED
 
@@ -16,33 +16,26 @@ namespace {
 
 /// Pairs that are tested before the undecided ones among them are taken up again.
 inline constexpr std::size_t overlap_chunk_size = 256;
-using OverlapList = OffsetList<overlap_chunk_size>;
 
 /// Undecided pairs, with the square of the t of their next test.
 struct UndecidedList {
-    OverlapList pairs;
+    kernels::IndexList<overlap_chunk_size> pairs;
     double next[overlap_chunk_size];
 
-    PW85_INLINE explicit UndecidedList(std::size_t begin) noexcept : pairs(begin) {}
-
-    PW85_INLINE void push(std::size_t offset, double square) noexcept
+    PW85_INLINE void push(std::size_t index, double square) noexcept
     {
-        next[pairs.size()] = square;
-        pairs.push(offset);
+        next[pairs.size] = square;
+        pairs.push(index);
     }
 
+    /// To be called between the last push() and load_next().
     PW85_INLINE void pad() noexcept
     {
-        for (std::size_t i = pairs.size(); i < pairs.packs() * lanes; ++i) next[i] = 1.0;
-        pairs.pad();
+        for (std::size_t i = pairs.size; i % lanes != 0; ++i) next[i] = 1.0;
+        pw85::pad(pairs);
     }
 
-    PW85_INLINE Pack load_next(std::size_t k) const noexcept
-    {
-        Pack squares;
-        std::memcpy(&squares.v, next + k * lanes, sizeof squares.v);
-        return rough_root(squares);
-    }
+    PW85_INLINE Pack load_next(std::size_t k) const noexcept { return rough_root(load_lanes<Pack>(next + k)); }
 };
 
 /// The outcome of a test.
@@ -51,7 +44,7 @@ struct LaneDecision {
     Pack next;                 ///< square of the next t of the fixed-point map
 };
 
-PW85_INLINE LaneDecision decide_lanes(LanePair const &pair, Pack const &t) noexcept
+template <int D> PW85_INLINE LaneDecision decide_lanes(LanePair<D> const &pair, Pack const &t) noexcept
 {
     auto const e = evaluate_quartic(pair, t);
     auto const certainty = decide(e, t);
@@ -59,8 +52,8 @@ PW85_INLINE LaneDecision decide_lanes(LanePair const &pair, Pack const &t) noexc
     return {overlap, overlap | apart, fixed_point_square(e, t)};
 }
 
-/// Stores neighbouring answers; those that are not decided will be overwritten.
-PW85_INLINE void store(unsigned overlap, std::size_t count, unsigned char *out) noexcept
+/// Stores answers for neighbouring pairs.
+PW85_INLINE void store_answers(unsigned overlap, std::size_t count, unsigned char *out) noexcept
 {
     // Bit i to byte i: each byte keeps its own bit of a copy of all, and adding 127 carries it to the top.
     std::uint64_t const own = (overlap * 0x0101010101010101u) & 0x8040201008040201u;
@@ -68,112 +61,84 @@ PW85_INLINE void store(unsigned overlap, std::size_t count, unsigned char *out) 
     std::memcpy(out, &bytes, count < lanes ? count : lanes);
 }
 
-/// First test, for neighbouring pairs.
-template <class Rows> PW85_INLINE void test_neighbors(Rows const &rows, std::size_t count, unsigned char *out,
-                                                      UndecidedList &undecided, OverlapList &rejected) noexcept
+/// First test, for neighbouring pairs; answers that are not certain will be overwritten.
+template <class Rows> PW85_INLINE void test_neighbors(Rows const &rows, Chunk const &chunk, unsigned char *out,
+                                                      UndecidedList &undecided, kernels::Worklist &left_over) noexcept
 {
-    std::size_t const begin = rejected.begin();
-    for (std::size_t first = 0; first < count; first += lanes) {
-        std::size_t const left = count - first;
-        if (first % prefetch_distance == 0) rows.prefetch(begin + first + prefetch_distance, begin + count);
-        LanePair const pair = load_neighbors(rows, begin + first, left);
+    auto const [begin, count, end] = chunk;
+    for (std::size_t k = 0; k < count; k += lanes) {
+        std::size_t const first = begin + k, left = count - k;
+        if (k % prefetch_distance == 0) prefetch(rows, first + prefetch_distance, end);
+        auto const pair = load_neighbors(rows, first, left);
         unsigned const ordinary = is_ordinary(pair.r12, pair.q1, pair.q2).to_bits();
         LaneDecision const decision = decide_lanes(pair, initial_guess(pair));
-        store(decision.overlap, left, out + begin + first);
-        for (unsigned bits = live_lanes(left) & ordinary & ~decision.decided; bits != 0; bits &= bits - 1) {
-            auto const i = static_cast<unsigned>(__builtin_ctz(bits));
-            undecided.push(first + i, decision.next[i]);
-        }
-        for (unsigned bits = live_lanes(left) & ~ordinary; bits != 0; bits &= bits - 1)
-            rejected.push(first + static_cast<unsigned>(__builtin_ctz(bits)));
+        store_answers(decision.overlap, left, out + first);
+        for_lanes(live_lanes(left) & ordinary & ~decision.decided,
+                  [&](unsigned i) { undecided.push(first + i, decision.next[i]); });
+        for_lanes(live_lanes(left) & ~ordinary, [&](unsigned i) { left_over.push(first + i); });
     }
 }
 
-/// Stores the answers for the lanes of pack k of a list that are decided, and calls keep(offset, lane) for the others.
-template <class Keep> PW85_INLINE void store_decided(OverlapList const &pairs, std::size_t size, std::size_t k,
+/// Stores the answers for the lanes of a list that are decided, and calls keep(index, lane) for the others.
+template <class Keep> PW85_INLINE void store_decided(std::uint16_t const *list, std::size_t count,
                                                      LaneDecision const &decision, unsigned char *out,
                                                      Keep const &keep) noexcept
 {
-    for (unsigned i = 0; i < lanes && k * lanes + i < size; ++i) {
-        std::size_t const offset = pairs.offset(k, i);
-        out[pairs.begin() + offset] = decision.overlap >> i & 1u;
-        if (!(decision.decided >> i & 1u)) keep(offset, i);
+    for (unsigned i = 0; i < lanes && i < count; ++i) {
+        std::size_t const index = list[i];
+        out[index] = decision.overlap >> i & 1u;
+        if (!(decision.decided >> i & 1u)) keep(index, i);
     }
 }
 
 /// A test of the undecided pairs, which are replaced by those that remain.
 template <class Rows>
-PW85_INLINE void test_undecided(Rows const &rows, unsigned char *out, UndecidedList &list) noexcept
+PW85_INLINE void test_undecided(Rows const &rows, unsigned char *out, UndecidedList &undecided) noexcept
 {
-    OverlapList &pairs = list.pairs;
-    list.pad();
-    std::size_t const packs = pairs.packs(), size = pairs.size();
-    pairs.clear();
-    for (std::size_t k = 0; k < packs; ++k) {
-        LaneDecision const decision = decide_lanes(pairs.load(rows, k), list.load_next(k));
-        store_decided(pairs, size, k, decision, out,
-                      [&](std::size_t offset, unsigned i) { list.push(offset, decision.next[i]); });
+    undecided.pad();
+    std::size_t const size = undecided.pairs.size;
+    std::uint16_t const *const list = undecided.pairs.indices; // stay where they are until push() overwrites them
+    undecided.pairs.size = 0;
+    for (std::size_t k = 0; k < size; k += lanes) {
+        std::size_t const count = size - k;
+        LaneDecision const decision = decide_lanes(load_listed(rows, list + k), undecided.load_next(k));
+        store_decided(list + k, count, decision, out,
+                      [&](std::size_t index, unsigned i) { undecided.push(index, decision.next[i]); });
     }
 }
 
-/// The last test, where the search has converged; those that remain go to `rejected`.
-template <class Rows> PW85_INLINE void test_converged(Rows const &rows, unsigned char *out, OverlapList &pairs,
-                                                      OverlapList &rejected) noexcept
+/// The last test, where the search has converged.
+template <class Rows> PW85_INLINE void test_converged(Rows const &rows, unsigned char *out,
+                                                      kernels::IndexList<overlap_chunk_size> &pairs,
+                                                      kernels::Worklist &left_over) noexcept
 {
     RationalSearch<Pack> searches[packs_per_chunk];
-    pairs.pad();
-    for (std::size_t first = 0; first < pairs.packs(); first += packs_per_chunk) {
-        std::size_t const left = pairs.packs() - first, packs = left < packs_per_chunk ? left : packs_per_chunk;
-        for (std::size_t k = 0; k < packs; ++k) {
-            LanePair const pair = pairs.load(rows, first + k);
-            searches[k] = start_search(pair, initial_guess(pair));
+    pad(pairs);
+    for (std::size_t begin = 0; begin < pairs.size; begin += contact_chunk_size) {
+        std::size_t const left = pairs.size - begin, count = left < contact_chunk_size ? left : contact_chunk_size;
+        std::uint16_t const *const list = pairs.indices + begin;
+        for (std::size_t k = 0; k < count; k += lanes) {
+            auto const pair = load_listed(rows, list + k);
+            searches[k / lanes] = start_search(pair, initial_guess(pair));
         }
-        run(searches, packs);
-        for (std::size_t k = 0; k < packs; ++k)
-            store_decided(pairs, pairs.size(), first + k,
-                          decide_lanes(pairs.load(rows, first + k), searches[k].candidate.t), out,
-                          [&](std::size_t offset, unsigned) { rejected.push(offset); });
+        run(searches, (count + lanes - 1) / lanes);
+        for (std::size_t k = 0; k < count; k += lanes)
+            store_decided(list + k, count - k,
+                          decide_lanes(load_listed(rows, list + k), searches[k / lanes].candidate.t), out,
+                          [&](std::size_t index, unsigned) { left_over.push(index); });
     }
 }
 
-/// All tests for neighbouring pairs; those left to the scalar path go to `rejected`. Not inlined, so that its lists are off the
-/// stack when those are tested.
-template <class Rows> [[gnu::noinline, gnu::flatten]] inline void
-overlap_chunk(Rows const &rows, std::size_t count, unsigned char *out, OverlapList &rejected) noexcept
+/// All tests for a chunk.
+template <class Rows> PW85_INLINE void compute_chunk(Rows const &rows, Chunk const &chunk,
+                                                     kernels::OverlapArray const &out,
+                                                     kernels::Worklist &left_over) noexcept
 {
-    UndecidedList undecided(rejected.begin());
-    test_neighbors(rows, count, out, undecided, rejected);
-    test_undecided(rows, out, undecided);
-    test_undecided(rows, out, undecided);
-    test_converged(rows, out, undecided.pairs, rejected);
-}
-
-/// The overlap test for a list of pairs by the scalar path.
-template <class Rows> inline kernels::Failure overlap_one_by_one(Rows const &rows, OverlapList &list,
-                                                                 unsigned char *out,
-                                                                 kernels::ScalarKernels const &scalar) noexcept
-{
-    kernels::Failure first{0, 0};
-    visit_pairs(rows, list, [&](std::size_t index, double const *r12, double const *q1, double const *q2) {
-        int overlap = 0;
-        first.update({index, scalar.overlap(r12, q1, q2, &overlap)});
-        out[index] = static_cast<unsigned char>(overlap); // -1, for a bad pair, becomes 255
-    });
-    return first;
-}
-
-/// The overlap test for a range of pairs.
-template <class Rows> inline kernels::Failure overlap_rows(Rows const &rows, kernels::Range range, unsigned char *out,
-                                                           kernels::ScalarKernels const &scalar) noexcept
-{
-    kernels::Failure first{0, 0};
-    for (std::size_t begin = range.begin; begin < range.end; begin += overlap_chunk_size) {
-        std::size_t const left = range.end - begin;
-        OverlapList rejected(begin);
-        overlap_chunk(rows, left < overlap_chunk_size ? left : overlap_chunk_size, out, rejected);
-        if (rejected.size() > 0) first.update(overlap_one_by_one(rows, rejected, out, scalar));
-    }
-    return first;
+    UndecidedList undecided;
+    test_neighbors(rows, chunk, out.overlap, undecided, left_over);
+    test_undecided(rows, out.overlap, undecided);
+    test_undecided(rows, out.overlap, undecided);
+    test_converged(rows, out.overlap, undecided.pairs, left_over);
 }
 
 } // namespace

@@ -4,61 +4,39 @@
 #include "lane_contact.hpp"
 #include "lane_derivatives.hpp"
 #include "lane_overlap.hpp"
-#include "lane_overlap_any.hpp"
 
 namespace pw85::kernels {
 
 namespace {
 
-Failure contact_batch(PairArrays const &pairs, Range range, ContactArrays const &out,
-                      ScalarKernels const &scalar) noexcept
+/// Pairs that compute_chunk() takes at a time.
+template <class Arrays> constexpr std::size_t chunk_size = contact_chunk_size;
+template <> constexpr std::size_t chunk_size<OverlapArray> = overlap_chunk_size;
+
+/// Chunk by chunk, until there may be no room for what the next one leaves over.
+template <class Rows, class Arrays>
+[[gnu::flatten]] std::size_t compute(Rows const &rows, std::size_t n, Arrays const &out, Worklist &left_over) noexcept
 {
-    return contact_rows(BatchRows{pairs}, range, out, scalar);
+    constexpr std::size_t chunk = chunk_size<Arrays>, last_begin = Worklist::largest_index + 1 - chunk;
+    left_over.size = 0;
+    std::size_t done = 0;
+    while (done < n && done <= last_begin && left_over.size + chunk <= Worklist::capacity) {
+        std::size_t const count = n - done < chunk ? n - done : chunk;
+        compute_chunk(rows, {done, count, n}, out, left_over);
+        done += count;
+    }
+    return done;
 }
 
-Failure contact_pairs(NeighborList const &list, Range range, ContactArrays const &out,
-                      ScalarKernels const &scalar) noexcept
+template <class... Rows, class... Arrays>
+constexpr KernelTable<LaneKernel<Rows, Arrays>...> fill(KernelTable<LaneKernel<Rows, Arrays>...> const &) noexcept
 {
-    return contact_rows(ParticleRows{list}, range, out, scalar);
-}
-
-Failure overlap_batch(PairArrays const &pairs, Range range, unsigned char *out, ScalarKernels const &scalar) noexcept
-{
-    return overlap_rows(BatchRows{pairs}, range, out, scalar);
-}
-
-Failure overlap_pairs(NeighborList const &list, Range range, unsigned char *out, ScalarKernels const &scalar) noexcept
-{
-    return overlap_rows(ParticleRows{list}, range, out, scalar);
-}
-
-Failure derivatives_batch(PairArrays const &pairs, Range range, DerivativeArrays const &out,
-                          ScalarKernels const &scalar) noexcept
-{
-    return derivatives_rows(BatchRows{pairs}, range, out, scalar);
-}
-
-Failure derivatives_pairs(NeighborList const &list, Range range, DerivativeArrays const &out,
-                          ScalarKernels const &scalar) noexcept
-{
-    return derivatives_rows(ParticleRows{list}, range, out, scalar);
-}
-
-Failure closest_approach_batch(PairArrays const &pairs, Range range, double *distance,
-                               ScalarKernels const &scalar) noexcept
-{
-    return closest_approach_rows(DirectionRows{pairs}, range, distance, scalar);
-}
-
-int overlap_any(OneToMany const &others, std::size_t n, int *any, ScalarKernels const &scalar) noexcept
-{
-    return overlap_any_rows(OneToManyRows{others}, n, any, scalar);
+    return {{compute<Rows, Arrays>, gather<Rows>}...};
 }
 
 } // namespace
 
-extern LaneKernels const PW85_LANE_KERNELS;
-LaneKernels const PW85_LANE_KERNELS = {contact_batch,     contact_pairs,     overlap_batch,          overlap_pairs,
-                                       derivatives_batch, derivatives_pairs, closest_approach_batch, overlap_any};
+extern LaneKernels const PW85_LANES_KERNELS;
+constexpr LaneKernels PW85_LANES_KERNELS = fill(LaneKernels{});
 
 } // namespace pw85::kernels

@@ -14,11 +14,8 @@
 
 #include <pw85/scalar.hpp>
 
-#if defined(__AVX512F__) && defined(__AVX512DQ__) && defined(__AVX512VL__) && !defined(PW85_NO_SIMD)
-#define PW85_LANES_AVX512
-#include <immintrin.h>
-#elif defined(__AVX2__) && defined(__FMA__) && !defined(PW85_NO_SIMD)
-#define PW85_LANES_AVX2
+// The build says for which of its instruction sets a unit is: PW85_LANES_AVX512, PW85_LANES_AVX2 or neither.
+#if defined(PW85_LANES_AVX512) || defined(PW85_LANES_AVX2)
 #include <immintrin.h>
 #endif
 

@@ -8,10 +8,26 @@
 #include <cstdint>
 
 #include "../floating_point_environment.hpp"
-#include "kernels.hpp"
 
 namespace pw85::kernels {
 namespace {
+
+/// Rows begin, begin + 1, ... end - 1.
+struct Range {
+    std::size_t begin, end;
+};
+
+/// The first bad row of a range; `status` is 0 if there is none.
+struct Failure {
+    std::size_t index;
+    int status;
+
+    /// Keeps the earlier of two failures.
+    void update(Failure const &other) noexcept
+    {
+        if (other.status != 0 && (status == 0 || other.index < index)) *this = other;
+    }
+};
 
 /// The largest number of rows that an array of up to 6 doubles per row can have.
 constexpr std::size_t max_rows = PTRDIFF_MAX / (6 * sizeof(double));

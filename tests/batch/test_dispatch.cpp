@@ -5,27 +5,41 @@
 #include <glib.h>
 
 #include "../../src/kernels/kernels.hpp"
+#include "instruction_sets.h"
 
 namespace {
+
+struct Target {
+    char const *name;
+    bool available;
+};
+
+/// From the newest to the oldest.
+#define PW85_TARGET(name, available) {#name, available},
+Target const targets[] = {PW85_INSTRUCTION_SETS(PW85_TARGET){"baseline", true}};
+#undef PW85_TARGET
+
+bool is_known(char const *name)
+{
+    for (Target const &target : targets)
+        if (std::strcmp(name, target.name) == 0) return true;
+    return false;
+}
 
 void test_choice()
 {
     char const *const wanted = std::getenv("PW85_TARGET"), *const chosen = pw85::kernels::chosen().name;
     g_test_message("wanted %s, chosen %s", wanted == nullptr ? "the best" : wanted, chosen);
     g_assert_true(&pw85::kernels::chosen() == &pw85::kernels::chosen());
-    bool has_avx2 = false, has_avx512 = false;
-#if defined(__x86_64__) && defined(PW85_HAVE_X86_TARGETS)
-    has_avx2 = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
-    has_avx512 = has_avx2 && __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
-                 __builtin_cpu_supports("avx512vl");
-#endif
-    char const *const best = has_avx512 ? "avx512" : has_avx2 ? "avx2" : "baseline";
-    if (wanted == nullptr || std::strcmp(wanted, "unknown") == 0 || std::strcmp(wanted, "avx512") == 0)
-        g_assert_cmpstr(chosen, ==, best);
-    else if (std::strcmp(wanted, "avx2") == 0)
-        g_assert_cmpstr(chosen, ==, has_avx2 ? "avx2" : "baseline");
-    else
-        g_assert_cmpstr(chosen, ==, "baseline");
+    bool allowed = wanted == nullptr || !is_known(wanted);
+    char const *expected = "baseline";
+    for (Target const &target : targets) {
+        allowed = allowed || std::strcmp(wanted, target.name) == 0;
+        if (!allowed || !target.available) continue;
+        expected = target.name;
+        break;
+    }
+    g_assert_cmpstr(chosen, ==, expected);
 }
 
 } // namespace

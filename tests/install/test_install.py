@@ -1,11 +1,14 @@
 """Installs pw85 into a fresh prefix, and builds and runs programs in C99 and C++20 against it in four ways: pkg-config and
-the compiler, CMake, Meson with the system dependency, Meson with a subproject; each with shared and static libraries. The headers alone, too, where there is nothing else.
+the compiler, CMake, Meson with the system dependency, Meson with a subproject; each with shared and static libraries. Also: CMake in whose tree
+pw85 is built, with the flags that Meson uses; the headers alone, where there is nothing else.
 
 Prints the Test Anything Protocol. Usage: test_install.py SOURCE_DIR
 """
 
 import json
 import os
+import re
+import shlex
 import shutil
 import subprocess
 import sys
@@ -44,6 +47,26 @@ def links_shared_library(program):
     return "libpw85.so" in run("ldd", program)
 
 
+def exported_symbols(library):
+    """Without weak symbols (W, V), inline functions of the standard library, which unoptimised builds do not inline, and
+    without the lock of a critical section, which OpenMP shares by its name."""
+    lines = run("nm", "--dynamic", "--defined-only", library).splitlines()
+    return [line.split()[-1] for line in lines
+            if line.split()[-2] not in "WV" and not line.split()[-1].startswith(".gomp_critical_user_pw85")]
+
+
+def units(build, source):
+    """The units of the library with the flags that matter for what they become."""
+    of_no_matter = re.compile(r"-[IMWc]|-D_FILE_OFFSET_BITS=|-fdiagnostics-color|-isystem|[^-]")
+    found = []
+    for unit in json.loads((build / "compile_commands.json").read_text()):
+        file = (build / unit["file"]).resolve()
+        if file.is_relative_to(source / "src"):
+            words = [word for word in shlex.split(unit["command"]) if not of_no_matter.match(word) and word != "-o"]
+            found.append((str(file.relative_to(source)), *sorted(set(words))))
+    return sorted(found)
+
+
 class Installation:
     def __init__(self, source, work):
         self.source, self.work = source, work
@@ -70,7 +93,8 @@ class Installation:
         wanted = [self.libdir / name for name in (
             "libpw85.so", "libpw85.so.3", "libpw85.a", "libpw85_legacy.so", "libpw85_legacy.so.3", "libpw85_legacy.a",
             "pkgconfig/pw85.pc", "pkgconfig/pw85-headers.pc", "pkgconfig/pw85_legacy.pc", "cmake/pw85/pw85Config.cmake",
-            "cmake/pw85/pw85ConfigVersion.cmake")]
+            "cmake/pw85/pw85ConfigVersion.cmake", "cmake/pw85_legacy/pw85_legacyConfig.cmake",
+            "cmake/pw85_legacy/pw85_legacyConfigVersion.cmake")]
         wanted += [self.prefix / "include" / name for name in (
             "pw85.h", "pw85_legacy.h", "pw85_zheng.h", "pw85_pre1.h", "pw85/pw85.hpp", "pw85/version.h")]
         wanted.append(self.prefix / "share/pw85/pw85_ref_data.h5")
@@ -82,15 +106,16 @@ class Installation:
         missing = [str(header) for header in sorted(headers) if not (self.prefix / "include" / header).exists()]
         if missing:
             raise Failed(f"headers not installed: {missing}")
+        plan = json.loads(run("meson", "introspect", "--install-plan", self.build))
+        untagged = [file for files in plan.values() for file, details in files.items() if not details["tag"]]
+        if untagged:
+            raise Failed(f"without a tag of those who package: {untagged}")
 
     def check_symbols(self):
         """Shared libraries export what begins with pw85, and no more."""
         for name in ("libpw85.so", "libpw85_legacy.so"):
-            lines = run("nm", "--dynamic", "--defined-only", self.libdir / name).splitlines()
-            # Weak symbols (W, V) are inline functions of the standard library, which unoptimised builds do not inline.
-            symbols = [line.split()[-1] for line in lines if line.split()[-2] not in "WV"]
-            # The lock of a critical section, which OpenMP shares by its name.
-            foreign = [symbol for symbol in symbols if not symbol.startswith(("pw85", ".gomp_critical_user_pw85"))]
+            symbols = exported_symbols(self.libdir / name)
+            foreign = [symbol for symbol in symbols if not symbol.startswith("pw85")]
             if foreign or not symbols:
                 raise Failed(f"{name} exports {foreign or 'nothing'}")
 
@@ -101,7 +126,7 @@ class Installation:
         """A fresh folder with the sources of the consumers."""
         folder = self.work / name
         folder.mkdir()
-        for file in ("consumer.c", "consumer.cpp", "CMakeLists.txt"):
+        for file in ("consumer.c", "consumer.cpp", "user.c", "CMakeLists.txt"):
             shutil.copy(HERE / file, folder)
         shutil.copy(HERE / "consumer_meson.build", folder / "meson.build")
         shutil.copy(HERE / "consumer_options.txt", folder / "meson_options.txt")
@@ -144,6 +169,70 @@ class Installation:
                 f"-Dsubproject={'true' if subproject else 'false'}", "-Doptimization=0", *fast_to_build, **environment)
             run("meson", "compile", "-C", folder / "build")
         self.check(folder / f"build/consumer_{language}", kind, installed=not subproject)
+
+    def within_cmake(self, kind, way):
+        """pw85 built in the tree of a project with CMake, and in a shared library of that project, which exports no more than
+        its own function."""
+        folder = self.project(f"within-cmake-{kind}-{way}")
+        shutil.copy(HERE / "within_CMakeLists.txt", folder / "CMakeLists.txt")
+        (folder / "pw85").symlink_to(self.source)
+        build = folder / "build"
+        run("cmake", "-G", "Ninja", "-S", folder, "-B", build, "-DPW85_OPTIMIZED=OFF", f"-DFETCH={way == 'fetch'}",
+            f"-DBUILD_SHARED_LIBS={kind == 'shared'}")
+        run("cmake", "--build", build)
+        for language in LANGUAGES:
+            self.check(build / f"consumer_{language}", kind, installed=False)
+        if exported_symbols(build / "libuser.so") != ["user_overlap"]:
+            raise Failed(f"the library of a project exports {exported_symbols(build / 'libuser.so')}")
+
+    def static_within_shared(self):
+        """As before, with the static library that is installed."""
+        folder = self.project("static-within-shared")
+        library = folder / "libuser.so"
+        libraries = run("pkg-config", "--static", "--libs", "pw85", **self.environment()).replace("-lpw85", "-l:libpw85.a")
+        run("cc", "-shared", "-fPIC", f"-I{self.prefix}/include", folder / "user.c", "-o", library, *libraries.split())
+        if exported_symbols(library) != ["user_overlap"]:
+            raise Failed(f"the library of a project exports {exported_symbols(library)}")
+
+    def cmake_flags(self):
+        """CMake compiles the units that Meson compiles, with the same flags."""
+        self.compare_flags("shared", simd=True, gsl=True)
+        self.compare_flags("static", simd=False, gsl=False)
+
+    def compare_flags(self, kind, simd, gsl):
+        meson, cmake = (self.work / f"flags-{builder}-{kind}-{simd}-{gsl}" for builder in ("meson", "cmake"))
+        off = [f"-D{name}=disabled" for name, wanted in (("simd", simd), ("gsl", gsl)) if not wanted]
+        run("meson", "setup", meson, self.source, *LIBRARIES_ONLY, "--buildtype=plain", f"-Ddefault_library={kind}", *off)
+        run("cmake", "-G", "Ninja", "-S", self.source, "-B", cmake, f"-DBUILD_SHARED_LIBS={kind == 'shared'}",
+            f"-DPW85_SIMD={simd}", f"-DPW85_GSL={gsl}", "-DCMAKE_EXPORT_COMPILE_COMMANDS=ON")
+        header, same = "kernels/instruction_sets.h", lambda file: file.read_text().partition("#define")[2].split()
+        if same(meson / "src" / header) != same(cmake / header):
+            raise Failed(f"{header} differs: {(cmake / header).read_text()}")
+        differing = set(units(meson, self.source)) ^ set(units(cmake, self.source))
+        if differing or not units(meson, self.source):
+            raise Failed("\n".join(" ".join(unit) for unit in sorted(differing)))
+
+    def cmake_versions(self):
+        folder = self.project("cmake-versions")
+        shutil.copy(HERE / "range_CMakeLists.txt", folder / "CMakeLists.txt")
+        for wanted, accepted in (("3", True), ("3.0.0", True), ("2", False), ("4", False), ("3.0...<4", True),
+                                 ("1...3.0.0", True), ("1...<3", False), ("3.1...4", False), ("1...<3.0.0", False)):
+            try:
+                run("cmake", "-S", folder, "-B", folder / wanted.replace("<", "-"), f"-DWANTED={wanted}",
+                    f"-DCMAKE_PREFIX_PATH={self.prefix}")
+                found = True
+            except Failed:
+                found = False
+            if found != accepted:
+                raise Failed(f"find_package(pw85 {wanted}): {'' if found else 'not '}found")
+
+    def meson_via_cmake(self):
+        folder = self.project("meson-via-cmake")
+        shutil.copy(HERE / "via_cmake_meson.build", folder / "meson.build")
+        run("meson", "setup", folder / "build", folder, f"-Dcmake_prefix_path={self.prefix}")
+        run("meson", "compile", "-C", folder / "build")
+        for language in LANGUAGES:
+            self.check(folder / f"build/consumer_{language}", "shared")
 
     def with_meson_subproject(self, kind, language):
         self.with_meson(kind, language, subproject=True)
@@ -219,7 +308,7 @@ class Installation:
             raise Failed(f"examples/{name} printed {output!r}")
 
     def moved(self):
-        """The CMake package and the library work from another place."""
+        """The packages for CMake and pkg-config and the library work from another place."""
         elsewhere = self.work / "elsewhere"
         shutil.copytree(self.prefix, elsewhere, symlinks=True)
         folder = self.project("cmake-moved")
@@ -229,6 +318,10 @@ class Installation:
         if f"{elsewhere}/lib/cmake/pw85" not in cache:
             raise Failed("the package was found elsewhere")
         check_program(folder / "build/consumer")
+        for package in ("pw85", "pw85_legacy", "pw85-headers"):
+            flags = run("pkg-config", "--cflags", "--libs", package, PKG_CONFIG_PATH=str(elsewhere / "lib/pkgconfig"))
+            if str(self.prefix) in flags or str(elsewhere) not in flags:
+                raise Failed(f"pkg-config knows {package} at {flags}")
 
 
 def cases(installation):
@@ -241,7 +334,13 @@ def cases(installation):
         for kind in ("shared", "static"):
             for language in LANGUAGES:
                 yield f"{way}/{kind}/{language}", lambda t=test, k=kind, l=language: t(k, l)
-    yield "cmake/moved", installation.moved
+    yield "moved", installation.moved
+    for kind, way in (("shared", "subdirectory"), ("static", "fetch")):
+        yield f"cmake/{way}", lambda k=kind, w=way: installation.within_cmake(k, w)
+    yield "cmake/flags", installation.cmake_flags
+    yield "cmake/versions", installation.cmake_versions
+    yield "meson/cmake", installation.meson_via_cmake
+    yield "static within shared", installation.static_within_shared
     yield "headers", installation.headers_only
     yield "optimization", installation.optimization
     yield "examples/c", lambda: installation.example("c", f"-Dpw85_lib={installation.libdir}")

@@ -1,6 +1,6 @@
-// The contact function by Brent's method of the GNU Scientific Library.
-#ifndef PW85_GSL_BRENT_HPP_INCLUDED
-#define PW85_GSL_BRENT_HPP_INCLUDED
+// The contact function by Brent's method, for which brent_minimizer.hpp has a choice of libraries.
+#ifndef PW85_BRENT_HPP_INCLUDED
+#define PW85_BRENT_HPP_INCLUDED
 
 #include <pw85/contact.hpp>
 

@@ -1,9 +1,8 @@
-#include "gsl_brent.hpp"
+#include "brent.hpp"
 
 #include <cmath>
-#include <cstddef>
 
-#include <gsl/gsl_min.h>
+#include "brent_minimizer.hpp"
 
 namespace pw85::brent {
 
@@ -27,23 +26,6 @@ double objective(double x, void *data) noexcept
 {
     auto const &p = *static_cast<Problem const *>(data);
     return -evaluate_f(x, p.r12, p.q1, p.q2) / (x + (1.0 - x) * p.odds_against);
-}
-
-// The minimiser of the objective to within lambda_atol, in at most max_iterations. Through its type, not through a
-// gsl_min_fminimizer, the method needs no more than memory for its state: it is not allocated, and GSL's process-wide
-// error handler, which aborts by default, is out of reach, as all values are finite.
-double minimize(Problem &problem, Options const &options) noexcept
-{
-    gsl_min_fminimizer_type const &method = *gsl_min_fminimizer_brent;
-    alignas(std::max_align_t) unsigned char state[256];
-    double x = 0.5, lower = 0.0, upper = 1.0;
-    double f = objective(x, &problem), f_lower = 0.0, f_upper = 0.0;
-    if (method.size > sizeof state || !(f < 0.0)) return x;
-    gsl_function function{objective, &problem};
-    method.set(state, &function, x, f, lower, f_lower, upper, f_upper);
-    for (int i = 0; i < options.max_iterations && upper - lower >= options.lambda_atol; ++i)
-        method.iterate(state, &function, &x, &f, &lower, &f_lower, &upper, &f_upper);
-    return x;
 }
 
 // A and B, and h', which is at most 1.
@@ -80,7 +62,7 @@ Rough maximizer_by_brent(Pair<double, 3> const &pair, Options const &options) no
     double unit = times_power_of_two(1.0, binary_exponent(initial_guess(pair)));
     for (int round = 1;; ++round) {
         Problem problem = make_problem(pair, unit);
-        double const x = minimize(problem, options), t = unit * (x / (1.0 - x));
+        double const x = minimize({objective, &problem}, options), t = unit * (x / (1.0 - x));
         if ((x > margin && x < 1.0 - margin) || round == max_rounds) return {t, round};
         unit = times_power_of_two(1.0, binary_exponent(t));
     }

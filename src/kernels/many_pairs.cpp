@@ -2,7 +2,7 @@
 #include <pw85.h>
 
 #include "../c_arrays.hpp"
-#include "parallel.hpp"
+#include "many_pairs.hpp"
 
 using namespace pw85;
 using namespace pw85::kernels;
@@ -41,25 +41,50 @@ int prepare_list(std::size_t num_pairs, std::size_t num_particles, NeighborList 
     return prepare(list.cell, lattice) ? PW85_SUCCESS : PW85_EINVAL;
 }
 
+/// Computes the pairs of a neighbour list.
+template <class Arrays>
+int compute_list(std::size_t num_pairs, std::size_t num_particles, NeighborList list, Arrays const &out) noexcept
+{
+    Lattice lattice;
+    if (int const status = prepare_list(num_pairs, num_particles, list, lattice)) return status;
+    return compute_all(num_pairs, list, out);
+}
+
+/// Pairs that are tested before the answers are looked at: some more than the neighbours of a particle in a dense system.
+constexpr std::size_t any_chunk_size = 32;
+
+/// Looks for the first pair, by its index, that overlaps or is bad. Returns the status of a bad one, with `any` = -1.
+int find_overlap(OneToMany const &rows, std::size_t n, int &any) noexcept
+{
+    Kernels const &kernels = chosen();
+    DefaultEnvironment const environment;
+    unsigned char answers[any_chunk_size];
+    for (std::size_t begin = 0; begin < n; begin += any_chunk_size) {
+        std::size_t const count = std::min(any_chunk_size, n - begin);
+        Failure const bad = compute(kernels, rows.from(begin), count, OverlapArray{answers});
+        unsigned char const *const found = std::find_if(answers, answers + count, [](int x) { return x != 0; });
+        if (found == answers + count) continue;
+        any = *found == 1 ? 1 : -1;
+        return any == 1 ? PW85_SUCCESS : bad.status;
+    }
+    any = 0;
+    return PW85_SUCCESS;
+}
+
 } // namespace
 
 int pw85_contact_batch(size_t n, double const *r12, double const *q1, double const *q2, double *mu2, double *lambda)
 {
     if (n == 0) return PW85_SUCCESS;
     if (n > max_rows || any_null(r12, q1, q2, mu2)) return PW85_EINVAL;
-    Kernels const &k = chosen();
-    PairArrays const pairs{r12, q1, q2};
-    ContactArrays const out{mu2, lambda};
-    return for_all(n, [&](Range range) { return k.lanes->contact_batch(pairs, range, out, *k.scalar); });
+    return compute_all(n, PairArrays<3>{r12, q1, q2}, ContactArrays{mu2, lambda});
 }
 
 int pw85_overlap_batch(size_t n, double const *r12, double const *q1, double const *q2, unsigned char *overlap)
 {
     if (n == 0) return PW85_SUCCESS;
     if (n > max_rows || any_null(r12, q1, q2, overlap)) return PW85_EINVAL;
-    Kernels const &k = chosen();
-    PairArrays const pairs{r12, q1, q2};
-    return for_all(n, [&](Range range) { return k.lanes->overlap_batch(pairs, range, overlap, *k.scalar); });
+    return compute_all(n, PairArrays<3>{r12, q1, q2}, OverlapArray{overlap});
 }
 
 int pw85_closest_approach_batch(size_t n, double const *directions, double const *q1, double const *q2,
@@ -67,9 +92,7 @@ int pw85_closest_approach_batch(size_t n, double const *directions, double const
 {
     if (n == 0) return PW85_SUCCESS;
     if (n > max_rows || any_null(directions, q1, q2, distance)) return PW85_EINVAL;
-    Kernels const &k = chosen();
-    PairArrays const pairs{directions, q1, q2};
-    return for_all(n, [&](Range range) { return k.lanes->closest_approach_batch(pairs, range, distance, *k.scalar); });
+    return compute_all(n, Directions{{directions, q1, q2}}, ApproachArray{distance});
 }
 
 int pw85_contact_derivatives_batch(size_t n, double const *r12, double const *q1, double const *q2, double *mu2,
@@ -78,10 +101,8 @@ int pw85_contact_derivatives_batch(size_t n, double const *r12, double const *q1
 {
     if (n == 0) return PW85_SUCCESS;
     if (n > max_rows || any_null(r12, q1, q2)) return PW85_EINVAL;
-    Kernels const &k = chosen();
-    PairArrays const pairs{r12, q1, q2};
-    DerivativeArrays const out{mu2, lambda, point, normal, d_r12, d_rot1, d_rot2};
-    return for_all(n, [&](Range range) { return k.lanes->derivatives_batch(pairs, range, out, *k.scalar); });
+    return compute_all(n, PairArrays<3>{r12, q1, q2},
+                       DerivativeArrays{mu2, lambda, point, normal, d_r12, d_rot1, d_rot2});
 }
 
 int pw85_overlap_any(size_t n, double const q1[PW85_SYM], double const *r12, double const *q2, int *any)
@@ -91,9 +112,7 @@ int pw85_overlap_any(size_t n, double const q1[PW85_SYM], double const *r12, dou
     if (n == 0) return PW85_SUCCESS;
     *any = -1;
     if (n > max_rows || any_null(q1, r12, q2)) return PW85_EINVAL;
-    Kernels const &k = chosen();
-    DefaultEnvironment const environment;
-    return k.lanes->overlap_any(OneToMany{q1, r12, q2}, n, any, *k.scalar);
+    return find_overlap({q1, r12, q2}, n, *any);
 }
 
 int pw85_contact_pairs(size_t num_pairs, int32_t const *pairs, int32_t const *images, size_t num_particles,
@@ -101,12 +120,8 @@ int pw85_contact_pairs(size_t num_pairs, int32_t const *pairs, int32_t const *im
 {
     if (num_pairs == 0) return PW85_SUCCESS;
     if (any_null(mu2)) return PW85_EINVAL;
-    Lattice lattice;
-    NeighborList list{pairs, centers, q, images, cell, nullptr};
-    if (int const status = prepare_list(num_pairs, num_particles, list, lattice)) return status;
-    Kernels const &k = chosen();
-    ContactArrays const out{mu2, lambda};
-    return for_all(num_pairs, [&](Range range) { return k.lanes->contact_pairs(list, range, out, *k.scalar); });
+    return compute_list(num_pairs, num_particles, {pairs, centers, q, images, cell, nullptr},
+                        ContactArrays{mu2, lambda});
 }
 
 int pw85_overlap_pairs(size_t num_pairs, int32_t const *pairs, int32_t const *images, size_t num_particles,
@@ -114,11 +129,7 @@ int pw85_overlap_pairs(size_t num_pairs, int32_t const *pairs, int32_t const *im
 {
     if (num_pairs == 0) return PW85_SUCCESS;
     if (any_null(overlap)) return PW85_EINVAL;
-    Lattice lattice;
-    NeighborList list{pairs, centers, q, images, cell, nullptr};
-    if (int const status = prepare_list(num_pairs, num_particles, list, lattice)) return status;
-    Kernels const &k = chosen();
-    return for_all(num_pairs, [&](Range range) { return k.lanes->overlap_pairs(list, range, overlap, *k.scalar); });
+    return compute_list(num_pairs, num_particles, {pairs, centers, q, images, cell, nullptr}, OverlapArray{overlap});
 }
 
 int pw85_contact_derivatives_pairs(size_t num_pairs, int32_t const *pairs, int32_t const *images, size_t num_particles,
@@ -127,10 +138,6 @@ int pw85_contact_derivatives_pairs(size_t num_pairs, int32_t const *pairs, int32
                                    double *d_rot2)
 {
     if (num_pairs == 0) return PW85_SUCCESS;
-    Lattice lattice;
-    NeighborList list{pairs, centers, q, images, cell, nullptr};
-    if (int const status = prepare_list(num_pairs, num_particles, list, lattice)) return status;
-    Kernels const &k = chosen();
-    DerivativeArrays const out{mu2, lambda, point, normal, d_r12, d_rot1, d_rot2};
-    return for_all(num_pairs, [&](Range range) { return k.lanes->derivatives_pairs(list, range, out, *k.scalar); });
+    return compute_list(num_pairs, num_particles, {pairs, centers, q, images, cell, nullptr},
+                        DerivativeArrays{mu2, lambda, point, normal, d_r12, d_rot1, d_rot2});
 }

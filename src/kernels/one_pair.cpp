@@ -95,8 +95,8 @@ int distance_derivatives(double const *r12, double const *q1, double const *q2, 
 
 } // namespace
 
-extern ScalarKernels const PW85_SCALAR_KERNELS;
-ScalarKernels const PW85_SCALAR_KERNELS = {contact,        overlap,          contact_geometry, contact_gradient,
-                                           contact_torque, closest_approach, distance,         distance_derivatives};
+extern OnePairKernels const PW85_ONE_PAIR_KERNELS;
+OnePairKernels const PW85_ONE_PAIR_KERNELS = {contact,        overlap,          contact_geometry, contact_gradient,
+                                              contact_torque, closest_approach, distance,         distance_derivatives};
 
 } // namespace pw85::kernels

@@ -1,0 +1,27 @@
+// Brent's method of Boost.Math.
+#include "brent_minimizer.hpp"
+
+#include <cmath>
+#include <cstdint>
+
+#include <boost/math/tools/minima.hpp>
+
+namespace pw85::brent {
+
+namespace {
+
+// The method ends where both ends of its bracket are within 2^(2 - bits) (x + 1/4) of x: in [0, 1], 5·2^-bits.
+int bits_of(double lambda_atol) noexcept { return std::ilogb(5.0 / lambda_atol) + 1; }
+
+} // namespace
+
+double minimize(Objective const &objective, Options const &options) noexcept
+{
+    auto const f = [&objective](double x) noexcept { return objective.value(x, objective.data); };
+    if (!(f(0.5) < 0.0)) return 0.5;
+    // The first two only find a point between the ends, which GSL's method has before it starts.
+    auto iterations = static_cast<std::uintmax_t>(options.max_iterations) + 2;
+    return boost::math::tools::brent_find_minima(f, 0.0, 1.0, bits_of(options.lambda_atol), iterations).first;
+}
+
+} // namespace pw85::brent

@@ -1,0 +1,185 @@
+/// @file
+/// Packs of pairs from rows in memory: transposing loads, neighbouring pairs, and pairs of a list.
+#ifndef PW85_KERNELS_GATHER_HPP_INCLUDED
+#define PW85_KERNELS_GATHER_HPP_INCLUDED
+
+#include <cstring>
+
+#include "pack.hpp"
+#include "rows.hpp"
+
+namespace pw85 {
+namespace {
+
+/// Two neighbouring columns.
+struct Columns {
+    Pack first, second;
+};
+
+/// Two doubles of every other row.
+template <std::size_t N>
+PW85_INLINE typename VectorOf<N>::Doubles gather_twos(double const *const *rows, int column) noexcept
+{
+    if constexpr (N == 2) {
+        typename VectorOf<2>::Doubles two;
+        std::memcpy(&two, rows[0] + column, sizeof two);
+        return two;
+    } else {
+#if defined(PW85_LANES_AVX512) || defined(PW85_LANES_AVX2)
+        auto const low = gather_twos<N / 2>(rows, column), high = gather_twos<N / 2>(rows + N / 2, column);
+        if constexpr (N == 4) return _mm256_insertf128_pd(_mm256_castpd128_pd256(low), high, 1);
+#if defined(PW85_LANES_AVX512)
+        else
+            return _mm512_insertf64x4(_mm512_castpd256_pd512(low), high, 1);
+#endif
+#endif
+    }
+}
+
+/// Columns `column` and `column` + 1 of as many rows as there are lanes, by shuffles in registers.
+PW85_INLINE Columns load_columns(double const *const *rows, int column) noexcept
+{
+    Register const even = gather_twos<lanes>(rows, column), odd = gather_twos<lanes>(rows + 1, column);
+#if defined(PW85_LANES_AVX512)
+    return {_mm512_unpacklo_pd(even, odd), _mm512_unpackhi_pd(even, odd)};
+#elif defined(PW85_LANES_AVX2)
+    return {_mm256_unpacklo_pd(even, odd), _mm256_unpackhi_pd(even, odd)};
+#else
+    return {Register{even[0], odd[0]}, Register{even[1], odd[1]}};
+#endif
+}
+
+#if defined(PW85_LANES_AVX512)
+/// The first four columns: row i beside row i + 4, transposed by fours.
+PW85_INLINE void load_four_columns(double const *const *rows, Pack *columns) noexcept
+{
+    __m512d two[4];
+    for (std::size_t i = 0; i < 4; ++i)
+        two[i] = _mm512_insertf64x4(_mm512_castpd256_pd512(_mm256_loadu_pd(rows[i])), _mm256_loadu_pd(rows[i + 4]), 1);
+    __m512d const even01 = _mm512_unpacklo_pd(two[0], two[1]), odd01 = _mm512_unpackhi_pd(two[0], two[1]);
+    __m512d const even23 = _mm512_unpacklo_pd(two[2], two[3]), odd23 = _mm512_unpackhi_pd(two[2], two[3]);
+    __m512i const low = _mm512_setr_epi64(0, 1, 8, 9, 4, 5, 12, 13),
+                  high = _mm512_setr_epi64(2, 3, 10, 11, 6, 7, 14, 15);
+    columns[0] = _mm512_permutex2var_pd(even01, low, even23);
+    columns[1] = _mm512_permutex2var_pd(odd01, low, odd23);
+    columns[2] = _mm512_permutex2var_pd(even01, high, even23);
+    columns[3] = _mm512_permutex2var_pd(odd01, high, odd23);
+}
+#else
+PW85_INLINE void load_four_columns(double const *const *rows, Pack *columns) noexcept
+{
+    for (int column = 0; column < 4; column += 2) {
+        Columns const c = load_columns(rows, column);
+        columns[column] = c.first;
+        columns[column + 1] = c.second;
+    }
+}
+#endif
+
+} // namespace
+
+/// The last two columns are loaded together, with one that is there already where their number is odd.
+template <int N> struct ColumnLoader<Pack, N> {
+    static PW85_INLINE void load(double const *const *rows, Pack *columns) noexcept
+    {
+        if constexpr (N >= 4) load_four_columns(rows, columns);
+        if constexpr (N == 3) columns[0] = load_columns(rows, 0).first;
+        Columns const last = load_columns(rows, N - 2);
+        columns[N - 2] = last.first;
+        columns[N - 1] = last.second;
+    }
+};
+
+namespace {
+
+template <int D> using LanePair = Pair<Pack, D>;
+template <class Rows> using LanePairOf = LanePair<Rows::dimension>;
+
+/// Pairs whose particles are asked for ahead: two chunks of the contact function with 8 lanes.
+inline constexpr std::size_t prefetch_distance = 128;
+
+/// Neighbouring pairs that are computed together, of so many that there are.
+struct Chunk {
+    std::size_t begin, count, end;
+};
+
+/// Neighbouring rows of arrays are near each other.
+template <class Rows> PW85_INLINE void prefetch(Rows const &, std::size_t, std::size_t) noexcept {}
+
+/// Particles of neighbouring pairs may be anywhere in memory: asks for those of the next pairs, up to end, well before they
+/// are used.
+PW85_INLINE void prefetch(kernels::NeighborList const &list, std::size_t begin, std::size_t end) noexcept
+{
+    for (std::size_t k = 2 * begin; k < 2 * end && k < 2 * begin + 2 * prefetch_distance; ++k) {
+        auto const particle = static_cast<std::size_t>(list.pairs[k]);
+        __builtin_prefetch(list.centers + 3 * particle);
+        __builtin_prefetch(list.q + 6 * particle);
+        __builtin_prefetch(list.q + 6 * particle + 5);
+    }
+}
+
+/// Loads `count` neighbouring pairs; lanes beyond the last one repeat it.
+template <class Rows>
+PW85_INLINE LanePairOf<Rows> load_neighbors(Rows const &rows, std::size_t begin, std::size_t count) noexcept
+{
+    std::size_t indices[lanes];
+    for (std::size_t i = 0; i < lanes; ++i) indices[i] = begin + (i < count ? i : count - 1);
+    return load_pairs<Pack>(rows, indices);
+}
+
+/// Fills the last pack of a list up with its last pair. To be called between the last push() and load_listed().
+template <std::size_t Capacity> PW85_INLINE void pad(kernels::IndexList<Capacity> &list) noexcept
+{
+    static_assert(Capacity % lanes == 0);
+    for (std::size_t i = list.size; i % lanes != 0; ++i) list.indices[i] = list.indices[list.size - 1];
+}
+
+/// Loads as many pairs of a list as there are lanes.
+template <class Rows> PW85_INLINE LanePairOf<Rows> load_listed(Rows const &rows, std::uint16_t const *list) noexcept
+{
+    std::size_t indices[lanes];
+    for (std::size_t i = 0; i < lanes; ++i) indices[i] = list[i];
+    return load_pairs<Pack>(rows, indices);
+}
+
+/// Some rows, as lanes see them.
+template <class Rows> [[gnu::flatten]] void gather(Rows const &rows, std::uint16_t const *list, std::size_t count,
+                                                   kernels::PairRow<Rows::dimension> *pairs) noexcept
+{
+    for (std::size_t k = 0; k < count; k += lanes) {
+        std::size_t indices[lanes];
+        for (std::size_t i = 0; i < lanes; ++i) indices[i] = list[k + i < count ? k + i : count - 1];
+        auto const pack = load_pairs<Pack>(rows, indices);
+        for (std::size_t i = 0; i < lanes && k + i < count; ++i) {
+            auto &pair = pairs[k + i];
+            for (int d = 0; d < Rows::dimension; ++d) pair.r12[d] = pack.r12[d][i];
+            for (int e = 0; e < pack.q1.size; ++e) {
+                pair.q1[e] = pack.q1[e][i];
+                pair.q2[e] = pack.q2[e][i];
+            }
+        }
+    }
+}
+
+/// Bits of the first `count` lanes.
+PW85_INLINE unsigned live_lanes(std::size_t count) noexcept { return count >= lanes ? all_lanes : (1u << count) - 1u; }
+
+/// Calls visit(lane) for each lane whose bit is set.
+template <class Visit> PW85_INLINE void for_lanes(unsigned bits, Visit const &visit) noexcept
+{
+    for (; bits != 0; bits &= bits - 1) visit(static_cast<unsigned>(__builtin_ctz(bits)));
+}
+
+/// Stores numbers of neighbouring pairs.
+PW85_INLINE void store_lanes(Pack const &x, std::size_t count, double *out) noexcept
+{
+    if (count >= lanes)
+        std::memcpy(out, &x.v, sizeof x.v);
+    else
+        for (std::size_t i = 0; i < count; ++i) out[i] = x[i];
+}
+
+} // namespace
+} // namespace pw85
+
+#endif

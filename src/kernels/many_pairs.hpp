@@ -1,0 +1,127 @@
+/// @file
+/// The driver of the lane kernels: threads, and what lanes leave over, which goes to the function for one pair.
+#ifndef PW85_KERNELS_MANY_PAIRS_HPP_INCLUDED
+#define PW85_KERNELS_MANY_PAIRS_HPP_INCLUDED
+
+#include <cmath>
+
+#include "kernels.hpp"
+#include "parallel.hpp"
+
+namespace pw85::kernels {
+namespace {
+
+// settle() computes pair `index` of some arrays by the functions for one pair and returns its status.
+
+inline int settle(OnePairKernels const &one, PairRow<3> const &pair, ContactArrays const &out,
+                  std::size_t index) noexcept
+{
+    double contact[2];
+    int const status = one.contact(pair.r12, pair.q1, pair.q2, contact);
+    out.mu2[index] = contact[0];
+    if (out.lambda != nullptr) out.lambda[index] = contact[1];
+    return status;
+}
+
+inline int settle(OnePairKernels const &one, PairRow<3> const &pair, OverlapArray const &out,
+                  std::size_t index) noexcept
+{
+    int overlap = 0;
+    int const status = one.overlap(pair.r12, pair.q1, pair.q2, &overlap);
+    out.overlap[index] = static_cast<unsigned char>(overlap); // -1, for a bad pair, becomes 255
+    return status;
+}
+
+inline int settle(OnePairKernels const &one, PairRow<3> const &pair, ApproachArray const &out,
+                  std::size_t index) noexcept
+{
+    return one.closest_approach(pair.r12, pair.q1, pair.q2, out.distance + index);
+}
+
+/// A concentric pair, which has no normal, is valid otherwise; where λ is NaN, so are the derivatives.
+inline int settle(OnePairKernels const &one, PairRow<3> const &pair, DerivativeArrays const &all,
+                  std::size_t index) noexcept
+{
+    auto const &[r12, q1, q2] = pair;
+    DerivativeArrays const out = all.from(index);
+    int status = 0;
+    if (std::isnan(*out.lambda)) {
+        double contact[2];
+        status = one.contact(r12, q1, q2, contact);
+        if (out.mu2 != nullptr) *out.mu2 = contact[0];
+        *out.lambda = contact[1];
+    }
+    one.contact_geometry(r12, q1, q2, *out.lambda, out.point, out.normal);
+    one.contact_gradient(r12, q1, q2, *out.lambda, out.d_r12, nullptr, nullptr);
+    one.contact_torque(r12, q1, q2, *out.lambda, out.d_rot1, out.d_rot2);
+    return status;
+}
+
+/// Computes the pairs that lanes left over.
+template <class Rows, class Arrays>
+Failure settle_all(Kernels const &kernels, Rows const &rows, Arrays const &out, Worklist const &left_over) noexcept
+{
+    constexpr std::size_t group = 8;
+    LaneKernel<Rows, Arrays> const &kernel = *kernels.lanes;
+    PairRow<Rows::dimension> pairs[group];
+    Failure first{0, 0};
+    for (std::size_t k = 0; k < left_over.size; k += group) {
+        std::uint16_t const *const indices = left_over.indices + k;
+        std::size_t const count = std::min(group, left_over.size - k);
+        kernel.gather(rows, indices, count, pairs);
+        for (std::size_t i = 0; i < count; ++i)
+            first.update({indices[i], settle(*kernels.one_pair, pairs[i], out, indices[i])});
+    }
+    return first;
+}
+
+/// Computes n pairs in the default floating-point environment.
+template <class Rows, class Arrays>
+Failure compute(Kernels const &kernels, Rows const &rows, std::size_t n, Arrays const &out) noexcept
+{
+    LaneKernel<Rows, Arrays> const &kernel = *kernels.lanes;
+    Worklist left_over;
+    Failure first{0, 0};
+    for (std::size_t begin = 0; begin < n;) {
+        Rows const rest = rows.from(begin);
+        Arrays const rest_out = out.from(begin);
+        std::size_t const done = kernel.compute(rest, n - begin, rest_out, left_over);
+        Failure const bad = settle_all(kernels, rest, rest_out, left_over);
+        first.update({begin + bad.index, bad.status});
+        begin += done;
+    }
+    return first;
+}
+
+/// Without an array for λ, some chunks at a time with one on the stack.
+template <class Rows>
+Failure compute(Kernels const &kernels, Rows const &rows, std::size_t n, DerivativeArrays const &out) noexcept
+{
+    if (out.lambda != nullptr) return compute<Rows, DerivativeArrays>(kernels, rows, n, out);
+    constexpr std::size_t part_size = 128;
+    double lambda[part_size];
+    Failure first{0, 0};
+    for (std::size_t begin = 0; begin < n; begin += part_size) {
+        DerivativeArrays part = out.from(begin);
+        part.lambda = lambda;
+        Failure const bad =
+            compute<Rows, DerivativeArrays>(kernels, rows.from(begin), std::min(part_size, n - begin), part);
+        first.update({begin + bad.index, bad.status});
+    }
+    return first;
+}
+
+/// Computes n pairs in parallel and returns the status of the first bad one.
+template <class Rows, class Arrays> int compute_all(std::size_t n, Rows const &rows, Arrays const &out) noexcept
+{
+    Kernels const &kernels = chosen();
+    return for_all(n, [&](Range range) {
+        Failure const bad = compute(kernels, rows.from(range.begin), range.end - range.begin, out.from(range.begin));
+        return Failure{range.begin + bad.index, bad.status};
+    });
+}
+
+} // namespace
+} // namespace pw85::kernels
+
+#endif

@@ -1,0 +1,29 @@
+/// @file
+/// Lists of pairs that are still to be done.
+#ifndef PW85_KERNELS_WORKLIST_HPP_INCLUDED
+#define PW85_KERNELS_WORKLIST_HPP_INCLUDED
+
+#include <cstddef>
+#include <cstdint>
+
+namespace pw85::kernels {
+
+/// Up to `Capacity` pairs, by their indices.
+template <std::size_t Capacity> struct IndexList {
+    static constexpr std::size_t capacity = Capacity, largest_index = UINT16_MAX;
+
+    std::size_t size = 0;
+    std::uint16_t indices[Capacity];
+
+    [[gnu::always_inline]] void push(std::size_t index) noexcept
+    {
+        indices[size++] = static_cast<std::uint16_t>(index);
+    }
+};
+
+/// What lanes leave to the function for one pair: room for two chunks of any kernel.
+using Worklist = IndexList<512>;
+
+} // namespace pw85::kernels
+
+#endif
