@@ -53,6 +53,7 @@ from ._forms import ellipse, ellipsoid, ellipsoid_quaternion, full, packed, prin
 from ._packing import pack, relax
 from ._pairs import contact_pairs, overlap_pairs
 from ._plotting import plot
+from ._statistics import Correlation, correlation, nematic_order
 from ._system import Contacts, Report, System
 from ._systems import (
     ContactDerivatives,
@@ -63,6 +64,7 @@ from ._systems import (
     nearest_image_limit,
     overlap_any,
 )
+from ._voxels import voxels
 from ._walls import (
     contact_plane,
     distance_box,
@@ -91,6 +93,7 @@ metadata = {
 __all__ = [
     "ContactDerivatives",
     "Contacts",
+    "Correlation",
     "FileError",
     "PW85Error",
     "Report",
@@ -111,6 +114,7 @@ __all__ = [
     "contact_pairs",
     "contact_plane",
     "contact_torque",
+    "correlation",
     "distance",
     "distance_2d",
     "distance_box",
@@ -135,6 +139,7 @@ __all__ = [
     "legacy",
     "metadata",
     "nearest_image_limit",
+    "nematic_order",
     "overlap",
     "overlap_any",
     "overlap_pairs",
@@ -148,6 +153,7 @@ __all__ = [
     "strerror",
     "utils",
     "version",
+    "voxels",
     "write",
     "zheng_ellipses",
     "zheng_ellipsoids",

@@ -30,6 +30,14 @@ def nematic_order(system: System) -> float:
     """The largest eigenvalue of 3/2 <u uᵀ> - 1/2: 1 if all axes u are parallel, 0 on average if they have no order.
 
     u is the axis whose length differs most from the middle one: the long axis of rods, the short one of plates.
+
+    Parameters
+    ----------
+    system : System
+
+    Returns
+    -------
+    float
     """
     order = np.argsort(system.semi_axes, axis=1)
     short, middle, long = np.take_along_axis(system.semi_axes, order, axis=1).T
@@ -45,6 +53,23 @@ def correlation(system: System, reach: float = 2.0, bins: int = 100) -> Correlat
 
     Without correlation, the second centre is anywhere: μ < m with the probability m³ E / V, where E is the volume that
     the first excludes for the second, the mean over directions of 4π/3 (distance of closest approach)³.
+
+    Parameters
+    ----------
+    system : System
+    reach : float
+        Largest μ.
+    bins : int
+        How many there are between 0 and `reach`.
+
+    Returns
+    -------
+    Correlation
+
+    Raises
+    ------
+    ValueError
+        There is no cell.
     """
     if system.cell is None:
         raise ValueError("a pair correlation needs a cell, for the density: give one (--cell)")

@@ -159,7 +159,7 @@ class System:
         """Overlaps, contacts below a μ, and the pairs with the smallest μ, whether or not these overlap."""
         candidates = self._candidates(max(below, 1.0))
         tested = candidates if below <= 1 else self._candidates(1.0)
-        closest = self._closest(candidates, max(below, 1.0), worst)
+        closest = self._closest(candidates, max(below, 1.0), max(worst, 1))
         return Report(
             len(self),
             self.shapeless,
@@ -170,7 +170,7 @@ class System:
             float(closest.mu[0]) if len(closest.mu) else None,
             nearest_image_limit(self.q, self.cell) if self.cell is not None and all(self.periodic) else None,
             self._contacts(candidates, below),
-            closest,
+            Contacts(*(column[:worst] for column in closest)),
         )
 
     def draw(

@@ -15,7 +15,20 @@ from .formats import FileError, replacing
 def voxels(system: System, resolution: int) -> NDArray[np.int32]:
     """For each voxel 1 + the index of the ellipsoid that its centre is in, the last one if there are several, or 0.
 
-    The cell is divided into `resolution` voxels along each of its vectors; the result is indexed in their order.
+    Parameters
+    ----------
+    system : System
+    resolution : int
+        Voxels along each vector of the cell, in whose order the result is indexed.
+
+    Returns
+    -------
+    (resolution, resolution, resolution) array of int32
+
+    Raises
+    ------
+    ValueError
+        There is no cell.
     """
     if system.cell is None:
         raise ValueError("voxels need a cell: give one (--cell)")

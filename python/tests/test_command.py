@@ -145,6 +145,7 @@ def test_frames(run, folder):
     assert run("check", "a.dump", "--worst", 0, "--frames", "1::2").out.splitlines()[3:] == all_of_them[1::2]
     assert run("check", "a.dump", "--worst", 0, "--frames", "-1").out.splitlines()[3:] == all_of_them[-1:]
     assert "no such frames" in run("check", "a.dump", "--frames", "7").err
+    assert all_of_them[0].split()[-1] != "-"
 
 
 def test_another_number_of_particles(run, folder):
