@@ -170,7 +170,7 @@ class System:
             float(closest.mu[0]) if len(closest.mu) else None,
             nearest_image_limit(self.q, self.cell) if self.cell is not None and all(self.periodic) else None,
             self._contacts(candidates, below),
-            Contacts(*(column[:worst] for column in closest)),
+            Contacts(*(np.asarray(column)[:worst] for column in closest)),
         )
 
     def draw(
