@@ -8,8 +8,8 @@
 !> Functions return a status, pw85_success or another of the codes below; when it is another, all outputs are NaN.
 !> Outputs that may be null in C are optional here.
 module pw85
-  use, intrinsic :: iso_c_binding, only: c_char, c_double, c_f_pointer, c_int, c_int8_t, c_int32_t, c_loc, c_null_ptr, &
-    c_ptr, c_size_t
+  use, intrinsic :: iso_c_binding, only: c_associated, c_char, c_double, c_f_pointer, c_int, c_int8_t, c_int32_t, &
+    c_loc, c_null_ptr, c_ptr, c_size_t
   implicit none
   private
 
@@ -20,6 +20,7 @@ module pw85
   integer(c_int), parameter, public :: pw85_einval = 1
   integer(c_int), parameter, public :: pw85_enotpd = 2
   integer(c_int), parameter, public :: pw85_econvergence = 3
+  integer(c_int), parameter, public :: pw85_enomem = 4
 
   !> Dimension of the physical space, and number of stored entries of a symmetric matrix.
   integer(c_int), parameter, public :: pw85_dim = 3
@@ -33,12 +34,16 @@ module pw85
   public :: pw85_version, pw85_strerror
   public :: pw85_spheroid, pw85_ellipsoid, pw85_ellipsoid_quaternion, pw85_ellipse
   public :: pw85_contact, pw85_contact_function, pw85_contact_geometry, pw85_contact_gradient, pw85_contact_torque
-  public :: pw85_overlap, pw85_closest_approach, pw85_contact_2d, pw85_closest_approach_2d
+  public :: pw85_contact_hessian, pw85_overlap, pw85_closest_approach, pw85_contact_2d, pw85_closest_approach_2d
+  public :: pw85_contact_geometry_2d, pw85_contact_gradient_2d, pw85_contact_torque_2d, pw85_contact_hessian_2d
+  public :: pw85_overlap_2d, pw85_contact_batch_2d, pw85_overlap_batch_2d
   public :: pw85_distance, pw85_distance_derivatives, pw85_distance_2d
   public :: pw85_distance_plane, pw85_distance_plane_derivatives, pw85_contact_plane, pw85_distance_box
   public :: pw85_distance_cylinder, pw85_distance_point, pw85_intersect_line
   public :: pw85_contact_batch, pw85_overlap_batch, pw85_contact_pairs, pw85_overlap_pairs
   public :: pw85_closest_approach_batch, pw85_contact_derivatives_batch, pw85_contact_derivatives_pairs, pw85_overlap_any
+  public :: pw85_neighbors_create, pw85_neighbors_check, pw85_neighbors_holds, pw85_neighbors_size, pw85_neighbors_destroy
+  public :: pw85_neighbors_pairs, pw85_neighbors_images
   public :: pw85_cell_reduce, pw85_nearest_image_limit, pw85_ellipsoid_quaternion_batch, pw85_bounding_boxes
   public :: pw85__cholesky_decomp, pw85__cholesky_solve, pw85__residual, pw85_f_neg
   public :: pw85_legacy__det_sym, pw85_legacy__xt_adja_x, pw85_legacy__detq_as_poly, pw85_legacy__rt_adjq_r_as_poly
@@ -149,6 +154,14 @@ module pw85
       integer(c_int) :: status
     end function pw85_closest_approach
 
+    function c_contact_hessian(r12, q1, q2, lambda, hessian) result(status) bind(C, name='pw85_contact_hessian')
+      import :: c_double, c_int, c_ptr
+      real(c_double), intent(in) :: r12(3), q1(6), q2(6)
+      real(c_double), value :: lambda
+      type(c_ptr), value :: hessian
+      integer(c_int) :: status
+    end function c_contact_hessian
+
     !> Contact function of two ellipses: out = [mu**2, lambda].
     function pw85_contact_2d(r12, q1, q2, out) result(status) bind(C, name='pw85_contact_2d')
       import :: c_double, c_int
@@ -156,6 +169,50 @@ module pw85
       real(c_double), intent(out) :: out(2)
       integer(c_int) :: status
     end function pw85_contact_2d
+
+    function c_contact_geometry_2d(r12, q1, q2, lambda, point, normal) result(status) &
+        bind(C, name='pw85_contact_geometry_2d')
+      import :: c_double, c_int, c_ptr
+      real(c_double), intent(in) :: r12(2), q1(3), q2(3)
+      real(c_double), value :: lambda
+      type(c_ptr), value :: point, normal
+      integer(c_int) :: status
+    end function c_contact_geometry_2d
+
+    function c_contact_gradient_2d(r12, q1, q2, lambda, d_r12, d_q1, d_q2) result(status) &
+        bind(C, name='pw85_contact_gradient_2d')
+      import :: c_double, c_int, c_ptr
+      real(c_double), intent(in) :: r12(2), q1(3), q2(3)
+      real(c_double), value :: lambda
+      type(c_ptr), value :: d_r12, d_q1, d_q2
+      integer(c_int) :: status
+    end function c_contact_gradient_2d
+
+    function c_contact_torque_2d(r12, q1, q2, lambda, d_rot1, d_rot2) result(status) &
+        bind(C, name='pw85_contact_torque_2d')
+      import :: c_double, c_int, c_ptr
+      real(c_double), intent(in) :: r12(2), q1(3), q2(3)
+      real(c_double), value :: lambda
+      type(c_ptr), value :: d_rot1, d_rot2
+      integer(c_int) :: status
+    end function c_contact_torque_2d
+
+    function c_contact_hessian_2d(r12, q1, q2, lambda, hessian) result(status) &
+        bind(C, name='pw85_contact_hessian_2d')
+      import :: c_double, c_int, c_ptr
+      real(c_double), intent(in) :: r12(2), q1(3), q2(3)
+      real(c_double), value :: lambda
+      type(c_ptr), value :: hessian
+      integer(c_int) :: status
+    end function c_contact_hessian_2d
+
+    !> Whether two ellipses overlap: 1 or 0; -1 on error.
+    function pw85_overlap_2d(r12, q1, q2, overlap) result(status) bind(C, name='pw85_overlap_2d')
+      import :: c_double, c_int
+      real(c_double), intent(in) :: r12(2), q1(3), q2(3)
+      integer(c_int), intent(out) :: overlap
+      integer(c_int) :: status
+    end function pw85_overlap_2d
 
     !> Distance of closest approach of two ellipses along a direction.
     function pw85_closest_approach_2d(direction, q1, q2, distance) result(status) &
@@ -269,6 +326,26 @@ module pw85
       integer(c_int) :: status
     end function pw85_overlap_batch
 
+    function c_contact_batch_2d(n, r12, q1, q2, mu2, lambda) result(status) &
+        bind(C, name='pw85_contact_batch_2d')
+      import :: c_double, c_int, c_ptr, c_size_t
+      integer(c_size_t), value :: n
+      real(c_double), intent(in) :: r12(2, *), q1(3, *), q2(3, *)
+      real(c_double), intent(out) :: mu2(*)
+      type(c_ptr), value :: lambda
+      integer(c_int) :: status
+    end function c_contact_batch_2d
+
+    !> Overlaps of pairs of ellipses, as in pw85_overlap_batch().
+    function pw85_overlap_batch_2d(n, r12, q1, q2, overlap) result(status) &
+        bind(C, name='pw85_overlap_batch_2d')
+      import :: c_double, c_int, c_int8_t, c_size_t
+      integer(c_size_t), value :: n
+      real(c_double), intent(in) :: r12(2, *), q1(3, *), q2(3, *)
+      integer(c_int8_t), intent(out) :: overlap(*)
+      integer(c_int) :: status
+    end function pw85_overlap_batch_2d
+
     function c_contact_pairs(num_pairs, pairs, images, num_particles, centers, q, cell, mu2, lambda) &
         result(status) bind(C, name='pw85_contact_pairs')
       import :: c_double, c_int, c_int32_t, c_ptr, c_size_t
@@ -335,6 +412,63 @@ module pw85
       integer(c_int), intent(out) :: any
       integer(c_int) :: status
     end function pw85_overlap_any
+
+    function c_neighbors_create(n, centers, q, cell, periodic, scale, skin, list) result(status) &
+        bind(C, name='pw85_neighbors_create')
+      import :: c_double, c_int, c_ptr, c_size_t
+      integer(c_size_t), value :: n
+      real(c_double), intent(in) :: centers(3, *), q(6, *)
+      type(c_ptr), value :: cell, periodic
+      real(c_double), value :: scale, skin
+      type(c_ptr), intent(out) :: list
+      integer(c_int) :: status
+    end function c_neighbors_create
+
+    function c_neighbors_check(n, centers, q, cell, periodic, scale, skin, particle) result(status) &
+        bind(C, name='pw85_neighbors_check')
+      import :: c_double, c_int, c_ptr, c_size_t
+      integer(c_size_t), value :: n
+      real(c_double), intent(in) :: centers(3, *), q(6, *)
+      type(c_ptr), value :: cell, periodic
+      real(c_double), value :: scale, skin
+      integer(c_size_t), intent(out) :: particle
+      integer(c_int) :: status
+    end function c_neighbors_check
+
+    !> Whether a neighbour list still has all pairs after motion: 1, 0, or -1 on error.
+    function pw85_neighbors_holds(list, n, centers, q, holds) result(status) bind(C, name='pw85_neighbors_holds')
+      import :: c_double, c_int, c_ptr, c_size_t
+      type(c_ptr), value :: list
+      integer(c_size_t), value :: n
+      real(c_double), intent(in) :: centers(3, *), q(6, *)
+      integer(c_int), intent(out) :: holds
+      integer(c_int) :: status
+    end function pw85_neighbors_holds
+
+    !> Number of pairs of a neighbour list.
+    function pw85_neighbors_size(list) result(size) bind(C, name='pw85_neighbors_size')
+      import :: c_ptr, c_size_t
+      type(c_ptr), value :: list
+      integer(c_size_t) :: size
+    end function pw85_neighbors_size
+
+    function c_neighbors_pairs(list) result(pairs) bind(C, name='pw85_neighbors_pairs')
+      import :: c_ptr
+      type(c_ptr), value :: list
+      type(c_ptr) :: pairs
+    end function c_neighbors_pairs
+
+    function c_neighbors_images(list) result(images) bind(C, name='pw85_neighbors_images')
+      import :: c_ptr
+      type(c_ptr), value :: list
+      type(c_ptr) :: images
+    end function c_neighbors_images
+
+    !> Frees a neighbour list.
+    subroutine pw85_neighbors_destroy(list) bind(C, name='pw85_neighbors_destroy')
+      import :: c_ptr
+      type(c_ptr), value :: list
+    end subroutine pw85_neighbors_destroy
 
     function c_cell_reduce(cell, reduced) result(status) bind(C, name='pw85_cell_reduce')
       import :: c_double, c_int
@@ -548,6 +682,46 @@ contains
     status = c_contact_torque(r12, q1, q2, lambda, address(d_rot1), address(d_rot2))
   end function pw85_contact_torque
 
+  !> Second derivatives of mu**2 with respect to r12 and rotations of either ellipsoid about its own centre.
+  function pw85_contact_hessian(r12, q1, q2, lambda, hessian) result(status)
+    real(c_double), intent(in) :: r12(3), q1(6), q2(6), lambda
+    real(c_double), intent(out), target :: hessian(9, 9)
+    integer(c_int) :: status
+    status = c_contact_hessian(r12, q1, q2, lambda, address(hessian))
+  end function pw85_contact_hessian
+
+  !> Point of contact of the ellipses scaled by mu, relative to centre 1, and unit normal from 1 to 2.
+  function pw85_contact_geometry_2d(r12, q1, q2, lambda, point, normal) result(status)
+    real(c_double), intent(in) :: r12(2), q1(3), q2(3), lambda
+    real(c_double), intent(out), optional, target :: point(2), normal(2)
+    integer(c_int) :: status
+    status = c_contact_geometry_2d(r12, q1, q2, lambda, address(point), address(normal))
+  end function pw85_contact_geometry_2d
+
+  !> Derivatives of mu**2 of two ellipses with respect to r12 and the stored entries of q1 and q2.
+  function pw85_contact_gradient_2d(r12, q1, q2, lambda, d_r12, d_q1, d_q2) result(status)
+    real(c_double), intent(in) :: r12(2), q1(3), q2(3), lambda
+    real(c_double), intent(out), optional, target :: d_r12(2), d_q1(3), d_q2(3)
+    integer(c_int) :: status
+    status = c_contact_gradient_2d(r12, q1, q2, lambda, address(d_r12), address(d_q1), address(d_q2))
+  end function pw85_contact_gradient_2d
+
+  !> Derivatives of mu**2 with respect to the angles of two ellipses, counter-clockwise.
+  function pw85_contact_torque_2d(r12, q1, q2, lambda, d_rot1, d_rot2) result(status)
+    real(c_double), intent(in) :: r12(2), q1(3), q2(3), lambda
+    real(c_double), intent(out), optional, target :: d_rot1, d_rot2
+    integer(c_int) :: status
+    status = c_contact_torque_2d(r12, q1, q2, lambda, address_of_number(d_rot1), address_of_number(d_rot2))
+  end function pw85_contact_torque_2d
+
+  !> Second derivatives of mu**2 of two ellipses with respect to r12 and both angles.
+  function pw85_contact_hessian_2d(r12, q1, q2, lambda, hessian) result(status)
+    real(c_double), intent(in) :: r12(2), q1(3), q2(3), lambda
+    real(c_double), intent(out), target :: hessian(4, 4)
+    integer(c_int) :: status
+    status = c_contact_hessian_2d(r12, q1, q2, lambda, address(hessian))
+  end function pw85_contact_hessian_2d
+
   !> Distance of the surfaces of two ellipsoids and their closest points, relative to centre 1; 0 and NaN if they overlap.
   function pw85_distance(r12, q1, q2, distance, point1, point2) result(status)
     real(c_double), intent(in) :: r12(3), q1(6), q2(6)
@@ -637,6 +811,16 @@ contains
     status = c_contact_batch(n, r12, q1, q2, mu2, address(lambda))
   end function pw85_contact_batch
 
+  !> Contact functions of pairs of ellipses, as in pw85_contact_batch().
+  function pw85_contact_batch_2d(n, r12, q1, q2, mu2, lambda) result(status)
+    integer(c_size_t), intent(in) :: n
+    real(c_double), intent(in) :: r12(2, n), q1(3, n), q2(3, n)
+    real(c_double), intent(out) :: mu2(n)
+    real(c_double), intent(out), optional, target :: lambda(n)
+    integer(c_int) :: status
+    status = c_contact_batch_2d(n, r12, q1, q2, mu2, address(lambda))
+  end function pw85_contact_batch_2d
+
   !> Contact function of the pairs of a neighbour list; without `cell` there is no periodic cell, without `images` the nearest
   !> ones are taken.
   function pw85_contact_pairs(num_pairs, pairs, num_particles, centers, q, cell, mu2, lambda, images) result(status)
@@ -664,6 +848,45 @@ contains
     status = c_overlap_pairs(num_pairs, pairs, address_of_integers(images), num_particles, centers, q, address(cell), &
                              overlap)
   end function pw85_overlap_pairs
+
+  !> A list of all pairs whose boxes, scaled, are no farther apart than the skin along any axis; the vectors of the cell are its
+  !> columns. Without `periodic` there are images along all of them. To be freed by pw85_neighbors_destroy().
+  function pw85_neighbors_create(n, centers, q, cell, periodic, scale, skin, list) result(status)
+    integer(c_size_t), intent(in) :: n
+    real(c_double), intent(in) :: centers(3, n), q(6, n), scale, skin
+    real(c_double), intent(in), optional, target :: cell(3, 3)
+    integer(c_int32_t), intent(in), optional, target :: periodic(3)
+    type(c_ptr), intent(out) :: list
+    integer(c_int) :: status
+    status = c_neighbors_create(n, centers, q, address(cell), address_of_integers(periodic), scale, skin, list)
+  end function pw85_neighbors_create
+
+  !> Which particle, from 0, is to blame where pw85_neighbors_create() fails; n if none is.
+  function pw85_neighbors_check(n, centers, q, cell, periodic, scale, skin, particle) result(status)
+    integer(c_size_t), intent(in) :: n
+    real(c_double), intent(in) :: centers(3, n), q(6, n), scale, skin
+    real(c_double), intent(in), optional, target :: cell(3, 3)
+    integer(c_int32_t), intent(in), optional, target :: periodic(3)
+    integer(c_size_t), intent(out) :: particle
+    integer(c_int) :: status
+    status = c_neighbors_check(n, centers, q, address(cell), address_of_integers(periodic), scale, skin, particle)
+  end function pw85_neighbors_check
+
+  !> The pairs of a neighbour list: indices from 0, as long as the list lives.
+  function pw85_neighbors_pairs(list) result(pairs)
+    type(c_ptr), intent(in) :: list
+    integer(c_int32_t), pointer :: pairs(:, :)
+    call c_f_pointer(c_neighbors_pairs(list), pairs, [2_c_size_t, pw85_neighbors_size(list)])
+  end function pw85_neighbors_pairs
+
+  !> Their images: multiples of the vectors of the cell; null without a cell.
+  function pw85_neighbors_images(list) result(images)
+    type(c_ptr), intent(in) :: list
+    integer(c_int32_t), pointer :: images(:, :)
+    images => null()
+    if (c_associated(c_neighbors_images(list))) &
+      call c_f_pointer(c_neighbors_images(list), images, [3_c_size_t, pw85_neighbors_size(list)])
+  end function pw85_neighbors_images
 
   !> Contact function, contact point, normal and derivatives of n pairs.
   function pw85_contact_derivatives_batch(n, r12, q1, q2, mu2, lambda, point, normal, d_r12, d_rot1, d_rot2) &
@@ -726,6 +949,13 @@ contains
     pointer = c_null_ptr
     if (present(x)) pointer = c_loc(x(1))
   end function address
+
+  function address_of_number(x) result(pointer)
+    real(c_double), intent(in), optional, target :: x
+    type(c_ptr) :: pointer
+    pointer = c_null_ptr
+    if (present(x)) pointer = c_loc(x)
+  end function address_of_number
 
   function address_of_integers(x) result(pointer)
     integer(c_int32_t), intent(in), optional, target :: x(*)

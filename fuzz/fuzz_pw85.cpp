@@ -54,7 +54,7 @@ void check_builders(Input const &in)
 
 void check_pair(Input const &in)
 {
-    double out[3], point[6], gradient[15], torque[6];
+    double out[3], point[6], gradient[15], torque[6], hessian[81];
     auto const *r = in.r12, *a = in.q1, *b = in.q2;
     int const status = pw85_contact(r, a, b, out);
     check("contact", in, status, out, 2);
@@ -65,8 +65,8 @@ void check_pair(Input const &in)
     check("contact_gradient", in, pw85_contact_gradient(r, a, b, lambda, gradient, gradient + 3, gradient + 9),
           gradient, 15);
     check("contact_torque", in, pw85_contact_torque(r, a, b, lambda, torque, torque + 3), torque, 6);
+    check("contact_hessian", in, pw85_contact_hessian(r, a, b, lambda, hessian), hessian, 81);
     check("closest_approach", in, pw85_closest_approach(r, a, b, out), out, 1);
-    check("contact_2d", in, pw85_contact_2d(r, a, b, out), out, 2);
     check("closest_approach_2d", in, pw85_closest_approach_2d(r, a, b, out), out, 1);
     check("legacy 1", in, pw85_legacy_contact_function1(r, a, b, out), out, 2);
     check("zheng_ellipses", in, pw85_zheng_ellipses(r, a, b, out), out, 1);
@@ -75,6 +75,26 @@ void check_pair(Input const &in)
     int const overlap_status = pw85_overlap(r, a, b, &overlap);
     if (overlap_status != status) fail("overlap: status", in);
     if (overlap_status == PW85_SUCCESS ? overlap != 0 && overlap != 1 : overlap != -1) fail("overlap", in);
+}
+
+void check_flat_pair(Input const &in)
+{
+    double out[2], point[4], gradient[8], torque[2], hessian[16];
+    auto const *r = in.r12, *a = in.q1, *b = in.q2;
+    int const status = pw85_contact_2d(r, a, b, out);
+    check("contact_2d", in, status, out, 2);
+    double const lambda = status == PW85_SUCCESS ? out[1] : in.lambda;
+    check("contact_geometry_2d", in, pw85_contact_geometry_2d(r, a, b, lambda, point, point + 2), point, 4);
+    check("contact_gradient_2d", in, pw85_contact_gradient_2d(r, a, b, lambda, gradient, gradient + 2, gradient + 5),
+          gradient, 8);
+    check("contact_torque_2d", in, pw85_contact_torque_2d(r, a, b, lambda, torque, torque + 1), torque, 2);
+    check("contact_hessian_2d", in, pw85_contact_hessian_2d(r, a, b, lambda, hessian), hessian, 16);
+    int overlap = 7;
+    if (pw85_overlap_2d(r, a, b, &overlap) != status) fail("overlap_2d: status", in);
+    if (status == PW85_SUCCESS ? overlap != 0 && overlap != 1 : overlap != -1) fail("overlap_2d", in);
+    unsigned char code = 7;
+    if (pw85_overlap_batch_2d(1, r, a, b, &code) != status) fail("overlap_batch_2d: status", in);
+    check("contact_batch_2d", in, pw85_contact_batch_2d(1, r, a, b, out, out + 1), out, 2);
 }
 
 // Points and derivatives of a pair that overlaps are NaN.
@@ -202,6 +222,7 @@ extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const *data, std::size_t size
     }
     check_builders(in);
     check_pair(in);
+    check_flat_pair(in);
     check_distance(in);
     check_walls(in);
     check_batch(in);

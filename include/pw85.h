@@ -19,8 +19,8 @@
  *   inputs.
  * - A function that returns `int` returns a status, zero for success. When it is not zero, all outputs are NaN (as far
  *   as the pointers to them are not null).
- * - Nothing is allocated, no state is shared, nothing is printed, the process is never ended: any number of threads may
- *   call anything at any time.
+ * - Nothing is allocated but neighbour lists, no state is shared, nothing is printed, the process is never ended: any number
+ *   of threads may call anything at any time.
  * - No function needs more than 16 KiB of stack, besides what the dynamic linker takes to bind it at its first call. The
  *   threads that a batch starts have stacks of their own, which OpenMP provides.
  * - Computations are in the default floating-point environment, whatever the caller's, whose modes, status flags and traps
@@ -180,6 +180,17 @@ PW85_API int pw85_contact_gradient(double const r12[PW85_DIM], double const q1[P
 PW85_API int pw85_contact_torque(double const r12[PW85_DIM], double const q1[PW85_SYM], double const q2[PW85_SYM],
                                  double lambda, double d_rot1[PW85_DIM], double d_rot2[PW85_DIM]);
 
+/** Second derivatives of μ². With the relative errors of λ and 1-λ, which contact functions of double leave at some u times the
+ * square of the aspect ratio (and u/(1-λ), where ellipsoid 1 is much the larger), they err by a few times as much.
+ *
+ * @param r12,q1,q2 as for pw85_contact(), r12 != 0
+ * @param lambda from pw85_contact()
+ * @param[out] hessian 9×9, symmetric: second derivatives with respect to r12, rotation 1 and rotation 2, where the vector ω
+ *        stands for the rotation by |ω| about ω, and λ follows each change
+ * @return #PW85_SUCCESS, #PW85_EINVAL (also for lambda outside [0, 1] and r12 = 0), #PW85_ENOTPD */
+PW85_API int pw85_contact_hessian(double const r12[PW85_DIM], double const q1[PW85_SYM], double const q2[PW85_SYM],
+                                  double lambda, double hessian[81]);
+
 /** Whether two ellipsoids overlap, μ² < 1. Tangent ellipsoids (μ² = 1) do not.
  *
  * The answer is that of exact arithmetic for the numbers given: bounds that take rounding into account decide almost
@@ -207,6 +218,29 @@ PW85_API int pw85_closest_approach(double const direction[PW85_DIM], double cons
 
 /** Contact function of two ellipses; see pw85_contact(). */
 PW85_API int pw85_contact_2d(double const r12[2], double const q1[3], double const q2[3], double out[2]);
+
+/** Point at which the ellipses, scaled by μ, touch, and their common normal; see pw85_contact_geometry(). */
+PW85_API int pw85_contact_geometry_2d(double const r12[2], double const q1[3], double const q2[3], double lambda,
+                                      double point[2], double normal[2]);
+
+/** Derivatives of μ² of two ellipses; see pw85_contact_gradient(). */
+PW85_API int pw85_contact_gradient_2d(double const r12[2], double const q1[3], double const q2[3], double lambda,
+                                      double d_r12[2], double d_q1[3], double d_q2[3]);
+
+/** Derivatives of μ² with respect to the angles of two ellipses, counter-clockwise; see pw85_contact_torque().
+ *
+ * @param[out] d_rot1,d_rot2 one number each, per radian; may be null */
+PW85_API int pw85_contact_torque_2d(double const r12[2], double const q1[3], double const q2[3], double lambda,
+                                    double *d_rot1, double *d_rot2);
+
+/** Second derivatives of μ² of two ellipses; see pw85_contact_hessian().
+ *
+ * @param[out] hessian 4×4, symmetric: with respect to r12, angle 1 and angle 2 */
+PW85_API int pw85_contact_hessian_2d(double const r12[2], double const q1[3], double const q2[3], double lambda,
+                                     double hessian[16]);
+
+/** Whether two ellipses overlap; see pw85_overlap(). */
+PW85_API int pw85_overlap_2d(double const r12[2], double const q1[3], double const q2[3], int *overlap);
 
 /** Distance of closest approach of two ellipses; see pw85_closest_approach(). */
 PW85_API int pw85_closest_approach_2d(double const direction[2], double const q1[3], double const q2[3],
@@ -382,6 +416,14 @@ PW85_API int pw85_overlap_batch(size_t n, double const *r12, double const *q1, d
 PW85_API int pw85_closest_approach_batch(size_t n, double const *directions, double const *q1, double const *q2,
                                          double *distance);
 
+/** pw85_contact_2d() for n pairs; arguments as for pw85_contact_batch(), with rows of 2 and 3 numbers. */
+PW85_API int pw85_contact_batch_2d(size_t n, double const *r12, double const *q1, double const *q2, double *mu2,
+                                   double *lambda);
+
+/** pw85_overlap_2d() for n pairs; arguments as for pw85_overlap_batch(), with rows of 2 and 3 numbers. */
+PW85_API int pw85_overlap_batch_2d(size_t n, double const *r12, double const *q1, double const *q2,
+                                   unsigned char *overlap);
+
 /** pw85_contact(), pw85_contact_geometry(), pw85_contact_gradient() and pw85_contact_torque() for n pairs: what the forces and
  * torques of an energy U(μ²) are made of. A pair with r12 = 0 is valid: its derivatives are zero, its point and normal NaN.
  *
@@ -473,6 +515,79 @@ PW85_API int pw85_cell_reduce(double const cell[9], double reduced[9]);
  * @param[out] mu2 the limit
  * @return #PW85_SUCCESS, #PW85_EINVAL (a cell that is singular or not finite, too), #PW85_ENOTPD */
 PW85_API int pw85_nearest_image_limit(size_t n, double const *q, double const *cell, double *mu2);
+
+/** @}
+ * @name Neighbour lists
+ * @{ */
+
+/** All pairs of particles whose bounding boxes meet, images included: a list that the library owns, in the form that
+ * pw85_contact_pairs() and its relatives take. */
+typedef struct pw85_neighbors pw85_neighbors;
+
+/** Lists the pairs (i, j, image) whose bounding boxes are no farther apart than `skin` along any axis, the ellipsoids scaled by
+ * `scale`: |r_d| <= scale (√Qi_dd + √Qj_dd) + skin for d = x, y, z, where r is from the centre of i to that of the image of j.
+ * So they are all the pairs with μ² <= scale², and all that can come to be while pw85_neighbors_holds().
+ *
+ * Each pair is there once: with i < j, or i = j and an image of i itself whose first multiple other than 0 is positive. Pairs that
+ * miss each other by roundings (2⁻⁴⁸ of the coordinates) may be there, too. Their order is that of the particles in space; it
+ * depends on the input alone, not on the number of threads. The time is proportional to the numbers of particles and pairs, for
+ * sizes of any kind, and anywhere in space unless most of them crowd in less than 2⁻²¹ of its extent. The memory is 200 bytes per
+ * particle and 44 per pair at most while the list is made, and 48 and 20 (8 without a cell) afterwards.
+ *
+ * @param n number of particles, at most 2³¹ - 1; 0 is fine
+ * @param centers n×3, anywhere in space or in the cell and its images, up to 2²⁹ cells away
+ * @param q n×6
+ * @param cell 3×3, rows = vectors, however skewed and small; null if nothing is periodic
+ * @param periodic along which of the vectors there are images (not 0); null for all three. The other vectors do not matter.
+ * @param scale factor of the ellipsoids, > 0
+ * @param skin >= 0, in the unit of the semi-axes
+ * @param[out] list null on error; to be destroyed by pw85_neighbors_destroy()
+ * @return #PW85_SUCCESS; #PW85_EINVAL, also if the periodic vectors are not independent, or an image is more than 2³¹ vectors
+ *         away; #PW85_ENOTPD; #PW85_ENOMEM. pw85_neighbors_check() says which particle is bad. */
+PW85_API int pw85_neighbors_create(size_t n, double const *centers, double const *q, double const *cell,
+                                   int const periodic[3], double scale, double skin, pw85_neighbors **list);
+
+/** Which particle is to blame where a list cannot be made; arguments as for pw85_neighbors_create().
+ *
+ * @param[out] particle the first one that is bad: its centre or form is, or it is too far away; n if none is
+ * @return the status of that particle; or of the other arguments, with `particle` = n; #PW85_SUCCESS */
+PW85_API int pw85_neighbors_check(size_t n, double const *centers, double const *q, double const *cell,
+                                  int const periodic[3], double scale, double skin, size_t *particle);
+
+/** Whether a list still has all pairs whose boxes meet (without skin) after the particles have moved and turned: if the box of each
+ * is within its old one, grown by half the skin on each side. Centres go on from where they were: not wrapped into the cell anew.
+ *
+ * @param list a list
+ * @param n number of particles, the same as for the list
+ * @param centers,q n×3 and n×6: where particles are now
+ * @param[out] holds 1 or 0; -1 on error
+ * @return #PW85_SUCCESS, #PW85_EINVAL, also if `n` is not that of the list, or the status of a bad particle */
+PW85_API int pw85_neighbors_holds(pw85_neighbors const *list, size_t n, double const *centers, double const *q,
+                                  int *holds);
+
+/** Number of pairs.
+ *
+ * @param list a list, or null
+ * @return their number, 0 for null */
+PW85_API size_t pw85_neighbors_size(pw85_neighbors const *list);
+
+/** The pairs: indices (i, j), pw85_neighbors_size()×2, as long as the list lives.
+ *
+ * @param list a list, or null
+ * @return the first index, null for null */
+PW85_API int32_t const *pw85_neighbors_pairs(pw85_neighbors const *list);
+
+/** The images: multiples of the cell vectors, as given, to be added to the centre of j, pw85_neighbors_size()×3, as long as the list
+ * lives.
+ *
+ * @param list a list, or null
+ * @return the first multiple; null for null, and for a list without a cell */
+PW85_API int32_t const *pw85_neighbors_images(pw85_neighbors const *list);
+
+/** Frees a list.
+ *
+ * @param list a list, or null */
+PW85_API void pw85_neighbors_destroy(pw85_neighbors *list);
 
 /** @}
  * @name Many forms

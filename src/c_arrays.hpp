@@ -4,6 +4,7 @@
 
 #include <cstring>
 
+#include <pw85/status.hpp>
 #include <pw85/symmetric.hpp>
 
 namespace pw85::c_api {
@@ -45,6 +46,13 @@ template <int D> void store(SymmetricMatrix<double, D> const &m, double *a) noex
 inline void store_nan(double *x, int count) noexcept
 {
     for (int i = 0; x != nullptr && i < count; ++i) x[i] = quiet_nan<double>();
+}
+
+/// The answer to a null pointer, with NaN in an output.
+inline int null_pointer(double *out, int count) noexcept
+{
+    store_nan(out, count);
+    return static_cast<int>(Status::invalid_argument);
 }
 
 } // namespace

@@ -1,8 +1,6 @@
 // The C API of distances: null pointers are turned away here, everything else is checked in the core.
 #include <pw85.h>
 
-#include <pw85/distance.hpp>
-
 #include "c_arrays.hpp"
 #include "floating_point_environment.hpp"
 #include "kernels/kernels.hpp"
@@ -35,22 +33,4 @@ int pw85_distance_derivatives(double const r12[3], double const q1[6], double co
     }
     DefaultEnvironment const environment;
     return kernels::chosen().one_pair->distance_derivatives(r12, q1, q2, d_r12, d_rot1, d_rot2, hessian);
-}
-
-int pw85_distance_2d(double const r12[2], double const q1[3], double const q2[3], double *distance, double point1[2],
-                     double point2[2])
-{
-    if (any_null(r12, q1, q2)) {
-        store_nan(distance, 1);
-        store_nan(point1, 2);
-        store_nan(point2, 2);
-        return PW85_EINVAL;
-    }
-    return in_default_environment([&] {
-        auto const d = pw85::distance(load_vector<2>(r12), load_matrix<2>(q1), load_matrix<2>(q2));
-        if (distance != nullptr) *distance = d.distance;
-        store(d.point1, point1);
-        store(d.point2, point2);
-        return static_cast<int>(d.status);
-    });
 }

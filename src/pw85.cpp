@@ -26,12 +26,6 @@ int store_contact(Contact<double> const &contact, double out[2]) noexcept
     return static_cast<int>(contact.status);
 }
 
-int null_pointer(double *out, int count) noexcept
-{
-    store_nan(out, count);
-    return PW85_EINVAL;
-}
-
 } // namespace
 
 char const *pw85_version(void) { return PW85_VERSION; }
@@ -82,13 +76,6 @@ int pw85_contact_function(double const r12[3], double const q1[6], double const 
     });
 }
 
-int pw85_contact_2d(double const r12[2], double const q1[3], double const q2[3], double out[2])
-{
-    if (any_null(r12, q1, q2, out)) return null_pointer(out, 2);
-    return in_default_environment(
-        [&] { return store_contact(contact(load_vector<2>(r12), load_matrix<2>(q1), load_matrix<2>(q2)), out); });
-}
-
 int pw85_contact_geometry(double const r12[3], double const q1[6], double const q2[6], double lambda, double point[3],
                           double normal[3])
 {
@@ -123,6 +110,13 @@ int pw85_contact_torque(double const r12[3], double const q1[6], double const q2
     return kernels::chosen().one_pair->contact_torque(r12, q1, q2, lambda, d_rot1, d_rot2);
 }
 
+int pw85_contact_hessian(double const r12[3], double const q1[6], double const q2[6], double lambda, double hessian[81])
+{
+    if (any_null(r12, q1, q2, hessian)) return null_pointer(hessian, 81);
+    DefaultEnvironment const environment;
+    return kernels::chosen().one_pair->contact_hessian(r12, q1, q2, lambda, hessian);
+}
+
 int pw85_overlap(double const r12[3], double const q1[6], double const q2[6], int *overlap)
 {
     if (any_null(overlap)) return PW85_EINVAL;
@@ -137,16 +131,6 @@ int pw85_closest_approach(double const direction[3], double const q1[6], double 
     if (any_null(direction, q1, q2, distance)) return null_pointer(distance, 1);
     DefaultEnvironment const environment;
     return kernels::chosen().one_pair->closest_approach(direction, q1, q2, distance);
-}
-
-int pw85_closest_approach_2d(double const direction[2], double const q1[3], double const q2[3], double *distance)
-{
-    if (any_null(direction, q1, q2, distance)) return null_pointer(distance, 1);
-    return in_default_environment([&] {
-        auto const c = closest_approach(load_vector<2>(direction), load_matrix<2>(q1), load_matrix<2>(q2));
-        *distance = c.distance;
-        return static_cast<int>(c.status);
-    });
 }
 
 void pw85__cholesky_decomp(double const a[6], double l[6])

@@ -122,6 +122,9 @@ std::vector<Row> const single_pairs{
     {"pw85_contact_torque",
      {3, 3},
      [](auto const &in, auto &out) { pw85_contact_torque(in.r12, in.q1, in.q2, lambda, at(out, 0), at(out, 1)); }},
+    {"pw85_contact_hessian",
+     {81},
+     [](auto const &in, auto &out) { pw85_contact_hessian(in.r12, in.q1, in.q2, lambda, at(out, 0)); }},
     {"pw85_overlap",
      {1},
      [](auto const &in, auto &out) { pw85_overlap(in.r12, in.q1, in.q2, out[0].template data<int>()); },
@@ -132,6 +135,28 @@ std::vector<Row> const single_pairs{
     {"pw85_contact_2d",
      {2},
      [](auto const &in, auto &out) { pw85_contact_2d(in.r12, in.q1 + 3, in.q2 + 3, at(out, 0)); }},
+    {"pw85_contact_geometry_2d",
+     {2, 2},
+     [](auto const &in, auto &out) {
+         pw85_contact_geometry_2d(in.r12, in.q1 + 3, in.q2 + 3, lambda, at(out, 0), at(out, 1));
+     }},
+    {"pw85_contact_gradient_2d",
+     {2, 3, 3},
+     [](auto const &in, auto &out) {
+         pw85_contact_gradient_2d(in.r12, in.q1 + 3, in.q2 + 3, lambda, at(out, 0), at(out, 1), at(out, 2));
+     }},
+    {"pw85_contact_torque_2d",
+     {1, 1},
+     [](auto const &in, auto &out) {
+         pw85_contact_torque_2d(in.r12, in.q1 + 3, in.q2 + 3, lambda, at(out, 0), at(out, 1));
+     }},
+    {"pw85_contact_hessian_2d",
+     {16},
+     [](auto const &in, auto &out) { pw85_contact_hessian_2d(in.r12, in.q1 + 3, in.q2 + 3, lambda, at(out, 0)); }},
+    {"pw85_overlap_2d",
+     {1},
+     [](auto const &in, auto &out) { pw85_overlap_2d(in.r12, in.q1 + 3, in.q2 + 3, out[0].template data<int>()); },
+     sizeof(int)},
     {"pw85_closest_approach_2d",
      {1},
      [](auto const &in, auto &out) { pw85_closest_approach_2d(in.r12, in.q1 + 3, in.q2 + 3, at(out, 0)); }},
@@ -195,6 +220,15 @@ std::vector<Row> const many_pairs{
          pw85_overlap_batch(n, in.r12, in.q1, in.q2, out[0].template data<unsigned char>());
      },
      1},
+    {"pw85_contact_batch_2d",
+     {n, n},
+     [](auto const &in, auto &out) { pw85_contact_batch_2d(n, in.r12, in.q1 + 3, in.q2 + 3, at(out, 0), at(out, 1)); }},
+    {"pw85_overlap_batch_2d",
+     {n},
+     [](auto const &in, auto &out) {
+         pw85_overlap_batch_2d(n, in.r12, in.q1 + 3, in.q2 + 3, out[0].template data<unsigned char>());
+     },
+     1},
     {"pw85_contact_pairs",
      {n, n},
      [](auto const &in, auto &out) {
@@ -229,6 +263,34 @@ std::vector<Row> const many_pairs{
      {6 * n},
      [](auto const &in, auto &out) { pw85_ellipsoid_quaternion_batch(n, in.q1, in.q2, at(out, 0)); }},
     {"pw85_bounding_boxes", {3 * n}, [](auto const &in, auto &out) { pw85_bounding_boxes(n, in.q1, at(out, 0)); }},
+    {"pw85_neighbors_create",
+     {1},
+     [](auto const &in, auto &out) {
+         auto **const list = out[0].template data<pw85_neighbors *>();
+         pw85_neighbors_create(n, in.r12, in.q1, identity, nullptr, 1.0, 0.5, list);
+         pw85_neighbors_destroy(*list);
+     },
+     sizeof(pw85_neighbors *)},
+    {"pw85_neighbors_check",
+     {1},
+     [](auto const &in, auto &out) {
+         pw85_neighbors_check(n, in.r12, in.q1, identity, nullptr, 1.0, 0.5, out[0].template data<std::size_t>());
+     },
+     sizeof(std::size_t)},
+    {"pw85_neighbors_holds",
+     {1},
+     [](auto const &in, auto &out) {
+         pw85_neighbors *list;
+         Input const valid = make_input(true);
+         pw85_neighbors_create(n, valid.r12, valid.q1, identity, nullptr, 1.0, 0.5, &list);
+         pw85_neighbors_holds(list, n, in.r12, in.q1, out[0].template data<int>());
+         pw85_neighbors_destroy(list);
+     },
+     sizeof(int)},
+    {"pw85_neighbors_size", {}, [](auto const &, auto &) { pw85_neighbors_size(nullptr); }},
+    {"pw85_neighbors_pairs", {}, [](auto const &, auto &) { pw85_neighbors_pairs(nullptr); }},
+    {"pw85_neighbors_images", {}, [](auto const &, auto &) { pw85_neighbors_images(nullptr); }},
+    {"pw85_neighbors_destroy", {}, [](auto const &, auto &) { pw85_neighbors_destroy(nullptr); }},
     {"pw85_cell_reduce", {9}, [](auto const &in, auto &out) { pw85_cell_reduce(in.q1, at(out, 0)); }},
     {"pw85_nearest_image_limit",
      {1},

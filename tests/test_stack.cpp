@@ -154,12 +154,28 @@ std::vector<Case> cases_of_pairs()
         {"pw85_contact_torque", for_each_pair([](Numbers r, Numbers p, Numbers q) {
              status = pw85_contact_torque(r, p, q, 0.3, out, out + 3);
          })},
+        {"pw85_contact_hessian",
+         for_each_pair([](Numbers r, Numbers p, Numbers q) { status = pw85_contact_hessian(r, p, q, 0.3, out); })},
         {"pw85_overlap",
          for_each_pair([](Numbers r, Numbers p, Numbers q) { status = pw85_overlap(r, p, q, &answer); })},
         {"pw85_closest_approach",
          for_each_pair([](Numbers r, Numbers p, Numbers q) { status = pw85_closest_approach(r, p, q, out); })},
         {"pw85_contact_2d",
          for_each_pair([](Numbers r, Numbers p, Numbers q) { status = pw85_contact_2d(r, p + 3, q + 3, out); })},
+        {"pw85_contact_geometry_2d", for_each_pair([](Numbers r, Numbers p, Numbers q) {
+             status = pw85_contact_geometry_2d(r, p + 3, q + 3, 0.3, out, out + 2);
+         })},
+        {"pw85_contact_gradient_2d", for_each_pair([](Numbers r, Numbers p, Numbers q) {
+             status = pw85_contact_gradient_2d(r, p + 3, q + 3, 0.3, out, out + 2, out + 4);
+         })},
+        {"pw85_contact_torque_2d", for_each_pair([](Numbers r, Numbers p, Numbers q) {
+             status = pw85_contact_torque_2d(r, p + 3, q + 3, 0.3, out, out + 1);
+         })},
+        {"pw85_contact_hessian_2d", for_each_pair([](Numbers r, Numbers p, Numbers q) {
+             status = pw85_contact_hessian_2d(r, p + 3, q + 3, 0.3, out);
+         })},
+        {"pw85_overlap_2d",
+         for_each_pair([](Numbers r, Numbers p, Numbers q) { status = pw85_overlap_2d(r, p + 3, q + 3, &answer); })},
         {"pw85_closest_approach_2d", for_each_pair([](Numbers r, Numbers p, Numbers q) {
              status = pw85_closest_approach_2d(r, p + 3, q + 3, out);
          })},
@@ -259,6 +275,7 @@ std::vector<Case> cases_of_batches()
     static std::vector<double> mu2(inputs().n), lambda(inputs().n);
     static std::vector<unsigned char> overlap(inputs().n);
     static double const cell[9] = {3, 1, 0, -1, 4, 1, 0.5, 1, 5};
+    static pw85_neighbors *neighbors;
     static std::vector<double> vectors[6];
     for (auto &rows : vectors) rows.resize(6 * inputs().n);
     auto const v = [](int i) { return vectors[i].data(); };
@@ -269,6 +286,8 @@ std::vector<Case> cases_of_batches()
     return {
         {"pw85_contact_batch", [=] { status = pw85_contact_batch(n, r, p, q, mu2.data(), lambda.data()); }},
         {"pw85_overlap_batch", [=] { status = pw85_overlap_batch(n, r, p, q, overlap.data()); }},
+        {"pw85_contact_batch_2d", [=] { status = pw85_contact_batch_2d(n, r, p, q, mu2.data(), lambda.data()); }},
+        {"pw85_overlap_batch_2d", [=] { status = pw85_overlap_batch_2d(n, r, p, q, overlap.data()); }},
         {"pw85_contact_pairs",
          [=] { status = pw85_contact_pairs(n, list, nullptr, 2 * n, x, forms, nullptr, mu2.data(), lambda.data()); }},
         {"pw85_contact_pairs",
@@ -288,6 +307,18 @@ std::vector<Case> cases_of_batches()
         {"pw85_overlap_any", [=] { status = pw85_overlap_any(n, p, r, q, &answer); }},
         {"pw85_ellipsoid_quaternion_batch", [=] { status = pw85_ellipsoid_quaternion_batch(n, x, forms, v(0)); }},
         {"pw85_bounding_boxes", [=] { status = pw85_bounding_boxes(n, p, v(0)); }},
+        {"pw85_neighbors_create",
+         [=] { status = pw85_neighbors_create(2 * n, x, forms, cell, nullptr, 1.0, 0.5, &neighbors); }},
+        {"pw85_neighbors_check",
+         [=] {
+             std::size_t particle;
+             status = pw85_neighbors_check(2 * n, x, forms, cell, nullptr, 1.0, 0.5, &particle);
+         }},
+        {"pw85_neighbors_holds", [=] { status = pw85_neighbors_holds(neighbors, 2 * n, x, forms, &answer); }},
+        {"pw85_neighbors_size", [=] { answer = static_cast<int>(pw85_neighbors_size(neighbors)); }},
+        {"pw85_neighbors_pairs", [=] { answer = *pw85_neighbors_pairs(neighbors); }},
+        {"pw85_neighbors_images", [=] { answer = *pw85_neighbors_images(neighbors); }},
+        {"pw85_neighbors_destroy", [=] { pw85_neighbors_destroy(neighbors); }},
         {"pw85_cell_reduce", [=] { status = pw85_cell_reduce(cell, out); }},
         {"pw85_nearest_image_limit", [=] { status = pw85_nearest_image_limit(n, p, cell, out); }},
     };

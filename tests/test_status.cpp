@@ -27,7 +27,7 @@ struct Arguments {
 
 /// Outputs that a function must fill with NaN when it fails.
 struct Outputs {
-    std::vector<double> values = std::vector<double>(15, 0.0);
+    std::vector<double> values = std::vector<double>(82, 0.0);
     double *data() { return values.data(); }
 };
 
@@ -72,6 +72,23 @@ std::vector<Function> const &functions()
          [](auto r, auto q1, auto q2, double lambda, double *out) {
              return pw85_contact_torque(r, q1, q2, lambda, out, out + 3);
          }},
+        {"contact_hessian", 3, 81, true, true,
+         [](auto r, auto q1, auto q2, double lambda, double *out) {
+             return pw85_contact_hessian(r, q1, q2, lambda, out);
+         }},
+        {"contact_geometry_2d", 2, 4, true, true,
+         [](auto r, auto q1, auto q2, double lambda, double *out) {
+             return pw85_contact_geometry_2d(r, q1, q2, lambda, out, out + 2);
+         }},
+        {"contact_gradient_2d", 2, 8, true, false,
+         [](auto r, auto q1, auto q2, double lambda,
+            double *out) { return pw85_contact_gradient_2d(r, q1, q2, lambda, out, out + 2, out + 5); }},
+        {"contact_torque_2d", 2, 2, true, false,
+         [](auto r, auto q1, auto q2, double lambda,
+            double *out) { return pw85_contact_torque_2d(r, q1, q2, lambda, out, out + 1); }},
+        {"contact_hessian_2d", 2, 16, true, true,
+         [](auto r, auto q1, auto q2, double lambda,
+            double *out) { return pw85_contact_hessian_2d(r, q1, q2, lambda, out); }},
     };
     return list;
 }
@@ -87,7 +104,7 @@ void expect(Function const &f, int expected, double const *r12, double const *q1
                        text(r12, d).c_str(), text(q1, size).c_str(), text(q2, size).c_str(), lambda);
     }
     g_assert_cmpint(status, ==, expected);
-    for (int i = 0; i < 15; ++i) {
+    for (int i = 0; i < 82; ++i) {
         double const x = out.values[static_cast<std::size_t>(i)];
         if (i >= f.outputs)
             g_assert_cmpfloat(x, ==, 0.0);

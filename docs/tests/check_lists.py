@@ -35,7 +35,7 @@ def c_functions():
 
 def plain(name):
     """The name of a C function without its prefix, which is that of Python."""
-    return re.sub(r"^pw85_|_batch$", "", name)
+    return re.sub(r"^pw85_|_batch(?=$|_2d$)", "", name)
 
 
 def python_all():

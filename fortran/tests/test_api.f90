@@ -1,7 +1,7 @@
 !> Calls every function of the module once, with answers that are known or follow from another function.
 program test_api
   use, intrinsic :: ieee_arithmetic, only: ieee_is_nan
-  use, intrinsic :: iso_c_binding, only: c_double, c_int, c_int8_t, c_int32_t, c_size_t
+  use, intrinsic :: iso_c_binding, only: c_double, c_int, c_int8_t, c_int32_t, c_ptr, c_size_t
   use, intrinsic :: iso_fortran_env, only: error_unit
   use pw85
   implicit none
@@ -22,6 +22,7 @@ program test_api
   call test_forms
   call test_contact
   call test_derivatives
+  call test_two_dimensions
   call test_distances
   call test_surfaces
   call test_walls
@@ -104,6 +105,7 @@ contains
 
   subroutine test_derivatives
     real(c_double) :: out(2), point(3), normal(3), alone(3), d_r12(3), d_q1(6), d_q2(6), torque1(3), torque2(3)
+    real(c_double) :: hessian(9, 9)
     integer :: status
     status = pw85_contact(r12, q1, q2, out)
     status = pw85_contact_geometry(r12, q1, q2, out(2), point, normal)
@@ -123,7 +125,47 @@ contains
     call check(status == pw85_success .and. all(abs(alone) <= tolerance * out(1)), 'contact_torque')
     status = pw85_contact_torque(r12, q1, q2, out(2), d_rot2=alone)
     call check(status == pw85_success .and. all(close(alone, torque2)), 'contact_torque, one output')
+    ! The gradient is of degree 1 in r12, and torques of degree 2.
+    status = pw85_contact_hessian(r12, q1, q2, out(2), hessian)
+    call check(status == pw85_success .and. all(close(matmul(hessian(:, 1:3), r12), [d_r12, 2 * torque1, 2 * torque2])), &
+               'contact_hessian')
   end subroutine test_derivatives
+
+  subroutine test_two_dimensions
+    integer(c_size_t), parameter :: n = 2
+    real(c_double), parameter :: d(2) = [3.0_c_double, 1.0_c_double]
+    real(c_double) :: out(2), e1(3), e2(3), point(2), normal(2), d_r12(2), d_q1(3), d_q2(3), torque1, torque2, alone
+    real(c_double) :: hessian(4, 4), r(2, n), forms1(3, n), forms2(3, n), mu2(n), lambda(n)
+    integer(c_int) :: overlap
+    integer(c_int8_t) :: overlaps(n)
+    integer :: status
+    status = pw85_ellipse(3.0_c_double, 1.0_c_double, 0.3_c_double, e1)
+    status = pw85_ellipse(2.0_c_double, 1.5_c_double, 2.0_c_double, e2)
+    status = pw85_contact_2d(d, e1, e2, out)
+    status = pw85_contact_geometry_2d(d, e1, e2, out(2), point, normal)
+    call check(status == pw85_success .and. close(norm2(normal), 1.0_c_double), 'contact_geometry_2d')
+    status = pw85_contact_gradient_2d(d, e1, e2, out(2), d_r12, d_q1, d_q2)
+    call check(status == pw85_success .and. close(dot_product(d_r12, d), 2 * out(1)), 'contact_gradient_2d: r12')
+    call check(close(dot_product(d_q1, e1) + dot_product(d_q2, e2), -out(1)), 'contact_gradient_2d: forms')
+    status = pw85_contact_torque_2d(d, e1, e2, out(2), torque1, torque2)
+    call check(status == pw85_success .and. abs(torque1 + torque2 + d(1) * d_r12(2) - d(2) * d_r12(1)) <= tolerance * out(1), &
+               'contact_torque_2d')
+    status = pw85_contact_torque_2d(d, e1, e2, out(2), d_rot2=alone)
+    call check(status == pw85_success .and. close(alone, torque2), 'contact_torque_2d, one output')
+    status = pw85_contact_hessian_2d(d, e1, e2, out(2), hessian)
+    call check(status == pw85_success .and. all(close(matmul(hessian(:, 1:2), d), [d_r12, 2 * torque1, 2 * torque2])), &
+               'contact_hessian_2d')
+    status = pw85_overlap_2d(d, e1, e2, overlap)
+    call check(status == pw85_success .and. (overlap == 1) .eqv. (out(1) < 1), 'overlap_2d')
+    r(:, 1) = d
+    r(:, 2) = 2 * d
+    forms1 = spread(e1, 2, int(n))
+    forms2 = spread(e2, 2, int(n))
+    status = pw85_contact_batch_2d(n, r, forms1, forms2, mu2, lambda)
+    call check(status == pw85_success .and. all(close(mu2, [out(1), 4 * out(1)])), 'contact_batch_2d')
+    status = pw85_overlap_batch_2d(n, r, forms1, forms2, overlaps)
+    call check(status == pw85_success .and. all((overlaps == 1) .eqv. (mu2 < 1)), 'overlap_batch_2d')
+  end subroutine test_two_dimensions
 
   subroutine test_distances
     real(c_double) :: out(2), distance, zheng, e1(3), e2(3)
@@ -255,7 +297,11 @@ contains
     real(c_double) :: reduced(3, 3), limit, d_r12(3, 1), d_rot1(3, 1), gradient(3)
     integer(c_int32_t) :: images(3, 1)
     integer(c_int8_t) :: overlap(num_pairs)
-    integer :: status
+    type(c_ptr) :: list
+    integer(c_int32_t), pointer :: neighbors(:, :), multiples(:, :)
+    integer(c_size_t) :: particle
+    integer(c_int) :: holds
+    integer :: status, num_neighbors
     centers(:, 1) = [0.5_c_double, 0.25_c_double, -0.5_c_double]
     centers(:, 2) = centers(:, 1) + r12
     centers(:, 3) = centers(:, 1) - 2 * r12
@@ -295,6 +341,26 @@ contains
     call check(status == pw85_success .and. all(close(d_r12(:, 1), gradient)), 'contact_derivatives_pairs: d_r12')
     status = pw85_nearest_image_limit(num_particles, q, cell, limit)
     call check(status == pw85_success .and. limit > 0, 'nearest_image_limit')
+    status = pw85_neighbors_create(num_particles, centers, q, cell, [0, 1, 0], 1.0_c_double, 0.5_c_double, list)
+    num_neighbors = int(pw85_neighbors_size(list))
+    call check(status == pw85_success .and. num_neighbors > 0, 'neighbors_create')
+    neighbors => pw85_neighbors_pairs(list)
+    multiples => pw85_neighbors_images(list)
+    call check(all(shape(neighbors) == [2, num_neighbors]), 'neighbors_pairs')
+    call check(any(multiples(2, :) /= 0) .and. all(multiples([1, 3], :) == 0), 'neighbors_images')
+    status = pw85_neighbors_holds(list, num_particles, centers + 0.2_c_double, q, holds)
+    call check(status == pw85_success .and. holds == 1, 'neighbors_holds')
+    status = pw85_neighbors_holds(list, num_particles, centers + 0.3_c_double, q, holds)
+    call check(status == pw85_success .and. holds == 0, 'neighbors_holds no more')
+    call pw85_neighbors_destroy(list)
+    status = pw85_neighbors_create(1_c_size_t, centers, q, scale=1.0_c_double, skin=0.0_c_double, list=list)
+    multiples => pw85_neighbors_images(list)
+    call check(status == pw85_success .and. .not. associated(multiples), 'neighbors without a cell')
+    call pw85_neighbors_destroy(list)
+    q(4, 2) = -1
+    status = pw85_neighbors_check(num_particles, centers, q, cell, scale=1.0_c_double, skin=0.0_c_double, particle=particle)
+    call check(status == pw85_enotpd .and. particle == 1, 'neighbors_check')
+    q(:, 2) = q2
     cell(:, 3) = cell(:, 3) + 10 * cell(:, 2)
     status = pw85_cell_reduce(cell, reduced)
     call check(status == pw85_success .and. maxval(abs(reduced)) <= 40, 'cell_reduce')

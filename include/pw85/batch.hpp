@@ -22,6 +22,10 @@ namespace pw85 {
 using Vectors = std::span<Vector<double, 3> const>;
 using Forms = std::span<SymmetricMatrix<double, 3> const>;
 
+/// Those of ellipses.
+using FlatVectors = std::span<Vector<double, 2> const>;
+using FlatForms = std::span<SymmetricMatrix<double, 2> const>;
+
 /// Particles i and j of a pair.
 using IndexPair = std::array<std::int32_t, 2>;
 
@@ -82,6 +86,22 @@ static inline Status contact_batch(std::span<Vector<float, 3> const> r12, std::s
 /// @param[out] overlap one for each pair: 1, 0, or 255 for a bad one
 /// @return as for contact_batch()
 static inline Status overlap_batch(Vectors r12, Forms q1, Forms q2, std::span<unsigned char> overlap) noexcept;
+
+/// contact() for pairs of ellipses: see pw85_contact_batch_2d().
+///
+/// @param r12,q1,q2 one of each for each pair
+/// @param[out] mu2,lambda as for contact_batch()
+/// @return as for contact_batch()
+static inline Status contact_batch(FlatVectors r12, FlatForms q1, FlatForms q2, std::span<double> mu2,
+                                   std::span<double> lambda = {}) noexcept;
+
+/// overlap() for pairs of ellipses: see pw85_overlap_batch_2d().
+///
+/// @param r12,q1,q2 one of each for each pair
+/// @param[out] overlap as for overlap_batch()
+/// @return as for contact_batch()
+static inline Status overlap_batch(FlatVectors r12, FlatForms q1, FlatForms q2,
+                                   std::span<unsigned char> overlap) noexcept;
 
 /// closest_approach() for pairs: see pw85_closest_approach_batch().
 ///
@@ -177,6 +197,8 @@ static inline Status bounding_boxes(Forms q, std::span<Vector<double, 3>> half_w
 
 namespace detail {
 
+static_assert(sizeof(Vector<double, 2>) == 2 * sizeof(double));
+static_assert(sizeof(SymmetricMatrix<double, 2>) == 3 * sizeof(double));
 static_assert(sizeof(Vector<double, 3>) == 3 * sizeof(double));
 static_assert(sizeof(SymmetricMatrix<double, 3>) == 6 * sizeof(double));
 static_assert(sizeof(Vector<double, 4>) == 4 * sizeof(double));
@@ -274,6 +296,25 @@ static inline Status overlap_batch(Vectors r12, Forms q1, Forms q2, std::span<un
     if (r12.size() != n || q1.size() != n || q2.size() != n) return Status::invalid_argument;
     return static_cast<Status>(
         pw85_overlap_batch(n, detail::numbers(r12), detail::numbers(q1), detail::numbers(q2), overlap.data()));
+}
+
+static inline Status contact_batch(FlatVectors r12, FlatForms q1, FlatForms q2, std::span<double> mu2,
+                                   std::span<double> lambda) noexcept
+{
+    std::size_t const n = mu2.size();
+    if (r12.size() != n || q1.size() != n || q2.size() != n || !detail::fits(n, lambda))
+        return Status::invalid_argument;
+    return static_cast<Status>(pw85_contact_batch_2d(n, detail::numbers(r12), detail::numbers(q1), detail::numbers(q2),
+                                                     mu2.data(), detail::optional(lambda)));
+}
+
+static inline Status overlap_batch(FlatVectors r12, FlatForms q1, FlatForms q2,
+                                   std::span<unsigned char> overlap) noexcept
+{
+    std::size_t const n = overlap.size();
+    if (r12.size() != n || q1.size() != n || q2.size() != n) return Status::invalid_argument;
+    return static_cast<Status>(
+        pw85_overlap_batch_2d(n, detail::numbers(r12), detail::numbers(q1), detail::numbers(q2), overlap.data()));
 }
 
 static inline Status closest_approach_batch(Vectors directions, Forms q1, Forms q2, std::span<double> distance) noexcept

@@ -28,9 +28,10 @@ template <class T, int D> struct ContactGradient {
     Status status;
 };
 
-/// Derivatives of μ² with respect to the rotation vectors of the ellipsoids, each about its own centre.
-template <class T> struct ContactTorque {
-    Vector<T, 3> rotation1, rotation2;
+/// Derivatives of μ² with respect to the rotation vectors of the ellipsoids, each about its own centre; the one component of
+/// ellipses is that with respect to the angle.
+template <class T, int D = 3> struct ContactTorque {
+    Vector<T, rotation_axes<D>> rotation1, rotation2;
     Status status;
 };
 
@@ -59,8 +60,10 @@ PW85_FUNCTION inline Vector<T, D> solve_blend(SymmetricMatrix<T, D> const &m, Ve
 /// A pair at some λ, in units of its own: n is proportional to v = (w1 Q1 + w2 Q2)⁻¹ r12.
 template <class T, int D> struct Tangency {
     Vector<T, D> v;
-    T lambda1, lambda2; ///< 1-λ, λ
-    T weight1, weight2; ///< w1, w2: proportional to 1-λ and λ
+    T lambda1, lambda2;       ///< 1-λ, λ
+    T weight1, weight2;       ///< w1, w2: proportional to 1-λ and λ
+    int lambda_exponent = 0;  ///< lambda2 is λ over this power of two
+    int weights_exponent = 0; ///< lambda1 lambda2 is w1 w2 times this power of two
 };
 
 /// The point x0, relative to the centre of ellipsoid 1 (item 1).
@@ -83,14 +86,14 @@ template <class T, int D> PW85_FUNCTION constexpr Vector<T, D> separation_gradie
 }
 
 /// ∂μ²/∂ω1 and ∂μ²/∂ω2 (item 3).
-template <class T> struct RotationGradients {
-    Vector<T, 3> first, second;
+template <class T, int D = 3> struct RotationGradients {
+    Vector<T, rotation_axes<D>> first, second;
 };
 
-template <class T> PW85_FUNCTION constexpr RotationGradients<T>
-rotation_gradients(Tangency<T, 3> const &at, SymmetricMatrix<T, 3> const &q1, SymmetricMatrix<T, 3> const &q2) noexcept
+template <class T, int D> PW85_FUNCTION constexpr RotationGradients<T, D>
+rotation_gradients(Tangency<T, D> const &at, SymmetricMatrix<T, D> const &q1, SymmetricMatrix<T, D> const &q2) noexcept
 {
-    Vector<T, 3> const n = separation_gradient(at);
+    Vector<T, D> const n = separation_gradient(at);
     return {cross(n, times(at.weight1, product(q1, at.v))), cross(n, times(at.weight2, product(q2, at.v)))};
 }
 
@@ -121,8 +124,13 @@ scaled_tangency(ScaledPair<T, D> const &scaled, T const &lambda1, T const &lambd
     auto const v = solve_blend(blend(w1, scaled.pair.q1, w2, scaled.pair.q2), scaled.pair.r12);
     int const lambda = lambda2 > T(0) ? binary_exponent(lambda2) : 0;
     units = {scaled.length, scaled.length - 2 * scaled.form - weight, lambda};
-    return {times(T(scaled.swapped ? -1 : 1), v), lambda1, times_power_of_two(lambda2, -lambda),
-            scaled.swapped ? w2 : w1, scaled.swapped ? w1 : w2};
+    return {times(T(scaled.swapped ? -1 : 1), v),
+            lambda1,
+            times_power_of_two(lambda2, -lambda),
+            scaled.swapped ? w2 : w1,
+            scaled.swapped ? w1 : w2,
+            lambda,
+            2 * weight - small - lambda};
 }
 
 /// formula(tangency, q1, q2) for any pair at λ.
@@ -214,28 +222,28 @@ PW85_FUNCTION inline ContactGradient<T, D> contact_gradient(Vector<T, D> const &
         r12, q1, q2, lambda);
 }
 
-template <class T> PW85_FUNCTION inline void invalidate(ContactTorque<T> &t, Status status) noexcept
+template <class T, int D> PW85_FUNCTION inline void invalidate(ContactTorque<T, D> &t, Status status) noexcept
 {
     t.rotation1 = times(quiet_nan<T>(), t.rotation1);
     t.rotation2 = times(quiet_nan<T>(), t.rotation2);
     t.status = status;
 }
 
-template <class T> PW85_FUNCTION inline void rescale(ContactTorque<T> &t, TangencyUnits const &units) noexcept
+template <class T, int D> PW85_FUNCTION inline void rescale(ContactTorque<T, D> &t, TangencyUnits const &units) noexcept
 {
     int const exponent = units.length + units.normal + units.lambda;
     t.rotation1 = times_power_of_two(t.rotation1, exponent);
     t.rotation2 = times_power_of_two(t.rotation2, exponent);
 }
 
-template <class T>
-PW85_FUNCTION inline ContactTorque<T> contact_torque(Vector<T, 3> const &r12, SymmetricMatrix<T, 3> const &q1,
-                                                     SymmetricMatrix<T, 3> const &q2, T const &lambda) noexcept
+template <class T, int D>
+PW85_FUNCTION inline ContactTorque<T, D> contact_torque(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
+                                                        SymmetricMatrix<T, D> const &q2, T const &lambda) noexcept
 {
     return at_tangency(
-        [](Tangency<T, 3> const &at, SymmetricMatrix<T, 3> const &p1, SymmetricMatrix<T, 3> const &p2) {
+        [](Tangency<T, D> const &at, SymmetricMatrix<T, D> const &p1, SymmetricMatrix<T, D> const &p2) {
             auto const gradients = rotation_gradients(at, p1, p2);
-            return ContactTorque<T>{gradients.first, gradients.second, Status::success};
+            return ContactTorque<T, D>{gradients.first, gradients.second, Status::success};
         },
         r12, q1, q2, lambda);
 }

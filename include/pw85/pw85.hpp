@@ -48,7 +48,8 @@ template <class T, int D> struct Form;            // q, status
 template <class T> struct Contact;                // mu2, lambda, status
 template <class T, int D> struct ContactGeometry; // point, normal, status
 template <class T, int D> struct ContactGradient; // r12, q1, q2, status
-template <class T> struct ContactTorque;          // rotation1, rotation2, status
+template <class T, int D> struct ContactTorque;   // rotation1, rotation2, status
+template <class T, int D> struct ContactHessian;  // entries, status
 template <class T> struct ClosestApproach;        // distance, status
 template <class T, int D> struct BoundingBox;     // half_widths, status
 struct Overlap;                                   // overlap, tier, status
@@ -148,9 +149,20 @@ PW85_FUNCTION inline ContactGradient<T, D> contact_gradient(Vector<T, D> const &
 /// @param r12,q1,q2 as for contact()
 /// @param lambda from contact()
 /// @return both vectors, per radian; Status::invalid_argument (also for λ outside [0, 1]), Status::not_positive_definite
-template <class T>
-PW85_FUNCTION inline ContactTorque<T> contact_torque(Vector<T, 3> const &r12, SymmetricMatrix<T, 3> const &q1,
-                                                     SymmetricMatrix<T, 3> const &q2, T const &lambda) noexcept;
+template <class T, int D>
+PW85_FUNCTION inline ContactTorque<T, D> contact_torque(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
+                                                        SymmetricMatrix<T, D> const &q2, T const &lambda) noexcept;
+
+/// Second derivatives of μ² with respect to r12 and rotations of the ellipsoids about their own centres, where the vector ω
+/// stands for the rotation by |ω| about ω, or the angle ω in two dimensions, and λ follows each change.
+///
+/// @param r12,q1,q2 as for contact(), r12 != 0
+/// @param lambda from contact()
+/// @return the symmetric matrix, for r12, rotation 1 and rotation 2: 9×9 or 4×4; Status::invalid_argument (also for λ outside
+/// [0, 1] and r12 = 0), Status::not_positive_definite
+template <class T, int D>
+PW85_FUNCTION inline ContactHessian<T, D> contact_hessian(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
+                                                          SymmetricMatrix<T, D> const &q2, T const &lambda) noexcept;
 
 /// Whether two ellipsoids overlap, μ² < 1. Tangent ellipsoids (μ² = 1) do not.
 ///
@@ -298,6 +310,7 @@ intersect_line(Vector<T, D> const &origin, Vector<T, D> const &direction, Symmet
 #include <pw85/bounding_box.hpp>
 #include <pw85/closest_approach.hpp>
 #include <pw85/contact.hpp>
+#include <pw85/contact_hessian.hpp>
 #include <pw85/distance.hpp>
 #include <pw85/distance_derivatives.hpp>
 #include <pw85/forms.hpp>

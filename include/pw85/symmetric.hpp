@@ -17,6 +17,9 @@ template <class T, int D> struct Vector {
     [[gnu::always_inline]] constexpr T const &operator[](int i) const noexcept { return coordinates[i]; }
 };
 
+/// Number of axes of rotation.
+template <int D> inline constexpr int rotation_axes = D *(D - 1) / 2;
+
 template <class T, class... U> Vector(T, U...) -> Vector<T, 1 + static_cast<int>(sizeof...(U))>;
 
 /// A symmetric matrix: its upper triangle in row-major order, (xx, xy, xz, yy, yz, zz) in three dimensions.
@@ -56,6 +59,12 @@ template <class T, int D> PW85_FUNCTION constexpr T dot(Vector<T, D> const &x, V
 template <class T> PW85_FUNCTION constexpr Vector<T, 3> cross(Vector<T, 3> const &x, Vector<T, 3> const &y) noexcept
 {
     return {x[1] * y[2] - x[2] * y[1], x[2] * y[0] - x[0] * y[2], x[0] * y[1] - x[1] * y[0]};
+}
+
+/// The component along the one axis of rotation in two dimensions.
+template <class T> PW85_FUNCTION constexpr Vector<T, 1> cross(Vector<T, 2> const &x, Vector<T, 2> const &y) noexcept
+{
+    return {x[0] * y[1] - x[1] * y[0]};
 }
 
 /// factor x.

@@ -31,12 +31,11 @@ from ._contact import (
     _cholesky_decomp,
     _cholesky_solve,
     closest_approach,
-    closest_approach_2d,
     contact,
-    contact_2d,
     contact_function,
     contact_geometry,
     contact_gradient,
+    contact_hessian,
     contact_torque,
     f,
     f_neg,
@@ -48,8 +47,18 @@ from ._conversions import from_gsd, from_lammps, from_ovito
 from ._core import LAMBDA_ATOL as lambda_atol
 from ._core import strerror, version
 from ._distance import distance, distance_2d, distance_derivatives
+from ._ellipses import (
+    closest_approach_2d,
+    contact_2d,
+    contact_geometry_2d,
+    contact_gradient_2d,
+    contact_hessian_2d,
+    contact_torque_2d,
+    overlap_2d,
+)
 from ._errors import PW85Error, Status, bad_rows
 from ._forms import ellipse, ellipsoid, ellipsoid_quaternion, full, packed, principal_axes, spheroid
+from ._neighbors import Neighbors, neighbors
 from ._packing import pack, relax
 from ._pairs import contact_pairs, overlap_pairs
 from ._plotting import plot
@@ -95,6 +104,7 @@ __all__ = [
     "Contacts",
     "Correlation",
     "FileError",
+    "Neighbors",
     "PW85Error",
     "Report",
     "Status",
@@ -110,10 +120,15 @@ __all__ = [
     "contact_derivatives_pairs",
     "contact_function",
     "contact_geometry",
+    "contact_geometry_2d",
     "contact_gradient",
+    "contact_gradient_2d",
+    "contact_hessian",
+    "contact_hessian_2d",
     "contact_pairs",
     "contact_plane",
     "contact_torque",
+    "contact_torque_2d",
     "correlation",
     "distance",
     "distance_2d",
@@ -139,8 +154,10 @@ __all__ = [
     "legacy",
     "metadata",
     "nearest_image_limit",
+    "neighbors",
     "nematic_order",
     "overlap",
+    "overlap_2d",
     "overlap_any",
     "overlap_pairs",
     "pack",

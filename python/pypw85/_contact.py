@@ -305,6 +305,46 @@ def contact_torque(
     return _core.call_contact_torque(r12, q1, q2, lambda_, out, kwargs)
 
 
+@documented
+def contact_hessian(
+    r12: ArrayLike, q1: ArrayLike, q2: ArrayLike, lambda_: ArrayLike, out: Any = None, **kwargs: Any
+) -> Floats:
+    """Second derivatives of μ² with respect to positions and rotations.
+
+    A rotation vector ω stands for the rotation by |ω| about ω, of each ellipsoid about its own centre.
+
+    Parameters
+    ----------
+    {r12}
+        Not zero.
+    {forms}
+    {lambda_found}
+    out : (..., 9, 9) array, optional
+        Where to put the result.
+    {keywords}
+
+    Returns
+    -------
+    (..., 9, 9) array
+        Symmetric; rows and columns for `r12`, rotation 1 and rotation 2.
+
+    Raises
+    ------
+    PW85Error
+        For a single pair: invalid input, `r12` = 0, λ outside [0, 1]. Rows of arrays become NaN.
+
+    Examples
+    --------
+    For spheres of radius 1, μ² = |r12|²/4:
+
+    >>> import pypw85
+    >>> q = pypw85.spheroid(1, 1, [0, 0, 1])
+    >>> pypw85.contact_hessian([4, 0, 0], q, q, 0.5)[0, 0]
+    0.5
+    """
+    return _core.call_contact_hessian(r12, q1, q2, lambda_, out, kwargs)
+
+
 @overload
 def closest_approach(direction: Row, q1: Row, q2: Row, out: None = None) -> float: ...
 @overload
@@ -330,65 +370,6 @@ def closest_approach(direction: ArrayLike, q1: ArrayLike, q2: ArrayLike, out: An
     array([2., 4.])
     """
     return _core.call_closest_approach(direction, q1, q2, out, kwargs)
-
-
-@overload
-def contact_2d(r12: Row, q1: Row, q2: Row, out: None = None) -> tuple[float, float]: ...
-@overload
-def contact_2d(r12: ArrayLike, q1: ArrayLike, q2: ArrayLike, out: Any = None, **kwargs: Any) -> tuple[Any, Any]: ...
-@documented
-def contact_2d(r12: ArrayLike, q1: ArrayLike, q2: ArrayLike, out: Any = None, **kwargs: Any) -> tuple[Any, Any]:
-    """Contact function of two ellipses.
-
-    μ is the common factor by which both ellipses must be scaled, their centres fixed, to touch: they overlap if μ² < 1
-    and are apart if μ² > 1.
-
-    Parameters
-    ----------
-    r12 : (..., 2) array_like
-        From the centre of ellipse 1 to that of ellipse 2. Zero is valid (μ² = 0, λ = 1/2).
-    q1, q2 : (..., 3) array_like
-        Forms (xx, xy, yy), in the square of the unit of `r12`.
-    {out_contact}
-
-    {returns_contact}
-
-    {raises_pair}
-
-    Examples
-    --------
-    >>> import pypw85
-    >>> q = pypw85.ellipse(1, 1, 0)
-    >>> pypw85.contact_2d([3, 0], q, q)
-    (2.25, 0.5)
-    """
-    return _core.call_contact_2d(r12, q1, q2, out, kwargs)
-
-
-@overload
-def closest_approach_2d(direction: Row, q1: Row, q2: Row, out: None = None) -> float: ...
-@overload
-def closest_approach_2d(direction: ArrayLike, q1: ArrayLike, q2: ArrayLike, out: Any = None, **kwargs: Any) -> Any: ...
-@documented
-def closest_approach_2d(direction: ArrayLike, q1: ArrayLike, q2: ArrayLike, out: Any = None, **kwargs: Any) -> Any:
-    """Distance of the centres at which two ellipses touch from outside, on a line of given direction.
-
-    Parameters
-    ----------
-    {direction_2d}
-    {out}
-
-    {returns_distance}
-
-    {raises_direction}
-
-    Examples
-    --------
-    >>> import pypw85
-    >>> pypw85.closest_approach_2d([1, 0], pypw85.ellipse(2, 1, 0), pypw85.ellipse(1, 1, 0))
-    3.0
-    """
-    return _core.call_closest_approach_2d(direction, q1, q2, out, kwargs)
 
 
 @overload

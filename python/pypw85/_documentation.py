@@ -47,6 +47,16 @@ normal : (..., 3) array_like
 offset : (...) array_like
     In the unit of normal·x; negative if the centre is in the half-space.
 """,
+    "lambda_found_2d": """
+lambda_ : (...) array_like
+    In [0, 1], from `contact_2d`.
+""",
+    "pair_2d": """
+r12 : (..., 2) array_like
+    From the centre of ellipse 1 to that of ellipse 2.
+q1, q2 : (..., 3) array_like
+    Forms (xx, xy, yy), in the square of the unit of `r12`.
+""",
     "direction": """
 direction : (..., 3) array_like
     From centre 1 to centre 2, of any length > 0.

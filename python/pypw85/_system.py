@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ._forms import ellipsoid_quaternion, principal_axes
+from ._neighbors import Neighbors, neighbors
 from ._pairs import _cell, _rows, contact_pairs, overlap_pairs
 from ._systems import contact_derivatives_pairs, nearest_image_limit
 from ._typing import Floats
@@ -141,10 +142,8 @@ class System:
         fractions = (self.centers - self.origin) @ np.linalg.inv(self.cell)
         return self.centers - np.where(self.periodic, np.floor(fractions), 0.0) @ self.cell
 
-    def neighbors(self, scale: float = 1.0, skin: float = 0.0) -> Any:
+    def neighbors(self, scale: float = 1.0, skin: float = 0.0) -> Neighbors:
         """Pairs whose boxes meet: see `pypw85.neighbors`."""
-        from . import neighbors
-
         return neighbors(self.centers, self.q, self.cell, self.periodic, scale, skin)
 
     def contacts(self, below: float = 1.0) -> Contacts:

@@ -80,10 +80,10 @@ int spheroid(double const *const *in, double *const *out)
     return std::isnan(out[0][0]) ? PW85_EINVAL : PW85_SUCCESS;
 }
 
-int overlap(double const *const *in, double *const *out)
+template <auto function> int overlap(double const *const *in, double *const *out)
 {
     int result;
-    int const status = pw85_overlap(in[0], in[1], in[2], &result);
+    int const status = function(in[0], in[1], in[2], &result);
     *out[0] = status == PW85_SUCCESS ? result : nan;
     return status;
 }
@@ -101,6 +101,31 @@ int contact_gradient(double const *const *in, double *const *out)
 int contact_torque(double const *const *in, double *const *out)
 {
     return pw85_contact_torque(in[0], in[1], in[2], *in[3], out[0], out[1]);
+}
+
+int contact_hessian(double const *const *in, double *const *out)
+{
+    return pw85_contact_hessian(in[0], in[1], in[2], *in[3], out[0]);
+}
+
+int contact_geometry_2d(double const *const *in, double *const *out)
+{
+    return pw85_contact_geometry_2d(in[0], in[1], in[2], *in[3], out[0], out[1]);
+}
+
+int contact_gradient_2d(double const *const *in, double *const *out)
+{
+    return pw85_contact_gradient_2d(in[0], in[1], in[2], *in[3], out[0], out[1], out[2]);
+}
+
+int contact_torque_2d(double const *const *in, double *const *out)
+{
+    return pw85_contact_torque_2d(in[0], in[1], in[2], *in[3], out[0], out[1]);
+}
+
+int contact_hessian_2d(double const *const *in, double *const *out)
+{
+    return pw85_contact_hessian_2d(in[0], in[1], in[2], *in[3], out[0]);
 }
 
 int contact_derivatives(double const *const *in, double *const *out)
@@ -226,9 +251,10 @@ std::vector<Function> &functions()
         {"contact_geometry", "(3),(6),(6),()->(3),(3)", contact_geometry},
         {"contact_gradient", "(3),(6),(6),()->(3),(6),(6)", contact_gradient},
         {"contact_torque", "(3),(6),(6),()->(3),(3)", contact_torque},
+        {"contact_hessian", "(3),(6),(6),()->(9,9)", contact_hessian},
         {"contact_derivatives", "(3),(6),(6)->(),(),(3),(3),(3),(3),(3)", contact_derivatives, false,
          contact_derivatives_loop},
-        {"overlap", "(3),(6),(6)->()", overlap, true},
+        {"overlap", "(3),(6),(6)->()", overlap<pw85_overlap>, true},
         {"cell_reduce", "(3,3)->(3,3)", cell_reduce},
         {"bounding_boxes", "(6)->(3)", bounding_boxes},
         {"closest_approach", "(3),(6),(6)->()", distance_result<pw85_closest_approach>, false, closest_approach_loop},
@@ -242,7 +268,12 @@ std::vector<Function> &functions()
         {"distance_cylinder", "(3),(),(3),(6)->(),(3),(3)", distance_cylinder},
         {"distance_point", "(3),(6)->(),(3),(3)", distance_point},
         {"intersect_line", "(3),(3),(6)->(),()", pair_result<pw85_intersect_line>},
-        {"contact_2d", "(2),(3),(3)->(),()", pair_result<pw85_contact_2d>},
+        {"contact_2d", "(2),(3),(3)->(),()", pair_result<pw85_contact_2d>, false, contact_2d_loop},
+        {"contact_geometry_2d", "(2),(3),(3),()->(2),(2)", contact_geometry_2d},
+        {"contact_gradient_2d", "(2),(3),(3),()->(2),(3),(3)", contact_gradient_2d},
+        {"contact_torque_2d", "(2),(3),(3),()->(),()", contact_torque_2d},
+        {"contact_hessian_2d", "(2),(3),(3),()->(4,4)", contact_hessian_2d},
+        {"overlap_2d", "(2),(3),(3)->()", overlap<pw85_overlap_2d>, true},
         {"closest_approach_2d", "(2),(3),(3)->()", distance_result<pw85_closest_approach_2d>},
         {"zheng_ellipses", "(2),(3),(3)->()", distance_result<pw85_zheng_ellipses>},
         {"zheng_ellipsoids", "(3),(6),(6)->()", distance_result<pw85_zheng_ellipsoids>},

@@ -52,13 +52,16 @@ void row_loop(char **args, std::ptrdiff_t const *dimensions, std::ptrdiff_t cons
 /// pw85_contact_batch() on blocks of rows.
 void contact_loop(char **args, std::ptrdiff_t const *dimensions, std::ptrdiff_t const *steps, void *data);
 
+/// pw85_contact_batch_2d() on blocks of rows.
+void contact_2d_loop(char **args, std::ptrdiff_t const *dimensions, std::ptrdiff_t const *steps, void *data);
+
 /// pw85_closest_approach_batch() on blocks of rows.
 void closest_approach_loop(char **args, std::ptrdiff_t const *dimensions, std::ptrdiff_t const *steps, void *data);
 
 /// pw85_contact_derivatives_batch() on blocks of rows.
 void contact_derivatives_loop(char **args, std::ptrdiff_t const *dimensions, std::ptrdiff_t const *steps, void *data);
 
-/// pw85_overlap_batch() on blocks of rows. Output: 0, 1, or 255 for a bad row.
+/// pw85_overlap_batch() or pw85_overlap_batch_2d() on blocks of rows. Output: 0, 1, or 255 for a bad row.
 void overlap_code_loop(char **args, std::ptrdiff_t const *dimensions, std::ptrdiff_t const *steps, void *data);
 
 /// The same with a boolean output, true for a bad row.

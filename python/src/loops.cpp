@@ -154,6 +154,11 @@ int contact_batch(std::size_t n, double const *const *in, double *const *out) no
     return pw85_contact_batch(n, in[0], in[1], in[2], out[0], out[1]);
 }
 
+int contact_batch_2d(std::size_t n, double const *const *in, double *const *out) noexcept
+{
+    return pw85_contact_batch_2d(n, in[0], in[1], in[2], out[0], out[1]);
+}
+
 int closest_approach_batch(std::size_t n, double const *const *in, double *const *out) noexcept
 {
     return pw85_closest_approach_batch(n, in[0], in[1], in[2], out[0]);
@@ -200,12 +205,18 @@ void pair_loop(char **args, std::ptrdiff_t const *dimensions, std::ptrdiff_t con
     flags.note(batch(static_cast<std::size_t>(dimensions[0]), arrays, arrays + 3) != PW85_SUCCESS);
 }
 
+/// The overlap of ellipses or ellipsoids, by the size of r12.
+decltype(&pw85_overlap_batch) overlap_batch(Rows const *rows) noexcept
+{
+    return rows[0].core.size() == 2 ? pw85_overlap_batch_2d : pw85_overlap_batch;
+}
+
 template <bool boolean> bool overlap_blocks(std::ptrdiff_t count, Rows const *rows) noexcept
 {
     return for_blocks(count, rows, [rows](PairBlocks &pairs, std::ptrdiff_t first, std::ptrdiff_t n) {
         unsigned char overlap[block_rows];
-        int const status = pw85_overlap_batch(static_cast<size_t>(n), pairs.r12(first, n), pairs.q1(first, n),
-                                              pairs.q2(first, n), overlap);
+        int const status = overlap_batch(rows)(static_cast<size_t>(n), pairs.r12(first, n), pairs.q1(first, n),
+                                               pairs.q2(first, n), overlap);
         for (std::ptrdiff_t i = 0; i < n; ++i)
             element<unsigned char>(rows[3], first + i) = boolean ? overlap[i] != 0 : overlap[i];
         return status;
@@ -222,7 +233,7 @@ void overlap_loop(char **args, std::ptrdiff_t const *dimensions, std::ptrdiff_t 
     if (!all_contiguous(rows, 3) || rows[3].step != 1) return flags.note(!overlap_blocks<boolean>(n, rows));
     auto *const overlap = reinterpret_cast<unsigned char *>(args[3]);
     int const status =
-        pw85_overlap_batch(static_cast<size_t>(n), numbers(args[0]), numbers(args[1]), numbers(args[2]), overlap);
+        overlap_batch(rows)(static_cast<size_t>(n), numbers(args[0]), numbers(args[1]), numbers(args[2]), overlap);
     flags.note(status != PW85_SUCCESS);
     if (boolean && status != PW85_SUCCESS)
         std::transform(overlap, overlap + n, overlap, [](unsigned char code) { return code != 0; });
@@ -253,6 +264,11 @@ void row_loop(char **args, std::ptrdiff_t const *dimensions, std::ptrdiff_t cons
 void contact_loop(char **args, std::ptrdiff_t const *dimensions, std::ptrdiff_t const *steps, void *data)
 {
     pair_loop<contact_batch>(args, dimensions, steps, data);
+}
+
+void contact_2d_loop(char **args, std::ptrdiff_t const *dimensions, std::ptrdiff_t const *steps, void *data)
+{
+    pair_loop<contact_batch_2d>(args, dimensions, steps, data);
 }
 
 void closest_approach_loop(char **args, std::ptrdiff_t const *dimensions, std::ptrdiff_t const *steps, void *data)

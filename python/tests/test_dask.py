@@ -41,7 +41,7 @@ def test_functions_of_pairs(chunked, name):
     assert_same(getattr(pypw85, name)(*arrays), getattr(pypw85, name)(*pairs))
 
 
-@pytest.mark.parametrize("name", ["contact_geometry", "contact_gradient", "contact_torque"])
+@pytest.mark.parametrize("name", ["contact_geometry", "contact_gradient", "contact_torque", "contact_hessian"])
 def test_outputs_with_sizes_of_their_own(chunked, name):
     pairs, arrays = chunked
     assert_same(getattr(pypw85, name)(*arrays, 0.5), getattr(pypw85, name)(*pairs, 0.5))

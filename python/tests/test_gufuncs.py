@@ -23,6 +23,12 @@ SIGNATURES = {
     "contact_geometry": "(3),(6),(6),()->(3),(3)",
     "contact_gradient": "(3),(6),(6),()->(3),(6),(6)",
     "contact_torque": "(3),(6),(6),()->(3),(3)",
+    "contact_hessian": "(3),(6),(6),()->(9,9)",
+    "contact_geometry_2d": "(2),(3),(3),()->(2),(2)",
+    "contact_gradient_2d": "(2),(3),(3),()->(2),(3),(3)",
+    "contact_torque_2d": "(2),(3),(3),()->(),()",
+    "contact_hessian_2d": "(2),(3),(3),()->(4,4)",
+    "overlap_2d": "(2),(3),(3)->()",
     "overlap": "(3),(6),(6)->()",
     "closest_approach": "(3),(6),(6)->()",
     "distance": "(3),(6),(6)->(),(3),(3)",
@@ -103,7 +109,7 @@ def test_single_call_equals_rows_of_array(name, rng):
     rows = as_tuple(getattr(gufuncs, name)(*args))
     # The batches of these promise a bound, not the bits of the single call.
     same = np.testing.assert_array_equal
-    if name in ("contact", "closest_approach"):
+    if name in ("contact", "contact_2d", "closest_approach"):
         same = lambda a, b: np.testing.assert_allclose(a, b, rtol=1e-14)
     for index in np.ndindex(5, 4):
         single = as_tuple(call_name(name)(*(arg[index] for arg in args), None, {}))

@@ -134,6 +134,8 @@ struct OnePairKernels {
                             double *d_q1, double *d_q2) noexcept;
     int (*contact_torque)(double const *r12, double const *q1, double const *q2, double lambda, double *d_rot1,
                           double *d_rot2) noexcept;
+    int (*contact_hessian)(double const *r12, double const *q1, double const *q2, double lambda,
+                           double *hessian) noexcept;
     int (*closest_approach)(double const *direction, double const *q1, double const *q2, double *distance) noexcept;
     int (*distance)(double const *r12, double const *q1, double const *q2, double *distance, double *point1,
                     double *point2) noexcept;
@@ -155,7 +157,8 @@ template <class Rows, class Arrays> struct LaneKernel {
 template <class... Kernel> struct KernelTable : Kernel... {
 };
 
-using LaneKernels = KernelTable<LaneKernel<PairArrays<3>, ContactArrays>, LaneKernel<NeighborList, ContactArrays>,
+using LaneKernels = KernelTable<LaneKernel<PairArrays<2>, ContactArrays>, LaneKernel<PairArrays<2>, OverlapArray>,
+                                LaneKernel<PairArrays<3>, ContactArrays>, LaneKernel<NeighborList, ContactArrays>,
                                 LaneKernel<PairArrays<3>, OverlapArray>, LaneKernel<NeighborList, OverlapArray>,
                                 LaneKernel<OneToMany, OverlapArray>, LaneKernel<PairArrays<3>, DerivativeArrays>,
                                 LaneKernel<NeighborList, DerivativeArrays>, LaneKernel<Directions, ApproachArray>>;

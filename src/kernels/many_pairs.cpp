@@ -87,6 +87,20 @@ int pw85_overlap_batch(size_t n, double const *r12, double const *q1, double con
     return compute_all(n, PairArrays<3>{r12, q1, q2}, OverlapArray{overlap});
 }
 
+int pw85_contact_batch_2d(size_t n, double const *r12, double const *q1, double const *q2, double *mu2, double *lambda)
+{
+    if (n == 0) return PW85_SUCCESS;
+    if (n > max_rows || any_null(r12, q1, q2, mu2)) return PW85_EINVAL;
+    return compute_all(n, PairArrays<2>{r12, q1, q2}, ContactArrays{mu2, lambda});
+}
+
+int pw85_overlap_batch_2d(size_t n, double const *r12, double const *q1, double const *q2, unsigned char *overlap)
+{
+    if (n == 0) return PW85_SUCCESS;
+    if (n > max_rows || any_null(r12, q1, q2, overlap)) return PW85_EINVAL;
+    return compute_all(n, PairArrays<2>{r12, q1, q2}, OverlapArray{overlap});
+}
+
 int pw85_closest_approach_batch(size_t n, double const *directions, double const *q1, double const *q2,
                                 double *distance)
 {

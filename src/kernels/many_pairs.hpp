@@ -5,6 +5,10 @@
 
 #include <cmath>
 
+#include <pw85/contact.hpp>
+#include <pw85/overlap.hpp>
+
+#include "../c_arrays.hpp"
 #include "kernels.hpp"
 #include "parallel.hpp"
 
@@ -30,6 +34,23 @@ inline int settle(OnePairKernels const &one, PairRow<3> const &pair, OverlapArra
     int const status = one.overlap(pair.r12, pair.q1, pair.q2, &overlap);
     out.overlap[index] = static_cast<unsigned char>(overlap); // -1, for a bad pair, becomes 255
     return status;
+}
+
+inline int settle(OnePairKernels const &, PairRow<2> const &pair, ContactArrays const &out, std::size_t index) noexcept
+{
+    auto const contact =
+        pw85::contact(c_api::load_vector<2>(pair.r12), c_api::load_matrix<2>(pair.q1), c_api::load_matrix<2>(pair.q2));
+    out.mu2[index] = contact.mu2;
+    if (out.lambda != nullptr) out.lambda[index] = contact.lambda;
+    return static_cast<int>(contact.status);
+}
+
+inline int settle(OnePairKernels const &, PairRow<2> const &pair, OverlapArray const &out, std::size_t index) noexcept
+{
+    auto const overlap =
+        pw85::overlap(c_api::load_vector<2>(pair.r12), c_api::load_matrix<2>(pair.q1), c_api::load_matrix<2>(pair.q2));
+    out.overlap[index] = overlap.status != Status::success ? 255 : overlap.overlap ? 1 : 0;
+    return static_cast<int>(overlap.status);
 }
 
 inline int settle(OnePairKernels const &one, PairRow<3> const &pair, ApproachArray const &out,

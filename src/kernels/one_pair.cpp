@@ -1,5 +1,6 @@
 // The functions for one pair, compiled once per instruction set.
 #include <pw85/closest_approach.hpp>
+#include <pw85/contact_hessian.hpp>
 #include <pw85/distance_derivatives.hpp>
 #include <pw85/geometry.hpp>
 #include <pw85/overlap.hpp>
@@ -59,6 +60,14 @@ int contact_torque(double const *r12, double const *q1, double const *q2, double
     return static_cast<int>(t.status);
 }
 
+int contact_hessian(double const *r12, double const *q1, double const *q2, double lambda, double *hessian) noexcept
+{
+    auto const h =
+        pw85::contact_hessian(c_api::load_vector<3>(r12), c_api::load_matrix<3>(q1), c_api::load_matrix<3>(q2), lambda);
+    std::memcpy(hessian, h.entries, sizeof h.entries);
+    return static_cast<int>(h.status);
+}
+
 int closest_approach(double const *direction, double const *q1, double const *q2, double *distance) noexcept
 {
     auto const c =
@@ -96,7 +105,8 @@ int distance_derivatives(double const *r12, double const *q1, double const *q2, 
 } // namespace
 
 extern OnePairKernels const PW85_ONE_PAIR_KERNELS;
-OnePairKernels const PW85_ONE_PAIR_KERNELS = {contact,        overlap,          contact_geometry, contact_gradient,
-                                              contact_torque, closest_approach, distance,         distance_derivatives};
+OnePairKernels const PW85_ONE_PAIR_KERNELS = {contact,          overlap,        contact_geometry,
+                                              contact_gradient, contact_torque, contact_hessian,
+                                              closest_approach, distance,       distance_derivatives};
 
 } // namespace pw85::kernels
