@@ -40,6 +40,8 @@ breathe_domain_by_extension = {"h": "c", "hpp": "cpp"}
 breathe_show_include = False
 
 autodoc_typehints = "none"
+# Pages of pypw85.torch need its texts only.
+autodoc_mock_imports = ["torch"]
 autodoc_member_order = "bysource"
 napoleon_use_rtype = False
 napoleon_use_param = False

@@ -53,7 +53,8 @@
 /** Maximum number of iterations of Brent's method in pw85_contact_function(). */
 #define PW85_MAX_ITER 25
 
-/** Maximum number of Newton-Raphson iterations that refine the result of Brent's method in pw85_contact_function(). */
+/** Maximum number of Newton-Raphson iterations (by Halley's method, in log λ/(1-λ)) that refine the result of Brent's method in
+ * pw85_contact_function(). */
 #define PW85_NR_ITER 3
 
 #ifdef __cplusplus

@@ -53,6 +53,7 @@ template <class T, int D> struct ContactHessian;  // entries, status
 template <class T> struct ClosestApproach;        // distance, status
 template <class T, int D> struct BoundingBox;     // half_widths, status
 struct Overlap;                                   // overlap, tier, status
+struct OverlapDecision;                           // decision, tier, status
 template <class T, int D> struct OverlapWitness;  // overlap, lambda, direction, point, status
 template <class T, int D> struct Distance;        // distance, point1, point2, normal, status
 template <class T> struct DistanceDerivatives;    // r12, rotation1, rotation2, hessian, status
@@ -173,6 +174,15 @@ PW85_FUNCTION inline ContactHessian<T, D> contact_hessian(Vector<T, D> const &r1
 /// @return the answer, and the means that decided; Status::invalid_argument, Status::not_positive_definite
 template <class T, int D> PW85_FUNCTION inline Overlap overlap(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
                                                                SymmetricMatrix<T, D> const &q2) noexcept;
+
+/// What is certain of overlap() without exact arithmetic: Decision::overlap, Decision::apart, or Decision::none for a pair so near
+/// to contact, |μ² - 1| of some u cond, that floating-point numbers cannot tell. It needs nothing that a device lacks: a thread
+/// of a GPU calls this, and what it leaves open is for overlap() on the host.
+///
+/// @param r12,q1,q2 as for overlap()
+/// @return the decision, and the means that made it; as Decision::none, Status::invalid_argument, Status::not_positive_definite
+template <class T, int D> PW85_FUNCTION inline OverlapDecision
+decide_overlap(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, SymmetricMatrix<T, D> const &q2) noexcept;
 
 /// overlap() with what shows the answer: a separating direction, or a point inside both. These are right to
 /// rounding.

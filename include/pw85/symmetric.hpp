@@ -216,6 +216,18 @@ PW85_FUNCTION constexpr Vector<T, D> solve(Factorization<T, D> const &f, Vector<
     return x;
 }
 
+/// xᵀ A⁻¹ x, by forward substitution alone: a sum of squares.
+template <class T, int D>
+PW85_FUNCTION constexpr T inverse_form(Factorization<T, D> const &f, Vector<T, D> x) noexcept
+{
+    T sum = x[0] * x[0] * f.reciprocals[0];
+    for (int i = 1; i < D; ++i) {
+        for (int j = 0; j < i; ++j) x[i] = x[i] - f.lower[i][j] * x[j];
+        sum = sum + x[i] * x[i] * f.reciprocals[i];
+    }
+    return sum;
+}
+
 /// The Cholesky factor L, A = L·Lᵀ, stored by columns like the upper triangle of its transpose; NaN unless A is
 /// positive definite to working precision.
 template <class T, int D> PW85_FUNCTION inline SymmetricMatrix<T, D> cholesky(SymmetricMatrix<T, D> const &a) noexcept
