@@ -49,15 +49,29 @@ class Neighbors {
     std::unique_ptr<pw85_neighbors, Destroy> list_;
 };
 
-/// All pairs whose bounding boxes meet; see pw85_neighbors_create(). On error the list is empty.
+/// All pairs whose bounding boxes meet: see pw85_neighbors_create().
+///
+/// @param particles in a cell or not
+/// @param options which pairs
+/// @param[out] list empty on error
+/// @return Status::success, Status::invalid_argument, Status::not_positive_definite, Status::out_of_memory
 static inline Status neighbors_create(Particles const &particles, NeighborOptions const &options,
                                       Neighbors &list) noexcept;
 
-/// Which particle is to blame for an error; see pw85_neighbors_check().
+/// Which particle is to blame where a list cannot be made: see pw85_neighbors_check().
+///
+/// @param particles,options as for neighbors_create()
+/// @param[out] particle the first bad one, or their number
+/// @return its status, or that of the options; Status::success
 static inline Status neighbors_check(Particles const &particles, NeighborOptions const &options,
                                      std::size_t &particle) noexcept;
 
-/// Whether a list still has all pairs: 1, 0, or -1; see pw85_neighbors_holds(). The cell does not matter.
+/// Whether a list still has all pairs after motion: see pw85_neighbors_holds().
+///
+/// @param list a list
+/// @param particles where they are now; the cell does not matter
+/// @param[out] holds 1, 0, or -1 on error
+/// @return Status::success, Status::invalid_argument, Status::not_positive_definite
 static inline Status neighbors_holds(Neighbors const &list, Particles const &particles, int &holds) noexcept;
 
 static inline Status neighbors_create(Particles const &particles, NeighborOptions const &options,

@@ -58,6 +58,7 @@ from ._ellipses import (
 )
 from ._errors import PW85Error, Status, bad_rows
 from ._forms import ellipse, ellipsoid, ellipsoid_quaternion, full, packed, principal_axes, spheroid
+from ._motion import Events, first_contact, first_contact_pairs, motion
 from ._neighbors import Neighbors, neighbors
 from ._packing import pack, relax
 from ._pairs import contact_pairs, overlap_pairs
@@ -103,6 +104,7 @@ __all__ = [
     "ContactDerivatives",
     "Contacts",
     "Correlation",
+    "Events",
     "FileError",
     "Neighbors",
     "PW85Error",
@@ -143,6 +145,8 @@ __all__ = [
     "ellipsoid_quaternion",
     "f",
     "f_neg",
+    "first_contact",
+    "first_contact_pairs",
     "frames",
     "from_gsd",
     "from_lammps",
@@ -153,6 +157,7 @@ __all__ = [
     "lambda_atol",
     "legacy",
     "metadata",
+    "motion",
     "nearest_image_limit",
     "neighbors",
     "nematic_order",
