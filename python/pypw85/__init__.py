@@ -46,7 +46,7 @@ from ._contact import (
 from ._conversions import from_gsd, from_lammps, from_ovito
 from ._core import LAMBDA_ATOL as lambda_atol
 from ._core import strerror, version
-from ._distance import distance, distance_2d, distance_derivatives
+from ._distance import distance, distance_2d, distance_derivatives, penetration
 from ._ellipses import (
     closest_approach_2d,
     contact_2d,
@@ -167,6 +167,7 @@ __all__ = [
     "overlap_pairs",
     "pack",
     "packed",
+    "penetration",
     "plot",
     "principal_axes",
     "read",
