@@ -60,7 +60,7 @@ from ._errors import PW85Error, Status, bad_rows
 from ._forms import ellipse, ellipsoid, ellipsoid_quaternion, full, packed, principal_axes, spheroid
 from ._motion import Events, first_contact, first_contact_pairs, motion
 from ._neighbors import Neighbors, neighbors
-from ._pairs import contact_pairs, overlap_pairs
+from ._pairs import contact_pairs, nearest_images, overlap_pairs
 from ._plotting import plot
 from ._systems import (
     ContactDerivatives,
@@ -147,6 +147,7 @@ __all__ = [
     "metadata",
     "motion",
     "nearest_image_limit",
+    "nearest_images",
     "neighbors",
     "overlap",
     "overlap_2d",
