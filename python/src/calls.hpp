@@ -32,6 +32,9 @@ PyObject *contact_derivatives_pairs(PyObject *self, PyObject *const *args, Py_ss
 /// overlap_any(q1 of one row, r12, q2): (status, any).
 PyObject *overlap_any(PyObject *self, PyObject *const *args, Py_ssize_t nargs);
 
+/// gpu(name, stream, n, addresses and sizes...): status of pw85_gpu_... of this name.
+PyObject *gpu(PyObject *self, PyObject *const *args, Py_ssize_t nargs);
+
 /// nearest_image_limit(q, cell): (status, mu2).
 PyObject *nearest_image_limit(PyObject *self, PyObject *const *args, Py_ssize_t nargs);
 

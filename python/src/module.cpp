@@ -113,6 +113,7 @@ PyMethodDef methods[] = {
     {"overlap_pairs", as_method(overlap_pairs), METH_FASTCALL, "Status of pw85_overlap_pairs()."},
     {"contact_derivatives_pairs", as_method(contact_derivatives_pairs), METH_FASTCALL,
      "Status of pw85_contact_derivatives_pairs()."},
+    {"gpu", as_method(gpu), METH_FASTCALL, "Status of a function for arrays on a GPU."},
     {"overlap_any", as_method(overlap_any), METH_FASTCALL, "Status and answer of pw85_overlap_any()."},
     {"nearest_image_limit", as_method(nearest_image_limit), METH_FASTCALL,
      "Status and limit of pw85_nearest_image_limit()."},
