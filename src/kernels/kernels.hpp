@@ -16,6 +16,8 @@
 #include "lattice.hpp"
 #include "worklist.hpp"
 
+struct pw85_motion; // of pw85.h, which needs a header that the build makes: devices have no build
+
 namespace pw85::kernels {
 
 /// Row `index` of an array of rows of `width` numbers.
@@ -143,6 +145,8 @@ struct OnePairKernels {
                     double *point2) noexcept;
     int (*distance_derivatives)(double const *r12, double const *q1, double const *q2, double *d_r12, double *d_rot1,
                                 double *d_rot2, double *hessian) noexcept;
+    int (*first_contact)(double const *r12, double const *q1, double const *q2, pw85_motion const *motion1,
+                         pw85_motion const *motion2, double end, double *time) noexcept;
 };
 
 /// A function for many pairs, one per lane.
