@@ -18,7 +18,7 @@ ROOT = Path(__file__).resolve().parent.parent
 BUILDS = ROOT / "build-ci"
 TEST_COMMAND_BUILD = ROOT / "build-test"  # where scripts/test.sh builds
 CLANG = {"CC": "clang", "CXX": "clang++"}
-ONLY_TESTS = ["-Dtests=enabled", "-Dbench=disabled", "-Dpython=disabled", "-Dfortran=disabled"]
+ONLY_TESTS = ["-Dtests=enabled", "-Dgpu=enabled", "-Dbench=disabled", "-Dpython=disabled", "-Dfortran=disabled"]
 
 
 class Results:
