@@ -19,8 +19,8 @@
  *   inputs.
  * - A function that returns `int` returns a status, zero for success. When it is not zero, all outputs are NaN (as far
  *   as the pointers to them are not null).
- * - Nothing is allocated, no state is shared, nothing is printed, the process is never ended: any number of threads may
- *   call anything at any time.
+ * - Nothing is allocated but neighbour lists, no state is shared, nothing is printed, the process is never ended: any number
+ *   of threads may call anything at any time.
  * - No function needs more than 16 KiB of stack, besides what the dynamic linker takes to bind it at its first call. The
  *   threads that a batch starts have stacks of their own, which OpenMP provides.
  * - Computations are in the default floating-point environment, whatever the caller's, whose modes, status flags and traps
@@ -53,7 +53,8 @@
 /** Maximum number of iterations of Brent's method in pw85_contact_function(). */
 #define PW85_MAX_ITER 25
 
-/** Maximum number of Newton-Raphson iterations that refine the result of Brent's method in pw85_contact_function(). */
+/** Maximum number of Newton-Raphson iterations (by Halley's method, in log λ/(1-λ)) that refine the result of Brent's method in
+ * pw85_contact_function(). */
 #define PW85_NR_ITER 3
 
 #ifdef __cplusplus
@@ -285,6 +286,36 @@ PW85_API int pw85_distance_2d(double const r12[2], double const q1[3], double co
                               double point1[2], double point2[2]);
 
 /** @}
+ * @name Time
+ *
+ * Ellipsoids that translate at constant velocities, turn about their centres at constant angular velocities, and grow. The first
+ * contact is the least time in [0, t_max] at which μ <= 1; infinity stands for none. It is approached from below: no time before
+ * it is passed over that is not proved to be free of contact.
+ *
+ * At the time given μ = 1 to rounding, that of the numbers given and of the motion, and pairs that miss each other by no more
+ * than rounding touch. A pair that overlaps at time 0 has its first contact at once; but if it overlaps by no more than some
+ * hundred times its rounding and separates, it counts as one that has just collided: the answer is its next contact.
+ * @{ */
+
+/** How an ellipsoid moves. */
+typedef struct pw85_motion {
+    double velocity[PW85_DIM];         /**< of the centre */
+    double angular_velocity[PW85_DIM]; /**< about the centre, in radians per unit of time */
+    double growth;                     /**< at time t the semi-axes are 1 + growth·t times those at time 0 */
+} pw85_motion;
+
+/** The time of the first contact of two moving ellipsoids.
+ *
+ * @param r12,q1,q2 the pair at time 0, as for pw85_contact()
+ * @param motion1,motion2 how the ellipsoids move; none may shrink to nothing before t_max
+ * @param t_max the time up to which contacts count, >= 0; may be infinity
+ * @param[out] t the time, or infinity
+ * @return #PW85_SUCCESS, #PW85_EINVAL (also for an ellipsoid that shrinks to nothing), #PW85_ENOTPD, #PW85_ECONVERGENCE (where
+ *         ellipsoids that turn thousands of times within reach of each other do not touch, or sizes overflow) */
+PW85_API int pw85_first_contact(double const r12[PW85_DIM], double const q1[PW85_SYM], double const q2[PW85_SYM],
+                                pw85_motion const *motion1, pw85_motion const *motion2, double t_max, double *t);
+
+/** @}
  * @name Walls, points and lines
  *
  * One ellipsoid. The distance is the largest or smallest of n·x ∓ α over unit vectors n, with α the half-width of the
@@ -439,6 +470,18 @@ PW85_API int pw85_contact_derivatives_batch(size_t n, double const *r12, double 
                                             double *mu2, double *lambda, double *point, double *normal, double *d_r12,
                                             double *d_rot1, double *d_rot2);
 
+/** pw85_first_contact() for n pairs; the bits are the same.
+ *
+ * @param n number of pairs
+ * @param r12 n×3
+ * @param q1,q2 n×6
+ * @param motion1,motion2 n each
+ * @param t_max as for pw85_first_contact(), for all pairs
+ * @param[out] t n
+ * @return as for pw85_contact_batch(); #PW85_ECONVERGENCE, too */
+PW85_API int pw85_first_contact_batch(size_t n, double const *r12, double const *q1, double const *q2,
+                                      pw85_motion const *motion1, pw85_motion const *motion2, double t_max, double *t);
+
 /** Whether an ellipsoid overlaps any of n others: pw85_overlap() for one after the other, up to the first that overlaps or is
  * bad. One thread works, on as many pairs at a time as it has lanes.
  *
@@ -486,6 +529,21 @@ PW85_API int pw85_contact_derivatives_pairs(size_t num_pairs, int32_t const *pai
                                             double const *cell, double *mu2, double *lambda, double *point,
                                             double *normal, double *d_r12, double *d_rot1, double *d_rot2);
 
+/** pw85_first_contact() for the pairs of a neighbour list, and the next event of each particle: what event-driven simulations
+ * schedule. A pair stands for one image of j throughout, that of time 0.
+ *
+ * @param num_pairs,pairs,images,num_particles,centers,q,cell as for pw85_contact_pairs()
+ * @param motions num_particles
+ * @param t_max as for pw85_first_contact(), for all pairs
+ * @param[out] t num_pairs
+ * @param[out] next num_particles: the least t of the pairs of each particle, infinity if there is none; may be null
+ * @param[out] next_pair num_particles: the index of that pair, the first of several, or -1; may be null, and is without `next`
+ * @return as for pw85_contact_pairs(); #PW85_ECONVERGENCE, too. Bad pairs are no events. */
+PW85_API int pw85_first_contact_pairs(size_t num_pairs, int32_t const *pairs, int32_t const *images,
+                                      size_t num_particles, double const *centers, double const *q, double const *cell,
+                                      pw85_motion const *motions, double t_max, double *t, double *next,
+                                      int64_t *next_pair);
+
 /** @}
  * @name Periodic cells
  * @{ */
@@ -515,6 +573,79 @@ PW85_API int pw85_cell_reduce(double const cell[9], double reduced[9]);
  * @param[out] mu2 the limit
  * @return #PW85_SUCCESS, #PW85_EINVAL (a cell that is singular or not finite, too), #PW85_ENOTPD */
 PW85_API int pw85_nearest_image_limit(size_t n, double const *q, double const *cell, double *mu2);
+
+/** @}
+ * @name Neighbour lists
+ * @{ */
+
+/** All pairs of particles whose bounding boxes meet, images included: a list that the library owns, in the form that
+ * pw85_contact_pairs() and its relatives take. */
+typedef struct pw85_neighbors pw85_neighbors;
+
+/** Lists the pairs (i, j, image) whose bounding boxes are no farther apart than `skin` along any axis, the ellipsoids scaled by
+ * `scale`: |r_d| <= scale (√Qi_dd + √Qj_dd) + skin for d = x, y, z, where r is from the centre of i to that of the image of j.
+ * So they are all the pairs with μ² <= scale², and all that can come to be while pw85_neighbors_holds().
+ *
+ * Each pair is there once: with i < j, or i = j and an image of i itself whose first multiple other than 0 is positive. Pairs that
+ * miss each other by roundings (2⁻⁴⁸ of the coordinates) may be there, too. Their order is that of the particles in space; it
+ * depends on the input alone, not on the number of threads. The time is proportional to the numbers of particles and pairs, for
+ * sizes of any kind, and anywhere in space unless most of them crowd in less than 2⁻²¹ of its extent. The memory is 200 bytes per
+ * particle and 44 per pair at most while the list is made, and 48 and 20 (8 without a cell) afterwards.
+ *
+ * @param n number of particles, at most 2³¹ - 1; 0 is fine
+ * @param centers n×3, anywhere in space or in the cell and its images, up to 2²⁹ cells away
+ * @param q n×6
+ * @param cell 3×3, rows = vectors, however skewed and small; null if nothing is periodic
+ * @param periodic along which of the vectors there are images (not 0); null for all three. The other vectors do not matter.
+ * @param scale factor of the ellipsoids, > 0
+ * @param skin >= 0, in the unit of the semi-axes
+ * @param[out] list null on error; to be destroyed by pw85_neighbors_destroy()
+ * @return #PW85_SUCCESS; #PW85_EINVAL, also if the periodic vectors are not independent, or an image is more than 2³¹ vectors
+ *         away; #PW85_ENOTPD; #PW85_ENOMEM. pw85_neighbors_check() says which particle is bad. */
+PW85_API int pw85_neighbors_create(size_t n, double const *centers, double const *q, double const *cell,
+                                   int const periodic[3], double scale, double skin, pw85_neighbors **list);
+
+/** Which particle is to blame where a list cannot be made; arguments as for pw85_neighbors_create().
+ *
+ * @param[out] particle the first one that is bad: its centre or form is, or it is too far away; n if none is
+ * @return the status of that particle; or of the other arguments, with `particle` = n; #PW85_SUCCESS */
+PW85_API int pw85_neighbors_check(size_t n, double const *centers, double const *q, double const *cell,
+                                  int const periodic[3], double scale, double skin, size_t *particle);
+
+/** Whether a list still has all pairs whose boxes meet (without skin) after the particles have moved and turned: if the box of each
+ * is within its old one, grown by half the skin on each side. Centres go on from where they were: not wrapped into the cell anew.
+ *
+ * @param list a list
+ * @param n number of particles, the same as for the list
+ * @param centers,q n×3 and n×6: where particles are now
+ * @param[out] holds 1 or 0; -1 on error
+ * @return #PW85_SUCCESS, #PW85_EINVAL, also if `n` is not that of the list, or the status of a bad particle */
+PW85_API int pw85_neighbors_holds(pw85_neighbors const *list, size_t n, double const *centers, double const *q,
+                                  int *holds);
+
+/** Number of pairs.
+ *
+ * @param list a list, or null
+ * @return their number, 0 for null */
+PW85_API size_t pw85_neighbors_size(pw85_neighbors const *list);
+
+/** The pairs: indices (i, j), pw85_neighbors_size()×2, as long as the list lives.
+ *
+ * @param list a list, or null
+ * @return the first index, null for null */
+PW85_API int32_t const *pw85_neighbors_pairs(pw85_neighbors const *list);
+
+/** The images: multiples of the cell vectors, as given, to be added to the centre of j, pw85_neighbors_size()×3, as long as the list
+ * lives.
+ *
+ * @param list a list, or null
+ * @return the first multiple; null for null, and for a list without a cell */
+PW85_API int32_t const *pw85_neighbors_images(pw85_neighbors const *list);
+
+/** Frees a list.
+ *
+ * @param list a list, or null */
+PW85_API void pw85_neighbors_destroy(pw85_neighbors *list);
 
 /** @}
  * @name Many forms

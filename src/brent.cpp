@@ -28,26 +28,12 @@ double objective(double x, void *data) noexcept
     return -evaluate_f(x, p.r12, p.q1, p.q2) / (x + (1.0 - x) * p.odds_against);
 }
 
-// A and B, and h', which is at most 1.
-struct Evaluation {
-    double a, b, k;
-};
-
-Evaluation evaluate(Pair<double, 3> const &pair, double t) noexcept
-{
-    auto const factors = factorize_blend(1.0, pair.q1, t, pair.q2);
-    auto const s = solve(factors, pair.r12);
-    auto const p = product(pair.q1, s), q = product(pair.q2, s), v = solve(factors, q);
-    auto const weights = outer_weights(s);
-    double const a = positive_form(pair.q1, weights), b = positive_form(pair.q2, weights);
-    return {a, b, minimum(1.0, 1.0 + t * (dot(p, v) / a - dot(q, v) / b))};
-}
-
 Maximum<double> maximize(Pair<double, 3> const &pair, Options const &options) noexcept
 {
-    auto const [candidate, settled] = refine(pair, maximizer_by_brent(pair, options).t, options);
+    Candidate<double> candidate{maximizer_by_brent(pair, options).t, 1.0, 0.0};
+    bool const settled = refine(pair, candidate, options);
     auto const last = last_evaluation(pair, candidate, Precision::working);
-    return settled && last.certain ? to_maximum(last.value, 0, true) : maximize_factorized(pair, candidate, 0);
+    return settled && last.certain ? to_maximum(last, 0, true) : maximize_factorized(pair, candidate, 0);
 }
 
 } // namespace
@@ -68,25 +54,10 @@ Rough maximizer_by_brent(Pair<double, 3> const &pair, Options const &options) no
     }
 }
 
-// On the residual in logarithmic form, h = log(μ2/μ1) as a function of log t: it has the root of μ2² - μ1² and is linear
-// for ellipsoids of very different sizes, where f is flat. Since |h''| <= 2h', a step below √u leaves an error below u, and
-// one below 0.1 is followed by one of less than a quarter of it, or by rounding noise: then, too, there is nothing left to
-// gain. A step of 1 or more says that rounding hides the slope, or that Brent's method ended far away.
-Refined refine(Pair<double, 3> const &pair, double t, Options const &options) noexcept
+bool refine(Pair<double, 3> const &pair, Candidate<double> &candidate, Options const &options) noexcept
 {
-    Candidate<double> candidate{t, 1.0, 0.0};
-    double const enough = square_root(unit_roundoff<double>());
-    double last_step = 1.0;
-    for (int i = 0; i <= options.newton_iterations; ++i) {
-        auto const [a, b, k] = evaluate(pair, candidate.t);
-        candidate.k = k;
-        double const y = pair.ratio * candidate.t, c = y * y * b, step = std::fabs(c - a) / ((c + a) * k);
-        if (!(k > 0.0 && step < 1.0)) break;
-        if (step <= enough || (last_step < 0.1 && step >= 0.25 * last_step)) return {candidate, true};
-        last_step = step;
-        candidate.t *= std::exp(-0.5 * std::log(c / a) / k);
-    }
-    return {candidate, false};
+    int evaluations = 0;
+    return search(pair, candidate, Precision::working, evaluations, options.newton_iterations);
 }
 
 Contact<double> contact_function(Vector<double, 3> const &r12, SymmetricMatrix<double, 3> const &q1,

@@ -22,14 +22,8 @@ struct Rough {
 /// The maximiser to about lambda_atol, for a valid pair in range with r12 != 0.
 Rough maximizer_by_brent(Pair<double, 3> const &pair, Options const &options) noexcept;
 
-/// Where Newton's method ends.
-struct Refined {
-    Candidate<double> candidate;
-    bool settled; ///< whether a step was small, or nothing but rounding noise was left
-};
-
-/// The maximiser by at most so many Newton-Raphson iterations from t.
-Refined refine(Pair<double, 3> const &pair, double t, Options const &options) noexcept;
+/// Refines the candidate, in at most newton_iterations steps of the search on the factorised form; whether they settle it.
+bool refine(Pair<double, 3> const &pair, Candidate<double> &candidate, Options const &options) noexcept;
 
 /// μ² and λ of any pair.
 Contact<double> contact_function(Vector<double, 3> const &r12, SymmetricMatrix<double, 3> const &q1,

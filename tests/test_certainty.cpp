@@ -1,5 +1,6 @@
 // What is_certain() promises of a last evaluation: from the s that the scalar's arithmetic gives, but with exact sums, μ² errs by
-// at most 2.8 u, wherever the search stopped: u for s, u for the step, and 0.8 u for its third order.
+// at most 2.8 u, wherever the search stopped: u for s, u for the step, and 0.8 u for its third order. A refined s is rounded: that
+// adds at most u cond/8 (error_of_solution()).
 #include <algorithm>
 #include <type_traits>
 
@@ -34,10 +35,11 @@ template <class T, int D> double error_of_value(Sample<T, D> const &sample, pw85
     return static_cast<double>(Wide(pw85::absolute(Wide(value.mu2 - mu2)) / (mu2 * pw85::unit_roundoff<T>())));
 }
 
-/// The largest errors seen, by either form.
+/// The largest errors seen, by each means, and how often nothing but refinement was certain.
 struct Tally {
     Failures failures;
-    double by_adjugate = 0.0, by_factors = 0.0;
+    double by_adjugate = 0.0, by_factors = 0.0, by_refinement = 0.0;
+    int only_refined = 0;
 };
 
 /// The last evaluations at t, where they are certain.
@@ -48,17 +50,24 @@ template <class T, int D> void check(Sample<T, D> const &s, T const &t, Tally &t
     pw85::Pair<T, D> const pair{s.r12, s.q1, s.q2, T(1)};
     bool const by_adjugate = pw85::last_evaluation(pair, candidate).certain;
     bool const by_factors = pw85::last_evaluation(pair, candidate, pw85::Precision::working).certain;
-    if (!by_adjugate && !by_factors) return;
+    bool const by_refinement = pw85::last_evaluation(pair, candidate, pw85::Precision::refined).certain;
+    if (!by_adjugate && !by_factors && !by_refinement) return;
     auto const m = pw85::blend(s.q1, t, s.q2);
-    Wide const mu2 = truth<Wide>(s).mu2;
-    auto const compare = [&](pw85::Vector<T, D> const &inexact, char const *name, double &largest) {
-        double const error = error_of_value(s, exact, inexact, mu2);
+    auto const exactly = truth<Wide>(s);
+    auto const compare = [&](pw85::Vector<T, D> const &inexact, char const *name, double bound, double &largest) {
+        double const error = error_of_value(s, exact, inexact, exactly.mu2);
         largest = std::max(largest, error);
-        tally.failures.check(error <= 2.8, name, error, 2.8, [&] { return hex_text(s) + ", t = " + hex_text(&t, 1); });
+        tally.failures.check(error <= bound, name, error, bound,
+                             [&] { return hex_text(s) + ", t = " + hex_text(&t, 1); });
     };
-    if (by_adjugate) compare(pw85::solve_by_adjugate(m, s.r12).s, "adjugate", tally.by_adjugate);
+    if (by_adjugate) compare(pw85::solve_by_adjugate(m, s.r12).s, "adjugate", 2.8, tally.by_adjugate);
     auto const factors = pw85::factorize(m, T(pw85::unit_roundoff<T>()));
-    if (by_factors) compare(pw85::solve(factors, s.r12), "factorised", tally.by_factors);
+    auto const solution = pw85::solve(factors, s.r12);
+    if (by_factors) compare(solution, "factorised", 2.8, tally.by_factors);
+    if (!by_refinement) return;
+    compare(pw85::refine(pair, t, factors, solution), "refined", 2.8 + static_cast<double>(exactly.cond) / 8,
+            tally.by_refinement);
+    tally.only_refined += !by_adjugate && !by_factors;
 }
 
 /// Pairs of all kinds, and t from a rounding error to a tenth away from the root.
@@ -76,8 +85,10 @@ template <class T, int D> void test_random()
         double const shift = random.log_uniform(pw85::unit_roundoff<T>(), 0.1);
         check(s, static_cast<T>(lambda / (1.0 - lambda) * (n % 4 < 2 ? 1.0 + shift : 1.0 - shift)), tally);
     }
-    g_test_message("%ld certain, at most %.2f u by the adjugate and %.2f u by factorisation", tally.failures.checked(),
-                   tally.by_adjugate, tally.by_factors);
+    g_test_message(
+        "%ld certain, %d refined only, at most %.2f u by the adjugate, %.2f u by factorisation and %.2f u refined",
+        tally.failures.checked(), tally.only_refined, tally.by_adjugate, tally.by_factors, tally.by_refinement);
+    g_assert_cmpint(tally.only_refined, >, 50);
     g_assert_cmpint(tally.failures.checked(), >, 2000);
 }
 

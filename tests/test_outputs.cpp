@@ -85,6 +85,9 @@ struct Row {
 double *at(std::vector<Output> &out, std::size_t i) { return out[i].data<double>(); }
 
 constexpr double lambda = 0.5, axes[3] = {1.0, 2.0, 3.0}, identity[9] = {1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0};
+constexpr pw85_motion motions[n] = {{{-1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, 0.1},
+                                    {{0.0, -1.0, 0.0}, {1.0, 0.0, 0.0}, 0.0},
+                                    {{0.0, 0.0, 0.0}, {0.0, 0.0, 0.0}, 0.0}};
 constexpr int32_t pairs[2 * n] = {0, 1, 1, 2, 2, 0};
 
 // Forms and values.
@@ -183,6 +186,11 @@ std::vector<Row> const distances{
      [](auto const &in, auto &out) {
          pw85_distance_2d(in.r12, in.q1 + 3, in.q2 + 3, at(out, 0), at(out, 1), at(out, 2));
      }},
+    {"pw85_first_contact",
+     {1},
+     [](auto const &in, auto &out) {
+         pw85_first_contact(in.r12, in.q1, in.q2, motions, motions + 1, 1.0, at(out, 0));
+     }},
     {"pw85_distance_plane",
      {1, 3},
      [](auto const &in, auto &out) { pw85_distance_plane(in.r12, 1.0, in.q1, at(out, 0), at(out, 1)); }},
@@ -255,6 +263,17 @@ std::vector<Row> const many_pairs{
     {"pw85_closest_approach_batch",
      {n},
      [](auto const &in, auto &out) { pw85_closest_approach_batch(n, in.r12, in.q1, in.q2, at(out, 0)); }},
+    {"pw85_first_contact_batch",
+     {n},
+     [](auto const &in, auto &out) {
+         pw85_first_contact_batch(n, in.r12, in.q1, in.q2, motions, motions, 1.0, at(out, 0));
+     }},
+    {"pw85_first_contact_pairs",
+     {n, n, n},
+     [](auto const &in, auto &out) {
+         pw85_first_contact_pairs(n, pairs, nullptr, n, in.r12, in.q1, identity, motions, 1.0, at(out, 0), at(out, 1),
+                                  out[2].template data<int64_t>());
+     }},
     {"pw85_overlap_any",
      {1},
      [](auto const &in, auto &out) { pw85_overlap_any(n, in.q1, in.r12, in.q2, out[0].template data<int>()); },
@@ -263,6 +282,34 @@ std::vector<Row> const many_pairs{
      {6 * n},
      [](auto const &in, auto &out) { pw85_ellipsoid_quaternion_batch(n, in.q1, in.q2, at(out, 0)); }},
     {"pw85_bounding_boxes", {3 * n}, [](auto const &in, auto &out) { pw85_bounding_boxes(n, in.q1, at(out, 0)); }},
+    {"pw85_neighbors_create",
+     {1},
+     [](auto const &in, auto &out) {
+         auto **const list = out[0].template data<pw85_neighbors *>();
+         pw85_neighbors_create(n, in.r12, in.q1, identity, nullptr, 1.0, 0.5, list);
+         pw85_neighbors_destroy(*list);
+     },
+     sizeof(pw85_neighbors *)},
+    {"pw85_neighbors_check",
+     {1},
+     [](auto const &in, auto &out) {
+         pw85_neighbors_check(n, in.r12, in.q1, identity, nullptr, 1.0, 0.5, out[0].template data<std::size_t>());
+     },
+     sizeof(std::size_t)},
+    {"pw85_neighbors_holds",
+     {1},
+     [](auto const &in, auto &out) {
+         pw85_neighbors *list;
+         Input const valid = make_input(true);
+         pw85_neighbors_create(n, valid.r12, valid.q1, identity, nullptr, 1.0, 0.5, &list);
+         pw85_neighbors_holds(list, n, in.r12, in.q1, out[0].template data<int>());
+         pw85_neighbors_destroy(list);
+     },
+     sizeof(int)},
+    {"pw85_neighbors_size", {}, [](auto const &, auto &) { pw85_neighbors_size(nullptr); }},
+    {"pw85_neighbors_pairs", {}, [](auto const &, auto &) { pw85_neighbors_pairs(nullptr); }},
+    {"pw85_neighbors_images", {}, [](auto const &, auto &) { pw85_neighbors_images(nullptr); }},
+    {"pw85_neighbors_destroy", {}, [](auto const &, auto &) { pw85_neighbors_destroy(nullptr); }},
     {"pw85_cell_reduce", {9}, [](auto const &in, auto &out) { pw85_cell_reduce(in.q1, at(out, 0)); }},
     {"pw85_nearest_image_limit",
      {1},

@@ -5,6 +5,7 @@
 #include <glib.h>
 
 #include <pw85.h>
+#include <pw85/pw85.hpp>
 
 #include "failures.hpp"
 #include "random_pairs.hpp"
@@ -39,6 +40,47 @@ void test_problems()
         });
     }
     g_test_message("%ld of the pairs are within 8 u cond of contact", near);
+}
+
+// What is decided without exact arithmetic is right, and all is decided that is not near contact: the second tier compares with a
+// margin of 8 u cond a value that errs by no more. Left are pairs so slender that the value is not proved.
+void test_decisions()
+{
+    Failures failures;
+    std::size_t undecided = 0, slender = 0;
+    for (auto const &p : contact_problems()) {
+        auto const expected = p.mu2_minus_1 < 0.0 ? pw85::Decision::overlap : pw85::Decision::apart;
+        auto const answer = pw85::decide_overlap(p.pair.r12, p.pair.q1, p.pair.q2);
+        bool const is_near = pw85::absolute(p.mu2_minus_1) <= (2 * pw85::value_margin + 1) * u * p.cond;
+        bool const is_open = answer.decision == pw85::Decision::none;
+        undecided += is_open;
+        slender += is_open && !is_near;
+        failures.check(answer.status == pw85::Status::success && (answer.decision == expected || is_open), "decision",
+                       static_cast<int>(answer.decision), static_cast<int>(expected), [&] {
+                           return *p.category + ": mu^2 - 1 = " + hex_text(&p.mu2_minus_1, 1) + ", " + hex_text(p.pair);
+                       });
+    }
+    g_test_message("%zu of the pairs are left to exact arithmetic, %zu of them not near contact", undecided, slender);
+    g_assert_cmpint(undecided, >, 0);
+    g_assert_cmpint(50 * slender, <, contact_problems().size());
+}
+
+// Pairs that are not valid are not decided, and are told from those that cannot be.
+void test_decisions_on_bad_pairs()
+{
+    Sample<double, 3> const good{{1.0, 0.0, 0.0}, {1.0, 0.0, 0.0, 1.0, 0.0, 1.0}, {1.0, 0.0, 0.0, 1.0, 0.0, 1.0}};
+    auto bad = good;
+    bad.r12[1] = std::numeric_limits<double>::quiet_NaN();
+    auto const not_finite = pw85::decide_overlap(bad.r12, good.q1, good.q2);
+    g_assert_true(not_finite.decision == pw85::Decision::none && not_finite.status == pw85::Status::invalid_argument);
+    bad.q2[0] = -1.0;
+    auto const indefinite = pw85::decide_overlap(good.r12, good.q1, bad.q2);
+    g_assert_true(indefinite.decision == pw85::Decision::none &&
+                  indefinite.status == pw85::Status::not_positive_definite);
+    auto const tangent = pw85::decide_overlap(pw85::times(2.0, good.r12), good.q1, good.q2);
+    g_assert_true(tangent.decision == pw85::Decision::none && tangent.status == pw85::Status::success);
+    auto const concentric = pw85::decide_overlap(pw85::times(0.0, good.r12), good.q1, good.q2);
+    g_assert_true(concentric.decision == pw85::Decision::overlap);
 }
 
 // Spheres with integer data: |r|² = (a1+a2)² exactly, by Pythagorean quadruples.
@@ -272,6 +314,8 @@ int main(int argc, char **argv)
 {
     g_test_init(&argc, &argv, nullptr);
     g_test_add_func("/overlap/problems", test_problems);
+    g_test_add_func("/overlap/decisions/problems", test_decisions);
+    g_test_add_func("/overlap/decisions/bad", test_decisions_on_bad_pairs);
     g_test_add_func("/overlap/tangent/spheres", test_tangent_spheres);
     g_test_add_func("/overlap/tangent/neighbours", test_neighbours_of_tangent_pairs);
     g_test_add_func("/overlap/random", test_random);

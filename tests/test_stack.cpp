@@ -136,6 +136,7 @@ struct Case {
 
 // What the functions return is the concern of other tests.
 double out[96];
+pw85_motion const motions[2] = {{{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, 0.5}, {{0.0, -1.0, 0.0}, {0.0, 0.0, 0.0}, 0.0}};
 int status, answer;
 
 std::vector<Case> cases_of_pairs()
@@ -218,6 +219,10 @@ std::vector<Case> cases_of_distances()
         {"pw85_distance_2d", for_each_pair([](Numbers r, Numbers p, Numbers q) {
              status = pw85_distance_2d(r, p + 3, q + 3, out, out + 1, out + 3);
          })},
+        {"pw85_first_contact", for_each_pair([](Numbers r, Numbers p, Numbers q) {
+             status = pw85_first_contact(r, p, q, &motions[0], &motions[1], 1.0, out);
+             status = pw85_first_contact(r, p, q, &motions[1], &motions[1], 1.0, out);
+         })},
         {"pw85_distance_plane",
          for_each_pair([](Numbers r, Numbers p, Numbers) { status = pw85_distance_plane(r, 1.0, p, out, out + 1); })},
         {"pw85_distance_plane_derivatives", for_each_pair([](Numbers r, Numbers p, Numbers) {
@@ -275,6 +280,7 @@ std::vector<Case> cases_of_batches()
     static std::vector<double> mu2(inputs().n), lambda(inputs().n);
     static std::vector<unsigned char> overlap(inputs().n);
     static double const cell[9] = {3, 1, 0, -1, 4, 1, 0.5, 1, 5};
+    static pw85_neighbors *neighbors;
     static std::vector<double> vectors[6];
     for (auto &rows : vectors) rows.resize(6 * inputs().n);
     auto const v = [](int i) { return vectors[i].data(); };
@@ -303,9 +309,33 @@ std::vector<Case> cases_of_batches()
                                                      v(2), v(3), v(4), v(5));
          }},
         {"pw85_closest_approach_batch", [=] { status = pw85_closest_approach_batch(n, r, p, q, mu2.data()); }},
+        {"pw85_first_contact_batch",
+         [=] {
+             static std::vector<pw85_motion> const same(n, motions[0]);
+             status = pw85_first_contact_batch(n, r, p, q, same.data(), same.data(), 1.0, mu2.data());
+         }},
+        {"pw85_first_contact_pairs",
+         [=] {
+             static std::vector<pw85_motion> const same(2 * n, motions[0]);
+             static std::vector<std::int64_t> next_pair(2 * n);
+             status = pw85_first_contact_pairs(n, list, nullptr, 2 * n, x, forms, cell, same.data(), 1.0, mu2.data(),
+                                               v(0), next_pair.data());
+         }},
         {"pw85_overlap_any", [=] { status = pw85_overlap_any(n, p, r, q, &answer); }},
         {"pw85_ellipsoid_quaternion_batch", [=] { status = pw85_ellipsoid_quaternion_batch(n, x, forms, v(0)); }},
         {"pw85_bounding_boxes", [=] { status = pw85_bounding_boxes(n, p, v(0)); }},
+        {"pw85_neighbors_create",
+         [=] { status = pw85_neighbors_create(2 * n, x, forms, cell, nullptr, 1.0, 0.5, &neighbors); }},
+        {"pw85_neighbors_check",
+         [=] {
+             std::size_t particle;
+             status = pw85_neighbors_check(2 * n, x, forms, cell, nullptr, 1.0, 0.5, &particle);
+         }},
+        {"pw85_neighbors_holds", [=] { status = pw85_neighbors_holds(neighbors, 2 * n, x, forms, &answer); }},
+        {"pw85_neighbors_size", [=] { answer = static_cast<int>(pw85_neighbors_size(neighbors)); }},
+        {"pw85_neighbors_pairs", [=] { answer = *pw85_neighbors_pairs(neighbors); }},
+        {"pw85_neighbors_images", [=] { answer = *pw85_neighbors_images(neighbors); }},
+        {"pw85_neighbors_destroy", [=] { pw85_neighbors_destroy(neighbors); }},
         {"pw85_cell_reduce", [=] { status = pw85_cell_reduce(cell, out); }},
         {"pw85_nearest_image_limit", [=] { status = pw85_nearest_image_limit(n, p, cell, out); }},
     };

@@ -60,6 +60,16 @@ std::vector<Function> const &functions()
          [](auto r, auto q1, auto q2, double, double *out) {
              return pw85_distance_2d(r, q1, q2, out, nullptr, nullptr);
          }},
+        {"first_contact", 3, 1, false, false,
+         [](auto r, auto q1, auto q2, double, double *out) {
+             pw85_motion const motion{{0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}, 0.5}, still{};
+             return pw85_first_contact(r, q1, q2, &motion, &still, 1.0, out);
+         }},
+        {"first_contact of a translation", 3, 1, false, false,
+         [](auto r, auto q1, auto q2, double, double *out) {
+             pw85_motion const still{};
+             return pw85_first_contact(r, q1, q2, &still, &still, 1.0, out);
+         }},
         {"contact_geometry", 3, 6, true, true,
          [](auto r, auto q1, auto q2, double lambda, double *out) {
              return pw85_contact_geometry(r, q1, q2, lambda, out, out + 3);
@@ -284,6 +294,7 @@ void test_texts()
     g_assert_cmpint(PW85_EINVAL, ==, 1);
     g_assert_cmpint(PW85_ENOTPD, ==, 2);
     g_assert_cmpint(PW85_ECONVERGENCE, ==, 3);
+    g_assert_cmpint(PW85_EDEVICE, ==, 4);
 #define CHECK_TEXT(c_name, cpp_name, value, text)                                                                      \
     g_assert_cmpint(c_name, ==, value);                                                                                \
     g_assert_cmpint(static_cast<int>(pw85::Status::cpp_name), ==, value);                                              \
@@ -292,10 +303,10 @@ void test_texts()
 #undef CHECK_TEXT
     char const *unknown = pw85_strerror(-1);
     g_assert_nonnull(unknown);
-    for (int const status : {4, 1000, std::numeric_limits<int>::min(), std::numeric_limits<int>::max()})
+    for (int const status : {5, 1000, std::numeric_limits<int>::min(), std::numeric_limits<int>::max()})
         g_assert_cmpstr(pw85_strerror(status), ==, unknown);
-    for (int i = 0; i < 4; ++i)
-        for (int j = i + 1; j < 5; ++j) g_assert_cmpstr(pw85_strerror(i), !=, pw85_strerror(j));
+    for (int i = 0; i < 5; ++i)
+        for (int j = i + 1; j < 6; ++j) g_assert_cmpstr(pw85_strerror(i), !=, pw85_strerror(j));
 }
 
 void test_version()

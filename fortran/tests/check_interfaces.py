@@ -15,10 +15,16 @@ FORTRAN_TYPES = {
     "int": "integer(c_int)",
     "size_t": "integer(c_size_t)",
     "int32_t": "integer(c_int32_t)",
+    "int64_t": "integer(c_int64_t)",
+    "pw85_motion": "type(pw85_motion)",
     "unsigned char": "integer(c_int8_t)",
     "char": "type(c_ptr)",
+    "pw85_neighbors": "type(c_ptr)",
     "void": None,
 }
+
+
+OPAQUE = "pw85_neighbors"  # Fortran sees pointers to it only
 
 
 def c_constants(headers, status_header):
@@ -33,7 +39,8 @@ def c_constants(headers, status_header):
 def c_argument(text, constants):
     """Type of an argument, whether it is passed by address, and the length of the array if that is stated."""
     dimension = re.search(r"\[(.*)\]", text)
-    by_address = dimension is not None or "*" in text
+    own_address = OPAQUE in text  # by value what is a pointer in C
+    by_address = dimension is not None or text.count("*") > own_address
     words = [word for word in re.findall(r"\w+", re.sub(r"\[.*\]", "", text)) if word != "const"]
     length = None
     if dimension is not None:
@@ -46,7 +53,7 @@ def c_functions(headers, constants):
     for text in headers:
         code = re.sub(r"/\*.*?\*/", "", text, flags=re.DOTALL)
         for result, name, arguments in re.findall(r"PW85_API\s+([\w\s]+?[\s*]+)(\w+)\(([^)]*)\);", code):
-            result_type = FORTRAN_TYPES[re.sub(r"\bconst\b|\*", "", result).strip()]
+            result_type = "type(c_ptr)" if "*" in result else FORTRAN_TYPES[result.strip()]
             listed = [] if arguments.strip() == "void" else arguments.split(",")
             functions[name] = (result_type, [c_argument(argument, constants) for argument in listed])
     return functions
@@ -79,7 +86,7 @@ def fortran_functions(module):
 def argument_matches(c, fortran):
     c_type, by_address, c_length = c
     fortran_type, by_value, fortran_length = fortran
-    if by_address and fortran_type == "type(c_ptr)":
+    if by_address and fortran_type == "type(c_ptr)" != c_type:
         return by_value
     same_length = c_length is None or c_length == fortran_length
     return c_type == fortran_type and by_address != by_value and same_length

@@ -24,7 +24,7 @@ template <class T, int D> PW85_FUNCTION inline T condition_number(Pair<T, D> con
 }
 
 /// What μ² errs by at most, in units of u cond: the roundings of stationary_value() (scripts/rounding_bounds.py: 6.7), what
-/// is_certain() admits, at most 2u where cond >= 3, and u for the comparison.
+/// is_certain() admits, at most 2u where cond >= 3, or u cond/8 where s is refined, and u for the comparison.
 inline constexpr int value_margin = 8;
 
 /// The tier for a pair in range, whose `tangent` is μ² of tangent ellipsoids in its units.
@@ -32,7 +32,7 @@ template <class T, int D>
 [[gnu::noinline]] PW85_FUNCTION inline Decision decide_by_comparison(Pair<T, D> const &pair, T const &tangent) noexcept
 {
     Maximum<T> const m = maximize(pair);
-    if (!m.converged) return Decision::none;
+    if (!m.certain) return Decision::none;
     T const error = T(value_margin * unit_roundoff<T>()) * condition_number(pair, m) * m.mu2;
     return to_decision(m.mu2 - error > tangent, m.mu2 + error < tangent);
 }

@@ -44,7 +44,7 @@ template <class T, int D> PW85_FUNCTION constexpr T evaluate_f(T const &lambda, 
                                                                SymmetricMatrix<T, D> const &q2) noexcept
 {
     T const alpha = T(1) - lambda;
-    return lambda * alpha * dot(r12, solve(factorize_blend(alpha, q1, lambda, q2), r12));
+    return lambda * alpha * inverse_form(factorize_blend(alpha, q1, lambda, q2), r12);
 }
 
 /// f, f' and f'' at λ (item 1).
@@ -59,7 +59,7 @@ PW85_FUNCTION constexpr Derivatives<T> evaluate_derivatives(T const &lambda, Vec
     Vector<T, D> const p = product(q1, s), q = product(q2, s);
     Vector<T, D> u{};
     for (int i = 0; i < D; ++i) u[i] = q[i] - p[i];
-    T const rs = dot(r12, s), su = dot(s, u), uv = dot(u, solve(factors, u));
+    T const rs = inverse_form(factors, r12), su = dot(s, u), uv = dot(u, solve(factors, u));
     return {weight * rs, alpha * alpha * dot(s, p) - lambda * lambda * dot(s, q),
             T(2) * (weight * uv - rs - (alpha - lambda) * su)};
 }

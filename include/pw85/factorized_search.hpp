@@ -63,9 +63,10 @@ template <class T, int D> PW85_FUNCTION inline Vector<T, D> solve_for_separation
 }
 
 /// Iterates from the candidate until a step is within penultimate_step(), or only rounding noise is left. Three steps are free
-/// to go anywhere in the bracket; later ones bisect it unless Halley's steps halve. False after max_factorized_steps.
+/// to go anywhere in the bracket; later ones bisect it unless Halley's steps halve. False after max_steps.
 template <class T, int D> PW85_FUNCTION inline bool search(Pair<T, D> const &pair, Candidate<T> &candidate,
-                                                           Precision precision, int &evaluations) noexcept
+                                                           Precision precision, int &evaluations,
+                                                           int max_steps = max_factorized_steps - 1) noexcept
 {
     T const smallest = smallest_number<T>(), largest = largest_number<T>();
     Bracket<T> bracket{smallest, largest, T(1024)};
@@ -83,11 +84,12 @@ template <class T, int D> PW85_FUNCTION inline bool search(Pair<T, D> const &pai
         bool const pinned = is_narrow(bracket); // t is in it
         update(bracket, t, image);
         bool const halves = size <= T(0.5) * shortest, noise = near && !halves && shortest < T(0.1);
-        if (size <= penultimate_step<T>() || pinned || noise || i == max_factorized_steps - 1) {
+        bool const found = size <= penultimate_step<T>() || pinned || noise;
+        if (found || i >= max_steps) {
             T const factor = near ? exponential(step) : T(1);
             candidate = {clamp(bracket, T(t * factor)), T(1), T(0)};
             expect_derivatives(candidate, s, factor, near);
-            return i < max_factorized_steps - 1;
+            return found;
         }
         shortest = minimum(shortest, size);
         T const next = t * (near ? exponential(step) : secular_factor(jet, pair.ratio, t));
@@ -113,6 +115,22 @@ PW85_FUNCTION inline T condition(Factorization<T, D> const &factors, SymmetricMa
 /// (scripts/rounding_bounds.py: 4.8).
 inline constexpr int factorization_error = 5;
 
+/// By how many u κ at most one correction of refine() shrinks an error, in the norm of M. Factorisation and substitution solve
+/// exactly with some M + E, where |E| <= γ|L||D||Lᵀ|, γ about 4D u (N. J. Higham, Accuracy and Stability of Numerical
+/// Algorithms, theorem 10.4, with the reciprocals' roundings). With M scaled to a unit diagonal no entry of that product exceeds
+/// 1, so that |E| <= 4D² u = 36 u; raised pivots add u; and the inverse is at most κ.
+inline constexpr int correction_error = 64;
+
+/// By how many u the last evaluation's s errs across, in the norm of M, beside what is_certain() need not count: solved by
+/// factorisation, or refined by three corrections. Rounding the refined s to u in each coordinate leaves at most u √cond; its
+/// square over k, which is compared with u cond, is below u cond/16 where k > 16 u, and its product with the step is smaller yet.
+template <class T> PW85_FUNCTION inline T error_of_solution(T const &condition, Precision precision) noexcept
+{
+    if (precision == Precision::working) return T(factorization_error) * condition;
+    T const u = T(unit_roundoff<T>()), ratio = T(T(correction_error) * u) * condition;
+    return ratio * ratio * ratio * ratio / u;
+}
+
 /// The last evaluation, by factorisation.
 template <class T, int D> PW85_FUNCTION inline LastEvaluation<T>
 last_evaluation(Pair<T, D> const &pair, Candidate<T> const &candidate, Precision precision) noexcept
@@ -123,7 +141,8 @@ last_evaluation(Pair<T, D> const &pair, Candidate<T> const &candidate, Precision
     auto const weights = outer_weights(s);
     auto const value = stationary_value(candidate, pair.ratio, positive_form(pair.q1, weights),
                                         positive_form(pair.q2, weights), dot(pair.r12, s));
-    return {value, is_certain(candidate, value.step, T(T(factorization_error) * condition(factors, m)), T(1))};
+    T const error = error_of_solution(condition(factors, m), precision);
+    return {value, candidate.k > T(16 * unit_roundoff<T>()) && is_certain(candidate, value.step, error, T(1))};
 }
 
 } // namespace pw85

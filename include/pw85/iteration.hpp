@@ -176,6 +176,7 @@ template <class T> struct Maximum {
     T lambda, complement; ///< λ and 1-λ
     int evaluations;      ///< of f, in either form
     bool converged;
+    bool certain; ///< whether μ² is proved to err by no more than decide_by_comparison() allows for
 };
 
 } // namespace pw85

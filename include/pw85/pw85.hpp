@@ -12,7 +12,9 @@
 ///
 ///     using namespace pw85;
 ///     Vector r12{1.0, 0.0, 0.0};
-///     auto [q1, ok1] = ellipsoid_quaternion(Vector{3.0, 2.0, 1.0}, Vector{1.0, 0.0, 0.0, 0.0});
+///     Vector axes{3.0, 2.0, 1.0};
+///     Vector quaternion{1.0, 0.0, 0.0, 0.0};
+///     auto [q1, ok1] = ellipsoid_quaternion(axes, quaternion);
 ///     auto [q2, ok2] = spheroid(1.0, 2.0, Vector{0.0, 1.0, 0.0});
 ///     auto [mu2, lambda, status] = contact(r12, q1, q2);
 ///
@@ -53,6 +55,7 @@ template <class T, int D> struct ContactHessian;  // entries, status
 template <class T> struct ClosestApproach;        // distance, status
 template <class T, int D> struct BoundingBox;     // half_widths, status
 struct Overlap;                                   // overlap, tier, status
+struct OverlapDecision;                           // decision, tier, status
 template <class T, int D> struct OverlapWitness;  // overlap, lambda, direction, point, status
 template <class T, int D> struct Distance;        // distance, point1, point2, normal, status
 template <class T> struct DistanceDerivatives;    // r12, rotation1, rotation2, hessian, status
@@ -60,6 +63,8 @@ template <class T, int D> struct SurfaceDistance; // distance, point, normal, st
 template <class T> struct PlaneDerivatives;       // center, rotation, status
 template <class T, int D> struct PlaneContact;    // mu2, point, status
 template <class T> struct Chord;                  // enter, leave, status
+template <class T, int D> struct Motion;          // velocity, angular_velocity, growth
+template <class T> struct FirstContact;           // time, status
 
 /// @name Quadratic forms
 /// @{
@@ -174,6 +179,15 @@ PW85_FUNCTION inline ContactHessian<T, D> contact_hessian(Vector<T, D> const &r1
 template <class T, int D> PW85_FUNCTION inline Overlap overlap(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
                                                                SymmetricMatrix<T, D> const &q2) noexcept;
 
+/// What is certain of overlap() without exact arithmetic: Decision::overlap, Decision::apart, or Decision::none for a pair so near
+/// to contact, |μ² - 1| of some u cond, that floating-point numbers cannot tell. It needs nothing that a device lacks: a thread
+/// of a GPU calls this, and what it leaves open is for overlap() on the host.
+///
+/// @param r12,q1,q2 as for overlap()
+/// @return the decision, and the means that made it; as Decision::none, Status::invalid_argument, Status::not_positive_definite
+template <class T, int D> PW85_FUNCTION inline OverlapDecision
+decide_overlap(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, SymmetricMatrix<T, D> const &q2) noexcept;
+
 /// overlap() with what shows the answer: a separating direction, or a point inside both. These are right to
 /// rounding.
 ///
@@ -222,6 +236,23 @@ template <class T>
 PW85_FUNCTION inline DistanceDerivatives<T> distance_derivatives(Vector<T, 3> const &r12,
                                                                  SymmetricMatrix<T, 3> const &q1,
                                                                  SymmetricMatrix<T, 3> const &q2) noexcept;
+
+/// @}
+
+/// @name Time
+/// @{
+
+/// The time of the first contact of two ellipsoids that translate, turn about their centres and grow. No contact is missed.
+///
+/// @param r12,q1,q2 the pair at time 0, as for contact()
+/// @param motion1,motion2 how the ellipsoids move; none may shrink to nothing before `end`
+/// @param end the time up to which contacts count, >= 0; may be infinity
+/// @return the time: infinity if there is no contact, zero if the ellipsoids overlap at time 0; Status::invalid_argument,
+/// Status::not_positive_definite, Status::no_convergence as said in pw85.h
+template <class T, int D>
+PW85_FUNCTION inline FirstContact<T> first_contact(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
+                                                   SymmetricMatrix<T, D> const &q2, Motion<T, D> const &motion1,
+                                                   Motion<T, D> const &motion2, T const &end) noexcept;
 
 /// @}
 
@@ -313,6 +344,7 @@ intersect_line(Vector<T, D> const &origin, Vector<T, D> const &direction, Symmet
 #include <pw85/contact_hessian.hpp>
 #include <pw85/distance.hpp>
 #include <pw85/distance_derivatives.hpp>
+#include <pw85/first_contact.hpp>
 #include <pw85/forms.hpp>
 #include <pw85/geometry.hpp>
 #include <pw85/line.hpp>

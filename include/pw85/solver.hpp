@@ -14,9 +14,10 @@ inline constexpr int max_evaluations = 83;
 static_assert(max_evaluations == max_rational_steps + 1 + 2 * max_factorized_steps);
 
 template <class T>
-PW85_FUNCTION inline Maximum<T> to_maximum(StationaryValue<T> const &value, int evaluations, bool converged) noexcept
+PW85_FUNCTION inline Maximum<T> to_maximum(LastEvaluation<T> const &last, int evaluations, bool converged) noexcept
 {
-    return {value.mu2, value.lambda, value.complement, evaluations, converged};
+    auto const &value = last.value;
+    return {value.mu2, value.lambda, value.complement, evaluations, converged, converged && last.certain};
 }
 
 /// The maximum of f by the factorised form alone, from where a search on the rational form came to after so many evaluations.
@@ -27,10 +28,10 @@ maximize_factorized(Pair<T, D> const &pair, Candidate<T> candidate, int evaluati
     bool const found = search(pair, candidate, Precision::working, evaluations);
     auto const last = last_evaluation(pair, candidate, Precision::working);
     ++evaluations;
-    if (found && last.certain) return to_maximum(last.value, evaluations, true);
+    if (found && last.certain) return to_maximum(last, evaluations, true);
     bool const found_again = search(pair, candidate, Precision::refined, evaluations);
     auto const refined = last_evaluation(pair, candidate, Precision::refined);
-    return to_maximum(refined.value, evaluations + 1, found_again);
+    return to_maximum(refined, evaluations + 1, found_again);
 }
 
 /// The maximum of f over λ in [0, 1], for a pair of positive definite forms in range with r12 != 0. All callers share one
@@ -45,7 +46,7 @@ template <class T, int D> [[gnu::noinline]] PW85_FUNCTION inline Maximum<T> maxi
         for (; any_of(state.active) && evaluations < max_rational_steps; ++evaluations) take_step(state, pair.ratio);
         auto const last = last_evaluation(pair, state.candidate);
         ++evaluations;
-        if (last.certain) return to_maximum(last.value, evaluations, true);
+        if (last.certain) return to_maximum(last, evaluations, true);
     }
     return maximize_factorized(pair, state.candidate, evaluations);
 }

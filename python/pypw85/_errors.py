@@ -18,6 +18,8 @@ class Status(enum.IntEnum):
     EINVAL = _core.STATUSES["EINVAL"]
     ENOTPD = _core.STATUSES["ENOTPD"]
     ECONVERGENCE = _core.STATUSES["ECONVERGENCE"]
+    ENOMEM = _core.STATUSES["ENOMEM"]
+    EDEVICE = _core.STATUSES["EDEVICE"]
 
 
 class PW85Error(ValueError, ArithmeticError):

@@ -78,7 +78,7 @@ def overlap_pairs(
 
     Returns
     -------
-    (k) array of `dtype`
+    array (k) of `dtype`
         A bad pair counts as an overlap; NumPy reports it as ``np.errstate(invalid=...)`` says.
 
     {raises_pair_list}
@@ -119,12 +119,17 @@ def _pair_list(
     pairs: ArrayLike, centers: ArrayLike, q: ArrayLike, cell: Optional[ArrayLike], images: Optional[ArrayLike]
 ) -> tuple[NDArray[np.int32], Floats, Floats, Optional[Floats], Optional[NDArray[np.int32]]]:
     """Contiguous arrays of the types that the library takes."""
+    centers, q = _particles(centers, q)
+    indices = _indices(pairs, len(centers))
+    return indices, centers, q, _cell(cell), _images(images, len(indices), cell is not None)
+
+
+def _particles(centers: ArrayLike, q: ArrayLike) -> tuple[Floats, Floats]:
     centers = _rows(centers, 3, "centers")
     q = _rows(q, 6, "q")
     if len(centers) != len(q):
         raise ValueError(f"{len(centers)} centers, but {len(q)} forms")
-    indices = _indices(pairs, len(centers))
-    return indices, centers, q, _cell(cell), _images(images, len(indices), cell is not None)
+    return centers, q
 
 
 def _cell(cell: Optional[ArrayLike]) -> Optional[Floats]:
@@ -139,9 +144,11 @@ def _cell(cell: Optional[ArrayLike]) -> Optional[Floats]:
 def _images(images: Optional[ArrayLike], num_pairs: int, has_cell: bool) -> Optional[NDArray[np.int32]]:
     if images is None:
         return None
-    if not has_cell:
-        raise ValueError("images are multiples of the vectors of a cell, but there is no cell")
     multiples = np.asarray(images)
+    if not has_cell:
+        if np.any(multiples):
+            raise ValueError("images are multiples of the vectors of a cell, but there is no cell")
+        return None
     if multiples.size == 0 and num_pairs == 0:
         return np.empty((0, 3), dtype=np.int32)
     if multiples.shape != (num_pairs, 3):

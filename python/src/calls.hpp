@@ -25,12 +25,22 @@ PyObject *contact_pairs(PyObject *self, PyObject *const *args, Py_ssize_t nargs)
 /// overlap_pairs(pairs, centers, q, cell or None, images or None, overlap): status. Arrays are contiguous and of the right type.
 PyObject *overlap_pairs(PyObject *self, PyObject *const *args, Py_ssize_t nargs);
 
+/// first_contact_pairs(pairs, centers, q, cell or None, images or None, motions, t_max, t, next, next_pair): status. As above.
+PyObject *first_contact_pairs(PyObject *self, PyObject *const *args, Py_ssize_t nargs);
+
 /// contact_derivatives_pairs(pairs, centers, q, cell or None, images or None, mu2, lambda, point, normal, d_r12, d_rot1, d_rot2):
 /// status. Arrays are contiguous and of the right type.
 PyObject *contact_derivatives_pairs(PyObject *self, PyObject *const *args, Py_ssize_t nargs);
 
 /// overlap_any(q1 of one row, r12, q2): (status, any).
 PyObject *overlap_any(PyObject *self, PyObject *const *args, Py_ssize_t nargs);
+
+/// neighbors(centers, q, cell or None, periodic (three int32), scale, skin): (status, particle, list, pairs, images or None). The list
+/// is a capsule that owns the arrays' memory; it and the arrays are None if the status is not zero, and then `particle` is to blame.
+PyObject *neighbors(PyObject *self, PyObject *const *args, Py_ssize_t nargs);
+
+/// neighbors_hold(list, centers, q): (status, whether).
+PyObject *neighbors_hold(PyObject *self, PyObject *const *args, Py_ssize_t nargs);
 
 /// nearest_image_limit(q, cell): (status, mu2).
 PyObject *nearest_image_limit(PyObject *self, PyObject *const *args, Py_ssize_t nargs);

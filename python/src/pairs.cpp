@@ -3,27 +3,11 @@
 
 #include <pw85.h>
 
+#include "arguments.hpp"
 #include "calls.hpp"
 
 namespace pypw85 {
 namespace {
-
-/// Data of a contiguous array of the given type and shape (n × columns, or n if `columns` is 0); null, with an
-/// exception, if it is something else. `n` < 0 takes the size from the array.
-void *data_of(PyObject *object, int type, npy_intp &n, npy_intp columns, bool writeable)
-{
-    auto *const array = reinterpret_cast<PyArrayObject *>(object);
-    bool const fits = PyArray_Check(object) && PyArray_TYPE(array) == type &&
-                      PyArray_NDIM(array) == (columns > 0 ? 2 : 1) && PyArray_IS_C_CONTIGUOUS(array) &&
-                      PyArray_ISBEHAVED_RO(array) && (!writeable || PyArray_ISWRITEABLE(array)) &&
-                      (columns == 0 || PyArray_DIM(array, 1) == columns) && (n < 0 || PyArray_DIM(array, 0) == n);
-    if (!fits) {
-        PyErr_SetString(PyExc_TypeError, "a contiguous array of another type or shape was expected");
-        return nullptr;
-    }
-    n = PyArray_DIM(array, 0);
-    return PyArray_DATA(array);
-}
 
 struct PairList {
     npy_intp num_pairs = -1;
@@ -52,12 +36,6 @@ bool read_pair_list(PyObject *const *args, PairList &list)
     if (args[4] == Py_None) return true;
     list.images = static_cast<std::int32_t const *>(data_of(args[4], NPY_INT32, list.num_pairs, PW85_DIM, false));
     return list.images != nullptr;
-}
-
-bool right_number(Py_ssize_t given, Py_ssize_t expected)
-{
-    if (given != expected) PyErr_Format(PyExc_TypeError, "%zd arguments expected, %zd given", expected, given);
-    return given == expected;
 }
 
 } // namespace
@@ -106,6 +84,31 @@ PyObject *contact_derivatives_pairs(PyObject *, PyObject *const *args, Py_ssize_
     status = pw85_contact_derivatives_pairs(static_cast<size_t>(list.num_pairs), list.pairs, list.images,
                                             static_cast<size_t>(list.num_particles), list.centers, list.q, list.cell,
                                             out[0], out[1], out[2], out[3], out[4], out[5], out[6]);
+    Py_END_ALLOW_THREADS;
+    return PyLong_FromLong(status);
+}
+
+PyObject *first_contact_pairs(PyObject *, PyObject *const *args, Py_ssize_t nargs)
+{
+    PairList list;
+    if (!right_number(nargs, 10) || !read_pair_list(args, list)) return nullptr;
+    static_assert(sizeof(pw85_motion) == 7 * sizeof(double));
+    auto const *const motions =
+        static_cast<pw85_motion const *>(data_of(args[5], NPY_DOUBLE, list.num_particles, 7, false));
+    if (motions == nullptr) return nullptr;
+    double const t_max = PyFloat_AsDouble(args[6]);
+    if (PyErr_Occurred()) return nullptr;
+    auto *const t = static_cast<double *>(data_of(args[7], NPY_DOUBLE, list.num_pairs, 0, true));
+    if (t == nullptr) return nullptr;
+    auto *const next = static_cast<double *>(data_of(args[8], NPY_DOUBLE, list.num_particles, 0, true));
+    if (next == nullptr) return nullptr;
+    auto *const next_pair = static_cast<std::int64_t *>(data_of(args[9], NPY_INT64, list.num_particles, 0, true));
+    if (next_pair == nullptr) return nullptr;
+    int status;
+    Py_BEGIN_ALLOW_THREADS;
+    status = pw85_first_contact_pairs(static_cast<size_t>(list.num_pairs), list.pairs, list.images,
+                                      static_cast<size_t>(list.num_particles), list.centers, list.q, list.cell, motions,
+                                      t_max, t, next, next_pair);
     Py_END_ALLOW_THREADS;
     return PyLong_FromLong(status);
 }

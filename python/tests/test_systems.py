@@ -1,4 +1,6 @@
-"""Derivatives of many pairs, images, cells, one against many, boxes: against the functions of one pair."""
+"""Derivatives of many pairs, images, cells, neighbour lists, one against many, boxes: against the functions of one pair."""
+
+import itertools
 
 import numpy as np
 import pytest
@@ -67,7 +69,7 @@ def test_images(particles):
 
 def test_wrong_images(particles):
     pairs, centers, q = particles
-    images = np.zeros((len(pairs), 3), dtype=int)
+    images = np.ones((len(pairs), 3), dtype=int)
     for function in (pypw85.contact_pairs, pypw85.overlap_pairs, pypw85.contact_derivatives_pairs):
         with pytest.raises(ValueError, match="no cell"):
             function(pairs, centers, q, images=images)
@@ -103,6 +105,67 @@ def test_overlap_any(particles):
         pypw85.overlap_any(q[0], [[np.nan, 0, 0]], q[:1])
     with pytest.raises(ValueError):
         pypw85.overlap_any(q[0], [[9, 0, 0]], q[:2])
+
+
+def brute_force(centers, q, cell, periodic, scale, skin):
+    """All (i, j, image) whose boxes are near enough."""
+    half_widths = scale * pypw85.bounding_boxes(q)
+    steps = [np.arange(-4, 5) if flag else [0] for flag in periodic]
+    found = set()
+    for image in np.stack(np.meshgrid(*steps), -1).reshape(-1, 3):
+        for i, j in itertools.combinations_with_replacement(range(len(q)), 2):
+            separation = centers[j] - centers[i] + image @ cell
+            near = (abs(separation) <= half_widths[i] + half_widths[j] + skin).all()
+            if near and (i < j or tuple(image) > (0, 0, 0)):
+                found.add((i, j, *image))
+    return found
+
+
+@pytest.mark.parametrize("periodic", [True, False, (True, False, True)])
+def test_neighbors(particles, periodic):
+    _, centers, q = particles
+    options = {"scale": 0.7, "skin": 0.1}
+    found = pypw85.neighbors(centers, q, CELL, periodic, **options)
+    expected = brute_force(centers, q, CELL, np.broadcast_to(periodic, 3), **options)
+    assert sorted(map(tuple, np.hstack([found.pairs, found.images]))) == sorted(expected)
+    assert len(found) == len(found.pairs) > 0
+    assert found.holds(centers + 0.04, q)
+    assert not found.holds(centers + 0.06, q)
+    mu2, _ = pypw85.contact_pairs(found.pairs, centers, q, CELL, images=found.images)
+    assert np.isfinite(mu2).all()
+
+
+def test_neighbors_without_cell(particles):
+    _, centers, q = particles
+    found = pypw85.neighbors(centers, q)
+    assert found.images.shape == (len(found), 3) and not found.images.any()
+    mu2, _ = pypw85.contact_pairs(found.pairs, centers, q, images=found.images)
+    all_mu2, _ = pypw85.contact_pairs(list(itertools.combinations(range(len(q)), 2)), centers, q)
+    assert (mu2 < 1).sum() == (all_mu2 < 1).sum()
+    with pytest.raises(ValueError, match="no cell"):
+        pypw85.contact_pairs(found.pairs, centers, q, images=found.images + 1)
+    pairs = found.pairs
+    del found
+    assert pairs.max() < len(q)  # the arrays keep their memory
+    assert len(pypw85.neighbors(np.empty((0, 3)), np.empty((0, 6)))) == 0
+
+
+def test_neighbors_errors(particles):
+    _, centers, q = particles
+    bad = centers.copy()
+    bad[7, 1] = np.nan
+    with pytest.raises(pypw85.PW85Error, match="particle 7: invalid argument"):
+        pypw85.neighbors(bad, q, CELL)
+    with pytest.raises(pypw85.PW85Error, match="neighbors: invalid argument"):
+        pypw85.neighbors(centers, q, np.ones((3, 3)))
+    with pytest.raises(pypw85.PW85Error):
+        pypw85.neighbors(centers, q, scale=0)
+    with pytest.raises(MemoryError):
+        pypw85.neighbors(centers, q, 1e-6 * np.eye(3))
+    with pytest.raises(ValueError):
+        pypw85.neighbors(centers, q[1:])
+    with pytest.raises(pypw85.PW85Error):
+        pypw85.neighbors(centers, q).holds(centers[1:], q[1:])
 
 
 def test_cells(particles):

@@ -13,7 +13,8 @@ namespace {
 /// Three lattice vectors, times unit.
 struct Basis {
     Vector<double, 3> b[3];
-    double unit; ///< a power of two, 1 unless the lengths are extreme
+    double multiples[3][3]; ///< of the cell's vectors, in each of them
+    double unit;            ///< a power of two, 1 unless the lengths are extreme
 };
 
 /// What the inequalities of item 1 are about.
@@ -38,7 +39,10 @@ bool load(double const *cell, Basis &basis) noexcept
     bool const in_range = largest < unscaled_limit && largest * unscaled_limit > 1.0;
     basis.unit = in_range ? 1.0 : std::ldexp(1.0, std::max(std::ilogb(largest), -1022));
     for (int i = 0; i < 3; ++i)
-        for (int d = 0; d < 3; ++d) basis.b[i][d] = cell[3 * i + d] / basis.unit;
+        for (int d = 0; d < 3; ++d) {
+            basis.b[i][d] = cell[3 * i + d] / basis.unit;
+            basis.multiples[i][d] = i == d;
+        }
     return true;
 }
 
@@ -71,11 +75,13 @@ Triple shortest_triple(Gram const &g) noexcept
     return shortest;
 }
 
-Vector<double, 3> combine(Basis const &basis, double const (&sign)[3]) noexcept
+/// Subtracts a multiple of vector j from vector i.
+void subtract(Basis &basis, std::ptrdiff_t i, double multiple, std::ptrdiff_t j) noexcept
 {
-    Vector<double, 3> v;
-    for (int d = 0; d < 3; ++d) v[d] = sign[0] * basis.b[0][d] + sign[1] * basis.b[1][d] + sign[2] * basis.b[2][d];
-    return v;
+    for (int d = 0; d < 3; ++d) {
+        basis.b[i][d] = std::fma(-multiple, basis.b[j][d], basis.b[i][d]);
+        basis.multiples[i][d] = std::fma(-multiple, basis.multiples[j][d], basis.multiples[i][d]);
+    }
 }
 
 /// Whether a vector can be shortened by another one, of the given square, with which it has the given product.
@@ -92,14 +98,14 @@ bool shorten(Basis &basis, Gram const &g) noexcept
         for (int const i : {(k + 1) % 3, (k + 2) % 3}) {
             int const j = 3 - i - k;
             if (!is_reducible(g.product[k], g.square[i], g.square[j])) continue;
-            double const multiple = std::round(g.product[k] / g.square[j]);
-            for (int d = 0; d < 3; ++d) basis.b[i][d] = std::fma(-multiple, basis.b[j][d], basis.b[i][d]);
+            subtract(basis, i, std::round(g.product[k] / g.square[j]), j);
             return true;
         }
     Triple const triple = shortest_triple(g);
     auto const longest = std::max_element(g.square, g.square + 3) - g.square;
     if (!(triple.square < (1.0 - tolerance) * g.square[longest])) return false;
-    basis.b[longest] = times(triple.sign[longest], combine(basis, triple.sign));
+    for (auto const other : {(longest + 1) % 3, (longest + 2) % 3})
+        subtract(basis, longest, -triple.sign[longest] * triple.sign[other], other);
     return true;
 }
 
@@ -182,13 +188,16 @@ bool prepare(double const *cell, Lattice &lattice) noexcept
     return true;
 }
 
-bool reduce(double const *cell, double *reduced) noexcept
+bool reduce(double const *cell, double *reduced, double (*multiples)[3]) noexcept
 {
     Basis basis;
     Gram g;
     if (!load(cell, basis) || !reduce(basis, g)) return false;
     for (int i = 0; i < 3; ++i)
-        for (int d = 0; d < 3; ++d) reduced[3 * i + d] = basis.unit * basis.b[i][d];
+        for (int d = 0; d < 3; ++d) {
+            reduced[3 * i + d] = basis.unit * basis.b[i][d];
+            if (multiples != nullptr) multiples[i][d] = basis.multiples[i][d];
+        }
     return true;
 }
 

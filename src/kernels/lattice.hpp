@@ -39,8 +39,9 @@ bool is_finite_cell(double const *cell) noexcept;
 /// is taken as it is.
 bool prepare(double const *cell, Lattice &lattice) noexcept;
 
-/// A reduced basis of the lattice of a cell, rows = vectors; false as for prepare().
-bool reduce(double const *cell, double *reduced) noexcept;
+/// A reduced basis of the lattice of a cell, rows = vectors, and the multiples of the cell's vectors in each, unless null; false as
+/// for prepare(). A vector that is orthogonal to the two others stays as it is.
+bool reduce(double const *cell, double *reduced, double (*multiples)[3] = nullptr) noexcept;
 
 } // namespace pw85::kernels
 

@@ -1,0 +1,111 @@
+/// @file
+/// Neighbour lists from C++, over the functions of the compiled library (link with pw85), whose contracts are those of pw85.h.
+#ifndef PW85_NEIGHBORS_HPP_INCLUDED
+#define PW85_NEIGHBORS_HPP_INCLUDED
+
+#include <memory>
+
+#include <pw85/batch.hpp>
+
+namespace pw85 {
+
+/// Which pairs a neighbour list has; see pw85_neighbors_create().
+struct NeighborOptions {
+    std::array<int, 3> periodic = {1, 1, 1}; ///< along which vectors of the cell there are images
+    double scale = 1.0;                      ///< of the ellipsoids
+    double skin = 0.0;                       ///< how far apart boxes may be
+};
+
+/// A neighbour list and its memory; it can be moved, not copied.
+class Neighbors {
+  public:
+    /// An empty list, of no particles.
+    Neighbors() noexcept = default;
+    /// Takes a list of the C API over; null is fine.
+    [[gnu::always_inline]] explicit Neighbors(pw85_neighbors *list) noexcept : list_(list) {}
+
+    /// Pairs and images, as long as this object lives.
+    [[gnu::always_inline]] PairList list() const noexcept { return {pairs(), images()}; }
+
+    [[gnu::always_inline]] std::span<IndexPair const> pairs() const noexcept
+    {
+        auto const *const data = pw85_neighbors_pairs(list_.get());
+        return {reinterpret_cast<IndexPair const *>(data), pw85_neighbors_size(list_.get())};
+    }
+
+    /// Empty without a cell.
+    [[gnu::always_inline]] std::span<Image const> images() const noexcept
+    {
+        auto const *const data = pw85_neighbors_images(list_.get());
+        return {reinterpret_cast<Image const *>(data), data != nullptr ? pw85_neighbors_size(list_.get()) : 0};
+    }
+
+    [[gnu::always_inline]] pw85_neighbors const *get() const noexcept { return list_.get(); }
+
+  private:
+    struct Destroy {
+        [[gnu::always_inline]] void operator()(pw85_neighbors *list) const noexcept { pw85_neighbors_destroy(list); }
+    };
+    std::unique_ptr<pw85_neighbors, Destroy> list_;
+};
+
+/// All pairs whose bounding boxes meet: see pw85_neighbors_create().
+///
+/// @param particles in a cell or not
+/// @param options which pairs
+/// @param[out] list empty on error
+/// @return Status::success, Status::invalid_argument, Status::not_positive_definite, Status::out_of_memory
+static inline Status neighbors_create(Particles const &particles, NeighborOptions const &options,
+                                      Neighbors &list) noexcept;
+
+/// Which particle is to blame where a list cannot be made: see pw85_neighbors_check().
+///
+/// @param particles,options as for neighbors_create()
+/// @param[out] particle the first bad one, or their number
+/// @return its status, or that of the options; Status::success
+static inline Status neighbors_check(Particles const &particles, NeighborOptions const &options,
+                                     std::size_t &particle) noexcept;
+
+/// Whether a list still has all pairs after motion: see pw85_neighbors_holds().
+///
+/// @param list a list
+/// @param particles where they are now; the cell does not matter
+/// @param[out] holds 1, 0, or -1 on error
+/// @return Status::success, Status::invalid_argument, Status::not_positive_definite
+static inline Status neighbors_holds(Neighbors const &list, Particles const &particles, int &holds) noexcept;
+
+static inline Status neighbors_create(Particles const &particles, NeighborOptions const &options,
+                                      Neighbors &list) noexcept
+{
+    list = Neighbors();
+    if (particles.centers.size() != particles.q.size()) return Status::invalid_argument;
+    pw85_neighbors *made = nullptr;
+    int const status = pw85_neighbors_create(particles.centers.size(), detail::numbers(particles.centers),
+                                             detail::numbers(particles.q), detail::numbers(particles.cell),
+                                             options.periodic.data(), options.scale, options.skin, &made);
+    list = Neighbors(made);
+    return static_cast<Status>(status);
+}
+
+static inline Status neighbors_check(Particles const &particles, NeighborOptions const &options,
+                                     std::size_t &particle) noexcept
+{
+    particle = particles.centers.size();
+    if (particles.centers.size() != particles.q.size()) return Status::invalid_argument;
+    return static_cast<Status>(pw85_neighbors_check(particles.centers.size(), detail::numbers(particles.centers),
+                                                    detail::numbers(particles.q), detail::numbers(particles.cell),
+                                                    options.periodic.data(), options.scale, options.skin, &particle));
+}
+
+static inline Status neighbors_holds(Neighbors const &list, Particles const &particles, int &holds) noexcept
+{
+    holds = -1;
+    if (particles.centers.size() != particles.q.size()) return Status::invalid_argument;
+    return static_cast<Status>(pw85_neighbors_holds(list.get(), particles.centers.size(),
+                                                    detail::numbers(particles.centers), detail::numbers(particles.q),
+                                                    &holds));
+}
+
+} // namespace pw85
+
+#endif

@@ -1,0 +1,129 @@
+"""Neighbour lists."""
+
+from __future__ import annotations
+
+from typing import Any, Optional, Sequence, Union
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from . import _core
+from ._errors import PW85Error, Status
+from ._pairs import _cell, _particles
+
+
+class Neighbors:
+    """A neighbour list, from `neighbors`: ``contact_pairs(list.pairs, centers, q, cell, images=list.images)``.
+
+    Attributes
+    ----------
+    pairs : (n, 2) array of int32
+        Indices i <= j; cannot be written to.
+    images : (n, 3) array of int32
+        Multiples of the cell vectors, to be added to the centre of j; 0 without a cell. Cannot be written to.
+    """
+
+    __slots__ = ("_list", "images", "pairs")
+
+    pairs: NDArray[np.int32]
+    images: NDArray[np.int32]
+
+    def __init__(self, _list: Any, pairs: NDArray[np.int32], images: NDArray[np.int32]) -> None:
+        self._list = _list
+        self.pairs = pairs
+        self.images = images
+
+    def __len__(self) -> int:
+        """Number of pairs."""
+        return len(self.pairs)
+
+    def __repr__(self) -> str:
+        return f"<pypw85.Neighbors: {len(self)} pairs>"
+
+    def holds(self, centers: ArrayLike, q: ArrayLike) -> bool:
+        """Whether the list still has all pairs whose boxes meet, without skin, after the particles have moved and turned.
+
+        It has while the box of each particle is within its old one, grown by half the skin on each side.
+
+        Parameters
+        ----------
+        centers : (n, 3) array_like
+            Centres that went on from where they were: not wrapped into the cell anew.
+        q : (n, 6) array_like
+            Forms.
+
+        Returns
+        -------
+        bool
+
+        Raises
+        ------
+        PW85Error
+            The list is of another number of particles, or a particle is bad.
+        ValueError
+            Shapes do not match.
+        """
+        status, holds = _core.neighbors_hold(self._list, *_particles(centers, q))
+        if status:
+            raise PW85Error(status, "Neighbors.holds", _core.strerror(status))
+        return bool(holds)
+
+
+def neighbors(
+    centers: ArrayLike,
+    q: ArrayLike,
+    cell: Optional[ArrayLike] = None,
+    periodic: Union[bool, Sequence[bool]] = True,
+    scale: float = 1.0,
+    skin: float = 0.0,
+) -> Neighbors:
+    """All pairs of ellipsoids whose bounding boxes meet, with images, each once.
+
+    So they are all pairs with μ² <= scale², and all that can come to be while the list `holds`. Pairs have i < j, or i = j and
+    an image of i itself. Their order is that of the particles in space.
+
+    Parameters
+    ----------
+    centers : (n, 3) array_like
+        Anywhere in space.
+    q : (n, 6) array_like
+        Forms.
+    cell : (3, 3) array_like, optional
+        Rows are the vectors of the periodic cell, however skewed and small.
+    periodic : bool or three bools
+        Along which vectors of the cell there are images. The other vectors do not matter.
+    scale : float
+        Factor of the ellipsoids, > 0.
+    skin : float
+        Boxes that are no farther apart than this along any axis are neighbours, too; >= 0.
+
+    Returns
+    -------
+    Neighbors
+
+    Raises
+    ------
+    PW85Error
+        A particle is bad (its number is in the text), the cell is singular or not finite, scale or skin are out of range.
+    MemoryError
+        There is not enough memory.
+    ValueError
+        Shapes do not match.
+
+    Examples
+    --------
+    >>> import numpy as np, pypw85
+    >>> q = np.array([pypw85.spheroid(1, 2, [0, 0, 1])] * 2)
+    >>> found = pypw85.neighbors([[0, 0, 0], [7, 0, 1]], q, cell=8 * np.eye(3))
+    >>> found.pairs, found.images
+    (array([[0, 1]], dtype=int32), array([[-1,  0,  0]], dtype=int32))
+    """
+    arrays = _particles(centers, q)
+    flags = np.require(np.broadcast_to(np.asarray(periodic, dtype=bool), 3), np.int32, ["C", "A"])
+    status, particle, found, pairs, images = _core.neighbors(*arrays, _cell(cell), flags, float(scale), float(skin))
+    if status == Status.ENOMEM:
+        raise MemoryError("neighbors: " + _core.strerror(status))
+    if status:
+        which = f"particle {particle}: " if particle < len(arrays[0]) else ""
+        raise PW85Error(status, "neighbors", which + _core.strerror(status))
+    return Neighbors(found, pairs, np.zeros((len(pairs), 3), np.int32) if images is None else images)

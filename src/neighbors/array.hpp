@@ -1,0 +1,54 @@
+/// @file
+/// Memory that may be refused.
+#ifndef PW85_NEIGHBORS_ARRAY_HPP_INCLUDED
+#define PW85_NEIGHBORS_ARRAY_HPP_INCLUDED
+
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <type_traits>
+#include <utility>
+
+namespace pw85::neighbors {
+
+/// An array of plain data whose size can grow. std::vector would throw where memory is short, and write all that it makes.
+template <class T> class Array {
+    static_assert(std::is_trivially_copyable_v<T>);
+
+  public:
+    Array() noexcept = default;
+    Array(Array &&other) noexcept : data_(std::exchange(other.data_, nullptr)), size_(std::exchange(other.size_, 0)) {}
+    Array &operator=(Array &&other) noexcept
+    {
+        std::swap(data_, other.data_);
+        std::swap(size_, other.size_);
+        return *this;
+    }
+    ~Array() { std::free(data_); }
+
+    /// Makes room for n elements and keeps those that are there; false, with nothing changed, if there is no memory.
+    [[nodiscard]] bool resize(std::size_t n) noexcept
+    {
+        if (n > PTRDIFF_MAX / sizeof(T)) return false;
+        void *const data = std::realloc(data_, n > 0 ? n * sizeof(T) : 1);
+        if (data == nullptr) return false;
+        data_ = static_cast<T *>(data);
+        size_ = n;
+        return true;
+    }
+
+    void free() noexcept { *this = Array(); }
+    std::size_t size() const noexcept { return size_; }
+    T *data() noexcept { return data_; }
+    T const *data() const noexcept { return data_; }
+    T &operator[](std::size_t i) noexcept { return data_[i]; }
+    T const &operator[](std::size_t i) const noexcept { return data_[i]; }
+
+  private:
+    T *data_ = nullptr;
+    std::size_t size_ = 0;
+};
+
+} // namespace pw85::neighbors
+
+#endif

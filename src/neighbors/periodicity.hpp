@@ -1,0 +1,66 @@
+/// @file
+/// The periodic images of a system, along any of the vectors of its cell.
+///
+/// Roundings: with u = 2⁻⁵³, a vector of the reduced lattice is a sum of up to three products, off by 3 u times `size`, the sum of
+/// their magnitudes. A centre c that is moved by multiples s of these vectors is then off by at most 8 u M in each coordinate, with
+/// M = |c| + Σ|s| size; a half-width h of three roundings by 4 u h, and each side of its box by u (M + h) more. So boxes grow by
+/// 16 u (M + h) on each side, and by 16 u (M' + |side|) when they are moved by multiples m, M' = Σ|m| size: what meets in exact
+/// arithmetic meets.
+#ifndef PW85_NEIGHBORS_PERIODICITY_HPP_INCLUDED
+#define PW85_NEIGHBORS_PERIODICITY_HPP_INCLUDED
+
+#include <cstdint>
+
+#include <pw85/symmetric.hpp>
+
+#include "boxes.hpp"
+
+namespace pw85::neighbors {
+
+/// 16 u.
+inline constexpr double margin = 0x1p-49;
+
+/// Multiples of the vectors of a lattice.
+struct Multiples {
+    std::int32_t n[3];
+};
+
+/// Multiples of reduced vectors, as far as they are followed: sums of a few of them stay in range of int32.
+inline constexpr double most_multiples = 0x1p29;
+
+/// The lattice of the periodic directions.
+class Periodicity {
+  public:
+    /// Without a cell nothing is periodic. False if the periodic vectors of a cell are not finite, or not independent.
+    bool prepare(double const *cell, int const *periodic) noexcept;
+
+    /// How often to subtract the lattice's vectors from a point to take it near the origin; false if that is too often.
+    bool reduce(Vector<double, 3> const &point, Multiples &multiples) const noexcept;
+
+    /// The box around a centre less multiples of the vectors.
+    Box wrapped(Vector<double, 3> const &center, Vector<double, 3> const &half_widths,
+                Multiples const &multiples) const noexcept;
+
+    /// A box moved by multiples of the vectors.
+    Box moved(Box const &box, Multiples const &multiples) const noexcept;
+
+    /// Multiples up to which images of a box can meet it: more than most_multiples where there are too many.
+    Vector<double, 3> reach(Box const &box) const noexcept;
+
+    /// The same lattice vector in multiples of the cell's own vectors; false if they leave the range.
+    bool of_cell(Multiples const &multiples, Multiples &own) const noexcept;
+
+  private:
+    Vector<double, 3> sum(Multiples const &multiples, double const (&vectors)[3][3]) const noexcept;
+
+    bool periodic_[3] = {};
+    bool any_ = false;
+    double basis_[3][3] = {};     ///< reduced vectors; zero for directions that are not periodic
+    double size_[3][3] = {};      ///< see above
+    double dual_[3][3] = {};      ///< zero as the basis
+    double multiples_[3][3] = {}; ///< of the cell's vectors, for each of the reduced ones
+};
+
+} // namespace pw85::neighbors
+
+#endif

@@ -1,0 +1,53 @@
+/// @file
+/// The pairs of boxes of a tree that meet, images included.
+#ifndef PW85_NEIGHBORS_SEARCH_HPP_INCLUDED
+#define PW85_NEIGHBORS_SEARCH_HPP_INCLUDED
+
+#include "array.hpp"
+#include "periodicity.hpp"
+#include "tree.hpp"
+
+namespace pw85::neighbors {
+
+/// Box `second` meets box `first` moved by a multiple of the lattice's vectors, the number of which is `image`.
+struct Found {
+    std::int32_t first, second, image;
+};
+
+/// Pairs, in the order in which they are found.
+class FoundPairs {
+  public:
+    /// Adds pairs of the box `first` and those of a block, from number `begin` on, whose bits are set; false if there is no memory.
+    bool add(std::size_t first, std::size_t begin, unsigned bits, std::size_t image) noexcept
+    {
+        if (size_ + width > room_.size() && !room_.resize(2 * room_.size() + 1024)) return false;
+        for (; bits != 0; bits &= bits - 1)
+            room_[size_++] = {static_cast<std::int32_t>(first),
+                              static_cast<std::int32_t>(begin + static_cast<unsigned>(std::countr_zero(bits))),
+                              static_cast<std::int32_t>(image)};
+        return true;
+    }
+
+    std::size_t size() const noexcept { return size_; }
+    Found const &operator[](std::size_t k) const noexcept { return room_[k]; }
+    void free() noexcept { room_.free(); }
+
+  private:
+    Array<Found> room_;
+    std::size_t size_ = 0;
+};
+
+/// The multiples for which a tree can meet its own image, number 0 being that of no motion; of m and -m only one. False if they are
+/// too many for the memory, or for their numbers.
+[[nodiscard]] bool list_images(Periodicity const &lattice, Box const &root, Array<Multiples> &images) noexcept;
+
+/// Groups whose pairs are found by one task.
+inline constexpr std::size_t groups_per_task = 16;
+
+/// The pairs whose first box is of the groups of a task: each pair once. False if there is no memory.
+[[nodiscard]] bool find_pairs(Tree const &tree, Periodicity const &lattice, Array<Multiples> const &images,
+                              std::size_t task, FoundPairs &found) noexcept;
+
+} // namespace pw85::neighbors
+
+#endif

@@ -1,0 +1,34 @@
+// Boxes around boxes.
+#include "tree.hpp"
+
+namespace pw85::neighbors {
+
+bool Tree::resize(std::size_t n) noexcept
+{
+    num_groups_ = (n + group_size - 1) / group_size;
+    // Groups are complete: what they lack of particles are boxes that meet nothing.
+    std::size_t count = num_groups_ * width;
+    first_[0] = 0;
+    for (int level = 0;; ++level, count = (count + width - 1) / width) {
+        first_[level + 1] = first_[level] + count;
+        top_ = level;
+        if (level >= group_level && count == 1) break;
+    }
+    if (!blocks_.resize(first_[top_ + 1])) return false;
+    for (std::size_t k = n; k < num_groups_ * group_size; ++k) set(k, no_box);
+    return true;
+}
+
+void Tree::enclose_levels() noexcept
+{
+    for (int level = 0; level < top_; ++level) {
+        std::size_t const count = first_[level + 1] - first_[level], room = first_[level + 2] - first_[level + 1];
+        for_parts(room, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t k = begin * width; k < end * width; ++k)
+                blocks_[first_[level + 1] + k / width].set(static_cast<int>(k % width),
+                                                           k < count ? enclose(*block(level, k)) : no_box);
+        });
+    }
+}
+
+} // namespace pw85::neighbors

@@ -1,0 +1,71 @@
+/// @file
+/// Boxes in the order of space, eight in a box of the next level, and so on.
+#ifndef PW85_NEIGHBORS_TREE_HPP_INCLUDED
+#define PW85_NEIGHBORS_TREE_HPP_INCLUDED
+
+#include <bit>
+
+#include "array.hpp"
+#include "boxes.hpp"
+#include "parallel.hpp"
+
+namespace pw85::neighbors {
+
+/// Level 0 has the boxes of the particles, level l + 1 the boxes around the blocks of level l. 64 particles are a group: one box of
+/// level 2, one block of level 1, eight of level 0.
+class Tree {
+  public:
+    static constexpr int group_level = 2;
+    static constexpr std::size_t group_size = width * width;
+
+    /// Makes room for n > 0 particles; false if there is no memory.
+    [[nodiscard]] bool resize(std::size_t n) noexcept;
+
+    /// Sets the box of a particle.
+    void set(std::size_t particle, Box const &box) noexcept
+    {
+        blocks_[particle / width].set(static_cast<int>(particle % width), box);
+    }
+
+    /// To be called when all boxes of particles are set.
+    void enclose_levels() noexcept;
+
+    std::size_t num_groups() const noexcept { return num_groups_; }
+    Block const *block(int level, std::size_t k) const noexcept { return blocks_.data() + first_[level] + k; }
+    Box box(int level, std::size_t k) const noexcept
+    {
+        return block(level, k / width)->get(static_cast<int>(k % width));
+    }
+    /// The box around all.
+    Box root() const noexcept { return enclose(*block(top_, 0)); }
+
+    /// Calls visit(group) for the groups from `first` on whose boxes meet a box.
+    template <class Visit> void visit_groups(Box const &box, std::size_t first, Visit const &visit) const noexcept
+    {
+        descend(box, first, visit, top_, 0);
+    }
+
+  private:
+    template <class Visit>
+    void descend(Box const &box, std::size_t first, Visit const &visit, int level, std::size_t k) const noexcept
+    {
+        for (unsigned bits = meeting(box, *block(level, k)); bits != 0; bits &= bits - 1) {
+            std::size_t const child = k * width + static_cast<unsigned>(std::countr_zero(bits));
+            if ((child + 1) << 3 * (level - group_level) <= first) continue;
+            if (level == group_level)
+                visit(child);
+            else
+                descend(box, first, visit, level - 1, child);
+        }
+    }
+
+    static constexpr int most_levels = 12; // 8¹² blocks are beyond the range of int32
+    Array<Block> blocks_;
+    std::size_t first_[most_levels + 1] = {}; ///< where the blocks of each level begin
+    std::size_t num_groups_ = 0;
+    int top_ = group_level;
+};
+
+} // namespace pw85::neighbors
+
+#endif

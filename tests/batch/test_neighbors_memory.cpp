@@ -1,0 +1,64 @@
+// Neighbour lists when memory is refused at any point: an error, no list, and nothing lost (leaks are for the sanitizers to see).
+#include <atomic>
+#include <cstddef>
+#include <vector>
+
+#include <glib.h>
+
+#include <pw85/neighbors.hpp>
+
+#include "../random_pairs.hpp"
+
+namespace {
+
+/// How many requests are granted before one is refused.
+std::atomic<long> granted{0};
+
+} // namespace
+
+extern "C" {
+
+void *__real_realloc(void *memory, std::size_t size);
+
+void *__wrap_realloc(void *memory, std::size_t size)
+{
+    return granted.fetch_sub(1) == 0 ? nullptr : __real_realloc(memory, size);
+}
+}
+
+namespace {
+
+void test_refused()
+{
+    pw85_tests::Random random(111);
+    std::vector<pw85::Vector<double, 3>> centers;
+    std::vector<pw85::SymmetricMatrix<double, 3>> q;
+    for (int i = 0; i < 3000; ++i) {
+        centers.push_back({random.uniform(0.0, 9.0), random.uniform(0.0, 9.0), random.uniform(0.0, 9.0)});
+        q.push_back(random.form(1.0, 3.0));
+    }
+    pw85::Cell const cell{{{9.0, 0.0, 0.0}, {0.0, 9.0, 0.0}, {0.0, 0.0, 9.0}}};
+    long refused = 0;
+    for (;; ++refused) {
+        pw85::Neighbors list;
+        granted = refused;
+        pw85::Status const status = neighbors_create({centers, q, &cell}, {}, list);
+        if (granted >= 0) { // the request to be refused was not made
+            g_assert_true(status == pw85::Status::success);
+            g_assert_cmpuint(list.pairs().size(), >, 10000);
+            break;
+        }
+        g_assert_true(status == pw85::Status::out_of_memory);
+        g_assert_true(list.get() == nullptr);
+    }
+    g_assert_cmpint(refused, >=, 13);
+}
+
+} // namespace
+
+int main(int argc, char **argv)
+{
+    g_test_init(&argc, &argv, nullptr);
+    g_test_add_func("/neighbors_memory/refused", test_refused);
+    return g_test_run();
+}
