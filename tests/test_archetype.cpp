@@ -19,7 +19,7 @@ struct LaneMask {
     bool lane;
 
     friend LaneMask operator&&(LaneMask x, LaneMask y) { return {x.lane && y.lane}; }
-    friend LaneMask operator||(LaneMask x, LaneMask y) { return {x.lane || y.lane}; }
+    [[maybe_unused]] friend LaneMask operator||(LaneMask x, LaneMask y) { return {x.lane || y.lane}; }
     friend LaneMask operator!(LaneMask x) { return {!x.lane}; }
     friend bool any_of(LaneMask x) { return x.lane; }
     friend bool all_of(LaneMask x) { return x.lane; }
