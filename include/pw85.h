@@ -532,7 +532,7 @@ typedef struct pw85_neighbors pw85_neighbors;
  * Each pair is there once: with i < j, or i = j and an image of i itself whose first multiple other than 0 is positive. Pairs that
  * miss each other by roundings (2⁻⁴⁸ of the coordinates) may be there, too. Their order is that of the particles in space; it
  * depends on the input alone, not on the number of threads. The time is proportional to the numbers of particles and pairs, for
- * sizes of any kind, and anywhere in space unless most of them crowd in less than 2⁻²¹ of its extent. The memory is 200 bytes per
+ * sizes of any kind, and anywhere in space unless most of them crowd in less than 2⁻²¹ of its extent. The memory is 210 bytes per
  * particle and 44 per pair at most while the list is made, and 48 and 20 (8 without a cell) afterwards.
  *
  * @param n number of particles, at most 2³¹ - 1; 0 is fine
@@ -543,7 +543,7 @@ typedef struct pw85_neighbors pw85_neighbors;
  * @param scale factor of the ellipsoids, > 0
  * @param skin >= 0, in the unit of the semi-axes
  * @param[out] list null on error; to be destroyed by pw85_neighbors_destroy()
- * @return #PW85_SUCCESS; #PW85_EINVAL, also if the periodic vectors are not independent, or an image is more than 2³¹ vectors
+ * @return #PW85_SUCCESS; #PW85_EINVAL, also if the periodic vectors are not independent, or an image is more than 2²⁹ vectors
  *         away; #PW85_ENOTPD; #PW85_ENOMEM. pw85_neighbors_check() says which particle is bad. */
 PW85_API int pw85_neighbors_create(size_t n, double const *centers, double const *q, double const *cell,
                                    int const periodic[3], double scale, double skin, pw85_neighbors **list);
@@ -551,7 +551,8 @@ PW85_API int pw85_neighbors_create(size_t n, double const *centers, double const
 /** Which particle is to blame where a list cannot be made; arguments as for pw85_neighbors_create().
  *
  * @param[out] particle the first one that is bad: its centre or form is, or it is too far away; n if none is
- * @return the status of that particle; or of the other arguments, with `particle` = n; #PW85_SUCCESS */
+ * @return the status of that particle; or of the other arguments, with `particle` = n; #PW85_SUCCESS where nothing but the memory or
+ *         the number of images can be to blame */
 PW85_API int pw85_neighbors_check(size_t n, double const *centers, double const *q, double const *cell,
                                   int const periodic[3], double scale, double skin, size_t *particle);
 
