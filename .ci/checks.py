@@ -110,6 +110,18 @@ def check_format(results):
     results.add("format", run(["clang-format", "--dry-run", "-Werror", *files]))
 
 
+def check_platforms(results):
+    """The core and the library on the platforms that a compiler and an emulator of Debian serve, over the contact problems."""
+    boost = BUILDS / "boost"  # the headers, without those of this system's other libraries
+    (boost / "include").mkdir(parents=True, exist_ok=True)
+    if not (boost / "include/boost").exists():
+        (boost / "include/boost").symlink_to("/usr/include/boost")
+    options = ["-Dgsl=disabled", *(f"-D{name}=disabled" for name in ("bench", "python", "fortran"))]
+    for machine in sorted((ROOT / "scripts/cross").glob("*.ini")):
+        if build(results, machine.stem, [f"--cross-file={machine}", *options], {"BOOST_ROOT": str(boost)}):
+            test(results, BUILDS / machine.stem, ["--suite", "portable"], WINEPREFIX=str(BUILDS / "wine"), WINEDEBUG="-all")
+
+
 def check_all(results):
     check_format(results)
     results.add("scripts/tutorial.sh", run(["scripts/tutorial.sh"]))
@@ -121,6 +133,7 @@ def check_all(results):
         test(results, BUILDS / "lammps", ["--suite", "lammps"])
     if build(results, "clang", [*ONLY_TESTS, "-Dgsl=disabled"], CLANG):
         test(results, BUILDS / "clang", ["--no-suite", "install"])
+    check_platforms(results)
     if build(results, "address-undefined", [*ONLY_TESTS, "-Db_sanitize=address,undefined", "-Doptimization=2",
                                             "-Doptimized=false"], {}):
         test(results, BUILDS / "address-undefined", ["--no-suite", "install", "--timeout-multiplier", "10"],

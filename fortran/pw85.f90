@@ -9,7 +9,7 @@
 !> Outputs that may be null in C are optional here.
 module pw85
   use, intrinsic :: iso_c_binding, only: c_associated, c_char, c_double, c_f_pointer, c_int, c_int8_t, c_int32_t, &
-    c_loc, c_null_ptr, c_ptr, c_size_t
+    c_int64_t, c_loc, c_null_ptr, c_ptr, c_size_t
   implicit none
   private
 
@@ -31,6 +31,13 @@ module pw85
   integer(c_int), parameter, public :: pw85_max_iter = 25
   integer(c_int), parameter, public :: pw85_nr_iter = 3
 
+  !> How an ellipsoid moves: at time t its semi-axes are 1 + growth*t times those at time 0.
+  type, bind(C), public :: pw85_motion
+    real(c_double) :: velocity(3) = 0
+    real(c_double) :: angular_velocity(3) = 0
+    real(c_double) :: growth = 0
+  end type pw85_motion
+
   public :: pw85_version, pw85_strerror
   public :: pw85_spheroid, pw85_ellipsoid, pw85_ellipsoid_quaternion, pw85_ellipse
   public :: pw85_contact, pw85_contact_function, pw85_contact_geometry, pw85_contact_gradient, pw85_contact_torque
@@ -38,6 +45,7 @@ module pw85
   public :: pw85_contact_geometry_2d, pw85_contact_gradient_2d, pw85_contact_torque_2d, pw85_contact_hessian_2d
   public :: pw85_overlap_2d, pw85_contact_batch_2d, pw85_overlap_batch_2d
   public :: pw85_distance, pw85_distance_derivatives, pw85_distance_2d
+  public :: pw85_first_contact, pw85_first_contact_batch, pw85_first_contact_pairs
   public :: pw85_distance_plane, pw85_distance_plane_derivatives, pw85_contact_plane, pw85_distance_box
   public :: pw85_distance_cylinder, pw85_distance_point, pw85_intersect_line
   public :: pw85_contact_batch, pw85_overlap_batch, pw85_contact_pairs, pw85_overlap_pairs
@@ -247,6 +255,16 @@ module pw85
       integer(c_int) :: status
     end function c_distance_2d
 
+    !> The time of the first contact of two moving ellipsoids, up to t_max; infinity if there is none.
+    function pw85_first_contact(r12, q1, q2, motion1, motion2, t_max, t) result(status) bind(C, name='pw85_first_contact')
+      import :: c_double, c_int, pw85_motion
+      real(c_double), intent(in) :: r12(3), q1(6), q2(6)
+      type(pw85_motion), intent(in) :: motion1, motion2
+      real(c_double), value :: t_max
+      real(c_double), intent(out) :: t
+      integer(c_int) :: status
+    end function pw85_first_contact
+
     function c_distance_plane(normal, offset, q, distance, point) result(status) bind(C, name='pw85_distance_plane')
       import :: c_double, c_int, c_ptr
       real(c_double), intent(in) :: normal(3), q(6)
@@ -382,6 +400,34 @@ module pw85
       real(c_double), intent(out) :: distance(*)
       integer(c_int) :: status
     end function pw85_closest_approach_batch
+
+    !> First contacts of n pairs.
+    function pw85_first_contact_batch(n, r12, q1, q2, motion1, motion2, t_max, t) result(status) &
+        bind(C, name='pw85_first_contact_batch')
+      import :: c_double, c_int, c_size_t, pw85_motion
+      integer(c_size_t), value :: n
+      real(c_double), intent(in) :: r12(3, *), q1(6, *), q2(6, *)
+      type(pw85_motion), intent(in) :: motion1(*), motion2(*)
+      real(c_double), value :: t_max
+      real(c_double), intent(out) :: t(*)
+      integer(c_int) :: status
+    end function pw85_first_contact_batch
+
+    function c_first_contact_pairs(num_pairs, pairs, images, num_particles, centers, q, cell, motions, t_max, t, next, &
+        next_pair) result(status) bind(C, name='pw85_first_contact_pairs')
+      import :: c_double, c_int, c_int32_t, c_ptr, c_size_t, pw85_motion
+      integer(c_size_t), value :: num_pairs
+      integer(c_int32_t), intent(in) :: pairs(2, *)
+      type(c_ptr), value :: images
+      integer(c_size_t), value :: num_particles
+      real(c_double), intent(in) :: centers(3, *), q(6, *)
+      type(c_ptr), value :: cell
+      type(pw85_motion), intent(in) :: motions(*)
+      real(c_double), value :: t_max
+      real(c_double), intent(out) :: t(*)
+      type(c_ptr), value :: next, next_pair
+      integer(c_int) :: status
+    end function c_first_contact_pairs
 
     function c_contact_derivatives_batch(n, r12, q1, q2, mu2, lambda, point, normal, d_r12, d_rot1, d_rot2) &
         result(status) bind(C, name='pw85_contact_derivatives_batch')
@@ -915,6 +961,27 @@ contains
                                          address(cell), address(mu2), address(lambda), address(point), &
                                          address(normal), address(d_r12), address(d_rot1), address(d_rot2))
   end function pw85_contact_derivatives_pairs
+
+  !> First contacts of the pairs of a neighbour list, the next event of each particle, and the index of its pair, from 0 (-1 if there
+  !> is none), which is not to be asked for without `next`; `cell` and `images` as in pw85_contact_pairs().
+  function pw85_first_contact_pairs(num_pairs, pairs, num_particles, centers, q, cell, motions, t_max, t, next, &
+      next_pair, images) result(status)
+    integer(c_size_t), intent(in) :: num_pairs, num_particles
+    integer(c_int32_t), intent(in) :: pairs(2, num_pairs)
+    real(c_double), intent(in) :: centers(3, num_particles), q(6, num_particles), t_max
+    real(c_double), intent(in), optional, target :: cell(3, 3)
+    type(pw85_motion), intent(in) :: motions(num_particles)
+    real(c_double), intent(out) :: t(num_pairs)
+    real(c_double), intent(out), optional, target :: next(num_particles)
+    integer(c_int64_t), intent(out), optional, target :: next_pair(num_particles)
+    integer(c_int32_t), intent(in), optional, target :: images(3, num_pairs)
+    type(c_ptr) :: indices
+    integer(c_int) :: status
+    indices = c_null_ptr
+    if (present(next_pair)) indices = c_loc(next_pair)
+    status = c_first_contact_pairs(num_pairs, pairs, address_of_integers(images), num_particles, centers, q, &
+                                   address(cell), motions, t_max, t, address(next), indices)
+  end function pw85_first_contact_pairs
 
   !> A reduced cell of the same lattice; columns are the vectors.
   function pw85_cell_reduce(cell, reduced) result(status)

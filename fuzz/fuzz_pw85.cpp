@@ -130,6 +130,35 @@ void check_walls(Input const &in)
     if (status != PW85_SUCCESS && !all_nan(out, 2)) fail("intersect_line: status", in);
 }
 
+// Times are not negative and not after the end; infinity is none.
+void check_motion(Input const &in)
+{
+    auto const *x = in.rotation;
+    pw85_motion const motions[2] = {{{x[0], x[1], x[2]}, {x[3], x[4], x[5]}, x[6]},
+                                    {{x[6], x[7], x[8]}, {x[0], x[2], x[4]}, in.lambda}};
+    pw85_motion const slide{{x[0], x[1], x[2]}, {0, 0, 0}, 0}, still{};
+    double const end = in.axes[0];
+    double t, batch, list[1], next[2];
+    std::int64_t next_pair[2];
+    auto const check_time = [&](pw85_motion const &a, pw85_motion const &b) {
+        int const status = pw85_first_contact(in.r12, in.q1, in.q2, &a, &b, end, &t);
+        check("first_contact", in, status, &t, 1);
+        if (status == PW85_SUCCESS && !(t >= 0 && (t <= end || std::isinf(t)))) fail("first_contact: range", in);
+        if (pw85_first_contact_batch(1, in.r12, in.q1, in.q2, &a, &b, end, &batch) != status)
+            fail("first_contact_batch: status", in);
+        if (status == PW85_SUCCESS && t != batch) fail("first_contact_batch", in);
+    };
+    check_time(slide, still);
+    check_time(motions[0], motions[1]);
+    double centers[6] = {0, 0, 0, in.r12[0], in.r12[1], in.r12[2]}, forms[12];
+    std::memcpy(forms, in.q1, sizeof in.q1);
+    std::memcpy(forms + 6, in.q2, sizeof in.q2);
+    std::int32_t const pairs[2] = {0, 1};
+    check("first_contact_pairs", in,
+          pw85_first_contact_pairs(1, pairs, nullptr, 2, centers, forms, nullptr, motions, end, list, next, next_pair),
+          list, 1);
+}
+
 void check_batch(Input const &in)
 {
     double mu2[1], lambda[1];
@@ -254,6 +283,7 @@ extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const *data, std::size_t size
     check_pair(in);
     check_flat_pair(in);
     check_distance(in);
+    check_motion(in);
     check_walls(in);
     check_batch(in);
     check_rows(in);

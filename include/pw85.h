@@ -286,6 +286,36 @@ PW85_API int pw85_distance_2d(double const r12[2], double const q1[3], double co
                               double point1[2], double point2[2]);
 
 /** @}
+ * @name Time
+ *
+ * Ellipsoids that translate at constant velocities, turn about their centres at constant angular velocities, and grow. The first
+ * contact is the least time in [0, t_max] at which μ <= 1; infinity stands for none. It is approached from below: no time before
+ * it is passed over that is not proved to be free of contact.
+ *
+ * At the time given μ = 1 to rounding, that of the numbers given and of the motion, and pairs that miss each other by no more
+ * than rounding touch. A pair that overlaps at time 0 has its first contact at once; but if it overlaps by no more than some
+ * hundred times its rounding and separates, it counts as one that has just collided: the answer is its next contact.
+ * @{ */
+
+/** How an ellipsoid moves. */
+typedef struct pw85_motion {
+    double velocity[PW85_DIM];         /**< of the centre */
+    double angular_velocity[PW85_DIM]; /**< about the centre, in radians per unit of time */
+    double growth;                     /**< at time t the semi-axes are 1 + growth·t times those at time 0 */
+} pw85_motion;
+
+/** The time of the first contact of two moving ellipsoids.
+ *
+ * @param r12,q1,q2 the pair at time 0, as for pw85_contact()
+ * @param motion1,motion2 how the ellipsoids move; none may shrink to nothing before t_max
+ * @param t_max the time up to which contacts count, >= 0; may be infinity
+ * @param[out] t the time, or infinity
+ * @return #PW85_SUCCESS, #PW85_EINVAL (also for an ellipsoid that shrinks to nothing), #PW85_ENOTPD, #PW85_ECONVERGENCE (where
+ *         ellipsoids that turn thousands of times within reach of each other do not touch, or sizes overflow) */
+PW85_API int pw85_first_contact(double const r12[PW85_DIM], double const q1[PW85_SYM], double const q2[PW85_SYM],
+                                pw85_motion const *motion1, pw85_motion const *motion2, double t_max, double *t);
+
+/** @}
  * @name Walls, points and lines
  *
  * One ellipsoid. The distance is the largest or smallest of n·x ∓ α over unit vectors n, with α the half-width of the
@@ -440,6 +470,18 @@ PW85_API int pw85_contact_derivatives_batch(size_t n, double const *r12, double 
                                             double *mu2, double *lambda, double *point, double *normal, double *d_r12,
                                             double *d_rot1, double *d_rot2);
 
+/** pw85_first_contact() for n pairs; the bits are the same.
+ *
+ * @param n number of pairs
+ * @param r12 n×3
+ * @param q1,q2 n×6
+ * @param motion1,motion2 n each
+ * @param t_max as for pw85_first_contact(), for all pairs
+ * @param[out] t n
+ * @return as for pw85_contact_batch(); #PW85_ECONVERGENCE, too */
+PW85_API int pw85_first_contact_batch(size_t n, double const *r12, double const *q1, double const *q2,
+                                      pw85_motion const *motion1, pw85_motion const *motion2, double t_max, double *t);
+
 /** Whether an ellipsoid overlaps any of n others: pw85_overlap() for one after the other, up to the first that overlaps or is
  * bad. One thread works, on as many pairs at a time as it has lanes.
  *
@@ -486,6 +528,21 @@ PW85_API int pw85_contact_derivatives_pairs(size_t num_pairs, int32_t const *pai
                                             size_t num_particles, double const *centers, double const *q,
                                             double const *cell, double *mu2, double *lambda, double *point,
                                             double *normal, double *d_r12, double *d_rot1, double *d_rot2);
+
+/** pw85_first_contact() for the pairs of a neighbour list, and the next event of each particle: what event-driven simulations
+ * schedule. A pair stands for one image of j throughout, that of time 0.
+ *
+ * @param num_pairs,pairs,images,num_particles,centers,q,cell as for pw85_contact_pairs()
+ * @param motions num_particles
+ * @param t_max as for pw85_first_contact(), for all pairs
+ * @param[out] t num_pairs
+ * @param[out] next num_particles: the least t of the pairs of each particle, infinity if there is none; may be null
+ * @param[out] next_pair num_particles: the index of that pair, the first of several, or -1; may be null, and is without `next`
+ * @return as for pw85_contact_pairs(); #PW85_ECONVERGENCE, too. Bad pairs are no events. */
+PW85_API int pw85_first_contact_pairs(size_t num_pairs, int32_t const *pairs, int32_t const *images,
+                                      size_t num_particles, double const *centers, double const *q, double const *cell,
+                                      pw85_motion const *motions, double t_max, double *t, double *next,
+                                      int64_t *next_pair);
 
 /** @}
  * @name Periodic cells

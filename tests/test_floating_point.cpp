@@ -66,6 +66,17 @@ void call_distance_box(Question const &q, double *out)
     pw85_distance_box(lower, upper, q.pair.q1.entries, out, out + 1, out + 4);
 }
 
+pw85_motion const motions[3] = {{{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, 0.5},
+                                {{0.0, -1.0, 0.0}, {2.0, 1.0, 0.0}, -0.5},
+                                {{-1.0, 1.0, 0.5}, {0.0, 0.0, 0.0}, 0.0}};
+
+void call_first_contact(Question const &q, double *out)
+{
+    pw85_first_contact(PW85_PAIR, &motions[0], &motions[1], 1.0, out);
+    pw85_first_contact(PW85_PAIR, &motions[2], &motions[2], 1.0, out + 1);
+    pw85_first_contact(PW85_PAIR, &motions[2], &motions[0], 1.0, out + 2);
+}
+
 Function const functions[] = {
     PW85_CALL(pw85_contact, PW85_PAIR, out),
     PW85_CALL(pw85_contact_function, PW85_PAIR, out),
@@ -85,6 +96,7 @@ Function const functions[] = {
     PW85_CALL(pw85_distance, PW85_PAIR, out, out + 1, out + 4),
     PW85_CALL(pw85_distance_derivatives, PW85_PAIR, out, out + 3, out + 6, out + 9),
     PW85_CALL(pw85_distance_2d, PW85_PAIR, out, out + 1, out + 3),
+    {"pw85_first_contact", call_first_contact},
     PW85_CALL(pw85_distance_plane, q.pair.r12.coordinates, q.lambda, q.pair.q1.entries, out, out + 1),
     PW85_CALL(pw85_distance_plane_derivatives, q.pair.r12.coordinates, q.pair.q1.entries, out, out + 3),
     PW85_CALL(pw85_contact_plane, q.pair.r12.coordinates, q.lambda, q.pair.q1.entries, out, out + 1),

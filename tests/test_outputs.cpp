@@ -85,6 +85,9 @@ struct Row {
 double *at(std::vector<Output> &out, std::size_t i) { return out[i].data<double>(); }
 
 constexpr double lambda = 0.5, axes[3] = {1.0, 2.0, 3.0}, identity[9] = {1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0};
+constexpr pw85_motion motions[n] = {{{-1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, 0.1},
+                                    {{0.0, -1.0, 0.0}, {1.0, 0.0, 0.0}, 0.0},
+                                    {{0.0, 0.0, 0.0}, {0.0, 0.0, 0.0}, 0.0}};
 constexpr int32_t pairs[2 * n] = {0, 1, 1, 2, 2, 0};
 
 // Forms and values.
@@ -183,6 +186,11 @@ std::vector<Row> const distances{
      [](auto const &in, auto &out) {
          pw85_distance_2d(in.r12, in.q1 + 3, in.q2 + 3, at(out, 0), at(out, 1), at(out, 2));
      }},
+    {"pw85_first_contact",
+     {1},
+     [](auto const &in, auto &out) {
+         pw85_first_contact(in.r12, in.q1, in.q2, motions, motions + 1, 1.0, at(out, 0));
+     }},
     {"pw85_distance_plane",
      {1, 3},
      [](auto const &in, auto &out) { pw85_distance_plane(in.r12, 1.0, in.q1, at(out, 0), at(out, 1)); }},
@@ -255,6 +263,17 @@ std::vector<Row> const many_pairs{
     {"pw85_closest_approach_batch",
      {n},
      [](auto const &in, auto &out) { pw85_closest_approach_batch(n, in.r12, in.q1, in.q2, at(out, 0)); }},
+    {"pw85_first_contact_batch",
+     {n},
+     [](auto const &in, auto &out) {
+         pw85_first_contact_batch(n, in.r12, in.q1, in.q2, motions, motions, 1.0, at(out, 0));
+     }},
+    {"pw85_first_contact_pairs",
+     {n, n, n},
+     [](auto const &in, auto &out) {
+         pw85_first_contact_pairs(n, pairs, nullptr, n, in.r12, in.q1, identity, motions, 1.0, at(out, 0), at(out, 1),
+                                  out[2].template data<int64_t>());
+     }},
     {"pw85_overlap_any",
      {1},
      [](auto const &in, auto &out) { pw85_overlap_any(n, in.q1, in.r12, in.q2, out[0].template data<int>()); },

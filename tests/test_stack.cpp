@@ -136,6 +136,7 @@ struct Case {
 
 // What the functions return is the concern of other tests.
 double out[96];
+pw85_motion const motions[2] = {{{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, 0.5}, {{0.0, -1.0, 0.0}, {0.0, 0.0, 0.0}, 0.0}};
 int status, answer;
 
 std::vector<Case> cases_of_pairs()
@@ -217,6 +218,10 @@ std::vector<Case> cases_of_distances()
          })},
         {"pw85_distance_2d", for_each_pair([](Numbers r, Numbers p, Numbers q) {
              status = pw85_distance_2d(r, p + 3, q + 3, out, out + 1, out + 3);
+         })},
+        {"pw85_first_contact", for_each_pair([](Numbers r, Numbers p, Numbers q) {
+             status = pw85_first_contact(r, p, q, &motions[0], &motions[1], 1.0, out);
+             status = pw85_first_contact(r, p, q, &motions[1], &motions[1], 1.0, out);
          })},
         {"pw85_distance_plane",
          for_each_pair([](Numbers r, Numbers p, Numbers) { status = pw85_distance_plane(r, 1.0, p, out, out + 1); })},
@@ -304,6 +309,18 @@ std::vector<Case> cases_of_batches()
                                                      v(2), v(3), v(4), v(5));
          }},
         {"pw85_closest_approach_batch", [=] { status = pw85_closest_approach_batch(n, r, p, q, mu2.data()); }},
+        {"pw85_first_contact_batch",
+         [=] {
+             static std::vector<pw85_motion> const same(n, motions[0]);
+             status = pw85_first_contact_batch(n, r, p, q, same.data(), same.data(), 1.0, mu2.data());
+         }},
+        {"pw85_first_contact_pairs",
+         [=] {
+             static std::vector<pw85_motion> const same(2 * n, motions[0]);
+             static std::vector<std::int64_t> next_pair(2 * n);
+             status = pw85_first_contact_pairs(n, list, nullptr, 2 * n, x, forms, cell, same.data(), 1.0, mu2.data(),
+                                               v(0), next_pair.data());
+         }},
         {"pw85_overlap_any", [=] { status = pw85_overlap_any(n, p, r, q, &answer); }},
         {"pw85_ellipsoid_quaternion_batch", [=] { status = pw85_ellipsoid_quaternion_batch(n, x, forms, v(0)); }},
         {"pw85_bounding_boxes", [=] { status = pw85_bounding_boxes(n, p, v(0)); }},

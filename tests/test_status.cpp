@@ -60,6 +60,16 @@ std::vector<Function> const &functions()
          [](auto r, auto q1, auto q2, double, double *out) {
              return pw85_distance_2d(r, q1, q2, out, nullptr, nullptr);
          }},
+        {"first_contact", 3, 1, false, false,
+         [](auto r, auto q1, auto q2, double, double *out) {
+             pw85_motion const motion{{0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}, 0.5}, still{};
+             return pw85_first_contact(r, q1, q2, &motion, &still, 1.0, out);
+         }},
+        {"first_contact of a translation", 3, 1, false, false,
+         [](auto r, auto q1, auto q2, double, double *out) {
+             pw85_motion const still{};
+             return pw85_first_contact(r, q1, q2, &still, &still, 1.0, out);
+         }},
         {"contact_geometry", 3, 6, true, true,
          [](auto r, auto q1, auto q2, double lambda, double *out) {
              return pw85_contact_geometry(r, q1, q2, lambda, out, out + 3);

@@ -15,6 +15,8 @@ FORTRAN_TYPES = {
     "int": "integer(c_int)",
     "size_t": "integer(c_size_t)",
     "int32_t": "integer(c_int32_t)",
+    "int64_t": "integer(c_int64_t)",
+    "pw85_motion": "type(pw85_motion)",
     "unsigned char": "integer(c_int8_t)",
     "char": "type(c_ptr)",
     "pw85_neighbors": "type(c_ptr)",

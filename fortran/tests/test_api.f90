@@ -1,7 +1,7 @@
 !> Calls every function of the module once, with answers that are known or follow from another function.
 program test_api
   use, intrinsic :: ieee_arithmetic, only: ieee_is_nan
-  use, intrinsic :: iso_c_binding, only: c_double, c_int, c_int8_t, c_int32_t, c_ptr, c_size_t
+  use, intrinsic :: iso_c_binding, only: c_double, c_int, c_int8_t, c_int32_t, c_int64_t, c_ptr, c_size_t
   use, intrinsic :: iso_fortran_env, only: error_unit
   use pw85
   implicit none
@@ -25,6 +25,7 @@ program test_api
   call test_two_dimensions
   call test_distances
   call test_surfaces
+  call test_motions
   call test_walls
   call test_batch
   call test_pairs
@@ -207,6 +208,38 @@ contains
     status = pw85_distance(0 * r12, q1, q2, gap)
     call check(status == pw85_success .and. abs(gap) <= 0, 'distance of an overlap')
   end subroutine test_surfaces
+
+  ! Unit spheres on a line, three apart, of which the last comes at speed 1/2; and the first pair grows until it touches.
+  subroutine test_motions
+    integer(c_size_t), parameter :: n = 2
+    integer(c_int32_t), parameter :: pairs(2, n) = reshape([0, 1, 1, 2], [2, 2])
+    real(c_double) :: centers(3, 3), q(6, 3), r(3, n), t, times(n), next(3), infinite
+    type(pw85_motion) :: motions(3)
+    integer(c_int64_t) :: next_pair(3)
+    integer :: status
+    centers = 0
+    centers(1, :) = [0.0_c_double, 3.0_c_double, 6.0_c_double]
+    q = 0
+    q([1, 4, 6], :) = 1
+    motions(3)%velocity(1) = -0.5_c_double
+    infinite = huge(1.0_c_double)
+    status = pw85_first_contact(centers(:, 2), q(:, 2), q(:, 3), motions(2), motions(3), 9.0_c_double, t)
+    call check(status == pw85_success .and. close(t, 2.0_c_double), 'first_contact')
+    status = pw85_first_contact(centers(:, 2), q(:, 2), q(:, 3), motions(2), motions(3), 1.0_c_double, t)
+    call check(status == pw85_success .and. t > infinite, 'first_contact: none')
+    motions(1:2)%growth = 0.125_c_double
+    r(:, 1) = centers(:, 2)
+    r(:, 2) = centers(:, 3) - centers(:, 2)
+    status = pw85_first_contact_batch(n, r, q(:, 1:2), q(:, 2:3), motions(1:2), motions(2:3), 9.0_c_double, times)
+    call check(status == pw85_success .and. close(times(1), 4.0_c_double) .and. close(times(2), 1.6_c_double), &
+      'first_contact_batch')
+    status = pw85_first_contact_pairs(n, pairs, 3_c_size_t, centers, q, motions=motions, t_max=9.0_c_double, t=times, &
+                                      next=next, next_pair=next_pair)
+    call check(status == pw85_success .and. close(times(1), 4.0_c_double) .and. close(times(2), 1.6_c_double), &
+      'first_contact_pairs')
+    call check(close(next(1), 4.0_c_double) .and. close(next(2), 1.6_c_double) .and. all(next_pair == [0, 1, 1]), &
+      'first_contact_pairs: next events')
+  end subroutine test_motions
 
   subroutine test_walls
     real(c_double), parameter :: q(6) = [4.0_c_double, 0.0_c_double, 0.0_c_double, 1.0_c_double, 0.0_c_double, 1.0_c_double]

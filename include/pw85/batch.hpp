@@ -14,6 +14,7 @@
 #include <cstdint>
 #include <span>
 
+#include <pw85/first_contact.hpp>
 #include <pw85/status.hpp>
 #include <pw85/symmetric.hpp>
 
@@ -45,6 +46,14 @@ struct ReducedCell {
 struct DerivativeSpans {
     std::span<double> mu2 = {}, lambda = {};
     std::span<Vector<double, 3>> point = {}, normal = {}, d_r12 = {}, d_rot1 = {}, d_rot2 = {};
+};
+
+/// Where first contacts go, and for each particle its next one and the index of the pair, -1 if there is none; see
+/// pw85_first_contact_pairs().
+struct EventSpans {
+    std::span<double> time;
+    std::span<double> next = {};
+    std::span<std::int64_t> next_pair = {}; ///< not without `next`
 };
 
 /// The pairs of a neighbour list, each with the image that it stands for; without images they are the nearest ones.
@@ -152,6 +161,17 @@ static inline Status overlap_pairs(PairList const &list, Particles const &partic
 /// @return as for contact_pairs()
 static inline Status contact_derivatives_pairs(PairList const &list, Particles const &particles,
                                                DerivativeSpans const &out) noexcept;
+
+/// first_contact() for the pairs of a neighbour list, and the next event of each particle: see pw85_first_contact_pairs().
+///
+/// @param list,particles as for contact_pairs()
+/// @param motions one for each particle
+/// @param end as for first_contact()
+/// @param[out] out one time for each pair, and one event for each particle
+/// @return as for contact_pairs(); Status::no_convergence, too
+static inline Status first_contact_pairs(PairList const &list, Particles const &particles,
+                                         std::span<Motion<double, 3> const> motions, double end,
+                                         EventSpans const &out) noexcept;
 
 /// @}
 
@@ -376,6 +396,22 @@ static inline Status contact_derivatives_pairs(PairList const &list, Particles c
         detail::optional(out.mu2), detail::optional(out.lambda), detail::optional(out.point),
         detail::optional(out.normal), detail::optional(out.d_r12), detail::optional(out.d_rot1),
         detail::optional(out.d_rot2)));
+}
+
+static inline Status first_contact_pairs(PairList const &list, Particles const &particles,
+                                         std::span<Motion<double, 3> const> motions, double end,
+                                         EventSpans const &out) noexcept
+{
+    static_assert(sizeof(Motion<double, 3>) == sizeof(pw85_motion));
+    std::size_t const n = list.pairs.size(), num_particles = particles.centers.size();
+    if (out.time.size() != n || motions.size() != num_particles || !detail::fits(num_particles, out.next) ||
+        !detail::fits(num_particles, out.next_pair) || !detail::fit(list, particles))
+        return Status::invalid_argument;
+    return static_cast<Status>(pw85_first_contact_pairs(
+        n, detail::integers(list.pairs), detail::integers(list.images), num_particles,
+        detail::numbers(particles.centers), detail::numbers(particles.q), detail::numbers(particles.cell),
+        reinterpret_cast<pw85_motion const *>(motions.data()), end, out.time.data(),
+        out.next.empty() ? nullptr : out.next.data(), out.next_pair.empty() ? nullptr : out.next_pair.data()));
 }
 
 static inline ReducedCell cell_reduce(Cell const &cell) noexcept

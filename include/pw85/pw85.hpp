@@ -61,6 +61,8 @@ template <class T, int D> struct SurfaceDistance; // distance, point, normal, st
 template <class T> struct PlaneDerivatives;       // center, rotation, status
 template <class T, int D> struct PlaneContact;    // mu2, point, status
 template <class T> struct Chord;                  // enter, leave, status
+template <class T, int D> struct Motion;          // velocity, angular_velocity, growth
+template <class T> struct FirstContact;           // time, status
 
 /// @name Quadratic forms
 /// @{
@@ -235,6 +237,23 @@ PW85_FUNCTION inline DistanceDerivatives<T> distance_derivatives(Vector<T, 3> co
 
 /// @}
 
+/// @name Time
+/// @{
+
+/// The time of the first contact of two ellipsoids that translate, turn about their centres and grow. No contact is missed.
+///
+/// @param r12,q1,q2 the pair at time 0, as for contact()
+/// @param motion1,motion2 how the ellipsoids move; none may shrink to nothing before `end`
+/// @param end the time up to which contacts count, >= 0; may be infinity
+/// @return the time: infinity if there is no contact, zero if the ellipsoids overlap at time 0; Status::invalid_argument,
+/// Status::not_positive_definite, Status::no_convergence as said in pw85.h
+template <class T, int D>
+PW85_FUNCTION inline FirstContact<T> first_contact(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
+                                                   SymmetricMatrix<T, D> const &q2, Motion<T, D> const &motion1,
+                                                   Motion<T, D> const &motion2, T const &end) noexcept;
+
+/// @}
+
 /// @name Walls, points and lines
 ///
 /// One ellipsoid with its centre at 0, unless said otherwise. The error of a distance is below 8 u Σ, with Σ as
@@ -323,6 +342,7 @@ intersect_line(Vector<T, D> const &origin, Vector<T, D> const &direction, Symmet
 #include <pw85/contact_hessian.hpp>
 #include <pw85/distance.hpp>
 #include <pw85/distance_derivatives.hpp>
+#include <pw85/first_contact.hpp>
 #include <pw85/forms.hpp>
 #include <pw85/geometry.hpp>
 #include <pw85/line.hpp>

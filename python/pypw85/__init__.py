@@ -58,6 +58,7 @@ from ._ellipses import (
 )
 from ._errors import PW85Error, Status, bad_rows
 from ._forms import ellipse, ellipsoid, ellipsoid_quaternion, full, packed, principal_axes, spheroid
+from ._motion import Events, first_contact, first_contact_pairs, motion
 from ._neighbors import Neighbors, neighbors
 from ._pairs import contact_pairs, overlap_pairs
 from ._plotting import plot
@@ -96,6 +97,7 @@ metadata = {
 
 __all__ = [
     "ContactDerivatives",
+    "Events",
     "Neighbors",
     "PW85Error",
     "Status",
@@ -132,6 +134,8 @@ __all__ = [
     "ellipsoid_quaternion",
     "f",
     "f_neg",
+    "first_contact",
+    "first_contact_pairs",
     "from_gsd",
     "from_lammps",
     "from_ovito",
@@ -141,6 +145,7 @@ __all__ = [
     "lambda_atol",
     "legacy",
     "metadata",
+    "motion",
     "nearest_image_limit",
     "neighbors",
     "overlap",

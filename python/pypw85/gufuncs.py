@@ -44,6 +44,7 @@ from ._core import (
     ellipsoid,
     ellipsoid_quaternion,
     f,
+    first_contact,
     intersect_line,
     legacy_contact_function1,
     legacy_contact_function2,

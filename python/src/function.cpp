@@ -173,6 +173,14 @@ int distance_point(double const *const *in, double *const *out)
     return pw85_distance_point(in[0], in[1], out[0], out[1], out[2]);
 }
 
+pw85_motion load_motion(double const *x) noexcept { return {{x[0], x[1], x[2]}, {x[3], x[4], x[5]}, x[6]}; }
+
+int first_contact(double const *const *in, double *const *out)
+{
+    pw85_motion const motion1 = load_motion(in[3]), motion2 = load_motion(in[4]);
+    return pw85_first_contact(in[0], in[1], in[2], &motion1, &motion2, *in[5], out[0]);
+}
+
 int cholesky_decomp(double const *const *in, double *const *out)
 {
     pw85__cholesky_decomp(in[0], out[0]);
@@ -261,6 +269,7 @@ std::vector<Function> &functions()
         {"distance", "(3),(6),(6)->(),(3),(3)", distance_and_points<pw85_distance>},
         {"distance_derivatives", "(3),(6),(6)->(3),(3),(3),(9,9)", distance_derivatives},
         {"distance_2d", "(2),(3),(3)->(),(2),(2)", distance_and_points<pw85_distance_2d>},
+        {"first_contact", "(3),(6),(6),(7),(7),()->()", first_contact},
         {"distance_plane", "(3),(),(6)->(),(3)", distance_plane},
         {"distance_plane_derivatives", "(3),(6)->(3),(3)", distance_plane_derivatives},
         {"contact_plane", "(3),(),(6)->(),(3)", contact_plane},

@@ -111,6 +111,7 @@ PyMethodDef methods[] = {
     {"strerror", strerror, METH_O, "strerror(status, /)\n--\n\nSentence that says what a status means."},
     {"contact_pairs", as_method(contact_pairs), METH_FASTCALL, "Status of pw85_contact_pairs()."},
     {"overlap_pairs", as_method(overlap_pairs), METH_FASTCALL, "Status of pw85_overlap_pairs()."},
+    {"first_contact_pairs", as_method(first_contact_pairs), METH_FASTCALL, "Status of pw85_first_contact_pairs()."},
     {"contact_derivatives_pairs", as_method(contact_derivatives_pairs), METH_FASTCALL,
      "Status of pw85_contact_derivatives_pairs()."},
     {"overlap_any", as_method(overlap_any), METH_FASTCALL, "Status and answer of pw85_overlap_any()."},

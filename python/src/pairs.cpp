@@ -88,6 +88,31 @@ PyObject *contact_derivatives_pairs(PyObject *, PyObject *const *args, Py_ssize_
     return PyLong_FromLong(status);
 }
 
+PyObject *first_contact_pairs(PyObject *, PyObject *const *args, Py_ssize_t nargs)
+{
+    PairList list;
+    if (!right_number(nargs, 10) || !read_pair_list(args, list)) return nullptr;
+    static_assert(sizeof(pw85_motion) == 7 * sizeof(double));
+    auto const *const motions =
+        static_cast<pw85_motion const *>(data_of(args[5], NPY_DOUBLE, list.num_particles, 7, false));
+    if (motions == nullptr) return nullptr;
+    double const t_max = PyFloat_AsDouble(args[6]);
+    if (PyErr_Occurred()) return nullptr;
+    auto *const t = static_cast<double *>(data_of(args[7], NPY_DOUBLE, list.num_pairs, 0, true));
+    if (t == nullptr) return nullptr;
+    auto *const next = static_cast<double *>(data_of(args[8], NPY_DOUBLE, list.num_particles, 0, true));
+    if (next == nullptr) return nullptr;
+    auto *const next_pair = static_cast<std::int64_t *>(data_of(args[9], NPY_INT64, list.num_particles, 0, true));
+    if (next_pair == nullptr) return nullptr;
+    int status;
+    Py_BEGIN_ALLOW_THREADS;
+    status = pw85_first_contact_pairs(static_cast<size_t>(list.num_pairs), list.pairs, list.images,
+                                      static_cast<size_t>(list.num_particles), list.centers, list.q, list.cell, motions,
+                                      t_max, t, next, next_pair);
+    Py_END_ALLOW_THREADS;
+    return PyLong_FromLong(status);
+}
+
 PyObject *overlap_any(PyObject *, PyObject *const *args, Py_ssize_t nargs)
 {
     npy_intp one = 1, n = -1;

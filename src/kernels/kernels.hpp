@@ -11,6 +11,8 @@
 #include <cstddef>
 #include <cstdint>
 
+#include <pw85.h>
+
 #include "lattice.hpp"
 #include "worklist.hpp"
 
@@ -141,6 +143,8 @@ struct OnePairKernels {
                     double *point2) noexcept;
     int (*distance_derivatives)(double const *r12, double const *q1, double const *q2, double *d_r12, double *d_rot1,
                                 double *d_rot2, double *hessian) noexcept;
+    int (*first_contact)(double const *r12, double const *q1, double const *q2, pw85_motion const *motion1,
+                         pw85_motion const *motion2, double end, double *time) noexcept;
 };
 
 /// A function for many pairs, one per lane.

@@ -1,6 +1,8 @@
 // The functions of many pairs of the C API: what concerns a call as a whole.
 #include <pw85.h>
 
+#include <cmath>
+
 #include "../c_arrays.hpp"
 #include "many_pairs.hpp"
 
@@ -26,6 +28,29 @@ bool are_valid(std::size_t num_pairs, std::int32_t const *pairs, std::size_t num
     return for_all(num_pairs, [=](Range range) {
                return Failure{range.begin, are_below(end, pairs, range) ? PW85_SUCCESS : PW85_EINVAL};
            }) == PW85_SUCCESS;
+}
+
+/// Calls row(i) for a range of rows, and returns the first failure.
+template <class Row> Failure for_rows(Range range, Row const &row) noexcept
+{
+    Failure first{0, 0};
+    for (std::size_t i = range.begin; i < range.end; ++i) first.update(Failure{i, row(i)});
+    return first;
+}
+
+/// The least time of each particle's pairs, and the pair.
+void find_next(std::size_t num_pairs, std::int32_t const *pairs, double const *t, std::size_t num_particles,
+               double *next, std::int64_t *next_pair) noexcept
+{
+    if (next == nullptr) return;
+    std::fill_n(next, num_particles, HUGE_VAL);
+    if (next_pair != nullptr) std::fill_n(next_pair, num_particles, -1);
+    for (std::size_t k = 0; k < 2 * num_pairs; ++k) {
+        double &least = next[pairs[k]];
+        if (!(t[k / 2] < least)) continue;
+        least = t[k / 2];
+        if (next_pair != nullptr) next_pair[pairs[k]] = static_cast<std::int64_t>(k / 2);
+    }
 }
 
 /// Checks the arguments that the functions for neighbour lists share, and prepares the lattice.
@@ -119,6 +144,19 @@ int pw85_contact_derivatives_batch(size_t n, double const *r12, double const *q1
                        DerivativeArrays{mu2, lambda, point, normal, d_r12, d_rot1, d_rot2});
 }
 
+int pw85_first_contact_batch(size_t n, double const *r12, double const *q1, double const *q2,
+                             pw85_motion const *motion1, pw85_motion const *motion2, double t_max, double *t)
+{
+    if (n == 0) return PW85_SUCCESS;
+    if (n > max_rows || any_null(r12, q1, q2, t) || any_null(motion1, motion2)) return PW85_EINVAL;
+    OnePairKernels const &k = *chosen().one_pair;
+    return for_all(n, [&](Range range) {
+        return for_rows(range, [&](std::size_t i) {
+            return k.first_contact(r12 + 3 * i, q1 + 6 * i, q2 + 6 * i, motion1 + i, motion2 + i, t_max, t + i);
+        });
+    });
+}
+
 int pw85_overlap_any(size_t n, double const q1[PW85_SYM], double const *r12, double const *q2, int *any)
 {
     if (any_null(any)) return PW85_EINVAL;
@@ -154,4 +192,30 @@ int pw85_contact_derivatives_pairs(size_t num_pairs, int32_t const *pairs, int32
     if (num_pairs == 0) return PW85_SUCCESS;
     return compute_list(num_pairs, num_particles, {pairs, centers, q, images, cell, nullptr},
                         DerivativeArrays{mu2, lambda, point, normal, d_r12, d_rot1, d_rot2});
+}
+
+int pw85_first_contact_pairs(size_t num_pairs, int32_t const *pairs, int32_t const *images, size_t num_particles,
+                             double const *centers, double const *q, double const *cell, pw85_motion const *motions,
+                             double t_max, double *t, double *next, int64_t *next_pair)
+{
+    if (num_particles > max_rows || (any_null(next) && !any_null(next_pair))) return PW85_EINVAL;
+    Lattice lattice;
+    NeighborList list{pairs, centers, q, images, cell, nullptr};
+    if (num_pairs > 0) {
+        if (any_null(t, motions)) return PW85_EINVAL;
+        if (int const status = prepare_list(num_pairs, num_particles, list, lattice)) return status;
+    }
+    OnePairKernels const &k = *chosen().one_pair;
+    LaneKernel<NeighborList, ContactArrays> const &lanes = *chosen().lanes;
+    int const status = for_all(num_pairs, [&](Range range) {
+        return for_rows(range, [&](std::size_t n) {
+            constexpr std::uint16_t first = 0;
+            PairRow<3> pair;
+            lanes.gather(list.from(n), &first, 1, &pair);
+            return k.first_contact(pair.r12, pair.q1, pair.q2, motions + pairs[2 * n], motions + pairs[2 * n + 1],
+                                   t_max, t + n);
+        });
+    });
+    find_next(num_pairs, pairs, t, num_particles, next, next_pair);
+    return status;
 }

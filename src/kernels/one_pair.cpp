@@ -2,6 +2,7 @@
 #include <pw85/closest_approach.hpp>
 #include <pw85/contact_hessian.hpp>
 #include <pw85/distance_derivatives.hpp>
+#include <pw85/first_contact.hpp>
 #include <pw85/geometry.hpp>
 #include <pw85/overlap.hpp>
 
@@ -102,11 +103,25 @@ int distance_derivatives(double const *r12, double const *q1, double const *q2, 
     return static_cast<int>(d.status);
 }
 
+Motion<double, 3> load_motion(pw85_motion const &m) noexcept
+{
+    return {c_api::load_vector<3>(m.velocity), c_api::load_vector<3>(m.angular_velocity), m.growth};
+}
+
+int first_contact(double const *r12, double const *q1, double const *q2, pw85_motion const *motion1,
+                  pw85_motion const *motion2, double end, double *time) noexcept
+{
+    auto const c = pw85::first_contact(c_api::load_vector<3>(r12), c_api::load_matrix<3>(q1), c_api::load_matrix<3>(q2),
+                                       load_motion(*motion1), load_motion(*motion2), end);
+    *time = c.time;
+    return static_cast<int>(c.status);
+}
+
 } // namespace
 
 extern OnePairKernels const PW85_ONE_PAIR_KERNELS;
-OnePairKernels const PW85_ONE_PAIR_KERNELS = {contact,          overlap,        contact_geometry,
-                                              contact_gradient, contact_torque, contact_hessian,
-                                              closest_approach, distance,       distance_derivatives};
+OnePairKernels const PW85_ONE_PAIR_KERNELS = {
+    contact,         overlap,          contact_geometry, contact_gradient,     contact_torque,
+    contact_hessian, closest_approach, distance,         distance_derivatives, first_contact};
 
 } // namespace pw85::kernels

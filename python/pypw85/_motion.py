@@ -1,0 +1,163 @@
+"""Ellipsoids that move: the time of the first contact."""
+
+from __future__ import annotations
+
+from typing import Any, NamedTuple, Optional, overload
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from . import _core
+from ._documentation import documented
+from ._pairs import _explain, _pair_list, _rows
+from ._typing import Floats, Row
+
+
+class Events(NamedTuple):
+    """First contacts of pairs, and the next one of each particle."""
+
+    time: Floats
+    next_time: Floats
+    next_pair: NDArray[np.int64]
+
+
+def motion(
+    velocity: ArrayLike = (0.0, 0.0, 0.0), angular_velocity: ArrayLike = (0.0, 0.0, 0.0), growth: ArrayLike = 0.0
+) -> Floats:
+    """How ellipsoids move, in one row each.
+
+    Parameters
+    ----------
+    velocity : (..., 3) array_like
+        Of the centres.
+    angular_velocity : (..., 3) array_like
+        About the centres, in radians per unit of time.
+    growth : (...) array_like
+        At time t the semi-axes are 1 + growth·t times those at time 0.
+
+    Returns
+    -------
+    (..., 7) array
+        Velocity, angular velocity and growth.
+
+    Examples
+    --------
+    >>> import pypw85
+    >>> pypw85.motion([1, 2, 3], growth=0.5)
+    array([1. , 2. , 3. , 0. , 0. , 0. , 0.5])
+    """
+    v, w, g = (np.asarray(x, dtype=np.float64) for x in (velocity, angular_velocity, growth))
+    leading = np.broadcast_shapes(v.shape[:-1], w.shape[:-1], g.shape)
+    rows = np.empty((*leading, 7))
+    rows[..., :3], rows[..., 3:6], rows[..., 6] = v, w, g
+    return rows
+
+
+@overload
+def first_contact(
+    r12: Row, q1: Row, q2: Row, motion1: Row, motion2: Row, t_max: float = np.inf, out: None = None
+) -> float: ...
+@overload
+def first_contact(
+    r12: ArrayLike,
+    q1: ArrayLike,
+    q2: ArrayLike,
+    motion1: ArrayLike,
+    motion2: ArrayLike,
+    t_max: ArrayLike = np.inf,
+    out: Any = None,
+    **kwargs: Any,
+) -> Any: ...
+@documented
+def first_contact(
+    r12: ArrayLike,
+    q1: ArrayLike,
+    q2: ArrayLike,
+    motion1: ArrayLike,
+    motion2: ArrayLike,
+    t_max: ArrayLike = np.inf,
+    out: Any = None,
+    **kwargs: Any,
+) -> Any:
+    """The time of the first contact of two ellipsoids that move, turn and grow.
+
+    Parameters
+    ----------
+    {r12}
+    {forms}
+    motion1, motion2 : (..., 7) array_like
+        How the ellipsoids move, from `motion`. `r12` and the forms are those at time 0.
+    t_max : (...) array_like, optional
+        The time up to which contacts count, >= 0.
+    {out}
+
+    Returns
+    -------
+    (...) array or number
+        The time, infinity where there is none, zero for ellipsoids that overlap at time 0.
+
+    {raises_pair}
+
+    Examples
+    --------
+    >>> import pypw85
+    >>> q = pypw85.spheroid(1, 1, [0, 0, 1])
+    >>> still, coming = pypw85.motion(), pypw85.motion([-0.5, 0, 0])
+    >>> pypw85.first_contact([5, 0, 0], q, q, still, coming)
+    6.0
+    >>> pypw85.first_contact([5, 0, 0], q, q, still, coming, 1)
+    inf
+    """
+    return _core.call_first_contact(r12, q1, q2, motion1, motion2, t_max, out, kwargs)
+
+
+@documented
+def first_contact_pairs(
+    pairs: ArrayLike,
+    centers: ArrayLike,
+    q: ArrayLike,
+    motions: ArrayLike,
+    t_max: float = np.inf,
+    cell: Optional[ArrayLike] = None,
+    images: Optional[ArrayLike] = None,
+) -> Events:
+    """`first_contact` for the pairs of a neighbour list, and the next event of each particle.
+
+    Parameters
+    ----------
+    pairs, centers, q, cell, images
+        As for `contact_pairs`. A pair stands for one image throughout, that of time 0.
+    motions : (n, 7) array_like
+        How the particles move, from `motion`.
+    t_max : number, optional
+        The time up to which contacts count, >= 0.
+
+    Returns
+    -------
+    Events
+        A named tuple: `time` (k) of each pair, infinity where there is no contact and NaN for a bad pair, which NumPy
+        reports as ``np.errstate(invalid=...)`` says; `next_time` (n), the least time of each particle's pairs; and
+        `next_pair` (n), the index of that pair, or -1.
+
+    {raises_pair_list}
+
+    Examples
+    --------
+    >>> import numpy as np, pypw85
+    >>> q = np.array([pypw85.spheroid(1, 1, [0, 0, 1])] * 3)
+    >>> motions = pypw85.motion([[1, 0, 0], [0, 0, 0], [0, 0, 0]])
+    >>> events = pypw85.first_contact_pairs([[0, 1], [0, 2]], [[0, 0, 0], [5, 0, 0], [4, 0, 0]], q, motions)
+    >>> events.time, events.next_pair
+    (array([3., 2.]), array([1, 0, 1]))
+    """
+    arrays = _pair_list(pairs, centers, q, cell, images)
+    rows = _rows(motions, 7, "motions")
+    if len(rows) != len(arrays[1]):
+        raise ValueError(f"{len(arrays[1])} centers, but {len(rows)} motions")
+    n, num_particles = len(arrays[0]), len(rows)
+    result = Events(np.full(n, -1.0), np.empty(num_particles), np.empty(num_particles, dtype=np.int64))
+    status = _core.first_contact_pairs(*arrays, rows, float(t_max), *result)
+    if status:
+        _explain(status, *arrays, refused=n == 0 or result.time[0] == -1.0)
+        _core.report_contact_pairs(status)
+    return result

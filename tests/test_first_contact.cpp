@@ -1,0 +1,605 @@
+// The time of first contact. The numbers are those of include/pw85/first_contact.hpp.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include <glib.h>
+
+#include <pw85.h>
+#include <pw85/batch.hpp>
+
+#include "failures.hpp"
+#include "random_pairs.hpp"
+#include "rotated.hpp"
+#include "wide.hpp"
+
+using namespace pw85_tests;
+
+namespace {
+
+constexpr double u = 0x1p-53;
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+template <class T, int D> struct Flight {
+    Sample<T, D> start;
+    pw85::Motion<T, D> motion1, motion2;
+    T end;
+};
+
+template <class T, int D> std::string motion_text(pw85::Motion<T, D> const &m)
+{
+    return hex_text(m.velocity.coordinates, D) + ", " + hex_text(m.angular_velocity.coordinates, D == 3 ? 3 : 1) +
+           ", " + hex_text(&m.growth, 1);
+}
+
+template <class T, int D> std::string flight_text(Flight<T, D> const &f)
+{
+    return hex_text(f.start) + ", motions {" + motion_text(f.motion1) + "}, {" + motion_text(f.motion2) +
+           "}, end = " + hex_text(&f.end, 1);
+}
+
+template <class T, int D> pw85::FirstContact<T> first_contact(Flight<T, D> const &f)
+{
+    return pw85::first_contact(f.start.r12, f.start.q1, f.start.q2, f.motion1, f.motion2, f.end);
+}
+
+pw85_motion c_motion(pw85::Motion<double, 3> const &m)
+{
+    pw85_motion c{{}, {}, m.growth};
+    std::copy_n(m.velocity.coordinates, 3, c.velocity);
+    std::copy_n(m.angular_velocity.coordinates, 3, c.angular_velocity);
+    return c;
+}
+
+/// In double and three dimensions by the C API.
+pw85::FirstContact<double> first_contact(Flight<double, 3> const &f)
+{
+    pw85_motion const motion1 = c_motion(f.motion1), motion2 = c_motion(f.motion2);
+    pw85::FirstContact<double> c{};
+    c.status = static_cast<pw85::Status>(pw85_first_contact(f.start.r12.coordinates, f.start.q1.entries,
+                                                            f.start.q2.entries, &motion1, &motion2, f.end, &c.time));
+    return c;
+}
+
+template <class T> pw85::SymmetricMatrix<T, 3> turned_form(pw85::SymmetricMatrix<T, 3> const &q,
+                                                           pw85::Motion<T, 3> const &m, T const &time)
+{
+    using std::cos, std::sin;
+    T const rate = norm(m.angular_velocity), size = T(1) + m.growth * time, half = rate * time / 2;
+    T const s = rate > T(0) ? T(sin(half) / rate) : T(0), c = cos(half);
+    auto const &w = m.angular_velocity;
+    auto const r = pw85::rotation_matrix(pw85::Vector<T, 4>{c, s * w[0], s * w[1], s * w[2]}, T(1));
+    pw85::SymmetricMatrix<T, 3> result{};
+    for (int i = 0; i < 3; ++i)
+        for (int j = i; j < 3; ++j)
+            for (int k = 0; k < 3; ++k)
+                for (int l = 0; l < 3; ++l)
+                    result(i, j) += r.entries[3 * i + k] * q(k, l) * r.entries[3 * j + l] * size * size;
+    return result;
+}
+
+template <class T> pw85::SymmetricMatrix<T, 2> turned_form(pw85::SymmetricMatrix<T, 2> const &q,
+                                                           pw85::Motion<T, 2> const &m, T const &time)
+{
+    using std::cos, std::sin;
+    T const angle = m.angular_velocity[0] * time, c = cos(angle), s = sin(angle), size = T(1) + m.growth * time;
+    T const xx = c * c * q[0] - 2 * s * c * q[1] + s * s * q[2], xy = s * c * (q[0] - q[2]) + (c * c - s * s) * q[1],
+            yy = s * s * q[0] + 2 * s * c * q[1] + c * c * q[2];
+    return pw85::times(T(size * size), pw85::SymmetricMatrix<T, 2>{xx, xy, yy});
+}
+
+/// The pair at some time, by formulas of its own.
+template <class T, int D> Sample<T, D> pair_at(Flight<T, D> const &f, T const &time)
+{
+    Sample<T, D> p{f.start.r12, turned_form(f.start.q1, f.motion1, time), turned_form(f.start.q2, f.motion2, time)};
+    for (int i = 0; i < D; ++i) p.r12[i] += (f.motion2.velocity[i] - f.motion1.velocity[i]) * time;
+    return p;
+}
+
+template <class T, int D> T mu2_at(Flight<T, D> const &f, T const &time)
+{
+    auto const p = pair_at(f, time);
+    return pw85::contact(p.r12, p.q1, p.q2).mu2;
+}
+
+template <class To, class From, int D> pw85::Motion<To, D> convert_motion(pw85::Motion<From, D> const &m)
+{
+    return {convert<To>(m.velocity), convert<To>(m.angular_velocity), static_cast<To>(m.growth)};
+}
+
+template <class To, class From, int D> Flight<To, D> convert_flight(Flight<From, D> const &f)
+{
+    return {convert<To>(f.start), convert_motion<To>(f.motion1), convert_motion<To>(f.motion2), static_cast<To>(f.end)};
+}
+
+/// What moves in a random flight.
+enum class Moving { centres, all };
+
+template <int D> pw85::Motion<double, D> random_motion(Random &random, double speed, Moving moving)
+{
+    pw85::Motion<double, D> m{pw85::times(speed * random.uniform(0.0, 1.0), random.direction<D>()), {}, 0.0};
+    if (moving == Moving::centres) return m;
+    double const rate = random.uniform(0.0, 1.0) < 0.2 ? 0.0 : random.log_uniform(0.01, 10.0);
+    m.angular_velocity = pw85::times(rate, random.direction < D == 3 ? 3 : 1 > ());
+    m.growth = random.uniform(0.0, 1.0) < 0.5 ? 0.0 : random.uniform(-0.3, 0.3);
+    return m;
+}
+
+/// Pairs that are apart and most of which touch before long, many of them barely.
+template <int D> Flight<double, D> random_flight(Random &random, double aspect, Moving moving)
+{
+    double const speed = random.log_uniform(0.01, 1.0);
+    Flight<double, D> f{random_pair<D>(random, {.aspect = aspect, .mu2_min = 1.001, .mu2_max = 30.0}),
+                        random_motion<D>(random, speed, moving), random_motion<D>(random, speed, moving), 3.0};
+    double const closing = random.uniform(0.0, 2.0);
+    for (int i = 0; i < D; ++i) f.motion2.velocity[i] -= closing * f.start.r12[i] / f.end;
+    return f;
+}
+
+/// The smallest μ² from 0 to a time: on a grid, and near its minima by golden section.
+template <int D> double smallest_mu2(Flight<double, D> const &f, double end, int points)
+{
+    double const step = end / points, ratio = 0.61803398874989485;
+    double smallest = infinity, before = infinity, here = mu2_at(f, 0.0);
+    for (int k = 0; k < points; ++k) {
+        double const after = mu2_at(f, step * (k + 1));
+        if (here <= before && here <= after && here < 2.0) {
+            double a = step * (k > 0 ? k - 1 : 0), b = step * (k + 1);
+            for (int n = 0; n < 25; ++n) {
+                double const x = b - ratio * (b - a), y = a + ratio * (b - a);
+                (mu2_at(f, x) < mu2_at(f, y) ? b : a) = mu2_at(f, x) < mu2_at(f, y) ? y : x;
+            }
+            smallest = std::fmin(smallest, mu2_at(f, 0.5 * (a + b)));
+        }
+        smallest = std::fmin(smallest, here);
+        before = here;
+        here = after;
+    }
+    return smallest;
+}
+
+// None missed: before the time given, or the end, μ² is above 1 but for rounding, which in double is that of either side: 1e-11
+// for aspect ratios up to 100, below 64 u cond.
+template <int D> void check_none_missed(int flights, Moving moving)
+{
+    Failures failures;
+    Random random(500 + D + (moving == Moving::all ? 10 : 0));
+    int touching = 0;
+    for (int n = 0; n < flights; ++n) {
+        auto const f = random_flight<D>(random, random.log_uniform(1.0, n % 10 == 0 ? 100.0 : 5.0), moving);
+        auto const c = first_contact(f);
+        bool const touches = c.time < infinity;
+        touching += touches;
+        failures.check(c.status == pw85::Status::success && c.time >= 0.0 && (!touches || c.time <= f.end), "time",
+                       c.time, f.end, [&] { return flight_text(f); });
+        double const smallest = smallest_mu2(f, std::fmin(c.time, f.end), 40);
+        failures.check(smallest >= 1.0 - 1e-11, "missed", smallest, 1.0, [&] { return flight_text(f); });
+    }
+    g_assert_cmpint(touching, >, flights / 5);
+    g_assert_cmpint(touching, <, 9 * flights / 10);
+}
+
+void test_translation_missed()
+{
+    check_none_missed<3>(30000, Moving::centres);
+    check_none_missed<2>(20000, Moving::centres);
+}
+
+void test_motion_missed()
+{
+    check_none_missed<3>(30000, Moving::all);
+    check_none_missed<2>(20000, Moving::all);
+}
+
+/// What relative errors of one in the numbers of a flight change μ² by at most, at a time, over μ².
+template <int D> Wide sensitivity(Flight<Wide, D> const &f, Wide const &time)
+{
+    auto const p = pair_at(f, time);
+    auto const c = pw85::contact(p.r12, p.q1, p.q2);
+    auto const g = pw85::contact_gradient(p.r12, p.q1, p.q2, c.lambda);
+    Wide sum = condition_number(p, c.lambda);
+    for (int i = 0; i < D; ++i)
+        sum += abs(g.r12[i]) *
+               (abs(f.start.r12[i]) + 2 * time * (abs(f.motion1.velocity[i]) + abs(f.motion2.velocity[i])));
+    auto const add_motion = [&](pw85::SymmetricMatrix<Wide, D> const &d, pw85::SymmetricMatrix<Wide, D> const &q,
+                                pw85::Motion<Wide, D> const &m) {
+        Wide gradient = 0, size = 0;
+        for (int k = 0; k < q.size; ++k) {
+            gradient += abs(d[k]);
+            size = pw85::maximum(size, Wide(abs(q[k])));
+        }
+        sum += gradient * size * (4 * time * (norm(m.angular_velocity) + abs(m.growth)) + 8);
+    };
+    add_motion(g.q1, p.q1, f.motion1);
+    add_motion(g.q2, p.q2, f.motion2);
+    return sum;
+}
+
+// μ = 1 at the time given, to rounding: that of the forms at that time, turned by sums of nine products, and 16 u of what they
+// amount to for the tolerance of the answer.
+template <int D> void check_touching(int flights, Moving moving)
+{
+    Failures failures;
+    Random random(520 + D + (moving == Moving::all ? 10 : 0));
+    for (int n = 0; n < flights; ++n) {
+        auto const f = random_flight<D>(random, random.log_uniform(1.0, 30.0), moving);
+        auto const c = first_contact(f);
+        if (!(c.time < infinity)) continue;
+        auto const wide = convert_flight<Wide>(f);
+        Wide const error = abs(Wide(mu2_at(wide, Wide(c.time)) - 1)), bound = 32 * u * sensitivity(wide, Wide(c.time));
+        failures.check(error <= bound, "μ² - 1", static_cast<double>(error), static_cast<double>(bound),
+                       [&] { return flight_text(f); });
+    }
+}
+
+void test_translation_touching()
+{
+    check_touching<3>(300, Moving::centres);
+    check_touching<2>(300, Moving::centres);
+}
+
+void test_motion_touching()
+{
+    check_touching<3>(300, Moving::all);
+    check_touching<2>(300, Moving::all);
+}
+
+pw85::SymmetricMatrix<double, 3> sphere(double radius)
+{
+    double const square = radius * radius;
+    return {square, 0.0, 0.0, square, 0.0, square};
+}
+
+// Spheres: |r + v t| = (1 + g1 t) a + (1 + g2 t) b is a quadratic equation.
+void test_spheres()
+{
+    Failures failures;
+    Random random(540);
+    for (int n = 0; n < 3000; ++n) {
+        auto f = random_flight<3>(random, 1.0, n % 2 == 0 ? Moving::centres : Moving::all);
+        double const a = random.uniform(0.5, 1.0), b = random.uniform(0.1, 1.0);
+        f.start = {pw85::times((a + b) * random.uniform(1.1, 3.0), random.direction<3>()), sphere(a), sphere(b)};
+        auto const v = pw85::moved(f.motion2.velocity, -1.0, f.motion1.velocity);
+        double const rate = a * f.motion1.growth + b * f.motion2.growth;
+        double const half = -(pw85::dot(f.start.r12, v) - (a + b) * rate), square = pw85::dot(v, v) - rate * rate,
+                     excess = pw85::dot(f.start.r12, f.start.r12) - (a + b) * (a + b);
+        double const root = half * half - square * excess;
+        double const expected =
+            root >= 0.0 && half + std::sqrt(root) > 0.0 ? excess / (half + std::sqrt(root)) : infinity;
+        if (std::fabs(root) < 1e-3 * half * half || std::fabs(expected - f.end) < 1e-9)
+            continue; // grazing, or at the end
+        double const time = first_contact(f).time;
+        bool const hits = expected <= f.end;
+        failures.check(hits ? std::fabs(time - expected) <= 1e-12 * expected + 1e-13 : time == infinity, "time", time,
+                       expected, [&] { return flight_text(f); });
+    }
+}
+
+// Rods turning about the z axis, |r| apart: one stands across, and the other sweeps until it touches. At the end of a quarter
+// turn the tips meet where the sum of the lengths is the distance; and spheroids that turn about their own axes do not change.
+void test_turning()
+{
+    Sample<double, 3> const rods{{3.0, 0.0, 0.0}, {0.01, 0.0, 0.0, 4.0, 0.0, 0.01}, {0.01, 0.0, 0.0, 1.0, 0.0, 0.01}};
+    pw85::Motion<double, 3> const turning{{0.0, 0.0, 0.0}, {0.0, 0.0, 0.5}, 0.0}, still{};
+    auto const both = first_contact(Flight<double, 3>{rods, turning, turning, 10.0});
+    g_assert_cmpfloat(std::fabs(both.time - 3.1415926535897931), <=, 1e-7); // grazing: the root of u
+    auto const short_of = first_contact(Flight<double, 3>{rods, turning, turning, 3.0});
+    g_assert_true(short_of.time == infinity);
+    Sample<double, 3> const near{{2.9, 0.0, 0.0}, rods.q1, rods.q2}, far{{3.001, 0.0, 0.0}, rods.q1, rods.q2};
+    auto const earlier = first_contact(Flight<double, 3>{near, turning, turning, 10.0});
+    g_assert_cmpfloat(earlier.time, <, 3.13);
+    g_assert_true(first_contact(Flight<double, 3>{far, turning, turning, 100.0}).time == infinity);
+    Sample<double, 3> const side_by_side{
+        {3.0, 0.0, 0.0}, {1.0, 0.0, 0.0, 16.0, 0.0, 1.0}, {1.0, 0.0, 0.0, 4.0, 0.0, 1.0}};
+    pw85::Motion<double, 3> const spinning{{0.0, 0.0, 0.0}, {0.0, 3.0, 0.0}, 0.0},
+        coming{{-0.25, 0.0, 0.0}, {0.0, 5.0, 0.0}, 0.0};
+    g_assert_cmpfloat(std::fabs(first_contact(Flight<double, 3>{side_by_side, spinning, coming, 10.0}).time - 4.0), <=,
+                      1e-13);
+    g_assert_true(first_contact(Flight<double, 3>{side_by_side, spinning, still, 10.0}).time == infinity);
+}
+
+// Overlapping pairs touch at once, whatever their motion.
+void test_overlapping()
+{
+    Failures failures;
+    Random random(550);
+    for (int n = 0; n < 2000; ++n) {
+        auto f = random_flight<3>(random, 10.0, n % 2 == 0 ? Moving::centres : Moving::all);
+        f.start = random_pair<3>(random, {.aspect = 10.0, .mu2_min = 1e-4, .mu2_max = 1.0 - 1e-10});
+        double const time = first_contact(f).time;
+        failures.check(time == 0.0, "overlapping", time, 0.0, [&] { return flight_text(f); });
+    }
+    Flight<double, 3> concentric{{{0.0, 0.0, 0.0}, sphere(1.0), sphere(2.0)}, {}, {}, 1.0};
+    g_assert_cmpfloat(first_contact(concentric).time, ==, 0.0);
+    concentric.motion1.growth = 1.0;
+    g_assert_cmpfloat(first_contact(concentric).time, ==, 0.0);
+}
+
+// A pair that touches to rounding is in contact if it approaches or rests, and not if it separates: what collides does not
+// collide again at once.
+void test_after_collision()
+{
+    Failures failures;
+    Random random(560);
+    for (int n = 0; n < 2000; ++n) {
+        auto f = random_flight<3>(random, 10.0, n % 2 == 0 ? Moving::centres : Moving::all);
+        auto const c = first_contact(f);
+        if (!(c.time < infinity) || c.time < 1e-3) continue;
+        auto const p = pair_at(f, c.time);
+        double const normal_rate = (mu2_at(f, c.time) - mu2_at(f, c.time - 1e-6)) / 1e-6;
+        if (!(normal_rate < -1e-3)) continue;
+        auto const opposite = [](pw85::Motion<double, 3> const &m) {
+            return pw85::Motion<double, 3>{pw85::times(-1.0, m.velocity), pw85::times(-1.0, m.angular_velocity),
+                                           -m.growth};
+        };
+        Flight<double, 3> const on{p, f.motion1, f.motion2, 1.0};
+        Flight<double, 3> const back{p, opposite(f.motion1), opposite(f.motion2), 0.5 * c.time};
+        failures.check(first_contact(on).time <= 1e-9, "closing", first_contact(on).time, 0.0,
+                       [&] { return flight_text(on); });
+        failures.check(first_contact(back).time > 1e-6, "separating", first_contact(back).time, infinity,
+                       [&] { return flight_text(back); });
+    }
+}
+
+// Spheres that pass each other at the distance of contact touch; farther by more than rounding they do not.
+void test_grazing()
+{
+    for (double const growth : {0.0, 0x1p-60}) { // by either way
+        pw85::Motion<double, 3> const still{}, passing{{-1.0, 0.0, 0.0}, {0.0, 0.0, 0.0}, growth};
+        auto const time = [&](double height) {
+            Sample<double, 3> const p{{4.0, height, 0.0}, sphere(1.0), sphere(1.0)};
+            return first_contact(Flight<double, 3>{p, still, passing, 100.0}).time;
+        };
+        g_assert_cmpfloat(std::fabs(time(2.0) - 4.0), <=, 1e-6);
+        g_assert_cmpfloat(std::fabs(time(2.0 + 0x1p-51) - 4.0), <=, 1e-6);
+        g_assert_cmpfloat(time(2.0 - 1e-12), <, 4.0);
+        g_assert_true(time(2.0 + 1e-12) == infinity);
+    }
+}
+
+// Powers of two on all lengths, and on all times, change nothing but the units; exchanging the ellipsoids only rounding.
+void test_units()
+{
+    Failures failures;
+    Random random(570);
+    for (int n = 0; n < 1000; ++n) {
+        auto const f = random_flight<3>(random, 10.0, n % 2 == 0 ? Moving::centres : Moving::all);
+        double const time = first_contact(f).time;
+        for (int const length : {-480, -100, 100, 480})
+            for (int const unit : {-400, 0, 400}) {
+                auto const scaled_motion = [&](pw85::Motion<double, 3> const &m) {
+                    return pw85::Motion<double, 3>{pw85::times_power_of_two(m.velocity, length - unit),
+                                                   pw85::times_power_of_two(m.angular_velocity, -unit),
+                                                   std::ldexp(m.growth, -unit)};
+                };
+                Flight<double, 3> const g{{pw85::times_power_of_two(f.start.r12, length),
+                                           pw85::times_power_of_two(f.start.q1, 2 * length),
+                                           pw85::times_power_of_two(f.start.q2, 2 * length)},
+                                          scaled_motion(f.motion1),
+                                          scaled_motion(f.motion2),
+                                          std::ldexp(f.end, unit)};
+                double const scaled = std::ldexp(first_contact(g).time, -unit);
+                bool const same = scaled == time || std::fabs(scaled - time) <= 1e-9 * time; // the way there may differ
+                failures.check(same, "unit", scaled, time, [&] { return flight_text(g); });
+            }
+        Flight<double, 3> const exchanged{
+            {pw85::times(-1.0, f.start.r12), f.start.q2, f.start.q1}, f.motion2, f.motion1, f.end};
+        double const other = first_contact(exchanged).time;
+        failures.check(other == time || std::fabs(other - time) <= 1e-9 * time, "exchange", other, time,
+                       [&] { return flight_text(f); });
+    }
+}
+
+template <class T> void check_scalar(Failures &failures, Random &random, int n)
+{
+    auto const f = random_flight<3>(random, 5.0, n % 2 == 0 ? Moving::centres : Moving::all);
+    auto const narrow = convert_flight<T>(f);
+    auto const time = first_contact(narrow).time;
+    if (!(time < std::numeric_limits<T>::infinity()) || time == T(0)) return;
+    auto const wide = convert_flight<Wide>(narrow);
+    Wide const error = abs(Wide(mu2_at(wide, Wide(time)) - 1));
+    Wide const bound = 32 * Wide(pw85::unit_roundoff<T>()) * sensitivity(wide, Wide(time));
+    failures.check(error <= bound, "μ² - 1", static_cast<double>(error), static_cast<double>(bound),
+                   [&] { return flight_text(f); });
+}
+
+void test_scalars()
+{
+    Failures failures;
+    Random random(580);
+    for (int n = 0; n < 200; ++n) {
+        check_scalar<float>(failures, random, n);
+        check_scalar<long double>(failures, random, n);
+    }
+}
+
+// Extreme sizes, shapes and rates: an answer, and no garbage.
+void test_extremes()
+{
+    Failures failures;
+    Random random(590);
+    for (int n = 0; n < 2000; ++n) {
+        auto const magnitude = [&] { return random.log_uniform(1e-140, 1e140); };
+        auto const motion = [&] {
+            pw85::Motion<double, 3> m{pw85::times(magnitude(), random.direction<3>()), {}, 0.0};
+            if (n % 2 == 0) return m;
+            m.angular_velocity = pw85::times(magnitude(), random.direction<3>());
+            m.growth = magnitude();
+            return m;
+        };
+        double const aspect = random.log_uniform(1.0, 1e6);
+        Flight<double, 3> const f{{pw85::times(magnitude(), random.direction<3>()), random.form(magnitude(), aspect),
+                                   random.form(magnitude(), aspect)},
+                                  motion(),
+                                  motion(),
+                                  n % 3 == 0 ? infinity : magnitude()};
+        auto const c = first_contact(f);
+        bool const ok = c.status == pw85::Status::success
+                            ? c.time >= 0.0 && (c.time <= f.end || c.time == infinity)
+                            : c.status == pw85::Status::no_convergence && std::isnan(c.time);
+        failures.check(ok, "time", c.time, static_cast<double>(static_cast<int>(c.status)),
+                       [&] { return flight_text(f); });
+    }
+}
+
+// A periodic list: the times are those of single pairs, and next events the least of each particle.
+void test_lists()
+{
+    Failures failures;
+    Random random(600);
+    constexpr std::size_t n = 40;
+    double const side = 6.0, cell[9] = {side, 0.0, 0.0, 0.0, side, 0.0, 0.0, 0.0, side};
+    std::vector<double> centers, forms;
+    std::vector<pw85_motion> motions;
+    std::vector<int32_t> pairs;
+    for (std::size_t i = 0; i < n; ++i) {
+        for (int d = 0; d < 3; ++d) centers.push_back(random.uniform(0.0, side));
+        auto const q = random.form(0.5, 3.0);
+        forms.insert(forms.end(), q.entries, q.entries + 6);
+        motions.push_back(c_motion(random_motion<3>(random, 1.0, i < n / 2 ? Moving::centres : Moving::all)));
+        for (std::size_t j = 0; j < i; ++j)
+            pairs.insert(pairs.end(), {static_cast<int32_t>(i), static_cast<int32_t>(j)});
+    }
+    std::size_t const num_pairs = pairs.size() / 2;
+    std::vector<double> t(num_pairs), next(n), r12, q1, q2, t_batch(num_pairs);
+    std::vector<pw85_motion> motion1, motion2;
+    std::vector<int64_t> next_pair(n);
+    g_assert_cmpint(pw85_first_contact_pairs(num_pairs, pairs.data(), nullptr, n, centers.data(), forms.data(), cell,
+                                             motions.data(), 2.0, t.data(), next.data(), next_pair.data()),
+                    ==, PW85_SUCCESS);
+    std::vector<double> least(n, infinity);
+    std::vector<int32_t> images;
+    for (std::size_t k = 0; k < num_pairs; ++k) {
+        auto const i = static_cast<std::size_t>(pairs[2 * k]), j = static_cast<std::size_t>(pairs[2 * k + 1]);
+        for (std::size_t d = 0; d < 3; ++d) {
+            double const along = centers[3 * j + d] - centers[3 * i + d];
+            images.push_back(-static_cast<int32_t>(std::lround(along / side)));
+            r12.push_back(along + images.back() * side);
+        }
+        q1.insert(q1.end(), forms.begin() + static_cast<std::ptrdiff_t>(6 * i),
+                  forms.begin() + static_cast<std::ptrdiff_t>(6 * i + 6));
+        q2.insert(q2.end(), forms.begin() + static_cast<std::ptrdiff_t>(6 * j),
+                  forms.begin() + static_cast<std::ptrdiff_t>(6 * j + 6));
+        motion1.push_back(motions[i]);
+        motion2.push_back(motions[j]);
+        for (std::size_t const particle : {i, j}) least[particle] = std::fmin(least[particle], t[k]);
+    }
+    g_assert_cmpint(pw85_first_contact_batch(num_pairs, r12.data(), q1.data(), q2.data(), motion1.data(),
+                                             motion2.data(), 2.0, t_batch.data()),
+                    ==, PW85_SUCCESS);
+    auto const text = [] { return std::string(); };
+    for (std::size_t k = 0; k < num_pairs; ++k) {
+        bool const same = t[k] == t_batch[k] || std::fabs(t[k] - t_batch[k]) <= 1e-12;
+        failures.check(same, "list and batch", t[k], t_batch[k], text);
+    }
+    for (std::size_t i = 0; i < n; ++i) {
+        failures.check(next[i] == least[i], "next event", next[i], least[i], text);
+        bool const none = next_pair[i] == -1;
+        failures.check(none ? next[i] == infinity : t[static_cast<std::size_t>(next_pair[i])] == next[i], "next pair",
+                       next[i], static_cast<double>(next_pair[i]), text);
+    }
+    std::vector<double> again(num_pairs);
+    g_assert_cmpint(pw85_first_contact_pairs(num_pairs, pairs.data(), images.data(), n, centers.data(), forms.data(),
+                                             cell, motions.data(), 2.0, again.data(), nullptr, nullptr),
+                    ==, PW85_SUCCESS);
+    pw85::Vectors const vectors(reinterpret_cast<pw85::Vector<double, 3> const *>(centers.data()), n);
+    pw85::Forms const q(reinterpret_cast<pw85::SymmetricMatrix<double, 3> const *>(forms.data()), n);
+    std::span const moving(reinterpret_cast<pw85::Motion<double, 3> const *>(motions.data()), n);
+    pw85::Cell const rows{{{side, 0.0, 0.0}, {0.0, side, 0.0}, {0.0, 0.0, side}}};
+    std::span const listed(reinterpret_cast<pw85::IndexPair const *>(pairs.data()), num_pairs);
+    std::vector<double> in_cpp(num_pairs), next_in_cpp(n);
+    g_assert_true(pw85::first_contact_pairs({listed}, {vectors, q, &rows}, moving, 2.0, {in_cpp, next_in_cpp}) ==
+                  pw85::Status::success);
+    g_assert_true(in_cpp == t && next_in_cpp == next);
+    g_assert_true(pw85::first_contact_pairs({listed}, {vectors, q, &rows}, moving.first(n - 1), 2.0, {in_cpp}) ==
+                  pw85::Status::invalid_argument);
+    for (std::size_t k = 0; k < num_pairs; ++k)
+        failures.check(again[k] == t[k] || std::fabs(again[k] - t[k]) <= 1e-12, "images", again[k], t[k], text);
+}
+
+void test_statuses()
+{
+    double const r12[3] = {3.0, 0.0, 0.0}, q[6] = {1.0, 0.0, 0.0, 1.0, 0.0, 1.0},
+                 nan = std::numeric_limits<double>::quiet_NaN();
+    pw85_motion const still{}, closing{{-1.0, 0.0, 0.0}, {0.0, 0.0, 0.0}, 0.0};
+    auto const expect = [&](int expected, double time, pw85_motion const *motion, double end) {
+        double t = 7.0;
+        g_assert_cmpint(pw85_first_contact(r12, q, q, &still, motion, end, &t), ==, expected);
+        g_assert_true(std::isnan(time) ? std::isnan(t) : t == time);
+    };
+    expect(PW85_SUCCESS, 1.0, &closing, infinity);
+    expect(PW85_SUCCESS, 1.0, &closing, 1.0);
+    expect(PW85_SUCCESS, infinity, &closing, 0.5);
+    expect(PW85_SUCCESS, infinity, &still, infinity);
+    expect(PW85_EINVAL, nan, &closing, -1.0);
+    expect(PW85_EINVAL, nan, &closing, nan);
+    expect(PW85_EINVAL, nan, nullptr, 1.0);
+    for (int k = 0; k < 7; ++k)
+        for (double const bad : {nan, infinity, -infinity}) {
+            pw85_motion motion = closing;
+            (k < 3 ? motion.velocity[k] : k < 6 ? motion.angular_velocity[k - 3] : motion.growth) = bad;
+            expect(PW85_EINVAL, nan, &motion, 1.0);
+        }
+    pw85_motion const shrinking{{0.0, 0.0, 0.0}, {0.0, 0.0, 0.0}, -0.5};
+    expect(PW85_SUCCESS, infinity, &shrinking, 1.5);
+    expect(PW85_EINVAL, nan, &shrinking, 2.0);
+    expect(PW85_EINVAL, nan, &shrinking, infinity);
+    // Two rods that turn within reach of each other: in line they meet, across they never do.
+    double const rod[6] = {1e-6, 0.0, 0.0, 4.0, 0.0, 1e-6}, across[6] = {4.0, 0.0, 0.0, 1e-6, 0.0, 1e-6};
+    pw85_motion const turning{{0.0, 0.0, 0.0}, {0.0, 0.0, 1.0}, 0.0};
+    double t = 7.0;
+    g_assert_cmpint(pw85_first_contact(r12, rod, rod, &turning, &turning, infinity, &t), ==, PW85_SUCCESS);
+    g_assert_cmpint(pw85_first_contact(r12, rod, across, &turning, &turning, infinity, &t), ==, PW85_ECONVERGENCE);
+    g_assert_true(std::isnan(t));
+    g_assert_cmpint(pw85_first_contact(r12, q, q, &still, &closing, 1.0, nullptr), ==, PW85_EINVAL);
+    // Lists: no pairs, no events; whole calls that are wrong write nothing.
+    double next[2] = {7.0, 7.0};
+    int64_t next_pair[2] = {7, 7};
+    g_assert_cmpint(pw85_first_contact_pairs(0, nullptr, nullptr, 2, nullptr, nullptr, nullptr, nullptr, 1.0, nullptr,
+                                             next, next_pair),
+                    ==, PW85_SUCCESS);
+    g_assert_true(next[0] == infinity && next[1] == infinity && next_pair[0] == -1 && next_pair[1] == -1);
+    int32_t const outside[2] = {0, 2};
+    double const centers[6] = {0.0, 0.0, 0.0, 3.0, 0.0, 0.0},
+                 forms[12] = {1.0, 0.0, 0.0, 1.0, 0.0, 1.0, 1.0, 0.0, 0.0, 1.0, 0.0, 1.0};
+    pw85_motion const motions[2] = {still, closing};
+    t = 7.0;
+    g_assert_cmpint(
+        pw85_first_contact_pairs(1, outside, nullptr, 2, centers, forms, nullptr, motions, 1.0, &t, nullptr, nullptr),
+        ==, PW85_EINVAL);
+    int32_t const inside[2] = {0, 1};
+    g_assert_cmpint(
+        pw85_first_contact_pairs(1, inside, nullptr, 2, centers, forms, nullptr, nullptr, 1.0, &t, nullptr, nullptr),
+        ==, PW85_EINVAL);
+    g_assert_cmpint(
+        pw85_first_contact_pairs(1, inside, nullptr, 2, centers, forms, nullptr, motions, 1.0, &t, nullptr, next_pair),
+        ==, PW85_EINVAL);
+    g_assert_cmpfloat(t, ==, 7.0);
+    g_assert_cmpint(
+        pw85_first_contact_pairs(1, inside, nullptr, 2, centers, forms, nullptr, motions, 1.0, &t, next, next_pair), ==,
+        PW85_SUCCESS);
+    g_assert_true(t == 1.0 && next[1] == 1.0 && next_pair[0] == 0);
+}
+
+} // namespace
+
+int main(int argc, char **argv)
+{
+    g_test_init(&argc, &argv, nullptr);
+    g_test_add_func("/first_contact/translation/none_missed", test_translation_missed);
+    g_test_add_func("/first_contact/translation/touching", test_translation_touching);
+    g_test_add_func("/first_contact/motion/none_missed", test_motion_missed);
+    g_test_add_func("/first_contact/motion/touching", test_motion_touching);
+    g_test_add_func("/first_contact/spheres", test_spheres);
+    g_test_add_func("/first_contact/turning", test_turning);
+    g_test_add_func("/first_contact/overlapping", test_overlapping);
+    g_test_add_func("/first_contact/after_collision", test_after_collision);
+    g_test_add_func("/first_contact/grazing", test_grazing);
+    g_test_add_func("/first_contact/units", test_units);
+    g_test_add_func("/first_contact/scalars", test_scalars);
+    g_test_add_func("/first_contact/extremes", test_extremes);
+    g_test_add_func("/first_contact/lists", test_lists);
+    g_test_add_func("/first_contact/statuses", test_statuses);
+    return g_test_run();
+}
