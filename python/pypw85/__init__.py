@@ -64,12 +64,15 @@ from ._pairs import contact_pairs, overlap_pairs
 from ._plotting import plot
 from ._systems import (
     ContactDerivatives,
+    ContactForces,
     bounding_boxes,
     cell_reduce,
     contact_derivatives,
     contact_derivatives_pairs,
+    contact_forces_pairs,
     nearest_image_limit,
     overlap_any,
+    overlap_any_indices,
 )
 from ._walls import (
     contact_plane,
@@ -97,6 +100,7 @@ metadata = {
 
 __all__ = [
     "ContactDerivatives",
+    "ContactForces",
     "Events",
     "Neighbors",
     "PW85Error",
@@ -110,6 +114,7 @@ __all__ = [
     "contact_2d",
     "contact_derivatives",
     "contact_derivatives_pairs",
+    "contact_forces_pairs",
     "contact_function",
     "contact_geometry",
     "contact_geometry_2d",
@@ -151,6 +156,7 @@ __all__ = [
     "overlap",
     "overlap_2d",
     "overlap_any",
+    "overlap_any_indices",
     "overlap_pairs",
     "packed",
     "plot",
