@@ -1,5 +1,6 @@
 """Configuration of Sphinx. Meson passes the release, the place of Doxygen's XML, and the built Python package."""
 
+import enum
 import sys
 from pathlib import Path
 
@@ -12,21 +13,27 @@ project = "pw85"
 copyright = "the authors of pw85"
 author = "the authors of pw85"
 extensions = [
+    "myst_parser",
     "breathe",
     "sphinx.ext.autodoc",
     "sphinx.ext.mathjax",
     "sphinx.ext.napoleon",
+    "sphinx_copybutton",
     "sphinx_inline_tabs",
+    "furo_of_debian",
     "measured_table",
     "reference",
     "status_table",
 ]
 highlight_language = "none"
+source_suffix = {".rst": "restructuredtext", ".md": "markdown"}
 nitpicky = True
 nitpick_ignore_regex = [
+    # Files to which pages refer that are also read elsewhere.
+    ("myst", r".*"),
     # Standard types; template parameters; the namespace, which has no page.
     ("c:identifier", r"size_t|int32_t"),
-    ("cpp:identifier", r"T|D|pw85"),
+    ("cpp:identifier", r"T|D|pw85|rotation_axes<D>|\w+<T, D>"),
 ]
 add_function_parentheses = True
 numfig = True
@@ -52,6 +59,9 @@ html_static_path = ["_static"]
 html_css_files = ["pw85.css"]
 html_show_copyright = False
 html_copy_source = False
+html_favicon = "_static/favicon.svg"
+copybutton_prompt_text = r">>> |\.\.\. |\$ "
+copybutton_prompt_is_regexp = True
 
 # Formulas are typeset by KaTeX from the system, copied into the pages so that they need no network; where it is not
 # installed, by MathJax from its servers.
@@ -69,5 +79,11 @@ def escape_bars(app, what, name, obj, options, lines):
     lines[:] = [line if line.lstrip().startswith((">>>", "...")) else line.replace("|", "\\|") for line in lines]
 
 
+def no_constructor(app, what, name, obj, options, signature, returned):
+    """An enumeration is not made by calling it."""
+    return (None, None) if isinstance(obj, enum.EnumMeta) else None
+
+
 def setup(app):
+    app.connect("autodoc-process-signature", no_constructor)
     app.connect("autodoc-process-docstring", escape_bars)

@@ -5,7 +5,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 INCLUDE = Path(__file__).resolve().parent.parent / "include"
-C_HEADERS = ("pw85.h", "pw85_zheng.h", "pw85_legacy.h", "pw85_pre1.h")
+C_HEADERS = ("pw85.h", "pw85_gpu.h", "pw85_zheng.h", "pw85_legacy.h", "pw85_pre1.h")
 CPP_HEADERS = ("pw85/pw85.hpp", "pw85/batch.hpp", "pw85/neighbors.hpp")
 
 SECTION = r"^(?:/\*\*| \*|///) @name (?P<title>[^\n]+)$"
@@ -70,5 +70,40 @@ def sections(header):
     return found
 
 
+def values(header):
+    """The structures that a C++ header declares, to be defined by those that it includes."""
+    text = (INCLUDE / header).read_text(encoding="utf-8")
+    return re.findall(r"^(?:template <[^;{]*?> ?)?struct (\w+);", text, re.MULTILINE)
+
+
 def functions(header):
     return [function for section in sections(header) for function in section.functions]
+
+
+FORTRAN = re.compile(
+    r"^(?P<comment>(?: *!> .*\n)+)? *(?P<kind>function|subroutine) (?P<name>pw85\w+)\((?P<arguments>[^)]*)\).*\n"
+    r"(?P<declared>(?:(?: .*)?::.*\n| *import.*\n)+)",
+    re.MULTILINE,
+)
+
+
+@dataclass
+class FortranFunction:
+    name: str
+    kind: str
+    arguments: list
+    comment: str
+    declarations: list
+
+
+def fortran_functions():
+    """The functions and subroutines of the Fortran module by the names of C in lower case, in the order of the module."""
+    text = (INCLUDE.parent / "fortran/pw85.f90").read_text(encoding="utf-8")
+    found = {}
+    for match in FORTRAN.finditer(re.sub(r" *&\n *", " ", text)):
+        arguments = [argument.strip() for argument in match["arguments"].split(",")]
+        lines = [line.strip() for line in match["declared"].splitlines() if "::" in line and "import" not in line]
+        declared = [line for line in lines if set(re.findall(r"\w+", line.split("::")[1])) & set(arguments)]
+        comment = " ".join(re.sub(r" *!> ", " ", match["comment"] or "").split())
+        found[match["name"]] = FortranFunction(match["name"], match["kind"], arguments, comment, declared)
+    return found

@@ -46,6 +46,8 @@ def main():
     source = re.sub(r"^(template <.*> )?static (?=constexpr|inline)", r"\1", source, flags=re.MULTILINE)
     source = re.sub(r"^( *)requires\(.*\) explicit", r"\1explicit", source, flags=re.MULTILINE)
     source = STATUS_MACRO.sub(lambda macro: enumerators(0 if macro["cpp"] == "cpp_name" else 1), source)
+    # Lists of facts are referred to by their numbers, which each list of Doxygen's begins anew.
+    source = re.sub(r"^/// (\d+)\. ", r"///\n/// (\1) ", source, flags=re.MULTILINE)
     # Names of headers are not to become links to pages that there are not.
     source = re.sub(
         r"^(?!#)(?!.*@file)(.*)$",

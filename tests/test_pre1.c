@@ -14,7 +14,8 @@ static void test_full_output(void)
 {
     double out[2], expected[2];
     double const mu2 = pw85_contact_function(r12, q1, q2, out);
-    g_assert_cmpint(pw85_pre1_current_contact_function(r12, q1, q2, expected), ==, PW85_SUCCESS);
+    int const status = pw85_pre1_current_contact_function(r12, q1, q2, expected);
+    g_assert_cmpint(status, ==, PW85_SUCCESS);
     g_assert_cmpfloat(mu2, ==, expected[0]);
     g_assert_cmpfloat(out[0], ==, expected[0]);
     g_assert_cmpfloat(out[1], ==, expected[1]);
@@ -24,8 +25,9 @@ static void test_full_output(void)
 
 static void test_optional_output(void)
 {
-    g_assert_cmpfloat(pw85_contact_function(r12, q1, q2, NULL), ==, pw85_pre1_contact_function(r12, q1, q2, NULL));
-    g_assert_cmpfloat(fabs(pw85_contact_function(r12, q1, q2, NULL) - 3.362706040638343), <, 1e-12);
+    double const mu2 = pw85_contact_function(r12, q1, q2, NULL);
+    g_assert_cmpfloat(mu2, ==, pw85_pre1_contact_function(r12, q1, q2, NULL));
+    g_assert_cmpfloat(fabs(mu2 - 3.362706040638343), <, 1e-12);
 }
 
 static void test_invalid(void)
@@ -50,7 +52,7 @@ static void test_polynomials(void)
     g_assert_cmpfloat(b[0], ==, pw85__det_sym(q1));
     g_assert_cmpfloat(fabs(pw85__det_sym(q1) - 100.0), <, 1e-12);
     /* adj(Q1) = diag(1, 1, 1e4). */
-    g_assert_cmpfloat(fabs(pw85__xT_adjA_x(r12, q1) - (0.49 + 0.49 + 12100.0)), <, 1e-10);
+    g_assert_cmpfloat(fabs(pw85__xT_adjA_x(r12, q1) - 12100.98), <, 1e-10);
 }
 
 static void test_spheroid(void)

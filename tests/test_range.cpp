@@ -151,6 +151,24 @@ void test_derivatives_scale()
     }
 }
 
+// The bits of doubles against the functions of the C library.
+void test_powers_of_two()
+{
+    Failures failures;
+    Random random(66);
+    for (int n = 0; n < 200000; ++n) {
+        double const x =
+            random.sign() * std::ldexp(random.uniform(1.0, 2.0), static_cast<int>(random.uniform(-1080.0, 1024.0)));
+        int const exponent = static_cast<int>(random.uniform(-2300.0, 2300.0));
+        auto const describe = [&] { return hex_text(&x, 1) + ", exponent " + std::to_string(exponent); };
+        double const scaled = pw85::times_power_of_two(x, exponent), expected = std::ldexp(x, exponent);
+        failures.check(scaled == expected, "times_power_of_two", scaled, expected, describe);
+        if (x == 0.0) continue;
+        int const e = pw85::binary_exponent(std::fabs(x)), expected_e = std::ilogb(x);
+        failures.check(e == expected_e, "binary_exponent", e, expected_e, describe);
+    }
+}
+
 } // namespace
 
 int main(int argc, char **argv)
@@ -161,5 +179,6 @@ int main(int argc, char **argv)
     add_for_each_solver("/range", "denormal", test_denormal);
     add_for_each_solver("/range", "largest", test_largest);
     g_test_add_func("/range/derivatives", test_derivatives_scale);
+    g_test_add_func("/range/powers_of_two", test_powers_of_two);
     return g_test_run();
 }

@@ -294,6 +294,7 @@ void test_texts()
     g_assert_cmpint(PW85_EINVAL, ==, 1);
     g_assert_cmpint(PW85_ENOTPD, ==, 2);
     g_assert_cmpint(PW85_ECONVERGENCE, ==, 3);
+    g_assert_cmpint(PW85_EDEVICE, ==, 4);
 #define CHECK_TEXT(c_name, cpp_name, value, text)                                                                      \
     g_assert_cmpint(c_name, ==, value);                                                                                \
     g_assert_cmpint(static_cast<int>(pw85::Status::cpp_name), ==, value);                                              \
@@ -302,10 +303,10 @@ void test_texts()
 #undef CHECK_TEXT
     char const *unknown = pw85_strerror(-1);
     g_assert_nonnull(unknown);
-    for (int const status : {4, 1000, std::numeric_limits<int>::min(), std::numeric_limits<int>::max()})
+    for (int const status : {5, 1000, std::numeric_limits<int>::min(), std::numeric_limits<int>::max()})
         g_assert_cmpstr(pw85_strerror(status), ==, unknown);
-    for (int i = 0; i < 4; ++i)
-        for (int j = i + 1; j < 5; ++j) g_assert_cmpstr(pw85_strerror(i), !=, pw85_strerror(j));
+    for (int i = 0; i < 5; ++i)
+        for (int j = i + 1; j < 6; ++j) g_assert_cmpstr(pw85_strerror(i), !=, pw85_strerror(j));
 }
 
 void test_version()

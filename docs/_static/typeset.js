@@ -1,15 +1,16 @@
-// Typesets what Sphinx marks as mathematics; without KaTeX the source of the formulas remains.
+// Typesets what Sphinx marks as mathematics; without KaTeX the source of the formulas remains. A number keeps its own column.
 document.addEventListener("DOMContentLoaded", function () {
     if (typeof katex === "undefined") return;
     document.querySelectorAll("span.math, div.math").forEach(function (element) {
-        var display = element.tagName === "DIV", number = element.querySelector(".eqno");
-        var source = (number ? element.lastChild : element).textContent.trim();
-        source = source.replace(/^\\[(\[]|\\[)\]]$/g, "");
-        var target = number ? document.createElement("div") : element;
-        katex.render(source, target, {displayMode: display, throwOnError: false});
+        var number = element.querySelector(".eqno"), source = element.textContent.trim();
+        if (number) source = source.slice(number.textContent.trim().length);
+        var target = element;
         if (number) {
-            element.removeChild(element.lastChild);
-            element.appendChild(target);
+            target = document.createElement("div");
+            element.replaceChildren(target, number);
+            element.classList.add("numbered");
         }
+        katex.render(source.trim().replace(/^\\[(\[]|\\[)\]]$/g, ""), target,
+            {displayMode: element.tagName === "DIV", throwOnError: false});
     });
 });

@@ -1,9 +1,10 @@
 """Directive ``measured-table``: chosen columns of a table in docs/measurements.json, with headings for readers; and chosen
-rows, those with one of the values in a column.
+rows, those with one of the values in a column, or the last of those that are alike in a column (that of the best target).
 
 .. measured-table:: table
    :columns: column=heading; column=heading
    :where: column=value value
+   :last-of: column
    :name: label
 
    Caption.
@@ -25,6 +26,7 @@ class MeasuredTable(Directive):
     option_spec = {
         "columns": directives.unchanged_required,
         "where": directives.unchanged,
+        "last-of": directives.unchanged,
         "name": directives.unchanged,
     }
 
@@ -33,6 +35,8 @@ class MeasuredTable(Directive):
         if "where" in self.options:
             column, _, values = self.options["where"].partition("=")
             rows = [row for row in rows if row[column] in values.split()]
+        if "last-of" in self.options:
+            rows = list({row[self.options["last-of"]]: row for row in rows}.values())
         return rows
 
     def run(self):

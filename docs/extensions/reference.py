@@ -7,7 +7,17 @@
 .. cpp-functions:: pw85/pw85.hpp
 
     The sections of a C++ header with all their functions.
+
+.. cpp-values:: pw85/pw85.hpp
+
+    The structures that it declares, with their members.
+
+.. fortran-functions:: pw85.h
+
+    The same for Fortran, in the sections of the C header.
 """
+
+import textwrap
 
 import declarations
 from docutils import nodes
@@ -29,9 +39,12 @@ class FromHeader(Directive):
         path = str(declarations.INCLUDE / header)
         self.state.document.settings.record_dependencies.add(path)
         lines = [line for section in declarations.sections(header) if section.functions for line in self.lines(section)]
+        return self.parsed(lines)
+
+    def parsed(self, lines):
         node = nodes.section()
         node.document = self.state.document
-        nested_parse_with_titles(self.state, StringList(lines, path), node)
+        nested_parse_with_titles(self.state, StringList(lines, self.arguments[0]), node)
         return node.children
 
 
@@ -54,7 +67,37 @@ class CppFunctions(FromHeader):
             yield from (f".. doxygenfunction:: pw85::{function.name}{signature}", "   :project: cpp", "")
 
 
+class CppValues(FromHeader):
+    def run(self):
+        lines = []
+        for name in declarations.values(self.arguments[0]):
+            lines += [f".. doxygenstruct:: pw85::{name}", "   :project: cpp", "   :members:", "   :undoc-members:", ""]
+        return self.parsed(lines)
+
+
+class FortranFunctions(FromHeader):
+    def lines(self, section):
+        if section.title:
+            yield from (section.title, "~" * len(section.title), "")
+        module = declarations.fortran_functions()
+        for function in section.functions:
+            yield from self.entry(module[function.name.lower()], function.name)
+
+    def entry(self, function, c_name):
+        yield from (f".. index:: single: {function.name} (Fortran {function.kind})", "")
+        yield from (f".. describe:: {function.kind} {function.name}({', '.join(function.arguments)})", "")
+        yield from (f"   {as_text(function.comment)} See :c:func:`{c_name}`.", "")
+        if function.declarations:
+            yield from ("   .. code-block:: fortran", "")
+        for declaration in function.declarations:
+            lines = textwrap.wrap(declaration, 72, subsequent_indent="  ", break_long_words=False)
+            yield from (f"      {line}{' &' if line is not lines[-1] else ''}" for line in lines)
+        yield ""
+
+
 def setup(app):
+    app.add_directive("fortran-functions", FortranFunctions)
     app.add_directive("function-table", FunctionTable)
     app.add_directive("cpp-functions", CppFunctions)
+    app.add_directive("cpp-values", CppValues)
     return {"parallel_read_safe": True}

@@ -1,6 +1,6 @@
 # Fedora 38 or later.
 # start
 sudo dnf install gcc-c++ meson pkgconf-pkg-config gsl-devel     # the library
-sudo dnf install gcc-gfortran python3-devel python3-numpy boost-devel # Fortran and Python
+sudo dnf install gcc-gfortran python3-devel python3-numpy boost-devel # bindings
 sudo dnf install glib2-devel hdf5-devel boost-devel             # tests
 # end

@@ -2,6 +2,7 @@
 set -e
 # start
 export PKG_CONFIG_PATH="$HOME/.local/lib/pkgconfig"
-gfortran examples/fortran/closest_approach.f90 -o closest_approach $(pkg-config --cflags --libs pw85_fortran)
+gfortran examples/fortran/closest_approach.f90 -o closest_approach \
+  $(pkg-config --cflags --libs pw85_fortran)
 LD_LIBRARY_PATH="$HOME/.local/lib" ./closest_approach
 # end

@@ -49,11 +49,11 @@ def draw(library, path):
     mu, point, normal = np.sqrt(out[0]), center1 + np.array(point[:2]), np.array(normal[:2])
 
     figure, axes = plt.subplots(figsize=(7.5, 4.2), layout="constrained")
+    tangent = np.array([-normal[1], normal[0]])
     for q, center, color, label in ((q1, center1, "C0", "1"), (q2, center2, "C1", "2")):
         axes.fill(*outline(q, center, 1.0), color=color, alpha=0.55)
         axes.plot(*outline(q, center, mu), color=color)
-        axes.annotate(label, center, ha="center", va="center", color="white", fontsize=14)
-    tangent = np.array([-normal[1], normal[0]])
+        axes.annotate(label, center - 0.5 * tangent, ha="center", va="center", color="white", fontsize=14)
     line = np.array([point - 1.6 * tangent, point + 1.6 * tangent])
     axes.plot(line[:, 0], line[:, 1], "--", color="gray", linewidth=1)
     axes.annotate("", point + 0.9 * normal, point, arrowprops={"arrowstyle": "->"})

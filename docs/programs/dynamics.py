@@ -1,4 +1,5 @@
-"""Two soft ellipsoids on a spring: forces and torques from the contact function, and how well they conserve energy.
+"""Two soft ellipsoids on a spring: forces and torques from the contact function, and how
+well they conserve energy.
 
 The pair potential is U(μ²) = ε μ⁻¹², so that forces are -U' ∂μ²/∂r and torques -U' ∂μ²/∂ω. A spring between the centres
 brings the ellipsoids together again and again. Translation: velocity Verlet. Rotation: the splitting of the free rigid

@@ -1,4 +1,7 @@
-"""Reference data in the layout of pw85 1.0. Usage: old_layout.py pw85_ref_data.h5 OUTPUT"""
+"""Reference data in the layout of pw85 1.0.
+
+Usage: old_layout.py pw85_ref_data.h5 OUTPUT
+"""
 
 import sys
 

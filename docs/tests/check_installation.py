@@ -21,7 +21,7 @@ RUN = {
     "build": None,
     "pkg-config": "examples/c/tutorial.txt",
     "fortran": "examples/fortran/closest_approach.txt",
-    "python": "examples/python/tutorial.out",
+    "python": "examples/c/pair.txt",
 }
 RUN_DOCS = {"docs": None, "pictures": None}
 OTHER_SYSTEMS = ["fedora", "macos", "msys2"]

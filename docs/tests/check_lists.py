@@ -71,6 +71,8 @@ def complaints():
         yield "pypw85.__all__ is not sorted"
     entries = set(re.findall(r":: pypw85\.(\w+)$", text("docs/api/python.rst"), re.MULTILINE))
     yield from (f"{name}: not in docs/api/python.rst" for name in set(public) - entries)
+    landing = text("docs/index.rst")
+    yield from (f"{name}: not in docs/index.rst" for name in names if f":c:func:`{name}`" not in landing)
     fuzzed = text("fuzz/fuzz_pw85.cpp")
     yield from (f"{name}: not in fuzz/fuzz_pw85.cpp" for name in listed if not re.search(rf"\b{name}\(", fuzzed))
 

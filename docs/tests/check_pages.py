@@ -2,9 +2,12 @@
 
 - links: everything that a page refers to within the pages exists;
 - formulas: KaTeX can typeset them all (skipped without Node.js and KaTeX);
-- spelling: hunspell with a British dictionary and our own list knows every word of prose (skipped without it).
+- spelling: hunspell with a British dictionary and our own list knows every word of prose (skipped without it);
+- listings: no line is longer than what a page shows without scrolling;
+- browser: what browser.py says (skipped without Chromium and Selenium). Screenshots are put next to HTML.
 """
 
+import importlib.util
 import json
 import re
 import shutil
@@ -20,6 +23,8 @@ const katex = require(process.argv[1]);
 for (const formula of JSON.parse(require("fs").readFileSync(0, "utf-8")))
     try { katex.renderToString(formula, {displayMode: true}); } catch (error) { console.log(error.message); }
 """
+LONGEST_LINE = 88
+SEARCHES = ["changelog", "minimum image", "overlap", "performance", "quaternion"]
 VOID = {"area", "base", "br", "col", "embed", "hr", "img", "input", "link", "meta", "source", "track", "wbr"}
 NOT_PROSE = {"script", "style", "code", "pre", "svg", "dt", "head"}
 NOT_PROSE_CLASSES = {"math", "toc-drawer", "sidebar-drawer", "citation", "label", "related-pages", "reference"}
@@ -31,6 +36,7 @@ class Page(HTMLParser):
     def __init__(self, path):
         super().__init__()
         self.path, self.ids, self.references, self.formulas, self.prose = path, set(), [], [], []
+        self.listings, self.in_listing = [], False
         self.open = []  # (tag, whether it is prose, whether it is a formula)
         self.feed(path.read_text(encoding="utf-8"))
 
@@ -41,6 +47,9 @@ class Page(HTMLParser):
         self.references += [attributes[name] for name in ("href", "src") if attributes.get(name)]
         if tag in VOID:
             return
+        if tag == "pre":
+            self.listings.append("")
+            self.in_listing = True
         classes = set((attributes.get("class") or "").split())
         prose = (self.open[-1][1] if self.open else True) and tag not in NOT_PROSE and not classes & NOT_PROSE_CLASSES
         self.open.append((tag, prose, "math" in classes))
@@ -48,10 +57,13 @@ class Page(HTMLParser):
             self.formulas.append("")
 
     def handle_endtag(self, tag):
+        self.in_listing = self.in_listing and tag != "pre"
         while self.open and self.open.pop()[0] != tag:
             pass
 
     def handle_data(self, data):
+        if self.in_listing:
+            self.listings[-1] += data
         if any(formula for _, _, formula in self.open):
             self.formulas[-1] += data
         elif self.open and self.open[-1][1]:
@@ -104,6 +116,25 @@ def check_spelling(pages, words):
         yield from (f"{page.path}: {word}" for word in unknown)
 
 
+def check_listings(pages):
+    for page in pages.values():
+        for listing in page.listings:
+            long = [line for line in listing.splitlines() if len(line) > LONGEST_LINE]
+            yield from (f"{page.path}: {len(line)} columns: {line}" for line in long[:1])
+
+
+def check_in_browser(pages, root):
+    import browser
+
+    names = [str(path.relative_to(root)) for path in pages]
+    return browser.check(root, names, SEARCHES, root.parent / "screenshots")
+
+
+def has_browser():
+    has_selenium = importlib.util.find_spec("selenium") is not None
+    return has_selenium and bool(shutil.which("chromedriver")) and bool(shutil.which("chromium"))
+
+
 def has_hunspell():
     if not shutil.which("hunspell"):
         return False
@@ -119,6 +150,8 @@ def main():
         ("links", True, lambda: check_links(pages)),
         ("formulas", bool(shutil.which("node")) and KATEX.exists(), lambda: check_formulas(ours)),
         ("spelling", has_hunspell(), lambda: check_spelling(ours, words)),
+        ("listings", True, lambda: check_listings(ours)),
+        ("browser", has_browser(), lambda: check_in_browser(ours, root)),
     ]
     print(f"1..{len(checks)}")
     for number, (name, possible, check) in enumerate(checks, 1):

@@ -1,12 +1,14 @@
-/* Do a thin disk and a rod overlap? Prints the contact function of the two, then checks it: with the factor μ the two
- * touch, in one point and with one tangent plane. */
+/* Do a thin disk and a rod overlap? Prints the contact function of the two, then checks
+ * it: with the factor μ the two touch, in one point and with one tangent plane. */
 #include <pw85.h>
 
 #include <math.h>
 #include <stdio.h>
 
-/* (m - c)ᵀ Q⁻¹ (m - c) for x = m - c: 1 on the surface of the ellipsoid. The gradient of this is 2 Q⁻¹ x. */
-static double surface_value(double const q[PW85_SYM], double const x[PW85_DIM], double gradient[PW85_DIM])
+/* (m - c)ᵀ Q⁻¹ (m - c) for x = m - c: 1 on the surface of the ellipsoid. The gradient
+ * of this is 2 Q⁻¹ x. */
+static double surface_value(double const q[PW85_SYM], double const x[PW85_DIM],
+                            double gradient[PW85_DIM])
 {
     double l[PW85_SYM], value = 0.0;
     pw85__cholesky_decomp(q, l);
@@ -46,8 +48,10 @@ int main(void)
     printf("lambda = %g\n", lambda);
     printf("The spheroids %s.\n\n", mu2 < 1.0 ? "overlap" : "do not overlap");
 
-    /* The point where the spheroids touch when they are scaled by mu, from the centre of either. */
-    double point[PW85_DIM], from1[PW85_DIM], from2[PW85_DIM], normal1[PW85_DIM], normal2[PW85_DIM];
+    /* The point where the spheroids touch when they are scaled by mu, from the centre
+     * of either. */
+    double point[PW85_DIM], from1[PW85_DIM], from2[PW85_DIM], normal1[PW85_DIM],
+        normal2[PW85_DIM];
     status = pw85_contact_geometry(r12, q1, q2, lambda, point, NULL);
     if (status != PW85_SUCCESS) {
         fprintf(stderr, "%s\n", pw85_strerror(status));
@@ -63,13 +67,17 @@ int main(void)
         q1[i] *= mu2;
         q2[i] *= mu2;
     }
-    double const value1 = surface_value(q1, from1, normal1), value2 = surface_value(q2, from2, normal2);
+    double const value1 = surface_value(q1, from1, normal1),
+                 value2 = surface_value(q2, from2, normal2);
     normalize(normal1);
     normalize(normal2);
-    printf("contact point = (%.6f, %.6f, %.6f)\n", x1[0] + point[0], x1[1] + point[1], x1[2] + point[2]);
+    printf("contact point = (%.6f, %.6f, %.6f)\n", x1[0] + point[0], x1[1] + point[1],
+           x1[2] + point[2]);
     printf("on spheroid 1, scaled: %.10f\n", value1);
     printf("on spheroid 2, scaled: %.10f\n", value2);
-    printf("normal to spheroid 1 = (%.6f, %.6f, %.6f)\n", normal1[0], normal1[1], normal1[2]);
-    printf("normal to spheroid 2 = (%.6f, %.6f, %.6f)\n", normal2[0], normal2[1], normal2[2]);
+    printf("normal to spheroid 1 = (%.6f, %.6f, %.6f)\n", normal1[0], normal1[1],
+           normal1[2]);
+    printf("normal to spheroid 2 = (%.6f, %.6f, %.6f)\n", normal2[0], normal2[1],
+           normal2[2]);
     return 0;
 }

@@ -1,8 +1,10 @@
-// Two soft ellipsoids that overlap push each other apart and turn, by steepest descent on the energy
+// Two soft ellipsoids that overlap push each other apart and turn, by steepest descent
+// on the energy
 //
 //     U = ½ (1 - μ²)²  where μ² < 1,  0 elsewhere,
 //
-// with force and torques from the derivatives of μ². The centre of mass stays, since the forces are equal and opposite.
+// with force and torques from the derivatives of μ². The centre of mass stays, since
+// the forces are equal and opposite.
 #include <pw85/pw85.hpp>
 
 #include <cmath>
@@ -16,7 +18,8 @@ struct Body {
     Quaternion orientation; // (w, x, y, z)
 };
 
-// Derivatives of the energy: with respect to the centre of body 2 (minus that for body 1), and to rotations.
+// Derivatives of the energy: with respect to the centre of body 2 (minus that for body
+// 1), and to rotations.
 struct Energy {
     double value;
     Vector3 center2, rotation1, rotation2;
@@ -33,16 +36,19 @@ static Energy energy(Body const &body1, Body const &body2)
     auto const gradient = pw85::contact_gradient(r12, q1, q2, lambda);
     auto const torque = pw85::contact_torque(r12, q1, q2, lambda);
     double const slope = mu2 - 1.0; // dU/dμ²
-    return {0.5 * slope * slope, pw85::times(slope, gradient.r12), pw85::times(slope, torque.rotation1),
-            pw85::times(slope, torque.rotation2)};
+    return {0.5 * slope * slope, pw85::times(slope, gradient.r12),
+            pw85::times(slope, torque.rotation1), pw85::times(slope, torque.rotation2)};
 }
 
-// The orientation after a rotation by the small vector omega: q + ½ (0, ω) q, of which only the direction matters.
+// The orientation after a rotation by the small vector omega: q + ½ (0, ω) q, of which
+// only the direction matters.
 static Quaternion rotated(Quaternion const &q, Vector3 const &omega)
 {
     Vector3 const h = pw85::times(0.5, omega);
-    Quaternion const r{q[0] - h[0] * q[1] - h[1] * q[2] - h[2] * q[3], q[1] + h[0] * q[0] + h[1] * q[3] - h[2] * q[2],
-                       q[2] + h[1] * q[0] + h[2] * q[1] - h[0] * q[3], q[3] + h[2] * q[0] + h[0] * q[2] - h[1] * q[1]};
+    Quaternion const r{q[0] - h[0] * q[1] - h[1] * q[2] - h[2] * q[3],
+                       q[1] + h[0] * q[0] + h[1] * q[3] - h[2] * q[2],
+                       q[2] + h[1] * q[0] + h[2] * q[1] - h[0] * q[3],
+                       q[3] + h[2] * q[0] + h[0] * q[2] - h[1] * q[1]};
     return pw85::times(1.0 / std::sqrt(pw85::dot(r, r)), r);
 }
 
@@ -83,7 +89,11 @@ int main()
     std::printf("energy at the end: %s 1e-12\n", relaxed ? "below" : "above");
     double drift = 0.0;
     for (int i = 0; i < 3; ++i)
-        drift = std::fmax(drift, std::fabs(body1.center[i] + body2.center[i] - (i == 0 ? 0.8 : i == 1 ? 0.9 : 0.4)));
-    std::printf("drift of the centre of mass: %s 1e-14\n", drift < 1e-14 ? "below" : "above");
+        drift = std::fmax(drift, std::fabs(body1.center[i] + body2.center[i] -
+                                           (i == 0   ? 0.8
+                                            : i == 1 ? 0.9
+                                                     : 0.4)));
+    std::printf("drift of the centre of mass: %s 1e-14\n",
+                drift < 1e-14 ? "below" : "above");
     return relaxed && drift < 1e-14 ? 0 : 1;
 }

@@ -1,5 +1,6 @@
-// Do a thin disk and a rod overlap? Prints the contact function of the two, then checks it: with the factor μ the two
-// touch, in one point and with one tangent plane. Only headers of pw85 are needed.
+// Do a thin disk and a rod overlap? Prints the contact function of the two, then checks
+// it: with the factor μ the two touch, in one point and with one tangent plane. Only
+// headers of pw85 are needed.
 #include <pw85/pw85.hpp>
 
 #include <cmath>
@@ -8,12 +9,22 @@
 using Vector = pw85::Vector<double, 3>;
 using Form = pw85::SymmetricMatrix<double, 3>;
 
-// The gradient of (m - c)ᵀ Q⁻¹ (m - c), which is 1 on the surface of the ellipsoid, over 2, for x = m - c.
-static Vector surface_gradient(Form const &q, Vector const &x) { return pw85::cholesky_solve(pw85::cholesky(q), x); }
+// The gradient of (m - c)ᵀ Q⁻¹ (m - c), which is 1 on the surface of the ellipsoid,
+// over 2, for x = m - c.
+static Vector surface_gradient(Form const &q, Vector const &x)
+{
+    return pw85::cholesky_solve(pw85::cholesky(q), x);
+}
 
-static Vector normalized(Vector const &x) { return pw85::times(1.0 / std::sqrt(pw85::dot(x, x)), x); }
+static Vector normalized(Vector const &x)
+{
+    return pw85::times(1.0 / std::sqrt(pw85::dot(x, x)), x);
+}
 
-static Vector difference(Vector const &x, Vector const &y) { return {x[0] - y[0], x[1] - y[1], x[2] - y[2]}; }
+static Vector difference(Vector const &x, Vector const &y)
+{
+    return {x[0] - y[0], x[1] - y[1], x[2] - y[2]};
+}
 
 static void print(char const *what, Vector const &x)
 {
@@ -23,8 +34,10 @@ static void print(char const *what, Vector const &x)
 int main()
 {
     Vector const x1{-0.5, 0.4, -0.7}, x2{0.2, -0.3, 0.4};
-    auto const [q1, status1] = pw85::spheroid(10.0, 0.1, Vector{0.0, 0.0, 1.0}); // oblate, axis z
-    auto const [q2, status2] = pw85::spheroid(0.5, 5.0, Vector{1.0, 0.0, 0.0});  // prolate, axis x
+    auto const [q1, status1] =
+        pw85::spheroid(10.0, 0.1, Vector{0.0, 0.0, 1.0}); // oblate, axis z
+    auto const [q2, status2] =
+        pw85::spheroid(0.5, 5.0, Vector{1.0, 0.0, 0.0}); // prolate, axis x
     Vector const r12 = difference(x2, x1);
 
     auto const [mu2, lambda, status] = pw85::contact(r12, q1, q2);
@@ -36,7 +49,8 @@ int main()
     std::printf("lambda = %g\n", lambda);
     std::printf("The spheroids %s.\n\n", mu2 < 1.0 ? "overlap" : "do not overlap");
 
-    // The point where the spheroids touch when they are scaled by mu, which multiplies the forms by mu².
+    // The point where the spheroids touch when they are scaled by mu, which multiplies
+    // the forms by mu².
     Vector const point = pw85::contact_geometry(r12, q1, q2, lambda).point;
     Vector const from1 = point, from2 = difference(point, r12);
     Vector const gradient1 = surface_gradient(pw85::blend(mu2, q1, 0.0, q1), from1);

@@ -1,8 +1,10 @@
-!> How near can two rod-like molecules of length 3 and width 1 come, side by side, crossed, as a T and end to end? The
-!> distance of the centres, through the contact function and by the algorithm of Zheng et al.
+!> How near can two rod-like molecules of length 3 and width 1 come, side by side,
+!> crossed, as a T and end to end? The distance of the centres, through the contact
+!> function and by the algorithm of Zheng et al.
 program closest_approach
   use, intrinsic :: iso_c_binding, only: c_double
-  use pw85, only: pw85_closest_approach, pw85_spheroid, pw85_success, pw85_zheng_ellipsoids
+  use pw85, only: pw85_closest_approach, pw85_spheroid, pw85_success, &
+    pw85_zheng_ellipsoids
   implicit none
 
   real(c_double), parameter :: x(3) = [1.0_c_double, 0.0_c_double, 0.0_c_double]

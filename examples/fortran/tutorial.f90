@@ -1,5 +1,5 @@
-!> Do a thin disk and a rod overlap? Prints the contact function of the two, then checks it: with the factor mu the two
-!> touch, in one point and with one tangent plane.
+!> Do a thin disk and a rod overlap? Prints the contact function of the two, then checks
+!> it: with the factor mu the two touch, in one point and with one tangent plane.
 program tutorial
   use, intrinsic :: iso_c_binding, only: c_double
   use, intrinsic :: iso_fortran_env, only: error_unit
@@ -16,7 +16,8 @@ program tutorial
   real(c_double), parameter :: n2(3) = [1.0_c_double, 0.0_c_double, 0.0_c_double]
   real(c_double), parameter :: a2 = 0.5_c_double, c2 = 5.0_c_double
 
-  real(c_double) :: r12(3), q1(6), q2(6), out(2), mu2, lambda, point(3), from1(3), from2(3), gradient1(3), gradient2(3)
+  real(c_double) :: r12(3), q1(6), q2(6), out(2), mu2, lambda
+  real(c_double) :: point(3), from1(3), from2(3), gradient1(3), gradient2(3)
 
   r12 = x2 - x1
   call pw85_spheroid(a1, c1, n1, q1)
@@ -27,10 +28,11 @@ program tutorial
   lambda = out(2)
   print '(a, f7.5)', 'mu^2 = ', mu2
   print '(a, f8.6)', 'lambda = ', lambda
-  print '(3a/)', 'The spheroids ', trim(merge('overlap       ', 'do not overlap', mu2 < 1)), '.'
+  print '(3a/)', 'The spheroids ', &
+    trim(merge('overlap       ', 'do not overlap', mu2 < 1)), '.'
 
-  ! The point where the spheroids touch when they are scaled by mu, from the centre of either. The second output of
-  ! this function, the normal, may be left out.
+  ! The point where the spheroids touch when they are scaled by mu, from the centre of
+  ! either. The second output of this function, the normal, may be left out.
   call check(pw85_contact_geometry(r12, q1, q2, lambda, point))
   from1 = point
   from2 = point - r12
@@ -53,7 +55,8 @@ contains
     error stop 1
   end subroutine check
 
-  !> The gradient of (m - c)^T Q^-1 (m - c), which is 1 on the surface of the ellipsoid, over 2, for x = m - c.
+  !> The gradient of (m - c)^T Q^-1 (m - c), which is 1 on the surface of the ellipsoid,
+  !> over 2, for x = m - c.
   function surface_gradient(q, x) result(gradient)
     real(c_double), intent(in) :: q(6), x(3)
     real(c_double) :: gradient(3), l(6)
@@ -67,7 +70,8 @@ contains
     character(:), allocatable :: text
     character(16) :: numbers(3)
     write (numbers, '(f16.6)') x
-    text = '(' // trim(adjustl(numbers(1))) // ', ' // trim(adjustl(numbers(2))) // ', ' // &
+    text = '(' // trim(adjustl(numbers(1))) // ', ' // &
+      trim(adjustl(numbers(2))) // ', ' // &
            trim(adjustl(numbers(3))) // ')'
   end function text
 

@@ -1,4 +1,4 @@
-"""Two ellipsoids, whether they overlap, and where they would touch: the Python tutorial."""
+"""Two ellipsoids, whether they overlap, and where they would touch."""
 
 import numpy as np
 
@@ -6,7 +6,8 @@ import pypw85
 
 np.set_printoptions(precision=6, suppress=False)
 
-# An oblate spheroid and a prolate one: centre, direction of the axis, equatorial and polar radius.
+# An oblate spheroid and a prolate one: centre, direction of the axis, equatorial and
+# polar radius.
 x1 = np.array([-0.5, 0.4, -0.7])
 n1 = np.array([0.0, 0.0, 1.0])
 a1, c1 = 10, 0.1
@@ -24,12 +25,14 @@ print(f"μ² = {mu2:.10f}")
 print(f"λ = {lambda_:.10f}")
 print("overlap:", bool(pypw85.overlap(r12, q1, q2)))
 
-# Scaled by μ, their centres fixed, the ellipsoids touch in one point with a common normal.
+# Scaled by μ, their centres fixed, the ellipsoids touch in one point with a common
+# normal.
 point, normal = pypw85.contact_geometry(r12, q1, q2, lambda_)
 print("contact point:", x1 + point)
 print("normal:", normal)
 
-# The same by hand: that point is on both scaled ellipsoids, whose normals there are opposite.
+# The same by hand: that point is on both scaled ellipsoids, whose normals there are
+# opposite.
 Q1, Q2 = mu2 * pypw85.full(q1), mu2 * pypw85.full(q2)
 outward1 = np.linalg.solve(Q1, point)
 outward2 = np.linalg.solve(Q2, point - r12)
@@ -56,4 +59,5 @@ except pypw85.PW85Error as error:
 # Neighbours in a periodic cell.
 centers = np.array([[0.5, 0, 0], [9.5, 0, 0], [5.0, 0, 0]])
 spheres = np.tile(pypw85.spheroid(1, 1, [0, 0, 1]), (3, 1))
-print("overlaps:", pypw85.overlap_pairs([[0, 1], [0, 2]], centers, spheres, cell=10 * np.eye(3)))
+cell = 10 * np.eye(3)
+print("overlaps:", pypw85.overlap_pairs([[0, 1], [0, 2]], centers, spheres, cell=cell))

@@ -3,12 +3,17 @@
 #ifndef PW85_ATTRIBUTES_HPP_INCLUDED
 #define PW85_ATTRIBUTES_HPP_INCLUDED
 
-/// Before every function of the templates: it belongs to its unit alone, which runs what it was compiled to, with its own flags;
-/// and a thread of a device can call it where it is compiled for one.
+// A thread of a device can call what is compiled for one.
 #if defined(__CUDACC__) || defined(__CUDA__) || defined(__HIP__)
-#define PW85_FUNCTION __attribute__((host)) __attribute__((device)) static
+#define PW85_ANYWHERE __attribute__((host)) __attribute__((device))
 #else
-#define PW85_FUNCTION static
+#define PW85_ANYWHERE
 #endif
+
+/// Before every function of the templates: it belongs to its unit alone, which runs what it was compiled to, with its own flags.
+#define PW85_FUNCTION PW85_ANYWHERE static
+
+/// Before every member function of what devices compute with: it has no address that another unit could take.
+#define PW85_MEMBER [[gnu::always_inline]] PW85_ANYWHERE
 
 #endif

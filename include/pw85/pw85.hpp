@@ -12,7 +12,9 @@
 ///
 ///     using namespace pw85;
 ///     Vector r12{1.0, 0.0, 0.0};
-///     auto [q1, ok1] = ellipsoid_quaternion(Vector{3.0, 2.0, 1.0}, Vector{1.0, 0.0, 0.0, 0.0});
+///     Vector axes{3.0, 2.0, 1.0};
+///     Vector quaternion{1.0, 0.0, 0.0, 0.0};
+///     auto [q1, ok1] = ellipsoid_quaternion(axes, quaternion);
 ///     auto [q2, ok2] = spheroid(1.0, 2.0, Vector{0.0, 1.0, 0.0});
 ///     auto [mu2, lambda, status] = contact(r12, q1, q2);
 ///

@@ -37,14 +37,15 @@ template <class T> PW85_FUNCTION constexpr T load_lanes(typename ScalarTraits<T>
 /// The number in the first lane.
 template <class T> PW85_FUNCTION constexpr T first_lane(T const &x) noexcept { return x; }
 
-/// One of the functions of numeric_limits for a lane of `T`: of a native type a constant, so that there is no call of it.
+/// What a function of numeric_limits returns, for a native type: a constant, so that no unit, of a device least of all, calls it.
+template <auto function> constexpr auto constant_of = function();
+
+/// One of the functions of numeric_limits for a lane of `T`.
 template <class T, auto function> PW85_FUNCTION constexpr typename ScalarTraits<T>::Lane lane_limit() noexcept
 {
-    using Lane = typename ScalarTraits<T>::Lane;
-    if constexpr (std::is_floating_point_v<Lane>) {
-        constexpr Lane value = function();
-        return value;
-    } else
+    if constexpr (std::is_floating_point_v<typename ScalarTraits<T>::Lane>)
+        return constant_of<function>;
+    else
         return function();
 }
 

@@ -13,8 +13,8 @@ template <class T, int D> struct Vector {
 
     T coordinates[D];
 
-    [[gnu::always_inline]] constexpr T &operator[](int i) noexcept { return coordinates[i]; }
-    [[gnu::always_inline]] constexpr T const &operator[](int i) const noexcept { return coordinates[i]; }
+    PW85_MEMBER constexpr T &operator[](int i) noexcept { return coordinates[i]; }
+    PW85_MEMBER constexpr T const &operator[](int i) const noexcept { return coordinates[i]; }
 };
 
 /// Number of axes of rotation.
@@ -30,18 +30,12 @@ template <class T, int D> struct SymmetricMatrix {
     T entries[size];
 
     /// Position of the entry in row i and column j of the upper triangle, i <= j.
-    [[gnu::always_inline]] static constexpr int index(int i, int j) noexcept
-    {
-        return i * D - i * (i - 1) / 2 + (j - i);
-    }
+    PW85_MEMBER static constexpr int index(int i, int j) noexcept { return i * D - i * (i - 1) / 2 + (j - i); }
 
-    [[gnu::always_inline]] constexpr T &operator[](int k) noexcept { return entries[k]; }
-    [[gnu::always_inline]] constexpr T const &operator[](int k) const noexcept { return entries[k]; }
-    [[gnu::always_inline]] constexpr T &operator()(int i, int j) noexcept
-    {
-        return entries[i <= j ? index(i, j) : index(j, i)];
-    }
-    [[gnu::always_inline]] constexpr T const &operator()(int i, int j) const noexcept
+    PW85_MEMBER constexpr T &operator[](int k) noexcept { return entries[k]; }
+    PW85_MEMBER constexpr T const &operator[](int k) const noexcept { return entries[k]; }
+    PW85_MEMBER constexpr T &operator()(int i, int j) noexcept { return entries[i <= j ? index(i, j) : index(j, i)]; }
+    PW85_MEMBER constexpr T const &operator()(int i, int j) const noexcept
     {
         return entries[i <= j ? index(i, j) : index(j, i)];
     }

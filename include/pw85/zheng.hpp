@@ -1,5 +1,6 @@
 /// @file
-/// Distance of closest approach of two ellipses, the root of a quartic, and of two ellipsoids, a maximum over planes
+/// Distance of closest approach of two ellipses, the root of a quartic, and of two ellipsoids, a maximum over planes.
+///
 /// (X. Zheng and P. Palffy-Muhoray, Phys. Rev. E 75, 061709, 2007; X. Zheng, W. Iglesias and P. Palffy-Muhoray,
 /// Phys. Rev. E 79, 057702, 2009). Where those papers work with axes and angles, everything here comes from the forms
 /// themselves, so that equal orientations, circles and principal directions are no special cases.

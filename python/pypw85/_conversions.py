@@ -105,7 +105,8 @@ def from_gsd(
     Examples
     --------
     >>> import pypw85
-    >>> shapes = [{"type": "Ellipsoid", "a": 1, "b": 2, "c": 3}, {"type": "Sphere", "diameter": 2}]
+    >>> shapes = [{"type": "Ellipsoid", "a": 1, "b": 2, "c": 3},
+    ...           {"type": "Sphere", "diameter": 2}]
     >>> pypw85.from_gsd(shapes, [1, 0], [[1, 0, 0, 0], [1, 0, 0, 0]])
     array([[1., 0., 0., 1., 0., 1.],
            [1., 0., 0., 4., 0., 9.]])

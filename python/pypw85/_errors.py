@@ -19,6 +19,7 @@ class Status(enum.IntEnum):
     ENOTPD = _core.STATUSES["ENOTPD"]
     ECONVERGENCE = _core.STATUSES["ECONVERGENCE"]
     ENOMEM = _core.STATUSES["ENOMEM"]
+    EDEVICE = _core.STATUSES["EDEVICE"]
 
 
 class PW85Error(ValueError, ArithmeticError):

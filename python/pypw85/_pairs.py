@@ -78,7 +78,7 @@ def overlap_pairs(
 
     Returns
     -------
-    (k) array of `dtype`
+    array (k) of `dtype`
         A bad pair counts as an overlap; NumPy reports it as ``np.errstate(invalid=...)`` says.
 
     {raises_pair_list}

@@ -47,21 +47,38 @@ def plot(
     c1, q1, c2, q2 = (np.asarray(plain(x), dtype=np.float64) for x in (center1, q1, center2, q2))
     mu2, lambda_ = contact(c2 - c1, q1, q2)
     point, normal = contact_geometry(c2 - c1, q1, q2, lambda_)
-    if ax is None:
-        import matplotlib.pyplot
-
-        ax = matplotlib.pyplot.figure().add_subplot(projection="3d")
+    ax = _new_axes() if ax is None else ax
+    ax.computed_zorder = False  # so that what is drawn in front stays there
     for k, (center, q) in enumerate(((c1, q1), (c2, q2))):
         solid = surface(center, q, 1.0, resolution)
         scaled = surface(center, q, float(np.sqrt(mu2)), resolution)
-        ax.plot_surface(*solid, color=_COLOURS[k], alpha=0.6, label=f"ellipsoid {k + 1}")
-        ax.plot_wireframe(*scaled, color=_COLOURS[k], alpha=0.3, linewidth=0.5, label=f"scaled {k + 1}")
+        ax.plot_surface(*solid, color=_COLOURS[k], alpha=0.5, label=f"ellipsoid {k + 1}", zorder=1)
+        ax.plot_wireframe(*scaled, color=_COLOURS[k], alpha=0.3, linewidth=0.5, label=f"scaled {k + 1}", zorder=2)
     x0 = c1 + point
-    ax.scatter(*x0[:, np.newaxis], color="black", label="contact point")
-    ax.quiver(*x0, *normal, length=0.5 * np.linalg.norm(c2 - c1), color="black", label="normal")
+    ax.scatter(*x0[:, np.newaxis], color="black", label="contact point", zorder=4)
+    ax.quiver(*x0, *normal, length=0.5 * np.linalg.norm(c2 - c1), color="black", label="normal", zorder=3)
     ax.set(xlabel="x", ylabel="y", zlabel="z", title=f"μ² = {mu2:.6g}, λ = {lambda_:.6g}")
     ax.set_aspect("equal")
+    ax.legend(handles=_legend(), loc="upper left", bbox_to_anchor=(0, 1), fontsize="small")
     return ax
+
+
+def _new_axes() -> Any:
+    """Three-dimensional axes that fill a new figure."""
+    import matplotlib.pyplot
+
+    return matplotlib.pyplot.figure(figsize=(7, 6)).add_axes((0.0, 0.03, 0.92, 0.92), projection="3d")
+
+
+def _legend() -> list[Any]:
+    """Samples for a legend: Matplotlib has none for surfaces before 3.7."""
+    from matplotlib.lines import Line2D
+    from matplotlib.patches import Patch
+
+    solids: list[Any] = [Patch(color=colour, alpha=0.5, label=f"ellipsoid {k + 1}") for k, colour in enumerate(_COLOURS)]
+    wires = Line2D([], [], color="gray", linewidth=0.5, label="scaled by μ")
+    point = Line2D([], [], color="black", marker="o", label="contact point, normal")
+    return [*solids, wires, point]
 
 
 def surface(center: ArrayLike, q: ArrayLike, scale: float, resolution: int) -> Floats:

@@ -104,7 +104,8 @@ def contact_derivatives_pairs(
     --------
     >>> import numpy as np, pypw85
     >>> q = np.array([pypw85.spheroid(1, 1, [0, 0, 1])] * 2)
-    >>> pypw85.contact_derivatives_pairs([[0, 1]], [[0, 0, 0], [9, 0, 0]], q, cell=10 * np.eye(3)).d_r12
+    >>> centers, cell = [[0, 0, 0], [9, 0, 0]], 10 * np.eye(3)
+    >>> pypw85.contact_derivatives_pairs([[0, 1]], centers, q, cell=cell).d_r12
     array([[-0.5,  0. ,  0. ]])
     """
     arrays = _pair_list(pairs, centers, q, cell, images)

@@ -276,7 +276,8 @@ def f2_derivatives(
     Examples
     --------
     >>> from pypw85 import legacy
-    >>> legacy.f2_derivatives(0.5, [2, 0, 0], [1, 0, 0, 1, 0, 1], [1, 0, 0, 1, 0, 1]).round(12)
+    >>> q = [1, 0, 0, 1, 0, 1]
+    >>> legacy.f2_derivatives(0.5, [2, 0, 0], q, q).round(12)
     array([ 1.,  0., -8.])
     """
     return _core.call_legacy_f2_derivatives(lambda_, r12, q1, q2, out, kwargs)

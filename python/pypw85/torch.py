@@ -87,7 +87,8 @@ def ellipsoid_quaternion(semi_axes: torch.Tensor, quaternion: torch.Tensor) -> t
     Examples
     --------
     >>> import torch, pypw85.torch
-    >>> pypw85.torch.ellipsoid_quaternion(torch.tensor([3.0, 2.0, 1.0]), torch.tensor([1.0, 0.0, 0.0, 0.0]))
+    >>> quaternion = torch.tensor([1.0, 0.0, 0.0, 0.0])
+    >>> pypw85.torch.ellipsoid_quaternion(torch.tensor([3.0, 2.0, 1.0]), quaternion)
     tensor([9., 0., 0., 4., 0., 1.])
     """
     w, x, y, z = (quaternion / quaternion.norm(dim=-1, keepdim=True)).unbind(-1)

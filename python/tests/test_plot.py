@@ -28,7 +28,13 @@ def test_plot():
     point, _ = pypw85.contact_geometry(C2 - C1, Q1, Q2, pypw85.contact(C2 - C1, Q1, Q2)[1])
     drawn = np.array([float(x[0]) for x in artists["contact point"]._offsets3d])
     np.testing.assert_allclose(drawn, C1 + point)
+    orders = {name: artist.get_zorder() for name, artist in artists.items()}
+    assert min(orders["contact point"], orders["normal"]) > max(orders["ellipsoid 1"], orders["scaled 2"])
+    assert [text.get_text() for text in ax.get_legend().get_texts()][:2] == ["ellipsoid 1", "ellipsoid 2"]
     ax.figure.canvas.draw()
+    box, figure = ax.get_tightbbox(), ax.figure.bbox
+    assert figure.x0 <= box.x0 and box.x1 <= figure.x1 and figure.y0 <= box.y0 and box.y1 <= figure.y1
+    assert box.width > 0.75 * figure.width
     assert pypw85.plot(C1, Q1, C2, Q2, ax=ax, resolution=4) is ax
     plt.close(ax.figure)
 

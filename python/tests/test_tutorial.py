@@ -1,13 +1,16 @@
-"""The tutorial script prints what is on record."""
+"""The examples print what is on record."""
 
 import os
 import pathlib
 import subprocess
 import sys
 
-EXAMPLES = pathlib.Path(os.environ["PYPW85_SOURCE"]) / "examples" / "python"
+import pytest
+
+EXAMPLES = pathlib.Path(os.environ["PYPW85_SOURCE"]) / "examples"
 
 
-def test_output():
-    done = subprocess.run([sys.executable, EXAMPLES / "tutorial.py"], capture_output=True, check=True)
-    assert done.stdout.decode() == (EXAMPLES / "tutorial.out").read_text(encoding="utf-8")
+@pytest.mark.parametrize("name, expected", [("pair", "c/pair.txt"), ("tutorial", "python/tutorial.out")])
+def test_output(name, expected):
+    done = subprocess.run([sys.executable, EXAMPLES / "python" / f"{name}.py"], capture_output=True, check=True)
+    assert done.stdout.decode() == (EXAMPLES / expected).read_text(encoding="utf-8")

@@ -12,6 +12,7 @@
 #include <cstdint>
 
 #include <pw85.h>
+#include <pw85/attributes.hpp>
 
 #include "lattice.hpp"
 #include "worklist.hpp"
@@ -20,14 +21,14 @@ namespace pw85::kernels {
 
 /// Row `index` of an array of rows of `width` numbers.
 template <class Number>
-[[gnu::always_inline]] inline Number *row_of(Number *rows, int width, std::size_t index) noexcept
+[[gnu::always_inline]] PW85_FUNCTION inline Number *row_of(Number *rows, int width, std::size_t index) noexcept
 {
     return rows + static_cast<std::size_t>(width) * index;
 }
 
 /// The same of an array that may be null.
 template <class Number>
-[[gnu::always_inline]] inline Number *row_or_null(Number *rows, int width, std::size_t index) noexcept
+[[gnu::always_inline]] PW85_FUNCTION inline Number *row_or_null(Number *rows, int width, std::size_t index) noexcept
 {
     return rows == nullptr ? nullptr : row_of(rows, width, index);
 }
@@ -40,7 +41,7 @@ template <int D> struct PairArrays {
     static constexpr int form = D * (D + 1) / 2;
     double const *r12, *q1, *q2;
 
-    [[gnu::always_inline]] PairArrays from(std::size_t begin) const noexcept
+    PW85_MEMBER PairArrays from(std::size_t begin) const noexcept
     {
         return {row_of(r12, D, begin), row_of(q1, form, begin), row_of(q2, form, begin)};
     }
@@ -51,7 +52,7 @@ struct Directions {
     static constexpr int dimension = 3;
     PairArrays<3> arrays;
 
-    [[gnu::always_inline]] Directions from(std::size_t begin) const noexcept { return {arrays.from(begin)}; }
+    PW85_MEMBER Directions from(std::size_t begin) const noexcept { return {arrays.from(begin)}; }
 };
 
 /// One ellipsoid, and others: r12 n×3, q2 n×6.
@@ -59,7 +60,7 @@ struct OneToMany {
     static constexpr int dimension = 3;
     double const *q1, *r12, *q2;
 
-    [[gnu::always_inline]] OneToMany from(std::size_t begin) const noexcept
+    PW85_MEMBER OneToMany from(std::size_t begin) const noexcept
     {
         return {q1, row_of(r12, 3, begin), row_of(q2, 6, begin)};
     }
@@ -89,7 +90,7 @@ struct NeighborList {
     double const *cell;         ///< null without periodicity
     Lattice const *lattice;     ///< null, or prepared for nearest images
 
-    [[gnu::always_inline]] NeighborList from(std::size_t begin) const noexcept
+    PW85_MEMBER NeighborList from(std::size_t begin) const noexcept
     {
         return {row_of(pairs, 2, begin), centers, q, row_or_null(images, 3, begin), cell, lattice};
     }
@@ -106,7 +107,7 @@ template <int D> struct PairRow {
 struct ContactArrays {
     double *mu2, *lambda; ///< lambda may be null
 
-    [[gnu::always_inline]] ContactArrays from(std::size_t begin) const noexcept
+    PW85_MEMBER ContactArrays from(std::size_t begin) const noexcept
     {
         return {row_of(mu2, 1, begin), row_or_null(lambda, 1, begin)};
     }
@@ -116,14 +117,14 @@ struct ContactArrays {
 struct OverlapArray {
     unsigned char *overlap;
 
-    [[gnu::always_inline]] OverlapArray from(std::size_t begin) const noexcept { return {overlap + begin}; }
+    PW85_MEMBER OverlapArray from(std::size_t begin) const noexcept { return {overlap + begin}; }
 };
 
 /// Distances of closest approach.
 struct ApproachArray {
     double *distance;
 
-    [[gnu::always_inline]] ApproachArray from(std::size_t begin) const noexcept { return {distance + begin}; }
+    PW85_MEMBER ApproachArray from(std::size_t begin) const noexcept { return {distance + begin}; }
 };
 
 /// Contact functions and derivatives; any may be null, but for the kernels' lambda, which is NaN where a pair is left to the
@@ -132,7 +133,7 @@ struct DerivativeArrays {
     double *mu2, *lambda;
     double *point, *normal, *d_r12, *d_rot1, *d_rot2; ///< three numbers per pair
 
-    [[gnu::always_inline]] DerivativeArrays from(std::size_t begin) const noexcept
+    PW85_MEMBER DerivativeArrays from(std::size_t begin) const noexcept
     {
         return {row_or_null(mu2, 1, begin),    row_or_null(lambda, 1, begin), row_or_null(point, 3, begin),
                 row_or_null(normal, 3, begin), row_or_null(d_r12, 3, begin),  row_or_null(d_rot1, 3, begin),

@@ -8,17 +8,17 @@
 #include "lattice.hpp"
 
 namespace pw85 {
-namespace {
 
 /// The nearest integer, for |x| < 2^51; without instructions that old processors lack.
-template <class T> inline T nearest_integer(T const &x) noexcept
+template <class T> PW85_FUNCTION inline T nearest_integer(T const &x) noexcept
 {
     T const shift = T(0x1.8p52);
     return (x + shift) - shift;
 }
 
 /// The nearest image of a separation (item 4 of lattice.hpp).
-template <class T> inline Vector<T, 3> nearest_image(kernels::Lattice const &lattice, Vector<T, 3> const &r) noexcept
+template <class T>
+PW85_FUNCTION inline Vector<T, 3> nearest_image(kernels::Lattice const &lattice, Vector<T, 3> const &r) noexcept
 {
     Vector<T, 3> x = r;
     for (int i = 0; i < 3; ++i) {
@@ -40,7 +40,6 @@ template <class T> inline Vector<T, 3> nearest_image(kernels::Lattice const &lat
     return x;
 }
 
-} // namespace
 } // namespace pw85
 
 #endif

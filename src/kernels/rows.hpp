@@ -14,7 +14,7 @@ template <class T> inline constexpr std::size_t lanes_of = ScalarTraits<T>::lane
 
 /// The first N columns of as many rows as `T` has lanes, one row per lane; of a number, those of one row. Packs have their own.
 template <class T, int N> struct ColumnLoader {
-    [[gnu::always_inline]] static void load(double const *const *rows, T *columns) noexcept
+    PW85_MEMBER static void load(double const *const *rows, T *columns) noexcept
     {
         for (int n = 0; n < N; ++n) columns[n] = rows[0][n];
     }

@@ -96,7 +96,7 @@ class Installation:
             "cmake/pw85/pw85ConfigVersion.cmake", "cmake/pw85_legacy/pw85_legacyConfig.cmake",
             "cmake/pw85_legacy/pw85_legacyConfigVersion.cmake")]
         wanted += [self.prefix / "include" / name for name in (
-            "pw85.h", "pw85_legacy.h", "pw85_zheng.h", "pw85_pre1.h", "pw85/pw85.hpp", "pw85/version.h")]
+            "pw85.h", "pw85_gpu.h", "pw85_legacy.h", "pw85_zheng.h", "pw85_pre1.h", "pw85/pw85.hpp", "pw85/version.h")]
         wanted.append(self.prefix / "share/pw85/pw85_ref_data.h5")
         missing = [str(path) for path in wanted if not path.exists()]
         if missing:

@@ -1,0 +1,84 @@
+/// @file
+/// NVIDIA's driver, found at run time: the part of its interface that is used here, declared by hand, as neither headers nor a
+/// library to link with need be there.
+#ifndef PW85_GPU_DRIVER_HPP_INCLUDED
+#define PW85_GPU_DRIVER_HPP_INCLUDED
+
+#include <cstddef>
+#include <cstdint>
+
+namespace pw85::gpu {
+
+using Address = std::uint64_t; ///< CUdeviceptr
+using Result = int;            ///< CUresult: 0 is success
+using Handle = void *;         ///< CUcontext, CUstream, CUlibrary, CUkernel
+using Callback = void (*)(void *);
+
+// X(function, symbol of its version, parameters)
+#define PW85_DRIVER_FUNCTIONS(X)                                                                                       \
+    X(init, cuInit, (unsigned flags))                                                                                  \
+    X(device_count, cuDeviceGetCount, (int *count))                                                                    \
+    X(device, cuDeviceGet, (int *device, int ordinal))                                                                 \
+    X(attribute, cuDeviceGetAttribute, (int *value, int attribute, int device))                                        \
+    X(retain_context, cuDevicePrimaryCtxRetain, (Handle * context, int device))                                        \
+    X(current_context, cuCtxGetCurrent, (Handle * context))                                                            \
+    X(current_device, cuCtxGetDevice, (int *device))                                                                   \
+    X(push_context, cuCtxPushCurrent_v2, (Handle context))                                                             \
+    X(pop_context, cuCtxPopCurrent_v2, (Handle * context))                                                             \
+    X(pointer_attribute, cuPointerGetAttribute, (void *value, int attribute, Address pointer))                         \
+    X(load_library, cuLibraryLoadData,                                                                                 \
+      (Handle * library, void const *code, void *options, void *option_values, unsigned num_options,                   \
+       void *library_options, void *library_option_values, unsigned num_library_options))                              \
+    X(kernel, cuLibraryGetKernel, (Handle * kernel, Handle library, char const *name))                                 \
+    X(launch, cuLaunchKernel,                                                                                          \
+      (Handle kernel, unsigned grid_x, unsigned grid_y, unsigned grid_z, unsigned block_x, unsigned block_y,           \
+       unsigned block_z, unsigned shared_bytes, Handle stream, void **arguments, void **extra))                        \
+    X(launch_host, cuLaunchHostFunc, (Handle stream, Callback function, void *data))                                   \
+    X(allocate, cuMemAllocAsync, (Address * pointer, std::size_t size, Handle stream))                                 \
+    X(release, cuMemFreeAsync, (Address pointer, Handle stream))                                                       \
+    X(allocate_managed, cuMemAllocManaged, (Address * pointer, std::size_t size, unsigned flags))                      \
+    X(allocate_pinned, cuMemHostAlloc, (void **pointer, std::size_t size, unsigned flags))                             \
+    X(release_pinned, cuMemFreeHost, (void *pointer))                                                                  \
+    X(fill, cuMemsetD32Async, (Address pointer, unsigned value, std::size_t count, Handle stream))                     \
+    X(to_device, cuMemcpyHtoDAsync_v2, (Address to, void const *from, std::size_t size, Handle stream))                \
+    X(to_host, cuMemcpyDtoHAsync_v2, (void *to, Address from, std::size_t size, Handle stream))                        \
+    X(create_stream, cuStreamCreate, (Handle * stream, unsigned flags))                                                \
+    X(synchronize, cuStreamSynchronize, (Handle stream))                                                               \
+    X(destroy_stream, cuStreamDestroy_v2, (Handle stream))
+
+// Values of its enumerations.
+inline constexpr int concurrent_managed_access = 89; ///< CU_DEVICE_ATTRIBUTE_CONCURRENT_MANAGED_ACCESS
+inline constexpr int pointer_memory_type = 2;        ///< CU_POINTER_ATTRIBUTE_MEMORY_TYPE
+inline constexpr unsigned attach_global = 1;         ///< CU_MEM_ATTACH_GLOBAL
+inline constexpr unsigned non_blocking = 1;          ///< CU_STREAM_NON_BLOCKING
+
+struct Driver {
+#define PW85_DRIVER_POINTER(function, symbol, parameters) Result(*function) parameters;
+    PW85_DRIVER_FUNCTIONS(PW85_DRIVER_POINTER)
+#undef PW85_DRIVER_POINTER
+};
+
+/// The driver with at least one device, initialised; null where there is none, or one too old to have all functions. Looked for at the
+/// first call, once and for all.
+Driver const *driver() noexcept;
+
+/// The context of the calling thread for the life of the object: its own, or that of the first device.
+class Context {
+  public:
+    explicit Context(Driver const *driver) noexcept;
+    Context(Context const &) = delete;
+    Context &operator=(Context const &) = delete;
+    ~Context();
+
+    /// Null where there is none.
+    Handle handle() const noexcept { return handle_; }
+
+  private:
+    Driver const *driver_;
+    Handle handle_ = nullptr;
+    bool pushed_ = false;
+};
+
+} // namespace pw85::gpu
+
+#endif

@@ -1,0 +1,293 @@
+// The functions for arrays on a device: what concerns a call as a whole, and the stages that are queued.
+#include <pw85_gpu.h>
+
+#include <algorithm>
+
+#include "../c_arrays.hpp"
+#include "../floating_point_environment.hpp"
+#include "../kernels/parallel.hpp"
+#include "device_code.hpp"
+#include "driver.hpp"
+#include "mailboxes.hpp"
+#include "work.hpp"
+
+using namespace pw85;
+using namespace pw85::gpu;
+using pw85::c_api::any_null;
+using pw85::kernels::max_rows;
+
+namespace {
+
+/// The two stages for one kind of rows and results.
+struct Stages {
+    Handle attempt, settle;
+};
+
+/// The functions of the program for the device.
+struct Code {
+#define PW85_GPU_STAGES(Rows, Out, name) Stages name;
+    PW85_GPU_KERNELS(PW85_GPU_STAGES)
+#undef PW85_GPU_STAGES
+    Handle deliver;
+};
+
+#define PW85_GPU_STAGES(Rows, Out, name)                                                                               \
+    Stages const &stages(Code const &code, Rows const &, Out const &) noexcept { return code.name; }
+PW85_GPU_KERNELS(PW85_GPU_STAGES)
+#undef PW85_GPU_STAGES
+
+bool load(Driver const &driver, Code &code) noexcept
+{
+    Handle library = nullptr;
+    if (device_code[0] == '\0') return false;
+    if (driver.load_library(&library, device_code, nullptr, nullptr, 0, nullptr, nullptr, 0) != 0) return false;
+    bool complete = driver.kernel(&code.deliver, library, "pw85_deliver") == 0;
+#define PW85_GPU_STAGES(Rows, Out, name)                                                                               \
+    complete = complete && driver.kernel(&code.name.attempt, library, "pw85_" #name "_attempt") == 0 &&                \
+               driver.kernel(&code.name.settle, library, "pw85_" #name "_settle") == 0;
+    PW85_GPU_KERNELS(PW85_GPU_STAGES)
+#undef PW85_GPU_STAGES
+    return complete;
+}
+
+/// Loaded at the first call, once and for all; null where that fails.
+Code const *code_for(Driver const &driver) noexcept
+{
+    static Code code{};
+    static bool const loaded = load(driver, code);
+    return loaded ? &code : nullptr;
+}
+
+/// Memory of the device for the life of the object, in the order of a stream.
+class Scratch {
+  public:
+    Scratch(Driver const &driver, Handle stream, std::size_t size) noexcept : driver_(driver), stream_(stream)
+    {
+        if (driver.allocate(&address_, size, stream) != 0) address_ = 0;
+    }
+    Scratch(Scratch const &) = delete;
+    Scratch &operator=(Scratch const &) = delete;
+    ~Scratch()
+    {
+        if (address_ != 0) driver_.release(address_, stream_);
+    }
+    Address address() const noexcept { return address_; }
+
+  private:
+    Driver const &driver_;
+    Handle stream_;
+    Address address_ = 0;
+};
+
+/// What queues work.
+struct Queue {
+    Driver const &driver;
+    Code const &code;
+    Handle stream;
+
+    template <class Work> bool launch(Handle kernel, std::size_t blocks, Work const &work) const noexcept
+    {
+        void *arguments[] = {const_cast<Work *>(&work)};
+        return driver.launch(kernel, static_cast<unsigned>(blocks), 1, 1, block_size, 1, 1, 0, stream, arguments,
+                             nullptr) == 0;
+    }
+
+    bool clear(std::uint32_t *count) const noexcept
+    {
+        return driver.fill(reinterpret_cast<Address>(count), 0, 1, stream) == 0;
+    }
+};
+
+/// Blocks of the stages whose work is in a list: enough for any device, few enough to find nothing to do.
+constexpr std::size_t max_list_blocks = 1024;
+
+/// The stages of up to chunk_size pairs.
+template <class Rows, class Out>
+bool queue_stages(Queue const &queue, Attempt<Rows, Out> const &attempt, Mailbox const &mailbox) noexcept
+{
+    std::size_t const blocks = (attempt.size + block_size - 1) / block_size;
+    Stages const &s = stages(queue.code, attempt.rows, attempt.out);
+    Settle<Rows, Out> const settle{attempt.rows, attempt.out, attempt.rest, mailbox};
+    return queue.clear(attempt.rest.count) && queue.launch(s.attempt, blocks, attempt) &&
+           queue.launch(s.settle, std::min(blocks, max_list_blocks), settle);
+}
+
+/// The same with the questions of the last stage, for overlaps.
+template <class Rows>
+bool queue_overlaps(Queue const &queue, Attempt<Rows, OverlapArray> const &attempt, SharedMailbox &box) noexcept
+{
+    std::size_t const blocks = (attempt.size + block_size - 1) / block_size;
+    return queue.clear(box.mailbox.count) && queue_stages(queue, attempt, box.mailbox) &&
+           queue.driver.launch_host(queue.stream, answer, &box) == 0 &&
+           queue.launch(queue.code.deliver, std::min(blocks, max_list_blocks), Deliver{box.mailbox, attempt.out});
+}
+
+/// Calls queue_chunk(attempt) for all pairs.
+template <class Rows, class Out, class QueueChunk>
+bool for_chunks(std::size_t n, Rows const &rows, Out const &out, Address scratch, QueueChunk queue_chunk) noexcept
+{
+    auto *const words = reinterpret_cast<std::uint32_t *>(scratch);
+    for (std::size_t begin = 0; begin < n; begin += chunk_size) {
+        auto const size = static_cast<std::uint32_t>(std::min(chunk_size, n - begin));
+        if (!queue_chunk(Attempt<Rows, Out>{rows.from(begin), out.from(begin), size, {words, words + 1}})) return false;
+    }
+    return true;
+}
+
+template <class Rows, class Out>
+bool queue_all(Queue const &queue, Handle, std::size_t n, Rows const &rows, Out const &out, Address scratch) noexcept
+{
+    return for_chunks(n, rows, out, scratch,
+                      [&](Attempt<Rows, Out> const &attempt) { return queue_stages(queue, attempt, {}); });
+}
+
+template <class Rows> bool queue_all(Queue const &queue, Handle context, std::size_t n, Rows const &rows,
+                                     OverlapArray const &out, Address scratch) noexcept
+{
+    SharedMailbox *const box = take_mailbox(queue.driver, context, std::min(n, chunk_size));
+    if (box == nullptr) return false;
+    bool const queued = for_chunks(n, rows, out, scratch, [&](Attempt<Rows, OverlapArray> const &attempt) {
+        return queue_overlaps(queue, attempt, *box);
+    });
+    return queue.driver.launch_host(queue.stream, leave, box) == 0 && queued;
+}
+
+/// Whether a pointer is one that the driver knows, or null.
+bool is_known(Driver const &driver, void const *pointer) noexcept
+{
+    int type = 0;
+    return pointer == nullptr ||
+           driver.pointer_attribute(&type, pointer_memory_type, reinterpret_cast<Address>(pointer)) == 0;
+}
+
+bool are_known(Driver const &driver, Pairs const &rows) noexcept
+{
+    return is_known(driver, rows.r12) && is_known(driver, rows.q1) && is_known(driver, rows.q2);
+}
+
+bool are_known(Driver const &driver, DeviceList const &rows) noexcept
+{
+    auto const &[pairs, centers, q, images, cell, lattice] = rows.list;
+    return is_known(driver, pairs) && is_known(driver, images) && is_known(driver, centers) && is_known(driver, q);
+}
+
+bool are_known(Driver const &driver, ContactArrays const &out) noexcept
+{
+    return is_known(driver, out.mu2) && is_known(driver, out.lambda);
+}
+
+bool are_known(Driver const &driver, OverlapArray const &out) noexcept { return is_known(driver, out.overlap); }
+
+bool are_known(Driver const &driver, DerivativeArrays const &out) noexcept
+{
+    return is_known(driver, out.mu2) && is_known(driver, out.lambda) && is_known(driver, out.point) &&
+           is_known(driver, out.normal) && is_known(driver, out.d_r12) && is_known(driver, out.d_rot1) &&
+           is_known(driver, out.d_rot2);
+}
+
+template <class Rows, class Out> int run(Handle stream, std::size_t n, Rows const &rows, Out const &out) noexcept
+{
+    Driver const *const d = driver();
+    Context const context(d);
+    if (context.handle() == nullptr) return PW85_EDEVICE;
+    if (!are_known(*d, rows) || !are_known(*d, out)) return PW85_EINVAL;
+    Code const *const code = code_for(*d);
+    if (code == nullptr) return PW85_EDEVICE;
+    Scratch const scratch(*d, stream, (1 + std::min(n, chunk_size)) * sizeof(std::uint32_t));
+    if (scratch.address() == 0) return PW85_EDEVICE;
+    return queue_all(Queue{*d, *code, stream}, context.handle(), n, rows, out, scratch.address()) ? PW85_SUCCESS
+                                                                                                  : PW85_EDEVICE;
+}
+
+template <class Out> int run_batch(Handle stream, std::size_t n, Pairs const &pairs, Out const &out) noexcept
+{
+    if (n > max_rows || any_null(pairs.r12, pairs.q1, pairs.q2)) return PW85_EINVAL;
+    return run(stream, n, pairs, out);
+}
+
+/// Takes in a cell, null or not; whether it goes with the list.
+bool set_cell(DeviceList &rows, double const *cell) noexcept
+{
+    bool const images = rows.list.images != nullptr;
+    if (cell == nullptr) return !images;
+    std::copy_n(cell, 9, rows.cell);
+    if (images) return kernels::is_finite_cell(cell);
+    rows.nearest = true;
+    DefaultEnvironment const environment;
+    return kernels::prepare(cell, rows.lattice);
+}
+
+template <class Out> int run_pairs(Handle stream, std::size_t num_pairs, std::size_t num_particles,
+                                   kernels::NeighborList const &list, Out const &out) noexcept
+{
+    if (num_pairs > max_rows || num_particles > max_rows) return PW85_EINVAL;
+    if (any_null(list.pairs, list.centers, list.q)) return PW85_EINVAL;
+    auto const end = static_cast<std::uint32_t>(std::min<std::size_t>(num_particles, INT32_MAX + std::size_t{1}));
+    DeviceList rows{list, end, false, {}, {}};
+    if (!set_cell(rows, list.cell)) return PW85_EINVAL;
+    return run(stream, num_pairs, rows, out);
+}
+
+} // namespace
+
+int pw85_gpu_count(int *count)
+{
+    if (any_null(count)) return PW85_EINVAL;
+    *count = 0;
+    Driver const *const d = driver();
+    return d != nullptr && d->device_count(count) == 0 ? PW85_SUCCESS : PW85_EDEVICE;
+}
+
+int pw85_gpu_contact_batch(void *stream, size_t n, double const *r12, double const *q1, double const *q2, double *mu2,
+                           double *lambda)
+{
+    if (n == 0) return PW85_SUCCESS;
+    if (any_null(mu2)) return PW85_EINVAL;
+    return run_batch(stream, n, {r12, q1, q2}, ContactArrays{mu2, lambda});
+}
+
+int pw85_gpu_overlap_batch(void *stream, size_t n, double const *r12, double const *q1, double const *q2,
+                           unsigned char *overlap)
+{
+    if (n == 0) return PW85_SUCCESS;
+    if (any_null(overlap)) return PW85_EINVAL;
+    return run_batch(stream, n, {r12, q1, q2}, OverlapArray{overlap});
+}
+
+int pw85_gpu_contact_derivatives_batch(void *stream, size_t n, double const *r12, double const *q1, double const *q2,
+                                       double *mu2, double *lambda, double *point, double *normal, double *d_r12,
+                                       double *d_rot1, double *d_rot2)
+{
+    if (n == 0) return PW85_SUCCESS;
+    return run_batch(stream, n, {r12, q1, q2}, DerivativeArrays{mu2, lambda, point, normal, d_r12, d_rot1, d_rot2});
+}
+
+int pw85_gpu_contact_pairs(void *stream, size_t num_pairs, int32_t const *pairs, int32_t const *images,
+                           size_t num_particles, double const *centers, double const *q, double const *cell,
+                           double *mu2, double *lambda)
+{
+    if (num_pairs == 0) return PW85_SUCCESS;
+    if (any_null(mu2)) return PW85_EINVAL;
+    return run_pairs(stream, num_pairs, num_particles, {pairs, centers, q, images, cell, nullptr},
+                     ContactArrays{mu2, lambda});
+}
+
+int pw85_gpu_overlap_pairs(void *stream, size_t num_pairs, int32_t const *pairs, int32_t const *images,
+                           size_t num_particles, double const *centers, double const *q, double const *cell,
+                           unsigned char *overlap)
+{
+    if (num_pairs == 0) return PW85_SUCCESS;
+    if (any_null(overlap)) return PW85_EINVAL;
+    return run_pairs(stream, num_pairs, num_particles, {pairs, centers, q, images, cell, nullptr},
+                     OverlapArray{overlap});
+}
+
+int pw85_gpu_contact_derivatives_pairs(void *stream, size_t num_pairs, int32_t const *pairs, int32_t const *images,
+                                       size_t num_particles, double const *centers, double const *q, double const *cell,
+                                       double *mu2, double *lambda, double *point, double *normal, double *d_r12,
+                                       double *d_rot1, double *d_rot2)
+{
+    if (num_pairs == 0) return PW85_SUCCESS;
+    return run_pairs(stream, num_pairs, num_particles, {pairs, centers, q, images, cell, nullptr},
+                     DerivativeArrays{mu2, lambda, point, normal, d_r12, d_rot1, d_rot2});
+}

@@ -1,0 +1,70 @@
+#include "mailboxes.hpp"
+
+#include <bit>
+#include <mutex>
+#include <new>
+
+#include <pw85.h>
+
+namespace pw85::gpu {
+
+namespace {
+
+std::mutex mutex;
+SharedMailbox *first = nullptr;
+
+bool has_shared_memory(Driver const &driver) noexcept
+{
+    int device = 0, concurrent = 0;
+    return driver.current_device(&device) == 0 &&
+           driver.attribute(&concurrent, concurrent_managed_access, device) == 0 && concurrent != 0;
+}
+
+/// The parts of a block of memory: the largest come first, so that each is aligned.
+Mailbox divide(Address memory, std::size_t capacity) noexcept
+{
+    auto *const numbers = reinterpret_cast<double *>(memory);
+    auto *const indices = reinterpret_cast<std::uint32_t *>(numbers + 15 * capacity);
+    return {indices + capacity,
+            indices,
+            numbers,
+            numbers + 3 * capacity,
+            numbers + 9 * capacity,
+            reinterpret_cast<unsigned char *>(indices + capacity + 1)};
+}
+
+SharedMailbox *make(Driver const &driver, Handle context, std::size_t capacity) noexcept
+{
+    std::size_t const size = (15 * sizeof(double) + sizeof(std::uint32_t) + 1) * capacity + sizeof(std::uint32_t);
+    Address memory = 0;
+    auto *const made = new (std::nothrow) SharedMailbox{{}, capacity, context, true, nullptr};
+    if (made != nullptr && has_shared_memory(driver) && driver.allocate_managed(&memory, size, attach_global) == 0) {
+        made->mailbox = divide(memory, capacity);
+        return made;
+    }
+    delete made;
+    return nullptr;
+}
+
+} // namespace
+
+SharedMailbox *take_mailbox(Driver const &driver, Handle context, std::size_t capacity) noexcept
+{
+    std::lock_guard const lock(mutex);
+    for (SharedMailbox *box = first; box != nullptr; box = box->next)
+        if (box->context == context && box->capacity >= capacity && !box->busy.exchange(true)) return box;
+    SharedMailbox *const made = make(driver, context, std::bit_ceil(capacity));
+    if (made == nullptr) return nullptr;
+    made->next = first;
+    return first = made;
+}
+
+void answer(void *mailbox) noexcept
+{
+    Mailbox const &m = static_cast<SharedMailbox const *>(mailbox)->mailbox;
+    pw85_overlap_batch(*m.count, m.r12, m.q1, m.q2, m.answers);
+}
+
+void leave(void *mailbox) noexcept { static_cast<SharedMailbox *>(mailbox)->busy = false; }
+
+} // namespace pw85::gpu

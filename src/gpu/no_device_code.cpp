@@ -1,0 +1,3 @@
+#include "device_code.hpp"
+
+char const pw85::gpu::device_code[] = "";

@@ -1,0 +1,304 @@
+/// @file
+/// What one thread of a device does for a pair: the search and the tiers of the headers, in two stages.
+///
+/// The first stage tries what is enough for almost all pairs, so that neighbouring threads go the same way; what it leaves goes to
+/// a list, and a second stage settles that by slower means. Overlaps that are undecided even then, and pairs that are not valid, are
+/// posted to the host, where the functions of many pairs answer for them. Nothing here knows of a device but the list's counter:
+/// compiled for the host it is the same program.
+#ifndef PW85_GPU_WORK_HPP_INCLUDED
+#define PW85_GPU_WORK_HPP_INCLUDED
+
+#include <pw85/comparison.hpp>
+#include <pw85/geometry.hpp>
+#include <pw85/quartic.hpp>
+
+#include "../kernels/rows.hpp"
+
+namespace pw85::gpu {
+
+using kernels::ContactArrays;
+using kernels::DerivativeArrays;
+using kernels::OverlapArray;
+
+using Pairs = kernels::PairArrays<3>;
+using Pair3 = Pair<double, 3>;
+
+/// Threads of a block.
+inline constexpr unsigned block_size = 128;
+
+/// Pairs of one launch at most: lists of them have 32-bit indices and a size that fits beside the caller's arrays.
+inline constexpr std::size_t chunk_size = std::size_t{1} << 23;
+
+/// Pairs that a stage leaves to the next one, in any order.
+struct Remainder {
+    std::uint32_t *count, *indices;
+};
+
+PW85_FUNCTION inline std::uint32_t next(std::uint32_t *count) noexcept
+{
+#ifdef __NVCC__
+    return atomicAdd(count, 1u);
+#else
+    return __atomic_fetch_add(count, 1u, __ATOMIC_RELAXED);
+#endif
+}
+
+/// Pairs that wait for an answer of the host, with where it belongs.
+struct Mailbox {
+    std::uint32_t *count, *indices;
+    double *r12, *q1, *q2;
+    unsigned char *answers;
+};
+
+PW85_FUNCTION inline void store(Vector<double, 3> const &x, double *rows, std::size_t i) noexcept
+{
+    for (std::size_t d = 0; rows != nullptr && d < 3; ++d) rows[3 * i + d] = x[static_cast<int>(d)];
+}
+
+PW85_FUNCTION inline void store(double x, double *rows, std::size_t i) noexcept
+{
+    if (rows != nullptr) rows[i] = x;
+}
+
+/// The rows of a block's pairs, brought in by all of its threads together, so that neighbours read neighbouring numbers.
+struct Tile {
+    double r12[3 * block_size], q1[6 * block_size], q2[6 * block_size];
+};
+
+PW85_FUNCTION inline void copy(double const *from, double *to, std::size_t count, unsigned thread) noexcept
+{
+    for (std::size_t k = thread; k < count; k += block_size) to[k] = from[k];
+}
+
+PW85_FUNCTION inline Pair3 load(Pairs const &arrays, std::size_t index) noexcept
+{
+    return load_pairs<double>(arrays, &index);
+}
+
+/// What a thread brings in of the `count` pairs from `begin` on.
+PW85_FUNCTION inline void fill(Tile &tile, Pairs const &arrays, std::size_t begin, std::size_t count,
+                               unsigned thread) noexcept
+{
+    Pairs const block = arrays.from(begin);
+    copy(block.r12, tile.r12, 3 * count, thread);
+    copy(block.q1, tile.q1, 6 * count, thread);
+    copy(block.q2, tile.q2, 6 * count, thread);
+}
+
+PW85_FUNCTION inline Pair3 load(Tile const &tile, Pairs const &, std::size_t, unsigned thread) noexcept
+{
+    return load(Pairs{tile.r12, tile.q1, tile.q2}, thread);
+}
+
+/// A neighbour list with what belongs to it and is no array of the device: that is in here.
+struct DeviceList {
+    kernels::NeighborList list;
+    std::uint32_t num_particles;
+    bool nearest; ///< whether the lattice is prepared
+    double cell[9];
+    kernels::Lattice lattice;
+
+    PW85_MEMBER DeviceList from(std::size_t begin) const noexcept
+    {
+        DeviceList rest = *this;
+        rest.list = list.from(begin);
+        return rest;
+    }
+};
+
+PW85_FUNCTION inline Pair3 pair_of_nan() noexcept
+{
+    double const nan = quiet_nan<double>();
+    return {{nan, nan, nan}, {nan, nan, nan, nan, nan, nan}, {nan, nan, nan, nan, nan, nan}, nan};
+}
+
+/// Pair k; one of NaN where an index is out of range.
+PW85_FUNCTION inline Pair3 load(DeviceList const &rows, std::size_t k) noexcept
+{
+    kernels::NeighborList list = rows.list;
+    list.cell = rows.cell;
+    list.lattice = rows.nearest ? &rows.lattice : nullptr;
+    std::int32_t const *const pair = kernels::row_of(list.pairs, 2, k);
+    auto const i = static_cast<std::uint32_t>(pair[0]), j = static_cast<std::uint32_t>(pair[1]);
+    if (i >= rows.num_particles || j >= rows.num_particles) return pair_of_nan();
+    return load_pairs<double>(list, &k);
+}
+
+/// Particles of neighbouring pairs may be anywhere in memory: each thread loads its own.
+PW85_FUNCTION inline void fill(Tile &, DeviceList const &, std::size_t, std::size_t, unsigned) noexcept {}
+
+PW85_FUNCTION inline Pair3 load(Tile const &, DeviceList const &list, std::size_t begin, unsigned thread) noexcept
+{
+    return load(list, begin + thread);
+}
+
+/// The search on the rational form; what it gives for a pair that is not ordinary has no meaning.
+PW85_FUNCTION inline LastEvaluation<double> search_rationally(Pair3 const &pair) noexcept
+{
+    auto search = start_search(pair, initial_guess(pair));
+    for (int step = 0; search.active && step < max_rational_steps; ++step) take_step(search, pair.ratio);
+    auto last = last_evaluation(pair, search.candidate);
+    last.certain = last.certain && is_ordinary(pair.r12, pair.q1, pair.q2);
+    return last;
+}
+
+/// The first stage: whether the pair is done with.
+PW85_FUNCTION inline bool attempt(ContactArrays const &out, Pair3 const &pair, std::size_t i) noexcept
+{
+    auto const last = search_rationally(pair);
+    store(last.value.mu2, out.mu2, i);
+    store(last.value.lambda, out.lambda, i);
+    return last.certain;
+}
+
+/// The second stage: whether the pair is done with, or must go to the host.
+PW85_FUNCTION inline bool settle(ContactArrays const &out, Pair3 const &pair, std::size_t i) noexcept
+{
+    auto const c = contact(pair.r12, pair.q1, pair.q2);
+    store(c.mu2, out.mu2, i);
+    store(c.lambda, out.lambda, i);
+    return true;
+}
+
+PW85_FUNCTION inline bool store(Decision decision, OverlapArray const &out, std::size_t i) noexcept
+{
+    if (decision == Decision::none) return false;
+    out.overlap[i] = decision == Decision::overlap;
+    return true;
+}
+
+PW85_FUNCTION inline bool attempt(OverlapArray const &out, Pair3 const &pair, std::size_t i) noexcept
+{
+    return store(decide_by_quartic<double>(pair.r12, pair.q1, pair.q2), out, i);
+}
+
+PW85_FUNCTION inline bool settle(OverlapArray const &out, Pair3 const &pair, std::size_t i) noexcept
+{
+    ScaledPair<double, 3> scaled;
+    if (validate(pair.r12, pair.q1, pair.q2, scaled) != Status::success) return false;
+    if (largest_coordinate(pair.r12) == 0.0) return store(Decision::overlap, out, i);
+    double const tangent = times_power_of_two(1.0, 2 * (scaled.form - scaled.length));
+    return store(decide_by_comparison(scaled.pair, tangent), out, i);
+}
+
+PW85_FUNCTION inline bool attempt(DerivativeArrays const &out, Pair3 const &pair, std::size_t i) noexcept
+{
+    auto const last = search_rationally(pair);
+    double const lambda = last.value.lambda, lambda1 = complement_of(lambda);
+    auto const solution = solve_by_adjugate(blend(lambda1, pair.q1, lambda, pair.q2), pair.r12);
+    Tangency<double, 3> const at{times(1.0 / solution.determinant, solution.s), lambda1, lambda, lambda1, lambda};
+    auto const gradients = rotation_gradients(at, pair.q1, pair.q2);
+    store(last.value.mu2, out.mu2, i);
+    store(lambda, out.lambda, i);
+    store(tangency_point(at, pair.q1), out.point, i);
+    store(tangency_normal(at), out.normal, i);
+    store(separation_gradient(at), out.d_r12, i);
+    store(gradients.first, out.d_rot1, i);
+    store(gradients.second, out.d_rot2, i);
+    return last.certain && is_accurate(solution);
+}
+
+/// A concentric pair has no normal, but is valid otherwise.
+PW85_FUNCTION inline bool settle(DerivativeArrays const &out, Pair3 const &pair, std::size_t i) noexcept
+{
+    auto const c = contact(pair.r12, pair.q1, pair.q2);
+    store(c.mu2, out.mu2, i);
+    store(c.lambda, out.lambda, i);
+    auto const geometry = contact_geometry(pair.r12, pair.q1, pair.q2, c.lambda);
+    store(geometry.point, out.point, i);
+    store(geometry.normal, out.normal, i);
+    store(contact_gradient(pair.r12, pair.q1, pair.q2, c.lambda).r12, out.d_r12, i);
+    auto const torque = contact_torque(pair.r12, pair.q1, pair.q2, c.lambda);
+    store(torque.rotation1, out.d_rot1, i);
+    store(torque.rotation2, out.d_rot2, i);
+    return true;
+}
+
+/// The first stage of `size` pairs, a block of threads for each block of pairs.
+template <class Rows, class Out> struct Attempt {
+    Rows rows;
+    Out out;
+    std::uint32_t size;
+    Remainder rest;
+};
+
+PW85_FUNCTION inline std::size_t block_count(std::size_t size, std::size_t begin) noexcept
+{
+    return size - begin < block_size ? size - begin : block_size;
+}
+
+/// What a thread does before its block meets at a barrier.
+template <class Rows, class Out>
+PW85_FUNCTION inline void fill(Attempt<Rows, Out> const &work, Tile &tile, std::size_t block, unsigned thread) noexcept
+{
+    std::size_t const begin = block * block_size;
+    fill(tile, work.rows, begin, block_count(work.size, begin), thread);
+}
+
+/// What it does after that.
+template <class Rows, class Out> PW85_FUNCTION inline void attempt(Attempt<Rows, Out> const &work, Tile const &tile,
+                                                                   std::size_t block, unsigned thread) noexcept
+{
+    std::size_t const begin = block * block_size;
+    if (thread >= block_count(work.size, begin)) return;
+    auto const index = static_cast<std::uint32_t>(begin + thread);
+    if (!attempt(work.out, load(tile, work.rows, begin, thread), index))
+        work.rest.indices[next(work.rest.count)] = index;
+}
+
+/// The second stage: the pairs of the list, and a mailbox for what remains of them.
+template <class Rows, class Out> struct Settle {
+    Rows rows;
+    Out out;
+    Remainder rest;
+    Mailbox mailbox;
+};
+
+PW85_FUNCTION inline void post(Mailbox const &mailbox, std::uint32_t index, Pair3 const &pair) noexcept
+{
+    std::size_t const k = next(mailbox.count);
+    mailbox.indices[k] = index;
+    store(pair.r12, mailbox.r12, k);
+    for (std::size_t e = 0; e < 6; ++e) {
+        mailbox.q1[6 * k + e] = pair.q1[static_cast<int>(e)];
+        mailbox.q2[6 * k + e] = pair.q2[static_cast<int>(e)];
+    }
+}
+
+/// What one of so many threads does.
+template <class Rows, class Out>
+PW85_FUNCTION inline void settle(Settle<Rows, Out> const &work, std::size_t thread, std::size_t threads) noexcept
+{
+    std::size_t const count = *work.rest.count;
+    for (std::size_t k = thread; k < count; k += threads) {
+        std::uint32_t const index = work.rest.indices[k];
+        Pair3 const pair = load(work.rows, index);
+        if (!settle(work.out, pair, index)) post(work.mailbox, index, pair);
+    }
+}
+
+/// The host's answers, and where they belong.
+struct Deliver {
+    Mailbox mailbox;
+    OverlapArray out;
+};
+
+PW85_FUNCTION inline void deliver(Deliver const &work, std::size_t thread, std::size_t threads) noexcept
+{
+    std::size_t const count = *work.mailbox.count;
+    for (std::size_t k = thread; k < count; k += threads)
+        work.out.overlap[work.mailbox.indices[k]] = work.mailbox.answers[k];
+}
+
+// X(rows, out, name) for every kind of rows and results.
+#define PW85_GPU_KERNELS(X)                                                                                            \
+    X(Pairs, ContactArrays, contact_batch)                                                                             \
+    X(Pairs, OverlapArray, overlap_batch)                                                                              \
+    X(Pairs, DerivativeArrays, derivatives_batch)                                                                      \
+    X(DeviceList, ContactArrays, contact_pairs)                                                                        \
+    X(DeviceList, OverlapArray, overlap_pairs)                                                                         \
+    X(DeviceList, DerivativeArrays, derivatives_pairs)
+
+} // namespace pw85::gpu
+
+#endif

@@ -1,0 +1,420 @@
+// The functions for devices against those for the host; on a device, or on the fake one of the tests.
+#include <algorithm>
+#include <cmath>
+#include <thread>
+#include <vector>
+
+#include <dlfcn.h>
+#include <glib.h>
+
+#include <pw85_gpu.h>
+
+#include "../batch/batch_data.hpp"
+#include "../condition_number.hpp"
+#include "../failures.hpp"
+#include "../random_pairs.hpp"
+#include "../reference_data.hpp"
+#include "device.hpp"
+
+using namespace pw85_tests;
+
+namespace {
+
+constexpr double u = 0x1p-53;
+
+/// Pairs in arrays.
+struct Columns {
+    std::vector<double> r12, q1, q2;
+
+    explicit Columns(std::vector<Pair3> const &pairs)
+    {
+        for (Pair3 const &p : pairs) {
+            r12.insert(r12.end(), p.r12.coordinates, p.r12.coordinates + 3);
+            q1.insert(q1.end(), p.q1.entries, p.q1.entries + 6);
+            q2.insert(q2.end(), p.q2.entries, p.q2.entries + 6);
+        }
+    }
+};
+
+/// The same on the device.
+struct DeviceColumns {
+    DeviceArray<double> r12, q1, q2;
+
+    explicit DeviceColumns(Columns const &c) : r12(c.r12), q1(c.q1), q2(c.q2) {}
+};
+
+/// What the device says of pairs.
+BatchResult run_on_device(std::vector<Pair3> const &pairs)
+{
+    std::size_t const n = pairs.size();
+    DeviceColumns const in{Columns(pairs)};
+    DeviceArray<double> const mu2(n), lambda(n);
+    DeviceArray<unsigned char> const overlap(n);
+    Stream const stream;
+    BatchResult result{{}, {}, {}, 0, 0};
+    result.contact_status =
+        pw85_gpu_contact_batch(stream.handle(), n, in.r12.get(), in.q1.get(), in.q2.get(), mu2.get(), lambda.get());
+    result.overlap_status =
+        pw85_gpu_overlap_batch(stream.handle(), n, in.r12.get(), in.q1.get(), in.q2.get(), overlap.get());
+    stream.wait();
+    result.mu2 = mu2.values();
+    result.lambda = lambda.values();
+    result.overlap = overlap.values();
+    return result;
+}
+
+std::vector<Pair3> all_problems()
+{
+    std::vector<Pair3> pairs;
+    for (ContactProblem const &p : contact_problems()) pairs.push_back(p.pair);
+    return pairs;
+}
+
+void test_problems()
+{
+    Failures failures;
+    auto const &problems = contact_problems();
+    auto const result = run_on_device(all_problems());
+    g_assert_cmpint(result.contact_status, ==, PW85_SUCCESS);
+    g_assert_cmpint(result.overlap_status, ==, PW85_SUCCESS);
+    double worst = 0.0;
+    for (std::size_t i = 0; i < problems.size(); ++i) {
+        ContactProblem const &p = problems[i];
+        auto const describe = [&] { return hex_text(p.pair) + ", " + *p.category; };
+        double const error = std::fabs(result.mu2[i] - p.mu2) / p.mu2 / (u * p.cond);
+        worst = std::fmax(worst, error);
+        failures.check(error <= 4.0, "error in u cond", error, 4.0, describe);
+        failures.check(result.overlap[i] == (p.mu2_minus_1 < 0.0), "overlap", result.overlap[i], p.mu2_minus_1 < 0.0,
+                       describe);
+    }
+    g_test_message("%zu problems, largest error %.2f u cond", problems.size(), worst);
+}
+
+// Bad pairs among good ones, and whatever goes beyond the first stage.
+void test_like_host()
+{
+    Failures failures;
+    Random random(700);
+    for (std::size_t const n :
+         {std::size_t{1}, std::size_t{127}, std::size_t{128}, std::size_t{129}, std::size_t{20000}}) {
+        auto const pairs = mixed_pairs(random, n);
+        auto const host = run_batch(pairs), result = run_on_device(pairs);
+        g_assert_cmpint(result.contact_status, ==, PW85_SUCCESS);
+        g_assert_cmpint(result.overlap_status, ==, PW85_SUCCESS);
+        for (std::size_t i = 0; i < n; ++i) {
+            auto const describe = [&] { return hex_text(pairs[i]); };
+            failures.check(result.overlap[i] == host.overlap[i], "overlap", result.overlap[i], host.overlap[i],
+                           describe);
+            bool const bad = std::isnan(host.mu2[i]);
+            failures.check(std::isnan(result.mu2[i]) == bad && std::isnan(result.lambda[i]) == bad, "NaN",
+                           result.mu2[i], host.mu2[i], describe);
+            if (bad || host.mu2[i] == 0.0) continue;
+            auto const wide = convert<long double>(pairs[i]);
+            double const cond = static_cast<double>(condition_number(wide, static_cast<long double>(host.lambda[i])));
+            // Either errs by 4 u cond at most.
+            double const error = std::fabs(result.mu2[i] / host.mu2[i] - 1.0), bound = 8 * u * cond;
+            failures.check(error <= bound || !std::isfinite(bound), "difference", error, bound, describe);
+        }
+    }
+}
+
+/// Five vectors per pair: point, normal, d_r12, d_rot1, d_rot2.
+struct Vectors {
+    DeviceArray<double> rows[5];
+    explicit Vectors(std::size_t n)
+        : rows{DeviceArray<double>(3 * n), DeviceArray<double>(3 * n), DeviceArray<double>(3 * n),
+               DeviceArray<double>(3 * n), DeviceArray<double>(3 * n)}
+    {
+    }
+};
+
+// Those of the functions for one pair at the same λ: either errs by 64 u aspect² of the largest coordinate and what the adjugate
+// adds, at most 2^-28 (tests/batch/test_derivatives.cpp), or is as exact.
+void test_derivatives()
+{
+    Failures failures;
+    Random random(701);
+    std::vector<Pair3> pairs = mixed_pairs(random, 300);
+    std::size_t const num_mixed = pairs.size();
+    for (int i = 0; i < 3000; ++i) pairs.push_back(random_pair<3>(random, {.aspect = 30.0}));
+    std::size_t const n = pairs.size();
+    DeviceColumns const in{Columns(pairs)};
+    DeviceArray<double> const mu2(n), lambda(n);
+    Vectors const v(n);
+    Stream const stream;
+    g_assert_cmpint(pw85_gpu_contact_derivatives_batch(stream.handle(), n, in.r12.get(), in.q1.get(), in.q2.get(),
+                                                       mu2.get(), lambda.get(), v.rows[0].get(), v.rows[1].get(),
+                                                       v.rows[2].get(), v.rows[3].get(), v.rows[4].get()),
+                    ==, PW85_SUCCESS);
+    stream.wait();
+    auto const lambdas = lambda.values(), mu2s = mu2.values();
+    auto const host = run_batch(pairs);
+    for (int k = 0; k < 5; ++k) {
+        auto const rows = v.rows[k].values();
+        for (std::size_t i = 0; i < n; ++i) {
+            Pair3 const &p = pairs[i];
+            auto const describe = [&] { return hex_text(p) + ", vector " + std::to_string(k); };
+            double expected[5][3];
+            pw85_contact_geometry(p.r12.coordinates, p.q1.entries, p.q2.entries, lambdas[i], expected[0], expected[1]);
+            pw85_contact_gradient(p.r12.coordinates, p.q1.entries, p.q2.entries, lambdas[i], expected[2], nullptr,
+                                  nullptr);
+            pw85_contact_torque(p.r12.coordinates, p.q1.entries, p.q2.entries, lambdas[i], expected[3], expected[4]);
+            failures.check(std::isnan(mu2s[i]) == std::isnan(host.mu2[i]), "NaN", mu2s[i], host.mu2[i], describe);
+            auto const largest = [](double const *x) {
+                return std::fmax(std::fabs(x[0]), std::fmax(std::fabs(x[1]), std::fabs(x[2])));
+            };
+            double const scale =
+                k < 3 ? largest(expected[k])
+                      : std::fmax(largest(expected[k]), largest(expected[2]) * largest(p.r12.coordinates));
+            for (std::size_t d = 0; d < 3; ++d) {
+                double const x = rows[3 * i + d], y = expected[k][d];
+                failures.check(std::isnan(x) == std::isnan(y), "NaN of a vector", x, y, describe);
+                if (i < num_mixed || std::isnan(y)) continue;
+                double const bound = 2 * (64 * u * 900 + 0x1p-28) * scale;
+                failures.check(std::fabs(x - y) <= bound, "coordinate", std::fabs(x - y), bound, describe);
+            }
+        }
+    }
+}
+
+/// Particles whose centres, and a cell whose vectors, are multiples of a power of two, so that separations are exact.
+struct System {
+    static constexpr std::size_t num_particles = 500, num_pairs = 5000;
+    std::vector<double> centers, q;
+    std::vector<std::int32_t> pairs, images;
+    double cell[9] = {8.0, 0.0, 0.0, 1.5, 7.0, 0.0, -2.25, 0.5, 9.0};
+
+    explicit System(Random &random)
+    {
+        for (std::size_t i = 0; i < num_particles; ++i) {
+            for (int d = 0; d < 3; ++d) centers.push_back(std::round(random.uniform(-10.0, 10.0) * 0x1p20) * 0x1p-20);
+            auto const form = random.form(4.0, random.log_uniform(1.0, 100.0));
+            q.insert(q.end(), form.entries, form.entries + 6);
+        }
+        for (std::size_t k = 0; k < 2 * num_pairs; ++k)
+            pairs.push_back(static_cast<std::int32_t>(random.uniform(0.0, static_cast<double>(num_particles))));
+        for (std::size_t k = 0; k < 3 * num_pairs; ++k)
+            images.push_back(static_cast<std::int32_t>(std::floor(random.uniform(-1.0, 2.0))));
+    }
+};
+
+struct ListCase {
+    bool cell, images;
+};
+
+void test_lists(void const *data)
+{
+    auto const [with_cell, with_images] = *static_cast<ListCase const *>(data);
+    Failures failures;
+    Random random(702);
+    System const s(random);
+    double const *const cell = with_cell ? s.cell : nullptr;
+    std::size_t const n = System::num_pairs, particles = System::num_particles;
+    DeviceArray<double> const centers(s.centers), q(s.q), mu2(n), lambda(n), force(3 * n);
+    DeviceArray<std::int32_t> const pairs(s.pairs), images(s.images);
+    DeviceArray<unsigned char> const overlap(n);
+    std::int32_t const *const device_images = with_images ? images.get() : nullptr;
+    Stream const stream;
+    g_assert_cmpint(pw85_gpu_contact_pairs(stream.handle(), n, pairs.get(), device_images, particles, centers.get(),
+                                           q.get(), cell, mu2.get(), lambda.get()),
+                    ==, PW85_SUCCESS);
+    g_assert_cmpint(pw85_gpu_overlap_pairs(stream.handle(), n, pairs.get(), device_images, particles, centers.get(),
+                                           q.get(), cell, overlap.get()),
+                    ==, PW85_SUCCESS);
+    g_assert_cmpint(pw85_gpu_contact_derivatives_pairs(stream.handle(), n, pairs.get(), device_images, particles,
+                                                       centers.get(), q.get(), cell, nullptr, nullptr, nullptr, nullptr,
+                                                       force.get(), nullptr, nullptr),
+                    ==, PW85_SUCCESS);
+    stream.wait();
+    std::vector<double> host_mu2(n), host_lambda(n), host_force(3 * n);
+    std::vector<unsigned char> host_overlap(n);
+    std::int32_t const *const host_images = with_images ? s.images.data() : nullptr;
+    pw85_contact_pairs(n, s.pairs.data(), host_images, particles, s.centers.data(), s.q.data(), cell, host_mu2.data(),
+                       host_lambda.data());
+    pw85_overlap_pairs(n, s.pairs.data(), host_images, particles, s.centers.data(), s.q.data(), cell,
+                       host_overlap.data());
+    pw85_contact_derivatives_pairs(n, s.pairs.data(), host_images, particles, s.centers.data(), s.q.data(), cell,
+                                   nullptr, nullptr, nullptr, nullptr, host_force.data(), nullptr, nullptr);
+    auto const mu2s = mu2.values(), forces = force.values();
+    auto const overlaps = overlap.values();
+    int overlapping = 0;
+    for (std::size_t k = 0; k < n; ++k) {
+        auto const describe = [&] { return "pair " + std::to_string(k); };
+        overlapping += overlaps[k];
+        failures.check(overlaps[k] == host_overlap[k], "overlap", overlaps[k], host_overlap[k], describe);
+        // cond is at most 2 + 2 (largest semi-axis)²/(smallest pivot of a blend): forms of aspect 100, 1e5 is ample.
+        failures.check(std::fabs(mu2s[k] - host_mu2[k]) <= 8 * u * 1e5 * host_mu2[k], "mu2", mu2s[k], host_mu2[k],
+                       describe);
+        for (std::size_t d = 0; d < 3; ++d)
+            failures.check(std::fabs(forces[3 * k + d] - host_force[3 * k + d]) <=
+                               1e-6 * (std::fabs(host_force[3 * k]) + std::fabs(host_force[3 * k + 1]) +
+                                       std::fabs(host_force[3 * k + 2])),
+                           "d_r12", forces[3 * k + d], host_force[3 * k + d], describe);
+    }
+    g_test_message("%d of %zu overlap", overlapping, n);
+    g_assert_cmpint(overlapping, >, 10);
+}
+
+// Marked, and nothing outside of the arrays is read.
+void test_bad_indices()
+{
+    Random random(703);
+    System s(random);
+    s.pairs[2 * 7] = static_cast<std::int32_t>(System::num_particles);
+    s.pairs[2 * 9 + 1] = -1;
+    std::size_t const n = 20;
+    DeviceArray<double> const centers(s.centers), q(s.q), mu2(n), lambda(n);
+    DeviceArray<std::int32_t> const pairs(s.pairs);
+    DeviceArray<unsigned char> const overlap(n);
+    Stream const stream;
+    g_assert_cmpint(pw85_gpu_contact_pairs(stream.handle(), n, pairs.get(), nullptr, System::num_particles,
+                                           centers.get(), q.get(), nullptr, mu2.get(), lambda.get()),
+                    ==, PW85_SUCCESS);
+    g_assert_cmpint(pw85_gpu_overlap_pairs(stream.handle(), n, pairs.get(), nullptr, System::num_particles,
+                                           centers.get(), q.get(), nullptr, overlap.get()),
+                    ==, PW85_SUCCESS);
+    stream.wait();
+    auto const mu2s = mu2.values(), lambdas = lambda.values();
+    auto const overlaps = overlap.values();
+    for (std::size_t k = 0; k < n; ++k) {
+        bool const bad = k == 7 || k == 9;
+        g_assert_true(std::isnan(mu2s[k]) == bad);
+        g_assert_true(std::isnan(lambdas[k]) == bad);
+        g_assert_true((overlaps[k] == 255) == bad);
+    }
+}
+
+void test_arguments()
+{
+    Random random(704);
+    DeviceColumns const in{Columns(mixed_pairs(random, 4))};
+    DeviceArray<double> const out(4);
+    DeviceArray<unsigned char> const overlap(4);
+    DeviceArray<std::int32_t> const pairs(std::vector<std::int32_t>{0, 1});
+    double const *const r12 = in.r12.get(), *const q1 = in.q1.get(), *const q2 = in.q2.get();
+    double own[36] = {};
+    double const singular[9] = {}, bad[9] = {1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, HUGE_VAL};
+    g_assert_cmpint(pw85_gpu_contact_batch(nullptr, 0, nullptr, nullptr, nullptr, nullptr, nullptr), ==, PW85_SUCCESS);
+    g_assert_cmpint(pw85_gpu_contact_batch(nullptr, 4, nullptr, q1, q2, out.get(), nullptr), ==, PW85_EINVAL);
+    g_assert_cmpint(pw85_gpu_contact_batch(nullptr, 4, r12, q1, q2, nullptr, nullptr), ==, PW85_EINVAL);
+    g_assert_cmpint(pw85_gpu_contact_batch(nullptr, SIZE_MAX, r12, q1, q2, out.get(), nullptr), ==, PW85_EINVAL);
+    // Memory that is not the device's.
+    g_assert_cmpint(pw85_gpu_contact_batch(nullptr, 4, own, q1, q2, out.get(), nullptr), ==, PW85_EINVAL);
+    g_assert_cmpint(pw85_gpu_contact_batch(nullptr, 4, r12, q1, q2, out.get(), own), ==, PW85_EINVAL);
+    g_assert_cmpint(pw85_gpu_overlap_batch(nullptr, 4, r12, q1, q2, reinterpret_cast<unsigned char *>(own)), ==,
+                    PW85_EINVAL);
+    g_assert_cmpint(pw85_gpu_overlap_batch(nullptr, 4, r12, q1, nullptr, overlap.get()), ==, PW85_EINVAL);
+    for (double const *cell : {singular, bad})
+        g_assert_cmpint(pw85_gpu_contact_pairs(nullptr, 1, pairs.get(), nullptr, 2, r12, q1, cell, out.get(), nullptr),
+                        ==, PW85_EINVAL);
+    // Images without a cell.
+    g_assert_cmpint(
+        pw85_gpu_contact_pairs(nullptr, 1, pairs.get(), pairs.get(), 2, r12, q1, nullptr, out.get(), nullptr), ==,
+        PW85_EINVAL);
+    g_assert_cmpint(pw85_gpu_contact_pairs(nullptr, 1, nullptr, nullptr, 2, r12, q1, nullptr, out.get(), nullptr), ==,
+                    PW85_EINVAL);
+    g_assert_cmpint(pw85_gpu_count(nullptr), ==, PW85_EINVAL);
+    int count = 0;
+    g_assert_cmpint(pw85_gpu_count(&count), ==, PW85_SUCCESS);
+    g_assert_cmpint(count, >=, 1);
+}
+
+// Several pieces, of which some have bad pairs; two threads.
+void test_host_arrays()
+{
+    Random random(705);
+    auto pairs = mixed_pairs(random, 20000);
+    std::size_t const n = 300000;
+    for (std::size_t i = pairs.size(); i < n; ++i) pairs.push_back(pairs[i % 10000]);
+    Columns const c(pairs);
+    auto const run = [&] {
+        std::vector<double> mu2(n), lambda(n), host_mu2(n), d_r12(3 * n), d_rot2(3 * n);
+        std::vector<unsigned char> overlap(n), host_overlap(n);
+        int const host_status = pw85_contact_batch(n, c.r12.data(), c.q1.data(), c.q2.data(), host_mu2.data(), nullptr);
+        pw85_overlap_batch(n, c.r12.data(), c.q1.data(), c.q2.data(), host_overlap.data());
+        g_assert_cmpint(pw85_gpu_contact_host(n, c.r12.data(), c.q1.data(), c.q2.data(), mu2.data(), lambda.data()), ==,
+                        host_status);
+        g_assert_cmpint(pw85_gpu_overlap_host(n, c.r12.data(), c.q1.data(), c.q2.data(), overlap.data()), ==,
+                        host_status);
+        g_assert_cmpint(pw85_gpu_contact_derivatives_host(n, c.r12.data(), c.q1.data(), c.q2.data(), nullptr, nullptr,
+                                                          nullptr, nullptr, d_r12.data(), nullptr, d_rot2.data()),
+                        ==, host_status);
+        for (std::size_t i = 0; i < n; ++i) {
+            g_assert_cmpint(overlap[i], ==, host_overlap[i]);
+            g_assert_true(std::isnan(mu2[i]) == std::isnan(host_mu2[i]));
+            g_assert_true(std::isnan(lambda[i]) == std::isnan(host_mu2[i]));
+            g_assert_true(std::isnan(d_r12[3 * i + 1]) == std::isnan(host_mu2[i]));
+            if (std::isnan(mu2[i])) continue;
+            // Rounding may leave these pairs few digits: the same pair in both places, not more.
+            g_assert_true(std::fabs(mu2[i] - host_mu2[i]) <= 1e-2 * host_mu2[i]);
+        }
+    };
+    std::thread other(run);
+    run();
+    other.join();
+}
+
+// Calls return while the device does nothing: the results come later, those of the host's tests, too.
+void test_no_waiting()
+{
+    auto const hold = reinterpret_cast<void (*)(int)>(dlsym(dlopen("libcuda.so.1", RTLD_NOW), "fake_hold"));
+    if (hold == nullptr) return g_test_skip("only the fake driver can be held");
+    Random random(706);
+    auto const pairs = mixed_pairs(random, 3000);
+    std::size_t const n = pairs.size();
+    DeviceColumns const in{Columns(pairs)};
+    DeviceArray<double> const mu2(n);
+    DeviceArray<unsigned char> const overlap(std::vector<unsigned char>(n, 77));
+    Stream const first, second;
+    hold(1);
+    for (int i = 0; i < 3; ++i)
+        for (Stream const *stream : {&first, &second}) {
+            g_assert_cmpint(
+                pw85_gpu_overlap_batch(stream->handle(), n, in.r12.get(), in.q1.get(), in.q2.get(), overlap.get()), ==,
+                PW85_SUCCESS);
+            g_assert_cmpint(
+                pw85_gpu_contact_batch(stream->handle(), n, in.r12.get(), in.q1.get(), in.q2.get(), mu2.get(), nullptr),
+                ==, PW85_SUCCESS);
+        }
+    g_assert_true(std::all_of(overlap.get(), overlap.get() + n, [](unsigned char x) { return x == 77; }));
+    hold(0);
+    first.wait();
+    second.wait();
+    auto const host = run_batch(pairs);
+    g_assert_true(overlap.values() == host.overlap);
+}
+
+// What calls allocate goes back; mailboxes stay for later calls, and are not one for each.
+void test_memory()
+{
+    auto const blocks = reinterpret_cast<std::size_t (*)()>(dlsym(dlopen("libcuda.so.1", RTLD_NOW), "fake_blocks"));
+    if (blocks == nullptr) return g_test_skip("only the fake driver can say");
+    Random random(707);
+    auto const pairs = mixed_pairs(random, 1000);
+    run_on_device(pairs);
+    std::size_t const before = blocks();
+    for (int i = 0; i < 10; ++i) run_on_device(pairs);
+    g_assert_cmpuint(blocks(), ==, before);
+}
+
+constexpr ListCase list_cases[] = {{false, false}, {true, false}, {true, true}};
+
+} // namespace
+
+int main(int argc, char **argv)
+{
+    g_test_init(&argc, &argv, nullptr);
+    pw85::gpu::Context const context(pw85::gpu::driver());
+    g_test_add_func("/gpu/host_arrays", test_host_arrays); // one of its threads has no context
+    g_test_add_func("/gpu/problems", test_problems);
+    g_test_add_func("/gpu/like_host", test_like_host);
+    g_test_add_func("/gpu/derivatives", test_derivatives);
+    g_test_add_data_func("/gpu/lists/without_cell", &list_cases[0], test_lists);
+    g_test_add_data_func("/gpu/lists/nearest", &list_cases[1], test_lists);
+    g_test_add_data_func("/gpu/lists/images", &list_cases[2], test_lists);
+    g_test_add_func("/gpu/lists/bad_indices", test_bad_indices);
+    g_test_add_func("/gpu/arguments", test_arguments);
+    g_test_add_func("/gpu/no_waiting", test_no_waiting);
+    g_test_add_func("/gpu/memory", test_memory);
+    return g_test_run();
+}
