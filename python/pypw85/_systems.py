@@ -157,7 +157,7 @@ def contact_forces_pairs(
     >>> system = [[0, 1]], [[0, 0, 0], [1, 0, 0]], np.array([pypw85.spheroid(1, 1, [0, 0, 1])] * 2)
     >>> derivatives = pypw85.contact_derivatives_pairs(*system)
     >>> pypw85.contact_forces_pairs(*system, 2 * (derivatives.mu2 - 1), derivatives).forces
-    array([[-0.75, -0.  , -0.  ],
+    array([[-0.75,  0.  ,  0.  ],
            [ 0.75,  0.  ,  0.  ]])
     """
     arrays = _pair_list(pairs, centers, q, cell, images)
