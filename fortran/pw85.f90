@@ -21,6 +21,7 @@ module pw85
   integer(c_int), parameter, public :: pw85_enotpd = 2
   integer(c_int), parameter, public :: pw85_econvergence = 3
   integer(c_int), parameter, public :: pw85_enomem = 4
+  integer(c_int), parameter, public :: pw85_edevice = 5
 
   !> Dimension of the physical space, and number of stored entries of a symmetric matrix.
   integer(c_int), parameter, public :: pw85_dim = 3
