@@ -60,8 +60,11 @@ from ._errors import PW85Error, Status, bad_rows
 from ._forms import ellipse, ellipsoid, ellipsoid_quaternion, full, packed, principal_axes, spheroid
 from ._motion import Events, first_contact, first_contact_pairs, motion
 from ._neighbors import Neighbors, neighbors
+from ._packing import pack, relax
 from ._pairs import contact_pairs, overlap_pairs
 from ._plotting import plot
+from ._statistics import Correlation, correlation, nematic_order
+from ._system import Contacts, Report, System
 from ._systems import (
     ContactDerivatives,
     ContactForces,
@@ -74,6 +77,7 @@ from ._systems import (
     overlap_any,
     overlap_any_indices,
 )
+from ._voxels import voxels
 from ._walls import (
     contact_plane,
     distance_box,
@@ -83,6 +87,7 @@ from ._walls import (
     distance_point,
     intersect_line,
 )
+from .formats import FileError, frames, read, write
 
 __version__ = version()
 
@@ -101,10 +106,15 @@ metadata = {
 __all__ = [
     "ContactDerivatives",
     "ContactForces",
+    "Contacts",
+    "Correlation",
     "Events",
+    "FileError",
     "Neighbors",
     "PW85Error",
+    "Report",
     "Status",
+    "System",
     "bad_rows",
     "bounding_boxes",
     "cell_reduce",
@@ -126,6 +136,7 @@ __all__ = [
     "contact_plane",
     "contact_torque",
     "contact_torque_2d",
+    "correlation",
     "distance",
     "distance_2d",
     "distance_box",
@@ -141,6 +152,7 @@ __all__ = [
     "f_neg",
     "first_contact",
     "first_contact_pairs",
+    "frames",
     "from_gsd",
     "from_lammps",
     "from_ovito",
@@ -153,18 +165,24 @@ __all__ = [
     "motion",
     "nearest_image_limit",
     "neighbors",
+    "nematic_order",
     "overlap",
     "overlap_2d",
     "overlap_any",
     "overlap_any_indices",
     "overlap_pairs",
+    "pack",
     "packed",
     "plot",
     "principal_axes",
+    "read",
+    "relax",
     "spheroid",
     "strerror",
     "utils",
     "version",
+    "voxels",
+    "write",
     "zheng_ellipses",
     "zheng_ellipsoids",
 ]
