@@ -21,6 +21,7 @@ module pw85
   integer(c_int), parameter, public :: pw85_enotpd = 2
   integer(c_int), parameter, public :: pw85_econvergence = 3
   integer(c_int), parameter, public :: pw85_enomem = 4
+  integer(c_int), parameter, public :: pw85_edevice = 5
 
   !> Dimension of the physical space, and number of stored entries of a symmetric matrix.
   integer(c_int), parameter, public :: pw85_dim = 3
@@ -53,7 +54,7 @@ module pw85
   public :: pw85_closest_approach_batch, pw85_contact_derivatives_batch, pw85_contact_derivatives_pairs, pw85_overlap_any
   public :: pw85_neighbors_create, pw85_neighbors_check, pw85_neighbors_holds, pw85_neighbors_size, pw85_neighbors_destroy
   public :: pw85_neighbors_pairs, pw85_neighbors_images
-  public :: pw85_cell_reduce, pw85_nearest_image_limit, pw85_ellipsoid_quaternion_batch, pw85_bounding_boxes
+  public :: pw85_nearest_images, pw85_cell_reduce, pw85_nearest_image_limit, pw85_ellipsoid_quaternion_batch, pw85_bounding_boxes
   public :: pw85__cholesky_decomp, pw85__cholesky_solve, pw85__residual, pw85_f_neg
   public :: pw85_legacy__det_sym, pw85_legacy__xt_adja_x, pw85_legacy__detq_as_poly, pw85_legacy__rt_adjq_r_as_poly
   public :: pw85_legacy_f1, pw85_legacy_f2, pw85_legacy_f2_derivatives
@@ -462,6 +463,17 @@ module pw85
       type(c_ptr), value :: next, next_pair
       integer(c_int) :: status
     end function c_first_contact_pairs
+
+    function c_nearest_images(num_pairs, pairs, num_particles, centers, cell, r12, images) result(status) &
+        bind(C, name='pw85_nearest_images')
+      import :: c_double, c_int, c_int32_t, c_ptr, c_size_t
+      integer(c_size_t), value :: num_pairs
+      integer(c_int32_t), intent(in) :: pairs(2, *)
+      integer(c_size_t), value :: num_particles
+      real(c_double), intent(in) :: centers(3, *), cell(3, *)
+      type(c_ptr), value :: r12, images
+      integer(c_int) :: status
+    end function c_nearest_images
 
     function c_contact_derivatives_batch(n, r12, q1, q2, mu2, lambda, point, normal, d_r12, d_rot1, d_rot2) &
         result(status) bind(C, name='pw85_contact_derivatives_batch')
@@ -951,6 +963,17 @@ contains
     status = c_contact_pairs(num_pairs, pairs, address_of_integers(images), num_particles, centers, q, address(cell), &
                              mu2, address(lambda))
   end function pw85_contact_pairs
+
+  !> Nearest images of the pairs of a list: vectors, and multiples of the columns of `cell`.
+  function pw85_nearest_images(num_pairs, pairs, num_particles, centers, cell, r12, images) result(status)
+    integer(c_size_t), intent(in) :: num_pairs, num_particles
+    integer(c_int32_t), intent(in) :: pairs(2, num_pairs)
+    real(c_double), intent(in) :: centers(3, num_particles), cell(3, 3)
+    real(c_double), intent(out), optional, target :: r12(3, num_pairs)
+    integer(c_int32_t), intent(out), optional, target :: images(3, num_pairs)
+    integer(c_int) :: status
+    status = c_nearest_images(num_pairs, pairs, num_particles, centers, cell, address(r12), address_of_integers(images))
+  end function pw85_nearest_images
 
   !> Overlaps of the pairs of a neighbour list, as in pw85_overlap_batch(); `cell` and `images` as in pw85_contact_pairs().
   function pw85_overlap_pairs(num_pairs, pairs, num_particles, centers, q, cell, overlap, images) result(status)

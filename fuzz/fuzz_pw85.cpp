@@ -201,6 +201,10 @@ void check_batch(Input const &in)
     double limit, out[17];
     pw85_contact_derivatives_pairs(1, pairs, nullptr, 2, centers, forms, in.rotation, out, out + 1, out + 2, out + 5,
                                    out + 8, out + 11, out + 14);
+    double vector[3] = {};
+    std::int32_t image[3];
+    if (pw85_nearest_images(1, pairs, 2, centers, in.rotation, vector, image) == PW85_SUCCESS && has_nan(vector, 3))
+        fail("nearest_images", in);
     check("nearest_image_limit", in, pw85_nearest_image_limit(2, forms, in.rotation, &limit), &limit, 1);
 }
 

@@ -608,6 +608,20 @@ PW85_API int pw85_first_contact_pairs(size_t num_pairs, int32_t const *pairs, in
  * @return #PW85_SUCCESS or #PW85_EINVAL (a null pointer, a cell that is singular or not finite) */
 PW85_API int pw85_cell_reduce(double const cell[9], double reduced[9]);
 
+/** The nearest images that the functions of neighbour lists take where they are given no `images`: as vectors, and as such `images`.
+ *
+ * Both are good until a particle has moved by half a cell or so: functions that are given these images need no search, and
+ * each pair keeps the same image.
+ *
+ * @param num_pairs,pairs,num_particles,centers as for pw85_contact_pairs()
+ * @param cell 3×3, rows = vectors
+ * @param[out] r12 num_pairs×3: from particle i to the image of particle j; NaN for a bad pair; may be null
+ * @param[out] images num_pairs×3: multiples of the vectors of the cell, as given; INT32_MIN for a bad pair; may be null
+ * @return as for pw85_contact_batch(); bad are pairs with centres that are not finite, or, where `images` are asked for, with
+ *         multiples beyond 2³¹ - 1; #PW85_EINVAL also for a cell that is singular or not finite */
+PW85_API int pw85_nearest_images(size_t num_pairs, int32_t const *pairs, size_t num_particles, double const *centers,
+                                 double const *cell, double *r12, int32_t *images);
+
 /** Up to which μ² nearest images are all there is: any image of a pair of these particles with a smaller μ² is the nearest.
  *
  * So pw85_overlap_pairs() with nearest images misses no overlap, of any image, if mu2 >= 1; and a μ² below mu2 from

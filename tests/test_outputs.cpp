@@ -325,6 +325,15 @@ std::vector<Row> const many_pairs{
     {"pw85_neighbors_images", {}, [](auto const &, auto &) { pw85_neighbors_images(nullptr); }},
     {"pw85_neighbors_destroy", {}, [](auto const &, auto &) { pw85_neighbors_destroy(nullptr); }},
     {"pw85_cell_reduce", {9}, [](auto const &in, auto &out) { pw85_cell_reduce(in.q1, at(out, 0)); }},
+    {"pw85_nearest_images",
+     {3 * n},
+     [](auto const &in, auto &out) { pw85_nearest_images(n, pairs, n, in.r12, identity, at(out, 0), nullptr); }},
+    {"pw85_nearest_images",
+     {3 * n},
+     [](auto const &in, auto &out) {
+         pw85_nearest_images(n, pairs, n, in.r12, identity, nullptr, out[0].template data<int32_t>());
+     },
+     sizeof(int32_t)},
     {"pw85_nearest_image_limit",
      {1},
      [](auto const &in, auto &out) { pw85_nearest_image_limit(n, in.q1, identity, at(out, 0)); }},

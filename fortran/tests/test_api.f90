@@ -339,6 +339,8 @@ contains
     integer(c_size_t), parameter :: num_pairs = 2, num_particles = 3
     integer(c_int32_t), parameter :: pairs(2, num_pairs) = reshape([0, 1, 2, 0], [2, 2])
     real(c_double) :: centers(3, num_particles), q(6, num_particles), cell(3, 3), mu2(num_pairs), lambda(num_pairs)
+    real(c_double) :: nearest(3, 1)
+    integer(c_int32_t) :: image(3, 1)
     real(c_double) :: out(2)
     real(c_double) :: reduced(3, 3), limit, d_r12(3, 1), d_rot1(3, 1), gradient(3)
     integer(c_int32_t) :: images(3, 1)
@@ -370,6 +372,9 @@ contains
     call check(status == pw85_success, 'contact_pairs in a cell: status')
     status = pw85_contact(r12 - cell(:, 2), q1, q2, out)
     call check(close(mu2(1), out(1)) .and. abs(lambda(1) - out(2)) <= 1e-7, 'contact_pairs in a cell')
+    status = pw85_nearest_images(1_c_size_t, pairs, num_particles, centers, cell, nearest, image)
+    call check(status == pw85_success .and. all(close(nearest(:, 1), r12 - cell(:, 2))) .and. &
+               all(image(:, 1) == [0, -1, 0]), 'nearest_images')
     status = pw85_overlap_pairs(1_c_size_t, pairs, num_particles, centers, q, cell, overlap)
     call check(status == pw85_success .and. (overlap(1) == 1) .eqv. (out(1) < 1), 'overlap_pairs in a cell')
     ! The same image by its multiples, and another cell of the same lattice.

@@ -229,8 +229,7 @@ PW85_FUNCTION constexpr Vector<T, D> solve(Factorization<T, D> const &f, Vector<
 }
 
 /// xᵀ A⁻¹ x, by forward substitution alone: a sum of squares.
-template <class T, int D>
-PW85_FUNCTION constexpr T inverse_form(Factorization<T, D> const &f, Vector<T, D> x) noexcept
+template <class T, int D> PW85_FUNCTION constexpr T inverse_form(Factorization<T, D> const &f, Vector<T, D> x) noexcept
 {
     T sum = x[0] * x[0] * f.reciprocals[0];
     for (int i = 1; i < D; ++i) {

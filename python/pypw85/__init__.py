@@ -61,7 +61,7 @@ from ._forms import ellipse, ellipsoid, ellipsoid_quaternion, full, packed, prin
 from ._motion import Events, first_contact, first_contact_pairs, motion
 from ._neighbors import Neighbors, neighbors
 from ._packing import pack, relax
-from ._pairs import contact_pairs, overlap_pairs
+from ._pairs import contact_pairs, nearest_images, overlap_pairs
 from ._plotting import plot
 from ._statistics import Correlation, correlation, nematic_order
 from ._system import Contacts, Report, System
@@ -159,6 +159,7 @@ __all__ = [
     "metadata",
     "motion",
     "nearest_image_limit",
+    "nearest_images",
     "neighbors",
     "nematic_order",
     "overlap",
