@@ -1,5 +1,5 @@
 #!/bin/sh
-# Builds pw85, installs it into ./install, builds the C tutorial (examples/c) against the installed library, and runs it.
+# Builds pw85, with the Fortran module if there is a compiler for it, installs it into ./install, builds the C tutorial (examples/c) against the installed library, and runs it.
 # On Debian and Ubuntu, first installs the packages that it needs and that are missing. May be run again at any time.
 set -eu
 cd "$(dirname "$0")/.."
@@ -10,7 +10,7 @@ if command -v apt-get >/dev/null; then install_packages $build_packages; fi
 prefix=$PWD/install
 build=$PWD/build-install
 [ -f "$build/build.ninja" ] || meson setup "$build" --prefix="$prefix" --libdir=lib \
-  -Dtests=disabled -Dbench=disabled -Dpython=disabled -Dfortran=disabled
+  -Dtests=disabled -Dbench=disabled -Dpython=disabled
 meson compile -C "$build"
 meson install -C "$build"
 

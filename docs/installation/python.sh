@@ -3,5 +3,5 @@ set -e
 # start
 python3 -m venv --system-site-packages "$HOME/.venv/pw85"
 "$HOME/.venv/pw85/bin/pip" install --no-build-isolation .
-"$HOME/.venv/pw85/bin/python" examples/python/tutorial.py
+"$HOME/.venv/pw85/bin/python" examples/python/pair.py
 # end

@@ -8,7 +8,6 @@ environment. --docs builds the pages and pictures as well. Commands that install
 whether the packages are there; those of other systems are checked for syntax.
 """
 
-import os
 import shutil
 import subprocess
 import sys
@@ -21,7 +20,7 @@ RUN = {
     "build": None,
     "pkg-config": "examples/c/tutorial.txt",
     "fortran": "examples/fortran/closest_approach.txt",
-    "python": "examples/python/tutorial.out",
+    "python": "examples/c/pair.txt",
 }
 RUN_DOCS = {"docs": None, "pictures": None}
 OTHER_SYSTEMS = ["fedora", "macos", "msys2"]

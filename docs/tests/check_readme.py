@@ -1,5 +1,6 @@
-"""Does what README says, as a newcomer would, in a copy of the source: runs the tutorial, saves the program of the section
-on C under the name that its commands use, runs these commands, and compares what is printed. Usage: check_readme.py SOURCE
+"""Does what README says, as a newcomer would, in a copy of the source: runs the tutorial and the commands of each language, and
+compares what they print. Programs shown must be those in examples/, and the commands for Python those of the chapter on
+installation, which another test runs. Usage: check_readme.py SOURCE
 """
 
 import os
@@ -10,14 +11,23 @@ import sys
 import tempfile
 from pathlib import Path
 
+EXAMPLES = {"c": "c/pair.c", "cpp": "cpp/pair.cpp", "fortran": "fortran/pair.f90", "python": "python/pair.py"}
+COMPILERS = {"c": "cc", "cpp": "c++", "fortran": "gfortran"}
+PYTHON = "docs/installation/python.sh"
 
-def commands(text):
-    """The lines of the first indented block."""
-    return re.search(r"(?:^ {4}.*\n)+", text, re.MULTILINE)[0]
+
+def tutorial(text):
+    """The first command of the first indented block."""
+    return re.search(r"^ {4}(\S*tutorial\S*)", text, re.MULTILINE)[1]
+
+
+def blocks(text):
+    return re.findall(r"^```(\w+)\n(.*?)^```\n", text, re.MULTILINE | re.DOTALL)
 
 
 def run(script, folder):
-    environment = {name: value for name, value in os.environ.items() if name not in ("PKG_CONFIG_PATH", "LD_LIBRARY_PATH")}
+    unset = ("PKG_CONFIG_PATH", "LD_LIBRARY_PATH", "CPATH", "LIBRARY_PATH")
+    environment = {name: value for name, value in os.environ.items() if name not in unset}
     return subprocess.run(["sh", "-e", "-c", script], cwd=folder, env=environment, check=True, stdout=subprocess.PIPE,
                           encoding="utf-8").stdout
 
@@ -27,19 +37,36 @@ def built(source):
                                   and (name.startswith("build") or name in (".git", "install"))]
 
 
+def shown_programs(source, listed):
+    """What differs from the examples."""
+    for language, path in EXAMPLES.items():
+        if (language, (source / "examples" / path).read_text(encoding="utf-8")) not in listed:
+            yield f"README does not show examples/{path} as it is"
+
+
 def main():
     source = Path(sys.argv[1])
     readme = (source / "README.md").read_text(encoding="utf-8")
-    program, rest = re.search(r"^```c\n(.*?)^```\n(.*)", readme, re.MULTILINE | re.DOTALL).groups()
-    expected = re.search(r"^```text\n(.*?)^```\n", rest, re.MULTILINE | re.DOTALL)[1]
+    listed = blocks(readme)
+    expected = next(text for language, text in listed if language == "text")
+    wrong = list(shown_programs(source, listed))
+    # The commands that follow the program of a language.
+    commands = {language: after for (language, _), (kind, after) in zip(listed, listed[1:]) if kind == "sh"}
+    if commands["python"] not in (source / PYTHON).read_text(encoding="utf-8"):
+        wrong.append(f"README's commands for Python are not those of {PYTHON}")
     with tempfile.TemporaryDirectory(prefix="pw85-readme-") as folder:
         copy = Path(folder) / "pw85"
         shutil.copytree(source, copy, ignore=built(source))
-        run(next(line.split("#")[0] for line in commands(readme).splitlines() if "tutorial" in line), copy)
-        (copy / "program.c").write_text(program, encoding="utf-8")
-        printed = run(commands(rest), copy)
-    if printed != expected:
-        sys.exit(f"README's program printed\n{printed}instead of\n{expected}")
+        run(tutorial(readme), copy)
+        for language, compiler in COMPILERS.items():
+            if not shutil.which(compiler):
+                print(f"{language} is not tested, for lack of {compiler}")
+                continue
+            printed = run(commands[language], copy)
+            if printed != expected:
+                wrong.append(f"README's program in {language} printed\n{printed}instead of\n{expected}")
+    print("\n".join(wrong))
+    return 1 if wrong else 0
 
 
-main()
+sys.exit(main())

@@ -207,6 +207,10 @@ contains
       .and. close(end2(1), 6.0_c_double), 'distance_2d')
     status = pw85_distance(0 * r12, q1, q2, gap)
     call check(status == pw85_success .and. abs(gap) <= 0, 'distance of an overlap')
+    status = pw85_penetration([0.0_c_double, 0.5_c_double, 0.0_c_double], q1, q1, gap, normal)
+    call check(status == pw85_success .and. close(gap, 1.5_c_double) .and. close(abs(normal(2)), 1.0_c_double), 'penetration')
+    status = pw85_penetration(apart, q1, q2, gap)
+    call check(status == pw85_success .and. abs(gap) <= 0, 'penetration of pairs apart')
   end subroutine test_surfaces
 
   ! Unit spheres on a line, three apart, of which the last comes at speed 1/2; and the first pair grows until it touches.
@@ -233,6 +237,15 @@ contains
     status = pw85_first_contact_batch(n, r, q(:, 1:2), q(:, 2:3), motions(1:2), motions(2:3), 9.0_c_double, times)
     call check(status == pw85_success .and. close(times(1), 4.0_c_double) .and. close(times(2), 1.6_c_double), &
       'first_contact_batch')
+    status = pw85_distance_batch(n, r, q(:, 1:2), q(:, 2:3), times, point2=r)
+    call check(status == pw85_success .and. all(close(times, 1.0_c_double)) .and. all(close(r(1, :), 2.0_c_double)), &
+      'distance_batch')
+    status = pw85_distance_plane_batch(n, 2 * r, 4 * times, q(:, 1:2), next(1:2))
+    call check(status == pw85_success .and. all(abs(next(1:2)) <= tolerance), 'distance_plane_batch')
+    r = 0.5_c_double * r
+    status = pw85_penetration_batch(n, r, q(:, 1:2), q(:, 2:3), times)
+    call check(status == pw85_success .and. all(close(times, 1.0_c_double)), 'penetration_batch')
+    r(1, :) = 3
     status = pw85_first_contact_pairs(n, pairs, 3_c_size_t, centers, q, motions=motions, t_max=9.0_c_double, t=times, &
                                       next=next, next_pair=next_pair)
     call check(status == pw85_success .and. close(times(1), 4.0_c_double) .and. close(times(2), 1.6_c_double), &

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from typing import Any, Optional
+from typing import Any, Optional, cast
 
 import numpy as np
 from numpy.typing import ArrayLike, DTypeLike, NDArray
 
 from . import _core
 from ._arrays import check_out, plain
+from ._device import apply_to_pairs, is_device_array
 from ._documentation import documented
 from ._typing import Floats
 
@@ -48,6 +49,10 @@ def contact_pairs(
     >>> pypw85.contact_pairs([[0, 1]], [[0, 0, 0], [9, 0, 0]], q, cell=10 * np.eye(3))
     (array([0.25]), array([0.5]))
     """
+    if is_device_array(pairs):
+        if out is not None:
+            raise TypeError("contact_pairs: with arrays on a GPU, there can be no 'out'")
+        return cast("tuple[Floats, Floats]", apply_to_pairs("contact", pairs, centers, q, _cell(cell), images))
     arrays = _pair_list(pairs, centers, q, cell, images)
     mu2, lambda_ = _outputs(out, len(arrays[0]))
     if mu2.size:
@@ -94,6 +99,8 @@ def overlap_pairs(
     """
     if np.dtype(dtype) not in (np.dtype(np.bool_), np.dtype(np.uint8)):
         raise TypeError("overlap_pairs: dtype must be bool or uint8")
+    if is_device_array(pairs):
+        return cast("NDArray[Any]", apply_to_pairs("overlap", pairs, centers, q, _cell(cell), images, dtype))
     arrays = _pair_list(pairs, centers, q, cell, images)
     codes = np.full(len(arrays[0]), _NO_CODE, dtype=np.uint8)
     status = _core.overlap_pairs(*arrays, codes)

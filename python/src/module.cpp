@@ -114,6 +114,7 @@ PyMethodDef methods[] = {
     {"first_contact_pairs", as_method(first_contact_pairs), METH_FASTCALL, "Status of pw85_first_contact_pairs()."},
     {"contact_derivatives_pairs", as_method(contact_derivatives_pairs), METH_FASTCALL,
      "Status of pw85_contact_derivatives_pairs()."},
+    {"gpu", as_method(gpu), METH_FASTCALL, "Status of a function for arrays on a GPU."},
     {"overlap_any", as_method(overlap_any), METH_FASTCALL, "Status and answer of pw85_overlap_any()."},
     {"neighbors", as_method(neighbors), METH_FASTCALL, "Status and results of pw85_neighbors_create()."},
     {"neighbors_hold", as_method(neighbors_hold), METH_FASTCALL, "Status and answer of pw85_neighbors_holds()."},

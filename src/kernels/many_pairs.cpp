@@ -188,6 +188,40 @@ int pw85_contact_derivatives_batch(size_t n, double const *r12, double const *q1
                        DerivativeArrays{mu2, lambda, point, normal, d_r12, d_rot1, d_rot2});
 }
 
+int pw85_distance_batch(size_t n, double const *r12, double const *q1, double const *q2, double *distance,
+                        double *point1, double *point2)
+{
+    if (n == 0) return PW85_SUCCESS;
+    if (n > max_rows || any_null(r12, q1, q2)) return PW85_EINVAL;
+    return compute_all(n, PairArrays<3>{r12, q1, q2}, DistanceArrays{distance, point1, point2});
+}
+
+int pw85_penetration_batch(size_t n, double const *r12, double const *q1, double const *q2, double *depth,
+                           double *direction)
+{
+    if (n == 0) return PW85_SUCCESS;
+    if (n > max_rows || any_null(r12, q1, q2)) return PW85_EINVAL;
+    return for_all(n, [&](Range range) {
+        return for_rows(range, [&](std::size_t i) {
+            return pw85_penetration(r12 + 3 * i, q1 + 6 * i, q2 + 6 * i, row_or_null(depth, 1, i),
+                                    row_or_null(direction, 3, i));
+        });
+    });
+}
+
+int pw85_distance_plane_batch(size_t n, double const *normals, double const *offsets, double const *q, double *distance,
+                              double *point)
+{
+    if (n == 0) return PW85_SUCCESS;
+    if (n > max_rows || any_null(normals, offsets, q)) return PW85_EINVAL;
+    return for_all(n, [&](Range range) {
+        return for_rows(range, [&](std::size_t i) {
+            return pw85_distance_plane(normals + 3 * i, offsets[i], q + 6 * i, row_or_null(distance, 1, i),
+                                       row_or_null(point, 3, i));
+        });
+    });
+}
+
 int pw85_first_contact_batch(size_t n, double const *r12, double const *q1, double const *q2,
                              pw85_motion const *motion1, pw85_motion const *motion2, double t_max, double *t)
 {
