@@ -1,10 +1,9 @@
 // Random ellipsoids in a periodic box, moved and turned until none overlap: GSL's BFGS on the soft
 // repulsion Σ ½(1-μ)² of the pairs that overlap.
 // Usage: relax [number [packing fraction [seed]]]
+#include <gsl/gsl_multimin.h>
 #include <pw85/batch.hpp>
 #include <pw85/pw85.hpp>
-
-#include <gsl/gsl_multimin.h>
 
 #include <cmath>
 #include <cstdio>
