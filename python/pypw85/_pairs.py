@@ -113,6 +113,47 @@ def overlap_pairs(
     return codes.view(np.bool_)
 
 
+@documented
+def nearest_images(
+    pairs: ArrayLike, centers: ArrayLike, cell: ArrayLike
+) -> tuple[Floats, NDArray[np.int32]]:
+    """Nearest images that the functions of neighbour lists take without `images`: as vectors, and as such `images`.
+
+    Parameters
+    ----------
+    pairs : (k, 2) array_like of int
+        Indices (i, j) of particles, from 0.
+    centers : (n, 3) array_like
+        Centres of the particles.
+    cell : (3, 3) array_like
+        Rows are the vectors of the periodic cell.
+
+    Returns
+    -------
+    r12 : (k, 3) array
+        From particle i to the image of particle j; NaN for a bad pair, as of centres that are not finite.
+    images : (k, 3) array of int32
+        Multiples of the vectors of the cell, to be added to the centre of j; -2³¹ for a bad pair, as of centres too many
+        cells apart.
+
+    {raises_pair_list}
+
+    Examples
+    --------
+    >>> import numpy as np, pypw85
+    >>> pypw85.nearest_images([[0, 1]], [[0, 0, 0], [9, 0, 0]], 10 * np.eye(3))
+    (array([[-1.,  0.,  0.]]), array([[-1,  0,  0]], dtype=int32))
+    """
+    rows = _rows(centers, 3, "centers")
+    indices, vectors = _indices(pairs, len(rows)), _cell(cell)
+    r12, images = np.zeros((len(indices), 3)), np.zeros((len(indices), 3), dtype=np.int32)
+    status = _core.nearest_images(indices, rows, vectors, r12, images)
+    if status and not (images == np.iinfo(np.int32).min).any():
+        _check_indices(indices, len(rows))
+        raise ValueError("the cell is singular or not finite")
+    return r12, images
+
+
 def _outputs(out: Any, count: int) -> tuple[Floats, Floats]:
     if out is None:
         return np.empty(count), np.empty(count)

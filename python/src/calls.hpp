@@ -45,6 +45,9 @@ PyObject *neighbors(PyObject *self, PyObject *const *args, Py_ssize_t nargs);
 /// neighbors_hold(list, centers, q): (status, whether).
 PyObject *neighbors_hold(PyObject *self, PyObject *const *args, Py_ssize_t nargs);
 
+/// nearest_images(pairs, centers, cell, r12, images): status. Arrays are contiguous and of the right type.
+PyObject *nearest_images(PyObject *self, PyObject *const *args, Py_ssize_t nargs);
+
 /// nearest_image_limit(q, cell): (status, mu2).
 PyObject *nearest_image_limit(PyObject *self, PyObject *const *args, Py_ssize_t nargs);
 

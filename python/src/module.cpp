@@ -118,6 +118,7 @@ PyMethodDef methods[] = {
     {"overlap_any", as_method(overlap_any), METH_FASTCALL, "Status and answer of pw85_overlap_any()."},
     {"neighbors", as_method(neighbors), METH_FASTCALL, "Status and results of pw85_neighbors_create()."},
     {"neighbors_hold", as_method(neighbors_hold), METH_FASTCALL, "Status and answer of pw85_neighbors_holds()."},
+    {"nearest_images", as_method(nearest_images), METH_FASTCALL, "Status of pw85_nearest_images()."},
     {"nearest_image_limit", as_method(nearest_image_limit), METH_FASTCALL,
      "Status and limit of pw85_nearest_image_limit()."},
     {nullptr, nullptr, 0, nullptr},
