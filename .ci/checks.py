@@ -20,7 +20,7 @@ ROOT = Path(__file__).resolve().parent.parent
 BUILDS = ROOT / "build-ci"
 TEST_COMMAND_BUILD = ROOT / "build-test"  # where scripts/test.sh builds
 CLANG = {"CC": "clang", "CXX": "clang++"}
-ONLY_TESTS = ["-Dtests=enabled", "-Dbench=disabled", "-Dpython=disabled", "-Dfortran=disabled"]
+ONLY_TESTS = ["-Dtests=enabled", "-Dgpu=enabled", "-Dbench=disabled", "-Dpython=disabled", "-Dfortran=disabled"]
 
 
 class Results:
@@ -191,7 +191,7 @@ def check_valgrind(results):
 
 
 def check_lammps(results):
-    if build(results, "lammps", [*ONLY_TESTS, "-Dlammps=enabled"], {}):
+    if build(results, "lammps", [*ONLY_TESTS, "-Dlammps=enabled", "-Dpython=enabled"], {}):
         test(results, folder_of("lammps"), ["--suite", "lammps"])
 
 

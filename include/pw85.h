@@ -281,6 +281,21 @@ PW85_API int pw85_distance_derivatives(double const r12[PW85_DIM], double const 
                                        double d_r12[PW85_DIM], double d_rot1[PW85_DIM], double d_rot2[PW85_DIM],
                                        double hessian[81]);
 
+/** The depth of an overlap: the shortest translation of ellipsoid 2 that separates two ellipsoids.
+ *
+ * It is the smallest value over unit vectors n of α + β - n·r12, with the half-widths α and β of the ellipsoids along n, which
+ * may have several local minima: this is the global one, with a proof. `depth` is the value for its direction, to 8 u Σ, with Σ as for
+ * pw85_distance(); no direction gives less by more than 32 u Σ, the larger of either. Of several directions that are equally good it is one. It takes
+ * some hundred times as long as pw85_contact().
+ *
+ * @param r12,q1,q2 as for pw85_contact()
+ * @param[out] depth in the unit of r12; zero if the ellipsoids do not overlap, which is decided as in pw85_overlap(); may be null
+ * @param[out] direction unit vector along which ellipsoid 2 is to move; NaN if they do not overlap, also on success; may be null
+ * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD, #PW85_ECONVERGENCE (if the proof takes too long, for which no pair is
+ *         known) */
+PW85_API int pw85_penetration(double const r12[PW85_DIM], double const q1[PW85_SYM], double const q2[PW85_SYM],
+                              double *depth, double direction[PW85_DIM]);
+
 /** Distance of two ellipses; see pw85_distance(). */
 PW85_API int pw85_distance_2d(double const r12[2], double const q1[3], double const q2[3], double *distance,
                               double point1[2], double point2[2]);
@@ -470,6 +485,40 @@ PW85_API int pw85_contact_derivatives_batch(size_t n, double const *r12, double 
                                             double *mu2, double *lambda, double *point, double *normal, double *d_r12,
                                             double *d_rot1, double *d_rot2);
 
+/** pw85_distance() for n pairs. Points of pairs that overlap are NaN.
+ *
+ * @param n number of pairs
+ * @param r12 n×3
+ * @param q1,q2 n×6
+ * @param[out] distance n; any output may be null
+ * @param[out] point1,point2 n×3 each, relative to the centres of the first ellipsoids
+ * @return as for pw85_contact_batch() */
+PW85_API int pw85_distance_batch(size_t n, double const *r12, double const *q1, double const *q2, double *distance,
+                                 double *point1, double *point2);
+
+/** pw85_penetration() for n pairs; the bits are the same.
+ *
+ * @param n number of pairs
+ * @param r12 n×3
+ * @param q1,q2 n×6
+ * @param[out] depth n; any output may be null
+ * @param[out] direction n×3; NaN for pairs that do not overlap
+ * @return as for pw85_contact_batch(); #PW85_ECONVERGENCE, too */
+PW85_API int pw85_penetration_batch(size_t n, double const *r12, double const *q1, double const *q2, double *depth,
+                                    double *direction);
+
+/** pw85_distance_plane() for n ellipsoids and half-spaces; the bits are the same.
+ *
+ * @param n number of ellipsoids
+ * @param normals n×3
+ * @param offsets n
+ * @param q n×6
+ * @param[out] distance n; any output may be null
+ * @param[out] point n×3
+ * @return as for pw85_contact_batch(); a zero normal is #PW85_EINVAL */
+PW85_API int pw85_distance_plane_batch(size_t n, double const *normals, double const *offsets, double const *q,
+                                       double *distance, double *point);
+
 /** pw85_first_contact() for n pairs; the bits are the same.
  *
  * @param n number of pairs
@@ -492,6 +541,23 @@ PW85_API int pw85_first_contact_batch(size_t n, double const *r12, double const 
  * @param[out] any 1 or 0; -1 on error
  * @return #PW85_SUCCESS, #PW85_EINVAL, or the status of a bad pair that no overlap precedes */
 PW85_API int pw85_overlap_any(size_t n, double const q1[PW85_SYM], double const *r12, double const *q2, int *any);
+
+/** The same for others of a system, by their indices: the inner loop of a Monte Carlo move, with the trial ellipsoid as the one. In a
+ * periodic cell others stand for their nearest images, which are all that can overlap where pw85_nearest_image_limit() is 1 or
+ * more.
+ *
+ * @param center,q1 centre and form of the one
+ * @param n number of others; 0 is fine
+ * @param indices n: of particles, from 0
+ * @param num_particles number of particles
+ * @param centers num_particles×3
+ * @param q num_particles×6
+ * @param cell 3×3, rows = vectors, best reduced (pw85_cell_reduce()); or null
+ * @param[out] any 1 or 0; -1 on error
+ * @return as for pw85_overlap_any(); #PW85_EINVAL also for an index out of range or a singular cell */
+PW85_API int pw85_overlap_any_indices(double const center[PW85_DIM], double const q1[PW85_SYM], size_t n,
+                                      int32_t const *indices, size_t num_particles, double const *centers,
+                                      double const *q, double const *cell, int *any);
 
 /** pw85_contact() for the pairs of a neighbour list.
  *
@@ -529,6 +595,24 @@ PW85_API int pw85_contact_derivatives_pairs(size_t num_pairs, int32_t const *pai
                                             double const *cell, double *mu2, double *lambda, double *point,
                                             double *normal, double *d_r12, double *d_rot1, double *d_rot2);
 
+/** Forces, torques and virial of an energy U(μ²) of pairs, summed up: what pw85_contact_derivatives_pairs() gives, times dU/dμ². The sums
+ * are in the order of the pairs; the bits depend on nothing but the input, not on the number of threads. Each thread goes
+ * through all pairs, and adds up what concerns its own particles.
+ *
+ * @param num_pairs number of pairs; 0 is fine, the sums are then 0
+ * @param pairs,images,num_particles,centers,cell as for pw85_contact_pairs()
+ * @param d_u num_pairs: dU/dμ²; a pair for which it is 0 is left out, whatever its derivatives
+ * @param d_r12,d_rot1,d_rot2 num_pairs×3 each: derivatives of μ²; null if no output needs them
+ * @param[out] forces num_particles×3: -∂U/∂centre; any output may be null
+ * @param[out] torques num_particles×3: -∂U/∂(rotation vector) about the centre
+ * @param[out] virial 9: Σ r12 ⊗ force on the second particle of each pair, row-major; over the volume, it is the pressure tensor's part
+ *             that comes from contacts
+ * @return #PW85_SUCCESS; #PW85_EINVAL as for pw85_contact_pairs(), before anything is written */
+PW85_API int pw85_contact_forces_pairs(size_t num_pairs, int32_t const *pairs, int32_t const *images,
+                                       size_t num_particles, double const *centers, double const *cell,
+                                       double const *d_u, double const *d_r12, double const *d_rot1,
+                                       double const *d_rot2, double *forces, double *torques, double *virial);
+
 /** pw85_first_contact() for the pairs of a neighbour list, and the next event of each particle: what event-driven simulations
  * schedule. A pair stands for one image of j throughout, that of time 0.
  *
@@ -558,6 +642,20 @@ PW85_API int pw85_first_contact_pairs(size_t num_pairs, int32_t const *pairs, in
  * @param[out] reduced 3×3; may be the same array as cell
  * @return #PW85_SUCCESS or #PW85_EINVAL (a null pointer, a cell that is singular or not finite) */
 PW85_API int pw85_cell_reduce(double const cell[9], double reduced[9]);
+
+/** The nearest images that the functions of neighbour lists take where they are given no `images`: as vectors, and as such `images`.
+ *
+ * Both are good until a particle has moved by half a cell or so: functions that are given these images need no search, and
+ * each pair keeps the same image.
+ *
+ * @param num_pairs,pairs,num_particles,centers as for pw85_contact_pairs()
+ * @param cell 3×3, rows = vectors
+ * @param[out] r12 num_pairs×3: from particle i to the image of particle j; NaN for a bad pair; may be null
+ * @param[out] images num_pairs×3: multiples of the vectors of the cell, as given; INT32_MIN for a bad pair; may be null
+ * @return as for pw85_contact_batch(); bad are pairs with centres that are not finite, or, where `images` are asked for, with
+ *         multiples beyond 2³¹ - 1; #PW85_EINVAL also for a cell that is singular or not finite */
+PW85_API int pw85_nearest_images(size_t num_pairs, int32_t const *pairs, size_t num_particles, double const *centers,
+                                 double const *cell, double *r12, int32_t *images);
 
 /** Up to which μ² nearest images are all there is: any image of a pair of these particles with a smaller μ² is the nearest.
  *
@@ -589,7 +687,7 @@ typedef struct pw85_neighbors pw85_neighbors;
  * Each pair is there once: with i < j, or i = j and an image of i itself whose first multiple other than 0 is positive. Pairs that
  * miss each other by roundings (2⁻⁴⁸ of the coordinates) may be there, too. Their order is that of the particles in space; it
  * depends on the input alone, not on the number of threads. The time is proportional to the numbers of particles and pairs, for
- * sizes of any kind, and anywhere in space unless most of them crowd in less than 2⁻²¹ of its extent. The memory is 200 bytes per
+ * sizes of any kind, and anywhere in space unless most of them crowd in less than 2⁻²¹ of its extent. The memory is 210 bytes per
  * particle and 44 per pair at most while the list is made, and 48 and 20 (8 without a cell) afterwards.
  *
  * @param n number of particles, at most 2³¹ - 1; 0 is fine
@@ -600,7 +698,7 @@ typedef struct pw85_neighbors pw85_neighbors;
  * @param scale factor of the ellipsoids, > 0
  * @param skin >= 0, in the unit of the semi-axes
  * @param[out] list null on error; to be destroyed by pw85_neighbors_destroy()
- * @return #PW85_SUCCESS; #PW85_EINVAL, also if the periodic vectors are not independent, or an image is more than 2³¹ vectors
+ * @return #PW85_SUCCESS; #PW85_EINVAL, also if the periodic vectors are not independent, or an image is more than 2²⁹ vectors
  *         away; #PW85_ENOTPD; #PW85_ENOMEM. pw85_neighbors_check() says which particle is bad. */
 PW85_API int pw85_neighbors_create(size_t n, double const *centers, double const *q, double const *cell,
                                    int const periodic[3], double scale, double skin, pw85_neighbors **list);
@@ -608,7 +706,8 @@ PW85_API int pw85_neighbors_create(size_t n, double const *centers, double const
 /** Which particle is to blame where a list cannot be made; arguments as for pw85_neighbors_create().
  *
  * @param[out] particle the first one that is bad: its centre or form is, or it is too far away; n if none is
- * @return the status of that particle; or of the other arguments, with `particle` = n; #PW85_SUCCESS */
+ * @return the status of that particle; or of the other arguments, with `particle` = n; #PW85_SUCCESS where nothing but the memory or
+ *         the number of images can be to blame */
 PW85_API int pw85_neighbors_check(size_t n, double const *centers, double const *q, double const *cell,
                                   int const periodic[3], double scale, double skin, size_t *particle);
 

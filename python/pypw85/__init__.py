@@ -46,7 +46,7 @@ from ._contact import (
 from ._conversions import from_gsd, from_lammps, from_ovito
 from ._core import LAMBDA_ATOL as lambda_atol
 from ._core import strerror, version
-from ._distance import distance, distance_2d, distance_derivatives
+from ._distance import distance, distance_2d, distance_derivatives, penetration
 from ._ellipses import (
     closest_approach_2d,
     contact_2d,
@@ -60,17 +60,24 @@ from ._errors import PW85Error, Status, bad_rows
 from ._forms import ellipse, ellipsoid, ellipsoid_quaternion, full, packed, principal_axes, spheroid
 from ._motion import Events, first_contact, first_contact_pairs, motion
 from ._neighbors import Neighbors, neighbors
-from ._pairs import contact_pairs, overlap_pairs
+from ._packing import pack, relax
+from ._pairs import contact_pairs, nearest_images, overlap_pairs
 from ._plotting import plot
+from ._statistics import Correlation, correlation, nematic_order
+from ._system import Contacts, Report, System
 from ._systems import (
     ContactDerivatives,
+    ContactForces,
     bounding_boxes,
     cell_reduce,
     contact_derivatives,
     contact_derivatives_pairs,
+    contact_forces_pairs,
     nearest_image_limit,
     overlap_any,
+    overlap_any_indices,
 )
+from ._voxels import voxels
 from ._walls import (
     contact_plane,
     distance_box,
@@ -80,6 +87,7 @@ from ._walls import (
     distance_point,
     intersect_line,
 )
+from .formats import FileError, frames, read, write
 
 __version__ = version()
 
@@ -97,10 +105,16 @@ metadata = {
 
 __all__ = [
     "ContactDerivatives",
+    "ContactForces",
+    "Contacts",
+    "Correlation",
     "Events",
+    "FileError",
     "Neighbors",
     "PW85Error",
+    "Report",
     "Status",
+    "System",
     "bad_rows",
     "bounding_boxes",
     "cell_reduce",
@@ -110,6 +124,7 @@ __all__ = [
     "contact_2d",
     "contact_derivatives",
     "contact_derivatives_pairs",
+    "contact_forces_pairs",
     "contact_function",
     "contact_geometry",
     "contact_geometry_2d",
@@ -121,6 +136,7 @@ __all__ = [
     "contact_plane",
     "contact_torque",
     "contact_torque_2d",
+    "correlation",
     "distance",
     "distance_2d",
     "distance_box",
@@ -136,6 +152,7 @@ __all__ = [
     "f_neg",
     "first_contact",
     "first_contact_pairs",
+    "frames",
     "from_gsd",
     "from_lammps",
     "from_ovito",
@@ -147,18 +164,27 @@ __all__ = [
     "metadata",
     "motion",
     "nearest_image_limit",
+    "nearest_images",
     "neighbors",
+    "nematic_order",
     "overlap",
     "overlap_2d",
     "overlap_any",
+    "overlap_any_indices",
     "overlap_pairs",
+    "pack",
     "packed",
+    "penetration",
     "plot",
     "principal_axes",
+    "read",
+    "relax",
     "spheroid",
     "strerror",
     "utils",
     "version",
+    "voxels",
+    "write",
     "zheng_ellipses",
     "zheng_ellipsoids",
 ]
