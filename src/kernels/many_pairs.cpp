@@ -85,11 +85,11 @@ int compute_list(std::size_t num_pairs, std::size_t num_particles, NeighborList 
 /// Pairs that are tested before the answers are looked at: some more than the neighbours of a particle in a dense system.
 constexpr std::size_t any_chunk_size = 32;
 
-/// Looks for the first pair, by its index, that overlaps or is bad. Returns the status of a bad one, with `any` = -1.
+/// Looks for the first pair, by its index, that overlaps or is bad, in the default floating-point environment. Returns the status of a bad
+/// one, with `any` = -1.
 template <class Rows> int find_overlap(Rows const &rows, std::size_t n, int &any) noexcept
 {
     Kernels const &kernels = chosen();
-    DefaultEnvironment const environment;
     unsigned char answers[any_chunk_size];
     for (std::size_t begin = 0; begin < n; begin += any_chunk_size) {
         std::size_t const count = std::min(any_chunk_size, n - begin);
@@ -171,6 +171,7 @@ int pw85_overlap_any(size_t n, double const q1[PW85_SYM], double const *r12, dou
     if (n == 0) return PW85_SUCCESS;
     *any = -1;
     if (n > max_rows || any_null(q1, r12, q2)) return PW85_EINVAL;
+    DefaultEnvironment const environment;
     return find_overlap(OneToMany{q1, r12, q2}, n, *any);
 }
 
