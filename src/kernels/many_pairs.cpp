@@ -129,8 +129,7 @@ int compute_list(std::size_t num_pairs, std::size_t num_particles, NeighborList 
 /// Pairs that are tested before the answers are looked at: some more than the neighbours of a particle in a dense system.
 constexpr std::size_t any_chunk_size = 32;
 
-/// Looks for the first pair, by its index, that overlaps or is bad, in the default floating-point environment. Returns the status of a bad
-/// one, with `any` = -1.
+/// Looks for the first pair, by its index, that overlaps or is bad. Returns the status of a bad one, with `any` = -1.
 template <class Rows> int find_overlap(Rows const &rows, std::size_t n, int &any) noexcept
 {
     Kernels const &kernels = chosen();
@@ -321,6 +320,22 @@ int pw85_first_contact_pairs(size_t num_pairs, int32_t const *pairs, int32_t con
     return status;
 }
 
+int pw85_nearest_images(size_t num_pairs, int32_t const *pairs, size_t num_particles, double const *centers,
+                        double const *cell, double *r12, int32_t *images)
+{
+    if (num_pairs == 0) return PW85_SUCCESS;
+    if (any_null(cell)) return PW85_EINVAL;
+    Lattice lattice;
+    NeighborList list{pairs, centers, centers, nullptr, cell, nullptr};
+    if (int const status = prepare_list(num_pairs, num_particles, list, lattice)) return status;
+    return for_all(num_pairs, [&](Range range) {
+        ImageFinder const finder(list);
+        return for_rows(range, [&](std::size_t pair) {
+            return finder.find(pair, row_or_null(r12, 3, pair), row_or_null(images, 3, pair));
+        });
+    });
+}
+
 int pw85_contact_forces_pairs(size_t num_pairs, int32_t const *pairs, int32_t const *images, size_t num_particles,
                               double const *centers, double const *cell, double const *d_u, double const *d_r12,
                               double const *d_rot1, double const *d_rot2, double *forces, double *torques,
@@ -340,20 +355,4 @@ int pw85_contact_forces_pairs(size_t num_pairs, int32_t const *pairs, int32_t co
     sum_forces(gradients, num_particles, forces, torques);
     if (virial != nullptr) sum_virial(gradients, list, virial);
     return PW85_SUCCESS;
-}
-
-int pw85_nearest_images(size_t num_pairs, int32_t const *pairs, size_t num_particles, double const *centers,
-                        double const *cell, double *r12, int32_t *images)
-{
-    if (num_pairs == 0) return PW85_SUCCESS;
-    if (any_null(cell)) return PW85_EINVAL;
-    Lattice lattice;
-    NeighborList list{pairs, centers, centers, nullptr, cell, nullptr};
-    if (int const status = prepare_list(num_pairs, num_particles, list, lattice)) return status;
-    return for_all(num_pairs, [&](Range range) {
-        ImageFinder const finder(list);
-        return for_rows(range, [&](std::size_t pair) {
-            return finder.find(pair, row_or_null(r12, 3, pair), row_or_null(images, 3, pair));
-        });
-    });
 }
