@@ -57,12 +57,15 @@ void Ellipsoids::read(std::function<bool(int)> const &selected)
     reserve();
     if (!has_all_shapes()) read_shapes();
     quaternions_->compute_peratom();
+    // Those that are not selected may have no shape: their rows are bad, and not looked at.
+    pw85_ellipsoid_quaternion_batch(static_cast<std::size_t>(atom->nlocal), semi_axes_.data(),
+                                    atom->nlocal > 0 ? quaternions_->array_atom[0] : nullptr, forms_.data());
     for (int i = 0; i < atom->nlocal; ++i) {
-        if (selected(i)) {
-            build_form(i);
-        } else {
-            radii_[static_cast<std::size_t>(i)] = 0.0;
-        }
+        auto const index = static_cast<std::size_t>(i);
+        bool const is_selected = selected(i);
+        double const *const semi_axes = &semi_axes_[PW85_DIM * index];
+        if (is_selected && std::isnan(forms_[PW85_SYM * index])) refuse_shape(i);
+        radii_[index] = is_selected ? std::max({semi_axes[0], semi_axes[1], semi_axes[2]}) : 0.0;
     }
 }
 
@@ -82,15 +85,6 @@ void Ellipsoids::read_shapes()
         double const factor = atom->ellipsoid[i] < 0 ? 0.0 : 0.5;
         for (std::size_t k = 0; k < PW85_DIM; ++k) semi_axes_[PW85_DIM * i + k] = factor * shapes_->array_atom[i][k];
     }
-}
-
-void Ellipsoids::build_form(int i)
-{
-    auto const index = static_cast<std::size_t>(i);
-    double const *const semi_axes = &semi_axes_[PW85_DIM * index];
-    int const status = pw85_ellipsoid_quaternion(semi_axes, quaternions_->array_atom[i], &forms_[PW85_SYM * index]);
-    if (status != PW85_SUCCESS) refuse_shape(i);
-    radii_[index] = std::max({semi_axes[0], semi_axes[1], semi_axes[2]});
 }
 
 void Ellipsoids::refuse_shape(int i) const

@@ -94,7 +94,6 @@ class Ellipsoids : protected LAMMPS_NS::Pointers {
     void reserve();
     void read_shapes();
     bool has_all_shapes() const;
-    void build_form(int i);
     [[noreturn]] void refuse_shape(int i) const;
     [[noreturn]] void refuse(int i, std::string const &reason) const;
     std::vector<double> largest_radii() const;

@@ -53,10 +53,11 @@ inline void CutoffTable::assign(double const *const *squares, int num_types)
         std::copy_n(squares[t] + 1, num_types, &squares_[stride_ * static_cast<std::size_t>(t) + 1]);
 }
 
-/// Pairs of a neighbour list, in batches that fit a cache.
+/// Pairs of a neighbour list, in batches: enough of them for the threads of the batch functions (4096 pairs for each at a time), and
+/// few enough for a cache.
 class PairBatch {
   public:
-    static constexpr std::size_t capacity = 4096;
+    static constexpr std::size_t capacity = 32768;
 
     PairBatch() : pairs(2 * capacity), special(capacity), mu2(capacity), lambda(capacity), overlaps(capacity) {}
 

@@ -42,11 +42,17 @@ class PairContact final : public LAMMPS_NS::Pair {
         double energy, force[3], torque1[3], torque2[3];
     };
 
+    /// Of μ² of a pair.
+    struct Derivatives {
+        double const *r12, *rot1, *rot2;
+    };
+
     void allocate();
     void require_positive(double cutoff) const;
     bool is_in_place(int i, int j, double rsq) const;
     void add_batch(int eflag);
-    Action act(int i, int j, double mu2, double lambda, double strength) const;
+    void add_pair(std::size_t k, int eflag);
+    Action act(double mu2, Derivatives const &d, double strength) const;
     void apply(int i, int j, Action const &action);
 
     double cutoff_ = 0.0, exponent_ = 2.0;
@@ -54,6 +60,7 @@ class PairContact final : public LAMMPS_NS::Pair {
     std::vector<bool> used_types_;
     std::optional<Ellipsoids> ellipsoids_;
     PairBatch batch_;
+    std::vector<double> d_r12_, d_rot1_, d_rot2_; ///< of the pairs of a batch that overlap
     std::array<double, 4> single_{};
 };
 
