@@ -129,7 +129,7 @@ def check_all(results):
         valgrind = "valgrind --quiet --error-exitcode=99 --leak-check=full --errors-for-leak-kinds=definite"
         test(results, TEST_COMMAND_BUILD, ["--suite", "quick", "--wrap", valgrind, "--timeout-multiplier", "20"],
              G_SLICE="always-malloc", PW85_TARGET="avx2")  # valgrind knows no AVX-512
-    if build(results, "lammps", [*ONLY_TESTS, "-Dlammps=enabled"], {}):
+    if build(results, "lammps", [*ONLY_TESTS, "-Dlammps=enabled", "-Dpython=enabled"], {}):
         test(results, BUILDS / "lammps", ["--suite", "lammps"])
     if build(results, "clang", [*ONLY_TESTS, "-Dgsl=disabled"], CLANG):
         test(results, BUILDS / "clang", ["--no-suite", "install"])

@@ -60,8 +60,11 @@ from ._errors import PW85Error, Status, bad_rows
 from ._forms import ellipse, ellipsoid, ellipsoid_quaternion, full, packed, principal_axes, spheroid
 from ._motion import Events, first_contact, first_contact_pairs, motion
 from ._neighbors import Neighbors, neighbors
+from ._packing import pack, relax
 from ._pairs import contact_pairs, overlap_pairs
 from ._plotting import plot
+from ._statistics import Correlation, correlation, nematic_order
+from ._system import Contacts, Report, System
 from ._systems import (
     ContactDerivatives,
     bounding_boxes,
@@ -71,6 +74,7 @@ from ._systems import (
     nearest_image_limit,
     overlap_any,
 )
+from ._voxels import voxels
 from ._walls import (
     contact_plane,
     distance_box,
@@ -80,6 +84,7 @@ from ._walls import (
     distance_point,
     intersect_line,
 )
+from .formats import FileError, frames, read, write
 
 __version__ = version()
 
@@ -97,10 +102,15 @@ metadata = {
 
 __all__ = [
     "ContactDerivatives",
+    "Contacts",
+    "Correlation",
     "Events",
+    "FileError",
     "Neighbors",
     "PW85Error",
+    "Report",
     "Status",
+    "System",
     "bad_rows",
     "bounding_boxes",
     "cell_reduce",
@@ -121,6 +131,7 @@ __all__ = [
     "contact_plane",
     "contact_torque",
     "contact_torque_2d",
+    "correlation",
     "distance",
     "distance_2d",
     "distance_box",
@@ -136,6 +147,7 @@ __all__ = [
     "f_neg",
     "first_contact",
     "first_contact_pairs",
+    "frames",
     "from_gsd",
     "from_lammps",
     "from_ovito",
@@ -148,17 +160,23 @@ __all__ = [
     "motion",
     "nearest_image_limit",
     "neighbors",
+    "nematic_order",
     "overlap",
     "overlap_2d",
     "overlap_any",
     "overlap_pairs",
+    "pack",
     "packed",
     "plot",
     "principal_axes",
+    "read",
+    "relax",
     "spheroid",
     "strerror",
     "utils",
     "version",
+    "voxels",
+    "write",
     "zheng_ellipses",
     "zheng_ellipsoids",
 ]

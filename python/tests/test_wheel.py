@@ -1,6 +1,7 @@
 """The wheel: built offline from a copy of the sources, installed somewhere else, used from there."""
 
 import email
+import importlib.metadata
 import os
 import pathlib
 import shutil
@@ -42,13 +43,21 @@ def information(installed):
     return installed / f"pypw85-{pypw85.version()}.dist-info"
 
 
+def names(folder):
+    return {path.relative_to(folder) for path in folder.rglob("*") if path.is_file()}
+
+
 def test_content(installed, information):
     """The package and nothing else, with stubs and licence."""
-    assert {path.name for path in installed.iterdir()} == {"pypw85", information.name}
-    files = {path.name for path in (installed / "pypw85").iterdir()}
-    modules = {path.name for path in (SOURCE / "python" / "pypw85").iterdir() if path.suffix in (".py", ".pyi", ".typed")}
-    assert modules | {"py.typed"} <= files
-    assert not any(name.startswith("libpw85") for name in files)
+    assert {path.name for path in installed.iterdir()} == {"bin", "pypw85", information.name}
+    assert [path.name for path in (installed / "bin").iterdir()] == ["pw85"]
+    files = names(installed / "pypw85")
+    source = SOURCE / "python" / "pypw85"
+    modules = {name for name in names(source) if name.suffix in (".py", ".pyi", ".typed", ".html")}
+    assert modules | {pathlib.Path("py.typed")} <= files
+    assert not any(path.name.startswith("libpw85") for path in files)
+    if pathlib.Path("/usr/share/javascript/three/build/three.min.js").is_file():
+        assert {pathlib.Path("three/three.min.js"), pathlib.Path("three/OrbitControls.js")} <= files
     assert (information / "LICENSE").read_bytes() == (SOURCE / "LICENSE").read_bytes()
 
 
@@ -86,6 +95,17 @@ def test_use(installed, tmp_path):
     where, mu2 = run(sys.executable, "-c", program, cwd=tmp_path, env=environment).split()
     assert pathlib.Path(where).is_relative_to(installed)
     assert float(mu2) == 1
+
+
+def test_command(installed, tmp_path):
+    """From the entry point of the wheel to a first picture."""
+    (tmp_path / "a.csv").write_text("x,y,z,radius\n0,0,0,1\n1,0,0,1\n")
+    (point,) = importlib.metadata.Distribution.at(next(installed.glob("*.dist-info"))).entry_points
+    assert (point.name, point.value) == ("pw85", "pypw85.cli:main")
+    environment = {**os.environ, "PYTHONPATH": str(installed)}
+    assert "overlaps" in run(sys.executable, "-m", "pypw85.cli", "check", "a.csv", succeeds=False, cwd=tmp_path, env=environment)
+    run(sys.executable, "-m", "pypw85.cli", "draw", "a.csv", "a.png", cwd=tmp_path, env=environment)
+    assert (tmp_path / "a.png").stat().st_size > 1000
 
 
 def test_editable_installation_is_refused(copy, tmp_path):

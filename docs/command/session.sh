@@ -1,0 +1,24 @@
+# start check
+pw85 check grains.xyz --worst 3 --csv contacts.csv
+# end check
+echo "status $?"
+# start csv
+cut -d, -f 3-7 contacts.csv
+# end csv
+# start draw
+pw85 draw grains.xyz grains.png
+pw85 draw grains.xyz grains.html --contacts
+# end draw
+# start convert
+pw85 convert grains.xyz grains.gsd
+pw85 check grains.gsd --worst 0
+# end convert
+# start relax
+pw85 relax grains.xyz apart.data
+pw85 check apart.data >/dev/null && echo "no overlaps"
+# end relax
+# start pack
+pw85 pack packing.data -n 40 --axes 1,1,2 --axes 1.5,1.5,0.5 --fraction 0.5 --voxels packing.vtk
+pw85 check packing.data >/dev/null && echo "no overlaps"
+pw85 plot packing.data packing.png >/dev/null
+# end pack

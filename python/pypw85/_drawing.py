@@ -1,0 +1,161 @@
+"""Pictures of a system: pixels by Matplotlib, or a page that a browser turns, by three.js.
+
+A picture is computed pixel by pixel: Matplotlib has no depth, so that its ellipsoids hide what lies before them.
+"""
+
+from __future__ import annotations
+
+import base64
+import importlib.resources
+import json
+import pathlib
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+import numpy as np
+
+from ._forms import full
+from ._typing import Floats
+
+if TYPE_CHECKING:
+    from ._system import Contacts, System
+
+# Of ellipsoids that overlap none, and of those that overlap some
+_COLOURS = np.array([[0.45, 0.6, 0.8], [0.85, 0.25, 0.2]])
+_THREE = "/usr/share/javascript/three"
+
+
+class _View(NamedTuple):
+    """Rows of `axes` point to the right, upwards and to the viewer; a pixel is `pixel` wide; `low` is the corner of the first."""
+
+    axes: Floats
+    low: Floats
+    pixel: float
+    width: int
+    height: int
+
+
+def draw(
+    system: System, ax: Any, contacts: bool, elevation: float, azimuth: float, size: int
+) -> Any:
+    """Draws into axes of Matplotlib, new ones if there are none."""
+    overlaps = system.overlaps()
+    if ax is None:
+        import matplotlib.figure
+
+        ax = matplotlib.figure.Figure(figsize=(8, 8), constrained_layout=True).add_subplot()
+    edges = _edges(system)
+    view = _view(system, edges, elevation, azimuth, size)
+    image = _render(system, view, _COLOURS[_overlapping(system, overlaps)])
+    extent = (*(view.low[0] + np.array([0, view.width]) * view.pixel), *(view.low[1] + np.array([0, view.height]) * view.pixel))
+    for edge in edges @ view.axes.T:
+        ax.plot(*edge[:, :2].T, color="black", linewidth=0.6, zorder=-1)
+    ax.imshow(image, extent=extent, origin="lower", zorder=0)
+    if contacts and len(overlaps.mu):
+        ax.scatter(*(overlaps.point @ view.axes.T).T[:2], s=8, color="black", zorder=1, label="contact points")
+    ax.set(aspect="equal", xlim=extent[:2], ylim=extent[2:])
+    ax.set_axis_off()
+    ax.set_title(f"{len(system)} ellipsoids, {len(overlaps.mu)} overlapping pairs")
+    return ax
+
+
+def _overlapping(system: System, overlaps: Contacts) -> Any:
+    """1 for each ellipsoid of an overlapping pair, 0 for the others."""
+    marks = np.zeros(len(system), dtype=np.intp)
+    marks[overlaps.pairs.ravel()] = 1
+    return marks
+
+
+def _edges(system: System) -> Floats:
+    """Edges of the cell: (12, 2, 3), or none."""
+    if system.cell is None:
+        return np.empty((0, 2, 3))
+    starts = [(i, j, k) for i in (0, 1) for j in (0, 1) for k in (0, 1)]
+    pairs = [(np.array(start), axis) for start in starts for axis in range(3) if not start[axis]]
+    edges: Floats = np.array([[start, start + np.eye(3)[axis]] for start, axis in pairs]) @ system.cell + system.origin
+    return edges
+
+
+def _view(system: System, edges: Floats, elevation: float, azimuth: float, size: int) -> _View:
+    e, a = np.radians([elevation, azimuth])
+    to_viewer = np.array([np.cos(e) * np.cos(a), np.cos(e) * np.sin(a), np.sin(e)])
+    right = np.array([-np.sin(a), np.cos(a), 0.0])
+    axes = np.stack([right, np.cross(to_viewer, right), to_viewer])
+    reach = np.sqrt(np.einsum("ki,nij,kj->nk", axes[:2], full(system.q), axes[:2]))
+    flat = system.centers @ axes[:2].T
+    corners = (edges @ axes[:2].T).reshape(-1, 2)
+    low = np.concatenate([flat - reach, corners]).min(axis=0)
+    high = np.concatenate([flat + reach, corners]).max(axis=0)
+    margin = 0.02 * (high - low).max()
+    pixel = ((high - low).max() + 2 * margin) / size
+    width, height = np.ceil((high - low + 2 * margin) / pixel).astype(int)
+    return _View(axes, low - margin, float(pixel), int(width), int(height))
+
+
+def _render(system: System, view: _View, colours: Floats) -> Floats:
+    """Pixels (height, width, 4): of each, the ellipsoid nearest to the viewer, lit from the upper left."""
+    image, depth = np.zeros((view.height, view.width, 4)), np.full((view.height, view.width), -np.inf)
+    light = np.array([-0.3, 0.4, 0.87])
+    centers = system.centers @ view.axes.T
+    forms = view.axes @ full(system.q) @ view.axes.T
+    inverses = np.linalg.inv(forms)
+    for center, form, inverse, colour in zip(centers, forms, inverses, colours):
+        rows, columns, offset = _window(center, form, view)
+        # Where the line of sight at this offset enters: the larger root of a quadratic equation in the height above the centre.
+        h = -(offset @ inverse[:2, 2]) / inverse[2, 2]
+        square = h**2 - (np.einsum("...i,ij,...j", offset, inverse[:2, :2], offset) - 1) / inverse[2, 2]
+        hit = square > 0
+        h += np.sqrt(np.where(hit, square, 0))
+        hit &= center[2] + h > depth[rows, columns]
+        depth[rows, columns][hit] = (center[2] + h)[hit]
+        normal = np.concatenate([offset, h[..., np.newaxis]], axis=-1)[hit] @ inverse
+        normal /= np.linalg.norm(normal, axis=1, keepdims=True)
+        shade = 0.35 + 0.65 * np.clip(normal @ light, 0, None)[:, np.newaxis]
+        image[rows, columns][hit] = np.concatenate([shade * colour, np.ones_like(shade)], axis=1)
+    return image
+
+
+def _window(center: Floats, form: Floats, view: _View) -> tuple[slice, slice, Floats]:
+    """Rows and columns of the pixels that an ellipsoid may cover, and their offsets from its centre."""
+    reach = np.sqrt(np.diag(form)[:2])
+    first = np.floor((center[:2] - reach - view.low) / view.pixel).astype(int)
+    last = np.ceil((center[:2] + reach - view.low) / view.pixel).astype(int)
+    rows, columns = slice(max(first[1], 0), last[1]), slice(max(first[0], 0), last[0])
+    x = view.low[0] + (np.arange(columns.start, columns.stop) + 0.5) * view.pixel - center[0]
+    y = view.low[1] + (np.arange(rows.start, rows.stop) + 0.5) * view.pixel - center[1]
+    grid = np.stack(np.meshgrid(x, y), axis=-1)
+    return rows, columns, grid
+
+
+def page(system: System, contacts: bool) -> str:
+    """An HTML page that needs nothing but a browser."""
+    overlaps = system.overlaps()
+    marks = _overlapping(system, overlaps)
+    w, x, y, z = (system.quaternions / np.linalg.norm(system.quaternions, axis=1, keepdims=True)).T
+    data = {
+        "groups": [_encoded(np.column_stack([system.centers, system.semi_axes, x, y, z, w])[marks == k]) for k in (0, 1)],
+        "edges": _encoded(_edges(system)),
+        "points": _encoded(overlaps.point if contacts else np.empty(0)),
+        "title": f"{len(system)} ellipsoids, {len(overlaps.mu)} overlapping pairs",
+        "colours": [f"rgb({','.join(str(round(255 * c)) for c in colour)})" for colour in _COLOURS],
+    }
+    text = importlib.resources.files(__package__).joinpath("viewer.html").read_text(encoding="utf-8")
+    for name, part in (("three", _script("three.min.js")), ("controls", _script("OrbitControls.js")), ("data", json.dumps(data))):
+        text = text.replace(f"/* {name} */", part)
+    return text
+
+
+def _encoded(numbers: Floats) -> str:
+    """Single precision, which is what graphics processors take; in base 64."""
+    return base64.b64encode(np.ascontiguousarray(numbers, dtype="<f4").tobytes()).decode()
+
+
+def _script(name: str) -> str:
+    """A part of three.js: of this package, or of the system."""
+    places = [
+        pathlib.Path(str(importlib.resources.files(__package__))) / "three" / name,
+        pathlib.Path(_THREE) / ("build" if name == "three.min.js" else "examples/js/controls") / name,
+    ]
+    for place in places:
+        if place.is_file():
+            return place.read_text(encoding="utf-8")
+    raise ValueError("three.js was not there when pypw85 was built: install it (Debian: libjs-three), or draw a PNG")

@@ -1,0 +1,84 @@
+"""What a suspension of ellipsoids is like: order, and how close neighbours come in units of contact."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, NamedTuple
+
+import numpy as np
+
+from ._contact import closest_approach
+from ._forms import ellipsoid_quaternion, full
+from ._pairs import contact_pairs
+from ._typing import Floats
+
+if TYPE_CHECKING:
+    from ._system import System
+
+# Pairs and directions to average excluded volumes over: their spread of about half the mean leaves 0.4 %.
+_SAMPLES = 20_000
+
+
+class Correlation(NamedTuple):
+    """Pairs by μ: `edges` (k + 1) of bins, how many pairs are in each, and how many there would be without correlation."""
+
+    edges: Floats
+    pairs: Floats
+    uncorrelated: Floats
+
+
+def nematic_order(system: System) -> float:
+    """The largest eigenvalue of 3/2 <u uᵀ> - 1/2: 1 if all axes u are parallel, 0 on average if they have no order.
+
+    u is the axis whose length differs most from the middle one: the long axis of rods, the short one of plates.
+
+    Parameters
+    ----------
+    system : System
+
+    Returns
+    -------
+    float
+    """
+    order = np.argsort(system.semi_axes, axis=1)
+    short, middle, long = np.take_along_axis(system.semi_axes, order, axis=1).T
+    chosen = np.where(long * short >= middle**2, order[:, 2], order[:, 0])
+    axes = np.eye(3)[chosen]
+    # Q of an ellipsoid with semi-axes 2 along u and 1 across is 1 + 3 u uᵀ.
+    dyads = (full(ellipsoid_quaternion(1 + axes, system.quaternions)) - np.eye(3)) / 3
+    return float(np.linalg.eigvalsh(1.5 * dyads.mean(axis=0) - 0.5 * np.eye(3))[2])
+
+
+def correlation(system: System, reach: float = 2.0, bins: int = 100) -> Correlation:
+    """Pairs with μ < `reach`, binned; the cell must be given.
+
+    Without correlation, the second centre is anywhere: μ < m with the probability m³ E / V, where E is the volume that
+    the first excludes for the second, the mean over directions of 4π/3 (distance of closest approach)³.
+
+    Parameters
+    ----------
+    system : System
+    reach : float
+        Largest μ.
+    bins : int
+        How many there are between 0 and `reach`.
+
+    Returns
+    -------
+    Correlation
+
+    Raises
+    ------
+    ValueError
+        There is no cell.
+    """
+    if system.cell is None:
+        raise ValueError("a pair correlation needs a cell, for the density: give one (--cell)")
+    found = system.neighbors(reach)
+    mu2 = contact_pairs(found.pairs, system.centers, system.q, system.cell, images=found.images)[0]
+    edges = np.linspace(0, reach, bins + 1)
+    random = np.random.default_rng(0)
+    first, second = random.integers(0, len(system), (2, _SAMPLES))
+    distance = closest_approach(random.normal(size=(_SAMPLES, 3)), system.q[first], system.q[second])
+    excluded = 4 / 3 * np.pi * (distance**3).mean()
+    density = 0.5 * len(system) ** 2 * excluded / abs(np.linalg.det(system.cell))
+    return Correlation(edges, np.histogram(np.sqrt(mu2), edges)[0].astype(np.float64), density * np.diff(edges**3))

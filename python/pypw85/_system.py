@@ -1,0 +1,273 @@
+"""Many ellipsoids in a cell, and what is asked of them: neighbours, contacts, overlaps, a report, a picture."""
+
+from __future__ import annotations
+
+import os
+from typing import Any, NamedTuple, Optional, Union
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from ._forms import ellipsoid_quaternion, principal_axes
+from ._neighbors import Neighbors, neighbors
+from ._pairs import _cell, _rows, contact_pairs, overlap_pairs
+from ._systems import contact_derivatives_pairs, nearest_image_limit
+from ._typing import Floats
+
+Ints = NDArray[np.int32]
+
+
+class Contacts(NamedTuple):
+    """Pairs of a system, by columns, in the order of μ.
+
+    `pairs` (k, 2) are indices, `images` (k, 3) the multiples of the cell's vectors to add to the second centre, `point` (k, 3)
+    lies where the first centre is counted from, `normal` (k, 3) points from the first to the second.
+    """
+
+    pairs: Ints
+    images: Ints
+    mu: Floats
+    overlap: NDArray[np.bool_]
+    point: Floats
+    normal: Floats
+
+
+class Report(NamedTuple):
+    """What `System.check` found."""
+
+    particles: int
+    shapeless: int
+    volume: Optional[float]
+    packing_fraction: Optional[float]
+    pairs_tested: int
+    overlaps: int
+    smallest_mu: Optional[float]
+    nearest_image_limit: Optional[float]
+    contacts: Contacts
+    worst: Contacts
+
+
+class System:
+    """Ellipsoids in a cell.
+
+    Parameters
+    ----------
+    centers : (n, 3) array_like
+    q : (n, 6) array_like
+        Forms.
+    cell : (3, 3) array_like, optional
+        Its rows are the vectors of the cell.
+    periodic : bool or three of them
+        Along which vectors of the cell the system is repeated; nothing is without a cell.
+    types, ids : (n) array_like, optional
+        Names of types (any numbers or strings), 0 if absent; whole numbers to call particles by, else 1 to n.
+    origin : (3) array_like
+        Corner of the cell.
+    step : int
+        Time step.
+    shapeless : int
+        How many particles without a shape a file had besides these.
+
+    Attributes
+    ----------
+    semi_axes, quaternions : (n, 3) and (n, 4) arrays
+        As given to `from_axes`, else from the forms; (w, x, y, z).
+    """
+
+    def __init__(
+        self,
+        centers: ArrayLike,
+        q: ArrayLike,
+        cell: Optional[ArrayLike] = None,
+        periodic: Union[bool, ArrayLike] = True,
+        types: Optional[ArrayLike] = None,
+        ids: Optional[ArrayLike] = None,
+        origin: ArrayLike = (0.0, 0.0, 0.0),
+        step: int = 0,
+        shapeless: int = 0,
+    ) -> None:
+        self.centers, self.q, self.cell = _rows(centers, 3, "centers"), _rows(q, 6, "q"), _cell(cell)
+        n = len(self.centers)
+        self.types = np.zeros(n, dtype=np.int64) if types is None else np.asarray(types)
+        self.ids = np.arange(1, n + 1) if ids is None else np.asarray(ids)
+        for name, rows in (("forms", self.q), ("types", self.types), ("ids", self.ids)):
+            if len(rows) != n:
+                raise ValueError(f"{n} centers, but {len(rows)} {name}")
+        self.periodic: tuple[bool, ...] = tuple(
+            np.broadcast_to(np.asarray(periodic, dtype=bool) & (self.cell is not None), 3).tolist()
+        )
+        self.origin, self.step, self.shapeless = np.asarray(origin, dtype=np.float64), int(step), shapeless
+        self._axes: Optional[tuple[Floats, Floats]] = None
+
+    @classmethod
+    def from_axes(cls, centers: ArrayLike, semi_axes: ArrayLike, quaternions: ArrayLike, **others: Any) -> System:
+        """A system from semi-axes (n, 3) and quaternions (n, 4; w, x, y, z); `others` as for `System`."""
+        axes = _rows(semi_axes, 3, "semi_axes"), _rows(quaternions, 4, "quaternions")
+        system = cls(centers, ellipsoid_quaternion(*axes), **others)
+        system._axes = axes
+        return system
+
+    def __len__(self) -> int:
+        return len(self.centers)
+
+    def __repr__(self) -> str:
+        cell = "no cell" if self.cell is None else f"cell {self.cell.tolist()}, periodic {self.periodic}"
+        return f"<System of {len(self)} ellipsoids, {cell}>"
+
+    @property
+    def semi_axes(self) -> Floats:
+        return self._principal()[0]
+
+    @property
+    def quaternions(self) -> Floats:
+        return self._principal()[1]
+
+    def _principal(self) -> tuple[Floats, Floats]:
+        if self._axes is None:
+            semi_axes, rotation = principal_axes(self.q)
+            self._axes = semi_axes, quaternions_of(rotation)
+        return self._axes
+
+    @property
+    def packing_fraction(self) -> Optional[float]:
+        """Volume of the ellipsoids over that of the cell; overlaps count twice."""
+        if self.cell is None:
+            return None
+        return float(4 / 3 * np.pi * self.semi_axes.prod(axis=1).sum() / abs(np.linalg.det(self.cell)))
+
+    def wrapped(self) -> Floats:
+        """Centers within the cell, along the vectors along which it is periodic."""
+        if self.cell is None:
+            return self.centers
+        fractions = (self.centers - self.origin) @ np.linalg.inv(self.cell)
+        return self.centers - np.where(self.periodic, np.floor(fractions), 0.0) @ self.cell
+
+    def neighbors(self, scale: float = 1.0, skin: float = 0.0) -> Neighbors:
+        """Pairs whose boxes meet: see `pypw85.neighbors`."""
+        return neighbors(self.centers, self.q, self.cell, self.periodic, scale, skin)
+
+    def contacts(self, below: float = 1.0) -> Contacts:
+        """All pairs with μ < `below`; with 1, those that overlap, exactly."""
+        return self._contacts(self._candidates(below), below)
+
+    def overlaps(self) -> Contacts:
+        """All pairs that overlap."""
+        return self.contacts()
+
+    def check(self, worst: int = 10, below: float = 1.0) -> Report:
+        """Overlaps, contacts below a μ, and the pairs with the smallest μ, whether or not these overlap."""
+        candidates = self._candidates(max(below, 1.0))
+        tested = candidates if below <= 1 else self._candidates(1.0)
+        closest = self._closest(candidates, max(below, 1.0), max(worst, 1))
+        return Report(
+            len(self),
+            self.shapeless,
+            None if self.cell is None else float(abs(np.linalg.det(self.cell))),
+            self.packing_fraction,
+            len(tested.pairs),
+            int(tested.overlap.sum()),
+            float(closest.mu[0]) if len(closest.mu) else None,
+            nearest_image_limit(self.q, self.cell) if self.cell is not None and all(self.periodic) else None,
+            self._contacts(candidates, below),
+            Contacts(*(np.asarray(column)[:worst] for column in closest)),
+        )
+
+    def draw(
+        self,
+        path: Optional[Any] = None,
+        *,
+        ax: Optional[Any] = None,
+        contacts: bool = False,
+        elevation: float = 20,
+        azimuth: float = -60,
+        size: int = 1200,
+    ) -> Any:
+        """Draw the ellipsoids, those that overlap in red; needs Matplotlib, except for HTML.
+
+        Parameters
+        ----------
+        path : path, optional
+            Of a picture (.png, .pdf, .svg), or of a page that a browser shows and turns (.html).
+        ax : axes of Matplotlib, optional
+            Where to draw, new ones if absent.
+        contacts : bool
+            Whether to mark the contact points of overlapping pairs.
+        elevation, azimuth : float
+            Angles of view in degrees: above the plane of x and y, and around z.
+        size : int
+            Pixels of the longer side.
+
+        Returns
+        -------
+        axes
+            None for a page.
+        """
+        from . import _drawing
+        from .formats import replacing
+
+        if path is not None and os.fspath(path).lower().endswith((".html", ".htm")):
+            text = _drawing.page(self, contacts)
+            with replacing(path) as temporary, open(temporary, "w", encoding="utf-8") as file:
+                file.write(text)
+            return None
+        axes = _drawing.draw(self, ax, contacts, elevation, azimuth, size)
+        if path is not None:
+            with replacing(path) as temporary:
+                axes.figure.savefig(temporary, dpi=size / 8)
+        return axes
+
+    def _candidates(self, scale: float) -> _Candidates:
+        found = self.neighbors(scale)
+        images = None if self.cell is None else found.images
+        arrays = found.pairs, self.centers, self.q, self.cell
+        return _Candidates(
+            found.pairs, found.images, contact_pairs(*arrays, images=images)[0], overlap_pairs(*arrays, images=images)
+        )
+
+    def _contacts(self, candidates: _Candidates, below: float) -> Contacts:
+        chosen = candidates.overlap if below == 1 else candidates.mu2 < below**2
+        return self._details(candidates, np.flatnonzero(chosen))
+
+    def _closest(self, candidates: _Candidates, scale: float, count: int) -> Contacts:
+        """The pairs with the smallest μ. A list for one scale has all pairs whose μ is no larger, so it grows until it has some."""
+        reach = np.ptp(self.centers, axis=0).max(initial=0) + np.sqrt(self.q[:, [0, 3, 5]].max(initial=0))
+        smallest_box = np.sqrt(self.q[:, [0, 3, 5]].min(initial=np.inf))
+        while not (candidates.mu2 <= scale**2).any() and scale * smallest_box <= reach:
+            scale *= 1.25
+            candidates = self._candidates(scale)
+        complete = np.flatnonzero(candidates.mu2 <= scale**2)
+        smallest = complete[np.argsort(candidates.mu2[complete], kind="stable")[:count]]
+        return self._details(candidates, smallest)
+
+    def _details(self, candidates: _Candidates, chosen: NDArray[np.intp]) -> Contacts:
+        chosen = chosen[np.argsort(candidates.mu2[chosen], kind="stable")]
+        pairs, images = candidates.pairs[chosen], candidates.images[chosen]
+        # At a common centre, point and normal are NaN, which is no mistake of the input.
+        with np.errstate(invalid="ignore"):
+            found = contact_derivatives_pairs(
+                pairs, self.centers, self.q, self.cell, None if self.cell is None else images
+            )
+        overlap = candidates.overlap[chosen]
+        point = self.centers[pairs[:, 0]] + found.point
+        return Contacts(pairs, images, np.sqrt(candidates.mu2[chosen]), overlap, point, found.normal)
+
+
+class _Candidates(NamedTuple):
+    pairs: Ints
+    images: Ints
+    mu2: Floats
+    overlap: NDArray[np.bool_]
+
+
+def quaternions_of(rotation: Floats) -> Floats:
+    """Unit quaternions (n, 4; w, x, y, z) of rotation matrices (n, 3, 3).
+
+    q is the eigenvector, for the eigenvalue 1, of the symmetric matrix that holds R as quadratic forms of q (Bar-Itzhack,
+    J. Guid. Control Dyn. 23, 1085, 2000): accurate whatever the angle.
+    """
+    k = np.empty((len(rotation), 4, 4))
+    k[:, 0, 0] = np.trace(rotation, axis1=1, axis2=2)
+    k[:, 0, 1:] = k[:, 1:, 0] = (np.swapaxes(rotation, 1, 2) - rotation)[:, (1, 2, 0), (2, 0, 1)]
+    k[:, 1:, 1:] = rotation + np.swapaxes(rotation, 1, 2) - k[:, 0, 0, np.newaxis, np.newaxis] * np.eye(3)
+    result: Floats = np.linalg.eigh(k)[1][:, :, 3]
+    return result

@@ -1,0 +1,86 @@
+"""Ellipsoids on a grid, as solvers by fast Fourier transforms take them."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ._forms import full
+from ._system import System
+from .formats import FileError, replacing
+
+
+def voxels(system: System, resolution: int) -> NDArray[np.int32]:
+    """For each voxel 1 + the index of the ellipsoid that its centre is in, the last one if there are several, or 0.
+
+    Parameters
+    ----------
+    system : System
+    resolution : int
+        Voxels along each vector of the cell, in whose order the result is indexed.
+
+    Returns
+    -------
+    (resolution, resolution, resolution) array of int32
+
+    Raises
+    ------
+    ValueError
+        There is no cell.
+    """
+    if system.cell is None:
+        raise ValueError("voxels need a cell: give one (--cell)")
+    image = np.zeros((resolution,) * 3, dtype=np.int32)
+    to_grid = resolution * np.linalg.inv(system.cell)
+    # Voxel k has its centre at k + 1/2 in units of voxels.
+    centers = (system.centers - system.origin) @ to_grid - 0.5
+    forms = to_grid.T @ full(system.q) @ to_grid
+    for k, (center, form, inverse) in enumerate(zip(centers, forms, np.linalg.inv(forms))):
+        reach = np.sqrt(np.diag(form))
+        ranges = [np.arange(low, high) for low, high in zip(np.ceil(center - reach), np.floor(center + reach) + 1)]
+        offset = np.stack(np.meshgrid(*ranges, indexing="ij"), axis=-1) - center
+        inside = np.einsum("...i,ij,...j", offset, inverse, offset) <= 1
+        cells = (offset[inside] + center).round().astype(np.intp)
+        kept = np.all((cells >= 0) & (cells < resolution) | system.periodic, axis=1)
+        image[tuple((cells[kept] % resolution).T)] = k + 1
+    return image
+
+
+def save_voxels(path: str, system: System, resolution: int) -> None:
+    """As a data set "voxels" of HDF5 with cell and origin, or as an image of VTK's legacy format (cells with right angles)."""
+    image = voxels(system, resolution)
+    with replacing(path) as temporary:
+        if path.lower().endswith((".h5", ".hdf5")):
+            _save_hdf5(temporary, system, image)
+        elif path.lower().endswith(".vtk"):
+            _save_vtk(temporary, system, image)
+        else:
+            raise FileError(path, "a voxel image is written as .h5 or .vtk: end its name so")
+
+
+def _save_hdf5(path: str, system: System, image: NDArray[Any]) -> None:
+    import h5py
+
+    with h5py.File(path, "w") as file:
+        data = file.create_dataset("voxels", data=image, compression="gzip")
+        data.attrs["cell"], data.attrs["origin"] = system.cell, system.origin
+
+
+def _save_vtk(path: str, system: System, image: NDArray[Any]) -> None:
+    """x runs fastest, and numbers have their highest byte first."""
+    assert system.cell is not None
+    edges = np.diag(system.cell)
+    if (system.cell != np.diag(edges)).any():
+        raise ValueError("VTK's images have right angles, the cell has not: write the voxels as .h5")
+    n = len(image)
+    spacing, origin = edges / n, system.origin
+    header = [
+        "# vtk DataFile Version 3.0", "voxels of pw85", "BINARY", "DATASET STRUCTURED_POINTS",
+        f"DIMENSIONS {n + 1} {n + 1} {n + 1}", "ORIGIN {:.17g} {:.17g} {:.17g}".format(*origin),
+        "SPACING {:.17g} {:.17g} {:.17g}".format(*spacing), f"CELL_DATA {n**3}", "SCALARS ellipsoid int 1", "LOOKUP_TABLE default",
+    ]  # fmt: skip
+    with open(path, "wb") as file:
+        file.write("\n".join([*header, ""]).encode())
+        file.write(image.transpose(2, 1, 0).astype(">i4").tobytes())

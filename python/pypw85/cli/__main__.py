@@ -1,0 +1,5 @@
+"""``python3 -m pypw85.cli`` is ``pw85``."""
+
+from . import main
+
+main()

@@ -1,0 +1,118 @@
+"""Options that every command has which reads a file."""
+
+from __future__ import annotations
+
+import functools
+from typing import Any, Callable, Iterator, NamedTuple, Optional
+
+import click
+import numpy as np
+
+from ..formats import READABLE, FileError, Location, Options, guess, load, locate
+from .._system import System
+
+
+class Input(NamedTuple):
+    path: str
+    format: str
+    chosen: slice
+    options: Options
+
+    def locations(self) -> Iterator[Location]:
+        return locate(self.path, self.format, self.chosen)
+
+    def load(self, location: Location) -> System:
+        return load(self.path, self.format, location, self.options)
+
+    def systems(self) -> Iterator[System]:
+        return map(self.load, self.locations())
+
+
+class Numbers(click.ParamType):
+    """Numbers with commas or blanks between them."""
+
+    name = "numbers"
+
+    def __init__(self, *counts: int) -> None:
+        self.counts = counts
+
+    def convert(self, value: Any, param: Optional[click.Parameter], ctx: Optional[click.Context]) -> Any:
+        try:
+            numbers = np.array(value.replace(",", " ").split(), dtype=np.float64)
+        except ValueError:
+            self.fail(f"'{value}' is not a list of numbers", param, ctx)
+        if len(numbers) not in self.counts or not np.isfinite(numbers).all():
+            self.fail(f"'{value}' should be {' or '.join(map(str, self.counts))} numbers", param, ctx)
+        return numbers
+
+
+class Frames(click.ParamType):
+    """A number, or start:stop:step as Python has it."""
+
+    name = "frames"
+
+    def convert(self, value: Any, param: Optional[click.Parameter], ctx: Optional[click.Context]) -> slice:
+        if isinstance(value, slice):
+            return value
+        try:
+            words = [int(word) if word else None for word in value.split(":")]
+            if len(words) == 1 and words[0] is not None:
+                return slice(words[0], None if words[0] == -1 else words[0] + 1)
+            chosen = slice(*words)
+        except (TypeError, ValueError):
+            self.fail(f"'{value}' is neither a number nor start:stop:step", param, ctx)
+        if chosen.step == 0:
+            self.fail("the step of frames must not be 0", param, ctx)
+        return chosen
+
+
+_OPTIONS = [
+    click.argument("file"),
+    click.option("--format", type=click.Choice(READABLE), help="Format; by what is in the file if absent."),
+    click.option("--frames", type=Frames(), default=":", help="A frame (-1: the last) or start:stop:step; all by default."),
+    click.option("--lengths", type=click.Choice(["radii", "diameters"]),
+                 help="What shapes are; diameters by default in files of LAMMPS, radii elsewhere."),
+    click.option("--quaternion", type=click.Choice(["wxyz", "xyzw"]),
+                 help="Order of quaternions; xyzw by default in extended XYZ, wxyz elsewhere."),
+    click.option("--cell", type=Numbers(3, 9), help="The cell: three edges, or three vectors one after the other."),
+    click.option("--periodic", type=click.Choice(["none", "a", "b", "c", "ab", "ac", "bc", "abc"]),
+                 help="Along which vectors of the cell the system is repeated."),
+    click.option("--shape", type=Numbers(3), help="Lengths of particles that have no shape."),
+    click.option("--shape-columns", help="Names of the columns of a dump or CSV file that are the shape, with commas."),
+    click.option("--quaternion-columns", help="Names of the columns that are the quaternion, with commas."),
+]  # fmt: skip
+
+
+def input_options(function: Callable[..., Any]) -> Callable[..., Any]:
+    """Decorator: the options above, handed to the command as one `Input`."""
+
+    @functools.wraps(function)
+    def command(file: str, format: Optional[str], frames: slice, lengths: Optional[str], quaternion: Optional[str],
+                cell: Any, periodic: Optional[str], shape: Any, shape_columns: Optional[str],
+                quaternion_columns: Optional[str], **others: Any) -> Any:  # fmt: skip
+        if cell is not None:
+            cell = np.diag(cell) if len(cell) == 3 else cell.reshape(3, 3)
+        flags = None if periodic is None else [periodic != "none" and name in periodic for name in "abc"]
+        options = Options(
+            lengths, quaternion, cell, flags, shape, _names(shape_columns, 3, "--shape-columns"),
+            _names(quaternion_columns, 4, "--quaternion-columns"),
+        )  # fmt: skip
+        return function(Input(file, format or guess(file), frames, options), **others)
+
+    for option in reversed(_OPTIONS):
+        command = option(command)
+    return command
+
+
+def one_frame(given: Input) -> System:
+    """The first of the chosen frames."""
+    for system in given.systems():
+        return system
+    raise FileError(given.path, "there are no such frames: choose others (--frames)")
+
+
+def _names(text: Optional[str], count: int, option: str) -> Optional[list[str]]:
+    names = None if text is None else text.split(",")
+    if names is not None and len(names) != count:
+        raise click.UsageError(f"{option} should name {count} columns")
+    return names

@@ -1,0 +1,40 @@
+"""A line on stderr for what takes longer than a second."""
+
+from __future__ import annotations
+
+import contextlib
+import sys
+import threading
+from typing import Callable, Iterator, Optional, TextIO
+
+from tqdm import tqdm
+
+
+@contextlib.contextmanager
+def progress() -> Iterator[Callable[[str], None]]:
+    """Yields a function that takes what is done now. Another thread shows it, so that time goes on while nothing else does."""
+    stage, finished = ["starting"], threading.Event()
+    thread = threading.Thread(target=_show, args=(stage, finished), daemon=True)
+    thread.start()
+
+    def change(text: str) -> None:
+        stage[0] = text
+
+    try:
+        yield change
+    finally:
+        finished.set()
+        thread.join()
+
+
+def _show(stage: list[str], finished: threading.Event) -> None:
+    if finished.wait(1.0):
+        return
+    with tqdm(bar_format="{desc} [{elapsed}]", file=sys.stderr, leave=False) as bar:
+        while not finished.wait(0.5):
+            bar.set_description_str(stage[0])
+
+
+def say(line: str, to: Optional[TextIO] = None) -> None:
+    """Prints a line, to stdout by default, without damage to that of the progress."""
+    tqdm.write(line, to)

@@ -1,0 +1,167 @@
+"""``pw85 check``: do any ellipsoids overlap, and which are the worst?"""
+
+from __future__ import annotations
+
+import contextlib
+import itertools
+import multiprocessing
+import os
+import signal
+import sys
+from typing import Any, Callable, Iterator, Optional, Union
+
+import click
+import numpy as np
+
+from ..formats import FileError, Location
+from ._input import Input, input_options
+from ._progress import progress, say
+from ._reports import Found, csv_report, hdf5_report, json_report
+
+
+@click.command()
+@input_options
+@click.option("--worst", type=click.IntRange(0), default=10, show_default=True, help="How many pairs to show.")
+@click.option("--below", type=click.FloatRange(0, min_open=True), default=1.0, show_default=True,
+              help="Largest μ of the pairs in the files written; 1: those that overlap.")
+@click.option("--csv", "csv_path", metavar="FILE", help="Write these pairs as a table.")
+@click.option("--json", "json_path", metavar="FILE", help="Write everything as JSON.")
+@click.option("--hdf5", "hdf5_path", metavar="FILE", help="Write everything as HDF5.")
+@click.option("--workers", type=click.IntRange(1), default=1, show_default=True, help="Processes that share the frames.")
+@click.option("--varying", is_flag=True, help="The number of particles may change from frame to frame.")
+def check(given: Input, worst: int, below: float, csv_path: Optional[str], json_path: Optional[str],
+          hdf5_path: Optional[str], workers: int, varying: bool) -> int:  # fmt: skip
+    """Say which ellipsoids of FILE overlap. Ends with status 0 if none do, 1 if some, 2 if the input is bad."""
+    outputs = [(csv_report, csv_path), (json_report, json_path), (hdf5_report, hdf5_path)]
+    summary = _Summary(given, worst)
+    with contextlib.ExitStack() as stack:
+        adds = [stack.enter_context(kind(path)) for kind, path in outputs if path is not None]
+        stage = stack.enter_context(progress())
+        for found in _survey_all(given, worst, below, workers, stage):
+            summary.add(found, varying)
+            for add in adds:
+                add(found)
+    if summary.frames == 0:
+        raise FileError(given.path, "there are no such frames: choose others (--frames)")
+    summary.end()
+    return int(summary.overlaps > 0)
+
+
+def survey(given: Input, location: Location, worst: int, below: float, stage: Callable[[str], object] = str) -> Found:
+    """What is found in a frame; calls `stage` with what it does."""
+    stage(f"frame {location.frame}: reading")
+    system = given.load(location)
+    stage(f"frame {location.frame}: checking")
+    report = system.check(worst, below)
+    return Found(location.frame, system.step, system.cell, system.periodic, report,
+                 system.ids[report.contacts.pairs], system.ids[report.worst.pairs])  # fmt: skip
+
+
+def _survey_all(
+    given: Input, worst: int, below: float, workers: int, stage: Callable[[str], object]
+) -> Iterator[Found]:
+    if workers == 1:
+        for location in given.locations():
+            yield survey(given, location, worst, below, stage)
+    else:
+        yield from _survey_with_dask(given, worst, below, workers, stage)
+
+
+def _survey_with_dask(
+    given: Input, worst: int, below: float, workers: int, stage: Callable[[str], object]
+) -> Iterator[Found]:
+    """Some frames at a time, so that no more reports than these wait."""
+    from concurrent.futures import ProcessPoolExecutor
+
+    from dask.base import compute
+    from dask.delayed import delayed
+
+    os.environ.setdefault("OMP_NUM_THREADS", "1")
+    locations = given.locations()
+    context = multiprocessing.get_context("spawn")  # a fork would inherit OpenMP's threads, which are gone in it
+    with ProcessPoolExecutor(workers, context, signal.signal, (signal.SIGINT, signal.SIG_IGN)) as pool:
+        while batch := list(itertools.islice(locations, 4 * workers)):
+            tasks = [delayed(_survey_or_error)(given, location, worst, below) for location in batch]
+            stage(f"frames {batch[0].frame} to {batch[-1].frame}")
+            for found in compute(*tasks, scheduler="processes", pool=pool):
+                if isinstance(found, Exception):
+                    raise found
+                yield found
+
+
+def _survey_or_error(given: Input, location: Location, worst: int, below: float) -> Union[Found, Exception]:
+    """Errors as results: dask would put the traceback of the worker into their text."""
+    try:
+        return survey(given, location, worst, below)
+    except (OSError, ValueError, MemoryError) as error:
+        return error
+
+
+class _Summary:
+    """What is printed: a line for each frame, and the worst pairs of all."""
+
+    def __init__(self, given: Input, worst: int) -> None:
+        self.given, self.count = given, worst
+        self.frames = self.overlaps = self.particles = 0
+        self.worst: list[tuple[Any, ...]] = []
+        self.warned: set[str] = set()
+
+    def add(self, found: Found, varying: bool) -> None:
+        report = found.report
+        total = report.particles + report.shapeless
+        if self.frames == 0:
+            self.particles = total
+            self._header(found)
+        elif total != self.particles and not varying:
+            raise FileError(self.given.path, f"there are {total} particles, but {self.particles} in the first frame: "
+                            "allow it (--varying), or choose frames (--frames)", found.frame)  # fmt: skip
+        self.frames += 1
+        self.overlaps += report.overlaps
+        say(_LINE.format(found.frame, found.step, report.particles, _number(report.packing_fraction),
+                                report.pairs_tested, report.overlaps, _number(report.smallest_mu)))  # fmt: skip
+        self._warn(found)
+        rows = zip(report.worst.mu.tolist(), itertools.repeat(found.frame), found.worst_ids, *report.worst[1:2], *report.worst[4:])
+        self.worst = sorted([*self.worst, *rows], key=lambda row: row[:2])[: self.count]
+
+    def _header(self, found: Found) -> None:
+        say(f"{self.given.path}: {self.given.format}")
+        if found.cell is None:
+            say("no cell")
+        else:
+            flags = "".join(name for name, flag in zip("abc", found.periodic) if flag) or "none"
+            say(f"cell {' | '.join(_vector(row) for row in found.cell)}, periodic along {flags}")
+        say(_LINE.format("frame", "step", "particles", "packing fraction", "pairs tested", "overlaps", "smallest μ"))
+
+    def _warn(self, found: Found) -> None:
+        report, limit = found.report, found.report.nearest_image_limit
+        if report.shapeless:
+            self._once("shapes", f"{report.shapeless} particles without a shape are left out", found.frame)
+        if limit is not None and limit < 1:
+            self._once("cell", "the cell is so small that programs which look at nearest images only miss overlaps "
+                       "(this one looks at all images)", found.frame)  # fmt: skip
+
+    def _once(self, kind: str, sentence: str, frame: int) -> None:
+        if kind not in self.warned:
+            self.warned.add(kind)
+            say(f"pw85: warning: {self.given.path}, frame {frame}: {sentence}", sys.stderr)
+
+    def end(self) -> None:
+        if not self.worst:
+            return
+        say("\nworst pairs")
+        say(_PAIR.format("frame", "id", "id", "image", "μ", "contact point", "normal"))
+        for mu, frame, ids, image, point, normal in self.worst:
+            image = " ".join(map(str, image))
+            say(_PAIR.format(frame, *ids.tolist(), image, f"{mu:.6g}", _vector(point), _vector(normal)))
+
+
+_LINE = "{:>6} {:>10} {:>10} {:>17} {:>13} {:>10} {:>12}"
+_PAIR = "{:>6} {:>10} {:>10} {:>9} {:>12}   {:<34} {}"
+
+
+def _number(value: Optional[float]) -> str:
+    return "-" if value is None else f"{value:.6g}"
+
+
+def _vector(row: Any) -> str:
+    return " ".join(f"{value:.5g}" for value in np.asarray(row) + 0.0)

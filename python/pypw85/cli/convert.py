@@ -1,0 +1,24 @@
+"""``pw85 convert``: from one format to another."""
+
+from __future__ import annotations
+
+from typing import Optional
+
+import click
+
+from ..formats import FORMATS, write
+from ._input import Input, input_options
+from ._progress import progress
+
+
+@click.command()
+@input_options
+@click.argument("output")
+@click.option("--to", type=click.Choice(list(FORMATS)), help="Format of OUTPUT; by the end of its name if absent.")
+def convert(given: Input, output: str, to: Optional[str]) -> int:
+    """Write the chosen frames of FILE to OUTPUT. For ParaView, end it with .vtk, and apply the filter Tensor Glyph with a
+    sphere of radius 1 to the tensor "shape"."""
+    with progress() as stage:
+        stage("converting")
+        write(output, given.systems(), to)
+    return 0

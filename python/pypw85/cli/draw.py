@@ -1,0 +1,26 @@
+"""``pw85 draw``: a picture of a frame."""
+
+from __future__ import annotations
+
+import click
+
+from ._input import Input, input_options, one_frame
+from ._progress import progress
+
+
+@click.command()
+@input_options
+@click.argument("picture")
+@click.option("--contacts", is_flag=True, help="Mark the contact points of overlapping pairs.")
+@click.option("--elevation", type=float, default=20, show_default=True, help="Angle of view above the plane xy, in degrees.")
+@click.option("--azimuth", type=float, default=-60, show_default=True, help="Angle of view around z, in degrees.")
+@click.option("--size", type=click.IntRange(50, 20000), default=1200, show_default=True, help="Pixels of the longer side.")
+def draw(given: Input, picture: str, contacts: bool, elevation: float, azimuth: float, size: int) -> int:
+    """Draw the first chosen frame of FILE. PICTURE ends with .png (or .pdf, .svg), or with .html: a page that any browser
+    shows and turns, without a network. Overlapping ellipsoids are red."""
+    with progress() as stage:
+        stage("reading")
+        system = one_frame(given)
+        stage("drawing")
+        system.draw(picture, contacts=contacts, elevation=elevation, azimuth=azimuth, size=size)
+    return 0

@@ -1,0 +1,161 @@
+"""Dump files of LAMMPS (dump custom), as text."""
+
+from __future__ import annotations
+
+import os
+import re
+from typing import IO, Any, Iterator, NamedTuple, Optional, Sequence
+
+import numpy as np
+
+from .._system import System
+from .._typing import Floats
+from ._boxes import box, numbered_types
+from ._frames import Frame, Location, Options
+from ._table import Lines, Table
+
+SUFFIXES = (".dump", ".lammpstrj")
+_POSITIONS = (("x", "y", "z"), ("xu", "yu", "zu"), ("xs", "ys", "zs"), ("xsu", "ysu", "zsu"))
+_SHAPE = ("shapex", "shapey", "shapez")
+_QUATERNION = ("quatw", "quati", "quatj", "quatk")
+
+
+class _Header(NamedTuple):
+    step: int
+    particles: int
+    cell: Floats
+    origin: Floats
+    periodic: Sequence[bool]
+    columns: list[str]
+
+
+def recognise(start: bytes) -> bool:
+    return start.lstrip().startswith(b"ITEM:")
+
+
+def locate(path: os.PathLike[str]) -> Iterator[Location]:
+    with Lines(path, Location(0)) as lines:
+        frame = 0
+        while True:
+            location = lines.location(frame)
+            lines.frame = frame
+            header = _header(lines)
+            if header is None:
+                return
+            yield location
+            lines.skip(header.particles)
+            frame += 1
+
+
+def load(path: os.PathLike[str], location: Location, options: Options) -> System:
+    with Lines(path, location) as lines:
+        header = _header(lines)
+        if header is None:
+            raise lines.error("the file has become shorter")
+        positions = next((names for names in _POSITIONS if set(names) <= set(header.columns)), None)
+        if positions is None:
+            raise lines.error(f"there are no columns x y z, but {' '.join(header.columns)}: dump them")
+        shape, quaternion = _shape_columns(header.columns, options, lines)
+        wanted = {"id", "type", *positions, *shape, *quaternion}
+        table = lines.table(header.particles, header.columns, wanted=[name for name in header.columns if name in wanted])
+    centers = table.stack(positions)
+    if positions[0].startswith("xs"):
+        centers = header.origin + centers @ header.cell
+    frame = Frame(
+        path, location, centers,
+        shapes=_shapes(table, shape),
+        quaternions=table.stack(quaternion) if quaternion else None,
+        lengths="radii" if shape == ("radius",) else "diameters",
+        types=table.integers("type") if "type" in table else None,
+        ids=table.integers("id") if "id" in table else None,
+        cell=header.cell, origin=header.origin, periodic=header.periodic, step=header.step,
+        lines=range(table.line, table.line + table.count),
+    )  # fmt: skip
+    return frame.system(options)
+
+
+def _shapes(table: Table, columns: Sequence[str]) -> Optional[Floats]:
+    return table.stack(columns if len(columns) == 3 else 3 * list(columns)) if columns else None
+
+
+def _shape_columns(columns: list[str], options: Options, lines: Lines) -> tuple[tuple[str, ...], tuple[str, ...]]:
+    """Names of the columns of shapes (3, 1 for spheres, or none) and quaternions (4 or none)."""
+    for given in (*(options.shape_columns or ()), *(options.quaternion_columns or ())):
+        if given not in columns:
+            raise lines.error(f"there is no column '{given}', but {' '.join(columns)}")
+    shape = tuple(options.shape_columns or ()) or _guess(columns, _SHAPE, r"c_\w*(?:shape|diam)\w*", 1, 3)
+    quaternion = tuple(options.quaternion_columns or ())
+    quaternion = quaternion or _guess(columns, _QUATERNION, r"c_\w*(?:quat|orient|^c_q)\w*", 1, 4)
+    quaternion = quaternion or _guess(columns, _QUATERNION, r"c_\w*shape\w*", 4, 4)
+    if not shape:
+        shape = next(((name,) for name in ("diameter", "radius") if name in columns), ())
+    return shape, quaternion
+
+
+def _guess(columns: list[str], named: tuple[str, ...], pattern: str, first: int, count: int) -> tuple[str, ...]:
+    """Columns by their names, or else those of a compute: its name is the user's, its columns are numbered."""
+    if set(named) <= set(columns):
+        return named
+    for name in columns:
+        if match := re.fullmatch(rf"({pattern})\[{first}\]", name):
+            numbered = tuple(f"{match[1]}[{k}]" for k in range(first, first + count))
+            if set(numbered) <= set(columns):
+                return numbered
+    return ()
+
+
+def _header(lines: Lines) -> Optional[_Header]:
+    """Everything up to the particles; None at the end of the file."""
+    step, count, box = 0, -1, None
+    line = lines.next()
+    while line == "":
+        line = lines.next()
+    if line is None:
+        return None
+    while not line.startswith("ITEM: ATOMS"):
+        if line.startswith("ITEM: TIMESTEP"):
+            step = int(lines.numbers(lines.expect("a time step"), 1, "the time step")[0])
+        elif line.startswith("ITEM: NUMBER OF ATOMS"):
+            count = int(lines.numbers(lines.expect("a number of particles"), 1, "the number of particles")[0])
+        elif line.startswith("ITEM: BOX BOUNDS"):
+            box = _box(line.split()[3:], lines)
+        elif line.startswith("ITEM:"):
+            lines.expect("a value")
+        else:
+            raise lines.error(f"an 'ITEM:' should be here, not '{line[:40]}': more lines than particles, or not a dump file")
+        line = lines.expect("'ITEM: ATOMS'")
+    if count < 0 or box is None:
+        raise lines.error("the number of particles or the box is missing before 'ITEM: ATOMS'")
+    return _Header(step, count, *box, line.split()[2:])
+
+
+def _box(words: list[str], lines: Lines) -> tuple[Floats, Floats, list[bool]]:
+    """Cell, origin, and which directions are periodic."""
+    periodic = [word == "pp" for word in words[-3:]]
+    if words[:2] == ["abc", "origin"]:
+        rows = np.array([lines.numbers(lines.expect("the box"), 4, "a vector of the box") for _ in range(3)])
+        return rows[:, :3], rows[:, 3], periodic
+    columns = 3 if words[:1] == ["xy"] else 2
+    rows = np.array([lines.numbers(lines.expect("the box"), columns, "bounds of the box") for _ in range(3)])
+    xy, xz, yz = rows[:, 2].tolist() if columns == 3 else [0.0, 0.0, 0.0]
+    low = rows[:, 0] - [min(0.0, xy, xz, xy + xz), min(0.0, yz), 0.0]
+    high = rows[:, 1] - [max(0.0, xy, xz, xy + xz), max(0.0, yz), 0.0]
+    cell = np.diag(high - low)
+    cell[1, 0], cell[2, 0], cell[2, 1] = xy, xz, yz
+    return cell, low, periodic
+
+
+def save(file: IO[str], system: System, frame: int) -> None:
+    cell, low = box(system)
+    xy, xz, yz = cell[[1, 2, 2], [0, 0, 1]].tolist()
+    high = low + np.diag(cell)
+    bounds = np.array([[low[0] + min(0, xy, xz, xy + xz), high[0] + max(0, xy, xz, xy + xz), xy],
+                       [low[1] + min(0, yz), high[1] + max(0, yz), xz], [low[2], high[2], yz]])  # fmt: skip
+    tilted = " xy xz yz" if xy or xz or yz else ""
+    flags = " ".join("pp" if flag else "ff" for flag in system.periodic)
+    file.write(f"ITEM: TIMESTEP\n{system.step}\nITEM: NUMBER OF ATOMS\n{len(system)}\nITEM: BOX BOUNDS{tilted} {flags}\n")
+    np.savetxt(file, bounds if tilted else bounds[:, :2], fmt="%.17g")
+    file.write(f"ITEM: ATOMS id type x y z {' '.join(_SHAPE)} {' '.join(_QUATERNION)}\n")
+    columns = [system.centers, 2 * system.semi_axes, system.quaternions]
+    rows: Any = np.column_stack([system.ids, numbered_types(system), *columns])
+    np.savetxt(file, rows, fmt="%d %d" + 10 * " %.17g")

@@ -1,0 +1,43 @@
+"""Systems that several tests use, and the command as a function."""
+
+import dataclasses
+import re
+import sys
+
+import numpy as np
+
+import pypw85
+from pypw85 import cli
+
+SUFFIXES = {"lammps-dump": "dump", "lammps-data": "data", "gsd": "gsd", "xyz": "xyz", "hdf5": "h5", "csv": "csv"}
+CELL = np.array([[4, 0, 0], [0.5, 4, 0], [-0.25, 0.5, 4]])
+
+
+def random_system(seed=1, count=40, cell=CELL, **others):
+    """Ellipsoids of two types around the origin, with numbers that single precision holds exactly."""
+    random = np.random.default_rng(seed)
+    single = lambda x: x.astype(np.float32).astype(np.float64)  # noqa: E731
+    types = random.integers(0, 2, count)
+    axes = np.array([[0.25, 0.5, 1], [0.5, 0.5, 0.75]])[types]
+    quaternions = random.normal(size=(count, 4))
+    quaternions = single(quaternions / np.linalg.norm(quaternions, axis=1)[:, None])
+    # Within the cell, on a lattice of points that are as exact
+    centers = (random.integers(0, 1024, (count, 3)) / 1024 - 0.5) @ cell
+    options = {"cell": cell, "ids": np.arange(count), "types": 1 + types, "origin": -cell.sum(axis=0) / 2, **others}
+    return pypw85.System.from_axes(centers, axes, quaternions, **options)
+
+
+@dataclasses.dataclass
+class Outcome:
+    status: int
+    out: str
+    err: str
+
+
+def command(capsys, monkeypatch, *arguments):
+    """What `pw85 arguments` does; progress, which a slow machine shows, is taken out of what it says."""
+    monkeypatch.setattr(sys, "argv", ["pw85", *map(str, arguments)])
+    capsys.readouterr()
+    status = cli._run()
+    out, err = capsys.readouterr()
+    return Outcome(status, out, re.sub(r"\r[^\r\n]*\[[\d:]+\] *|\r *", "", err))

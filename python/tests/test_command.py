@@ -1,0 +1,245 @@
+"""The command pw85: what it prints and writes, its statuses, and one sentence for bad input."""
+
+import functools
+import json
+import os
+import signal
+import subprocess
+import sys
+
+import numpy as np
+import pytest
+
+import pypw85
+from systems import SUFFIXES, command, random_system
+
+PW85 = [sys.executable, "-m", "pypw85.cli"]
+
+
+@pytest.fixture
+def run(capsys, monkeypatch):
+    return functools.partial(command, capsys, monkeypatch)
+
+
+@pytest.fixture
+def folder(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    return tmp_path
+
+
+def all_images(system, reach=2):
+    """Contacts of all pairs and all images, one pair at a time: {(id, id, image): μ²}."""
+    found = {}
+    n = len(system)
+    grid = [tuple(image) for image in (np.mgrid[(slice(-reach, reach + 1),) * 3].reshape(3, -1).T).tolist()]
+    for i in range(n):
+        for image in grid:
+            first = i if image > (0, 0, 0) else i + 1
+            r12 = system.centers[first:] + np.array(image) @ system.cell - system.centers[i]
+            mu2 = pypw85.contact(r12, system.q[i], system.q[first:])[0]
+            found |= {(i, first + k, *image): value for k, value in enumerate(mu2.tolist())}
+    return found
+
+
+def test_every_format_gives_the_same_table(run, folder):
+    system = random_system(step=0)
+    tables = set()
+    for name, suffix in SUFFIXES.items():
+        pypw85.write(f"a.{suffix}", system)
+        done = run("check", f"a.{suffix}", "--csv", "contacts.csv")
+        assert (done.status, done.err) == (1, "")
+        first, *rest = done.out.splitlines()
+        assert first == f"a.{suffix}: {name}"
+        tables.add(("\n".join(rest), (folder / "contacts.csv").read_text()))
+    assert len(tables) == 1
+
+
+@pytest.mark.parametrize("periodic", [True, False])
+def test_against_all_images(run, folder, periodic):
+    system = random_system(count=20, periodic=periodic)
+    expected = all_images(system, 2 if periodic else 0)
+    pypw85.write("a.dump", system)
+    done = run("check", "a.dump", "--csv", "c.csv", "--below", 1.5)
+    rows = np.loadtxt("c.csv", delimiter=",", skiprows=1)
+    found = {}
+    for row in rows:
+        i, j, image, mu = int(row[2]), int(row[3]), row[4:7].astype(int), row[7]
+        if (i, *-image) > (j, *image) or i > j:
+            i, j, image = j, i, -image
+        if i == j and tuple(image) < (0, 0, 0):
+            image = -image
+        found[(i, j, *image.tolist())] = mu**2
+    wanted = {key: value for key, value in expected.items() if value < 1.5**2}
+    assert found.keys() == wanted.keys()
+    np.testing.assert_allclose([found[key] for key in wanted], list(wanted.values()), rtol=1e-11)
+    overlaps = sum(value < 1 for value in wanted.values())
+    assert rows[:, 8].sum() == overlaps
+    assert int(done.out.splitlines()[3].split()[5]) == overlaps
+    assert done.status == 1
+
+
+def test_clean_system(run, folder):
+    """The smallest μ is found even where no boxes meet."""
+    spheres = pypw85.System.from_axes([[0, 0, 0], [6, 0, 0], [0, 7, 0]], np.ones((3, 3)), [[1, 0, 0, 0]] * 3)
+    pypw85.write("a.csv", spheres)
+    done = run("check", "a.csv", "--json", "a.json")
+    assert (done.status, done.err) == (0, "")
+    assert "no cell" in done.out
+    (frame,) = json.loads((folder / "a.json").read_text())["frames"]
+    assert (frame["overlaps"], frame["smallest_mu"], frame["contacts"], frame["cell"]) == (0, 3.0, [], None)
+    assert done.out.splitlines()[-1].split() == "0 1 2 0 0 0 3 3 0 0 1 0 0".split()
+
+
+def test_one_particle(run, folder):
+    pypw85.write("a.csv", pypw85.System.from_axes([[0, 0, 0]], [[1, 2, 3]], [[1, 0, 0, 0]]))
+    done = run("check", "a.csv")
+    assert (done.status, done.out.splitlines()[-1].split()) == (0, ["0", "0", "1", "-", "0", "0", "-"])
+    # With its own images
+    done = run("check", "a.csv", "--cell", "2.5,9,9", "--worst", 1)
+    row = done.out.splitlines()[-1].split()
+    assert (done.status, row[:3], row[3].strip("-"), row[4:7]) == (0, ["0", "1", "1"], "1", ["0", "0", "1.25"])
+
+
+def test_coincident_centres(run, folder):
+    pypw85.write("a.csv", pypw85.System.from_axes(np.zeros((2, 3)), np.ones((2, 3)), [[1, 0, 0, 0]] * 2))
+    done = run("check", "a.csv", "--json", "a.json")
+    assert (done.status, done.err) == (1, "")
+    (contact,) = json.loads((folder / "a.json").read_text())["frames"][0]["contacts"]
+    assert (contact["mu"], contact["point"]) == (0, [None] * 3)
+
+
+def test_reports_agree(run, folder):
+    import h5py
+
+    pypw85.write("a.gsd", [random_system(seed, step=seed) for seed in range(3)])
+    done = run("check", "a.gsd", "--csv", "a.csv", "--json", "a.json", "--hdf5", "a.h5", "--worst", 4)
+    assert done.status == 1
+    rows = np.loadtxt("a.csv", delimiter=",", skiprows=1)
+    with h5py.File("a.h5") as file:
+        contacts, frames = file["contacts"][()], file["frames"][()]
+    np.testing.assert_array_equal(np.stack([contacts[name] for name in contacts.dtype.names], axis=1), rows)
+    data = json.loads((folder / "a.json").read_text())["frames"]
+    assert [len(frame["contacts"]) for frame in data] == frames["overlaps"].tolist()
+    flat = [[*c["ids"], *c["image"], c["mu"], c["overlap"], *c["point"], *c["normal"]] for f in data for c in f["contacts"]]
+    np.testing.assert_array_equal(flat, rows[:, 2:])
+    worst = [float(line.split()[6]) for line in done.out.splitlines()[-4:]]
+    np.testing.assert_allclose(worst, np.sort(rows[:, 7])[:4], rtol=1e-5)
+
+
+def test_warnings(run, folder):
+    thin = pypw85.System.from_axes([[0, 0, 0]], [[0.1, 0.1, 3]], [[1, 0, 0, 0]], cell=np.eye(3))
+    pypw85.write("a.dump", thin)
+    text = (folder / "a.dump").read_text().replace("ATOMS\n1\n", "ATOMS\n2\n") + "2 1 0 0 0 0 0 0 1 0 0 0\n"
+    (folder / "b.dump").write_text(text)
+    done = run("check", "b.dump")
+    assert done.status == 1
+    first, second = done.err.splitlines()
+    assert first == "pw85: warning: b.dump, frame 0: 1 particles without a shape are left out"
+    assert second.startswith("pw85: warning: b.dump, frame 0: the cell is so small")
+
+
+def test_frames(run, folder):
+    pypw85.write("a.dump", [random_system(seed, step=seed) for seed in range(5)])
+    all_of_them = run("check", "a.dump", "--worst", 0).out.splitlines()[3:]
+    assert [line.split()[0] for line in all_of_them] == list("01234")
+    assert run("check", "a.dump", "--worst", 0, "--frames", "1::2").out.splitlines()[3:] == all_of_them[1::2]
+    assert run("check", "a.dump", "--worst", 0, "--frames", "-1").out.splitlines()[3:] == all_of_them[-1:]
+    assert "no such frames" in run("check", "a.dump", "--frames", "7").err
+    assert all_of_them[0].split()[-1] != "-"
+
+
+def test_another_number_of_particles(run, folder):
+    pypw85.write("a.dump", [random_system(count=40), random_system(count=39)])
+    done = run("check", "a.dump")
+    assert done.status == 2
+    assert "a.dump, frame 1: there are 39 particles, but 40 in the first frame" in done.err
+    assert run("check", "a.dump", "--varying").status == 1
+
+
+def test_workers(folder):
+    pypw85.write("a.dump", [random_system(seed, step=seed) for seed in range(6)])
+    one, two = (subprocess.run([*PW85, "check", "a.dump", "--workers", str(n)], stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+                for n in (1, 2))  # fmt: skip
+    assert (one.returncode, two.returncode) == (1, 1), two.stderr
+    assert one.stdout == two.stdout
+    text = (folder / "a.dump").read_text()
+    (folder / "b.dump").write_text(text[:-100])
+    bad = subprocess.run([*PW85, "check", "b.dump", "--workers", "2"], stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+    assert bad.returncode == 2
+    sentence = bad.stderr.split(b"\r")[-1]  # behind the progress
+    assert sentence.startswith(b"pw85: b.dump, frame 5, line ") and bad.stderr.count(b"\n") == 1
+
+
+BAD = [
+    (["check", "missing.dump"], "missing.dump: there is no such file"),
+    (["check", "."], ".: is a directory"),
+    (["check", "empty"], "empty: the file is empty"),
+    (["check", "a.dump", "--csv", "no/where.csv"], "no/where.csv: there is no such file or directory"),
+    (["check", "a.dump", "--format", "gsd"], "no readable GSD file"),
+    (["check", "a.dump", "--format", "hdf5"], "no readable HDF5 file"),
+    (["check", "a.dump", "--format", "csv"], "there is no column 'x'"),
+    (["check", "a.dump", "--format", "xyz"], "a.dump, frame 0, line 1: the number of particles should be here"),
+    (["check", "a.dump", "--format", "lammps-data"], "are missing before the first section"),
+    (["check", "a.dump", "--frames", "a:b"], "neither a number nor start:stop:step"),
+    (["check", "a.dump", "--frames", "::0"], "must not be 0"),
+    (["check", "a.dump", "--cell", "1,2"], "should be 3 or 9 numbers"),
+    (["check", "a.dump", "--cell", "1,2,nan"], "should be 3 or 9 numbers"),
+    (["check", "a.dump", "--cell", "0,0,0"], "zero or not finite"),
+    (["check", "a.dump", "--shape-columns", "x"], "should name 3 columns"),
+    (["check", "a.dump", "--shape-columns", "x,y,q"], "there is no column 'q'"),
+    (["check", "a.dump", "--below", "0"], "--below"),
+    (["check"], "Missing argument 'FILE'"),
+    (["nonsense"], "No such command 'nonsense'"),
+]
+
+
+@pytest.mark.parametrize("arguments, reason", BAD, ids=[" ".join(arguments) for arguments, _ in BAD])
+def test_bad_input(run, folder, arguments, reason):
+    pypw85.write("a.dump", random_system())
+    (folder / "empty").touch()
+    before = set(folder.iterdir())
+    done = run(*arguments)
+    assert done.status == 2
+    assert reason in done.err.splitlines()[-1] and "Traceback" not in done.err
+    assert set(folder.iterdir()) == before
+
+
+@pytest.mark.skipif(os.geteuid() == 0, reason="root may read everything")
+def test_no_permission(run, folder):
+    pypw85.write("a.dump", random_system())
+    (folder / "a.dump").chmod(0)
+    done = run("check", "a.dump")
+    assert done.status == 2 and "a.dump: permission denied" in done.err
+
+
+def test_old_report_stays_whole(run, folder):
+    pypw85.write("a.dump", [random_system(), random_system(count=39)])
+    (folder / "a.csv").write_text("precious")
+    assert run("check", "a.dump", "--csv", "a.csv").status == 2
+    assert (folder / "a.csv").read_text() == "precious"
+
+
+def test_interruption(folder):
+    """Ctrl-C ends at once, and leaves no temporary files."""
+    pypw85.write("a.dump", [random_system()] * 3000)
+    command = subprocess.Popen([*PW85, "check", "a.dump", "--csv", "a.csv"], stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+    command.stdout.readline()
+    command.send_signal(signal.SIGINT)
+    _, err = command.communicate(timeout=60)
+    assert (command.returncode, err.splitlines()[-1]) == (130, b"pw85: interrupted")
+    assert [path.name for path in folder.iterdir()] == ["a.dump"]
+
+
+def test_closed_pipe(folder):
+    pypw85.write("a.dump", [random_system()] * 3000)
+    command = subprocess.Popen([*PW85, "check", "a.dump"], stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+    command.stdout.readline()
+    command.stdout.close()
+    assert command.stderr.read() == b""
+    command.wait(timeout=60)
+
+
+def test_help(run):
+    done = run("check", "--help")
+    assert done.status == 0 and "--workers" in done.out
+    assert pypw85.version() in run("--version").out

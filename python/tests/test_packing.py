@@ -1,0 +1,191 @@
+"""Packings, relaxation, voxels, statistics, conversion."""
+
+import functools
+
+import numpy as np
+import pytest
+
+import pypw85
+from pypw85 import _packing, _statistics, _voxels
+from pypw85._system import quaternions_of
+from systems import CELL, command, random_system
+
+
+@pytest.fixture
+def run(capsys, monkeypatch):
+    return functools.partial(command, capsys, monkeypatch)
+
+
+def rotations(quaternions):
+    """Rotation matrices, column by column: the form of an ellipsoid that is long along one axis tells where that goes."""
+    return np.stack([pypw85.full(pypw85.ellipsoid_quaternion(1 + axis, quaternions)) for axis in np.eye(3)], axis=1)
+
+
+def test_quaternions_of_rotations(rng):
+    quaternions = np.concatenate([rng.normal(size=(200, 4)), np.eye(4), [[1e-9, 1, 0, 0], [0, 1, -1, 0]]])
+    semi_axes, rotation = pypw85.principal_axes(pypw85.ellipsoid_quaternion([1, 2, 3], quaternions))
+    q = pypw85.ellipsoid_quaternion(semi_axes, quaternions_of(rotation))
+    np.testing.assert_allclose(q, pypw85.ellipsoid([1, 2, 3], rotation), atol=2e-14)
+
+
+def test_turned(rng):
+    """Half a turn about z, twice a quarter, and the derivative that torques are."""
+    start = rng.normal(size=(20, 4))
+    turned = _packing._turned(start, np.tile([0, 0, np.pi], (20, 1)))
+    mirror = np.diag([-1, -1, 1])
+    np.testing.assert_allclose(rotations(turned), mirror @ rotations(start) @ mirror, atol=1e-13)
+    quarter = np.tile([0, 0, np.pi / 2], (20, 1))
+    np.testing.assert_allclose(rotations(_packing._turned(_packing._turned(start, quarter), quarter)), rotations(turned), atol=1e-13)
+    np.testing.assert_allclose(_packing._turned(start, np.zeros((20, 3))), start / np.linalg.norm(start, axis=1)[:, None])
+
+
+def test_forces_are_derivatives_of_the_energy(rng):
+    system = random_system(count=12)
+
+    def energy(centers, quaternions):
+        swollen = pypw85.System.from_axes(centers, 1.01 * system.semi_axes, quaternions, cell=system.cell)
+        return 0.5 * ((1 - swollen.overlaps().mu ** 2) ** 2).sum()
+
+    push = _packing._push(system, system.centers, system.quaternions)
+    for _ in range(5):
+        way, turn, h = rng.normal(size=(12, 3)), rng.normal(size=(12, 3)), 1e-5
+        plus, minus = (energy(system.centers + s * h * way, _packing._turned(system.quaternions, s * h * turn)) for s in (1, -1))
+        slope = -(push.forces * way).sum() - (push.torques * turn).sum()
+        # Central differences: an error of h² times third derivatives, and of 1e-15 energy / h
+        np.testing.assert_allclose((plus - minus) / (2 * h), slope, rtol=1e-6, atol=1e-7)
+
+
+@pytest.mark.parametrize("cell", [None, CELL])
+def test_pack(cell):
+    kinds = np.array([[1, 1, 2], [1.5, 1.5, 0.5]])[np.arange(30) % 2]
+    system = pypw85.pack(kinds, 0.45, cell, seed=3)
+    assert len(system.overlaps().mu) == 0
+    assert system.packing_fraction == pytest.approx(0.45, rel=1e-12)
+    np.testing.assert_array_equal(system.semi_axes, kinds)
+    fractions = system.centers @ np.linalg.inv(system.cell)
+    assert (fractions > -1e-12).all() and (fractions < 1 + 1e-12).all()
+    again = pypw85.pack(kinds, 0.45, cell, seed=3)
+    np.testing.assert_array_equal(again.q, system.q)
+    assert (pypw85.pack(kinds, 0.45, cell, seed=4).q != system.q).any()
+
+
+def test_too_dense():
+    with pytest.raises(ValueError, match="still overlap after 20 steps"):
+        pypw85.pack(np.ones((10, 3)), 0.9, steps=20)
+    for axes, fraction in (([[1, 1, 0]], 0.3), ([1, 1, 1], 0.3), ([[1, 1, 1]], 1.0), ([[1, 1, 1]], np.nan)):
+        with pytest.raises(ValueError):
+            pypw85.pack(axes, fraction)
+
+
+def test_relax_without_cell():
+    system = pypw85.System.from_axes([[0, 0, 0], [0.5, 0, 0], [9, 9, 9]], [[1, 1, 2]] * 3, [[1, 0, 0, 0]] * 3)
+    relaxed = pypw85.relax(system)
+    assert len(relaxed.overlaps().mu) == 0
+    np.testing.assert_array_equal(relaxed.centers[2], system.centers[2])
+    np.testing.assert_array_equal(relaxed.semi_axes, system.semi_axes)
+
+
+def test_pack_and_relax_commands(run, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    arguments = ["-n", 20, "--axes", "1,1,2", "--axes", "2,2,1", "--spread", 0.1, "--fraction", 0.4]
+    for suffix in ("data", "h5", "vtk"):
+        done = run("pack", f"a.{suffix}", *arguments, "--voxels", "voxels.vtk", "--resolution", 8)
+        assert (done.status, done.out, done.err) == (0, "", "")
+    assert run("check", "a.data").status == 0
+    system = pypw85.read("a.data")
+    assert system.packing_fraction == pytest.approx(0.4, rel=1e-12)
+    assert list(system.types) == [1, 2] * 10 and len(np.unique(system.semi_axes[:, 0])) == 20
+    pypw85.write("b.gsd", [random_system(count=10), random_system(2, count=10)])
+    assert run("check", "b.gsd").status == 1
+    assert run("relax", "b.gsd", "c.h5").status == 0
+    assert run("check", "c.h5").status == 0
+    done = run("pack", "d.data", "-n", 9, "--axes", "1,1,1", "--fraction", 0.9, "--steps", 5)
+    assert done.status == 2 and "still overlap" in done.err and not (tmp_path / "d.data").exists()
+    assert run("pack", "d.txt", *arguments).status == 2
+
+
+@pytest.mark.parametrize("periodic", [True, (True, False, False)])
+def test_voxels(periodic):
+    """Each centre of a voxel against all images of all ellipsoids."""
+    system = random_system(count=3, periodic=periodic)
+    n = 12
+    image = _voxels.voxels(system, n)
+    grid = (np.mgrid[:n, :n, :n].reshape(3, -1).T + 0.5) / n @ system.cell + system.origin
+    expected = np.zeros(n**3, dtype=int)
+    for k in range(3):
+        inverse = np.linalg.inv(pypw85.full(system.q[k]))
+        for shift in np.mgrid[-1:2, -1:2, -1:2].reshape(3, -1).T:
+            if (shift[~np.array(system.periodic)] == 0).all():
+                offset = grid - system.centers[k] - shift @ system.cell
+                expected[np.einsum("ni,ij,nj->n", offset, inverse, offset) <= 1] = k + 1
+    np.testing.assert_array_equal(image.ravel(), expected)
+
+
+def test_voxel_files(tmp_path):
+    import h5py
+
+    system = random_system(count=3, cell=np.diag([3.0, 4, 5]))
+    image = _voxels.voxels(system, 6)
+    _voxels.save_voxels(str(tmp_path / "a.h5"), system, 6)
+    with h5py.File(tmp_path / "a.h5") as file:
+        np.testing.assert_array_equal(file["voxels"], image)
+    _voxels.save_voxels(str(tmp_path / "a.vtk"), system, 6)
+    header, numbers = (tmp_path / "a.vtk").read_bytes().split(b"LOOKUP_TABLE default\n")
+    assert b"DIMENSIONS 7 7 7\n" in header and b"SPACING 0.5 0.66666666666666663 0.83333333333333337\n" in header
+    np.testing.assert_array_equal(np.frombuffer(numbers, ">i4").reshape(6, 6, 6), image.transpose(2, 1, 0))
+    for name in ("a.vtk", "a.txt"):
+        with pytest.raises(ValueError):
+            _voxels.save_voxels(str(tmp_path / name), random_system(), 6)
+
+
+def test_nematic_order(rng):
+    parallel = np.tile([1.0, 2, 3, 4], (50, 1))
+    zeros = np.zeros((50, 3))
+    for axes in ([1, 1, 3], [3, 1, 1], [2, 2, 0.5]):
+        system = pypw85.System.from_axes(zeros, [axes] * 50, parallel / np.sqrt(30))
+        assert _statistics.nematic_order(system) == pytest.approx(1, abs=1e-14)
+    random = rng.normal(size=(20000, 4))
+    random /= np.linalg.norm(random, axis=1)[:, None]
+    system = pypw85.System.from_axes(np.zeros((20000, 3)), [[1, 1, 3]] * 20000, random)
+    # Entries of the mean of n dyads spread by less than 1/√n, their largest eigenvalue by less than 3/2 times 3 of these.
+    assert 0 < _statistics.nematic_order(system) < 4.5 / np.sqrt(20000)
+
+
+def test_correlation_of_an_ideal_gas(rng):
+    """Points thrown at random are uncorrelated in μ, too."""
+    n = 150
+    system = pypw85.System.from_axes(rng.uniform(0, 8, (n, 3)), rng.uniform(0.3, 0.9, (n, 3)), random_quaternions(rng, n), cell=8 * np.eye(3))
+    found = _statistics.correlation(system, 2.0, 4)
+    # Poisson noise of a bin, and 1 % of the estimate of excluded volumes
+    assert (np.abs(found.pairs - found.uncorrelated) < 4 * np.sqrt(found.uncorrelated) + 0.01 * found.uncorrelated).all()
+    assert found.uncorrelated[-1] > 500
+    with pytest.raises(ValueError, match="needs a cell"):
+        _statistics.correlation(pypw85.System(system.centers, system.q))
+
+
+def random_quaternions(rng, n):
+    quaternions = rng.normal(size=(n, 4))
+    return quaternions / np.linalg.norm(quaternions, axis=1)[:, None]
+
+
+def test_plot(run, tmp_path):
+    pypw85.write(tmp_path / "a.gsd", [random_system(seed) for seed in range(2)])
+    done = run("plot", tmp_path / "a.gsd", tmp_path / "a.png", "--bins", 20)
+    assert (done.status, done.err) == (0, "")
+    assert [line.split()[0] for line in done.out.splitlines()] == ["frame", "0", "1"]
+    assert (tmp_path / "a.png").stat().st_size > 1000
+    assert run("plot", tmp_path / "a.gsd", tmp_path / "a.xyz").status == 2
+
+
+def test_convert(run, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    systems = [random_system(seed, step=seed) for seed in range(3)]
+    pypw85.write("a.dump", systems)
+    assert run("convert", "a.dump", "b.gsd").status == 0
+    assert run("convert", "b.gsd", "c.xyz", "--frames", "1:").status == 0
+    assert [system.step for system in pypw85.frames("c.xyz")] == [1, 2]
+    np.testing.assert_array_equal(pypw85.read("c.xyz").q, systems[1].q)
+    assert run("convert", "a.dump", "d", "--to", "csv", "--frames", 2).status == 0
+    np.testing.assert_array_equal(pypw85.read("d").q, systems[2].q)
+    done = run("convert", "a.dump", "d", "--to", "csv")
+    assert done.status == 2 and "holds one frame" in done.err

@@ -1,0 +1,41 @@
+"""The page on the command, and the notebooks, do what they show."""
+
+import os
+import pathlib
+import shutil
+import subprocess
+import sys
+
+import pytest
+
+SOURCE = pathlib.Path(os.environ["PYPW85_SOURCE"])
+NOTEBOOKS = sorted((SOURCE / "examples" / "notebooks").glob("*.ipynb"))
+
+
+def test_session(tmp_path):
+    """The commands of the page print what it shows, and write what they say."""
+    shutil.copy(SOURCE / "docs" / "command" / "grains.xyz", tmp_path)
+    (tmp_path / "bin").mkdir()
+    (tmp_path / "bin" / "pw85").write_text(f'#!/bin/sh\nexec {sys.executable} -m pypw85.cli "$@"\n')
+    (tmp_path / "bin" / "pw85").chmod(0o755)
+    environment = {**os.environ, "PATH": f"{tmp_path / 'bin'}:{os.environ['PATH']}"}
+    done = subprocess.run(["sh", SOURCE / "docs" / "command" / "session.sh"], cwd=tmp_path, env=environment,
+                          stdout=subprocess.PIPE, stderr=subprocess.PIPE, encoding="utf-8")  # fmt: skip
+    assert done.stdout == (SOURCE / "docs" / "command" / "session.out").read_text(encoding="utf-8"), done.stderr
+    written = {path.name for path in tmp_path.iterdir() if path.is_file()} - {"grains.xyz"}
+    assert written == {"contacts.csv", "grains.png", "grains.html", "grains.gsd", "apart.data", "packing.data",
+                       "packing.vtk", "packing.png"}  # fmt: skip
+
+
+def test_there_are_three_notebooks():
+    assert len(NOTEBOOKS) == 3
+
+
+@pytest.mark.parametrize("path", NOTEBOOKS, ids=lambda path: path.stem)
+def test_notebooks(path):
+    nbclient = pytest.importorskip("nbclient")
+    nbformat = pytest.importorskip("nbformat")
+    notebook = nbformat.read(path, as_version=4)
+    nbclient.NotebookClient(notebook, timeout=300, kernel_name="python3",
+                            resources={"metadata": {"path": str(path.parent)}}).execute()  # fmt: skip
+    assert not any(cell.get("outputs") for cell in nbformat.read(path, as_version=4).cells), "committed with outputs"
