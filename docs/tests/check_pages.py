@@ -3,7 +3,7 @@
 - links: everything that a page refers to within the pages exists;
 - formulas: KaTeX can typeset them all (skipped without Node.js and KaTeX);
 - spelling: hunspell with a British dictionary and our own list knows every word of prose (skipped without it);
-- listings: no line is longer than what a page shows without scrolling;
+- listings: no line of code is longer than what a page shows without scrolling (what programs print may be);
 - browser: what browser.py says (skipped without Chromium and Selenium). Screenshots are put next to HTML.
 """
 
@@ -25,6 +25,7 @@ for (const formula of JSON.parse(require("fs").readFileSync(0, "utf-8")))
     try { katex.renderToString(formula, {displayMode: true}); } catch (error) { console.log(error.message); }
 """
 LONGEST_LINE = 88
+PRINTED = {"highlight-none", "highlight-text"}  # what programs print
 SEARCHES = ["changelog", "minimum image", "overlap", "performance", "quaternion"]
 VOID = {"area", "base", "br", "col", "embed", "hr", "img", "input", "link", "meta", "source", "track", "wbr"}
 NOT_PROSE = {"script", "style", "code", "pre", "svg", "dt", "head"}
@@ -37,7 +38,7 @@ class Page(HTMLParser):
     def __init__(self, path):
         super().__init__()
         self.path, self.ids, self.references, self.formulas, self.prose = path, set(), [], [], []
-        self.listings, self.in_listing = [], False
+        self.listings, self.in_listing, self.language = [], False, ""
         self.open = []  # (tag, whether it is prose, whether it is a formula)
         self.feed(path.read_text(encoding="utf-8"))
 
@@ -48,10 +49,11 @@ class Page(HTMLParser):
         self.references += [attributes[name] for name in ("href", "src") if attributes.get(name)]
         if tag in VOID:
             return
-        if tag == "pre":
+        classes = set((attributes.get("class") or "").split())
+        self.language = next((name for name in classes if name.startswith("highlight-")), self.language)
+        if tag == "pre" and self.language not in PRINTED:
             self.listings.append("")
             self.in_listing = True
-        classes = set((attributes.get("class") or "").split())
         prose = (self.open[-1][1] if self.open else True) and tag not in NOT_PROSE and not classes & NOT_PROSE_CLASSES
         self.open.append((tag, prose, "math" in classes))
         if "math" in classes:
