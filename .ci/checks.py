@@ -1,10 +1,12 @@
 """The checks of .ci/run: README's two commands, all tests with gcc and clang without warnings, the styles for LAMMPS,
-sanitizers, valgrind, format.
+sanitizers, valgrind, format, static analysis, other platforms, Debian packages, the ABI of the last release. CONTRIBUTING.md
+has a table of the parts.
 
 Results are counted from what `meson test` writes, so that suites need not be listed here; a step that is no test counts as
 one. The last line is "N passed, N failed".
 """
 
+import contextlib
 import json
 import os
 import shutil
@@ -18,12 +20,19 @@ ROOT = Path(__file__).resolve().parent.parent
 BUILDS = ROOT / "build-ci"
 TEST_COMMAND_BUILD = ROOT / "build-test"  # where scripts/test.sh builds
 CLANG = {"CC": "clang", "CXX": "clang++"}
-ONLY_TESTS = ["-Dtests=enabled", "-Dbench=disabled", "-Dpython=disabled", "-Dfortran=disabled"]
+ONLY_TESTS = ["-Dtests=enabled", "-Dgpu=enabled", "-Dbench=disabled", "-Dpython=disabled", "-Dfortran=disabled"]
 
 
 class Results:
     def __init__(self):
-        self.passed, self.failed, self.failures = 0, 0, []
+        self.passed, self.failed, self.failures, self.times = 0, 0, [], []
+
+    @contextlib.contextmanager
+    def part(self, name):
+        """Times what is done within."""
+        start = time.monotonic()
+        yield
+        self.times.append((name, time.monotonic() - start))
 
     def add(self, name, ok):
         if ok:
@@ -65,6 +74,11 @@ def read_cases(report):
     return cases
 
 
+def folder_of(name):
+    """Next to that of the test command, so that compilers are called with the same paths, and ccache knows what it has seen."""
+    return ROOT / f"build-ci-{name}"
+
+
 def run(command, **environment):
     print("+", *command, flush=True)
     return subprocess.run(command, cwd=ROOT, env={**os.environ, **environment}).returncode == 0
@@ -72,7 +86,7 @@ def run(command, **environment):
 
 def build(results, name, options, environment):
     """Whether a build without warnings succeeds, in a fresh folder."""
-    folder = BUILDS / name
+    folder = folder_of(name)
     shutil.rmtree(folder, ignore_errors=True)
     ok = run(["meson", "setup", str(folder), *options, "--werror"], **environment) and \
         run(["meson", "compile", "-C", str(folder)])
@@ -96,18 +110,14 @@ def report(results, folder, ok):
 
 
 def test_command(results):
-    """Runs README's test command in a fresh folder, with benchmarks and pages, and with warnings as errors; whether it got
-    to the tests."""
+    """README's test command in a fresh folder, with benchmarks and pages, and with warnings as errors."""
     shutil.rmtree(TEST_COMMAND_BUILD, ignore_errors=True)
     ok = run(["scripts/test.sh"], PW85_SETUP_OPTIONS="--werror -Dbench=enabled -Ddocs=enabled")
     report(results, TEST_COMMAND_BUILD, ok)
-    return (TEST_COMMAND_BUILD / "meson-logs/testlog.json").exists()
 
 
 def check_format(results):
-    files = subprocess.run(["git", "ls-files", "*.c", "*.cpp", "*.h", "*.hpp"], cwd=ROOT, check=True, text=True,
-                           stdout=subprocess.PIPE).stdout.split()
-    results.add("format", run(["clang-format", "--dry-run", "-Werror", *files]))
+    results.add("format", run(["clang-format", "--dry-run", "-Werror", *tracked("*.c", "*.cpp", "*.h", "*.hpp")]))
 
 
 def check_platforms(results):
@@ -119,35 +129,117 @@ def check_platforms(results):
     options = ["-Dgsl=disabled", *(f"-D{name}=disabled" for name in ("bench", "python", "fortran"))]
     for machine in sorted((ROOT / "scripts/cross").glob("*.ini")):
         if build(results, machine.stem, [f"--cross-file={machine}", *options], {"BOOST_ROOT": str(boost)}):
-            test(results, BUILDS / machine.stem, ["--suite", "portable"], WINEPREFIX=str(BUILDS / "wine"), WINEDEBUG="-all")
+            test(results, folder_of(machine.stem), ["--suite", "portable"], WINEPREFIX=str(BUILDS / "wine"), WINEDEBUG="-all")
 
 
-def check_all(results):
-    check_format(results)
-    results.add("scripts/tutorial.sh", run(["scripts/tutorial.sh"]))
-    if test_command(results):
-        valgrind = "valgrind --quiet --error-exitcode=99 --leak-check=full --errors-for-leak-kinds=definite"
-        test(results, TEST_COMMAND_BUILD, ["--suite", "quick", "--wrap", valgrind, "--timeout-multiplier", "20"],
-             G_SLICE="always-malloc", PW85_TARGET="avx2")  # valgrind knows no AVX-512
+def tracked(*patterns):
+    return subprocess.run(["git", "ls-files", "--", *patterns], cwd=ROOT, check=True, text=True,
+                          stdout=subprocess.PIPE).stdout.split()
+
+
+def check_static(results):
+    """What can be said about the sources without running them, beside the compilers' warnings and mypy, which tests run. GCC 12
+    analyses C alone, so that its analyser sees no more than programs that use the library."""
+    scripts = [file for file in tracked("*.sh", ".ci/run", "debian/tests/consumer") if file != "scripts/packages.sh"]
+    results.add("shellcheck", run(["shellcheck", "-x", "-s", "sh", "-e", "SC2046", *scripts]))  # unquoted lists of words
+    prose = [file for file in tracked() if not file.endswith((".svg", ".png", ".h5", ".js", ".out", "words.txt", "_pairs.txt"))]
+    results.add("codespell", run(["codespell", "-L", "nin,numer", *prose]))
+    reexports = "--per-file-ignores=python/pypw85/gufuncs.py:F401 python/pypw85/__init__.py:F401"
+    results.add("flake8", run(["/usr/bin/python3", "-m", "flake8", "--select=E9,F", reexports, *tracked("*.py")]))
+    glib = subprocess.run(["pkg-config", "--cflags", "glib-2.0"], check=True, text=True, stdout=subprocess.PIPE).stdout.split()
+    for file in tracked("*.c"):
+        results.add(f"analyzer: {file}", run(["gcc", "-std=c99", "-O2", "-fanalyzer", "-Werror", "-Iinclude",
+                                              f"-I{TEST_COMMAND_BUILD}/include", "-D_POSIX_C_SOURCE=200809L",
+                                              *glib, "-c", file, "-o", "/dev/null"]))
+
+
+def check_tidy(results):
+    """clang-tidy over each source of the library, as the build by clang compiles it."""
+    folder = folder_of("clang")
+    commands = folder / "compile_commands.json"
+    units = json.loads(commands.read_text()) if commands.exists() else []
+    files = {str((folder / unit["file"]).resolve()) for unit in units}
+    ours = sorted(file for file in files if Path(file).is_relative_to(ROOT / "src"))
+    ok = subprocess.run(["xargs", "-P2", "-n1", "clang-tidy", "--quiet", "-p", str(folder)], cwd=ROOT, text=True,
+                        input="\n".join(ours)).returncode == 0
+    results.add("clang-tidy", ok and bool(ours))
+
+
+def check_debian(results):
+    """The packages: built from what git tracks, judged by lintian, used by programs from where they are unpacked."""
+    work = BUILDS / "debian"
+    shutil.rmtree(work, ignore_errors=True)
+    (work / "pw85").mkdir(parents=True)
+    run(["cp", "--parents", "-t", str(work / "pw85"), *tracked()])
+    ok = subprocess.run(["dpkg-buildpackage", "-b", "-us", "-uc", "-d"], cwd=work / "pw85",
+                        env={**os.environ, "PATH": "/usr/bin:/bin", "DEB_BUILD_OPTIONS": "nocheck",
+                             "DEB_BUILD_PROFILES": "nocheck"}).returncode == 0
+    results.add("debian: packages", ok)
+    # The first package of all closes the report that asks for it; there is no such report.
+    changes = [str(file) for file in work.glob("*.changes")]
+    results.add("debian: lintian", run(["lintian", "--allow-root", "--fail-on=error,warning",
+                                        "--suppress-tags=initial-upload-closes-no-bugs", *changes]))
+    for package in sorted(work.glob("*.deb")):
+        run(["dpkg", "-x", str(package), str(work / "root")])
+    results.add("debian: consumer", run(["debian/tests/consumer", str(work / "root")]))
+
+
+def check_valgrind(results):
+    valgrind = "valgrind --quiet --error-exitcode=99 --leak-check=full --errors-for-leak-kinds=definite"
+    test(results, TEST_COMMAND_BUILD, ["--suite", "quick", "--wrap", valgrind, "--timeout-multiplier", "20"],
+         G_SLICE="always-malloc", PW85_TARGET="avx2")  # valgrind knows no AVX-512
+
+
+def check_lammps(results):
     if build(results, "lammps", [*ONLY_TESTS, "-Dlammps=enabled", "-Dpython=enabled"], {}):
-        test(results, BUILDS / "lammps", ["--suite", "lammps"])
+        test(results, folder_of("lammps"), ["--suite", "lammps"])
+
+
+def check_clang(results):
     if build(results, "clang", [*ONLY_TESTS, "-Dgsl=disabled"], CLANG):
-        test(results, BUILDS / "clang", ["--no-suite", "install"])
-    check_platforms(results)
+        test(results, folder_of("clang"), ["--no-suite", "install"])
+
+
+def check_sanitizers(results):
     if build(results, "address-undefined", [*ONLY_TESTS, "-Db_sanitize=address,undefined", "-Doptimization=2",
                                             "-Doptimized=false"], {}):
-        test(results, BUILDS / "address-undefined", ["--no-suite", "install", "--timeout-multiplier", "10"],
+        test(results, folder_of("address-undefined"), ["--no-suite", "install", "--timeout-multiplier", "10"],
              UBSAN_OPTIONS="halt_on_error=1:print_stacktrace=1", ASAN_OPTIONS="detect_leaks=1")
     if build(results, "thread", [*ONLY_TESTS, "-Db_sanitize=thread", "-Dopenmp=disabled", "-Doptimization=1",
                                  "-Doptimized=false"], {}):
-        test(results, BUILDS / "thread", ["--suite", "threads", "--timeout-multiplier", "10"], TSAN_OPTIONS="halt_on_error=1")
+        test(results, folder_of("thread"), ["--suite", "threads", "--timeout-multiplier", "10"],
+             TSAN_OPTIONS="halt_on_error=1")
+
+
+def check_all(results):
+    parts = {
+        "format": check_format,
+        "tutorial": lambda results: results.add("scripts/tutorial.sh", run(["scripts/tutorial.sh"])),
+        "tests": test_command,
+        "static": check_static,
+        "valgrind": check_valgrind,
+        "lammps": check_lammps,
+        "clang": check_clang,
+        "clang-tidy": check_tidy,
+        "platforms": check_platforms,
+        "debian": check_debian,
+        "abi": lambda results: results.add("scripts/abi.sh", run(["scripts/abi.sh"])),
+        "sanitizers": check_sanitizers,
+    }
+    for name, check in parts.items():
+        with results.part(name):
+            check(results)
 
 
 def main():
     start = time.monotonic()
     results = Results()
+    # What one part has compiled, others need not compile again.
+    os.environ.setdefault("CCACHE_DIR", str(BUILDS / "ccache"))
+    os.environ.update(CCACHE_BASEDIR="/", CCACHE_NOHASHDIR="1", CCACHE_SLOPPINESS="include_file_mtime,include_file_ctime")
     check_all(results)
-    print(f"\n{(time.monotonic() - start) / 60:.0f} minutes")
+    print(f"\n{(time.monotonic() - start) / 60:.0f} minutes: " +
+          ", ".join(f"{name} {seconds / 60:.1f}" for name, seconds in results.times))
     for name in results.failures:
         print(f"FAILED: {name}")
     print(f"{results.passed} passed, {results.failed} failed")

@@ -21,6 +21,7 @@ module pw85
   integer(c_int), parameter, public :: pw85_enotpd = 2
   integer(c_int), parameter, public :: pw85_econvergence = 3
   integer(c_int), parameter, public :: pw85_enomem = 4
+  integer(c_int), parameter, public :: pw85_edevice = 5
 
   !> Dimension of the physical space, and number of stored entries of a symmetric matrix.
   integer(c_int), parameter, public :: pw85_dim = 3
@@ -45,6 +46,7 @@ module pw85
   public :: pw85_contact_geometry_2d, pw85_contact_gradient_2d, pw85_contact_torque_2d, pw85_contact_hessian_2d
   public :: pw85_overlap_2d, pw85_contact_batch_2d, pw85_overlap_batch_2d
   public :: pw85_distance, pw85_distance_derivatives, pw85_distance_2d
+  public :: pw85_penetration, pw85_distance_batch, pw85_penetration_batch, pw85_distance_plane_batch
   public :: pw85_first_contact, pw85_first_contact_batch, pw85_first_contact_pairs
   public :: pw85_distance_plane, pw85_distance_plane_derivatives, pw85_contact_plane, pw85_distance_box
   public :: pw85_distance_cylinder, pw85_distance_point, pw85_intersect_line
@@ -52,7 +54,7 @@ module pw85
   public :: pw85_closest_approach_batch, pw85_contact_derivatives_batch, pw85_contact_derivatives_pairs, pw85_overlap_any
   public :: pw85_neighbors_create, pw85_neighbors_check, pw85_neighbors_holds, pw85_neighbors_size, pw85_neighbors_destroy
   public :: pw85_neighbors_pairs, pw85_neighbors_images
-  public :: pw85_cell_reduce, pw85_nearest_image_limit, pw85_ellipsoid_quaternion_batch, pw85_bounding_boxes
+  public :: pw85_nearest_images, pw85_cell_reduce, pw85_nearest_image_limit, pw85_ellipsoid_quaternion_batch, pw85_bounding_boxes
   public :: pw85__cholesky_decomp, pw85__cholesky_solve, pw85__residual, pw85_f_neg
   public :: pw85_legacy__det_sym, pw85_legacy__xt_adja_x, pw85_legacy__detq_as_poly, pw85_legacy__rt_adjq_r_as_poly
   public :: pw85_legacy_f1, pw85_legacy_f2, pw85_legacy_f2_derivatives
@@ -255,6 +257,14 @@ module pw85
       integer(c_int) :: status
     end function c_distance_2d
 
+    function c_penetration(r12, q1, q2, depth, direction) result(status) bind(C, name='pw85_penetration')
+      import :: c_double, c_int, c_ptr
+      real(c_double), intent(in) :: r12(3), q1(6), q2(6)
+      real(c_double), intent(out) :: depth
+      type(c_ptr), value :: direction
+      integer(c_int) :: status
+    end function c_penetration
+
     !> The time of the first contact of two moving ellipsoids, up to t_max; infinity if there is none.
     function pw85_first_contact(r12, q1, q2, motion1, motion2, t_max, t) result(status) bind(C, name='pw85_first_contact')
       import :: c_double, c_int, pw85_motion
@@ -401,6 +411,31 @@ module pw85
       integer(c_int) :: status
     end function pw85_closest_approach_batch
 
+    function c_distance_batch(n, r12, q1, q2, distance, point1, point2) result(status) bind(C, name='pw85_distance_batch')
+      import :: c_double, c_int, c_ptr, c_size_t
+      integer(c_size_t), value :: n
+      real(c_double), intent(in) :: r12(3, *), q1(6, *), q2(6, *)
+      type(c_ptr), value :: distance, point1, point2
+      integer(c_int) :: status
+    end function c_distance_batch
+
+    function c_penetration_batch(n, r12, q1, q2, depth, direction) result(status) bind(C, name='pw85_penetration_batch')
+      import :: c_double, c_int, c_ptr, c_size_t
+      integer(c_size_t), value :: n
+      real(c_double), intent(in) :: r12(3, *), q1(6, *), q2(6, *)
+      type(c_ptr), value :: depth, direction
+      integer(c_int) :: status
+    end function c_penetration_batch
+
+    function c_distance_plane_batch(n, normals, offsets, q, distance, point) result(status) &
+        bind(C, name='pw85_distance_plane_batch')
+      import :: c_double, c_int, c_ptr, c_size_t
+      integer(c_size_t), value :: n
+      real(c_double), intent(in) :: normals(3, *), offsets(*), q(6, *)
+      type(c_ptr), value :: distance, point
+      integer(c_int) :: status
+    end function c_distance_plane_batch
+
     !> First contacts of n pairs.
     function pw85_first_contact_batch(n, r12, q1, q2, motion1, motion2, t_max, t) result(status) &
         bind(C, name='pw85_first_contact_batch')
@@ -428,6 +463,17 @@ module pw85
       type(c_ptr), value :: next, next_pair
       integer(c_int) :: status
     end function c_first_contact_pairs
+
+    function c_nearest_images(num_pairs, pairs, num_particles, centers, cell, r12, images) result(status) &
+        bind(C, name='pw85_nearest_images')
+      import :: c_double, c_int, c_int32_t, c_ptr, c_size_t
+      integer(c_size_t), value :: num_pairs
+      integer(c_int32_t), intent(in) :: pairs(2, *)
+      integer(c_size_t), value :: num_particles
+      real(c_double), intent(in) :: centers(3, *), cell(3, *)
+      type(c_ptr), value :: r12, images
+      integer(c_int) :: status
+    end function c_nearest_images
 
     function c_contact_derivatives_batch(n, r12, q1, q2, mu2, lambda, point, normal, d_r12, d_rot1, d_rot2) &
         result(status) bind(C, name='pw85_contact_derivatives_batch')
@@ -794,6 +840,15 @@ contains
     status = c_distance_2d(r12, q1, q2, distance, address(point1), address(point2))
   end function pw85_distance_2d
 
+  !> Depth of an overlap: the shortest translation of ellipsoid 2 that separates, zero if they are apart, and its direction.
+  function pw85_penetration(r12, q1, q2, depth, direction) result(status)
+    real(c_double), intent(in) :: r12(3), q1(6), q2(6)
+    real(c_double), intent(out) :: depth
+    real(c_double), intent(out), optional, target :: direction(3)
+    integer(c_int) :: status
+    status = c_penetration(r12, q1, q2, depth, address(direction))
+  end function pw85_penetration
+
   !> Distance from an ellipsoid at 0 to the half-space normal.x >= offset; negative if they overlap.
   function pw85_distance_plane(normal, offset, q, distance, point) result(status)
     real(c_double), intent(in) :: normal(3), offset, q(6)
@@ -847,6 +902,33 @@ contains
     status = c_distance_point(r, q, distance, address(point), address(normal))
   end function pw85_distance_point
 
+  !> Distances and closest points of n pairs.
+  function pw85_distance_batch(n, r12, q1, q2, distance, point1, point2) result(status)
+    integer(c_size_t), intent(in) :: n
+    real(c_double), intent(in) :: r12(3, n), q1(6, n), q2(6, n)
+    real(c_double), intent(out), optional, target :: distance(n), point1(3, n), point2(3, n)
+    integer(c_int) :: status
+    status = c_distance_batch(n, r12, q1, q2, address(distance), address(point1), address(point2))
+  end function pw85_distance_batch
+
+  !> Depths of n pairs, and the directions of the shortest translations.
+  function pw85_penetration_batch(n, r12, q1, q2, depth, direction) result(status)
+    integer(c_size_t), intent(in) :: n
+    real(c_double), intent(in) :: r12(3, n), q1(6, n), q2(6, n)
+    real(c_double), intent(out), optional, target :: depth(n), direction(3, n)
+    integer(c_int) :: status
+    status = c_penetration_batch(n, r12, q1, q2, address(depth), address(direction))
+  end function pw85_penetration_batch
+
+  !> Distances of n ellipsoids and half-spaces.
+  function pw85_distance_plane_batch(n, normals, offsets, q, distance, point) result(status)
+    integer(c_size_t), intent(in) :: n
+    real(c_double), intent(in) :: normals(3, n), offsets(n), q(6, n)
+    real(c_double), intent(out), optional, target :: distance(n), point(3, n)
+    integer(c_int) :: status
+    status = c_distance_plane_batch(n, normals, offsets, q, address(distance), address(point))
+  end function pw85_distance_plane_batch
+
   !> Contact function of n pairs.
   function pw85_contact_batch(n, r12, q1, q2, mu2, lambda) result(status)
     integer(c_size_t), intent(in) :: n
@@ -881,6 +963,17 @@ contains
     status = c_contact_pairs(num_pairs, pairs, address_of_integers(images), num_particles, centers, q, address(cell), &
                              mu2, address(lambda))
   end function pw85_contact_pairs
+
+  !> Nearest images of the pairs of a list: vectors, and multiples of the columns of `cell`.
+  function pw85_nearest_images(num_pairs, pairs, num_particles, centers, cell, r12, images) result(status)
+    integer(c_size_t), intent(in) :: num_pairs, num_particles
+    integer(c_int32_t), intent(in) :: pairs(2, num_pairs)
+    real(c_double), intent(in) :: centers(3, num_particles), cell(3, 3)
+    real(c_double), intent(out), optional, target :: r12(3, num_pairs)
+    integer(c_int32_t), intent(out), optional, target :: images(3, num_pairs)
+    integer(c_int) :: status
+    status = c_nearest_images(num_pairs, pairs, num_particles, centers, cell, address(r12), address_of_integers(images))
+  end function pw85_nearest_images
 
   !> Overlaps of the pairs of a neighbour list, as in pw85_overlap_batch(); `cell` and `images` as in pw85_contact_pairs().
   function pw85_overlap_pairs(num_pairs, pairs, num_particles, centers, q, cell, overlap, images) result(status)

@@ -112,6 +112,11 @@ void check_distance(Input const &in)
                                   derivatives + 9) != status)
         fail("distance_derivatives: status", in);
     if (apart ? has_nan(derivatives, 90) : !all_nan(derivatives, 90)) fail("distance_derivatives", in);
+    double depth;
+    if (pw85_penetration(in.r12, in.q1, in.q2, &depth, points) != status) fail("penetration: status", in);
+    check("penetration", in, status, &depth, 1);
+    if (status == PW85_SUCCESS && (overlap == 1 ? has_nan(points, 3) || depth < 0 : depth != 0))
+        fail("penetration", in);
     check("distance_2d", in, pw85_distance_2d(in.r12, in.q1, in.q2, &distance, points, points + 2), &distance, 1);
 }
 
@@ -128,6 +133,24 @@ void check_walls(Input const &in)
     int const status = pw85_intersect_line(x, r, q, out);
     if (std::isnan(out[0]) != std::isnan(out[1]) || out[0] > out[1]) fail("intersect_line", in);
     if (status != PW85_SUCCESS && !all_nan(out, 2)) fail("intersect_line: status", in);
+}
+
+// Rows are what single calls give; distances but for rounding.
+void check_rows_of_distances(Input const &in)
+{
+    double one[7], row[7];
+    auto const *r = in.r12, *a = in.q1, *b = in.q2;
+    int const status = pw85_distance(r, a, b, one, one + 1, one + 4);
+    if (pw85_distance_batch(1, r, a, b, row, row + 1, row + 4) != status) fail("distance_batch: status", in);
+    check("distance_batch", in, status, row, 1);
+    if (std::isnan(one[1]) != std::isnan(row[1])) fail("distance_batch: points", in);
+    int const depth_status = pw85_penetration(r, a, b, one, one + 1);
+    if (pw85_penetration_batch(1, r, a, b, row, row + 1) != depth_status) fail("penetration_batch: status", in);
+    if (std::memcmp(one, row, 4 * sizeof *one) != 0) fail("penetration_batch", in);
+    int const wall_status = pw85_distance_plane(r, in.lambda, a, one, one + 1);
+    if (pw85_distance_plane_batch(1, r, &in.lambda, a, row, row + 1) != wall_status)
+        fail("distance_plane_batch: status", in);
+    if (std::memcmp(one, row, 4 * sizeof *one) != 0) fail("distance_plane_batch", in);
 }
 
 // Times are not negative and not after the end; infinity is none.
@@ -178,6 +201,10 @@ void check_batch(Input const &in)
     double limit, out[17];
     pw85_contact_derivatives_pairs(1, pairs, nullptr, 2, centers, forms, in.rotation, out, out + 1, out + 2, out + 5,
                                    out + 8, out + 11, out + 14);
+    double vector[3] = {};
+    std::int32_t image[3];
+    if (pw85_nearest_images(1, pairs, 2, centers, in.rotation, vector, image) == PW85_SUCCESS && has_nan(vector, 3))
+        fail("nearest_images", in);
     check("nearest_image_limit", in, pw85_nearest_image_limit(2, forms, in.rotation, &limit), &limit, 1);
 }
 
@@ -283,6 +310,7 @@ extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const *data, std::size_t size
     check_pair(in);
     check_flat_pair(in);
     check_distance(in);
+    check_rows_of_distances(in);
     check_motion(in);
     check_walls(in);
     check_batch(in);

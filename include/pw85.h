@@ -281,6 +281,21 @@ PW85_API int pw85_distance_derivatives(double const r12[PW85_DIM], double const 
                                        double d_r12[PW85_DIM], double d_rot1[PW85_DIM], double d_rot2[PW85_DIM],
                                        double hessian[81]);
 
+/** The depth of an overlap: the shortest translation of ellipsoid 2 that separates two ellipsoids.
+ *
+ * It is the smallest value over unit vectors n of α + β - n·r12, with the half-widths α and β of the ellipsoids along n, which
+ * may have several local minima: this is the global one, with a proof. `depth` is the value for its direction, to 8 u Σ, with Σ as for
+ * pw85_distance(); no direction gives less by more than 32 u Σ. Of several directions that are equally good it is one. It takes
+ * some hundred times as long as pw85_contact().
+ *
+ * @param r12,q1,q2 as for pw85_contact()
+ * @param[out] depth in the unit of r12; zero if the ellipsoids do not overlap, which is decided as in pw85_overlap(); may be null
+ * @param[out] direction unit vector along which ellipsoid 2 is to move; NaN if they do not overlap, also on success; may be null
+ * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD, #PW85_ECONVERGENCE (if the proof takes too long, for which no pair is
+ *         known) */
+PW85_API int pw85_penetration(double const r12[PW85_DIM], double const q1[PW85_SYM], double const q2[PW85_SYM],
+                              double *depth, double direction[PW85_DIM]);
+
 /** Distance of two ellipses; see pw85_distance(). */
 PW85_API int pw85_distance_2d(double const r12[2], double const q1[3], double const q2[3], double *distance,
                               double point1[2], double point2[2]);
@@ -470,6 +485,40 @@ PW85_API int pw85_contact_derivatives_batch(size_t n, double const *r12, double 
                                             double *mu2, double *lambda, double *point, double *normal, double *d_r12,
                                             double *d_rot1, double *d_rot2);
 
+/** pw85_distance() for n pairs. Points of pairs that overlap are NaN.
+ *
+ * @param n number of pairs
+ * @param r12 n×3
+ * @param q1,q2 n×6
+ * @param[out] distance n; any output may be null
+ * @param[out] point1,point2 n×3 each, relative to the centres of the first ellipsoids
+ * @return as for pw85_contact_batch() */
+PW85_API int pw85_distance_batch(size_t n, double const *r12, double const *q1, double const *q2, double *distance,
+                                 double *point1, double *point2);
+
+/** pw85_penetration() for n pairs; the bits are the same.
+ *
+ * @param n number of pairs
+ * @param r12 n×3
+ * @param q1,q2 n×6
+ * @param[out] depth n; any output may be null
+ * @param[out] direction n×3; NaN for pairs that do not overlap
+ * @return as for pw85_contact_batch(); #PW85_ECONVERGENCE, too */
+PW85_API int pw85_penetration_batch(size_t n, double const *r12, double const *q1, double const *q2, double *depth,
+                                    double *direction);
+
+/** pw85_distance_plane() for n ellipsoids and half-spaces; the bits are the same.
+ *
+ * @param n number of ellipsoids
+ * @param normals n×3
+ * @param offsets n
+ * @param q n×6
+ * @param[out] distance n; any output may be null
+ * @param[out] point n×3
+ * @return as for pw85_contact_batch(); a zero normal is #PW85_EINVAL */
+PW85_API int pw85_distance_plane_batch(size_t n, double const *normals, double const *offsets, double const *q,
+                                       double *distance, double *point);
+
 /** pw85_first_contact() for n pairs; the bits are the same.
  *
  * @param n number of pairs
@@ -558,6 +607,20 @@ PW85_API int pw85_first_contact_pairs(size_t num_pairs, int32_t const *pairs, in
  * @param[out] reduced 3×3; may be the same array as cell
  * @return #PW85_SUCCESS or #PW85_EINVAL (a null pointer, a cell that is singular or not finite) */
 PW85_API int pw85_cell_reduce(double const cell[9], double reduced[9]);
+
+/** The nearest images that the functions of neighbour lists take where they are given no `images`: as vectors, and as such `images`.
+ *
+ * Both are good until a particle has moved by half a cell or so: functions that are given these images need no search, and
+ * each pair keeps the same image.
+ *
+ * @param num_pairs,pairs,num_particles,centers as for pw85_contact_pairs()
+ * @param cell 3×3, rows = vectors
+ * @param[out] r12 num_pairs×3: from particle i to the image of particle j; NaN for a bad pair; may be null
+ * @param[out] images num_pairs×3: multiples of the vectors of the cell, as given; INT32_MIN for a bad pair; may be null
+ * @return as for pw85_contact_batch(); bad are pairs with centres that are not finite, or, where `images` are asked for, with
+ *         multiples beyond 2³¹ - 1; #PW85_EINVAL also for a cell that is singular or not finite */
+PW85_API int pw85_nearest_images(size_t num_pairs, int32_t const *pairs, size_t num_particles, double const *centers,
+                                 double const *cell, double *r12, int32_t *images);
 
 /** Up to which μ² nearest images are all there is: any image of a pair of these particles with a smaller μ² is the nearest.
  *

@@ -1,6 +1,8 @@
 // The C API of distances: null pointers are turned away here, everything else is checked in the core.
 #include <pw85.h>
 
+#include <pw85/penetration.hpp>
+
 #include "c_arrays.hpp"
 #include "floating_point_environment.hpp"
 #include "kernels/kernels.hpp"
@@ -33,4 +35,19 @@ int pw85_distance_derivatives(double const r12[3], double const q1[6], double co
     }
     DefaultEnvironment const environment;
     return kernels::chosen().one_pair->distance_derivatives(r12, q1, q2, d_r12, d_rot1, d_rot2, hessian);
+}
+
+int pw85_penetration(double const r12[3], double const q1[6], double const q2[6], double *depth, double direction[3])
+{
+    if (any_null(r12, q1, q2)) {
+        store_nan(depth, 1);
+        store_nan(direction, PW85_DIM);
+        return PW85_EINVAL;
+    }
+    return in_default_environment([&] {
+        auto const p = penetration(load_vector<3>(r12), load_matrix<3>(q1), load_matrix<3>(q2));
+        if (depth != nullptr) *depth = p.depth;
+        store(p.direction, direction);
+        return static_cast<int>(p.status);
+    });
 }

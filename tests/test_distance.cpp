@@ -1,6 +1,7 @@
 // Distance, closest points and derivatives. The numbers are those of include/pw85/distance.hpp.
 #include <cmath>
 #include <limits>
+#include <vector>
 
 #include <glib.h>
 
@@ -484,6 +485,61 @@ void test_far_apart()
     for (double const x : hessian) g_assert_true(std::isfinite(x));
 }
 
+// Rows of a batch keep the contract, and a bad one is marked; as many as make threads share them.
+void test_batch()
+{
+    Failures failures;
+    Random random(420);
+    constexpr std::size_t n = 5000, bad = 777;
+    std::vector<double> r12, q1, q2, distance(n), point1(3 * n), point2(3 * n);
+    std::vector<Sample<double, 3>> pairs;
+    for (std::size_t i = 0; i < n; ++i) {
+        double const aspect = random.log_uniform(1.0, i % 8 == 0 ? 1e6 : 20.0);
+        pairs.push_back(i % 5 == 0 ? random_pair<3>(random, {.aspect = aspect, .mu2_min = 0.1, .mu2_max = 1.1})
+                                   : pair_apart<3>(random, aspect));
+        if (i % 100 == 1) pairs.back().r12 = pw85::times(1e9, pairs.back().r12);
+        if (i == bad) pairs.back().q1[0] = -1.0;
+        r12.insert(r12.end(), pairs.back().r12.coordinates, pairs.back().r12.coordinates + 3);
+        q1.insert(q1.end(), pairs.back().q1.entries, pairs.back().q1.entries + 6);
+        q2.insert(q2.end(), pairs.back().q2.entries, pairs.back().q2.entries + 6);
+    }
+    g_assert_cmpint(
+        pw85_distance_batch(n, r12.data(), q1.data(), q2.data(), distance.data(), point1.data(), point2.data()), ==,
+        PW85_ENOTPD);
+    for (std::size_t i = 0; i < n; ++i) {
+        auto const text = [&] { return hex_text(pairs[i]); };
+        if (i == bad) {
+            g_assert_true(std::isnan(distance[i]) && all_nan(&point1[3 * i], 3) && all_nan(&point2[3 * i], 3));
+            continue;
+        }
+        auto const one = c_distance(pairs[i]);
+        failures.check((one.distance == 0.0) == (distance[i] == 0.0) &&
+                           std::isnan(one.point1[0]) == all_nan(&point1[3 * i], 3) &&
+                           std::isnan(one.point2[0]) == all_nan(&point2[3 * i], 3),
+                       "overlap", distance[i], one.distance, text);
+        if (std::isnan(one.point1[0])) continue;
+        auto const p = convert<Wide>(pairs[i]);
+        auto const exact = pw85::distance(p.r12, p.q1, p.q2);
+        double const bound = 8 * u * static_cast<double>(sensitivity(p, exact.normal));
+        double const error = std::fabs(static_cast<double>(Wide(distance[i] - exact.distance)));
+        failures.check(error <= bound, "distance", error, bound, text);
+        for (std::size_t d = 0; d < 3; ++d) {
+            double const size = std::sqrt(pw85::largest_diagonal(pairs[i].q1)) + norm(pairs[i].r12);
+            double const gap = std::fabs(point1[3 * i + d] - one.point1[static_cast<int>(d)]) +
+                               std::fabs(point2[3 * i + d] - one.point2[static_cast<int>(d)]);
+            if (i % 8 != 0) failures.check(gap <= 1e-11 * size, "points", gap, 1e-11 * size, text);
+        }
+    }
+    g_assert_cmpint(pw85_distance_batch(0, nullptr, nullptr, nullptr, nullptr, nullptr, nullptr), ==, PW85_SUCCESS);
+    g_assert_cmpint(pw85_distance_batch(1, nullptr, q1.data(), q2.data(), nullptr, nullptr, nullptr), ==, PW85_EINVAL);
+    g_assert_cmpint(pw85_distance_batch(1, r12.data(), q1.data(), q2.data(), nullptr, nullptr, nullptr), ==,
+                    PW85_SUCCESS);
+    double alone = 7.0;
+    g_assert_cmpint(pw85_distance_batch(1, r12.data() + 3, q1.data() + 6, q2.data() + 6, &alone, nullptr, nullptr), ==,
+                    PW85_SUCCESS);
+    g_assert_cmpfloat(alone, ==, distance[1]);
+}
+
 void test_statuses()
 {
     double const nan = std::numeric_limits<double>::quiet_NaN();
@@ -538,6 +594,7 @@ int main(int argc, char **argv)
     g_test_add_func("/distance/scalars", test_scalars);
     g_test_add_func("/distance/derivatives/differences", test_derivatives_by_differences);
     g_test_add_func("/distance/derivatives/double", test_derivatives_in_double);
+    g_test_add_func("/distance/batch", test_batch);
     g_test_add_func("/distance/statuses", test_statuses);
     return g_test_run();
 }

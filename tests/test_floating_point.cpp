@@ -96,6 +96,7 @@ Function const functions[] = {
     PW85_CALL(pw85_distance, PW85_PAIR, out, out + 1, out + 4),
     PW85_CALL(pw85_distance_derivatives, PW85_PAIR, out, out + 3, out + 6, out + 9),
     PW85_CALL(pw85_distance_2d, PW85_PAIR, out, out + 1, out + 3),
+    PW85_CALL(pw85_penetration, PW85_PAIR, out, out + 1),
     {"pw85_first_contact", call_first_contact},
     PW85_CALL(pw85_distance_plane, q.pair.r12.coordinates, q.lambda, q.pair.q1.entries, out, out + 1),
     PW85_CALL(pw85_distance_plane_derivatives, q.pair.r12.coordinates, q.pair.q1.entries, out, out + 3),

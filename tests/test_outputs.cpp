@@ -186,6 +186,9 @@ std::vector<Row> const distances{
      [](auto const &in, auto &out) {
          pw85_distance_2d(in.r12, in.q1 + 3, in.q2 + 3, at(out, 0), at(out, 1), at(out, 2));
      }},
+    {"pw85_penetration",
+     {1, 3},
+     [](auto const &in, auto &out) { pw85_penetration(in.r12, in.q1, in.q2, at(out, 0), at(out, 1)); }},
     {"pw85_first_contact",
      {1},
      [](auto const &in, auto &out) {
@@ -263,6 +266,17 @@ std::vector<Row> const many_pairs{
     {"pw85_closest_approach_batch",
      {n},
      [](auto const &in, auto &out) { pw85_closest_approach_batch(n, in.r12, in.q1, in.q2, at(out, 0)); }},
+    {"pw85_distance_batch",
+     {n, 3 * n, 3 * n},
+     [](auto const &in, auto &out) {
+         pw85_distance_batch(n, in.r12, in.q1, in.q2, at(out, 0), at(out, 1), at(out, 2));
+     }},
+    {"pw85_penetration_batch",
+     {n, 3 * n},
+     [](auto const &in, auto &out) { pw85_penetration_batch(n, in.r12, in.q1, in.q2, at(out, 0), at(out, 1)); }},
+    {"pw85_distance_plane_batch",
+     {n, 3 * n},
+     [](auto const &in, auto &out) { pw85_distance_plane_batch(n, in.r12, axes, in.q1, at(out, 0), at(out, 1)); }},
     {"pw85_first_contact_batch",
      {n},
      [](auto const &in, auto &out) {
@@ -311,6 +325,15 @@ std::vector<Row> const many_pairs{
     {"pw85_neighbors_images", {}, [](auto const &, auto &) { pw85_neighbors_images(nullptr); }},
     {"pw85_neighbors_destroy", {}, [](auto const &, auto &) { pw85_neighbors_destroy(nullptr); }},
     {"pw85_cell_reduce", {9}, [](auto const &in, auto &out) { pw85_cell_reduce(in.q1, at(out, 0)); }},
+    {"pw85_nearest_images",
+     {3 * n},
+     [](auto const &in, auto &out) { pw85_nearest_images(n, pairs, n, in.r12, identity, at(out, 0), nullptr); }},
+    {"pw85_nearest_images",
+     {3 * n},
+     [](auto const &in, auto &out) {
+         pw85_nearest_images(n, pairs, n, in.r12, identity, nullptr, out[0].template data<int32_t>());
+     },
+     sizeof(int32_t)},
     {"pw85_nearest_image_limit",
      {1},
      [](auto const &in, auto &out) { pw85_nearest_image_limit(n, in.q1, identity, at(out, 0)); }},

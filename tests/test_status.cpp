@@ -60,6 +60,8 @@ std::vector<Function> const &functions()
          [](auto r, auto q1, auto q2, double, double *out) {
              return pw85_distance_2d(r, q1, q2, out, nullptr, nullptr);
          }},
+        {"penetration", 3, 1, false, false,
+         [](auto r, auto q1, auto q2, double, double *out) { return pw85_penetration(r, q1, q2, out, nullptr); }},
         {"first_contact", 3, 1, false, false,
          [](auto r, auto q1, auto q2, double, double *out) {
              pw85_motion const motion{{0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}, 0.5}, still{};
@@ -79,17 +81,14 @@ std::vector<Function> const &functions()
              return pw85_contact_gradient(r, q1, q2, lambda, out, out + 3, out + 9);
          }},
         {"contact_torque", 3, 6, true, false,
-         [](auto r, auto q1, auto q2, double lambda, double *out) {
-             return pw85_contact_torque(r, q1, q2, lambda, out, out + 3);
-         }},
+         [](auto r, auto q1, auto q2, double lambda,
+            double *out) { return pw85_contact_torque(r, q1, q2, lambda, out, out + 3); }},
         {"contact_hessian", 3, 81, true, true,
-         [](auto r, auto q1, auto q2, double lambda, double *out) {
-             return pw85_contact_hessian(r, q1, q2, lambda, out);
-         }},
+         [](auto r, auto q1, auto q2, double lambda,
+            double *out) { return pw85_contact_hessian(r, q1, q2, lambda, out); }},
         {"contact_geometry_2d", 2, 4, true, true,
-         [](auto r, auto q1, auto q2, double lambda, double *out) {
-             return pw85_contact_geometry_2d(r, q1, q2, lambda, out, out + 2);
-         }},
+         [](auto r, auto q1, auto q2, double lambda,
+            double *out) { return pw85_contact_geometry_2d(r, q1, q2, lambda, out, out + 2); }},
         {"contact_gradient_2d", 2, 8, true, false,
          [](auto r, auto q1, auto q2, double lambda,
             double *out) { return pw85_contact_gradient_2d(r, q1, q2, lambda, out, out + 2, out + 5); }},
@@ -294,7 +293,8 @@ void test_texts()
     g_assert_cmpint(PW85_EINVAL, ==, 1);
     g_assert_cmpint(PW85_ENOTPD, ==, 2);
     g_assert_cmpint(PW85_ECONVERGENCE, ==, 3);
-    g_assert_cmpint(PW85_EDEVICE, ==, 4);
+    g_assert_cmpint(PW85_ENOMEM, ==, 4);
+    g_assert_cmpint(PW85_EDEVICE, ==, 5);
 #define CHECK_TEXT(c_name, cpp_name, value, text)                                                                      \
     g_assert_cmpint(c_name, ==, value);                                                                                \
     g_assert_cmpint(static_cast<int>(pw85::Status::cpp_name), ==, value);                                              \

@@ -1,5 +1,6 @@
 // Walls, points and lines: include/pw85/walls.hpp, nearest.hpp, line.hpp.
 #include <cmath>
+#include <cstring>
 #include <limits>
 
 #include <glib.h>
@@ -496,6 +497,22 @@ void test_templates()
     assert_close(static_cast<double>(chord.leave), 6.0, 8 * u);
 }
 
+void test_batch()
+{
+    double const normals[9] = {0.0, 0.0, 2.0, 1.0, 1.0, 1.0, 0.0, 0.0, 0.0}, offsets[3] = {6.0, -1.0, 1.0};
+    double const q[18] = {1.0, 0.5, 0.0, 1.0, 0.0, 4.0, 2.0, 0.0, 0.0, 3.0, 0.0, 4.0, 1.0, 0.0, 0.0, 1.0, 0.0, 1.0};
+    double distance[3], point[9], one[4];
+    g_assert_cmpint(pw85_distance_plane_batch(3, normals, offsets, q, distance, point), ==, PW85_EINVAL);
+    g_assert_cmpfloat(distance[0], ==, 1.0);
+    for (int i = 0; i < 3; ++i) {
+        pw85_distance_plane(normals + 3 * i, offsets[i], q + 6 * i, one, one + 1);
+        g_assert_cmpint(std::memcmp(one, distance + i, sizeof *one), ==, 0);
+        g_assert_cmpint(std::memcmp(one + 1, point + 3 * i, 3 * sizeof *one), ==, 0);
+    }
+    g_assert_cmpint(pw85_distance_plane_batch(0, nullptr, nullptr, nullptr, nullptr, nullptr), ==, PW85_SUCCESS);
+    g_assert_cmpint(pw85_distance_plane_batch(1, normals, nullptr, q, nullptr, nullptr), ==, PW85_EINVAL);
+}
+
 } // namespace
 
 int main(int argc, char **argv)
@@ -516,5 +533,6 @@ int main(int argc, char **argv)
     g_test_add_func("/walls/statuses", test_statuses);
     g_test_add_func("/walls/null_outputs", test_null_outputs);
     g_test_add_func("/walls/templates", test_templates);
+    g_test_add_func("/walls/batch", test_batch);
     return g_test_run();
 }

@@ -8,7 +8,6 @@ environment. --docs builds the pages and pictures as well. Commands that install
 whether the packages are there; those of other systems are checked for syntax.
 """
 
-import os
 import shutil
 import subprocess
 import sys

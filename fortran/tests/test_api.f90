@@ -207,6 +207,10 @@ contains
       .and. close(end2(1), 6.0_c_double), 'distance_2d')
     status = pw85_distance(0 * r12, q1, q2, gap)
     call check(status == pw85_success .and. abs(gap) <= 0, 'distance of an overlap')
+    status = pw85_penetration([0.0_c_double, 0.5_c_double, 0.0_c_double], q1, q1, gap, normal)
+    call check(status == pw85_success .and. close(gap, 1.5_c_double) .and. close(abs(normal(2)), 1.0_c_double), 'penetration')
+    status = pw85_penetration(apart, q1, q2, gap)
+    call check(status == pw85_success .and. abs(gap) <= 0, 'penetration of pairs apart')
   end subroutine test_surfaces
 
   ! Unit spheres on a line, three apart, of which the last comes at speed 1/2; and the first pair grows until it touches.
@@ -233,6 +237,15 @@ contains
     status = pw85_first_contact_batch(n, r, q(:, 1:2), q(:, 2:3), motions(1:2), motions(2:3), 9.0_c_double, times)
     call check(status == pw85_success .and. close(times(1), 4.0_c_double) .and. close(times(2), 1.6_c_double), &
       'first_contact_batch')
+    status = pw85_distance_batch(n, r, q(:, 1:2), q(:, 2:3), times, point2=r)
+    call check(status == pw85_success .and. all(close(times, 1.0_c_double)) .and. all(close(r(1, :), 2.0_c_double)), &
+      'distance_batch')
+    status = pw85_distance_plane_batch(n, 2 * r, 4 * times, q(:, 1:2), next(1:2))
+    call check(status == pw85_success .and. all(abs(next(1:2)) <= tolerance), 'distance_plane_batch')
+    r = 0.5_c_double * r
+    status = pw85_penetration_batch(n, r, q(:, 1:2), q(:, 2:3), times)
+    call check(status == pw85_success .and. all(close(times, 1.0_c_double)), 'penetration_batch')
+    r(1, :) = 3
     status = pw85_first_contact_pairs(n, pairs, 3_c_size_t, centers, q, motions=motions, t_max=9.0_c_double, t=times, &
                                       next=next, next_pair=next_pair)
     call check(status == pw85_success .and. close(times(1), 4.0_c_double) .and. close(times(2), 1.6_c_double), &
@@ -326,6 +339,8 @@ contains
     integer(c_size_t), parameter :: num_pairs = 2, num_particles = 3
     integer(c_int32_t), parameter :: pairs(2, num_pairs) = reshape([0, 1, 2, 0], [2, 2])
     real(c_double) :: centers(3, num_particles), q(6, num_particles), cell(3, 3), mu2(num_pairs), lambda(num_pairs)
+    real(c_double) :: nearest(3, 1)
+    integer(c_int32_t) :: image(3, 1)
     real(c_double) :: out(2)
     real(c_double) :: reduced(3, 3), limit, d_r12(3, 1), d_rot1(3, 1), gradient(3)
     integer(c_int32_t) :: images(3, 1)
@@ -357,6 +372,9 @@ contains
     call check(status == pw85_success, 'contact_pairs in a cell: status')
     status = pw85_contact(r12 - cell(:, 2), q1, q2, out)
     call check(close(mu2(1), out(1)) .and. abs(lambda(1) - out(2)) <= 1e-7, 'contact_pairs in a cell')
+    status = pw85_nearest_images(1_c_size_t, pairs, num_particles, centers, cell, nearest, image)
+    call check(status == pw85_success .and. all(close(nearest(:, 1), r12 - cell(:, 2))) .and. &
+               all(image(:, 1) == [0, -1, 0]), 'nearest_images')
     status = pw85_overlap_pairs(1_c_size_t, pairs, num_particles, centers, q, cell, overlap)
     call check(status == pw85_success .and. (overlap(1) == 1) .eqv. (out(1) < 1), 'overlap_pairs in a cell')
     ! The same image by its multiples, and another cell of the same lattice.

@@ -184,6 +184,16 @@ static inline Status first_contact_pairs(PairList const &list, Particles const &
 /// @return the reduced cell; Status::invalid_argument for a cell that is singular or not finite
 static inline ReducedCell cell_reduce(Cell const &cell) noexcept;
 
+/// The nearest images of the pairs of a list: see pw85_nearest_images().
+///
+/// @param pairs,centers indices of particles, and where these are
+/// @param cell rows are its vectors
+/// @param[out] r12 from the first to the image of the second, one for each pair, or none
+/// @param[out] images multiples of the vectors of the cell, one row for each pair, or none
+/// @return Status::success, or Status::invalid_argument, also for the first bad pair, whose rows are NaN and INT32_MIN
+static inline Status nearest_images(std::span<IndexPair const> pairs, Vectors centers, Cell const &cell,
+                                    std::span<Vector<double, 3>> r12, std::span<Image> images = {}) noexcept;
+
 /// Up to which μ² nearest images are all there is: see pw85_nearest_image_limit().
 ///
 /// @param q forms of the particles; infinity is the limit of none
@@ -420,6 +430,16 @@ static inline ReducedCell cell_reduce(Cell const &cell) noexcept
     result.status =
         static_cast<Status>(pw85_cell_reduce(detail::numbers(&cell), reinterpret_cast<double *>(&result.cell)));
     return result;
+}
+
+static inline Status nearest_images(std::span<IndexPair const> pairs, Vectors centers, Cell const &cell,
+                                    std::span<Vector<double, 3>> r12, std::span<Image> images) noexcept
+{
+    std::size_t const n = pairs.size();
+    if (!detail::fits(n, r12) || !detail::fits(n, images)) return Status::invalid_argument;
+    return static_cast<Status>(pw85_nearest_images(n, detail::integers(pairs), centers.size(), detail::numbers(centers),
+                                                   detail::numbers(&cell), detail::optional(r12),
+                                                   images.empty() ? nullptr : images.data()->data()));
 }
 
 static inline Status nearest_image_limit(Forms q, Cell const &cell, double &mu2) noexcept

@@ -121,7 +121,8 @@ PW85_FUNCTION inline Multipliers<T> newton_step(NormalJet<T, D> const &j, Multip
 
 /// Whether a step is so small that its square is below rounding: relative to t, and to u in the norm of M, whose square counts
 /// against n·r. (In this norm t changes u by less than by its own relative change.)
-template <class T, int D> PW85_FUNCTION constexpr bool is_last(DistancePair<T, D> const &pair, NormalJet<T, D> const &j,
+template <class T, int D>
+PW85_FUNCTION constexpr typename ScalarTraits<T>::Mask is_last(DistancePair<T, D> const &pair, NormalJet<T, D> const &j,
                                                                Multipliers<T> const &x,
                                                                Multipliers<T> const &step) noexcept
 {
@@ -149,27 +150,48 @@ PW85_FUNCTION inline Multipliers<T> initial_multipliers(DistancePair<T, D> const
     return {a / b, a * maximum(T(0), width)};
 }
 
-/// A vector along the normal by item 2; false if 6 evaluations are not enough or a step goes far, which is rare up to aspect
-/// ratios of 10, or where the error of the adjugate would count even squared.
-template <class T, int D>
-PW85_FUNCTION inline bool find_normal(DistancePair<T, D> const &pair, Multipliers<T> x, Vector<T, D> &u) noexcept
+/// The number of evaluations after which the search by item 2 gives up, which is rare up to aspect ratios of 10.
+inline constexpr int max_normal_steps = 6;
+
+/// A search by item 2 under way. What becomes of a lane depends on nothing but its pair.
+template <class T, int D> struct NormalSearch {
+    Multipliers<T> x;
+    Vector<T, D> u; ///< along the normal, where it is found
+    typename ScalarTraits<T>::Mask active,
+        found; ///< neither where a step goes far, or the error of the adjugate would count
+};
+
+template <class T, int D> PW85_FUNCTION inline NormalSearch<T, D> start_normal_search(Multipliers<T> const &x) noexcept
 {
-    for (int i = 0; i < 6; ++i) {
-        auto const m = normal_matrix(pair, x);
-        Adjugate<T, D> inverse{adjugate(m), T(0)};
-        inverse.scale = determinant(m, inverse.entries);
-        if (!(inverse.scale > adjugate_conditioning<T>() * diagonal_product(m))) return false;
-        auto const jet = evaluate_normal(pair, inverse);
-        Multipliers<T> const step = newton_step(jet, x);
-        if (is_last(pair, jet, x, step)) {
-            u = advance(jet, step);
-            return true;
-        }
-        T const ratio = x.ratio + jet.scale * step.ratio;
-        if (!(T(8) * ratio > x.ratio && ratio < T(8) * x.ratio)) return false;
-        x = {ratio, maximum(T(0), T(x.shift + jet.scale * step.shift))};
-    }
-    return false;
+    return {x, {}, x.ratio == x.ratio, x.ratio < x.ratio};
+}
+
+template <class T, int D>
+PW85_FUNCTION inline void take_step(NormalSearch<T, D> &search, DistancePair<T, D> const &pair) noexcept
+{
+    auto const m = normal_matrix(pair, search.x);
+    Adjugate<T, D> inverse{adjugate(m), T(0)};
+    inverse.scale = determinant(m, inverse.entries);
+    auto const accurate = search.active && inverse.scale > adjugate_conditioning<T>() * diagonal_product(m);
+    auto const jet = evaluate_normal(pair, inverse);
+    Multipliers<T> const step = newton_step(jet, search.x);
+    auto const last = accurate && is_last(pair, jet, search.x, step);
+    Vector<T, D> const u = advance(jet, step);
+    for (int i = 0; i < D; ++i) search.u[i] = select(last, u[i], search.u[i]);
+    search.found = search.found || last;
+    T const ratio = search.x.ratio + jet.scale * step.ratio;
+    search.active = accurate && !last && T(8) * ratio > search.x.ratio && ratio < T(8) * search.x.ratio;
+    search.x = {ratio, maximum(T(0), T(search.x.shift + jet.scale * step.shift))};
+}
+
+/// A vector along the normal by item 2; false if it is not found.
+template <class T, int D>
+PW85_FUNCTION inline bool find_normal(DistancePair<T, D> const &pair, Multipliers<T> const &x, Vector<T, D> &u) noexcept
+{
+    auto search = start_normal_search<T, D>(x);
+    for (int i = 0; i < max_normal_steps && search.active; ++i) take_step(search, pair);
+    u = search.u;
+    return search.found;
 }
 
 /// What solves with M by factorisation, which serves any shape.
@@ -242,6 +264,16 @@ PW85_FUNCTION inline Support<T, D> support(SymmetricMatrix<T, D> const &q, Vecto
     return {times(T(T(1) / extent), point), extent};
 }
 
+/// The width of the slab normal to u between a pair, and the points that touch it, relative to their own centres.
+template <class T, int D>
+PW85_FUNCTION inline Distance<T, D> distance_along(DistancePair<T, D> const &pair, Vector<T, D> const &u) noexcept
+{
+    T const norm = T(1) / square_root(dot(u, u));
+    Support<T, D> const s1 = support(pair.q1, u), s2 = support(pair.q2, u);
+    T const width = norm * (dot(u, pair.r12) - pair.scale1 * s1.extent - pair.scale2 * s2.extent);
+    return {maximum(T(0), width), s1.point, s2.point, times(norm, u), Status::success};
+}
+
 /// distance() of a pair that is in range and apart, with both points relative to their own centres. All callers share one
 /// instance, so that products are fused alike and scaling changes no bit of the result.
 template <class T, int D> PW85_FUNCTION inline Distance<T, D> distance_in_range(DistancePair<T, D> const &pair) noexcept
@@ -253,10 +285,7 @@ template <class T, int D> PW85_FUNCTION inline Distance<T, D> distance_in_range(
         u = pair.r12;
     else if (!find_normal(pair, start, u))
         u = search_normal(pair, start.ratio);
-    T const norm = T(1) / square_root(dot(u, u));
-    Support<T, D> const s1 = support(pair.q1, u), s2 = support(pair.q2, u);
-    T const width = norm * (dot(u, pair.r12) - pair.scale1 * s1.extent - pair.scale2 * s2.extent);
-    return {maximum(T(0), width), s1.point, s2.point, times(norm, u), Status::success};
+    return distance_along(pair, u);
 }
 
 /// distance() of a valid pair that is apart.

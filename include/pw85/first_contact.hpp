@@ -46,24 +46,6 @@ template <class T> PW85_FUNCTION constexpr T infinity() noexcept
     return T(lane_limit<T, std::numeric_limits<typename ScalarTraits<T>::Lane>::infinity>());
 }
 
-/// The sum of the magnitudes of the products in xᵀAx: what relative errors of one in its entries change it by at most.
-template <class T, int D>
-PW85_FUNCTION constexpr T magnitude_of_form(SymmetricMatrix<T, D> const &a, Vector<T, D> const &x) noexcept
-{
-    auto const weights = outer_weights(x);
-    T sum = absolute(T(weights[0] * a[0]));
-    for (int k = 1; k < a.size; ++k) sum = sum + absolute(T(weights[k] * a[k]));
-    return sum;
-}
-
-template <class T, int D>
-PW85_FUNCTION constexpr T magnitude_of_dot(Vector<T, D> const &x, Vector<T, D> const &y) noexcept
-{
-    T sum = absolute(T(x[0] * y[0]));
-    for (int i = 1; i < D; ++i) sum = sum + absolute(T(x[i] * y[i]));
-    return sum;
-}
-
 /// x + factor·y.
 template <class T, int D>
 PW85_FUNCTION constexpr Vector<T, D> moved(Vector<T, D> x, T const &factor, Vector<T, D> const &y) noexcept

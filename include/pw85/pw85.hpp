@@ -63,6 +63,7 @@ template <class T, int D> struct SurfaceDistance; // distance, point, normal, st
 template <class T> struct PlaneDerivatives;       // center, rotation, status
 template <class T, int D> struct PlaneContact;    // mu2, point, status
 template <class T> struct Chord;                  // enter, leave, status
+template <class T, int D> struct Penetration;     // depth, direction, status
 template <class T, int D> struct Motion;          // velocity, angular_velocity, growth
 template <class T> struct FirstContact;           // time, status
 
@@ -237,6 +238,14 @@ PW85_FUNCTION inline DistanceDerivatives<T> distance_derivatives(Vector<T, 3> co
                                                                  SymmetricMatrix<T, 3> const &q1,
                                                                  SymmetricMatrix<T, 3> const &q2) noexcept;
 
+/// The depth of an overlap: the shortest translation of ellipsoid 2 that separates two ellipsoids, proved to be the shortest.
+///
+/// @param r12,q1,q2 as for contact()
+/// @return the depth and the direction; zero and a NaN direction if the ellipsoids do not overlap; Status::invalid_argument,
+/// Status::not_positive_definite, Status::no_convergence (no pair is known)
+template <class T, int D> PW85_FUNCTION inline Penetration<T, D>
+penetration(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, SymmetricMatrix<T, D> const &q2) noexcept;
+
 /// @}
 
 /// @name Time
@@ -350,6 +359,7 @@ intersect_line(Vector<T, D> const &origin, Vector<T, D> const &direction, Symmet
 #include <pw85/line.hpp>
 #include <pw85/nearest.hpp>
 #include <pw85/overlap.hpp>
+#include <pw85/penetration.hpp>
 #include <pw85/walls.hpp>
 
 #endif

@@ -137,6 +137,24 @@ PW85_FUNCTION constexpr T quadratic_form(SymmetricMatrix<T, D> const &a, Vector<
     return quadratic_form(a, outer_weights(x));
 }
 
+/// The sum of the magnitudes of the products in xᵀAx: what relative errors of one in its entries change it by at most.
+template <class T, int D>
+PW85_FUNCTION constexpr T magnitude_of_form(SymmetricMatrix<T, D> const &a, Vector<T, D> const &x) noexcept
+{
+    auto const weights = outer_weights(x);
+    T sum = absolute(T(weights[0] * a[0]));
+    for (int k = 1; k < a.size; ++k) sum = sum + absolute(T(weights[k] * a[k]));
+    return sum;
+}
+
+template <class T, int D>
+PW85_FUNCTION constexpr T magnitude_of_dot(Vector<T, D> const &x, Vector<T, D> const &y) noexcept
+{
+    T sum = absolute(T(x[0] * y[0]));
+    for (int i = 1; i < D; ++i) sum = sum + absolute(T(x[i] * y[i]));
+    return sum;
+}
+
 /// The blend α A + β B.
 template <class T, int D> PW85_FUNCTION constexpr SymmetricMatrix<T, D>
 blend(T const &alpha, SymmetricMatrix<T, D> const &a, T const &beta, SymmetricMatrix<T, D> const &b) noexcept
@@ -211,8 +229,7 @@ PW85_FUNCTION constexpr Vector<T, D> solve(Factorization<T, D> const &f, Vector<
 }
 
 /// xᵀ A⁻¹ x, by forward substitution alone: a sum of squares.
-template <class T, int D>
-PW85_FUNCTION constexpr T inverse_form(Factorization<T, D> const &f, Vector<T, D> x) noexcept
+template <class T, int D> PW85_FUNCTION constexpr T inverse_form(Factorization<T, D> const &f, Vector<T, D> x) noexcept
 {
     T sum = x[0] * x[0] * f.reciprocals[0];
     for (int i = 1; i < D; ++i) {

@@ -46,7 +46,7 @@ from ._contact import (
 from ._conversions import from_gsd, from_lammps, from_ovito
 from ._core import LAMBDA_ATOL as lambda_atol
 from ._core import strerror, version
-from ._distance import distance, distance_2d, distance_derivatives
+from ._distance import distance, distance_2d, distance_derivatives, penetration
 from ._ellipses import (
     closest_approach_2d,
     contact_2d,
@@ -61,7 +61,7 @@ from ._forms import ellipse, ellipsoid, ellipsoid_quaternion, full, packed, prin
 from ._motion import Events, first_contact, first_contact_pairs, motion
 from ._neighbors import Neighbors, neighbors
 from ._packing import pack, relax
-from ._pairs import contact_pairs, overlap_pairs
+from ._pairs import contact_pairs, nearest_images, overlap_pairs
 from ._plotting import plot
 from ._statistics import Correlation, correlation, nematic_order
 from ._system import Contacts, Report, System
@@ -159,6 +159,7 @@ __all__ = [
     "metadata",
     "motion",
     "nearest_image_limit",
+    "nearest_images",
     "neighbors",
     "nematic_order",
     "overlap",
@@ -167,6 +168,7 @@ __all__ = [
     "overlap_pairs",
     "pack",
     "packed",
+    "penetration",
     "plot",
     "principal_axes",
     "read",

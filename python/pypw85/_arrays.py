@@ -13,6 +13,8 @@ from typing import Any, Callable, TypeVar, cast
 
 import numpy as np
 
+from . import _device
+
 # Keywords that a ufunc gets with the chunks of dask arrays. Besides them there is "axes", which dask moves itself.
 _OF_CHUNKS = frozenset({"casting", "dtype", "order"})
 
@@ -65,6 +67,8 @@ def apply(
     call: Callable[..., Any], ufunc: np.ufunc, inputs: tuple[Any, ...], out: Any, keywords: dict[str, Any]
 ) -> Any:
     """What the compiled `call` does when an input is not plain; it comes back here with inputs that stay as they are."""
+    if any(map(_device.is_device_array, inputs)):
+        return _device.apply(ufunc.__name__, inputs, out, keywords)
     arrays = tuple(map(plain, inputs))
     if any(map(is_dask_array, arrays)):
         return _apply_lazily(ufunc, arrays, out, keywords)

@@ -124,3 +124,42 @@ def distance_2d(
     (3.0, array([1., 0.]), array([4., 0.]))
     """
     return _core.call_distance_2d(r12, q1, q2, out, kwargs)
+
+
+@overload
+def penetration(r12: Row, q1: Row, q2: Row, out: None = None) -> tuple[float, Floats]: ...
+@overload
+def penetration(
+    r12: ArrayLike, q1: ArrayLike, q2: ArrayLike, out: Any = None, **kwargs: Any
+) -> tuple[Any, Floats]: ...
+@documented
+def penetration(r12: ArrayLike, q1: ArrayLike, q2: ArrayLike, out: Any = None, **kwargs: Any) -> tuple[Any, Floats]:
+    """The depth of an overlap: the shortest translation of ellipsoid 2 that separates two ellipsoids.
+
+    It is proved to be the shortest: see ``pw85_penetration`` in the C API.
+
+    Parameters
+    ----------
+    {r12}
+    {forms}
+    out : tuple of two arrays, (...) and (..., 3), optional
+        Where to put the results.
+    {keywords}
+
+    Returns
+    -------
+    depth : (...) array or number
+        Zero where the ellipsoids do not overlap.
+    direction : (..., 3) array
+        Unit vector along which ellipsoid 2 is to move; NaN where they do not overlap.
+
+    {raises_pair}
+
+    Examples
+    --------
+    >>> import pypw85
+    >>> q = pypw85.spheroid(1, 1, [0, 0, 1])
+    >>> pypw85.penetration([1.5, 0, 0], q, q)
+    (0.5, array([1., 0., 0.]))
+    """
+    return _core.call_penetration(r12, q1, q2, out, kwargs)

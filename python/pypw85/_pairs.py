@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from typing import Any, Optional
+from typing import Any, Optional, cast
 
 import numpy as np
 from numpy.typing import ArrayLike, DTypeLike, NDArray
 
 from . import _core
 from ._arrays import check_out, plain
+from ._device import apply_to_pairs, is_device_array
 from ._documentation import documented
 from ._typing import Floats
 
@@ -48,6 +49,10 @@ def contact_pairs(
     >>> pypw85.contact_pairs([[0, 1]], [[0, 0, 0], [9, 0, 0]], q, cell=10 * np.eye(3))
     (array([0.25]), array([0.5]))
     """
+    if is_device_array(pairs):
+        if out is not None:
+            raise TypeError("contact_pairs: with arrays on a GPU, there can be no 'out'")
+        return cast("tuple[Floats, Floats]", apply_to_pairs("contact", pairs, centers, q, _cell(cell), images))
     arrays = _pair_list(pairs, centers, q, cell, images)
     mu2, lambda_ = _outputs(out, len(arrays[0]))
     if mu2.size:
@@ -94,6 +99,8 @@ def overlap_pairs(
     """
     if np.dtype(dtype) not in (np.dtype(np.bool_), np.dtype(np.uint8)):
         raise TypeError("overlap_pairs: dtype must be bool or uint8")
+    if is_device_array(pairs):
+        return cast("NDArray[Any]", apply_to_pairs("overlap", pairs, centers, q, _cell(cell), images, dtype))
     arrays = _pair_list(pairs, centers, q, cell, images)
     codes = np.full(len(arrays[0]), _NO_CODE, dtype=np.uint8)
     status = _core.overlap_pairs(*arrays, codes)
@@ -104,6 +111,47 @@ def overlap_pairs(
         return codes
     np.minimum(codes, 1, out=codes)
     return codes.view(np.bool_)
+
+
+@documented
+def nearest_images(
+    pairs: ArrayLike, centers: ArrayLike, cell: ArrayLike
+) -> tuple[Floats, NDArray[np.int32]]:
+    """Nearest images that the functions of neighbour lists take without `images`: as vectors, and as such `images`.
+
+    Parameters
+    ----------
+    pairs : (k, 2) array_like of int
+        Indices (i, j) of particles, from 0.
+    centers : (n, 3) array_like
+        Centres of the particles.
+    cell : (3, 3) array_like
+        Rows are the vectors of the periodic cell.
+
+    Returns
+    -------
+    r12 : (k, 3) array
+        From particle i to the image of particle j; NaN for a bad pair, as of centres that are not finite.
+    images : (k, 3) array of int32
+        Multiples of the vectors of the cell, to be added to the centre of j; -2³¹ for a bad pair, as of centres too many
+        cells apart.
+
+    {raises_pair_list}
+
+    Examples
+    --------
+    >>> import numpy as np, pypw85
+    >>> pypw85.nearest_images([[0, 1]], [[0, 0, 0], [9, 0, 0]], 10 * np.eye(3))
+    (array([[-1.,  0.,  0.]]), array([[-1,  0,  0]], dtype=int32))
+    """
+    rows = _rows(centers, 3, "centers")
+    indices, vectors = _indices(pairs, len(rows)), _cell(cell)
+    r12, images = np.zeros((len(indices), 3)), np.zeros((len(indices), 3), dtype=np.int32)
+    status = _core.nearest_images(indices, rows, vectors, r12, images)
+    if status and not (images == np.iinfo(np.int32).min).any():
+        _check_indices(indices, len(rows))
+        raise ValueError("the cell is singular or not finite")
+    return r12, images
 
 
 def _outputs(out: Any, count: int) -> tuple[Floats, Floats]:

@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _core
+from ._device import apply_to_pairs, is_device_array
 from ._errors import PW85Error
 from ._pairs import _cell, _explain, _pair_list, _rows
 from ._typing import Floats
@@ -100,6 +101,8 @@ def contact_derivatives_pairs(
     >>> pypw85.contact_derivatives_pairs([[0, 1]], centers, q, cell=cell).d_r12
     array([[-0.5,  0. ,  0. ]])
     """
+    if is_device_array(pairs):
+        return ContactDerivatives(*apply_to_pairs("contact_derivatives", pairs, centers, q, _cell(cell), images))
     arrays = _pair_list(pairs, centers, q, cell, images)
     n = len(arrays[0])
     result = ContactDerivatives(np.full(n, -1.0), np.empty(n), *(np.empty((n, 3)) for _ in range(5)))

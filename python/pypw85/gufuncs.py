@@ -56,6 +56,7 @@ from ._core import (
     legacy_rT_adjQ_r_as_poly,
     legacy_xT_adjA_x,
     overlap,
+    penetration,
     overlap_2d,
     spheroid,
     zheng_ellipses,

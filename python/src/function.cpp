@@ -173,6 +173,11 @@ int distance_point(double const *const *in, double *const *out)
     return pw85_distance_point(in[0], in[1], out[0], out[1], out[2]);
 }
 
+int penetration(double const *const *in, double *const *out)
+{
+    return pw85_penetration(in[0], in[1], in[2], out[0], out[1]);
+}
+
 pw85_motion load_motion(double const *x) noexcept { return {{x[0], x[1], x[2]}, {x[3], x[4], x[5]}, x[6]}; }
 
 int first_contact(double const *const *in, double *const *out)
@@ -269,6 +274,7 @@ std::vector<Function> &functions()
         {"distance", "(3),(6),(6)->(),(3),(3)", distance_and_points<pw85_distance>},
         {"distance_derivatives", "(3),(6),(6)->(3),(3),(3),(9,9)", distance_derivatives},
         {"distance_2d", "(2),(3),(3)->(),(2),(2)", distance_and_points<pw85_distance_2d>},
+        {"penetration", "(3),(6),(6)->(),(3)", penetration},
         {"first_contact", "(3),(6),(6),(7),(7),()->()", first_contact},
         {"distance_plane", "(3),(),(6)->(),(3)", distance_plane},
         {"distance_plane_derivatives", "(3),(6)->(3),(3)", distance_plane_derivatives},

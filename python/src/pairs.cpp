@@ -130,6 +130,29 @@ PyObject *overlap_any(PyObject *, PyObject *const *args, Py_ssize_t nargs)
     return Py_BuildValue("ii", status, any);
 }
 
+PyObject *nearest_images(PyObject *, PyObject *const *args, Py_ssize_t nargs)
+{
+    npy_intp num_pairs = -1, num_particles = -1, cell_rows = 3;
+    if (!right_number(nargs, 5)) return nullptr;
+    auto const *const pairs = static_cast<std::int32_t const *>(data_of(args[0], NPY_INT32, num_pairs, 2, false));
+    if (pairs == nullptr) return nullptr;
+    auto const *const centers =
+        static_cast<double const *>(data_of(args[1], NPY_DOUBLE, num_particles, PW85_DIM, false));
+    if (centers == nullptr) return nullptr;
+    auto const *const cell = static_cast<double const *>(data_of(args[2], NPY_DOUBLE, cell_rows, PW85_DIM, false));
+    if (cell == nullptr) return nullptr;
+    auto *const r12 = static_cast<double *>(data_of(args[3], NPY_DOUBLE, num_pairs, PW85_DIM, true));
+    if (r12 == nullptr) return nullptr;
+    auto *const images = static_cast<std::int32_t *>(data_of(args[4], NPY_INT32, num_pairs, PW85_DIM, true));
+    if (images == nullptr) return nullptr;
+    int status;
+    Py_BEGIN_ALLOW_THREADS;
+    status = pw85_nearest_images(static_cast<size_t>(num_pairs), pairs, static_cast<size_t>(num_particles), centers,
+                                 cell, r12, images);
+    Py_END_ALLOW_THREADS;
+    return PyLong_FromLong(status);
+}
+
 PyObject *nearest_image_limit(PyObject *, PyObject *const *args, Py_ssize_t nargs)
 {
     npy_intp n = -1, cell_rows = 3;

@@ -1,5 +1,6 @@
 """The command pw85: what it prints and writes, its statuses, and one sentence for bad input."""
 
+import errno
 import functools
 import json
 import os
@@ -204,12 +205,17 @@ def test_bad_input(run, folder, arguments, reason):
     assert set(folder.iterdir()) == before
 
 
-@pytest.mark.skipif(os.geteuid() == 0, reason="root may read everything")
-def test_no_permission(run, folder):
+def test_no_permission(run, folder, monkeypatch):
+    """As if for another user: root may read everything."""
+
+    def refuse(path, *_, **__):
+        raise PermissionError(errno.EACCES, os.strerror(errno.EACCES), path)
+
     pypw85.write("a.dump", random_system())
-    (folder / "a.dump").chmod(0)
+    monkeypatch.setattr("builtins.open", refuse)
     done = run("check", "a.dump")
-    assert done.status == 2 and "a.dump: permission denied" in done.err
+    monkeypatch.undo()
+    assert (done.status, done.err) == (2, "pw85: a.dump: permission denied: change its permissions, or work on a copy\n")
 
 
 def test_old_report_stays_whole(run, folder):

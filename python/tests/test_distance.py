@@ -53,3 +53,16 @@ def test_two_dimensions():
 def test_errors(name):
     with pytest.raises(pypw85.PW85Error, match="positive definite"):
         getattr(pypw85, name)([5, 0, 0], [1, 2, 0, 1, 0, 1], [1, 0, 0, 1, 0, 1])
+
+
+def test_penetration(random_pairs, assert_rows):
+    r12, q1, q2 = random_pairs(300)
+    r12 = 0.3 * r12
+    overlapping = pypw85.overlap(r12, q1, q2)
+    assert 50 < overlapping.sum()
+    depth, direction = pypw85.penetration(r12, q1, q2)
+    np.testing.assert_array_equal(depth > 0, overlapping)
+    np.testing.assert_array_equal(np.isnan(direction).any(axis=1), ~overlapping)
+    r12, q1, q2, depth, direction = (x[overlapping] for x in (r12, q1, q2, depth, direction))
+    mu2 = pypw85.contact(r12 + depth[:, None] * direction, q1, q2)[0]
+    assert_rows(np.abs(mu2 - 1) <= 1e-12, r12, q1, q2)

@@ -307,6 +307,20 @@ def test_bad_text(name, text, reason, file):
         list(pypw85.frames(file(text, name)))
 
 
+@pytest.mark.parametrize("suffix, line", [("csv", 9), ("xyz", 7), ("data", 18), ("dump", 14)])
+def test_lines(suffix, line, tmp_path, file):
+    """Lines are counted as an editor counts them: here that of the fifth particle."""
+    system = random_system(count=5)
+    system.centers[4, 1] = 0.123456789
+    pypw85.write(tmp_path / f"a.{suffix}", system)
+    text = (tmp_path / f"a.{suffix}").read_text()
+    word = next(word for word in text.replace(",", " ").split() if word.startswith("0.12345678"))
+    bad = text.replace(word, "abc")
+    assert bad.splitlines()[line - 1].count("abc") == 1
+    with pytest.raises(pypw85.FileError, match=f"line {line}: column . .*'abc'"):
+        pypw85.read(file(bad, f"b.{suffix}"))
+
+
 def test_hdf5_without_particles(tmp_path):
     import h5py
 

@@ -34,6 +34,7 @@ SIGNATURES = {
     "distance": "(3),(6),(6)->(),(3),(3)",
     "distance_derivatives": "(3),(6),(6)->(3),(3),(3),(9,9)",
     "distance_2d": "(2),(3),(3)->(),(2),(2)",
+    "penetration": "(3),(6),(6)->(),(3)",
     "first_contact": "(3),(6),(6),(7),(7),()->()",
     "distance_plane": "(3),(),(6)->(),(3)",
     "distance_plane_derivatives": "(3),(6)->(3),(3)",

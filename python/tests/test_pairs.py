@@ -131,3 +131,24 @@ def test_bad_particle(particles, pairs):
     np.testing.assert_array_equal(pypw85.bad_rows(codes), bad)
     with np.errstate(invalid="raise"), pytest.raises(FloatingPointError, match="overlap_pairs"):
         pypw85.overlap_pairs(pairs, centers, q)
+
+
+def test_nearest_images(rng):
+    cell = np.array([[3.0, 0, 0], [5, 4, 0], [-7, 2, 5]])
+    centers, pairs = rng.uniform(-20, 20, (30, 3)), rng.integers(0, 30, (100, 2))
+    r12, images = pypw85.nearest_images(pairs, centers, cell)
+    np.testing.assert_allclose(np.diff(centers[pairs], axis=1)[:, 0] + images @ cell, r12, rtol=0, atol=1e-12)
+    q = pypw85.ellipsoid_quaternion(rng.uniform(1, 2, (30, 3)), rng.normal(size=(30, 4)))
+    mu2 = pypw85.contact(r12, *(q[pairs[:, k]] for k in range(2)))[0]
+    np.testing.assert_allclose(pypw85.contact_pairs(pairs, centers, q, cell)[0], mu2, rtol=1e-11, atol=1e-11)
+    np.testing.assert_allclose(pypw85.contact_pairs(pairs, centers, q, cell, images=images)[0], mu2, rtol=1e-11, atol=1e-11)
+
+
+def test_nearest_images_of_bad_input():
+    centers = np.array([[0, 0, 0], [np.nan, 0, 0]])
+    r12, images = pypw85.nearest_images([[0, 1], [0, 0]], centers, np.eye(3))
+    assert np.isnan(r12[0]).all() and (images[0] == -(2**31)).all() and not (r12[1].any() or images[1].any())
+    with pytest.raises(ValueError, match="singular"):
+        pypw85.nearest_images([[0, 0]], centers, np.zeros((3, 3)))
+    with pytest.raises(IndexError):
+        pypw85.nearest_images(np.array([[0, 2]], dtype=np.int32), centers, np.eye(3))

@@ -11,11 +11,12 @@
 #include <cstddef>
 #include <cstdint>
 
-#include <pw85.h>
 #include <pw85/attributes.hpp>
 
 #include "lattice.hpp"
 #include "worklist.hpp"
+
+struct pw85_motion; // of pw85.h, which needs a header that the build makes: devices have no build
 
 namespace pw85::kernels {
 
@@ -113,6 +114,16 @@ struct ApproachArray {
     PW85_MEMBER ApproachArray from(std::size_t begin) const noexcept { return {distance + begin}; }
 };
 
+/// Distances and closest points; any may be null.
+struct DistanceArrays {
+    double *distance, *point1, *point2;
+
+    [[gnu::always_inline]] DistanceArrays from(std::size_t begin) const noexcept
+    {
+        return {row_or_null(distance, 1, begin), row_or_null(point1, 3, begin), row_or_null(point2, 3, begin)};
+    }
+};
+
 /// Contact functions and derivatives; any may be null, but for the kernels' lambda, which is NaN where a pair is left to the
 /// function for one before its λ is known.
 struct DerivativeArrays {
@@ -166,7 +177,8 @@ using LaneKernels = KernelTable<LaneKernel<PairArrays<2>, ContactArrays>, LaneKe
                                 LaneKernel<PairArrays<3>, ContactArrays>, LaneKernel<NeighborList, ContactArrays>,
                                 LaneKernel<PairArrays<3>, OverlapArray>, LaneKernel<NeighborList, OverlapArray>,
                                 LaneKernel<OneToMany, OverlapArray>, LaneKernel<PairArrays<3>, DerivativeArrays>,
-                                LaneKernel<NeighborList, DerivativeArrays>, LaneKernel<Directions, ApproachArray>>;
+                                LaneKernel<NeighborList, DerivativeArrays>, LaneKernel<Directions, ApproachArray>,
+                                LaneKernel<PairArrays<3>, DistanceArrays>>;
 
 /// All functions of one target.
 struct Kernels {

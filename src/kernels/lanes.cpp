@@ -3,6 +3,7 @@
 #include "lane_closest_approach.hpp"
 #include "lane_contact.hpp"
 #include "lane_derivatives.hpp"
+#include "lane_distance.hpp"
 #include "lane_overlap.hpp"
 
 namespace pw85::kernels {

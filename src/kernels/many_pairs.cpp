@@ -5,6 +5,7 @@
 
 #include "../c_arrays.hpp"
 #include "many_pairs.hpp"
+#include "nearest_image.hpp"
 
 using namespace pw85;
 using namespace pw85::kernels;
@@ -65,6 +66,49 @@ int prepare_list(std::size_t num_pairs, std::size_t num_particles, NeighborList 
     DefaultEnvironment const environment;
     return prepare(list.cell, lattice) ? PW85_SUCCESS : PW85_EINVAL;
 }
+
+/// Finds the nearest images of the pairs of a list.
+class ImageFinder {
+  public:
+    /// `list` has a lattice, that of its cell.
+    explicit ImageFinder(NeighborList const &list) noexcept : list_(list)
+    {
+        double reduced[9];
+        reduce(list.cell, reduced, multiples_);
+    }
+
+    /// Writes the vector and the image of a pair, unless null, and returns a status.
+    int find(std::size_t pair, double *r12, std::int32_t *image) const noexcept
+    {
+        std::int32_t const *const ij = row_of(list_.pairs, 2, pair);
+        double const *const x = row_of(list_.centers, 3, static_cast<std::size_t>(ij[0]));
+        double const *const y = row_of(list_.centers, 3, static_cast<std::size_t>(ij[1]));
+        Vector<double, 3> const apart{y[0] - x[0], y[1] - x[1], y[2] - x[2]};
+        Vector<double, 3> const nearest = nearest_image(*list_.lattice, apart);
+        Vector<double, 3> multiple{0.0, 0.0, 0.0};
+        for (int i = 0; i < 3; ++i) {
+            double const n = nearest_integer(coordinate(i, nearest) - coordinate(i, apart));
+            for (int d = 0; d < 3; ++d) multiple[d] = multiple[d] + n * multiples_[i][d];
+        }
+        bool const fits = largest_coordinate(multiple) <= INT32_MAX, good = is_finite(nearest) && (fits || !image);
+        for (int d = 0; d < 3; ++d) {
+            if (r12 != nullptr) r12[d] = good ? nearest[d] : quiet_nan<double>();
+            if (image != nullptr) image[d] = good ? static_cast<std::int32_t>(multiple[d]) : INT32_MIN;
+        }
+        return good ? PW85_SUCCESS : PW85_EINVAL;
+    }
+
+  private:
+    /// In the reduced basis.
+    double coordinate(int i, Vector<double, 3> const &r) const noexcept
+    {
+        double const *const dual = list_.lattice->dual[i];
+        return dual[0] * r[0] + dual[1] * r[1] + dual[2] * r[2];
+    }
+
+    NeighborList const &list_;
+    double multiples_[3][3]; ///< of the cell's vectors, in those of the reduced basis
+};
 
 /// Computes the pairs of a neighbour list.
 template <class Arrays>
@@ -144,6 +188,40 @@ int pw85_contact_derivatives_batch(size_t n, double const *r12, double const *q1
                        DerivativeArrays{mu2, lambda, point, normal, d_r12, d_rot1, d_rot2});
 }
 
+int pw85_distance_batch(size_t n, double const *r12, double const *q1, double const *q2, double *distance,
+                        double *point1, double *point2)
+{
+    if (n == 0) return PW85_SUCCESS;
+    if (n > max_rows || any_null(r12, q1, q2)) return PW85_EINVAL;
+    return compute_all(n, PairArrays<3>{r12, q1, q2}, DistanceArrays{distance, point1, point2});
+}
+
+int pw85_penetration_batch(size_t n, double const *r12, double const *q1, double const *q2, double *depth,
+                           double *direction)
+{
+    if (n == 0) return PW85_SUCCESS;
+    if (n > max_rows || any_null(r12, q1, q2)) return PW85_EINVAL;
+    return for_all(n, [&](Range range) {
+        return for_rows(range, [&](std::size_t i) {
+            return pw85_penetration(r12 + 3 * i, q1 + 6 * i, q2 + 6 * i, row_or_null(depth, 1, i),
+                                    row_or_null(direction, 3, i));
+        });
+    });
+}
+
+int pw85_distance_plane_batch(size_t n, double const *normals, double const *offsets, double const *q, double *distance,
+                              double *point)
+{
+    if (n == 0) return PW85_SUCCESS;
+    if (n > max_rows || any_null(normals, offsets, q)) return PW85_EINVAL;
+    return for_all(n, [&](Range range) {
+        return for_rows(range, [&](std::size_t i) {
+            return pw85_distance_plane(normals + 3 * i, offsets[i], q + 6 * i, row_or_null(distance, 1, i),
+                                       row_or_null(point, 3, i));
+        });
+    });
+}
+
 int pw85_first_contact_batch(size_t n, double const *r12, double const *q1, double const *q2,
                              pw85_motion const *motion1, pw85_motion const *motion2, double t_max, double *t)
 {
@@ -218,4 +296,20 @@ int pw85_first_contact_pairs(size_t num_pairs, int32_t const *pairs, int32_t con
     });
     find_next(num_pairs, pairs, t, num_particles, next, next_pair);
     return status;
+}
+
+int pw85_nearest_images(size_t num_pairs, int32_t const *pairs, size_t num_particles, double const *centers,
+                        double const *cell, double *r12, int32_t *images)
+{
+    if (num_pairs == 0) return PW85_SUCCESS;
+    if (any_null(cell)) return PW85_EINVAL;
+    Lattice lattice;
+    NeighborList list{pairs, centers, centers, nullptr, cell, nullptr};
+    if (int const status = prepare_list(num_pairs, num_particles, list, lattice)) return status;
+    return for_all(num_pairs, [&](Range range) {
+        ImageFinder const finder(list);
+        return for_rows(range, [&](std::size_t pair) {
+            return finder.find(pair, row_or_null(r12, 3, pair), row_or_null(images, 3, pair));
+        });
+    });
 }

@@ -59,6 +59,13 @@ inline int settle(OnePairKernels const &one, PairRow<3> const &pair, ApproachArr
     return one.closest_approach(pair.r12, pair.q1, pair.q2, out.distance + index);
 }
 
+inline int settle(OnePairKernels const &one, PairRow<3> const &pair, DistanceArrays const &all,
+                  std::size_t index) noexcept
+{
+    DistanceArrays const out = all.from(index);
+    return one.distance(pair.r12, pair.q1, pair.q2, out.distance, out.point1, out.point2);
+}
+
 /// A concentric pair, which has no normal, is valid otherwise; where λ is NaN, so are the derivatives.
 inline int settle(OnePairKernels const &one, PairRow<3> const &pair, DerivativeArrays const &all,
                   std::size_t index) noexcept

@@ -1,4 +1,6 @@
 // The functions for one pair, compiled once per instruction set.
+#include <pw85.h>
+
 #include <pw85/closest_approach.hpp>
 #include <pw85/contact_hessian.hpp>
 #include <pw85/distance_derivatives.hpp>

@@ -305,6 +305,64 @@ void test_images()
     }
 }
 
+// The images, added to the second particles, give the vectors; the vectors are the shortest of those around; and functions of
+// lists find the same images. Cells by skewed vectors, particles many cells apart.
+void test_nearest_images()
+{
+    Failures failures;
+    Random random(36);
+    for (int n = 0; n < 300; ++n) {
+        pw85::Cell const compact = random_cell(random, 1.0), cell = skew(random, compact, n % 12);
+        if (!(std::fabs(volume(compact)) > 1e-3)) continue;
+        std::vector<pw85::Vector<double, 3>> centers(20), r12(100);
+        std::vector<pw85::IndexPair> pairs(100);
+        std::vector<pw85::Image> images(100);
+        for (auto &x : centers) x = {random.uniform(-30, 30), random.uniform(-30, 30), random.uniform(-30, 30)};
+        for (auto &pair : pairs)
+            for (auto &i : pair) i = static_cast<std::int32_t>(random.uniform(0.0, 20.0));
+        auto const text = [&] { return cell_text(cell); };
+        g_assert_true(pw85::nearest_images(pairs, centers, cell, r12, images) == pw85::Status::success);
+        for (std::size_t k = 0; k < pairs.size(); ++k) {
+            auto const &x = centers[static_cast<std::size_t>(pairs[k][0])],
+                       &y = centers[static_cast<std::size_t>(pairs[k][1])];
+            auto const shift = combine(cell, {images[k][0], images[k][1], images[k][2]});
+            for (int d = 0; d < 3; ++d)
+                failures.check(std::fabs(y[d] - x[d] + shift[d] - r12[k][d]) <= 1e-10, "image", r12[k][d],
+                               y[d] - x[d] + shift[d], text);
+            visit_multiples(1, [&](Multiples const &m) {
+                auto other = combine(compact, m);
+                for (int d = 0; d < 3; ++d) other[d] += r12[k][d];
+                failures.check(square(other) >= square(r12[k]) - 1e-10, "nearer", square(other), square(r12[k]), text);
+            });
+        }
+    }
+}
+
+void test_nearest_image_arguments()
+{
+    double const nan = std::numeric_limits<double>::quiet_NaN();
+    double const cell[9] = {2, 0, 0, 0, 2, 0, 0, 0, 2}, flat[9] = {2, 0, 0, 0, 2, 0, 2, 2, 0};
+    double const centers[12] = {0, 0, 0, 1e12, 0, 0, nan, 0, 0, 7, 0, 0};
+    std::int32_t const pairs[8] = {0, 3, 0, 1, 1, 2, 3, 3}, outside[2] = {0, 4};
+    double r12[12];
+    std::int32_t images[12];
+    g_assert_cmpint(pw85_nearest_images(4, pairs, 4, centers, cell, r12, images), ==, PW85_EINVAL);
+    double const expected[4] = {-1.0, nan, nan, 0.0};
+    std::int32_t const multiples[4] = {-4, INT32_MIN, INT32_MIN, 0};
+    for (int k = 0; k < 4; ++k) {
+        g_assert_true(std::isnan(expected[k]) ? std::isnan(r12[3 * k]) : std::fabs(r12[3 * k]) == -expected[k]);
+        g_assert_true(images[3 * k] == multiples[k] || (k == 0 && images[0] == -3));
+    }
+    g_assert_cmpint(pw85_nearest_images(2, pairs, 4, centers, cell, r12, nullptr), ==, PW85_SUCCESS);
+    g_assert_cmpint(pw85_nearest_images(2, pairs, 4, centers, cell, nullptr, nullptr), ==, PW85_SUCCESS);
+    g_assert_cmpint(pw85_nearest_images(0, nullptr, 0, nullptr, nullptr, nullptr, nullptr), ==, PW85_SUCCESS);
+    for (double const *bad : {flat, static_cast<double const *>(nullptr)})
+        g_assert_cmpint(pw85_nearest_images(1, pairs, 4, centers, bad, r12, images), ==, PW85_EINVAL);
+    g_assert_cmpint(pw85_nearest_images(1, outside, 4, centers, cell, r12, images), ==, PW85_EINVAL);
+    g_assert_cmpint(pw85_nearest_images(1, nullptr, 4, centers, cell, r12, images), ==, PW85_EINVAL);
+    g_assert_cmpint(pw85_nearest_images(1, pairs, 4, nullptr, cell, r12, images), ==, PW85_EINVAL);
+}
+
 void test_image_arguments()
 {
     double const x[6] = {1.0, 0.0, 0.0, 1.0, 0.0, 1.0}, cell[9] = {1, 0, 0, 0, 1, 0, 0, 0, 1};
@@ -439,6 +497,8 @@ int main(int argc, char **argv)
     g_test_add_func("/lattice/shifts_of_oblique_cells", test_shifts_of_oblique_cells);
     g_test_add_func("/lattice/images", test_images);
     g_test_add_func("/lattice/image_arguments", test_image_arguments);
+    g_test_add_func("/lattice/nearest_images", test_nearest_images);
+    g_test_add_func("/lattice/nearest_images/arguments", test_nearest_image_arguments);
     g_test_add_func("/lattice/limit", test_limit);
     g_test_add_func("/lattice/limit_of_needles", test_limit_of_needles);
     g_test_add_func("/lattice/limit_arguments", test_limit_arguments);

@@ -202,9 +202,9 @@ class Installation:
     def compare_flags(self, kind, simd, gsl):
         meson, cmake = (self.work / f"flags-{builder}-{kind}-{simd}-{gsl}" for builder in ("meson", "cmake"))
         off = [f"-D{name}=disabled" for name, wanted in (("simd", simd), ("gsl", gsl)) if not wanted]
-        run("meson", "setup", meson, self.source, *LIBRARIES_ONLY, "--buildtype=plain", f"-Ddefault_library={kind}", *off)
+        run("meson", "setup", meson, self.source, *LIBRARIES_ONLY, "-Dgpu=disabled", "--buildtype=plain", f"-Ddefault_library={kind}", *off)
         run("cmake", "-G", "Ninja", "-S", self.source, "-B", cmake, f"-DBUILD_SHARED_LIBS={kind == 'shared'}",
-            f"-DPW85_SIMD={simd}", f"-DPW85_GSL={gsl}", "-DCMAKE_EXPORT_COMPILE_COMMANDS=ON")
+            f"-DPW85_SIMD={simd}", f"-DPW85_GSL={gsl}", "-DPW85_GPU=OFF", "-DCMAKE_EXPORT_COMPILE_COMMANDS=ON")
         header, same = "kernels/instruction_sets.h", lambda file: file.read_text().partition("#define")[2].split()
         if same(meson / "src" / header) != same(cmake / header):
             raise Failed(f"{header} differs: {(cmake / header).read_text()}")

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import itertools
 import os
-from typing import Any, BinaryIO, Iterator, NoReturn, Optional, Sequence
+from typing import Any, BinaryIO, Callable, Iterator, NoReturn, Optional, Sequence
 
 import numpy as np
 from numpy.typing import NDArray
@@ -75,6 +75,19 @@ class Lines:
               wanted: Optional[Sequence[str]] = None) -> Table:  # fmt: skip
         """The next `count` lines as a table with these columns; those in `text` are strings, those not wanted are skipped."""
         return Table(self, self._file, count, list(columns), set(text), separator, wanted)
+
+
+def locate_frames(path: os.PathLike[str], lines_of_frame: Callable[[Lines], Optional[int]]) -> Iterator[Location]:
+    """Frames one behind the other. The function reads the start of one, and says how many lines follow; None at the end."""
+    with Lines(path, Location(0)) as lines:
+        while True:
+            location = lines.location(lines.frame)
+            remaining = lines_of_frame(lines)
+            if remaining is None:
+                return
+            yield location
+            lines.skip(remaining)
+            lines.frame += 1
 
 
 class Table:

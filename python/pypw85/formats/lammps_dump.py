@@ -12,7 +12,7 @@ from .._system import System
 from .._typing import Floats
 from ._boxes import box, numbered_types
 from ._frames import Frame, Location, Options
-from ._table import Lines, Table
+from ._table import Lines, Table, locate_frames
 
 SUFFIXES = (".dump", ".lammpstrj")
 _POSITIONS = (("x", "y", "z"), ("xu", "yu", "zu"), ("xs", "ys", "zs"), ("xsu", "ysu", "zsu"))
@@ -34,17 +34,11 @@ def recognise(start: bytes) -> bool:
 
 
 def locate(path: os.PathLike[str]) -> Iterator[Location]:
-    with Lines(path, Location(0)) as lines:
-        frame = 0
-        while True:
-            location = lines.location(frame)
-            lines.frame = frame
-            header = _header(lines)
-            if header is None:
-                return
-            yield location
-            lines.skip(header.particles)
-            frame += 1
+    def lines_of_frame(lines: Lines) -> Optional[int]:
+        header = _header(lines)
+        return None if header is None else header.particles
+
+    return locate_frames(path, lines_of_frame)
 
 
 def load(path: os.PathLike[str], location: Location, options: Options) -> System:

@@ -14,7 +14,7 @@ import numpy as np
 
 from .._system import System
 from ._frames import Frame, Location, Options
-from ._table import Lines
+from ._table import Lines, locate_frames
 
 SUFFIXES = (".xyz", ".extxyz")
 # Names of properties without capitals and underscores, and how many columns each has.
@@ -27,17 +27,11 @@ def recognise(start: bytes) -> bool:
 
 
 def locate(path: os.PathLike[str]) -> Iterator[Location]:
-    with Lines(path, Location(0)) as lines:
-        frame = 0
-        while True:
-            location = lines.location(frame)
-            lines.frame = frame
-            count = _count(lines)
-            if count is None:
-                return
-            yield location
-            lines.skip(count + 1)
-            frame += 1
+    def lines_of_frame(lines: Lines) -> Optional[int]:
+        count = _count(lines)
+        return None if count is None else 1 + count
+
+    return locate_frames(path, lines_of_frame)
 
 
 def _count(lines: Lines) -> Optional[int]:

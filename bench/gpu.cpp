@@ -1,0 +1,151 @@
+// What a GPU does: pairs per second of the functions of pw85_gpu.h, and whether it answers as the host does. Needs a device, or the
+// driver of the tests. Usage: gpu [PAIRS [COMPARED]]
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+#include <vector>
+
+#include <pw85_gpu.h>
+
+#include "gpu/device.hpp"
+#include "random_pairs.hpp"
+
+using namespace pw85_tests;
+
+namespace {
+
+constexpr std::size_t block = std::size_t{1} << 18; // pairs that differ; the arrays repeat them
+
+struct Block {
+    std::vector<double> r12, q1, q2;
+};
+
+/// General ellipsoids, half of which overlap; every tenth pair is tangent to rounding.
+Block random_block(Random &random, double aspect)
+{
+    Block b;
+    for (std::size_t i = 0; i < block; ++i) {
+        double const near = i % 10 == 0 ? 1.0 : random.log_uniform(0.1, 10.0);
+        auto const p =
+            random_pair<3>(random, {.aspect = aspect, .mu2_min = near, .mu2_max = near, .aspect_min = aspect});
+        b.r12.insert(b.r12.end(), p.r12.coordinates, p.r12.coordinates + 3);
+        b.q1.insert(b.q1.end(), p.q1.entries, p.q1.entries + 6);
+        b.q2.insert(b.q2.end(), p.q2.entries, p.q2.entries + 6);
+    }
+    return b;
+}
+
+std::vector<double> repeated(std::vector<double> const &values, std::size_t size)
+{
+    std::vector<double> all(size);
+    for (std::size_t i = 0; i < size; ++i) all[i] = values[i % values.size()];
+    return all;
+}
+
+/// Seconds of the shortest of five calls, each waited for.
+template <class Call> double seconds(Stream const &stream, Call call)
+{
+    double shortest = 1e300;
+    for (int i = 0; i < 6; ++i) { // the first one loads the program
+        auto const start = std::chrono::steady_clock::now();
+        g_assert_cmpint(call(stream.handle()), ==, PW85_SUCCESS);
+        stream.wait();
+        std::chrono::duration<double> const time = std::chrono::steady_clock::now() - start;
+        if (i > 0 && time.count() < shortest) shortest = time.count();
+    }
+    return shortest;
+}
+
+void print(char const *function, double aspect, std::size_t pairs, double time)
+{
+    std::printf("%-22s aspect %-5g %10.3g pairs/s\n", function, aspect, static_cast<double>(pairs) / time);
+}
+
+void measure(std::size_t n, double aspect)
+{
+    Random random(900);
+    Block const b = random_block(random, aspect);
+    DeviceArray<double> const r12(repeated(b.r12, 3 * n)), q1(repeated(b.q1, 6 * n)), q2(repeated(b.q2, 6 * n));
+    DeviceArray<double> const mu2(n), lambda(n), point(3 * n), normal(3 * n), d_r12(3 * n), d_rot1(3 * n),
+        d_rot2(3 * n);
+    DeviceArray<unsigned char> const overlap(n);
+    Stream const stream;
+    print("contact", aspect, n, seconds(stream, [&](void *s) {
+              return pw85_gpu_contact_batch(s, n, r12.get(), q1.get(), q2.get(), mu2.get(), lambda.get());
+          }));
+    print("overlap", aspect, n, seconds(stream, [&](void *s) {
+              return pw85_gpu_overlap_batch(s, n, r12.get(), q1.get(), q2.get(), overlap.get());
+          }));
+    print("contact_derivatives", aspect, n, seconds(stream, [&](void *s) {
+              return pw85_gpu_contact_derivatives_batch(s, n, r12.get(), q1.get(), q2.get(), mu2.get(), lambda.get(),
+                                                        point.get(), normal.get(), d_r12.get(), d_rot1.get(),
+                                                        d_rot2.get());
+          }));
+}
+
+/// Twenty neighbours of each particle.
+void measure_lists(std::size_t particles, double aspect)
+{
+    Random random(901);
+    Block const b = random_block(random, aspect);
+    std::vector<std::int32_t> list;
+    for (std::size_t i = 0; i < particles; ++i)
+        for (std::size_t k = 1; k <= 20; ++k) {
+            list.push_back(static_cast<std::int32_t>(i));
+            list.push_back(static_cast<std::int32_t>((i + k * k) % particles));
+        }
+    std::size_t const n = list.size() / 2;
+    DeviceArray<double> const centers(repeated(b.r12, 3 * particles)), q(repeated(b.q1, 6 * particles)), mu2(n),
+        lambda(n);
+    DeviceArray<std::int32_t> const pairs(list);
+    DeviceArray<unsigned char> const overlap(n);
+    double const cell[9] = {50.0, 0.0, 0.0, 0.0, 50.0, 0.0, 0.0, 0.0, 50.0};
+    Stream const stream;
+    print("contact_pairs", aspect, n, seconds(stream, [&](void *s) {
+              return pw85_gpu_contact_pairs(s, n, pairs.get(), nullptr, particles, centers.get(), q.get(), cell,
+                                            mu2.get(), lambda.get());
+          }));
+    print("overlap_pairs", aspect, n, seconds(stream, [&](void *s) {
+              return pw85_gpu_overlap_pairs(s, n, pairs.get(), nullptr, particles, centers.get(), q.get(), cell,
+                                            overlap.get());
+          }));
+}
+
+/// Overlaps on the device and on the host; how many differ.
+std::size_t compare(std::size_t pairs)
+{
+    std::size_t different = 0, compared = 0;
+    for (std::uint64_t seed = 0; compared < pairs; ++seed) {
+        Random random(1000 + seed);
+        Block const b = random_block(random, seed % 3 == 0 ? 2.0 : seed % 3 == 1 ? 100.0 : 1e4);
+        std::vector<unsigned char> host(block), device(block);
+        pw85_overlap_batch(block, b.r12.data(), b.q1.data(), b.q2.data(), host.data());
+        g_assert_cmpint(pw85_gpu_overlap_host(block, b.r12.data(), b.q1.data(), b.q2.data(), device.data()), ==,
+                        PW85_SUCCESS);
+        for (std::size_t i = 0; i < block; ++i) different += host[i] != device[i];
+        compared += block;
+    }
+    std::printf("%zu overlaps compared with the host's, %zu different\n", compared, different);
+    return different;
+}
+
+std::size_t argument(int argc, char **argv, int k, std::size_t otherwise)
+{
+    return argc > k ? static_cast<std::size_t>(std::strtod(argv[k], nullptr)) : otherwise;
+}
+
+} // namespace
+
+int main(int argc, char **argv)
+{
+    std::size_t const n = argument(argc, argv, 1, 100'000'000), compared = argument(argc, argv, 2, 10'000'000);
+    pw85::gpu::Context const context(pw85::gpu::driver());
+    if (context.handle() == nullptr) {
+        std::fprintf(stderr, "%s\n", pw85_strerror(PW85_EDEVICE));
+        return 1;
+    }
+    for (double const aspect : {2.0, 10.0, 100.0}) measure(n, aspect);
+    measure_lists(n / 100 + 20, 10.0);
+    return compare(compared) != 0;
+}

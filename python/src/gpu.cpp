@@ -1,0 +1,91 @@
+// The functions for arrays on a GPU, whose addresses the Python layer reads and has checked.
+#include <pw85_gpu.h>
+
+#include <cstring>
+
+#include "calls.hpp"
+
+namespace pypw85 {
+namespace {
+
+/// Integers of a call: addresses and sizes.
+struct Numbers {
+    static constexpr Py_ssize_t most = 16;
+    std::uintptr_t values[most];
+
+    double *array(int k) const noexcept { return reinterpret_cast<double *>(values[k]); }
+    std::int32_t *indices(int k) const noexcept { return reinterpret_cast<std::int32_t *>(values[k]); }
+    unsigned char *codes(int k) const noexcept { return reinterpret_cast<unsigned char *>(values[k]); }
+    void *stream() const noexcept { return reinterpret_cast<void *>(values[0]); }
+    std::size_t size(int k) const noexcept { return values[k]; }
+};
+
+struct GpuFunction {
+    char const *name;
+    Py_ssize_t arguments;
+    int (*call)(Numbers const &);
+};
+
+// Arguments in the order of pw85_gpu.h, from the stream on.
+constexpr GpuFunction functions_for_gpus[] = {
+    {"contact", 7,
+     [](Numbers const &x) {
+         return pw85_gpu_contact_batch(x.stream(), x.size(1), x.array(2), x.array(3), x.array(4), x.array(5),
+                                       x.array(6));
+     }},
+    {"overlap", 6,
+     [](Numbers const &x) {
+         return pw85_gpu_overlap_batch(x.stream(), x.size(1), x.array(2), x.array(3), x.array(4), x.codes(5));
+     }},
+    {"contact_derivatives", 12,
+     [](Numbers const &x) {
+         return pw85_gpu_contact_derivatives_batch(x.stream(), x.size(1), x.array(2), x.array(3), x.array(4),
+                                                   x.array(5), x.array(6), x.array(7), x.array(8), x.array(9),
+                                                   x.array(10), x.array(11));
+     }},
+    {"contact_pairs", 10,
+     [](Numbers const &x) {
+         return pw85_gpu_contact_pairs(x.stream(), x.size(1), x.indices(2), x.indices(3), x.size(4), x.array(5),
+                                       x.array(6), x.array(7), x.array(8), x.array(9));
+     }},
+    {"overlap_pairs", 9,
+     [](Numbers const &x) {
+         return pw85_gpu_overlap_pairs(x.stream(), x.size(1), x.indices(2), x.indices(3), x.size(4), x.array(5),
+                                       x.array(6), x.array(7), x.codes(8));
+     }},
+    {"contact_derivatives_pairs", 15,
+     [](Numbers const &x) {
+         return pw85_gpu_contact_derivatives_pairs(x.stream(), x.size(1), x.indices(2), x.indices(3), x.size(4),
+                                                   x.array(5), x.array(6), x.array(7), x.array(8), x.array(9),
+                                                   x.array(10), x.array(11), x.array(12), x.array(13), x.array(14));
+     }},
+};
+
+GpuFunction const *find(char const *name, Py_ssize_t arguments) noexcept
+{
+    for (GpuFunction const &function : functions_for_gpus)
+        if (std::strcmp(function.name, name) == 0 && function.arguments == arguments) return &function;
+    return nullptr;
+}
+
+} // namespace
+
+PyObject *gpu(PyObject *, PyObject *const *args, Py_ssize_t nargs)
+{
+    char const *const name = nargs > 0 ? PyUnicode_AsUTF8(args[0]) : "";
+    if (name == nullptr) return nullptr;
+    GpuFunction const *const function = find(name, nargs - 1);
+    if (function == nullptr) return PyErr_Format(PyExc_TypeError, "no function %s of so many arguments", name);
+    Numbers numbers{};
+    for (Py_ssize_t k = 1; k < nargs; ++k) {
+        numbers.values[k - 1] = PyLong_AsSize_t(args[k]);
+        if (PyErr_Occurred() != nullptr) return nullptr;
+    }
+    int status;
+    Py_BEGIN_ALLOW_THREADS;
+    status = function->call(numbers);
+    Py_END_ALLOW_THREADS;
+    return PyLong_FromLong(status);
+}
+
+} // namespace pypw85

@@ -1,0 +1,22 @@
+#!/bin/sh
+# All tests of pw85_gpu.h on a machine with an NVIDIA GPU, and what it does per second: builds pw85 in ./build-gpu, runs the tests
+# that need no device, then the same program on the device (under compute-sanitizer, too, where that is), and bench/gpu, whose
+# arguments may follow: the number of pairs, and of overlaps to compare with the host's.
+set -eu
+cd "$(dirname "$0")/.."
+. scripts/packages.sh
+# shellcheck disable=SC2086 # a list of words
+if command -v apt-get >/dev/null; then install_packages $test_packages; fi
+
+build=$PWD/build-gpu
+[ -f "$build/build.ninja" ] ||
+  meson setup "$build" -Dtests=enabled -Dbench=disabled -Dpython=disabled -Dfortran=disabled -Dgpu=enabled
+meson compile -C "$build"
+meson test -C "$build" --suite gpu --print-errorlogs
+"$build/tests/gpu/test_gpu"
+if command -v compute-sanitizer >/dev/null; then
+  for tool in memcheck racecheck synccheck initcheck; do
+    compute-sanitizer --tool "$tool" --error-exitcode 1 "$build/tests/gpu/test_gpu" -p /gpu/like_host -p /gpu/lists
+  done
+fi
+exec "$build/tests/gpu/bench_gpu" "$@"

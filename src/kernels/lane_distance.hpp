@@ -1,0 +1,53 @@
+/// @file
+/// The distances of many pairs, one per lane: a driver of the search by item 2 of distance.hpp.
+///
+/// A slab between two ellipsoids that is wider than its rounding proves that they are apart. Those for which none is found, near
+/// contact, overlapping or out of the ordinary, are left over.
+#ifndef PW85_KERNELS_LANE_DISTANCE_HPP_INCLUDED
+#define PW85_KERNELS_LANE_DISTANCE_HPP_INCLUDED
+
+#include <pw85/distance.hpp>
+
+#include "lane_derivatives.hpp"
+
+namespace pw85 {
+namespace {
+
+/// Whether a slab is wider than what rounding can make of it (see pw85_distance()).
+PW85_INLINE PackMask is_wide(LanePair<3> const &pair, Distance<Pack, 3> const &d) noexcept
+{
+    Pack const extents = dot(d.normal, d.point1) + dot(d.normal, d.point2);
+    Pack const forms = magnitude_of_form(pair.q1, d.normal) + magnitude_of_form(pair.q2, d.normal);
+    Pack const least = minimum(dot(d.normal, d.point1), dot(d.normal, d.point2));
+    Pack const sum = magnitude_of_dot(d.normal, pair.r12) + extents + forms / least;
+    return d.distance > Pack(8 * unit_roundoff<Pack>()) * sum;
+}
+
+/// Distances of a chunk; those that are not certain will be overwritten.
+template <class Rows> PW85_INLINE void compute_chunk(Rows const &rows, Chunk const &chunk,
+                                                     kernels::DistanceArrays const &out,
+                                                     kernels::Worklist &left_over) noexcept
+{
+    auto const [begin, count, end] = chunk;
+    prefetch(rows, begin + count, end);
+    for (std::size_t k = 0; k < count; k += lanes) {
+        std::size_t const first = begin + k, left = count - k;
+        auto const pair = load_neighbors(rows, first, left);
+        DistancePair<Pack, 3> const units{pair.r12, pair.q1, pair.q2, Pack(1.0), Pack(1.0)};
+        auto search = start_normal_search<Pack, 3>(initial_multipliers(units));
+        for (int i = 0; i < max_normal_steps && any_of(search.active); ++i) take_step(search, units);
+        auto const d = distance_along(units, search.u);
+        if (out.distance != nullptr) store_lanes(d.distance, left, out.distance + first);
+        if (out.point1 != nullptr) store_rows(d.point1, left, out.point1 + 3 * first);
+        Vector<Pack, 3> point2;
+        for (int i = 0; i < 3; ++i) point2[i] = pair.r12[i] - d.point2[i];
+        if (out.point2 != nullptr) store_rows(point2, left, out.point2 + 3 * first);
+        PackMask const done = search.found && is_ordinary(pair.r12, pair.q1, pair.q2) && is_wide(pair, d);
+        for_lanes(live_lanes(left) & ~done.to_bits(), [&](unsigned i) { left_over.push(first + i); });
+    }
+}
+
+} // namespace
+} // namespace pw85
+
+#endif

@@ -1,0 +1,366 @@
+// The depth of an overlap. The numbers are those of include/pw85/penetration.hpp.
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <limits>
+
+#include <glib.h>
+
+#include <pw85.h>
+#include <pw85/penetration.hpp>
+
+#include "failures.hpp"
+#include "random_pairs.hpp"
+#include "rotated.hpp"
+#include "wide.hpp"
+
+using namespace pw85_tests;
+
+namespace {
+
+constexpr double u = 0x1p-53;
+
+template <class T, int D> pw85::Penetration<T, D> penetration(Sample<T, D> const &p)
+{
+    return pw85::penetration(p.r12, p.q1, p.q2);
+}
+
+/// In double and three dimensions by the C API.
+pw85::Penetration<double, 3> penetration(Sample<double, 3> const &p)
+{
+    pw85::Penetration<double, 3> result{};
+    result.status = static_cast<pw85::Status>(
+        pw85_penetration(p.r12.coordinates, p.q1.entries, p.q2.entries, &result.depth, result.direction.coordinates));
+    return result;
+}
+
+/// By how far ellipsoid 2 must move along n.
+template <class T, int D> T shift(Sample<T, D> const &p, pw85::Vector<T, D> const &n)
+{
+    return pw85::support(p.q1, n).extent + pw85::support(p.q2, n).extent - pw85::dot(n, p.r12);
+}
+
+/// Σ of the contract.
+template <class T, int D> T sensitivity(Sample<T, D> const &p, pw85::Vector<T, D> const &n)
+{
+    return pw85::magnitude_of_form(p.q1, n) / (2 * pw85::support(p.q1, n).extent) +
+           pw85::magnitude_of_form(p.q2, n) / (2 * pw85::support(p.q2, n).extent) + pw85::magnitude_of_dot(n, p.r12);
+}
+
+template <int D> Sample<double, D> overlapping_pair(Random &random, double aspect)
+{
+    return random_pair<D>(random, {.aspect = random.log_uniform(1.0, aspect),
+                                   .size_ratio = random.log_uniform(1.0, 100.0),
+                                   .mu2_min = 1e-6,
+                                   .mu2_max = 0.999});
+}
+
+// The contract: moved along the direction by the depth, the pair touches, to rounding (of the sum as for the distance, 8 u Σ); μ² is
+// computed in a wider type, and changes by 2/(α + β) times what the gap does.
+template <int D> void check_touching(int pairs)
+{
+    Failures failures;
+    Random random(700 + D);
+    for (int n = 0; n < pairs; ++n) {
+        auto const s = overlapping_pair<D>(random, 1e3);
+        auto const found = penetration(s);
+        auto const p = convert<Wide>(s);
+        auto direction = convert<Wide>(found.direction);
+        direction = pw85::times(Wide(1 / norm(direction)), direction);
+        auto const text = [&] { return hex_text(s); };
+        double const length = static_cast<double>(Wide(shift(p, direction)));
+        double const bound = 8 * u * static_cast<double>(Wide(sensitivity(p, direction)));
+        failures.check(std::fabs(found.depth - length) <= bound, "what the direction needs", found.depth, length, text);
+        failures.check(std::fabs(static_cast<double>(norm(convert<Wide>(found.direction))) - 1.0) <= 4 * u, "unit",
+                       static_cast<double>(norm(convert<Wide>(found.direction))), 1.0, text);
+        auto moved = p;
+        for (int i = 0; i < D; ++i) moved.r12[i] += length * direction[i];
+        Wide const extents = pw85::support(p.q1, direction).extent + pw85::support(p.q2, direction).extent;
+        double const gap =
+            static_cast<double>(Wide((pw85::contact(moved.r12, moved.q1, moved.q2).mu2 - 1) * extents / 2));
+        failures.check(std::fabs(gap) <= 4 * bound, "gap after the translation", gap, 4 * bound, text);
+    }
+}
+
+void test_touching()
+{
+    check_touching<3>(1000);
+    check_touching<2>(500);
+}
+
+/// The least shift over random directions, the best of which are followed downhill: on to the normal at the point of the sum of the
+/// ellipsoids that is nearest in direction, with ever shorter steps.
+double dense_search(Sample<double, 3> const &p, Random &random)
+{
+    double least = std::numeric_limits<double>::infinity();
+    for (int start = 0; start < 40; ++start) {
+        pw85::Vector<double, 3> n{};
+        double value = std::numeric_limits<double>::infinity();
+        for (int k = 0; k < 50; ++k) {
+            auto const m = random.direction<3>();
+            if (double const here = shift(p, m); here < value) {
+                value = here;
+                n = m;
+            }
+        }
+        for (double step = 0.1; step > 1e-8;) {
+            auto const turn = random.direction<3>();
+            pw85::Vector<double, 3> m{n[0] + step * turn[0], n[1] + step * turn[1], n[2] + step * turn[2]};
+            m = pw85::times(1.0 / norm(m), m);
+            double const here = shift(p, m);
+            step *= here < value ? 1.5 : 0.93;
+            if (here < value) {
+                value = here;
+                n = m;
+            }
+        }
+        least = std::fmin(least, value);
+    }
+    return least;
+}
+
+// The global minimum: that of a dense search, and no less; the search ends near enough for 1e-11.
+void test_dense_search()
+{
+    Failures failures;
+    Random random(710);
+    for (int n = 0; n < 60; ++n) {
+        auto const s = overlapping_pair<3>(random, 10.0);
+        double const depth = penetration(s).depth, expected = dense_search(s, random);
+        double const size =
+            norm(s.r12) + std::sqrt(pw85::largest_diagonal(s.q1)) + std::sqrt(pw85::largest_diagonal(s.q2));
+        failures.check(std::fabs(depth - expected) <= 1e-11 * size, "dense search", depth, expected,
+                       [&] { return hex_text(s); });
+    }
+}
+
+// No direction needs less than the depth, but for what the contract leaves.
+template <int D> void check_none_shorter(int pairs)
+{
+    Failures failures;
+    Random random(720 + D);
+    for (int n = 0; n < pairs; ++n) {
+        auto const s = overlapping_pair<D>(random, 1e4);
+        auto const found = penetration(s);
+        failures.check(found.status == pw85::Status::success && found.depth >= 0.0, "depth", found.depth, 0.0,
+                       [&] { return hex_text(s); });
+        double const bound = 32 * u * sensitivity(s, found.direction);
+        for (int k = 0; k < 500; ++k) {
+            auto direction = random.direction<D>();
+            double const spread = k % 2 == 0 ? 1.0 : random.log_uniform(1e-8, 1.0); // everywhere, and nearby
+            for (int i = 0; i < D; ++i) direction[i] = spread * direction[i] + (1.0 - spread) * found.direction[i];
+            direction = pw85::times(1.0 / norm(direction), direction);
+            double const length = shift(s, direction);
+            failures.check(length >= found.depth - bound, "shorter", length, found.depth, [&] { return hex_text(s); });
+        }
+    }
+}
+
+void test_none_shorter()
+{
+    check_none_shorter<3>(1000);
+    check_none_shorter<2>(1000);
+}
+
+// In a wider type the proof is to its rounding: the same depth, to the contract.
+void test_wide()
+{
+    Failures failures;
+    Random random(730);
+    for (int n = 0; n < 4; ++n) {
+        auto const s = overlapping_pair<3>(random, 30.0);
+        auto const p = convert<Multiprecision<20>>(s);
+        auto const exact = pw85::penetration(p.r12, p.q1, p.q2);
+        double const depth = penetration(s).depth, expected = static_cast<double>(exact.depth);
+        double const bound = 32 * u * static_cast<double>(sensitivity(p, exact.direction));
+        failures.check(std::fabs(depth - expected) <= bound, "depth", depth, expected, [&] { return hex_text(s); });
+    }
+}
+
+void assert_depth(Sample<double, 3> const &p, double expected)
+{
+    auto const found = penetration(p);
+    g_assert_cmpint(static_cast<int>(found.status), ==, PW85_SUCCESS);
+    double const bound = 32 * u * sensitivity(p, found.direction);
+    if (std::fabs(found.depth - expected) > bound) g_test_message("%s", hex_text(p).c_str());
+    g_assert_cmpfloat(std::fabs(found.depth - expected), <=, bound);
+    g_assert_cmpfloat(std::fabs(shift(p, found.direction) - expected), <=, bound);
+}
+
+// Minima that are not isolated: spheres, concentric or not; ellipsoids of revolution on one axis, whose best directions are circles;
+// ellipsoids of one shape, whose sum is one.
+void test_degenerate()
+{
+    pw85::SymmetricMatrix<double, 3> const one{1.0, 0.0, 0.0, 1.0, 0.0, 1.0}, two{4.0, 0.0, 0.0, 4.0, 0.0, 4.0},
+        prolate{1.0, 0.0, 0.0, 1.0, 0.0, 9.0}, oblate{9.0, 0.0, 0.0, 9.0, 0.0, 1.0},
+        general{1.0, 0.0, 0.0, 4.0, 0.0, 9.0}, twice{4.0, 0.0, 0.0, 16.0, 0.0, 36.0};
+    assert_depth({{0.0, 0.0, 0.0}, one, two}, 3.0);
+    assert_depth({{0.5, 0.0, 0.0}, one, two}, 2.5);
+    assert_depth({{0.0, 0.0, 0.0}, prolate, prolate}, 2.0);
+    assert_depth({{0.0, 0.0, 0.0}, prolate, oblate}, 4.0);
+    assert_depth({{0.0, 0.0, 0.0}, prolate, one}, 2.0);
+    assert_depth({{0.0, 0.0, 0.0}, general, twice}, 3.0);
+    assert_depth({{2.5, 0.0, 0.0}, general, twice}, 0.5);
+    assert_depth({{0.0, 0.0, 0.3}, oblate, {1.0, 0.0, 0.0, 1.0, 0.0, 4.0}}, 2.7);
+    // A prolate spheroid of axes 1 and 3 that is off-centre by z on its axis, and a sphere: 1 + the depth of the point in the
+    // spheroid, 3 - z behind the centre of curvature at 3 - 1/3, and √(1 - z²/8) before.
+    for (double const z : {0.1, 1.0, 2.0, 2.5, 2.66, 2.6666, 2.667, 2.7, 2.9, 3.5})
+        assert_depth({{0.0, 0.0, z}, prolate, one}, z < 8.0 / 3.0 ? 1.0 + std::sqrt(1.0 - z * z / 8.0) : 4.0 - z);
+}
+
+// A small sphere in an ellipsoid: the depth of the point, which nearest.hpp has, plus the radius.
+void test_sphere()
+{
+    Failures failures;
+    Random random(740);
+    for (int n = 0; n < 500; ++n) {
+        double const radius = random.log_uniform(1e-6, 10.0);
+        auto const form = random.form(1.0, random.log_uniform(1.0, 100.0));
+        auto const direction = random.direction<3>();
+        double const reach = 1.0 / std::sqrt(pw85::dot(direction, pw85::solve(pw85::factorize(form, 0.0), direction)));
+        Sample<double, 3> const s{pw85::times(reach * random.uniform(0.0, 1.0), direction),
+                                  form,
+                                  {radius * radius, 0.0, 0.0, radius * radius, 0.0, radius * radius}};
+        auto const found = penetration(s);
+        double const expected = radius - pw85::distance_point(s.r12, form).distance;
+        double const bound = 32 * u * sensitivity(s, found.direction);
+        failures.check(std::fabs(found.depth - expected) <= bound, "sphere", found.depth, expected,
+                       [&] { return hex_text(s); });
+    }
+}
+
+// Exchanging the ellipsoids turns the direction round; a power of two on all lengths changes nothing but the unit.
+void test_invariance()
+{
+    Failures failures;
+    Random random(750);
+    for (int n = 0; n < 300; ++n) {
+        auto const s = overlapping_pair<3>(random, 100.0);
+        double const depth = penetration(s).depth,
+                     exchanged = penetration(Sample<double, 3>{pw85::times(-1.0, s.r12), s.q2, s.q1}).depth;
+        double const bound = 64 * u * sensitivity(s, penetration(s).direction);
+        failures.check(std::fabs(depth - exchanged) <= bound, "exchange", exchanged, depth,
+                       [&] { return hex_text(s); });
+        for (int const unit : {-480, -100, 100, 480}) {
+            Sample<double, 3> const scaled{pw85::times_power_of_two(s.r12, unit),
+                                           pw85::times_power_of_two(s.q1, 2 * unit),
+                                           pw85::times_power_of_two(s.q2, 2 * unit)};
+            double const result = std::ldexp(penetration(scaled).depth, -unit);
+            failures.check(std::fabs(result - depth) <= bound, "unit", result, depth, [&] { return hex_text(scaled); });
+        }
+    }
+}
+
+// Any size and shape: an answer that is true to the contract for its own direction.
+void test_extremes()
+{
+    Failures failures;
+    Random random(760);
+    for (int n = 0; n < 300; ++n) {
+        auto const axis = [&] { return random.log_uniform(1e-8, 1e8); };
+        auto const square = [](double x) { return x * x; };
+        double const size1 = random.log_uniform(1e-130, 1e130),
+                     size2 = n % 2 == 0 ? random.log_uniform(1e-130, 1e130) : size1;
+        Sample<double, 3> s{random.direction<3>(),
+                            {square(size1 * axis()), 0.0, 0.0, square(size1 * axis()), 0.0, square(size1 * axis())},
+                            {square(size2 * axis()), 0.0, 0.0, square(size2 * axis()), 0.0, square(size2 * axis())}};
+        double const apart = 1.0 / std::sqrt(pw85::contact(s.r12, s.q1, s.q2).mu2);
+        s.r12 = pw85::times(apart * random.uniform(0.0, 0.99), s.r12);
+        auto const found = penetration(s);
+        double const length = shift(s, found.direction), bound = 8 * u * sensitivity(s, found.direction);
+        failures.check(found.status == pw85::Status::success && std::fabs(found.depth - length) <= bound, "depth",
+                       found.depth, length, [&] { return hex_text(s); });
+        for (int k = 0; k < 100; ++k) {
+            auto const direction = random.direction<3>();
+            failures.check(shift(s, direction) >= found.depth - 4 * bound, "shorter", shift(s, direction), found.depth,
+                           [&] { return hex_text(s); });
+        }
+    }
+}
+
+template <class T> void check_scalar(Failures &failures, Random &random)
+{
+    auto const s = overlapping_pair<3>(random, 10.0);
+    auto const p = convert<T>(s);
+    auto const found = pw85::penetration(p.r12, p.q1, p.q2);
+    double const exact = penetration(s).depth, depth = static_cast<double>(found.depth);
+    // The pair itself is rounded to T.
+    double const bound =
+        64 * static_cast<double>(pw85::unit_roundoff<T>() + T(u)) * sensitivity(s, penetration(s).direction);
+    failures.check(std::fabs(depth - exact) <= bound, "scalar", depth, exact, [&] { return hex_text(s); });
+}
+
+void test_scalars()
+{
+    Failures failures;
+    Random random(770);
+    for (int n = 0; n < 100; ++n) {
+        check_scalar<float>(failures, random);
+        check_scalar<long double>(failures, random);
+    }
+}
+
+void test_batch()
+{
+    Random random(780);
+    constexpr std::size_t n = 20;
+    double r12[3 * n], q1[6 * n], q2[6 * n], depth[n], direction[3 * n];
+    for (std::size_t i = 0; i < n; ++i) {
+        auto s = overlapping_pair<3>(random, 10.0);
+        if (i == 3) s.r12 = pw85::times(1e4, s.r12);
+        if (i == 5) s.q2[3] = -1.0;
+        std::copy_n(s.r12.coordinates, 3, r12 + 3 * i);
+        std::copy_n(s.q1.entries, 6, q1 + 6 * i);
+        std::copy_n(s.q2.entries, 6, q2 + 6 * i);
+    }
+    g_assert_cmpint(pw85_penetration_batch(n, r12, q1, q2, depth, direction), ==, PW85_ENOTPD);
+    for (std::size_t i = 0; i < n; ++i) {
+        double one[4];
+        pw85_penetration(r12 + 3 * i, q1 + 6 * i, q2 + 6 * i, one, one + 1);
+        g_assert_cmpint(std::memcmp(one, depth + i, sizeof *one), ==, 0);
+        g_assert_cmpint(std::memcmp(one + 1, direction + 3 * i, 3 * sizeof *one), ==, 0);
+    }
+    g_assert_cmpint(pw85_penetration_batch(0, nullptr, nullptr, nullptr, nullptr, nullptr), ==, PW85_SUCCESS);
+    g_assert_cmpint(pw85_penetration_batch(1, r12, nullptr, q2, nullptr, nullptr), ==, PW85_EINVAL);
+}
+
+void test_statuses()
+{
+    double const nan = std::numeric_limits<double>::quiet_NaN();
+    double const r12[3] = {1.0, 0.0, 0.0}, apart[3] = {9.0, 0.0, 0.0}, bad_r12[3] = {1.0, nan, 0.0};
+    double const q[6] = {1.0, 0.0, 0.0, 1.0, 0.0, 1.0}, bad[6] = {1.0, 2.0, 0.0, 1.0, 0.0, 1.0};
+    auto const expect = [](double const *r, double const *q1, double const *q2, int expected, double depth) {
+        double found = 7.0, direction[3] = {7.0, 7.0, 7.0};
+        g_assert_cmpint(pw85_penetration(r, q1, q2, &found, direction), ==, expected);
+        g_assert_true(std::isnan(depth) ? std::isnan(found) : found == depth);
+        for (double const x : direction) g_assert_true(std::isnan(x) == !(depth > 0.0));
+        g_assert_cmpint(pw85_penetration(r, q1, q2, nullptr, nullptr), ==, expected);
+    };
+    expect(r12, q, q, PW85_SUCCESS, 1.0);
+    expect(apart, q, q, PW85_SUCCESS, 0.0);
+    expect(r12, bad, q, PW85_ENOTPD, nan);
+    expect(r12, q, bad, PW85_ENOTPD, nan);
+    expect(bad_r12, q, q, PW85_EINVAL, nan);
+    expect(nullptr, q, q, PW85_EINVAL, nan);
+    expect(r12, nullptr, q, PW85_EINVAL, nan);
+    expect(r12, q, nullptr, PW85_EINVAL, nan);
+}
+
+} // namespace
+
+int main(int argc, char **argv)
+{
+    g_test_init(&argc, &argv, nullptr);
+    g_test_add_func("/penetration/touching", test_touching);
+    g_test_add_func("/penetration/dense_search", test_dense_search);
+    g_test_add_func("/penetration/none_shorter", test_none_shorter);
+    g_test_add_func("/penetration/wide", test_wide);
+    g_test_add_func("/penetration/degenerate", test_degenerate);
+    g_test_add_func("/penetration/sphere", test_sphere);
+    g_test_add_func("/penetration/invariance", test_invariance);
+    g_test_add_func("/penetration/extremes", test_extremes);
+    g_test_add_func("/penetration/scalars", test_scalars);
+    g_test_add_func("/penetration/batch", test_batch);
+    g_test_add_func("/penetration/statuses", test_statuses);
+    return g_test_run();
+}
