@@ -52,6 +52,7 @@ module pw85
   public :: pw85_distance_cylinder, pw85_distance_point, pw85_intersect_line
   public :: pw85_contact_batch, pw85_overlap_batch, pw85_contact_pairs, pw85_overlap_pairs
   public :: pw85_closest_approach_batch, pw85_contact_derivatives_batch, pw85_contact_derivatives_pairs, pw85_overlap_any
+  public :: pw85_overlap_any_indices, pw85_contact_forces_pairs
   public :: pw85_neighbors_create, pw85_neighbors_check, pw85_neighbors_holds, pw85_neighbors_size, pw85_neighbors_destroy
   public :: pw85_neighbors_pairs, pw85_neighbors_images
   public :: pw85_nearest_images, pw85_cell_reduce, pw85_nearest_image_limit, pw85_ellipsoid_quaternion_batch, pw85_bounding_boxes
@@ -504,6 +505,33 @@ module pw85
       integer(c_int), intent(out) :: any
       integer(c_int) :: status
     end function pw85_overlap_any
+
+    function c_overlap_any_indices(center, q1, n, indices, num_particles, centers, q, cell, any) result(status) &
+        bind(C, name='pw85_overlap_any_indices')
+      import :: c_double, c_int, c_int32_t, c_ptr, c_size_t
+      real(c_double), intent(in) :: center(3), q1(6)
+      integer(c_size_t), value :: n
+      integer(c_int32_t), intent(in) :: indices(*)
+      integer(c_size_t), value :: num_particles
+      real(c_double), intent(in) :: centers(3, *), q(6, *)
+      type(c_ptr), value :: cell
+      integer(c_int), intent(out) :: any
+      integer(c_int) :: status
+    end function c_overlap_any_indices
+
+    function c_contact_forces_pairs(num_pairs, pairs, images, num_particles, centers, cell, d_u, d_r12, d_rot1, d_rot2, &
+        forces, torques, virial) result(status) bind(C, name='pw85_contact_forces_pairs')
+      import :: c_double, c_int, c_int32_t, c_ptr, c_size_t
+      integer(c_size_t), value :: num_pairs
+      integer(c_int32_t), intent(in) :: pairs(2, *)
+      type(c_ptr), value :: images
+      integer(c_size_t), value :: num_particles
+      real(c_double), intent(in) :: centers(3, *)
+      type(c_ptr), value :: cell
+      real(c_double), intent(in) :: d_u(*)
+      type(c_ptr), value :: d_r12, d_rot1, d_rot2, forces, torques, virial
+      integer(c_int) :: status
+    end function c_contact_forces_pairs
 
     function c_neighbors_create(n, centers, q, cell, periodic, scale, skin, list) result(status) &
         bind(C, name='pw85_neighbors_create')
@@ -987,6 +1015,34 @@ contains
     status = c_overlap_pairs(num_pairs, pairs, address_of_integers(images), num_particles, centers, q, address(cell), &
                              overlap)
   end function pw85_overlap_pairs
+
+  !> Whether an ellipsoid overlaps any of others of a system, by their indices from 0: 1, 0, or -1 on error. The vectors of the cell are
+  !> its columns.
+  function pw85_overlap_any_indices(center, q1, n, indices, num_particles, centers, q, cell, any) result(status)
+    integer(c_size_t), intent(in) :: n, num_particles
+    real(c_double), intent(in) :: center(3), q1(6), centers(3, num_particles), q(6, num_particles)
+    integer(c_int32_t), intent(in) :: indices(n)
+    real(c_double), intent(in), optional, target :: cell(3, 3)
+    integer(c_int), intent(out) :: any
+    integer(c_int) :: status
+    status = c_overlap_any_indices(center, q1, n, indices, num_particles, centers, q, address(cell), any)
+  end function pw85_overlap_any_indices
+
+  !> Forces, torques and virial of an energy U(mu**2) of pairs: derivatives from pw85_contact_derivatives_pairs(), times d_u.
+  function pw85_contact_forces_pairs(num_pairs, pairs, num_particles, centers, cell, d_u, d_r12, d_rot1, d_rot2, &
+      forces, torques, virial, images) result(status)
+    integer(c_size_t), intent(in) :: num_pairs, num_particles
+    integer(c_int32_t), intent(in) :: pairs(2, num_pairs)
+    real(c_double), intent(in) :: centers(3, num_particles), d_u(num_pairs)
+    real(c_double), intent(in), optional, target :: cell(3, 3)
+    real(c_double), intent(in), optional, target :: d_r12(3, num_pairs), d_rot1(3, num_pairs), d_rot2(3, num_pairs)
+    real(c_double), intent(out), optional, target :: forces(3, num_particles), torques(3, num_particles), virial(3, 3)
+    integer(c_int32_t), intent(in), optional, target :: images(3, num_pairs)
+    integer(c_int) :: status
+    status = c_contact_forces_pairs(num_pairs, pairs, address_of_integers(images), num_particles, centers, address(cell), &
+                                    d_u, address(d_r12), address(d_rot1), address(d_rot2), address(forces), &
+                                    address(torques), address(virial))
+  end function pw85_contact_forces_pairs
 
   !> A list of all pairs whose boxes, scaled, are no farther apart than the skin along any axis; the vectors of the cell are its
   !> columns. Without `periodic` there are images along all of them. To be freed by pw85_neighbors_destroy().

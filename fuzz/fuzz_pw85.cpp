@@ -252,6 +252,13 @@ void check_neighbors(Input const &in)
         if (pw85_neighbors_pairs(list)[k] < 0 || pw85_neighbors_pairs(list)[k] > 1) fail("neighbors_pairs", in);
     if (pw85_neighbors_size(list) > 0 && (pw85_neighbors_images(list) != nullptr) != (cell != nullptr))
         fail("neighbors_images", in);
+    std::int32_t const other = 1, pair[2] = {0, 1};
+    double sums[21];
+    int any = 7;
+    int const any_status = pw85_overlap_any_indices(centers, forms, 1, &other, 2, centers, forms, nullptr, &any);
+    if (any_status == PW85_SUCCESS ? any != 0 && any != 1 : any != -1) fail("overlap_any_indices", in);
+    pw85_contact_forces_pairs(1, pair, nullptr, 2, centers, nullptr, in.axes, in.q1, in.q2, in.rotation, sums, sums + 6,
+                              sums + 12);
     pw85_neighbors_destroy(list);
 }
 

@@ -285,7 +285,7 @@ PW85_API int pw85_distance_derivatives(double const r12[PW85_DIM], double const 
  *
  * It is the smallest value over unit vectors n of α + β - n·r12, with the half-widths α and β of the ellipsoids along n, which
  * may have several local minima: this is the global one, with a proof. `depth` is the value for its direction, to 8 u Σ, with Σ as for
- * pw85_distance(); no direction gives less by more than 32 u Σ. Of several directions that are equally good it is one. It takes
+ * pw85_distance(); no direction gives less by more than 32 u Σ, the larger of either. Of several directions that are equally good it is one. It takes
  * some hundred times as long as pw85_contact().
  *
  * @param r12,q1,q2 as for pw85_contact()
@@ -542,6 +542,23 @@ PW85_API int pw85_first_contact_batch(size_t n, double const *r12, double const 
  * @return #PW85_SUCCESS, #PW85_EINVAL, or the status of a bad pair that no overlap precedes */
 PW85_API int pw85_overlap_any(size_t n, double const q1[PW85_SYM], double const *r12, double const *q2, int *any);
 
+/** The same for others of a system, by their indices: the inner loop of a Monte Carlo move, with the trial ellipsoid as the one. In a
+ * periodic cell others stand for their nearest images, which are all that can overlap where pw85_nearest_image_limit() is 1 or
+ * more.
+ *
+ * @param center,q1 centre and form of the one
+ * @param n number of others; 0 is fine
+ * @param indices n: of particles, from 0
+ * @param num_particles number of particles
+ * @param centers num_particles×3
+ * @param q num_particles×6
+ * @param cell 3×3, rows = vectors, best reduced (pw85_cell_reduce()); or null
+ * @param[out] any 1 or 0; -1 on error
+ * @return as for pw85_overlap_any(); #PW85_EINVAL also for an index out of range or a singular cell */
+PW85_API int pw85_overlap_any_indices(double const center[PW85_DIM], double const q1[PW85_SYM], size_t n,
+                                      int32_t const *indices, size_t num_particles, double const *centers,
+                                      double const *q, double const *cell, int *any);
+
 /** pw85_contact() for the pairs of a neighbour list.
  *
  * In a periodic cell a pair stands for one image of j, either that of `images` or the nearest one (by the distance of the
@@ -577,6 +594,24 @@ PW85_API int pw85_contact_derivatives_pairs(size_t num_pairs, int32_t const *pai
                                             size_t num_particles, double const *centers, double const *q,
                                             double const *cell, double *mu2, double *lambda, double *point,
                                             double *normal, double *d_r12, double *d_rot1, double *d_rot2);
+
+/** Forces, torques and virial of an energy U(μ²) of pairs, summed up: what pw85_contact_derivatives_pairs() gives, times dU/dμ². The sums
+ * are in the order of the pairs; the bits depend on nothing but the input, not on the number of threads. Each thread goes
+ * through all pairs, and adds up what concerns its own particles.
+ *
+ * @param num_pairs number of pairs; 0 is fine, the sums are then 0
+ * @param pairs,images,num_particles,centers,cell as for pw85_contact_pairs()
+ * @param d_u num_pairs: dU/dμ²; a pair for which it is 0 is left out, whatever its derivatives
+ * @param d_r12,d_rot1,d_rot2 num_pairs×3 each: derivatives of μ²; null if no output needs them
+ * @param[out] forces num_particles×3: -∂U/∂centre; any output may be null
+ * @param[out] torques num_particles×3: -∂U/∂(rotation vector) about the centre
+ * @param[out] virial 9: Σ r12 ⊗ force on the second particle of each pair, row-major; over the volume, it is the pressure tensor's part
+ *             that comes from contacts
+ * @return #PW85_SUCCESS; #PW85_EINVAL as for pw85_contact_pairs(), before anything is written */
+PW85_API int pw85_contact_forces_pairs(size_t num_pairs, int32_t const *pairs, int32_t const *images,
+                                       size_t num_particles, double const *centers, double const *cell,
+                                       double const *d_u, double const *d_r12, double const *d_rot1,
+                                       double const *d_rot2, double *forces, double *torques, double *virial);
 
 /** pw85_first_contact() for the pairs of a neighbour list, and the next event of each particle: what event-driven simulations
  * schedule. A pair stands for one image of j throughout, that of time 0.
@@ -652,7 +687,7 @@ typedef struct pw85_neighbors pw85_neighbors;
  * Each pair is there once: with i < j, or i = j and an image of i itself whose first multiple other than 0 is positive. Pairs that
  * miss each other by roundings (2⁻⁴⁸ of the coordinates) may be there, too. Their order is that of the particles in space; it
  * depends on the input alone, not on the number of threads. The time is proportional to the numbers of particles and pairs, for
- * sizes of any kind, and anywhere in space unless most of them crowd in less than 2⁻²¹ of its extent. The memory is 200 bytes per
+ * sizes of any kind, and anywhere in space unless most of them crowd in less than 2⁻²¹ of its extent. The memory is 210 bytes per
  * particle and 44 per pair at most while the list is made, and 48 and 20 (8 without a cell) afterwards.
  *
  * @param n number of particles, at most 2³¹ - 1; 0 is fine
@@ -663,7 +698,7 @@ typedef struct pw85_neighbors pw85_neighbors;
  * @param scale factor of the ellipsoids, > 0
  * @param skin >= 0, in the unit of the semi-axes
  * @param[out] list null on error; to be destroyed by pw85_neighbors_destroy()
- * @return #PW85_SUCCESS; #PW85_EINVAL, also if the periodic vectors are not independent, or an image is more than 2³¹ vectors
+ * @return #PW85_SUCCESS; #PW85_EINVAL, also if the periodic vectors are not independent, or an image is more than 2²⁹ vectors
  *         away; #PW85_ENOTPD; #PW85_ENOMEM. pw85_neighbors_check() says which particle is bad. */
 PW85_API int pw85_neighbors_create(size_t n, double const *centers, double const *q, double const *cell,
                                    int const periodic[3], double scale, double skin, pw85_neighbors **list);
@@ -671,7 +706,8 @@ PW85_API int pw85_neighbors_create(size_t n, double const *centers, double const
 /** Which particle is to blame where a list cannot be made; arguments as for pw85_neighbors_create().
  *
  * @param[out] particle the first one that is bad: its centre or form is, or it is too far away; n if none is
- * @return the status of that particle; or of the other arguments, with `particle` = n; #PW85_SUCCESS */
+ * @return the status of that particle; or of the other arguments, with `particle` = n; #PW85_SUCCESS where nothing but the memory or
+ *         the number of images can be to blame */
 PW85_API int pw85_neighbors_check(size_t n, double const *centers, double const *q, double const *cell,
                                   int const periodic[3], double scale, double skin, size_t *particle);
 

@@ -292,6 +292,18 @@ std::vector<Row> const many_pairs{
      {1},
      [](auto const &in, auto &out) { pw85_overlap_any(n, in.q1, in.r12, in.q2, out[0].template data<int>()); },
      sizeof(int)},
+    {"pw85_overlap_any_indices",
+     {1},
+     [](auto const &in, auto &out) {
+         pw85_overlap_any_indices(in.r12, in.q1, 2, pairs, n, in.r12, in.q2, identity, out[0].template data<int>());
+     },
+     sizeof(int)},
+    {"pw85_contact_forces_pairs",
+     {3 * n, 3 * n, 9},
+     [](auto const &in, auto &out) {
+         pw85_contact_forces_pairs(n, pairs, nullptr, n, in.r12, identity, in.q1, in.q1, in.q2, in.r12, at(out, 0),
+                                   at(out, 1), at(out, 2));
+     }},
     {"pw85_ellipsoid_quaternion_batch",
      {6 * n},
      [](auto const &in, auto &out) { pw85_ellipsoid_quaternion_batch(n, in.q1, in.q2, at(out, 0)); }},

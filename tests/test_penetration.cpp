@@ -278,6 +278,18 @@ void test_extremes()
     }
 }
 
+// The ends of the range at once: axes of 1e150 and 1e121, whose ratio must not meet their squares.
+void test_widest()
+{
+    Sample<double, 3> const s{{0.0, 0.0, 0x1.ep472},
+                              {0x1p1000, 0.0, 0.0, 0x1p808, 0.0, 0x1p807},
+                              {0x1p1000, 0.0, 0.0, 0x1p808, 0.0, 0x1p1000}};
+    auto const found = penetration(s);
+    g_assert_cmpint(static_cast<int>(found.status), ==, PW85_SUCCESS);
+    g_assert_cmpfloat(std::fabs(found.depth / 0x1p405 - 1.0), <=, 16 * u);
+    g_assert_cmpfloat(std::fabs(found.direction[1]), ==, 1.0);
+}
+
 template <class T> void check_scalar(Failures &failures, Random &random)
 {
     auto const s = overlapping_pair<3>(random, 10.0);
@@ -359,6 +371,7 @@ int main(int argc, char **argv)
     g_test_add_func("/penetration/sphere", test_sphere);
     g_test_add_func("/penetration/invariance", test_invariance);
     g_test_add_func("/penetration/extremes", test_extremes);
+    g_test_add_func("/penetration/widest", test_widest);
     g_test_add_func("/penetration/scalars", test_scalars);
     g_test_add_func("/penetration/batch", test_batch);
     g_test_add_func("/penetration/statuses", test_statuses);

@@ -345,6 +345,7 @@ contains
     real(c_double) :: reduced(3, 3), limit, d_r12(3, 1), d_rot1(3, 1), gradient(3)
     integer(c_int32_t) :: images(3, 1)
     integer(c_int8_t) :: overlap(num_pairs)
+    real(c_double) :: forces(3, num_particles), virial(3, 3)
     type(c_ptr) :: list
     integer(c_int32_t), pointer :: neighbors(:, :), multiples(:, :)
     integer(c_size_t) :: particle
@@ -390,6 +391,13 @@ contains
     call check(status == pw85_success .and. close(mu2(1), out(1)), 'contact_derivatives_pairs')
     status = pw85_contact_gradient(r12 - cell(:, 2), q1, q2, lambda(1), gradient)
     call check(status == pw85_success .and. all(close(d_r12(:, 1), gradient)), 'contact_derivatives_pairs: d_r12')
+    status = pw85_contact_forces_pairs(1_c_size_t, pairs, num_particles, centers, cell, [3.0_c_double], d_r12, &
+                                       forces=forces, virial=virial)
+    call check(status == pw85_success .and. all(close(forces(:, 1), 3 * d_r12(:, 1))), 'contact_forces_pairs: force')
+    call check(all(abs(forces(:, 1) + forces(:, 2)) <= 0) .and. all(abs(forces(:, 3)) <= 0), 'contact_forces_pairs: others')
+    call check(close(virial(1, 1) + virial(2, 2) + virial(3, 3), -6 * mu2(1)), 'contact_forces_pairs: virial')
+    status = pw85_overlap_any_indices(centers(:, 1), q1, 1_c_size_t, pairs(2:2, 1), num_particles, centers, q, cell, holds)
+    call check(status == pw85_success .and. (holds == 1) .eqv. (mu2(1) < 1), 'overlap_any_indices')
     status = pw85_nearest_image_limit(num_particles, q, cell, limit)
     call check(status == pw85_success .and. limit > 0, 'nearest_image_limit')
     status = pw85_neighbors_create(num_particles, centers, q, cell, [0, 1, 0], 1.0_c_double, 0.5_c_double, list)

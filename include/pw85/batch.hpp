@@ -56,6 +56,12 @@ struct EventSpans {
     std::span<std::int64_t> next_pair = {}; ///< not without `next`
 };
 
+/// Where forces go, one row for each particle, and the virial; see pw85_contact_forces_pairs().
+struct ForceSpans {
+    std::span<Vector<double, 3>> forces = {}, torques = {};
+    std::array<Vector<double, 3>, 3> *virial = nullptr;
+};
+
 /// The pairs of a neighbour list, each with the image that it stands for; without images they are the nearest ones.
 struct PairList {
     std::span<IndexPair const> pairs;
@@ -224,6 +230,27 @@ static inline Status ellipsoid_quaternion_batch(Vectors semi_axes, std::span<Vec
 static inline Status bounding_boxes(Forms q, std::span<Vector<double, 3>> half_widths) noexcept;
 
 /// @}
+
+/// overlap_any() for others of a system, by their indices: see pw85_overlap_any_indices().
+///
+/// @param center,q1 centre and form of the one
+/// @param indices of the others
+/// @param particles the system
+/// @param[out] any 1, 0, or -1 on error
+/// @return as for overlap_any()
+static inline Status overlap_any_indices(Vector<double, 3> const &center, SymmetricMatrix<double, 3> const &q1,
+                                         std::span<std::int32_t const> indices, Particles const &particles,
+                                         int &any) noexcept;
+
+/// Forces, torques and virial of an energy of pairs: see pw85_contact_forces_pairs().
+///
+/// @param list,particles as for contact_pairs()
+/// @param d_u one for each pair: the derivative of the energy with respect to μ²
+/// @param derivatives from contact_derivatives_pairs()
+/// @param[out] out sums
+/// @return Status::success, Status::invalid_argument
+static inline Status contact_forces_pairs(PairList const &list, Particles const &particles, std::span<double const> d_u,
+                                          DerivativeSpans const &derivatives, ForceSpans const &out) noexcept;
 
 namespace detail {
 
@@ -461,6 +488,31 @@ static inline Status bounding_boxes(Forms q, std::span<Vector<double, 3>> half_w
     std::size_t const n = half_widths.size();
     if (q.size() != n) return Status::invalid_argument;
     return static_cast<Status>(pw85_bounding_boxes(n, detail::numbers(q), detail::optional(half_widths)));
+}
+
+static inline Status overlap_any_indices(Vector<double, 3> const &center, SymmetricMatrix<double, 3> const &q1,
+                                         std::span<std::int32_t const> indices, Particles const &particles,
+                                         int &any) noexcept
+{
+    any = -1;
+    if (particles.centers.size() != particles.q.size()) return Status::invalid_argument;
+    return static_cast<Status>(pw85_overlap_any_indices(
+        center.coordinates, q1.entries, indices.size(), indices.data(), particles.centers.size(),
+        detail::numbers(particles.centers), detail::numbers(particles.q), detail::numbers(particles.cell), &any));
+}
+
+static inline Status contact_forces_pairs(PairList const &list, Particles const &particles, std::span<double const> d_u,
+                                          DerivativeSpans const &derivatives, ForceSpans const &out) noexcept
+{
+    std::size_t const n = list.pairs.size(), num_particles = particles.centers.size();
+    if (d_u.size() != n || !detail::fits(n, derivatives) || !detail::fits(n, list.images) ||
+        !detail::fits(num_particles, out.forces) || !detail::fits(num_particles, out.torques))
+        return Status::invalid_argument;
+    return static_cast<Status>(pw85_contact_forces_pairs(
+        n, detail::integers(list.pairs), detail::integers(list.images), num_particles,
+        detail::numbers(particles.centers), detail::numbers(particles.cell), d_u.data(),
+        detail::optional(derivatives.d_r12), detail::optional(derivatives.d_rot1), detail::optional(derivatives.d_rot2),
+        detail::optional(out.forces), detail::optional(out.torques), reinterpret_cast<double *>(out.virial)));
 }
 
 } // namespace pw85

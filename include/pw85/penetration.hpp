@@ -130,10 +130,10 @@ PW85_FUNCTION inline bool none_deeper(DepthSearch<T, D> &search, T const &c, T c
     for (int end = 0; end < 2; ++end) {
         auto const form = enclosing_form(search.q1, search.q2, end == 0 ? c : T(rho * middle), deficit);
         Vector<T, D> const n = extreme_normal(form, search.r12, true);
-        T const ratio = try_direction(search, n).ratio;
-        if (search.best.length < level - T(2) * search.best.rounding) descend(search, ratio);
+        Shift<T> const found = try_direction(search, n);
+        if (search.best.length < level - T(2) * search.best.rounding) descend(search, found.ratio);
         T const depth = support(form, n).extent - dot(n, search.r12);
-        if (!(depth >= search.best.length - T(2) * search.best.rounding)) return false;
+        if (!(depth >= search.best.length - T(2) * maximum(search.best.rounding, found.rounding))) return false;
     }
     return true;
 }
@@ -160,10 +160,9 @@ PW85_FUNCTION inline bool prove_depth(DepthSearch<T, D> &search, RatioRange<T> c
     return false;
 }
 
-/// penetration() of a valid pair that overlaps.
+/// penetration() of a valid pair that overlaps, in range.
 template <class T, int D> [[gnu::noinline]] PW85_FUNCTION inline Penetration<T, D>
-penetration_overlapping(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
-                        SymmetricMatrix<T, D> const &q2) noexcept
+penetration_in_range(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, SymmetricMatrix<T, D> const &q2) noexcept
 {
     RatioRange<T> const range = ratio_range(q1, q2);
     DepthSearch<T, D> search{r12, q1, q2, {}, {largest_number<T>(), T(1), T(0)}};
@@ -177,6 +176,23 @@ penetration_overlapping(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1
     descend(search, search.best.ratio);
     if (!prove_depth(search, range)) return no_penetration<T, D>(Status::no_convergence);
     return {maximum(T(0), search.best.length), search.direction, Status::success};
+}
+
+/// penetration() of a valid pair that overlaps: the larger ellipsoid is of size 2^room, so that cQ1 and Q2/c are in range for any
+/// aspect ratio; a smaller one that would leave it is made larger, which is far below rounding.
+template <class T, int D>
+PW85_FUNCTION inline Penetration<T, D> penetration_overlapping(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
+                                                               SymmetricMatrix<T, D> const &q2) noexcept
+{
+    constexpr int limit = std::numeric_limits<T>::max_exponent, room = limit / 5 * 2, least = 16 - limit / 2;
+    T const size1 = largest_diagonal(q1), size2 = largest_diagonal(q2);
+    if (is_in_range(T(1), size1, size2)) return penetration_in_range(r12, q1, q2);
+    int const e1 = half_exponent(size1), e2 = half_exponent(size2), unit = maximum(e1, e2) - room;
+    int const unit1 = minimum(unit, e1 - least), unit2 = minimum(unit, e2 - least);
+    auto result = penetration_in_range(times_power_of_two(r12, -unit), times_power_of_two(q1, -2 * unit1),
+                                       times_power_of_two(q2, -2 * unit2));
+    result.depth = times_power_of_two(result.depth, unit);
+    return result;
 }
 
 /// The shortest translation of ellipsoid 2 that separates two ellipsoids.

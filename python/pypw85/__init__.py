@@ -67,12 +67,15 @@ from ._statistics import Correlation, correlation, nematic_order
 from ._system import Contacts, Report, System
 from ._systems import (
     ContactDerivatives,
+    ContactForces,
     bounding_boxes,
     cell_reduce,
     contact_derivatives,
     contact_derivatives_pairs,
+    contact_forces_pairs,
     nearest_image_limit,
     overlap_any,
+    overlap_any_indices,
 )
 from ._voxels import voxels
 from ._walls import (
@@ -102,6 +105,7 @@ metadata = {
 
 __all__ = [
     "ContactDerivatives",
+    "ContactForces",
     "Contacts",
     "Correlation",
     "Events",
@@ -120,6 +124,7 @@ __all__ = [
     "contact_2d",
     "contact_derivatives",
     "contact_derivatives_pairs",
+    "contact_forces_pairs",
     "contact_function",
     "contact_geometry",
     "contact_geometry_2d",
@@ -165,6 +170,7 @@ __all__ = [
     "overlap",
     "overlap_2d",
     "overlap_any",
+    "overlap_any_indices",
     "overlap_pairs",
     "pack",
     "packed",

@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike
 from . import _core
 from ._device import apply_to_pairs, is_device_array
 from ._errors import PW85Error
-from ._pairs import _cell, _explain, _pair_list, _rows
+from ._pairs import _cell, _explain, _int32, _pair_list, _particles, _rows
 from ._typing import Floats
 
 
@@ -24,6 +24,14 @@ class ContactDerivatives(NamedTuple):
     d_r12: Any
     d_rot1: Any
     d_rot2: Any
+
+
+class ContactForces(NamedTuple):
+    """What an energy of pairs does to the particles."""
+
+    forces: Floats
+    torques: Floats
+    virial: Floats
 
 
 def contact_derivatives(
@@ -111,6 +119,118 @@ def contact_derivatives_pairs(
         _explain(status, *arrays, refused=n == 0 or result.mu2[0] == -1.0)
         _core.report_contact_pairs(status)
     return result
+
+
+def contact_forces_pairs(
+    pairs: ArrayLike,
+    centers: ArrayLike,
+    q: ArrayLike,
+    d_u: ArrayLike,
+    derivatives: ContactDerivatives,
+    cell: Optional[ArrayLike] = None,
+    images: Optional[ArrayLike] = None,
+) -> ContactForces:
+    """Forces, torques and virial of an energy U(μ²) of the pairs of a neighbour list.
+
+    Parameters
+    ----------
+    pairs, centers, q, cell, images
+        As for `contact_pairs`.
+    d_u : (n) array_like
+        dU/dμ² of each pair. Where it is 0 the pair is left out, whatever its derivatives.
+    derivatives : ContactDerivatives
+        From `contact_derivatives_pairs`.
+
+    Returns
+    -------
+    ContactForces
+        A named tuple: `forces` and `torques` (N, 3) on the particles, and the `virial` (3, 3), Σ r12 ⊗ force on the second particle of
+        each pair. The bits do not depend on the number of threads.
+
+    Raises
+    ------
+    IndexError
+        An index is not in [0, N).
+    ValueError
+        Shapes do not match, or the cell is singular or not finite.
+
+    Examples
+    --------
+    >>> import numpy as np, pypw85
+    >>> system = [[0, 1]], [[0, 0, 0], [1, 0, 0]], np.array([pypw85.spheroid(1, 1, [0, 0, 1])] * 2)
+    >>> derivatives = pypw85.contact_derivatives_pairs(*system)
+    >>> pypw85.contact_forces_pairs(*system, 2 * (derivatives.mu2 - 1), derivatives).forces
+    array([[-0.75,  0.  ,  0.  ],
+           [ 0.75,  0.  ,  0.  ]])
+    """
+    arrays = _pair_list(pairs, centers, q, cell, images)
+    n, num_particles = len(arrays[0]), len(arrays[1])
+    slopes = np.require(d_u, np.float64, ["C", "A"])
+    if slopes.shape != (n,):
+        raise ValueError(f"d_u must have the shape ({n},), but it is {slopes.shape}")
+    rows = [_rows(getattr(derivatives, name), 3, name) for name in ("d_r12", "d_rot1", "d_rot2")]
+    if any(len(array) != n for array in rows):
+        raise ValueError(f"there are {n} pairs, but derivatives of another number")
+    result = ContactForces(np.empty((num_particles, 3)), np.empty((num_particles, 3)), np.empty((3, 3)))
+    status = _core.contact_forces_pairs(*arrays, slopes, *rows, *result)
+    if status:
+        _explain(status, *arrays, refused=True)
+    return result
+
+
+def overlap_any_indices(
+    center: ArrayLike,
+    q1: ArrayLike,
+    indices: ArrayLike,
+    centers: ArrayLike,
+    q: ArrayLike,
+    cell: Optional[ArrayLike] = None,
+) -> bool:
+    """Whether an ellipsoid overlaps any of others of a system, by their indices, as a Monte Carlo move asks.
+
+    Parameters
+    ----------
+    center : (3) array_like
+        Centre of the one.
+    q1 : (6) array_like
+        Its form.
+    indices : (n) array_like of int
+        The others.
+    centers, q : (N, 3) and (N, 6) array_like
+        All particles.
+    cell : (3, 3) array_like, optional
+        Rows are the vectors of the periodic cell; the others stand for their nearest images.
+
+    Returns
+    -------
+    bool
+
+    Raises
+    ------
+    PW85Error
+        A pair that no overlap precedes is bad, an index is out of range, or the cell is singular.
+    ValueError
+        Shapes do not match.
+
+    Examples
+    --------
+    >>> import numpy as np, pypw85
+    >>> q = np.array([pypw85.spheroid(1, 1, [0, 0, 1])] * 3)
+    >>> centers = np.array([[0.0, 0, 0], [3, 0, 0], [9, 0, 0]])
+    >>> pypw85.overlap_any_indices(centers[0], q[0], [1, 2], centers, q, cell=10 * np.eye(3))
+    True
+    """
+    others = np.asarray(indices)
+    if others.size == 0:
+        return False
+    if others.ndim != 1 or others.dtype.kind not in "iu":
+        raise ValueError("indices must be a row of integers")
+    one, form = _rows(np.asarray(center)[np.newaxis], 3, "center"), _rows(np.asarray(q1)[np.newaxis], 6, "q1")
+    status, overlap = _core.overlap_any_indices(
+        one, form, _int32(others, "indices"), *_particles(centers, q), _cell(cell)
+    )
+    _check(status, "overlap_any_indices")
+    return bool(overlap)
 
 
 def overlap_any(q1: ArrayLike, r12: ArrayLike, q2: ArrayLike) -> bool:

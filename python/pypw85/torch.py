@@ -122,7 +122,7 @@ class _Contact(torch.autograd.Function):
     """μ² and λ of r12, q1, q2."""
 
     @staticmethod
-    def forward(ctx: Any, *pair: torch.Tensor) -> tuple[torch.Tensor, ...]:
+    def forward(ctx: Any, *pair: torch.Tensor) -> tuple[torch.Tensor, ...]:  # type: ignore[override]
         mu2, lambda_ = _tensors(_core.call_contact(*_arrays(pair), None, {}))
         ctx.save_for_backward(*pair, lambda_)
         ctx.mark_non_differentiable(lambda_)
@@ -137,7 +137,7 @@ class _Gradient(torch.autograd.Function):
     """∂μ²/∂(r12, q1, q2), of r12, q1, q2 and λ, which follows them."""
 
     @staticmethod
-    def forward(ctx: Any, *pair: torch.Tensor) -> tuple[torch.Tensor, ...]:
+    def forward(ctx: Any, *pair: torch.Tensor) -> tuple[torch.Tensor, ...]:  # type: ignore[override]
         ctx.save_for_backward(*pair)
         return _tensors(_core.contact_gradient(*_arrays(pair)))
 

@@ -48,6 +48,12 @@ PyObject *neighbors_hold(PyObject *self, PyObject *const *args, Py_ssize_t nargs
 /// nearest_images(pairs, centers, cell, r12, images): status. Arrays are contiguous and of the right type.
 PyObject *nearest_images(PyObject *self, PyObject *const *args, Py_ssize_t nargs);
 
+/// overlap_any_indices(center of one row, q1 of one row, indices, centers, q, cell or None): (status, any).
+PyObject *overlap_any_indices(PyObject *self, PyObject *const *args, Py_ssize_t nargs);
+
+/// contact_forces_pairs(pairs, centers, q, cell or None, images or None, d_u, d_r12, d_rot1, d_rot2, forces, torques, virial): status.
+PyObject *contact_forces_pairs(PyObject *self, PyObject *const *args, Py_ssize_t nargs);
+
 /// nearest_image_limit(q, cell): (status, mu2).
 PyObject *nearest_image_limit(PyObject *self, PyObject *const *args, Py_ssize_t nargs);
 

@@ -153,6 +153,59 @@ PyObject *nearest_images(PyObject *, PyObject *const *args, Py_ssize_t nargs)
     return PyLong_FromLong(status);
 }
 
+PyObject *overlap_any_indices(PyObject *, PyObject *const *args, Py_ssize_t nargs)
+{
+    npy_intp one = 1, n = -1, num_particles = -1, cell_rows = 3;
+    if (!right_number(nargs, 6)) return nullptr;
+    auto const *const center = static_cast<double const *>(data_of(args[0], NPY_DOUBLE, one, PW85_DIM, false));
+    if (center == nullptr) return nullptr;
+    auto const *const q1 = static_cast<double const *>(data_of(args[1], NPY_DOUBLE, one, PW85_SYM, false));
+    if (q1 == nullptr) return nullptr;
+    auto const *const indices = static_cast<std::int32_t const *>(data_of(args[2], NPY_INT32, n, 0, false));
+    if (indices == nullptr) return nullptr;
+    auto const *const centers =
+        static_cast<double const *>(data_of(args[3], NPY_DOUBLE, num_particles, PW85_DIM, false));
+    if (centers == nullptr) return nullptr;
+    auto const *const q = static_cast<double const *>(data_of(args[4], NPY_DOUBLE, num_particles, PW85_SYM, false));
+    if (q == nullptr) return nullptr;
+    double const *cell = nullptr;
+    if (args[5] != Py_None) {
+        cell = static_cast<double const *>(data_of(args[5], NPY_DOUBLE, cell_rows, PW85_DIM, false));
+        if (cell == nullptr) return nullptr;
+    }
+    int status, any;
+    Py_BEGIN_ALLOW_THREADS;
+    status = pw85_overlap_any_indices(center, q1, static_cast<size_t>(n), indices, static_cast<size_t>(num_particles),
+                                      centers, q, cell, &any);
+    Py_END_ALLOW_THREADS;
+    return Py_BuildValue("ii", status, any);
+}
+
+PyObject *contact_forces_pairs(PyObject *, PyObject *const *args, Py_ssize_t nargs)
+{
+    PairList list;
+    if (!right_number(nargs, 12) || !read_pair_list(args, list)) return nullptr;
+    npy_intp three = 3;
+    auto const *const d_u = static_cast<double const *>(data_of(args[5], NPY_DOUBLE, list.num_pairs, 0, false));
+    if (d_u == nullptr) return nullptr;
+    double const *in[3];
+    double *out[3];
+    for (int k = 0; k < 3; ++k) {
+        in[k] = static_cast<double const *>(data_of(args[6 + k], NPY_DOUBLE, list.num_pairs, PW85_DIM, false));
+        npy_intp &rows = k < 2 ? list.num_particles : three;
+        if (in[k] == nullptr) return nullptr;
+        out[k] = static_cast<double *>(data_of(args[9 + k], NPY_DOUBLE, rows, PW85_DIM, true));
+        if (out[k] == nullptr) return nullptr;
+    }
+    int status;
+    Py_BEGIN_ALLOW_THREADS;
+    status = pw85_contact_forces_pairs(static_cast<size_t>(list.num_pairs), list.pairs, list.images,
+                                       static_cast<size_t>(list.num_particles), list.centers, list.cell, d_u, in[0],
+                                       in[1], in[2], out[0], out[1], out[2]);
+    Py_END_ALLOW_THREADS;
+    return PyLong_FromLong(status);
+}
+
 PyObject *nearest_image_limit(PyObject *, PyObject *const *args, Py_ssize_t nargs)
 {
     npy_intp n = -1, cell_rows = 3;

@@ -168,6 +168,44 @@ def test_neighbors_errors(particles):
         pypw85.neighbors(centers, q).holds(centers[1:], q[1:])
 
 
+def test_overlap_any_indices(particles):
+    _, centers, q = particles
+    for k in range(30):
+        others = np.flatnonzero(np.arange(30) != k)[k % 5 :: 3]
+        pairs = np.stack([np.full_like(others, k), others], axis=1)
+        for cell in (None, 3 * CELL):
+            expected = pypw85.overlap_pairs(pairs, 2 * centers, q, cell).any()
+            found = pypw85.overlap_any_indices(2 * centers[k], q[k], others, 2 * centers, q, cell)
+            assert found is bool(expected)
+    assert pypw85.overlap_any_indices(centers[0], q[0], [], centers, q) is False
+    with pytest.raises(pypw85.PW85Error):
+        pypw85.overlap_any_indices(centers[0], q[0], [30], centers, q)
+    with pytest.raises(ValueError):
+        pypw85.overlap_any_indices(centers[0], q[0], [[1]], centers, q)
+
+
+def test_contact_forces(particles):
+    _, centers, q = particles
+    found = pypw85.neighbors(centers, q, CELL)
+    system = (found.pairs, centers, q)
+    derivatives = pypw85.contact_derivatives_pairs(*system, CELL, found.images)
+    d_u = np.where(derivatives.mu2 < 1, 2 * (derivatives.mu2 - 1), 0)
+    sums = pypw85.contact_forces_pairs(*system, d_u, derivatives, CELL, found.images)
+    forces, torques = np.zeros((30, 3)), np.zeros((30, 3))
+    i, j = found.pairs.T
+    np.add.at(forces, i, d_u[:, None] * derivatives.d_r12)
+    np.add.at(forces, j, -d_u[:, None] * derivatives.d_r12)
+    np.add.at(torques, i, -d_u[:, None] * derivatives.d_rot1)
+    np.add.at(torques, j, -d_u[:, None] * derivatives.d_rot2)
+    np.testing.assert_allclose(sums.forces, forces, atol=1e-12)
+    np.testing.assert_allclose(sums.torques, torques, atol=1e-12)
+    assert np.trace(sums.virial) == pytest.approx(-2 * (derivatives.mu2 * d_u).sum())
+    with pytest.raises(ValueError, match="d_u"):
+        pypw85.contact_forces_pairs(*system, d_u[1:], derivatives, CELL, found.images)
+    with pytest.raises(ValueError):
+        pypw85.contact_forces_pairs(*system, d_u, derivatives, np.ones((3, 3)))
+
+
 def test_cells(particles):
     pairs, centers, q = particles
     skewed = np.array([[1, 0, 0], [3, 1, 0], [-4, 7, 1]]) @ CELL

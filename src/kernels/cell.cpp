@@ -22,7 +22,7 @@ double largest_width(Lattice const &lattice, SymmetricMatrix<double, 3> const &q
 {
     double largest = 0.0;
     for (int n = 1; n <= 13; ++n) { // coordinates -1, 0 or 1; one of each ± couple
-        double const a = (n + 13) / 9 - 1, b = (n + 13) / 3 % 3 - 1, c = (n + 13) % 3 - 1;
+        int const a = (n + 13) / 9 - 1, b = (n + 13) / 3 % 3 - 1, c = (n + 13) % 3 - 1;
         Vector<double, 3> v;
         for (int d = 0; d < 3; ++d) v[d] = a * lattice.basis[0][d] + b * lattice.basis[1][d] + c * lattice.basis[2][d];
         largest = std::max(largest, quadratic_form(q, times(1.0 / dot(v, v), v)));

@@ -67,6 +67,20 @@ struct OneToMany {
     }
 };
 
+/// One ellipsoid, and others of a system by their indices, each by its nearest image if there is a lattice.
+struct OneToSome {
+    static constexpr int dimension = 3;
+    double const *center, *q1;
+    std::int32_t const *others;
+    double const *centers, *q;
+    Lattice const *lattice; ///< null, or prepared for nearest images
+
+    [[gnu::always_inline]] OneToSome from(std::size_t begin) const noexcept
+    {
+        return {center, q1, others + begin, centers, q, lattice};
+    }
+};
+
 /// A neighbour list: pairs (i, j) of rows of centers (N×3) and q (N×6). Of the images of j it takes those that `images` names, as
 /// multiples of the rows of `cell`, or else the nearest in the lattice, or else j itself.
 struct NeighborList {
@@ -176,9 +190,9 @@ template <class... Kernel> struct KernelTable : Kernel... {
 using LaneKernels = KernelTable<LaneKernel<PairArrays<2>, ContactArrays>, LaneKernel<PairArrays<2>, OverlapArray>,
                                 LaneKernel<PairArrays<3>, ContactArrays>, LaneKernel<NeighborList, ContactArrays>,
                                 LaneKernel<PairArrays<3>, OverlapArray>, LaneKernel<NeighborList, OverlapArray>,
-                                LaneKernel<OneToMany, OverlapArray>, LaneKernel<PairArrays<3>, DerivativeArrays>,
-                                LaneKernel<NeighborList, DerivativeArrays>, LaneKernel<Directions, ApproachArray>,
-                                LaneKernel<PairArrays<3>, DistanceArrays>>;
+                                LaneKernel<OneToMany, OverlapArray>, LaneKernel<OneToSome, OverlapArray>,
+                                LaneKernel<PairArrays<3>, DerivativeArrays>, LaneKernel<NeighborList, DerivativeArrays>,
+                                LaneKernel<Directions, ApproachArray>, LaneKernel<PairArrays<3>, DistanceArrays>>;
 
 /// All functions of one target.
 struct Kernels {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "../c_arrays.hpp"
+#include "forces.hpp"
 #include "many_pairs.hpp"
 #include "nearest_image.hpp"
 
@@ -13,21 +14,27 @@ using pw85::c_api::any_null;
 
 namespace {
 
-/// Whether the indices of a range of pairs are below `end`.
-bool are_below(std::uint32_t end, std::int32_t const *pairs, Range range) noexcept
+/// The first number that is no index of a particle.
+std::uint32_t end_of(std::size_t num_particles) noexcept
+{
+    return static_cast<std::uint32_t>(std::min<std::size_t>(num_particles, INT32_MAX + std::size_t{1}));
+}
+
+/// Whether n indices are below `end`.
+bool are_below(std::uint32_t end, std::int32_t const *indices, std::size_t n) noexcept
 {
     bool outside = false;
-    for (std::size_t k = 2 * range.begin; k < 2 * range.end; ++k)
-        outside |= static_cast<std::uint32_t>(pairs[k]) >= end;
+    for (std::size_t k = 0; k < n; ++k) outside |= static_cast<std::uint32_t>(indices[k]) >= end;
     return !outside;
 }
 
 /// Whether all indices are in range.
 bool are_valid(std::size_t num_pairs, std::int32_t const *pairs, std::size_t num_particles) noexcept
 {
-    auto const end = static_cast<std::uint32_t>(std::min<std::size_t>(num_particles, INT32_MAX + std::size_t{1}));
+    auto const end = end_of(num_particles);
     return for_all(num_pairs, [=](Range range) {
-               return Failure{range.begin, are_below(end, pairs, range) ? PW85_SUCCESS : PW85_EINVAL};
+               bool const valid = are_below(end, pairs + 2 * range.begin, 2 * (range.end - range.begin));
+               return Failure{range.begin, valid ? PW85_SUCCESS : PW85_EINVAL};
            }) == PW85_SUCCESS;
 }
 
@@ -123,7 +130,7 @@ int compute_list(std::size_t num_pairs, std::size_t num_particles, NeighborList 
 constexpr std::size_t any_chunk_size = 32;
 
 /// Looks for the first pair, by its index, that overlaps or is bad. Returns the status of a bad one, with `any` = -1.
-int find_overlap(OneToMany const &rows, std::size_t n, int &any) noexcept
+template <class Rows> int find_overlap(Rows const &rows, std::size_t n, int &any) noexcept
 {
     Kernels const &kernels = chosen();
     DefaultEnvironment const environment;
@@ -242,7 +249,22 @@ int pw85_overlap_any(size_t n, double const q1[PW85_SYM], double const *r12, dou
     if (n == 0) return PW85_SUCCESS;
     *any = -1;
     if (n > max_rows || any_null(q1, r12, q2)) return PW85_EINVAL;
-    return find_overlap({q1, r12, q2}, n, *any);
+    return find_overlap(OneToMany{q1, r12, q2}, n, *any);
+}
+
+int pw85_overlap_any_indices(double const center[3], double const q1[PW85_SYM], size_t n, int32_t const *indices,
+                             size_t num_particles, double const *centers, double const *q, double const *cell, int *any)
+{
+    if (any_null(any)) return PW85_EINVAL;
+    *any = 0;
+    if (n == 0) return PW85_SUCCESS;
+    *any = -1;
+    if (n > max_rows || num_particles > max_rows || any_null(center, q1, indices, centers, q)) return PW85_EINVAL;
+    if (!are_below(end_of(num_particles), indices, n)) return PW85_EINVAL;
+    Lattice lattice;
+    DefaultEnvironment const environment;
+    if (cell != nullptr && !prepare(cell, lattice)) return PW85_EINVAL;
+    return find_overlap(OneToSome{center, q1, indices, centers, q, cell != nullptr ? &lattice : nullptr}, n, *any);
 }
 
 int pw85_contact_pairs(size_t num_pairs, int32_t const *pairs, int32_t const *images, size_t num_particles,
@@ -312,4 +334,25 @@ int pw85_nearest_images(size_t num_pairs, int32_t const *pairs, size_t num_parti
             return finder.find(pair, row_or_null(r12, 3, pair), row_or_null(images, 3, pair));
         });
     });
+}
+
+int pw85_contact_forces_pairs(size_t num_pairs, int32_t const *pairs, int32_t const *images, size_t num_particles,
+                              double const *centers, double const *cell, double const *d_u, double const *d_r12,
+                              double const *d_rot1, double const *d_rot2, double *forces, double *torques,
+                              double *virial)
+{
+    if (num_particles > max_rows) return PW85_EINVAL;
+    if (num_pairs > 0) {
+        if (any_null(d_u, centers) || (forces != nullptr && any_null(d_r12)) ||
+            (torques != nullptr && any_null(d_rot1, d_rot2)) || (virial != nullptr && any_null(d_r12)))
+            return PW85_EINVAL;
+    }
+    Lattice lattice;
+    NeighborList list{pairs, centers, centers, images, cell, nullptr}; // no forms
+    if (num_pairs > 0)
+        if (int const status = prepare_list(num_pairs, num_particles, list, lattice)) return status;
+    PairGradients const gradients{num_pairs, pairs, d_u, d_r12, d_rot1, d_rot2};
+    sum_forces(gradients, num_particles, forces, torques);
+    if (virial != nullptr) sum_virial(gradients, list, virial);
+    return PW85_SUCCESS;
 }

@@ -14,9 +14,12 @@
 
 #include <pw85/scalar.hpp>
 
-// The build says for which of its instruction sets a unit is: PW85_LANES_AVX512, PW85_LANES_AVX2 or neither.
+// The build says for which of its instruction sets a unit is: PW85_LANES_AVX512, PW85_LANES_AVX2,
+// PW85_LANES_NEON or none of them.
 #if defined(PW85_LANES_AVX512) || defined(PW85_LANES_AVX2)
 #include <immintrin.h>
+#elif defined(PW85_LANES_NEON)
+#include <arm_neon.h>
 #endif
 
 /// Kernels are one function each: what they call must not be left to the compiler's idea of size.
@@ -128,6 +131,10 @@ PW85_INLINE Pack operator-(Pack const &z, Product const &p) noexcept { return _m
 PW85_INLINE Pack operator+(Product const &p, Pack const &z) noexcept { return _mm256_fmadd_pd(p.x, p.y, z.v); }
 PW85_INLINE Pack operator-(Product const &p, Pack const &z) noexcept { return _mm256_fmsub_pd(p.x, p.y, z.v); }
 PW85_INLINE Pack operator-(Pack const &z, Product const &p) noexcept { return _mm256_fnmadd_pd(p.x, p.y, z.v); }
+#elif defined(PW85_LANES_NEON)
+PW85_INLINE Pack operator+(Product const &p, Pack const &z) noexcept { return vfmaq_f64(z.v, p.x, p.y); }
+PW85_INLINE Pack operator-(Product const &p, Pack const &z) noexcept { return vfmaq_f64(-z.v, p.x, p.y); }
+PW85_INLINE Pack operator-(Pack const &z, Product const &p) noexcept { return vfmsq_f64(z.v, p.x, p.y); }
 #else
 PW85_INLINE Pack operator+(Product const &p, Pack const &z) noexcept { return p.x * p.y + z.v; }
 PW85_INLINE Pack operator-(Product const &p, Pack const &z) noexcept { return p.x * p.y - z.v; }
@@ -186,6 +193,8 @@ PW85_INLINE Pack square_root(Pack const &x) noexcept
     return _mm512_sqrt_pd(x.v);
 #elif defined(PW85_LANES_AVX2)
     return _mm256_sqrt_pd(x.v);
+#elif defined(PW85_LANES_NEON)
+    return vsqrtq_f64(x.v);
 #else
     Register root;
     for (std::size_t i = 0; i < lanes; ++i) root[i] = __builtin_sqrt(x.v[i]);

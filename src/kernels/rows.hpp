@@ -73,6 +73,23 @@ load_pairs(kernels::OneToMany const &others, std::size_t const *indices) noexcep
     return {load_vectors<T, 3>(r12), q1, load_matrices<T, 3>(q2), T(1)};
 }
 
+template <class T> [[gnu::always_inline]] PW85_FUNCTION inline Pair<T, 3>
+load_pairs(kernels::OneToSome const &some, std::size_t const *indices) noexcept
+{
+    double const *centers[lanes_of<T>], *q2[lanes_of<T>];
+    for (std::size_t i = 0; i < lanes_of<T>; ++i) {
+        auto const other = static_cast<std::size_t>(some.others[indices[i]]);
+        centers[i] = kernels::row_of(some.centers, 3, other);
+        q2[i] = kernels::row_of(some.q, 6, other);
+    }
+    Vector<T, 3> const y = load_vectors<T, 3>(centers);
+    Vector<T, 3> r12 = {y[0] - T(some.center[0]), y[1] - T(some.center[1]), y[2] - T(some.center[2])};
+    if (some.lattice != nullptr) r12 = nearest_image(*some.lattice, r12);
+    SymmetricMatrix<T, 3> q1;
+    for (int e = 0; e < 6; ++e) q1[e] = T(some.q1[e]);
+    return {r12, q1, load_matrices<T, 3>(q2), T(1)};
+}
+
 /// Separations plus the cell vectors that a list adds to the second particles.
 template <class T> [[gnu::always_inline]] PW85_FUNCTION inline Vector<T, 3>
 add_images(kernels::NeighborList const &list, Vector<T, 3> r12, std::size_t const *indices) noexcept
@@ -86,25 +103,31 @@ add_images(kernels::NeighborList const &list, Vector<T, 3> r12, std::size_t cons
     return r12;
 }
 
+template <class T> [[gnu::always_inline]] PW85_FUNCTION inline Vector<T, 3>
+load_separations(kernels::NeighborList const &list, std::size_t const *indices) noexcept
+{
+    double const *center1[lanes_of<T>], *center2[lanes_of<T>];
+    for (std::size_t i = 0; i < lanes_of<T>; ++i) {
+        std::int32_t const *const pair = kernels::row_of(list.pairs, 2, indices[i]);
+        center1[i] = kernels::row_of(list.centers, 3, static_cast<std::size_t>(pair[0]));
+        center2[i] = kernels::row_of(list.centers, 3, static_cast<std::size_t>(pair[1]));
+    }
+    Vector<T, 3> const x = load_vectors<T, 3>(center1), y = load_vectors<T, 3>(center2);
+    Vector<T, 3> const r12 = {y[0] - x[0], y[1] - x[1], y[2] - x[2]};
+    if (list.images != nullptr) return add_images(list, r12, indices);
+    return list.lattice != nullptr ? nearest_image(*list.lattice, r12) : r12;
+}
+
 template <class T> [[gnu::always_inline]] PW85_FUNCTION inline Pair<T, 3>
 load_pairs(kernels::NeighborList const &list, std::size_t const *indices) noexcept
 {
-    double const *center1[lanes_of<T>], *center2[lanes_of<T>], *q1[lanes_of<T>], *q2[lanes_of<T>];
+    double const *q1[lanes_of<T>], *q2[lanes_of<T>];
     for (std::size_t i = 0; i < lanes_of<T>; ++i) {
         std::int32_t const *const pair = kernels::row_of(list.pairs, 2, indices[i]);
-        auto const first = static_cast<std::size_t>(pair[0]), second = static_cast<std::size_t>(pair[1]);
-        center1[i] = kernels::row_of(list.centers, 3, first);
-        center2[i] = kernels::row_of(list.centers, 3, second);
-        q1[i] = kernels::row_of(list.q, 6, first);
-        q2[i] = kernels::row_of(list.q, 6, second);
+        q1[i] = kernels::row_of(list.q, 6, static_cast<std::size_t>(pair[0]));
+        q2[i] = kernels::row_of(list.q, 6, static_cast<std::size_t>(pair[1]));
     }
-    Vector<T, 3> const x = load_vectors<T, 3>(center1), y = load_vectors<T, 3>(center2);
-    Vector<T, 3> r12 = {y[0] - x[0], y[1] - x[1], y[2] - x[2]};
-    if (list.images != nullptr)
-        r12 = add_images(list, r12, indices);
-    else if (list.lattice != nullptr)
-        r12 = nearest_image(*list.lattice, r12);
-    return {r12, load_matrices<T, 3>(q1), load_matrices<T, 3>(q2), T(1)};
+    return {load_separations<T>(list, indices), load_matrices<T, 3>(q1), load_matrices<T, 3>(q2), T(1)};
 }
 
 } // namespace pw85

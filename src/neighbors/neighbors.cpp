@@ -52,12 +52,12 @@ struct Particles {
     }
 };
 
-/// The extent of a particle with its skin, and the multiples that take it near the origin.
+/// The extent of a particle with its skin, and what takes it near the origin.
 Failure measure(Particles const &particles, Periodicity const &lattice, std::size_t i, Extent &extent,
-                Multiples &multiples) noexcept
+                Move &move) noexcept
 {
     Status status = particles.measure(i, 0.5 * particles.skin, extent);
-    if (status == Status::success && !lattice.reduce(extent.center, multiples)) status = Status::invalid_argument;
+    if (status == Status::success && !lattice.reduce(extent.center, move)) status = Status::invalid_argument;
     return {i, static_cast<int>(status)};
 }
 
@@ -71,11 +71,17 @@ template <class Visit> Failure first_failure(std::size_t n, Visit const &visit) 
     });
 }
 
+/// The particle at a place of the tree: its number, and the multiples of the cell's vectors that were subtracted.
+struct Occupant {
+    std::int32_t index;
+    Multiples subtracted;
+};
+
 /// The pairs of a task.
 struct Task {
     FoundPairs found;
     std::size_t begin = 0; ///< of its pairs among all
-    int status = PW85_SUCCESS;
+    bool complete = false;
 };
 
 } // namespace
@@ -102,24 +108,26 @@ class Search {
     {
         if (int const status = measure_all()) return status;
         if (particles_.n == 0) return PW85_SUCCESS;
-        if (!plant() || !list_images(lattice_, tree_.root(), moves_)) return PW85_ENOMEM;
-        if (int const status = find()) return status;
-        return translate();
+        if (!plant()) return PW85_ENOMEM;
+        if (int const status = list_images(lattice_, tree_.root(), images_)) return status;
+        return find() && translate() ? PW85_SUCCESS : PW85_ENOMEM;
     }
 
   private:
     int measure_all() noexcept
     {
-        if (!list_.extents.resize(particles_.n) || !multiples_.resize(particles_.n)) return PW85_ENOMEM;
-        return first_failure(
-                   particles_.n,
-                   [&](std::size_t i) { return measure(particles_, lattice_, i, list_.extents[i], multiples_[i]); })
+        std::size_t const n = particles_.n;
+        if (!list_.extents.resize(n) || !boxes_.resize(n) || !subtracted_.resize(n)) return PW85_ENOMEM;
+        return first_failure(n,
+                             [&](std::size_t i) {
+                                 Extent &extent = list_.extents[i];
+                                 Move move;
+                                 Failure const failure = measure(particles_, lattice_, i, extent, move);
+                                 subtracted_[i] = move.own;
+                                 boxes_[i] = lattice_.wrapped(extent.center, extent.half_widths, move.reduced);
+                                 return failure;
+                             })
             .status;
-    }
-
-    Box wrapped(std::size_t i) const noexcept
-    {
-        return lattice_.wrapped(list_.extents[i].center, list_.extents[i].half_widths, multiples_[i]);
     }
 
     /// The box around all.
@@ -129,7 +137,7 @@ class Search {
         if (!parts.resize((particles_.n + rows_per_task - 1) / rows_per_task)) return false;
         for_parts(particles_.n, [&](std::size_t begin, std::size_t end) {
             Box part = no_box;
-            for (std::size_t i = begin; i < end; ++i) part = enclose(part, wrapped(i));
+            for (std::size_t i = begin; i < end; ++i) part = enclose(part, boxes_[i]);
             parts[begin / rows_per_task] = part;
         });
         around = no_box;
@@ -142,89 +150,82 @@ class Search {
     {
         Array<Place> places;
         Box around;
-        if (!places.resize(particles_.n) || !order_.resize(particles_.n) || !enclose_all(around)) return false;
+        if (!places.resize(particles_.n) || !occupants_.resize(particles_.n) || !enclose_all(around)) return false;
         for_parts(particles_.n, [&](std::size_t begin, std::size_t end) {
             for (std::size_t i = begin; i < end; ++i)
-                places[i] = {key_of(wrapped(i), around), static_cast<std::int32_t>(i)};
+                places[i] = {key_of(boxes_[i], around), static_cast<std::int32_t>(i)};
         });
         if (!sort(places) || !tree_.resize(particles_.n)) return false;
         for_parts(particles_.n, [&](std::size_t begin, std::size_t end) {
             for (std::size_t k = begin; k < end; ++k) {
-                order_[k] = places[k].index;
-                tree_.set(k, wrapped(static_cast<std::size_t>(order_[k])));
+                auto const i = static_cast<std::size_t>(places[k].index);
+                occupants_[k] = {places[k].index, subtracted_[i]};
+                tree_.set(k, boxes_[i]);
             }
         });
         tree_.enclose_levels();
+        boxes_.free();
+        subtracted_.free();
         return true;
     }
 
-    int find() noexcept
+    bool find() noexcept
     {
         num_tasks_ = (tree_.num_groups() + groups_per_task - 1) / groups_per_task;
         tasks_.reset(new (std::nothrow) Task[num_tasks_]);
-        if (tasks_ == nullptr) return PW85_ENOMEM;
+        if (tasks_ == nullptr) return false;
         for_tasks(num_tasks_, [&](std::size_t k) {
-            if (!find_pairs(tree_, lattice_, moves_, k, tasks_[k].found)) tasks_[k].status = PW85_ENOMEM;
+            tasks_[k].complete = find_pairs(tree_, lattice_, images_, k, tasks_[k].found);
         });
-        return first_status();
-    }
-
-    int first_status() const noexcept
-    {
-        for (std::size_t k = 0; k < num_tasks_; ++k)
-            if (tasks_[k].status != PW85_SUCCESS) return tasks_[k].status;
-        return PW85_SUCCESS;
+        return std::all_of(tasks_.get(), tasks_.get() + num_tasks_, [](Task const &task) { return task.complete; });
     }
 
     /// Writes the pairs in the caller's numbers and multiples.
-    int translate() noexcept
+    bool translate() noexcept
     {
         std::size_t total = 0;
         for (std::size_t k = 0; k < num_tasks_; ++k)
             tasks_[k].begin = std::exchange(total, total + tasks_[k].found.size());
-        if (!list_.pairs.resize(total) || (list_.has_cell && !list_.images.resize(total))) return PW85_ENOMEM;
+        if (!list_.pairs.resize(total) || (list_.has_cell && !list_.images.resize(total))) return false;
         for_tasks(num_tasks_, [&](std::size_t k) {
             Task &task = tasks_[k];
-            for (std::size_t l = 0; l < task.found.size(); ++l)
-                if (!translate(task.found[l], task.begin + l)) task.status = PW85_EINVAL;
+            for (std::size_t l = 0; l < task.found.size(); ++l) translate(task.found[l], task.begin + l);
             task.found.free();
         });
-        return first_status();
+        return true;
     }
 
     /// The first particle of a pair gets the lower number, or the image comes after zero in lexicographic order.
-    bool translate(Found const &found, std::size_t k) noexcept
+    void translate(Found const &found, std::size_t k) noexcept
     {
-        IndexPair pair{order_[static_cast<std::size_t>(found.first)], order_[static_cast<std::size_t>(found.second)]};
-        bool const swapped = pair.i > pair.j;
-        if (swapped) std::swap(pair.i, pair.j);
-        list_.pairs[k] = pair;
-        if (!list_.has_cell) return true;
-        Multiples const &i = multiples_[static_cast<std::size_t>(pair.i)],
-                        &j = multiples_[static_cast<std::size_t>(pair.j)],
-                        &move = moves_[static_cast<std::size_t>(found.image)];
+        Occupant first = occupants_[static_cast<std::size_t>(found.first)],
+                 second = occupants_[static_cast<std::size_t>(found.second)];
+        Multiples const &moved = images_[static_cast<std::size_t>(found.image)].own;
         Multiples image;
-        for (int d = 0; d < 3; ++d) image.n[d] = i.n[d] - j.n[d] + (swapped ? move.n[d] : -move.n[d]);
-        bool const in_range = lattice_.of_cell(image, list_.images[k]);
-        if (pair.i == pair.j) turn_forward(list_.images[k]);
-        return in_range;
+        for (int d = 0; d < 3; ++d) image.n[d] = first.subtracted.n[d] - second.subtracted.n[d] - moved.n[d];
+        if (first.index > second.index || (first.index == second.index && is_behind(image))) {
+            std::swap(first, second);
+            for (std::int32_t &n : image.n) n = -n;
+        }
+        list_.pairs[k] = {first.index, second.index};
+        if (list_.has_cell) list_.images[k] = image;
     }
 
-    /// Of an image of a particle itself and its opposite takes that which comes after zero.
-    static void turn_forward(Multiples &image) noexcept
+    /// Whether multiples come before zero in lexicographic order.
+    static bool is_behind(Multiples const &image) noexcept
     {
-        bool const back = std::lexicographical_compare(image.n, image.n + 3, zero_.n, zero_.n + 3);
-        for (std::int32_t &n : image.n) n = back ? -n : n;
+        constexpr std::int32_t zero[3] = {};
+        return std::lexicographical_compare(image.n, image.n + 3, zero, zero + 3);
     }
 
-    static constexpr Multiples zero_ = {};
     Particles const &particles_;
     Periodicity const &lattice_;
     pw85_neighbors &list_;
-    Array<Multiples> multiples_; ///< of each particle
-    Array<std::int32_t> order_;  ///< the number of the particle at each place of the tree
+    Array<Box> boxes_;            ///< of the particles, near the origin
+    Array<Multiples> subtracted_; ///< to take them there
+    Array<Occupant> occupants_;
     Tree tree_;
-    Array<Multiples> moves_;
+    Array<Move> images_;
     std::unique_ptr<Task[]> tasks_;
     std::size_t num_tasks_ = 0;
 };
@@ -272,8 +273,8 @@ int pw85_neighbors_check(size_t n, double const *centers, double const *q, doubl
     if (!particles.are_valid() || !lattice.prepare(cell, periodic)) return PW85_EINVAL;
     Failure const first = first_failure(n, [&](std::size_t i) {
         Extent extent;
-        Multiples multiples;
-        return measure(particles, lattice, i, extent, multiples);
+        Move move;
+        return measure(particles, lattice, i, extent, move);
     });
     if (first.status != PW85_SUCCESS) *particle = first.index;
     return first.status;

@@ -82,16 +82,17 @@ bool Periodicity::prepare(double const *cell, int const *periodic) noexcept
     return true;
 }
 
-bool Periodicity::reduce(Vector<double, 3> const &point, Multiples &multiples) const noexcept
+bool Periodicity::reduce(Vector<double, 3> const &point, Move &move) const noexcept
 {
-    multiples = {};
+    move = {};
+    if (!any_) return true;
     for (int k = 0; k < 3; ++k) {
         if (!periodic_[k]) continue;
         double const n = nearest_integer(dual_[k][0] * point[0] + dual_[k][1] * point[1] + dual_[k][2] * point[2]);
         if (!(std::fabs(n) <= most_multiples)) return false;
-        multiples.n[k] = static_cast<std::int32_t>(n);
+        move.reduced.n[k] = static_cast<std::int32_t>(n);
     }
-    return true;
+    return set_own(move);
 }
 
 Vector<double, 3> Periodicity::sum(Multiples const &multiples, double const (&vectors)[3][3]) const noexcept
@@ -145,13 +146,13 @@ Vector<double, 3> Periodicity::reach(Box const &box) const noexcept
     return reach;
 }
 
-bool Periodicity::of_cell(Multiples const &multiples, Multiples &own) const noexcept
+bool Periodicity::set_own(Move &move) const noexcept
 {
     for (int l = 0; l < 3; ++l) {
         double n = 0.0;
-        for (int k = 0; k < 3; ++k) n += multiples.n[k] * multiples_[k][l];
-        if (!(std::fabs(n) <= INT32_MAX)) return false;
-        own.n[l] = static_cast<std::int32_t>(n);
+        for (int k = 0; k < 3; ++k) n += move.reduced.n[k] * multiples_[k][l];
+        if (!(std::fabs(n) <= most_multiples)) return false;
+        move.own.n[l] = static_cast<std::int32_t>(n);
     }
     return true;
 }

@@ -25,8 +25,13 @@ struct Multiples {
     std::int32_t n[3];
 };
 
-/// Multiples of reduced vectors, as far as they are followed: sums of a few of them stay in range of int32.
+/// Multiples are followed as far as this: the sum of three is in the range of int32.
 inline constexpr double most_multiples = 0x1p29;
+
+/// A vector of the lattice, in multiples of its reduced vectors and of the cell's own ones.
+struct Move {
+    Multiples reduced, own;
+};
 
 /// The lattice of the periodic directions.
 class Periodicity {
@@ -34,8 +39,8 @@ class Periodicity {
     /// Without a cell nothing is periodic. False if the periodic vectors of a cell are not finite, or not independent.
     bool prepare(double const *cell, int const *periodic) noexcept;
 
-    /// How often to subtract the lattice's vectors from a point to take it near the origin; false if that is too often.
-    bool reduce(Vector<double, 3> const &point, Multiples &multiples) const noexcept;
+    /// What to subtract from a point to take it near the origin; false if that takes too many multiples.
+    bool reduce(Vector<double, 3> const &point, Move &move) const noexcept;
 
     /// The box around a centre less multiples of the vectors.
     Box wrapped(Vector<double, 3> const &center, Vector<double, 3> const &half_widths,
@@ -47,8 +52,8 @@ class Periodicity {
     /// Multiples up to which images of a box can meet it: more than most_multiples where there are too many.
     Vector<double, 3> reach(Box const &box) const noexcept;
 
-    /// The same lattice vector in multiples of the cell's own vectors; false if they leave the range.
-    bool of_cell(Multiples const &multiples, Multiples &own) const noexcept;
+    /// Sets the own multiples from the reduced ones; false if they are too many.
+    bool set_own(Move &move) const noexcept;
 
   private:
     Vector<double, 3> sum(Multiples const &multiples, double const (&vectors)[3][3]) const noexcept;

@@ -1,6 +1,8 @@
 // The search of pairs: groups against groups, boxes against blocks.
 #include "search.hpp"
 
+#include <pw85.h>
+
 namespace pw85::neighbors {
 
 namespace {
@@ -58,22 +60,26 @@ bool pair_groups(Tree const &tree, MovedGroup const &moved, std::size_t group, F
 
 } // namespace
 
-bool list_images(Periodicity const &lattice, Box const &root, Array<Multiples> &images) noexcept
+int list_images(Periodicity const &lattice, Box const &root, Array<Move> &images) noexcept
 {
     auto const reach = lattice.reach(root);
     double const most = (2.0 * reach[0] + 1.0) * (2.0 * reach[1] + 1.0) * (2.0 * reach[2] + 1.0);
-    if (!(most < most_multiples) || !images.resize(static_cast<std::size_t>(most) / 2 + 1)) return false;
+    if (!(most < most_multiples) || !images.resize(static_cast<std::size_t>(most) / 2 + 1)) return PW85_ENOMEM;
     std::int32_t const x = static_cast<std::int32_t>(reach[0]), y = static_cast<std::int32_t>(reach[1]),
                        z = static_cast<std::int32_t>(reach[2]);
     std::size_t count = 0;
     // In lexicographic order half of the multiples come after zero.
     for (std::int32_t i = 0; i <= x; ++i)
         for (std::int32_t j = i > 0 ? -y : 0; j <= y; ++j)
-            for (std::int32_t k = i > 0 || j > 0 ? -z : 0; k <= z; ++k) images[count++] = {{i, j, k}};
-    return true;
+            for (std::int32_t k = i > 0 || j > 0 ? -z : 0; k <= z; ++k) {
+                Move &move = images[count++];
+                move.reduced = {{i, j, k}};
+                if (!lattice.set_own(move)) return PW85_EINVAL;
+            }
+    return PW85_SUCCESS;
 }
 
-bool find_pairs(Tree const &tree, Periodicity const &lattice, Array<Multiples> const &images, std::size_t task,
+bool find_pairs(Tree const &tree, Periodicity const &lattice, Array<Move> const &images, std::size_t task,
                 FoundPairs &found) noexcept
 {
     Box const root = tree.root();
@@ -81,9 +87,9 @@ bool find_pairs(Tree const &tree, Periodicity const &lattice, Array<Multiples> c
     for (std::size_t group = task * groups_per_task; group < end; ++group)
         for (std::size_t image = 0; image < images.size(); ++image) {
             Box box = tree.box(Tree::group_level, group);
-            if (image != 0) box = lattice.moved(box, images[image]);
+            if (image != 0) box = lattice.moved(box, images[image].reduced);
             if (!meets(box, root)) continue;
-            MovedGroup const moved = move(tree, lattice, group, images[image], image);
+            MovedGroup const moved = move(tree, lattice, group, images[image].reduced, image);
             bool enough_memory = true;
             tree.visit_groups(box, image == 0 ? group : 0, [&](std::size_t other) {
                 enough_memory = enough_memory && pair_groups(tree, moved, other, found);

@@ -37,16 +37,16 @@ class FoundPairs {
     std::size_t size_ = 0;
 };
 
-/// The multiples for which a tree can meet its own image, number 0 being that of no motion; of m and -m only one. False if they are
-/// too many for the memory, or for their numbers.
-[[nodiscard]] bool list_images(Periodicity const &lattice, Box const &root, Array<Multiples> &images) noexcept;
+/// The vectors by which a tree can be moved and still meet itself, number 0 being zero; of v and -v only one. PW85_ENOMEM if they are
+/// too many to be listed, PW85_EINVAL if some are too far away for their multiples.
+[[nodiscard]] int list_images(Periodicity const &lattice, Box const &root, Array<Move> &images) noexcept;
 
 /// Groups whose pairs are found by one task.
 inline constexpr std::size_t groups_per_task = 16;
 
 /// The pairs whose first box is of the groups of a task: each pair once. False if there is no memory.
-[[nodiscard]] bool find_pairs(Tree const &tree, Periodicity const &lattice, Array<Multiples> const &images,
-                              std::size_t task, FoundPairs &found) noexcept;
+[[nodiscard]] bool find_pairs(Tree const &tree, Periodicity const &lattice, Array<Move> const &images, std::size_t task,
+                              FoundPairs &found) noexcept;
 
 } // namespace pw85::neighbors
 

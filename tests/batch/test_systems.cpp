@@ -1,4 +1,5 @@
 // Distances of closest approach of many pairs, one ellipsoid against many, and forms in bulk: the same as one by one.
+#include <algorithm>
 #include <cmath>
 
 #include <glib.h>
@@ -157,6 +158,56 @@ void test_overlap_any_order()
     }
 }
 
+// By indices: the nearest images of the others in any order, in a cell or without one.
+void test_overlap_any_indices()
+{
+    Failures failures;
+    Random random(66);
+    pw85::Cell const cell{{{6.0, 0.0, 0.0}, {2.0, 5.0, 0.0}, {-1.0, 1.0, 7.0}}};
+    std::vector<Vector3> centers;
+    std::vector<Form3> q;
+    for (int i = 0; i < 50; ++i) {
+        centers.push_back({random.uniform(-9.0, 9.0), random.uniform(-9.0, 9.0), random.uniform(-9.0, 9.0)});
+        q.push_back(random.form(1.0, 4.0));
+    }
+    int counts[2] = {};
+    for (int n = 0; n < 4000; ++n) {
+        std::vector<std::int32_t> others(static_cast<std::size_t>(random.uniform(0.0, n % 9 == 0 ? 80.0 : 9.0)));
+        for (auto &other : others) other = static_cast<std::int32_t>(random.uniform(0.0, 50.0));
+        Vector3 const center{random.uniform(-9.0, 9.0), random.uniform(-9.0, 9.0), random.uniform(-9.0, 9.0)};
+        Form3 const form = random.form(1.0, 4.0);
+        centers.push_back(center); // the one as a particle of a list
+        q.push_back(form);
+        pw85::Particles const particles{centers, q, n % 2 == 0 ? &cell : nullptr};
+        std::vector<pw85::IndexPair> pairs;
+        for (auto const other : others) pairs.push_back({50, other});
+        std::vector<unsigned char> overlap(pairs.size());
+        g_assert_true(overlap_pairs({pairs}, particles, overlap) == pw85::Status::success);
+        int const expected = std::count(overlap.begin(), overlap.end(), 1) > 0;
+        int any = 7;
+        pw85::Status const status = overlap_any_indices(center, form, others, particles, any);
+        failures.check(status == pw85::Status::success && any == expected, "any", any, expected,
+                       [&] { return hex_text(center.coordinates, 3) + hex_text(form.entries, 6); });
+        ++counts[expected];
+        centers.pop_back();
+        q.pop_back();
+    }
+    for (int const count : counts) g_assert_cmpint(count, >, 200);
+    std::int32_t const indices[2] = {0, 50};
+    int any = 7;
+    double const singular[9] = {}, *x = centers[0].coordinates, *form = q[0].entries;
+    auto const call = [&](std::size_t n, double const *cell_or_null) {
+        any = 7;
+        return pw85_overlap_any_indices(x, form, n, indices, 50, x, form, cell_or_null, &any);
+    };
+    g_assert_true(call(2, nullptr) == PW85_EINVAL && any == -1);
+    g_assert_true(call(1, singular) == PW85_EINVAL && any == -1);
+    g_assert_true(call(0, singular) == PW85_SUCCESS && any == 0);
+    g_assert_true(call(1, nullptr) == PW85_SUCCESS && any == 1);
+    g_assert_cmpint(pw85_overlap_any_indices(x, form, 1, nullptr, 50, x, form, nullptr, &any), ==, PW85_EINVAL);
+    g_assert_cmpint(pw85_overlap_any_indices(x, form, 1, indices, 50, x, form, nullptr, nullptr), ==, PW85_EINVAL);
+}
+
 // Rows as one by one, in threads too: the same bits, marks, and the status of the first bad one.
 void test_forms()
 {
@@ -259,6 +310,7 @@ int main(int argc, char **argv)
     g_test_add_func("/systems/closest_approach_positions", test_closest_approach_positions);
     g_test_add_func("/systems/overlap_any", test_overlap_any);
     g_test_add_func("/systems/overlap_any_order", test_overlap_any_order);
+    g_test_add_func("/systems/overlap_any_indices", test_overlap_any_indices);
     g_test_add_func("/systems/forms", test_forms);
     g_test_add_func("/systems/bounding_boxes", test_bounding_boxes);
     g_test_add_func("/systems/arguments", test_arguments);

@@ -255,23 +255,25 @@ void test_lists(void const *data)
     g_assert_cmpint(overlapping, >, 10);
 }
 
-// Marked, and nothing outside of the arrays is read.
+// Marked, although the arrays have a good particle there.
 void test_bad_indices()
 {
     Random random(703);
     System s(random);
-    s.pairs[2 * 7] = static_cast<std::int32_t>(System::num_particles);
+    std::size_t const particles = System::num_particles - 1;
+    for (std::int32_t &i : s.pairs) i %= static_cast<std::int32_t>(particles);
+    s.pairs[2 * 7] = static_cast<std::int32_t>(particles);
     s.pairs[2 * 9 + 1] = -1;
     std::size_t const n = 20;
     DeviceArray<double> const centers(s.centers), q(s.q), mu2(n), lambda(n);
     DeviceArray<std::int32_t> const pairs(s.pairs);
     DeviceArray<unsigned char> const overlap(n);
     Stream const stream;
-    g_assert_cmpint(pw85_gpu_contact_pairs(stream.handle(), n, pairs.get(), nullptr, System::num_particles,
-                                           centers.get(), q.get(), nullptr, mu2.get(), lambda.get()),
+    g_assert_cmpint(pw85_gpu_contact_pairs(stream.handle(), n, pairs.get(), nullptr, particles, centers.get(), q.get(),
+                                           nullptr, mu2.get(), lambda.get()),
                     ==, PW85_SUCCESS);
-    g_assert_cmpint(pw85_gpu_overlap_pairs(stream.handle(), n, pairs.get(), nullptr, System::num_particles,
-                                           centers.get(), q.get(), nullptr, overlap.get()),
+    g_assert_cmpint(pw85_gpu_overlap_pairs(stream.handle(), n, pairs.get(), nullptr, particles, centers.get(), q.get(),
+                                           nullptr, overlap.get()),
                     ==, PW85_SUCCESS);
     stream.wait();
     auto const mu2s = mu2.values(), lambdas = lambda.values();

@@ -344,7 +344,7 @@ def cases(installation):
     yield "headers", installation.headers_only
     yield "optimization", installation.optimization
     yield "examples/c", lambda: installation.example("c", f"-Dpw85_lib={installation.libdir}")
-    yield "examples/cpp", lambda: installation.example("cpp")
+    yield "examples/cpp", lambda: installation.example("cpp", f"-Dpw85_lib={installation.libdir}")
 
 
 def main():

@@ -1,0 +1,145 @@
+// Whole systems, by Google Benchmark: random ellipsoids in a cubic periodic cell, by the time of the processor. Names are
+//
+//     neighbors/ASPECT/NUMBER       a list at packing fraction 0.5; `items_per_second` counts particles
+//     derivatives_pairs, forces     derivatives of the pairs of a list, and sums of forces of them; counts pairs
+//     overlap_any                   one ellipsoid against 16 neighbours, none of which it overlaps, from its form; counts calls
+//     overlap_any/quaternion        the same from its quaternion
+#include <cmath>
+#include <memory>
+#include <string>
+
+#include <benchmark/benchmark.h>
+
+#include <pw85/neighbors.hpp>
+#include <pw85/pw85.hpp>
+
+#include "random_pairs.hpp"
+
+namespace {
+
+using Vector3 = pw85::Vector<double, 3>;
+using Form = pw85::SymmetricMatrix<double, 3>;
+
+/// Spheroids with semi-axes 1, 1 and `aspect`.
+struct System {
+    std::vector<Vector3> centers;
+    std::vector<Form> q;
+    pw85::Cell cell{};
+
+    System(std::size_t n, double aspect, double packing_fraction)
+    {
+        pw85_tests::Random random(131);
+        double const side = std::cbrt(static_cast<double>(n) * 4.0 / 3.0 * std::acos(-1.0) * aspect / packing_fraction);
+        for (std::size_t i = 0; i < n; ++i) {
+            centers.push_back({random.uniform(0.0, side), random.uniform(0.0, side), random.uniform(0.0, side)});
+            q.push_back(pw85::spheroid(1.0, aspect, random.direction<3>()).q);
+        }
+        for (std::size_t d = 0; d < 3; ++d) cell[d][static_cast<int>(d)] = side;
+    }
+
+    pw85::Particles particles() const { return {centers, q, &cell}; }
+};
+
+void count(benchmark::State &state, std::size_t items)
+{
+    state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(items));
+}
+
+void neighbors(benchmark::State &state)
+{
+    auto const n = static_cast<std::size_t>(state.range(1));
+    System const system(n, static_cast<double>(state.range(0)), 0.5);
+    for ([[maybe_unused]] auto _ : state) {
+        pw85::Neighbors list;
+        neighbors_create(system.particles(), {}, list);
+        benchmark::DoNotOptimize(list.pairs().data());
+    }
+    count(state, n);
+}
+
+/// A list with its derivatives.
+struct Derivatives {
+    System system{100000, 3.0, 0.5};
+    pw85::Neighbors list;
+    std::vector<double> mu2, lambda;
+    std::vector<Vector3> d_r12, d_rot1, d_rot2;
+
+    Derivatives()
+    {
+        neighbors_create(system.particles(), {}, list);
+        std::size_t const n = list.pairs().size();
+        mu2.resize(n);
+        lambda.resize(n);
+        for (auto *rows : {&d_r12, &d_rot1, &d_rot2}) rows->resize(n);
+    }
+
+    pw85::DerivativeSpans spans()
+    {
+        pw85::DerivativeSpans result;
+        result.mu2 = mu2;
+        result.lambda = lambda;
+        result.d_r12 = d_r12;
+        result.d_rot1 = d_rot1;
+        result.d_rot2 = d_rot2;
+        return result;
+    }
+};
+
+void derivatives_pairs(benchmark::State &state)
+{
+    Derivatives d;
+    for ([[maybe_unused]] auto _ : state) contact_derivatives_pairs(d.list.list(), d.system.particles(), d.spans());
+    count(state, d.list.pairs().size());
+}
+
+void forces(benchmark::State &state)
+{
+    Derivatives d;
+    std::vector<Vector3> forces(d.system.q.size()), torques(forces.size());
+    std::array<Vector3, 3> virial;
+    for ([[maybe_unused]] auto _ : state) {
+        contact_derivatives_pairs(d.list.list(), d.system.particles(), d.spans());
+        contact_forces_pairs(d.list.list(), d.system.particles(), d.mu2, d.spans(), {forces, torques, &virial});
+    }
+    count(state, d.list.pairs().size());
+}
+
+void overlap_any(benchmark::State &state)
+{
+    constexpr std::size_t num_others = 16;
+    bool const from_quaternion = state.range(0) != 0;
+    System system(num_others + 1, 3.0, 0.4);
+    pw85_tests::Random random(132);
+    pw85::Vector<double, 4> const quaternion = random.direction<4>();
+    Vector3 const semi_axes = {1.0, 1.0, 3.0};
+    std::vector<std::int32_t> others;
+    for (std::size_t i = 1; i <= num_others; ++i) {
+        // As near as others are that do not overlap.
+        Vector3 const direction = random.direction<3>();
+        double const touch = pw85::closest_approach(direction, system.q[0], system.q[i]).distance;
+        for (int d = 0; d < 3; ++d)
+            system.centers[i][d] = system.centers[0][d] + random.uniform(1.05, 1.8) * touch * direction[d];
+        others.push_back(static_cast<std::int32_t>(i));
+    }
+    for (auto &row : system.cell)
+        for (int d = 0; d < 3; ++d) row[d] *= 4.0; // no image is near
+    int any = 0;
+    for ([[maybe_unused]] auto _ : state) {
+        Form const q = from_quaternion ? pw85::ellipsoid_quaternion(semi_axes, quaternion).q : system.q[0];
+        benchmark::DoNotOptimize(q);
+        overlap_any_indices(system.centers[0], from_quaternion ? system.q[0] : q, others, system.particles(), any);
+        benchmark::DoNotOptimize(any);
+    }
+    if (any != 0) state.SkipWithError("an overlap");
+    count(state, 1);
+}
+
+BENCHMARK(neighbors)->ArgsProduct({{3, 10}, {10000, 100000, 1000000}})->Unit(benchmark::kMillisecond);
+BENCHMARK(neighbors)->Args({3, 10000000})->Unit(benchmark::kMillisecond);
+BENCHMARK(derivatives_pairs)->Unit(benchmark::kMillisecond);
+BENCHMARK(forces)->Unit(benchmark::kMillisecond);
+BENCHMARK(overlap_any)->ArgName("quaternion")->Arg(0)->Arg(1);
+
+} // namespace
+
+BENCHMARK_MAIN();
