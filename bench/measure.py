@@ -11,6 +11,7 @@ import datetime
 import json
 import os
 import platform
+import re
 import subprocess
 import sys
 from operator import itemgetter
@@ -19,7 +20,6 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parent.parent
 RESULTS = ROOT / "docs" / "measurements.json"
 REPETITIONS = 31
-FLAGS = {"baseline": set(), "avx2": {"avx2", "fma"}, "avx512": {"avx2", "fma", "avx512f", "avx512dq", "avx512vl"}}
 DISPATCHED = "^(contact|overlap|contact_batch|overlap_batch)/[0-9e+]+$"
 
 
@@ -30,6 +30,13 @@ def processor(key):
     except OSError:
         return ""
     return next((line.split(":", 1)[1].strip() for line in lines if line.startswith(key)), "")
+
+
+def instruction_sets():
+    """What the library is compiled for, from the oldest on, with what a processor must have: as src/kernels/meson.build lists it."""
+    text = (ROOT / "src" / "kernels" / "meson.build").read_text(encoding="utf-8")
+    rows = re.findall(r"^  \['(\w+)', \[([^\]]*)\]", re.search(r"x86_targets = \[\n(.*?)^\]", text, re.M | re.S)[1], re.M)
+    return {"baseline": set(), **{name: set(re.findall(r"\w+", features)) for name, features in reversed(rows)}}
 
 
 def environment(target, threads=1):
@@ -125,7 +132,7 @@ def worst_rows(program, targets):
 
 def measure(programs):
     available = set(processor("flags").split())
-    targets = [target for target, flags in FLAGS.items() if flags <= available]
+    targets = [target for target, flags in instruction_sets().items() if flags <= available]
     best = targets[-1]
     context, tables = speed_tables(programs["speed"], targets)
     tables["accuracy"] = read_table(programs["accuracy"], target=best)
