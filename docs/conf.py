@@ -1,6 +1,7 @@
 """Configuration of Sphinx. Meson passes the release, the place of Doxygen's XML, and the built Python package."""
 
 import enum
+import os
 import sys
 from pathlib import Path
 
@@ -32,8 +33,10 @@ nitpick_ignore_regex = [
     # Files to which pages refer that are also read elsewhere.
     ("myst", r".*"),
     # Standard types; template parameters; the namespace, which has no page.
-    ("c:identifier", r"size_t|int32_t"),
-    ("cpp:identifier", r"T|D|pw85|rotation_axes<D>|\w+<T, D>"),
+    ("c:identifier", r"size_t|int32_t|int64_t"),
+    # Shapes of arrays.
+    ("py:class", r"[a-z]\w*|\d+"),
+    ("cpp:identifier", r"T|D|pw85|rotation_axes<D>|pw85_\w+|\w+<T, D>"),
 ]
 add_function_parentheses = True
 numfig = True
@@ -55,7 +58,8 @@ napoleon_use_param = False
 
 html_theme = "furo"
 html_title = "pw85"
-html_static_path = ["_static"]
+# The second folder is that of what is compiled for the interactive page.
+html_static_path = ["_static", os.environ["PW85_DOCS_BUILT"]]
 html_css_files = ["pw85.css"]
 html_show_copyright = False
 html_copy_source = False

@@ -71,9 +71,9 @@ def sections(header):
 
 
 def values(header):
-    """The structures that a C++ header declares, to be defined by those that it includes."""
+    """The structures that a C++ header declares or defines."""
     text = (INCLUDE / header).read_text(encoding="utf-8")
-    return re.findall(r"^(?:template <[^;{]*?> ?)?struct (\w+);", text, re.MULTILINE)
+    return re.findall(r"^(?:template <[^;{]*?> ?)?struct (\w+)(?:;| \{)", text, re.MULTILINE)
 
 
 def functions(header):

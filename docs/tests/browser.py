@@ -12,6 +12,8 @@ import threading
 
 from selenium import webdriver
 from selenium.common.exceptions import TimeoutException
+from selenium.webdriver.common.action_chains import ActionChains
+from selenium.webdriver.common.keys import Keys
 from selenium.webdriver.support.ui import WebDriverWait
 
 SIZES = {"desktop": (1280, 900), "phone": (390, 844)}
@@ -64,6 +66,7 @@ def resize(driver, size):
     width, height = SIZES[size]
     metrics = {"width": width, "height": height, "deviceScaleFactor": 1, "mobile": size == "phone"}
     driver.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", metrics)
+    driver.execute_cdp_cmd("Emulation.setTouchEmulationEnabled", {"enabled": size == "phone"})
 
 
 def colour_of_text(driver, scheme):
@@ -102,8 +105,61 @@ def check_search(driver, address, words):
         yield f"a search for {words} finds nothing"
 
 
-def check(folder, pages, searches, screenshots):
-    """What is wrong with the pages, names of files below a folder, and which searches find nothing."""
+def shown(driver):
+    """The numbers of the page with two ellipsoids, once it shows any."""
+    WebDriverWait(driver, 10).until(lambda d: d.find_element("id", "pair-mu2").text)
+    return [driver.find_element("id", f"pair-{name}").text for name in ("mu2", "lambda", "distance")]
+
+
+def check_states(driver, address, states):
+    """Whether the page with two ellipsoids shows the numbers of states, pairs of a fragment of its address and these."""
+    driver.get("about:blank")
+    for fragment, expected in states:
+        driver.get(f"{address}/interactive.html#{fragment}")
+        if shown(driver) != expected:
+            yield f"interactive.html#{fragment} shows {shown(driver)} instead of {expected}"
+
+
+def check_keys(driver, view):
+    for name, actions in {
+        "an arrow": ActionChains(driver).move_to_element(view).click().send_keys(Keys.ARROW_RIGHT),
+        "a turn": ActionChains(driver).key_down(Keys.SHIFT).send_keys(Keys.ARROW_UP).key_up(Keys.SHIFT),
+        "Page Up": ActionChains(driver).send_keys("1", Keys.PAGE_UP),
+    }.items():
+        before = shown(driver)
+        actions.perform()
+        if shown(driver) == before:
+            yield f"interactive.html: {name} changes nothing"
+
+
+def check_touch(driver, view):
+    """Whether a finger moves an ellipsoid that is in the middle, and the page stays where it is."""
+    driver.execute_script("location.hash = '1,1,1;1,0,0,0;1,1,1;1,0,0,0;0,0,0.5'")
+    driver.execute_script("arguments[0].scrollIntoView({block: 'center', behavior: 'instant'})", view)
+    box = driver.execute_script("return arguments[0].getBoundingClientRect().toJSON()", view)
+    x, y = box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
+    before, scrolled = shown(driver), driver.execute_script("return scrollY")
+    for kind, shift in (("touchStart", 0), ("touchMove", 15), ("touchMove", 30), ("touchEnd", None)):
+        points = [] if shift is None else [{"x": x + shift, "y": y + shift}]
+        driver.execute_cdp_cmd("Input.dispatchTouchEvent", {"type": kind, "touchPoints": points})
+    if shown(driver) == before or driver.execute_script("return scrollY") != scrolled:
+        yield "interactive.html: a finger moves the page, or nothing"
+
+
+def check_interactive(driver, address, states, screenshots):
+    resize(driver, "desktop")
+    yield from check_states(driver, address, states)
+    view = driver.find_element("id", "pair-view")
+    view.screenshot(str(screenshots / "interactive-view.png"))
+    yield from check_keys(driver, view)
+    resize(driver, "phone")
+    yield from check_touch(driver, view)
+    yield from complaints_of_page(driver)
+
+
+def check(folder, pages, searches, states, screenshots):
+    """What is wrong with the pages, names of files below a folder, which searches find nothing, and what is wrong with the
+    interactive page, which must show certain numbers of certain states."""
     screenshots.mkdir(exist_ok=True)
     with served(folder) as address, browser() as driver:
         for size in SIZES:
@@ -112,5 +168,6 @@ def check(folder, pages, searches, screenshots):
                 name = page.replace("/", "-").replace(".html", "")
                 found = check_page(driver, f"{address}/{page}", screenshots / f"{name}-{size}")
                 yield from (f"{page}, {size}: {complaint}" for complaint in found)
+        yield from check_interactive(driver, address, states, screenshots)
         for words in searches:
             yield from check_search(driver, address, words)

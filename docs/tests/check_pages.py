@@ -3,12 +3,13 @@
 - links: everything that a page refers to within the pages exists;
 - formulas: KaTeX can typeset them all (skipped without Node.js and KaTeX);
 - spelling: hunspell with a British dictionary and our own list knows every word of prose (skipped without it);
-- listings: no line is longer than what a page shows without scrolling;
+- listings: no line of code is longer than what a page shows without scrolling (what programs print may be);
 - browser: what browser.py says (skipped without Chromium and Selenium). Screenshots are put next to HTML.
 """
 
 import importlib.util
 import json
+import os
 import re
 import shutil
 import subprocess
@@ -24,6 +25,7 @@ for (const formula of JSON.parse(require("fs").readFileSync(0, "utf-8")))
     try { katex.renderToString(formula, {displayMode: true}); } catch (error) { console.log(error.message); }
 """
 LONGEST_LINE = 88
+PRINTED = {"highlight-none", "highlight-text"}  # what programs print
 SEARCHES = ["changelog", "minimum image", "overlap", "performance", "quaternion"]
 VOID = {"area", "base", "br", "col", "embed", "hr", "img", "input", "link", "meta", "source", "track", "wbr"}
 NOT_PROSE = {"script", "style", "code", "pre", "svg", "dt", "head"}
@@ -36,7 +38,7 @@ class Page(HTMLParser):
     def __init__(self, path):
         super().__init__()
         self.path, self.ids, self.references, self.formulas, self.prose = path, set(), [], [], []
-        self.listings, self.in_listing = [], False
+        self.listings, self.in_listing, self.language = [], False, ""
         self.open = []  # (tag, whether it is prose, whether it is a formula)
         self.feed(path.read_text(encoding="utf-8"))
 
@@ -47,10 +49,11 @@ class Page(HTMLParser):
         self.references += [attributes[name] for name in ("href", "src") if attributes.get(name)]
         if tag in VOID:
             return
-        if tag == "pre":
+        classes = set((attributes.get("class") or "").split())
+        self.language = next((name for name in classes if name.startswith("highlight-")), self.language)
+        if tag == "pre" and self.language not in PRINTED:
             self.listings.append("")
             self.in_listing = True
-        classes = set((attributes.get("class") or "").split())
         prose = (self.open[-1][1] if self.open else True) and tag not in NOT_PROSE and not classes & NOT_PROSE_CLASSES
         self.open.append((tag, prose, "math" in classes))
         if "math" in classes:
@@ -123,11 +126,30 @@ def check_listings(pages):
             yield from (f"{page.path}: {len(line)} columns: {line}" for line in long[:1])
 
 
+def states_of_pairs():
+    """Some pairs of ellipsoids as the address of the interactive page has them, and the numbers that it must show: those of the
+    C library, whose baseline fuses no products and sums, as WebAssembly does not."""
+    os.environ["PW85_TARGET"] = "baseline"
+    import pypw85
+
+    def state(*lists):
+        axes1, turn1, axes2, turn2, r12 = lists
+        q1, q2 = pypw85.ellipsoid_quaternion(axes1, turn1), pypw85.ellipsoid_quaternion(axes2, turn2)
+        numbers = [*pypw85.contact(r12, q1, q2), pypw85.distance(r12, q1, q2)[0]]
+        return ";".join(",".join(map(str, x)) for x in lists), [f"{float(x):#.15g}" for x in numbers]
+
+    return [
+        state([3, 2, 1], [1, 0, 0, 0], [4, 1, 1], [0.9, 0.1, 0.3, 0.2], [3, 2, 1]),
+        state([8, 0.1, 8], [1, 2, 3, 4], [0.1, 5, 0.1], [0.3, -0.2, 0.1, 0.9], [10, 2, 3]),
+        state([1, 2, 3], [0.5, 0.5, 0.5, 0.4], [3, 2, 1], [0.1, 0.2, 0.3, 0.4], [3.5, 0.25, 4.125]),
+    ]
+
+
 def check_in_browser(pages, root):
     import browser
 
     names = [str(path.relative_to(root)) for path in pages]
-    return browser.check(root, names, SEARCHES, root.parent / "screenshots")
+    return browser.check(root, names, SEARCHES, states_of_pairs(), root.parent / "screenshots")
 
 
 def has_browser():

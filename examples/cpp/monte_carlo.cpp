@@ -4,9 +4,9 @@
 //
 // A neighbour list with a skin serves for many sweeps. It lists the ellipsoids whose bounding boxes can meet; a trial that takes an
 // ellipsoid out of its box, which the skin has made larger, asks for a new list.
-#include <ctime>
 #include <cmath>
 #include <cstdlib>
+#include <ctime>
 #include <iomanip>
 #include <iostream>
 #include <random>
@@ -41,18 +41,23 @@ struct System {
 System make_system()
 {
     System system;
-    double const volume = 4.0 / 3.0 * std::acos(-1.0) * semi_axes[0] * semi_axes[1] * semi_axes[2];
-    double const stretch = std::cbrt(volume / packing_fraction / (8.0 * semi_axes[0] * semi_axes[1] * semi_axes[2]));
+    double const volume =
+        4.0 / 3.0 * std::acos(-1.0) * semi_axes[0] * semi_axes[1] * semi_axes[2];
+    double const stretch = std::cbrt(
+        volume / packing_fraction / (8.0 * semi_axes[0] * semi_axes[1] * semi_axes[2]));
     Quaternion const upright = {1.0, 0.0, 0.0, 0.0};
     for (int n = 0; n < per_side * per_side * per_side; ++n) {
-        int const place[3] = {n % per_side, n / per_side % per_side, n / per_side / per_side};
+        int const place[3] = {n % per_side, n / per_side % per_side,
+                              n / per_side / per_side};
         Vector3 center;
         for (int d = 0; d < 3; ++d) center[d] = 2.0 * semi_axes[d] * stretch * place[d];
         system.centers.push_back(center);
         system.orientations.push_back(upright);
         system.q.push_back(pw85::ellipsoid_quaternion(semi_axes, upright).q);
     }
-    for (int d = 0; d < 3; ++d) system.cell[static_cast<std::size_t>(d)][d] = 2.0 * semi_axes[d] * stretch * per_side;
+    for (int d = 0; d < 3; ++d)
+        system.cell[static_cast<std::size_t>(d)][d] =
+            2.0 * semi_axes[d] * stretch * per_side;
     return system;
 }
 
@@ -64,7 +69,9 @@ class Neighborhood {
     void update(System const &system)
     {
         pw85::Neighbors list;
-        if (neighbors_create(system.particles(), {{1, 1, 1}, 1.0, skin}, list) != pw85::Status::success) std::abort();
+        if (neighbors_create(system.particles(), {{1, 1, 1}, 1.0, skin}, list) !=
+            pw85::Status::success)
+            std::abort();
         centers_ = system.centers;
         half_widths_.resize(system.size());
         pw85::bounding_boxes(system.q, half_widths_);
@@ -92,7 +99,8 @@ class Neighborhood {
         bool inside = true;
         for (int d = 0; d < 3; ++d)
             inside =
-                inside && std::abs(center[d] - centers_[i][d]) + std::sqrt(q(d, d)) <= half_widths_[i][d] + 0.5 * skin;
+                inside && std::abs(center[d] - centers_[i][d]) + std::sqrt(q(d, d)) <=
+                              half_widths_[i][d] + 0.5 * skin;
         return inside;
     }
 
@@ -111,7 +119,8 @@ class MonteCarlo {
 
     void sweep()
     {
-        for (std::size_t n = 0; n < system_.size(); ++n) try_move(random_() % system_.size());
+        for (std::size_t n = 0; n < system_.size(); ++n)
+            try_move(random_() % system_.size());
     }
 
     long trials() const { return trials_; }
@@ -128,11 +137,13 @@ class MonteCarlo {
         Quaternion orientation = system_.orientations[i];
         for (int d = 0; d < 3; ++d) center[d] += largest_step * uniform();
         for (int k = 0; k < 4; ++k) orientation[k] += largest_turn * uniform();
-        orientation = pw85::times(1.0 / std::sqrt(pw85::dot(orientation, orientation)), orientation);
+        orientation = pw85::times(1.0 / std::sqrt(pw85::dot(orientation, orientation)),
+                                  orientation);
         Form const q = pw85::ellipsoid_quaternion(semi_axes, orientation).q;
         if (!neighborhood_.holds(i, center, q)) neighborhood_.update(system_);
         int overlap = 1;
-        pw85::overlap_any_indices(center, q, neighborhood_.of(i), system_.particles(), overlap);
+        pw85::overlap_any_indices(center, q, neighborhood_.of(i), system_.particles(),
+                                  overlap);
         ++trials_;
         if (overlap != 0) return;
         ++accepted_;
@@ -151,9 +162,12 @@ class MonteCarlo {
 long count_overlaps(System const &system)
 {
     pw85::Neighbors list;
-    if (neighbors_create(system.particles(), {}, list) != pw85::Status::success) std::abort();
+    if (neighbors_create(system.particles(), {}, list) != pw85::Status::success)
+        std::abort();
     std::vector<unsigned char> overlap(list.pairs().size());
-    if (overlap_pairs(list.list(), system.particles(), overlap) != pw85::Status::success) std::abort();
+    if (overlap_pairs(list.list(), system.particles(), overlap) !=
+        pw85::Status::success)
+        std::abort();
     long count = 0;
     for (int const answer : overlap) count += answer;
     return count;
@@ -178,11 +192,14 @@ int main(int argc, char **argv)
     std::clock_t const start = std::clock();
     for (int n = 0; n < sweeps; ++n) simulation.sweep();
     double const time = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
-    std::cout << system.size() << " ellipsoids, " << sweeps << " sweeps: " << count_overlaps(system)
-              << " overlaps, order " << std::fixed << std::setprecision(1) << order(system) << '\n';
+    std::cout << system.size() << " ellipsoids, " << sweeps
+              << " sweeps: " << count_overlaps(system) << " overlaps, order "
+              << std::fixed << std::setprecision(1) << order(system) << '\n';
     if (argc <= 1) return 0;
-    std::cout << static_cast<double>(simulation.trials()) / time << " moves per second, "
-              << 100.0 * static_cast<double>(simulation.accepted()) / static_cast<double>(simulation.trials())
+    std::cout << static_cast<double>(simulation.trials()) / time
+              << " moves per second, "
+              << 100.0 * static_cast<double>(simulation.accepted()) /
+                     static_cast<double>(simulation.trials())
               << " % accepted, " << simulation.updates() << " lists\n";
     return 0;
 }

@@ -71,7 +71,7 @@ template <class T, int D> PW85_FUNCTION constexpr T raise_form(T const &form, Sy
 {
     T floor = weights(0, 0) * q(0, 0);
     for (int i = 1; i < D; ++i) floor = floor + weights(i, i) * q(i, i);
-    return maximum(form, T(unit_roundoff<T>() * floor));
+    return maximum(form, T(T(unit_roundoff<T>()) * floor));
 }
 
 /// sᵀQs from the outer weights of s, positive.

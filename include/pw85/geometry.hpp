@@ -100,7 +100,7 @@ rotation_gradients(Tangency<T, D> const &at, SymmetricMatrix<T, D> const &q1, Sy
 /// 1-λ: a maximiser that rounds to 1 is that of a pair of very different sizes, not the end.
 template <class T> PW85_FUNCTION constexpr T complement_of(T const &lambda) noexcept
 {
-    return maximum(T(T(1) - lambda), T(T(0.5) * unit_roundoff<T>()));
+    return maximum(T(T(1) - lambda), T(unit_roundoff<T>() / 2));
 }
 
 /// Exponents that lead from the units of a Tangency back to the caller's.

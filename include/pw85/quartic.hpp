@@ -119,7 +119,8 @@ PW85_FUNCTION constexpr SymmetricMatrix<Lanes, D> broadcast(SymmetricMatrix<T, D
 template <class Lanes, class T, int D>
 [[gnu::always_inline]] PW85_FUNCTION inline Decision decide_by_points(Pair<T, D> const &pair, T &t) noexcept
 {
-    T const points[8] = {T(1), T(0.5), T(2), T(0.25), T(0.7), T(1.4), T(4), T(0.85)};
+    using Lane = typename ScalarTraits<T>::Lane;
+    Lane const points[8] = {Lane(1), Lane(0.5), Lane(2), Lane(0.25), Lane(0.7), Lane(1.4), Lane(4), Lane(0.85)};
     auto const weights = outer_weights(pair.r12);
     T const center = coarse_root_of_ratio(quadratic_form(pair.q1, weights), quadratic_form(pair.q2, weights));
     Lanes const probes = Lanes(center) * load_lanes<Lanes>(points);

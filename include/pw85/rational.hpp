@@ -82,7 +82,7 @@ template <class T> PW85_FUNCTION constexpr Jet<T> evaluate_jet(RationalForm<T> c
 /// Conditioning above which the rational form is right to some per cent: a fair guide to the root. From its coefficients b errs
 /// by 80 u/d of itself (13 roundings in a sum of products that is at most 6), and a by 234 u/d (13 in one that is at most
 /// 6|r|², where a is at least d|r|²/3).
-template <class T> PW85_FUNCTION constexpr T rough_conditioning() noexcept { return T(1024) * unit_roundoff<T>(); }
+template <class T> PW85_FUNCTION constexpr T rough_conditioning() noexcept { return T(1024 * unit_roundoff<T>()); }
 
 /// The solution of M s = det(M) x by the adjugate.
 template <class T, int D> struct AdjugateSolution {

@@ -1,6 +1,22 @@
 /// @file
 /// What the templates ask of a scalar. A scalar `T` is a floating-point type (float, double, long double, a
 /// multiprecision number) or a pack of them; comparisons of a `T` give a mask, which is `bool` for plain numbers.
+///
+/// 1. `T` is made of a number of its lanes, `T(x)`, with one value in all lanes; nothing has to convert to or from it by itself.
+///    So constants are written `T(0.5)`.
+/// 2. A product may be a type of its own that is not rounded until it becomes a `T`: what is added to it or subtracted from it is
+///    then fused with it. So a product or a sum of products that is an argument, a divisor, an operand of another product or one
+///    alternative of select() is wrapped, `T(x * y)`: that says where it is rounded, and lets the type of a template's arguments
+///    be `T`. What is not wrapped may be fused or not, and every bound holds for both.
+/// 3. Masks are combined by `&&`, `||` and `!`, which may be functions: both sides are evaluated, and what the right one computes
+///    must do no harm where the left one is false. A mask need not convert to `bool`: where one decides what is executed at all, it
+///    is any_of() or all_of() it. Functions of one pair alone (`if`, `while`) ask for a `T` whose mask is bool.
+/// 4. rough_quotient() and rough_root() may err by 2^-20 of themselves, coarse_root_of_ratio() by 10 %: they are for what guides an
+///    iteration, never for what bounds or returns a result. select() of lanes, load_lanes(), first_lane(), any_of(), all_of() and,
+///    where they are faster, maximum(), minimum() and absolute() come with the type, as do sqrt(), and for one pair ilogb() and
+///    ldexp(), which argument-dependent lookup finds. ScalarTraits says what a lane is.
+///
+/// tests/test_archetype.cpp has a type that can do this and no more.
 #ifndef PW85_SCALAR_HPP_INCLUDED
 #define PW85_SCALAR_HPP_INCLUDED
 
@@ -32,7 +48,10 @@ template <class T> PW85_FUNCTION consteval bool require_scalar() noexcept
 }
 
 /// As many numbers as `T` has lanes, from memory.
-template <class T> PW85_FUNCTION constexpr T load_lanes(typename ScalarTraits<T>::Lane const *x) noexcept { return *x; }
+template <class T> PW85_FUNCTION constexpr T load_lanes(typename ScalarTraits<T>::Lane const *x) noexcept
+{
+    return T(*x);
+}
 
 /// The number in the first lane.
 template <class T> PW85_FUNCTION constexpr T first_lane(T const &x) noexcept { return x; }

@@ -134,7 +134,7 @@ PW85_FUNCTION inline SymmetricMatrix<T, D> times_power_of_two(SymmetricMatrix<T,
 }
 
 /// The largest ratio of units that is kept: beyond it the smaller ellipsoid is a point to the larger one, to far
-/// below the precision of any scalar.
+/// below the precision of any scalar. It leaves 2^24 for t, which is of order one or a ratio of like forms.
 template <class T> PW85_FUNCTION constexpr int ratio_exponent_limit() noexcept
 {
     return std::numeric_limits<typename ScalarTraits<T>::Lane>::max_exponent - 24;
@@ -148,7 +148,9 @@ scale(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, SymmetricMatrix<
     if (is_in_range(r, largest_diagonal(q1), largest_diagonal(q2))) return {{r12, q1, q2, T(1)}, 0, 0, false};
     int const er = r > T(0) ? binary_exponent(r) : 0;
     int const e1 = half_exponent(largest_diagonal(q1)), e2 = half_exponent(largest_diagonal(q2));
-    bool const swapped = e1 < e2 - 24; // pairs in range are not exchanged either: scaling changes no bit of the result
+    // Half the exponents of diagonals between the inverse of 2^24 and that, in range, differ by at most 24: such pairs are not
+    // exchanged, so scaling changes no bit of the result.
+    bool const swapped = e1 < e2 - 24;
     int const difference = swapped ? e2 - e1 : e1 - e2, limit = ratio_exponent_limit<T>();
 
     ScaledPair<T, D> scaled{};

@@ -146,7 +146,8 @@ def first_contact_pairs(
     >>> import numpy as np, pypw85
     >>> q = np.array([pypw85.spheroid(1, 1, [0, 0, 1])] * 3)
     >>> motions = pypw85.motion([[1, 0, 0], [0, 0, 0], [0, 0, 0]])
-    >>> events = pypw85.first_contact_pairs([[0, 1], [0, 2]], [[0, 0, 0], [5, 0, 0], [4, 0, 0]], q, motions)
+    >>> pairs, centers = [[0, 1], [0, 2]], [[0, 0, 0], [5, 0, 0], [4, 0, 0]]
+    >>> events = pypw85.first_contact_pairs(pairs, centers, q, motions)
     >>> events.time, events.next_pair
     (array([3., 2.]), array([1, 0, 1]))
     """

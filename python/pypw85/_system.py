@@ -67,11 +67,6 @@ class System:
         Time step.
     shapeless : int
         How many particles without a shape a file had besides these.
-
-    Attributes
-    ----------
-    semi_axes, quaternions : (n, 3) and (n, 4) arrays
-        As given to `from_axes`, else from the forms; (w, x, y, z).
     """
 
     def __init__(
@@ -116,10 +111,12 @@ class System:
 
     @property
     def semi_axes(self) -> Floats:
+        """Of each ellipsoid (n, 3): as given to `from_axes`, else from the forms, in increasing order."""
         return self._principal()[0]
 
     @property
     def quaternions(self) -> Floats:
+        """Of each ellipsoid (n, 4), w x y z: as given to `from_axes`, else from the forms."""
         return self._principal()[1]
 
     def _principal(self) -> tuple[Floats, Floats]:

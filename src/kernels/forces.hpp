@@ -26,28 +26,33 @@ inline void add_row(double factor, double const *row, double *sum) noexcept
     for (int d = 0; d < 3; ++d) sum[d] += factor * row[d];
 }
 
-/// Subtracts d_u·rows[k] from the sum of the second particle of each pair k, and sign·d_u·others[k] from that of the first, as far as
-/// these are in a range; in the order of the pairs, so that no sum depends on the range.
-inline void subtract_rows(PairGradients const &pairs, double sign, double const *others, double const *rows,
-                          Range range, double *sums) noexcept
+/// The same where there is a sum.
+inline void add_row_to(double *sum, double factor, double const *row) noexcept
 {
+    if (sum != nullptr) add_row(factor, row, sum);
+}
+
+/// Forces and torques of the particles in a range, in the order of the pairs, so that no sum depends on the range. The forces on both
+/// particles of a pair are opposite.
+inline void sum_range(PairGradients const &pairs, Range range, double *forces, double *torques) noexcept
+{
+    for (double *const sums : {forces, torques})
+        if (sums != nullptr) std::fill(sums + 3 * range.begin, sums + 3 * range.end, 0.0);
+    std::size_t const size = range.end - range.begin;
     for (std::size_t k = 0; k < pairs.num_pairs; ++k) {
         double const d_u = pairs.d_u[k];
         auto const i = static_cast<std::size_t>(pairs.pairs[2 * k]),
                    j = static_cast<std::size_t>(pairs.pairs[2 * k + 1]);
         if (d_u == 0.0) continue;
-        if (i - range.begin < range.end - range.begin) add_row(-sign * d_u, others + 3 * k, sums + 3 * i);
-        if (j - range.begin < range.end - range.begin) add_row(-d_u, rows + 3 * k, sums + 3 * j);
+        if (i - range.begin < size) {
+            add_row_to(row_or_null(forces, 3, i), d_u, row_or_null(pairs.d_r12, 3, k));
+            add_row_to(row_or_null(torques, 3, i), -d_u, row_or_null(pairs.d_rot1, 3, k));
+        }
+        if (j - range.begin < size) {
+            add_row_to(row_or_null(forces, 3, j), -d_u, row_or_null(pairs.d_r12, 3, k));
+            add_row_to(row_or_null(torques, 3, j), -d_u, row_or_null(pairs.d_rot2, 3, k));
+        }
     }
-}
-
-/// Forces and torques of the particles in a range: the forces on both particles of a pair are opposite.
-inline void sum_range(PairGradients const &pairs, Range range, double *forces, double *torques) noexcept
-{
-    for (double *const sums : {forces, torques})
-        if (sums != nullptr) std::fill(sums + 3 * range.begin, sums + 3 * range.end, 0.0);
-    if (forces != nullptr) subtract_rows(pairs, -1.0, pairs.d_r12, pairs.d_r12, range, forces);
-    if (torques != nullptr) subtract_rows(pairs, 1.0, pairs.d_rot1, pairs.d_rot2, range, torques);
 }
 
 /// Each thread sums up for its own particles, and goes through all pairs for that.

@@ -95,7 +95,7 @@ namespace {
 template <int D> using LanePair = Pair<Pack, D>;
 template <class Rows> using LanePairOf = LanePair<Rows::dimension>;
 
-/// Pairs whose particles are asked for ahead: two chunks of the contact function with 8 lanes.
+/// How many pairs ahead particles are asked for: well before they are used.
 inline constexpr std::size_t prefetch_distance = 128;
 
 /// Neighbouring pairs that are computed together, of so many that there are.
@@ -104,13 +104,14 @@ struct Chunk {
 };
 
 /// Neighbouring rows of arrays are near each other.
-template <class Rows> PW85_INLINE void prefetch(Rows const &, std::size_t, std::size_t) noexcept {}
+template <class Rows> PW85_INLINE void prefetch(Rows const &, std::size_t, std::size_t, std::size_t) noexcept {}
 
-/// Particles of neighbouring pairs may be anywhere in memory: asks for those of the next pairs, up to end, well before they
-/// are used.
-PW85_INLINE void prefetch(kernels::NeighborList const &list, std::size_t begin, std::size_t end) noexcept
+/// Particles of neighbouring pairs may be anywhere in memory: asks for those of `count` pairs from `begin` on, none at `end` or
+/// beyond.
+PW85_INLINE void prefetch(kernels::NeighborList const &list, std::size_t begin, std::size_t count,
+                          std::size_t end) noexcept
 {
-    for (std::size_t k = 2 * begin; k < 2 * end && k < 2 * begin + 2 * prefetch_distance; ++k) {
+    for (std::size_t k = 2 * begin; k < 2 * end && k < 2 * (begin + count); ++k) {
         auto const particle = static_cast<std::size_t>(list.pairs[k]);
         __builtin_prefetch(list.centers + 3 * particle);
         __builtin_prefetch(list.q + 6 * particle);

@@ -14,20 +14,30 @@
 namespace pw85 {
 namespace {
 
-/// Packs per chunk: their searches, 0.75 kB each with 8 lanes, leave the rest of 16 kB of stack to what else is on it.
-inline constexpr std::size_t packs_per_chunk = 8;
+/// Packs per chunk, with what their searches need: 1.7 kB each with 8 lanes. Two to eight are about as fast; what is in the first
+/// cache matters, and how much stack there is.
+inline constexpr std::size_t packs_per_chunk = 3;
 inline constexpr std::size_t contact_chunk_size = packs_per_chunk * lanes;
 
-/// Steps until no lane of up to packs_per_chunk packs is active.
-PW85_INLINE void run(RationalSearch<Pack> *searches, std::size_t packs) noexcept
+/// Pairs and their searches.
+template <int D> struct PackSearches {
+    LanePair<D> pairs[packs_per_chunk];
+    RationalSearch<Pack> states[packs_per_chunk];
+};
+
+/// Searches for up to packs_per_chunk packs, until no lane is active.
+template <int D> PW85_INLINE void run(PackSearches<D> &searches, std::size_t packs) noexcept
 {
     std::uint8_t active[packs_per_chunk];
-    for (std::size_t k = 0; k < packs && k < packs_per_chunk; ++k) active[k] = static_cast<std::uint8_t>(k);
     std::size_t num_active = packs;
+    for (std::size_t k = 0; k < packs && k < packs_per_chunk; ++k) {
+        searches.states[k] = start_search(searches.pairs[k], initial_guess(searches.pairs[k]));
+        active[k] = static_cast<std::uint8_t>(k);
+    }
     for (int step = 0; step < max_rational_steps && num_active > 0; ++step) {
         std::size_t num_left = 0;
         for (std::size_t k = 0; k < num_active; ++k) {
-            RationalSearch<Pack> &search = searches[active[k]];
+            RationalSearch<Pack> &search = searches.states[active[k]];
             take_step(search, Pack(1.0));
             active[num_left] = active[k];
             num_left += any_of(search.active);
@@ -41,19 +51,17 @@ PW85_INLINE void run(RationalSearch<Pack> *searches, std::size_t packs) noexcept
 template <class Rows, class Write> PW85_INLINE void
 contact_chunk(Rows const &rows, Chunk const &chunk, kernels::Worklist &left_over, Write const &write) noexcept
 {
-    RationalSearch<Pack> searches[packs_per_chunk];
+    PackSearches<Rows::dimension> searches;
     auto const [begin, count, end] = chunk;
-    prefetch(rows, begin + count, end);
+    prefetch(rows, begin + prefetch_distance, count, end);
     std::size_t const packs = (count + lanes - 1) / lanes;
-    for (std::size_t k = 0; k < packs; ++k) {
-        auto const pair = load_neighbors(rows, begin + k * lanes, count - k * lanes);
-        searches[k] = start_search(pair, initial_guess(pair));
-    }
+    for (std::size_t k = 0; k < packs; ++k)
+        searches.pairs[k] = load_neighbors(rows, begin + k * lanes, count - k * lanes);
     run(searches, packs);
     for (std::size_t k = 0; k < packs; ++k) {
         std::size_t const first = begin + k * lanes, left = count - k * lanes;
-        auto const pair = load_neighbors(rows, first, left);
-        auto const last = last_evaluation(pair, searches[k].candidate);
+        auto const &pair = searches.pairs[k];
+        auto const last = last_evaluation(pair, searches.states[k].candidate);
         PackMask const certain = last.certain && is_ordinary(pair.r12, pair.q1, pair.q2);
         unsigned const done = write(pair, last.value, certain, first, left);
         for_lanes(live_lanes(left) & ~done, [&](unsigned i) { left_over.push(first + i); });

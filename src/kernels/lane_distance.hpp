@@ -29,7 +29,7 @@ template <class Rows> PW85_INLINE void compute_chunk(Rows const &rows, Chunk con
                                                      kernels::Worklist &left_over) noexcept
 {
     auto const [begin, count, end] = chunk;
-    prefetch(rows, begin + count, end);
+    prefetch(rows, begin + prefetch_distance, count, end);
     for (std::size_t k = 0; k < count; k += lanes) {
         std::size_t const first = begin + k, left = count - k;
         auto const pair = load_neighbors(rows, first, left);

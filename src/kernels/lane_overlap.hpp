@@ -68,7 +68,7 @@ template <class Rows> PW85_INLINE void test_neighbors(Rows const &rows, Chunk co
     auto const [begin, count, end] = chunk;
     for (std::size_t k = 0; k < count; k += lanes) {
         std::size_t const first = begin + k, left = count - k;
-        if (k % prefetch_distance == 0) prefetch(rows, first + prefetch_distance, end);
+        if (k % prefetch_distance == 0) prefetch(rows, first + prefetch_distance, prefetch_distance, end);
         auto const pair = load_neighbors(rows, first, left);
         unsigned const ordinary = is_ordinary(pair.r12, pair.q1, pair.q2).to_bits();
         LaneDecision const decision = decide_lanes(pair, initial_guess(pair));
@@ -112,19 +112,17 @@ template <class Rows> PW85_INLINE void test_converged(Rows const &rows, unsigned
                                                       kernels::IndexList<overlap_chunk_size> &pairs,
                                                       kernels::Worklist &left_over) noexcept
 {
-    RationalSearch<Pack> searches[packs_per_chunk];
+    PackSearches<Rows::dimension> searches;
     pad(pairs);
     for (std::size_t begin = 0; begin < pairs.size; begin += contact_chunk_size) {
         std::size_t const left = pairs.size - begin, count = left < contact_chunk_size ? left : contact_chunk_size;
+        std::size_t const packs = (count + lanes - 1) / lanes;
         std::uint16_t const *const list = pairs.indices + begin;
-        for (std::size_t k = 0; k < count; k += lanes) {
-            auto const pair = load_listed(rows, list + k);
-            searches[k / lanes] = start_search(pair, initial_guess(pair));
-        }
-        run(searches, (count + lanes - 1) / lanes);
-        for (std::size_t k = 0; k < count; k += lanes)
-            store_decided(list + k, count - k,
-                          decide_lanes(load_listed(rows, list + k), searches[k / lanes].candidate.t), out,
+        for (std::size_t k = 0; k < packs; ++k) searches.pairs[k] = load_listed(rows, list + k * lanes);
+        run(searches, packs);
+        for (std::size_t k = 0; k < packs; ++k)
+            store_decided(list + k * lanes, count - k * lanes,
+                          decide_lanes(searches.pairs[k], searches.states[k].candidate.t), out,
                           [&](std::size_t index, unsigned) { left_over.push(index); });
     }
 }

@@ -133,7 +133,6 @@ constexpr std::size_t any_chunk_size = 32;
 template <class Rows> int find_overlap(Rows const &rows, std::size_t n, int &any) noexcept
 {
     Kernels const &kernels = chosen();
-    DefaultEnvironment const environment;
     unsigned char answers[any_chunk_size];
     for (std::size_t begin = 0; begin < n; begin += any_chunk_size) {
         std::size_t const count = std::min(any_chunk_size, n - begin);
@@ -249,6 +248,7 @@ int pw85_overlap_any(size_t n, double const q1[PW85_SYM], double const *r12, dou
     if (n == 0) return PW85_SUCCESS;
     *any = -1;
     if (n > max_rows || any_null(q1, r12, q2)) return PW85_EINVAL;
+    DefaultEnvironment const environment;
     return find_overlap(OneToMany{q1, r12, q2}, n, *any);
 }
 

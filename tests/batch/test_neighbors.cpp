@@ -280,6 +280,22 @@ void test_touching()
     g_assert_true(neighbors_create(system.particles(), {}, list) == Status::success);
     std::vector<Neighbor> const expected{{{0, 1}, {-1000001, 1000000, 0}}, {{0, 1}, {-1000000, 1000000, 0}}};
     g_assert_true(sorted(list) == expected);
+    // Boxes that meet by less than the rounding of the products with the cell's side, which are exact in the wider type.
+    Random random(106);
+    int met = 0;
+    for (int trial = 0; trial < 1000; ++trial) {
+        double const side = 5.0 + std::floor(random.uniform(0.0, 0x1p40)) * 0x1p-40,
+                     n = std::floor(random.uniform(1e5, 5e5));
+        system.cell[0][0] = side;
+        system.centers[0][0] = std::floor(random.uniform(0.0, 0x1p40)) * 0x1p-40;
+        system.centers[1][0] = static_cast<double>(2.0L + system.centers[0][0] - static_cast<Wide>(n) * side);
+        Neighbor const touching{{0, 1}, {static_cast<std::int32_t>(n), 1000000, 0}};
+        if (gap(system, touching) > 0) continue;
+        ++met;
+        g_assert_true(neighbors_create(system.particles(), {}, list) == Status::success);
+        g_assert_true(sorted(list) == std::vector{touching});
+    }
+    g_assert_cmpint(met, >, 300);
 }
 
 // The same bytes from any number of threads.
@@ -345,7 +361,7 @@ void test_holds_turned()
     pw85::Neighbors list;
     g_assert_true(neighbors_create(system.particles(), system.options, list) == Status::success);
     int holds = 7;
-    for (auto const &[length, expected] : {std::pair{1.0, 1}, {1.5, 1}, {1.6, 0}}) {
+    for (auto const &[length, expected] : {std::pair{1.0, 1}, {1.5, 1}, {1.5 + 0x1p-40, 0}}) {
         system.q[0] = {9.0, 0.0, 0.0, length * length, 0.0, 1.0};
         g_assert_true(neighbors_holds(list, system.particles(), holds) == Status::success);
         g_assert_cmpint(holds, ==, expected);

@@ -155,8 +155,8 @@ class _Summary:
             say(_PAIR.format(frame, *ids.tolist(), image, f"{mu:.6g}", _vector(point), _vector(normal)))
 
 
-_LINE = "{:>6} {:>10} {:>10} {:>17} {:>13} {:>10} {:>12}"
-_PAIR = "{:>6} {:>10} {:>10} {:>9} {:>12}   {:<34} {}"
+_LINE = "{:>5} {:>9} {:>9} {:>16} {:>12} {:>8} {:>10}"
+_PAIR = "{:>5} {:>7} {:>7} {:>7} {:>10}  {:<21} {}"
 
 
 def _number(value: Optional[float]) -> str:
@@ -164,4 +164,4 @@ def _number(value: Optional[float]) -> str:
 
 
 def _vector(row: Any) -> str:
-    return " ".join(f"{value:.5g}" for value in np.asarray(row) + 0.0)
+    return " ".join(f"{value:.4g}" for value in np.asarray(row) + 0.0)

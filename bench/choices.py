@@ -1,0 +1,61 @@
+#!/usr/bin/python3
+"""What the solver's measured constants cost if they are chosen otherwise.
+
+    choices.py BUILD [COMPILER]
+
+Compiles choices.cpp with each constant of the headers replaced in turn, and prints the mean number of evaluations of f, at aspect
+ratios 2, 10, 100, 10⁴ and 10⁶, the largest, and the per cent of pairs that go to the factorised form at 10⁴ and 10⁶. BUILD is a
+build directory, for version.h. Nothing is timed.
+"""
+
+import pathlib
+import shutil
+import subprocess
+import sys
+import tempfile
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+
+# Header, its text with the constant, the text with an {} in its place, and what is tried; the first is the constant.
+CHOICES = [
+    ("iteration.hpp", "T(0.625) * (s.sum", "T({}) * (s.sum", ["0.625", "0.3", "0.45", "0.8", "1.2"]),
+    ("iteration.hpp", "mantissa_digits<T>() / 9 + 2", "mantissa_digits<T>() / 9 + {}", ["2", "1", "3", "5"]),
+    ("iteration.hpp", "minimum(T(0.25), maximum(T(-0.25), bent))", "minimum(T({0}), maximum(T(-{0}), bent))",
+     ["0.25", "0.01", "4.0"]),
+    ("factorized_search.hpp", "shortest < T(0.1)", "shortest < T({})", ["0.1", "0.01", "0.5"]),
+    ("factorized_search.hpp", "i > 3 &&", "i > {} &&", ["3", "1", "6"]),
+    ("rational.hpp", "T(1024 * unit_roundoff<T>())", "T({} * unit_roundoff<T>())", ["1024", "0", "32", "32768", "1048576"]),
+    ("rational_search.hpp", "max_rational_steps = 8", "max_rational_steps = {}", ["8", "4", "6", "12"]),
+]
+
+
+def run(build, compiler, header, old, new):
+    with tempfile.TemporaryDirectory() as folder:
+        include = pathlib.Path(folder) / "pw85"
+        shutil.copytree(ROOT / "include" / "pw85", include)
+        text = (include / header).read_text()
+        assert text.count(old) == 1, f"{header} has {text.count(old)} times {old}"
+        (include / header).write_text(text.replace(old, new))
+        solver = include / "solver.hpp"  # asserts the sum of the limits
+        solver.write_text("\n".join(line for line in solver.read_text().splitlines() if "static_assert(" not in line))
+        program = pathlib.Path(folder) / "choices"
+        flags = ["-std=c++20", "-O1", "-ffp-contract=off", f"-I{folder}", f"-I{build}/include", f"-I{ROOT}/tests"]
+        subprocess.run([compiler, *flags, ROOT / "bench" / "choices.cpp", "-o", program], check=True)
+        lines = subprocess.run([program], check=True, text=True, stdout=subprocess.PIPE).stdout.splitlines()
+    return [line.split(",") for line in lines]
+
+
+def main():
+    build, compiler = sys.argv[1], (sys.argv[2:] or ["g++"])[0]
+    print(f"{'constant':60} {'evaluations at aspect 2 ... 1e6':36} largest   % factorised")
+    for header, old, pattern, values in CHOICES:
+        for value in values:
+            new = pattern.format(value)
+            rows = run(build, compiler, header, old, new)
+            means = " ".join(f"{float(row[1]):6.3f}" for row in rows)
+            largest = max(int(row[2]) for row in rows)
+            shares = " ".join(f"{row[3]:>6}" for row in rows[3:])
+            print(f"{header + ': ' + new:60} {means:36} {largest:7}   {shares}", flush=True)
+
+
+main()
