@@ -371,6 +371,16 @@ PW85_API int pw85_distance_plane_derivatives(double const normal[PW85_DIM], doub
 PW85_API int pw85_contact_plane(double const normal[PW85_DIM], double offset, double const q[PW85_SYM], double *mu2,
                                 double point[PW85_DIM]);
 
+/** Derivatives of μ² of pw85_contact_plane(): -2μ n/α and 2μ² (n × p)/α, with p the point of the ellipsoid that is nearest to
+ * the half-space, n the normal as given and α = n·p; zero if the centre is in the half-space.
+ *
+ * @param normal,offset,q as for pw85_distance_plane()
+ * @param[out] d_center with respect to the position of the centre; may be null
+ * @param[out] d_rot with respect to small rotation vectors about the centre, per radian; may be null
+ * @return #PW85_SUCCESS, #PW85_EINVAL (also for a zero normal), #PW85_ENOTPD */
+PW85_API int pw85_contact_plane_derivatives(double const normal[PW85_DIM], double offset, double const q[PW85_SYM],
+                                            double d_center[PW85_DIM], double d_rot[PW85_DIM]);
+
 /** Distance from an ellipsoid with its centre at 0 to the nearest face of a box around it.
  *
  * @param lower,upper corners of the box, relative to the centre of the ellipsoid; lower <= upper
