@@ -284,9 +284,9 @@ PW85_API int pw85_distance_derivatives(double const r12[PW85_DIM], double const 
 /** The depth of an overlap: the shortest translation of ellipsoid 2 that separates two ellipsoids.
  *
  * It is the smallest value over unit vectors n of α + β - n·r12, with the half-widths α and β of the ellipsoids along n, which
- * may have several local minima: this is the global one, with a proof. `depth` is the value for its direction, to 8 u Σ, with Σ as for
- * pw85_distance(); no direction gives less by more than 32 u Σ, the larger of either. Of several directions that are equally good it is one. It takes
- * some hundred times as long as pw85_contact().
+ * may have several local minima: this is the global one, with a proof. `depth` is the value for its direction, to 8 u Σ, with Σ
+ * as for pw85_distance(); no direction gives less by more than 32 u Σ, the larger of either. Of several directions that are
+ * equally good it is one. It takes several hundred times as long as pw85_contact(), up to a thousand.
  *
  * @param r12,q1,q2 as for pw85_contact()
  * @param[out] depth in the unit of r12; zero if the ellipsoids do not overlap, which is decided as in pw85_overlap(); may be null
