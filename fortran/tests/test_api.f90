@@ -268,6 +268,9 @@ contains
       'distance_plane_derivatives')
     status = pw85_contact_plane(x, 15.0_c_double, q, gap, point)
     call check(status == pw85_success .and. close(gap, 6.25_c_double) .and. close(point(1), 5.0_c_double), 'contact_plane')
+    status = pw85_contact_plane_derivatives(x, 15.0_c_double, q, normal, turn)
+    call check(status == pw85_success .and. close(normal(1), -2.5_c_double) .and. all(abs(turn) <= 0), &
+      'contact_plane_derivatives')
     status = pw85_distance_box(-x - z - 2, x + z + 3, q, gap, point, normal)
     call check(status == pw85_success .and. close(gap, 1.0_c_double) .and. close(point(2), -1.0_c_double) &
       .and. close(normal(2), -1.0_c_double), 'distance_box')
