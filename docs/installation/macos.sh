@@ -1,6 +1,6 @@
 # macOS with Homebrew.
 # start
 brew install gcc meson pkg-config gsl        # the library; gcc has OpenMP and Fortran
-brew install python numpy boost              # Python; click, tqdm, gsd: PyPI
+brew install python numpy boost              # Python
 brew install glib hdf5 boost                 # tests
 # end
