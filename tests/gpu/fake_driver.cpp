@@ -183,6 +183,7 @@ template <class Work> void run_attempt(void const *argument, unsigned blocks)
         std::memset(static_cast<void *>(&tile), 0xff, sizeof tile);
         for (unsigned thread = 0; thread < block_size; ++thread) fill(work, tile, block, thread);
         for (unsigned thread = 0; thread < block_size; ++thread) attempt(work, tile, block, thread);
+        for (unsigned thread = 0; thread < block_size; ++thread) take_out(work, tile, block, thread);
     }
 }
 
