@@ -162,10 +162,11 @@ class Stream {
     std::thread thread_;
 };
 
+/// 1 is another name of the default stream.
 Stream &stream(Handle handle)
 {
     static Stream legacy;
-    return handle == nullptr ? legacy : *static_cast<Stream *>(handle);
+    return reinterpret_cast<std::uintptr_t>(handle) <= 1 ? legacy : *static_cast<Stream *>(handle);
 }
 
 /// An entry of the program for the device.
