@@ -130,6 +130,7 @@ void check_walls(Input const &in)
     check("distance_plane", in, pw85_distance_plane(r, in.lambda, q, out, out + 1), out, 4);
     check("distance_plane_derivatives", in, pw85_distance_plane_derivatives(r, q, out, out + 3), out, 6);
     check("contact_plane", in, pw85_contact_plane(r, in.lambda, q, out, out + 1), out, 4);
+    check("contact_plane_derivatives", in, pw85_contact_plane_derivatives(r, in.lambda, q, out, out + 3), out, 6);
     check("distance_box", in, pw85_distance_box(x, y, q, out, out + 1, out + 4), out, 7);
     check("distance_cylinder", in, pw85_distance_cylinder(x, in.lambda, r, q, out, out + 1, out + 4), out, 7);
     check("distance_point", in, pw85_distance_point(r, q, out, out + 1, out + 4), out, 7);

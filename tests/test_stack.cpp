@@ -232,6 +232,9 @@ std::vector<Case> cases_of_distances()
          })},
         {"pw85_contact_plane",
          for_each_pair([](Numbers r, Numbers p, Numbers) { status = pw85_contact_plane(r, 1.0, p, out, out + 1); })},
+        {"pw85_contact_plane_derivatives", for_each_pair([](Numbers r, Numbers p, Numbers) {
+             status = pw85_contact_plane_derivatives(r, 1.0, p, out, out + 3);
+         })},
         {"pw85_distance_box", for_each_pair([](Numbers r, Numbers p, Numbers) {
              double const lower[3] = {-pw85::absolute(r[0]), -pw85::absolute(r[1]), -pw85::absolute(r[2])};
              double const upper[3] = {-lower[0], -lower[1], -lower[2]};
