@@ -493,7 +493,27 @@ void test_statuses()
         g_assert_cmpint(pw85_distance_plane(x, offset, q, out, out + 1), ==, PW85_EINVAL);
 }
 
+<<<<<<< HEAD
 // μ² beyond the range of double is infinity, derivatives are not below its largest number, and no coordinate is NaN.
+=======
+// Forms whose entries lie so far apart that products of them leave the range of double, and hide that they are not definite.
+void test_forms_out_of_range()
+{
+    double const x[3] = {1.0, 1.0, 1.0};
+    double const forms[][6] = {
+        {0x1.853ff7fp+508, 0x98p-1074, 0.0, 0x1p+433, 0x90012p-1074, 0x1.41d1d1d1d1ddcp-557},
+        {0x1.f7f7fb77b3b9p+1016, 0x1.f3f3f7f7f7f7fp-12, 0x1.f3f3f3f3f3f3fp-12, 0x1.f3f3f3f3f9b3fp-12, 0x1p-1023,
+         0x1.1ff4a4a4a4a4ep-911},
+        {0x1.2425542p+37, 0x1.bp-1020, 0x7p-1040, 0x1.a2023p+545, -0x1.e424e000aff3fp-36, 0x1.3424a6c0001bep-509}};
+    for (auto const &q : forms) {
+        double half_widths[3];
+        g_assert_cmpint(pw85_bounding_boxes(1, q, half_widths), ==, PW85_ENOTPD);
+        for (auto const &f : functions) expect(f, x, q, PW85_ENOTPD);
+    }
+}
+
+// μ beyond the range of double is infinity, and no coordinate is NaN.
+>>>>>>> 938581c
 void test_plane_out_of_range()
 {
     double const normal[3] = {0x1p-950, 0.0, 0.0}, q[6] = {4.0, 0.0, 0.0, 3.0, 0.0, 2.0};
@@ -573,6 +593,7 @@ int main(int argc, char **argv)
     g_test_add_func("/walls/line", test_line);
     g_test_add_func("/walls/line/by_hand", test_line_by_hand);
     g_test_add_func("/walls/statuses", test_statuses);
+    g_test_add_func("/walls/forms_out_of_range", test_forms_out_of_range);
     g_test_add_func("/walls/null_outputs", test_null_outputs);
     g_test_add_func("/walls/templates", test_templates);
     g_test_add_func("/walls/batch", test_batch);

@@ -31,7 +31,7 @@ template <class T, int D> struct Wall {
 template <class T, int D> PW85_FUNCTION inline Wall<T, D> normalize_wall(Vector<T, D> normal, T const &offset,
                                                                          SymmetricMatrix<T, D> const &q) noexcept
 {
-    Status const status = offset * T(0) == T(0) ? check_form(q) : Status::invalid_argument;
+    Status const status = offset * T(0) == T(0) ? validate(q) : Status::invalid_argument;
     if (is_in_range(sum_of_magnitudes(normal), T(1), T(1))) return {normal, offset, status};
     T const largest = largest_coordinate(normal);
     bool const valid = is_finite(normal) && largest > T(0);
@@ -102,7 +102,7 @@ distance_box(Vector<T, D> const &lower, Vector<T, D> const &upper, SymmetricMatr
 {
     bool valid = is_finite(lower) && is_finite(upper);
     for (int i = 0; i < D; ++i) valid = valid && lower[i] <= upper[i];
-    Status const status = valid ? check_form(q) : Status::invalid_argument;
+    Status const status = valid ? validate(q) : Status::invalid_argument;
     if (status != Status::success) return no_surface_distance<T, D>(status);
     int nearest = 0;
     T distance = T(0);
@@ -139,7 +139,7 @@ template <class T> PW85_FUNCTION inline SurfaceDistance<T, 3> distance_cylinder(
 {
     T const largest = largest_coordinate(axis);
     bool const valid = is_finite(axis) && largest > T(0) && is_finite(center) && radius > T(0) && radius * T(0) == T(0);
-    Status const status = valid ? check_form(q) : Status::invalid_argument;
+    Status const status = valid ? validate(q) : Status::invalid_argument;
     if (status != Status::success) return no_surface_distance<T, 3>(status);
     for (int i = 0; i < 3; ++i) axis[i] = axis[i] / largest;
     axis = times(T(T(1) / square_root(dot(axis, axis))), axis);
