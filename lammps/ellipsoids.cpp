@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-only
 #include "ellipsoids.hpp"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <utility>
@@ -63,9 +62,8 @@ void Ellipsoids::read(std::function<bool(int)> const &selected)
     for (int i = 0; i < atom->nlocal; ++i) {
         auto const index = static_cast<std::size_t>(i);
         bool const is_selected = selected(i);
-        double const *const semi_axes = &semi_axes_[PW85_DIM * index];
         if (is_selected && std::isnan(forms_[PW85_SYM * index])) refuse_shape(i);
-        radii_[index] = is_selected ? std::max({semi_axes[0], semi_axes[1], semi_axes[2]}) : 0.0;
+        radii_[index] = is_selected ? largest_semi_axis(i) : 0.0;
     }
 }
 

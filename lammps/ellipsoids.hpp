@@ -8,6 +8,7 @@
 
 #include <pw85.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <functional>
 #include <memory>
@@ -55,6 +56,10 @@ class Ellipsoids : protected LAMMPS_NS::Pointers {
     double const *forms() const { return forms_.data(); }
     double const *form(int i) const { return &forms_[PW85_SYM * static_cast<std::size_t>(i)]; }
 
+    /// Of an owned ellipsoid.
+    double smallest_semi_axis(int i) const { return std::min({semi_axis(i, 0), semi_axis(i, 1), semi_axis(i, 2)}); }
+    double largest_semi_axis(int i) const { return std::max({semi_axis(i, 0), semi_axis(i, 1), semi_axis(i, 2)}); }
+
     /// Whether two atoms are selected, and their bounding spheres, scaled by the square root of scale2, meet.
     class Reach {
       public:
@@ -91,6 +96,7 @@ class Ellipsoids : protected LAMMPS_NS::Pointers {
     double bytes() const;
 
   private:
+    double semi_axis(int i, std::size_t k) const { return semi_axes_[PW85_DIM * static_cast<std::size_t>(i) + k]; }
     void reserve();
     void read_shapes();
     bool has_all_shapes() const;

@@ -24,6 +24,7 @@ template <class... Args, class... Rest> void make_args_checked(Rest &&...) = del
 #include <lammps/error.h>
 #include <lammps/fix.h>
 #include <lammps/force.h>
+#include <lammps/group.h>
 #include <lammps/memory.h>
 #include <lammps/modify.h>
 #include <lammps/neigh_list.h>

@@ -3,6 +3,7 @@
 /// Makes the styles known to LAMMPS: as a plugin, or by a plain call where LAMMPS was built without plugins.
 #include "compute_contact.hpp"
 #include "compute_overlap.hpp"
+#include "fix_fire.hpp"
 #include "pair_contact.hpp"
 
 #include <pw85/version.h>
@@ -15,6 +16,8 @@ template <class Style> Compute *create_compute(LAMMPS *lammps, int narg, char **
 {
     return new Style(lammps, narg, arg);
 }
+
+Fix *create_fix(LAMMPS *lammps, int narg, char **arg) { return new pw85_lammps::FixFire(lammps, narg, arg); }
 
 Pair *create_pair(LAMMPS *lammps) { return new pw85_lammps::PairContact(lammps); }
 
@@ -36,6 +39,7 @@ PW85_LAMMPS_API void pw85_lammps_register(void *lammps)
     auto *const lmp = static_cast<LAMMPS *>(lammps);
     (*lmp->modify->compute_map)["pw85/overlap"] = create_compute<pw85_lammps::ComputeOverlap>;
     (*lmp->modify->compute_map)["pw85/contact"] = create_compute<pw85_lammps::ComputeContact>;
+    (*lmp->modify->fix_map)["pw85/fire"] = create_fix;
     (*lmp->force->pair_map)["pw85/contact"] = create_pair;
 }
 
@@ -51,6 +55,7 @@ PW85_LAMMPS_API void lammpsplugin_init(void *lammps, void *handle, void *registe
     Plugin contact{nullptr, "compute", "pw85/contact",
                    info,    author,    reinterpret_cast<void *>(create_compute<pw85_lammps::ComputeContact>),
                    handle};
+    Plugin fire{nullptr, "fix", "pw85/fire", info, author, reinterpret_cast<void *>(create_fix), handle};
     Plugin pair{nullptr, "pair", "pw85/contact", info, author, reinterpret_cast<void *>(create_pair), handle};
-    for (Plugin *plugin : {&overlap, &contact, &pair}) add(plugin, lammps);
+    for (Plugin *plugin : {&overlap, &contact, &fire, &pair}) add(plugin, lammps);
 }

@@ -21,7 +21,7 @@ intersect_line(Vector<T, D> const &origin, Vector<T, D> const &direction, Symmet
 {
     T const largest = largest_coordinate(direction), nan = quiet_nan<T>();
     bool const valid = is_finite(origin) && is_finite(direction) && largest > T(0);
-    Status const status = valid ? check_form(q) : Status::invalid_argument;
+    Status const status = valid ? validate(q) : Status::invalid_argument;
     if (status != Status::success) return {nan, nan, status};
     int const unit = half_exponent(largest_diagonal(q)), length = binary_exponent(largest);
     auto const factors = factorize(times_power_of_two(q, -2 * unit), T(unit_roundoff<T>()));

@@ -15,6 +15,7 @@
 #ifndef PW85_NEAREST_HPP_INCLUDED
 #define PW85_NEAREST_HPP_INCLUDED
 
+#include <pw85/bounding_box.hpp>
 #include <pw85/distance.hpp>
 
 namespace pw85 {
@@ -32,22 +33,6 @@ template <class T, int D> PW85_FUNCTION inline SurfaceDistance<T, D> no_surface_
     SurfaceDistance<T, D> result{quiet_nan<T>(), {}, {}, status};
     for (int i = 0; i < D; ++i) result.point[i] = result.normal[i] = quiet_nan<T>();
     return result;
-}
-
-/// check_form() where products do not show that a form is valid.
-template <class T, int D>
-[[gnu::noinline]] PW85_FUNCTION inline Status check_hard_form(SymmetricMatrix<T, D> const &q) noexcept
-{
-    if (!is_finite(q)) return Status::invalid_argument;
-    if (!has_positive_diagonal(q)) return Status::not_positive_definite;
-    auto const scaled = times_power_of_two(q, -2 * half_exponent(largest_diagonal(q)));
-    return is_positive_definite(scaled) ? Status::success : Status::not_positive_definite;
-}
-
-/// Status of a single form.
-template <class T, int D> PW85_FUNCTION inline Status check_form(SymmetricMatrix<T, D> const &q) noexcept
-{
-    return is_clearly_definite(q) ? Status::success : check_hard_form(q);
 }
 
 /// The squares of the semi-axes, positive, and their directions as columns.
@@ -159,7 +144,7 @@ template <class T, int D> PW85_FUNCTION inline Vector<T, D> extreme_normal(Symme
 template <class T, int D> PW85_FUNCTION inline SurfaceDistance<T, D>
 distance_point(Vector<T, D> const &r, SymmetricMatrix<T, D> const &q) noexcept
 {
-    Status const status = is_finite(r) ? check_form(q) : Status::invalid_argument;
+    Status const status = is_finite(r) ? validate(q) : Status::invalid_argument;
     if (status != Status::success) return no_surface_distance<T, D>(status);
     Vector<T, D> const n = extreme_normal(q, r, true);
     Support<T, D> const s = support(q, n);

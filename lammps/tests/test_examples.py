@@ -52,6 +52,11 @@ class Examples(unittest.TestCase):
         checked = self.run_example("check_overlaps", snapshot="pack.data", cutoff=1.5)
         self.assertEqual(self.number("overlapping pairs: ", checked), 0)
 
+    def test_relax(self):
+        text = self.run_example("relax")
+        self.assertEqual(self.number("overlapping pairs: ", text), 0)
+        self.assertAlmostEqual(self.number("volume fraction: ", text), 0.68, delta=1e-9)
+
     def check_steps_printed_twice(self, text):
         """The last line of a run and the first of the next have the same step, and the same ellipsoids."""
         rows = [line.split() for line in text.splitlines() if re.fullmatch(r" *\d+( +\S+){6} *", line)]

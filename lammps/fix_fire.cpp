@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: GPL-2.0-only
+#include "fix_fire.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+using namespace LAMMPS_NS;
+
+namespace pw85_lammps {
+
+namespace {
+
+constexpr char style_name[] = "fix pw85/fire";
+
+/// Constants of the method, as published: steps downhill before the time step grows, its growth and its fall, the share of the
+/// force in a momentum and how that falls, and the largest time step in units of the first.
+constexpr int delay = 5;
+constexpr double growth = 1.1, fall = 0.5, first_mixing = 0.1, mixing_fall = 0.99, largest_growth = 10.0;
+
+/// No point of a surface moves by more than this share of the smallest semi-axis in a step.
+constexpr double largest_share = 0.1;
+
+double dot(double const *a, double const *b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+
+/// I⁻¹x, for the inertia I = (m/5) ((tr Q) 1 - Q) of a solid ellipsoid.
+std::array<double, 3> without_inertia(double mass, double const *q, double const *x)
+{
+    double const a = q[3] + q[5], b = q[0] + q[5], c = q[0] + q[3], d = -q[4], e = -q[2], f = -q[1];
+    double const aa = b * c - d * d, bb = a * c - e * e, cc = a * b - f * f;
+    double const dd = e * f - a * d, ee = d * f - b * e, ff = d * e - c * f;
+    double const factor = 5.0 / (mass * (a * aa + f * ff + e * ee));
+    return {factor * (aa * x[0] + ff * x[1] + ee * x[2]), factor * (ff * x[0] + bb * x[1] + dd * x[2]),
+            factor * (ee * x[0] + dd * x[1] + cc * x[2])};
+}
+
+} // namespace
+
+FixFire::FixFire(LAMMPS *lammps, int narg, char **arg)
+    : Fix(lammps, narg, arg), integrator_(std::string("PW85_MOVE_") + id)
+{
+    if (narg != 3) stop_all(*error, std::string(style_name) + " takes no arguments: fix ID group pw85/fire");
+    nevery = 1;
+    scalar_flag = 1;
+    global_freq = 1;
+    extscalar = 0;
+    ellipsoids_.emplace(lmp, style_name, "leave it out of the group");
+}
+
+FixFire::~FixFire()
+{
+    if (modify->find_fix(integrator_) >= 0) modify->delete_fix(integrator_);
+}
+
+void FixFire::post_constructor() { modify->add_fix(integrator_ + " " + group->names[igroup] + " nve/asphere"); }
+
+int FixFire::setmask() { return FixConst::END_OF_STEP | FixConst::POST_RUN; }
+
+void FixFire::init()
+{
+    if (std::string(update->integrate_style).rfind("respa", 0) == 0)
+        stop_all(*error, std::string(style_name) + " does not work with run_style respa: use run_style verlet");
+    ellipsoids_->forget();
+    read();
+    original_timestep_ = timestep_ = update->dt;
+    mixing_ = first_mixing;
+    downhill_ = 0;
+}
+
+void FixFire::read()
+{
+    ellipsoids_->read([this](int i) { return moves(i); });
+}
+
+void FixFire::setup(int)
+{
+    read();
+    largest_step_ = largest_share * smallest_semi_axis();
+    scale_momenta(0.0, 0.0);
+    residual_ = std::sqrt(sums().force2);
+}
+
+void FixFire::end_of_step()
+{
+    read();
+    Sums const s = sums();
+    residual_ = std::sqrt(s.force2);
+    if (s.power > 0.0) {
+        scale_momenta(1.0 - mixing_, mixing_ * std::sqrt(s.motion / s.force2));
+        if (++downhill_ > delay) {
+            timestep_ = std::min(growth * timestep_, largest_growth * original_timestep_);
+            mixing_ *= mixing_fall;
+        }
+    } else {
+        scale_momenta(0.0, 0.0);
+        if (s.force2 > 0.0) timestep_ *= fall;
+        mixing_ = first_mixing;
+        downhill_ = 0;
+    }
+    double const speed = fastest();
+    set_timestep(timestep_ * speed > largest_step_ ? largest_step_ / speed : timestep_);
+}
+
+void FixFire::post_run()
+{
+    scale_momenta(0.0, 0.0);
+    set_timestep(original_timestep_);
+}
+
+double FixFire::smallest_semi_axis() const
+{
+    double smallest = std::numeric_limits<double>::infinity();
+    for (int i = 0; i < atom->nlocal; ++i)
+        if (moves(i)) smallest = std::min(smallest, ellipsoids_->smallest_semi_axis(i));
+    MPI_Allreduce(MPI_IN_PLACE, &smallest, 1, MPI_DOUBLE, MPI_MIN, world);
+    return smallest;
+}
+
+FixFire::Sums FixFire::sums() const
+{
+    std::array<double, 3> s{};
+    for (int i = 0; i < atom->nlocal; ++i) {
+        if (!moves(i)) continue;
+        double const mass = atom->rmass[i], *const v = atom->v[i], *const f = atom->f[i];
+        double const *const spin = atom->angmom[i], *const torque = atom->torque[i];
+        auto const w = without_inertia(mass, ellipsoids_->form(i), spin);
+        auto const turn = without_inertia(mass, ellipsoids_->form(i), torque);
+        s[0] += dot(f, v) + dot(torque, w.data());
+        s[1] += mass * dot(v, v) + dot(spin, w.data());
+        s[2] += dot(f, f) / mass + dot(torque, turn.data());
+    }
+    MPI_Allreduce(MPI_IN_PLACE, s.data(), 3, MPI_DOUBLE, MPI_SUM, world);
+    return {s[0], s[1], s[2]};
+}
+
+/// Momenta become `kept` times themselves plus `push` times the forces.
+void FixFire::scale_momenta(double kept, double push)
+{
+    for (int i = 0; i < atom->nlocal; ++i) {
+        if (!moves(i)) continue;
+        for (int k = 0; k < 3; ++k) {
+            atom->v[i][k] = kept * atom->v[i][k] + push / atom->rmass[i] * atom->f[i][k];
+            atom->angmom[i][k] = kept * atom->angmom[i][k] + push * atom->torque[i][k];
+        }
+    }
+}
+
+/// A bound of the speeds of all points of the ellipsoids.
+double FixFire::fastest() const
+{
+    double speed = 0.0;
+    for (int i = 0; i < atom->nlocal; ++i) {
+        if (!moves(i)) continue;
+        auto const w = without_inertia(atom->rmass[i], ellipsoids_->form(i), atom->angmom[i]);
+        double const rim = ellipsoids_->largest_semi_axis(i) * std::sqrt(dot(w.data(), w.data()));
+        speed = std::max(speed, std::sqrt(dot(atom->v[i], atom->v[i])) + rim);
+    }
+    MPI_Allreduce(MPI_IN_PLACE, &speed, 1, MPI_DOUBLE, MPI_MAX, world);
+    return speed;
+}
+
+void FixFire::set_timestep(double timestep)
+{
+    update->update_time();
+    update->dt = timestep;
+    if (force->pair) force->pair->reset_dt();
+    for (int k = 0; k < modify->nfix; ++k) modify->fix[k]->reset_dt();
+}
+
+} // namespace pw85_lammps
