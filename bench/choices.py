@@ -4,9 +4,9 @@
     choices.py BUILD [COMPILER]
 
 Compiles choices.cpp with each constant of the headers replaced in turn, and prints the mean number of evaluations of f, at aspect
-ratios 2, 10, 100, 10⁴ and 10⁶, the largest, and the per cent of pairs that go to the factorised form at 10⁴ and 10⁶. Then the points
-of the test on the quartic: the per cent of pairs that 1, 2, 4 and 8 of them leave undecided, and 1 to 5 tests where the fixed-point
-map leads. BUILD is a build directory, for version.h. Nothing is timed.
+ratios 2, 10, 100, 10⁴ and 10⁶, the largest, and the per cent of pairs that go to the factorised form at 10⁴ and 10⁶. Then the
+points of the test on the quartic: the per cent of pairs that 1, 2, 4 and 8 of them leave undecided, and 1 to 5 tests where the
+fixed-point map leads. BUILD is a build directory, for version.h. Nothing is timed.
 """
 
 import pathlib
@@ -45,8 +45,8 @@ def compile_program(build, compiler, include, program):
 
 
 def rows_of(program, *arguments):
-    lines = subprocess.run([program, *map(str, arguments)], check=True, text=True, stdout=subprocess.PIPE).stdout.splitlines()
-    return [line.split(",") for line in lines]
+    done = subprocess.run([program, *map(str, arguments)], check=True, text=True, stdout=subprocess.PIPE)
+    return [line.split(",") for line in done.stdout.splitlines()]
 
 
 def run(build, compiler, header, old, new):
@@ -71,7 +71,8 @@ def print_tests(build, compiler):
         compile_program(build, compiler, ROOT / "include", program)
         print("undecided [%] at aspect 2, 10, 100 after 1, 2, 4, 8 points; after 1 ... 5 tests along the fixed-point map")
         for points in (own, *POINTS):
-            print(" ".join(map(str, points)), " | ".join(" ".join(row[1:]) for row in rows_of(program, *points)), sep=": ", flush=True)
+            undecided = " | ".join(" ".join(row[1:]) for row in rows_of(program, *points))
+            print(" ".join(map(str, points)), undecided, sep=": ", flush=True)
 
 
 def main():

@@ -34,7 +34,7 @@ def processor(key):
 
 
 def instruction_sets():
-    """What the library is compiled for, from the oldest on, with what a processor must have: as src/kernels/meson.build lists it."""
+    """What the library is compiled for, the oldest first, with what a processor must have, from src/kernels/meson.build."""
     text = (ROOT / "src" / "kernels" / "meson.build").read_text(encoding="utf-8")
     rows = re.findall(r"^  \['(\w+)', \[([^\]]*)\]", re.search(r"x86_targets = \[\n(.*?)^\]", text, re.M | re.S)[1], re.M)
     return {"baseline": set(), **{name: set(re.findall(r"\w+", features)) for name, features in reversed(rows)}}

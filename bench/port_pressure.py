@@ -101,7 +101,7 @@ def one_pair(disassembly):
     start[call : call + 1] = form
     step = path(code, head, lambda i: i == head, lambda text: "sqrt" in text)
     last = path(code, head, lambda i: code[i][1].startswith("ret"), lambda text: text.startswith("call"))
-    print(f"one pair: {len(start)} instructions before the first step, {len(step)} in a step, {len(last)} in the last one and the end")
+    print(f"one pair: {len(start)} instructions before the first step, {len(step)} in a step, {len(last)} in the last and the end")
     before = 0
     for steps in range(1, 5):
         cycles, port0, port1, port5 = simulate(start + step * (steps - 1) + last, 1)
