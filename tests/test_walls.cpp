@@ -493,9 +493,6 @@ void test_statuses()
         g_assert_cmpint(pw85_distance_plane(x, offset, q, out, out + 1), ==, PW85_EINVAL);
 }
 
-<<<<<<< HEAD
-// μ² beyond the range of double is infinity, derivatives are not below its largest number, and no coordinate is NaN.
-=======
 // Forms whose entries lie so far apart that products of them leave the range of double, and hide that they are not definite.
 void test_forms_out_of_range()
 {
@@ -512,8 +509,7 @@ void test_forms_out_of_range()
     }
 }
 
-// μ beyond the range of double is infinity, and no coordinate is NaN.
->>>>>>> 938581c
+// μ² beyond the range of double is infinity, derivatives are not below its largest number, and no coordinate is NaN.
 void test_plane_out_of_range()
 {
     double const normal[3] = {0x1p-950, 0.0, 0.0}, q[6] = {4.0, 0.0, 0.0, 3.0, 0.0, 2.0};

@@ -121,7 +121,7 @@ class MonteCarlo {
     void sweep()
     {
         for (std::size_t n = 0; n < system_.size(); ++n)
-            try_move(random_() % system_.size());
+            try_move(static_cast<std::size_t>(random_() % system_.size()));
     }
 
     long trials() const { return trials_; }

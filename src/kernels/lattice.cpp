@@ -30,6 +30,9 @@ constexpr double unscaled_limit = 0x1p100;
 /// rounding of either.
 constexpr double tolerance = 0x1p-44;
 
+/// Squares of lengths of a reduced basis that differ by more than this count as those of a singular cell.
+constexpr double singular = 0x1p-80;
+
 /// The cell in units in which products of its entries stay in range; false if it is not finite, or zero.
 bool load(double const *cell, Basis &basis) noexcept
 {
@@ -114,7 +117,7 @@ bool shorten(Basis &basis, Gram const &g) noexcept
 bool reduce(Basis &basis, Gram &g) noexcept
 {
     g = gram(basis);
-    double const least = 0x1p-80 * *std::max_element(g.square, g.square + 3);
+    double const least = singular * *std::max_element(g.square, g.square + 3);
     // Steps shorten like those of Euclid's algorithm: 53 bits are gone in far fewer than this.
     for (int step = 0; step < 1000; ++step) {
         if (!(*std::min_element(g.square, g.square + 3) > least)) return false;
@@ -161,6 +164,26 @@ void rescale(Lattice &lattice, double unit) noexcept
     }
 }
 
+/// What prepare() does, where the vectors of the cell are along the axes and in range; false elsewhere. Monte Carlo prepares
+/// a cell for each move.
+bool prepare_rectangular(double const *cell, Lattice &lattice) noexcept
+{
+    for (int const k : {1, 2, 3, 5, 6, 7})
+        if (!(cell[k] == 0.0)) return false;
+    double const lengths[] = {std::fabs(cell[0]), std::fabs(cell[4]), std::fabs(cell[8])};
+    for (double const length : lengths)
+        if (!(length < unscaled_limit && length * unscaled_limit > 1.0)) return false;
+    double const shortness = *std::min_element(lengths, lengths + 3) / *std::max_element(lengths, lengths + 3);
+    if (!(shortness * shortness > singular)) return false;
+    for (int i = 0; i < 3; ++i)
+        for (int d = 0; d < 3; ++d) {
+            lattice.basis[i][d] = i == d ? cell[4 * i] : 0.0;
+            lattice.dual[i][d] = i == d ? 1.0 / cell[4 * i] : 0.0;
+        }
+    lattice.num_shifts = 0;
+    return true;
+}
+
 } // namespace
 
 bool is_finite_cell(double const *cell) noexcept
@@ -172,6 +195,7 @@ bool is_finite_cell(double const *cell) noexcept
 
 bool prepare(double const *cell, Lattice &lattice) noexcept
 {
+    if (prepare_rectangular(cell, lattice)) return true;
     Basis basis;
     Gram g;
     if (!load(cell, basis) || !reduce(basis, g)) return false;
