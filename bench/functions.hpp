@@ -21,6 +21,18 @@ struct Function {
     void (*call)(Pair const &, double lambda, Sink &);
 };
 
+/// A pair of a block with its centres nearer or farther: at half the distance all overlap, at three times it none.
+inline pw85::Vector<double, 3> moved(Pair const &x, double factor) { return pw85::times(factor, x.r12); }
+
+/// First contact of a pair that is apart and, moves until its centres meet at time 1.
+inline void first_contact(Pair const &x, double turn, double growth, double &t)
+{
+    auto const r12 = moved(x, 3.0);
+    pw85_motion const motion1{{}, {turn, -turn, turn}, 0.0};
+    pw85_motion const motion2{{-r12[0], -r12[1], -r12[2]}, {turn, turn, 0.0}, growth};
+    pw85_first_contact(r12.coordinates, x.q1.entries, x.q2.entries, &motion1, &motion2, 1.0, &t);
+}
+
 /// r12, q1, q2 as the C API takes them.
 #define PW85_BENCH_PAIR(x) (x).r12.coordinates, (x).q1.entries, (x).q2.entries
 
@@ -37,6 +49,11 @@ inline constexpr Function functions[] = {
     {"distance", [](Pair const &x, double, Sink &s) { pw85_distance(PW85_BENCH_PAIR(x), s.a, s.b, s.c); }},
     {"distance_plane",
      [](Pair const &x, double, Sink &s) { pw85_distance_plane(x.r12.coordinates, 1.0, x.q1.entries, s.a, s.b); }},
+    {"penetration", [](Pair const &x, double,
+                       Sink &s) { pw85_penetration(moved(x, 0.5).coordinates, x.q1.entries, x.q2.entries, s.a, s.b); }},
+    {"first_contact_translation", [](Pair const &x, double, Sink &s) { first_contact(x, 0.0, 0.0, s.a[0]); }},
+    {"first_contact_rotation", [](Pair const &x, double, Sink &s) { first_contact(x, 1.0, 0.0, s.a[0]); }},
+    {"first_contact_growth", [](Pair const &x, double, Sink &s) { first_contact(x, 0.0, 0.1, s.a[0]); }},
     {"contact_2d",
      [](Pair const &x, double, Sink &s) {
          // The lower right blocks of the forms are forms of ellipses.
@@ -84,6 +101,11 @@ inline constexpr BatchFunction batch_functions[] = {
      }},
     {"overlap_batch",
      [](Block &b) { pw85_overlap_batch(b.size(), b.r12.data(), b.q1.data(), b.q2.data(), b.overlap.data()); }},
+    {"distance_batch",
+     [](Block &b) {
+         pw85_distance_batch(b.size(), b.r12.data(), b.q1.data(), b.q2.data(), b.mu2.data(), b.point1.data(),
+                             b.point2.data());
+     }},
 };
 
 } // namespace pw85_bench

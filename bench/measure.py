@@ -1,8 +1,9 @@
 """Measures everything that README and manual show, and makes their tables and pictures from it.
 
-Usage: measure.py PROGRAM..., the programs of this folder. Have the machine to yourself.
+Usage: measure.py [--only TABLE] PROGRAM..., the programs of this folder. Have the machine to yourself.
 
-All tables come from one run. They are written to docs/measurements.json, with the conditions under which they were measured.
+All tables come from one run, which is written to docs/measurements.json with its conditions. --only puts a single table there, of
+a program that prints it, with conditions of its own.
 Times are nanoseconds per pair, the shortest of several repetitions in which the functions take turns.
 """
 
@@ -123,16 +124,8 @@ def worst_rows(program, targets):
     return list(rows.values())
 
 
-def measure(programs):
-    available = set(processor("flags").split())
-    targets = [target for target, flags in FLAGS.items() if flags <= available]
-    best = targets[-1]
-    context, tables = speed_tables(programs["speed"], targets)
-    tables["accuracy"] = read_table(programs["accuracy"], target=best)
-    tables["worst"] = worst_rows(programs["accuracy"], targets)
-    for name in ("closest_approach", "digits", "evaluations"):
-        tables[name] = read_table(programs[name], target=best)
-    conditions = {
+def conditions_of(context):
+    return {
         "version": context["pw85"],
         "date": datetime.date.today().isoformat(),
         "compiler": context["compiler"],
@@ -140,7 +133,31 @@ def measure(programs):
         "processors": context["num_cpus"],
         "load_average": significant(context["load_avg"][0]) if context.get("load_avg") else None,
     }
-    return {"conditions": conditions, "tables": tables}
+
+
+def available_targets():
+    flags = set(processor("flags").split())
+    return [target for target, needed in FLAGS.items() if needed <= flags]
+
+
+def measure(programs):
+    targets = available_targets()
+    best = targets[-1]
+    context, tables = speed_tables(programs["speed"], targets)
+    tables["accuracy"] = read_table(programs["accuracy"], target=best)
+    tables["worst"] = worst_rows(programs["accuracy"], targets)
+    for name in ("closest_approach", "digits", "evaluations", "peers"):
+        tables[name] = read_table(programs[name], target=best)
+    return {"conditions": conditions_of(context), "tables": tables}
+
+
+def measure_only(name, programs):
+    results = json.loads(RESULTS.read_text(encoding="utf-8"))
+    best = available_targets()[-1]
+    context = nanoseconds(programs["speed"], "^overlap/2$", best, 1)[0]
+    results.setdefault("apart", {})[name] = conditions_of(context)
+    results["tables"][name] = read_table(programs[name], target=best)
+    return results
 
 
 def to_json(results):
@@ -149,12 +166,17 @@ def to_json(results):
         f'  "{name}": [\n' + ",\n".join(f"   {json.dumps(row)}" for row in rows) + "\n  ]"
         for name, rows in results["tables"].items()
     )
-    return f'{{\n "conditions": {json.dumps(results["conditions"])},\n "tables": {{\n{tables}\n }}\n}}\n'
+    heads = "".join(f' "{key}": {json.dumps(results[key])},\n' for key in ("conditions", "apart") if key in results)
+    return f'{{\n{heads} "tables": {{\n{tables}\n }}\n}}\n'
 
 
 def main():
-    programs = {Path(path).stem: path for path in sys.argv[1:]}
-    results = measure(programs)
+    arguments = sys.argv[1:]
+    only = arguments[1] if arguments[0] == "--only" else None
+    programs = {Path(path).stem: path for path in arguments[2 if only else 0 :]}
+    if "peers" not in programs:
+        sys.exit("peers was not built: it needs libfcl-dev and libeigen3-dev")
+    results = measure_only(only, programs) if only else measure(programs)
     RESULTS.write_text(to_json(results), encoding="utf-8")
     subprocess.run([sys.executable, ROOT / "docs" / "measured_pages.py"], check=True)
 

@@ -30,12 +30,12 @@ inline std::vector<Pair> random_block(double aspect, double excess = 0.0, int si
 /// A block with its maximisers, for the functions that take them, and in contiguous arrays, for the batch.
 struct Block {
     std::vector<Pair> pairs;
-    std::vector<double> lambdas, r12, q1, q2, mu2, lambda;
+    std::vector<double> lambdas, r12, q1, q2, mu2, lambda, point1, point2;
     std::vector<unsigned char> overlap;
 
     explicit Block(std::vector<Pair> const &block)
         : pairs(block), lambdas(size()), r12(3 * size()), q1(6 * size()), q2(6 * size()), mu2(size()), lambda(size()),
-          overlap(size())
+          point1(3 * size()), point2(3 * size()), overlap(size())
     {
         for (std::size_t i = 0; i < size(); ++i) {
             Pair const &p = pairs[i];

@@ -43,6 +43,7 @@ numfig = True
 rst_epilog = f"""
 .. |contact-problems| replace:: {measurements.number_of_contact_problems():,}
 .. |conditions| replace:: {measurements.conditions()}
+.. |conditions-of-peers| replace:: {measurements.conditions("peers")}
 """
 
 breathe_default_project = "c"

@@ -25,10 +25,12 @@ def number_of_contact_problems():
     return int(accuracy_of_all_problems()["pairs"])
 
 
-def conditions():
-    """A sentence on the machine."""
-    c = read()["conditions"]
-    return f"pw85 {c['version']}, {c['processor']}, {c['compiler']}, {c['date']}"
+def conditions(table=None):
+    """A sentence on the machine, that of a table which was measured apart from the others if it is given."""
+    results = read()
+    c = results.get("apart", {}).get(table, results["conditions"])
+    busy = f", load average {c['load_average']:g}" if (c["load_average"] or 0) > c["processors"] else ""
+    return f"pw85 {c['version']}, {c['processor']}, {c['compiler']}, {c['date']}{busy}"
 
 
 def source(table):

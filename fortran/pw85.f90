@@ -48,6 +48,7 @@ module pw85
   public :: pw85_distance, pw85_distance_derivatives, pw85_distance_2d
   public :: pw85_penetration, pw85_distance_batch, pw85_penetration_batch, pw85_distance_plane_batch
   public :: pw85_first_contact, pw85_first_contact_batch, pw85_first_contact_pairs
+  public :: pw85_contact_plane_derivatives
   public :: pw85_distance_plane, pw85_distance_plane_derivatives, pw85_contact_plane, pw85_distance_box
   public :: pw85_distance_cylinder, pw85_distance_point, pw85_intersect_line
   public :: pw85_contact_batch, pw85_overlap_batch, pw85_contact_pairs, pw85_overlap_pairs
@@ -301,6 +302,15 @@ module pw85
       type(c_ptr), value :: point
       integer(c_int) :: status
     end function c_contact_plane
+
+    function c_contact_plane_derivatives(normal, offset, q, d_center, d_rot) result(status) &
+        bind(C, name='pw85_contact_plane_derivatives')
+      import :: c_double, c_int, c_ptr
+      real(c_double), intent(in) :: normal(3), q(6)
+      real(c_double), value :: offset
+      type(c_ptr), value :: d_center, d_rot
+      integer(c_int) :: status
+    end function c_contact_plane_derivatives
 
     function c_distance_box(lower, upper, q, distance, point, normal) result(status) &
         bind(C, name='pw85_distance_box')
@@ -902,6 +912,14 @@ contains
     integer(c_int) :: status
     status = c_contact_plane(normal, offset, q, mu2, address(point))
   end function pw85_contact_plane
+
+  !> Derivatives of that contact function with respect to the centre and to rotations about it.
+  function pw85_contact_plane_derivatives(normal, offset, q, d_center, d_rot) result(status)
+    real(c_double), intent(in) :: normal(3), offset, q(6)
+    real(c_double), intent(out), optional, target :: d_center(3), d_rot(3)
+    integer(c_int) :: status
+    status = c_contact_plane_derivatives(normal, offset, q, address(d_center), address(d_rot))
+  end function pw85_contact_plane_derivatives
 
   !> Distance from an ellipsoid at 0 to the nearest face of a box around it.
   function pw85_distance_box(lower, upper, q, distance, point, normal) result(status)

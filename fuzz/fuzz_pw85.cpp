@@ -11,6 +11,8 @@
 #include <cstring>
 #include <vector>
 
+#include "../src/gpu/work.hpp"
+
 namespace {
 
 // The arguments of one pair.
@@ -39,6 +41,7 @@ bool all_nan(double const *x, int n)
 void check(char const *function, Input const &in, int status, double const *out, int n)
 {
     if (status == PW85_SUCCESS ? has_nan(out, n) : !all_nan(out, n)) fail(function, in);
+    // Memory is nothing that one row can lack, nor a device what the host does without.
     if (status < PW85_SUCCESS || status > PW85_ECONVERGENCE) fail(function, in);
 }
 
@@ -127,6 +130,7 @@ void check_walls(Input const &in)
     check("distance_plane", in, pw85_distance_plane(r, in.lambda, q, out, out + 1), out, 4);
     check("distance_plane_derivatives", in, pw85_distance_plane_derivatives(r, q, out, out + 3), out, 6);
     check("contact_plane", in, pw85_contact_plane(r, in.lambda, q, out, out + 1), out, 4);
+    check("contact_plane_derivatives", in, pw85_contact_plane_derivatives(r, in.lambda, q, out, out + 3), out, 6);
     check("distance_box", in, pw85_distance_box(x, y, q, out, out + 1, out + 4), out, 7);
     check("distance_cylinder", in, pw85_distance_cylinder(x, in.lambda, r, q, out, out + 1, out + 4), out, 7);
     check("distance_point", in, pw85_distance_point(r, q, out, out + 1, out + 4), out, 7);
@@ -206,6 +210,25 @@ void check_batch(Input const &in)
     if (pw85_nearest_images(1, pairs, 2, centers, in.rotation, vector, image) == PW85_SUCCESS && has_nan(vector, 3))
         fail("nearest_images", in);
     check("nearest_image_limit", in, pw85_nearest_image_limit(2, forms, in.rotation, &limit), &limit, 1);
+}
+
+// What a device does with a pair, here: it answers as the host, marks what is not valid, or leaves it to the host.
+void check_device(Input const &in)
+{
+    using namespace pw85::gpu;
+    double mu2, lambda, out[17], contact[2];
+    unsigned char overlap = 7, expected;
+    int const status = pw85_contact(in.r12, in.q1, in.q2, contact);
+    pw85_overlap_batch(1, in.r12, in.q1, in.q2, &expected);
+    Pair3 const pair = load(Pairs{in.r12, in.q1, in.q2}, 0);
+    ContactArrays const contacts{&mu2, &lambda};
+    if (!attempt(contacts, pair, 0)) settle(contacts, pair, 0);
+    check("device: contact", in, status, &mu2, 1);
+    OverlapArray const overlaps{&overlap};
+    if ((attempt(overlaps, pair, 0) || settle(overlaps, pair, 0)) && overlap != expected) fail("device: overlap", in);
+    DerivativeArrays const derivatives{out, out + 1, out + 2, out + 5, out + 8, out + 11, out + 14};
+    if (!attempt(derivatives, pair, 0)) settle(derivatives, pair, 0);
+    check("device: derivatives", in, status, out + 8, 9);
 }
 
 // A pair at r12 = 0 has derivatives, but no point and no normal.
@@ -321,6 +344,7 @@ extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const *data, std::size_t size
     check_motion(in);
     check_walls(in);
     check_batch(in);
+    check_device(in);
     check_rows(in);
     check_neighbors(in);
     check_building_blocks(in);

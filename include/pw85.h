@@ -284,9 +284,9 @@ PW85_API int pw85_distance_derivatives(double const r12[PW85_DIM], double const 
 /** The depth of an overlap: the shortest translation of ellipsoid 2 that separates two ellipsoids.
  *
  * It is the smallest value over unit vectors n of α + β - n·r12, with the half-widths α and β of the ellipsoids along n, which
- * may have several local minima: this is the global one, with a proof. `depth` is the value for its direction, to 8 u Σ, with Σ as for
- * pw85_distance(); no direction gives less by more than 32 u Σ, the larger of either. Of several directions that are equally good it is one. It takes
- * some hundred times as long as pw85_contact().
+ * may have several local minima: this is the global one, with a proof. `depth` is the value for its direction, to 8 u Σ, with Σ
+ * as for pw85_distance(); no direction gives less by more than 32 u Σ, the larger of either. Of several directions that are
+ * equally good it is one. It takes several hundred times as long as pw85_contact(), up to a thousand.
  *
  * @param r12,q1,q2 as for pw85_contact()
  * @param[out] depth in the unit of r12; zero if the ellipsoids do not overlap, which is decided as in pw85_overlap(); may be null
@@ -370,6 +370,16 @@ PW85_API int pw85_distance_plane_derivatives(double const normal[PW85_DIM], doub
  * @return #PW85_SUCCESS, #PW85_EINVAL (also for a zero normal), #PW85_ENOTPD */
 PW85_API int pw85_contact_plane(double const normal[PW85_DIM], double offset, double const q[PW85_SYM], double *mu2,
                                 double point[PW85_DIM]);
+
+/** Derivatives of μ² of pw85_contact_plane(): -2μ n/α and 2μ² (n × p)/α, with p the point of the ellipsoid that is nearest to
+ * the half-space, n the normal as given and α = n·p; zero if the centre is in the half-space.
+ *
+ * @param normal,offset,q as for pw85_distance_plane()
+ * @param[out] d_center with respect to the position of the centre; may be null
+ * @param[out] d_rot with respect to small rotation vectors about the centre, per radian; may be null
+ * @return #PW85_SUCCESS, #PW85_EINVAL (also for a zero normal), #PW85_ENOTPD */
+PW85_API int pw85_contact_plane_derivatives(double const normal[PW85_DIM], double offset, double const q[PW85_SYM],
+                                            double d_center[PW85_DIM], double d_rot[PW85_DIM]);
 
 /** Distance from an ellipsoid with its centre at 0 to the nearest face of a box around it.
  *

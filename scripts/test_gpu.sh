@@ -11,12 +11,11 @@ if command -v apt-get >/dev/null; then install_packages $test_packages; fi
 build=$PWD/build-gpu
 [ -f "$build/build.ninja" ] ||
   meson setup "$build" -Dtests=enabled -Dbench=disabled -Dpython=disabled -Dfortran=disabled -Dgpu=enabled
-meson compile -C "$build"
 meson test -C "$build" --suite gpu --print-errorlogs
 "$build/tests/gpu/test_gpu"
 if command -v compute-sanitizer >/dev/null; then
   for tool in memcheck racecheck synccheck initcheck; do
-    compute-sanitizer --tool "$tool" --error-exitcode 1 "$build/tests/gpu/test_gpu" -p /gpu/like_host -p /gpu/lists
+    compute-sanitizer --tool "$tool" --error-exitcode 1 "$build/tests/gpu/test_gpu" -p /gpu/like_host -p /gpu/outputs -p /gpu/lists
   done
 fi
 exec "$build/tests/gpu/bench_gpu" "$@"

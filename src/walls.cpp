@@ -28,6 +28,13 @@ int null_pointer(double *number, double *vector1, double *vector2) noexcept
     return PW85_EINVAL;
 }
 
+int store_derivatives(PlaneDerivatives<double> const &d, double *d_center, double *d_rot) noexcept
+{
+    store(d.center, d_center);
+    store(d.rotation, d_rot);
+    return static_cast<int>(d.status);
+}
+
 } // namespace
 
 int pw85_distance_plane(double const normal[3], double offset, double const q[6], double *distance, double point[3])
@@ -43,10 +50,8 @@ int pw85_distance_plane_derivatives(double const normal[3], double const q[6], d
 {
     if (any_null(normal, q)) return null_pointer(nullptr, d_center, d_rot);
     return in_default_environment([&] {
-        auto const d = distance_plane_derivatives(load_vector<3>(normal), load_matrix<3>(q));
-        store(d.center, d_center);
-        store(d.rotation, d_rot);
-        return static_cast<int>(d.status);
+        return store_derivatives(distance_plane_derivatives(load_vector<3>(normal), load_matrix<3>(q)), d_center,
+                                 d_rot);
     });
 }
 
@@ -58,6 +63,16 @@ int pw85_contact_plane(double const normal[3], double offset, double const q[6],
         if (mu2 != nullptr) *mu2 = c.mu2;
         store(c.point, point);
         return static_cast<int>(c.status);
+    });
+}
+
+int pw85_contact_plane_derivatives(double const normal[3], double offset, double const q[6], double d_center[3],
+                                   double d_rot[3])
+{
+    if (any_null(normal, q)) return null_pointer(nullptr, d_center, d_rot);
+    return in_default_environment([&] {
+        return store_derivatives(contact_plane_derivatives(load_vector<3>(normal), offset, load_matrix<3>(q)), d_center,
+                                 d_rot);
     });
 }
 

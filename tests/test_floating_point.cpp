@@ -101,6 +101,7 @@ Function const functions[] = {
     PW85_CALL(pw85_distance_plane, q.pair.r12.coordinates, q.lambda, q.pair.q1.entries, out, out + 1),
     PW85_CALL(pw85_distance_plane_derivatives, q.pair.r12.coordinates, q.pair.q1.entries, out, out + 3),
     PW85_CALL(pw85_contact_plane, q.pair.r12.coordinates, q.lambda, q.pair.q1.entries, out, out + 1),
+    PW85_CALL(pw85_contact_plane_derivatives, q.pair.r12.coordinates, q.lambda, q.pair.q1.entries, out, out + 3),
     {"pw85_distance_box", call_distance_box},
     PW85_CALL(pw85_distance_cylinder, q.pair.q2.entries, 1.0, q.pair.r12.coordinates, q.pair.q1.entries, out, out + 1,
               out + 4),

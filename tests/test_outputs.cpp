@@ -203,6 +203,9 @@ std::vector<Row> const distances{
     {"pw85_contact_plane",
      {1, 3},
      [](auto const &in, auto &out) { pw85_contact_plane(in.r12, 1.0, in.q1, at(out, 0), at(out, 1)); }},
+    {"pw85_contact_plane_derivatives",
+     {3, 3},
+     [](auto const &in, auto &out) { pw85_contact_plane_derivatives(in.r12, 1.0, in.q1, at(out, 0), at(out, 1)); }},
     {"pw85_distance_box",
      {1, 3, 3},
      [](auto const &in, auto &out) {

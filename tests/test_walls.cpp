@@ -114,6 +114,41 @@ void test_plane_derivatives()
     }
 }
 
+// The same for μ², whose factors 2μ/α and 2μ²/α have the relative errors of two half-widths, 16 u of their terms with the rounding
+// of products; and the nearest point of 16 u more.
+void test_contact_plane_derivatives()
+{
+    Failures failures;
+    Random random(511);
+    Wide const h("1e-15");
+    for (int n = 0; n < 200; ++n) {
+        auto const q = random.form(1.0, 4.0);
+        auto const normal = pw85::times(random.uniform(0.5, 2.0), random.direction<3>());
+        double const offset = random.uniform(-1.0, 3.0);
+        Vector3 d_center{}, d_rot{};
+        pw85_contact_plane_derivatives(normal.coordinates, offset, q.entries, d_center.coordinates, d_rot.coordinates);
+        auto const w = convert<Wide>(q);
+        auto const v = convert<Wide>(normal);
+        auto const s = pw85::support(w, v);
+        Wide const mu = offset > 0 ? Wide(offset / s.extent) : Wide(0);
+        Wide const error = 32 * u * (1 + absolute_form(w, v) / s.extent / s.extent) * 2 * mu * norm(v) / s.extent;
+        auto const inputs = [&] { return text(normal, q) + ", offset = " + hex_text(&offset, 1); };
+        for (int i = 0; i < 3; ++i) {
+            auto const turned = [&](int sign) {
+                WideVector omega{};
+                omega[i] = sign * h;
+                return pw85::contact_plane(v, Wide(offset), rotated(w, omega)).mu2;
+            };
+            auto const moved = [&](int sign) { return pw85::contact_plane(v, Wide(offset - sign * h * v[i]), w).mu2; };
+            Wide const rotation = (turned(1) - turned(-1)) / (2 * h), center = (moved(1) - moved(-1)) / (2 * h);
+            failures.check(abs(Wide(d_rot[i] - rotation)) <= error * mu * norm(s.point), "d_rot", d_rot[i],
+                           static_cast<double>(rotation), inputs);
+            failures.check(abs(Wide(d_center[i] - center)) <= error, "d_center", d_center[i],
+                           static_cast<double>(center), inputs);
+        }
+    }
+}
+
 /// Whether a symmetric matrix is positive semidefinite up to rounding of the wide type, `scale` being its size.
 bool is_semidefinite(WideForm a, Wide const &scale)
 {
@@ -413,6 +448,7 @@ constexpr Function functions[] = {
     {4, [](auto x, auto q, auto out) { return pw85_distance_plane(x, 1.0, q, out, out + 1); }},
     {6, [](auto x, auto q, auto out) { return pw85_distance_plane_derivatives(x, q, out, out + 3); }},
     {4, [](auto x, auto q, auto out) { return pw85_contact_plane(x, 1.0, q, out, out + 1); }},
+    {6, [](auto x, auto q, auto out) { return pw85_contact_plane_derivatives(x, 1.0, q, out, out + 3); }},
     {7, [](auto x, auto q, auto out) { return pw85_distance_box(x, ones, q, out, out + 1, out + 4); }},
     {7, [](auto x, auto q, auto out) { return pw85_distance_box(ones, x, q, out, out + 1, out + 4); }},
     {7, [](auto x, auto q, auto out) { return pw85_distance_cylinder(x, 1.0, ones, q, out, out + 1, out + 4); }},
@@ -447,9 +483,9 @@ void test_statuses()
         expect(f, x, none, PW85_ENOTPD);
     }
     double const zero[3] = {0.0, 0.0, 0.0};
-    for (int i : {0, 1, 2, 5, 9}) expect(functions[i], zero, q, PW85_EINVAL);
+    for (int i : {0, 1, 2, 3, 6, 10}) expect(functions[i], zero, q, PW85_EINVAL);
     double const above[3] = {0.0, 0.0, 1.5};
-    expect(functions[3], above, q, PW85_EINVAL);
+    expect(functions[4], above, q, PW85_EINVAL);
     double out[7];
     for (double const radius : {0.0, -1.0, nan, HUGE_VAL})
         g_assert_cmpint(pw85_distance_cylinder(x, radius, x, q, out, out + 1, out + 4), ==, PW85_EINVAL);
@@ -473,7 +509,7 @@ void test_forms_out_of_range()
     }
 }
 
-// μ beyond the range of double is infinity, and no coordinate is NaN.
+// μ² beyond the range of double is infinity, derivatives are not below its largest number, and no coordinate is NaN.
 void test_plane_out_of_range()
 {
     double const normal[3] = {0x1p-950, 0.0, 0.0}, q[6] = {4.0, 0.0, 0.0, 3.0, 0.0, 2.0};
@@ -482,6 +518,10 @@ void test_plane_out_of_range()
     g_assert_cmpfloat(mu2, ==, HUGE_VAL);
     g_assert_cmpfloat(point[0], ==, HUGE_VAL);
     g_assert_true(point[1] == 0.0 && point[2] == 0.0);
+    double d_center[3], d_rot[3];
+    g_assert_cmpint(pw85_contact_plane_derivatives(normal, 0x1p600, q, d_center, d_rot), ==, PW85_SUCCESS);
+    g_assert_cmpfloat(d_center[0], <=, -std::numeric_limits<double>::max());
+    g_assert_true(d_center[1] == 0.0 && d_center[2] == 0.0 && d_rot[0] == 0.0 && d_rot[1] == 0.0 && d_rot[2] == 0.0);
 }
 
 void test_null_outputs()
@@ -490,6 +530,7 @@ void test_null_outputs()
     g_assert_cmpint(pw85_distance_plane(x, 1.0, q, nullptr, nullptr), ==, PW85_SUCCESS);
     g_assert_cmpint(pw85_distance_plane_derivatives(x, q, nullptr, nullptr), ==, PW85_SUCCESS);
     g_assert_cmpint(pw85_contact_plane(x, 1.0, q, nullptr, nullptr), ==, PW85_SUCCESS);
+    g_assert_cmpint(pw85_contact_plane_derivatives(x, 1.0, q, nullptr, nullptr), ==, PW85_SUCCESS);
     g_assert_cmpint(pw85_distance_box(x, x, q, nullptr, nullptr, nullptr), ==, PW85_SUCCESS);
     g_assert_cmpint(pw85_distance_cylinder(x, 1.0, x, q, nullptr, nullptr, nullptr), ==, PW85_SUCCESS);
     g_assert_cmpint(pw85_distance_point(x, q, nullptr, nullptr, nullptr), ==, PW85_SUCCESS);
@@ -536,6 +577,7 @@ int main(int argc, char **argv)
     g_test_init(&argc, &argv, nullptr);
     g_test_add_func("/walls/plane", test_plane);
     g_test_add_func("/walls/plane/derivatives", test_plane_derivatives);
+    g_test_add_func("/walls/plane/contact_derivatives", test_contact_plane_derivatives);
     g_test_add_func("/walls/plane/out_of_range", test_plane_out_of_range);
     g_test_add_func("/walls/box", test_box);
     g_test_add_func("/walls/cylinder", test_cylinder);

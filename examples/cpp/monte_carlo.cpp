@@ -1,9 +1,10 @@
-// Monte Carlo of hard ellipsoids in a periodic cell: moves that lead to an overlap are rejected.
+// Monte Carlo of hard ellipsoids in a periodic cell: moves to an overlap are rejected.
 //
-//     monte_carlo [SWEEPS]        prints the moves per second, too, if a number of sweeps is given
+//     monte_carlo [SWEEPS]     prints the moves per second, too, if SWEEPS is given
 //
-// A neighbour list with a skin serves for many sweeps. It lists the ellipsoids whose bounding boxes can meet; a trial that takes an
-// ellipsoid out of its box, which the skin has made larger, asks for a new list.
+// A neighbour list with a skin serves for many sweeps. It lists the ellipsoids whose
+// bounding boxes can meet; a trial that takes an ellipsoid out of its box, which the
+// skin has made larger, asks for a new list.
 #include <cmath>
 #include <cstdlib>
 #include <ctime>
@@ -120,7 +121,7 @@ class MonteCarlo {
     void sweep()
     {
         for (std::size_t n = 0; n < system_.size(); ++n)
-            try_move(random_() % system_.size());
+            try_move(static_cast<std::size_t>(random_() % system_.size()));
     }
 
     long trials() const { return trials_; }
@@ -173,7 +174,7 @@ long count_overlaps(System const &system)
     return count;
 }
 
-/// How parallel the ellipsoids are to the third axis: 1 at the start, 0 when they have any direction.
+/// How parallel the ellipsoids are to the third axis: 1 at the start, 0 at random.
 double order(System const &system)
 {
     double sum = 0.0;

@@ -14,7 +14,10 @@ program pair
   status = pw85_ellipsoid_quaternion(axes2, turn2, q2)
   status = pw85_contact(r12, q1, q2, out)
   if (status == pw85_success) status = pw85_distance(r12, q1, q2, distance, p1)
-  if (status /= pw85_success) error stop pw85_strerror(status)
+  if (status /= pw85_success) then
+    print '(a)', pw85_strerror(status)
+    error stop
+  end if
   print '(a, f7.5, 2a)', 'mu^2 = ', out(1), ': ', &
     trim(merge('overlap', 'apart  ', out(1) < 1))
   print '(a, f7.5, 3(a, f6.4), a)', 'distance = ', distance, ', from (', p1(1), ', ', &

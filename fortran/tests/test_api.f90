@@ -217,7 +217,7 @@ contains
   subroutine test_motions
     integer(c_size_t), parameter :: n = 2
     integer(c_int32_t), parameter :: pairs(2, n) = reshape([0, 1, 1, 2], [2, 2])
-    real(c_double) :: centers(3, 3), q(6, 3), r(3, n), t, times(n), next(3), infinite
+    real(c_double) :: centers(3, 3), q(6, 3), r(3, n), points(3, n), t, times(n), next(3), infinite
     type(pw85_motion) :: motions(3)
     integer(c_int64_t) :: next_pair(3)
     integer :: status
@@ -237,9 +237,10 @@ contains
     status = pw85_first_contact_batch(n, r, q(:, 1:2), q(:, 2:3), motions(1:2), motions(2:3), 9.0_c_double, times)
     call check(status == pw85_success .and. close(times(1), 4.0_c_double) .and. close(times(2), 1.6_c_double), &
       'first_contact_batch')
-    status = pw85_distance_batch(n, r, q(:, 1:2), q(:, 2:3), times, point2=r)
-    call check(status == pw85_success .and. all(close(times, 1.0_c_double)) .and. all(close(r(1, :), 2.0_c_double)), &
-      'distance_batch')
+    status = pw85_distance_batch(n, r, q(:, 1:2), q(:, 2:3), times, point2=points)
+    call check(status == pw85_success .and. all(close(times, 1.0_c_double)) .and. &
+      all(close(points(1, :), 2.0_c_double)), 'distance_batch')
+    r = points
     status = pw85_distance_plane_batch(n, 2 * r, 4 * times, q(:, 1:2), next(1:2))
     call check(status == pw85_success .and. all(abs(next(1:2)) <= tolerance), 'distance_plane_batch')
     r = 0.5_c_double * r
@@ -267,6 +268,9 @@ contains
       'distance_plane_derivatives')
     status = pw85_contact_plane(x, 15.0_c_double, q, gap, point)
     call check(status == pw85_success .and. close(gap, 6.25_c_double) .and. close(point(1), 5.0_c_double), 'contact_plane')
+    status = pw85_contact_plane_derivatives(x, 15.0_c_double, q, normal, turn)
+    call check(status == pw85_success .and. close(normal(1), -2.5_c_double) .and. all(abs(turn) <= 0), &
+      'contact_plane_derivatives')
     status = pw85_distance_box(-x - z - 2, x + z + 3, q, gap, point, normal)
     call check(status == pw85_success .and. close(gap, 1.0_c_double) .and. close(point(2), -1.0_c_double) &
       .and. close(normal(2), -1.0_c_double), 'distance_box')

@@ -298,6 +298,14 @@ distance_plane_derivatives(Vector<T, 3> const &normal, SymmetricMatrix<T, 3> con
 template <class T, int D> PW85_FUNCTION inline PlaneContact<T, D>
 contact_plane(Vector<T, D> const &normal, T const &offset, SymmetricMatrix<T, D> const &q) noexcept;
 
+/// Derivatives of the contact function of an ellipsoid and a half-space; zero if the centre is in it.
+///
+/// @param normal,offset,q as for distance_plane()
+/// @return derivatives of μ² with respect to the position of the centre and to small rotation vectors about it, per radian;
+/// Status::invalid_argument (also for a zero normal), Status::not_positive_definite
+template <class T> PW85_FUNCTION inline PlaneDerivatives<T>
+contact_plane_derivatives(Vector<T, 3> const &normal, T const &offset, SymmetricMatrix<T, 3> const &q) noexcept;
+
 /// Distance from an ellipsoid to the nearest face of the box lower <= x <= upper around it.
 ///
 /// @param lower,upper corners of the box, relative to the centre of the ellipsoid; lower <= upper

@@ -4,7 +4,7 @@
 /// With the support α(n) = √(nᵀQn), reached at Qn/α:
 ///
 /// 1. A wall n·x >= c, |n| = 1, is c - α away; the ellipsoid must be scaled by μ = c/α to touch it. Moving the centre by
-///    y changes the distance by -n·y, a small rotation ω about it by ω·(n × Qn/α).
+///    y changes the distance by -n·y, a small rotation ω about it by ω·(n × Qn/α); μ² changes by 2μ/α and 2μ²/α times that.
 /// 2. A box is six such walls, a cylinder one for every normal n to its axis: R - n·c - α(n) is smallest where the projection of
 ///    the ellipsoid is farthest from the axis.
 #ifndef PW85_WALLS_HPP_INCLUDED
@@ -49,7 +49,7 @@ distance_plane(Vector<T, D> const &normal, T const &offset, SymmetricMatrix<T, D
     return {(wall.offset - s.extent) * reciprocal, s.point, times(reciprocal, wall.normal), Status::success};
 }
 
-/// Derivatives of the distance to a half-space with respect to the centre, and to the rotation vector about it.
+/// Derivatives of the distance to a half-space, or of μ², with respect to the centre, and to the rotation vector about it.
 template <class T> struct PlaneDerivatives {
     Vector<T, 3> center, rotation;
     Status status;
@@ -62,19 +62,39 @@ distance_plane_derivatives(Vector<T, 3> const &normal, SymmetricMatrix<T, 3> con
     return {times(T(-1), d.normal), cross(d.normal, d.point), d.status};
 }
 
+/// μ of a wall, in [0, largest number]: where it leaves the range of T, its products with zeros must not be NaN.
+template <class T, int D> PW85_FUNCTION inline T wall_factor(Wall<T, D> const &wall, Support<T, D> const &s) noexcept
+{
+    return minimum(largest_number<T>(), maximum(T(0), T(wall.offset / s.extent)));
+}
+
 template <class T, int D> PW85_FUNCTION inline PlaneContact<T, D>
 contact_plane(Vector<T, D> const &normal, T const &offset, SymmetricMatrix<T, D> const &q) noexcept
 {
     Wall<T, D> const wall = normalize_wall(normal, offset, q);
     Support<T, D> const s = support(q, wall.normal);
-    // Where μ leaves the range of T, its products with zeros of the point must not be NaN.
-    T const mu = minimum(largest_number<T>(), maximum(T(0), T(wall.offset / s.extent)));
+    T const mu = wall_factor(wall, s);
     PlaneContact<T, D> result{mu * mu, times(mu, s.point), wall.status};
     if (wall.status != Status::success) {
         result.mu2 = quiet_nan<T>();
         result.point = times(quiet_nan<T>(), wall.normal);
     }
     return result;
+}
+
+template <class T> PW85_FUNCTION inline PlaneDerivatives<T>
+contact_plane_derivatives(Vector<T, 3> const &normal, T const &offset, SymmetricMatrix<T, 3> const &q) noexcept
+{
+    Wall<T, 3> const wall = normalize_wall(normal, offset, q);
+    if (wall.status != Status::success) {
+        Vector<T, 3> const none = times(quiet_nan<T>(), wall.normal);
+        return {none, none, wall.status};
+    }
+    Support<T, 3> const s = support(q, wall.normal);
+    T const mu = wall_factor(wall, s), reciprocal = T(2) / s.extent;
+    // In this order μ = 0 gives zeros whatever the sizes.
+    return {times(T(-mu), times(reciprocal, wall.normal)),
+            times(mu, times(reciprocal, times(mu, cross(wall.normal, s.point)))), Status::success};
 }
 
 template <class T, int D> PW85_FUNCTION inline SurfaceDistance<T, D>

@@ -80,6 +80,7 @@ from ._systems import (
 from ._voxels import voxels
 from ._walls import (
     contact_plane,
+    contact_plane_derivatives,
     distance_box,
     distance_cylinder,
     distance_plane,
@@ -134,6 +135,7 @@ __all__ = [
     "contact_hessian_2d",
     "contact_pairs",
     "contact_plane",
+    "contact_plane_derivatives",
     "contact_torque",
     "contact_torque_2d",
     "correlation",

@@ -1,34 +1,82 @@
-"""Arrays in the memory of a GPU, of any library whose arrays have ``__cuda_array_interface__`` (CuPy, PyTorch, Numba).
+"""Arrays in the memory of a GPU, of any library whose arrays have ``__cuda_array_interface__`` (CuPy, PyTorch, Numba) or are handed
+over by DLPack (JAX).
 
-They are not copied; results are new arrays of the same library, on the same stream. Nothing waits for the device: bad rows are
-marked, but not reported.
+They are not copied; results are new arrays of the same library. Bad rows are marked, but not reported. Where an array says in the
+order of which stream it is, the work is queued there, and nothing waits for the device; otherwise the call waits for its work.
 """
 
 from __future__ import annotations
 
+import math
 import sys
 from typing import Any, NamedTuple, Optional, Sequence
 
 import numpy as np
 
 from . import _core
-from ._errors import PW85Error
+from ._errors import PW85Error, Status
 from ._typing import Floats
 
 # Columns of the results after the rows, or 0 for numbers.
 _OUTPUTS = {"contact": (0, 0), "overlap": (0,), "contact_derivatives": (0, 0, 3, 3, 3, 3, 3)}
 
 
+_CUDA = (2, 13)  # of DLPack: memory of the device, and memory that it shares with the host
+
+
 class _View(NamedTuple):
-    """What the interface says of an array."""
+    """What is known of an array; `owner` keeps it."""
 
     pointer: int
     shape: tuple[int, ...]
-    stream: Optional[int]
+    owner: Any
+
+
+class DeviceArray:
+    """A new array on the GPU, for libraries that make no arrays for others to fill: they take it by DLPack or by
+    ``__cuda_array_interface__``. Its numbers are there: nothing need be waited for.
+    """
+
+    def __init__(self, shape: tuple[int, ...], kind: str) -> None:
+        self.shape, self.dtype = shape, np.dtype(kind)
+        memory = _core.device_memory(max(1, math.prod(shape) * self.dtype.itemsize))
+        if memory is None:
+            raise _no_device("DeviceArray")
+        self._owner, self._pointer, self._device = memory
+
+    @property
+    def __cuda_array_interface__(self) -> dict[str, Any]:
+        return {"shape": self.shape, "typestr": self.dtype.str, "data": (self._pointer, False), "version": 3}
+
+    def __dlpack_device__(self) -> tuple[int, int]:
+        return (_CUDA[0], self._device)
+
+    def __dlpack__(
+        self,
+        *,
+        stream: Any = None,
+        max_version: Any = None,
+        dl_device: Optional[tuple[int, int]] = None,
+        copy: Optional[bool] = None,
+    ) -> Any:
+        if copy or (dl_device is not None and tuple(dl_device) != self.__dlpack_device__()):
+            raise BufferError("the array can be handed over only without a copy")
+        return _core.dlpack_export(self._owner, self._pointer, self._device, self.shape, self.dtype.itemsize)
+
+
+def _no_device(name: str) -> PW85Error:
+    status = int(Status.EDEVICE)
+    return PW85Error(status, name, _core.strerror(status))
+
+
+def _has_interface(x: Any) -> bool:
+    return hasattr(x, "__cuda_array_interface__")
 
 
 def is_device_array(x: Any) -> bool:
-    return hasattr(x, "__cuda_array_interface__")
+    if isinstance(x, np.ndarray):
+        return False
+    return _has_interface(x) or (hasattr(x, "__dlpack_device__") and x.__dlpack_device__()[0] in _CUDA)
 
 
 def _strides(shape: Sequence[int], size: int) -> tuple[int, ...]:
@@ -40,43 +88,79 @@ def _strides(shape: Sequence[int], size: int) -> tuple[int, ...]:
     return tuple(reversed(strides))
 
 
-def _stream(x: Any, interface: dict[str, Any]) -> Optional[int]:
+def _is_contiguous(shape: tuple[int, ...], strides: Optional[Sequence[int]], size: int) -> bool:
+    """Where there is one row, or none, its stride does not matter."""
+    if strides is None or 0 in shape:
+        return True
+    return all(n == 1 or has == needs for n, has, needs in zip(shape, strides, _strides(shape, size)))
+
+
+def _stream(x: Any) -> Optional[int]:
     """The stream in whose order an array is; PyTorch does not say it in the interface."""
     torch = sys.modules.get("torch")
-    if torch is not None and isinstance(x, torch.Tensor):
+    if torch is not None and isinstance(x, torch.Tensor) and x.is_cuda:
         return int(torch.cuda.current_stream(x.device).cuda_stream)
-    stream: Optional[int] = interface.get("stream")
+    stream: Optional[int] = x.__cuda_array_interface__.get("stream") if _has_interface(x) else None
     return stream
 
 
-def _view(x: Any, name: str, columns: int, typestr: str = "<f8") -> _View:
+def _is_handed_over(x: Any) -> bool:
+    """Whether DLPack is needed, which is in the order of the stream that one asks for."""
+    return hasattr(x, "__dlpack__") and _stream(x) is None
+
+
+def _read(x: Any, stream: int) -> tuple[int, tuple[int, ...], Optional[Sequence[int]], str, Any]:
+    """Pointer, shape, strides, type, and what keeps the memory; from now on the array is in the order of the stream."""
+    if _is_handed_over(x):
+        capsule = x.__dlpack__(stream=stream or 1)  # 1 is the default stream
+        return (*_core.dlpack_view(capsule), capsule)
+    interface = x.__cuda_array_interface__
+    return interface["data"][0], tuple(interface["shape"]), interface.get("strides"), interface["typestr"], x
+
+
+def _view(x: Any, name: str, columns: int, stream: int, typestr: str = "<f8") -> _View:
     """An array of rows of so many numbers."""
     if not is_device_array(x):
         raise TypeError(f"{name} must be on the GPU like the others, but it is {type(x).__qualname__}")
-    interface = x.__cuda_array_interface__
-    shape = tuple(interface["shape"])
-    if interface["typestr"] != typestr:
-        raise TypeError(f"{name} must have the type {typestr} on the GPU, but it has {interface['typestr']}")
+    pointer, shape, strides, kind, owner = _read(x, stream)
+    if kind != typestr:
+        raise TypeError(f"{name} must have the type {typestr} on the GPU, but it has {kind}")
     if not shape or shape[-1] != columns:
         raise ValueError(f"{name} must have {columns} columns, but the shape is {shape}")
-    strides = interface.get("strides")
-    if strides is not None and tuple(strides) != _strides(shape, int(typestr[2:])):
+    if not _is_contiguous(shape, strides, int(typestr[2:])):
         raise ValueError(f"{name} must be contiguous on the GPU")
-    return _View(interface["data"][0], shape, _stream(x, interface))
+    return _View(pointer, shape, owner)
 
 
-def _common_stream(views: Sequence[_View]) -> int:
-    streams = {view.stream for view in views if view.stream is not None}
+def _common_stream(arrays: Sequence[Any]) -> Optional[int]:
+    streams = {stream for stream in map(_stream, arrays) if stream is not None}
     if len(streams) > 1:
         raise ValueError("arrays that are in the order of different streams")
-    return streams.pop() if streams else 0
+    return streams.pop() if streams else None
+
+
+def _library(like: Any) -> Any:
+    """That of an array: by the standard of array libraries, or the package of its class."""
+    if hasattr(like, "__array_namespace__"):
+        return like.__array_namespace__()
+    return sys.modules[type(like).__module__.partition(".")[0]]
 
 
 def _new(like: Any, shape: tuple[int, ...], kind: str) -> Any:
-    """An array of the library of another one."""
-    library: Any = sys.modules[type(like).__module__.partition(".")[0]]
-    dtype = getattr(library, kind)
-    return like.new_empty(shape, dtype=dtype) if hasattr(like, "new_empty") else library.empty(shape, dtype=dtype)
+    """An array of the library of another one, or one for it to take."""
+    if hasattr(like, "new_empty"):
+        return like.new_empty(shape, dtype=getattr(_library(like), kind))
+    library = _library(like)
+    if hasattr(library, "empty") and not _is_handed_over(like):
+        return library.empty(shape, dtype=getattr(library, kind))
+    return DeviceArray(shape, kind)
+
+
+def _taken(like: Any, output: Any) -> Any:
+    """The array as one of the library."""
+    library = _library(like)
+    is_own = isinstance(output, DeviceArray) and hasattr(library, "from_dlpack")
+    return library.from_dlpack(output) if is_own else output
 
 
 def _outputs(function: str, like: Any, rows: tuple[int, ...]) -> tuple[Any, ...]:
@@ -89,17 +173,27 @@ def _pointer(x: Any) -> int:
     return pointer
 
 
-def _call(name: str, stream: int, count: int, *numbers: int) -> None:
-    status = _core.gpu(name, stream, count, *numbers)
+def _call(
+    name: str, like: Any, stream: Optional[int], outputs: tuple[Any, ...], numbers: Sequence[int]
+) -> tuple[Any, ...]:
+    """The results, which are arrays of the library of `like`."""
+    status = _core.gpu(name, stream or 0, *numbers, *map(_pointer, outputs))
     if status:
         raise PW85Error(status, name, _core.strerror(status))
+    if stream is None and not _core.device_wait(0):
+        raise _no_device(name)
+    return tuple(_taken(like, output) for output in outputs)
 
 
 def _result(function: str, outputs: tuple[Any, ...], dtype: Any) -> Any:
     """A bad pair counts as an overlap."""
     if function != "overlap":
         return outputs
-    return outputs[0] if dtype is not None and np.dtype(dtype) == np.uint8 else outputs[0] != 0
+    if dtype is not None and np.dtype(dtype) == np.uint8:
+        return outputs[0]
+    if isinstance(outputs[0], DeviceArray):
+        raise TypeError("overlap: dtype must be uint8 where the library of the arrays compares none")
+    return outputs[0] != 0
 
 
 def apply(function: str, inputs: tuple[Any, ...], out: Any, keywords: dict[str, Any]) -> Any:
@@ -109,31 +203,29 @@ def apply(function: str, inputs: tuple[Any, ...], out: Any, keywords: dict[str, 
     refused = sorted(keywords.keys() - {"dtype"}) + (["out"] if out is not None else [])
     if refused:
         raise TypeError(f"{function}: with arrays on a GPU, there can be no {' or '.join(map(repr, refused))}")
-    views = [_view(x, name, columns) for x, name, columns in zip(inputs, ("r12", "q1", "q2"), (3, 6, 6))]
+    stream = _common_stream(inputs)
+    views = [_view(x, name, columns, stream or 0) for x, name, columns in zip(inputs, ("r12", "q1", "q2"), (3, 6, 6))]
     rows = views[0].shape[:-1]
     if any(view.shape[:-1] != rows for view in views):
         raise ValueError(f"{function}: arrays on a GPU must have the same number of rows")
     outputs = _outputs(function, inputs[0], rows)
-    count = int(np.prod(rows, dtype=np.int64))
-    _call(function, _common_stream(views), count, *(view.pointer for view in views), *map(_pointer, outputs))
-    return _result(function, outputs, keywords.get("dtype"))
+    numbers = [math.prod(rows), *(view.pointer for view in views)]
+    return _result(function, _call(function, inputs[0], stream, outputs, numbers), keywords.get("dtype"))
 
 
 def apply_to_pairs(
     function: str, pairs: Any, centers: Any, q: Any, cell: Optional[Floats], images: Any, dtype: Any = None
 ) -> Any:
     """One of the functions for neighbour lists where these are on a GPU; the cell is not."""
-    views = [_view(pairs, "pairs", 2, "<i4"), _view(centers, "centers", 3), _view(q, "q", 6)]
-    if images is not None:
-        views.append(_view(images, "images", 3, "<i4"))
-        if views[3].shape[0] != views[0].shape[0]:
-            raise ValueError("there must be one image for each pair")
+    arrays = [pairs, centers, q] + ([] if images is None else [images])
+    stream = _common_stream(arrays)
+    kinds = [("pairs", 2, "<i4"), ("centers", 3, "<f8"), ("q", 6, "<f8"), ("images", 3, "<i4")]
+    views = [_view(x, name, columns, stream or 0, kind) for x, (name, columns, kind) in zip(arrays, kinds)]
     if any(len(view.shape) != 2 for view in views) or views[1].shape[0] != views[2].shape[0]:
         raise ValueError("pairs, centers and q must be rows, and there must be a form for each centre")
-    outputs = _outputs(function, centers, views[0].shape[:1])
-    _call(
-        f"{function}_pairs",
-        _common_stream(views),
+    if images is not None and views[3].shape[0] != views[0].shape[0]:
+        raise ValueError("there must be one image for each pair")
+    numbers = [
         views[0].shape[0],
         views[0].pointer,
         0 if images is None else views[3].pointer,
@@ -141,6 +233,6 @@ def apply_to_pairs(
         views[1].pointer,
         views[2].pointer,
         0 if cell is None else cell.ctypes.data,
-        *map(_pointer, outputs),
-    )
-    return _result(function, outputs, dtype)
+    ]
+    outputs = _outputs(function, centers, views[0].shape[:1])
+    return _result(function, _call(f"{function}_pairs", centers, stream, outputs, numbers), dtype)

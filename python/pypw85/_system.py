@@ -111,12 +111,12 @@ class System:
 
     @property
     def semi_axes(self) -> Floats:
-        """Of each ellipsoid (n, 3): as given to `from_axes`, else from the forms, in increasing order."""
+        """Of each ellipsoid (n, 3), as given to `from_axes`, else from the forms, in increasing order."""
         return self._principal()[0]
 
     @property
     def quaternions(self) -> Floats:
-        """Of each ellipsoid (n, 4), w x y z: as given to `from_axes`, else from the forms."""
+        """Of each ellipsoid (n, 4), w x y z, as given to `from_axes`, else from the forms."""
         return self._principal()[1]
 
     def _principal(self) -> tuple[Floats, Floats]:

@@ -157,7 +157,8 @@ def contact_forces_pairs(
     Examples
     --------
     >>> import numpy as np, pypw85
-    >>> system = [[0, 1]], [[0, 0, 0], [1, 0, 0]], np.array([pypw85.spheroid(1, 1, [0, 0, 1])] * 2)
+    >>> q = np.array([pypw85.spheroid(1, 1, [0, 0, 1])] * 2)
+    >>> system = [[0, 1]], [[0, 0, 0], [1, 0, 0]], q
     >>> derivatives = pypw85.contact_derivatives_pairs(*system)
     >>> pypw85.contact_forces_pairs(*system, 2 * (derivatives.mu2 - 1), derivatives).forces
     array([[-0.75,  0.  ,  0.  ],
@@ -217,7 +218,8 @@ def overlap_any_indices(
     >>> import numpy as np, pypw85
     >>> q = np.array([pypw85.spheroid(1, 1, [0, 0, 1])] * 3)
     >>> centers = np.array([[0.0, 0, 0], [3, 0, 0], [9, 0, 0]])
-    >>> pypw85.overlap_any_indices(centers[0], q[0], [1, 2], centers, q, cell=10 * np.eye(3))
+    >>> cell = 10 * np.eye(3)
+    >>> pypw85.overlap_any_indices(centers[0], q[0], [1, 2], centers, q, cell=cell)
     True
     """
     others = np.asarray(indices)

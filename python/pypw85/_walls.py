@@ -117,6 +117,37 @@ def contact_plane(
     return _core.call_contact_plane(normal, offset, q, out, kwargs)
 
 
+@documented
+def contact_plane_derivatives(
+    normal: ArrayLike, offset: ArrayLike, q: ArrayLike, out: Any = None, **kwargs: Any
+) -> tuple[Floats, Floats]:
+    """Derivatives of the contact function of an ellipsoid and a half-space; zero if its centre is in the half-space.
+
+    Parameters
+    ----------
+    {half_space}
+    {form}
+    {out_several}
+
+    Returns
+    -------
+    d_center : (..., 3) array
+        With respect to the position of the centre.
+    d_rot : (..., 3) array
+        With respect to rotations about the centre, per radian.
+
+    {raises_row}
+
+    Examples
+    --------
+    >>> import pypw85
+    >>> q = pypw85.spheroid(1, 2, [0, 0, 1])
+    >>> pypw85.contact_plane_derivatives([0, 0, 1], 3, q)[0]
+    array([-0. , -0. , -1.5])
+    """
+    return _core.call_contact_plane_derivatives(normal, offset, q, out, kwargs)
+
+
 @overload
 def distance_box(lower: Row, upper: Row, q: Row, out: None = None) -> tuple[float, Floats, Floats]: ...
 @overload

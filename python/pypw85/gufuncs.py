@@ -30,6 +30,7 @@ from ._core import (
     contact_hessian,
     contact_hessian_2d,
     contact_plane,
+    contact_plane_derivatives,
     contact_torque,
     contact_torque_2d,
     distance,

@@ -38,6 +38,18 @@ PyObject *overlap_any(PyObject *self, PyObject *const *args, Py_ssize_t nargs);
 /// gpu(name, stream, n, addresses and sizes...): status of pw85_gpu_... of this name.
 PyObject *gpu(PyObject *self, PyObject *const *args, Py_ssize_t nargs);
 
+/// dlpack_view(capsule): (address, shape, strides in bytes or None, type) of an array that another library hands over; it is not taken.
+PyObject *dlpack_view(PyObject *self, PyObject *capsule);
+
+/// dlpack_export(owner, address, device, shape, bytes of a number: 8 or 1): a capsule for another library to take.
+PyObject *dlpack_export(PyObject *self, PyObject *const *args, Py_ssize_t nargs);
+
+/// device_memory(bytes): (owner, address, device), or None if there is no memory.
+PyObject *device_memory(PyObject *self, PyObject *size);
+
+/// device_wait(stream): whether all of its work was done.
+PyObject *device_wait(PyObject *self, PyObject *stream);
+
 /// neighbors(centers, q, cell or None, periodic (three int32), scale, skin): (status, particle, list, pairs, images or None). The list
 /// is a capsule that owns the arrays' memory; it and the arrays are None if the status is not zero, and then `particle` is to blame.
 PyObject *neighbors(PyObject *self, PyObject *const *args, Py_ssize_t nargs);

@@ -163,6 +163,11 @@ int contact_plane(double const *const *in, double *const *out)
     return pw85_contact_plane(in[0], *in[1], in[2], out[0], out[1]);
 }
 
+int contact_plane_derivatives(double const *const *in, double *const *out)
+{
+    return pw85_contact_plane_derivatives(in[0], *in[1], in[2], out[0], out[1]);
+}
+
 int distance_cylinder(double const *const *in, double *const *out)
 {
     return pw85_distance_cylinder(in[0], *in[1], in[2], in[3], out[0], out[1], out[2]);
@@ -279,6 +284,7 @@ std::vector<Function> &functions()
         {"distance_plane", "(3),(),(6)->(),(3)", distance_plane},
         {"distance_plane_derivatives", "(3),(6)->(3),(3)", distance_plane_derivatives},
         {"contact_plane", "(3),(),(6)->(),(3)", contact_plane},
+        {"contact_plane_derivatives", "(3),(),(6)->(3),(3)", contact_plane_derivatives},
         {"distance_box", "(3),(3),(6)->(),(3),(3)", distance_and_points<pw85_distance_box>},
         {"distance_cylinder", "(3),(),(3),(6)->(),(3),(3)", distance_cylinder},
         {"distance_point", "(3),(6)->(),(3),(3)", distance_point},

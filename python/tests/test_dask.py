@@ -56,6 +56,7 @@ def test_distances(chunked, name):
 def test_walls(chunked):
     (r, q, _), (lazy_r, lazy_q, _) = chunked
     for name, scalars in (("distance_plane", (2.0,)), ("contact_plane", (2.0,)), ("distance_plane_derivatives", ()),
+                          ("contact_plane_derivatives", (2.0,)),
                           ("distance_cylinder", (9.0, [1, 0, 0])), ("distance_point", ()),
                           ("intersect_line", ([0, 0, 1],))):
         function = getattr(pypw85, name)

@@ -18,9 +18,9 @@ float64, uint8 = np.float64, np.uint8
 
 
 class Array:
-    """An array on the device, contiguous unless `strides` say otherwise."""
+    """An array on the device, contiguous unless `strides` say otherwise, in the order of the default stream."""
 
-    def __init__(self, shape, dtype, stream=None, strides=None):
+    def __init__(self, shape, dtype, stream=1, strides=None):
         self.shape, self.dtype, self.stream, self.strides = shape, np.dtype(dtype), stream, strides
         self.size = int(np.prod(shape)) * self.dtype.itemsize
         address = ctypes.c_uint64()
@@ -60,6 +60,54 @@ def device(values, **options):
     array = Array(values.shape, values.dtype, **options)
     array.view()[...] = values
     return array
+
+
+class Handed:
+    """An array of a library that hands its arrays over by DLPack, and takes others: itself."""
+
+    def __init__(self, producer):
+        assert producer.__dlpack_device__() == (2, 0)
+        capsule = producer.__dlpack__(stream=77)
+        self.address, self.shape, strides, kind = pypw85._core.dlpack_view(capsule)
+        assert strides is None
+        # The capsule gives the memory back unless somebody takes it out.
+        self.dtype, self.capsule, self.streams = np.dtype(kind), capsule, []
+
+    @staticmethod
+    def __array_namespace__():
+        return Library
+
+    @staticmethod
+    def __dlpack_device__():
+        return (2, 0)
+
+    def __dlpack__(self, *, stream=None):
+        self.streams.append(stream)
+        return self.capsule
+
+    view, host = Array.view, Array.host
+    size = property(lambda self: int(np.prod(self.shape)) * self.dtype.itemsize)
+
+    def __ne__(self, number):
+        return self.host() != number
+
+
+class Library:
+    """What JAX has: an `empty` whose arrays cannot be filled, too."""
+
+    from_dlpack = Handed
+
+    @staticmethod
+    def empty(shape, dtype):
+        raise AssertionError("arrays that cannot be filled")
+
+
+def handed(values):
+    values = np.ascontiguousarray(values)
+    array = pypw85._device.DeviceArray(values.shape, values.dtype)
+    taken = Handed(array)
+    taken.view()[...] = values
+    return taken
 
 
 @pytest.fixture
@@ -143,6 +191,8 @@ def test_refused(pairs):
             pypw85.contact(*bad)
     with pytest.raises(TypeError, match="casting"):
         pypw85.contact(r12, q1, q2, casting="no")
+    with pytest.raises(TypeError, match="'out'"):
+        pypw85.contact(r12, q1, q2, out=(device(np.zeros(500)), device(np.zeros(500))))
     with pytest.raises(TypeError, match="no such function"):
         pypw85.closest_approach(r12, q1, q2)
     index = device(np.zeros((4, 2), dtype=np.int32))
@@ -168,3 +218,124 @@ def test_no_memory(pairs, monkeypatch):
         ctypes.CDLL(None).unsetenv(b"PW85_FAKE_DRIVER")
     assert error.value.status == pypw85.Status.EDEVICE
     assert "graphics processor" in str(error.value)
+
+
+def test_dlpack(pairs):
+    arrays = [handed(x) for x in pairs]
+    results = pypw85.contact(*arrays)
+    assert [x.streams for x in arrays] == [[1]] * 3
+    for result, expected, tolerance in zip(results, pypw85.contact(*pairs), (1e-12, 1e-6)):
+        assert type(result) is Handed and result.dtype == np.float64
+        # They are there: nobody waited since.
+        data = (ctypes.c_char * result.size).from_address(result.address)
+        np.testing.assert_allclose(np.frombuffer(data), expected, rtol=tolerance)
+    overlap = pypw85.overlap(*pairs)
+    codes = pypw85.overlap(*arrays, dtype=np.uint8)
+    assert codes.dtype == np.uint8
+    np.testing.assert_array_equal(codes.host(), overlap)
+    np.testing.assert_array_equal(pypw85.overlap(*arrays), overlap)
+    normal = pypw85.contact_derivatives(*(handed(x.reshape(20, 25, -1)) for x in pairs)).normal
+    assert normal.shape == (20, 25, 3)
+    index = np.array([[0, 1], [2, 3]], dtype=np.int32)
+    mu2, _ = pypw85.contact_pairs(device(index), *map(handed, pairs[:2]))
+    np.testing.assert_allclose(mu2.host(), pypw85.contact_pairs(index, *pairs[:2])[0], rtol=1e-12)
+
+
+def test_dlpack_on_a_stream(pairs):
+    stream = ctypes.c_void_p()
+    assert DRIVER.cuStreamCreate(ctypes.byref(stream), 1) == 0
+    r12, q1, q2 = device(pairs[0], stream=stream.value), *map(handed, pairs[1:])
+    mu2, _ = pypw85.contact(r12, q1, q2)
+    assert q1.streams == [stream.value]
+    assert DRIVER.cuStreamSynchronize(stream) == 0
+    np.testing.assert_allclose(mu2.host(), pypw85.contact(*pairs)[0], rtol=1e-12)
+    assert DRIVER.cuStreamDestroy_v2(stream) == 0
+
+
+def test_memory_of_dlpack(pairs):
+    arrays = [handed(x) for x in pairs]
+    pypw85.contact(*arrays)
+    before = DRIVER.fake_blocks()
+    for _ in range(3):
+        pypw85.contact(*arrays)
+    assert DRIVER.cuStreamSynchronize(None) == 0
+    assert DRIVER.fake_blocks() == before
+    result = pypw85.contact(*arrays)
+    assert DRIVER.fake_blocks() == before + 2
+    del result
+    assert DRIVER.cuStreamSynchronize(None) == 0
+    assert DRIVER.fake_blocks() == before
+
+
+class Plain:
+    """An array of a library that makes none and says no stream, as those of Numba."""
+
+    def __init__(self, array):
+        self.array = array
+
+    @property
+    def __cuda_array_interface__(self):
+        return {**self.array.__cuda_array_interface__, "stream": None}
+
+
+def test_library_without_arrays(pairs, monkeypatch):
+    monkeypatch.delattr("test_device.empty", raising=False)
+    monkeypatch.setattr(Plain, "__module__", "math.arrays")
+    arrays = [Plain(device(x)) for x in pairs]
+    mu2, _ = pypw85.contact(*arrays)
+    interface = mu2.__cuda_array_interface__
+    assert interface["shape"] == (500,) and interface["typestr"] == "<f8"
+    data = (ctypes.c_double * 500).from_address(interface["data"][0])
+    np.testing.assert_allclose(np.frombuffer(data), pypw85.contact(*pairs)[0], rtol=1e-12)
+    codes = pypw85.overlap(*arrays, dtype=np.uint8)
+    assert Handed(codes).host().tolist() == pypw85.overlap(*pairs).tolist()
+    with pytest.raises(TypeError, match="uint8"):
+        pypw85.overlap(*arrays)
+    with pytest.raises(BufferError):
+        mu2.__dlpack__(copy=True)
+    with pytest.raises(BufferError):
+        mu2.__dlpack__(dl_device=(1, 0))
+
+
+def test_strides():
+    """Those of a dimension of one row say nothing, nor those of an array without numbers."""
+    row = device(np.array([[3.0, 0.0, 0.0]]), strides=(8, 8))
+    q = device(np.array([[1.0, 0.0, 0.0, 1.0, 0.0, 1.0]]), strides=(-1, 8))
+    assert pypw85.contact(row, q, q)[0].host() == pytest.approx(2.25)
+    none = device(np.zeros((0, 3)), strides=(7, 7)), device(np.zeros((0, 6))), device(np.zeros((0, 6)))
+    assert pypw85.contact(*none)[0].shape == (0,)
+
+
+def test_no_memory_for_results(pairs):
+    arrays = [handed(x) for x in pairs]
+    setenv = ctypes.CDLL(None).setenv
+    setenv(b"PW85_FAKE_DRIVER", b"no_memory", 1)
+    try:
+        with pytest.raises(pypw85.PW85Error, match="graphics processor"):
+            pypw85.contact(*arrays)
+    finally:
+        ctypes.CDLL(None).unsetenv(b"PW85_FAKE_DRIVER")
+
+
+def test_taken_capsule():
+    """Who takes the tensor renames the capsule, and destroys the tensor in the end."""
+
+    class Managed(ctypes.Structure):
+        _fields_ = [("tensor", ctypes.c_char * 48), ("owner", ctypes.c_void_p), ("destroy", ctypes.CFUNCTYPE(None, ctypes.c_void_p))]
+
+    python = ctypes.pythonapi
+    python.PyCapsule_GetPointer.restype = ctypes.c_void_p
+    before = DRIVER.fake_blocks()
+    array = pypw85._device.DeviceArray((3,), "float64")
+    capsule = array.__dlpack__()
+    pointer = python.PyCapsule_GetPointer(ctypes.py_object(capsule), b"dltensor")
+    name = b"used_dltensor"
+    assert python.PyCapsule_SetName(ctypes.py_object(capsule), name) == 0
+    with pytest.raises(ValueError):
+        pypw85._core.dlpack_view(capsule)
+    del array, capsule
+    assert DRIVER.cuStreamSynchronize(None) == 0
+    assert DRIVER.fake_blocks() == before + 1
+    Managed.from_address(pointer).destroy(pointer)
+    assert DRIVER.cuStreamSynchronize(None) == 0
+    assert DRIVER.fake_blocks() == before

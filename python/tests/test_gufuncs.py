@@ -39,6 +39,7 @@ SIGNATURES = {
     "distance_plane": "(3),(),(6)->(),(3)",
     "distance_plane_derivatives": "(3),(6)->(3),(3)",
     "contact_plane": "(3),(),(6)->(),(3)",
+    "contact_plane_derivatives": "(3),(),(6)->(3),(3)",
     "distance_box": "(3),(3),(6)->(),(3),(3)",
     "distance_cylinder": "(3),(),(3),(6)->(),(3),(3)",
     "distance_point": "(3),(6)->(),(3),(3)",

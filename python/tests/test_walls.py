@@ -40,6 +40,10 @@ def test_walls_agree(random_pairs, assert_rows):
     assert_rows(np.abs(touching - np.sqrt(mu2)[:, None] * deepest).max(axis=1) <= 1e-13, q)
     np.testing.assert_array_equal(d_center, -normal)
     assert_rows(np.abs(d_rot - np.cross(normal, point)).max(axis=1) <= 1e-14, q)
+    d_mu2 = pypw85.contact_plane_derivatives([0, 0, 2], 6, q)
+    factor = 2 / 3 * mu2[:, None]  # μ = 3/α, and (2μ/α) = 2μ²/3 for a unit normal
+    assert_rows(np.abs(d_mu2[0] - factor * d_center).max(axis=1) <= 1e-14 * mu2, q)
+    assert_rows(np.abs(d_mu2[1] - factor * np.cross(normal, touching)).max(axis=1) <= 1e-13 * mu2**1.5, q)
 
 
 def test_cylinder_against_many_normals(random_pairs, assert_rows):

@@ -45,6 +45,8 @@ static_assert(pw85::gpu::block_size == 128);
         fill(work, tile, block(), thread());                                                                           \
         meet();                                                                                                        \
         attempt(work, tile, block(), thread());                                                                        \
+        if (pw85::gpu::is_staged<pw85::gpu::Out>) meet();                                                              \
+        take_out(work, tile, block(), thread());                                                                       \
     }                                                                                                                  \
     PW85_KERNEL(pw85_##name##_settle)(pw85::gpu::Settle<pw85::gpu::Rows, pw85::gpu::Out> const work)                   \
     {                                                                                                                  \

@@ -224,6 +224,7 @@ template <class Out> int run_pairs(Handle stream, std::size_t num_pairs, std::si
     if (any_null(list.pairs, list.centers, list.q)) return PW85_EINVAL;
     auto const end = static_cast<std::uint32_t>(std::min<std::size_t>(num_particles, INT32_MAX + std::size_t{1}));
     DeviceList rows{list, end, false, {}, {}};
+    rows.list.cell = nullptr; // that of the host
     if (!set_cell(rows, list.cell)) return PW85_EINVAL;
     return run(stream, num_pairs, rows, out);
 }

@@ -8,9 +8,8 @@
 #ifndef PW85_GPU_WORK_HPP_INCLUDED
 #define PW85_GPU_WORK_HPP_INCLUDED
 
-#include <pw85/comparison.hpp>
+#include <pw85/decide_overlap.hpp>
 #include <pw85/geometry.hpp>
-#include <pw85/quartic.hpp>
 
 #include "../kernels/rows.hpp"
 
@@ -60,14 +59,31 @@ PW85_FUNCTION inline void store(double x, double *rows, std::size_t i) noexcept
     if (rows != nullptr) rows[i] = x;
 }
 
-/// The rows of a block's pairs, brought in by all of its threads together, so that neighbours read neighbouring numbers.
+/// The rows of a block's pairs, brought in by all of its threads together, so that neighbours read neighbouring numbers: 3, 6 and 6
+/// of each pair. Results of three numbers are left there, five of each pair, and taken out in the same way. That 15 is odd lets all
+/// threads reach their own at once.
 struct Tile {
-    double r12[3 * block_size], q1[6 * block_size], q2[6 * block_size];
+    static constexpr std::size_t width = 15;
+    double numbers[width * block_size];
+
+    PW85_MEMBER double *row(unsigned thread) noexcept { return numbers + width * thread; }
+    PW85_MEMBER double const *row(unsigned thread) const noexcept { return numbers + width * thread; }
 };
 
-PW85_FUNCTION inline void copy(double const *from, double *to, std::size_t count, unsigned thread) noexcept
+/// What a thread brings in of `count` rows.
+template <std::size_t columns> PW85_FUNCTION inline void bring(double const *from, Tile &tile, std::size_t offset,
+                                                               std::size_t count, unsigned thread) noexcept
 {
-    for (std::size_t k = thread; k < count; k += block_size) to[k] = from[k];
+    for (std::size_t k = thread; k < columns * count; k += block_size)
+        tile.numbers[Tile::width * (k / columns) + offset + k % columns] = from[k];
+}
+
+/// What a thread takes out of `count` rows of three numbers, where they are wanted.
+PW85_FUNCTION inline void take(Tile const &tile, std::size_t offset, double *to, std::size_t count,
+                               unsigned thread) noexcept
+{
+    for (std::size_t k = thread; to != nullptr && k < 3 * count; k += block_size)
+        to[k] = tile.numbers[Tile::width * (k / 3) + offset + k % 3];
 }
 
 PW85_FUNCTION inline Pair3 load(Pairs const &arrays, std::size_t index) noexcept
@@ -80,14 +96,15 @@ PW85_FUNCTION inline void fill(Tile &tile, Pairs const &arrays, std::size_t begi
                                unsigned thread) noexcept
 {
     Pairs const block = arrays.from(begin);
-    copy(block.r12, tile.r12, 3 * count, thread);
-    copy(block.q1, tile.q1, 6 * count, thread);
-    copy(block.q2, tile.q2, 6 * count, thread);
+    bring<3>(block.r12, tile, 0, count, thread);
+    bring<6>(block.q1, tile, 3, count, thread);
+    bring<6>(block.q2, tile, 9, count, thread);
 }
 
 PW85_FUNCTION inline Pair3 load(Tile const &tile, Pairs const &, std::size_t, unsigned thread) noexcept
 {
-    return load(Pairs{tile.r12, tile.q1, tile.q2}, thread);
+    double const *const row = tile.row(thread);
+    return load(Pairs{row, row + 3, row + 9}, 0);
 }
 
 /// A neighbour list with what belongs to it and is no array of the device: that is in here.
@@ -174,11 +191,7 @@ PW85_FUNCTION inline bool attempt(OverlapArray const &out, Pair3 const &pair, st
 
 PW85_FUNCTION inline bool settle(OverlapArray const &out, Pair3 const &pair, std::size_t i) noexcept
 {
-    ScaledPair<double, 3> scaled;
-    if (validate(pair.r12, pair.q1, pair.q2, scaled) != Status::success) return false;
-    if (largest_coordinate(pair.r12) == 0.0) return store(Decision::overlap, out, i);
-    double const tangent = times_power_of_two(1.0, 2 * (scaled.form - scaled.length));
-    return store(decide_by_comparison(scaled.pair, tangent), out, i);
+    return store(decide_near_contact(pair.r12, pair.q1, pair.q2).decision, out, i);
 }
 
 PW85_FUNCTION inline bool attempt(DerivativeArrays const &out, Pair3 const &pair, std::size_t i) noexcept
@@ -235,15 +248,62 @@ PW85_FUNCTION inline void fill(Attempt<Rows, Out> const &work, Tile &tile, std::
     fill(tile, work.rows, begin, block_count(work.size, begin), thread);
 }
 
+/// Where a thread leaves the results of pair i: here, at once.
+template <class Out> PW85_FUNCTION inline Out place(Out const &out, Tile &, unsigned, std::size_t i) noexcept
+{
+    return out.from(i);
+}
+
+PW85_FUNCTION inline double *place(double const *wanted, double *here) noexcept
+{
+    return wanted == nullptr ? nullptr : here;
+}
+
+/// Vectors in its own row of the tile, which nobody else needs, and it no more.
+PW85_FUNCTION inline DerivativeArrays place(DerivativeArrays const &out, Tile &tile, unsigned thread,
+                                            std::size_t i) noexcept
+{
+    DerivativeArrays const here = out.from(i);
+    double *const row = tile.row(thread);
+    return {here.mu2,
+            here.lambda,
+            place(out.point, row),
+            place(out.normal, row + 3),
+            place(out.d_r12, row + 6),
+            place(out.d_rot1, row + 9),
+            place(out.d_rot2, row + 12)};
+}
+
 /// What it does after that.
-template <class Rows, class Out> PW85_FUNCTION inline void attempt(Attempt<Rows, Out> const &work, Tile const &tile,
+template <class Rows, class Out> PW85_FUNCTION inline void attempt(Attempt<Rows, Out> const &work, Tile &tile,
                                                                    std::size_t block, unsigned thread) noexcept
 {
     std::size_t const begin = block * block_size;
     if (thread >= block_count(work.size, begin)) return;
     auto const index = static_cast<std::uint32_t>(begin + thread);
-    if (!attempt(work.out, load(tile, work.rows, begin, thread), index))
-        work.rest.indices[next(work.rest.count)] = index;
+    Pair3 const pair = load(tile, work.rows, begin, thread);
+    if (!attempt(place(work.out, tile, thread, index), pair, 0)) work.rest.indices[next(work.rest.count)] = index;
+}
+
+/// Whether results are left in the tile: then the block meets once more before take_out().
+template <class Out> inline constexpr bool is_staged = false;
+template <> inline constexpr bool is_staged<DerivativeArrays> = true;
+
+template <class Rows, class Out>
+PW85_FUNCTION inline void take_out(Attempt<Rows, Out> const &, Tile const &, std::size_t, unsigned) noexcept
+{
+}
+
+template <class Rows> PW85_FUNCTION inline void take_out(Attempt<Rows, DerivativeArrays> const &work, Tile const &tile,
+                                                         std::size_t block, unsigned thread) noexcept
+{
+    std::size_t const begin = block * block_size, count = block_count(work.size, begin);
+    DerivativeArrays const out = work.out.from(begin);
+    take(tile, 0, out.point, count, thread);
+    take(tile, 3, out.normal, count, thread);
+    take(tile, 6, out.d_r12, count, thread);
+    take(tile, 9, out.d_rot1, count, thread);
+    take(tile, 12, out.d_rot2, count, thread);
 }
 
 /// The second stage: the pairs of the list, and a mailbox for what remains of them.

@@ -46,13 +46,14 @@ template <class T> T everything(T const &x)
     auto const q3 = ellipsoid(r12, rotation).q;
     auto const t = contact_torque(r12, q1, q2, T(0.5));
     auto const s = distance_derivatives(times(T(100), r12), q1, q2);
-    auto const p = distance_plane_derivatives(r12, q1);
+    auto const p = distance_plane_derivatives(r12, q1), c = contact_plane_derivatives(r12, x, q1);
     Vector<T, 2> const flat{x, T(1)};
     auto const e1 = ellipse(x, T(2), T(1)).q, e2 = ellipse(x, T(1), T(2)).q;
     return both(r12, q1, q2) + both(r12, q3, q2) + both(flat, e1, e2) + sum(t.rotation1) + sum(t.rotation2) +
-           sum(s.rotation1) + s.hessian[0][0] + sum(p.center) + distance_cylinder(r12, x, r12, q1).distance +
-           legacy::contact_newton(r12, q1, q2).mu2 + legacy::contact_bisection(r12, q1, q2).mu2 +
-           zheng::ellipses(flat, e1, e2).distance + zheng::ellipsoids(r12, q1, q2).distance;
+           sum(s.rotation1) + s.hessian[0][0] + sum(p.center) + sum(c.rotation) +
+           distance_cylinder(r12, x, r12, q1).distance + legacy::contact_newton(r12, q1, q2).mu2 +
+           legacy::contact_bisection(r12, q1, q2).mu2 + zheng::ellipses(flat, e1, e2).distance +
+           zheng::ellipsoids(r12, q1, q2).distance;
 }
 
 double of_batches(double x)

@@ -162,10 +162,11 @@ class Stream {
     std::thread thread_;
 };
 
+/// 1 is another name of the default stream.
 Stream &stream(Handle handle)
 {
     static Stream legacy;
-    return handle == nullptr ? legacy : *static_cast<Stream *>(handle);
+    return reinterpret_cast<std::uintptr_t>(handle) <= 1 ? legacy : *static_cast<Stream *>(handle);
 }
 
 /// An entry of the program for the device.
@@ -183,6 +184,7 @@ template <class Work> void run_attempt(void const *argument, unsigned blocks)
         std::memset(static_cast<void *>(&tile), 0xff, sizeof tile);
         for (unsigned thread = 0; thread < block_size; ++thread) fill(work, tile, block, thread);
         for (unsigned thread = 0; thread < block_size; ++thread) attempt(work, tile, block, thread);
+        for (unsigned thread = 0; thread < block_size; ++thread) take_out(work, tile, block, thread);
     }
 }
 

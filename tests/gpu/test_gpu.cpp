@@ -1,6 +1,8 @@
 // The functions for devices against those for the host; on a device, or on the fake one of the tests.
 #include <algorithm>
 #include <cmath>
+#include <cstring>
+#include <memory>
 #include <thread>
 #include <vector>
 
@@ -321,6 +323,150 @@ void test_arguments()
     g_assert_cmpint(count, >=, 1);
 }
 
+/// A function of pw85_gpu.h with its pointers, of which the last may be null, and a number of rows.
+struct Function {
+    char const *name;
+    std::size_t num_required;
+    std::vector<void *> pointers;
+    int (*call)(std::size_t n, void *const *p);
+};
+
+template <class T = double> T *as(void *pointer) { return static_cast<T *>(pointer); }
+
+/// All of them, for two rows of these arrays.
+std::vector<Function> all_functions(DeviceColumns const &in, double const *out, unsigned char const *codes,
+                                    std::int32_t const *pairs, Columns &own)
+{
+    void *const r = in.r12.get(), *const a = in.q1.get(), *const b = in.q2.get(),
+                *const list = const_cast<int *>(pairs), *const x = const_cast<double *>(out),
+                *const c = const_cast<unsigned char *>(codes);
+    void *const r0 = own.r12.data(), *const a0 = own.q1.data(), *const b0 = own.q2.data();
+    static double results[12];
+    static unsigned char overlaps[2];
+    return {
+        {"contact_batch",
+         4,
+         {r, a, b, x, x},
+         [](std::size_t n, void *const *p) {
+             return pw85_gpu_contact_batch(nullptr, n, as(p[0]), as(p[1]), as(p[2]), as(p[3]), as(p[4]));
+         }},
+        {"overlap_batch",
+         4,
+         {r, a, b, c},
+         [](std::size_t n, void *const *p) {
+             return pw85_gpu_overlap_batch(nullptr, n, as(p[0]), as(p[1]), as(p[2]), as<unsigned char>(p[3]));
+         }},
+        {"derivatives_batch",
+         3,
+         {r, a, b, x, x},
+         [](std::size_t n, void *const *p) {
+             return pw85_gpu_contact_derivatives_batch(nullptr, n, as(p[0]), as(p[1]), as(p[2]), as(p[3]), nullptr,
+                                                       nullptr, nullptr, as(p[4]), nullptr, nullptr);
+         }},
+        {"contact_pairs",
+         4,
+         {list, r, a, x, x},
+         [](std::size_t n, void *const *p) {
+             return pw85_gpu_contact_pairs(nullptr, n, as<int>(p[0]), nullptr, 2, as(p[1]), as(p[2]), nullptr, as(p[3]),
+                                           as(p[4]));
+         }},
+        {"overlap_pairs",
+         4,
+         {list, r, a, c},
+         [](std::size_t n, void *const *p) {
+             return pw85_gpu_overlap_pairs(nullptr, n, as<int>(p[0]), nullptr, 2, as(p[1]), as(p[2]), nullptr,
+                                           as<unsigned char>(p[3]));
+         }},
+        {"derivatives_pairs",
+         3,
+         {list, r, a, x, x},
+         [](std::size_t n, void *const *p) {
+             return pw85_gpu_contact_derivatives_pairs(nullptr, n, as<int>(p[0]), nullptr, 2, as(p[1]), as(p[2]),
+                                                       nullptr, as(p[3]), nullptr, nullptr, as(p[4]), nullptr, nullptr,
+                                                       nullptr);
+         }},
+        {"contact_host",
+         4,
+         {r0, a0, b0, results, results + 2},
+         [](std::size_t n, void *const *p) {
+             return pw85_gpu_contact_host(n, as(p[0]), as(p[1]), as(p[2]), as(p[3]), as(p[4]));
+         }},
+        {"overlap_host",
+         4,
+         {r0, a0, b0, overlaps},
+         [](std::size_t n, void *const *p) {
+             return pw85_gpu_overlap_host(n, as(p[0]), as(p[1]), as(p[2]), as<unsigned char>(p[3]));
+         }},
+        {"derivatives_host",
+         3,
+         {r0, a0, b0, results, results + 2},
+         [](std::size_t n, void *const *p) {
+             return pw85_gpu_contact_derivatives_host(n, as(p[0]), as(p[1]), as(p[2]), as(p[3]), nullptr, nullptr,
+                                                      nullptr, as(p[4]), nullptr, nullptr);
+         }},
+    };
+}
+
+// Each function: nothing for no rows, whatever the pointers; no pointer that must be there may be null, any other may.
+void test_null_pointers()
+{
+    Random random(708);
+    Columns own(mixed_pairs(random, 2));
+    DeviceColumns const in{own};
+    DeviceArray<double> const out(6);
+    DeviceArray<unsigned char> const codes(2);
+    DeviceArray<std::int32_t> const pairs(std::vector<std::int32_t>{0, 1, 1, 0});
+    for (Function const &f : all_functions(in, out.get(), codes.get(), pairs.get(), own)) {
+        g_test_message("%s", f.name);
+        std::vector<void *> const none(f.pointers.size(), nullptr);
+        g_assert_cmpint(f.call(0, none.data()), ==, PW85_SUCCESS);
+        g_assert_cmpint(f.call(0, f.pointers.data()), ==, PW85_SUCCESS);
+        g_assert_cmpint(f.call(SIZE_MAX, f.pointers.data()), ==, PW85_EINVAL);
+        int const expected = f.call(2, f.pointers.data());
+        for (std::size_t k = 0; k < f.pointers.size(); ++k) {
+            auto pointers = f.pointers;
+            pointers[k] = nullptr;
+            g_assert_cmpint(f.call(2, pointers.data()), ==, k < f.num_required ? PW85_EINVAL : expected);
+        }
+    }
+    device().synchronize(nullptr);
+}
+
+// Rows of results, each array wanted alone, and nothing behind them: also where blocks of threads are not full, or pairs are bad.
+void test_outputs()
+{
+    Random random(709);
+    for (std::size_t const n : {std::size_t{1}, std::size_t{127}, std::size_t{130}}) {
+        auto const pairs = mixed_pairs(random, n);
+        DeviceColumns const in{Columns(pairs)};
+        std::size_t const widths[] = {1, 1, 3, 3, 3, 3, 3};
+        std::vector<std::vector<double>> together;
+        for (int alone = -1; alone < 7; ++alone) {
+            std::vector<std::unique_ptr<DeviceArray<double>>> arrays;
+            double *out[7];
+            for (int k = 0; k < 7; ++k) {
+                arrays.push_back(
+                    std::make_unique<DeviceArray<double>>(std::vector<double>(widths[k] * n + 8, 0x1p-99)));
+                out[k] = alone < 0 || alone == k ? arrays.back()->get() : nullptr;
+            }
+            g_assert_cmpint(pw85_gpu_contact_derivatives_batch(nullptr, n, in.r12.get(), in.q1.get(), in.q2.get(),
+                                                               out[0], out[1], out[2], out[3], out[4], out[5], out[6]),
+                            ==, PW85_SUCCESS);
+            device().synchronize(nullptr);
+            for (std::size_t k = 0; k < 7; ++k) {
+                auto const values = arrays[k]->values();
+                for (std::size_t i = 0; i < values.size(); ++i)
+                    g_assert_true((values[i] != 0x1p-99) == (out[k] != nullptr && i < widths[k] * n));
+                if (alone < 0)
+                    together.push_back(values);
+                else if (out[k] != nullptr)
+                    g_assert_true(std::memcmp(values.data(), together[k].data(), values.size() * sizeof values[0]) ==
+                                  0);
+            }
+        }
+    }
+}
+
 // Several pieces, of which some have bad pairs; two threads.
 void test_host_arrays()
 {
@@ -365,25 +511,29 @@ void test_no_waiting()
     auto const pairs = mixed_pairs(random, 3000);
     std::size_t const n = pairs.size();
     DeviceColumns const in{Columns(pairs)};
-    DeviceArray<double> const mu2(n);
-    DeviceArray<unsigned char> const overlap(std::vector<unsigned char>(n, 77));
-    Stream const first, second;
+    std::vector<unsigned char> const before(n, 77);
+    DeviceArray<double> const mu2[] = {DeviceArray<double>(n), DeviceArray<double>(n)};
+    DeviceArray<unsigned char> const overlap[] = {DeviceArray<unsigned char>(before),
+                                                  DeviceArray<unsigned char>(before)};
+    Stream const streams[2];
     hold(1);
     for (int i = 0; i < 3; ++i)
-        for (Stream const *stream : {&first, &second}) {
+        for (int k = 0; k < 2; ++k) {
+            void *const stream = streams[k].handle();
+            g_assert_cmpint(pw85_gpu_overlap_batch(stream, n, in.r12.get(), in.q1.get(), in.q2.get(), overlap[k].get()),
+                            ==, PW85_SUCCESS);
             g_assert_cmpint(
-                pw85_gpu_overlap_batch(stream->handle(), n, in.r12.get(), in.q1.get(), in.q2.get(), overlap.get()), ==,
+                pw85_gpu_contact_batch(stream, n, in.r12.get(), in.q1.get(), in.q2.get(), mu2[k].get(), nullptr), ==,
                 PW85_SUCCESS);
-            g_assert_cmpint(
-                pw85_gpu_contact_batch(stream->handle(), n, in.r12.get(), in.q1.get(), in.q2.get(), mu2.get(), nullptr),
-                ==, PW85_SUCCESS);
         }
-    g_assert_true(std::all_of(overlap.get(), overlap.get() + n, [](unsigned char x) { return x == 77; }));
+    // Held, and so not written to by another thread.
+    for (auto const &array : overlap) g_assert_true(std::equal(before.begin(), before.end(), array.get()));
     hold(0);
-    first.wait();
-    second.wait();
     auto const host = run_batch(pairs);
-    g_assert_true(overlap.values() == host.overlap);
+    for (int k = 0; k < 2; ++k) {
+        streams[k].wait();
+        g_assert_true(overlap[k].values() == host.overlap);
+    }
 }
 
 // What calls allocate goes back; mailboxes stay for later calls, and are not one for each.
@@ -416,6 +566,8 @@ int main(int argc, char **argv)
     g_test_add_data_func("/gpu/lists/images", &list_cases[2], test_lists);
     g_test_add_func("/gpu/lists/bad_indices", test_bad_indices);
     g_test_add_func("/gpu/arguments", test_arguments);
+    g_test_add_func("/gpu/null_pointers", test_null_pointers);
+    g_test_add_func("/gpu/outputs", test_outputs);
     g_test_add_func("/gpu/no_waiting", test_no_waiting);
     g_test_add_func("/gpu/memory", test_memory);
     return g_test_run();
