@@ -2,6 +2,7 @@
 
 import enum
 import os
+import re
 import sys
 from pathlib import Path
 
@@ -39,6 +40,7 @@ nitpick_ignore_regex = [
     ("cpp:identifier", r"T|D|pw85|rotation_axes<D>|pw85_\w+|\w+<T, D>"),
 ]
 add_function_parentheses = True
+default_role = "code"
 numfig = True
 rst_epilog = f"""
 .. |contact-problems| replace:: {measurements.number_of_contact_problems():,}
@@ -84,6 +86,17 @@ def escape_bars(app, what, name, obj, options, lines):
     lines[:] = [line if line.lstrip().startswith((">>>", "...")) else line.replace("|", "\\|") for line in lines]
 
 
+def link_names(app, what, name, obj, options, lines):
+    """Names of the package in docstrings, as types (*System*) or as code (`System`), refer to their texts."""
+    import pypw85
+
+    def link(match):
+        known = match[2] in pypw85.__all__
+        return f":py:obj:`{match[2]} <pypw85.{match[2]}>`" if known else match[0]
+
+    lines[:] = [re.sub(r"(?<![\w*`:])([*`])(?:pypw85\.)?(\w+)\1(?![\w*`])", link, line) for line in lines]
+
+
 def no_constructor(app, what, name, obj, options, signature, returned):
     """An enumeration is not made by calling it."""
     return (None, None) if isinstance(obj, enum.EnumMeta) else None
@@ -92,3 +105,4 @@ def no_constructor(app, what, name, obj, options, signature, returned):
 def setup(app):
     app.connect("autodoc-process-signature", no_constructor)
     app.connect("autodoc-process-docstring", escape_bars)
+    app.connect("autodoc-process-docstring", link_names)

@@ -68,7 +68,7 @@ Context::Context(Driver const *driver) noexcept : driver_(driver)
 {
     if (driver == nullptr) return;
     if (driver->current_context(&handle_) == 0 && handle_ != nullptr) return;
-    static Handle const first = first_context(*driver);
+    static auto const first = first_context(*driver);
     pushed_ = first != nullptr && driver->push_context(first) == 0;
     handle_ = pushed_ ? first : nullptr;
 }

@@ -478,6 +478,13 @@ void test_limit_arguments()
     check(PW85_EINVAL, 1, not_finite, cell);
     check(PW85_ENOTPD, 1, indefinite, cell);
     check(PW85_EINVAL, 1, q, singular);
+    for (int k = 0; k < 9; ++k)
+        for (double const entry : {nan, HUGE_VAL, k % 4 == 0 ? 0.0 : nan, k % 4 == 0 ? 0x1p-60 : nan}) {
+            double bad[9];
+            std::copy_n(cell, 9, bad);
+            bad[k] = entry;
+            check(PW85_EINVAL, 1, q, bad);
+        }
     check(PW85_EINVAL, 1, q, nullptr);
     check(PW85_EINVAL, 1, nullptr, cell);
     check(PW85_EINVAL, SIZE_MAX / 8, q, cell);
