@@ -1,6 +1,9 @@
-// For choices.py: the mean number of evaluations of f that the solver needs, the largest, and the per cent of pairs that it solves by
-// factorisation, over random pairs of several aspect ratios.
+// For choices.py. Without arguments: the mean number of evaluations of f that the solver needs, the largest, and the per cent of
+// pairs that it solves by factorisation, over random pairs of several aspect ratios. With arguments: the per cent of pairs that the
+// test on the quartic leaves undecided at so many of these points about the first t, and after so many tests where the fixed-point
+// map leads.
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 
@@ -10,22 +13,79 @@
 
 using namespace pw85_bench;
 
+namespace {
+
+constexpr int num_pairs = 4000;
+
+void count_evaluations(double aspect)
+{
+    double sum = 0.0, factorized = 0.0;
+    int largest = 0;
+    for (Pair const &pair : random_block(aspect, 0.0, num_pairs)) {
+        auto const scaled = pw85::scale(pair.r12, pair.q1, pair.q2).pair;
+        auto const maximum = pw85::maximize(scaled);
+        auto state = pw85::start_search(scaled, pw85::initial_guess(scaled));
+        for (int i = 0; i < pw85::max_rational_steps && state.active; ++i) pw85::take_step(state, scaled.ratio);
+        sum += maximum.evaluations;
+        factorized += 100.0 * !pw85::last_evaluation(scaled, state.candidate).certain;
+        largest = std::max(largest, maximum.evaluations);
+    }
+    std::printf("%g,%.3f,%d,%.3g\n", aspect, sum / num_pairs, largest, factorized / num_pairs);
+}
+
+using ScaledPair = pw85::Pair<double, 3>;
+
+bool is_decided(ScaledPair const &pair, double t)
+{
+    auto const certainty = pw85::test_quartic(pw85::evaluate_quartic(pair, t), t);
+    return certainty.apart || certainty.overlap;
+}
+
+/// The number of points up to the one that decides, or more than there are.
+std::size_t deciding_point(ScaledPair const &pair, std::vector<double> const &points)
+{
+    auto const weights = pw85::outer_weights(pair.r12);
+    double const center =
+        pw85::coarse_root_of_ratio(pw85::quadratic_form(pair.q1, weights), pw85::quadratic_form(pair.q2, weights));
+    std::size_t n = 0;
+    while (n < points.size() && !is_decided(pair, center * points[n])) ++n;
+    return n + 1;
+}
+
+/// The number of tests along the fixed-point map up to the one that decides, or more than so many.
+std::size_t deciding_test(ScaledPair const &pair, std::size_t most)
+{
+    double t = pw85::initial_guess(pair);
+    std::size_t n = 0;
+    for (; n < most && !is_decided(pair, t); ++n)
+        t = std::sqrt(pw85::fixed_point_square(pw85::evaluate_quartic(pair, t), t));
+    return n + 1;
+}
+
+void count_tests(double aspect, std::vector<double> const &points)
+{
+    constexpr std::size_t most = 5;
+    std::vector<double> by_points(points.size() + 1), by_map(most + 1);
+    for (Pair const &pair : random_block(aspect, 0.0, num_pairs)) {
+        ScaledPair const p{pair.r12, pair.q1, pair.q2, 1.0};
+        for (std::size_t n = 1; n < deciding_point(p, points); ++n) by_points[n] += 100.0 / num_pairs;
+        for (std::size_t n = 1; n < deciding_test(p, most); ++n) by_map[n] += 100.0 / num_pairs;
+    }
+    std::printf("%g", aspect);
+    for (std::size_t n = 1; n <= points.size(); n *= 2) std::printf(",%.3g", by_points[n]);
+    for (std::size_t n = 1; n <= most; ++n) std::printf(",%.3g", by_map[n]);
+    std::puts("");
+}
+
+} // namespace
+
 int main(int argc, char **argv)
 {
-    int const pairs = argc > 1 ? std::atoi(argv[1]) : 4000;
-    for (double const aspect : {2.0, 10.0, 100.0, 1e4, 1e6}) {
-        double sum = 0.0, factorized = 0.0;
-        int largest = 0;
-        for (Pair const &pair : random_block(aspect, 0.0, pairs)) {
-            auto const scaled = pw85::scale(pair.r12, pair.q1, pair.q2).pair;
-            auto const maximum = pw85::maximize(scaled);
-            auto state = pw85::start_search(scaled, pw85::initial_guess(scaled));
-            for (int i = 0; i < pw85::max_rational_steps && state.active; ++i) pw85::take_step(state, scaled.ratio);
-            sum += maximum.evaluations;
-            factorized += 100.0 * !pw85::last_evaluation(scaled, state.candidate).certain;
-            largest = std::max(largest, maximum.evaluations);
-        }
-        std::printf("%g,%.3f,%d,%.3g\n", aspect, sum / pairs, largest, factorized / pairs);
-    }
+    std::vector<double> points;
+    for (int i = 1; i < argc; ++i) points.push_back(std::atof(argv[i]));
+    if (argc == 1)
+        for (double const aspect : {2.0, 10.0, 100.0, 1e4, 1e6}) count_evaluations(aspect);
+    else
+        for (double const aspect : {2.0, 10.0, 100.0}) count_tests(aspect, points);
     return 0;
 }

@@ -4,11 +4,13 @@
     choices.py BUILD [COMPILER]
 
 Compiles choices.cpp with each constant of the headers replaced in turn, and prints the mean number of evaluations of f, at aspect
-ratios 2, 10, 100, 10⁴ and 10⁶, the largest, and the per cent of pairs that go to the factorised form at 10⁴ and 10⁶. BUILD is a
-build directory, for version.h. Nothing is timed.
+ratios 2, 10, 100, 10⁴ and 10⁶, the largest, and the per cent of pairs that go to the factorised form at 10⁴ and 10⁶. Then the
+points of the test on the quartic: the per cent of pairs that 1, 2, 4 and 8 of them leave undecided, and 1 to 5 tests where the
+fixed-point map leads. BUILD is a build directory, for version.h. Nothing is timed.
 """
 
 import pathlib
+import re
 import shutil
 import subprocess
 import sys
@@ -28,6 +30,24 @@ CHOICES = [
     ("rational_search.hpp", "max_rational_steps = 8", "max_rational_steps = {}", ["8", "4", "6", "12"]),
 ]
 
+# Where the test on the quartic is made, and what is tried for it; the header's own come first.
+POINTS = (
+    [1, 2, 0.5, 1.4, 0.7, 4, 0.25, 1.2],
+    [1, 0.5, 2, 0.25, 4, 0.125, 8, 0.0625],
+    [1, 0.6, 1.7, 0.36, 2.8, 0.22, 4.6, 0.8],
+    [1, 0.8, 1.25, 0.64, 1.56, 0.51, 1.95, 0.41],
+)
+
+
+def compile_program(build, compiler, include, program):
+    flags = ["-std=c++20", "-O1", "-ffp-contract=off", f"-I{include}", f"-I{build}/include", f"-I{ROOT}/tests"]
+    subprocess.run([compiler, *flags, ROOT / "bench" / "choices.cpp", "-o", program], check=True)
+
+
+def rows_of(program, *arguments):
+    done = subprocess.run([program, *map(str, arguments)], check=True, text=True, stdout=subprocess.PIPE)
+    return [line.split(",") for line in done.stdout.splitlines()]
+
 
 def run(build, compiler, header, old, new):
     with tempfile.TemporaryDirectory() as folder:
@@ -39,10 +59,20 @@ def run(build, compiler, header, old, new):
         solver = include / "solver.hpp"  # asserts the sum of the limits
         solver.write_text("\n".join(line for line in solver.read_text().splitlines() if "static_assert(" not in line))
         program = pathlib.Path(folder) / "choices"
-        flags = ["-std=c++20", "-O1", "-ffp-contract=off", f"-I{folder}", f"-I{build}/include", f"-I{ROOT}/tests"]
-        subprocess.run([compiler, *flags, ROOT / "bench" / "choices.cpp", "-o", program], check=True)
-        lines = subprocess.run([program], check=True, text=True, stdout=subprocess.PIPE).stdout.splitlines()
-    return [line.split(",") for line in lines]
+        compile_program(build, compiler, folder, program)
+        return rows_of(program)
+
+
+def print_tests(build, compiler):
+    text = (ROOT / "include" / "pw85" / "quartic.hpp").read_text(encoding="utf-8")
+    own = re.findall(r"Lane\(([\d.]+)\)", re.search(r"points\[8\] = \{(.*?)\}", text, re.S)[1])
+    with tempfile.TemporaryDirectory() as folder:
+        program = pathlib.Path(folder) / "choices"
+        compile_program(build, compiler, ROOT / "include", program)
+        print("undecided [%] at aspect 2, 10, 100 after 1, 2, 4, 8 points; after 1 ... 5 tests along the fixed-point map")
+        for points in (own, *POINTS):
+            undecided = " | ".join(" ".join(row[1:]) for row in rows_of(program, *points))
+            print(" ".join(map(str, points)), undecided, sep=": ", flush=True)
 
 
 def main():
@@ -56,6 +86,7 @@ def main():
             largest = max(int(row[2]) for row in rows)
             shares = " ".join(f"{row[3]:>6}" for row in rows[3:])
             print(f"{header + ': ' + new:60} {means:36} {largest:7}   {shares}", flush=True)
+    print_tests(build, compiler)
 
 
 main()

@@ -12,6 +12,7 @@ import datetime
 import json
 import os
 import platform
+import re
 import subprocess
 import sys
 from operator import itemgetter
@@ -20,7 +21,6 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parent.parent
 RESULTS = ROOT / "docs" / "measurements.json"
 REPETITIONS = 31
-FLAGS = {"baseline": set(), "avx2": {"avx2", "fma"}, "avx512": {"avx2", "fma", "avx512f", "avx512dq", "avx512vl"}}
 DISPATCHED = "^(contact|overlap|contact_batch|overlap_batch)/[0-9e+]+$"
 
 
@@ -31,6 +31,13 @@ def processor(key):
     except OSError:
         return ""
     return next((line.split(":", 1)[1].strip() for line in lines if line.startswith(key)), "")
+
+
+def instruction_sets():
+    """What the library is compiled for, the oldest first, with what a processor must have, from src/kernels/meson.build."""
+    text = (ROOT / "src" / "kernels" / "meson.build").read_text(encoding="utf-8")
+    rows = re.findall(r"^  \['(\w+)', \[([^\]]*)\]", re.search(r"x86_targets = \[\n(.*?)^\]", text, re.M | re.S)[1], re.M)
+    return {"baseline": set(), **{name: set(re.findall(r"\w+", features)) for name, features in reversed(rows)}}
 
 
 def environment(target, threads=1):
@@ -137,7 +144,7 @@ def conditions_of(context):
 
 def available_targets():
     flags = set(processor("flags").split())
-    return [target for target, needed in FLAGS.items() if needed <= flags]
+    return [target for target, needed in instruction_sets().items() if needed <= flags]
 
 
 def measure(programs):

@@ -1,54 +1,119 @@
 #!/usr/bin/python3
-"""What bounds the contact function of many pairs: the arithmetic of its loops, and how long ports are busy with it.
+"""What bounds the contact function: of many pairs the arithmetic of its loops, and how long ports are busy with it; of one pair the
+chain of results that wait for each other.
 
-    port_pressure.py OBJECT
+    port_pressure.py BUILD
 
-OBJECT is the lanes.cpp.o of the target avx512 in a build directory. Needs objdump and llvm-mca, whose model of Skylake has the two
-ports for 512 bits of later processors. Prints, for each loop over packs of eight pairs, its instructions and cycles per pack.
+BUILD is a build directory with the target avx512. Needs objdump and llvm-mca, whose model of Skylake has the two ports for 512 bits
+of later processors. Prints, for each loop over packs of eight pairs, its instructions and cycles per pack; and for one pair the
+cycles of the whole path, with as many steps of Halley's, if no branch is mispredicted, and those that ports would need alone.
 """
 
+import heapq
+import pathlib
 import re
 import subprocess
 import sys
 
-KERNEL = r"compute<pw85::kernels::PairArrays<3>, pw85::kernels::ContactArrays>"
+PACKS = r"compute<pw85::kernels::PairArrays<3>, pw85::kernels::ContactArrays>"
+ONE_PAIR = r"> pw85::maximize<double, 3>"
+FORM = r"> pw85::rational_form<double>"
 ARITHMETIC = r"v(f|mul|add|sub|div|max|min|rcp|rsqrt|sqrt|cmp|blend)"
 SHUFFLE = r"v(unpck|perm|insert|broadcast)"
+TAKEN = 1000  # a jump that is taken is off the common path
 
 
 def output(command, **options):
     return subprocess.run(command, check=True, text=True, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, **options).stdout
 
 
-def instructions(object_file):
-    """Addresses and instructions of the kernel."""
-    text = output(["objdump", "-d", "-C", "--no-show-raw-insn", object_file])
-    body = re.search(rf"^[0-9a-f]+ <[^\n]*{KERNEL}[^\n]*>:\n(.*?)\n\n", text, re.M | re.S).group(1)
+def instructions(disassembly, function):
+    """Addresses and instructions of a function."""
+    body = re.search(rf"^[0-9a-f]+ <[^\n]*{function}[^\n]*>:\n(.*?)\n\n", disassembly, re.M | re.S).group(1)
     return [(int(m.group(1), 16), m.group(2)) for m in re.finditer(r"^ *([0-9a-f]+):\t(.*)$", body, re.M)]
 
 
+def jump_target(code, places, i):
+    """Where instruction i may go beside the next, or None."""
+    jump = re.match(r"j\w+\s+([0-9a-f]+)", code[i][1])
+    return places.get(int(jump.group(1), 16)) if jump else None
+
+
 def loops(code):
-    """The bodies between jumps back and where they lead."""
+    """Where loops begin, and their bodies up to the last jump back."""
     places = {address: i for i, (address, _) in enumerate(code)}
     found = {}
-    for i, (address, text) in enumerate(code):
-        jump = re.match(r"j\w+\s+([0-9a-f]+)", text)
-        target = int(jump.group(1), 16) if jump else address + 1
-        if target <= address and target in places:
-            found[places[target]] = i
-    return [[text for _, text in code[begin : end + 1]] for begin, end in sorted(found.items())]
+    for i in range(len(code)):
+        target = jump_target(code, places, i)
+        if target is not None and target <= i:
+            found[target] = i
+    return {begin: [text for _, text in code[begin : end + 1]] for begin, end in sorted(found.items())}
 
 
-def main():
-    for body in loops(instructions(sys.argv[1])):
+def straight(texts):
+    return [re.sub(r"<.*?>|#.*", "", text) for text in texts if not re.match(r"j|call|ret|push|pop", text)]
+
+
+def simulate(texts, iterations):
+    """Cycles of so many runs one after the other, and per run those of ports 0, 1 and 5."""
+    command = ["llvm-mca", "-mcpu=skylake-avx512", "-noalias", f"-iterations={iterations}"]
+    report = output(command, input="\n".join(straight(texts)) + "\n")
+    cycles = int(re.search(r"Total Cycles:\s+(\d+)", report).group(1))
+    busy = re.search(r"Resource pressure per iteration:\n.*\n(.*)", report).group(1).replace(" - ", " 0 ").split()
+    return cycles, busy[2], busy[3], busy[7]
+
+
+def path(code, begin, is_end, is_barred):
+    """The way from one instruction to the next that is an end, along fewest jumps that are taken, past none that is barred."""
+    places = {address: i for i, (address, _) in enumerate(code)}
+    queue, seen = [(0, begin, [])], set()
+    while queue:
+        cost, i, way = heapq.heappop(queue)
+        if way and is_end(i):
+            return way
+        text = code[i][1]
+        if (i in seen and way) or is_barred(text):
+            continue
+        seen.add(i)
+        target = jump_target(code, places, i)
+        if target is not None:
+            heapq.heappush(queue, (cost + TAKEN, target, [*way, text]))
+        if not re.match(r"jmp|ret", text):
+            heapq.heappush(queue, (cost + 1, i + 1, [*way, text]))
+    raise ValueError("no way")
+
+
+def many_pairs(disassembly):
+    for body in loops(instructions(disassembly, PACKS)).values():
         wide = [text for text in body if "zmm" in text]
         if len(wide) < 40:
             continue
-        straight = [re.sub(r"<.*?>|#.*", "", text) for text in body if not re.match(r"j|call", text)]
-        report = output(["llvm-mca", "-mcpu=skylake-avx512", "-noalias"], input="\n".join(straight) + "\n")
-        busy = re.search(r"Resource pressure per iteration:\n.*\n(.*)", report).group(1).split()
+        _, port0, _, port5 = simulate(body, 100)
         arithmetic, shuffles = (sum(bool(re.match(p, text)) for text in wide) for p in (ARITHMETIC, SHUFFLE))
-        print(f"{len(body)} instructions: {arithmetic} arithmetic, {shuffles} shuffles; port 0 busy {busy[2]}, port 5 {busy[7]} cycles")
+        print(f"{len(body)} instructions: {arithmetic} arithmetic, {shuffles} shuffles; port 0 busy {port0}, port 5 {port5} cycles")
+
+
+def one_pair(disassembly):
+    code, form = instructions(disassembly, ONE_PAIR), [text for _, text in instructions(disassembly, FORM)]
+    head = max(loops(code), key=lambda begin: len(loops(code)[begin]))
+    start = path(code, 0, lambda i: i == head, lambda text: False)
+    call = next(i for i, text in enumerate(start) if text.startswith("call"))
+    start[call : call + 1] = form
+    step = path(code, head, lambda i: i == head, lambda text: "sqrt" in text)
+    last = path(code, head, lambda i: code[i][1].startswith("ret"), lambda text: text.startswith("call"))
+    print(f"one pair: {len(start)} instructions before the first step, {len(step)} in a step, {len(last)} in the last and the end")
+    before = 0
+    for steps in range(1, 5):
+        cycles, port0, port1, port5 = simulate(start + step * (steps - 1) + last, 1)
+        more = f", {cycles - before} more" if before else ""
+        print(f"{steps} steps: {cycles} cycles{more}; ports 0, 1 and 5 busy {port0}, {port1} and {port5}")
+        before = cycles
+
+
+def main():
+    kernels = pathlib.Path(sys.argv[1]) / "src" / "kernels"
+    for unit, report in {"lanes": many_pairs, "one_pair": one_pair}.items():
+        report(output(["objdump", "-d", "-C", "--no-show-raw-insn", kernels / f"libpw85_{unit}_avx512.a.p" / f"{unit}.cpp.o"]))
 
 
 main()

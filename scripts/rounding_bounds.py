@@ -176,6 +176,8 @@ class Sample:
         # A direction of errors of s that is orthogonal to s in the scalar product of M, of length 1; M times it.
         v = other.T - (np.einsum("ni,ni->n", other.T, self.r) / self.square)[:, None] * self.solution
         mv = np.einsum("nij,nj->ni", self.m, v)
+        any_mv = np.einsum("nij,nj->ni", self.m, other.T)  # not orthogonal to s
+        self.any_mv = any_mv / np.sqrt(np.einsum("ni,ni->n", other.T, any_mv))[:, None]
         self.mv = mv / np.sqrt(np.einsum("ni,ni->n", v, mv))[:, None]
         self.tape = []
 
@@ -212,21 +214,21 @@ def quartic(sample):
 
 
 def apart(parameters, d):
-    """decide(): t a - (1 + t)(b + margin), over (1 + t) P, where f = 1."""
+    """shows_apart(): t a - (1 + t)(b + margin), over (1 + t) P, where f = 1."""
     sample = Sample(parameters, d, Sample.f)
     b, a, _, t = quartic(sample)
     return worst_case((t * a - (t + 1.0) * (b + 0.0)).exactly()) / (1.0 + sample.t)
 
 
 def inside1(parameters, d):
-    """decide(): a b - t form and b², over a P, where A = 1: a larger r only adds to a."""
+    """shows_inside1(): a b - t form and b², over a P, where A = 1: a larger r only adds to a."""
     sample = Sample(parameters, d, Sample.square1)
     b, a, form, t = quartic(sample)
     return worst_case(((a * b - t * form) + 0.0 - b * b).exactly()) / (sample.det * sample.square)
 
 
 def inside2(parameters, d):
-    """decide(): t² form and b², over t a P, where t²B = 1."""
+    """shows_inside2(): t² form and b², over t a P, where t²B = 1."""
     sample = Sample(parameters, d, Sample.square2)
     b, a, form, t = quartic(sample)
     return worst_case((t * (t * form + 0.0) - b * b).exactly()) / (sample.t * sample.det * sample.square)
@@ -256,6 +258,20 @@ def factorized_solution(parameters, d):
     r, q1, q2, t = sample.pair()
     s = solve(factorize(blend(q1, t, q2), d), r)
     error = total((x * y).exactly() for x, y in zip(sample.vector(sample.mv), s))
+    for node in sample.tape[error.index - d + 1 :]:
+        node.rounded = False
+    condition = np.trace(np.linalg.inv(sample.m), axis1=1, axis2=2)
+    return worst_case(error) / np.sqrt(sample.square) / condition
+
+
+def correction(parameters, d):
+    """refine(): what a correction by factorisation, of a rounded residual, errs by in the norm of M, along itself too, relative to
+    the error that it corrects, over u condition()."""
+    sample = Sample(parameters, d)
+    _, q1, q2, t = sample.pair()
+    residual = [x + 0.0 for x in sample.vector(sample.r)]
+    c = solve(factorize(blend(q1, t, q2), d), residual)
+    error = total((x * y).exactly() for x, y in zip(sample.vector(sample.any_mv), c))
     for node in sample.tape[error.index - d + 1 :]:
         node.rounded = False
     condition = np.trace(np.linalg.inv(sample.m), axis1=1, axis2=2)
@@ -314,6 +330,7 @@ MARGINS = [
     Margin(separation, "quartic.hpp", "least_conditioning =", lambda found: found / 0.05),
     Margin(adjugate_solution, "rational_search.hpp", "adjugate_error ="),
     Margin(factorized_solution, "factorized_search.hpp", "factorization_error ="),
+    Margin(correction, "factorized_search.hpp", "correction_error ="),
     Margin(value, "comparison.hpp", "value_margin =", lambda found: found + 1.0),
     Margin(definite, "symmetric.hpp", r"definite_margin = D == 2 \?", dimensions=(2,)),
     Margin(definite, "symmetric.hpp", r"definite_margin = D == 2 \? \d+ :", dimensions=(3,)),

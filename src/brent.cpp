@@ -10,13 +10,13 @@ namespace {
 
 // The pair with t = unit·x/(1-x): x is the λ of the forms Q1 and unit·Q2, which are of like size where it matters, so
 // that an absolute tolerance on x means what it says. `odds` = ratio²·unit takes x/(1-x) to τ = λ/(1-λ).
-struct Problem {
+struct PairInUnit {
     Vector<double, 3> r12;
     SymmetricMatrix<double, 3> q1, q2;
     double odds_against; // 1/odds
 };
 
-Problem make_problem(Pair<double, 3> const &pair, double unit) noexcept
+PairInUnit in_unit(Pair<double, 3> const &pair, double unit) noexcept
 {
     return {pair.r12, pair.q1, times(unit, pair.q2), 1.0 / (pair.ratio * (pair.ratio * unit))};
 }
@@ -24,7 +24,7 @@ Problem make_problem(Pair<double, 3> const &pair, double unit) noexcept
 // -f at x, over its limit for large odds: finite and non-positive in [0, 1], zero at the ends only.
 double objective(double x, void *data) noexcept
 {
-    auto const &p = *static_cast<Problem const *>(data);
+    auto const &p = *static_cast<PairInUnit const *>(data);
     return -evaluate_f(x, p.r12, p.q1, p.q2) / (x + (1.0 - x) * p.odds_against);
 }
 
@@ -47,8 +47,8 @@ Rough maximizer_by_brent(Pair<double, 3> const &pair, Options const &options) no
     constexpr double margin = 0x1p-8;
     double unit = times_power_of_two(1.0, binary_exponent(initial_guess(pair)));
     for (int round = 1;; ++round) {
-        Problem problem = make_problem(pair, unit);
-        double const x = minimize({objective, &problem}, options), t = unit * (x / (1.0 - x));
+        PairInUnit in = in_unit(pair, unit);
+        double const x = minimize({objective, &in}, options), t = unit * (x / (1.0 - x));
         if ((x > margin && x < 1.0 - margin) || round == max_rounds) return {t, round};
         unit = times_power_of_two(1.0, binary_exponent(t));
     }

@@ -194,8 +194,8 @@ template <int D> void test_lanes()
         comparison.check("lambda by steps", last.value.lambda, expected.value.lambda);
         Lanes const t = pw85::initial_guess(pair);
         double const plain_t = pw85::initial_guess(plain);
-        auto const certainty = pw85::decide(pw85::evaluate_quartic(pair, t), t);
-        auto const plain_certainty = pw85::decide(pw85::evaluate_quartic(plain, plain_t), plain_t);
+        auto const certainty = pw85::test_quartic(pw85::evaluate_quartic(pair, t), t);
+        auto const plain_certainty = pw85::test_quartic(pw85::evaluate_quartic(plain, plain_t), plain_t);
         comparison.check("apart", certainty.apart.lane == plain_certainty.apart);
         comparison.check("overlap", certainty.overlap.lane == plain_certainty.overlap);
         Lanes const half(0.5);

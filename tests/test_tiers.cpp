@@ -84,7 +84,7 @@ pw85::QuarticEvaluation<float> evaluate(Recorded const &p) { return pw85::evalua
 void test_apart_margin()
 {
     g_assert_true(true_mu2(apart_pair.pair) < 1);
-    g_assert_false(pw85::decide(evaluate(apart_pair), apart_pair.t).apart);
+    g_assert_false(pw85::test_quartic(evaluate(apart_pair), apart_pair.t).apart);
 }
 
 void test_inside_margins()
@@ -107,7 +107,7 @@ void test_conditioning()
     near.pair.r12 = pw85::times(0x1p-20f, near.pair.r12);
     auto const inside = evaluate(near);
     g_assert_true(pw85::shows_inside1(inside, near.t) && pw85::shows_inside2(inside, near.t));
-    g_assert_false(pw85::decide(inside, near.t).overlap);
+    g_assert_false(pw85::test_quartic(inside, near.t).overlap);
 }
 
 // At a negative t, M may be indefinite, and t a - (1 + t) b positive for ellipsoids that overlap.
@@ -117,7 +117,7 @@ void test_negative_t()
     g_assert_true(true_mu2(s) < 1);
     auto const e = pw85::evaluate_quartic(to_pair(s), -3.0);
     g_assert_true(pw85::shows_apart(e, -3.0));
-    auto const certainty = pw85::decide(e, -3.0);
+    auto const certainty = pw85::test_quartic(e, -3.0);
     g_assert_false(certainty.apart || certainty.overlap);
 }
 

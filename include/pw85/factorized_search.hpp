@@ -115,11 +115,9 @@ PW85_FUNCTION inline T condition(Factorization<T, D> const &factors, SymmetricMa
 /// (scripts/rounding_bounds.py: 4.8).
 inline constexpr int factorization_error = 5;
 
-/// By how many u κ at most one correction of refine() shrinks an error, in the norm of M. Factorisation and substitution solve
-/// exactly with some M + E, where |E| <= γ|L||D||Lᵀ|, γ about 4D u (N. J. Higham, Accuracy and Stability of Numerical
-/// Algorithms, theorem 10.4, with the reciprocals' roundings). With M scaled to a unit diagonal no entry of that product exceeds
-/// 1, so that |E| <= 4D² u = 36 u; raised pivots add u; and the inverse is at most κ.
-inline constexpr int correction_error = 64;
+/// By how many u κ of itself a correction of refine() errs, or the solution that it corrects, in the norm of M
+/// (scripts/rounding_bounds.py: 9.4): so one correction shrinks an error.
+inline constexpr int correction_error = 10;
 
 /// By how many u the last evaluation's s errs across, in the norm of M, beside what is_certain() need not count: solved by
 /// factorisation, or refined by three corrections. Rounding the refined s to u in each coordinate leaves at most u √cond; its

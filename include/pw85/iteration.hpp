@@ -102,7 +102,8 @@ template <class T> PW85_FUNCTION inline T secular_factor(Jet<T> const &j, T cons
 template <class T, int D> PW85_FUNCTION inline T initial_guess(Pair<T, D> const &pair) noexcept
 {
     auto const weights = outer_weights(pair.r12);
-    return rough_root(rough_quotient(quadratic_form(pair.q1, weights), quadratic_form(pair.q2, weights))) / pair.ratio;
+    T const unit = T(1) / pair.ratio; // while the root is taken
+    return rough_root(rough_quotient(quadratic_form(pair.q1, weights), quadratic_form(pair.q2, weights))) * unit;
 }
 
 /// Where a search stands: t, and once it has converged what is expected of h there.

@@ -90,7 +90,7 @@ PW85_FUNCTION constexpr typename ScalarTraits<T>::Mask shows_inside2(QuarticEval
 }
 
 template <class T> PW85_FUNCTION constexpr Certainty<typename ScalarTraits<T>::Mask>
-decide(QuarticEvaluation<T> const &e, T const &t) noexcept
+test_quartic(QuarticEvaluation<T> const &e, T const &t) noexcept
 {
     auto const positive = t > T(0);
     return {positive && shows_apart(e, t),
@@ -127,7 +127,7 @@ template <class Lanes, class T, int D>
     Pair<Lanes, D> const copies{broadcast<Lanes>(pair.r12), broadcast<Lanes>(pair.q1), broadcast<Lanes>(pair.q2),
                                 Lanes(T(1))};
     auto const e = evaluate_quartic(copies, probes);
-    auto const certainty = decide(e, probes);
+    auto const certainty = test_quartic(e, probes);
     t = rough_root(first_lane(fixed_point_square(e, probes)));
     return to_decision(any_of(certainty.apart), any_of(certainty.overlap));
 }
@@ -139,7 +139,7 @@ template <class T, int D> PW85_FUNCTION inline Decision decide_by_search(Pair<T,
     Decision decision = Decision::none;
     for (int step = 0; any_of(state.active) && decision == Decision::none && step < max_rational_steps; ++step) {
         take_step(state, pair.ratio);
-        auto const certainty = decide(evaluate_quartic(pair, state.candidate.t), state.candidate.t);
+        auto const certainty = test_quartic(evaluate_quartic(pair, state.candidate.t), state.candidate.t);
         decision = to_decision(certainty.apart, certainty.overlap);
     }
     return decision;

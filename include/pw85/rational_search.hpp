@@ -55,7 +55,9 @@ PW85_FUNCTION inline LastEvaluation<T> last_evaluation(Pair<T, D> const &pair, C
     auto const weights = outer_weights(solution.s);
     auto const value = stationary_value(candidate, pair.ratio, quadratic_form(pair.q1, weights),
                                         quadratic_form(pair.q2, weights), dot(pair.r12, solution.s));
-    return {value, is_certain(candidate, value.step, T(T(adjugate_error) * solution.diagonal), solution.determinant)};
+    // One by one: a copy of the whole would wait for stores that are narrower than its loads.
+    return {{value.mu2, value.lambda, value.complement, value.step},
+            is_certain(candidate, value.step, T(T(adjugate_error) * solution.diagonal), solution.determinant)};
 }
 
 } // namespace pw85

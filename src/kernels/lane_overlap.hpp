@@ -39,15 +39,15 @@ struct UndecidedList {
 };
 
 /// The outcome of a test.
-struct LaneDecision {
+struct LaneCertainty {
     unsigned overlap, decided; ///< lanes that are certain
     Pack next;                 ///< square of the next t of the fixed-point map
 };
 
-template <int D> PW85_INLINE LaneDecision decide_lanes(LanePair<D> const &pair, Pack const &t) noexcept
+template <int D> PW85_INLINE LaneCertainty test_lanes(LanePair<D> const &pair, Pack const &t) noexcept
 {
     auto const e = evaluate_quartic(pair, t);
-    auto const certainty = decide(e, t);
+    auto const certainty = test_quartic(e, t);
     unsigned const apart = certainty.apart.to_bits(), overlap = certainty.overlap.to_bits();
     return {overlap, overlap | apart, fixed_point_square(e, t)};
 }
@@ -71,23 +71,23 @@ template <class Rows> PW85_INLINE void test_neighbors(Rows const &rows, Chunk co
         if (k % prefetch_distance == 0) prefetch(rows, first + prefetch_distance, prefetch_distance, end);
         auto const pair = load_neighbors(rows, first, left);
         unsigned const ordinary = is_ordinary(pair.r12, pair.q1, pair.q2).to_bits();
-        LaneDecision const decision = decide_lanes(pair, initial_guess(pair));
-        store_answers(decision.overlap, left, out + first);
-        for_lanes(live_lanes(left) & ordinary & ~decision.decided,
-                  [&](unsigned i) { undecided.push(first + i, decision.next[i]); });
+        LaneCertainty const certainty = test_lanes(pair, initial_guess(pair));
+        store_answers(certainty.overlap, left, out + first);
+        for_lanes(live_lanes(left) & ordinary & ~certainty.decided,
+                  [&](unsigned i) { undecided.push(first + i, certainty.next[i]); });
         for_lanes(live_lanes(left) & ~ordinary, [&](unsigned i) { left_over.push(first + i); });
     }
 }
 
 /// Stores the answers for the lanes of a list that are decided, and calls keep(index, lane) for the others.
 template <class Keep> PW85_INLINE void store_decided(std::uint16_t const *list, std::size_t count,
-                                                     LaneDecision const &decision, unsigned char *out,
+                                                     LaneCertainty const &certainty, unsigned char *out,
                                                      Keep const &keep) noexcept
 {
     for (unsigned i = 0; i < lanes && i < count; ++i) {
         std::size_t const index = list[i];
-        out[index] = decision.overlap >> i & 1u;
-        if (!(decision.decided >> i & 1u)) keep(index, i);
+        out[index] = certainty.overlap >> i & 1u;
+        if (!(certainty.decided >> i & 1u)) keep(index, i);
     }
 }
 
@@ -101,9 +101,9 @@ PW85_INLINE void test_undecided(Rows const &rows, unsigned char *out, UndecidedL
     undecided.pairs.size = 0;
     for (std::size_t k = 0; k < size; k += lanes) {
         std::size_t const count = size - k;
-        LaneDecision const decision = decide_lanes(load_listed(rows, list + k), undecided.load_next(k));
-        store_decided(list + k, count, decision, out,
-                      [&](std::size_t index, unsigned i) { undecided.push(index, decision.next[i]); });
+        LaneCertainty const certainty = test_lanes(load_listed(rows, list + k), undecided.load_next(k));
+        store_decided(list + k, count, certainty, out,
+                      [&](std::size_t index, unsigned i) { undecided.push(index, certainty.next[i]); });
     }
 }
 
@@ -122,7 +122,7 @@ template <class Rows> PW85_INLINE void test_converged(Rows const &rows, unsigned
         run(searches, packs);
         for (std::size_t k = 0; k < packs; ++k)
             store_decided(list + k * lanes, count - k * lanes,
-                          decide_lanes(searches.pairs[k], searches.states[k].candidate.t), out,
+                          test_lanes(searches.pairs[k], searches.states[k].candidate.t), out,
                           [&](std::size_t index, unsigned) { left_over.push(index); });
     }
 }
