@@ -291,8 +291,8 @@ PW85_API int pw85_distance_derivatives(double const r12[PW85_DIM], double const 
  * @param r12,q1,q2 as for pw85_contact()
  * @param[out] depth in the unit of r12; zero if the ellipsoids do not overlap, which is decided as in pw85_overlap(); may be null
  * @param[out] direction unit vector along which ellipsoid 2 is to move; NaN if they do not overlap, also on success; may be null
- * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD, #PW85_ECONVERGENCE (if the proof takes too long, for which no pair is
- *         known) */
+ * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD, #PW85_ECONVERGENCE (if the proof takes too long: seen only for
+ *         forms that are singular to working precision) */
 PW85_API int pw85_penetration(double const r12[PW85_DIM], double const q1[PW85_SYM], double const q2[PW85_SYM],
                               double *depth, double direction[PW85_DIM]);
 

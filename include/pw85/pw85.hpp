@@ -242,7 +242,7 @@ PW85_FUNCTION inline DistanceDerivatives<T> distance_derivatives(Vector<T, 3> co
 ///
 /// @param r12,q1,q2 as for contact()
 /// @return the depth and the direction; zero and a NaN direction if the ellipsoids do not overlap; Status::invalid_argument,
-/// Status::not_positive_definite, Status::no_convergence (no pair is known)
+/// Status::not_positive_definite, Status::no_convergence (for forms singular to working precision)
 template <class T, int D> PW85_FUNCTION inline Penetration<T, D>
 penetration(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, SymmetricMatrix<T, D> const &q2) noexcept;
 
