@@ -33,6 +33,7 @@ class Results:
         start = time.monotonic()
         yield
         self.times.append((name, time.monotonic() - start))
+        print(f"== {name}: {self.times[-1][1] / 60:.1f} minutes", flush=True)
 
     def add(self, name, ok):
         if ok:
