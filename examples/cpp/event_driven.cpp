@@ -28,7 +28,7 @@ struct Particle {
 };
 
 // Time, particles, and how often they had collided when it was predicted.
-using Event = std::tuple<double, int, int, long>;
+using Event = std::tuple<double, std::size_t, std::size_t, long>;
 
 Vector sum(Vector const &x, double factor, Vector const &y)
 {
@@ -145,12 +145,12 @@ class Simulation {
     }
 
     // Contacts of particle i with those from `first` on, up to the horizon.
-    void predict(int i, int first)
+    void predict(std::size_t i, std::size_t first)
     {
         Particle &p = particles_[i];
         bring(p);
         double const left = horizon_ - time_;
-        for (int j = first; j < static_cast<int>(particles_.size()); ++j) {
+        for (std::size_t j = first; j < particles_.size(); ++j) {
             Particle &q = particles_[j];
             bring(q);
             Vector const r12 = separation(p, q);
@@ -170,7 +170,7 @@ class Simulation {
         for (auto const &p : particles_)
             fastest = std::fmax(fastest, length(p.velocity));
         horizon_ = time_ + 0.01 * side_ / fastest;
-        for (int i = 0; i < static_cast<int>(particles_.size()); ++i) predict(i, i + 1);
+        for (std::size_t i = 0; i < particles_.size(); ++i) predict(i, i + 1);
     }
 
     // Elastic, without friction: the surfaces, which grow, part as fast as they met.
