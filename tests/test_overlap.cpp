@@ -61,8 +61,8 @@ void test_decisions()
                        });
     }
     g_test_message("%zu of the pairs are left to exact arithmetic, %zu of them not near contact", undecided, slender);
-    g_assert_cmpint(undecided, >, 0);
-    g_assert_cmpint(50 * slender, <, contact_problems().size());
+    g_assert_cmpuint(undecided, >, 0);
+    g_assert_cmpuint(50 * slender, <, contact_problems().size());
 }
 
 // Pairs that are not valid are not decided, and are told from those that cannot be.

@@ -22,8 +22,8 @@ using namespace pw85::gpu;
 
 namespace {
 
-constexpr Result success = 0, invalid_value = 1, out_of_memory = 2, no_device = 100, invalid_program = 218,
-                 not_found = 500, launch_failure = 719, unknown = 999;
+[[maybe_unused]] constexpr Result success = 0, invalid_value = 1, out_of_memory = 2, no_device = 100,
+                                  invalid_program = 218, not_found = 500, launch_failure = 719, unknown = 999;
 
 bool is_mode(char const *mode)
 {
