@@ -47,7 +47,12 @@ def run(script, source, home, tools):
     done = subprocess.run(
         ["sh", script],
         cwd=source,
-        env={"HOME": str(home), "PATH": f"{tools}:/usr/local/bin:/usr/bin:/bin", "LANG": "C.UTF-8"},
+        env={
+            "HOME": str(home),
+            "PATH": f"{tools}:/usr/local/bin:/usr/bin:/bin",
+            "LANG": "C.UTF-8",
+            "PW85_MEASURE_ONCE": "",
+        },
         stdout=subprocess.PIPE,
         stderr=subprocess.STDOUT,
         encoding="utf-8",
