@@ -38,11 +38,11 @@ struct Block {
     }
 };
 
-inline constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
-inline constexpr Box no_box{{no_number, no_number, no_number}, {no_number, no_number, no_number}};
+static constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
+static constexpr Box no_box{{no_number, no_number, no_number}, {no_number, no_number, no_number}};
 
 /// The box around two, or around the other one where one is no box.
-inline Box enclose(Box const &a, Box const &b) noexcept
+static inline Box enclose(Box const &a, Box const &b) noexcept
 {
     Box box;
     for (int d = 0; d < 3; ++d) {
@@ -52,7 +52,7 @@ inline Box enclose(Box const &a, Box const &b) noexcept
     return box;
 }
 
-inline bool meets(Box const &a, Box const &b) noexcept
+static inline bool meets(Box const &a, Box const &b) noexcept
 {
     bool meet = true;
     for (int d = 0; d < 3; ++d) meet = meet && a.lower[d] <= b.upper[d] && b.lower[d] <= a.upper[d];
@@ -60,7 +60,7 @@ inline bool meets(Box const &a, Box const &b) noexcept
 }
 
 /// The box around those of a block.
-inline Box enclose(Block const &block) noexcept
+static inline Box enclose(Block const &block) noexcept
 {
     Box box = no_box;
     for (int place = 0; place < width; ++place) box = enclose(box, block.get(place));
@@ -68,7 +68,7 @@ inline Box enclose(Block const &block) noexcept
 }
 
 /// Bit k is set where a box meets box k of a block.
-inline unsigned meeting(Box const &box, Block const &block) noexcept
+static inline unsigned meeting(Box const &box, Block const &block) noexcept
 {
     unsigned bits = 0;
 #ifdef __SSE2__
