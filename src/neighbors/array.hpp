@@ -17,17 +17,20 @@ template <class T> class Array {
 
   public:
     Array() noexcept = default;
-    Array(Array &&other) noexcept : data_(std::exchange(other.data_, nullptr)), size_(std::exchange(other.size_, 0)) {}
-    Array &operator=(Array &&other) noexcept
+    [[gnu::always_inline]] Array(Array &&other) noexcept
+        : data_(std::exchange(other.data_, nullptr)), size_(std::exchange(other.size_, 0))
+    {
+    }
+    [[gnu::always_inline]] Array &operator=(Array &&other) noexcept
     {
         std::swap(data_, other.data_);
         std::swap(size_, other.size_);
         return *this;
     }
-    ~Array() { std::free(data_); }
+    [[gnu::always_inline]] ~Array() { std::free(data_); }
 
     /// Makes room for n elements and keeps those that are there; false, with nothing changed, if there is no memory.
-    [[nodiscard]] bool resize(std::size_t n) noexcept
+    [[nodiscard, gnu::always_inline]] bool resize(std::size_t n) noexcept
     {
         if (n > PTRDIFF_MAX / sizeof(T)) return false;
         void *const data = std::realloc(data_, n > 0 ? n * sizeof(T) : 1);
@@ -37,12 +40,12 @@ template <class T> class Array {
         return true;
     }
 
-    void free() noexcept { *this = Array(); }
-    std::size_t size() const noexcept { return size_; }
-    T *data() noexcept { return data_; }
-    T const *data() const noexcept { return data_; }
-    T &operator[](std::size_t i) noexcept { return data_[i]; }
-    T const &operator[](std::size_t i) const noexcept { return data_[i]; }
+    [[gnu::always_inline]] void free() noexcept { *this = Array(); }
+    [[gnu::always_inline]] std::size_t size() const noexcept { return size_; }
+    [[gnu::always_inline]] T *data() noexcept { return data_; }
+    [[gnu::always_inline]] T const *data() const noexcept { return data_; }
+    [[gnu::always_inline]] T &operator[](std::size_t i) noexcept { return data_[i]; }
+    [[gnu::always_inline]] T const &operator[](std::size_t i) const noexcept { return data_[i]; }
 
   private:
     T *data_ = nullptr;

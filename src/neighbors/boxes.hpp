@@ -23,7 +23,7 @@ inline constexpr int width = 8;
 struct Block {
     double lower[3][width], upper[3][width];
 
-    void set(int place, Box const &box) noexcept
+    [[gnu::always_inline]] void set(int place, Box const &box) noexcept
     {
         for (int d = 0; d < 3; ++d) {
             lower[d][place] = box.lower[d];
@@ -31,7 +31,7 @@ struct Block {
         }
     }
 
-    Box get(int place) const noexcept
+    [[gnu::always_inline]] Box get(int place) const noexcept
     {
         return {{lower[0][place], lower[1][place], lower[2][place]},
                 {upper[0][place], upper[1][place], upper[2][place]}};

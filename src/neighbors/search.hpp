@@ -18,7 +18,7 @@ struct Found {
 class FoundPairs {
   public:
     /// Adds pairs of the box `first` and those of a block, from number `begin` on, whose bits are set; false if there is no memory.
-    bool add(std::size_t first, std::size_t begin, unsigned bits, std::size_t image) noexcept
+    [[gnu::always_inline]] bool add(std::size_t first, std::size_t begin, unsigned bits, std::size_t image) noexcept
     {
         if (size_ + width > room_.size() && !room_.resize(2 * room_.size() + 1024)) return false;
         for (; bits != 0; bits &= bits - 1)
@@ -28,9 +28,9 @@ class FoundPairs {
         return true;
     }
 
-    std::size_t size() const noexcept { return size_; }
-    Found const &operator[](std::size_t k) const noexcept { return room_[k]; }
-    void free() noexcept { room_.free(); }
+    [[gnu::always_inline]] std::size_t size() const noexcept { return size_; }
+    [[gnu::always_inline]] Found const &operator[](std::size_t k) const noexcept { return room_[k]; }
+    [[gnu::always_inline]] void free() noexcept { room_.free(); }
 
   private:
     Array<Found> room_;

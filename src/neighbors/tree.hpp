@@ -22,7 +22,7 @@ class Tree {
     [[nodiscard]] bool resize(std::size_t n) noexcept;
 
     /// Sets the box of a particle.
-    void set(std::size_t particle, Box const &box) noexcept
+    [[gnu::always_inline]] void set(std::size_t particle, Box const &box) noexcept
     {
         blocks_[particle / width].set(static_cast<int>(particle % width), box);
     }
@@ -30,14 +30,17 @@ class Tree {
     /// To be called when all boxes of particles are set.
     void enclose_levels() noexcept;
 
-    std::size_t num_groups() const noexcept { return num_groups_; }
-    Block const *block(int level, std::size_t k) const noexcept { return blocks_.data() + first_[level] + k; }
-    Box box(int level, std::size_t k) const noexcept
+    [[gnu::always_inline]] std::size_t num_groups() const noexcept { return num_groups_; }
+    [[gnu::always_inline]] Block const *block(int level, std::size_t k) const noexcept
+    {
+        return blocks_.data() + first_[level] + k;
+    }
+    [[gnu::always_inline]] Box box(int level, std::size_t k) const noexcept
     {
         return block(level, k / width)->get(static_cast<int>(k % width));
     }
     /// The box around all.
-    Box root() const noexcept { return enclose(*block(top_, 0)); }
+    [[gnu::always_inline]] Box root() const noexcept { return enclose(*block(top_, 0)); }
 
     /// Calls visit(group) for the groups from `first` on whose boxes meet a box.
     template <class Visit> void visit_groups(Box const &box, std::size_t first, Visit const &visit) const noexcept
