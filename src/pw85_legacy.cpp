@@ -57,7 +57,7 @@ void pw85_legacy__detQ_as_poly(double const q1[6], double const q2[6], double co
                                double b[4])
 {
     if (any_null(q1, q2, q3, q4, b)) return store_nan(b, 4);
-    double coefficients[4];
+    double coefficients[4] = {};
     in_default_environment([&] {
         legacy::interpolate_cubic(pw85_legacy__det_sym(q1), pw85_legacy__det_sym(q2), pw85_legacy__det_sym(q3),
                                   pw85_legacy__det_sym(q4), coefficients);
@@ -69,7 +69,7 @@ void pw85_legacy__rT_adjQ_r_as_poly(double const r[3], double const q1[6], doubl
                                     double a[3])
 {
     if (any_null(r, q1, q2, q3, a)) return store_nan(a, 3);
-    double coefficients[3];
+    double coefficients[3] = {};
     in_default_environment([&] {
         legacy::interpolate_quadratic(pw85_legacy__xT_adjA_x(r, q1), pw85_legacy__xT_adjA_x(r, q2),
                                       pw85_legacy__xT_adjA_x(r, q3), coefficients);
