@@ -7,6 +7,7 @@
 #include <omp.h>
 #endif
 
+#include "../tasks.hpp"
 #include "parallel.hpp"
 #include "rows.hpp"
 
@@ -88,16 +89,10 @@ inline void sum_virial(PairGradients const &pairs, NeighborList const &list, dou
     constexpr std::size_t num_parts = 64;
     double parts[num_parts][9] = {};
     std::size_t const share = (pairs.num_pairs + num_parts - 1) / num_parts;
-#pragma omp parallel if (pairs.num_pairs > block)
-    {
-        DefaultEnvironment const environment; // threads have their own
-#pragma omp for schedule(static) nowait
-        for (std::ptrdiff_t part = 0; part < static_cast<std::ptrdiff_t>(num_parts); ++part) {
-            auto const p = static_cast<std::size_t>(part);
-            std::size_t const begin = std::min(pairs.num_pairs, p * share);
-            sum_virial(pairs, list, {begin, std::min(pairs.num_pairs, begin + share)}, parts[p]);
-        }
-    }
+    for_tasks(num_parts, pairs.num_pairs > block, [&](std::size_t part) {
+        std::size_t const begin = std::min(pairs.num_pairs, part * share);
+        sum_virial(pairs, list, {begin, std::min(pairs.num_pairs, begin + share)}, parts[part]);
+    });
     DefaultEnvironment const environment;
     std::fill_n(virial, 9, 0.0);
     for (auto const &part : parts)

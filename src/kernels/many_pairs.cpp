@@ -5,8 +5,8 @@
 
 #include "../c_arrays.hpp"
 #include "forces.hpp"
+#include "image_finder.hpp"
 #include "many_pairs.hpp"
-#include "nearest_image.hpp"
 
 using namespace pw85;
 using namespace pw85::kernels;
@@ -73,49 +73,6 @@ int prepare_list(std::size_t num_pairs, std::size_t num_particles, NeighborList 
     DefaultEnvironment const environment;
     return prepare(list.cell, lattice) ? PW85_SUCCESS : PW85_EINVAL;
 }
-
-/// Finds the nearest images of the pairs of a list.
-class ImageFinder {
-  public:
-    /// `list` has a lattice, that of its cell.
-    explicit ImageFinder(NeighborList const &list) noexcept : list_(list)
-    {
-        double reduced[9];
-        reduce(list.cell, reduced, multiples_);
-    }
-
-    /// Writes the vector and the image of a pair, unless null, and returns a status.
-    int find(std::size_t pair, double *r12, std::int32_t *image) const noexcept
-    {
-        std::int32_t const *const ij = row_of(list_.pairs, 2, pair);
-        double const *const x = row_of(list_.centers, 3, static_cast<std::size_t>(ij[0]));
-        double const *const y = row_of(list_.centers, 3, static_cast<std::size_t>(ij[1]));
-        Vector<double, 3> const apart{y[0] - x[0], y[1] - x[1], y[2] - x[2]};
-        Vector<double, 3> const nearest = nearest_image(*list_.lattice, apart);
-        Vector<double, 3> multiple{0.0, 0.0, 0.0};
-        for (int i = 0; i < 3; ++i) {
-            double const n = nearest_integer(coordinate(i, nearest) - coordinate(i, apart));
-            for (int d = 0; d < 3; ++d) multiple[d] = multiple[d] + n * multiples_[i][d];
-        }
-        bool const fits = largest_coordinate(multiple) <= INT32_MAX, good = is_finite(nearest) && (fits || !image);
-        for (int d = 0; d < 3; ++d) {
-            if (r12 != nullptr) r12[d] = good ? nearest[d] : quiet_nan<double>();
-            if (image != nullptr) image[d] = good ? static_cast<std::int32_t>(multiple[d]) : INT32_MIN;
-        }
-        return good ? PW85_SUCCESS : PW85_EINVAL;
-    }
-
-  private:
-    /// In the reduced basis.
-    double coordinate(int i, Vector<double, 3> const &r) const noexcept
-    {
-        double const *const dual = list_.lattice->dual[i];
-        return dual[0] * r[0] + dual[1] * r[1] + dual[2] * r[2];
-    }
-
-    NeighborList const &list_;
-    double multiples_[3][3]; ///< of the cell's vectors, in those of the reduced basis
-};
 
 /// Computes the pairs of a neighbour list.
 template <class Arrays>

@@ -174,7 +174,7 @@ class Search {
         num_tasks_ = (tree_.num_groups() + groups_per_task - 1) / groups_per_task;
         tasks_.reset(new (std::nothrow) Task[num_tasks_]);
         if (tasks_ == nullptr) return false;
-        for_tasks(num_tasks_, [&](std::size_t k) {
+        for_tasks(num_tasks_, num_tasks_ > 1, [&](std::size_t k) {
             tasks_[k].complete = find_pairs(tree_, lattice_, images_, k, tasks_[k].found);
         });
         return std::all_of(tasks_.get(), tasks_.get() + num_tasks_, [](Task const &task) { return task.complete; });
@@ -187,7 +187,7 @@ class Search {
         for (std::size_t k = 0; k < num_tasks_; ++k)
             tasks_[k].begin = std::exchange(total, total + tasks_[k].found.size());
         if (!list_.pairs.resize(total) || (list_.has_cell && !list_.images.resize(total))) return false;
-        for_tasks(num_tasks_, [&](std::size_t k) {
+        for_tasks(num_tasks_, num_tasks_ > 1, [&](std::size_t k) {
             Task &task = tasks_[k];
             for (std::size_t l = 0; l < task.found.size(); ++l) translate(task.found[l], task.begin + l);
             task.found.free();

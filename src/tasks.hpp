@@ -1,0 +1,27 @@
+/// @file
+/// Tasks for threads.
+#ifndef PW85_TASKS_HPP_INCLUDED
+#define PW85_TASKS_HPP_INCLUDED
+
+#include <cstddef>
+
+#include "floating_point_environment.hpp"
+
+namespace pw85 {
+namespace {
+
+/// Calls task(0), task(1), ..., task(count - 1), by threads if there is enough to do; idle ones take the next.
+template <class Task> void for_tasks(std::size_t count, bool enough, Task const &task) noexcept
+{
+#pragma omp parallel if (enough)
+    {
+        DefaultEnvironment const environment; // threads have their own
+#pragma omp for schedule(dynamic) nowait
+        for (std::ptrdiff_t k = 0; k < static_cast<std::ptrdiff_t>(count); ++k) task(static_cast<std::size_t>(k));
+    }
+}
+
+} // namespace
+} // namespace pw85
+
+#endif
