@@ -252,19 +252,23 @@ def test_dlpack_on_a_stream(pairs):
     assert DRIVER.cuStreamDestroy_v2(stream) == 0
 
 
+def blocks():
+    """Those that are not given back, once what was queued before is done."""
+    assert DRIVER.cuStreamSynchronize(None) == 0
+    return DRIVER.fake_blocks()
+
+
 def test_memory_of_dlpack(pairs):
     arrays = [handed(x) for x in pairs]
     pypw85.contact(*arrays)
-    before = DRIVER.fake_blocks()
+    before = blocks()
     for _ in range(3):
         pypw85.contact(*arrays)
-    assert DRIVER.cuStreamSynchronize(None) == 0
-    assert DRIVER.fake_blocks() == before
+    assert blocks() == before
     result = pypw85.contact(*arrays)
-    assert DRIVER.fake_blocks() == before + 2
+    assert blocks() == before + 2
     del result
-    assert DRIVER.cuStreamSynchronize(None) == 0
-    assert DRIVER.fake_blocks() == before
+    assert blocks() == before
 
 
 class Plain:
@@ -325,7 +329,7 @@ def test_taken_capsule():
 
     python = ctypes.pythonapi
     python.PyCapsule_GetPointer.restype = ctypes.c_void_p
-    before = DRIVER.fake_blocks()
+    before = blocks()
     array = pypw85._device.DeviceArray((3,), "float64")
     capsule = array.__dlpack__()
     pointer = python.PyCapsule_GetPointer(ctypes.py_object(capsule), b"dltensor")
@@ -334,8 +338,6 @@ def test_taken_capsule():
     with pytest.raises(ValueError):
         pypw85._core.dlpack_view(capsule)
     del array, capsule
-    assert DRIVER.cuStreamSynchronize(None) == 0
-    assert DRIVER.fake_blocks() == before + 1
+    assert blocks() == before + 1
     Managed.from_address(pointer).destroy(pointer)
-    assert DRIVER.cuStreamSynchronize(None) == 0
-    assert DRIVER.fake_blocks() == before
+    assert blocks() == before
