@@ -11,7 +11,7 @@ namespace pw85 {
 namespace {
 
 /// Calls task(0), task(1), ..., task(count - 1), by threads if there is enough to do; idle ones take the next.
-template <class Task> void for_tasks(std::size_t count, bool enough, Task const &task) noexcept
+template <class Task> void for_tasks(std::size_t count, [[maybe_unused]] bool enough, Task const &task) noexcept
 {
 #pragma omp parallel if (enough)
     {
