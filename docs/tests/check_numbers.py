@@ -18,6 +18,7 @@ REPEATED = [
     (("README.md", r"git clone (\S+)"), HOME),
     (("docs/index.rst", r"git clone (\S+)"), HOME),
     (("docs/installation.rst", r"git clone (\S+)"), HOME),
+    (("CITATION.cff", r'repository-code: "(\S+)"'), HOME),
     (("debian/control", r"Homepage: (\S+)"), HOME),
     (("debian/copyright", r"Source: (\S+)"), HOME),
     (("src/brent.cpp", r"lambda_atol, (1e-\d+),"), (HEADER, r"LAMBDA_ATOL (1e-\d+)")),
