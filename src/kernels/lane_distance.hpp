@@ -1,5 +1,5 @@
 /// @file
-/// The distances of many pairs, one per lane: a driver of the search by item 2 of distance.hpp.
+/// The distances of many pairs, one per lane: a driver of the search by item 2 of normal_search.hpp.
 ///
 /// A slab between two ellipsoids that is wider than its rounding proves that they are apart. Those for which none is found, near
 /// contact, overlapping or out of the ordinary, are left over.
@@ -34,15 +34,16 @@ template <class Rows> PW85_INLINE void compute_chunk(Rows const &rows, Chunk con
         std::size_t const first = begin + k, left = count - k;
         auto const pair = load_neighbors(rows, first, left);
         DistancePair<Pack, 3> const units{pair.r12, pair.q1, pair.q2, Pack(1.0), Pack(1.0)};
-        auto search = start_normal_search<Pack, 3>(initial_multipliers(units));
+        auto search = start_search(units, initial_multipliers(units));
         for (int i = 0; i < max_normal_steps && any_of(search.active); ++i) take_step(search, units);
-        auto const d = distance_along(units, search.u);
+        auto const last = take_last_step(units, search.x);
+        auto const d = distance_along(units, last.u);
         if (out.distance != nullptr) store_lanes(d.distance, left, out.distance + first);
         if (out.point1 != nullptr) store_rows(d.point1, left, out.point1 + 3 * first);
         Vector<Pack, 3> point2;
         for (int i = 0; i < 3; ++i) point2[i] = pair.r12[i] - d.point2[i];
         if (out.point2 != nullptr) store_rows(point2, left, out.point2 + 3 * first);
-        PackMask const done = search.found && is_ordinary(pair.r12, pair.q1, pair.q2) && is_wide(pair, d);
+        PackMask const done = last.found && is_ordinary(pair.r12, pair.q1, pair.q2) && is_wide(pair, d);
         for_lanes(live_lanes(left) & ~done.to_bits(), [&](unsigned i) { left_over.push(first + i); });
     }
 }
