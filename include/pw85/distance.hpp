@@ -69,7 +69,7 @@ template <class T, int D> PW85_FUNCTION inline Distance<T, D> distance_in_range(
     // Semi-axes are below √12 of their units, so that n is within 7 scales of the direction of r12: rounding.
     if (maximum(pair.scale1, pair.scale2) <= T(0.125) * unit_roundoff<T>())
         u = pair.r12;
-    else if (!find_normal(pair, start, u))
+    else if (!find_normal(pair, start, u) && !find_normal(pair, touching_multipliers(pair), u))
         u = search_normal(pair, start.ratio);
     return distance_along(pair, u);
 }

@@ -7,9 +7,9 @@
 /// 1. For any n, Q1n/α and r - Q2n/β are points of the surfaces; for the vector w from the first to the second n·w = φ(n). So
 ///    φ(n) <= distance <= |w|, with equality where w = φ n, that is, r = (Q1/α + Q2/β + φ I) n.
 /// 2. With u = n/α, t = α/β and s = αφ this is M u = r, M = Q1 + t Q2 + s I, where A = uᵀQ1u = 1 and t²B = t²uᵀQ2u = 1: two
-///    equations for t and s. As t²B = A they are solved for log t, and as 1/√(A + tB) = 1/√(1 + 1/t), which is nearly affine
-///    in s, for s: so Newton's method converges from afar. Where it would make s negative, s = 0, and it solves t²B = A alone,
-///    which is what leads to the maximum of the contact function.
+///    equations for t and s. As t²B = A, solved for log t, and 1/√(A + tB) = 1/√(1 + 1/t), which is nearly affine in s, they
+///    let Newton's method converge from afar. Where it would make s negative, each is solved alone, the second one first: with
+///    s = 0 the first one leads to the maximum of the contact function, where there is a root of the second.
 /// 3. For fixed t, s is the root of 1/√(A + tB) = 1/√(1 + 1/t). The left side is concave in s and increases: Newton's method
 ///    is monotone from s = 0, and each step divides residual times slope by 4 at least. If there is no root, s = 0 stands
 ///    for it.
@@ -18,14 +18,13 @@
 ///    y = (αφ, βφ), and s in item 3 that of its maximum on the ray y1 = t y2: over the rays these have one maximum, and t²B - A
 ///    the sign of minus their slope. Where that maximum is at y = 0, f <= 1 at λ = t/(1+t), f being that of the contact
 ///    function; and A - t²B has the sign of its slope, which leads to where f > 1.
-/// 5. R = rᵀM⁻¹r is a quotient of polynomials in t and s, whose coefficients are positive, and B = -∂R/∂t, uᵀu = -∂R/∂s,
-///    A = R - tB - s uᵀu: all but the last step of Newton's method can do without solutions.
+/// 5. R = rᵀM⁻¹r is a quotient of polynomials in t and s with positive coefficients, and with C = uᵀu, B = -∂R/∂t, C = -∂R/∂s and
+///    A = R - tB - sC. So all steps but the last do without solutions.
 #ifndef PW85_NORMAL_SEARCH_HPP_INCLUDED
 #define PW85_NORMAL_SEARCH_HPP_INCLUDED
 
 #include <pw85/geometry.hpp>
-#include <pw85/iteration.hpp>
-#include <pw85/rational.hpp>
+#include <pw85/solver.hpp>
 
 namespace pw85 {
 
@@ -91,7 +90,8 @@ shifted_form(Vector<T, 3> const &r12, SymmetricMatrix<T, 3> const &p1, Symmetric
             T(1)};
 }
 
-/// By the polynomials, accurate enough for all steps but the last. N is b²B and C is uᵀu, so that S = R - sC; forms are P.
+/// By the polynomials, to what they guide: their coefficients lose digits with the aspect ratio. Here forms are P, n is b²B, and S is
+/// R - sC.
 template <class T, int D> PW85_FUNCTION constexpr NormalJet<T>
 evaluate_normal(DistancePair<T, D> const &pair, ShiftedForm<T> const &f, Multipliers<T> const &x) noexcept
 {
@@ -123,14 +123,14 @@ evaluate_normal(DistancePair<T, D> const &pair, ShiftedForm<T> const &f, Multipl
             sum_shift};
 }
 
-/// A step in log t and s.
+/// A step in log t, as a fraction, and in s.
 template <class T> struct NormalStep {
-    Step<T> ratio;
+    T numerator, denominator;
     T shift;
 };
 
-/// Newton's step of item 2, in t by a factor of 7 at most. With v = t(A + tB) and w = 1 + t, (w + 3v)/(3w + v) stands for √(v/w),
-/// whose derivative it has where both are one.
+/// Newton's step of item 2. With v = t(A + tB) and w = 1 + t, (w + 3v)/(3w + v) stands for √(v/w), whose derivative it has where
+/// both are one.
 template <class T, int D> PW85_FUNCTION constexpr NormalStep<T>
 newton_step(DistancePair<T, D> const &pair, NormalJet<T> const &j, Multipliers<T> const &x) noexcept
 {
@@ -140,17 +140,16 @@ newton_step(DistancePair<T, D> const &pair, NormalJet<T> const &j, Multipliers<T
     T const k = T(4) * v * w * (v - w), k_shift = T(-2) * below * j.sum_shift;
     T const k_ratio = pair.scale2 * v * (w + T(3) * v) - T(2) * t * below * j.sum_ratio;
     T const determinant = h_shift * k_ratio - h_ratio * k_shift;
-    T shift = rough_quotient(T(h_ratio * k - h * k_ratio), determinant);
-    T numerator = h * k_shift - h_shift * k, denominator = determinant;
-    auto const alone = x.shift + shift < T(0);
+    NormalStep<T> step{h * k_shift - h_shift * k, determinant,
+                       rough_quotient(T(h_ratio * k - h * k_ratio), determinant)};
+    auto const alone = x.shift + step.shift < T(0);
     if (any_of(alone)) {
-        shift = select(alone, maximum(T(-x.shift), T(-rough_quotient(k, k_shift))), shift);
-        numerator = select(alone, T(-(h + h_shift * shift)), numerator);
-        denominator = select(alone, h_ratio, denominator);
+        T const shift = maximum(T(-x.shift), T(-rough_quotient(k, k_shift)));
+        step.shift = select(alone, shift, step.shift);
+        step.numerator = select(alone, T(-(h + h_shift * shift)), step.numerator);
+        step.denominator = select(alone, h_ratio, step.denominator);
     }
-    T const size = absolute(denominator), limit = T(1.5) * size;
-    T const directed = select(denominator < T(0), T(-numerator), numerator);
-    return {{minimum(limit, maximum(T(-limit), directed)), size}, shift};
+    return step;
 }
 
 /// Whether a step is at most 2^-digits, relative to t, and to u in the norm of M. (In this norm t changes u by less than by its
@@ -159,13 +158,18 @@ template <class T> PW85_FUNCTION constexpr typename ScalarTraits<T>::Mask
 is_within(NormalStep<T> const &step, NormalJet<T> const &j, int digits) noexcept
 {
     T const bound = negative_power_of_two<T>(digits);
-    return is_within(step.ratio, bound) && step.shift * step.shift * j.bend <= bound * bound * j.r;
+    return absolute(step.numerator) <= bound * absolute(step.denominator) &&
+           step.shift * step.shift * j.bend <= bound * bound * j.r;
 }
 
+/// t and s after a step, with e^x to third order, and t changed by a factor of 7 at most.
 template <class T>
 PW85_FUNCTION constexpr Multipliers<T> advance(Multipliers<T> const &x, NormalStep<T> const &step) noexcept
 {
-    return {x.ratio * exponential(step.ratio), maximum(T(0), T(x.shift + step.shift))};
+    T const n = step.numerator, d = step.denominator, twice = d + d;
+    auto const far = absolute(n) > T(1.5) * absolute(d), up = n * d > T(0);
+    T const factor = select(far, select(up, T(7), T(T(1) / T(7))), rough_quotient(T(twice + n), T(twice - n)));
+    return {x.ratio * factor, maximum(T(0), T(x.shift + step.shift))};
 }
 
 /// Where the search starts: exact for spheres.
@@ -176,6 +180,15 @@ PW85_FUNCTION inline Multipliers<T> initial_multipliers(DistancePair<T, D> const
     T const a = square_root(positive_form(pair.q1, weights)), b = square_root(positive_form(pair.q2, weights));
     T const width = T(1) - (pair.scale1 * a + pair.scale2 * b) / dot(pair.r12, pair.r12);
     return {a / b, a * maximum(T(0), width)};
+}
+
+/// Where it starts anew if it loses its way: exact for ellipsoids that touch.
+template <class T, int D>
+PW85_FUNCTION inline Multipliers<T> touching_multipliers(DistancePair<T, D> const &pair) noexcept
+{
+    T const ratio = pair.scale1 / pair.scale2;
+    Maximum<T> const m = maximize(Pair<T, D>{pair.r12, pair.q1, pair.q2, ratio});
+    return {m.lambda / m.complement / ratio, T(0)};
 }
 
 /// A search by the polynomials under way. What becomes of a lane depends on nothing but its pair.
@@ -191,10 +204,11 @@ PW85_FUNCTION inline NormalSearch<T> start_search(DistancePair<T, D> const &pair
     return {shifted_form(pair.r12, times(pair.scale1, pair.q1), times(pair.scale2, pair.q2)), x, x.ratio == x.ratio};
 }
 
-/// The number of steps by the polynomials after which a search gives up, and of last steps.
+/// The number of steps by the polynomials after which a search gives up, and of last steps by factorisation: choices
+/// (docs/implementation.rst).
 inline constexpr int max_normal_steps = 10, max_last_steps = 6;
 
-/// Lanes converge with a step whose square is about the largest that a last step may be.
+/// One step. Lanes converge with one whose square is about the largest that a last step may be.
 template <class T, int D>
 PW85_FUNCTION inline void take_step(NormalSearch<T> &search, DistancePair<T, D> const &pair) noexcept
 {
@@ -252,7 +266,7 @@ solve_normal(DistancePair<T, D> const &pair, Solver const &solver, Multipliers<T
 template <class T, int D> PW85_FUNCTION constexpr Vector<T, D>
 advance(NormalVector<T, D> const &v, Multipliers<T> const &x, NormalStep<T> const &step) noexcept
 {
-    T const ratio = x.ratio * rough_quotient(step.ratio.numerator, step.ratio.denominator);
+    T const ratio = x.ratio * rough_quotient(step.numerator, step.denominator);
     Vector<T, D> u = v.u;
     for (int i = 0; i < D; ++i) u[i] = u[i] - (ratio * v.u_ratio[i] + step.shift * v.u_shift[i]);
     return u;
@@ -322,7 +336,7 @@ PW85_FUNCTION inline T find_shift(DistancePair<T, D> const &pair, T const &ratio
         T const step = jet.sum * (square_root(T(jet.sum / target)) - T(1)) / jet.sum_shift;
         if (!(step > T(0)) && (i > 0 || !(shift > T(0)))) break;
         shift = maximum(T(0), T(shift + step));
-        if (is_within(NormalStep<T>{{T(0), T(1)}, step}, jet, last_digits<T>())) break;
+        if (is_within(NormalStep<T>{T(0), T(1), step}, jet, last_digits<T>())) break;
     }
     return shift;
 }
@@ -347,7 +361,7 @@ template <class T, int D>
         if (is_within(step, v.jet, last_digits<T>())) return advance(v, x, step);
         (ratio * ratio * v.jet.b > v.jet.a ? upper : lower) = ratio;
         if (i >= max_ratios<T>() || !(upper - lower > T(4) * unit_roundoff<T>() * upper)) return v.u;
-        T const size = absolute(step.ratio.numerator) / step.ratio.denominator, next = advance(x, step).ratio;
+        T const size = absolute(T(step.numerator / step.denominator)), next = advance(x, step).ratio;
         if (next > lower && next < upper && T(2) * size <= shortest) {
             shortest = size;
             ratio = next;
