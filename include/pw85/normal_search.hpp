@@ -162,13 +162,17 @@ is_within(NormalStep<T> const &step, NormalJet<T> const &j, int digits) noexcept
            step.shift * step.shift * j.bend <= bound * bound * j.r;
 }
 
-/// t and s after a step, with e^x to third order, and t changed by a factor of 7 at most.
+/// The largest step in log t, a choice (docs/implementation.rst): by a factor of 7.
+template <class T> PW85_FUNCTION constexpr T longest_step() noexcept { return T(1.5); }
+
+/// t and s after a step, with e^x to third order.
 template <class T>
 PW85_FUNCTION constexpr Multipliers<T> advance(Multipliers<T> const &x, NormalStep<T> const &step) noexcept
 {
-    T const n = step.numerator, d = step.denominator, twice = d + d;
-    auto const far = absolute(n) > T(1.5) * absolute(d), up = n * d > T(0);
-    T const factor = select(far, select(up, T(7), T(T(1) / T(7))), rough_quotient(T(twice + n), T(twice - n)));
+    T const n = step.numerator, d = step.denominator, twice = d + d, bound = longest_step<T>();
+    T const largest = (T(2) + bound) / (T(2) - bound), smallest = T(1) / largest;
+    auto const far = absolute(n) > bound * absolute(d), up = n * d > T(0);
+    T const factor = select(far, select(up, largest, smallest), rough_quotient(T(twice + n), T(twice - n)));
     return {x.ratio * factor, maximum(T(0), T(x.shift + step.shift))};
 }
 
@@ -208,7 +212,7 @@ PW85_FUNCTION inline NormalSearch<T> start_search(DistancePair<T, D> const &pair
 /// (docs/implementation.rst).
 inline constexpr int max_normal_steps = 10, max_last_steps = 6;
 
-/// One step. Lanes converge with one whose square is about the largest that a last step may be.
+/// One step. Lanes converge with one of which a last step leaves its square, rounding (a choice, too).
 template <class T, int D>
 PW85_FUNCTION inline void take_step(NormalSearch<T> &search, DistancePair<T, D> const &pair) noexcept
 {
