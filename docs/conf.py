@@ -48,6 +48,7 @@ rst_epilog = f"""
 .. |contact-problems| replace:: {measurements.number_of_contact_problems():,}
 .. |conditions| replace:: {measurements.conditions()}
 .. |conditions-side-by-side| replace:: {measurements.conditions("side_by_side")}
+.. |conditions-of-instructions| replace:: {measurements.conditions("instructions")}
 .. |conditions-of-peers| replace:: {measurements.conditions("peers")}
 """
 

@@ -198,15 +198,17 @@ class Installation:
         """CMake compiles the units that Meson compiles, with the same flags."""
         self.compare_flags("shared", simd=True, gsl=True)
         self.compare_flags("static", simd=False, gsl=False)
-        arm, compiler = "aarch64-linux-gnu", shutil.which("aarch64-linux-gnu-g++")
-        if compiler:
-            boost = self.work / "boost/include"  # the headers, without those of this system's other libraries
-            boost.mkdir(parents=True)
-            (boost / "boost").symlink_to("/usr/include/boost")
-            self.compare_flags(
-                "shared", simd=True, gsl=False, name=arm, environment={"BOOST_ROOT": str(boost.parent)},
-                meson_options=[f"--cross-file={self.source / 'scripts/cross' / arm}.ini"],
-                cmake_options=["-DCMAKE_SYSTEM_NAME=Linux", "-DCMAKE_SYSTEM_PROCESSOR=aarch64", f"-DCMAKE_CXX_COMPILER={compiler}"])
+        boost = self.work / "boost/include"  # the headers, without those of this system's other libraries
+        boost.mkdir(parents=True)
+        (boost / "boost").symlink_to("/usr/include/boost")
+        for machine in ("aarch64-linux-gnu", "i686-linux-gnu"):
+            compiler = shutil.which(f"{machine}-g++")
+            if compiler:
+                self.compare_flags(
+                    "shared", simd=True, gsl=False, name=machine, environment={"BOOST_ROOT": str(boost.parent)},
+                    meson_options=[f"--cross-file={self.source / 'scripts/cross' / machine}.ini"],
+                    cmake_options=["-DCMAKE_SYSTEM_NAME=Linux", f"-DCMAKE_SYSTEM_PROCESSOR={machine.split('-')[0]}",
+                                   f"-DCMAKE_CXX_COMPILER={compiler}"])
 
     def compare_flags(self, kind, simd, gsl, name="", environment={}, meson_options=(), cmake_options=()):
         meson, cmake = (self.work / f"flags-{builder}-{kind}-{simd}-{gsl}-{name}" for builder in ("meson", "cmake"))
