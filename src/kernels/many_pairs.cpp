@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include <pw85/walls.hpp>
+
 #include "../c_arrays.hpp"
 #include "forces.hpp"
 #include "image_finder.hpp"
@@ -44,6 +46,19 @@ template <class Row> Failure for_rows(Range range, Row const &row) noexcept
     Failure first{0, 0};
     for (std::size_t i = range.begin; i < range.end; ++i) first.update(Failure{i, row(i)});
     return first;
+}
+
+/// Distances of a range of ellipsoids to their half-spaces. Not inlined: no arithmetic may leave the environment of the caller.
+[[gnu::noinline]] Failure distance_planes(Range range, double const *normals, double const *offsets, double const *q,
+                                          double *distance, double *point) noexcept
+{
+    return for_rows(range, [=](std::size_t i) {
+        auto const d =
+            distance_plane(c_api::load_vector<3>(normals + 3 * i), offsets[i], c_api::load_matrix<3>(q + 6 * i));
+        if (distance != nullptr) distance[i] = d.distance;
+        c_api::store(d.point, row_or_null(point, 3, i));
+        return static_cast<int>(d.status);
+    });
 }
 
 /// The least time of each particle's pairs, and the pair.
@@ -177,12 +192,7 @@ int pw85_distance_plane_batch(size_t n, double const *normals, double const *off
 {
     if (n == 0) return PW85_SUCCESS;
     if (n > max_rows || any_null(normals, offsets, q)) return PW85_EINVAL;
-    return for_all(n, [&](Range range) {
-        return for_rows(range, [&](std::size_t i) {
-            return pw85_distance_plane(normals + 3 * i, offsets[i], q + 6 * i, row_or_null(distance, 1, i),
-                                       row_or_null(point, 3, i));
-        });
-    });
+    return for_all(n, [&](Range range) { return distance_planes(range, normals, offsets, q, distance, point); });
 }
 
 int pw85_first_contact_batch(size_t n, double const *r12, double const *q1, double const *q2,
