@@ -25,7 +25,7 @@ inline std::size_t most_threads() noexcept
 }
 
 /// Calls task(0), task(1), ..., task(count - 1), by threads if there is enough to do; idle ones take the next.
-template <class Task> void for_tasks(std::size_t count, bool enough, Task const &task) noexcept
+template <class Task> void for_tasks(std::size_t count, [[maybe_unused]] bool enough, Task const &task) noexcept
 {
 #pragma omp parallel if (enough)
     {
