@@ -17,6 +17,7 @@ REPEATED = [
     (("docs/optimization.rst", r"``PW85_LAMBDA_ATOL`` \(10\\ :sup:`-(\d+)`\)"), (HEADER, r"LAMBDA_ATOL 1e-(\d+)")),
     (("README.md", r"git clone (\S+)"), HOME),
     (("docs/index.rst", r"git clone (\S+)"), HOME),
+    (("docs/installation.rst", r"git clone (\S+)"), HOME),
     (("debian/control", r"Homepage: (\S+)"), HOME),
     (("debian/copyright", r"Source: (\S+)"), HOME),
     (("src/brent.cpp", r"lambda_atol, (1e-\d+),"), (HEADER, r"LAMBDA_ATOL (1e-\d+)")),
