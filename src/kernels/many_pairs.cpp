@@ -22,12 +22,16 @@ std::uint32_t end_of(std::size_t num_particles) noexcept
     return static_cast<std::uint32_t>(std::min<std::size_t>(num_particles, INT32_MAX + std::size_t{1}));
 }
 
-/// Whether n indices are below `end`.
+/// Whether n indices are below `end`, which is at most 2³¹: neither they nor `end` - 1 less them have the sign bit. No comparison, which
+/// baseline instructions lack for unsigned numbers.
 bool are_below(std::uint32_t end, std::int32_t const *indices, std::size_t n) noexcept
 {
-    bool outside = false;
-    for (std::size_t k = 0; k < n; ++k) outside |= static_cast<std::uint32_t>(indices[k]) >= end;
-    return !outside;
+    std::uint32_t signs = 0;
+    for (std::size_t k = 0; k < n; ++k) {
+        auto const index = static_cast<std::uint32_t>(indices[k]);
+        signs |= index | (end - 1 - index);
+    }
+    return signs >> 31 == 0;
 }
 
 /// Whether all indices are in range.
@@ -318,8 +322,6 @@ int pw85_contact_forces_pairs(size_t num_pairs, int32_t const *pairs, int32_t co
     NeighborList list{pairs, centers, centers, images, cell, nullptr}; // no forms
     if (num_pairs > 0)
         if (int const status = prepare_list(num_pairs, num_particles, list, lattice)) return status;
-    PairGradients const gradients{num_pairs, pairs, d_u, d_r12, d_rot1, d_rot2};
-    sum_forces(gradients, num_particles, forces, torques);
-    if (virial != nullptr) sum_virial(gradients, list, virial);
+    sum_forces({num_pairs, list, d_u, d_r12, d_rot1, d_rot2}, num_particles, {forces, torques, virial});
     return PW85_SUCCESS;
 }
