@@ -1,6 +1,7 @@
 """Configuration of Sphinx. Meson passes the release, the place of Doxygen's XML, and the built Python package."""
 
 import enum
+import importlib
 import os
 import re
 import sys
@@ -113,8 +114,7 @@ def link_types(app, env, node, contents):
 
 def without_overloads(app):
     """A function has one entry for numbers and arrays, as its text has."""
-    import pypw85.legacy
-
+    importlib.import_module("pypw85.legacy")
     for name, module in list(sys.modules.items()):
         if name.startswith("pypw85.") and module.__file__.endswith(".py"):
             analyzer = ModuleAnalyzer.for_module(name)
