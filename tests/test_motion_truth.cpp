@@ -86,14 +86,15 @@ template <int D> Real smallest_mu2(Flight<Real, D> const &f, Real end)
     }
 }
 
-/// Makes a flight one that grazes, by some depth of either sign: μ² scales with the inverse of the forms.
+/// Makes a flight one that grazes, by some depth of either sign: μ² scales with the inverse of the forms. These are not made smaller
+/// than by 100, since positions are rounded to u of the distance, whatever the sizes are.
 template <int D> Flight<double, D> grazing(Flight<double, D> f, Random &random)
 {
     auto apart = convert_flight<Real>(f);
     Real lowest = gap_at(apart, Real(0)).mu2;
     for (int k = 1; k <= 200; ++k) lowest = std::fmin(lowest, gap_at(apart, apart.end * k / 200).mu2);
     double const depth = (random.uniform(0.0, 1.0) < 0.5 ? -1.0 : 1.0) * random.log_uniform(1e-10, 1e-3);
-    double const factor = static_cast<double>(lowest) * (1.0 - depth);
+    double const factor = std::fmin(100.0, static_cast<double>(lowest)) * (1.0 - depth);
     f.start.q1 = pw85::times(factor, f.start.q1);
     f.start.q2 = pw85::times(factor, f.start.q2);
     return f;
