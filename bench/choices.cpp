@@ -1,11 +1,12 @@
 // For choices.py. Without arguments: the mean number of evaluations of f that the solver needs, the largest, and the per cent of
-// pairs that it solves by factorisation, over random pairs of several aspect ratios. With arguments: the per cent of pairs that the
-// test on the quartic leaves undecided at so many of these points about the first t, and after so many tests where the fixed-point
-// map leads.
+// pairs that it solves by factorisation, over random pairs of several aspect ratios. With "distance": what the search for the normal
+// needs, of pairs that are apart. With numbers: the per cent of pairs that the test on the quartic leaves undecided at so many of
+// these points about the first t, and after so many tests where the fixed-point map leads.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
 
 #include <pw85/pw85.hpp>
 
@@ -31,6 +32,43 @@ void count_evaluations(double aspect)
         largest = std::max(largest, maximum.evaluations);
     }
     std::printf("%g,%.3f,%d,%.3g\n", aspect, sum / num_pairs, largest, factorized / num_pairs);
+}
+
+struct NormalCount {
+    int steps = 0, solutions = 0; ///< by the polynomials, and of linear equations for a last step
+    bool found = false;
+};
+
+/// find_normal(), counted.
+NormalCount count_steps(pw85::DistancePair<double, 3> const &pair, pw85::Multipliers<double> const &start)
+{
+    NormalCount count;
+    auto search = pw85::start_search(pair, start);
+    for (; search.active && count.steps < pw85::max_normal_steps; ++count.steps) take_step(search, pair);
+    if (search.active) return count;
+    auto last = take_last_step(pair, search.x);
+    for (; !last.found && count.solutions < pw85::max_last_steps; ++count.solutions)
+        last = take_last_step(pair, factorize_normal(pair, last.next), last.next);
+    ++count.solutions;
+    count.found = last.found;
+    return count;
+}
+
+/// Mean steps and solutions, and the per cent of pairs whose search begins anew, and is nested.
+void count_normals(double aspect)
+{
+    double steps = 0.0, solutions = 0.0, anew = 0.0, nested = 0.0;
+    for (Pair const &p : random_block(aspect, 0.0, num_pairs)) {
+        pw85::DistancePair<double, 3> const pair{pw85::times(2.0, p.r12), p.q1, p.q2, 1.0, 1.0};
+        NormalCount const first = count_steps(pair, initial_multipliers(pair));
+        NormalCount const second = first.found ? NormalCount{} : count_steps(pair, touching_multipliers(pair));
+        steps += first.steps + second.steps;
+        solutions += first.solutions + second.solutions;
+        anew += 100.0 * !first.found;
+        nested += 100.0 * !(first.found || second.found);
+    }
+    std::printf("%g,%.3f,%.3f,%.3g,%.3g\n", aspect, steps / num_pairs, solutions / num_pairs, anew / num_pairs,
+                nested / num_pairs);
 }
 
 using ScaledPair = pw85::Pair<double, 3>;
@@ -81,6 +119,10 @@ void count_tests(double aspect, std::vector<double> const &points)
 
 int main(int argc, char **argv)
 {
+    if (argc > 1 && std::strcmp(argv[1], "distance") == 0) {
+        for (double const aspect : {2.0, 10.0, 100.0, 1e3, 1e4}) count_normals(aspect);
+        return 0;
+    }
     std::vector<double> points;
     for (int i = 1; i < argc; ++i) points.push_back(std::atof(argv[i]));
     if (argc == 1)

@@ -6,7 +6,8 @@
 Compiles choices.cpp with each constant of the headers replaced in turn, and prints the mean number of evaluations of f, at aspect
 ratios 2, 10, 100, 10⁴ and 10⁶, the largest, and the per cent of pairs that go to the factorised form at 10⁴ and 10⁶. Then the
 points of the test on the quartic: the per cent of pairs that 1, 2, 4 and 8 of them leave undecided, and 1 to 5 tests where the
-fixed-point map leads. BUILD is a build directory, for version.h. Nothing is timed.
+fixed-point map leads. Last the search for the normal of a distance: mean steps and solutions, and the per cent of searches that begin
+anew, and that are nested, at aspect ratios 2, 10, 100, 1000 and 10⁴. BUILD is a build directory, for version.h. Nothing is timed.
 """
 
 import pathlib
@@ -30,6 +31,13 @@ CHOICES = [
     ("rational_search.hpp", "max_rational_steps = 8", "max_rational_steps = {}", ["8", "4", "6", "12"]),
 ]
 
+NORMAL_CHOICES = [
+    ("normal_search.hpp", "return T(1.5);", "return T({});", ["1.5", "1", "1.9"]),
+    ("normal_search.hpp", "mantissa_digits<T>() / 4", "mantissa_digits<T>() / {}", ["4", "3", "6"]),
+    ("normal_search.hpp", "max_normal_steps = 10", "max_normal_steps = {}", ["10", "6", "16"]),
+    ("normal_search.hpp", "max_last_steps = 6", "max_last_steps = {}", ["6", "0", "2"]),
+]
+
 # Where the test on the quartic is made, and what is tried for it; the header's own come first.
 POINTS = (
     [1, 2, 0.5, 1.4, 0.7, 4, 0.25, 1.2],
@@ -49,7 +57,7 @@ def rows_of(program, *arguments):
     return [line.split(",") for line in done.stdout.splitlines()]
 
 
-def run(build, compiler, header, old, new):
+def run(build, compiler, header, old, new, *arguments):
     with tempfile.TemporaryDirectory() as folder:
         include = pathlib.Path(folder) / "pw85"
         shutil.copytree(ROOT / "include" / "pw85", include)
@@ -60,7 +68,7 @@ def run(build, compiler, header, old, new):
         solver.write_text("\n".join(line for line in solver.read_text().splitlines() if "static_assert(" not in line))
         program = pathlib.Path(folder) / "choices"
         compile_program(build, compiler, folder, program)
-        return rows_of(program)
+        return rows_of(program, *arguments)
 
 
 def print_tests(build, compiler):
@@ -75,6 +83,15 @@ def print_tests(build, compiler):
             print(" ".join(map(str, points)), undecided, sep=": ", flush=True)
 
 
+def print_normals(build, compiler):
+    print("steps solutions % anew % nested, at aspect 2 ... 1e4")
+    for header, old, pattern, values in NORMAL_CHOICES:
+        for value in values:
+            new = pattern.format(value)
+            rows = run(build, compiler, header, old, new, "distance")
+            print(f"{header + ': ' + new:60}", " | ".join(" ".join(row[1:]) for row in rows), flush=True)
+
+
 def main():
     build, compiler = sys.argv[1], (sys.argv[2:] or ["g++"])[0]
     print(f"{'constant':60} {'evaluations at aspect 2 ... 1e6':36} largest   % factorised")
@@ -87,6 +104,7 @@ def main():
             shares = " ".join(f"{row[3]:>6}" for row in rows[3:])
             print(f"{header + ': ' + new:60} {means:36} {largest:7}   {shares}", flush=True)
     print_tests(build, compiler)
+    print_normals(build, compiler)
 
 
 main()

@@ -21,7 +21,7 @@ struct Function {
     void (*call)(Pair const &, double lambda, Sink &);
 };
 
-/// A pair of a block with its centres nearer or farther: at half the distance all overlap, at three times it none.
+/// A pair of a block with its centres nearer or farther: at half the distance all overlap, at twice it none.
 inline pw85::Vector<double, 3> moved(Pair const &x, double factor) { return pw85::times(factor, x.r12); }
 
 /// First contact of a pair that is apart and, moves until its centres meet at time 1.
@@ -46,7 +46,8 @@ inline constexpr Function functions[] = {
      [](Pair const &x, double l, Sink &s) { pw85_contact_gradient(PW85_BENCH_PAIR(x), l, s.a, s.b, s.c); }},
     {"contact_torque", [](Pair const &x, double l, Sink &s) { pw85_contact_torque(PW85_BENCH_PAIR(x), l, s.a, s.b); }},
     {"closest_approach", [](Pair const &x, double, Sink &s) { pw85_closest_approach(PW85_BENCH_PAIR(x), s.a); }},
-    {"distance", [](Pair const &x, double, Sink &s) { pw85_distance(PW85_BENCH_PAIR(x), s.a, s.b, s.c); }},
+    {"distance", [](Pair const &x, double,
+                    Sink &s) { pw85_distance(moved(x, 2.0).coordinates, x.q1.entries, x.q2.entries, s.a, s.b, s.c); }},
     {"distance_plane",
      [](Pair const &x, double, Sink &s) { pw85_distance_plane(x.r12.coordinates, 1.0, x.q1.entries, s.a, s.b); }},
     {"penetration", [](Pair const &x, double,
@@ -103,7 +104,7 @@ inline constexpr BatchFunction batch_functions[] = {
      [](Block &b) { pw85_overlap_batch(b.size(), b.r12.data(), b.q1.data(), b.q2.data(), b.overlap.data()); }},
     {"distance_batch",
      [](Block &b) {
-         pw85_distance_batch(b.size(), b.r12.data(), b.q1.data(), b.q2.data(), b.mu2.data(), b.point1.data(),
+         pw85_distance_batch(b.size(), b.apart.data(), b.q1.data(), b.q2.data(), b.mu2.data(), b.point1.data(),
                              b.point2.data());
      }},
 };

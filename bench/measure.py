@@ -3,7 +3,8 @@
 Usage: measure.py [--only TABLE] PROGRAM..., the programs of this folder. Have the machine to yourself.
 
 All tables come from one run, which is written to docs/measurements.json with its conditions. --only puts a single table there, of
-a program that prints it, with conditions of its own.
+a program that prints it, with conditions of its own. So are tables kept that this run does not give: instructions on another processor
+(instructions.py), and what compares with libraries which are not there now.
 Times are nanoseconds per pair, the shortest of several repetitions in which the functions take turns.
 """
 
@@ -21,6 +22,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parent.parent
 RESULTS = ROOT / "docs" / "measurements.json"
 REPETITIONS = 31
+COMPARED = {"pw85 2.0", "HOOMD-blue 2"}  # beside what Debian has
 DISPATCHED = "^(contact|overlap|contact_batch|overlap_batch)/[0-9e+]+$"
 
 
@@ -133,12 +135,12 @@ def worst_rows(program, targets):
     return list(rows.values())
 
 
-def conditions_of(context):
+def conditions_of(context, machine=None):
     return {
         "version": context["pw85"],
         "date": datetime.date.today().isoformat(),
         "compiler": context["compiler"],
-        "processor": processor("model name") or platform.machine(),
+        "processor": machine or processor("model name") or platform.machine(),
         "processors": context["num_cpus"],
         "load_average": significant(context["load_avg"][0]) if context.get("load_avg") else None,
     }
@@ -157,16 +159,37 @@ def measure(programs):
     tables["worst"] = worst_rows(programs["accuracy"], targets)
     for name in ("closest_approach", "digits", "evaluations", "peers"):
         tables[name] = read_table(programs[name], target=best)
-    return {"conditions": conditions_of(context), "tables": tables}
+    side_by_side = read_table(programs["side_by_side"], target=best)
+    if COMPARED <= {row["library"] for row in side_by_side}:
+        tables["side_by_side"] = side_by_side
+    return with_last({"conditions": conditions_of(context), "tables": tables})
+
+
+def with_last(results):
+    """With the last tables of what was not measured now."""
+    last = last_results()
+    for name in sorted(last["tables"].keys() - results["tables"].keys()):
+        results["tables"][name] = last["tables"][name]
+        results.setdefault("apart", {})[name] = last.get("apart", {}).get(name, last["conditions"])
+    return results
+
+
+def last_results():
+    return json.loads(RESULTS.read_text(encoding="utf-8"))
+
+
+def put_apart(name, rows, conditions):
+    """Puts a table there that was measured alone."""
+    results = last_results()
+    results["tables"][name] = rows
+    results.setdefault("apart", {})[name] = conditions
+    write(results)
 
 
 def measure_only(name, programs):
-    results = json.loads(RESULTS.read_text(encoding="utf-8"))
     best = available_targets()[-1]
     context = nanoseconds(programs["speed"], "^overlap/2$", best, 1)[0]
-    results.setdefault("apart", {})[name] = conditions_of(context)
-    results["tables"][name] = read_table(programs[name], target=best)
-    return results
+    put_apart(name, read_table(programs[name], target=best), conditions_of(context))
 
 
 def to_json(results):
@@ -179,15 +202,21 @@ def to_json(results):
     return f'{{\n{heads} "tables": {{\n{tables}\n }}\n}}\n'
 
 
+def write(results):
+    RESULTS.write_text(to_json(results), encoding="utf-8")
+    subprocess.run([sys.executable, ROOT / "docs" / "measured_pages.py"], check=True)
+
+
 def main():
     arguments = sys.argv[1:]
     only = arguments[1] if arguments[0] == "--only" else None
     programs = {Path(path).stem: path for path in arguments[2 if only else 0 :]}
     if "peers" not in programs:
         sys.exit("peers was not built: it needs libfcl-dev and libeigen3-dev")
-    results = measure_only(only, programs) if only else measure(programs)
-    RESULTS.write_text(to_json(results), encoding="utf-8")
-    subprocess.run([sys.executable, ROOT / "docs" / "measured_pages.py"], check=True)
+    if only:
+        measure_only(only, programs)
+    else:
+        write(measure(programs))
 
 
 if __name__ == "__main__":

@@ -31,16 +31,18 @@ inline std::vector<Pair> random_block(double aspect, double excess = 0.0, int si
 struct Block {
     std::vector<Pair> pairs;
     std::vector<double> lambdas, r12, q1, q2, mu2, lambda, point1, point2;
+    std::vector<double> apart; ///< separations twice as long, at which no pair overlaps
     std::vector<unsigned char> overlap;
 
     explicit Block(std::vector<Pair> const &block)
         : pairs(block), lambdas(size()), r12(3 * size()), q1(6 * size()), q2(6 * size()), mu2(size()), lambda(size()),
-          point1(3 * size()), point2(3 * size()), overlap(size())
+          point1(3 * size()), point2(3 * size()), apart(3 * size()), overlap(size())
     {
         for (std::size_t i = 0; i < size(); ++i) {
             Pair const &p = pairs[i];
             lambdas[i] = pw85::contact(p.r12, p.q1, p.q2).lambda;
             std::memcpy(&r12[3 * i], p.r12.coordinates, sizeof p.r12);
+            for (std::size_t d = 0; d < 3; ++d) apart[3 * i + d] = 2.0 * r12[3 * i + d];
             std::memcpy(&q1[6 * i], p.q1.entries, sizeof p.q1);
             std::memcpy(&q2[6 * i], p.q2.entries, sizeof p.q2);
         }

@@ -1,56 +1,24 @@
 // FCL side by side with this library, on the same pairs: whether two ellipsoids overlap, and their distance.
 //
 // Half of the pairs overlap, with |μ² - 1| as given; distances are those of the other half. Times are nanoseconds, the least of
-// several passes over a block; wrong and failed answers are in percent. A form comes from its principal axes only to rounding,
-// some 1e-16 times the square of the aspect ratio, which is far below the errors found: those are absolute, the largest semi-axis
-// of the first ellipsoid being 1.
+// several passes over a block; wrong and failed answers are in percent. What rounds forms to
+// principal axes (principal_axes.hpp) is far below the errors found: those are absolute, the largest semi-axis of the first
+// ellipsoid being 1.
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <exception>
 #include <limits>
 
-#include <fcl/fcl.h>
-
 #include <pw85.h>
 
+#include "fcl_bodies.hpp"
+#include "least_time.hpp"
 #include "pairs.hpp"
 
 using namespace pw85_bench;
 
 namespace {
-
-/// An ellipsoid as FCL takes it: semi-axes, and where they are.
-struct Body {
-    fcl::Ellipsoidd shape;
-    fcl::Transform3d place = fcl::Transform3d::Identity();
-
-    Body(pw85::SymmetricMatrix<double, 3> const &q, pw85::Vector<double, 3> const &center) : shape(1.0, 1.0, 1.0)
-    {
-        fcl::Matrix3d form;
-        for (int i = 0; i < 3; ++i)
-            for (int j = 0; j < 3; ++j) form(i, j) = q(i, j);
-        Eigen::SelfAdjointEigenSolver<fcl::Matrix3d> const axes(form);
-        fcl::Matrix3d turn = axes.eigenvectors();
-        if (turn.determinant() < 0.0) turn.col(0) *= -1.0;
-        shape = fcl::Ellipsoidd(axes.eigenvalues().cwiseSqrt());
-        place.linear() = turn;
-        place.translation() = fcl::Vector3d(center[0], center[1], center[2]);
-    }
-};
-
-struct Bodies {
-    Body first, second;
-};
-
-bool fcl_collide(Bodies const &b, fcl::GJKSolverType solver)
-{
-    fcl::CollisionRequestd request;
-    request.gjk_solver_type = solver;
-    fcl::CollisionResultd result;
-    return fcl::collide(&b.first.shape, b.first.place, &b.second.shape, b.second.place, request, result) > 0;
-}
 
 /// NaN where FCL throws.
 double fcl_distance(Bodies const &b, fcl::GJKSolverType solver)
@@ -79,19 +47,15 @@ double distance(Pair const &x)
     return result;
 }
 
-/// Nanoseconds per item, the least of some passes; results go where the compiler cannot drop them.
+/// Nanoseconds per item of calls whose results go where the compiler cannot drop them.
 template <class Items, class Call> double time_of(Items const &items, Call call)
 {
-    double least = std::numeric_limits<double>::infinity();
     double volatile sink = 0.0;
-    for (int pass = 0; pass < 7; ++pass) {
-        auto const start = std::chrono::steady_clock::now();
-        for (auto const &item : items) sink = static_cast<double>(call(item));
-        std::chrono::duration<double, std::nano> const taken = std::chrono::steady_clock::now() - start;
-        least = std::min(least, taken.count() / static_cast<double>(items.size()));
-    }
+    double const time = least_time(items.size(), [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) sink = static_cast<double>(call(items[i]));
+    });
     static_cast<void>(sink);
-    return least;
+    return time;
 }
 
 struct Solver {
@@ -134,7 +98,7 @@ int main()
         for (double const excess : {0.5, 1e-2, 1e-4, 1e-6}) {
             auto const pairs = random_block(aspect, excess, 1000);
             std::vector<Bodies> bodies;
-            for (Pair const &x : pairs) bodies.push_back({{x.q1, {0.0, 0.0, 0.0}}, {x.q2, x.r12}});
+            for (Pair const &x : pairs) bodies.emplace_back(x.r12.coordinates, x.q1.entries, x.q2.entries);
             for (Solver const solver : {Solver{"libccd", fcl::GST_LIBCCD}, Solver{"indep", fcl::GST_INDEP}}) {
                 std::printf("%g,%g,", aspect, excess);
                 compare(pairs, bodies, solver);

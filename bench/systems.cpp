@@ -2,11 +2,19 @@
 //
 //     neighbors/ASPECT/NUMBER       a list at packing fraction 0.5; `items_per_second` counts particles
 //     derivatives_pairs, forces     derivatives of the pairs of a list, and sums of forces of them; counts pairs
+//     threads/neighbors, ...        the same by two threads, in real time: `speed_up` over one, and the `limit` that the machine sets,
+//                                   which is what two programs gain that each have a processor, a system and one thread
 //     overlap_any                   one ellipsoid against 16 neighbours, none of which it overlaps, from its form; counts calls
 //     overlap_any/quaternion        the same from its quaternion
+#include <chrono>
 #include <cmath>
 #include <memory>
 #include <string>
+#include <thread>
+
+#ifdef _OPENMP
+#include <omp.h>
+#endif
 
 #include <benchmark/benchmark.h>
 
@@ -103,6 +111,63 @@ void forces(benchmark::State &state)
     }
     count(state, d.list.pairs().size());
 }
+
+#ifdef _OPENMP
+
+/// The time of work by threads of the library.
+template <class Work> double seconds(int threads, Work const &work)
+{
+    omp_set_num_threads(threads);
+    auto const start = std::chrono::steady_clock::now();
+    work();
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+/// Work on each of two systems: on one by one thread, on both at once by one thread each, on one by two threads.
+template <class Work> void compare_threads(benchmark::State &state, Work const &work)
+{
+    double one = HUGE_VAL, both = HUGE_VAL, two = HUGE_VAL;
+    for ([[maybe_unused]] auto _ : state) {
+        one = std::min(one, seconds(1, [&] { work(0); }));
+        both = std::min(both, seconds(1, [&] {
+                            std::thread other([&] { seconds(1, [&] { work(1); }); });
+                            work(0);
+                            other.join();
+                        }));
+        double const time = seconds(2, [&] { work(0); });
+        two = std::min(two, time);
+        state.SetIterationTime(time);
+    }
+    state.counters["speed_up"] = one / two;
+    state.counters["limit"] = 2.0 * one / both;
+}
+
+void threads_neighbors(benchmark::State &state)
+{
+    System const systems[2] = {{1000000, 3.0, 0.5}, {1000000, 3.0, 0.5}};
+    compare_threads(state, [&](std::size_t k) {
+        pw85::Neighbors list;
+        neighbors_create(systems[k].particles(), {}, list);
+        benchmark::DoNotOptimize(list.pairs().data());
+    });
+}
+
+void threads_derivatives_pairs(benchmark::State &state)
+{
+    Derivatives both[2];
+    compare_threads(state, [&](std::size_t k) {
+        contact_derivatives_pairs(both[k].list.list(), both[k].system.particles(), both[k].spans());
+    });
+}
+
+BENCHMARK(threads_neighbors)->Name("threads/neighbors")->UseManualTime()->Iterations(7)->Unit(benchmark::kMillisecond);
+BENCHMARK(threads_derivatives_pairs)
+    ->Name("threads/derivatives_pairs")
+    ->UseManualTime()
+    ->Iterations(15)
+    ->Unit(benchmark::kMillisecond);
+
+#endif
 
 void overlap_any(benchmark::State &state)
 {

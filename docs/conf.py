@@ -1,6 +1,7 @@
 """Configuration of Sphinx. Meson passes the release, the place of Doxygen's XML, and the built Python package."""
 
 import enum
+import importlib
 import os
 import re
 import sys
@@ -10,6 +11,8 @@ HERE = Path(__file__).resolve().parent
 sys.path[:0] = [str(HERE), str(HERE / "extensions")]
 
 import measurements  # noqa: E402
+from sphinx.pycode import ModuleAnalyzer  # noqa: E402
+from sphinx.util.nodes import make_refnode  # noqa: E402
 
 project = "pw85"
 copyright = "the authors of pw85"
@@ -35,8 +38,8 @@ nitpick_ignore_regex = [
     ("myst", r".*"),
     # Standard types; template parameters; the namespace, which has no page.
     ("c:identifier", r"size_t|int32_t|int64_t"),
-    # Shapes of arrays.
-    ("py:class", r"[a-z]\w*|\d+"),
+    # Shapes of arrays; types of other packages.
+    ("py:class", r"[a-z]\w*|\d+|(?:numpy|np|os|torch)\..*"),
     ("cpp:identifier", r"T|D|pw85|rotation_axes<D>|pw85_\w+|\w+<T, D>"),
 ]
 add_function_parentheses = True
@@ -45,6 +48,8 @@ numfig = True
 rst_epilog = f"""
 .. |contact-problems| replace:: {measurements.number_of_contact_problems():,}
 .. |conditions| replace:: {measurements.conditions()}
+.. |conditions-side-by-side| replace:: {measurements.conditions("side_by_side")}
+.. |conditions-of-instructions| replace:: {measurements.conditions("instructions")}
 .. |conditions-of-peers| replace:: {measurements.conditions("peers")}
 """
 
@@ -52,7 +57,10 @@ breathe_default_project = "c"
 breathe_domain_by_extension = {"h": "c", "hpp": "cpp"}
 breathe_show_include = False
 
-autodoc_typehints = "none"
+autodoc_typehints = "signature"
+# Names of types that signatures show as they are; the page of Python's reference says what they are.
+PYTHON_TYPES = ["ArrayLike", "Floats", "Ints", "NDArray"]
+autodoc_type_aliases = {name: name for name in PYTHON_TYPES}
 # Pages of pypw85.torch need its texts only.
 autodoc_mock_imports = ["torch"]
 autodoc_member_order = "bysource"
@@ -97,6 +105,23 @@ def link_names(app, what, name, obj, options, lines):
     lines[:] = [re.sub(r"(?<![\w*`:])([*`])(?:pypw85\.)?(\w+)\1(?![\w*`])", link, line) for line in lines]
 
 
+def link_types(app, env, node, contents):
+    """Names of types in signatures lead to where they are explained."""
+    if node.get("reftype") == "class" and node["reftarget"] in PYTHON_TYPES:
+        return make_refnode(app.builder, node["refdoc"], "api/python", "python-types", contents)
+    return None
+
+
+def without_overloads(app):
+    """A function has one entry for numbers and arrays, as its text has."""
+    importlib.import_module("pypw85.legacy")
+    for name, module in list(sys.modules.items()):
+        if name.startswith("pypw85.") and module.__file__.endswith(".py"):
+            analyzer = ModuleAnalyzer.for_module(name)
+            analyzer.analyze()
+            analyzer.overloads.clear()
+
+
 def no_constructor(app, what, name, obj, options, signature, returned):
     """An enumeration is not made by calling it."""
     return (None, None) if isinstance(obj, enum.EnumMeta) else None
@@ -104,5 +129,7 @@ def no_constructor(app, what, name, obj, options, signature, returned):
 
 def setup(app):
     app.connect("autodoc-process-signature", no_constructor)
+    app.connect("builder-inited", without_overloads)
+    app.connect("missing-reference", link_types)
     app.connect("autodoc-process-docstring", escape_bars)
     app.connect("autodoc-process-docstring", link_names)

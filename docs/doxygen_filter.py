@@ -48,10 +48,16 @@ def main():
     source = STATUS_MACRO.sub(lambda macro: enumerators(0 if macro["cpp"] == "cpp_name" else 1), source)
     # Lists of facts are referred to by their numbers, which each list of Doxygen's begins anew.
     source = re.sub(r"^/// (\d+)\. ", r"///\n/// (\1) ", source, flags=re.MULTILINE)
-    # Names of headers are not to become links to pages that there are not.
+    # Names of headers are not to become links to pages that there are not, nor words of prose links to types.
     source = re.sub(
         r"^(?!#)(?!.*@file)(.*)$",
-        lambda line: re.sub(r"\bpw85\w*\.h\b", r"%\g<0>", line[0]),
+        lambda line: re.sub(r"\b(?:pw85/)?\w+\.hp?p?\b", r"%\g<0>", line[0]),
+        source,
+        flags=re.MULTILINE,
+    )
+    source = re.sub(
+        r"^ *(?:///|/?\*).*$",
+        lambda line: re.sub(r"\b(?!Vector\b|Status\b)[A-Z][a-z]+(?= [a-z(])", r"%\g<0>", line[0]),
         source,
         flags=re.MULTILINE,
     )

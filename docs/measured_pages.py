@@ -55,7 +55,24 @@ def readme_section():
         row = times[function]
         cells = [label, accuracy_of(function, every), *(f"{row[f'aspect_{a}']:g}" for a in ASPECTS)]
         lines.append("| " + " | ".join(cells) + " |")
-    return "\n".join([*lines, "", f"({measurements.conditions()}; instructions: {times['contact']['target']}.)"])
+    lines += ["", f"({measurements.conditions()}; instructions: {times['contact']['target']}.)"]
+    return "\n".join([*lines, "", *side_by_side()])
+
+
+def side_by_side():
+    """The table of libraries, with its heading and conditions."""
+    columns = {"library": "", "gives": "gives", **{f"aspect_{a}": f"aspect {a}" for a in ASPECTS}}
+    columns |= {"wrong_1000": "wrong (%), aspect 1000", "wrong_1e-7": "wrong (%), near contact"}
+    yield "Side by side with others, on the same pairs ([what is compared](docs/related.rst)). *Near contact* is |μ² - 1| = 10⁻⁷ at"
+    yield "aspect ratio 10."
+    yield ""
+    yield "| " + " | ".join(columns.values()) + " |"
+    yield "|---|---|" + "---:|" * (len(columns) - 2)
+    for row in measurements.read_table("side_by_side"):
+        label = f"`{row['library']}`" if row["library"].startswith("pw85_") else row["library"]
+        yield "| " + " | ".join([label, *(row[column] for column in columns if column != "library")]) + " |"
+    yield ""
+    yield f"({measurements.conditions('side_by_side')}; one program, `bench/side_by_side`.)"
 
 
 def out_of_date():

@@ -697,8 +697,8 @@ typedef struct pw85_neighbors pw85_neighbors;
  * Each pair is there once: with i < j, or i = j and an image of i itself whose first multiple other than 0 is positive. Pairs that
  * miss each other by roundings (2⁻⁴⁸ of the coordinates) may be there, too. Their order is that of the particles in space; it
  * depends on the input alone, not on the number of threads. The time is proportional to the numbers of particles and pairs, for
- * sizes of any kind, and anywhere in space unless most of them crowd in less than 2⁻²¹ of its extent. The memory is 210 bytes per
- * particle and 44 per pair at most while the list is made, and 48 and 20 (8 without a cell) afterwards.
+ * sizes of any kind, and anywhere in space unless most of them crowd in less than 2⁻²¹ of its extent. The memory is 200 bytes per
+ * particle and 64 per pair at most while the list is made, and 48 and 20 (8 without a cell) afterwards.
  *
  * @param n number of particles, at most 2³¹ - 1; 0 is fine
  * @param centers n×3, anywhere in space or in the cell and its images, up to 2²⁹ cells away

@@ -5,13 +5,27 @@
 
 #include <cstddef>
 
+#ifdef _OPENMP
+#include <omp.h>
+#endif
+
 #include "floating_point_environment.hpp"
 
 namespace pw85 {
 namespace {
 
+/// Threads that there may be for tasks.
+inline std::size_t most_threads() noexcept
+{
+#ifdef _OPENMP
+    return static_cast<std::size_t>(omp_get_max_threads());
+#else
+    return 1;
+#endif
+}
+
 /// Calls task(0), task(1), ..., task(count - 1), by threads if there is enough to do; idle ones take the next.
-template <class Task> void for_tasks(std::size_t count, bool enough, Task const &task) noexcept
+template <class Task> void for_tasks(std::size_t count, [[maybe_unused]] bool enough, Task const &task) noexcept
 {
 #pragma omp parallel if (enough)
     {

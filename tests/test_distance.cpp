@@ -1,4 +1,4 @@
-// Distance, closest points and derivatives. The numbers are those of include/pw85/distance.hpp.
+// Distance, closest points and derivatives. The numbers are those of include/pw85/normal_search.hpp.
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -162,6 +162,39 @@ void test_certificate()
     }
 }
 
+// Item 5: the polynomials give the same as solutions, in a type in which neither loses digits that count. Sums of what may cancel are
+// compared with their largest terms.
+template <int D> void test_polynomials()
+{
+    Failures failures;
+    Random random(335 + D);
+    for (int n = 0; n < 1000; ++n) {
+        auto const p = convert<Wide>(pair_apart<D>(random, 100.0));
+        pw85::DistancePair<Wide, D> const pair{p.r12, p.q1, p.q2, Wide(0.5), Wide(4)};
+        pw85::Multipliers<Wide> x = pw85::initial_multipliers(pair);
+        x.ratio *= random.log_uniform(0.1, 10.0);
+        x.shift = pw85::largest_diagonal(p.q1) * (n % 4 == 0 ? 0.0 : random.log_uniform(1e-3, 1e3));
+        auto const a = pw85::evaluate_normal(pair, pw85::start_search(pair, x).form, x);
+        auto const b = pw85::solve_normal(pair, pw85::factorize_normal(pair, x), x).jet;
+        auto const check = [&](Wide const &actual, Wide const &expected, Wide const &size, char const *what) {
+            double const error = static_cast<double>(Wide(pw85::absolute(Wide(actual - expected)) / size));
+            failures.check(error <= 1e-25, what, error, 1e-25, [&] {
+                return hex_text(convert<double>(p)) + ", t, s = " + x.ratio.str() + ' ' + x.shift.str();
+            });
+        };
+        Wide const weight = b.a * b.b, t = x.ratio;
+        check(a.r, b.r, b.r, "R");
+        check(a.bend, b.bend, b.bend, "bend");
+        check(a.a, b.a, b.a, "A");
+        check(a.b, b.b, b.b, "B");
+        check(a.sum, b.sum, b.sum, "S");
+        check(a.log_ratio, b.log_ratio, weight / t, "log_ratio");
+        check(a.log_shift, b.log_shift, weight * b.bend / b.r, "log_shift");
+        check(a.sum_ratio, b.sum_ratio, b.sum / t, "sum_ratio");
+        check(a.sum_shift, b.sum_shift, b.sum_shift, "sum_shift");
+    }
+}
+
 // Items 2 and 3 one without the other: the search alone finds what Newton's method finds, and what it does not.
 void test_search()
 {
@@ -190,6 +223,7 @@ void test_search()
             check(direction, "Newton's method");
         else
             ++given_up;
+        if (pw85::find_normal(pair, pw85::touching_multipliers(pair), direction)) check(direction, "from contact");
     }
     g_assert_cmpint(given_up, >, 0);
     g_assert_cmpint(given_up, <, 2500);
@@ -582,6 +616,8 @@ int main(int argc, char **argv)
     g_test_add_func("/distance/points/3d", test_points<3>);
     g_test_add_func("/distance/points/2d", test_points<2>);
     g_test_add_func("/distance/certificate", test_certificate);
+    g_test_add_func("/distance/polynomials/3d", test_polynomials<3>);
+    g_test_add_func("/distance/polynomials/2d", test_polynomials<2>);
     g_test_add_func("/distance/search", test_search);
     g_test_add_func("/distance/spheres", test_spheres);
     g_test_add_func("/distance/coaxial", test_coaxial);

@@ -21,7 +21,7 @@ def status_codes():
 class StatusTable(Directive):
     def run(self):
         self.state.document.settings.record_dependencies.add(str(STATUS_H))
-        lines = [".. list-table::", "   :header-rows: 1", "   :widths: 20 20 8 52", ""]
+        lines = [".. list-table::", "   :header-rows: 1", "   :widths: 20 20 8 52", "   :class: stacked", ""]
         lines += ["   * - C and Fortran", "     - C++ and Python", "     - value", "     - text of strerror"]
         codes = list(status_codes())
         if not codes:

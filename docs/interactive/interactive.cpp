@@ -20,7 +20,6 @@ constexpr int samples = 101;
 struct Output {
     double status, mu2, lambda, distance;
     Vector3 point, normal, closest1, closest2;
-    double q1[6], q2[6];
     double f[samples]; // at λ = 0, 0.01 ... 1
 };
 
@@ -46,10 +45,6 @@ extern "C" {
     output.normal = geometry.normal;
     output.closest1 = gap.point1;
     output.closest2 = gap.point2;
-    for (int k = 0; k < 6; ++k) {
-        output.q1[k] = q1[k];
-        output.q2[k] = q2[k];
-    }
     for (int i = 0; i < samples; ++i) {
         double const lambda = i / (samples - 1.0);
         output.f[i] = pw85::checked_f(lambda, input.r12, q1, q2);

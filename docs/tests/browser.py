@@ -21,6 +21,8 @@ OPTIONS = (
     "--headless=new --no-sandbox --disable-gpu --disable-quic --no-first-run --disable-background-networking "
     "--disable-component-update --disable-sync --hide-scrollbars --force-device-scale-factor=1"
 ).split()
+WITH_WEBGL = ["--use-angle=swiftshader", "--enable-unsafe-swiftshader"]
+WITHOUT_WEBGL = ["--disable-3d-apis"]
 # The outermost of what is wider than the window, where the page is.
 WIDE = """
 const width = document.documentElement.clientWidth;
@@ -30,6 +32,21 @@ const wide = [...document.querySelectorAll("body *")].filter(e => isWide(e) && !
 return wide.map(e => e.tagName + "." + e.className + " " + e.textContent.trim().slice(0, 40));
 """
 RAW = """return [...document.querySelectorAll(".math")].filter(e => !e.querySelector(".katex")).map(e => e.textContent)"""
+# What the software that draws for Chromium says when a picture is taken.
+SCREENSHOT_OF_WEBGL = "GPU stall due to ReadPixels"
+# How many pixels of the scene are rather blue, and rather orange.
+SEEN = """
+const canvas = document.querySelector("#pair-view canvas"), copy = document.createElement("canvas");
+const width = copy.width = canvas.width, height = copy.height = canvas.height, context = copy.getContext("2d");
+context.drawImage(canvas, 0, 0);
+const data = context.getImageData(0, 0, width, height).data;
+let blue = 0, orange = 0;
+for (let i = 0; i < data.length; i += 4) {
+    if (data[i + 2] > data[i] + 50) ++blue;
+    if (data[i] > data[i + 2] + 50) ++orange;
+}
+return [blue, orange];
+"""
 FOREIGN = """return performance.getEntriesByType("resource").map(e => e.name).filter(n => !n.startsWith(location.origin))"""
 
 
@@ -49,10 +66,10 @@ def served(folder):
 
 
 @contextlib.contextmanager
-def browser():
+def browser(more_options):
     options = webdriver.ChromeOptions()
     with tempfile.TemporaryDirectory(prefix="pw85-chromium-") as profile:
-        for option in [*OPTIONS, f"--user-data-dir={profile}"]:
+        for option in [*OPTIONS, *more_options, f"--user-data-dir={profile}"]:
             options.add_argument(option)
         options.set_capability("goog:loggingPrefs", {"browser": "ALL"})
         driver = webdriver.Chrome(options=options)
@@ -77,7 +94,8 @@ def colour_of_text(driver, scheme):
 
 
 def complaints_of_page(driver):
-    yield from (entry["message"] for entry in driver.get_log("browser"))
+    messages = [entry["message"] for entry in driver.get_log("browser")]
+    yield from (message for message in messages if SCREENSHOT_OF_WEBGL not in message)
     yield from (f"wider than the window: {element}" for element in driver.execute_script(WIDE))
     yield from (f"not typeset: {formula}" for formula in driver.execute_script(RAW))
     yield from (f"asks for {address}" for address in driver.execute_script(FOREIGN))
@@ -120,6 +138,14 @@ def check_states(driver, address, states):
             yield f"interactive.html#{fragment} shows {shown(driver)} instead of {expected}"
 
 
+def check_scene(driver):
+    """Whether both ellipsoids are seen: of two spheres that are apart, one has four times the area of the other."""
+    driver.execute_script("location.hash = '2,2,2;1,0,0,0;1,1,1;1,0,0,0;5,0,0'")
+    blue, orange = driver.execute_script(SEEN)
+    if not (orange > 500 and 2 * orange < blue < 8 * orange):
+        yield f"interactive.html: {blue} blue and {orange} orange pixels"
+
+
 def check_keys(driver, view):
     for name, actions in {
         "an arrow": ActionChains(driver).move_to_element(view).click().send_keys(Keys.ARROW_RIGHT),
@@ -152,8 +178,18 @@ def check_interactive(driver, address, states, screenshots):
     view = driver.find_element("id", "pair-view")
     view.screenshot(str(screenshots / "interactive-view.png"))
     yield from check_keys(driver, view)
+    yield from check_scene(driver)
     resize(driver, "phone")
     yield from check_touch(driver, view)
+    yield from complaints_of_page(driver)
+
+
+def check_without_webgl(driver, address, states):
+    """Whether the interactive page says that there is no picture, and goes on."""
+    yield from check_states(driver, address, states)
+    if not driver.find_element("id", "pair-flat").is_displayed():
+        yield "interactive.html: without WebGL, nothing is said"
+    yield from check_keys(driver, driver.find_element("id", "pair-view"))
     yield from complaints_of_page(driver)
 
 
@@ -161,7 +197,9 @@ def check(folder, pages, searches, states, screenshots):
     """What is wrong with the pages, names of files below a folder, which searches find nothing, and what is wrong with the
     interactive page, which must show certain numbers of certain states."""
     screenshots.mkdir(exist_ok=True)
-    with served(folder) as address, browser() as driver:
+    with served(folder) as address, browser(WITHOUT_WEBGL) as driver:
+        yield from check_without_webgl(driver, address, states[:1])
+    with served(folder) as address, browser(WITH_WEBGL) as driver:
         for size in SIZES:
             resize(driver, size)
             for page in pages:

@@ -41,6 +41,31 @@ template <class T, int D> struct PrincipalAxes {
     T axes[D][D];
 };
 
+/// Turns the point (x, y) about the origin, by an angle of cosine c and sine s.
+template <class T> PW85_FUNCTION constexpr void turn(T const &c, T const &s, T &x, T &y) noexcept
+{
+    T const old = x;
+    x = c * old - s * y;
+    y = s * old + c * y;
+}
+
+/// Jacobi's rotation in the plane of columns i and j, which makes a(i, j) zero.
+template <class T, int D>
+PW85_FUNCTION inline void rotate(SymmetricMatrix<T, D> &a, PrincipalAxes<T, D> &p, int i, int j) noexcept
+{
+    T const cotangent = (a(j, j) - a(i, i)) / (T(2) * a(i, j)); // of twice the angle
+    T const root = square_root(T(T(1) + cotangent * cotangent));
+    T const t = cotangent < T(0) ? T(T(1) / (cotangent - root)) : T(T(1) / (cotangent + root));
+    T const c = T(1) / square_root(T(T(1) + t * t)), s = t * c, shift = t * a(i, j);
+    a(i, i) = a(i, i) - shift;
+    a(j, j) = a(j, j) + shift;
+    a(i, j) = T(0);
+    for (int k = 0; k < D; ++k) {
+        turn(c, s, p.axes[k][i], p.axes[k][j]);
+        if (k != i && k != j) turn(c, s, a(k, i), a(k, j));
+    }
+}
+
 /// By Jacobi's rotations, which find small eigenvalues of a positive definite matrix to the accuracy that its entries allow. They
 /// converge quadratically, to any precision in far less than 50 sweeps.
 template <class T, int D> PW85_FUNCTION inline PrincipalAxes<T, D> principal_axes(SymmetricMatrix<T, D> a) noexcept
@@ -54,23 +79,8 @@ template <class T, int D> PW85_FUNCTION inline PrincipalAxes<T, D> principal_axe
             for (int j = i + 1; j < D; ++j) {
                 T const bound = unit_roundoff<T>() * square_root(a(i, i)) * square_root(a(j, j));
                 if (!(absolute(a(i, j)) > bound)) continue;
+                rotate(a, p, i, j);
                 rotated = true;
-                T const cotangent = (a(j, j) - a(i, i)) / (T(2) * a(i, j)); // of twice the angle
-                T const root = square_root(T(T(1) + cotangent * cotangent));
-                T const t = cotangent < T(0) ? T(T(1) / (cotangent - root)) : T(T(1) / (cotangent + root));
-                T const c = T(1) / square_root(T(T(1) + t * t)), s = t * c, shift = t * a(i, j);
-                a(i, i) = a(i, i) - shift;
-                a(j, j) = a(j, j) + shift;
-                a(i, j) = T(0);
-                for (int k = 0; k < D; ++k) {
-                    T const x = p.axes[k][i], y = p.axes[k][j];
-                    p.axes[k][i] = c * x - s * y;
-                    p.axes[k][j] = s * x + c * y;
-                    if (k == i || k == j) continue;
-                    T const b = a(k, i), d = a(k, j);
-                    a(k, i) = c * b - s * d;
-                    a(k, j) = s * b + c * d;
-                }
             }
     }
     T const largest = largest_diagonal(a);

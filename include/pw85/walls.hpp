@@ -39,14 +39,31 @@ template <class T, int D> PW85_FUNCTION inline Wall<T, D> normalize_wall(Vector<
     return {normal, offset / largest, valid ? status : Status::invalid_argument};
 }
 
-template <class T, int D> [[gnu::always_inline]] PW85_FUNCTION inline SurfaceDistance<T, D>
-distance_plane(Vector<T, D> const &normal, T const &offset, SymmetricMatrix<T, D> const &q) noexcept
+/// distance_plane() in the units of a valid wall.
+template <class T, int D> PW85_FUNCTION inline SurfaceDistance<T, D>
+distance_wall(Vector<T, D> const &normal, T const &offset, SymmetricMatrix<T, D> const &q) noexcept
+{
+    Support<T, D> const s = support(q, normal);
+    T const reciprocal = T(1) / square_root(dot(normal, normal));
+    return {(offset - s.extent) * reciprocal, s.point, times(reciprocal, normal), Status::success};
+}
+
+/// distance_plane() for any wall. Arguments that are copied stay in registers where it is not called.
+template <class T, int D> [[gnu::noinline]] PW85_FUNCTION inline SurfaceDistance<T, D>
+distance_plane_scaled(Vector<T, D> normal, T offset, SymmetricMatrix<T, D> q) noexcept
 {
     Wall<T, D> const wall = normalize_wall(normal, offset, q);
     if (wall.status != Status::success) return no_surface_distance<T, D>(wall.status);
-    Support<T, D> const s = support(q, wall.normal);
-    T const reciprocal = T(1) / square_root(dot(wall.normal, wall.normal));
-    return {(wall.offset - s.extent) * reciprocal, s.point, times(reciprocal, wall.normal), Status::success};
+    return distance_wall(wall.normal, wall.offset, q);
+}
+
+template <class T, int D> [[gnu::always_inline]] PW85_FUNCTION inline SurfaceDistance<T, D>
+distance_plane(Vector<T, D> const &normal, T const &offset, SymmetricMatrix<T, D> const &q) noexcept
+{
+    T const largest = largest_diagonal(q);
+    if (is_in_range(sum_of_magnitudes(normal), largest, largest) && offset * T(0) == T(0) && is_clearly_definite(q))
+        return distance_wall(normal, offset, q);
+    return distance_plane_scaled(normal, offset, q);
 }
 
 /// Derivatives of the distance to a half-space, or of μ², with respect to the centre, and to the rotation vector about it.

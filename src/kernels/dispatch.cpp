@@ -5,6 +5,7 @@
 #include <cstring>
 
 #include "instruction_sets.h"
+#include "vector_length.hpp"
 
 namespace pw85::kernels {
 

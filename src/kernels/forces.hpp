@@ -3,11 +3,13 @@
 #ifndef PW85_KERNELS_FORCES_HPP_INCLUDED
 #define PW85_KERNELS_FORCES_HPP_INCLUDED
 
+#include <cstring>
+
 #ifdef _OPENMP
 #include <omp.h>
 #endif
 
-#include "../tasks.hpp"
+#include "../floating_point_environment.hpp"
 #include "parallel.hpp"
 #include "rows.hpp"
 
@@ -17,48 +19,151 @@ namespace {
 /// An energy U(μ²) of pairs: dU/dμ², and the derivatives of μ², three numbers per pair.
 struct PairGradients {
     std::size_t num_pairs;
-    std::int32_t const *pairs;
+    NeighborList list; ///< without forms
     double const *d_u, *d_r12, *d_rot1, *d_rot2;
 };
 
-/// Adds a multiple of one row to another.
-inline void add_row(double factor, double const *row, double *sum) noexcept
+/// Where the sums go, any of them null: three numbers per particle, and nine.
+struct PairSums {
+    double *forces, *torques, *virial;
+};
+
+/// Three numbers, two of them in one register.
+struct Row {
+    typedef double Two __attribute__((vector_size(2 * sizeof(double))));
+    Two xy;
+    double z;
+};
+
+inline Row load_row(double const *rows, std::size_t index) noexcept
 {
-    for (int d = 0; d < 3; ++d) sum[d] += factor * row[d];
+    double const *const numbers = row_of(rows, 3, index);
+    Row row;
+    std::memcpy(&row.xy, numbers, sizeof row.xy);
+    row.z = numbers[2];
+    return row;
 }
 
-/// The same where there is a sum.
-inline void add_row_to(double *sum, double factor, double const *row) noexcept
+inline void store_row(Row const &row, double *rows, std::size_t index) noexcept
 {
-    if (sum != nullptr) add_row(factor, row, sum);
+    double *const numbers = row_of(rows, 3, index);
+    std::memcpy(numbers, &row.xy, sizeof row.xy);
+    numbers[2] = row.z;
 }
 
-/// Forces and torques of the particles in a range, in the order of the pairs, so that no sum depends on the range. The forces on both
-/// particles of a pair are opposite.
-inline void sum_range(PairGradients const &pairs, Range range, double *forces, double *torques) noexcept
+inline Row times(double factor, Row const &row) noexcept { return {factor * row.xy, factor * row.z}; }
+
+inline Row plus(Row const &a, Row const &b) noexcept { return {a.xy + b.xy, a.z + b.z}; }
+
+inline void add_row(Row const &row, double *sums, std::size_t index) noexcept
 {
-    for (double *const sums : {forces, torques})
-        if (sums != nullptr) std::fill(sums + 3 * range.begin, sums + 3 * range.end, 0.0);
-    std::size_t const size = range.end - range.begin;
-    for (std::size_t k = 0; k < pairs.num_pairs; ++k) {
-        double const d_u = pairs.d_u[k];
-        auto const i = static_cast<std::size_t>(pairs.pairs[2 * k]),
-                   j = static_cast<std::size_t>(pairs.pairs[2 * k + 1]);
-        if (d_u == 0.0) continue;
-        if (i - range.begin < size) {
-            add_row_to(row_or_null(forces, 3, i), d_u, row_or_null(pairs.d_r12, 3, k));
-            add_row_to(row_or_null(torques, 3, i), -d_u, row_or_null(pairs.d_rot1, 3, k));
+    store_row(plus(load_row(sums, index), row), sums, index);
+}
+
+/// Rows of a matrix: no array, which compilers would keep in memory.
+struct Rows3 {
+    Row x, y, z;
+};
+
+/// Parts of the pairs that have a sum of the virial each. Their number does not depend on that of the threads.
+constexpr std::size_t num_parts = 64;
+
+/// Pairs that are looked at ahead, for their particles: these are anywhere in memory.
+constexpr std::size_t ahead = 16;
+
+/// What one thread sums up: forces and torques of its own particles, in the order of all pairs, and the virial of its own parts.
+class ForceSum {
+  public:
+    ForceSum(PairGradients const &pairs, PairSums const &sums, Range own) noexcept
+        : pairs_(pairs), sums_(sums), begin_(own.begin), size_(own.end - own.begin)
+    {
+        for (double *const rows : {sums.forces, sums.torques})
+            if (rows != nullptr) std::fill(rows + 3 * own.begin, rows + 3 * own.end, 0.0);
+    }
+
+    /// Goes through a part of the pairs, and adds up its virial if it is asked for.
+    void add_part(Range part, double *virial) const noexcept
+    {
+        Rows3 sum = {};
+        for (std::size_t k = part.begin; k < part.end; ++k) {
+            fetch(std::min(k + ahead, pairs_.num_pairs - 1));
+            if (pairs_.d_u[k] == 0.0) continue;
+            if (virial != nullptr) add_virial(k, sum);
+            add_pair(k);
         }
-        if (j - range.begin < size) {
-            add_row_to(row_or_null(forces, 3, j), -d_u, row_or_null(pairs.d_r12, 3, k));
-            add_row_to(row_or_null(torques, 3, j), -d_u, row_or_null(pairs.d_rot2, 3, k));
+        if (virial == nullptr) return;
+        store_row(sum.x, virial, 0);
+        store_row(sum.y, virial, 1);
+        store_row(sum.z, virial, 2);
+    }
+
+  private:
+    std::size_t particle(std::size_t k, int which) const noexcept
+    {
+        return static_cast<std::size_t>(pairs_.list.pairs[2 * k + static_cast<std::size_t>(which)]);
+    }
+
+    bool is_own(std::size_t particle) const noexcept { return particle - begin_ < size_; }
+
+    /// Fetches what add_pair() and add_virial() will read, but for the particles of other threads.
+    void fetch(std::size_t k) const noexcept
+    {
+        for (int const which : {0, 1}) {
+            std::size_t const i = particle(k, which), own = is_own(i) ? i : begin_;
+            __builtin_prefetch(row_of(pairs_.list.centers, 3, i));
+            if (sums_.forces != nullptr) __builtin_prefetch(row_of(sums_.forces, 3, own), 1);
+            if (sums_.torques != nullptr) __builtin_prefetch(row_of(sums_.torques, 3, own), 1);
         }
     }
+
+    /// The forces on both particles are opposite.
+    void add_pair(std::size_t k) const noexcept
+    {
+        double const d_u = pairs_.d_u[k];
+        std::size_t const i = particle(k, 0), j = particle(k, 1);
+        Row const force = sums_.forces != nullptr ? times(d_u, load_row(pairs_.d_r12, k)) : Row{};
+        if (is_own(i)) add(i, force, -d_u, pairs_.d_rot1, k);
+        if (is_own(j)) add(j, times(-1.0, force), -d_u, pairs_.d_rot2, k);
+    }
+
+    /// Adds a force on a particle, and a torque: a multiple of a row.
+    void add(std::size_t particle, Row const &force, double factor, double const *d_rot, std::size_t k) const noexcept
+    {
+        if (sums_.forces != nullptr) add_row(force, sums_.forces, particle);
+        if (sums_.torques != nullptr) add_row(times(factor, load_row(d_rot, k)), sums_.torques, particle);
+    }
+
+    /// r12 times the force on the second particle.
+    void add_virial(std::size_t k, Rows3 &sum) const noexcept
+    {
+        auto const r12 = load_separations<double>(pairs_.list, &k);
+        Row const force = times(-pairs_.d_u[k], load_row(pairs_.d_r12, k));
+        sum = {plus(sum.x, times(r12[0], force)), plus(sum.y, times(r12[1], force)), plus(sum.z, times(r12[2], force))};
+    }
+
+    PairGradients const pairs_;
+    PairSums const sums_;
+    std::size_t begin_, size_;
+};
+
+/// What thread number `thread` does: its share of the particles, and those parts whose number leaves its own.
+inline void sum_forces(PairGradients const &pairs, std::size_t num_particles, PairSums const &sums, std::size_t thread,
+                       std::size_t threads, double (&parts)[num_parts][9]) noexcept
+{
+    auto const share = [](std::size_t n, std::size_t count, std::size_t k) {
+        std::size_t const size = (n + count - 1) / count;
+        return Range{std::min(n, k * size), std::min(n, (k + 1) * size)};
+    };
+    ForceSum const own(pairs, sums, share(num_particles, threads, thread));
+    for (std::size_t part = 0; part < num_parts; ++part)
+        own.add_part(share(pairs.num_pairs, num_parts, part),
+                     sums.virial != nullptr && part % threads == thread ? parts[part] : nullptr);
 }
 
 /// Each thread sums up for its own particles, and goes through all pairs for that.
-inline void sum_forces(PairGradients const &pairs, std::size_t num_particles, double *forces, double *torques) noexcept
+inline void sum_forces(PairGradients const &pairs, std::size_t num_particles, PairSums const &sums) noexcept
 {
+    double parts[num_parts][9] = {};
 #pragma omp parallel if (pairs.num_pairs > block)
     {
         DefaultEnvironment const environment; // threads have their own
@@ -67,36 +172,13 @@ inline void sum_forces(PairGradients const &pairs, std::size_t num_particles, do
         thread = static_cast<std::size_t>(omp_get_thread_num());
         threads = static_cast<std::size_t>(omp_get_num_threads());
 #endif
-        std::size_t const share = (num_particles + threads - 1) / threads;
-        std::size_t const begin = std::min(num_particles, thread * share);
-        sum_range(pairs, {begin, std::min(num_particles, begin + share)}, forces, torques);
+        sum_forces(pairs, num_particles, sums, thread, threads, parts);
     }
-}
-
-/// The virial of the pairs in a range: r12 times the force on the second particle.
-inline void sum_virial(PairGradients const &pairs, NeighborList const &list, Range range, double (&sum)[9]) noexcept
-{
-    for (std::size_t k = range.begin; k < range.end; ++k) {
-        if (pairs.d_u[k] == 0.0) continue;
-        auto const r12 = load_separations<double>(list, &k);
-        for (int d = 0; d < 3; ++d) add_row(-pairs.d_u[k] * r12[d], pairs.d_r12 + 3 * k, sum + 3 * d);
-    }
-}
-
-/// The sum of parts whose number does not depend on that of the threads.
-inline void sum_virial(PairGradients const &pairs, NeighborList const &list, double *virial) noexcept
-{
-    constexpr std::size_t num_parts = 64;
-    double parts[num_parts][9] = {};
-    std::size_t const share = (pairs.num_pairs + num_parts - 1) / num_parts;
-    for_tasks(num_parts, pairs.num_pairs > block, [&](std::size_t part) {
-        std::size_t const begin = std::min(pairs.num_pairs, part * share);
-        sum_virial(pairs, list, {begin, std::min(pairs.num_pairs, begin + share)}, parts[part]);
-    });
+    if (sums.virial == nullptr) return;
     DefaultEnvironment const environment;
-    std::fill_n(virial, 9, 0.0);
+    std::fill_n(sums.virial, 9, 0.0);
     for (auto const &part : parts)
-        for (int k = 0; k < 9; ++k) virial[k] += part[k];
+        for (int k = 0; k < 9; ++k) sums.virial[k] += part[k];
 }
 
 } // namespace

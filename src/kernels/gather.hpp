@@ -11,6 +11,23 @@
 namespace pw85 {
 namespace {
 
+#if defined(PW85_LANES_SVE)
+} // namespace
+
+/// Each column by the addresses of its elements, which one instruction loads.
+template <int N> struct ColumnLoader<Pack, N> {
+    static PW85_INLINE void load(double const *const *rows, Pack *columns) noexcept
+    {
+        std::uint64_t addresses[lanes];
+        std::memcpy(addresses, rows, sizeof addresses);
+        svuint64_t const first = svld1(svptrue_b64(), addresses);
+        for (int column = 0; column < N; ++column)
+            columns[column] = svld1_gather_offset_f64(svptrue_b64(), first, 8 * column);
+    }
+};
+
+namespace {
+#else
 /// Two neighbouring columns.
 struct Columns {
     Pack first, second;
@@ -91,6 +108,7 @@ template <int N> struct ColumnLoader<Pack, N> {
 };
 
 namespace {
+#endif
 
 template <int D> using LanePair = Pair<Pack, D>;
 template <class Rows> using LanePairOf = LanePair<Rows::dimension>;

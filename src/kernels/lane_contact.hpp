@@ -25,25 +25,30 @@ template <int D> struct PackSearches {
     RationalSearch<Pack> states[packs_per_chunk];
 };
 
-/// Searches for up to packs_per_chunk packs, until no lane is active.
-template <int D> PW85_INLINE void run(PackSearches<D> &searches, std::size_t packs) noexcept
+/// Calls step(k) for each of up to packs_per_chunk searches, as often as asked for or until none of its lanes is active.
+template <class Search, class Step>
+PW85_INLINE void run(Search const *searches, std::size_t packs, int max_steps, Step const &step) noexcept
 {
     std::uint8_t active[packs_per_chunk];
     std::size_t num_active = packs;
-    for (std::size_t k = 0; k < packs && k < packs_per_chunk; ++k) {
-        searches.states[k] = start_search(searches.pairs[k], initial_guess(searches.pairs[k]));
-        active[k] = static_cast<std::uint8_t>(k);
-    }
-    for (int step = 0; step < max_rational_steps && num_active > 0; ++step) {
+    for (std::size_t k = 0; k < packs && k < packs_per_chunk; ++k) active[k] = static_cast<std::uint8_t>(k);
+    for (int i = 0; i < max_steps && num_active > 0; ++i) {
         std::size_t num_left = 0;
         for (std::size_t k = 0; k < num_active; ++k) {
-            RationalSearch<Pack> &search = searches.states[active[k]];
-            take_step(search, Pack(1.0));
+            step(active[k]);
             active[num_left] = active[k];
-            num_left += any_of(search.active);
+            num_left += any_of(searches[active[k]].active);
         }
         num_active = num_left;
     }
+}
+
+/// Searches for up to packs_per_chunk packs.
+template <int D> PW85_INLINE void run(PackSearches<D> &searches, std::size_t packs) noexcept
+{
+    for (std::size_t k = 0; k < packs && k < packs_per_chunk; ++k)
+        searches.states[k] = start_search(searches.pairs[k], initial_guess(searches.pairs[k]));
+    run(searches.states, packs, max_rational_steps, [&](std::size_t k) { take_step(searches.states[k], Pack(1.0)); });
 }
 
 /// The contact functions of a chunk of at most contact_chunk_size pairs. Calls write(pair, value, certain, first,

@@ -1,5 +1,5 @@
 /// @file
-/// The distances of many pairs, one per lane: a driver of the search by item 2 of distance.hpp.
+/// The distances of many pairs, one per lane: a driver of the search by item 2 of normal_search.hpp.
 ///
 /// A slab between two ellipsoids that is wider than its rounding proves that they are apart. Those for which none is found, near
 /// contact, overlapping or out of the ordinary, are left over.
@@ -23,26 +23,44 @@ PW85_INLINE PackMask is_wide(LanePair<3> const &pair, Distance<Pack, 3> const &d
     return d.distance > Pack(8 * unit_roundoff<Pack>()) * sum;
 }
 
+PW85_INLINE DistancePair<Pack, 3> with_units(LanePair<3> const &pair) noexcept
+{
+    return {pair.r12, pair.q1, pair.q2, Pack(1.0), Pack(1.0)};
+}
+
+/// Stores the distances of neighbouring pairs.
+PW85_INLINE void store_distances(Distance<Pack, 3> const &d, Vector<Pack, 3> const &r12, std::size_t first,
+                                 std::size_t left, kernels::DistanceArrays const &out) noexcept
+{
+    if (out.distance != nullptr) store_lanes(d.distance, left, out.distance + first);
+    if (out.point1 != nullptr) store_rows(d.point1, left, out.point1 + 3 * first);
+    Vector<Pack, 3> point2;
+    for (int i = 0; i < 3; ++i) point2[i] = r12[i] - d.point2[i];
+    if (out.point2 != nullptr) store_rows(point2, left, out.point2 + 3 * first);
+}
+
 /// Distances of a chunk; those that are not certain will be overwritten.
 template <class Rows> PW85_INLINE void compute_chunk(Rows const &rows, Chunk const &chunk,
                                                      kernels::DistanceArrays const &out,
                                                      kernels::Worklist &left_over) noexcept
 {
+    LanePair<3> pairs[packs_per_chunk];
+    NormalSearch<Pack> searches[packs_per_chunk];
     auto const [begin, count, end] = chunk;
     prefetch(rows, begin + prefetch_distance, count, end);
-    for (std::size_t k = 0; k < count; k += lanes) {
-        std::size_t const first = begin + k, left = count - k;
-        auto const pair = load_neighbors(rows, first, left);
-        DistancePair<Pack, 3> const units{pair.r12, pair.q1, pair.q2, Pack(1.0), Pack(1.0)};
-        auto search = start_normal_search<Pack, 3>(initial_multipliers(units));
-        for (int i = 0; i < max_normal_steps && any_of(search.active); ++i) take_step(search, units);
-        auto const d = distance_along(units, search.u);
-        if (out.distance != nullptr) store_lanes(d.distance, left, out.distance + first);
-        if (out.point1 != nullptr) store_rows(d.point1, left, out.point1 + 3 * first);
-        Vector<Pack, 3> point2;
-        for (int i = 0; i < 3; ++i) point2[i] = pair.r12[i] - d.point2[i];
-        if (out.point2 != nullptr) store_rows(point2, left, out.point2 + 3 * first);
-        PackMask const done = search.found && is_ordinary(pair.r12, pair.q1, pair.q2) && is_wide(pair, d);
+    std::size_t const packs = (count + lanes - 1) / lanes;
+    for (std::size_t k = 0; k < packs; ++k) {
+        pairs[k] = load_neighbors(rows, begin + k * lanes, count - k * lanes);
+        searches[k] = start_search(with_units(pairs[k]), initial_multipliers(with_units(pairs[k])));
+    }
+    run(searches, packs, max_normal_steps, [&](std::size_t k) { take_step(searches[k], with_units(pairs[k])); });
+    for (std::size_t k = 0; k < packs; ++k) {
+        std::size_t const first = begin + k * lanes, left = count - k * lanes;
+        auto const &pair = pairs[k];
+        auto const last = take_last_step(with_units(pair), searches[k].x);
+        auto const d = distance_along(with_units(pair), last.u);
+        store_distances(d, pair.r12, first, left, out);
+        PackMask const done = last.found && is_ordinary(pair.r12, pair.q1, pair.q2) && is_wide(pair, d);
         for_lanes(live_lanes(left) & ~done.to_bits(), [&](unsigned i) { left_over.push(first + i); });
     }
 }

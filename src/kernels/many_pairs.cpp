@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include <pw85/walls.hpp>
+
 #include "../c_arrays.hpp"
 #include "forces.hpp"
 #include "image_finder.hpp"
@@ -20,12 +22,16 @@ std::uint32_t end_of(std::size_t num_particles) noexcept
     return static_cast<std::uint32_t>(std::min<std::size_t>(num_particles, INT32_MAX + std::size_t{1}));
 }
 
-/// Whether n indices are below `end`.
+/// Whether n indices are below `end`, which is at most 2³¹: neither they nor `end` - 1 less them have the sign bit. No comparison, which
+/// baseline instructions lack for unsigned numbers.
 bool are_below(std::uint32_t end, std::int32_t const *indices, std::size_t n) noexcept
 {
-    bool outside = false;
-    for (std::size_t k = 0; k < n; ++k) outside |= static_cast<std::uint32_t>(indices[k]) >= end;
-    return !outside;
+    std::uint32_t signs = 0;
+    for (std::size_t k = 0; k < n; ++k) {
+        auto const index = static_cast<std::uint32_t>(indices[k]);
+        signs |= index | (end - 1 - index);
+    }
+    return signs >> 31 == 0;
 }
 
 /// Whether all indices are in range.
@@ -44,6 +50,19 @@ template <class Row> Failure for_rows(Range range, Row const &row) noexcept
     Failure first{0, 0};
     for (std::size_t i = range.begin; i < range.end; ++i) first.update(Failure{i, row(i)});
     return first;
+}
+
+/// Distances of a range of ellipsoids to their half-spaces. Not inlined: no arithmetic may leave the environment of the caller.
+[[gnu::noinline]] Failure distance_planes(Range range, double const *normals, double const *offsets, double const *q,
+                                          double *distance, double *point) noexcept
+{
+    return for_rows(range, [=](std::size_t i) {
+        auto const d =
+            distance_plane(c_api::load_vector<3>(normals + 3 * i), offsets[i], c_api::load_matrix<3>(q + 6 * i));
+        if (distance != nullptr) distance[i] = d.distance;
+        c_api::store(d.point, row_or_null(point, 3, i));
+        return static_cast<int>(d.status);
+    });
 }
 
 /// The least time of each particle's pairs, and the pair.
@@ -177,12 +196,7 @@ int pw85_distance_plane_batch(size_t n, double const *normals, double const *off
 {
     if (n == 0) return PW85_SUCCESS;
     if (n > max_rows || any_null(normals, offsets, q)) return PW85_EINVAL;
-    return for_all(n, [&](Range range) {
-        return for_rows(range, [&](std::size_t i) {
-            return pw85_distance_plane(normals + 3 * i, offsets[i], q + 6 * i, row_or_null(distance, 1, i),
-                                       row_or_null(point, 3, i));
-        });
-    });
+    return for_all(n, [&](Range range) { return distance_planes(range, normals, offsets, q, distance, point); });
 }
 
 int pw85_first_contact_batch(size_t n, double const *r12, double const *q1, double const *q2,
@@ -308,8 +322,6 @@ int pw85_contact_forces_pairs(size_t num_pairs, int32_t const *pairs, int32_t co
     NeighborList list{pairs, centers, centers, images, cell, nullptr}; // no forms
     if (num_pairs > 0)
         if (int const status = prepare_list(num_pairs, num_particles, list, lattice)) return status;
-    PairGradients const gradients{num_pairs, pairs, d_u, d_r12, d_rot1, d_rot2};
-    sum_forces(gradients, num_particles, forces, torques);
-    if (virial != nullptr) sum_virial(gradients, list, virial);
+    sum_forces({num_pairs, list, d_u, d_r12, d_rot1, d_rot2}, num_particles, {forces, torques, virial});
     return PW85_SUCCESS;
 }

@@ -82,11 +82,8 @@ int closest_approach(double const *direction, double const *q1, double const *q2
 int distance(double const *r12, double const *q1, double const *q2, double *distance, double *point1,
              double *point2) noexcept
 {
-    int overlapping = 0;
-    auto const status = static_cast<Status>(overlap(r12, q1, q2, &overlapping));
-    auto const d = overlapping == 0 ? distance_apart(c_api::load_vector<3>(r12), c_api::load_matrix<3>(q1),
-                                                     c_api::load_matrix<3>(q2))
-                                    : no_distance<double, 3>(status);
+    // Without lanes: where a register is as wide as with AVX-512, the search that follows upon it takes 50 ns longer.
+    auto const d = pw85::distance(c_api::load_vector<3>(r12), c_api::load_matrix<3>(q1), c_api::load_matrix<3>(q2));
     if (distance != nullptr) *distance = d.distance;
     c_api::store(d.point1, point1);
     c_api::store(d.point2, point2);

@@ -14,10 +14,13 @@
 
 #include <pw85/scalar.hpp>
 
-// The build says for which of its instruction sets a unit is: PW85_LANES_AVX512, PW85_LANES_AVX2,
-// PW85_LANES_NEON or none of them.
+// The build says for which of its instruction sets a unit is: PW85_LANES_AVX512, PW85_LANES_AVX2, PW85_LANES_SVE512,
+// PW85_LANES_SVE256, PW85_LANES_NEON or none of them.
 #if defined(PW85_LANES_AVX512) || defined(PW85_LANES_AVX2)
 #include <immintrin.h>
+#elif defined(PW85_LANES_SVE512) || defined(PW85_LANES_SVE256)
+#define PW85_LANES_SVE
+#include <arm_sve.h>
 #elif defined(PW85_LANES_NEON)
 #include <arm_neon.h>
 #endif
@@ -32,6 +35,8 @@ namespace {
 inline constexpr std::size_t lanes = 8;
 #elif defined(PW85_LANES_AVX2)
 inline constexpr std::size_t lanes = 4;
+#elif defined(PW85_LANES_SVE)
+inline constexpr std::size_t lanes = __ARM_FEATURE_SVE_BITS / 64;
 #else
 inline constexpr std::size_t lanes = 2;
 #endif
@@ -48,6 +53,11 @@ using Register = VectorOf<lanes>::Doubles;
 
 #if defined(PW85_LANES_AVX512)
 using MaskRegister = __mmask8;
+#elif defined(PW85_LANES_SVE)
+typedef svbool_t MaskRegister __attribute__((arm_sve_vector_bits(__ARM_FEATURE_SVE_BITS)));
+
+/// Bit i in lane i.
+PW85_INLINE svuint64_t bit_of_lane() noexcept { return svlsl_x(svptrue_b64(), svdup_u64(1), svindex_u64(0, 1)); }
 #else
 using MaskRegister = VectorOf<lanes>::Integers;
 #endif
@@ -63,6 +73,8 @@ struct PackMask {
         return bits;
 #elif defined(PW85_LANES_AVX2)
         return static_cast<unsigned>(_mm256_movemask_pd(reinterpret_cast<__m256d>(bits)));
+#elif defined(PW85_LANES_SVE)
+        return static_cast<unsigned>(svorv(bits, bit_of_lane()));
 #else
         unsigned all = 0;
         for (std::size_t i = 0; i < lanes; ++i) all |= static_cast<unsigned>(bits[i] & 1) << i;
@@ -75,6 +87,8 @@ struct PackMask {
     {
 #if defined(PW85_LANES_AVX512)
         return {static_cast<__mmask8>(all)};
+#elif defined(PW85_LANES_SVE)
+        return {svcmpne(svptrue_b64(), svand_x(svptrue_b64(), bit_of_lane(), all), 0)};
 #else
         MaskRegister bits;
         for (std::size_t i = 0; i < lanes; ++i) bits[i] = -static_cast<std::int64_t>(all >> i & 1u);
@@ -87,14 +101,23 @@ struct PackMask {
 PW85_INLINE PackMask operator&&(PackMask x, PackMask y) noexcept { return {_kand_mask8(x.bits, y.bits)}; }
 PW85_INLINE PackMask operator||(PackMask x, PackMask y) noexcept { return {_kor_mask8(x.bits, y.bits)}; }
 PW85_INLINE PackMask operator!(PackMask x) noexcept { return {_knot_mask8(x.bits)}; }
+#elif defined(PW85_LANES_SVE)
+PW85_INLINE PackMask operator&&(PackMask x, PackMask y) noexcept { return {svand_z(svptrue_b64(), x.bits, y.bits)}; }
+PW85_INLINE PackMask operator||(PackMask x, PackMask y) noexcept { return {svorr_z(svptrue_b64(), x.bits, y.bits)}; }
+PW85_INLINE PackMask operator!(PackMask x) noexcept { return {svnot_z(svptrue_b64(), x.bits)}; }
 #else
 PW85_INLINE PackMask operator&&(PackMask x, PackMask y) noexcept { return {x.bits & y.bits}; }
 PW85_INLINE PackMask operator||(PackMask x, PackMask y) noexcept { return {x.bits | y.bits}; }
 PW85_INLINE PackMask operator!(PackMask x) noexcept { return {~x.bits}; }
 #endif
 
+#if defined(PW85_LANES_SVE)
+PW85_INLINE bool any_of(PackMask mask) noexcept { return svptest_any(svptrue_b64(), mask.bits); }
+PW85_INLINE bool all_of(PackMask mask) noexcept { return !any_of(!mask); }
+#else
 PW85_INLINE bool any_of(PackMask mask) noexcept { return mask.to_bits() != 0; }
 PW85_INLINE bool all_of(PackMask mask) noexcept { return mask.to_bits() == all_lanes; }
+#endif
 
 struct Product;
 
@@ -131,6 +154,10 @@ PW85_INLINE Pack operator-(Pack const &z, Product const &p) noexcept { return _m
 PW85_INLINE Pack operator+(Product const &p, Pack const &z) noexcept { return _mm256_fmadd_pd(p.x, p.y, z.v); }
 PW85_INLINE Pack operator-(Product const &p, Pack const &z) noexcept { return _mm256_fmsub_pd(p.x, p.y, z.v); }
 PW85_INLINE Pack operator-(Pack const &z, Product const &p) noexcept { return _mm256_fnmadd_pd(p.x, p.y, z.v); }
+#elif defined(PW85_LANES_SVE)
+PW85_INLINE Pack operator+(Product const &p, Pack const &z) noexcept { return svmla_x(svptrue_b64(), z.v, p.x, p.y); }
+PW85_INLINE Pack operator-(Product const &p, Pack const &z) noexcept { return svnmls_x(svptrue_b64(), z.v, p.x, p.y); }
+PW85_INLINE Pack operator-(Pack const &z, Product const &p) noexcept { return svmls_x(svptrue_b64(), z.v, p.x, p.y); }
 #elif defined(PW85_LANES_NEON)
 PW85_INLINE Pack operator+(Product const &p, Pack const &z) noexcept { return vfmaq_f64(z.v, p.x, p.y); }
 PW85_INLINE Pack operator-(Product const &p, Pack const &z) noexcept { return vfmaq_f64(-z.v, p.x, p.y); }
@@ -160,6 +187,14 @@ PW85_INLINE PackMask operator==(Pack const &x, Pack const &y) noexcept
 PW85_INLINE Pack select(PackMask mask, Pack const &yes, Pack const &no) noexcept
 {
     return _mm512_mask_blend_pd(mask.bits, no.v, yes.v);
+}
+#elif defined(PW85_LANES_SVE)
+PW85_INLINE PackMask operator<(Pack const &x, Pack const &y) noexcept { return {svcmplt(svptrue_b64(), x.v, y.v)}; }
+PW85_INLINE PackMask operator<=(Pack const &x, Pack const &y) noexcept { return {svcmple(svptrue_b64(), x.v, y.v)}; }
+PW85_INLINE PackMask operator==(Pack const &x, Pack const &y) noexcept { return {svcmpeq(svptrue_b64(), x.v, y.v)}; }
+PW85_INLINE Pack select(PackMask mask, Pack const &yes, Pack const &no) noexcept
+{
+    return svsel(mask.bits, yes.v, no.v);
 }
 #else
 PW85_INLINE PackMask operator<(Pack const &x, Pack const &y) noexcept { return {x.v < y.v}; }
@@ -193,6 +228,8 @@ PW85_INLINE Pack square_root(Pack const &x) noexcept
     return _mm512_sqrt_pd(x.v);
 #elif defined(PW85_LANES_AVX2)
     return _mm256_sqrt_pd(x.v);
+#elif defined(PW85_LANES_SVE)
+    return svsqrt_x(svptrue_b64(), x.v);
 #elif defined(PW85_LANES_NEON)
     return vsqrtq_f64(x.v);
 #else

@@ -9,7 +9,7 @@
 
 #include "../c_arrays.hpp"
 #include "../kernels/parallel.hpp"
-#include "order.hpp"
+#include "planting.hpp"
 #include "search.hpp"
 
 using namespace pw85;
@@ -19,11 +19,6 @@ using pw85::kernels::Failure;
 using pw85::kernels::Range;
 
 namespace {
-
-/// A particle's centre, and the half-widths of its box with its share of the skin.
-struct Extent {
-    Vector<double, 3> center, half_widths;
-};
 
 struct IndexPair {
     std::int32_t i, j;
@@ -61,21 +56,22 @@ Failure measure(Particles const &particles, Periodicity const &lattice, std::siz
     return {i, static_cast<int>(status)};
 }
 
-/// Calls visit(i), which returns a Failure, for n rows, and returns the first one.
-template <class Visit> Failure first_failure(std::size_t n, Visit const &visit) noexcept
+/// Calls visit(i), which returns a Failure, for a range of rows, and returns the first one.
+template <class Visit> Failure first_failure(Range range, Visit const &visit) noexcept
 {
-    return kernels::for_blocks(n, [&](Range range) {
-        Failure first{0, 0};
-        for (std::size_t i = range.begin; i < range.end; ++i) first.update(visit(i));
-        return first;
-    });
+    Failure first{0, 0};
+    for (std::size_t i = range.begin; i < range.end; ++i) first.update(visit(i));
+    return first;
 }
 
-/// The particle at a place of the tree: its number, and the multiples of the cell's vectors that were subtracted.
-struct Occupant {
-    std::int32_t index;
-    Multiples subtracted;
-};
+/// The same for n rows, by threads.
+template <class Visit> Failure first_failure(std::size_t n, Visit const &visit) noexcept
+{
+    return kernels::for_blocks(n, [&](Range range) { return first_failure(range, visit); });
+}
+
+/// Tasks that a thread does before their pairs are added to the list: enough for threads to end at the same time.
+constexpr std::size_t tasks_per_thread = 64;
 
 /// The pairs of a task.
 struct Task {
@@ -106,96 +102,76 @@ class Search {
 
     int run() noexcept
     {
-        if (int const status = measure_all()) return status;
+        Box around = no_box;
+        if (int const status = measure_all(around)) return status;
         if (particles_.n == 0) return PW85_SUCCESS;
-        if (!plant()) return PW85_ENOMEM;
+        if (!plant(list_.extents, lattice_, around, tree_, occupants_)) return PW85_ENOMEM;
         if (int const status = list_images(lattice_, tree_.root(), images_)) return status;
-        return find() && translate() ? PW85_SUCCESS : PW85_ENOMEM;
+        return find() ? PW85_SUCCESS : PW85_ENOMEM;
     }
 
   private:
-    int measure_all() noexcept
-    {
-        std::size_t const n = particles_.n;
-        if (!list_.extents.resize(n) || !boxes_.resize(n) || !subtracted_.resize(n)) return PW85_ENOMEM;
-        return first_failure(n,
-                             [&](std::size_t i) {
-                                 Extent &extent = list_.extents[i];
-                                 Move move;
-                                 Failure const failure = measure(particles_, lattice_, i, extent, move);
-                                 subtracted_[i] = move.own;
-                                 boxes_[i] = lattice_.wrapped(extent.center, extent.half_widths, move.reduced);
-                                 return failure;
-                             })
-            .status;
-    }
-
-    /// The box around all.
-    bool enclose_all(Box &around) const noexcept
+    /// Measures the particles, and finds the box around their centres, near the origin.
+    int measure_all(Box &around) noexcept
     {
         Array<Box> parts;
-        if (!parts.resize((particles_.n + rows_per_task - 1) / rows_per_task)) return false;
-        for_parts(particles_.n, [&](std::size_t begin, std::size_t end) {
-            Box part = no_box;
-            for (std::size_t i = begin; i < end; ++i) part = enclose(part, boxes_[i]);
-            parts[begin / rows_per_task] = part;
-        });
-        around = no_box;
+        if (!list_.extents.resize(particles_.n) || !parts.resize(particles_.n / kernels::block + 1)) return PW85_ENOMEM;
+        std::fill_n(parts.data(), parts.size(), no_box);
+        int const status = kernels::for_blocks(particles_.n, [&](Range range) {
+                               return measure_range(range, parts[range.begin / kernels::block]);
+                           }).status;
         for (std::size_t k = 0; k < parts.size(); ++k) around = enclose(around, parts[k]);
-        return true;
+        return status;
     }
 
-    /// Puts the boxes into a tree, in the order of space.
-    bool plant() noexcept
+    Failure measure_range(Range range, Box &around) noexcept
     {
-        Array<Place> places;
-        Box around;
-        if (!places.resize(particles_.n) || !occupants_.resize(particles_.n) || !enclose_all(around)) return false;
-        for_parts(particles_.n, [&](std::size_t begin, std::size_t end) {
-            for (std::size_t i = begin; i < end; ++i)
-                places[i] = {key_of(boxes_[i], around), static_cast<std::int32_t>(i)};
+        return first_failure(range, [&](std::size_t i) {
+            Extent &extent = list_.extents[i];
+            Move move;
+            Failure const failure = measure(particles_, lattice_, i, extent, move);
+            Vector<double, 3> const point = lattice_.wrapped(extent.center);
+            around = enclose(around, {{point[0], point[1], point[2]}, {point[0], point[1], point[2]}});
+            return failure;
         });
-        if (!sort(places) || !tree_.resize(particles_.n)) return false;
-        for_parts(particles_.n, [&](std::size_t begin, std::size_t end) {
-            for (std::size_t k = begin; k < end; ++k) {
-                auto const i = static_cast<std::size_t>(places[k].index);
-                occupants_[k] = {places[k].index, subtracted_[i]};
-                tree_.set(k, boxes_[i]);
-            }
-        });
-        tree_.enclose_levels();
-        boxes_.free();
-        subtracted_.free();
-        return true;
     }
 
+    /// Finds the pairs of some tasks at a time, so that these use the same memory again.
     bool find() noexcept
     {
-        num_tasks_ = (tree_.num_groups() + groups_per_task - 1) / groups_per_task;
-        tasks_.reset(new (std::nothrow) Task[num_tasks_]);
-        if (tasks_ == nullptr) return false;
-        for_tasks(num_tasks_, num_tasks_ > 1, [&](std::size_t k) {
-            tasks_[k].complete = find_pairs(tree_, lattice_, images_, k, tasks_[k].found);
-        });
-        return std::all_of(tasks_.get(), tasks_.get() + num_tasks_, [](Task const &task) { return task.complete; });
+        std::size_t const num_tasks = (tree_.num_groups() + groups_per_task - 1) / groups_per_task;
+        std::size_t const most = std::min(num_tasks, tasks_per_thread * most_threads());
+        std::unique_ptr<Task[]> const tasks(new (std::nothrow) Task[most]);
+        if (tasks == nullptr) return false;
+        std::size_t size = 0;
+        for (std::size_t first = 0; first < num_tasks; first += most)
+            if (!find(tasks.get(), first, std::min(most, num_tasks - first), size)) return false;
+        return resize_list(size);
     }
 
-    /// Writes the pairs in the caller's numbers and multiples.
-    bool translate() noexcept
+    /// Adds the pairs of tasks to the list, which has `size` pairs.
+    bool find(Task *tasks, std::size_t first, std::size_t count, std::size_t &size) noexcept
     {
-        std::size_t total = 0;
-        for (std::size_t k = 0; k < num_tasks_; ++k)
-            tasks_[k].begin = std::exchange(total, total + tasks_[k].found.size());
-        if (!list_.pairs.resize(total) || (list_.has_cell && !list_.images.resize(total))) return false;
-        for_tasks(num_tasks_, num_tasks_ > 1, [&](std::size_t k) {
-            Task &task = tasks_[k];
-            for (std::size_t l = 0; l < task.found.size(); ++l) translate(task.found[l], task.begin + l);
-            task.found.free();
+        for_tasks(count, count > 1, [&](std::size_t k) {
+            tasks[k].complete = find_pairs(tree_, lattice_, images_, first + k, tasks[k].found);
+        });
+        for (std::size_t k = 0; k < count; ++k) {
+            if (!tasks[k].complete) return false;
+            tasks[k].begin = std::exchange(size, size + tasks[k].found.size());
+        }
+        if (size > list_.pairs.size() && !resize_list(2 * size)) return false;
+        for_tasks(count, count > 1, [&](std::size_t k) {
+            for (std::size_t l = 0; l < tasks[k].found.size(); ++l) translate(tasks[k].found[l], tasks[k].begin + l);
         });
         return true;
     }
 
-    /// The first particle of a pair gets the lower number, or the image comes after zero in lexicographic order.
+    bool resize_list(std::size_t size) noexcept
+    {
+        return list_.pairs.resize(size) && (!list_.has_cell || list_.images.resize(size));
+    }
+
+    /// Writes a pair in the caller's numbers and multiples. The first particle gets the lower number, or the image comes after zero in lexicographic order.
     void translate(Found const &found, std::size_t k) noexcept
     {
         Occupant first = occupants_[static_cast<std::size_t>(found.first)],
@@ -221,13 +197,9 @@ class Search {
     Particles const &particles_;
     Periodicity const &lattice_;
     pw85_neighbors &list_;
-    Array<Box> boxes_;            ///< of the particles, near the origin
-    Array<Multiples> subtracted_; ///< to take them there
     Array<Occupant> occupants_;
     Tree tree_;
     Array<Move> images_;
-    std::unique_ptr<Task[]> tasks_;
-    std::size_t num_tasks_ = 0;
 };
 
 /// Whether a box with its new half-widths is within the old one, up to half the margin of that (item "Roundings" of periodicity.hpp).

@@ -82,17 +82,29 @@ bool Periodicity::prepare(double const *cell, int const *periodic) noexcept
     return true;
 }
 
+double Periodicity::multiples_in(Vector<double, 3> const &point, int k) const noexcept
+{
+    return nearest_integer(dual_[k][0] * point[0] + dual_[k][1] * point[1] + dual_[k][2] * point[2]);
+}
+
 bool Periodicity::reduce(Vector<double, 3> const &point, Move &move) const noexcept
 {
     move = {};
     if (!any_) return true;
     for (int k = 0; k < 3; ++k) {
-        if (!periodic_[k]) continue;
-        double const n = nearest_integer(dual_[k][0] * point[0] + dual_[k][1] * point[1] + dual_[k][2] * point[2]);
+        double const n = multiples_in(point, k);
         if (!(std::fabs(n) <= most_multiples)) return false;
         move.reduced.n[k] = static_cast<std::int32_t>(n);
     }
     return set_own(move);
+}
+
+Vector<double, 3> Periodicity::wrapped(Vector<double, 3> const &point) const noexcept
+{
+    Vector<double, 3> wrapped = point;
+    for (int k = 0; k < 3 && any_; ++k)
+        for (int d = 0; d < 3; ++d) wrapped[d] -= multiples_in(point, k) * basis_[k][d];
+    return wrapped;
 }
 
 Vector<double, 3> Periodicity::sum(Multiples const &multiples, double const (&vectors)[3][3]) const noexcept

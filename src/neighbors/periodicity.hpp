@@ -42,6 +42,9 @@ class Periodicity {
     /// What to subtract from a point to take it near the origin; false if that takes too many multiples.
     bool reduce(Vector<double, 3> const &point, Move &move) const noexcept;
 
+    /// A point near the origin that differs by multiples of the vectors, or nearly so.
+    Vector<double, 3> wrapped(Vector<double, 3> const &point) const noexcept;
+
     /// The box around a centre less multiples of the vectors.
     Box wrapped(Vector<double, 3> const &center, Vector<double, 3> const &half_widths,
                 Multiples const &multiples) const noexcept;
@@ -56,6 +59,9 @@ class Periodicity {
     bool set_own(Move &move) const noexcept;
 
   private:
+    /// Multiples of vector k that take a point away from the origin along it.
+    double multiples_in(Vector<double, 3> const &point, int k) const noexcept;
+
     Vector<double, 3> sum(Multiples const &multiples, double const (&vectors)[3][3]) const noexcept;
 
     bool periodic_[3] = {};

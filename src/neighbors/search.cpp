@@ -82,6 +82,7 @@ int list_images(Periodicity const &lattice, Box const &root, Array<Move> &images
 bool find_pairs(Tree const &tree, Periodicity const &lattice, Array<Move> const &images, std::size_t task,
                 FoundPairs &found) noexcept
 {
+    found.clear();
     Box const root = tree.root();
     std::size_t const end = std::min((task + 1) * groups_per_task, tree.num_groups());
     for (std::size_t group = task * groups_per_task; group < end; ++group)

@@ -30,7 +30,7 @@ class FoundPairs {
 
     [[gnu::always_inline]] std::size_t size() const noexcept { return size_; }
     [[gnu::always_inline]] Found const &operator[](std::size_t k) const noexcept { return room_[k]; }
-    [[gnu::always_inline]] void free() noexcept { room_.free(); }
+    [[gnu::always_inline]] void clear() noexcept { size_ = 0; }
 
   private:
     Array<Found> room_;
@@ -44,7 +44,7 @@ class FoundPairs {
 /// Groups whose pairs are found by one task.
 inline constexpr std::size_t groups_per_task = 16;
 
-/// The pairs whose first box is of the groups of a task: each pair once. False if there is no memory.
+/// The pairs whose first box is of the groups of a task, each once, in place of those found before. False if there is no memory.
 [[nodiscard]] bool find_pairs(Tree const &tree, Periodicity const &lattice, Array<Move> const &images, std::size_t task,
                               FoundPairs &found) noexcept;
 

@@ -5,6 +5,7 @@
 #include <glib.h>
 
 #include "../../src/kernels/kernels.hpp"
+#include "../../src/kernels/vector_length.hpp"
 #include "instruction_sets.h"
 
 namespace {

@@ -4,6 +4,7 @@
 #include <cstring>
 #include <limits>
 #include <numbers>
+#include <random>
 #include <set>
 #include <vector>
 
@@ -243,6 +244,50 @@ void test_many()
         system.options = {{1, 1, 1}, 1.0, 0.1};
         g_assert_cmpuint(check(failures, system), >, 100);
     }
+}
+
+/// Ellipsoids on a lattice with vectors of length one, whose boxes meet along the first axis alone, numbered at random.
+System rods_on_a_lattice(int side)
+{
+    System system;
+    system.has_cell = true;
+    for (std::size_t k = 0; k < 3; ++k) system.cell[k][static_cast<int>(k)] = side;
+    for (int i = 0; i < side * side * side; ++i)
+        system.add({double(i / side / side), double(i / side % side), double(i % side)}, {0.36, 0, 0, 0.16, 0, 0.16});
+    std::mt19937_64 shuffle(107);
+    std::shuffle(system.centers.begin(), system.centers.end(), shuffle);
+    return system;
+}
+
+/// The one that follows in a row of rods on a lattice; the first of its image in the next cell after the last.
+Neighbor next_in_row(std::vector<std::int32_t> const &number_at, int side, int k)
+{
+    int const plane = side * side;
+    std::int32_t const i = number_at[static_cast<std::size_t>(k)],
+                       j = number_at[static_cast<std::size_t>((k + plane) % (plane * side))];
+    std::int32_t const image = k / plane == side - 1 ? 1 : 0;
+    return i < j ? Neighbor{{i, j}, {image, 0, 0}} : Neighbor{{j, i}, {-image, 0, 0}};
+}
+
+// More than what threads find before they add it to the list, which so has to grow, and parts of space.
+void test_growing()
+{
+#ifdef _OPENMP
+    omp_set_num_threads(1);
+#endif
+    constexpr int side = 52;
+    System const system = rods_on_a_lattice(side);
+    std::vector<std::int32_t> number_at(system.centers.size());
+    for (std::size_t i = 0; i < number_at.size(); ++i) {
+        Vector3 const &x = system.centers[i];
+        number_at[static_cast<std::size_t>((x[0] * side + x[1]) * side + x[2])] = static_cast<std::int32_t>(i);
+    }
+    std::vector<Neighbor> expected;
+    for (int k = 0; k < side * side * side; ++k) expected.push_back(next_in_row(number_at, side, k));
+    std::sort(expected.begin(), expected.end());
+    pw85::Neighbors list;
+    g_assert_true(neighbors_create(system.particles(), system.options, list) == Status::success);
+    g_assert_true(sorted(list) == expected);
 }
 
 // Sizes that differ by 10⁴, and crowds in a vast space.
@@ -510,6 +555,7 @@ int main(int argc, char **argv)
     g_test_init(&argc, &argv, nullptr);
     g_test_add_func("/neighbors/brute_force", test_brute_force);
     g_test_add_func("/neighbors/many", test_many);
+    g_test_add_func("/neighbors/growing", test_growing);
     g_test_add_func("/neighbors/sizes", test_sizes);
     g_test_add_func("/neighbors/touching", test_touching);
     g_test_add_func("/neighbors/threads", test_threads);

@@ -546,7 +546,8 @@ void test_memory()
     run_on_device(pairs);
     std::size_t const before = blocks();
     for (int i = 0; i < 10; ++i) run_on_device(pairs);
-    g_assert_cmpuint(blocks(), <=, before + 1); // two calls are under way at once, where the first has not left its mailbox yet
+    // Two calls are under way at once where the first has not left its mailbox yet.
+    g_assert_cmpuint(blocks(), <=, before + 1);
 }
 
 constexpr ListCase list_cases[] = {{false, false}, {true, false}, {true, true}};

@@ -57,7 +57,7 @@ def exported_symbols(library):
 
 def units(build, source):
     """The units of the library with the flags that matter for what they become."""
-    of_no_matter = re.compile(r"-[IMWc]|-D_FILE_OFFSET_BITS=|-fdiagnostics-color|-isystem|[^-]")
+    of_no_matter = re.compile(r"-[IMWc]|-D_FILE_OFFSET_BITS=|-DBOOST_ALL_NO_LIB|-fdiagnostics-color|-isystem|[^-]")
     found = []
     for unit in json.loads((build / "compile_commands.json").read_text()):
         file = (build / unit["file"]).resolve()
@@ -198,13 +198,26 @@ class Installation:
         """CMake compiles the units that Meson compiles, with the same flags."""
         self.compare_flags("shared", simd=True, gsl=True)
         self.compare_flags("static", simd=False, gsl=False)
+        boost = self.work / "boost/include"  # the headers, without those of this system's other libraries
+        boost.mkdir(parents=True)
+        (boost / "boost").symlink_to("/usr/include/boost")
+        for machine in ("aarch64-linux-gnu", "i686-linux-gnu"):
+            compiler = shutil.which(f"{machine}-g++")
+            if compiler:
+                self.compare_flags(
+                    "shared", simd=True, gsl=False, name=machine, environment={"BOOST_ROOT": str(boost.parent)},
+                    meson_options=[f"--cross-file={self.source / 'scripts/cross' / machine}.ini"],
+                    cmake_options=["-DCMAKE_SYSTEM_NAME=Linux", f"-DCMAKE_SYSTEM_PROCESSOR={machine.split('-')[0]}",
+                                   f"-DCMAKE_CXX_COMPILER={compiler}"])
 
-    def compare_flags(self, kind, simd, gsl):
-        meson, cmake = (self.work / f"flags-{builder}-{kind}-{simd}-{gsl}" for builder in ("meson", "cmake"))
+    def compare_flags(self, kind, simd, gsl, name="", environment={}, meson_options=(), cmake_options=()):
+        meson, cmake = (self.work / f"flags-{builder}-{kind}-{simd}-{gsl}-{name}" for builder in ("meson", "cmake"))
         off = [f"-D{name}=disabled" for name, wanted in (("simd", simd), ("gsl", gsl)) if not wanted]
-        run("meson", "setup", meson, self.source, *LIBRARIES_ONLY, "-Dgpu=disabled", "--buildtype=plain", f"-Ddefault_library={kind}", *off)
+        run("meson", "setup", meson, self.source, *LIBRARIES_ONLY, "-Dgpu=disabled", "--buildtype=plain", f"-Ddefault_library={kind}", *off,
+            *meson_options, **environment)
         run("cmake", "-G", "Ninja", "-S", self.source, "-B", cmake, f"-DBUILD_SHARED_LIBS={kind == 'shared'}",
-            f"-DPW85_SIMD={simd}", f"-DPW85_GSL={gsl}", "-DPW85_GPU=OFF", "-DCMAKE_EXPORT_COMPILE_COMMANDS=ON")
+            f"-DPW85_SIMD={simd}", f"-DPW85_GSL={gsl}", "-DPW85_GPU=OFF", "-DCMAKE_EXPORT_COMPILE_COMMANDS=ON",
+            *cmake_options, **environment)
         header, same = "kernels/instruction_sets.h", lambda file: file.read_text().partition("#define")[2].split()
         if same(meson / "src" / header) != same(cmake / header):
             raise Failed(f"{header} differs: {(cmake / header).read_text()}")

@@ -1,0 +1,56 @@
+// The test of HOOMD-blue 2 for ellipsoids (hoomd/hpmc/ShapeEllipsoid.h), with the mixed precision of its simulations.
+#include <vector>
+
+#include <hoomd/hpmc/ShapeEllipsoid.h>
+
+#include <Eigen/Geometry>
+
+#include "peer.hpp"
+#include "principal_axes.hpp"
+
+namespace {
+
+using pw85_bench::PrincipalAxes;
+using Real = hpmc::OverlapReal;
+
+hpmc::ShapeEllipsoid shape(double const *q)
+{
+    PrincipalAxes const axes(q);
+    Eigen::Quaterniond const turn(axes.turn);
+    hpmc::ell_params lengths;
+    lengths.x = static_cast<Real>(axes.lengths[0]);
+    lengths.y = static_cast<Real>(axes.lengths[1]);
+    lengths.z = static_cast<Real>(axes.lengths[2]);
+    lengths.ignore = 0;
+    return {quat<Scalar>(turn.w(), vec3<Scalar>(turn.x(), turn.y(), turn.z())), lengths};
+}
+
+class PeerHoomd final : public pw85_bench::Peer {
+  public:
+    void take(pw85_bench::Rows rows) override
+    {
+        pairs_.clear();
+        for (std::size_t i = 0; i < rows.n; ++i) {
+            double const *r = rows.r12 + 3 * i;
+            pairs_.push_back({shape(rows.q1 + 6 * i), shape(rows.q2 + 6 * i), vec3<Scalar>(r[0], r[1], r[2])});
+        }
+    }
+    /// Where it cannot tell, it counts an error and goes on as if there were no overlap.
+    void decide(std::size_t begin, std::size_t end, unsigned char *overlap) const override
+    {
+        unsigned int errors = 0;
+        for (std::size_t i = begin; i < end; ++i)
+            overlap[i] = hpmc::test_overlap(pairs_[i].r12, pairs_[i].first, pairs_[i].second, errors);
+    }
+
+  private:
+    struct Pair {
+        hpmc::ShapeEllipsoid first, second;
+        vec3<Scalar> r12;
+    };
+    std::vector<Pair> pairs_;
+};
+
+} // namespace
+
+std::unique_ptr<pw85_bench::Peer> pw85_bench::peer_hoomd() { return std::make_unique<PeerHoomd>(); }

@@ -1,0 +1,28 @@
+// Semi-axes and directions of the ellipsoid of a form, for libraries that take these. They are right to rounding, some 1e-16
+// times the square of the aspect ratio.
+#ifndef PW85_BENCH_PRINCIPAL_AXES_HPP_INCLUDED
+#define PW85_BENCH_PRINCIPAL_AXES_HPP_INCLUDED
+
+#include <Eigen/Eigenvalues>
+
+namespace pw85_bench {
+
+struct PrincipalAxes {
+    Eigen::Vector3d lengths;
+    Eigen::Matrix3d turn; // its columns are the directions
+
+    /// Of the six entries of a form.
+    explicit PrincipalAxes(double const *q)
+    {
+        Eigen::Matrix3d form;
+        form << q[0], q[1], q[2], q[1], q[3], q[4], q[2], q[4], q[5];
+        Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> const axes(form);
+        lengths = axes.eigenvalues().cwiseSqrt();
+        turn = axes.eigenvectors();
+        if (turn.determinant() < 0.0) turn.col(0) *= -1.0;
+    }
+};
+
+} // namespace pw85_bench
+
+#endif

@@ -1,0 +1,129 @@
+// Libraries side by side, on the same pairs: whether two ellipsoids overlap. Times are nanoseconds per pair, half of which overlap,
+// μ² being between 1/4 and 4, for four aspect ratios; wrong answers are in percent: at aspect ratio 1000 among these pairs, at 10 by
+// |μ² - 1|.
+//
+// Those that are not there are left out: pw85 2.0 and HOOMD-blue 2, whose sources Meson is told of (-Dpw85_2, -Dhoomd).
+#include <cstdio>
+
+#include <pw85.h>
+
+#include "least_time.hpp"
+#include "pairs.hpp"
+#include "peer.hpp"
+
+using namespace pw85_bench;
+
+namespace {
+
+/// Functions of this library.
+template <class Overlaps> class Own final : public Peer {
+  public:
+    explicit Own(Overlaps overlaps) : overlaps_(overlaps) {}
+    void take(Rows rows) override { rows_ = rows; }
+    void decide(std::size_t begin, std::size_t end, unsigned char *overlap) const override
+    {
+        overlaps_({end - begin, rows_.r12 + 3 * begin, rows_.q1 + 6 * begin, rows_.q2 + 6 * begin}, overlap + begin);
+    }
+
+  private:
+    Overlaps overlaps_;
+    Rows rows_{};
+};
+
+template <class Overlaps> std::unique_ptr<Peer> own(Overlaps overlaps)
+{
+    return std::make_unique<Own<Overlaps>>(overlaps);
+}
+
+/// One pair after the other.
+template <class OverlapsOne> std::unique_ptr<Peer> one_by_one(OverlapsOne overlaps)
+{
+    return own([overlaps](Rows x, unsigned char *overlap) {
+        for (std::size_t i = 0; i < x.n; ++i) overlap[i] = overlaps(x.r12 + 3 * i, x.q1 + 6 * i, x.q2 + 6 * i);
+    });
+}
+
+template <int (*contact)(double const *, double const *, double const *, double *)>
+bool overlaps_by(double const *r12, double const *q1, double const *q2)
+{
+    double out[2];
+    contact(r12, q1, q2, out);
+    return out[0] < 1.0;
+}
+
+bool overlaps_exactly(double const *r12, double const *q1, double const *q2)
+{
+    int overlap = 0;
+    pw85_overlap(r12, q1, q2, &overlap);
+    return overlap == 1;
+}
+
+struct Entry {
+    char const *name, *gives;
+    std::unique_ptr<Peer> peer;
+};
+
+std::vector<Entry> entries()
+{
+    std::vector<Entry> list;
+    list.push_back({"pw85_overlap_batch", "boolean",
+                    own([](Rows x, unsigned char *overlap) { pw85_overlap_batch(x.n, x.r12, x.q1, x.q2, overlap); })});
+    list.push_back({"pw85_overlap", "boolean", one_by_one(overlaps_exactly)});
+    list.push_back({"pw85_contact", "value", one_by_one(overlaps_by<pw85_contact>)});
+    list.push_back({"pw85_contact_function", "value", one_by_one(overlaps_by<pw85_contact_function>)});
+#ifdef PW85_BENCH_PW85_2
+    list.push_back({"pw85 2.0", "value", peer_pw85_2()});
+#endif
+#ifdef PW85_BENCH_HOOMD
+    list.push_back({"HOOMD-blue 2", "boolean", peer_hoomd()});
+#endif
+    list.push_back({"FCL 0.7", "boolean", peer_fcl()});
+    return list;
+}
+
+Rows rows(Block const &block) { return {block.size(), block.r12.data(), block.q1.data(), block.q2.data()}; }
+
+double time_of(Peer &peer, Block &block)
+{
+    peer.take(rows(block));
+    return least_time(block.size(),
+                      [&](std::size_t begin, std::size_t end) { peer.decide(begin, end, block.overlap.data()); });
+}
+
+double percent_wrong(Peer &peer, Block &block)
+{
+    std::vector<unsigned char> answers(block.size());
+    pw85_overlap_batch(block.size(), block.r12.data(), block.q1.data(), block.q2.data(), block.overlap.data());
+    peer.take(rows(block));
+    peer.decide(0, block.size(), answers.data());
+    int wrong = 0;
+    for (std::size_t i = 0; i < block.size(); ++i) wrong += answers[i] != block.overlap[i];
+    return 100.0 * wrong / static_cast<double>(block.size());
+}
+
+/// A number of each library, for a block.
+void measure(std::vector<Entry> &list, std::vector<std::vector<double>> &results, double (*number)(Peer &, Block &),
+             double aspect, double excess)
+{
+    Block block(random_block(aspect, excess));
+    for (std::size_t i = 0; i < list.size(); ++i) results[i].push_back(number(*list[i].peer, block));
+}
+
+} // namespace
+
+int main()
+{
+    auto list = entries();
+    std::vector<std::vector<double>> results(list.size());
+    for (double const aspect : {2.0, 10.0, 100.0, 1000.0}) measure(list, results, time_of, aspect, 0.0);
+    measure(list, results, percent_wrong, 1000.0, 0.0);
+    for (double const excess : {1e-3, 1e-5, 1e-7}) measure(list, results, percent_wrong, 10.0, excess);
+    std::printf(
+        "library,gives,aspect_2,aspect_10,aspect_100,aspect_1000,wrong_1000,wrong_1e-3,wrong_1e-5,wrong_1e-7\n");
+    for (std::size_t i = 0; i < list.size(); ++i) {
+        std::printf("%s,%s", list[i].name, list[i].gives);
+        for (double const x : results[i]) std::printf(x < 100.0 ? ",%.3g" : ",%.0f", x);
+        std::printf("\n");
+    }
+    return 0;
+}

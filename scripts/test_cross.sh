@@ -1,0 +1,69 @@
+#!/bin/sh
+# Builds pw85 with its tests for another machine, one of scripts/cross/ whose system is Debian's, and runs them by its emulator. The
+# libraries that tests need come from Debian's packages for that machine, unpacked next to the build: nothing is installed but
+# compilers and emulator. Usage: scripts/test_cross.sh aarch64-linux-gnu|i686-linux-gnu [ARGUMENT OF meson test...]
+set -eu
+cd "$(dirname "$0")/.."
+. scripts/packages.sh
+machine=$1
+shift
+build=$PWD/build-$machine
+root=$build-root
+case $machine in
+aarch64-linux-gnu)
+  architecture=arm64 libraries=aarch64-linux-gnu
+  emulator="['qemu-aarch64', '-L', '$root']"
+  emulators=qemu-user
+  ;;
+i686-linux-gnu)
+  architecture=i386 libraries=i386-linux-gnu
+  emulator="['$root/lib/ld-linux.so.2', '--library-path', '$root/lib/i386-linux-gnu:$root/usr/lib/i386-linux-gnu']"
+  emulators=
+  ;;
+*)
+  echo "$machine: not known" >&2
+  exit 2
+  ;;
+esac
+# shellcheck disable=SC2086 # a list of words
+install_packages $test_packages "g++-$machine" $emulators
+
+# of_machine COMMAND...: apt-get for that machine, of which this one knows nothing
+of_machine() {
+  apt-get -qq -o "APT::Architecture=$architecture" -o "APT::Architectures=$architecture" -o APT::Sandbox::User= \
+    -o "Dir::State=$root/apt" -o "Dir::State::status=$root/apt/status" -o "Dir::Cache=$root/apt" \
+    -o Acquire::Languages=none -o APT::Install-Recommends=0 "$@"
+}
+
+if [ ! -f "$root/complete" ]; then
+  rm -rf "$root"
+  mkdir -p "$root/apt/lists/partial" "$root/boost/include"
+  : >"$root/apt/status"
+  ln -s /usr/include/boost "$root/boost/include/boost" # the headers, which are the same for all
+  of_machine update || true # one of several sources may be out of order
+  packages=$(of_machine install -s libglib2.0-dev libhdf5-dev libgsl-dev libgomp1 libstdc++6 |
+    sed -n 's/^Inst \([^ ]*\).*/\1/p' | grep -E '^(lib|zlib)' | grep -v -E 'python|^libc6-dev|^libc-dev|^libperl')
+  # shellcheck disable=SC2086 # a list of words
+  (cd "$root/apt" && of_machine download $packages)
+  for package in "$root"/apt/*.deb; do dpkg -x "$package" "$root"; done
+  rm -r "$root/apt"
+  cat >"$root/machine.ini" <<END
+[binaries]
+pkgconfig = 'pkg-config'
+exe_wrapper = $emulator
+
+[properties]
+sys_root = '$root'
+pkg_config_libdir = '$root/usr/lib/$libraries/pkgconfig'
+
+[built-in options]
+c_link_args = ['-Wl,-rpath-link,$root/usr/lib/$libraries:$root/lib/$libraries']
+cpp_link_args = ['-Wl,-rpath-link,$root/usr/lib/$libraries:$root/lib/$libraries']
+END
+  touch "$root/complete"
+fi
+# shellcheck disable=SC2086 # a list of words
+[ -f "$build/build.ninja" ] || BOOST_ROOT=$root/boost meson setup "$build" --cross-file "scripts/cross/$machine.ini" \
+  --cross-file "$root/machine.ini" -Dtests=enabled -Dgpu=disabled -Dbench=disabled -Dpython=disabled -Dfortran=disabled \
+  ${PW85_SETUP_OPTIONS-}
+exec meson test -C "$build" --print-errorlogs --no-suite install --timeout-multiplier 10 "$@"
