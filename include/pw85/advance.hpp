@@ -65,7 +65,7 @@ template <class T, int D> PW85_FUNCTION inline T time_apart(BodyPair<T, D> const
 }
 
 /// The largest step, for which remainders are bounded.
-template <class T> PW85_FUNCTION constexpr T longest_step() noexcept { return T(1); }
+template <class T> PW85_FUNCTION constexpr T longest_advance() noexcept { return T(1); }
 
 /// M of a pair at some t, and what is M⁻¹r.
 template <class T, int D> struct Blend {
@@ -123,7 +123,7 @@ template <class T, int D> PW85_FUNCTION inline Extent<T> extent(Body<T, D> const
     Vector<T, D> const c2 = turning(body.omega, moved(times(T(0.5), response.turned), T(-1), path.s1));
     Vector<T, D> const z1 = moved(c1, body.growth, path.s0), z2 = moved(c2, body.growth, c1);
     Vector<T, D> const &y0 = response.product, y1 = product(body.rest, z1), y2 = product(body.rest, z2);
-    T const g = body.growth, twice = g + g, square = g * g, k = body.least, step = longest_step<T>();
+    T const g = body.growth, twice = g + g, square = g * g, k = body.least, step = longest_advance<T>();
     T const lack = body.rate * (magnitude(moved(w1, T(-2), c2)) / T(6) + step * body.rate * magnitude(w1) / T(24));
     T const most = (T(1) + maximum(T(0), g) * step) * lack + absolute(g) * magnitude(c2);
     auto const &[l0, l1, l2] = path.square;
@@ -252,10 +252,10 @@ PW85_FUNCTION inline FirstContact<T> advance_to_contact(MovingPair<T, D> const &
         bool const separates = v.clearance.p[1] > T(0) && v.clearance.p[0] >= -T(touching_tolerance) * v.slack;
         if (touches && (apart || !separates)) return {time, Status::success};
         apart = apart || !touches;
-        T const x = safe_time(v.clearance, v.slack, minimum(T(end - time), longest_step<T>()));
+        T const x = safe_time(v.clearance, v.slack, minimum(T(end - time), longest_advance<T>()));
         T const log_t = v.drift.newton + v.drift.rate * x, next = time + x;
         if (next >= end) return {infinity<T>(), Status::success};
-        bool const last = v.drift.near && v.clearance.p[1] < T(0) && x < longest_step<T>() &&
+        bool const last = v.drift.near && v.clearance.p[1] < T(0) && x < longest_advance<T>() &&
                           error_of_step(v.clearance, v.target, x, log_t) <= v.slack;
         if (last || !(next > time)) return {next, Status::success};
         time = next;
