@@ -16,31 +16,32 @@
 
 using Vector = pw85::Vector<double, 3>;
 using Quaternion = pw85::Vector<double, 4>;
-using pw85::cross, pw85::dot, pw85::times;
+using pw85::contact, pw85::contact_geometry, pw85::cross, pw85::dot, pw85::times;
 constexpr Vector semi_axes{0.5, 0.5, 1.0}; // at time 0: the volume is π/3
 constexpr double inertia = 0.2;            // where the mass is 1
 
 struct Particle {
-    Vector center, velocity, spin;
+    Vector center;
     Quaternion orientation;
-    double time;     // to which it has been brought
+    pw85::Motion<double, 3> motion;
+    pw85::SymmetricMatrix<double, 3> form;
     long collisions; // so far
 };
 
 // Time, particles, and how often they had collided when it was predicted.
 using Event = std::tuple<double, std::size_t, std::size_t, long>;
 
+double square(Vector const &x) { return dot(x, x); }
+
 Vector sum(Vector const &x, double factor, Vector const &y)
 {
     return {x[0] + factor * y[0], x[1] + factor * y[1], x[2] + factor * y[2]};
 }
 
-double length(Vector const &x) { return std::sqrt(dot(x, x)); }
-
 // The orientation after a rotation by |omega| about omega.
 Quaternion rotated(Quaternion const &q, Vector const &omega)
 {
-    double const angle = length(omega), c = std::cos(0.5 * angle);
+    double const angle = std::sqrt(square(omega)), c = std::cos(0.5 * angle);
     double const s = angle > 0.0 ? std::sin(0.5 * angle) / angle : 0.0;
     Vector const w = times(s, omega), v{q[1], q[2], q[3]};
     Vector const x = sum(sum(times(c, v), q[0], w), 1.0, cross(w, v));
@@ -48,170 +49,152 @@ Quaternion rotated(Quaternion const &q, Vector const &omega)
     return times(1.0 / std::sqrt(dot(r, r)), r);
 }
 
-class Simulation {
-  public:
-    Simulation(int n, double growth) : growth_(growth)
+struct Simulation {
+    double growth, side, time = 0.0, horizon = 0.0;
+    std::vector<Particle> particles;
+    std::priority_queue<Event, std::vector<Event>, std::greater<>> events;
+
+    Simulation(int n, double growthrate) : growth(growthrate)
     {
         std::mt19937_64 random(2026);
         std::normal_distribution<double> normal;
-        auto const vector = [&] {
-            return Vector{normal(random), normal(random), normal(random)};
+        auto const vector = [&](double size) {
+            return times(size, Vector{normal(random), normal(random), normal(random)});
         };
         int const m = static_cast<int>(std::ceil(std::cbrt(n) - 1e-9));
-        side_ = 2.02 * m;
+        side = 2.02 * m;
         for (int k = 0; k < n; ++k) {
-            Vector const site{1.0 * (k % m), 1.0 * (k / m % m), 1.0 * (k / m / m)};
-            Vector const spin = times(1.0 / std::sqrt(inertia), vector());
-            Quaternion const orientation = rotated({1.0, 0.0, 0.0, 0.0}, vector());
-            particles_.push_back(
-                {times(2.02, site), vector(), spin, orientation, 0.0, 0});
+            Vector const site{2.02 * (k % m), 2.02 * (k / m % m), 2.02 * (k / m / m)};
+            particles.push_back(
+                {site,
+                 rotated({1.0, 0.0, 0.0, 0.0}, vector(1.0)),
+                 {vector(1.0), vector(1.0 / std::sqrt(inertia)), growth},
+                 {},
+                 0});
         }
+        fly(0.0);
         predict_all();
     }
 
     double energy() const
     {
         double sum = 0.0;
-        for (auto const &[x, v, w, q, time, collisions] : particles_)
-            sum += 0.5 * (dot(v, v) + inertia * dot(w, w));
-        return sum;
+        for (auto const &[x, q, motion, form, n] : particles)
+            sum += square(motion.velocity) + inertia * square(motion.angular_velocity);
+        return 0.5 * sum;
     }
 
     double packing_fraction() const
     {
-        double const ratio = size(time_) / side_,
-                     n = static_cast<double>(particles_.size());
-        return n * std::numbers::pi / 3.0 * ratio * ratio * ratio;
+        double const n = static_cast<double>(particles.size());
+        return n * std::numbers::pi / 3.0 * std::pow(size() / side, 3.0);
     }
 
     // Up to and with the next collision.
     void collide_next()
     {
         for (;;) {
-            for (; events_.empty(); predict_all()) time_ = horizon_;
-            auto const [time, i, j, collisions] = events_.top();
-            events_.pop();
-            Particle &p = particles_[i], &q = particles_[j];
-            if (p.collisions + q.collisions != collisions) continue;
-            time_ = time;
-            collide(p, q);
-            predict(i, 0);
-            return predict(j, 0);
+            for (; events.empty(); predict_all()) fly(horizon - time);
+            auto const [next, i, j, collisions] = events.top();
+            events.pop();
+            if (particles[i].collisions + particles[j].collisions != collisions)
+                continue;
+            fly(next - time);
+            collide(particles[i], particles[j]);
+            for (std::size_t k = 0; k < particles.size(); ++k) {
+                if (k != i) predict(i, k);
+                if (k != j) predict(j, k);
+            }
+            return;
         }
     }
 
     // Whether ellipsoids overlap by more than rounding.
-    bool overlap()
+    bool overlap() const
     {
-        bool found = false;
-        for (auto &p : particles_)
-            for (auto &q : particles_) {
-                bring(p);
-                bring(q);
-                double const mu2 =
-                    pw85::contact(separation(p, q), form(p), form(q)).mu2;
-                found = found || (&p != &q && mu2 < 1.0 - 1e-10);
+        for (auto const &p : particles)
+            for (auto const &q : particles) {
+                double const mu2 = contact(separation(p, q), p.form, q.form).mu2;
+                if (&p != &q && mu2 < 1.0 - 1e-10) return true;
             }
-        return found;
+        return false;
     }
 
-  private:
-    double size(double time) const { return 1.0 + growth_ * time; }
-
-    pw85::SymmetricMatrix<double, 3> form(Particle const &p) const
-    {
-        Vector const axes = times(size(p.time), semi_axes);
-        return pw85::ellipsoid_quaternion(axes, p.orientation).q;
-    }
-
-    pw85::Motion<double, 3> motion(Particle const &p) const
-    {
-        return {p.velocity, p.spin, growth_ / size(p.time)};
-    }
+    double size() const { return 1.0 + growth * time; }
 
     Vector separation(Particle const &p, Particle const &q) const
     {
         Vector r = sum(q.center, -1.0, p.center);
-        for (int d = 0; d < 3; ++d) r[d] -= side_ * std::round(r[d] / side_);
+        for (int d = 0; d < 3; ++d) r[d] -= side * std::round(r[d] / side);
         return r;
     }
 
-    void bring(Particle &p) const
+    void fly(double duration)
     {
-        if (p.time == time_) return;
-        p.center = sum(p.center, time_ - p.time, p.velocity);
-        p.orientation = rotated(p.orientation, times(time_ - p.time, p.spin));
-        p.time = time_;
+        time += duration;
+        for (auto &[center, orientation, motion, form, collisions] : particles) {
+            center = sum(center, duration, motion.velocity);
+            orientation =
+                rotated(orientation, times(duration, motion.angular_velocity));
+            motion.growth = growth / size();
+            form = pw85::ellipsoid_quaternion(times(size(), semi_axes), orientation).q;
+        }
     }
 
-    // Contacts of particle i with those from `first` on, up to the horizon.
-    void predict(std::size_t i, std::size_t first)
+    // The contact of two particles, up to the horizon.
+    void predict(std::size_t i, std::size_t j)
     {
-        Particle &p = particles_[i];
-        bring(p);
-        double const left = horizon_ - time_;
-        for (std::size_t j = first; j < particles_.size(); ++j) {
-            Particle &q = particles_[j];
-            bring(q);
-            Vector const r12 = separation(p, q);
-            double const flight = left * (length(p.velocity) + length(q.velocity));
-            if (i == j || length(r12) > 2.0 * size(horizon_) + flight) continue;
-            auto const [wait, status] =
-                pw85::first_contact(r12, form(p), form(q), motion(p), motion(q), left);
-            if (wait <= left)
-                events_.push({time_ + wait, i, j, p.collisions + q.collisions});
-        }
+        Particle const &p = particles[i], &q = particles[j];
+        double const left = horizon - time;
+        auto const [wait, status] = pw85::first_contact(
+            separation(p, q), p.form, q.form, p.motion, q.motion, left);
+        if (wait <= left) events.push({time + wait, i, j, p.collisions + q.collisions});
     }
 
     // All contacts up to a new horizon, before which no other image of a particle comes near.
     void predict_all()
     {
         double fastest = 0.0;
-        for (auto const &p : particles_)
-            fastest = std::fmax(fastest, length(p.velocity));
-        horizon_ = time_ + 0.01 * side_ / fastest;
-        for (std::size_t i = 0; i < particles_.size(); ++i) predict(i, i + 1);
+        for (auto const &p : particles)
+            fastest = std::fmax(fastest, square(p.motion.velocity));
+        horizon = time + 0.01 * side / std::sqrt(fastest);
+        for (std::size_t i = 0; i < particles.size(); ++i)
+            for (std::size_t j = 0; j < i; ++j) predict(i, j);
     }
 
     // Elastic, without friction: the surfaces, which grow, part as fast as they met.
     void collide(Particle &p, Particle &q)
     {
-        bring(p);
-        bring(q);
+        auto &[v1, w1, growth1] = p.motion;
+        auto &[v2, w2, growth2] = q.motion;
         Vector const r12 = separation(p, q);
-        double const lambda = pw85::contact(r12, form(p), form(q)).lambda;
-        auto const [arm1, n, status] =
-            pw85::contact_geometry(r12, form(p), form(q), lambda);
+        double const lambda = contact(r12, p.form, q.form).lambda;
+        auto const [arm1, n, status] = contact_geometry(r12, p.form, q.form, lambda);
         Vector const lever1 = cross(arm1, n), lever2 = cross(sum(arm1, -1.0, r12), n);
-        double const parting = dot(n, sum(q.velocity, -1.0, p.velocity)) +
-                               dot(lever2, q.spin) - dot(lever1, p.spin) -
-                               growth_ / size(time_) * dot(n, r12);
-        double const turning = dot(lever1, lever1) + dot(lever2, lever2);
+        double const parting = dot(n, sum(sum(v2, -1.0, v1), -growth1, r12)) +
+                               dot(lever2, w2) - dot(lever1, w1);
+        double const turning = square(lever1) + square(lever2);
         double const impulse = -2.0 * parting / (2.0 + turning / inertia);
-        p.velocity = sum(p.velocity, -impulse, n);
-        q.velocity = sum(q.velocity, impulse, n);
-        p.spin = sum(p.spin, -impulse / inertia, lever1);
-        q.spin = sum(q.spin, impulse / inertia, lever2);
+        v1 = sum(v1, -impulse, n);
+        v2 = sum(v2, impulse, n);
+        w1 = sum(w1, -impulse / inertia, lever1);
+        w2 = sum(w2, impulse / inertia, lever2);
         ++p.collisions;
         ++q.collisions;
     }
-
-    double growth_, side_, time_ = 0.0, horizon_ = 0.0;
-    std::vector<Particle> particles_;
-    std::priority_queue<Event, std::vector<Event>, std::greater<>> events_;
 };
-
-bool report(char const *what, bool yes)
-{
-    std::printf("%s: %s\n", what, yes ? "yes" : "no");
-    return yes;
-}
 
 int main(int argc, char **argv)
 {
     int const n = argc > 1 ? std::atoi(argv[1]) : 500;
     int const collisions = argc > 2 ? std::atoi(argv[2]) : 5000;
     int const jammed = n * (argc > 3 ? std::atoi(argv[3]) : 100);
+
+    bool good = true;
+    auto const report = [&](char const *what, bool yes, bool expected) {
+        std::printf("%s: %s\n", what, yes ? "yes" : "no");
+        good = good && yes == expected;
+    };
 
     Simulation dynamics(n, 0.0);
     double change = 0.0;
@@ -220,9 +203,8 @@ int main(int argc, char **argv)
         dynamics.collide_next();
         change = std::fmax(change, std::fabs(dynamics.energy() / before - 1.0));
     }
-    bool good =
-        report("energy conserved to rounding in each collision", change < 1e-13);
-    good = !report("ellipsoids overlap", dynamics.overlap()) && good;
+    report("energy conserved to rounding in each collision", change < 1e-13, true);
+    report("ellipsoids overlap", dynamics.overlap(), false);
 
     // Jammed: so many collisions add less than a hundredth to the volume.
     Simulation packing(n, 0.3);
@@ -230,7 +212,7 @@ int main(int argc, char **argv)
         before = packing.packing_fraction();
         for (int k = 0; k < jammed; ++k) packing.collide_next();
     }
-    good = report("jammed, more than 55 % full", packing.packing_fraction() > 0.55) &&
-           good;
-    return !report("ellipsoids overlap", packing.overlap()) && good ? 0 : 1;
+    report("jammed, more than 55 % full", packing.packing_fraction() > 0.55, true);
+    report("ellipsoids overlap", packing.overlap(), false);
+    return good ? 0 : 1;
 }

@@ -1,0 +1,191 @@
+/// @file
+/// The first contact of two ellipsoids that translate.
+///
+/// With r(time) = r + v·time, M = Q1 + t Q2 and f as everywhere:
+///
+/// 1. At fixed λ, f <= μ² is a quadratic polynomial of time: where it is above 1 there is no contact. Its first root bounds the
+///    time of contact from below; without a root ahead there is no contact.
+/// 2. f is convex in time and concave in λ. So a contact is the largest of these roots, and the side of λ on which larger ones
+///    (or a λ without) are is that on which the maximum of f is, at the root's time: a search for the root of h (iteration.hpp)
+///    with the time updated at every step. As the root is stationary there, an error in λ counts only squared.
+#ifndef PW85_PASSAGE_HPP_INCLUDED
+#define PW85_PASSAGE_HPP_INCLUDED
+
+#include <pw85/motion.hpp>
+#include <pw85/solver.hpp>
+
+namespace pw85 {
+
+/// When two ellipsoids touch first.
+template <class T> struct FirstContact {
+    T time; ///< infinity if they do not
+    Status status;
+};
+
+/// The first root ahead of excess - 2 approach·x + speed·x², which is positive at zero; infinity if there is none. What misses zero
+/// by less than the slack has one where it is least.
+template <class T>
+PW85_FUNCTION inline T first_root(T const &excess, T const &approach, T const &speed, T const &slack) noexcept
+{
+    T const square = approach * approach - speed * excess;
+    if (!(approach > T(0) || speed < T(0)) || !(square + speed * slack >= T(0))) return infinity<T>();
+    return excess / (approach + square_root(maximum(T(0), square)));
+}
+
+/// Item 1 at one λ: rᵀM⁻¹r = target, the level of f = 1, at time 0, and the coefficients of its change.
+template <class T, int D> struct Passage {
+    Vector<T, D> s, s_velocity; ///< M⁻¹r, M⁻¹v
+    T excess, slack;            ///< rᵀM⁻¹r - target, and what rounding can make of it
+    T approach, speed;          ///< -rᵀM⁻¹v, vᵀM⁻¹v
+};
+
+/// By how many times its own rounding a pair may overlap and still count as one that only touches: what is left of the rounding
+/// of coordinates in a space a hundred times larger than its particles.
+inline constexpr int touching_tolerance = 128;
+
+/// What the motion can be at one λ: not to touch, to be too near from the beginning for this λ to tell, or to touch not before
+/// some time.
+enum class Prospect { none, near, contact };
+
+/// rᵀM⁻¹r where f = 1, for f = τ/(1+τ) rᵀM⁻¹r with τ = ratio² t.
+template <class T> PW85_FUNCTION constexpr T target_at(T const &tangent, T const &ratio, T const &t) noexcept
+{
+    return tangent + tangent / (ratio * ratio * t);
+}
+
+/// By how much rᵀM⁻¹r may err: f errs by 4 u cond at most, the sums of magnitudes that make up cond by Σ|s_i M_ij s_j|, thrice this
+/// sum, and it by D Σ M_ii s_i², since |M_ij| <= √(M_ii M_jj).
+template <class T, int D>
+PW85_FUNCTION constexpr T slack_of_form(SymmetricMatrix<T, D> const &m, Vector<T, D> const &s) noexcept
+{
+    T sum = m(0, 0) * s[0] * s[0];
+    for (int i = 1; i < D; ++i) sum = sum + m(i, i) * s[i] * s[i];
+    return T(12 * D * unit_roundoff<T>()) * sum;
+}
+
+template <class T, int D>
+PW85_FUNCTION inline Passage<T, D> passage(Vector<T, D> const &r12, Vector<T, D> const &velocity, T const &target,
+                                           SymmetricMatrix<T, D> const &m, Factorization<T, D> const &factors) noexcept
+{
+    Vector<T, D> const s = solve(factors, r12), v = solve(factors, velocity);
+    return {s, v, dot(r12, s) - target, slack_of_form(m, s), -dot(velocity, s), dot(velocity, v)};
+}
+
+/// Where item 1 leads to. A pair that would miss by no more than rounding touches; one that overlaps by no more and separates
+/// does not.
+template <class T, int D> PW85_FUNCTION inline Prospect prospect(Passage<T, D> const &p, T &time) noexcept
+{
+    time = T(0);
+    if (p.excess > -T(touching_tolerance) * p.slack && p.approach < T(0)) return Prospect::none;
+    if (!(p.excess > T(0))) return Prospect::near;
+    time = first_root(p.excess, p.approach, p.speed, p.slack);
+    return time < infinity<T>() ? Prospect::contact : Prospect::none;
+}
+
+/// The largest number of values of t that find_passage() tries: those of search(), of which each but the last ends the search for
+/// some time, and with the time moving along.
+inline constexpr int max_passages = 100;
+
+/// A Jet without second derivatives, for Newton's steps, from A, B and bend = (Q2s)ᵀM⁻¹Q2s: A' = -2 (B - t bend), B' = -2 bend.
+template <class T> PW85_FUNCTION constexpr Jet<T> first_jet(T const &a, T const &b, T const &bend, T const &t) noexcept
+{
+    T const unit = T(1) / a, twice = T(-2) * unit;
+    return {T(1), twice * (b - t * bend), T(0), unit * b, twice * bend, T(0), T(0)};
+}
+
+/// A step in log t that leaves nothing open: what the next t errs by, about its square, counts squared.
+template <class T> PW85_FUNCTION constexpr T last_passage_step() noexcept
+{
+    return negative_power_of_two<T>(mantissa_digits<T>() / 2 + 2);
+}
+
+/// How much later than the root of item 1 at some t the contact is, after a small step of Newton's to the maximum of f: log f gains half
+/// the step times its slope, λ(1-λ)(A - C)/(λA + (1-λ)C), and loses 2 root/target in a unit of time.
+template <class T>
+PW85_FUNCTION inline T delay(Slope<T> const &s, T const &ratio, T const &t, T const &root, T const &target) noexcept
+{
+    T const tau = ratio * ratio * t, lambda = tau / (T(1) + tau), step = s.difference * s.weight / (s.sum * s.k);
+    T const level = T(0.5) * (s.sum + (T(1) - T(2) * lambda) * s.difference);
+    return T(0.25) * (lambda * (T(1) - lambda)) * (s.difference / level) * step * (target / root);
+}
+
+/// The first contact in the units of a Pair, where f of a tangent pair is `tangent`; items 1 and 2.
+template <class T, int D> PW85_FUNCTION inline FirstContact<T>
+find_passage(Pair<T, D> const &pair, Vector<T, D> const &velocity, T const &tangent, T const &end) noexcept
+{
+    T const smallest = smallest_number<T>(), largest = largest_number<T>();
+    Bracket<T> bracket{smallest, largest, T(1024)};
+    T t = clamp(bracket, initial_guess(pair)), shortest = T(2);
+    bool last = false;
+    for (int i = 1; i <= max_passages; ++i) {
+        auto const m = blend(pair.q1, t, pair.q2);
+        auto const factors = factorize(m, T(unit_roundoff<T>()));
+        T const target = target_at(tangent, pair.ratio, t);
+        auto const p = passage(pair.r12, velocity, target, m, factors);
+        T time;
+        Prospect const expected = prospect(p, time);
+        if (expected == Prospect::none || time > end) return {infinity<T>(), Status::success};
+        if (last) return {time, Status::success};
+        Vector<T, D> const arm = moved(p.s, time, p.s_velocity), q = product(pair.q2, arm);
+        auto const weights = outer_weights(arm);
+        T const a = positive_form(pair.q1, weights), b = positive_form(pair.q2, weights);
+        Jet<T> const jet = first_jet(a, b, dot(q, solve(factors, q)), t);
+        Slope<T> const s = slope(jet, pair.ratio, t);
+        Step<T> const step{-s.difference * s.weight, s.sum * s.k}; // Newton's
+        bool const near = is_near(s) && step.denominator > T(0) && is_within(step, T(2));
+        T const size = near ? T(absolute(step.numerator) / step.denominator) : T(2);
+        T const image = minimum(largest, maximum(smallest, T(square_root(T(T(1) / jet.b)) / pair.ratio)));
+        (image > t ? bracket.lower : bracket.upper) = t;
+        // The delay is right to rounding; where passages graze, with little change of f in time, it may shift the maximum.
+        T const root = p.approach - p.speed * time;
+        if (expected == Prospect::contact && size <= final_step<T>() &&
+            size * size * p.approach < last_passage_step<T>() * root) {
+            time = time + delay(s, pair.ratio, t, root, target);
+            return {time > end ? infinity<T>() : time, Status::success};
+        }
+        last =
+            size <= last_passage_step<T>() || bracket.upper <= bracket.lower + last_passage_step<T>() * bracket.lower;
+        bool const halves = size <= T(0.5) * shortest;
+        shortest = minimum(shortest, size);
+        T const next = t * (near ? exponential(step) : secular_factor(jet, pair.ratio, t));
+        t = clamp(bracket, next > smallest && next < largest ? next : image);
+        if (i > 5 && !halves && !last) t = probe(bracket);
+    }
+    return {quiet_nan<T>(), Status::no_convergence};
+}
+
+/// How long a pair is so far apart that its passage is better seen from nearer: where r is many times the sizes, roundings of its
+/// square hide what little its direction may change. The square of the sum of the radii of spheres around the ellipsoids is at most twice
+/// that of the traces.
+template <class T, int D> PW85_FUNCTION inline T time_far(Pair<T, D> const &pair, Vector<T, D> const &velocity) noexcept
+{
+    T trace1 = T(0), trace2 = T(0);
+    for (int i = 0; i < D; ++i) {
+        trace1 = trace1 + pair.q1(i, i);
+        trace2 = trace2 + pair.q2(i, i);
+    }
+    T const reach = T(2) * (trace1 + trace2 / (pair.ratio * pair.ratio)), square = dot(pair.r12, pair.r12);
+    if (!(square > T(16) * reach)) return T(0);
+    return first_root(T(square - reach), T(-dot(pair.r12, velocity)), dot(velocity, velocity), T(0));
+}
+
+/// first_contact() of a valid pair that only translates.
+template <class T, int D> PW85_FUNCTION inline FirstContact<T>
+first_contact_of_translation(ScaledPair<T, D> const &scaled, Vector<T, D> const &velocity, T const &end) noexcept
+{
+    T const largest = largest_coordinate(velocity);
+    int const unit = largest > T(0) ? binary_exponent(largest) : 0, exponent = scaled.length - unit; // of time
+    Vector<T, D> const v = times_power_of_two(scaled.swapped ? times(T(-1), velocity) : velocity, -unit);
+    T const tangent = times_power_of_two(T(1), 2 * (scaled.form - scaled.length));
+    Pair<T, D> pair = scaled.pair;
+    T const wait = time_far(pair, v), left = times_power_of_two(end, -exponent) - wait;
+    if (!(left >= T(0))) return {infinity<T>(), Status::success};
+    pair.r12 = moved(pair.r12, wait, v);
+    auto result = find_passage(pair, v, tangent, left);
+    result.time = times_power_of_two(T(wait + result.time), exponent);
+    return result;
+}
+
+} // namespace pw85
+
+#endif
