@@ -72,16 +72,25 @@ PW85_FUNCTION inline Passage<T, D> passage(Vector<T, D> const &r12, Vector<T, D>
     return {s, v, dot(r12, s) - target, slack_of_form(m, s), -dot(velocity, s), dot(velocity, v)};
 }
 
+/// Whether a passage is to be seen from nearer: roundings of rᵀM⁻¹r, 16 u cond of the target and more, hide what little the square of
+/// its nearest value may miss the target by.
+template <class T, int D> PW85_FUNCTION constexpr bool is_far(Passage<T, D> const &p, T const &target) noexcept
+{
+    return p.excess > T(15) * target;
+}
+
 /// Where item 1 leads to from `origin` on, a time that a contact is not before. A pair that would miss by no more than rounding touches;
-/// one that overlaps at time 0 by no more and separates does not.
+/// one that overlaps at time 0 by no more and separates does not. From afar the discriminant errs by the rounding of rᵀM⁻¹r, and as
+/// that of vᵀM⁻¹v and twice that of rᵀM⁻¹v is as much where v points at the other ellipsoid, by four times that: so much is left for later.
 template <class T, int D>
-PW85_FUNCTION inline Prospect prospect(Passage<T, D> const &p, T const &origin, T &time) noexcept
+PW85_FUNCTION inline Prospect prospect(Passage<T, D> const &p, T const &target, T const &origin, T &time) noexcept
 {
     bool const starts = !(origin > T(0));
     time = T(0);
     if (starts && p.excess > -T(touching_tolerance) * p.slack && p.approach < T(0)) return Prospect::none;
     if (starts && !(p.excess > T(0))) return Prospect::near;
-    time = first_root(p.excess, p.approach, p.speed, p.slack);
+    bool const far = is_far(p, target);
+    time = first_root(far ? T(p.excess - T(4) * p.slack) : p.excess, p.approach, p.speed, far ? T(0) : p.slack);
     if (!(time < infinity<T>())) return Prospect::none;
     if (origin + time > T(0)) return Prospect::contact;
     time = -origin;
@@ -115,10 +124,6 @@ PW85_FUNCTION inline T delay(Slope<T> const &s, T const &ratio, T const &t, T co
     return T(0.25) * (lambda * (T(1) - lambda)) * (s.difference / level) * step * (target / root);
 }
 
-/// An excess over the target, in units of it, from which on the passage is to be seen from nearer: roundings of rᵀM⁻¹r, this times u cond, hide
-/// what little the square of its nearest value may miss the target by.
-inline constexpr int far_excess = 15;
-
 /// The first contact in the units of a Pair, where f of a tangent pair is `tangent`; items 1 and 2.
 template <class T, int D> PW85_FUNCTION inline FirstContact<T>
 find_passage(Pair<T, D> const &pair, Vector<T, D> const &velocity, T const &tangent, T const &end) noexcept
@@ -133,11 +138,11 @@ find_passage(Pair<T, D> const &pair, Vector<T, D> const &velocity, T const &tang
         T const target = target_at(tangent, pair.ratio, t);
         auto const p = passage(moved(pair.r12, origin, velocity), velocity, target, m, factors);
         T time;
-        Prospect const expected = prospect(p, origin, time);
+        Prospect const expected = prospect(p, target, origin, time);
         T const reached = origin + time;
         if (expected == Prospect::none || reached > end) return {infinity<T>(), Status::success};
-        bool const far = p.excess > T(far_excess) * target && reached > origin;
-        if (last && !far) return {reached, Status::success};
+        bool const far = is_far(p, target) && reached > origin;
+        if (last) return {reached, Status::success};
         Vector<T, D> const arm = moved(p.s, time, p.s_velocity), q = product(pair.q2, arm);
         auto const weights = outer_weights(arm);
         T const a = positive_form(pair.q1, weights), b = positive_form(pair.q2, weights);
@@ -147,7 +152,7 @@ find_passage(Pair<T, D> const &pair, Vector<T, D> const &velocity, T const &tang
         bool const near = is_near(s) && step.denominator > T(0) && is_within(step, T(2));
         T const size = near ? T(absolute(step.numerator) / step.denominator) : T(2);
         T const image = minimum(largest, maximum(smallest, T(square_root(T(T(1) / jet.b)) / pair.ratio)));
-        (image > t ? bracket.lower : bracket.upper) = t;
+        if (!far) (image > t ? bracket.lower : bracket.upper) = t; // a time before the root tells no side
         // The delay is right to rounding; where passages graze, with little change of f in time, it may shift the maximum.
         T const root = p.approach - p.speed * time;
         T const shift = size * size, grazing = last_passage_step<T>() * root;
@@ -157,10 +162,10 @@ find_passage(Pair<T, D> const &pair, Vector<T, D> const &velocity, T const &tang
             return {touched > end ? infinity<T>() : touched, Status::success};
         }
         origin = reached;
-        last =
-            size <= last_passage_step<T>() || bracket.upper <= bracket.lower + last_passage_step<T>() * bracket.lower;
-        bool const halves = size <= T(0.5) * shortest;
-        shortest = minimum(shortest, size);
+        last = !far && (size <= last_passage_step<T>() ||
+                        bracket.upper <= bracket.lower + last_passage_step<T>() * bracket.lower);
+        bool const halves = far || size <= T(0.5) * shortest;
+        if (!far) shortest = minimum(shortest, size);
         T const next = t * (near ? exponential(step) : secular_factor(jet, pair.ratio, t));
         t = clamp(bracket, next > smallest && next < largest ? next : image);
         if (i > 5 && !halves && !last) t = probe(bracket);
