@@ -27,8 +27,8 @@
  *   stay as they are.
  * - Semi-axes and distances from 1e-150 to 1e150 neither overflow nor underflow inside; a result beyond the range of
  *   double is infinity or zero.
- * - A form counts as positive definite when all pivots of its factorisation, computed in double, are positive; semi-axes
- *   may not differ by more than a factor of about 1e38.
+ * - A form counts as positive definite when all pivots of its factorisation, computed in double, are positive; where one is
+ *   zero to rounding, functions and instruction sets may differ. Semi-axes may not differ by more than a factor of about 1e38.
  */
 #ifndef PW85_H_INCLUDED
 #define PW85_H_INCLUDED

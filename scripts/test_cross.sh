@@ -32,7 +32,7 @@ install_packages $test_packages "g++-$machine" $emulators
 of_machine() {
   apt-get -qq -o "APT::Architecture=$architecture" -o "APT::Architectures=$architecture" -o APT::Sandbox::User= \
     -o "Dir::State=$root/apt" -o "Dir::State::status=$root/apt/status" -o "Dir::Cache=$root/apt" \
-    -o Acquire::Languages=none -o APT::Install-Recommends=0 "$@"
+    -o Acquire::Languages=none -o Acquire::Retries=3 -o APT::Install-Recommends=0 "$@"
 }
 
 if [ ! -f "$root/complete" ]; then

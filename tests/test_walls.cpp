@@ -509,6 +509,18 @@ void test_forms_out_of_range()
     }
 }
 
+// Semi-axes below the range of the contract: nothing that underflows makes an answer NaN.
+void test_tiny_form()
+{
+    double const x[3] = {0.0, 0x1p-15, 0.0};
+    double const q[6] = {0x1p-1054, 0.0, 0.0, 0x1p-1052, 0.0, 0x1p-1008};
+    for (int i = 0; i < 4; ++i) {
+        double out[7] = {};
+        g_assert_cmpint(functions[i].call(x, q, out), ==, PW85_SUCCESS);
+        for (double const y : out) g_assert_false(std::isnan(y));
+    }
+}
+
 // μ² beyond the range of double is infinity, derivatives are not below its largest number, and no coordinate is NaN.
 void test_plane_out_of_range()
 {
@@ -590,6 +602,7 @@ int main(int argc, char **argv)
     g_test_add_func("/walls/line/by_hand", test_line_by_hand);
     g_test_add_func("/walls/statuses", test_statuses);
     g_test_add_func("/walls/forms_out_of_range", test_forms_out_of_range);
+    g_test_add_func("/walls/tiny_form", test_tiny_form);
     g_test_add_func("/walls/null_outputs", test_null_outputs);
     g_test_add_func("/walls/templates", test_templates);
     g_test_add_func("/walls/batch", test_batch);

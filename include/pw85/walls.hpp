@@ -39,11 +39,19 @@ template <class T, int D> PW85_FUNCTION inline Wall<T, D> normalize_wall(Vector<
     return {normal, offset / largest, valid ? status : Status::invalid_argument};
 }
 
+/// support() of a valid form of any size: in a unit of its own none of its products underflows to zero.
+template <class T, int D>
+PW85_FUNCTION inline Support<T, D> support_of_any(SymmetricMatrix<T, D> const &q, Vector<T, D> const &n) noexcept
+{
+    int const unit = half_exponent(largest_diagonal(q));
+    Support<T, D> const s = support(times_power_of_two(q, -2 * unit), n);
+    return {times_power_of_two(s.point, unit), times_power_of_two(s.extent, unit)};
+}
+
 /// distance_plane() in the units of a valid wall.
 template <class T, int D> PW85_FUNCTION inline SurfaceDistance<T, D>
-distance_wall(Vector<T, D> const &normal, T const &offset, SymmetricMatrix<T, D> const &q) noexcept
+distance_wall(Vector<T, D> const &normal, T const &offset, Support<T, D> const &s) noexcept
 {
-    Support<T, D> const s = support(q, normal);
     T const reciprocal = T(1) / square_root(dot(normal, normal));
     return {(offset - s.extent) * reciprocal, s.point, times(reciprocal, normal), Status::success};
 }
@@ -54,7 +62,7 @@ distance_plane_scaled(Vector<T, D> normal, T offset, SymmetricMatrix<T, D> q) no
 {
     Wall<T, D> const wall = normalize_wall(normal, offset, q);
     if (wall.status != Status::success) return no_surface_distance<T, D>(wall.status);
-    return distance_wall(wall.normal, wall.offset, q);
+    return distance_wall(wall.normal, wall.offset, support_of_any(q, wall.normal));
 }
 
 template <class T, int D> [[gnu::always_inline]] PW85_FUNCTION inline SurfaceDistance<T, D>
@@ -62,7 +70,7 @@ distance_plane(Vector<T, D> const &normal, T const &offset, SymmetricMatrix<T, D
 {
     T const largest = largest_diagonal(q);
     if (is_in_range(sum_of_magnitudes(normal), largest, largest) && offset * T(0) == T(0) && is_clearly_definite(q))
-        return distance_wall(normal, offset, q);
+        return distance_wall(normal, offset, support(q, normal));
     return distance_plane_scaled(normal, offset, q);
 }
 
@@ -89,7 +97,7 @@ template <class T, int D> PW85_FUNCTION inline PlaneContact<T, D>
 contact_plane(Vector<T, D> const &normal, T const &offset, SymmetricMatrix<T, D> const &q) noexcept
 {
     Wall<T, D> const wall = normalize_wall(normal, offset, q);
-    Support<T, D> const s = support(q, wall.normal);
+    Support<T, D> const s = support_of_any(q, wall.normal);
     T const mu = wall_factor(wall, s);
     PlaneContact<T, D> result{mu * mu, times(mu, s.point), wall.status};
     if (wall.status != Status::success) {
@@ -107,7 +115,7 @@ contact_plane_derivatives(Vector<T, 3> const &normal, T const &offset, Symmetric
         Vector<T, 3> const none = times(quiet_nan<T>(), wall.normal);
         return {none, none, wall.status};
     }
-    Support<T, 3> const s = support(q, wall.normal);
+    Support<T, 3> const s = support_of_any(q, wall.normal);
     T const mu = wall_factor(wall, s), reciprocal = T(2) / s.extent;
     // In this order μ = 0 gives zeros whatever the sizes.
     return {times(T(-mu), times(reciprocal, wall.normal)),
@@ -168,7 +176,7 @@ template <class T> PW85_FUNCTION inline SurfaceDistance<T, 3> distance_cylinder(
         SymmetricMatrix<T, 2>{positive_form(q, e1, q1), dot(e1, q2), positive_form(q, e2, q2)}, across, false);
     Vector<T, 3> n = times(n2[0], e1);
     for (int i = 0; i < 3; ++i) n[i] = n[i] + n2[1] * e2[i];
-    Support<T, 3> const s = support(q, n);
+    Support<T, 3> const s = support_of_any(q, n);
     return {radius - dot(n2, across) - s.extent, s.point, n, Status::success};
 }
 
