@@ -45,18 +45,22 @@ template <int D> Wide sensitivity(Flight<Wide, D> const &f, Wide const &time)
 
 // μ = 1 at the time given, to rounding: that of the forms at that time, turned by sums of nine products, and 16 u of what they
 // amount to for the tolerance of the answer.
+template <int D> void check_touch(Failures &failures, Flight<double, D> const &f, double time)
+{
+    auto const wide = convert_flight<Wide>(f);
+    Wide const error = abs(Wide(mu2_at(wide, Wide(time)) - 1)), bound = 32 * u * sensitivity(wide, Wide(time));
+    failures.check(error <= bound, "μ² - 1", static_cast<double>(error), static_cast<double>(bound),
+                   [&] { return flight_text(f); });
+}
+
 template <int D> void check_touching(int flights, Moving moving)
 {
     Failures failures;
     Random random(520 + D + (moving == Moving::all ? 10 : 0));
     for (int n = 0; n < flights; ++n) {
         auto const f = random_flight<D>(random, random.log_uniform(1.0, 30.0), moving);
-        auto const c = first_contact(f);
-        if (!(c.time < infinity)) continue;
-        auto const wide = convert_flight<Wide>(f);
-        Wide const error = abs(Wide(mu2_at(wide, Wide(c.time)) - 1)), bound = 32 * u * sensitivity(wide, Wide(c.time));
-        failures.check(error <= bound, "μ² - 1", static_cast<double>(error), static_cast<double>(bound),
-                       [&] { return flight_text(f); });
+        double const time = first_contact(f).time;
+        if (time < infinity) check_touch(failures, f, time);
     }
 }
 
@@ -70,6 +74,37 @@ void test_motion_touching()
 {
     check_touching<3>(300, Moving::all);
     check_touching<2>(300, Moving::all);
+}
+
+// From any distance, and in units in which pairs are scaled and in others, a contact is found where there is one.
+template <int D> void check_afar(int flights)
+{
+    Failures failures;
+    Random random(530 + D);
+    for (int n = 0; n < flights; ++n) {
+        auto f = random_flight<D>(random, random.log_uniform(1.0, 30.0), Moving::centres);
+        auto const v = pw85::moved(f.motion2.velocity, -1.0, f.motion1.velocity);
+        double const earlier = random.log_uniform(1.0, 1e8) / norm(v);
+        f.start.r12 = pw85::moved(f.start.r12, -earlier, v);
+        f.end += earlier;
+        int const unit = n % 2 == 0 ? -40 : 0;
+        f.start.r12 = pw85::times_power_of_two(f.start.r12, unit);
+        f.start.q1 = pw85::times_power_of_two(f.start.q1, 2 * unit);
+        f.start.q2 = pw85::times_power_of_two(f.start.q2, 2 * unit);
+        f.motion1.velocity = pw85::times_power_of_two(f.motion1.velocity, unit);
+        f.motion2.velocity = pw85::times_power_of_two(f.motion2.velocity, unit);
+        double const time = first_contact(f).time,
+                     expected = static_cast<double>(first_contact(convert_flight<Wide>(f)).time);
+        failures.check((time < infinity) == (expected < infinity), "afar", time, expected,
+                       [&] { return flight_text(f); });
+        if (time < infinity) check_touch(failures, f, time);
+    }
+}
+
+void test_afar()
+{
+    check_afar<3>(300);
+    check_afar<2>(300);
 }
 
 pw85::SymmetricMatrix<double, 3> sphere(double radius)
@@ -416,6 +451,7 @@ int main(int argc, char **argv)
     g_test_init(&argc, &argv, nullptr);
     g_test_add_func("/first_contact/translation/touching", test_translation_touching);
     g_test_add_func("/first_contact/motion/touching", test_motion_touching);
+    g_test_add_func("/first_contact/translation/afar", test_afar);
     g_test_add_func("/first_contact/spheres", test_spheres);
     g_test_add_func("/first_contact/turning", test_turning);
     g_test_add_func("/first_contact/overlapping", test_overlapping);

@@ -17,10 +17,6 @@ using Real = long double;
 /// Motions of each kind, in three dimensions; half as many in two.
 int motions = 150;
 
-/// What relative errors of the answer, and of forms that turn, may change μ² by: 64 u cond of aspect ratios up to 100, of which
-/// the worst is some 1e3.
-constexpr double rounding = 1e-11;
-
 /// μ², and how far the ellipsoids are apart at least, over the sum of their half-widths, along the normal.
 struct Gap {
     Real mu2, gap, width;
@@ -33,6 +29,13 @@ template <int D> Gap gap_at(Flight<Real, D> const &f, Real time)
     auto const n = pw85::contact_geometry(p.r12, p.q1, p.q2, c.lambda).normal;
     Real const width = std::sqrt(pw85::quadratic_form(p.q1, n)) + std::sqrt(pw85::quadratic_form(p.q2, n));
     return {c.mu2, pw85::dot(n, p.r12) - width, width};
+}
+
+/// What rounding may change μ² by at some time: of forms, 64 u cond for aspect ratios up to 100, of which the worst is some 1e3; and of
+/// positions, on the way from the start, by 2/width for a unit of length.
+template <int D> double rounding(Flight<Real, D> const &f, Real time)
+{
+    return static_cast<double>(1e-11L + 16 * 0x1p-53L * norm(f.start.r12) / gap_at(f, time).width);
 }
 
 /// The largest semi-axis up to the end, at most, times the rate at which what is on it moves about the centre.
@@ -69,8 +72,8 @@ template <int D> Real refined_minimum(Flight<Real, D> const &f, Real a, Real b)
 }
 
 /// The smallest μ² from 0 to a time. A step is as long as the gap lasts at top speed, and where that is less than a thousandth
-/// of the ellipsoids' widths as long as this: then minima between steps are looked for. Ends at an overlap.
-template <int D> Real smallest_mu2(Flight<Real, D> const &f, Real end)
+/// of the ellipsoids' widths as long as this: then minima between steps are looked for. Ends at a μ² below that given.
+template <int D> Real smallest_mu2(Flight<Real, D> const &f, Real end, Real enough)
 {
     Real const speed = top_speed(f);
     Real times[3] = {0, 0, 0}, values[3] = {4, 4, 4}, smallest = std::numeric_limits<Real>::infinity();
@@ -81,20 +84,19 @@ template <int D> Real smallest_mu2(Flight<Real, D> const &f, Real end)
         times[2] = time, values[2] = here.mu2;
         if (values[1] <= values[0] && values[1] <= values[2] && values[1] < 1.1L)
             smallest = std::fmin(smallest, refined_minimum(f, times[0], times[2]));
-        if (time >= end || smallest < 1 - 2 * rounding) return smallest;
+        if (time >= end || smallest < enough) return smallest;
         time = std::fmin(end, time + std::fmax(here.gap, here.width / 1000) / speed);
     }
 }
 
-/// Makes a flight one that grazes, by some depth of either sign: μ² scales with the inverse of the forms. These are not made smaller
-/// than by 100, since positions are rounded to u of the distance, whatever the sizes are.
+/// Makes a flight one that grazes, by some depth of either sign: μ² scales with the inverse of the forms.
 template <int D> Flight<double, D> grazing(Flight<double, D> f, Random &random)
 {
     auto apart = convert_flight<Real>(f);
     Real lowest = gap_at(apart, Real(0)).mu2;
     for (int k = 1; k <= 200; ++k) lowest = std::fmin(lowest, gap_at(apart, apart.end * k / 200).mu2);
     double const depth = (random.uniform(0.0, 1.0) < 0.5 ? -1.0 : 1.0) * random.log_uniform(1e-10, 1e-3);
-    double const factor = std::fmin(100.0, static_cast<double>(lowest)) * (1.0 - depth);
+    double const factor = static_cast<double>(lowest) * (1.0 - depth);
     f.start.q1 = pw85::times(factor, f.start.q1);
     f.start.q2 = pw85::times(factor, f.start.q2);
     return f;
@@ -111,11 +113,12 @@ template <int D> void check_flight(Failures &failures, Flight<double, D> const &
                    "time", c.time, f.end, text);
     if (c.time == 0.0) return; // overlapping
     auto const wide = convert_flight<Real>(f);
-    double const smallest = static_cast<double>(smallest_mu2(wide, std::fmin(Real(c.time), wide.end)));
-    failures.check(smallest >= 1.0 - rounding, "missed", smallest, 1.0, text);
+    Real const last = std::fmin(Real(c.time), wide.end);
+    double const error = rounding(wide, last), smallest = static_cast<double>(smallest_mu2(wide, last, 1 - 2 * error));
+    failures.check(smallest >= 1.0 - error, "missed", smallest, 1.0 - error, text);
     if (!touches) return;
-    double const mu2 = static_cast<double>(gap_at(wide, Real(c.time)).mu2);
-    failures.check(mu2 <= 1.0 + rounding, "no contact", mu2, 1.0, text);
+    double const mu2 = static_cast<double>(gap_at(wide, last).mu2);
+    failures.check(mu2 <= 1.0 + error, "no contact", mu2, 1.0 + error, text);
 }
 
 template <int D> void check_flights(Moving moving, bool graze)

@@ -22,17 +22,18 @@ template <class T> struct FirstContact {
     Status status;
 };
 
-/// The first root ahead of excess - 2 approach·x + speed·x², which is positive at zero; infinity if there is none. What misses zero
-/// by less than the slack has one where it is least.
+/// The first root of excess - 2 approach·x + speed·x², which is positive before it; infinity if there is none, or where it is positive at
+/// zero and grows from there. What misses zero by less than the slack has one where it is least.
 template <class T>
 PW85_FUNCTION inline T first_root(T const &excess, T const &approach, T const &speed, T const &slack) noexcept
 {
-    T const square = approach * approach - speed * excess;
-    if (!(approach > T(0) || speed < T(0)) || !(square + speed * slack >= T(0))) return infinity<T>();
-    return excess / (approach + square_root(maximum(T(0), square)));
+    T const square = approach * approach - speed * excess, root = square_root(maximum(T(0), square));
+    bool const ahead = approach > T(0) || speed < T(0);
+    if (!(ahead || excess < slack) || !(square + speed * slack >= T(0))) return infinity<T>();
+    return ahead ? T(excess / (approach + root)) : T((approach - root) / speed);
 }
 
-/// Item 1 at one λ: rᵀM⁻¹r = target, the level of f = 1, at time 0, and the coefficients of its change.
+/// Item 1 at one λ: rᵀM⁻¹r = target, the level of f = 1, at some time, and the coefficients of its change.
 template <class T, int D> struct Passage {
     Vector<T, D> s, s_velocity; ///< M⁻¹r, M⁻¹v
     T excess, slack;            ///< rᵀM⁻¹r - target, and what rounding can make of it
@@ -71,15 +72,29 @@ PW85_FUNCTION inline Passage<T, D> passage(Vector<T, D> const &r12, Vector<T, D>
     return {s, v, dot(r12, s) - target, slack_of_form(m, s), -dot(velocity, s), dot(velocity, v)};
 }
 
-/// Where item 1 leads to. A pair that would miss by no more than rounding touches; one that overlaps by no more and separates
-/// does not.
-template <class T, int D> PW85_FUNCTION inline Prospect prospect(Passage<T, D> const &p, T &time) noexcept
+/// Whether a passage is to be seen from nearer: roundings of rᵀM⁻¹r, 16 u cond of the target and more, hide what little the square of
+/// its nearest value may miss the target by.
+template <class T, int D> PW85_FUNCTION constexpr bool is_far(Passage<T, D> const &p, T const &target) noexcept
 {
+    return p.excess > T(15) * target;
+}
+
+/// Where item 1 leads to from `origin` on, a time that a contact is not before. A pair that would miss by no more than rounding touches;
+/// one that overlaps at time 0 by no more and separates does not. From afar the discriminant errs by the rounding of rᵀM⁻¹r, and as
+/// that of vᵀM⁻¹v and twice that of rᵀM⁻¹v is as much where v points at the other ellipsoid, by four times that: so much is left for later.
+template <class T, int D>
+PW85_FUNCTION inline Prospect prospect(Passage<T, D> const &p, T const &target, T const &origin, T &time) noexcept
+{
+    bool const starts = !(origin > T(0));
     time = T(0);
-    if (p.excess > -T(touching_tolerance) * p.slack && p.approach < T(0)) return Prospect::none;
-    if (!(p.excess > T(0))) return Prospect::near;
-    time = first_root(p.excess, p.approach, p.speed, p.slack);
-    return time < infinity<T>() ? Prospect::contact : Prospect::none;
+    if (starts && p.excess > -T(touching_tolerance) * p.slack && p.approach < T(0)) return Prospect::none;
+    if (starts && !(p.excess > T(0))) return Prospect::near;
+    bool const far = is_far(p, target);
+    time = first_root(far ? T(p.excess - T(4) * p.slack) : p.excess, p.approach, p.speed, far ? T(0) : p.slack);
+    if (!(time < infinity<T>())) return Prospect::none;
+    if (origin + time > T(0)) return Prospect::contact;
+    time = -origin;
+    return Prospect::near;
 }
 
 /// The largest number of values of t that find_passage() tries: those of search(), of which each but the last ends the search for
@@ -115,17 +130,19 @@ find_passage(Pair<T, D> const &pair, Vector<T, D> const &velocity, T const &tang
 {
     T const smallest = smallest_number<T>(), largest = largest_number<T>();
     Bracket<T> bracket{smallest, largest, T(1024)};
-    T t = clamp(bracket, initial_guess(pair)), shortest = T(2);
+    T t = clamp(bracket, initial_guess(pair)), shortest = T(2), origin = T(0);
     bool last = false;
     for (int i = 1; i <= max_passages; ++i) {
         auto const m = blend(pair.q1, t, pair.q2);
         auto const factors = factorize(m, T(unit_roundoff<T>()));
         T const target = target_at(tangent, pair.ratio, t);
-        auto const p = passage(pair.r12, velocity, target, m, factors);
+        auto const p = passage(moved(pair.r12, origin, velocity), velocity, target, m, factors);
         T time;
-        Prospect const expected = prospect(p, time);
-        if (expected == Prospect::none || time > end) return {infinity<T>(), Status::success};
-        if (last) return {time, Status::success};
+        Prospect const expected = prospect(p, target, origin, time);
+        T const reached = origin + time;
+        if (expected == Prospect::none || reached > end) return {infinity<T>(), Status::success};
+        bool const far = is_far(p, target) && reached > origin;
+        if (last) return {reached, Status::success};
         Vector<T, D> const arm = moved(p.s, time, p.s_velocity), q = product(pair.q2, arm);
         auto const weights = outer_weights(arm);
         T const a = positive_form(pair.q1, weights), b = positive_form(pair.q2, weights);
@@ -135,38 +152,25 @@ find_passage(Pair<T, D> const &pair, Vector<T, D> const &velocity, T const &tang
         bool const near = is_near(s) && step.denominator > T(0) && is_within(step, T(2));
         T const size = near ? T(absolute(step.numerator) / step.denominator) : T(2);
         T const image = minimum(largest, maximum(smallest, T(square_root(T(T(1) / jet.b)) / pair.ratio)));
-        (image > t ? bracket.lower : bracket.upper) = t;
+        if (!far) (image > t ? bracket.lower : bracket.upper) = t; // a time before the root tells no side
         // The delay is right to rounding; where passages graze, with little change of f in time, it may shift the maximum.
         T const root = p.approach - p.speed * time;
-        if (expected == Prospect::contact && size <= final_step<T>() &&
-            size * size * p.approach < last_passage_step<T>() * root) {
-            time = time + delay(s, pair.ratio, t, root, target);
-            return {time > end ? infinity<T>() : time, Status::success};
+        T const shift = size * size, grazing = last_passage_step<T>() * root;
+        if (expected == Prospect::contact && !far && size <= final_step<T>() &&
+            shift * shift * p.speed * target < grazing * grazing) {
+            T const touched = reached + delay(s, pair.ratio, t, root, target);
+            return {touched > end ? infinity<T>() : touched, Status::success};
         }
-        last =
-            size <= last_passage_step<T>() || bracket.upper <= bracket.lower + last_passage_step<T>() * bracket.lower;
-        bool const halves = size <= T(0.5) * shortest;
-        shortest = minimum(shortest, size);
+        origin = reached;
+        last = !far && (size <= last_passage_step<T>() ||
+                        bracket.upper <= bracket.lower + last_passage_step<T>() * bracket.lower);
+        bool const halves = far || size <= T(0.5) * shortest;
+        if (!far) shortest = minimum(shortest, size);
         T const next = t * (near ? exponential(step) : secular_factor(jet, pair.ratio, t));
         t = clamp(bracket, next > smallest && next < largest ? next : image);
         if (i > 5 && !halves && !last) t = probe(bracket);
     }
     return {quiet_nan<T>(), Status::no_convergence};
-}
-
-/// How long a pair is so far apart that its passage is better seen from nearer: where r is many times the sizes, roundings of its
-/// square hide what little its direction may change. The square of the sum of the radii of spheres around the ellipsoids is at most twice
-/// that of the traces.
-template <class T, int D> PW85_FUNCTION inline T time_far(Pair<T, D> const &pair, Vector<T, D> const &velocity) noexcept
-{
-    T trace1 = T(0), trace2 = T(0);
-    for (int i = 0; i < D; ++i) {
-        trace1 = trace1 + pair.q1(i, i);
-        trace2 = trace2 + pair.q2(i, i);
-    }
-    T const reach = T(2) * (trace1 + trace2 / (pair.ratio * pair.ratio)), square = dot(pair.r12, pair.r12);
-    if (!(square > T(16) * reach)) return T(0);
-    return first_root(T(square - reach), T(-dot(pair.r12, velocity)), dot(velocity, velocity), T(0));
 }
 
 /// first_contact() of a valid pair that only translates.
@@ -177,12 +181,8 @@ first_contact_of_translation(ScaledPair<T, D> const &scaled, Vector<T, D> const 
     int const unit = largest > T(0) ? binary_exponent(largest) : 0, exponent = scaled.length - unit; // of time
     Vector<T, D> const v = times_power_of_two(scaled.swapped ? times(T(-1), velocity) : velocity, -unit);
     T const tangent = times_power_of_two(T(1), 2 * (scaled.form - scaled.length));
-    Pair<T, D> pair = scaled.pair;
-    T const wait = time_far(pair, v), left = times_power_of_two(end, -exponent) - wait;
-    if (!(left >= T(0))) return {infinity<T>(), Status::success};
-    pair.r12 = moved(pair.r12, wait, v);
-    auto result = find_passage(pair, v, tangent, left);
-    result.time = times_power_of_two(T(wait + result.time), exponent);
+    auto result = find_passage(scaled.pair, v, tangent, times_power_of_two(end, -exponent));
+    result.time = times_power_of_two(result.time, exponent);
     return result;
 }
 
