@@ -138,6 +138,18 @@ void test_spheres()
     }
 }
 
+// A grain of dust and a globe, whose squared ratio is beyond the range of double.
+void test_sizes()
+{
+    Sample<double, 3> const spheres{{3e120, 0.0, 0.0}, sphere(1e-120), sphere(1e120)};
+    pw85::Motion<double, 3> const coming{{-1e120, 0.0, 0.0}, {0.0, 0.0, 0.0}, 0.0}, still{};
+    for (auto const &[motion1, motion2] :
+         {std::pair{still, coming}, std::pair{pw85::Motion<double, 3>{{1e120, 0.0, 0.0}, {}, 0.0}, still}}) {
+        double const time = first_contact(Flight<double, 3>{spheres, motion1, motion2, 10.0}).time;
+        g_assert_cmpfloat(std::fabs(time - 2.0), <=, 1e-14);
+    }
+}
+
 // Rods turning about the z axis, |r| apart: one stands across, and the other sweeps until it touches. At the end of a quarter
 // turn the tips meet where the sum of the lengths is the distance; and spheroids that turn about their own axes do not change.
 void test_turning()
@@ -453,6 +465,7 @@ int main(int argc, char **argv)
     g_test_add_func("/first_contact/motion/touching", test_motion_touching);
     g_test_add_func("/first_contact/translation/afar", test_afar);
     g_test_add_func("/first_contact/spheres", test_spheres);
+    g_test_add_func("/first_contact/sizes", test_sizes);
     g_test_add_func("/first_contact/turning", test_turning);
     g_test_add_func("/first_contact/overlapping", test_overlapping);
     g_test_add_func("/first_contact/after_collision", test_after_collision);

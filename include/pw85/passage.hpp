@@ -119,7 +119,8 @@ template <class T> PW85_FUNCTION constexpr T last_passage_step() noexcept
 template <class T>
 PW85_FUNCTION inline T delay(Slope<T> const &s, T const &ratio, T const &t, T const &root, T const &target) noexcept
 {
-    T const tau = ratio * ratio * t, lambda = tau / (T(1) + tau), step = s.difference * s.weight / (s.sum * s.k);
+    T const tau = T(ratio * t) * ratio, lambda = T(1) / (T(1) + T(1) / tau); // whatever leaves the range of T
+    T const step = s.difference * s.weight / (s.sum * s.k);
     T const level = T(0.5) * (s.sum + (T(1) - T(2) * lambda) * s.difference);
     return T(0.25) * (lambda * (T(1) - lambda)) * (s.difference / level) * step * (target / root);
 }
