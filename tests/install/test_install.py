@@ -13,6 +13,7 @@ import shutil
 import subprocess
 import sys
 import tempfile
+import xml.etree.ElementTree as ElementTree
 from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
@@ -112,12 +113,24 @@ class Installation:
             raise Failed(f"without a tag of those who package: {untagged}")
 
     def check_symbols(self):
-        """Shared libraries export what begins with pw85, and no more."""
-        for name in ("libpw85.so", "libpw85_legacy.so"):
-            symbols = exported_symbols(self.libdir / name)
-            foreign = [symbol for symbol in symbols if not symbol.startswith("pw85")]
-            if foreign or not symbols:
-                raise Failed(f"{name} exports {foreign or 'nothing'}")
+        """Shared libraries export the functions that Debian's package lists, each with its first version, and nothing else; those
+        with which releases are compared are among them."""
+        listed = {}
+        for line in (self.source / "debian/libpw85-3.symbols").read_text().splitlines():
+            if line.startswith(" "):
+                listed[library].add(line.split("@")[0].strip())
+            else:
+                library = line.split(".so")[0]
+                listed[library] = set()
+        for library, names in listed.items():
+            exported = set(exported_symbols(self.libdir / f"{library}.so"))
+            if exported != names:
+                raise Failed(f"{library}.so exports {sorted(exported - names)}, which debian/libpw85-3.symbols does not have, and not "
+                             f"{sorted(names - exported)}")
+            record = ElementTree.parse(self.source / f"scripts/abi/{library}.abi")
+            recorded = {symbol.get("name") for symbol in record.iter("elf-symbol")}
+            if not recorded or recorded - exported:
+                raise Failed(f"{library}.so does not export {sorted(recorded - exported) or 'anything known'} of scripts/abi")
 
     def environment(self):
         return {"PKG_CONFIG_PATH": str(self.libdir / "pkgconfig"), "LD_LIBRARY_PATH": str(self.libdir)}
