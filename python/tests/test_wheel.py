@@ -83,7 +83,7 @@ def test_metadata(information):
 
 def test_libraries(installed):
     """No more than what every system with wheels has (PEP 600), and the run-time library of OpenMP, which auditwheel puts into the
-    wheel: auditwheel is no package of Debian, so that this stands for its check."""
+    wheel (scripts/test_wheel.sh): this says it without auditwheel, which Debian 12 lacks."""
     (extension,) = (installed / "pypw85").glob("_core*.so")
     needed = set(re.findall(r"NEEDED.*\[([\w+-]+)\.so", run("readelf", "--dynamic", "--wide", str(extension))))
     assert needed <= {"libc", "libm", "libstdc++", "libgcc_s", "libpthread", "libdl", "libgomp",
