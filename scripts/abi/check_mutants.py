@@ -26,7 +26,8 @@ CHANGES = [
         (SOURCE, "const q2[3], double *distance)", "const q2[3], double *distance, int)")]),
     ("a parameter has another type", False, [
         (HEADER, "const q2[3], double *distance)", "const q2[3], float *distance)"),
-        (SOURCE, f"{ELLIPSES}\n{{", f"{ELLIPSES.replace('double *distance', 'float *')}\n{{\n    double *distance = nullptr;")]),
+        (SOURCE, f"{ELLIPSES}\n{{", f"{ELLIPSES.replace('double *distance', 'float *')}\n"
+         "{\n    double *distance = nullptr;")]),
     ("a function returns something else", False, [
         (HEADER, "PW85_API int pw85_zheng_ellipses(", "PW85_API long pw85_zheng_ellipses("),
         (SOURCE, ELLIPSES, ELLIPSES.replace("int", "long", 1))]),
@@ -41,8 +42,9 @@ CHANGES = [
 
 
 def copy_tree(target):
-    files = subprocess.run(["git", "ls-files", "--cached", "--others", "--exclude-standard"], cwd=ROOT, check=True, text=True, stdout=subprocess.PIPE).stdout.split()
-    present = [file for file in files if (ROOT / file).is_file()]
+    listed = subprocess.run(["git", "ls-files", "--cached", "--others", "--exclude-standard"], cwd=ROOT, check=True, text=True,
+                            stdout=subprocess.PIPE)
+    present = [file for file in listed.stdout.split() if (ROOT / file).is_file()]
     subprocess.run(["cp", "--parents", "-t", str(target), *present], cwd=ROOT, check=True)
 
 
