@@ -90,6 +90,21 @@ def test_libraries(installed):
                       "ld-linux-x86-64", "ld-linux-aarch64"}
 
 
+def test_cibuildwheel():
+    """What pyproject.toml tells cibuildwheel agrees with the rest of it."""
+    tomllib = pytest.importorskip("tomllib")
+    project = tomllib.loads((SOURCE / "pyproject.toml").read_text(encoding="utf-8"))
+    table = project["tool"]["cibuildwheel"]
+    oldest = min(int(minor) for minor in re.findall(r"cp3(\d+)-\*", table["build"]))
+    assert project["project"]["requires-python"] == f">= 3.{oldest}"
+    assert (SOURCE / re.fullmatch(r"python {project}/(\S+)", table["test-command"])[1]).is_file()
+    for system in ("linux", "macos"):
+        assert re.search(r"three-[\d.]+\.tgz \| tar -xz -C /tmp", table[system]["before-all"])
+    assert table["config-settings"] == {"setup-args": "-Dthree=/tmp/package"}  # npm's packages unpack to that folder
+    image = re.search(r"cibuildwheel[^`]*``(manylinux\w+)``", (SOURCE / "docs/installation.rst").read_text(encoding="utf-8"))[1]
+    assert {table["linux"][f"manylinux-{machine}-image"] for machine in ("x86_64", "aarch64")} == {image}
+
+
 def test_use(installed, tmp_path):
     program = "import pypw85; print(pypw85.__file__); print(pypw85.contact([2, 0, 0], *[[1, 0, 0, 1, 0, 1]] * 2)[0])"
     environment = {**os.environ, "PYTHONPATH": str(installed)}
