@@ -131,7 +131,7 @@ def _box(words: list[str], lines: Lines) -> tuple[Floats, Floats, list[bool]]:
         return rows[:, :3], rows[:, 3], periodic
     columns = 3 if words[:1] == ["xy"] else 2
     rows = np.array([lines.numbers(lines.expect("the box"), columns, "bounds of the box") for _ in range(3)])
-    xy, xz, yz = map(float, rows[:, 2] if columns == 3 else (0, 0, 0))
+    xy, xz, yz = map(float, rows[:, 2] if columns == 3 else np.zeros(3))
     low = rows[:, 0] - [min(0.0, xy, xz, xy + xz), min(0.0, yz), 0.0]
     high = rows[:, 1] - [max(0.0, xy, xz, xy + xz), max(0.0, yz), 0.0]
     cell = np.diag(high - low)
