@@ -7,6 +7,7 @@ as source, or ask another host for anything. Screenshots of the first screen of 
 import contextlib
 import functools
 import http.server
+import shutil
 import tempfile
 import threading
 
@@ -72,7 +73,9 @@ def browser(more_options):
         for option in [*OPTIONS, *more_options, f"--user-data-dir={profile}"]:
             options.add_argument(option)
         options.set_capability("goog:loggingPrefs", {"browser": "ALL"})
-        driver = webdriver.Chrome(options=options)
+        # Without a path, newer Selenium looks for a driver on the network.
+        service = webdriver.chrome.service.Service(shutil.which("chromedriver"))
+        driver = webdriver.Chrome(options=options, service=service)
         try:
             yield driver
         finally:

@@ -95,8 +95,8 @@ def _render(system: System, view: _View, colours: Floats) -> Floats:
     """Pixels (height, width, 4): of each, the ellipsoid nearest to the viewer, lit from the upper left."""
     image, depth = np.zeros((view.height, view.width, 4)), np.full((view.height, view.width), -np.inf)
     light = np.array([-0.3, 0.4, 0.87])
-    centers = system.centers @ view.axes.T
-    forms = view.axes @ full(system.q) @ view.axes.T
+    centers: Any = system.centers @ view.axes.T
+    forms: Any = view.axes @ full(system.q) @ view.axes.T
     inverses = np.linalg.inv(forms)
     for center, form, inverse, colour in zip(centers, forms, inverses, colours):
         rows, columns, offset = _window(center, form, view)

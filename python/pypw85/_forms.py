@@ -268,7 +268,7 @@ def principal_axes(q: ArrayLike) -> tuple[Floats, Floats]:
 
 
 def _principal_axes(form: Floats) -> tuple[Floats, Floats]:
-    finite = np.isfinite(form).all(axis=-1, keepdims=True)
+    finite = np.all(np.isfinite(form), axis=-1, keepdims=True)
     squares, rotation = np.linalg.eigh(_full(np.where(finite, form, 0)))
     good = finite[..., 0] & (squares[..., 0] > 0)
     if form.ndim == 1 and not good:

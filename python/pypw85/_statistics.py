@@ -75,7 +75,7 @@ def correlation(system: System, reach: float = 2.0, bins: int = 100) -> Correlat
         raise ValueError("a pair correlation needs a cell, for the density: give one (--cell)")
     found = system.neighbors(reach)
     mu2 = contact_pairs(found.pairs, system.centers, system.q, system.cell, images=found.images)[0]
-    edges = np.linspace(0, reach, bins + 1)
+    edges = np.linspace(0, reach, bins + 1, dtype=np.float64)
     random = np.random.default_rng(0)
     first, second = random.integers(0, len(system), (2, _SAMPLES))
     distance = closest_approach(random.normal(size=(_SAMPLES, 3)), system.q[first], system.q[second])

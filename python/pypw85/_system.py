@@ -89,7 +89,7 @@ class System:
             if len(rows) != n:
                 raise ValueError(f"{n} centers, but {len(rows)} {name}")
         self.periodic: tuple[bool, ...] = tuple(
-            np.broadcast_to(np.asarray(periodic, dtype=bool) & (self.cell is not None), 3).tolist()
+            map(bool, np.broadcast_to(np.asarray(periodic, dtype=bool) & (self.cell is not None), 3))
         )
         self.origin, self.step, self.shapeless = np.asarray(origin, dtype=np.float64), int(step), shapeless
         self._axes: tuple[Floats, Floats] | None = None
@@ -166,7 +166,7 @@ class System:
             float(closest.mu[0]) if len(closest.mu) else None,
             nearest_image_limit(self.q, self.cell) if self.cell is not None and all(self.periodic) else None,
             self._contacts(candidates, below),
-            Contacts(*(np.asarray(column)[:worst] for column in closest)),
+            Contacts._make(np.asarray(column)[:worst] for column in closest),
         )
 
     def draw(

@@ -4,7 +4,6 @@
 
 #ifdef _OPENMP
 #include <omp.h>
-#include <pthread.h>
 #endif
 
 #include <string>
@@ -135,17 +134,33 @@ PyModuleDef definition = {
     PyModuleDef_HEAD_INIT, "_core", "The compiled part of pypw85.", -1, methods, nullptr, nullptr, nullptr, nullptr,
 };
 
+#ifdef _OPENMP
+PyObject *limit_threads(PyObject *, PyObject *)
+{
+    omp_set_num_threads(1);
+    Py_RETURN_NONE;
+}
+
+PyMethodDef after_fork = {"limit_threads", limit_threads, METH_NOARGS, "For a process that was forked."};
+#endif
+
 /// The threads of GNU OpenMP do not survive fork(), on which multiprocessing may rely: the child would wait for them
-/// for ever. One thread, the child's own, needs no others.
+/// for ever. One thread, the child's own, needs no others. Python's handlers come after those of pthread_atfork(), where
+/// PyTorch sets its own number.
 bool limit_threads_after_fork()
 {
 #ifdef _OPENMP
-    if (pthread_atfork(nullptr, nullptr, [] { omp_set_num_threads(1); }) != 0) {
-        PyErr_NoMemory();
-        return false;
-    }
-#endif
+    Reference os(PyImport_ImportModule("os"));
+    if (os == nullptr) return false;
+    if (!PyObject_HasAttrString(os.get(), "register_at_fork")) return true; // a system without fork()
+    Reference function(PyObject_GetAttrString(os.get(), "register_at_fork")), none(PyTuple_New(0));
+    Reference handler(PyCFunction_New(&after_fork, nullptr));
+    if (function == nullptr || none == nullptr || handler == nullptr) return false;
+    Reference keywords(Py_BuildValue("{s:O}", "after_in_child", handler.get()));
+    return keywords != nullptr && Reference(PyObject_Call(function.get(), none.get(), keywords.get())) != nullptr;
+#else
     return true;
+#endif
 }
 
 PyObject *create_module()

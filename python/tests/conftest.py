@@ -5,6 +5,9 @@ import pytest
 
 import pypw85
 
+# Numbers in doctests are printed bare, as NumPy did before 2.0.
+np.set_printoptions(legacy="1.21")
+
 
 @pytest.fixture
 def rng():

@@ -241,8 +241,30 @@ def test_closed_pipe(folder):
     command = subprocess.Popen([*PW85, "check", "a.dump"], stdout=subprocess.PIPE, stderr=subprocess.PIPE)
     command.stdout.readline()
     command.stdout.close()
-    assert command.stderr.read() == b""
+    errors = command.stderr.read()  # and, if it takes longer than a second, its progress
+    assert b"Exception" not in errors and b"Traceback" not in errors, errors.decode()
     command.wait(timeout=60)
+
+
+SLOW = """
+import os, time
+from pypw85.cli._progress import progress, say
+try:
+    with progress():
+        say("the reader has gone")
+        time.sleep(1.5)  # until the progress is shown
+except BrokenPipeError:
+    os._exit(3)
+"""
+
+
+def test_closed_pipe_of_a_slow_command():
+    reader, writer = os.pipe()
+    os.close(reader)
+    buffered = {**os.environ, "PYTHONUNBUFFERED": ""}
+    done = subprocess.run([sys.executable, "-c", SLOW], env=buffered, stdout=writer, stderr=subprocess.PIPE)
+    os.close(writer)
+    assert (done.returncode, done.stderr) == (3, b"")
 
 
 def test_help(run):

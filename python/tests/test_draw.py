@@ -95,7 +95,8 @@ def test_page_in_a_browser(run, tmp_path):
     for argument in [*CHROMIUM, f"--user-data-dir={tmp_path / 'profile'}"]:
         options.add_argument(argument)
     options.set_capability("goog:loggingPrefs", {"browser": "ALL"})
-    with selenium.Chrome(options=options) as browser:
+    service = selenium.chrome.service.Service(shutil.which("chromedriver"))  # else newer Selenium looks for one on the network
+    with selenium.Chrome(options=options, service=service) as browser:
         browser.get(f"file://{tmp_path / 'a.html'}")
         assert not [entry for entry in browser.get_log("browser") if entry["level"] == "SEVERE"]
         body = browser.find_element("tag name", "body")

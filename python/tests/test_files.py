@@ -185,14 +185,15 @@ B 4 5 6 1 1 1 0 0 0.6 0.8
 def test_gsd_shapes(tmp_path):
     import gsd.hoomd
 
-    snapshot = gsd.hoomd.Snapshot() if hasattr(gsd.hoomd, "Snapshot") else gsd.hoomd.Frame()
+    is_new = hasattr(gsd.hoomd, "Frame")  # since gsd 2.8
+    snapshot = gsd.hoomd.Frame() if is_new else gsd.hoomd.Snapshot()
     snapshot.configuration.box = [8, 9, 10, 0.5, 0.25, 0.125]
     snapshot.particles.N = 3
     snapshot.particles.typeid = [0, 1, 2]
     snapshot.particles.types = ["A", "B", "C"]
     snapshot.particles.type_shapes = [{"type": "Ellipsoid", "a": 1, "b": 2, "c": 3}, {"type": "Sphere", "diameter": 1}, {}]
     snapshot.particles.position = [[0, 0, 0], [1, 1, 1], [2, 2, 2]]
-    with gsd.hoomd.open(str(tmp_path / "a.gsd"), "wb") as out:
+    with gsd.hoomd.open(str(tmp_path / "a.gsd"), "w" if is_new else "wb") as out:
         out.append(snapshot)
     system = pypw85.read(tmp_path / "a.gsd")
     np.testing.assert_array_equal(system.semi_axes, [[1, 2, 3], [0.5, 0.5, 0.5]])

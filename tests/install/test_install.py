@@ -57,7 +57,7 @@ def exported_symbols(library):
 
 def units(build, source):
     """The units of the library with the flags that matter for what they become."""
-    of_no_matter = re.compile(r"-[IMWc]|-D_FILE_OFFSET_BITS=|-DBOOST_ALL_NO_LIB|-fdiagnostics-color|-isystem|[^-]")
+    of_no_matter = re.compile(r"-[IMWc]|-D_FILE_OFFSET_BITS=|-DBOOST_ALL_NO_LIB|-DNDEBUG|-fdiagnostics-color|-isystem|[^-]")
     found = []
     for unit in json.loads((build / "compile_commands.json").read_text()):
         file = (build / unit["file"]).resolve()
@@ -255,7 +255,7 @@ class Installation:
         for wanted, accepted in (("3", True), ("3.0.0", True), ("2", False), ("4", False), ("3.0...<4", True),
                                  ("1...3.0.0", True), ("1...<3", False), ("3.1...4", False), ("1...<3.0.0", False)):
             try:
-                run("cmake", "-S", folder, "-B", folder / wanted.replace("<", "-"), f"-DWANTED={wanted}",
+                run("cmake", "-G", "Ninja", "-S", folder, "-B", folder / wanted.replace("<", "-"), f"-DWANTED={wanted}",
                     f"-DCMAKE_PREFIX_PATH={self.prefix}")
                 found = True
             except Failed:

@@ -39,3 +39,4 @@ def _show(stage: list[str], finished: threading.Event) -> None:
 def say(line: str, to: TextIO | None = None) -> None:
     """Prints a line, to stdout by default, without damage to that of the progress."""
     tqdm.write(line, to)
+    (to or sys.stdout).flush()  # or tqdm would, in the thread that shows progress, for which a closed pipe is an error

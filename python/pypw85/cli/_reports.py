@@ -42,6 +42,7 @@ Add = Callable[[Found], None]
 
 @contextlib.contextmanager
 def csv_report(path: str) -> Iterator[Add]:
+    file: Any  # the types of NumPy ask of savetxt() a file of bytes
     with replacing(path) as temporary, open(temporary, "w", encoding="utf-8") as file:
         file.write(",".join(_COLUMNS) + "\n")
 
@@ -78,7 +79,7 @@ def _as_json(found: Found) -> dict[str, Any]:
 def _lists(contacts: Contacts) -> Iterator[list[Any]]:
     """Columns as lists; JSON knows no NaN, which point and normal are at a common centre."""
     for column in map(np.asarray, contacts[1:]):
-        plain = column.astype(object)
+        plain: Any = column.astype(object)
         plain[plain != plain] = None
         yield plain.tolist()
 

@@ -121,7 +121,7 @@ class _Summary:
         say(_LINE.format(found.frame, found.step, report.particles, _number(report.packing_fraction),
                                 report.pairs_tested, report.overlaps, _number(report.smallest_mu)))  # fmt: skip
         self._warn(found)
-        rows = zip(report.worst.mu.tolist(), itertools.repeat(found.frame), found.worst_ids, *report.worst[1:2], *report.worst[4:])
+        rows = zip(map(float, report.worst.mu), itertools.repeat(found.frame), found.worst_ids, *report.worst[1:2], *report.worst[4:])
         self.worst = sorted([*self.worst, *rows], key=lambda row: row[:2])[: self.count]
 
     def _header(self, found: Found) -> None:

@@ -110,15 +110,15 @@ class Frame:
     def _check_positions(self) -> None:
         if not len(self.positions):
             raise self.error("there are no particles")
-        self._first(~np.isfinite(self.positions).all(axis=1), "has a position that is not finite: remove or repair it")
+        self._first(~np.all(np.isfinite(self.positions), axis=1), "has a position that is not finite: remove or repair it")
 
     def _check_shapes(self) -> NDArray[np.bool_]:
         if self.shapes is None:
             raise self.error("there are no shapes: name their columns, or give one shape for all particles (--shape)")
-        has_shape: NDArray[np.bool_] = ~(self.shapes == 0).all(axis=1)
+        has_shape: NDArray[np.bool_] = ~np.all(self.shapes == 0, axis=1)
         if not has_shape.any():
             raise self.error("no particle has a shape: write shapes, or give one for all particles (--shape)")
-        self._first(~(np.isfinite(self.shapes) & ((self.shapes > 0) | ~has_shape[:, None])).all(axis=1),
+        self._first(~np.all(np.isfinite(self.shapes) & ((self.shapes > 0) | ~has_shape[:, None]), axis=1),
                     "has a length that is not positive: correct its shape, or write 0 0 0 for none")  # fmt: skip
         return has_shape
 

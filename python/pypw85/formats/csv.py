@@ -7,7 +7,7 @@ holds the nine components of the vectors of a cell, ``# origin`` three, ``# peri
 from __future__ import annotations
 
 import os
-from typing import IO
+from typing import IO, Any
 from collections.abc import Iterator
 
 import numpy as np
@@ -83,6 +83,6 @@ def save(file: IO[str], system: System, frame: int) -> None:
             file.write(f"# {name} {' '.join(f'{value:.17g}' for value in np.ravel(values))}\n")
         file.write(f"# periodic {' '.join('FT'[flag] for flag in system.periodic)}\n")
     file.write(",".join(["id", "type", *_POSITION, *_SHAPE, *_QUATERNION]) + "\n")
-    rows = np.column_stack([system.centers, system.semi_axes, system.quaternions])
+    rows: Any = np.column_stack([system.centers, system.semi_axes, system.quaternions])
     for name, kind, row in zip(system.ids, system.types, rows):
         file.write(f"{name},{kind},{','.join(f'{value:.17g}' for value in row)}\n")

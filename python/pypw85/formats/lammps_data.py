@@ -112,7 +112,7 @@ def _shapes(path: os.PathLike[str], atoms: Table, ellipsoids: Table | None) -> t
     return shapes, quaternions
 
 
-def save(file: IO[str], system: System, frame: int) -> None:
+def save(file: IO[Any], system: System, frame: int) -> None:
     if frame:
         raise ValueError("a data file of LAMMPS holds one frame: choose one (--frames)")
     cell, low = box(system)

@@ -132,7 +132,7 @@ def _box(words: list[str], lines: Lines) -> tuple[Floats, Floats, list[bool]]:
         return rows[:, :3], rows[:, 3], periodic
     columns = 3 if words[:1] == ["xy"] else 2
     rows = np.array([lines.numbers(lines.expect("the box"), columns, "bounds of the box") for _ in range(3)])
-    xy, xz, yz = rows[:, 2].tolist() if columns == 3 else [0.0, 0.0, 0.0]
+    xy, xz, yz = map(float, rows[:, 2] if columns == 3 else np.zeros(3))
     low = rows[:, 0] - [min(0.0, xy, xz, xy + xz), min(0.0, yz), 0.0]
     high = rows[:, 1] - [max(0.0, xy, xz, xy + xz), max(0.0, yz), 0.0]
     cell = np.diag(high - low)
@@ -140,9 +140,9 @@ def _box(words: list[str], lines: Lines) -> tuple[Floats, Floats, list[bool]]:
     return cell, low, periodic
 
 
-def save(file: IO[str], system: System, frame: int) -> None:
+def save(file: IO[Any], system: System, frame: int) -> None:
     cell, low = box(system)
-    xy, xz, yz = cell[[1, 2, 2], [0, 0, 1]].tolist()
+    xy, xz, yz = map(float, cell[[1, 2, 2], [0, 0, 1]])
     high = low + np.diag(cell)
     bounds = np.array([[low[0] + min(0, xy, xz, xy + xz), high[0] + max(0, xy, xz, xy + xz), xy],
                        [low[1] + min(0, yz), high[1] + max(0, yz), xz], [low[2], high[2], yz]])  # fmt: skip

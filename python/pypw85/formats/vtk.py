@@ -5,7 +5,7 @@
 
 from __future__ import annotations
 
-from typing import IO
+from typing import IO, Any
 
 import numpy as np
 
@@ -15,7 +15,7 @@ from .._system import System
 SUFFIXES = (".vtk",)
 
 
-def save(file: IO[str], system: System, frame: int) -> None:
+def save(file: IO[Any], system: System, frame: int) -> None:
     if frame:
         raise ValueError("a VTK file holds one frame: choose one (--frames)")
     n = len(system)

@@ -8,7 +8,7 @@ from __future__ import annotations
 import os
 import re
 import shlex
-from typing import IO
+from typing import IO, Any
 from collections.abc import Iterator
 
 import numpy as np
@@ -113,7 +113,7 @@ def save(file: IO[str], system: System, frame: int) -> None:
         keys += [f'Lattice="{_numbers(system.cell)}"', f'Origin="{_numbers(system.origin)}"', f'pbc="{flags}"']
     keys += ["Properties=id:I:1:species:S:1:pos:R:3:aspherical_shape:R:3:orientation:R:4"]
     file.write(f"{len(system)}\n{' '.join(keys)}\n")
-    numbers = np.column_stack([system.centers, system.semi_axes, system.quaternions[:, [1, 2, 3, 0]]])
+    numbers: Any = np.column_stack([system.centers, system.semi_axes, system.quaternions[:, [1, 2, 3, 0]]])
     for name, kind, row in zip(system.ids, system.types, numbers):
         file.write(f"{name} {kind} {_numbers(row)}\n")
 
