@@ -1,7 +1,7 @@
 #!/bin/sh
 # Builds pw85 with its tests for another machine, one of scripts/cross/ whose system is Debian's, and runs them by its emulator. The
 # libraries that tests need come from Debian's packages for that machine, unpacked next to the build: nothing is installed but
-# compilers and emulator. Usage: scripts/test_cross.sh MACHINE [ARGUMENT OF meson test...]
+# compilers and emulator. Usage: scripts/test_cross.sh aarch64-linux-gnu|i686-linux-gnu|s390x-linux-gnu [ARGUMENT OF meson test...]
 set -eu
 cd "$(dirname "$0")/.."
 . scripts/packages.sh
@@ -15,10 +15,6 @@ case $machine in
 aarch64-linux-gnu)
   architecture=arm64
   emulator="['qemu-aarch64', '-L', '$root']"
-  ;;
-powerpc64le-linux-gnu)
-  architecture=ppc64el
-  emulator="['qemu-ppc64le', '-L', '$root']"
   ;;
 s390x-linux-gnu)
   architecture=s390x
