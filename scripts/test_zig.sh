@@ -65,8 +65,10 @@ cpu = '$family'
 endian = 'little'
 END
 rm -rf "$build"
+source=$PWD
+cd "$tools" # where Zig leaves a.o
 # shellcheck disable=SC2086 # a list of words
-BOOST_ROOT=$tools/boost meson setup "$build" --cross-file "$tools/$target.ini" --werror -Dtests=auto -Dgsl=disabled \
+BOOST_ROOT=$tools/boost meson setup "$build" "$source" --cross-file "$tools/$target.ini" --werror -Dtests=auto -Dgsl=disabled \
   -Dgpu=disabled -Dbench=disabled -Dpython=disabled -Dfortran=disabled ${PW85_SETUP_OPTIONS-}
 # All that is linked: libraries, tests and examples.
 meson compile -C "$build"
