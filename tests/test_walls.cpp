@@ -1,8 +1,8 @@
 // Walls, points and lines: include/pw85/walls.hpp, nearest.hpp, line.hpp.
 #include <cmath>
-#include <numbers>
 #include <cstring>
 #include <limits>
+#include <numbers>
 
 #include <glib.h>
 
