@@ -5,6 +5,8 @@ does for integers. Nothing for the flags that the manual calls safe, with which 
 SOURCE_DIR BUILT_INCLUDE_DIR COMPILER...
 """
 
+import os
+import shlex
 import subprocess
 import sys
 import tempfile
@@ -20,6 +22,12 @@ INTEGERS = {
 }
 
 
+def run_program(program):
+    """By the emulator, if any, that Meson names."""
+    wrapper = shlex.split(os.environ.get("MESON_EXE_WRAPPER", ""))
+    return subprocess.run([*wrapper, str(program)], text=True, stdout=subprocess.PIPE)
+
+
 class Compiler:
     def __init__(self, command, includes, work):
         self.command = [*command, *(f"-I{folder}" for folder in includes)]
@@ -33,11 +41,11 @@ class Compiler:
     def run(self, *arguments):
         return subprocess.run([*self.command, *arguments], text=True, stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
 
-    def links(self, flag):
-        """Whether the libraries that a flag stands for are installed."""
-        source = self.work / "empty.cpp"
+    def runs(self, flag):
+        """Whether the libraries that a flag stands for are installed, where programs run."""
+        source, program = self.work / "empty.cpp", self.work / "empty"
         source.write_text("int main() {}\n")
-        return self.run(flag, str(source), "-o", str(self.work / "empty")).returncode == 0
+        return self.run(flag, str(source), "-o", str(program)).returncode == 0 and run_program(program).returncode == 0
 
     def compile(self, text, *flags):
         source = self.work / "unit.cpp"
@@ -64,7 +72,7 @@ def prints(compiler, program, flags):
     built = compiler.run("-std=c++20", *flags, str(program), "-o", str(compiler.work / "program"))
     if built.returncode != 0:
         return False, built.stdout
-    ran = subprocess.run([compiler.work / "program"], text=True, stdout=subprocess.PIPE)
+    ran = run_program(compiler.work / "program")
     return ran.returncode == 0 and ran.stdout == program.with_suffix(".out").read_text(), ran.stdout
 
 
@@ -84,7 +92,7 @@ def cases(compiler, page):
         text = f"{include_all}int main() {{ {statement} }}\n"
         yield name, refused(compiler.compile(text, "-std=c++20"), "write 1.0, not 1", most=3)
     for flag in (page / "safe.txt").read_text().split():
-        if not compiler.links(flag):
+        if not compiler.runs(flag):
             yield f"{flag} is safe # SKIP the compiler lacks its library", (True, "")
             continue
         yield f"{flag} is safe", prints(compiler, page / "contact.cpp", [flag])
