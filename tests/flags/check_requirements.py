@@ -2,7 +2,7 @@
 
 One message that names the cure for an older standard and for arithmetic that is not that of IEEE 754, and the first one
 does for integers. Nothing for the flags that the manual calls safe, with which its program prints what it shows. Usage: check_requirements.py
-SOURCE_DIR BUILT_INCLUDE_DIR COMPILER...
+SOURCE_DIR BUILT_INCLUDE_DIR PROGRAM COMPILER..., with that program as the library's flags make it.
 """
 
 import os
@@ -67,16 +67,20 @@ def accepted(done):
     return done.returncode == 0, done.stdout
 
 
-def prints(compiler, program, flags):
-    """Whether the program of the manual prints with some flags what the manual shows."""
-    built = compiler.run("-std=c++20", *flags, str(program), "-o", str(compiler.work / "program"))
-    if built.returncode != 0:
-        return False, built.stdout
-    ran = run_program(compiler.work / "program")
-    return ran.returncode == 0 and ran.stdout == program.with_suffix(".out").read_text(), ran.stdout
+def prints(program, page):
+    """Whether the program of the manual prints what the manual shows."""
+    ran = run_program(program)
+    return ran.returncode == 0 and ran.stdout == (page / "contact.out").read_text(), ran.stdout
 
 
-def cases(compiler, page):
+def prints_with(compiler, flag, page):
+    program = compiler.work / "program"
+    built = compiler.run("-std=c++20", flag, str(page / "contact.cpp"), "-o", str(program))
+    return prints(program, page) if built.returncode == 0 else (False, built.stdout)
+
+
+def cases(compiler, program, page):
+    yield "the flags of the library", prints(program, page)
     include_all = "".join(f"#include <{entry}>\n" for entry in ENTRIES)
     for entry in ENTRIES:
         for standard in ("c++11", "c++17"):
@@ -95,15 +99,15 @@ def cases(compiler, page):
         if not compiler.runs(flag):
             yield f"{flag} is safe # SKIP the compiler lacks its library", (True, "")
             continue
-        yield f"{flag} is safe", prints(compiler, page / "contact.cpp", [flag])
+        yield f"{flag} is safe", prints_with(compiler, flag, page)
 
 
 def main():
-    source, built_include, *command = sys.argv[1:]
+    source, built_include, program, *command = sys.argv[1:]
     number = 0
     with tempfile.TemporaryDirectory(prefix="pw85-flags-") as work:
         compiler = Compiler(command, [Path(source) / "include", built_include], Path(work))
-        for number, (name, (ok, output)) in enumerate(cases(compiler, Path(source) / "docs/flags"), 1):
+        for number, (name, (ok, output)) in enumerate(cases(compiler, program, Path(source) / "docs/flags"), 1):
             print(f"{'ok' if ok else 'not ok'} {number} {name}", flush=True)
             if not ok:
                 print("\n".join(f"# {line}" for line in output.splitlines()), flush=True)
