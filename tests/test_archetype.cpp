@@ -9,6 +9,7 @@
 
 #include <pw85/pw85.hpp>
 
+#include "draws.hpp"
 #include "failures.hpp"
 #include "random_pairs.hpp"
 
@@ -142,7 +143,7 @@ template <int D> void test_number()
 {
     Failures failures;
     Random random(200 + D);
-    for (int n = 0; n < 1000; ++n) {
+    for (int n = 0; n < draws(1000); ++n) {
         auto const s = pair_of_any_kind<D>(random, n);
         auto const r12 = to<Number>(s.r12);
         auto const q1 = to<Number>(s.q1), q2 = to<Number>(s.q2);
@@ -183,7 +184,7 @@ template <int D> void test_lanes()
 {
     Failures failures;
     Random random(210 + D);
-    for (int n = 0; n < 1000; ++n) {
+    for (int n = 0; n < draws(1000); ++n) {
         auto const s = pair_of_any_kind<D>(random, n);
         pw85::Pair<Lanes, D> const pair{to<Lanes>(s.r12), to<Lanes>(s.q1), to<Lanes>(s.q2), Lanes(1.0)};
         pw85::Pair<double, D> const plain{s.r12, s.q1, s.q2, 1.0};

@@ -11,6 +11,7 @@
 
 #include <pw85.h>
 
+#include "draws.hpp"
 #include "failures.hpp"
 #include "random_pairs.hpp"
 #include "reference_data.hpp"
@@ -47,7 +48,7 @@ void test_rounds()
     for (auto const &[aspect, rounds] : {Row{10.0, 1}, Row{1e6, 2}, Row{1e9, 3}, Row{1e36, 3}}) {
         Random random(120);
         int most = 0;
-        for (int n = 0; n < 20000; ++n) {
+        for (int n = 0; n < draws(20000); ++n) {
             pw85::Pair<double, 3> pair;
             if (!in_range(pair_of_aspect(random, aspect), pair)) continue;
             auto const rough = pw85::brent::maximizer_by_brent(pair, options);
@@ -94,7 +95,7 @@ void test_slender()
     int searched = 0;
     for (double const aspect : {1e6, 1e8, 1e9, 1e12, 1e20, 1e36}) {
         Random random(121);
-        for (int n = 0; n < 4000; ++n) {
+        for (int n = 0; n < draws(4000); ++n) {
             auto const p = pair_of_aspect(random, aspect);
             pw85::Pair<double, 3> pair;
             if (!in_range(p, pair)) continue;
@@ -112,7 +113,7 @@ void test_slender()
     }
     g_test_message("largest error %.2f u cond; %d of %ld pairs were left to the search", worst, searched,
                    failures.checked() / 2);
-    g_assert_cmpint(searched, >, 100);
+    g_assert_cmpint(searched, >, draws(100));
 }
 
 // A thin disc on the axis of a huge sphere, 2^1047 times as thick: τ is beyond the range of double, λ is 0 or 1.
@@ -162,7 +163,7 @@ void test_no_side_effects()
     for (auto const &p : contact_problems()) check(p.pair);
     Random random(122);
     for (double const aspect : {1.0, 1e9, 1e36})
-        for (int n = 0; n < 1000; ++n) check(pair_of_aspect(random, aspect));
+        for (int n = 0; n < draws(1000); ++n) check(pair_of_aspect(random, aspect));
 }
 
 } // namespace

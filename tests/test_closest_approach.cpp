@@ -5,6 +5,7 @@
 
 #include <pw85.h>
 
+#include "draws.hpp"
 #include "failures.hpp"
 #include "random_pairs.hpp"
 #include "wide.hpp"
@@ -21,7 +22,7 @@ void test_contact_at_that_distance()
 {
     Failures failures;
     Random random(90);
-    for (int n = 0; n < 20000; ++n) {
+    for (int n = 0; n < draws(20000); ++n) {
         auto const p = random_pair<3>(random, {.aspect = 1e3, .size_ratio = 100.0});
         double const length = random.log_uniform(1e-140, 1e140);
         auto const direction = pw85::times(length, random.direction<3>());
@@ -44,7 +45,7 @@ void test_two_dimensions_are_a_section()
 {
     Failures failures;
     Random random(91);
-    for (int n = 0; n < 20000; ++n) {
+    for (int n = 0; n < draws(20000); ++n) {
         auto const p = random_pair<2>(random, {.aspect = 1e3, .size_ratio = 100.0});
         auto const raised = [&](pw85::SymmetricMatrix<double, 2> const &q) {
             double const z = random.log_uniform(1e-3, 1e3);
@@ -69,7 +70,7 @@ void test_contact_2d_against_wide_type()
 {
     Failures failures;
     Random random(92);
-    for (int n = 0; n < 10000; ++n) {
+    for (int n = 0; n < draws(10000); ++n) {
         auto const p = random_pair<2>(random, {.aspect = 1e6, .size_ratio = 1e4});
         double out[2];
         auto const describe = [&] { return hex_text(p); };

@@ -7,6 +7,7 @@
 
 #include <pw85.h>
 
+#include "draws.hpp"
 #include "failures.hpp"
 #include "random_pairs.hpp"
 #include "rotated.hpp"
@@ -73,7 +74,7 @@ template <int D> void test_optimality()
 {
     Failures failures;
     Random random(300 + D);
-    for (int n = 0; n < 2000; ++n) {
+    for (int n = 0; n < draws(2000); ++n) {
         auto const s = pair_apart<D>(random, 1e3);
         auto const p = convert<Wide>(s);
         auto const d = distance(p);
@@ -104,7 +105,7 @@ template <int D> void test_rounding_errors()
 {
     Failures failures;
     Random random(310 + D);
-    for (int n = 0; n < 5000; ++n) {
+    for (int n = 0; n < draws(5000); ++n) {
         auto const s = pair_apart<D>(random, 1e6);
         auto const p = convert<Wide>(s);
         auto const exact = distance(p);
@@ -121,7 +122,7 @@ template <int D> void test_points()
 {
     Failures failures;
     Random random(320 + D);
-    for (int n = 0; n < 5000; ++n) {
+    for (int n = 0; n < draws(5000); ++n) {
         double const aspect = random.log_uniform(1.0, 100.0), bound = 32 * u * aspect * aspect;
         auto const s = random_pair<D>(random, {.aspect = aspect, .mu2_min = 1.0 + 1e-6, .mu2_max = 100.0});
         auto const exact = distance(convert<Wide>(s));
@@ -139,7 +140,7 @@ void test_certificate()
 {
     Failures failures;
     Random random(330);
-    for (int n = 0; n < 5000; ++n) {
+    for (int n = 0; n < draws(5000); ++n) {
         double const aspect = random.log_uniform(1.0, 100.0), error = 32 * u * aspect * aspect;
         auto const s = random_pair<3>(random, {.aspect = aspect, .mu2_min = 1.0 + 1e-6, .mu2_max = 100.0});
         auto const d = c_distance(s);
@@ -168,7 +169,7 @@ template <int D> void test_polynomials()
 {
     Failures failures;
     Random random(335 + D);
-    for (int n = 0; n < 1000; ++n) {
+    for (int n = 0; n < draws(1000); ++n) {
         auto const p = convert<Wide>(pair_apart<D>(random, 100.0));
         pw85::DistancePair<Wide, D> const pair{p.r12, p.q1, p.q2, Wide(0.5), Wide(4)};
         pw85::Multipliers<Wide> x = pw85::initial_multipliers(pair);
@@ -201,7 +202,7 @@ void test_search()
     Failures failures;
     Random random(340);
     int given_up = 0;
-    for (int n = 0; n < 5000; ++n) {
+    for (int n = 0; n < draws(5000); ++n) {
         auto const s = pair_apart<3>(random, 1e4);
         auto const p = convert<Wide>(s);
         pw85::DistancePair<double, 3> const pair{s.r12, s.q1, s.q2, 1.0, 1.0};
@@ -288,7 +289,7 @@ void test_overlapping()
 {
     Failures failures;
     Random random(350);
-    for (int n = 0; n < 5000; ++n) {
+    for (int n = 0; n < draws(5000); ++n) {
         auto const s = random_pair<3>(random, {.aspect = random.log_uniform(1.0, 1e4),
                                                .mu2_min = n % 2 == 0 ? 1e-3 : 1.0 - 1e-15,
                                                .mu2_max = 1.0 + 1e-15});
@@ -325,7 +326,7 @@ void test_invariance()
 {
     Failures failures;
     Random random(360);
-    for (int n = 0; n < 5000; ++n) {
+    for (int n = 0; n < draws(5000); ++n) {
         double const aspect = random.log_uniform(1.0, 100.0);
         auto const s = random_pair<3>(random, {.aspect = aspect, .mu2_min = 1.0 + 1e-6, .mu2_max = 100.0});
         auto const d = c_distance(s), e = c_distance<3>({pw85::times(-1.0, s.r12), s.q2, s.q1});
@@ -349,7 +350,7 @@ void test_extreme_sizes()
 {
     Failures failures;
     Random random(370);
-    for (int n = 0; n < 5000; ++n) {
+    for (int n = 0; n < draws(5000); ++n) {
         Sample<double, 3> s{{},
                             random.form(random.log_uniform(1e-149, 1e149), random.log_uniform(1.0, 10.0)),
                             random.form(random.log_uniform(1e-149, 1e149), random.log_uniform(1.0, 10.0))};
@@ -385,7 +386,7 @@ void test_extreme_shapes()
 {
     Failures failures;
     Random random(380);
-    for (int n = 0; n < 5000; ++n) {
+    for (int n = 0; n < draws(5000); ++n) {
         auto const axis = [&] { return random.log_uniform(1e-15, 1e15); };
         auto const square = [](double x) { return x * x; };
         Sample<double, 3> s{random.direction<3>(),
@@ -420,7 +421,7 @@ void test_scalars()
 {
     Failures failures;
     Random random(390);
-    for (int n = 0; n < 2000; ++n) {
+    for (int n = 0; n < draws(2000); ++n) {
         check_scalar<float>(failures, random);
         check_scalar<long double>(failures, random);
     }
@@ -475,7 +476,7 @@ void test_derivatives_in_double()
 {
     Failures failures;
     Random random(410);
-    for (int n = 0; n < 3000; ++n) {
+    for (int n = 0; n < draws(3000); ++n) {
         double const aspect = random.log_uniform(1.0, 30.0), bound = 256 * u * aspect * aspect;
         auto const s = random_pair<3>(random, {.aspect = aspect, .mu2_min = 1.01, .mu2_max = 100.0});
         auto const p = convert<Wide>(s);

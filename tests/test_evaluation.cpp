@@ -5,6 +5,7 @@
 
 #include <pw85.h>
 
+#include "draws.hpp"
 #include "failures.hpp"
 #include "random_pairs.hpp"
 #include "reference_data.hpp"
@@ -67,7 +68,7 @@ void test_f_of_residual_is_the_same()
 {
     Failures failures;
     Random random(1);
-    for (int i = 0; i < 20000; ++i) {
+    for (int i = 0; i < draws(20000); ++i) {
         auto const s = random_pair<3>(random, {.aspect = 1e4});
         double const lambda = random.uniform(0.0, 1.0);
         double out[3];
@@ -83,7 +84,7 @@ void test_residual_against_wide_type()
 {
     Failures failures;
     Random random(2);
-    for (int i = 0; i < 2000; ++i) {
+    for (int i = 0; i < draws(2000); ++i) {
         auto const s = random_pair<3>(random, {.aspect = 10.0});
         double const lambda = random.uniform(0.01, 0.99);
         auto const w = convert<Wide>(s);
@@ -129,7 +130,7 @@ void test_cholesky_decomposition()
 {
     Failures failures;
     Random random(4);
-    for (int n = 0; n < 20000; ++n) {
+    for (int n = 0; n < draws(20000); ++n) {
         auto const a = random.form(random.log_uniform(1e-3, 1e3), random.log_uniform(1.0, 1e6));
         pw85::SymmetricMatrix<double, 3> l{};
         pw85__cholesky_decomp(a.entries, l.entries);
@@ -166,7 +167,7 @@ void test_cholesky_solution()
 {
     Failures failures;
     Random random(5);
-    for (int n = 0; n < 20000; ++n) {
+    for (int n = 0; n < draws(20000); ++n) {
         auto const a = random.form(1.0, random.log_uniform(1.0, 1e6));
         auto const b = random.direction<3>();
         pw85::SymmetricMatrix<double, 3> l{};

@@ -6,6 +6,7 @@
 #include <boost/multiprecision/cpp_int.hpp>
 #include <glib.h>
 
+#include "draws.hpp"
 #include "failures.hpp"
 #include "random_pairs.hpp"
 #include "reference_data.hpp"
@@ -194,7 +195,7 @@ template <class T, int D> void test_random()
     Failures failures;
     Kinds kinds;
     Random random(110 + D);
-    for (int n = 0; n < 1000; ++n) {
+    for (int n = 0; n < draws(1000); ++n) {
         double const mu2 = n % 2 == 0 ? 1.0 : random.uniform(0.5, 2.0);
         auto const s = random_pair<D>(
             random,
@@ -202,9 +203,9 @@ template <class T, int D> void test_random()
         compare(convert<T>(s), failures, kinds);
     }
     report(kinds);
-    g_assert_cmpint(kinds.apart, >, 200);
-    g_assert_cmpint(kinds.overlapping, >, 200);
-    g_assert_cmpint(kinds.pair, >, 100);
+    g_assert_cmpint(kinds.apart, >, draws(200));
+    g_assert_cmpint(kinds.overlapping, >, draws(200));
+    g_assert_cmpint(kinds.pair, >, draws(100));
 }
 
 int random_integer(Random &random, int limit)
@@ -234,7 +235,7 @@ template <int D> void test_small_integers()
     Failures failures;
     Kinds kinds;
     Random random(120 + D);
-    for (int n = 0; n < 20000; ++n) {
+    for (int n = 0; n < draws(20000); ++n) {
         Sample<double, D> s{};
         int const limit = 1 + n % 3;
         s.q1 = small_form<D>(random, limit);
@@ -247,10 +248,10 @@ template <int D> void test_small_integers()
         compare(s, failures, kinds);
     }
     report(kinds);
-    g_assert_cmpint(kinds.tangent, >, 100);
-    g_assert_cmpint(kinds.real_double, >, 100);
-    g_assert_cmpint(kinds.pair, >, 100);
-    if (D == 3) g_assert_cmpint(kinds.negative_double, >, 20);
+    g_assert_cmpint(kinds.tangent, >, draws(100));
+    g_assert_cmpint(kinds.real_double, >, draws(100));
+    g_assert_cmpint(kinds.pair, >, draws(100));
+    if (D == 3) g_assert_cmpint(kinds.negative_double, >, draws(20));
 }
 
 /// A form L Lᵀ stretched along the axes by powers of two.

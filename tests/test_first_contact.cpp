@@ -9,6 +9,7 @@
 #include <pw85.h>
 #include <pw85/batch.hpp>
 
+#include "draws.hpp"
 #include "flights.hpp"
 #include "wide.hpp"
 
@@ -119,7 +120,7 @@ void test_spheres()
 {
     Failures failures;
     Random random(540);
-    for (int n = 0; n < 3000; ++n) {
+    for (int n = 0; n < draws(3000); ++n) {
         auto f = random_flight<3>(random, 1.0, n % 2 == 0 ? Moving::centres : Moving::all);
         double const a = random.uniform(0.5, 1.0), b = random.uniform(0.1, 1.0);
         f.start = {pw85::times((a + b) * random.uniform(1.1, 3.0), random.direction<3>()), sphere(a), sphere(b)};
@@ -179,7 +180,7 @@ void test_overlapping()
 {
     Failures failures;
     Random random(550);
-    for (int n = 0; n < 2000; ++n) {
+    for (int n = 0; n < draws(2000); ++n) {
         auto f = random_flight<3>(random, 10.0, n % 2 == 0 ? Moving::centres : Moving::all);
         f.start = random_pair<3>(random, {.aspect = 10.0, .mu2_min = 1e-4, .mu2_max = 1.0 - 1e-10});
         double const time = first_contact(f).time;
@@ -197,7 +198,7 @@ void test_after_collision()
 {
     Failures failures;
     Random random(560);
-    for (int n = 0; n < 2000; ++n) {
+    for (int n = 0; n < draws(2000); ++n) {
         auto f = random_flight<3>(random, 10.0, n % 2 == 0 ? Moving::centres : Moving::all);
         auto const c = first_contact(f);
         if (!(c.time < infinity) || c.time < 1e-3) continue;
@@ -238,7 +239,7 @@ void test_units()
 {
     Failures failures;
     Random random(570);
-    for (int n = 0; n < 1000; ++n) {
+    for (int n = 0; n < draws(1000); ++n) {
         auto const f = random_flight<3>(random, 10.0, n % 2 == 0 ? Moving::centres : Moving::all);
         double const time = first_contact(f).time;
         for (int const length : {-480, -100, 100, 480})
@@ -294,7 +295,7 @@ void test_extremes()
 {
     Failures failures;
     Random random(590);
-    for (int n = 0; n < 2000; ++n) {
+    for (int n = 0; n < draws(2000); ++n) {
         auto const magnitude = [&] { return random.log_uniform(1e-140, 1e140); };
         auto const motion = [&] {
             pw85::Motion<double, 3> m{pw85::times(magnitude(), random.direction<3>()), {}, 0.0};

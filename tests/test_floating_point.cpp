@@ -16,6 +16,7 @@
 #include <pw85_legacy.h>
 #include <pw85_zheng.h>
 
+#include "draws.hpp"
 #include "extreme_pairs.hpp"
 #include "failures.hpp"
 
@@ -203,7 +204,7 @@ void test_single(void const *data)
     auto const &function = *static_cast<Function const *>(data);
     Failures failures;
     Random random(120);
-    for (int n = 0; n < 10000; ++n) {
+    for (int n = 0; n < draws(10000); ++n) {
         Question const q = valid_question(random);
         auto const describe = [&] { return hex_text(q.pair) + ", lambda = " + hex_text(&q.lambda, 1); };
         Results expected{}, actual{};

@@ -7,6 +7,7 @@
 
 #include <pw85.h>
 
+#include "draws.hpp"
 #include "failures.hpp"
 #include "random_pairs.hpp"
 #include "reference_data.hpp"
@@ -46,7 +47,7 @@ void test_spheroid()
 {
     Failures failures;
     Random random(10);
-    for (int i = 0; i < 20000; ++i) {
+    for (int i = 0; i < draws(20000); ++i) {
         double const a = random.log_uniform(1e-6, 1e6), c = random.log_uniform(1e-6, 1e6);
         auto const n = pw85::times(random.log_uniform(1e-200, 1e200), random.direction<3>());
         Form3 q{};
@@ -86,7 +87,7 @@ void test_quaternion_and_rotation()
 {
     Failures failures;
     Random random(11);
-    for (int n = 0; n < 5000; ++n) {
+    for (int n = 0; n < draws(5000); ++n) {
         auto const axes = random.semi_axes(1.0, random.log_uniform(1.0, 1e3));
         auto const unit = random.direction<4>();
         auto const rotation = pw85::rotation_matrix(unit, pw85::dot(unit, unit));

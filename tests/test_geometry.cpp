@@ -5,6 +5,7 @@
 
 #include <pw85.h>
 
+#include "draws.hpp"
 #include "failures.hpp"
 #include "random_pairs.hpp"
 #include "wide.hpp"
@@ -145,7 +146,7 @@ void test_rounding_errors()
 {
     Failures failures;
     Random random(82);
-    for (int n = 0; n < 5000; ++n) {
+    for (int n = 0; n < draws(5000); ++n) {
         double const aspect = random.log_uniform(1.0, 100.0), bound = 64 * u * aspect * aspect;
         auto const p = random_pair<3>(random, {.aspect = aspect});
         auto const w = convert<Wide>(p);
@@ -177,7 +178,7 @@ void test_no_net_torque()
 {
     Failures failures;
     Random random(83);
-    for (int n = 0; n < 20000; ++n) {
+    for (int n = 0; n < draws(20000); ++n) {
         auto const p = random_pair<3>(random, {.aspect = 1e3, .size_ratio = 10.0});
         double const lambda = lambda_of(p), weight = 2.0 * lambda * (1.0 - lambda);
         auto const d = derivatives(p, lambda);
@@ -202,7 +203,7 @@ void test_exchange()
 {
     Failures failures;
     Random random(84);
-    for (int n = 0; n < 5000; ++n) {
+    for (int n = 0; n < draws(5000); ++n) {
         double const aspect = random.log_uniform(1.0, 100.0), bound = 128 * u * aspect * aspect;
         auto const p = random_pair<3>(random, {.aspect = aspect});
         // A λ whose complement is a double too.

@@ -5,6 +5,7 @@
 
 #include <pw85.h>
 
+#include "draws.hpp"
 #include "failures.hpp"
 #include "random_pairs.hpp"
 #include "rotated.hpp"
@@ -124,7 +125,7 @@ template <int D> void test_rounding_errors()
 {
     Failures failures;
     Random random(710 + D);
-    for (int n = 0; n < 3000; ++n) {
+    for (int n = 0; n < draws(3000); ++n) {
         double const aspect = random.log_uniform(1.0, 100.0), bound = 512 * u * aspect * aspect;
         int const exponent = n % 2 == 0 ? 0 : static_cast<int>(random.uniform(-400.0, 400.0));
         auto const s = in_units(random_pair<D>(random, {.aspect = aspect, .mu2_min = 0.1, .mu2_max = 10.0}), exponent);
@@ -154,7 +155,7 @@ void test_unlike_sizes()
 {
     Failures failures;
     Random random(730);
-    for (int n = 0; n < 1000; ++n) {
+    for (int n = 0; n < draws(1000); ++n) {
         auto const s = unlike_pair(random, static_cast<int>(random.uniform(0.0, 450.0)));
         auto const exact = hessian_of(convert<Wide>(s));
         auto const actual = c_hessian(s);
@@ -179,7 +180,7 @@ void test_homogeneity()
 {
     Failures failures;
     Random random(740);
-    for (int n = 0; n < 1000; ++n) {
+    for (int n = 0; n < draws(1000); ++n) {
         auto const p = convert<Wide>(random_pair<3>(random, {.aspect = 30.0, .size_ratio = 10.0}));
         Wide const lambda = pw85::contact(p.r12, p.q1, p.q2).lambda;
         auto const h = pw85::contact_hessian(p.r12, p.q1, p.q2, lambda);

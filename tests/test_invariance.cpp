@@ -11,6 +11,7 @@
 
 #include <glib.h>
 
+#include "draws.hpp"
 #include "failures.hpp"
 #include "random_pairs.hpp"
 #include "solvers.hpp"
@@ -48,7 +49,7 @@ void test_exchange(void const *solver)
 {
     Failures failures;
     Random random(20);
-    for (int i = 0; i < 20000; ++i) {
+    for (int i = 0; i < draws(20000); ++i) {
         auto const p = random_case(random);
         Sample<double, 3> const image{pw85::times(-1.0, p.r12), p.q2, p.q1};
         check_same_mu2(failures, solver, p, image);
@@ -82,7 +83,7 @@ void test_rotation(void const *solver)
 {
     Failures failures;
     Random random(21);
-    for (int n = 0; n < 5000; ++n) {
+    for (int n = 0; n < draws(5000); ++n) {
         auto const p = random_case(random);
         auto const quaternion = convert<Wide>(random.direction<4>());
         auto const rotation = pw85::rotation_matrix(quaternion, pw85::dot(quaternion, quaternion));
@@ -96,7 +97,7 @@ void test_linear_map(void const *solver)
 {
     Failures failures;
     Random random(22);
-    for (int n = 0; n < 5000; ++n) {
+    for (int n = 0; n < draws(5000); ++n) {
         auto const p = random_pair<3>(random, {.aspect = 100.0});
         Map l;
         for (auto &row : l)
@@ -118,7 +119,7 @@ void test_powers_of_two(void const *solver)
 {
     Failures failures;
     Random random(23);
-    for (int n = 0; n < 20000; ++n) {
+    for (int n = 0; n < draws(20000); ++n) {
         auto const p = random_case(random);
         int const length = static_cast<int>(random.uniform(-400.0, 400.0));
         int const form = length + static_cast<int>(random.uniform(-20.0, 20.0));
@@ -135,7 +136,7 @@ void test_scaling_of_separation(void const *solver)
 {
     Failures failures;
     Random random(24);
-    for (int n = 0; n < 20000; ++n) {
+    for (int n = 0; n < draws(20000); ++n) {
         auto const p = random_case(random);
         double const k = random.log_uniform(1e-3, 1e3);
         auto image = p;
@@ -154,7 +155,7 @@ void test_spheres(void const *solver)
 {
     Failures failures;
     Random random(25);
-    for (int n = 0; n < 20000; ++n) {
+    for (int n = 0; n < draws(20000); ++n) {
         double const a1 = random.log_uniform(1e-6, 1e6), a2 = a1 * random.log_uniform(1e-6, 1e6);
         auto const r12 = pw85::times((a1 + a2) * random.log_uniform(0.01, 100.0), random.direction<3>());
         Sample<double, 3> const p{

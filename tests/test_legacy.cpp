@@ -8,6 +8,7 @@
 #include <pw85/legacy.hpp>
 #include <pw85_legacy.h>
 
+#include "draws.hpp"
 #include "failures.hpp"
 #include "random_pairs.hpp"
 #include "reference_data.hpp"
@@ -140,7 +141,7 @@ void test_polynomials_random()
 {
     Failures failures;
     Random random(70);
-    for (int n = 0; n < 5000; ++n) {
+    for (int n = 0; n < draws(5000); ++n) {
         auto const p = random_pair<3>(random, {.aspect = 100.0});
         double const x = random.uniform(0.0, 1.0);
         auto const q3 = pw85::blend(2.0, p.q1, -1.0, p.q2), q4 = pw85::blend(0.5, p.q1, 0.5, p.q2);
@@ -216,18 +217,18 @@ void test_derivatives_of_f2()
 {
     Failures failures;
     Random random(71);
-    for (int n = 0; n < 3000; ++n) {
+    for (int n = 0; n < draws(3000); ++n) {
         auto const p = random_pair<3>(random, {.aspect = random.log_uniform(1.0, 1e4)});
         check_derivatives(failures, p, random.uniform(0.0, 1.0));
     }
-    g_assert_cmpint(failures.checked(), >, 3000);
+    g_assert_cmpint(failures.checked(), >, draws(3000));
 }
 
 void test_derivatives_of_f1()
 {
     Failures failures;
     Random random(72);
-    for (int n = 0; n < 3000; ++n) {
+    for (int n = 0; n < draws(3000); ++n) {
         auto const p = random_pair<3>(random, {.aspect = 1e3});
         double const x = random.uniform(0.0, 1.0);
         double f1[3], residual[3];

@@ -7,6 +7,7 @@
 #include <pw85.h>
 #include <pw85/pw85.hpp>
 
+#include "draws.hpp"
 #include "failures.hpp"
 #include "random_pairs.hpp"
 #include "reference_data.hpp"
@@ -128,7 +129,7 @@ void test_random()
     Failures failures;
     Random random(100);
     int overlapping = 0;
-    for (int n = 0; n < 10000; ++n) {
+    for (int n = 0; n < draws(10000); ++n) {
         PairOptions const options{.aspect = n % 2 == 0 ? 10.0 : 1e5,
                                   .size_ratio = n % 3 == 0 ? 1e12 : 3.0,
                                   .mu2_min = n % 5 == 0 ? 1e-8 : 0.9,
@@ -142,7 +143,7 @@ void test_random()
         overlapping += expected;
         failures.check(answer == (expected ? 1 : 0), "overlap", answer, expected, [&] { return hex_text(p); });
     }
-    g_assert_cmpint(overlapping, >, 3000);
+    g_assert_cmpint(overlapping, >, draws(3000));
     g_assert_cmpint(overlapping, <, 7000);
 }
 
@@ -162,7 +163,7 @@ template <class T> void test_margins()
     Failures failures;
     Random random(102);
     int tiers[3] = {};
-    for (int n = 0; n < 10000; ++n) {
+    for (int n = 0; n < draws(10000); ++n) {
         auto const p = convert<T>(pair_near_margins(random, n));
         auto const w = convert<Wide>(p);
         bool const expected = pw85::contact(w.r12, w.q1, w.q2).mu2 < 1;
@@ -197,7 +198,7 @@ void test_witness()
 {
     Failures failures;
     Random random(103);
-    for (int n = 0; n < 5000; ++n) {
+    for (int n = 0; n < draws(5000); ++n) {
         auto const p = random_pair<3>(random, {.aspect = 100.0, .size_ratio = 100.0, .mu2_min = 1e-3, .mu2_max = 1e3});
         auto const witness = pw85::overlap_witness(p.r12, p.q1, p.q2);
         auto const w = convert<Wide>(p);
@@ -236,7 +237,7 @@ void test_extreme_scales()
 {
     Failures failures;
     Random random(101);
-    for (int n = 0; n < 5000; ++n) {
+    for (int n = 0; n < draws(5000); ++n) {
         auto p = random_pair<3>(random, {.aspect = 10.0, .mu2_min = 0.5, .mu2_max = 2.0});
         double const length = random.log_uniform(1e-148, 1e148);
         p.r12 = pw85::times(length, p.r12);

@@ -4,6 +4,7 @@
 
 #include <glib.h>
 
+#include "draws.hpp"
 #include "failures.hpp"
 #include "random_pairs.hpp"
 #include "wide.hpp"
@@ -77,7 +78,7 @@ template <class T, int D> void test_lambda()
     double const u = static_cast<double>(pw85::unit_roundoff<T>());
     double const last = static_cast<double>(pw85::final_step<T>());
     double const previous = static_cast<double>(pw85::penultimate_step<T>());
-    for (int n = 0; n < 1000; ++n) {
+    for (int n = 0; n < draws(1000); ++n) {
         auto const p = convert<T>(random_pair<D>(random, {.aspect = 4.0}));
         T const lambda = pw85::contact(p.r12, p.q1, p.q2).lambda, exact = exact_lambda(p);
         double const error = static_cast<double>(T((lambda - exact) / (exact * (T(1) - exact))));

@@ -6,6 +6,7 @@
 
 #include <pw85.h>
 
+#include "draws.hpp"
 #include "extreme_pairs.hpp"
 #include "failures.hpp"
 #include "wide.hpp"
@@ -19,7 +20,7 @@ void test_bound_on_evaluations()
     Failures failures;
     Random random(80);
     int most = 0;
-    for (int n = 0; n < 500000; ++n) {
+    for (int n = 0; n < draws(500000); ++n) {
         auto const p = extreme_pair(random, n % 3);
         pw85::ScaledPair<double, 3> scaled;
         if (pw85::validate(p.r12, p.q1, p.q2, scaled) != pw85::Status::success) continue;
@@ -35,7 +36,7 @@ void test_extreme_shapes()
 {
     Failures failures;
     Random random(81);
-    for (int n = 0; n < 5000; ++n) {
+    for (int n = 0; n < draws(5000); ++n) {
         auto const p = extreme_pair(random, n % 3);
         double out[2];
         if (pw85_contact(p.r12.coordinates, p.q1.entries, p.q2.entries, out) != PW85_SUCCESS) continue;
@@ -52,7 +53,7 @@ void test_derivatives_of_extreme_shapes()
 {
     Failures failures;
     Random random(82);
-    for (int n = 0; n < 50000; ++n) {
+    for (int n = 0; n < draws(50000); ++n) {
         auto p = extreme_pair(random, n % 3);
         p.r12 = pw85::times_power_of_two(p.r12, static_cast<int>(random.uniform(-700.0, 700.0)));
         p.q1 = pw85::times_power_of_two(p.q1, 2 * static_cast<int>(random.uniform(-350.0, 350.0)));

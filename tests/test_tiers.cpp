@@ -5,6 +5,7 @@
 
 #include <glib.h>
 
+#include "draws.hpp"
 #include "failures.hpp"
 #include "random_pairs.hpp"
 #include "wide.hpp"
@@ -207,7 +208,7 @@ template <class T, int D> void test_alone()
 {
     Random random(110 + D);
     Tally points{"decide_by_points", {}}, search{"decide_by_search", {}}, comparison{"decide_by_comparison", {}};
-    for (int n = 0; n < 3000; ++n) {
+    for (int n = 0; n < draws(3000); ++n) {
         auto const s = convert<T>(near_contact<D>(random, n, std::is_same_v<T, float> ? 1.1e3 : 1e6));
         pw85::ScaledPair<T, D> scaled;
         if (pw85::validate(s.r12, s.q1, s.q2, scaled) != pw85::Status::success) continue;

@@ -8,6 +8,7 @@
 #include <pw85/batch.hpp>
 
 #include "condition_number.hpp"
+#include "draws.hpp"
 #include "failures.hpp"
 #include "random_pairs.hpp"
 
@@ -69,7 +70,7 @@ void test_sections()
 {
     Failures failures;
     Random random(800);
-    for (int n = 0; n < 3000; ++n) {
+    for (int n = 0; n < draws(3000); ++n) {
         double const aspect = random.log_uniform(1.0, 30.0), bound = 64 * u * aspect * aspect;
         auto const p = random_pair<2>(random, {.aspect = aspect, .aspect_min = 1.0});
         double out[2];
@@ -93,7 +94,7 @@ void test_overlap()
 {
     Failures failures;
     Random random(810);
-    for (int n = 0; n < 3000; ++n) {
+    for (int n = 0; n < draws(3000); ++n) {
         double const excess = random.sign() * random.log_uniform(1e-16, 0.5);
         auto const p = random_pair<2>(
             random, {.aspect = 100.0, .mu2_min = (1.0 + excess) * (1.0 - u), .mu2_max = (1.0 + excess) * (1.0 + u)});

@@ -8,6 +8,7 @@
 
 #include <pw85.h>
 
+#include "draws.hpp"
 #include "failures.hpp"
 #include "random_pairs.hpp"
 #include "rotated.hpp"
@@ -54,7 +55,7 @@ void test_plane()
 {
     Failures failures;
     Random random(500);
-    for (int n = 0; n < 20000; ++n) {
+    for (int n = 0; n < draws(20000); ++n) {
         auto const q = random_form_of_any_size(random);
         double const length = random.log_uniform(1e-100, 1e100);
         auto const normal = pw85::times(length, random.direction<3>());
@@ -182,7 +183,7 @@ void test_point_optimality()
 {
     Failures failures;
     Random random(520);
-    for (int n = 0; n < 2000; ++n) {
+    for (int n = 0; n < draws(2000); ++n) {
         auto q = random.form(1.0, random.log_uniform(1.0, 1e3));
         if (n % 5 == 0) q[1] = q[2] = q[4] = 0.0; // points in planes of symmetry follow
         auto r = random_point(random, q, n);
@@ -207,7 +208,7 @@ void test_point_rounding_errors()
 {
     Failures failures;
     Random random(530);
-    for (int n = 0; n < 10000; ++n) {
+    for (int n = 0; n < draws(10000); ++n) {
         auto const q = random_form_of_any_size(random);
         auto const r = random_point(random, q, n);
         double distance;
@@ -263,7 +264,7 @@ void test_box()
 {
     Failures failures;
     Random random(540);
-    for (int n = 0; n < 5000; ++n) {
+    for (int n = 0; n < draws(5000); ++n) {
         auto const q = random_form_of_any_size(random);
         double const size = size_of(q);
         Vector3 lower{}, upper{}, point{}, normal{}, deepest{};
@@ -300,7 +301,7 @@ void test_cylinder()
 {
     Failures failures;
     Random random(550);
-    for (int n = 0; n < 5000; ++n) {
+    for (int n = 0; n < draws(5000); ++n) {
         auto const q = random_form_of_any_size(random);
         double const size = size_of(q), radius = size * random.uniform(0.1, 3.0);
         auto const axis = pw85::times(random.log_uniform(1e-100, 1e100), random.direction<3>());
@@ -364,7 +365,7 @@ void test_line()
     Failures failures;
     Random random(560);
     int hits = 0, misses = 0;
-    for (int n = 0; n < 20000; ++n) {
+    for (int n = 0; n < draws(20000); ++n) {
         double const aspect = random.log_uniform(1.0, 100.0);
         auto const q = random.form(random.log_uniform(1e-100, 1e100), aspect);
         double const size = size_of(q), far = random.log_uniform(1e-3, 1e6), step = random.log_uniform(1e-20, 1e20);
@@ -401,8 +402,8 @@ void test_line()
         on_surface(exact.enter);
         on_surface(exact.leave);
     }
-    g_assert_cmpint(hits, >, 1000);
-    g_assert_cmpint(misses, >, 1000);
+    g_assert_cmpint(hits, >, draws(1000));
+    g_assert_cmpint(misses, >, draws(1000));
 }
 
 void test_line_by_hand()

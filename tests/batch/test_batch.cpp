@@ -8,6 +8,7 @@
 #include <pw85/batch.hpp>
 
 #include "../condition_number.hpp"
+#include "../draws.hpp"
 #include "../failures.hpp"
 #include "../reference_data.hpp"
 #include "batch_data.hpp"
@@ -50,7 +51,7 @@ void test_lambda()
     Failures failures;
     Random random(1);
     std::vector<Pair3> pairs;
-    for (int i = 0; i < 5000; ++i) pairs.push_back(random_pair<3>(random, {.aspect = 1000.0}));
+    for (int i = 0; i < draws(5000); ++i) pairs.push_back(random_pair<3>(random, {.aspect = 1000.0}));
     BatchResult const result = run_batch(pairs);
     for (std::size_t i = 0; i < pairs.size(); ++i) {
         auto const p = convert<long double>(pairs[i]);

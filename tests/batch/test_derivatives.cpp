@@ -5,6 +5,7 @@
 
 #include <pw85/batch.hpp>
 
+#include "../draws.hpp"
 #include "../failures.hpp"
 #include "batch_data.hpp"
 
@@ -85,7 +86,7 @@ void test_accuracy()
     Random random(51);
     for (double const aspect : {1.5, 10.0, 100.0, 1e3, 1e4}) {
         std::vector<Pair3> pairs;
-        for (int i = 0; i < 2000; ++i) {
+        for (int i = 0; i < draws(2000); ++i) {
             pairs.push_back(random_pair<3>(random, {.aspect = aspect}));
             // Parallel ellipsoids of one shape: the blend is as ill-conditioned as they are.
             if (i % 4 == 0) pairs.back().q2 = pw85::times(0.25, pairs.back().q1);

@@ -9,6 +9,7 @@
 
 #include <pw85/batch.hpp>
 
+#include "../draws.hpp"
 #include "../failures.hpp"
 #include "batch_data.hpp"
 
@@ -105,7 +106,7 @@ void test_reduce()
 {
     Failures failures;
     Random random(31);
-    for (int n = 0; n < 3000; ++n) {
+    for (int n = 0; n < draws(3000); ++n) {
         pw85::Cell const compact = random_cell(random, n % 2 == 0 ? 1.0 : 1e-3), cell = skew(random, compact, n % 20);
         if (!(std::fabs(volume(compact)) > 1e-7)) continue;
         auto const [reduced, status] = pw85::cell_reduce(cell);
@@ -221,7 +222,7 @@ void test_every_shift()
     Failures failures;
     Random random(32);
     std::map<Multiples, int> decided;
-    for (int n = 0; n < 4000; ++n) {
+    for (int n = 0; n < draws(4000); ++n) {
         auto const [cell, status] = pw85::cell_reduce(random_cell(random, 1.0));
         if (status == pw85::Status::success) check_shifts(failures, random, cell, decided);
     }

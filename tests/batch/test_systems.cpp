@@ -7,6 +7,7 @@
 #include <pw85/batch.hpp>
 
 #include "../condition_number.hpp"
+#include "../draws.hpp"
 #include "../failures.hpp"
 #include "batch_data.hpp"
 
@@ -115,7 +116,7 @@ void test_overlap_any()
     Failures failures;
     Random random(63);
     int counts[3] = {};
-    for (int n = 0; n < 20000; ++n) {
+    for (int n = 0; n < draws(20000); ++n) {
         auto const size = static_cast<std::size_t>(random.uniform(0.0, n % 10 == 0 ? 200.0 : 20.0));
         Form3 const q1 = random.form(1.0, 5.0);
         std::vector<Vector3> r12;
@@ -134,7 +135,7 @@ void test_overlap_any()
         failures.check(actual == expected, "any", actual, expected, describe);
         ++counts[expected + 1];
     }
-    for (int const count : counts) g_assert_cmpint(count, >, 100);
+    for (int const count : counts) g_assert_cmpint(count, >, draws(100));
 }
 
 // Others beyond the first that overlaps are not looked at: neither theirs nor the status of one that overlaps is bad.
@@ -171,7 +172,7 @@ void test_overlap_any_indices()
         q.push_back(random.form(1.0, 4.0));
     }
     int counts[2] = {};
-    for (int n = 0; n < 4000; ++n) {
+    for (int n = 0; n < draws(4000); ++n) {
         std::vector<std::int32_t> others(static_cast<std::size_t>(random.uniform(0.0, n % 9 == 0 ? 80.0 : 9.0)));
         for (auto &other : others) other = static_cast<std::int32_t>(random.uniform(0.0, 50.0));
         Vector3 const center{random.uniform(-9.0, 9.0), random.uniform(-9.0, 9.0), random.uniform(-9.0, 9.0)};
@@ -192,7 +193,7 @@ void test_overlap_any_indices()
         centers.pop_back();
         q.pop_back();
     }
-    for (int const count : counts) g_assert_cmpint(count, >, 200);
+    for (int const count : counts) g_assert_cmpint(count, >, draws(200));
     std::int32_t const indices[2] = {0, 50};
     int any = 7;
     double const singular[9] = {}, *x = centers[0].coordinates, *form = q[0].entries;
@@ -239,7 +240,7 @@ void test_bounding_boxes()
 {
     Failures failures;
     Random random(65);
-    for (int n = 0; n < 1000; ++n) {
+    for (int n = 0; n < draws(1000); ++n) {
         Form3 const q = random.form(1.0, 20.0);
         Vector3 half_widths;
         g_assert_cmpint(pw85_bounding_boxes(1, q.entries, half_widths.coordinates), ==, PW85_SUCCESS);

@@ -1,6 +1,7 @@
 // Distance of closest approach of two ellipses, by the quartic.
 #include <numbers>
 
+#include "../draws.hpp"
 #include "distances.hpp"
 
 using namespace pw85_tests;
@@ -88,7 +89,7 @@ void test_quartic()
 {
     Failures failures;
     Random random(61709);
-    for (int i = 0; i < 20000; ++i) {
+    for (int i = 0; i < draws(20000); ++i) {
         double const span = random.log_uniform(1.0, 1e35);
         double k1 = random.log_uniform(1.0 / span, 1.0), k2 = random.log_uniform(1.0 / span, 1.0);
         double m = random.log_uniform(1.0 / span, 1.0);

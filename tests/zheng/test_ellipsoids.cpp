@@ -1,6 +1,7 @@
 // Distance of closest approach of two ellipsoids, by the largest distance of their plane sections.
 #include <numbers>
 
+#include "../draws.hpp"
 #include "../reference_data.hpp"
 #include "distances.hpp"
 
@@ -78,7 +79,7 @@ void test_agreement()
     Failures failures;
     Random random(19850101);
     for (double const aspect : {2.0, 10.0, 100.0, 1e3, 1e4})
-        for (int i = 0; i < 4000; ++i) {
+        for (int i = 0; i < draws(4000); ++i) {
             auto const p = random_pair<3>(random, {aspect, 10.0, 1.0, 1.0});
             double actual, other;
             zheng(p, actual);
@@ -93,7 +94,7 @@ void test_aspect_100()
     Failures failures;
     Random random(100);
     double worst = 0.0;
-    for (int i = 0; i < 2000; ++i) {
+    for (int i = 0; i < draws(2000); ++i) {
         Sample<double, 3> const p{random.direction<3>(), random.form(1.0, 100.0),
                                   random.form(random.log_uniform(0.1, 10.0), 100.0)};
         double distance;
