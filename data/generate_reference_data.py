@@ -519,7 +519,7 @@ CATEGORIES = (  # (name, number of pairs, how to draw one of them)
     ('oblique_tangent', 600, oblique_tangent),
     ('crossed', 2000, crossed),
     ('crossed_found', len(FOUND_PAIRS),
-     lambda _, pairs=iter(FOUND_PAIRS): next(pairs)),
+     lambda _, pairs=iter(FOUND_PAIRS): next(pairs)),  # noqa: B008 (one iterator)
 )
 
 

@@ -39,7 +39,7 @@ nitpick_ignore_regex = [
     # Standard types; template parameters; the namespace, which has no page.
     ("c:identifier", r"size_t|int32_t|int64_t"),
     # Shapes of arrays; types of other packages.
-    ("py:class", r"[a-z]\w*|\d+|(?:numpy|np|os|torch)\..*"),
+    ("py:class", r"[a-z]\w*|\d+|(?:numpy|np|os|torch|collections)\..*"),
     ("cpp:identifier", r"T|D|pw85|rotation_axes<D>|pw85_\w+|\w+<T, D>"),
 ]
 add_function_parentheses = True

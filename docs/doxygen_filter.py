@@ -5,7 +5,7 @@ import sys
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent / "extensions"))
-from status_table import status_codes  # noqa: E402
+from status_table import status_codes
 
 # @param a,b text: one @param for each name. The text ends at the next command, a blank line, or the end of the comment.
 SHARED_PARAMETERS = re.compile(

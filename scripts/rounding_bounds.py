@@ -230,7 +230,7 @@ def inside1(parameters, d):
 def inside2(parameters, d):
     """shows_inside2(): t² form and b², over t a P, where t²B = 1."""
     sample = Sample(parameters, d, Sample.square2)
-    b, a, form, t = quartic(sample)
+    b, _a, form, t = quartic(sample)
     return worst_case((t * (t * form + 0.0) - b * b).exactly()) / (sample.t * sample.det * sample.square)
 
 

@@ -5,6 +5,7 @@
 set -eu
 cd "$(dirname "$0")/.."
 . scripts/packages.sh
+. scripts/unpack.sh
 machine=$1
 shift
 build=$PWD/build-$machine
@@ -28,25 +29,14 @@ esac
 # shellcheck disable=SC2086 # a list of words
 install_packages $test_packages "g++-$machine" $emulators
 
-# of_machine COMMAND...: apt-get for that machine, of which this one knows nothing
-of_machine() {
-  apt-get -qq -o "APT::Architecture=$architecture" -o "APT::Architectures=$architecture" -o APT::Sandbox::User= \
-    -o "Dir::State=$root/apt" -o "Dir::State::status=$root/apt/status" -o "Dir::Cache=$root/apt" \
-    -o Acquire::Languages=none -o Acquire::Retries=3 -o APT::Install-Recommends=0 "$@"
-}
-
 if [ ! -f "$root/complete" ]; then
-  rm -rf "$root"
-  mkdir -p "$root/apt/lists/partial" "$root/boost/include"
-  : >"$root/apt/status"
+  open_packages "$root" "$architecture" || true # one of several sources may be out of order
+  mkdir -p "$root/boost/include"
   ln -s /usr/include/boost "$root/boost/include/boost" # the headers, which are the same for all
-  of_machine update || true # one of several sources may be out of order
-  packages=$(of_machine install -s libglib2.0-dev libhdf5-dev libgsl-dev libgomp1 libstdc++6 |
+  packages=$(apt_in "$root" "$architecture" install -s libglib2.0-dev libhdf5-dev libgsl-dev libgomp1 libstdc++6 |
     sed -n 's/^Inst \([^ ]*\).*/\1/p' | grep -E '^(lib|zlib)' | grep -v -E 'python|^libc6-dev|^libc-dev|^libperl')
   # shellcheck disable=SC2086 # a list of words
-  (cd "$root/apt" && of_machine download $packages)
-  for package in "$root"/apt/*.deb; do dpkg -x "$package" "$root"; done
-  rm -r "$root/apt"
+  unpack_packages "$root" "$architecture" $packages
   cat >"$root/machine.ini" <<END
 [binaries]
 pkgconfig = 'pkg-config'

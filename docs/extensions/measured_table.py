@@ -23,7 +23,7 @@ def text(cell):
 class MeasuredTable(Directive):
     required_arguments = 1
     has_content = True
-    option_spec = {
+    option_spec = {  # noqa: RUF012 (as docutils has it)
         "columns": directives.unchanged_required,
         "where": directives.unchanged,
         "last-of": directives.unchanged,

@@ -7,7 +7,7 @@ import numpy as np
 from style import BLUE, ORANGE, figure, save
 
 sys.path.insert(0, str(pathlib.Path(__file__).parent.parent / "programs"))
-import dynamics  # noqa: E402
+import dynamics
 
 
 def main():

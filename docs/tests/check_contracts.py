@@ -10,7 +10,7 @@ import sys
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
-from declarations import C_HEADERS, CPP_HEADERS, functions  # noqa: E402
+from declarations import C_HEADERS, CPP_HEADERS, functions
 
 REFERENCE = re.compile(r"(?:as for|contract as|see|arguments of) (?:in )?(\w+)\(\)", re.IGNORECASE)
 

@@ -6,7 +6,7 @@ import sys
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
-from declarations import CPP_HEADERS, functions  # noqa: E402
+from declarations import CPP_HEADERS, functions
 
 SOURCE = Path(sys.argv[1])
 

@@ -10,6 +10,7 @@ import subprocess
 import sys
 import tempfile
 from pathlib import Path
+import itertools
 
 EXAMPLES = {"c": "c/pair.c", "cpp": "cpp/pair.cpp", "fortran": "fortran/pair.f90", "python": "python/pair.py"}
 COMPILERS = {"c": "cc", "cpp": "c++", "fortran": "gfortran"}
@@ -51,7 +52,7 @@ def main():
     expected = next(text for language, text in listed if language == "text")
     wrong = list(shown_programs(source, listed))
     # The commands that follow the program of a language.
-    commands = {language: after for (language, _), (kind, after) in zip(listed, listed[1:]) if kind == "sh"}
+    commands = {language: after for (language, _), (kind, after) in itertools.pairwise(listed) if kind == "sh"}
     if commands["python"] not in (source / PYTHON).read_text(encoding="utf-8"):
         wrong.append(f"README's commands for Python are not those of {PYTHON}")
     with tempfile.TemporaryDirectory(prefix="pw85-readme-") as folder:

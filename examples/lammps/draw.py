@@ -4,6 +4,7 @@
 """
 
 import sys
+from pathlib import Path
 
 import matplotlib
 
@@ -15,7 +16,7 @@ from matplotlib.collections import EllipseCollection
 
 def read_last_snapshot(path):
     """Edges of the box, which axes are periodic, and the columns of the last snapshot by name."""
-    lines = open(path, encoding="utf-8").read().splitlines()
+    lines = Path(path).read_text(encoding="utf-8").splitlines()
     start = max(i for i, line in enumerate(lines) if line == "ITEM: TIMESTEP")
     count = int(lines[start + 3])
     bounds = np.array([line.split()[:2] for line in lines[start + 5:start + 8]], dtype=float)

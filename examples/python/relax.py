@@ -89,15 +89,16 @@ def main(count=10_000, fraction=0.6, seed=1):
     packing = random_packing(int(count), float(fraction), np.random.default_rng(int(seed)))
     # Minima of the soft energy touch: a little room, and ellipsoids of full size do not.
     actual, packing.semi_axes = packing.semi_axes, 1.001 * packing.semi_axes
-    print("overlaps, least μ: %d, %.3f" % packing.overlaps())
+    overlapping, least = packing.overlaps()
+    print(f"overlaps, least μ: {overlapping}, {least:.3f}")
     for _ in range(20):
         energy = packing.relax(100)
-        print("energy %.1e" % energy, file=sys.stderr)
+        print(f"energy {energy:.1e}", file=sys.stderr)
         overlapping, least = packing.overlaps()
         if least >= 1 / 1.001:
             break
     packing.semi_axes = actual
-    print("overlaps when relaxed: %d" % packing.overlaps()[0])
+    print(f"overlaps when relaxed: {packing.overlaps()[0]}")
 
 
 if __name__ == "__main__":

@@ -10,6 +10,7 @@ import unittest
 from pathlib import Path
 
 from lammps_runs import launch
+import itertools
 
 EXAMPLES = Path(os.environ["PW85_LAMMPS_EXAMPLES"])
 
@@ -60,7 +61,7 @@ class Examples(unittest.TestCase):
     def check_steps_printed_twice(self, text):
         """The last line of a run and the first of the next have the same step, and the same ellipsoids."""
         rows = [line.split() for line in text.splitlines() if re.fullmatch(r" *\d+( +\S+){6} *", line)]
-        pairs = [(a, b) for a, b in zip(rows, rows[1:]) if a[0] == b[0]]
+        pairs = [(a, b) for a, b in itertools.pairwise(rows) if a[0] == b[0]]
         self.assertEqual([a[0] for a, _ in pairs], ["3000", "4000", "5000"])
         for a, b in pairs[:2]:  # after the third change, that of the shapes, other ellipsoids overlap
             self.assertEqual(a[5], b[5])

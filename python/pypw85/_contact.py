@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any, Optional, overload
+from typing import Any, overload
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -417,7 +417,7 @@ def zheng_ellipsoids(direction: ArrayLike, q1: ArrayLike, q2: ArrayLike, out: An
 
 
 @documented
-def _cholesky_decomp(a: ArrayLike, l: Optional[Floats] = None, **kwargs: Any) -> Floats:
+def _cholesky_decomp(a: ArrayLike, l: Floats | None = None, **kwargs: Any) -> Floats:
     """Cholesky factorisation A = L Lᵀ of 3×3 matrices.
 
     Parameters
@@ -442,7 +442,7 @@ def _cholesky_decomp(a: ArrayLike, l: Optional[Floats] = None, **kwargs: Any) ->
 
 
 @documented
-def _cholesky_solve(l: ArrayLike, b: ArrayLike, x: Optional[Floats] = None, **kwargs: Any) -> Floats:
+def _cholesky_solve(l: ArrayLike, b: ArrayLike, x: Floats | None = None, **kwargs: Any) -> Floats:
     """Solution of L Lᵀ x = b.
 
     Parameters

@@ -9,7 +9,8 @@ from __future__ import annotations
 
 import math
 import sys
-from typing import Any, NamedTuple, Optional, Sequence
+from typing import Any, NamedTuple
+from collections.abc import Sequence
 
 import numpy as np
 
@@ -56,8 +57,8 @@ class DeviceArray:
         *,
         stream: Any = None,
         max_version: Any = None,
-        dl_device: Optional[tuple[int, int]] = None,
-        copy: Optional[bool] = None,
+        dl_device: tuple[int, int] | None = None,
+        copy: bool | None = None,
     ) -> Any:
         if copy or (dl_device is not None and tuple(dl_device) != self.__dlpack_device__()):
             raise BufferError("the array can be handed over only without a copy")
@@ -88,19 +89,19 @@ def _strides(shape: Sequence[int], size: int) -> tuple[int, ...]:
     return tuple(reversed(strides))
 
 
-def _is_contiguous(shape: tuple[int, ...], strides: Optional[Sequence[int]], size: int) -> bool:
+def _is_contiguous(shape: tuple[int, ...], strides: Sequence[int] | None, size: int) -> bool:
     """Where there is one row, or none, its stride does not matter."""
     if strides is None or 0 in shape:
         return True
     return all(n == 1 or has == needs for n, has, needs in zip(shape, strides, _strides(shape, size)))
 
 
-def _stream(x: Any) -> Optional[int]:
+def _stream(x: Any) -> int | None:
     """The stream in whose order an array is; PyTorch does not say it in the interface."""
     torch = sys.modules.get("torch")
     if torch is not None and isinstance(x, torch.Tensor) and x.is_cuda:
         return int(torch.cuda.current_stream(x.device).cuda_stream)
-    stream: Optional[int] = x.__cuda_array_interface__.get("stream") if _has_interface(x) else None
+    stream: int | None = x.__cuda_array_interface__.get("stream") if _has_interface(x) else None
     return stream
 
 
@@ -109,7 +110,7 @@ def _is_handed_over(x: Any) -> bool:
     return hasattr(x, "__dlpack__") and _stream(x) is None
 
 
-def _read(x: Any, stream: int) -> tuple[int, tuple[int, ...], Optional[Sequence[int]], str, Any]:
+def _read(x: Any, stream: int) -> tuple[int, tuple[int, ...], Sequence[int] | None, str, Any]:
     """Pointer, shape, strides, type, and what keeps the memory; from now on the array is in the order of the stream."""
     if _is_handed_over(x):
         capsule = x.__dlpack__(stream=stream or 1)  # 1 is the default stream
@@ -132,7 +133,7 @@ def _view(x: Any, name: str, columns: int, stream: int, typestr: str = "<f8") ->
     return _View(pointer, shape, owner)
 
 
-def _common_stream(arrays: Sequence[Any]) -> Optional[int]:
+def _common_stream(arrays: Sequence[Any]) -> int | None:
     streams = {stream for stream in map(_stream, arrays) if stream is not None}
     if len(streams) > 1:
         raise ValueError("arrays that are in the order of different streams")
@@ -174,7 +175,7 @@ def _pointer(x: Any) -> int:
 
 
 def _call(
-    name: str, like: Any, stream: Optional[int], outputs: tuple[Any, ...], numbers: Sequence[int]
+    name: str, like: Any, stream: int | None, outputs: tuple[Any, ...], numbers: Sequence[int]
 ) -> tuple[Any, ...]:
     """The results, which are arrays of the library of `like`."""
     status = _core.gpu(name, stream or 0, *numbers, *map(_pointer, outputs))
@@ -214,7 +215,7 @@ def apply(function: str, inputs: tuple[Any, ...], out: Any, keywords: dict[str, 
 
 
 def apply_to_pairs(
-    function: str, pairs: Any, centers: Any, q: Any, cell: Optional[Floats], images: Any, dtype: Any = None
+    function: str, pairs: Any, centers: Any, q: Any, cell: Floats | None, images: Any, dtype: Any = None
 ) -> Any:
     """One of the functions for neighbour lists where these are on a GPU; the cell is not."""
     arrays = [pairs, centers, q] + ([] if images is None else [images])

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import re
 import textwrap
-from typing import Callable, TypeVar
+from typing import TypeVar
+from collections.abc import Callable
 
 Function = TypeVar("Function", bound=Callable[..., object])
 

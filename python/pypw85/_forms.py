@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any, Optional
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -18,7 +18,7 @@ _FULL = [0, 1, 2, 1, 3, 4, 2, 4, 5]
 
 
 @documented
-def spheroid(a: ArrayLike, c: ArrayLike, n: ArrayLike, q: Optional[Floats] = None, **kwargs: Any) -> Floats:
+def spheroid(a: ArrayLike, c: ArrayLike, n: ArrayLike, q: Floats | None = None, **kwargs: Any) -> Floats:
     """Quadratic form of a spheroid, Q = a² I + (c² - a²) n nᵀ.
 
     Parameters

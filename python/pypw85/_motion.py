@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any, NamedTuple, Optional, overload
+from typing import Any, NamedTuple, overload
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -118,8 +118,8 @@ def first_contact_pairs(
     q: ArrayLike,
     motions: ArrayLike,
     t_max: float = np.inf,
-    cell: Optional[ArrayLike] = None,
-    images: Optional[ArrayLike] = None,
+    cell: ArrayLike | None = None,
+    images: ArrayLike | None = None,
 ) -> Events:
     """`first_contact` for the pairs of a neighbour list, and the next event of each particle.
 

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from typing import Any, Optional, Sequence, Union
+from typing import Any
+from collections.abc import Sequence
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -72,8 +73,8 @@ class Neighbors:
 def neighbors(
     centers: ArrayLike,
     q: ArrayLike,
-    cell: Optional[ArrayLike] = None,
-    periodic: Union[bool, Sequence[bool]] = True,
+    cell: ArrayLike | None = None,
+    periodic: bool | Sequence[bool] = True,
     scale: float = 1.0,
     skin: float = 0.0,
 ) -> Neighbors:

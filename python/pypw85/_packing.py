@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from typing import Any, Callable, NamedTuple, Optional
+from typing import Any, NamedTuple
+from collections.abc import Callable
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -116,9 +117,9 @@ def _turned(quaternions: Floats, rotations: Floats) -> Floats:
 def pack(
     semi_axes: ArrayLike,
     fraction: float,
-    cell: Optional[ArrayLike] = None,
+    cell: ArrayLike | None = None,
     seed: Any = None,
-    types: Optional[ArrayLike] = None,
+    types: ArrayLike | None = None,
     steps: int = 5000,
     stage: Callable[[str], object] = str,
 ) -> System:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any, Optional, cast
+from typing import Any, cast
 
 import numpy as np
 from numpy.typing import ArrayLike, DTypeLike, NDArray
@@ -23,9 +23,9 @@ def contact_pairs(
     pairs: ArrayLike,
     centers: ArrayLike,
     q: ArrayLike,
-    cell: Optional[ArrayLike] = None,
-    out: Optional[tuple[Floats, Floats]] = None,
-    images: Optional[ArrayLike] = None,
+    cell: ArrayLike | None = None,
+    out: tuple[Floats, Floats] | None = None,
+    images: ArrayLike | None = None,
 ) -> tuple[Floats, Floats]:
     """Contact function (see `contact`) for the pairs of a neighbour list. Dask arrays are computed at once.
 
@@ -69,9 +69,9 @@ def overlap_pairs(
     pairs: ArrayLike,
     centers: ArrayLike,
     q: ArrayLike,
-    cell: Optional[ArrayLike] = None,
+    cell: ArrayLike | None = None,
     dtype: DTypeLike = np.bool_,
-    images: Optional[ArrayLike] = None,
+    images: ArrayLike | None = None,
 ) -> NDArray[Any]:
     """Whether (see `overlap`) the pairs of a neighbour list overlap. Dask arrays are computed at once.
 
@@ -164,8 +164,8 @@ def _outputs(out: Any, count: int) -> tuple[Floats, Floats]:
 
 
 def _pair_list(
-    pairs: ArrayLike, centers: ArrayLike, q: ArrayLike, cell: Optional[ArrayLike], images: Optional[ArrayLike]
-) -> tuple[NDArray[np.int32], Floats, Floats, Optional[Floats], Optional[NDArray[np.int32]]]:
+    pairs: ArrayLike, centers: ArrayLike, q: ArrayLike, cell: ArrayLike | None, images: ArrayLike | None
+) -> tuple[NDArray[np.int32], Floats, Floats, Floats | None, NDArray[np.int32] | None]:
     """Contiguous arrays of the types that the library takes."""
     centers, q = _particles(centers, q)
     indices = _indices(pairs, len(centers))
@@ -180,7 +180,7 @@ def _particles(centers: ArrayLike, q: ArrayLike) -> tuple[Floats, Floats]:
     return centers, q
 
 
-def _cell(cell: Optional[ArrayLike]) -> Optional[Floats]:
+def _cell(cell: ArrayLike | None) -> Floats | None:
     if cell is None:
         return None
     rows = _rows(cell, 3, "cell")
@@ -189,7 +189,7 @@ def _cell(cell: Optional[ArrayLike]) -> Optional[Floats]:
     return rows
 
 
-def _images(images: Optional[ArrayLike], num_pairs: int, has_cell: bool) -> Optional[NDArray[np.int32]]:
+def _images(images: ArrayLike | None, num_pairs: int, has_cell: bool) -> NDArray[np.int32] | None:
     if images is None:
         return None
     multiples = np.asarray(images)
@@ -248,8 +248,8 @@ def _explain(
     pairs: NDArray[np.int32],
     centers: Floats,
     q: Floats,
-    cell: Optional[Floats],
-    images: Optional[NDArray[np.int32]],
+    cell: Floats | None,
+    images: NDArray[np.int32] | None,
     refused: bool,
 ) -> None:
     """Raise what fits if the call was refused as a whole."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any, Optional
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -16,7 +16,7 @@ _COLOURS = ("tab:blue", "tab:orange")
 
 
 def plot(
-    center1: ArrayLike, q1: ArrayLike, center2: ArrayLike, q2: ArrayLike, ax: Optional[Any] = None, resolution: int = 32
+    center1: ArrayLike, q1: ArrayLike, center2: ArrayLike, q2: ArrayLike, ax: Any | None = None, resolution: int = 32
 ) -> Any:
     """Draw two ellipsoids, the pair scaled by μ, their contact point and common normal.
 

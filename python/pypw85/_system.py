@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from typing import Any, NamedTuple, Optional, Union
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -37,12 +37,12 @@ class Report(NamedTuple):
 
     particles: int
     shapeless: int
-    volume: Optional[float]
-    packing_fraction: Optional[float]
+    volume: float | None
+    packing_fraction: float | None
     pairs_tested: int
     overlaps: int
-    smallest_mu: Optional[float]
-    nearest_image_limit: Optional[float]
+    smallest_mu: float | None
+    nearest_image_limit: float | None
     contacts: Contacts
     worst: Contacts
 
@@ -73,10 +73,10 @@ class System:
         self,
         centers: ArrayLike,
         q: ArrayLike,
-        cell: Optional[ArrayLike] = None,
-        periodic: Union[bool, ArrayLike] = True,
-        types: Optional[ArrayLike] = None,
-        ids: Optional[ArrayLike] = None,
+        cell: ArrayLike | None = None,
+        periodic: bool | ArrayLike = True,
+        types: ArrayLike | None = None,
+        ids: ArrayLike | None = None,
         origin: ArrayLike = (0.0, 0.0, 0.0),
         step: int = 0,
         shapeless: int = 0,
@@ -92,7 +92,7 @@ class System:
             map(bool, np.broadcast_to(np.asarray(periodic, dtype=bool) & (self.cell is not None), 3))
         )
         self.origin, self.step, self.shapeless = np.asarray(origin, dtype=np.float64), int(step), shapeless
-        self._axes: Optional[tuple[Floats, Floats]] = None
+        self._axes: tuple[Floats, Floats] | None = None
 
     @classmethod
     def from_axes(cls, centers: ArrayLike, semi_axes: ArrayLike, quaternions: ArrayLike, **others: Any) -> System:
@@ -126,7 +126,7 @@ class System:
         return self._axes
 
     @property
-    def packing_fraction(self) -> Optional[float]:
+    def packing_fraction(self) -> float | None:
         """Volume of the ellipsoids over that of the cell; overlaps count twice."""
         if self.cell is None:
             return None
@@ -171,9 +171,9 @@ class System:
 
     def draw(
         self,
-        path: Optional[Any] = None,
+        path: Any | None = None,
         *,
-        ax: Optional[Any] = None,
+        ax: Any | None = None,
         contacts: bool = False,
         elevation: float = 20,
         azimuth: float = -60,

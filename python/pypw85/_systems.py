@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any, NamedTuple, Optional
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -79,8 +79,8 @@ def contact_derivatives_pairs(
     pairs: ArrayLike,
     centers: ArrayLike,
     q: ArrayLike,
-    cell: Optional[ArrayLike] = None,
-    images: Optional[ArrayLike] = None,
+    cell: ArrayLike | None = None,
+    images: ArrayLike | None = None,
 ) -> ContactDerivatives:
     """`contact_derivatives` for the pairs of a neighbour list.
 
@@ -127,8 +127,8 @@ def contact_forces_pairs(
     q: ArrayLike,
     d_u: ArrayLike,
     derivatives: ContactDerivatives,
-    cell: Optional[ArrayLike] = None,
-    images: Optional[ArrayLike] = None,
+    cell: ArrayLike | None = None,
+    images: ArrayLike | None = None,
 ) -> ContactForces:
     """Forces, torques and virial of an energy U(μ²) of the pairs of a neighbour list.
 
@@ -185,7 +185,7 @@ def overlap_any_indices(
     indices: ArrayLike,
     centers: ArrayLike,
     q: ArrayLike,
-    cell: Optional[ArrayLike] = None,
+    cell: ArrayLike | None = None,
 ) -> bool:
     """Whether an ellipsoid overlaps any of others of a system, by their indices, as a Monte Carlo move asks.
 

@@ -6,7 +6,7 @@ more. Arguments are as in `pypw85`.
 
 from __future__ import annotations
 
-from typing import Any, Optional, overload
+from typing import Any, overload
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -84,9 +84,9 @@ def _outside(q1: ArrayLike, q2: ArrayLike) -> Any:
 def _detQ_as_poly(
     q1: ArrayLike,
     q2: ArrayLike,
-    q3: Optional[ArrayLike] = None,
-    q4: Optional[ArrayLike] = None,
-    b: Optional[Floats] = None,
+    q3: ArrayLike | None = None,
+    q4: ArrayLike | None = None,
+    b: Floats | None = None,
     **kwargs: Any,
 ) -> Floats:
     """Coefficients of det[(1-λ) Q1 + λ Q2] in increasing powers of λ.
@@ -125,8 +125,8 @@ def _rT_adjQ_r_as_poly(
     r: ArrayLike,
     q1: ArrayLike,
     q2: ArrayLike,
-    q3: Optional[ArrayLike] = None,
-    a: Optional[Floats] = None,
+    q3: ArrayLike | None = None,
+    a: Floats | None = None,
     **kwargs: Any,
 ) -> Floats:
     """Coefficients of rᵀ adj[(1-λ) Q1 + λ Q2] r in increasing powers of λ.
@@ -165,14 +165,14 @@ def _check_last_dimension(out: Any, length: int) -> None:
 
 
 @overload
-def f1(lambda_: float, r12: Row, q1: Row, q2: Row, out: Optional[Floats] = None) -> float: ...
+def f1(lambda_: float, r12: Row, q1: Row, q2: Row, out: Floats | None = None) -> float: ...
 @overload
 def f1(
-    lambda_: ArrayLike, r12: ArrayLike, q1: ArrayLike, q2: ArrayLike, out: Optional[Floats] = None, **kwargs: Any
+    lambda_: ArrayLike, r12: ArrayLike, q1: ArrayLike, q2: ArrayLike, out: Floats | None = None, **kwargs: Any
 ) -> Any: ...
 @documented
 def f1(
-    lambda_: ArrayLike, r12: ArrayLike, q1: ArrayLike, q2: ArrayLike, out: Optional[Floats] = None, **kwargs: Any
+    lambda_: ArrayLike, r12: ArrayLike, q1: ArrayLike, q2: ArrayLike, out: Floats | None = None, **kwargs: Any
 ) -> Any:
     """f(λ) = λ(1-λ) r12ᵀ [(1-λ) Q1 + λ Q2]⁻¹ r12 and its derivatives, by Cholesky factorisation.
 
@@ -212,14 +212,14 @@ def f1(
 
 
 @overload
-def f2(lambda_: float, r12: Row, q1: Row, q2: Row, out: Optional[Floats] = None) -> float: ...
+def f2(lambda_: float, r12: Row, q1: Row, q2: Row, out: Floats | None = None) -> float: ...
 @overload
 def f2(
-    lambda_: ArrayLike, r12: ArrayLike, q1: ArrayLike, q2: ArrayLike, out: Optional[Floats] = None, **kwargs: Any
+    lambda_: ArrayLike, r12: ArrayLike, q1: ArrayLike, q2: ArrayLike, out: Floats | None = None, **kwargs: Any
 ) -> Any: ...
 @documented
 def f2(
-    lambda_: ArrayLike, r12: ArrayLike, q1: ArrayLike, q2: ArrayLike, out: Optional[Floats] = None, **kwargs: Any
+    lambda_: ArrayLike, r12: ArrayLike, q1: ArrayLike, q2: ArrayLike, out: Floats | None = None, **kwargs: Any
 ) -> Any:
     """f(λ), as a rational function of λ, which loses accuracy with the square of the aspect ratio and more.
 
@@ -250,7 +250,7 @@ def f2(
 
 @documented
 def f2_derivatives(
-    lambda_: ArrayLike, r12: ArrayLike, q1: ArrayLike, q2: ArrayLike, out: Optional[Floats] = None, **kwargs: Any
+    lambda_: ArrayLike, r12: ArrayLike, q1: ArrayLike, q2: ArrayLike, out: Floats | None = None, **kwargs: Any
 ) -> Any:
     """f(λ), f'(λ) and f''(λ), as a rational function of λ.
 

@@ -16,7 +16,7 @@ class TapReport:
             print(f"Bail out! {report.nodeid} cannot be collected", flush=True)
 
     def pytest_runtest_logreport(self, report):
-        if report.when != "call" and report.passed or report.when == "teardown" and report.skipped:
+        if (report.when != "call" and report.passed) or (report.when == "teardown" and report.skipped):
             return
         self.number += 1
         if report.skipped:

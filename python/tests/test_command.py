@@ -159,13 +159,13 @@ def test_another_number_of_particles(run, folder):
 
 def test_workers(folder):
     pypw85.write("a.dump", [random_system(seed, step=seed) for seed in range(6)])
-    one, two = (subprocess.run([*PW85, "check", "a.dump", "--workers", str(n)], stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+    one, two = (subprocess.run([*PW85, "check", "a.dump", "--workers", str(n)], capture_output=True)
                 for n in (1, 2))  # fmt: skip
     assert (one.returncode, two.returncode) == (1, 1), two.stderr
     assert one.stdout == two.stdout
     text = (folder / "a.dump").read_text()
     (folder / "b.dump").write_text(text[:-100])
-    bad = subprocess.run([*PW85, "check", "b.dump", "--workers", "2"], stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+    bad = subprocess.run([*PW85, "check", "b.dump", "--workers", "2"], capture_output=True)
     assert bad.returncode == 2
     sentence = bad.stderr.split(b"\r")[-1]  # behind the progress
     assert sentence.startswith(b"pw85: b.dump, frame 5, line ") and bad.stderr.count(b"\n") == 1

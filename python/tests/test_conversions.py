@@ -45,7 +45,7 @@ def test_from_ovito(bodies):
 
 
 def test_from_gsd(bodies):
-    semi_axes, wxyz, rotations, _ = bodies
+    _semi_axes, wxyz, rotations, _ = bodies
     shapes = [{"type": "Ellipsoid", "a": 1.0, "b": 2.0, "c": 3.0}, {"type": "Sphere", "diameter": 3.0}, {}]
     actual = pypw85.from_gsd(shapes, np.arange(50, dtype=np.uint32) % 2, wxyz)
     assert_close(actual[::2], pypw85.ellipsoid([1, 2, 3], rotations[::2]))

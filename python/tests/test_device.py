@@ -9,7 +9,7 @@ import pypw85
 
 try:
     DRIVER = ctypes.CDLL("libcuda.so.1")
-    DRIVER.fake_hold
+    _ = DRIVER.fake_hold
 except (OSError, AttributeError):
     pytest.skip("there is no driver of the tests", allow_module_level=True)
 

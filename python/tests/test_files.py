@@ -130,7 +130,8 @@ def test_scaled_positions(file):
 
 
 @pytest.mark.parametrize("columns", ["c_shape[1] c_shape[2] c_shape[3] c_shape[4] c_shape[5] c_shape[6] c_shape[7]",
-                                     "c_diameter[1] c_diameter[2] c_diameter[3] c_orient[1] c_orient[2] c_orient[3] c_orient[4]"])  # fmt: skip
+                                     "c_diameter[1] c_diameter[2] c_diameter[3] "
+                                     "c_orient[1] c_orient[2] c_orient[3] c_orient[4]"])  # fmt: skip
 def test_columns_of_computes(file, columns):
     text = changed("shapex shapey shapez quatw quati quatj quatk", columns)
     np.testing.assert_array_equal(pypw85.read(file(text)).semi_axes, [[1, 2, 3], [1, 1, 1]])

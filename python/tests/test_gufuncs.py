@@ -113,7 +113,8 @@ def test_single_call_equals_rows_of_array(name, rng):
     # The batches of these promise a bound, not the bits of the single call.
     same = np.testing.assert_array_equal
     if name in ("contact", "contact_2d", "closest_approach"):
-        same = lambda a, b: np.testing.assert_allclose(a, b, rtol=1e-14)
+        def same(a, b):
+            return np.testing.assert_allclose(a, b, rtol=1e-14)
     for index in np.ndindex(5, 4):
         single = as_tuple(call_name(name)(*(arg[index] for arg in args), None, {}))
         for row, value in zip(rows, single):

@@ -154,7 +154,8 @@ def test_nematic_order(rng):
 def test_correlation_of_an_ideal_gas(rng):
     """Points thrown at random are uncorrelated in μ, too."""
     n = 150
-    system = pypw85.System.from_axes(rng.uniform(0, 8, (n, 3)), rng.uniform(0.3, 0.9, (n, 3)), random_quaternions(rng, n), cell=8 * np.eye(3))
+    centers, axes = rng.uniform(0, 8, (n, 3)), rng.uniform(0.3, 0.9, (n, 3))
+    system = pypw85.System.from_axes(centers, axes, random_quaternions(rng, n), cell=8 * np.eye(3))
     found = _statistics.correlation(system, 2.0, 4)
     # Poisson noise of a bin, and 1 % of the estimate of excluded volumes
     assert (np.abs(found.pairs - found.uncorrelated) < 4 * np.sqrt(found.uncorrelated) + 0.01 * found.uncorrelated).all()

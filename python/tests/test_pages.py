@@ -20,7 +20,7 @@ def test_session(tmp_path):
     (tmp_path / "bin" / "pw85").chmod(0o755)
     environment = {**os.environ, "PATH": f"{tmp_path / 'bin'}:{os.environ['PATH']}"}
     done = subprocess.run(["sh", SOURCE / "docs" / "command" / "session.sh"], cwd=tmp_path, env=environment,
-                          stdout=subprocess.PIPE, stderr=subprocess.PIPE, encoding="utf-8")  # fmt: skip
+                          capture_output=True, encoding="utf-8")  # fmt: skip
     assert done.stdout == (SOURCE / "docs" / "command" / "session.out").read_text(encoding="utf-8"), done.stderr
     written = {path.name for path in tmp_path.iterdir() if path.is_file()} - {"grains.xyz"}
     assert written == {"contacts.csv", "grains.png", "grains.html", "grains.gsd", "apart.data", "packing.data",

@@ -51,7 +51,8 @@ point += pypw85.contact_gradient(row, q, q, lambda_)[0] + normal
 name: str = pypw85.metadata["name"]
 """
 WRONG = ["pypw85.contact(row, form)", "mu2 = pypw85.contact(row, form, form) + 1", "pypw85.spheroid(1, 2)",
-         "text: str = pypw85.f(0.5, row, form, form)", "a, b, c = pypw85.contact(row, form, form)", "text: str = pypw85.distance(row, form, form)[0]"]
+         "text: str = pypw85.f(0.5, row, form, form)", "a, b, c = pypw85.contact(row, form, form)",
+         "text: str = pypw85.distance(row, form, form)[0]"]
 
 
 @pytest.fixture(scope="module")

@@ -83,11 +83,26 @@ def test_metadata(information):
 
 def test_libraries(installed):
     """No more than what every system with wheels has (PEP 600), and the run-time library of OpenMP, which auditwheel puts into the
-    wheel: auditwheel is no package of Debian, so that this stands for its check."""
+    wheel (scripts/test_wheel.sh): this says it without auditwheel, which Debian 12 lacks."""
     (extension,) = (installed / "pypw85").glob("_core*.so")
     needed = set(re.findall(r"NEEDED.*\[([\w+-]+)\.so", run("readelf", "--dynamic", "--wide", str(extension))))
     assert needed <= {"libc", "libm", "libstdc++", "libgcc_s", "libpthread", "libdl", "libgomp",
                       "ld-linux-x86-64", "ld-linux-aarch64"}
+
+
+def test_cibuildwheel():
+    """What pyproject.toml tells cibuildwheel agrees with the rest of it."""
+    tomllib = pytest.importorskip("tomllib")
+    project = tomllib.loads((SOURCE / "pyproject.toml").read_text(encoding="utf-8"))
+    table = project["tool"]["cibuildwheel"]
+    oldest = min(int(minor) for minor in re.findall(r"cp3(\d+)-\*", table["build"]))
+    assert project["project"]["requires-python"] == f">= 3.{oldest}"
+    assert (SOURCE / re.fullmatch(r"python {project}/(\S+)", table["test-command"])[1]).is_file()
+    for system in ("linux", "macos"):
+        assert re.search(r"three-[\d.]+\.tgz \| tar -xz -C /tmp", table[system]["before-all"])
+    assert table["config-settings"] == {"setup-args": "-Dthree=/tmp/package"}  # npm's packages unpack to that folder
+    image = re.search(r"cibuildwheel[^`]*``(manylinux\w+)``", (SOURCE / "docs/installation.rst").read_text(encoding="utf-8"))[1]
+    assert {table["linux"][f"manylinux-{machine}-image"] for machine in ("x86_64", "aarch64")} == {image}
 
 
 def test_use(installed, tmp_path):

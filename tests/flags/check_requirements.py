@@ -1,8 +1,8 @@
 """What the C++ headers say to compilers that they cannot work with, in the Test Anything Protocol.
 
 One message that names the cure for an older standard and for arithmetic that is not that of IEEE 754, and the first one
-does for integers. Nothing for the flags that the manual calls safe, with which its program prints what it shows. Usage: check_requirements.py
-SOURCE_DIR BUILT_INCLUDE_DIR COMPILER...
+does for integers. Nothing for the flags that the manual calls safe, with which its program prints what it shows.
+Usage: check_requirements.py SOURCE_DIR BUILT_INCLUDE_DIR COMPILER...
 """
 
 import subprocess

@@ -72,7 +72,7 @@ def assemble(ptxas, path):
 def check_amd(program):
     kernels = []
     for block in program.split("  - .agpr_count:")[1:]:
-        value = {key: number for key, number in re.findall(r"\.(\w+): +(\S+)", block)}
+        value = dict(re.findall(r"\.(\w+): +(\S+)", block))
         kernels.append(value["name"])
         spilled = int(value["vgpr_spill_count"]) + int(value["sgpr_spill_count"])
         # Registers are given out in other numbers: what counts is that none is spilled.

@@ -1,6 +1,6 @@
 """Installs pw85 into a fresh prefix, and builds and runs programs in C99 and C++20 against it in four ways: pkg-config and
-the compiler, CMake, Meson with the system dependency, Meson with a subproject; each with shared and static libraries. Also: CMake in whose tree
-pw85 is built, with the flags that Meson uses; the headers alone, where there is nothing else.
+the compiler, CMake, Meson with the system dependency, Meson with a subproject; each with shared and static libraries. Also: CMake
+in whose tree pw85 is built, with the flags that Meson uses; the headers alone, where there is nothing else.
 
 Prints the Test Anything Protocol. Usage: test_install.py SOURCE_DIR
 """
@@ -13,6 +13,7 @@ import shutil
 import subprocess
 import sys
 import tempfile
+import xml.etree.ElementTree as ElementTree
 from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
@@ -30,8 +31,7 @@ class Failed(Exception):
 def run(*command, cwd=None, **environment):
     """Output of a command that must succeed."""
     arguments = [str(word) for word in command]
-    done = subprocess.run(arguments, cwd=cwd, env={**os.environ, **environment}, text=True,
-                          stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+    done = subprocess.run(arguments, cwd=cwd, env={**os.environ, **environment}, text=True, capture_output=True)
     if done.returncode != 0:
         raise Failed(f"{' '.join(arguments)}: status {done.returncode}\n{done.stdout}{done.stderr}")
     return done.stdout
@@ -86,6 +86,7 @@ class Installation:
         run("meson", "install", "--no-rebuild", "-C", self.build)
         root = Path(self.prefix.anchor)
         installed = {path.relative_to(root) for path in self.prefix.rglob("*") if not path.is_dir()}
+        self.installed = installed
         if staged != installed:
             raise Failed(f"staged and installed files differ: {sorted(map(str, staged ^ installed))}")
 
@@ -106,18 +107,41 @@ class Installation:
         missing = [str(header) for header in sorted(headers) if not (self.prefix / "include" / header).exists()]
         if missing:
             raise Failed(f"headers not installed: {missing}")
-        plan = json.loads(run("meson", "introspect", "--install-plan", self.build))
-        untagged = [file for files in plan.values() for file, details in files.items() if not details["tag"]]
-        if untagged:
-            raise Failed(f"without a tag of those who package: {untagged}")
+
+    def check_tags(self):
+        """Those who package by Meson's tags lose nothing: each file has one, also of the parts that are not built here, and the
+        libraries that programs load are what `runtime` means."""
+        everything = self.work / "build-everything"
+        run("meson", "setup", everything, self.source, "-Dgpu=disabled")
+        for build in (self.build, everything):
+            plan = json.loads(run("meson", "introspect", "--install-plan", build))
+            untagged = [file for files in plan.values() for file, details in files.items() if not details["tag"]]
+            if untagged:
+                raise Failed(f"without a tag of those who package: {untagged}")
+        for tags, wanted in (("runtime", r"libpw85\w*\.so\.3.*"), ("devel", r"(?!libpw85\w*\.so\.3).*"), ("runtime,devel", ".*")):
+            stage = self.work / f"stage-{tags}"
+            run("meson", "install", "--no-rebuild", "-C", self.build, "--tags", tags, DESTDIR=str(stage))
+            staged = {path.relative_to(stage) for path in stage.rglob("*") if not path.is_dir()}
+            expected = {path for path in self.installed if re.fullmatch(wanted, path.name)}
+            if staged != expected:
+                raise Failed(f"installed by the tags {tags}: {sorted(map(str, staged ^ expected))} differ")
 
     def check_symbols(self):
-        """Shared libraries export what begins with pw85, and no more."""
-        for name in ("libpw85.so", "libpw85_legacy.so"):
-            symbols = exported_symbols(self.libdir / name)
-            foreign = [symbol for symbol in symbols if not symbol.startswith("pw85")]
-            if foreign or not symbols:
-                raise Failed(f"{name} exports {foreign or 'nothing'}")
+        """Shared libraries export the functions that Debian's package lists, each with its first version, and nothing else; those
+        with which releases are compared are among them."""
+        listed = re.findall(r"^(\w+)\.so\S* .*\n((?: .*\n)+)", (self.source / "debian/libpw85-3.symbols").read_text(), re.MULTILINE)
+        if len(listed) != 2:
+            raise Failed(f"debian/libpw85-3.symbols knows {[library for library, _ in listed]}")
+        for library, lines in listed:
+            names = {line.split("@")[0].strip() for line in lines.splitlines()}
+            exported = set(exported_symbols(self.libdir / f"{library}.so"))
+            if exported != names:
+                raise Failed(f"{library}.so exports {sorted(exported - names)}, which debian/libpw85-3.symbols does not have, and not "
+                             f"{sorted(names - exported)}")
+            record = ElementTree.parse(self.source / f"scripts/abi/{library}.abi")
+            recorded = {symbol.get("name") for symbol in record.iter("elf-symbol")}
+            if not recorded or recorded - exported:
+                raise Failed(f"{library}.so does not export {sorted(recorded - exported) or 'anything known'} of scripts/abi")
 
     def environment(self):
         return {"PKG_CONFIG_PATH": str(self.libdir / "pkgconfig"), "LD_LIBRARY_PATH": str(self.libdir)}
@@ -210,14 +234,14 @@ class Installation:
                     cmake_options=["-DCMAKE_SYSTEM_NAME=Linux", f"-DCMAKE_SYSTEM_PROCESSOR={machine.split('-')[0]}",
                                    f"-DCMAKE_CXX_COMPILER={compiler}"])
 
-    def compare_flags(self, kind, simd, gsl, name="", environment={}, meson_options=(), cmake_options=()):
+    def compare_flags(self, kind, simd, gsl, name="", environment=None, meson_options=(), cmake_options=()):
         meson, cmake = (self.work / f"flags-{builder}-{kind}-{simd}-{gsl}-{name}" for builder in ("meson", "cmake"))
         off = [f"-D{name}=disabled" for name, wanted in (("simd", simd), ("gsl", gsl)) if not wanted]
         run("meson", "setup", meson, self.source, *LIBRARIES_ONLY, "-Dgpu=disabled", "--buildtype=plain", f"-Ddefault_library={kind}", *off,
-            *meson_options, **environment)
+            *meson_options, **(environment or {}))
         run("cmake", "-G", "Ninja", "-S", self.source, "-B", cmake, f"-DBUILD_SHARED_LIBS={kind == 'shared'}",
             f"-DPW85_SIMD={simd}", f"-DPW85_GSL={gsl}", "-DPW85_GPU=OFF", "-DCMAKE_EXPORT_COMPILE_COMMANDS=ON",
-            *cmake_options, **environment)
+            *cmake_options, **(environment or {}))
         header, same = "kernels/instruction_sets.h", lambda file: file.read_text().partition("#define")[2].split()
         if same(meson / "src" / header) != same(cmake / header):
             raise Failed(f"{header} differs: {(cmake / header).read_text()}")
@@ -340,6 +364,7 @@ class Installation:
 def cases(installation):
     yield "install", installation.install
     yield "files", installation.check_files
+    yield "tags", installation.check_tags
     yield "symbols", installation.check_symbols
     ways = {"pkg-config": installation.with_pkg_config, "cmake": installation.with_cmake,
             "meson": installation.with_meson, "subproject": installation.with_meson_subproject}

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import functools
-from typing import Any, Callable, Iterator, NamedTuple, Optional
+from typing import Any, NamedTuple
+from collections.abc import Callable, Iterator
 
 import click
 import numpy as np
@@ -36,7 +37,7 @@ class Numbers(click.ParamType):
     def __init__(self, *counts: int) -> None:
         self.counts = counts
 
-    def convert(self, value: Any, param: Optional[click.Parameter], ctx: Optional[click.Context]) -> Any:
+    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Any:
         try:
             numbers = np.array(value.replace(",", " ").split(), dtype=np.float64)
         except ValueError:
@@ -51,7 +52,7 @@ class Frames(click.ParamType):
 
     name = "frames"
 
-    def convert(self, value: Any, param: Optional[click.Parameter], ctx: Optional[click.Context]) -> slice:
+    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> slice:
         if isinstance(value, slice):
             return value
         try:
@@ -87,9 +88,9 @@ def input_options(function: Callable[..., Any]) -> Callable[..., Any]:
     """Decorator: the options above, handed to the command as one `Input`."""
 
     @functools.wraps(function)
-    def command(file: str, format: Optional[str], frames: slice, lengths: Optional[str], quaternion: Optional[str],
-                cell: Any, periodic: Optional[str], shape: Any, shape_columns: Optional[str],
-                quaternion_columns: Optional[str], **others: Any) -> Any:  # fmt: skip
+    def command(file: str, format: str | None, frames: slice, lengths: str | None, quaternion: str | None,
+                cell: Any, periodic: str | None, shape: Any, shape_columns: str | None,
+                quaternion_columns: str | None, **others: Any) -> Any:  # fmt: skip
         if cell is not None:
             cell = np.diag(cell) if len(cell) == 3 else cell.reshape(3, 3)
         flags = None if periodic is None else [periodic != "none" and name in periodic for name in "abc"]
@@ -111,7 +112,7 @@ def one_frame(given: Input) -> System:
     raise FileError(given.path, "there are no such frames: choose others (--frames)")
 
 
-def _names(text: Optional[str], count: int, option: str) -> Optional[list[str]]:
+def _names(text: str | None, count: int, option: str) -> list[str] | None:
     names = None if text is None else text.split(",")
     if names is not None and len(names) != count:
         raise click.UsageError(f"{option} should name {count} columns")

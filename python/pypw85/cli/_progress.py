@@ -5,7 +5,8 @@ from __future__ import annotations
 import contextlib
 import sys
 import threading
-from typing import Callable, Iterator, Optional, TextIO
+from typing import TextIO
+from collections.abc import Callable, Iterator
 
 from tqdm import tqdm
 
@@ -35,7 +36,7 @@ def _show(stage: list[str], finished: threading.Event) -> None:
             bar.set_description_str(stage[0])
 
 
-def say(line: str, to: Optional[TextIO] = None) -> None:
+def say(line: str, to: TextIO | None = None) -> None:
     """Prints a line, to stdout by default, without damage to that of the progress."""
     tqdm.write(line, to)
     (to or sys.stdout).flush()  # or tqdm would, in the thread that shows progress, for which a closed pipe is an error

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import contextlib
 import json
-from typing import Any, Callable, Iterator, NamedTuple, Optional
+from typing import Any, NamedTuple
+from collections.abc import Callable, Iterator
 
 import numpy as np
 
@@ -19,7 +20,7 @@ class Found(NamedTuple):
 
     frame: int
     step: int
-    cell: Optional[Any]
+    cell: Any | None
     periodic: tuple[bool, ...]
     report: Report
     contact_ids: Any

@@ -8,7 +8,8 @@ import multiprocessing
 import os
 import signal
 import sys
-from typing import Any, Callable, Iterator, Optional, Union
+from typing import Any
+from collections.abc import Callable, Iterator
 
 import click
 import numpy as np
@@ -29,8 +30,8 @@ from ._reports import Found, csv_report, hdf5_report, json_report
 @click.option("--hdf5", "hdf5_path", metavar="FILE", help="Write everything as HDF5.")
 @click.option("--workers", type=click.IntRange(1), default=1, show_default=True, help="Processes that share the frames.")
 @click.option("--varying", is_flag=True, help="The number of particles may change from frame to frame.")
-def check(given: Input, worst: int, below: float, csv_path: Optional[str], json_path: Optional[str],
-          hdf5_path: Optional[str], workers: int, varying: bool) -> int:  # fmt: skip
+def check(given: Input, worst: int, below: float, csv_path: str | None, json_path: str | None,
+          hdf5_path: str | None, workers: int, varying: bool) -> int:  # fmt: skip
     """Say which ellipsoids of FILE overlap. Ends with status 0 if none do, 1 if some, 2 if the input is bad."""
     outputs = [(csv_report, csv_path), (json_report, json_path), (hdf5_report, hdf5_path)]
     summary = _Summary(given, worst)
@@ -89,7 +90,7 @@ def _survey_with_dask(
                 yield found
 
 
-def _survey_or_error(given: Input, location: Location, worst: int, below: float) -> Union[Found, Exception]:
+def _survey_or_error(given: Input, location: Location, worst: int, below: float) -> Found | Exception:
     """Errors as results: dask would put the traceback of the worker into their text."""
     try:
         return survey(given, location, worst, below)
@@ -159,7 +160,7 @@ _LINE = "{:>5} {:>9} {:>9} {:>16} {:>12} {:>8} {:>10}"
 _PAIR = "{:>5} {:>7} {:>7} {:>7} {:>10}  {:<21} {}"
 
 
-def _number(value: Optional[float]) -> str:
+def _number(value: float | None) -> str:
     return "-" if value is None else f"{value:.6g}"
 
 

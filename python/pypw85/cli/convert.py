@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from typing import Optional
 
 import click
 
@@ -15,7 +14,7 @@ from ._progress import progress
 @input_options
 @click.argument("output")
 @click.option("--to", type=click.Choice(list(FORMATS)), help="Format of OUTPUT; by the end of its name if absent.")
-def convert(given: Input, output: str, to: Optional[str]) -> int:
+def convert(given: Input, output: str, to: str | None) -> int:
     """Write the chosen frames of FILE to OUTPUT. For ParaView, end it with .vtk, and apply the filter Tensor Glyph with a
     sphere of radius 1 to the tensor "shape"."""
     with progress() as stage:

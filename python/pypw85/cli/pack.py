@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any, Optional
+from typing import Any
 
 import click
 import numpy as np
@@ -32,8 +32,8 @@ _to = click.option("--to", type=click.Choice(list(FORMATS)), help="Format of OUT
 @click.option("--resolution", type=click.IntRange(1), default=64, show_default=True, help="Voxels along each vector of the cell.")
 @_to
 @_steps
-def pack(output: str, number: int, kinds: Any, spread: float, fraction: float, cell: Any, seed: int, voxels: Optional[str],
-         resolution: int, to: Optional[str], steps: int) -> int:  # fmt: skip
+def pack(output: str, number: int, kinds: Any, spread: float, fraction: float, cell: Any, seed: int, voxels: str | None,
+         resolution: int, to: str | None, steps: int) -> int:  # fmt: skip
     """Write a random periodic packing of ellipsoids without overlaps to OUTPUT."""
     to = to or guess_for_writing(output)
     types = np.arange(number) % len(kinds)
@@ -54,7 +54,7 @@ def pack(output: str, number: int, kinds: Any, spread: float, fraction: float, c
 @click.argument("output")
 @_to
 @_steps
-def relax(given: Input, output: str, to: Optional[str], steps: int) -> int:
+def relax(given: Input, output: str, to: str | None, steps: int) -> int:
     """Move and turn the ellipsoids of the chosen frames of FILE until none overlap, and write them to OUTPUT."""
     with progress() as stage:
         systems = (relax_system(system, steps, stage) for system in given.systems())

@@ -12,7 +12,8 @@ import os
 import shutil
 import tempfile
 from types import ModuleType
-from typing import Any, Iterable, Iterator, Optional, Union
+from typing import Any, Union
+from collections.abc import Iterable, Iterator
 
 from .._system import System
 from . import csv, gsd, hdf5, lammps_data, lammps_dump, vtk, xyz
@@ -87,7 +88,7 @@ def load(path: Path, format: str, location: Location, options: Options) -> Syste
     return system
 
 
-def frames(path: Path, chosen: slice = slice(None), format: Optional[str] = None, **options: Any) -> Iterator[System]:
+def frames(path: Path, chosen: slice = slice(None), format: str | None = None, **options: Any) -> Iterator[System]:
     """The frames of a file, one after the other: no more than one is in memory.
 
     Parameters
@@ -114,7 +115,7 @@ def frames(path: Path, chosen: slice = slice(None), format: Optional[str] = None
         yield load(path, format, location, Options(**options))
 
 
-def read(path: Path, frame: int = 0, format: Optional[str] = None, **options: Any) -> System:
+def read(path: Path, frame: int = 0, format: str | None = None, **options: Any) -> System:
     """One frame of a file of another program.
 
     Parameters
@@ -146,7 +147,7 @@ def read(path: Path, frame: int = 0, format: Optional[str] = None, **options: An
     raise FileError(path, "there is no such frame: choose another", frame)
 
 
-def write(path: Path, systems: Union[System, Iterable[System]], format: Optional[str] = None) -> None:
+def write(path: Path, systems: System | Iterable[System], format: str | None = None) -> None:
     """Write a system, or several as frames. A file that was there stays whole until the new one is complete.
 
     Parameters

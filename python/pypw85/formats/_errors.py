@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import os
-from typing import Optional
 
 
 class FileError(ValueError):
@@ -18,7 +17,7 @@ class FileError(ValueError):
         Where: frames count from 0, lines from 1.
     """
 
-    def __init__(self, path: object, reason: str, frame: Optional[int] = None, line: Optional[int] = None) -> None:
+    def __init__(self, path: object, reason: str, frame: int | None = None, line: int | None = None) -> None:
         super().__init__(path, reason, frame, line)
         self.path, self.reason, self.frame, self.line = os.fspath(path), reason, frame, line  # type: ignore[call-overload]
 

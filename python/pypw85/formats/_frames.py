@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import dataclasses
 import os
-from typing import Any, NamedTuple, Optional, Sequence
+from typing import Any, NamedTuple
+from collections.abc import Sequence
 
 import numpy as np
 from numpy.typing import NDArray
@@ -33,13 +34,13 @@ class Options:
     `shape` the lengths of particles without any, `shape_columns` and `quaternion_columns` names of columns.
     """
 
-    lengths: Optional[str] = None
-    quaternion: Optional[str] = None
-    cell: Optional[Any] = None
-    periodic: Optional[Sequence[bool]] = None
-    shape: Optional[Sequence[float]] = None
-    shape_columns: Optional[Sequence[str]] = None
-    quaternion_columns: Optional[Sequence[str]] = None
+    lengths: str | None = None
+    quaternion: str | None = None
+    cell: Any | None = None
+    periodic: Sequence[bool] | None = None
+    shape: Sequence[float] | None = None
+    shape_columns: Sequence[str] | None = None
+    quaternion_columns: Sequence[str] | None = None
 
 
 @dataclasses.dataclass
@@ -49,19 +50,19 @@ class Frame:
     path: os.PathLike[str]
     location: Location
     positions: Floats
-    shapes: Optional[Floats] = None
-    quaternions: Optional[Floats] = None
+    shapes: Floats | None = None
+    quaternions: Floats | None = None
     lengths: str = "radii"
     order: str = "wxyz"
-    types: Optional[NDArray[Any]] = None
-    ids: Optional[NDArray[Any]] = None
-    cell: Optional[Floats] = None
+    types: NDArray[Any] | None = None
+    ids: NDArray[Any] | None = None
+    cell: Floats | None = None
     origin: Any = (0.0, 0.0, 0.0)
     periodic: Sequence[bool] = (True, True, True)
     step: int = 0
-    lines: Optional[Sequence[int]] = None
+    lines: Sequence[int] | None = None
 
-    def error(self, reason: str, particle: Optional[int] = None) -> FileError:
+    def error(self, reason: str, particle: int | None = None) -> FileError:
         line = None
         if particle is not None:
             name = particle + 1 if self.ids is None else self.ids[particle]

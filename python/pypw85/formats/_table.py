@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import itertools
 import os
-from typing import Any, BinaryIO, Callable, Iterator, NoReturn, Optional, Sequence
+from typing import Any, BinaryIO, NoReturn
+from collections.abc import Callable, Iterator, Sequence
 
 import numpy as np
 from numpy.typing import NDArray
@@ -21,7 +22,7 @@ class Lines:
 
     def __init__(self, path: os.PathLike[str], location: Location) -> None:
         self.path, self.frame, self.number = path, location.frame, location.line
-        self._file: BinaryIO = open(path, "rb")
+        self._file: BinaryIO = open(path, "rb")  # noqa: SIM115 (closed by __exit__)
         self._file.seek(location.offset)
 
     def __enter__(self) -> Lines:
@@ -30,7 +31,7 @@ class Lines:
     def __exit__(self, *_: object) -> None:
         self._file.close()
 
-    def next(self) -> Optional[str]:
+    def next(self) -> str | None:
         """The next line without its end; None behind the last."""
         line = self._file.readline()
         if not line:
@@ -71,13 +72,13 @@ class Lines:
             raise self.error(f"{what} should be {count} numbers, not '{text[:80]}'")
         return values
 
-    def table(self, count: int, columns: Sequence[str], text: Sequence[str] = (), separator: Optional[str] = None,
-              wanted: Optional[Sequence[str]] = None) -> Table:  # fmt: skip
+    def table(self, count: int, columns: Sequence[str], text: Sequence[str] = (), separator: str | None = None,
+              wanted: Sequence[str] | None = None) -> Table:  # fmt: skip
         """The next `count` lines as a table with these columns; those in `text` are strings, those not wanted are skipped."""
         return Table(self, self._file, count, list(columns), set(text), separator, wanted)
 
 
-def locate_frames(path: os.PathLike[str], lines_of_frame: Callable[[Lines], Optional[int]]) -> Iterator[Location]:
+def locate_frames(path: os.PathLike[str], lines_of_frame: Callable[[Lines], int | None]) -> Iterator[Location]:
     """Frames one behind the other. The function reads the start of one, and says how many lines follow; None at the end."""
     with Lines(path, Location(0)) as lines:
         while True:
@@ -94,7 +95,7 @@ class Table:
     """Columns of `count` lines, by name; its first line has the number `line`."""
 
     def __init__(self, lines: Lines, file: BinaryIO, count: int, columns: list[str], text: set[str],
-                 separator: Optional[str], wanted: Optional[Sequence[str]]) -> None:  # fmt: skip
+                 separator: str | None, wanted: Sequence[str] | None) -> None:  # fmt: skip
         self.columns, self._lines, self._separator, self._text = columns, lines, separator, text
         self._wanted = [name for name in columns if wanted is None or name in wanted]
         self.line, self.count = lines.number + 1, count

@@ -7,7 +7,8 @@ holds the nine components of the vectors of a cell, ``# origin`` three, ``# peri
 from __future__ import annotations
 
 import os
-from typing import IO, Any, Iterator, Optional
+from typing import IO, Any
+from collections.abc import Iterator
 
 import numpy as np
 
@@ -60,7 +61,7 @@ def _named(columns: list[str], options: Options, lines: Lines) -> tuple[list[str
     return shape, quaternion
 
 
-def _types(table: Table) -> Optional[np.ndarray]:  # type: ignore[type-arg]
+def _types(table: Table) -> np.ndarray | None:  # type: ignore[type-arg]
     if "type" not in table:
         return None
     names = table["type"]

@@ -7,7 +7,8 @@ a group for time (value, step) or be one data set for all frames; species, id; b
 from __future__ import annotations
 
 import os
-from typing import Any, Iterator, Optional
+from typing import Any
+from collections.abc import Iterator
 
 import numpy as np
 
@@ -56,7 +57,7 @@ def load(path: os.PathLike[str], location: Location, options: Options) -> System
     with _open(path) as file:
         group = _group(path, file)
 
-        def read(name: str, *shape: int) -> Optional[Any]:
+        def read(name: str, *shape: int) -> Any | None:
             return _read(path, group, name, location.frame, shape)
 
         positions = read("position", -1, 3)
@@ -80,7 +81,7 @@ def load(path: os.PathLike[str], location: Location, options: Options) -> System
     return frame.system(options)
 
 
-def _read(path: os.PathLike[str], group: Any, name: str, frame: int, shape: tuple[int, ...]) -> Optional[Any]:
+def _read(path: os.PathLike[str], group: Any, name: str, frame: int, shape: tuple[int, ...]) -> Any | None:
     if name not in group:
         return None
     values, has_time = _values(group[name])
@@ -100,7 +101,7 @@ def _step(element: Any, frame: int) -> Any:
     return steps[frame] if steps.shape else steps[()] * frame
 
 
-def _box(path: os.PathLike[str], group: Any, frame: int) -> tuple[Optional[Floats], Any, list[bool]]:
+def _box(path: os.PathLike[str], group: Any, frame: int) -> tuple[Floats | None, Any, list[bool]]:
     boundary = [str(name, "ascii") if isinstance(name, bytes) else str(name) for name in group.attrs.get("boundary", ())]
     if "edges" not in group:
         return None, (0.0, 0.0, 0.0), [False] * 3

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import os
 import re
-from typing import IO, Any, Iterator, Optional
+from typing import IO, Any
+from collections.abc import Iterator
 
 import numpy as np
 
@@ -32,8 +33,8 @@ def load(path: os.PathLike[str], location: Location, options: Options) -> System
     with Lines(path, location) as lines:
         lines.next()
         counts, bounds, tilts, section = _header(lines)
-        atoms: Optional[Table] = None
-        ellipsoids: Optional[Table] = None
+        atoms: Table | None = None
+        ellipsoids: Table | None = None
         while section is not None:
             name = section.split("#")[0].strip()
             if name == "Atoms":
@@ -53,7 +54,7 @@ def load(path: os.PathLike[str], location: Location, options: Options) -> System
     return frame.system(options)
 
 
-def _header(lines: Lines) -> tuple[dict[str, int], Floats, Floats, Optional[str]]:
+def _header(lines: Lines) -> tuple[dict[str, int], Floats, Floats, str | None]:
     """Counts, bounds, tilts of the box, and the first line of the first section."""
     counts: dict[str, int] = {}
     bounds, tilts = np.full((3, 2), np.nan), np.zeros((3, 3))
@@ -74,7 +75,7 @@ def _header(lines: Lines) -> tuple[dict[str, int], Floats, Floats, Optional[str]
     return counts, bounds, tilts, line
 
 
-def _next_section(lines: Lines) -> Optional[str]:
+def _next_section(lines: Lines) -> str | None:
     while (line := lines.next()) is not None:
         if line and line[0].isalpha():
             return line
@@ -96,7 +97,7 @@ def _table(lines: Lines, section: str, count: int) -> Table:
     return lines.table(count, columns)
 
 
-def _shapes(path: os.PathLike[str], atoms: Table, ellipsoids: Optional[Table]) -> tuple[Optional[Floats], Optional[Floats]]:
+def _shapes(path: os.PathLike[str], atoms: Table, ellipsoids: Table | None) -> tuple[Floats | None, Floats | None]:
     """Rows in the order of the atoms, 0 0 0 for those without."""
     if ellipsoids is None:
         return None, None

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import os
 import re
-from typing import IO, Any, Iterator, NamedTuple, Optional, Sequence
+from typing import IO, Any, NamedTuple
+from collections.abc import Iterator, Sequence
 
 import numpy as np
 
@@ -34,7 +35,7 @@ def recognise(start: bytes) -> bool:
 
 
 def locate(path: os.PathLike[str]) -> Iterator[Location]:
-    def lines_of_frame(lines: Lines) -> Optional[int]:
+    def lines_of_frame(lines: Lines) -> int | None:
         header = _header(lines)
         return None if header is None else header.particles
 
@@ -68,7 +69,7 @@ def load(path: os.PathLike[str], location: Location, options: Options) -> System
     return frame.system(options)
 
 
-def _shapes(table: Table, columns: Sequence[str]) -> Optional[Floats]:
+def _shapes(table: Table, columns: Sequence[str]) -> Floats | None:
     return table.stack(columns if len(columns) == 3 else 3 * list(columns)) if columns else None
 
 
@@ -98,7 +99,7 @@ def _guess(columns: list[str], named: tuple[str, ...], pattern: str, first: int,
     return ()
 
 
-def _header(lines: Lines) -> Optional[_Header]:
+def _header(lines: Lines) -> _Header | None:
     """Everything up to the particles; None at the end of the file."""
     step, count, box = 0, -1, None
     line = lines.next()

@@ -8,7 +8,8 @@ from __future__ import annotations
 import os
 import re
 import shlex
-from typing import IO, Any, Iterator, Optional
+from typing import IO, Any
+from collections.abc import Iterator
 
 import numpy as np
 
@@ -27,14 +28,14 @@ def recognise(start: bytes) -> bool:
 
 
 def locate(path: os.PathLike[str]) -> Iterator[Location]:
-    def lines_of_frame(lines: Lines) -> Optional[int]:
+    def lines_of_frame(lines: Lines) -> int | None:
         count = _count(lines)
         return None if count is None else 1 + count
 
     return locate_frames(path, lines_of_frame)
 
 
-def _count(lines: Lines) -> Optional[int]:
+def _count(lines: Lines) -> int | None:
     line = lines.next()
     while line == "":
         line = lines.next()

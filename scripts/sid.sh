@@ -1,0 +1,33 @@
+#!/bin/sh
+# Runs a tool that Debian 12 lacks, from the packages of Debian's suite sid: they are unpacked into build-sid, once, and not
+# installed. Usage: scripts/sid.sh ruff|auditwheel [ARGUMENT...]; status 77 says that the tool cannot be had.
+set -eu
+cd "$(dirname "$0")/.."
+. scripts/packages.sh
+. scripts/unpack.sh
+root=$PWD/build-sid
+architecture=$(dpkg --print-architecture)
+if [ ! -f "$root/complete" ]; then
+  if ! { open_packages "$root" "$architecture" sid && unpack_packages "$root" "$architecture" ruff python3-auditwheel libc6 libgcc-s1; }
+  then
+    echo "The packages of Debian's sid cannot be had." >&2
+    exit 77
+  fi
+  touch "$root/complete"
+fi
+tool=$1
+shift
+case $tool in
+ruff) # with the C library that it was linked with
+  libraries=$(dirname "$(find "$root/usr/lib" -name libc.so.6)")
+  exec "$(find "$libraries/" -name 'ld-linux*')" --library-path "$libraries" "$root/usr/bin/ruff" "$@"
+  ;;
+auditwheel)
+  install_packages python3-pyelftools python3-packaging patchelf >&2
+  PYTHONPATH=$root/usr/lib/python3/dist-packages exec /usr/bin/python3 -m auditwheel "$@"
+  ;;
+*)
+  echo "$tool: not known" >&2
+  exit 2
+  ;;
+esac
