@@ -1,7 +1,7 @@
 #!/bin/sh
 # Builds pw85 with its tests for another machine, one of scripts/cross/ whose system is Debian's, and runs them by its emulator. The
 # libraries that tests need come from Debian's packages for that machine, unpacked next to the build: nothing is installed but
-# compilers and emulator. Usage: scripts/test_cross.sh aarch64-linux-gnu|i686-linux-gnu [ARGUMENT OF meson test...]
+# compilers and emulator. Usage: scripts/test_cross.sh aarch64-linux-gnu|i686-linux-gnu|s390x-linux-gnu [ARGUMENT OF meson test...]
 set -eu
 cd "$(dirname "$0")/.."
 . scripts/packages.sh
@@ -10,11 +10,16 @@ machine=$1
 shift
 build=$PWD/build-$machine
 root=$build-root
+libraries=$machine
+emulators=qemu-user
 case $machine in
 aarch64-linux-gnu)
-  architecture=arm64 libraries=aarch64-linux-gnu
+  architecture=arm64
   emulator="['qemu-aarch64', '-L', '$root']"
-  emulators=qemu-user
+  ;;
+s390x-linux-gnu)
+  architecture=s390x
+  emulator="['qemu-s390x', '-L', '$root']"
   ;;
 i686-linux-gnu)
   architecture=i386 libraries=i386-linux-gnu

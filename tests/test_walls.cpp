@@ -2,6 +2,7 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <numbers>
 
 #include <glib.h>
 
@@ -330,9 +331,10 @@ void test_cylinder()
                        inputs);
         WideVector e1, e2;
         pw85::complete_basis(pw85::times(Wide(1 / norm(a)), a), e1, e2);
-        for (int k = 0; k < 64; ++k) {
-            auto other = pw85::times(Wide(cos(Wide(k) / 10)), e1);
-            for (int i = 0; i < 3; ++i) other[i] += sin(Wide(k) / 10) * e2[i];
+        for (int k = 0; k < 8; ++k) {
+            Wide const angle = random.uniform(0.0, 2.0 * std::numbers::pi);
+            auto other = pw85::times(Wide(cos(angle)), e1);
+            for (int i = 0; i < 3; ++i) other[i] += sin(angle) * e2[i];
             Wide const clearance = radius - pw85::dot(other, c) - pw85::support(w, other).extent;
             failures.check(clearance >= exact.distance, "another normal", static_cast<double>(clearance),
                            static_cast<double>(exact.distance), inputs);

@@ -7,6 +7,8 @@
 #ifndef PW85_KERNELS_LANE_OVERLAP_HPP_INCLUDED
 #define PW85_KERNELS_LANE_OVERLAP_HPP_INCLUDED
 
+#include <bit>
+
 #include <pw85/quartic.hpp>
 
 #include "lane_contact.hpp"
@@ -55,8 +57,10 @@ template <int D> PW85_INLINE LaneCertainty test_lanes(LanePair<D> const &pair, P
 /// Stores answers for neighbouring pairs.
 PW85_INLINE void store_answers(unsigned overlap, std::size_t count, unsigned char *out) noexcept
 {
-    // Bit i to byte i: each byte keeps its own bit of a copy of all, and adding 127 carries it to the top.
-    std::uint64_t const own = (overlap * 0x0101010101010101u) & 0x8040201008040201u;
+    // Bit i to byte i of memory: each byte keeps its own bit of a copy of all, and adding 127 carries it to the top.
+    constexpr std::uint64_t bit_of_byte =
+        std::endian::native == std::endian::little ? 0x8040201008040201u : 0x0102040810204080u;
+    std::uint64_t const own = (overlap * 0x0101010101010101u) & bit_of_byte;
     std::uint64_t const bytes = (own + 0x7f7f7f7f7f7f7f7fu) >> 7 & 0x0101010101010101u;
     std::memcpy(out, &bytes, count < lanes ? count : lanes);
 }

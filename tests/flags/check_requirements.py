@@ -1,10 +1,12 @@
 """What the C++ headers say to compilers that they cannot work with, in the Test Anything Protocol.
 
 One message that names the cure for an older standard and for arithmetic that is not that of IEEE 754, and the first one
-does for integers. Nothing for the flags that the manual calls safe, with which its program prints what it shows.
-Usage: check_requirements.py SOURCE_DIR BUILT_INCLUDE_DIR COMPILER...
+does for integers. Nothing for the flags that the manual calls safe, with which its program prints what it shows. Usage:
+check_requirements.py SOURCE_DIR BUILT_INCLUDE_DIR PROGRAM COMPILER..., with that program as the library's flags make it.
 """
 
+import os
+import shlex
 import subprocess
 import sys
 import tempfile
@@ -20,6 +22,12 @@ INTEGERS = {
 }
 
 
+def run_program(program):
+    """By the emulator, if any, that Meson names."""
+    wrapper = shlex.split(os.environ.get("MESON_EXE_WRAPPER", ""))
+    return subprocess.run([*wrapper, str(program)], text=True, stdout=subprocess.PIPE)
+
+
 class Compiler:
     def __init__(self, command, includes, work):
         self.command = [*command, *(f"-I{folder}" for folder in includes)]
@@ -33,11 +41,11 @@ class Compiler:
     def run(self, *arguments):
         return subprocess.run([*self.command, *arguments], text=True, stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
 
-    def links(self, flag):
-        """Whether the libraries that a flag stands for are installed."""
-        source = self.work / "empty.cpp"
+    def runs(self, flag):
+        """Whether the libraries that a flag stands for are installed, where programs run."""
+        source, program = self.work / "empty.cpp", self.work / "empty"
         source.write_text("int main() {}\n")
-        return self.run(flag, str(source), "-o", str(self.work / "empty")).returncode == 0
+        return self.run(flag, str(source), "-o", str(program)).returncode == 0 and run_program(program).returncode == 0
 
     def compile(self, text, *flags):
         source = self.work / "unit.cpp"
@@ -59,16 +67,20 @@ def accepted(done):
     return done.returncode == 0, done.stdout
 
 
-def prints(compiler, program, flags):
-    """Whether the program of the manual prints with some flags what the manual shows."""
-    built = compiler.run("-std=c++20", *flags, str(program), "-o", str(compiler.work / "program"))
-    if built.returncode != 0:
-        return False, built.stdout
-    ran = subprocess.run([compiler.work / "program"], text=True, stdout=subprocess.PIPE)
-    return ran.returncode == 0 and ran.stdout == program.with_suffix(".out").read_text(), ran.stdout
+def prints(program, page):
+    """Whether the program of the manual prints what the manual shows."""
+    ran = run_program(program)
+    return ran.returncode == 0 and ran.stdout == (page / "contact.out").read_text(), ran.stdout
 
 
-def cases(compiler, page):
+def prints_with(compiler, flag, page):
+    program = compiler.work / "program"
+    built = compiler.run("-std=c++20", flag, str(page / "contact.cpp"), "-o", str(program))
+    return prints(program, page) if built.returncode == 0 else (False, built.stdout)
+
+
+def cases(compiler, program, page):
+    yield "the flags of the library", prints(program, page)
     include_all = "".join(f"#include <{entry}>\n" for entry in ENTRIES)
     for entry in ENTRIES:
         for standard in ("c++11", "c++17"):
@@ -84,18 +96,18 @@ def cases(compiler, page):
         text = f"{include_all}int main() {{ {statement} }}\n"
         yield name, refused(compiler.compile(text, "-std=c++20"), "write 1.0, not 1", most=3)
     for flag in (page / "safe.txt").read_text().split():
-        if not compiler.links(flag):
+        if not compiler.runs(flag):
             yield f"{flag} is safe # SKIP the compiler lacks its library", (True, "")
             continue
-        yield f"{flag} is safe", prints(compiler, page / "contact.cpp", [flag])
+        yield f"{flag} is safe", prints_with(compiler, flag, page)
 
 
 def main():
-    source, built_include, *command = sys.argv[1:]
+    source, built_include, program, *command = sys.argv[1:]
     number = 0
     with tempfile.TemporaryDirectory(prefix="pw85-flags-") as work:
         compiler = Compiler(command, [Path(source) / "include", built_include], Path(work))
-        for number, (name, (ok, output)) in enumerate(cases(compiler, Path(source) / "docs/flags"), 1):
+        for number, (name, (ok, output)) in enumerate(cases(compiler, program, Path(source) / "docs/flags"), 1):
             print(f"{'ok' if ok else 'not ok'} {number} {name}", flush=True)
             if not ok:
                 print("\n".join(f"# {line}" for line in output.splitlines()), flush=True)

@@ -3,9 +3,7 @@
 #include <cmath>
 #include <limits>
 
-#ifndef HEADERS_ONLY
 #include <pw85.h>
-#endif
 
 double plain_unit(double x);
 double other_unit(double x);
@@ -14,16 +12,12 @@ namespace {
 
 bool library_sees_nan()
 {
-#ifdef HEADERS_ONLY
-    return true;
-#else
     double const r12[3] = {1.0, 2.0, std::numeric_limits<double>::quiet_NaN()}, q[6] = {1.0, 0.0, 0.0, 1.0, 0.0, 1.0};
     double out[2], mu2;
     int overlap = 0;
     return pw85_contact(r12, q, q, out) == PW85_EINVAL && pw85_overlap(r12, q, q, &overlap) == PW85_EINVAL &&
            pw85_contact_function(r12, q, q, out) == PW85_EINVAL &&
            pw85_contact_batch(1, r12, q, q, &mu2, nullptr) == PW85_EINVAL;
-#endif
 }
 
 } // namespace

@@ -3,9 +3,7 @@
 #include <pw85/pw85.hpp>
 #include <pw85/zheng.hpp>
 
-#ifndef HEADERS_ONLY
 #include <pw85/batch.hpp>
-#endif
 
 double UNIT(double x);
 
@@ -58,9 +56,6 @@ template <class T> T everything(T const &x)
 
 double of_batches(double x)
 {
-#ifdef HEADERS_ONLY
-    return x;
-#else
     Vector<double, 3> const r12[] = {{x, 1.0, 2.0}, {x, 2.0, 1.0}};
     SymmetricMatrix<double, 3> const q[] = {{1.0, 0.0, 0.0, 1.0, 0.0, 1.0}, {2.0, 0.5, 0.0, 1.0, 0.0, 1.0}};
     double mu2[2];
@@ -68,7 +63,6 @@ double of_batches(double x)
     contact_batch(r12, q, q, mu2);
     overlap_batch(r12, q, q, decided);
     return mu2[0] + mu2[1] + decided[0] + decided[1];
-#endif
 }
 
 } // namespace
