@@ -10,6 +10,10 @@ import sys
 import tempfile
 from pathlib import Path
 
+import numpy as np
+
+np.set_printoptions(legacy="1.21")  # numbers are printed bare, as NumPy did before 2.0
+
 
 def run(page):
     """Runs the session of a page in a copy of its folder, so that it may write files."""
