@@ -10,15 +10,16 @@ install_packages() {
   as_root=
   [ "$(id -u)" -eq 0 ] || as_root=sudo
   $as_root env DEBIAN_FRONTEND=noninteractive apt-get update -qq || return
+  # shellcheck disable=SC2086 # a list of words
+  available=$(LC_ALL=C apt-cache policy $missing | awk -F: '/^[^ ]/ { name = $1 } /Candidate: [^(]/ { print name }')
   # What a release lacks, as Ubuntu 24.04 lacks PyTorch, and Chromium but as a snap: tests that need it are skipped.
   # shellcheck disable=SC2086 # a list of words
-  absent=$(LC_ALL=C apt-cache policy $missing | awk -F: '/^[^ ]/ { name = $1 } /Candidate: \(none\)/ { print name }')
+  absent=$(printf '%s\n' $missing | grep -vxF "$available" || true)
   [ -z "$absent" ] || echo "Not in this release:" $absent
+  [ -n "$available" ] || return 0
+  echo "Installing packages:" $available
   # shellcheck disable=SC2086 # a list of words
-  missing=$(printf '%s\n' $missing | grep -vxF "$absent") || return 0
-  echo "Installing packages:" $missing
-  # shellcheck disable=SC2086 # a list of words
-  $as_root env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends $missing
+  $as_root env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends $available
 }
 
 build_packages='gcc g++ meson ninja-build pkg-config libgsl-dev'
