@@ -1,6 +1,7 @@
 #!/bin/sh
 # Runs a tool that Debian 12 lacks, from the packages of Debian's suite sid: they are unpacked into build-sid, once, and not
-# installed. Usage: scripts/sid.sh ruff|auditwheel [ARGUMENT...]; status 77 says that the tool cannot be had.
+# installed. Usage: scripts/sid.sh ruff|auditwheel [ARGUMENT...]; status 77 says that the tool cannot be had, or not that version
+# whose rules the sources keep: sid moves, and each minor version of ruff has rules of its own.
 set -eu
 cd "$(dirname "$0")/.."
 . scripts/packages.sh
@@ -20,7 +21,16 @@ shift
 case $tool in
 ruff) # with the C library that it was linked with
   libraries=$(dirname "$(find "$root/usr/lib" -name libc.so.6)")
-  exec "$(find "$libraries/" -name 'ld-linux*')" --library-path "$libraries" "$root/usr/bin/ruff" "$@"
+  set -- "$root/usr/bin/ruff" "$@"
+  set -- "$(find "$libraries/" -name 'ld-linux*')" --library-path "$libraries" "$@"
+  version=$("$1" "$2" "$3" "$4" --version)
+  case $version in
+  'ruff 0.16.'*) exec "$@" ;;
+  *)
+    echo "Debian's sid has $version by now." >&2
+    exit 77
+    ;;
+  esac
   ;;
 auditwheel)
   install_packages python3-pyelftools python3-packaging patchelf >&2
