@@ -1,6 +1,7 @@
 // A random search for pairs on which a function breaks its bound, and the truth that judges them.
 #include <glib.h>
 
+#include "draws.hpp"
 #include "failures.hpp"
 #include "reference_data.hpp"
 #include "worst_pairs.hpp"
@@ -32,7 +33,7 @@ void test_bounds()
     Failures failures;
     for (double aspect = 1.0; aspect < 1e6; aspect *= 10.0) {
         WorstPairs worst(aspect, 10.0 * aspect);
-        worst.search(4000);
+        worst.search(draws(4000));
         for (int f = 0; f < num_searched; ++f)
             for (auto const &found : worst.worst(f))
                 failures.check(found.error <= bounds[static_cast<std::size_t>(f)], searched[f], found.error,
