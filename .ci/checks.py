@@ -257,9 +257,9 @@ def check_clang(results):
 
 def check_sanitizers(results):
     """By clang, which compiles instrumented code ten times as fast as GCC does."""
-    options = [*ONLY_TESTS, "-Db_lundef=false", "-Doptimization=1", "-Doptimized=false"]
+    options = [*ONLY_TESTS, "-Dgsl=disabled", "-Db_lundef=false", "-Doptimization=1", "-Doptimized=false"]
     if build(results, "address-undefined", [*options, "-Db_sanitize=address,undefined"], CLANG):
-        test(results, folder_of("address-undefined"), ["--no-suite", "install", "--timeout-multiplier", "10"],
+        test(results, folder_of("address-undefined"), ["--no-suite=install", "--no-suite=flags", "--timeout-multiplier=10"],
              UBSAN_OPTIONS="halt_on_error=1:print_stacktrace=1", ASAN_OPTIONS="detect_leaks=1")
     test_suites(results, "thread", ["threads"], [*options, "-Db_sanitize=thread", "-Dopenmp=disabled"], CLANG,
                 TSAN_OPTIONS="halt_on_error=1")
