@@ -113,7 +113,8 @@ void test_slender()
     }
     g_test_message("largest error %.2f u cond; %d of %ld pairs were left to the search", worst, searched,
                    failures.checked() / 2);
-    g_assert_cmpint(searched, >, draws(40));
+    g_assert_cmpint(searched, >,
+                    g_test_thorough() ? 100 : 6); // of an eighth of them, half of the share: so few scatter
 }
 
 // A thin disc on the axis of a huge sphere, 2^1047 times as thick: τ is beyond the range of double, λ is 0 or 1.

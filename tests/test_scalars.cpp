@@ -26,7 +26,7 @@ template <class T, int D> void test_contact()
 {
     Failures failures;
     Random random(30 + D);
-    int const count = std::is_floating_point_v<T> ? 2000 : 500;
+    int const count = std::is_floating_point_v<T> ? draws(10000) : draws(500);
     double worst = 0.0;
     int most = 0;
     for (int n = 0; n < count; ++n) {

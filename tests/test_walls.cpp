@@ -332,7 +332,7 @@ void test_cylinder()
                        inputs);
         WideVector e1, e2;
         pw85::complete_basis(pw85::times(Wide(1 / norm(a)), a), e1, e2);
-        for (int k = 0; k < 8; ++k) {
+        for (int k = 0; k < draws(64); ++k) {
             Wide const angle = random.uniform(0.0, 2.0 * std::numbers::pi);
             auto other = pw85::times(Wide(cos(angle)), e1);
             for (int i = 0; i < 3; ++i) other[i] += sin(angle) * e2[i];

@@ -8,7 +8,6 @@ environment. --docs builds the pages and pictures as well. Commands that install
 whether the packages are there; those of other systems are checked for syntax.
 """
 
-import os
 import shutil
 import subprocess
 import sys
@@ -53,8 +52,6 @@ def run(script, source, home, tools):
             "PATH": f"{tools}:/usr/local/bin:/usr/bin:/bin",
             "LANG": "C.UTF-8",
             "PW85_MEASURE_ONCE": "",
-            # What a compiler has compiled before, if that is kept anywhere.
-            **{name: value for name, value in os.environ.items() if name.startswith("CCACHE_")},
         },
         stdout=subprocess.PIPE,
         stderr=subprocess.STDOUT,
