@@ -54,7 +54,7 @@ double largest_eigenvalue(Form3 const &a)
     for (int i = 0; i < 200; ++i) {
         auto const y = pw85::product(a, x);
         value = std::sqrt(pw85::dot(y, y));
-        x = pw85::times(1.0 / value, y);
+        x = 1.0 / value * y;
     }
     return value;
 }
@@ -64,8 +64,8 @@ double largest_eigenvalue(Form3 const &a)
 double aspect_ratio(Form3 const &q)
 {
     auto const wide = convert<Wide>(q);
-    auto const adjugate = pw85::adjugate(wide);
-    Wide const det = pw85::determinant(wide, adjugate);
+    auto const adjugate = pw85::detail::adjugate(wide);
+    Wide const det = pw85::detail::determinant(wide, adjugate);
     Form3 inverse{};
     for (int k = 0; k < inverse.size; ++k) inverse[k] = static_cast<double>(Wide(adjugate[k] / det));
     return std::sqrt(largest_eigenvalue(q) * largest_eigenvalue(inverse));

@@ -23,12 +23,13 @@ void count_evaluations(double aspect)
     double sum = 0.0, factorized = 0.0;
     int largest = 0;
     for (Pair const &pair : random_block(aspect, 0.0, num_pairs)) {
-        auto const scaled = pw85::scale(pair.r12, pair.q1, pair.q2).pair;
-        auto const maximum = pw85::maximize(scaled);
-        auto state = pw85::start_search(scaled, pw85::initial_guess(scaled));
-        for (int i = 0; i < pw85::max_rational_steps && state.active; ++i) pw85::take_step(state, scaled.ratio);
+        auto const scaled = pw85::detail::scale(pair.r12, pair.q1, pair.q2).pair;
+        auto const maximum = pw85::detail::maximize(scaled);
+        auto state = pw85::detail::start_search(scaled, pw85::detail::initial_guess(scaled));
+        for (int i = 0; i < pw85::detail::max_rational_steps && state.active; ++i)
+            pw85::detail::take_step(state, scaled.ratio);
         sum += maximum.evaluations;
-        factorized += 100.0 * !pw85::last_evaluation(scaled, state.candidate).certain;
+        factorized += 100.0 * !pw85::detail::last_evaluation(scaled, state.candidate).certain;
         largest = std::max(largest, maximum.evaluations);
     }
     std::printf("%g,%.3f,%d,%.3g\n", aspect, sum / num_pairs, largest, factorized / num_pairs);
@@ -40,14 +41,15 @@ struct NormalCount {
 };
 
 /// find_normal(), counted.
-NormalCount count_steps(pw85::DistancePair<double, 3> const &pair, pw85::Multipliers<double> const &start)
+NormalCount count_steps(pw85::detail::DistancePair<double, 3> const &pair,
+                        pw85::detail::Multipliers<double> const &start)
 {
     NormalCount count;
-    auto search = pw85::start_search(pair, start);
-    for (; search.active && count.steps < pw85::max_normal_steps; ++count.steps) take_step(search, pair);
+    auto search = pw85::detail::start_search(pair, start);
+    for (; search.active && count.steps < pw85::detail::max_normal_steps; ++count.steps) take_step(search, pair);
     if (search.active) return count;
     auto last = take_last_step(pair, search.x);
-    for (; !last.found && count.solutions < pw85::max_last_steps; ++count.solutions)
+    for (; !last.found && count.solutions < pw85::detail::max_last_steps; ++count.solutions)
         last = take_last_step(pair, factorize_normal(pair, last.next), last.next);
     ++count.solutions;
     count.found = last.found;
@@ -59,7 +61,7 @@ void count_normals(double aspect)
 {
     double steps = 0.0, solutions = 0.0, anew = 0.0, nested = 0.0;
     for (Pair const &p : random_block(aspect, 0.0, num_pairs)) {
-        pw85::DistancePair<double, 3> const pair{pw85::times(2.0, p.r12), p.q1, p.q2, 1.0, 1.0};
+        pw85::detail::DistancePair<double, 3> const pair{2.0 * p.r12, p.q1, p.q2, 1.0, 1.0};
         NormalCount const first = count_steps(pair, initial_multipliers(pair));
         NormalCount const second = first.found ? NormalCount{} : count_steps(pair, touching_multipliers(pair));
         steps += first.steps + second.steps;
@@ -71,20 +73,20 @@ void count_normals(double aspect)
                 nested / num_pairs);
 }
 
-using ScaledPair = pw85::Pair<double, 3>;
+using ScaledPair = pw85::detail::Pair<double, 3>;
 
 bool is_decided(ScaledPair const &pair, double t)
 {
-    auto const certainty = pw85::test_quartic(pw85::evaluate_quartic(pair, t), t);
+    auto const certainty = pw85::detail::test_quartic(pw85::detail::evaluate_quartic(pair, t), t);
     return certainty.apart || certainty.overlap;
 }
 
 /// The number of points up to the one that decides, or more than there are.
 std::size_t deciding_point(ScaledPair const &pair, std::vector<double> const &points)
 {
-    auto const weights = pw85::outer_weights(pair.r12);
-    double const center =
-        pw85::coarse_root_of_ratio(pw85::quadratic_form(pair.q1, weights), pw85::quadratic_form(pair.q2, weights));
+    auto const weights = pw85::detail::outer_weights(pair.r12);
+    double const center = pw85::detail::coarse_root_of_ratio(pw85::detail::quadratic_form(pair.q1, weights),
+                                                             pw85::detail::quadratic_form(pair.q2, weights));
     std::size_t n = 0;
     while (n < points.size() && !is_decided(pair, center * points[n])) ++n;
     return n + 1;
@@ -93,10 +95,10 @@ std::size_t deciding_point(ScaledPair const &pair, std::vector<double> const &po
 /// The number of tests along the fixed-point map up to the one that decides, or more than so many.
 std::size_t deciding_test(ScaledPair const &pair, std::size_t most)
 {
-    double t = pw85::initial_guess(pair);
+    double t = pw85::detail::initial_guess(pair);
     std::size_t n = 0;
     for (; n < most && !is_decided(pair, t); ++n)
-        t = std::sqrt(pw85::fixed_point_square(pw85::evaluate_quartic(pair, t), t));
+        t = std::sqrt(pw85::detail::fixed_point_square(pw85::detail::evaluate_quartic(pair, t), t));
     return n + 1;
 }
 

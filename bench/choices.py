@@ -21,21 +21,21 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 
 # Header, its text with the constant, the text with an {} in its place, and what is tried; the first is the constant.
 CHOICES = [
-    ("iteration.hpp", "T(0.625) * (s.sum", "T({}) * (s.sum", ["0.625", "0.3", "0.45", "0.8", "1.2"]),
-    ("iteration.hpp", "mantissa_digits<T>() / 9 + 2", "mantissa_digits<T>() / 9 + {}", ["2", "1", "3", "5"]),
-    ("iteration.hpp", "minimum(T(0.25), maximum(T(-0.25), bent))", "minimum(T({0}), maximum(T(-{0}), bent))",
+    ("contact/iteration.hpp", "T(0.625) * (s.sum", "T({}) * (s.sum", ["0.625", "0.3", "0.45", "0.8", "1.2"]),
+    ("contact/iteration.hpp", "result_digits<T>() / 9 + 2", "result_digits<T>() / 9 + {}", ["2", "1", "3", "5"]),
+    ("contact/iteration.hpp", "minimum(T(0.25), maximum(T(-0.25), bent))", "minimum(T({0}), maximum(T(-{0}), bent))",
      ["0.25", "0.01", "4.0"]),
-    ("factorized_search.hpp", "shortest < T(0.1)", "shortest < T({})", ["0.1", "0.01", "0.5"]),
-    ("factorized_search.hpp", "i > 3 &&", "i > {} &&", ["3", "1", "6"]),
-    ("rational.hpp", "T(1024 * unit_roundoff<T>())", "T({} * unit_roundoff<T>())", ["1024", "0", "32", "32768", "1048576"]),
-    ("rational_search.hpp", "max_rational_steps = 8", "max_rational_steps = {}", ["8", "4", "6", "12"]),
+    ("contact/factorized_search.hpp", "shortest < T(0.1)", "shortest < T({})", ["0.1", "0.01", "0.5"]),
+    ("contact/factorized_search.hpp", "i > 3 &&", "i > {} &&", ["3", "1", "6"]),
+    ("contact/rational.hpp", "T(1024 * unit_roundoff<T>())", "T({} * unit_roundoff<T>())", ["1024", "0", "32", "32768", "1048576"]),
+    ("contact/rational_search.hpp", "max_rational_steps = 8", "max_rational_steps = {}", ["8", "4", "6", "12"]),
 ]
 
 NORMAL_CHOICES = [
-    ("normal_search.hpp", "return T(1.5);", "return T({});", ["1.5", "1", "1.9"]),
-    ("normal_search.hpp", "mantissa_digits<T>() / 4", "mantissa_digits<T>() / {}", ["4", "3", "6"]),
-    ("normal_search.hpp", "max_normal_steps = 10", "max_normal_steps = {}", ["10", "6", "16"]),
-    ("normal_search.hpp", "max_last_steps = 6", "max_last_steps = {}", ["6", "0", "2"]),
+    ("distance/normal_search.hpp", "return T(1.5);", "return T({});", ["1.5", "1", "1.9"]),
+    ("distance/normal_search.hpp", "mantissa_digits<T>() / 4", "mantissa_digits<T>() / {}", ["4", "3", "6"]),
+    ("distance/normal_search.hpp", "max_normal_steps = 10", "max_normal_steps = {}", ["10", "6", "16"]),
+    ("distance/normal_search.hpp", "max_last_steps = 6", "max_last_steps = {}", ["6", "0", "2"]),
 ]
 
 # Where the test on the quartic is made, and what is tried for it; the header's own come first.
@@ -64,7 +64,7 @@ def run(build, compiler, header, old, new, *arguments):
         text = (include / header).read_text()
         assert text.count(old) == 1, f"{header} has {text.count(old)} times {old}"
         (include / header).write_text(text.replace(old, new))
-        solver = include / "solver.hpp"  # asserts the sum of the limits
+        solver = include / "contact" / "solver.hpp"  # asserts the sum of the limits
         solver.write_text("\n".join(line for line in solver.read_text().splitlines() if "static_assert(" not in line))
         program = pathlib.Path(folder) / "choices"
         compile_program(build, compiler, folder, program)
@@ -72,7 +72,7 @@ def run(build, compiler, header, old, new, *arguments):
 
 
 def print_tests(build, compiler):
-    text = (ROOT / "include" / "pw85" / "quartic.hpp").read_text(encoding="utf-8")
+    text = (ROOT / "include" / "pw85" / "overlap" / "quartic.hpp").read_text(encoding="utf-8")
     own = re.findall(r"Lane\(([\d.]+)\)", re.search(r"points\[8\] = \{(.*?)\}", text, re.S)[1])
     with tempfile.TemporaryDirectory() as folder:
         program = pathlib.Path(folder) / "choices"
@@ -107,4 +107,5 @@ def main():
     print_normals(build, compiler)
 
 
-main()
+if __name__ == "__main__":
+    main()

@@ -22,7 +22,7 @@ struct Function {
 };
 
 /// A pair of a block with its centres nearer or farther: at half the distance all overlap, at twice it none.
-inline pw85::Vector<double, 3> moved(Pair const &x, double factor) { return pw85::times(factor, x.r12); }
+inline pw85::Vector<double, 3> moved(Pair const &x, double factor) { return factor * x.r12; }
 
 /// First contact of a pair that is apart and, moves until its centres meet at time 1.
 inline void first_contact(Pair const &x, double turn, double growth, double &t)

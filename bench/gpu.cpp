@@ -10,6 +10,7 @@
 
 #include "gpu/device.hpp"
 #include "random_pairs.hpp"
+#include "systems.hpp"
 
 using namespace pw85_tests;
 
@@ -103,12 +104,13 @@ void measure_lists(std::size_t particles, double aspect)
     double const cell[9] = {50.0, 0.0, 0.0, 0.0, 50.0, 0.0, 0.0, 0.0, 50.0};
     Stream const stream;
     print("contact_pairs", aspect, n, seconds(stream, [&](void *s) {
-              return pw85_gpu_contact_pairs(s, n, pairs.get(), nullptr, particles, centers.get(), q.get(), cell,
-                                            mu2.get(), lambda.get());
+              return pw85_gpu_contact_pairs(s, list_of(n, pairs.get()),
+                                            system_of(particles, centers.get(), q.get(), cell), mu2.get(),
+                                            lambda.get());
           }));
     print("overlap_pairs", aspect, n, seconds(stream, [&](void *s) {
-              return pw85_gpu_overlap_pairs(s, n, pairs.get(), nullptr, particles, centers.get(), q.get(), cell,
-                                            overlap.get());
+              return pw85_gpu_overlap_pairs(s, list_of(n, pairs.get()),
+                                            system_of(particles, centers.get(), q.get(), cell), overlap.get());
           }));
 }
 
@@ -140,7 +142,7 @@ std::size_t argument(int argc, char **argv, int k, std::size_t otherwise)
 int main(int argc, char **argv)
 {
     std::size_t const n = argument(argc, argv, 1, 100'000'000), compared = argument(argc, argv, 2, 10'000'000);
-    pw85::gpu::Context const context(pw85::gpu::driver());
+    pw85::detail::gpu::Context const context(pw85::detail::gpu::driver());
     if (context.handle() == nullptr) {
         std::fprintf(stderr, "%s\n", pw85_strerror(PW85_EDEVICE));
         return 1;

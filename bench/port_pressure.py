@@ -15,9 +15,9 @@ import re
 import subprocess
 import sys
 
-PACKS = r"compute<pw85::kernels::PairArrays<3>, pw85::kernels::ContactArrays>"
-ONE_PAIR = r"> pw85::maximize<double, 3>"
-FORM = r"> pw85::rational_form<double>"
+PACKS = r"compute<pw85::detail::kernels::PairArrays<3>, pw85::detail::kernels::ContactArrays>"
+ONE_PAIR = r"> pw85::detail::maximize<double, 3>"
+FORM = r"> pw85::detail::rational_form<double>"
 ARITHMETIC = r"v(f|mul|add|sub|div|max|min|rcp|rsqrt|sqrt|cmp|blend)"
 SHUFFLE = r"v(unpck|perm|insert|broadcast)"
 TAKEN = 1000  # a jump that is taken is off the common path

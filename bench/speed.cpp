@@ -15,8 +15,11 @@
 
 #include "functions.hpp"
 #include "neighbor_list.hpp"
+#include "systems.hpp"
 
 using namespace pw85_bench;
+using pw85_tests::list_of;
+using pw85_tests::system_of;
 
 namespace {
 
@@ -88,7 +91,6 @@ NeighborSystem const &neighbor_system(bool sorted)
 }
 
 enum class Cell { none, cubic, skewed };
-constexpr std::int32_t const *no_images = nullptr; // the nearest ones
 
 template <class Run> void add_list(char const *function, bool sorted, Cell kind, Run run)
 {
@@ -99,8 +101,9 @@ template <class Run> void add_list(char const *function, bool sorted, Cell kind,
         NeighborSystem const &system = neighbor_system(sorted);
         auto const cell = kind == Cell::skewed ? system.skewed_cell() : system.cell();
         for ([[maybe_unused]] auto _ : state)
-            run(system.pairs.size(), system.pairs[0].data(), no_images, system.centers.size(),
-                system.centers[0].coordinates, system.q[0].entries, kind == Cell::none ? nullptr : cell.data());
+            run(list_of(system.pairs.size(), system.pairs[0].data()),
+                system_of(system.centers.size(), system.centers[0].coordinates, system.q[0].entries,
+                          kind == Cell::none ? nullptr : cell.data()));
         count_pairs(state, system.pairs.size());
     })->Unit(benchmark::kMillisecond);
 }
@@ -112,8 +115,9 @@ void add_lists()
     for (bool const sorted : {false, true})
         for (Cell const cell : {Cell::none, Cell::cubic, Cell::skewed}) {
             add_list("contact_pairs", sorted, cell,
-                     [](auto... list) { pw85_contact_pairs(list..., mu2.data(), nullptr); });
-            add_list("overlap_pairs", sorted, cell, [](auto... list) { pw85_overlap_pairs(list..., overlap.data()); });
+                     [](auto const &...list) { pw85_contact_pairs(list..., mu2.data(), nullptr); });
+            add_list("overlap_pairs", sorted, cell,
+                     [](auto const &...list) { pw85_overlap_pairs(list..., overlap.data()); });
         }
 }
 

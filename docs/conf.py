@@ -8,7 +8,7 @@ import sys
 from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
-sys.path[:0] = [str(HERE), str(HERE / "extensions")]
+sys.path[:0] = [str(HERE), str(HERE / "extensions"), str(HERE.parent / "api")]
 
 import measurements  # noqa: E402
 from sphinx.pycode import ModuleAnalyzer  # noqa: E402
@@ -25,9 +25,11 @@ extensions = [
     "sphinx.ext.napoleon",
     "sphinx_copybutton",
     "sphinx_inline_tabs",
+    "cause_table",
     "furo_of_debian",
     "measured_table",
     "reference",
+    "search",
     "status_table",
 ]
 highlight_language = "none"
@@ -40,7 +42,7 @@ nitpick_ignore_regex = [
     ("c:identifier", r"size_t|int32_t|int64_t"),
     # Shapes of arrays; types of other packages.
     ("py:class", r"[a-z]\w*|\d+|(?:numpy|np|os|torch|collections)\..*"),
-    ("cpp:identifier", r"T|D|pw85|rotation_axes<D>|pw85_\w+|\w+<T, D>"),
+    ("cpp:identifier", r"T|D|pw85(?:::(?:legacy|zheng))?|detail|(?:detail::)?rotation_axes<D>|pw85_\w+|\w+<T, D>"),
 ]
 add_function_parentheses = True
 default_role = "code"
@@ -68,6 +70,8 @@ napoleon_use_rtype = False
 napoleon_use_param = False
 
 html_theme = "furo"
+pygments_style = "code_colours.Light"
+pygments_dark_style = "code_colours.Dark"
 html_title = "pw85"
 # The second folder is that of what is compiled for the interactive page.
 html_static_path = ["_static", os.environ["PW85_DOCS_BUILT"]]

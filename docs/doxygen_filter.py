@@ -41,10 +41,12 @@ def main():
         source = "/** @file */\n" + source
     source = SHARED_PARAMETERS.sub(split_parameters, end_of_comment_alone(source))
     # Doxygen does not know namespaces that are inline by a macro, and takes attributes and constraints for types.
-    source = source.replace("[[gnu::noinline]] ", "").replace("[[gnu::always_inline]] ", "")
+    source = re.sub(r"\[\[gnu::[^\]]*\]\] ", "", source)
     # What has internal linkage it lists twice, in its file and in its namespace.
     source = re.sub(r"^(template <.*> )?static (?=constexpr|inline)", r"\1", source, flags=re.MULTILINE)
     source = re.sub(r"^( *)requires\(.*\) explicit", r"\1explicit", source, flags=re.MULTILINE)
+    # It finds no scope for what is specialised in another namespace.
+    source = re.sub(r"^(?:///[^\n]*\n)*template <class T> (?:class|struct) std::.*?^};\n", "", source, flags=re.DOTALL | re.MULTILINE)
     source = STATUS_MACRO.sub(lambda macro: enumerators(0 if macro["cpp"] == "cpp_name" else 1), source)
     # Lists of facts are referred to by their numbers, which each list of Doxygen's begins anew.
     source = re.sub(r"^/// (\d+)\. ", r"///\n/// (\1) ", source, flags=re.MULTILINE)

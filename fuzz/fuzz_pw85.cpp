@@ -12,6 +12,10 @@
 #include <vector>
 
 #include "../src/gpu/work.hpp"
+#include "../tests/systems.hpp"
+
+using pw85_tests::list_of;
+using pw85_tests::system_of;
 
 namespace {
 
@@ -140,6 +144,75 @@ void check_walls(Input const &in)
     if (status != PW85_SUCCESS && !all_nan(out, 2)) fail("intersect_line: status", in);
 }
 
+// A row is what the function of one row gives, to the last bit.
+void check_row(char const *function, Input const &in, int one_status, double const *one, int status, double const *row,
+               int n)
+{
+    if (status != one_status || std::memcmp(one, row, static_cast<std::size_t>(n) * sizeof *one) != 0)
+        fail(function, in);
+}
+
+void check_rows_of_pairs(Input const &in)
+{
+    double one[90], row[90];
+    auto const *r = in.r12, *a = in.q1, *b = in.q2;
+    double const x = in.lambda;
+    check_row("contact_function_batch", in, pw85_contact_function(r, a, b, one), one,
+              pw85_contact_function_batch(1, r, a, b, row, row + 1), row, 2);
+    check_row("contact_geometry_batch", in, pw85_contact_geometry(r, a, b, x, one, one + 3), one,
+              pw85_contact_geometry_batch(1, r, a, b, &x, row, row + 3), row, 6);
+    check_row("contact_gradient_batch", in, pw85_contact_gradient(r, a, b, x, one, one + 3, one + 9), one,
+              pw85_contact_gradient_batch(1, r, a, b, &x, row, row + 3, row + 9), row, 15);
+    check_row("contact_torque_batch", in, pw85_contact_torque(r, a, b, x, one, one + 3), one,
+              pw85_contact_torque_batch(1, r, a, b, &x, row, row + 3), row, 6);
+    check_row("contact_hessian_batch", in, pw85_contact_hessian(r, a, b, x, one), one,
+              pw85_contact_hessian_batch(1, r, a, b, &x, row), row, 81);
+    check_row("distance_derivatives_batch", in, pw85_distance_derivatives(r, a, b, one, one + 3, one + 6, one + 9), one,
+              pw85_distance_derivatives_batch(1, r, a, b, row, row + 3, row + 6, row + 9), row, 90);
+}
+
+void check_rows_of_ellipses(Input const &in)
+{
+    double one[16], row[16];
+    auto const *r = in.r12, *a = in.q1, *b = in.q2;
+    double const x = in.lambda;
+    check_row("contact_geometry_batch_2d", in, pw85_contact_geometry_2d(r, a, b, x, one, one + 2), one,
+              pw85_contact_geometry_batch_2d(1, r, a, b, &x, row, row + 2), row, 4);
+    check_row("contact_gradient_batch_2d", in, pw85_contact_gradient_2d(r, a, b, x, one, one + 2, one + 5), one,
+              pw85_contact_gradient_batch_2d(1, r, a, b, &x, row, row + 2, row + 5), row, 8);
+    check_row("contact_torque_batch_2d", in, pw85_contact_torque_2d(r, a, b, x, one, one + 1), one,
+              pw85_contact_torque_batch_2d(1, r, a, b, &x, row, row + 1), row, 2);
+    check_row("contact_hessian_batch_2d", in, pw85_contact_hessian_2d(r, a, b, x, one), one,
+              pw85_contact_hessian_batch_2d(1, r, a, b, &x, row), row, 16);
+    check_row("closest_approach_batch_2d", in, pw85_closest_approach_2d(r, a, b, one), one,
+              pw85_closest_approach_batch_2d(1, r, a, b, row), row, 1);
+    check_row("distance_batch_2d", in, pw85_distance_2d(r, a, b, one, one + 1, one + 3), one,
+              pw85_distance_batch_2d(1, r, a, b, row, row + 1, row + 3), row, 5);
+}
+
+void check_rows_of_walls(Input const &in)
+{
+    double one[7], row[7];
+    auto const *r = in.r12, *q = in.q1, *x = in.axes, *y = in.rotation;
+    double const number = in.lambda;
+    check_row("distance_plane_batch", in, pw85_distance_plane(r, number, q, one, one + 1), one,
+              pw85_distance_plane_batch(1, r, &number, q, row, row + 1), row, 4);
+    check_row("distance_plane_derivatives_batch", in, pw85_distance_plane_derivatives(r, q, one, one + 3), one,
+              pw85_distance_plane_derivatives_batch(1, r, q, row, row + 3), row, 6);
+    check_row("contact_plane_batch", in, pw85_contact_plane(r, number, q, one, one + 1), one,
+              pw85_contact_plane_batch(1, r, &number, q, row, row + 1), row, 4);
+    check_row("contact_plane_derivatives_batch", in, pw85_contact_plane_derivatives(r, number, q, one, one + 3), one,
+              pw85_contact_plane_derivatives_batch(1, r, &number, q, row, row + 3), row, 6);
+    check_row("distance_box_batch", in, pw85_distance_box(x, y, q, one, one + 1, one + 4), one,
+              pw85_distance_box_batch(1, x, y, q, row, row + 1, row + 4), row, 7);
+    check_row("distance_cylinder_batch", in, pw85_distance_cylinder(x, number, r, q, one, one + 1, one + 4), one,
+              pw85_distance_cylinder_batch(1, x, &number, r, q, row, row + 1, row + 4), row, 7);
+    check_row("distance_point_batch", in, pw85_distance_point(r, q, one, one + 1, one + 4), one,
+              pw85_distance_point_batch(1, r, q, row, row + 1, row + 4), row, 7);
+    check_row("intersect_line_batch", in, pw85_intersect_line(x, r, q, one), one,
+              pw85_intersect_line_batch(1, x, r, q, row, row + 1), row, 2);
+}
+
 // Rows are what single calls give; distances but for rounding.
 void check_rows_of_distances(Input const &in)
 {
@@ -149,13 +222,8 @@ void check_rows_of_distances(Input const &in)
     if (pw85_distance_batch(1, r, a, b, row, row + 1, row + 4) != status) fail("distance_batch: status", in);
     check("distance_batch", in, status, row, 1);
     if (std::isnan(one[1]) != std::isnan(row[1])) fail("distance_batch: points", in);
-    int const depth_status = pw85_penetration(r, a, b, one, one + 1);
-    if (pw85_penetration_batch(1, r, a, b, row, row + 1) != depth_status) fail("penetration_batch: status", in);
-    if (std::memcmp(one, row, 4 * sizeof *one) != 0) fail("penetration_batch", in);
-    int const wall_status = pw85_distance_plane(r, in.lambda, a, one, one + 1);
-    if (pw85_distance_plane_batch(1, r, &in.lambda, a, row, row + 1) != wall_status)
-        fail("distance_plane_batch: status", in);
-    if (std::memcmp(one, row, 4 * sizeof *one) != 0) fail("distance_plane_batch", in);
+    check_row("penetration_batch", in, pw85_penetration(r, a, b, one, one + 1), one,
+              pw85_penetration_batch(1, r, a, b, row, row + 1), row, 4);
 }
 
 // Times are not negative and not after the end; infinity is none.
@@ -183,7 +251,8 @@ void check_motion(Input const &in)
     std::memcpy(forms + 6, in.q2, sizeof in.q2);
     std::int32_t const pairs[2] = {0, 1};
     check("first_contact_pairs", in,
-          pw85_first_contact_pairs(1, pairs, nullptr, 2, centers, forms, nullptr, motions, end, list, next, next_pair),
+          pw85_first_contact_pairs(list_of(1, pairs), system_of(2, centers, forms, nullptr), motions, end, list, next,
+                                   next_pair),
           list, 1);
 }
 
@@ -200,23 +269,27 @@ void check_batch(Input const &in)
     std::memcpy(forms, in.q1, sizeof in.q1);
     std::memcpy(forms + 6, in.q2, sizeof in.q2);
     std::int32_t const pairs[2] = {0, 1};
-    check("contact_pairs", in, pw85_contact_pairs(1, pairs, nullptr, 2, centers, forms, nullptr, mu2, lambda), mu2, 1);
-    pw85_contact_pairs(1, pairs, nullptr, 2, centers, forms, in.rotation, mu2, lambda);
-    pw85_overlap_pairs(1, pairs, nullptr, 2, centers, forms, in.rotation, &overlap);
+    check("contact_pairs", in,
+          pw85_contact_pairs(list_of(1, pairs), system_of(2, centers, forms, nullptr), mu2, lambda), mu2, 1);
+    pw85_contact_pairs(list_of(1, pairs), system_of(2, centers, forms, in.rotation), mu2, lambda);
+    pw85_contact_pairs(list_of(1, pairs), system_of(2, centers, forms, in.rotation, true), mu2, lambda);
+    pw85_overlap_pairs(list_of(1, pairs), system_of(2, centers, forms, in.rotation), &overlap);
     double limit, out[17];
-    pw85_contact_derivatives_pairs(1, pairs, nullptr, 2, centers, forms, in.rotation, out, out + 1, out + 2, out + 5,
-                                   out + 8, out + 11, out + 14);
+    pw85_contact_derivatives_pairs(list_of(1, pairs), system_of(2, centers, forms, in.rotation), out, out + 1, out + 2,
+                                   out + 5, out + 8, out + 11, out + 14);
     double vector[3] = {};
     std::int32_t image[3];
-    if (pw85_nearest_images(1, pairs, 2, centers, in.rotation, vector, image) == PW85_SUCCESS && has_nan(vector, 3))
+    if (pw85_nearest_images(1, pairs, system_of(2, centers, nullptr, in.rotation), vector, image) == PW85_SUCCESS &&
+        has_nan(vector, 3))
         fail("nearest_images", in);
-    check("nearest_image_limit", in, pw85_nearest_image_limit(2, forms, in.rotation, &limit), &limit, 1);
+    check("nearest_image_limit", in, pw85_nearest_image_limit(system_of(2, nullptr, forms, in.rotation), &limit),
+          &limit, 1);
 }
 
 // What a device does with a pair, here: it answers as the host, marks what is not valid, or leaves it to the host.
 void check_device(Input const &in)
 {
-    using namespace pw85::gpu;
+    using namespace pw85::detail::gpu;
     double mu2, lambda, out[17], contact[2];
     unsigned char overlap = 7, expected;
     // Where a pivot is zero to rounding, what is rounded in another way may judge the form differently; this function is not fused,
@@ -244,7 +317,7 @@ void check_rows(Input const &in)
                                                       out + 10, out + 13);
     check("contact_derivatives_batch", in, status, &mu2, 1);
     check("contact_derivatives_batch: derivatives", in, status, out + 7, 9);
-    if (pw85_overlap_any(1, in.q1, in.r12, in.q2, &any) != status) fail("overlap_any: status", in);
+    if (pw85_overlap_any(in.q1, 1, in.r12, in.q2, &any) != status) fail("overlap_any: status", in);
     if (status == PW85_SUCCESS ? any != 0 && any != 1 : any != -1) fail("overlap_any", in);
     check("closest_approach_batch", in, pw85_closest_approach_batch(1, in.r12, in.q1, in.q2, out), out, 1);
     check("bounding_boxes", in, pw85_bounding_boxes(1, in.q1, out), out, 3);
@@ -256,8 +329,8 @@ void check_rows(Input const &in)
 bool are_few(Input const &in)
 {
     double mu2;
-    return pw85_nearest_image_limit(1, in.q1, in.rotation, &mu2) == PW85_SUCCESS && mu2 > 1e-2 &&
-           pw85_nearest_image_limit(1, in.q2, in.rotation, &mu2) == PW85_SUCCESS && mu2 > 1e-2;
+    return pw85_nearest_image_limit(system_of(1, nullptr, in.q1, in.rotation), &mu2) == PW85_SUCCESS && mu2 > 1e-2 &&
+           pw85_nearest_image_limit(system_of(1, nullptr, in.q2, in.rotation), &mu2) == PW85_SUCCESS && mu2 > 1e-2;
 }
 
 void check_neighbors(Input const &in)
@@ -269,23 +342,24 @@ void check_neighbors(Input const &in)
     pw85_neighbors *list;
     std::size_t particle = 7;
     int holds = 7;
-    int const status = pw85_neighbors_create(2, centers, forms, cell, nullptr, 1.0, 0.0, &list);
-    if (pw85_neighbors_check(2, centers, forms, cell, nullptr, 1.0, 0.0, &particle) != status && list != nullptr)
+    int const status = pw85_neighbors_create(system_of(2, centers, forms, cell), 1.0, 0.0, &list);
+    if (pw85_neighbors_check(system_of(2, centers, forms, cell), 1.0, 0.0, &particle) != status && list != nullptr)
         fail("neighbors_check", in);
     if ((status == PW85_SUCCESS) != (list != nullptr)) fail("neighbors_create", in);
-    pw85_neighbors_holds(list, 2, centers, forms, &holds);
+    pw85_neighbors_holds(list, system_of(2, centers, forms, cell), &holds);
     if (holds != (list != nullptr ? 1 : -1)) fail("neighbors_holds", in);
-    for (std::size_t k = 0; k < 2 * pw85_neighbors_size(list); ++k)
-        if (pw85_neighbors_pairs(list)[k] < 0 || pw85_neighbors_pairs(list)[k] > 1) fail("neighbors_pairs", in);
-    if (pw85_neighbors_size(list) > 0 && (pw85_neighbors_images(list) != nullptr) != (cell != nullptr))
-        fail("neighbors_images", in);
+    pw85_pair_list const found = pw85_neighbors_list(list);
+    for (std::size_t k = 0; k < 2 * found.num_pairs; ++k)
+        if (found.pairs[k] < 0 || found.pairs[k] > 1) fail("neighbors_list: pairs", in);
+    if (found.num_pairs > 0 && (found.images != nullptr) != (cell != nullptr)) fail("neighbors_list: images", in);
     std::int32_t const other = 1, pair[2] = {0, 1};
     double sums[21];
     int any = 7;
-    int const any_status = pw85_overlap_any_indices(centers, forms, 1, &other, 2, centers, forms, nullptr, &any);
+    int const any_status =
+        pw85_overlap_any_indices(centers, forms, system_of(2, centers, forms, nullptr), 1, &other, nullptr, &any);
     if (any_status == PW85_SUCCESS ? any != 0 && any != 1 : any != -1) fail("overlap_any_indices", in);
-    pw85_contact_forces_pairs(1, pair, nullptr, 2, centers, nullptr, in.axes, in.q1, in.q2, in.rotation, sums, sums + 6,
-                              sums + 12);
+    pw85_contact_forces_pairs(list_of(1, pair), system_of(2, centers, nullptr, nullptr), in.axes, in.q1, in.q2,
+                              in.rotation, sums, sums + 6, sums + 12);
     pw85_neighbors_destroy(list);
 }
 
@@ -345,6 +419,9 @@ extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const *data, std::size_t size
     check_flat_pair(in);
     check_distance(in);
     check_rows_of_distances(in);
+    check_rows_of_pairs(in);
+    check_rows_of_ellipses(in);
+    check_rows_of_walls(in);
     check_motion(in);
     check_walls(in);
     check_batch(in);

@@ -15,20 +15,24 @@
  * - Vectors are `double[3]`. Symmetric matrices are `double[6]`: the upper triangle in row-major order, (xx, xy, xz,
  *   yy, yz, zz). In two dimensions they are `double[2]` and `double[3]` (xx, xy, yy).
  * - Lengths are in any one unit; forms are in its square; μ² and λ have none.
- * - Arrays belong to the caller, are not kept, need no alignment beyond that of double, and outputs may not overlap
- *   inputs.
- * - A function that returns `int` returns a status, zero for success. When it is not zero, all outputs are NaN (as far
- *   as the pointers to them are not null).
- * - Nothing is allocated but neighbour lists, no state is shared, nothing is printed, the process is never ended: any number
- *   of threads may call anything at any time.
+ * - The caller owns all arrays. The library does not use them after the call. They need no alignment beyond that of
+ *   double. Outputs may not overlap inputs.
+ * - A function that returns `int` returns a status, zero for success. When it is not zero, all outputs are NaN,
+ *   except where the description of an output gives another value. Outputs whose pointers are null are left out.
+ * - #PW85_EINVAL has three causes, the same in every function: a pointer is null, and its description does not allow that; a
+ *   number is NaN or infinite, and its description does not allow that; or an argument is outside of the range that its
+ *   description states, as "> 0". #PW85_ENOTPD says that a form is not positive definite. The chapter on errors has a table.
+ * - Only the functions of neighbour lists allocate memory. No function prints anything, ends the process, or shares state with
+ *   another call: any number of threads may call any functions at the same time.
  * - No function needs more than 16 KiB of stack, besides what the dynamic linker takes to bind it at its first call. The
  *   threads that a batch starts have stacks of their own, which OpenMP provides.
- * - Computations are in the default floating-point environment, whatever the caller's, whose modes, status flags and traps
- *   stay as they are.
- * - Semi-axes and distances from 1e-150 to 1e150 neither overflow nor underflow inside; a result beyond the range of
+ * - Functions compute in the default floating-point environment. The rounding mode, status flags and traps of the caller do not
+ *   change the results, and after the call they are as they were before.
+ * - For semi-axes and distances from 1e-150 to 1e150 no intermediate result overflows or underflows; a result beyond the range of
  *   double is infinity or zero.
- * - A form counts as positive definite when all pivots of its factorisation, computed in double, are positive; where one is
- *   zero to rounding, functions and instruction sets may differ. Semi-axes may not differ by more than a factor of about 1e38.
+ * - A form is positive definite if its leading principal minors are positive. That is decided without rounding errors, for the
+ *   doubles as given, and every function and every instruction set decides alike. There are two limits. The determinant must
+ *   exceed 2⁻²¹² of the product of the diagonal. Semi-axes may not differ by more than a factor of about 1e38.
  */
 #ifndef PW85_H_INCLUDED
 #define PW85_H_INCLUDED
@@ -46,15 +50,15 @@
 /** Number of stored entries of a symmetric matrix. */
 #define PW85_SYM 6
 
-/** Absolute tolerance on λ, in units in which the ellipsoids are of like size, of Brent's method in
- * pw85_contact_function(). */
+/** Absolute tolerance on λ of Brent's method in pw85_contact_function(). It is that of a problem in which both ellipsoids
+ * have been scaled to similar size. */
 #define PW85_LAMBDA_ATOL 1e-6
 
 /** Maximum number of iterations of Brent's method in pw85_contact_function(). */
 #define PW85_MAX_ITER 25
 
-/** Maximum number of Newton-Raphson iterations (by Halley's method, in log λ/(1-λ)) that refine the result of Brent's method in
- * pw85_contact_function(). */
+/** Maximum number of iterations that refine the result of Brent's method in pw85_contact_function(). They are by Halley's method in
+ * the variable log(λ/(1-λ)), where pw85 1.0 had Newton-Raphson iterations. */
 #define PW85_NR_ITER 3
 
 #ifdef __cplusplus
@@ -63,8 +67,8 @@ extern "C" {
 
 /** Status codes: the values that functions returning `int` return. */
 enum pw85_status {
-#define PW85_STATUS_ENUMERATOR(c_name, cpp_name, value, text) c_name = value,
-    PW85_STATUS_LIST(PW85_STATUS_ENUMERATOR)
+#define PW85_STATUS_ENUMERATOR(c_name, cpp_name, value, text) , c_name = value
+    PW85_SUCCESS = 0 PW85_ERROR_LIST(PW85_STATUS_ENUMERATOR)
 #undef PW85_STATUS_ENUMERATOR
 };
 
@@ -97,7 +101,7 @@ PW85_API void pw85_spheroid(double a, double c, double const n[PW85_DIM], double
 
 /** Quadratic form of a general ellipsoid, Q = R diag(semi_axes²) Rᵀ.
  *
- * @param semi_axes lengths of the principal semi-axes (not diameters), > 0
+ * @param semi_axes lengths of the principal semi-axes (not diameters), > 0, whose squares are in the range of double
  * @param rotation 3×3 matrix R in row-major order; its columns are the principal directions, so that R takes the body
  *        frame to the space frame. RᵀR may differ from I by at most 1e-6 in any entry (single precision is
  *        accepted); reflections are accepted.
@@ -108,7 +112,7 @@ PW85_API int pw85_ellipsoid(double const semi_axes[PW85_DIM], double const rotat
 
 /** Quadratic form of a general ellipsoid whose orientation is a quaternion.
  *
- * @param semi_axes lengths of the principal semi-axes (not diameters), > 0
+ * @param semi_axes lengths of the principal semi-axes (not diameters), > 0, whose squares are in the range of double
  * @param quaternion (w, x, y, z), scalar first, of any length > 0: normalised inside. It takes the body frame to the
  *        space frame.
  * @param[out] q the form
@@ -118,8 +122,8 @@ PW85_API int pw85_ellipsoid_quaternion(double const semi_axes[PW85_DIM], double 
 
 /** Quadratic form (xx, xy, yy) of an ellipse.
  *
- * @param a first semi-axis, > 0
- * @param b second semi-axis, > 0
+ * @param a first semi-axis, > 0, whose square is in the range of double
+ * @param b second semi-axis, > 0, whose square is in the range of double
  * @param angle from the x axis to the first semi-axis, counter-clockwise, in radians
  * @param[out] q the form
  * @return #PW85_SUCCESS or #PW85_EINVAL */
@@ -132,28 +136,29 @@ PW85_API int pw85_ellipse(double a, double b, double angle, double q[3]);
 /** Contact function of two ellipsoids, by a third-order iteration on log(λ/(1-λ)).
  *
  * The error is below 4 u cond, with u = 2⁻⁵³ and cond the entrywise condition number of the problem (see the chapter on
- * testing). No more than 83 evaluations of f are made.
+ * testing), also for forms that are singular to working precision. No more than 157 evaluations of f are made.
  *
  * @param r12 centre-to-centre vector; zero is valid: μ² = 0, λ = 1/2
  * @param q1,q2 the forms
  * @param[out] out (μ², λ)
- * @return #PW85_SUCCESS, #PW85_EINVAL (null pointer, NaN or infinity), #PW85_ENOTPD */
+ * @return #PW85_SUCCESS, #PW85_EINVAL (null pointer, NaN or infinity), #PW85_ENOTPD, #PW85_ECONVERGENCE (where the error cannot
+ *         be proved to be so small: never seen) */
 PW85_API int pw85_contact(double const r12[PW85_DIM], double const q1[PW85_SYM], double const q2[PW85_SYM],
                           double out[2]);
 
 /** Contact function of two ellipsoids, by Brent's method on f and Newton-Raphson iterations on f' (the method and the
  * semantics of pw85 1.0). Same contract as pw85_contact(), which is several times faster.
  *
- * The relative error is below 4 u cond too. Brent's method runs on λ in units in which the two ellipsoids are of like
- * size, so that #PW85_LAMBDA_ATOL is meaningful whatever the sizes. */
+ * The relative error of μ² is below 4 u cond, too. Brent's method works on a problem in which both ellipsoids have been scaled
+ * to similar size, so that #PW85_LAMBDA_ATOL has the same meaning for ellipsoids of all sizes. */
 PW85_API int pw85_contact_function(double const r12[PW85_DIM], double const q1[PW85_SYM], double const q2[PW85_SYM],
                                    double out[2]);
 
 /** Point at which the ellipsoids, scaled by μ, touch, and their common normal.
  *
  * @param r12,q1,q2 as for pw85_contact(), r12 != 0
- * @param lambda from pw85_contact(); any value in (0, 1) gives x0(λ), the point for which f(λ) is the weighted average of
- * the squares of the factors that bring either ellipsoid there
+ * @param lambda from pw85_contact(). Any other value in (0, 1) gives the point x0(λ) of the chapter on theory: it is on both
+ *        ellipsoids when they are scaled by the factors μ1 and μ2 for which f(λ) = λ μ1² + (1-λ) μ2².
  * @param[out] point relative to the centre of ellipsoid 1; may be null
  * @param[out] normal unit vector, outward from ellipsoid 1 and into ellipsoid 2; may be null
  * @return #PW85_SUCCESS, #PW85_EINVAL (also for lambda outside [0, 1] and r12 = 0), #PW85_ENOTPD */
@@ -164,7 +169,7 @@ PW85_API int pw85_contact_geometry(double const r12[PW85_DIM], double const q1[P
  *
  * @param r12,q1,q2 as for pw85_contact()
  * @param lambda from pw85_contact()
- * @param[out] d_r12 ∂μ²/∂r12; minus this is the derivative with respect to the centre of ellipsoid 1; may be null
+ * @param[out] d_r12 ∂μ²/∂r12; its negative is the derivative with respect to the centre of ellipsoid 1; may be null
  * @param[out] d_q1,d_q2 derivatives with respect to the stored entries of q1 and q2 (an off-diagonal entry stands for
  * two entries of the matrix); may be null
  * @return #PW85_SUCCESS, #PW85_EINVAL (also for lambda outside [0, 1]), #PW85_ENOTPD */
@@ -181,21 +186,23 @@ PW85_API int pw85_contact_gradient(double const r12[PW85_DIM], double const q1[P
 PW85_API int pw85_contact_torque(double const r12[PW85_DIM], double const q1[PW85_SYM], double const q2[PW85_SYM],
                                  double lambda, double d_rot1[PW85_DIM], double d_rot2[PW85_DIM]);
 
-/** Second derivatives of μ². With the relative errors of λ and 1-λ, which contact functions of double leave at some u times the
- * square of the aspect ratio (and u/(1-λ), where ellipsoid 1 is much the larger), they err by a few times as much.
+/** Second derivatives of μ².
+ *
+ * Their relative error is a few times that of λ and 1-λ. The λ of pw85_contact() has a relative error of some u times the square of
+ * the aspect ratio, and where ellipsoid 1 is much the larger, 1-λ has one of u/(1-λ).
  *
  * @param r12,q1,q2 as for pw85_contact(), r12 != 0
  * @param lambda from pw85_contact()
- * @param[out] hessian 9×9, symmetric: second derivatives with respect to r12, rotation 1 and rotation 2, where the vector ω
- *        stands for the rotation by |ω| about ω, and λ follows each change
+ * @param[out] hessian 9×9, symmetric: second derivatives with respect to r12, rotation 1 and rotation 2. A vector ω describes
+ *        the rotation by the angle |ω| about the direction of ω. λ is not held fixed: it maximises f for each changed pair.
  * @return #PW85_SUCCESS, #PW85_EINVAL (also for lambda outside [0, 1] and r12 = 0), #PW85_ENOTPD */
 PW85_API int pw85_contact_hessian(double const r12[PW85_DIM], double const q1[PW85_SYM], double const q2[PW85_SYM],
                                   double lambda, double hessian[81]);
 
 /** Whether two ellipsoids overlap, μ² < 1. Tangent ellipsoids (μ² = 1) do not.
  *
- * The answer is that of exact arithmetic for the numbers given: bounds that take rounding into account decide almost
- * always, and exact arithmetic the rest.
+ * The answer is that of exact arithmetic for the numbers given. Bounds that account for rounding decide almost all pairs, and
+ * exact arithmetic decides the others.
  *
  * @param r12,q1,q2 as for pw85_contact(); r12 = 0 is an overlap
  * @param[out] overlap 1 or 0; -1 on error
@@ -204,12 +211,12 @@ PW85_API int pw85_overlap(double const r12[PW85_DIM], double const q1[PW85_SYM],
                           int *overlap);
 
 /** Distance of closest approach: the distance of the centres at which two ellipsoids of fixed orientation touch from
- * outside, when their centres are on a line of given direction: |d|/μ(d).
+ * outside, when their centres are on a line of given direction d. It is |d|/μ(d).
  *
  * @param direction from centre 1 to centre 2, of any length > 0
  * @param q1,q2 the forms
  * @param[out] distance in the unit of the semi-axes
- * @return #PW85_SUCCESS, #PW85_EINVAL (also for a zero direction), #PW85_ENOTPD */
+ * @return #PW85_SUCCESS, #PW85_EINVAL (also for a zero direction), #PW85_ENOTPD, #PW85_ECONVERGENCE as for pw85_contact() */
 PW85_API int pw85_closest_approach(double const direction[PW85_DIM], double const q1[PW85_SYM],
                                    double const q2[PW85_SYM], double *distance);
 
@@ -259,11 +266,16 @@ PW85_API int pw85_closest_approach_2d(double const direction[2], double const q1
  * lower bound n·r12 - α - β of the distance, and any two points of the ellipsoids an upper one. `distance` is the lower
  * bound of its normal (that of pw85_distance_derivatives()), and |point2 - point1| the upper one.
  *
+ * The vector point2 - point1 differs from `distance` times n by less than 2¹⁸ u (|r12| + |point1| + |r12 - point2|), and |point2 -
+ * point1| from `distance` by no more: the points are those of the pair whose r12 differs by so much. Each point is within 2¹⁸ u
+ * times the longest semi-axis of its ellipsoid from the surface; the rounding of its coordinates, u |point2|, comes on top.
+ *
  * @param r12,q1,q2 as for pw85_contact()
  * @param[out] distance in the unit of r12; zero if the ellipsoids overlap, which is decided as in pw85_overlap(); may be null
  * @param[out] point1,point2 the closest points of ellipsoids 1 and 2, both relative to the centre of ellipsoid 1; NaN if they
  *        overlap, also on success; may be null
- * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD */
+ * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD, #PW85_ECONVERGENCE (where the errors cannot be bounded: seen beyond
+ *         aspect ratio 10⁶ only) */
 PW85_API int pw85_distance(double const r12[PW85_DIM], double const q1[PW85_SYM], double const q2[PW85_SYM],
                            double *distance, double point1[PW85_DIM], double point2[PW85_DIM]);
 
@@ -276,7 +288,7 @@ PW85_API int pw85_distance(double const r12[PW85_DIM], double const q1[PW85_SYM]
  *        radian; may be null
  * @param[out] hessian 9×9, symmetric: second derivatives with respect to r12, rotation 1 and rotation 2, where the vector ω
  *        stands for the rotation by |ω| about ω; may be null
- * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD */
+ * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD, #PW85_ECONVERGENCE as for pw85_distance() */
 PW85_API int pw85_distance_derivatives(double const r12[PW85_DIM], double const q1[PW85_SYM], double const q2[PW85_SYM],
                                        double d_r12[PW85_DIM], double d_rot1[PW85_DIM], double d_rot2[PW85_DIM],
                                        double hessian[81]);
@@ -307,16 +319,25 @@ PW85_API int pw85_distance_2d(double const r12[2], double const q1[3], double co
  * contact is the least time in [0, t_max] at which μ <= 1; infinity stands for none. It is approached from below: no time before
  * it is passed over that is not proved to be free of contact.
  *
- * At the time given μ = 1 to rounding, that of the numbers given and of the motion, and pairs that miss each other by no more
- * than rounding touch. A pair that overlaps at time 0 has its first contact at once; but if it overlaps by no more than some
+ * At the time t given |μ² - 1| <= 80 u S, with u = 2⁻⁵³, and before it μ² >= 1 - 80 u S. So t errs by at most 80 u S/|dμ²/dt| + 2 u t,
+ * unless the contact grazes. S is what relative errors of one in the numbers given would change μ² by at that time:
+ *
+ *     S = cond + Σ_i |∂μ²/∂r_i| (|r12_i| + t |v1_i| + t |v2_i|) + Σ_k (1 + t |ω_k| + t |g_k|) max|Q_k| Σ_ij |∂μ²/∂Q_k,ij|
+ *
+ * cond is that of pw85_contact(); v, ω and g are the numbers of the motions, and Q_k is the form of ellipsoid k at time t. The sum
+ * over k is over the ellipsoids that turn or grow. Pairs that miss each other by no more than this count as touching. A pair that
+ * overlaps at time 0 has its first contact at once; but if it overlaps by no more than some
  * hundred times its rounding and separates, it counts as one that has just collided: the answer is its next contact.
  * @{ */
 
 /** How an ellipsoid moves. */
 typedef struct pw85_motion {
-    double velocity[PW85_DIM];         /**< of the centre */
-    double angular_velocity[PW85_DIM]; /**< about the centre, in radians per unit of time */
-    double growth;                     /**< at time t the semi-axes are 1 + growth·t times those at time 0 */
+    /** of the centre. */
+    double velocity[PW85_DIM];
+    /** about the centre, in radians per unit of time. */
+    double angular_velocity[PW85_DIM];
+    /** At time t the semi-axes are 1 + growth·t times those at time 0. */
+    double growth;
 } pw85_motion;
 
 /** The time of the first contact of two moving ellipsoids.
@@ -326,7 +347,8 @@ typedef struct pw85_motion {
  * @param t_max the time up to which contacts count, >= 0; may be infinity
  * @param[out] t the time, or infinity
  * @return #PW85_SUCCESS, #PW85_EINVAL (also for an ellipsoid that shrinks to nothing), #PW85_ENOTPD, #PW85_ECONVERGENCE (where
- *         ellipsoids that turn thousands of times within reach of each other do not touch, or sizes overflow) */
+ *         ellipsoids that turn thousands of times within reach of each other do not touch; where sizes, the relative velocity or the
+ *         time leave the range of double; where one turns by more than 2⁴³ radians, so that its orientation is unknown) */
 PW85_API int pw85_first_contact(double const r12[PW85_DIM], double const q1[PW85_SYM], double const q2[PW85_SYM],
                                 pw85_motion const *motion1, pw85_motion const *motion2, double t_max, double *t);
 
@@ -335,7 +357,7 @@ PW85_API int pw85_first_contact(double const r12[PW85_DIM], double const q1[PW85
  *
  * One ellipsoid. The distance is the largest or smallest of n·x ∓ α over unit vectors n, with α the half-width of the
  * ellipsoid along n, as said for each function; its error is below 8 u Σ, with Σ the sum of the magnitudes of the terms of
- * n·x and of other lengths in it, and of Σ|n_i q_ij n_j|/(2α).
+ * n·x and of other lengths in it, and of Σ|n_i q_ij n_j|/(2α), where n is the unit normal of the exact answer.
  *
  * The derivatives of a distance with respect to the position of the centre and to small rotations about it follow from the
  * point and the normal: see pw85_distance_plane_derivatives().
@@ -431,17 +453,21 @@ PW85_API int pw85_intersect_line(double const origin[PW85_DIM], double const dir
 /** @}
  * @name Many pairs
  *
- * Arrays are contiguous; row i belongs to pair i. A bad pair (NaN, infinity, a form that is not positive definite) is
- * marked with NaN, or 255 for overlaps; the others are computed all the same, and the status of the first bad pair is
- * returned. What concerns the call as a whole (a null pointer, a size that overflows, an index out of range) is
- * #PW85_EINVAL before anything is written. The result for a pair depends on nothing but the pair: not on its position,
- * the number of pairs, or the number of threads. The instruction set of the processor decides how fast it is; the
- * environment variable PW85_TARGET (baseline, avx2, avx512), read once, forces an older one. With OpenMP the pairs are
- * shared among threads, whose number is set as always (OMP_NUM_THREADS, omp_set_num_threads). A process forked after a
- * threaded call must not make another one with GNU OpenMP, whose threads do not survive fork(): set one thread there.
+ * Arrays are contiguous, and row i belongs to pair i. A bad pair (NaN, infinity, a form that is not positive definite) is
+ * marked with NaN, or 255 for overlaps. The other pairs are computed all the same, and the function returns the status of the
+ * first bad pair. Where the call as a whole is wrong (a null pointer, a size that overflows, an index out of range), the
+ * function returns #PW85_EINVAL before it writes anything.
+ *
+ * The result for a pair depends on the pair and on the instruction set alone: not on its position, the number of pairs, or the
+ * number of threads. The library uses the newest instruction set of the processor that it knows. The environment variable
+ * PW85_TARGET (baseline, avx2, avx512), which is read once, makes it use an older one.
+ *
+ * With OpenMP, threads share the pairs; OMP_NUM_THREADS or omp_set_num_threads() sets their number. The threads of GNU OpenMP do
+ * not survive fork(): a process that was forked after a threaded call must set one thread before it calls these functions.
  * @{ */
 
-/** pw85_contact() for n pairs. The relative error of μ² is below 4 u cond, as there; the bits may differ.
+/** pw85_contact() for n pairs. The relative error of μ² is below 4 u cond, too; the last bits may differ from those of
+ * pw85_contact().
  *
  * @param n number of pairs; 0 is fine, and pointers may then be null
  * @param r12 n×3
@@ -462,7 +488,8 @@ PW85_API int pw85_contact_batch(size_t n, double const *r12, double const *q1, d
 PW85_API int pw85_overlap_batch(size_t n, double const *r12, double const *q1, double const *q2,
                                 unsigned char *overlap);
 
-/** pw85_closest_approach() for n pairs. The relative error is below 2 u cond + 4 u; the bits may differ.
+/** pw85_closest_approach() for n pairs. The relative error is below 2 u cond + 4 u; the last bits may differ from those of
+ * pw85_closest_approach().
  *
  * @param n number of pairs
  * @param directions n×3, of any lengths > 0
@@ -472,13 +499,129 @@ PW85_API int pw85_overlap_batch(size_t n, double const *r12, double const *q1, d
 PW85_API int pw85_closest_approach_batch(size_t n, double const *directions, double const *q1, double const *q2,
                                          double *distance);
 
-/** pw85_contact_2d() for n pairs; arguments as for pw85_contact_batch(), with rows of 2 and 3 numbers. */
+/** pw85_contact_function() for n pairs; the bits are the same.
+ *
+ * @param n number of pairs
+ * @param r12 n×3
+ * @param q1,q2 n×6
+ * @param[out] mu2,lambda n each; any output may be null
+ * @return as for pw85_contact_batch() */
+PW85_API int pw85_contact_function_batch(size_t n, double const *r12, double const *q1, double const *q2, double *mu2,
+                                         double *lambda);
+
+/** pw85_contact_geometry() for n pairs; the bits are the same.
+ *
+ * @param n number of pairs
+ * @param r12 n×3, r12 != 0
+ * @param q1,q2 n×6
+ * @param lambda n
+ * @param[out] point,normal n×3 each; any output may be null
+ * @return as for pw85_contact_batch(); r12 = 0 and lambda outside [0, 1] are #PW85_EINVAL */
+PW85_API int pw85_contact_geometry_batch(size_t n, double const *r12, double const *q1, double const *q2,
+                                         double const *lambda, double *point, double *normal);
+
+/** pw85_contact_gradient() for n pairs; the bits are the same.
+ *
+ * @param n number of pairs
+ * @param r12 n×3
+ * @param q1,q2 n×6
+ * @param lambda n
+ * @param[out] d_r12 n×3; any output may be null
+ * @param[out] d_q1,d_q2 n×6 each
+ * @return as for pw85_contact_batch(); lambda outside [0, 1] is #PW85_EINVAL */
+PW85_API int pw85_contact_gradient_batch(size_t n, double const *r12, double const *q1, double const *q2,
+                                         double const *lambda, double *d_r12, double *d_q1, double *d_q2);
+
+/** pw85_contact_torque() for n pairs; the bits are the same.
+ *
+ * @param n number of pairs
+ * @param r12 n×3
+ * @param q1,q2 n×6
+ * @param lambda n
+ * @param[out] d_rot1,d_rot2 n×3 each; any output may be null
+ * @return as for pw85_contact_gradient_batch() */
+PW85_API int pw85_contact_torque_batch(size_t n, double const *r12, double const *q1, double const *q2,
+                                       double const *lambda, double *d_rot1, double *d_rot2);
+
+/** pw85_contact_hessian() for n pairs; the bits are the same.
+ *
+ * @param n number of pairs
+ * @param r12 n×3, r12 != 0
+ * @param q1,q2 n×6
+ * @param lambda n
+ * @param[out] hessian n×9×9
+ * @return as for pw85_contact_batch(); r12 = 0 and lambda outside [0, 1] are #PW85_EINVAL */
+PW85_API int pw85_contact_hessian_batch(size_t n, double const *r12, double const *q1, double const *q2,
+                                        double const *lambda, double *hessian);
+
+/** pw85_contact_2d() for n pairs; see pw85_contact_batch().
+ *
+ * @param r12 n×2
+ * @param q1,q2 n×3 */
 PW85_API int pw85_contact_batch_2d(size_t n, double const *r12, double const *q1, double const *q2, double *mu2,
                                    double *lambda);
 
-/** pw85_overlap_2d() for n pairs; arguments as for pw85_overlap_batch(), with rows of 2 and 3 numbers. */
+/** pw85_overlap_2d() for n pairs; see pw85_overlap_batch().
+ *
+ * @param r12 n×2
+ * @param q1,q2 n×3 */
 PW85_API int pw85_overlap_batch_2d(size_t n, double const *r12, double const *q1, double const *q2,
                                    unsigned char *overlap);
+
+/** pw85_contact_geometry_2d() for n pairs; the bits are the same.
+ *
+ * @param n number of pairs
+ * @param r12 n×2, r12 != 0
+ * @param q1,q2 n×3
+ * @param lambda n
+ * @param[out] point,normal n×2 each; any output may be null
+ * @return as for pw85_contact_batch(); r12 = 0 and lambda outside [0, 1] are #PW85_EINVAL */
+PW85_API int pw85_contact_geometry_batch_2d(size_t n, double const *r12, double const *q1, double const *q2,
+                                            double const *lambda, double *point, double *normal);
+
+/** pw85_contact_gradient_2d() for n pairs; the bits are the same.
+ *
+ * @param n number of pairs
+ * @param r12 n×2
+ * @param q1,q2 n×3
+ * @param lambda n
+ * @param[out] d_r12 n×2; any output may be null
+ * @param[out] d_q1,d_q2 n×3 each
+ * @return as for pw85_contact_gradient_batch() */
+PW85_API int pw85_contact_gradient_batch_2d(size_t n, double const *r12, double const *q1, double const *q2,
+                                            double const *lambda, double *d_r12, double *d_q1, double *d_q2);
+
+/** pw85_contact_torque_2d() for n pairs; the bits are the same.
+ *
+ * @param n number of pairs
+ * @param r12 n×2
+ * @param q1,q2 n×3
+ * @param lambda n
+ * @param[out] d_rot1,d_rot2 n each; any output may be null
+ * @return as for pw85_contact_gradient_batch() */
+PW85_API int pw85_contact_torque_batch_2d(size_t n, double const *r12, double const *q1, double const *q2,
+                                          double const *lambda, double *d_rot1, double *d_rot2);
+
+/** pw85_contact_hessian_2d() for n pairs; the bits are the same.
+ *
+ * @param n number of pairs
+ * @param r12 n×2, r12 != 0
+ * @param q1,q2 n×3
+ * @param lambda n
+ * @param[out] hessian n×4×4
+ * @return as for pw85_contact_batch(); r12 = 0 and lambda outside [0, 1] are #PW85_EINVAL */
+PW85_API int pw85_contact_hessian_batch_2d(size_t n, double const *r12, double const *q1, double const *q2,
+                                           double const *lambda, double *hessian);
+
+/** pw85_closest_approach_2d() for n pairs; the bits are the same.
+ *
+ * @param n number of pairs
+ * @param directions n×2, of any lengths > 0
+ * @param q1,q2 n×3
+ * @param[out] distance n
+ * @return as for pw85_closest_approach_batch() */
+PW85_API int pw85_closest_approach_batch_2d(size_t n, double const *directions, double const *q1, double const *q2,
+                                            double *distance);
 
 /** pw85_contact(), pw85_contact_geometry(), pw85_contact_gradient() and pw85_contact_torque() for n pairs: what the forces and
  * torques of an energy U(μ²) are made of. A pair with r12 = 0 is valid: its derivatives are zero, its point and normal NaN.
@@ -502,9 +645,31 @@ PW85_API int pw85_contact_derivatives_batch(size_t n, double const *r12, double 
  * @param q1,q2 n×6
  * @param[out] distance n; any output may be null
  * @param[out] point1,point2 n×3 each, relative to the centres of the first ellipsoids
- * @return as for pw85_contact_batch() */
+ * @return as for pw85_contact_batch(); #PW85_ECONVERGENCE, too */
 PW85_API int pw85_distance_batch(size_t n, double const *r12, double const *q1, double const *q2, double *distance,
                                  double *point1, double *point2);
+
+/** pw85_distance_derivatives() for n pairs; the bits are the same.
+ *
+ * @param n number of pairs
+ * @param r12 n×3
+ * @param q1,q2 n×6
+ * @param[out] d_r12,d_rot1,d_rot2 n×3 each; any output may be null
+ * @param[out] hessian n×9×9
+ * @return as for pw85_contact_batch() */
+PW85_API int pw85_distance_derivatives_batch(size_t n, double const *r12, double const *q1, double const *q2,
+                                             double *d_r12, double *d_rot1, double *d_rot2, double *hessian);
+
+/** pw85_distance_2d() for n pairs; the bits are the same.
+ *
+ * @param n number of pairs
+ * @param r12 n×2
+ * @param q1,q2 n×3
+ * @param[out] distance n; any output may be null
+ * @param[out] point1,point2 n×2 each
+ * @return as for pw85_contact_batch() */
+PW85_API int pw85_distance_batch_2d(size_t n, double const *r12, double const *q1, double const *q2, double *distance,
+                                    double *point1, double *point2);
 
 /** pw85_penetration() for n pairs; the bits are the same.
  *
@@ -529,6 +694,85 @@ PW85_API int pw85_penetration_batch(size_t n, double const *r12, double const *q
 PW85_API int pw85_distance_plane_batch(size_t n, double const *normals, double const *offsets, double const *q,
                                        double *distance, double *point);
 
+/** pw85_distance_plane_derivatives() for n ellipsoids and half-spaces; the bits are the same.
+ *
+ * @param n number of ellipsoids
+ * @param normals n×3
+ * @param q n×6
+ * @param[out] d_center,d_rot n×3 each; any output may be null
+ * @return as for pw85_distance_plane_batch() */
+PW85_API int pw85_distance_plane_derivatives_batch(size_t n, double const *normals, double const *q, double *d_center,
+                                                   double *d_rot);
+
+/** pw85_contact_plane() for n ellipsoids and half-spaces; the bits are the same.
+ *
+ * @param n number of ellipsoids
+ * @param normals n×3
+ * @param offsets n
+ * @param q n×6
+ * @param[out] mu2 n; any output may be null
+ * @param[out] point n×3
+ * @return as for pw85_distance_plane_batch() */
+PW85_API int pw85_contact_plane_batch(size_t n, double const *normals, double const *offsets, double const *q,
+                                      double *mu2, double *point);
+
+/** pw85_contact_plane_derivatives() for n ellipsoids and half-spaces; the bits are the same.
+ *
+ * @param n number of ellipsoids
+ * @param normals n×3
+ * @param offsets n
+ * @param q n×6
+ * @param[out] d_center,d_rot n×3 each; any output may be null
+ * @return as for pw85_distance_plane_batch() */
+PW85_API int pw85_contact_plane_derivatives_batch(size_t n, double const *normals, double const *offsets,
+                                                  double const *q, double *d_center, double *d_rot);
+
+/** pw85_distance_box() for n ellipsoids and boxes; the bits are the same.
+ *
+ * @param n number of ellipsoids
+ * @param lower,upper n×3 each; lower <= upper
+ * @param q n×6
+ * @param[out] distance n; any output may be null
+ * @param[out] point,normal n×3 each
+ * @return as for pw85_contact_batch(); lower > upper is #PW85_EINVAL */
+PW85_API int pw85_distance_box_batch(size_t n, double const *lower, double const *upper, double const *q,
+                                     double *distance, double *point, double *normal);
+
+/** pw85_distance_cylinder() for n ellipsoids and cylinders; the bits are the same.
+ *
+ * @param n number of ellipsoids
+ * @param axis n×3, of any lengths > 0
+ * @param radius n, > 0
+ * @param center n×3
+ * @param q n×6
+ * @param[out] distance n; any output may be null
+ * @param[out] point,normal n×3 each
+ * @return as for pw85_contact_batch(); a zero axis and a radius that is not positive are #PW85_EINVAL */
+PW85_API int pw85_distance_cylinder_batch(size_t n, double const *axis, double const *radius, double const *center,
+                                          double const *q, double *distance, double *point, double *normal);
+
+/** pw85_distance_point() for n points and ellipsoids; the bits are the same.
+ *
+ * @param n number of points
+ * @param r n×3
+ * @param q n×6
+ * @param[out] distance n; any output may be null
+ * @param[out] point,normal n×3 each
+ * @return as for pw85_contact_batch() */
+PW85_API int pw85_distance_point_batch(size_t n, double const *r, double const *q, double *distance, double *point,
+                                       double *normal);
+
+/** pw85_intersect_line() for n lines and ellipsoids; the bits are the same.
+ *
+ * @param n number of lines
+ * @param origin n×3
+ * @param directions n×3, of any lengths > 0
+ * @param q n×6
+ * @param[out] enter,leave n each: t[0] and t[1], NaN for lines that miss their ellipsoids; any output may be null
+ * @return as for pw85_contact_batch(); a zero direction is #PW85_EINVAL */
+PW85_API int pw85_intersect_line_batch(size_t n, double const *origin, double const *directions, double const *q,
+                                       double *enter, double *leave);
+
 /** pw85_first_contact() for n pairs; the bits are the same.
  *
  * @param n number of pairs
@@ -541,33 +785,69 @@ PW85_API int pw85_distance_plane_batch(size_t n, double const *normals, double c
 PW85_API int pw85_first_contact_batch(size_t n, double const *r12, double const *q1, double const *q2,
                                       pw85_motion const *motion1, pw85_motion const *motion2, double t_max, double *t);
 
-/** Whether an ellipsoid overlaps any of n others: pw85_overlap() for one after the other, up to the first that overlaps or is
- * bad. One thread works, on as many pairs at a time as it has lanes.
+/** Whether an ellipsoid overlaps any of n others.
  *
- * @param n number of others; 0 is fine
+ * The function tests the others one after the other, as pw85_overlap() does, and stops at the first that overlaps or is bad. It
+ * runs in the calling thread, and uses SIMD.
+ *
  * @param q1 form of the one
+ * @param n number of others; 0 is fine
  * @param r12 n×3: centres of the others relative to that of the one
  * @param q2 n×6
  * @param[out] any 1 or 0; -1 on error
- * @return #PW85_SUCCESS, #PW85_EINVAL, or the status of a bad pair that no overlap precedes */
-PW85_API int pw85_overlap_any(size_t n, double const q1[PW85_SYM], double const *r12, double const *q2, int *any);
+ * @return #PW85_SUCCESS, #PW85_EINVAL, or the status of the first bad pair if no pair before it overlaps */
+PW85_API int pw85_overlap_any(double const q1[PW85_SYM], size_t n, double const *r12, double const *q2, int *any);
 
-/** The same for others of a system, by their indices: the inner loop of a Monte Carlo move, with the trial ellipsoid as the one. In a
- * periodic cell others stand for their nearest images, which are all that can overlap where pw85_nearest_image_limit() is 1 or
- * more.
+/** Particles, in a periodic cell or not. The struct and its arrays are the caller's, are only read, and are needed no longer than the call.
+ * A pointer may be null where a function says so: it does not read that member.
+ *
+ * Where there is a cell, `periodic` says along which of its vectors there are images. Set it: a cell of which no vector is periodic is
+ * #PW85_EINVAL. The vectors that are not periodic do not matter: they may be zero or NaN. Without a cell `periodic` is not read. */
+typedef struct pw85_system {
+    /** number of particles; 0 is fine, and pointers may then be null. */
+    size_t num_particles;
+    /** num_particles×3: centres, anywhere in space. */
+    double const *centers;
+    /** num_particles×6: forms. */
+    double const *q;
+    /** 3×3: rows are the vectors of the cell, of which at least one is periodic;
+     * or null if nothing is periodic. */
+    double const *cell;
+    /** not 0 for each vector of the cell along which there are images. */
+    int periodic[3];
+} pw85_system;
+
+/** Pairs of particles of a system. The struct and its arrays are the caller's, are only read, and are needed no longer than the call. */
+typedef struct pw85_pair_list {
+    /** number of pairs; 0 is fine, and pointers may then be null. */
+    size_t num_pairs;
+    /** num_pairs×2: indices (i, j) of particles, from 0. */
+    int32_t const *pairs;
+    /** num_pairs×3: multiples of the cell vectors, as given, to be added to the centre
+     * of j, where multiples of vectors that are not periodic count as 0; or null for
+     * the nearest images. */
+    int32_t const *images;
+} pw85_pair_list;
+
+/** pw85_overlap_any() for others of a system, by their indices: the inner loop of a Monte Carlo move, with the trial ellipsoid as the one.
+ *
+ * In a periodic cell, others stand for the images that are given, as in a neighbour list. Without `images` the answer is about all
+ * images of the others, and of the one itself: it is found from the nearest ones wherever those are all that can overlap
+ * (pw85_nearest_image_limit() of the one and the others is 1 or more), or one of them overlaps. Elsewhere it is #PW85_EINVAL: take
+ * the images of a neighbour list. Where cells are that small, the one meets images of itself, too, which stand in the list: write the
+ * trial into the arrays of the system before the call, so that its own index stands for it as it is now.
  *
  * @param center,q1 centre and form of the one
+ * @param system the particles; the cell is best reduced (pw85_cell_reduce()) unless there are images
  * @param n number of others; 0 is fine
- * @param indices n: of particles, from 0
- * @param num_particles number of particles
- * @param centers num_particles×3
- * @param q num_particles×6
- * @param cell 3×3, rows = vectors, best reduced (pw85_cell_reduce()); or null
+ * @param indices n: of particles, from 0; not that of the one itself unless there are images
+ * @param images n×3: multiples of the cell vectors, as given, to be added to the centres of the others; or null for all images
  * @param[out] any 1 or 0; -1 on error
- * @return as for pw85_overlap_any(); #PW85_EINVAL also for an index out of range or a singular cell */
-PW85_API int pw85_overlap_any_indices(double const center[PW85_DIM], double const q1[PW85_SYM], size_t n,
-                                      int32_t const *indices, size_t num_particles, double const *centers,
-                                      double const *q, double const *cell, int *any);
+ * @return as for pw85_overlap_any(); #PW85_EINVAL also for an index out of range, `images` without `cell`, a cell that is not finite or,
+ *         unless there are images, singular, and where nearest images do not decide */
+PW85_API int pw85_overlap_any_indices(double const center[PW85_DIM], double const q1[PW85_SYM],
+                                      pw85_system const *system, size_t n, int32_t const *indices,
+                                      int32_t const *images, int *any);
 
 /** pw85_contact() for the pairs of a neighbour list.
  *
@@ -575,68 +855,60 @@ PW85_API int pw85_overlap_any_indices(double const center[PW85_DIM], double cons
  * centres), which is found for any cell however skewed. Where cells are small or particles large, an image that is not the
  * nearest can have a smaller μ²: pw85_nearest_image_limit() says where.
  *
- * @param num_pairs number of pairs
- * @param pairs num_pairs×2: indices (i, j) of particles, from 0
- * @param images num_pairs×3: multiples of the cell vectors, as given, to be added to the centre of j; or null for the nearest
- *        images
- * @param num_particles number of particles
- * @param centers num_particles×3, anywhere in space; where nearest images are asked for, no farther from each other than 2⁵⁰
- *        times the cell
- * @param q num_particles×6
- * @param cell 3×3, rows = vectors of the periodic cell, or null if there is none. It need not be reduced, but then each call
- *        takes some hundred nanoseconds more than for the reduced one: see pw85_cell_reduce().
+ * @param list the pairs
+ * @param system the particles; where nearest images are asked for, centres are no farther from each other than 2⁵⁰ times the cell.
+ *        The cell need not be reduced, but then each call takes some hundred nanoseconds more than for the reduced one: see
+ *        pw85_cell_reduce().
  * @param[out] mu2 num_pairs
  * @param[out] lambda num_pairs, or null
  * @return as for pw85_contact_batch(); #PW85_EINVAL also for `images` without `cell`, a cell that is not finite or, unless
  *         there are images, singular */
-PW85_API int pw85_contact_pairs(size_t num_pairs, int32_t const *pairs, int32_t const *images, size_t num_particles,
-                                double const *centers, double const *q, double const *cell, double *mu2,
-                                double *lambda);
+PW85_API int pw85_contact_pairs(pw85_pair_list const *list, pw85_system const *system, double *mu2, double *lambda);
 
-/** pw85_overlap() for the pairs of a neighbour list; arguments as for pw85_contact_pairs(), overlap as for
- * pw85_overlap_batch(). */
-PW85_API int pw85_overlap_pairs(size_t num_pairs, int32_t const *pairs, int32_t const *images, size_t num_particles,
-                                double const *centers, double const *q, double const *cell, unsigned char *overlap);
+/** pw85_overlap() for the pairs of a neighbour list; arguments as for pw85_contact_pairs().
+ *
+ * @param[out] overlap num_pairs: 1, 0, or 255 for a bad pair */
+PW85_API int pw85_overlap_pairs(pw85_pair_list const *list, pw85_system const *system, unsigned char *overlap);
 
-/** The derivatives for the pairs of a neighbour list; arguments as for pw85_contact_pairs(), and outputs, any of them null, as
- * for pw85_contact_derivatives_batch(). */
-PW85_API int pw85_contact_derivatives_pairs(size_t num_pairs, int32_t const *pairs, int32_t const *images,
-                                            size_t num_particles, double const *centers, double const *q,
-                                            double const *cell, double *mu2, double *lambda, double *point,
-                                            double *normal, double *d_r12, double *d_rot1, double *d_rot2);
+/** The derivatives for the pairs of a neighbour list; arguments as for pw85_contact_pairs(), outputs as for
+ * pw85_contact_derivatives_batch().
+ *
+ * @param[out] mu2,lambda num_pairs each; any output may be null
+ * @param[out] point,normal,d_r12,d_rot1,d_rot2 num_pairs×3 each */
+PW85_API int pw85_contact_derivatives_pairs(pw85_pair_list const *list, pw85_system const *system, double *mu2,
+                                            double *lambda, double *point, double *normal, double *d_r12,
+                                            double *d_rot1, double *d_rot2);
 
 /** Forces, torques and virial of an energy U(μ²) of pairs, summed up: what pw85_contact_derivatives_pairs() gives, times dU/dμ². The sums
  * are in the order of the pairs; the bits depend on nothing but the input, not on the number of threads. Each thread goes
  * through all pairs, and adds up what concerns its own particles.
  *
- * @param num_pairs number of pairs; 0 is fine, the sums are then 0
- * @param pairs,images,num_particles,centers,cell as for pw85_contact_pairs()
+ * @param list the pairs; the sums of none are 0
+ * @param system as for pw85_contact_pairs(); `q` may be null, and without pairs `centers`, too
  * @param d_u num_pairs: dU/dμ²; a pair for which it is 0 is left out, whatever its derivatives
  * @param d_r12,d_rot1,d_rot2 num_pairs×3 each: derivatives of μ²; null if no output needs them
  * @param[out] forces num_particles×3: -∂U/∂centre; any output may be null
  * @param[out] torques num_particles×3: -∂U/∂(rotation vector) about the centre
- * @param[out] virial 9: Σ r12 ⊗ force on the second particle of each pair, row-major; over the volume, it is the pressure tensor's part
+ * @param[out] virial 3×3: Σ r12 ⊗ force on the second particle of each pair, row-major; over the volume, it is the pressure tensor's part
  *             that comes from contacts
- * @return #PW85_SUCCESS; #PW85_EINVAL as for pw85_contact_pairs(), before anything is written */
-PW85_API int pw85_contact_forces_pairs(size_t num_pairs, int32_t const *pairs, int32_t const *images,
-                                       size_t num_particles, double const *centers, double const *cell,
-                                       double const *d_u, double const *d_r12, double const *d_rot1,
-                                       double const *d_rot2, double *forces, double *torques, double *virial);
+ * @return #PW85_SUCCESS, where a NaN in the input makes the sums NaN that it goes into; #PW85_EINVAL as for
+ *         pw85_contact_pairs(), before anything is written */
+PW85_API int pw85_contact_forces_pairs(pw85_pair_list const *list, pw85_system const *system, double const *d_u,
+                                       double const *d_r12, double const *d_rot1, double const *d_rot2, double *forces,
+                                       double *torques, double *virial);
 
 /** pw85_first_contact() for the pairs of a neighbour list, and the next event of each particle: what event-driven simulations
  * schedule. A pair stands for one image of j throughout, that of time 0.
  *
- * @param num_pairs,pairs,images,num_particles,centers,q,cell as for pw85_contact_pairs()
+ * @param list,system as for pw85_contact_pairs()
  * @param motions num_particles
  * @param t_max as for pw85_first_contact(), for all pairs
  * @param[out] t num_pairs
  * @param[out] next num_particles: the least t of the pairs of each particle, infinity if there is none; may be null
  * @param[out] next_pair num_particles: the index of that pair, the first of several, or -1; may be null, and is without `next`
  * @return as for pw85_contact_pairs(); #PW85_ECONVERGENCE, too. Bad pairs are no events. */
-PW85_API int pw85_first_contact_pairs(size_t num_pairs, int32_t const *pairs, int32_t const *images,
-                                      size_t num_particles, double const *centers, double const *q, double const *cell,
-                                      pw85_motion const *motions, double t_max, double *t, double *next,
-                                      int64_t *next_pair);
+PW85_API int pw85_first_contact_pairs(pw85_pair_list const *list, pw85_system const *system, pw85_motion const *motions,
+                                      double t_max, double *t, double *next, int64_t *next_pair);
 
 /** @}
  * @name Periodic cells
@@ -658,14 +930,15 @@ PW85_API int pw85_cell_reduce(double const cell[9], double reduced[9]);
  * Both are good until a particle has moved by half a cell or so: functions that are given these images need no search, and
  * each pair keeps the same image.
  *
- * @param num_pairs,pairs,num_particles,centers as for pw85_contact_pairs()
- * @param cell 3×3, rows = vectors
+ * @param num_pairs number of pairs
+ * @param pairs num_pairs×2: indices (i, j) of particles, from 0
+ * @param system the particles, in a cell as for pw85_contact_pairs(): `cell` is not null; `q` may be null
  * @param[out] r12 num_pairs×3: from particle i to the image of particle j; NaN for a bad pair; may be null
  * @param[out] images num_pairs×3: multiples of the vectors of the cell, as given; INT32_MIN for a bad pair; may be null
  * @return as for pw85_contact_batch(); bad are pairs with centres that are not finite, or, where `images` are asked for, with
  *         multiples beyond 2³¹ - 1; #PW85_EINVAL also for a cell that is singular or not finite */
-PW85_API int pw85_nearest_images(size_t num_pairs, int32_t const *pairs, size_t num_particles, double const *centers,
-                                 double const *cell, double *r12, int32_t *images);
+PW85_API int pw85_nearest_images(size_t num_pairs, int32_t const *pairs, pw85_system const *system, double *r12,
+                                 int32_t *images);
 
 /** Up to which μ² nearest images are all there is: any image of a pair of these particles with a smaller μ² is the nearest.
  *
@@ -675,12 +948,10 @@ PW85_API int pw85_nearest_images(size_t num_pairs, int32_t const *pairs, size_t 
  * box is wider than half the cell. Otherwise directions are those of the faces of the lattice's Voronoi cell. Beyond the limit,
  * list the images that matter and give them as `images`.
  *
- * @param n number of particles; infinity is the limit of none
- * @param q n×6
- * @param cell 3×3, rows = vectors
+ * @param system the particles, in a cell: `cell` is not null; `centers` may be null. Infinity is the limit of none.
  * @param[out] mu2 the limit
  * @return #PW85_SUCCESS, #PW85_EINVAL (a cell that is singular or not finite, too), #PW85_ENOTPD */
-PW85_API int pw85_nearest_image_limit(size_t n, double const *q, double const *cell, double *mu2);
+PW85_API int pw85_nearest_image_limit(pw85_system const *system, double *mu2);
 
 /** @}
  * @name Neighbour lists
@@ -700,56 +971,48 @@ typedef struct pw85_neighbors pw85_neighbors;
  * sizes of any kind, and anywhere in space unless most of them crowd in less than 2⁻²¹ of its extent. The memory is 200 bytes per
  * particle and 64 per pair at most while the list is made, and 48 and 20 (8 without a cell) afterwards.
  *
- * @param n number of particles, at most 2³¹ - 1; 0 is fine
- * @param centers n×3, anywhere in space or in the cell and its images, up to 2²⁹ cells away
- * @param q n×6
- * @param cell 3×3, rows = vectors, however skewed and small; null if nothing is periodic
- * @param periodic along which of the vectors there are images (not 0); null for all three. The other vectors do not matter.
+ * @param system at most 2³¹ - 1 particles, anywhere in space or in the cell and its images, up to 2²⁹ cells away; the cell may be
+ *        however skewed and small
  * @param scale factor of the ellipsoids, > 0
  * @param skin >= 0, in the unit of the semi-axes
  * @param[out] list null on error; to be destroyed by pw85_neighbors_destroy()
  * @return #PW85_SUCCESS; #PW85_EINVAL, also if the periodic vectors are not independent, or an image is more than 2²⁹ vectors
  *         away; #PW85_ENOTPD; #PW85_ENOMEM. pw85_neighbors_check() says which particle is bad. */
-PW85_API int pw85_neighbors_create(size_t n, double const *centers, double const *q, double const *cell,
-                                   int const periodic[3], double scale, double skin, pw85_neighbors **list);
+PW85_API int pw85_neighbors_create(pw85_system const *system, double scale, double skin, pw85_neighbors **list);
 
 /** Which particle is to blame where a list cannot be made; arguments as for pw85_neighbors_create().
  *
- * @param[out] particle the first one that is bad: its centre or form is, or it is too far away; n if none is
- * @return the status of that particle; or of the other arguments, with `particle` = n; #PW85_SUCCESS where nothing but the memory or
+ * @param[out] particle the first one that is bad: its centre or form is, or it is too far away; num_particles if none is, 0 if `system`
+ *        is null
+ * @return the status of that particle; or of the other arguments, with `particle` = num_particles; #PW85_SUCCESS where nothing but the memory or
  *         the number of images can be to blame */
-PW85_API int pw85_neighbors_check(size_t n, double const *centers, double const *q, double const *cell,
-                                  int const periodic[3], double scale, double skin, size_t *particle);
+PW85_API int pw85_neighbors_check(pw85_system const *system, double scale, double skin, size_t *particle);
 
-/** Whether a list still has all pairs whose boxes meet (without skin) after the particles have moved and turned: if the box of each
- * is within its old one, grown by half the skin on each side. Centres go on from where they were: not wrapped into the cell anew.
+/** Whether a list still has all pairs whose boxes meet (without skin) after the particles have moved and turned, and the cell has
+ * changed.
+ *
+ * The linear map that takes the periodic vectors of the cell of now to those of the list takes each box back, too. The answer is 1 if
+ * each is then within its old one, grown by half the skin on each side, up to a motion that all particles share. So a cell that shrinks
+ * or is sheared together with the centres costs no more skin than the boxes change by, whatever the size of the cell, and about
+ * whatever point; where the centres stay, the skin must bridge what they miss. No pair is missing after the answer 1, of any image;
+ * after the answer 0 none need be.
+ *
+ * Centres go on from where they were, not wrapped into the cell anew, and so do the vectors of the cell, neither reduced nor flipped
+ * anew: `images` are multiples of them.
  *
  * @param list a list
- * @param n number of particles, the same as for the list
- * @param centers,q n×3 and n×6: where particles are now
+ * @param system the same number of particles as for the list, where they are now, with their forms and the cell of now, periodic along
+ *        the same vectors as for the list: `cell` is not null where the list has one
  * @param[out] holds 1 or 0; -1 on error
- * @return #PW85_SUCCESS, #PW85_EINVAL, also if `n` is not that of the list, or the status of a bad particle */
-PW85_API int pw85_neighbors_holds(pw85_neighbors const *list, size_t n, double const *centers, double const *q,
-                                  int *holds);
+ * @return #PW85_SUCCESS, #PW85_EINVAL, also if the number of particles is not that of the list, only one of the two has a cell, it is
+ *         periodic along other vectors, or it is as bad as pw85_neighbors_create() refuses it; or the status of the first bad particle */
+PW85_API int pw85_neighbors_holds(pw85_neighbors const *list, pw85_system const *system, int *holds);
 
-/** Number of pairs.
+/** The pairs of a list, with their images if it has a cell: views of the arrays of the list, as long as that lives.
  *
  * @param list a list, or null
- * @return their number, 0 for null */
-PW85_API size_t pw85_neighbors_size(pw85_neighbors const *list);
-
-/** The pairs: indices (i, j), pw85_neighbors_size()×2, as long as the list lives.
- *
- * @param list a list, or null
- * @return the first index, null for null */
-PW85_API int32_t const *pw85_neighbors_pairs(pw85_neighbors const *list);
-
-/** The images: multiples of the cell vectors, as given, to be added to the centre of j, pw85_neighbors_size()×3, as long as the list
- * lives.
- *
- * @param list a list, or null
- * @return the first multiple; null for null, and for a list without a cell */
-PW85_API int32_t const *pw85_neighbors_images(pw85_neighbors const *list);
+ * @return the pairs; none for null */
+PW85_API pw85_pair_list pw85_neighbors_list(pw85_neighbors const *list);
 
 /** Frees a list.
  *
@@ -759,14 +1022,14 @@ PW85_API void pw85_neighbors_destroy(pw85_neighbors *list);
 /** @}
  * @name Many forms
  *
- * What is said of many pairs holds for rows here: bad ones are marked with NaN.
+ * Rows, bad rows and threads are as for many pairs. Bad rows are marked with NaN.
  * @{ */
 
 /** pw85_ellipsoid_quaternion() for n ellipsoids; the bits are the same.
  *
  * @param n number of ellipsoids
- * @param semi_axes n×3
- * @param quaternions n×4: (w, x, y, z)
+ * @param semi_axes n×3, as for pw85_ellipsoid_quaternion()
+ * @param quaternions n×4: (w, x, y, z), of any lengths > 0
  * @param[out] q n×6
  * @return #PW85_SUCCESS, #PW85_EINVAL */
 PW85_API int pw85_ellipsoid_quaternion_batch(size_t n, double const *semi_axes, double const *quaternions, double *q);
@@ -788,7 +1051,8 @@ PW85_API int pw85_bounding_boxes(size_t n, double const *q, double *half_widths)
 /** Cholesky factorisation A = L Lᵀ.
  *
  * @param a symmetric positive definite matrix
- * @param[out] l lower triangle of L by columns: (l11, l21, l31, l22, l32, l33); NaN if `a` is not positive definite */
+ * @param[out] l lower triangle of L by columns: (l11, l21, l31, l22, l32, l33); NaN if a pivot, computed in double, is not
+ *        positive: that depends on rounding where `a` is singular to working precision */
 PW85_API void pw85__cholesky_decomp(double const a[PW85_SYM], double l[PW85_SYM]);
 
 /** Solution of L Lᵀ x = b.
@@ -806,10 +1070,10 @@ PW85_API void pw85__cholesky_solve(double const l[PW85_SYM], double const b[PW85
 PW85_API void pw85__residual(double lambda, double const r12[PW85_DIM], double const q1[PW85_SYM],
                              double const q2[PW85_SYM], double out[3]);
 
-/** -f(λ), shaped for minimisers that pass parameters as one block.
+/** -f(λ), with parameters in one block, as minimisers pass them.
  *
  * @param lambda in [0, 1]
- * @param params `double[15]`: r12, q1, q2 one after the other
+ * @param params 15: r12, q1, q2 one after the other
  * @return -f(λ); NaN for invalid input */
 PW85_API double pw85_f_neg(double lambda, double const *params);
 

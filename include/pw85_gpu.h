@@ -4,7 +4,9 @@
  *
  * The code is that of the functions for the host. Neither this library nor a program that uses it needs the CUDA toolkit: what a
  * GPU runs is in the library, and the driver (libcuda.so.1, of CUDA 12 or newer) is looked for at the first call. Where there is no
- * driver, no device, or not enough memory, functions return #PW85_EDEVICE, and everything else works as ever. */
+ * driver, no device, or not enough memory, functions return #PW85_EDEVICE, and everything else works as ever.
+ *
+ * No GPU has run this code yet: the tests run it on the host, with a stand-in for the driver. */
 #ifndef PW85_GPU_H_INCLUDED
 #define PW85_GPU_H_INCLUDED
 
@@ -32,6 +34,10 @@ PW85_API int pw85_gpu_count(int *count);
  * host; but as nothing waits, the status says no more than that the work was queued. Overlaps are the same as on the host: the few
  * that the device's arithmetic cannot decide, and bad pairs, are sent to the host in the order of the stream, decided there by
  * pw85_overlap_batch() in a thread of the driver, and sent back.
+ *
+ * A device has no more digits than double. Where it cannot prove μ² or λ, which happens for aspect ratios beyond 10⁵, the result is the
+ * best that double gives, and whether a nearly singular form is positive definite is decided to rounding: beyond aspect ratios of 10⁷
+ * use the functions for the host.
  *
  * Where a call returns #PW85_EDEVICE, part of the work may have been queued: outputs have no meaning.
  * @{ */
@@ -68,32 +74,29 @@ PW85_API int pw85_gpu_contact_derivatives_batch(void *stream, size_t n, double c
 /** pw85_contact_pairs() on the device.
  *
  * @param stream CUstream
- * @param num_pairs number of pairs
- * @param pairs num_pairs×2: indices (i, j) of particles, from 0
- * @param images num_pairs×3, or null for the nearest images
- * @param num_particles number of particles
- * @param centers num_particles×3
- * @param q num_particles×6
- * @param cell 3×3 in the memory of the host, read before the call returns; or null
+ * @param list the pairs: arrays of the device
+ * @param system the particles: arrays of the device, but for the cell, which is in the memory of the host. The structs and the cell are
+ *        read before the call returns.
  * @param[out] mu2 num_pairs
  * @param[out] lambda num_pairs, or null
  * @return as for pw85_gpu_contact_batch(); #PW85_EINVAL also for a bad cell, as for pw85_contact_pairs() */
-PW85_API int pw85_gpu_contact_pairs(void *stream, size_t num_pairs, int32_t const *pairs, int32_t const *images,
-                                    size_t num_particles, double const *centers, double const *q, double const *cell,
-                                    double *mu2, double *lambda);
+PW85_API int pw85_gpu_contact_pairs(void *stream, pw85_pair_list const *list, pw85_system const *system, double *mu2,
+                                    double *lambda);
 
-/** pw85_overlap_pairs() on the device; arguments as for pw85_gpu_contact_pairs(), overlap as for pw85_gpu_overlap_batch(). */
-PW85_API int pw85_gpu_overlap_pairs(void *stream, size_t num_pairs, int32_t const *pairs, int32_t const *images,
-                                    size_t num_particles, double const *centers, double const *q, double const *cell,
+/** pw85_overlap_pairs() on the device; arguments as for pw85_gpu_contact_pairs().
+ *
+ * @param[out] overlap num_pairs: 1, 0, or 255 for a bad pair */
+PW85_API int pw85_gpu_overlap_pairs(void *stream, pw85_pair_list const *list, pw85_system const *system,
                                     unsigned char *overlap);
 
-/** pw85_contact_derivatives_pairs() on the device; arguments as for pw85_gpu_contact_pairs(), and outputs, any of them null, as
- * for pw85_gpu_contact_derivatives_batch(). */
-PW85_API int pw85_gpu_contact_derivatives_pairs(void *stream, size_t num_pairs, int32_t const *pairs,
-                                                int32_t const *images, size_t num_particles, double const *centers,
-                                                double const *q, double const *cell, double *mu2, double *lambda,
-                                                double *point, double *normal, double *d_r12, double *d_rot1,
-                                                double *d_rot2);
+/** pw85_contact_derivatives_pairs() on the device; arguments as for pw85_gpu_contact_pairs(), outputs as for
+ * pw85_gpu_contact_derivatives_batch().
+ *
+ * @param[out] mu2,lambda num_pairs each; any output may be null
+ * @param[out] point,normal,d_r12,d_rot1,d_rot2 num_pairs×3 each */
+PW85_API int pw85_gpu_contact_derivatives_pairs(void *stream, pw85_pair_list const *list, pw85_system const *system,
+                                                double *mu2, double *lambda, double *point, double *normal,
+                                                double *d_r12, double *d_rot1, double *d_rot2);
 
 /** @}
  * @name Arrays of the host
@@ -120,7 +123,7 @@ PW85_API int pw85_gpu_contact_host(size_t n, double const *r12, double const *q1
 PW85_API int pw85_gpu_overlap_host(size_t n, double const *r12, double const *q1, double const *q2,
                                    unsigned char *overlap);
 
-/** pw85_contact_derivatives_batch() by the device; arguments as for pw85_gpu_contact_host(), and outputs, any of them null, as for
+/** pw85_contact_derivatives_batch() by the device; arguments as for pw85_gpu_contact_host(), outputs as for
  * pw85_gpu_contact_derivatives_batch(). */
 PW85_API int pw85_gpu_contact_derivatives_host(size_t n, double const *r12, double const *q1, double const *q2,
                                                double *mu2, double *lambda, double *point, double *normal,

@@ -53,7 +53,7 @@ PW85_API void pw85_legacy__rT_adjQ_r_as_poly(double const r[PW85_DIM], double co
  *
  * @param lambda in [0, 1]
  * @param r12,q1,q2 as for pw85_contact()
- * @param[out] out (f, f', f''), three numbers; may be null
+ * @param[out] out 3: f, f', f''; may be null
  * @return f(λ); NaN for invalid input */
 PW85_API double pw85_legacy_f1(double lambda, double const r12[PW85_DIM], double const q1[PW85_SYM],
                                double const q2[PW85_SYM], double *out);
@@ -61,7 +61,7 @@ PW85_API double pw85_legacy_f1(double lambda, double const r12[PW85_DIM], double
 /** f(λ), as a rational function of λ.
  *
  * @param lambda,r12,q1,q2 as for pw85_legacy_f1()
- * @param[out] out f, one number; may be null
+ * @param[out] out 1: f; may be null
  * @return f(λ); NaN for invalid input */
 PW85_API double pw85_legacy_f2(double lambda, double const r12[PW85_DIM], double const q1[PW85_SYM],
                                double const q2[PW85_SYM], double *out);

@@ -17,13 +17,20 @@
 #include <pw85.h>
 #include <pw85_legacy.h>
 
+/* Inline functions are not in C89, but under this name in all compilers for it. */
+#if defined(__cplusplus) || (defined(__STDC_VERSION__) && __STDC_VERSION__ >= 199901L)
+#define PW85_PRE1_FUNCTION static inline
+#else
+#define PW85_PRE1_FUNCTION static __inline
+#endif
+
 #ifdef __cplusplus
 extern "C" {
 #endif
 
 /** The function of pw85.h that its old namesake hides; contract as for pw85_contact(). */
-static inline int pw85_pre1_current_contact_function(double const r12[PW85_DIM], double const q1[PW85_SYM],
-                                                     double const q2[PW85_SYM], double out[2])
+PW85_PRE1_FUNCTION int pw85_pre1_current_contact_function(double const r12[PW85_DIM], double const q1[PW85_SYM],
+                                                          double const q2[PW85_SYM], double out[2])
 {
     return pw85_contact_function(r12, q1, q2, out);
 }
@@ -33,8 +40,8 @@ static inline int pw85_pre1_current_contact_function(double const r12[PW85_DIM],
  * @param r12,q1,q2 as for pw85_contact()
  * @param[out] out (μ², λ); may be null
  * @return μ²; NaN for invalid input */
-static inline double pw85_pre1_contact_function(double const r12[PW85_DIM], double const q1[PW85_SYM],
-                                                double const q2[PW85_SYM], double *out)
+PW85_PRE1_FUNCTION double pw85_pre1_contact_function(double const r12[PW85_DIM], double const q1[PW85_SYM],
+                                                     double const q2[PW85_SYM], double *out)
 {
     double result[2];
     pw85_contact_function(r12, q1, q2, result);

@@ -89,9 +89,9 @@ void ComputeContact::add_batch(bool with_rows)
         std::int32_t &i = batch.pairs[2 * k], &j = batch.pairs[2 * k + 1];
         if (atom->tag[i] > atom->tag[j]) std::swap(i, j);
     }
-    auto const num_particles = static_cast<std::size_t>(atom->nlocal + atom->nghost);
-    int const status = pw85_contact_pairs(batch.size(), batch.pairs.data(), nullptr, num_particles, atom->x[0],
-                                          ellipsoids.forms(), nullptr, batch.mu2.data(), batch.lambda.data());
+    pw85_pair_list const list = batch.list();
+    pw85_system const system = ellipsoids.system();
+    int const status = pw85_contact_pairs(&list, &system, batch.mu2.data(), batch.lambda.data());
     int const counted = num_counted();
     for (std::size_t k = 0; k < batch.size(); ++k) {
         int const i = batch.pairs[2 * k], j = batch.pairs[2 * k + 1];

@@ -36,9 +36,9 @@ void ComputeOverlap::compute_peratom()
 
 void ComputeOverlap::count()
 {
-    auto const num_particles = static_cast<std::size_t>(atom->nlocal + atom->nghost);
-    int const status = pw85_overlap_pairs(batch.size(), batch.pairs.data(), nullptr, num_particles, atom->x[0],
-                                          ellipsoids.forms(), nullptr, batch.overlaps.data());
+    pw85_pair_list const list = batch.list();
+    pw85_system const system = ellipsoids.system();
+    int const status = pw85_overlap_pairs(&list, &system, batch.overlaps.data());
     int const counted = num_counted();
     for (std::size_t k = 0; k < batch.size(); ++k) {
         if (batch.overlaps[k] == 0) continue;

@@ -54,6 +54,13 @@ class Ellipsoids : protected LAMMPS_NS::Pointers {
 
     /// n×6 forms, by local index.
     double const *forms() const { return forms_.data(); }
+
+    /// Owned atoms and ghosts, without a cell: the ghosts are images.
+    pw85_system system() const
+    {
+        return {static_cast<std::size_t>(atom->nlocal + atom->nghost), atom->x[0], forms_.data(), nullptr, {}};
+    }
+
     double const *form(int i) const { return &forms_[PW85_SYM * static_cast<std::size_t>(i)]; }
 
     /// Of an owned ellipsoid.

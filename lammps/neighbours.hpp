@@ -4,6 +4,8 @@
 #ifndef PW85_LAMMPS_NEIGHBOURS_HPP_INCLUDED
 #define PW85_LAMMPS_NEIGHBOURS_HPP_INCLUDED
 
+#include <pw85.h>
+
 #include "host.hpp"
 
 #include <algorithm>
@@ -65,6 +67,9 @@ class PairBatch {
     template <class Keep, class Use> void run(LAMMPS_NS::NeighList const &list, Keep keep, Use use);
 
     std::size_t size() const { return size_; }
+
+    /// The pairs, of the particles themselves.
+    pw85_pair_list list() const { return {size_, pairs.data(), nullptr}; }
 
     std::vector<std::int32_t> pairs;     ///< (i, j) by local index
     std::vector<unsigned char> special;  ///< 0, or which of the weights of special_bonds holds

@@ -139,9 +139,9 @@ void PairContact::compute(int eflag, int vflag)
 // Most pairs do not overlap, and a test shows that in a fifth of the time that their derivatives take.
 void PairContact::add_batch(int eflag)
 {
-    auto const num_particles = static_cast<std::size_t>(atom->nlocal + atom->nghost);
-    int const status = pw85_overlap_pairs(batch_.size(), batch_.pairs.data(), nullptr, num_particles, atom->x[0],
-                                          ellipsoids_->forms(), nullptr, batch_.overlaps.data());
+    pw85_pair_list pairs = batch_.list();
+    pw85_system const system = ellipsoids_->system();
+    int const status = pw85_overlap_pairs(&pairs, &system, batch_.overlaps.data());
     std::size_t count = 0;
     for (std::size_t k = 0; k < batch_.size(); ++k) {
         int const i = batch_.pairs[2 * k], j = batch_.pairs[2 * k + 1];
@@ -151,9 +151,9 @@ void PairContact::add_batch(int eflag)
         batch_.special[count] = batch_.special[k];
         count += batch_.overlaps[k];
     }
-    pw85_contact_derivatives_pairs(count, batch_.pairs.data(), nullptr, num_particles, atom->x[0], ellipsoids_->forms(),
-                                   nullptr, batch_.mu2.data(), batch_.lambda.data(), nullptr, nullptr, d_r12_.data(),
-                                   d_rot1_.data(), d_rot2_.data());
+    pairs.num_pairs = count;
+    pw85_contact_derivatives_pairs(&pairs, &system, batch_.mu2.data(), batch_.lambda.data(), nullptr, nullptr,
+                                   d_r12_.data(), d_rot1_.data(), d_rot2_.data());
     for (std::size_t k = 0; k < count; ++k) add_pair(k, eflag);
 }
 

@@ -293,7 +293,7 @@ def value(parameters, d):
 
 
 def definite(parameters, d):
-    """is_clearly_definite(): the determinant, and that of the pivots of is_positive_definite(), over P."""
+    """is_clearly_definite(): the determinant, and that of the pivots of factorize(), which are then positive, over P."""
     sample = Sample(parameters, d)
     a = sample.matrix(sample.m)
     if d == 2:
@@ -324,16 +324,16 @@ class Margin:
 # a itself is in the form of the margins inside, and errs by 5 %; second order adds 1 %. is_certain() admits 2u, and a comparison
 # u, where cond >= 3.
 MARGINS = [
-    Margin(apart, "quartic.hpp", "apart_margin ="),
-    Margin(inside1, "quartic.hpp", "inside1_margin =", lambda found: 1.06 * found),
-    Margin(inside2, "quartic.hpp", "inside2_margin =", lambda found: 1.06 * found),
-    Margin(separation, "quartic.hpp", "least_conditioning =", lambda found: found / 0.05),
-    Margin(adjugate_solution, "rational_search.hpp", "adjugate_error ="),
-    Margin(factorized_solution, "factorized_search.hpp", "factorization_error ="),
-    Margin(correction, "factorized_search.hpp", "correction_error ="),
-    Margin(value, "comparison.hpp", "value_margin =", lambda found: found + 1.0),
-    Margin(definite, "symmetric.hpp", r"definite_margin = D == 2 \?", dimensions=(2,)),
-    Margin(definite, "symmetric.hpp", r"definite_margin = D == 2 \? \d+ :", dimensions=(3,)),
+    Margin(apart, "overlap/quartic.hpp", "apart_margin ="),
+    Margin(inside1, "overlap/quartic.hpp", "inside1_margin =", lambda found: 1.06 * found),
+    Margin(inside2, "overlap/quartic.hpp", "inside2_margin =", lambda found: 1.06 * found),
+    Margin(separation, "overlap/quartic.hpp", "least_conditioning =", lambda found: found / 0.05),
+    Margin(adjugate_solution, "contact/rational_search.hpp", "adjugate_error ="),
+    Margin(factorized_solution, "contact/factorized_search.hpp", "factorization_error ="),
+    Margin(correction, "contact/factorized_search.hpp", "correction_error ="),
+    Margin(value, "overlap/comparison.hpp", "value_margin =", lambda found: found + 1.0),
+    Margin(definite, "algebra/symmetric.hpp", r"definite_margin = D == 2 \?", dimensions=(2,)),
+    Margin(definite, "algebra/symmetric.hpp", r"definite_margin = D == 2 \? \d+ :", dimensions=(3,)),
 ]
 
 

@@ -1,6 +1,7 @@
 #!/bin/sh
-# Builds pw85, with the Fortran module if there is a compiler for it, installs it into ./install, builds the C tutorial (examples/c) against the installed library, and runs it.
-# On Debian and Ubuntu, first installs the packages that it needs and that are missing. May be run again at any time.
+# Builds pw85, with the Fortran module if there is a compiler for it, installs it into ./install, builds the C tutorial (examples/c)
+# against the installed library, and runs it. On Debian and Ubuntu, first installs the packages that it needs and that are missing.
+# May be run again at any time: it finds a compiler that was installed since.
 set -eu
 cd "$(dirname "$0")/.."
 . scripts/packages.sh
@@ -9,8 +10,11 @@ if command -v apt-get >/dev/null; then install_packages $build_packages; fi
 
 prefix=$PWD/install
 build=$PWD/build-install
-[ -f "$build/build.ninja" ] || meson setup "$build" --prefix="$prefix" --libdir=lib \
-  -Dtests=disabled -Dbench=disabled -Dpython=disabled
+if [ -f "$build/build.ninja" ]; then
+  meson setup --reconfigure "$build"
+else
+  meson setup "$build" --prefix="$prefix" --libdir=lib -Dtests=disabled -Dbench=disabled -Dpython=disabled
+fi
 meson compile -C "$build"
 meson install -C "$build"
 

@@ -4,7 +4,7 @@
 
 #include "brent_minimizer.hpp"
 
-namespace pw85::brent {
+namespace pw85::detail::brent {
 
 namespace {
 
@@ -18,7 +18,7 @@ struct PairInUnit {
 
 PairInUnit in_unit(Pair<double, 3> const &pair, double unit) noexcept
 {
-    return {pair.r12, pair.q1, times(unit, pair.q2), 1.0 / (pair.ratio * (pair.ratio * unit))};
+    return {pair.r12, pair.q1, unit * pair.q2, 1.0 / (pair.ratio * (pair.ratio * unit))};
 }
 
 // -f at x, over its limit for large odds: finite and non-positive in [0, 1], zero at the ends only.
@@ -66,9 +66,9 @@ Contact<double> contact_function(Vector<double, 3> const &r12, SymmetricMatrix<d
     if (is_ordinary(r12, q1, q2)) return to_contact(maximize(Pair<double, 3>{r12, q1, q2, 1.0}, options));
     ScaledPair<double, 3> scaled;
     Status const status = validate(r12, q1, q2, scaled);
-    if (status != Status::success) return failed_contact<double>(status);
+    if (status != Status::success) return all_nan<Contact<double>>(status);
     if (largest_coordinate(r12) == 0.0) return {0.0, 0.5, Status::success};
     return unscale(scaled, maximize(scaled.pair, options));
 }
 
-} // namespace pw85::brent
+} // namespace pw85::detail::brent

@@ -2,9 +2,9 @@
 #ifndef PW85_BRENT_HPP_INCLUDED
 #define PW85_BRENT_HPP_INCLUDED
 
-#include <pw85/contact.hpp>
+#include <pw85/contact/contact.hpp>
 
-namespace pw85::brent {
+namespace pw85::detail::brent {
 
 /// What governs the method; the C API has one set of values.
 struct Options {
@@ -29,6 +29,6 @@ bool refine(Pair<double, 3> const &pair, Candidate<double> &candidate, Options c
 Contact<double> contact_function(Vector<double, 3> const &r12, SymmetricMatrix<double, 3> const &q1,
                                  SymmetricMatrix<double, 3> const &q2, Options const &options) noexcept;
 
-} // namespace pw85::brent
+} // namespace pw85::detail::brent
 
 #endif

@@ -6,7 +6,7 @@
 
 #include <boost/math/tools/minima.hpp>
 
-namespace pw85::brent {
+namespace pw85::detail::brent {
 
 namespace {
 
@@ -24,4 +24,4 @@ double minimize(Objective const &objective, Options const &options) noexcept
     return boost::math::tools::brent_find_minima(f, 0.0, 1.0, bits_of(options.lambda_atol), iterations).first;
 }
 
-} // namespace pw85::brent
+} // namespace pw85::detail::brent

@@ -5,7 +5,7 @@
 
 #include <gsl/gsl_min.h>
 
-namespace pw85::brent {
+namespace pw85::detail::brent {
 
 // Through its type, not through a gsl_min_fminimizer, the method needs no more than memory for its state: it is not allocated,
 // and GSL's process-wide error handler, which aborts by default, is out of reach, as all values are finite. The state is six
@@ -24,4 +24,4 @@ double minimize(Objective const &objective, Options const &options) noexcept
     return x;
 }
 
-} // namespace pw85::brent
+} // namespace pw85::detail::brent

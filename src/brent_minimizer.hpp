@@ -4,7 +4,7 @@
 
 #include "brent.hpp"
 
-namespace pw85::brent {
+namespace pw85::detail::brent {
 
 /// A function of a number, finite and non-positive in [0, 1], and zero at the ends.
 struct Objective {
@@ -16,6 +16,6 @@ struct Objective {
 /// nothing.
 double minimize(Objective const &objective, Options const &options) noexcept;
 
-} // namespace pw85::brent
+} // namespace pw85::detail::brent
 
 #endif

@@ -4,10 +4,10 @@
 
 #include <cstring>
 
+#include <pw85/algebra/symmetric.hpp>
 #include <pw85/status.hpp>
-#include <pw85/symmetric.hpp>
 
-namespace pw85::c_api {
+namespace pw85::detail::c_api {
 namespace {
 
 inline bool any_null() noexcept { return false; }
@@ -56,6 +56,6 @@ inline int null_pointer(double *out, int count) noexcept
 }
 
 } // namespace
-} // namespace pw85::c_api
+} // namespace pw85::detail::c_api
 
 #endif

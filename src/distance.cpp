@@ -1,14 +1,15 @@
 // The C API of distances: null pointers are turned away here, everything else is checked in the core.
 #include <pw85.h>
 
-#include <pw85/penetration.hpp>
+#include <pw85/distance/penetration.hpp>
 
 #include "c_arrays.hpp"
 #include "floating_point_environment.hpp"
 #include "kernels/kernels.hpp"
 
 using namespace pw85;
-using namespace pw85::c_api;
+using namespace pw85::detail;
+using namespace pw85::detail::c_api;
 
 int pw85_distance(double const r12[3], double const q1[6], double const q2[6], double *distance, double point1[3],
                   double point2[3])

@@ -6,7 +6,8 @@
 #include "kernels/kernels.hpp"
 
 using namespace pw85;
-using namespace pw85::c_api;
+using namespace pw85::detail;
+using namespace pw85::detail::c_api;
 
 int pw85_first_contact(double const r12[3], double const q1[6], double const q2[6], pw85_motion const *motion1,
                        pw85_motion const *motion2, double t_max, double *t)

@@ -15,7 +15,7 @@
 #include <cfenv>
 #endif
 
-namespace pw85 {
+namespace pw85::detail {
 namespace {
 
 /// Sets the default environment for the life of the object, and restores the caller's. The register is read, and written only where
@@ -72,6 +72,6 @@ template <class Function> [[gnu::always_inline]] inline auto in_default_environm
 }
 
 } // namespace
-} // namespace pw85
+} // namespace pw85::detail
 
 #endif

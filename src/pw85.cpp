@@ -9,7 +9,8 @@
 #include "kernels/kernels.hpp"
 
 using namespace pw85;
-using namespace pw85::c_api;
+using namespace pw85::detail;
+using namespace pw85::detail::c_api;
 
 namespace {
 

@@ -1,13 +1,14 @@
 // The C API of the superseded variants over the C++ headers.
 #include <pw85_legacy.h>
 
-#include <pw85/legacy.hpp>
+#include <pw85/history/legacy.hpp>
 
 #include "c_arrays.hpp"
 #include "floating_point_environment.hpp"
 
 using namespace pw85;
-using namespace pw85::c_api;
+using namespace pw85::detail;
+using namespace pw85::detail::c_api;
 
 namespace {
 
@@ -28,8 +29,10 @@ Derivatives<double> factorized(double lambda, double const *r12, double const *q
 Derivatives<double> rational(double lambda, double const *r12, double const *q1, double const *q2) noexcept
 {
     if (any_null(r12, q1, q2)) return invalid_derivatives<double>();
-    return in_default_environment(
-        [&] { return legacy::checked_rational(lambda, load_vector<3>(r12), load_matrix<3>(q1), load_matrix<3>(q2)); });
+    return in_default_environment([&] {
+        return pw85::detail::legacy::checked_rational(lambda, load_vector<3>(r12), load_matrix<3>(q1),
+                                                      load_matrix<3>(q2));
+    });
 }
 
 int store_contact(Contact<double> const &contact, double out[2]) noexcept
@@ -44,13 +47,14 @@ int store_contact(Contact<double> const &contact, double out[2]) noexcept
 double pw85_legacy__det_sym(double const a[6])
 {
     if (any_null(a)) return quiet_nan<double>();
-    return in_default_environment([&] { return legacy::determinant(load_matrix<3>(a)); });
+    return in_default_environment([&] { return pw85::detail::legacy::determinant(load_matrix<3>(a)); });
 }
 
 double pw85_legacy__xT_adjA_x(double const x[3], double const a[6])
 {
     if (any_null(x, a)) return quiet_nan<double>();
-    return in_default_environment([&] { return legacy::adjugate_form(load_vector<3>(x), load_matrix<3>(a)); });
+    return in_default_environment(
+        [&] { return pw85::detail::legacy::adjugate_form(load_vector<3>(x), load_matrix<3>(a)); });
 }
 
 void pw85_legacy__detQ_as_poly(double const q1[6], double const q2[6], double const q3[6], double const q4[6],
@@ -59,8 +63,8 @@ void pw85_legacy__detQ_as_poly(double const q1[6], double const q2[6], double co
     if (any_null(q1, q2, q3, q4, b)) return store_nan(b, 4);
     double coefficients[4] = {};
     in_default_environment([&] {
-        legacy::interpolate_cubic(pw85_legacy__det_sym(q1), pw85_legacy__det_sym(q2), pw85_legacy__det_sym(q3),
-                                  pw85_legacy__det_sym(q4), coefficients);
+        pw85::detail::legacy::interpolate_cubic(pw85_legacy__det_sym(q1), pw85_legacy__det_sym(q2),
+                                                pw85_legacy__det_sym(q3), pw85_legacy__det_sym(q4), coefficients);
     });
     for (int i = 0; i < 4; ++i) b[i] = coefficients[i];
 }
@@ -71,8 +75,8 @@ void pw85_legacy__rT_adjQ_r_as_poly(double const r[3], double const q1[6], doubl
     if (any_null(r, q1, q2, q3, a)) return store_nan(a, 3);
     double coefficients[3] = {};
     in_default_environment([&] {
-        legacy::interpolate_quadratic(pw85_legacy__xT_adjA_x(r, q1), pw85_legacy__xT_adjA_x(r, q2),
-                                      pw85_legacy__xT_adjA_x(r, q3), coefficients);
+        pw85::detail::legacy::interpolate_quadratic(pw85_legacy__xT_adjA_x(r, q1), pw85_legacy__xT_adjA_x(r, q2),
+                                                    pw85_legacy__xT_adjA_x(r, q3), coefficients);
     });
     for (int i = 0; i < 3; ++i) a[i] = coefficients[i];
 }
@@ -100,18 +104,19 @@ void pw85_legacy_f2_derivatives(double lambda, double const r12[3], double const
 int pw85_legacy_contact_function1(double const r12[3], double const q1[6], double const q2[6], double out[2])
 {
     if (any_null(out)) return PW85_EINVAL;
-    if (any_null(r12, q1, q2)) return store_contact(failed_contact<double>(Status::invalid_argument), out);
+    if (any_null(r12, q1, q2)) return store_contact(all_nan<Contact<double>>(Status::invalid_argument), out);
     return in_default_environment([&] {
-        return store_contact(legacy::contact_newton(load_vector<3>(r12), load_matrix<3>(q1), load_matrix<3>(q2)), out);
+        return store_contact(pw85::legacy::contact_newton(load_vector<3>(r12), load_matrix<3>(q1), load_matrix<3>(q2)),
+                             out);
     });
 }
 
 int pw85_legacy_contact_function2(double const r12[3], double const q1[6], double const q2[6], double out[2])
 {
     if (any_null(out)) return PW85_EINVAL;
-    if (any_null(r12, q1, q2)) return store_contact(failed_contact<double>(Status::invalid_argument), out);
+    if (any_null(r12, q1, q2)) return store_contact(all_nan<Contact<double>>(Status::invalid_argument), out);
     return in_default_environment([&] {
-        return store_contact(legacy::contact_bisection(load_vector<3>(r12), load_matrix<3>(q1), load_matrix<3>(q2)),
-                             out);
+        return store_contact(
+            pw85::legacy::contact_bisection(load_vector<3>(r12), load_matrix<3>(q1), load_matrix<3>(q2)), out);
     });
 }

@@ -1,13 +1,14 @@
 // The C API of the algorithms of Zheng and Palffy-Muhoray over the C++ headers.
 #include <pw85_zheng.h>
 
-#include <pw85/zheng.hpp>
+#include <pw85/history/zheng.hpp>
 
 #include "c_arrays.hpp"
 #include "floating_point_environment.hpp"
 
 using namespace pw85;
-using namespace pw85::c_api;
+using namespace pw85::detail;
+using namespace pw85::detail::c_api;
 
 namespace {
 
@@ -17,7 +18,10 @@ int store_distance(ClosestApproach<double> const &result, double *distance) noex
     return static_cast<int>(result.status);
 }
 
-ClosestApproach<double> invalid_distance() noexcept { return {quiet_nan<double>(), Status::invalid_argument}; }
+ClosestApproach<double> invalid_distance() noexcept
+{
+    return all_nan<ClosestApproach<double>>(Status::invalid_argument);
+}
 
 } // namespace
 
@@ -26,7 +30,7 @@ int pw85_zheng_ellipses(double const direction[2], double const q1[3], double co
     if (any_null(distance)) return PW85_EINVAL;
     if (any_null(direction, q1, q2)) return store_distance(invalid_distance(), distance);
     return in_default_environment([&] {
-        return store_distance(zheng::ellipses(load_vector<2>(direction), load_matrix<2>(q1), load_matrix<2>(q2)),
+        return store_distance(pw85::zheng::ellipses(load_vector<2>(direction), load_matrix<2>(q1), load_matrix<2>(q2)),
                               distance);
     });
 }
@@ -36,7 +40,7 @@ int pw85_zheng_ellipsoids(double const direction[3], double const q1[6], double 
     if (any_null(distance)) return PW85_EINVAL;
     if (any_null(direction, q1, q2)) return store_distance(invalid_distance(), distance);
     return in_default_environment([&] {
-        return store_distance(zheng::ellipsoids(load_vector<3>(direction), load_matrix<3>(q1), load_matrix<3>(q2)),
-                              distance);
+        return store_distance(
+            pw85::zheng::ellipsoids(load_vector<3>(direction), load_matrix<3>(q1), load_matrix<3>(q2)), distance);
     });
 }

@@ -11,7 +11,7 @@
 
 #include "floating_point_environment.hpp"
 
-namespace pw85 {
+namespace pw85::detail {
 namespace {
 
 /// Threads that there may be for tasks.
@@ -36,6 +36,6 @@ template <class Task> void for_tasks(std::size_t count, [[maybe_unused]] bool en
 }
 
 } // namespace
-} // namespace pw85
+} // namespace pw85::detail
 
 #endif

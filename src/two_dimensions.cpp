@@ -7,7 +7,8 @@
 #include "floating_point_environment.hpp"
 
 using namespace pw85;
-using namespace pw85::c_api;
+using namespace pw85::detail;
+using namespace pw85::detail::c_api;
 
 namespace {
 

@@ -1,14 +1,15 @@
 // The C API of walls, points and lines: null pointers are turned away here, everything else is checked in the core.
 #include <pw85.h>
 
-#include <pw85/line.hpp>
-#include <pw85/walls.hpp>
+#include <pw85/distance/line.hpp>
+#include <pw85/distance/walls.hpp>
 
 #include "c_arrays.hpp"
 #include "floating_point_environment.hpp"
 
 using namespace pw85;
-using namespace pw85::c_api;
+using namespace pw85::detail;
+using namespace pw85::detail::c_api;
 
 namespace {
 

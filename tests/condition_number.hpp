@@ -12,7 +12,7 @@ template <class T, int D> T absolute_form(pw85::SymmetricMatrix<T, D> const &a, 
 {
     T sum = T(0);
     for (int i = 0; i < D; ++i)
-        for (int j = 0; j < D; ++j) sum = sum + pw85::absolute(T(s[i] * a(i, j) * s[j]));
+        for (int j = 0; j < D; ++j) sum = sum + pw85::detail::absolute(T(s[i] * a(i, j) * s[j]));
     return sum;
 }
 
@@ -21,9 +21,9 @@ template <class T, int D> T absolute_form(pw85::SymmetricMatrix<T, D> const &a, 
 template <class T, int D> T condition_number(Sample<T, D> const &p, T const &lambda)
 {
     T const alpha = T(1) - lambda;
-    auto const s = pw85::solve(pw85::factorize_blend(alpha, p.q1, lambda, p.q2), p.r12);
+    auto const s = pw85::detail::solve(pw85::detail::factorize_blend(alpha, p.q1, lambda, p.q2), p.r12);
     T rs = T(0);
-    for (int i = 0; i < D; ++i) rs = rs + pw85::absolute(T(p.r12[i] * s[i]));
+    for (int i = 0; i < D; ++i) rs = rs + pw85::detail::absolute(T(p.r12[i] * s[i]));
     T const forms = alpha * absolute_form(p.q1, s) + lambda * absolute_form(p.q2, s);
     return (forms + T(2) * rs) / pw85::dot(p.r12, s);
 }

@@ -40,7 +40,7 @@ class Random {
             x[i] = normal();
             norm2 += x[i] * x[i];
         }
-        return pw85::times(1.0 / std::sqrt(norm2), x);
+        return 1.0 / std::sqrt(norm2) * x;
     }
 
     /// Semi-axes whose largest is `size`, in any order; aspect ratio exactly `aspect`, the one between random.
@@ -82,7 +82,7 @@ template <int D> Sample<double, D> placed(pw85::Vector<double, D> const &directi
                                           pw85::SymmetricMatrix<double, D> const &q2)
 {
     double const reached = pw85::contact(direction, q1, q2).mu2;
-    return {pw85::times(std::sqrt(mu2 / reached), direction), q1, q2};
+    return {std::sqrt(mu2 / reached) * direction, q1, q2};
 }
 
 /// A pair of general ellipsoids (D = 3) or ellipses (D = 2) with μ² log-uniform in the given range.
@@ -113,7 +113,7 @@ template <int D = 3> Sample<double, D> crossed_pair(Random &random, double aspec
                          pw85::ellipse(size * shortest, size, angle).q);
     } else {
         auto const turn = random.direction<4>();
-        auto const rotation = pw85::rotation_matrix(turn, pw85::dot(turn, turn));
+        auto const rotation = pw85::detail::rotation_matrix(turn, pw85::dot(turn, turn));
         pw85::Vector<double, 3> r12{};
         for (int i = 0; i < 3; ++i)
             r12[i] =

@@ -21,7 +21,7 @@ using namespace pw85_tests;
 
 namespace {
 
-constexpr pw85::brent::Options options{PW85_LAMBDA_ATOL, PW85_MAX_ITER, PW85_NR_ITER};
+constexpr pw85::detail::brent::Options options{PW85_LAMBDA_ATOL, PW85_MAX_ITER, PW85_NR_ITER};
 
 /// Ellipsoids of one aspect ratio, of sizes within a factor of 2.
 Sample<double, 3> pair_of_aspect(Random &random, double aspect)
@@ -30,10 +30,10 @@ Sample<double, 3> pair_of_aspect(Random &random, double aspect)
 }
 
 /// The pair in range; false where its forms as rounded are not positive definite.
-bool in_range(Sample<double, 3> const &p, pw85::Pair<double, 3> &pair)
+bool in_range(Sample<double, 3> const &p, pw85::detail::Pair<double, 3> &pair)
 {
-    pw85::ScaledPair<double, 3> scaled{};
-    bool const valid = pw85::validate(p.r12, p.q1, p.q2, scaled) == pw85::Status::success;
+    pw85::detail::ScaledPair<double, 3> scaled{};
+    bool const valid = pw85::detail::validate(p.r12, p.q1, p.q2, scaled) == pw85::Status::success;
     pair = scaled.pair;
     return valid;
 }
@@ -49,9 +49,9 @@ void test_rounds()
         Random random(120);
         int most = 0;
         for (int n = 0; n < draws(20000); ++n) {
-            pw85::Pair<double, 3> pair;
+            pw85::detail::Pair<double, 3> pair;
             if (!in_range(pair_of_aspect(random, aspect), pair)) continue;
-            auto const rough = pw85::brent::maximizer_by_brent(pair, options);
+            auto const rough = pw85::detail::brent::maximizer_by_brent(pair, options);
             most = std::max(most, rough.rounds);
         }
         g_test_message("aspect %g: %d rounds", aspect, most);
@@ -59,10 +59,10 @@ void test_rounds()
     }
 }
 
-bool settles(pw85::Pair<double, 3> const &pair, pw85::brent::Options const &with)
+bool settles(pw85::detail::Pair<double, 3> const &pair, pw85::detail::brent::Options const &with)
 {
-    pw85::Candidate<double> candidate{pw85::brent::maximizer_by_brent(pair, options).t, 1.0, 0.0};
-    return pw85::brent::refine(pair, candidate, with);
+    pw85::detail::Candidate<double> candidate{pw85::detail::brent::maximizer_by_brent(pair, options).t, 1.0, 0.0};
+    return pw85::detail::brent::refine(pair, candidate, with);
 }
 
 // Number of contact problems that so many Newton-Raphson iterations do not settle.
@@ -72,7 +72,7 @@ int unsettled(int newton_iterations)
     with.newton_iterations = newton_iterations;
     int count = 0;
     for (auto const &p : contact_problems()) {
-        pw85::Pair<double, 3> pair;
+        pw85::detail::Pair<double, 3> pair;
         g_assert_true(in_range(p.pair, pair));
         count += !settles(pair, with);
     }
@@ -97,7 +97,7 @@ void test_slender()
         Random random(121);
         for (int n = 0; n < draws(4000); ++n) {
             auto const p = pair_of_aspect(random, aspect);
-            pw85::Pair<double, 3> pair;
+            pw85::detail::Pair<double, 3> pair;
             if (!in_range(p, pair)) continue;
             auto const wide = convert<Wide>(p);
             if (pw85::contact(wide.r12, wide.q1, wide.q2).status != pw85::Status::success) continue;

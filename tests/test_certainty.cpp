@@ -16,24 +16,27 @@ using namespace pw85_tests;
 namespace {
 
 /// t and the exact h' and h'' there.
-template <class T, int D> pw85::Candidate<Wide> candidate_at(Sample<T, D> const &s, T const &t)
+template <class T, int D> pw85::detail::Candidate<Wide> candidate_at(Sample<T, D> const &s, T const &t)
 {
     auto const w = convert<Wide>(s);
-    pw85::Pair<Wide, D> const pair{w.r12, w.q1, w.q2, Wide(1)};
-    auto const factors = pw85::factorize_blend(Wide(1), w.q1, Wide(t), w.q2);
-    auto const slope = pw85::slope(pw85::evaluate_jet(pair, factors, pw85::solve(factors, w.r12)), Wide(1), Wide(t));
+    pw85::detail::Pair<Wide, D> const pair{w.r12, w.q1, w.q2, Wide(1)};
+    auto const factors = pw85::detail::factorize_blend(Wide(1), w.q1, Wide(t), w.q2);
+    auto const slope = pw85::detail::slope(
+        pw85::detail::evaluate_jet(pair, factors, pw85::detail::solve(factors, w.r12)), Wide(1), Wide(t));
     return {Wide(t), slope.k / slope.weight, slope.k2 / (slope.weight * slope.weight)};
 }
 
 /// The error of μ² in u, from an inexact s with exact sums.
-template <class T, int D> double error_of_value(Sample<T, D> const &sample, pw85::Candidate<Wide> const &candidate,
+template <class T, int D> double error_of_value(Sample<T, D> const &sample,
+                                                pw85::detail::Candidate<Wide> const &candidate,
                                                 pw85::Vector<T, D> const &inexact, Wide const &mu2)
 {
     auto const w = convert<Wide>(sample);
     auto const s = convert<Wide>(inexact);
-    auto const value = pw85::stationary_value(candidate, Wide(1), pw85::quadratic_form(w.q1, s),
-                                              pw85::quadratic_form(w.q2, s), pw85::dot(w.r12, s));
-    return static_cast<double>(Wide(pw85::absolute(Wide(value.mu2 - mu2)) / (mu2 * pw85::unit_roundoff<T>())));
+    auto const value = pw85::detail::stationary_value(candidate, Wide(1), pw85::detail::quadratic_form(w.q1, s),
+                                                      pw85::detail::quadratic_form(w.q2, s), pw85::dot(w.r12, s));
+    return static_cast<double>(
+        Wide(pw85::detail::absolute(Wide(value.mu2 - mu2)) / (mu2 * pw85::detail::unit_roundoff<T>())));
 }
 
 /// The largest errors seen, by each means, and how often nothing but refinement was certain.
@@ -47,13 +50,13 @@ struct Tally {
 template <class T, int D> void check(Sample<T, D> const &s, T const &t, Tally &tally)
 {
     auto const exact = candidate_at(s, t);
-    pw85::Candidate<T> const candidate{t, static_cast<T>(exact.k), static_cast<T>(exact.k2)};
-    pw85::Pair<T, D> const pair{s.r12, s.q1, s.q2, T(1)};
-    bool const by_adjugate = pw85::last_evaluation(pair, candidate).certain;
-    bool const by_factors = pw85::last_evaluation(pair, candidate, pw85::Precision::working).certain;
-    bool const by_refinement = pw85::last_evaluation(pair, candidate, pw85::Precision::refined).certain;
+    pw85::detail::Candidate<T> const candidate{t, static_cast<T>(exact.k), static_cast<T>(exact.k2)};
+    pw85::detail::Pair<T, D> const pair{s.r12, s.q1, s.q2, T(1)};
+    bool const by_adjugate = pw85::detail::last_evaluation(pair, candidate).certain;
+    bool const by_factors = pw85::detail::last_evaluation(pair, candidate, pw85::detail::Precision::working).certain;
+    bool const by_refinement = pw85::detail::last_evaluation(pair, candidate, pw85::detail::Precision::refined).certain;
     if (!by_adjugate && !by_factors && !by_refinement) return;
-    auto const m = pw85::blend(s.q1, t, s.q2);
+    auto const m = pw85::detail::blend(s.q1, t, s.q2);
     auto const exactly = truth<Wide>(s);
     auto const compare = [&](pw85::Vector<T, D> const &inexact, char const *name, double bound, double &largest) {
         double const error = error_of_value(s, exact, inexact, exactly.mu2);
@@ -61,12 +64,12 @@ template <class T, int D> void check(Sample<T, D> const &s, T const &t, Tally &t
         tally.failures.check(error <= bound, name, error, bound,
                              [&] { return hex_text(s) + ", t = " + hex_text(&t, 1); });
     };
-    if (by_adjugate) compare(pw85::solve_by_adjugate(m, s.r12).s, "adjugate", 2.8, tally.by_adjugate);
-    auto const factors = pw85::factorize(m, T(pw85::unit_roundoff<T>()));
-    auto const solution = pw85::solve(factors, s.r12);
+    if (by_adjugate) compare(pw85::detail::solve_by_adjugate(m, s.r12).s, "adjugate", 2.8, tally.by_adjugate);
+    auto const factors = pw85::detail::factorize(m, T(pw85::detail::unit_roundoff<T>()));
+    auto const solution = pw85::detail::solve(factors, s.r12);
     if (by_factors) compare(solution, "factorised", 2.8, tally.by_factors);
     if (!by_refinement) return;
-    compare(pw85::refine(pair, t, factors, solution), "refined", 2.8 + static_cast<double>(exactly.cond) / 8,
+    compare(pw85::detail::refine(pair, t, factors, solution), "refined", 2.8 + static_cast<double>(exactly.cond) / 8,
             tally.by_refinement);
     tally.only_refined += !by_adjugate && !by_factors;
 }
@@ -75,10 +78,10 @@ template <class T, int D> void check(Sample<T, D> const &s, T const &t, Tally &t
 /// since s has any direction.
 template <class T, int D> Sample<T, D> like_pair(Random &random)
 {
-    double const digits = pw85::mantissa_digits<T>();
+    double const digits = pw85::detail::mantissa_digits<T>();
     auto const form = random_form<D>(random, 1.0, std::exp2(random.uniform(0.3, 0.5) * digits));
     auto const r12 = pw85::product(form, random.direction<D>());
-    return convert<T>(Sample<double, D>{r12, form, pw85::times(random.log_uniform(0.5, 2.0), form)});
+    return convert<T>(Sample<double, D>{r12, form, random.log_uniform(0.5, 2.0) * form});
 }
 
 /// Pairs of all kinds, and t from a rounding error to a tenth away from the root.
@@ -91,10 +94,10 @@ template <class T, int D> void test_random()
         auto const s = n % 3 == 0   ? like_pair<T, D>(random)
                        : n % 2 == 0 ? convert<T>(crossed_pair<D>(random, aspect))
                                     : convert<T>(random_pair<D>(random, {.aspect = aspect, .size_ratio = 10.0}));
-        if (!pw85::is_ordinary(s.r12, s.q1, s.q2)) continue;
+        if (!pw85::detail::is_ordinary(s.r12, s.q1, s.q2)) continue;
         double const lambda =
             pw85::contact(convert<double>(s.r12), convert<double>(s.q1), convert<double>(s.q2)).lambda;
-        double const shift = random.log_uniform(pw85::unit_roundoff<T>(), 0.1);
+        double const shift = random.log_uniform(pw85::detail::unit_roundoff<T>(), 0.1);
         check(s, static_cast<T>(lambda / (1.0 - lambda) * (n % 4 < 2 ? 1.0 + shift : 1.0 - shift)), tally);
     }
     g_test_message(

@@ -25,14 +25,13 @@ void test_contact_at_that_distance()
     for (int n = 0; n < draws(20000); ++n) {
         auto const p = random_pair<3>(random, {.aspect = 1e3, .size_ratio = 100.0});
         double const length = random.log_uniform(1e-140, 1e140);
-        auto const direction = pw85::times(length, random.direction<3>());
+        auto const direction = length * random.direction<3>();
         double distance, out[2];
         int const status = pw85_closest_approach(direction.coordinates, p.q1.entries, p.q2.entries, &distance);
         auto const describe = [&] { return "direction = " + hex_text(direction.coordinates, 3) + ", " + hex_text(p); };
         if (!failures.check(status == PW85_SUCCESS, "status", status, 0.0, describe)) continue;
-        double const norm =
-            length * std::sqrt(pw85::dot(pw85::times(1.0 / length, direction), pw85::times(1.0 / length, direction)));
-        Sample<double, 3> const tangent{pw85::times(distance / norm, direction), p.q1, p.q2};
+        double const norm = length * std::sqrt(pw85::dot(1.0 / length * direction, 1.0 / length * direction));
+        Sample<double, 3> const tangent{distance / norm * direction, p.q1, p.q2};
         pw85_contact(tangent.r12.coordinates, p.q1.entries, p.q2.entries, out);
         double const bound = 10 * u * condition_number(tangent, out[1]) + 16 * u;
         failures.check(std::fabs(out[0] - 1.0) <= bound, "mu^2 at closest approach", out[0], 1.0, describe);

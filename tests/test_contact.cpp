@@ -23,10 +23,10 @@ struct ScaleFactors {
 
 ScaleFactors scale_factors(Sample<double, 3> const &p, double lambda)
 {
-    auto const l = pw85::cholesky(pw85::blend(1.0 - lambda, p.q1, lambda, p.q2));
+    auto const l = pw85::cholesky(pw85::detail::blend(1.0 - lambda, p.q1, lambda, p.q2));
     auto const s = pw85::cholesky_solve(l, p.r12);
-    return {(1.0 - lambda) * (1.0 - lambda) * pw85::quadratic_form(p.q1, s),
-            lambda * lambda * pw85::quadratic_form(p.q2, s)};
+    return {(1.0 - lambda) * (1.0 - lambda) * pw85::detail::quadratic_form(p.q1, s),
+            lambda * lambda * pw85::detail::quadratic_form(p.q2, s)};
 }
 
 void check_as_in_manual(Failures &failures, Solver const &solver, Sample<double, 3> const &p)
@@ -51,8 +51,7 @@ void test_as_in_manual(void const *data)
         for (auto const &q2 : grid.spheroids)
             for (auto const &direction : grid.directions)
                 for (double const distance : {0.15, 1.1, 11.0})
-                    check_as_in_manual(failures, *static_cast<Solver const *>(data),
-                                       {pw85::times(distance, direction), q1, q2});
+                    check_as_in_manual(failures, *static_cast<Solver const *>(data), {distance * direction, q1, q2});
     g_assert_cmpint(failures.checked(), ==, 4 * 108 * 108 * 12 * 3);
 }
 
@@ -86,7 +85,7 @@ void test_lambda_of_problems(void const *data)
         double out[2];
         solver.call(p.pair.r12.coordinates, p.pair.q1.entries, p.pair.q2.entries, out);
         auto const w = convert<Wide>(p.pair);
-        auto const f = pw85::evaluate_derivatives(Wide(out[1]), w.r12, w.q1, w.q2);
+        auto const f = pw85::detail::evaluate_derivatives(Wide(out[1]), w.r12, w.q1, w.q2);
         double const shortfall = static_cast<double>(Wide((p.mu2 - f.f) / p.mu2));
         double const rounding = static_cast<double>(Wide(abs(f.second) / p.mu2)) * 2.0 * u * u;
         double const bound = 4.0 * u * p.cond + rounding;
@@ -100,11 +99,11 @@ void test_number_of_evaluations()
     Failures failures;
     std::map<int, int> histogram;
     for (auto const &p : contact_problems()) {
-        auto const scaled = pw85::scale(p.pair.r12, p.pair.q1, p.pair.q2);
-        int const evaluations = pw85::maximize(scaled.pair).evaluations;
+        auto const scaled = pw85::detail::scale(p.pair.r12, p.pair.q1, p.pair.q2);
+        int const evaluations = pw85::detail::maximize(scaled.pair).evaluations;
         ++histogram[evaluations];
-        failures.check(evaluations <= pw85::max_evaluations, "evaluations", evaluations, pw85::max_evaluations,
-                       [&] { return *p.category + ": " + hex_text(p.pair); });
+        failures.check(evaluations <= pw85::detail::max_evaluations, "evaluations", evaluations,
+                       pw85::detail::max_evaluations, [&] { return *p.category + ": " + hex_text(p.pair); });
     }
     for (auto const &[evaluations, count] : histogram) g_test_message("%2d evaluations: %d pairs", evaluations, count);
 }

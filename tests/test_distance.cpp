@@ -1,4 +1,4 @@
-// Distance, closest points and derivatives. The numbers are those of include/pw85/normal_search.hpp.
+// Distance, closest points and derivatives. The numbers are those of include/pw85/distance/normal_search.hpp.
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -27,7 +27,7 @@ template <class T, int D> pw85::Vector<T, D> difference(pw85::Vector<T, D> x, pw
 
 template <class T, int D> double largest_difference(pw85::Vector<T, D> const &x, pw85::Vector<T, D> const &y)
 {
-    return static_cast<double>(pw85::largest_coordinate(difference(x, y)));
+    return static_cast<double>(pw85::detail::largest_coordinate(difference(x, y)));
 }
 
 template <int D> pw85::Distance<double, D> c_distance(Sample<double, D> const &p)
@@ -49,9 +49,9 @@ template <class T, int D> pw85::Distance<T, D> distance(Sample<T, D> const &p)
 /// Σ of the contract of pw85_distance(): what relative errors of one in every number change the distance by at most.
 template <class T, int D> T sensitivity(Sample<T, D> const &p, pw85::Vector<T, D> const &n)
 {
-    T sum = absolute_form(p.q1, n) / (2 * pw85::support(p.q1, n).extent) +
-            absolute_form(p.q2, n) / (2 * pw85::support(p.q2, n).extent);
-    for (int i = 0; i < D; ++i) sum = sum + pw85::absolute(T(n[i] * p.r12[i]));
+    T sum = absolute_form(p.q1, n) / (2 * pw85::detail::support(p.q1, n).extent) +
+            absolute_form(p.q2, n) / (2 * pw85::detail::support(p.q2, n).extent);
+    for (int i = 0; i < D; ++i) sum = sum + pw85::detail::absolute(T(n[i] * p.r12[i]));
     return sum;
 }
 
@@ -80,21 +80,21 @@ template <int D> void test_optimality()
         auto const d = distance(p);
         auto const text = [&] { return hex_text(s); };
         auto const inverse_form = [](auto const &q, auto const &x) {
-            return pw85::dot(x, pw85::solve(pw85::factorize(q, Wide(0)), x));
+            return pw85::dot(x, pw85::detail::solve(pw85::detail::factorize(q, Wide(0)), x));
         };
         auto const check = [&](Wide const &x, Wide const &expected, char const *what) {
-            double const error = static_cast<double>(pw85::absolute(Wide(x - expected)));
+            double const error = static_cast<double>(pw85::detail::absolute(Wide(x - expected)));
             failures.check(error <= 1e-35, what, error, 1e-35, text);
         };
         check(inverse_form(p.q1, d.point1), 1, "point 1 on its surface");
         check(inverse_form(p.q2, difference(d.point2, p.r12)), 1, "point 2 on its surface");
         check(norm(d.normal), 1, "unit normal");
         auto const joint = difference(d.point2, d.point1);
-        auto const outward1 = pw85::solve(pw85::factorize(p.q1, Wide(0)), d.point1);
-        auto const outward2 = pw85::solve(pw85::factorize(p.q2, Wide(0)), difference(d.point2, p.r12));
+        auto const outward1 = pw85::detail::solve(pw85::detail::factorize(p.q1, Wide(0)), d.point1);
+        auto const outward2 = pw85::detail::solve(pw85::detail::factorize(p.q2, Wide(0)), difference(d.point2, p.r12));
         check(pw85::dot(outward1, d.normal) / norm(outward1), 1, "normal 1");
         check(pw85::dot(outward2, d.normal) / norm(outward2), -1, "normal 2");
-        check(norm(difference(joint, pw85::times(d.distance, d.normal))) / norm(p.r12), 0, "line of the points");
+        check(norm(difference(joint, d.distance * d.normal)) / norm(p.r12), 0, "line of the points");
         failures.check(d.distance > 0, "distance", static_cast<double>(d.distance), 0.0, text);
     }
 }
@@ -111,7 +111,8 @@ template <int D> void test_rounding_errors()
         auto const exact = distance(p);
         auto const d = c_distance(s);
         Wide const sigma = sensitivity(p, exact.normal);
-        double const error = static_cast<double>(Wide(pw85::absolute(Wide(d.distance - exact.distance)) / (u * sigma)));
+        double const error =
+            static_cast<double>(Wide(pw85::detail::absolute(Wide(d.distance - exact.distance)) / (u * sigma)));
         failures.check(error <= 8.0, "error in u Σ", error, 8.0, [&] { return hex_text(s); });
     }
 }
@@ -148,8 +149,9 @@ void test_certificate()
         pw85_distance_derivatives(s.r12.coordinates, s.q1.entries, s.q2.entries, normal, nullptr, nullptr, nullptr);
         auto const p = convert<Wide>(s);
         auto const unit = convert<Wide>(pw85::Vector<double, 3>{normal[0], normal[1], normal[2]});
-        Wide const lower =
-            (pw85::dot(unit, p.r12) - pw85::support(p.q1, unit).extent - pw85::support(p.q2, unit).extent) / norm(unit);
+        Wide const lower = (pw85::dot(unit, p.r12) - pw85::detail::support(p.q1, unit).extent -
+                            pw85::detail::support(p.q2, unit).extent) /
+                           norm(unit);
         Wide const upper = norm(difference(convert<Wide>(d.point2), convert<Wide>(d.point1)));
         Wide const exact = distance(p).distance, rounding = 8 * u * sensitivity(p, unit);
         double const size = norm(s.r12) + 3.0, gap = static_cast<double>(Wide(upper - lower));
@@ -157,8 +159,8 @@ void test_certificate()
             3 * error * size * std::fmin(1.0, error * size / d.distance) + static_cast<double>(rounding);
         auto const text = [&] { return hex_text(s); };
         failures.check(lower <= exact, "lower bound", static_cast<double>(lower), static_cast<double>(exact), text);
-        failures.check(pw85::absolute(Wide(lower - d.distance)) <= rounding, "distance is the lower bound", d.distance,
-                       static_cast<double>(lower), text);
+        failures.check(pw85::detail::absolute(Wide(lower - d.distance)) <= rounding, "distance is the lower bound",
+                       d.distance, static_cast<double>(lower), text);
         failures.check(gap <= bound, "duality gap", gap, bound, text);
     }
 }
@@ -171,14 +173,14 @@ template <int D> void test_polynomials()
     Random random(335 + D);
     for (int n = 0; n < draws(1000); ++n) {
         auto const p = convert<Wide>(pair_apart<D>(random, 100.0));
-        pw85::DistancePair<Wide, D> const pair{p.r12, p.q1, p.q2, Wide(0.5), Wide(4)};
-        pw85::Multipliers<Wide> x = pw85::initial_multipliers(pair);
+        pw85::detail::DistancePair<Wide, D> const pair{p.r12, p.q1, p.q2, Wide(0.5), Wide(4)};
+        pw85::detail::Multipliers<Wide> x = pw85::detail::initial_multipliers(pair);
         x.ratio *= random.log_uniform(0.1, 10.0);
-        x.shift = pw85::largest_diagonal(p.q1) * (n % 4 == 0 ? 0.0 : random.log_uniform(1e-3, 1e3));
-        auto const a = pw85::evaluate_normal(pair, pw85::start_search(pair, x).form, x);
-        auto const b = pw85::solve_normal(pair, pw85::factorize_normal(pair, x), x).jet;
+        x.shift = pw85::detail::largest_diagonal(p.q1) * (n % 4 == 0 ? 0.0 : random.log_uniform(1e-3, 1e3));
+        auto const a = pw85::detail::evaluate_normal(pair, pw85::detail::start_search(pair, x).form, x);
+        auto const b = pw85::detail::solve_normal(pair, pw85::detail::factorize_normal(pair, x), x).jet;
         auto const check = [&](Wide const &actual, Wide const &expected, Wide const &size, char const *what) {
-            double const error = static_cast<double>(Wide(pw85::absolute(Wide(actual - expected)) / size));
+            double const error = static_cast<double>(Wide(pw85::detail::absolute(Wide(actual - expected)) / size));
             failures.check(error <= 1e-25, what, error, 1e-25, [&] {
                 return hex_text(convert<double>(p)) + ", t, s = " + x.ratio.str() + ' ' + x.shift.str();
             });
@@ -205,26 +207,28 @@ void test_search()
     for (int n = 0; n < draws(5000); ++n) {
         auto const s = pair_apart<3>(random, 1e4);
         auto const p = convert<Wide>(s);
-        pw85::DistancePair<double, 3> const pair{s.r12, s.q1, s.q2, 1.0, 1.0};
-        pw85::Multipliers<double> const start = pw85::initial_multipliers(pair);
+        pw85::detail::DistancePair<double, 3> const pair{s.r12, s.q1, s.q2, 1.0, 1.0};
+        pw85::detail::Multipliers<double> const start = pw85::detail::initial_multipliers(pair);
         auto const exact = distance(p);
         Wide const sigma = sensitivity(p, exact.normal);
         auto const check = [&](pw85::Vector<double, 3> const &direction, char const *what) {
             auto const v = convert<Wide>(direction);
             Wide const width =
-                (pw85::dot(v, p.r12) - pw85::support(p.q1, v).extent - pw85::support(p.q2, v).extent) / norm(v);
+                (pw85::dot(v, p.r12) - pw85::detail::support(p.q1, v).extent - pw85::detail::support(p.q2, v).extent) /
+                norm(v);
             double const error = static_cast<double>(Wide((exact.distance - width) / (u * sigma)));
             failures.check(error >= 0.0 && error <= 2.0, what, error, 2.0, [&] { return hex_text(s); });
         };
-        check(pw85::search_normal(pair, start.ratio), "search");
-        check(pw85::search_normal(pair, 1e-3 * start.ratio), "search from below");
-        check(pw85::search_normal(pair, 1e3 * start.ratio), "search from above");
-        pw85::Vector<double, 3> direction{};
-        if (pw85::find_normal(pair, start, direction))
-            check(direction, "Newton's method");
+        check(pw85::detail::search_normal(pair, start.ratio), "search");
+        check(pw85::detail::search_normal(pair, 1e-3 * start.ratio), "search from below");
+        check(pw85::detail::search_normal(pair, 1e3 * start.ratio), "search from above");
+        auto const newton = pw85::detail::find_normal(pair, start);
+        if (newton.found)
+            check(newton.u, "Newton's method");
         else
             ++given_up;
-        if (pw85::find_normal(pair, pw85::touching_multipliers(pair), direction)) check(direction, "from contact");
+        auto const again = pw85::detail::find_normal(pair, pw85::detail::touching_multipliers(pair));
+        if (again.found) check(again.u, "from contact");
     }
     g_assert_cmpint(given_up, >, 0);
     g_assert_cmpint(given_up, <, 2500);
@@ -329,18 +333,18 @@ void test_invariance()
     for (int n = 0; n < draws(5000); ++n) {
         double const aspect = random.log_uniform(1.0, 100.0);
         auto const s = random_pair<3>(random, {.aspect = aspect, .mu2_min = 1.0 + 1e-6, .mu2_max = 100.0});
-        auto const d = c_distance(s), e = c_distance<3>({pw85::times(-1.0, s.r12), s.q2, s.q1});
+        auto const d = c_distance(s), e = c_distance<3>({-s.r12, s.q2, s.q1});
         double const bound = 16 * u * static_cast<double>(sensitivity(s, distance(s).normal));
         failures.check(std::fabs(d.distance - e.distance) <= bound, "exchange", d.distance, e.distance,
                        [&] { return hex_text(s); });
         for (double const exponent : {-480.0, -100.0, 100.0, 480.0}) {
             double const f = std::exp2(exponent);
-            Sample<double, 3> const scaled{pw85::times(f, s.r12), pw85::times(f * f, s.q1), pw85::times(f * f, s.q2)};
+            Sample<double, 3> const scaled{f * s.r12, f * f * s.q1, f * f * s.q2};
             auto const g = c_distance(scaled);
             failures.check(g.distance == f * d.distance, "unit", g.distance, f * d.distance,
                            [&] { return hex_text(scaled); });
-            failures.check(largest_difference(g.point1, pw85::times(f, d.point1)) == 0.0, "unit", g.point1[0],
-                           f * d.point1[0], [&] { return hex_text(scaled); });
+            failures.check(largest_difference(g.point1, f * d.point1) == 0.0, "unit", g.point1[0], f * d.point1[0],
+                           [&] { return hex_text(scaled); });
         }
     }
 }
@@ -358,19 +362,19 @@ void test_extreme_sizes()
         double const contact =
             1.0 / std::sqrt(static_cast<double>(
                       pw85::contact(convert<Wide>(direction), convert<Wide>(s.q1), convert<Wide>(s.q2)).mu2));
-        s.r12 = pw85::times(std::fmin(1e150, contact * (1.0 + random.log_uniform(1e-6, 1e100))), direction);
+        s.r12 = std::fmin(1e150, contact * (1.0 + random.log_uniform(1e-6, 1e100))) * direction;
         auto const p = convert<Wide>(s);
         auto const exact = distance(p);
         auto const d = c_distance(s);
         Wide const bound = 8 * u * sensitivity(p, exact.normal);
-        failures.check(pw85::absolute(Wide(d.distance - exact.distance)) <= bound, "distance", d.distance,
+        failures.check(pw85::detail::absolute(Wide(d.distance - exact.distance)) <= bound, "distance", d.distance,
                        static_cast<double>(exact.distance), [&] { return hex_text(s); });
         for (int i = 0; i < 3; ++i) {
             Wide const size1 = norm(exact.point1), size2 = norm(p.r12);
-            failures.check(pw85::absolute(Wide(d.point1[i] - exact.point1[i])) <= 3200 * u * size1, "point 1",
+            failures.check(pw85::detail::absolute(Wide(d.point1[i] - exact.point1[i])) <= 3200 * u * size1, "point 1",
                            d.point1[i], static_cast<double>(exact.point1[i]), [&] { return hex_text(s); });
-            failures.check(pw85::absolute(Wide(d.point2[i] - exact.point2[i])) <= 3200 * u * (size1 + size2), "point 2",
-                           d.point2[i], static_cast<double>(exact.point2[i]), [&] { return hex_text(s); });
+            failures.check(pw85::detail::absolute(Wide(d.point2[i] - exact.point2[i])) <= 3200 * u * (size1 + size2),
+                           "point 2", d.point2[i], static_cast<double>(exact.point2[i]), [&] { return hex_text(s); });
         }
         double derivatives[90];
         pw85_distance_derivatives(s.r12.coordinates, s.q1.entries, s.q2.entries, derivatives, derivatives + 3,
@@ -394,12 +398,12 @@ void test_extreme_shapes()
                             {square(axis()), 0.0, 0.0, square(axis()), 0.0, square(axis())}};
         double const mu2 =
             static_cast<double>(pw85::contact(convert<Wide>(s.r12), convert<Wide>(s.q1), convert<Wide>(s.q2)).mu2);
-        s.r12 = pw85::times(std::sqrt((1.0 + random.log_uniform(1e-10, 1e10)) / mu2), s.r12);
+        s.r12 = std::sqrt((1.0 + random.log_uniform(1e-10, 1e10)) / mu2) * s.r12;
         auto const p = convert<Wide>(s);
         auto const exact = distance(p);
         auto const d = c_distance(s);
         Wide const bound = 8 * u * sensitivity(p, exact.normal);
-        failures.check(pw85::absolute(Wide(d.distance - exact.distance)) <= bound, "distance", d.distance,
+        failures.check(pw85::detail::absolute(Wide(d.distance - exact.distance)) <= bound, "distance", d.distance,
                        static_cast<double>(exact.distance), [&] { return hex_text(s); });
     }
 }
@@ -412,8 +416,8 @@ template <class T> void check_scalar(Failures &failures, Random &random)
     auto const d = distance(narrow);
     if (d.distance == T(0)) return;
     auto const exact = distance(p);
-    Wide const bound = 8 * Wide(pw85::unit_roundoff<T>()) * sensitivity(p, exact.normal);
-    failures.check(pw85::absolute(Wide(Wide(d.distance) - exact.distance)) <= bound, "distance",
+    Wide const bound = 8 * Wide(pw85::detail::unit_roundoff<T>()) * sensitivity(p, exact.normal);
+    failures.check(pw85::detail::absolute(Wide(Wide(d.distance) - exact.distance)) <= bound, "distance",
                    static_cast<double>(d.distance), static_cast<double>(exact.distance), [&] { return hex_text(s); });
 }
 
@@ -454,7 +458,7 @@ void test_derivatives_by_differences()
             return moved_distance(p, change);
         };
         auto const check = [&](Wide const &actual, Wide const &expected, char const *what) {
-            double const error = static_cast<double>(pw85::absolute(Wide(actual - expected)));
+            double const error = static_cast<double>(pw85::detail::absolute(Wide(actual - expected)));
             failures.check(error <= 1e-15, what, error, 1e-15, [&] { return hex_text(s); });
         };
         for (int i = 0; i < 9; ++i) {
@@ -494,9 +498,9 @@ void test_derivatives_in_double()
         double largest = 0.0, error = 0.0;
         for (int i = 0; i < 9; ++i)
             for (int j = 0; j < 9; ++j) {
-                largest = std::fmax(largest, static_cast<double>(pw85::absolute(exact.hessian[i][j])));
-                error = std::fmax(error,
-                                  static_cast<double>(pw85::absolute(Wide(hessian[9 * i + j] - exact.hessian[i][j]))));
+                largest = std::fmax(largest, static_cast<double>(pw85::detail::absolute(exact.hessian[i][j])));
+                error = std::fmax(
+                    error, static_cast<double>(pw85::detail::absolute(Wide(hessian[9 * i + j] - exact.hessian[i][j]))));
                 check(std::fabs(hessian[9 * i + j] - hessian[9 * j + i]), 0.0, "symmetry");
             }
         check(error, bound * aspect * aspect * largest, "hessian");
@@ -532,7 +536,7 @@ void test_batch()
         double const aspect = random.log_uniform(1.0, i % 8 == 0 ? 1e6 : 20.0);
         pairs.push_back(i % 5 == 0 ? random_pair<3>(random, {.aspect = aspect, .mu2_min = 0.1, .mu2_max = 1.1})
                                    : pair_apart<3>(random, aspect));
-        if (i % 100 == 1) pairs.back().r12 = pw85::times(1e9, pairs.back().r12);
+        if (i % 100 == 1) pairs.back().r12 = 1e9 * pairs.back().r12;
         if (i == bad) pairs.back().q1[0] = -1.0;
         r12.insert(r12.end(), pairs.back().r12.coordinates, pairs.back().r12.coordinates + 3);
         q1.insert(q1.end(), pairs.back().q1.entries, pairs.back().q1.entries + 6);
@@ -559,7 +563,7 @@ void test_batch()
         double const error = std::fabs(static_cast<double>(Wide(distance[i] - exact.distance)));
         failures.check(error <= bound, "distance", error, bound, text);
         for (std::size_t d = 0; d < 3; ++d) {
-            double const size = std::sqrt(pw85::largest_diagonal(pairs[i].q1)) + norm(pairs[i].r12);
+            double const size = std::sqrt(pw85::detail::largest_diagonal(pairs[i].q1)) + norm(pairs[i].r12);
             double const gap = std::fabs(point1[3 * i + d] - one.point1[static_cast<int>(d)]) +
                                std::fabs(point2[3 * i + d] - one.point2[static_cast<int>(d)]);
             if (i % 8 != 0) failures.check(gap <= 1e-11 * size, "points", gap, 1e-11 * size, text);
@@ -573,6 +577,146 @@ void test_batch()
     g_assert_cmpint(pw85_distance_batch(1, r12.data() + 3, q1.data() + 6, q2.data() + 6, &alone, nullptr, nullptr), ==,
                     PW85_SUCCESS);
     g_assert_cmpfloat(alone, ==, distance[1]);
+}
+
+/// The semi-axes of a needle, a disc, a ribbon, or any ellipsoid.
+pw85::Vector<double, 3> slender_axes(Random &random, double size, double aspect)
+{
+    switch (static_cast<int>(random.uniform(0.0, 4.0))) {
+    case 0:
+        return {size, size / aspect, size / aspect};
+    case 1:
+        return {size, size, size / aspect};
+    case 2:
+        return {size, size / std::sqrt(aspect), size / aspect};
+    default:
+        return random.semi_axes(size, aspect);
+    }
+}
+
+/// Pairs that are apart with aspect ratios up to 10^7.9, sizes of 2^-40 to 2^40 whose ratio is 2^-30 to 2^30, and gaps of 1e-12 to
+/// 1e3 sizes, along a normal that is anywhere or near a principal axis; a third of them parallel or nearly so.
+Sample<double, 3> slender_pair(Random &random)
+{
+    for (;;) {
+        double const unit = random.uniform(0.0, 1.0) < 0.7 ? 1.0 : std::exp2(random.uniform(-40.0, 40.0));
+        double const ratio = random.uniform(0.0, 1.0) < 0.6 ? 1.0 : std::exp2(random.uniform(-30.0, 30.0));
+        auto const turn = random.direction<4>();
+        auto other = random.direction<4>();
+        double const spread = random.uniform(0.0, 1.0) < 0.67 ? 1.0 : random.log_uniform(1e-12, 1.0);
+        for (int i = 0; i < 4; ++i) other[i] = turn[i] + spread * other[i];
+        auto const form = [&](double size, pw85::Vector<double, 4> const &quaternion) {
+            double const aspect = random.log_uniform(1.0, std::pow(10.0, 7.9));
+            return pw85::ellipsoid_quaternion(slender_axes(random, size, aspect), quaternion).q;
+        };
+        Sample<double, 3> s{{}, form(unit, turn), form(unit * ratio, other)};
+        auto normal = random.direction<3>();
+        if (random.uniform(0.0, 1.0) < 0.3) normal = pw85::detail::support(s.q1, normal).point;
+        auto n = convert<Wide>(normal);
+        n = Wide(1 / norm(n)) * n;
+        Wide const gap = unit * random.log_uniform(1e-12, 1e3);
+        auto const p1 = pw85::detail::support(convert<Wide>(s.q1), n).point,
+                   p2 = pw85::detail::support(convert<Wide>(s.q2), n).point;
+        for (int i = 0; i < 3; ++i) s.r12[i] = static_cast<double>(Wide(p1[i] + p2[i] + gap * n[i]));
+        auto const o = pw85::overlap(s.r12, s.q1, s.q2);
+        if (o.status == pw85::Status::success && !o.overlap) return s;
+    }
+}
+
+/// How far a point is from the surface of an ellipsoid.
+double off_surface(pw85::Vector<Wide, 3> const &point, pw85::SymmetricMatrix<Wide, 3> const &q)
+{
+    return std::fabs(static_cast<double>(pw85::distance_point(point, q).distance));
+}
+
+/// The contract: of the distance, and 2^18 u of each point, relative to the ellipsoid, and of the way between them, relative to all.
+void check_points(Failures &failures, Sample<double, 3> const &s, pw85::Distance<double, 3> const &d)
+{
+    auto const p = convert<Wide>(s);
+    auto const exact = distance(p);
+    auto const point1 = convert<Wide>(d.point1), point2 = convert<Wide>(d.point2), from2 = difference(point2, p.r12);
+    auto const text = [&] { return hex_text(s); };
+    auto const check = [&](double error, double bound, char const *what) {
+        failures.check(error <= bound, what, error, bound, text);
+    };
+    check(static_cast<double>(pw85::detail::absolute(Wide(d.distance - exact.distance))),
+          8 * u * static_cast<double>(sensitivity(p, exact.normal)), "distance");
+    double const length = static_cast<double>(Wide(norm(p.r12) + norm(point1) + norm(from2)));
+    auto const joint = difference(point2, point1);
+    check(std::fabs(static_cast<double>(Wide(norm(joint) - d.distance))), 0x1p18 * u * length, "gap");
+    auto const along = Wide(d.distance) * convert<Wide>(d.normal);
+    check(static_cast<double>(norm(difference(joint, along))), 0x1p18 * u * length, "way between the points");
+    double const size1 = std::sqrt(pw85::detail::trace(s.q1)), size2 = std::sqrt(pw85::detail::trace(s.q2));
+    check(off_surface(point1, p.q1), 0x1p18 * u * size1, "point 1 off its surface");
+    check(off_surface(from2, p.q2), 0x1p18 * u * size2 + u * static_cast<double>(norm(point2)),
+          "point 2 off its surface");
+}
+
+// Pairs for which the answer in double is not good enough, among others; and the same in lanes.
+void test_slender_points()
+{
+    Failures failures;
+    Random random(430);
+    std::size_t const n = static_cast<std::size_t>(draws(1000));
+    std::vector<Sample<double, 3>> pairs;
+    std::vector<double> r12, q1, q2, distances(n), point1(3 * n), point2(3 * n);
+    for (std::size_t i = 0; i < n; ++i) {
+        auto const s = i % 4 == 0 ? pair_apart<3>(random, 100.0) : slender_pair(random);
+        pairs.push_back(s);
+        r12.insert(r12.end(), s.r12.coordinates, s.r12.coordinates + 3);
+        q1.insert(q1.end(), s.q1.entries, s.q1.entries + 6);
+        q2.insert(q2.end(), s.q2.entries, s.q2.entries + 6);
+    }
+    g_assert_cmpint(
+        pw85_distance_batch(n, r12.data(), q1.data(), q2.data(), distances.data(), point1.data(), point2.data()), ==,
+        PW85_SUCCESS);
+    for (std::size_t i = 0; i < n; ++i) {
+        auto d = c_distance(pairs[i]);
+        g_assert_cmpint(pw85_distance_derivatives(pairs[i].r12.coordinates, pairs[i].q1.entries, pairs[i].q2.entries,
+                                                  d.normal.coordinates, nullptr, nullptr, nullptr),
+                        ==, PW85_SUCCESS);
+        check_points(failures, pairs[i], d);
+        d.distance = distances[i];
+        for (int k = 0; k < 3; ++k) {
+            d.point1[k] = point1[3 * i + static_cast<std::size_t>(k)];
+            d.point2[k] = point2[3 * i + static_cast<std::size_t>(k)];
+        }
+        check_points(failures, pairs[i], d);
+    }
+}
+
+// Sums, products, quotients and roots of doubled numbers. With u = 2^-53, errors are below 4u², 8u², 16u² and 16u² of the terms of a
+// sum, and of the others themselves (M. Joldes, J.-M. Muller and V. Popescu, ACM Trans. Math. Softw. 44, 15 (2017): 3u², 7u², 15u²).
+void test_doubled()
+{
+    using Doubled = pw85::detail::Doubled<double>;
+    Failures failures;
+    Random random(440);
+    auto const wide = [](Doubled const &x) { return Wide(x.high) + Wide(x.low); };
+    for (int n = 0; n < draws(20000); ++n) {
+        auto const number = [&] { return random.sign() * random.log_uniform(1e-30, 1e30); };
+        auto const doubled = [&] {
+            double const high = number();
+            return pw85::detail::ordered_sum(high, random.uniform(-0.5, 0.5) * 0x1p-53 * high);
+        };
+        Doubled const x = doubled(), y = n % 2 == 0 ? doubled() : -x + doubled() * Doubled(random.uniform(0.0, 1e-30));
+        auto const check = [&](Doubled const &actual, Wide const &expected, Wide const &size, double bound,
+                               char const *what) {
+            double const error =
+                static_cast<double>(Wide(pw85::detail::absolute(Wide(wide(actual) - expected)) / size));
+            failures.check(error <= bound, what, error, bound,
+                           [&] { return hex_text(&x.high, 1) + hex_text(&x.low, 1) + hex_text(&y.high, 1); });
+        };
+        Wide const a = wide(x), b = wide(y), both = pw85::detail::absolute(a) + pw85::detail::absolute(b);
+        check(x + y, a + b, both, 0x1p-104, "sum");
+        check(x - y, a - b, both, 0x1p-104, "difference");
+        check(x * y, a * b, pw85::detail::absolute(Wide(a * b)), 0x1p-103, "product");
+        check(x / y, a / b, pw85::detail::absolute(Wide(a / b)), 0x1p-102, "quotient");
+        Wide const root = sqrt(Wide(a * a));
+        check(sqrt(x * x), root, root, 0x1p-102, "root");
+        failures.check((x < y) == (a < b) && (x >= y) == (a >= b), "order", x.high, y.high,
+                       [&] { return hex_text(&x.low, 1); });
+    }
 }
 
 void test_statuses()
@@ -632,6 +776,8 @@ int main(int argc, char **argv)
     g_test_add_func("/distance/derivatives/differences", test_derivatives_by_differences);
     g_test_add_func("/distance/derivatives/double", test_derivatives_in_double);
     g_test_add_func("/distance/batch", test_batch);
+    g_test_add_func("/distance/slender_points", test_slender_points);
+    g_test_add_func("/distance/doubled", test_doubled);
     g_test_add_func("/distance/statuses", test_statuses);
     return g_test_run();
 }

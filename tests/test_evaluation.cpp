@@ -88,7 +88,7 @@ void test_residual_against_wide_type()
         auto const s = random_pair<3>(random, {.aspect = 10.0});
         double const lambda = random.uniform(0.01, 0.99);
         auto const w = convert<Wide>(s);
-        auto const exact = pw85::evaluate_derivatives(Wide(lambda), w.r12, w.q1, w.q2);
+        auto const exact = pw85::detail::evaluate_derivatives(Wide(lambda), w.r12, w.q1, w.q2);
         double const f = static_cast<double>(exact.f), second = static_cast<double>(exact.second);
         double out[3];
         pw85__residual(lambda, s.r12.coordinates, s.q1.entries, s.q2.entries, out);
@@ -110,8 +110,8 @@ void test_derivatives_against_differences()
         auto const s = random_pair<3>(random, {.aspect = 100.0});
         auto const w = convert<Wide>(s);
         Wide const lambda = random.uniform(0.05, 0.95);
-        auto const f = [&](Wide const &x) { return pw85::evaluate_f(x, w.r12, w.q1, w.q2); };
-        auto const exact = pw85::evaluate_derivatives(lambda, w.r12, w.q1, w.q2);
+        auto const f = [&](Wide const &x) { return pw85::detail::evaluate_f(x, w.r12, w.q1, w.q2); };
+        auto const exact = pw85::detail::evaluate_derivatives(lambda, w.r12, w.q1, w.q2);
         Wide const before = f(lambda - h), at = f(lambda), after = f(lambda + h);
         Wide const first = (after - before) / (2 * h), second = (after - 2 * at + before) / (h * h);
         double const scale = std::fabs(static_cast<double>(exact.second));

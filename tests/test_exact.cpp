@@ -148,7 +148,7 @@ Roots roots_of(Polynomial const &p)
 
 template <class T, int D> pw85::Decision decide(Sample<T, D> const &s)
 {
-    return pw85::decide_exactly(s.r12, s.q1, s.q2);
+    return pw85::detail::decide_exactly(s.r12, s.q1, s.q2);
 }
 
 /// How often each kind of roots came up.
@@ -166,7 +166,7 @@ template <class T, int D> void compare(Sample<T, D> const &s, Failures &failures
     auto const p = quartic(s);
     Roots const roots = roots_of(p);
     auto const expected = roots.positive > 0 ? pw85::Decision::apart : pw85::Decision::overlap;
-    Sample<T, D> const exchanged{pw85::times(T(-1), s.r12), s.q2, s.q1};
+    Sample<T, D> const exchanged{-s.r12, s.q2, s.q1};
     for (auto const &sample : {s, exchanged}) {
         auto const decision = decide(sample);
         failures.check(decision == expected, "decision", static_cast<double>(decision), static_cast<double>(expected),
@@ -242,9 +242,9 @@ template <int D> void test_small_integers()
         s.q2 = small_form<D>(random, limit);
         for (int i = 0; i < D; ++i) s.r12[i] = n % (i + 2) == 0 ? 0 : random_integer(random, 4 * limit);
         double const length = n % 4 == 0 ? std::ldexp(1.0, random_integer(random, 500)) : 1.0;
-        s.r12 = pw85::times(length, s.r12);
-        s.q1 = pw85::times(length * length, s.q1);
-        s.q2 = pw85::times(length * length, s.q2);
+        s.r12 = length * s.r12;
+        s.q1 = length * length * s.q1;
+        s.q2 = length * length * s.q2;
         compare(s, failures, kinds);
     }
     report(kinds);
@@ -322,11 +322,11 @@ template <class T> void test_widest()
         auto const decision = decide(pair);
         failures.check(decision == (overlap ? pw85::Decision::overlap : pw85::Decision::apart), "decision",
                        static_cast<double>(decision), overlap, [p = pair] { return hex_text(p); });
-        auto const numbers = pw85::exact::to_numbers(pair.r12, pair.q1, pair.q2);
+        auto const numbers = pw85::detail::exact::to_numbers(pair.r12, pair.q1, pair.q2);
         if (!is_far(numbers)) widest = std::max(widest, bits(numbers));
     }
     // q.high is even, and 2 r.high at most q.high + 2.
-    g_assert_cmpint(widest, ==, pw85::exact::max_bits<T>() - 1);
+    g_assert_cmpint(widest, ==, pw85::detail::exact::max_bits<T>() - 1);
 }
 
 // Where bounding boxes are taken for a proof they are one, just within and beyond that limit.

@@ -49,7 +49,7 @@ void test_spheroid()
     Random random(10);
     for (int i = 0; i < draws(20000); ++i) {
         double const a = random.log_uniform(1e-6, 1e6), c = random.log_uniform(1e-6, 1e6);
-        auto const n = pw85::times(random.log_uniform(1e-200, 1e200), random.direction<3>());
+        auto const n = random.log_uniform(1e-200, 1e200) * random.direction<3>();
         Form3 q{};
         pw85_spheroid(a, c, n.coordinates, q.entries);
         check_form(failures, q, exact_spheroid(a, c, n), 12 * u);
@@ -90,8 +90,8 @@ void test_quaternion_and_rotation()
     for (int n = 0; n < draws(5000); ++n) {
         auto const axes = random.semi_axes(1.0, random.log_uniform(1.0, 1e3));
         auto const unit = random.direction<4>();
-        auto const rotation = pw85::rotation_matrix(unit, pw85::dot(unit, unit));
-        auto const scaled = pw85::times(-random.log_uniform(1e-200, 1e200), unit);
+        auto const rotation = pw85::detail::rotation_matrix(unit, pw85::dot(unit, unit));
+        auto const scaled = -random.log_uniform(1e-200, 1e200) * unit;
         Form3 by_matrix{}, by_quaternion{};
         pw85_ellipsoid(axes.coordinates, rotation.entries, by_matrix.entries);
         pw85_ellipsoid_quaternion(axes.coordinates, scaled.coordinates, by_quaternion.entries);
@@ -134,7 +134,9 @@ void assert_invalid(int status, double const *q, int count)
 
 void test_invalid_lengths()
 {
-    double const n[3] = {0.0, 0.0, 1.0}, quaternion[4] = {1.0, 0.0, 0.0, 0.0};
+    // Turned axes mix their squares, so that no entry of the form vanishes with the square of one axis.
+    double const n[3] = {0.0, 0.0, 1.0}, skew[3] = {0.48, 0.6, 0.64};
+    double const quaternion[4] = {1.0, 0.0, 0.0, 0.0}, turned[4] = {1.0, 2.0, 3.0, 4.0};
     double const identity[9] = {1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0};
     // Squares of 1e160 and 1e-170 are beyond the range of double.
     for (double const bad : {0.0, -1.0, nan, infinity, -infinity, 1e160, 1e-170}) {
@@ -142,13 +144,20 @@ void test_invalid_lengths()
             double axes[3] = {1.0, 1.0, 1.0}, q[6] = {};
             axes[i] = bad;
             assert_invalid(pw85_ellipsoid(axes, identity, q), q, 6);
-            assert_invalid(pw85_ellipsoid_quaternion(axes, quaternion, q), q, 6);
+            for (double const *orientation : {quaternion, turned})
+                assert_invalid(pw85_ellipsoid_quaternion(axes, orientation, q), q, 6);
         }
         double q[6] = {};
-        pw85_spheroid(bad, 1.0, n, q);
-        assert_invalid(PW85_EINVAL, q, 6);
-        assert_invalid(pw85_ellipse(bad, 1.0, 0.0, q), q, 3);
-        assert_invalid(pw85_ellipse(1.0, bad, 0.0, q), q, 3);
+        for (double const *axis : {n, skew}) {
+            pw85_spheroid(bad, 1.0, axis, q);
+            assert_invalid(PW85_EINVAL, q, 6);
+            pw85_spheroid(1.0, bad, axis, q);
+            assert_invalid(PW85_EINVAL, q, 6);
+        }
+        for (double const angle : {0.0, 0.3}) {
+            assert_invalid(pw85_ellipse(bad, 1.0, angle, q), q, 3);
+            assert_invalid(pw85_ellipse(1.0, bad, angle, q), q, 3);
+        }
     }
     for (double const bad : {nan, infinity}) {
         double q[3] = {};

@@ -1,4 +1,4 @@
-// Contact point, normal, gradient and torque. The numbers are those of include/pw85/geometry.hpp.
+// Contact point, normal, gradient and torque. The numbers are those of include/pw85/contact/geometry.hpp.
 #include <cmath>
 
 #include <glib.h>
@@ -173,7 +173,7 @@ void test_rounding_errors()
 // No net torque: a rotation of all, r12 included, leaves μ² as it is. With n = M⁻¹r, M = (1-λ)Q1 + λQ2, the sum is
 // 2λ(1-λ) n × (M n - r). By factorisation, the computed n solves a system whose matrix differs by at most 10u of the trace
 // of M from this one, and the products round: |M n - r| <= 32u tr M |n|. By the adjugate, n errs by 108u/d in the norm of M
-// (see the conditioning of M in include/pw85/rational.hpp), in which it measures √(rᵀn), so that |M n - r| <= √(tr M rᵀn) 108u/d.
+// (see the conditioning of M in include/pw85/contact/rational.hpp), in which it measures √(rᵀn), so that |M n - r| <= √(tr M rᵀn) 108u/d.
 void test_no_net_torque()
 {
     Failures failures;
@@ -183,11 +183,11 @@ void test_no_net_torque()
         double const lambda = lambda_of(p), weight = 2.0 * lambda * (1.0 - lambda);
         auto const d = derivatives(p, lambda);
         auto const arm = pw85::cross(p.r12, d.r12);
-        auto const m = pw85::blend(1.0 - lambda, p.q1, lambda, p.q2);
+        auto const m = pw85::detail::blend(1.0 - lambda, p.q1, lambda, p.q2);
         double const norm = std::sqrt(pw85::dot(d.r12, d.r12)), trace = m[0] + m[3] + m[5];
-        double const conditioning = pw85::determinant(m, pw85::adjugate(m)) / (m[0] * m[3] * m[5]);
+        double const conditioning = pw85::detail::determinant(m, pw85::detail::adjugate(m)) / (m[0] * m[3] * m[5]);
         double residual = 32 * u * trace * norm / weight;
-        if (conditioning > 0.9 * pw85::adjugate_conditioning<double>())
+        if (conditioning > 0.9 * pw85::detail::adjugate_conditioning<double>())
             residual += std::sqrt(trace * pw85::dot(p.r12, d.r12) / weight) * 108 * u / conditioning;
         for (int i = 0; i < 3; ++i) {
             double const sum = d.rotation1[i] + d.rotation2[i] + arm[i], bound = norm * residual;
@@ -210,7 +210,7 @@ void test_exchange()
         double const lambda = std::round(lambda_of(p) * 0x1p40) * 0x1p-40;
         if (!(lambda > 0x1p-10 && lambda < 1.0 - 0x1p-10)) continue;
         auto const d = derivatives(p, lambda);
-        auto const e = derivatives({pw85::times(-1.0, p.r12), p.q2, p.q1}, 1.0 - lambda);
+        auto const e = derivatives({-p.r12, p.q2, p.q1}, 1.0 - lambda);
         auto const check = [&](double const *x, double const *y, int count, double sign, char const *what) {
             for (int i = 0; i < count; ++i)
                 failures.check(std::fabs(x[i] - sign * y[i]) <= bound * largest(x, count), what, x[i], sign * y[i],

@@ -1,4 +1,4 @@
-// Second derivatives of the contact function. The numbers are those of include/pw85/contact_hessian.hpp.
+// Second derivatives of the contact function. The numbers are those of include/pw85/contact/contact_hessian.hpp.
 #include <cmath>
 
 #include <glib.h>
@@ -53,7 +53,7 @@ template <int D> Wide moved_contact(Sample<Wide, D> p, Wide const *change)
 {
     for (int d = 0; d < D; ++d) p.r12[d] += change[d];
     p.q1 = turned_form(p.q1, change + D);
-    p.q2 = turned_form(p.q2, change + D + pw85::rotation_axes<D>);
+    p.q2 = turned_form(p.q2, change + D + pw85::detail::rotation_axes<D>);
     return pw85::contact(p.r12, p.q1, p.q2).mu2;
 }
 
@@ -79,7 +79,7 @@ template <int D> void test_differences()
             for (int j = i; j < size; ++j) {
                 Wide const expected =
                     (at(i, 1, j, 1) - at(i, 1, j, -1) - at(i, -1, j, 1) + at(i, -1, j, -1)) / (4 * h * h);
-                double const error = static_cast<double>(pw85::absolute(Wide(exact.entries[i][j] - expected)));
+                double const error = static_cast<double>(pw85::detail::absolute(Wide(exact.entries[i][j] - expected)));
                 failures.check(error <= 1e-15, "second derivative", error, 1e-15, [&] { return hex_text(s); });
                 failures.check(exact.entries[i][j] == exact.entries[j][i], "symmetry", i, j,
                                [&] { return hex_text(s); });
@@ -100,9 +100,9 @@ template <int D> BlockError block_error(pw85::ContactHessian<double, D> const &a
         for (int j = 0; j < actual.size; ++j) {
             if ((i >= D) + (j >= D) != rotations) continue;
             Wide const &expected = exact.entries[i][j];
-            block.largest = std::fmax(block.largest, static_cast<double>(pw85::absolute(expected)));
-            block.error =
-                std::fmax(block.error, static_cast<double>(pw85::absolute(Wide(actual.entries[i][j] - expected))));
+            block.largest = std::fmax(block.largest, static_cast<double>(pw85::detail::absolute(expected)));
+            block.error = std::fmax(block.error,
+                                    static_cast<double>(pw85::detail::absolute(Wide(actual.entries[i][j] - expected))));
         }
     return block;
 }
@@ -165,8 +165,8 @@ void test_unlike_sizes()
                 double error = 0.0, largest = 0.0;
                 for (int k = 0; k < 9; ++k) {
                     Wide const &expected = exact.entries[i + k / 3][j + k % 3];
-                    largest = std::fmax(largest, static_cast<double>(pw85::absolute(expected)));
-                    error = std::fmax(error, static_cast<double>(pw85::absolute(
+                    largest = std::fmax(largest, static_cast<double>(pw85::detail::absolute(expected)));
+                    error = std::fmax(error, static_cast<double>(pw85::detail::absolute(
                                                  Wide(actual.entries[i + k / 3][j + k % 3] - expected))));
                 }
                 failures.check(error <= 1e-10 * largest, "block", error / largest, 1e-10, [&] { return hex_text(s); });
@@ -190,7 +190,7 @@ void test_homogeneity()
             Wide along = 0;
             for (int j = 0; j < 3; ++j) along += h.entries[i][j] * p.r12[j];
             Wide const expected = i < 3 ? d.r12[i] : 2 * (i < 6 ? t.rotation1[i - 3] : t.rotation2[i - 6]);
-            double const error = static_cast<double>(pw85::absolute(Wide(along - expected)));
+            double const error = static_cast<double>(pw85::detail::absolute(Wide(along - expected)));
             failures.check(error <= 1e-30, "along r12", error, 1e-30, [&] { return hex_text(p); });
         }
     }

@@ -51,7 +51,7 @@ void test_exchange(void const *solver)
     Random random(20);
     for (int i = 0; i < draws(20000); ++i) {
         auto const p = random_case(random);
-        Sample<double, 3> const image{pw85::times(-1.0, p.r12), p.q2, p.q1};
+        Sample<double, 3> const image{-p.r12, p.q2, p.q1};
         check_same_mu2(failures, solver, p, image);
     }
 }
@@ -86,7 +86,7 @@ void test_rotation(void const *solver)
     for (int n = 0; n < draws(5000); ++n) {
         auto const p = random_case(random);
         auto const quaternion = convert<Wide>(random.direction<4>());
-        auto const rotation = pw85::rotation_matrix(quaternion, pw85::dot(quaternion, quaternion));
+        auto const rotation = pw85::detail::rotation_matrix(quaternion, pw85::dot(quaternion, quaternion));
         Map l;
         for (int i = 0; i < 9; ++i) l[i / 3][i % 3] = rotation.entries[i];
         check_same_mu2(failures, solver, p, apply(l, p));
@@ -104,15 +104,15 @@ void test_linear_map(void const *solver)
             for (auto &entry : row) entry = random.normal();
         auto const image = apply(l, p);
         // A map that is nearly singular can make a form indefinite when it is rounded.
-        if (!pw85::is_clearly_definite(image.q1) || !pw85::is_clearly_definite(image.q2)) continue;
+        if (!pw85::detail::is_clearly_definite(image.q1) || !pw85::detail::is_clearly_definite(image.q2)) continue;
         check_same_mu2(failures, solver, p, image);
     }
 }
 
 Sample<double, 3> scaled(Sample<double, 3> const &p, int length, int form)
 {
-    return {pw85::times_power_of_two(p.r12, length), pw85::times_power_of_two(p.q1, 2 * form),
-            pw85::times_power_of_two(p.q2, 2 * form)};
+    return {pw85::detail::times_power_of_two(p.r12, length), pw85::detail::times_power_of_two(p.q1, 2 * form),
+            pw85::detail::times_power_of_two(p.q2, 2 * form)};
 }
 
 void test_powers_of_two(void const *solver)
@@ -157,7 +157,7 @@ void test_spheres(void const *solver)
     Random random(25);
     for (int n = 0; n < draws(20000); ++n) {
         double const a1 = random.log_uniform(1e-6, 1e6), a2 = a1 * random.log_uniform(1e-6, 1e6);
-        auto const r12 = pw85::times((a1 + a2) * random.log_uniform(0.01, 100.0), random.direction<3>());
+        auto const r12 = (a1 + a2) * random.log_uniform(0.01, 100.0) * random.direction<3>();
         Sample<double, 3> const p{
             r12, {a1 * a1, 0.0, 0.0, a1 * a1, 0.0, a1 * a1}, {a2 * a2, 0.0, 0.0, a2 * a2, 0.0, a2 * a2}};
         Result const c = solve(solver, p);

@@ -5,7 +5,7 @@
 
 #include <glib.h>
 
-#include <pw85/legacy.hpp>
+#include <pw85/history/legacy.hpp>
 #include <pw85_legacy.h>
 
 #include "draws.hpp"
@@ -40,7 +40,7 @@ double absolute_adjugate_form(Vector3 const &x, Form3 const &a)
     Form3 const adjugate = {m[3] * m[5] + m[4] * m[4], m[2] * m[4] + m[1] * m[5], m[1] * m[4] + m[2] * m[3],
                             m[0] * m[5] + m[2] * m[2], m[1] * m[2] + m[0] * m[4], m[0] * m[3] + m[1] * m[1]};
     Vector3 const y{std::fabs(x[0]), std::fabs(x[1]), std::fabs(x[2])};
-    return pw85::quadratic_form(adjugate, y);
+    return pw85::detail::quadratic_form(adjugate, y);
 }
 
 /// Bounds on the errors of the coefficients of a and b, evaluated as polynomials of x with two derivatives.
@@ -56,7 +56,7 @@ struct PolynomialErrors {
 PolynomialErrors polynomial_errors(Sample<double, 3> const &p, double x)
 {
     Form3 const q1 = magnitudes(p.q1), q2 = magnitudes(p.q2);
-    Form3 const q3 = pw85::blend(2.0, q1, 1.0, q2), q4 = pw85::blend(0.5, q1, 0.5, q2);
+    Form3 const q3 = pw85::detail::blend(2.0, q1, 1.0, q2), q4 = pw85::detail::blend(0.5, q1, 0.5, q2);
     double const d[4] = {absolute_determinant(q1), absolute_determinant(q2), absolute_determinant(q3),
                          absolute_determinant(q4)};
     double const f[3] = {absolute_adjugate_form(p.r12, q1), absolute_adjugate_form(p.r12, q2),
@@ -83,8 +83,8 @@ RationalErrors rational_errors(Sample<double, 3> const &p, double x)
 {
     auto const e = polynomial_errors(p, x);
     auto const wide = convert<Wide>(p);
-    auto const exact = pw85::legacy::polynomials(wide.r12, wide.q1, wide.q2);
-    auto const value = pw85::legacy::evaluate_rational(exact, Wide(x));
+    auto const exact = pw85::detail::legacy::polynomials(wide.r12, wide.q1, wide.q2);
+    auto const value = pw85::detail::legacy::evaluate_rational(exact, Wide(x));
     auto const in_double = [](Wide const &y) { return std::fabs(static_cast<double>(y)); };
     Wide const X = x;
     double const w = x * (1.0 - x), w1 = std::fabs(1.0 - 2.0 * x);
@@ -144,14 +144,14 @@ void test_polynomials_random()
     for (int n = 0; n < draws(5000); ++n) {
         auto const p = random_pair<3>(random, {.aspect = 100.0});
         double const x = random.uniform(0.0, 1.0);
-        auto const q3 = pw85::blend(2.0, p.q1, -1.0, p.q2), q4 = pw85::blend(0.5, p.q1, 0.5, p.q2);
+        auto const q3 = pw85::detail::blend(2.0, p.q1, -1.0, p.q2), q4 = pw85::detail::blend(0.5, p.q1, 0.5, p.q2);
         double a[3], b[4];
         pw85_legacy__rT_adjQ_r_as_poly(p.r12.coordinates, p.q1.entries, p.q2.entries, q3.entries, a);
         pw85_legacy__detQ_as_poly(p.q1.entries, p.q2.entries, q3.entries, q4.entries, b);
         auto const w = convert<Wide>(p);
-        auto const blend = pw85::blend(Wide(1 - Wide(x)), w.q1, Wide(x), w.q2);
-        double const det = static_cast<double>(pw85::legacy::determinant(blend));
-        double const form = static_cast<double>(pw85::legacy::adjugate_form(w.r12, blend));
+        auto const blend = pw85::detail::blend(Wide(1 - Wide(x)), w.q1, Wide(x), w.q2);
+        double const det = static_cast<double>(pw85::detail::legacy::determinant(blend));
+        double const form = static_cast<double>(pw85::detail::legacy::adjugate_form(w.r12, blend));
         auto const e = polynomial_errors(p, x);
         double const at = b[0] + x * (b[1] + x * (b[2] + x * b[3])), az = a[0] + x * (a[1] + x * a[2]);
         auto const describe = [&] { return hex_text(p) + ", lambda = " + hex_text(&x, 1); };
@@ -199,7 +199,7 @@ void test_f2_against_reference()
 void check_derivatives(Failures &failures, Sample<double, 3> const &p, double x)
 {
     auto const w = convert<Wide>(p);
-    auto const exact = pw85::evaluate_derivatives(Wide(x), w.r12, w.q1, w.q2);
+    auto const exact = pw85::detail::evaluate_derivatives(Wide(x), w.r12, w.q1, w.q2);
     double const expected[3] = {static_cast<double>(exact.f), static_cast<double>(exact.first),
                                 static_cast<double>(exact.second)};
     auto const e = rational_errors(p, x);
@@ -287,7 +287,7 @@ void test_bisection()
         // λ itself is known to one part in 2^-52 of the larger of λ and 1-λ.
         auto const w = convert<Wide>(p.pair);
         double const second =
-            std::fabs(static_cast<double>(pw85::evaluate_derivatives(Wide(out[1]), w.r12, w.q1, w.q2).second));
+            std::fabs(static_cast<double>(pw85::detail::evaluate_derivatives(Wide(out[1]), w.r12, w.q1, w.q2).second));
         double const slope = second_order * e.first + 2.0 * u * second;
         double const bound = second_order * e.f + slope * std::fabs(out[1] - p.lambda) + 4.0 * u * u * second;
         failures.check(std::fabs(out[0] - p.mu2) <= bound, "mu^2", out[0], p.mu2, describe);

@@ -27,15 +27,15 @@ template <int D> Gap gap_at(Flight<Real, D> const &f, Real time)
     auto const p = pair_at(f, time);
     auto const c = pw85::contact(p.r12, p.q1, p.q2);
     auto const n = pw85::contact_geometry(p.r12, p.q1, p.q2, c.lambda).normal;
-    Real const width = std::sqrt(pw85::quadratic_form(p.q1, n)) + std::sqrt(pw85::quadratic_form(p.q2, n));
+    Real const width =
+        std::sqrt(pw85::detail::quadratic_form(p.q1, n)) + std::sqrt(pw85::detail::quadratic_form(p.q2, n));
     return {c.mu2, pw85::dot(n, p.r12) - width, width};
 }
 
-/// What rounding may change μ² by at some time: of forms, 64 u cond for aspect ratios up to 100, of which the worst is some 1e3; and of
-/// positions, on the way from the start, by 2/width for a unit of length.
-template <int D> double rounding(Flight<Real, D> const &f, Real time)
+/// What rounding may change μ² by at some time, by pw85.h.
+template <int D> Real rounding(Flight<Real, D> const &f, Real time)
 {
-    return static_cast<double>(1e-11L + 16 * 0x1p-53L * norm(f.start.r12) / gap_at(f, time).width);
+    return static_cast<Real>(touching_error) * 0x1p-53L * sensitivity(f, time);
 }
 
 /// The largest semi-axis up to the end, at most, times the rate at which what is on it moves about the centre.
@@ -60,31 +60,38 @@ template <int D> Real top_speed(Flight<Real, D> const &f)
            speed_of_surface(f.start.q2, f.motion2, f.end);
 }
 
-/// The smallest μ² between two times, by golden section.
-template <int D> Real refined_minimum(Flight<Real, D> const &f, Real a, Real b)
+/// By how much μ² is below 1 beyond rounding.
+template <int D> Real depth_at(Flight<Real, D> const &f, Real time)
+{
+    Real const mu2 = gap_at(f, time).mu2;
+    return mu2 < 1 ? 1 - mu2 - rounding(f, time) : -1;
+}
+
+/// The time of the smallest μ² between two, by golden section.
+template <int D> Real time_of_minimum(Flight<Real, D> const &f, Real a, Real b)
 {
     Real const ratio = 0.61803398874989485L;
     for (int n = 0; n < 40; ++n) {
         Real const x = b - ratio * (b - a), y = a + ratio * (b - a);
         (gap_at(f, x).mu2 < gap_at(f, y).mu2 ? b : a) = gap_at(f, x).mu2 < gap_at(f, y).mu2 ? y : x;
     }
-    return gap_at(f, (a + b) / 2).mu2;
+    return (a + b) / 2;
 }
 
-/// The smallest μ² from 0 to a time. A step is as long as the gap lasts at top speed, and where that is less than a thousandth
-/// of the ellipsoids' widths as long as this: then minima between steps are looked for. Ends at a μ² below that given.
-template <int D> Real smallest_mu2(Flight<Real, D> const &f, Real end, Real enough)
+/// The largest depth from 0 to a time. A step is as long as the gap lasts at top speed, and where that is less than a thousandth
+/// of the ellipsoids' widths as long as this: then minima between steps are looked for. Ends where it is positive.
+template <int D> Real largest_depth(Flight<Real, D> const &f, Real end)
 {
     Real const speed = top_speed(f);
-    Real times[3] = {0, 0, 0}, values[3] = {4, 4, 4}, smallest = std::numeric_limits<Real>::infinity();
+    Real times[3] = {0, 0, 0}, values[3] = {4, 4, 4}, largest = -1;
     for (Real time = 0;;) {
         Gap const here = gap_at(f, time);
-        smallest = std::fmin(smallest, here.mu2);
+        largest = std::fmax(largest, depth_at(f, time));
         for (int k = 0; k < 2; ++k) times[k] = times[k + 1], values[k] = values[k + 1];
         times[2] = time, values[2] = here.mu2;
         if (values[1] <= values[0] && values[1] <= values[2] && values[1] < 1.1L)
-            smallest = std::fmin(smallest, refined_minimum(f, times[0], times[2]));
-        if (time >= end || smallest < enough) return smallest;
+            largest = std::fmax(largest, depth_at(f, time_of_minimum(f, times[0], times[2])));
+        if (time >= end || largest > 0) return largest;
         time = std::fmin(end, time + std::fmax(here.gap, here.width / 1000) / speed);
     }
 }
@@ -97,9 +104,22 @@ template <int D> Flight<double, D> grazing(Flight<double, D> f, Random &random)
     for (int k = 1; k <= 200; ++k) lowest = std::fmin(lowest, gap_at(apart, apart.end * k / 200).mu2);
     double const depth = (random.uniform(0.0, 1.0) < 0.5 ? -1.0 : 1.0) * random.log_uniform(1e-10, 1e-3);
     double const factor = static_cast<double>(lowest) * (1.0 - depth);
-    f.start.q1 = pw85::times(factor, f.start.q1);
-    f.start.q2 = pw85::times(factor, f.start.q2);
+    f.start.q1 = factor * f.start.q1;
+    f.start.q2 = factor * f.start.q2;
     return f;
+}
+
+/// The time errs by no more than what changes μ² by that much, as long as μ² changes in proportion to time, and by what rounds it.
+template <int D> void check_time(Failures &failures, Flight<double, D> const &f, double time)
+{
+    auto const wide = convert_flight<Real>(f);
+    Real const expected = first_contact(wide).time, h = 1e-6L * expected,
+               before = (gap_at(wide, expected).mu2 - gap_at(wide, expected - h).mu2) / h,
+               after = (gap_at(wide, expected + h).mu2 - gap_at(wide, expected).mu2) / h;
+    Real const bound = rounding(wide, expected) / std::fabs(before) + 0x1p-52L * expected;
+    if (!(before < 0) || std::fabs(after - before) > 1e-3L * -before || bound > h) return; // it grazes
+    failures.check(std::fabs(time - expected) <= bound, "time", time, static_cast<double>(expected),
+                   [&] { return flight_text(f); });
 }
 
 /// μ = 1 at the time given, and nowhere before it.
@@ -113,12 +133,13 @@ template <int D> void check_flight(Failures &failures, Flight<double, D> const &
                    "time", c.time, f.end, text);
     if (c.time == 0.0) return; // overlapping
     auto const wide = convert_flight<Real>(f);
-    Real const last = std::fmin(Real(c.time), wide.end);
-    double const error = rounding(wide, last), smallest = static_cast<double>(smallest_mu2(wide, last, 1 - 2 * error));
-    failures.check(smallest >= 1.0 - error, "missed", smallest, 1.0 - error, text);
+    Real const last = std::fmin(Real(c.time), wide.end), depth = largest_depth(wide, last);
+    failures.check(depth <= 0, "missed", static_cast<double>(depth), 0.0, text);
     if (!touches) return;
-    double const mu2 = static_cast<double>(gap_at(wide, last).mu2);
-    failures.check(mu2 <= 1.0 + error, "no contact", mu2, 1.0 + error, text);
+    double const error = static_cast<double>(rounding(wide, last)),
+                 mu2 = static_cast<double>(gap_at(wide, last).mu2 - 1);
+    failures.check(std::fabs(mu2) <= error, "no contact", mu2, error, text);
+    check_time(failures, f, c.time);
 }
 
 template <int D> void check_flights(Moving moving, bool graze)

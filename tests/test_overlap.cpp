@@ -34,7 +34,7 @@ void test_problems()
     long near = 0;
     for (auto const &p : contact_problems()) {
         int const expected = p.mu2_minus_1 < 0.0, answer = overlap(p.pair);
-        bool const is_near = pw85::absolute(p.mu2_minus_1) <= 8 * u * p.cond;
+        bool const is_near = pw85::detail::absolute(p.mu2_minus_1) <= 8 * u * p.cond;
         near += is_near;
         failures.check(answer == expected, is_near ? "overlap, near contact" : "overlap", answer, expected, [&] {
             return *p.category + ": mu^2 - 1 = " + hex_text(&p.mu2_minus_1, 1) + ", " + hex_text(p.pair);
@@ -52,7 +52,7 @@ void test_decisions()
     for (auto const &p : contact_problems()) {
         auto const expected = p.mu2_minus_1 < 0.0 ? pw85::Decision::overlap : pw85::Decision::apart;
         auto const answer = pw85::decide_overlap(p.pair.r12, p.pair.q1, p.pair.q2);
-        bool const is_near = pw85::absolute(p.mu2_minus_1) <= (2 * pw85::value_margin + 1) * u * p.cond;
+        bool const is_near = pw85::detail::absolute(p.mu2_minus_1) <= (2 * pw85::detail::value_margin + 1) * u * p.cond;
         bool const is_open = answer.decision == pw85::Decision::none;
         undecided += is_open;
         slender += is_open && !is_near;
@@ -78,9 +78,9 @@ void test_decisions_on_bad_pairs()
     auto const indefinite = pw85::decide_overlap(good.r12, good.q1, bad.q2);
     g_assert_true(indefinite.decision == pw85::Decision::none &&
                   indefinite.status == pw85::Status::not_positive_definite);
-    auto const tangent = pw85::decide_overlap(pw85::times(2.0, good.r12), good.q1, good.q2);
+    auto const tangent = pw85::decide_overlap(2.0 * good.r12, good.q1, good.q2);
     g_assert_true(tangent.decision == pw85::Decision::none && tangent.status == pw85::Status::success);
-    auto const concentric = pw85::decide_overlap(pw85::times(0.0, good.r12), good.q1, good.q2);
+    auto const concentric = pw85::decide_overlap(0.0 * good.r12, good.q1, good.q2);
     g_assert_true(concentric.decision == pw85::Decision::overlap);
 }
 
@@ -111,7 +111,7 @@ void test_neighbours_of_tangent_pairs()
     for (auto const &p : contact_problems()) {
         if (p.mu2_minus_1 != 0.0) continue;
         auto const describe = [&] { return *p.category + ": " + hex_text(p.pair); };
-        Sample<double, 3> const exchanged{pw85::times(-1.0, p.pair.r12), p.pair.q2, p.pair.q1};
+        Sample<double, 3> const exchanged{-p.pair.r12, p.pair.q2, p.pair.q1};
         failures.check(overlap(exchanged) == 0, "exchanged", overlap(exchanged), 0.0, describe);
         auto larger = p.pair, smaller = p.pair;
         for (int k : {0, 3, 5}) {
@@ -184,7 +184,7 @@ template <class T> void test_margins()
 /// Half-width of an ellipsoid's projection on a unit vector.
 Wide half_width(pw85::SymmetricMatrix<Wide, 3> const &q, pw85::Vector<Wide, 3> const &direction)
 {
-    return sqrt(pw85::quadratic_form(q, direction));
+    return sqrt(pw85::detail::quadratic_form(q, direction));
 }
 
 /// xᵀQ⁻¹x: below 1 inside.
@@ -206,7 +206,7 @@ void test_witness()
         if (witness.overlap) {
             auto const x = convert<Wide>(witness.point);
             pw85::Vector<Wide, 3> const from2{x[0] - w.r12[0], x[1] - w.r12[1], x[2] - w.r12[2]};
-            double const deepest = static_cast<double>(pw85::maximum(level(w.q1, x), level(w.q2, from2)));
+            double const deepest = static_cast<double>(pw85::detail::maximum(level(w.q1, x), level(w.q2, from2)));
             failures.check(deepest < 1.0, "point inside both", deepest, 1.0, describe);
             failures.check(std::isnan(witness.direction[0]), "no direction", witness.direction[0], 0.0, describe);
         } else {
@@ -214,7 +214,7 @@ void test_witness()
             double const gap = static_cast<double>(
                 Wide(pw85::dot(normal, w.r12) - half_width(w.q1, normal) - half_width(w.q2, normal)));
             failures.check(gap > 0.0, "gap between the planes", gap, 0.0, describe);
-            double const f = static_cast<double>(pw85::evaluate_f(Wide(witness.lambda), w.r12, w.q1, w.q2));
+            double const f = static_cast<double>(pw85::detail::evaluate_f(Wide(witness.lambda), w.r12, w.q1, w.q2));
             failures.check(f > 1.0, "f(lambda)", f, 1.0, describe);
             failures.check(std::isnan(witness.point[0]), "no point", witness.point[0], 0.0, describe);
         }
@@ -240,7 +240,7 @@ void test_extreme_scales()
     for (int n = 0; n < draws(5000); ++n) {
         auto p = random_pair<3>(random, {.aspect = 10.0, .mu2_min = 0.5, .mu2_max = 2.0});
         double const length = random.log_uniform(1e-148, 1e148);
-        p.r12 = pw85::times(length, p.r12);
+        p.r12 = length * p.r12;
         for (int k = 0; k < 6; ++k) {
             p.q1[k] = length * (length * p.q1[k]);
             p.q2[k] = length * (length * p.q2[k]);

@@ -1,4 +1,4 @@
-// The depth of an overlap. The numbers are those of include/pw85/penetration.hpp.
+// The depth of an overlap. The numbers are those of include/pw85/distance/penetration.hpp.
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -7,8 +7,9 @@
 #include <glib.h>
 
 #include <pw85.h>
-#include <pw85/penetration.hpp>
+#include <pw85/distance/penetration.hpp>
 
+#include "draws.hpp"
 #include "failures.hpp"
 #include "random_pairs.hpp"
 #include "rotated.hpp"
@@ -37,14 +38,15 @@ pw85::Penetration<double, 3> penetration(Sample<double, 3> const &p)
 /// By how far ellipsoid 2 must move along n.
 template <class T, int D> T shift(Sample<T, D> const &p, pw85::Vector<T, D> const &n)
 {
-    return pw85::support(p.q1, n).extent + pw85::support(p.q2, n).extent - pw85::dot(n, p.r12);
+    return pw85::detail::support(p.q1, n).extent + pw85::detail::support(p.q2, n).extent - pw85::dot(n, p.r12);
 }
 
 /// Σ of the contract.
 template <class T, int D> T sensitivity(Sample<T, D> const &p, pw85::Vector<T, D> const &n)
 {
-    return pw85::magnitude_of_form(p.q1, n) / (2 * pw85::support(p.q1, n).extent) +
-           pw85::magnitude_of_form(p.q2, n) / (2 * pw85::support(p.q2, n).extent) + pw85::magnitude_of_dot(n, p.r12);
+    return pw85::detail::magnitude_of_form(p.q1, n) / (2 * pw85::detail::support(p.q1, n).extent) +
+           pw85::detail::magnitude_of_form(p.q2, n) / (2 * pw85::detail::support(p.q2, n).extent) +
+           pw85::detail::magnitude_of_dot(n, p.r12);
 }
 
 template <int D> Sample<double, D> overlapping_pair(Random &random, double aspect)
@@ -66,7 +68,7 @@ template <int D> void check_touching(int pairs)
         auto const found = penetration(s);
         auto const p = convert<Wide>(s);
         auto direction = convert<Wide>(found.direction);
-        direction = pw85::times(Wide(1 / norm(direction)), direction);
+        direction = Wide(1 / norm(direction)) * direction;
         auto const text = [&] { return hex_text(s); };
         double const length = static_cast<double>(Wide(shift(p, direction)));
         double const bound = 8 * u * static_cast<double>(Wide(sensitivity(p, direction)));
@@ -75,7 +77,8 @@ template <int D> void check_touching(int pairs)
                        static_cast<double>(norm(convert<Wide>(found.direction))), 1.0, text);
         auto moved = p;
         for (int i = 0; i < D; ++i) moved.r12[i] += length * direction[i];
-        Wide const extents = pw85::support(p.q1, direction).extent + pw85::support(p.q2, direction).extent;
+        Wide const extents =
+            pw85::detail::support(p.q1, direction).extent + pw85::detail::support(p.q2, direction).extent;
         double const gap =
             static_cast<double>(Wide((pw85::contact(moved.r12, moved.q1, moved.q2).mu2 - 1) * extents / 2));
         failures.check(std::fabs(gap) <= 4 * bound, "gap after the translation", gap, 4 * bound, text);
@@ -106,7 +109,7 @@ double dense_search(Sample<double, 3> const &p, Random &random)
         for (double step = 0.1; step > 1e-8;) {
             auto const turn = random.direction<3>();
             pw85::Vector<double, 3> m{n[0] + step * turn[0], n[1] + step * turn[1], n[2] + step * turn[2]};
-            m = pw85::times(1.0 / norm(m), m);
+            m = 1.0 / norm(m) * m;
             double const here = shift(p, m);
             step *= here < value ? 1.5 : 0.93;
             if (here < value) {
@@ -127,8 +130,8 @@ void test_dense_search()
     for (int n = 0; n < 60; ++n) {
         auto const s = overlapping_pair<3>(random, 10.0);
         double const depth = penetration(s).depth, expected = dense_search(s, random);
-        double const size =
-            norm(s.r12) + std::sqrt(pw85::largest_diagonal(s.q1)) + std::sqrt(pw85::largest_diagonal(s.q2));
+        double const size = norm(s.r12) + std::sqrt(pw85::detail::largest_diagonal(s.q1)) +
+                            std::sqrt(pw85::detail::largest_diagonal(s.q2));
         failures.check(std::fabs(depth - expected) <= 1e-11 * size, "dense search", depth, expected,
                        [&] { return hex_text(s); });
     }
@@ -149,7 +152,7 @@ template <int D> void check_none_shorter(int pairs)
             auto direction = random.direction<D>();
             double const spread = k % 2 == 0 ? 1.0 : random.log_uniform(1e-8, 1.0); // everywhere, and nearby
             for (int i = 0; i < D; ++i) direction[i] = spread * direction[i] + (1.0 - spread) * found.direction[i];
-            direction = pw85::times(1.0 / norm(direction), direction);
+            direction = 1.0 / norm(direction) * direction;
             double const length = shift(s, direction);
             failures.check(length >= found.depth - bound, "shorter", length, found.depth, [&] { return hex_text(s); });
         }
@@ -217,8 +220,9 @@ void test_sphere()
         double const radius = random.log_uniform(1e-6, 10.0);
         auto const form = random.form(1.0, random.log_uniform(1.0, 100.0));
         auto const direction = random.direction<3>();
-        double const reach = 1.0 / std::sqrt(pw85::dot(direction, pw85::solve(pw85::factorize(form, 0.0), direction)));
-        Sample<double, 3> const s{pw85::times(reach * random.uniform(0.0, 1.0), direction),
+        double const reach =
+            1.0 / std::sqrt(pw85::dot(direction, pw85::detail::solve(pw85::detail::factorize(form, 0.0), direction)));
+        Sample<double, 3> const s{reach * random.uniform(0.0, 1.0) * direction,
                                   form,
                                   {radius * radius, 0.0, 0.0, radius * radius, 0.0, radius * radius}};
         auto const found = penetration(s);
@@ -236,15 +240,14 @@ void test_invariance()
     Random random(750);
     for (int n = 0; n < 300; ++n) {
         auto const s = overlapping_pair<3>(random, 100.0);
-        double const depth = penetration(s).depth,
-                     exchanged = penetration(Sample<double, 3>{pw85::times(-1.0, s.r12), s.q2, s.q1}).depth;
+        double const depth = penetration(s).depth, exchanged = penetration(Sample<double, 3>{-s.r12, s.q2, s.q1}).depth;
         double const bound = 64 * u * sensitivity(s, penetration(s).direction);
         failures.check(std::fabs(depth - exchanged) <= bound, "exchange", exchanged, depth,
                        [&] { return hex_text(s); });
         for (int const unit : {-480, -100, 100, 480}) {
-            Sample<double, 3> const scaled{pw85::times_power_of_two(s.r12, unit),
-                                           pw85::times_power_of_two(s.q1, 2 * unit),
-                                           pw85::times_power_of_two(s.q2, 2 * unit)};
+            Sample<double, 3> const scaled{pw85::detail::times_power_of_two(s.r12, unit),
+                                           pw85::detail::times_power_of_two(s.q1, 2 * unit),
+                                           pw85::detail::times_power_of_two(s.q2, 2 * unit)};
             double const result = std::ldexp(penetration(scaled).depth, -unit);
             failures.check(std::fabs(result - depth) <= bound, "unit", result, depth, [&] { return hex_text(scaled); });
         }
@@ -265,7 +268,7 @@ void test_extremes()
                             {square(size1 * axis()), 0.0, 0.0, square(size1 * axis()), 0.0, square(size1 * axis())},
                             {square(size2 * axis()), 0.0, 0.0, square(size2 * axis()), 0.0, square(size2 * axis())}};
         double const apart = 1.0 / std::sqrt(pw85::contact(s.r12, s.q1, s.q2).mu2);
-        s.r12 = pw85::times(apart * random.uniform(0.0, 0.99), s.r12);
+        s.r12 = apart * random.uniform(0.0, 0.99) * s.r12;
         auto const found = penetration(s);
         double const length = shift(s, found.direction), bound = 8 * u * sensitivity(s, found.direction);
         failures.check(found.status == pw85::Status::success && std::fabs(found.depth - length) <= bound, "depth",
@@ -298,7 +301,7 @@ template <class T> void check_scalar(Failures &failures, Random &random)
     double const exact = penetration(s).depth, depth = static_cast<double>(found.depth);
     // The pair itself is rounded to T.
     double const bound =
-        64 * static_cast<double>(pw85::unit_roundoff<T>() + T(u)) * sensitivity(s, penetration(s).direction);
+        64 * static_cast<double>(pw85::detail::unit_roundoff<T>() + T(u)) * sensitivity(s, penetration(s).direction);
     failures.check(std::fabs(depth - exact) <= bound, "scalar", depth, exact, [&] { return hex_text(s); });
 }
 
@@ -319,7 +322,7 @@ void test_batch()
     double r12[3 * n], q1[6 * n], q2[6 * n], depth[n], direction[3 * n];
     for (std::size_t i = 0; i < n; ++i) {
         auto s = overlapping_pair<3>(random, 10.0);
-        if (i == 3) s.r12 = pw85::times(1e4, s.r12);
+        if (i == 3) s.r12 = 1e4 * s.r12;
         if (i == 5) s.q2[3] = -1.0;
         std::copy_n(s.r12.coordinates, 3, r12 + 3 * i);
         std::copy_n(s.q1.entries, 6, q1 + 6 * i);
@@ -334,6 +337,35 @@ void test_batch()
     }
     g_assert_cmpint(pw85_penetration_batch(0, nullptr, nullptr, nullptr, nullptr, nullptr), ==, PW85_SUCCESS);
     g_assert_cmpint(pw85_penetration_batch(1, r12, nullptr, q2, nullptr, nullptr), ==, PW85_EINVAL);
+}
+
+// Item 2: where none_deeper() says so, no c of the interval gives less than the best that is known, which is set between what the two
+// ends give. Each of the ends is the one that matters for half of the intervals.
+void test_proof()
+{
+    Failures failures;
+    Random random(790);
+    int proved = 0;
+    for (int n = 0; n < draws(8000); ++n) {
+        auto const s = overlapping_pair<3>(random, 30.0);
+        double const c = random.log_uniform(0.1, 10.0), rho = 1.0 + random.log_uniform(1e-3, 0.5);
+        auto const depth = [&](double at) {
+            auto const form = pw85::detail::enclosing_form(s.q1, s.q2, at, 0.0);
+            auto const normal = pw85::detail::extreme_normal(form, s.r12, true);
+            return pw85::detail::support(form, normal).extent - pw85::dot(normal, s.r12);
+        };
+        double const lower = depth(c), upper = depth(rho * rho * c), level = random.uniform(0.0, 1.0);
+        pw85::detail::DepthSearch<double, 3> search{s.r12, s.q1, s.q2, {}, {lower + level * (upper - lower), 1.0, 0.0}};
+        if (!none_deeper(search, c, rho)) continue;
+        ++proved;
+        for (int k = 0; k <= 8; ++k) {
+            double const at = c * std::pow(rho, 0.25 * k), found = depth(at);
+            failures.check(found >= search.best.length - 1e-13 * (1.0 + found), "depth in the interval", found,
+                           search.best.length,
+                           [&] { return hex_text(s) + ", c, rho = " + hex_text(&c, 1) + hex_text(&rho, 1); });
+        }
+    }
+    g_assert_cmpint(proved, >, draws(80));
 }
 
 void test_statuses()
@@ -373,6 +405,7 @@ int main(int argc, char **argv)
     g_test_add_func("/penetration/extremes", test_extremes);
     g_test_add_func("/penetration/widest", test_widest);
     g_test_add_func("/penetration/scalars", test_scalars);
+    g_test_add_func("/penetration/proof", test_proof);
     g_test_add_func("/penetration/batch", test_batch);
     g_test_add_func("/penetration/statuses", test_statuses);
     return g_test_run();

@@ -60,7 +60,7 @@ void test_distances(void const *data)
     int infinite = 0, zero = 0;
     for (int n = 0; n < draws(5000); ++n) {
         auto p = times_length(random_pair<3>(random, {.aspect = 10.0}), random.log_uniform(1e-149, 1e149));
-        p.r12 = pw85::times(random.log_uniform(1e-150, 1e150), random.direction<3>());
+        p.r12 = random.log_uniform(1e-150, 1e150) * random.direction<3>();
         double out[2];
         auto const describe = [&] { return hex_text(p); };
         int const status = solver.call(p.r12.coordinates, p.q1.entries, p.q2.entries, out);
@@ -121,8 +121,9 @@ void test_derivatives_scale()
     for (int n = 0; n < draws(2000); ++n) {
         auto const p = random_pair<3>(random, {.aspect = 10.0});
         int const e = static_cast<int>(random.uniform(-450.0, 450.0));
-        Sample<double, 3> const s{pw85::times_power_of_two(p.r12, e), pw85::times_power_of_two(p.q1, 2 * e),
-                                  pw85::times_power_of_two(p.q2, 2 * e)};
+        Sample<double, 3> const s{pw85::detail::times_power_of_two(p.r12, e),
+                                  pw85::detail::times_power_of_two(p.q1, 2 * e),
+                                  pw85::detail::times_power_of_two(p.q2, 2 * e)};
         double out[2], point[3], scaled_point[3], normal[3], scaled_normal[3], force[3], scaled_force[3], torque[3],
             scaled_torque[3], other[3];
         pw85_contact(p.r12.coordinates, p.q1.entries, p.q2.entries, out);
@@ -162,10 +163,10 @@ void test_powers_of_two()
             random.sign() * std::ldexp(random.uniform(1.0, 2.0), static_cast<int>(random.uniform(-1080.0, 1024.0)));
         int const exponent = static_cast<int>(random.uniform(-2300.0, 2300.0));
         auto const describe = [&] { return hex_text(&x, 1) + ", exponent " + std::to_string(exponent); };
-        double const scaled = pw85::times_power_of_two(x, exponent), expected = std::ldexp(x, exponent);
+        double const scaled = pw85::detail::times_power_of_two(x, exponent), expected = std::ldexp(x, exponent);
         failures.check(scaled == expected, "times_power_of_two", scaled, expected, describe);
         if (x == 0.0) continue;
-        int const e = pw85::binary_exponent(std::fabs(x)), expected_e = std::ilogb(x);
+        int const e = pw85::detail::binary_exponent(std::fabs(x)), expected_e = std::ilogb(x);
         failures.check(e == expected_e, "binary_exponent", e, expected_e, describe);
     }
 }

@@ -43,7 +43,7 @@ void test_problems_cover()
     double nearest = 1.0, largest_cond = 0.0;
     int tangent = 0;
     for (auto const &p : problems) {
-        double const distance = pw85::absolute(p.mu2_minus_1);
+        double const distance = pw85::detail::absolute(p.mu2_minus_1);
         if (distance > 0.0 && distance < nearest) nearest = distance;
         if (p.cond > largest_cond) largest_cond = p.cond;
         tangent += distance == 0.0;
@@ -60,7 +60,7 @@ void test_crossed_pairs()
     int drawn = 0, found = 0, known = 0;
     for (auto const &p : contact_problems()) {
         drawn += *p.category == "crossed";
-        if (*p.category == "crossed") g_assert_cmpfloat(pw85::absolute(p.mu2_minus_1), <, 0.1);
+        if (*p.category == "crossed") g_assert_cmpfloat(pw85::detail::absolute(p.mu2_minus_1), <, 0.1);
         found += *p.category == "crossed_found";
         double const x = p.pair.r12[0];
         known += x == -0x1.4698768475adcp-2 || x == -0x1.8163e57088631p-1 || x == 0x1.8d996658961cp+0;
@@ -78,7 +78,7 @@ void test_problems_are_consistent()
         auto const describe = [&] { return *p.category + ": " + hex_text(p.pair); };
         failures.check(p.lambda > 0.0 && p.lambda < 1.0, "lambda", p.lambda, 1.0, describe);
         failures.check(p.cond >= 1.0, "cond", p.cond, 1.0, describe);
-        double const difference = pw85::absolute((p.mu2 - 1.0) - p.mu2_minus_1);
+        double const difference = pw85::detail::absolute((p.mu2 - 1.0) - p.mu2_minus_1);
         failures.check(difference <= 0x1p-53 * (1.0 + p.mu2), "mu2 - 1", difference, 0x1p-53, describe);
     }
 }

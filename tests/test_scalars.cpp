@@ -19,7 +19,7 @@ using Oracle = Multiprecision<110>;
 /// rounding errors of its entries when aspect² u << 1.
 template <class T> double largest_aspect()
 {
-    return std::fmin(1e6, std::sqrt(1e-3 / static_cast<double>(pw85::unit_roundoff<T>())));
+    return std::fmin(1e6, std::sqrt(1e-3 / static_cast<double>(pw85::detail::unit_roundoff<T>())));
 }
 
 template <class T, int D> void test_contact()
@@ -38,9 +38,9 @@ template <class T, int D> void test_contact()
             continue;
         double const units = error_in_units(c.mu2, truth<Oracle>(p));
         failures.check(units <= 4.0, "error of mu^2 in u cond", units, 4.0, describe);
-        int const evaluations = pw85::maximize(pw85::scale(p.r12, p.q1, p.q2).pair).evaluations;
-        failures.check(evaluations <= pw85::max_evaluations, "evaluations", evaluations, pw85::max_evaluations,
-                       describe);
+        int const evaluations = pw85::detail::maximize(pw85::detail::scale(p.r12, p.q1, p.q2).pair).evaluations;
+        failures.check(evaluations <= pw85::detail::max_evaluations, "evaluations", evaluations,
+                       pw85::detail::max_evaluations, describe);
         worst = std::fmax(worst, units);
         most = evaluations > most ? evaluations : most;
     }
@@ -59,7 +59,8 @@ template <class T, int D> void test_closest_approach()
         for (int i = 0; i < D; ++i) norm2 += Oracle(p.r12[i]) * Oracle(p.r12[i]);
         Oracle const distance = sqrt(Oracle(norm2 / exact.mu2));
         Oracle const error = abs(Oracle(Oracle(approach.distance) - distance)) / distance;
-        double const units = static_cast<double>(Oracle(error / (Oracle(pw85::unit_roundoff<T>()) * exact.cond)));
+        double const units =
+            static_cast<double>(Oracle(error / (Oracle(pw85::detail::unit_roundoff<T>()) * exact.cond)));
         // Half of the 5 u cond of μ² (its own, and that of the normalised direction), and the norm.
         failures.check(units <= 4.0, "error of distance in u cond", units, 4.0, [&] { return hex_text(p); });
     }
@@ -75,9 +76,9 @@ template <class T, int D> void test_lambda()
 {
     Failures failures;
     Random random(60 + D);
-    double const u = static_cast<double>(pw85::unit_roundoff<T>());
-    double const last = static_cast<double>(pw85::final_step<T>());
-    double const previous = static_cast<double>(pw85::penultimate_step<T>());
+    double const u = static_cast<double>(pw85::detail::unit_roundoff<T>());
+    double const last = static_cast<double>(pw85::detail::final_step<T>());
+    double const previous = static_cast<double>(pw85::detail::penultimate_step<T>());
     for (int n = 0; n < draws(1000); ++n) {
         auto const p = convert<T>(random_pair<D>(random, {.aspect = 4.0}));
         T const lambda = pw85::contact(p.r12, p.q1, p.q2).lambda, exact = exact_lambda(p);
@@ -93,7 +94,7 @@ template <class T, int D> void test_geometry()
 {
     Failures failures;
     Random random(50 + D);
-    double const u = static_cast<double>(pw85::unit_roundoff<T>());
+    double const u = static_cast<double>(pw85::detail::unit_roundoff<T>());
     for (int n = 0; n < 300; ++n) {
         auto const p = convert<T>(random_pair<D>(random, {.aspect = 4.0}));
         auto const c = pw85::contact(p.r12, p.q1, p.q2);

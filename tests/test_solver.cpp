@@ -22,11 +22,11 @@ void test_bound_on_evaluations()
     int most = 0;
     for (int n = 0; n < draws(500000); ++n) {
         auto const p = extreme_pair(random, n % 3);
-        pw85::ScaledPair<double, 3> scaled;
-        if (pw85::validate(p.r12, p.q1, p.q2, scaled) != pw85::Status::success) continue;
-        auto const maximum = pw85::maximize(scaled.pair);
-        failures.check(maximum.converged && maximum.evaluations <= pw85::max_evaluations, "evaluations",
-                       maximum.evaluations, pw85::max_evaluations, [&] { return hex_text(p); });
+        pw85::detail::ScaledPair<double, 3> scaled;
+        if (pw85::detail::validate(p.r12, p.q1, p.q2, scaled) != pw85::Status::success) continue;
+        auto const maximum = pw85::detail::maximize(scaled.pair);
+        failures.check(maximum.converged && maximum.evaluations <= pw85::detail::max_evaluations, "evaluations",
+                       maximum.evaluations, pw85::detail::max_evaluations, [&] { return hex_text(p); });
         most = maximum.evaluations > most ? maximum.evaluations : most;
     }
     g_test_message("%ld pairs, at most %d evaluations", failures.checked(), most);
@@ -55,9 +55,9 @@ void test_derivatives_of_extreme_shapes()
     Random random(82);
     for (int n = 0; n < draws(50000); ++n) {
         auto p = extreme_pair(random, n % 3);
-        p.r12 = pw85::times_power_of_two(p.r12, static_cast<int>(random.uniform(-700.0, 700.0)));
-        p.q1 = pw85::times_power_of_two(p.q1, 2 * static_cast<int>(random.uniform(-350.0, 350.0)));
-        p.q2 = pw85::times_power_of_two(p.q2, 2 * static_cast<int>(random.uniform(-350.0, 350.0)));
+        p.r12 = pw85::detail::times_power_of_two(p.r12, static_cast<int>(random.uniform(-700.0, 700.0)));
+        p.q1 = pw85::detail::times_power_of_two(p.q1, 2 * static_cast<int>(random.uniform(-350.0, 350.0)));
+        p.q2 = pw85::detail::times_power_of_two(p.q2, 2 * static_cast<int>(random.uniform(-350.0, 350.0)));
         double const *r12 = p.r12.coordinates, *q1 = p.q1.entries, *q2 = p.q2.entries;
         double contact[2], out[27];
         if (pw85_contact(r12, q1, q2, contact) != PW85_SUCCESS) continue;

@@ -56,7 +56,7 @@ constexpr Recorded value_pair = {
      {0x1.cd0668p+1f, 0x1.c3acbcp+0f, 0x1.157f2ep+0f, 0x1.d6d942p+0f, 0x1.f2df78p-2f, 0x1.8043d4p-2f}},
     0x1.9ed882p-1f};
 
-template <class T, int D> pw85::Pair<T, D> to_pair(Sample<T, D> const &s) { return {s.r12, s.q1, s.q2, T(1)}; }
+template <class T, int D> pw85::detail::Pair<T, D> to_pair(Sample<T, D> const &s) { return {s.r12, s.q1, s.q2, T(1)}; }
 
 template <class T, int D> Wide true_mu2(Sample<T, D> const &s)
 {
@@ -75,25 +75,28 @@ struct Exact {
 Exact exact(Recorded const &p)
 {
     auto const w = convert<Wide>(p.pair);
-    auto const m = pw85::blend(w.q1, Wide(p.t), w.q2);
-    auto const s = pw85::solve(pw85::factorize(m, Wide(0)), w.r12);
-    return {pw85::quadratic_form(w.q1, s), Wide(p.t) * p.t * pw85::quadratic_form(w.q2, s), s, m, w};
+    auto const m = pw85::detail::blend(w.q1, Wide(p.t), w.q2);
+    auto const s = pw85::detail::solve(pw85::detail::factorize(m, Wide(0)), w.r12);
+    return {pw85::detail::quadratic_form(w.q1, s), Wide(p.t) * p.t * pw85::detail::quadratic_form(w.q2, s), s, m, w};
 }
 
-pw85::QuarticEvaluation<float> evaluate(Recorded const &p) { return pw85::evaluate_quartic(to_pair(p.pair), p.t); }
+pw85::detail::QuarticEvaluation<float> evaluate(Recorded const &p)
+{
+    return pw85::detail::evaluate_quartic(to_pair(p.pair), p.t);
+}
 
 void test_apart_margin()
 {
     g_assert_true(true_mu2(apart_pair.pair) < 1);
-    g_assert_false(pw85::test_quartic(evaluate(apart_pair), apart_pair.t).apart);
+    g_assert_false(pw85::detail::test_quartic(evaluate(apart_pair), apart_pair.t).apart);
 }
 
 void test_inside_margins()
 {
-    g_assert_true(exact(inside1_pair).square1 >= 1 && pw85::is_well_conditioned(evaluate(inside1_pair)));
-    g_assert_false(pw85::shows_inside1(evaluate(inside1_pair), inside1_pair.t));
-    g_assert_true(exact(inside2_pair).square2 >= 1 && pw85::is_well_conditioned(evaluate(inside2_pair)));
-    g_assert_false(pw85::shows_inside2(evaluate(inside2_pair), inside2_pair.t));
+    g_assert_true(exact(inside1_pair).square1 >= 1 && pw85::detail::is_well_conditioned(evaluate(inside1_pair)));
+    g_assert_false(pw85::detail::shows_inside1(evaluate(inside1_pair), inside1_pair.t));
+    g_assert_true(exact(inside2_pair).square2 >= 1 && pw85::detail::is_well_conditioned(evaluate(inside2_pair)));
+    g_assert_false(pw85::detail::shows_inside2(evaluate(inside2_pair), inside2_pair.t));
 }
 
 // Here a errs by 10 %, more than the margins allow for.
@@ -101,14 +104,14 @@ void test_conditioning()
 {
     auto const e = evaluate(separation_pair);
     auto const x = exact(separation_pair);
-    Wide const a = pw85::dot(x.pair.r12, pw85::product(pw85::adjugate(x.m), x.pair.r12));
-    g_assert_true(pw85::absolute(Wide(e.a - a)) > a / 16);
-    g_assert_false(pw85::is_well_conditioned(e));
+    Wide const a = pw85::dot(x.pair.r12, pw85::product(pw85::detail::adjugate(x.m), x.pair.r12));
+    g_assert_true(pw85::detail::absolute(Wide(e.a - a)) > a / 16);
+    g_assert_false(pw85::detail::is_well_conditioned(e));
     auto near = separation_pair;
-    near.pair.r12 = pw85::times(0x1p-20f, near.pair.r12);
+    near.pair.r12 = 0x1p-20f * near.pair.r12;
     auto const inside = evaluate(near);
-    g_assert_true(pw85::shows_inside1(inside, near.t) && pw85::shows_inside2(inside, near.t));
-    g_assert_false(pw85::test_quartic(inside, near.t).overlap);
+    g_assert_true(pw85::detail::shows_inside1(inside, near.t) && pw85::detail::shows_inside2(inside, near.t));
+    g_assert_false(pw85::detail::test_quartic(inside, near.t).overlap);
 }
 
 // At a negative t, M may be indefinite, and t a - (1 + t) b positive for ellipsoids that overlap.
@@ -116,9 +119,9 @@ void test_negative_t()
 {
     Sample<double, 3> const s{{0.0, 1.0, 0.0}, {1.0, 0.0, 0.0, 1.0, 0.0, 1.0}, {1.0, 0.0, 0.0, 0.01, 0.0, 0.01}};
     g_assert_true(true_mu2(s) < 1);
-    auto const e = pw85::evaluate_quartic(to_pair(s), -3.0);
-    g_assert_true(pw85::shows_apart(e, -3.0));
-    auto const certainty = pw85::test_quartic(e, -3.0);
+    auto const e = pw85::detail::evaluate_quartic(to_pair(s), -3.0);
+    g_assert_true(pw85::detail::shows_apart(e, -3.0));
+    auto const certainty = pw85::detail::test_quartic(e, -3.0);
     g_assert_false(certainty.apart || certainty.overlap);
 }
 
@@ -129,45 +132,45 @@ double error_across(Exact const &x, pw85::Vector<float, 3> const &computed)
     Wide const square = pw85::dot(x.pair.r12, x.s), along = pw85::dot(x.pair.r12, s) / square;
     pw85::Vector<Wide, 3> error{};
     for (int i = 0; i < 3; ++i) error[i] = s[i] / along - x.s[i];
-    return static_cast<double>(sqrt(Wide(pw85::quadratic_form(x.m, error) / square)));
+    return static_cast<double>(sqrt(Wide(pw85::detail::quadratic_form(x.m, error) / square)));
 }
 
 void test_errors_of_solutions()
 {
-    double const u = pw85::unit_roundoff<float>();
+    double const u = pw85::detail::unit_roundoff<float>();
     auto const &a = adjugate_pair, &f = factorization_pair;
-    auto const solution = pw85::solve_by_adjugate(pw85::blend(a.pair.q1, a.t, a.pair.q2), a.pair.r12);
+    auto const solution = pw85::detail::solve_by_adjugate(pw85::detail::blend(a.pair.q1, a.t, a.pair.q2), a.pair.r12);
     double const by_adjugate =
         error_across(exact(a), solution.s) * double(solution.determinant) / (u * double(solution.diagonal));
     g_test_message("adjugate: %.2f", by_adjugate);
-    g_assert_cmpfloat(by_adjugate, <=, pw85::adjugate_error);
-    auto const m = pw85::blend(f.pair.q1, f.t, f.pair.q2);
-    auto const factors = pw85::factorize(m, static_cast<float>(u));
-    double const by_factors =
-        error_across(exact(f), pw85::solve(factors, f.pair.r12)) / (u * double(pw85::condition(factors, m)));
+    g_assert_cmpfloat(by_adjugate, <=, pw85::detail::adjugate_error);
+    auto const m = pw85::detail::blend(f.pair.q1, f.t, f.pair.q2);
+    auto const factors = pw85::detail::factorize(m, static_cast<float>(u));
+    double const by_factors = error_across(exact(f), pw85::detail::solve(factors, f.pair.r12)) /
+                              (u * double(pw85::detail::condition(factors, m)));
     g_test_message("factorisation: %.2f", by_factors);
-    g_assert_cmpfloat(by_factors, <=, pw85::factorization_error);
+    g_assert_cmpfloat(by_factors, <=, pw85::detail::factorization_error);
 }
 
 void test_value_margin()
 {
     g_assert_true(true_mu2(value_pair.pair) < 1);
     auto const pair = to_pair(value_pair.pair);
-    g_assert_true(pw85::maximize(pair).mu2 > 1.0f);
-    g_assert_true(pw85::decide_by_comparison(pair, 1.0f) == pw85::Decision::none);
+    g_assert_true(pw85::detail::maximize(pair).mu2 > 1.0f);
+    g_assert_true(pw85::detail::decide_by_comparison(pair, 1.0f) == pw85::Decision::none);
 }
 
-// A form of positive determinant that is indefinite, and forms that no rounding may pass for definite.
+// A form of positive determinant that is indefinite, and definite forms for which rounded pivots are not positive.
 void test_definiteness()
 {
-    g_assert_false(pw85::is_clearly_definite(pw85::SymmetricMatrix<double, 3>{1.0, 2.0, 2.0, 1.0, 2.0, 1.0}));
+    g_assert_false(pw85::detail::is_clearly_definite(pw85::SymmetricMatrix<double, 3>{1.0, 2.0, 2.0, 1.0, 2.0, 1.0}));
     pw85::SymmetricMatrix<float, 3> const a{0x1.4bcc46p+1f, 0x1.62e6c8p-3f,  0x1.7e55a2p-4f,
                                             0x1.c53c24p+1f, -0x1.0999cap+0f, 0x1.3f85a6p-2f};
-    g_assert_true(!pw85::is_positive_definite(a) && pw85::determinant(a, pw85::adjugate(a)) > 0.0f);
-    g_assert_false(pw85::is_clearly_definite(a));
+    g_assert_true(pw85::detail::is_positive_definite(a) && pw85::detail::factorize(a, 0.0f).pivots[2] <= 0.0f);
+    g_assert_false(pw85::detail::is_clearly_definite(a));
     pw85::SymmetricMatrix<float, 2> const b{0x1.fa132cp+1f, -0x1.07b37ap+1f, 0x1.12d06ep+0f};
-    g_assert_true(!pw85::is_positive_definite(b) && pw85::determinant(b, pw85::adjugate(b)) > 0.0f);
-    g_assert_false(pw85::is_clearly_definite(b));
+    g_assert_true(pw85::detail::is_positive_definite(b) && pw85::detail::factorize(b, 0.0f).pivots[1] <= 0.0f);
+    g_assert_false(pw85::detail::is_clearly_definite(b));
 }
 
 /// Random or crossed pairs, of any sizes, with |μ² - 1| from 1e-12 to 0.5.
@@ -178,7 +181,7 @@ template <int D> Sample<double, D> near_contact(Random &random, int n, double la
                         : random_pair<D>(random, {.aspect = aspect, .size_ratio = n % 3 == 1 ? 2.0 : 1e3});
     double const distance = std::copysign(random.log_uniform(1e-12, 0.5), random.uniform(-1.0, 1.0));
     double const mu2 = pw85::contact(s.r12, s.q1, s.q2).mu2;
-    s.r12 = pw85::times(std::sqrt((1.0 + distance) / mu2), s.r12);
+    s.r12 = std::sqrt((1.0 + distance) / mu2) * s.r12;
     return s;
 }
 
@@ -210,16 +213,16 @@ template <class T, int D> void test_alone()
     Tally points{"decide_by_points", {}}, search{"decide_by_search", {}}, comparison{"decide_by_comparison", {}};
     for (int n = 0; n < draws(3000); ++n) {
         auto const s = convert<T>(near_contact<D>(random, n, std::is_same_v<T, float> ? 1.1e3 : 1e6));
-        pw85::ScaledPair<T, D> scaled;
-        if (pw85::validate(s.r12, s.q1, s.q2, scaled) != pw85::Status::success) continue;
+        pw85::detail::ScaledPair<T, D> scaled;
+        if (pw85::detail::validate(s.r12, s.q1, s.q2, scaled) != pw85::Status::success) continue;
         bool const overlap = true_mu2(s) < 1;
-        T const tangent = pw85::times_power_of_two(T(1), 2 * (scaled.form - scaled.length));
-        comparison.count(pw85::decide_by_comparison(scaled.pair, tangent), overlap, s);
-        if (!pw85::is_ordinary(s.r12, s.q1, s.q2)) continue;
+        T const tangent = pw85::detail::times_power_of_two(T(1), 2 * (scaled.form - scaled.length));
+        comparison.count(pw85::detail::decide_by_comparison(scaled.pair, tangent), overlap, s);
+        if (!pw85::detail::is_ordinary(s.r12, s.q1, s.q2)) continue;
         auto const pair = to_pair(s);
         T t;
-        points.count(pw85::decide_by_points<T>(pair, t), overlap, s);
-        search.count(pw85::decide_by_search(pair, pw85::initial_guess(pair)), overlap, s);
+        points.count(pw85::detail::decide_by_points<T>(pair, t), overlap, s);
+        search.count(pw85::detail::decide_by_search(pair, pw85::detail::initial_guess(pair)), overlap, s);
     }
 }
 

@@ -115,9 +115,9 @@ Sample<double, 2> any_pair(Random &random)
     if (kind > 0.93) p.q1[0] = -1.0;
     if (kind > 0.96) p.q2[2] = std::numeric_limits<double>::infinity();
     int const exponent = kind < 0.7 ? 0 : static_cast<int>(random.uniform(-400.0, 400.0));
-    p.r12 = pw85::times_power_of_two(p.r12, exponent);
-    p.q1 = pw85::times_power_of_two(p.q1, 2 * exponent);
-    p.q2 = pw85::times_power_of_two(p.q2, 2 * exponent);
+    p.r12 = pw85::detail::times_power_of_two(p.r12, exponent);
+    p.q1 = pw85::detail::times_power_of_two(p.q1, 2 * exponent);
+    p.q2 = pw85::detail::times_power_of_two(p.q2, 2 * exponent);
     return p;
 }
 

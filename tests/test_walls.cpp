@@ -1,4 +1,4 @@
-// Walls, points and lines: include/pw85/walls.hpp, nearest.hpp, line.hpp.
+// Walls, points and lines: include/pw85/distance/walls.hpp, nearest.hpp, line.hpp.
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -33,7 +33,7 @@ std::string text(Vector3 const &x, Form3 const &q)
 /// Σ|n_i q_ij n_j|/(2α).
 Wide width_sensitivity(WideForm const &q, WideVector const &n)
 {
-    return absolute_form(q, n) / (2 * pw85::support(q, n).extent);
+    return absolute_form(q, n) / (2 * pw85::detail::support(q, n).extent);
 }
 
 Wide absolute_dot(WideVector const &x, WideVector const &y)
@@ -58,7 +58,7 @@ void test_plane()
     for (int n = 0; n < draws(20000); ++n) {
         auto const q = random_form_of_any_size(random);
         double const length = random.log_uniform(1e-100, 1e100);
-        auto const normal = pw85::times(length, random.direction<3>());
+        auto const normal = length * random.direction<3>();
         double const offset = length * size_of(q) * random.uniform(-1.0, 3.0);
         double distance, mu2;
         Vector3 point{}, touching{};
@@ -67,8 +67,8 @@ void test_plane()
         auto const w = convert<Wide>(q);
         auto const v = convert<Wide>(normal);
         Wide const l = norm(v);
-        auto const unit = pw85::times(Wide(1 / l), v);
-        auto const s = pw85::support(w, unit);
+        auto const unit = Wide(1 / l) * v;
+        auto const s = pw85::detail::support(w, unit);
         Wide const exact = offset / l - s.extent, bound = 8 * u * (abs(Wide(offset / l)) + width_sensitivity(w, unit));
         auto const inputs = [&] { return text(normal, q) + ", offset = " + hex_text(&offset, 1); };
         failures.check(abs(Wide(distance - exact)) <= bound, "distance", distance, static_cast<double>(exact), inputs);
@@ -95,7 +95,7 @@ void test_plane_derivatives()
     Wide const h("1e-15");
     for (int n = 0; n < 200; ++n) {
         auto const q = random.form(1.0, 4.0);
-        auto const normal = pw85::times(random.uniform(0.5, 2.0), random.direction<3>());
+        auto const normal = random.uniform(0.5, 2.0) * random.direction<3>();
         Vector3 d_center{}, d_rot{};
         pw85_distance_plane_derivatives(normal.coordinates, q.entries, d_center.coordinates, d_rot.coordinates);
         auto const w = convert<Wide>(q);
@@ -125,13 +125,13 @@ void test_contact_plane_derivatives()
     Wide const h("1e-15");
     for (int n = 0; n < 200; ++n) {
         auto const q = random.form(1.0, 4.0);
-        auto const normal = pw85::times(random.uniform(0.5, 2.0), random.direction<3>());
+        auto const normal = random.uniform(0.5, 2.0) * random.direction<3>();
         double const offset = random.uniform(-1.0, 3.0);
         Vector3 d_center{}, d_rot{};
         pw85_contact_plane_derivatives(normal.coordinates, offset, q.entries, d_center.coordinates, d_rot.coordinates);
         auto const w = convert<Wide>(q);
         auto const v = convert<Wide>(normal);
-        auto const s = pw85::support(w, v);
+        auto const s = pw85::detail::support(w, v);
         Wide const mu = offset > 0 ? Wide(offset / s.extent) : Wide(0);
         Wide const error = 32 * u * (1 + absolute_form(w, v) / s.extent / s.extent) * 2 * mu * norm(v) / s.extent;
         auto const inputs = [&] { return text(normal, q) + ", offset = " + hex_text(&offset, 1); };
@@ -155,7 +155,7 @@ void test_contact_plane_derivatives()
 bool is_semidefinite(WideForm a, Wide const &scale)
 {
     for (int i = 0; i < 3; ++i) a(i, i) += scale * Wide("1e-30");
-    auto const f = pw85::factorize(a, Wide(0));
+    auto const f = pw85::detail::factorize(a, Wide(0));
     return f.pivots[0] > 0 && f.pivots[1] > 0 && f.pivots[2] > 0;
 }
 
@@ -164,16 +164,16 @@ Vector3 random_point(Random &random, Form3 const &q, int kind)
 {
     auto const direction = random.direction<3>();
     double const size = size_of(q);
-    auto const s = pw85::support(q, direction);
+    auto const s = pw85::detail::support(q, direction);
     switch (kind % 4) {
     case 0:
-        return pw85::times(size * random.log_uniform(1e-3, 1e3), direction);
+        return size * random.log_uniform(1e-3, 1e3) * direction;
     case 1:
-        return pw85::times(random.uniform(0.0, 1.0), s.point);
+        return random.uniform(0.0, 1.0) * s.point;
     case 2:
-        return pw85::times(1.0 + random.uniform(-1e-10, 1e-10), s.point);
+        return (1.0 + random.uniform(-1e-10, 1e-10)) * s.point;
     default:
-        return pw85::times(size * random.log_uniform(1e-100, 1.0), direction);
+        return size * random.log_uniform(1e-100, 1.0) * direction;
     }
 }
 
@@ -191,7 +191,7 @@ void test_point_optimality()
         auto const w = convert<Wide>(q);
         auto const x = convert<Wide>(r);
         auto const d = pw85::distance_point(x, w);
-        auto const gradient = pw85::solve(pw85::factorize(w, Wide(0)), d.point);
+        auto const gradient = pw85::detail::solve(pw85::detail::factorize(w, Wide(0)), d.point);
         Wide const s = d.distance / norm(gradient);
         Wide residual = abs(Wide(pw85::dot(gradient, d.point) - 1));
         for (int i = 0; i < 3; ++i) residual += abs(Wide(x[i] - d.point[i] - s * gradient[i]));
@@ -223,7 +223,7 @@ void test_point_rounding_errors()
         failures.check(std::fabs(norm(normal) - 1.0) <= 4 * u, "normal", norm(normal), 1.0, [&] { return text(r, q); });
         // The point is on the surface, its distance from r is that which is given, but for the error of the normal.
         auto const p = convert<Wide>(point);
-        Wide const form = pw85::dot(p, pw85::solve(pw85::factorize(w, Wide(0)), p));
+        Wide const form = pw85::dot(p, pw85::detail::solve(pw85::detail::factorize(w, Wide(0)), p));
         failures.check(abs(Wide(form - 1)) <= 1e-6, "on the surface", static_cast<double>(form), 1.0,
                        [&] { return text(r, q); });
     }
@@ -304,9 +304,8 @@ void test_cylinder()
     for (int n = 0; n < draws(5000); ++n) {
         auto const q = random_form_of_any_size(random);
         double const size = size_of(q), radius = size * random.uniform(0.1, 3.0);
-        auto const axis = pw85::times(random.log_uniform(1e-100, 1e100), random.direction<3>());
-        auto const center =
-            pw85::times(n % 7 == 0 ? 0.0 : size * random.log_uniform(1e-10, 10.0), random.direction<3>());
+        auto const axis = random.log_uniform(1e-100, 1e100) * random.direction<3>();
+        auto const center = (n % 7 == 0 ? 0.0 : size * random.log_uniform(1e-10, 10.0)) * random.direction<3>();
         double distance;
         Vector3 point{}, normal{};
         g_assert_cmpint(pw85_distance_cylinder(axis.coordinates, radius, center.coordinates, q.entries, &distance,
@@ -331,12 +330,12 @@ void test_cylinder()
                        "farthest point", static_cast<double>(off), static_cast<double>(Wide(radius - exact.distance)),
                        inputs);
         WideVector e1, e2;
-        pw85::complete_basis(pw85::times(Wide(1 / norm(a)), a), e1, e2);
+        pw85::detail::complete_basis(Wide(1 / norm(a)) * a, e1, e2);
         for (int k = 0; k < draws(64); ++k) {
             Wide const angle = random.uniform(0.0, 2.0 * std::numbers::pi);
-            auto other = pw85::times(Wide(cos(angle)), e1);
+            auto other = Wide(cos(angle)) * e1;
             for (int i = 0; i < 3; ++i) other[i] += sin(angle) * e2[i];
-            Wide const clearance = radius - pw85::dot(other, c) - pw85::support(w, other).extent;
+            Wide const clearance = radius - pw85::dot(other, c) - pw85::detail::support(w, other).extent;
             failures.check(clearance >= exact.distance, "another normal", static_cast<double>(clearance),
                            static_cast<double>(exact.distance), inputs);
         }
@@ -396,7 +395,7 @@ void test_line()
         auto const on_surface = [&](Wide const &at) {
             WideVector x = convert<Wide>(origin);
             for (int i = 0; i < 3; ++i) x[i] += at * d[i];
-            Wide const form = pw85::dot(x, pw85::solve(pw85::factorize(convert<Wide>(q), Wide(0)), x));
+            Wide const form = pw85::dot(x, pw85::detail::solve(pw85::detail::factorize(convert<Wide>(q), Wide(0)), x));
             failures.check(abs(Wide(form - 1)) <= 1e-25, "on the surface", static_cast<double>(form), 1.0, inputs);
         };
         on_surface(exact.enter);

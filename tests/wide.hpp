@@ -32,8 +32,8 @@ template <class Oracle, class T, int D> Truth<Oracle> truth(Sample<T, D> const &
 /// |actual - truth|/truth in units of u·cond, u the unit roundoff of the type of `actual`.
 template <class Oracle, class T> double error_in_units(T const &actual, Truth<Oracle> const &exact)
 {
-    Oracle const error = pw85::absolute(Oracle(Oracle(actual) - exact.mu2)) / exact.mu2;
-    return static_cast<double>(Oracle(error / (Oracle(pw85::unit_roundoff<T>()) * exact.cond)));
+    Oracle const error = pw85::detail::absolute(Oracle(Oracle(actual) - exact.mu2)) / exact.mu2;
+    return static_cast<double>(Oracle(error / (Oracle(pw85::detail::unit_roundoff<T>()) * exact.cond)));
 }
 
 } // namespace pw85_tests

@@ -81,7 +81,10 @@ inline Pair3 neighbour(Random &random, Pair3 pair)
     return pair;
 }
 
-inline bool is_definite(Pair3 const &p) { return pw85::is_positive_definite(p.q1) && pw85::is_positive_definite(p.q2); }
+inline bool is_definite(Pair3 const &p)
+{
+    return pw85::detail::is_positive_definite(p.q1) && pw85::detail::is_positive_definite(p.q2);
+}
 
 /// The worst pairs of each function among pairs of aspect ratios in a range.
 class WorstPairs {

@@ -74,6 +74,13 @@
         context.fill();
     }
 
+    // What a screen reader says, in a few digits, once nothing has changed for a while.
+    let saying;
+    function say(sentence) {
+        clearTimeout(saying);
+        saying = setTimeout(() => { element("said").textContent = sentence; }, 500);
+    }
+
     function show(result) {
         const good = result.status === 0, list = x => "(" + x.map(xi => xi.toFixed(4)).join(", ") + ")";
         element("mu2").textContent = good ? result.mu2.toPrecision(DIGITS) : "no ellipsoid";
@@ -82,6 +89,8 @@
         element("distance").textContent = good ? result.distance.toPrecision(DIGITS) : "";
         element("point").textContent = good ? list(result.point) : "";
         element("normal").textContent = good ? list(result.normal) : "";
+        const verdict = element("verdict").textContent, numbers = [result.mu2, result.distance].map(x => x.toPrecision(4));
+        say(good ? `${verdict}: mu squared is ${numbers[0]}, the distance is ${numbers[1]}` : "no ellipsoid");
     }
 
     function update() {

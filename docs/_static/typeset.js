@@ -13,4 +13,16 @@ document.addEventListener("DOMContentLoaded", function () {
         katex.render(source.trim().replace(/^\\[(\[]|\\[)\]]$/g, ""), target,
             {displayMode: element.tagName === "DIV", throwOnError: false});
     });
+
+    // A formula that is wider than the page is made smaller, down to half its size; what is wider still scrolls.
+    function fit() {
+        document.querySelectorAll(".katex-display").forEach(function (formula) {
+            formula.style.fontSize = "";
+            var size = formula.clientWidth / formula.scrollWidth;
+            if (size < 1) formula.style.fontSize = Math.max(0.5, 0.98 * size) + "em";
+        });
+    }
+    fit();
+    document.fonts.addEventListener("loadingdone", fit);
+    window.addEventListener("resize", fit);
 });

@@ -1,4 +1,4 @@
-"""Reference pages from the headers, so that no list of functions is kept by hand (docs/declarations.py reads them).
+"""Reference pages from the headers, so that no list of functions is kept by hand (api/declarations.py reads them).
 
 .. function-table:: pw85.h
 
@@ -20,6 +20,7 @@
 import textwrap
 
 import declarations
+import fortran
 from docutils import nodes
 from docutils.parsers.rst import Directive
 from docutils.statemachine import StringList
@@ -79,13 +80,12 @@ class FortranFunctions(FromHeader):
     def lines(self, section):
         if section.title:
             yield from (section.title, "~" * len(section.title), "")
-        module = declarations.fortran_functions()
+        module = fortran.procedures()
         for function in section.functions:
             yield from self.entry(module[function.name.lower()], function.name)
 
     def entry(self, function, c_name):
-        yield from (f".. index:: single: {function.name} (Fortran {function.kind})", "")
-        yield from (f".. describe:: {function.kind} {function.name}({', '.join(function.arguments)})", "")
+        yield from (f".. fortran-function:: {function.kind} {function.name}({', '.join(function.arguments)})", "")
         yield from (f"   {as_text(function.comment)} See :c:func:`{c_name}`.", "")
         if function.declarations:
             yield from ("   .. code-block:: fortran", "")

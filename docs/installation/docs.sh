@@ -1,9 +1,10 @@
-# Run in the root of the repository. On Debian: apt-get install doxygen python3-breathe
-# furo python3-sphinx-inline-tabs python3-sphinx-copybutton python3-myst-parser
-# libjs-katex libjs-three clang lld; for its tests hunspell hunspell-en-gb nodejs chromium
-# chromium-driver python3-selenium.
+# Run in the root of the repository, after debian.sh. For the tests of the pages also
+# hunspell hunspell-en-gb nodejs chromium chromium-driver python3-selenium.
 set -e
 # start
+sudo apt-get install doxygen furo python3-breathe python3-sphinx # Debian, Ubuntu
+sudo apt-get install python3-sphinx-inline-tabs python3-sphinx-copybutton
+sudo apt-get install python3-myst-parser libjs-katex libjs-three clang lld
 meson setup build-docs -Ddocs=enabled
 meson compile -C build-docs docs
 # end

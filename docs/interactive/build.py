@@ -13,8 +13,9 @@ import tempfile
 from pathlib import Path
 
 SOURCE = Path(__file__).with_name("interactive.cpp")
+# With -mbulk-memory, which browsers know, copies need no memcpy().
 OPTIONS = (
-    "--target=wasm32 -std=c++20 -O2 -ffreestanding -fno-exceptions -fno-rtti -ffp-contract=off -fvisibility=hidden -nostdlib "
+    "--target=wasm32 -mbulk-memory -std=c++20 -O2 -ffreestanding -fno-exceptions -fno-rtti -ffp-contract=off -fvisibility=hidden -nostdlib "
     "-nostdinc++ -D_GLIBCXX_OS_DEFINES -D__GLIBC_PREREQ(a,b)=1 -Wall -Wextra -Werror "
     "-Wl,--no-entry,--export=evaluate,--export=input,--export=output"
 ).split()

@@ -47,7 +47,7 @@ extern "C" {
     output.closest2 = gap.point2;
     for (int i = 0; i < samples; ++i) {
         double const lambda = i / (samples - 1.0);
-        output.f[i] = pw85::checked_f(lambda, input.r12, q1, q2);
+        output.f[i] = pw85::detail::checked_f(lambda, input.r12, q1, q2);
     }
 }
 // What the compiler calls, as there is no library here.

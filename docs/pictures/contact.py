@@ -1,7 +1,8 @@
 """Draws two ellipsoids, the pair scaled by μ, and the point where that pair touches, from the output of the library.
 
-Usage: contact.py LIBRARY [PICTURE]: LIBRARY is libpw85.so, PICTURE the file to write (contact.png next to this program).
-The ellipsoids have a principal axis across the plane that is drawn.
+Usage: contact.py LIBRARY [PICTURE]: LIBRARY is libpw85.so, PICTURE the file to write (contact.png next to this program). A file
+beside it, whose name ends in -dark, gets the picture for dark pages: with white ink, and no background. The ellipsoids have a
+principal axis across the plane that is drawn.
 """
 
 import ctypes
@@ -39,7 +40,8 @@ def outline(q, center, scale):
     return center[:, np.newaxis] + scale * factor @ np.array([np.cos(angles), np.sin(angles)])
 
 
-def draw(library, path):
+def draw(library, path, ink, paper):
+    plt.rcParams.update({"text.color": ink, "savefig.facecolor": paper})
     center1, center2 = np.array([0.0, 0.0]), np.array([3.6, 1.7])
     q1, q2 = form(library, [2.2, 1.0, 1.0], 0.35), form(library, [1.5, 0.6, 1.0], -0.9)
     r12 = array([*(center2 - center1), 0.0])
@@ -56,8 +58,8 @@ def draw(library, path):
         axes.annotate(label, center - 0.5 * tangent, ha="center", va="center", color="white", fontsize=14)
     line = np.array([point - 1.6 * tangent, point + 1.6 * tangent])
     axes.plot(line[:, 0], line[:, 1], "--", color="gray", linewidth=1)
-    axes.annotate("", point + 0.9 * normal, point, arrowprops={"arrowstyle": "->"})
-    axes.plot(*point, "ko", markersize=5)
+    axes.annotate("", point + 0.9 * normal, point, arrowprops={"arrowstyle": "->", "color": ink})
+    axes.plot(*point, "o", color=ink, markersize=5)
     axes.set_title(f"μ² = {out[0]:.4f},  λ = {out[1]:.4f}: scaled by μ = {mu:.4f}, the ellipsoids touch")
     axes.set_aspect("equal")
     axes.set_axis_off()
@@ -65,5 +67,7 @@ def draw(library, path):
 
 
 if __name__ == "__main__":
-    draw(ctypes.CDLL(str(Path(sys.argv[1]).resolve())),
-         sys.argv[2] if len(sys.argv) > 2 else Path(__file__).with_name("contact.png"))
+    pw85 = ctypes.CDLL(str(Path(sys.argv[1]).resolve()))
+    picture = Path(sys.argv[2]) if len(sys.argv) > 2 else Path(__file__).with_name("contact.png")
+    draw(pw85, picture, "black", "white")
+    draw(pw85, picture.with_stem(f"{picture.stem}-dark"), "white", "none")

@@ -1,9 +1,9 @@
-"""Two ellipsoids, the pair scaled by μ, their contact point and common normal."""
+"""Two ellipsoids, the pair scaled by μ, their contact point and common normal; for light pages and for dark ones."""
 
 import numpy as np
 import pypw85
 from mpl_toolkits.mplot3d import proj3d
-from style import BLACK, BLUE, ORANGE, SKY, YELLOW, plt, save
+from style import BLUE, ORANGE, SKY, YELLOW, plt, save
 
 CENTERS = np.array([[0.0, 0.0, 0.0], [3.4, 1.4, 0.9]])
 FORMS = [
@@ -22,11 +22,12 @@ def surface(center, q, scale):
 def annotate(ax, where, text, offset):
     """A label off the ellipsoids, with a line to the point it names."""
     x, y, _ = proj3d.proj_transform(*where, ax.get_proj())
-    arrow = {"arrowstyle": "-", "linewidth": 0.8}
+    arrow = {"arrowstyle": "-", "linewidth": 0.8, "color": plt.rcParams["text.color"]}
     ax.annotate(text, (x, y), offset, textcoords="offset points", ha="center", fontsize=11, arrowprops=arrow, zorder=6)
 
 
-def main():
+def draw(name, ink, paper, wires):
+    plt.rcParams.update({"text.color": ink, "figure.facecolor": paper, "savefig.facecolor": paper})
     r12 = CENTERS[1] - CENTERS[0]
     mu2, lambda_ = pypw85.contact(r12, *FORMS)
     point, normal = pypw85.contact_geometry(r12, *FORMS, lambda_)
@@ -34,14 +35,14 @@ def main():
 
     fig = plt.figure(figsize=(8, 4.6))
     ax = fig.add_axes((-0.1, -0.55, 1.2, 2.1), projection="3d", computed_zorder=False)
-    for center, q, light, dark in zip(CENTERS, FORMS, (SKY, YELLOW), (BLUE, ORANGE)):
+    for center, q, light, dark in zip(CENTERS, FORMS, (SKY, YELLOW), wires):
         ax.plot_surface(*surface(center, q, 1.0), color=light, rcount=41, ccount=81, linewidth=0, zorder=1)
         ax.plot_wireframe(
             *surface(center, q, np.sqrt(mu2)), color=dark, rcount=14, ccount=20, linewidth=0.5, alpha=0.7, zorder=2
         )
-    ax.plot(*np.stack(CENTERS, axis=1), color=BLACK, linestyle=":", linewidth=1, zorder=4)
-    ax.scatter(*x0, color=BLACK, s=35, zorder=5)
-    ax.quiver(*x0, *(1.1 * normal), color=BLACK, linewidth=2, arrow_length_ratio=0.25, zorder=5)
+    ax.plot(*np.stack(CENTERS, axis=1), color=ink, linestyle=":", linewidth=1, zorder=4)
+    ax.scatter(*x0, color=ink, s=35, zorder=5)
+    ax.quiver(*x0, *(1.1 * normal), color=ink, linewidth=2, arrow_length_ratio=0.25, zorder=5)
     ax.view_init(22, -68)
     ax.set_aspect("equal")
     ax.set_axis_off()
@@ -51,7 +52,9 @@ def main():
     fig.text(
         0.03, 0.015, "solid: the two ellipsoids; wires: both scaled by $\\mu$; dotted: centre to centre", fontsize=11
     )
-    save(fig, "scaled_pair.png")
+    ax.set_facecolor("none")
+    save(fig, name)
 
 
-main()
+draw("scaled_pair.png", "black", "white", (BLUE, ORANGE))
+draw("scaled_pair-dark.png", "white", "none", (SKY, YELLOW))

@@ -13,4 +13,4 @@ overlap = pypw85.overlap_pairs(pairs, centers, q, cell, images=images)
 print(len(neighbors), "pairs,", np.count_nonzero(overlap), "overlap")
 
 centers += rng.uniform(-0.05, 0.05, size=(n, 3))
-print("holds after a step:", neighbors.holds(centers, q))
+print("holds after a step:", neighbors.holds(centers, q, cell))

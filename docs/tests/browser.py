@@ -7,9 +7,11 @@ as source, or ask another host for anything. Screenshots of the first screen of 
 import contextlib
 import functools
 import http.server
+import re
 import shutil
 import tempfile
 import threading
+import urllib.parse
 
 from selenium import webdriver
 from selenium.common.exceptions import TimeoutException
@@ -47,6 +49,11 @@ for (let i = 0; i < data.length; i += 4) {
     if (data[i] > data[i + 2] + 50) ++orange;
 }
 return [blue, orange];
+"""
+# Formulas that are wider than what shows them.
+CUT_OFF = """
+const formulas = [...document.querySelectorAll(".katex-display")].filter(e => e.scrollWidth > e.clientWidth + 1);
+return formulas.map(e => e.querySelector("annotation").textContent.trim().slice(0, 60));
 """
 FOREIGN = """return performance.getEntriesByType("resource").map(e => e.name).filter(n => !n.startsWith(location.origin))"""
 
@@ -96,11 +103,19 @@ def colour_of_text(driver, scheme):
     return driver.execute_script("return getComputedStyle(document.querySelector('h1')).color")
 
 
+def cut_off(driver):
+    """Formulas that stay cut off once fonts are there, and the page has made formulas fit."""
+    with contextlib.suppress(TimeoutException):
+        WebDriverWait(driver, 5).until(lambda d: not d.execute_script(CUT_OFF))
+    return driver.execute_script(CUT_OFF)
+
+
 def complaints_of_page(driver):
     messages = [entry["message"] for entry in driver.get_log("browser")]
     yield from (message for message in messages if SCREENSHOT_OF_WEBGL not in message)
     yield from (f"wider than the window: {element}" for element in driver.execute_script(WIDE))
     yield from (f"not typeset: {formula}" for formula in driver.execute_script(RAW))
+    yield from (f"cut off: {formula}" for formula in cut_off(driver))
     yield from (f"asks for {address}" for address in driver.execute_script(FOREIGN))
     if driver.execute_script("return document.documentElement.classList.contains('no-js')"):
         yield "the script of the theme does not run"
@@ -118,12 +133,14 @@ def check_page(driver, address, screenshots):
         yield "the dark page is not dark"
 
 
-def check_search(driver, address, words):
-    driver.get(f"{address}/search.html?q={words.replace(' ', '+')}")
-    try:
-        WebDriverWait(driver, 10).until(lambda d: d.find_elements("css selector", "#search-results li a"))
-    except TimeoutException:
-        yield f"a search for {words} finds nothing"
+def check_searches(driver, address, searches):
+    """Whether searches find first what they must: the end of an address for each query, with a place in the page or without."""
+    for query, expected in searches.items():
+        driver.get(f"{address}/search.html?q={urllib.parse.quote(query)}")
+        results = WebDriverWait(driver, 10).until(lambda d: d.find_elements("css selector", "#search-results li a"))
+        first = re.sub(r"[?][^#]*", "", results[0].get_attribute("href").removeprefix(f"{address}/"))
+        if not (first if "#" in expected else first.partition("#")[0]).endswith(expected):
+            yield f"a search for {query} finds first {first} instead of {expected}"
 
 
 def shown(driver):
@@ -161,6 +178,19 @@ def check_keys(driver, view):
             yield f"interactive.html: {name} changes nothing"
 
 
+def check_said(driver):
+    """Whether a screen reader is told of a change, in a region that is live."""
+    driver.execute_script("location.hash = '1,1,1;1,0,0,0;1,1,1;1,0,0,0;4,0,0'")
+    region = driver.find_element("id", "pair-said")
+    sentence = "they are apart: mu squared is 4.000, the distance is 2.000"
+    try:
+        WebDriverWait(driver, 5).until(lambda d: region.get_attribute("textContent") == sentence)
+    except TimeoutException:
+        yield f"interactive.html: a screen reader is told {region.get_attribute('textContent')!r}"
+    if region.get_attribute("aria-live") != "polite":
+        yield "interactive.html: the region for screen readers is not live"
+
+
 def check_touch(driver, view):
     """Whether a finger moves an ellipsoid that is in the middle, and the page stays where it is."""
     driver.execute_script("location.hash = '1,1,1;1,0,0,0;1,1,1;1,0,0,0;0,0,0.5'")
@@ -181,6 +211,7 @@ def check_interactive(driver, address, states, screenshots):
     view = driver.find_element("id", "pair-view")
     view.screenshot(str(screenshots / "interactive-view.png"))
     yield from check_keys(driver, view)
+    yield from check_said(driver)
     yield from check_scene(driver)
     resize(driver, "phone")
     yield from check_touch(driver, view)
@@ -197,8 +228,8 @@ def check_without_webgl(driver, address, states):
 
 
 def check(folder, pages, searches, states, screenshots):
-    """What is wrong with the pages, names of files below a folder, which searches find nothing, and what is wrong with the
-    interactive page, which must show certain numbers of certain states."""
+    """What is wrong with the pages, names of files below a folder, which searches do not find first what they must, and what is
+    wrong with the interactive page, which must show certain numbers of certain states."""
     screenshots.mkdir(exist_ok=True)
     with served(folder) as address, browser(WITHOUT_WEBGL) as driver:
         yield from check_without_webgl(driver, address, states[:1])
@@ -210,5 +241,4 @@ def check(folder, pages, searches, states, screenshots):
                 found = check_page(driver, f"{address}/{page}", screenshots / f"{name}-{size}")
                 yield from (f"{page}, {size}: {complaint}" for complaint in found)
         yield from check_interactive(driver, address, states, screenshots)
-        for words in searches:
-            yield from check_search(driver, address, words)
+        yield from check_searches(driver, address, searches)

@@ -5,26 +5,13 @@ one. A comment may refer to that of another function of the language ("arguments
 pw85_f()", "see pw85_f()") for parameters of the same name and for what is returned.
 """
 
+import math
 import re
 import sys
 from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
-from declarations import C_HEADERS, CPP_HEADERS, functions
-
-REFERENCE = re.compile(r"(?:as for|contract as|see|arguments of) (?:in )?(\w+)\(\)", re.IGNORECASE)
-
-
-def references(function, known):
-    """The functions whose contracts this one's comment refers to, directly or not; itself first."""
-    found, queue = [], [function]
-    while queue:
-        function = queue.pop(0)
-        if function not in found:
-            found.append(function)
-            names = REFERENCE.findall(" ".join(function.comment.split()))
-            queue += [known[name] for name in names if name in known]
-    return found
+sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "api"))
+from declarations import C_HEADERS, CPP_HEADERS, flattened, functions, referenced
 
 
 def documented(function):
@@ -40,7 +27,7 @@ def complaints(function, known):
     if not function.comment.strip():
         yield "no comment"
         return
-    described = references(function, known)
+    described = referenced(function, known)
     for name in sorted(documented(function) - set(function.parameter_names())):
         yield f"@param {name}, which is no parameter"
     for name in function.parameter_names():
@@ -54,11 +41,29 @@ def complaints(function, known):
         yield "statuses not named"
 
 
+def unreadable(function):
+    """What a program cannot read of the parameters of a function of C, whose names and types are all that it needs to call it."""
+    marked = {name for name, (_, output) in function.sentences().items() if output}
+    of_many = any(parameter.type == "size_t" for parameter in flattened(function))
+    for parameter in flattened(function):
+        is_array = parameter.pointer and not parameter.is_handle()
+        if is_array and parameter.const and not parameter.shape and (of_many or parameter.type == "double"):
+            yield f"the sentence of {parameter.name} does not begin with its shape"
+        if parameter.name in marked and not (parameter.is_output() or parameter.outer):
+            yield f"{parameter.name} is marked as an output, which it cannot be"
+        if parameter.length is not None and math.prod(parameter.shape) != parameter.length:
+            yield f"{parameter.name}: {parameter.shape} are not {parameter.length} numbers"
+        if parameter.is_output() and parameter.name in function.sentences() and parameter.name not in marked:
+            yield f"{parameter.name} is not marked as an output"
+
+
 def check(headers):
     listed = [function for header in headers for function in functions(header)]
     known = {function.name: function for function in listed}
     for function in listed:
         yield from (f"{function.name}: {text}" for text in complaints(function, known))
+        if function.name.startswith("pw85"):
+            yield from (f"{function.name}: {text}" for text in unreadable(function))
 
 
 found = [*check(C_HEADERS), *check(CPP_HEADERS)]

@@ -29,7 +29,8 @@ ELSEWHERE = {"test": "scripts/test.sh"}
 
 TOOLS = {
     "sudo": 'exec "$@"',
-    "apt-get": """[ "$1" = install ] && shift && for package; do
+    "apt-get": """command -v dpkg-query >/dev/null || exit 0 # another system, where nothing is known of packages
+[ "$1" = install ] && shift && for package; do
   dpkg-query -W -f '${Status}\\n' "$package" | grep -q 'ok installed' || { echo "$package is not installed"; exit 1; }
 done""",
 }
@@ -91,9 +92,6 @@ def checks(source, work, run_docs):
         return good and (expected is None or output.endswith((copy / expected).read_text(encoding="utf-8"))), output
 
     for name, expected in {**RUN, **(RUN_DOCS if run_docs else {})}.items():
-        if name == "debian" and not shutil.which("dpkg-query"):
-            yield f"{name} # SKIP no dpkg", lambda: (True, "")
-            continue
         yield name, lambda name=name, expected=expected: passes(name, expected)
 
 

@@ -5,7 +5,7 @@ import re
 import sys
 from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
+sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "api"))
 from declarations import CPP_HEADERS, functions
 
 SOURCE = Path(sys.argv[1])
@@ -15,12 +15,12 @@ ELSEWHERE = {
     "version": "of the compiled library; in C++ it is headers only",
     "strerror": "in C++ in status.hpp",
     "contact_function": "Brent's method; in the compiled library only",
-    "f_neg": "evaluate_f() of evaluation.hpp",
+    "f_neg": "evaluate_f() of contact/evaluation.hpp",
     "_residual": "a building block of 1.0's programs",
-    "_cholesky_decomp": "factorize() of symmetric.hpp",
-    "_cholesky_solve": "solve() of symmetric.hpp",
-    "zheng_ellipses": "in zheng.hpp",
-    "zheng_ellipsoids": "in zheng.hpp",
+    "_cholesky_decomp": "factorize() of algebra/symmetric.hpp",
+    "_cholesky_solve": "solve() of algebra/symmetric.hpp",
+    "zheng_ellipses": "in history/zheng.hpp",
+    "zheng_ellipsoids": "in history/zheng.hpp",
 }
 
 # The functions of an object are members of a class in C++ and Python, or parts of what makes it.

@@ -4,6 +4,7 @@
 - formulas: KaTeX can typeset them all (skipped without Node.js and KaTeX);
 - spelling: hunspell with a British dictionary and our own list knows every word of prose (skipped without it);
 - listings: no line of code is longer than what a page shows without scrolling (what programs print may be);
+- contrast: the colours of code are far enough from what is behind them;
 - browser: what browser.py says (skipped without Chromium and Selenium). Screenshots are put next to HTML.
 """
 
@@ -18,6 +19,9 @@ from html.parser import HTMLParser
 from pathlib import Path
 from urllib.parse import unquote, urldefrag
 
+sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "api"))
+from declarations import C_HEADERS, functions
+
 KATEX = Path("/usr/share/javascript/katex/katex.js")
 TYPESET = """
 const katex = require(process.argv[1]);
@@ -25,8 +29,21 @@ for (const formula of JSON.parse(require("fs").readFileSync(0, "utf-8")))
     try { katex.renderToString(formula, {displayMode: true}); } catch (error) { console.log(error.message); }
 """
 LONGEST_LINE = 88
+LEAST_CONTRAST = 4.5  # level AA of WCAG 2.1
 PRINTED = {"highlight-none", "highlight-text"}  # what programs print
-SEARCHES = ["changelog", "minimum image", "overlap", "performance", "quaternion"]
+# What a search must find first.
+SEARCHES = {
+    "changelog": "changelog.html",
+    "closest approach": "#c.pw85_closest_approach",
+    "euler": "tasks/euler.html",
+    "euler angles": "tasks/euler.html",
+    "minimum image": "glossary.html#term-minimum-image",
+    "overlap": "#c.pw85_overlap",
+    "performance": "performance.html",
+    "quaternion": "#c.pw85_ellipsoid_quaternion",
+    "relax": "#pypw85.relax",
+    "torque": "#c.pw85_contact_torque",
+}
 VOID = {"area", "base", "br", "col", "embed", "hr", "img", "input", "link", "meta", "source", "track", "wbr"}
 NOT_PROSE = {"script", "style", "code", "pre", "svg", "dt", "head"}
 NOT_PROSE_CLASSES = {"math", "toc-drawer", "sidebar-drawer", "citation", "label", "related-pages", "reference"}
@@ -126,6 +143,34 @@ def check_listings(pages):
             yield from (f"{page.path}: {len(line)} columns: {line}" for line in long[:1])
 
 
+def luminance(colour):
+    """The relative luminance of a colour as #rrggbb or #rgb, as WCAG 2.1 defines it."""
+    digits = colour.lstrip("#")
+    digits = "".join(2 * digit for digit in digits) if len(digits) == 3 else digits
+    channels = [int(digits[i : i + 2], 16) / 255 for i in (0, 2, 4)]
+    linear = [c / 12.92 if c <= 0.04045 else ((c + 0.055) / 1.055) ** 2.4 for c in channels]
+    return sum(weight * c for weight, c in zip((0.2126, 0.7152, 0.0722), linear, strict=True))
+
+
+def contrast(one, other):
+    dark, light = sorted((luminance(one), luminance(other)))
+    return (light + 0.05) / (dark + 0.05)
+
+
+def check_contrast(root):
+    """Colours of highlighted code, for light and for dark pages; that of white space (w) shows nothing."""
+    style = (root / "_static/pygments.css").read_text(encoding="utf-8")
+    for theme in ("", r'body\[data-theme="dark"\] '):
+        background = re.search(rf"^{theme}\.highlight {{ background: (#\w+)", style, re.MULTILINE)[1]
+        rules = re.findall(rf"^{theme}\.highlight \.(\w+) {{(.*?)}}", style, re.MULTILINE)
+        colours = {name: re.search(r"(?<!-)color: (#\w+)", rule) for name, rule in rules if name != "w"}
+        for name, colour in colours.items():
+            if colour and contrast(colour[1], background) < LEAST_CONTRAST:
+                yield f"code of class {name}: {colour[1]} on {background}: {contrast(colour[1], background):.2f}"
+        if len(colours) < 20:
+            yield f"_static/pygments.css has {len(colours)} colours"
+
+
 def states_of_pairs():
     """Some pairs of ellipsoids as the address of the interactive page has them, and the numbers that it must show: those of the
     C library, whose baseline fuses no products and sums, as WebAssembly does not."""
@@ -145,11 +190,19 @@ def states_of_pairs():
     ]
 
 
+def searches():
+    """Functions of C are found by their names, with and without prefix."""
+    names = [function.name for header in C_HEADERS for function in functions(header)]
+    by_name = {name: f"api/c.html#c.{name}" for name in names}
+    by_plain_name = {re.sub("^pw85_", "", name): address for name, address in by_name.items()}
+    return {**by_plain_name, **by_name, **SEARCHES}
+
+
 def check_in_browser(pages, root):
     import browser
 
     names = [str(path.relative_to(root)) for path in pages]
-    return browser.check(root, names, SEARCHES, states_of_pairs(), root.parent / "screenshots")
+    return browser.check(root, names, searches(), states_of_pairs(), root.parent / "screenshots")
 
 
 def has_browser():
@@ -173,6 +226,7 @@ def main():
         ("formulas", bool(shutil.which("node")) and KATEX.exists(), lambda: check_formulas(ours)),
         ("spelling", has_hunspell(), lambda: check_spelling(ours, words)),
         ("listings", True, lambda: check_listings(ours)),
+        ("contrast", True, lambda: check_contrast(root)),
         ("browser", has_browser(), lambda: check_in_browser(ours, root)),
     ]
     print(f"1..{len(checks)}")

@@ -45,12 +45,21 @@ def shown_programs(source, listed):
             yield f"README does not show examples/{path} as it is"
 
 
+def unknown_packages(source, text):
+    """What README tells Debian's users to install, and tests do not, so that it may not suffice, or not be there."""
+    installed = re.findall(r"[\w.+-]+", (source / "scripts/packages.sh").read_text(encoding="utf-8"))
+    for packages in re.findall(r"`apt-get install ([^`]+)`", text):
+        for package in packages.split():
+            if package not in installed:
+                yield f"README names the package {package}, which scripts/packages.sh does not have"
+
+
 def main():
     source = Path(sys.argv[1])
     readme = (source / "README.md").read_text(encoding="utf-8")
     listed = blocks(readme)
     expected = next(text for language, text in listed if language == "text")
-    wrong = list(shown_programs(source, listed))
+    wrong = [*shown_programs(source, listed), *unknown_packages(source, readme)]
     # The commands that follow the program of a language.
     commands = {language: after for (language, _), (kind, after) in itertools.pairwise(listed) if kind == "sh"}
     if commands["python"] not in (source / PYTHON).read_text(encoding="utf-8"):

@@ -12,6 +12,16 @@ static int32_t pairs[max_pairs][2];
 static double mu2[max_pairs], d_r12[max_pairs][3];
 static double const cell[3][3] = {{10, 0, 0}, {0, 10, 0}, {0, 0, 10}};
 
+/* start of system */
+static pw85_system const particles = {
+    .num_particles = num_particles,
+    .centers = centers[0],
+    .q = q[0],
+    .cell = cell[0],
+    .periodic = {1, 1, 1},
+};
+/* end of system */
+
 /* Numbers in [0, 1) that are the same everywhere. */
 static double uniform(void)
 {
@@ -49,9 +59,9 @@ static size_t list_pairs(void)
 /* start of forces: U = 1/2 (1 - mu^2)^2 of pairs that overlap. */
 static int push(size_t n, double *energy)
 {
-    int const status = pw85_contact_derivatives_pairs(
-        n, pairs[0], NULL, num_particles, centers[0], q[0], cell[0], mu2, NULL, NULL,
-        NULL, d_r12[0], NULL, NULL);
+    pw85_pair_list const list = {.num_pairs = n, .pairs = pairs[0]};
+    int const status = pw85_contact_derivatives_pairs(&list, &particles, mu2, NULL,
+                                                      NULL, NULL, d_r12[0], NULL, NULL);
     if (status != PW85_SUCCESS) return status;
     *energy = 0;
     for (int i = 0; i < num_particles; i++)
@@ -73,8 +83,7 @@ int main(void)
     double limit, energy = 0;
     int status = make_particles();
     size_t const n = list_pairs();
-    if (status == PW85_SUCCESS)
-        status = pw85_nearest_image_limit(num_particles, q[0], cell[0], &limit);
+    if (status == PW85_SUCCESS) status = pw85_nearest_image_limit(&particles, &limit);
     if (status == PW85_SUCCESS)
         printf("nearest images are enough: %s\n", limit >= 1 ? "yes" : "no");
     for (int step = 0; step <= 4 && status == PW85_SUCCESS; step++) {

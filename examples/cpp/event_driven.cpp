@@ -16,7 +16,7 @@
 
 using Vector = pw85::Vector<double, 3>;
 using Quaternion = pw85::Vector<double, 4>;
-using pw85::contact, pw85::contact_geometry, pw85::cross, pw85::dot, pw85::times;
+using pw85::contact, pw85::contact_geometry, pw85::cross, pw85::dot;
 constexpr Vector semi_axes{0.5, 0.5, 1.0}; // at time 0: the volume is π/3
 constexpr double inertia = 0.2;            // where the mass is 1
 
@@ -43,10 +43,10 @@ Quaternion rotated(Quaternion const &q, Vector const &omega)
 {
     double const angle = std::sqrt(square(omega)), c = std::cos(0.5 * angle);
     double const s = angle > 0.0 ? std::sin(0.5 * angle) / angle : 0.0;
-    Vector const w = times(s, omega), v{q[1], q[2], q[3]};
-    Vector const x = sum(sum(times(c, v), q[0], w), 1.0, cross(w, v));
+    Vector const w = s * omega, v{q[1], q[2], q[3]};
+    Vector const x = sum(sum(c * v, q[0], w), 1.0, cross(w, v));
     Quaternion const r{c * q[0] - dot(w, v), x[0], x[1], x[2]};
-    return times(1.0 / std::sqrt(dot(r, r)), r);
+    return 1.0 / std::sqrt(dot(r, r)) * r;
 }
 
 struct Simulation {
@@ -59,7 +59,7 @@ struct Simulation {
         std::mt19937_64 random(2026);
         std::normal_distribution<double> normal;
         auto const vector = [&](double size) {
-            return times(size, Vector{normal(random), normal(random), normal(random)});
+            return size * Vector{normal(random), normal(random), normal(random)};
         };
         int const m = static_cast<int>(std::ceil(std::cbrt(n) - 1e-9));
         side = 2.02 * m;
@@ -120,6 +120,10 @@ struct Simulation {
         return false;
     }
 
+    // Whether no ellipsoid is longer than half the side: else other images than the nearest
+    // ones can touch.
+    bool cell_is_large() const { return 2.0 * (2.0 * semi_axes[2] * size()) <= side; }
+
     double size() const { return 1.0 + growth * time; }
 
     Vector separation(Particle const &p, Particle const &q) const
@@ -134,10 +138,9 @@ struct Simulation {
         time += duration;
         for (auto &[center, orientation, motion, form, collisions] : particles) {
             center = sum(center, duration, motion.velocity);
-            orientation =
-                rotated(orientation, times(duration, motion.angular_velocity));
+            orientation = rotated(orientation, duration * motion.angular_velocity);
             motion.growth = growth / size();
-            form = pw85::ellipsoid_quaternion(times(size(), semi_axes), orientation).q;
+            form = pw85::ellipsoid_quaternion(size() * semi_axes, orientation).q;
         }
     }
 
@@ -214,5 +217,6 @@ int main(int argc, char **argv)
     }
     report("jammed, more than 55 % full", packing.packing_fraction() > 0.55, true);
     report("ellipsoids overlap", packing.overlap(), false);
+    report("the nearest images are all that can touch", packing.cell_is_large(), true);
     return good ? 0 : 1;
 }

@@ -2,13 +2,12 @@
 // repulsion Σ ½(1-μ)² of the pairs that overlap.
 // Usage: relax [number [packing fraction [seed]]]
 #include <gsl/gsl_multimin.h>
-#include <pw85/batch.hpp>
+#include <pw85/neighbors.hpp>
 #include <pw85/pw85.hpp>
 
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <memory>
 #include <random>
 #include <vector>
 
@@ -19,7 +18,7 @@ struct Packing {
     double edge;
     std::vector<Vector3> semi_axes, centers;
     std::vector<Quaternion> orientations;
-    std::shared_ptr<pw85_neighbors> neighbors;
+    pw85::Neighbors neighbors;
 };
 
 // The pairs that overlap, with derivatives of μ².
@@ -34,7 +33,7 @@ static Quaternion turned(Quaternion const &q, Vector3 const &omega)
     double const angle = std::sqrt(pw85::dot(omega, omega));
     double const c = std::cos(0.5 * angle),
                  s = angle > 0.0 ? std::sin(0.5 * angle) / angle : 0.5;
-    Vector3 const h = pw85::times(s, omega);
+    Vector3 const h = s * omega;
     return {c * q[0] - h[0] * q[1] - h[1] * q[2] - h[2] * q[3],
             c * q[1] + h[0] * q[0] + h[1] * q[3] - h[2] * q[2],
             c * q[2] + h[1] * q[0] + h[2] * q[1] - h[0] * q[3],
@@ -74,33 +73,30 @@ static Contacts contacts(Packing &packing, gsl_vector const *x)
     pw85::ellipsoid_quaternion_batch(packing.semi_axes, orientations, q);
     double const e = packing.edge;
     pw85::Cell const rows{Vector3{e, 0, 0}, Vector3{0, e, 0}, Vector3{0, 0, e}};
-    double const *const cell = rows[0].coordinates;
-    double const *const numbers = centers[0].coordinates, *const forms = q[0].entries;
-    int holds = 0; // a null list is refused
-    pw85_neighbors_holds(packing.neighbors.get(), n, numbers, forms, &holds);
+    pw85::Particles const particles{centers, q, &rows};
+    int holds = 0; // an empty list, of no particles, is refused
+    pw85::neighbors_holds(packing.neighbors, particles, holds);
     if (holds != 1) {
-        pw85_neighbors *list = nullptr;
-        pw85_neighbors_create(n, numbers, forms, cell, nullptr, 1.0, 0.3, &list);
-        if (list == nullptr) std::exit(1);
-        packing.neighbors.reset(list, pw85_neighbors_destroy);
+        auto const options = pw85::NeighborOptions{.skin = 0.3};
+        if (pw85::neighbors_create(particles, options, packing.neighbors) !=
+            pw85::Status::success)
+            std::exit(1);
     }
-    std::size_t const listed = pw85_neighbors_size(packing.neighbors.get());
-    std::int32_t const *const pairs = pw85_neighbors_pairs(packing.neighbors.get());
-    std::int32_t const *const images = pw85_neighbors_images(packing.neighbors.get());
-    std::vector<unsigned char> overlap(listed);
-    pw85_overlap_pairs(listed, pairs, images, n, numbers, forms, cell, overlap.data());
+    auto const list = packing.neighbors.list();
+    std::vector<unsigned char> overlap(list.pairs.size());
+    pw85::overlap_pairs(list, particles, overlap);
     Contacts found;
     std::vector<pw85::Image> found_images;
-    for (std::size_t k = 0; k < listed; ++k) {
+    for (std::size_t k = 0; k < list.pairs.size(); ++k) {
         if (overlap[k] == 0) continue;
-        found.pairs.push_back({pairs[2 * k], pairs[2 * k + 1]});
-        found_images.push_back({images[3 * k], images[3 * k + 1], images[3 * k + 2]});
+        found.pairs.push_back(list.pairs[k]);
+        found_images.push_back(list.images[k]);
     }
     found.mu2.resize(found.pairs.size());
     for (auto *const v : {&found.d_r12, &found.d_rot1, &found.d_rot2})
         v->resize(found.pairs.size());
     pw85::contact_derivatives_pairs(
-        {found.pairs, found_images}, {centers, q, &rows},
+        {found.pairs, found_images}, particles,
         {found.mu2, {}, {}, {}, found.d_r12, found.d_rot1, found.d_rot2});
     return found;
 }
@@ -181,8 +177,7 @@ int main(int argc, char **argv)
     for (int i = 0; i < count; ++i) {
         Vector3 const a{uniform(1, 2), uniform(1, 2), uniform(1, 2)};
         volume += 4.0 / 3.0 * std::acos(-1.0) * a[0] * a[1] * a[2];
-        packing.semi_axes.push_back(
-            pw85::times(1.001, a)); // minima touch: a little room
+        packing.semi_axes.push_back(1.001 * a); // minima touch: a little room
         packing.orientations.push_back(
             {uniform(-1, 1), uniform(-1, 1), uniform(-1, 1), uniform(-1, 1)});
     }
@@ -193,8 +188,8 @@ int main(int argc, char **argv)
     std::fprintf(stderr, "overlaps: %zu\n", contacts(packing, nullptr).pairs.size());
     for (int part = 0; part < 20 && !contacts(packing, nullptr).pairs.empty(); ++part)
         relax(packing, 200);
-    for (auto &a : packing.semi_axes) a = pw85::times(1.0 / 1.001, a);
-    packing.neighbors.reset();
+    for (auto &a : packing.semi_axes) a = 1.0 / 1.001 * a;
+    packing.neighbors = {};
     std::printf("overlaps when relaxed: %zu\n",
                 contacts(packing, nullptr).pairs.size());
 }

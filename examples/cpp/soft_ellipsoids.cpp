@@ -36,20 +36,20 @@ static Energy energy(Body const &body1, Body const &body2)
     auto const gradient = pw85::contact_gradient(r12, q1, q2, lambda);
     auto const torque = pw85::contact_torque(r12, q1, q2, lambda);
     double const slope = mu2 - 1.0; // dU/dμ²
-    return {0.5 * slope * slope, pw85::times(slope, gradient.r12),
-            pw85::times(slope, torque.rotation1), pw85::times(slope, torque.rotation2)};
+    return {0.5 * slope * slope, slope * gradient.r12, slope * torque.rotation1,
+            slope * torque.rotation2};
 }
 
 // The orientation after a rotation by the small vector omega: q + ½ (0, ω) q, of which
 // only the direction matters.
 static Quaternion rotated(Quaternion const &q, Vector3 const &omega)
 {
-    Vector3 const h = pw85::times(0.5, omega);
+    Vector3 const h = 0.5 * omega;
     Quaternion const r{q[0] - h[0] * q[1] - h[1] * q[2] - h[2] * q[3],
                        q[1] + h[0] * q[0] + h[1] * q[3] - h[2] * q[2],
                        q[2] + h[1] * q[0] + h[2] * q[1] - h[0] * q[3],
                        q[3] + h[2] * q[0] + h[0] * q[2] - h[1] * q[1]};
-    return pw85::times(1.0 / std::sqrt(pw85::dot(r, r)), r);
+    return 1.0 / std::sqrt(pw85::dot(r, r)) * r;
 }
 
 // A step down the gradient.
@@ -59,8 +59,8 @@ static void relax(Body &body1, Body &body2, Energy const &e, double step)
         body1.center[i] += step * e.center2[i];
         body2.center[i] -= step * e.center2[i];
     }
-    body1.orientation = rotated(body1.orientation, pw85::times(-step, e.rotation1));
-    body2.orientation = rotated(body2.orientation, pw85::times(-step, e.rotation2));
+    body1.orientation = rotated(body1.orientation, -step * e.rotation1);
+    body2.orientation = rotated(body2.orientation, -step * e.rotation2);
 }
 
 int main()

@@ -18,12 +18,7 @@ static Vector surface_gradient(Form const &q, Vector const &x)
 
 static Vector normalized(Vector const &x)
 {
-    return pw85::times(1.0 / std::sqrt(pw85::dot(x, x)), x);
-}
-
-static Vector difference(Vector const &x, Vector const &y)
-{
-    return {x[0] - y[0], x[1] - y[1], x[2] - y[2]};
+    return 1.0 / std::sqrt(pw85::dot(x, x)) * x;
 }
 
 static void print(char const *what, Vector const &x)
@@ -38,7 +33,7 @@ int main()
         pw85::spheroid(10.0, 0.1, Vector{0.0, 0.0, 1.0}); // oblate, axis z
     auto const [q2, status2] =
         pw85::spheroid(0.5, 5.0, Vector{1.0, 0.0, 0.0}); // prolate, axis x
-    Vector const r12 = difference(x2, x1);
+    Vector const r12 = x2 - x1;
 
     auto const [mu2, lambda, status] = pw85::contact(r12, q1, q2);
     if (status != pw85::Status::success) {
@@ -52,10 +47,10 @@ int main()
     // The point where the spheroids touch when they are scaled by mu, which multiplies
     // the forms by mu².
     Vector const point = pw85::contact_geometry(r12, q1, q2, lambda).point;
-    Vector const from1 = point, from2 = difference(point, r12);
-    Vector const gradient1 = surface_gradient(pw85::blend(mu2, q1, 0.0, q1), from1);
-    Vector const gradient2 = surface_gradient(pw85::blend(mu2, q2, 0.0, q2), from2);
-    print("contact point", {x1[0] + point[0], x1[1] + point[1], x1[2] + point[2]});
+    Vector const from1 = point, from2 = point - r12;
+    Vector const gradient1 = surface_gradient(mu2 * q1, from1);
+    Vector const gradient2 = surface_gradient(mu2 * q2, from2);
+    print("contact point", x1 + point);
     std::printf("on spheroid 1, scaled: %.10f\n", pw85::dot(from1, gradient1));
     std::printf("on spheroid 2, scaled: %.10f\n", pw85::dot(from2, gradient2));
     print("normal to spheroid 1", normalized(gradient1));

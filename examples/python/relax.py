@@ -36,7 +36,7 @@ class Packing:
         """The energy and its gradient."""
         centers, quaternions = self.place(x)
         q = pypw85.ellipsoid_quaternion(self.semi_axes, quaternions)
-        if self.neighbors is None or not self.neighbors.holds(centers, q):
+        if self.neighbors is None or not self.neighbors.holds(centers, q, self.cell):
             self.neighbors = pypw85.neighbors(centers, q, self.cell, skin=self.skin)
         pairs, images = self.neighbors.pairs, self.neighbors.images
         near = pypw85.overlap_pairs(pairs, centers, q, self.cell, images=images)

@@ -1,7 +1,8 @@
 !> Calls every function of the module once, with answers that are known or follow from another function.
 program test_api
   use, intrinsic :: ieee_arithmetic, only: ieee_is_nan
-  use, intrinsic :: iso_c_binding, only: c_double, c_int, c_int8_t, c_int32_t, c_int64_t, c_ptr, c_size_t
+  use, intrinsic :: iso_c_binding, only: c_associated, c_double, c_f_pointer, c_int, c_int8_t, c_int32_t, &
+    c_int64_t, c_loc, c_ptr, c_size_t
   use, intrinsic :: iso_fortran_env, only: error_unit
   use pw85
   implicit none
@@ -216,11 +217,13 @@ contains
   ! Unit spheres on a line, three apart, of which the last comes at speed 1/2; and the first pair grows until it touches.
   subroutine test_motions
     integer(c_size_t), parameter :: n = 2
-    integer(c_int32_t), parameter :: pairs(2, n) = reshape([0, 1, 1, 2], [2, 2])
-    real(c_double) :: centers(3, 3), q(6, 3), r(3, n), points(3, n), t, times(n), next(3), infinite
+    integer(c_int32_t), target :: pairs(2, n)
+    real(c_double), target :: centers(3, 3), q(6, 3)
+    real(c_double) :: r(3, n), points(3, n), t, times(n), next(3), hessians(9, 9, n), infinite
     type(pw85_motion) :: motions(3)
     integer(c_int64_t) :: next_pair(3)
     integer :: status
+    pairs = reshape([0, 1, 1, 2], [2, 2])
     centers = 0
     centers(1, :) = [0.0_c_double, 3.0_c_double, 6.0_c_double]
     q = 0
@@ -246,9 +249,12 @@ contains
     r = 0.5_c_double * r
     status = pw85_penetration_batch(n, r, q(:, 1:2), q(:, 2:3), times)
     call check(status == pw85_success .and. all(close(times, 1.0_c_double)), 'penetration_batch')
+    times = 0.5_c_double
+    status = pw85_contact_hessian_batch(n, r, q(:, 1:2), q(:, 2:3), times, hessians)
+    call check(status == pw85_success .and. all(close(hessians(1, 1, :), 0.5_c_double)), 'contact_hessian_batch')
     r(1, :) = 3
-    status = pw85_first_contact_pairs(n, pairs, 3_c_size_t, centers, q, motions=motions, t_max=9.0_c_double, t=times, &
-                                      next=next, next_pair=next_pair)
+    status = pw85_first_contact_pairs(pw85_pair_list(n, c_loc(pairs)), pw85_system(3, c_loc(centers), c_loc(q)), motions, &
+                                      9.0_c_double, times, next, next_pair)
     call check(status == pw85_success .and. close(times(1), 4.0_c_double) .and. close(times(2), 1.6_c_double), &
       'first_contact_pairs')
     call check(close(next(1), 4.0_c_double) .and. close(next(2), 1.6_c_double) .and. all(next_pair == [0, 1, 1]), &
@@ -328,7 +334,7 @@ contains
       status = pw85_contact_torque(r(:, i), q1, q2, lambda(i), d_rot2=x)
       call check(all(abs(d_rot2(:, i) - x) <= 1e-12_c_double * norm2(x)), 'contact_derivatives_batch: d_rot2')
     end do
-    status = pw85_overlap_any(n, q1, r, forms2, any_overlap)
+    status = pw85_overlap_any(q1, n, r, forms2, any_overlap)
     call check(status == pw85_success .and. (any_overlap == 1) .eqv. any(mu2 < 1), 'overlap_any')
     status = pw85_bounding_boxes(n, forms2, boxes)
     call check(status == pw85_success .and. all(close(boxes(:, 3)**2, q2([1, 4, 6]))), 'bounding_boxes')
@@ -341,93 +347,120 @@ contains
 
   subroutine test_pairs
     integer(c_size_t), parameter :: num_pairs = 2, num_particles = 3
-    integer(c_int32_t), parameter :: pairs(2, num_pairs) = reshape([0, 1, 2, 0], [2, 2])
-    real(c_double) :: centers(3, num_particles), q(6, num_particles), cell(3, 3), mu2(num_pairs), lambda(num_pairs)
-    real(c_double) :: nearest(3, 1)
+    integer(c_int32_t), target :: pairs(2, num_pairs)
+    real(c_double), target :: centers(3, num_particles), q(6, num_particles), cell(3, 3), other(3, 3), moved(3, num_particles)
+    type(pw85_pair_list) :: both, one, with_images, found
+    type(pw85_system) :: apart, system
+    real(c_double) :: mu2(num_pairs), lambda(num_pairs), nearest(3, 1)
     integer(c_int32_t) :: image(3, 1)
     real(c_double) :: out(2)
-    real(c_double) :: reduced(3, 3), limit, d_r12(3, 1), d_rot1(3, 1), gradient(3)
-    integer(c_int32_t) :: images(3, 1)
+    real(c_double) :: limit, d_r12(3, 1), d_rot1(3, 1), gradient(3)
+    integer(c_int32_t), target :: images(3, 1)
     integer(c_int8_t) :: overlap(num_pairs)
     real(c_double) :: forces(3, num_particles), virial(3, 3)
     type(c_ptr) :: list
     integer(c_int32_t), pointer :: neighbors(:, :), multiples(:, :)
     integer(c_size_t) :: particle
     integer(c_int) :: holds
-    integer :: status, num_neighbors
+    integer :: status
+    pairs = reshape([0, 1, 2, 0], [2, 2])
     centers(:, 1) = [0.5_c_double, 0.25_c_double, -0.5_c_double]
     centers(:, 2) = centers(:, 1) + r12
     centers(:, 3) = centers(:, 1) - 2 * r12
     q(:, 1) = q1
     q(:, 2) = q2
     q(:, 3) = q2
-    status = pw85_contact_pairs(num_pairs, pairs, num_particles, centers, q, mu2=mu2)
+    both = pw85_pair_list(num_pairs, c_loc(pairs))
+    one = pw85_pair_list(1, c_loc(pairs))
+    with_images = pw85_pair_list(1, c_loc(pairs), c_loc(images))
+    apart = pw85_system(num_particles, c_loc(centers), c_loc(q))
+    system = pw85_system(num_particles, c_loc(centers), c_loc(q), c_loc(cell))
+    status = pw85_contact_pairs(both, apart, mu2)
     call check(status == pw85_success, 'contact_pairs: status')
     status = pw85_contact(r12, q1, q2, out)
     call check(close(mu2(1), out(1)), 'contact_pairs, first pair')
     status = pw85_contact(2 * r12, q2, q1, out)
     call check(close(mu2(2), out(1)), 'contact_pairs, second pair')
-    status = pw85_overlap_pairs(num_pairs, pairs, num_particles, centers, q, overlap=overlap)
+    status = pw85_overlap_pairs(both, apart, overlap)
     call check(status == pw85_success .and. all((overlap == 1) .eqv. (mu2 < 1)), 'overlap_pairs')
     ! The vectors of the cell are its columns: by the second, particle 2 is r12 - (4, 0, 0) from particle 1.
     cell(:, 1) = [0.0_c_double, 30.0_c_double, 0.0_c_double]
     cell(:, 2) = [4.0_c_double, 0.0_c_double, 0.0_c_double]
     cell(:, 3) = [1.0_c_double, 2.0_c_double, 40.0_c_double]
-    status = pw85_contact_pairs(1_c_size_t, pairs, num_particles, centers, q, cell, mu2, lambda)
+    status = pw85_contact_pairs(one, system, mu2, lambda)
     call check(status == pw85_success, 'contact_pairs in a cell: status')
     status = pw85_contact(r12 - cell(:, 2), q1, q2, out)
     call check(close(mu2(1), out(1)) .and. abs(lambda(1) - out(2)) <= 1e-7, 'contact_pairs in a cell')
-    status = pw85_nearest_images(1_c_size_t, pairs, num_particles, centers, cell, nearest, image)
+    status = pw85_nearest_images(1_c_size_t, pairs, system, nearest, image)
     call check(status == pw85_success .and. all(close(nearest(:, 1), r12 - cell(:, 2))) .and. &
                all(image(:, 1) == [0, -1, 0]), 'nearest_images')
-    status = pw85_overlap_pairs(1_c_size_t, pairs, num_particles, centers, q, cell, overlap)
+    status = pw85_overlap_pairs(one, system, overlap)
     call check(status == pw85_success .and. (overlap(1) == 1) .eqv. (out(1) < 1), 'overlap_pairs in a cell')
     ! The same image by its multiples, and another cell of the same lattice.
     images(:, 1) = [0, -1, 0]
-    status = pw85_contact_pairs(1_c_size_t, pairs, num_particles, centers, q, cell, mu2, images=images)
+    status = pw85_contact_pairs(with_images, system, mu2)
     call check(status == pw85_success .and. close(mu2(1), out(1)), 'contact_pairs with images')
-    status = pw85_overlap_pairs(1_c_size_t, pairs, num_particles, centers, q, cell, overlap, images)
+    status = pw85_overlap_pairs(with_images, system, overlap)
     call check(status == pw85_success .and. (overlap(1) == 1) .eqv. (out(1) < 1), 'overlap_pairs with images')
-    status = pw85_contact_pairs(1_c_size_t, pairs, num_particles, centers, q, mu2=mu2, images=images)
+    status = pw85_contact_pairs(with_images, apart, mu2)
     call check(status == pw85_einval, 'contact_pairs: images without a cell')
-    status = pw85_contact_derivatives_pairs(1_c_size_t, pairs, num_particles, centers, q, cell, mu2, lambda, &
-                                            d_r12=d_r12, d_rot1=d_rot1)
+    status = pw85_contact_derivatives_pairs(one, system, mu2, lambda, d_r12=d_r12, d_rot1=d_rot1)
     call check(status == pw85_success .and. close(mu2(1), out(1)), 'contact_derivatives_pairs')
     status = pw85_contact_gradient(r12 - cell(:, 2), q1, q2, lambda(1), gradient)
     call check(status == pw85_success .and. all(close(d_r12(:, 1), gradient)), 'contact_derivatives_pairs: d_r12')
-    status = pw85_contact_forces_pairs(1_c_size_t, pairs, num_particles, centers, cell, [3.0_c_double], d_r12, &
-                                       forces=forces, virial=virial)
+    status = pw85_contact_forces_pairs(with_images, system, [3.0_c_double], d_r12, forces=forces, virial=virial)
     call check(status == pw85_success .and. all(close(forces(:, 1), 3 * d_r12(:, 1))), 'contact_forces_pairs: force')
     call check(all(abs(forces(:, 1) + forces(:, 2)) <= 0) .and. all(abs(forces(:, 3)) <= 0), 'contact_forces_pairs: others')
     call check(close(virial(1, 1) + virial(2, 2) + virial(3, 3), -6 * mu2(1)), 'contact_forces_pairs: virial')
-    status = pw85_overlap_any_indices(centers(:, 1), q1, 1_c_size_t, pairs(2:2, 1), num_particles, centers, q, cell, holds)
+    status = pw85_overlap_any_indices(centers(:, 1), q1, system, 1_c_size_t, pairs(2:2, 1), any=holds)
     call check(status == pw85_success .and. (holds == 1) .eqv. (mu2(1) < 1), 'overlap_any_indices')
-    status = pw85_nearest_image_limit(num_particles, q, cell, limit)
+    image(:, 1) = [1, 0, 0]
+    status = pw85_overlap_any_indices(centers(:, 1), q1, system, 1_c_size_t, pairs(1:1, 1), image, holds)
+    call check(status == pw85_success .and. holds == 0, 'overlap_any_indices: image of itself')
+    other = 1.0e-2_c_double * cell
+    system%cell = c_loc(other)
+    status = pw85_overlap_any_indices(centers(:, 1), q1, system, 0_c_size_t, pairs(2:2, 1), any=holds)
+    call check(status == pw85_einval .and. holds == -1, 'overlap_any_indices: nearest images do not decide')
+    system%cell = c_loc(cell)
+    status = pw85_nearest_image_limit(system, limit)
     call check(status == pw85_success .and. limit > 0, 'nearest_image_limit')
-    status = pw85_neighbors_create(num_particles, centers, q, cell, [0, 1, 0], 1.0_c_double, 0.5_c_double, list)
-    num_neighbors = int(pw85_neighbors_size(list))
-    call check(status == pw85_success .and. num_neighbors > 0, 'neighbors_create')
-    neighbors => pw85_neighbors_pairs(list)
-    multiples => pw85_neighbors_images(list)
-    call check(all(shape(neighbors) == [2, num_neighbors]), 'neighbors_pairs')
-    call check(any(multiples(2, :) /= 0) .and. all(multiples([1, 3], :) == 0), 'neighbors_images')
-    status = pw85_neighbors_holds(list, num_particles, centers + 0.2_c_double, q, holds)
+    system%periodic = [0, 1, 0]
+    status = pw85_neighbors_create(system, 1.0_c_double, 0.5_c_double, list)
+    found = pw85_neighbors_list(list)
+    call check(status == pw85_success .and. found%num_pairs > 0, 'neighbors_create')
+    call c_f_pointer(found%pairs, neighbors, [2_c_size_t, found%num_pairs])
+    call c_f_pointer(found%images, multiples, [3_c_size_t, found%num_pairs])
+    call check(all(neighbors(1, :) <= neighbors(2, :)) .and. all(neighbors < num_particles), 'neighbors_list: pairs')
+    call check(any(multiples(2, :) /= 0) .and. all(multiples([1, 3], :) == 0), 'neighbors_list: images')
+    moved = centers
+    system%centers = c_loc(moved)
+    moved(:, 1) = moved(:, 1) + 0.4_c_double
+    status = pw85_neighbors_holds(list, system, holds)
     call check(status == pw85_success .and. holds == 1, 'neighbors_holds')
-    status = pw85_neighbors_holds(list, num_particles, centers + 0.3_c_double, q, holds)
+    moved(:, 1) = moved(:, 1) + 0.2_c_double
+    status = pw85_neighbors_holds(list, system, holds)
     call check(status == pw85_success .and. holds == 0, 'neighbors_holds no more')
+    other = 0.5_c_double * cell
+    system%centers = c_loc(centers)
+    system%cell = c_loc(other)
+    status = pw85_neighbors_holds(list, system, holds)
+    call check(status == pw85_success .and. holds == 0, 'neighbors_holds in another cell')
+    status = pw85_neighbors_holds(list, apart, holds)
+    call check(status == pw85_einval .and. holds == -1, 'neighbors_holds without its cell')
     call pw85_neighbors_destroy(list)
-    status = pw85_neighbors_create(1_c_size_t, centers, q, scale=1.0_c_double, skin=0.0_c_double, list=list)
-    multiples => pw85_neighbors_images(list)
-    call check(status == pw85_success .and. .not. associated(multiples), 'neighbors without a cell')
+    status = pw85_neighbors_create(apart, 1.0_c_double, 0.0_c_double, list)
+    found = pw85_neighbors_list(list)
+    call check(status == pw85_success .and. .not. c_associated(found%images), 'neighbors without a cell')
     call pw85_neighbors_destroy(list)
     q(4, 2) = -1
-    status = pw85_neighbors_check(num_particles, centers, q, cell, scale=1.0_c_double, skin=0.0_c_double, particle=particle)
+    status = pw85_neighbors_check(apart, 1.0_c_double, 0.0_c_double, particle)
     call check(status == pw85_enotpd .and. particle == 1, 'neighbors_check')
     q(:, 2) = q2
     cell(:, 3) = cell(:, 3) + 10 * cell(:, 2)
-    status = pw85_cell_reduce(cell, reduced)
-    call check(status == pw85_success .and. maxval(abs(reduced)) <= 40, 'cell_reduce')
-    status = pw85_contact_pairs(1_c_size_t, pairs, num_particles, centers, q, reduced, mu2)
+    status = pw85_cell_reduce(cell, other)
+    call check(status == pw85_success .and. maxval(abs(other)) <= 40, 'cell_reduce')
+    system = pw85_system(num_particles, c_loc(centers), c_loc(q), c_loc(other))
+    status = pw85_contact_pairs(one, system, mu2)
     call check(status == pw85_success .and. close(mu2(1), out(1)), 'contact_pairs in a reduced cell')
   end subroutine test_pairs
 

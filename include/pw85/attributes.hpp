@@ -10,6 +10,17 @@
 #define PW85_ANYWHERE
 #endif
 
+namespace pw85::detail {
+
+/// Whether this is compiled for a device, which has neither the memory for extended numbers nor the time.
+#if defined(__CUDA_ARCH__) || defined(__HIP_DEVICE_COMPILE__)
+inline constexpr bool is_for_device = true;
+#else
+inline constexpr bool is_for_device = false;
+#endif
+
+} // namespace pw85::detail
+
 /// Before every function of the templates: it belongs to its unit alone, which runs what it was compiled to, with its own flags.
 #define PW85_FUNCTION PW85_ANYWHERE static
 

@@ -11,9 +11,8 @@ namespace pw85 {
 
 /// Which pairs a neighbour list has; see pw85_neighbors_create().
 struct NeighborOptions {
-    std::array<int, 3> periodic = {1, 1, 1}; ///< along which vectors of the cell there are images
-    double scale = 1.0;                      ///< of the ellipsoids
-    double skin = 0.0;                       ///< how far apart boxes may be
+    double scale = 1.0; ///< of the ellipsoids
+    double skin = 0.0;  ///< how far apart boxes may be
 };
 
 /// A neighbour list and its memory; it can be moved, not copied.
@@ -24,21 +23,18 @@ class Neighbors {
     /// Takes a list of the C API over; null is fine.
     [[gnu::always_inline]] explicit Neighbors(pw85_neighbors *list) noexcept : list_(list) {}
 
-    /// Pairs and images, as long as this object lives.
-    [[gnu::always_inline]] PairList list() const noexcept { return {pairs(), images()}; }
-
-    [[gnu::always_inline]] std::span<IndexPair const> pairs() const noexcept
+    /// Pairs, with images if the list has a cell, as long as this object lives.
+    [[gnu::always_inline]] PairList list() const noexcept
     {
-        auto const *const data = pw85_neighbors_pairs(list_.get());
-        return {reinterpret_cast<IndexPair const *>(data), pw85_neighbors_size(list_.get())};
+        pw85_pair_list const list = pw85_neighbors_list(list_.get());
+        return {{reinterpret_cast<IndexPair const *>(list.pairs), list.num_pairs},
+                {reinterpret_cast<Image const *>(list.images), list.images != nullptr ? list.num_pairs : 0}};
     }
+
+    [[gnu::always_inline]] std::span<IndexPair const> pairs() const noexcept { return list().pairs; }
 
     /// Empty without a cell.
-    [[gnu::always_inline]] std::span<Image const> images() const noexcept
-    {
-        auto const *const data = pw85_neighbors_images(list_.get());
-        return {reinterpret_cast<Image const *>(data), data != nullptr ? pw85_neighbors_size(list_.get()) : 0};
-    }
+    [[gnu::always_inline]] std::span<Image const> images() const noexcept { return list().images; }
 
     [[gnu::always_inline]] pw85_neighbors const *get() const noexcept { return list_.get(); }
 
@@ -51,7 +47,7 @@ class Neighbors {
 
 /// All pairs whose bounding boxes meet: see pw85_neighbors_create().
 ///
-/// @param particles in a cell or not
+/// @param particles in a cell or not, periodic along some of its vectors
 /// @param options which pairs
 /// @param[out] list empty on error
 /// @return Status::success, Status::invalid_argument, Status::not_positive_definite, Status::out_of_memory
@@ -66,10 +62,10 @@ static inline Status neighbors_create(Particles const &particles, NeighborOption
 static inline Status neighbors_check(Particles const &particles, NeighborOptions const &options,
                                      std::size_t &particle) noexcept;
 
-/// Whether a list still has all pairs after motion: see pw85_neighbors_holds().
+/// Whether a list still has all pairs after motion, also of the cell: see pw85_neighbors_holds().
 ///
 /// @param list a list
-/// @param particles where they are now; the cell does not matter
+/// @param particles where they are now, and the cell of now
 /// @param[out] holds 1, 0, or -1 on error
 /// @return Status::success, Status::invalid_argument, Status::not_positive_definite
 static inline Status neighbors_holds(Neighbors const &list, Particles const &particles, int &holds) noexcept;
@@ -80,9 +76,8 @@ static inline Status neighbors_create(Particles const &particles, NeighborOption
     list = Neighbors();
     if (particles.centers.size() != particles.q.size()) return Status::invalid_argument;
     pw85_neighbors *made = nullptr;
-    int const status = pw85_neighbors_create(particles.centers.size(), detail::numbers(particles.centers),
-                                             detail::numbers(particles.q), detail::numbers(particles.cell),
-                                             options.periodic.data(), options.scale, options.skin, &made);
+    pw85_system const system = detail::c_struct(particles);
+    int const status = pw85_neighbors_create(&system, options.scale, options.skin, &made);
     list = Neighbors(made);
     return static_cast<Status>(status);
 }
@@ -92,18 +87,16 @@ static inline Status neighbors_check(Particles const &particles, NeighborOptions
 {
     particle = particles.centers.size();
     if (particles.centers.size() != particles.q.size()) return Status::invalid_argument;
-    return static_cast<Status>(pw85_neighbors_check(particles.centers.size(), detail::numbers(particles.centers),
-                                                    detail::numbers(particles.q), detail::numbers(particles.cell),
-                                                    options.periodic.data(), options.scale, options.skin, &particle));
+    pw85_system const system = detail::c_struct(particles);
+    return static_cast<Status>(pw85_neighbors_check(&system, options.scale, options.skin, &particle));
 }
 
 static inline Status neighbors_holds(Neighbors const &list, Particles const &particles, int &holds) noexcept
 {
     holds = -1;
     if (particles.centers.size() != particles.q.size()) return Status::invalid_argument;
-    return static_cast<Status>(pw85_neighbors_holds(list.get(), particles.centers.size(),
-                                                    detail::numbers(particles.centers), detail::numbers(particles.q),
-                                                    &holds));
+    pw85_system const system = detail::c_struct(particles);
+    return static_cast<Status>(pw85_neighbors_holds(list.get(), &system, &holds));
 }
 
 } // namespace pw85

@@ -25,24 +25,29 @@
 ///   or (xx, xy, yy).
 /// - Lengths are in any one unit; forms are in its square; μ² and λ have none.
 /// - The result is a value, with a Status that is Status::success or says why every number in it is NaN.
-/// - Everything is noexcept, and constexpr where the standard lets it; nothing is allocated, kept, shared or printed.
-/// - Semi-axes and distances from 1e-150 to 1e150 neither overflow nor underflow inside in double.
-/// - Code is compiled with the flags of the unit that includes it, and runs in the caller's floating-point environment.
-///   `-ffast-math` is refused.
+///   Status::invalid_argument has two causes, the same in every function: a number is NaN or infinite, or an argument is outside
+///   of the range that its description states, as "> 0". Status::not_positive_definite says that a form is not.
+/// - Every function is noexcept, and constexpr where the standard allows it. No function allocates memory, keeps or shares state, or
+///   prints anything.
+/// - In double, no intermediate result overflows or underflows for semi-axes and distances from 1e-150 to 1e150.
+/// - Code is compiled with the flags of the unit that includes it, and runs in the caller's floating-point environment. It refuses
+///   `-ffast-math` unless PW85_ALLOW_FAST_MATH is defined.
 ///
 /// Its neighbours:
 ///
 /// - pw85/batch.hpp: many pairs, neighbour lists and periodic cells, as spans; needs the compiled library, which chooses
 ///   the instruction set at run time.
-/// - pw85/legacy.hpp: the rational form of f and the solvers that were superseded; pw85/zheng.hpp: the distance of closest
+/// - pw85/history/legacy.hpp: the rational form of f and the solvers that were superseded; pw85/history/zheng.hpp: the distance of closest
 ///   approach by the algorithms of Zheng et al. Both are there to check the contact function.
-/// - pw85.h: the C API of the compiled library, with Brent's method as in pw85 1.0, which needs GSL.
-/// - The headers that this one includes hold the definitions, one idea each, with its mathematics at the top.
+/// - pw85.h: the C API of the compiled library. It has Brent's method as in pw85 1.0, too, which the library takes from GSL or
+///   from Boost.Math.
+/// - The folders hold the definitions, one idea a header, with its mathematics at the top: algebra/, contact/, overlap/, distance/ and
+///   motion/. What is not public there is in namespace pw85::detail.
 #ifndef PW85_PW85_HPP_INCLUDED
 #define PW85_PW85_HPP_INCLUDED
 
+#include <pw85/algebra/symmetric.hpp>
 #include <pw85/status.hpp>
-#include <pw85/symmetric.hpp>
 
 namespace pw85 {
 
@@ -81,7 +86,7 @@ template <class T> PW85_FUNCTION constexpr Form<T, 3> spheroid(T const &a, T con
 
 /// Form of a general ellipsoid, Q = R diag(semi_axes²) Rᵀ.
 ///
-/// @param semi_axes lengths of the principal semi-axes (not diameters), > 0
+/// @param semi_axes lengths of the principal semi-axes (not diameters), > 0, whose squares are in the range of `T`
 /// @param rotation 3×3 matrix R in row-major order; its columns are the principal directions, so that R takes the body frame
 /// to the space frame. RᵀR may differ from I by at most 1e-6 in any entry; reflections are accepted.
 /// @return the form; Status::invalid_argument
@@ -99,8 +104,8 @@ template <class T> PW85_FUNCTION constexpr Form<T, 3> ellipsoid_quaternion(Vecto
 
 /// Form (xx, xy, yy) of an ellipse.
 ///
-/// @param a first semi-axis, > 0
-/// @param b second semi-axis, > 0
+/// @param a first semi-axis, > 0, whose square is in the range of `T`
+/// @param b second semi-axis, > 0, whose square is in the range of `T`
 /// @param angle from the x axis to the first semi-axis, counter-clockwise, in radians
 /// @return the form; Status::invalid_argument
 template <class T> PW85_FUNCTION inline Form<T, 2> ellipse(T const &a, T const &b, T const &angle) noexcept;
@@ -130,8 +135,8 @@ contact(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, SymmetricMatri
 /// Point at which the ellipsoids, scaled by μ, touch, and their common normal.
 ///
 /// @param r12,q1,q2 as for contact(), r12 != 0
-/// @param lambda from contact(); any value in (0, 1) gives x0(λ), the point for which f(λ) is the weighted average of the
-/// squares of the factors that bring either ellipsoid there
+/// @param lambda from contact(). Any other value in (0, 1) gives the point x0(λ) of the chapter on theory: it is on both
+/// ellipsoids when they are scaled by the factors μ1 and μ2 for which f(λ) = λ μ1² + (1-λ) μ2².
 /// @return the point, relative to the centre of ellipsoid 1, and the unit vector out of ellipsoid 1 and into ellipsoid 2;
 /// Status::invalid_argument (also for λ outside [0, 1] and r12 = 0), Status::not_positive_definite
 template <class T, int D>
@@ -159,8 +164,9 @@ template <class T, int D>
 PW85_FUNCTION inline ContactTorque<T, D> contact_torque(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
                                                         SymmetricMatrix<T, D> const &q2, T const &lambda) noexcept;
 
-/// Second derivatives of μ² with respect to r12 and rotations of the ellipsoids about their own centres, where the vector ω
-/// stands for the rotation by |ω| about ω, or the angle ω in two dimensions, and λ follows each change.
+/// Second derivatives of μ² with respect to r12 and rotations of the ellipsoids about their own centres. A vector ω describes the
+/// rotation by the angle |ω| about the direction of ω; in two dimensions ω is the angle. λ is not held fixed: it maximises f for
+/// each changed pair.
 ///
 /// @param r12,q1,q2 as for contact(), r12 != 0
 /// @param lambda from contact()
@@ -172,25 +178,25 @@ PW85_FUNCTION inline ContactHessian<T, D> contact_hessian(Vector<T, D> const &r1
 
 /// Whether two ellipsoids overlap, μ² < 1. Tangent ellipsoids (μ² = 1) do not.
 ///
-/// For float, double and long double the answer is that of exact arithmetic for the numbers given: bounds that take rounding
-/// into account decide almost always, and exact arithmetic the rest. For a multiprecision number it is right to its rounding.
+/// For float, double and long double the answer is that of exact arithmetic for the numbers given. Bounds that account for rounding
+/// decide almost all pairs, and exact arithmetic decides the others. For a multiprecision number the answer is right to its
+/// rounding.
 ///
 /// @param r12,q1,q2 as for contact(); r12 = 0 is an overlap
 /// @return the answer, and the means that decided; Status::invalid_argument, Status::not_positive_definite
 template <class T, int D> PW85_FUNCTION inline Overlap overlap(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
                                                                SymmetricMatrix<T, D> const &q2) noexcept;
 
-/// What is certain of overlap() without exact arithmetic: Decision::overlap, Decision::apart, or Decision::none for a pair so near
-/// to contact, |μ² - 1| of some u cond, that floating-point numbers cannot tell. It needs nothing that a device lacks: a thread
-/// of a GPU calls this, and what it leaves open is for overlap() on the host.
+/// overlap() without exact arithmetic: Decision::overlap or Decision::apart where floating-point numbers prove it, Decision::none for
+/// a pair so near to contact, |μ² - 1| of some u cond, that they cannot. A thread of a GPU can call this function, and leave the
+/// pairs that it does not decide to overlap() on the host.
 ///
 /// @param r12,q1,q2 as for overlap()
 /// @return the decision, and the means that made it; as Decision::none, Status::invalid_argument, Status::not_positive_definite
 template <class T, int D> PW85_FUNCTION inline OverlapDecision
 decide_overlap(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, SymmetricMatrix<T, D> const &q2) noexcept;
 
-/// overlap() with what shows the answer: a separating direction, or a point inside both. These are right to
-/// rounding.
+/// overlap() with a witness of the answer: a separating direction, or a point inside both. The witness is right to rounding.
 ///
 /// @param r12,q1,q2 as for overlap()
 /// @return the answer, λ, and, if the ellipsoids are apart, the unit normal of a plane between them; if they overlap, a point in
@@ -200,7 +206,7 @@ template <class T, int D> PW85_FUNCTION inline OverlapWitness<T, D>
 overlap_witness(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, SymmetricMatrix<T, D> const &q2) noexcept;
 
 /// Distance of closest approach: the distance of the centres at which two ellipsoids of fixed orientation touch
-/// from outside, when their centres are on a line of given direction: |d|/μ(d).
+/// from outside, when their centres are on a line of given direction d. It is |d|/μ(d).
 ///
 /// @param direction from centre 1 to centre 2, of any length > 0
 /// @param q1,q2 the forms
@@ -355,19 +361,19 @@ intersect_line(Vector<T, D> const &origin, Vector<T, D> const &direction, Symmet
 
 } // namespace pw85
 
-#include <pw85/bounding_box.hpp>
-#include <pw85/closest_approach.hpp>
-#include <pw85/contact.hpp>
-#include <pw85/contact_hessian.hpp>
-#include <pw85/distance.hpp>
-#include <pw85/distance_derivatives.hpp>
-#include <pw85/first_contact.hpp>
-#include <pw85/forms.hpp>
-#include <pw85/geometry.hpp>
-#include <pw85/line.hpp>
-#include <pw85/nearest.hpp>
-#include <pw85/overlap.hpp>
-#include <pw85/penetration.hpp>
-#include <pw85/walls.hpp>
+#include <pw85/contact/closest_approach.hpp>
+#include <pw85/contact/contact.hpp>
+#include <pw85/contact/contact_hessian.hpp>
+#include <pw85/contact/forms.hpp>
+#include <pw85/contact/geometry.hpp>
+#include <pw85/distance/bounding_box.hpp>
+#include <pw85/distance/distance.hpp>
+#include <pw85/distance/distance_derivatives.hpp>
+#include <pw85/distance/line.hpp>
+#include <pw85/distance/nearest.hpp>
+#include <pw85/distance/penetration.hpp>
+#include <pw85/distance/walls.hpp>
+#include <pw85/motion/first_contact.hpp>
+#include <pw85/overlap/overlap.hpp>
 
 #endif

@@ -3,12 +3,15 @@
 #ifndef PW85_STATUS_H_INCLUDED
 #define PW85_STATUS_H_INCLUDED
 
-/* X(C name, C++ name, value, text) */
+/* X(C name, C++ name, value, text). The errors are a list of their own, which a comma goes before: C89 has none at the end. */
 #define PW85_STATUS_LIST(X)                                                                                            \
     X(PW85_SUCCESS, success, 0, "success")                                                                             \
+    PW85_ERROR_LIST(X)
+#define PW85_ERROR_LIST(X)                                                                                             \
     X(PW85_EINVAL, invalid_argument, 1,                                                                                \
-      "invalid argument: NaN, infinity, a length that is not positive, a rotation that is not orthonormal, "           \
-      "an index or a size out of range, or a null pointer")                                                            \
+      "invalid argument: NaN, infinity, a length that is not positive, a zero direction, a rotation that is not "      \
+      "orthonormal, a singular cell, an index or a size out of range, or a null pointer; the description of the "      \
+      "function names its causes")                                                                                     \
     X(PW85_ENOTPD, not_positive_definite, 2, "a quadratic form is not positive definite")                              \
     X(PW85_ECONVERGENCE, no_convergence, 3, "the iterations did not converge")                                         \
     X(PW85_ENOMEM, out_of_memory, 4, "there is not enough memory")                                                     \

@@ -60,13 +60,27 @@ def particles_and_pairs(lmp):
     return centers, shapes, np.ascontiguousarray(pairs[pairs[:, 1] < count], dtype=np.int32)
 
 
+class PairList(ctypes.Structure):
+    """pw85_pair_list."""
+
+    _fields_ = [("num_pairs", ctypes.c_size_t), ("pairs", ctypes.c_void_p), ("images", ctypes.c_void_p)]
+
+
+class System(ctypes.Structure):
+    """pw85_system."""
+
+    _fields_ = [("num_particles", ctypes.c_size_t), ("centers", ctypes.c_void_p), ("q", ctypes.c_void_p),
+                ("cell", ctypes.c_void_p), ("periodic", 3 * ctypes.c_int)]
+
+
 def time_batch(library, centers, forms, pairs):
     """Seconds per call of both batch functions."""
     def pointer(array):
         return array.ctypes.data_as(ctypes.c_void_p)
     mu2, lam, overlaps = np.empty(len(pairs)), np.empty(len(pairs)), np.empty(len(pairs), dtype=np.uint8)
-    common = [ctypes.c_size_t(len(pairs)), pointer(pairs), None, ctypes.c_size_t(len(centers)), pointer(centers),
-              pointer(forms), None]
+    pair_list = PairList(len(pairs), pointer(pairs), None)
+    system = System(len(centers), pointer(centers), pointer(forms), None)
+    common = [ctypes.byref(pair_list), ctypes.byref(system)]
     return (fastest(lambda: library.pw85_overlap_pairs(*common, pointer(overlaps))),
             fastest(lambda: library.pw85_contact_pairs(*common, pointer(mu2), pointer(lam))))
 

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-only
 """The scripts of examples/lammps, on two ranks, with the pictures they are made for."""
 
+import itertools
 import os
 import re
 import subprocess
@@ -9,8 +10,8 @@ import tempfile
 import unittest
 from pathlib import Path
 
-from lammps_runs import launch
-import itertools
+import numpy as np
+from lammps_runs import launch, thermo
 
 EXAMPLES = Path(os.environ["PW85_LAMMPS_EXAMPLES"])
 
@@ -57,6 +58,16 @@ class Examples(unittest.TestCase):
         text = self.run_example("relax")
         self.assertEqual(self.number("overlapping pairs: ", text), 0)
         self.assertAlmostEqual(self.number("volume fraction: ", text), 0.68, delta=1e-9)
+
+    def test_dynamics(self):
+        """With the energy of rotation the total is conserved; without it, etotal is not."""
+        rows = thermo(self.run_example("dynamics"))
+        energy, translation, rotation, etotal, total = rows[:, 1:].T
+        np.testing.assert_allclose(etotal, energy + translation, rtol=1e-9)
+        np.testing.assert_allclose(total, etotal + rotation, rtol=1e-9)
+        # 5e-6 is what this time step leaves (test_dynamics.py: its square), 0.28 the part that goes into rotation.
+        self.assertLess(np.ptp(total), 1e-4 * total[0])
+        self.assertGreater(np.ptp(etotal), 0.05 * total[0])
 
     def check_steps_printed_twice(self, text):
         """The last line of a run and the first of the next have the same step, and the same ellipsoids."""

@@ -23,10 +23,15 @@ Conventions, for every function unless it says otherwise:
   results are arrays of NumPy (or dask, if that is what xarray holds).
 - A call for a single row, without keywords of ufuncs, that fails raises `PW85Error` and leaves NaN in `out`. In a call
   for many rows, a bad row becomes NaN, the others are computed all the same, and NumPy reports "invalid value" once, as
-  `numpy.errstate` says; `bad_rows` finds them.
+  `numpy.errstate` says; `bad_rows` finds them. The text of an exception names the argument that is bad, and why it is.
 """
 
-from . import gufuncs, legacy, utils
+from . import (
+    _drawing,  # gives System.draw() what it does
+    gufuncs,
+    legacy,
+    utils,
+)
 from ._contact import (
     _cholesky_decomp,
     _cholesky_solve,
@@ -60,7 +65,7 @@ from ._errors import PW85Error, Status, bad_rows
 from ._forms import ellipse, ellipsoid, ellipsoid_quaternion, full, packed, principal_axes, spheroid
 from ._motion import Events, first_contact, first_contact_pairs, motion
 from ._neighbors import Neighbors, neighbors
-from ._packing import pack, relax
+from ._packing import OverlapsLeft, RelaxationInterrupted, pack, relax
 from ._pairs import contact_pairs, nearest_images, overlap_pairs
 from ._plotting import plot
 from ._statistics import Correlation, correlation, nematic_order
@@ -100,7 +105,7 @@ metadata = {
     "author": "the pw85 authors",
     "author_email": "",
     "license": "BSD-3-Clause",
-    "url": "https://github.com/sbrisard/pw85",
+    "url": "",
     "year": "2026",
 }
 
@@ -112,7 +117,9 @@ __all__ = [
     "Events",
     "FileError",
     "Neighbors",
+    "OverlapsLeft",
     "PW85Error",
+    "RelaxationInterrupted",
     "Report",
     "Status",
     "System",

@@ -11,7 +11,7 @@ def strerror(status: int, /) -> str: ...
 def contact_pairs(
     pairs: NDArray[np.int32],
     centers: NDArray[np.float64],
-    q: NDArray[np.float64],
+    q: NDArray[np.float64] | None,
     cell: NDArray[np.float64] | None,
     images: NDArray[np.int32] | None,
     mu2: NDArray[np.float64],
@@ -21,7 +21,7 @@ def contact_pairs(
 def overlap_pairs(
     pairs: NDArray[np.int32],
     centers: NDArray[np.float64],
-    q: NDArray[np.float64],
+    q: NDArray[np.float64] | None,
     cell: NDArray[np.float64] | None,
     images: NDArray[np.int32] | None,
     overlap: NDArray[np.uint8],
@@ -47,7 +47,7 @@ def neighbors(
     skin: float,
     /,
 ) -> tuple[int, int, Any, Any, Any]: ...
-def neighbors_hold(list: Any, centers: NDArray[np.float64], q: NDArray[np.float64], /) -> tuple[int, int]: ...
+def neighbors_hold(*args: Any) -> tuple[int, int]: ...
 def nearest_images(*args: Any) -> int: ...
 def nearest_image_limit(q: NDArray[np.float64], cell: NDArray[np.float64] | None, /) -> tuple[int, float]: ...
 

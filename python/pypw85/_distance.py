@@ -8,11 +8,15 @@ from numpy.typing import ArrayLike
 
 from . import _core
 from ._documentation import documented
-from ._typing import Floats, Row
+from ._typing import Floats, One, Row, Rows
 
 
 @overload
-def distance(r12: Row, q1: Row, q2: Row, out: None = None) -> tuple[float, Floats, Floats]: ...
+def distance(r12: Row, q1: One, q2: One, out: Floats | None = None) -> tuple[float, Floats, Floats]: ...
+@overload
+def distance(
+    r12: Rows, q1: ArrayLike, q2: ArrayLike, out: Any = None, **kwargs: Any
+) -> tuple[Floats, Floats, Floats]: ...
 @overload
 def distance(
     r12: ArrayLike, q1: ArrayLike, q2: ArrayLike, out: Any = None, **kwargs: Any
@@ -88,7 +92,11 @@ def distance_derivatives(
 
 
 @overload
-def distance_2d(r12: Row, q1: Row, q2: Row, out: None = None) -> tuple[float, Floats, Floats]: ...
+def distance_2d(r12: Row, q1: One, q2: One, out: Floats | None = None) -> tuple[float, Floats, Floats]: ...
+@overload
+def distance_2d(
+    r12: Rows, q1: ArrayLike, q2: ArrayLike, out: Any = None, **kwargs: Any
+) -> tuple[Floats, Floats, Floats]: ...
 @overload
 def distance_2d(
     r12: ArrayLike, q1: ArrayLike, q2: ArrayLike, out: Any = None, **kwargs: Any
@@ -127,7 +135,11 @@ def distance_2d(
 
 
 @overload
-def penetration(r12: Row, q1: Row, q2: Row, out: None = None) -> tuple[float, Floats]: ...
+def penetration(r12: Row, q1: One, q2: One, out: Floats | None = None) -> tuple[float, Floats]: ...
+@overload
+def penetration(
+    r12: Rows, q1: ArrayLike, q2: ArrayLike, out: Any = None, **kwargs: Any
+) -> tuple[Floats, Floats]: ...
 @overload
 def penetration(
     r12: ArrayLike, q1: ArrayLike, q2: ArrayLike, out: Any = None, **kwargs: Any

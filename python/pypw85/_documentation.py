@@ -1,4 +1,4 @@
-"""Paragraphs that the texts of several functions share, so that the text of each is whole."""
+"""The texts of functions: paragraphs that several share, so that the text of each is whole, and where a function is found by name."""
 
 from __future__ import annotations
 
@@ -9,9 +9,14 @@ from collections.abc import Callable
 
 Function = TypeVar("Function", bound=Callable[..., object])
 
+# The functions that are documented, by their names in the compiled part.
+FUNCTIONS: dict[str, Callable[..., object]] = {}
+
 
 def documented(function: Function) -> Function:
-    """Decorator: puts the paragraph of that name in place of a line like ``{forms}`` in the text of a function."""
+    """Decorator: puts the paragraph of that name in place of a line like ``{forms}`` in the text of a function, and lists it."""
+    prefix = "legacy_" if function.__module__.endswith(".legacy") else ""
+    FUNCTIONS[prefix + function.__name__.removeprefix("_")] = function
     if function.__doc__:  # not with python -OO
         function.__doc__ = re.sub(r"^( *)\{(\w+)\}\n", _paragraph, function.__doc__, flags=re.MULTILINE)
     return function

@@ -8,16 +8,16 @@ from __future__ import annotations
 import base64
 import importlib.resources
 import json
+import os
 import pathlib
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
 from ._forms import full
+from ._system import Contacts, System
 from ._typing import Floats
-
-if TYPE_CHECKING:
-    from ._system import Contacts, System
+from .formats import check_output, replacing
 
 # Of ellipsoids that overlap none, and of those that overlap some
 _COLOURS = np.array([[0.45, 0.6, 0.8], [0.85, 0.25, 0.2]])
@@ -34,9 +34,44 @@ class _View(NamedTuple):
     height: int
 
 
-def draw(
-    system: System, ax: Any, contacts: bool, elevation: float, azimuth: float, size: int
-) -> Any:
+def is_page(path: Any) -> bool:
+    return str(os.fspath(path)).lower().endswith((".html", ".htm"))
+
+
+def check_picture(path: Any) -> None:
+    """Raises ValueError for a name that no picture has. Call it before the work."""
+    if is_page(path):
+        return
+    from matplotlib.backend_bases import FigureCanvasBase
+
+    known = FigureCanvasBase.get_supported_filetypes()
+    suffix = pathlib.Path(path).suffix[1:].lower()
+    if suffix and suffix not in known:
+        ends = ", ".join(f".{name}" for name in sorted([*known, "html"]))
+        raise ValueError(f"{os.fspath(path)}: no picture has such a name: end it with one of {ends}")
+
+
+def draw(system: System, path: Any, ax: Any, contacts: bool, elevation: float, azimuth: float, size: int) -> Any:
+    """What `System.draw` does."""
+    if path is not None:
+        check_picture(path)
+        check_output(path)
+    if path is not None and is_page(path):
+        text = _page(system, contacts)
+        with replacing(path) as temporary, open(temporary, "w", encoding="utf-8") as file:
+            file.write(text)
+        return None
+    axes = _fill_axes(system, ax, contacts, elevation, azimuth, size)
+    if path is not None:
+        with replacing(path) as temporary:
+            axes.figure.savefig(temporary, dpi=size / 8)
+    return axes
+
+
+System._drawer = draw
+
+
+def _fill_axes(system: System, ax: Any, contacts: bool, elevation: float, azimuth: float, size: int) -> Any:
     """Draws into axes of Matplotlib, new ones if there are none."""
     overlaps = system.overlaps()
     if ax is None:
@@ -126,7 +161,7 @@ def _window(center: Floats, form: Floats, view: _View) -> tuple[slice, slice, Fl
     return rows, columns, grid
 
 
-def page(system: System, contacts: bool) -> str:
+def _page(system: System, contacts: bool) -> str:
     """An HTML page that needs nothing but a browser."""
     overlaps = system.overlaps()
     marks = _overlapping(system, overlaps)

@@ -5,15 +5,17 @@ from __future__ import annotations
 from typing import Any, overload
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from . import _core
 from ._documentation import documented
-from ._typing import Floats, Row
+from ._typing import Floats, One, Row, Rows
 
 
 @overload
-def contact_2d(r12: Row, q1: Row, q2: Row, out: None = None) -> tuple[float, float]: ...
+def contact_2d(r12: Row, q1: One, q2: One, out: Floats | None = None) -> tuple[float, float]: ...
+@overload
+def contact_2d(r12: Rows, q1: ArrayLike, q2: ArrayLike, out: Any = None, **kwargs: Any) -> tuple[Floats, Floats]: ...
 @overload
 def contact_2d(r12: ArrayLike, q1: ArrayLike, q2: ArrayLike, out: Any = None, **kwargs: Any) -> tuple[Any, Any]: ...
 @documented
@@ -46,7 +48,9 @@ def contact_2d(r12: ArrayLike, q1: ArrayLike, q2: ArrayLike, out: Any = None, **
 
 
 @overload
-def overlap_2d(r12: Row, q1: Row, q2: Row, out: None = None) -> np.bool_: ...
+def overlap_2d(r12: Row, q1: One, q2: One, out: Floats | None = None) -> np.bool_: ...
+@overload
+def overlap_2d(r12: Rows, q1: ArrayLike, q2: ArrayLike, out: Any = None) -> NDArray[np.bool_]: ...
 @overload
 def overlap_2d(r12: ArrayLike, q1: ArrayLike, q2: ArrayLike, out: Any = None, **kwargs: Any) -> Any: ...
 @documented
@@ -199,7 +203,9 @@ def contact_hessian_2d(
 
 
 @overload
-def closest_approach_2d(direction: Row, q1: Row, q2: Row, out: None = None) -> float: ...
+def closest_approach_2d(direction: Row, q1: One, q2: One, out: Floats | None = None) -> float: ...
+@overload
+def closest_approach_2d(direction: Rows, q1: ArrayLike, q2: ArrayLike, out: Any = None, **kwargs: Any) -> Floats: ...
 @overload
 def closest_approach_2d(direction: ArrayLike, q1: ArrayLike, q2: ArrayLike, out: Any = None, **kwargs: Any) -> Any: ...
 @documented

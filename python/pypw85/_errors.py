@@ -33,16 +33,19 @@ class PW85Error(ValueError, ArithmeticError):
         Name of the function that failed.
     reason : str
         What went wrong, in words: ``strerror(status)``.
+    detail : str
+        Which argument is bad, and why, with its value; empty if that could not be found out.
     """
 
-    def __init__(self, status: int, function: str, reason: str) -> None:
-        super().__init__(status, function, reason)
+    def __init__(self, status: int, function: str, reason: str, detail: str = "") -> None:
+        super().__init__(status, function, reason, detail)
         self.status = Status(status)
         self.function = function
         self.reason = reason
+        self.detail = detail
 
     def __str__(self) -> str:
-        return f"{self.function}: {self.reason}"
+        return f"{self.function}: {self.detail or self.reason}"
 
 
 def bad_rows(result: Any, core_ndim: int = 0) -> NDArray[np.intp]:
@@ -81,7 +84,7 @@ def bad_rows(result: Any, core_ndim: int = 0) -> NDArray[np.intp]:
     >>> pypw85.contact([3, 0, 0], q[0], q[1])
     Traceback (most recent call last):
         ...
-    pypw85.PW85Error: contact: a quadratic form is not positive definite
+    pypw85.PW85Error: contact: q2 is not positive definite: [0.0, 0.0, 0.0, 0.0, 0.0, 0.0]
     """
     if core_ndim < 0:
         raise ValueError(f"core_ndim must not be negative, but it is {core_ndim}")

@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 from . import _core
 from ._documentation import documented
 from ._pairs import _explain, _pair_list, _rows
-from ._typing import Floats, Row
+from ._typing import Floats, One, Row, Rows
 
 
 class Events(NamedTuple):
@@ -55,8 +55,19 @@ def motion(
 
 @overload
 def first_contact(
-    r12: Row, q1: Row, q2: Row, motion1: Row, motion2: Row, t_max: float = np.inf, out: None = None
+    r12: Row, q1: One, q2: One, motion1: One, motion2: One, t_max: float = np.inf, out: Floats | None = None
 ) -> float: ...
+@overload
+def first_contact(
+    r12: Rows,
+    q1: ArrayLike,
+    q2: ArrayLike,
+    motion1: ArrayLike,
+    motion2: ArrayLike,
+    t_max: ArrayLike = np.inf,
+    out: Any = None,
+    **kwargs: Any,
+) -> Floats: ...
 @overload
 def first_contact(
     r12: ArrayLike,

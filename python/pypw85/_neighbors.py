@@ -10,7 +10,9 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import _core
 from ._errors import PW85Error, Status
+from ._explanations import explain_values
 from ._pairs import _cell, _particles
+from ._typing import Floats
 
 
 class Neighbors:
@@ -24,15 +26,19 @@ class Neighbors:
         Multiples of the cell vectors, to be added to the centre of j; 0 without a cell. Cannot be written to.
     """
 
-    __slots__ = ("_list", "images", "pairs")
+    __slots__ = ("_has_cell", "_list", "_periodic", "images", "pairs")
 
     pairs: NDArray[np.int32]
     images: NDArray[np.int32]
 
-    def __init__(self, _list: Any, pairs: NDArray[np.int32], images: NDArray[np.int32]) -> None:
+    def __init__(
+        self, _list: Any, pairs: NDArray[np.int32], images: NDArray[np.int32] | None, has_cell: bool, periodic: NDArray[np.int32]
+    ) -> None:
         self._list = _list
+        self._has_cell = has_cell
+        self._periodic = periodic
         self.pairs = pairs
-        self.images = images
+        self.images = np.zeros((len(pairs), 3), np.int32) if images is None else images
 
     def __len__(self) -> int:
         """Number of pairs."""
@@ -41,10 +47,11 @@ class Neighbors:
     def __repr__(self) -> str:
         return f"<pypw85.Neighbors: {len(self)} pairs>"
 
-    def holds(self, centers: ArrayLike, q: ArrayLike) -> bool:
-        """Whether the list still has all pairs whose boxes meet, without skin, after the particles have moved and turned.
+    def holds(self, centers: ArrayLike, q: ArrayLike, cell: ArrayLike | None = None) -> bool:
+        """Whether the list still has all pairs whose boxes meet, without skin, after the particles and the cell have changed.
 
-        It has while the box of each particle is within its old one, grown by half the skin on each side.
+        It has while the box of each particle is within its old one, grown by half the skin on each side, up to a motion that all
+        particles share; where the cell has changed, after the linear map that takes its vectors back.
 
         Parameters
         ----------
@@ -52,6 +59,8 @@ class Neighbors:
             Centres that went on from where they were: not wrapped into the cell anew.
         q : (n, 6) array_like
             Forms.
+        cell : (3, 3) array_like, optional
+            The cell as it is now, with vectors that went on likewise: needed if the list has a cell.
 
         Returns
         -------
@@ -60,11 +69,17 @@ class Neighbors:
         Raises
         ------
         PW85Error
-            The list is of another number of particles, or a particle is bad.
+            The list is of another number of particles, or a particle or the cell is bad.
         ValueError
-            Shapes do not match.
+            Shapes do not match, or there is no cell though the list has one, or the other way round.
         """
-        status, holds = _core.neighbors_hold(self._list, *_particles(centers, q))
+        if (cell is not None) is not self._has_cell:
+            raise ValueError(
+                "the list has a cell: give the cell as it is now" if self._has_cell else "the list has no cell"
+            )
+        status, holds = _core.neighbors_hold(
+            self._list, *_particles(centers, q), *_periodic_cell(cell, self._periodic)
+        )
         if status:
             raise PW85Error(status, "Neighbors.holds", _core.strerror(status))
         return bool(holds)
@@ -121,10 +136,29 @@ def neighbors(
     """
     arrays = _particles(centers, q)
     flags = np.require(np.broadcast_to(np.asarray(periodic, dtype=bool), 3), np.int32, ["C", "A"])
-    status, particle, found, pairs, images = _core.neighbors(*arrays, _cell(cell), flags, float(scale), float(skin))
+    status, particle, found, pairs, images = _core.neighbors(
+        *arrays, *_periodic_cell(cell, flags), float(scale), float(skin)
+    )
     if status == Status.ENOMEM:
         raise MemoryError("neighbors: " + _core.strerror(status))
     if status:
-        which = f"particle {particle}: " if particle < len(arrays[0]) else ""
-        raise PW85Error(status, "neighbors", which + _core.strerror(status))
-    return Neighbors(found, pairs, np.zeros((len(pairs), 3), np.int32) if images is None else images)
+        raise PW85Error(status, "neighbors", _core.strerror(status), _blame(particle, *arrays, _cell(cell), scale, skin))
+    return Neighbors(found, pairs, images, cell is not None, flags)
+
+
+def _periodic_cell(cell: ArrayLike | None, periodic: NDArray[np.int32]) -> tuple[Floats | None, NDArray[np.int32]]:
+    """The cell as the library takes it: none where none of its vectors is periodic."""
+    vectors = _cell(cell)
+    return vectors if periodic.any() else None, periodic
+
+
+def _blame(particle: int, centers: Floats, q: Floats, cell: Floats | None, scale: float, skin: float) -> str:
+    """What is wrong with the arguments of neighbors()."""
+    if particle < len(centers):
+        found = explain_values("bounding_boxes", (q[particle],)) or f"centers is not finite: {centers[particle].tolist()}"
+        return f"particle {particle}: {found}"
+    if not scale > 0 or not np.isfinite(scale):
+        return f"scale is no positive number: {scale}"
+    if not skin >= 0 or not np.isfinite(skin):
+        return f"skin is no number >= 0: {skin}"
+    return "" if cell is None else explain_values("cell_reduce", (cell,))

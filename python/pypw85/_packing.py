@@ -2,62 +2,141 @@
 
 from __future__ import annotations
 
+import itertools
 from typing import Any, NamedTuple
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 
 import numpy as np
 from numpy.typing import ArrayLike
 
+from ._forms import ellipsoid_quaternion
+from ._neighbors import Neighbors, neighbors
+from ._pairs import overlap_pairs
 from ._system import System
-from ._systems import contact_derivatives_pairs
+from ._systems import contact_derivatives_pairs, contact_forces_pairs
 from ._typing import Floats
 
-# Ellipsoids that are pressed together end up a little too deep: so they are this much larger than they are meant to be.
-_SWELLING = 1.01
+# Ellipsoids that are pressed together end up a little too deep: so they are larger than they are meant to be while they move.
+# Much larger ones are apart sooner, slightly larger ones find room in denser packings.
+_MUCH_SWOLLEN, _SLIGHTLY_SWOLLEN = 1.01, 1.001
 # FIRE (Bitzek et al., Phys. Rev. Lett. 97, 170201, 2006), with its own constants; times and masses have no unit.
 _STEP, _LONGEST_STEP, _MIXING = 0.05, 0.5, 0.1
 _FASTER, _SLOWER, _LESS_MIXING, _PATIENCE = 1.1, 0.5, 0.99, 5
 # Longest way of a step, in units of the shortest semi-axis: nothing passes through anything.
 _WAY = 0.25
+# A quench is stuck when so many steps take off less than this part of the energy: annealing gains more in as many.
+_STUCK_AFTER, _STUCK = 100, 0.05
+# Annealing starts at a temperature at which pairs with (1 - μ²)²/2 = kT are 7 % too close: dense packings melt, as if they filled
+# 0.93³ = 0.8 of their volume. The first one takes so many steps, each further one twice as many.
+_MELTING, _ANNEALING_STEPS = 0.01, 2000
+# A contact is as stiff as (2 / shortest semi-axis)²/4, in these units, and an ellipsoid has some ten: Verlet's method is stable for
+# steps up to 2/√(10 stiffness) = 0.63 shortest semi-axis.
+_VERLET_STEP = 0.4
+# Neighbour lists serve until something has moved by half of this, in units of the shortest semi-axis.
+_SKIN = 0.2
+
+
+class OverlapsLeft(ValueError):
+    """No configuration without overlaps was found.
+
+    Attributes
+    ----------
+    system : System
+        The best configuration that was found.
+    overlaps : int
+        How many pairs overlap in it.
+    steps : int
+        How many steps were tried.
+    """
+
+    def __init__(self, system: System, overlaps: int, steps: int) -> None:
+        super().__init__(system, overlaps, steps)
+        self.system, self.overlaps, self.steps = system, overlaps, steps
+
+    def __str__(self) -> str:
+        return f"pairs that still overlap after {self.steps} steps: {self.overlaps}; give more room, or more steps"
+
+
+class RelaxationInterrupted(KeyboardInterrupt):
+    """Ctrl-C came while ellipsoids pushed one another apart.
+
+    Attributes
+    ----------
+    system : System
+        The best configuration that was found before.
+    overlaps : int
+        How many pairs overlap in it.
+    """
+
+    def __init__(self, system: System, overlaps: int) -> None:
+        super().__init__(system, overlaps)
+        self.system, self.overlaps = system, overlaps
+
+    def __str__(self) -> str:
+        return f"pairs that still overlap: {self.overlaps}"
 
 
 class _Push(NamedTuple):
-    """Forces and torques, and the smallest μ² of the ellipsoids at their true size."""
+    """Forces and torques (2, n, 3) on swollen ellipsoids and their energy; and at the true size how many pairs overlap, the energy
+    of these, which is 0 without overlaps, and the smallest μ² of pairs that are not well apart."""
 
-    forces: Floats
-    torques: Floats
+    force: Floats
+    energy: float
+    overlaps: int
+    depth: float
     smallest: float
 
 
-def relax(system: System, steps: int = 5000, stage: Callable[[str], object] = str) -> System:
-    """Move and turn ellipsoids until none overlap, by the exact test; shapes and cell stay.
+class _Soft:
+    """Swollen ellipsoids that repel one another: their energy is Σ (1 - μ²)²/2 over the pairs that overlap.
 
-    Parameters
-    ----------
-    system : System
-    steps : int
-        How many steps to try.
-    stage : callable
-        Is told what is done.
-
-    Returns
-    -------
-    System
-
-    Raises
-    ------
-    ValueError
-        Some still overlap after so many steps: there is not enough room for them, or for a way there.
+    Lengths count in mean semi-axes. Masses and moments of inertia are 1.
     """
-    centers, quaternions = system.centers.copy(), system.quaternions.copy()
-    length, shortest = float(system.semi_axes.mean()), float(system.semi_axes.min())
-    velocity, step, mixing, downhill = np.zeros((2, len(system), 3)), _STEP, _MIXING, 0
-    for k in range(steps):
-        push = _push(system, centers, quaternions)
-        if push.smallest >= 1 and not len((moved := _moved(system, centers, quaternions)).overlaps().mu):
-            return moved
-        stage(f"step {k}, smallest μ {np.sqrt(push.smallest):.4f}")
-        force = np.stack([push.forces * length, push.torques])
+
+    def __init__(self, system: System) -> None:
+        self.system = system
+        self.centers, self.quaternions = system.centers.copy(), system.quaternions.copy()
+        self.length, self.shortest = float(system.semi_axes.mean()), float(system.semi_axes.min())
+        self._list: Neighbors | None = None
+
+    def push(self, swelling: float) -> _Push:
+        q = ellipsoid_quaternion(swelling * self.system.semi_axes, self.quaternions)
+        cell, found = self.system.cell, self._neighbors(q)
+        images = None if cell is None else found.images
+        near = overlap_pairs(found.pairs, self.centers, q, cell, images=images)
+        arrays = found.pairs[near], self.centers, q
+        images = None if images is None else images[near]
+        derivatives = contact_derivatives_pairs(*arrays, cell, images)
+        mu2 = swelling**2 * derivatives.mu2
+        slope, true_slope = np.minimum(derivatives.mu2 - 1, 0), np.minimum(mu2 - 1, 0)
+        result = contact_forces_pairs(found.pairs[near], self.centers, slope, derivatives, cell, images)
+        return _Push(np.stack([result.forces * self.length, result.torques]), 0.5 * float(slope @ slope),
+                     int((mu2 < 1).sum()), 0.5 * float(true_slope @ true_slope), float(mu2.min(initial=swelling**2)))  # fmt: skip
+
+    def _neighbors(self, q: Floats) -> Neighbors:
+        if self._list is None or not self._list.holds(self.centers, q, self.system.cell):
+            self._list = neighbors(self.centers, q, self.system.cell, self.system.periodic, skin=_SKIN * self.shortest)
+        return self._list
+
+    def move(self, way: Floats) -> None:
+        """By displacements and rotation vectors (2, n, 3), which are shortened if they are too long for one step."""
+        way = way * min(1.0, _WAY * self.shortest / self.length / max(float(np.abs(way).max()), 1e-300))
+        self.centers = self.centers + self.length * way[0]
+        self.quaternions = _turned(self.quaternions, way[1])
+
+
+def _quench(soft: _Soft, swelling: float) -> Iterator[_Push]:
+    """Downhill, by FIRE, until the energy stays as it is."""
+    velocity, step, mixing, downhill = np.zeros((2, len(soft.system), 3)), _STEP, _MIXING, 0
+    before = np.inf
+    for k in itertools.count():
+        push = soft.push(swelling)
+        yield push
+        if k % _STUCK_AFTER == 0:
+            if push.energy > (1 - _STUCK) * before:
+                return
+            before = push.energy
+        force = push.force
         if (force * velocity).sum() > 0:
             velocity = (1 - mixing) * velocity + mixing * force * np.linalg.norm(velocity) / np.linalg.norm(force)
             downhill += 1
@@ -67,12 +146,77 @@ def relax(system: System, steps: int = 5000, stage: Callable[[str], object] = st
             velocity[:] = 0
             step, mixing, downhill = step * _SLOWER if downhill else step, _MIXING, 0
         velocity += step * force
-        way = step * velocity
-        way *= min(1.0, _WAY * shortest / length / max(np.abs(way).max(), 1e-300))
-        centers += length * way[0]
-        quaternions = _turned(quaternions, way[1])
-    left = len(_moved(system, centers, quaternions).overlaps().mu)
-    raise ValueError(f"{left} pairs still overlap after {steps} steps: give more room, or more steps (--steps)")
+        soft.move(step * velocity)
+
+
+def _anneal(soft: _Soft, steps: int, swelling: float, random: np.random.Generator) -> Iterator[_Push]:
+    """Molecular dynamics from the melt to rest: dense packings find more room on the way, and order where they have to.
+
+    How deep pairs overlap goes as √T, which falls linearly: so hard cores grow linearly, as those of Lubachevsky and Stillinger
+    (J. Stat. Phys. 60, 561, 1990).
+    """
+    step = _VERLET_STEP * soft.shortest / soft.length
+    velocity = random.normal(size=(2, len(soft.system), 3))
+    for k in range(steps):
+        push = soft.push(swelling)
+        yield push
+        velocity += step * push.force
+        velocity[0] -= velocity[0].mean(axis=0)
+        velocity *= np.sqrt(_MELTING / np.mean(velocity**2)) * (1 - k / steps)
+        soft.move(step * velocity)
+
+
+def _pushes(soft: _Soft) -> Iterator[_Push]:
+    """Tries that cost more and more, for packings that are denser and denser. Each push is one step."""
+    yield from _quench(soft, _MUCH_SWOLLEN)
+    yield from _quench(soft, _SLIGHTLY_SWOLLEN)
+    random = np.random.default_rng(1)
+    for k in itertools.count():
+        yield from _anneal(soft, _ANNEALING_STEPS * 2**k, _SLIGHTLY_SWOLLEN, random)
+        yield from _quench(soft, _SLIGHTLY_SWOLLEN)
+
+
+def relax(system: System, steps: int = 20000, stage: Callable[[str], object] = str) -> System:
+    """Move and turn ellipsoids until none overlap, by the exact test; shapes and cell stay.
+
+    Ellipsoids that overlap push one another apart. Where that gets stuck, because the packing is dense, all ellipsoids are shaken,
+    and come to rest slowly, again and again, each time twice as slowly.
+
+    Parameters
+    ----------
+    system : System
+    steps : int
+        How many steps to try.
+    stage : callable
+        Is told at each step how many pairs overlap. If it raises KeyboardInterrupt, that ends the relaxation as Ctrl-C does.
+
+    Returns
+    -------
+    System
+
+    Raises
+    ------
+    OverlapsLeft
+        Some still overlap after so many steps: there is not enough room for them, or for a way there. The attribute `system` of
+        the exception is the best configuration that was found, in which overlaps are least deep: Σ (1 - μ²)² is smallest. It is a
+        ValueError.
+    RelaxationInterrupted
+        Ctrl-C. It has the same attribute, and is a KeyboardInterrupt.
+    """
+    soft = _Soft(system)
+    best, least = (soft.centers, soft.quaternions), np.inf
+    try:
+        for k, push in zip(range(steps), _pushes(soft)):
+            if push.depth <= least:
+                best, least = (soft.centers, soft.quaternions), push.depth
+                if push.overlaps == 0 and not len((moved := _moved(system, *best)).overlaps().mu):
+                    return moved
+            stage(f"step {k}, {push.overlaps} pairs overlap, smallest μ {np.sqrt(push.smallest):.4f}")
+    except KeyboardInterrupt:
+        left = _moved(system, *best)
+        raise RelaxationInterrupted(left, len(left.overlaps().mu)) from None
+    left = _moved(system, *best)
+    raise OverlapsLeft(left, len(left.overlaps().mu), steps)
 
 
 def _moved(system: System, centers: Floats, quaternions: Floats) -> System:
@@ -83,24 +227,6 @@ def _moved(system: System, centers: Floats, quaternions: Floats) -> System:
         )  # fmt: skip
 
     return make(make(centers).wrapped())
-
-
-def _push(system: System, centers: Floats, quaternions: Floats) -> _Push:
-    """Of the energy Σ (1 - μ²)²/2 over the pairs of swollen ellipsoids that overlap."""
-    swollen = System.from_axes(
-        centers, _SWELLING * system.semi_axes, quaternions, cell=system.cell, periodic=system.periodic
-    )
-    found = swollen.neighbors()
-    images = None if system.cell is None else found.images
-    derivatives = contact_derivatives_pairs(found.pairs, centers, swollen.q, system.cell, images)
-    slope = np.maximum(1 - derivatives.mu2, 0)[:, np.newaxis]
-    forces, torques = np.zeros((2, len(system), 3))
-    first, second = found.pairs.T
-    for target, particles, values in ((forces, first, -derivatives.d_r12), (forces, second, derivatives.d_r12),
-                                      (torques, first, derivatives.d_rot1), (torques, second, derivatives.d_rot2)):  # fmt: skip
-        for axis in range(3):
-            target[:, axis] += np.bincount(particles, (slope * values)[:, axis], len(system))
-    return _Push(forces, torques, float(_SWELLING**2 * derivatives.mu2.min(initial=np.inf)))
 
 
 def _turned(quaternions: Floats, rotations: Floats) -> Floats:
@@ -120,12 +246,13 @@ def pack(
     cell: ArrayLike | None = None,
     seed: Any = None,
     types: ArrayLike | None = None,
-    steps: int = 5000,
+    steps: int = 20000,
     stage: Callable[[str], object] = str,
 ) -> System:
     """A random packing without overlaps, by the exact test, in a periodic cell.
 
-    Ellipsoids are thrown in at random, and push one another apart (`relax`).
+    Ellipsoids are thrown in at random, and push one another apart (`relax`). Dense packings take longer, and order locally:
+    see `nematic_order`.
 
     Parameters
     ----------
@@ -148,8 +275,10 @@ def pack(
 
     Raises
     ------
+    OverlapsLeft, RelaxationInterrupted
+        As for `relax`.
     ValueError
-        Some still overlap after so many steps.
+        Semi-axes, fraction or cell make no sense.
 
     Examples
     --------
@@ -172,3 +301,6 @@ def pack(
     quaternions /= np.linalg.norm(quaternions, axis=1, keepdims=True)
     system = System.from_axes(random.uniform(size=(len(axes), 3)) @ shape, axes, quaternions, cell=shape, types=types)
     return relax(system, steps, stage)
+
+
+OverlapsLeft.__module__ = RelaxationInterrupted.__module__ = "pypw85"

@@ -11,6 +11,7 @@ from . import _core
 from ._arrays import check_out, plain
 from ._device import apply_to_pairs, is_device_array
 from ._documentation import documented
+from ._explanations import form_hint
 from ._typing import Floats
 
 # No result has these values: where one is still there after a call, the call was refused as a whole.
@@ -164,12 +165,12 @@ def _outputs(out: Any, count: int) -> tuple[Floats, Floats]:
 
 
 def _pair_list(
-    pairs: ArrayLike, centers: ArrayLike, q: ArrayLike, cell: ArrayLike | None, images: ArrayLike | None
-) -> tuple[NDArray[np.int32], Floats, Floats, Floats | None, NDArray[np.int32] | None]:
-    """Contiguous arrays of the types that the library takes."""
-    centers, q = _particles(centers, q)
-    indices = _indices(pairs, len(centers))
-    return indices, centers, q, _cell(cell), _images(images, len(indices), cell is not None)
+    pairs: ArrayLike, centers: ArrayLike, q: ArrayLike | None, cell: ArrayLike | None, images: ArrayLike | None
+) -> tuple[NDArray[np.int32], Floats, Floats | None, Floats | None, NDArray[np.int32] | None]:
+    """Contiguous arrays of the types that the library takes; without forms where `q` is None."""
+    rows, forms = (_rows(centers, 3, "centers"), None) if q is None else _particles(centers, q)
+    indices = _indices(pairs, len(rows))
+    return indices, rows, forms, _cell(cell), _images(images, len(indices), cell is not None)
 
 
 def _particles(centers: ArrayLike, q: ArrayLike) -> tuple[Floats, Floats]:
@@ -217,7 +218,8 @@ def _rows(array: ArrayLike, columns: int, name: str) -> Floats:
     if not np.can_cast(rows.dtype, np.float64, "same_kind"):
         raise TypeError(f"{name} must be real numbers, but they are {rows.dtype}")
     if rows.ndim != 2 or rows.shape[1] != columns:
-        raise ValueError(f"{name} must have {columns} columns, but the shape is {rows.shape}")
+        hint = form_hint(rows.shape, (columns,))
+        raise ValueError(f"{name} must have {columns} columns, but the shape is {rows.shape}{hint}")
     return np.require(rows, np.float64, ["C", "A"])
 
 
@@ -247,7 +249,7 @@ def _explain(
     status: int,
     pairs: NDArray[np.int32],
     centers: Floats,
-    q: Floats,
+    q: Floats | None,
     cell: Floats | None,
     images: NDArray[np.int32] | None,
     refused: bool,

@@ -2,17 +2,15 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 
 from ._contact import closest_approach
 from ._forms import ellipsoid_quaternion, full
 from ._pairs import contact_pairs
+from ._system import System
 from ._typing import Floats
-
-if TYPE_CHECKING:
-    from ._system import System
 
 # Pairs and directions to average excluded volumes over: their spread of about half the mean leaves 0.4 %.
 _SAMPLES = 20_000

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-import os
-from typing import Any, NamedTuple
+from typing import Any, ClassVar, NamedTuple
+from collections.abc import Callable
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -69,6 +69,9 @@ class System:
         How many particles without a shape a file had besides these.
     """
 
+    # What draw() does. The module that draws stands above this one, and puts its function here when it is imported.
+    _drawer: ClassVar[Callable[..., Any]]
+
     def __init__(
         self,
         centers: ArrayLike,
@@ -84,7 +87,7 @@ class System:
         self.centers, self.q, self.cell = _rows(centers, 3, "centers"), _rows(q, 6, "q"), _cell(cell)
         n = len(self.centers)
         self.types = np.zeros(n, dtype=np.int64) if types is None else np.asarray(types)
-        self.ids = np.arange(1, n + 1) if ids is None else np.asarray(ids)
+        self.ids = np.arange(1, n + 1) if ids is None else _whole_numbers(ids, "ids")
         for name, rows in (("forms", self.q), ("types", self.types), ("ids", self.ids)):
             if len(rows) != n:
                 raise ValueError(f"{n} centers, but {len(rows)} {name}")
@@ -96,8 +99,8 @@ class System:
 
     @classmethod
     def from_axes(cls, centers: ArrayLike, semi_axes: ArrayLike, quaternions: ArrayLike, **others: Any) -> System:
-        """A system from semi-axes (n, 3) and quaternions (n, 4; w, x, y, z); `others` as for `System`."""
-        axes = _rows(semi_axes, 3, "semi_axes"), _rows(quaternions, 4, "quaternions")
+        """A system from semi-axes (n, 3) and quaternions (n, 4; w, x, y, z; of any length > 0); `others` as for `System`."""
+        axes = _rows(semi_axes, 3, "semi_axes"), unit_quaternions(_rows(quaternions, 4, "quaternions"))
         system = cls(centers, ellipsoid_quaternion(*axes), **others)
         system._axes = axes
         return system
@@ -116,7 +119,7 @@ class System:
 
     @property
     def quaternions(self) -> Floats:
-        """Of each ellipsoid (n, 4), w x y z, as given to `from_axes`, else from the forms."""
+        """Unit quaternions (w, x, y, z), one row for each ellipsoid, as given to `from_axes`, or from the forms."""
         return self._principal()[1]
 
     def _principal(self) -> tuple[Floats, Floats]:
@@ -199,19 +202,7 @@ class System:
         axes
             None for a page.
         """
-        from . import _drawing
-        from .formats import replacing
-
-        if path is not None and os.fspath(path).lower().endswith((".html", ".htm")):
-            text = _drawing.page(self, contacts)
-            with replacing(path) as temporary, open(temporary, "w", encoding="utf-8") as file:
-                file.write(text)
-            return None
-        axes = _drawing.draw(self, ax, contacts, elevation, azimuth, size)
-        if path is not None:
-            with replacing(path) as temporary:
-                axes.figure.savefig(temporary, dpi=size / 8)
-        return axes
+        return System._drawer(self, path, ax, contacts, elevation, azimuth, size)
 
     def _candidates(self, scale: float) -> _Candidates:
         found = self.neighbors(scale)
@@ -222,17 +213,17 @@ class System:
         )
 
     def _contacts(self, candidates: _Candidates, below: float) -> Contacts:
-        chosen = candidates.overlap if below == 1 else candidates.mu2 < below**2
+        chosen = candidates.overlap if below == 1 else candidates.mu2 < _squared(below)
         return self._details(candidates, np.flatnonzero(chosen))
 
     def _closest(self, candidates: _Candidates, scale: float, count: int) -> Contacts:
         """The pairs with the smallest μ. A list for one scale has all pairs whose μ is no larger, so it grows until it has some."""
         reach = np.ptp(self.centers, axis=0).max(initial=0) + np.sqrt(self.q[:, [0, 3, 5]].max(initial=0))
         smallest_box = np.sqrt(self.q[:, [0, 3, 5]].min(initial=np.inf))
-        while not (candidates.mu2 <= scale**2).any() and scale * smallest_box <= reach:
-            scale *= 1.25
+        while not (candidates.mu2 <= _squared(scale)).any() and scale * smallest_box <= reach:
+            scale *= 1.25 if len(candidates.pairs) else 2.0
             candidates = self._candidates(scale)
-        complete = np.flatnonzero(candidates.mu2 <= scale**2)
+        complete = np.flatnonzero(candidates.mu2 <= _squared(scale))
         smallest = complete[np.argsort(candidates.mu2[complete], kind="stable")[:count]]
         return self._details(candidates, smallest)
 
@@ -254,6 +245,34 @@ class _Candidates(NamedTuple):
     images: Ints
     mu2: Floats
     overlap: NDArray[np.bool_]
+
+
+def _squared(scale: float) -> float:
+    """Infinity where that overflows, as μ² does."""
+    return scale * scale
+
+
+# In single precision, unit quaternions have lengths within 2⁻²⁴ of 1; those of GSD files stay as they are.
+_UNIT = 2.0**-23
+
+
+def unit_quaternions(quaternions: Floats) -> Floats:
+    """Quaternions (n, 4) of length 1; NaN for those that are zero or not finite. Which have length 1 stay as they are."""
+    with np.errstate(invalid="ignore", over="ignore"):
+        lengths = np.linalg.norm(quaternions, axis=1, keepdims=True)
+        # By their largest component first, so that no length overflows or underflows
+        scaled = quaternions / np.abs(quaternions).max(axis=1, keepdims=True)
+        units: Floats = scaled / np.linalg.norm(scaled, axis=1, keepdims=True)
+    return np.where(np.abs(lengths - 1) <= _UNIT, quaternions, units)
+
+
+def _whole_numbers(values: ArrayLike, name: str) -> NDArray[Any]:
+    numbers = np.asarray(values)
+    if numbers.dtype.kind == "f" and (np.abs(numbers) < 2.0**53).all() and (numbers == np.trunc(numbers)).all():
+        numbers = numbers.astype(np.int64)
+    if numbers.dtype.kind not in "iu":
+        raise TypeError(f"{name} must be whole numbers, but they are {numbers.dtype}")
+    return numbers
 
 
 def quaternions_of(rotation: Floats) -> Floats:

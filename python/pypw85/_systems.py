@@ -5,12 +5,14 @@ from __future__ import annotations
 from typing import Any, NamedTuple
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from . import _core
 from ._device import apply_to_pairs, is_device_array
+from ._documentation import documented
 from ._errors import PW85Error
-from ._pairs import _cell, _explain, _int32, _pair_list, _particles, _rows
+from ._explanations import explain_values
+from ._pairs import _cell, _explain, _images, _int32, _pair_list, _particles, _rows
 from ._typing import Floats
 
 
@@ -34,6 +36,7 @@ class ContactForces(NamedTuple):
     virial: Floats
 
 
+@documented
 def contact_derivatives(
     r12: ArrayLike, q1: ArrayLike, q2: ArrayLike, out: Any = None, **kwargs: Any
 ) -> ContactDerivatives:
@@ -124,7 +127,6 @@ def contact_derivatives_pairs(
 def contact_forces_pairs(
     pairs: ArrayLike,
     centers: ArrayLike,
-    q: ArrayLike,
     d_u: ArrayLike,
     derivatives: ContactDerivatives,
     cell: ArrayLike | None = None,
@@ -134,7 +136,7 @@ def contact_forces_pairs(
 
     Parameters
     ----------
-    pairs, centers, q, cell, images
+    pairs, centers, cell, images
         As for `contact_pairs`.
     d_u : (n) array_like
         dU/dμ² of each pair. Where it is 0 the pair is left out, whatever its derivatives.
@@ -158,13 +160,14 @@ def contact_forces_pairs(
     --------
     >>> import numpy as np, pypw85
     >>> q = np.array([pypw85.spheroid(1, 1, [0, 0, 1])] * 2)
-    >>> system = [[0, 1]], [[0, 0, 0], [1, 0, 0]], q
-    >>> derivatives = pypw85.contact_derivatives_pairs(*system)
-    >>> pypw85.contact_forces_pairs(*system, 2 * (derivatives.mu2 - 1), derivatives).forces
+    >>> pairs, centers = [[0, 1]], [[0, 0, 0], [1, 0, 0]]
+    >>> derivatives = pypw85.contact_derivatives_pairs(pairs, centers, q)
+    >>> slopes = 2 * (derivatives.mu2 - 1)
+    >>> pypw85.contact_forces_pairs(pairs, centers, slopes, derivatives).forces
     array([[-0.75,  0.  ,  0.  ],
            [ 0.75,  0.  ,  0.  ]])
     """
-    arrays = _pair_list(pairs, centers, q, cell, images)
+    arrays = _pair_list(pairs, centers, None, cell, images)
     n, num_particles = len(arrays[0]), len(arrays[1])
     slopes = np.require(d_u, np.float64, ["C", "A"])
     if slopes.shape != (n,):
@@ -186,8 +189,13 @@ def overlap_any_indices(
     centers: ArrayLike,
     q: ArrayLike,
     cell: ArrayLike | None = None,
+    images: ArrayLike | None = None,
 ) -> bool:
     """Whether an ellipsoid overlaps any of others of a system, by their indices, as a Monte Carlo move asks.
+
+    Without `images` the answer is about all images of the others, and of the one itself: an error where none of the nearest ones
+    overlaps, but others could (`nearest_image_limit` of the one and the others is below 1). There, take the images of a neighbour
+    list, and write the trial into `centers` and `q` before the call, since its own index stands for images of itself.
 
     Parameters
     ----------
@@ -200,7 +208,9 @@ def overlap_any_indices(
     centers, q : (N, 3) and (N, 6) array_like
         All particles.
     cell : (3, 3) array_like, optional
-        Rows are the vectors of the periodic cell; the others stand for their nearest images.
+        Rows are the vectors of the periodic cell.
+    images : (n, 3) array_like of int, optional
+        Multiples of the vectors of the cell, to be added to the centres of the others.
 
     Returns
     -------
@@ -209,7 +219,7 @@ def overlap_any_indices(
     Raises
     ------
     PW85Error
-        A pair that no overlap precedes is bad, an index is out of range, or the cell is singular.
+        A pair that no overlap precedes is bad, an index is out of range, the cell is singular, or nearest images do not decide.
     ValueError
         Shapes do not match.
 
@@ -224,15 +234,34 @@ def overlap_any_indices(
     """
     others = np.asarray(indices)
     if others.size == 0:
-        return False
+        others = np.empty(0, np.int32)
     if others.ndim != 1 or others.dtype.kind not in "iu":
         raise ValueError("indices must be a row of integers")
     one, form = _rows(np.asarray(center)[np.newaxis], 3, "center"), _rows(np.asarray(q1)[np.newaxis], 6, "q1")
     status, overlap = _core.overlap_any_indices(
-        one, form, _int32(others, "indices"), *_particles(centers, q), _cell(cell)
+        one,
+        form,
+        _int32(others, "indices"),
+        *_particles(centers, q),
+        _cell(cell),
+        _images(images, len(others), cell is not None),
     )
-    _check(status, "overlap_any_indices")
+    if status:
+        raise PW85Error(status, "overlap_any_indices", _core.strerror(status),
+                        _blame(others, one, form, *_particles(centers, q), _cell(cell)))  # fmt: skip
     return bool(overlap)
+
+
+def _blame(
+    indices: NDArray[Any], center: Floats, q1: Floats, centers: Floats, q: Floats, cell: Floats | None
+) -> str:
+    """What is wrong with the arguments of overlap_any_indices; a row is one of `indices`."""
+    outside = (indices < 0) | (indices >= len(centers))
+    if outside.any():
+        row = int(outside.argmax())
+        return f"row ({row},): indices has {indices[row]}, but there are {len(centers)} particles"
+    singular = "" if cell is None else explain_values("cell_reduce", (cell,))
+    return singular or explain_values("overlap", (centers[indices] - center, q1, q[indices]))
 
 
 def overlap_any(q1: ArrayLike, r12: ArrayLike, q2: ArrayLike) -> bool:
@@ -270,10 +299,13 @@ def overlap_any(q1: ArrayLike, r12: ArrayLike, q2: ArrayLike) -> bool:
     if len(separations) != len(forms):
         raise ValueError(f"{len(separations)} separations, but {len(forms)} forms")
     status, overlap = _core.overlap_any(form, separations, forms)
-    _check(status, "overlap_any")
+    if status:
+        detail = explain_values("overlap", (separations, form, forms))
+        raise PW85Error(status, "overlap_any", _core.strerror(status), detail)
     return bool(overlap)
 
 
+@documented
 def cell_reduce(cell: ArrayLike, out: Any = None, **kwargs: Any) -> Floats:
     """A reduced cell of the same lattice: none of its vectors gets shorter by adding or subtracting others.
 
@@ -339,11 +371,15 @@ def nearest_image_limit(q: ArrayLike, cell: ArrayLike) -> float:
     1.0
     """
     rows = _cell(cell)
-    status, limit = _core.nearest_image_limit(_rows(q, 6, "q"), rows)
-    _check(status, "nearest_image_limit")
+    forms = _rows(q, 6, "q")
+    status, limit = _core.nearest_image_limit(forms, rows)
+    if status:
+        detail = explain_values("bounding_boxes", (forms,)) or explain_values("cell_reduce", (rows,))
+        raise PW85Error(status, "nearest_image_limit", _core.strerror(status), detail)
     return float(limit)
 
 
+@documented
 def bounding_boxes(q: ArrayLike, out: Any = None, **kwargs: Any) -> Floats:
     """Half-widths of the tight boxes, with sides along the axes, around ellipsoids.
 
@@ -373,8 +409,3 @@ def bounding_boxes(q: ArrayLike, out: Any = None, **kwargs: Any) -> Floats:
     array([1., 1., 2.])
     """
     return _core.call_bounding_boxes(q, out, kwargs)
-
-
-def _check(status: int, name: str) -> None:
-    if status:
-        raise PW85Error(status, name, _core.strerror(status))

@@ -3,11 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import Any, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
 
-Floats = NDArray[np.float64]
+Floats: TypeAlias = NDArray[np.float64]
 
-# One row, as a list or tuple: the results are numbers. How many rows an array has is not known before the program runs.
-Row = Sequence[float]
+# How many rows an array has is not known before the program runs. So the first vector of a call tells: numbers come of a list or tuple
+# of numbers, arrays of an array or of a list of rows.
+Row: TypeAlias = Sequence[float]
+Rows: TypeAlias = NDArray[Any] | Sequence[Sequence[Any] | NDArray[Any]]
+
+# Another argument beside a row: a form, as a list or from a function of this package.
+One: TypeAlias = Row | NDArray[Any]

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from ._forms import full
 from ._system import System
-from .formats import FileError, replacing
+from .formats import FileError, check_output, replacing
 
 
 def voxels(system: System, resolution: int) -> NDArray[np.int32]:
@@ -48,16 +48,22 @@ def voxels(system: System, resolution: int) -> NDArray[np.int32]:
     return image
 
 
+def check_voxels_name(path: str) -> None:
+    """Raises for a name that cannot be written. Call it before the work."""
+    if not path.lower().endswith((".h5", ".hdf5", ".vtk")):
+        raise FileError(path, "a voxel image is written as .h5 or .vtk: end its name so")
+    check_output(path)
+
+
 def save_voxels(path: str, system: System, resolution: int) -> None:
     """As a data set "voxels" of HDF5 with cell and origin, or as an image of VTK's legacy format (cells with right angles)."""
+    check_voxels_name(path)
     image = voxels(system, resolution)
     with replacing(path) as temporary:
         if path.lower().endswith((".h5", ".hdf5")):
             _save_hdf5(temporary, system, image)
-        elif path.lower().endswith(".vtk"):
-            _save_vtk(temporary, system, image)
         else:
-            raise FileError(path, "a voxel image is written as .h5 or .vtk: end its name so")
+            _save_vtk(temporary, system, image)
 
 
 def _save_hdf5(path: str, system: System, image: NDArray[Any]) -> None:

@@ -8,11 +8,15 @@ from numpy.typing import ArrayLike
 
 from . import _core
 from ._documentation import documented
-from ._typing import Floats, Row
+from ._typing import Floats, One, Row, Rows
 
 
 @overload
-def distance_plane(normal: Row, offset: float, q: Row, out: None = None) -> tuple[float, Floats]: ...
+def distance_plane(normal: Row, offset: float, q: One, out: Floats | None = None) -> tuple[float, Floats]: ...
+@overload
+def distance_plane(
+    normal: Rows, offset: ArrayLike, q: ArrayLike, out: Any = None, **kwargs: Any
+) -> tuple[Floats, Floats]: ...
 @overload
 def distance_plane(
     normal: ArrayLike, offset: ArrayLike, q: ArrayLike, out: Any = None, **kwargs: Any
@@ -81,7 +85,11 @@ def distance_plane_derivatives(
 
 
 @overload
-def contact_plane(normal: Row, offset: float, q: Row, out: None = None) -> tuple[float, Floats]: ...
+def contact_plane(normal: Row, offset: float, q: One, out: Floats | None = None) -> tuple[float, Floats]: ...
+@overload
+def contact_plane(
+    normal: Rows, offset: ArrayLike, q: ArrayLike, out: Any = None, **kwargs: Any
+) -> tuple[Floats, Floats]: ...
 @overload
 def contact_plane(
     normal: ArrayLike, offset: ArrayLike, q: ArrayLike, out: Any = None, **kwargs: Any
@@ -149,7 +157,11 @@ def contact_plane_derivatives(
 
 
 @overload
-def distance_box(lower: Row, upper: Row, q: Row, out: None = None) -> tuple[float, Floats, Floats]: ...
+def distance_box(lower: Row, upper: Row, q: One, out: Floats | None = None) -> tuple[float, Floats, Floats]: ...
+@overload
+def distance_box(
+    lower: Rows, upper: ArrayLike, q: ArrayLike, out: Any = None, **kwargs: Any
+) -> tuple[Floats, Floats, Floats]: ...
 @overload
 def distance_box(
     lower: ArrayLike, upper: ArrayLike, q: ArrayLike, out: Any = None, **kwargs: Any
@@ -194,8 +206,12 @@ def distance_box(
 
 @overload
 def distance_cylinder(
-    axis: Row, radius: float, center: Row, q: Row, out: None = None
+    axis: Row, radius: float, center: Row, q: One, out: Floats | None = None
 ) -> tuple[float, Floats, Floats]: ...
+@overload
+def distance_cylinder(
+    axis: Rows, radius: ArrayLike, center: ArrayLike, q: ArrayLike, out: Any = None, **kwargs: Any
+) -> tuple[Floats, Floats, Floats]: ...
 @overload
 def distance_cylinder(
     axis: ArrayLike, radius: ArrayLike, center: ArrayLike, q: ArrayLike, out: Any = None, **kwargs: Any
@@ -244,7 +260,9 @@ def distance_cylinder(
 
 
 @overload
-def distance_point(r: Row, q: Row, out: None = None) -> tuple[float, Floats, Floats]: ...
+def distance_point(r: Row, q: One, out: Floats | None = None) -> tuple[float, Floats, Floats]: ...
+@overload
+def distance_point(r: Rows, q: ArrayLike, out: Any = None, **kwargs: Any) -> tuple[Floats, Floats, Floats]: ...
 @overload
 def distance_point(r: ArrayLike, q: ArrayLike, out: Any = None, **kwargs: Any) -> tuple[Any, Floats, Floats]: ...
 @documented
@@ -280,7 +298,11 @@ def distance_point(r: ArrayLike, q: ArrayLike, out: Any = None, **kwargs: Any) -
 
 
 @overload
-def intersect_line(origin: Row, direction: Row, q: Row, out: None = None) -> tuple[float, float]: ...
+def intersect_line(origin: Row, direction: Row, q: One, out: Floats | None = None) -> tuple[float, float]: ...
+@overload
+def intersect_line(
+    origin: Rows, direction: ArrayLike, q: ArrayLike, out: Any = None, **kwargs: Any
+) -> tuple[Floats, Floats]: ...
 @overload
 def intersect_line(
     origin: ArrayLike, direction: ArrayLike, q: ArrayLike, out: Any = None, **kwargs: Any

@@ -14,13 +14,15 @@ from numpy.typing import ArrayLike
 from . import _core
 from ._arrays import plain
 from ._documentation import documented
-from ._typing import Floats, Row
+from ._typing import Floats, One, Row, Rows
 
 __all__ = ["contact_function1", "contact_function2", "f1", "f2", "f2_derivatives"]
 
 
 @overload
-def _det_sym(a: Row, out: None = None) -> float: ...
+def _det_sym(a: Row, out: Floats | None = None) -> float: ...
+@overload
+def _det_sym(a: Rows, out: Any = None, **kwargs: Any) -> Floats: ...
 @overload
 def _det_sym(a: ArrayLike, out: Any = None, **kwargs: Any) -> Any: ...
 @documented
@@ -47,7 +49,9 @@ def _det_sym(a: ArrayLike, out: Any = None, **kwargs: Any) -> Any:
 
 
 @overload
-def _xT_adjA_x(x: Row, a: Row, out: None = None) -> float: ...
+def _xT_adjA_x(x: Row, a: One, out: Floats | None = None) -> float: ...
+@overload
+def _xT_adjA_x(x: Rows, a: ArrayLike, out: Any = None, **kwargs: Any) -> Floats: ...
 @overload
 def _xT_adjA_x(x: ArrayLike, a: ArrayLike, out: Any = None, **kwargs: Any) -> Any: ...
 @documented
@@ -165,7 +169,11 @@ def _check_last_dimension(out: Any, length: int) -> None:
 
 
 @overload
-def f1(lambda_: float, r12: Row, q1: Row, q2: Row, out: Floats | None = None) -> float: ...
+def f1(lambda_: float, r12: Row, q1: One, q2: One, out: Floats | None = None) -> float: ...
+@overload
+def f1(
+    lambda_: ArrayLike, r12: Rows, q1: ArrayLike, q2: ArrayLike, out: Floats | None = None, **kwargs: Any
+) -> Floats: ...
 @overload
 def f1(
     lambda_: ArrayLike, r12: ArrayLike, q1: ArrayLike, q2: ArrayLike, out: Floats | None = None, **kwargs: Any
@@ -212,7 +220,11 @@ def f1(
 
 
 @overload
-def f2(lambda_: float, r12: Row, q1: Row, q2: Row, out: Floats | None = None) -> float: ...
+def f2(lambda_: float, r12: Row, q1: One, q2: One, out: Floats | None = None) -> float: ...
+@overload
+def f2(
+    lambda_: ArrayLike, r12: Rows, q1: ArrayLike, q2: ArrayLike, out: Floats | None = None, **kwargs: Any
+) -> Floats: ...
 @overload
 def f2(
     lambda_: ArrayLike, r12: ArrayLike, q1: ArrayLike, q2: ArrayLike, out: Floats | None = None, **kwargs: Any
@@ -284,7 +296,11 @@ def f2_derivatives(
 
 
 @overload
-def contact_function1(r12: Row, q1: Row, q2: Row, out: None = None) -> tuple[float, float]: ...
+def contact_function1(r12: Row, q1: One, q2: One, out: Floats | None = None) -> tuple[float, float]: ...
+@overload
+def contact_function1(
+    r12: Rows, q1: ArrayLike, q2: ArrayLike, out: Any = None, **kwargs: Any
+) -> tuple[Floats, Floats]: ...
 @overload
 def contact_function1(
     r12: ArrayLike, q1: ArrayLike, q2: ArrayLike, out: Any = None, **kwargs: Any
@@ -313,7 +329,11 @@ def contact_function1(
 
 
 @overload
-def contact_function2(r12: Row, q1: Row, q2: Row, out: None = None) -> tuple[float, float]: ...
+def contact_function2(r12: Row, q1: One, q2: One, out: Floats | None = None) -> tuple[float, float]: ...
+@overload
+def contact_function2(
+    r12: Rows, q1: ArrayLike, q2: ArrayLike, out: Any = None, **kwargs: Any
+) -> tuple[Floats, Floats]: ...
 @overload
 def contact_function2(
     r12: ArrayLike, q1: ArrayLike, q2: ArrayLike, out: Any = None, **kwargs: Any

@@ -13,18 +13,18 @@ __all__ = ["get_config_dir", "get_config_option"]
 def get_config_dir() -> str:
     """The folder where the configuration file is, if there is one.
 
-    ``.pw85`` in the home directory, ``Library/Application Support/pw85`` there on macOS, ``pw85`` in ``%APPDATA%`` on
-    Windows.
+    As in version 1.0: ``.pypw85`` in the home directory, ``Library/Application Support/pypw85`` there on macOS, ``pypw85`` in
+    ``%APPDATA%`` on Windows.
     """
     if sys.platform.startswith("darwin"):
-        return str(Path.home() / "Library" / "Application Support" / "pw85")
+        return str(Path.home() / "Library" / "Application Support" / "pypw85")
     if sys.platform.startswith("win32"):
-        return str(Path(os.environ["APPDATA"]) / "pw85")
-    return str(Path.home() / ".pw85")
+        return str(Path(os.environ["APPDATA"]) / "pypw85")
+    return str(Path.home() / ".pypw85")
 
 
 def get_config_option(name: str) -> str:
-    """An option of the section ``[pw85]`` of the file ``pw85.cfg``.
+    """An option of the section ``[pw85]`` of the file ``pypw85.cfg``.
 
     Parameters
     ----------
@@ -38,7 +38,7 @@ def get_config_option(name: str) -> str:
     KeyError
         There is no such section or option.
     """
-    path = Path(get_config_dir(), "pw85.cfg")
+    path = Path(get_config_dir(), "pypw85.cfg")
     configuration = configparser.ConfigParser(interpolation=None)
     if not configuration.read(path, encoding="utf-8"):
         raise RuntimeError(f"there is no configuration file {path}")

@@ -69,16 +69,6 @@ Loaded load(PyObject *argument, Core const &core, double *row)
     return array ? load_array(reinterpret_cast<PyArrayObject *>(array.get()), core, row) : Loaded::failed;
 }
 
-PyObject *raise(Function const &function, int status)
-{
-    Reference const errors(PyImport_ImportModule("pypw85._errors"));
-    Reference const type(errors ? PyObject_GetAttrString(errors.get(), "PW85Error") : nullptr);
-    Reference const error(type ? PyObject_CallFunction(type.get(), "iss", status, function.name, pw85_strerror(status))
-                               : nullptr);
-    if (error) PyErr_SetObject(type.get(), error.get());
-    return nullptr;
-}
-
 PyObject *new_array(Core const &core, double const *row)
 {
     npy_intp const dims[2] = {core.dims[0], core.dims[1]};
@@ -169,21 +159,10 @@ PyObject *results(Function const &function, PyObject *out, double rows[][max_cor
     return tuple.release();
 }
 
-PyObject *call_one_row(Function const &function, double const *const *in, PyObject *out)
+/// Calls a function of a module of the package.
+template <class... Args> PyObject *delegate(char const *module_name, char const *name, char const *format, Args... args)
 {
-    double rows[max_operands][max_core_size];
-    double *pointers[max_operands];
-    for (int k = 0; k < function.nout; ++k) pointers[k] = rows[k];
-    int const status = function.evaluate(in, pointers);
-    if (status == PW85_SUCCESS) return results(function, out, rows);
-    if (out != Py_None && !Reference(results(function, out, rows))) return nullptr;
-    return raise(function, status);
-}
-
-/// Calls a function of pypw85._arrays.
-template <class... Args> PyObject *delegate(char const *name, char const *format, Args... args)
-{
-    Reference const module(PyImport_ImportModule("pypw85._arrays"));
+    Reference const module(PyImport_ImportModule(module_name));
     Reference const function(module ? PyObject_GetAttrString(module.get(), name) : nullptr);
     return function ? PyObject_CallFunction(function.get(), format, args...) : nullptr;
 }
@@ -196,6 +175,17 @@ Reference inputs(Function const &function, PyObject *const *args)
         PyTuple_SET_ITEM(tuple.get(), k, args[k]);
     }
     return tuple;
+}
+
+PyObject *call_one_row(Function const &function, double const *const *in, PyObject *const *args, PyObject *out)
+{
+    double rows[max_operands][max_core_size];
+    double *pointers[max_operands];
+    for (int k = 0; k < function.nout; ++k) pointers[k] = rows[k];
+    int const status = function.evaluate(in, pointers);
+    if (status == PW85_SUCCESS) return results(function, out, rows);
+    if (out != Py_None && !Reference(results(function, out, rows))) return nullptr;
+    return delegate("pypw85._explanations", "raise_status", "isO", status, function.name, inputs(function, args).get());
 }
 
 /// Whether NumPy alone knows what to do with an array: it is no subclass, and is converted to double safely.
@@ -219,7 +209,7 @@ bool is_good_output(PyObject *out)
         PyObject *const *const first = &PyTuple_GET_ITEM(out, 0);
         plain = std::all_of(first, first + PyTuple_GET_SIZE(out), is_plain);
     }
-    return plain || Reference(delegate("check_out", "(O)", out)) != nullptr;
+    return plain || Reference(delegate("pypw85._arrays", "check_out", "(O)", out)) != nullptr;
 }
 
 PyObject *call_ufunc(Callable const &callable, PyObject *const *args, PyObject *out, PyObject *keywords)
@@ -229,6 +219,25 @@ PyObject *call_ufunc(Callable const &callable, PyObject *const *args, PyObject *
     Reference const with_out(PyDict_Copy(keywords));
     if (!with_out || PyDict_SetItemString(with_out.get(), "out", out) < 0) return nullptr;
     return PyObject_VectorcallDict(callable.ufunc, args, nin, with_out.get());
+}
+
+/// Raises what a ufunc has raised because of shapes or bad rows again, with words for it. Keywords may move axes.
+PyObject *explain(Function const &function, PyObject *const *args)
+{
+    PyObject *type, *value, *traceback;
+    PyErr_Fetch(&type, &value, &traceback);
+    PyErr_NormalizeException(&type, &value, &traceback);
+    Reference const owned_type(type), owned_value(value), owned_traceback(traceback);
+    return delegate("pypw85._explanations", "raise_better", "OsO", value, function.name, inputs(function, args).get());
+}
+
+PyObject *call_ufunc_or_explain(Callable const &callable, PyObject *const *args, PyObject *out, PyObject *keywords)
+{
+    PyObject *const result = call_ufunc(callable, args, out, keywords);
+    bool const explicable =
+        result == nullptr && PyDict_GET_SIZE(keywords) == 0 &&
+        (PyErr_ExceptionMatches(PyExc_ValueError) || PyErr_ExceptionMatches(PyExc_FloatingPointError));
+    return explicable ? explain(*callable.function, args) : result;
 }
 
 /// A call in which the output, which this function calls otherwise, is given as the keyword of ufuncs.
@@ -269,15 +278,15 @@ PyObject *call(PyObject *self, PyObject *const *args, Py_ssize_t nargs)
         in[k] = rows[k];
     }
     bool const columns = is_array_of_columns(function, out);
-    if (one_row && (!columns || is_one_row(out, function.nout))) return call_one_row(function, in, out);
+    if (one_row && (!columns || is_one_row(out, function.nout))) return call_one_row(function, in, args, out);
     if (columns)
-        return delegate("apply_to_columns", "OOOOi", callable->object, inputs(function, args).get(), out, keywords,
-                        function.nout);
+        return delegate("pypw85._arrays", "apply_to_columns", "OOOOi", callable->object, inputs(function, args).get(),
+                        out, keywords, function.nout);
     for (int k = 0; k < function.nin; ++k)
         if (!is_plain_array(args[k]) && !is_plain_number(args[k]))
-            return delegate("apply", "OOOOO", callable->object, callable->ufunc, inputs(function, args).get(), out,
-                            keywords);
-    return call_ufunc(*callable, args, out, keywords);
+            return delegate("pypw85._arrays", "apply", "OOOOO", callable->object, callable->ufunc,
+                            inputs(function, args).get(), out, keywords);
+    return call_ufunc_or_explain(*callable, args, out, keywords);
 }
 
 } // namespace pypw85

@@ -54,13 +54,13 @@ PyObject *device_wait(PyObject *self, PyObject *stream);
 /// is a capsule that owns the arrays' memory; it and the arrays are None if the status is not zero, and then `particle` is to blame.
 PyObject *neighbors(PyObject *self, PyObject *const *args, Py_ssize_t nargs);
 
-/// neighbors_hold(list, centers, q): (status, whether).
+/// neighbors_hold(list, centers, q, cell or None, periodic (three int32)): (status, whether).
 PyObject *neighbors_hold(PyObject *self, PyObject *const *args, Py_ssize_t nargs);
 
 /// nearest_images(pairs, centers, cell, r12, images): status. Arrays are contiguous and of the right type.
 PyObject *nearest_images(PyObject *self, PyObject *const *args, Py_ssize_t nargs);
 
-/// overlap_any_indices(center of one row, q1 of one row, indices, centers, q, cell or None): (status, any).
+/// overlap_any_indices(center of one row, q1 of one row, indices, centers, q, cell or None, images or None): (status, any).
 PyObject *overlap_any_indices(PyObject *self, PyObject *const *args, Py_ssize_t nargs);
 
 /// contact_forces_pairs(pairs, centers, q, cell or None, images or None, d_u, d_r12, d_rot1, d_rot2, forces, torques, virial): status.

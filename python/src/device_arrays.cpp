@@ -9,10 +9,10 @@
 namespace pypw85 {
 namespace {
 
-using pw85::gpu::Address;
-using pw85::gpu::Context;
-using pw85::gpu::Driver;
-using pw85::gpu::Handle;
+using pw85::detail::gpu::Address;
+using pw85::detail::gpu::Context;
+using pw85::detail::gpu::Driver;
+using pw85::detail::gpu::Handle;
 
 // DLPack's interface, as far as it is used here (dlpack.h).
 constexpr std::int32_t cuda_device = 2;
@@ -81,7 +81,7 @@ void destroy_capsule(PyObject *capsule)
 
 void release(PyObject *capsule)
 {
-    Driver const *const driver = pw85::gpu::driver();
+    Driver const *const driver = pw85::detail::gpu::driver();
     Context const context(driver);
     driver->release(reinterpret_cast<Address>(PyCapsule_GetPointer(capsule, memory_name)), nullptr);
 }
@@ -89,7 +89,7 @@ void release(PyObject *capsule)
 /// Memory that work of any stream may use; 0 if there is none.
 Address allocate(std::size_t size, int &device)
 {
-    Driver const *const driver = pw85::gpu::driver();
+    Driver const *const driver = pw85::detail::gpu::driver();
     Context const context(driver);
     Address address = 0;
     if (context.handle() == nullptr || driver->current_device(&device) != 0) return 0;
@@ -162,7 +162,7 @@ PyObject *device_wait(PyObject *, PyObject *stream)
 {
     Handle const handle = PyLong_AsVoidPtr(stream);
     if (PyErr_Occurred() != nullptr) return nullptr;
-    Driver const *const driver = pw85::gpu::driver();
+    Driver const *const driver = pw85::detail::gpu::driver();
     bool done;
     Py_BEGIN_ALLOW_THREADS;
     Context const context(driver);

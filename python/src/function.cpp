@@ -2,6 +2,8 @@
 
 #include <cmath>
 #include <limits>
+#include <type_traits>
+#include <utility>
 
 #include <pw85.h>
 #include <pw85_legacy.h>
@@ -237,6 +239,52 @@ int ellipsoid_quaternion(double const *const *in, double *const *out)
 
 int ellipse(double const *const *in, double *const *out) { return pw85_ellipse(*in[0], *in[1], *in[2], out[0]); }
 
+/// The pointer of a parameter of a batch function, of which `number` come before it, `inputs` of all being inputs.
+template <class Pointer>
+Pointer array(std::size_t inputs, std::size_t number, double const *const *in, double *const *out) noexcept
+{
+    if constexpr (std::is_same_v<Pointer, double const *>)
+        return in[number];
+    else
+        return out[number - inputs];
+}
+
+template <class... Pointers>
+int call_batch(int (*function)(std::size_t, Pointers...), std::size_t n, double const *const *in, double *const *out)
+{
+    constexpr std::size_t inputs = (std::size_t{std::is_same_v<Pointers, double const *>} + ...);
+    return [&]<std::size_t... k>(std::index_sequence<k...>)
+    {
+        return function(n, array<Pointers>(inputs, k, in, out)...);
+    }
+    (std::index_sequence_for<Pointers...>{});
+}
+
+/// A function of many rows of the C API, whose arrays are in the order of the operands.
+template <auto function> int batch(std::size_t n, double const *const *in, double *const *out)
+{
+    return call_batch(function, n, in, out);
+}
+
+/// One call for each run of rows that have the same t_max.
+int first_contact_batch(std::size_t n, double const *const *in, double *const *out)
+{
+    static_assert(sizeof(pw85_motion) == 7 * sizeof(double));
+    auto const *const motion1 = reinterpret_cast<pw85_motion const *>(in[3]);
+    auto const *const motion2 = reinterpret_cast<pw85_motion const *>(in[4]);
+    double const *const t_max = in[5];
+    int first_bad = PW85_SUCCESS;
+    for (std::size_t begin = 0, end; begin < n; begin = end) {
+        end = begin + 1;
+        while (end < n && t_max[end] == t_max[begin]) ++end;
+        int const status =
+            pw85_first_contact_batch(end - begin, in[0] + 3 * begin, in[1] + 6 * begin, in[2] + 6 * begin,
+                                     motion1 + begin, motion2 + begin, t_max[begin], out[0] + begin);
+        if (first_bad == PW85_SUCCESS) first_bad = status;
+    }
+    return first_bad;
+}
+
 } // namespace
 
 void parse_signature(Function &function) noexcept
@@ -261,41 +309,55 @@ std::vector<Function> &functions()
     static std::vector<Function> table{
         {"spheroid", "(),(),(3)->(6)", spheroid},
         {"ellipsoid", "(3),(3,3)->(6)", ellipsoid},
-        {"ellipsoid_quaternion", "(3),(4)->(6)", ellipsoid_quaternion},
+        {"ellipsoid_quaternion", "(3),(4)->(6)", ellipsoid_quaternion, false, batch<pw85_ellipsoid_quaternion_batch>},
         {"ellipse", "(),(),()->(3)", ellipse},
         {"f", "(),(3),(6),(6)->()", f},
-        {"contact", "(3),(6),(6)->(),()", pair_result<pw85_contact>, false, contact_loop},
-        {"contact_function", "(3),(6),(6)->(),()", pair_result<pw85_contact_function>},
-        {"contact_geometry", "(3),(6),(6),()->(3),(3)", contact_geometry},
-        {"contact_gradient", "(3),(6),(6),()->(3),(6),(6)", contact_gradient},
-        {"contact_torque", "(3),(6),(6),()->(3),(3)", contact_torque},
-        {"contact_hessian", "(3),(6),(6),()->(9,9)", contact_hessian},
+        {"contact", "(3),(6),(6)->(),()", pair_result<pw85_contact>, false, batch<pw85_contact_batch>},
+        {"contact_function", "(3),(6),(6)->(),()", pair_result<pw85_contact_function>, false,
+         batch<pw85_contact_function_batch>},
+        {"contact_geometry", "(3),(6),(6),()->(3),(3)", contact_geometry, false, batch<pw85_contact_geometry_batch>},
+        {"contact_gradient", "(3),(6),(6),()->(3),(6),(6)", contact_gradient, false,
+         batch<pw85_contact_gradient_batch>},
+        {"contact_torque", "(3),(6),(6),()->(3),(3)", contact_torque, false, batch<pw85_contact_torque_batch>},
+        {"contact_hessian", "(3),(6),(6),()->(9,9)", contact_hessian, false, batch<pw85_contact_hessian_batch>},
         {"contact_derivatives", "(3),(6),(6)->(),(),(3),(3),(3),(3),(3)", contact_derivatives, false,
-         contact_derivatives_loop},
+         batch<pw85_contact_derivatives_batch>},
         {"overlap", "(3),(6),(6)->()", overlap<pw85_overlap>, true},
         {"cell_reduce", "(3,3)->(3,3)", cell_reduce},
-        {"bounding_boxes", "(6)->(3)", bounding_boxes},
-        {"closest_approach", "(3),(6),(6)->()", distance_result<pw85_closest_approach>, false, closest_approach_loop},
-        {"distance", "(3),(6),(6)->(),(3),(3)", distance_and_points<pw85_distance>},
-        {"distance_derivatives", "(3),(6),(6)->(3),(3),(3),(9,9)", distance_derivatives},
-        {"distance_2d", "(2),(3),(3)->(),(2),(2)", distance_and_points<pw85_distance_2d>},
-        {"penetration", "(3),(6),(6)->(),(3)", penetration},
-        {"first_contact", "(3),(6),(6),(7),(7),()->()", first_contact},
-        {"distance_plane", "(3),(),(6)->(),(3)", distance_plane},
-        {"distance_plane_derivatives", "(3),(6)->(3),(3)", distance_plane_derivatives},
-        {"contact_plane", "(3),(),(6)->(),(3)", contact_plane},
-        {"contact_plane_derivatives", "(3),(),(6)->(3),(3)", contact_plane_derivatives},
-        {"distance_box", "(3),(3),(6)->(),(3),(3)", distance_and_points<pw85_distance_box>},
-        {"distance_cylinder", "(3),(),(3),(6)->(),(3),(3)", distance_cylinder},
-        {"distance_point", "(3),(6)->(),(3),(3)", distance_point},
-        {"intersect_line", "(3),(3),(6)->(),()", pair_result<pw85_intersect_line>},
-        {"contact_2d", "(2),(3),(3)->(),()", pair_result<pw85_contact_2d>, false, contact_2d_loop},
-        {"contact_geometry_2d", "(2),(3),(3),()->(2),(2)", contact_geometry_2d},
-        {"contact_gradient_2d", "(2),(3),(3),()->(2),(3),(3)", contact_gradient_2d},
-        {"contact_torque_2d", "(2),(3),(3),()->(),()", contact_torque_2d},
-        {"contact_hessian_2d", "(2),(3),(3),()->(4,4)", contact_hessian_2d},
+        {"bounding_boxes", "(6)->(3)", bounding_boxes, false, batch<pw85_bounding_boxes>},
+        {"closest_approach", "(3),(6),(6)->()", distance_result<pw85_closest_approach>, false,
+         batch<pw85_closest_approach_batch>},
+        {"distance", "(3),(6),(6)->(),(3),(3)", distance_and_points<pw85_distance>, false, batch<pw85_distance_batch>},
+        {"distance_derivatives", "(3),(6),(6)->(3),(3),(3),(9,9)", distance_derivatives, false,
+         batch<pw85_distance_derivatives_batch>},
+        {"distance_2d", "(2),(3),(3)->(),(2),(2)", distance_and_points<pw85_distance_2d>, false,
+         batch<pw85_distance_batch_2d>},
+        {"penetration", "(3),(6),(6)->(),(3)", penetration, false, batch<pw85_penetration_batch>},
+        {"first_contact", "(3),(6),(6),(7),(7),()->()", first_contact, false, first_contact_batch},
+        {"distance_plane", "(3),(),(6)->(),(3)", distance_plane, false, batch<pw85_distance_plane_batch>},
+        {"distance_plane_derivatives", "(3),(6)->(3),(3)", distance_plane_derivatives, false,
+         batch<pw85_distance_plane_derivatives_batch>},
+        {"contact_plane", "(3),(),(6)->(),(3)", contact_plane, false, batch<pw85_contact_plane_batch>},
+        {"contact_plane_derivatives", "(3),(),(6)->(3),(3)", contact_plane_derivatives, false,
+         batch<pw85_contact_plane_derivatives_batch>},
+        {"distance_box", "(3),(3),(6)->(),(3),(3)", distance_and_points<pw85_distance_box>, false,
+         batch<pw85_distance_box_batch>},
+        {"distance_cylinder", "(3),(),(3),(6)->(),(3),(3)", distance_cylinder, false,
+         batch<pw85_distance_cylinder_batch>},
+        {"distance_point", "(3),(6)->(),(3),(3)", distance_point, false, batch<pw85_distance_point_batch>},
+        {"intersect_line", "(3),(3),(6)->(),()", pair_result<pw85_intersect_line>, false,
+         batch<pw85_intersect_line_batch>},
+        {"contact_2d", "(2),(3),(3)->(),()", pair_result<pw85_contact_2d>, false, batch<pw85_contact_batch_2d>},
+        {"contact_geometry_2d", "(2),(3),(3),()->(2),(2)", contact_geometry_2d, false,
+         batch<pw85_contact_geometry_batch_2d>},
+        {"contact_gradient_2d", "(2),(3),(3),()->(2),(3),(3)", contact_gradient_2d, false,
+         batch<pw85_contact_gradient_batch_2d>},
+        {"contact_torque_2d", "(2),(3),(3),()->(),()", contact_torque_2d, false, batch<pw85_contact_torque_batch_2d>},
+        {"contact_hessian_2d", "(2),(3),(3),()->(4,4)", contact_hessian_2d, false,
+         batch<pw85_contact_hessian_batch_2d>},
         {"overlap_2d", "(2),(3),(3)->()", overlap<pw85_overlap_2d>, true},
-        {"closest_approach_2d", "(2),(3),(3)->()", distance_result<pw85_closest_approach_2d>},
+        {"closest_approach_2d", "(2),(3),(3)->()", distance_result<pw85_closest_approach_2d>, false,
+         batch<pw85_closest_approach_batch_2d>},
         {"zheng_ellipses", "(2),(3),(3)->()", distance_result<pw85_zheng_ellipses>},
         {"zheng_ellipsoids", "(3),(6),(6)->()", distance_result<pw85_zheng_ellipsoids>},
         {"cholesky_decomp", "(6)->(6)", cholesky_decomp},

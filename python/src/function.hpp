@@ -24,16 +24,16 @@ struct Core {
 /// One function for one row: reads `in`, writes `out`, returns a status; all rows are contiguous.
 using Evaluate = int (*)(double const *const *in, double *const *out);
 
-/// Shape of a gufunc loop of NumPy.
-using Loop = void (*)(char **args, std::ptrdiff_t const *dimensions, std::ptrdiff_t const *steps, void *data);
+/// The same for n rows; arrays are contiguous.
+using Batch = int (*)(std::size_t n, double const *const *in, double *const *out);
 
 struct Function {
     char const *name;
     char const *signature; ///< core signature, as NumPy writes it, fixed sizes only
     Evaluate evaluate;
-    bool boolean = false; ///< the only output is a truth value (overlap)
-    Loop loop = nullptr;  ///< null: the loop over `evaluate`
-    int nin = 0;          ///< this and what follows is read from the signature by parse_signature()
+    bool boolean = false;  ///< the only output is a truth value (overlap)
+    Batch batch = nullptr; ///< null: `evaluate` for each row
+    int nin = 0;           ///< this and what follows is read from the signature by parse_signature()
     int nout = 0;
     Core cores[max_operands] = {};
 
@@ -49,17 +49,8 @@ std::vector<Function> &functions();
 /// Calls `evaluate` for each row; `data` is the Function.
 void row_loop(char **args, std::ptrdiff_t const *dimensions, std::ptrdiff_t const *steps, void *data);
 
-/// pw85_contact_batch() on blocks of rows.
-void contact_loop(char **args, std::ptrdiff_t const *dimensions, std::ptrdiff_t const *steps, void *data);
-
-/// pw85_contact_batch_2d() on blocks of rows.
-void contact_2d_loop(char **args, std::ptrdiff_t const *dimensions, std::ptrdiff_t const *steps, void *data);
-
-/// pw85_closest_approach_batch() on blocks of rows.
-void closest_approach_loop(char **args, std::ptrdiff_t const *dimensions, std::ptrdiff_t const *steps, void *data);
-
-/// pw85_contact_derivatives_batch() on blocks of rows.
-void contact_derivatives_loop(char **args, std::ptrdiff_t const *dimensions, std::ptrdiff_t const *steps, void *data);
+/// Calls `batch` for blocks of rows, in threads; `data` is the Function.
+void batch_loop(char **args, std::ptrdiff_t const *dimensions, std::ptrdiff_t const *steps, void *data);
 
 /// pw85_overlap_batch() or pw85_overlap_batch_2d() on blocks of rows. Output: 0, 1, or 255 for a bad row.
 void overlap_code_loop(char **args, std::ptrdiff_t const *dimensions, std::ptrdiff_t const *steps, void *data);

@@ -18,6 +18,11 @@ struct Numbers {
     unsigned char *codes(int k) const noexcept { return reinterpret_cast<unsigned char *>(values[k]); }
     void *stream() const noexcept { return reinterpret_cast<void *>(values[0]); }
     std::size_t size(int k) const noexcept { return values[k]; }
+
+    /// Of the numbers 1 to 3.
+    pw85_pair_list list() const noexcept { return {size(1), indices(2), indices(3)}; }
+    /// Of the numbers 4 to 7.
+    pw85_system system() const noexcept { return {size(4), array(5), array(6), array(7), {1, 1, 1}}; }
 };
 
 struct GpuFunction {
@@ -26,7 +31,7 @@ struct GpuFunction {
     int (*call)(Numbers const &);
 };
 
-// Arguments in the order of pw85_gpu.h, from the stream on.
+// Arguments in the order of pw85_gpu.h, from the stream on, with the members of structs in their places.
 constexpr GpuFunction functions_for_gpus[] = {
     {"contact", 7,
      [](Numbers const &x) {
@@ -45,19 +50,22 @@ constexpr GpuFunction functions_for_gpus[] = {
      }},
     {"contact_pairs", 10,
      [](Numbers const &x) {
-         return pw85_gpu_contact_pairs(x.stream(), x.size(1), x.indices(2), x.indices(3), x.size(4), x.array(5),
-                                       x.array(6), x.array(7), x.array(8), x.array(9));
+         pw85_pair_list const list = x.list();
+         pw85_system const system = x.system();
+         return pw85_gpu_contact_pairs(x.stream(), &list, &system, x.array(8), x.array(9));
      }},
     {"overlap_pairs", 9,
      [](Numbers const &x) {
-         return pw85_gpu_overlap_pairs(x.stream(), x.size(1), x.indices(2), x.indices(3), x.size(4), x.array(5),
-                                       x.array(6), x.array(7), x.codes(8));
+         pw85_pair_list const list = x.list();
+         pw85_system const system = x.system();
+         return pw85_gpu_overlap_pairs(x.stream(), &list, &system, x.codes(8));
      }},
     {"contact_derivatives_pairs", 15,
      [](Numbers const &x) {
-         return pw85_gpu_contact_derivatives_pairs(x.stream(), x.size(1), x.indices(2), x.indices(3), x.size(4),
-                                                   x.array(5), x.array(6), x.array(7), x.array(8), x.array(9),
-                                                   x.array(10), x.array(11), x.array(12), x.array(13), x.array(14));
+         pw85_pair_list const list = x.list();
+         pw85_system const system = x.system();
+         return pw85_gpu_contact_derivatives_pairs(x.stream(), &list, &system, x.array(8), x.array(9), x.array(10),
+                                                   x.array(11), x.array(12), x.array(13), x.array(14));
      }},
 };
 

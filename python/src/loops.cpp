@@ -85,142 +85,82 @@ void find_rows(Function const &function, char **args, std::ptrdiff_t const *step
     }
 }
 
-/// Rows per call of a batch function when they have to be gathered first: 70 kB on the stack.
-constexpr std::ptrdiff_t block_rows = 512;
-
-/// Gathers blocks of pairs (r12, q1, q2).
-class PairBlocks {
-  public:
-    explicit PairBlocks(Rows const *rows) noexcept : rows_{rows} {}
-
-    double const *r12(std::ptrdiff_t first, std::ptrdiff_t count) noexcept
-    {
-        return gather(rows_[0], first, count, r12_);
-    }
-    double const *q1(std::ptrdiff_t first, std::ptrdiff_t count) noexcept
-    {
-        return gather(rows_[1], first, count, q1_);
-    }
-    double const *q2(std::ptrdiff_t first, std::ptrdiff_t count) noexcept
-    {
-        return gather(rows_[2], first, count, q2_);
-    }
-
-  private:
-    static double const *gather(Rows const &rows, std::ptrdiff_t first, std::ptrdiff_t count, double *buffer) noexcept
-    {
-        double scattered[max_core_size];
-        if (rows.contiguous()) return rows.load(first, scattered);
-        int const size = rows.core.size();
-        for (std::ptrdiff_t i = 0; i < count; ++i)
-            std::copy_n(rows.load(first + i, scattered), size, buffer + i * size);
-        return buffer;
-    }
-
-    Rows const *rows_;
-    double r12_[block_rows * PW85_DIM];
-    double q1_[block_rows * PW85_SYM];
-    double q2_[block_rows * PW85_SYM];
-};
-
-/// Whether the library can take all operands as they are.
-bool all_contiguous(Rows const *rows, int operands) noexcept
-{
-    return std::all_of(rows, rows + operands, [](Rows const &operand) { return operand.contiguous(); });
-}
-
 template <class T> T &element(Rows const &rows, std::ptrdiff_t i) noexcept
 {
     return *reinterpret_cast<T *>(rows.first + i * rows.step);
 }
 
-double *numbers(char *operand) noexcept { return reinterpret_cast<double *>(operand); }
+/// Most rows per call of a batch function, where none has to be gathered; up to that many stay in one thread, as in the library.
+constexpr std::ptrdiff_t max_block_rows = 4096;
 
-/// Calls batch(pairs, first, count) for blocks of gathered rows, in threads like the library. Whether all are good.
-template <class Batch> bool for_blocks(std::ptrdiff_t count, Rows const *rows, Batch const &batch) noexcept
+/// Numbers that are gathered and scattered for a call of a batch function: 96 KiB on the stack.
+constexpr std::ptrdiff_t buffer_size = 12288;
+
+/// Rows per call of a batch function: as many as the buffer has room for, of operands that are no contiguous blocks.
+std::ptrdiff_t rows_per_block(Rows const *rows, int operands) noexcept
+{
+    std::ptrdiff_t width = 0;
+    for (int k = 0; k < operands; ++k) width += rows[k].contiguous() ? 0 : rows[k].core.size();
+    return width == 0 ? max_block_rows : std::min(max_block_rows, buffer_size / width);
+}
+
+/// The rows of a block as the contiguous arrays that batch functions take: where they are, or copies.
+class Block {
+  public:
+    Block(Rows const *rows, std::ptrdiff_t first, std::ptrdiff_t count) noexcept
+        : rows_{rows}, first_{first}, count_{count}
+    {
+    }
+
+    double const *gathered(int operand) noexcept
+    {
+        Rows const &rows = rows_[operand];
+        double scattered[max_core_size], *const array = place(rows);
+        if (rows.contiguous()) return array;
+        int const size = rows.core.size();
+        for (std::ptrdiff_t i = 0; i < count_; ++i)
+            std::copy_n(rows.load(first_ + i, scattered), size, array + i * size);
+        return array;
+    }
+
+    /// Where an output of a batch function goes.
+    double *room(int operand) noexcept { return place(rows_[operand]); }
+
+    /// Copies an output to its rows, if it is elsewhere.
+    void scatter(int operand, double *array) const noexcept
+    {
+        Rows const &rows = rows_[operand];
+        if (rows.contiguous()) return;
+        for (std::ptrdiff_t i = 0; i < count_; ++i) rows.store(first_ + i, array + i * rows.core.size());
+    }
+
+  private:
+    double *place(Rows const &rows) noexcept
+    {
+        if (rows.contiguous()) return &element<double>(rows, first_);
+        double *const array = next_;
+        next_ += count_ * rows.core.size();
+        return array;
+    }
+
+    Rows const *rows_;
+    std::ptrdiff_t first_, count_;
+    double buffer_[buffer_size], *next_ = buffer_;
+};
+
+/// Calls batch(block, first, count), which returns a status, for blocks of rows, in threads like the library. Whether all are good.
+template <class Batch>
+bool for_blocks(std::ptrdiff_t count, Rows const *rows, int operands, Batch const &batch) noexcept
 {
     int bad = 0;
-#pragma omp parallel for schedule(static) reduction(| : bad) if (count > 8 * block_rows)
+    std::ptrdiff_t const block_rows = rows_per_block(rows, operands);
+#pragma omp parallel for schedule(static) reduction(| : bad) if (count > max_block_rows)
     for (std::ptrdiff_t first = 0; first < count; first += block_rows) {
-        PairBlocks pairs(rows);
-        bad |= batch(pairs, first, std::min(block_rows, count - first)) != PW85_SUCCESS;
+        std::ptrdiff_t const n = std::min(block_rows, count - first);
+        Block block(rows, first, n);
+        bad |= batch(block, first, static_cast<std::size_t>(n)) != PW85_SUCCESS;
     }
     return bad == 0;
-}
-
-/// Batch functions with outputs of floating-point numbers, by their arrays: r12 or directions, q1, q2, outputs.
-int contact_batch(std::size_t n, double const *const *in, double *const *out) noexcept
-{
-    return pw85_contact_batch(n, in[0], in[1], in[2], out[0], out[1]);
-}
-
-int contact_batch_2d(std::size_t n, double const *const *in, double *const *out) noexcept
-{
-    return pw85_contact_batch_2d(n, in[0], in[1], in[2], out[0], out[1]);
-}
-
-int closest_approach_batch(std::size_t n, double const *const *in, double *const *out) noexcept
-{
-    return pw85_closest_approach_batch(n, in[0], in[1], in[2], out[0]);
-}
-
-int contact_derivatives_batch(std::size_t n, double const *const *in, double *const *out) noexcept
-{
-    return pw85_contact_derivatives_batch(n, in[0], in[1], in[2], out[0], out[1], out[2], out[3], out[4], out[5],
-                                          out[6]);
-}
-
-/// Most numbers that a batch function gives per row.
-constexpr int max_outputs = 2 + 5 * PW85_DIM;
-
-/// Calls a batch function for gathered rows, and scatters its outputs. Whether all are good.
-template <auto batch> bool pair_blocks(std::ptrdiff_t count, Rows const *rows, int operands) noexcept
-{
-    return for_blocks(count, rows, [rows, operands](PairBlocks &pairs, std::ptrdiff_t first, std::ptrdiff_t n) {
-        double buffer[max_outputs * block_rows], *out[max_operands], *next = buffer;
-        for (int k = 3; k < operands; ++k) {
-            out[k - 3] = next;
-            next += rows[k].core.size() * block_rows;
-        }
-        double const *const in[] = {pairs.r12(first, n), pairs.q1(first, n), pairs.q2(first, n)};
-        int const status = batch(static_cast<std::size_t>(n), in, out);
-        for (int k = 3; k < operands; ++k)
-            for (std::ptrdiff_t i = 0; i < n; ++i) rows[k].store(first + i, out[k - 3] + i * rows[k].core.size());
-        return status;
-    });
-}
-
-/// The loop of a batch function.
-template <auto batch>
-void pair_loop(char **args, std::ptrdiff_t const *dimensions, std::ptrdiff_t const *steps, void *data) noexcept
-{
-    Function const &function = *static_cast<Function const *>(data);
-    int const operands = function.operands();
-    Rows rows[max_operands];
-    find_rows(function, args, steps, rows);
-    FloatingPointFlags flags;
-    if (!all_contiguous(rows, operands)) return flags.note(!pair_blocks<batch>(dimensions[0], rows, operands));
-    double *arrays[max_operands];
-    std::transform(args, args + operands, arrays, numbers);
-    flags.note(batch(static_cast<std::size_t>(dimensions[0]), arrays, arrays + 3) != PW85_SUCCESS);
-}
-
-/// The overlap of ellipses or ellipsoids, by the size of r12.
-decltype(&pw85_overlap_batch) overlap_batch(Rows const *rows) noexcept
-{
-    return rows[0].core.size() == 2 ? pw85_overlap_batch_2d : pw85_overlap_batch;
-}
-
-template <bool boolean> bool overlap_blocks(std::ptrdiff_t count, Rows const *rows) noexcept
-{
-    return for_blocks(count, rows, [rows](PairBlocks &pairs, std::ptrdiff_t first, std::ptrdiff_t n) {
-        unsigned char overlap[block_rows];
-        int const status = overlap_batch(rows)(static_cast<size_t>(n), pairs.r12(first, n), pairs.q1(first, n),
-                                               pairs.q2(first, n), overlap);
-        for (std::ptrdiff_t i = 0; i < n; ++i)
-            element<unsigned char>(rows[3], first + i) = boolean ? overlap[i] != 0 : overlap[i];
-        return status;
-    });
 }
 
 template <bool boolean>
@@ -229,14 +169,16 @@ void overlap_loop(char **args, std::ptrdiff_t const *dimensions, std::ptrdiff_t 
     Rows rows[max_operands];
     find_rows(*static_cast<Function const *>(data), args, steps, rows);
     FloatingPointFlags flags;
-    std::ptrdiff_t const n = dimensions[0];
-    if (!all_contiguous(rows, 3) || rows[3].step != 1) return flags.note(!overlap_blocks<boolean>(n, rows));
-    auto *const overlap = reinterpret_cast<unsigned char *>(args[3]);
-    int const status =
-        overlap_batch(rows)(static_cast<size_t>(n), numbers(args[0]), numbers(args[1]), numbers(args[2]), overlap);
-    flags.note(status != PW85_SUCCESS);
-    if (boolean && status != PW85_SUCCESS)
-        std::transform(overlap, overlap + n, overlap, [](unsigned char code) { return code != 0; });
+    auto const overlap_batch = rows[0].core.size() == 2 ? pw85_overlap_batch_2d : pw85_overlap_batch;
+    bool const good = for_blocks(dimensions[0], rows, 3, [&](Block &block, std::ptrdiff_t first, std::size_t n) {
+        unsigned char codes[max_block_rows];
+        int const status = overlap_batch(n, block.gathered(0), block.gathered(1), block.gathered(2), codes);
+        for (std::size_t i = 0; i < n; ++i)
+            element<unsigned char>(rows[3], first + static_cast<std::ptrdiff_t>(i)) =
+                boolean ? codes[i] != 0 : codes[i];
+        return status;
+    });
+    flags.note(!good);
 }
 
 } // namespace
@@ -261,24 +203,23 @@ void row_loop(char **args, std::ptrdiff_t const *dimensions, std::ptrdiff_t cons
     }
 }
 
-void contact_loop(char **args, std::ptrdiff_t const *dimensions, std::ptrdiff_t const *steps, void *data)
+void batch_loop(char **args, std::ptrdiff_t const *dimensions, std::ptrdiff_t const *steps, void *data)
 {
-    pair_loop<contact_batch>(args, dimensions, steps, data);
-}
-
-void contact_2d_loop(char **args, std::ptrdiff_t const *dimensions, std::ptrdiff_t const *steps, void *data)
-{
-    pair_loop<contact_batch_2d>(args, dimensions, steps, data);
-}
-
-void closest_approach_loop(char **args, std::ptrdiff_t const *dimensions, std::ptrdiff_t const *steps, void *data)
-{
-    pair_loop<closest_approach_batch>(args, dimensions, steps, data);
-}
-
-void contact_derivatives_loop(char **args, std::ptrdiff_t const *dimensions, std::ptrdiff_t const *steps, void *data)
-{
-    pair_loop<contact_derivatives_batch>(args, dimensions, steps, data);
+    Function const &function = *static_cast<Function const *>(data);
+    int const nin = function.nin, nout = function.nout;
+    Rows rows[max_operands];
+    find_rows(function, args, steps, rows);
+    FloatingPointFlags flags;
+    bool const good = for_blocks(dimensions[0], rows, nin + nout, [&](Block &block, std::ptrdiff_t, std::size_t n) {
+        double const *in[max_operands];
+        double *out[max_operands];
+        for (int k = 0; k < nin; ++k) in[k] = block.gathered(k);
+        for (int k = 0; k < nout; ++k) out[k] = block.room(nin + k);
+        int const status = function.batch(n, in, out);
+        for (int k = 0; k < nout; ++k) block.scatter(nin + k, out[k]);
+        return status;
+    });
+    flags.note(!good);
 }
 
 void overlap_code_loop(char **args, std::ptrdiff_t const *dimensions, std::ptrdiff_t const *steps, void *data)

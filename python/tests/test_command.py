@@ -1,9 +1,12 @@
 """The command pw85: what it prints and writes, its statuses, and one sentence for bad input."""
 
+import contextlib
 import errno
 import functools
 import json
 import os
+import re
+import shlex
 import signal
 import subprocess
 import sys
@@ -12,6 +15,7 @@ import numpy as np
 import pytest
 
 import pypw85
+from pypw85 import cli
 from systems import SUFFIXES, command, random_system
 
 PW85 = [sys.executable, "-m", "pypw85.cli"]
@@ -88,7 +92,7 @@ def test_clean_system(run, folder):
     assert "no cell" in done.out
     (frame,) = json.loads((folder / "a.json").read_text())["frames"]
     assert (frame["overlaps"], frame["smallest_mu"], frame["contacts"], frame["cell"]) == (0, 3.0, [], None)
-    assert done.out.splitlines()[-1].split() == "0 1 2 0 0 0 3 3 0 0 1 0 0".split()
+    assert "0 1 2 0 0 0 3 3 0 0 1 0 0".split() in [line.split() for line in done.out.splitlines()]
 
 
 def test_one_particle(run, folder):
@@ -225,15 +229,142 @@ def test_old_report_stays_whole(run, folder):
     assert (folder / "a.csv").read_text() == "precious"
 
 
+NAMES = [
+    (["check", "a.dump", "--csv", "no/c.csv"], "no/c.csv: there is no such file or directory"),
+    (["check", "a.dump", "--hdf5", "c.csv/a"], "Not a directory"),
+    (["check", "a.dump", "--json", "a.dump"], "a.dump: is the input"),
+    (["check", "a.dump", "--csv", "link"], "link: is the input"),
+    (["check", "a.dump", "--csv", "new", "--json", "./new"], "./new: is named for two outputs"),
+    (["check", "a.dump", "--csv", "c.csv", "--frames", "7"], "there are no such frames"),
+    (["convert", "a.dump", "a.txt"], "no format has such names"),
+    (["convert", "a.dump", "no/a.xyz"], "no/a.xyz: there is no such file or directory"),
+    (["convert", "a.dump", "a.gsd.gz"], "is not written compressed"),
+    (["convert", "a.dump", "a.csv", "--frames", "7"], "there are no frames to write"),
+    (["convert", "a.dump", "folder/", "--to", "csv"], "Is a directory"),
+    (["draw", "a.dump", "a.foo"], "a.foo: no picture has such a name"),
+    (["draw", "a.dump", "no/a.png"], "no/a.png: there is no such file or directory"),
+    (["draw", "a.dump", "a.dump.html/b.html"], "there is no such file or directory"),
+    (["plot", "a.dump", "a.foo"], "a.foo: no picture has such a name"),
+    (["plot", "a.dump", "no/a.png"], "no/a.png: there is no such file or directory"),
+    (["relax", "a.dump", "no/a.xyz"], "no/a.xyz: there is no such file or directory"),
+    (["pack", "no/a.xyz", "-n", "2", "--axes", "1,1,1", "--fraction", "0.1"], "no/a.xyz: there is no such file or directory"),
+    (["pack", "a.xyz", "-n", "2", "--axes", "1,1,1", "--fraction", "0.1", "--voxels", "a.png"], "written as .h5 or .vtk"),
+    (["pack", "a.xyz", "-n", "2", "--axes", "1,1,1", "--fraction", "0.1", "--voxels", "no/a.h5"], "no/a.h5: there is no such"),
+]
+
+
+@pytest.mark.parametrize("arguments, reason", NAMES, ids=[" ".join(arguments) for arguments, _ in NAMES])
+def test_bad_names_of_outputs(run, folder, monkeypatch, arguments, reason):
+    """Are refused before the work, and nothing is changed."""
+    pypw85.write("a.dump", random_system())
+    (folder / "c.csv").write_text("precious")
+    (folder / "link").symlink_to("a.dump")
+    before = {path: path.read_bytes() for path in folder.iterdir()}
+
+    def work(*_, **__):
+        pytest.fail("there was work")
+
+    monkeypatch.setattr(sys.modules["pypw85.cli._input"], "load", work)
+    monkeypatch.setattr(sys.modules["pypw85.cli.pack"], "pack_system", work)
+    done = run(*arguments)
+    assert done.status == 2 and reason in done.err and done.err.count("\n") == 1, done
+    assert {path: path.read_bytes() for path in folder.iterdir()} == before
+
+
+def test_what_is_lost_is_said(run, folder):
+    """Once, however many frames."""
+    pypw85.write("a.dump", [random_system(ids=1 + 2 * np.arange(40), step=step) for step in range(3)])
+    done = run("convert", "a.dump", "a.gsd")
+    assert (done.status, done.err.splitlines()) == (0, ["pw85: warning: a.gsd, frame 0: GSD has no ids: particles are numbered in "
+                                                        "their order, from 0"])  # fmt: skip
+
+
+def test_far_particles(run, folder):
+    """μ² overflows from 1e154 on."""
+    (folder / "a.csv").write_text("x,y,z,radius\n0,0,0,1\n1e20,0,0,1\n")
+    assert run("check", "a.csv", "--below", "1e200").status == 0
+    (folder / "a.csv").write_text("x,y,z,radius\n0,0,0,1\n1e270,0,0,1\n")
+    done = run("check", "a.csv")
+    assert done.status == 2 and "has a position beyond 1e+150" in done.err
+
+
+@pytest.mark.skipif(not os.path.exists("/proc/self/fd"), reason="there is no such name of an open file")
+def test_pipe_as_output(folder):
+    """What is written to /dev/stdout goes on; here by a link of one's own, which a mistake may replace."""
+    pypw85.write("a.dump", random_system())
+    (folder / "stdout").symlink_to("/proc/self/fd/1")
+    done = subprocess.run([*PW85, "convert", "a.dump", "stdout", "--to", "csv"], capture_output=True)
+    assert done.returncode == 0 and done.stdout.count(b"\n") == 44, done
+
+
+def on_terminal(*arguments, until=None, program=PW85):
+    """What a program writes to a terminal; Ctrl-C there, for all its processes, once it has written `until`."""
+    controller, terminal = os.openpty()
+    running = subprocess.Popen([*program, *arguments], stdin=terminal, stdout=terminal, stderr=terminal, start_new_session=True)
+    os.close(terminal)
+    written = b""
+    with contextlib.suppress(OSError):  # the end of the file, on Linux
+        while chunk := os.read(controller, 65536):
+            written += chunk
+            if until is not None and re.search(until, written):
+                until = os.killpg(running.pid, signal.SIGINT)
+    os.close(controller)
+    return running.wait(timeout=60), written.decode().replace("\r\n", "\n")
+
+
 def test_interruption(folder):
     """Ctrl-C ends at once, and leaves no temporary files."""
-    pypw85.write("a.dump", [random_system()] * 3000)
-    command = subprocess.Popen([*PW85, "check", "a.dump", "--csv", "a.csv"], stdout=subprocess.PIPE, stderr=subprocess.PIPE)
-    command.stdout.readline()
-    command.send_signal(signal.SIGINT)
-    _, err = command.communicate(timeout=60)
-    assert (command.returncode, err.splitlines()[-1]) == (130, b"pw85: interrupted")
+    pypw85.write("a.dump", [random_system()] * 1000)
+    status, text = on_terminal("check", "a.dump", "--csv", "a.csv", until=rb"[\r\n] +0 +\d")
+    assert (status, text.splitlines()[-1]) == (130, "pw85: interrupted")
     assert [path.name for path in folder.iterdir()] == ["a.dump"]
+
+
+def test_interruption_of_workers(folder):
+    """They end without a word: of Python, of its pools or of its tracker of resources."""
+    pypw85.write("a.dump", [random_system()] * 1000)
+    status, text = on_terminal("check", "a.dump", "--csv", "a.csv", "--workers", "2", until=rb"[\r\n] +0 +\d")
+    said = [line.split("\r")[-1] for line in text.split("\n")]
+    assert (status, said[-2:]) == (130, ["pw85: interrupted", ""])
+    assert all(re.match(r"a\.dump: |cell |frame | *\d+ ", line) for line in said[:-2] if line.strip()), text
+    assert [path.name for path in folder.iterdir()] == ["a.dump"]
+
+
+def test_interruption_keeps_a_packing(folder):
+    arguments = ["-n", "100", "--axes", "1,1,1", "--fraction", "0.8", "--voxels", "a.vtk", "--resolution", "8"]
+    status, text = on_terminal("pack", "a.data", *arguments, until=rb"step \d+, \d+ pairs overlap")
+    left = re.search(r"pw85: interrupted; a\.data: pairs that still overlap: (\d+); the file has the best that was found\n$", text)
+    assert left and status == 130, text
+    assert {path.name for path in folder.iterdir()} == {"a.data", "a.vtk"}
+    # Written with 17 digits, so that the very same pairs overlap
+    assert len(pypw85.read("a.data").overlaps().mu) == int(left[1]) > 0
+
+
+def test_interruption_keeps_frames(folder):
+    """Frames that were relaxed, and those to which it did not come."""
+    centers = np.random.default_rng(1).uniform(0, 6, (60, 3))
+    dense = pypw85.System.from_axes(centers, np.ones((60, 3)), [[1, 0, 0, 0]] * 60, cell=6 * np.eye(3))
+    pypw85.write("a.dump", [random_system(count=5), dense, random_system(1)])
+    status, text = on_terminal("relax", "a.dump", "b.dump", until=rb"step \d+, \d+ pairs overlap")
+    assert status == 130 and "b.dump, from frame 1: pairs that still overlap" in text, text
+    first, second, third = pypw85.frames("b.dump")
+    assert len(first.overlaps().mu) == 0 and len(second) == 60
+    np.testing.assert_array_equal(third.centers, random_system(1).centers)
+
+
+def test_progress_is_for_terminals(folder):
+    program = [sys.executable, "-c", "import time\nfrom pypw85.cli._progress import progress\nwith progress(): time.sleep(2)"]
+    assert "starting [00:0" in on_terminal(program=program)[1]
+    done = subprocess.run(program, capture_output=True)
+    assert (done.returncode, done.stdout, done.stderr) == (0, b"", b"")
+
+
+def test_without_tqdm(folder):
+    pypw85.write("a.dump", random_system())
+    program = [sys.executable, "-c", "import sys; sys.modules['tqdm'] = None\nfrom pypw85.cli import main\nmain()", "check", "a.dump"]
+    done = subprocess.run(program, capture_output=True)
+    same = subprocess.run([*PW85, "check", "a.dump"], capture_output=True)
+    assert (done.returncode, done.stdout, done.stderr) == (same.returncode, same.stdout, b"") == (1, same.stdout, b"")
 
 
 def test_closed_pipe(folder):
@@ -243,7 +374,7 @@ def test_closed_pipe(folder):
     command.stdout.close()
     errors = command.stderr.read()  # and, if it takes longer than a second, its progress
     assert b"Exception" not in errors and b"Traceback" not in errors, errors.decode()
-    command.wait(timeout=60)
+    assert command.wait(timeout=60) == 141  # not 2, which is bad input
 
 
 SLOW = """
@@ -262,12 +393,33 @@ def test_closed_pipe_of_a_slow_command():
     reader, writer = os.pipe()
     os.close(reader)
     buffered = {**os.environ, "PYTHONUNBUFFERED": ""}
-    done = subprocess.run([sys.executable, "-c", SLOW], env=buffered, stdout=writer, stderr=subprocess.PIPE)
-    os.close(writer)
-    assert (done.returncode, done.stderr) == (3, b"")
+    controller, terminal = os.openpty()  # for the progress
+    done = subprocess.run([sys.executable, "-c", SLOW], env=buffered, stdout=writer, stderr=terminal)
+    os.set_blocking(controller, False)
+    with pytest.raises(BlockingIOError):  # nothing was written
+        pytest.fail(os.read(controller, 65536).decode())
+    for descriptor in (writer, terminal, controller):
+        os.close(descriptor)
+    assert done.returncode == 3
 
 
 def test_help(run):
     done = run("check", "--help")
     assert done.status == 0 and "--workers" in done.out
+    assert "has options and examples" in run("--help").out
     assert pypw85.version() in run("--version").out
+
+
+@pytest.mark.parametrize("name", cli.pw85.commands)
+def test_examples_of_help(run, folder, name):
+    """They are there, on lines of their own, and they work."""
+    lines = re.findall(r"^ +(pw85 .*)$", run(name, "--help").out, re.MULTILINE)
+    assert lines and all(line.startswith(f"pw85 {name} ") for line in lines)
+    systems = [random_system(seed, step=seed) for seed in range(2)]
+    pypw85.write("run.dump", systems)
+    pypw85.write("grains.xyz", systems[0])
+    (folder / "centers.csv").write_text("x,y,z\n1,2,3\n4,5,6\n")
+    for line in lines:
+        done = run(*shlex.split(line)[1:])
+        said = [one for one in done.err.splitlines() if not one.startswith("pw85: warning: ")]
+        assert done.status == int(name == "check") and not said, (line, done)

@@ -1,13 +1,14 @@
 """Bad input: exceptions for single calls, marked rows and one signal for arrays."""
 
 import pickle
+import re
 import warnings
 
 import numpy as np
 import pytest
 
 import pypw85
-from pypw85 import PW85Error, Status, _core, legacy
+from pypw85 import PW85Error, Status, _core, _explanations, legacy
 
 Q = np.array([1.0, 0, 0, 1, 0, 1])
 R = np.array([3.0, 0, 0])
@@ -54,7 +55,8 @@ def test_single_call_raises(function, args, status):
         with pytest.raises(PW85Error) as caught:
             function(*args)
     assert caught.value.status is status
-    assert pypw85.strerror(status) in str(caught.value)
+    assert caught.value.reason == pypw85.strerror(status)
+    assert caught.value.detail and caught.value.detail in str(caught.value)
     assert caught.value.function.removeprefix("legacy_") in str(function)
     assert isinstance(caught.value, ValueError) and isinstance(caught.value, ArithmeticError)
 
@@ -166,3 +168,96 @@ def test_statuses():
 def test_version():
     assert pypw85.version() == pypw85.__version__
     assert all(part.isdigit() for part in pypw85.version().split("."))
+
+
+# A good row of each argument, by its name and shape; and what may be bad about one, with the words for it.
+GOOD = {"lambda_": 0.5, "semi_axes": [1, 2, 3], "rotation": np.eye(3), "cell": np.eye(3), "quaternion_wxyz": [1, 0, 0, 0],
+        "lower": [-9.0] * 3, "upper": [9.0] * 3, "motion1": [0.0] * 7, "motion2": [0.0] * 7, "offset": 5.0, "t_max": 1.0}  # fmt: skip
+FORMS = {(6,): [1, 0, 0, 1, 0, 1], (3,): [1, 0, 1]}
+REASONS = {
+    **dict.fromkeys(["a", "b", "c", "radius", "semi_axes"], ((0, "not positive"), (-1, "not positive"))),
+    **dict.fromkeys(["motion1", "motion2"], ((-2.0, "shrinks to nothing before t_max"),)),
+    **dict.fromkeys(["axis", "direction", "n", "normal", "quaternion_wxyz"], ((0, "is zero"),)),
+    "lambda_": [(-0.5, "is not in [0, 1]"), (1.5, "is not in [0, 1]")],
+    "t_max": [(-1, "is negative")],
+    "rotation": [(1, "is no rotation matrix")],
+    "cell": [(1, "is singular")],
+    "lower": [(10, "is larger than upper")],
+}
+
+
+def causes():
+    for name in sorted(name for name in dir(_core) if f"call_{name}" in dir(_core)):
+        cores, names = _explanations._cores(name), _explanations._names(name)
+        good = [np.array(good_row(argument, core), dtype=float) for argument, core in zip(names, cores)]
+        for k, (argument, core) in enumerate(zip(names, cores)):
+            bad = [(np.nan, "NaN"), *([(np.inf, "is infinite")] if argument != "t_max" else [])]
+            if is_form(argument, core):
+                bad.append((-1, "is not positive definite"))
+            elif argument == "r12" and name.startswith(("contact_geometry", "contact_hessian")):
+                bad.append((0, "is zero"))
+            for value, words in [*bad, *REASONS.get(argument, ())]:
+                if not name.startswith(("cholesky_solve", "legacy_det", "legacy_xT", "legacy_rT")):  # plain formulas
+                    words = f"{argument} .*{re.escape(words)}"
+                    yield pytest.param(name, good, k, value, words, id=f"{name}-{argument}-{value}")
+
+
+def is_form(argument, core):
+    return core == (6,) or (argument in ("q1", "q2") and core == (3,))
+
+
+def good_row(argument, core):
+    if is_form(argument, core):
+        return FORMS[core]
+    return GOOD.get(argument, [3.0, 0, 0][: core[0]] if core else 1.0)
+
+
+@pytest.mark.parametrize("name, good, k, value, words", causes())
+def test_cause_is_named(name, good, k, value, words):
+    """The argument, by its name, and what is wrong with it; of many rows also which one is the first that is bad."""
+    call = getattr(_core, f"call_{name}")
+    bad = [np.full_like(x, value) if i == k else x for i, x in enumerate(good)]
+    call(*good, None, {})
+    with pytest.raises(PW85Error, match=f"^{name}: {words}"):
+        call(*bad, None, {})
+    rows = [np.stack([[g, g], [g, b], [b, g]]) if i == k else g for i, (g, b) in enumerate(zip(good, bad))]
+    with np.errstate(invalid="raise"), pytest.raises(FloatingPointError, match=rf"{name}: row \(1, 1\): {words}"):
+        call(*rows, None, {})
+
+
+def test_shapes_are_named():
+    matrix = np.eye(3)
+    with pytest.raises(ValueError, match=r"^contact: q2 has shape \(3, 3\); a form has 6 entries in the last axis: "
+                                         r"pypw85.packed\(matrix\) converts$"):  # fmt: skip
+        pypw85.contact(R, Q, matrix)
+    with pytest.raises(ValueError, match=r"q1 has shape \(4, 3, 3\).*packed"):
+        pypw85.distance(R, [matrix] * 4, Q)
+    with pytest.raises(ValueError, match=r"q must have 6 columns, but the shape is \(2, 3, 3\): pypw85.packed"):
+        pypw85.contact_pairs([[0, 1]], np.zeros((2, 3)), [matrix] * 2)
+    with pytest.raises(ValueError, match=r"^spheroid: n has shape \(2,\); it should have 3 entries in the last axis$"):
+        pypw85.spheroid(1, 2, [0, 1])
+    with pytest.raises(ValueError, match=r"^ellipsoid: rotation has shape \(3,\); its last axes should be \(3, 3\)$"):
+        pypw85.ellipsoid([1, 2, 3], [1, 2, 3])
+    with pytest.raises(ValueError, match=r"^overlap: the numbers of rows do not fit: r12 \(3,\), q1 \(\), q2 \(4,\)$"):
+        pypw85.overlap([R] * 3, Q, [Q] * 4)
+
+
+def test_causes_in_systems():
+    centers, q = np.array([R, 2 * R]), np.array([Q, Q])
+    flat = np.array([Q, FLAT])
+    for call, words in [
+        (lambda: pypw85.overlap_any(Q, centers, flat), r"overlap_any: row \(1,\): q2 is not positive definite"),
+        (lambda: pypw85.overlap_any_indices(0 * R, Q, [1], centers, flat), r"row \(0,\): q2 is not positive definite"),
+        (lambda: pypw85.overlap_any_indices(0 * R, Q, [1, 2], centers, q), r"row \(1,\): indices has 2, but there are 2"),
+        (lambda: pypw85.overlap_any_indices(0 * R, Q, [1], centers, q, np.zeros((3, 3))), "cell is singular"),
+        (lambda: pypw85.nearest_image_limit(flat, np.eye(3)), r"row \(1,\): q is not positive definite"),
+        (lambda: pypw85.nearest_image_limit(q, np.zeros((3, 3))), "cell is singular"),
+        (lambda: pypw85.neighbors(centers, flat), r"neighbors: particle 1: q is not positive definite"),
+        (lambda: pypw85.neighbors(centers * [[1], [np.nan]], q), "particle 1: centers is not finite"),
+        (lambda: pypw85.neighbors(centers, q, scale=-1), "scale is no positive number: -1"),
+        (lambda: pypw85.neighbors(centers, q, skin=-1), "skin is no number >= 0: -1"),
+        (lambda: pypw85.neighbors(centers, q, np.ones((3, 3))), "cell is singular"),
+        (lambda: pypw85.principal_axes(FLAT), "principal_axes: q is not positive definite"),
+    ]:
+        with pytest.raises(PW85Error, match=words):
+            call()

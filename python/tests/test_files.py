@@ -1,5 +1,14 @@
 """Files of other programs: what is written is read again, conventions, and what is said of broken files."""
 
+import gzip
+import itertools
+import os
+import pathlib
+import stat
+import subprocess
+import sys
+import warnings
+
 import numpy as np
 import pytest
 
@@ -92,6 +101,7 @@ def test_frames(suffix, tmp_path, assert_rows):
         pypw85.read(path, 4)
 
 
+@pytest.mark.filterwarnings("ignore:.*GSD has")
 def test_systems_from_forms_have_axes(tmp_path, assert_rows):
     given = random_system()
     system = pypw85.System(given.centers, given.q, given.cell)
@@ -284,7 +294,29 @@ def test_truncated_anywhere(suffix, tmp_path, file):
 
 
 @pytest.mark.parametrize("name, text, reason", [
-    ("a.xyz", "1\nhello\nA 1 2 3\n", "not recognised"),
+    ("a.xyz", "1\nhello\nA 1 2 3\n", "there are no shapes"),
+    ("a.xyz", "1\nhello\nA 1 2\n", "not recognised"),
+    ("a.xyz", "1\nProperties=species:S:1:pos:R:3:foo:R:2000000000\nA 1 2 3 1\n", "5 columns instead of the 2000000004"),
+    ("a.xyz", "1\nProperties=species:S:1:pos:R:3:radius\nA 1 2 3 1\n", "should have names, kinds and numbers"),
+    ("a.xyz", "1\nProperties=pos:R:3:pos:R:3:radius:R:1\n1 2 3 1 2 3 1\n", "several columns 'pos0'"),
+    ("a.xyz", "1\nProperties=pos:R:3:radius:R:1 Timestep=inf\n1 2 3 1\n", "Timestep should be a whole number, not 'inf'"),
+    ("a.xyz", "1\nProperties=pos:R:3:radius:R:1 Timestep=1e300\n1 2 3 1\n", "Timestep should be a whole number"),
+    ("a.xyz", "1\nProperties=pos:R:3:radius:R:1 pbc=T\n1 2 3 1\n", "pbc should be three of T and F"),
+    ("a.xyz", "1\nProperties=pos:R:3:radius:R:1" + " " * 40000 + "x\n1 2 3 1\n", "line 2: the line has more than 32768 characters"),
+    ("a.xyz", "0\nProperties=pos:R:3:radius:R:1\n", "there are no particles"),
+    ("a.csv", "x,y,z,radius,id\n1,2,3,1,1e20\n", "line 2: 'id' should be a whole number"),
+    ("a.csv", "x,y,z,radius\n1e270,2,3,1\n", "line 2: particle 1 has a position beyond 1e.150"),
+    ("a.csv", "x,y,z,radius\n1,2,3,1e-200\n", "line 2: particle 1 has a length beyond"),
+    ("a.csv", "x,y,z,radius\n1_0,2,3,1\n", r"column 1 \(x\)"),
+    ("a.csv", "x,y,x,z,radius\n1,2,3,4,1\n", "several columns 'x'"),
+    ("a.csv", 'x,y,z,radius,type\n1,2,3,1,"a\n', "line 2: the line cannot be read .*quotation"),
+    ("a.csv", "# periodic T T\nx,y,z,radius\n1,2,3,1\n", "periodic should be three of T and F"),
+    ("a.csv", "x,y,z,radius,type\n1,2,3,1," + 300 * "n" + "\n", "more than 255 characters"),
+    ("a.csv", b"x,y,z,radius,type\n1,2,3,1,a\n1,2,3,1,\xc5\n", "line 3: the name of a type is no text in UTF-8"),
+    ("a.dump", changed(" pp pp ff", ""), "it is not said along which"),
+    ("a.dump", changed("ATOMS\n2", "ATOMS\n-2"), "line 4: the number of particles should be a whole number, not '-2'"),
+    ("a.dump", DUMP.format(step="inf"), "line 2: the time step should be a whole number, not 'inf'"),
+    ("a.data", f"x\n\n{2**63} atoms\n0 1 xlo xhi\n", "line 3: the number of atoms should be a whole number"),
     ("a.xyz", "2\nProperties=species:S:1:pos:R:3:radius:R:1\nA 1 2 3 1\n", "truncated"),
     ("a.xyz", "1\nProperties=species:S:1:pos:R:2:radius:R:1\nA 1 2 1\n", "has 2 columns instead of 3"),
     ("a.xyz", '1\nProperties=species:S:1:pos:R:3:radius:R:1 Lattice="1 2\nA 1 2 3 1\n', "quotation mark"),
@@ -341,6 +373,377 @@ def test_no_file_and_a_directory(tmp_path):
         pypw85.read(tmp_path / "missing")
     with pytest.raises(pypw85.FileError, match="is a directory"):
         pypw85.read(tmp_path)
+
+
+HOSTILE = ["a,b", "a b", " a", 'q"q', "'", "a\nb", "a\r", "\x1b[2J", "=1+1", "@SUM(A1)", "+x", "-x", "x" * 100, "x" * 100 + "y",
+           "x" * 300, "", "é", "\u00a0", "a\u00a0b", "\u2028", "\u4e2d", "\udcff", "\x85", "#", "007", "7", "-0",
+           "\u00b2", "\u0663", "1_0", "nan", "None"]  # fmt: skip
+
+
+@pytest.mark.filterwarnings("ignore:.*single precision")
+@pytest.mark.parametrize("suffix", [*SUFFIXES.values(), "xyz.gz"])
+@pytest.mark.parametrize("name", HOSTILE, ids=ascii)
+def test_names_come_back_or_are_refused(name, suffix, tmp_path):
+    path = tmp_path / f"a.{suffix}"
+    types = ["Na", name, "x" * 100, "7"]
+    try:
+        pypw85.write(path, random_system(count=4, types=types))
+    except ValueError as error:
+        assert "give it another name" in str(error) and str(error).isprintable()
+        assert not list(tmp_path.iterdir())
+    else:
+        assert list(map(str, pypw85.read(path).types)) == types
+
+
+def test_which_names_are_refused(tmp_path):
+    """Formats hold what they can: quoted in CSV, any text in HDF5."""
+    refused = {name: [] for name in ("a,b", "a b", "a\nb", "=1", "é", "x" * 255, "")}
+    for name, suffix in itertools.product(refused, SUFFIXES.values()):
+        try:
+            pypw85.write(tmp_path / f"a.{suffix}", random_system(count=2, types=["Na", name]))
+        except ValueError:
+            refused[name].append(suffix)
+    blanks = ["dump", "data", "xyz"]
+    assert refused == {"a,b": [], "a b": blanks, "a\nb": [*blanks, "csv"], "=1": ["csv"], "é": ["gsd"], "x" * 255: [],
+                       "": [*blanks, "csv"]}  # fmt: skip
+
+
+@pytest.mark.parametrize("types", [["b", "a", "b"], [1, 3, 1], [-1, 0, 5], ["2", "1", "2"], [1.5, 2.5, 1.5]], ids=str)
+@pytest.mark.parametrize("suffix", SUFFIXES.values())
+def test_types(suffix, types, tmp_path, recwarn):
+    """Names and whole numbers come back; LAMMPS's data files number others anew, and this is said."""
+    if suffix == "data" and types[0] == 1.5:
+        with pytest.raises(ValueError, match="no name that LAMMPS allows"):
+            pypw85.write(tmp_path / "a.data", random_system(count=3, types=types))
+        return
+    pypw85.write(tmp_path / f"a.{suffix}", random_system(count=3, types=types))
+    found = pypw85.read(tmp_path / f"a.{suffix}").types
+    if suffix == "data" and types[0] == -1:
+        assert (list(found), len(recwarn)) == ([1, 2, 3], 1) and "numbered anew" in str(recwarn[0].message)
+    elif suffix == "gsd":
+        # A type has one shape there
+        assert [str(name).partition("_")[0] for name in found] == list(map(str, types))
+    else:
+        assert list(map(str, found)) == list(map(str, types))
+
+
+def test_names_of_types_in_gsd_differ(tmp_path):
+    """A type with several shapes is divided; a name that results may be that of another type."""
+    system = pypw85.System.from_axes(3.0 * np.arange(9).reshape(3, 3), [[1, 1, 1], [2, 2, 2], [1, 1, 1]], [[1, 0, 0, 0]] * 3,
+                                     cell=64 * np.eye(3), origin=[-32] * 3, ids=range(3), types=["A", "A", "A_0"])  # fmt: skip
+    with pytest.warns(UserWarning, match="one shape for each type"):
+        pypw85.write(tmp_path / "a.gsd", system)
+    assert list(pypw85.read(tmp_path / "a.gsd").types) == ["A_1", "A_2", "A_0"]
+
+
+@pytest.mark.parametrize("suffix", SUFFIXES.values())
+@pytest.mark.parametrize("length", [0.5, 3.0, 1e-200, 1e200])
+@pytest.mark.filterwarnings("ignore:.*GSD has")
+def test_quaternions_of_any_length(suffix, length, tmp_path, assert_rows):
+    expected = random_system(step=0)
+    system = pypw85.System.from_axes(expected.centers, expected.semi_axes, length * expected.quaternions, cell=expected.cell)
+    lengths = np.linalg.norm(system.quaternions, axis=1)
+    assert_rows(np.abs(lengths - 1) <= 4 * 2.0**-53, system.quaternions)
+    pypw85.write(tmp_path / f"a.{suffix}", system)
+    q = pypw85.read(tmp_path / f"a.{suffix}").q
+    # GSD rounds the components of a quaternion, each to half a unit, and with them axes whose squares are up to 1.
+    assert_rows(np.abs(q - expected.q).max(axis=1) <= (8 * 2.0**-24 if suffix == "gsd" else 64 * 2.0**-53), q, expected.q)
+
+
+def test_quaternions_of_single_precision_stay_as_they_are(rng):
+    q = rng.normal(size=(1000, 4))
+    q = (q / np.linalg.norm(q, axis=1, keepdims=True)).astype(np.float32).astype(np.float64)
+    system = pypw85.System.from_axes(np.zeros((1000, 3)), np.ones((1000, 3)), q)
+    np.testing.assert_array_equal(system.quaternions, q)
+
+
+@pytest.mark.parametrize("suffix", [*SUFFIXES.values(), "vtk"])
+@pytest.mark.parametrize("change, reason", [
+    (lambda s: s.centers.__setitem__((2, 1), np.nan), "has a position that is not finite"),
+    (lambda s: s.centers.__setitem__((2, 1), 1e200), "has a position beyond"),
+    (lambda s: s.semi_axes.__setitem__((2, 1), -1), "has a length that is not positive"),
+    (lambda s: s.quaternions.__setitem__(2, np.nan), "has a quaternion that is zero or not a number"),
+    (lambda s: s.ids.__setitem__(2, 2**60), "has an id beyond"),
+    (lambda s: setattr(s, "step", 2**63), "more than 64 bits"),
+])  # fmt: skip
+def test_what_could_not_be_read_is_not_written(suffix, change, reason, tmp_path):
+    system = random_system(count=5)
+    change(system)
+    with pytest.raises(ValueError, match=reason):
+        pypw85.write(tmp_path / f"a.{suffix}", system)
+    with pytest.raises(ValueError, match="there are no frames"):
+        pypw85.write(tmp_path / f"a.{suffix}", [])
+    with pytest.raises(ValueError, match="there are no particles"):
+        pypw85.write(tmp_path / f"a.{suffix}", pypw85.System(np.empty((0, 3)), np.empty((0, 6))))
+    assert not list(tmp_path.iterdir())
+
+
+def test_ids_are_whole_numbers():
+    make = lambda ids: pypw85.System.from_axes(np.zeros((2, 3)), np.ones((2, 3)), [[1, 0, 0, 0]] * 2, ids=ids)  # noqa: E731
+    assert make([3.0, 4.0]).ids.dtype.kind == "i"
+    for ids in ([1.5, 2], ["a", "b"], [1e20, 2], [np.nan, 1]):
+        with pytest.raises(TypeError, match="ids must be whole numbers"):
+            make(ids)
+
+
+def test_gsd_says_what_is_lost(tmp_path):
+    def warnings_of(system):
+        with warnings.catch_warnings(record=True) as caught:
+            warnings.simplefilter("always")
+            pypw85.write(tmp_path / "a.gsd", system)
+        return " ".join(str(one.message) for one in caught)
+
+    exact = random_system()
+    assert warnings_of(exact) == ""
+    assert warnings_of(random_system(ids=1 + 2 * np.arange(40))).count("GSD has no ids") == 1
+    assert "periodic" in warnings_of(random_system(periodic=(True, True, False)))
+    exact.shapeless = 3
+    assert "3 particles without a shape are left out" in warnings_of(exact)
+    axes = exact.semi_axes, exact.quaternions
+    moved = pypw85.System.from_axes(exact.centers + 0.1, *axes, cell=exact.cell, origin=exact.origin, ids=exact.ids)
+    assert "single precision: positions change by up to " in warnings_of(moved)
+    # Within the unit cell of length 4, half a unit in the last place of single precision is 2⁻²³.
+    change = np.abs(pypw85.read(tmp_path / "a.gsd").centers - moved.wrapped()).max()
+    assert 0 < change <= 2.0**-23
+    for scale in (1e45, 1e-60):
+        far = pypw85.System.from_axes(scale * exact.centers, scale * exact.semi_axes, axes[1], cell=scale * exact.cell)
+        with pytest.raises(ValueError, match="beyond single precision"):
+            pypw85.write(tmp_path / "a.gsd", far)
+
+
+def test_hdf5_has_what_changes_from_frame_to_frame(tmp_path):
+    """Dumps are not sorted: ids and types of the first frame are not those of the others; and the corner may move."""
+    first = random_system(1, count=5, step=1)
+    second = random_system(2, count=5, step=2, ids=[9, 8, 7, 6, 5], types=[5, 4, 3, 2, 1], origin=[1, 2, 3])
+    pypw85.write(tmp_path / "a.h5", [first, second])
+    for found, expected in zip(pypw85.frames(tmp_path / "a.h5"), (first, second)):
+        for name in ("ids", "types", "origin", "step"):
+            np.testing.assert_array_equal(getattr(found, name), getattr(expected, name), err_msg=name)
+    names = [random_system(count=2, types=["a", "b"]), random_system(count=2, types=["a", "longer"])]
+    pypw85.write(tmp_path / "a.h5", names)
+    assert list(pypw85.read(tmp_path / "a.h5", 1).types) == ["a", "longer"]
+    without_cell = pypw85.System(first.centers, first.q)
+    for other in (random_system(count=5, periodic=False), without_cell, random_system(count=5, types=list("abcde"))):
+        with pytest.raises(ValueError, match="choose frames"):
+            pypw85.write(tmp_path / "b.h5", [first, other])
+
+
+def test_size_of_hdf5(tmp_path):
+    pypw85.write(tmp_path / "a.h5", random_system(count=200))
+    assert (tmp_path / "a.h5").stat().st_size < 100_000
+    pypw85.write(tmp_path / "b.h5", [random_system(count=200)] * 30)
+    numbers = 30 * 200 * (3 + 3 + 4 + 1 + 1)
+    assert (tmp_path / "b.h5").stat().st_size < 1.3 * 8 * numbers + 50_000
+
+
+def test_steps_come_back(tmp_path):
+    for suffix in SUFFIXES.values():
+        pypw85.write(tmp_path / f"a.{suffix}", random_system(step=12))
+        assert pypw85.read(tmp_path / f"a.{suffix}").step == 12, suffix
+
+
+def test_plain_xyz(file):
+    path = file("2\nwater, isn't it\nO 0 0 0\nH 3 0 0.5\n2\n\nO 0 0 1\nH 3 0 2\n", "a.xyz")
+    first, second = pypw85.frames(path, shape=(1, 1, 1))
+    np.testing.assert_array_equal(first.centers, [[0, 0, 0], [3, 0, 0.5]])
+    np.testing.assert_array_equal(second.centers, [[0, 0, 1], [3, 0, 2]])
+    assert (list(first.types), first.cell) == (["O", "H"], None)
+    velocities = file('1\nLattice="9 0 0 0 9 0 0 0 9"\nO 1 2 3 4 5 6\n', "b.xyz")
+    np.testing.assert_array_equal(pypw85.read(velocities, shape=(1, 1, 1)).cell, 9 * np.eye(3))
+
+
+def test_csv_of_a_spreadsheet(file):
+    """A byte order mark, ends of lines as of Windows, and quotation marks."""
+    text = '\ufeff"x","y","z","radius","type"\r\n1,2,3,"1","a ""b"", c"\r\n4,5,6,1,d\r\n'
+    system = pypw85.read(file(text, "a.csv"))
+    np.testing.assert_array_equal(system.centers, [[1, 2, 3], [4, 5, 6]])
+    assert list(system.types) == ['a "b", c', "d"]
+
+
+def test_names_do_not_move_columns(file):
+    """A blank of Unicode is one to NumPy, too, and no part of a name."""
+    text = "1\nProperties=species:S:1:pos:R:3:radius:R:1\na\u00a0b 1 2 3 1\n"
+    with pytest.raises(pypw85.FileError, match="6 columns instead of the 5"):
+        pypw85.read(file(text, "a.xyz"))
+
+
+@pytest.mark.parametrize("suffix", ["dump", "data", "xyz", "csv"])
+def test_compressed(suffix, tmp_path, assert_rows, file):
+    expected = random_system(step=0)
+    path = tmp_path / f"a.{suffix}.gz"
+    pypw85.write(path, expected)
+    assert_same(pypw85.read(path), expected, assert_rows)
+    pypw85.write(tmp_path / f"a.{suffix}", expected)
+    content = path.read_bytes()
+    assert gzip.decompress(content) == (tmp_path / f"a.{suffix}").read_bytes()
+    for broken in (content[:-100], content[:20] + b"\xff" * 20 + content[40:]):
+        with pytest.raises(pypw85.FileError, match="what is compressed cannot be read"):
+            list(pypw85.frames(file(broken, "b.gz")))
+
+
+@pytest.mark.parametrize("suffix", ["dump", "xyz"])
+def test_compressed_frames_one_after_the_other(suffix, tmp_path, monkeypatch):
+    """The start of the file is decompressed three times, to recognise it, to find frames, to read them, not for each frame."""
+    opened = []
+    original = gzip.open
+    monkeypatch.setattr(gzip, "open", lambda *arguments: opened.append(original(*arguments)) or opened[-1])
+    pypw85.write(tmp_path / f"a.{suffix}.gz", [random_system(seed, step=seed) for seed in range(20)])
+    assert [system.step for system in pypw85.frames(tmp_path / f"a.{suffix}.gz")] == list(range(20))
+    assert len(opened) <= 4
+    assert pypw85.read(tmp_path / f"a.{suffix}.gz", -1).step == 19
+
+
+def test_formats_that_are_not_compressed(tmp_path, file):
+    for suffix in ("gsd", "h5", "vtk"):
+        with pytest.raises(pypw85.FileError, match="is not written compressed"):
+            pypw85.write(tmp_path / f"a.{suffix}.gz", random_system())
+    pypw85.write(tmp_path / "a.gsd", random_system())
+    with pytest.raises(pypw85.FileError, match="gsd are not read while compressed"):
+        pypw85.read(file(gzip.compress((tmp_path / "a.gsd").read_bytes()), "b.gz"))
+
+
+CORPUS = pathlib.Path(os.environ["PYPW85_SOURCE"]) / "fuzz"
+
+
+def test_corpus():
+    """Files that were hard to read: each is read or refused, in little memory."""
+    done = subprocess.run([sys.executable, CORPUS / "fuzz_files.py"], capture_output=True, text=True)
+    assert done.returncode == 0, done.stdout + done.stderr
+    assert done.stdout.count(": ok") == len(list((CORPUS / "files").iterdir())) > 50
+
+
+REFUSED = {
+    "external.h5": "is a link to another file, which is not followed",
+    "external_storage.h5": "position is in another file, which is not read",
+    "virtual.h5": "position is in another file, which is not read",
+    "circle.h5": "lead in a circle",
+    "circle_of_groups.h5": "no /particles/.../position",
+    "empty_group.h5": "no /particles/.../position",
+    "empty_element.h5": "position is neither a data set nor a group",
+    "words.h5": "position should have numbers",
+    "large_id.h5": "id should have whole numbers",
+    "boundary.h5": "attribute boundary",
+    "claims.h5": "claims more than its .* bytes can hold",
+    "type_out_of_range.gsd": "particle 1 has the type 7, but there are 1",
+    "many_particles.gsd": "says that there are 4000000000 particles",
+    "shape_is_a_list.gsd": "type 0 is not an ellipsoid",
+    "shape_of_words.gsd": "type 0 is not an ellipsoid",
+    "shape_nan.gsd": "has a length that is not positive",
+    "long_line.xyz.gz": "longer than 1048576 bytes",
+    "twice.data": "line 12: the id 1 is there twice",
+}
+
+
+@pytest.mark.parametrize("name", REFUSED)
+def test_refused(name):
+    """With the file, what is wrong, and where; frames are not those of another file."""
+    path = CORPUS / "files" / name
+    with pytest.raises(pypw85.FileError, match=REFUSED[name]) as raised:
+        list(pypw85.frames(path, shape=(1, 1, 1)))
+    assert str(raised.value).startswith(str(path))
+
+
+def test_two_dimensions_of_hoomd():
+    """The box may have a height, which is no period."""
+    assert pypw85.read(CORPUS / "files" / "flat.gsd").periodic == (True, True, False)
+
+
+def test_messages_can_be_printed(file):
+    with pytest.raises(pypw85.FileError) as raised:
+        pypw85.read(file("x,y,z,radius\n1,2,\x1b[2J,1\n", "a\nb.csv"))
+    assert str(raised.value).isprintable() and r"\x1b[2J" in str(raised.value)
+
+
+@pytest.fixture(params=SUFFIXES.values())
+def output(request, tmp_path):
+    """Writes a file, and gives what it should be."""
+    system = random_system(step=0)
+    pypw85.write(tmp_path / f"expected.{request.param}", system)
+    return lambda path: pypw85.write(path, system, next(k for k, v in SUFFIXES.items() if v == request.param)), request.param
+
+
+def test_links_are_followed(output, tmp_path):
+    write, suffix = output
+    (tmp_path / "folder").mkdir()
+    target = tmp_path / "folder" / f"target.{suffix}"
+    (tmp_path / "link").symlink_to(target)
+    for _ in range(2):  # to what is not there yet, and to what is
+        write(tmp_path / "link")
+        assert (tmp_path / "link").is_symlink() and not target.is_symlink()
+        assert len(pypw85.read(target)) == 40
+    assert [entry.name for entry in (tmp_path / "folder").iterdir()] == [target.name]
+    (tmp_path / "circle").symlink_to("circle")
+    with pytest.raises(OSError, match="symbolic links"):
+        write(tmp_path / "circle")
+
+
+@pytest.mark.parametrize("mode", [0o600, 0o664, 0o640])
+def test_mode_is_kept(output, mode, tmp_path):
+    write, suffix = output
+    path = tmp_path / f"a.{suffix}"
+    path.touch()
+    path.chmod(mode)
+    write(path)
+    assert path.stat().st_mode & 0o7777 == mode and path.stat().st_size
+
+
+def test_pipes_and_devices_stay(output, tmp_path):
+    """A pipe gets what a file would hold; nothing takes its place."""
+    write, suffix = output
+    os.mkfifo(tmp_path / "pipe")
+    with subprocess.Popen(["cat", tmp_path / "pipe"], stdout=subprocess.PIPE) as reader:
+        write(tmp_path / "pipe")
+        (tmp_path / f"got.{suffix}").write_bytes(reader.stdout.read())
+    assert (tmp_path / "pipe").is_fifo()
+    assert len(pypw85.read(tmp_path / f"got.{suffix}")) == 40
+
+
+@pytest.fixture
+def device(tmp_path):
+    """Makes a device of one's own: a mistake must not replace one of the machine."""
+
+    def make(minor):
+        path = tmp_path / f"device{minor}"
+        try:
+            os.mknod(path, stat.S_IFCHR | 0o666, os.makedev(1, minor))
+            path.open("wb").close()
+        except PermissionError:
+            pytest.skip("only root makes devices, and not in all file systems")
+        return path
+
+    return make
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="numbers of devices are those of Linux")
+def test_devices_stay(output, device, tmp_path):
+    write, _ = output
+    null, full = device(3), device(7)
+    (tmp_path / "link").symlink_to(null)
+    for path in (null, tmp_path / "link"):
+        write(path)
+    with pytest.raises(OSError, match="No space left on device: .*device7"):
+        write(full)
+    assert null.is_char_device() and full.is_char_device() and (tmp_path / "link").is_symlink()
+
+
+def test_output_that_cannot_be_written(output, tmp_path, monkeypatch):
+    """Is refused before the first system is asked for."""
+    _, suffix = output
+
+    def systems():
+        pytest.fail("there was work")
+        yield
+
+    name = next(k for k, v in SUFFIXES.items() if v == suffix)
+    (tmp_path / "file").touch()
+    for path, kind in [("no/where", FileNotFoundError), ("file/a", NotADirectoryError), (".", IsADirectoryError),
+                       ("new/", IsADirectoryError)]:  # fmt: skip
+        with pytest.raises(kind):
+            pypw85.write(f"{tmp_path}/{path}", systems(), name)
+    monkeypatch.setattr(os, "access", lambda *_: False)
+    for path in ("file", "new"):
+        with pytest.raises(PermissionError):
+            pypw85.write(tmp_path / path, systems(), name)
 
 
 def test_what_was_there_stays_whole(tmp_path):

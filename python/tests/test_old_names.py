@@ -2,6 +2,7 @@
 
 import os
 import pathlib
+import sys
 
 import numpy as np
 import pytest
@@ -46,19 +47,25 @@ def test_in_place_calls():
     np.testing.assert_array_equal(out, [2.25, 0.5])
 
 
-@pytest.fixture
-def configuration(tmp_path, monkeypatch):
+@pytest.mark.parametrize(
+    ("system", "file"),
+    [
+        ("linux", ".pypw85/pypw85.cfg"),
+        ("darwin", "Library/Application Support/pypw85/pypw85.cfg"),
+        ("win32", "pypw85/pypw85.cfg"),
+    ],
+)
+def test_configuration(system, file, tmp_path, monkeypatch):
+    """The file that programs for version 1.0 have: its names are those of 1.0's own pypw85/utils.py."""
     for name in ("HOME", "USERPROFILE", "APPDATA"):
         monkeypatch.setenv(name, str(tmp_path))
-    return pathlib.Path(pypw85.utils.get_config_dir(), "pw85.cfg")
-
-
-def test_configuration(configuration, tmp_path):
-    assert configuration.is_relative_to(tmp_path)
-    with pytest.raises(RuntimeError, match="there is no configuration file .*pw85.cfg"):
+    monkeypatch.setattr(sys, "platform", system)
+    configuration = tmp_path / file
+    with pytest.raises(RuntimeError, match="there is no configuration file .*pypw85.cfg"):
         pypw85.utils.get_config_option("datadir")
     configuration.parent.mkdir(parents=True)
     configuration.write_text("[pw85]\nlibpw85 = /usr/lib/libpw85.so\ndatadir = /données/100%\n", encoding="utf-8")
+    assert pypw85.utils.get_config_dir() == str(configuration.parent)
     assert pypw85.utils.get_config_option("datadir") == "/données/100%"
     with pytest.raises(KeyError, match="other"):
         pypw85.utils.get_config_option("other")

@@ -129,8 +129,18 @@ def test_neighbors(particles, periodic):
     expected = brute_force(centers, q, CELL, np.broadcast_to(periodic, 3), **options)
     assert sorted(map(tuple, np.hstack([found.pairs, found.images]))) == sorted(expected)
     assert len(found) == len(found.pairs) > 0
-    assert found.holds(centers + 0.04, q)
-    assert not found.holds(centers + 0.06, q)
+    moved = centers.copy()
+    moved[3] += 0.09
+    assert found.holds(moved, q, CELL)
+    moved[3] += 0.02
+    assert not found.holds(moved, q, CELL)
+    assert found.holds(0.999 * centers, q, 0.999 * CELL)
+    assert found.holds(centers, q, 0.9 * CELL) == (not np.any(periodic))
+    with pytest.raises(ValueError, match="cell as it is now"):
+        found.holds(centers, q)
+    if np.any(periodic):
+        with pytest.raises(pypw85.PW85Error):
+            found.holds(centers, q, np.nan * CELL)
     mu2, _ = pypw85.contact_pairs(found.pairs, centers, q, CELL, images=found.images)
     assert np.isfinite(mu2).all()
 
@@ -154,9 +164,9 @@ def test_neighbors_errors(particles):
     _, centers, q = particles
     bad = centers.copy()
     bad[7, 1] = np.nan
-    with pytest.raises(pypw85.PW85Error, match="particle 7: invalid argument"):
+    with pytest.raises(pypw85.PW85Error, match="particle 7: centers is not finite"):
         pypw85.neighbors(bad, q, CELL)
-    with pytest.raises(pypw85.PW85Error, match="neighbors: invalid argument"):
+    with pytest.raises(pypw85.PW85Error, match="neighbors: cell is singular"):
         pypw85.neighbors(centers, q, np.ones((3, 3)))
     with pytest.raises(pypw85.PW85Error):
         pypw85.neighbors(centers, q, scale=0)
@@ -166,6 +176,8 @@ def test_neighbors_errors(particles):
         pypw85.neighbors(centers, q[1:])
     with pytest.raises(pypw85.PW85Error):
         pypw85.neighbors(centers, q).holds(centers[1:], q[1:])
+    with pytest.raises(ValueError, match="no cell"):
+        pypw85.neighbors(centers, q).holds(centers, q, CELL)
 
 
 def test_overlap_any_indices(particles):
@@ -178,6 +190,12 @@ def test_overlap_any_indices(particles):
             found = pypw85.overlap_any_indices(2 * centers[k], q[k], others, 2 * centers, q, cell)
             assert found is bool(expected)
     assert pypw85.overlap_any_indices(centers[0], q[0], [], centers, q) is False
+    assert pypw85.overlap_any_indices(centers[0], q[0], [], centers, q, 0.1 * CELL, np.empty((0, 3))) is False
+    with pytest.raises(pypw85.PW85Error):
+        pypw85.overlap_any_indices(centers[0], q[0], [], centers, q, 0.1 * CELL)  # which meets images of itself
+    assert pypw85.overlap_any_indices(centers[0], q[0], [0], centers, q, 0.1 * CELL, [[1, 0, 0]])
+    with pytest.raises(ValueError, match="shape"):
+        pypw85.overlap_any_indices(centers[0], q[0], [0], centers, q, CELL, [[1, 0]])
     with pytest.raises(pypw85.PW85Error):
         pypw85.overlap_any_indices(centers[0], q[0], [30], centers, q)
     with pytest.raises(ValueError):
@@ -190,7 +208,7 @@ def test_contact_forces(particles):
     system = (found.pairs, centers, q)
     derivatives = pypw85.contact_derivatives_pairs(*system, CELL, found.images)
     d_u = np.where(derivatives.mu2 < 1, 2 * (derivatives.mu2 - 1), 0)
-    sums = pypw85.contact_forces_pairs(*system, d_u, derivatives, CELL, found.images)
+    sums = pypw85.contact_forces_pairs(*system[:2], d_u, derivatives, CELL, found.images)
     forces, torques = np.zeros((30, 3)), np.zeros((30, 3))
     i, j = found.pairs.T
     np.add.at(forces, i, d_u[:, None] * derivatives.d_r12)
@@ -201,9 +219,9 @@ def test_contact_forces(particles):
     np.testing.assert_allclose(sums.torques, torques, atol=1e-12)
     assert np.trace(sums.virial) == pytest.approx(-2 * (derivatives.mu2 * d_u).sum())
     with pytest.raises(ValueError, match="d_u"):
-        pypw85.contact_forces_pairs(*system, d_u[1:], derivatives, CELL, found.images)
+        pypw85.contact_forces_pairs(*system[:2], d_u[1:], derivatives, CELL, found.images)
     with pytest.raises(ValueError):
-        pypw85.contact_forces_pairs(*system, d_u, derivatives, np.ones((3, 3)))
+        pypw85.contact_forces_pairs(*system[:2], d_u, derivatives, np.ones((3, 3)))
 
 
 def test_cells(particles):

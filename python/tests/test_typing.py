@@ -55,6 +55,27 @@ WRONG = ["pypw85.contact(row, form)", "mu2 = pypw85.contact(row, form, form) + 1
          "text: str = pypw85.distance(row, form, form)[0]"]
 
 
+# What is revealed of the type of an expression: results of rows are numbers, results of arrays are arrays.
+NUMBER, ARRAY = "float", "ndarray[Any, dtype[floating[_64Bit]]]"
+REVEALED = {
+    "pypw85.contact([0, 0, 6], q, q)": f"tuple[{NUMBER}, {NUMBER}]",
+    "pypw85.contact(row, form, form)[0]": NUMBER,
+    "pypw85.contact(np.zeros((4, 3)), q, q)[0]": ARRAY,
+    "pypw85.contact([[0, 0, 6.0], [1, 2, 3]], form, q)[0]": ARRAY,
+    "pypw85.contact_function(row, q, q)[0]": NUMBER,
+    "pypw85.contact_2d(np.zeros((4, 2)), [1, 0, 1], [1, 0, 1])[0]": ARRAY,
+    "pypw85.f(0.5, row, q, q)": NUMBER,
+    "pypw85.f(0.5, [row, row], q, q)": ARRAY,
+    "pypw85.closest_approach(row, q, q)": NUMBER,
+    "pypw85.distance(row, q, q)[0]": NUMBER,
+    "pypw85.distance(np.zeros((4, 3)), q, q)[0]": ARRAY,
+    "pypw85.distance_plane(row, 1.0, q)[0]": NUMBER,
+    "pypw85.overlap(row, q, q)": "bool_",
+    "pypw85.overlap([row, row], q, q)": "ndarray[Any, dtype[bool_]]",
+    "legacy.contact_function1(np.zeros((4, 3)), q, q)[0]": ARRAY,
+}
+
+
 @pytest.fixture(scope="module")
 def mypy(tmp_path_factory):
     folder = tmp_path_factory.mktemp("mypy")
@@ -75,6 +96,14 @@ def test_programs(mypy):
     assert done.returncode == 0, done.stdout
     done = mypy("--follow-imports=silent", **{f"wrong{n}": PROGRAM + line + "\n" for n, line in enumerate(WRONG)})
     assert {int(n) for n in re.findall(r"^wrong(\d+)\.py:\d+: error", done.stdout, re.M)} == set(range(len(WRONG)))
+
+
+def test_revealed_types(mypy):
+    lines = "".join(f"reveal_type({expression})\n" for expression in REVEALED)
+    done = mypy("--follow-imports=silent", revealed=PROGRAM + lines)
+    assert done.returncode == 0, done.stdout
+    types = re.findall(r'Revealed type is "(.*)"', done.stdout)
+    assert [re.sub(r"\w+\.", "", each).replace("Tuple", "tuple") for each in types] == list(REVEALED.values())
 
 
 def test_package(mypy, tmp_path):

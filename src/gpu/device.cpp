@@ -15,7 +15,7 @@ PW85_DEVICE void meet() { __syncthreads(); }
 #elif defined(__HIP__)
 PW85_DEVICE unsigned thread() { return static_cast<unsigned>(__builtin_amdgcn_workitem_id_x()); }
 PW85_DEVICE unsigned block() { return static_cast<unsigned>(__builtin_amdgcn_workgroup_id_x()); }
-PW85_DEVICE unsigned blocks() { return __builtin_amdgcn_grid_size_x() / pw85::gpu::block_size; }
+PW85_DEVICE unsigned blocks() { return __builtin_amdgcn_grid_size_x() / pw85::detail::gpu::block_size; }
 PW85_DEVICE void meet()
 {
     __builtin_amdgcn_fence(__ATOMIC_SEQ_CST, "workgroup");
@@ -29,30 +29,32 @@ PW85_DEVICE unsigned blocks() { return static_cast<unsigned>(__nvvm_read_ptx_sre
 PW85_DEVICE void meet() { __nvvm_bar_sync(0); }
 #endif
 
-PW85_DEVICE size_t thread_of_all() { return size_t{block()} * pw85::gpu::block_size + thread(); }
-PW85_DEVICE size_t all_threads() { return size_t{blocks()} * pw85::gpu::block_size; }
+PW85_DEVICE size_t thread_of_all() { return size_t{block()} * pw85::detail::gpu::block_size + thread(); }
+PW85_DEVICE size_t all_threads() { return size_t{blocks()} * pw85::detail::gpu::block_size; }
 
 } // namespace
 
 // Blocks are small, so that a thread may have as many registers as the compiler finds use for.
-static_assert(pw85::gpu::block_size == 128);
+static_assert(pw85::detail::gpu::block_size == 128);
 #define PW85_KERNEL(name) extern "C" __attribute__((global)) __attribute__((launch_bounds(128))) void name
 
 #define PW85_ENTRIES(Rows, Out, name)                                                                                  \
-    PW85_KERNEL(pw85_##name##_attempt)(pw85::gpu::Attempt<pw85::gpu::Rows, pw85::gpu::Out> const work)                 \
+    PW85_KERNEL(pw85_##name##_attempt)                                                                                 \
+    (pw85::detail::gpu::Attempt<pw85::detail::gpu::Rows, pw85::detail::gpu::Out> const work)                           \
     {                                                                                                                  \
-        __attribute__((shared)) static pw85::gpu::Tile tile;                                                           \
+        __attribute__((shared)) static pw85::detail::gpu::Tile tile;                                                   \
         fill(work, tile, block(), thread());                                                                           \
         meet();                                                                                                        \
         attempt(work, tile, block(), thread());                                                                        \
-        if (pw85::gpu::is_staged<pw85::gpu::Out>) meet();                                                              \
+        if (pw85::detail::gpu::is_staged<pw85::detail::gpu::Out>) meet();                                              \
         take_out(work, tile, block(), thread());                                                                       \
     }                                                                                                                  \
-    PW85_KERNEL(pw85_##name##_settle)(pw85::gpu::Settle<pw85::gpu::Rows, pw85::gpu::Out> const work)                   \
+    PW85_KERNEL(pw85_##name##_settle)                                                                                  \
+    (pw85::detail::gpu::Settle<pw85::detail::gpu::Rows, pw85::detail::gpu::Out> const work)                            \
     {                                                                                                                  \
         settle(work, thread_of_all(), all_threads());                                                                  \
     }
 
 PW85_GPU_KERNELS(PW85_ENTRIES)
 
-PW85_KERNEL(pw85_deliver)(pw85::gpu::Deliver const work) { deliver(work, thread_of_all(), all_threads()); }
+PW85_KERNEL(pw85_deliver)(pw85::detail::gpu::Deliver const work) { deliver(work, thread_of_all(), all_threads()); }

@@ -4,7 +4,7 @@
 #include <dlfcn.h>
 #endif
 
-namespace pw85::gpu {
+namespace pw85::detail::gpu {
 
 namespace {
 
@@ -79,4 +79,4 @@ Context::~Context()
     if (pushed_) driver_->pop_context(&popped);
 }
 
-} // namespace pw85::gpu
+} // namespace pw85::detail::gpu

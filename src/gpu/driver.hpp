@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace pw85::gpu {
+namespace pw85::detail::gpu {
 
 using Address = std::uint64_t; ///< CUdeviceptr
 using Result = int;            ///< CUresult: 0 is success
@@ -79,6 +79,6 @@ class Context {
     bool pushed_ = false;
 };
 
-} // namespace pw85::gpu
+} // namespace pw85::detail::gpu
 
 #endif

@@ -12,6 +12,6 @@ code = "".join(line + "\n" for line in lines if line).encode() + b"\0"
 rows = [code[i : i + 32] for i in range(0, len(code), 32)]
 text = ",\n".join(", ".join(map(str, row)) for row in rows)
 Path(sys.argv[2]).write_text(
-    f'#include "device_code.hpp"\n\nchar const pw85::gpu::device_code[] = {{\n{text}}};\n',
+    f'#include "device_code.hpp"\n\nchar const pw85::detail::gpu::device_code[] = {{\n{text}}};\n',
     encoding="utf-8",
 )

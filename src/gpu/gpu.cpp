@@ -12,9 +12,10 @@
 #include "work.hpp"
 
 using namespace pw85;
-using namespace pw85::gpu;
-using pw85::c_api::any_null;
-using pw85::kernels::max_rows;
+using namespace pw85::detail;
+using namespace pw85::detail::gpu;
+using pw85::detail::c_api::any_null;
+using pw85::detail::kernels::max_rows;
 
 namespace {
 
@@ -205,28 +206,19 @@ template <class Out> int run_batch(Handle stream, std::size_t n, Pairs const &pa
     return run(stream, n, pairs, out);
 }
 
-/// Takes in a cell, null or not; whether it goes with the list.
-bool set_cell(DeviceList &rows, double const *cell) noexcept
+template <class Out>
+int run_pairs(Handle stream, pw85_pair_list const &list, pw85_system const &system, Out const &out) noexcept
 {
-    bool const images = rows.list.images != nullptr;
-    if (cell == nullptr) return !images;
-    std::copy_n(cell, 9, rows.cell);
-    if (images) return kernels::is_finite_cell(cell);
-    rows.nearest = true;
-    DefaultEnvironment const environment;
-    return kernels::prepare(cell, rows.lattice);
-}
-
-template <class Out> int run_pairs(Handle stream, std::size_t num_pairs, std::size_t num_particles,
-                                   kernels::NeighborList const &list, Out const &out) noexcept
-{
-    if (num_pairs > max_rows || num_particles > max_rows) return PW85_EINVAL;
-    if (any_null(list.pairs, list.centers, list.q)) return PW85_EINVAL;
-    auto const end = static_cast<std::uint32_t>(std::min<std::size_t>(num_particles, INT32_MAX + std::size_t{1}));
-    DeviceList rows{list, end, false, {}, {}};
-    rows.list.cell = nullptr; // that of the host
-    if (!set_cell(rows, list.cell)) return PW85_EINVAL;
-    return run(stream, num_pairs, rows, out);
+    if (list.num_pairs > max_rows || system.num_particles > max_rows) return PW85_EINVAL;
+    if (any_null(list.pairs) || any_null(system.centers, system.q)) return PW85_EINVAL;
+    auto const end =
+        static_cast<std::uint32_t>(std::min<std::size_t>(system.num_particles, INT32_MAX + std::size_t{1}));
+    DeviceList rows{{list.pairs, system.centers, system.q, list.images, nullptr, nullptr}, end, {}};
+    {
+        DefaultEnvironment const environment;
+        if (!kernels::prepare(system.cell, system.periodic, list.images != nullptr, rows.images)) return PW85_EINVAL;
+    }
+    return run(stream, list.num_pairs, rows, out);
 }
 
 } // namespace
@@ -263,32 +255,28 @@ int pw85_gpu_contact_derivatives_batch(void *stream, size_t n, double const *r12
     return run_batch(stream, n, {r12, q1, q2}, DerivativeArrays{mu2, lambda, point, normal, d_r12, d_rot1, d_rot2});
 }
 
-int pw85_gpu_contact_pairs(void *stream, size_t num_pairs, int32_t const *pairs, int32_t const *images,
-                           size_t num_particles, double const *centers, double const *q, double const *cell,
-                           double *mu2, double *lambda)
+int pw85_gpu_contact_pairs(void *stream, pw85_pair_list const *list, pw85_system const *system, double *mu2,
+                           double *lambda)
 {
-    if (num_pairs == 0) return PW85_SUCCESS;
+    if (any_null(list) || any_null(system)) return PW85_EINVAL;
+    if (list->num_pairs == 0) return PW85_SUCCESS;
     if (any_null(mu2)) return PW85_EINVAL;
-    return run_pairs(stream, num_pairs, num_particles, {pairs, centers, q, images, cell, nullptr},
-                     ContactArrays{mu2, lambda});
+    return run_pairs(stream, *list, *system, ContactArrays{mu2, lambda});
 }
 
-int pw85_gpu_overlap_pairs(void *stream, size_t num_pairs, int32_t const *pairs, int32_t const *images,
-                           size_t num_particles, double const *centers, double const *q, double const *cell,
-                           unsigned char *overlap)
+int pw85_gpu_overlap_pairs(void *stream, pw85_pair_list const *list, pw85_system const *system, unsigned char *overlap)
 {
-    if (num_pairs == 0) return PW85_SUCCESS;
+    if (any_null(list) || any_null(system)) return PW85_EINVAL;
+    if (list->num_pairs == 0) return PW85_SUCCESS;
     if (any_null(overlap)) return PW85_EINVAL;
-    return run_pairs(stream, num_pairs, num_particles, {pairs, centers, q, images, cell, nullptr},
-                     OverlapArray{overlap});
+    return run_pairs(stream, *list, *system, OverlapArray{overlap});
 }
 
-int pw85_gpu_contact_derivatives_pairs(void *stream, size_t num_pairs, int32_t const *pairs, int32_t const *images,
-                                       size_t num_particles, double const *centers, double const *q, double const *cell,
-                                       double *mu2, double *lambda, double *point, double *normal, double *d_r12,
-                                       double *d_rot1, double *d_rot2)
+int pw85_gpu_contact_derivatives_pairs(void *stream, pw85_pair_list const *list, pw85_system const *system, double *mu2,
+                                       double *lambda, double *point, double *normal, double *d_r12, double *d_rot1,
+                                       double *d_rot2)
 {
-    if (num_pairs == 0) return PW85_SUCCESS;
-    return run_pairs(stream, num_pairs, num_particles, {pairs, centers, q, images, cell, nullptr},
-                     DerivativeArrays{mu2, lambda, point, normal, d_r12, d_rot1, d_rot2});
+    if (any_null(list) || any_null(system)) return PW85_EINVAL;
+    if (list->num_pairs == 0) return PW85_SUCCESS;
+    return run_pairs(stream, *list, *system, DerivativeArrays{mu2, lambda, point, normal, d_r12, d_rot1, d_rot2});
 }

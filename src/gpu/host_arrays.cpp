@@ -11,9 +11,10 @@
 #include "driver.hpp"
 
 using namespace pw85;
-using namespace pw85::gpu;
-using pw85::c_api::any_null;
-using pw85::kernels::max_rows;
+using namespace pw85::detail;
+using namespace pw85::detail::gpu;
+using pw85::detail::c_api::any_null;
+using pw85::detail::kernels::max_rows;
 
 namespace {
 

@@ -6,7 +6,7 @@
 
 #include <pw85.h>
 
-namespace pw85::gpu {
+namespace pw85::detail::gpu {
 
 namespace {
 
@@ -67,4 +67,4 @@ void answer(void *mailbox) noexcept
 
 void leave(void *mailbox) noexcept { static_cast<SharedMailbox *>(mailbox)->busy = false; }
 
-} // namespace pw85::gpu
+} // namespace pw85::detail::gpu

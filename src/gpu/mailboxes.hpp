@@ -11,7 +11,7 @@
 #include "driver.hpp"
 #include "work.hpp"
 
-namespace pw85::gpu {
+namespace pw85::detail::gpu {
 
 struct SharedMailbox {
     Mailbox mailbox;
@@ -31,6 +31,6 @@ void answer(void *mailbox) noexcept;
 /// Leaves a mailbox to other calls: for Driver::launch_host, once its answers were delivered.
 void leave(void *mailbox) noexcept;
 
-} // namespace pw85::gpu
+} // namespace pw85::detail::gpu
 
 #endif

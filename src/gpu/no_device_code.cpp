@@ -1,3 +1,3 @@
 #include "device_code.hpp"
 
-char const pw85::gpu::device_code[] = "";
+char const pw85::detail::gpu::device_code[] = "";

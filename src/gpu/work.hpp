@@ -8,12 +8,13 @@
 #ifndef PW85_GPU_WORK_HPP_INCLUDED
 #define PW85_GPU_WORK_HPP_INCLUDED
 
-#include <pw85/decide_overlap.hpp>
-#include <pw85/geometry.hpp>
+#include <pw85/contact/geometry.hpp>
+#include <pw85/overlap/decide_overlap.hpp>
 
+#include "../kernels/periodic_cell.hpp"
 #include "../kernels/rows.hpp"
 
-namespace pw85::gpu {
+namespace pw85::detail::gpu {
 
 using kernels::ContactArrays;
 using kernels::DerivativeArrays;
@@ -111,9 +112,7 @@ PW85_FUNCTION inline Pair3 load(Tile const &tile, Pairs const &, std::size_t, un
 struct DeviceList {
     kernels::NeighborList list;
     std::uint32_t num_particles;
-    bool nearest; ///< whether the lattice is prepared
-    double cell[9];
-    kernels::Lattice lattice;
+    kernels::Images images;
 
     PW85_MEMBER DeviceList from(std::size_t begin) const noexcept
     {
@@ -133,8 +132,8 @@ PW85_FUNCTION inline Pair3 pair_of_nan() noexcept
 PW85_FUNCTION inline Pair3 load(DeviceList const &rows, std::size_t k) noexcept
 {
     kernels::NeighborList list = rows.list;
-    list.cell = rows.cell;
-    list.lattice = rows.nearest ? &rows.lattice : nullptr;
+    list.cell = rows.images.cell;
+    list.lattice = rows.images.nearest ? &rows.images.lattice : nullptr;
     std::int32_t const *const pair = kernels::row_of(list.pairs, 2, k);
     auto const i = static_cast<std::uint32_t>(pair[0]), j = static_cast<std::uint32_t>(pair[1]);
     if (i >= rows.num_particles || j >= rows.num_particles) return pair_of_nan();
@@ -199,7 +198,7 @@ PW85_FUNCTION inline bool attempt(DerivativeArrays const &out, Pair3 const &pair
     auto const last = search_rationally(pair);
     double const lambda = last.value.lambda, lambda1 = complement_of(lambda);
     auto const solution = solve_by_adjugate(blend(lambda1, pair.q1, lambda, pair.q2), pair.r12);
-    Tangency<double, 3> const at{times(1.0 / solution.determinant, solution.s), lambda1, lambda, lambda1, lambda};
+    Tangency<double, 3> const at{1.0 / solution.determinant * solution.s, lambda1, lambda, lambda1, lambda};
     auto const gradients = rotation_gradients(at, pair.q1, pair.q2);
     store(last.value.mu2, out.mu2, i);
     store(lambda, out.lambda, i);
@@ -359,6 +358,6 @@ PW85_FUNCTION inline void deliver(Deliver const &work, std::size_t thread, std::
     X(DeviceList, OverlapArray, overlap_pairs)                                                                         \
     X(DeviceList, DerivativeArrays, derivatives_pairs)
 
-} // namespace pw85::gpu
+} // namespace pw85::detail::gpu
 
 #endif

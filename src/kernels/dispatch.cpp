@@ -7,7 +7,7 @@
 #include "instruction_sets.h"
 #include "vector_length.hpp"
 
-namespace pw85::kernels {
+namespace pw85::detail::kernels {
 
 // Defined where they are compiled.
 #define PW85_DECLARE(target, available)                                                                                \
@@ -24,8 +24,9 @@ struct Target {
     bool available;
 };
 
-/// The best of the available targets, no newer than the one that is asked for.
-Kernels choose() noexcept
+/// The best of the available targets, no newer than the one that is asked for. Not inlined, so that calls for one pair, which ask what
+/// was chosen, do not save registers and check a stack that only the choice needs.
+[[gnu::noinline]] Kernels choose() noexcept
 {
 #define PW85_TARGET(target, available) {{#target, &one_pair_##target, &lanes_##target}, available},
     Target const targets[] = {PW85_INSTRUCTION_SETS(PW85_TARGET) PW85_TARGET(baseline, true)};
@@ -49,4 +50,4 @@ Kernels const &chosen() noexcept
     return chosen;
 }
 
-} // namespace pw85::kernels
+} // namespace pw85::detail::kernels

@@ -13,7 +13,7 @@
 #include "parallel.hpp"
 #include "rows.hpp"
 
-namespace pw85::kernels {
+namespace pw85::detail::kernels {
 namespace {
 
 /// An energy U(μ²) of pairs: dU/dμ², and the derivatives of μ², three numbers per pair.
@@ -182,6 +182,6 @@ inline void sum_forces(PairGradients const &pairs, std::size_t num_particles, Pa
 }
 
 } // namespace
-} // namespace pw85::kernels
+} // namespace pw85::detail::kernels
 
 #endif

@@ -8,7 +8,7 @@
 #include "pack.hpp"
 #include "rows.hpp"
 
-namespace pw85 {
+namespace pw85::detail {
 namespace {
 
 #if defined(PW85_LANES_SVE)
@@ -199,6 +199,6 @@ PW85_INLINE void store_lanes(Pack const &x, std::size_t count, double *out) noex
 }
 
 } // namespace
-} // namespace pw85
+} // namespace pw85::detail
 
 #endif

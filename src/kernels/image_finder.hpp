@@ -4,12 +4,12 @@
 #define PW85_KERNELS_IMAGE_FINDER_HPP_INCLUDED
 
 #include <pw85.h>
-#include <pw85/scaling.hpp>
+#include <pw85/contact/scaling.hpp>
 
 #include "kernels.hpp"
 #include "nearest_image.hpp"
 
-namespace pw85::kernels {
+namespace pw85::detail::kernels {
 namespace {
 
 /// Finds the nearest images of the pairs of a list.
@@ -56,6 +56,6 @@ class ImageFinder {
 };
 
 } // namespace
-} // namespace pw85::kernels
+} // namespace pw85::detail::kernels
 
 #endif

@@ -18,7 +18,7 @@
 
 struct pw85_motion; // of pw85.h, which needs a header that the build makes: devices have no build
 
-namespace pw85::kernels {
+namespace pw85::detail::kernels {
 
 /// Row `index` of an array of rows of `width` numbers.
 template <class Number>
@@ -67,17 +67,19 @@ struct OneToMany {
     }
 };
 
-/// One ellipsoid, and others of a system by their indices, each by its nearest image if there is a lattice.
+/// One ellipsoid, and others of a system by their indices: their images as those of a list.
 struct OneToSome {
     static constexpr int dimension = 3;
     double const *center, *q1;
     std::int32_t const *others;
     double const *centers, *q;
-    Lattice const *lattice; ///< null, or prepared for nearest images
+    std::int32_t const *images; ///< null, or one row for each of the others
+    double const *cell;         ///< null without periodicity
+    Lattice const *lattice;     ///< null, or prepared for nearest images
 
     [[gnu::always_inline]] OneToSome from(std::size_t begin) const noexcept
     {
-        return {center, q1, others + begin, centers, q, lattice};
+        return {center, q1, others + begin, centers, q, row_or_null(images, 3, begin), cell, lattice};
     }
 };
 
@@ -205,6 +207,6 @@ struct Kernels {
 /// them. Decided at the first call, once and for all.
 Kernels const &chosen() noexcept;
 
-} // namespace pw85::kernels
+} // namespace pw85::detail::kernels
 
 #endif

@@ -5,7 +5,7 @@
 
 #include "lane_contact.hpp"
 
-namespace pw85 {
+namespace pw85::detail {
 namespace {
 
 /// Distances of a chunk. Pairs whose μ² leaves the range of double, which the distance does not, are left over.
@@ -23,6 +23,6 @@ PW85_INLINE void compute_chunk(kernels::Directions const &rows, Chunk const &chu
 }
 
 } // namespace
-} // namespace pw85
+} // namespace pw85::detail
 
 #endif

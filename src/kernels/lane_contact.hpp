@@ -7,11 +7,11 @@
 #ifndef PW85_KERNELS_LANE_CONTACT_HPP_INCLUDED
 #define PW85_KERNELS_LANE_CONTACT_HPP_INCLUDED
 
-#include <pw85/contact.hpp>
+#include <pw85/contact/contact.hpp>
 
 #include "gather.hpp"
 
-namespace pw85 {
+namespace pw85::detail {
 namespace {
 
 /// Packs per chunk, with what their searches need: 1.7 kB each with 8 lanes. Two to eight are about as fast; what is in the first
@@ -88,6 +88,6 @@ template <class Rows> PW85_INLINE void compute_chunk(Rows const &rows, Chunk con
 }
 
 } // namespace
-} // namespace pw85
+} // namespace pw85::detail
 
 #endif

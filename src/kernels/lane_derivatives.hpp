@@ -8,11 +8,11 @@
 
 #include <utility>
 
-#include <pw85/geometry.hpp>
+#include <pw85/contact/geometry.hpp>
 
 #include "lane_contact.hpp"
 
-namespace pw85 {
+namespace pw85::detail {
 namespace {
 
 /// Register m of the coordinates of vectors one after the other: x0, y0, z0, x1 ... Its element j is coordinate k % 3 of lane k / 3
@@ -40,7 +40,7 @@ PW85_INLINE PackMask store_derivatives(LanePair<3> const &pair, Pack const &lamb
     Pack const lambda1 = complement_of(lambda);
     auto const solution = solve_by_adjugate(blend(lambda1, pair.q1, lambda, pair.q2), pair.r12);
     Pack const reciprocal = Pack(1.0) / solution.determinant;
-    Tangency<Pack, 3> const at{times(reciprocal, solution.s), lambda1, lambda, lambda1, lambda};
+    Tangency<Pack, 3> const at{reciprocal * solution.s, lambda1, lambda, lambda1, lambda};
     if (out.point != nullptr) store_rows(tangency_point(at, pair.q1), count, out.point);
     if (out.normal != nullptr) store_rows(tangency_normal(at), count, out.normal);
     if (out.d_r12 != nullptr) store_rows(separation_gradient(at), count, out.d_r12);
@@ -67,6 +67,6 @@ template <class Rows> PW85_INLINE void compute_chunk(Rows const &rows, Chunk con
 }
 
 } // namespace
-} // namespace pw85
+} // namespace pw85::detail
 
 #endif

@@ -2,15 +2,15 @@
 /// The distances of many pairs, one per lane: a driver of the search by item 2 of normal_search.hpp.
 ///
 /// A slab between two ellipsoids that is wider than its rounding proves that they are apart. Those for which none is found, near
-/// contact, overlapping or out of the ordinary, are left over.
+/// contact, overlapping or out of the ordinary, and those whose points are not accurate, are left over.
 #ifndef PW85_KERNELS_LANE_DISTANCE_HPP_INCLUDED
 #define PW85_KERNELS_LANE_DISTANCE_HPP_INCLUDED
 
-#include <pw85/distance.hpp>
+#include <pw85/distance/distance.hpp>
 
 #include "lane_derivatives.hpp"
 
-namespace pw85 {
+namespace pw85::detail {
 namespace {
 
 /// Whether a slab is wider than what rounding can make of it (see pw85_distance()).
@@ -58,14 +58,16 @@ template <class Rows> PW85_INLINE void compute_chunk(Rows const &rows, Chunk con
         std::size_t const first = begin + k * lanes, left = count - k * lanes;
         auto const &pair = pairs[k];
         auto const last = take_last_step(with_units(pair), searches[k].x);
-        auto const d = distance_along(with_units(pair), last.u);
+        auto const slab = slab_along(with_units(pair), last.u);
+        auto const d = distance_across(slab);
         store_distances(d, pair.r12, first, left, out);
-        PackMask const done = last.found && is_ordinary(pair.r12, pair.q1, pair.q2) && is_wide(pair, d);
+        PackMask const done = last.found && is_ordinary(pair.r12, pair.q1, pair.q2) && is_wide(pair, d) &&
+                              is_accurate(with_units(pair), slab);
         for_lanes(live_lanes(left) & ~done.to_bits(), [&](unsigned i) { left_over.push(first + i); });
     }
 }
 
 } // namespace
-} // namespace pw85
+} // namespace pw85::detail
 
 #endif

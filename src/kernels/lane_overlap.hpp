@@ -9,11 +9,11 @@
 
 #include <bit>
 
-#include <pw85/quartic.hpp>
+#include <pw85/overlap/quartic.hpp>
 
 #include "lane_contact.hpp"
 
-namespace pw85 {
+namespace pw85::detail {
 namespace {
 
 /// Pairs that are tested before the undecided ones among them are taken up again.
@@ -34,7 +34,7 @@ struct UndecidedList {
     PW85_INLINE void pad() noexcept
     {
         for (std::size_t i = pairs.size; i % lanes != 0; ++i) next[i] = 1.0;
-        pw85::pad(pairs);
+        pw85::detail::pad(pairs);
     }
 
     PW85_INLINE Pack load_next(std::size_t k) const noexcept { return rough_root(load_lanes<Pack>(next + k)); }
@@ -144,6 +144,6 @@ template <class Rows> PW85_INLINE void compute_chunk(Rows const &rows, Chunk con
 }
 
 } // namespace
-} // namespace pw85
+} // namespace pw85::detail
 
 #endif

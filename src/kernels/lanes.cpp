@@ -6,7 +6,7 @@
 #include "lane_distance.hpp"
 #include "lane_overlap.hpp"
 
-namespace pw85::kernels {
+namespace pw85::detail::kernels {
 
 namespace {
 
@@ -40,4 +40,4 @@ constexpr KernelTable<LaneKernel<Rows, Arrays>...> fill(KernelTable<LaneKernel<R
 extern LaneKernels const PW85_LANES_KERNELS;
 constexpr LaneKernels PW85_LANES_KERNELS = fill(LaneKernels{});
 
-} // namespace pw85::kernels
+} // namespace pw85::detail::kernels

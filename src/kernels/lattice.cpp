@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include <pw85/symmetric.hpp>
+#include <pw85/algebra/symmetric.hpp>
 
-namespace pw85::kernels {
+namespace pw85::detail::kernels {
 
 namespace {
 
@@ -33,12 +33,20 @@ constexpr double tolerance = 0x1p-44;
 /// Squares of lengths of a reduced basis that differ by more than this count as those of a singular cell.
 constexpr double singular = 0x1p-80;
 
+/// Whether the nine numbers of a cell are finite.
+bool is_finite(double const *cell) noexcept
+{
+    double zero = 0.0;
+    for (int k = 0; k < 9; ++k) zero += 0.0 * cell[k];
+    return zero == 0.0;
+}
+
 /// The cell in units in which products of its entries stay in range; false if it is not finite, or zero.
 bool load(double const *cell, Basis &basis) noexcept
 {
     double largest = 0.0;
     for (int k = 0; k < 9; ++k) largest = std::max(largest, std::fabs(cell[k]));
-    if (!(is_finite_cell(cell) && largest > 0.0)) return false;
+    if (!(is_finite(cell) && largest > 0.0)) return false;
     bool const in_range = largest < unscaled_limit && largest * unscaled_limit > 1.0;
     basis.unit = in_range ? 1.0 : std::ldexp(1.0, std::max(std::ilogb(largest), -1022));
     for (int i = 0; i < 3; ++i)
@@ -186,13 +194,6 @@ bool prepare_rectangular(double const *cell, Lattice &lattice) noexcept
 
 } // namespace
 
-bool is_finite_cell(double const *cell) noexcept
-{
-    double zero = 0.0;
-    for (int k = 0; k < 9; ++k) zero += 0.0 * cell[k];
-    return zero == 0.0;
-}
-
 bool prepare(double const *cell, Lattice &lattice) noexcept
 {
     if (prepare_rectangular(cell, lattice)) return true;
@@ -225,4 +226,4 @@ bool reduce(double const *cell, double *reduced, double (*multiples)[3]) noexcep
     return true;
 }
 
-} // namespace pw85::kernels
+} // namespace pw85::detail::kernels

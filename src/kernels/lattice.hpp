@@ -21,7 +21,7 @@
 #ifndef PW85_KERNELS_LATTICE_HPP_INCLUDED
 #define PW85_KERNELS_LATTICE_HPP_INCLUDED
 
-namespace pw85::kernels {
+namespace pw85::detail::kernels {
 
 /// A periodic lattice, prepared for the search of nearest images: plain data, as kernels.hpp asks for.
 struct Lattice {
@@ -32,9 +32,6 @@ struct Lattice {
     int num_shifts;
 };
 
-/// Whether the nine numbers of a cell are finite.
-bool is_finite_cell(double const *cell) noexcept;
-
 /// Prepares the lattice of a cell (nine numbers, rows = vectors); false if the cell is singular or not finite. A reduced cell
 /// is taken as it is.
 bool prepare(double const *cell, Lattice &lattice) noexcept;
@@ -43,6 +40,6 @@ bool prepare(double const *cell, Lattice &lattice) noexcept;
 /// for prepare(). A vector that is orthogonal to the two others stays as it is.
 bool reduce(double const *cell, double *reduced, double (*multiples)[3] = nullptr) noexcept;
 
-} // namespace pw85::kernels
+} // namespace pw85::detail::kernels
 
 #endif

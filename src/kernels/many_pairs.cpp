@@ -3,16 +3,18 @@
 
 #include <cmath>
 
-#include <pw85/walls.hpp>
-
 #include "../c_arrays.hpp"
+#include "each_row.hpp"
 #include "forces.hpp"
 #include "image_finder.hpp"
+#include "image_limit.hpp"
 #include "many_pairs.hpp"
+#include "periodic_cell.hpp"
 
 using namespace pw85;
-using namespace pw85::kernels;
-using pw85::c_api::any_null;
+using namespace pw85::detail;
+using namespace pw85::detail::kernels;
+using pw85::detail::c_api::any_null;
 
 namespace {
 
@@ -44,27 +46,6 @@ bool are_valid(std::size_t num_pairs, std::int32_t const *pairs, std::size_t num
            }) == PW85_SUCCESS;
 }
 
-/// Calls row(i) for a range of rows, and returns the first failure.
-template <class Row> Failure for_rows(Range range, Row const &row) noexcept
-{
-    Failure first{0, 0};
-    for (std::size_t i = range.begin; i < range.end; ++i) first.update(Failure{i, row(i)});
-    return first;
-}
-
-/// Distances of a range of ellipsoids to their half-spaces. Not inlined: no arithmetic may leave the environment of the caller.
-[[gnu::noinline]] Failure distance_planes(Range range, double const *normals, double const *offsets, double const *q,
-                                          double *distance, double *point) noexcept
-{
-    return for_rows(range, [=](std::size_t i) {
-        auto const d =
-            distance_plane(c_api::load_vector<3>(normals + 3 * i), offsets[i], c_api::load_matrix<3>(q + 6 * i));
-        if (distance != nullptr) distance[i] = d.distance;
-        c_api::store(d.point, row_or_null(point, 3, i));
-        return static_cast<int>(d.status);
-    });
-}
-
 /// The least time of each particle's pairs, and the pair.
 void find_next(std::size_t num_pairs, std::int32_t const *pairs, double const *t, std::size_t num_particles,
                double *next, std::int64_t *next_pair) noexcept
@@ -80,26 +61,39 @@ void find_next(std::size_t num_pairs, std::int32_t const *pairs, double const *t
     }
 }
 
-/// Checks the arguments that the functions for neighbour lists share, and prepares the lattice.
-int prepare_list(std::size_t num_pairs, std::size_t num_particles, NeighborList &list, Lattice &lattice) noexcept
+/// Prepares images of a system's particles, those that are given or the nearest ones.
+int prepare_images(pw85_system const &system, bool given, Images &images) noexcept
 {
-    if (num_pairs > max_rows || num_particles > max_rows) return PW85_EINVAL;
-    if (any_null(list.pairs, list.centers, list.q)) return PW85_EINVAL;
-    if (list.images != nullptr && (list.cell == nullptr || !is_finite_cell(list.cell))) return PW85_EINVAL;
-    if (!are_valid(num_pairs, list.pairs, num_particles)) return PW85_EINVAL;
-    if (list.cell == nullptr || list.images != nullptr) return PW85_SUCCESS;
-    list.lattice = &lattice;
     DefaultEnvironment const environment;
-    return prepare(list.cell, lattice) ? PW85_SUCCESS : PW85_EINVAL;
+    return prepare(system.cell, system.periodic, given, images) ? PW85_SUCCESS : PW85_EINVAL;
 }
 
-/// Computes the pairs of a neighbour list.
-template <class Arrays>
-int compute_list(std::size_t num_pairs, std::size_t num_particles, NeighborList list, Arrays const &out) noexcept
+/// Checks what the functions of lists share, and makes of a list and a system what kernels read; `images` must live as long.
+int prepare_list(pw85_pair_list const &list, pw85_system const &system, Images &images, NeighborList &made) noexcept
 {
-    Lattice lattice;
-    if (int const status = prepare_list(num_pairs, num_particles, list, lattice)) return status;
-    return compute_all(num_pairs, list, out);
+    if (list.num_pairs > max_rows || system.num_particles > max_rows) return PW85_EINVAL;
+    if (any_null(list.pairs) || any_null(system.centers, system.q)) return PW85_EINVAL;
+    if (int const status = prepare_images(system, list.images != nullptr, images)) return status;
+    made = {list.pairs, system.centers, system.q, list.images, images.cell, images.nearest ? &images.lattice : nullptr};
+    return are_valid(list.num_pairs, list.pairs, system.num_particles) ? PW85_SUCCESS : PW85_EINVAL;
+}
+
+/// A system for functions that read no forms: the centres are in their place.
+pw85_system without_forms(pw85_system const &system) noexcept
+{
+    pw85_system rest = system;
+    rest.q = system.centers;
+    return rest;
+}
+
+/// Computes the pairs of a neighbour list, of which there is one at least.
+template <class Arrays>
+int compute_list(pw85_pair_list const &list, pw85_system const &system, Arrays const &out) noexcept
+{
+    Images images;
+    NeighborList rows;
+    if (int const status = prepare_list(list, system, images, rows)) return status;
+    return compute_all(list.num_pairs, rows, out);
 }
 
 /// Pairs that are tested before the answers are looked at: some more than the neighbours of a particle in a dense system.
@@ -120,6 +114,21 @@ template <class Rows> int find_overlap(Rows const &rows, std::size_t n, int &any
     }
     any = 0;
     return PW85_SUCCESS;
+}
+
+/// Looks for one of n others that overlaps or is bad, by the images that are given, or else by all that can overlap: an error if
+/// they are more than the nearest ones, and none of these overlaps.
+int overlap_any_images(OneToSome some, pw85_system const &system, std::size_t n, int &any) noexcept
+{
+    Images images;
+    if (int const status = prepare_images(system, some.images != nullptr, images)) return status;
+    DefaultEnvironment const environment;
+    some.cell = images.cell;
+    some.lattice = images.nearest ? &images.lattice : nullptr;
+    int const status = find_overlap(some, n, any);
+    if (any != 0 || some.lattice == nullptr || nearest_suffice(some, n)) return status;
+    any = -1;
+    return PW85_EINVAL;
 }
 
 } // namespace
@@ -178,41 +187,7 @@ int pw85_distance_batch(size_t n, double const *r12, double const *q1, double co
     return compute_all(n, PairArrays<3>{r12, q1, q2}, DistanceArrays{distance, point1, point2});
 }
 
-int pw85_penetration_batch(size_t n, double const *r12, double const *q1, double const *q2, double *depth,
-                           double *direction)
-{
-    if (n == 0) return PW85_SUCCESS;
-    if (n > max_rows || any_null(r12, q1, q2)) return PW85_EINVAL;
-    return for_all(n, [&](Range range) {
-        return for_rows(range, [&](std::size_t i) {
-            return pw85_penetration(r12 + 3 * i, q1 + 6 * i, q2 + 6 * i, row_or_null(depth, 1, i),
-                                    row_or_null(direction, 3, i));
-        });
-    });
-}
-
-int pw85_distance_plane_batch(size_t n, double const *normals, double const *offsets, double const *q, double *distance,
-                              double *point)
-{
-    if (n == 0) return PW85_SUCCESS;
-    if (n > max_rows || any_null(normals, offsets, q)) return PW85_EINVAL;
-    return for_all(n, [&](Range range) { return distance_planes(range, normals, offsets, q, distance, point); });
-}
-
-int pw85_first_contact_batch(size_t n, double const *r12, double const *q1, double const *q2,
-                             pw85_motion const *motion1, pw85_motion const *motion2, double t_max, double *t)
-{
-    if (n == 0) return PW85_SUCCESS;
-    if (n > max_rows || any_null(r12, q1, q2, t) || any_null(motion1, motion2)) return PW85_EINVAL;
-    OnePairKernels const &k = *chosen().one_pair;
-    return for_all(n, [&](Range range) {
-        return for_rows(range, [&](std::size_t i) {
-            return k.first_contact(r12 + 3 * i, q1 + 6 * i, q2 + 6 * i, motion1 + i, motion2 + i, t_max, t + i);
-        });
-    });
-}
-
-int pw85_overlap_any(size_t n, double const q1[PW85_SYM], double const *r12, double const *q2, int *any)
+int pw85_overlap_any(double const q1[PW85_SYM], size_t n, double const *r12, double const *q2, int *any)
 {
     if (any_null(any)) return PW85_EINVAL;
     *any = 0;
@@ -223,105 +198,102 @@ int pw85_overlap_any(size_t n, double const q1[PW85_SYM], double const *r12, dou
     return find_overlap(OneToMany{q1, r12, q2}, n, *any);
 }
 
-int pw85_overlap_any_indices(double const center[3], double const q1[PW85_SYM], size_t n, int32_t const *indices,
-                             size_t num_particles, double const *centers, double const *q, double const *cell, int *any)
+int pw85_overlap_any_indices(double const center[PW85_DIM], double const q1[PW85_SYM], pw85_system const *system,
+                             size_t n, int32_t const *indices, int32_t const *images, int *any)
 {
     if (any_null(any)) return PW85_EINVAL;
-    *any = 0;
-    if (n == 0) return PW85_SUCCESS;
-    *any = -1;
-    if (n > max_rows || num_particles > max_rows || any_null(center, q1, indices, centers, q)) return PW85_EINVAL;
-    if (!are_below(end_of(num_particles), indices, n)) return PW85_EINVAL;
-    Lattice lattice;
-    DefaultEnvironment const environment;
-    if (cell != nullptr && !prepare(cell, lattice)) return PW85_EINVAL;
-    return find_overlap(OneToSome{center, q1, indices, centers, q, cell != nullptr ? &lattice : nullptr}, n, *any);
+    bool const none = n == 0 && !any_null(system) && any_null(system->cell);
+    *any = none ? 0 : -1;
+    if (none) return PW85_SUCCESS;
+    if (any_null(system)) return PW85_EINVAL;
+    if (n > max_rows || system->num_particles > max_rows || any_null(center, q1)) return PW85_EINVAL;
+    if (n > 0 && (any_null(indices) || any_null(system->centers, system->q))) return PW85_EINVAL;
+    if (!are_below(end_of(system->num_particles), indices, n)) return PW85_EINVAL;
+    return overlap_any_images({center, q1, indices, system->centers, system->q, images, nullptr, nullptr}, *system, n,
+                              *any);
 }
 
-int pw85_contact_pairs(size_t num_pairs, int32_t const *pairs, int32_t const *images, size_t num_particles,
-                       double const *centers, double const *q, double const *cell, double *mu2, double *lambda)
+int pw85_contact_pairs(pw85_pair_list const *list, pw85_system const *system, double *mu2, double *lambda)
 {
-    if (num_pairs == 0) return PW85_SUCCESS;
+    if (any_null(list) || any_null(system)) return PW85_EINVAL;
+    if (list->num_pairs == 0) return PW85_SUCCESS;
     if (any_null(mu2)) return PW85_EINVAL;
-    return compute_list(num_pairs, num_particles, {pairs, centers, q, images, cell, nullptr},
-                        ContactArrays{mu2, lambda});
+    return compute_list(*list, *system, ContactArrays{mu2, lambda});
 }
 
-int pw85_overlap_pairs(size_t num_pairs, int32_t const *pairs, int32_t const *images, size_t num_particles,
-                       double const *centers, double const *q, double const *cell, unsigned char *overlap)
+int pw85_overlap_pairs(pw85_pair_list const *list, pw85_system const *system, unsigned char *overlap)
 {
-    if (num_pairs == 0) return PW85_SUCCESS;
+    if (any_null(list) || any_null(system)) return PW85_EINVAL;
+    if (list->num_pairs == 0) return PW85_SUCCESS;
     if (any_null(overlap)) return PW85_EINVAL;
-    return compute_list(num_pairs, num_particles, {pairs, centers, q, images, cell, nullptr}, OverlapArray{overlap});
+    return compute_list(*list, *system, OverlapArray{overlap});
 }
 
-int pw85_contact_derivatives_pairs(size_t num_pairs, int32_t const *pairs, int32_t const *images, size_t num_particles,
-                                   double const *centers, double const *q, double const *cell, double *mu2,
-                                   double *lambda, double *point, double *normal, double *d_r12, double *d_rot1,
-                                   double *d_rot2)
+int pw85_contact_derivatives_pairs(pw85_pair_list const *list, pw85_system const *system, double *mu2, double *lambda,
+                                   double *point, double *normal, double *d_r12, double *d_rot1, double *d_rot2)
 {
-    if (num_pairs == 0) return PW85_SUCCESS;
-    return compute_list(num_pairs, num_particles, {pairs, centers, q, images, cell, nullptr},
-                        DerivativeArrays{mu2, lambda, point, normal, d_r12, d_rot1, d_rot2});
+    if (any_null(list) || any_null(system)) return PW85_EINVAL;
+    if (list->num_pairs == 0) return PW85_SUCCESS;
+    return compute_list(*list, *system, DerivativeArrays{mu2, lambda, point, normal, d_r12, d_rot1, d_rot2});
 }
 
-int pw85_first_contact_pairs(size_t num_pairs, int32_t const *pairs, int32_t const *images, size_t num_particles,
-                             double const *centers, double const *q, double const *cell, pw85_motion const *motions,
+int pw85_first_contact_pairs(pw85_pair_list const *list, pw85_system const *system, pw85_motion const *motions,
                              double t_max, double *t, double *next, int64_t *next_pair)
 {
-    if (num_particles > max_rows || (any_null(next) && !any_null(next_pair))) return PW85_EINVAL;
-    Lattice lattice;
-    NeighborList list{pairs, centers, q, images, cell, nullptr};
-    if (num_pairs > 0) {
-        if (any_null(t, motions)) return PW85_EINVAL;
-        if (int const status = prepare_list(num_pairs, num_particles, list, lattice)) return status;
+    if (any_null(list) || any_null(system)) return PW85_EINVAL;
+    if (system->num_particles > max_rows || (any_null(next) && !any_null(next_pair))) return PW85_EINVAL;
+    Images images;
+    NeighborList rows{};
+    if (list->num_pairs > 0) {
+        if (any_null(t) || any_null(motions)) return PW85_EINVAL;
+        if (int const status = prepare_list(*list, *system, images, rows)) return status;
     }
     OnePairKernels const &k = *chosen().one_pair;
     LaneKernel<NeighborList, ContactArrays> const &lanes = *chosen().lanes;
-    int const status = for_all(num_pairs, [&](Range range) {
+    int const status = for_all(list->num_pairs, [&](Range range) {
         return for_rows(range, [&](std::size_t n) {
             constexpr std::uint16_t first = 0;
             PairRow<3> pair;
-            lanes.gather(list.from(n), &first, 1, &pair);
-            return k.first_contact(pair.r12, pair.q1, pair.q2, motions + pairs[2 * n], motions + pairs[2 * n + 1],
-                                   t_max, t + n);
+            lanes.gather(rows.from(n), &first, 1, &pair);
+            return k.first_contact(pair.r12, pair.q1, pair.q2, motions + list->pairs[2 * n],
+                                   motions + list->pairs[2 * n + 1], t_max, t + n);
         });
     });
-    find_next(num_pairs, pairs, t, num_particles, next, next_pair);
+    DefaultEnvironment const environment; // comparing the NaN of bad pairs raises an exception
+    find_next(list->num_pairs, list->pairs, t, system->num_particles, next, next_pair);
     return status;
 }
 
-int pw85_nearest_images(size_t num_pairs, int32_t const *pairs, size_t num_particles, double const *centers,
-                        double const *cell, double *r12, int32_t *images)
+int pw85_nearest_images(size_t num_pairs, int32_t const *pairs, pw85_system const *system, double *r12, int32_t *images)
 {
+    if (any_null(system)) return PW85_EINVAL;
     if (num_pairs == 0) return PW85_SUCCESS;
-    if (any_null(cell)) return PW85_EINVAL;
-    Lattice lattice;
-    NeighborList list{pairs, centers, centers, nullptr, cell, nullptr};
-    if (int const status = prepare_list(num_pairs, num_particles, list, lattice)) return status;
+    if (any_null(system->cell)) return PW85_EINVAL;
+    Images nearest;
+    NeighborList rows;
+    if (int const status = prepare_list({num_pairs, pairs, nullptr}, without_forms(*system), nearest, rows))
+        return status;
     return for_all(num_pairs, [&](Range range) {
-        ImageFinder const finder(list);
+        ImageFinder const finder(rows);
         return for_rows(range, [&](std::size_t pair) {
             return finder.find(pair, row_or_null(r12, 3, pair), row_or_null(images, 3, pair));
         });
     });
 }
 
-int pw85_contact_forces_pairs(size_t num_pairs, int32_t const *pairs, int32_t const *images, size_t num_particles,
-                              double const *centers, double const *cell, double const *d_u, double const *d_r12,
-                              double const *d_rot1, double const *d_rot2, double *forces, double *torques,
-                              double *virial)
+int pw85_contact_forces_pairs(pw85_pair_list const *list, pw85_system const *system, double const *d_u,
+                              double const *d_r12, double const *d_rot1, double const *d_rot2, double *forces,
+                              double *torques, double *virial)
 {
-    if (num_particles > max_rows) return PW85_EINVAL;
-    if (num_pairs > 0) {
-        if (any_null(d_u, centers) || (forces != nullptr && any_null(d_r12)) ||
+    if (any_null(list) || any_null(system) || system->num_particles > max_rows) return PW85_EINVAL;
+    Images images;
+    NeighborList rows{};
+    if (list->num_pairs > 0) {
+        if (any_null(d_u) || (forces != nullptr && any_null(d_r12)) ||
             (torques != nullptr && any_null(d_rot1, d_rot2)) || (virial != nullptr && any_null(d_r12)))
             return PW85_EINVAL;
+        if (int const status = prepare_list(*list, without_forms(*system), images, rows)) return status;
     }
-    Lattice lattice;
-    NeighborList list{pairs, centers, centers, images, cell, nullptr}; // no forms
-    if (num_pairs > 0)
-        if (int const status = prepare_list(num_pairs, num_particles, list, lattice)) return status;
-    sum_forces({num_pairs, list, d_u, d_r12, d_rot1, d_rot2}, num_particles, {forces, torques, virial});
+    sum_forces({list->num_pairs, rows, d_u, d_r12, d_rot1, d_rot2}, system->num_particles, {forces, torques, virial});
     return PW85_SUCCESS;
 }

@@ -5,14 +5,14 @@
 
 #include <cmath>
 
-#include <pw85/contact.hpp>
-#include <pw85/overlap.hpp>
+#include <pw85/contact/contact.hpp>
+#include <pw85/overlap/overlap.hpp>
 
 #include "../c_arrays.hpp"
 #include "kernels.hpp"
 #include "parallel.hpp"
 
-namespace pw85::kernels {
+namespace pw85::detail::kernels {
 namespace {
 
 // settle() computes pair `index` of some arrays by the functions for one pair and returns its status.
@@ -150,6 +150,6 @@ template <class Rows, class Arrays> int compute_all(std::size_t n, Rows const &r
 }
 
 } // namespace
-} // namespace pw85::kernels
+} // namespace pw85::detail::kernels
 
 #endif

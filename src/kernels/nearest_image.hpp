@@ -3,11 +3,11 @@
 #ifndef PW85_KERNELS_NEAREST_IMAGE_HPP_INCLUDED
 #define PW85_KERNELS_NEAREST_IMAGE_HPP_INCLUDED
 
-#include <pw85/symmetric.hpp>
+#include <pw85/algebra/symmetric.hpp>
 
 #include "lattice.hpp"
 
-namespace pw85 {
+namespace pw85::detail {
 
 /// The nearest integer, for |x| < 2^51; without instructions that old processors lack.
 template <class T> PW85_FUNCTION inline T nearest_integer(T const &x) noexcept
@@ -40,6 +40,6 @@ PW85_FUNCTION inline Vector<T, 3> nearest_image(kernels::Lattice const &lattice,
     return x;
 }
 
-} // namespace pw85
+} // namespace pw85::detail
 
 #endif

@@ -1,18 +1,18 @@
 // The functions for one pair, compiled once per instruction set.
 #include <pw85.h>
 
-#include <pw85/closest_approach.hpp>
-#include <pw85/contact_hessian.hpp>
-#include <pw85/distance_derivatives.hpp>
-#include <pw85/first_contact.hpp>
-#include <pw85/geometry.hpp>
-#include <pw85/overlap.hpp>
+#include <pw85/contact/closest_approach.hpp>
+#include <pw85/contact/contact_hessian.hpp>
+#include <pw85/contact/geometry.hpp>
+#include <pw85/distance/distance_derivatives.hpp>
+#include <pw85/motion/first_contact.hpp>
+#include <pw85/overlap/overlap.hpp>
 
 #include "../c_arrays.hpp"
 #include "kernels.hpp"
 #include "pack.hpp"
 
-namespace pw85::kernels {
+namespace pw85::detail::kernels {
 
 namespace {
 
@@ -123,4 +123,4 @@ OnePairKernels const PW85_ONE_PAIR_KERNELS = {
     contact,         overlap,          contact_geometry, contact_gradient,     contact_torque,
     contact_hessian, closest_approach, distance,         distance_derivatives, first_contact};
 
-} // namespace pw85::kernels
+} // namespace pw85::detail::kernels

@@ -12,7 +12,7 @@
 #include <cstdint>
 #include <cstring>
 
-#include <pw85/scalar.hpp>
+#include <pw85/algebra/scalar.hpp>
 
 // The build says for which of its instruction sets a unit is: PW85_LANES_AVX512, PW85_LANES_AVX2, PW85_LANES_SVE512,
 // PW85_LANES_SVE256, PW85_LANES_NEON or none of them.
@@ -28,7 +28,7 @@
 /// Kernels are one function each: what they call must not be left to the compiler's idea of size.
 #define PW85_INLINE __attribute__((always_inline)) inline
 
-namespace pw85 {
+namespace pw85::detail {
 namespace {
 
 #if defined(PW85_LANES_AVX512)
@@ -257,13 +257,15 @@ PW85_INLINE Pack rough_root(Pack const &x) noexcept { return square_root(x); }
 #endif
 
 } // namespace
+} // namespace pw85::detail
 
-template <> struct ScalarTraits<Pack> {
+template <> struct pw85::ScalarTraits<pw85::detail::Pack> {
     using Lane = double;
-    using Mask = PackMask;
-    static constexpr int lanes = static_cast<int>(pw85::lanes);
+    using Mask = pw85::detail::PackMask;
+    static constexpr int lanes = static_cast<int>(pw85::detail::lanes);
 };
 
+namespace pw85::detail {
 namespace {
 
 PW85_INLINE double first_lane(Pack const &x) noexcept { return x[0]; }
@@ -283,6 +285,6 @@ template <> PW85_INLINE Pack negative_power_of_two<Pack>(int n) noexcept
     return Pack(__builtin_bit_cast(double, static_cast<std::int64_t>(1023 - n) << 52));
 }
 
-} // namespace pw85
+} // namespace pw85::detail
 
 #endif

@@ -9,7 +9,7 @@
 
 #include "../floating_point_environment.hpp"
 
-namespace pw85::kernels {
+namespace pw85::detail::kernels {
 namespace {
 
 /// Rows begin, begin + 1, ... end - 1.
@@ -36,19 +36,20 @@ constexpr std::size_t max_rows = PTRDIFF_MAX / (6 * sizeof(double));
 /// which costs some hundred nanoseconds even where it has one thread.
 constexpr std::size_t block = 4096;
 
-/// Calls kernel(range) for blocks of n rows, in parallel, and returns the earliest failure.
-template <class Kernel> [[gnu::noinline]] Failure for_blocks(std::size_t n, Kernel const &kernel) noexcept
+/// Calls kernel(range) for blocks, of `rows` each, of n rows, in parallel, and returns the earliest failure.
+template <class Kernel>
+[[gnu::noinline]] Failure for_blocks(std::size_t n, Kernel const &kernel, std::size_t rows = block) noexcept
 {
     Failure first{0, 0};
-    auto const blocks = static_cast<std::ptrdiff_t>((n + block - 1) / block);
+    auto const blocks = static_cast<std::ptrdiff_t>((n + rows - 1) / rows);
 #pragma omp parallel
     {
         DefaultEnvironment const environment; // threads have their own
         Failure own{0, 0};
 #pragma omp for schedule(static) nowait
         for (std::ptrdiff_t b = 0; b < blocks; ++b) {
-            std::size_t const begin = static_cast<std::size_t>(b) * block;
-            own.update(kernel(Range{begin, std::min(n, begin + block)}));
+            std::size_t const begin = static_cast<std::size_t>(b) * rows;
+            own.update(kernel(Range{begin, std::min(n, begin + rows)}));
         }
 #pragma omp critical(pw85_batch)
         first.update(own);
@@ -57,14 +58,14 @@ template <class Kernel> [[gnu::noinline]] Failure for_blocks(std::size_t n, Kern
 }
 
 /// Calls kernel(range) for parts of n rows and returns the status of the first bad one.
-template <class Kernel> int for_all(std::size_t n, Kernel const &kernel) noexcept
+template <class Kernel> int for_all(std::size_t n, Kernel const &kernel, std::size_t rows = block) noexcept
 {
-    if (n > block) return for_blocks(n, kernel).status;
+    if (n > rows) return for_blocks(n, kernel, rows).status;
     DefaultEnvironment const environment;
     return kernel(Range{0, n}).status;
 }
 
 } // namespace
-} // namespace pw85::kernels
+} // namespace pw85::detail::kernels
 
 #endif

@@ -3,12 +3,12 @@
 #ifndef PW85_KERNELS_ROWS_HPP_INCLUDED
 #define PW85_KERNELS_ROWS_HPP_INCLUDED
 
-#include <pw85/scaling.hpp>
+#include <pw85/contact/scaling.hpp>
 
 #include "kernels.hpp"
 #include "nearest_image.hpp"
 
-namespace pw85 {
+namespace pw85::detail {
 
 template <class T> inline constexpr std::size_t lanes_of = ScalarTraits<T>::lanes;
 
@@ -73,6 +73,27 @@ load_pairs(kernels::OneToMany const &others, std::size_t const *indices) noexcep
     return {load_vectors<T, 3>(r12), q1, load_matrices<T, 3>(q2), T(1)};
 }
 
+/// Separations plus the cell vectors that `images` of rows add to the second particles.
+template <class T, class Rows> [[gnu::always_inline]] PW85_FUNCTION inline Vector<T, 3>
+add_images(Rows const &rows, Vector<T, 3> r12, std::size_t const *indices) noexcept
+{
+    for (int row = 0; row < 3; ++row) {
+        double multiples[lanes_of<T>];
+        for (std::size_t i = 0; i < lanes_of<T>; ++i) multiples[i] = kernels::row_of(rows.images, 3, indices[i])[row];
+        T const n = load_lanes<T>(multiples);
+        for (int d = 0; d < 3; ++d) r12[d] = r12[d] + n * T(rows.cell[3 * row + d]);
+    }
+    return r12;
+}
+
+/// Separations of the images that rows ask for: given ones, the nearest, or the particles themselves.
+template <class T, class Rows> [[gnu::always_inline]] PW85_FUNCTION inline Vector<T, 3>
+image_separations(Rows const &rows, Vector<T, 3> const &r12, std::size_t const *indices) noexcept
+{
+    if (rows.images != nullptr) return add_images(rows, r12, indices);
+    return rows.lattice != nullptr ? nearest_image(*rows.lattice, r12) : r12;
+}
+
 template <class T> [[gnu::always_inline]] PW85_FUNCTION inline Pair<T, 3>
 load_pairs(kernels::OneToSome const &some, std::size_t const *indices) noexcept
 {
@@ -83,24 +104,10 @@ load_pairs(kernels::OneToSome const &some, std::size_t const *indices) noexcept
         q2[i] = kernels::row_of(some.q, 6, other);
     }
     Vector<T, 3> const y = load_vectors<T, 3>(centers);
-    Vector<T, 3> r12 = {y[0] - T(some.center[0]), y[1] - T(some.center[1]), y[2] - T(some.center[2])};
-    if (some.lattice != nullptr) r12 = nearest_image(*some.lattice, r12);
+    Vector<T, 3> const r12 = {y[0] - T(some.center[0]), y[1] - T(some.center[1]), y[2] - T(some.center[2])};
     SymmetricMatrix<T, 3> q1;
     for (int e = 0; e < 6; ++e) q1[e] = T(some.q1[e]);
-    return {r12, q1, load_matrices<T, 3>(q2), T(1)};
-}
-
-/// Separations plus the cell vectors that a list adds to the second particles.
-template <class T> [[gnu::always_inline]] PW85_FUNCTION inline Vector<T, 3>
-add_images(kernels::NeighborList const &list, Vector<T, 3> r12, std::size_t const *indices) noexcept
-{
-    for (int row = 0; row < 3; ++row) {
-        double multiples[lanes_of<T>];
-        for (std::size_t i = 0; i < lanes_of<T>; ++i) multiples[i] = kernels::row_of(list.images, 3, indices[i])[row];
-        T const n = load_lanes<T>(multiples);
-        for (int d = 0; d < 3; ++d) r12[d] = r12[d] + n * T(list.cell[3 * row + d]);
-    }
-    return r12;
+    return {image_separations(some, r12, indices), q1, load_matrices<T, 3>(q2), T(1)};
 }
 
 template <class T> [[gnu::always_inline]] PW85_FUNCTION inline Vector<T, 3>
@@ -114,8 +121,7 @@ load_separations(kernels::NeighborList const &list, std::size_t const *indices) 
     }
     Vector<T, 3> const x = load_vectors<T, 3>(center1), y = load_vectors<T, 3>(center2);
     Vector<T, 3> const r12 = {y[0] - x[0], y[1] - x[1], y[2] - x[2]};
-    if (list.images != nullptr) return add_images(list, r12, indices);
-    return list.lattice != nullptr ? nearest_image(*list.lattice, r12) : r12;
+    return image_separations(list, r12, indices);
 }
 
 template <class T> [[gnu::always_inline]] PW85_FUNCTION inline Pair<T, 3>
@@ -130,6 +136,6 @@ load_pairs(kernels::NeighborList const &list, std::size_t const *indices) noexce
     return {load_separations<T>(list, indices), load_matrices<T, 3>(q1), load_matrices<T, 3>(q2), T(1)};
 }
 
-} // namespace pw85
+} // namespace pw85::detail
 
 #endif

@@ -7,7 +7,7 @@
 #include <sys/prctl.h>
 #endif
 
-namespace pw85::kernels {
+namespace pw85::detail::kernels {
 
 /// Bits of a vector of SVE, 0 where the processor or its system has none.
 [[gnu::always_inline]] inline int vector_bits_of_sve() noexcept
@@ -20,6 +20,6 @@ namespace pw85::kernels {
 #endif
 }
 
-} // namespace pw85::kernels
+} // namespace pw85::detail::kernels
 
 #endif

@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace pw85::kernels {
+namespace pw85::detail::kernels {
 
 /// Up to `Capacity` pairs, by their indices.
 template <std::size_t Capacity> struct IndexList {
@@ -24,6 +24,6 @@ template <std::size_t Capacity> struct IndexList {
 /// What lanes leave to the function for one pair: room for two chunks of any kernel.
 using Worklist = IndexList<512>;
 
-} // namespace pw85::kernels
+} // namespace pw85::detail::kernels
 
 #endif

@@ -9,7 +9,7 @@
 #include <type_traits>
 #include <utility>
 
-namespace pw85::neighbors {
+namespace pw85::detail::neighbors {
 
 /// An array of plain data whose size can grow. std::vector would throw where memory is short, and write all that it makes.
 template <class T> class Array {
@@ -52,6 +52,6 @@ template <class T> class Array {
     std::size_t size_ = 0;
 };
 
-} // namespace pw85::neighbors
+} // namespace pw85::detail::neighbors
 
 #endif

@@ -10,7 +10,7 @@
 #include <emmintrin.h>
 #endif
 
-namespace pw85::neighbors {
+namespace pw85::detail::neighbors {
 
 struct Box {
     double lower[3], upper[3];
@@ -92,6 +92,6 @@ static inline unsigned meeting(Box const &box, Block const &block) noexcept
     return bits;
 }
 
-} // namespace pw85::neighbors
+} // namespace pw85::detail::neighbors
 
 #endif

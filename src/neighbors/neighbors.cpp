@@ -5,18 +5,20 @@
 #include <memory>
 #include <new>
 
-#include <pw85/bounding_box.hpp>
+#include <pw85/distance/bounding_box.hpp>
 
 #include "../c_arrays.hpp"
 #include "../kernels/parallel.hpp"
+#include "deformation.hpp"
 #include "planting.hpp"
 #include "search.hpp"
 
 using namespace pw85;
-using namespace pw85::neighbors;
-using pw85::c_api::any_null;
-using pw85::kernels::Failure;
-using pw85::kernels::Range;
+using namespace pw85::detail;
+using namespace pw85::detail::neighbors;
+using pw85::detail::c_api::any_null;
+using pw85::detail::kernels::Failure;
+using pw85::detail::kernels::Range;
 
 namespace {
 
@@ -26,21 +28,21 @@ struct IndexPair {
 
 /// Whose neighbours are asked for.
 struct Particles {
-    std::size_t n;
-    double const *centers, *q;
+    pw85_system const &system;
     double scale, skin;
 
     bool are_valid() const noexcept
     {
-        return n <= INT32_MAX && (n == 0 || !any_null(centers, q)) && scale > 0.0 && std::isfinite(scale) &&
-               skin >= 0.0 && std::isfinite(skin);
+        std::size_t const n = system.num_particles;
+        return n <= INT32_MAX && (n == 0 || !any_null(system.centers, system.q)) && scale > 0.0 &&
+               std::isfinite(scale) && skin >= 0.0 && std::isfinite(skin);
     }
 
     Status measure(std::size_t i, double share, Extent &extent) const noexcept
     {
-        extent.center = c_api::load_vector<3>(centers + 3 * i);
+        extent.center = c_api::load_vector<3>(system.centers + 3 * i);
         if (!is_finite(extent.center)) return Status::invalid_argument;
-        auto const box = bounding_box(c_api::load_matrix<3>(q + 6 * i));
+        auto const box = bounding_box(c_api::load_matrix<3>(system.q + 6 * i));
         for (int d = 0; d < 3; ++d) extent.half_widths[d] = scale * box.half_widths[d] + share;
         if (box.status != Status::success) return box.status;
         return is_finite(extent.half_widths) ? Status::success : Status::invalid_argument;
@@ -85,6 +87,8 @@ struct Task {
 struct pw85_neighbors {
     double scale = 1.0, skin = 0.0;
     bool has_cell = false;
+    double cell[9] = {};
+    int periodic[3] = {1, 1, 1};
     Array<Extent> extents;
     Array<IndexPair> pairs;
     Array<Multiples> images;
@@ -104,7 +108,7 @@ class Search {
     {
         Box around = no_box;
         if (int const status = measure_all(around)) return status;
-        if (particles_.n == 0) return PW85_SUCCESS;
+        if (particles_.system.num_particles == 0) return PW85_SUCCESS;
         if (!plant(list_.extents, lattice_, around, tree_, occupants_)) return PW85_ENOMEM;
         if (int const status = list_images(lattice_, tree_.root(), images_)) return status;
         return find() ? PW85_SUCCESS : PW85_ENOMEM;
@@ -115,9 +119,11 @@ class Search {
     int measure_all(Box &around) noexcept
     {
         Array<Box> parts;
-        if (!list_.extents.resize(particles_.n) || !parts.resize(particles_.n / kernels::block + 1)) return PW85_ENOMEM;
+        if (!list_.extents.resize(particles_.system.num_particles) ||
+            !parts.resize(particles_.system.num_particles / kernels::block + 1))
+            return PW85_ENOMEM;
         std::fill_n(parts.data(), parts.size(), no_box);
-        int const status = kernels::for_blocks(particles_.n, [&](Range range) {
+        int const status = kernels::for_blocks(particles_.system.num_particles, [&](Range range) {
                                return measure_range(range, parts[range.begin / kernels::block]);
                            }).status;
         for (std::size_t k = 0; k < parts.size(); ++k) around = enclose(around, parts[k]);
@@ -202,48 +208,92 @@ class Search {
     Array<Move> images_;
 };
 
-/// Whether a box with its new half-widths is within the old one, up to half the margin of that (item "Roundings" of periodicity.hpp).
-bool is_within(Extent const &now, Extent const &then) noexcept
-{
-    bool within = true;
-    for (int d = 0; d < 3; ++d) {
-        double const reach = std::fabs(now.center[d] - then.center[d]) + now.half_widths[d];
-        within = within && reach <= then.half_widths[d];
+/// The motions that a list outlives, as deformation.hpp has them, for a range of particles; or the first bad one.
+struct SharedMotions {
+    Failure bad{0, PW85_SUCCESS};
+    Box box{{-HUGE_VAL, -HUGE_VAL, -HUGE_VAL}, {HUGE_VAL, HUGE_VAL, HUGE_VAL}};
+
+    void add(SharedMotions const &other) noexcept
+    {
+        bad.update(other.bad);
+        for (int d = 0; d < 3; ++d) {
+            box.lower[d] = std::max(box.lower[d], other.box.lower[d]);
+            box.upper[d] = std::min(box.upper[d], other.box.upper[d]);
+        }
     }
-    return within;
+
+    bool are_there() const noexcept { return meets(box, box); }
+};
+
+/// Whether a system has as many particles as a list, and a cell, periodic along the same vectors, if the list has one.
+bool can_be_of(pw85_neighbors const &list, pw85_system const &system) noexcept
+{
+    bool alike = system.num_particles == list.extents.size() && list.has_cell == (system.cell != nullptr);
+    for (int k = 0; k < 3 && list.has_cell; ++k) alike = alike && (list.periodic[k] != 0) == (system.periodic[k] != 0);
+    return alike;
+}
+
+SharedMotions shared_motions(pw85_neighbors const &list, Particles const &particles, Deformation const &deformation,
+                             Range range) noexcept
+{
+    SharedMotions shared;
+    for (std::size_t i = range.begin; i < range.end; ++i) {
+        Extent now{};
+        Status const status = particles.measure(i, 0.0, now);
+        shared.add({{i, static_cast<int>(status)}, deformation.shared_motions(now, list.extents[i])});
+    }
+    return shared;
+}
+
+/// The same for all particles, by threads: each part has its place, so that nothing is allocated.
+SharedMotions shared_motions(pw85_neighbors const &list, Particles const &particles,
+                             Deformation const &deformation) noexcept
+{
+    constexpr std::size_t most_parts = 64;
+    SharedMotions parts[most_parts];
+    std::size_t const n = particles.system.num_particles, count = std::min(most_parts, n / rows_per_task + 1);
+    for_tasks(count, count > 1, [&](std::size_t k) {
+        parts[k] =
+            shared_motions(list, particles, deformation, {n / count * k, k + 1 < count ? n / count * (k + 1) : n});
+    });
+    for (std::size_t k = 1; k < count; ++k) parts[0].add(parts[k]);
+    return parts[0];
 }
 
 } // namespace
 
-int pw85_neighbors_create(size_t n, double const *centers, double const *q, double const *cell, int const periodic[3],
-                          double scale, double skin, pw85_neighbors **list)
+int pw85_neighbors_create(pw85_system const *system, double scale, double skin, pw85_neighbors **list)
 {
     if (any_null(list)) return PW85_EINVAL;
     *list = nullptr;
+    if (any_null(system)) return PW85_EINVAL;
     DefaultEnvironment const environment;
-    Particles const particles{n, centers, q, scale, skin};
+    Particles const particles{*system, scale, skin};
     Periodicity lattice;
-    if (!particles.are_valid() || !lattice.prepare(cell, periodic)) return PW85_EINVAL;
+    if (!particles.are_valid() || !lattice.prepare(system->cell, system->periodic)) return PW85_EINVAL;
     std::unique_ptr<pw85_neighbors> made(new (std::nothrow) pw85_neighbors);
     if (made == nullptr) return PW85_ENOMEM;
     made->scale = scale;
     made->skin = skin;
-    made->has_cell = cell != nullptr;
+    made->has_cell = system->cell != nullptr;
+    if (made->has_cell) std::copy_n(system->cell, 9, made->cell);
+    if (made->has_cell) std::copy_n(system->periodic, 3, made->periodic);
     int const status = Search(particles, lattice, *made).run();
     if (status == PW85_SUCCESS) *list = made.release();
     return status;
 }
 
-int pw85_neighbors_check(size_t n, double const *centers, double const *q, double const *cell, int const periodic[3],
-                         double scale, double skin, size_t *particle)
+int pw85_neighbors_check(pw85_system const *system, double scale, double skin, size_t *particle)
 {
     if (any_null(particle)) return PW85_EINVAL;
-    *particle = n;
+    *particle = 0;
+    if (any_null(system)) return PW85_EINVAL;
+    *particle = system->num_particles;
     DefaultEnvironment const environment;
-    Particles const particles{n, centers, q, scale, skin};
+    Particles const particles{*system, scale, skin};
     Periodicity lattice;
-    if (!particles.are_valid() || !lattice.prepare(cell, periodic)) return PW85_EINVAL;
-    Failure const first = first_failure(n, [&](std::size_t i) {
+    if (!particles.are_valid() || !lattice.prepare(system->cell, system->periodic)) return PW85_EINVAL;
+    Failure const first = first_failure(system->num_particles, [&](std::size_t i) {
         Extent extent;
         Move move;
         return measure(particles, lattice, i, extent, move);
@@ -252,35 +302,26 @@ int pw85_neighbors_check(size_t n, double const *centers, double const *q, doubl
     return first.status;
 }
 
-int pw85_neighbors_holds(pw85_neighbors const *list, size_t n, double const *centers, double const *q, int *holds)
+int pw85_neighbors_holds(pw85_neighbors const *list, pw85_system const *system, int *holds)
 {
     if (any_null(holds)) return PW85_EINVAL;
     *holds = -1;
-    if (any_null(list) || n != list->extents.size() || (n > 0 && any_null(centers, q))) return PW85_EINVAL;
+    if (any_null(list) || any_null(system) || !can_be_of(*list, *system)) return PW85_EINVAL;
     DefaultEnvironment const environment;
-    Particles const particles{n, centers, q, list->scale, list->skin};
-    constexpr int moved = -1; // no status
-    Failure const first = first_failure(n, [&](std::size_t i) {
-        Extent now;
-        Status const status = particles.measure(i, 0.0, now);
-        if (status != Status::success) return Failure{i, static_cast<int>(status)};
-        return Failure{i, is_within(now, list->extents[i]) ? PW85_SUCCESS : moved};
-    });
-    if (first.status > PW85_SUCCESS) return first.status;
-    *holds = first.status == PW85_SUCCESS;
+    Particles const particles{*system, list->scale, list->skin};
+    Periodicity lattice;
+    if (!particles.are_valid() || !lattice.prepare(system->cell, system->periodic)) return PW85_EINVAL;
+    SharedMotions const shared = shared_motions(*list, particles, Deformation(lattice, system->cell, list->cell));
+    if (shared.bad.status != PW85_SUCCESS) return shared.bad.status;
+    *holds = shared.are_there();
     return PW85_SUCCESS;
 }
 
-size_t pw85_neighbors_size(pw85_neighbors const *list) { return list != nullptr ? list->pairs.size() : 0; }
-
-int32_t const *pw85_neighbors_pairs(pw85_neighbors const *list)
+pw85_pair_list pw85_neighbors_list(pw85_neighbors const *list)
 {
-    return list != nullptr ? reinterpret_cast<std::int32_t const *>(list->pairs.data()) : nullptr;
-}
-
-int32_t const *pw85_neighbors_images(pw85_neighbors const *list)
-{
-    return list != nullptr ? reinterpret_cast<std::int32_t const *>(list->images.data()) : nullptr;
+    if (list == nullptr) return {0, nullptr, nullptr};
+    return {list->pairs.size(), reinterpret_cast<std::int32_t const *>(list->pairs.data()),
+            reinterpret_cast<std::int32_t const *>(list->images.data())};
 }
 
 void pw85_neighbors_destroy(pw85_neighbors *list) { delete list; }

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <bit>
 
-namespace pw85::neighbors {
+namespace pw85::detail::neighbors {
 
 namespace {
 
@@ -102,4 +102,4 @@ bool sort(Array<Place> &places) noexcept
     return true;
 }
 
-} // namespace pw85::neighbors
+} // namespace pw85::detail::neighbors

@@ -8,13 +8,13 @@
 
 #include <cstdint>
 
-#include <pw85/symmetric.hpp>
+#include <pw85/algebra/symmetric.hpp>
 
 #include "array.hpp"
 #include "boxes.hpp"
 #include "parallel.hpp"
 
-namespace pw85::neighbors {
+namespace pw85::detail::neighbors {
 
 /// The position on the curve through a box, which is divided into 2²¹ parts along each axis, of a point.
 std::uint64_t key_of(Vector<double, 3> const &point, Box const &around) noexcept;
@@ -64,6 +64,6 @@ struct Place {
 /// Sorts places of one part by keys; those with the same key stay in their order. False if there is no memory.
 [[nodiscard]] bool sort(Array<Place> &places) noexcept;
 
-} // namespace pw85::neighbors
+} // namespace pw85::detail::neighbors
 
 #endif

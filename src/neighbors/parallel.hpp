@@ -8,7 +8,7 @@
 
 #include "../tasks.hpp"
 
-namespace pw85::neighbors {
+namespace pw85::detail::neighbors {
 namespace {
 
 /// Rows of a task.
@@ -22,6 +22,6 @@ template <class Visit> void for_parts(std::size_t n, Visit const &visit) noexcep
 }
 
 } // namespace
-} // namespace pw85::neighbors
+} // namespace pw85::detail::neighbors
 
 #endif

@@ -3,10 +3,10 @@
 
 #include <cmath>
 
-#include "../kernels/lattice.hpp"
 #include "../kernels/nearest_image.hpp"
+#include "../kernels/periodic_cell.hpp"
 
-namespace pw85::neighbors {
+namespace pw85::detail::neighbors {
 
 namespace {
 
@@ -15,62 +15,19 @@ double largest_entry(Vector<double, 3> const &v) noexcept
     return std::max({std::fabs(v[0]), std::fabs(v[1]), std::fabs(v[2])});
 }
 
-/// The product of two vectors over its length, times the given length; zero if they are parallel.
-Vector<double, 3> normal(Vector<double, 3> const &x, Vector<double, 3> const &y, double length) noexcept
-{
-    Vector<double, 3> const product =
-        cross(times(1.0 / largest_entry(x), x), times(1.0 / largest_entry(y), y)); // entries are at most 2
-    double const largest = largest_entry(product);
-    if (!(largest > 0.0)) return {0.0, 0.0, 0.0};
-    Vector<double, 3> const direction = times(1.0 / largest, product);
-    return times(length / std::sqrt(dot(direction, direction)), direction);
-}
-
-/// The axis that makes the greatest angle with a vector.
-Vector<double, 3> axis_across(Vector<double, 3> const &v) noexcept
-{
-    Vector<double, 3> axis = {0.0, 0.0, 0.0};
-    int least = 0;
-    for (int d = 1; d < 3; ++d)
-        if (std::fabs(v[d]) < std::fabs(v[least])) least = d;
-    axis[least] = 1.0;
-    return axis;
-}
-
-/// Puts vectors in the place of those that are not periodic: orthogonal to the others, and as long as the longest of them. So the
-/// reduction leaves them alone.
-void complete(Vector<double, 3> (&rows)[3], bool const (&periodic)[3]) noexcept
-{
-    for (int k = 0; k < 3; ++k) {
-        int const next = (k + 1) % 3, last = (k + 2) % 3;
-        if (periodic[k] && !periodic[next] && !periodic[last]) {
-            rows[next] = normal(rows[k], axis_across(rows[k]), largest_entry(rows[k]));
-            rows[last] = normal(rows[k], rows[next], largest_entry(rows[k]));
-        } else if (!periodic[k] && periodic[next] && periodic[last]) {
-            rows[k] = normal(rows[next], rows[last], std::max(largest_entry(rows[next]), largest_entry(rows[last])));
-        }
-    }
-}
-
 } // namespace
 
 bool Periodicity::prepare(double const *cell, int const *periodic) noexcept
 {
-    Vector<double, 3> rows[3];
-    for (int k = 0; k < 3; ++k) periodic_[k] = cell != nullptr && (periodic == nullptr || periodic[k] != 0);
-    any_ = periodic_[0] || periodic_[1] || periodic_[2];
+    any_ = cell != nullptr;
     if (!any_) return true;
-    for (int k = 0; k < 3; ++k)
-        for (int d = 0; d < 3; ++d) {
-            rows[k][d] = cell[3 * k + d];
-            if (periodic_[k] && !std::isfinite(rows[k][d])) return false;
-        }
-    complete(rows, periodic_);
     double completed[9], reduced[9], multiples[3][3];
     kernels::Lattice lattice;
-    for (int k = 0; k < 9; ++k) completed[k] = rows[k / 3][k % 3];
-    if (!kernels::reduce(completed, reduced, multiples) || !kernels::prepare(reduced, lattice)) return false;
-    for (int k = 0; k < 3; ++k)
+    if (!kernels::complete(cell, periodic, completed) || !kernels::reduce(completed, reduced, multiples) ||
+        !kernels::prepare(reduced, lattice))
+        return false;
+    for (int k = 0; k < 3; ++k) {
+        periodic_[k] = periodic[k] != 0;
         for (int d = 0; d < 3 && periodic_[k]; ++d) {
             for (int l = 0; l < 3; ++l) {
                 basis_[k][d] += multiples[k][l] * completed[3 * l + d];
@@ -79,6 +36,7 @@ bool Periodicity::prepare(double const *cell, int const *periodic) noexcept
             dual_[k][d] = lattice.dual[k][d];
             multiples_[k][d] = multiples[k][d];
         }
+    }
     return true;
 }
 
@@ -169,4 +127,21 @@ bool Periodicity::set_own(Move &move) const noexcept
     return true;
 }
 
-} // namespace pw85::neighbors
+Vector<double, 3> Periodicity::own_dual(int l) const noexcept
+{
+    Vector<double, 3> dual = {0.0, 0.0, 0.0};
+    for (int k = 0; k < 3; ++k)
+        for (int d = 0; d < 3; ++d) dual[d] += multiples_[k][l] * dual_[k][d];
+    return dual;
+}
+
+// Twice the sum, for the roundings of the reduced vectors, which are far from dependent.
+double Periodicity::own_dual_bound(int l) const noexcept
+{
+    double bound = 0.0;
+    for (int k = 0; k < 3; ++k)
+        bound += 2.0 * std::fabs(multiples_[k][l]) * largest_entry({dual_[k][0], dual_[k][1], dual_[k][2]});
+    return bound;
+}
+
+} // namespace pw85::detail::neighbors

@@ -11,11 +11,11 @@
 
 #include <cstdint>
 
-#include <pw85/symmetric.hpp>
+#include <pw85/algebra/symmetric.hpp>
 
 #include "boxes.hpp"
 
-namespace pw85::neighbors {
+namespace pw85::detail::neighbors {
 
 /// 16 u.
 inline constexpr double margin = 0x1p-49;
@@ -36,7 +36,8 @@ struct Move {
 /// The lattice of the periodic directions.
 class Periodicity {
   public:
-    /// Without a cell nothing is periodic. False if the periodic vectors of a cell are not finite, or not independent.
+    /// Without a cell nothing is periodic, and `periodic` is not read. False if no vector of a cell is periodic, or those that are are
+    /// not finite or not independent.
     bool prepare(double const *cell, int const *periodic) noexcept;
 
     /// What to subtract from a point to take it near the origin; false if that takes too many multiples.
@@ -58,6 +59,15 @@ class Periodicity {
     /// Sets the own multiples from the reduced ones; false if they are too many.
     bool set_own(Move &move) const noexcept;
 
+    /// Whether there are images along vector l of the cell.
+    bool is_periodic(int l) const noexcept { return periodic_[l]; }
+
+    /// A vector whose product with the periodic vectors of the cell is 1 for number l, which is one of them, and 0 for the others.
+    Vector<double, 3> own_dual(int l) const noexcept;
+
+    /// No entry of own_dual() is larger than this, whatever its rounding.
+    double own_dual_bound(int l) const noexcept;
+
   private:
     /// Multiples of vector k that take a point away from the origin along it.
     double multiples_in(Vector<double, 3> const &point, int k) const noexcept;
@@ -72,6 +82,6 @@ class Periodicity {
     double multiples_[3][3] = {}; ///< of the cell's vectors, for each of the reduced ones
 };
 
-} // namespace pw85::neighbors
+} // namespace pw85::detail::neighbors
 
 #endif

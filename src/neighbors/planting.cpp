@@ -5,7 +5,7 @@
 
 #include "order.hpp"
 
-namespace pw85::neighbors {
+namespace pw85::detail::neighbors {
 
 namespace {
 
@@ -82,4 +82,4 @@ bool plant(Array<Extent> const &extents, Periodicity const &lattice, Box const &
     return complete;
 }
 
-} // namespace pw85::neighbors
+} // namespace pw85::detail::neighbors

@@ -7,7 +7,7 @@
 #include "periodicity.hpp"
 #include "tree.hpp"
 
-namespace pw85::neighbors {
+namespace pw85::detail::neighbors {
 
 /// A particle's centre, and the half-widths of its box with its share of the skin.
 struct Extent {
@@ -25,6 +25,6 @@ struct Occupant {
 [[nodiscard]] bool plant(Array<Extent> const &extents, Periodicity const &lattice, Box const &around, Tree &tree,
                          Array<Occupant> &occupants) noexcept;
 
-} // namespace pw85::neighbors
+} // namespace pw85::detail::neighbors
 
 #endif

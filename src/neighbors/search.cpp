@@ -3,7 +3,7 @@
 
 #include <pw85.h>
 
-namespace pw85::neighbors {
+namespace pw85::detail::neighbors {
 
 namespace {
 
@@ -100,4 +100,4 @@ bool find_pairs(Tree const &tree, Periodicity const &lattice, Array<Move> const 
     return true;
 }
 
-} // namespace pw85::neighbors
+} // namespace pw85::detail::neighbors

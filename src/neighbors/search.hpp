@@ -7,7 +7,7 @@
 #include "periodicity.hpp"
 #include "tree.hpp"
 
-namespace pw85::neighbors {
+namespace pw85::detail::neighbors {
 
 /// Box `second` meets box `first` moved by a multiple of the lattice's vectors, the number of which is `image`.
 struct Found {
@@ -48,6 +48,6 @@ inline constexpr std::size_t groups_per_task = 16;
 [[nodiscard]] bool find_pairs(Tree const &tree, Periodicity const &lattice, Array<Move> const &images, std::size_t task,
                               FoundPairs &found) noexcept;
 
-} // namespace pw85::neighbors
+} // namespace pw85::detail::neighbors
 
 #endif

@@ -1,7 +1,7 @@
 // Boxes around boxes.
 #include "tree.hpp"
 
-namespace pw85::neighbors {
+namespace pw85::detail::neighbors {
 
 bool Tree::resize(std::size_t n) noexcept
 {
@@ -31,4 +31,4 @@ void Tree::enclose_levels() noexcept
     }
 }
 
-} // namespace pw85::neighbors
+} // namespace pw85::detail::neighbors

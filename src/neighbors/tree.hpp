@@ -9,7 +9,7 @@
 #include "boxes.hpp"
 #include "parallel.hpp"
 
-namespace pw85::neighbors {
+namespace pw85::detail::neighbors {
 
 /// Level 0 has the boxes of the particles, level l + 1 the boxes around the blocks of level l. 64 particles are a group: one box of
 /// level 2, one block of level 1, eight of level 0.
@@ -69,6 +69,6 @@ class Tree {
     int top_ = group_level;
 };
 
-} // namespace pw85::neighbors
+} // namespace pw85::detail::neighbors
 
 #endif

@@ -54,7 +54,7 @@ inline Pair3 mixed_pair(Random &random)
     Pair3 p = random_pair<3>(random, {.aspect = kind < 0.5 ? 10.0 : 1e6, .size_ratio = kind < 0.7 ? 2.0 : 1e6});
     if (kind < 0.7) return p;
     double const scale = kind < 0.75 ? 0x1p300 : kind < 0.8 ? 0x1p-300 : 1.0;
-    p.r12 = pw85::times(scale, p.r12);
+    p.r12 = scale * p.r12;
     for (int k = 0; k < 6; ++k) {
         p.q1[k] *= scale * scale;
         p.q2[k] *= scale * scale;

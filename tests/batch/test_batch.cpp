@@ -38,7 +38,7 @@ void test_problems()
     for (std::size_t i = 0; i < pairs.size(); ++i) {
         auto const &p = contact_problems()[i];
         auto const describe = [&] { return *p.category + ": " + hex_text(p.pair); };
-        double const error = pw85::absolute(result.mu2[i] - p.mu2) / p.mu2;
+        double const error = pw85::detail::absolute(result.mu2[i] - p.mu2) / p.mu2;
         accuracy.check(error <= 4.0 * u * p.cond, "relative error of mu^2", error, 4.0 * u * p.cond, describe);
         overlaps.check(result.overlap[i] == (p.mu2_minus_1 < 0.0), "overlap", result.overlap[i], p.mu2_minus_1 < 0.0,
                        describe);
@@ -56,7 +56,7 @@ void test_lambda()
     for (std::size_t i = 0; i < pairs.size(); ++i) {
         auto const p = convert<long double>(pairs[i]);
         auto const truth = pw85::contact(p.r12, p.q1, p.q2);
-        auto const f = pw85::evaluate_f(static_cast<long double>(result.lambda[i]), p.r12, p.q1, p.q2);
+        auto const f = pw85::detail::evaluate_f(static_cast<long double>(result.lambda[i]), p.r12, p.q1, p.q2);
         double const loss = static_cast<double>((truth.mu2 - f) / truth.mu2);
         double const bound = 4.0 * u * static_cast<double>(condition_number(p, truth.lambda));
         failures.check(loss <= bound, "relative loss of f at lambda", loss, bound, [&] { return hex_text(pairs[i]); });

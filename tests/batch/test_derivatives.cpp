@@ -7,6 +7,7 @@
 
 #include "../draws.hpp"
 #include "../failures.hpp"
+#include "../systems.hpp"
 #include "batch_data.hpp"
 
 using namespace pw85_tests;
@@ -72,9 +73,9 @@ double largest(Vector3 const &x) { return std::fmax(std::fabs(x[0]), std::fmax(s
 /// What the adjugate may add to an error: 13 u/d of itself (scripts/rounding_bounds.py), where it is taken.
 double error_of_adjugate(Pair3 const &p, double lambda)
 {
-    auto const solution = pw85::solve_by_adjugate(pw85::blend(1.0 - lambda, p.q1, lambda, p.q2), p.r12);
+    auto const solution = pw85::detail::solve_by_adjugate(pw85::detail::blend(1.0 - lambda, p.q1, lambda, p.q2), p.r12);
     double const d = solution.determinant / solution.diagonal;
-    return d > 0.9 * pw85::adjugate_conditioning<double>() ? pw85::adjugate_error * u / d : 0.0;
+    return d > 0.9 * pw85::detail::adjugate_conditioning<double>() ? pw85::detail::adjugate_error * u / d : 0.0;
 }
 
 // At the λ that is given back, in a wider type: with the bound of the functions for one pair, 64 u aspect² of the largest
@@ -89,7 +90,7 @@ void test_accuracy()
         for (int i = 0; i < draws(2000); ++i) {
             pairs.push_back(random_pair<3>(random, {.aspect = aspect}));
             // Parallel ellipsoids of one shape: the blend is as ill-conditioned as they are.
-            if (i % 4 == 0) pairs.back().q2 = pw85::times(0.25, pairs.back().q1);
+            if (i % 4 == 0) pairs.back().q2 = 0.25 * pairs.back().q1;
         }
         Result const result = run(pairs);
         g_assert_cmpint(result.status, ==, PW85_SUCCESS);
@@ -252,8 +253,8 @@ void test_arguments()
     g_assert_cmpint(batch(1, x, x, nullptr), ==, PW85_EINVAL);
     g_assert_cmpint(batch(SIZE_MAX / 48 + 1, x, x, x), ==, PW85_EINVAL);
     auto const list = [&](std::size_t n, std::int32_t const *pairs, std::int32_t const *images, double const *cell) {
-        return pw85_contact_derivatives_pairs(n, pairs, images, 1, x, x, cell, &out, nullptr, nullptr, nullptr, nullptr,
-                                              nullptr, nullptr);
+        return pw85_contact_derivatives_pairs(list_of(n, pairs, images), system_of(1, x, x, cell), &out, nullptr,
+                                              nullptr, nullptr, nullptr, nullptr, nullptr);
     };
     std::int32_t const pairs[2] = {0, 0}, outside[2] = {0, 1}, image[3] = {};
     g_assert_cmpint(list(0, nullptr, nullptr, nullptr), ==, PW85_SUCCESS);

@@ -29,9 +29,9 @@ bool is_known(char const *name)
 
 void test_choice()
 {
-    char const *const wanted = std::getenv("PW85_TARGET"), *const chosen = pw85::kernels::chosen().name;
+    char const *const wanted = std::getenv("PW85_TARGET"), *const chosen = pw85::detail::kernels::chosen().name;
     g_test_message("wanted %s, chosen %s", wanted == nullptr ? "the best" : wanted, chosen);
-    g_assert_true(&pw85::kernels::chosen() == &pw85::kernels::chosen());
+    g_assert_true(&pw85::detail::kernels::chosen() == &pw85::detail::kernels::chosen());
     bool allowed = wanted == nullptr || !is_known(wanted);
     char const *expected = "baseline";
     for (Target const &target : targets) {

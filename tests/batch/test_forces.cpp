@@ -12,6 +12,7 @@
 
 #include "../failures.hpp"
 #include "../random_pairs.hpp"
+#include "../systems.hpp"
 
 #ifdef _OPENMP
 #include <omp.h>
@@ -52,7 +53,7 @@ System make_system(std::size_t n, double size)
         system.centers.push_back({random.uniform(0.0, 7.0), random.uniform(0.0, 7.0), random.uniform(0.0, 7.0)});
         system.q.push_back(random.form(size, 3.0));
     }
-    g_assert_true(neighbors_create(system.particles(), {{1, 1, 1}, 1.0, 0.3}, system.list) == pw85::Status::success);
+    g_assert_true(neighbors_create(system.particles(), {1.0, 0.3}, system.list) == pw85::Status::success);
     return system;
 }
 
@@ -170,14 +171,15 @@ void test_arguments()
     double x[9] = {1, 0, 0, 0, 1, 0, 0, 0, 1}, forces[6], torques[6], virial[9];
     std::int32_t const pairs[2] = {0, 1}, outside[2] = {0, 2};
     std::fill_n(forces, 6, 7.0);
-    g_assert_cmpint(pw85_contact_forces_pairs(0, nullptr, nullptr, 2, nullptr, nullptr, nullptr, nullptr, nullptr,
-                                              nullptr, forces, torques, virial),
+    g_assert_cmpint(pw85_contact_forces_pairs(list_of(0, nullptr), system_of(2, nullptr, nullptr, nullptr), nullptr,
+                                              nullptr, nullptr, nullptr, forces, torques, virial),
                     ==, PW85_SUCCESS);
     for (double const y : forces) g_assert_cmpfloat(y, ==, 0.0);
     for (double const y : virial) g_assert_cmpfloat(y, ==, 0.0);
     auto const call = [&](std::int32_t const *list, double const *c, double const *u, double const *r,
                           double const *turn, double const *cell) {
-        return pw85_contact_forces_pairs(1, list, nullptr, 2, c, cell, u, r, turn, x, forces, torques, virial);
+        return pw85_contact_forces_pairs(list_of(1, list), system_of(2, c, nullptr, cell), u, r, turn, x, forces,
+                                         torques, virial);
     };
     forces[0] = 7.0;
     g_assert_cmpint(call(nullptr, x, x, x, x, nullptr), ==, PW85_EINVAL);
@@ -192,9 +194,9 @@ void test_arguments()
     g_assert_cmpint(call(pairs, x, x, x, x, nullptr), ==, PW85_SUCCESS);
     g_assert_cmpfloat(forces[0], ==, 1.0);
     g_assert_cmpfloat(forces[3], ==, -1.0);
-    g_assert_cmpint(
-        pw85_contact_forces_pairs(1, pairs, nullptr, 2, x, nullptr, x, x, nullptr, nullptr, forces, nullptr, nullptr),
-        ==, PW85_SUCCESS);
+    g_assert_cmpint(pw85_contact_forces_pairs(list_of(1, pairs), system_of(2, x, nullptr, nullptr), x, x, nullptr,
+                                              nullptr, forces, nullptr, nullptr),
+                    ==, PW85_SUCCESS);
 }
 
 } // namespace

@@ -7,10 +7,11 @@
 
 #include <glib.h>
 
-#include <pw85/batch.hpp>
+#include <pw85/neighbors.hpp>
 
 #include "../draws.hpp"
 #include "../failures.hpp"
+#include "../systems.hpp"
 #include "batch_data.hpp"
 
 using namespace pw85_tests;
@@ -129,7 +130,7 @@ void test_reduce_triples()
         for (int signs = 0; signs < 8; ++signs) {
             pw85::Cell cell = {{{2, 0, height}, {-1, 1.75, height}, {-1, -1.75, height}}};
             for (std::size_t i = 0; i < 3; ++i)
-                if (signs >> i & 1) cell[i] = pw85::times(-1.0, cell[i]);
+                if (signs >> i & 1) cell[i] = -cell[i];
             auto const [reduced, status] = pw85::cell_reduce(cell);
             g_assert_true(status == pw85::Status::success);
             check_reduced(failures, cell, reduced);
@@ -322,7 +323,7 @@ void test_nearest_images()
         for (auto &pair : pairs)
             for (auto &i : pair) i = static_cast<std::int32_t>(random.uniform(0.0, 20.0));
         auto const text = [&] { return cell_text(cell); };
-        g_assert_true(pw85::nearest_images(pairs, centers, cell, r12, images) == pw85::Status::success);
+        g_assert_true(pw85::nearest_images(pairs, {centers, {}, &cell}, r12, images) == pw85::Status::success);
         for (std::size_t k = 0; k < pairs.size(); ++k) {
             auto const &x = centers[static_cast<std::size_t>(pairs[k][0])],
                        &y = centers[static_cast<std::size_t>(pairs[k][1])];
@@ -347,21 +348,27 @@ void test_nearest_image_arguments()
     std::int32_t const pairs[8] = {0, 3, 0, 1, 1, 2, 3, 3}, outside[2] = {0, 4};
     double r12[12];
     std::int32_t images[12];
-    g_assert_cmpint(pw85_nearest_images(4, pairs, 4, centers, cell, r12, images), ==, PW85_EINVAL);
+    g_assert_cmpint(pw85_nearest_images(4, pairs, system_of(4, centers, nullptr, cell), r12, images), ==, PW85_EINVAL);
     double const expected[4] = {-1.0, nan, nan, 0.0};
     std::int32_t const multiples[4] = {-4, INT32_MIN, INT32_MIN, 0};
     for (int k = 0; k < 4; ++k) {
         g_assert_true(std::isnan(expected[k]) ? std::isnan(r12[3 * k]) : std::fabs(r12[3 * k]) == -expected[k]);
         g_assert_true(images[3 * k] == multiples[k] || (k == 0 && images[0] == -3));
     }
-    g_assert_cmpint(pw85_nearest_images(2, pairs, 4, centers, cell, r12, nullptr), ==, PW85_SUCCESS);
-    g_assert_cmpint(pw85_nearest_images(2, pairs, 4, centers, cell, nullptr, nullptr), ==, PW85_SUCCESS);
-    g_assert_cmpint(pw85_nearest_images(0, nullptr, 0, nullptr, nullptr, nullptr, nullptr), ==, PW85_SUCCESS);
+    g_assert_cmpint(pw85_nearest_images(2, pairs, system_of(4, centers, nullptr, cell), r12, nullptr), ==,
+                    PW85_SUCCESS);
+    g_assert_cmpint(pw85_nearest_images(2, pairs, system_of(4, centers, nullptr, cell), nullptr, nullptr), ==,
+                    PW85_SUCCESS);
+    g_assert_cmpint(pw85_nearest_images(0, nullptr, system_of(0, nullptr, nullptr, nullptr), nullptr, nullptr), ==,
+                    PW85_SUCCESS);
     for (double const *bad : {flat, static_cast<double const *>(nullptr)})
-        g_assert_cmpint(pw85_nearest_images(1, pairs, 4, centers, bad, r12, images), ==, PW85_EINVAL);
-    g_assert_cmpint(pw85_nearest_images(1, outside, 4, centers, cell, r12, images), ==, PW85_EINVAL);
-    g_assert_cmpint(pw85_nearest_images(1, nullptr, 4, centers, cell, r12, images), ==, PW85_EINVAL);
-    g_assert_cmpint(pw85_nearest_images(1, pairs, 4, nullptr, cell, r12, images), ==, PW85_EINVAL);
+        g_assert_cmpint(pw85_nearest_images(1, pairs, system_of(4, centers, nullptr, bad), r12, images), ==,
+                        PW85_EINVAL);
+    g_assert_cmpint(pw85_nearest_images(1, outside, system_of(4, centers, nullptr, cell), r12, images), ==,
+                    PW85_EINVAL);
+    g_assert_cmpint(pw85_nearest_images(1, nullptr, system_of(4, centers, nullptr, cell), r12, images), ==,
+                    PW85_EINVAL);
+    g_assert_cmpint(pw85_nearest_images(1, pairs, system_of(4, nullptr, nullptr, cell), r12, images), ==, PW85_EINVAL);
 }
 
 void test_image_arguments()
@@ -370,17 +377,22 @@ void test_image_arguments()
     std::int32_t const pairs[2] = {0, 0}, image[3] = {3, 0, 0};
     double mu2 = 7.0;
     unsigned char overlap = 7;
-    g_assert_cmpint(pw85_contact_pairs(1, pairs, image, 1, x, x, nullptr, &mu2, nullptr), ==, PW85_EINVAL);
-    g_assert_cmpint(pw85_overlap_pairs(1, pairs, image, 1, x, x, nullptr, &overlap), ==, PW85_EINVAL);
+    g_assert_cmpint(pw85_contact_pairs(list_of(1, pairs, image), system_of(1, x, x, nullptr), &mu2, nullptr), ==,
+                    PW85_EINVAL);
+    g_assert_cmpint(pw85_overlap_pairs(list_of(1, pairs, image), system_of(1, x, x, nullptr), &overlap), ==,
+                    PW85_EINVAL);
     for (double const bad : {std::numeric_limits<double>::quiet_NaN(), HUGE_VAL}) {
         double const bad_cell[9] = {1, 0, 0, 0, bad, 0, 0, 0, 1};
-        g_assert_cmpint(pw85_contact_pairs(1, pairs, image, 1, x, x, bad_cell, &mu2, nullptr), ==, PW85_EINVAL);
-        g_assert_cmpint(pw85_overlap_pairs(1, pairs, image, 1, x, x, bad_cell, &overlap), ==, PW85_EINVAL);
+        g_assert_cmpint(pw85_contact_pairs(list_of(1, pairs, image), system_of(1, x, x, bad_cell), &mu2, nullptr), ==,
+                        PW85_EINVAL);
+        g_assert_cmpint(pw85_overlap_pairs(list_of(1, pairs, image), system_of(1, x, x, bad_cell), &overlap), ==,
+                        PW85_EINVAL);
     }
     g_assert_true(mu2 == 7.0 && overlap == 7);
     // A particle and its own image, three cells away.
-    g_assert_cmpint(pw85_contact_pairs(1, pairs, image, 1, x, x, cell, &mu2, nullptr), ==, PW85_SUCCESS);
-    g_assert_cmpint(pw85_overlap_pairs(1, pairs, image, 1, x, x, cell, &overlap), ==, PW85_SUCCESS);
+    g_assert_cmpint(pw85_contact_pairs(list_of(1, pairs, image), system_of(1, x, x, cell), &mu2, nullptr), ==,
+                    PW85_SUCCESS);
+    g_assert_cmpint(pw85_overlap_pairs(list_of(1, pairs, image), system_of(1, x, x, cell), &overlap), ==, PW85_SUCCESS);
     g_assert_true(std::fabs(mu2 - 2.25) <= 4 * u * 2.25 && overlap == 0);
     std::vector<Vector3> const centers(2);
     std::vector<Form3> const q(2, unit_sphere);
@@ -391,6 +403,87 @@ void test_image_arguments()
     g_assert_true(pw85::contact_pairs({list, two_images}, {centers, q, &cubic}, out) == pw85::Status::invalid_argument);
 }
 
+/// A system, and what the functions for cells say of it.
+struct CellAnswers {
+    pw85::Cell reduced;
+    double limit;
+    std::vector<Vector3> r12;
+    std::vector<pw85::Image> images;
+    std::vector<pw85::IndexPair> neighbors;
+    std::vector<pw85::Image> neighbor_images;
+    std::vector<unsigned char> overlap;
+
+    CellAnswers(pw85::Cell const &cell, std::vector<Vector3> const &centers, std::vector<Form3> const &q)
+    {
+        auto const good = [](pw85::Status status) { g_assert_true(status == pw85::Status::success); };
+        auto const result = pw85::cell_reduce(cell);
+        good(result.status);
+        reduced = result.cell;
+        good(pw85::nearest_image_limit({{}, q, &cell}, limit));
+        std::vector<pw85::IndexPair> pairs;
+        for (std::int32_t i = 0; i < static_cast<std::int32_t>(q.size()); ++i)
+            for (std::int32_t j = 0; j < i; ++j) pairs.push_back({i, j});
+        r12.resize(pairs.size());
+        images.resize(pairs.size());
+        overlap.resize(pairs.size());
+        pw85::Particles const particles{centers, q, &cell};
+        good(pw85::nearest_images(pairs, particles, r12, images));
+        good(pw85::overlap_pairs({pairs}, particles, overlap));
+        pw85::Neighbors list;
+        good(neighbors_create(particles, {}, list));
+        neighbors.assign(list.pairs().begin(), list.pairs().end());
+        neighbor_images.assign(list.images().begin(), list.images().end());
+    }
+
+    /// Whether these are the answers to the same in a unit that is so many times as large.
+    bool are_scaled(CellAnswers const &other, double unit) const
+    {
+        bool same = limit == other.limit && images == other.images && neighbors == other.neighbors &&
+                    neighbor_images == other.neighbor_images && overlap == other.overlap;
+        for (std::size_t k = 0; k < r12.size(); ++k) same = same && are_scaled(r12[k], other.r12[k], unit);
+        for (std::size_t k = 0; k < 3; ++k) same = same && are_scaled(reduced[k], other.reduced[k], unit);
+        return same;
+    }
+
+  private:
+    static bool are_scaled(Vector3 const &x, Vector3 const &y, double unit)
+    {
+        return x[0] == unit * y[0] && x[1] == unit * y[1] && x[2] == unit * y[2];
+    }
+};
+
+// Powers of two change nothing but the unit, up to the sizes that particles may have, nor does skewness: what is right for one size,
+// which other tests check, is for all.
+void test_units()
+{
+    Failures failures;
+    Random random(37);
+    for (int n = 0; n < draws(150); ++n) {
+        pw85::Cell const compact = random_cell(random, n % 3 == 0 ? 0.25 : 1.0), cell = skew(random, compact, n % 16);
+        if (!(std::fabs(volume(compact)) > 1e-2)) continue;
+        std::vector<Vector3> centers;
+        std::vector<Form3> q;
+        for (int i = 0; i < 8; ++i) {
+            centers.push_back({random.uniform(-2.0, 2.0), random.uniform(-2.0, 2.0), random.uniform(-2.0, 2.0)});
+            q.push_back(random.form(random.log_uniform(0.05, 0.5), 3.0));
+        }
+        CellAnswers const expected(cell, centers, q);
+        for (int const exponent :
+             {-498, -300, -110, -101, -100, -99, -98, -40, 40, 95, 98, 99, 100, 101, 110, 300, 498}) {
+            double const unit = std::ldexp(1.0, exponent);
+            pw85::Cell scaled = cell;
+            for (auto &row : scaled) row = unit * row;
+            auto scaled_centers = centers;
+            for (auto &center : scaled_centers) center = unit * center;
+            auto forms = q;
+            for (auto &form : forms)
+                for (int k = 0; k < 6; ++k) form[k] *= unit * unit;
+            failures.check(CellAnswers(scaled, scaled_centers, forms).are_scaled(expected, unit), "answers in the unit",
+                           unit, 1, [&] { return cell_text(cell); });
+        }
+    }
+}
+
 /// The limit over all vectors near the origin, of which those that are no faces of the Voronoi cell do not matter.
 double expected_limit(pw85::Cell const &reduced, std::vector<Form3> const &q)
 {
@@ -399,7 +492,7 @@ double expected_limit(pw85::Cell const &reduced, std::vector<Form3> const &q)
         Vector3 const v = combine(reduced, k);
         if (k == Multiples{}) return;
         for (Form3 const &form : q)
-            limit = std::min(limit, square(v) * square(v) / (16.0 * pw85::quadratic_form(form, v)));
+            limit = std::min(limit, square(v) * square(v) / (16.0 * pw85::detail::quadratic_form(form, v)));
     });
     return limit;
 }
@@ -418,7 +511,7 @@ void test_limit()
         for (int i = 0; i < 3; ++i)
             q.push_back(random.form(random.log_uniform(0.03, 0.3), random.log_uniform(1.0, 10.0)));
         double limit = 0.0;
-        g_assert_true(pw85::nearest_image_limit(q, skewed, limit) == pw85::Status::success);
+        g_assert_true(pw85::nearest_image_limit({{}, q, &skewed}, limit) == pw85::Status::success);
         double const expected = expected_limit(cell, q);
         auto const describe = [&] { return cell_text(skewed); };
         failures.check(std::fabs(limit / expected - 1.0) <= 1e-11, "limit", limit, expected, describe);
@@ -447,12 +540,12 @@ void test_limit_of_needles()
     for (int signs = 0; signs < 8; ++signs) {
         pw85::Cell cell = {{{-1, 1, 1}, {1, -1, 1}, {1, 1, -1}}};
         for (std::size_t i = 0; i < 3; ++i)
-            if (signs >> i & 1) cell[i] = pw85::times(-1.0, cell[i]);
+            if (signs >> i & 1) cell[i] = -cell[i];
         visit_multiples(1, [&](Multiples const &k) {
             if (k == Multiples{}) return;
             std::vector<Form3> const needle = {pw85::spheroid(0x1p-6, 0.5, combine(cell, k)).q};
             double limit = 0.0;
-            g_assert_true(pw85::nearest_image_limit(needle, cell, limit) == pw85::Status::success);
+            g_assert_true(pw85::nearest_image_limit({{}, needle, &cell}, limit) == pw85::Status::success);
             double const expected = expected_limit(cell, needle);
             failures.check(std::fabs(limit / expected - 1.0) <= 1e-13, "limit", limit, expected,
                            [&] { return cell_text(cell) + hex_text(needle[0].entries, 6); });
@@ -465,15 +558,15 @@ void test_limit_arguments()
     double const cell[9] = {8, 0, 0, 0, 4, 0, 0, 0, 6}, singular[9] = {1, 0, 0, 0, 1, 0, 1, 1, 0};
     double const q[12] = {1, 0, 0, 1, 0, 1, 4, 0, 0, 0.25, 0, 1};
     double mu2 = 7.0;
-    g_assert_cmpint(pw85_nearest_image_limit(2, q, cell, &mu2), ==, PW85_SUCCESS);
+    g_assert_cmpint(pw85_nearest_image_limit(system_of(2, nullptr, q, cell), &mu2), ==, PW85_SUCCESS);
     g_assert_cmpfloat(mu2, ==, 1.0); // both 8/(4·2) and 4/(4·1)
-    g_assert_cmpint(pw85_nearest_image_limit(0, nullptr, cell, &mu2), ==, PW85_SUCCESS);
+    g_assert_cmpint(pw85_nearest_image_limit(system_of(0, nullptr, nullptr, cell), &mu2), ==, PW85_SUCCESS);
     g_assert_cmpfloat(mu2, ==, HUGE_VAL);
     double const nan = std::numeric_limits<double>::quiet_NaN();
     double const not_finite[6] = {1, 0, nan, 1, 0, 1}, indefinite[6] = {1, 2, 0, 1, 0, 1};
     auto const check = [&](int expected, std::size_t n, double const *forms, double const *c) {
         mu2 = 7.0;
-        g_assert_cmpint(pw85_nearest_image_limit(n, forms, c, &mu2), ==, expected);
+        g_assert_cmpint(pw85_nearest_image_limit(system_of(n, nullptr, forms, c), &mu2), ==, expected);
         g_assert_true(std::isnan(mu2));
     };
     check(PW85_EINVAL, 1, not_finite, cell);
@@ -489,7 +582,7 @@ void test_limit_arguments()
     check(PW85_EINVAL, 1, q, nullptr);
     check(PW85_EINVAL, 1, nullptr, cell);
     check(PW85_EINVAL, SIZE_MAX / 8, q, cell);
-    g_assert_cmpint(pw85_nearest_image_limit(1, q, cell, nullptr), ==, PW85_EINVAL);
+    g_assert_cmpint(pw85_nearest_image_limit(system_of(1, nullptr, q, cell), nullptr), ==, PW85_EINVAL);
 }
 
 } // namespace
@@ -503,6 +596,7 @@ int main(int argc, char **argv)
     g_test_add_func("/lattice/every_shift", test_every_shift);
     g_test_add_func("/lattice/shifts_of_prisms", test_shifts_of_prisms);
     g_test_add_func("/lattice/shifts_of_oblique_cells", test_shifts_of_oblique_cells);
+    g_test_add_func("/lattice/units", test_units);
     g_test_add_func("/lattice/images", test_images);
     g_test_add_func("/lattice/image_arguments", test_image_arguments);
     g_test_add_func("/lattice/nearest_images", test_nearest_images);

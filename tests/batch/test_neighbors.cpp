@@ -15,6 +15,7 @@
 #include "../draws.hpp"
 #include "../failures.hpp"
 #include "../random_pairs.hpp"
+#include "../systems.hpp"
 
 #ifdef _OPENMP
 #include <omp.h>
@@ -37,10 +38,15 @@ struct System {
     std::vector<Form3> q;
     bool has_cell = false;
     pw85::Cell cell{};
+    std::array<int, 3> periodic = {1, 1, 1};
     pw85::NeighborOptions options;
 
-    pw85::Particles particles() const { return {centers, q, has_cell ? &cell : nullptr}; }
-    bool is_periodic(std::size_t k) const { return has_cell && options.periodic[k] != 0; }
+    /// Without the cell where none of its vectors is periodic, which functions refuse.
+    pw85::Particles particles() const
+    {
+        return {centers, q, is_periodic(0) || is_periodic(1) || is_periodic(2) ? &cell : nullptr, periodic};
+    }
+    bool is_periodic(std::size_t k) const { return has_cell && periodic[k] != 0; }
 
     void add(Vector3 const &center, Form3 const &form)
     {
@@ -103,7 +109,7 @@ std::array<WideVector, 3> dual(System const &system)
             for (int d = 0; d < 3 && system.is_periodic(l); count += d == 2, ++d) vectors[count][d] = system.cell[l][d];
         if (count == 3) vectors[2] = across(vectors[2], vectors[1]);
         for (int l = 1; l < count; ++l) vectors[0] = across(vectors[0], vectors[l]);
-        result[k] = pw85::times(1 / pw85::dot(vectors[0], vectors[0]), vectors[0]);
+        result[k] = 1 / pw85::dot(vectors[0], vectors[0]) * vectors[0];
     }
     return result;
 }
@@ -207,7 +213,7 @@ System random_system(Random &random, std::size_t n, Kind kind, double side)
     System system;
     system.has_cell = kind != Kind::none;
     if (system.has_cell) system.cell = random_cell(random, kind, side);
-    for (int &periodic : system.options.periodic) periodic = random.uniform(0.0, 1.0) < 0.7;
+    for (int &periodic : system.periodic) periodic = random.uniform(0.0, 1.0) < 0.7;
     system.options.scale = random.log_uniform(0.5, 2.0);
     system.options.skin = random.sign() > 0.0 ? 0.0 : random.uniform(0.0, 0.5);
     for (std::size_t i = 0; i < n; ++i) {
@@ -242,7 +248,7 @@ void test_many()
     Random random(102);
     for (Kind const kind : {Kind::none, Kind::rectangular}) {
         System system = random_system(random, 1500, kind, 25.0);
-        system.options = {{1, 1, 1}, 1.0, 0.1};
+        system.options = {1.0, 0.1};
         g_assert_cmpuint(check(failures, system), >, 100);
     }
 }
@@ -374,7 +380,8 @@ void test_holds()
     int counts[2] = {};
     for (int trial = 0; trial < 60; ++trial) {
         System system = random_system(random, 30, Kind::triclinic, 5.0);
-        system.options = {{1, 1, 0}, 1.0, 0.4};
+        system.periodic = {1, 1, 0};
+        system.options = {1.0, 0.4};
         pw85::Neighbors list;
         g_assert_true(neighbors_create(system.particles(), system.options, list) == Status::success);
         auto const before = sorted(list);
@@ -396,6 +403,203 @@ void test_holds()
     }
     g_assert_cmpint(counts[0], >, 5);
     g_assert_cmpint(counts[1], >, 5);
+}
+
+using Matrix = double[3][3];
+
+Vector3 product(Matrix const &f, Vector3 const &x)
+{
+    Vector3 y = {0.0, 0.0, 0.0};
+    for (int d = 0; d < 3; ++d)
+        for (int e = 0; e < 3; ++e) y[d] += f[d][e] * x[e];
+    return y;
+}
+
+enum class Change { shrunk, grown, sheared, turned, any };
+
+/// How a system changes with a parameter t: the cell, and with it the centres, about a point, or nothing but the cell; each particle
+/// moves and grows besides.
+struct Course {
+    Change change;
+    bool centers_follow, particles_move;
+    Vector3 about;
+    Matrix rate;
+    std::vector<Vector3> velocities;
+
+    Course(Random &random, Change kind, bool follow, std::size_t n) : change(kind), centers_follow(follow), rate{}
+    {
+        for (int d = 0; d < 3; ++d) {
+            about[d] = random.uniform(-5.0, 5.0);
+            for (int e = 0; e < 3; ++e)
+                if (change == Change::any) rate[d][e] = random.uniform(-1.0, 1.0);
+            if (change == Change::shrunk || change == Change::grown) rate[d][d] = change == Change::grown ? 1.0 : -1.0;
+        }
+        if (change == Change::sheared || change == Change::turned) rate[0][1] = random.sign();
+        particles_move = random.sign() > 0.0;
+        for (std::size_t i = 0; i < n; ++i)
+            velocities.push_back({random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0)});
+    }
+
+    System at(double t, System system) const
+    {
+        Matrix f;
+        for (int d = 0; d < 3; ++d)
+            for (int e = 0; e < 3; ++e) f[d][e] = (d == e ? 1.0 : 0.0) + t * rate[d][e];
+        if (change == Change::turned) {
+            f[0][0] = f[1][1] = std::cos(t);
+            f[0][1] = rate[0][1] * std::sin(t);
+            f[1][0] = -f[0][1];
+        }
+        for (auto &row : system.cell) row = product(f, row);
+        for (std::size_t i = 0; i < system.q.size(); ++i) move(i, t, f, system);
+        return system;
+    }
+
+  private:
+    void move(std::size_t i, double t, Matrix const &f, System &system) const
+    {
+        Vector3 &center = system.centers[i];
+        Vector3 from = center;
+        for (int d = 0; d < 3; ++d) from[d] -= about[d];
+        Vector3 const image = product(f, from);
+        for (int d = 0; d < 3; ++d) {
+            if (centers_follow) center[d] = about[d] + image[d];
+            if (particles_move) center[d] += t * velocities[i][d];
+        }
+        if (change == Change::turned) system.q[i] = turned(f, system.q[i]);
+        for (int k = 0; k < 6 && particles_move; ++k) system.q[i][k] *= 1.0 + 0.1 * t;
+    }
+
+    /// f q fᵀ
+    static Form3 turned(Matrix const &f, Form3 const &q)
+    {
+        Form3 result{};
+        for (int d = 0; d < 3; ++d)
+            for (int e = d; e < 3; ++e)
+                for (int k = 0; k < 9; ++k) result(d, e) += f[d][k / 3] * q(k / 3, k % 3) * f[e][k % 3];
+        return result;
+    }
+};
+
+bool holds_now(pw85::Neighbors const &list, System const &system)
+{
+    int holds = 7;
+    g_assert_true(neighbors_holds(list, system.particles(), holds) == Status::success);
+    g_assert_true(holds == 0 || holds == 1);
+    return holds == 1;
+}
+
+/// The last t of a course, before the cell is all too small, at which a list is found to hold.
+double last_held(pw85::Neighbors const &list, System const &system, Course const &course)
+{
+    double held = 0.0, first = 0.7;
+    for (int step = 0; step < 20; ++step) {
+        double const t = 0.5 * (held + first);
+        (holds_now(list, course.at(t, system)) ? held : first) = t;
+    }
+    return held;
+}
+
+/// Every pair whose boxes meet must be in a list that holds, after changes of the cell, too.
+void check_held(Failures &failures, pw85::Neighbors const &list, System const &then, System now, double t)
+{
+    auto const before = sorted(list);
+    now.options.skin = 0.0;
+    visit_all(now, [&](Neighbor const &n) {
+        if (gap(now, n) <= 0)
+            failures.check(std::binary_search(before.begin(), before.end(), n), "missing after a change", t, 0,
+                           [&] { return text(then, n) + "\nnow " + text(now, n); });
+    });
+}
+
+// Cells that shrink, grow, are sheared and turned, with the centres and without them: as far as the list holds nothing is missing.
+void test_holds_cell()
+{
+    Failures failures;
+    Random random(108);
+    for (Kind const kind : {Kind::rectangular, Kind::triclinic, Kind::skewed})
+        for (Change const change : {Change::shrunk, Change::grown, Change::sheared, Change::turned, Change::any})
+            for (int repeat = 0; repeat < draws(16); ++repeat) {
+                System system = random_system(random, 12, kind, repeat % 4 < 2 ? 2.0 : 4.0);
+                system.options.skin = random.uniform(0.1, 2.0);
+                Course const course(random, change, repeat % 2 == 0, system.q.size());
+                pw85::Neighbors list;
+                g_assert_true(neighbors_create(system.particles(), system.options, list) == Status::success);
+                g_assert_true(holds_now(list, system));
+                double const t = last_held(list, system, course);
+                g_assert_cmpfloat(t, >, 0.0);
+                check_held(failures, list, system, course.at(t, system), t);
+            }
+}
+
+// A large cell that shrinks with its centres, about whatever point, takes no more of the skin than its particles become larger by
+// comparison: half-widths are 1, half the skin is 0.1.
+void test_holds_scaled()
+{
+    Random random(109);
+    System system;
+    system.has_cell = true;
+    system.cell = {{{1000.0, 0.0, 0.0}, {200.0, 1000.0, 0.0}, {0.0, -300.0, 1000.0}}};
+    system.options.skin = 0.2;
+    for (int i = 0; i < 1000; ++i)
+        system.add({random.uniform(0.0, 1e3), random.uniform(0.0, 1e3), random.uniform(0.0, 1e3)}, unit_sphere);
+    pw85::Neighbors list;
+    g_assert_true(neighbors_create(system.particles(), system.options, list) == Status::success);
+    for (auto const &[t, expected] : {std::pair{1.0 / 11.0 - 1e-9, true}, {1.0 / 11.0 + 1e-9, false}}) {
+        Course course(random, Change::shrunk, true, system.q.size());
+        course.particles_move = false;
+        g_assert_true(holds_now(list, course.at(t, system)) == expected);
+        course.centers_follow = false;
+        g_assert_false(holds_now(list, course.at(t, system)));
+    }
+}
+
+// Two spheres that met no image in a cell of side 6 meet several in one of side 5.
+void test_holds_smaller_cell()
+{
+    System system;
+    for (int i = 0; i < 2; ++i) system.add({3.0 * i, 3.0 * i, 0.0}, {1.44, 0.0, 0.0, 1.44, 0.0, 1.44});
+    system.has_cell = true;
+    system.options.skin = 0.4;
+    for (std::size_t k = 0; k < 3; ++k) system.cell[k][static_cast<int>(k)] = 6.0;
+    pw85::Neighbors list;
+    g_assert_true(neighbors_create(system.particles(), system.options, list) == Status::success);
+    g_assert_cmpuint(list.pairs().size(), ==, 0);
+    g_assert_true(holds_now(list, system));
+    System small = system;
+    for (std::size_t k = 0; k < 3; ++k) small.cell[k][static_cast<int>(k)] = 5.0;
+    g_assert_false(holds_now(list, small));
+    int holds = 7;
+    for (double const bad : {nan, infinity, 0.0}) {
+        small.cell[1][1] = bad;
+        g_assert_true(neighbors_holds(list, small.particles(), holds) == Status::invalid_argument && holds == -1);
+    }
+    small.has_cell = false;
+    g_assert_true(neighbors_holds(list, small.particles(), holds) == Status::invalid_argument && holds == -1);
+    g_assert_true(neighbors_create(small.particles(), small.options, list) == Status::success);
+    g_assert_true(neighbors_holds(list, system.particles(), holds) == Status::invalid_argument && holds == -1);
+}
+
+// A list does not see where all particles are, nor take motion beyond the range of numbers for one that they share.
+void test_holds_shared_motion()
+{
+    Random random(110);
+    System system = random_system(random, 5000, Kind::none, 30.0);
+    system.options = {1.0, 0.4};
+    pw85::Neighbors list;
+    g_assert_true(neighbors_create(system.particles(), system.options, list) == Status::success);
+    System moved = system;
+    for (auto &center : moved.centers) center[1] += 1e6;
+    g_assert_true(holds_now(list, moved));
+    moved.centers[4567][1] -= 0.21;
+    g_assert_true(holds_now(list, moved));
+    moved.centers[2345][1] += 0.21;
+    g_assert_false(holds_now(list, moved));
+    system.q = moved.q = {unit_sphere, unit_sphere};
+    system.centers.assign(2, {0.0, -1.7e308, 0.0});
+    moved.centers.assign(2, {0.0, 1.7e308, 0.0});
+    g_assert_true(neighbors_create(system.particles(), system.options, list) == Status::success);
+    g_assert_false(holds_now(list, moved));
 }
 
 // Turning alone can take a particle out of its box.
@@ -469,11 +673,11 @@ void test_bad_cells()
     for (Vector3 const &row : {Vector3{}, Vector3{nan, 0.0, 0.0}, Vector3{9.0, 0.0, 0.0}, Vector3{infinity, 0.0, 0.0},
                                Vector3{9.0, 9.0, 0.0}}) {
         system.cell[2] = row;
-        system.options.periodic = {1, 1, 1};
+        system.periodic = {1, 1, 1};
         expect(system, Status::invalid_argument, 3);
-        system.options.periodic = {0, 0, 1};
+        system.periodic = {0, 0, 1};
         if (!(std::isfinite(row[0]) && row[0] > 0.0)) expect(system, Status::invalid_argument, 3);
-        system.options.periodic = {1, 1, 0}; // the third does not matter
+        system.periodic = {1, 1, 0}; // the third does not matter
         pw85::Neighbors list;
         g_assert_true(neighbors_create(system.particles(), system.options, list) == Status::success);
     }
@@ -487,7 +691,7 @@ void test_arguments()
         system.options.scale = bad;
         expect(system, Status::invalid_argument, 3);
         if (bad == 0.0) continue;
-        system.options = {{1, 1, 1}, 1.0, bad};
+        system.options = {1.0, bad};
         expect(system, Status::invalid_argument, 3);
     }
     double const x[6] = {1.0, 0.0, 0.0, 1.0, 0.0, 1.0};
@@ -497,25 +701,25 @@ void test_arguments()
     for (int missing = 0; missing < 3; ++missing) {
         std::size_t const n = missing == 2 ? std::size_t{1} << 31 : 1;
         double const *const centers = missing == 0 ? nullptr : x, *const q = missing == 1 ? nullptr : x;
-        g_assert_cmpint(pw85_neighbors_create(n, centers, q, nullptr, nullptr, 1.0, 0.0, &list), ==, PW85_EINVAL);
+        g_assert_cmpint(pw85_neighbors_create(system_of(n, centers, q, nullptr), 1.0, 0.0, &list), ==, PW85_EINVAL);
         g_assert_null(list);
-        g_assert_cmpint(pw85_neighbors_check(n, centers, q, nullptr, nullptr, 1.0, 0.0, &particle), ==, PW85_EINVAL);
+        g_assert_cmpint(pw85_neighbors_check(system_of(n, centers, q, nullptr), 1.0, 0.0, &particle), ==, PW85_EINVAL);
         g_assert_cmpuint(particle, ==, n);
     }
-    g_assert_cmpint(pw85_neighbors_create(1, x, x, nullptr, nullptr, 1.0, 0.0, nullptr), ==, PW85_EINVAL);
-    g_assert_cmpint(pw85_neighbors_check(1, x, x, nullptr, nullptr, 1.0, 0.0, nullptr), ==, PW85_EINVAL);
-    g_assert_cmpint(pw85_neighbors_holds(nullptr, 1, x, x, &holds), ==, PW85_EINVAL);
+    g_assert_cmpint(pw85_neighbors_create(system_of(1, x, x, nullptr), 1.0, 0.0, nullptr), ==, PW85_EINVAL);
+    g_assert_cmpint(pw85_neighbors_check(system_of(1, x, x, nullptr), 1.0, 0.0, nullptr), ==, PW85_EINVAL);
+    g_assert_cmpint(pw85_neighbors_holds(nullptr, system_of(1, x, x, nullptr), &holds), ==, PW85_EINVAL);
     g_assert_cmpint(holds, ==, -1);
-    g_assert_cmpint(pw85_neighbors_create(1, x, x, nullptr, nullptr, 1.0, 0.0, &list), ==, PW85_SUCCESS);
-    g_assert_cmpint(pw85_neighbors_holds(list, 1, x, x, nullptr), ==, PW85_EINVAL);
-    g_assert_cmpint(pw85_neighbors_holds(list, 1, nullptr, x, &holds), ==, PW85_EINVAL);
-    g_assert_cmpint(pw85_neighbors_holds(list, 1, x, x, &holds), ==, PW85_SUCCESS);
+    g_assert_cmpint(pw85_neighbors_create(system_of(1, x, x, nullptr), 1.0, 0.0, &list), ==, PW85_SUCCESS);
+    g_assert_cmpint(pw85_neighbors_holds(list, system_of(1, x, x, nullptr), nullptr), ==, PW85_EINVAL);
+    g_assert_cmpint(pw85_neighbors_holds(list, system_of(1, nullptr, x, nullptr), &holds), ==, PW85_EINVAL);
+    g_assert_cmpint(pw85_neighbors_holds(list, system_of(1, x, x, nullptr), &holds), ==, PW85_SUCCESS);
     g_assert_cmpint(holds, ==, 1);
     pw85_neighbors_destroy(list);
     pw85_neighbors_destroy(nullptr);
-    g_assert_cmpuint(pw85_neighbors_size(nullptr), ==, 0);
-    g_assert_null(pw85_neighbors_pairs(nullptr));
-    g_assert_null(pw85_neighbors_images(nullptr));
+    g_assert_cmpuint(pw85_neighbors_list(nullptr).num_pairs, ==, 0);
+    g_assert_null(pw85_neighbors_list(nullptr).pairs);
+    g_assert_null(pw85_neighbors_list(nullptr).images);
 }
 
 // More images than memory can hold, or than fit into their numbers: refused at once.
@@ -540,10 +744,10 @@ void test_empty()
         double const *const cell = has_cell ? system.cell[0].coordinates : nullptr;
         pw85_neighbors *list = nullptr;
         int holds = 7;
-        g_assert_cmpint(pw85_neighbors_create(0, nullptr, nullptr, cell, nullptr, 1.0, 0.0, &list), ==, PW85_SUCCESS);
+        g_assert_cmpint(pw85_neighbors_create(system_of(0, nullptr, nullptr, cell), 1.0, 0.0, &list), ==, PW85_SUCCESS);
         g_assert_nonnull(list);
-        g_assert_cmpuint(pw85_neighbors_size(list), ==, 0);
-        g_assert_cmpint(pw85_neighbors_holds(list, 0, nullptr, nullptr, &holds), ==, PW85_SUCCESS);
+        g_assert_cmpuint(pw85_neighbors_list(list).num_pairs, ==, 0);
+        g_assert_cmpint(pw85_neighbors_holds(list, system_of(0, nullptr, nullptr, cell), &holds), ==, PW85_SUCCESS);
         g_assert_cmpint(holds, ==, 1);
         pw85_neighbors_destroy(list);
     }
@@ -561,6 +765,10 @@ int main(int argc, char **argv)
     g_test_add_func("/neighbors/touching", test_touching);
     g_test_add_func("/neighbors/threads", test_threads);
     g_test_add_func("/neighbors/holds", test_holds);
+    g_test_add_func("/neighbors/holds_cell", test_holds_cell);
+    g_test_add_func("/neighbors/holds_scaled", test_holds_scaled);
+    g_test_add_func("/neighbors/holds_smaller_cell", test_holds_smaller_cell);
+    g_test_add_func("/neighbors/holds_shared_motion", test_holds_shared_motion);
     g_test_add_func("/neighbors/holds_turned", test_holds_turned);
     g_test_add_func("/neighbors/bad_particles", test_bad_particles);
     g_test_add_func("/neighbors/bad_cells", test_bad_cells);

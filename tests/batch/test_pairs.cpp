@@ -8,6 +8,7 @@
 #include <pw85/batch.hpp>
 
 #include "../failures.hpp"
+#include "../systems.hpp"
 #include "batch_data.hpp"
 
 using namespace pw85_tests;
@@ -303,27 +304,32 @@ void test_arguments()
     std::int32_t const pairs[2] = {0, 0};
     double mu2 = 7.0, lambda = 7.0;
     unsigned char overlap = 7;
-    g_assert_cmpint(pw85_contact_pairs(0, nullptr, nullptr, 0, nullptr, nullptr, nullptr, nullptr, nullptr), ==,
+    g_assert_cmpint(pw85_contact_pairs(list_of(0, nullptr), system_of(0, nullptr, nullptr, nullptr), nullptr, nullptr),
+                    ==, PW85_SUCCESS);
+    g_assert_cmpint(pw85_overlap_pairs(list_of(0, nullptr), system_of(0, nullptr, nullptr, nullptr), nullptr), ==,
                     PW85_SUCCESS);
-    g_assert_cmpint(pw85_overlap_pairs(0, nullptr, nullptr, 0, nullptr, nullptr, nullptr, nullptr), ==, PW85_SUCCESS);
-    g_assert_cmpint(pw85_contact_pairs(1, nullptr, nullptr, 1, x, x, cell, &mu2, &lambda), ==, PW85_EINVAL);
-    g_assert_cmpint(pw85_contact_pairs(1, pairs, nullptr, 1, nullptr, x, cell, &mu2, &lambda), ==, PW85_EINVAL);
-    g_assert_cmpint(pw85_contact_pairs(1, pairs, nullptr, 1, x, nullptr, cell, &mu2, &lambda), ==, PW85_EINVAL);
-    g_assert_cmpint(pw85_contact_pairs(1, pairs, nullptr, 1, x, x, cell, nullptr, &lambda), ==, PW85_EINVAL);
-    g_assert_cmpint(pw85_contact_pairs(1, pairs, nullptr, 0, x, x, cell, &mu2, &lambda), ==, PW85_EINVAL);
-    g_assert_cmpint(pw85_overlap_pairs(1, nullptr, nullptr, 1, x, x, cell, &overlap), ==, PW85_EINVAL);
-    g_assert_cmpint(pw85_overlap_pairs(1, pairs, nullptr, 1, nullptr, x, cell, &overlap), ==, PW85_EINVAL);
-    g_assert_cmpint(pw85_overlap_pairs(1, pairs, nullptr, 1, x, nullptr, cell, &overlap), ==, PW85_EINVAL);
-    g_assert_cmpint(pw85_overlap_pairs(1, pairs, nullptr, 1, x, x, cell, nullptr), ==, PW85_EINVAL);
+    g_assert_cmpint(pw85_contact_pairs(list_of(1, nullptr), system_of(1, x, x, cell), &mu2, &lambda), ==, PW85_EINVAL);
+    g_assert_cmpint(pw85_contact_pairs(list_of(1, pairs), system_of(1, nullptr, x, cell), &mu2, &lambda), ==,
+                    PW85_EINVAL);
+    g_assert_cmpint(pw85_contact_pairs(list_of(1, pairs), system_of(1, x, nullptr, cell), &mu2, &lambda), ==,
+                    PW85_EINVAL);
+    g_assert_cmpint(pw85_contact_pairs(list_of(1, pairs), system_of(1, x, x, cell), nullptr, &lambda), ==, PW85_EINVAL);
+    g_assert_cmpint(pw85_contact_pairs(list_of(1, pairs), system_of(0, x, x, cell), &mu2, &lambda), ==, PW85_EINVAL);
+    g_assert_cmpint(pw85_overlap_pairs(list_of(1, nullptr), system_of(1, x, x, cell), &overlap), ==, PW85_EINVAL);
+    g_assert_cmpint(pw85_overlap_pairs(list_of(1, pairs), system_of(1, nullptr, x, cell), &overlap), ==, PW85_EINVAL);
+    g_assert_cmpint(pw85_overlap_pairs(list_of(1, pairs), system_of(1, x, nullptr, cell), &overlap), ==, PW85_EINVAL);
+    g_assert_cmpint(pw85_overlap_pairs(list_of(1, pairs), system_of(1, x, x, cell), nullptr), ==, PW85_EINVAL);
     for (std::size_t const n : {SIZE_MAX, SIZE_MAX / 2, SIZE_MAX / 8, SIZE_MAX / 96 + 1}) {
-        g_assert_cmpint(pw85_contact_pairs(n, pairs, nullptr, 1, x, x, cell, &mu2, &lambda), ==, PW85_EINVAL);
-        g_assert_cmpint(pw85_contact_pairs(1, pairs, nullptr, n, x, x, cell, &mu2, &lambda), ==, PW85_EINVAL);
-        g_assert_cmpint(pw85_overlap_pairs(n, pairs, nullptr, 1, x, x, cell, &overlap), ==, PW85_EINVAL);
+        g_assert_cmpint(pw85_contact_pairs(list_of(n, pairs), system_of(1, x, x, cell), &mu2, &lambda), ==,
+                        PW85_EINVAL);
+        g_assert_cmpint(pw85_contact_pairs(list_of(1, pairs), system_of(n, x, x, cell), &mu2, &lambda), ==,
+                        PW85_EINVAL);
+        g_assert_cmpint(pw85_overlap_pairs(list_of(n, pairs), system_of(1, x, x, cell), &overlap), ==, PW85_EINVAL);
     }
     g_assert_true(mu2 == 7.0 && lambda == 7.0 && overlap == 7);
     // A particle with itself; λ left out.
-    g_assert_cmpint(pw85_contact_pairs(1, pairs, nullptr, 1, x, x, cell, &mu2, nullptr), ==, PW85_SUCCESS);
-    g_assert_cmpint(pw85_overlap_pairs(1, pairs, nullptr, 1, x, x, nullptr, &overlap), ==, PW85_SUCCESS);
+    g_assert_cmpint(pw85_contact_pairs(list_of(1, pairs), system_of(1, x, x, cell), &mu2, nullptr), ==, PW85_SUCCESS);
+    g_assert_cmpint(pw85_overlap_pairs(list_of(1, pairs), system_of(1, x, x, nullptr), &overlap), ==, PW85_SUCCESS);
     g_assert_true(mu2 == 0.0 && lambda == 7.0 && overlap == 1);
 }
 

@@ -4,6 +4,7 @@
 
 #include <glib.h>
 
+#include "../systems.hpp"
 #include "batch_data.hpp"
 
 namespace {
@@ -36,8 +37,8 @@ void test_regions()
     num_regions = 0;
     for (std::size_t const n : {std::size_t{1}, std::size_t{100}, std::size_t{4096}}) run_batch(pairs, 0, n);
     for (std::size_t const n : {std::size_t{1}, std::size_t{4096}})
-        g_assert_cmpint(pw85_contact_pairs(n, indices.data(), nullptr, 1, x, x, cell, mu2.data(), nullptr), ==,
-                        PW85_SUCCESS);
+        g_assert_cmpint(pw85_contact_pairs(list_of(n, indices.data()), system_of(1, x, x, cell), mu2.data(), nullptr),
+                        ==, PW85_SUCCESS);
     g_assert_cmpint(num_regions, ==, 0);
     run_batch(pairs);
     g_assert_cmpint(num_regions, ==, 2);

@@ -4,11 +4,12 @@
 
 #include <glib.h>
 
-#include <pw85/batch.hpp>
+#include <pw85/neighbors.hpp>
 
 #include "../condition_number.hpp"
 #include "../draws.hpp"
 #include "../failures.hpp"
+#include "../systems.hpp"
 #include "batch_data.hpp"
 
 using namespace pw85_tests;
@@ -44,7 +45,7 @@ void test_closest_approach()
     Random random(61);
     auto pairs = mixed_pairs(random, 20000);
     for (std::size_t i = 0; i < pairs.size(); i += 3)
-        pairs[i].r12 = pw85::times(std::ldexp(1.0, static_cast<int>(random.uniform(-1000.0, 1000.0))), pairs[i].r12);
+        pairs[i].r12 = std::ldexp(1.0, static_cast<int>(random.uniform(-1000.0, 1000.0))) * pairs[i].r12;
     Columns const columns(pairs);
     std::vector<double> distance(pairs.size());
     auto const status = pw85::closest_approach_batch(columns.r12, columns.q1, columns.q2, distance);
@@ -123,7 +124,7 @@ void test_overlap_any()
         std::vector<Form3> q2;
         for (std::size_t i = 0; i < size; ++i) {
             double const distance = random.uniform(0.0, 1.0) < 0.03 ? 0.5 : random.uniform(1.2, 2.5);
-            r12.push_back(pw85::times(distance, random.direction<3>()));
+            r12.push_back(distance * random.direction<3>());
             q2.push_back(random.form(1.0, 5.0));
             if (random.uniform(0.0, 1.0) < 0.01) q2.back()[3] = -1.0;
         }
@@ -197,16 +198,127 @@ void test_overlap_any_indices()
     std::int32_t const indices[2] = {0, 50};
     int any = 7;
     double const singular[9] = {}, *x = centers[0].coordinates, *form = q[0].entries;
-    auto const call = [&](std::size_t n, double const *cell_or_null) {
+    std::int32_t const image[3] = {1, 0, 0};
+    double const infinite[9] = {6.0, 0.0, HUGE_VAL};
+    auto const call = [&](std::size_t n, std::int32_t const *images, double const *cell_or_null) {
         any = 7;
-        return pw85_overlap_any_indices(x, form, n, indices, 50, x, form, cell_or_null, &any);
+        return pw85_overlap_any_indices(x, form, system_of(50, x, form, cell_or_null), n, indices, images, &any);
     };
-    g_assert_true(call(2, nullptr) == PW85_EINVAL && any == -1);
-    g_assert_true(call(1, singular) == PW85_EINVAL && any == -1);
-    g_assert_true(call(0, singular) == PW85_SUCCESS && any == 0);
-    g_assert_true(call(1, nullptr) == PW85_SUCCESS && any == 1);
-    g_assert_cmpint(pw85_overlap_any_indices(x, form, 1, nullptr, 50, x, form, nullptr, &any), ==, PW85_EINVAL);
-    g_assert_cmpint(pw85_overlap_any_indices(x, form, 1, indices, 50, x, form, nullptr, nullptr), ==, PW85_EINVAL);
+    g_assert_true(call(2, nullptr, nullptr) == PW85_EINVAL && any == -1);
+    g_assert_true(call(1, nullptr, singular) == PW85_EINVAL && any == -1);
+    g_assert_true(call(0, nullptr, singular) == PW85_EINVAL && any == -1);
+    g_assert_true(call(0, nullptr, cell[0].coordinates) == PW85_SUCCESS && any == 0);
+    g_assert_true(call(0, nullptr, nullptr) == PW85_SUCCESS && any == 0);
+    g_assert_true(call(1, nullptr, nullptr) == PW85_SUCCESS && any == 1);
+    g_assert_true(call(1, image, nullptr) == PW85_EINVAL && any == -1);
+    g_assert_true(call(1, image, infinite) == PW85_EINVAL && any == -1);
+    g_assert_true(call(1, image, singular) == PW85_SUCCESS && any == 1);
+    g_assert_true(call(1, image, cell[0].coordinates) == PW85_SUCCESS && any == 0);
+    g_assert_cmpint(pw85_overlap_any_indices(x, form, system_of(50, x, form, nullptr), 1, nullptr, nullptr, &any), ==,
+                    PW85_EINVAL);
+    g_assert_cmpint(pw85_overlap_any_indices(x, form, system_of(50, x, form, nullptr), 1, indices, nullptr, nullptr),
+                    ==, PW85_EINVAL);
+}
+
+/// A particle and others in a cell, larger or smaller than they are.
+struct SmallSystem {
+    std::vector<Vector3> centers;
+    std::vector<Form3> q;
+    pw85::Cell cell;
+
+    SmallSystem(Random &random, int n, double side) : cell{}
+    {
+        for (std::size_t k = 0; k < 3; ++k)
+            for (int d = 0; d < 3; ++d)
+                cell[k][d] = side * (static_cast<int>(k) == d ? random.uniform(0.8, 1.5) : random.uniform(-0.2, 0.2));
+        for (int i = 0; i < n; ++i) {
+            Vector3 center{};
+            for (std::size_t k = 0; k < 3; ++k) {
+                double const multiple = random.uniform(0.0, 1.0);
+                for (int d = 0; d < 3; ++d) center[d] += multiple * cell[k][d];
+            }
+            centers.push_back(center);
+            q.push_back(random.form(random.uniform(0.1, 1.0), 4.0));
+        }
+    }
+
+    pw85::Particles particles() const { return {centers, q, &cell}; }
+
+    /// Whether the first one overlaps any image of another one, or of itself. Semi-axes are at most 1, and sides at least 1.2, so
+    /// that images farther away do not matter.
+    bool overlaps() const
+    {
+        for (std::size_t j = 0; j < q.size(); ++j)
+            for (int n = 0; n < 11 * 11 * 11; ++n) {
+                if (j == 0 && n == 5 * (11 * 11 + 11 + 1)) continue;
+                Vector3 r{};
+                for (int d = 0; d < 3; ++d)
+                    r[d] = centers[j][d] - centers[0][d] + (n / 121 - 5) * cell[0][d] + (n / 11 % 11 - 5) * cell[1][d] +
+                           (n % 11 - 5) * cell[2][d];
+                if (pw85::dot(r, r) < 4.0 && pw85::overlap(r, q[0], q[j]).overlap) return true;
+            }
+        return false;
+    }
+
+    std::string text() const
+    {
+        std::string result;
+        for (auto const &row : cell) result += hex_text(row.coordinates, 3);
+        for (std::size_t i = 0; i < q.size(); ++i)
+            result += "\n  " + hex_text(centers[i].coordinates, 3) + hex_text(q[i].entries, 6);
+        return result;
+    }
+};
+
+/// What a neighbour list says of the first one, by images.
+int any_of_list(SmallSystem const &system)
+{
+    pw85::Neighbors list;
+    g_assert_true(neighbors_create(system.particles(), {}, list) == pw85::Status::success);
+    std::vector<std::int32_t> others;
+    std::vector<pw85::Image> images;
+    for (std::size_t k = 0; k < list.pairs().size(); ++k) {
+        auto const [i, j] = list.pairs()[k];
+        if (i != 0) continue;
+        others.push_back(j);
+        images.push_back(list.images()[k]);
+    }
+    int any = 7;
+    g_assert_true(overlap_any_indices(system.centers[0], system.q[0], others, images, system.particles(), any) ==
+                  pw85::Status::success);
+    return any;
+}
+
+// Cells larger and smaller than the particles: the answer is about all images, or an error. It is one only where the limit of
+// nearest images is below 1; and lists of images decide everywhere.
+void test_overlap_any_images()
+{
+    Failures failures;
+    Random random(68);
+    int counts[2][2] = {}, refused = 0; // by the answer, and whether nearest images are not all
+    for (int trial = 0; trial < draws(1200); ++trial) {
+        SmallSystem const system(random, 1 + trial % 24, random.log_uniform(1.5, 8.0));
+        int const expected = system.overlaps();
+        failures.check(any_of_list(system) == expected, "any by images", any_of_list(system), expected,
+                       [&] { return system.text(); });
+        std::vector<std::int32_t> others;
+        for (int i = 1; i < static_cast<int>(system.q.size()); ++i) others.push_back(i);
+        double limit;
+        g_assert_true(nearest_image_limit(system.particles(), limit) == pw85::Status::success);
+        int any = 7;
+        pw85::Status const status =
+            overlap_any_indices(system.centers[0], system.q[0], others, system.particles(), any);
+        bool const good =
+            status == pw85::Status::success ? any == expected : status == pw85::Status::invalid_argument && any == -1;
+        failures.check(good && (status == pw85::Status::success || limit < 1.0), "any", any, expected,
+                       [&] { return system.text(); });
+        if (status == pw85::Status::success)
+            ++counts[expected][limit < 1.0];
+        else
+            ++refused;
+    }
+    for (int const count : {counts[0][0], counts[1][0], counts[1][1], refused}) g_assert_cmpint(count, >, draws(40));
+    g_assert_cmpint(counts[0][1], ==, 0);
 }
 
 // Rows as one by one, in threads too: the same bits, marks, and the status of the first bad one.
@@ -218,8 +330,8 @@ void test_forms()
     std::vector<Vector4> quaternions(n);
     std::vector<Form3> q(n);
     for (std::size_t i = 0; i < n; ++i) {
-        semi_axes[i] = pw85::times(random.log_uniform(1e-150, 1e150), random.semi_axes(1.0, 100.0));
-        quaternions[i] = pw85::times(random.log_uniform(1e-3, 1e3), random.direction<4>());
+        semi_axes[i] = random.log_uniform(1e-150, 1e150) * random.semi_axes(1.0, 100.0);
+        quaternions[i] = random.log_uniform(1e-3, 1e3) * random.direction<4>();
     }
     g_assert_true(pw85::ellipsoid_quaternion_batch(semi_axes, quaternions, q) == pw85::Status::success);
     g_assert_true(pw85::bounding_boxes(q, half_widths) == pw85::Status::success);
@@ -244,11 +356,11 @@ void test_bounding_boxes()
         Form3 const q = random.form(1.0, 20.0);
         Vector3 half_widths;
         g_assert_cmpint(pw85_bounding_boxes(1, q.entries, half_widths.coordinates), ==, PW85_SUCCESS);
-        auto const inverse = pw85::factorize(q, 0.0);
+        auto const inverse = pw85::detail::factorize(q, 0.0);
         for (int d = 0; d < 3; ++d) {
             Vector3 const column = {q(0, d), q(1, d), q(2, d)};
-            Vector3 const touching = pw85::times(1.0 / half_widths[d], column);
-            double const level = pw85::dot(touching, pw85::solve(inverse, touching));
+            Vector3 const touching = 1.0 / half_widths[d] * column;
+            double const level = pw85::dot(touching, pw85::detail::solve(inverse, touching));
             failures.check(std::fabs(level - 1.0) <= 1e-12 && std::fabs(touching[d] - half_widths[d]) <= 4 * u, "level",
                            level, 1.0, [&] { return hex_text(q.entries, 6); });
         }
@@ -289,12 +401,12 @@ void test_arguments()
     g_assert_cmpint(pw85_bounding_boxes(1, x, nullptr), ==, PW85_EINVAL);
     g_assert_cmpint(pw85_bounding_boxes(huge, x, out), ==, PW85_EINVAL);
     for (double const y : out) g_assert_cmpfloat(y, ==, 7.0);
-    g_assert_cmpint(pw85_overlap_any(0, nullptr, nullptr, nullptr, &any), ==, PW85_SUCCESS);
+    g_assert_cmpint(pw85_overlap_any(nullptr, 0, nullptr, nullptr, &any), ==, PW85_SUCCESS);
     g_assert_cmpint(any, ==, 0);
-    g_assert_cmpint(pw85_overlap_any(1, x, x, x, nullptr), ==, PW85_EINVAL);
+    g_assert_cmpint(pw85_overlap_any(x, 1, x, x, nullptr), ==, PW85_EINVAL);
     for (int missing = 0; missing < 4; ++missing) {
         any = 7;
-        g_assert_cmpint(pw85_overlap_any(missing == 3 ? huge : 1, missing == 0 ? nullptr : x,
+        g_assert_cmpint(pw85_overlap_any(missing == 0 ? nullptr : x, missing == 3 ? huge : 1,
                                          missing == 1 ? nullptr : x, missing == 2 ? nullptr : x, &any),
                         ==, PW85_EINVAL);
         g_assert_cmpint(any, ==, -1);
@@ -312,6 +424,7 @@ int main(int argc, char **argv)
     g_test_add_func("/systems/overlap_any", test_overlap_any);
     g_test_add_func("/systems/overlap_any_order", test_overlap_any_order);
     g_test_add_func("/systems/overlap_any_indices", test_overlap_any_indices);
+    g_test_add_func("/systems/overlap_any_images", test_overlap_any_images);
     g_test_add_func("/systems/forms", test_forms);
     g_test_add_func("/systems/bounding_boxes", test_bounding_boxes);
     g_test_add_func("/systems/arguments", test_arguments);

@@ -1,7 +1,7 @@
 // A user's unit with all of the C++ API, to be compiled with any flags; UNIT is the name of its one function.
-#include <pw85/legacy.hpp>
+#include <pw85/history/legacy.hpp>
+#include <pw85/history/zheng.hpp>
 #include <pw85/pw85.hpp>
-#include <pw85/zheng.hpp>
 
 #include <pw85/batch.hpp>
 
@@ -26,9 +26,9 @@ T both(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, SymmetricMatrix
     auto const g = contact_geometry(r12, q1, q2, c.lambda);
     auto const d = contact_gradient(r12, q1, q2, c.lambda);
     auto const w = overlap_witness(r12, q1, q2);
-    auto const s = distance(times(T(100), r12), q1, q2);
+    auto const s = distance(T(100) * r12, q1, q2);
     auto const p = distance_plane(r12, T(2), q1);
-    auto const b = distance_box(times(T(-1), r12), r12, q1);
+    auto const b = distance_box(-r12, r12, q1);
     return c.mu2 + sum(g.point) + sum(g.normal) + sum(d.r12) + d.q1[0] + d.q2[1] + T(w.overlap) +
            T(overlap(r12, q1, q2).overlap) + closest_approach(r12, q1, q2).distance + s.distance + sum(s.point1) +
            sum(s.normal) + p.distance + sum(p.point) + b.distance + sum(b.normal) + distance_point(r12, q1).distance +
@@ -43,7 +43,7 @@ template <class T> T everything(T const &x)
     auto const q2 = ellipsoid_quaternion(r12, Vector<T, 4>{T(1), x, T(2), T(3)}).q;
     auto const q3 = ellipsoid(r12, rotation).q;
     auto const t = contact_torque(r12, q1, q2, T(0.5));
-    auto const s = distance_derivatives(times(T(100), r12), q1, q2);
+    auto const s = distance_derivatives(T(100) * r12, q1, q2);
     auto const p = distance_plane_derivatives(r12, q1), c = contact_plane_derivatives(r12, x, q1);
     Vector<T, 2> const flat{x, T(1)};
     auto const e1 = ellipse(x, T(2), T(1)).q, e2 = ellipse(x, T(1), T(2)).q;

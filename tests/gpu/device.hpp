@@ -12,9 +12,9 @@
 namespace pw85_tests {
 
 /// The driver that the library finds; the test ends without one.
-inline pw85::gpu::Driver const &device()
+inline pw85::detail::gpu::Driver const &device()
 {
-    pw85::gpu::Driver const *const found = pw85::gpu::driver();
+    pw85::detail::gpu::Driver const *const found = pw85::detail::gpu::driver();
     if (found == nullptr) g_error("no driver, or no device");
     return *found;
 }
@@ -22,7 +22,7 @@ inline pw85::gpu::Driver const &device()
 /// A stream, destroyed when all of its work is done.
 class Stream {
   public:
-    Stream() { g_assert_cmpint(device().create_stream(&handle_, pw85::gpu::non_blocking), ==, 0); }
+    Stream() { g_assert_cmpint(device().create_stream(&handle_, pw85::detail::gpu::non_blocking), ==, 0); }
     Stream(Stream const &) = delete;
     Stream &operator=(Stream const &) = delete;
     ~Stream()
@@ -86,7 +86,7 @@ template <class T> class DeviceArray {
     }
 
     std::size_t size_;
-    pw85::gpu::Address address_ = 0;
+    pw85::detail::gpu::Address address_ = 0;
 };
 
 } // namespace pw85_tests

@@ -16,7 +16,7 @@
 #include "../../src/gpu/driver.hpp"
 #include "../../src/gpu/work.hpp"
 
-using namespace pw85::gpu;
+using namespace pw85::detail::gpu;
 
 #define FAKE extern "C" __attribute__((visibility("default")))
 

@@ -9,7 +9,7 @@
 #include "../../src/gpu/work.hpp"
 
 using namespace pw85;
-using namespace pw85::gpu;
+using namespace pw85::detail::gpu;
 
 namespace {
 

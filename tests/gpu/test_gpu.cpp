@@ -16,6 +16,7 @@
 #include "../failures.hpp"
 #include "../random_pairs.hpp"
 #include "../reference_data.hpp"
+#include "../systems.hpp"
 #include "device.hpp"
 
 using namespace pw85_tests;
@@ -201,12 +202,12 @@ struct System {
 };
 
 struct ListCase {
-    bool cell, images;
+    bool cell, images, open; ///< open: not periodic along one of the vectors
 };
 
 void test_lists(void const *data)
 {
-    auto const [with_cell, with_images] = *static_cast<ListCase const *>(data);
+    auto const [with_cell, with_images, open] = *static_cast<ListCase const *>(data);
     Failures failures;
     Random random(702);
     System const s(random);
@@ -217,26 +218,30 @@ void test_lists(void const *data)
     DeviceArray<unsigned char> const overlap(n);
     std::int32_t const *const device_images = with_images ? images.get() : nullptr;
     Stream const stream;
-    g_assert_cmpint(pw85_gpu_contact_pairs(stream.handle(), n, pairs.get(), device_images, particles, centers.get(),
-                                           q.get(), cell, mu2.get(), lambda.get()),
+    g_assert_cmpint(pw85_gpu_contact_pairs(stream.handle(), list_of(n, pairs.get(), device_images),
+                                           system_of(particles, centers.get(), q.get(), cell, open), mu2.get(),
+                                           lambda.get()),
                     ==, PW85_SUCCESS);
-    g_assert_cmpint(pw85_gpu_overlap_pairs(stream.handle(), n, pairs.get(), device_images, particles, centers.get(),
-                                           q.get(), cell, overlap.get()),
+    g_assert_cmpint(pw85_gpu_overlap_pairs(stream.handle(), list_of(n, pairs.get(), device_images),
+                                           system_of(particles, centers.get(), q.get(), cell, open), overlap.get()),
                     ==, PW85_SUCCESS);
-    g_assert_cmpint(pw85_gpu_contact_derivatives_pairs(stream.handle(), n, pairs.get(), device_images, particles,
-                                                       centers.get(), q.get(), cell, nullptr, nullptr, nullptr, nullptr,
-                                                       force.get(), nullptr, nullptr),
+    g_assert_cmpint(pw85_gpu_contact_derivatives_pairs(stream.handle(), list_of(n, pairs.get(), device_images),
+                                                       system_of(particles, centers.get(), q.get(), cell, open),
+                                                       nullptr, nullptr, nullptr, nullptr, force.get(), nullptr,
+                                                       nullptr),
                     ==, PW85_SUCCESS);
     stream.wait();
     std::vector<double> host_mu2(n), host_lambda(n), host_force(3 * n);
     std::vector<unsigned char> host_overlap(n);
     std::int32_t const *const host_images = with_images ? s.images.data() : nullptr;
-    pw85_contact_pairs(n, s.pairs.data(), host_images, particles, s.centers.data(), s.q.data(), cell, host_mu2.data(),
+    pw85_contact_pairs(list_of(n, s.pairs.data(), host_images),
+                       system_of(particles, s.centers.data(), s.q.data(), cell, open), host_mu2.data(),
                        host_lambda.data());
-    pw85_overlap_pairs(n, s.pairs.data(), host_images, particles, s.centers.data(), s.q.data(), cell,
-                       host_overlap.data());
-    pw85_contact_derivatives_pairs(n, s.pairs.data(), host_images, particles, s.centers.data(), s.q.data(), cell,
-                                   nullptr, nullptr, nullptr, nullptr, host_force.data(), nullptr, nullptr);
+    pw85_overlap_pairs(list_of(n, s.pairs.data(), host_images),
+                       system_of(particles, s.centers.data(), s.q.data(), cell, open), host_overlap.data());
+    pw85_contact_derivatives_pairs(list_of(n, s.pairs.data(), host_images),
+                                   system_of(particles, s.centers.data(), s.q.data(), cell, open), nullptr, nullptr,
+                                   nullptr, nullptr, host_force.data(), nullptr, nullptr);
     auto const mu2s = mu2.values(), forces = force.values();
     auto const overlaps = overlap.values();
     int overlapping = 0;
@@ -271,11 +276,12 @@ void test_bad_indices()
     DeviceArray<std::int32_t> const pairs(s.pairs);
     DeviceArray<unsigned char> const overlap(n);
     Stream const stream;
-    g_assert_cmpint(pw85_gpu_contact_pairs(stream.handle(), n, pairs.get(), nullptr, particles, centers.get(), q.get(),
-                                           nullptr, mu2.get(), lambda.get()),
+    g_assert_cmpint(pw85_gpu_contact_pairs(stream.handle(), list_of(n, pairs.get()),
+                                           system_of(particles, centers.get(), q.get(), nullptr), mu2.get(),
+                                           lambda.get()),
                     ==, PW85_SUCCESS);
-    g_assert_cmpint(pw85_gpu_overlap_pairs(stream.handle(), n, pairs.get(), nullptr, particles, centers.get(), q.get(),
-                                           nullptr, overlap.get()),
+    g_assert_cmpint(pw85_gpu_overlap_pairs(stream.handle(), list_of(n, pairs.get()),
+                                           system_of(particles, centers.get(), q.get(), nullptr), overlap.get()),
                     ==, PW85_SUCCESS);
     stream.wait();
     auto const mu2s = mu2.values(), lambdas = lambda.values();
@@ -309,14 +315,16 @@ void test_arguments()
                     PW85_EINVAL);
     g_assert_cmpint(pw85_gpu_overlap_batch(nullptr, 4, r12, q1, nullptr, overlap.get()), ==, PW85_EINVAL);
     for (double const *cell : {singular, bad})
-        g_assert_cmpint(pw85_gpu_contact_pairs(nullptr, 1, pairs.get(), nullptr, 2, r12, q1, cell, out.get(), nullptr),
-                        ==, PW85_EINVAL);
+        g_assert_cmpint(
+            pw85_gpu_contact_pairs(nullptr, list_of(1, pairs.get()), system_of(2, r12, q1, cell), out.get(), nullptr),
+            ==, PW85_EINVAL);
     // Images without a cell.
+    g_assert_cmpint(pw85_gpu_contact_pairs(nullptr, list_of(1, pairs.get(), pairs.get()),
+                                           system_of(2, r12, q1, nullptr), out.get(), nullptr),
+                    ==, PW85_EINVAL);
     g_assert_cmpint(
-        pw85_gpu_contact_pairs(nullptr, 1, pairs.get(), pairs.get(), 2, r12, q1, nullptr, out.get(), nullptr), ==,
+        pw85_gpu_contact_pairs(nullptr, list_of(1, nullptr), system_of(2, r12, q1, nullptr), out.get(), nullptr), ==,
         PW85_EINVAL);
-    g_assert_cmpint(pw85_gpu_contact_pairs(nullptr, 1, nullptr, nullptr, 2, r12, q1, nullptr, out.get(), nullptr), ==,
-                    PW85_EINVAL);
     g_assert_cmpint(pw85_gpu_count(nullptr), ==, PW85_EINVAL);
     int count = 0;
     g_assert_cmpint(pw85_gpu_count(&count), ==, PW85_SUCCESS);
@@ -367,23 +375,23 @@ std::vector<Function> all_functions(DeviceColumns const &in, double const *out, 
          4,
          {list, r, a, x, x},
          [](std::size_t n, void *const *p) {
-             return pw85_gpu_contact_pairs(nullptr, n, as<int>(p[0]), nullptr, 2, as(p[1]), as(p[2]), nullptr, as(p[3]),
-                                           as(p[4]));
+             return pw85_gpu_contact_pairs(nullptr, list_of(n, as<int>(p[0])),
+                                           system_of(2, as(p[1]), as(p[2]), nullptr), as(p[3]), as(p[4]));
          }},
         {"overlap_pairs",
          4,
          {list, r, a, c},
          [](std::size_t n, void *const *p) {
-             return pw85_gpu_overlap_pairs(nullptr, n, as<int>(p[0]), nullptr, 2, as(p[1]), as(p[2]), nullptr,
-                                           as<unsigned char>(p[3]));
+             return pw85_gpu_overlap_pairs(nullptr, list_of(n, as<int>(p[0])),
+                                           system_of(2, as(p[1]), as(p[2]), nullptr), as<unsigned char>(p[3]));
          }},
         {"derivatives_pairs",
          3,
          {list, r, a, x, x},
          [](std::size_t n, void *const *p) {
-             return pw85_gpu_contact_derivatives_pairs(nullptr, n, as<int>(p[0]), nullptr, 2, as(p[1]), as(p[2]),
-                                                       nullptr, as(p[3]), nullptr, nullptr, as(p[4]), nullptr, nullptr,
-                                                       nullptr);
+             return pw85_gpu_contact_derivatives_pairs(nullptr, list_of(n, as<int>(p[0])),
+                                                       system_of(2, as(p[1]), as(p[2]), nullptr), as(p[3]), nullptr,
+                                                       nullptr, as(p[4]), nullptr, nullptr, nullptr);
          }},
         {"contact_host",
          4,
@@ -550,14 +558,15 @@ void test_memory()
     g_assert_cmpuint(blocks(), <=, before + 1);
 }
 
-constexpr ListCase list_cases[] = {{false, false}, {true, false}, {true, true}};
+constexpr ListCase list_cases[] = {
+    {false, false, false}, {true, false, false}, {true, true, false}, {true, false, true}, {true, true, true}};
 
 } // namespace
 
 int main(int argc, char **argv)
 {
     g_test_init(&argc, &argv, nullptr);
-    pw85::gpu::Context const context(pw85::gpu::driver());
+    pw85::detail::gpu::Context const context(pw85::detail::gpu::driver());
     g_test_add_func("/gpu/host_arrays", test_host_arrays); // one of its threads has no context
     g_test_add_func("/gpu/problems", test_problems);
     g_test_add_func("/gpu/like_host", test_like_host);
@@ -565,6 +574,8 @@ int main(int argc, char **argv)
     g_test_add_data_func("/gpu/lists/without_cell", &list_cases[0], test_lists);
     g_test_add_data_func("/gpu/lists/nearest", &list_cases[1], test_lists);
     g_test_add_data_func("/gpu/lists/images", &list_cases[2], test_lists);
+    g_test_add_data_func("/gpu/lists/open/nearest", &list_cases[3], test_lists);
+    g_test_add_data_func("/gpu/lists/open/images", &list_cases[4], test_lists);
     g_test_add_func("/gpu/lists/bad_indices", test_bad_indices);
     g_test_add_func("/gpu/arguments", test_arguments);
     g_test_add_func("/gpu/null_pointers", test_null_pointers);

@@ -6,11 +6,17 @@
 #include <stdio.h>
 #include <string.h>
 
+#if !(PW85_VERSION_MAJOR >= 3 && PW85_VERSION_MINOR >= 0 && PW85_VERSION_PATCH >= 0)
+#error "the header has no version"
+#endif
+
 int main(void)
 {
     double const r12[PW85_DIM] = {0.7, -0.7, 1.1}, n1[PW85_DIM] = {0.0, 0.0, 1.0}, n2[PW85_DIM] = {1.0, 0.0, 0.0};
     double q1[PW85_SYM], q2[PW85_SYM], out[2], legacy[2], mu2;
-    if (strcmp(pw85_version(), PW85_VERSION) != 0) return 1;
+    char version[40];
+    snprintf(version, sizeof version, "%d.%d.%d", PW85_VERSION_MAJOR, PW85_VERSION_MINOR, PW85_VERSION_PATCH);
+    if (strcmp(version, PW85_VERSION) != 0 || strcmp(version, pw85_version()) != 0) return 1;
     pw85_spheroid(10.0, 0.1, n1, q1);
     pw85_spheroid(0.5, 5.0, n2, q2);
     if (pw85_contact_function(r12, q1, q2, out) != PW85_SUCCESS) return 2;

@@ -150,7 +150,7 @@ class Installation:
         """A fresh folder with the sources of the consumers."""
         folder = self.work / name
         folder.mkdir()
-        for file in ("consumer.c", "consumer.cpp", "user.c", "CMakeLists.txt"):
+        for file in ("consumer.c", "consumer.cpp", "user.c", "user_98.cpp", "CMakeLists.txt"):
             shutil.copy(HERE / file, folder)
         shutil.copy(HERE / "consumer_meson.build", folder / "meson.build")
         shutil.copy(HERE / "consumer_options.txt", folder / "meson_options.txt")
@@ -206,6 +206,7 @@ class Installation:
         run("cmake", "--build", build)
         for language in LANGUAGES:
             self.check(build / f"consumer_{language}", kind, installed=False)
+        run(build / "consumer_98")
         if exported_symbols(build / "libuser.so") != ["user_overlap"]:
             raise Failed(f"the library of a project exports {exported_symbols(build / 'libuser.so')}")
 
@@ -219,7 +220,7 @@ class Installation:
             raise Failed(f"the library of a project exports {exported_symbols(library)}")
 
     def cmake_flags(self):
-        """CMake compiles the units that Meson compiles, with the same flags."""
+        """CMake compiles the units that Meson compiles, with the same flags, as the same version."""
         self.compare_flags("shared", simd=True, gsl=True)
         self.compare_flags("static", simd=False, gsl=False)
         boost = self.work / "boost/include"  # the headers, without those of this system's other libraries
@@ -242,9 +243,13 @@ class Installation:
         run("cmake", "-G", "Ninja", "-S", self.source, "-B", cmake, f"-DBUILD_SHARED_LIBS={kind == 'shared'}",
             f"-DPW85_SIMD={simd}", f"-DPW85_GSL={gsl}", "-DPW85_GPU=OFF", "-DCMAKE_EXPORT_COMPILE_COMMANDS=ON",
             *cmake_options, **(environment or {}))
-        header, same = "kernels/instruction_sets.h", lambda file: file.read_text().partition("#define")[2].split()
-        if same(meson / "src" / header) != same(cmake / header):
-            raise Failed(f"{header} differs: {(cmake / header).read_text()}")
+        def macros(header):
+            return header.read_text().partition("#define")[2].split()
+
+        for header, of_cmake in (("src/kernels/instruction_sets.h", cmake / "kernels/instruction_sets.h"),
+                                 ("include/pw85/version.h", cmake / "include/pw85/version.h")):
+            if macros(meson / header) != macros(of_cmake):
+                raise Failed(f"{header} differs:\n{of_cmake.read_text()}")
         differing = set(units(meson, self.source)) ^ set(units(cmake, self.source))
         if differing or not units(meson, self.source):
             raise Failed("\n".join(" ".join(unit) for unit in sorted(differing)))

@@ -6,7 +6,7 @@
 
 int main(int, char **argv)
 {
-    char const *const chosen = pw85::kernels::chosen().name;
+    char const *const chosen = pw85::detail::kernels::chosen().name;
     std::printf("%s\n", chosen);
     return std::strcmp(chosen, argv[1]) == 0 ? 0 : 1;
 }

@@ -4,7 +4,7 @@
 
 #include <pw85_zheng.h>
 
-#include <pw85/zheng.hpp>
+#include <pw85/history/zheng.hpp>
 
 #include "../failures.hpp"
 #include "../random_pairs.hpp"
@@ -50,13 +50,13 @@ template <class T> double relative_error(T const &actual, Wide const &expected)
 template <int D> double condition_of_form(pw85::SymmetricMatrix<double, D> const &q)
 {
     auto const w = convert<Wide>(q);
-    auto const adjugate = pw85::adjugate(w);
+    auto const adjugate = pw85::detail::adjugate(w);
     Wide trace = 0, trace_of_adjugate = 0;
     for (int i = 0; i < D; ++i) {
         trace += w(i, i);
         trace_of_adjugate += adjugate(i, i);
     }
-    return static_cast<double>(Wide(trace * trace_of_adjugate / pw85::determinant(w, adjugate)));
+    return static_cast<double>(Wide(trace * trace_of_adjugate / pw85::detail::determinant(w, adjugate)));
 }
 
 } // namespace pw85_tests

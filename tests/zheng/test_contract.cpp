@@ -102,7 +102,7 @@ template <int D> double scaled_distance(Sample<double, D> const &p, double lengt
         return q;
     };
     double distance;
-    int const status = zheng({pw85::times(stretch, p.r12), grown(p.q1), grown(p.q2)}, distance);
+    int const status = zheng({stretch * p.r12, grown(p.q1), grown(p.q2)}, distance);
     g_assert_cmpint(status, ==, PW85_SUCCESS);
     return distance;
 }
@@ -136,7 +136,8 @@ template <int D> void check_extreme_ratio(Sample<double, D> p)
     g_assert_cmpint(zheng(p, distance), ==, PW85_SUCCESS);
     g_assert_cmpint(zheng({p.r12, p.q2, p.q1}, swapped), ==, PW85_SUCCESS);
     double const norm = std::sqrt(pw85::dot(p.r12, p.r12));
-    double const half_chord = norm / std::sqrt(pw85::dot(p.r12, pw85::solve(pw85::factorize(p.q1, 0.0), p.r12)));
+    double const half_chord =
+        norm / std::sqrt(pw85::dot(p.r12, pw85::detail::solve(pw85::detail::factorize(p.q1, 0.0), p.r12)));
     g_assert_cmpfloat(std::fabs(distance - half_chord), <=, 64.0 * u * half_chord);
     g_assert_cmpfloat(std::fabs(swapped - half_chord), <=, 64.0 * u * half_chord);
 }

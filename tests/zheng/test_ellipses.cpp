@@ -103,7 +103,7 @@ void test_quartic()
         k1 /= largest;
         k2 /= largest;
         m /= largest;
-        double const w = pw85::zheng::quartic_root(m, k1, k2), arguments[3] = {m, k1, k2};
+        double const w = pw85::detail::zheng::quartic_root(m, k1, k2), arguments[3] = {m, k1, k2};
         auto const describe = [&] { return hex_text(arguments, 3); };
         Wide const x = w, left = m * x * x + k1 * k1 * (x + k2) * (x + k2), right = x * x * (x + k2) * (x + k2);
         double const residual = relative_error(left, right);

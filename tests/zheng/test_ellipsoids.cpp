@@ -39,11 +39,11 @@ void test_no_plane_is_larger()
             pw85::Vector<double, 3> s{};
             for (int j = 0; j < 3; ++j) s[j] = std::cos(theta) * a[j] + std::sin(theta) * b[j];
             auto const section = [&](pw85::SymmetricMatrix<double, 3> const &q) {
-                auto const factors = pw85::factorize(q, 0.0);
-                auto const g = pw85::solve(factors, p.r12), h = pw85::solve(factors, s);
+                auto const factors = pw85::detail::factorize(q, 0.0);
+                auto const g = pw85::detail::solve(factors, p.r12), h = pw85::detail::solve(factors, s);
                 pw85::SymmetricMatrix<double, 2> const inverse{pw85::dot(p.r12, g), pw85::dot(s, g), pw85::dot(s, h)};
-                auto const adjugate = pw85::adjugate(inverse);
-                return pw85::blend(1.0 / pw85::determinant(inverse, adjugate), adjugate, 0.0, inverse);
+                auto const adjugate = pw85::detail::adjugate(inverse);
+                return pw85::detail::blend(1.0 / pw85::detail::determinant(inverse, adjugate), adjugate, 0.0, inverse);
             };
             // Coordinates along r12 and s, hence the distance in units of |r12|.
             double const scale = std::sqrt(pw85::dot(p.r12, p.r12));
@@ -162,7 +162,7 @@ void test_figure_1()
 
 template <class T> void check_type(Failures &failures, Random &random)
 {
-    T const roundoff = pw85::unit_roundoff<T>();
+    T const roundoff = pw85::detail::unit_roundoff<T>();
     for (int i = 0; i < 500; ++i) {
         auto const p = convert<T>(random_pair<3>(random, {10.0, i % 2 == 0 ? 10.0 : 1e6, 0.1, 10.0}));
         auto const d = convert<double>(p);
@@ -190,7 +190,7 @@ void test_invariance()
         double plain, swapped, longer;
         zheng(p, plain);
         zheng(Sample<double, 3>{p.r12, p.q2, p.q1}, swapped);
-        zheng(Sample<double, 3>{pw85::times(-1024.0, p.r12), p.q1, p.q2}, longer);
+        zheng(Sample<double, 3>{-1024.0 * p.r12, p.q1, p.q2}, longer);
         double const allowed = 2.0 * bound(p) * plain;
         auto const describe = [&] { return hex_text(p); };
         failures.check(std::fabs(plain - swapped) <= allowed, "swapped", swapped, plain, describe);

@@ -1,17 +1,23 @@
-"""The command ``pw85``. Exit statuses: 0 clean, 1 overlaps, 2 bad input or a bad command line, 130 interrupted."""
+"""The command ``pw85``.
+
+Exit statuses: 0 clean, 1 overlaps, 2 bad input or a bad command line, 130 interrupted, 141 if the reader of its output has gone.
+"""
 
 from __future__ import annotations
 
-import multiprocessing
 import os
+import signal
 import sys
 import threading
+import warnings
 from typing import Any
 
 import click
 
 from .._core import version
-from ..formats import discard_unfinished
+from ..formats import printable
+from ._interruption import interrupt, is_interrupted
+from ._progress import say
 from .check import check
 from .convert import convert
 from .draw import draw
@@ -19,49 +25,68 @@ from .pack import pack, relax
 from .plot import plot
 
 
-@click.group(context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 110})
+@click.group(
+    context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 110},
+    epilog="pw85 COMMAND --help has options and examples.",
+)
 @click.version_option(version(), prog_name="pw85")
 def pw85() -> None:
     """Ellipsoids in files of simulation programs: which overlap, and what they look like."""
 
 
-for _command in (check, draw, plot, convert, pack, relax):
+# For --help. A test runs them.
+_EXAMPLES = {
+    check: ["grains.xyz", "run.dump --frames 0:100:10 --csv contacts.csv --below 1.2", "run.dump --workers 4"],
+    draw: ["grains.xyz grains.png --contacts", "run.dump last.html --frames -1"],
+    plot: ["run.dump distributions.png --reach 1.5"],
+    convert: ["run.dump last.data --frames -1", "centers.csv spheres.vtk --shape 0.5,0.5,0.5 --cell 8,8,8"],
+    pack: [
+        "packing.data -n 100 --axes 1,1,2 --axes 1.5,1.5,0.5 --fraction 0.6",
+        "packing.h5 -n 100 --axes 1,1,3 --spread 0.1 --fraction 0.5 --cell 2,1,1 --voxels grains.h5",
+    ],
+    relax: ["grains.xyz apart.data", "run.dump apart.gsd --frames -1"],
+}
+for _command, _lines in _EXAMPLES.items():
+    _command.epilog = "\b\nExamples:\n" + "\n".join(f"  pw85 {_command.name} {line}" for line in _lines)
     pw85.add_command(_command)
+
+
+# As of a program that the signal SIGPIPE ends: the input was not bad, but not all of it may have been seen.
+_GONE = 128 + 13
 
 
 def main() -> None:
     """Runs the command in a thread of its own, so that an interruption need not wait for a long computation."""
-    outcome = [2]
+    outcome, finished = [2], threading.Event()
 
     def run() -> None:
-        outcome[0] = _run()
+        try:
+            outcome[0] = _run()
+        finally:
+            finished.set()
 
-    thread = threading.Thread(target=run, daemon=True)
-    thread.start()
+    threading.Thread(target=run, daemon=True).start()
     try:
-        thread.join()
+        finished.wait()  # join() of Python 3.11 takes an interrupted thread for one that has ended
     except KeyboardInterrupt:
-        _interrupt()
+        interrupt(finished)
+    signal.signal(signal.SIGINT, signal.SIG_IGN)  # what was to be said is said
     sys.exit(outcome[0])
-
-
-def _interrupt() -> None:
-    discard_unfinished()
-    for process in multiprocessing.active_children():
-        process.kill()
-    os.write(2, b"\npw85: interrupted\n")
-    os._exit(130)
 
 
 def _run() -> int:
     try:
-        status: Any = pw85.main(standalone_mode=False)
+        with warnings.catch_warnings():
+            warnings.simplefilter("always", UserWarning)
+            _show_warnings()
+            status: Any = pw85.main(standalone_mode=False)
         sys.stdout.flush()
         return int(status or 0)
     except click.ClickException as error:
         error.show()
     except (BrokenPipeError, SystemExit):  # the reader of a pipe has seen enough; SystemExit is what Click makes of that
         os.dup2(os.open(os.devnull, os.O_WRONLY), 1)
+        return _GONE
     except OSError as error:
         _complain(f"{error.filename or 'the output'}: {_reason(error)}")
     except ImportError as error:
@@ -71,8 +96,30 @@ def _run() -> int:
     except ValueError as error:
         _complain(str(error))
     except click.exceptions.Abort:
-        return 130
+        return _interrupted()
+    except Exception:
+        if is_interrupted():  # and the processes that shared the work are gone
+            return _interrupted()
+        raise
     return 2
+
+
+def _show_warnings() -> None:
+    """What the library says to users becomes one line; other warnings are shown as Python does."""
+    others = warnings.showwarning
+
+    def show(message: Warning | str, category: type[Warning], *where: Any, **more: Any) -> None:
+        if category is UserWarning:
+            say(f"pw85: warning: {printable(str(message))}", sys.stderr)
+        else:
+            others(message, category, *where, **more)
+
+    warnings.showwarning = show
+
+
+def _interrupted() -> int:
+    _complain("interrupted")
+    return 130
 
 
 def _reason(error: OSError) -> str:
@@ -84,4 +131,4 @@ def _reason(error: OSError) -> str:
 
 
 def _complain(sentence: str) -> None:
-    click.echo(f"pw85: {sentence}", err=True)
+    say(f"pw85: {printable(sentence)}", sys.stderr)

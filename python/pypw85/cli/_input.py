@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import functools
+import os
 from typing import Any, NamedTuple
 from collections.abc import Callable, Iterator
 
 import click
 import numpy as np
 
-from ..formats import READABLE, FileError, Location, Options, guess, load, locate
+from ..formats import READABLE, FileError, Location, Options, check_output, guess, load, locate
 from .._system import System
 
 
@@ -70,17 +71,19 @@ class Frames(click.ParamType):
 _OPTIONS = [
     click.argument("file"),
     click.option("--format", type=click.Choice(READABLE), help="Format; by what is in the file if absent."),
-    click.option("--frames", type=Frames(), default=":", help="A frame (-1: the last) or start:stop:step; all by default."),
+    click.option("--frames", type=Frames(), default=":", metavar="START:STOP:STEP",
+                 help="A frame (-1: the last), or those from START to STOP, without it, by STEP; all by default."),
     click.option("--lengths", type=click.Choice(["radii", "diameters"]),
                  help="What shapes are; diameters by default in files of LAMMPS, radii elsewhere."),
     click.option("--quaternion", type=click.Choice(["wxyz", "xyzw"]),
                  help="Order of quaternions; xyzw by default in extended XYZ, wxyz elsewhere."),
-    click.option("--cell", type=Numbers(3, 9), help="The cell: three edges, or three vectors one after the other."),
+    click.option("--cell", type=Numbers(3, 9), metavar="NUMBER,...",
+                 help="The cell: three edges A,B,C, or three vectors one after the other."),
     click.option("--periodic", type=click.Choice(["none", "a", "b", "c", "ab", "ac", "bc", "abc"]),
                  help="Along which vectors of the cell the system is repeated."),
-    click.option("--shape", type=Numbers(3), help="Lengths of particles that have no shape."),
-    click.option("--shape-columns", help="Names of the columns of a dump or CSV file that are the shape, with commas."),
-    click.option("--quaternion-columns", help="Names of the columns that are the quaternion, with commas."),
+    click.option("--shape", type=Numbers(3), metavar="A,B,C", help="Lengths of particles that have no shape."),
+    click.option("--shape-columns", metavar="A,B,C", help="Names of the columns of a dump or CSV file that are the shape."),
+    click.option("--quaternion-columns", metavar="A,B,C,D", help="Names of the columns that are the quaternion."),
 ]  # fmt: skip
 
 
@@ -103,6 +106,18 @@ def input_options(function: Callable[..., Any]) -> Callable[..., Any]:
     for option in reversed(_OPTIONS):
         command = option(command)
     return command
+
+
+def check_outputs(given: Input, *paths: str | None) -> None:
+    """Refuses, before there is work, names that cannot be written, that of the input, and one name for two outputs."""
+    taken = {os.path.realpath(given.path): "is the input: name another file"}
+    for path in paths:
+        if path is None:
+            continue
+        target = check_output(path)
+        if target.is_replaced and (reason := taken.setdefault(target.path, "")):
+            raise FileError(path, reason)
+        taken[target.path] = "is named for two outputs: name another file"
 
 
 def one_frame(given: Input) -> System:

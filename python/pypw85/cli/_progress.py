@@ -1,4 +1,4 @@
-"""A line on stderr for what takes longer than a second."""
+"""A line for what takes longer than a second: on terminals, where tqdm is installed."""
 
 from __future__ import annotations
 
@@ -8,24 +8,36 @@ import threading
 from typing import TextIO
 from collections.abc import Callable, Iterator
 
-from tqdm import tqdm
+from ._interruption import is_interrupted
+
+try:
+    from tqdm import tqdm
+except ImportError:
+    tqdm = None
 
 
 @contextlib.contextmanager
 def progress() -> Iterator[Callable[[str], None]]:
-    """Yields a function that takes what is done now. Another thread shows it, so that time goes on while nothing else does."""
+    """Yields a function that takes what is done now, and raises KeyboardInterrupt after Ctrl-C.
+
+    Another thread shows it, so that time goes on while nothing else does.
+    """
     stage, finished = ["starting"], threading.Event()
     thread = threading.Thread(target=_show, args=(stage, finished), daemon=True)
-    thread.start()
+    if tqdm is not None and sys.stderr.isatty():
+        thread.start()
 
     def change(text: str) -> None:
         stage[0] = text
+        if is_interrupted():
+            raise KeyboardInterrupt
 
     try:
         yield change
     finally:
         finished.set()
-        thread.join()
+        if thread.is_alive():
+            thread.join()
 
 
 def _show(stage: list[str], finished: threading.Event) -> None:
@@ -38,5 +50,9 @@ def _show(stage: list[str], finished: threading.Event) -> None:
 
 def say(line: str, to: TextIO | None = None) -> None:
     """Prints a line, to stdout by default, without damage to that of the progress."""
-    tqdm.write(line, to)
-    (to or sys.stdout).flush()  # or tqdm would, in the thread that shows progress, for which a closed pipe is an error
+    stream = to or sys.stdout
+    if tqdm is None:
+        print(line, file=stream, flush=True)
+    else:
+        tqdm.write(line, stream)
+        stream.flush()  # or tqdm would, in the thread that shows progress, for which a closed pipe is an error

@@ -15,7 +15,8 @@ import click
 import numpy as np
 
 from ..formats import FileError, Location
-from ._input import Input, input_options
+from ._input import Input, check_outputs, input_options
+from ._interruption import shield_processes
 from ._progress import progress, say
 from ._reports import Found, csv_report, hdf5_report, json_report
 
@@ -34,6 +35,7 @@ def check(given: Input, worst: int, below: float, csv_path: str | None, json_pat
           hdf5_path: str | None, workers: int, varying: bool) -> int:  # fmt: skip
     """Say which ellipsoids of FILE overlap. Ends with status 0 if none do, 1 if some, 2 if the input is bad."""
     outputs = [(csv_report, csv_path), (json_report, json_path), (hdf5_report, hdf5_path)]
+    check_outputs(given, csv_path, json_path, hdf5_path)
     summary = _Summary(given, worst)
     with contextlib.ExitStack() as stack:
         adds = [stack.enter_context(kind(path)) for kind, path in outputs if path is not None]
@@ -42,8 +44,8 @@ def check(given: Input, worst: int, below: float, csv_path: str | None, json_pat
             summary.add(found, varying)
             for add in adds:
                 add(found)
-    if summary.frames == 0:
-        raise FileError(given.path, "there are no such frames: choose others (--frames)")
+        if summary.frames == 0:
+            raise FileError(given.path, "there are no such frames: choose others (--frames)")
     summary.end()
     return int(summary.overlaps > 0)
 
@@ -78,6 +80,7 @@ def _survey_with_dask(
     from dask.delayed import delayed
 
     os.environ.setdefault("OMP_NUM_THREADS", "1")
+    shield_processes()
     locations = given.locations()
     context = multiprocessing.get_context("spawn")  # a fork would inherit OpenMP's threads, which are gone in it
     with ProcessPoolExecutor(workers, context, signal.signal, (signal.SIGINT, signal.SIG_IGN)) as pool:

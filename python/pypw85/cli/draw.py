@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import click
 
-from ._input import Input, input_options, one_frame
+from .._drawing import check_picture
+from ._input import Input, check_outputs, input_options, one_frame
 from ._progress import progress
 
 
@@ -18,6 +19,8 @@ from ._progress import progress
 def draw(given: Input, picture: str, contacts: bool, elevation: float, azimuth: float, size: int) -> int:
     """Draw the first chosen frame of FILE. PICTURE ends with .png (or .pdf, .svg), or with .html: a page that any browser
     shows and turns, without a network. Overlapping ellipsoids are red."""
+    check_picture(picture)
+    check_outputs(given, picture)
     with progress() as stage:
         stage("reading")
         system = one_frame(given)

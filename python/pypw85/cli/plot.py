@@ -7,9 +7,10 @@ from typing import Any
 import click
 import numpy as np
 
+from .._drawing import check_picture
 from .._statistics import Correlation, correlation, nematic_order
 from ..formats import FileError, replacing
-from ._input import Input, input_options
+from ._input import Input, check_outputs, input_options
 from ._progress import progress, say
 
 
@@ -21,6 +22,8 @@ from ._progress import progress, say
 def plot(given: Input, picture: str, reach: float, bins: int) -> int:
     """Plot, over the chosen frames of FILE, how many pairs have which μ, their pair correlation in μ, and the nematic order
     of each frame, which is printed, too."""
+    check_picture(picture)
+    check_outputs(given, picture)
     found: list[Correlation] = []
     orders = []
     with progress() as stage:

@@ -1,24 +1,26 @@
 """Files of other programs: which format one has, its frames, and writing.
 
 A format is a module. One that is read has ``recognise(start)``, ``locate(path)``, which finds frames without reading them, and
-``load(path, location, options)``. One that is written has ``save``: of a frame to an open file, or of all frames to a path.
+``load(path, location, options)``. One that is written has ``save``: of a frame to an open file, or of all frames to a path;
+and ``losses``, sentences on what of a system it cannot hold, if there is anything.
 """
 
 from __future__ import annotations
 
-import contextlib
+import gzip
 import itertools
 import os
-import shutil
-import tempfile
+import warnings
+import zlib
 from types import ModuleType
-from typing import Any, Union
+from typing import Any
 from collections.abc import Iterable, Iterator
 
 from .._system import System
 from . import csv, gsd, hdf5, lammps_data, lammps_dump, vtk, xyz
-from ._errors import FileError
-from ._frames import Location, Options
+from ._errors import FileError, printable
+from ._files import Path, check_input, check_output, create_text, discard_unfinished, is_compressed, is_compressed_name, replacing
+from ._frames import Frame, Location, Options
 
 __all__ = [
     "FORMATS",
@@ -26,17 +28,19 @@ __all__ = [
     "FileError",
     "Location",
     "Options",
+    "check_output",
+    "check_written_name",
+    "discard_unfinished",
     "frames",
     "guess",
     "guess_for_writing",
     "load",
     "locate",
+    "printable",
     "read",
     "replacing",
     "write",
 ]
-
-Path = Union[str, "os.PathLike[str]"]
 
 FORMATS: dict[str, ModuleType] = {
     "lammps-dump": lammps_dump,
@@ -53,25 +57,48 @@ _WHOLE_FILES = (gsd, hdf5)
 
 def guess(path: Path) -> str:
     """The format of a file, by what is in it."""
-    if os.path.isdir(path):
-        raise FileError(path, "is a directory: name a file in it")
-    with open(path, "rb") as file:
-        start = file.read(4096)
+    check_input(path)
+    is_packed = is_compressed(path)
+    try:
+        with gzip.open(path) if is_packed else open(path, "rb") as file:
+            start = file.read(4096)
+    except (EOFError, gzip.BadGzipFile, zlib.error) as error:
+        raise FileError(path, f"what is compressed cannot be read ({error}): it is broken or truncated; write it again") from None
     if not start.strip():
         raise FileError(path, "the file is empty: write it again")
     for name in READABLE:
         if FORMATS[name].recognise(start):
+            if is_packed and FORMATS[name] in _WHOLE_FILES:
+                raise FileError(path, f"files of the format {name} are not read while compressed: decompress it (gunzip)")
             return name
     raise FileError(path, f"the format is not recognised: give it (--format), one of {', '.join(READABLE)}")
 
 
 def guess_for_writing(path: Path) -> str:
     """The format that the end of a name asks for."""
+    plain = os.fspath(path).lower().removesuffix(".gz")
     for name, module in FORMATS.items():
-        if os.fspath(path).lower().endswith(module.SUFFIXES):
+        if plain.endswith(module.SUFFIXES):
             return name
     ends = ", ".join(suffix for module in FORMATS.values() for suffix in module.SUFFIXES)
     raise FileError(path, f"no format has such names: give it (--to), or end with one of {ends}")
+
+
+def check_written_name(path: Path, format: str | None) -> str:
+    """The format of a file that is going to be written. Call it before the work that makes its frames.
+
+    Raises
+    ------
+    FileError
+        No format has such a name, or the format is not written compressed.
+    OSError
+        Nothing can be written there.
+    """
+    name = format or guess_for_writing(path)
+    if is_compressed_name(path) and (FORMATS[name] in _WHOLE_FILES or name not in READABLE):
+        raise FileError(path, f"the format {name} is not written compressed: end the name without .gz")
+    check_output(path)
+    return name
 
 
 def locate(path: Path, format: str, chosen: slice = slice(None)) -> Iterator[Location]:
@@ -150,6 +177,9 @@ def read(path: Path, frame: int = 0, format: str | None = None, **options: Any) 
 def write(path: Path, systems: System | Iterable[System], format: str | None = None) -> None:
     """Write a system, or several as frames. A file that was there stays whole until the new one is complete.
 
+    A text file whose name ends with .gz is compressed. What the format cannot hold exactly, as numbers in double precision in a
+    GSD file, is lost with a warning (`UserWarning`).
+
     Parameters
     ----------
     path : path
@@ -164,41 +194,40 @@ def write(path: Path, systems: System | Iterable[System], format: str | None = N
     Raises
     ------
     ValueError
-        The format cannot hold such a system, or no more than one frame.
+        The format cannot hold such a system (names of types, for instance), or no more than one frame; or the system is none
+        that could be read again: an ellipsoid has no finite position or no positive semi-axes.
     OSError
         The file cannot be written.
     """
-    module = FORMATS[format or guess_for_writing(path)]
-    several: Iterator[System] = iter([systems] if isinstance(systems, System) else systems)
+    module = FORMATS[check_written_name(path, format)]
+    several = _storable(path, module, [systems] if isinstance(systems, System) else systems)
     with replacing(path) as temporary:
         if module in _WHOLE_FILES:
             module.save(temporary, several)
             return
-        with open(temporary, "w", encoding="utf-8") as file:
+        with create_text(temporary, is_compressed_name(path)) as file:
             for frame, system in enumerate(several):
                 module.save(file, system, frame)
 
 
-@contextlib.contextmanager
-def replacing(path: Path) -> Iterator[str]:
-    """A temporary name beside `path`, which takes its place at the end unless something goes wrong."""
-    folder, name = os.path.split(os.path.abspath(path))
-    try:
-        directory = tempfile.TemporaryDirectory(dir=folder, prefix=f".{name}.")
-    except OSError as error:
-        raise OSError(error.errno, error.strerror, os.fspath(path)) from None
-    with directory as work:
-        _unfinished.add(work)
-        temporary = os.path.join(work, name)
-        yield temporary
-        os.replace(temporary, path)
-    _unfinished.discard(work)
+def _storable(path: Path, module: ModuleType, systems: Iterable[System]) -> Iterator[System]:
+    """Systems that can be read again. Says once what is lost."""
+    said: set[str] = set()
+    frame = -1
+    for frame, system in enumerate(systems):
+        Frame.of(path, frame, system).check()
+        for kind, sentence in _losses(module, system):
+            if kind not in said:
+                warnings.warn(f"{os.fspath(path)}, frame {frame}: {sentence}", stacklevel=4)
+                said.add(kind)
+        yield system
+    if frame < 0:
+        raise FileError(path, "there are no frames to write: choose others (--frames)")
 
 
-_unfinished: set[str] = set()
-
-
-def discard_unfinished() -> None:
-    """Removes temporary files of this process, which is about to end without the usual ceremonies."""
-    for work in _unfinished:
-        shutil.rmtree(work, ignore_errors=True)
+def _losses(module: ModuleType, system: System) -> Iterator[tuple[str, str]]:
+    """What of a system a format cannot hold: a word, and a sentence."""
+    if hasattr(module, "losses"):
+        yield from module.losses(system)
+    if system.shapeless:
+        yield "shapeless", f"{system.shapeless} particles without a shape are left out"

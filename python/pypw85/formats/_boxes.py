@@ -3,18 +3,27 @@
 from __future__ import annotations
 
 from typing import Any
+from collections.abc import Iterator
 
 import numpy as np
 
 from .._system import System
 from .._typing import Floats
+from ._names import numbers_if_all_are, type_names
+
+# A box around a system is wider by this share of it, so that no images overlap where single precision rounds it.
+_MARGIN = 2.0**-20
+# Rounding a corner and adding an edge to it may change an edge by this share; more is a corner too far from the particles.
+_ROUNDED = 2.0**-40
 
 
-def numbered_types(system: System) -> Any:
-    """Types as LAMMPS has them: numbers from 1."""
-    if system.types.dtype.kind in "iu" and system.types.min(initial=1) > 0:
-        return system.types
-    return np.unique(system.types, return_inverse=True)[1] + 1
+def numbered_types(system: System) -> tuple[Any, bool]:
+    """Types as LAMMPS has them, numbers from 1, and whether their names would be lost."""
+    types = numbers_if_all_are(system.types if system.types.dtype.kind in "iu" else type_names(system))
+    if types.dtype.kind in "iu" and 0 < types.min() and types.max() < 2**31:
+        return types, False
+    different, numbers = np.unique(types, return_inverse=True)
+    return numbers + 1, types.dtype.kind not in "iu" or len(different) > 1
 
 
 def box(system: System) -> tuple[Floats, Floats]:
@@ -27,8 +36,32 @@ def box(system: System) -> tuple[Floats, Floats]:
     """
     if system.cell is None:
         reach = np.sqrt(system.q[:, [0, 3, 5]])
-        low = (system.centers - reach).min(axis=0)
-        return np.diag((system.centers + reach).max(axis=0) - low), low
+        low, high = (system.centers - reach).min(axis=0), (system.centers + reach).max(axis=0)
+        margin = _MARGIN * (high - low)
+        return np.diag(high - low + 2 * margin), low - margin
     if system.cell[np.triu_indices(3, 1)].any() or (np.diag(system.cell) <= 0).any():
         raise ValueError("the cell is not lower triangular with a positive diagonal, as this format needs: rotate the system")
     return system.cell, system.origin
+
+
+def bounds(system: System) -> tuple[Floats, Floats, Floats]:
+    """Cell, and two of its corners, as in files of LAMMPS.
+
+    Raises
+    ------
+    ValueError
+        As `box`, or rounding the corners would change the cell.
+    """
+    cell, low = box(system)
+    edges = np.diag(cell)
+    high = low + edges
+    if (np.abs(high - low - edges) > _ROUNDED * edges).any():
+        raise ValueError("the corner of the cell is so far from 0 that rounding would change the cell: move the system")
+    return cell, low, high
+
+
+def lost_periodicity(system: System) -> Iterator[tuple[str, str]]:
+    """A word and a sentence on a system that is not periodic, for a format that cannot say so."""
+    if not all(system.periodic):
+        yield ("periodic", "programs take what is in this format as periodic in all directions, which the system is not: "
+               "say so where it is read (--periodic)")  # fmt: skip

@@ -2,7 +2,12 @@
 
 from __future__ import annotations
 
+import functools
 import os
+from typing import Any, TypeVar, cast
+from collections.abc import Callable
+
+Function = TypeVar("Function", bound=Callable[..., Any])
 
 
 class FileError(ValueError):
@@ -25,7 +30,28 @@ class FileError(ValueError):
         where = [str(self.path)]
         where += [] if self.frame is None else [f"frame {self.frame}"]
         where += [] if self.line is None else [f"line {self.line}"]
-        return f"{', '.join(where)}: {self.reason}"
+        return printable(f"{', '.join(where)}: {self.reason}")
 
 
 FileError.__module__ = "pypw85"
+
+
+def printable(text: str) -> str:
+    """The text with control characters escaped: what a file holds must neither break a line nor command a terminal."""
+    return "".join(c if c.isprintable() else c.encode("unicode_escape").decode() for c in text)
+
+
+def guarded(function: Function) -> Function:
+    """Decorator of what reads a file, whose path is the first argument, by a library: of broken files these raise errors of any type."""
+
+    @functools.wraps(function)
+    def run(path: os.PathLike[str], *others: Any) -> Any:
+        try:
+            return function(path, *others)
+        except (FileError, FileNotFoundError, PermissionError, ImportError):
+            raise
+        except (ArithmeticError, AttributeError, LookupError, OSError, RuntimeError, TypeError, ValueError) as error:
+            reason = str(error).splitlines() or [type(error).__name__]
+            raise FileError(path, f"cannot be read ({reason[0]}): the file is broken; write it again") from None
+
+    return cast("Function", run)

@@ -3,9 +3,8 @@
 from __future__ import annotations
 
 import dataclasses
-import os
 from typing import Any, NamedTuple
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,9 +12,15 @@ from numpy.typing import NDArray
 from .._system import System
 from .._typing import Floats
 from ._errors import FileError
+from ._files import Path
+from ._names import LONGEST, numbers_if_all_are
 
 # Numbers written with two digits make unit quaternions of lengths 0.99 to 1.01; other lengths are those of other columns.
 _QUATERNION_TOLERANCE = 0.01
+# Diameters are twice as large, forms hold squares, and of a system contacts are asked with scaled forms: none of these overflow.
+_SMALLEST, _LARGEST = 1e-150, 1e150
+# Whole numbers up to here are exact as float64, which tables of text are read as.
+_LARGEST_ID = 2**53
 
 
 class Location(NamedTuple):
@@ -47,7 +52,7 @@ class Options:
 class Frame:
     """A frame as a file has it. `lines` are those of the particles."""
 
-    path: os.PathLike[str]
+    path: Path
     location: Location
     positions: Floats
     shapes: Floats | None = None
@@ -62,6 +67,15 @@ class Frame:
     step: int = 0
     lines: Sequence[int] | None = None
 
+    @classmethod
+    def of(cls, path: Path, frame: int, system: System) -> Frame:
+        """What a file has to hold."""
+        return cls(
+            path, Location(frame), system.centers, system.semi_axes, system.quaternions,
+            types=system.types, ids=system.ids, cell=system.cell, origin=system.origin, periodic=system.periodic,
+            step=system.step,
+        )  # fmt: skip
+
     def error(self, reason: str, particle: int | None = None) -> FileError:
         line = None
         if particle is not None:
@@ -73,10 +87,7 @@ class Frame:
     def system(self, options: Options) -> System:
         """The system of this frame, once nothing is found wrong with it."""
         self._take(options)
-        self._check_positions()
-        has_shape = self._check_shapes()
-        self._check_quaternions(has_shape)
-        self._check_cell()
+        has_shape = self.check()
         scale = 0.5 if self.lengths == "diameters" else 1.0
         assert self.shapes is not None and self.quaternions is not None
         quaternions = self.quaternions if self.order == "wxyz" else self.quaternions[:, [3, 0, 1, 2]]
@@ -86,12 +97,26 @@ class Frame:
             quaternions[has_shape],
             cell=self.cell,
             periodic=self.periodic,
-            types=None if self.types is None else self.types[has_shape],
+            types=None if self.types is None else numbers_if_all_are(self.types[has_shape]),
             ids=None if self.ids is None else self.ids[has_shape],
             origin=self.origin,
             step=self.step,
             shapeless=int((~has_shape).sum()),
         )
+
+    def check(self) -> NDArray[np.bool_]:
+        """Which particles have a shape.
+
+        Raises
+        ------
+        FileError
+            Something is wrong. What is written passes the same checks as what is read.
+        """
+        self._check_particles()
+        has_shape = self._check_shapes()
+        self._check_quaternions(has_shape)
+        self._check_cell()
+        return has_shape
 
     def _take(self, options: Options) -> None:
         self.lengths = options.lengths or self.lengths
@@ -107,10 +132,18 @@ class Frame:
         if wrong.any():
             raise self.error(reason, int(wrong.argmax()))
 
-    def _check_positions(self) -> None:
+    def _check_particles(self) -> None:
         if not len(self.positions):
             raise self.error("there are no particles")
+        if not -(2**63) <= self.step < 2**63:
+            raise self.error(f"the time step {self.step} has more than 64 bits")
+        if self.ids is not None:
+            ids, self.ids = self.ids, None  # an id that is wrong must not name the particle
+            self._first((ids > _LARGEST_ID) | (ids < -_LARGEST_ID), "has an id beyond 2⁵³: number the particles anew")
+            self.ids = ids
         self._first(~np.all(np.isfinite(self.positions), axis=1), "has a position that is not finite: remove or repair it")
+        self._first(np.any(np.abs(self.positions) > _LARGEST, axis=1),
+                    f"has a position beyond {_LARGEST:g}: repair it, or choose another unit of length")  # fmt: skip
 
     def _check_shapes(self) -> NDArray[np.bool_]:
         if self.shapes is None:
@@ -120,6 +153,8 @@ class Frame:
             raise self.error("no particle has a shape: write shapes, or give one for all particles (--shape)")
         self._first(~np.all(np.isfinite(self.shapes) & ((self.shapes > 0) | ~has_shape[:, None]), axis=1),
                     "has a length that is not positive: correct its shape, or write 0 0 0 for none")  # fmt: skip
+        self._first(np.any((self.shapes > _LARGEST) | (self.shapes < _SMALLEST), axis=1) & has_shape,
+                    f"has a length beyond {_SMALLEST:g} to {_LARGEST:g}: choose another unit of length")  # fmt: skip
         return has_shape
 
     def _check_quaternions(self, has_shape: NDArray[np.bool_]) -> None:
@@ -127,16 +162,31 @@ class Frame:
             assert self.shapes is not None
             self._first((np.ptp(self.shapes, axis=1) > 0), "is no sphere, but has no orientation: write quaternions")
             self.quaternions = np.tile([1.0, 0, 0, 0] if self.order == "wxyz" else [0.0, 0, 0, 1], (len(self.shapes), 1))
-        norms = np.linalg.norm(self.quaternions, axis=1)
+        with np.errstate(over="ignore"):
+            norms = np.linalg.norm(self.quaternions, axis=1)
         self._first(has_shape & ~(norms > 0), "has a quaternion that is zero or not a number: 1 0 0 0 means no rotation")
         self._first(has_shape & ~(np.abs(norms - 1) <= _QUATERNION_TOLERANCE),
                     "has a quaternion whose length is not 1: normalise it, or see whether these are its columns")  # fmt: skip
 
     def _check_cell(self) -> None:
+        origin = np.asarray(self.origin, dtype=np.float64)
+        if origin.shape != (3,) or not (np.abs(origin) <= _LARGEST).all():
+            raise self.error(f"the corner of the cell should be three numbers up to {_LARGEST:g}: correct it")
+        if len(self.periodic) != 3:
+            raise self.error("it is not said along which three vectors of the cell the system is periodic: say so (--periodic)")
         if self.cell is None:
             return
-        lengths = np.linalg.norm(self.cell, axis=1)
-        if self.cell.shape != (3, 3) or not np.isfinite(self.cell).all() or not lengths.all():
+        lengths = np.abs(self.cell).max(axis=1) if self.cell.shape == (3, 3) else np.zeros(3)
+        if not (np.isfinite(lengths) & (lengths > 0)).all():
             raise self.error("the cell has a vector that is zero or not finite: correct it, or give another (--cell)")
+        if lengths.max() > _LARGEST or lengths.min() < _SMALLEST:
+            raise self.error(f"the cell has a vector beyond {_SMALLEST:g} to {_LARGEST:g}: choose another unit of length")
         if np.linalg.matrix_rank(self.cell / lengths[:, np.newaxis]) < 3:
             raise self.error("the vectors of the cell lie in a plane: correct them, or give others (--cell)")
+
+
+def check_lengths_of_names(names: Sequence[str], error: Callable[[str], FileError]) -> None:
+    """Names of types of a file, before arrays are made of them."""
+    for name in names:
+        if len(name) > LONGEST:
+            raise error(f"the type '{name[:40]}…' has more than {LONGEST} characters: shorten its name")

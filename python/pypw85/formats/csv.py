@@ -1,12 +1,14 @@
 """Tables with a comma between columns and their names in the first line.
 
 Columns: x y z; the semi-axes a b c, or radius; the quaternion qw qx qy qz; id and type. A line ``# cell`` before the names
-holds the nine components of the vectors of a cell, ``# origin`` three, ``# periodic`` three of T and F.
+holds the nine components of the vectors of a cell, ``# origin`` three, ``# periodic`` three of T and F, ``# step`` a time step.
+Names of types are quoted where they have a comma or a quotation mark.
 """
 
 from __future__ import annotations
 
 import os
+import re
 from typing import IO, Any
 from collections.abc import Iterator
 
@@ -14,15 +16,18 @@ import numpy as np
 
 from .._system import System
 from ._frames import Frame, Location, Options
-from ._table import Lines, Table
+from ._names import PRINTED, Rule, checked_names
+from ._table import Lines
 
 SUFFIXES = (".csv",)
+_NUMBER = re.compile(r"[-+]?[0-9.]+(?:[eE][-+]?[0-9]+)?")
 _POSITION, _SHAPE, _QUATERNION = ["x", "y", "z"], ["a", "b", "c"], ["qw", "qx", "qy", "qz"]
 
 
 def recognise(start: bytes) -> bool:
-    names = next((line for line in start.split(b"\n") if not line.startswith(b"#")), b"")
-    return {b"x", b"y", b"z"} <= {word.strip() for word in names.split(b",")}
+    lines = start.removeprefix(b"\xef\xbb\xbf").split(b"\n")
+    names = next((line for line in lines if not line.startswith(b"#")), b"")
+    return {b"x", b"y", b"z"} <= {word.strip().strip(b'"') for word in names.split(b",")}
 
 
 def locate(path: os.PathLike[str]) -> Iterator[Location]:
@@ -34,18 +39,22 @@ def load(path: os.PathLike[str], location: Location, options: Options) -> System
         keys: dict[str, str] = {}
         while (line := lines.expect("the names of the columns")).startswith("#"):
             name, _, keys_of = line[1:].strip().partition(" ")
-            keys[name] = keys_of
-        columns = [word.strip() for word in line.split(",")]
+            if name in ("cell", "origin", "periodic", "step"):
+                keys[name] = keys_of
+        columns = [word.strip().strip('"') for word in line.split(",")]
         shape, quaternion = _named(columns, options, lines)
-        table = lines.table(_remaining(lines), columns, ["type"], ",", [*_POSITION, *shape, *quaternion, "id", "type"])
+        periodic = lines.flags(keys.get("periodic", "T T T"), "periodic")
+        step = lines.whole(keys.get("step", "0"), "step", -(2**63))
         cell = np.reshape(lines.numbers(keys["cell"], 9, "cell"), (3, 3)) if "cell" in keys else None
         origin = lines.numbers(keys.get("origin", "0 0 0"), 3, "origin")
+        table = lines.table(_remaining(lines), columns, ["type"], ",", [*_POSITION, *shape, *quaternion, "id", "type"])
+    has_types = "type" in table
     frame = Frame(
         path, location, table.stack(_POSITION),
         shapes=table.stack(shape if len(shape) == 3 else 3 * shape) if shape else None,
         quaternions=table.stack(quaternion) if quaternion else None,
-        types=_types(table), ids=table.integers("id") if "id" in table else None,
-        cell=cell, origin=origin, periodic=[word == "T" for word in keys.get("periodic", "T T T").split()],
+        types=table["type"] if has_types else None, ids=table.integers("id") if "id" in table else None,
+        cell=cell, origin=origin, periodic=periodic, step=step,
         lines=range(table.line, table.line + table.count),
     )  # fmt: skip
     return frame.system(options)
@@ -61,13 +70,6 @@ def _named(columns: list[str], options: Options, lines: Lines) -> tuple[list[str
     return shape, quaternion
 
 
-def _types(table: Table) -> np.ndarray | None:  # type: ignore[type-arg]
-    if "type" not in table:
-        return None
-    names = table["type"]
-    return names.astype(np.int64) if np.char.isdigit(names).all() else names
-
-
 def _remaining(lines: Lines) -> int:
     place = lines.location(lines.frame)
     count = lines.skip(2**62)
@@ -75,14 +77,31 @@ def _remaining(lines: Lines) -> int:
     return count
 
 
+def _is_no_formula(name: str) -> bool:
+    """Spreadsheets compute what begins so, unless it is a number."""
+    return name[:1] not in tuple("=+-@") or _NUMBER.fullmatch(name) is not None
+
+
+_HARMLESS: Rule = (_is_no_formula, "is a formula to a spreadsheet, which opens files of this format")
+_TRIMMED: Rule = (lambda name: name == name.strip() != "", "is empty, or begins or ends with a blank")
+
+
 def save(file: IO[str], system: System, frame: int) -> None:
     if frame:
         raise ValueError("a CSV file holds one frame: choose one (--frames)")
+    names = checked_names(system, PRINTED, _TRIMMED, _HARMLESS)
+    if system.step:
+        file.write(f"# step {system.step}\n")
     if system.cell is not None:
         for name, values in (("cell", system.cell), ("origin", system.origin)):
             file.write(f"# {name} {' '.join(f'{value:.17g}' for value in np.ravel(values))}\n")
         file.write(f"# periodic {' '.join('FT'[flag] for flag in system.periodic)}\n")
     file.write(",".join(["id", "type", *_POSITION, *_SHAPE, *_QUATERNION]) + "\n")
     rows: Any = np.column_stack([system.centers, system.semi_axes, system.quaternions])
-    for name, kind, row in zip(system.ids, system.types, rows):
-        file.write(f"{name},{kind},{','.join(f'{value:.17g}' for value in row)}\n")
+    for number, name, row in zip(system.ids, map(_quoted, names), rows):
+        file.write(f"{number},{name},{','.join(f'{value:.17g}' for value in row)}\n")
+
+
+def _quoted(name: str) -> str:
+    """In quotation marks, which are doubled within, if need be."""
+    return '"' + name.replace('"', '""') + '"' if set(name) & set(',"') else name

@@ -2,20 +2,27 @@
 
 from __future__ import annotations
 
+import collections
+import itertools
+import json
 import os
 from typing import Any
 from collections.abc import Iterator, Sequence
 
 import numpy as np
+from numpy.typing import NDArray
 
 from .._conversions import _gsd_semi_axes
 from .._system import System
 from .._typing import Floats
-from ._boxes import box
-from ._errors import FileError
-from ._frames import Frame, Location, Options
+from ._boxes import box, lost_periodicity
+from ._errors import FileError, guarded
+from ._files import check_input
+from ._frames import Frame, Location, Options, check_lengths_of_names
+from ._names import Rule, checked_names, type_names
 
 SUFFIXES = (".gsd",)
+_ASCII: Rule = (str.isascii, "is not ASCII, which the library gsd asks for")
 
 
 def recognise(start: bytes) -> bool:
@@ -28,53 +35,129 @@ def _open(path: os.PathLike[str], mode: str = "r") -> Any:
 
     try:
         return gsd.hoomd.open(os.fspath(path), mode if hasattr(gsd.hoomd, "Frame") else mode + "b")
-    except (RuntimeError, OSError) as error:
+    except (MemoryError, OSError, RuntimeError, ValueError) as error:
         raise FileError(path, f"no readable GSD file ({error}): it is broken or truncated; write it again") from None
 
 
+@guarded
+def _count(path: os.PathLike[str]) -> int:
+    check_input(path)
+    with _open(path) as file:
+        return len(file)
+
+
 def locate(path: os.PathLike[str]) -> Iterator[Location]:
-    with _open(path) as file:
-        count = len(file)
-    yield from map(Location, range(count))
+    yield from map(Location, range(_count(path)))
 
 
-def load(path: os.PathLike[str], location: Location, options: Options) -> System:
-    with _open(path) as file:
+class _Chunks:
+    """Chunks of a frame, read one by one: gsd's own function reads velocities and bonds, too, of which there may be any number.
+
+    What a frame lacks is that of the first one, or a default.
+    """
+
+    def __init__(self, path: os.PathLike[str], file: Any, frame: int) -> None:
+        self._path, self._file, self._frame = path, file, frame
+        self.count = int(self.get("particles/N", [0])[0])
+        # Without positions, all are at 0.
+        if 12 * self.count > max(os.path.getsize(path), 1 << 20):
+            raise FileError(path, f"says that there are {self.count} particles, which it is too small for: it is broken", frame)
+
+    def _read(self, name: str, frame: int) -> Any | None:
+        if not self._file.chunk_exists(frame=frame, name=name):
+            return None
         try:
-            snapshot = file[location.frame]
-        except (RuntimeError, OSError, KeyError, ValueError) as error:
-            raise FileError(path, f"cannot be read ({error}): the file is broken", location.frame) from None
-    particles, configuration = snapshot.particles, snapshot.configuration
-    cell, origin, periodic = _cell(configuration.box)
-    frame = Frame(
-        path, location, particles.position.astype(np.float64),
-        quaternions=particles.orientation.astype(np.float64),
-        types=np.array(particles.types)[particles.typeid] if particles.types else particles.typeid,
-        ids=np.arange(particles.N), cell=cell, origin=origin, periodic=periodic, step=configuration.step,
-    )  # fmt: skip
-    frame.shapes = _shapes(frame, particles.type_shapes or [], particles.typeid)
+            return self._file.read_chunk(frame=frame, name=name)
+        except MemoryError:
+            raise FileError(self._path, f"{name} claims more than there is memory: the file is broken", self._frame) from None
+
+    def get(self, name: str, default: Any) -> Any:
+        for frame in (self._frame, 0):
+            if (chunk := self._read(name, frame)) is not None:
+                return chunk
+        return default
+
+    def rows(self, name: str, default: Any, kinds: str) -> Any:
+        """An array with a row for each particle. That of the first frame serves only if that has as many."""
+        row = np.asarray(default)
+        shape = (self.count, *row.shape)
+        rows = self._read(name, self._frame)
+        if rows is None and (first := self._read("particles/N", 0)) is not None and first[0] == self.count:
+            rows = self._read(name, 0)
+        if rows is None:
+            return np.broadcast_to(row, shape)
+        if rows.shape != shape or rows.dtype.kind not in kinds:
+            raise FileError(self._path, f"{name} should have the shape {shape}, not {rows.shape}, of numbers", self._frame)
+        return rows
+
+    def strings(self, name: str, default: list[str]) -> list[str]:
+        rows = self.get(name, None)
+        if rows is None:
+            return default
+        if rows.ndim != 2 or rows.dtype.itemsize != 1:
+            raise FileError(self._path, f"{name} should be text", self._frame)
+        return [bytes(row).split(b"\0")[0].decode("utf-8") for row in rows.view(np.uint8)]
+
+
+@guarded
+def load(path: os.PathLike[str], location: Location, options: Options) -> System:
+    check_input(path)
+    with _open(path) as file:
+        chunks = _Chunks(path, file.file, location.frame)
+        typeid = chunks.rows("particles/typeid", 0, "ui").astype(np.int64)
+        names = chunks.strings("particles/types", ["A"])
+        shapes = chunks.strings("particles/type_shapes", [])
+        dimensions = int(chunks.get("configuration/dimensions", [3])[0])
+        cell, origin, periodic = _cell(chunks.get("configuration/box", [1, 1, 1, 0, 0, 0]), dimensions)
+        frame = Frame(
+            path, location, chunks.rows("particles/position", [0.0] * 3, "f").astype(np.float64),
+            quaternions=chunks.rows("particles/orientation", [1.0, 0, 0, 0], "f").astype(np.float64),
+            ids=np.arange(chunks.count), cell=cell, origin=origin, periodic=periodic,
+            step=int(chunks.get("configuration/step", [0])[0]),
+        )  # fmt: skip
+    check_lengths_of_names(names, frame.error)
+    wrong = ~((typeid >= 0) & (typeid < len(names)))
+    if wrong.any():
+        raise frame.error(f"has the type {typeid[wrong][0]}, but there are {len(names)}: the file is broken", int(wrong.argmax()))
+    frame.types = np.array(names)[typeid]
+    frame.shapes = _shapes(frame, shapes, typeid)
     return frame.system(options)
 
 
-def _cell(lengths_and_tilts: Any) -> tuple[Floats, Floats, Sequence[bool]]:
-    """Cell, its corner (HOOMD's origin is in the middle), and what is periodic: not z in two dimensions, where Lz is 0."""
+def _cell(lengths_and_tilts: Any, dimensions: int) -> tuple[Floats, Floats, Sequence[bool]]:
+    """Cell, its corner (HOOMD's origin is in the middle), and what is periodic: not z in two dimensions, where Lz may be 0."""
     lx, ly, lz, xy, xz, yz = np.asarray(lengths_and_tilts, dtype=np.float64)
-    periodic = [True, True, bool(lz)]
+    periodic = [True, True, bool(lz) and dimensions != 2]
     lz = lz or 1.0
     cell = np.array([[lx, 0, 0], [xy * ly, ly, 0], [xz * lz, yz * lz, lz]])
     return cell, -cell.sum(axis=0) / 2, periodic
 
 
-def _shapes(frame: Frame, type_shapes: Sequence[Any], typeid: Any) -> Floats:
+def _shapes(frame: Frame, type_shapes: Sequence[str], typeid: Any) -> Floats:
     """Semi-axes; 0 for the types that have no shape."""
     shapes = np.zeros((max(len(type_shapes), int(typeid.max(initial=0)) + 1), 3))
-    for k, shape in enumerate(type_shapes):
+    for k, text in enumerate(type_shapes):
         try:
-            shapes[k] = _gsd_semi_axes(shape) if shape else 0.0
-        except ValueError as error:
-            raise frame.error(f"type {k} is {error}: only ellipsoids and spheres can be checked") from None
+            shape = json.loads(text)
+            shapes[k] = np.asarray(_gsd_semi_axes(shape), dtype=np.float64) if shape else 0.0
+        except (AttributeError, OverflowError, RecursionError, TypeError, ValueError):
+            raise frame.error(f"the type {k} is not an ellipsoid: {text[:80]}: only ellipsoids and spheres can be checked") from None
     selected: Floats = shapes[typeid]
     return selected
+
+
+def losses(system: System) -> Iterator[tuple[str, str]]:
+    yield from lost_periodicity(system)
+    moved, turned, stretched = (
+        np.abs(_single(values) - values).max() for values in (_positions(system), system.quaternions, _box(system))
+    )
+    if moved or turned or stretched:
+        yield ("precision", f"GSD has single precision: positions change by up to {moved:.1e}, components of quaternions by {turned:.1e}, "
+               f"of the box by {stretched:.1e}")  # fmt: skip
+    if (np.diff(system.ids) != 1).any():
+        yield "ids", "GSD has no ids: particles are numbered in their order, from 0"
+    if len(_distinct_types(system)[0]) > len(np.unique(type_names(system))):
+        yield "types", "GSD has one shape for each type: types with several are divided, and their names get a number"
 
 
 def save(path: os.PathLike[str], systems: Iterator[System]) -> None:
@@ -82,24 +165,55 @@ def save(path: os.PathLike[str], systems: Iterator[System]) -> None:
 
     with _open(path, "w") as file:
         for system in systems:
-            cell, low = box(system)
+            if system.step < 0:
+                raise ValueError(f"GSD has no negative time steps, as {system.step}")
             snapshot = gsd.hoomd.Frame() if hasattr(gsd.hoomd, "Frame") else gsd.hoomd.Snapshot()
-            lengths = np.diag(cell)
-            tilts = cell[[1, 2, 2], [0, 0, 1]] / lengths[[1, 2, 2]]
-            snapshot.configuration.box, snapshot.configuration.step = [*lengths, *tilts], system.step
-            names, first, typeid = np.unique(
-                np.column_stack([system.types.astype("U32"), system.semi_axes.astype("U32")]),
-                axis=0, return_index=True, return_inverse=True,
-            )[:3]  # fmt: skip
+            first, typeid = _distinct_types(system)
+            snapshot.configuration.box, snapshot.configuration.step = _single(_box(system)), system.step
             particles = snapshot.particles
-            particles.N, particles.typeid = len(system), typeid.ravel()
-            particles.types = _names(names[:, 0])
+            particles.N, particles.typeid = len(system), typeid
+            particles.types = _names(checked_names(system, _ASCII)[first].tolist())
             particles.type_shapes = [dict(zip(("type", *"abc"), ("Ellipsoid", *map(float, system.semi_axes[k])))) for k in first]
-            particles.position = system.wrapped() - low - cell.sum(axis=0) / 2
+            particles.position = _single(_positions(system))
             particles.orientation = system.quaternions
             file.append(snapshot)
 
 
-def _names(types: Any) -> list[str]:
+def _box(system: System) -> Floats:
+    cell, _ = box(system)
+    lengths = np.diag(cell)
+    return np.concatenate([lengths, cell[[1, 2, 2], [0, 0, 1]] / lengths[[1, 2, 2]]])
+
+
+def _positions(system: System) -> Floats:
+    """HOOMD's origin is in the middle of the box."""
+    cell, low = box(system)
+    positions: Floats = system.wrapped() - low - cell.sum(axis=0) / 2
+    return positions
+
+
+def _single(values: Floats) -> NDArray[np.float32]:
+    """In single precision, whose relative error is 2⁻²⁴ unless numbers are too large or too small for it."""
+    with np.errstate(over="ignore", under="ignore"):
+        rounded = values.astype(np.float32)
+    if not (np.abs(rounded - values) <= 2.0**-23 * np.abs(values).max()).all():
+        raise ValueError("lengths are beyond single precision, which GSD has: choose another unit of length")
+    return rounded
+
+
+def _distinct_types(system: System) -> tuple[NDArray[np.intp], NDArray[np.intp]]:
+    """The first particle of each pair of type and shape, and for each particle which one it has."""
+    codes = np.unique(type_names(system), return_inverse=True)[1]
+    rows = np.column_stack([codes, system.semi_axes])
+    _, first, which = np.unique(rows, axis=0, return_index=True, return_inverse=True)
+    return first, which.ravel()
+
+
+def _names(types: list[str]) -> list[str]:
     """Names of types, which must differ: a type with several shapes gets numbers."""
-    return [str(name) if (types == name).sum() == 1 else f"{name}_{k}" for k, name in enumerate(types)]
+    counts = collections.Counter(types)
+    numbers: Any = {name: itertools.count() for name in counts}
+    return [
+        name if counts[name] == 1 else next(new for k in numbers[name] if (new := f"{name}_{k}") not in counts)
+        for name in types
+    ]

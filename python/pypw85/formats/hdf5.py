@@ -1,13 +1,15 @@
 """HDF5 in the layout of H5MD (nongnu.org/h5md), by h5py.
 
-In the first group of /particles: position, and either semi_axes and orientation (w, x, y, z) or form, each of which may have
-a group for time (value, step) or be one data set for all frames; species, id; box with its attribute boundary and edges.
+In the first group of /particles: position, and either semi_axes and orientation (w, x, y, z) or form; species, id; each of these
+may have a group for time (value, step) or be one data set for all frames; box with its attribute boundary, edges and offset.
+Data in other files is not read: a file must not lead to what its user did not name.
 """
 
 from __future__ import annotations
 
+import math
 import os
-from typing import Any
+from typing import Any, NamedTuple
 from collections.abc import Iterator
 
 import numpy as np
@@ -15,10 +17,31 @@ import numpy as np
 from .._forms import principal_axes
 from .._system import System, quaternions_of
 from .._typing import Floats
-from ._errors import FileError
-from ._frames import Frame, Location, Options
+from ._errors import FileError, guarded
+from ._files import check_input
+from ._frames import Frame, Location, Options, check_lengths_of_names
+from ._names import checked_names, numbers_if_all_are
 
 SUFFIXES = (".h5", ".hdf5", ".h5md")
+# Soft links that lead to one another; more are a loop.
+_LINKS = 16
+# The largest ratio of deflate, 1032, and its headers: a data set that claims more than that of its bytes was never written.
+_COMPRESSION = 1100
+# Bytes of a chunk: of one frame, so that a file is not larger than what it holds, and small enough for the cache of HDF5.
+_CHUNK = 1 << 18
+# Several frames of less than this share one.
+_SMALL_CHUNK = 1 << 11
+
+
+class _Source(NamedTuple):
+    """A group of a file of which a frame is read."""
+
+    path: os.PathLike[str]
+    group: Any
+    frame: int
+
+    def error(self, name: str, reason: str) -> FileError:
+        return FileError(self.path, f"the data set {name} {reason}", self.frame)
 
 
 def recognise(start: bytes) -> bool:
@@ -28,89 +51,181 @@ def recognise(start: bytes) -> bool:
 def _open(path: os.PathLike[str]) -> Any:
     import h5py
 
+    check_input(path)
     try:
         return h5py.File(path, "r")
-    except OSError as error:
+    except PermissionError:
+        raise
+    except (OSError, RuntimeError) as error:
         raise FileError(path, f"no readable HDF5 file ({error}): it is broken or truncated; write it again") from None
 
 
+def _find(path: os.PathLike[str], group: Any, name: str) -> Any | None:
+    """An object by its name within a group, None if there is none. Links to other files are refused."""
+    import h5py
+
+    todo, links = name.split("/"), 0
+    while todo and group is not None:
+        part = todo.pop(0)
+        if not part:
+            continue
+        link = group.get(part, getlink=True) if isinstance(group, h5py.Group) else None
+        if isinstance(link, h5py.SoftLink):
+            links += 1
+            todo = link.path.split("/") + todo
+            group = group.file if link.path.startswith("/") else group
+        elif isinstance(link, h5py.ExternalLink):
+            raise FileError(path, f"{group.name}/{part} is a link to another file, which is not followed: copy the data")
+        else:
+            group = None if link is None else group[part]
+        if links > _LINKS:
+            raise FileError(path, f"the links of {name} lead in a circle: repair them")
+    return group
+
+
 def _group(path: os.PathLike[str], file: Any) -> Any:
-    groups = list(file["particles"].values()) if "particles" in file else []
-    if not groups or "position" not in groups[0]:
+    import h5py
+
+    particles = _find(path, file, "particles")
+    name = next(iter(particles), None) if isinstance(particles, h5py.Group) else None
+    group = None if name is None else _find(path, particles, name)
+    if group is None or _find(path, group, "position") is None:
         raise FileError(path, "there is no /particles/.../position, as in H5MD: name the data sets so")
-    return groups[0]
+    return group
 
 
-def _values(element: Any) -> Any:
-    """The data set of an element of H5MD, and whether its first dimension is time."""
-    return (element, False) if hasattr(element, "shape") else (element["value"], True)
+def _values(source: _Source, name: str) -> tuple[Any | None, bool]:
+    """The data set of an element of H5MD, and whether its first dimension is time; None if there is no such element."""
+    import h5py
+
+    element = _find(source.path, source.group, name)
+    has_time = isinstance(element, h5py.Group)
+    values = _find(source.path, element, "value") if has_time else element
+    if element is None:
+        return None, False
+    if not isinstance(values, h5py.Dataset):
+        raise source.error(name, "is neither a data set nor a group with a data set 'value': write it again")
+    if values.is_virtual or values.external:
+        raise source.error(name, "is in another file, which is not read: copy the data")
+    return values, has_time
+
+
+@guarded
+def _count(path: os.PathLike[str]) -> int:
+    with _open(path) as file:
+        values, has_time = _values(_Source(path, _group(path, file), 0), "position")
+        return len(values) if values is not None and has_time else 1
 
 
 def locate(path: os.PathLike[str]) -> Iterator[Location]:
-    with _open(path) as file:
-        values, has_time = _values(_group(path, file)["position"])
-        count = len(values) if has_time else 1
-    yield from map(Location, range(count))
+    yield from map(Location, range(_count(path)))
 
 
+@guarded
 def load(path: os.PathLike[str], location: Location, options: Options) -> System:
     with _open(path) as file:
-        group = _group(path, file)
-
-        def read(name: str, *shape: int) -> Any | None:
-            return _read(path, group, name, location.frame, shape)
-
-        positions = read("position", -1, 3)
+        source = _Source(path, _group(path, file), location.frame)
+        positions = _floats(source, "position", -1, 3)
         assert positions is not None
         n = len(positions)
-        species = read("species", n)
         frame = Frame(
-            path, location, positions, shapes=read("semi_axes", n, 3), quaternions=read("orientation", n, 4),
-            types=None if species is None else species.astype("U") if species.dtype.kind in "SO" else species,
-            ids=read("id", n), step=int(_step(group["position"], location.frame)),
+            path, location, positions, shapes=_floats(source, "semi_axes", n, 3), types=_species(source, n),
+            quaternions=_floats(source, "orientation", n, 4), ids=_read(source, "id", (n,), "iu", "whole numbers"),
+            step=_step(source),
         )  # fmt: skip
-        if frame.shapes is None and (forms := read("form", n, 6)) is not None:
-            with np.errstate(invalid="ignore"):
-                frame.shapes, rotation = principal_axes(forms)
-            bad = np.isnan(frame.shapes).any(axis=1)
-            if bad.any():
-                raise frame.error("has a form that is not positive definite: correct it", int(bad.argmax()))
-            frame.quaternions = quaternions_of(rotation)
-        if "box" in group:
-            frame.cell, frame.origin, frame.periodic = _box(path, group["box"], location.frame)
+        if frame.shapes is None and (forms := _floats(source, "form", n, 6)) is not None:
+            _take_forms(frame, forms)
+        _take_box(frame, source)
     return frame.system(options)
 
 
-def _read(path: os.PathLike[str], group: Any, name: str, frame: int, shape: tuple[int, ...]) -> Any | None:
-    if name not in group:
+def _take_forms(frame: Frame, forms: Floats) -> None:
+    with np.errstate(invalid="ignore"):
+        frame.shapes, rotation = principal_axes(forms)
+    bad = np.isnan(frame.shapes).any(axis=1)
+    if bad.any():
+        raise frame.error("has a form that is not positive definite: correct it", int(bad.argmax()))
+    frame.quaternions = quaternions_of(rotation)
+
+
+def _take_box(frame: Frame, source: _Source) -> None:
+    box = _find(source.path, source.group, "box")
+    if box is None:
+        return
+    inside = source._replace(group=box)
+    edges = _floats(inside, "edges", *([3] if _dimensions(inside, "edges") == 1 else [3, 3]))
+    if edges is None:
+        frame.periodic = (False, False, False)
+        return
+    frame.cell = np.diag(edges) if edges.ndim == 1 else edges
+    offset = _floats(inside, "offset", 3)
+    frame.origin = np.asarray(box.attrs.get("offset", (0.0, 0.0, 0.0)) if offset is None else offset, dtype=np.float64)
+    names = [name.decode() if isinstance(name, bytes) else str(name) for name in np.ravel(box.attrs.get("boundary", ["periodic"] * 3))]
+    if len(names) != 3 or not set(names) <= {"periodic", "none"}:
+        raise FileError(source.path, "the attribute boundary of the box should be three of 'periodic' and 'none'", source.frame)
+    frame.periodic = [name == "periodic" for name in names]
+
+
+def _dimensions(source: _Source, name: str) -> int:
+    values, has_time = _values(source, name)
+    return 0 if values is None else int(values.ndim) - has_time
+
+
+def _read(source: _Source, name: str, shape: tuple[int, ...], kinds: str, what: str) -> Any | None:
+    """An element of this shape, of which -1 is any number, and of one of these kinds."""
+    values, has_time = _values(source, name)
+    if values is None:
         return None
-    values, has_time = _values(group[name])
-    try:
-        data = values[frame] if has_time else values[()]
-    except (OSError, ValueError, IndexError) as error:
-        raise FileError(path, f"{name} cannot be read ({error}): the file is broken or has fewer frames of it", frame) from None
-    if data.ndim != len(shape) or any(a not in (b, -1) and b != -1 for a, b in zip(data.shape, shape)):
-        raise FileError(path, f"{name} should have the shape {shape}, not {data.shape}", frame)
-    return data.astype(np.float64) if data.dtype.kind == "f" else data
+    there = values.shape[has_time:] if values.shape is not None else ()
+    if len(there) != len(shape) or any(a != b != -1 for a, b in zip(there, shape)):
+        raise source.error(name, f"should have the shape {shape}, not {there}")
+    if has_time and len(values) <= source.frame:
+        raise source.error(name, f"has {len(values)} frames, fewer than there are positions: write the file again")
+    if values.dtype.kind not in kinds:
+        raise source.error(name, f"should have {what}, not {values.dtype}")
+    # What has a row for each position, and no long rows, needs no more memory than positions.
+    _check_size(source, name, values, math.prod(there) if -1 in shape or values.dtype.itemsize > 8 else 0)
+    return values[source.frame] if has_time else values[()]
 
 
-def _step(element: Any, frame: int) -> Any:
-    if hasattr(element, "shape") or "step" not in element:
+def _floats(source: _Source, name: str, *shape: int) -> Floats | None:
+    data = _read(source, name, shape, "fiu", "numbers")
+    return None if data is None else data.astype(np.float64)
+
+
+def _check_size(source: _Source, name: str, values: Any, count: int) -> None:
+    """A file of some bytes can claim any number of rows, for which there must be memory."""
+    stored = values.id.get_storage_size()
+    if values.size and not stored:
+        raise source.error(name, "was never written: write the file again")
+    if max(count, math.prod(values.chunks or ())) * values.dtype.itemsize > _COMPRESSION * stored + _CHUNK:
+        raise source.error(name, f"claims more than its {stored} bytes can hold: write the file again")
+
+
+def _species(source: _Source, n: int) -> Any | None:
+    """Whole numbers, or names."""
+    data = _read(source, "species", (n,), "iuSO", "whole numbers or names")
+    if data is None or data.dtype.kind in "iu":
+        return data
+    names = [name.decode("utf-8") if isinstance(name, bytes) else str(name) for name in data.tolist()]
+    check_lengths_of_names(sorted(set(names)), lambda reason: FileError(source.path, reason, source.frame))
+    return np.array(names)
+
+
+def _step(source: _Source) -> int:
+    import h5py
+
+    position = _find(source.path, source.group, "position")
+    steps = _find(source.path, position, "step") if isinstance(position, h5py.Group) else None
+    if steps is None:
         return 0
-    steps = element["step"]
-    return steps[frame] if steps.shape else steps[()] * frame
-
-
-def _box(path: os.PathLike[str], group: Any, frame: int) -> tuple[Floats | None, Any, list[bool]]:
-    boundary = [str(name, "ascii") if isinstance(name, bytes) else str(name) for name in group.attrs.get("boundary", ())]
-    if "edges" not in group:
-        return None, (0.0, 0.0, 0.0), [False] * 3
-    values, has_time = _values(group["edges"])
-    edges = np.asarray(values[frame] if has_time else values[()], dtype=np.float64)
-    if edges.shape not in ((3,), (3, 3)):
-        raise FileError(path, f"the edges of the box should have the shape (3,) or (3, 3), not {edges.shape}", frame)
-    cell = np.diag(edges) if edges.ndim == 1 else edges
-    return cell, group.attrs.get("offset", (0.0, 0.0, 0.0)), [name == "periodic" for name in boundary] or [True] * 3
+    if not isinstance(steps, h5py.Dataset) or steps.dtype.kind not in "iu" or steps.ndim > 1:
+        raise source.error("position/step", "should be whole numbers")
+    if steps.ndim:
+        if len(steps) <= source.frame:
+            raise source.error("position/step", f"has {len(steps)} frames, fewer than there are positions: write the file again")
+        return int(steps[source.frame])
+    return int(steps[()]) * source.frame + int(steps.attrs.get("offset", 0))
 
 
 def save(path: os.PathLike[str], systems: Iterator[System]) -> None:
@@ -120,35 +235,71 @@ def save(path: os.PathLike[str], systems: Iterator[System]) -> None:
         file.create_group("h5md").attrs["version"] = (1, 1)
         group = file.create_group("particles/all")
         for frame, system in enumerate(systems):
-            if frame == 0:
-                _fixed(group, system)
-            elif len(system) != len(group["id"]):
-                raise ValueError(f"frame {frame} has another number of particles, which H5MD does not allow: choose frames")
-            elements: dict[str, Any] = {"position": system.centers, "semi_axes": system.semi_axes,
-                                        "orientation": system.quaternions}  # fmt: skip
+            elements: dict[str, Any] = {
+                "position": system.centers, "semi_axes": system.semi_axes, "orientation": system.quaternions,
+                "id": system.ids, "species": _stored_types(system, group.get("species")),
+            }  # fmt: skip
             if system.cell is not None:
-                elements["box/edges"] = system.cell
+                elements |= {"box/edges": system.cell, "box/offset": system.origin}
+            if frame == 0:
+                _write_box(group, system)
+            else:
+                _check_same(group, system, elements, frame)
             for name, values in elements.items():
                 _append(group, name, values, system.step)
 
 
-def _fixed(group: Any, system: System) -> None:
-    """What does not change with time."""
-    names = system.types.dtype.kind == "U"
-    group["species"] = system.types.astype("S") if names else system.types
-    group["id"] = system.ids
+def _stored_types(system: System, before: Any | None) -> Any:
+    """Whole numbers, unless there were names before."""
+    names = checked_names(system)
+    types = numbers_if_all_are(names)
+    if types.dtype.kind == "i" and (before is None or before["value"].dtype.kind == "i"):
+        return types
+    if before is not None and before["value"].dtype.kind == "i":
+        raise ValueError("types are names in this frame, but numbers in the first: choose frames (--frames)")
+    return names.astype(object)
+
+
+def _write_box(group: Any, system: System) -> None:
     box = group.create_group("box")
     box.attrs["dimension"] = 3
-    box.attrs["boundary"] = np.array([b"periodic" if flag else b"none" for flag in system.periodic])
-    box.attrs["offset"] = system.origin
+    box.attrs["boundary"] = _boundary(system)
+
+
+def _boundary(system: System) -> Any:
+    return np.array([b"periodic" if flag else b"none" for flag in system.periodic])
+
+
+def _check_same(group: Any, system: System, elements: dict[str, Any], frame: int) -> None:
+    """What H5MD allows to differ from frame to frame is an element."""
+    if len(system) != group["position/value"].shape[1]:
+        raise ValueError(f"frame {frame} has another number of particles, which H5MD does not allow: choose frames (--frames)")
+    if ("box/edges" in group) != ("box/edges" in elements) or (group["box"].attrs["boundary"] != _boundary(system)).any():
+        raise ValueError(f"frame {frame} is periodic along other vectors, which H5MD does not allow: choose frames (--frames)")
 
 
 def _append(group: Any, name: str, values: Any, step: int) -> None:
+    import h5py
+
     if name not in group:
         element = group.create_group(name)
-        element.create_dataset("value", (0, *values.shape), values.dtype, maxshape=(None, *values.shape))
-        element.create_dataset("step", (0,), np.int64, maxshape=(None,))
+        kind = h5py.string_dtype() if values.dtype.kind == "O" else values.dtype
+        _create(element, "value", values.shape, kind)
+        if name == "position":
+            _create(element, "step", (), np.dtype(np.int64))
+        else:
+            element["step"] = group["position/step"]
+    element = group[name]
     for key, row in (("value", values), ("step", step)):
-        data = group[name][key]
-        data.resize(len(data) + 1, axis=0)
-        data[-1] = row
+        data = element[key]
+        if key == "value" or name == "position":
+            data.resize(len(data) + 1, axis=0)
+            data[-1] = row
+
+
+def _create(element: Any, name: str, shape: tuple[int, ...], kind: Any) -> None:
+    row = max(1, kind.itemsize * math.prod(shape[1:]))
+    rows = min(shape[0], max(1, _CHUNK // row)) if shape else 1
+    frames = max(1, _SMALL_CHUNK // (row * rows))
+    chunks = (frames, rows, *shape[1:]) if shape else (frames,)
+    element.create_dataset(name, (0, *shape), kind, maxshape=(None, *shape), chunks=chunks)

@@ -11,14 +11,17 @@ import numpy as np
 
 from .._system import System
 from .._typing import Floats
-from ._boxes import box, numbered_types
+from ._boxes import bounds, numbered_types
 from ._frames import Frame, Location, Options
+from ._names import ONE_WORD, PRINTED, checked_names
 from ._table import Lines, Table, locate_frames
 
 SUFFIXES = (".dump", ".lammpstrj")
 _POSITIONS = (("x", "y", "z"), ("xu", "yu", "zu"), ("xs", "ys", "zs"), ("xsu", "ysu", "zsu"))
 _SHAPE = ("shapex", "shapey", "shapez")
 _QUATERNION = ("quatw", "quati", "quatj", "quatk")
+# The column of names of types: since 2022, LAMMPS has names beside the numbers.
+_LABEL = "typelabel"
 
 
 class _Header(NamedTuple):
@@ -51,8 +54,8 @@ def load(path: os.PathLike[str], location: Location, options: Options) -> System
         if positions is None:
             raise lines.error(f"there are no columns x y z, but {' '.join(header.columns)}: dump them")
         shape, quaternion = _shape_columns(header.columns, options, lines)
-        wanted = {"id", "type", *positions, *shape, *quaternion}
-        table = lines.table(header.particles, header.columns, wanted=[name for name in header.columns if name in wanted])
+        wanted = ["id", _type_column(header.columns), *positions, *shape, *quaternion]
+        table = lines.table(header.particles, header.columns, [_LABEL], wanted=wanted)
     centers = table.stack(positions)
     if positions[0].startswith("xs"):
         centers = header.origin + centers @ header.cell
@@ -61,12 +64,16 @@ def load(path: os.PathLike[str], location: Location, options: Options) -> System
         shapes=_shapes(table, shape),
         quaternions=table.stack(quaternion) if quaternion else None,
         lengths="radii" if shape == ("radius",) else "diameters",
-        types=table.integers("type") if "type" in table else None,
+        types=table[_LABEL] if _LABEL in table else table.integers("type") if "type" in table else None,
         ids=table.integers("id") if "id" in table else None,
         cell=header.cell, origin=header.origin, periodic=header.periodic, step=header.step,
         lines=range(table.line, table.line + table.count),
     )  # fmt: skip
     return frame.system(options)
+
+
+def _type_column(columns: Sequence[str]) -> str:
+    return _LABEL if _LABEL in columns else "type"
 
 
 def _shapes(table: Table, columns: Sequence[str]) -> Floats | None:
@@ -109,9 +116,9 @@ def _header(lines: Lines) -> _Header | None:
         return None
     while not line.startswith("ITEM: ATOMS"):
         if line.startswith("ITEM: TIMESTEP"):
-            step = int(lines.numbers(lines.expect("a time step"), 1, "the time step")[0])
+            step = lines.whole(lines.expect("a time step"), "the time step", -(2**63))
         elif line.startswith("ITEM: NUMBER OF ATOMS"):
-            count = int(lines.numbers(lines.expect("a number of particles"), 1, "the number of particles")[0])
+            count = lines.whole(lines.expect("a number of particles"), "the number of particles")
         elif line.startswith("ITEM: BOX BOUNDS"):
             box = _box(line.split()[3:], lines)
         elif line.startswith("ITEM:"):
@@ -126,7 +133,7 @@ def _header(lines: Lines) -> _Header | None:
 
 def _box(words: list[str], lines: Lines) -> tuple[Floats, Floats, list[bool]]:
     """Cell, origin, and which directions are periodic."""
-    periodic = [word == "pp" for word in words[-3:]]
+    periodic = [word == "pp" for word in words if re.fullmatch("[pfsm]{2}", word)]
     if words[:2] == ["abc", "origin"]:
         rows = np.array([lines.numbers(lines.expect("the box"), 4, "a vector of the box") for _ in range(3)])
         return rows[:, :3], rows[:, 3], periodic
@@ -141,16 +148,16 @@ def _box(words: list[str], lines: Lines) -> tuple[Floats, Floats, list[bool]]:
 
 
 def save(file: IO[Any], system: System, frame: int) -> None:
-    cell, low = box(system)
+    cell, low, high = bounds(system)
     xy, xz, yz = map(float, cell[[1, 2, 2], [0, 0, 1]])
-    high = low + np.diag(cell)
-    bounds = np.array([[low[0] + min(0, xy, xz, xy + xz), high[0] + max(0, xy, xz, xy + xz), xy],
-                       [low[1] + min(0, yz), high[1] + max(0, yz), xz], [low[2], high[2], yz]])  # fmt: skip
+    sides = np.array([[low[0] + min(0, xy, xz, xy + xz), high[0] + max(0, xy, xz, xy + xz), xy],
+                      [low[1] + min(0, yz), high[1] + max(0, yz), xz], [low[2], high[2], yz]])  # fmt: skip
     tilted = " xy xz yz" if xy or xz or yz else ""
     flags = " ".join("pp" if flag else "ff" for flag in system.periodic)
     file.write(f"ITEM: TIMESTEP\n{system.step}\nITEM: NUMBER OF ATOMS\n{len(system)}\nITEM: BOX BOUNDS{tilted} {flags}\n")
-    np.savetxt(file, bounds if tilted else bounds[:, :2], fmt="%.17g")
-    file.write(f"ITEM: ATOMS id type x y z {' '.join(_SHAPE)} {' '.join(_QUATERNION)}\n")
-    columns = [system.centers, 2 * system.semi_axes, system.quaternions]
-    rows: Any = np.column_stack([system.ids, numbered_types(system), *columns])
-    np.savetxt(file, rows, fmt="%d %d" + 10 * " %.17g")
+    np.savetxt(file, sides if tilted else sides[:, :2], fmt="%.17g")
+    numbers, has_names = numbered_types(system)
+    labels = [checked_names(system, PRINTED, ONE_WORD).astype(object)] if has_names else []
+    file.write(f"ITEM: ATOMS {' '.join(['id', 'type', *_POSITIONS[0], *_SHAPE, *_QUATERNION, *has_names * [_LABEL]])}\n")
+    rows: Any = np.column_stack([system.ids, numbers, system.centers, 2 * system.semi_axes, system.quaternions, *labels])
+    np.savetxt(file, rows, fmt="%d %d" + 10 * " %.17g" + has_names * " %s")

@@ -1,4 +1,4 @@
-"""Extended XYZ with OVITO's properties Aspherical Shape (semi-axes) and Orientation (x, y, z, w).
+"""Extended XYZ with OVITO's properties Aspherical Shape (semi-axes) and Orientation (x, y, z, w), and XYZ without shapes.
 
 ASE reads such files too, but says neither in which line nor in which column one is wrong.
 """
@@ -15,16 +15,24 @@ import numpy as np
 
 from .._system import System
 from ._frames import Frame, Location, Options
+from ._names import ONE_WORD, PRINTED, checked_names
 from ._table import Lines, locate_frames
 
 SUFFIXES = (".xyz", ".extxyz")
+_NUMBER = re.compile(rb"[-+]?[0-9]*\.?[0-9]*(?:[eE][-+]?[0-9]+)?")
+# shlex takes some microseconds for each character.
+_LONGEST_COMMENT = 1 << 15
 # Names of properties without capitals and underscores, and how many columns each has.
 _PROPERTIES = {"pos": 3, "asphericalshape": 3, "orientation": 4, "radius": 1, "species": 1, "type": 1, "id": 1}
 
 
 def recognise(start: bytes) -> bool:
-    lines = start.split(b"\n", 2)
-    return len(lines) > 1 and lines[0].strip().isdigit() and b"Properties=" in lines[1]
+    """A number, a comment, and either Properties in that, or particles: a name and a position."""
+    lines = start.removeprefix(b"\xef\xbb\xbf").lstrip().split(b"\n", 3)
+    if len(lines) < 2 or not re.fullmatch(rb"[0-9]+\s*", lines[0]):
+        return False
+    first = lines[2].split() if len(lines) > 2 else []
+    return b"Properties=" in lines[1] or (len(first) > 3 and all(map(_NUMBER.fullmatch, first[1:4])))
 
 
 def locate(path: os.PathLike[str]) -> Iterator[Location]:
@@ -41,23 +49,26 @@ def _count(lines: Lines) -> int | None:
         line = lines.next()
     if line is None:
         return None
-    if not line.isdigit():
+    if not line.isdecimal():
         raise lines.error(f"the number of particles should be here, not '{line[:40]}': more lines than particles, or no XYZ file")
-    return int(line)
+    return lines.whole(line, "the number of particles")
 
 
 def load(path: os.PathLike[str], location: Location, options: Options) -> System:
     with Lines(path, location) as lines:
-        count = _count(lines) or 0
+        if not (count := _count(lines)):
+            raise lines.error("there are no particles")
         keys = _keys(lines)
         columns, text = _columns(keys, lines)
-        table = lines.table(count, columns, text)
+        if "pos0" not in columns:
+            raise lines.error("the property pos is missing in 'Properties='")
+        table = lines.table(count, columns, text, wanted=[name for name in columns if name[:-1] in _PROPERTIES])
         cell = keys.get("Lattice")
         box = None if cell is None else np.reshape(lines.numbers(cell, 9, "Lattice"), (3, 3))
         origin = lines.numbers(keys.get("Origin", "0 0 0"), 3, "Origin")
+        periodic = lines.flags(keys.get("pbc", "T T T"), "pbc")
+        step = lines.whole(keys.get("Timestep", "0"), "Timestep", -(2**63))
     groups = {name: [f"{name}{k}" for k in range(n)] for name, n in _PROPERTIES.items() if f"{name}0" in columns}
-    if "pos" not in groups:
-        raise lines.error("the property pos is missing in 'Properties='")
     shape = groups.get("asphericalshape") or 3 * groups.get("radius", [])
     types = groups.get("species") or groups.get("type")
     frame = Frame(
@@ -65,48 +76,58 @@ def load(path: os.PathLike[str], location: Location, options: Options) -> System
         shapes=table.stack(shape) if shape else None,
         quaternions=table.stack(groups["orientation"]) if "orientation" in groups else None,
         order="xyzw",
-        types=_types(table[types[0]]) if types else None,
+        types=table[types[0]] if types else None,
         ids=table.integers("id0") if "id" in groups else None,
-        cell=box, origin=origin, periodic=[flag[:1].upper() in "T1" for flag in keys.get("pbc", "T T T").split()],
-        step=int(float(keys.get("Timestep", 0))), lines=range(table.line, table.line + count),
+        cell=box, origin=origin, periodic=periodic, step=step, lines=range(table.line, table.line + count),
     )  # fmt: skip
     return frame.system(options)
 
 
-def _types(column: np.ndarray) -> np.ndarray:  # type: ignore[type-arg]
-    """Numbers where all types are."""
-    try:
-        return column.astype(np.int64)
-    except ValueError:
-        return column
-
-
 def _keys(lines: Lines) -> dict[str, str]:
+    """What the second line says, which in a file without Properties may be any text."""
     comment = lines.expect("the line with Properties")
+    if not re.search(r"\b(?:Properties|Lattice)=", comment):
+        return {}
+    if len(comment) > _LONGEST_COMMENT:
+        raise lines.error(f"the line has more than {_LONGEST_COMMENT} characters: it is broken")
     try:
         words = shlex.split(comment)
     except ValueError:
         raise lines.error("a quotation mark has no partner") from None
-    keys = dict(word.split("=", 1) for word in words if "=" in word)
-    if "Properties" not in keys:
-        raise lines.error("'Properties=' is missing: only extended XYZ has shapes")
-    return keys
+    return dict(word.split("=", 1) for word in words if "=" in word)
 
 
 def _columns(keys: dict[str, str], lines: Lines) -> tuple[list[str], list[str]]:
     """Names of the columns, numbered within each property, and of those that hold text."""
+    there = lines.columns_ahead()
+    if "Properties" not in keys:
+        columns = ["species0", "pos0", "pos1", "pos2"]
+        return columns + [f"column{k}" for k in range(len(columns), there)], ["species0"]
+    words = keys["Properties"].split(":")
+    properties = list(zip(words[::3], words[1::3], words[2::3]))
+    if len(words) % 3 or not all(kind in "SIRL" and re.fullmatch("[0-9]{1,18}", number) for _, kind, number in properties):
+        raise lines.error(f"'Properties=' should have names, kinds and numbers of columns, not '{keys['Properties'][:80]}'")
+    # Before names are made of a number that may be anything
+    if (total := sum(int(number) for *_, number in properties)) != there:
+        lines.expect("a particle")
+        raise lines.error(f"{there} columns instead of the {total} of 'Properties=': the line is broken, or the file truncated")
+    return _named_columns(properties, lines)
+
+
+def _named_columns(properties: list[tuple[str, str, str]], lines: Lines) -> tuple[list[str], list[str]]:
     columns, text = [], []
-    for name, kind, number in re.findall(r"([^:]+):([SIRL]):(\d+):?", keys["Properties"]):
+    for name, kind, number in properties:
         plain = name.replace("_", "").lower()
         if plain in _PROPERTIES and int(number) != _PROPERTIES[plain]:
             raise lines.error(f"the property {name} has {number} columns instead of {_PROPERTIES[plain]}")
         names = [f"{plain}{k}" for k in range(int(number))]
         columns += names
-        text += names if kind in "SL" else []
+        text += names if kind in "SL" or plain in ("species", "type") else []
     return columns, text
 
 
 def save(file: IO[str], system: System, frame: int) -> None:
+    names = checked_names(system, PRINTED, ONE_WORD)
     keys = [f"Timestep={system.step}"]
     if system.cell is not None:
         flags = " ".join("FT"[flag] for flag in system.periodic)
@@ -114,8 +135,8 @@ def save(file: IO[str], system: System, frame: int) -> None:
     keys += ["Properties=id:I:1:species:S:1:pos:R:3:aspherical_shape:R:3:orientation:R:4"]
     file.write(f"{len(system)}\n{' '.join(keys)}\n")
     numbers: Any = np.column_stack([system.centers, system.semi_axes, system.quaternions[:, [1, 2, 3, 0]]])
-    for name, kind, row in zip(system.ids, system.types, numbers):
-        file.write(f"{name} {kind} {_numbers(row)}\n")
+    for number, name, row in zip(system.ids, names, numbers):
+        file.write(f"{number} {name} {_numbers(row)}\n")
 
 
 def _numbers(values: np.ndarray) -> str:  # type: ignore[type-arg]

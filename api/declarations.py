@@ -1,0 +1,251 @@
+"""The declarations of the public headers, with what their comments promise: the one parser of these headers.
+
+The C headers are the declaration of every function. What a program needs to know of a parameter is read from its type and from
+the words at the head of its sentence in the comment:
+
+- `double r12[3]` has a fixed length, and a shape of more than one extent if the sentence begins with it: "9×9, symmetric";
+- `double const *r12` is an array whose shape the sentence begins with: "n×3", "n each", where an extent is a number or the name
+  of another parameter;
+- a pointer that is not to const is an output, and the comment marks it @param[out];
+- "may be null", "or null" and "null if", "null for" say that the pointer may be null; "any output may be null" says so of all outputs;
+- `pw85_pair_list const *list` and `pw85_system const *system` are structs, whose members have comments of the same kind. Members are to a
+  function what its parameters are, and extents are names of members, too. Where a function says "`q` may be null" it does not read
+  that member, and "`cell` is not null" says that a pointer must be there that others do without;
+- "as for pw85_f()" refers to the parameter of the same name of another function, and so does a comment that says "arguments as for
+  pw85_f()" or "see pw85_f()" for the parameters of which it says nothing.
+
+Called by docs/ (reference pages, checks of the comments), fortran.py and the tests of the declarations.
+"""
+
+import re
+from dataclasses import dataclass, field
+from functools import cache
+from pathlib import Path
+
+INCLUDE = Path(__file__).resolve().parent.parent / "include"
+C_HEADERS = ("pw85.h", "pw85_gpu.h", "pw85_zheng.h", "pw85_legacy.h", "pw85_pre1.h")
+CPP_HEADERS = ("pw85/pw85.hpp", "pw85/batch.hpp", "pw85/neighbors.hpp")
+
+SECTION = r"^(?:/\*\*| \*|///) @name (?P<title>[^\n]+)$"
+C = re.compile(
+    SECTION + r"|(?P<comment>/\*\*(?:(?!\*/).)*\*/\s*)?^(?:PW85_API|PW85_PRE1_FUNCTION) "
+    r"(?P<type>[\w *]+?)(?P<name>pw85\w+)\((?P<parameters>[^)]*)\)",
+    re.DOTALL | re.MULTILINE,
+)
+CPP = re.compile(
+    SECTION + r"|^(?P<comment>(?:///.*\n)+)(?:template <[^;{]*?> ?)?\s?"
+    r"(?:PW85_FUNCTION|static inline) (?P<type>[^;{(]*?)(?P<name>\w+)\((?P<parameters>[^;]*)\) noexcept;",
+    re.MULTILINE,
+)
+REFERENCE = re.compile(r"(?:as for|contract as|see|arguments of) (?:in )?(\w+)\(\)", re.IGNORECASE)
+PARAMETER = re.compile(
+    r"(?P<type>(?:unsigned )?\w+)(?P<const> const)?(?P<pointers>[ *]*)(?P<name>\w+)(?:\[(?P<length>.*)\])?"
+)
+EXTENT = r"(?:[a-z_]+|\d+)"
+SHAPE = re.compile(rf"({EXTENT}(?:×{EXTENT})*)(?= each\b| matrix\b| in\b| or null|[,;:.]|$)")
+STRUCTS = ("pw85_pair_list", "pw85_system")  # that functions take; others are elements of arrays
+STRUCT = re.compile(r"^typedef struct (?P<name>\w+) \{\n(?P<members>.*?)^\} (?P=name);", re.DOTALL | re.MULTILINE)
+MEMBER = re.compile(r"/\*\*(?P<comment>(?:(?!\*/).)*)\*/\s*(?P<declaration>[^;/]+);", re.DOTALL)
+NULLABLE = re.compile(r"\b(?:may be|or) null\b|\bnull (?:if|for) ")
+
+
+@dataclass
+class Parameter:
+    """A parameter of a C function."""
+
+    name: str
+    type: str  # of what is passed, or pointed to: "double", "size_t", "pw85_motion"
+    pointer: bool
+    const: bool  # whether what it points to is
+    length: int | None  # where the declaration states one
+    text: str  # its sentence; that of the parameter that it refers to
+    shape: tuple  # extents: numbers, and names of other parameters; empty for one number
+    nullable: bool
+    outer: bool  # whether it is a pointer to a pointer: a handle that is made
+
+    def is_handle(self):
+        """Whether it is a pointer to an object that the library owns."""
+        return self.pointer and self.type in ("void", "pw85_neighbors")
+
+    def is_struct(self):
+        """Whether it is a struct, whose members are arguments."""
+        return self.pointer and self.type in STRUCTS
+
+    def is_output(self):
+        return self.pointer and not self.const and not self.is_handle()
+
+
+@dataclass
+class Function:
+    name: str
+    type: str
+    parameters: list  # as written, without defaults
+    comment: str  # without its marks
+    header: str
+
+    def parameter_names(self):
+        return [re.search(r"(\w+)\)?(?:\[.*\])?$", parameter)[1] for parameter in self.parameters]
+
+    def brief(self):
+        """The first sentence of the comment."""
+        return re.match(r".*?[.:;](?=\s|$)", " ".join(self.comment.split()))[0].rstrip(".:;")
+
+    def sentences(self):
+        """What the comment itself says of each parameter, and whether it calls this an output."""
+        found = {}
+        for mark, names, text in re.findall(r"@param(\[out\])? ([\w,]+) (.*?)(?=@|\Z)", self.comment, re.DOTALL):
+            for name in names.split(","):
+                found[name] = (" ".join(text.split()), bool(mark))
+        return found
+
+    def references(self):
+        """The names of functions to which the comment refers for what it does not say."""
+        return REFERENCE.findall(" ".join(self.comment.split()))
+
+
+@dataclass
+class Section:
+    title: str
+    functions: list = field(default_factory=list)
+
+
+def split_parameters(text):
+    """At the commas that are in no bracket."""
+    parameters, depth = [""], 0
+    for character in text:
+        depth += (character in "<([{") - (character in ">)]}")
+        if character == "," and depth == 0:
+            parameters.append("")
+        else:
+            parameters[-1] += character
+    stripped = [re.sub(r" = .*", "", " ".join(parameter.split())) for parameter in parameters]
+    return [parameter for parameter in stripped if parameter not in ("", "void")]
+
+
+@cache
+def sections(header):
+    """The sections of a header, in order; the first has no title, and is empty where every function is in one that has."""
+    found = [Section("")]
+    text = (INCLUDE / header).read_text(encoding="utf-8")
+    for match in (CPP if header.endswith("pp") else C).finditer(text):
+        if match["title"]:
+            found.append(Section(match["title"].strip()))
+            continue
+        comment = re.sub(r"^ ?(?:/\*\*|\*/|\*|///) ?| *\*/", "", match["comment"] or "", flags=re.MULTILINE)
+        found[-1].functions.append(
+            Function(match["name"], match["type"].strip(), split_parameters(match["parameters"]), comment, header)
+        )
+    return found
+
+
+def values(header):
+    """The public structures that a C++ header declares or defines."""
+    text = (INCLUDE / header).read_text(encoding="utf-8")
+    text = re.sub(r"^namespace (pw85::)?detail \{$.*?^\} // namespace (pw85::)?detail$", "", text, flags=re.MULTILINE | re.DOTALL)
+    return re.findall(r"^(?:template <[^;{]*?> ?)?struct (\w+)(?:;| \{)", text, re.MULTILINE)
+
+
+def functions(header):
+    return [function for section in sections(header) for function in section.functions]
+
+
+@cache
+def constants():
+    """The macros of the C headers that are numbers, and the status codes, as they are written."""
+    text = "".join((INCLUDE / header).read_text(encoding="utf-8") for header in C_HEADERS)
+    found = dict(re.findall(r"^#define (PW85_\w+) ([\d.e-]+)$", text, re.MULTILINE))
+    statuses = (INCLUDE / "pw85/status.h").read_text(encoding="utf-8")
+    return found | dict(re.findall(r"X\((PW85_\w+), \w+, (\d+),", statuses))
+
+
+@cache
+def c_functions():
+    """All functions of the C headers by name."""
+    return {function.name: function for header in C_HEADERS for function in functions(header)}
+
+
+def referenced(function, known):
+    """The functions, of those that are known by name, whose comments hold for this one, directly or not; itself first."""
+    found, queue = [], [function]
+    while queue:
+        function = queue.pop(0)
+        if function not in found:
+            found.append(function)
+            queue += [known[name] for name in function.references() if name in known]
+    return found
+
+
+def length_of(text):
+    """The number of a declaration's brackets: a sum or product of numbers and constants."""
+    integers = {name: int(value) for name, value in constants().items() if value.isdigit()}
+    return eval(text, {"__builtins__": {}}, integers)
+
+
+def shape_of(sentence, length, names):
+    """The shape that a sentence begins with; otherwise that of an array of stated length."""
+    match = SHAPE.match(sentence)
+    extents = [] if match is None else [int(part) if part.isdigit() else part for part in match[1].split("×")]
+    if extents and all(isinstance(extent, int) or extent in names for extent in extents):
+        return tuple(extents)
+    return () if length is None else (length,)
+
+
+def parameters(function):
+    """The parameters of a function of C, with what the comment says of them, and those to which it refers."""
+    found = [parameter(function, written) for written in function.parameters]
+    if any("any output may be null" in text for other in referenced(function, c_functions())
+           for text, _ in other.sentences().values()):
+        for one in found:
+            one.nullable = one.nullable or one.is_output()
+    return found
+
+
+def parameter(function, written):
+    match = PARAMETER.fullmatch(written)
+    name, pointer = match["name"], "*" in match["pointers"] or match["length"] is not None
+    length = None if match["length"] is None else length_of(match["length"])
+    sentences = [other.sentences()[name][0] for other in referenced(function, c_functions()) if name in other.sentences()]
+    own = [sentence for sentence in sentences if not re.match(r"as for ", sentence)]
+    names = function.parameter_names() + [member for struct in STRUCTS for member, _, _ in members(struct)]
+    shape = shape_of(own[0] if own else "", length, names) if pointer else ()
+    is_struct = match["type"] in STRUCTS  # of whose members the sentence says what may be null
+    nullable = pointer and not is_struct and any(NULLABLE.search(sentence) for sentence in sentences[:1] + own[:1])
+    return Parameter(name, match["type"], pointer, bool(match["const"]), length, own[0] if own else "", shape, nullable,
+                     "**" in match["pointers"])
+
+
+@cache
+def members(struct):
+    """Name, declaration and comment of each member of a struct of pw85.h, but for arrays that are part of it."""
+    text = (INCLUDE / "pw85.h").read_text(encoding="utf-8")
+    body = next(match["members"] for match in STRUCT.finditer(text) if match["name"] == struct)
+    found = []
+    for match in MEMBER.finditer(body):
+        comment = " ".join(re.sub(r"^ *\*", "", match["comment"], flags=re.MULTILINE).split())
+        declaration = " ".join(match["declaration"].split())
+        if "[" not in declaration:
+            found.append((PARAMETER.fullmatch(declaration)["name"], declaration, comment))
+    return found
+
+
+def members_read(function, struct):
+    """The members that a function reads of a struct that it takes, as parameters."""
+    names = [name for name, _, _ in members(struct.type)]
+    said = " ".join(
+        other.sentences()[struct.name][0] for other in referenced(function, c_functions()) if struct.name in other.sentences()
+    )
+    for name, declaration, comment in members(struct.type):
+        match = PARAMETER.fullmatch(declaration)
+        pointer = "*" in match["pointers"]
+        nullable = pointer and bool(NULLABLE.search(comment)) and f"`{name}` is not null" not in said
+        if f"`{name}` may be null" not in said:
+            shape = shape_of(comment, None, names) if pointer else ()
+            yield Parameter(name, match["type"], pointer, bool(match["const"]), None, comment, shape, nullable, False)
+
+
+def flattened(function):
+    """The parameters of a function, with the members that it reads in the place of structs."""
+    found = []
+    for one in parameters(function):
+        found += members_read(function, one) if one.is_struct() else [one]
+    return found

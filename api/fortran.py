@@ -1,0 +1,162 @@
+"""The Fortran module: fortran/pw85.f90, made of its template and an interface for each function of the C headers.
+
+Usage: fortran.py VERSION [check]
+
+writes the module, or compares it with what it would write. Functions that need more than an interface in Fortran (strings, pointers,
+matrices that C has by rows) are in the template fortran/pw85.in.f90, which binds them under the name c_… here. Optional arguments of
+Fortran 2018 are null pointers in C.
+"""
+
+import re
+import sys
+import textwrap
+from dataclasses import dataclass
+from pathlib import Path
+
+from declarations import constants, functions, members, parameters
+
+FORTRAN = Path(__file__).resolve().parent.parent / "fortran"
+MODULE, TEMPLATE = FORTRAN / "pw85.f90", FORTRAN / "pw85.in.f90"
+HEADERS = ("pw85.h", "pw85_legacy.h", "pw85_zheng.h")
+WIDTH = 120
+
+TYPES = {
+    "double": "real(c_double)",
+    "int": "integer(c_int)",
+    "size_t": "integer(c_size_t)",
+    "int32_t": "integer(c_int32_t)",
+    "int64_t": "integer(c_int64_t)",
+    "unsigned char": "integer(c_int8_t)",
+    "pw85_motion": "type(pw85_motion)",
+    "pw85_pair_list": "type(pw85_pair_list)",
+    "pw85_system": "type(pw85_system)",
+}
+
+
+def argument(parameter, owners):
+    """The attributes of an argument, and its name with its shape: extents in the order of Fortran, where rows of C are columns. Those
+    that are members of structs come with the names of these."""
+    extents = [f"{owners[extent]}%{extent}" if extent in owners else str(extent) for extent in reversed(parameter.shape)]
+    shape = ", ".join(extents)
+    name = f"{parameter.name}({shape})" if shape else parameter.name
+    if parameter.is_handle():
+        return ("type(c_ptr)", "intent(out)") if parameter.outer else ("type(c_ptr)", "value"), name
+    if not parameter.pointer:
+        return (TYPES[parameter.type], "value"), name
+    intent = "intent(out)" if parameter.is_output() else "intent(in)"
+    return (TYPES[parameter.type], intent, *(["optional"] if parameter.nullable else [])), name
+
+
+def continued(line):
+    """A statement in lines that Fortran allows."""
+    indent = re.match(" *", line)[0]
+    lines = textwrap.wrap(line, WIDTH - 2, initial_indent="", subsequent_indent=indent + "  ", break_long_words=False,
+                          drop_whitespace=True) if len(line) > WIDTH else [line.strip()]
+    lines[0] = indent + lines[0].lstrip()
+    return [f"{one} &" for one in lines[:-1]] + lines[-1:]
+
+
+def declarations_of(arguments):
+    """One declaration for neighbouring arguments of the same attributes."""
+    grouped = []
+    for attributes, name in arguments:
+        if grouped and grouped[-1][0] == attributes:
+            grouped[-1][1].append(name)
+        else:
+            grouped.append((attributes, [name]))
+    return [f"{', '.join(attributes)} :: {', '.join(names)}" for attributes, names in grouped]
+
+
+def interface(function, template):
+    """The lines of the interface of a function; under another name where the template has a procedure of its own."""
+    name = function.name.lower()
+    own = re.search(rf"\b(?:function|subroutine) {name}\(", template) is not None
+    bound = name.replace("pw85_", "c_", 1) if own else name
+    listed = parameters(function)
+    kind, result, suffix = "subroutine", [], ""
+    if function.type != "void":
+        variable = "status" if function.type == "int" else "value"
+        kind, suffix = "function", f" result({variable})"
+        result = [f"{'type(c_ptr)' if '*' in function.type else TYPES[function.type]} :: {variable}"]
+    if not own:
+        yield from textwrap.wrap(function.brief() + ".", WIDTH, initial_indent="    !> ", subsequent_indent="    !> ")
+    names = ", ".join(parameter.name for parameter in listed)
+    yield from continued(f"    {kind} {bound}({names}){suffix} bind(C, name='{function.name}')")
+    yield "      import"
+    owners = {name: one.name for one in listed if one.is_struct() for name, _, _ in members(one.type)}
+    for name in function.parameter_names():
+        owners.pop(name, None)
+    # Extents first: shapes refer to them.
+    sizes_first = sorted(listed, key=lambda one: not (one.is_struct() or (one.type == "size_t" and not one.pointer)))
+    for line in declarations_of(argument(one, owners) for one in sizes_first) + result:
+        yield from continued("      " + line)
+    yield from (f"    end {kind} {bound}", "")
+
+
+def interfaces(header, template):
+    yield from (f"  ! {header}", "  interface", "")
+    for function in functions(header):
+        yield from interface(function, template)
+    yield "  end interface"
+
+
+def constant(name, value):
+    kind = "integer(c_int)" if value.isdigit() else "real(c_double)"
+    return f"  {kind}, parameter, public :: {name.lower()} = {value if value.isdigit() else value + '_c_double'}"
+
+
+def module(version):
+    template = TEMPLATE.read_text(encoding="utf-8")
+    numbers = dict(zip(("major", "minor", "patch"), version.split(".")))
+    values = {f"PW85_VERSION_{part.upper()}": number for part, number in numbers.items()} | constants()
+    names = [function.name.lower() for header in HEADERS for function in functions(header)]
+    made = {
+        "constants": [constant(name, value) for name, value in values.items()],
+        "names": [f"  public :: {name}" for name in names],
+        "interfaces": [line for header in HEADERS for line in [*interfaces(header, template), ""]][:-1],
+    }
+    for name, lines in made.items():
+        template = template.replace(f"  !@ {name}\n", "\n".join(lines) + "\n")
+    return template
+
+
+PROCEDURE = re.compile(
+    r"^(?P<comment>(?: *!> .*\n)+)? *(?P<kind>function|subroutine) (?P<name>pw85\w+)\((?P<arguments>[^)]*)\).*\n"
+    r"(?P<declared>(?:(?: .*)?::.*\n| *import\n)+)",
+    re.MULTILINE,
+)
+
+
+@dataclass
+class Procedure:
+    """A function or subroutine, as a program of Fortran sees it."""
+
+    name: str
+    kind: str
+    arguments: list
+    comment: str
+    declarations: list
+
+
+def procedures():
+    """Those of the module by their names, in its order."""
+    found = {}
+    for match in PROCEDURE.finditer(re.sub(r" *&\n *", " ", MODULE.read_text(encoding="utf-8"))):
+        arguments = [name.strip() for name in match["arguments"].split(",")]
+        lines = [line.strip() for line in match["declared"].splitlines() if "::" in line]
+        declared = [line for line in lines if set(re.findall(r"\w+", line.split("::")[1])) & set(arguments)]
+        comment = " ".join(re.sub(r" *!> ", " ", match["comment"] or "").split())
+        found[match["name"]] = Procedure(match["name"], match["kind"], arguments, comment, declared)
+    return found
+
+
+def main(version, check=None):
+    text = module(version)
+    if not check:
+        MODULE.write_text(text, encoding="utf-8")
+    elif MODULE.read_text(encoding="utf-8") != text:
+        sys.exit("fortran/pw85.f90 is not what api/fortran.py makes of the headers: make it anew")
+
+
+if __name__ == "__main__":
+    main(*sys.argv[1:])

@@ -1,0 +1,80 @@
+"""A table of all functions of the C headers for the tests: parameters and a call by arguments of any function.
+
+Usage: tables.py OUTPUT
+
+writes the rows of the table that tests/calls.hpp includes.
+"""
+
+import sys
+from pathlib import Path
+
+from declarations import flattened, functions, members, members_read, parameters
+
+HEADERS = ("pw85.h", "pw85_legacy.h", "pw85_zheng.h")
+
+TYPES = {
+    "double": "real",
+    "size_t": "size",
+    "int": "integer",
+    "int32_t": "int32",
+    "int64_t": "int64",
+    "unsigned char": "byte",
+    "pw85_motion": "motion",
+    "pw85_neighbors": "handle",
+}
+RESULTS = {"void": "none", "int": "status", "double": "real"}  # others do not matter
+
+
+def extent(one, names):
+    return f"{{-1, {one}}}" if isinstance(one, int) else f"{{{names.index(one)}, 0}}"
+
+
+def row_of(parameter, names):
+    shape = ", ".join(extent(one, names) for one in parameter.shape)
+    flags = (parameter.pointer, parameter.is_output() or parameter.outer, parameter.nullable)
+    return f'{{"{parameter.name}", Type::{TYPES[parameter.type]}, {", ".join(str(flag).lower() for flag in flags)}, {{{shape}}}}}'
+
+
+def argument(index, parameter):
+    if not parameter.pointer:
+        return f"x[{index}].{TYPES[parameter.type]}"
+    pointer = f"{parameter.type}{' const' if parameter.const else ''} *{'*' if parameter.outer else ''}"
+    return f"static_cast<{pointer}>(x[{index}].pointer)"
+
+
+def struct_of(function, struct, names):
+    """The definition of a struct: what a function does not read is null, and arrays within it are ones."""
+    read = {member.name: member for member in members_read(function, struct)}
+    values = [argument(names.index(name), read[name]) if name in read else "nullptr" for name, _, _ in members(struct.type)]
+    ones = ["{1, 1, 1}"] if struct.type == "pw85_system" else []
+    return f"{struct.type} const {struct.name}{{{', '.join(values + ones)}}}; "
+
+
+def lines(function):
+    listed = flattened(function)
+    names = [parameter.name for parameter in listed]
+    structs = [parameter for parameter in parameters(function) if parameter.is_struct()]
+    arguments = ", ".join(
+        f"&{one.name}" if one.is_struct() else argument(names.index(one.name), one) for one in parameters(function)
+    )
+    defined = "".join(struct_of(function, struct, names) for struct in structs)
+    call, result = f"{function.name}({arguments})", RESULTS.get(function.type, "other")
+    body = {
+        "status": f"return {{{call}, 0.0}};",
+        "real": f"return {{0, {call}}};",
+        "none": f"{call}; return {{}};",
+        "other": f"static_cast<void>({call}); return {{}};",
+    }[result]
+    unused = "" if arguments else "[[maybe_unused]] "
+    yield f'{{"{function.name}", Result::{result}, {{'
+    yield from (f"    {row_of(parameter, names)}," for parameter in listed)
+    yield f"}}, []({unused}Argument const *x) -> Answer {{ {defined}{body} }}}},"
+
+
+def main(output):
+    rows = [line for header in HEADERS for function in functions(header) for line in lines(function)]
+    Path(output).write_text("\n".join(rows) + "\n", encoding="utf-8")
+
+
+if __name__ == "__main__":
+    main(*sys.argv[1:])

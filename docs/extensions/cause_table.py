@@ -1,0 +1,35 @@
+"""Directive ``pw85-cause-table``: what makes functions of pw85.h fail, with which status, and which functions (docs/causes.py)."""
+
+from causes import CAUSES, FUNCTIONS, has_cause
+from declarations import INCLUDE
+from docutils import nodes
+from docutils.parsers.rst import Directive
+from docutils.statemachine import StringList
+
+WHOM = {"not definite": "all that take forms", "size": "all that take arrays of any length"}
+
+
+def whom(cause):
+    """The functions that a cause concerns, in words if they are many."""
+    if not cause.words:
+        return WHOM.get(cause.key, "all")
+    found = [function.name for function in FUNCTIONS if has_cause(function, cause)]
+    return WHOM.get(cause.key) or ", ".join(f":c:func:`{name}`" for name in found)
+
+
+class CauseTable(Directive):
+    def run(self):
+        path = str(INCLUDE / "pw85.h")
+        self.state.document.settings.record_dependencies.add(path)
+        lines = [".. list-table::", "   :header-rows: 1", "   :widths: 34 18 48", "   :class: stacked", ""]
+        lines += ["   * - cause", "     - status", "     - functions"]
+        for cause in CAUSES:
+            lines += [f"   * - {cause.text}", f"     - ``{cause.status}``", f"     - {whom(cause)}"]
+        container = nodes.container()
+        self.state.nested_parse(StringList(lines, path), self.content_offset, container)
+        return container.children
+
+
+def setup(app):
+    app.add_directive("pw85-cause-table", CauseTable)
+    return {"parallel_read_safe": True}

@@ -1,0 +1,219 @@
+"""Whether the functions of pw85.h return the statuses of their causes, and whether contracts name just these causes.
+
+Each function is called with valid arguments, and with each of them spoiled as api/causes.py says: it must return the status of the
+cause where its contract names the cause, and success where it does not. Usage: check_causes.py LIBRARY
+"""
+
+import ctypes
+import re
+import sys
+from pathlib import Path
+
+import numpy as np
+
+sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
+sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "api"))
+from causes import CAUSES, FUNCTIONS, SUMS, is_named
+from declarations import flattened, members
+from declarations import parameters as declared
+from extensions.status_table import status_codes
+
+STATUSES = {name: int(value) for name, _, value, _ in status_codes()}
+ROWS = 2
+SPHERE, CIRCLE = [1.0, 0, 0, 1, 0, 1], [1.0, 0, 1]
+HUGE = 2**64 - 1
+
+# One row of each input; what is not here is 1.
+VALID = {
+    **dict.fromkeys(("q", "q1", "q2"), SPHERE),
+    **dict.fromkeys(("r12", "r", "d_r12", "d_rot1", "d_rot2"), (3.0, 2, 1)),
+    **dict.fromkeys(("direction", "directions", "normal", "normals", "axis"), (0.0, 0, 1)),
+    **dict.fromkeys(("motion1", "motion2", "motions"), (0.0,) * 7),
+    **dict.fromkeys(("quaternion", "quaternions"), (1.0, 0, 0, 0)),
+    **dict.fromkeys(("n", "num_pairs", "num_particles"), ROWS),
+    "semi_axes": [3.0, 2, 1],
+    "rotation": np.eye(3).ravel(),
+    "lambda": 0.5,
+    "offset": 5.0,
+    "lower": [-9.0] * 3,
+    "upper": [9.0] * 3,
+    "radius": 99.0,
+    "center": [8.0, 8, 8],
+    "centers": [[0.0, 0, 0], [3, 2, 1]],
+    "origin": [-5.0, 0, 0],
+    "pairs": np.array([[0, 1], [1, 0]], dtype=np.int32),
+    "indices": np.array([0, 1], dtype=np.int32),
+    "images": None,
+    "cell": np.diag([20.0, 20, 20]),
+}
+PLANE = {"q1": CIRCLE, "q2": CIRCLE, "direction": [0.0, 1], "directions": [0.0, 1], "r12": [3.0, 2]}
+
+
+class Parameter:
+    def __init__(self, one, flat):
+        self.name = one.name
+        self.is_pointer = one.pointer
+        self.is_input = one.const or not self.is_pointer
+        self.is_real = one.type in ("double", "pw85_motion")
+        self.is_list = one.type == "pw85_neighbors" and one.const
+        self.rows = 1 if self.name in ("cell", "rotation") else ROWS
+        self.type = ctypes.c_void_p if self.is_pointer else ctypes.c_double if self.is_real else ctypes.c_size_t
+        self.flat = flat
+
+    def valid(self):
+        """A valid argument, with room for all rows; outputs have room for anything."""
+        if not self.is_input:
+            return np.zeros(1024)
+        value = (PLANE if self.flat else {}).get(self.name, VALID.get(self.name, 1.0))
+        if not self.is_pointer or value is None:
+            return value
+        return np.array(value if np.ndim(value) > 1 else np.tile(value, (self.rows, 1)))
+
+    def with_entry(self, entry, value):
+        array = self.valid()
+        array.reshape(-1)[entry] = value
+        return array
+
+
+def spoiled_null(p):
+    return [None] if p.is_pointer else []
+
+
+def spoiled_by(value):
+    def spoiled(p):
+        if not (p.is_input and p.is_real):
+            return []
+        return [p.with_entry(i, value) for i in range(p.valid().size // p.rows)] if p.is_pointer else [value]
+
+    return spoiled
+
+
+def of_rows(p, *rows):
+    return [np.tile(row, (ROWS, 1)) for row in rows]
+
+
+def of_numbers(p, *numbers):
+    return [np.full(ROWS, number) for number in numbers] if p.is_pointer else list(numbers)
+
+
+def spoiled_index(p):
+    return [p.with_entry(i, value) for i in (0, 1) for value in (-1, ROWS, 2**31 - 1)]
+
+
+SPOILED = {
+    "null": spoiled_null,
+    "NaN": spoiled_by(np.nan),
+    "infinity": spoiled_by(np.inf),
+    "not definite": lambda p: of_rows(p, *np.eye(len(p.valid()[0]))[[0, -1]], -p.valid()[0], 0 * p.valid()[0]),
+    "not positive": lambda p: of_rows(p, [0.0, 2, 1], [3, 2, -1.0]) if p.name == "semi_axes" else of_numbers(p, 0.0, -1.0),
+    "negative": lambda p: [-1.0],
+    "no rotation": lambda p: [1.00001 * p.valid(), 0 * p.valid()],
+    "zero": lambda p: [0 * p.valid()],
+    "concentric": lambda p: [0 * p.valid()],
+    "lambda": lambda p: of_numbers(p, -0.001, 1.001),
+    "empty box": lambda p: [p.with_entry(0, 9.5)],
+    "shrinks": lambda p: [p.with_entry(6, -2.0)],
+    "index": spoiled_index,
+    "size": lambda p: [HUGE],
+    "range": lambda p: [1e200 * p.valid(), 1e-200 * p.valid()],
+    "far": lambda p: [p.with_entry(0, 1e300)],
+    "singular": lambda p: [0 * p.valid(), np.ones((3, 3))],
+}
+
+
+class PairList(ctypes.Structure):
+    _fields_ = [("num_pairs", ctypes.c_size_t), ("pairs", ctypes.c_void_p), ("images", ctypes.c_void_p)]
+
+
+class System(ctypes.Structure):
+    _fields_ = [
+        ("num_particles", ctypes.c_size_t),
+        *((name, ctypes.c_void_p) for name in ("centers", "q", "cell")),
+        ("periodic", ctypes.c_int * 3),
+    ]
+
+
+STRUCTS = {"pw85_pair_list": PairList, "pw85_system": System}
+
+
+class Caller:
+    def __init__(self, library):
+        self.library = ctypes.CDLL(library)
+        self.neighbors = ctypes.c_void_p()
+        centers, q, cell = np.array(VALID["centers"]), np.tile(SPHERE, (ROWS, 1)), VALID["cell"]
+        system = System(ROWS, *(array.ctypes.data for array in (centers, q, cell)), (1, 1, 1))
+        self.library.pw85_neighbors_create(
+            ctypes.byref(system), ctypes.c_double(1), ctypes.c_double(1), ctypes.byref(self.neighbors)
+        )
+
+    def status(self, function, changes):
+        """The status of a call with valid arguments but for the changes."""
+        values, numbers = {}, {}
+        for p in parameters(function):
+            value = values[p.name] = changes.get(p.name, self.neighbors.value if p.is_list else p.valid())
+            numbers[p.name] = p.type(value.ctypes.data if isinstance(value, np.ndarray) else value)
+        arguments = []
+        for one in declared(function):
+            if not one.is_struct():
+                arguments.append(numbers[one.name])
+            elif changes.get(one.name, one) is None:
+                arguments.append(None)
+            else:
+                read = {name: numbers[name].value for name, _, _ in members(one.type) if name in numbers}
+                struct = STRUCTS[one.type](**read)
+                if isinstance(struct, System):
+                    struct.periodic[:] = changes.get("periodic", (1, 1, 1))
+                arguments.append(ctypes.byref(struct))
+        return getattr(self.library, function.name)(*arguments)
+
+
+def parameters(function):
+    return [Parameter(one, function.name.endswith("_2d")) for one in flattened(function)]
+
+
+def changes(cause, p):
+    """The arguments that provoke a cause by a parameter."""
+    if cause.key == "not periodic":
+        return [{"periodic": (0, 0, 0)}]
+    if cause.key == "no cell":
+        return [{"cell": None, "images": np.zeros((ROWS, 3), dtype=np.int32)}]
+    if cause.key == "other list":
+        return [{"num_particles": 1}]
+    if p.name == "next":
+        return [{"next": None, "next_pair": None}]  # the second must be null with the first
+    return [{p.name: value} for value in SPOILED[cause.key](p)]
+
+
+def shown(value):
+    return [float(x).hex() for x in np.ravel(value)] if isinstance(value, np.ndarray) else value
+
+
+def complaints(caller, function):
+    if caller.status(function, {}) != 0:
+        yield f"{function.name} returns {caller.status(function, {})} for valid arguments"
+    for struct in (one.name for one in declared(function) if one.is_struct()):
+        if caller.status(function, {struct: None}) != STATUSES["PW85_EINVAL"]:
+            yield f"{function.name}: {caller.status(function, {struct: None})} where {struct} is null"
+    for cause in CAUSES:
+        if cause.key in SUMS.get(function.name, ()):
+            continue
+        for p in parameters(function):
+            if not re.fullmatch(cause.parameters, p.name) or not (p.is_input or cause.key == "null"):
+                continue
+            expected = STATUSES[cause.status] if is_named(cause, function, p.name, not p.is_input) else 0
+            for change in changes(cause, p):
+                status = caller.status(function, change)
+                if status != expected:
+                    values = ", ".join(f"{name} = {shown(value)}" for name, value in change.items())
+                    yield f"{function.name}, {cause.key}: {status} instead of {expected} for {values}"
+
+
+def main():
+    caller = Caller(sys.argv[1])
+    found = [text for function in FUNCTIONS for text in complaints(caller, function)]
+    print("\n".join(found))
+    print(f"{len(FUNCTIONS)} functions, {len(found)} complaints")
+    return 1 if found or len(FUNCTIONS) < 40 else 0
+
+
+sys.exit(main())

@@ -1,0 +1,94 @@
+!> The contact function of Perram and Wertheim for two ellipsoids: the C API of pw85.h, pw85_legacy.h and pw85_zheng.h.
+!>
+!> Those headers say what each function computes, in which units, and which statuses it returns. Names and order of arguments are the
+!> same here. Vectors are real(c_double) arrays of 3 numbers, symmetric matrices of 6: (xx, xy, xz, yy, yz, zz); 2 and 3 in two
+!> dimensions. Where C has rows of numbers, Fortran has columns: r12(:, i), q1(:, i) and pairs(:, i) belong to pair i, cell(:, k) is
+!> vector k of the periodic cell. Indices of particles count from 0, as in C. Numbers of pairs are integer(c_size_t).
+!>
+!> Functions return a status, pw85_success or another of the codes below. When the status is not pw85_success, all outputs are NaN.
+!> Arguments that may be null in C are optional here; name the arguments that follow one that is left out.
+!>
+!> Compile with a compiler of Fortran 2018 (its optional arguments of C functions), and link with pw85; with pw85_legacy too if
+!> functions of pw85_legacy.h or pw85_zheng.h are called.
+module pw85
+  use, intrinsic :: iso_c_binding, only: c_char, c_double, c_f_pointer, c_int, c_int8_t, c_int32_t, c_int64_t, &
+    c_null_ptr, c_ptr, c_size_t
+  implicit none
+  private
+
+  !> The version of this module (pw85_version() is that of the library), constants of the headers, and statuses.
+  !@ constants
+
+  !> How an ellipsoid moves: at time t its semi-axes are 1 + growth*t times those at time 0.
+  type, bind(C), public :: pw85_motion
+    real(c_double) :: velocity(3) = 0
+    real(c_double) :: angular_velocity(3) = 0
+    real(c_double) :: growth = 0
+  end type pw85_motion
+
+  !> Particles, in a periodic cell or not: pw85_system(n, c_loc(centers), c_loc(q), c_loc(cell)) of arrays that are targets.
+  type, bind(C), public :: pw85_system
+    integer(c_size_t) :: num_particles = 0
+    type(c_ptr) :: centers = c_null_ptr !< of 3 x num_particles numbers
+    type(c_ptr) :: q = c_null_ptr !< of 6 x num_particles numbers
+    type(c_ptr) :: cell = c_null_ptr !< of 3 x 3 numbers, or null if nothing is periodic
+    integer(c_int) :: periodic(3) = 1 !< not 0 for each vector of the cell along which there are images
+  end type pw85_system
+
+  !> Pairs of particles: pw85_pair_list(n, c_loc(pairs)) or pw85_pair_list(n, c_loc(pairs), c_loc(images)) of arrays that are targets.
+  type, bind(C), public :: pw85_pair_list
+    integer(c_size_t) :: num_pairs = 0
+    type(c_ptr) :: pairs = c_null_ptr !< of 2 x num_pairs indices
+    type(c_ptr) :: images = c_null_ptr !< of 3 x num_pairs multiples of the cell's vectors, or null for the nearest images
+  end type pw85_pair_list
+
+  !@ names
+
+  !@ interfaces
+
+  ! The C library.
+  interface
+    function c_strlen(text) result(length) bind(C, name='strlen')
+      import
+      type(c_ptr), value :: text
+      integer(c_size_t) :: length
+    end function c_strlen
+  end interface
+
+contains
+
+  !> Version of the library that is linked, "major.minor.patch".
+  function pw85_version() result(text)
+    character(:), allocatable :: text
+    text = fortran_string(c_version())
+  end function pw85_version
+
+  !> Sentence that says what a status means.
+  function pw85_strerror(status) result(text)
+    integer(c_int), intent(in) :: status
+    character(:), allocatable :: text
+    text = fortran_string(c_strerror(status))
+  end function pw85_strerror
+
+  !> Quadratic form of a general ellipsoid; rotation(:, k) is the direction of semi_axes(k).
+  function pw85_ellipsoid(semi_axes, rotation, q) result(status)
+    real(c_double), intent(in) :: semi_axes(3), rotation(3, 3)
+    real(c_double), intent(out) :: q(6)
+    integer(c_int) :: status
+    status = c_ellipsoid(semi_axes, transpose(rotation), q)
+  end function pw85_ellipsoid
+
+  function fortran_string(c_text) result(text)
+    type(c_ptr), intent(in) :: c_text
+    character(:), allocatable :: text
+    character(kind=c_char), pointer :: characters(:)
+    integer(c_size_t) :: i, length
+    length = c_strlen(c_text)
+    call c_f_pointer(c_text, characters, [length])
+    allocate (character(length) :: text)
+    do i = 1, length
+      text(i:i) = characters(i)
+    end do
+  end function fortran_string
+
+end module pw85

@@ -1,0 +1,52 @@
+/// @file
+/// The results of calls that have none to give: every number is NaN, and a status says why.
+#ifndef PW85_ALGEBRA_ALL_NAN_HPP_INCLUDED
+#define PW85_ALGEBRA_ALL_NAN_HPP_INCLUDED
+
+#include <pw85/algebra/symmetric.hpp>
+#include <pw85/status.hpp>
+
+namespace pw85::detail {
+
+template <class T> PW85_FUNCTION constexpr void set_nan(T &x) noexcept { x = quiet_nan<T>(); }
+
+template <class T, int D> PW85_FUNCTION constexpr void set_nan(Vector<T, D> &x) noexcept
+{
+    for (int i = 0; i < D; ++i) set_nan(x[i]);
+}
+
+template <class T, int D> PW85_FUNCTION constexpr void set_nan(SymmetricMatrix<T, D> &a) noexcept
+{
+    for (int k = 0; k < a.size; ++k) set_nan(a[k]);
+}
+
+template <class T, int M, int N> PW85_FUNCTION constexpr void set_nan(T (&rows)[M][N]) noexcept
+{
+    for (auto &row : rows)
+        for (T &x : row) set_nan(x);
+}
+
+/// A result whose members are numbers, vectors or matrices, up to four of them, and then the status.
+template <class Result> PW85_FUNCTION constexpr Result all_nan(Status status) noexcept
+{
+    Result result{};
+    result.status = status;
+    if constexpr (requires { Result{{}, {}, {}, {}, {}}; }) {
+        auto &[a, b, c, d, last] = result;
+        (set_nan(a), set_nan(b), set_nan(c), set_nan(d));
+    } else if constexpr (requires { Result{{}, {}, {}, {}}; }) {
+        auto &[a, b, c, last] = result;
+        (set_nan(a), set_nan(b), set_nan(c));
+    } else if constexpr (requires { Result{{}, {}, {}}; }) {
+        auto &[a, b, last] = result;
+        (set_nan(a), set_nan(b));
+    } else {
+        auto &[a, last] = result;
+        set_nan(a);
+    }
+    return result;
+}
+
+} // namespace pw85::detail
+
+#endif

@@ -1,0 +1,73 @@
+/// @file
+/// Whether a form is positive definite: one decision, the same in every function, order of the ellipsoids and instruction set.
+#ifndef PW85_ALGEBRA_DEFINITE_HPP_INCLUDED
+#define PW85_ALGEBRA_DEFINITE_HPP_INCLUDED
+
+#include <pw85/algebra/extended_number.hpp>
+
+namespace pw85::detail {
+
+/// The type of a number with more digits, or its own where there are none.
+template <class T> using Widened = std::conditional_t<exact::is_decidable<T>, exact::Extended<T>, T>;
+
+/// Leading principal minors, in their order.
+template <class T> PW85_FUNCTION inline Vector<T, 2> leading_minors(SymmetricMatrix<T, 2> const &a) noexcept
+{
+    return {a[0], determinant(a, adjugate(a))};
+}
+
+template <class T> PW85_FUNCTION inline Vector<T, 3> leading_minors(SymmetricMatrix<T, 3> const &a) noexcept
+{
+    auto const adj = adjugate(a);
+    return {a[0], adj[5], determinant(a, adj)};
+}
+
+/// The determinant over the product of the diagonal down to which a form counts as positive definite: 2^-212 for double. Entries
+/// of like magnitude are multiples of some u, and a determinant of some u³: that is far above.
+template <class T> PW85_FUNCTION constexpr T least_determinant() noexcept
+{
+    return negative_power_of_two<T>(4 * result_digits<T>());
+}
+
+/// Sylvester's criterion for finite entries and a positive diagonal, without rounding errors that matter: scaled to a unit diagonal
+/// the minors err by less than 2^(5-bits), and where the determinant exceeds least_determinant(), so do the others half of that.
+/// Pivots, which are ratios of minors, exceed the fourth root of the smallest number times the largest diagonal entry. (An ellipsoid
+/// of aspect ratio 1e38 has a pivot as small as that in double; its inverse leaves room for products of four entries.)
+template <class T, int D>
+[[gnu::noinline, gnu::cold]] PW85_FUNCTION inline bool has_positive_minors(SymmetricMatrix<T, D> const &a) noexcept
+{
+    using W = Widened<T>;
+    auto const w = converted<W>(a);
+    auto const minors = leading_minors(w);
+    W const floor = W(square_root(square_root(smallest_number<T>()))) * largest_diagonal(w);
+    bool positive = minors[0] > floor;
+    for (int i = 1; i < D; ++i) positive = positive && minors[i] > W(floor * minors[i - 1]);
+    return positive && minors[D - 1] > W(least_determinant<W>() * diagonal_product(w));
+}
+
+/// The same to rounding, which serves types with digits to spare, and devices: pivots lose less than minors.
+template <class T, int D> PW85_FUNCTION inline bool has_positive_pivots(SymmetricMatrix<T, D> const &a) noexcept
+{
+    T const floor = square_root(square_root(smallest_number<T>())) * largest_diagonal(a);
+    Factorization<T, D> const factors = factorize(a, T(0));
+    bool positive = factors.pivots[0] > floor;
+    for (int i = 1; i < D; ++i) positive = positive && factors.pivots[i] > floor;
+    return positive;
+}
+
+/// Whether numbers of a type are extended where its own digits do not suffice.
+template <class T> static constexpr bool has_extended_numbers = exact::is_decidable<T> && !is_for_device;
+
+/// Whether a matrix with finite entries and a positive diagonal, the largest near one, is positive definite: decided for the numbers
+/// as they are where there are extended numbers, to rounding elsewhere.
+template <class T, int D> PW85_FUNCTION inline bool is_positive_definite(SymmetricMatrix<T, D> const &a) noexcept
+{
+    if constexpr (has_extended_numbers<T>)
+        return is_clearly_definite(a) || has_positive_minors(a);
+    else
+        return is_clearly_definite(a) || has_positive_pivots(a);
+}
+
+} // namespace pw85::detail
+
+#endif

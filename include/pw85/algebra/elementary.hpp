@@ -1,0 +1,33 @@
+/// @file
+/// Elementary functions of float, double and long double, for `using elementary::sqrt;` in place of `using std::sqrt;`.
+///
+/// The functions of `std::` are inline: units that do without inlining share one copy, which the linker may take from the
+/// unit that was compiled for the newest processor. These here belong to their unit.
+#ifndef PW85_ALGEBRA_ELEMENTARY_HPP_INCLUDED
+#define PW85_ALGEBRA_ELEMENTARY_HPP_INCLUDED
+
+#include <pw85/attributes.hpp>
+
+namespace pw85::detail::elementary {
+
+#define PW85_ELEMENTARY(type, suffix)                                                                                  \
+    PW85_FUNCTION constexpr type abs(type x) noexcept { return __builtin_fabs##suffix(x); }                            \
+    PW85_FUNCTION inline type sqrt(type x) noexcept { return __builtin_sqrt##suffix(x); }                              \
+    PW85_FUNCTION inline type cbrt(type x) noexcept { return __builtin_cbrt##suffix(x); }                              \
+    PW85_FUNCTION inline type exp(type x) noexcept { return __builtin_exp##suffix(x); }                                \
+    PW85_FUNCTION inline type log(type x) noexcept { return __builtin_log##suffix(x); }                                \
+    PW85_FUNCTION inline type sin(type x) noexcept { return __builtin_sin##suffix(x); }                                \
+    PW85_FUNCTION inline type cos(type x) noexcept { return __builtin_cos##suffix(x); }                                \
+    PW85_FUNCTION inline type atan2(type y, type x) noexcept { return __builtin_atan2##suffix(y, x); }                 \
+    PW85_FUNCTION inline type frexp(type x, int *exponent) noexcept { return __builtin_frexp##suffix(x, exponent); }   \
+    PW85_FUNCTION inline type ldexp(type x, int exponent) noexcept { return __builtin_ldexp##suffix(x, exponent); }    \
+    PW85_FUNCTION inline int ilogb(type x) noexcept { return __builtin_ilogb##suffix(x); }
+
+PW85_ELEMENTARY(float, f)
+PW85_ELEMENTARY(double, )
+PW85_ELEMENTARY(long double, l)
+#undef PW85_ELEMENTARY
+
+} // namespace pw85::detail::elementary
+
+#endif

@@ -1,0 +1,64 @@
+/// @file
+/// Sums and products with what their roundings leave out: error-free transformations.
+#ifndef PW85_ALGEBRA_ERROR_FREE_HPP_INCLUDED
+#define PW85_ALGEBRA_ERROR_FREE_HPP_INCLUDED
+
+#include <pw85/algebra/scalar.hpp>
+
+namespace pw85::detail {
+
+/// A number as the sum of two whose products with such parts of others are exact, so that it makes no difference whether the compiler
+/// fuses them with an addition.
+template <class T> struct Parts {
+    T high, low;
+};
+
+/// Rounded to 26 bits, so that 26 bits and a sign are left of 53.
+PW85_FUNCTION inline double leading_bits(double x) noexcept
+{
+    std::uint64_t const bits = __builtin_bit_cast(std::uint64_t, x) + 0x4000000;
+    return __builtin_bit_cast(double, bits & ~std::uint64_t{0x7ffffff});
+}
+
+PW85_FUNCTION inline float leading_bits(float x) noexcept
+{
+    return __builtin_bit_cast(float, __builtin_bit_cast(std::uint32_t, x) & ~std::uint32_t{0xfff});
+}
+
+/// T. J. Dekker, Numer. Math. 18, 224 (1971), for types whose products are never fused.
+template <class T> PW85_FUNCTION inline T leading_bits(T const &x) noexcept
+{
+    T const scaled = x * (T(1) + T(1) / negative_power_of_two<T>((mantissa_digits<T>() + 1) / 2));
+    return scaled - (scaled - x);
+}
+
+template <class T> PW85_FUNCTION inline Parts<T> split(T const &x) noexcept
+{
+    T const high = leading_bits(x);
+    return {high, x - high};
+}
+
+/// A sum and what its roundings left out (D. E. Knuth, The Art of Computer Programming 2, 4.2.2).
+template <class T> struct CompensatedSum {
+    T sum, rest;
+};
+
+template <class T> PW85_FUNCTION inline void add(CompensatedSum<T> &c, T const &x) noexcept
+{
+    T const sum = c.sum + x, part = sum - c.sum;
+    c.rest = c.rest + ((c.sum - (sum - part)) + (x - part));
+    c.sum = sum;
+}
+
+template <class T>
+PW85_FUNCTION inline void subtract_product(CompensatedSum<T> &c, Parts<T> const &x, Parts<T> const &y) noexcept
+{
+    add(c, T(-(x.high * y.high)));
+    add(c, T(-(x.high * y.low)));
+    add(c, T(-(x.low * y.high)));
+    add(c, T(-(x.low * y.low)));
+}
+
+} // namespace pw85::detail
+
+#endif

@@ -1,0 +1,254 @@
+/// @file
+/// Floating-point numbers in integers, with seven times the digits of a native type: for pairs that are too nearly singular for the
+/// type itself. No rounding mode, option of the compiler or instruction set changes a bit of them. Their operators are compiled for
+/// speed (`gnu::hot`), the formulas that call them for size (`gnu::cold`): few pairs need them, and each unit has them.
+#ifndef PW85_ALGEBRA_EXTENDED_NUMBER_HPP_INCLUDED
+#define PW85_ALGEBRA_EXTENDED_NUMBER_HPP_INCLUDED
+
+#include <pw85/algebra/powers_of_two.hpp>
+#include <pw85/algebra/wide_integer.hpp>
+
+namespace pw85::detail::exact {
+
+/// The formats whose numbers are taken apart: those of IEEE 754, and the 64 digits of the x87.
+template <class T>
+static constexpr bool is_decidable = std::is_floating_point_v<T> &&
+                                     (std::numeric_limits<T>::digits == 24 || std::numeric_limits<T>::digits == 53 ||
+                                      std::numeric_limits<T>::digits == 64 || std::numeric_limits<T>::digits == 113);
+
+/// The number sign·m·2^exponent with m in [1/2, 1), where m = mantissa/2^bits; zero where the sign is zero, and NaN where it is
+/// `undefined`: there is no infinity. Results are truncated. A sum errs by at most 2^(1-bits) of itself, and so does a product.
+template <class T> struct Extended {
+    static constexpr int size = limbs_for(7 * std::numeric_limits<T>::digits);
+    static constexpr int bits = size * limb_bits;
+    static constexpr int undefined = 2;
+
+    Digits<size> mantissa;
+    int exponent;
+    int sign; ///< -1, 0, 1 or undefined
+
+    Extended() noexcept = default;
+
+    /// A native number, exactly; of constants too, which may be of another type than `T`.
+    template <class Number>
+    requires std::is_arithmetic_v<Number> PW85_MEMBER explicit Extended(Number number) noexcept
+        : mantissa{}, exponent(0), sign(0)
+    {
+        using Native = std::conditional_t<std::is_integral_v<Number>, double, Number>;
+        auto const x = static_cast<Native>(number);
+        sign = x > 0 ? 1 : x < 0 ? -1 : x == 0 ? 0 : undefined;
+        if (sign != 1 && sign != -1) return;
+        exponent = binary_exponent(absolute(x)) + 1;
+        Native fraction = pw85::detail::times_power_of_two(absolute(x), -exponent);
+        constexpr auto radix = Native(2) * static_cast<Native>(Limb{1} << (limb_bits - 1));
+        for (int i = size - 1; i >= 0 && fraction > Native(0); --i) {
+            fraction = fraction * radix;
+            mantissa.limbs[i] = static_cast<Limb>(fraction);
+            fraction = fraction - static_cast<Native>(mantissa.limbs[i]);
+        }
+    }
+
+    PW85_MEMBER bool is_defined() const noexcept { return sign != undefined; }
+};
+
+template <class T> PW85_FUNCTION inline Extended<T> not_a_number() noexcept
+{
+    Extended<T> x(0);
+    x.sign = Extended<T>::undefined;
+    return x;
+}
+
+/// Zeros above the highest bit of a number that is not zero, and of zero all bits.
+template <int N> PW85_FUNCTION inline int leading_zeros(Digits<N> const &x) noexcept
+{
+    int i = N - 1;
+    while (i > 0 && x.limbs[i] == 0) --i;
+    return (N - 1 - i) * limb_bits + std::countl_zero(x.limbs[i]);
+}
+
+/// x·2^exponent modulo 2^(limb_bits·N); 0 <= exponent < limb_bits·N.
+template <int N> PW85_FUNCTION inline Digits<N> shifted_up(Digits<N> const &x, int exponent) noexcept
+{
+    int const whole = exponent / limb_bits, bits = exponent % limb_bits;
+    Digits<N> result{};
+    for (int i = N - 1; i >= whole; --i) {
+        Limb const high = x.limbs[i - whole], low = i > whole ? x.limbs[i - whole - 1] : Limb{0};
+        result.limbs[i] = bits == 0 ? high : static_cast<Limb>(high << bits | low >> (limb_bits - bits));
+    }
+    return result;
+}
+
+/// sign·x/2^(limb_bits·N)·2^exponent, truncated.
+template <class T, int N>
+PW85_FUNCTION inline Extended<T> normalized(Digits<N> const &x, int exponent, int sign) noexcept
+{
+    int const zeros = leading_zeros(x);
+    Extended<T> result(0);
+    if (zeros == N * limb_bits) return result;
+    auto const shifted = shifted_up(x, zeros);
+    for (int i = 0; i < result.size; ++i) result.mantissa.limbs[i] = shifted.limbs[N - result.size + i];
+    result.exponent = exponent - zeros;
+    result.sign = sign;
+    return result;
+}
+
+/// The mantissa over 2^exponent, with a limb below it and one above.
+template <class T> PW85_FUNCTION inline auto with_guards(Extended<T> const &x, int exponent) noexcept
+{
+    constexpr int size = Extended<T>::size + 2;
+    Digits<size> result{};
+    for (int i = 0; i < x.size; ++i) result.limbs[i + 1] = x.mantissa.limbs[i];
+    return exponent < size * limb_bits ? over_power_of_two(result, exponent) : Digits<size>{};
+}
+
+/// x + sign·y for Σ limbs as two's complement, sign = ±1.
+template <int N> PW85_FUNCTION inline Digits<N> sum(Digits<N> x, Digits<N> const &y, int sign) noexcept
+{
+    add(WideSum{x.limbs, N}, y, 0, sign);
+    return x;
+}
+
+/// The sum where |x| has the larger exponent. A number that is shifted by more than a bit is smaller than half the other one, so
+/// that the result loses at most a bit, and what is truncated below the guard does not show.
+template <class T> [[gnu::noinline, gnu::hot]] PW85_FUNCTION inline Extended<T>
+add_ordered(Extended<T> const &x, Extended<T> const &y) noexcept
+{
+    auto result = sum(with_guards(x, 0), with_guards(y, x.exponent - y.exponent), x.sign * y.sign);
+    int const exponent = x.exponent + limb_bits; // of the guard above
+    if (result.limbs[result.size - 1] >> (limb_bits - 1) == 0) return normalized<T>(result, exponent, x.sign);
+    return normalized<T>(sum(Digits<result.size>{}, result, -1), exponent, -x.sign);
+}
+
+template <class T> [[gnu::noinline, gnu::hot]] PW85_FUNCTION inline Extended<T> operator+(Extended<T> const &x,
+                                                                                          Extended<T> const &y) noexcept
+{
+    if (!x.is_defined() || !y.is_defined()) return not_a_number<T>();
+    if (x.sign == 0) return y;
+    if (y.sign == 0) return x;
+    return x.exponent >= y.exponent ? add_ordered(x, y) : add_ordered(y, x);
+}
+
+template <class T> PW85_FUNCTION inline Extended<T> operator-(Extended<T> x) noexcept
+{
+    if (x.is_defined()) x.sign = -x.sign;
+    return x;
+}
+
+template <class T> PW85_FUNCTION inline Extended<T> operator-(Extended<T> const &x, Extended<T> const &y) noexcept
+{
+    return x + -y;
+}
+
+template <class T> [[gnu::noinline, gnu::hot]] PW85_FUNCTION inline Extended<T> operator*(Extended<T> const &x,
+                                                                                          Extended<T> const &y) noexcept
+{
+    if (!x.is_defined() || !y.is_defined()) return not_a_number<T>();
+    if (x.sign == 0 || y.sign == 0) return Extended<T>(0);
+    return normalized<T>(x.mantissa * y.mantissa, x.exponent + y.exponent, x.sign * y.sign);
+}
+
+/// The nearest native number but for an error of 2^-10 ulp. Beyond the range of `T` it is infinity or zero.
+template <class T> PW85_FUNCTION inline T rounded(Extended<T> const &x) noexcept
+{
+    if (!x.is_defined()) return quiet_nan<T>();
+    constexpr auto radix = T(2) * static_cast<T>(Limb{1} << (limb_bits - 1));
+    T fraction = T(0);
+    for (int i = 0; i < x.size; ++i) fraction = (fraction + static_cast<T>(x.mantissa.limbs[i])) / radix;
+    return pw85::detail::times_power_of_two(T(static_cast<T>(x.sign) * fraction), x.exponent);
+}
+
+/// x with another exponent: m in [1/2, 1), or half or twice that.
+template <class T> PW85_FUNCTION inline Extended<T> with_exponent(Extended<T> x, int exponent) noexcept
+{
+    x.exponent = exponent;
+    return x;
+}
+
+/// Steps of Newton's method that lead from the digits of `T` to all: each doubles what is right, and eight times is more than seven.
+inline constexpr int newton_steps = 3;
+
+/// 1/x, off by some 2^-bits; x is not zero.
+template <class T>
+[[gnu::noinline, gnu::hot]] PW85_FUNCTION inline Extended<T> reciprocal(Extended<T> const &x) noexcept
+{
+    auto const m = with_exponent(x, 0), one = Extended<T>(1);
+    Extended<T> y(T(1) / rounded(m));
+    for (int n = 0; n < newton_steps; ++n) y = y + y * (one - m * y);
+    return with_exponent(y, y.exponent - x.exponent);
+}
+
+template <class T> PW85_FUNCTION inline Extended<T> operator/(Extended<T> const &x, Extended<T> const &y) noexcept
+{
+    return y.sign == 0 ? not_a_number<T>() : x * reciprocal(y);
+}
+
+template <class T> [[gnu::noinline, gnu::hot]] PW85_FUNCTION inline Extended<T> sqrt(Extended<T> const &x) noexcept
+{
+    if (x.sign == 0) return x;
+    if (x.sign != 1) return not_a_number<T>();
+    int const odd = x.exponent & 1; // of negative numbers, too
+    auto const m = with_exponent(x, odd), three = Extended<T>(3), half = Extended<T>(0.5);
+    Extended<T> y(T(1) / square_root(rounded(m)));
+    for (int n = 0; n < newton_steps; ++n) y = half * (y * (three - m * (y * y)));
+    auto const root = m * y;
+    return with_exponent(root, root.exponent + (x.exponent - odd) / 2);
+}
+
+template <class T> PW85_FUNCTION inline Extended<T> abs(Extended<T> x) noexcept
+{
+    if (x.sign == -1) x.sign = 1;
+    return x;
+}
+
+template <class T> PW85_FUNCTION inline bool operator<(Extended<T> const &x, Extended<T> const &y) noexcept
+{
+    return (x - y).sign == -1;
+}
+template <class T> PW85_FUNCTION inline bool operator>(Extended<T> const &x, Extended<T> const &y) noexcept
+{
+    return y < x;
+}
+template <class T> PW85_FUNCTION inline bool operator<=(Extended<T> const &x, Extended<T> const &y) noexcept
+{
+    int const sign = (x - y).sign;
+    return sign == -1 || sign == 0;
+}
+template <class T> PW85_FUNCTION inline bool operator>=(Extended<T> const &x, Extended<T> const &y) noexcept
+{
+    return y <= x;
+}
+template <class T> PW85_FUNCTION inline bool operator==(Extended<T> const &x, Extended<T> const &y) noexcept
+{
+    return (x - y).sign == 0;
+}
+
+} // namespace pw85::detail::exact
+
+namespace pw85 {
+
+template <class T> struct ScalarTraits<detail::exact::Extended<T>> {
+    using Lane = detail::exact::Extended<T>;
+    using Mask = bool;
+    static constexpr int lanes = 1;
+    static constexpr int result_digits = std::numeric_limits<T>::digits;
+};
+
+} // namespace pw85
+
+/// The range is given as that of the native type, though the exponents reach much farther. Of the digits some are left to quotients,
+/// and roots: those of float err by up to 2^(12-bits), as its digits double to no more than 192.
+template <class T> class std::numeric_limits<pw85::detail::exact::Extended<T>> {
+    using Extended = pw85::detail::exact::Extended<T>;
+
+  public:
+    static constexpr bool is_specialized = true, is_integer = false;
+    static constexpr int digits = Extended::bits - 16, max_exponent = std::numeric_limits<T>::max_exponent;
+
+    PW85_MEMBER static Extended max() noexcept { return Extended(pw85::detail::largest_number<T>()); }
+    PW85_MEMBER static Extended min() noexcept { return Extended(pw85::detail::smallest_number<T>()); }
+    // NOLINTNEXTLINE(readability-identifier-naming): numeric_limits calls it that
+    PW85_MEMBER static Extended quiet_NaN() noexcept { return pw85::detail::exact::not_a_number<T>(); }
+    PW85_MEMBER static Extended epsilon() noexcept { return with_exponent(Extended(1), 2 - digits); }
+};
+
+#endif

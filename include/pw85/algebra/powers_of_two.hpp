@@ -1,0 +1,64 @@
+/// @file
+/// Exponents of numbers, and products with powers of two, which are exact.
+#ifndef PW85_ALGEBRA_POWERS_OF_TWO_HPP_INCLUDED
+#define PW85_ALGEBRA_POWERS_OF_TWO_HPP_INCLUDED
+
+#include <pw85/algebra/symmetric.hpp>
+
+namespace pw85::detail {
+
+/// The binary exponent of a positive number: x·2^-n lies in [1, 2).
+template <class T> PW85_FUNCTION inline int binary_exponent(T const &x) noexcept
+{
+    using elementary::ilogb;
+    return ilogb(x);
+}
+
+/// That of a double from its bits, as devices have no ilogb; subnormal numbers are made normal.
+PW85_FUNCTION inline int binary_exponent(double x) noexcept
+{
+    bool const subnormal = x < smallest_number<double>();
+    auto const bits = __builtin_bit_cast(std::uint64_t, subnormal ? x * 0x1p54 : x);
+    return static_cast<int>(bits >> 52 & 0x7ff) - (subnormal ? 1023 + 54 : 1023);
+}
+
+/// Half of it, rounded down: x·4^-n lies in [1, 4).
+template <class T> PW85_FUNCTION inline int half_exponent(T const &x) noexcept
+{
+    int const e = binary_exponent(x);
+    return e >= 0 ? e / 2 : -((1 - e) / 2);
+}
+
+template <class T> PW85_FUNCTION inline T times_power_of_two(T const &x, int exponent) noexcept
+{
+    using elementary::ldexp;
+    return ldexp(x, exponent);
+}
+
+/// x·2^exponent for a double, without ldexp, which devices lack. Rounded once: where a step of 2^-969 gives a subnormal number, the
+/// powers that are left, at most 2^-54, take it to zero.
+PW85_FUNCTION inline double times_power_of_two(double x, int exponent) noexcept
+{
+    for (; exponent > 1023; exponent -= 1023) x = x * 0x1p1023;
+    for (; exponent < -1022; exponent += 969) x = x * 0x1p-969;
+    return x * __builtin_bit_cast(double, static_cast<std::uint64_t>(1023 + exponent) << 52);
+}
+
+template <class T, int D> PW85_FUNCTION inline Vector<T, D> times_power_of_two(Vector<T, D> x, int exponent) noexcept
+{
+    if (exponent != 0)
+        for (int i = 0; i < D; ++i) x[i] = times_power_of_two(x[i], exponent);
+    return x;
+}
+
+template <class T, int D>
+PW85_FUNCTION inline SymmetricMatrix<T, D> times_power_of_two(SymmetricMatrix<T, D> a, int exponent) noexcept
+{
+    if (exponent != 0)
+        for (int k = 0; k < a.size; ++k) a[k] = times_power_of_two(a[k], exponent);
+    return a;
+}
+
+} // namespace pw85::detail
+
+#endif

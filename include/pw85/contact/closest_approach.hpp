@@ -1,0 +1,36 @@
+/// @file
+/// Distance of closest approach: μ² is quadratic in the separation, so along a unit vector d it is 1/μ(d).
+#ifndef PW85_CONTACT_CLOSEST_APPROACH_HPP_INCLUDED
+#define PW85_CONTACT_CLOSEST_APPROACH_HPP_INCLUDED
+
+#include <pw85/contact/contact.hpp>
+
+namespace pw85 {
+
+/// Distance of the centres at external tangency; NaN where the status is not success.
+template <class T> struct ClosestApproach {
+    T distance;
+    Status status;
+};
+
+template <class T, int D> PW85_FUNCTION inline ClosestApproach<T>
+closest_approach(Vector<T, D> direction, SymmetricMatrix<T, D> const &q1, SymmetricMatrix<T, D> const &q2) noexcept
+{
+    using namespace detail;
+    T const largest = largest_coordinate(direction);
+    if (!is_finite(direction) || !(largest > T(0))) return all_nan<ClosestApproach<T>>(Status::invalid_argument);
+    direction = direction / largest;
+    ScaledPair<T, D> scaled{{direction, q1, q2, T(1)}, 0, 0, false};
+    if (!is_ordinary(direction, q1, q2)) {
+        Status const status = validate(direction, q1, q2, scaled);
+        if (status != Status::success) return all_nan<ClosestApproach<T>>(status);
+    }
+    Maximum<T> const maximum = maximize(scaled.pair);
+    if (!maximum.converged || !(maximum.mu2 >= T(0))) return all_nan<ClosestApproach<T>>(Status::no_convergence);
+    T const norm = square_root(dot(direction, direction));
+    return {times_power_of_two(T(norm / square_root(maximum.mu2)), scaled.form - scaled.length), Status::success};
+}
+
+} // namespace pw85
+
+#endif

@@ -1,0 +1,132 @@
+/// @file
+/// Builders of quadratic forms from lengths and directions.
+#ifndef PW85_CONTACT_FORMS_HPP_INCLUDED
+#define PW85_CONTACT_FORMS_HPP_INCLUDED
+
+#include <pw85/algebra/all_nan.hpp>
+#include <pw85/algebra/powers_of_two.hpp>
+
+namespace pw85 {
+
+/// A quadratic form, NaN where the status is not success.
+template <class T, int D> struct Form {
+    SymmetricMatrix<T, D> q;
+    Status status;
+};
+
+} // namespace pw85
+
+namespace pw85::detail {
+
+/// Largest deviation of RᵀR from the identity that is taken for rounding: that of a rotation in single precision, with
+/// some room.
+inline constexpr double rotation_tolerance = 1e-6;
+
+/// A form with its status: entries must be finite and the diagonal positive, which they are not when a sum of squares of
+/// lengths overflows.
+template <class T, int D> PW85_FUNCTION constexpr Form<T, D> checked_form(SymmetricMatrix<T, D> const &q) noexcept
+{
+    bool valid = is_finite(q);
+    for (int i = 0; i < D; ++i) valid = valid && q(i, i) > T(0);
+    return valid ? Form<T, D>{q, Status::success} : all_nan<Form<T, D>>(Status::invalid_argument);
+}
+
+/// Whether a length is positive, and its square a positive number of `T`: one that vanishes makes a form singular, which its
+/// entries show only where the axis is along x, y or z.
+template <class T> PW85_FUNCTION constexpr bool is_length(T const &x) noexcept
+{
+    T const square = x * x;
+    return x > T(0) && square > T(0) && square <= largest_number<T>();
+}
+
+/// Q = R diag(semi_axes²) Rᵀ, for R known to be orthogonal.
+template <class T, int D>
+PW85_FUNCTION constexpr Form<T, D> form_of_axes(Vector<T, D> const &semi_axes, T const (&rotation)[D * D]) noexcept
+{
+    SymmetricMatrix<T, D> q{};
+    for (int i = 0; i < D; ++i)
+        for (int j = i; j < D; ++j)
+            for (int k = 0; k < D; ++k)
+                q(i, j) = q(i, j) + (rotation[D * i + k] * semi_axes[k]) * (rotation[D * j + k] * semi_axes[k]);
+    return checked_form(q);
+}
+
+/// The rotation matrix (row-major) of a quaternion (w, x, y, z) of squared length `norm2`.
+template <class T> struct RotationMatrix {
+    T entries[9];
+};
+
+template <class T>
+PW85_FUNCTION constexpr RotationMatrix<T> rotation_matrix(Vector<T, 4> const &quaternion, T const &norm2) noexcept
+{
+    auto const [w, x, y, z] = quaternion.coordinates;
+    T const two = T(2) / norm2;
+    return {{T(1) - two * (y * y + z * z), two * (x * y - w * z), two * (x * z + w * y), two * (x * y + w * z),
+             T(1) - two * (x * x + z * z), two * (y * z - w * x), two * (x * z - w * y), two * (y * z + w * x),
+             T(1) - two * (x * x + y * y)}};
+}
+
+} // namespace pw85::detail
+
+namespace pw85 {
+
+// Q = a² (I - nnᵀ) + c² nnᵀ for the unit vector along n, without cancellation for any ratio of the lengths.
+template <class T> PW85_FUNCTION constexpr Form<T, 3> spheroid(T const &a, T const &c, Vector<T, 3> n) noexcept
+{
+    using namespace detail;
+    T const largest = largest_coordinate(n);
+    if (!is_length(a) || !is_length(c) || !is_finite(n) || !(largest > T(0)))
+        return all_nan<Form<T, 3>>(Status::invalid_argument);
+    n = n / largest;
+    T const norm2 = dot(n, n), a2 = a * a, c2 = c * c;
+    SymmetricMatrix<T, 3> q{};
+    for (int i = 0; i < 3; ++i) {
+        int const j = (i + 1) % 3, k = (i + 2) % 3;
+        q(i, i) = (a2 * (n[j] * n[j] + n[k] * n[k]) + c2 * (n[i] * n[i])) / norm2;
+        for (int l = i + 1; l < 3; ++l) q(i, l) = (c - a) * (c + a) * (n[i] * n[l] / norm2);
+    }
+    return checked_form(q);
+}
+
+template <class T>
+PW85_FUNCTION constexpr Form<T, 3> ellipsoid(Vector<T, 3> const &semi_axes, T const (&rotation)[9]) noexcept
+{
+    using namespace detail;
+    bool valid = true;
+    for (int i = 0; i < 3; ++i) {
+        valid = valid && is_length(semi_axes[i]);
+        for (int j = i; j < 3; ++j) {
+            T product = i == j ? T(-1) : T(0);
+            for (int k = 0; k < 3; ++k) product = product + rotation[3 * k + i] * rotation[3 * k + j];
+            valid = valid && absolute(product) <= T(rotation_tolerance);
+        }
+    }
+    return valid ? form_of_axes(semi_axes, rotation) : all_nan<Form<T, 3>>(Status::invalid_argument);
+}
+
+template <class T>
+PW85_FUNCTION constexpr Form<T, 3> ellipsoid_quaternion(Vector<T, 3> const &semi_axes, Vector<T, 4> quaternion) noexcept
+{
+    using namespace detail;
+    T const largest = largest_coordinate(quaternion);
+    bool valid = is_finite(quaternion) && largest > T(0);
+    for (int i = 0; i < 3; ++i) valid = valid && is_length(semi_axes[i]);
+    if (!valid) return all_nan<Form<T, 3>>(Status::invalid_argument);
+    quaternion = quaternion / largest;
+    return form_of_axes(semi_axes, rotation_matrix(quaternion, dot(quaternion, quaternion)).entries);
+}
+
+template <class T> PW85_FUNCTION inline Form<T, 2> ellipse(T const &a, T const &b, T const &angle) noexcept
+{
+    using namespace detail;
+    using elementary::cos;
+    using elementary::sin;
+    if (!is_length(a) || !is_length(b) || !(angle * T(0) == T(0))) return all_nan<Form<T, 2>>(Status::invalid_argument);
+    T const c = cos(angle), s = sin(angle);
+    T const rotation[4] = {c, -s, s, c};
+    return form_of_axes(Vector<T, 2>{a, b}, rotation);
+}
+
+} // namespace pw85
+
+#endif

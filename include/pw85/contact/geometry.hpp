@@ -1,0 +1,258 @@
+/// @file
+/// Contact point, normal and derivatives, from the maximiser λ.
+///
+/// With n = [(1-λ) Q1 + λ Q2]⁻¹ r12 (envelope theorem: λ may be held fixed, f being stationary there):
+///
+/// 1. x0 - c1 = (1-λ) Q1 n, x0 - c2 = -λ Q2 n; the common normal is along n.
+/// 2. ∂μ²/∂r12 = 2λ(1-λ) n; ∂μ²/∂Q1 = -λ(1-λ)² n nᵀ; ∂μ²/∂Q2 = -λ²(1-λ) n nᵀ.
+/// 3. Rotations about the own centres: ∂μ²/∂ω1 = 2λ(1-λ)² n × Q1n, ∂μ²/∂ω2 = 2λ²(1-λ) n × Q2n. Their sum plus r12 × ∂μ²/∂r12
+///    vanishes: no net torque.
+#ifndef PW85_CONTACT_GEOMETRY_HPP_INCLUDED
+#define PW85_CONTACT_GEOMETRY_HPP_INCLUDED
+
+#include <pw85/contact/contact.hpp>
+
+namespace pw85 {
+
+/// Where and how the ellipsoids, scaled by μ, touch.
+template <class T, int D> struct ContactGeometry {
+    Vector<T, D> point;  ///< relative to the centre of ellipsoid 1
+    Vector<T, D> normal; ///< unit vector, out of ellipsoid 1 and into ellipsoid 2
+    Status status;
+};
+
+/// Derivatives of μ² with respect to the separation and the stored entries of the forms.
+template <class T, int D> struct ContactGradient {
+    Vector<T, D> r12;
+    SymmetricMatrix<T, D> q1, q2;
+    Status status;
+};
+
+/// Derivatives of μ² with respect to the rotation vectors of the ellipsoids, each about its own centre; the one component of
+/// ellipses is that with respect to the angle.
+template <class T, int D = 3> struct ContactTorque {
+    Vector<T, detail::rotation_axes<D>> rotation1, rotation2;
+    Status status;
+};
+
+} // namespace pw85
+
+namespace pw85::detail {
+
+/// Conditioning (rational.hpp) above which the adjugate gives M⁻¹x to 126 u/d < 2^-28 in double, a few times what the rounding of
+/// λ and of the forms leaves certain of the derivatives of such a pair.
+template <class T> PW85_FUNCTION constexpr T adjugate_conditioning() noexcept
+{
+    return negative_power_of_two<T>(maximum(mantissa_digits<T>() / 2 - 8, 0));
+}
+
+template <class T, int D>
+PW85_FUNCTION constexpr typename ScalarTraits<T>::Mask is_accurate(AdjugateSolution<T, D> const &solution) noexcept
+{
+    return solution.determinant > adjugate_conditioning<T>() * solution.diagonal;
+}
+
+/// The relative error in the norm of M up to which a solution by factorisation is taken: 2^-13 for double. Extended numbers,
+/// which take some hundred times as long, are left to pairs that are still worse.
+template <class T> PW85_FUNCTION constexpr T tolerated_error() noexcept
+{
+    return negative_power_of_two<T>(mantissa_digits<T>() / 4);
+}
+
+/// M⁻¹ x for M = w1 Q1 + w2 Q2, to rounding in the norm of M.
+template <class T, int D> [[gnu::noinline, gnu::cold]] PW85_FUNCTION inline Vector<T, D>
+solve_blend_extended(T const &w1, SymmetricMatrix<T, D> const &q1, T const &w2, SymmetricMatrix<T, D> const &q2,
+                     Vector<T, D> const &x) noexcept
+{
+    using W = Widened<T>;
+    auto const s = solve(factorize_blend(W(w1), converted<W>(q1), W(w2), converted<W>(q2)), converted<W>(x));
+    Vector<T, D> result{};
+    for (int i = 0; i < D; ++i) result[i] = rounded(s[i]);
+    return result;
+}
+
+/// M⁻¹ x for M = w1 Q1 + w2 Q2: by the adjugate where that is as good as rounding allows, by factorisation where that leaves
+/// some digits, else with extended numbers where there are such.
+template <class T, int D> PW85_FUNCTION inline Vector<T, D> solve_blend(T const &w1, SymmetricMatrix<T, D> const &q1,
+                                                                        T const &w2, SymmetricMatrix<T, D> const &q2,
+                                                                        Vector<T, D> const &x) noexcept
+{
+    auto const m = blend(w1, q1, w2, q2);
+    auto const solution = solve_by_adjugate(m, x);
+    if (is_accurate(solution)) return T(T(1) / solution.determinant) * solution.s;
+    auto const factors = factorize(m, T(unit_roundoff<T>()));
+    if constexpr (has_extended_numbers<T>)
+        if (!(T(factorization_error) * unit_roundoff<T>() * condition(factors, m) <= tolerated_error<T>()))
+            return solve_blend_extended(w1, q1, w2, q2, x);
+    return solve(factors, x);
+}
+
+/// A pair at some λ, in units of its own: n is proportional to v = (w1 Q1 + w2 Q2)⁻¹ r12.
+template <class T, int D> struct Tangency {
+    Vector<T, D> v;
+    T lambda1, lambda2;       ///< 1-λ, λ
+    T weight1, weight2;       ///< w1, w2: proportional to 1-λ and λ
+    int lambda_exponent = 0;  ///< lambda2 is λ over this power of two
+    int weights_exponent = 0; ///< lambda1 lambda2 is w1 w2 times this power of two
+};
+
+/// The point x0, relative to the centre of ellipsoid 1 (item 1).
+template <class T, int D>
+PW85_FUNCTION constexpr Vector<T, D> tangency_point(Tangency<T, D> const &at, SymmetricMatrix<T, D> const &q1) noexcept
+{
+    return at.weight1 * product(q1, at.v);
+}
+
+/// The unit vector along n; not finite where n is zero.
+template <class T, int D> PW85_FUNCTION inline Vector<T, D> tangency_normal(Tangency<T, D> const &at) noexcept
+{
+    return T(T(1) / square_root(dot(at.v, at.v))) * at.v;
+}
+
+/// ∂μ²/∂r12 (item 2).
+template <class T, int D> PW85_FUNCTION constexpr Vector<T, D> separation_gradient(Tangency<T, D> const &at) noexcept
+{
+    return T(T(2) * at.lambda1 * at.lambda2) * at.v;
+}
+
+/// ∂μ²/∂ω1 and ∂μ²/∂ω2 (item 3).
+template <class T, int D = 3> struct RotationGradients {
+    Vector<T, rotation_axes<D>> first, second;
+};
+
+template <class T, int D> PW85_FUNCTION constexpr RotationGradients<T, D>
+rotation_gradients(Tangency<T, D> const &at, SymmetricMatrix<T, D> const &q1, SymmetricMatrix<T, D> const &q2) noexcept
+{
+    Vector<T, D> const n = separation_gradient(at);
+    return {cross(n, at.weight1 * product(q1, at.v)), cross(n, at.weight2 * product(q2, at.v))};
+}
+
+/// 1-λ: a maximiser that rounds to 1 is that of a pair of very different sizes, not the end.
+template <class T> PW85_FUNCTION constexpr T complement_of(T const &lambda) noexcept
+{
+    return maximum(T(T(1) - lambda), T(unit_roundoff<T>() / 2));
+}
+
+/// Exponents that lead from the units of a Tangency back to the caller's.
+struct TangencyUnits {
+    int length; ///< of r12
+    int normal; ///< of n
+    int lambda; ///< of λ
+};
+
+/// The pair at λ in units in which its forms, the larger of its weights and λ are of order one, so that everything that is
+/// made of them stays in range. `scaled` is the pair, in its order and scaled.
+template <class T, int D> PW85_FUNCTION inline Tangency<T, D>
+scaled_tangency(ScaledPair<T, D> const &scaled, T const &lambda1, T const &lambda2, TangencyUnits &units) noexcept
+{
+    T const &first = scaled.swapped ? lambda2 : lambda1, &second = scaled.swapped ? lambda1 : lambda2;
+    int const small = -2 * binary_exponent(scaled.pair.ratio);
+    bool const first_leads =
+        !(second > T(0)) || (first > T(0) && binary_exponent(first) > binary_exponent(second) + small);
+    int const weight = first_leads ? binary_exponent(first) : binary_exponent(second) + small;
+    T const w1 = times_power_of_two(first, -weight), w2 = times_power_of_two(second, small - weight);
+    auto const v = solve_blend(w1, scaled.pair.q1, w2, scaled.pair.q2, scaled.pair.r12);
+    int const lambda = lambda2 > T(0) ? binary_exponent(lambda2) : 0;
+    units = {scaled.length, scaled.length - 2 * scaled.form - weight, lambda};
+    return {T(scaled.swapped ? -1 : 1) * v, lambda1, times_power_of_two(lambda2, -lambda), scaled.swapped ? w2 : w1,
+            scaled.swapped ? w1 : w2,       lambda,  2 * weight - small - lambda};
+}
+
+/// formula(tangency, q1, q2) for any pair at λ.
+template <class Formula, class T, int D> [[gnu::noinline]] PW85_FUNCTION inline auto
+at_tangency_scaled(Formula formula, Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
+                   SymmetricMatrix<T, D> const &q2, T const &lambda1, T const &lambda2) noexcept
+{
+    ScaledPair<T, D> scaled;
+    Status const status = lambda2 >= T(0) && lambda2 <= T(1) ? validate(r12, q1, q2, scaled) : Status::invalid_argument;
+    if (status != Status::success) return all_nan<decltype(formula(Tangency<T, D>{}, q1, q2))>(status);
+    if (!(largest_coordinate(r12) > T(0))) return formula(Tangency<T, D>{}, q1, q2);
+    TangencyUnits units;
+    Tangency<T, D> const at = scaled_tangency(scaled, lambda1, lambda2, units);
+    auto result =
+        scaled.swapped ? formula(at, scaled.pair.q2, scaled.pair.q1) : formula(at, scaled.pair.q1, scaled.pair.q2);
+    rescale(result, units);
+    return result;
+}
+
+/// formula(tangency, q1, q2) for a pair at λ.
+template <class Formula, class T, int D>
+PW85_FUNCTION inline auto at_tangency(Formula formula, Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
+                                      SymmetricMatrix<T, D> const &q2, T const &lambda) noexcept
+{
+    T const lambda1 = complement_of(lambda);
+    if (lambda >= T(0) && lambda <= T(1) && is_ordinary(r12, q1, q2)) {
+        Vector<T, D> const v = solve_blend(lambda1, q1, lambda, q2, r12);
+        return formula(Tangency<T, D>{v, lambda1, lambda, lambda1, lambda}, q1, q2);
+    }
+    return at_tangency_scaled(formula, r12, q1, q2, lambda1, lambda);
+}
+
+template <class T, int D>
+PW85_FUNCTION inline void rescale(ContactGeometry<T, D> &g, TangencyUnits const &units) noexcept
+{
+    g.point = times_power_of_two(g.point, units.length);
+}
+
+template <class T, int D>
+PW85_FUNCTION inline void rescale(ContactGradient<T, D> &g, TangencyUnits const &units) noexcept
+{
+    g.r12 = times_power_of_two(g.r12, units.normal + units.lambda);
+    g.q1 = times_power_of_two(g.q1, 2 * units.normal + units.lambda);
+    g.q2 = times_power_of_two(g.q2, 2 * (units.normal + units.lambda));
+}
+
+template <class T, int D> PW85_FUNCTION inline void rescale(ContactTorque<T, D> &t, TangencyUnits const &units) noexcept
+{
+    int const exponent = units.length + units.normal + units.lambda;
+    t.rotation1 = times_power_of_two(t.rotation1, exponent);
+    t.rotation2 = times_power_of_two(t.rotation2, exponent);
+}
+
+} // namespace pw85::detail
+
+namespace pw85 {
+
+template <class T, int D>
+PW85_FUNCTION inline ContactGeometry<T, D> contact_geometry(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
+                                                            SymmetricMatrix<T, D> const &q2, T const &lambda) noexcept
+{
+    using namespace detail;
+    return at_tangency(
+        [](Tangency<T, D> const &at, SymmetricMatrix<T, D> const &p1, SymmetricMatrix<T, D> const &) {
+            if (!(dot(at.v, at.v) > T(0))) return all_nan<ContactGeometry<T, D>>(Status::invalid_argument);
+            return ContactGeometry<T, D>{tangency_point(at, p1), tangency_normal(at), Status::success};
+        },
+        r12, q1, q2, lambda);
+}
+
+template <class T, int D>
+PW85_FUNCTION inline ContactGradient<T, D> contact_gradient(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
+                                                            SymmetricMatrix<T, D> const &q2, T const &lambda) noexcept
+{
+    using namespace detail;
+    return at_tangency(
+        [](Tangency<T, D> const &at, SymmetricMatrix<T, D> const &, SymmetricMatrix<T, D> const &) {
+            auto const nn = outer_weights(at.v);
+            T const weight = at.lambda1 * at.lambda2;
+            return ContactGradient<T, D>{separation_gradient(at), T(-at.lambda1 * weight) * nn,
+                                         T(-at.lambda2 * weight) * nn, Status::success};
+        },
+        r12, q1, q2, lambda);
+}
+
+template <class T, int D>
+PW85_FUNCTION inline ContactTorque<T, D> contact_torque(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
+                                                        SymmetricMatrix<T, D> const &q2, T const &lambda) noexcept
+{
+    return detail::at_tangency(
+        [](detail::Tangency<T, D> const &at, SymmetricMatrix<T, D> const &p1, SymmetricMatrix<T, D> const &p2) {
+            auto const gradients = detail::rotation_gradients(at, p1, p2);
+            return ContactTorque<T, D>{gradients.first, gradients.second, Status::success};
+        },
+        r12, q1, q2, lambda);
+}
+
+} // namespace pw85
+
+#endif

@@ -1,0 +1,194 @@
+/// @file
+/// The formulas of the search for the maximum of f: a third-order iteration in x = log t.
+///
+/// With A and B as in evaluation.hpp, C = (ratio·t)² B (A = μ1² and C = μ2² of x0) and h = ½ log(C/A):
+///
+/// 1. The maximum of f is the root of h, df/dx = λ(1-λ)(A - C), and h increases: in the eigenbasis of the pencil
+///    (Q1, Q2), with eigenvalues d_i and p_i = 1/(1 + t d_i), h' = ea + eb, where ea = -½ d(log A)/dx is an average of
+///    1 - p_i and eb = ½ d(log C)/dx one of p_i over positive weights, and h' <= 1, with equality for spheres.
+/// 2. |h''| <= 2 h', since d p_i/dx = -p_i (1 - p_i). So a step δ of Newton's method from a distance below 0.1 is followed
+///    by one of less than a quarter of it; where that is not seen, δ is rounding noise. Farther away a step may be small and
+///    the root still far: where h grows like e^(2x), h/h' is 1/2.
+/// 3. f <= μ² <= max(A, C), and x - h is nearer to the root than x and on the same side: every evaluation gives a bound.
+/// 4. 1/√A and 1/√C are nearly affine in t and in 1/t (exactly, where r12 is an eigenvector of the pencil). Equating the
+///    tangents gives a quadratic for t that converges from afar, as in trust-region methods (J. J. Moré and
+///    D. C. Sorensen, SIAM J. Sci. Stat. Comput. 4, 553, 1983); near the root Halley's method is better.
+#ifndef PW85_CONTACT_ITERATION_HPP_INCLUDED
+#define PW85_CONTACT_ITERATION_HPP_INCLUDED
+
+#include <pw85/contact/evaluation.hpp>
+
+namespace pw85::detail {
+
+/// A step in x that leaves an error below final_step(): Halley's error is about its cube.
+template <class T> PW85_FUNCTION constexpr T penultimate_step() noexcept
+{
+    return negative_power_of_two<T>(result_digits<T>() / 9 + 2);
+}
+
+/// A step x to the root up to which f + ½ f' x is right to u: it errs by f‴x³/12, where |f‴| <= 2.4 f by items 1 and 2, and the
+/// cube is at most 4u.
+template <class T> PW85_FUNCTION constexpr T final_step() noexcept
+{
+    return negative_power_of_two<T>(result_digits<T>() / 3);
+}
+
+/// A Jet's view of h: h = artanh(difference/sum); h' = k/weight and h'' = k2/weight².
+template <class T> struct Slope {
+    T sum;        ///< C + A
+    T difference; ///< C - A
+    T weight;     ///< A·B
+    T k, k2;
+};
+
+template <class T> PW85_FUNCTION constexpr Slope<T> slope(Jet<T> const &j, T const &ratio, T const &t) noexcept
+{
+    T const y = ratio * t, c = y * y * j.b, weight = j.a * j.b;
+    T const p = t * j.b1 * j.a, q = t * j.a1 * j.b;
+    return {c + j.a, c - j.a, weight, weight + T(0.5) * (p - q),
+            T(0.5) * (weight * ((p - q) + t * t * (j.b2 * j.a - j.a2 * j.b)) - (p - q) * (p + q))};
+}
+
+/// Whether Newton's step is at most 5/8, where item 2 makes Halley's the better one. Where rounding noise exceeds the
+/// largest h', it counts as that. False where rounding errors have made A·B negative.
+template <class T> PW85_FUNCTION constexpr typename ScalarTraits<T>::Mask is_near(Slope<T> const &s) noexcept
+{
+    return s.weight > T(0) && absolute(s.difference) * s.weight <= T(0.625) * (s.sum * minimum(s.k, s.weight));
+}
+
+/// A step in x, as a fraction.
+template <class T> struct Step {
+    T numerator;
+    T denominator; ///< positive
+};
+
+/// Halley's step for the root of tanh h, where is_near(), kept between half and twice Newton's: rounding noise in h'' must
+/// not make it small.
+template <class T> PW85_FUNCTION constexpr Step<T> halley_step(Slope<T> const &s) noexcept
+{
+    T const k = s.sum * s.k * s.k;
+    T const denominator = minimum(T(k + k), maximum(T(k - T(0.5) * s.difference * s.k2), T(T(0.5) * k)));
+    return {-s.difference * s.k * s.weight, denominator};
+}
+
+/// e^step to third order: the factor by which t changes.
+template <class T> PW85_FUNCTION constexpr T exponential(Step<T> const &step) noexcept
+{
+    T const twice = step.denominator + step.denominator;
+    return rough_quotient(T(twice + step.numerator), T(twice - step.numerator));
+}
+
+/// Whether a step is at most `bound` in magnitude.
+template <class T>
+PW85_FUNCTION constexpr typename ScalarTraits<T>::Mask is_within(Step<T> const &step, T const &bound) noexcept
+{
+    return absolute(step.numerator) <= bound * step.denominator;
+}
+
+/// The factor y on t of item 4: the positive root of ea y² + ((1 - ea) - ω(1 - eb)) y - ω eb, with ω = √(A/C).
+template <class T> PW85_FUNCTION inline T secular_factor(Jet<T> const &j, T const &ratio, T const &t) noexcept
+{
+    T const y = ratio * t;
+    T const ea = j.log_factor - rough_quotient(T(T(0.5) * t * j.a1), j.a);
+    T const eb = T(1) + rough_quotient(T(T(0.5) * t * j.b1), j.b) - j.log_factor;
+    T const omega = rough_root(rough_quotient(j.a, T(y * y * j.b)));
+    T const half = T(0.5) * ((T(1) - ea) - omega * (T(1) - eb));
+    T const root = rough_root(T(half * half + ea * omega * eb));
+    auto const positive = half > T(0);
+    return rough_quotient(select(positive, T(omega * eb), T(root - half)), select(positive, T(half + root), ea));
+}
+
+/// Where the iteration starts: exact for spheres.
+template <class T, int D> PW85_FUNCTION inline T initial_guess(Pair<T, D> const &pair) noexcept
+{
+    auto const weights = outer_weights(pair.r12);
+    T const unit = T(1) / pair.ratio; // while the root is taken
+    return rough_root(rough_quotient(quadratic_form(pair.q1, weights), quadratic_form(pair.q2, weights))) * unit;
+}
+
+/// Where a search stands: t, and once it has converged what is expected of h there.
+template <class T> struct Candidate {
+    T t;
+    T k, k2; ///< h' and h''
+};
+
+/// Takes note of the derivatives to expect at the end of a step by a factor near 1.
+template <class T> PW85_FUNCTION constexpr void expect_derivatives(Candidate<T> &candidate, Slope<T> const &s,
+                                                                   T const &factor,
+                                                                   typename ScalarTraits<T>::Mask where) noexcept
+{
+    T const reciprocal = rough_quotient(T(1), s.weight), k2 = s.k2 * reciprocal * reciprocal;
+    candidate.k = select(where, T(s.k * reciprocal + k2 * (factor - T(1))), candidate.k);
+    candidate.k2 = select(where, k2, candidate.k2);
+}
+
+/// What the last evaluation gives: μ² and λ from any vector near M⁻¹r12 in direction.
+template <class T> struct StationaryValue {
+    T mu2;
+    T lambda, complement; ///< λ and 1-λ
+    T step;               ///< the last step in x, taken into account in all of these
+};
+
+/// From A and B of s and rᵀs. λ(rᵀs)²/(A + tB) is stationary in s as well as in x, so that an error of s counts only
+/// squared, and its scale not at all; to it comes ½ f' x for the last step x, which is never negative. The step, to third
+/// order, is that of h + k x + ½ k2 x² = 0; where rounding noise makes it meaningless it is limited to ¼.
+template <class T> PW85_FUNCTION constexpr StationaryValue<T>
+stationary_value(Candidate<T> const &candidate, T const &ratio, T const &a, T const &b, T const &rs) noexcept
+{
+    T const y = ratio * candidate.t, c = y * y * b, difference = a - c;
+    T const reciprocal = T(1) / ((a + c) * candidate.k), newton = difference * reciprocal;
+    T const bent = newton - T(0.5) * candidate.k2 * (a + c) * reciprocal * (newton * newton);
+    T const step = minimum(T(0.25), maximum(T(-0.25), bent));
+    T const tau = minimum(T(ratio * y), T(T(0.5) * largest_number<T>()));
+    T const complement = T(1) / (T(1) + tau), lambda = tau * complement, weight = lambda * complement;
+    T const scale = rs / (a + candidate.t * b);
+    T const gain = T(0.5) * step * difference * (scale * scale) * weight;
+    T const change = weight * step * (T(1) + T(0.5) * (complement - lambda) * step);
+    T const rest = complement - change;
+    return {lambda * rs * scale + maximum(T(0), gain), select(tau > T(1), T(T(1) - rest), T(lambda + change)), rest,
+            step};
+}
+
+/// The last evaluation of a search, and whether μ² is right to rounding.
+template <class T> struct LastEvaluation {
+    StationaryValue<T> value;
+    typename ScalarTraits<T>::Mask certain;
+};
+
+/// The rounding error of a result, u below.
+template <class T> PW85_FUNCTION constexpr T result_roundoff() noexcept
+{
+    if constexpr (result_digits<T>() == mantissa_digits<T>())
+        return T(unit_roundoff<T>());
+    else
+        return negative_power_of_two<T>(result_digits<T>());
+}
+
+/// Whether a last evaluation is right to rounding, from an s that errs by e = u n/d of itself across its direction, in the norm
+/// of M. The value then errs by the sum of three parts, and each is kept below u, where cond >= 3:
+///
+/// 1. λ(rᵀs)²/(A + tB) is e² too small, and a wrong root of h costs e²(1 - k)/k, with k = h': where the eigenvalues p of Q1
+///    relative to M, weighted with s, have mean λ and variance σ², k = 1 - σ²/(λ(1-λ)), and h errs by eσ/(λ(1-λ)).
+/// 2. The share of the step, ½ f' x, errs by 2λ(1-λ) x times that, at most e x.
+/// 3. What is of third order in x (final_step()).
+///
+/// False for a t and k that are not positive, or NaN.
+template <class T> PW85_FUNCTION constexpr typename ScalarTraits<T>::Mask
+is_certain(Candidate<T> const &candidate, T const &step, T const &n, T const &d) noexcept
+{
+    T const x = absolute(step), u = result_roundoff<T>();
+    return candidate.t > T(0) && u * n * n < candidate.k * d * d && n * x < d && x <= final_step<T>();
+}
+
+/// The maximum of f in the units of a Pair.
+template <class T> struct Maximum {
+    T mu2;
+    T lambda, complement; ///< λ and 1-λ
+    int evaluations;      ///< of f, in either form
+    bool converged;
+    bool certain; ///< whether condition_number() bounds by how much μ² errs, as decide_by_comparison() asks for
+};
+
+} // namespace pw85::detail
+
+#endif

@@ -1,0 +1,30 @@
+/// @file
+/// The tight box around an ellipsoid, with sides along the axes.
+#ifndef PW85_DISTANCE_BOUNDING_BOX_HPP_INCLUDED
+#define PW85_DISTANCE_BOUNDING_BOX_HPP_INCLUDED
+
+#include <pw85/algebra/all_nan.hpp>
+#include <pw85/contact/validate.hpp>
+
+namespace pw85 {
+
+/// Half-widths of the box: the ellipsoid reaches so far from its centre along each axis, both ways. NaN where the status is not
+/// success.
+template <class T, int D> struct BoundingBox {
+    Vector<T, D> half_widths;
+    Status status;
+};
+
+// The support function of the ellipsoid in the direction of an axis is the root of a diagonal entry.
+template <class T, int D> PW85_FUNCTION inline BoundingBox<T, D> bounding_box(SymmetricMatrix<T, D> const &q) noexcept
+{
+    Status const status = detail::validate(q);
+    if (status != Status::success) return detail::all_nan<BoundingBox<T, D>>(status);
+    BoundingBox<T, D> box{{}, Status::success};
+    for (int i = 0; i < D; ++i) box.half_widths[i] = detail::square_root(q(i, i));
+    return box;
+}
+
+} // namespace pw85
+
+#endif

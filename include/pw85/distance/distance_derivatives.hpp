@@ -1,0 +1,179 @@
+/// @file
+/// First and second derivatives of the distance with respect to positions and rotations.
+///
+/// With the notation of distance.hpp, p1 = Q1n/α and p2 = Q2n/β, the points of the surfaces relative to their own centres:
+///
+/// 1. Envelope theorem: n may be held fixed. ∂d/∂r12 = n, and rotations about the own centres give ∂d/∂ωi = n × pi. Their sum
+///    plus r12 × n vanishes: no net torque.
+/// 2. With Ai = ∂pi/∂n, A1 = (Q1 - p1p1ᵀ)/α, whose null space is n, the normal turns by P(A1 + A2 + d I)⁻¹P times what its
+///    condition is off, P = I - nnᵀ. With Ci = ∂(n × pi)/∂n = [n]Ai - [pi], where [x]y = x × y, the Hessian is J G Jᵀ with G
+///    that matrix and J = (I; C1; C2), plus for each rotation what it does at fixed n,
+///    Ki = (n·pi) I - ½(pi nᵀ + n piᵀ) - [n]ᵀAi[n].
+#ifndef PW85_DISTANCE_DISTANCE_DERIVATIVES_HPP_INCLUDED
+#define PW85_DISTANCE_DISTANCE_DERIVATIVES_HPP_INCLUDED
+
+#include <pw85/distance/distance.hpp>
+
+namespace pw85 {
+
+/// Derivatives of the distance; NaN if the ellipsoids overlap.
+template <class T> struct DistanceDerivatives {
+    Vector<T, 3> r12;                  ///< the unit normal, from 1 to 2
+    Vector<T, 3> rotation1, rotation2; ///< per radian, for rotation vectors about the own centres
+    T hessian[9][9];                   ///< with respect to r12, rotation 1, rotation 2
+    Status status;
+};
+
+} // namespace pw85
+
+namespace pw85::detail {
+
+/// One ellipsoid of a DistancePair at its closest point, in the unit of r12.
+template <class T> struct SurfaceElement {
+    Vector<T, 3> point;         ///< p of item 1
+    SymmetricMatrix<T, 3> turn; ///< A of item 2
+};
+
+template <class T> PW85_FUNCTION inline SurfaceElement<T>
+surface_element(SymmetricMatrix<T, 3> const &q, T const &scale, Vector<T, 3> const &n) noexcept
+{
+    Support<T, 3> const s = support(q, n);
+    SurfaceElement<T> element{scale * s.point, q};
+    for (int i = 0; i < 3; ++i)
+        for (int j = i; j < 3; ++j) element.turn(i, j) = scale * ((q(i, j) - s.point[i] * s.point[j]) / s.extent);
+    return element;
+}
+
+template <class T> PW85_FUNCTION constexpr Vector<T, 3> unit_vector(int i) noexcept
+{
+    Vector<T, 3> e{};
+    e[i] = T(1);
+    return e;
+}
+
+/// x less its part along the unit vector n.
+template <class T> PW85_FUNCTION constexpr Vector<T, 3> project(Vector<T, 3> const &x, Vector<T, 3> const &n) noexcept
+{
+    return add_scaled(x, T(-dot(x, n)), n);
+}
+
+/// A1 + A2 + d I, stiffened along n, where A1 and A2 have nothing, by their trace.
+template <class T> PW85_FUNCTION inline Factorization<T, 3>
+factorize_stiffness(SurfaceElement<T> const (&elements)[2], T const &distance, Vector<T, 3> const &n) noexcept
+{
+    SymmetricMatrix<T, 3> stiffness = blend(elements[0].turn, T(1), elements[1].turn);
+    T const along = stiffness(0, 0) + stiffness(1, 1) + stiffness(2, 2);
+    for (int i = 0; i < 3; ++i) {
+        stiffness(i, i) = stiffness(i, i) + distance;
+        for (int j = i; j < 3; ++j) stiffness(i, j) = stiffness(i, j) + along * n[i] * n[j];
+    }
+    return factorize(stiffness, T(unit_roundoff<T>()));
+}
+
+/// K of item 2.
+template <class T>
+PW85_FUNCTION inline SymmetricMatrix<T, 3> bend(SurfaceElement<T> const &element, Vector<T, 3> const &n) noexcept
+{
+    SymmetricMatrix<T, 3> k{};
+    Vector<T, 3> const &p = element.point;
+    T const extent = dot(n, p);
+    for (int i = 0; i < 3; ++i) {
+        Vector<T, 3> const turned = product(element.turn, cross(n, unit_vector<T>(i)));
+        for (int j = i; j < 3; ++j)
+            k(i, j) = (i == j ? extent : T(0)) - T(0.5) * (p[i] * n[j] + n[i] * p[j]) -
+                      dot(cross(n, unit_vector<T>(j)), turned);
+    }
+    return k;
+}
+
+/// The Hessian in the units of a DistancePair (item 2).
+template <class T> PW85_FUNCTION inline void distance_hessian(SurfaceElement<T> const (&elements)[2], T const &distance,
+                                                              Vector<T, 3> const &n, T (&hessian)[9][9]) noexcept
+{
+    auto const factors = factorize_stiffness(elements, distance, n);
+    Vector<T, 3> rows[9], turned[9]; // of J and J G
+    for (int k = 0; k < 3; ++k) {
+        rows[k] = unit_vector<T>(k);
+        for (int e = 0; e < 2; ++e) {
+            auto const &[point, turn] = elements[e];
+            Vector<T, 3> const arm = cross(rows[k], point), change = cross(n, product(turn, rows[k]));
+            for (int i = 0; i < 3; ++i) rows[3 + 3 * e + i][k] = arm[i] + change[i];
+        }
+    }
+    for (int i = 0; i < 9; ++i) turned[i] = project(solve(factors, project(rows[i], n)), n);
+    for (int i = 0; i < 9; ++i)
+        for (int j = i; j < 9; ++j) hessian[i][j] = hessian[j][i] = dot(turned[i], rows[j]);
+    for (int e = 0; e < 2; ++e) {
+        SymmetricMatrix<T, 3> const k = bend(elements[e], n);
+        for (int i = 0; i < 3; ++i)
+            for (int j = 0; j < 3; ++j) {
+                T &entry = hessian[3 + 3 * e + i][3 + 3 * e + j];
+                entry = entry + k(i, j);
+            }
+    }
+}
+
+/// Derivatives in the units of a DistancePair, but for rotations: those are in the units of their forms.
+template <class T> PW85_FUNCTION inline DistanceDerivatives<T> derivatives_across(DistancePair<T, 3> const &pair,
+                                                                                  Slab<T, 3> const &slab) noexcept
+{
+    Distance<T, 3> const d = distance_across(slab);
+    DistanceDerivatives<T> result{d.normal, cross(d.normal, d.point1), cross(d.normal, d.point2), {}, Status::success};
+    SurfaceElement<T> const elements[2] = {surface_element(pair.q1, pair.scale1, d.normal),
+                                           surface_element(pair.q2, pair.scale2, d.normal)};
+    distance_hessian(elements, d.distance, d.normal, result.hessian);
+    return result;
+}
+
+template <class T> [[gnu::noinline]] PW85_FUNCTION inline DistanceDerivatives<T>
+refined_derivatives(DistancePair<T, 3> const &pair, FoundSlab<T, 3> found) noexcept
+{
+    if (!found.found) found = search_slab(pair);
+    if (found.accurate) return derivatives_across(pair, found.slab);
+    auto const polished = polish(pair, found.slab);
+    if (!polished.accurate) return all_nan<DistanceDerivatives<T>>(Status::no_convergence);
+    auto const fine = derivatives_across(finer(pair), polished.slab);
+    DistanceDerivatives<T> result{
+        rounded(fine.r12), rounded(fine.rotation1), rounded(fine.rotation2), {}, Status::success};
+    for (int i = 0; i < 9; ++i)
+        for (int j = 0; j < 9; ++j) result.hessian[i][j] = rounded(fine.hessian[i][j]);
+    return result;
+}
+
+/// distance_derivatives() of a valid pair that is apart.
+template <class T>
+PW85_FUNCTION inline DistanceDerivatives<T> distance_derivatives_apart(Vector<T, 3> const &r12,
+                                                                       SymmetricMatrix<T, 3> const &q1,
+                                                                       SymmetricMatrix<T, 3> const &q2) noexcept
+{
+    DistanceUnits units;
+    DistancePair<T, 3> const pair = scale_distance(r12, q1, q2, units);
+    auto const found = find_slab(pair);
+    DistanceDerivatives<T> result =
+        found.accurate ? derivatives_across(pair, found.slab) : refined_derivatives(pair, found);
+    result.rotation1 = times_power_of_two(result.rotation1, units.form1);
+    result.rotation2 = times_power_of_two(result.rotation2, units.form2);
+    for (int i = 0; i < 9; ++i)
+        for (int j = 0; j < 9; ++j) {
+            int const lengths = (i >= 3) + (j >= 3) - 1; // the dimension of this entry
+            result.hessian[i][j] = times_power_of_two(result.hessian[i][j], lengths * units.length);
+        }
+    return result;
+}
+
+} // namespace pw85::detail
+
+namespace pw85 {
+
+template <class T> PW85_FUNCTION inline DistanceDerivatives<T>
+distance_derivatives(Vector<T, 3> const &r12, SymmetricMatrix<T, 3> const &q1, SymmetricMatrix<T, 3> const &q2) noexcept
+{
+    Overlap const decision = overlap(r12, q1, q2);
+    if (decision.status != Status::success || decision.overlap)
+        return detail::all_nan<DistanceDerivatives<T>>(decision.status);
+    return detail::distance_derivatives_apart(r12, q1, q2);
+}
+
+} // namespace pw85
+
+#endif

@@ -1,0 +1,43 @@
+/// @file
+/// Where a straight line is inside of an ellipsoid.
+///
+/// In the metric of Q⁻¹ the ellipsoid is a ball: the point of the line that is nearest to the centre comes first, then half the
+/// chord. So no digits are lost however far away the line starts, but those of the nearest point itself.
+#ifndef PW85_DISTANCE_LINE_HPP_INCLUDED
+#define PW85_DISTANCE_LINE_HPP_INCLUDED
+
+#include <pw85/algebra/all_nan.hpp>
+#include <pw85/contact/validate.hpp>
+
+namespace pw85 {
+
+/// The part enter <= t <= leave of the line origin + t·direction that is in an ellipsoid; NaN if there is none.
+template <class T> struct Chord {
+    T enter, leave;
+    Status status;
+};
+
+template <class T, int D> PW85_FUNCTION inline Chord<T>
+intersect_line(Vector<T, D> const &origin, Vector<T, D> const &direction, SymmetricMatrix<T, D> const &q) noexcept
+{
+    using namespace detail;
+    T const largest = largest_coordinate(direction);
+    bool const valid = is_finite(origin) && is_finite(direction) && largest > T(0);
+    Status const status = valid ? validate(q) : Status::invalid_argument;
+    if (status != Status::success) return all_nan<Chord<T>>(status);
+    int const unit = half_exponent(largest_diagonal(q)), length = binary_exponent(largest);
+    auto const factors = factorize(times_power_of_two(q, -2 * unit), T(unit_roundoff<T>()));
+    Vector<T, D> const d = times_power_of_two(direction, -length), w = solve(factors, d);
+    Vector<T, D> x = times_power_of_two(origin, -unit);
+    T const norm2 = dot(d, w), middle = -dot(x, w) / norm2;
+    x = add_scaled(x, middle, d);
+    T const rest = T(1) - dot(x, solve(factors, x));
+    if (!(rest >= T(0))) return all_nan<Chord<T>>(Status::success);
+    T const half = square_root(T(rest / norm2));
+    return {times_power_of_two(T(middle - half), unit - length), times_power_of_two(T(middle + half), unit - length),
+            Status::success};
+}
+
+} // namespace pw85
+
+#endif

@@ -1,0 +1,181 @@
+/// @file
+/// An ellipsoid and walls: half-space, box, cylinder. Distances are clearances, negative where the ellipsoid is in the wall.
+///
+/// With the support α(n) = √(nᵀQn), reached at Qn/α:
+///
+/// 1. A wall n·x >= c, |n| = 1, is c - α away; the ellipsoid must be scaled by μ = c/α to touch it. Moving the centre by
+///    y changes the distance by -n·y, a small rotation ω about it by ω·(n × Qn/α); μ² changes by 2μ/α and 2μ²/α times that.
+/// 2. A box is six such walls, a cylinder one for every normal n to its axis: R - n·c - α(n) is smallest where the projection of
+///    the ellipsoid is farthest from the axis.
+#ifndef PW85_DISTANCE_WALLS_HPP_INCLUDED
+#define PW85_DISTANCE_WALLS_HPP_INCLUDED
+
+#include <pw85/distance/nearest.hpp>
+
+namespace pw85 {
+
+/// The contact function of an ellipsoid and a half-space.
+template <class T, int D> struct PlaneContact {
+    T mu2; ///< square of the factor by which the ellipsoid must be scaled to touch; 0 if its centre is in the wall
+    Vector<T, D> point; ///< where it then touches, relative to its centre
+    Status status;
+};
+
+/// Derivatives of the distance to a half-space, or of μ², with respect to the centre, and to the rotation vector about it.
+template <class T> struct PlaneDerivatives {
+    Vector<T, 3> center, rotation;
+    Status status;
+};
+
+} // namespace pw85
+
+namespace pw85::detail {
+
+/// A wall in units of its own: n·x >= offset with a normal whose largest coordinate is of order one.
+template <class T, int D> struct Wall {
+    Vector<T, D> normal;
+    T offset;
+    Status status;
+};
+
+template <class T, int D> PW85_FUNCTION inline Wall<T, D> normalize_wall(Vector<T, D> normal, T const &offset,
+                                                                         SymmetricMatrix<T, D> const &q) noexcept
+{
+    Status const status = offset * T(0) == T(0) ? validate(q) : Status::invalid_argument;
+    if (is_in_range(sum_of_magnitudes(normal), T(1), T(1))) return {normal, offset, status};
+    T const largest = largest_coordinate(normal);
+    bool const valid = is_finite(normal) && largest > T(0);
+    normal = normal / largest;
+    return {normal, offset / largest, valid ? status : Status::invalid_argument};
+}
+
+/// distance_plane() in the units of a valid wall.
+template <class T, int D> PW85_FUNCTION inline SurfaceDistance<T, D>
+distance_wall(Vector<T, D> const &normal, T const &offset, Support<T, D> const &s) noexcept
+{
+    T const reciprocal = T(1) / square_root(dot(normal, normal));
+    return {(offset - s.extent) * reciprocal, s.point, reciprocal * normal, Status::success};
+}
+
+/// distance_plane() for any wall. Arguments that are copied stay in registers where it is not called.
+template <class T, int D> [[gnu::noinline]] PW85_FUNCTION inline SurfaceDistance<T, D>
+distance_plane_scaled(Vector<T, D> normal, T offset, SymmetricMatrix<T, D> q) noexcept
+{
+    Wall<T, D> const wall = normalize_wall(normal, offset, q);
+    if (wall.status != Status::success) return all_nan<SurfaceDistance<T, D>>(wall.status);
+    return distance_wall(wall.normal, wall.offset, support_of_any(q, wall.normal));
+}
+
+/// μ of a wall, in [0, largest number]: where it leaves the range of T, its products with zeros must not be NaN.
+template <class T, int D> PW85_FUNCTION inline T wall_factor(Wall<T, D> const &wall, Support<T, D> const &s) noexcept
+{
+    return minimum(largest_number<T>(), maximum(T(0), T(wall.offset / s.extent)));
+}
+
+/// Two unit vectors that make a right-handed basis with the unit vector `axis`.
+template <class T>
+PW85_FUNCTION inline void complete_basis(Vector<T, 3> const &axis, Vector<T, 3> &e1, Vector<T, 3> &e2) noexcept
+{
+    int least = 0;
+    for (int i = 1; i < 3; ++i)
+        if (absolute(axis[i]) < absolute(axis[least])) least = i;
+    Vector<T, 3> e{};
+    e[least] = T(1);
+    e1 = cross(e, axis);
+    e1 = T(T(1) / square_root(dot(e1, e1))) * e1;
+    e2 = cross(axis, e1);
+}
+
+} // namespace pw85::detail
+
+namespace pw85 {
+
+template <class T, int D> [[gnu::always_inline]] PW85_FUNCTION inline SurfaceDistance<T, D>
+distance_plane(Vector<T, D> const &normal, T const &offset, SymmetricMatrix<T, D> const &q) noexcept
+{
+    using namespace detail;
+    T const largest = largest_diagonal(q);
+    if (is_in_range(sum_of_magnitudes(normal), largest, largest) && offset * T(0) == T(0) && is_clearly_definite(q))
+        return distance_wall(normal, offset, support(q, normal));
+    return distance_plane_scaled(normal, offset, q);
+}
+
+template <class T> PW85_FUNCTION inline PlaneDerivatives<T>
+distance_plane_derivatives(Vector<T, 3> const &normal, SymmetricMatrix<T, 3> const &q) noexcept
+{
+    auto const d = distance_plane(normal, T(0), q);
+    return {-d.normal, cross(d.normal, d.point), d.status};
+}
+
+template <class T, int D> PW85_FUNCTION inline PlaneContact<T, D>
+contact_plane(Vector<T, D> const &normal, T const &offset, SymmetricMatrix<T, D> const &q) noexcept
+{
+    using namespace detail;
+    Wall<T, D> const wall = normalize_wall(normal, offset, q);
+    if (wall.status != Status::success) return all_nan<PlaneContact<T, D>>(wall.status);
+    Support<T, D> const s = support_of_any(q, wall.normal);
+    T const mu = wall_factor(wall, s);
+    return {mu * mu, mu * s.point, Status::success};
+}
+
+template <class T> PW85_FUNCTION inline PlaneDerivatives<T>
+contact_plane_derivatives(Vector<T, 3> const &normal, T const &offset, SymmetricMatrix<T, 3> const &q) noexcept
+{
+    using namespace detail;
+    Wall<T, 3> const wall = normalize_wall(normal, offset, q);
+    if (wall.status != Status::success) return all_nan<PlaneDerivatives<T>>(wall.status);
+    Support<T, 3> const s = support_of_any(q, wall.normal);
+    T const mu = wall_factor(wall, s), reciprocal = T(2) / s.extent;
+    // In this order μ = 0 gives zeros whatever the sizes.
+    return {T(-mu) * (reciprocal * wall.normal), mu * (reciprocal * (mu * cross(wall.normal, s.point))),
+            Status::success};
+}
+
+template <class T, int D> PW85_FUNCTION inline SurfaceDistance<T, D>
+distance_box(Vector<T, D> const &lower, Vector<T, D> const &upper, SymmetricMatrix<T, D> const &q) noexcept
+{
+    using namespace detail;
+    bool valid = is_finite(lower) && is_finite(upper);
+    for (int i = 0; i < D; ++i) valid = valid && lower[i] <= upper[i];
+    Status const status = valid ? validate(q) : Status::invalid_argument;
+    if (status != Status::success) return all_nan<SurfaceDistance<T, D>>(status);
+    int nearest = 0;
+    T distance = T(0);
+    for (int i = 0; i < D; ++i) {
+        T const clearance = minimum(upper[i], T(-lower[i])) - square_root(q(i, i));
+        if (i > 0 && !(clearance < distance)) continue;
+        nearest = i;
+        distance = clearance;
+    }
+    Vector<T, D> normal{}, point{};
+    normal[nearest] = upper[nearest] <= -lower[nearest] ? T(1) : T(-1);
+    T const factor = normal[nearest] / square_root(q(nearest, nearest));
+    for (int k = 0; k < D; ++k) point[k] = factor * q(nearest, k);
+    return {distance, point, normal, Status::success};
+}
+
+template <class T> PW85_FUNCTION inline SurfaceDistance<T, 3> distance_cylinder(Vector<T, 3> axis, T const &radius,
+                                                                                Vector<T, 3> const &center,
+                                                                                SymmetricMatrix<T, 3> const &q) noexcept
+{
+    using namespace detail;
+    T const largest = largest_coordinate(axis);
+    bool const valid = is_finite(axis) && largest > T(0) && is_finite(center) && radius > T(0) && radius * T(0) == T(0);
+    Status const status = valid ? validate(q) : Status::invalid_argument;
+    if (status != Status::success) return all_nan<SurfaceDistance<T, 3>>(status);
+    axis = axis / largest;
+    axis = T(T(1) / square_root(dot(axis, axis))) * axis;
+    Vector<T, 3> e1, e2;
+    complete_basis(axis, e1, e2);
+    Vector<T, 3> const q1 = product(q, e1), q2 = product(q, e2);
+    Vector<T, 2> const across{dot(e1, center), dot(e2, center)};
+    auto const n2 = extreme_normal(
+        SymmetricMatrix<T, 2>{positive_form(q, e1, q1), dot(e1, q2), positive_form(q, e2, q2)}, across, false);
+    Vector<T, 3> const n = add_scaled(n2[0] * e1, n2[1], e2);
+    Support<T, 3> const s = support_of_any(q, n);
+    return {radius - dot(n2, across) - s.extent, s.point, n, Status::success};
+}
+
+} // namespace pw85
+
+#endif

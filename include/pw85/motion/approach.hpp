@@ -1,0 +1,227 @@
+/// @file
+/// The way of two ellipsoids that are far apart to where they are near. It is as long as two spheres around them, with growing radii, are
+/// apart.
+///
+/// Let the sum of the radii be R + G x after a time x, let c = r × v, and let t = -(r·v)/v² be the time at which the centres are nearest.
+///
+/// 1. The spheres meet where |r + v x| = R + G x. The discriminant of this quadratic equation is (GR - r·v)² - (v² - G²)(r² - R²), which
+///    is rounding noise from afar. It is also |R v - G r|² - |c|², which is accurate.
+/// 2. The centres are then at r + v x = (v × c)/v² + (x - t) v, and x - t = (G (R v² - G r·v) - v² root)/(v² (v² - G²)), with the root of
+///    the discriminant. So their distance is right to rounding, however much farther they have come.
+/// 3. Both need an accurate c: its coordinates are sums of exact products, without rounding but for that of the result.
+#ifndef PW85_MOTION_APPROACH_HPP_INCLUDED
+#define PW85_MOTION_APPROACH_HPP_INCLUDED
+
+#include <pw85/algebra/error_free.hpp>
+#include <pw85/motion/passage.hpp>
+
+namespace pw85::detail {
+
+/// A sum that errs by some u of itself, however the terms cancel: the partial sums are kept as sums of numbers whose digits do not overlap
+/// (J. R. Shewchuk, Discrete Comput. Geom. 18, 305, 1997).
+template <class T, int N> PW85_FUNCTION inline T exact_sum(T const (&terms)[N]) noexcept
+{
+    T parts[N];
+    for (int n = 0; n < N; ++n) {
+        T carried = terms[n];
+        for (int k = 0; k < n; ++k) {
+            CompensatedSum<T> sum{parts[k], T(0)};
+            add(sum, carried);
+            parts[k] = sum.rest;
+            carried = sum.sum;
+        }
+        parts[n] = carried;
+    }
+    T sum = parts[0];
+    for (int n = 1; n < N; ++n) sum = sum + parts[n];
+    return sum;
+}
+
+/// ab - cd, to some u of itself.
+template <class T>
+PW85_FUNCTION inline T difference_of_products(T const &a, T const &b, T const &c, T const &d) noexcept
+{
+    Parts<T> const x = split(a), y = split(b), z = split(c), w = split(d);
+    T const terms[8] = {x.low * y.low,  -(z.low * w.low),  x.low * y.high,  -(z.low * w.high),
+                        x.high * y.low, -(z.high * w.low), x.high * y.high, -(z.high * w.high)};
+    return exact_sum(terms);
+}
+
+/// x × y, each coordinate to some u of itself.
+template <class T>
+PW85_FUNCTION inline Vector<T, 3> accurate_cross(Vector<T, 3> const &x, Vector<T, 3> const &y) noexcept
+{
+    return {difference_of_products(x[1], y[2], x[2], y[1]), difference_of_products(x[2], y[0], x[0], y[2]),
+            difference_of_products(x[0], y[1], x[1], y[0])};
+}
+
+template <class T>
+PW85_FUNCTION inline Vector<T, 1> accurate_cross(Vector<T, 2> const &x, Vector<T, 2> const &y) noexcept
+{
+    return {difference_of_products(x[0], y[1], x[1], y[0])};
+}
+
+/// The sum of the radii of two spheres, and its rate.
+template <class T> struct Reach {
+    T radius, growth;
+};
+
+/// That of spheres around two bodies after some time, with the units of their forms in that of the radii. The spheres are larger by a thousandth,
+/// which covers rounding, and do not shrink: both let them meet earlier.
+template <class T, int D> PW85_FUNCTION inline Reach<T> reach_of_spheres(Body<T, D> const &body1, T const &unit1,
+                                                                         Body<T, D> const &body2, T const &unit2,
+                                                                         T const &time) noexcept
+{
+    T const margin = T(1) + T(0x1p-10);
+    T const radius1 = margin * unit1 * square_root(body1.most), radius2 = margin * unit2 * square_root(body2.most);
+    T const growth = body1.growth * radius1 + body2.growth * radius2;
+    return {radius1 + radius2 + growth * time, maximum(growth, T(0))}; // NaN remains
+}
+
+/// √(|x|² - |y|²), or less than 0 where there is none; squares may be beyond the range of T.
+template <class T, int D, int E>
+PW85_FUNCTION inline T root_of_difference(Vector<T, D> const &x, Vector<T, E> const &y) noexcept
+{
+    T const largest = maximum(largest_coordinate(x), largest_coordinate(y));
+    if (!(largest > T(0))) return largest;
+    int const unit = binary_exponent(largest);
+    Vector<T, D> const a = times_power_of_two(x, -unit);
+    Vector<T, E> const b = times_power_of_two(y, -unit);
+    T const square = dot(a, a) - dot(b, b);
+    return square < T(0) ? T(-1) : times_power_of_two(square_root(square), unit);
+}
+
+/// When two spheres meet that are apart (item 1).
+template <class T, int D> struct Meeting {
+    T time, root;                       ///< infinity if they do not; the root of the discriminant
+    Vector<T, rotation_axes<D>> moment; ///< r × v
+};
+
+template <class T, int D> PW85_FUNCTION inline Meeting<T, D>
+meeting_of_spheres(Vector<T, D> const &r12, Vector<T, D> const &velocity, Reach<T> const &reach) noexcept
+{
+    auto const &[radius, growth] = reach;
+    auto const moment = accurate_cross(r12, velocity);
+    T const root = root_of_difference(add_scaled(radius * velocity, T(-growth), r12), moment);
+    T const speed = dot(velocity, velocity) - growth * growth, approach = growth * radius - dot(r12, velocity);
+    bool const meets = (approach > T(0) || speed < T(0)) && root >= T(0);
+    T const excess = dot(r12, r12) - radius * radius;
+    return {meets ? nearer_root(excess, approach, speed, root) : infinity<T>(), root, moment};
+}
+
+/// The vector between the centres then: by item 2 where it is short, so that rounding of the longer way would tell.
+template <class T, int D>
+PW85_FUNCTION inline Vector<T, D> r12_at_meeting(Vector<T, D> const &r12, Vector<T, D> const &velocity,
+                                                 Reach<T> const &reach, Meeting<T, D> const &meeting) noexcept
+{
+    auto const &[radius, growth] = reach;
+    T const nearer = radius + growth * meeting.time;
+    if (!(nearer * nearer < T(0x1p-6) * dot(r12, r12))) return add_scaled(r12, meeting.time, velocity);
+    // Then |v| > 7 G, as the centres go 7/8 of |r| at least while the spheres grow by less than 1/8.
+    T const square = dot(velocity, velocity), speed = square - growth * growth;
+    T const later = (growth * (radius * square - growth * dot(r12, velocity)) / square - meeting.root) / speed;
+    return add_scaled(T(T(-1) / square) * turning(meeting.moment, velocity), later, velocity);
+}
+
+template <class T, int D> PW85_FUNCTION inline bool only_translates(Motion<T, D> const &motion) noexcept
+{
+    return largest_coordinate(motion.angular_velocity) == T(0) && motion.growth == T(0);
+}
+
+/// Two ellipsoids that move, and the time up to which contacts count.
+template <class T, int D> struct MovingEllipsoids {
+    Vector<T, D> r12;
+    SymmetricMatrix<T, D> q1, q2;
+    Motion<T, D> motion1, motion2;
+    T end;
+};
+
+template <class T, int D>
+PW85_FUNCTION inline Vector<T, D> relative_velocity(MovingEllipsoids<T, D> const &moving) noexcept
+{
+    return moving.motion2.velocity - moving.motion1.velocity;
+}
+
+/// Whether the centres are at least sixteen times as far from each other as the longest semi-axis is long, or some such number: up to
+/// there rounding of positions is some hundred u of it.
+template <class T, int D> PW85_FUNCTION inline bool is_remote(MovingEllipsoids<T, D> const &moving) noexcept
+{
+    T const r = largest_coordinate(moving.r12), q = maximum(largest_diagonal(moving.q1), largest_diagonal(moving.q2));
+    return r > T(0) && binary_exponent(r) > half_exponent(q) + 4;
+}
+
+/// The larger of an exponent and that of x times 2^unit.
+template <class T> PW85_FUNCTION inline int larger_exponent(int exponent, T const &x, int unit) noexcept
+{
+    return x > T(0) && binary_exponent(x) + unit > exponent ? binary_exponent(x) + unit : exponent;
+}
+
+/// A remote pair in units that keep it in range: r12 is the pair's times 2^length, forms the bodies' times 4^form, and the unit of time 2^-rate,
+/// in which the centres or the surfaces go about that distance. One of them moves.
+template <class T, int D> struct RemotePair {
+    Vector<T, D> r12, velocity;
+    int length, rate;
+    Body<T, D> bodies[2];
+    int forms[2];
+};
+
+template <class T, int D>
+PW85_FUNCTION inline RemotePair<T, D> remote_pair(MovingEllipsoids<T, D> const &moving) noexcept
+{
+    auto const &[r12, q1, q2, motion1, motion2, end] = moving;
+    Vector<T, D> const velocity = relative_velocity(moving);
+    int const length = binary_exponent(largest_coordinate(r12));
+    int const form1 = half_exponent(largest_diagonal(q1)), form2 = half_exponent(largest_diagonal(q2));
+    int rate = larger_exponent(std::numeric_limits<int>::min(), largest_coordinate(velocity), -length);
+    rate = larger_exponent(rate, T(absolute(motion1.growth)), form1 - length);
+    rate = larger_exponent(rate, T(absolute(motion2.growth)), form2 - length);
+    return {times_power_of_two(r12, -length),
+            times_power_of_two(velocity, -length - rate),
+            length,
+            rate,
+            {to_body(times_power_of_two(q1, -2 * form1), motion1, rate),
+             to_body(times_power_of_two(q2, -2 * form2), motion2, rate)},
+            {form1, form2}};
+}
+
+/// The largest angle after which the orientation of a body is known to a thousandth of a radian, for an error of u in the angle.
+template <class T> PW85_FUNCTION constexpr T longest_turn() noexcept { return T(0x1p-10 / unit_roundoff<T>()); }
+
+/// Lets an ellipsoid turn and grow for some time, in the unit of the body. False where its size leaves the range of T, or its orientation
+/// is unknown.
+template <class T, int D> PW85_FUNCTION inline bool let_move(SymmetricMatrix<T, D> &q, Motion<T, D> &motion,
+                                                             Body<T, D> const &body, int form, T const &time) noexcept
+{
+    if (only_translates(motion)) return true;
+    q = times_power_of_two(form_of(body_at(body, turning_form(body), time)), 2 * form);
+    motion.growth = motion.growth / (T(1) + body.growth * time);
+    T const size = largest_diagonal(q);
+    return is_finite(q) && size > smallest_number<T>() && body.rate * time <= longest_turn<T>();
+}
+
+/// Lets a remote pair move as long as the spheres around it are apart, and returns that time: infinity if they do not meet by the end, NaN
+/// where something leaves the range of T.
+template <class T, int D> [[gnu::noinline]] PW85_FUNCTION inline T come_near(MovingEllipsoids<T, D> &moving) noexcept
+{
+    T const speed = largest_coordinate(relative_velocity(moving)), none = T(0);
+    if (speed == none && moving.motion1.growth == none && moving.motion2.growth == none) return infinity<T>();
+    auto const pair = remote_pair(moving);
+    auto reach = reach_of_spheres(pair.bodies[0], times_power_of_two(T(1), pair.forms[0] - pair.length), pair.bodies[1],
+                                  times_power_of_two(T(1), pair.forms[1] - pair.length), T(0));
+    T const least = times_power_of_two(T(1), std::numeric_limits<T>::min_exponent + 8);
+    if (!(reach.growth < infinity<T>())) return quiet_nan<T>();
+    bool const in_range = reach.radius > least;
+    reach.radius = maximum(reach.radius, least);
+    auto const meeting = meeting_of_spheres(pair.r12, pair.velocity, reach);
+    if (meeting.time >= times_power_of_two(moving.end, pair.rate)) return infinity<T>();
+    T const time = times_power_of_two(meeting.time, -pair.rate);
+    moving.r12 = times_power_of_two(r12_at_meeting(pair.r12, pair.velocity, reach, meeting), pair.length);
+    moving.end = moving.end - time;
+    bool const known = let_move(moving.q1, moving.motion1, pair.bodies[0], pair.forms[0], meeting.time) &&
+                       let_move(moving.q2, moving.motion2, pair.bodies[1], pair.forms[1], meeting.time);
+    return in_range && known && time < infinity<T>() ? time : quiet_nan<T>();
+}
+
+} // namespace pw85::detail
+
+#endif

@@ -1,0 +1,127 @@
+/// @file
+/// The time of the first contact of two ellipsoids that translate, rotate about their centres and grow.
+#ifndef PW85_MOTION_FIRST_CONTACT_HPP_INCLUDED
+#define PW85_MOTION_FIRST_CONTACT_HPP_INCLUDED
+
+#include <pw85/contact/validate.hpp>
+#include <pw85/motion/advance.hpp>
+
+namespace pw85::detail {
+
+template <class T, int D> PW85_FUNCTION inline bool is_valid_motion(Motion<T, D> const &motion, T const &end) noexcept
+{
+    bool const finite =
+        is_finite(motion.velocity) && is_finite(motion.angular_velocity) && motion.growth * T(0) == T(0);
+    return finite && (motion.growth >= T(0) || T(1) + motion.growth * end > T(0));
+}
+
+/// The largest of the rates at which the two turn and grow.
+template <class T, int D>
+PW85_FUNCTION inline T fastest(Motion<T, D> const &motion1, Motion<T, D> const &motion2) noexcept
+{
+    T const turning =
+        maximum(largest_coordinate(motion1.angular_velocity), largest_coordinate(motion2.angular_velocity));
+    return maximum(turning, maximum(absolute(motion1.growth), absolute(motion2.growth)));
+}
+
+/// A time in its own unit; what is finite but too large is no time that there is none.
+template <class T> PW85_FUNCTION inline FirstContact<T> in_unit_of_time(FirstContact<T> result, int exponent) noexcept
+{
+    T const time = times_power_of_two(result.time, exponent);
+    if (result.time < infinity<T>() && !(time < infinity<T>())) return all_nan<FirstContact<T>>(Status::no_convergence);
+    return {time, result.status};
+}
+
+/// μ² of a tangent pair in the units of a Pair. Ellipsoids whose centres are so near that it would leave the range of T overlap anyway.
+template <class T, int D> PW85_FUNCTION inline T tangent_in_units(ScaledPair<T, D> const &scaled) noexcept
+{
+    int const exponent = scaled.form - scaled.length, limit = std::numeric_limits<T>::max_exponent / 4;
+    return times_power_of_two(T(1), 2 * (exponent < limit ? exponent : limit));
+}
+
+/// first_contact() of a valid pair that only translates, in the unit of time in which the speed is of order one.
+template <class T, int D> PW85_FUNCTION inline FirstContact<T>
+first_contact_of_translation(ScaledPair<T, D> const &scaled, Vector<T, D> const &velocity, T const &end) noexcept
+{
+    T const largest = largest_coordinate(velocity);
+    int const unit = largest > T(0) ? binary_exponent(largest) : 0, exponent = scaled.length - unit;
+    Vector<T, D> const v = times_power_of_two(scaled.swapped ? -velocity : velocity, -unit);
+    return in_unit_of_time(find_passage(scaled.pair, v, tangent_in_units(scaled), times_power_of_two(end, -exponent)),
+                           exponent);
+}
+
+/// first_contact() of a valid pair, in the unit of time in which the largest rate is of order one. That of the velocity is how often it
+/// covers the distance of the centres, or the larger of the sizes where this is larger.
+template <class T, int D> [[gnu::noinline]] PW85_FUNCTION inline FirstContact<T>
+first_contact_of_motion(ScaledPair<T, D> const &scaled, Vector<T, D> const &velocity, Motion<T, D> const &motion1,
+                        Motion<T, D> const &motion2, T const &end) noexcept
+{
+    Pair<T, D> const &pair = scaled.pair;
+    T const size =
+        maximum(square_root(largest_diagonal(pair.q1)), T(square_root(largest_diagonal(pair.q2)) / pair.ratio));
+    int const length =
+        larger_exponent(binary_exponent(size) + scaled.form, largest_coordinate(pair.r12), scaled.length);
+    int const across = larger_exponent(std::numeric_limits<int>::min(), largest_coordinate(velocity), -length);
+    int const rate = larger_exponent(across, fastest(motion1, motion2), 0);
+    auto const first = to_body(pair.q1, scaled.swapped ? motion2 : motion1, rate),
+               second = to_body(pair.q2, scaled.swapped ? motion1 : motion2, rate);
+    Vector<T, D> const v = times_power_of_two(velocity, -scaled.length - rate);
+    auto const moving = moving_pair(
+        BodyPair<T, D>{pair.r12, scaled.swapped ? -v : v, {first, second}, pair.ratio, tangent_in_units(scaled)});
+    return in_unit_of_time(advance_to_contact(moving, times_power_of_two(end, rate)), -rate);
+}
+
+/// first_contact() of a valid pair that is not remote.
+template <class T, int D> PW85_FUNCTION inline FirstContact<T>
+first_contact_nearby(MovingEllipsoids<T, D> const &moving, ScaledPair<T, D> const &scaled) noexcept
+{
+    auto const &[r12, q1, q2, motion1, motion2, end] = moving;
+    Vector<T, D> const velocity = relative_velocity(moving);
+    if (only_translates(motion1) && only_translates(motion2))
+        return first_contact_of_translation(scaled, velocity, end);
+    return first_contact_of_motion(scaled, velocity, motion1, motion2, end);
+}
+
+/// first_contact() of a valid pair that is remote: it has come near before it touches.
+template <class T, int D>
+[[gnu::noinline]] PW85_FUNCTION inline FirstContact<T> first_contact_from_afar(MovingEllipsoids<T, D> moving) noexcept
+{
+    T const end = moving.end;
+    T waited = T(0);
+    for (int i = 0; i < max_passages && is_remote(moving); ++i) {
+        T const wait = come_near(moving);
+        if (!(wait < infinity<T>())) return {wait, wait > T(0) ? Status::success : Status::no_convergence};
+        waited = waited + wait;
+    }
+    if (is_remote(moving)) return all_nan<FirstContact<T>>(Status::no_convergence);
+    auto const rest = first_contact_nearby(moving, scale(moving.r12, moving.q1, moving.q2));
+    if (!(rest.time < infinity<T>())) return rest;
+    return {minimum(end, T(waited + rest.time)), rest.status};
+}
+
+} // namespace pw85::detail
+
+namespace pw85 {
+
+template <class T, int D>
+PW85_FUNCTION inline FirstContact<T> first_contact(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
+                                                   SymmetricMatrix<T, D> const &q2, Motion<T, D> const &motion1,
+                                                   Motion<T, D> const &motion2, T const &end) noexcept
+{
+    using namespace detail;
+    bool const valid = end >= T(0) && is_valid_motion(motion1, end) && is_valid_motion(motion2, end);
+    if (!valid) return all_nan<FirstContact<T>>(Status::invalid_argument);
+    ScaledPair<T, D> scaled{{r12, q1, q2, T(1)}, 0, 0, false};
+    if (!is_ordinary(r12, q1, q2)) {
+        Status const status = validate(r12, q1, q2, scaled);
+        if (status != Status::success) return all_nan<FirstContact<T>>(status);
+    }
+    if (largest_coordinate(r12) == T(0)) return {T(0), Status::success};
+    MovingEllipsoids<T, D> const moving{r12, q1, q2, motion1, motion2, end};
+    if (!is_finite(relative_velocity(moving))) return all_nan<FirstContact<T>>(Status::no_convergence);
+    return is_remote(moving) ? first_contact_from_afar(moving) : first_contact_nearby(moving, scaled);
+}
+
+} // namespace pw85
+
+#endif

@@ -1,0 +1,192 @@
+/// @file
+/// The first contact of two ellipsoids that translate.
+///
+/// With r(time) = r + v·time, M = Q1 + t Q2 and f as everywhere:
+///
+/// 1. At fixed λ, f <= μ² is a quadratic polynomial of time: where it is above 1 there is no contact. Its first root bounds the
+///    time of contact from below; without a root ahead there is no contact.
+/// 2. f is convex in time and concave in λ. So a contact is the largest of these roots, and the side of λ on which larger ones
+///    (or a λ without) are is that on which the maximum of f is, at the root's time: a search for the root of h (contact/iteration.hpp)
+///    with the time updated at every step. As the root is stationary there, an error in λ counts only squared.
+#ifndef PW85_MOTION_PASSAGE_HPP_INCLUDED
+#define PW85_MOTION_PASSAGE_HPP_INCLUDED
+
+#include <pw85/algebra/all_nan.hpp>
+#include <pw85/contact/solver.hpp>
+#include <pw85/motion/motion.hpp>
+
+namespace pw85 {
+
+/// When two ellipsoids touch first.
+template <class T> struct FirstContact {
+    T time; ///< infinity if they do not
+    Status status;
+};
+
+} // namespace pw85
+
+namespace pw85::detail {
+
+/// The first root of excess - 2 approach·x + speed·x² from the root of the discriminant approach² - speed·excess, without a difference of
+/// like numbers.
+template <class T>
+PW85_FUNCTION constexpr T nearer_root(T const &excess, T const &approach, T const &speed, T const &root) noexcept
+{
+    return approach > T(0) ? T(excess / (approach + root)) : T((approach - root) / speed);
+}
+
+/// The same of numbers that are positive before it; infinity if there is none, or where it is positive at zero and grows from there. What
+/// misses zero by less than the slack has one where it is least.
+template <class T>
+PW85_FUNCTION inline T first_root(T const &excess, T const &approach, T const &speed, T const &slack) noexcept
+{
+    T const square = approach * approach - speed * excess, root = square_root(maximum(T(0), square));
+    bool const ahead = approach > T(0) || speed < T(0);
+    if (!(ahead || excess < slack) || !(square + speed * slack >= T(0))) return infinity<T>();
+    return nearer_root(excess, approach, speed, root);
+}
+
+/// Item 1 at one λ: rᵀM⁻¹r = target, the level of f = 1, at some time, and the coefficients of its change.
+template <class T, int D> struct Passage {
+    Vector<T, D> s, s_velocity; ///< M⁻¹r, M⁻¹v
+    T excess, slack;            ///< rᵀM⁻¹r - target, and what rounding can make of it
+    T approach, speed;          ///< -rᵀM⁻¹v, vᵀM⁻¹v
+};
+
+/// By how many times its own rounding a pair may overlap and still count as one that only touches: what is left of the rounding
+/// of coordinates in a space a hundred times larger than its particles.
+inline constexpr int touching_tolerance = 128;
+
+/// What the motion can be at one λ: not to touch, to be too near from the beginning for this λ to tell, or to touch not before
+/// some time.
+enum class Prospect { none, near, contact };
+
+/// rᵀM⁻¹r where f = 1, for f = τ/(1+τ) rᵀM⁻¹r with τ = ratio² t.
+template <class T> PW85_FUNCTION constexpr T target_at(T const &tangent, T const &ratio, T const &t) noexcept
+{
+    return tangent + tangent / (ratio * ratio * t);
+}
+
+/// By how much rᵀM⁻¹r may err: f errs by 4 u cond at most, the sums of magnitudes that make up cond by Σ|s_i M_ij s_j|, thrice this
+/// sum, and it by D Σ M_ii s_i², since |M_ij| <= √(M_ii M_jj).
+template <class T, int D>
+PW85_FUNCTION constexpr T slack_of_form(SymmetricMatrix<T, D> const &m, Vector<T, D> const &s) noexcept
+{
+    T sum = m(0, 0) * s[0] * s[0];
+    for (int i = 1; i < D; ++i) sum = sum + m(i, i) * s[i] * s[i];
+    return T(12 * D * unit_roundoff<T>()) * sum;
+}
+
+template <class T, int D>
+PW85_FUNCTION inline Passage<T, D> passage(Vector<T, D> const &r12, Vector<T, D> const &velocity, T const &target,
+                                           SymmetricMatrix<T, D> const &m, Factorization<T, D> const &factors) noexcept
+{
+    Vector<T, D> const s = solve(factors, r12), v = solve(factors, velocity);
+    return {s, v, dot(r12, s) - target, slack_of_form(m, s), -dot(velocity, s), dot(velocity, v)};
+}
+
+/// Whether a passage is to be seen from nearer: roundings of rᵀM⁻¹r, 16 u cond of the target and more, hide what little the square of
+/// its nearest value may miss the target by.
+template <class T, int D> PW85_FUNCTION constexpr bool is_far(Passage<T, D> const &p, T const &target) noexcept
+{
+    return p.excess > T(15) * target;
+}
+
+/// Where item 1 leads to from `origin` on, a time that a contact is not before. A pair that would miss by no more than rounding touches;
+/// one that overlaps at time 0 by no more and separates does not. From afar the discriminant errs by the rounding of rᵀM⁻¹r, and as
+/// that of vᵀM⁻¹v and twice that of rᵀM⁻¹v is as much where v points at the other ellipsoid, by four times that: so much is left for later.
+template <class T, int D>
+PW85_FUNCTION inline Prospect prospect(Passage<T, D> const &p, T const &target, T const &origin, T &time) noexcept
+{
+    bool const starts = !(origin > T(0));
+    time = T(0);
+    if (starts && p.excess > -T(touching_tolerance) * p.slack && p.approach < T(0)) return Prospect::none;
+    if (starts && !(p.excess > T(0))) return Prospect::near;
+    bool const far = is_far(p, target);
+    time = first_root(far ? T(p.excess - T(4) * p.slack) : p.excess, p.approach, p.speed, far ? T(0) : p.slack);
+    if (!(time < infinity<T>())) return Prospect::none;
+    if (origin + time > T(0)) return Prospect::contact;
+    time = -origin;
+    return Prospect::near;
+}
+
+/// The largest number of values of t that find_passage() tries: those of search(), of which each but the last ends the search for
+/// some time, and with the time moving along.
+inline constexpr int max_passages = 100;
+
+/// A Jet without second derivatives, for Newton's steps, from A, B and bend = (Q2s)ᵀM⁻¹Q2s: A' = -2 (B - t bend), B' = -2 bend.
+template <class T> PW85_FUNCTION constexpr Jet<T> first_jet(T const &a, T const &b, T const &bend, T const &t) noexcept
+{
+    T const unit = T(1) / a, twice = T(-2) * unit;
+    return {T(1), twice * (b - t * bend), T(0), unit * b, twice * bend, T(0), T(0)};
+}
+
+/// A step in log t that leaves nothing open: what the next t errs by, about its square, counts squared.
+template <class T> PW85_FUNCTION constexpr T last_passage_step() noexcept
+{
+    return negative_power_of_two<T>(mantissa_digits<T>() / 2 + 2);
+}
+
+/// How much later than the root of item 1 at some t the contact is, after a small step of Newton's to the maximum of f: log f gains half
+/// the step times its slope, λ(1-λ)(A - C)/(λA + (1-λ)C), and loses 2 root/target in a unit of time.
+template <class T>
+PW85_FUNCTION inline T delay(Slope<T> const &s, T const &ratio, T const &t, T const &root, T const &target) noexcept
+{
+    T const tau = T(ratio * t) * ratio, lambda = T(1) / (T(1) + T(1) / tau); // whatever leaves the range of T
+    T const step = s.difference * s.weight / (s.sum * s.k);
+    T const level = T(0.5) * (s.sum + (T(1) - T(2) * lambda) * s.difference);
+    return T(0.25) * (lambda * (T(1) - lambda)) * (s.difference / level) * step * (target / root);
+}
+
+/// The first contact in the units of a Pair, where f of a tangent pair is `tangent`; items 1 and 2.
+template <class T, int D> PW85_FUNCTION inline FirstContact<T>
+find_passage(Pair<T, D> const &pair, Vector<T, D> const &velocity, T const &tangent, T const &end) noexcept
+{
+    T const smallest = smallest_number<T>(), largest = largest_number<T>();
+    Bracket<T> bracket{smallest, largest, T(1024)};
+    T t = clamp(bracket, initial_guess(pair)), shortest = T(2), origin = T(0);
+    bool last = false;
+    for (int i = 1; i <= max_passages; ++i) {
+        auto const m = blend(pair.q1, t, pair.q2);
+        auto const factors = factorize(m, T(unit_roundoff<T>()));
+        T const target = target_at(tangent, pair.ratio, t);
+        auto const p = passage(add_scaled(pair.r12, origin, velocity), velocity, target, m, factors);
+        T time;
+        Prospect const expected = prospect(p, target, origin, time);
+        T const reached = origin + time;
+        if (expected == Prospect::none || reached > end) return {infinity<T>(), Status::success};
+        bool const far = is_far(p, target) && reached > origin;
+        if (last) return {reached, Status::success};
+        Vector<T, D> const arm = add_scaled(p.s, time, p.s_velocity), q = product(pair.q2, arm);
+        auto const weights = outer_weights(arm);
+        T const a = positive_form(pair.q1, weights), b = positive_form(pair.q2, weights);
+        Jet<T> const jet = first_jet(a, b, dot(q, solve(factors, q)), t);
+        Slope<T> const s = slope(jet, pair.ratio, t);
+        Step<T> const step{-s.difference * s.weight, s.sum * s.k}; // Newton's
+        bool const near = is_near(s) && step.denominator > T(0) && is_within(step, T(2));
+        T const size = near ? T(absolute(step.numerator) / step.denominator) : T(2);
+        T const image = minimum(largest, maximum(smallest, T(square_root(T(T(1) / jet.b)) / pair.ratio)));
+        if (!far) (image > t ? bracket.lower : bracket.upper) = t; // a time before the root tells no side
+        // The delay is right to rounding; where passages graze, with little change of f in time, it may shift the maximum.
+        T const root = p.approach - p.speed * time;
+        T const shift = size * size, grazing = last_passage_step<T>() * root;
+        if (expected == Prospect::contact && !far && size <= final_step<T>() &&
+            shift * shift * p.speed * target < grazing * grazing) {
+            T const touched = reached + delay(s, pair.ratio, t, root, target);
+            return {touched > end ? infinity<T>() : touched, Status::success};
+        }
+        origin = reached;
+        last = !far && (size <= last_passage_step<T>() ||
+                        bracket.upper <= bracket.lower + last_passage_step<T>() * bracket.lower);
+        bool const halves = far || size <= T(0.5) * shortest;
+        if (!far) shortest = minimum(shortest, size);
+        T const next = t * (near ? exponential(step) : secular_factor(jet, pair.ratio, t));
+        t = clamp(bracket, next > smallest && next < largest ? next : image);
+        if (i > 5 && !halves && !last) t = probe(bracket);
+    }
+    return all_nan<FirstContact<T>>(Status::no_convergence);
+}
+
+} // namespace pw85::detail
+
+#endif

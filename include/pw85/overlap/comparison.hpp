@@ -1,0 +1,42 @@
+/// @file
+/// The second tier of the overlap test: μ² by the solver, compared with 1 by more than it can err.
+#ifndef PW85_OVERLAP_COMPARISON_HPP_INCLUDED
+#define PW85_OVERLAP_COMPARISON_HPP_INCLUDED
+
+#include <pw85/contact/contact.hpp>
+#include <pw85/overlap/decision.hpp>
+
+namespace pw85::detail {
+
+/// The condition number of the contact function at the maximum: cond·u is what entrywise rounding of the data moves μ²/μ²
+/// by.
+template <class T, int D> PW85_FUNCTION inline T condition_number(Pair<T, D> const &pair, Maximum<T> const &m) noexcept
+{
+    T const t = m.lambda / pair.ratio / m.complement / pair.ratio;
+    Vector<T, D> const s = solve(factorize_blend(T(1), pair.q1, t, pair.q2), pair.r12);
+    T forms = T(0), arms = T(0);
+    for (int i = 0; i < D; ++i) {
+        arms = arms + absolute(T(pair.r12[i] * s[i]));
+        for (int j = 0; j < D; ++j)
+            forms = forms + (absolute(pair.q1(i, j)) + t * absolute(pair.q2(i, j))) * absolute(T(s[i] * s[j]));
+    }
+    return m.lambda * (forms + T(2) * arms) / m.mu2;
+}
+
+/// What μ² errs by at most, in units of u cond: the roundings of stationary_value() (scripts/rounding_bounds.py: 6.7), what
+/// is_certain() admits, at most 2u where cond >= 3, or u cond/8 where s is refined, and u for the comparison.
+inline constexpr int value_margin = 8;
+
+/// The tier for a pair in range, whose `tangent` is μ² of tangent ellipsoids in its units.
+template <class T, int D>
+[[gnu::noinline]] PW85_FUNCTION inline Decision decide_by_comparison(Pair<T, D> const &pair, T const &tangent) noexcept
+{
+    Maximum<T> const m = maximize(pair);
+    if (!m.certain) return Decision::none;
+    T const error = T(value_margin * unit_roundoff<T>()) * condition_number(pair, m) * m.mu2;
+    return to_decision(m.mu2 - error > tangent, m.mu2 + error < tangent);
+}
+
+} // namespace pw85::detail
+
+#endif

@@ -1,0 +1,80 @@
+/// @file
+/// Whether two ellipsoids overlap, decided by the cheapest means that is certain: what floating-point numbers can tell
+/// (decide_overlap.hpp), then exact arithmetic (exact.hpp).
+#ifndef PW85_OVERLAP_OVERLAP_HPP_INCLUDED
+#define PW85_OVERLAP_OVERLAP_HPP_INCLUDED
+
+#include <pw85/algebra/all_nan.hpp>
+#include <pw85/contact/geometry.hpp>
+#include <pw85/overlap/decide_overlap.hpp>
+#include <pw85/overlap/exact.hpp>
+
+namespace pw85 {
+
+/// Whether two ellipsoids overlap; false where the status is not success.
+struct Overlap {
+    bool overlap;
+    OverlapTier tier;
+    Status status;
+};
+
+/// What shows that two ellipsoids overlap or not. Near tangency it is right to rounding only.
+template <class T, int D> struct OverlapWitness {
+    bool overlap;
+    T lambda;               ///< where f > 1 if they are apart
+    Vector<T, D> direction; ///< unit normal of a plane that separates them, from 1 to 2, if they are apart
+    Vector<T, D> point;     ///< inside both, relative to the centre of ellipsoid 1, if they overlap
+    Status status;
+};
+
+} // namespace pw85
+
+namespace pw85::detail {
+
+/// The last tier, for a valid pair. A multiprecision number is compared to rounding.
+template <class T, int D> [[gnu::noinline]] PW85_FUNCTION inline Overlap
+overlap_exactly(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, SymmetricMatrix<T, D> const &q2) noexcept
+{
+    if constexpr (exact::is_decidable<T>)
+        return {decide_exactly(r12, q1, q2) == Decision::overlap, OverlapTier::exact, Status::success};
+    else
+        return {contact(r12, q1, q2).mu2 < T(1), OverlapTier::contact, Status::success};
+}
+
+/// Whether two ellipsoids overlap, μ² < 1; with the first tier at as many points at once as `Lanes` has lanes.
+template <class Lanes, class T, int D> [[gnu::always_inline]] PW85_FUNCTION inline Overlap
+overlap_by_lanes(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, SymmetricMatrix<T, D> const &q2) noexcept
+{
+    auto const [decision, tier, status] = decide_overlap_by_lanes<Lanes>(r12, q1, q2);
+    if (decision == Decision::none && status == Status::success) return overlap_exactly(r12, q1, q2);
+    return {decision == Decision::overlap, tier, status};
+}
+
+} // namespace pw85::detail
+
+namespace pw85 {
+
+template <class T, int D> PW85_FUNCTION inline Overlap overlap(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
+                                                               SymmetricMatrix<T, D> const &q2) noexcept
+{
+    return detail::overlap_by_lanes<T>(r12, q1, q2);
+}
+
+template <class T, int D> PW85_FUNCTION inline OverlapWitness<T, D>
+overlap_witness(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, SymmetricMatrix<T, D> const &q2) noexcept
+{
+    Overlap const answer = overlap(r12, q1, q2);
+    T const lambda = contact(r12, q1, q2).lambda;
+    auto const geometry = contact_geometry(r12, q1, q2, lambda);
+    OverlapWitness<T, D> witness{answer.overlap, lambda, geometry.normal, geometry.point, answer.status};
+    if (answer.overlap) detail::set_nan(witness.direction);
+    if (answer.status != Status::success || !answer.overlap)
+        detail::set_nan(witness.point);
+    else if (geometry.status != Status::success)
+        witness.point = {};
+    return witness;
+}
+
+} // namespace pw85
+
+#endif

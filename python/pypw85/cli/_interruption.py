@@ -1,0 +1,58 @@
+"""Ctrl-C: what can be kept is finished and written; everything else ends at once."""
+
+from __future__ import annotations
+
+import contextlib
+import multiprocessing
+import os
+import signal
+import sys
+import threading
+from collections.abc import Iterator
+
+from ..formats import discard_unfinished
+
+_asked, _keeping = threading.Event(), threading.Event()
+# Seconds for the thread that works to end by itself, and to clear up where it has ended processes that shared the work.
+_SHORT, _LONG = 0.5, 5.0
+
+
+def is_interrupted() -> bool:
+    """Whether there was Ctrl-C."""
+    return _asked.is_set()
+
+
+@contextlib.contextmanager
+def keeping_work() -> Iterator[None]:
+    """Within this, Ctrl-C waits for the thread that works: it gets a KeyboardInterrupt, and writes what it has."""
+    _keeping.set()
+    try:
+        yield
+    finally:
+        _keeping.clear()
+
+
+def shield_processes() -> None:
+    """Keeps Ctrl-C from the processes that this thread will start, which would complain each on their own."""
+    if hasattr(signal, "pthread_sigmask"):  # not on Windows
+        from multiprocessing import resource_tracker
+
+        resource_tracker.ensure_running()  # now, since that takes the signal out of the mask
+        signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
+
+
+def interrupt(finished: threading.Event) -> None:
+    """Lets the thread that works come to its end; if that takes too long, or Ctrl-C comes once more, ends the process."""
+    _asked.set()
+    processes = multiprocessing.active_children()
+    try:
+        for process in processes:
+            process.kill()
+        finished.wait(None if _keeping.is_set() else _LONG if processes else _SHORT)
+    except KeyboardInterrupt:
+        pass
+    if not finished.is_set():
+        discard_unfinished()
+        sentence = "\n" * sys.stderr.isatty() + "pw85: interrupted\n"
+        os.write(2, sentence.encode())
+        os._exit(130)

@@ -1,0 +1,188 @@
+"""How files are opened: for reading, decompressed if need be; for writing, so that a file is complete or not there."""
+
+from __future__ import annotations
+
+import contextlib
+import errno
+import gzip
+import io
+import os
+import shutil
+import stat
+import tempfile
+from typing import IO, Any, NamedTuple, Union, cast
+from collections.abc import Iterator
+
+from ._errors import FileError
+
+Path = Union[str, "os.PathLike[str]"]
+
+_GZIP = b"\x1f\x8b"
+
+
+class Target(NamedTuple):
+    """Where an output goes: `path` is behind all links, `status` is of what is there, if anything.
+
+    `is_replaced` is false for devices, pipes and the like: the output is copied into these.
+    """
+
+    path: str
+    status: os.stat_result | None
+    is_replaced: bool
+
+
+def check_output(path: Path) -> Target:
+    """Where an output of this name goes. Call it before the work that makes the output.
+
+    Raises
+    ------
+    OSError
+        Nothing can be written there.
+    """
+    name = os.fspath(path)
+    if name.endswith((os.sep, os.altsep or os.sep)):
+        raise _error(errno.EISDIR, path)
+    try:
+        status = os.stat(name)
+    except FileNotFoundError:
+        status = None
+    target = os.path.realpath(name)
+    if status is not None:
+        if stat.S_ISDIR(status.st_mode):
+            raise _error(errno.EISDIR, path)
+        if not os.access(name, os.W_OK):
+            raise _error(errno.EACCES, path)
+        if not stat.S_ISREG(status.st_mode) or not _is(target, status):
+            return Target(name, status, False)
+    folder = os.path.dirname(target)
+    if not name or not os.path.isdir(folder):
+        raise _error(errno.ENOENT, path)
+    if not os.access(folder, os.W_OK | os.X_OK):
+        raise _error(errno.EACCES, path)
+    return Target(target, status, True)
+
+
+def _is(path: str, status: os.stat_result) -> bool:
+    """Whether the path leads to this file: that of an open file in /proc may have no name any more."""
+    try:
+        return os.path.samestat(os.stat(path), status)
+    except OSError:
+        return False
+
+
+def _error(code: int, path: Path) -> OSError:
+    return OSError(code, os.strerror(code), os.fspath(path))
+
+
+@contextlib.contextmanager
+def replacing(path: Path) -> Iterator[str]:
+    """A temporary name, whose file takes the place of `path` at the end unless something goes wrong.
+
+    Links are followed, and a file that is replaced leaves its mode and its owner to the new one.
+    """
+    target = check_output(path)
+    try:
+        directory = tempfile.TemporaryDirectory(
+            dir=os.path.dirname(target.path) if target.is_replaced else None, prefix=".pw85-"
+        )
+    except OSError as error:
+        raise OSError(error.errno, error.strerror, os.fspath(path)) from None
+    with directory as work:
+        _unfinished.add(work)
+        try:
+            temporary = os.path.join(work, os.path.basename(os.fspath(path)))
+            yield temporary
+            _finish(temporary, target)
+        finally:
+            _unfinished.discard(work)
+
+
+def _finish(temporary: str, target: Target) -> None:
+    if target.is_replaced:
+        if target.status is not None:
+            _take_over(target.status, temporary)
+        os.replace(temporary, target.path)
+        return
+    try:
+        with open(temporary, "rb") as source, open(target.path, "wb") as out:
+            shutil.copyfileobj(source, out)
+    except OSError as error:
+        raise OSError(error.errno, error.strerror, target.path) from None
+
+
+def _take_over(status: os.stat_result, path: str) -> None:
+    """Owner first: to change it takes special bits away."""
+    if hasattr(os, "chown"):
+        with contextlib.suppress(PermissionError):
+            os.chown(path, status.st_uid, status.st_gid)
+    os.chmod(path, stat.S_IMODE(status.st_mode))
+
+
+_unfinished: set[str] = set()
+
+
+def discard_unfinished() -> None:
+    """Removes temporary files of this process, which is about to end without the usual ceremonies."""
+    for work in list(_unfinished):
+        shutil.rmtree(work, ignore_errors=True)
+
+
+def is_compressed_name(path: Path) -> bool:
+    return os.fspath(path).lower().endswith(".gz")
+
+
+@contextlib.contextmanager
+def create_text(path: str, compressed: bool) -> Iterator[IO[str]]:
+    """A text file for writing. The bytes of a compressed one depend on nothing but its text."""
+    if not compressed:
+        with open(path, "w", encoding="utf-8") as file:
+            yield file
+        return
+    with (
+        open(path, "wb") as raw,
+        gzip.GzipFile("", "wb", fileobj=raw, mtime=0) as packed,
+        io.TextIOWrapper(cast("IO[bytes]", packed), encoding="utf-8") as file,
+    ):
+        yield file
+
+
+def check_input(path: Path) -> os.stat_result:
+    """Formats are recognised, and frames found, by reading a file more than once: pipes and devices will not do."""
+    status = os.stat(path)
+    if stat.S_ISDIR(status.st_mode):
+        raise FileError(path, "is a directory: name a file in it")
+    if not stat.S_ISREG(status.st_mode):
+        raise FileError(path, "is no regular file: copy what it gives into one")
+    return status
+
+
+def is_compressed(path: Path) -> bool:
+    with open(path, "rb") as file:
+        return file.read(2) == _GZIP
+
+
+# A decompressor that nobody uses, for the next frame: to reach it from the start of the file would take longer each time.
+_idle: dict[Any, IO[bytes]] = {}
+
+
+def open_for_reading(path: Path) -> IO[bytes]:
+    """A file, decompressed if it is one of gzip. End with `close_or_keep`."""
+    file = _idle.pop(_identity(path, check_input(path)), None)
+    if file is not None:
+        return file
+    return cast("IO[bytes]", gzip.open(path, "rb") if is_compressed(path) else open(path, "rb"))
+
+
+def close_or_keep(path: Path, file: IO[bytes], is_sound: bool) -> None:
+    """Keeps a decompressor that is not at its end."""
+    if is_sound and isinstance(file, gzip.GzipFile) and file.peek(1):
+        for other in list(_idle):
+            if (old := _idle.pop(other, None)) is not None:
+                old.close()
+        _idle[_identity(path, os.fstat(file.fileno()))] = cast("IO[bytes]", file)
+    else:
+        file.close()
+
+
+def _identity(path: Path, status: os.stat_result) -> tuple[Any, ...]:
+    return os.path.abspath(path), status.st_dev, status.st_ino, status.st_size, status.st_mtime_ns

@@ -1,0 +1,200 @@
+// The functions of many pairs, ellipses, walls, points, lines and forms that have no lanes: each row is a call of the function of one.
+#include <pw85.h>
+
+#include <pw85/distance/bounding_box.hpp>
+
+#include "../c_arrays.hpp"
+#include "each_row.hpp"
+
+using namespace pw85;
+using namespace pw85::detail;
+using namespace pw85::detail::kernels;
+
+namespace {
+
+/// Not inlined: no arithmetic may leave the environment of the caller.
+[[gnu::noinline]] int bounding_box_of(double const *q, double *half_widths) noexcept
+{
+    auto const box = bounding_box(c_api::load_matrix<3>(q));
+    c_api::store(box.half_widths, half_widths);
+    return static_cast<int>(box.status);
+}
+
+/// A function whose result is two numbers, with a place for each, which may be null.
+template <auto function>
+int with_two_numbers(double const *a, double const *b, double const *c, double *first, double *second) noexcept
+{
+    double out[2];
+    int const status = function(a, b, c, out);
+    if (first != nullptr) *first = out[0];
+    if (second != nullptr) *second = out[1];
+    return status;
+}
+
+} // namespace
+
+int pw85_contact_function_batch(size_t n, double const *r12, double const *q1, double const *q2, double *mu2,
+                                double *lambda)
+{
+    return each_row(n, with_two_numbers<pw85_contact_function>, RowsOf<3>{r12}, RowsOf<6>{q1}, RowsOf<6>{q2},
+                    OptionalRowsOf<1>{mu2}, OptionalRowsOf<1>{lambda});
+}
+
+int pw85_contact_geometry_batch(size_t n, double const *r12, double const *q1, double const *q2, double const *lambda,
+                                double *point, double *normal)
+{
+    return each_row(n, pw85_contact_geometry, RowsOf<3>{r12}, RowsOf<6>{q1}, RowsOf<6>{q2}, Numbers{lambda},
+                    OptionalRowsOf<3>{point}, OptionalRowsOf<3>{normal});
+}
+
+int pw85_contact_gradient_batch(size_t n, double const *r12, double const *q1, double const *q2, double const *lambda,
+                                double *d_r12, double *d_q1, double *d_q2)
+{
+    return each_row(n, pw85_contact_gradient, RowsOf<3>{r12}, RowsOf<6>{q1}, RowsOf<6>{q2}, Numbers{lambda},
+                    OptionalRowsOf<3>{d_r12}, OptionalRowsOf<6>{d_q1}, OptionalRowsOf<6>{d_q2});
+}
+
+int pw85_contact_torque_batch(size_t n, double const *r12, double const *q1, double const *q2, double const *lambda,
+                              double *d_rot1, double *d_rot2)
+{
+    return each_row(n, pw85_contact_torque, RowsOf<3>{r12}, RowsOf<6>{q1}, RowsOf<6>{q2}, Numbers{lambda},
+                    OptionalRowsOf<3>{d_rot1}, OptionalRowsOf<3>{d_rot2});
+}
+
+int pw85_contact_hessian_batch(size_t n, double const *r12, double const *q1, double const *q2, double const *lambda,
+                               double *hessian)
+{
+    return each_row(n, pw85_contact_hessian, RowsOf<3>{r12}, RowsOf<6>{q1}, RowsOf<6>{q2}, Numbers{lambda},
+                    RowsOf<81, double>{hessian});
+}
+
+int pw85_contact_geometry_batch_2d(size_t n, double const *r12, double const *q1, double const *q2,
+                                   double const *lambda, double *point, double *normal)
+{
+    return each_row(n, pw85_contact_geometry_2d, RowsOf<2>{r12}, RowsOf<3>{q1}, RowsOf<3>{q2}, Numbers{lambda},
+                    OptionalRowsOf<2>{point}, OptionalRowsOf<2>{normal});
+}
+
+int pw85_contact_gradient_batch_2d(size_t n, double const *r12, double const *q1, double const *q2,
+                                   double const *lambda, double *d_r12, double *d_q1, double *d_q2)
+{
+    return each_row(n, pw85_contact_gradient_2d, RowsOf<2>{r12}, RowsOf<3>{q1}, RowsOf<3>{q2}, Numbers{lambda},
+                    OptionalRowsOf<2>{d_r12}, OptionalRowsOf<3>{d_q1}, OptionalRowsOf<3>{d_q2});
+}
+
+int pw85_contact_torque_batch_2d(size_t n, double const *r12, double const *q1, double const *q2, double const *lambda,
+                                 double *d_rot1, double *d_rot2)
+{
+    return each_row(n, pw85_contact_torque_2d, RowsOf<2>{r12}, RowsOf<3>{q1}, RowsOf<3>{q2}, Numbers{lambda},
+                    OptionalRowsOf<1>{d_rot1}, OptionalRowsOf<1>{d_rot2});
+}
+
+int pw85_contact_hessian_batch_2d(size_t n, double const *r12, double const *q1, double const *q2, double const *lambda,
+                                  double *hessian)
+{
+    return each_row(n, pw85_contact_hessian_2d, RowsOf<2>{r12}, RowsOf<3>{q1}, RowsOf<3>{q2}, Numbers{lambda},
+                    RowsOf<16, double>{hessian});
+}
+
+int pw85_closest_approach_batch_2d(size_t n, double const *directions, double const *q1, double const *q2,
+                                   double *distance)
+{
+    return each_row(n, pw85_closest_approach_2d, RowsOf<2>{directions}, RowsOf<3>{q1}, RowsOf<3>{q2},
+                    RowsOf<1, double>{distance});
+}
+
+int pw85_distance_derivatives_batch(size_t n, double const *r12, double const *q1, double const *q2, double *d_r12,
+                                    double *d_rot1, double *d_rot2, double *hessian)
+{
+    return each_row(n, pw85_distance_derivatives, RowsOf<3>{r12}, RowsOf<6>{q1}, RowsOf<6>{q2},
+                    OptionalRowsOf<3>{d_r12}, OptionalRowsOf<3>{d_rot1}, OptionalRowsOf<3>{d_rot2},
+                    OptionalRowsOf<81>{hessian});
+}
+
+int pw85_distance_batch_2d(size_t n, double const *r12, double const *q1, double const *q2, double *distance,
+                           double *point1, double *point2)
+{
+    return each_row(n, pw85_distance_2d, RowsOf<2>{r12}, RowsOf<3>{q1}, RowsOf<3>{q2}, OptionalRowsOf<1>{distance},
+                    OptionalRowsOf<2>{point1}, OptionalRowsOf<2>{point2});
+}
+
+int pw85_penetration_batch(size_t n, double const *r12, double const *q1, double const *q2, double *depth,
+                           double *direction)
+{
+    return each_row(n, pw85_penetration, RowsOf<3>{r12}, RowsOf<6>{q1}, RowsOf<6>{q2}, OptionalRowsOf<1>{depth},
+                    OptionalRowsOf<3>{direction});
+}
+
+int pw85_distance_plane_batch(size_t n, double const *normals, double const *offsets, double const *q, double *distance,
+                              double *point)
+{
+    return each_row(n, pw85_distance_plane, RowsOf<3>{normals}, Numbers{offsets}, RowsOf<6>{q},
+                    OptionalRowsOf<1>{distance}, OptionalRowsOf<3>{point});
+}
+
+int pw85_distance_plane_derivatives_batch(size_t n, double const *normals, double const *q, double *d_center,
+                                          double *d_rot)
+{
+    return each_row(n, pw85_distance_plane_derivatives, RowsOf<3>{normals}, RowsOf<6>{q}, OptionalRowsOf<3>{d_center},
+                    OptionalRowsOf<3>{d_rot});
+}
+
+int pw85_contact_plane_batch(size_t n, double const *normals, double const *offsets, double const *q, double *mu2,
+                             double *point)
+{
+    return each_row(n, pw85_contact_plane, RowsOf<3>{normals}, Numbers{offsets}, RowsOf<6>{q}, OptionalRowsOf<1>{mu2},
+                    OptionalRowsOf<3>{point});
+}
+
+int pw85_contact_plane_derivatives_batch(size_t n, double const *normals, double const *offsets, double const *q,
+                                         double *d_center, double *d_rot)
+{
+    return each_row(n, pw85_contact_plane_derivatives, RowsOf<3>{normals}, Numbers{offsets}, RowsOf<6>{q},
+                    OptionalRowsOf<3>{d_center}, OptionalRowsOf<3>{d_rot});
+}
+
+int pw85_distance_box_batch(size_t n, double const *lower, double const *upper, double const *q, double *distance,
+                            double *point, double *normal)
+{
+    return each_row(n, pw85_distance_box, RowsOf<3>{lower}, RowsOf<3>{upper}, RowsOf<6>{q}, OptionalRowsOf<1>{distance},
+                    OptionalRowsOf<3>{point}, OptionalRowsOf<3>{normal});
+}
+
+int pw85_distance_cylinder_batch(size_t n, double const *axis, double const *radius, double const *center,
+                                 double const *q, double *distance, double *point, double *normal)
+{
+    return each_row(n, pw85_distance_cylinder, RowsOf<3>{axis}, Numbers{radius}, RowsOf<3>{center}, RowsOf<6>{q},
+                    OptionalRowsOf<1>{distance}, OptionalRowsOf<3>{point}, OptionalRowsOf<3>{normal});
+}
+
+int pw85_distance_point_batch(size_t n, double const *r, double const *q, double *distance, double *point,
+                              double *normal)
+{
+    return each_row(n, pw85_distance_point, RowsOf<3>{r}, RowsOf<6>{q}, OptionalRowsOf<1>{distance},
+                    OptionalRowsOf<3>{point}, OptionalRowsOf<3>{normal});
+}
+
+int pw85_intersect_line_batch(size_t n, double const *origin, double const *directions, double const *q, double *enter,
+                              double *leave)
+{
+    return each_row(n, with_two_numbers<pw85_intersect_line>, RowsOf<3>{origin}, RowsOf<3>{directions}, RowsOf<6>{q},
+                    OptionalRowsOf<1>{enter}, OptionalRowsOf<1>{leave});
+}
+
+int pw85_first_contact_batch(size_t n, double const *r12, double const *q1, double const *q2,
+                             pw85_motion const *motion1, pw85_motion const *motion2, double t_max, double *t)
+{
+    return each_row(n, pw85_first_contact, RowsOf<3>{r12}, RowsOf<6>{q1}, RowsOf<6>{q2},
+                    RowsOf<1, pw85_motion const>{motion1}, RowsOf<1, pw85_motion const>{motion2}, SameNumber{t_max},
+                    RowsOf<1, double>{t});
+}
+
+int pw85_ellipsoid_quaternion_batch(size_t n, double const *semi_axes, double const *quaternions, double *q)
+{
+    return each_row(n, pw85_ellipsoid_quaternion, RowsOf<3>{semi_axes}, RowsOf<4>{quaternions}, RowsOf<6, double>{q});
+}
+
+int pw85_bounding_boxes(size_t n, double const *q, double *half_widths)
+{
+    return each_row(n, bounding_box_of, RowsOf<6>{q}, RowsOf<3, double>{half_widths});
+}

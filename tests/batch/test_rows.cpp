@@ -1,0 +1,159 @@
+// The functions of many rows that have no lanes give what the functions of one row give, bit by bit and whatever the number of threads.
+// A function is found by its name, so a new one is tested as soon as it is declared.
+#include <optional>
+#include <string>
+
+#include <glib.h>
+
+#include "../calls.hpp"
+#include "../draws.hpp"
+#include "../failures.hpp"
+#include "batch_data.hpp"
+
+#ifdef _OPENMP
+#include <omp.h>
+#endif
+
+using namespace pw85_tests;
+
+namespace {
+
+// These have lanes, whose last bits differ, or codes of their own: other programs test them.
+std::vector<std::string> const with_lanes = {"pw85_contact_batch",          "pw85_overlap_batch",
+                                             "pw85_closest_approach_batch", "pw85_contact_batch_2d",
+                                             "pw85_overlap_batch_2d",       "pw85_distance_batch"};
+
+/// The function of one row of a function of many, by its name; none if it has lanes or no such relative.
+std::optional<Function> of_one_row(Function const &many)
+{
+    std::string name = many.name;
+    std::size_t const place = name.find("_batch");
+    if (place == std::string::npos || std::find(with_lanes.begin(), with_lanes.end(), name) != with_lanes.end())
+        return {};
+    name.erase(place, std::string("_batch").size());
+    for (Function const &one : declared_functions())
+        if (one.name == name) return one;
+    return {};
+}
+
+/// Makes the rows of an input unlike: most numbers are scaled, some get another sign, few are NaN. Forms and separations stay as the pairs have them.
+void scatter(Random &random, Call &call, std::size_t k)
+{
+    Parameter const &p = call.parameter(k);
+    std::string const name = p.name;
+    bool const of_pairs = name[0] == 'q' && name != "quaternions";
+    if (!p.pointer || p.output || p.type != Type::real || of_pairs || name == "r12") return;
+    for (std::size_t i = 0; i < call.length(k); ++i) {
+        double const kind = random.uniform(0.0, 1.0);
+        double &x = call.elements<double>(k)[i];
+        x *= random.uniform(0.5, 1.5);
+        if (name != "lambda" && kind < 0.2) x = -x;
+        if (name == "lambda" && kind < 0.02) x += 2.0;
+        if (kind > 0.99) x = std::numeric_limits<double>::quiet_NaN();
+    }
+}
+
+/// What a function of one row gives for a row of the arrays of a function of many.
+struct OneRow {
+    std::vector<double> out;
+    int status;
+};
+
+OneRow call_one(Function const &one, Call &many, std::size_t row)
+{
+    std::vector<Argument> arguments(one.parameters.size());
+    std::vector<std::vector<double>> outputs(one.parameters.size());
+    for (std::size_t k = 0; k < one.parameters.size(); ++k) {
+        Parameter const &p = one.parameters[k];
+        if (p.output) {
+            std::size_t size = 1;
+            for (auto const &extent : p.shape) size *= extent.number;
+            outputs[k].resize(size);
+            arguments[k].pointer = outputs[k].data();
+        } else if (!many.parameter(k + 1).pointer)
+            arguments[k] = many[k + 1];
+        else if (p.type == Type::motion)
+            arguments[k].pointer = many.elements<pw85_motion>(k + 1) + row;
+        else if (p.pointer)
+            arguments[k].pointer = many.elements<double>(k + 1) + row * many.row_length(k + 1);
+        else
+            arguments[k].real = many.elements<double>(k + 1)[row];
+    }
+    OneRow result{{}, one.call(arguments.data()).status};
+    for (auto const &numbers : outputs) result.out.insert(result.out.end(), numbers.begin(), numbers.end());
+    return result;
+}
+
+/// The outputs of a row of a function of many, one after the other.
+std::vector<double> outputs_of(Call &many, std::size_t row)
+{
+    std::vector<double> all;
+    for (std::size_t k = 0; k < many.size(); ++k) {
+        if (!many.parameter(k).output) continue;
+        std::size_t const width = many.row_length(k);
+        double const *const first = many.elements<double>(k) + row * width;
+        all.insert(all.end(), first, first + width);
+    }
+    return all;
+}
+
+bool are_same(std::vector<double> const &x, std::vector<double> const &y)
+{
+    return x.size() == y.size() && std::memcmp(x.data(), y.data(), x.size() * sizeof(double)) == 0;
+}
+
+void check_rows(Failures &failures, Function const &one, Call &many, std::size_t n)
+{
+    int const status = many().status;
+    int first_bad = 0;
+    for (std::size_t row = 0; row < n; ++row) {
+        OneRow const expected = call_one(one, many, row);
+        if (first_bad == 0) first_bad = expected.status;
+        failures.check(are_same(outputs_of(many, row), expected.out), many.function().name, expected.status, 0.0,
+                       [&] { return "row " + std::to_string(row); });
+    }
+    failures.check(status == first_bad, "status", status, first_bad, [&] { return std::string(many.function().name); });
+}
+
+/// The same bytes, and the same status, from one thread and from several.
+void check_threads([[maybe_unused]] Failures &failures, [[maybe_unused]] Call &many)
+{
+#ifdef _OPENMP
+    int const usual = omp_get_max_threads();
+    omp_set_num_threads(1);
+    int const status = many().status;
+    auto const bytes = many.outputs();
+    omp_set_num_threads(4);
+    bool const same = many().status == status && many.outputs() == bytes;
+    omp_set_num_threads(usual);
+    failures.check(same, "threads", 4.0, 1.0, [&] { return std::string(many.function().name); });
+#endif
+}
+
+void test_rows()
+{
+    Failures failures;
+    Random random(900);
+    std::size_t const n = static_cast<std::size_t>(draws(5000)); // more than a thread takes at a time
+    auto const pairs = mixed_pairs(random, n);
+    int functions = 0;
+    for (Function const &function : declared_functions()) {
+        auto const one = of_one_row(function);
+        if (!one) continue;
+        ++functions;
+        Call many(function, pairs);
+        for (std::size_t k = 0; k < many.size(); ++k) scatter(random, many, k);
+        check_rows(failures, *one, many, n);
+        check_threads(failures, many);
+    }
+    g_assert_cmpint(functions, >=, 22);
+}
+
+} // namespace
+
+int main(int argc, char **argv)
+{
+    g_test_init(&argc, &argv, nullptr);
+    g_test_add_func("/rows/one_by_one", test_rows);
+    return g_test_run();
+}
