@@ -7,6 +7,7 @@
 
 #include <pw85/batch.hpp>
 
+#include "../draws.hpp"
 #include "../failures.hpp"
 #include "../systems.hpp"
 #include "batch_data.hpp"
@@ -175,7 +176,7 @@ void test_cells()
 {
     Failures failures;
     Random random(12);
-    for (int n = 0; n < 300; ++n) {
+    for (int n = 0; n < draws(300); ++n) {
         pw85::Cell const compact = compact_cell(random, 8.0);
         for (int const steps : {0, 1, 2, 4, 8, 12}) {
             pw85::Cell const cell = skew(random, compact, steps);
@@ -205,7 +206,7 @@ void test_contact_in_cell()
 {
     Failures failures;
     Random random(14);
-    for (int n = 0; n < 50; ++n) {
+    for (int n = 0; n < draws(50); ++n) {
         pw85::Cell const compact = compact_cell(random, 8.0), cell = skew(random, compact, 3);
         System const system(random, 40, 300, 8.0);
         BatchResult const result = run_pairs(system, &cell);
