@@ -2,12 +2,14 @@
 
 Usage: python.py table OUTPUT               the table that the compiled part includes (python/src/function.cpp)
        python.py ufuncs TEMPLATE OUTPUT     a module or stub, in whose template `#@` marks where the names of the ufuncs belong
+       python.py functions TEMPLATE OUTPUT  a module of functions (api/python_functions.py)
 """
 
 import re
 import sys
 from pathlib import Path
 
+from python_functions import module
 from python_table import table
 from rows import row_functions
 
@@ -44,10 +46,13 @@ def filled(template):
 
 
 def main(kind, *paths):
+    templates = [Path(path).read_text(encoding="utf-8") for path in paths[:-1]]
     if kind == "table":
         text = table(row_functions())
+    elif kind == "ufuncs":
+        text = filled(*templates)
     else:
-        text = filled(Path(paths[0]).read_text(encoding="utf-8"))
+        text = module(*templates, is_legacy="legacy" in Path(paths[0]).name)
     Path(paths[-1]).write_text(text, encoding="utf-8")
 
 
