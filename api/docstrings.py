@@ -213,6 +213,8 @@ def section_of(made, given):
             if other not in used:
                 lines.append(f"{other}\n{own[other]}".rstrip("\n"))
                 used.add(other)
+    if own.keys() - used:
+        raise ValueError(f"no such parameter: {', '.join(own.keys() - used)}")
     return "\n".join(lines)
 
 

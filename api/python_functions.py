@@ -1,14 +1,15 @@
 """Modules of Python functions: a template, in which functions that are marked `@declared` are made whole by the C declarations.
 
-In a template stands what is Python's own: examples, what it says otherwise in a text, other names of arguments, defaults, another body.
+In a template stands what is Python's own: examples, what it says otherwise in a text, other names and defaults of arguments, another
+body, the type of the result, where `float` is a number for one row.
 
     @declared
     def first_contact(r12, q1, q2, motion1, motion2, t_max=np.inf):
         (text)
 
-Arguments are stated where their names or defaults are not those of C; one that follows the inputs is the output. So is the type of the
-result: `float` is a number for one row. The sections of a text replace those that would be made, in the section of parameters those of the same names; paragraphs at the head
-replace the sentences of C. Functions that the template does not have follow at the end.
+Arguments are stated where their names or defaults are not those of C; one that follows the inputs is the output. The sections of a
+text replace those that would be made, in the section of parameters those of the same names; paragraphs at the head replace the
+sentences of C. Functions that the template does not have follow at the end.
 """
 
 import ast
@@ -61,7 +62,7 @@ def python_names():
     for row in row_functions():
         name = f"legacy.{python_name(row)}" if row.name.startswith("legacy_") else python_name(row)
         names |= {one.name: name for one in (row.function, row.many) if one is not None}
-    return names | {f"pw85_{name}": name for name in ("nearest_image_limit", "contact_pairs")}
+    return names
 
 
 def written(node):
@@ -70,8 +71,9 @@ def written(node):
     defaults = [None] * (len(listed) - len(node.args.defaults)) + [ast.unparse(one) for one in node.args.defaults]
     statements = node.body[1:] if ast.get_docstring(node) is not None else node.body
     body = "\n".join(ast.unparse(one) for one in statements if not isinstance(one, ast.Pass))
+    kinds = [ast.unparse(one.annotation) if one.annotation is not None else "" for one in listed]
     return Written(
-        [Argument(one.arg, default, ast.unparse(one.annotation) if one.annotation else "") for one, default in zip(listed, defaults)],
+        [Argument(one.arg, default, kind) for one, default, kind in zip(listed, defaults, kinds)],
         inspect.cleandoc(ast.get_docstring(node) or ""),
         body,
         ast.unparse(node.returns) if node.returns is not None else "",

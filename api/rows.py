@@ -84,7 +84,7 @@ def operand(one):
 
 
 def named_results(function, known):
-    """The outputs of the function of many rows: its own, or that of a function with the same parameters to which the comment refers."""
+    """The outputs of the function of many rows: its own, or that of a function of the same parameters to which it refers."""
     for other in referenced(function, known):
         if other.parameters == function.parameters and name_of_many(other.name) in known:
             return [one for one in parameters(known[name_of_many(other.name)]) if one.is_output()]
