@@ -66,6 +66,11 @@ def volume(q: ArrayLike, out: Any = None, **kwargs: Any) -> Any:
 '''
 
 
+def template(name, title, *lines):
+    """That of a function of which one section is given."""
+    return "\n    ".join(["@declared", f"def {name}():", f'"""{title}', "-" * len(title), *lines, '"""\n']).replace("    def", "def", 1)
+
+
 @pytest.fixture
 def make(tmp_path):
     """Makes a file of a template, by headers that declare one more function."""
@@ -118,6 +123,15 @@ def volume(form=None, v=None) -> Volume:
     assert "Form of the ellipsoid" not in function and function.endswith("    return Volume(_core.call_volume(form, v, kwargs))")
 
 
-def test_parameter_that_is_not_declared(make):
-    template = '@declared\ndef volume():\n    """Parameters\n    ----------\n    radius : (...)\n    """\n'
-    assert "no such parameter: radius" in make("functions", template, succeeds=False)
+def test_one_of_two_parameters(make):
+    """What is said of one leaves the other, of which the headers say the same."""
+    text = make("functions", template("distance_box", "Parameters", "upper : (..., 3) array_like", "    The upper one."))
+    lower = "    lower : (..., 3) array_like\n        Corners of the box, relative to the centre of the ellipsoid; lower <= upper.\n"
+    upper = "    upper : (..., 3) array_like\n        The upper one.\n"
+    assert lower + upper in text
+
+
+@pytest.mark.parametrize("title, line, complaint", [("Parameters", "radius : (...)", "no such parameter: radius"),
+                                                    ("Warning", "None.", "no such section: Warning")])  # fmt: skip
+def test_what_is_not_declared(make, title, line, complaint):
+    assert complaint in make("functions", template("volume", title, line), succeeds=False)
