@@ -35,7 +35,7 @@ def sentence(text):
 
 def constant(match):
     name = match[1].removeprefix("PW85_")
-    return f"`{name.lower()}`" if name == "LAMBDA_ATOL" else f"``Status.{name}``"
+    return f"``{name.lower()}``" if name == "LAMBDA_ATOL" else f"``Status.{name}``"
 
 
 def in_python(text):
