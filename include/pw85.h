@@ -138,9 +138,9 @@ PW85_API int pw85_ellipse(double a, double b, double angle, double q[3]);
  * The error is below 4 u cond, with u = 2⁻⁵³ and cond the entrywise condition number of the problem (see the chapter on
  * testing), also for forms that are singular to working precision. No more than 157 evaluations of f are made.
  *
- * @param r12 centre-to-centre vector; zero is valid: μ² = 0, λ = 1/2
- * @param q1,q2 the forms
- * @param[out] out (μ², λ)
+ * @param r12 from the centre of ellipsoid 1 to that of ellipsoid 2; zero is valid: μ² = 0, λ = 1/2
+ * @param q1,q2 forms of the ellipsoids, in the square of the unit of r12
+ * @param[out] out (μ², λ), with the maximiser λ of f in [0, 1]
  * @return #PW85_SUCCESS, #PW85_EINVAL (null pointer, NaN or infinity), #PW85_ENOTPD, #PW85_ECONVERGENCE (where the error cannot
  *         be proved to be so small: never seen) */
 PW85_API int pw85_contact(double const r12[PW85_DIM], double const q1[PW85_SYM], double const q2[PW85_SYM],
@@ -214,7 +214,7 @@ PW85_API int pw85_overlap(double const r12[PW85_DIM], double const q1[PW85_SYM],
  * outside, when their centres are on a line of given direction d. It is |d|/μ(d).
  *
  * @param direction from centre 1 to centre 2, of any length > 0
- * @param q1,q2 the forms
+ * @param q1,q2 forms of the ellipsoids
  * @param[out] distance in the unit of the semi-axes
  * @return #PW85_SUCCESS, #PW85_EINVAL (also for a zero direction), #PW85_ENOTPD, #PW85_ECONVERGENCE as for pw85_contact() */
 PW85_API int pw85_closest_approach(double const direction[PW85_DIM], double const q1[PW85_SYM],
@@ -342,7 +342,7 @@ typedef struct pw85_motion {
 
 /** The time of the first contact of two moving ellipsoids.
  *
- * @param r12,q1,q2 the pair at time 0, as for pw85_contact()
+ * @param r12,q1,q2 as for pw85_contact(), at time 0
  * @param motion1,motion2 how the ellipsoids move; none may shrink to nothing before t_max
  * @param t_max the time up to which contacts count, >= 0; may be infinity
  * @param[out] t the time, or infinity
@@ -367,9 +367,9 @@ PW85_API int pw85_first_contact(double const r12[PW85_DIM], double const q1[PW85
  *
  * @param normal into the half-space, of any length > 0
  * @param offset in the unit of normal·x; negative if the centre is in the half-space
- * @param q the form
+ * @param q form of the ellipsoid
  * @param[out] distance in the unit of the semi-axes; negative if the two overlap: minus the depth; may be null
- * @param[out] point of the ellipsoid that is nearest to the half-space, or deepest in it; may be null
+ * @param[out] point of the ellipsoid, nearest to the half-space or deepest in it; may be null
  * @return #PW85_SUCCESS, #PW85_EINVAL (also for a zero normal), #PW85_ENOTPD */
 PW85_API int pw85_distance_plane(double const normal[PW85_DIM], double offset, double const q[PW85_SYM],
                                  double *distance, double point[PW85_DIM]);
@@ -406,9 +406,9 @@ PW85_API int pw85_contact_plane_derivatives(double const normal[PW85_DIM], doubl
 /** Distance from an ellipsoid with its centre at 0 to the nearest face of a box around it.
  *
  * @param lower,upper corners of the box, relative to the centre of the ellipsoid; lower <= upper
- * @param q the form
+ * @param q form of the ellipsoid
  * @param[out] distance negative if the ellipsoid is not inside of the box; may be null
- * @param[out] point of the ellipsoid that is nearest to that face, or farthest beyond it; may be null
+ * @param[out] point of the ellipsoid, nearest to that face or farthest beyond it; may be null
  * @param[out] normal outward unit normal of that face; may be null
  * @return #PW85_SUCCESS, #PW85_EINVAL (also for lower > upper), #PW85_ENOTPD */
 PW85_API int pw85_distance_box(double const lower[PW85_DIM], double const upper[PW85_DIM], double const q[PW85_SYM],
@@ -419,9 +419,9 @@ PW85_API int pw85_distance_box(double const lower[PW85_DIM], double const upper[
  * @param axis direction of the axis, which goes through 0; of any length > 0
  * @param radius of the cylinder, > 0
  * @param center of the ellipsoid
- * @param q the form
+ * @param q form of the ellipsoid
  * @param[out] distance negative if the ellipsoid is not inside of the cylinder; may be null
- * @param[out] point of the ellipsoid that is farthest from the axis, relative to its centre; may be null
+ * @param[out] point of the ellipsoid, farthest from the axis, relative to its centre; may be null
  * @param[out] normal outward unit normal of the wall there; may be null
  * @return #PW85_SUCCESS, #PW85_EINVAL (also for a zero axis or a radius that is not positive), #PW85_ENOTPD */
 PW85_API int pw85_distance_cylinder(double const axis[PW85_DIM], double radius, double const center[PW85_DIM],
@@ -431,9 +431,9 @@ PW85_API int pw85_distance_cylinder(double const axis[PW85_DIM], double radius, 
 /** Distance from a point to the surface of an ellipsoid.
  *
  * @param r the point, relative to the centre of the ellipsoid
- * @param q the form
+ * @param q form of the ellipsoid
  * @param[out] distance negative if the point is inside; may be null
- * @param[out] point of the surface that is nearest to r, relative to the centre; one of them if there are several; may be null
+ * @param[out] point of the surface, nearest to r, relative to the centre; one of them if there are several; may be null
  * @param[out] normal unit vector out of the ellipsoid at this point, the derivative of the distance; may be null
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD */
 PW85_API int pw85_distance_point(double const r[PW85_DIM], double const q[PW85_SYM], double *distance,
@@ -444,7 +444,7 @@ PW85_API int pw85_distance_point(double const r[PW85_DIM], double const q[PW85_S
  *
  * @param origin of the line, relative to the centre of the ellipsoid
  * @param direction of any length > 0
- * @param q the form
+ * @param q form of the ellipsoid
  * @param[out] t NaN if the line misses the ellipsoid, also on success
  * @return #PW85_SUCCESS, #PW85_EINVAL (also for a zero direction), #PW85_ENOTPD */
 PW85_API int pw85_intersect_line(double const origin[PW85_DIM], double const direction[PW85_DIM],

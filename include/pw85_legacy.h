@@ -33,7 +33,7 @@ PW85_API double pw85_legacy__xT_adjA_x(double const x[PW85_DIM], double const a[
 
 /** Coefficients of det[(1-λ) Q1 + λ Q2] in increasing powers of λ.
  *
- * @param q1,q2 the forms
+ * @param q1,q2 forms of the ellipsoids
  * @param q3 2 Q1 - Q2, the value of the blend at λ = -1
  * @param q4 (Q1 + Q2)/2, its value at λ = 1/2
  * @param[out] b b[0] + b[1] λ + b[2] λ² + b[3] λ³ */
@@ -43,7 +43,7 @@ PW85_API void pw85_legacy__detQ_as_poly(double const q1[PW85_SYM], double const 
 /** Coefficients of rᵀ adj[(1-λ) Q1 + λ Q2] r in increasing powers of λ.
  *
  * @param r vector
- * @param q1,q2 the forms
+ * @param q1,q2 forms of the ellipsoids
  * @param q3 2 Q1 - Q2, the value of the blend at λ = -1
  * @param[out] a a[0] + a[1] λ + a[2] λ² */
 PW85_API void pw85_legacy__rT_adjQ_r_as_poly(double const r[PW85_DIM], double const q1[PW85_SYM],

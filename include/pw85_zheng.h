@@ -21,7 +21,7 @@ extern "C" {
 /** Distance of closest approach of two ellipses, in closed form (the root of a quartic).
  *
  * @param direction from centre 1 to centre 2, of any length > 0
- * @param q1,q2 forms (xx, xy, yy)
+ * @param q1,q2 forms (xx, xy, yy) of the ellipses
  * @param[out] distance of the centres at external tangency
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD */
 PW85_API int pw85_zheng_ellipses(double const direction[2], double const q1[3], double const q2[3], double *distance);
@@ -30,7 +30,7 @@ PW85_API int pw85_zheng_ellipses(double const direction[2], double const q1[3], 
  * of centres cuts out, as the plane turns.
  *
  * @param direction from centre 1 to centre 2, of any length > 0
- * @param q1,q2 forms
+ * @param q1,q2 forms of the ellipsoids
  * @param[out] distance of the centres at external tangency
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD */
 PW85_API int pw85_zheng_ellipsoids(double const direction[PW85_DIM], double const q1[PW85_SYM],

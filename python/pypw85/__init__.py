@@ -32,38 +32,56 @@ from . import (
     legacy,
     utils,
 )
-from ._contact import (
-    _cholesky_decomp,
-    _cholesky_solve,
-    closest_approach,
-    contact,
-    contact_function,
-    contact_geometry,
-    contact_gradient,
-    contact_hessian,
-    contact_torque,
-    f,
-    f_neg,
-    overlap,
-    zheng_ellipses,
-    zheng_ellipsoids,
-)
 from ._conversions import from_gsd, from_lammps, from_ovito
 from ._core import LAMBDA_ATOL as lambda_atol
 from ._core import strerror, version
-from ._distance import distance, distance_2d, distance_derivatives, penetration
-from ._ellipses import (
-    closest_approach_2d,
-    contact_2d,
-    contact_geometry_2d,
-    contact_gradient_2d,
-    contact_hessian_2d,
-    contact_torque_2d,
-    overlap_2d,
-)
 from ._errors import PW85Error, Status, bad_rows
-from ._forms import ellipse, ellipsoid, ellipsoid_quaternion, full, packed, principal_axes, spheroid
-from ._motion import Events, first_contact, first_contact_pairs, motion
+from ._forms import full, packed, principal_axes
+from ._functions import (
+    ContactDerivatives,
+    _cholesky_decomp,
+    _cholesky_solve,
+    bounding_boxes,
+    cell_reduce,
+    closest_approach,
+    closest_approach_2d,
+    contact,
+    contact_2d,
+    contact_derivatives,
+    contact_function,
+    contact_geometry,
+    contact_geometry_2d,
+    contact_gradient,
+    contact_gradient_2d,
+    contact_hessian,
+    contact_hessian_2d,
+    contact_plane,
+    contact_plane_derivatives,
+    contact_torque,
+    contact_torque_2d,
+    distance,
+    distance_2d,
+    distance_box,
+    distance_cylinder,
+    distance_derivatives,
+    distance_plane,
+    distance_plane_derivatives,
+    distance_point,
+    ellipse,
+    ellipsoid,
+    ellipsoid_quaternion,
+    f,
+    f_neg,
+    first_contact,
+    intersect_line,
+    overlap,
+    overlap_2d,
+    penetration,
+    spheroid,
+    zheng_ellipses,
+    zheng_ellipsoids,
+)
+from ._motion import Events, first_contact_pairs, motion
 from ._neighbors import Neighbors, neighbors
 from ._packing import OverlapsLeft, RelaxationInterrupted, pack, relax
 from ._pairs import contact_pairs, nearest_images, overlap_pairs
@@ -71,11 +89,7 @@ from ._plotting import plot
 from ._statistics import Correlation, correlation, nematic_order
 from ._system import Contacts, Report, System
 from ._systems import (
-    ContactDerivatives,
     ContactForces,
-    bounding_boxes,
-    cell_reduce,
-    contact_derivatives,
     contact_derivatives_pairs,
     contact_forces_pairs,
     nearest_image_limit,
@@ -83,16 +97,6 @@ from ._systems import (
     overlap_any_indices,
 )
 from ._voxels import voxels
-from ._walls import (
-    contact_plane,
-    contact_plane_derivatives,
-    distance_box,
-    distance_cylinder,
-    distance_plane,
-    distance_plane_derivatives,
-    distance_point,
-    intersect_line,
-)
 from .formats import FileError, frames, read, write
 
 __version__ = version()

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ._arrays import plain
-from ._forms import ellipsoid_quaternion
+from ._functions import ellipsoid_quaternion
 from ._typing import Floats
 
 

@@ -9,14 +9,19 @@ from collections.abc import Callable
 
 Function = TypeVar("Function", bound=Callable[..., object])
 
-# The functions that are documented, by their names in the compiled part.
+# The functions that the compiled part has, by their names there.
 FUNCTIONS: dict[str, Callable[..., object]] = {}
 
 
-def documented(function: Function) -> Function:
-    """Decorator: puts the paragraph of that name in place of a line like ``{forms}`` in the text of a function, and lists it."""
+def listed(function: Function) -> Function:
+    """Decorator: lists a function that the compiled part has."""
     prefix = "legacy_" if function.__module__.endswith(".legacy") else ""
     FUNCTIONS[prefix + function.__name__.removeprefix("_")] = function
+    return function
+
+
+def documented(function: Function) -> Function:
+    """Decorator: puts the paragraph of that name in place of a line like ``{pair_list}`` in the text of a function."""
     if function.__doc__:  # not with python -OO
         function.__doc__ = re.sub(r"^( *)\{(\w+)\}\n", _paragraph, function.__doc__, flags=re.MULTILINE)
     return function
@@ -27,132 +32,6 @@ def _paragraph(line: re.Match[str]) -> str:
 
 
 PARAGRAPHS = {
-    "lambda_in": """
-lambda_ : (...) array_like
-    In [0, 1].
-""",
-    "lambda_found": """
-lambda_ : (...) array_like
-    In [0, 1], from `contact`.
-""",
-    "r12": """
-r12 : (..., 3) array_like
-    From the centre of ellipsoid 1 to that of ellipsoid 2.
-""",
-    "forms": """
-q1, q2 : (..., 6) array_like
-    Forms of the ellipsoids, in the square of the unit of `r12`.
-""",
-    "form": """
-q : (..., 6) array_like
-    Form of the ellipsoid.
-""",
-    "half_space": """
-normal : (..., 3) array_like
-    Into the half-space, of any length > 0.
-offset : (...) array_like
-    In the unit of normal·x; negative if the centre is in the half-space.
-""",
-    "lambda_found_2d": """
-lambda_ : (...) array_like
-    In [0, 1], from `contact_2d`.
-""",
-    "pair_2d": """
-r12 : (..., 2) array_like
-    From the centre of ellipse 1 to that of ellipse 2.
-q1, q2 : (..., 3) array_like
-    Forms (xx, xy, yy), in the square of the unit of `r12`.
-""",
-    "direction": """
-direction : (..., 3) array_like
-    From centre 1 to centre 2, of any length > 0.
-q1, q2 : (..., 6) array_like
-    Forms of the ellipsoids.
-""",
-    "direction_2d": """
-direction : (..., 2) array_like
-    From centre 1 to centre 2, of any length > 0.
-q1, q2 : (..., 3) array_like
-    Forms (xx, xy, yy).
-""",
-    "semi_axes": """
-semi_axes : (..., 3) array_like
-    Lengths of the principal semi-axes (not diameters), > 0.
-""",
-    "q3": """
-q3 : (..., 6) array_like, optional
-    2 Q1 - Q2, if it is at hand.
-""",
-    "keywords": """
-**kwargs
-    As for any ufunc.
-""",
-    "out": """
-out : (...) array, optional
-    Where to put the result.
-**kwargs
-    As for any ufunc.
-""",
-    "out_form": """
-out : (..., 6) array, optional
-    Where to put the result.
-**kwargs
-    As for any ufunc.
-""",
-    "out_vectors": """
-out : tuple of two (..., 3) arrays, optional
-    Where to put the results.
-**kwargs
-    As for any ufunc.
-""",
-    "out_several": """
-out : tuple of arrays, optional
-    Where to put the results.
-**kwargs
-    As for any ufunc.
-""",
-    "out_contact": """
-out : (..., 2) array, or a tuple of two (...) arrays, optional
-    Where to put μ² and λ.
-**kwargs
-    As for any ufunc.
-""",
-    "returns_contact": """
-Returns
--------
-mu2, lambda_ : (...) arrays or numbers
-    μ² and the maximiser λ in [0, 1]; no unit.
-""",
-    "returns_distance": """
-Returns
--------
-(...) array or number
-    In the unit of the semi-axes.
-""",
-    "raises_pair": """
-Raises
-------
-PW85Error
-    For a single pair: invalid input, or a form that is not positive definite. Rows of arrays become NaN.
-""",
-    "raises_row": """
-Raises
-------
-PW85Error
-    For a single row: invalid input, or a form that is not positive definite. Rows of arrays become NaN.
-""",
-    "raises_direction": """
-Raises
-------
-PW85Error
-    For a single pair: invalid input, a zero direction. Rows of arrays become NaN.
-""",
-    "raises_lambda": """
-Raises
-------
-PW85Error
-    For a single pair: invalid input, λ outside [0, 1]. Rows of arrays become NaN.
-""",
     "pair_list": """
 pairs : (k, 2) array_like of int
     Indices (i, j) of particles, from 0. Contiguous int32 is used as it is, anything else copied.

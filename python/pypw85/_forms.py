@@ -1,4 +1,4 @@
-"""Quadratic forms: builders, packing, and back to semi-axes and axes."""
+"""Quadratic forms: packing, and back to semi-axes and axes."""
 
 from __future__ import annotations
 
@@ -9,152 +9,12 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import _core
 from ._arrays import by_rows, plain
-from ._documentation import documented
 from ._errors import PW85Error, Status
 from ._explanations import explain_values
 from ._typing import Floats
 
 _PACKED = ([0, 0, 0, 1, 1, 2], [0, 1, 2, 1, 2, 2])
 _FULL = [0, 1, 2, 1, 3, 4, 2, 4, 5]
-
-
-@documented
-def spheroid(a: ArrayLike, c: ArrayLike, n: ArrayLike, q: Floats | None = None, **kwargs: Any) -> Floats:
-    """Quadratic form of a spheroid, Q = a² I + (c² - a²) n nᵀ.
-
-    Parameters
-    ----------
-    a : (...) array_like
-        Equatorial radius, > 0.
-    c : (...) array_like
-        Polar radius, > 0.
-    n : (..., 3) array_like
-        Direction of the axis of revolution, of any length > 0.
-    q : (..., 6) array, optional
-        Where to put the result.
-    {keywords}
-
-    Returns
-    -------
-    (..., 6) array
-        The form, in the square of the unit of `a` and `c`; `q` if given.
-
-    Raises
-    ------
-    PW85Error
-        For a single form: a radius is not positive, or `n` is zero or not finite. Rows of arrays become NaN.
-
-    Examples
-    --------
-    >>> import pypw85
-    >>> pypw85.spheroid(0.5, 5.0, [1, 0, 0])
-    array([25.  ,  0.  ,  0.  ,  0.25,  0.  ,  0.25])
-    """
-    return _core.call_spheroid(a, c, n, q, kwargs)
-
-
-@documented
-def ellipsoid(semi_axes: ArrayLike, rotation: ArrayLike, out: Any = None, **kwargs: Any) -> Floats:
-    """Quadratic form of an ellipsoid, Q = R diag(semi_axes²) Rᵀ.
-
-    Parameters
-    ----------
-    {semi_axes}
-    rotation : (..., 3, 3) array_like
-        R. Its columns are the principal directions: R takes the body frame to the space frame. RᵀR may differ from
-        the identity by at most 1e-6 in any entry; reflections are accepted.
-    {out_form}
-
-    Returns
-    -------
-    (..., 6) array
-        The form, in the square of the unit of `semi_axes`.
-
-    Raises
-    ------
-    PW85Error
-        For a single form: a length is not positive, or R is not orthonormal. Rows of arrays become NaN.
-
-    See Also
-    --------
-    principal_axes : the inverse
-
-    Examples
-    --------
-    >>> import numpy as np, pypw85
-    >>> pypw85.ellipsoid([1, 2, 3], np.eye(3))
-    array([1., 0., 0., 4., 0., 9.])
-    """
-    return _core.call_ellipsoid(semi_axes, rotation, out, kwargs)
-
-
-@documented
-def ellipsoid_quaternion(
-    semi_axes: ArrayLike, quaternion_wxyz: ArrayLike, out: Any = None, **kwargs: Any
-) -> Floats:
-    """Quadratic form of an ellipsoid whose orientation is a quaternion.
-
-    Parameters
-    ----------
-    {semi_axes}
-    quaternion_wxyz : (..., 4) array_like
-        (w, x, y, z), scalar first, of any length > 0. It takes the body frame to the space frame.
-    {out_form}
-
-    Returns
-    -------
-    (..., 6) array
-        The form, in the square of the unit of `semi_axes`.
-
-    Raises
-    ------
-    PW85Error
-        For a single form: a length is not positive, or the quaternion is zero or not finite. Rows of arrays become NaN.
-
-    See Also
-    --------
-    from_lammps, from_ovito, from_gsd : from the conventions of other programs
-
-    Examples
-    --------
-    >>> import pypw85
-    >>> pypw85.ellipsoid_quaternion([1, 2, 3], [1, 0, 0, 0])
-    array([1., 0., 0., 4., 0., 9.])
-    """
-    return _core.call_ellipsoid_quaternion(semi_axes, quaternion_wxyz, out, kwargs)
-
-
-@documented
-def ellipse(a: ArrayLike, b: ArrayLike, angle: ArrayLike, out: Any = None, **kwargs: Any) -> Floats:
-    """Quadratic form (xx, xy, yy) of an ellipse.
-
-    Parameters
-    ----------
-    a, b : (...) array_like
-        Semi-axes, > 0.
-    angle : (...) array_like
-        From the x axis to the semi-axis `a`, counter-clockwise, in radians.
-    out : (..., 3) array, optional
-        Where to put the result.
-    {keywords}
-
-    Returns
-    -------
-    (..., 3) array
-        The form, in the square of the unit of `a` and `b`.
-
-    Raises
-    ------
-    PW85Error
-        For a single form: a length is not positive, or the angle is not finite. Rows of arrays become NaN.
-
-    Examples
-    --------
-    >>> import pypw85
-    >>> pypw85.ellipse(2, 1, 0)
-    array([4., 0., 1.])
-    """
-    return _core.call_ellipse(a, b, angle, out, kwargs)
 
 
 def full(q: ArrayLike) -> NDArray[Any]:

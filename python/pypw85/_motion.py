@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any, NamedTuple, overload
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 from . import _core
 from ._documentation import documented
 from ._pairs import _explain, _pair_list, _rows
-from ._typing import Floats, One, Row, Rows
+from ._typing import Floats
 
 
 class Events(NamedTuple):
@@ -51,75 +51,6 @@ def motion(
     rows = np.empty((*leading, 7))
     rows[..., :3], rows[..., 3:6], rows[..., 6] = v, w, g
     return rows
-
-
-@overload
-def first_contact(
-    r12: Row, q1: One, q2: One, motion1: One, motion2: One, t_max: float = np.inf, out: Floats | None = None
-) -> float: ...
-@overload
-def first_contact(
-    r12: Rows,
-    q1: ArrayLike,
-    q2: ArrayLike,
-    motion1: ArrayLike,
-    motion2: ArrayLike,
-    t_max: ArrayLike = np.inf,
-    out: Any = None,
-    **kwargs: Any,
-) -> Floats: ...
-@overload
-def first_contact(
-    r12: ArrayLike,
-    q1: ArrayLike,
-    q2: ArrayLike,
-    motion1: ArrayLike,
-    motion2: ArrayLike,
-    t_max: ArrayLike = np.inf,
-    out: Any = None,
-    **kwargs: Any,
-) -> Any: ...
-@documented
-def first_contact(
-    r12: ArrayLike,
-    q1: ArrayLike,
-    q2: ArrayLike,
-    motion1: ArrayLike,
-    motion2: ArrayLike,
-    t_max: ArrayLike = np.inf,
-    out: Any = None,
-    **kwargs: Any,
-) -> Any:
-    """The time of the first contact of two ellipsoids that move, turn and grow.
-
-    Parameters
-    ----------
-    {r12}
-    {forms}
-    motion1, motion2 : (..., 7) array_like
-        How the ellipsoids move, from `motion`. `r12` and the forms are those at time 0.
-    t_max : (...) array_like, optional
-        The time up to which contacts count, >= 0.
-    {out}
-
-    Returns
-    -------
-    (...) array or number
-        The time, infinity where there is none, zero for ellipsoids that overlap at time 0.
-
-    {raises_pair}
-
-    Examples
-    --------
-    >>> import pypw85
-    >>> q = pypw85.spheroid(1, 1, [0, 0, 1])
-    >>> still, coming = pypw85.motion(), pypw85.motion([-0.5, 0, 0])
-    >>> pypw85.first_contact([5, 0, 0], q, q, still, coming)
-    6.0
-    >>> pypw85.first_contact([5, 0, 0], q, q, still, coming, 1)
-    inf
-    """
-    return _core.call_first_contact(r12, q1, q2, motion1, motion2, t_max, out, kwargs)
 
 
 @documented

@@ -9,7 +9,7 @@ from collections.abc import Callable, Iterator
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ._forms import ellipsoid_quaternion
+from ._functions import ellipsoid_quaternion
 from ._neighbors import Neighbors, neighbors
 from ._pairs import overlap_pairs
 from ._system import System

@@ -8,8 +8,8 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ._arrays import plain
-from ._contact import contact, contact_geometry
 from ._forms import principal_axes
+from ._functions import contact, contact_geometry
 from ._typing import Floats
 
 _COLOURS = ("tab:blue", "tab:orange")

@@ -6,8 +6,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ._contact import closest_approach
-from ._forms import ellipsoid_quaternion, full
+from ._forms import full
+from ._functions import closest_approach, ellipsoid_quaternion
 from ._pairs import contact_pairs
 from ._system import System
 from ._typing import Floats

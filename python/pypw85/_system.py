@@ -8,7 +8,8 @@ from collections.abc import Callable
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ._forms import ellipsoid_quaternion, principal_axes
+from ._forms import principal_axes
+from ._functions import ellipsoid_quaternion
 from ._neighbors import Neighbors, neighbors
 from ._pairs import _cell, _rows, contact_pairs, overlap_pairs
 from ._systems import contact_derivatives_pairs, nearest_image_limit

@@ -1,4 +1,4 @@
-"""Systems of particles: derivatives, periodic cells, one ellipsoid against many, bounding boxes."""
+"""Systems of particles: derivatives, forces, one ellipsoid against many, nearest images."""
 
 from __future__ import annotations
 
@@ -9,23 +9,11 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import _core
 from ._device import apply_to_pairs, is_device_array
-from ._documentation import documented
 from ._errors import PW85Error
 from ._explanations import explain_values
+from ._functions import ContactDerivatives
 from ._pairs import _cell, _explain, _images, _int32, _pair_list, _particles, _rows
 from ._typing import Floats
-
-
-class ContactDerivatives(NamedTuple):
-    """The contact function of pairs with its derivatives, by columns."""
-
-    mu2: Any
-    lambda_: Any
-    point: Any
-    normal: Any
-    d_r12: Any
-    d_rot1: Any
-    d_rot2: Any
 
 
 class ContactForces(NamedTuple):
@@ -34,48 +22,6 @@ class ContactForces(NamedTuple):
     forces: Floats
     torques: Floats
     virial: Floats
-
-
-@documented
-def contact_derivatives(
-    r12: ArrayLike, q1: ArrayLike, q2: ArrayLike, out: Any = None, **kwargs: Any
-) -> ContactDerivatives:
-    """μ², λ, contact point, normal and the derivatives of μ²: what the forces and torques of an energy U(μ²) are made of.
-
-    Faster than `contact`, `contact_geometry`, `contact_gradient` and `contact_torque` one after the other.
-
-    Parameters
-    ----------
-    r12 : (..., 3) array_like
-        From the centre of ellipsoid 1 to that of ellipsoid 2. Zero is valid: derivatives are 0, point and normal NaN.
-    q1, q2 : (..., 6) array_like
-        Forms of the ellipsoids.
-    out : tuple of seven arrays, optional
-        Where to put the results.
-    **kwargs
-        As for any ufunc.
-
-    Returns
-    -------
-    ContactDerivatives
-        A named tuple: `mu2` and `lambda_` (...), `point` (..., 3) relative to the centre of ellipsoid 1, `normal`
-        (..., 3) from 1 to 2, `d_r12` (..., 3), and `d_rot1`, `d_rot2` (..., 3), the derivatives with respect to
-        rotations of either ellipsoid about its own centre.
-
-    Raises
-    ------
-    PW85Error
-        For a single pair: invalid input, or a form that is not positive definite. Rows of arrays become NaN.
-
-    Examples
-    --------
-    >>> import pypw85
-    >>> q = pypw85.spheroid(1, 1, [0, 0, 1])
-    >>> result = pypw85.contact_derivatives([3, 0, 0], q, q)
-    >>> result.point, result.d_r12
-    (array([1.5, 0. , 0. ]), array([1.5, 0. , 0. ]))
-    """
-    return ContactDerivatives(*_core.call_contact_derivatives(r12, q1, q2, out, kwargs))
 
 
 def contact_derivatives_pairs(
@@ -305,42 +251,6 @@ def overlap_any(q1: ArrayLike, r12: ArrayLike, q2: ArrayLike) -> bool:
     return bool(overlap)
 
 
-@documented
-def cell_reduce(cell: ArrayLike, out: Any = None, **kwargs: Any) -> Floats:
-    """A reduced cell of the same lattice: none of its vectors gets shorter by adding or subtracting others.
-
-    It is the prepared form of a cell: `contact_pairs` and its relatives recognise it, where they have to reduce others in
-    each call.
-
-    Parameters
-    ----------
-    cell : (..., 3, 3) array_like
-        Rows are the vectors.
-    out : (..., 3, 3) array, optional
-        Where to put the result.
-    **kwargs
-        As for any ufunc.
-
-    Returns
-    -------
-    (..., 3, 3) array
-
-    Raises
-    ------
-    PW85Error
-        For a single cell that is singular or not finite. Cells of arrays become NaN.
-
-    Examples
-    --------
-    >>> import pypw85
-    >>> pypw85.cell_reduce([[1, 0, 0], [5, 1, 0], [0, -3, 1]])
-    array([[1., 0., 0.],
-           [0., 1., 0.],
-           [0., 0., 1.]])
-    """
-    return _core.call_cell_reduce(cell, out, kwargs)
-
-
 def nearest_image_limit(q: ArrayLike, cell: ArrayLike) -> float:
     """Up to which μ² nearest images are all there is: any image of a pair with a smaller μ² is the nearest one.
 
@@ -377,35 +287,3 @@ def nearest_image_limit(q: ArrayLike, cell: ArrayLike) -> float:
         detail = explain_values("bounding_boxes", (forms,)) or explain_values("cell_reduce", (rows,))
         raise PW85Error(status, "nearest_image_limit", _core.strerror(status), detail)
     return float(limit)
-
-
-@documented
-def bounding_boxes(q: ArrayLike, out: Any = None, **kwargs: Any) -> Floats:
-    """Half-widths of the tight boxes, with sides along the axes, around ellipsoids.
-
-    Parameters
-    ----------
-    q : (..., 6) array_like
-        Forms of the ellipsoids.
-    out : (..., 3) array, optional
-        Where to put the result.
-    **kwargs
-        As for any ufunc.
-
-    Returns
-    -------
-    (..., 3) array
-        In the unit of the semi-axes.
-
-    Raises
-    ------
-    PW85Error
-        For a single form that is bad. Rows of arrays become NaN.
-
-    Examples
-    --------
-    >>> import pypw85
-    >>> pypw85.bounding_boxes(pypw85.spheroid(1, 2, [0, 0, 1]))
-    array([1., 1., 2.])
-    """
-    return _core.call_bounding_boxes(q, out, kwargs)

@@ -21,19 +21,23 @@ struct Core {
     int size() const noexcept { return static_cast<int>(dims[0] * dims[1]); }
 };
 
-/// One function for one row: reads `in`, writes `out`, returns a status; all rows are contiguous.
-using Evaluate = int (*)(double const *const *in, double *const *out);
+/// A pointer for each operand; what it points to is contiguous.
+using Inputs = double const *const *;
+using Outputs = double *const *;
 
-/// The same for n rows; arrays are contiguous.
-using Batch = int (*)(std::size_t n, double const *const *in, double *const *out);
+/// One function for one row: reads `in`, writes `out`, returns a status.
+using Evaluate = int (*)(Inputs in, Outputs out);
+
+/// The same for n rows.
+using Batch = int (*)(std::size_t n, Inputs in, Outputs out);
 
 struct Function {
     char const *name;
     char const *signature; ///< core signature, as NumPy writes it, fixed sizes only
     Evaluate evaluate;
-    bool boolean = false;  ///< the only output is a truth value (overlap)
-    Batch batch = nullptr; ///< null: `evaluate` for each row
-    int nin = 0;           ///< this and what follows is read from the signature by parse_signature()
+    bool boolean; ///< the only output is a truth value (overlap)
+    Batch batch;  ///< null: `evaluate` for each row
+    int nin = 0;  ///< this and what follows is read from the signature by parse_signature()
     int nout = 0;
     Core cores[max_operands] = {};
 

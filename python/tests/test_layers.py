@@ -93,7 +93,7 @@ def test_graph():
     assert {"_forms", "_typing", "formats"} <= graph["_drawing"]
     assert {"_system", "formats._frames"} <= graph["formats.csv"]
     assert "formats.csv" in graph["formats"]
-    assert {"_core", "_contact", "formats"} <= graph[""]
+    assert {"_core", "_functions", "formats"} <= graph[""]
     assert {"_drawing", "cli._input"} <= graph["cli.draw"]
     assert find_circle({"a": {"b"}, "b": {"c"}, "c": {"b"}, "d": set()}) == ["a", "b", "c"]
 

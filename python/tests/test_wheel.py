@@ -55,7 +55,8 @@ def test_content(installed, information):
     assert [path.name for path in (installed / "bin").iterdir()] == ["pw85"]
     files = names(installed / "pypw85")
     source = SOURCE / "python" / "pypw85"
-    modules = {name for name in names(source) if name.suffix in (".py", ".pyi", ".typed", ".html")}
+    sources = {name for name in names(source) if name.suffix in (".py", ".pyi", ".typed", ".html")}
+    modules = {name.with_name(name.name.replace(".in.", ".")) for name in sources}  # templates are modules when they are made
     assert modules | {pathlib.Path("py.typed")} <= files
     assert not any(path.name.startswith("libpw85") for path in files)
     if pathlib.Path("/usr/share/javascript/three/build/three.min.js").is_file():

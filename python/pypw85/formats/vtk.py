@@ -9,7 +9,7 @@ from typing import IO, Any
 
 import numpy as np
 
-from .._forms import ellipsoid_quaternion
+from .._functions import ellipsoid_quaternion
 from .._system import System
 
 SUFFIXES = (".vtk",)

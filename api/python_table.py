@@ -1,0 +1,72 @@
+"""The table of functions that the compiled part of the Python package includes: a row for each function of api/rows.py."""
+
+from declarations import c_functions, parameters, referenced
+
+NUMBERS_OF_FORM = 6
+
+ROW = """\
+{{"{name}", "{signature}",
+ [](Inputs in, Outputs out) -> int {{ {body} }},
+ {truth}, {batch}}},
+"""
+
+
+def argument(operand, number):
+    if operand.parameter.type == "pw85_motion":
+        return f"motion(in[{number}])"
+    return f"{'' if operand.shape else '*'}in[{number}]"
+
+
+def call(row, outputs):
+    inputs = [argument(one, k) for k, one in enumerate(row.inputs)]
+    return f"{row.function.name}({', '.join((['1'] if row.is_of_many() else []) + inputs + outputs)})"
+
+
+def may_fail(function):
+    """Whether the contract says that NaN comes of bad input, where no status says so."""
+    return any("NaN" in other.comment for other in referenced(function, c_functions()))
+
+
+def status_of(row, value):
+    """The status of a function that returns none: of the pair, or of the matrix, where the result is NaN."""
+    if not may_fail(row.function):
+        return "PW85_SUCCESS"
+    blamed = [f"in[{k}]" for k, one in enumerate(row.inputs) if one.name == "r12" or one.shape == (NUMBERS_OF_FORM,)]
+    return f"status_of({', '.join([value, *blamed])})"
+
+
+def is_split(row):
+    """Whether results are numbers that the function writes into one array."""
+    first = row.outputs[0]
+    return not first.shape and first.parameter is not None and bool(first.parameter.shape) and not row.is_of_many()
+
+
+def body(row):
+    if row.is_truth():
+        return f"int answer; return truth({call(row, ['&answer'])}, answer, out);"
+    if is_split(row):
+        made = call(row, ["row"])
+        declared = f"double row[{row.outputs[0].parameter.shape[0]}];"
+        if row.function.type == "int":
+            return f"{declared} return split({made}, row, out);"
+        return f"{declared} {made}; return split({status_of(row, 'row[0]')}, row, out);"
+    if row.function.type == "double":
+        return f"*out[0] = {call(row, [])}; return {status_of(row, '*out[0]')};"
+    made = call(row, [f"out[{k}]" for k in range(len(row.outputs))])
+    return f"return {made};" if row.function.type == "int" else f"{made}; return {status_of(row, '*out[0]')};"
+
+
+def batch(row):
+    """The function of many rows; one that is not only of arrays has a function of its own in function.cpp."""
+    if row.many is None or row.is_truth():
+        return "nullptr"
+    is_of_arrays = all(one.pointer for one in parameters(row.many)[1:])
+    has_motions = any(one.type == "pw85_motion" for one in parameters(row.many))
+    return f"batch<{row.many.name}>" if is_of_arrays and not has_motions else row.many.name.removeprefix("pw85_")
+
+
+def table(rows):
+    return "".join(
+        ROW.format(name=row.name, signature=row.signature(), body=body(row), truth=str(row.is_truth()).lower(), batch=batch(row))
+        for row in rows
+    )

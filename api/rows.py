@@ -1,0 +1,121 @@
+"""The functions of the C API that take one row of numbers to another one: those that Python offers for arrays of any shape.
+
+A function of one row is known by its parameters: numbers, arrays of stated length, motions. Its relative for many rows has the
+same name with `_batch` in it. Where there is a function of many rows alone, it is called for one. Of the relative are the names of
+the results, too: `out` of two numbers is `mu2` and `lambda` there.
+"""
+
+from dataclasses import dataclass
+
+from declarations import Function, Parameter, functions, parameters, referenced
+
+HEADERS = ("pw85.h", "pw85_legacy.h", "pw85_zheng.h")
+NOT_IN_PYTHON = ("pw85__residual",)  # a building block for programs of 1.0
+NUMBERS_OF_MOTION = 7  # in a pw85_motion
+
+
+@dataclass
+class Operand:
+    """An argument or a result of one row."""
+
+    name: str
+    shape: tuple  # empty for a number
+    parameter: Parameter | None  # in the function of one row; none for what that returns
+
+    def core(self):
+        """Its shape as in the signature of a generalised ufunc."""
+        return f"({','.join(map(str, self.shape))})"
+
+
+@dataclass
+class RowFunction:
+    """A function for one row, or for many where there is none for one."""
+
+    function: Function
+    many: Function | None  # the relative for many rows, or the function itself
+    inputs: list
+    outputs: list
+
+    @property
+    def name(self):
+        """In the compiled part of the package."""
+        name = self.function.name.removeprefix("pw85_").removesuffix("_batch").replace("legacy__", "legacy_")
+        return name.removeprefix("_")
+
+    def is_building_block(self):
+        """Whether its name may change: it has two underscores."""
+        return "__" in self.function.name
+
+    def is_of_many(self):
+        """Whether there is no function of one row."""
+        return self.function is self.many
+
+    def is_truth(self):
+        """Whether the result is a truth value."""
+        return any(one.parameter is not None and one.parameter.type == "int" for one in self.outputs)
+
+    def signature(self):
+        return "->".join(",".join(one.core() for one in operands) for operands in (self.inputs, self.outputs))
+
+
+def is_of_one_row(function, listed):
+    def is_known(one):
+        if one.is_output():
+            return one.type in ("double", "int")
+        return one.type == "pw85_motion" or (one.type == "double" and (not one.pointer or one.length is not None))
+
+    has_result = function.type == "double" or any(one.is_output() for one in listed)
+    return function.type in ("int", "double", "void") and bool(listed) and has_result and all(map(is_known, listed))
+
+
+def is_of_many_rows(listed):
+    """Whether all arrays have `n` rows of numbers."""
+    return listed[0].name == "n" and all(one.type == "double" and one.shape[:1] == ("n",) for one in listed[1:])
+
+
+def name_of_many(name):
+    return f"{name.removesuffix('_2d')}_batch_2d" if name.endswith("_2d") else f"{name}_batch"
+
+
+def operand(one):
+    if one.type == "pw85_motion":
+        return Operand(one.name, (NUMBERS_OF_MOTION,), one)
+    return Operand(one.name, tuple(extent for extent in one.shape if extent != "n"), one)
+
+
+def named_results(function, known):
+    """The outputs of the function of many rows: its own, or that of a function of the same parameters to which it refers."""
+    for other in referenced(function, known):
+        if other.parameters == function.parameters and name_of_many(other.name) in known:
+            return [one for one in parameters(known[name_of_many(other.name)]) if one.is_output()]
+    return []
+
+
+def results(function, listed, known):
+    outputs = [one for one in listed if one.is_output()]
+    named = named_results(function, known)
+    if len(named) > len(outputs) == 1:
+        return [Operand(one.name, (), outputs[0]) for one in named]
+    if function.type == "double" and outputs:  # the function returns the first of the numbers that it writes
+        return [Operand(outputs[0].name, (), outputs[0]) for _ in range(outputs[0].shape[0])]
+    return [Operand("", (), None)] if function.type == "double" else [operand(one) for one in outputs]
+
+
+def row_functions():
+    """All of them, in the order of the headers."""
+    known = {function.name: function for header in HEADERS for function in functions(header)}
+    found, relatives = [], set()
+    for name, function in known.items():
+        listed = parameters(function)
+        if name in relatives or name in NOT_IN_PYTHON or not listed:
+            continue
+        if is_of_one_row(function, listed):
+            many = known.get(name_of_many(name))
+            relatives.add(name_of_many(name))
+        elif is_of_many_rows(listed):
+            many, listed = function, listed[1:]
+        else:
+            continue
+        inputs = [operand(one) for one in listed if not one.is_output()]
+        found.append(RowFunction(function, many, inputs, results(function, listed, known)))
+    return found

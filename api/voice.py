@@ -1,0 +1,128 @@
+"""What the comments of the C headers say, in the words of Python: other names, no pointers, whole sentences."""
+
+import re
+
+from causes import CAUSES, is_named
+from declarations import c_functions, referenced
+
+# Clauses of C that mean nothing in Python.
+OF_C = re.compile(r"(?:; )?\b(?:any output )?may be null$|, also on success|; -1 on error$|(?:^|; )may be the same array as \w+$")
+LEADING_SHAPE = re.compile(r"^(?:(?:n|\d+)×\d+(?: matrix)?|one number each)[,;:]? ?")
+
+INFINITY = next(cause for cause in CAUSES if cause.key == "infinity")
+
+# What is wrong where a contract names a cause of an error (api/causes.py), of one parameter.
+WRONG = {
+    "not definite": "a form is not positive definite",
+    "not positive": "`{name}` is not positive",
+    "negative": "`{name}` is negative",
+    "no rotation": "`{name}` is not orthonormal",
+    "zero": "`{name}` is zero",
+    "concentric": "`{name}` is zero",
+    "lambda": "λ is not in [0, 1]",
+    "empty box": "`lower` is larger than `upper`",
+    "shrinks": "an ellipsoid shrinks to nothing before `t_max`",
+    "singular": "`{name}` is singular",
+}
+
+
+def sentence(text):
+    """A text with a full stop at its end and, unless it begins with a formula, a capital at its head."""
+    begins_with_word = re.match(r"a |[a-z]{2,}(?:[ ,;:.-]|$)", text)
+    text = f"{text[0].upper()}{text[1:]}" if begins_with_word else text
+    return f"{text.rstrip('.')}." if text else ""
+
+
+def constant(match):
+    name = match[1].removeprefix("PW85_")
+    return f"``{name.lower()}``" if name == "LAMBDA_ATOL" else f"``Status.{name}``"
+
+
+def in_python(text):
+    """A sentence without the clauses that mean nothing in Python."""
+    while OF_C.search(text):
+        text = OF_C.sub("", text)
+    return text
+
+
+class Voice:
+    """How texts of the C headers are said in Python, of one function."""
+
+    def __init__(self, row, signature, names):
+        self.row = row
+        self.names = names  # C functions that Python has, with the names that they have there
+        self.arguments = {one.name: argument.name for one, argument in zip(row.inputs, signature.inputs)}
+        self.is_flat = row.function.name.endswith("_2d")
+
+    def reference(self, match, is_inherited):
+        """A function in the words of Python: in what a function of ellipses inherits, that of ellipses."""
+        flat = f"{match[1]}_2d"
+        name = flat if self.is_flat and is_inherited and flat in self.names else match[1]
+        return f"`{self.names[name]}`" if name in self.names else f"``{match[1]}`` in the C API"
+
+    def said(self, text, is_inherited=False):
+        text = re.sub(r"\b(pw85\w+)\(\)", lambda match: self.reference(match, is_inherited), text)
+        text = re.sub(r"#(PW85_\w+)", constant, re.sub(r"\blambda\b", "λ", text))
+        if self.is_flat and is_inherited:
+            text = text.replace("forms of the ellipsoids", "forms (xx, xy, yy) of the ellipses").replace("ellipsoid", "ellipse")
+        return text
+
+    def described(self, name):
+        """The sentence of a parameter in the words of Python: its own, or that of the function to which it refers."""
+        text, is_inherited = sentence_of(self.row.function, name)
+        return sentence(self.said(LEADING_SHAPE.sub("", in_python(text)), is_inherited))
+
+    def paragraphs(self):
+        text = re.split(r"@(?:param|return)", self.row.function.comment)[0]
+        return [self.said(in_python(" ".join(paragraph.split()))) for paragraph in re.split(r"\n\s*\n", text) if paragraph.strip()]
+
+    def head(self):
+        """The first sentence, or as much of it as a line has room for, and the others of the first paragraph."""
+        first = self.paragraphs()[0]
+        match = re.match(r".{1,110}?\.(?=\s|$)", first) or re.match(r".*?[.:;](?=\s|$)", first)
+        return [text for text in (sentence(match[0].rstrip(".:;")), sentence(first[match.end() :].strip())) if text]
+
+    def notes(self):
+        """The other paragraphs."""
+        return self.paragraphs()[1:]
+
+    def raises(self):
+        """Which rows are refused; nothing where none is."""
+        function = self.row.function
+        if function.type != "int":
+            return ""
+        infinite = [f"`{one.name}` may be infinite" for one in self.row.inputs if not is_named(INFINITY, function, one.name)]
+        wrong = [f"a number is not finite{f' ({infinite[0]})' if infinite else ''}"]
+        for cause in CAUSES:
+            for one in self.row.inputs:
+                if cause.key in WRONG and re.fullmatch(cause.parameters, one.name) and is_named(cause, function, one.name):
+                    wrong.append(WRONG[cause.key].format(name=self.arguments[one.name]))
+        unique = list(dict.fromkeys(wrong))
+        listed = f"{', '.join(unique[:-1])}{' or ' if unique[1:] else ''}{unique[-1]}"
+        return f"For a single row: {listed}. {self.convergence()}Rows of arrays become NaN."
+
+    def convergence(self):
+        """Where there is no convergence, by what the function returns or that to which it refers."""
+        known = c_functions()
+        texts = (re.search(r"@return (.*)", other.comment, re.DOTALL) for other in referenced(self.row.function, known))
+        text = " ".join(next((match[1] for match in texts if match), "").split())
+        match = re.search(r"#PW85_ECONVERGENCE(?: \((.*)\)| (as for \w+\(\)))?", text)
+        if match is None or not (match[1] or match[2]):
+            return ""
+        return f"``Status.ECONVERGENCE``: {self.said(match[1] or match[2])}. "
+
+
+def sentence_of(function, name):
+    """The sentence of a parameter, and whether another function has it."""
+    other = next((one for one in referenced(function, c_functions()) if name in one.sentences()), None)
+    if other is None:
+        return "", False
+    text = other.sentences()[name][0]
+    match = re.match(r"as for (\w+)\(\)([,;] )?(.*)", text)
+    if match is None:
+        return text.rstrip("."), other is not function
+    known = c_functions()[match[1]]
+    first = sentence_of(known, name)[0].partition(";")[0]
+    words = set(re.findall(r"\w+", match[3]))
+    is_of_it = name in words or not words & set(function.parameter_names())
+    return first + (match[2] + match[3] if match[2] and is_of_it else ""), True

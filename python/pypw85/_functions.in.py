@@ -1,0 +1,691 @@
+"""The functions for rows of numbers: forms, contact, distance, time of contact, walls, ellipses."""
+
+from __future__ import annotations
+
+from typing import Any, NamedTuple, overload
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from . import _core
+from ._documentation import listed
+from ._typing import Floats, One, Row, Rows
+
+
+class ContactDerivatives(NamedTuple):
+    """The contact function of pairs with its derivatives, by columns."""
+
+    mu2: Any
+    lambda_: Any
+    point: Any
+    normal: Any
+    d_r12: Any
+    d_rot1: Any
+    d_rot2: Any
+
+
+@declared
+def spheroid(a, c, n, q):
+    """
+    Returns
+    -------
+    (..., 6) array
+        The form, in the square of the unit of `a` and `c`; `q` if given.
+
+    Raises
+    ------
+    PW85Error
+        For a single form: a radius is not positive, or `n` is zero or not finite. Rows of arrays become NaN.
+
+    Examples
+    --------
+    >>> import pypw85
+    >>> pypw85.spheroid(0.5, 5.0, [1, 0, 0])
+    array([25.  ,  0.  ,  0.  ,  0.25,  0.  ,  0.25])
+    """
+
+
+@declared
+def ellipsoid():
+    """
+    Parameters
+    ----------
+    rotation : (..., 3, 3) array_like
+        R. Its columns are the principal directions: R takes the body frame to the space frame. RᵀR may differ from
+        the identity by at most 1e-6 in any entry; reflections are accepted.
+
+    See Also
+    --------
+    principal_axes : the inverse
+
+    Examples
+    --------
+    >>> import numpy as np, pypw85
+    >>> pypw85.ellipsoid([1, 2, 3], np.eye(3))
+    array([1., 0., 0., 4., 0., 9.])
+    """
+
+
+@declared
+def ellipsoid_quaternion(semi_axes, quaternion_wxyz):
+    """
+    See Also
+    --------
+    from_lammps, from_ovito, from_gsd : from the conventions of other programs
+
+    Examples
+    --------
+    >>> import pypw85
+    >>> pypw85.ellipsoid_quaternion([1, 2, 3], [1, 0, 0, 0])
+    array([1., 0., 0., 4., 0., 9.])
+    """
+
+
+@declared
+def ellipse():
+    """
+    Examples
+    --------
+    >>> import pypw85
+    >>> pypw85.ellipse(2, 1, 0)
+    array([4., 0., 1.])
+    """
+
+
+@overload
+def f(lambda_: float, r12: Row, q1: One, q2: One, out: Floats | None = None) -> float: ...
+@overload
+def f(lambda_: ArrayLike, r12: Rows, q1: ArrayLike, q2: ArrayLike, out: Any = None, **kwargs: Any) -> Floats: ...
+@overload
+def f(lambda_: ArrayLike, r12: ArrayLike, q1: ArrayLike, q2: ArrayLike, out: Any = None, **kwargs: Any) -> Any: ...
+@listed
+def f(lambda_: ArrayLike, r12: ArrayLike, q1: ArrayLike, q2: ArrayLike, out: Any = None, **kwargs: Any) -> Any:
+    """f(λ) = λ(1-λ) r12ᵀ [(1-λ) Q1 + λ Q2]⁻¹ r12, whose maximum over λ is the contact function.
+
+    Parameters
+    ----------
+    lambda_ : (...) array_like
+        In [0, 1].
+    r12 : (..., 3) array_like
+        From the centre of ellipsoid 1 to that of ellipsoid 2.
+    q1, q2 : (..., 6) array_like
+        Forms of the ellipsoids, in the square of the unit of `r12`.
+    out : (...) array, optional
+        Where to put the result.
+    **kwargs
+        As for any ufunc.
+
+    Returns
+    -------
+    (...) array or number
+
+    Raises
+    ------
+    PW85Error
+        For a single value: invalid input. Rows of arrays become NaN.
+
+    Examples
+    --------
+    >>> import pypw85
+    >>> q = pypw85.spheroid(1, 1, [0, 0, 1])
+    >>> pypw85.f(0.5, [3, 0, 0], q, q)
+    2.25
+    """
+    return _core.call_f(lambda_, r12, q1, q2, out, kwargs)
+
+
+@overload
+def f_neg(lambda_: float, r12: Row, q1: One, q2: One) -> float: ...
+@overload
+def f_neg(lambda_: ArrayLike, r12: Rows, q1: ArrayLike, q2: ArrayLike) -> Floats: ...
+@overload
+def f_neg(lambda_: ArrayLike, r12: ArrayLike, q1: ArrayLike, q2: ArrayLike) -> Any: ...
+def f_neg(lambda_: ArrayLike, r12: ArrayLike, q1: ArrayLike, q2: ArrayLike) -> Any:
+    """-f(λ), what pw85 2.0 minimises; see `f`.
+
+    Parameters
+    ----------
+    lambda_ : (...) array_like
+        In [0, 1].
+    r12 : (..., 3) array_like
+        From the centre of ellipsoid 1 to that of ellipsoid 2.
+    q1, q2 : (..., 6) array_like
+        Forms of the ellipsoids, in the square of the unit of `r12`.
+
+    Returns
+    -------
+    (...) array or number
+
+    Raises
+    ------
+    PW85Error
+        For a single value: invalid input. Rows of arrays become NaN.
+
+    Examples
+    --------
+    >>> import pypw85
+    >>> q = pypw85.spheroid(1, 1, [0, 0, 1])
+    >>> pypw85.f_neg(0.5, [3, 0, 0], q, q)
+    -2.25
+    """
+    return -f(lambda_, r12, q1, q2)
+
+
+@declared
+def contact_function():
+    """Contact function of two ellipsoids, by Brent's method and Newton-Raphson iterations (that of pw85 1.0).
+
+    μ is the common factor by which both ellipsoids must be scaled, their centres fixed, to touch: they overlap if
+    μ² < 1. Same results as `contact`, which is several times faster.
+
+    Examples
+    --------
+    >>> import pypw85
+    >>> q = pypw85.spheroid(1, 1, [0, 0, 1])
+    >>> pypw85.contact_function([3, 0, 0], q, q)
+    (2.25, 0.5)
+    """
+
+
+@declared
+def contact():
+    """Contact function of two ellipsoids, by the fast solver.
+
+    μ is the common factor by which both ellipsoids must be scaled, their centres fixed, to touch: they overlap if
+    μ² < 1 and are apart if μ² > 1. Arrays go through the batch of the library: SIMD and, where it is built with OpenMP,
+    threads.
+
+    See Also
+    --------
+    overlap : faster, if μ² itself is not needed
+    contact_geometry, contact_gradient, contact_torque : what follows from λ
+
+    Examples
+    --------
+    One pair:
+
+    >>> import numpy as np, pypw85
+    >>> q = pypw85.spheroid(1, 2, [0, 0, 1])
+    >>> pypw85.contact([0, 0, 6], q, q)
+    (2.25, 0.5)
+
+    One ellipsoid against many:
+
+    >>> r12 = np.array([[1, 0, 0], [3, 0, 0], [0, 0, 3]])
+    >>> mu2, lambda_ = pypw85.contact(r12, q, q)
+    >>> mu2
+    array([0.25  , 2.25  , 0.5625])
+    """
+
+
+@declared
+def overlap():
+    """
+    Parameters
+    ----------
+    **kwargs
+        As for any ufunc. With ``dtype=np.uint8`` the result is 1, 0, or 255 for a bad row, for `bad_rows`.
+
+    Returns
+    -------
+    (...) array of bool, or bool
+        A bad row counts as an overlap, so that a simulation refuses it.
+
+    Examples
+    --------
+    >>> import pypw85
+    >>> q = pypw85.spheroid(1, 2, [0, 0, 1])
+    >>> pypw85.overlap([[3, 0, 0], [0, 0, 3]], q, q)
+    array([False,  True])
+    """
+
+
+@declared
+def contact_geometry():
+    """
+    Examples
+    --------
+    >>> import pypw85
+    >>> q = pypw85.spheroid(1, 1, [0, 0, 1])
+    >>> pypw85.contact_geometry([4, 0, 0], q, q, 0.5)
+    (array([2., 0., 0.]), array([1., 0., 0.]))
+    """
+
+
+@declared
+def contact_gradient():
+    """
+    Examples
+    --------
+    For spheres of radius 1, μ² = |r12|²/4:
+
+    >>> import pypw85
+    >>> q = pypw85.spheroid(1, 1, [0, 0, 1])
+    >>> pypw85.contact_gradient([4, 0, 0], q, q, 0.5)[0]
+    array([2., 0., 0.])
+    """
+
+
+@declared
+def contact_torque():
+    """
+    Examples
+    --------
+    Spheres may turn:
+
+    >>> import numpy as np, pypw85
+    >>> q = pypw85.spheroid(1, 1, [0, 0, 1])
+    >>> np.abs(pypw85.contact_torque([4, 0, 0], q, q, 0.5))
+    array([[0., 0., 0.],
+           [0., 0., 0.]])
+    """
+
+
+@declared
+def contact_hessian():
+    """
+    Examples
+    --------
+    For spheres of radius 1, μ² = |r12|²/4:
+
+    >>> import pypw85
+    >>> q = pypw85.spheroid(1, 1, [0, 0, 1])
+    >>> pypw85.contact_hessian([4, 0, 0], q, q, 0.5)[0, 0]
+    0.5
+    """
+
+
+@declared
+def closest_approach():
+    """
+    Examples
+    --------
+    >>> import pypw85
+    >>> q = pypw85.spheroid(1, 2, [0, 0, 1])
+    >>> pypw85.closest_approach([[1, 0, 0], [0, 0, 1]], q, q)
+    array([2., 4.])
+    """
+
+
+@declared
+def zheng_ellipses():
+    """Distance of closest approach of two ellipses by the closed form of Zheng and Palffy-Muhoray.
+
+    An independent check of `closest_approach_2d`, which is faster and more accurate.
+    """
+
+
+@declared
+def zheng_ellipsoids():
+    """Distance of closest approach of two ellipsoids by the rotating plane of Zheng, Iglesias and Palffy-Muhoray.
+
+    An independent check of `closest_approach`, which is faster and more accurate.
+    """
+
+
+@declared
+def _cholesky_decomp(a, l):
+    """
+    Raises
+    ------
+    PW85Error
+        For a single matrix: it is not finite or not positive definite. Rows of arrays become NaN.
+    """
+
+
+@declared
+def _cholesky_solve(l, b, x):
+    """
+    Parameters
+    ----------
+    x : (..., 3) array, optional
+        Where to put the result, which is returned; may be `b`.
+    """
+
+
+@declared
+def contact_derivatives() -> ContactDerivatives:
+    """μ², λ, contact point, normal and the derivatives of μ²: what the forces and torques of an energy U(μ²) are made of.
+
+    Faster than `contact`, `contact_geometry`, `contact_gradient` and `contact_torque` one after the other.
+
+    Parameters
+    ----------
+    r12 : (..., 3) array_like
+        From the centre of ellipsoid 1 to that of ellipsoid 2. Zero is valid: derivatives are 0, point and normal NaN.
+    q1, q2 : (..., 6) array_like
+        Forms of the ellipsoids, in the square of the unit of `r12`.
+
+    Returns
+    -------
+    ContactDerivatives
+        A named tuple: `mu2` and `lambda_` (...), `point` (..., 3) relative to the centre of ellipsoid 1, `normal`
+        (..., 3) from 1 to 2, `d_r12` (..., 3), and `d_rot1`, `d_rot2` (..., 3), the derivatives with respect to
+        rotations of either ellipsoid about its own centre.
+
+    Examples
+    --------
+    >>> import pypw85
+    >>> q = pypw85.spheroid(1, 1, [0, 0, 1])
+    >>> result = pypw85.contact_derivatives([3, 0, 0], q, q)
+    >>> result.point, result.d_r12
+    (array([1.5, 0. , 0. ]), array([1.5, 0. , 0. ]))
+    """
+    return ContactDerivatives(*_core.call_contact_derivatives(r12, q1, q2, out, kwargs))
+
+
+@declared
+def cell_reduce():
+    """
+    Parameters
+    ----------
+    cell : (..., 3, 3) array_like
+        Rows are the vectors.
+
+    Raises
+    ------
+    PW85Error
+        For a single cell that is singular or not finite. Cells of arrays become NaN.
+
+    Examples
+    --------
+    >>> import pypw85
+    >>> pypw85.cell_reduce([[1, 0, 0], [5, 1, 0], [0, -3, 1]])
+    array([[1., 0., 0.],
+           [0., 1., 0.],
+           [0., 0., 1.]])
+    """
+
+
+@declared
+def bounding_boxes():
+    """Half-widths of the tight boxes, with sides along the axes, around ellipsoids.
+
+    Parameters
+    ----------
+    q : (..., 6) array_like
+        Forms of the ellipsoids.
+
+    Raises
+    ------
+    PW85Error
+        For a single form that is bad. Rows of arrays become NaN.
+
+    Examples
+    --------
+    >>> import pypw85
+    >>> pypw85.bounding_boxes(pypw85.spheroid(1, 2, [0, 0, 1]))
+    array([1., 1., 2.])
+    """
+
+
+@declared
+def distance():
+    """
+    Examples
+    --------
+    >>> import pypw85
+    >>> q = pypw85.spheroid(1, 1, [0, 0, 1])
+    >>> pypw85.distance([5, 0, 0], q, q)
+    (3.0, array([1., 0., 0.]), array([4., 0., 0.]))
+    """
+
+
+@declared
+def distance_derivatives():
+    """
+    Examples
+    --------
+    >>> import pypw85
+    >>> q = pypw85.spheroid(1, 1, [0, 0, 1])
+    >>> pypw85.distance_derivatives([5, 0, 0], q, q)[0]
+    array([1., 0., 0.])
+    """
+
+
+@declared
+def distance_2d():
+    """
+    Examples
+    --------
+    >>> import pypw85
+    >>> q = pypw85.ellipse(1, 1, 0)
+    >>> pypw85.distance_2d([5, 0], q, q)
+    (3.0, array([1., 0.]), array([4., 0.]))
+    """
+
+
+@declared
+def penetration():
+    """
+    Examples
+    --------
+    >>> import pypw85
+    >>> q = pypw85.spheroid(1, 1, [0, 0, 1])
+    >>> pypw85.penetration([1.5, 0, 0], q, q)
+    (0.5, array([1., 0., 0.]))
+    """
+
+
+@declared
+def first_contact(r12, q1, q2, motion1, motion2, t_max=np.inf):
+    """The time of the first contact of two ellipsoids that move, turn and grow.
+
+    Parameters
+    ----------
+    motion1, motion2 : (..., 7) array_like
+        How the ellipsoids move, from `motion`; none may shrink to nothing before `t_max`.
+
+    Returns
+    -------
+    (...) array or number
+        The time, infinity where there is none, zero for ellipsoids that overlap at time 0.
+
+    Examples
+    --------
+    >>> import pypw85
+    >>> q = pypw85.spheroid(1, 1, [0, 0, 1])
+    >>> still, coming = pypw85.motion(), pypw85.motion([-0.5, 0, 0])
+    >>> pypw85.first_contact([5, 0, 0], q, q, still, coming)
+    6.0
+    >>> pypw85.first_contact([5, 0, 0], q, q, still, coming, 1)
+    inf
+    """
+
+
+@declared
+def distance_plane():
+    """
+    Examples
+    --------
+    >>> import pypw85
+    >>> q = pypw85.spheroid(1, 2, [0, 0, 1])
+    >>> pypw85.distance_plane([0, 0, 1], 5, q)
+    (3.0, array([0., 0., 2.]))
+    """
+
+
+@declared
+def distance_plane_derivatives():
+    """Derivatives of the distance from an ellipsoid to a half-space, which do not depend on its offset.
+
+    They are -n and n × point, with n the unit normal and the point of `distance_plane`.
+
+    Examples
+    --------
+    >>> import pypw85
+    >>> q = pypw85.spheroid(1, 2, [0, 0, 1])
+    >>> pypw85.distance_plane_derivatives([0, 0, 1], q)[0]
+    array([-0., -0., -1.])
+    """
+
+
+@declared
+def contact_plane():
+    """
+    Examples
+    --------
+    >>> import pypw85
+    >>> q = pypw85.spheroid(1, 2, [0, 0, 1])
+    >>> pypw85.contact_plane([0, 0, 1], 3, q)
+    (2.25, array([0., 0., 3.]))
+    """
+
+
+@declared
+def contact_plane_derivatives():
+    """Derivatives of the contact function of an ellipsoid and a half-space; zero if its centre is in the half-space.
+
+    They are -2μ n/α and 2μ² (n × p)/α, with p the point of the ellipsoid that is nearest to the half-space, n the normal as
+    given and α = n·p.
+
+    Examples
+    --------
+    >>> import pypw85
+    >>> q = pypw85.spheroid(1, 2, [0, 0, 1])
+    >>> pypw85.contact_plane_derivatives([0, 0, 1], 3, q)[0]
+    array([-0. , -0. , -1.5])
+    """
+
+
+@declared
+def distance_box():
+    """
+    Examples
+    --------
+    >>> import pypw85
+    >>> q = pypw85.spheroid(1, 2, [0, 0, 1])
+    >>> pypw85.distance_box([-2, -2, -3], [2, 2, 2.5], q)
+    (0.5, array([0., 0., 2.]), array([0., 0., 1.]))
+    """
+
+
+@declared
+def distance_cylinder():
+    """
+    Examples
+    --------
+    >>> import pypw85
+    >>> q = pypw85.spheroid(1, 2, [0, 0, 1])
+    >>> distance, point, normal = pypw85.distance_cylinder([0, 0, 1], 4, [1, 0, 0], q)
+    >>> distance
+    2.0
+    """
+
+
+@declared
+def distance_point():
+    """
+    Examples
+    --------
+    >>> import pypw85
+    >>> q = pypw85.spheroid(1, 2, [0, 0, 1])
+    >>> pypw85.distance_point([0, 0, 5], q)
+    (3.0, array([0., 0., 2.]), array([0., 0., 1.]))
+    """
+
+
+@declared
+def intersect_line():
+    """The part enter <= t <= leave of the line origin + t direction that is in an ellipsoid.
+
+    Returns
+    -------
+    enter, leave : (...) arrays or numbers
+        NaN where the line misses the ellipsoid.
+
+    Examples
+    --------
+    >>> import pypw85
+    >>> q = pypw85.spheroid(1, 2, [0, 0, 1])
+    >>> pypw85.intersect_line([0, 0, -5], [0, 0, 1], q)
+    (3.0, 7.0)
+    """
+
+
+@declared
+def contact_2d():
+    """
+    Examples
+    --------
+    >>> import pypw85
+    >>> q = pypw85.ellipse(1, 1, 0)
+    >>> pypw85.contact_2d([3, 0], q, q)
+    (2.25, 0.5)
+    """
+
+
+@declared
+def overlap_2d():
+    """
+    Returns
+    -------
+    (...) array of bool, or bool
+        A bad row counts as an overlap.
+
+    Examples
+    --------
+    >>> import pypw85
+    >>> q = pypw85.ellipse(2, 1, 0)
+    >>> pypw85.overlap_2d([[3, 0], [0, 3]], q, q)
+    array([ True, False])
+    """
+
+
+@declared
+def contact_geometry_2d():
+    """
+    Examples
+    --------
+    >>> import pypw85
+    >>> q = pypw85.ellipse(1, 1, 0)
+    >>> pypw85.contact_geometry_2d([4, 0], q, q, 0.5)
+    (array([2., 0.]), array([1., 0.]))
+    """
+
+
+@declared
+def contact_gradient_2d():
+    """
+    Examples
+    --------
+    >>> import pypw85
+    >>> q = pypw85.ellipse(1, 1, 0)
+    >>> pypw85.contact_gradient_2d([4, 0], q, q, 0.5)[0]
+    array([2., 0.])
+    """
+
+
+@declared
+def contact_torque_2d():
+    """
+    Examples
+    --------
+    >>> import pypw85
+    >>> q = pypw85.ellipse(1, 1, 0)
+    >>> pypw85.contact_torque_2d([4, 0], q, q, 0.5)
+    (0.0, 0.0)
+    """
+
+
+@declared
+def contact_hessian_2d():
+    """
+    Examples
+    --------
+    >>> import pypw85
+    >>> q = pypw85.ellipse(1, 1, 0)
+    >>> pypw85.contact_hessian_2d([4, 0], q, q, 0.5)[0, 0]
+    0.5
+    """
+
+
+@declared
+def closest_approach_2d():
+    """
+    Examples
+    --------
+    >>> import pypw85
+    >>> pypw85.closest_approach_2d([1, 0], pypw85.ellipse(2, 1, 0), pypw85.ellipse(1, 1, 0))
+    3.0
+    """

@@ -1,0 +1,137 @@
+"""Functions that the package makes of the declarations of the C API, when the headers or the templates change."""
+
+import os
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+
+import pytest
+
+SOURCE = pathlib.Path(os.environ["PYPW85_SOURCE"])
+DECLARATIONS = """
+/** Volume of an ellipsoid; see pw85_contact() for what it is not.
+ *
+ * Its error is below 3 u.
+ *
+ * @param q form of the ellipsoid
+ * @param[out] volume in the cube of the unit of the semi-axes; may be null
+ * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD */
+PW85_API int pw85_volume(double const q[PW85_SYM], double *volume);
+
+/** pw85_volume() for n ellipsoids.
+ *
+ * @param n number of ellipsoids
+ * @param q n×6
+ * @param[out] volume n */
+PW85_API int pw85_volume_batch(size_t n, double const *q, double *volume);
+
+"""
+VOLUME = '''
+@overload
+def volume(q: Row, out: Floats | None = None) -> float: ...
+@overload
+def volume(q: Rows, out: Any = None, **kwargs: Any) -> Floats: ...
+@overload
+def volume(q: ArrayLike, out: Any = None, **kwargs: Any) -> Any: ...
+@listed
+def volume(q: ArrayLike, out: Any = None, **kwargs: Any) -> Any:
+    """Volume of an ellipsoid; see `contact` for what it is not.
+
+    Parameters
+    ----------
+    q : (..., 6) array_like
+        Form of the ellipsoid.
+    out : (...) array, optional
+        Where to put the result.
+    **kwargs
+        As for any ufunc.
+
+    Returns
+    -------
+    (...) array or number
+        In the cube of the unit of the semi-axes.
+
+    Raises
+    ------
+    PW85Error
+        For a single row: a number is not finite or a form is not positive definite. Rows of arrays become NaN.
+
+    Notes
+    -----
+    Its error is below 3 u.
+    """
+    return _core.call_volume(q, out, kwargs)
+'''
+
+
+def template(name, title, *lines):
+    """That of a function of which one section is given."""
+    return "\n    ".join(["@declared", f"def {name}():", f'"""{title}', "-" * len(title), *lines, '"""\n']).replace("    def", "def", 1)
+
+
+@pytest.fixture
+def make(tmp_path):
+    """Makes a file of a template, by headers that declare one more function."""
+    for folder in ("api", "include"):
+        shutil.copytree(SOURCE / folder, tmp_path / folder)
+    header = tmp_path / "include" / "pw85.h"
+    text = header.read_text(encoding="utf-8")
+    place = text.index("/** @}")
+    header.write_text(text[:place] + DECLARATIONS.lstrip() + text[place:], encoding="utf-8")
+
+    def run(kind, template="", succeeds=True):
+        (tmp_path / "in").write_text(template, encoding="utf-8")
+        paths = [] if kind == "table" else [tmp_path / "in"]
+        done = subprocess.run([sys.executable, "-B", tmp_path / "api" / "python.py", kind, *paths, tmp_path / "out"],
+                              capture_output=True, text=True)  # fmt: skip
+        assert (done.returncode == 0) == succeeds, done.stderr
+        return (tmp_path / "out").read_text(encoding="utf-8") if succeeds else done.stderr
+
+    return run
+
+
+def test_new_function(make):
+    """It is in the table, among the ufuncs and in the module, where a template does not know of it."""
+    assert re.search(r'\{"volume", "\(6\)->\(\)",.*?pw85_volume\(in\[0\], out\[0\]\).*?batch<pw85_volume_batch>\}', make("table"), re.S)
+    assert "\nvolume\n" in make("ufuncs", "#@ names\n").replace(",", "")
+    assert VOLUME in make("functions")
+
+
+def test_what_a_template_says(make):
+    text = make("functions", '''
+@declared
+def volume(form=None, v=None) -> Volume:
+    """Parameters
+    ----------
+    form : (..., 6) array_like, optional
+        The one.
+
+    Examples
+    --------
+    >>> volume()
+    """
+    return Volume(_core.call_volume(form, v, kwargs))
+''')
+    head, made = text.partition("@listed")[::2]
+    assert head == "\n"
+    assert made.startswith("\ndef volume(form: ArrayLike | None = None, v: Floats | None = None, **kwargs: Any) -> Volume:\n")
+    function = made.partition("\n\n\n")[0]
+    for part in ("Volume of an ellipsoid", "        The one.\n    v : (...) array, optional", "    Notes\n", "    >>> volume()"):
+        assert part in function
+    assert "Form of the ellipsoid" not in function and function.endswith("    return Volume(_core.call_volume(form, v, kwargs))")
+
+
+def test_one_of_two_parameters(make):
+    """What is said of one leaves the other, of which the headers say the same."""
+    text = make("functions", template("distance_box", "Parameters", "upper : (..., 3) array_like", "    The upper one."))
+    lower = "    lower : (..., 3) array_like\n        Corners of the box, relative to the centre of the ellipsoid; lower <= upper.\n"
+    upper = "    upper : (..., 3) array_like\n        The upper one.\n"
+    assert lower + upper in text
+
+
+@pytest.mark.parametrize("title, line, complaint", [("Parameters", "radius : (...)", "no such parameter: radius"),
+                                                    ("Warning", "None.", "no such section: Warning")])  # fmt: skip
+def test_what_is_not_declared(make, title, line, complaint):
+    assert complaint in make("functions", template("volume", title, line), succeeds=False)
