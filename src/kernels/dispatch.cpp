@@ -10,11 +10,11 @@
 namespace pw85::detail::kernels {
 
 // Defined where they are compiled.
-#define PW85_DECLARE(target, available)                                                                                \
-    extern OnePairKernels const one_pair_##target;                                                                     \
+#define PW85_DECLARE(target, one_pair, available)                                                                      \
+    extern OnePairKernels const one_pair_##one_pair;                                                                   \
     extern LaneKernels const lanes_##target;
 PW85_INSTRUCTION_SETS(PW85_DECLARE)
-PW85_DECLARE(baseline, true)
+PW85_DECLARE(baseline, baseline, true)
 #undef PW85_DECLARE
 
 namespace {
@@ -28,8 +28,8 @@ struct Target {
 /// was chosen, do not save registers and check a stack that only the choice needs.
 [[gnu::noinline]] Kernels choose() noexcept
 {
-#define PW85_TARGET(target, available) {{#target, &one_pair_##target, &lanes_##target}, available},
-    Target const targets[] = {PW85_INSTRUCTION_SETS(PW85_TARGET) PW85_TARGET(baseline, true)};
+#define PW85_TARGET(target, one_pair, available) {{#target, &one_pair_##one_pair, &lanes_##target}, available},
+    Target const targets[] = {PW85_INSTRUCTION_SETS(PW85_TARGET) PW85_TARGET(baseline, baseline, true)};
 #undef PW85_TARGET
     char const *const wanted = std::getenv("PW85_TARGET");
     bool allowed = true;

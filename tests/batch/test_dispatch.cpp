@@ -16,7 +16,7 @@ struct Target {
 };
 
 /// From the newest to the oldest.
-#define PW85_TARGET(name, available) {#name, available},
+#define PW85_TARGET(name, one_pair, available) {#name, available},
 Target const targets[] = {PW85_INSTRUCTION_SETS(PW85_TARGET){"baseline", true}};
 #undef PW85_TARGET
 
