@@ -20,8 +20,7 @@ int pw85_distance(double const r12[3], double const q1[6], double const q2[6], d
         store_nan(point2, PW85_DIM);
         return PW85_EINVAL;
     }
-    DefaultEnvironment const environment;
-    return kernels::chosen().one_pair->distance(r12, q1, q2, distance, point1, point2);
+    return in_default_environment(kernels::chosen().one_pair->distance, r12, q1, q2, distance, point1, point2);
 }
 
 int pw85_distance_derivatives(double const r12[3], double const q1[6], double const q2[6], double d_r12[3],
@@ -34,8 +33,8 @@ int pw85_distance_derivatives(double const r12[3], double const q1[6], double co
         store_nan(hessian, 81);
         return PW85_EINVAL;
     }
-    DefaultEnvironment const environment;
-    return kernels::chosen().one_pair->distance_derivatives(r12, q1, q2, d_r12, d_rot1, d_rot2, hessian);
+    return in_default_environment(kernels::chosen().one_pair->distance_derivatives, r12, q1, q2, d_r12, d_rot1, d_rot2,
+                                  hessian);
 }
 
 int pw85_penetration(double const r12[3], double const q1[6], double const q2[6], double *depth, double direction[3])
@@ -45,13 +44,15 @@ int pw85_penetration(double const r12[3], double const q1[6], double const q2[6]
         store_nan(direction, PW85_DIM);
         return PW85_EINVAL;
     }
-    DefaultEnvironment const environment;
-    int overlapping = 0; // by the same code as pw85_overlap(), so that both say the same of a form that is barely valid
-    auto const status = static_cast<Status>(kernels::chosen().one_pair->overlap(r12, q1, q2, &overlapping));
-    auto const p = overlapping == 1
-                       ? penetration_overlapping(load_vector<3>(r12), load_matrix<3>(q1), load_matrix<3>(q2))
-                       : no_penetration<double, 3>(status);
-    if (depth != nullptr) *depth = p.depth;
-    store(p.direction, direction);
-    return static_cast<int>(p.status);
+    return in_default_environment([&] {
+        int overlapping =
+            0; // by the same code as pw85_overlap(), so that both say the same of a form that is barely valid
+        auto const status = static_cast<Status>(kernels::chosen().one_pair->overlap(r12, q1, q2, &overlapping));
+        auto const p = overlapping == 1
+                           ? penetration_overlapping(load_vector<3>(r12), load_matrix<3>(q1), load_matrix<3>(q2))
+                           : no_penetration<double, 3>(status);
+        if (depth != nullptr) *depth = p.depth;
+        store(p.direction, direction);
+        return static_cast<int>(p.status);
+    });
 }

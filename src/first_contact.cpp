@@ -15,6 +15,5 @@ int pw85_first_contact(double const r12[3], double const q1[6], double const q2[
     if (any_null(t)) return PW85_EINVAL;
     store_nan(t, 1);
     if (any_null(r12, q1, q2) || any_null(motion1, motion2)) return PW85_EINVAL;
-    DefaultEnvironment const environment;
-    return kernels::chosen().one_pair->first_contact(r12, q1, q2, motion1, motion2, t_max, t);
+    return in_default_environment(kernels::chosen().one_pair->first_contact, r12, q1, q2, motion1, motion2, t_max, t);
 }
