@@ -79,31 +79,21 @@ int pw85_contact_function(double const r12[3], double const q1[6], double const 
 int pw85_contact_geometry(double const r12[3], double const q1[6], double const q2[6], double lambda, double point[3],
                           double normal[3])
 {
-    if (any_null(r12, q1, q2)) {
-        store_nan(point, PW85_DIM);
-        return null_pointer(normal, PW85_DIM);
-    }
+    if (any_null(r12, q1, q2)) return null_pointer(point, PW85_DIM, normal, PW85_DIM);
     return in_default_environment(kernels::chosen().one_pair->contact_geometry, r12, q1, q2, lambda, point, normal);
 }
 
 int pw85_contact_gradient(double const r12[3], double const q1[6], double const q2[6], double lambda, double d_r12[3],
                           double d_q1[6], double d_q2[6])
 {
-    if (any_null(r12, q1, q2)) {
-        store_nan(d_r12, PW85_DIM);
-        store_nan(d_q1, PW85_SYM);
-        return null_pointer(d_q2, PW85_SYM);
-    }
+    if (any_null(r12, q1, q2)) return null_pointer(d_r12, PW85_DIM, d_q1, PW85_SYM, d_q2, PW85_SYM);
     return in_default_environment(kernels::chosen().one_pair->contact_gradient, r12, q1, q2, lambda, d_r12, d_q1, d_q2);
 }
 
 int pw85_contact_torque(double const r12[3], double const q1[6], double const q2[6], double lambda, double d_rot1[3],
                         double d_rot2[3])
 {
-    if (any_null(r12, q1, q2)) {
-        store_nan(d_rot1, PW85_DIM);
-        return null_pointer(d_rot2, PW85_DIM);
-    }
+    if (any_null(r12, q1, q2)) return null_pointer(d_rot1, PW85_DIM, d_rot2, PW85_DIM);
     return in_default_environment(kernels::chosen().one_pair->contact_torque, r12, q1, q2, lambda, d_rot1, d_rot2);
 }
 
