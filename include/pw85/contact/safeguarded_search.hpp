@@ -67,15 +67,18 @@ template <class T> PW85_FUNCTION inline bool halves(SafeguardedSearch<T> const &
     return size <= T(0.5) * search.shortest;
 }
 
-/// The middle of the bracket in log t, or a point far beyond the only end that is known, the farther the more were tried.
+/// The middle of the bracket in log t, or a point far beyond the only end that is known, the farther the more were tried, if it is in the
+/// bracket.
 template <class T> PW85_FUNCTION inline T probe(SafeguardedSearch<T> &search) noexcept
 {
     bool const below = !(search.lower > smallest_number<T>());
     bool const above = !(search.upper < largest_number<T>());
-    if (!below && !above) return square_root(search.lower) * square_root(search.upper);
-    T const t = clamp(search, below ? T(search.upper / search.reach) : T(search.lower * search.reach));
-    search.reach = search.reach * search.reach;
-    return t;
+    if (below || above) {
+        T const t = below ? T(search.upper / search.reach) : T(search.lower * search.reach);
+        search.reach = search.reach * search.reach;
+        if (t > search.lower && t < search.upper) return t;
+    }
+    return square_root(search.lower) * square_root(search.upper);
 }
 
 /// Goes to `next`, or as far as the bracket allows.
