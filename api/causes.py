@@ -61,7 +61,7 @@ CAUSES = (
     Cause("singular", "a cell is singular", "PW85_EINVAL", r"cell", r"singular|not independent|other arguments|as bad as"),
     Cause("not periodic", "a cell has no vector that is periodic", "PW85_EINVAL", r"cell", r"at least one is periodic"),
     Cause("no cell", "there are images without a cell", "PW85_EINVAL", r"images", r"`images` without `cell`"),
-    Cause("far", "a centre is too many cells away for images to be counted", "PW85_EINVAL", r"centers", r"2²⁹|2³¹"),
+    Cause("far", "a centre is too many cells away for its images to be told", "PW85_EINVAL", r"centers", r"2²⁹|2³¹|2⁵⁰"),
     Cause(
         "other list", "the list is of another number of particles", "PW85_EINVAL", r"list", r"not that of the list"
     ),
@@ -116,7 +116,7 @@ def of_one_row(function):
 
 
 # Sums are of what they are given: they are NaN if that is.
-SUMS = {"pw85_contact_forces_pairs": ("NaN", "infinity")}
+SUMS = {"pw85_contact_forces_pairs": ("NaN", "infinity", "far")}
 
 
 def is_named(cause, function, name, is_output=False):

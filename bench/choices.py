@@ -26,7 +26,7 @@ CHOICES = [
     ("contact/iteration.hpp", "minimum(T(0.25), maximum(T(-0.25), bent))", "minimum(T({0}), maximum(T(-{0}), bent))",
      ["0.25", "0.01", "4.0"]),
     ("contact/factorized_search.hpp", "shortest < T(0.1)", "shortest < T({})", ["0.1", "0.01", "0.5"]),
-    ("contact/factorized_search.hpp", "i > 3 &&", "i > {} &&", ["3", "1", "6"]),
+    ("contact/factorized_search.hpp", "(candidate.t, free_factorized_steps)", "(candidate.t, {})", ["3", "1", "6"]),
     ("contact/rational.hpp", "T(1024 * unit_roundoff<T>())", "T({} * unit_roundoff<T>())", ["1024", "0", "32", "32768", "1048576"]),
     ("contact/rational_search.hpp", "max_rational_steps = 8", "max_rational_steps = {}", ["8", "4", "6", "12"]),
 ]

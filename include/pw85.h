@@ -838,7 +838,8 @@ typedef struct pw85_pair_list {
  * trial into the arrays of the system before the call, so that its own index stands for it as it is now.
  *
  * @param center,q1 centre and form of the one
- * @param system the particles; the cell is best reduced (pw85_cell_reduce()) unless there are images
+ * @param system the particles; the cell is best reduced (pw85_cell_reduce()) unless there are images. Unless there are, others that
+ *        are more than 2⁵⁰ vectors of the reduced cell from the one are bad.
  * @param n number of others; 0 is fine
  * @param indices n: of particles, from 0; not that of the one itself unless there are images
  * @param images n×3: multiples of the cell vectors, as given, to be added to the centres of the others; or null for all images
@@ -856,9 +857,9 @@ PW85_API int pw85_overlap_any_indices(double const center[PW85_DIM], double cons
  * nearest can have a smaller μ²: pw85_nearest_image_limit() says where.
  *
  * @param list the pairs
- * @param system the particles; where nearest images are asked for, centres are no farther from each other than 2⁵⁰ times the cell.
- *        The cell need not be reduced, but then each call takes some hundred nanoseconds more than for the reduced one: see
- *        pw85_cell_reduce().
+ * @param system the particles. Where nearest images are asked for, a pair is bad whose centres are more than 2⁵⁰ vectors of the
+ *        reduced cell from each other: rounding leaves nothing of its nearest image. The cell need not be reduced, but then each call
+ *        takes some hundred nanoseconds more than for the reduced one: see pw85_cell_reduce().
  * @param[out] mu2 num_pairs
  * @param[out] lambda num_pairs, or null
  * @return as for pw85_contact_batch(); #PW85_EINVAL also for `images` without `cell`, a cell that is not finite or, unless

@@ -48,11 +48,13 @@ inline void store_nan(double *x, int count) noexcept
     for (int i = 0; x != nullptr && i < count; ++i) x[i] = quiet_nan<double>();
 }
 
-/// The answer to a null pointer, with NaN in an output.
-inline int null_pointer(double *out, int count) noexcept
+inline int null_pointer() noexcept { return static_cast<int>(Status::invalid_argument); }
+
+/// The answer to a null pointer, with NaN in the outputs that are not null: arrays, each with its length behind it.
+template <class... Outputs> int null_pointer(double *out, int count, Outputs... outputs) noexcept
 {
     store_nan(out, count);
-    return static_cast<int>(Status::invalid_argument);
+    return null_pointer(outputs...);
 }
 
 } // namespace

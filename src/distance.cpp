@@ -14,44 +14,30 @@ using namespace pw85::detail::c_api;
 int pw85_distance(double const r12[3], double const q1[6], double const q2[6], double *distance, double point1[3],
                   double point2[3])
 {
-    if (any_null(r12, q1, q2)) {
-        store_nan(distance, 1);
-        store_nan(point1, PW85_DIM);
-        store_nan(point2, PW85_DIM);
-        return PW85_EINVAL;
-    }
-    DefaultEnvironment const environment;
-    return kernels::chosen().one_pair->distance(r12, q1, q2, distance, point1, point2);
+    if (any_null(r12, q1, q2)) return null_pointer(distance, 1, point1, PW85_DIM, point2, PW85_DIM);
+    return in_default_environment(kernels::chosen().one_pair->distance, r12, q1, q2, distance, point1, point2);
 }
 
 int pw85_distance_derivatives(double const r12[3], double const q1[6], double const q2[6], double d_r12[3],
                               double d_rot1[3], double d_rot2[3], double hessian[81])
 {
-    if (any_null(r12, q1, q2)) {
-        store_nan(d_r12, PW85_DIM);
-        store_nan(d_rot1, PW85_DIM);
-        store_nan(d_rot2, PW85_DIM);
-        store_nan(hessian, 81);
-        return PW85_EINVAL;
-    }
-    DefaultEnvironment const environment;
-    return kernels::chosen().one_pair->distance_derivatives(r12, q1, q2, d_r12, d_rot1, d_rot2, hessian);
+    if (any_null(r12, q1, q2)) return null_pointer(d_r12, PW85_DIM, d_rot1, PW85_DIM, d_rot2, PW85_DIM, hessian, 81);
+    return in_default_environment(kernels::chosen().one_pair->distance_derivatives, r12, q1, q2, d_r12, d_rot1, d_rot2,
+                                  hessian);
 }
 
 int pw85_penetration(double const r12[3], double const q1[6], double const q2[6], double *depth, double direction[3])
 {
-    if (any_null(r12, q1, q2)) {
-        store_nan(depth, 1);
-        store_nan(direction, PW85_DIM);
-        return PW85_EINVAL;
-    }
-    DefaultEnvironment const environment;
-    int overlapping = 0; // by the same code as pw85_overlap(), so that both say the same of a form that is barely valid
-    auto const status = static_cast<Status>(kernels::chosen().one_pair->overlap(r12, q1, q2, &overlapping));
-    auto const p = overlapping == 1
-                       ? penetration_overlapping(load_vector<3>(r12), load_matrix<3>(q1), load_matrix<3>(q2))
-                       : no_penetration<double, 3>(status);
-    if (depth != nullptr) *depth = p.depth;
-    store(p.direction, direction);
-    return static_cast<int>(p.status);
+    if (any_null(r12, q1, q2)) return null_pointer(depth, 1, direction, PW85_DIM);
+    return in_default_environment([&] {
+        int overlapping =
+            0; // by the same code as pw85_overlap(), so that both say the same of a form that is barely valid
+        auto const status = static_cast<Status>(kernels::chosen().one_pair->overlap(r12, q1, q2, &overlapping));
+        auto const p = overlapping == 1
+                           ? penetration_overlapping(load_vector<3>(r12), load_matrix<3>(q1), load_matrix<3>(q2))
+                           : no_penetration<double, 3>(status);
+        if (depth != nullptr) *depth = p.depth;
+        store(p.direction, direction);
+        return static_cast<int>(p.status);
+    });
 }

@@ -20,8 +20,8 @@ namespace {
 
 /// Sets the default environment for the life of the object, and restores the caller's. The register is read, and written only where
 /// it has to change: a write that takes back a flag costs some 80 ns on Intel's processors, and callers mostly have the default
-/// modes and have rounded before, so that nothing changes. It serves for calls that a compiler
-/// cannot see through, as those of kernels are; it may move other arithmetic across, see in_default_environment().
+/// modes and have rounded before, so that nothing changes. A compiler may move arithmetic that it sees across: only threads have one of
+/// their own, for calls of kernels, and everything else is by in_default_environment().
 class DefaultEnvironment {
   public:
     DefaultEnvironment(DefaultEnvironment const &) = delete;
@@ -69,6 +69,14 @@ template <class Function> [[gnu::always_inline]] inline auto in_default_environm
         asm volatile("" : : "m"(result) : "memory");
         return result;
     }
+}
+
+/// The result of a function that the compiler cannot see through, as those of kernels are: nothing has to pass through memory.
+template <class Result, class... Parameters, class... Arguments> [[gnu::always_inline]] inline Result
+in_default_environment(Result (*function)(Parameters...) noexcept, Arguments... arguments) noexcept
+{
+    DefaultEnvironment const environment;
+    return function(arguments...);
 }
 
 } // namespace

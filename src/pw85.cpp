@@ -63,8 +63,7 @@ int pw85_ellipse(double a, double b, double angle, double q[3])
 int pw85_contact(double const r12[3], double const q1[6], double const q2[6], double out[2])
 {
     if (any_null(r12, q1, q2, out)) return null_pointer(out, 2);
-    DefaultEnvironment const environment;
-    return kernels::chosen().one_pair->contact(r12, q1, q2, out);
+    return in_default_environment(kernels::chosen().one_pair->contact, r12, q1, q2, out);
 }
 
 int pw85_contact_function(double const r12[3], double const q1[6], double const q2[6], double out[2])
@@ -80,42 +79,28 @@ int pw85_contact_function(double const r12[3], double const q1[6], double const 
 int pw85_contact_geometry(double const r12[3], double const q1[6], double const q2[6], double lambda, double point[3],
                           double normal[3])
 {
-    if (any_null(r12, q1, q2)) {
-        store_nan(point, PW85_DIM);
-        return null_pointer(normal, PW85_DIM);
-    }
-    DefaultEnvironment const environment;
-    return kernels::chosen().one_pair->contact_geometry(r12, q1, q2, lambda, point, normal);
+    if (any_null(r12, q1, q2)) return null_pointer(point, PW85_DIM, normal, PW85_DIM);
+    return in_default_environment(kernels::chosen().one_pair->contact_geometry, r12, q1, q2, lambda, point, normal);
 }
 
 int pw85_contact_gradient(double const r12[3], double const q1[6], double const q2[6], double lambda, double d_r12[3],
                           double d_q1[6], double d_q2[6])
 {
-    if (any_null(r12, q1, q2)) {
-        store_nan(d_r12, PW85_DIM);
-        store_nan(d_q1, PW85_SYM);
-        return null_pointer(d_q2, PW85_SYM);
-    }
-    DefaultEnvironment const environment;
-    return kernels::chosen().one_pair->contact_gradient(r12, q1, q2, lambda, d_r12, d_q1, d_q2);
+    if (any_null(r12, q1, q2)) return null_pointer(d_r12, PW85_DIM, d_q1, PW85_SYM, d_q2, PW85_SYM);
+    return in_default_environment(kernels::chosen().one_pair->contact_gradient, r12, q1, q2, lambda, d_r12, d_q1, d_q2);
 }
 
 int pw85_contact_torque(double const r12[3], double const q1[6], double const q2[6], double lambda, double d_rot1[3],
                         double d_rot2[3])
 {
-    if (any_null(r12, q1, q2)) {
-        store_nan(d_rot1, PW85_DIM);
-        return null_pointer(d_rot2, PW85_DIM);
-    }
-    DefaultEnvironment const environment;
-    return kernels::chosen().one_pair->contact_torque(r12, q1, q2, lambda, d_rot1, d_rot2);
+    if (any_null(r12, q1, q2)) return null_pointer(d_rot1, PW85_DIM, d_rot2, PW85_DIM);
+    return in_default_environment(kernels::chosen().one_pair->contact_torque, r12, q1, q2, lambda, d_rot1, d_rot2);
 }
 
 int pw85_contact_hessian(double const r12[3], double const q1[6], double const q2[6], double lambda, double hessian[81])
 {
     if (any_null(r12, q1, q2, hessian)) return null_pointer(hessian, 81);
-    DefaultEnvironment const environment;
-    return kernels::chosen().one_pair->contact_hessian(r12, q1, q2, lambda, hessian);
+    return in_default_environment(kernels::chosen().one_pair->contact_hessian, r12, q1, q2, lambda, hessian);
 }
 
 int pw85_overlap(double const r12[3], double const q1[6], double const q2[6], int *overlap)
@@ -123,15 +108,13 @@ int pw85_overlap(double const r12[3], double const q1[6], double const q2[6], in
     if (any_null(overlap)) return PW85_EINVAL;
     *overlap = -1;
     if (any_null(r12, q1, q2)) return PW85_EINVAL;
-    DefaultEnvironment const environment;
-    return kernels::chosen().one_pair->overlap(r12, q1, q2, overlap);
+    return in_default_environment(kernels::chosen().one_pair->overlap, r12, q1, q2, overlap);
 }
 
 int pw85_closest_approach(double const direction[3], double const q1[6], double const q2[6], double *distance)
 {
     if (any_null(direction, q1, q2, distance)) return null_pointer(distance, 1);
-    DefaultEnvironment const environment;
-    return kernels::chosen().one_pair->closest_approach(direction, q1, q2, distance);
+    return in_default_environment(kernels::chosen().one_pair->closest_approach, direction, q1, q2, distance);
 }
 
 void pw85__cholesky_decomp(double const a[6], double l[6])

@@ -103,8 +103,7 @@ void pw85_legacy_f2_derivatives(double lambda, double const r12[3], double const
 
 int pw85_legacy_contact_function1(double const r12[3], double const q1[6], double const q2[6], double out[2])
 {
-    if (any_null(out)) return PW85_EINVAL;
-    if (any_null(r12, q1, q2)) return store_contact(all_nan<Contact<double>>(Status::invalid_argument), out);
+    if (any_null(r12, q1, q2, out)) return null_pointer(out, 2);
     return in_default_environment([&] {
         return store_contact(pw85::legacy::contact_newton(load_vector<3>(r12), load_matrix<3>(q1), load_matrix<3>(q2)),
                              out);
@@ -113,8 +112,7 @@ int pw85_legacy_contact_function1(double const r12[3], double const q1[6], doubl
 
 int pw85_legacy_contact_function2(double const r12[3], double const q1[6], double const q2[6], double out[2])
 {
-    if (any_null(out)) return PW85_EINVAL;
-    if (any_null(r12, q1, q2)) return store_contact(all_nan<Contact<double>>(Status::invalid_argument), out);
+    if (any_null(r12, q1, q2, out)) return null_pointer(out, 2);
     return in_default_environment([&] {
         return store_contact(
             pw85::legacy::contact_bisection(load_vector<3>(r12), load_matrix<3>(q1), load_matrix<3>(q2)), out);

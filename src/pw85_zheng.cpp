@@ -18,17 +18,11 @@ int store_distance(ClosestApproach<double> const &result, double *distance) noex
     return static_cast<int>(result.status);
 }
 
-ClosestApproach<double> invalid_distance() noexcept
-{
-    return all_nan<ClosestApproach<double>>(Status::invalid_argument);
-}
-
 } // namespace
 
 int pw85_zheng_ellipses(double const direction[2], double const q1[3], double const q2[3], double *distance)
 {
-    if (any_null(distance)) return PW85_EINVAL;
-    if (any_null(direction, q1, q2)) return store_distance(invalid_distance(), distance);
+    if (any_null(direction, q1, q2, distance)) return null_pointer(distance, 1);
     return in_default_environment([&] {
         return store_distance(pw85::zheng::ellipses(load_vector<2>(direction), load_matrix<2>(q1), load_matrix<2>(q2)),
                               distance);
@@ -37,8 +31,7 @@ int pw85_zheng_ellipses(double const direction[2], double const q1[3], double co
 
 int pw85_zheng_ellipsoids(double const direction[3], double const q1[6], double const q2[6], double *distance)
 {
-    if (any_null(distance)) return PW85_EINVAL;
-    if (any_null(direction, q1, q2)) return store_distance(invalid_distance(), distance);
+    if (any_null(direction, q1, q2, distance)) return null_pointer(distance, 1);
     return in_default_environment([&] {
         return store_distance(
             pw85::zheng::ellipsoids(load_vector<3>(direction), load_matrix<3>(q1), load_matrix<3>(q2)), distance);

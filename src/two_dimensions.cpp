@@ -38,10 +38,7 @@ int pw85_contact_2d(double const r12[2], double const q1[3], double const q2[3],
 int pw85_contact_geometry_2d(double const r12[2], double const q1[3], double const q2[3], double lambda,
                              double point[2], double normal[2])
 {
-    if (any_null(r12, q1, q2)) {
-        store_nan(point, 2);
-        return null_pointer(normal, 2);
-    }
+    if (any_null(r12, q1, q2)) return null_pointer(point, 2, normal, 2);
     return of_ellipses(
         [&](auto const &...pair) {
             auto const g = contact_geometry(pair..., lambda);
@@ -55,11 +52,7 @@ int pw85_contact_geometry_2d(double const r12[2], double const q1[3], double con
 int pw85_contact_gradient_2d(double const r12[2], double const q1[3], double const q2[3], double lambda,
                              double d_r12[2], double d_q1[3], double d_q2[3])
 {
-    if (any_null(r12, q1, q2)) {
-        store_nan(d_r12, 2);
-        store_nan(d_q1, 3);
-        return null_pointer(d_q2, 3);
-    }
+    if (any_null(r12, q1, q2)) return null_pointer(d_r12, 2, d_q1, 3, d_q2, 3);
     return of_ellipses(
         [&](auto const &...pair) {
             auto const g = contact_gradient(pair..., lambda);
@@ -74,10 +67,7 @@ int pw85_contact_gradient_2d(double const r12[2], double const q1[3], double con
 int pw85_contact_torque_2d(double const r12[2], double const q1[3], double const q2[3], double lambda, double *d_rot1,
                            double *d_rot2)
 {
-    if (any_null(r12, q1, q2)) {
-        store_nan(d_rot1, 1);
-        return null_pointer(d_rot2, 1);
-    }
+    if (any_null(r12, q1, q2)) return null_pointer(d_rot1, 1, d_rot2, 1);
     return of_ellipses(
         [&](auto const &...pair) {
             auto const t = contact_torque(pair..., lambda);
@@ -130,11 +120,7 @@ int pw85_closest_approach_2d(double const direction[2], double const q1[3], doub
 int pw85_distance_2d(double const r12[2], double const q1[3], double const q2[3], double *distance, double point1[2],
                      double point2[2])
 {
-    if (any_null(r12, q1, q2)) {
-        store_nan(distance, 1);
-        store_nan(point1, 2);
-        return null_pointer(point2, 2);
-    }
+    if (any_null(r12, q1, q2)) return null_pointer(distance, 1, point1, 2, point2, 2);
     return of_ellipses(
         [&](auto const &...pair) {
             auto const d = pw85::distance(pair...);

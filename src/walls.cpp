@@ -21,14 +21,6 @@ int store_distance(SurfaceDistance<double, 3> const &d, double *distance, double
     return static_cast<int>(d.status);
 }
 
-int null_pointer(double *number, double *vector1, double *vector2) noexcept
-{
-    store_nan(number, 1);
-    store_nan(vector1, PW85_DIM);
-    store_nan(vector2, PW85_DIM);
-    return PW85_EINVAL;
-}
-
 int store_derivatives(PlaneDerivatives<double> const &d, double *d_center, double *d_rot) noexcept
 {
     store(d.center, d_center);
@@ -40,7 +32,7 @@ int store_derivatives(PlaneDerivatives<double> const &d, double *d_center, doubl
 
 int pw85_distance_plane(double const normal[3], double offset, double const q[6], double *distance, double point[3])
 {
-    if (any_null(normal, q)) return null_pointer(distance, point, nullptr);
+    if (any_null(normal, q)) return null_pointer(distance, 1, point, PW85_DIM);
     return in_default_environment([&] {
         return store_distance(distance_plane(load_vector<3>(normal), offset, load_matrix<3>(q)), distance, point,
                               nullptr);
@@ -49,7 +41,7 @@ int pw85_distance_plane(double const normal[3], double offset, double const q[6]
 
 int pw85_distance_plane_derivatives(double const normal[3], double const q[6], double d_center[3], double d_rot[3])
 {
-    if (any_null(normal, q)) return null_pointer(nullptr, d_center, d_rot);
+    if (any_null(normal, q)) return null_pointer(d_center, PW85_DIM, d_rot, PW85_DIM);
     return in_default_environment([&] {
         return store_derivatives(distance_plane_derivatives(load_vector<3>(normal), load_matrix<3>(q)), d_center,
                                  d_rot);
@@ -58,7 +50,7 @@ int pw85_distance_plane_derivatives(double const normal[3], double const q[6], d
 
 int pw85_contact_plane(double const normal[3], double offset, double const q[6], double *mu2, double point[3])
 {
-    if (any_null(normal, q)) return null_pointer(mu2, point, nullptr);
+    if (any_null(normal, q)) return null_pointer(mu2, 1, point, PW85_DIM);
     return in_default_environment([&] {
         auto const c = contact_plane(load_vector<3>(normal), offset, load_matrix<3>(q));
         if (mu2 != nullptr) *mu2 = c.mu2;
@@ -70,7 +62,7 @@ int pw85_contact_plane(double const normal[3], double offset, double const q[6],
 int pw85_contact_plane_derivatives(double const normal[3], double offset, double const q[6], double d_center[3],
                                    double d_rot[3])
 {
-    if (any_null(normal, q)) return null_pointer(nullptr, d_center, d_rot);
+    if (any_null(normal, q)) return null_pointer(d_center, PW85_DIM, d_rot, PW85_DIM);
     return in_default_environment([&] {
         return store_derivatives(contact_plane_derivatives(load_vector<3>(normal), offset, load_matrix<3>(q)), d_center,
                                  d_rot);
@@ -80,7 +72,7 @@ int pw85_contact_plane_derivatives(double const normal[3], double offset, double
 int pw85_distance_box(double const lower[3], double const upper[3], double const q[6], double *distance,
                       double point[3], double normal[3])
 {
-    if (any_null(lower, upper, q)) return null_pointer(distance, point, normal);
+    if (any_null(lower, upper, q)) return null_pointer(distance, 1, point, PW85_DIM, normal, PW85_DIM);
     return in_default_environment([&] {
         return store_distance(distance_box(load_vector<3>(lower), load_vector<3>(upper), load_matrix<3>(q)), distance,
                               point, normal);
@@ -90,7 +82,7 @@ int pw85_distance_box(double const lower[3], double const upper[3], double const
 int pw85_distance_cylinder(double const axis[3], double radius, double const center[3], double const q[6],
                            double *distance, double point[3], double normal[3])
 {
-    if (any_null(axis, center, q)) return null_pointer(distance, point, normal);
+    if (any_null(axis, center, q)) return null_pointer(distance, 1, point, PW85_DIM, normal, PW85_DIM);
     return in_default_environment([&] {
         return store_distance(
             distance_cylinder(load_vector<3>(axis), radius, load_vector<3>(center), load_matrix<3>(q)), distance, point,
@@ -100,17 +92,14 @@ int pw85_distance_cylinder(double const axis[3], double radius, double const cen
 
 int pw85_distance_point(double const r[3], double const q[6], double *distance, double point[3], double normal[3])
 {
-    if (any_null(r, q)) return null_pointer(distance, point, normal);
+    if (any_null(r, q)) return null_pointer(distance, 1, point, PW85_DIM, normal, PW85_DIM);
     return in_default_environment(
         [&] { return store_distance(distance_point(load_vector<3>(r), load_matrix<3>(q)), distance, point, normal); });
 }
 
 int pw85_intersect_line(double const origin[3], double const direction[3], double const q[6], double t[2])
 {
-    if (any_null(origin, direction, q, t)) {
-        store_nan(t, 2);
-        return PW85_EINVAL;
-    }
+    if (any_null(origin, direction, q, t)) return null_pointer(t, 2);
     return in_default_environment([&] {
         auto const chord = intersect_line(load_vector<3>(origin), load_vector<3>(direction), load_matrix<3>(q));
         t[0] = chord.enter;

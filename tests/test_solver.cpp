@@ -15,6 +15,67 @@ using namespace pw85_tests;
 
 namespace {
 
+/// Searches for a root by a method that stays where it is: behind the first look, all steps are probes, and bisections that halve the range
+/// of the exponents, 2^14.5 at most in log t, down to 4 u.
+template <class T> void search_without_method(Failures &failures, T const &root, T const &start)
+{
+    using namespace pw85::detail;
+    T const width = T(4) * unit_roundoff<T>();
+    constexpr int most = 1 + max_probes<T>() + 13 + mantissa_digits<T>();
+    auto search = safeguarded_search(start, 0);
+    int steps = 0;
+    for (; !is_narrow(search, width) && steps <= most; ++steps) {
+        take_bound(search, root > search.t, search.t);
+        take_step(search, search.t, T(2));
+    }
+    auto const describe = [&] {
+        return "log10 of root and start: " + std::to_string(std::log10(root)) + ", " +
+               std::to_string(std::log10(start));
+    };
+    failures.check(steps <= most, "steps", steps, most, describe);
+    failures.check(search.lower <= root && root <= search.upper, "the root is in the bracket", 0.0, 0.0, describe);
+}
+
+template <class T> void search_whole_range(Failures &failures)
+{
+    T const smallest = pw85::detail::smallest_number<T>(), largest = pw85::detail::largest_number<T>();
+    T const places[] = {smallest, T(3) * smallest, T(1e-30), T(0.7), T(1), T(1e30), largest / T(3), largest};
+    for (T const &root : places)
+        for (T const &start : places) search_without_method(failures, root, start);
+}
+
+void test_safeguarded_search()
+{
+    Failures failures;
+    search_whole_range<float>(failures);
+    search_whole_range<double>(failures);
+    search_whole_range<long double>(failures);
+}
+
+/// A method that converges is left alone: as far as steps are free, and where they halve.
+void test_safeguarded_steps()
+{
+    using namespace pw85::detail;
+    auto search = safeguarded_search(1e3, 3);
+    for (int i = 0; i < 30; ++i) {
+        double const step = -0.6 * std::log(search.t), next = search.t * std::exp(step);
+        take_bound(search, 1.0 > search.t, search.t);
+        take_step(search, next, std::fabs(step));
+        g_assert_cmpfloat(search.t, ==, next);
+    }
+    // A step that does not halve is not taken, once none is free.
+    search = safeguarded_search(4.0, 1);
+    take_bound(search, false, 4.0);
+    take_step(search, 0.25, 1.5);
+    g_assert_cmpfloat(search.t, ==, 0.25);
+    take_bound(search, true, 0.25);
+    take_step(search, 3.0, 0.8);
+    g_assert_cmpfloat(search.t, ==, 1.0);
+    // Nor one out of the bracket, which ends at its end.
+    take_step(search, 100.0, 0.1);
+    g_assert_cmpfloat(search.t, ==, 4.0);
+}
+
 void test_bound_on_evaluations()
 {
     Failures failures;
@@ -118,6 +179,8 @@ void test_hard_pair(void const *data)
 int main(int argc, char **argv)
 {
     g_test_init(&argc, &argv, nullptr);
+    g_test_add_func("/solver/safeguarded_search", test_safeguarded_search);
+    g_test_add_func("/solver/safeguarded_steps", test_safeguarded_steps);
     g_test_add_func("/solver/bound_on_evaluations", test_bound_on_evaluations);
     g_test_add_func("/solver/extreme_shapes", test_extreme_shapes);
     g_test_add_func("/solver/derivatives_of_extreme_shapes", test_derivatives_of_extreme_shapes);

@@ -4,7 +4,7 @@
 #define PW85_ATTRIBUTES_HPP_INCLUDED
 
 // A thread of a device can call what is compiled for one.
-#if defined(__CUDACC__) || defined(__CUDA__) || defined(__HIP__)
+#if defined(__CUDACC__) || defined(__CUDA__)
 #define PW85_ANYWHERE __attribute__((host)) __attribute__((device))
 #else
 #define PW85_ANYWHERE
@@ -13,7 +13,7 @@
 namespace pw85::detail {
 
 /// Whether this is compiled for a device, which has neither the memory for extended numbers nor the time.
-#if defined(__CUDA_ARCH__) || defined(__HIP_DEVICE_COMPILE__)
+#ifdef __CUDA_ARCH__
 inline constexpr bool is_for_device = true;
 #else
 inline constexpr bool is_for_device = false;

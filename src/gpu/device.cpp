@@ -1,4 +1,4 @@
-// The entry points for a device: compiled as CUDA or HIP, by a compiler that need not have the headers of either.
+// The entry points for a device: compiled as CUDA, by a compiler that need not have its headers.
 #include "work.hpp"
 
 namespace {
@@ -12,16 +12,6 @@ PW85_DEVICE unsigned thread() { return threadIdx.x; }
 PW85_DEVICE unsigned block() { return blockIdx.x; }
 PW85_DEVICE unsigned blocks() { return gridDim.x; }
 PW85_DEVICE void meet() { __syncthreads(); }
-#elif defined(__HIP__)
-PW85_DEVICE unsigned thread() { return static_cast<unsigned>(__builtin_amdgcn_workitem_id_x()); }
-PW85_DEVICE unsigned block() { return static_cast<unsigned>(__builtin_amdgcn_workgroup_id_x()); }
-PW85_DEVICE unsigned blocks() { return __builtin_amdgcn_grid_size_x() / pw85::detail::gpu::block_size; }
-PW85_DEVICE void meet()
-{
-    __builtin_amdgcn_fence(__ATOMIC_SEQ_CST, "workgroup");
-    __builtin_amdgcn_s_barrier();
-    __builtin_amdgcn_fence(__ATOMIC_SEQ_CST, "workgroup");
-}
 #else
 PW85_DEVICE unsigned thread() { return static_cast<unsigned>(__nvvm_read_ptx_sreg_tid_x()); }
 PW85_DEVICE unsigned block() { return static_cast<unsigned>(__nvvm_read_ptx_sreg_ctaid_x()); }

@@ -214,10 +214,9 @@ int run_pairs(Handle stream, pw85_pair_list const &list, pw85_system const &syst
     auto const end =
         static_cast<std::uint32_t>(std::min<std::size_t>(system.num_particles, INT32_MAX + std::size_t{1}));
     DeviceList rows{{list.pairs, system.centers, system.q, list.images, nullptr, nullptr}, end, {}};
-    {
-        DefaultEnvironment const environment;
-        if (!kernels::prepare(system.cell, system.periodic, list.images != nullptr, rows.images)) return PW85_EINVAL;
-    }
+    bool const prepared = in_default_environment(
+        [&] { return kernels::prepare(system.cell, system.periodic, list.images != nullptr, rows.images); });
+    if (!prepared) return PW85_EINVAL;
     return run(stream, list.num_pairs, rows, out);
 }
 

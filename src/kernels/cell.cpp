@@ -38,8 +38,7 @@ int nearest_image_limit(pw85_system const &system, double *mu2) noexcept
 int pw85_cell_reduce(double const cell[9], double reduced[9])
 {
     if (any_null(reduced)) return PW85_EINVAL;
-    DefaultEnvironment const environment;
-    if (!any_null(cell) && reduce(cell, reduced)) return PW85_SUCCESS;
+    if (!any_null(cell) && in_default_environment([&] { return reduce(cell, reduced); })) return PW85_SUCCESS;
     c_api::store_nan(reduced, 9);
     return PW85_EINVAL;
 }

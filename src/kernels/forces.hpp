@@ -175,10 +175,11 @@ inline void sum_forces(PairGradients const &pairs, std::size_t num_particles, Pa
         sum_forces(pairs, num_particles, sums, thread, threads, parts);
     }
     if (sums.virial == nullptr) return;
-    DefaultEnvironment const environment;
-    std::fill_n(sums.virial, 9, 0.0);
-    for (auto const &part : parts)
-        for (int k = 0; k < 9; ++k) sums.virial[k] += part[k];
+    in_default_environment([&] {
+        std::fill_n(sums.virial, 9, 0.0);
+        for (auto const &part : parts)
+            for (int k = 0; k < 9; ++k) sums.virial[k] += part[k];
+    });
 }
 
 } // namespace

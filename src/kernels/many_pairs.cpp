@@ -64,8 +64,8 @@ void find_next(std::size_t num_pairs, std::int32_t const *pairs, double const *t
 /// Prepares images of a system's particles, those that are given or the nearest ones.
 int prepare_images(pw85_system const &system, bool given, Images &images) noexcept
 {
-    DefaultEnvironment const environment;
-    return prepare(system.cell, system.periodic, given, images) ? PW85_SUCCESS : PW85_EINVAL;
+    bool const prepared = in_default_environment([&] { return prepare(system.cell, system.periodic, given, images); });
+    return prepared ? PW85_SUCCESS : PW85_EINVAL;
 }
 
 /// Checks what the functions of lists share, and makes of a list and a system what kernels read; `images` must live as long.
@@ -122,13 +122,14 @@ int overlap_any_images(OneToSome some, pw85_system const &system, std::size_t n,
 {
     Images images;
     if (int const status = prepare_images(system, some.images != nullptr, images)) return status;
-    DefaultEnvironment const environment;
     some.cell = images.cell;
     some.lattice = images.nearest ? &images.lattice : nullptr;
-    int const status = find_overlap(some, n, any);
-    if (any != 0 || some.lattice == nullptr || nearest_suffice(some, n)) return status;
-    any = -1;
-    return PW85_EINVAL;
+    return in_default_environment([&] {
+        int const status = find_overlap(some, n, any);
+        if (any != 0 || some.lattice == nullptr || nearest_suffice(some, n)) return status;
+        any = -1;
+        return int{PW85_EINVAL};
+    });
 }
 
 } // namespace
@@ -194,8 +195,7 @@ int pw85_overlap_any(double const q1[PW85_SYM], size_t n, double const *r12, dou
     if (n == 0) return PW85_SUCCESS;
     *any = -1;
     if (n > max_rows || any_null(q1, r12, q2)) return PW85_EINVAL;
-    DefaultEnvironment const environment;
-    return find_overlap(OneToMany{q1, r12, q2}, n, *any);
+    return in_default_environment([&] { return find_overlap(OneToMany{q1, r12, q2}, n, *any); });
 }
 
 int pw85_overlap_any_indices(double const center[PW85_DIM], double const q1[PW85_SYM], pw85_system const *system,
@@ -259,8 +259,8 @@ int pw85_first_contact_pairs(pw85_pair_list const *list, pw85_system const *syst
                                    motions + list->pairs[2 * n + 1], t_max, t + n);
         });
     });
-    DefaultEnvironment const environment; // comparing the NaN of bad pairs raises an exception
-    find_next(list->num_pairs, list->pairs, t, system->num_particles, next, next_pair);
+    // Comparing the NaN of bad pairs raises an exception.
+    in_default_environment([&] { find_next(list->num_pairs, list->pairs, t, system->num_particles, next, next_pair); });
     return status;
 }
 

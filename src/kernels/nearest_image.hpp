@@ -16,15 +16,21 @@ template <class T> PW85_FUNCTION inline T nearest_integer(T const &x) noexcept
     return (x + shift) - shift;
 }
 
-/// The nearest image of a separation (item 4 of lattice.hpp).
+/// The largest multiple of a basis vector that is taken off a separation. Those of a valid pair are rounded to an eighth of the vector
+/// then, and nearest_integer() still holds where the sum of the products errs.
+inline constexpr double most_multiples_of_basis = 0x1p50;
+
+/// The nearest image of a separation (item 4 of lattice.hpp); NaN in the first coordinate where it is too far to tell.
 template <class T>
 PW85_FUNCTION inline Vector<T, 3> nearest_image(kernels::Lattice const &lattice, Vector<T, 3> const &r) noexcept
 {
     Vector<T, 3> x = r;
+    T most = T(0);
     for (int i = 0; i < 3; ++i) {
         double const *dual = lattice.dual[i], *basis = lattice.basis[i];
         T const n = nearest_integer(T(T(dual[0]) * r[0] + T(dual[1]) * r[1] + T(dual[2]) * r[2]));
         for (int d = 0; d < 3; ++d) x[d] = x[d] - n * T(basis[d]);
+        most = maximum(most, absolute(n));
     }
     T best = T(0), move[3] = {T(0), T(0), T(0)};
     for (int k = 0; k < lattice.num_shifts; ++k) {
@@ -37,6 +43,7 @@ PW85_FUNCTION inline Vector<T, 3> nearest_image(kernels::Lattice const &lattice,
         for (int d = 0; d < 3; ++d) move[d] = select(better, T(sign * T(v[d])), move[d]);
     }
     for (int d = 0; d < 3; ++d) x[d] = x[d] - move[d];
+    x[0] = select(most > T(most_multiples_of_basis), quiet_nan<T>(), x[0]);
     return x;
 }
 

@@ -61,8 +61,7 @@ template <class Kernel>
 template <class Kernel> int for_all(std::size_t n, Kernel const &kernel, std::size_t rows = block) noexcept
 {
     if (n > rows) return for_blocks(n, kernel, rows).status;
-    DefaultEnvironment const environment;
-    return kernel(Range{0, n}).status;
+    return in_default_environment([&] { return kernel(Range{0, n}).status; });
 }
 
 } // namespace

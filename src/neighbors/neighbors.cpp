@@ -260,6 +260,48 @@ SharedMotions shared_motions(pw85_neighbors const &list, Particles const &partic
     return parts[0];
 }
 
+int create(pw85_system const &system, double scale, double skin, pw85_neighbors *&list) noexcept
+{
+    Particles const particles{system, scale, skin};
+    Periodicity lattice;
+    if (!particles.are_valid() || !lattice.prepare(system.cell, system.periodic)) return PW85_EINVAL;
+    std::unique_ptr<pw85_neighbors> made(new (std::nothrow) pw85_neighbors);
+    if (made == nullptr) return PW85_ENOMEM;
+    made->scale = scale;
+    made->skin = skin;
+    made->has_cell = system.cell != nullptr;
+    if (made->has_cell) std::copy_n(system.cell, 9, made->cell);
+    if (made->has_cell) std::copy_n(system.periodic, 3, made->periodic);
+    int const status = Search(particles, lattice, *made).run();
+    if (status == PW85_SUCCESS) list = made.release();
+    return status;
+}
+
+int check(pw85_system const &system, double scale, double skin, std::size_t &particle) noexcept
+{
+    Particles const particles{system, scale, skin};
+    Periodicity lattice;
+    if (!particles.are_valid() || !lattice.prepare(system.cell, system.periodic)) return PW85_EINVAL;
+    Failure const first = first_failure(system.num_particles, [&](std::size_t i) {
+        Extent extent;
+        Move move;
+        return measure(particles, lattice, i, extent, move);
+    });
+    if (first.status != PW85_SUCCESS) particle = first.index;
+    return first.status;
+}
+
+int compare(pw85_neighbors const &list, pw85_system const &system, int &holds) noexcept
+{
+    Particles const particles{system, list.scale, list.skin};
+    Periodicity lattice;
+    if (!particles.are_valid() || !lattice.prepare(system.cell, system.periodic)) return PW85_EINVAL;
+    SharedMotions const shared = shared_motions(list, particles, Deformation(lattice, system.cell, list.cell));
+    if (shared.bad.status != PW85_SUCCESS) return shared.bad.status;
+    holds = shared.are_there();
+    return PW85_SUCCESS;
+}
+
 } // namespace
 
 int pw85_neighbors_create(pw85_system const *system, double scale, double skin, pw85_neighbors **list)
@@ -267,20 +309,7 @@ int pw85_neighbors_create(pw85_system const *system, double scale, double skin, 
     if (any_null(list)) return PW85_EINVAL;
     *list = nullptr;
     if (any_null(system)) return PW85_EINVAL;
-    DefaultEnvironment const environment;
-    Particles const particles{*system, scale, skin};
-    Periodicity lattice;
-    if (!particles.are_valid() || !lattice.prepare(system->cell, system->periodic)) return PW85_EINVAL;
-    std::unique_ptr<pw85_neighbors> made(new (std::nothrow) pw85_neighbors);
-    if (made == nullptr) return PW85_ENOMEM;
-    made->scale = scale;
-    made->skin = skin;
-    made->has_cell = system->cell != nullptr;
-    if (made->has_cell) std::copy_n(system->cell, 9, made->cell);
-    if (made->has_cell) std::copy_n(system->periodic, 3, made->periodic);
-    int const status = Search(particles, lattice, *made).run();
-    if (status == PW85_SUCCESS) *list = made.release();
-    return status;
+    return in_default_environment([&] { return create(*system, scale, skin, *list); });
 }
 
 int pw85_neighbors_check(pw85_system const *system, double scale, double skin, size_t *particle)
@@ -289,17 +318,7 @@ int pw85_neighbors_check(pw85_system const *system, double scale, double skin, s
     *particle = 0;
     if (any_null(system)) return PW85_EINVAL;
     *particle = system->num_particles;
-    DefaultEnvironment const environment;
-    Particles const particles{*system, scale, skin};
-    Periodicity lattice;
-    if (!particles.are_valid() || !lattice.prepare(system->cell, system->periodic)) return PW85_EINVAL;
-    Failure const first = first_failure(system->num_particles, [&](std::size_t i) {
-        Extent extent;
-        Move move;
-        return measure(particles, lattice, i, extent, move);
-    });
-    if (first.status != PW85_SUCCESS) *particle = first.index;
-    return first.status;
+    return in_default_environment([&] { return check(*system, scale, skin, *particle); });
 }
 
 int pw85_neighbors_holds(pw85_neighbors const *list, pw85_system const *system, int *holds)
@@ -307,14 +326,7 @@ int pw85_neighbors_holds(pw85_neighbors const *list, pw85_system const *system, 
     if (any_null(holds)) return PW85_EINVAL;
     *holds = -1;
     if (any_null(list) || any_null(system) || !can_be_of(*list, *system)) return PW85_EINVAL;
-    DefaultEnvironment const environment;
-    Particles const particles{*system, list->scale, list->skin};
-    Periodicity lattice;
-    if (!particles.are_valid() || !lattice.prepare(system->cell, system->periodic)) return PW85_EINVAL;
-    SharedMotions const shared = shared_motions(*list, particles, Deformation(lattice, system->cell, list->cell));
-    if (shared.bad.status != PW85_SUCCESS) return shared.bad.status;
-    *holds = shared.are_there();
-    return PW85_SUCCESS;
+    return in_default_environment([&] { return compare(*list, *system, *holds); });
 }
 
 pw85_pair_list pw85_neighbors_list(pw85_neighbors const *list)

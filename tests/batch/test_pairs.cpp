@@ -260,6 +260,39 @@ void test_cell_sizes()
     }
 }
 
+// Up to 2⁵⁰ cells away the nearest image is told, though to an eighth of a cell only; beyond it pairs are bad, unless the cell is not
+// periodic there. Lists are long enough for lanes, and for what these leave.
+void test_far_centers()
+{
+    pw85::Cell const cell = {{{2, 0, 0}, {0, 2, 0}, {0, 0, 2}}};
+    std::vector<Vector3> const centers = {{0, 0, 0}, {0x1p51, 0, 0}, {0x1.01p51, 0, 0}, {0, -0x1p60, 0}, {0, 0, 1e300}};
+    std::vector<Form3> const forms(5, Form3{0.16, 0, 0, 0.16, 0, 0.16});
+    for (bool const periodic : {true, false})
+        for (std::int32_t k = 1; k < 5; ++k) {
+            std::vector<pw85::IndexPair> const pairs(20, {0, k});
+            pw85::Particles const particles{
+                centers, forms, &cell, {periodic || k != 2, periodic || k != 3, periodic || k != 4}};
+            bool const bad = periodic && k > 1;
+            auto const expected = bad ? pw85::Status::invalid_argument : pw85::Status::success;
+            std::vector<double> mu2(20), lambda(20), t(20);
+            std::vector<unsigned char> overlap(20);
+            std::vector<Vector3> r12(20);
+            std::vector<pw85::Motion<double, 3>> const motions(5);
+            g_assert_true(pw85::contact_pairs({pairs}, particles, mu2, lambda) == expected);
+            g_assert_true(pw85::overlap_pairs({pairs}, particles, overlap) == expected);
+            g_assert_true(pw85::first_contact_pairs({pairs}, particles, motions, 1.0, {t}) == expected);
+            g_assert_true(pw85::nearest_images(pairs, particles, r12, {}) == expected);
+            for (std::size_t n = 0; n < 20; ++n) {
+                g_assert_true(std::isnan(mu2[n]) == bad && std::isnan(lambda[n]) == bad && std::isnan(t[n]) == bad);
+                g_assert_true(overlap[n] == (bad ? 255 : k == 1) && std::isnan(r12[n][0]) == bad);
+            }
+            std::vector<std::int32_t> const others(20, k);
+            int any = 7;
+            g_assert_true(pw85::overlap_any_indices(centers[0], forms[0], others, particles, any) == expected);
+            g_assert_cmpint(any, ==, bad ? -1 : k == 1);
+        }
+}
+
 void test_bad_cells()
 {
     double const nan = std::numeric_limits<double>::quiet_NaN();
@@ -368,6 +401,7 @@ int main(int argc, char **argv)
     g_test_add_func("/pairs/special_cells", test_special_cells);
     g_test_add_func("/pairs/contact_in_cell", test_contact_in_cell);
     g_test_add_func("/pairs/cell_sizes", test_cell_sizes);
+    g_test_add_func("/pairs/far_centers", test_far_centers);
     g_test_add_func("/pairs/bad_cells", test_bad_cells);
     g_test_add_func("/pairs/bad_indices", test_bad_indices);
     g_test_add_func("/pairs/arguments", test_arguments);

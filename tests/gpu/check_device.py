@@ -69,20 +69,6 @@ def assemble(ptxas, path):
         complain("the assembler says nothing of functions")
 
 
-def check_amd(program):
-    kernels = []
-    for block in program.split("  - .agpr_count:")[1:]:
-        value = dict(re.findall(r"\.(\w+): +(\S+)", block))
-        kernels.append(value["name"])
-        spilled = int(value["vgpr_spill_count"]) + int(value["sgpr_spill_count"])
-        # Registers are given out in other numbers: what counts is that none is spilled.
-        check_usage(value["name"], 0, int(value["private_segment_fixed_size"]), spilled)
-    for outside in re.findall(r"^\s*\.(?:weak|globl)\s+(?!pw85_)(\w+)", program, re.MULTILINE):
-        if not re.search(rf"^{outside}:", program, re.MULTILINE) and not outside.startswith("__hip_cuid"):
-            complain(f"from outside: {outside}")
-    return kernels
-
-
 def main():
     ptxas, command = sys.argv[1], sys.argv[2:]
     with tempfile.TemporaryDirectory() as folder:
@@ -92,7 +78,7 @@ def main():
         if done.returncode != 0:
             sys.exit("it does not compile")
         program = path.read_text(encoding="utf-8")
-        found = check_ptx(program) if program.lstrip().startswith("//") else check_amd(program)
+        found = check_ptx(program)
         if ptxas:
             assemble(ptxas, path)
     if sorted(found) != sorted(KERNELS):

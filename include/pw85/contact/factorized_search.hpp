@@ -6,49 +6,17 @@
 
 #include <pw85/contact/iteration.hpp>
 #include <pw85/contact/refinement.hpp>
+#include <pw85/contact/safeguarded_search.hpp>
 
 namespace pw85::detail {
 
-/// The largest number of evaluations that one search on the factorised form makes: 3 free steps, 8 of growing length to enclose
-/// the root, which lies in the range of double, 17 bisections of log t to make the bracket narrow, 8 steps that halve down to
-/// penultimate_step(), and the last evaluation.
-inline constexpr int max_factorized_steps = 37;
+/// The number of steps that may go anywhere in the bracket, a choice (bench/choices.py).
+inline constexpr int free_factorized_steps = 3;
 
-/// What is known of the root from item 3.
-template <class T> struct Bracket {
-    T lower, upper; ///< of t; the limits of the scalar when unknown
-    T reach;        ///< factor from the end that is known to the next probe
-};
-
-/// Takes note of the fixed-point map's image of some t, a bound on the side where it is from t.
-template <class T> PW85_FUNCTION inline void update(Bracket<T> &bracket, T const &t, T const &image) noexcept
-{
-    if (image > t)
-        bracket.lower = maximum(bracket.lower, image);
-    else
-        bracket.upper = minimum(bracket.upper, image);
-}
-
-template <class T> PW85_FUNCTION inline bool is_narrow(Bracket<T> const &bracket) noexcept
-{
-    return bracket.upper <= bracket.lower + penultimate_step<T>() * bracket.lower;
-}
-
-template <class T> PW85_FUNCTION inline T clamp(Bracket<T> const &bracket, T const &t) noexcept
-{
-    return minimum(maximum(t, bracket.lower), bracket.upper);
-}
-
-/// The middle of log t, or a point far beyond the end that is known, the farther the more were tried.
-template <class T> PW85_FUNCTION inline T probe(Bracket<T> &bracket) noexcept
-{
-    bool const below = !(bracket.lower > smallest_number<T>());
-    bool const above = !(bracket.upper < largest_number<T>());
-    if (!below && !above) return square_root(bracket.lower) * square_root(bracket.upper);
-    T const t = clamp(bracket, below ? T(bracket.upper / bracket.reach) : T(bracket.lower * bracket.reach));
-    bracket.reach = bracket.reach * bracket.reach;
-    return t;
-}
+/// The largest number of evaluations that one search on the factorised form makes: the free steps, probes to enclose the root, which
+/// lies in the range of double, 17 bisections of log t to make the bracket narrow, 8 steps that halve down to penultimate_step(), and
+/// the last evaluation.
+inline constexpr int max_factorized_steps = free_factorized_steps + max_probes<double>() + 17 + 8 + 1;
 
 /// How a search solves with M: by factorisation, or with the solution refined.
 enum class Precision { working, refined };
@@ -62,40 +30,40 @@ template <class T, int D> PW85_FUNCTION inline Vector<T, D> solve_for_separation
     return precision == Precision::refined ? refine(pair, t, factors, s) : s;
 }
 
-/// Iterates from the candidate until a step is within penultimate_step(), or only rounding noise is left. Three steps are free
-/// to go anywhere in the bracket; later ones bisect it unless Halley's steps halve. False after max_steps, and where the search ends
-/// out of reach of Halley's method, so that h' is not known. Not inlined: extended numbers need much stack, at one place at a time.
+/// The candidate where a search ends, by one more step if it can be trusted.
+template <class T> PW85_FUNCTION inline Candidate<T> end_of_search(SafeguardedSearch<T> const &state, Slope<T> const &s,
+                                                                   TrustedStep<T> const &trusted) noexcept
+{
+    T const factor = trusted.near ? exponential(trusted.step) : T(1);
+    Candidate<T> candidate{clamp(state, T(state.t * factor)), T(1), T(0)};
+    expect_derivatives(candidate, s, factor, trusted.near);
+    return candidate;
+}
+
+/// Iterates from the candidate until a step is within penultimate_step(), or only rounding noise is left (item 2). Each evaluation gives
+/// a bound (item 3). False after max_steps, and where the search ends out of reach of Halley's method, so that h' is not known. Not
+/// inlined: extended numbers need much stack, at one place at a time.
 template <class T, int D>
 [[gnu::noinline]] PW85_FUNCTION inline bool search(Pair<T, D> const &pair, Candidate<T> &candidate, Precision precision,
                                                    int &evaluations, int max_steps = max_factorized_steps - 1) noexcept
 {
-    T const smallest = smallest_number<T>(), largest = largest_number<T>();
-    Bracket<T> bracket{smallest, largest, T(1024)};
-    T t = clamp(bracket, candidate.t), shortest = T(2); // of Halley's steps, which is_near() keeps below 5/4
+    auto state = safeguarded_search(candidate.t, free_factorized_steps);
     for (int i = 1;; ++i) {
-        auto const factors = factorize_blend(T(1), pair.q1, t, pair.q2);
-        Jet<T> const jet = evaluate_jet(pair, factors, solve_for_separation(pair, t, factors, precision));
+        auto const factors = factorize_blend(T(1), pair.q1, state.t, pair.q2);
+        Jet<T> const jet = evaluate_jet(pair, factors, solve_for_separation(pair, state.t, factors, precision));
         ++evaluations;
-        Slope<T> const s = slope(jet, pair.ratio, t);
-        Step<T> const step = halley_step(s);
-        // Out of the range of the scalar the step is 0/0 or NaN.
-        bool const near = is_near(s) && step.denominator > T(0) && is_within(step, T(2));
-        T const size = near ? T(absolute(step.numerator) / step.denominator) : T(2);
-        T const image = minimum(largest, maximum(smallest, T(square_root(T(jet.a / jet.b)) / pair.ratio)));
-        bool const pinned = is_narrow(bracket); // t is in it
-        update(bracket, t, image);
-        bool const halves = size <= T(0.5) * shortest, noise = near && !halves && shortest < T(0.1);
-        bool const found = size <= penultimate_step<T>() || pinned || noise;
+        Slope<T> const s = slope(jet, pair.ratio, state.t);
+        TrustedStep<T> const trusted = trust(halley_step(s), s);
+        T const image = fixed_point_image(jet, pair.ratio);
+        bool const pinned = is_narrow(state, penultimate_step<T>()); // t is in it
+        take_bound(state, image > state.t, image);
+        bool const noise = trusted.near && !halves(state, trusted.size) && state.shortest < T(0.1);
+        bool const found = trusted.size <= penultimate_step<T>() || pinned || noise;
         if (found || i >= max_steps) {
-            T const factor = near ? exponential(step) : T(1);
-            candidate = {clamp(bracket, T(t * factor)), T(1), T(0)};
-            expect_derivatives(candidate, s, factor, near);
-            return found && near;
+            candidate = end_of_search(state, s, trusted);
+            return found && trusted.near;
         }
-        shortest = minimum(shortest, size);
-        T const next = t * (near ? exponential(step) : secular_factor(jet, pair.ratio, t));
-        t = clamp(bracket, next > smallest && next < largest ? next : image);
-        if (i > 3 && !halves) t = probe(bracket);
+        take_step(state, next_guess(jet, trusted, pair.ratio, state.t, image), trusted.size);
     }
 }
 

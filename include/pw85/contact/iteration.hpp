@@ -98,6 +98,34 @@ template <class T> PW85_FUNCTION inline T secular_factor(Jet<T> const &j, T cons
     return rough_quotient(select(positive, T(omega * eb), T(root - half)), select(positive, T(half + root), ea));
 }
 
+/// A step, and whether to trust it: where h is far from zero, or beyond the range of the scalar, where the step is 0/0 or NaN, there is no
+/// telling.
+template <class T> struct TrustedStep {
+    Step<T> step;
+    T size; ///< magnitude; 2, which is above any that is trusted, where it is not
+    bool near;
+};
+
+template <class T> PW85_FUNCTION constexpr TrustedStep<T> trust(Step<T> const &step, Slope<T> const &s) noexcept
+{
+    bool const near = is_near(s) && step.denominator > T(0) && is_within(step, T(2));
+    return {step, near ? T(absolute(step.numerator) / step.denominator) : T(2), near};
+}
+
+/// e^(x - h), which item 3 has between t and the root.
+template <class T> PW85_FUNCTION inline T fixed_point_image(Jet<T> const &j, T const &ratio) noexcept
+{
+    return minimum(largest_number<T>(), maximum(smallest_number<T>(), T(square_root(T(j.a / j.b)) / ratio)));
+}
+
+/// The next t: by a step that is trusted, else by item 4, and where this leaves the range of the scalar the image of item 3.
+template <class T> PW85_FUNCTION inline T next_guess(Jet<T> const &j, TrustedStep<T> const &trusted, T const &ratio,
+                                                     T const &t, T const &image) noexcept
+{
+    T const next = t * (trusted.near ? exponential(trusted.step) : secular_factor(j, ratio, t));
+    return next > smallest_number<T>() && next < largest_number<T>() ? next : image;
+}
+
 /// Where the iteration starts: exact for spheres.
 template <class T, int D> PW85_FUNCTION inline T initial_guess(Pair<T, D> const &pair) noexcept
 {

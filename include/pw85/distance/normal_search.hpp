@@ -24,6 +24,7 @@
 #define PW85_DISTANCE_NORMAL_SEARCH_HPP_INCLUDED
 
 #include <pw85/contact/geometry.hpp>
+#include <pw85/contact/safeguarded_search.hpp>
 #include <pw85/contact/solver.hpp>
 
 namespace pw85::detail {
@@ -342,36 +343,28 @@ PW85_FUNCTION inline T find_shift(DistancePair<T, D> const &pair, T const &ratio
     return shift;
 }
 
-/// The largest number of values of t that search_normal() tries: 13 of growing distance to enclose the one it looks for, which
-/// is in the range of T, 15 and as many as there are digits to make the bracket as narrow as rounding allows, and Newton's
-/// steps, which halve as often at most.
-template <class T> PW85_FUNCTION constexpr int max_ratios() noexcept { return 2 * mantissa_digits<T>() + 28; }
+/// The largest number of values of t that search_normal() tries: probes to enclose the one it looks for, which is in the range of T, 15
+/// and as many as there are digits to make the bracket as narrow as rounding allows, and Newton's steps, which halve as often at most.
+template <class T> PW85_FUNCTION constexpr int max_ratios() noexcept
+{
+    return 2 * mantissa_digits<T>() + 15 + max_probes<T>();
+}
 
-/// A vector along the normal, by a search for t with s from find_shift(): Newton's steps where they stay in the bracket of
-/// item 4 and halve; else bisection of log t, or a point far beyond the end that is known, the farther the more were tried.
+/// A vector along the normal, by a search for t with s from find_shift() and the bracket of item 4.
 template <class T, int D>
 [[gnu::noinline]] PW85_FUNCTION inline Vector<T, D> search_normal(DistancePair<T, D> const &pair, T ratio) noexcept
 {
-    T const largest = largest_number<T>();
-    T lower = T(0), upper = largest, reach = T(16), shortest = T(2), shift = T(0);
+    auto state = safeguarded_search(ratio, 0);
+    T shift = T(0);
     for (int i = 1;; ++i) {
-        shift = find_shift(pair, ratio, shift);
-        Multipliers<T> const x{ratio, shift};
+        shift = find_shift(pair, state.t, shift);
+        Multipliers<T> const x{state.t, shift};
         auto const v = solve_normal(pair, factorize_normal(pair, x), x);
         auto const step = newton_step(pair, v.jet, x);
         if (is_within(step, v.jet, last_digits<T>())) return advance(v, x, step);
-        (ratio * ratio * v.jet.b > v.jet.a ? upper : lower) = ratio;
-        if (i >= max_ratios<T>() || !(upper - lower > T(4) * unit_roundoff<T>() * upper)) return v.u;
-        T const size = absolute(T(step.numerator / step.denominator)), next = advance(x, step).ratio;
-        if (next > lower && next < upper && T(2) * size <= shortest) {
-            shortest = size;
-            ratio = next;
-        } else if (lower > T(0) && upper < largest)
-            ratio = lower * square_root(T(upper / lower));
-        else {
-            ratio = lower > T(0) ? T(lower * reach) : T(upper / reach);
-            reach = reach * reach;
-        }
+        take_bound(state, !(x.ratio * x.ratio * v.jet.b > v.jet.a), x.ratio);
+        if (i >= max_ratios<T>() || is_narrow(state, T(T(4) * unit_roundoff<T>()))) return v.u;
+        take_step(state, advance(x, step).ratio, absolute(T(step.numerator / step.denominator)));
     }
 }
 

@@ -223,11 +223,47 @@ template <class T, int D> PW85_FUNCTION inline T maximiser(BodyPair<T, D> const 
     return maximum(smallest_number<T>(), minimum(largest_number<T>(), t));
 }
 
+/// Whether numbers still tell where the bodies are. Sizes that grow out of the range of T are no fault of the arguments, nor orientations
+/// that nobody knows.
+template <class T, int D>
+PW85_FUNCTION inline bool is_known(BodyPair<T, D> const &pair, View<T> const &view, T const &time) noexcept
+{
+    return view.clearance.p[0] * T(0) == T(0) &&
+           maximum(pair.bodies[0].rate, pair.bodies[1].rate) * time <= longest_turn<T>();
+}
+
+/// Whether the excess of f over 1 is above rounding.
+template <class T> PW85_FUNCTION constexpr bool is_clear(View<T> const &view) noexcept
+{
+    return view.clearance.p[0] > view.slack;
+}
+
+/// Whether a view from a t that was not sought for its time says enough: f is at its maximum, or near it and clear.
+template <class T> PW85_FUNCTION constexpr bool is_enough(View<T> const &view) noexcept
+{
+    Drift<T> const &drift = view.drift;
+    return drift.near && (is_clear(view) || drift.newton * drift.newton <= T(unit_roundoff<T>()));
+}
+
+/// Whether a pair that is not clear separates, and overlaps by no more than one that has just collided.
+template <class T> PW85_FUNCTION constexpr bool just_separates(View<T> const &view) noexcept
+{
+    return view.clearance.p[1] > T(0) && view.clearance.p[0] >= -T(touching_tolerance) * view.slack;
+}
+
+/// Whether a step of x in time and one in log t lead to the contact, to rounding.
+template <class T>
+PW85_FUNCTION constexpr bool ends_at_contact(View<T> const &view, T const &x, T const &log_t) noexcept
+{
+    return view.drift.near && view.clearance.p[1] < T(0) && x < longest_advance<T>() &&
+           error_of_step(view.clearance, view.target, x, log_t) <= view.slack;
+}
+
 /// The largest number of steps of first_contact(): some thousand radians of rotation without contact.
 inline constexpr int max_advances = 10000;
 
-/// first_contact() of a valid pair, in a unit of time in which its rates are below 2. A pair that was apart touches where the excess
-/// is rounding; one that was not may separate first. t follows the maximum of f, which is sought anew where it is lost.
+/// first_contact() of a valid pair, in a unit of time in which its rates are below 2. A pair that was apart touches where it is not clear;
+/// one that was not may separate first. t follows the maximum of f, which is sought anew where it is lost.
 template <class T, int D>
 PW85_FUNCTION inline FirstContact<T> advance_to_contact(MovingPair<T, D> const &moving, T const &end) noexcept
 {
@@ -237,27 +273,19 @@ PW85_FUNCTION inline FirstContact<T> advance_to_contact(MovingPair<T, D> const &
         T const wait = time_apart(moving.start, time);
         time = time + wait;
         if (time >= end) return {infinity<T>(), Status::success};
-        lost = lost || wait > T(0);
         auto const pair = pair_at(moving, time);
-        if (lost) t = maximiser(pair);
+        bool const sought = lost || wait > T(0);
+        if (sought) t = maximiser(pair);
         View<T> const v = view(pair, t);
-        // Sizes that grow out of the range of T are no fault of the arguments, nor orientations that nobody knows.
-        bool const known = v.clearance.p[0] * T(0) == T(0) &&
-                           maximum(pair.bodies[0].rate, pair.bodies[1].rate) * time <= longest_turn<T>();
-        if (!known) return all_nan<FirstContact<T>>(Status::no_convergence);
-        bool const sure = lost || (v.drift.near && v.drift.newton * v.drift.newton <= T(unit_roundoff<T>()));
-        lost = !sure && !(v.drift.near && v.clearance.p[0] > v.slack);
+        if (!is_known(pair, v, time)) return all_nan<FirstContact<T>>(Status::no_convergence);
+        lost = !(sought || is_enough(v));
         if (lost) continue;
-        bool const touches = !(v.clearance.p[0] > v.slack);
-        bool const separates = v.clearance.p[1] > T(0) && v.clearance.p[0] >= -T(touching_tolerance) * v.slack;
-        if (touches && (apart || !separates)) return {time, Status::success};
-        apart = apart || !touches;
+        if (!is_clear(v) && (apart || !just_separates(v))) return {time, Status::success};
+        apart = apart || is_clear(v);
         T const x = safe_time(v.clearance, v.slack, minimum(T(end - time), longest_advance<T>()));
         T const log_t = v.drift.newton + v.drift.rate * x, next = time + x;
         if (next >= end) return {infinity<T>(), Status::success};
-        bool const last = v.drift.near && v.clearance.p[1] < T(0) && x < longest_advance<T>() &&
-                          error_of_step(v.clearance, v.target, x, log_t) <= v.slack;
-        if (last || !(next > time)) return {next, Status::success};
+        if (ends_at_contact(v, x, log_t) || !(next > time)) return {next, Status::success};
         time = next;
         lost = !(v.drift.near && absolute(log_t) < T(1));
         t = t * exponential(Step<T>{log_t, T(1)});

@@ -46,8 +46,8 @@ first_contact_of_translation(ScaledPair<T, D> const &scaled, Vector<T, D> const 
     T const largest = largest_coordinate(velocity);
     int const unit = largest > T(0) ? binary_exponent(largest) : 0, exponent = scaled.length - unit;
     Vector<T, D> const v = times_power_of_two(scaled.swapped ? -velocity : velocity, -unit);
-    return in_unit_of_time(find_passage(scaled.pair, v, tangent_in_units(scaled), times_power_of_two(end, -exponent)),
-                           exponent);
+    Flight<T, D> const flight{scaled.pair, v, tangent_in_units(scaled)};
+    return in_unit_of_time(find_passage(flight, times_power_of_two(end, -exponent)), exponent);
 }
 
 /// first_contact() of a valid pair, in the unit of time in which the largest rate is of order one. That of the velocity is how often it

@@ -110,10 +110,6 @@ PW85_FUNCTION inline Prospect prospect(Passage<T, D> const &p, T const &target, 
     return Prospect::near;
 }
 
-/// The largest number of values of t that find_passage() tries: those of search(), of which each but the last ends the search for
-/// some time, and with the time moving along.
-inline constexpr int max_passages = 100;
-
 /// A Jet without second derivatives, for Newton's steps, from A, B and bend = (Q2s)ᵀM⁻¹Q2s: A' = -2 (B - t bend), B' = -2 bend.
 template <class T> PW85_FUNCTION constexpr Jet<T> first_jet(T const &a, T const &b, T const &bend, T const &t) noexcept
 {
@@ -138,51 +134,108 @@ PW85_FUNCTION inline T delay(Slope<T> const &s, T const &ratio, T const &t, T co
     return T(0.25) * (lambda * (T(1) - lambda)) * (s.difference / level) * step * (target / root);
 }
 
-/// The first contact in the units of a Pair, where f of a tangent pair is `tangent`; items 1 and 2.
-template <class T, int D> PW85_FUNCTION inline FirstContact<T>
-find_passage(Pair<T, D> const &pair, Vector<T, D> const &velocity, T const &tangent, T const &end) noexcept
+/// The largest number of values of t that find_passage() tries: those of search(), of which each but the last ends the search for
+/// some time, and with the time moving along.
+inline constexpr int max_passages = 100;
+
+/// The number of steps that may go anywhere in the bracket, a choice: two more than those of search(), as the time moves.
+inline constexpr int free_passage_steps = 5;
+
+/// A pair that translates, in the units of a Pair.
+template <class T, int D> struct Flight {
+    Pair<T, D> const &pair;
+    Vector<T, D> const &velocity;
+    T tangent; ///< f of a tangent pair
+};
+
+/// What item 1 says from some time on, at one t.
+template <class T, int D> struct Outlook {
+    Factorization<T, D> factors;
+    T target;
+    Passage<T, D> passage;
+    Prospect prospect;
+    T wait; ///< from that time to the one to which item 1 leads
+};
+
+template <class T, int D>
+PW85_FUNCTION inline Outlook<T, D> outlook(Flight<T, D> const &flight, T const &t, T const &time) noexcept
 {
-    T const smallest = smallest_number<T>(), largest = largest_number<T>();
-    Bracket<T> bracket{smallest, largest, T(1024)};
-    T t = clamp(bracket, initial_guess(pair)), shortest = T(2), origin = T(0);
+    auto const m = blend(flight.pair.q1, t, flight.pair.q2);
+    auto const factors = factorize(m, T(unit_roundoff<T>()));
+    T const target = target_at(flight.tangent, flight.pair.ratio, t);
+    auto const p = passage(add_scaled(flight.pair.r12, time, flight.velocity), flight.velocity, target, m, factors);
+    T wait;
+    Prospect const expected = prospect(p, target, time, wait);
+    return {factors, target, p, expected, wait};
+}
+
+/// The jet at the time to which an outlook leads.
+template <class T, int D>
+PW85_FUNCTION inline Jet<T> jet_then(Flight<T, D> const &flight, Outlook<T, D> const &view, T const &t) noexcept
+{
+    Vector<T, D> const s = add_scaled(view.passage.s, view.wait, view.passage.s_velocity);
+    Vector<T, D> const q = product(flight.pair.q2, s);
+    auto const weights = outer_weights(s);
+    T const a = positive_form(flight.pair.q1, weights), b = positive_form(flight.pair.q2, weights);
+    return first_jet(a, b, dot(q, solve(view.factors, q)), t);
+}
+
+/// Newton's step for the root of h.
+template <class T> PW85_FUNCTION constexpr Step<T> newton_step(Slope<T> const &s) noexcept
+{
+    return {-s.difference * s.weight, s.sum * s.k};
+}
+
+/// How fast the excess of an outlook falls at the time to which it leads, over two.
+template <class T, int D> PW85_FUNCTION constexpr T root_then(Outlook<T, D> const &view) noexcept
+{
+    return view.passage.approach - view.passage.speed * view.wait;
+}
+
+/// Whether delay() is right to rounding for a step of some size. Where passages graze, with little change of f in time, it may shift the
+/// maximum.
+template <class T, int D> PW85_FUNCTION constexpr bool tells_delay(Outlook<T, D> const &view, T const &size) noexcept
+{
+    T const shift = size * size, grazing = last_passage_step<T>() * root_then(view);
+    return view.prospect == Prospect::contact && size <= final_step<T>() &&
+           shift * shift * view.passage.speed * view.target < grazing * grazing;
+}
+
+/// A contact, if it is not after the end.
+template <class T> PW85_FUNCTION constexpr FirstContact<T> contact_until(T const &end, T const &time) noexcept
+{
+    return {time > end ? infinity<T>() : time, Status::success};
+}
+
+/// The first contact of a flight, by items 1 and 2. A time before the root tells no side of it.
+template <class T, int D>
+PW85_FUNCTION inline FirstContact<T> find_passage(Flight<T, D> const &flight, T const &end) noexcept
+{
+    T const &ratio = flight.pair.ratio;
+    auto state = safeguarded_search(initial_guess(flight.pair), free_passage_steps);
+    T time = T(0);
     bool last = false;
-    for (int i = 1; i <= max_passages; ++i) {
-        auto const m = blend(pair.q1, t, pair.q2);
-        auto const factors = factorize(m, T(unit_roundoff<T>()));
-        T const target = target_at(tangent, pair.ratio, t);
-        auto const p = passage(add_scaled(pair.r12, origin, velocity), velocity, target, m, factors);
-        T time;
-        Prospect const expected = prospect(p, target, origin, time);
-        T const reached = origin + time;
-        if (expected == Prospect::none || reached > end) return {infinity<T>(), Status::success};
-        bool const far = is_far(p, target) && reached > origin;
-        if (last) return {reached, Status::success};
-        Vector<T, D> const arm = add_scaled(p.s, time, p.s_velocity), q = product(pair.q2, arm);
-        auto const weights = outer_weights(arm);
-        T const a = positive_form(pair.q1, weights), b = positive_form(pair.q2, weights);
-        Jet<T> const jet = first_jet(a, b, dot(q, solve(factors, q)), t);
-        Slope<T> const s = slope(jet, pair.ratio, t);
-        Step<T> const step{-s.difference * s.weight, s.sum * s.k}; // Newton's
-        bool const near = is_near(s) && step.denominator > T(0) && is_within(step, T(2));
-        T const size = near ? T(absolute(step.numerator) / step.denominator) : T(2);
-        T const image = minimum(largest, maximum(smallest, T(square_root(T(T(1) / jet.b)) / pair.ratio)));
-        if (!far) (image > t ? bracket.lower : bracket.upper) = t; // a time before the root tells no side
-        // The delay is right to rounding; where passages graze, with little change of f in time, it may shift the maximum.
-        T const root = p.approach - p.speed * time;
-        T const shift = size * size, grazing = last_passage_step<T>() * root;
-        if (expected == Prospect::contact && !far && size <= final_step<T>() &&
-            shift * shift * p.speed * target < grazing * grazing) {
-            T const touched = reached + delay(s, pair.ratio, t, root, target);
-            return {touched > end ? infinity<T>() : touched, Status::success};
-        }
-        origin = reached;
-        last = !far && (size <= last_passage_step<T>() ||
-                        bracket.upper <= bracket.lower + last_passage_step<T>() * bracket.lower);
-        bool const halves = far || size <= T(0.5) * shortest;
-        if (!far) shortest = minimum(shortest, size);
-        T const next = t * (near ? exponential(step) : secular_factor(jet, pair.ratio, t));
-        t = clamp(bracket, next > smallest && next < largest ? next : image);
-        if (i > 5 && !halves && !last) t = probe(bracket);
+    for (int i = 0; i < max_passages; ++i) {
+        T const t = state.t;
+        auto const view = outlook(flight, t, time);
+        T const reached = time + view.wait;
+        if (view.prospect == Prospect::none || reached > end) return contact_until(end, infinity<T>());
+        if (last) return contact_until(end, reached);
+        bool const before = is_far(view.passage, view.target) && reached > time;
+        Jet<T> const jet = jet_then(flight, view, t);
+        Slope<T> const s = slope(jet, ratio, t);
+        auto const trusted = trust(newton_step(s), s);
+        T const image = fixed_point_image(jet, ratio);
+        if (!before) take_bound(state, image > t, t);
+        if (!before && tells_delay(view, trusted.size))
+            return contact_until(end, T(reached + delay(s, ratio, t, root_then(view), view.target)));
+        time = reached;
+        last = !before && (trusted.size <= last_passage_step<T>() || is_narrow(state, last_passage_step<T>()));
+        T const next = next_guess(jet, trusted, ratio, t, image);
+        if (before || last)
+            go_to(state, next);
+        else
+            take_step(state, next, trusted.size);
     }
     return all_nan<FirstContact<T>>(Status::no_convergence);
 }
