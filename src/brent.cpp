@@ -63,7 +63,7 @@ bool refine(Pair<double, 3> const &pair, Candidate<double> &candidate, Options c
 Contact<double> contact_function(Vector<double, 3> const &r12, SymmetricMatrix<double, 3> const &q1,
                                  SymmetricMatrix<double, 3> const &q2, Options const &options) noexcept
 {
-    if (is_ordinary(r12, q1, q2)) return to_contact(maximize(Pair<double, 3>{r12, q1, q2, 1.0}, options));
+    if (passes_fast_checks(r12, q1, q2)) return to_contact(maximize(Pair<double, 3>{r12, q1, q2, 1.0}, options));
     ScaledPair<double, 3> scaled;
     Status const status = validate(r12, q1, q2, scaled);
     if (status != Status::success) return all_nan<Contact<double>>(status);

@@ -74,7 +74,7 @@ template <class T, int D> void check(Sample<T, D> const &s, T const &t, Tally &t
     tally.only_refined += !by_adjugate && !by_factors;
 }
 
-/// A form twice, with nearly all the ill-conditioning that is_ordinary() lets pass: no blend is better conditioned than it, but μ² is,
+/// A form twice, with nearly all the ill-conditioning that passes_fast_checks() lets pass: no blend is better conditioned than it, but μ² is,
 /// since s has any direction.
 template <class T, int D> Sample<T, D> like_pair(Random &random)
 {
@@ -94,7 +94,7 @@ template <class T, int D> void test_random()
         auto const s = n % 3 == 0   ? like_pair<T, D>(random)
                        : n % 2 == 0 ? convert<T>(crossed_pair<D>(random, aspect))
                                     : convert<T>(random_pair<D>(random, {.aspect = aspect, .size_ratio = 10.0}));
-        if (!pw85::detail::is_ordinary(s.r12, s.q1, s.q2)) continue;
+        if (!pw85::detail::passes_fast_checks(s.r12, s.q1, s.q2)) continue;
         double const lambda =
             pw85::contact(convert<double>(s.r12), convert<double>(s.q1), convert<double>(s.q2)).lambda;
         double const shift = random.log_uniform(pw85::detail::unit_roundoff<T>(), 0.1);

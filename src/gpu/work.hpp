@@ -154,7 +154,7 @@ PW85_FUNCTION inline LastEvaluation<double> search_rationally(Pair3 const &pair)
     auto search = start_search(pair, initial_guess(pair));
     for (int step = 0; search.active && step < max_rational_steps; ++step) take_step(search, pair.ratio);
     auto last = last_evaluation(pair, search.candidate);
-    last.certain = last.certain && is_ordinary(pair.r12, pair.q1, pair.q2);
+    last.certain = last.certain && passes_fast_checks(pair.r12, pair.q1, pair.q2);
     return last;
 }
 

@@ -67,7 +67,7 @@ contact_chunk(Rows const &rows, Chunk const &chunk, kernels::Worklist &left_over
         std::size_t const first = begin + k * lanes, left = count - k * lanes;
         auto const &pair = searches.pairs[k];
         auto const last = last_evaluation(pair, searches.states[k].candidate);
-        PackMask const certain = last.certain && is_ordinary(pair.r12, pair.q1, pair.q2);
+        PackMask const certain = last.certain && passes_fast_checks(pair.r12, pair.q1, pair.q2);
         unsigned const done = write(pair, last.value, certain, first, left);
         for_lanes(live_lanes(left) & ~done, [&](unsigned i) { left_over.push(first + i); });
     }

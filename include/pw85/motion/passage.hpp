@@ -59,7 +59,7 @@ inline constexpr int touching_tolerance = 128;
 
 /// What the motion can be at one λ: not to touch, to be too near from the beginning for this λ to tell, or to touch not before
 /// some time.
-enum class Prospect { none, near, contact };
+enum class PassageOutcome { none, near, contact };
 
 /// rᵀM⁻¹r where f = 1, for f = τ/(1+τ) rᵀM⁻¹r with τ = ratio² t.
 template <class T> PW85_FUNCTION constexpr T target_at(T const &tangent, T const &ratio, T const &t) noexcept
@@ -95,19 +95,19 @@ template <class T, int D> PW85_FUNCTION constexpr bool is_far(Passage<T, D> cons
 /// Where item 1 leads to from `origin` on, a time that a contact is not before. A pair that would miss by no more than rounding touches;
 /// one that overlaps at time 0 by no more and separates does not. From afar the discriminant errs by the rounding of rᵀM⁻¹r, and as
 /// that of vᵀM⁻¹v and twice that of rᵀM⁻¹v is as much where v points at the other ellipsoid, by four times that: so much is left for later.
-template <class T, int D>
-PW85_FUNCTION inline Prospect prospect(Passage<T, D> const &p, T const &target, T const &origin, T &time) noexcept
+template <class T, int D> PW85_FUNCTION inline PassageOutcome passage_outcome(Passage<T, D> const &p, T const &target,
+                                                                              T const &origin, T &time) noexcept
 {
     bool const starts = !(origin > T(0));
     time = T(0);
-    if (starts && p.excess > -T(touching_tolerance) * p.slack && p.approach < T(0)) return Prospect::none;
-    if (starts && !(p.excess > T(0))) return Prospect::near;
+    if (starts && p.excess > -T(touching_tolerance) * p.slack && p.approach < T(0)) return PassageOutcome::none;
+    if (starts && !(p.excess > T(0))) return PassageOutcome::near;
     bool const far = is_far(p, target);
     time = first_root(far ? T(p.excess - T(4) * p.slack) : p.excess, p.approach, p.speed, far ? T(0) : p.slack);
-    if (!(time < infinity<T>())) return Prospect::none;
-    if (origin + time > T(0)) return Prospect::contact;
+    if (!(time < infinity<T>())) return PassageOutcome::none;
+    if (origin + time > T(0)) return PassageOutcome::contact;
     time = -origin;
-    return Prospect::near;
+    return PassageOutcome::near;
 }
 
 /// The largest number of values of t that find_passage() tries: those of search(), of which each but the last ends the search for
@@ -152,9 +152,9 @@ find_passage(Pair<T, D> const &pair, Vector<T, D> const &velocity, T const &tang
         T const target = target_at(tangent, pair.ratio, t);
         auto const p = passage(add_scaled(pair.r12, origin, velocity), velocity, target, m, factors);
         T time;
-        Prospect const expected = prospect(p, target, origin, time);
+        PassageOutcome const expected = passage_outcome(p, target, origin, time);
         T const reached = origin + time;
-        if (expected == Prospect::none || reached > end) return {infinity<T>(), Status::success};
+        if (expected == PassageOutcome::none || reached > end) return {infinity<T>(), Status::success};
         bool const far = is_far(p, target) && reached > origin;
         if (last) return {reached, Status::success};
         Vector<T, D> const arm = add_scaled(p.s, time, p.s_velocity), q = product(pair.q2, arm);
@@ -170,7 +170,7 @@ find_passage(Pair<T, D> const &pair, Vector<T, D> const &velocity, T const &tang
         // The delay is right to rounding; where passages graze, with little change of f in time, it may shift the maximum.
         T const root = p.approach - p.speed * time;
         T const shift = size * size, grazing = last_passage_step<T>() * root;
-        if (expected == Prospect::contact && !far && size <= final_step<T>() &&
+        if (expected == PassageOutcome::contact && !far && size <= final_step<T>() &&
             shift * shift * p.speed * target < grazing * grazing) {
             T const touched = reached + delay(s, pair.ratio, t, root, target);
             return {touched > end ? infinity<T>() : touched, Status::success};

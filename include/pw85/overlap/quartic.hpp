@@ -48,7 +48,7 @@ template <class T> PW85_FUNCTION constexpr T fixed_point_square(QuarticEvaluatio
     return rough_quotient(first_form(e, t), e.form);
 }
 
-// What one t > 0 shows, for a pair with ratio 1 that is_ordinary(). Each error has a form that bounds it whatever the pair: in
+// What one t > 0 shows, for a pair with ratio 1 that passes_fast_checks(). Each error has a form that bounds it whatever the pair: in
 // units in which M has a unit diagonal and det M = d, the eigenvalues of adj(M) are between d/3 and 9/4. The margins, in units of
 // u, are the worst cases that scripts/rounding_bounds.py finds to first order: 19.6, 31.6 and 46.6. The last two are 6 % more, for
 // a itself, which errs by 24.2 u/d, is in their form.
@@ -150,7 +150,7 @@ template <class T, int D> PW85_FUNCTION inline Decision decide_by_search(Pair<T,
 template <class Lanes, class T, int D> [[gnu::always_inline]] PW85_FUNCTION inline Decision
 decide_by_quartic(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, SymmetricMatrix<T, D> const &q2) noexcept
 {
-    if (!is_ordinary(r12, q1, q2)) return Decision::none;
+    if (!passes_fast_checks(r12, q1, q2)) return Decision::none;
     Pair<T, D> const pair{r12, q1, q2, T(1)};
     T t;
     Decision const decision = decide_by_points<Lanes>(pair, t);
