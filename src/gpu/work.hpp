@@ -2,9 +2,9 @@
 /// What one thread of a device does for a pair: the search and the tiers of the headers, in two stages.
 ///
 /// The first stage tries what is enough for almost all pairs, so that neighbouring threads go the same way; what it leaves goes to
-/// a list, and a second stage settles that by slower means. Overlaps that are undecided even then, and pairs that are not valid, are
-/// posted to the host, where the functions of many pairs answer for them. Nothing here knows of a device but the list's counter:
-/// compiled for the host it is the same program.
+/// a list, and a second stage settles that by slower means. Overlaps that are undecided even then, and pairs that are not valid,
+/// are posted to the host, where the functions of many pairs answer for them. Nothing here knows of a device but the list's
+/// counter: compiled for the host it is the same program.
 #ifndef PW85_GPU_WORK_HPP_INCLUDED
 #define PW85_GPU_WORK_HPP_INCLUDED
 
