@@ -1,4 +1,4 @@
-// Between the arrays of the C API and the values of the C++ headers.
+// Converts between the arrays of the C API and the values of the C++ headers. All shims of the C API use it.
 #ifndef PW85_C_ARRAYS_HPP_INCLUDED
 #define PW85_C_ARRAYS_HPP_INCLUDED
 
@@ -48,7 +48,7 @@ inline void store_nan(double *x, int count) noexcept
     for (int i = 0; x != nullptr && i < count; ++i) x[i] = quiet_nan<double>();
 }
 
-/// The answer to a null pointer, with NaN in an output.
+/// The status for a null pointer. It also fills one output with NaN.
 inline int null_pointer(double *out, int count) noexcept
 {
     store_nan(out, count);

@@ -182,9 +182,9 @@ template <class Work> void run_attempt(void const *argument, unsigned blocks)
     Tile tile;
     for (unsigned block = 0; block < blocks; ++block) {
         std::memset(static_cast<void *>(&tile), 0xff, sizeof tile);
-        for (unsigned thread = 0; thread < block_size; ++thread) fill(work, tile, block, thread);
+        for (unsigned thread = 0; thread < block_size; ++thread) load_tile(work, tile, block, thread);
         for (unsigned thread = 0; thread < block_size; ++thread) attempt(work, tile, block, thread);
-        for (unsigned thread = 0; thread < block_size; ++thread) take_out(work, tile, block, thread);
+        for (unsigned thread = 0; thread < block_size; ++thread) store_tile(work, tile, block, thread);
     }
 }
 
