@@ -1,8 +1,8 @@
 """The checks of .ci/run: README's two commands, all tests with gcc and clang without warnings, the styles for LAMMPS, sanitizers,
 valgrind, format, static analysis, other platforms, Debian packages, the ABI.
 
-The results are counted from the logs of `meson test`, so that no list of tests is needed here. A step that is not a test counts as one
-result. The last lines of the output are "N skipped" and "N passed, N failed".
+The results are counted from the logs of `meson test`, so that no list of tests is needed here. A step that is not a test counts as
+one result. The last lines of the output are "N skipped" and "N passed, N failed".
 """
 
 import contextlib
@@ -20,8 +20,8 @@ ROOT = Path(__file__).resolve().parent.parent
 BUILDS = ROOT / "build-ci"
 TEST_COMMAND_BUILD = ROOT / "build-test"  # the build folder of scripts/test.sh
 CLANG = {"CC": "clang", "CXX": "clang++"}
-# For machines of scripts/test_cross.sh, the tests to run and their environment. Only tests run that can find an error of that machine: on
-# 64-bit ARM those of code that is compiled per instruction set. In emulation SVE is ten times as slow as NEON.
+# For machines of scripts/test_cross.sh, the tests to run and their environment. Only tests run that can find an error of that
+# machine: on 64-bit ARM those of code that is compiled per instruction set. In emulation SVE is ten times as slow as NEON.
 QUICK = ["--suite", "quick", "--suite", "portable"]
 WITH_LIBRARIES = {
     "aarch64-linux-gnu": ([*QUICK, "--suite", "kernels", "--no-suite", "targets"], {"QEMU_CPU": "cortex-a72"}),
@@ -67,9 +67,9 @@ class Results:
         self.skipped.append(name if allowed else f"{name} (not in MAY_BE_SKIPPED)")
 
     def add_report(self, step, log):
-        """Adds the results of `meson test`. The log, with a JSON object per line, has the result of each program; the JUnit report next
-        to it has the results of its cases, if the program reports cases. A program that fails without a failing case (it crashes,
-        exceeds its time, or leaks memory) counts as one more failure."""
+        """Adds the results of `meson test`. The log, with a JSON object per line, has the result of each program; the JUnit report
+        next to it has the results of its cases, if the program reports cases. A program that fails without a failing case (it
+        crashes, exceeds its time, or leaks memory) counts as one more failure."""
         cases = read_cases(log.with_suffix(".junit.xml"))
         for line in log.read_text().splitlines():
             program = json.loads(line)
@@ -109,7 +109,8 @@ def outcome(case):
 
 
 def folder_of(name):
-    """The build folder of a part. It is next to that of the test command, so that paths are the same and ccache finds its results."""
+    """The build folder of a part. It is next to that of the test command, so that paths are the same and ccache finds its
+    results."""
     return ROOT / f"build-ci-{name}"
 
 
@@ -192,8 +193,8 @@ def check_with_libraries(results, machine):
 
 
 def check_platforms(results):
-    """Tests the core and the library on the platforms for which Debian has a compiler and an emulator. All platforms run the contact
-    problems; those for which Debian has the libraries that tests need run more tests."""
+    """Tests the core and the library on the platforms for which Debian has a compiler and an emulator. All platforms run the
+    contact problems; those for which Debian has the libraries that tests need run more tests."""
     boost = BUILDS / "boost"  # the headers of Boost, without those of other libraries of this system
     (boost / "include").mkdir(parents=True, exist_ok=True)
     if not (boost / "include/boost").exists():
@@ -215,8 +216,8 @@ def tracked(*patterns):
 
 
 def check_static(results):
-    """Static analysis, beside the compilers' warnings and mypy, which the tests run. The analyser of GCC 12 is only for C, where it would
-    see only programs that use the library."""
+    """Static analysis, beside the compilers' warnings and mypy, which the tests run. The analyser of GCC 12 is only for C, where it
+    would see only programs that use the library."""
     scripts = [file for file in tracked("*.sh", ".ci/run", "debian/tests/consumer") if file != "scripts/packages.sh"]
     results.add("shellcheck", run(["shellcheck", "-x", "-s", "sh", "-e", "SC2046", *scripts]))  # unquoted lists of words
     prose = [file for file in tracked() if not file.endswith((".svg", ".png", ".ipynb", ".h5", ".js", ".out", "words.txt", "_pairs.txt"))]

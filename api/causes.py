@@ -1,8 +1,8 @@
 """The causes for which functions of pw85.h return a status other than success, as their contracts in the header name them.
 
-A contract names a cause by certain words in the description of a parameter or of the returned status. The conventions at the top of the
-header name the causes that hold for all functions. The chapter on errors shows the table, and docs/tests/check_causes.py provokes each
-cause in each function.
+A contract names a cause by certain words in the description of a parameter or of the returned status. The conventions at the top of
+the header name the causes that hold for all functions. The chapter on errors shows the table, and docs/tests/check_causes.py
+provokes each cause in each function.
 """
 
 import re

@@ -1,7 +1,7 @@
 """Parses the declarations of the public headers with their comments. It is the only parser of these headers.
 
-The C headers declare every function. The properties of a parameter are read from its type, and from the words at the beginning of its
-sentence in the comment:
+The C headers declare every function. The properties of a parameter are read from its type, and from the words at the beginning of
+its sentence in the comment:
 
 - `double r12[3]` has a fixed length, and a shape of more than one extent if the sentence begins with it: "9×9, symmetric";
 - `double const *r12` is an array whose shape the sentence begins with: "n×3", "n each", where an extent is a number or the name
@@ -9,11 +9,12 @@ sentence in the comment:
 - a pointer that is not to const is an output, and the comment marks it @param[out];
 - "may be null", "or null" and "null if", "null for" mean that the pointer may be null; "any output may be null" means this for all
   outputs;
-- `pw85_pair_list const *list` and `pw85_system const *system` are structs, whose members have comments of the same kind. Members count as
-  parameters of the function, and extents may be names of members. If the comment of a function says "`q` may be null", the function does
-  not read that member. If it says "`cell` is not null", the function needs a pointer that other functions do not need;
-- "as for pw85_f()" refers to the parameter of the same name of another function. A comment that says "arguments as for pw85_f()" or "see
-  pw85_f()" does so for all parameters that it does not describe.
+- `pw85_pair_list const *list` and `pw85_system const *system` are structs, whose members have comments of the same kind. Members
+  count as parameters of the function, and extents may be names of members. If the comment of a function says "`q` may be null", the
+  function does not read that member. If it says "`cell` is not null", the function needs a pointer that other functions do not
+  need;
+- "as for pw85_f()" refers to the parameter of the same name of another function. A comment that says "arguments as for pw85_f()" or
+  "see pw85_f()" does so for all parameters that it does not describe.
 
 docs/ (reference pages, checks of the comments), fortran.py and tables.py import it.
 """

@@ -2,9 +2,9 @@
 
 Usage: fortran.py VERSION [check]
 
-writes the module, or with `check` compares the existing one with the text that it would write. Functions that need more than an interface
-(for strings, pointers, and matrices that C stores by rows) are in the template fortran/pw85.in.f90, which calls the C function by the
-name c_… . Absent optional arguments of Fortran 2018 are null pointers in C.
+writes the module, or with `check` compares the existing one with the text that it would write. Functions that need more than an
+interface (for strings, pointers, and matrices that C stores by rows) are in the template fortran/pw85.in.f90, which calls the C
+function by the name c_… . Absent optional arguments of Fortran 2018 are null pointers in C.
 """
 
 import re
@@ -34,8 +34,8 @@ TYPES = {
 
 
 def argument(parameter, owners):
-    """The attributes of an argument, and its name with its shape. Extents are in the order of Fortran, where rows of C are columns. An
-    extent that is a member of a struct includes the name of the struct."""
+    """The attributes of an argument, and its name with its shape. Extents are in the order of Fortran, where rows of C are columns.
+    An extent that is a member of a struct includes the name of the struct."""
     extents = [f"{owners[extent]}%{extent}" if extent in owners else str(extent) for extent in reversed(parameter.shape)]
     shape = ", ".join(extents)
     name = f"{parameter.name}({shape})" if shape else parameter.name

@@ -43,7 +43,8 @@ def argument(index, parameter):
 
 
 def struct_of(function, struct, names):
-    """The definition of a struct argument. Members that the function does not read are null, and array members are filled with ones."""
+    """The definition of a struct argument. Members that the function does not read are null, and array members are filled with
+    ones."""
     read = {member.name: member for member in members_read(function, struct)}
     values = [argument(names.index(name), read[name]) if name in read else "nullptr" for name, _, _ in members(struct.type)]
     ones = ["{1, 1, 1}"] if struct.type == "pw85_system" else []

@@ -4,12 +4,12 @@
     choices.py BUILD [COMPILER]
 
 Compiles choices.cpp with one constant of the headers replaced at a time, and prints three tables. Nothing is timed.
-1. Constants of the solver: the mean number of evaluations of f at aspect ratios 2, 10, 100, 10⁴ and 10⁶, the largest number, and the
-   per cent of pairs that are solved in the factorised form at 10⁴ and 10⁶.
-2. Points of the test on the quartic: the per cent of pairs that 1, 2, 4 and 8 of them leave undecided, and that 1 to 5 tests along the
-   fixed-point map leave undecided.
-3. The search for the normal of a distance: mean numbers of steps and solutions, and the per cent of searches that start again and that
-   are nested, at aspect ratios 2, 10, 100, 1000 and 10⁴.
+1. Constants of the solver: the mean number of evaluations of f at aspect ratios 2, 10, 100, 10⁴ and 10⁶, the largest number, and
+   the per cent of pairs that are solved in the factorised form at 10⁴ and 10⁶.
+2. Points of the test on the quartic: the per cent of pairs that 1, 2, 4 and 8 of them leave undecided, and that 1 to 5 tests along
+   the fixed-point map leave undecided.
+3. The search for the normal of a distance: mean numbers of steps and solutions, and the per cent of searches that start again and
+   that are nested, at aspect ratios 2, 10, 100, 1000 and 10⁴.
 BUILD is a build directory, from which it takes version.h.
 """
 

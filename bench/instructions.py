@@ -2,8 +2,8 @@
 """Counts instructions per pair on 64-bit ARM by an emulator, for each instruction set. Without such a processor, speed cannot be
 measured otherwise; the cost of an instruction is not taken into account. The table goes to docs/measurements.json.
 
-Usage: instructions.py BUILD, a build directory of scripts/cross/aarch64-linux-gnu.ini with -Dgsl=disabled. Needs qemu-aarch64, gcc and
-aarch64-linux-gnu-g++. Pairs are those of bench/speed.
+Usage: instructions.py BUILD, a build directory of scripts/cross/aarch64-linux-gnu.ini with -Dgsl=disabled. Needs qemu-aarch64, gcc
+and aarch64-linux-gnu-g++. Pairs are those of bench/speed.
 """
 
 import os

@@ -2,10 +2,10 @@
 
 Usage: measure.py [--only TABLE] PROGRAM..., the programs of this folder. Have the machine to yourself.
 
-All tables come from one run, which is written to docs/measurements.json with its conditions. --only replaces a single table, which a
-program prints, and stores its conditions with it. Tables that this run does not produce are kept: instructions on another processor
-(instructions.py), and comparisons with libraries that are not available now. Times are nanoseconds per pair, the shortest of several
-repetitions in which the functions take turns.
+All tables come from one run, which is written to docs/measurements.json with its conditions. --only replaces a single table, which
+a program prints, and stores its conditions with it. Tables that this run does not produce are kept: instructions on another
+processor (instructions.py), and comparisons with libraries that are not available now. Times are nanoseconds per pair, the shortest
+of several repetitions in which the functions take turns.
 """
 
 import csv

@@ -1,6 +1,6 @@
 #!/usr/bin/python3
-"""Estimates what limits the speed of the contact function. For many pairs it is the arithmetic of the loops, which keeps the ports of
-the processor busy; for one pair it is the latency of operations that depend on each other.
+"""Estimates what limits the speed of the contact function. For many pairs it is the arithmetic of the loops, which keeps the ports
+of the processor busy; for one pair it is the latency of operations that depend on each other.
 
     port_pressure.py BUILD
 
@@ -64,8 +64,8 @@ def simulate(texts, iterations):
 
 
 def path(code, begin, is_end, is_barred):
-    """The path from an instruction to the next one for which is_end(), without instructions for which is_barred(), and with the fewest
-    jumps that are taken."""
+    """The path from an instruction to the next one for which is_end(), without instructions for which is_barred(), and with the
+    fewest jumps that are taken."""
     places = {address: i for i, (address, _) in enumerate(code)}
     queue, seen = [(0, begin, [])], set()
     while queue:

@@ -1,7 +1,7 @@
 #!/bin/sh
 # Checks that programs that were linked with the last release run with the libraries of this tree. abidiff (package abigail-tools)
-# compares the libraries with scripts/abi: no function may be missing, and no type, size or status may have changed. New functions and
-# statuses are allowed. Usage:
+# compares the libraries with scripts/abi: no function may be missing, and no type, size or status may have changed. New functions
+# and statuses are allowed. Usage:
 #   scripts/abi.sh            compares
 #   scripts/abi.sh record     writes scripts/abi, for a release or an intended change
 set -eu

@@ -1,5 +1,5 @@
-"""Checks a repaired wheel that is installed in an environment: the wheel contains the texts that licences require and nothing of GSL,
-and the environment uses the libraries inside the wheel. scripts/test_wheel.sh runs it by the Python of the environment.
+"""Checks a repaired wheel that is installed in an environment: the wheel contains the texts that licences require and nothing of
+GSL, and the environment uses the libraries inside the wheel. scripts/test_wheel.sh runs it by the Python of the environment.
 
 Usage: check_wheel.py FOLDER_OF_THE_WHEEL ENVIRONMENT
 """

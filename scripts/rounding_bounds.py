@@ -3,15 +3,15 @@
 
 Every formula that a margin guards is written below in the order of the C++ code, rounding by rounding. With z_k(1 + δ_k) for each
 rounded result, |δ_k| <= u, the error of the result is Σ δ_k z_k ∂f/∂z_k to first order, which is at most u Σ |z_k ∂f/∂z_k|. One
-reverse sweep gives this sum. The sum divided by the form of the margin is maximised over pairs of positive definite forms, separations
-and t, by climbing from many random starts at once. All formulas are homogeneous in the units of each axis, so that M = Q1 + t Q2 has
-a unit diagonal without loss of generality. A fused multiplication and addition removes one δ_k, so that the sum loses a term: the
-constants hold with and without fusion.
+reverse sweep gives this sum. The sum divided by the form of the margin is maximised over pairs of positive definite forms,
+separations and t, by climbing from many random starts at once. All formulas are homogeneous in the units of each axis, so that M =
+Q1 + t Q2 has a unit diagonal without loss of generality. A fused multiplication and addition removes one δ_k, so that the sum loses
+a term: the constants hold with and without fusion.
 
     rounding_bounds.py [--starts N] [--steps N]
 
-prints the worst cases, the margins that they need, and the constants of the headers. It fails if a constant is too small, or more than
-a third larger than necessary.
+prints the worst cases, the margins that they need, and the constants of the headers. It fails if a constant is too small, or more
+than a third larger than necessary.
 """
 
 import argparse
@@ -152,8 +152,8 @@ def solve(factors, x):
 
 
 class Sample:
-    """Pairs for which M = Q1 + t Q2 has a unit diagonal. The parameters, an array (number, samples), are the factors of Q1 and t Q2, r,
-    log t, and a direction."""
+    """Pairs for which M = Q1 + t Q2 has a unit diagonal. The parameters, an array (number, samples), are the factors of Q1 and t
+    Q2, r, log t, and a direction."""
 
     def __init__(self, parameters, d, size=None):
         n, self.d = parameters.shape[1], d
@@ -265,8 +265,8 @@ def factorized_solution(parameters, d):
 
 
 def correction(parameters, d):
-    """refine(): the error in the norm of M, in all directions, of a correction by factorisation from a rounded residual, relative to the
-    error that it corrects, over u condition()."""
+    """refine(): the error in the norm of M, in all directions, of a correction by factorisation from a rounded residual, relative
+    to the error that it corrects, over u condition()."""
     sample = Sample(parameters, d)
     _, q1, q2, t = sample.pair()
     residual = [x + 0.0 for x in sample.vector(sample.r)]
@@ -321,8 +321,8 @@ class Margin:
             return int(re.search(self.pattern + r"\D*?(\d+)", header.read())[1])
 
 
-# The forms of the margins inside contain a, whose error is 5 %; terms of second order add 1 %. is_certain() admits an error of 2u, and a
-# comparison one of u, where cond >= 3.
+# The forms of the margins inside contain a, whose error is 5 %; terms of second order add 1 %. is_certain() admits an error of 2u,
+# and a comparison one of u, where cond >= 3.
 MARGINS = [
     Margin(apart, "overlap/quartic.hpp", "apart_margin ="),
     Margin(inside1, "overlap/quartic.hpp", "inside1_margin =", lambda found: 1.06 * found),
@@ -338,8 +338,8 @@ MARGINS = [
 
 
 def maximise(ratio, d, starts, steps, rng):
-    """The largest ratio found. Each step changes some of the parameters by an additive or multiplicative amount of any size. A few times
-    the worse half of the samples is replaced by the better half."""
+    """The largest ratio found. Each step changes some of the parameters by an additive or multiplicative amount of any size. A few
+    times the worse half of the samples is replaced by the better half."""
     count = 2 * d * d + 2 * d + 1
     parameters = rng.normal(size=(count, starts)) * 10.0 ** rng.uniform(-2.0, 0.0, size=(count, starts))
     parameters[-1] = rng.uniform(-2.0, 2.0, size=starts)

@@ -1,7 +1,7 @@
 #!/bin/sh
-# Tests and measures pw85_gpu.h on a machine with an NVIDIA GPU. It builds pw85 in ./build-gpu, runs the tests that need no device, then
-# the same program on the device (also under compute-sanitizer if that is installed), and bench/gpu. Arguments are passed to bench/gpu:
-# the number of pairs, and the number of overlaps to compare with those of the host.
+# Tests and measures pw85_gpu.h on a machine with an NVIDIA GPU. It builds pw85 in ./build-gpu, runs the tests that need no device,
+# then the same program on the device (also under compute-sanitizer if that is installed), and bench/gpu. Arguments are passed to
+# bench/gpu: the number of pairs, and the number of overlaps to compare with those of the host.
 set -eu
 cd "$(dirname "$0")/.."
 . scripts/packages.sh

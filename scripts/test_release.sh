@@ -1,8 +1,8 @@
 #!/bin/sh
 # Runs README's two commands, or COMMAND instead, in a minimal system of another release of Debian or Ubuntu:
 #   scripts/test_release.sh RELEASE [COMMAND...]       RELEASE is trixie, noble, ...
-# The system is the folder build-RELEASE, and its /pw85 has the files that git tracks. The folder is kept, and the next run continues with
-# it. The script needs root and mmdebstrap, for a release of Ubuntu also distro-info-data and ubuntu-archive-keyring.
+# The system is the folder build-RELEASE, and its /pw85 has the files that git tracks. The folder is kept, and the next run
+# continues with it. The script needs root and mmdebstrap, for a release of Ubuntu also distro-info-data and ubuntu-archive-keyring.
 set -eu
 cd "$(dirname "$0")/.."
 release=${1:?usage: $0 RELEASE [COMMAND...]}

@@ -1,6 +1,7 @@
 #!/bin/sh
-# Builds the wheel, and from it a wheel for other systems (auditwheel). It shows what the wheel needs of a system, installs it into an
-# environment of its own, and tests it there by the command that cibuildwheel uses. The exit status is 77 if there is no auditwheel.
+# Builds the wheel, and from it a wheel for other systems (auditwheel). It shows what the wheel needs of a system, installs it into
+# an environment of its own, and tests it there by the command that cibuildwheel uses. The exit status is 77 if there is no
+# auditwheel.
 set -eu
 cd "$(dirname "$0")/.."
 scripts/sid.sh auditwheel --version

