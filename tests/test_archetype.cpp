@@ -1,6 +1,6 @@
-// The least that a scalar of the core has to be (scalar.hpp): numbers that nothing converts to or from by itself, products that are
-// not rounded until they are used, and for lanes a mask that is no bool and whose operators evaluate both sides. What is
-// instantiated with it agrees with double to the last bit.
+// A scalar that fulfils the requirements of algebra/scalar.hpp and no more: numbers without implicit conversions, products that are
+// not rounded until they are used, and for lanes a mask that is not bool and whose operators evaluate both sides. The templates
+// compile with it, and give the same bits as with double.
 #include <cmath>
 #include <cstring>
 #include <type_traits>

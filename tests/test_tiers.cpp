@@ -1,5 +1,5 @@
-// The tiers of the overlap test, each alone: what it says is right, and its margins are no larger than they need to be. The
-// recorded pairs come from climbing, rounding by rounding, to where a margin a third to a half as large would fail.
+// Tests of each tier of the overlap test alone: its decisions are right, and its margins are not much larger than necessary. The
+// recorded pairs come from a search that maximised the rounding errors: they fail with margins a third to a half as large.
 #include <algorithm>
 #include <type_traits>
 
