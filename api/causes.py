@@ -59,7 +59,7 @@ CAUSES = (
         r"n|num_pairs|num_particles",
         r"number of|n×|num_pairs×|the same as",
     ),
-    Cause("singular", "a cell is singular", "PW85_EINVAL", r"cell", r"singular|not independent|other arguments|as bad as"),
+    Cause("singular", "a cell is singular", "PW85_EINVAL", r"cell", r"singular|not independent|other arguments"),
     Cause("not periodic", "a cell has no vector that is periodic", "PW85_EINVAL", r"cell", r"at least one is periodic"),
     Cause("no cell", "there are images without a cell", "PW85_EINVAL", r"images", r"`images` without `cell`"),
     Cause("far", "a centre is too many cells away for images to be counted", "PW85_EINVAL", r"centers", r"2²⁹|2³¹"),
