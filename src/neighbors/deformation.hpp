@@ -8,7 +8,7 @@
 ///    multiples n,
 ///        r = r' (I + K) - (w_j - w_i),    w_i = c'_i (I + K) - c_i.
 /// 2. Boxes intersect now where |r'_d| <= h'_id + h'_jd along each axis d. Then |r_d| <= g_id + g_jd + |w_jd - w_id| with
-///    g_id = Σ_e |δ_ed + K_ed| h'_ie. The list has all pairs with |r_d| <= H_id + H_jd. So it has this one, and all others, if the
+///    g_id = Σ_e |δ_ed + K_ed| h'_ie. The list has all pairs with |r_d| <= H_id + H_jd. So it has this pair, and all others, if the
 ///    intervals [w_id - s_id, w_id + s_id] of all particles, s_i = H_i - g_i, have a point in common for each d. That point is a
 ///    motion that all particles share: the list does not depend on it. Intervals have a common point if any two of them have one.
 /// 3. Roundings: K is computed, so that a_l = a'_l (I + K) + ρ_l, and r has Σ n_l ρ_l more. Here n_l is the product of r' - c'_j

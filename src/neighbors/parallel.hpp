@@ -11,7 +11,7 @@
 namespace pw85::detail::neighbors {
 namespace {
 
-/// Rows of a task.
+/// The number of rows of a task.
 inline constexpr std::size_t rows_per_task = 4096;
 
 /// Calls visit(begin, end) for parts of n rows, in parallel.

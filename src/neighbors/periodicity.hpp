@@ -2,11 +2,11 @@
 /// The periodic images of a system along any of the vectors of its cell. It moves points and boxes by lattice vectors for the tree
 /// and the search; the lattice itself is reduced by kernels/lattice.hpp.
 ///
-/// Roundings: with u = 2⁻⁵³, a vector of the reduced lattice is a sum of up to three products, off by 3 u times `size`, the sum of
-/// their magnitudes. A centre c that is moved by multiples s of these vectors is off by at most 8 u M in each coordinate, with
-/// M = |c| + Σ|s| size; a half-width h of three roundings by 4 u h, and each side of its box by u (M + h) more. So boxes grow by
-/// 16 u (M + h) on each side, and by 16 u (M' + |side|) when they are moved by multiples m, M' = Σ|m| size. Boxes that intersect in
-/// exact arithmetic therefore intersect here.
+/// Roundings, with u = 2⁻⁵³: a vector of the reduced lattice is a sum of up to three products; its error is at most 3 u times
+/// `size`, the sum of their magnitudes. A centre c that is moved by multiples s of these vectors is off by at most 8 u M in each
+/// coordinate, with M = |c| + Σ|s| size; a half-width h of three roundings by 4 u h, and each side of its box by u (M + h) more. So
+/// boxes grow by 16 u (M + h) on each side, and by 16 u (M' + |side|) when they are moved by multiples m, M' = Σ|m| size. Boxes
+/// that intersect in exact arithmetic therefore intersect here.
 #ifndef PW85_NEIGHBORS_PERIODICITY_HPP_INCLUDED
 #define PW85_NEIGHBORS_PERIODICITY_HPP_INCLUDED
 
