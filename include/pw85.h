@@ -1010,9 +1010,9 @@ PW85_API int pw85_neighbors_check(pw85_system const *system, double scale, doubl
  * @param system the same number of particles as for the list, at their present positions, with their forms and the present
  *        cell, which is periodic along the same vectors as for the list: `cell` is not null if the list has one
  * @param[out] holds 1 or 0; -1 on error
- * @return #PW85_SUCCESS, #PW85_EINVAL, also if the number of particles is not that of the list, only one of the two has a cell, or the
- *         cell is periodic along other vectors, or its periodic vectors are not finite or not independent; or the status of the
- *         first bad particle */
+ * @return #PW85_SUCCESS, #PW85_EINVAL, also if the number of particles is not that of the list, only one of the two has a
+ *         cell, or the cell is periodic along other vectors, or its periodic vectors are not finite or not independent; or the
+ *         status of the first bad particle */
 PW85_API int pw85_neighbors_holds(pw85_neighbors const *list, pw85_system const *system, int *holds);
 
 /** The pairs of a list, with their images if it has a cell: pointers to the arrays of the list, which are valid until it is

@@ -30,7 +30,8 @@ constexpr double unscaled_limit = 0x1p100;
 /// rounding errors.
 constexpr double tolerance = 0x1p-44;
 
-/// A cell counts as singular if the ratio of the smallest to the largest square of the lengths of its reduced vectors is below this.
+/// A cell counts as singular if the ratio of the smallest to the largest square of the lengths of its reduced vectors is below
+/// this.
 constexpr double singular = 0x1p-80;
 
 /// Whether the nine numbers of a cell are finite.
