@@ -1,8 +1,8 @@
-"""The checks of .ci/run: README's two commands, all tests with gcc and clang without warnings, the styles for LAMMPS,
-sanitizers, valgrind, format, static analysis, other platforms, Debian packages, the ABI.
+"""The checks of .ci/run: README's two commands, all tests with gcc and clang without warnings, the styles for LAMMPS, sanitizers,
+valgrind, format, static analysis, other platforms, Debian packages, the ABI.
 
-Results are counted from what `meson test` writes, so that suites need not be listed here; a step that is no test counts as
-one. The last lines are "N skipped" and "N passed, N failed".
+The results are counted from the logs of `meson test`, so that no list of tests is needed here. A step that is not a test counts as
+one result. The last lines of the output are "N skipped" and "N passed, N failed".
 """
 
 import contextlib
@@ -18,20 +18,20 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
 BUILDS = ROOT / "build-ci"
-TEST_COMMAND_BUILD = ROOT / "build-test"  # where scripts/test.sh builds
+TEST_COMMAND_BUILD = ROOT / "build-test"  # the build folder of scripts/test.sh
 CLANG = {"CC": "clang", "CXX": "clang++"}
-# Of the machines that scripts/test_cross.sh knows, the tests that run and their environment: what only that machine can find, so on
-# 64-bit ARM what is compiled per instruction set. Emulated, SVE is ten times as slow as NEON.
+# For machines of scripts/test_cross.sh, the tests to run and their environment. Only tests run that can find an error of that
+# machine: on 64-bit ARM those of code that is compiled per instruction set. In emulation SVE is ten times as slow as NEON.
 QUICK = ["--suite", "quick", "--suite", "portable"]
 WITH_LIBRARIES = {
     "aarch64-linux-gnu": ([*QUICK, "--suite", "kernels", "--no-suite", "targets"], {"QEMU_CPU": "cortex-a72"}),
     "i686-linux-gnu": (QUICK, {}),
 }
-NOT_IN_CI = ["powerpc64le-linux-gnu", "riscv64-linux-gnu"]  # half a minute each, for what ARM and z/Architecture find
+NOT_IN_CI = ["powerpc64le-linux-gnu", "riscv64-linux-gnu"]  # half a minute each, and ARM and z/Architecture find the same errors
 ONLY_TESTS = ["-Dtests=enabled", "-Dgpu=enabled", "-Dbench=disabled", "-Dpython=disabled", "-Dfortran=disabled"]
 
 
-# Checks that may be skipped, by patterns of their names, and why. Others are marked where the skipped ones are listed.
+# Checks that may be skipped, by patterns of their names, with the reason. The list of skipped checks marks all others.
 MAY_BE_SKIPPED = {
     "ruff": "Debian's sid may be out of order, or have another minor version",
     "scripts/test_wheel.sh": "Debian's sid may be out of order",
@@ -48,7 +48,7 @@ class Results:
 
     @contextlib.contextmanager
     def part(self, name):
-        """Times what is done within."""
+        """Measures the time of a part."""
         start = time.monotonic()
         yield
         self.times.append((name, time.monotonic() - start))
@@ -63,14 +63,14 @@ class Results:
             print(f"FAILED: {name}", flush=True)
 
     def skip(self, name):
-        """A check that was not run."""
+        """Notes a check that was not run."""
         allowed = any(fnmatch.fnmatchcase(name, pattern) for pattern in MAY_BE_SKIPPED)
         self.skipped.append(name if allowed else f"{name} (not in MAY_BE_SKIPPED)")
 
     def add_report(self, step, log):
-        """Results of `meson test`: those of each program from the log (a JSON object per line), those of its cases, where
-        it reports cases, from the JUnit report next to it. A program that fails in any other way than by a failing case
-        (it crashes, exceeds its time, leaks memory) counts as one more failure."""
+        """Adds the results of `meson test`. The log, with a JSON object per line, has the result of each program; the JUnit report
+        next to it has the results of its cases, if the program reports cases. A program that fails without a failing case (it
+        crashes, exceeds its time, or leaks memory) counts as one more failure."""
         cases = read_cases(log.with_suffix(".junit.xml"))
         for line in log.read_text().splitlines():
             program = json.loads(line)
@@ -103,14 +103,15 @@ def read_cases(report):
 
 
 def outcome(case):
-    """That of one case of a JUnit report."""
+    """The outcome of one case of a JUnit report."""
     if case.find("failure") is not None or case.find("error") is not None:
         return "failed"
     return "passed" if case.find("skipped") is None else "skipped"
 
 
 def folder_of(name):
-    """Next to that of the test command, so that compilers are called with the same paths, and ccache knows what it has seen."""
+    """The build folder of a part. It is next to that of the test command, so that paths are the same and ccache finds its
+    results."""
     return ROOT / f"build-ci-{name}"
 
 
@@ -124,7 +125,7 @@ def run(command, **environment):
 
 
 def add_unless_missing(results, name, command):
-    """The result of a script that ends with 77 where a tool that it downloads cannot be had, as its output says."""
+    """Adds the result of a script that exits with 77 if a tool that it downloads is not available."""
     result = status(command)
     if result == 77:
         results.skip(name)
@@ -133,33 +134,33 @@ def add_unless_missing(results, name, command):
 
 
 def set_up(name, options, environment):
-    """Whether a fresh folder can be made, in which warnings are errors."""
+    """Sets up a fresh build folder in which warnings are errors, and returns whether this succeeds."""
     folder = folder_of(name)
     shutil.rmtree(folder, ignore_errors=True)
     return run(["meson", "setup", str(folder), *options, "--werror"], **environment)
 
 
 def build(results, name, options, environment, targets=()):
-    """Whether a build without warnings succeeds, of everything or some targets, in a fresh folder."""
+    """Builds everything or some targets in a fresh folder, without warnings, and returns whether this succeeds."""
     ok = set_up(name, options, environment) and run(["meson", "compile", "-C", str(folder_of(name)), *targets], **environment)
     results.add(f"{name}: build without warnings", ok)
     return ok
 
 
 def test(results, folder, arguments=(), **environment):
-    """Runs tests, all or some. What they need is built, if it is not there."""
+    """Runs all or some tests. Their programs are built if necessary."""
     ok = run(["meson", "test", "-C", str(folder), "--print-errorlogs", *arguments], **environment)
     report(results, folder, ok)
 
 
 def test_suites(results, name, suites, options, compilers, **environment):
-    """Runs some suites in a fresh folder, in which nothing else is built; without warnings."""
+    """Runs some suites in a fresh folder, without warnings. Only their programs are built."""
     results.add(f"{name}: set up", set_up(name, options, compilers))
     test(results, folder_of(name), [*(f"--suite={suite}" for suite in suites), "--timeout-multiplier=10"], **environment)
 
 
 def report(results, folder, ok):
-    """Adds the results of the last `meson test` in a folder, which exited well or not."""
+    """Adds the results of the last `meson test` in a folder; `ok` is whether it exited with 0."""
     before = results.failed
     logs = sorted((folder / "meson-logs").glob("testlog*.json"), key=lambda path: path.stat().st_mtime)
     if logs:
@@ -169,7 +170,7 @@ def report(results, folder, ok):
 
 
 def test_command(results):
-    """README's test command in a fresh folder, with benchmarks and pages, and with warnings as errors."""
+    """Runs README's test command in a fresh folder, with benchmarks and pages, and with warnings as errors."""
     shutil.rmtree(TEST_COMMAND_BUILD, ignore_errors=True)
     ok = run(["scripts/test.sh"], PW85_SETUP_OPTIONS="--werror -Dbench=enabled -Ddocs=enabled")
     report(results, TEST_COMMAND_BUILD, ok)
@@ -180,7 +181,7 @@ def check_format(results):
 
 
 def check_with_libraries(results, machine):
-    """Whether the libraries that tests need could be had for a machine; the results of its tests."""
+    """Runs the tests for another machine, and adds whether the libraries that they need were available."""
     folder = ROOT / f"build-{machine}"
     shutil.rmtree(folder, ignore_errors=True)
     arguments, environment = WITH_LIBRARIES[machine]
@@ -193,9 +194,9 @@ def check_with_libraries(results, machine):
 
 
 def check_platforms(results):
-    """The core and the library on the platforms that a compiler and an emulator of Debian serve: those for which there are the
-    libraries that tests need, over more or less all tests; all over the contact problems."""
-    boost = BUILDS / "boost"  # the headers, without those of this system's other libraries
+    """Tests the core and the library on the platforms for which Debian has a compiler and an emulator. All platforms run the
+    contact problems; those for which Debian has the libraries that tests need run more tests."""
+    boost = BUILDS / "boost"  # the headers of Boost, without those of other libraries of this system
     (boost / "include").mkdir(parents=True, exist_ok=True)
     if not (boost / "include/boost").exists():
         (boost / "include/boost").symlink_to("/usr/include/boost")
@@ -216,8 +217,8 @@ def tracked(*patterns):
 
 
 def check_static(results):
-    """What can be said about the sources without running them, beside the compilers' warnings and mypy, which tests run. GCC 12
-    analyses C alone, so that its analyser sees no more than programs that use the library."""
+    """Static analysis, beside the compilers' warnings and mypy, which the tests run. The analyser of GCC 12 is only for C, where it
+    would see only programs that use the library."""
     scripts = [file for file in tracked("*.sh", ".ci/run", "debian/tests/consumer") if file != "scripts/packages.sh"]
     results.add("shellcheck", run(["shellcheck", "-x", "-s", "sh", "-e", "SC2046", *scripts]))  # unquoted lists of words
     prose = [file for file in tracked() if not file.endswith((".svg", ".png", ".ipynb", ".h5", ".js", ".out", "words.txt", "_pairs.txt"))]
@@ -231,7 +232,7 @@ def check_static(results):
 
 
 def check_tidy(results):
-    """clang-tidy over each source of the library, as the build by clang compiles it."""
+    """Runs clang-tidy on each source of the library, with the arguments of the build by clang."""
     folder = folder_of("clang")
     commands = folder / "compile_commands.json"
     units = json.loads(commands.read_text()) if commands.exists() else []
@@ -243,7 +244,7 @@ def check_tidy(results):
 
 
 def check_debian(results):
-    """The packages: built from what git tracks, judged by lintian, used by programs from where they are unpacked."""
+    """Builds the Debian packages from the files that git tracks, runs lintian, and uses the unpacked packages in programs."""
     work = BUILDS / "debian"
     shutil.rmtree(work, ignore_errors=True)
     (work / "pw85").mkdir(parents=True)
@@ -252,7 +253,7 @@ def check_debian(results):
                         env={**os.environ, "PATH": "/usr/bin:/bin", "DEB_BUILD_OPTIONS": "nocheck",
                              "DEB_BUILD_PROFILES": "nocheck"}).returncode == 0
     results.add("debian: packages", ok)
-    # The first package of all closes the report that asks for it; there is no such report.
+    # lintian expects that the first version of a package closes a bug report that asks for it. There is no such report.
     changes = [str(file) for file in work.glob("*.changes")]
     results.add("debian: lintian", run(["lintian", "--allow-root", "--fail-on=error,warning",
                                         "--suppress-tags=initial-upload-closes-no-bugs", *changes]))
@@ -262,13 +263,13 @@ def check_debian(results):
 
 
 def check_abi(results):
-    """Programs that were linked before can go on, and the check of that finds what it should."""
+    """Checks that programs that were linked before still run, and that this check finds what it should."""
     for script in ("scripts/abi.sh", "scripts/abi/check_mutants.py"):
         results.add(script, run([script]))
 
 
 def quick_programs():
-    """Tests of the suite `quick` that are programs of ours, not scripts."""
+    """The tests of the suite `quick` that are compiled programs, not scripts."""
     listed = subprocess.run(["meson", "introspect", "--tests", str(TEST_COMMAND_BUILD)], check=True, stdout=subprocess.PIPE).stdout
     return [test["name"] for test in json.loads(listed)
             if "pw85:quick" in test["suite"] and Path(test["cmd"][0]).is_relative_to(TEST_COMMAND_BUILD)]
@@ -277,7 +278,7 @@ def quick_programs():
 def check_valgrind(results):
     valgrind = "valgrind --quiet --error-exitcode=99 --leak-check=full --errors-for-leak-kinds=definite"
     test(results, TEST_COMMAND_BUILD, [*quick_programs(), "--wrap", valgrind, "--timeout-multiplier", "20"],
-         G_SLICE="always-malloc", PW85_TARGET="avx2")  # valgrind knows no AVX-512
+         G_SLICE="always-malloc", PW85_TARGET="avx2")  # valgrind does not support AVX-512
 
 
 def check_lammps(results):
@@ -285,12 +286,12 @@ def check_lammps(results):
 
 
 def check_clang(results):
-    """What depends on how a compiler optimises; the sanitizers run all tests by clang."""
+    """Runs the tests that depend on the optimisation of a compiler, with clang. The sanitizers run all tests with clang."""
     test_suites(results, "clang", ["quick", "portable", "flags"], [*ONLY_TESTS, "-Dgsl=disabled"], CLANG)
 
 
 def check_sanitizers(results):
-    """By clang, which compiles instrumented code ten times as fast as GCC does."""
+    """Runs the tests with sanitizers, by clang, which compiles instrumented code ten times as fast as GCC."""
     options = [*ONLY_TESTS, "-Dgsl=disabled", "-Db_lundef=false", "-Doptimization=1", "-Doptimized=false"]
     if build(results, "address-undefined", [*options, "-Db_sanitize=address,undefined"], CLANG):
         test(results, folder_of("address-undefined"), ["--no-suite=install", "--no-suite=flags", "--timeout-multiplier=10"],
@@ -323,7 +324,7 @@ def check_all(results):
 def main():
     start = time.monotonic()
     results = Results()
-    # What one part has compiled, others need not compile again.
+    # The parts share a cache of compiled objects.
     os.environ.setdefault("CCACHE_DIR", str(BUILDS / "ccache"))
     os.environ.update(CCACHE_BASEDIR="/", CCACHE_NOHASHDIR="1", CCACHE_SLOPPINESS="include_file_mtime,include_file_ctime")
     check_all(results)

@@ -1,7 +1,8 @@
-"""Why a function of pw85.h returns a status other than success: what its contract names, read from the header.
+"""The causes for which functions of pw85.h return a status other than success, as their contracts in the header name them.
 
-A contract names a cause in the description of a parameter or of what is returned, by certain words; the conventions at the top of
-the header name those of all functions. A page shows the table, and a test provokes each cause in each function.
+A contract names a cause by certain words in the description of a parameter or of the returned status. The conventions at the top of
+the header name the causes that hold for all functions. The chapter on errors shows the table, and docs/tests/check_causes.py
+provokes each cause in each function.
 """
 
 import re
@@ -18,10 +19,10 @@ KNOWN = {function.name: function for function in functions(HEADER)}
 @dataclass(frozen=True)
 class Cause:
     key: str
-    text: str  # for the table
+    text: str  # the description in the table
     status: str
-    parameters: str  # names, a regular expression
-    words: str = ""  # by which a contract names it, a regular expression; none where the conventions do
+    parameters: str  # a regular expression for the names of the parameters
+    words: str = ""  # a regular expression for the words by which a contract names it; empty if the conventions name it
 
 
 CAUSES = (
@@ -58,7 +59,7 @@ CAUSES = (
         r"n|num_pairs|num_particles",
         r"number of|n×|num_pairs×|the same as",
     ),
-    Cause("singular", "a cell is singular", "PW85_EINVAL", r"cell", r"singular|not independent|other arguments|as bad as"),
+    Cause("singular", "a cell is singular", "PW85_EINVAL", r"cell", r"singular|not independent|other arguments"),
     Cause("not periodic", "a cell has no vector that is periodic", "PW85_EINVAL", r"cell", r"at least one is periodic"),
     Cause("no cell", "there are images without a cell", "PW85_EINVAL", r"images", r"`images` without `cell`"),
     Cause("far", "a centre is too many cells away for its images to be told", "PW85_EINVAL", r"centers", r"2²⁹|2³¹|2⁵⁰"),
@@ -72,7 +73,7 @@ ALL_OUTPUTS = r"any output may be null|any of them null"
 
 
 def tagged(function, tag):
-    """The text of a tag of a comment, as @return, or nothing."""
+    """The text of a tag of a comment, such as @return, or an empty text."""
     found = re.search(rf"@{tag} (\S.*?)(?=@|$)", function.comment, re.DOTALL)
     return " ".join(found[1].split()) if found else ""
 
@@ -83,7 +84,7 @@ def referred(text):
 
 
 def returned(function):
-    """What the contract says of what is returned, with that of the functions to which it refers there."""
+    """The text of the contract about the returned status, with that of the functions to which it refers there."""
     own = tagged(function, "return")
     return " ".join([own, *map(returned, referred(own or function.comment))])
 
@@ -97,7 +98,7 @@ def struct_with(function, name):
 
 
 def described(function, name):
-    """What the contract says of a parameter, with that of the functions to which it refers there."""
+    """The text of the contract about a parameter, with that of the functions to which it refers there."""
     struct = struct_with(function, name)
     comment = next((text for member, _, text in members(struct.type) if member == name), "") if struct else ""
     own = tagged(function, rf"param(?:\[out\])? (?:\w+,)*{struct.name if struct else name}(?:,\w+)*")
@@ -110,17 +111,17 @@ def outputs_may_be_null(function):
 
 
 def of_one_row(function):
-    """The contract of the function that a function is for each row: "pw85_f() for n pairs"."""
+    """For a function of many rows, "pw85_f() for n pairs", the contract of the function of one row; otherwise an empty text."""
     name = re.match(r"\s*(pw85\w+)\(\)[^.]*? for (?:n|the pairs) ", function.comment)
     return KNOWN[name[1]].comment if name else ""
 
 
-# Sums are of what they are given: they are NaN if that is.
+# These functions accept the values: a sum is NaN if one of its terms is NaN.
 SUMS = {"pw85_contact_forces_pairs": ("NaN", "infinity", "far")}
 
 
 def is_named(cause, function, name, is_output=False):
-    """Whether the contract of a function names a cause, by a parameter."""
+    """Whether the contract of a function names a cause for a parameter."""
     said = described(function, name)
     if cause.words:
         return bool(re.search(cause.words, " ".join([said, returned(function), of_one_row(function)])))
@@ -132,7 +133,7 @@ def is_named(cause, function, name, is_output=False):
 
 
 def parameters(function):
-    """(name, whether it is an output) for each parameter, and for each member in the place of structs."""
+    """(name, whether it is an output) for each parameter, with the members of structs in the place of the structs."""
     return [(one.name, one.pointer and not one.const) for one in flattened(function)]
 
 

@@ -1,20 +1,22 @@
-"""The declarations of the public headers, with what their comments promise: the one parser of these headers.
+"""Parses the declarations of the public headers with their comments. It is the only parser of these headers.
 
-The C headers are the declaration of every function. What a program needs to know of a parameter is read from its type and from
-the words at the head of its sentence in the comment:
+The C headers declare every function. The properties of a parameter are read from its type, and from the words at the beginning of
+its sentence in the comment:
 
 - `double r12[3]` has a fixed length, and a shape of more than one extent if the sentence begins with it: "9×9, symmetric";
 - `double const *r12` is an array whose shape the sentence begins with: "n×3", "n each", where an extent is a number or the name
   of another parameter;
 - a pointer that is not to const is an output, and the comment marks it @param[out];
-- "may be null", "or null" and "null if", "null for" say that the pointer may be null; "any output may be null" says so of all outputs;
-- `pw85_pair_list const *list` and `pw85_system const *system` are structs, whose members have comments of the same kind. Members are to a
-  function what its parameters are, and extents are names of members, too. Where a function says "`q` may be null" it does not read
-  that member, and "`cell` is not null" says that a pointer must be there that others do without;
-- "as for pw85_f()" refers to the parameter of the same name of another function, and so does a comment that says "arguments as for
-  pw85_f()" or "see pw85_f()" for the parameters of which it says nothing.
+- "may be null", "or null" and "null if", "null for" mean that the pointer may be null; "any output may be null" means this for all
+  outputs;
+- `pw85_pair_list const *list` and `pw85_system const *system` are structs, whose members have comments of the same kind. Members
+  count as parameters of the function, and extents may be names of members. If the comment of a function says "`q` may be null", the
+  function does not read that member. If it says "`cell` is not null", the function needs a pointer that other functions do not
+  need;
+- "as for pw85_f()" refers to the parameter of the same name of another function. A comment that says "arguments as for pw85_f()" or
+  "see pw85_f()" does so for all parameters that it does not describe.
 
-Called by docs/ (reference pages, checks of the comments), fortran.py and the tests of the declarations.
+docs/ (reference pages, checks of the comments), fortran.py and tables.py import it.
 """
 
 import re
@@ -43,7 +45,7 @@ PARAMETER = re.compile(
 )
 EXTENT = r"(?:[a-z_]+|\d+)"
 SHAPE = re.compile(rf"({EXTENT}(?:×{EXTENT})*)(?= each\b| matrix\b| in\b| or null|[,;:.]|$)")
-STRUCTS = ("pw85_pair_list", "pw85_system")  # that functions take; others are elements of arrays
+STRUCTS = ("pw85_pair_list", "pw85_system")  # structs that are arguments; other structs are elements of arrays
 STRUCT = re.compile(r"^typedef struct (?P<name>\w+) \{\n(?P<members>.*?)^\} (?P=name);", re.DOTALL | re.MULTILINE)
 MEMBER = re.compile(r"/\*\*(?P<comment>(?:(?!\*/).)*)\*/\s*(?P<declaration>[^;/]+);", re.DOTALL)
 NULLABLE = re.compile(r"\b(?:may be|or) null\b|\bnull (?:if|for) ")
@@ -54,14 +56,14 @@ class Parameter:
     """A parameter of a C function."""
 
     name: str
-    type: str  # of what is passed, or pointed to: "double", "size_t", "pw85_motion"
+    type: str  # type of the value, or of the elements of a pointer: "double", "size_t", "pw85_motion"
     pointer: bool
-    const: bool  # whether what it points to is
-    length: int | None  # where the declaration states one
-    text: str  # its sentence; that of the parameter that it refers to
+    const: bool  # whether it is a pointer to const
+    length: int | None  # the length in the declaration, if there is one
+    text: str  # its sentence, or the sentence of the parameter to which it refers
     shape: tuple  # extents: numbers, and names of other parameters; empty for one number
     nullable: bool
-    outer: bool  # whether it is a pointer to a pointer: a handle that is made
+    outer: bool  # whether it is a pointer to a pointer, by which the function returns a new handle
 
     def is_handle(self):
         """Whether it is a pointer to an object that the library owns."""
@@ -91,7 +93,7 @@ class Function:
         return re.match(r".*?[.:;](?=\s|$)", " ".join(self.comment.split()))[0].rstrip(".:;")
 
     def sentences(self):
-        """What the comment itself says of each parameter, and whether it calls this an output."""
+        """The sentence of the comment about each parameter that it describes, and whether it marks the parameter as an output."""
         found = {}
         for mark, names, text in re.findall(r"@param(\[out\])? ([\w,]+) (.*?)(?=@|\Z)", self.comment, re.DOTALL):
             for name in names.split(","):
@@ -99,7 +101,7 @@ class Function:
         return found
 
     def references(self):
-        """The names of functions to which the comment refers for what it does not say."""
+        """The names of the functions to which the comment refers."""
         return REFERENCE.findall(" ".join(self.comment.split()))
 
 
@@ -110,7 +112,7 @@ class Section:
 
 
 def split_parameters(text):
-    """At the commas that are in no bracket."""
+    """Splits a list of parameters at the commas outside of brackets."""
     parameters, depth = [""], 0
     for character in text:
         depth += (character in "<([{") - (character in ">)]}")
@@ -151,7 +153,7 @@ def functions(header):
 
 @cache
 def constants():
-    """The macros of the C headers that are numbers, and the status codes, as they are written."""
+    """The macros of the C headers that are numbers, and the status codes, as texts."""
     text = "".join((INCLUDE / header).read_text(encoding="utf-8") for header in C_HEADERS)
     found = dict(re.findall(r"^#define (PW85_\w+) ([\d.e-]+)$", text, re.MULTILINE))
     statuses = (INCLUDE / "pw85/status.h").read_text(encoding="utf-8")
@@ -165,7 +167,7 @@ def c_functions():
 
 
 def referenced(function, known):
-    """The functions, of those that are known by name, whose comments hold for this one, directly or not; itself first."""
+    """The function itself, and all known functions to which its comment refers, directly or indirectly."""
     found, queue = [], [function]
     while queue:
         function = queue.pop(0)
@@ -176,13 +178,13 @@ def referenced(function, known):
 
 
 def length_of(text):
-    """The number of a declaration's brackets: a sum or product of numbers and constants."""
+    """The value of the length in a declaration, which is a sum or product of numbers and constants."""
     integers = {name: int(value) for name, value in constants().items() if value.isdigit()}
     return eval(text, {"__builtins__": {}}, integers)
 
 
 def shape_of(sentence, length, names):
-    """The shape that a sentence begins with; otherwise that of an array of stated length."""
+    """The shape with which a sentence begins; otherwise that of an array with the length in its declaration."""
     match = SHAPE.match(sentence)
     extents = [] if match is None else [int(part) if part.isdigit() else part for part in match[1].split("×")]
     if extents and all(isinstance(extent, int) or extent in names for extent in extents):
@@ -191,7 +193,7 @@ def shape_of(sentence, length, names):
 
 
 def parameters(function):
-    """The parameters of a function of C, with what the comment says of them, and those to which it refers."""
+    """The parameters of a function of C, as described by its comment and those to which this refers."""
     found = [parameter(function, written) for written in function.parameters]
     if any("any output may be null" in text for other in referenced(function, c_functions())
            for text, _ in other.sentences().values()):
@@ -208,7 +210,7 @@ def parameter(function, written):
     own = [sentence for sentence in sentences if not re.match(r"as for ", sentence)]
     names = function.parameter_names() + [member for struct in STRUCTS for member, _, _ in members(struct)]
     shape = shape_of(own[0] if own else "", length, names) if pointer else ()
-    is_struct = match["type"] in STRUCTS  # of whose members the sentence says what may be null
+    is_struct = match["type"] in STRUCTS  # "may be null" in its sentence is about its members
     nullable = pointer and not is_struct and any(NULLABLE.search(sentence) for sentence in sentences[:1] + own[:1])
     return Parameter(name, match["type"], pointer, bool(match["const"]), length, own[0] if own else "", shape, nullable,
                      "**" in match["pointers"])
@@ -216,7 +218,7 @@ def parameter(function, written):
 
 @cache
 def members(struct):
-    """Name, declaration and comment of each member of a struct of pw85.h, but for arrays that are part of it."""
+    """Name, declaration and comment of each member of a struct of pw85.h, except for members that are arrays."""
     text = (INCLUDE / "pw85.h").read_text(encoding="utf-8")
     body = next(match["members"] for match in STRUCT.finditer(text) if match["name"] == struct)
     found = []
@@ -229,7 +231,7 @@ def members(struct):
 
 
 def members_read(function, struct):
-    """The members that a function reads of a struct that it takes, as parameters."""
+    """The members of a struct argument that a function reads, as parameters."""
     names = [name for name, _, _ in members(struct.type)]
     said = " ".join(
         other.sentences()[struct.name][0] for other in referenced(function, c_functions()) if struct.name in other.sentences()
@@ -244,7 +246,7 @@ def members_read(function, struct):
 
 
 def flattened(function):
-    """The parameters of a function, with the members that it reads in the place of structs."""
+    """The parameters of a function. Each struct is replaced by the members that the function reads."""
     found = []
     for one in parameters(function):
         found += members_read(function, one) if one.is_struct() else [one]

@@ -1,10 +1,10 @@
-"""The Fortran module: fortran/pw85.f90, made of its template and an interface for each function of the C headers.
+"""Writes the Fortran module fortran/pw85.f90 from its template, with an interface for each function of the C headers.
 
 Usage: fortran.py VERSION [check]
 
-writes the module, or compares it with what it would write. Functions that need more than an interface in Fortran (strings, pointers,
-matrices that C has by rows) are in the template fortran/pw85.in.f90, which binds them under the name c_… here. Optional arguments of
-Fortran 2018 are null pointers in C.
+writes the module, or with `check` compares the existing one with the text that it would write. Functions that need more than an
+interface (for strings, pointers, and matrices that C stores by rows) are in the template fortran/pw85.in.f90, which calls the C
+function by the name c_… . Absent optional arguments of Fortran 2018 are null pointers in C.
 """
 
 import re
@@ -34,8 +34,8 @@ TYPES = {
 
 
 def argument(parameter, owners):
-    """The attributes of an argument, and its name with its shape: extents in the order of Fortran, where rows of C are columns. Those
-    that are members of structs come with the names of these."""
+    """The attributes of an argument, and its name with its shape. Extents are in the order of Fortran, where rows of C are columns.
+    An extent that is a member of a struct includes the name of the struct."""
     extents = [f"{owners[extent]}%{extent}" if extent in owners else str(extent) for extent in reversed(parameter.shape)]
     shape = ", ".join(extents)
     name = f"{parameter.name}({shape})" if shape else parameter.name
@@ -48,7 +48,7 @@ def argument(parameter, owners):
 
 
 def continued(line):
-    """A statement in lines that Fortran allows."""
+    """Splits a statement into lines of the length that Fortran allows."""
     indent = re.match(" *", line)[0]
     lines = textwrap.wrap(line, WIDTH - 2, initial_indent="", subsequent_indent=indent + "  ", break_long_words=False,
                           drop_whitespace=True) if len(line) > WIDTH else [line.strip()]
@@ -57,7 +57,7 @@ def continued(line):
 
 
 def declarations_of(arguments):
-    """One declaration for neighbouring arguments of the same attributes."""
+    """One declaration for consecutive arguments with the same attributes."""
     grouped = []
     for attributes, name in arguments:
         if grouped and grouped[-1][0] == attributes:
@@ -68,7 +68,7 @@ def declarations_of(arguments):
 
 
 def interface(function, template):
-    """The lines of the interface of a function; under another name where the template has a procedure of its own."""
+    """The lines of the interface of a function. The name is c_… if the template has a procedure with the name of the function."""
     name = function.name.lower()
     own = re.search(rf"\b(?:function|subroutine) {name}\(", template) is not None
     bound = name.replace("pw85_", "c_", 1) if own else name
@@ -86,7 +86,7 @@ def interface(function, template):
     owners = {name: one.name for one in listed if one.is_struct() for name, _, _ in members(one.type)}
     for name in function.parameter_names():
         owners.pop(name, None)
-    # Extents first: shapes refer to them.
+    # Extents come first, because shapes refer to them.
     sizes_first = sorted(listed, key=lambda one: not (one.is_struct() or (one.type == "size_t" and not one.pointer)))
     for line in declarations_of(argument(one, owners) for one in sizes_first) + result:
         yield from continued("      " + line)
@@ -139,7 +139,7 @@ class Procedure:
 
 
 def procedures():
-    """Those of the module by their names, in its order."""
+    """The procedures of the module by their names, in the order of the module."""
     found = {}
     for match in PROCEDURE.finditer(re.sub(r" *&\n *", " ", MODULE.read_text(encoding="utf-8"))):
         arguments = [name.strip() for name in match["arguments"].split(",")]

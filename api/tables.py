@@ -1,4 +1,4 @@
-"""A table of all functions of the C headers for the tests: parameters and a call by arguments of any function.
+"""Writes a table of all functions of the C headers for the tests: the parameters of each function, and a call of it.
 
 Usage: tables.py OUTPUT
 
@@ -22,7 +22,7 @@ TYPES = {
     "pw85_motion": "motion",
     "pw85_neighbors": "handle",
 }
-RESULTS = {"void": "none", "int": "status", "double": "real"}  # others do not matter
+RESULTS = {"void": "none", "int": "status", "double": "real"}  # results of other types are not used
 
 
 def extent(one, names):
@@ -43,7 +43,8 @@ def argument(index, parameter):
 
 
 def struct_of(function, struct, names):
-    """The definition of a struct: what a function does not read is null, and arrays within it are ones."""
+    """The definition of a struct argument. Members that the function does not read are null, and array members are filled with
+    ones."""
     read = {member.name: member for member in members_read(function, struct)}
     values = [argument(names.index(name), read[name]) if name in read else "nullptr" for name, _, _ in members(struct.type)]
     ones = ["{1, 1, 1}"] if struct.type == "pw85_system" else []

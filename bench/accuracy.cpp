@@ -1,11 +1,11 @@
-// Errors in units of u cond, as CSV.
+// Prints the errors of the functions in units of u cond, as CSV. measure.py runs it.
 //
 //     accuracy                over the contact problems of the reference data
-//     accuracy worst [PAIRS]  the worst pairs that a random search finds among so many for each decade of aspect ratios
+//     accuracy worst [PAIRS]  the worst pairs that a random search of PAIRS pairs finds for each decade of aspect ratios
 //
-// The first table has the median and the largest error of each method for pairs of the categories general_aspect_*, by the
-// larger aspect ratio, and for all pairs in the last row: "nan" where there is no number for some pair. Of overlaps it
-// counts wrong answers. A distance of closest approach d counts as μ² = |r12|²/d².
+// The first table has the median and the largest error of each method for pairs of the categories general_aspect_*, by the larger
+// aspect ratio, and for all pairs in the last row. It has "nan" if a method gives no number for some pair. For overlaps it has the
+// number of wrong results. A distance of closest approach d is converted to μ² = |r12|²/d².
 #include <cstdio>
 #include <cstdlib>
 #include <string_view>
@@ -59,8 +59,8 @@ double largest_eigenvalue(Form3 const &a)
     return value;
 }
 
-/// Ratio of the largest to the smallest semi-axis. The inverse is computed in a wide type: rounding hides the smallest
-/// eigenvalue of Q.
+/// The ratio of the largest to the smallest semi-axis. The inverse is computed in a wide type, because rounding errors may exceed
+/// the smallest eigenvalue of Q.
 double aspect_ratio(Form3 const &q)
 {
     auto const wide = convert<Wide>(q);
@@ -71,7 +71,7 @@ double aspect_ratio(Form3 const &q)
     return std::sqrt(largest_eigenvalue(q) * largest_eigenvalue(inverse));
 }
 
-/// What was found for one problem.
+/// The results for one problem.
 struct Judgement {
     double aspect;
     double errors[num_methods];

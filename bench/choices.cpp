@@ -1,7 +1,9 @@
-// For choices.py. Without arguments: the mean number of evaluations of f that the solver needs, the largest, and the per cent of
-// pairs that it solves by factorisation, over random pairs of several aspect ratios. With "distance": what the search for the normal
-// needs, of pairs that are apart. With numbers: the per cent of pairs that the test on the quartic leaves undecided at so many of
-// these points about the first t, and after so many tests where the fixed-point map leads.
+// Counts the steps of the searches for choices.py, over random pairs of several aspect ratios.
+//
+// Without arguments it prints the mean and the largest number of evaluations of f that the solver needs, and the per cent of pairs
+// that it solves by factorisation. With "distance" it prints the steps of the search for the normal, for pairs that are apart. With
+// numbers it prints the per cent of pairs that the test on the quartic leaves undecided at the first 1, 2, ... of these points
+// about the first t, and after 1, 2, ... tests at the points of the fixed-point map.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -36,11 +38,11 @@ void count_evaluations(double aspect)
 }
 
 struct NormalCount {
-    int steps = 0, solutions = 0; ///< by the polynomials, and of linear equations for a last step
+    int steps = 0, solutions = 0; ///< steps on the polynomials, and solutions of linear equations for a last step
     bool found = false;
 };
 
-/// find_normal(), counted.
+/// Runs find_normal() and counts its steps.
 NormalCount count_steps(pw85::detail::DistancePair<double, 3> const &pair,
                         pw85::detail::Multipliers<double> const &start)
 {
@@ -56,7 +58,7 @@ NormalCount count_steps(pw85::detail::DistancePair<double, 3> const &pair,
     return count;
 }
 
-/// Mean steps and solutions, and the per cent of pairs whose search begins anew, and is nested.
+/// The mean numbers of steps and solutions, and the per cent of pairs whose search starts again, and whose search is nested.
 void count_normals(double aspect)
 {
     double steps = 0.0, solutions = 0.0, anew = 0.0, nested = 0.0;
@@ -81,7 +83,7 @@ bool is_decided(ScaledPair const &pair, double t)
     return certainty.apart || certainty.overlap;
 }
 
-/// The number of points up to the one that decides, or more than there are.
+/// The number of points up to the one that decides; larger than the number of points if none does.
 std::size_t deciding_point(ScaledPair const &pair, std::vector<double> const &points)
 {
     auto const weights = pw85::detail::outer_weights(pair.r12);
@@ -92,7 +94,7 @@ std::size_t deciding_point(ScaledPair const &pair, std::vector<double> const &po
     return n + 1;
 }
 
-/// The number of tests along the fixed-point map up to the one that decides, or more than so many.
+/// The number of tests along the fixed-point map up to the one that decides; larger than the limit if none does.
 std::size_t deciding_test(ScaledPair const &pair, std::size_t most)
 {
     double t = pw85::detail::initial_guess(pair);

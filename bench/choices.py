@@ -1,13 +1,16 @@
 #!/usr/bin/python3
-"""What the solver's measured constants cost if they are chosen otherwise.
+"""Measures what other choices of the constants of the solver would cost.
 
     choices.py BUILD [COMPILER]
 
-Compiles choices.cpp with each constant of the headers replaced in turn, and prints the mean number of evaluations of f, at aspect
-ratios 2, 10, 100, 10⁴ and 10⁶, the largest, and the per cent of pairs that go to the factorised form at 10⁴ and 10⁶. Then the
-points of the test on the quartic: the per cent of pairs that 1, 2 and 4 of them leave undecided, and 1 to 5 tests where the
-fixed-point map leads. Last the search for the normal of a distance: mean steps and solutions, and the per cent of searches that begin
-anew, and that are nested, at aspect ratios 2, 10, 100, 1000 and 10⁴. BUILD is a build directory, for version.h. Nothing is timed.
+Compiles choices.cpp with one constant of the headers replaced at a time, and prints three tables. Nothing is timed.
+1. Constants of the solver: the mean number of evaluations of f at aspect ratios 2, 10, 100, 10⁴ and 10⁶, the largest number, and
+   the per cent of pairs that are solved in the factorised form at 10⁴ and 10⁶.
+2. Points of the test on the quartic: the per cent of pairs that 1, 2 and 4 of them leave undecided, and that 1 to 5 tests along
+   the fixed-point map leave undecided.
+3. The search for the normal of a distance: mean numbers of steps and solutions, and the per cent of searches that start again and
+   that are nested, at aspect ratios 2, 10, 100, 1000 and 10⁴.
+BUILD is a build directory, from which it takes version.h.
 """
 
 import pathlib
@@ -19,7 +22,7 @@ import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 
-# Header, its text with the constant, the text with an {} in its place, and what is tried; the first is the constant.
+# The header, its text with the constant, the same text with {} for the constant, and the values to try. The first is the constant.
 CHOICES = [
     ("contact/iteration.hpp", "T(0.625) * (s.sum", "T({}) * (s.sum", ["0.625", "0.3", "0.45", "0.8", "1.2"]),
     ("contact/iteration.hpp", "result_digits<T>() / 9 + 2", "result_digits<T>() / 9 + {}", ["2", "1", "3", "5"]),
@@ -38,7 +41,7 @@ NORMAL_CHOICES = [
     ("distance/normal_search.hpp", "max_last_steps = 6", "max_last_steps = {}", ["6", "0", "2"]),
 ]
 
-# Where the test on the quartic is made, and what is tried for it; the header's own come first.
+# The points of the test on the quartic. The first row is that of the header, the others are tried.
 POINTS = (
     [1, 2, 0.5, 1.4],
     [1, 0.6, 1.7, 0.36],
@@ -63,7 +66,7 @@ def run(build, compiler, header, old, new, *arguments):
         text = (include / header).read_text()
         assert text.count(old) == 1, f"{header} has {text.count(old)} times {old}"
         (include / header).write_text(text.replace(old, new))
-        solver = include / "contact" / "solver.hpp"  # asserts the sum of the limits
+        solver = include / "contact" / "solver.hpp"  # its assertions hold only for the constants of the headers
         solver.write_text("\n".join(line for line in solver.read_text().splitlines() if "static_assert(" not in line))
         program = pathlib.Path(folder) / "choices"
         compile_program(build, compiler, folder, program)

@@ -1,5 +1,5 @@
-// Largest relative errors of the distance of closest approach against the aspect ratio, by the contact function and by the
-// algorithms of Zheng et al., as CSV; the truth is the contact function with 50 digits. Usage: closest_approach [PAIRS]
+// Prints the largest relative errors of the distance of closest approach by aspect ratio, as CSV: for the contact function and for
+// the algorithms of Zheng et al. The reference is the contact function with 50 digits. Usage: closest_approach [PAIRS]
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -16,7 +16,7 @@ namespace {
 
 using Function = int (*)(double const *, double const *, double const *, double *);
 
-/// Infinity where there is no number.
+/// The relative error of a distance; infinity if the distance is not a number.
 template <int D> double relative_error(Function function, Sample<double, D> const &p, Wide const &exact)
 {
     double distance;
@@ -25,7 +25,7 @@ template <int D> double relative_error(Function function, Sample<double, D> cons
     return std::isnan(error) ? HUGE_VAL : error;
 }
 
-/// Of `by_contact`, then of `by_zheng`.
+/// The errors of `by_contact`, then those of `by_zheng`.
 template <int D> void print_errors(int pairs, double aspect, Function by_contact, Function by_zheng)
 {
     Random random(2008);

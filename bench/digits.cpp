@@ -1,5 +1,6 @@
-// Correct decimal digits of f in both forms over /F of the reference data, without λ = 0 and 1 where f = 0, as CSV: per
-// cent of the values with so many, floor(-log10(relative error)); the last row has 16 or more.
+// Prints the distribution of the correct decimal digits of f in both forms, as CSV, over /F of the reference data without λ = 0 and
+// 1, where f = 0. A row has the per cent of values with so many digits, floor(-log10(relative error)); the last row is for 16 or
+// more.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>

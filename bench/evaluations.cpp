@@ -1,7 +1,7 @@
-// Evaluations of f that the solvers need, and the per cent of overlaps that each tier decides, against the aspect ratio,
-// as CSV. Usage: evaluations [PAIRS]
+// Prints the numbers of evaluations of f that the solvers need, and the per cent of overlaps that each tier decides, by aspect
+// ratio, as CSV. Usage: evaluations [PAIRS]
 //
-// Beside the fast solver: Brent's method on f in λ as pw85 1.0 had it, with one evaluation per iteration and one for each
+// Beside the fast solver it runs Brent's method on f in λ as in pw85 1.0, which takes one evaluation per iteration and one for each
 // of three Newton-Raphson steps.
 #include <algorithm>
 #include <cstdio>

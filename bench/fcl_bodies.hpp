@@ -1,4 +1,4 @@
-// Ellipsoids as FCL takes them.
+// Converts ellipsoids to bodies of FCL, for peers.cpp and peer_fcl.cpp.
 #ifndef PW85_BENCH_FCL_BODIES_HPP_INCLUDED
 #define PW85_BENCH_FCL_BODIES_HPP_INCLUDED
 
@@ -8,7 +8,7 @@
 
 namespace pw85_bench {
 
-/// Semi-axes, and where they are: an ellipsoid with the six entries of a form.
+/// The semi-axes and the pose of an ellipsoid, from the six entries of its form.
 struct Body {
     fcl::Ellipsoidd shape;
     fcl::Transform3d place = fcl::Transform3d::Identity();

@@ -1,4 +1,5 @@
-// The functions of the C API, as calls on a pair and on a block.
+// Calls of the functions of the C API on a pair and on a block of pairs, by their names. speed.cpp and instructions/calls.cpp use
+// them.
 #ifndef PW85_BENCH_FUNCTIONS_HPP_INCLUDED
 #define PW85_BENCH_FUNCTIONS_HPP_INCLUDED
 
@@ -10,7 +11,7 @@
 
 namespace pw85_bench {
 
-/// Where results go that nobody reads.
+/// Memory for results that are not read.
 struct Sink {
     double a[6], b[6], c[6];
     int overlap;
@@ -21,19 +22,20 @@ struct Function {
     void (*call)(Pair const &, double lambda, Sink &);
 };
 
-/// A pair of a block with its centres nearer or farther: at half the distance all overlap, at twice it none.
-inline pw85::Vector<double, 3> moved(Pair const &x, double factor) { return factor * x.r12; }
+/// A pair of a block with its separation multiplied by a factor: at half the distance all pairs overlap, at twice the distance
+/// none.
+inline pw85::Vector<double, 3> scaled_separation(Pair const &x, double factor) { return factor * x.r12; }
 
-/// First contact of a pair that is apart and, moves until its centres meet at time 1.
+/// First contact of a pair that is apart, and whose centres meet at time 1.
 inline void first_contact(Pair const &x, double turn, double growth, double &t)
 {
-    auto const r12 = moved(x, 3.0);
+    auto const r12 = scaled_separation(x, 3.0);
     pw85_motion const motion1{{}, {turn, -turn, turn}, 0.0};
     pw85_motion const motion2{{-r12[0], -r12[1], -r12[2]}, {turn, turn, 0.0}, growth};
     pw85_first_contact(r12.coordinates, x.q1.entries, x.q2.entries, &motion1, &motion2, 1.0, &t);
 }
 
-/// r12, q1, q2 as the C API takes them.
+/// The arguments r12, q1 and q2 of the C API.
 #define PW85_BENCH_PAIR(x) (x).r12.coordinates, (x).q1.entries, (x).q2.entries
 
 inline constexpr Function functions[] = {
@@ -46,18 +48,22 @@ inline constexpr Function functions[] = {
      [](Pair const &x, double l, Sink &s) { pw85_contact_gradient(PW85_BENCH_PAIR(x), l, s.a, s.b, s.c); }},
     {"contact_torque", [](Pair const &x, double l, Sink &s) { pw85_contact_torque(PW85_BENCH_PAIR(x), l, s.a, s.b); }},
     {"closest_approach", [](Pair const &x, double, Sink &s) { pw85_closest_approach(PW85_BENCH_PAIR(x), s.a); }},
-    {"distance", [](Pair const &x, double,
-                    Sink &s) { pw85_distance(moved(x, 2.0).coordinates, x.q1.entries, x.q2.entries, s.a, s.b, s.c); }},
+    {"distance",
+     [](Pair const &x, double, Sink &s) {
+         pw85_distance(scaled_separation(x, 2.0).coordinates, x.q1.entries, x.q2.entries, s.a, s.b, s.c);
+     }},
     {"distance_plane",
      [](Pair const &x, double, Sink &s) { pw85_distance_plane(x.r12.coordinates, 1.0, x.q1.entries, s.a, s.b); }},
-    {"penetration", [](Pair const &x, double,
-                       Sink &s) { pw85_penetration(moved(x, 0.5).coordinates, x.q1.entries, x.q2.entries, s.a, s.b); }},
+    {"penetration",
+     [](Pair const &x, double, Sink &s) {
+         pw85_penetration(scaled_separation(x, 0.5).coordinates, x.q1.entries, x.q2.entries, s.a, s.b);
+     }},
     {"first_contact_translation", [](Pair const &x, double, Sink &s) { first_contact(x, 0.0, 0.0, s.a[0]); }},
     {"first_contact_rotation", [](Pair const &x, double, Sink &s) { first_contact(x, 1.0, 0.0, s.a[0]); }},
     {"first_contact_growth", [](Pair const &x, double, Sink &s) { first_contact(x, 0.0, 0.1, s.a[0]); }},
     {"contact_2d",
      [](Pair const &x, double, Sink &s) {
-         // The lower right blocks of the forms are forms of ellipses.
+         // The lower right blocks of the forms serve as forms of ellipses.
          pw85_contact_2d(x.r12.coordinates, x.q1.entries + 3, x.q2.entries + 3, s.a);
      }},
     {"closest_approach_2d",

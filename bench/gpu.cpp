@@ -1,4 +1,4 @@
-// What a GPU does: pairs per second of the functions of pw85_gpu.h, and whether it answers as the host does. Needs a device, or the
+// Measures the functions of pw85_gpu.h in pairs per second, and compares overlaps with those of the host. It needs a device, or the
 // driver of the tests. Usage: gpu [PAIRS [COMPARED]]
 #include <chrono>
 #include <cstdio>
@@ -44,11 +44,11 @@ std::vector<double> repeated(std::vector<double> const &values, std::size_t size
     return all;
 }
 
-/// Seconds of the shortest of five calls, each waited for.
+/// The shortest time of five calls in seconds. Each call is waited for.
 template <class Call> double seconds(Stream const &stream, Call call)
 {
     double shortest = 1e300;
-    for (int i = 0; i < 6; ++i) { // the first one loads the program
+    for (int i = 0; i < 6; ++i) { // the first call loads the program
         auto const start = std::chrono::steady_clock::now();
         g_assert_cmpint(call(stream.handle()), ==, PW85_SUCCESS);
         stream.wait();
@@ -85,7 +85,7 @@ void measure(std::size_t n, double aspect)
           }));
 }
 
-/// Twenty neighbours of each particle.
+/// A list with twenty neighbours of each particle.
 void measure_lists(std::size_t particles, double aspect)
 {
     Random random(901);
@@ -114,7 +114,7 @@ void measure_lists(std::size_t particles, double aspect)
           }));
 }
 
-/// Overlaps on the device and on the host; how many differ.
+/// Computes overlaps on the device and on the host, and counts those that differ.
 std::size_t compare(std::size_t pairs)
 {
     std::size_t different = 0, compared = 0;

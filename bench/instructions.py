@@ -1,9 +1,9 @@
 #!/usr/bin/python3
-"""Instructions per pair on 64-bit ARM, by instruction set, as an emulator counts them: all that can be said of speed without the
-processor, and without what its instructions cost. The table goes to docs/measurements.json.
+"""Counts instructions per pair on 64-bit ARM by an emulator, for each instruction set. Without such a processor, speed cannot be
+measured otherwise; the cost of an instruction is not taken into account. The table goes to docs/measurements.json.
 
-Usage: instructions.py BUILD, a build directory of scripts/cross/aarch64-linux-gnu.ini with -Dgsl=disabled. Needs qemu-aarch64, gcc and
-aarch64-linux-gnu-g++. Pairs are those of bench/speed.
+Usage: instructions.py BUILD, a build directory of scripts/cross/aarch64-linux-gnu.ini with -Dgsl=disabled. Needs qemu-aarch64, gcc
+and aarch64-linux-gnu-g++. Pairs are those of bench/speed.
 """
 
 import os
@@ -41,7 +41,7 @@ def instructions(plugin, program, target, arguments):
 
 
 def per_pair(plugin, program, target, function):
-    """By the difference of three calls and one."""
+    """Instructions per pair, from the difference between three calls and one call."""
     one, three = (instructions(plugin, program, target, [function, ASPECT, times]) for times in ("1", "3"))
     return round((three - one) / (2 * PAIRS))
 

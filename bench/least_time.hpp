@@ -1,4 +1,4 @@
-// The time of a block, on a machine that does other things too.
+// Measures the time of a block of calls on a machine that also runs other programs. peers.cpp and side_by_side.cpp use it.
 #ifndef PW85_BENCH_LEAST_TIME_HPP_INCLUDED
 #define PW85_BENCH_LEAST_TIME_HPP_INCLUDED
 
@@ -11,8 +11,9 @@
 
 namespace pw85_bench {
 
-/// Nanoseconds per item. Some passes are made over all items, so that no branch is known by heart; of each piece, from an item up to
-/// another, the least time counts, since what else the machine does can only add, and leaves most short pieces alone.
+/// Nanoseconds per item. Each pass goes over all items, so that the processor cannot learn the branches of a few. The items are
+/// divided into short pieces, and the least time of each piece counts: other programs can only add to a time, and rarely disturb a
+/// short piece.
 template <class Work> double least_time(std::size_t items, Work work)
 {
     constexpr std::size_t piece = 128;

@@ -1,11 +1,11 @@
-"""Measures everything that README and manual show, and makes their tables and pictures from it.
+"""Measures everything that README and manual show, and makes their tables and pictures from the results.
 
 Usage: measure.py [--only TABLE] PROGRAM..., the programs of this folder. Have the machine to yourself.
 
-All tables come from one run, which is written to docs/measurements.json with its conditions. --only puts a single table there, of
-a program that prints it, with conditions of its own. So are tables kept that this run does not give: instructions on another processor
-(instructions.py), and what compares with libraries which are not there now.
-Times are nanoseconds per pair, the shortest of several repetitions in which the functions take turns.
+All tables come from one run, which is written to docs/measurements.json with its conditions. --only replaces a single table, which
+a program prints, and stores its conditions with it. Tables that this run does not produce are kept: instructions on another
+processor (instructions.py), and comparisons with libraries that are not available now. Times are nanoseconds per pair, the shortest
+of several repetitions in which the functions take turns.
 """
 
 import csv
@@ -22,12 +22,12 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parent.parent
 RESULTS = ROOT / "docs" / "measurements.json"
 REPETITIONS = 31
-COMPARED = {"pw85 2.0", "HOOMD-blue 2"}  # beside what Debian has
+COMPARED = {"pw85 2.0", "HOOMD-blue 2"}  # libraries that are not in Debian
 DISPATCHED = "^(contact|overlap|contact_batch|overlap_batch)/[0-9e+]+$"
 
 
 def processor(key):
-    """What /proc/cpuinfo says of the first processor."""
+    """The value of a key of /proc/cpuinfo for the first processor, or nothing."""
     try:
         lines = Path("/proc/cpuinfo").read_text().splitlines()
     except OSError:
@@ -36,7 +36,7 @@ def processor(key):
 
 
 def instruction_sets():
-    """What the library is compiled for, the oldest first, with what a processor must have, from src/kernels/meson.build."""
+    """The instruction sets of src/kernels/meson.build, from the oldest to the newest, each with the features that it needs."""
     text = (ROOT / "src" / "kernels" / "meson.build").read_text(encoding="utf-8")
     rows = re.findall(r"^  \['(\w+)', \[([^\]]*)\]", re.search(r"x86_targets = \[\n(.*?)^\]", text, re.M | re.S)[1], re.M)
     return {"baseline": set(), **{name: set(re.findall(r"\w+", features)) for name, features in reversed(rows)}}
@@ -52,7 +52,7 @@ def read_table(program, *arguments, target):
 
 
 def nanoseconds(program, name_filter, target, repetitions, threads=1):
-    """Context, and the least time of each benchmark that matches; once each where it is only to be seen that all this works."""
+    """The context, and the least time of each benchmark that matches. In a trial run each benchmark runs once."""
     if "PW85_MEASURE_ONCE" in os.environ:
         repetitions = 1
     options = {"filter": name_filter, "format": "json", "repetitions": repetitions, "min_time": 0.003}
@@ -131,7 +131,7 @@ def worst_rows(program, targets):
         for found in read_table(program, "worst", target=target):
             ends = {key: found[key] for key in ("aspect_from", "aspect_to", "pairs")}
             row = rows.setdefault((target, found["aspect_from"]), {"target": target, **ends})
-            row.setdefault(found["function"], found["error"])  # the worst comes first
+            row.setdefault(found["function"], found["error"])  # the largest error comes first
     return list(rows.values())
 
 
@@ -166,7 +166,7 @@ def measure(programs):
 
 
 def with_last(results):
-    """With the last tables of what was not measured now."""
+    """Adds the previous tables of everything that was not measured now."""
     last = last_results()
     for name in sorted(last["tables"].keys() - results["tables"].keys()):
         results["tables"][name] = last["tables"][name]
@@ -179,7 +179,7 @@ def last_results():
 
 
 def put_apart(name, rows, conditions):
-    """Puts a table there that was measured alone."""
+    """Replaces one table by one that was measured alone."""
     results = last_results()
     results["tables"][name] = rows
     results.setdefault("apart", {})[name] = conditions
@@ -193,7 +193,7 @@ def measure_only(name, programs):
 
 
 def to_json(results):
-    """One row of a table a line."""
+    """The results as JSON, with one row of a table per line."""
     tables = ",\n".join(
         f'  "{name}": [\n' + ",\n".join(f"   {json.dumps(row)}" for row in rows) + "\n  ]"
         for name, rows in results["tables"].items()

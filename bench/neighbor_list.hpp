@@ -1,4 +1,5 @@
-// A neighbour list as simulations have it: uniformly random centres, all pairs closer than a cutoff.
+// Makes a neighbour list like those of simulations: uniformly random centres, and all pairs closer than a cutoff. speed.cpp and
+// gpu.cpp use it.
 #ifndef PW85_BENCH_NEIGHBOR_LIST_HPP_INCLUDED
 #define PW85_BENCH_NEIGHBOR_LIST_HPP_INCLUDED
 
@@ -21,11 +22,11 @@ struct NeighborSystem {
 
     std::array<double, 9> cell() const { return {side, 0, 0, 0, side, 0, 0, 0, side}; }
 
-    /// The same lattice by vectors at odd angles.
+    /// Another cell of the same lattice, with skewed vectors.
     std::array<double, 9> skewed_cell() const { return {side, 0, 0, side, side, 0, -side, 2 * side, side}; }
 };
 
-/// Buckets of particles by a grid of n×n×n cells.
+/// The particles in each cell of a grid of n×n×n cells.
 inline std::vector<std::vector<std::int32_t>> bucket(NeighborSystem const &system, int n)
 {
     std::vector<std::vector<std::int32_t>> buckets(static_cast<std::size_t>(n * n * n));
@@ -68,8 +69,8 @@ inline void list_pairs(NeighborSystem &system, double cutoff)
     std::sort(system.pairs.begin(), system.pairs.end());
 }
 
-/// `num_particles` ellipsoids of the given aspect ratio with about 20 pairs each, of which half overlap or so. Sorted
-/// particles are numbered as they lie in space, plane by plane and row by row; the others at random.
+/// Makes `num_particles` ellipsoids of the given aspect ratio with about 20 pairs each, of which about half overlap. Sorted
+/// particles are numbered by their position, plane by plane and row by row; otherwise the numbers are random.
 inline NeighborSystem make_system(std::size_t num_particles, double aspect, bool sorted)
 {
     pw85_tests::Random random(99);
@@ -84,8 +85,8 @@ inline NeighborSystem make_system(std::size_t num_particles, double aspect, bool
             auto const key = [](auto const &x) { return std::array{std::floor(x[0] / 2), std::floor(x[1] / 2), x[2]}; };
             return key(a) < key(b);
         });
-    // Density one: 40 neighbours within the cutoff, that is 20 pairs per particle. A semi-axis of 0.8 cutoffs brings about
-    // half of them to overlap at moderate aspect ratios.
+    // At density one there are 40 neighbours within the cutoff, that is 20 pairs per particle. With a semi-axis of 0.8 cutoffs,
+    // about half of them overlap at moderate aspect ratios.
     double const cutoff = std::cbrt(40.0 * 3.0 / (4.0 * std::numbers::pi));
     for (std::size_t i = 0; i < num_particles; ++i) system.q.push_back(random.form(0.8 * cutoff, aspect));
     list_pairs(system, cutoff);

@@ -1,4 +1,5 @@
-// Blocks of random pairs that stay in the cache, as the functions of one pair and of many take them.
+// Makes blocks of random pairs that fit into the cache, as arguments of the functions of one pair and of many. The programs that
+// measure times use them.
 #ifndef PW85_BENCH_PAIRS_HPP_INCLUDED
 #define PW85_BENCH_PAIRS_HPP_INCLUDED
 
@@ -27,11 +28,11 @@ inline std::vector<Pair> random_block(double aspect, double excess = 0.0, int si
     return block;
 }
 
-/// A block with its maximisers, for the functions that take them, and in contiguous arrays, for the batch.
+/// A block of pairs with their maximisers, for the functions that take λ, and in contiguous arrays, for the batch functions.
 struct Block {
     std::vector<Pair> pairs;
     std::vector<double> lambdas, r12, q1, q2, mu2, lambda, point1, point2;
-    std::vector<double> apart; ///< separations twice as long, at which no pair overlaps
+    std::vector<double> apart; ///< separations multiplied by two, at which no pair overlaps
     std::vector<unsigned char> overlap;
 
     explicit Block(std::vector<Pair> const &block)

@@ -1,5 +1,5 @@
-// What side_by_side.cpp asks of a library: which pairs of a block overlap. Nothing of pw85 is included here, since version 2.0
-// gave other things the same names.
+// The interface by which side_by_side.cpp calls the overlap test of another library. It includes nothing of pw85, because pw85 2.0
+// uses the same names.
 #ifndef PW85_BENCH_PEER_HPP_INCLUDED
 #define PW85_BENCH_PEER_HPP_INCLUDED
 
@@ -17,9 +17,9 @@ struct Rows {
 class Peer {
   public:
     virtual ~Peer() = default;
-    /// Makes of the pairs what the library takes; they stay where they are.
+    /// Converts the pairs for the library. The arrays must stay valid.
     virtual void take(Rows) = 0;
-    /// 1 for pairs that the library says overlap, 0 for others, from one up to another. This is what is timed.
+    /// Writes 1 for pairs that overlap according to the library, otherwise 0, for a range of pairs. This call is timed.
     virtual void decide(std::size_t begin, std::size_t end, unsigned char *overlap) const = 0;
 };
 

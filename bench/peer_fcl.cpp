@@ -1,4 +1,4 @@
-// FCL with its default solver, libccd.
+// The overlap test of FCL with its default solver, libccd, for side_by_side.cpp.
 #include <vector>
 
 #include "fcl_bodies.hpp"

@@ -1,4 +1,5 @@
-// The test of HOOMD-blue 2 for ellipsoids (hoomd/hpmc/ShapeEllipsoid.h), with the mixed precision of its simulations.
+// The overlap test of HOOMD-blue 2 for ellipsoids (hoomd/hpmc/ShapeEllipsoid.h), with the mixed precision of its simulations, for
+// side_by_side.cpp.
 #include <vector>
 
 #include <hoomd/hpmc/ShapeEllipsoid.h>
@@ -35,7 +36,7 @@ class PeerHoomd final : public pw85_bench::Peer {
             pairs_.push_back({shape(rows.q1 + 6 * i), shape(rows.q2 + 6 * i), vec3<Scalar>(r[0], r[1], r[2])});
         }
     }
-    /// Where it cannot tell, it counts an error and goes on as if there were no overlap.
+    /// If the test cannot decide, it counts an error and reports no overlap.
     void decide(std::size_t begin, std::size_t end, unsigned char *overlap) const override
     {
         unsigned int errors = 0;

@@ -1,4 +1,5 @@
-// pw85 2.0, whose header defines its functions. Alone in its translation unit: it has our names.
+// The contact function of pw85 2.0 for side_by_side.cpp. Its header defines functions with the names of this library, so that it
+// needs a translation unit of its own.
 #include <limits>
 
 #include <pw85/pw85.hpp>

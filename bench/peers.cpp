@@ -1,9 +1,8 @@
-// FCL side by side with this library, on the same pairs: whether two ellipsoids overlap, and their distance.
+// Compares FCL with this library on the same pairs: the overlap test and the distance. measure.py runs it.
 //
-// Half of the pairs overlap, with |μ² - 1| as given; distances are those of the other half. Times are nanoseconds, the least of
-// several passes over a block; wrong and failed answers are in percent. What rounds forms to
-// principal axes (principal_axes.hpp) is far below the errors found: those are absolute, the largest semi-axis of the first
-// ellipsoid being 1.
+// Half of the pairs overlap, with the given |μ² - 1|; the distances are those of the other half. Times are in nanoseconds, the
+// least of several passes over a block. Wrong and failed results are in per cent. Errors are absolute, where the largest semi-axis
+// of the first ellipsoid is 1. The rounding errors of the principal axes (principal_axes.hpp) are far below them.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -20,7 +19,7 @@ using namespace pw85_bench;
 
 namespace {
 
-/// NaN where FCL throws.
+/// The distance by FCL; NaN if FCL throws an exception.
 double fcl_distance(Bodies const &b, fcl::GJKSolverType solver)
 {
     fcl::DistanceRequestd request;
@@ -47,7 +46,7 @@ double distance(Pair const &x)
     return result;
 }
 
-/// Nanoseconds per item of calls whose results go where the compiler cannot drop them.
+/// Nanoseconds per item. The results are stored, so that the compiler cannot remove the calls.
 template <class Items, class Call> double time_of(Items const &items, Call call)
 {
     double volatile sink = 0.0;
@@ -76,7 +75,7 @@ void compare(std::vector<Pair> const &pairs, std::vector<Bodies> const &bodies, 
         apart.push_back(pairs[i]);
         bodies_apart.push_back(bodies[i]);
         double const found = fcl_distance(bodies[i], solver.type);
-        if (!(found >= 0.0)) // it says -1 for pairs that it takes for overlapping
+        if (!(found >= 0.0)) // FCL returns -1 for pairs that it considers as overlapping
             ++failed;
         else
             largest = std::max(largest, std::abs(found - distance(pairs[i])));

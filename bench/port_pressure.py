@@ -1,12 +1,12 @@
 #!/usr/bin/python3
-"""What bounds the contact function: of many pairs the arithmetic of its loops, and how long ports are busy with it; of one pair the
-chain of results that wait for each other.
+"""Estimates what limits the speed of the contact function. For many pairs it is the arithmetic of the loops, which keeps the ports
+of the processor busy; for one pair it is the latency of operations that depend on each other.
 
     port_pressure.py BUILD
 
 BUILD is a build directory with the target avx512. Needs objdump and llvm-mca, whose model of Skylake has the two ports for 512 bits
-of later processors. Prints, for each loop over packs of eight pairs, its instructions and cycles per pack; and for one pair the
-cycles of the whole path, with as many steps of Halley's, if no branch is mispredicted, and those that ports would need alone.
+of later processors. Prints, for each loop over packs of eight pairs, its instructions and cycles per pack; and for one pair, by the
+number of Halley steps, the cycles of the whole path without mispredicted branches, and the cycles that the ports alone would need.
 """
 
 import heapq
@@ -20,7 +20,7 @@ ONE_PAIR = r"> pw85::detail::maximize<double, 3>"
 FORM = r"> pw85::detail::rational_form<double>"
 ARITHMETIC = r"v(f|mul|add|sub|div|max|min|rcp|rsqrt|sqrt|cmp|blend)"
 SHUFFLE = r"v(unpck|perm|insert|broadcast)"
-TAKEN = 1000  # a jump that is taken is off the common path
+TAKEN = 1000  # cost of a jump that is taken, which leaves the common path
 
 
 def output(command, **options):
@@ -28,19 +28,19 @@ def output(command, **options):
 
 
 def instructions(disassembly, function):
-    """Addresses and instructions of a function."""
+    """The addresses and instructions of a function."""
     body = re.search(rf"^[0-9a-f]+ <[^\n]*{function}[^\n]*>:\n(.*?)\n\n", disassembly, re.M | re.S).group(1)
     return [(int(m.group(1), 16), m.group(2)) for m in re.finditer(r"^ *([0-9a-f]+):\t(.*)$", body, re.M)]
 
 
 def jump_target(code, places, i):
-    """Where instruction i may go beside the next, or None."""
+    """The target of instruction i if it is a jump, or None."""
     jump = re.match(r"j\w+\s+([0-9a-f]+)", code[i][1])
     return places.get(int(jump.group(1), 16)) if jump else None
 
 
 def loops(code):
-    """Where loops begin, and their bodies up to the last jump back."""
+    """The first instruction of each loop, and its body up to the last jump back."""
     places = {address: i for i, (address, _) in enumerate(code)}
     found = {}
     for i in range(len(code)):
@@ -55,7 +55,7 @@ def straight(texts):
 
 
 def simulate(texts, iterations):
-    """Cycles of so many runs one after the other, and per run those of ports 0, 1 and 5."""
+    """The cycles of so many consecutive runs, and the cycles of ports 0, 1 and 5 per run."""
     command = ["llvm-mca", "-mcpu=skylake-avx512", "-noalias", f"-iterations={iterations}"]
     report = output(command, input="\n".join(straight(texts)) + "\n")
     cycles = int(re.search(r"Total Cycles:\s+(\d+)", report).group(1))
@@ -64,7 +64,8 @@ def simulate(texts, iterations):
 
 
 def path(code, begin, is_end, is_barred):
-    """The way from one instruction to the next that is an end, along fewest jumps that are taken, past none that is barred."""
+    """The path from an instruction to the next one for which is_end(), without instructions for which is_barred(), and with the
+    fewest jumps that are taken."""
     places = {address: i for i, (address, _) in enumerate(code)}
     queue, seen = [(0, begin, [])], set()
     while queue:

@@ -1,5 +1,5 @@
-// Semi-axes and directions of the ellipsoid of a form, for libraries that take these. They are right to rounding, some 1e-16
-// times the square of the aspect ratio.
+// Computes the semi-axes and principal directions of a form, for libraries that need them. The relative error is some 1e-16 times
+// the square of the aspect ratio.
 #ifndef PW85_BENCH_PRINCIPAL_AXES_HPP_INCLUDED
 #define PW85_BENCH_PRINCIPAL_AXES_HPP_INCLUDED
 
@@ -11,7 +11,7 @@ struct PrincipalAxes {
     Eigen::Vector3d lengths;
     Eigen::Matrix3d turn; // its columns are the directions
 
-    /// Of the six entries of a form.
+    /// @param q the six entries of a form
     explicit PrincipalAxes(double const *q)
     {
         Eigen::Matrix3d form;

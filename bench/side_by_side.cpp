@@ -1,8 +1,8 @@
-// Libraries side by side, on the same pairs: whether two ellipsoids overlap. Times are nanoseconds per pair, half of which overlap,
-// μ² being between 1/4 and 4, for four aspect ratios; wrong answers are in percent: at aspect ratio 1000 among these pairs, at 10 by
-// |μ² - 1|.
+// Compares the overlap tests of several libraries on the same pairs. measure.py runs it.
 //
-// Those that are not there are left out: pw85 2.0 and HOOMD-blue 2, whose sources Meson is told of (-Dpw85_2, -Dhoomd).
+// Times are in nanoseconds per pair, for four aspect ratios; half of the pairs overlap, with μ² between 1/4 and 4. Wrong results
+// are in per cent: at aspect ratio 1000 for these pairs, and at aspect ratio 10 by |μ² - 1|. pw85 2.0 and HOOMD-blue 2 take part if
+// Meson is given their sources (-Dpw85_2, -Dhoomd).
 #include <cstdio>
 
 #include <pw85.h>
@@ -15,7 +15,7 @@ using namespace pw85_bench;
 
 namespace {
 
-/// Functions of this library.
+/// The overlap tests of this library.
 template <class Overlaps> class Own final : public Peer {
   public:
     explicit Own(Overlaps overlaps) : overlaps_(overlaps) {}
@@ -35,7 +35,7 @@ template <class Overlaps> std::unique_ptr<Peer> own(Overlaps overlaps)
     return std::make_unique<Own<Overlaps>>(overlaps);
 }
 
-/// One pair after the other.
+/// Calls the function of one pair for each pair.
 template <class OverlapsOne> std::unique_ptr<Peer> one_by_one(OverlapsOne overlaps)
 {
     return own([overlaps](Rows x, unsigned char *overlap) {
@@ -101,7 +101,7 @@ double percent_wrong(Peer &peer, Block &block)
     return 100.0 * wrong / static_cast<double>(block.size());
 }
 
-/// A number of each library, for a block.
+/// One result of each library, for a block of pairs.
 void measure(std::vector<Entry> &list, std::vector<std::vector<double>> &results, double (*number)(Peer &, Block &),
              double aspect, double excess)
 {

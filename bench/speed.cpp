@@ -1,11 +1,12 @@
-// Time per pair of every public function, by Google Benchmark: `items_per_second` counts pairs. Names are
+// Measures the time per pair of every public function, by Google Benchmark: `items_per_second` counts pairs. measure.py runs it.
+// The names of the benchmarks are
 //
 //     FUNCTION/ASPECT               on pairs half of which overlap (pairs.hpp)
 //     FUNCTION/ASPECT/EXCESS        on pairs with |μ² - 1| = EXCESS
 //     FUNCTION/list/ORDER/CELL      on a neighbour list of aspect ratio 3 (neighbor_list.hpp)
-//     FUNCTION/million              on a million pairs of aspect ratio 10, by the time on the wall
+//     FUNCTION/million              on a million pairs of aspect ratio 10, in real time
 //
-// The environment decides the instruction set (PW85_TARGET) and the threads of the batch (OMP_NUM_THREADS).
+// Environment variables select the instruction set (PW85_TARGET) and the number of threads of the batch (OMP_NUM_THREADS).
 #include <cstdio>
 #include <map>
 #include <memory>
@@ -23,7 +24,7 @@ using pw85_tests::system_of;
 
 namespace {
 
-/// Blocks are made once.
+/// The block of pairs for an aspect ratio and an excess. Each block is made only once.
 Block &block(double aspect, double excess)
 {
     static std::map<std::pair<double, double>, std::unique_ptr<Block>> blocks;
@@ -72,7 +73,7 @@ void add(BatchFunction const &function, double aspect, double excess = 0.0)
     add(function.name, aspect, excess, function.call);
 }
 
-/// All functions far from contact, and those that depend on how near it is.
+/// Registers all functions on pairs far from contact, and those whose time depends on |μ² - 1| also on pairs near contact.
 template <class Functions> void add_all(Functions const &functions)
 {
     for (auto const &function : functions) {
@@ -83,7 +84,7 @@ template <class Functions> void add_all(Functions const &functions)
     }
 }
 
-/// 1e5 particles and 2e6 pairs of aspect ratio 3.
+/// Registers the functions of lists on 1e5 particles and 2e6 pairs of aspect ratio 3.
 NeighborSystem const &neighbor_system(bool sorted)
 {
     static NeighborSystem const systems[] = {make_system(100000, 3.0, false), make_system(100000, 3.0, true)};

@@ -1,11 +1,12 @@
-// Whole systems, by Google Benchmark: random ellipsoids in a cubic periodic cell, by the time of the processor. Names are
+// Measures functions of whole systems, by Google Benchmark: random ellipsoids in a cubic periodic cell, in processor time.
+// measure.py runs it. The names of the benchmarks are
 //
-//     neighbors/ASPECT/NUMBER       a list at packing fraction 0.5; `items_per_second` counts particles
-//     derivatives_pairs, forces     derivatives of the pairs of a list, and sums of forces of them; counts pairs
-//     threads/neighbors, ...        the same by two threads, in real time: `speed_up` over one, and the `limit` that the machine sets,
-//                                   which is what two programs gain that each have a processor, a system and one thread
-//     overlap_any                   one ellipsoid against 16 neighbours, none of which it overlaps, from its form; counts calls
-//     overlap_any/quaternion        the same from its quaternion
+//     neighbors/ASPECT/NUMBER       making a list at packing fraction 0.5; `items_per_second` counts particles
+//     derivatives_pairs, forces     derivatives of the pairs of a list, and the sums of their forces; counts pairs
+//     threads/neighbors, ...        the same with two threads, in real time: `speed_up` over one thread, and the `limit` of this
+//                                   machine, which is the gain of two independent programs with one thread and one system each
+//     overlap_any                   one ellipsoid, given by its form, against 16 neighbours that it does not overlap; counts calls
+//     overlap_any/quaternion        the same, given by its quaternion
 #include <chrono>
 #include <cmath>
 #include <memory>
@@ -65,7 +66,7 @@ void neighbors(benchmark::State &state)
     count(state, n);
 }
 
-/// A list with its derivatives.
+/// A neighbour list and the derivatives of its pairs.
 struct Derivatives {
     System system{100000, 3.0, 0.5};
     pw85::Neighbors list;
@@ -114,7 +115,7 @@ void forces(benchmark::State &state)
 
 #ifdef _OPENMP
 
-/// The time of work by threads of the library.
+/// The time of a work item with a number of threads of the library.
 template <class Work> double seconds(int threads, Work const &work)
 {
     omp_set_num_threads(threads);
@@ -123,7 +124,8 @@ template <class Work> double seconds(int threads, Work const &work)
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-/// Work on each of two systems: on one by one thread, on both at once by one thread each, on one by two threads.
+/// Three measurements with two equal systems: one system with one thread, both systems at once with one thread each, and one system
+/// with two threads.
 template <class Work> void compare_threads(benchmark::State &state, Work const &work)
 {
     double one = HUGE_VAL, both = HUGE_VAL, two = HUGE_VAL;
@@ -179,7 +181,7 @@ void overlap_any(benchmark::State &state)
     Vector3 const semi_axes = {1.0, 1.0, 3.0};
     std::vector<std::int32_t> others;
     for (std::size_t i = 1; i <= num_others; ++i) {
-        // As near as others are that do not overlap.
+        // The neighbours are as near as those of a dense system that do not overlap.
         Vector3 const direction = random.direction<3>();
         double const touch = pw85::closest_approach(direction, system.q[0], system.q[i]).distance;
         for (int d = 0; d < 3; ++d)
@@ -187,7 +189,7 @@ void overlap_any(benchmark::State &state)
         others.push_back(static_cast<std::int32_t>(i));
     }
     for (auto &row : system.cell)
-        for (int d = 0; d < 3; ++d) row[d] *= 4.0; // no image is near
+        for (int d = 0; d < 3; ++d) row[d] *= 4.0; // so that no periodic image is near
     int any = 0;
     for ([[maybe_unused]] auto _ : state) {
         Form const q = from_quaternion ? pw85::ellipsoid_quaternion(semi_axes, quaternion).q : system.q[0];

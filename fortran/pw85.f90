@@ -796,7 +796,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_contact_derivatives_pairs
 
-    !> Forces, torques and virial of an energy U(μ²) of pairs, summed up.
+    !> Sums of the forces, torques and virial of an energy U(μ²) of pairs.
     function pw85_contact_forces_pairs(list, system, d_u, d_r12, d_rot1, d_rot2, forces, torques, virial) &
       result(status) bind(C, name='pw85_contact_forces_pairs')
       import
@@ -832,7 +832,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_cell_reduce
 
-    !> The nearest images that the functions of neighbour lists take where they are given no `images`.
+    !> The nearest images, which the functions of neighbour lists use without `images`.
     function pw85_nearest_images(num_pairs, pairs, system, r12, images) result(status) bind(C, &
       name='pw85_nearest_images')
       import
@@ -844,7 +844,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_nearest_images
 
-    !> Up to which μ² nearest images are all there is.
+    !> The limit of μ² below which only nearest images count.
     function pw85_nearest_image_limit(system, mu2) result(status) bind(C, name='pw85_nearest_image_limit')
       import
       type(pw85_system), intent(in) :: system
@@ -862,7 +862,7 @@ module pw85
       integer(c_int) :: status
     end function pw85_neighbors_create
 
-    !> Which particle is to blame where a list cannot be made.
+    !> The particle because of which a list cannot be made.
     function pw85_neighbors_check(system, scale, skin, particle) result(status) bind(C, name='pw85_neighbors_check')
       import
       type(pw85_system), intent(in) :: system
@@ -871,8 +871,8 @@ module pw85
       integer(c_int) :: status
     end function pw85_neighbors_check
 
-    !> Whether a list still has all pairs whose boxes meet (without skin) after the particles have moved and turned, and
-    !> the cell has changed.
+    !> Whether a list still has all pairs whose boxes intersect (without skin) after the particles have moved and
+    !> turned, and the cell has changed.
     function pw85_neighbors_holds(list, system, holds) result(status) bind(C, name='pw85_neighbors_holds')
       import
       type(pw85_system), intent(in) :: system

@@ -141,8 +141,8 @@ PW85_API int pw85_ellipse(double a, double b, double angle, double q[3]);
  * @param r12 from the centre of ellipsoid 1 to that of ellipsoid 2; zero is valid: μ² = 0, λ = 1/2
  * @param q1,q2 forms of the ellipsoids, in the square of the unit of r12
  * @param[out] out (μ², λ), with the maximiser λ of f in [0, 1]
- * @return #PW85_SUCCESS, #PW85_EINVAL (null pointer, NaN or infinity), #PW85_ENOTPD, #PW85_ECONVERGENCE (where the error cannot
- *         be proved to be so small: never seen) */
+ * @return #PW85_SUCCESS, #PW85_EINVAL (null pointer, NaN or infinity), #PW85_ENOTPD, #PW85_ECONVERGENCE (the bound on the
+ *         error cannot be proved; this has never been seen) */
 PW85_API int pw85_contact(double const r12[PW85_DIM], double const q1[PW85_SYM], double const q2[PW85_SYM],
                           double out[2]);
 
@@ -261,21 +261,22 @@ PW85_API int pw85_closest_approach_2d(double const direction[2], double const q1
 /** Distance of the surfaces of two ellipsoids, and the points where they are closest.
  *
  * The error of the distance is below 8 u Σ, with u = 2⁻⁵³ and Σ = Σ|n_i r12_i| + Σ|n_i q1_ij n_j|/(2α) + Σ|n_i q2_ij n_j|/(2β),
- * the sums over all i and j: what entrywise rounding of the data may change it by is u Σ. Here n is the unit normal, and α
- * and β are the half-widths of the ellipsoids along it. The answer can be checked without trust: any unit vector n gives a
- * lower bound n·r12 - α - β of the distance, and any two points of the ellipsoids an upper one. `distance` is the lower
- * bound of its normal (that of pw85_distance_derivatives()), and |point2 - point1| the upper one.
+ * the sums over all i and j. Entrywise rounding of the data can change the distance by u Σ. Here n is the unit normal, and α and β
+ * are the half-widths of the ellipsoids along it. The answer can be checked independently: any unit vector n gives a lower bound
+ * n·r12 - α - β of the distance, and any two points of the ellipsoids give an upper bound. `distance` is the lower bound for the
+ * normal that pw85_distance_derivatives() returns, and |point2 - point1| is an upper bound.
  *
  * The vector point2 - point1 differs from `distance` times n by less than 2¹⁸ u (|r12| + |point1| + |r12 - point2|), and |point2 -
- * point1| from `distance` by no more: the points are those of the pair whose r12 differs by so much. Each point is within 2¹⁸ u
- * times the longest semi-axis of its ellipsoid from the surface; the rounding of its coordinates, u |point2|, comes on top.
+ * point1| differs from `distance` by no more than that. The points are the closest points of a pair whose r12 differs by no more
+ * than that. The distance of each point from the surface is below 2¹⁸ u times the longest semi-axis of its ellipsoid, plus the
+ * rounding error u |point2| of its coordinates.
  *
  * @param r12,q1,q2 as for pw85_contact()
  * @param[out] distance in the unit of r12; zero if the ellipsoids overlap, which is decided as in pw85_overlap(); may be null
  * @param[out] point1,point2 the closest points of ellipsoids 1 and 2, both relative to the centre of ellipsoid 1; NaN if they
  *        overlap, also on success; may be null
- * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD, #PW85_ECONVERGENCE (where the errors cannot be bounded: seen beyond
- *         aspect ratio 10⁶ only) */
+ * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD, #PW85_ECONVERGENCE (the errors cannot be bounded; seen only beyond
+ *         aspect ratio 10⁶) */
 PW85_API int pw85_distance(double const r12[PW85_DIM], double const q1[PW85_SYM], double const q2[PW85_SYM],
                            double *distance, double point1[PW85_DIM], double point2[PW85_DIM]);
 
@@ -295,16 +296,17 @@ PW85_API int pw85_distance_derivatives(double const r12[PW85_DIM], double const 
 
 /** The depth of an overlap: the shortest translation of ellipsoid 2 that separates two ellipsoids.
  *
- * It is the smallest value over unit vectors n of α + β - n·r12, with the half-widths α and β of the ellipsoids along n, which
- * may have several local minima: this is the global one, with a proof. `depth` is the value for its direction, to 8 u Σ, with Σ
- * as for pw85_distance(); no direction gives less by more than 32 u Σ, the larger of either. Of several directions that are
- * equally good it is one. It takes several hundred times as long as pw85_contact(), up to a thousand.
+ * It is the smallest value of α + β - n·r12 over unit vectors n, with the half-widths α and β of the ellipsoids along n. This
+ * function of n may have several local minima; the result is proved to be the global one. `depth` is the value for the returned
+ * direction, with an error below 8 u Σ, with Σ as for pw85_distance(). No other direction has a value that is smaller by more than
+ * 32 u Σ, where Σ is the larger one of the two directions. If several directions are equally good, the result is one of them. The
+ * time is several hundred to a thousand times that of pw85_contact().
  *
  * @param r12,q1,q2 as for pw85_contact()
  * @param[out] depth in the unit of r12; zero if the ellipsoids do not overlap, which is decided as in pw85_overlap(); may be null
  * @param[out] direction unit vector along which ellipsoid 2 is to move; NaN if they do not overlap, also on success; may be null
- * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD, #PW85_ECONVERGENCE (if the proof takes too long: seen only for
- *         forms that are singular to working precision) */
+ * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD, #PW85_ECONVERGENCE (the proof takes too long; seen only for forms
+ *         that are singular to working precision) */
 PW85_API int pw85_penetration(double const r12[PW85_DIM], double const q1[PW85_SYM], double const q2[PW85_SYM],
                               double *depth, double direction[PW85_DIM]);
 
@@ -316,25 +318,26 @@ PW85_API int pw85_distance_2d(double const r12[2], double const q1[3], double co
  * @name Time
  *
  * Ellipsoids that translate at constant velocities, turn about their centres at constant angular velocities, and grow. The first
- * contact is the least time in [0, t_max] at which μ <= 1; infinity stands for none. It is approached from below: no time before
- * it is passed over that is not proved to be free of contact.
+ * contact is the least time in [0, t_max] at which μ <= 1; infinity stands for none. The search skips only time intervals that are
+ * proved free of contact.
  *
- * At the time t given |μ² - 1| <= 80 u S, with u = 2⁻⁵³, and before it μ² >= 1 - 80 u S. So t errs by at most 80 u S/|dμ²/dt| + 2 u t,
- * unless the contact grazes. S is what relative errors of one in the numbers given would change μ² by at that time:
+ * At the time t that is returned |μ² - 1| <= 80 u S, with u = 2⁻⁵³, and before it μ² >= 1 - 80 u S. So the error of t is at most
+ * 80 u S/|dμ²/dt| + 2 u t, unless the contact grazes. S is the change of μ² at that time for relative errors of one in the given
+ * numbers:
  *
  *     S = cond + Σ_i |∂μ²/∂r_i| (|r12_i| + t |v1_i| + t |v2_i|) + Σ_k (1 + t |ω_k| + t |g_k|) max|Q_k| Σ_ij |∂μ²/∂Q_k,ij|
  *
  * cond is that of pw85_contact(); v, ω and g are the numbers of the motions, and Q_k is the form of ellipsoid k at time t. The sum
- * over k is over the ellipsoids that turn or grow. Pairs that miss each other by no more than this count as touching. A pair that
- * overlaps at time 0 has its first contact at once; but if it overlaps by no more than some
- * hundred times its rounding and separates, it counts as one that has just collided: the answer is its next contact.
+ * over k is over the ellipsoids that turn or grow. Pairs that miss each other by no more than 80 u S count as touching. If a pair
+ * overlaps at time 0, its first contact is at time 0, with one exception: if the overlap is no more than some hundred times its
+ * rounding error and the ellipsoids separate, the pair counts as one that has just collided, and t is the time of its next contact.
  * @{ */
 
 /** How an ellipsoid moves. */
 typedef struct pw85_motion {
-    /** of the centre. */
+    /** velocity of the centre. */
     double velocity[PW85_DIM];
-    /** about the centre, in radians per unit of time. */
+    /** angular velocity about the centre, in radians per unit of time. */
     double angular_velocity[PW85_DIM];
     /** At time t the semi-axes are 1 + growth·t times those at time 0. */
     double growth;
@@ -346,18 +349,18 @@ typedef struct pw85_motion {
  * @param motion1,motion2 how the ellipsoids move; none may shrink to nothing before t_max
  * @param t_max the time up to which contacts count, >= 0; may be infinity
  * @param[out] t the time, or infinity
- * @return #PW85_SUCCESS, #PW85_EINVAL (also for an ellipsoid that shrinks to nothing), #PW85_ENOTPD, #PW85_ECONVERGENCE (where
- *         ellipsoids that turn thousands of times within reach of each other do not touch; where sizes, the relative velocity or the
- *         time leave the range of double; where one turns by more than 2⁴³ radians, so that its orientation is unknown) */
+ * @return #PW85_SUCCESS, #PW85_EINVAL (also for an ellipsoid that shrinks to nothing), #PW85_ENOTPD, #PW85_ECONVERGENCE (the
+ *         ellipsoids turn thousands of times near each other without contact; sizes, the relative velocity or the time leave the
+ *         range of double; or one turns by more than 2⁴³ radians, so that its orientation is unknown) */
 PW85_API int pw85_first_contact(double const r12[PW85_DIM], double const q1[PW85_SYM], double const q2[PW85_SYM],
                                 pw85_motion const *motion1, pw85_motion const *motion2, double t_max, double *t);
 
 /** @}
  * @name Walls, points and lines
  *
- * One ellipsoid. The distance is the largest or smallest of n·x ∓ α over unit vectors n, with α the half-width of the
- * ellipsoid along n, as said for each function; its error is below 8 u Σ, with Σ the sum of the magnitudes of the terms of
- * n·x and of other lengths in it, and of Σ|n_i q_ij n_j|/(2α), where n is the unit normal of the exact answer.
+ * These functions are for one ellipsoid. The distance is the largest or smallest value of n·x ∓ α over unit vectors n, where α is
+ * the half-width of the ellipsoid along n. Its error is below 8 u Σ. Here Σ is the sum of the magnitudes of the terms of n·x and of
+ * other lengths in the distance, and of Σ|n_i q_ij n_j|/(2α), where n is the unit normal of the exact answer.
  *
  * The derivatives of a distance with respect to the position of the centre and to small rotations about it follow from the
  * point and the normal: see pw85_distance_plane_derivatives().
@@ -454,9 +457,9 @@ PW85_API int pw85_intersect_line(double const origin[PW85_DIM], double const dir
  * @name Many pairs
  *
  * Arrays are contiguous, and row i belongs to pair i. A bad pair (NaN, infinity, a form that is not positive definite) is
- * marked with NaN, or 255 for overlaps. The other pairs are computed all the same, and the function returns the status of the
- * first bad pair. Where the call as a whole is wrong (a null pointer, a size that overflows, an index out of range), the
- * function returns #PW85_EINVAL before it writes anything.
+ * marked with NaN, or 255 for overlaps. The function still computes the other pairs, and returns the status of the first bad pair.
+ * If the call as a whole is wrong (a null pointer, a size that overflows, an index out of range), the function returns #PW85_EINVAL
+ * before it writes anything.
  *
  * The result for a pair depends on the pair and on the instruction set alone: not on its position, the number of pairs, or the
  * number of threads. The library uses the newest instruction set of the processor that it knows. The environment variable
@@ -623,8 +626,8 @@ PW85_API int pw85_contact_hessian_batch_2d(size_t n, double const *r12, double c
 PW85_API int pw85_closest_approach_batch_2d(size_t n, double const *directions, double const *q1, double const *q2,
                                             double *distance);
 
-/** pw85_contact(), pw85_contact_geometry(), pw85_contact_gradient() and pw85_contact_torque() for n pairs: what the forces and
- * torques of an energy U(μ²) are made of. A pair with r12 = 0 is valid: its derivatives are zero, its point and normal NaN.
+/** pw85_contact(), pw85_contact_geometry(), pw85_contact_gradient() and pw85_contact_torque() for n pairs: all that the forces
+ * and torques of an energy U(μ²) need. A pair with r12 = 0 is valid: its derivatives are zero, its point and normal NaN.
  *
  * @param n number of pairs
  * @param r12 n×3
@@ -790,19 +793,19 @@ PW85_API int pw85_first_contact_batch(size_t n, double const *r12, double const 
  * The function tests the others one after the other, as pw85_overlap() does, and stops at the first that overlaps or is bad. It
  * runs in the calling thread, and uses SIMD.
  *
- * @param q1 form of the one
+ * @param q1 form of the ellipsoid
  * @param n number of others; 0 is fine
- * @param r12 n×3: centres of the others relative to that of the one
+ * @param r12 n×3: centres of the others relative to that of the ellipsoid
  * @param q2 n×6
  * @param[out] any 1 or 0; -1 on error
  * @return #PW85_SUCCESS, #PW85_EINVAL, or the status of the first bad pair if no pair before it overlaps */
 PW85_API int pw85_overlap_any(double const q1[PW85_SYM], size_t n, double const *r12, double const *q2, int *any);
 
-/** Particles, in a periodic cell or not. The struct and its arrays are the caller's, are only read, and are needed no longer than the call.
- * A pointer may be null where a function says so: it does not read that member.
+/** Particles, in a periodic cell or not. The caller owns the struct and its arrays; functions only read them, and do not use them
+ * after the call. A pointer may be null if the function says so, because it does not read that member.
  *
- * Where there is a cell, `periodic` says along which of its vectors there are images. Set it: a cell of which no vector is periodic is
- * #PW85_EINVAL. The vectors that are not periodic do not matter: they may be zero or NaN. Without a cell `periodic` is not read. */
+ * If there is a cell, `periodic` says along which of its vectors there are periodic images. It must be set: a cell without a
+ * periodic vector is #PW85_EINVAL. Vectors that are not periodic may be zero or NaN. Without a cell `periodic` is not read. */
 typedef struct pw85_system {
     /** number of particles; 0 is fine, and pointers may then be null. */
     size_t num_particles;
@@ -817,7 +820,8 @@ typedef struct pw85_system {
     int periodic[3];
 } pw85_system;
 
-/** Pairs of particles of a system. The struct and its arrays are the caller's, are only read, and are needed no longer than the call. */
+/** Pairs of particles of a system. The caller owns the struct and its arrays; functions only read them, and do not use them after
+ * the call. */
 typedef struct pw85_pair_list {
     /** number of pairs; 0 is fine, and pointers may then be null. */
     size_t num_pairs;
@@ -829,23 +833,24 @@ typedef struct pw85_pair_list {
     int32_t const *images;
 } pw85_pair_list;
 
-/** pw85_overlap_any() for others of a system, by their indices: the inner loop of a Monte Carlo move, with the trial ellipsoid as the one.
+/** pw85_overlap_any() for others of a system, by their indices: the inner loop of a Monte Carlo move, for the trial ellipsoid.
  *
- * In a periodic cell, others stand for the images that are given, as in a neighbour list. Without `images` the answer is about all
- * images of the others, and of the one itself: it is found from the nearest ones wherever those are all that can overlap
- * (pw85_nearest_image_limit() of the one and the others is 1 or more), or one of them overlaps. Elsewhere it is #PW85_EINVAL: take
- * the images of a neighbour list. Where cells are that small, the one meets images of itself, too, which stand in the list: write the
- * trial into the arrays of the system before the call, so that its own index stands for it as it is now.
+ * In a periodic cell `images` selects one image of each of the others, as in a neighbour list. Without `images` the answer is about
+ * all images of the others and of the ellipsoid itself. The function then tests the nearest images. The answer is known if one of
+ * them overlaps, or if no farther image can overlap (pw85_nearest_image_limit() of all these particles is 1 or more). Otherwise the
+ * status is #PW85_EINVAL: pass the images of a neighbour list. In so small a cell the ellipsoid can also overlap images of itself,
+ * which the list contains: write the trial into the arrays of the system before the call, so that its own index refers to the
+ * trial.
  *
- * @param center,q1 centre and form of the one
+ * @param center,q1 centre and form of the ellipsoid
  * @param system the particles; the cell is best reduced (pw85_cell_reduce()) unless there are images. Unless there are, others that
- *        are more than 2⁵⁰ vectors of the reduced cell from the one are bad.
+ *        are more than 2⁵⁰ vectors of the reduced cell from the ellipsoid are bad.
  * @param n number of others; 0 is fine
- * @param indices n: of particles, from 0; not that of the one itself unless there are images
+ * @param indices n: of particles, from 0; not that of the ellipsoid itself unless there are images
  * @param images n×3: multiples of the cell vectors, as given, to be added to the centres of the others; or null for all images
  * @param[out] any 1 or 0; -1 on error
- * @return as for pw85_overlap_any(); #PW85_EINVAL also for an index out of range, `images` without `cell`, a cell that is not finite or,
- *         unless there are images, singular, and where nearest images do not decide */
+ * @return as for pw85_overlap_any(); #PW85_EINVAL also for an index out of range, `images` without `cell`, a cell that is
+ *         not finite or, unless there are images, singular, and if nearest images do not decide */
 PW85_API int pw85_overlap_any_indices(double const center[PW85_DIM], double const q1[PW85_SYM],
                                       pw85_system const *system, size_t n, int32_t const *indices,
                                       int32_t const *images, int *any);
@@ -853,8 +858,8 @@ PW85_API int pw85_overlap_any_indices(double const center[PW85_DIM], double cons
 /** pw85_contact() for the pairs of a neighbour list.
  *
  * In a periodic cell a pair stands for one image of j, either that of `images` or the nearest one (by the distance of the
- * centres), which is found for any cell however skewed. Where cells are small or particles large, an image that is not the
- * nearest can have a smaller μ²: pw85_nearest_image_limit() says where.
+ * centres). The nearest one is found for any cell, however skewed. If the cell is small or particles are large, an image that is
+ * not the nearest can have a smaller μ²: pw85_nearest_image_limit() says when.
  *
  * @param list the pairs
  * @param system the particles. Where nearest images are asked for, a pair is bad whose centres are more than 2⁵⁰ vectors of the
@@ -880,33 +885,34 @@ PW85_API int pw85_contact_derivatives_pairs(pw85_pair_list const *list, pw85_sys
                                             double *lambda, double *point, double *normal, double *d_r12,
                                             double *d_rot1, double *d_rot2);
 
-/** Forces, torques and virial of an energy U(μ²) of pairs, summed up: what pw85_contact_derivatives_pairs() gives, times dU/dμ². The sums
- * are in the order of the pairs; the bits depend on nothing but the input, not on the number of threads. Each thread goes
- * through all pairs, and adds up what concerns its own particles.
+/** Sums of the forces, torques and virial of an energy U(μ²) of pairs: the derivatives of pw85_contact_derivatives_pairs() times
+ * dU/dμ². The terms are added in the order of the pairs, so that the bits depend only on the input, not on the number of threads.
+ * Each thread goes through all pairs, and adds the terms of its own particles.
  *
- * @param list the pairs; the sums of none are 0
+ * @param list the pairs; without pairs the sums are 0
  * @param system as for pw85_contact_pairs(); `q` may be null, and without pairs `centers`, too
  * @param d_u num_pairs: dU/dμ²; a pair for which it is 0 is left out, whatever its derivatives
  * @param d_r12,d_rot1,d_rot2 num_pairs×3 each: derivatives of μ²; null if no output needs them
  * @param[out] forces num_particles×3: -∂U/∂centre; any output may be null
  * @param[out] torques num_particles×3: -∂U/∂(rotation vector) about the centre
- * @param[out] virial 3×3: Σ r12 ⊗ force on the second particle of each pair, row-major; over the volume, it is the pressure tensor's part
- *             that comes from contacts
- * @return #PW85_SUCCESS, where a NaN in the input makes the sums NaN that it goes into; #PW85_EINVAL as for
- *         pw85_contact_pairs(), before anything is written */
+ * @param[out] virial 3×3: Σ r12 ⊗ force on the second particle of each pair, row-major; divided by the volume it is the part of the
+ *             pressure tensor that comes from contacts
+ * @return #PW85_SUCCESS, also if a NaN in the input makes some of the sums NaN; #PW85_EINVAL as for pw85_contact_pairs(), before
+ *         anything is written */
 PW85_API int pw85_contact_forces_pairs(pw85_pair_list const *list, pw85_system const *system, double const *d_u,
                                        double const *d_r12, double const *d_rot1, double const *d_rot2, double *forces,
                                        double *torques, double *virial);
 
 /** pw85_first_contact() for the pairs of a neighbour list, and the next event of each particle: what event-driven simulations
- * schedule. A pair stands for one image of j throughout, that of time 0.
+ * schedule. A pair stands for the same image of j at all times, that of time 0.
  *
  * @param list,system as for pw85_contact_pairs()
  * @param motions num_particles
  * @param t_max as for pw85_first_contact(), for all pairs
  * @param[out] t num_pairs
  * @param[out] next num_particles: the least t of the pairs of each particle, infinity if there is none; may be null
- * @param[out] next_pair num_particles: the index of that pair, the first of several, or -1; may be null, and is without `next`
+ * @param[out] next_pair num_particles: the index of that pair, the first of several, or -1; may be null, and must be null
+ *        without `next`
  * @return as for pw85_contact_pairs(); #PW85_ECONVERGENCE, too. Bad pairs are no events. */
 PW85_API int pw85_first_contact_pairs(pw85_pair_list const *list, pw85_system const *system, pw85_motion const *motions,
                                       double t_max, double *t, double *next, int64_t *next_pair);
@@ -915,41 +921,41 @@ PW85_API int pw85_first_contact_pairs(pw85_pair_list const *list, pw85_system co
  * @name Periodic cells
  * @{ */
 
-/** A reduced cell of the same lattice: none of its vectors gets shorter by adding or subtracting others. It is the prepared
- * form of a cell, to be kept by the caller: the functions of neighbour lists recognise it by a few inequalities. Rectangular
- * cells are reduced, and so are those whose vectors are of like length and at angles between 60 and 120 degrees.
+/** A reduced cell of the same lattice: none of its vectors gets shorter by adding or subtracting others. Compute it once and keep
+ * it: the functions of neighbour lists recognise a reduced cell by a few inequalities, and need not reduce it again. Rectangular
+ * cells are reduced, and so are cells whose vectors have equal lengths and angles between 60 and 120 degrees.
  *
- * Combinations of cell vectors are rounded. `images` that were made for one cell are not those for the other.
+ * The reduced vectors are sums of cell vectors, and are rounded. `images` for one of the two cells are not valid for the other.
  *
  * @param cell 3×3, rows = vectors
  * @param[out] reduced 3×3; may be the same array as cell
  * @return #PW85_SUCCESS or #PW85_EINVAL (a null pointer, a cell that is singular or not finite) */
 PW85_API int pw85_cell_reduce(double const cell[9], double reduced[9]);
 
-/** The nearest images that the functions of neighbour lists take where they are given no `images`: as vectors, and as such `images`.
+/** The nearest images, which the functions of neighbour lists use without `images`: as vectors, and as values for `images`.
  *
- * Both are good until a particle has moved by half a cell or so: functions that are given these images need no search, and
- * each pair keeps the same image.
+ * Functions that are called with these `images` need no search, and each pair keeps the same image. They remain the nearest ones
+ * until a particle has moved by about half a cell.
  *
  * @param num_pairs number of pairs
  * @param pairs num_pairs×2: indices (i, j) of particles, from 0
  * @param system the particles, in a cell as for pw85_contact_pairs(): `cell` is not null; `q` may be null
  * @param[out] r12 num_pairs×3: from particle i to the image of particle j; NaN for a bad pair; may be null
  * @param[out] images num_pairs×3: multiples of the vectors of the cell, as given; INT32_MIN for a bad pair; may be null
- * @return as for pw85_contact_batch(); bad are pairs with centres that are not finite, or, where `images` are asked for, with
- *         multiples beyond 2³¹ - 1; #PW85_EINVAL also for a cell that is singular or not finite */
+ * @return as for pw85_contact_batch(); a pair is bad if a centre is not finite, or, if `images` are requested, a multiple is beyond
+ *         2³¹ - 1; #PW85_EINVAL also for a cell that is singular or not finite */
 PW85_API int pw85_nearest_images(size_t num_pairs, int32_t const *pairs, pw85_system const *system, double *r12,
                                  int32_t *images);
 
-/** Up to which μ² nearest images are all there is: any image of a pair of these particles with a smaller μ² is the nearest.
+/** The limit of μ² below which only nearest images count: any image of a pair of these particles with a smaller μ² is the nearest.
  *
  * So pw85_overlap_pairs() with nearest images misses no overlap, of any image, if mu2 >= 1; and a μ² below mu2 from
- * pw85_contact_pairs() is the smallest of all images. In a rectangular cell, the limit is (L/4h)² for the direction where that
- * is smallest, with the side L of the cell and the largest half-width h of the particles' bounding boxes: mu2 >= 1 where no
- * box is wider than half the cell. Otherwise directions are those of the faces of the lattice's Voronoi cell. Beyond the limit,
- * list the images that matter and give them as `images`.
+ * pw85_contact_pairs() is the smallest of all images. In a rectangular cell the limit is the smallest value of (L/4h)² over the
+ * three directions, with the side L of the cell and the largest half-width h of the particles' bounding boxes: mu2 >= 1 if no box
+ * is wider than half the cell. In other cells the directions are those of the faces of the lattice's Voronoi cell. Above the limit,
+ * list the images that count and pass them as `images`.
  *
- * @param system the particles, in a cell: `cell` is not null; `centers` may be null. Infinity is the limit of none.
+ * @param system the particles, in a cell: `cell` is not null; `centers` may be null. Without particles the limit is infinity.
  * @param[out] mu2 the limit
  * @return #PW85_SUCCESS, #PW85_EINVAL (a cell that is singular or not finite, too), #PW85_ENOTPD */
 PW85_API int pw85_nearest_image_limit(pw85_system const *system, double *mu2);
@@ -958,22 +964,22 @@ PW85_API int pw85_nearest_image_limit(pw85_system const *system, double *mu2);
  * @name Neighbour lists
  * @{ */
 
-/** All pairs of particles whose bounding boxes meet, images included: a list that the library owns, in the form that
- * pw85_contact_pairs() and its relatives take. */
+/** A list of all pairs of particles whose bounding boxes intersect, with periodic images. The library owns it; its pairs are
+ * arguments of pw85_contact_pairs() and similar functions. */
 typedef struct pw85_neighbors pw85_neighbors;
 
 /** Lists the pairs (i, j, image) whose bounding boxes are no farther apart than `skin` along any axis, the ellipsoids scaled by
  * `scale`: |r_d| <= scale (√Qi_dd + √Qj_dd) + skin for d = x, y, z, where r is from the centre of i to that of the image of j.
- * So they are all the pairs with μ² <= scale², and all that can come to be while pw85_neighbors_holds().
+ * The list therefore has all pairs with μ² <= scale², also after the particles have moved, as long as pw85_neighbors_holds().
  *
- * Each pair is there once: with i < j, or i = j and an image of i itself whose first multiple other than 0 is positive. Pairs that
- * miss each other by roundings (2⁻⁴⁸ of the coordinates) may be there, too. Their order is that of the particles in space; it
- * depends on the input alone, not on the number of threads. The time is proportional to the numbers of particles and pairs, for
- * sizes of any kind, and anywhere in space unless most of them crowd in less than 2⁻²¹ of its extent. The memory is 200 bytes per
- * particle and 64 per pair at most while the list is made, and 48 and 20 (8 without a cell) afterwards.
+ * Each pair is listed once: with i < j, or i = j and an image of i itself whose first multiple other than 0 is positive. Pairs
+ * whose boxes are apart by no more than rounding errors (2⁻⁴⁸ of the coordinates) may be listed, too. The pairs are in the order of
+ * the particles in space, which depends only on the input, not on the number of threads. The time is proportional to the numbers of
+ * particles and pairs, for all sizes and positions, unless most particles are within 2⁻²¹ of the extent of the system. The memory
+ * is at most 200 bytes per particle and 64 per pair while the list is made, and 48 and 20 (8 without a cell) afterwards.
  *
- * @param system at most 2³¹ - 1 particles, anywhere in space or in the cell and its images, up to 2²⁹ cells away; the cell may be
- *        however skewed and small
+ * @param system at most 2³¹ - 1 particles, anywhere in space or in the cell and its images, up to 2²⁹ cells away; there is
+ *        no limit to how skewed or small the cell is
  * @param scale factor of the ellipsoids, > 0
  * @param skin >= 0, in the unit of the semi-axes
  * @param[out] list null on error; to be destroyed by pw85_neighbors_destroy()
@@ -981,35 +987,37 @@ typedef struct pw85_neighbors pw85_neighbors;
  *         away; #PW85_ENOTPD; #PW85_ENOMEM. pw85_neighbors_check() says which particle is bad. */
 PW85_API int pw85_neighbors_create(pw85_system const *system, double scale, double skin, pw85_neighbors **list);
 
-/** Which particle is to blame where a list cannot be made; arguments as for pw85_neighbors_create().
+/** The particle because of which a list cannot be made; arguments as for pw85_neighbors_create().
  *
- * @param[out] particle the first one that is bad: its centre or form is, or it is too far away; num_particles if none is, 0 if `system`
- *        is null
- * @return the status of that particle; or of the other arguments, with `particle` = num_particles; #PW85_SUCCESS where nothing but the memory or
- *         the number of images can be to blame */
+ * @param[out] particle index of the first bad particle: its centre or form is invalid, or it is too far away; num_particles
+ *        if there is none, 0 if `system` is null
+ * @return the status of that particle; or of the other arguments, with `particle` = num_particles; #PW85_SUCCESS if only
+ *         the memory or the number of images can be the cause */
 PW85_API int pw85_neighbors_check(pw85_system const *system, double scale, double skin, size_t *particle);
 
-/** Whether a list still has all pairs whose boxes meet (without skin) after the particles have moved and turned, and the cell has
- * changed.
+/** Whether a list still has all pairs whose boxes intersect (without skin) after the particles have moved and turned, and the cell
+ * has changed.
  *
- * The linear map that takes the periodic vectors of the cell of now to those of the list takes each box back, too. The answer is 1 if
- * each is then within its old one, grown by half the skin on each side, up to a motion that all particles share. So a cell that shrinks
- * or is sheared together with the centres costs no more skin than the boxes change by, whatever the size of the cell, and about
- * whatever point; where the centres stay, the skin must bridge what they miss. No pair is missing after the answer 1, of any image;
- * after the answer 0 none need be.
+ * The linear map from the present periodic vectors of the cell to those of the list is applied to each box. The answer is 1 if each
+ * box is then within its old box, enlarged by half the skin on each side, up to a motion that all particles share. If the cell
+ * shrinks or is sheared together with the centres, about any point, only the changes of the boxes themselves use up the skin,
+ * whatever the size of the cell. If the centres do not follow the cell, their displacements relative to it use up the skin, too.
+ * After the answer 1 no pair is missing, of any image. After the answer 0 pairs may be missing or not.
  *
- * Centres go on from where they were, not wrapped into the cell anew, and so do the vectors of the cell, neither reduced nor flipped
- * anew: `images` are multiples of them.
+ * Do not wrap the centres into the cell again, and do not reduce or flip the vectors of the cell: `images` are multiples of these
+ * vectors.
  *
  * @param list a list
- * @param system the same number of particles as for the list, where they are now, with their forms and the cell of now, periodic along
- *        the same vectors as for the list: `cell` is not null where the list has one
+ * @param system the same number of particles as for the list, at their present positions, with their forms and the present
+ *        cell, which is periodic along the same vectors as for the list: `cell` is not null if the list has one
  * @param[out] holds 1 or 0; -1 on error
- * @return #PW85_SUCCESS, #PW85_EINVAL, also if the number of particles is not that of the list, only one of the two has a cell, it is
- *         periodic along other vectors, or it is as bad as pw85_neighbors_create() refuses it; or the status of the first bad particle */
+ * @return #PW85_SUCCESS, #PW85_EINVAL, also if the number of particles is not that of the list, only one of the two has a
+ *         cell, or the cell is periodic along other vectors, or its periodic vectors are not finite or not independent; or the
+ *         status of the first bad particle */
 PW85_API int pw85_neighbors_holds(pw85_neighbors const *list, pw85_system const *system, int *holds);
 
-/** The pairs of a list, with their images if it has a cell: views of the arrays of the list, as long as that lives.
+/** The pairs of a list, with their images if it has a cell: pointers to the arrays of the list, which are valid until it is
+ * destroyed.
  *
  * @param list a list, or null
  * @return the pairs; none for null */

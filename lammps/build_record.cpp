@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-only
+// The record of a build: the positions as fractions of the box, and their comparison with the present positions.
 #include "build_record.hpp"
 
 #include <algorithm>
@@ -11,7 +12,7 @@ namespace pw85_lammps {
 
 namespace {
 
-/// Capitals, as LAMMPS writes styles that are not for input scripts.
+/// The name is in capitals, which LAMMPS uses for styles that input scripts cannot use.
 constexpr char style_name[] = "PW85/BUILD";
 
 Fix *create(LAMMPS *lammps, int narg, char **arg) { return new BuildRecord(lammps, narg, arg); }
@@ -65,7 +66,7 @@ Movement BuildRecord::movement() const
 double BuildRecord::own_displacement() const
 {
     if (atom->nlocal != num_owned_ || atom->nghost != num_ghosts_) return std::numeric_limits<double>::infinity();
-    // What domain->lamda2x does, in a loop that compilers see through.
+    // This is domain->lamda2x() in a loop that compilers can vectorise.
     std::array<double, 6> h{};
     std::copy_n(domain->h, 6, h.begin());
     double const x0 = domain->boxlo[0], y0 = domain->boxlo[1], z0 = domain->boxlo[2];

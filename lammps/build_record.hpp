@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-only
 /// @file
-/// How far atoms have moved since LAMMPS built its neighbour lists.
+/// Measures how far atoms have moved since LAMMPS built its neighbour lists. The computes (compute_pairs.cpp) ask whether the lists
+/// are still complete.
 #ifndef PW85_LAMMPS_BUILD_RECORD_HPP_INCLUDED
 #define PW85_LAMMPS_BUILD_RECORD_HPP_INCLUDED
 
@@ -12,17 +13,17 @@
 
 namespace pw85_lammps {
 
-/// What happened to all atoms and their periodic images since neighbour lists were built: a homogeneous deformation, that
-/// of the box, and what each atom moved on top of it.
+/// The motion of all atoms and their periodic images since the neighbour lists were built: the homogeneous deformation of the box,
+/// and the displacement of each atom relative to it.
 struct Movement {
-    double strain;       ///< Frobenius norm of deformation gradient minus identity
-    double displacement; ///< the largest of any atom; infinite if atoms are not those of the lists
+    double strain;       ///< Frobenius norm of the deformation gradient minus the identity
+    double displacement; ///< largest displacement of any atom; infinite if the atoms are not those of the lists
 
     /// A lower bound for the distance of two atoms that were `distance` apart when the lists were built.
     double closest(double distance) const { return (1.0 - strain) * distance - 2.0 * displacement; }
 };
 
-/// Remembers atoms and box of the last build. LAMMPS tells only fixes of it, so this is one.
+/// Stores the atoms and the box of the last build. It is a fix, because LAMMPS notifies only fixes of a build.
 class BuildRecord final : public LAMMPS_NS::Fix {
   public:
     BuildRecord(LAMMPS_NS::LAMMPS *lammps, int narg, char **arg);
@@ -37,7 +38,7 @@ class BuildRecord final : public LAMMPS_NS::Fix {
     void min_pre_neighbor() override { pre_neighbor(); }
     double memory_usage() override;
 
-    /// Collective.
+    /// The motion since the last build. All processors call this together.
     Movement movement() const;
 
   private:

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-only
+// compute pw85/contact: it computes the contact function of each pair, and reports each contact once.
 #include "compute_contact.hpp"
 
 #include <pw85.h>
@@ -22,7 +23,7 @@ ComputeContact::ComputeContact(LAMMPS *lammps, int narg, char **arg)
     if (!(below_ > 0.0)) stop_all(*error, "Compute pw85/contact: the value of below must be positive");
     if (!atom->tag_enable) stop_all(*error, "Compute pw85/contact needs atom IDs: remove atom_modify id no");
     scalar_flag = 1;
-    extscalar = 0; // a number of pairs stays one when thermo output is normalised by the number of atoms
+    extscalar = 0; // LAMMPS must not divide the number of pairs by the number of atoms in thermodynamic output
     local_flag = 1;
     size_local_cols = static_cast<int>(std::tuple_size_v<Row>);
 }
@@ -47,7 +48,7 @@ void ComputeContact::compute_local()
     publish_rows();
 }
 
-// Points and normals cost as much as everything else, so they are left out until asked for.
+// Points and normals cost as much as everything else, so they are computed only on request.
 void ComputeContact::compute_peratom()
 {
     if (is_current(INVOKED_LOCAL, invoked_local)) return;
@@ -67,7 +68,7 @@ void ComputeContact::evaluate(bool with_rows)
     if (bounded) {
         batch.run(neighbours.get(), ellipsoids.reach(below_), use);
     } else {
-        // The cutoff of the pair style then bounds the pairs, so that results do not depend on the skin.
+        // The cutoff of the pair style selects the pairs, so that results do not depend on the skin.
         double const *const x = atom->x[0];
         int const *const type = atom->type;
         auto const within_cutoff = [this, x, type](int i, int j) {
@@ -84,7 +85,7 @@ void ComputeContact::evaluate(bool with_rows)
 
 void ComputeContact::add_batch(bool with_rows)
 {
-    // In the order of their tags pairs give the same result whichever processor computes them, positions being equal.
+    // Each pair is ordered by tags, so that all processors compute the same result from the same positions.
     for (std::size_t k = 0; k < batch.size(); ++k) {
         std::int32_t &i = batch.pairs[2 * k], &j = batch.pairs[2 * k + 1];
         if (atom->tag[i] > atom->tag[j]) std::swap(i, j);
@@ -112,15 +113,16 @@ void ComputeContact::add_row(int i, int j, double mu2, double lambda)
     double const r12[3] = {b[0] - a[0], b[1] - a[1], b[2] - a[2]};
     double point[3], normal[3];
     int const status = pw85_contact_geometry(r12, ellipsoids.form(i), ellipsoids.form(j), lambda, point, normal);
-    // Concentric ellipsoids touch, scaled by zero, in their common centre, and have no normal.
+    // Concentric ellipsoids, scaled by zero, touch at their common centre and have no normal.
     if (status != PW85_SUCCESS) std::fill_n(point, 3, 0.0), std::fill_n(normal, 3, 0.0);
     rows_.push_back({static_cast<double>(atom->tag[i]), static_cast<double>(atom->tag[j]), mu2, a[0] + point[0],
                      a[1] + point[1], a[2] + point[2], normal[0], normal[1], normal[2]});
 }
 
-// With newton off a pair of an owned atom and a ghost is in the lists of two processors (or twice in that of one, if an
-// atom has its own image as neighbour). One of them reports it: that of the smaller tag if the sum of the tags is even,
-// else the other; for an atom with its own image the side that sees it at larger z, or y, or x.
+// With newton off, a pair of an owned atom and a ghost is in the lists of two processors, or twice in one list if the ghost is an
+// image of the atom itself. Only one of them reports the pair: the owner of the smaller tag if the sum of the tags is even,
+// otherwise the owner of the larger tag. An atom and its own image are reported from the side that sees the image at larger z, or
+// y, or x.
 bool ComputeContact::belongs_here(int i, int j) const
 {
     int const ghost = std::max(i, j), owned = std::min(i, j);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-only
 /// @file
-/// compute ID group pw85/contact
+/// The style `compute ID group pw85/contact`. It finds contacts by the batch functions of pw85.
 #ifndef PW85_LAMMPS_COMPUTE_CONTACT_HPP_INCLUDED
 #define PW85_LAMMPS_COMPUTE_CONTACT_HPP_INCLUDED
 
@@ -21,8 +21,7 @@ class ComputeContact final : public ComputePairs {
     double memory_usage() override;
 
   private:
-    /// Tags of the two atoms, μ², the point of contact of the scaled ellipsoids, the normal from the first to the
-    /// second.
+    /// The tags of the two atoms, μ², the contact point of the scaled ellipsoids, and the normal from the first to the second.
     using Row = std::array<double, 9>;
 
     double merge(double value, double from_ghost) const override;
@@ -33,7 +32,7 @@ class ComputeContact final : public ComputePairs {
     void publish_rows();
 
     double below_;                ///< only contacts with a smaller μ² count
-    LAMMPS_NS::bigint count_ = 0; ///< of contacts that this processor reports
+    LAMMPS_NS::bigint count_ = 0; ///< number of contacts that this processor reports
     std::vector<Row> rows_;
     std::vector<double *> row_pointers_;
 };

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-only
+// compute pw85/overlap: it tests the pairs of each batch, and counts the overlaps.
 #include "compute_overlap.hpp"
 
 #include <pw85.h>
@@ -11,7 +12,7 @@ ComputeOverlap::ComputeOverlap(LAMMPS *lammps, int narg, char **arg) : ComputePa
 {
     if (narg != 3) stop_all(*error, "Illegal compute pw85/overlap command: it takes no arguments");
     scalar_flag = 1;
-    extscalar = 0; // a number of pairs stays one when thermo output is normalised by the number of atoms
+    extscalar = 0; // LAMMPS must not divide the number of pairs by the number of atoms in thermodynamic output
 }
 
 double ComputeOverlap::compute_scalar()

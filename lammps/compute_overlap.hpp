@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-only
 /// @file
-/// compute ID group pw85/overlap
+/// The style `compute ID group pw85/overlap`. It tests pairs by the batch functions of pw85.
 #ifndef PW85_LAMMPS_COMPUTE_OVERLAP_HPP_INCLUDED
 #define PW85_LAMMPS_COMPUTE_OVERLAP_HPP_INCLUDED
 
@@ -8,7 +8,7 @@
 
 namespace pw85_lammps {
 
-/// Per atom the number of ellipsoids that overlap it, and as a scalar the number of overlapping pairs.
+/// The number of ellipsoids that overlap each atom, and as a scalar the number of overlapping pairs.
 class ComputeOverlap final : public ComputePairs {
   public:
     ComputeOverlap(LAMMPS_NS::LAMMPS *lammps, int narg, char **arg);
@@ -20,7 +20,7 @@ class ComputeOverlap final : public ComputePairs {
     double merge(double value, double from_ghost) const override { return value + from_ghost; }
     void count();
 
-    LAMMPS_NS::bigint halves_ = 0; ///< of overlapping pairs, on this processor
+    LAMMPS_NS::bigint halves_ = 0; ///< summed over all processors, twice the number of overlapping pairs
 };
 
 } // namespace pw85_lammps

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-only
+// Prepares ellipsoids and neighbour lists for the computes, and checks that the lists miss no pair.
 #include "compute_pairs.hpp"
 
 #include <algorithm>
@@ -21,7 +22,7 @@ ComputePairs::ComputePairs(LAMMPS *lammps, int narg, char **arg)
 
 ComputePairs::~ComputePairs()
 {
-    // At its end LAMMPS removes fixes before computes.
+    // When LAMMPS ends, it removes fixes before computes.
     if (modify->find_fix(record_id_) >= 0) modify->delete_fix(record_id_);
 }
 
@@ -45,7 +46,7 @@ void ComputePairs::begin(Needed needed, double scale, double initial_value)
     if (!std::isfinite(movement.displacement))
         stop_all(*error, std::string("Compute ") + style + ": atoms were added, removed or sent to other processors " +
                              "since the neighbour lists were built: use run 0 first, without pre no");
-    // Fixes that move atoms or the box at the end of a step leave ghosts where they were.
+    // Fixes that move atoms or the box at the end of a step do not move the ghosts.
     comm->forward_comm();
     ellipsoids.read([this](int i) { return (atom->mask[i] & groupbit) != 0; });
     check_reach(needed, scale, movement);
@@ -62,8 +63,8 @@ Movement ComputePairs::movement_since_build() const
     return static_cast<BuildRecord *>(modify->fix[record])->movement();
 }
 
-// A list has the pairs that were closer than cutoff and skin when it was built. What fixes do at the end of a step comes
-// after LAMMPS's own decision whether to build it anew.
+// A list has the pairs that were closer than cutoff plus skin when it was built. Fixes may move atoms at the end of a step, after
+// LAMMPS has decided whether to rebuild the list.
 void ComputePairs::check_reach(Needed needed, double scale, Movement const &movement)
 {
     bool complete = true;

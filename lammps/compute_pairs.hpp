@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-only
 /// @file
-/// What the computes over pairs of ellipsoids have in common.
+/// The base class of the computes over pairs of ellipsoids (compute_contact.hpp, compute_overlap.hpp).
 #ifndef PW85_LAMMPS_COMPUTE_PAIRS_HPP_INCLUDED
 #define PW85_LAMMPS_COMPUTE_PAIRS_HPP_INCLUDED
 
@@ -10,7 +10,7 @@
 
 namespace pw85_lammps {
 
-/// A compute over the pairs of ellipsoids of its group, with one value per atom that ghosts return to their owners.
+/// A compute over the pairs of ellipsoids of its group. It has one value per atom; ghosts send their values back to the owners.
 class ComputePairs : public LAMMPS_NS::Compute {
   public:
     ComputePairs(LAMMPS_NS::LAMMPS *lammps, int narg, char **arg);
@@ -24,25 +24,25 @@ class ComputePairs : public LAMMPS_NS::Compute {
     double memory_usage() override;
 
   protected:
-    /// Which pairs must not be missed.
+    /// Which pairs the compute needs.
     enum class Needed { contacts, all_within_cutoff };
 
-    /// Brings positions of ghosts, and forms of all ellipsoids, up to date, and sets all values per atom.
-    /// @param scale scale factor of the ellipsoids up to which they may touch
+    /// Updates the positions of ghosts and the forms of all ellipsoids, and sets all values per atom to `initial_value`.
+    /// @param scale largest scale factor of the ellipsoids at which contacts are needed
     void begin(Needed needed, double scale, double initial_value);
 
-    /// Adds what ghosts gathered to the values of their owners.
+    /// Merges the values of ghosts into the values of their owners.
     void end();
 
-    /// How a value that a ghost gathered enters that of its owner.
+    /// Merges the value of a ghost into that of its owner.
     virtual double merge(double value, double from_ghost) const = 0;
 
-    /// Atoms with a smaller index get the values that pairs add to them: all if newton is on, else those owned. A pair
-    /// with another atom is in the list of another processor too.
+    /// Pairs add to the values of atoms with an index below this: of all atoms if newton is on, otherwise of owned atoms only,
+    /// because the list of another processor then has the pair, too.
     int num_counted() const { return force->newton_pair ? atom->nlocal + atom->nghost : atom->nlocal; }
 
-    /// Whether a kind of values, last computed at some step, is that of the present: LAMMPS takes the flag back whenever
-    /// something may have changed, also within a step.
+    /// Whether values of this kind, which were last computed at `step`, are still valid. LAMMPS clears the flag whenever something
+    /// may have changed, also within a step.
     bool is_current(int kind, LAMMPS_NS::bigint step) const;
 
     double &value(int i) { return values_[static_cast<std::size_t>(i)]; }

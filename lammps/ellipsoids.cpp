@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-only
+// Reads shapes and orientations from LAMMPS, converts them to forms by pw85, and packs them for the ghosts.
 #include "ellipsoids.hpp"
 
 #include <array>
@@ -18,7 +19,7 @@ std::string decimal(double value)
     return text.data();
 }
 
-/// A compute property/atom that LAMMPS does not list: only its owner runs it.
+/// A compute property/atom that is not in LAMMPS's list of computes. Only its owner runs it.
 std::unique_ptr<Compute> property_compute(LAMMPS *lammps, Modify &modify, std::vector<std::string> properties)
 {
     std::vector<std::string> words{"pw85_ellipsoids", "all", "property/atom"};
@@ -56,7 +57,7 @@ void Ellipsoids::read(std::function<bool(int)> const &selected)
     reserve();
     if (!has_all_shapes()) read_shapes();
     quaternions_->compute_peratom();
-    // Those that are not selected may have no shape: their rows are bad, and not looked at.
+    // Atoms that are not selected may have no shape. Their rows are bad, and are not used.
     pw85_ellipsoid_quaternion_batch(static_cast<std::size_t>(atom->nlocal), semi_axes_.data(),
                                     atom->nlocal > 0 ? quaternions_->array_atom[0] : nullptr, forms_.data());
     for (int i = 0; i < atom->nlocal; ++i) {
@@ -67,13 +68,13 @@ void Ellipsoids::read(std::function<bool(int)> const &selected)
     }
 }
 
-// Atoms without IDs cannot be told from each other.
+// Without atom IDs it is unknown whether the atoms are still the same ones.
 bool Ellipsoids::has_all_shapes() const
 {
     return atom->tag_enable && std::equal(tags_.begin(), tags_.end(), atom->tag, atom->tag + atom->nlocal);
 }
 
-// What LAMMPS reports for atoms without a shape depends on its release; here they have semi-axes of zero.
+// The values that LAMMPS reports for atoms without a shape depend on its release. Here their semi-axes are zero.
 void Ellipsoids::read_shapes()
 {
     shapes_->compute_peratom();
@@ -113,14 +114,14 @@ void Ellipsoids::unpack(int count, int first, double const *buffer)
     }
 }
 
-/// Largest bounding radius of each atom type on all processors; 0 where there is none.
+/// The largest bounding radius of each atom type on all processors; 0 for types without ellipsoids.
 std::vector<double> Ellipsoids::largest_radii() const
 {
     std::vector<double> largest(static_cast<std::size_t>(atom->ntypes) + 1, 0.0);
     for (int i = 0; i < atom->nlocal; ++i) {
         double &entry = largest[static_cast<std::size_t>(atom->type[i])];
         double const radius = radii_[static_cast<std::size_t>(i)];
-        if (radius > entry) entry = radius; // seldom, which a branch predicts
+        if (radius > entry) entry = radius; // rarely true, so that the branch is predicted
     }
     MPI_Allreduce(MPI_IN_PLACE, largest.data(), static_cast<int>(largest.size()), MPI_DOUBLE, MPI_MAX, world);
     return largest;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-only
 /// @file
-/// Quadratic forms and bounding radii of the ellipsoids that a processor owns or sees as ghosts.
+/// The quadratic forms and bounding radii of the ellipsoids that a processor owns or has as ghosts. All styles use it.
 #ifndef PW85_LAMMPS_ELLIPSOIDS_HPP_INCLUDED
 #define PW85_LAMMPS_ELLIPSOIDS_HPP_INCLUDED
 
@@ -17,45 +17,45 @@
 
 namespace pw85_lammps {
 
-/// Ellipsoids by local index, owned ones first, as everywhere in LAMMPS.
+/// The ellipsoids by local index, owned ones first, as everywhere in LAMMPS.
 ///
-/// Shapes and orientations are read through `compute property/atom`, and forms are sent to the ghosts by the style that
-/// owns this object: the headers that LAMMPS installs do not include the one of atom_style ellipsoid.
+/// Shapes and orientations are read through `compute property/atom`, because LAMMPS does not install the header of atom_style
+/// ellipsoid. The style that owns this object sends the forms to the ghosts.
 class Ellipsoids : protected LAMMPS_NS::Pointers {
   public:
     /// Number of values per atom in forward communication.
     static constexpr int comm_size = 7;
 
-    /// Relative margin of comparisons of distances with sums of radii. Distances, radii and forms carry rounding errors
-    /// of some 1e-15; 2⁻⁴⁰ is far above them, and far below anything that costs time.
+    /// The relative margin in comparisons of distances with sums of radii. Distances, radii and forms have rounding errors of some
+    /// 1e-15. 2⁻⁴⁰ is far above them, and so small that it adds hardly any pairs.
     static constexpr double margin = 0x1p-40;
 
-    /// @param style name of the style that owns this, for error messages
-    /// @param otherwise what to do with an atom that is to have no shape, for them too
+    /// @param style name of the style that owns this object, for error messages
+    /// @param otherwise advice for atoms that shall have no shape, for error messages
     Ellipsoids(LAMMPS_NS::LAMMPS *lammps, std::string style, std::string otherwise);
 
-    /// Forgets all shapes; for the start of a run, before which they may have changed.
+    /// Forgets all shapes. Call this at the start of a run, because shapes may have changed before it.
     void forget() { tags_.clear(); }
 
-    /// Reads the owned ellipsoids that are selected; the others count as having no extent. A selected atom without a
-    /// shape is an error. Ghosts are stale until communicated. Orientations are read anew, shapes if atoms have moved
-    /// to other indices.
+    /// Reads the owned ellipsoids that are selected. Other atoms get a radius of zero. A selected atom without a shape is an error.
+    /// Ghosts are out of date until the style communicates. Orientations are always read; shapes are read only if the atoms have
+    /// other indices than before.
     void read(std::function<bool(int)> const &selected);
 
     int pack(int count, int const *atoms, double *buffer) const;
     void unpack(int count, int first, double const *buffer);
 
-    /// Calls use(t, u, distance) for all types t <= u of which there are ellipsoids, with the largest distance at which
-    /// two of them can touch. Collective.
+    /// Calls use(t, u, distance) for all types t <= u of which there are ellipsoids, with the largest distance at which two of them
+    /// can touch. All processors call this together.
     void for_each_reach(std::function<void(int, int, double)> const &use) const;
 
-    /// Stops the run if the cutoff of the pair style for two types is less than a distance. Called by all processors.
+    /// Stops the run if the cutoff of the pair style for two types is less than a distance. All processors call this together.
     void require_cutoff(int t, int u, double cutoff, double distance) const;
 
-    /// n×6 forms, by local index.
+    /// The forms by local index, n×6.
     double const *forms() const { return forms_.data(); }
 
-    /// Owned atoms and ghosts, without a cell: the ghosts are images.
+    /// The system of owned atoms and ghosts. It has no cell, because the ghosts are the periodic images.
     pw85_system system() const
     {
         return {static_cast<std::size_t>(atom->nlocal + atom->nghost), atom->x[0], forms_.data(), nullptr, {}};
@@ -63,11 +63,11 @@ class Ellipsoids : protected LAMMPS_NS::Pointers {
 
     double const *form(int i) const { return &forms_[PW85_SYM * static_cast<std::size_t>(i)]; }
 
-    /// Of an owned ellipsoid.
+    // Semi-axes of an owned ellipsoid.
     double smallest_semi_axis(int i) const { return std::min({semi_axis(i, 0), semi_axis(i, 1), semi_axis(i, 2)}); }
     double largest_semi_axis(int i) const { return std::max({semi_axis(i, 0), semi_axis(i, 1), semi_axis(i, 2)}); }
 
-    /// Whether two atoms are selected, and their bounding spheres, scaled by the square root of scale2, meet.
+    /// Whether two atoms are selected and their bounding spheres, scaled by the square root of scale2, intersect.
     class Reach {
       public:
         Reach(double const *centers, double const *radii, double scale2)
@@ -89,15 +89,15 @@ class Ellipsoids : protected LAMMPS_NS::Pointers {
         double scale2_;
     };
 
-    /// A test of pairs, good until atoms move.
+    /// A test of pairs, which is valid until atoms move.
     Reach reach(double scale2) const { return {atom->x[0], radii_.data(), scale2}; }
 
     bool selected(int i) const { return radii_[static_cast<std::size_t>(i)] > 0.0; }
 
-    /// The same for any index.
+    /// The same for an index that may be out of range.
     bool has(int i) const { return static_cast<std::size_t>(i) < radii_.size() && selected(i); }
 
-    /// Stops the run for a pair that the library refused.
+    /// Stops the run because of a pair for which the library returned an error.
     [[noreturn]] void refuse_pair(int i, int j, int status) const;
 
     double bytes() const;
@@ -113,7 +113,7 @@ class Ellipsoids : protected LAMMPS_NS::Pointers {
 
     std::string style_, otherwise_;
     std::unique_ptr<LAMMPS_NS::Compute> shapes_, quaternions_;
-    std::vector<LAMMPS_NS::tagint> tags_; ///< whose semi-axes these are
+    std::vector<LAMMPS_NS::tagint> tags_; ///< tags of the atoms whose semi-axes are stored
     std::vector<double> semi_axes_, forms_, radii_;
 };
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-only
+// fix pw85/fire: it changes momenta and time step at the end of each step; fix nve/asphere moves the ellipsoids.
 #include "fix_fire.hpp"
 
 #include <algorithm>
@@ -14,12 +15,13 @@ namespace {
 
 constexpr char style_name[] = "fix pw85/fire";
 
-/// Constants of the method, as published: steps downhill before the time step grows, its growth and its fall, the share of the
-/// force in a momentum and how that falls, and the largest time step in units of the first.
+/// The constants of the method, as published: the number of downhill steps before the time step grows, the factors by which it
+/// grows and shrinks, the share of the force in a momentum and the factor by which it shrinks, and the largest time step in units
+/// of the first.
 constexpr int delay = 5;
 constexpr double growth = 1.1, fall = 0.5, first_mixing = 0.1, mixing_fall = 0.99, largest_growth = 10.0;
 
-/// No point of a surface moves by more than this share of the smallest semi-axis in a step.
+/// In one step no point of a surface moves by more than this fraction of the smallest semi-axis.
 constexpr double largest_share = 0.1;
 
 double dot(double const *a, double const *b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
@@ -134,7 +136,7 @@ FixFire::Sums FixFire::sums() const
     return {s[0], s[1], s[2]};
 }
 
-/// Momenta become `kept` times themselves plus `push` times the forces.
+/// Replaces each momentum p by kept·p + push·F, where F is the force, and angular momenta alike.
 void FixFire::scale_momenta(double kept, double push)
 {
     for (int i = 0; i < atom->nlocal; ++i) {
@@ -146,7 +148,7 @@ void FixFire::scale_momenta(double kept, double push)
     }
 }
 
-/// A bound of the speeds of all points of the ellipsoids.
+/// An upper bound on the speeds of all points of the ellipsoids.
 double FixFire::fastest() const
 {
     double speed = 0.0;

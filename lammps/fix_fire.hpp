@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-only
 /// @file
-/// fix pw85/fire
+/// The style `fix ID group pw85/fire`. It needs forces and torques, as pair_style pw85/contact gives them.
 #ifndef PW85_LAMMPS_FIX_FIRE_HPP_INCLUDED
 #define PW85_LAMMPS_FIX_FIRE_HPP_INCLUDED
 
@@ -12,12 +12,12 @@
 namespace pw85_lammps {
 
 /// Minimises the energy over positions and orientations, by the fast inertial relaxation engine of Bitzek, Koskinen, Gähler,
-/// Moseler and Gumbsch (Phys. Rev. Lett. 97, 170201, 2006): dynamics whose momenta are turned towards the forces while they
-/// go downhill, and put to rest when they go uphill.
+/// Moseler and Gumbsch (Phys. Rev. Lett. 97, 170201, 2006). It is a dynamics that turns the momenta towards the forces while the
+/// motion goes downhill, and stops the motion when it goes uphill.
 ///
-/// The dynamics is that of `fix nve/asphere`, which this fix adds and removes. Momenta are linear and angular ones, forces are
-/// forces and torques, and both are measured by the inverse masses and moments of inertia, so that neither units nor shapes
-/// need a parameter.
+/// The dynamics is that of `fix nve/asphere`, which this fix adds and removes. "Momenta" are linear and angular momenta, and
+/// "forces" are forces and torques. Their norms use the inverse masses and moments of inertia, so that no parameter depends on
+/// units or shapes.
 class FixFire final : public LAMMPS_NS::Fix {
   public:
     FixFire(LAMMPS_NS::LAMMPS *lammps, int narg, char **arg);
@@ -31,7 +31,7 @@ class FixFire final : public LAMMPS_NS::Fix {
     void post_run() override;
     void reset_dt() override {}
 
-    /// √(Σ F²/m + T·I⁻¹T): zero where all forces and torques are.
+    /// √(Σ F²/m + T·I⁻¹T), which is zero if all forces and torques are zero.
     double compute_scalar() override { return residual_; }
     double memory_usage() override { return ellipsoids_->bytes(); }
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-only
 /// @file
-/// The headers of LAMMPS, and what differs between its versions.
+/// Includes the headers of LAMMPS, and hides the differences between its versions. All files of this folder include it.
 #ifndef PW85_LAMMPS_HOST_HPP_INCLUDED
 #define PW85_LAMMPS_HOST_HPP_INCLUDED
 
-// Installed headers of LAMMPS may come without the fmt they were written for. Release 9 of fmt dropped a function that
-// error.h names inside templates; these styles never use those templates, so a name is all that is needed.
+// The fmt on a machine may be newer than that for which the headers of LAMMPS were written. Release 9 of fmt removed a function
+// that error.h names inside templates. The styles never use these templates, so a declaration of the name is enough.
 #if __has_include(<lammps/fmt/format.h>)
 #include <lammps/fmt/format.h>
 #else
@@ -38,22 +38,22 @@ template <class... Args, class... Rest> void make_args_checked(Rest &&...) = del
 
 namespace pw85_lammps {
 
-/// Stops LAMMPS with a message; called by all processors together.
+/// Stops LAMMPS with a message. All processors call this together.
 [[noreturn]] inline void stop_all(LAMMPS_NS::Error &error, std::string const &message,
                                   char const *file = __builtin_FILE(), int line = __builtin_LINE())
 {
     error.all(file, line, message);
 }
 
-/// Stops LAMMPS with a message; called by any processor.
+/// Stops LAMMPS with a message. Any processor may call this alone.
 [[noreturn]] inline void stop_one(LAMMPS_NS::Error &error, std::string const &message,
                                   char const *file = __builtin_FILE(), int line = __builtin_LINE())
 {
     error.one(file, line, message);
 }
 
-/// Sends per-atom values from owners to ghosts; `Owner` is a Pair or a Compute. Releases from 2022 on overload one
-/// name, earlier ones have a name for each kind of owner.
+/// Sends per-atom values from owners to ghosts; `Owner` is a Pair or a Compute. Releases of LAMMPS from 2022 on overload one name;
+/// earlier ones have one name for each kind of owner.
 template <class Communicator, class Owner> void forward_to_ghosts(Communicator &comm, Owner *owner)
 {
     if constexpr (requires { comm.forward_comm(owner); }) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-only
 /// @file
-/// Neighbour lists, and pairs taken from them in batches.
+/// Requests neighbour lists from LAMMPS, and takes pairs from them in batches for the batch functions of pw85.
 #ifndef PW85_LAMMPS_NEIGHBOURS_HPP_INCLUDED
 #define PW85_LAMMPS_NEIGHBOURS_HPP_INCLUDED
 
@@ -15,11 +15,11 @@
 
 namespace pw85_lammps {
 
-/// A half neighbour list with the cutoffs of the pair style, rebuilt whenever the pair style's is.
+/// A half neighbour list with the cutoffs of the pair style. LAMMPS rebuilds it together with the list of the pair style.
 ///
-/// It is a pair style without forces: asking for a list in the name of a compute takes a header that LAMMPS does not
-/// install. A pair style that has the same kind of list (most have) shares it at no cost; with others (full lists,
-/// hybrid styles, granular ones) LAMMPS builds this one.
+/// It is a pair style without forces, because a compute would need a header that LAMMPS does not install to request a list. Most
+/// pair styles have the same kind of list and share it at no cost; for others (full lists, hybrid styles, granular styles) LAMMPS
+/// builds this list in addition.
 class NeighbourList final : public LAMMPS_NS::Pair {
   public:
     explicit NeighbourList(LAMMPS_NS::LAMMPS *lammps) : Pair(lammps) { list = nullptr; }
@@ -32,7 +32,8 @@ class NeighbourList final : public LAMMPS_NS::Pair {
     void coeff(int, char **) override {}
 };
 
-/// The cutoffs of the pair style for which neighbour lists were made; the pair style itself may change after a run.
+/// The cutoffs of the pair style for which the neighbour lists were made. They are copied, because the pair style may change after
+/// a run.
 class CutoffTable {
   public:
     void assign(double const *const *squares, int num_types);
@@ -55,26 +56,26 @@ inline void CutoffTable::assign(double const *const *squares, int num_types)
         std::copy_n(squares[t] + 1, num_types, &squares_[stride_ * static_cast<std::size_t>(t) + 1]);
 }
 
-/// Pairs of a neighbour list, in batches: enough of them for the threads of the batch functions (4096 pairs for each at a time), and
-/// few enough for a cache.
+/// The pairs of a neighbour list, in batches. A batch is large enough for several threads of the batch functions, which take 4096
+/// pairs at a time, and small enough for a cache.
 class PairBatch {
   public:
     static constexpr std::size_t capacity = 32768;
 
     PairBatch() : pairs(2 * capacity), special(capacity), mu2(capacity), lambda(capacity), overlaps(capacity) {}
 
-    /// Calls `use()` for batches of all the pairs of the list for which `keep(i, j)` is true; i is owned.
+    /// Fills batches with the pairs of the list for which keep(i, j) is true, where i is owned, and calls use() for each batch.
     template <class Keep, class Use> void run(LAMMPS_NS::NeighList const &list, Keep keep, Use use);
 
     std::size_t size() const { return size_; }
 
-    /// The pairs, of the particles themselves.
+    /// The pairs of the present batch, without images.
     pw85_pair_list list() const { return {size_, pairs.data(), nullptr}; }
 
     std::vector<std::int32_t> pairs;     ///< (i, j) by local index
-    std::vector<unsigned char> special;  ///< 0, or which of the weights of special_bonds holds
-    std::vector<double> mu2, lambda;     ///< room for results
-    std::vector<unsigned char> overlaps; ///< room for results
+    std::vector<unsigned char> special;  ///< 0, or the number of the weight of special_bonds
+    std::vector<double> mu2, lambda;     ///< memory for results
+    std::vector<unsigned char> overlaps; ///< memory for results
 
   private:
     std::size_t size_ = 0;
@@ -91,7 +92,7 @@ template <class Keep, class Use> void PairBatch::run(LAMMPS_NS::NeighList const 
             pairs[2 * size_] = i;
             pairs[2 * size_ + 1] = j;
             special[size_] = static_cast<unsigned char>(neighbours[k] >> SBBITS & 3);
-            // Which pairs are kept is hard to predict: no branch.
+            // There is no branch here, because a processor cannot predict which pairs are kept.
             size_ += keep(i, j) ? 1 : 0;
             if (size_ < capacity) continue;
             use();

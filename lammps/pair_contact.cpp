@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-only
+// pair_style pw85/contact: it tests all pairs for overlap, then computes the derivatives of those that overlap.
 #include "pair_contact.hpp"
 
 #include <pw85.h>
@@ -14,7 +15,7 @@ namespace pw85_lammps {
 PairContact::PairContact(LAMMPS *lammps) : Pair(lammps)
 {
     restartinfo = 0;
-    mix_flag = ARITHMETIC; // cutoffs that reach every contact of like types then do so for unlike types, too
+    mix_flag = ARITHMETIC; // if cutoffs cover every contact of like types, their means cover those of unlike types
     single_extra = static_cast<int>(single_.size());
     svector = single_.data();
     comm_forward = Ellipsoids::comm_size;
@@ -95,7 +96,7 @@ void PairContact::init_style()
     Pair::init_style();
 }
 
-// As a part of pair_style hybrid this is called for, and acts on, some of the types only; the others need no shapes.
+// Within pair_style hybrid, LAMMPS calls this only for the types on which the style acts. Other types need no shapes.
 double PairContact::init_one(int i, int j)
 {
     used_types_[static_cast<std::size_t>(i)] = used_types_[static_cast<std::size_t>(j)] = true;
@@ -110,7 +111,7 @@ double PairContact::init_one(int i, int j)
     return cut_[i][j];
 }
 
-// After fix adapt changed epsilon.
+// fix adapt calls this after it has changed epsilon.
 void PairContact::reinit()
 {
     for (int i = 1; i <= atom->ntypes; ++i)
@@ -136,7 +137,7 @@ void PairContact::compute(int eflag, int vflag)
     if (vflag_fdotr) virial_fdotr_compute();
 }
 
-// Most pairs do not overlap, and a test shows that in a fifth of the time that their derivatives take.
+// Most pairs do not overlap. The overlap test shows this in a fifth of the time of the derivatives.
 void PairContact::add_batch(int eflag)
 {
     pw85_pair_list pairs = batch_.list();
@@ -157,7 +158,7 @@ void PairContact::add_batch(int eflag)
     for (std::size_t k = 0; k < count; ++k) add_pair(k, eflag);
 }
 
-/// Adds what the k-th pair of the batch does.
+/// Adds the energy, forces and torques of pair k of the batch.
 void PairContact::add_pair(std::size_t k, int eflag)
 {
     int const i = batch_.pairs[2 * k], j = batch_.pairs[2 * k + 1];
@@ -171,8 +172,8 @@ void PairContact::add_pair(std::size_t k, int eflag)
 }
 
 // With dU/dμ² = -ε (1 - μ)^(α-1) / (2μ): the force on the first is -∂U/∂x1 = U' ∂μ²/∂r12, the torques are -U' ∂μ²/∂ω.
-// Concentric ellipsoids (μ = 0) have a maximum of the energy, with a kink; no direction is better than another. Ellipsoids that
-// overlap may have a μ² that rounds to more than one.
+// Concentric ellipsoids (μ = 0) are at a maximum of the energy, where it is not differentiable: their force and torques are zero.
+// The μ² of ellipsoids that overlap may round to more than one.
 PairContact::Action PairContact::act(double mu2, Derivatives const &d, double strength) const
 {
     double const mu = std::min(std::sqrt(mu2), 1.0);
@@ -208,7 +209,7 @@ double PairContact::single(int i, int j, int itype, int jtype, double rsq, doubl
     return action.energy;
 }
 
-// Some callers try positions that are not those of the atoms.
+// Some callers of single() pass a distance that is not that of the atoms.
 bool PairContact::is_in_place(int i, int j, double rsq) const
 {
     int const count = atom->nlocal + atom->nghost;

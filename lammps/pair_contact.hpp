@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-only
 /// @file
-/// pair_style pw85/contact
+/// The style `pair_style pw85/contact`. It computes energies, forces and torques by the batch functions of pw85.
 #ifndef PW85_LAMMPS_PAIR_CONTACT_HPP_INCLUDED
 #define PW85_LAMMPS_PAIR_CONTACT_HPP_INCLUDED
 
@@ -25,11 +25,11 @@ class PairContact final : public LAMMPS_NS::Pair {
     double init_one(int i, int j) override;
     void reinit() override;
 
-    /// "epsilon": the n×n array of them by type.
+    /// For the name "epsilon", the matrix of ε by type.
     void *extract(char const *name, int &dimension) override;
 
-    /// Energy of a pair where it is, an error elsewhere. `fforce` is the component of the force along the line of centres,
-    /// over the distance, and svector holds μ² and the whole force on the first.
+    /// The energy of a pair of atoms. A distance `rsq` that is not that of the atoms is an error. `fforce` is the component of the
+    /// force along the line of centres divided by the distance; svector holds μ² and the force on the first atom.
     double single(int i, int j, int itype, int jtype, double rsq, double factor_coul, double factor_lj,
                   double &fforce) override;
     int pack_forward_comm(int count, int *atoms, double *buffer, int pbc_flag, int *pbc) override;
@@ -37,12 +37,12 @@ class PairContact final : public LAMMPS_NS::Pair {
     double memory_usage() override;
 
   private:
-    /// Energy of a pair, and what it exerts on each of the two.
+    /// The energy of a pair, the force on the first ellipsoid, and the torques on both.
     struct Action {
         double energy, force[3], torque1[3], torque2[3];
     };
 
-    /// Of μ² of a pair.
+    /// The derivatives of μ² of a pair.
     struct Derivatives {
         double const *r12, *rot1, *rot2;
     };
@@ -60,7 +60,7 @@ class PairContact final : public LAMMPS_NS::Pair {
     std::vector<bool> used_types_;
     std::optional<Ellipsoids> ellipsoids_;
     PairBatch batch_;
-    std::vector<double> d_r12_, d_rot1_, d_rot2_; ///< of the pairs of a batch that overlap
+    std::vector<double> d_r12_, d_rot1_, d_rot2_; ///< derivatives of the pairs of a batch that overlap
     std::array<double, 4> single_{};
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-only
 /// @file
-/// Makes the styles known to LAMMPS: as a plugin, or by a plain call where LAMMPS was built without plugins.
+/// Registers the styles with LAMMPS: as a plugin, or by a call of pw85_lammps_register() if LAMMPS was built without plugins.
 #include "compute_contact.hpp"
 #include "compute_overlap.hpp"
 #include "fix_fire.hpp"
@@ -43,7 +43,7 @@ PW85_LAMMPS_API void pw85_lammps_register(void *lammps)
     (*lmp->force->pair_map)["pw85/contact"] = create_pair;
 }
 
-/// Entry point of `plugin load`. The version of LAMMPS is left open: the installed headers do not tell it.
+/// The entry point of `plugin load`. It states no version of LAMMPS, because the installed headers do not contain it.
 PW85_LAMMPS_API void lammpsplugin_init(void *lammps, void *handle, void *register_function)
 {
     auto const add = reinterpret_cast<RegisterPlugin>(register_function);

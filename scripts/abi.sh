@@ -1,9 +1,9 @@
 #!/bin/sh
-# Whether programs that were linked with the last release can go on with the libraries of this tree: abidiff (package
-# abigail-tools) finds no function that is gone and no type, size or status that has changed from what scripts/abi holds. New
-# functions and statuses are no change. Usage:
+# Checks that programs that were linked with the last release run with the libraries of this tree. abidiff (package abigail-tools)
+# compares the libraries with scripts/abi: no function may be missing, and no type, size or status may have changed. New functions
+# and statuses are allowed. Usage:
 #   scripts/abi.sh            compares
-#   scripts/abi.sh record     makes scripts/abi anew: for a release, or where a change is meant
+#   scripts/abi.sh record     writes scripts/abi, for a release or an intended change
 set -eu
 cd "$(dirname "$0")/.."
 case $#$* in
@@ -18,7 +18,7 @@ if [ "$(uname -m)" != x86_64 ]; then
   exit 0
 fi
 build="build-abi"
-# Compiled anew only what changed; functions of the library alone are exported, as they are by an optimised one.
+# Only changed sources are compiled again. The version script exports only functions of the library, as an optimised build does.
 build_libraries() {
   [ -f $build/build.ninja ] || LDFLAGS="-Wl,--version-script=$PWD/scripts/abi/exports.map" meson setup $build --buildtype=debug \
     -Doptimized=false -Dsimd=disabled -Dgpu=disabled -Ddefault_library=shared -Dtests=disabled -Dbench=disabled -Dpython=disabled \
@@ -27,7 +27,7 @@ build_libraries() {
 }
 mkdir -p $build/headers
 build_libraries >$build/log 2>&1 || { cat $build/log; exit 1; }
-cp include/*.h $build/headers # the types of the C API; what others there are is the library's own affair
+cp include/*.h $build/headers # only types of the C API are compared; other types are internal
 cc -std=c99 -g -shared -fPIC -Iinclude -I$build/include scripts/abi/constants.c -o $build/src/libconstants.so
 
 failed=0

@@ -1,6 +1,7 @@
-"""Used by scripts/test_wheel.sh, by the Python of an environment in which a repaired wheel is installed: it contains what
-licences ask for, and nothing of GSL's; the environment uses it, with the libraries inside of it. Usage: check_wheel.py
-FOLDER_OF_THE_WHEEL ENVIRONMENT
+"""Checks a repaired wheel that is installed in an environment: the wheel contains the texts that licences require and nothing of
+GSL, and the environment uses the libraries inside the wheel. scripts/test_wheel.sh runs it by the Python of the environment.
+
+Usage: check_wheel.py FOLDER_OF_THE_WHEEL ENVIRONMENT
 """
 
 import re

@@ -1,4 +1,4 @@
-# Sourced by the other scripts: installs Debian or Ubuntu packages that are missing, and nothing else.
+# The other scripts source this file. It installs the Debian or Ubuntu packages that are missing.
 
 # install_packages PACKAGE...
 install_packages() {
@@ -12,7 +12,8 @@ install_packages() {
   $as_root env DEBIAN_FRONTEND=noninteractive apt-get update -qq || return
   # shellcheck disable=SC2086 # a list of words
   available=$(LC_ALL=C apt-cache policy $missing | awk -F: '/^[^ ]/ { name = $1 } /Candidate: [^(]/ { print name }')
-  # What a release lacks, as Ubuntu 24.04 lacks PyTorch, and Chromium but as a snap: tests that need it are skipped.
+  # Packages that a release does not have are left out, and the tests that need them are skipped. Ubuntu 24.04, for example, has no
+  # PyTorch, and has Chromium only as a snap.
   # shellcheck disable=SC2086 # a list of words
   absent=$(printf '%s\n' $missing | grep -vxF "$available" || true)
   [ -z "$absent" ] || echo "Not in this release:" $absent

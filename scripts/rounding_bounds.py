@@ -1,17 +1,17 @@
 #!/usr/bin/python3
-"""The constants of the margins against rounding errors, found by maximising the worst case.
+"""Finds the constants of the margins against rounding errors, by maximising the worst case.
 
-Every formula that a margin guards is stated below in the order of the C++ code, rounding by rounding. With z_k(1 + δ_k) for
-each rounded result, |δ_k| <= u, the result errs by Σ δ_k z_k ∂f/∂z_k to first order, at most u Σ |z_k ∂f/∂z_k|: one reverse
-sweep gives that sum. Divided by the form of the margin it is maximised over the pairs of positive definite forms, separations
-and t, by climbing from many random starts at once. All formulas are homogeneous in the units of each axis, so that M = Q1 + t Q2
-has a unit diagonal without loss of generality. A fused multiplication and addition leaves out one δ_k, and the sum only loses a
-term: the constants hold with and without.
+Every formula that a margin guards is written below in the order of the C++ code, rounding by rounding. With z_k(1 + δ_k) for each
+rounded result, |δ_k| <= u, the error of the result is Σ δ_k z_k ∂f/∂z_k to first order, which is at most u Σ |z_k ∂f/∂z_k|. One
+reverse sweep gives this sum. The sum divided by the form of the margin is maximised over pairs of positive definite forms,
+separations and t, by climbing from many random starts at once. All formulas are homogeneous in the units of each axis, so that M =
+Q1 + t Q2 has a unit diagonal without loss of generality. A fused multiplication and addition removes one δ_k, so that the sum loses
+a term: the constants hold with and without fusion.
 
     rounding_bounds.py [--starts N] [--steps N]
 
-prints the worst cases, what the margins need to be, and the constants of the headers; it fails where one of these is too small, or
-larger than needed by more than a third.
+prints the worst cases, the margins that they need, and the constants of the headers. It fails if a constant is too small, or more
+than a third larger than necessary.
 """
 
 import argparse
@@ -23,7 +23,7 @@ import numpy as np
 
 
 class Rounded:
-    """A result of arithmetic for many samples at once, with what it came from."""
+    """A result of arithmetic for many samples at once, with its operands."""
 
     def __init__(self, tape, value, parents=(), rounded=True):
         self.tape, self.value, self.parents, self.rounded = tape, value, parents, rounded
@@ -50,7 +50,7 @@ class Rounded:
         return Rounded(self.tape, q, ((self, 1.0 / other.value), (other, -q / other.value)))
 
     def exactly(self):
-        """The same result where it is not rounded: a comparison, or a change of sign or by a power of two."""
+        """The same result, for an operation without rounding: a comparison, or a change of sign or by a power of two."""
         self.rounded = False
         return self
 
@@ -152,8 +152,8 @@ def solve(factors, x):
 
 
 class Sample:
-    """Pairs with M = Q1 + t Q2 of unit diagonal, of parameters (number, samples): the factors of Q1 and t Q2, r and log t, and
-    a direction."""
+    """Pairs for which M = Q1 + t Q2 has a unit diagonal. The parameters, an array (number, samples), are the factors of Q1 and t
+    Q2, r, log t, and a direction."""
 
     def __init__(self, parameters, d, size=None):
         n, self.d = parameters.shape[1], d
@@ -173,7 +173,7 @@ class Sample:
             scale = 1.0 / np.sqrt(size(self))
             self.r, self.solution = scale[:, None] * self.r, scale[:, None] * self.solution
             self.square = scale**2 * self.square
-        # A direction of errors of s that is orthogonal to s in the scalar product of M, of length 1; M times it.
+        # A direction of errors of s, of length 1 and orthogonal to s in the scalar product of M; it is stored multiplied by M.
         v = other.T - (np.einsum("ni,ni->n", other.T, self.r) / self.square)[:, None] * self.solution
         mv = np.einsum("nij,nj->ni", self.m, v)
         any_mv = np.einsum("nij,nj->ni", self.m, other.T)  # not orthogonal to s
@@ -242,7 +242,7 @@ def separation(parameters, d):
 
 
 def adjugate_solution(parameters, d):
-    """last_evaluation() by the adjugate: what s errs by across itself in the norm of M, over u/d."""
+    """last_evaluation() by the adjugate: the error of s orthogonal to s in the norm of M, over u/d."""
     sample = Sample(parameters, d)
     r, q1, q2, t = sample.pair()
     s = product(adjugate(blend(q1, t, q2), d), r)
@@ -265,8 +265,8 @@ def factorized_solution(parameters, d):
 
 
 def correction(parameters, d):
-    """refine(): what a correction by factorisation, of a rounded residual, errs by in the norm of M, along itself too, relative to
-    the error that it corrects, over u condition()."""
+    """refine(): the error in the norm of M, in all directions, of a correction by factorisation from a rounded residual, relative
+    to the error that it corrects, over u condition()."""
     sample = Sample(parameters, d)
     _, q1, q2, t = sample.pair()
     residual = [x + 0.0 for x in sample.vector(sample.r)]
@@ -310,7 +310,7 @@ def definite(parameters, d):
 
 
 class Margin:
-    """A constant of a header: for which dimensions it holds, and what it has to be at least, from the worst case found."""
+    """A constant of a header: the dimensions for which it holds, and its smallest admissible value for a worst case."""
 
     def __init__(self, worst, header, pattern, needed=lambda found: found, dimensions=(2, 3)):
         self.worst, self.header, self.pattern = worst, header, pattern
@@ -321,8 +321,8 @@ class Margin:
             return int(re.search(self.pattern + r"\D*?(\d+)", header.read())[1])
 
 
-# a itself is in the form of the margins inside, and errs by 5 %; second order adds 1 %. is_certain() admits 2u, and a comparison
-# u, where cond >= 3.
+# The forms of the margins inside contain a, whose error is 5 %; terms of second order add 1 %. is_certain() admits an error of 2u,
+# and a comparison one of u, where cond >= 3.
 MARGINS = [
     Margin(apart, "overlap/quartic.hpp", "apart_margin ="),
     Margin(inside1, "overlap/quartic.hpp", "inside1_margin =", lambda found: 1.06 * found),
@@ -338,8 +338,8 @@ MARGINS = [
 
 
 def maximise(ratio, d, starts, steps, rng):
-    """The largest ratio found: steps of all sizes, additive and multiplicative, on some of the parameters; the worse half starts
-    again where the better half is, a few times."""
+    """The largest ratio found. Each step changes some of the parameters by an additive or multiplicative amount of any size. A few
+    times the worse half of the samples is replaced by the better half."""
     count = 2 * d * d + 2 * d + 1
     parameters = rng.normal(size=(count, starts)) * 10.0 ** rng.uniform(-2.0, 0.0, size=(count, starts))
     parameters[-1] = rng.uniform(-2.0, 2.0, size=starts)

@@ -1,7 +1,7 @@
 #!/bin/sh
-# Runs a tool that Debian 12 lacks, from the packages of Debian's suite sid: they are unpacked into build-sid, once, and not
-# installed. Usage: scripts/sid.sh ruff|auditwheel [ARGUMENT...]; status 77 says that the tool cannot be had, or not that version
-# whose rules the sources keep: sid moves, and each minor version of ruff has rules of its own.
+# Runs a tool that Debian 12 lacks, from the packages of Debian's suite sid. The first call unpacks them into build-sid; they are
+# not installed. Usage: scripts/sid.sh ruff|auditwheel [ARGUMENT...]. The exit status is 77 if the tool is not available, or if sid
+# has another minor version of ruff than that whose rules the sources follow.
 set -eu
 cd "$(dirname "$0")/.."
 . scripts/packages.sh

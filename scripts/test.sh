@@ -1,7 +1,7 @@
 #!/bin/sh
-# Builds pw85 with its tests in ./build-test and runs all of them. On Debian and Ubuntu, first installs the packages that
-# the tests need and that are missing. May be run again at any time. Arguments are passed to `meson test`, the words of
-# PW85_SETUP_OPTIONS to `meson setup`.
+# Builds pw85 with its tests in ./build-test and runs all tests. On Debian and Ubuntu it first installs the missing packages that
+# the tests need. It can be run again at any time. Arguments are passed to `meson test`, the words of PW85_SETUP_OPTIONS to `meson
+# setup`.
 set -eu
 cd "$(dirname "$0")/.."
 . scripts/packages.sh

@@ -1,7 +1,8 @@
 #!/bin/sh
-# Builds pw85 with its tests for another machine, one of scripts/cross/ whose system is Debian's, and runs them by its emulator. The
-# libraries that tests need come from Debian's packages for that machine, unpacked next to the build: nothing is installed but
-# compilers and emulator. Usage: scripts/test_cross.sh aarch64-linux-gnu|i686-linux-gnu|s390x-linux-gnu [ARGUMENT OF meson test...]
+# Builds pw85 with its tests for another machine, one of scripts/cross/ for which there is a Debian, and runs them by an emulator.
+# The libraries that the tests need come from Debian's packages for that machine. They are unpacked next to the build; only
+# compilers and emulator are installed. Usage: scripts/test_cross.sh aarch64-linux-gnu|i686-linux-gnu|s390x-linux-gnu [ARGUMENT OF
+# meson test...]
 set -eu
 cd "$(dirname "$0")/.."
 . scripts/packages.sh
@@ -35,9 +36,9 @@ esac
 install_packages $test_packages "g++-$machine" $emulators
 
 if [ ! -f "$root/complete" ]; then
-  open_packages "$root" "$architecture" || true # one of several sources may be out of order
+  open_packages "$root" "$architecture" || true # one of several sources may be unavailable
   mkdir -p "$root/boost/include"
-  ln -s /usr/include/boost "$root/boost/include/boost" # the headers, which are the same for all
+  ln -s /usr/include/boost "$root/boost/include/boost" # the headers, which are the same on all machines
   packages=$(apt_in "$root" "$architecture" install -s libglib2.0-dev libhdf5-dev libgsl-dev libgomp1 libstdc++6 |
     sed -n 's/^Inst \([^ ]*\).*/\1/p' | grep -E '^(lib|zlib)' | grep -v -E 'python|^libc6-dev|^libc-dev|^libperl')
   # shellcheck disable=SC2086 # a list of words

@@ -1,7 +1,7 @@
 #!/bin/sh
-# All tests of pw85_gpu.h on a machine with an NVIDIA GPU, and what it does per second: builds pw85 in ./build-gpu, runs the tests
-# that need no device, then the same program on the device (under compute-sanitizer, too, where that is), and bench/gpu, whose
-# arguments may follow: the number of pairs, and of overlaps to compare with the host's.
+# Tests and measures pw85_gpu.h on a machine with an NVIDIA GPU. It builds pw85 in ./build-gpu, runs the tests that need no device,
+# then the same program on the device (also under compute-sanitizer if that is installed), and bench/gpu. Arguments are passed to
+# bench/gpu: the number of pairs, and the number of overlaps to compare with those of the host.
 set -eu
 cd "$(dirname "$0")/.."
 . scripts/packages.sh

@@ -1,8 +1,8 @@
 #!/bin/sh
-# Runs README's two commands in a minimal system of another release of Debian or Ubuntu, or in their place COMMAND:
+# Runs README's two commands, or COMMAND instead, in a minimal system of another release of Debian or Ubuntu:
 #   scripts/test_release.sh RELEASE [COMMAND...]       RELEASE is trixie, noble, ...
-# The system is the folder build-RELEASE, with what git tracks in its /pw85; it stays, and the next run goes on from there.
-# Needs root and mmdebstrap, for a release of Ubuntu also distro-info-data and ubuntu-archive-keyring.
+# The system is the folder build-RELEASE, and its /pw85 has the files that git tracks. The folder is kept, and the next run
+# continues with it. The script needs root and mmdebstrap, for a release of Ubuntu also distro-info-data and ubuntu-archive-keyring.
 set -eu
 cd "$(dirname "$0")/.."
 release=${1:?usage: $0 RELEASE [COMMAND...]}
@@ -12,14 +12,14 @@ system=$PWD/build-$release
 
 if [ ! -d "$system" ]; then
   rm -rf "$system.unfinished"
-  # Ubuntu's minimal systems lack apt; universe is a part of Ubuntu alone, passed over elsewhere.
+  # Minimal systems of Ubuntu lack apt. Only Ubuntu has the component universe; other archives ignore it.
   mmdebstrap --variant=minbase --include=apt --components=main,universe "$release" "$system.unfinished"
   mv "$system.unfinished" "$system"
 fi
 
 mkdir -p "$system/pw85"
 git ls-files -z | tar --null --files-from=- -c | tar -x -C "$system/pw85"
-# The command's mounts and processes end with it.
+# The mounts and processes of the command end with the command.
 # shellcheck disable=SC2016 # expanded by the inner shell
 exec unshare --mount --pid --fork --kill-child sh -euc '
   mount -t proc proc "$0/proc"

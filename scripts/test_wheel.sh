@@ -1,6 +1,7 @@
 #!/bin/sh
-# Makes the wheel, and of it one for other systems (auditwheel): what that needs of a system, and whether it works where it is
-# installed alone, by the command with which cibuildwheel tests wheels. Usage: scripts/test_wheel.sh; status 77: no auditwheel.
+# Builds the wheel, and from it a wheel for other systems (auditwheel). It shows what the wheel needs of a system, installs it into
+# an environment of its own, and tests it there by the command that cibuildwheel uses. The exit status is 77 if there is no
+# auditwheel.
 set -eu
 cd "$(dirname "$0")/.."
 scripts/sid.sh auditwheel --version
@@ -11,7 +12,7 @@ pip='-m pip --no-cache-dir --disable-pip-version-check'
 /usr/bin/python3 $pip -q wheel --no-index --no-build-isolation --no-deps -w "$work" "$PWD"
 scripts/sid.sh auditwheel show "$work"/*.whl
 scripts/sid.sh auditwheel repair -w "$work/repaired" "$work"/*.whl
-# NumPy and click are those of the system; the package is not.
+# The environment uses NumPy and click of the system, and the package of the wheel.
 /usr/bin/python3 -m venv --system-site-packages "$work/venv"
 # shellcheck disable=SC2086
 "$work/venv/bin/python" $pip -q install --no-index --no-deps "$work/repaired"/*.whl

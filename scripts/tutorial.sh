@@ -1,7 +1,7 @@
 #!/bin/sh
 # Builds pw85, with the Fortran module if there is a compiler for it, installs it into ./install, builds the C tutorial (examples/c)
-# against the installed library, and runs it. On Debian and Ubuntu, first installs the packages that it needs and that are missing.
-# May be run again at any time: it finds a compiler that was installed since.
+# with the installed library, and runs it. On Debian and Ubuntu it first installs the missing packages that it needs. It can be run
+# again at any time, and then finds compilers that were installed in the meantime.
 set -eu
 cd "$(dirname "$0")/.."
 . scripts/packages.sh

@@ -1,6 +1,7 @@
-# Sourced by the other scripts: packages of Debian for another machine or of another suite, in a folder, without installing them.
+# The other scripts source this file. It unpacks Debian packages for another machine or of another suite into a folder, without
+# installing them.
 
-# apt_in FOLDER ARCHITECTURE COMMAND...: apt-get for that machine, of which this one knows nothing
+# apt_in FOLDER ARCHITECTURE COMMAND...: runs apt-get for another machine, independently of the packages of this one
 apt_in() (
   apt=$1/apt architecture=$2
   shift 2
@@ -12,8 +13,8 @@ apt_in() (
     -o Acquire::Retries=3 -o APT::Install-Recommends=0 "$@"
 )
 
-# open_packages FOLDER ARCHITECTURE [SUITE]: makes FOLDER anew; apt_in knows what packages there are, of this system's suites or of
-# another one
+# open_packages FOLDER ARCHITECTURE [SUITE]: makes an empty FOLDER, and fetches the lists of packages for apt_in, of this system's
+# suites or of another suite
 open_packages() {
   rm -rf "$1"
   mkdir -p "$1/apt/lists/partial"

@@ -1,3 +1,4 @@
+// pw85_contact_function(): Brent's method finds a candidate, and the search on the factorised form refines it.
 #include "brent.hpp"
 
 #include <cmath>
@@ -8,8 +9,9 @@ namespace pw85::detail::brent {
 
 namespace {
 
-// The pair with t = unit·x/(1-x): x is the λ of the forms Q1 and unit·Q2, which are of like size where it matters, so
-// that an absolute tolerance on x means what it says. `odds` = ratio²·unit takes x/(1-x) to τ = λ/(1-λ).
+// A pair in the variable x with t = unit·x/(1-x). x is the λ of the forms Q1 and unit·Q2. These are of similar size near the
+// maximum, so that x is not near 0 or 1 there, and an absolute tolerance on it is meaningful. `odds` = ratio²·unit converts x/(1-x)
+// to τ = λ/(1-λ).
 struct PairInUnit {
     Vector<double, 3> r12;
     SymmetricMatrix<double, 3> q1, q2;
@@ -21,7 +23,7 @@ PairInUnit in_unit(Pair<double, 3> const &pair, double unit) noexcept
     return {pair.r12, pair.q1, unit * pair.q2, 1.0 / (pair.ratio * (pair.ratio * unit))};
 }
 
-// -f at x, over its limit for large odds: finite and non-positive in [0, 1], zero at the ends only.
+// -f at x, in a form that stays in range for large odds. It is finite and non-positive in [0, 1], and zero only at the ends.
 double objective(double x, void *data) noexcept
 {
     auto const &p = *static_cast<PairInUnit const *>(data);
@@ -38,10 +40,10 @@ Maximum<double> maximize(Pair<double, 3> const &pair, Options const &options) no
 
 } // namespace
 
-// A unit is right when the method does not end near an end: then lambda_atol, 1e-6, is a tolerance of lambda_atol/margin
-// = 2.6e-4 on log t. A round brings t within reach of the next one when it is off by less than 1/lambda_atol. Pairs of
-// general ellipsoids need at most 1 round at aspect ratio 10, 2 at 1e6 and 3 at any, tests/test_brent.cpp.
-Rough maximizer_by_brent(Pair<double, 3> const &pair, Options const &options) noexcept
+// A unit is good if x ends away from 0 and 1: then lambda_atol, 1e-6, is a tolerance of lambda_atol/margin = 2.6e-4 on log t. If t
+// is off by a factor less than 1/lambda_atol, the next round, with t as its unit, finds it. Pairs of general ellipsoids need at
+// most 1 round at aspect ratio 10, 2 at 1e6 and 3 at any aspect ratio (tests/test_brent.cpp).
+BrentResult maximizer_by_brent(Pair<double, 3> const &pair, Options const &options) noexcept
 {
     constexpr int max_rounds = 3;
     constexpr double margin = 0x1p-8;
@@ -63,7 +65,7 @@ bool refine(Pair<double, 3> const &pair, Candidate<double> &candidate, Options c
 Contact<double> contact_function(Vector<double, 3> const &r12, SymmetricMatrix<double, 3> const &q1,
                                  SymmetricMatrix<double, 3> const &q2, Options const &options) noexcept
 {
-    if (is_ordinary(r12, q1, q2)) return to_contact(maximize(Pair<double, 3>{r12, q1, q2, 1.0}, options));
+    if (passes_fast_checks(r12, q1, q2)) return to_contact(maximize(Pair<double, 3>{r12, q1, q2, 1.0}, options));
     ScaledPair<double, 3> scaled;
     Status const status = validate(r12, q1, q2, scaled);
     if (status != Status::success) return all_nan<Contact<double>>(status);

@@ -1,4 +1,5 @@
-// The contact function by Brent's method, for which brent_minimizer.hpp has a choice of libraries.
+// The contact function by Brent's method, as pw85 1.0 computed it. pw85.cpp calls contact_function(); brent_minimizer.hpp offers
+// the method of one of two libraries.
 #ifndef PW85_BRENT_HPP_INCLUDED
 #define PW85_BRENT_HPP_INCLUDED
 
@@ -6,23 +7,23 @@
 
 namespace pw85::detail::brent {
 
-/// What governs the method; the C API has one set of values.
+/// Parameters of the method. The C API has one set of values.
 struct Options {
     double lambda_atol;
     int max_iterations;
     int newton_iterations;
 };
 
-/// Where Brent's method ends.
-struct Rough {
+/// The result of Brent's method.
+struct BrentResult {
     double t;
-    int rounds; ///< choices of units that it took
+    int rounds; ///< number of units that were tried
 };
 
-/// The maximiser to about lambda_atol, for a valid pair in range with r12 != 0.
-Rough maximizer_by_brent(Pair<double, 3> const &pair, Options const &options) noexcept;
+/// Finds the maximiser to about lambda_atol, for a valid pair in range with r12 != 0.
+BrentResult maximizer_by_brent(Pair<double, 3> const &pair, Options const &options) noexcept;
 
-/// Refines the candidate, in at most newton_iterations steps of the search on the factorised form; whether they settle it.
+/// Refines the candidate by at most newton_iterations steps of the search on the factorised form. Returns whether it converges.
 bool refine(Pair<double, 3> const &pair, Candidate<double> &candidate, Options const &options) noexcept;
 
 /// μ² and λ of any pair.

@@ -7,9 +7,9 @@
 
 namespace pw85::detail::brent {
 
-// Through its type, not through a gsl_min_fminimizer, the method needs no more than memory for its state: it is not allocated,
-// and GSL's process-wide error handler, which aborts by default, is out of reach, as all values are finite. The state is six
-// numbers in all of GSL's versions; one that were larger would not be used.
+// The method is called through its type instead of a gsl_min_fminimizer. So it needs only memory for its state, and allocates
+// nothing. GSL's process-wide error handler, which aborts by default, is never called, because all values are finite. The state is
+// six numbers in all versions of GSL; if it were larger than the memory here, the method would not be used.
 double minimize(Objective const &objective, Options const &options) noexcept
 {
     gsl_min_fminimizer_type const &method = *gsl_min_fminimizer_brent;

@@ -1,4 +1,4 @@
-// Between the arrays of the C API and the values of the C++ headers.
+// Converts between the arrays of the C API and the values of the C++ headers. All shims of the C API use it.
 #ifndef PW85_C_ARRAYS_HPP_INCLUDED
 #define PW85_C_ARRAYS_HPP_INCLUDED
 
@@ -48,9 +48,10 @@ inline void store_nan(double *x, int count) noexcept
     for (int i = 0; x != nullptr && i < count; ++i) x[i] = quiet_nan<double>();
 }
 
+/// The status for a null pointer.
 inline int null_pointer() noexcept { return static_cast<int>(Status::invalid_argument); }
 
-/// The answer to a null pointer, with NaN in the outputs that are not null: arrays, each with its length behind it.
+/// The same; it also fills outputs with NaN that are not null: arrays, each followed by its length.
 template <class... Outputs> int null_pointer(double *out, int count, Outputs... outputs) noexcept
 {
     store_nan(out, count);

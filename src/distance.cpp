@@ -1,4 +1,4 @@
-// The C API of distances: null pointers are turned away here, everything else is checked in the core.
+// The C API of distances. The functions check for null pointers; the core checks everything else.
 #include <pw85.h>
 
 #include <pw85/distance/penetration.hpp>
@@ -30,8 +30,8 @@ int pw85_penetration(double const r12[3], double const q1[6], double const q2[6]
 {
     if (any_null(r12, q1, q2)) return null_pointer(depth, 1, direction, PW85_DIM);
     return in_default_environment([&] {
-        int overlapping =
-            0; // by the same code as pw85_overlap(), so that both say the same of a form that is barely valid
+        // From the same code as pw85_overlap(), so that both agree on forms that are barely positive definite.
+        int overlapping = 0;
         auto const status = static_cast<Status>(kernels::chosen().one_pair->overlap(r12, q1, q2, &overlapping));
         auto const p = overlapping == 1
                            ? penetration_overlapping(load_vector<3>(r12), load_matrix<3>(q1), load_matrix<3>(q2))

@@ -1,4 +1,4 @@
-// The C API of moving ellipsoids: null pointers are turned away here, everything else is checked in the core.
+// The C API of moving ellipsoids. The function checks for null pointers; the core checks everything else.
 #include <pw85.h>
 
 #include "c_arrays.hpp"

@@ -1,9 +1,10 @@
 /// @file
-/// The floating-point environment of the library: that of IEEE 754's defaults, whatever the caller's.
+/// Computes in the default floating-point environment of IEEE 754, whatever the caller's environment is. All functions of the C API
+/// use it.
 ///
-/// Pairs are computed with first and looked at afterwards, so that valid input may overflow or give NaN on the way. The caller
-/// sees nothing of that: his status flags and traps are as they were. Nor do his modes change a result: rounding is to
-/// nearest, and subnormal numbers are kept, which a program that is linked with -ffast-math gives up for all of its threads.
+/// Results are checked after they are computed, so that valid input may overflow or give NaN on the way. The caller does not see
+/// this: status flags and traps stay as they were. The caller's modes do not change a result: rounding is to nearest, and subnormal
+/// numbers are kept. (A program that is linked with -ffast-math flushes them to zero in all of its threads.)
 #ifndef PW85_FLOATING_POINT_ENVIRONMENT_HPP_INCLUDED
 #define PW85_FLOATING_POINT_ENVIRONMENT_HPP_INCLUDED
 
@@ -18,10 +19,10 @@
 namespace pw85::detail {
 namespace {
 
-/// Sets the default environment for the life of the object, and restores the caller's. The register is read, and written only where
-/// it has to change: a write that takes back a flag costs some 80 ns on Intel's processors, and callers mostly have the default
-/// modes and have rounded before, so that nothing changes. A compiler may move arithmetic that it sees across: only threads have one of
-/// their own, for calls of kernels, and everything else is by in_default_environment().
+/// Sets the default environment while the object lives, then restores the caller's. The register is written only if it has to
+/// change: a write that clears a flag costs some 80 ns on Intel's processors. Callers mostly have the default modes and the flag of
+/// inexact results, so that nothing changes. The compiler may move arithmetic that it sees out of the object's scope. So only threads
+/// have an object of their own, for calls of kernels; everything else uses in_default_environment().
 class DefaultEnvironment {
   public:
     DefaultEnvironment(DefaultEnvironment const &) = delete;
@@ -54,8 +55,8 @@ class DefaultEnvironment {
 #endif
 };
 
-/// The result of function() in the default environment. What the function refers to passes through memory, where the compiler
-/// must leave it in order.
+/// Returns the result of function(), computed in the default environment. The barriers pass the data of the function through
+/// memory, so that the compiler cannot move its arithmetic out of the scope of the environment.
 template <class Function> [[gnu::always_inline]] inline auto in_default_environment(Function const &function) noexcept
 {
     DefaultEnvironment const environment;

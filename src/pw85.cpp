@@ -1,4 +1,4 @@
-// The C API over the C++ headers: null pointers are turned away here, everything else is checked in the core.
+// The C API of one pair of ellipsoids. The functions check for null pointers; the core checks everything else.
 #include <pw85.h>
 
 #include <pw85/pw85.hpp>

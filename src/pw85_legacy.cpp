@@ -1,4 +1,4 @@
-// The C API of the superseded variants over the C++ headers.
+// The C API of the superseded variants (pw85_legacy.h). It calls history/legacy.hpp.
 #include <pw85_legacy.h>
 
 #include <pw85/history/legacy.hpp>

@@ -1,4 +1,4 @@
-// The C API of the algorithms of Zheng and Palffy-Muhoray over the C++ headers.
+// The C API of the algorithms of Zheng and Palffy-Muhoray (pw85_zheng.h). It calls history/zheng.hpp.
 #include <pw85_zheng.h>
 
 #include <pw85/history/zheng.hpp>

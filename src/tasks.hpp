@@ -1,5 +1,5 @@
 /// @file
-/// Tasks for threads.
+/// Runs tasks in parallel, with dynamic scheduling. The neighbour lists use it.
 #ifndef PW85_TASKS_HPP_INCLUDED
 #define PW85_TASKS_HPP_INCLUDED
 
@@ -14,7 +14,7 @@
 namespace pw85::detail {
 namespace {
 
-/// Threads that there may be for tasks.
+/// The largest number of threads that run tasks.
 inline std::size_t most_threads() noexcept
 {
 #ifdef _OPENMP
@@ -24,12 +24,12 @@ inline std::size_t most_threads() noexcept
 #endif
 }
 
-/// Calls task(0), task(1), ..., task(count - 1), by threads if there is enough to do; idle ones take the next.
+/// Calls task(0), task(1), ..., task(count - 1), in parallel if `enough`. A thread that is idle takes the next task.
 template <class Task> void for_tasks(std::size_t count, [[maybe_unused]] bool enough, Task const &task) noexcept
 {
 #pragma omp parallel if (enough)
     {
-        DefaultEnvironment const environment; // threads have their own
+        DefaultEnvironment const environment; // each thread has its own environment
 #pragma omp for schedule(dynamic) nowait
         for (std::ptrdiff_t k = 0; k < static_cast<std::ptrdiff_t>(count); ++k) task(static_cast<std::size_t>(k));
     }

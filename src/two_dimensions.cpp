@@ -1,4 +1,4 @@
-// The C API of ellipses: null pointers are turned away here, everything else is checked in the core.
+// The C API of pairs of ellipses. The functions check for null pointers; the core checks everything else.
 #include <pw85.h>
 
 #include <pw85/pw85.hpp>
@@ -12,7 +12,7 @@ using namespace pw85::detail::c_api;
 
 namespace {
 
-/// function(r12, q1, q2) in the default environment.
+/// Returns the status of function(r12, q1, q2), computed in the default environment.
 template <class Function>
 int of_ellipses(Function const &function, double const *r12, double const *q1, double const *q2) noexcept
 {

@@ -1,4 +1,4 @@
-// The C API of walls, points and lines: null pointers are turned away here, everything else is checked in the core.
+// The C API of walls, points and lines. The functions check for null pointers; the core checks everything else.
 #include <pw85.h>
 
 #include <pw85/distance/line.hpp>

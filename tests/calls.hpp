@@ -1,5 +1,5 @@
-// Calls of every function of the C API with arguments that are made for it: a new function needs no row in any table. What the functions
-// and their parameters are is read from the headers by api/tables.py.
+// Calls every function of the C API with suitable arguments. api/tables.py reads the functions and their parameters from the
+// headers, so that a new function needs no entry in a table.
 #ifndef PW85_TESTS_CALLS_HPP_INCLUDED
 #define PW85_TESTS_CALLS_HPP_INCLUDED
 
@@ -78,8 +78,8 @@ inline std::size_t size_of(Type type)
     }
 }
 
-/// A function with valid arguments of its own. Arrays have a row for each of some pairs: `r12`, `q1` and `q2` are those of the pair,
-/// particles 2i and 2i + 1 those of pair i.
+/// A function with valid arguments of its own. Arrays have a row for each of some pairs: `r12`, `q1` and `q2` are those of the
+/// pair, particles 2i and 2i + 1 those of pair i.
 class Call {
   public:
     Call(Function const &function, std::vector<Sample<double, 3>> const &pairs, double lambda = 0.5)

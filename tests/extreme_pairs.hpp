@@ -1,4 +1,4 @@
-// Random pairs whose shapes, sizes and distances reach the ends of what a form of doubles can be.
+// Random pairs whose shapes, sizes and distances cover the whole range of forms in double precision.
 #ifndef PW85_TESTS_EXTREME_PAIRS_HPP_INCLUDED
 #define PW85_TESTS_EXTREME_PAIRS_HPP_INCLUDED
 

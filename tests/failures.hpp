@@ -1,4 +1,4 @@
-// Failures of one test case that runs over many inputs.
+// Counts and prints the failures of a test case that runs over many inputs.
 #ifndef PW85_TESTS_FAILURES_HPP_INCLUDED
 #define PW85_TESTS_FAILURES_HPP_INCLUDED
 

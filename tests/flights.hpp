@@ -1,4 +1,4 @@
-// Random pairs of ellipsoids that move, and where they are at some time by formulas of their own.
+// Random pairs of moving ellipsoids, with independent formulas for their positions at a given time.
 #ifndef PW85_TESTS_FLIGHTS_HPP_INCLUDED
 #define PW85_TESTS_FLIGHTS_HPP_INCLUDED
 
@@ -97,8 +97,8 @@ template <class T, int D> T mu2_at(Flight<T, D> const &f, T const &time)
     return pw85::contact(p.r12, p.q1, p.q2).mu2;
 }
 
-/// S of pw85_first_contact(): what relative errors of one in the numbers of a flight, and in the forms of what turns or grows, change μ² by
-/// at most, at some time.
+/// S of pw85_first_contact(): what relative errors of one in the numbers of a flight, and in the forms of what turns or grows,
+/// change μ² by at most, at some time.
 template <class T, int D> T sensitivity(Flight<T, D> const &f, T const &time)
 {
     auto const p = pair_at(f, time);
@@ -124,9 +124,9 @@ template <class T, int D> T sensitivity(Flight<T, D> const &f, T const &time)
 }
 
 /// By how much μ² may differ from 1 at the time of first contact, in units of u S. A pair touches where f is 1 up to the slack of
-/// slack_of_form(), 12 D u Σ M_ii s_i² over rᵀM⁻¹r, which is at most 12 D u (cond - 2); the last step may be wrong by as much again; and
-/// f itself errs by 4 u cond: 76 u cond in all. Rounding of positions comes to less than 16 u times their part of S; that of forms
-/// that turn was measured: all in all 13 u S is the most that was seen.
+/// slack_of_form(), 12 D u Σ M_ii s_i² over rᵀM⁻¹r, which is at most 12 D u (cond - 2); the last step may be wrong by as much
+/// again; and f itself errs by 4 u cond: 76 u cond in all. Rounding of positions comes to less than 16 u times their part of S;
+/// that of forms that turn was measured: all in all 13 u S is the most that was seen.
 inline constexpr double touching_error = 80.0;
 
 template <class To, class From, int D> pw85::Motion<To, D> convert_motion(pw85::Motion<From, D> const &m)

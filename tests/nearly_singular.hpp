@@ -1,5 +1,6 @@
-// Pairs of forms that are singular to working precision or nearly so, and the truth about them: by rational numbers and by
-// bisection with 200 digits, which share nothing with the library. (The condition number, the unit of errors, is that of the tests.)
+// Pairs of forms that are singular to working precision or nearly so, and their exact properties. These are computed by rational
+// numbers and by bisection with 200 digits, independently of the library. (The condition number, the unit of errors, is that of the
+// tests.)
 #ifndef PW85_TESTS_NEARLY_SINGULAR_HPP_INCLUDED
 #define PW85_TESTS_NEARLY_SINGULAR_HPP_INCLUDED
 

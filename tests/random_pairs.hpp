@@ -1,5 +1,5 @@
-// Random pairs of ellipsoids. Seeds are fixed and the generator is that of the standard, so that every run and every
-// platform sees the same pairs, up to the rounding of the mathematical functions.
+// Random pairs of ellipsoids. The seeds are fixed and the generator is that of the C++ standard, so that every run on every
+// platform uses the same pairs, up to the rounding of the mathematical functions.
 #ifndef PW85_TESTS_RANDOM_PAIRS_HPP_INCLUDED
 #define PW85_TESTS_RANDOM_PAIRS_HPP_INCLUDED
 

@@ -1,4 +1,4 @@
-// The reference data (data/README.md): this is the only reader of HDF5.
+// Reads the reference data (data/README.md). Only reference_data.cpp uses HDF5.
 #ifndef PW85_TESTS_REFERENCE_DATA_HPP_INCLUDED
 #define PW85_TESTS_REFERENCE_DATA_HPP_INCLUDED
 

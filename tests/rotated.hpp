@@ -1,4 +1,4 @@
-// Rotations of forms in the wide type, for derivatives by differences.
+// Rotates forms in the wide type, for numerical derivatives.
 #ifndef PW85_TESTS_ROTATED_HPP_INCLUDED
 #define PW85_TESTS_ROTATED_HPP_INCLUDED
 

@@ -1,4 +1,4 @@
-// A pair of ellipsoids as test data, and its text in hexadecimal floating point, which can be pasted back.
+// A pair of ellipsoids as test data. It is printed in hexadecimal floating point, which can be pasted into a test.
 #ifndef PW85_TESTS_SAMPLE_HPP_INCLUDED
 #define PW85_TESTS_SAMPLE_HPP_INCLUDED
 

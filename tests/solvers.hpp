@@ -1,4 +1,4 @@
-// Both solvers of the contact function, so that one case tests either.
+// Runs a test case with each of the two solvers of the contact function.
 #ifndef PW85_TESTS_SOLVERS_HPP_INCLUDED
 #define PW85_TESTS_SOLVERS_HPP_INCLUDED
 

@@ -1,4 +1,4 @@
-// Systems and lists of pairs as arguments of the C API: what the pointers point to lives as long as the call.
+// Makes systems and lists of pairs as arguments of the C API. Their arrays must live as long as the call.
 #ifndef PW85_TESTS_SYSTEMS_HPP_INCLUDED
 #define PW85_TESTS_SYSTEMS_HPP_INCLUDED
 

@@ -1,4 +1,5 @@
-// What is inside of pw85_contact_function(): units, iterations, shapes that none of these settle, and no side effects.
+// The parts of pw85_contact_function(): units, iterations, shapes for which neither method converges, and the absence of side
+// effects.
 #include <algorithm>
 #include <cerrno>
 #include <cmath>

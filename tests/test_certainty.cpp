@@ -1,6 +1,6 @@
-// What is_certain() promises of a last evaluation: from the s that the scalar's arithmetic gives, but with exact sums, μ² errs by
-// at most 2.8 u, wherever the search stopped: u for s, u for the step, and 0.8 u for its third order. A refined s is rounded: that
-// adds at most u cond/8 (error_of_solution()).
+// The error bound of a last evaluation for which is_certain(). If μ² is computed by exact sums from the s of the scalar's
+// arithmetic, its error is at most 2.8 u, wherever the search stopped: u for s, u for the step, and 0.8 u for its third order. A
+// refined s is rounded, which adds at most u cond/8 (error_of_solution()).
 #include <algorithm>
 #include <type_traits>
 
@@ -74,7 +74,7 @@ template <class T, int D> void check(Sample<T, D> const &s, T const &t, Tally &t
     tally.only_refined += !by_adjugate && !by_factors;
 }
 
-/// A form twice, with nearly all the ill-conditioning that is_ordinary() lets pass: no blend is better conditioned than it, but μ² is,
+/// A form twice, nearly as ill-conditioned as passes_fast_checks() accepts: no blend is better conditioned than it, but μ² is,
 /// since s has any direction.
 template <class T, int D> Sample<T, D> like_pair(Random &random)
 {
@@ -94,7 +94,7 @@ template <class T, int D> void test_random()
         auto const s = n % 3 == 0   ? like_pair<T, D>(random)
                        : n % 2 == 0 ? convert<T>(crossed_pair<D>(random, aspect))
                                     : convert<T>(random_pair<D>(random, {.aspect = aspect, .size_ratio = 10.0}));
-        if (!pw85::detail::is_ordinary(s.r12, s.q1, s.q2)) continue;
+        if (!pw85::detail::passes_fast_checks(s.r12, s.q1, s.q2)) continue;
         double const lambda =
             pw85::contact(convert<double>(s.r12), convert<double>(s.q1), convert<double>(s.q2)).lambda;
         double const shift = random.log_uniform(pw85::detail::unit_roundoff<T>(), 0.1);

@@ -1,4 +1,4 @@
-// Distance of closest approach, in two and three dimensions, and the contact function of ellipses.
+// Tests of the distance of closest approach, in two and three dimensions, and of the contact function of ellipses.
 #include <cmath>
 
 #include <glib.h>

@@ -1,4 +1,4 @@
-// The contact function by both solvers: the manual's chapter on testing, and the contact problems.
+// Tests of the contact function by both solvers: those of the manual's chapter on testing, and the contact problems.
 #include <cmath>
 #include <map>
 

@@ -1,4 +1,4 @@
-// Distance, closest points and derivatives. The numbers are those of include/pw85/distance/normal_search.hpp.
+// Tests of distances, closest points and derivatives. The items are those of include/pw85/distance/normal_search.hpp.
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -165,8 +165,8 @@ void test_certificate()
     }
 }
 
-// Item 5: the polynomials give the same as solutions, in a type in which neither loses digits that count. Sums of what may cancel are
-// compared with their largest terms.
+// Item 5: the polynomials give the same as solutions, in a type in which neither loses digits that count. Sums of what may cancel
+// are compared with their largest terms.
 template <int D> void test_polynomials()
 {
     Failures failures;
@@ -629,7 +629,8 @@ double off_surface(pw85::Vector<Wide, 3> const &point, pw85::SymmetricMatrix<Wid
     return std::fabs(static_cast<double>(pw85::distance_point(point, q).distance));
 }
 
-/// The contract: of the distance, and 2^18 u of each point, relative to the ellipsoid, and of the way between them, relative to all.
+/// The contract: of the distance, and 2^18 u of each point, relative to the ellipsoid, and of the way between them, relative to
+/// all.
 void check_points(Failures &failures, Sample<double, 3> const &s, pw85::Distance<double, 3> const &d)
 {
     auto const p = convert<Wide>(s);
@@ -685,8 +686,9 @@ void test_slender_points()
     }
 }
 
-// Sums, products, quotients and roots of doubled numbers. With u = 2^-53, errors are below 4u², 8u², 16u² and 16u² of the terms of a
-// sum, and of the others themselves (M. Joldes, J.-M. Muller and V. Popescu, ACM Trans. Math. Softw. 44, 15 (2017): 3u², 7u², 15u²).
+// Sums, products, quotients and roots of doubled numbers. With u = 2^-53, errors are below 4u², 8u², 16u² and 16u² of the terms of
+// a sum, and of the others themselves (M. Joldes, J.-M. Muller and V. Popescu, ACM Trans. Math. Softw. 44, 15 (2017): 3u², 7u²,
+// 15u²).
 void test_doubled()
 {
     using Doubled = pw85::detail::Doubled<double>;

@@ -1,4 +1,4 @@
-// f, its derivatives and the linear algebra below them, by the C API.
+// Tests of f, its derivatives, and the linear algebra on which they stand, by the C API.
 #include <cmath>
 
 #include <glib.h>

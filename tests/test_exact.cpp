@@ -1,4 +1,4 @@
-// The exact tier alone, against Sturm's theorem in integers of any size.
+// Tests of the exact tier of the overlap test alone. The reference is Sturm's theorem in integers of any size.
 #include <cmath>
 #include <limits>
 #include <vector>

@@ -1,4 +1,4 @@
-// The time of first contact. The numbers are those of include/pw85/motion/first_contact.hpp.
+// Tests of the time of first contact. The items are those of include/pw85/motion/first_contact.hpp.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -101,8 +101,8 @@ void test_afar()
     }
 }
 
-// From so far that the rounding of a position is larger than the ellipsoids: only one of them moves, so that the numbers given say exactly
-// whether they meet.
+// From so far that the rounding of a position is larger than the ellipsoids: only one of them moves, so that the numbers given say
+// exactly whether they meet.
 void test_remote()
 {
     Failures failures;
@@ -262,8 +262,9 @@ void test_units()
     }
 }
 
-// Item 3 of advance.hpp: the root of the polynomial and the remainder bound that of the form of a body that turns and grows. Vectors along
-// the axis, and such that the rotation leaves little of the third order, make the growth's part of the remainder the largest.
+// Item 3 of advance.hpp: the root of the polynomial and the remainder bound that of the form of a body that turns and grows.
+// Vectors along the axis, and such that the rotation leaves little of the third order, make the growth's part of the remainder the
+// largest.
 void test_remainder()
 {
     Failures failures;

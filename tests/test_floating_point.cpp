@@ -1,5 +1,5 @@
-// The floating-point environment of the caller: no function raises FE_INVALID, FE_DIVBYZERO or FE_OVERFLOW on valid input, or
-// traps where they do; none heeds the caller's modes, or changes them.
+// The floating-point environment of the caller. For valid input no function raises FE_INVALID, FE_DIVBYZERO or FE_OVERFLOW, or
+// traps if these are enabled. The caller's modes do not change results, and the functions do not change the modes.
 #include <cfenv>
 #include <csetjmp>
 #include <csignal>

@@ -1,4 +1,4 @@
-// Builders of quadratic forms.
+// Tests of the functions that make quadratic forms.
 #include <cmath>
 #include <limits>
 #include <numbers>

@@ -1,4 +1,4 @@
-// Contact point, normal, gradient and torque. The numbers are those of include/pw85/contact/geometry.hpp.
+// Tests of contact point, normal, gradient and torque. The items are those of include/pw85/contact/geometry.hpp.
 #include <cmath>
 
 #include <glib.h>
@@ -173,7 +173,8 @@ void test_rounding_errors()
 // No net torque: a rotation of all, r12 included, leaves μ² as it is. With n = M⁻¹r, M = (1-λ)Q1 + λQ2, the sum is
 // 2λ(1-λ) n × (M n - r). By factorisation, the computed n solves a system whose matrix differs by at most 10u of the trace
 // of M from this one, and the products round: |M n - r| <= 32u tr M |n|. By the adjugate, n errs by 108u/d in the norm of M
-// (see the conditioning of M in include/pw85/contact/rational.hpp), in which it measures √(rᵀn), so that |M n - r| <= √(tr M rᵀn) 108u/d.
+// (see the conditioning of M in include/pw85/contact/rational.hpp), in which it measures √(rᵀn), so that |M n - r| <= √(tr M rᵀn)
+// 108u/d.
 void test_no_net_torque()
 {
     Failures failures;

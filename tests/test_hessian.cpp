@@ -1,4 +1,4 @@
-// Second derivatives of the contact function. The numbers are those of include/pw85/contact/contact_hessian.hpp.
+// Tests of the second derivatives of the contact function. The items are those of include/pw85/contact/contact_hessian.hpp.
 #include <cmath>
 
 #include <glib.h>

@@ -1,12 +1,12 @@
-// Invariances of the contact function. With f(λ) = λ(1-λ) r12ᵀ [(1-λ)Q1 + λQ2]⁻¹ r12:
+// Tests of the invariances of the contact function. With f(λ) = λ(1-λ) r12ᵀ [(1-λ)Q1 + λQ2]⁻¹ r12:
 //
 // 1. exchange: (-r12, Q2, Q1) has the same μ², and 1-λ;
 // 2. joint linear maps: (L r12, L Q1 Lᵀ, L Q2 Lᵀ) has the same μ² and λ; rotations are the special case;
 // 3. scaling: μ²(k r12) = k² μ²(r12), and by powers of two each bit of it;
 // 4. spheres: μ² = |r12|²/(a1+a2)², λ = a1/(a1+a2).
 //
-// Maps are applied in a wider type and the result rounded once, which moves μ² by at most u cond. The error of either
-// evaluation is at most 4 u cond, each with its own cond.
+// Maps are applied in a wider type and the result is rounded once, which changes μ² by at most u cond. The error of each of the two
+// evaluations is at most 4 u cond, with its own cond.
 #include <cmath>
 
 #include <glib.h>

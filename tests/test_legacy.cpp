@@ -1,5 +1,5 @@
-// The superseded variants: over the reference data with the manual's tolerance of 1e-10, and beyond, where cancellation
-// in the rational form exceeds it, with the bound of a running error analysis, below.
+// Tests of the superseded variants. Over the reference data they have the manual's tolerance of 1e-10. For other pairs, for which
+// cancellation in the rational form causes larger errors, the bound is that of a running error analysis, below.
 #include <cmath>
 #include <limits>
 

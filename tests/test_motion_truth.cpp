@@ -1,5 +1,5 @@
-// No first contact is missed: the way to the time given is walked in long double, by a bound on the speed that shares nothing with the
-// library's. `test_motion_truth MOTIONS` takes more motions than the test does.
+// The library misses no first contact. The test follows each motion in long double up to the time that the library returns, with
+// steps from an independent bound on the speed. `test_motion_truth MOTIONS` takes more motions than the test does.
 #include <cstdio>
 #include <cstdlib>
 #include <limits>

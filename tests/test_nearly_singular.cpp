@@ -1,5 +1,5 @@
-// Forms that are singular to working precision, or nearly so: all functions agree whether they are positive definite, and those that
-// are have a contact function within its bound.
+// Forms that are singular to working precision, or nearly so. All functions agree on which of them are positive definite, and for
+// these the error of the contact function is within its bound.
 #include <cstring>
 #include <vector>
 

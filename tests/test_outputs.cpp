@@ -1,5 +1,5 @@
-// Every function of the libraries writes what its contract says and nothing beside it, and says what is wrong with its arguments: for
-// valid ones, a NaN, and null pointers, in each place.
+// Every function of the libraries writes the outputs of its contract and nothing else, and returns the right status. It is called
+// with valid arguments, and with NaN and null pointers in the place of each argument.
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -136,8 +136,8 @@ void test_null()
     }
 }
 
-// All that may be null is, and each of them: `images` go with a cell, `next_pair` with `next`, derivatives with the outputs that need
-// them, and a cell with a list that was made with one.
+// All that may be null is, and each of them: `images` go with a cell, `next_pair` with `next`, derivatives with the outputs that
+// need them, and a cell with a list that was made with one.
 void test_optional()
 {
     Failures failures;

@@ -1,4 +1,4 @@
-// pw85_overlap: the exact answer for the numbers given.
+// pw85_overlap() gives the exact result for the numbers that it is given.
 #include <cmath>
 #include <limits>
 

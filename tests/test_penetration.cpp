@@ -1,4 +1,4 @@
-// The depth of an overlap. The numbers are those of include/pw85/distance/penetration.hpp.
+// Tests of the depth of an overlap. The items are those of include/pw85/distance/penetration.hpp.
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -57,8 +57,8 @@ template <int D> Sample<double, D> overlapping_pair(Random &random, double aspec
                                    .mu2_max = 0.999});
 }
 
-// The contract: moved along the direction by the depth, the pair touches, to rounding (of the sum as for the distance, 8 u Σ); μ² is
-// computed in a wider type, and changes by 2/(α + β) times what the gap does.
+// The contract: moved along the direction by the depth, the pair touches, to rounding (of the sum as for the distance, 8 u Σ); μ²
+// is computed in a wider type, and changes by 2/(α + β) times what the gap does.
 template <int D> void check_touching(int pairs)
 {
     Failures failures;
@@ -190,8 +190,8 @@ void assert_depth(Sample<double, 3> const &p, double expected)
     g_assert_cmpfloat(std::fabs(shift(p, found.direction) - expected), <=, bound);
 }
 
-// Minima that are not isolated: spheres, concentric or not; ellipsoids of revolution on one axis, whose best directions are circles;
-// ellipsoids of one shape, whose sum is one.
+// Minima that are not isolated: spheres, concentric or not; ellipsoids of revolution on one axis, whose best directions are
+// circles; ellipsoids of one shape, whose sum is one.
 void test_degenerate()
 {
     pw85::SymmetricMatrix<double, 3> const one{1.0, 0.0, 0.0, 1.0, 0.0, 1.0}, two{4.0, 0.0, 0.0, 4.0, 0.0, 4.0},
@@ -339,8 +339,8 @@ void test_batch()
     g_assert_cmpint(pw85_penetration_batch(1, r12, nullptr, q2, nullptr, nullptr), ==, PW85_EINVAL);
 }
 
-// Item 2: where none_deeper() says so, no c of the interval gives less than the best that is known, which is set between what the two
-// ends give. Each of the ends is the one that matters for half of the intervals.
+// Item 2: where none_deeper() says so, no c of the interval gives less than the best that is known, which is set between what the
+// two ends give. Each of the ends is the one that matters for half of the intervals.
 void test_proof()
 {
     Failures failures;

@@ -1,4 +1,4 @@
-// The whole range: semi-axes from 1e-150 to 1e150, size ratios to 1e12, and what lies beyond.
+// Tests over the whole range, semi-axes from 1e-150 to 1e150 and size ratios up to 1e12, and beyond it.
 #include <cmath>
 #include <limits>
 

@@ -1,4 +1,4 @@
-// The reference data: its checksum, its shape, and what must hold within it.
+// Tests of the reference data: its checksum, its shape, and the relations between its values.
 #include <glib.h>
 
 #include "failures.hpp"

@@ -1,5 +1,5 @@
-// The core templates in float, double, long double and a wider type, in two and three dimensions: the same lines, and
-// the same bound on the error, in the unit roundoff of the type.
+// Tests of the templates of the core in float, double, long double and a wider type, in two and three dimensions. All have the same
+// bound on the error, in units of the unit roundoff of the type.
 #include <cmath>
 
 #include <glib.h>

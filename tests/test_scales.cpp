@@ -1,5 +1,6 @@
-// Every function that takes lengths, at other scales: pairs whose sizes and size ratios differ give what their copies times a power of two
-// give, times the powers of it that belong to the results. Functions of time have another unit of time, too.
+// Every function that takes lengths gives corresponding results at other scales. Pairs of various sizes and size ratios are
+// multiplied by a power of two; the results must change by the powers of it that belong to their units. Functions of time have
+// another unit of time, too.
 #include <cmath>
 #include <functional>
 #include <vector>
@@ -27,8 +28,8 @@ struct Problem {
     std::vector<pw85_motion> motions;
 };
 
-/// The largest aspect ratio, and what two results of lanes, which may be more or less exact than those of one pair, may differ by: 64 u
-/// aspect² of the largest coordinate each (tests/batch/test_derivatives.cpp), more than the 4 u cond of μ².
+/// The largest aspect ratio, and what two results of lanes, which may be more or less exact than those of one pair, may differ by:
+/// 64 u aspect² of the largest coordinate each (tests/batch/test_derivatives.cpp), more than the 4 u cond of μ².
 constexpr double largest_aspect = 20.0, difference_of_lanes = 2.0 * 64.0 * 0x1p-53 * largest_aspect * largest_aspect;
 
 /// Results, each with the powers of length and of time in its unit, and by how much it may differ: 0 where the bits are the same.
@@ -554,8 +555,8 @@ template <int D> Sample<double, D> unlike_pair(Random &random, int size_ratio)
     return placed<D>(random.direction<D>(), random.log_uniform(0.5, 9.0), q1, q2);
 }
 
-/// Ellipsoid 2 is larger than the other by some power of two. It comes near within one or two units of time, turns and grows, and so do
-/// particles in a cell.
+/// Ellipsoid 2 is larger than the other by some power of two. It comes near within one or two units of time, turns and grows, and
+/// so do particles in a cell.
 Problem random_problem(Random &random, int size_ratio)
 {
     Problem p{

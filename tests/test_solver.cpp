@@ -1,4 +1,4 @@
-// The solver on the pairs that are hardest for it: the bound on its evaluations, and that it is right when it stops.
+// Tests of the solver on the pairs that are most difficult for it: the bound on its evaluations, and the accuracy of its result.
 #include <algorithm>
 #include <cmath>
 

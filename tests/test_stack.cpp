@@ -1,4 +1,5 @@
-// How much stack the library needs: every public function, in a thread with little of it, painted beforehand.
+// Measures how much stack every public function needs. Each function is called in a thread with a small stack that is filled with a
+// pattern.
 #include <algorithm>
 #include <climits>
 #include <cstring>

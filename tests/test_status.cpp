@@ -1,4 +1,4 @@
-// Every status, of every function that has one, with what happens to the outputs; versions and texts.
+// Tests of every status of every function that has one, with the outputs; of the version, and of the texts of statuses.
 #include <cmath>
 #include <cstring>
 #include <functional>

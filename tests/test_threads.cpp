@@ -1,5 +1,5 @@
-// Any number of threads may call anything at any time: many threads that call everything on the same data get the same
-// bits. Meant for ThreadSanitizer, too.
+// Any number of threads may call any function at any time. Many threads call all functions on the same data, and get the same bits.
+// The test is also run with ThreadSanitizer.
 #include <cstring>
 #include <thread>
 #include <vector>

@@ -1,4 +1,5 @@
-// Ellipses are sections of ellipsoids: a pair in the plane z = 0 whose third axes are along z has the derivatives of that section.
+// Ellipses as sections of ellipsoids: a pair of ellipsoids with centres in the plane z = 0 and an axis along z has the same
+// derivatives as its section by that plane.
 #include <cmath>
 #include <limits>
 #include <vector>

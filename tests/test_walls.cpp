@@ -1,4 +1,4 @@
-// Walls, points and lines: include/pw85/distance/walls.hpp, nearest.hpp, line.hpp.
+// Tests of walls, points and lines (include/pw85/distance/walls.hpp, nearest.hpp, line.hpp).
 #include <cmath>
 #include <cstring>
 #include <limits>

@@ -1,4 +1,4 @@
-// A random search for pairs on which a function breaks its bound, and the truth that judges them.
+// Runs a random search for pairs on which a function exceeds its bound, and tests the reference of this search.
 #include <glib.h>
 
 #include "draws.hpp"

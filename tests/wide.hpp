@@ -1,4 +1,4 @@
-// The wider type that serves as the oracle: the core's own templates with 50 digits, and an exponent without limits.
+// The oracle of the tests: the templates of the core with a type of 50 digits and an unlimited exponent.
 #ifndef PW85_TESTS_WIDE_HPP_INCLUDED
 #define PW85_TESTS_WIDE_HPP_INCLUDED
 

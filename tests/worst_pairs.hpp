@@ -1,6 +1,6 @@
-// Random search for the pairs on which the library errs most, judged by the core in a wide type: some climbers for each
-// function, each at the worst pair that it has seen, step to neighbours that are worse; and random pairs, crossed and
-// general ones, take the place of climbers that stay low. A search is determined by its seed and the library's answers.
+// A random search for the pairs with the largest errors of the library. The reference is the core in a wide type. For each function
+// some climbers step from the worst pair that they have found to similar pairs with larger errors. Random crossed and general pairs
+// replace climbers with small errors. The seed and the results of the library determine a search.
 #ifndef PW85_TESTS_WORST_PAIRS_HPP_INCLUDED
 #define PW85_TESTS_WORST_PAIRS_HPP_INCLUDED
 

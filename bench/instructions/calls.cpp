@@ -1,4 +1,4 @@
-// Calls a function of many pairs, or of one for each pair, a number of times on a block of pairs. Usage: calls FUNCTION ASPECT TIMES
+// Calls a function on a block of pairs a number of times, for instructions.py. Usage: calls FUNCTION ASPECT TIMES
 #include <cstdlib>
 #include <cstring>
 

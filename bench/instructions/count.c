@@ -1,5 +1,6 @@
-// A plugin of QEMU that counts the instructions of a program, and writes their number to stderr when it ends. Debian has no header of
-// QEMU's for plugins, so that what is needed of its interface (version 1) is declared here.
+// A plugin of QEMU that counts the instructions of a program and writes their number to stderr when the program ends.
+// instructions.py compiles it. Debian has no header for plugins of QEMU, so the necessary part of the interface (version 1) is
+// declared here.
 #include <stddef.h>
 #include <stdint.h>
 #include <stdio.h>

@@ -1,5 +1,6 @@
 /// @file
-/// Neighbour lists from C++, over the functions of the compiled library (link with pw85), whose contracts are those of pw85.h.
+/// Neighbour lists for C++. They call the functions of the compiled library (link with pw85), and their contracts are those of
+/// pw85.h.
 #ifndef PW85_NEIGHBORS_HPP_INCLUDED
 #define PW85_NEIGHBORS_HPP_INCLUDED
 
@@ -9,10 +10,10 @@
 
 namespace pw85 {
 
-/// Which pairs a neighbour list has; see pw85_neighbors_create().
+/// Options that determine the pairs of a neighbour list; see pw85_neighbors_create().
 struct NeighborOptions {
-    double scale = 1.0; ///< of the ellipsoids
-    double skin = 0.0;  ///< how far apart boxes may be
+    double scale = 1.0; ///< scale factor of the ellipsoids
+    double skin = 0.0;  ///< largest gap between the boxes of a pair
 };
 
 /// A neighbour list and its memory; it can be moved, not copied.
@@ -20,10 +21,10 @@ class Neighbors {
   public:
     /// An empty list, of no particles.
     Neighbors() noexcept = default;
-    /// Takes a list of the C API over; null is fine.
+    /// Takes ownership of a list of the C API, which may be null.
     [[gnu::always_inline]] explicit Neighbors(pw85_neighbors *list) noexcept : list_(list) {}
 
-    /// Pairs, with images if the list has a cell, as long as this object lives.
+    /// The pairs, with images if the list has a cell. They are valid as long as this object lives.
     [[gnu::always_inline]] PairList list() const noexcept
     {
         pw85_pair_list const list = pw85_neighbors_list(list_.get());
@@ -45,27 +46,27 @@ class Neighbors {
     std::unique_ptr<pw85_neighbors, Destroy> list_;
 };
 
-/// All pairs whose bounding boxes meet: see pw85_neighbors_create().
+/// Finds all pairs whose bounding boxes intersect: see pw85_neighbors_create().
 ///
-/// @param particles in a cell or not, periodic along some of its vectors
-/// @param options which pairs
+/// @param particles with or without a cell, which may be periodic along some of its vectors
+/// @param options which pairs to list
 /// @param[out] list empty on error
 /// @return Status::success, Status::invalid_argument, Status::not_positive_definite, Status::out_of_memory
 static inline Status neighbors_create(Particles const &particles, NeighborOptions const &options,
                                       Neighbors &list) noexcept;
 
-/// Which particle is to blame where a list cannot be made: see pw85_neighbors_check().
+/// Finds the particle because of which a list cannot be made: see pw85_neighbors_check().
 ///
 /// @param particles,options as for neighbors_create()
-/// @param[out] particle the first bad one, or their number
-/// @return its status, or that of the options; Status::success
+/// @param[out] particle index of the first bad particle, or the number of particles if there is none
+/// @return the status of this particle or of the options, or Status::success
 static inline Status neighbors_check(Particles const &particles, NeighborOptions const &options,
                                      std::size_t &particle) noexcept;
 
-/// Whether a list still has all pairs after motion, also of the cell: see pw85_neighbors_holds().
+/// Whether a list still has all pairs after particles or cell have changed: see pw85_neighbors_holds().
 ///
 /// @param list a list
-/// @param particles where they are now, and the cell of now
+/// @param particles the present positions and the present cell
 /// @param[out] holds 1, 0, or -1 on error
 /// @return Status::success, Status::invalid_argument, Status::not_positive_definite
 static inline Status neighbors_holds(Neighbors const &list, Particles const &particles, int &holds) noexcept;

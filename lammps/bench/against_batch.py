@@ -3,10 +3,10 @@
 
     OMP_NUM_THREADS=1 python3 against_batch.py path/to/pw85.in path/to/libpw85.so [count]
 
-Needs the Python module of LAMMPS. The batch functions get the pairs of LAMMPS's neighbour list, without those of ghosts;
-"list" is all of them, "near" those within the cutoff, where the bounding spheres meet. The computes are given the list
-and leave out what is not near themselves; their time includes reading shapes and communication. The time of a step of
-LAMMPS without them is subtracted.
+Needs the Python module of LAMMPS. The batch functions get the pairs of LAMMPS's neighbour list, without those of
+ghosts; "list" is all of them, "near" those within the cutoff, where the bounding spheres intersect. The computes get
+the whole list and leave out the pairs that are not near; their time includes reading shapes and communication. The time
+of a step of LAMMPS without them is subtracted.
 """
 
 import ctypes

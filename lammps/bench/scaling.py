@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-only
-"""Cost per ellipsoid and per pair of each style, and parallel efficiency.
+"""Measures the time per ellipsoid and per pair of each style, and the parallel efficiency.
 
     python3 scaling.py path/to/pw85.in [--ranks 1 2] [--largest 256000]
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-only
-"""Files that LAMMPS wrote, read by pypw85: the same overlaps and contacts as LAMMPS's computes found."""
+"""pypw85 reads files that LAMMPS wrote, and finds the same overlaps and contacts as the computes."""
 
 import tempfile
 import unittest

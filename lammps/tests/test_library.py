@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-2.0-only
-"""The styles in a LAMMPS that a program drives: values asked for at any time are right, or a clear error."""
+"""The styles in a LAMMPS that a program drives: values are right at any time, or there is a clear error."""
 
 import importlib.util
 import os

@@ -1,6 +1,6 @@
 #!/usr/bin/python3
-"""Whether scripts/abi.sh finds what it should: in a copy of the tree, each of some changes that programs would not survive makes
-it fail, and those that they would do not. Each change is undone before the next, so that little is compiled twice."""
+"""Tests scripts/abi.sh in a copy of the tree: it must fail for changes that break programs, and succeed for changes that do not.
+Each change is undone before the next one, so that little is compiled twice."""
 
 import contextlib
 import subprocess
@@ -12,7 +12,7 @@ ROOT = Path(__file__).resolve().parent.parent.parent
 HEADER, SOURCE = "include/pw85_zheng.h", "src/pw85_zheng.cpp"
 ELLIPSES = "int pw85_zheng_ellipses(double const direction[2], double const q1[3], double const q2[3], double *distance)"
 
-# Name, whether programs go on, (file, what is replaced, by what).
+# Name, whether programs still run, and replacements: (file, old text, new text).
 CHANGES = [
     ("nothing", True, []),
     ("a function is new", True, [
@@ -72,7 +72,7 @@ def main():
         for name, compatible, replacements in CHANGES:
             with changed(tree, replacements):
                 done = subprocess.run(["scripts/abi.sh"], cwd=tree, text=True, stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
-            # A change that is not compiled is not found either.
+            # A change that does not compile also fails, but without this message.
             ok = (done.returncode == 0) == compatible and (compatible or "not compatible with" in done.stdout)
             failures += not ok
             print(f"{'ok' if ok else 'FAILED'}: {name}" + ("" if ok else f"\n{done.stdout}"), flush=True)

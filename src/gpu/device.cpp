@@ -1,4 +1,5 @@
-// The entry points for a device: compiled as CUDA, by a compiler that need not have its headers.
+// The entry points of the program for a device. It is compiled as CUDA, by a compiler that need not have its headers, and only calls
+// work.hpp.
 #include "work.hpp"
 
 namespace {
@@ -11,12 +12,12 @@ using std::size_t;
 PW85_DEVICE unsigned thread() { return threadIdx.x; }
 PW85_DEVICE unsigned block() { return blockIdx.x; }
 PW85_DEVICE unsigned blocks() { return gridDim.x; }
-PW85_DEVICE void meet() { __syncthreads(); }
+PW85_DEVICE void synchronize() { __syncthreads(); }
 #else
 PW85_DEVICE unsigned thread() { return static_cast<unsigned>(__nvvm_read_ptx_sreg_tid_x()); }
 PW85_DEVICE unsigned block() { return static_cast<unsigned>(__nvvm_read_ptx_sreg_ctaid_x()); }
 PW85_DEVICE unsigned blocks() { return static_cast<unsigned>(__nvvm_read_ptx_sreg_nctaid_x()); }
-PW85_DEVICE void meet() { __nvvm_bar_sync(0); }
+PW85_DEVICE void synchronize() { __nvvm_bar_sync(0); }
 #endif
 
 PW85_DEVICE size_t thread_of_all() { return size_t{block()} * pw85::detail::gpu::block_size + thread(); }
@@ -24,7 +25,7 @@ PW85_DEVICE size_t all_threads() { return size_t{blocks()} * pw85::detail::gpu::
 
 } // namespace
 
-// Blocks are small, so that a thread may have as many registers as the compiler finds use for.
+// Blocks are small, so that each thread can have as many registers as the compiler wants to use.
 static_assert(pw85::detail::gpu::block_size == 128);
 #define PW85_KERNEL(name) extern "C" __attribute__((global)) __attribute__((launch_bounds(128))) void name
 
@@ -33,11 +34,11 @@ static_assert(pw85::detail::gpu::block_size == 128);
     (pw85::detail::gpu::Attempt<pw85::detail::gpu::Rows, pw85::detail::gpu::Out> const work)                           \
     {                                                                                                                  \
         __attribute__((shared)) static pw85::detail::gpu::Tile tile;                                                   \
-        fill(work, tile, block(), thread());                                                                           \
-        meet();                                                                                                        \
+        load_tile(work, tile, block(), thread());                                                                      \
+        synchronize();                                                                                                 \
         attempt(work, tile, block(), thread());                                                                        \
-        if (pw85::detail::gpu::is_staged<pw85::detail::gpu::Out>) meet();                                              \
-        take_out(work, tile, block(), thread());                                                                       \
+        if (pw85::detail::gpu::is_staged<pw85::detail::gpu::Out>) synchronize();                                       \
+        store_tile(work, tile, block(), thread());                                                                     \
     }                                                                                                                  \
     PW85_KERNEL(pw85_##name##_settle)                                                                                  \
     (pw85::detail::gpu::Settle<pw85::detail::gpu::Rows, pw85::detail::gpu::Out> const work)                            \

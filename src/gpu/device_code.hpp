@@ -1,11 +1,11 @@
 /// @file
-/// The program for the device, device.cpp, in the library.
+/// The compiled program for the device (device.cpp), as a part of the library. embed.py makes its definition; gpu.cpp loads it.
 #ifndef PW85_GPU_DEVICE_CODE_HPP_INCLUDED
 #define PW85_GPU_DEVICE_CODE_HPP_INCLUDED
 
 namespace pw85::detail::gpu {
 
-/// Text that the driver compiles; empty where the library was built without a compiler for devices.
+/// Text in the language PTX, which the driver compiles. It is empty if the library was built without a compiler for devices.
 extern char const device_code[];
 
 } // namespace pw85::detail::gpu

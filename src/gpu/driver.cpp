@@ -1,3 +1,4 @@
+// Finds the library of NVIDIA's driver at run time, and keeps it loaded.
 #include "driver.hpp"
 
 #if __has_include(<dlfcn.h>)
@@ -29,14 +30,14 @@ bool find_all(void *library, Driver &driver) noexcept
     return complete;
 }
 
-/// Whether the driver starts and has a device.
+/// Whether the driver can be initialised and has a device.
 bool is_usable(Driver const &driver) noexcept
 {
     int count = 0;
     return driver.init(0) == 0 && driver.device_count(&count) == 0 && count > 0;
 }
 
-/// That of the first device, which stays there for good.
+/// The primary context of the first device. It is never released.
 Handle first_context(Driver const &driver) noexcept
 {
     int device = 0;
@@ -45,7 +46,7 @@ Handle first_context(Driver const &driver) noexcept
     return context;
 }
 
-/// The driver stays in memory once it has started: it has threads of its own.
+/// Loads the driver. Once it is initialised it has threads of its own, so it is never unloaded.
 Driver const *load() noexcept
 {
     static Driver driver;

@@ -1,6 +1,6 @@
 /// @file
-/// NVIDIA's driver, found at run time: the part of its interface that is used here, declared by hand, as neither headers nor a
-/// library to link with need be there.
+/// The part of the interface of NVIDIA's driver (CUDA driver API) that the library uses. It is declared here and found at run time,
+/// so that a build needs neither the headers nor the library of the driver.
 #ifndef PW85_GPU_DRIVER_HPP_INCLUDED
 #define PW85_GPU_DRIVER_HPP_INCLUDED
 
@@ -14,7 +14,7 @@ using Result = int;            ///< CUresult: 0 is success
 using Handle = void *;         ///< CUcontext, CUstream, CUlibrary, CUkernel
 using Callback = void (*)(void *);
 
-// X(function, symbol of its version, parameters)
+// X(function, versioned symbol, parameters)
 #define PW85_DRIVER_FUNCTIONS(X)                                                                                       \
     X(init, cuInit, (unsigned flags))                                                                                  \
     X(device_count, cuDeviceGetCount, (int *count))                                                                    \
@@ -46,7 +46,7 @@ using Callback = void (*)(void *);
     X(synchronize, cuStreamSynchronize, (Handle stream))                                                               \
     X(destroy_stream, cuStreamDestroy_v2, (Handle stream))
 
-// Values of its enumerations.
+// Values of the driver's enumerations.
 inline constexpr int concurrent_managed_access = 89; ///< CU_DEVICE_ATTRIBUTE_CONCURRENT_MANAGED_ACCESS
 inline constexpr int pointer_memory_type = 2;        ///< CU_POINTER_ATTRIBUTE_MEMORY_TYPE
 inline constexpr unsigned attach_global = 1;         ///< CU_MEM_ATTACH_GLOBAL
@@ -58,11 +58,11 @@ struct Driver {
 #undef PW85_DRIVER_POINTER
 };
 
-/// The driver with at least one device, initialised; null where there is none, or one too old to have all functions. Looked for at the
-/// first call, once and for all.
+/// The driver, initialised and with at least one device. It is null if there is none, or if the driver is too old to have all
+/// functions. The first call looks for it, and later calls return the same pointer.
 Driver const *driver() noexcept;
 
-/// The context of the calling thread for the life of the object: its own, or that of the first device.
+/// Ensures that the calling thread has a context while the object lives: its current one, or otherwise that of the first device.
 class Context {
   public:
     explicit Context(Driver const *driver) noexcept;
@@ -70,7 +70,7 @@ class Context {
     Context &operator=(Context const &) = delete;
     ~Context();
 
-    /// Null where there is none.
+    /// The context; null if there is none.
     Handle handle() const noexcept { return handle_; }
 
   private:

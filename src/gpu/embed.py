@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""Makes a C++ source of a program for the device. Usage: embed.py PROGRAM SOURCE
+"""Writes the program for the device into a C++ source, as an array. Usage: embed.py PROGRAM SOURCE
 
-Comments and empty lines are left out.
+The build calls it. It leaves out comments and empty lines.
 """
 
 import sys

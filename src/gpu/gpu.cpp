@@ -1,4 +1,5 @@
-// The functions for arrays on a device: what concerns a call as a whole, and the stages that are queued.
+// The functions of pw85_gpu.h for arrays on a device. They check the arguments, load the program (device_code.hpp), and queue its
+// stages (work.hpp) on the caller's stream.
 #include <pw85_gpu.h>
 
 #include <algorithm>
@@ -19,7 +20,7 @@ using pw85::detail::kernels::max_rows;
 
 namespace {
 
-/// The two stages for one kind of rows and results.
+/// The two stages for one type of rows and one of outputs.
 struct Stages {
     Handle attempt, settle;
 };
@@ -51,7 +52,7 @@ bool load(Driver const &driver, Code &code) noexcept
     return complete;
 }
 
-/// Loaded at the first call, once and for all; null where that fails.
+/// The functions of the program, which the first call loads; null if that fails.
 Code const *code_for(Driver const &driver) noexcept
 {
     static Code code{};
@@ -59,7 +60,7 @@ Code const *code_for(Driver const &driver) noexcept
     return loaded ? &code : nullptr;
 }
 
-/// Memory of the device for the life of the object, in the order of a stream.
+/// Memory of the device while the object lives. It is allocated and released in the order of a stream.
 class Scratch {
   public:
     Scratch(Driver const &driver, Handle stream, std::size_t size) noexcept : driver_(driver), stream_(stream)
@@ -80,7 +81,7 @@ class Scratch {
     Address address_ = 0;
 };
 
-/// What queues work.
+/// Queues work on a stream.
 struct Queue {
     Driver const &driver;
     Code const &code;
@@ -99,10 +100,11 @@ struct Queue {
     }
 };
 
-/// Blocks of the stages whose work is in a list: enough for any device, few enough to find nothing to do.
+/// The largest number of blocks for stages that work through a list: enough to fill any device, and few enough to cost little if
+/// the list is empty.
 constexpr std::size_t max_list_blocks = 1024;
 
-/// The stages of up to chunk_size pairs.
+/// Queues both stages for up to chunk_size pairs.
 template <class Rows, class Out>
 bool queue_stages(Queue const &queue, Attempt<Rows, Out> const &attempt, Mailbox const &mailbox) noexcept
 {
@@ -113,17 +115,17 @@ bool queue_stages(Queue const &queue, Attempt<Rows, Out> const &attempt, Mailbox
            queue.launch(s.settle, std::min(blocks, max_list_blocks), settle);
 }
 
-/// The same with the questions of the last stage, for overlaps.
+/// The same for overlaps, where the host computes the pairs that both stages leave undecided.
 template <class Rows>
 bool queue_overlaps(Queue const &queue, Attempt<Rows, OverlapArray> const &attempt, SharedMailbox &box) noexcept
 {
     std::size_t const blocks = (attempt.size + block_size - 1) / block_size;
     return queue.clear(box.mailbox.count) && queue_stages(queue, attempt, box.mailbox) &&
-           queue.driver.launch_host(queue.stream, answer, &box) == 0 &&
+           queue.driver.launch_host(queue.stream, compute_requests, &box) == 0 &&
            queue.launch(queue.code.deliver, std::min(blocks, max_list_blocks), Deliver{box.mailbox, attempt.out});
 }
 
-/// Calls queue_chunk(attempt) for all pairs.
+/// Calls queue_chunk(attempt) for each chunk of the pairs.
 template <class Rows, class Out, class QueueChunk>
 bool for_chunks(std::size_t n, Rows const &rows, Out const &out, Address scratch, QueueChunk queue_chunk) noexcept
 {
@@ -145,15 +147,15 @@ bool queue_all(Queue const &queue, Handle, std::size_t n, Rows const &rows, Out 
 template <class Rows> bool queue_all(Queue const &queue, Handle context, std::size_t n, Rows const &rows,
                                      OverlapArray const &out, Address scratch) noexcept
 {
-    SharedMailbox *const box = take_mailbox(queue.driver, context, std::min(n, chunk_size));
+    SharedMailbox *const box = acquire_mailbox(queue.driver, context, std::min(n, chunk_size));
     if (box == nullptr) return false;
     bool const queued = for_chunks(n, rows, out, scratch, [&](Attempt<Rows, OverlapArray> const &attempt) {
         return queue_overlaps(queue, attempt, *box);
     });
-    return queue.driver.launch_host(queue.stream, leave, box) == 0 && queued;
+    return queue.driver.launch_host(queue.stream, release_mailbox, box) == 0 && queued;
 }
 
-/// Whether a pointer is one that the driver knows, or null.
+/// Whether the driver knows a pointer, or it is null.
 bool is_known(Driver const &driver, void const *pointer) noexcept
 {
     int type = 0;

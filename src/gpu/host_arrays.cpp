@@ -1,5 +1,5 @@
-// The functions that send arrays of the host to a device: two pieces are under way at any time, one of which is copied while the
-// other is computed.
+// The functions of pw85_gpu.h for arrays on the host. They divide the arrays into pieces and call the functions for arrays on a
+// device (gpu.cpp). Two pieces are in progress at any time: one is copied while the other one is computed.
 #include <pw85_gpu.h>
 
 #include <algorithm>
@@ -18,13 +18,14 @@ using pw85::detail::kernels::max_rows;
 
 namespace {
 
-/// Rows of an array. Inputs come first; then the output that marks bad pairs, which may be null to the caller; then the others.
+/// An array of rows.
 struct Column {
     char *rows;
     std::size_t width; ///< bytes
 };
 
-/// The columns of a call; what is computed has a column here even if the caller does not want it.
+/// The arrays of a call. The first output is the one that marks bad pairs. It is computed even if the caller passes null for it,
+/// and its `rows` is null then.
 struct Table {
     std::span<Column const> inputs, outputs;
 
@@ -37,12 +38,12 @@ struct Table {
     }
 };
 
-/// Pairs that are under way together: their memory, pinned and on the device, is some tens of megabytes.
+/// Pairs of a piece. Their memory is some tens of megabytes, once pinned on the host and once on the device.
 constexpr std::size_t piece_size = std::size_t{1} << 17;
 
 constexpr int max_columns = 10;
 
-/// One of the pieces that are under way.
+/// Memory and stream for one of the pieces that are in progress.
 class Piece {
   public:
     Piece(Driver const &driver, Table const &table, std::size_t capacity) noexcept
@@ -64,7 +65,8 @@ class Piece {
 
     bool is_ready() const noexcept { return ready_; }
 
-    /// Sends pairs begin, begin + 1 ..., has `compute` queue the work, and fetches what comes of it.
+    /// Queues three steps for `count` pairs from `begin` on: copy the inputs to the device, compute(stream, count, columns), copy
+    /// the outputs back.
     template <class Compute> int send(std::size_t begin, std::size_t count, Compute const &compute) noexcept
     {
         begin_ = begin;
@@ -87,7 +89,8 @@ class Piece {
         return fetch(outputs) ? PW85_SUCCESS : PW85_EDEVICE;
     }
 
-    /// Waits for what was sent, stores it, and takes note of the first bad pair, unless there was one before.
+    /// Waits for the outputs and copies them to the caller's arrays. Sets `first_bad` to the first bad pair if it is still
+    /// SIZE_MAX.
     template <class IsBad> bool collect(std::size_t &first_bad, IsBad const &is_bad) noexcept
     {
         if (count_ == 0) return true;
@@ -127,7 +130,7 @@ class Piece {
     bool ready_;
 };
 
-/// All pieces, one after the other; the status of what failed as a whole.
+/// Computes all pieces. Returns PW85_EDEVICE if the device fails; a bad pair is only noted in `first_bad`.
 template <class Compute, class IsBad> int send_all(std::size_t n, Table const &table, Compute const &compute,
                                                    IsBad const &is_bad, std::size_t &first_bad) noexcept
 {
@@ -157,7 +160,8 @@ Column column(double const *rows, std::size_t numbers) noexcept
     return {reinterpret_cast<char *>(const_cast<double *>(rows)), numbers * sizeof(double)};
 }
 
-/// The status of all pairs. Where the device fails, all outputs are bytes of 255: NaN, or the mark of a bad overlap.
+/// Computes all pairs and returns the status of the first bad one. If the device fails, all outputs are filled with bytes of 255,
+/// which are NaN as numbers and the mark of a bad pair as overlaps.
 template <class Compute, class IsBad> int run(std::size_t n, HostPairs const &in, std::span<Column const> outputs,
                                               Compute const &compute, IsBad const &is_bad) noexcept
 {

@@ -1,3 +1,4 @@
+// The list of all mailboxes, which grows and never shrinks.
 #include "mailboxes.hpp"
 
 #include <bit>
@@ -20,7 +21,7 @@ bool has_shared_memory(Driver const &driver) noexcept
            driver.attribute(&concurrent, concurrent_managed_access, device) == 0 && concurrent != 0;
 }
 
-/// The parts of a block of memory: the largest come first, so that each is aligned.
+/// Divides a block of memory into the arrays of a mailbox. Arrays of larger elements come first, so that each is aligned.
 Mailbox divide(Address memory, std::size_t capacity) noexcept
 {
     auto *const numbers = reinterpret_cast<double *>(memory);
@@ -48,7 +49,7 @@ SharedMailbox *make(Driver const &driver, Handle context, std::size_t capacity) 
 
 } // namespace
 
-SharedMailbox *take_mailbox(Driver const &driver, Handle context, std::size_t capacity) noexcept
+SharedMailbox *acquire_mailbox(Driver const &driver, Handle context, std::size_t capacity) noexcept
 {
     std::lock_guard const lock(mutex);
     for (SharedMailbox *box = first; box != nullptr; box = box->next)
@@ -59,12 +60,12 @@ SharedMailbox *take_mailbox(Driver const &driver, Handle context, std::size_t ca
     return first = made;
 }
 
-void answer(void *mailbox) noexcept
+void compute_requests(void *mailbox) noexcept
 {
     Mailbox const &m = static_cast<SharedMailbox const *>(mailbox)->mailbox;
-    pw85_overlap_batch(*m.count, m.r12, m.q1, m.q2, m.answers);
+    pw85_overlap_batch(*m.count, m.r12, m.q1, m.q2, m.results);
 }
 
-void leave(void *mailbox) noexcept { static_cast<SharedMailbox *>(mailbox)->busy = false; }
+void release_mailbox(void *mailbox) noexcept { static_cast<SharedMailbox *>(mailbox)->busy = false; }
 
 } // namespace pw85::detail::gpu

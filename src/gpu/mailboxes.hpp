@@ -1,8 +1,9 @@
 /// @file
-/// Where a device leaves questions for the host, and finds the answers.
+/// Mailboxes in memory that device and host share: the device posts pairs that it cannot decide (post_request() of work.hpp), and
+/// the host writes the results. gpu.cpp queues both.
 ///
-/// The memory is managed: there is room for every pair of a launch, but only what is written to takes place. A mailbox serves one
-/// call at a time; calls that are over leave theirs to the next one.
+/// The memory is managed by the driver: there is room for every pair of a launch, but only pages that are written to take memory. A
+/// mailbox serves one call at a time, and is reused by later calls.
 #ifndef PW85_GPU_MAILBOXES_HPP_INCLUDED
 #define PW85_GPU_MAILBOXES_HPP_INCLUDED
 
@@ -21,15 +22,15 @@ struct SharedMailbox {
     SharedMailbox *next;
 };
 
-/// A mailbox with room for so many pairs, for the caller alone; null where there is no memory or the device and the host cannot use
-/// it at the same time.
-SharedMailbox *take_mailbox(Driver const &driver, Handle context, std::size_t capacity) noexcept;
+/// A mailbox with room for `capacity` pairs, which no other call uses. It is null if there is no memory, or if device and host
+/// cannot use the memory at the same time.
+SharedMailbox *acquire_mailbox(Driver const &driver, Handle context, std::size_t capacity) noexcept;
 
-/// Answers the questions that are in a mailbox: for Driver::launch_host, once they are.
-void answer(void *mailbox) noexcept;
+/// Computes the overlaps of the pairs in a mailbox. Driver::launch_host runs it after the stage that posts them.
+void compute_requests(void *mailbox) noexcept;
 
-/// Leaves a mailbox to other calls: for Driver::launch_host, once its answers were delivered.
-void leave(void *mailbox) noexcept;
+/// Releases a mailbox for other calls. Driver::launch_host runs it after the results were delivered.
+void release_mailbox(void *mailbox) noexcept;
 
 } // namespace pw85::detail::gpu
 

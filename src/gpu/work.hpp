@@ -1,10 +1,10 @@
 /// @file
-/// What one thread of a device does for a pair: the search and the tiers of the headers, in two stages.
+/// The work of one thread of a device: the search and the tiers of the headers for one pair at a time, in two stages. device.cpp
+/// calls it on a device; the tests call it on the host.
 ///
-/// The first stage tries what is enough for almost all pairs, so that neighbouring threads go the same way; what it leaves goes to
-/// a list, and a second stage settles that by slower means. Overlaps that are undecided even then, and pairs that are not valid, are
-/// posted to the host, where the functions of many pairs answer for them. Nothing here knows of a device but the list's counter:
-/// compiled for the host it is the same program.
+/// The first stage is enough for almost all pairs, so that the threads of a block take the same branches. It lists the other pairs,
+/// and the second stage computes them by slower means. Overlaps that are undecided even then, and pairs that are not valid, are
+/// posted to the host, which computes them by pw85_overlap_batch(). Only fetch_and_increment() differs between devices.
 #ifndef PW85_GPU_WORK_HPP_INCLUDED
 #define PW85_GPU_WORK_HPP_INCLUDED
 
@@ -26,15 +26,16 @@ using Pair3 = Pair<double, 3>;
 /// Threads of a block.
 inline constexpr unsigned block_size = 128;
 
-/// Pairs of one launch at most: lists of them have 32-bit indices and a size that fits beside the caller's arrays.
+/// The largest number of pairs of a launch. Lists of them have 32-bit indices, and take little memory beside the caller's arrays.
 inline constexpr std::size_t chunk_size = std::size_t{1} << 23;
 
-/// Pairs that a stage leaves to the next one, in any order.
+/// The list of the pairs that the first stage leaves to the second one, in any order.
 struct Remainder {
     std::uint32_t *count, *indices;
 };
 
-PW85_FUNCTION inline std::uint32_t next(std::uint32_t *count) noexcept
+/// Increments a counter that all threads share, and returns its previous value.
+PW85_FUNCTION inline std::uint32_t fetch_and_increment(std::uint32_t *count) noexcept
 {
 #ifdef __NVCC__
     return atomicAdd(count, 1u);
@@ -43,11 +44,11 @@ PW85_FUNCTION inline std::uint32_t next(std::uint32_t *count) noexcept
 #endif
 }
 
-/// Pairs that wait for an answer of the host, with where it belongs.
+/// Pairs that the host computes.
 struct Mailbox {
-    std::uint32_t *count, *indices;
-    double *r12, *q1, *q2;
-    unsigned char *answers;
+    std::uint32_t *count, *indices; ///< number of these pairs, and their indices in the output
+    double *r12, *q1, *q2;          ///< their rows
+    unsigned char *results;         ///< their overlaps, which the host writes
 };
 
 PW85_FUNCTION inline void store(Vector<double, 3> const &x, double *rows, std::size_t i) noexcept
@@ -60,9 +61,9 @@ PW85_FUNCTION inline void store(double x, double *rows, std::size_t i) noexcept
     if (rows != nullptr) rows[i] = x;
 }
 
-/// The rows of a block's pairs, brought in by all of its threads together, so that neighbours read neighbouring numbers: 3, 6 and 6
-/// of each pair. Results of three numbers are left there, five of each pair, and taken out in the same way. That 15 is odd lets all
-/// threads reach their own at once.
+/// Shared memory of a block of threads with one row for each pair of the block: 3, 6 and 6 numbers of r12, q1 and q2. All threads
+/// copy the rows together, so that consecutive threads read consecutive addresses. The five results of three numbers go back
+/// through the same rows. As the width 15 is odd, threads that access their own rows use different memory banks.
 struct Tile {
     static constexpr std::size_t width = 15;
     double numbers[width * block_size];
@@ -71,17 +72,17 @@ struct Tile {
     PW85_MEMBER double const *row(unsigned thread) const noexcept { return numbers + width * thread; }
 };
 
-/// What a thread brings in of `count` rows.
-template <std::size_t columns> PW85_FUNCTION inline void bring(double const *from, Tile &tile, std::size_t offset,
-                                                               std::size_t count, unsigned thread) noexcept
+/// The share of one thread in copying `count` rows into the tile, at `offset` within its rows.
+template <std::size_t columns> PW85_FUNCTION inline void
+copy_to_tile(double const *from, Tile &tile, std::size_t offset, std::size_t count, unsigned thread) noexcept
 {
     for (std::size_t k = thread; k < columns * count; k += block_size)
         tile.numbers[Tile::width * (k / columns) + offset + k % columns] = from[k];
 }
 
-/// What a thread takes out of `count` rows of three numbers, where they are wanted.
-PW85_FUNCTION inline void take(Tile const &tile, std::size_t offset, double *to, std::size_t count,
-                               unsigned thread) noexcept
+/// The share of one thread in copying `count` rows of three numbers from the tile to `to`, unless null.
+PW85_FUNCTION inline void copy_from_tile(Tile const &tile, std::size_t offset, double *to, std::size_t count,
+                                         unsigned thread) noexcept
 {
     for (std::size_t k = thread; to != nullptr && k < 3 * count; k += block_size)
         to[k] = tile.numbers[Tile::width * (k / 3) + offset + k % 3];
@@ -92,14 +93,14 @@ PW85_FUNCTION inline Pair3 load(Pairs const &arrays, std::size_t index) noexcept
     return load_pairs<double>(arrays, &index);
 }
 
-/// What a thread brings in of the `count` pairs from `begin` on.
-PW85_FUNCTION inline void fill(Tile &tile, Pairs const &arrays, std::size_t begin, std::size_t count,
-                               unsigned thread) noexcept
+/// The share of one thread in loading `count` pairs from `begin` on.
+PW85_FUNCTION inline void load_tile(Tile &tile, Pairs const &arrays, std::size_t begin, std::size_t count,
+                                    unsigned thread) noexcept
 {
     Pairs const block = arrays.from(begin);
-    bring<3>(block.r12, tile, 0, count, thread);
-    bring<6>(block.q1, tile, 3, count, thread);
-    bring<6>(block.q2, tile, 9, count, thread);
+    copy_to_tile<3>(block.r12, tile, 0, count, thread);
+    copy_to_tile<6>(block.q1, tile, 3, count, thread);
+    copy_to_tile<6>(block.q2, tile, 9, count, thread);
 }
 
 PW85_FUNCTION inline Pair3 load(Tile const &tile, Pairs const &, std::size_t, unsigned thread) noexcept
@@ -108,7 +109,8 @@ PW85_FUNCTION inline Pair3 load(Tile const &tile, Pairs const &, std::size_t, un
     return load(Pairs{row, row + 3, row + 9}, 0);
 }
 
-/// A neighbour list with what belongs to it and is no array of the device: that is in here.
+/// A neighbour list on the device. The cell and its lattice are passed by value, in `images`; the pointers to them in `list` are
+/// null.
 struct DeviceList {
     kernels::NeighborList list;
     std::uint32_t num_particles;
@@ -128,7 +130,7 @@ PW85_FUNCTION inline Pair3 pair_of_nan() noexcept
     return {{nan, nan, nan}, {nan, nan, nan, nan, nan, nan}, {nan, nan, nan, nan, nan, nan}, nan};
 }
 
-/// Pair k; one of NaN where an index is out of range.
+/// Pair k of a list; a pair of NaN if one of its indices is out of range.
 PW85_FUNCTION inline Pair3 load(DeviceList const &rows, std::size_t k) noexcept
 {
     kernels::NeighborList list = rows.list;
@@ -140,25 +142,26 @@ PW85_FUNCTION inline Pair3 load(DeviceList const &rows, std::size_t k) noexcept
     return load_pairs<double>(list, &k);
 }
 
-/// Particles of neighbouring pairs may be anywhere in memory: each thread loads its own.
-PW85_FUNCTION inline void fill(Tile &, DeviceList const &, std::size_t, std::size_t, unsigned) noexcept {}
+/// The pairs of a list do not use the tile: their particles may be anywhere in memory, so each thread loads its own.
+PW85_FUNCTION inline void load_tile(Tile &, DeviceList const &, std::size_t, std::size_t, unsigned) noexcept {}
 
 PW85_FUNCTION inline Pair3 load(Tile const &, DeviceList const &list, std::size_t begin, unsigned thread) noexcept
 {
     return load(list, begin + thread);
 }
 
-/// The search on the rational form; what it gives for a pair that is not ordinary has no meaning.
+/// The search on the rational form. Use the result only if it is certain.
 PW85_FUNCTION inline LastEvaluation<double> search_rationally(Pair3 const &pair) noexcept
 {
     auto search = start_search(pair, initial_guess(pair));
     for (int step = 0; search.active && step < max_rational_steps; ++step) take_step(search, pair.ratio);
     auto last = last_evaluation(pair, search.candidate);
-    last.certain = last.certain && is_ordinary(pair.r12, pair.q1, pair.q2);
+    last.certain = last.certain && passes_fast_checks(pair.r12, pair.q1, pair.q2);
     return last;
 }
 
-/// The first stage: whether the pair is done with.
+// attempt() is the first stage for one pair. It returns whether the pair is done.
+
 PW85_FUNCTION inline bool attempt(ContactArrays const &out, Pair3 const &pair, std::size_t i) noexcept
 {
     auto const last = search_rationally(pair);
@@ -167,7 +170,8 @@ PW85_FUNCTION inline bool attempt(ContactArrays const &out, Pair3 const &pair, s
     return last.certain;
 }
 
-/// The second stage: whether the pair is done with, or must go to the host.
+// settle() is the second stage for one pair. It returns false if the host must compute the pair.
+
 PW85_FUNCTION inline bool settle(ContactArrays const &out, Pair3 const &pair, std::size_t i) noexcept
 {
     auto const c = contact(pair.r12, pair.q1, pair.q2);
@@ -210,7 +214,7 @@ PW85_FUNCTION inline bool attempt(DerivativeArrays const &out, Pair3 const &pair
     return last.certain && is_accurate(solution);
 }
 
-/// A concentric pair has no normal, but is valid otherwise.
+/// A concentric pair has no normal, but is valid.
 PW85_FUNCTION inline bool settle(DerivativeArrays const &out, Pair3 const &pair, std::size_t i) noexcept
 {
     auto const c = contact(pair.r12, pair.q1, pair.q2);
@@ -226,7 +230,7 @@ PW85_FUNCTION inline bool settle(DerivativeArrays const &out, Pair3 const &pair,
     return true;
 }
 
-/// The first stage of `size` pairs, a block of threads for each block of pairs.
+/// The first stage of `size` pairs. Each block of threads computes block_size of them.
 template <class Rows, class Out> struct Attempt {
     Rows rows;
     Out out;
@@ -239,41 +243,42 @@ PW85_FUNCTION inline std::size_t block_count(std::size_t size, std::size_t begin
     return size - begin < block_size ? size - begin : block_size;
 }
 
-/// What a thread does before its block meets at a barrier.
-template <class Rows, class Out>
-PW85_FUNCTION inline void fill(Attempt<Rows, Out> const &work, Tile &tile, std::size_t block, unsigned thread) noexcept
+/// The first step of a thread in the first stage. Then the threads of its block synchronize.
+template <class Rows, class Out> PW85_FUNCTION inline void load_tile(Attempt<Rows, Out> const &work, Tile &tile,
+                                                                     std::size_t block, unsigned thread) noexcept
 {
     std::size_t const begin = block * block_size;
-    fill(tile, work.rows, begin, block_count(work.size, begin), thread);
+    load_tile(tile, work.rows, begin, block_count(work.size, begin), thread);
 }
 
-/// Where a thread leaves the results of pair i: here, at once.
-template <class Out> PW85_FUNCTION inline Out place(Out const &out, Tile &, unsigned, std::size_t i) noexcept
+/// The addresses to which a thread writes the results of pair i: the output arrays.
+template <class Out> PW85_FUNCTION inline Out destination(Out const &out, Tile &, unsigned, std::size_t i) noexcept
 {
     return out.from(i);
 }
 
-PW85_FUNCTION inline double *place(double const *wanted, double *here) noexcept
+PW85_FUNCTION inline double *destination(double const *wanted, double *here) noexcept
 {
     return wanted == nullptr ? nullptr : here;
 }
 
-/// Vectors in its own row of the tile, which nobody else needs, and it no more.
-PW85_FUNCTION inline DerivativeArrays place(DerivativeArrays const &out, Tile &tile, unsigned thread,
-                                            std::size_t i) noexcept
+/// Derivatives go to the output arrays if they are numbers, and to the thread's own row of the tile if they are vectors. The thread
+/// has loaded its pair from that row already.
+PW85_FUNCTION inline DerivativeArrays destination(DerivativeArrays const &out, Tile &tile, unsigned thread,
+                                                  std::size_t i) noexcept
 {
     DerivativeArrays const here = out.from(i);
     double *const row = tile.row(thread);
     return {here.mu2,
             here.lambda,
-            place(out.point, row),
-            place(out.normal, row + 3),
-            place(out.d_r12, row + 6),
-            place(out.d_rot1, row + 9),
-            place(out.d_rot2, row + 12)};
+            destination(out.point, row),
+            destination(out.normal, row + 3),
+            destination(out.d_r12, row + 6),
+            destination(out.d_rot1, row + 9),
+            destination(out.d_rot2, row + 12)};
 }
 
-/// What it does after that.
+/// The second step of a thread in the first stage.
 template <class Rows, class Out> PW85_FUNCTION inline void attempt(Attempt<Rows, Out> const &work, Tile &tile,
                                                                    std::size_t block, unsigned thread) noexcept
 {
@@ -281,31 +286,32 @@ template <class Rows, class Out> PW85_FUNCTION inline void attempt(Attempt<Rows,
     if (thread >= block_count(work.size, begin)) return;
     auto const index = static_cast<std::uint32_t>(begin + thread);
     Pair3 const pair = load(tile, work.rows, begin, thread);
-    if (!attempt(place(work.out, tile, thread, index), pair, 0)) work.rest.indices[next(work.rest.count)] = index;
+    if (!attempt(destination(work.out, tile, thread, index), pair, 0))
+        work.rest.indices[fetch_and_increment(work.rest.count)] = index;
 }
 
-/// Whether results are left in the tile: then the block meets once more before take_out().
+/// Whether results go through the tile. Then the threads of a block synchronize again before store_tile().
 template <class Out> inline constexpr bool is_staged = false;
 template <> inline constexpr bool is_staged<DerivativeArrays> = true;
 
 template <class Rows, class Out>
-PW85_FUNCTION inline void take_out(Attempt<Rows, Out> const &, Tile const &, std::size_t, unsigned) noexcept
+PW85_FUNCTION inline void store_tile(Attempt<Rows, Out> const &, Tile const &, std::size_t, unsigned) noexcept
 {
 }
 
-template <class Rows> PW85_FUNCTION inline void take_out(Attempt<Rows, DerivativeArrays> const &work, Tile const &tile,
-                                                         std::size_t block, unsigned thread) noexcept
+template <class Rows> PW85_FUNCTION inline void
+store_tile(Attempt<Rows, DerivativeArrays> const &work, Tile const &tile, std::size_t block, unsigned thread) noexcept
 {
     std::size_t const begin = block * block_size, count = block_count(work.size, begin);
     DerivativeArrays const out = work.out.from(begin);
-    take(tile, 0, out.point, count, thread);
-    take(tile, 3, out.normal, count, thread);
-    take(tile, 6, out.d_r12, count, thread);
-    take(tile, 9, out.d_rot1, count, thread);
-    take(tile, 12, out.d_rot2, count, thread);
+    copy_from_tile(tile, 0, out.point, count, thread);
+    copy_from_tile(tile, 3, out.normal, count, thread);
+    copy_from_tile(tile, 6, out.d_r12, count, thread);
+    copy_from_tile(tile, 9, out.d_rot1, count, thread);
+    copy_from_tile(tile, 12, out.d_rot2, count, thread);
 }
 
-/// The second stage: the pairs of the list, and a mailbox for what remains of them.
+/// The second stage: the pairs of the list `rest`, and the mailbox for pairs that the host must compute.
 template <class Rows, class Out> struct Settle {
     Rows rows;
     Out out;
@@ -313,9 +319,10 @@ template <class Rows, class Out> struct Settle {
     Mailbox mailbox;
 };
 
-PW85_FUNCTION inline void post(Mailbox const &mailbox, std::uint32_t index, Pair3 const &pair) noexcept
+/// Posts a pair to the host.
+PW85_FUNCTION inline void post_request(Mailbox const &mailbox, std::uint32_t index, Pair3 const &pair) noexcept
 {
-    std::size_t const k = next(mailbox.count);
+    std::size_t const k = fetch_and_increment(mailbox.count);
     mailbox.indices[k] = index;
     store(pair.r12, mailbox.r12, k);
     for (std::size_t e = 0; e < 6; ++e) {
@@ -324,7 +331,7 @@ PW85_FUNCTION inline void post(Mailbox const &mailbox, std::uint32_t index, Pair
     }
 }
 
-/// What one of so many threads does.
+/// The work of one of `threads` threads in the second stage.
 template <class Rows, class Out>
 PW85_FUNCTION inline void settle(Settle<Rows, Out> const &work, std::size_t thread, std::size_t threads) noexcept
 {
@@ -332,11 +339,11 @@ PW85_FUNCTION inline void settle(Settle<Rows, Out> const &work, std::size_t thre
     for (std::size_t k = thread; k < count; k += threads) {
         std::uint32_t const index = work.rest.indices[k];
         Pair3 const pair = load(work.rows, index);
-        if (!settle(work.out, pair, index)) post(work.mailbox, index, pair);
+        if (!settle(work.out, pair, index)) post_request(work.mailbox, index, pair);
     }
 }
 
-/// The host's answers, and where they belong.
+/// Copies the results of the host to the output array.
 struct Deliver {
     Mailbox mailbox;
     OverlapArray out;
@@ -346,10 +353,10 @@ PW85_FUNCTION inline void deliver(Deliver const &work, std::size_t thread, std::
 {
     std::size_t const count = *work.mailbox.count;
     for (std::size_t k = thread; k < count; k += threads)
-        work.out.overlap[work.mailbox.indices[k]] = work.mailbox.answers[k];
+        work.out.overlap[work.mailbox.indices[k]] = work.mailbox.results[k];
 }
 
-// X(rows, out, name) for every kind of rows and results.
+// X(rows, out, name) for each combination of rows and outputs for which there is a program.
 #define PW85_GPU_KERNELS(X)                                                                                            \
     X(Pairs, ContactArrays, contact_batch)                                                                             \
     X(Pairs, OverlapArray, overlap_batch)                                                                              \

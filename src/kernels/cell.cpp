@@ -1,4 +1,5 @@
-// Periodic cells in the C API.
+// The functions of the C API for periodic cells: the reduced cell, and the limit up to which nearest images suffice
+// (image_limit.hpp).
 #include <pw85.h>
 
 #include <algorithm>
@@ -27,9 +28,9 @@ int nearest_image_limit(pw85_system const &system, double *mu2) noexcept
     for (std::size_t i = 0; i < system.num_particles; ++i) {
         auto const form = c_api::load_matrix<3>(system.q + 6 * i);
         if (Status const status = validate(form); status != Status::success) return static_cast<int>(status);
-        largest = std::max(largest, largest_width(lattice, form));
+        largest = std::max(largest, largest_relative_width(lattice, form));
     }
-    *mu2 = largest > 0.0 ? widest / largest : HUGE_VAL;
+    *mu2 = largest > 0.0 ? relative_width_limit / largest : HUGE_VAL;
     return PW85_SUCCESS;
 }
 

@@ -1,4 +1,4 @@
-// The choice of the instruction set.
+// Chooses the instruction set at run time. The functions of the C API call chosen().
 #include "kernels.hpp"
 
 #include <cstdlib>
@@ -9,7 +9,7 @@
 
 namespace pw85::detail::kernels {
 
-// Defined where they are compiled.
+// one_pair.cpp and lanes.cpp define these.
 #define PW85_DECLARE(target, one_pair, available)                                                                      \
     extern OnePairKernels const one_pair_##one_pair;                                                                   \
     extern LaneKernels const lanes_##target;
@@ -24,8 +24,8 @@ struct Target {
     bool available;
 };
 
-/// The best of the available targets, no newer than the one that is asked for. Not inlined, so that calls for one pair, which ask what
-/// was chosen, do not save registers and check a stack that only the choice needs.
+/// The newest available target that is not newer than the one that PW85_TARGET names. It is not inlined: otherwise each call for
+/// one pair would save registers and check a stack frame that only this function needs.
 [[gnu::noinline]] Kernels choose() noexcept
 {
 #define PW85_TARGET(target, one_pair, available) {{#target, &one_pair_##one_pair, &lanes_##target}, available},

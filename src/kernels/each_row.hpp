@@ -1,5 +1,5 @@
 /// @file
-/// Functions of one row, called for each row of arrays.
+/// Calls a function of one row for each row of arrays, in parallel. many_rows.cpp makes all functions without lanes with it.
 #ifndef PW85_KERNELS_EACH_ROW_HPP_INCLUDED
 #define PW85_KERNELS_EACH_ROW_HPP_INCLUDED
 
@@ -19,7 +19,7 @@ template <class Row> Failure for_rows(Range range, Row const &row) noexcept
     return first;
 }
 
-// Arguments of functions of many rows. `row(i)` is what the function of one row takes for row i.
+// Arguments of functions of many rows. row(i) returns the argument of the function of one row for row i.
 
 /// An array with `columns` elements in each row.
 template <int columns, class T = double const> struct RowsOf {
@@ -53,7 +53,7 @@ struct SameNumber {
     double row(std::size_t) const noexcept { return number; }
 };
 
-/// Rows that a thread takes at a time: without lanes, most functions take from some hundred nanoseconds to some microseconds.
+/// Rows per block of a thread. Without lanes, most functions take between a hundred nanoseconds and a few microseconds per row.
 constexpr std::size_t block_of_calls = 256;
 
 /// Calls a function of one row for n rows, in parallel, and returns the status of the first bad one.

@@ -1,5 +1,6 @@
 /// @file
-/// Sums over the pairs of a neighbour list, with the same bits from any number of threads.
+/// Sums forces, torques and virial over the pairs of a neighbour list, with the same bits for any number of threads.
+/// pw85_contact_forces_pairs() (many_pairs.cpp) calls sum_forces().
 #ifndef PW85_KERNELS_FORCES_HPP_INCLUDED
 #define PW85_KERNELS_FORCES_HPP_INCLUDED
 
@@ -16,19 +17,21 @@
 namespace pw85::detail::kernels {
 namespace {
 
-/// An energy U(μ²) of pairs: dU/dμ², and the derivatives of μ², three numbers per pair.
+/// The derivatives of an energy U(μ²) of pairs.
 struct PairGradients {
     std::size_t num_pairs;
-    NeighborList list; ///< without forms
-    double const *d_u, *d_r12, *d_rot1, *d_rot2;
+    NeighborList list;                     ///< its forms are not read
+    double const *d_u;                     ///< dU/dμ², one number per pair
+    double const *d_r12, *d_rot1, *d_rot2; ///< derivatives of μ², three numbers per pair
 };
 
-/// Where the sums go, any of them null: three numbers per particle, and nine.
+/// The output arrays, any of which may be null.
 struct PairSums {
-    double *forces, *torques, *virial;
+    double *forces, *torques; ///< three numbers per particle
+    double *virial;           ///< nine numbers
 };
 
-/// Three numbers, two of them in one register.
+/// Three numbers, two of which share a register.
 struct Row {
     typedef double Two __attribute__((vector_size(2 * sizeof(double))));
     Two xy;
@@ -60,18 +63,18 @@ inline void add_row(Row const &row, double *sums, std::size_t index) noexcept
     store_row(plus(load_row(sums, index), row), sums, index);
 }
 
-/// Rows of a matrix: no array, which compilers would keep in memory.
+/// The rows of a matrix. It is no array, because compilers would keep an array in memory.
 struct Rows3 {
     Row x, y, z;
 };
 
-/// Parts of the pairs that have a sum of the virial each. Their number does not depend on that of the threads.
+/// The virial is summed in this many parts, whatever the number of threads: so the order of additions is always the same.
 constexpr std::size_t num_parts = 64;
 
-/// Pairs that are looked at ahead, for their particles: these are anywhere in memory.
-constexpr std::size_t ahead = 16;
+/// How many pairs ahead particles are prefetched: the particles of consecutive pairs may be anywhere in memory.
+constexpr std::size_t prefetch_distance = 16;
 
-/// What one thread sums up: forces and torques of its own particles, in the order of all pairs, and the virial of its own parts.
+/// The sums of one thread: forces and torques on its own particles, in the order of all pairs, and the virial of its own parts.
 class ForceSum {
   public:
     ForceSum(PairGradients const &pairs, PairSums const &sums, Range own) noexcept
@@ -81,12 +84,12 @@ class ForceSum {
             if (rows != nullptr) std::fill(rows + 3 * own.begin, rows + 3 * own.end, 0.0);
     }
 
-    /// Goes through a part of the pairs, and adds up its virial if it is asked for.
+    /// Adds the forces and torques of a part of the pairs, and writes the virial of this part unless null.
     void add_part(Range part, double *virial) const noexcept
     {
         Rows3 sum = {};
         for (std::size_t k = part.begin; k < part.end; ++k) {
-            fetch(std::min(k + ahead, pairs_.num_pairs - 1));
+            fetch(std::min(k + prefetch_distance, pairs_.num_pairs - 1));
             if (pairs_.d_u[k] == 0.0) continue;
             if (virial != nullptr) add_virial(k, sum);
             add_pair(k);
@@ -105,7 +108,7 @@ class ForceSum {
 
     bool is_own(std::size_t particle) const noexcept { return particle - begin_ < size_; }
 
-    /// Fetches what add_pair() and add_virial() will read, but for the particles of other threads.
+    /// Prefetches what add_pair() and add_virial() read, except for the sums of other threads.
     void fetch(std::size_t k) const noexcept
     {
         for (int const which : {0, 1}) {
@@ -116,7 +119,7 @@ class ForceSum {
         }
     }
 
-    /// The forces on both particles are opposite.
+    /// Adds pair k to the sums of its particles. The forces on both are opposite.
     void add_pair(std::size_t k) const noexcept
     {
         double const d_u = pairs_.d_u[k];
@@ -126,14 +129,14 @@ class ForceSum {
         if (is_own(j)) add(j, times(-1.0, force), -d_u, pairs_.d_rot2, k);
     }
 
-    /// Adds a force on a particle, and a torque: a multiple of a row.
+    /// Adds a force on a particle, and the torque, which is `factor` times row k of d_rot.
     void add(std::size_t particle, Row const &force, double factor, double const *d_rot, std::size_t k) const noexcept
     {
         if (sums_.forces != nullptr) add_row(force, sums_.forces, particle);
         if (sums_.torques != nullptr) add_row(times(factor, load_row(d_rot, k)), sums_.torques, particle);
     }
 
-    /// r12 times the force on the second particle.
+    /// Adds the virial of pair k, r12 times the force on the second particle.
     void add_virial(std::size_t k, Rows3 &sum) const noexcept
     {
         auto const r12 = load_separations<double>(pairs_.list, &k);
@@ -146,7 +149,7 @@ class ForceSum {
     std::size_t begin_, size_;
 };
 
-/// What thread number `thread` does: its share of the particles, and those parts whose number leaves its own.
+/// The work of one of `threads` threads: the sums of its share of the particles, and the virial of every `threads`-th part.
 inline void sum_forces(PairGradients const &pairs, std::size_t num_particles, PairSums const &sums, std::size_t thread,
                        std::size_t threads, double (&parts)[num_parts][9]) noexcept
 {
@@ -160,7 +163,7 @@ inline void sum_forces(PairGradients const &pairs, std::size_t num_particles, Pa
                      sums.virial != nullptr && part % threads == thread ? parts[part] : nullptr);
 }
 
-/// Each thread sums up for its own particles, and goes through all pairs for that.
+/// Sums in parallel. Each thread goes through all pairs and adds only to its own particles, so that no thread waits for another.
 inline void sum_forces(PairGradients const &pairs, std::size_t num_particles, PairSums const &sums) noexcept
 {
     double parts[num_parts][9] = {};

@@ -1,5 +1,6 @@
 /// @file
-/// Packs of pairs from rows in memory: transposing loads, neighbouring pairs, and pairs of a list.
+/// Loads packs of pairs from rows in memory, one pair per lane: consecutive pairs, or pairs given by a list of indices. The lane
+/// kernels use it; rows.hpp has the part that does not depend on the instruction set.
 #ifndef PW85_KERNELS_GATHER_HPP_INCLUDED
 #define PW85_KERNELS_GATHER_HPP_INCLUDED
 
@@ -14,7 +15,7 @@ namespace {
 #if defined(PW85_LANES_SVE)
 } // namespace
 
-/// Each column by the addresses of its elements, which one instruction loads.
+/// Loads each column by one gather instruction.
 template <int N> struct ColumnLoader<Pack, N> {
     static PW85_INLINE void load(double const *const *rows, Pack *columns) noexcept
     {
@@ -28,12 +29,12 @@ template <int N> struct ColumnLoader<Pack, N> {
 
 namespace {
 #else
-/// Two neighbouring columns.
+/// Two consecutive columns.
 struct Columns {
     Pack first, second;
 };
 
-/// Two doubles of every other row.
+/// Loads two doubles from every second row.
 template <std::size_t N>
 PW85_INLINE typename VectorOf<N>::Doubles gather_twos(double const *const *rows, int column) noexcept
 {
@@ -53,7 +54,7 @@ PW85_INLINE typename VectorOf<N>::Doubles gather_twos(double const *const *rows,
     }
 }
 
-/// Columns `column` and `column` + 1 of as many rows as there are lanes, by shuffles in registers.
+/// Loads columns `column` and `column` + 1 of as many rows as there are lanes, and transposes them in registers.
 PW85_INLINE Columns load_columns(double const *const *rows, int column) noexcept
 {
     Register const even = gather_twos<lanes>(rows, column), odd = gather_twos<lanes>(rows + 1, column);
@@ -67,7 +68,7 @@ PW85_INLINE Columns load_columns(double const *const *rows, int column) noexcept
 }
 
 #if defined(PW85_LANES_AVX512)
-/// The first four columns: row i beside row i + 4, transposed by fours.
+/// Loads the first four columns. Rows i and i + 4 share a register, which makes two transpositions of 4×4 numbers.
 PW85_INLINE void load_four_columns(double const *const *rows, Pack *columns) noexcept
 {
     __m512d two[4];
@@ -95,7 +96,7 @@ PW85_INLINE void load_four_columns(double const *const *rows, Pack *columns) noe
 
 } // namespace
 
-/// The last two columns are loaded together, with one that is there already where their number is odd.
+/// Loads columns in twos. If N is odd, the last two overlap with a column that is already loaded.
 template <int N> struct ColumnLoader<Pack, N> {
     static PW85_INLINE void load(double const *const *rows, Pack *columns) noexcept
     {
@@ -113,19 +114,18 @@ namespace {
 template <int D> using LanePair = Pair<Pack, D>;
 template <class Rows> using LanePairOf = LanePair<Rows::dimension>;
 
-/// How many pairs ahead particles are asked for: well before they are used.
+/// How many pairs ahead particles are prefetched.
 inline constexpr std::size_t prefetch_distance = 128;
 
-/// Neighbouring pairs that are computed together, of so many that there are.
+/// `count` consecutive pairs from `begin` on, which are computed together; `end` is the number of all pairs.
 struct Chunk {
     std::size_t begin, count, end;
 };
 
-/// Neighbouring rows of arrays are near each other.
+/// Consecutive rows of arrays need no prefetch by software.
 template <class Rows> PW85_INLINE void prefetch(Rows const &, std::size_t, std::size_t, std::size_t) noexcept {}
 
-/// Particles of neighbouring pairs may be anywhere in memory: asks for those of `count` pairs from `begin` on, none at `end` or
-/// beyond.
+/// Prefetches the particles of `count` pairs of a list from `begin` on, but none from `end` on. They may be anywhere in memory.
 PW85_INLINE void prefetch(kernels::NeighborList const &list, std::size_t begin, std::size_t count,
                           std::size_t end) noexcept
 {
@@ -137,16 +137,16 @@ PW85_INLINE void prefetch(kernels::NeighborList const &list, std::size_t begin, 
     }
 }
 
-/// Loads `count` neighbouring pairs; lanes beyond the last one repeat it.
+/// Loads `count` consecutive pairs. Lanes beyond the last pair repeat it.
 template <class Rows>
-PW85_INLINE LanePairOf<Rows> load_neighbors(Rows const &rows, std::size_t begin, std::size_t count) noexcept
+PW85_INLINE LanePairOf<Rows> load_consecutive(Rows const &rows, std::size_t begin, std::size_t count) noexcept
 {
     std::size_t indices[lanes];
     for (std::size_t i = 0; i < lanes; ++i) indices[i] = begin + (i < count ? i : count - 1);
     return load_pairs<Pack>(rows, indices);
 }
 
-/// Fills the last pack of a list up with its last pair. To be called between the last push() and load_listed().
+/// Fills the last pack of a list with copies of its last pair. Call this between the last push() and load_listed().
 template <std::size_t Capacity> PW85_INLINE void pad(kernels::IndexList<Capacity> &list) noexcept
 {
     static_assert(Capacity % lanes == 0);
@@ -161,7 +161,7 @@ template <class Rows> PW85_INLINE LanePairOf<Rows> load_listed(Rows const &rows,
     return load_pairs<Pack>(rows, indices);
 }
 
-/// Some rows, as lanes see them.
+/// Copies the pairs of a list of indices into memory, with the separations and images that lanes compute.
 template <class Rows> [[gnu::flatten]] void gather(Rows const &rows, std::uint16_t const *list, std::size_t count,
                                                    kernels::PairRow<Rows::dimension> *pairs) noexcept
 {
@@ -180,7 +180,7 @@ template <class Rows> [[gnu::flatten]] void gather(Rows const &rows, std::uint16
     }
 }
 
-/// Bits of the first `count` lanes.
+/// A mask of the first `count` lanes.
 PW85_INLINE unsigned live_lanes(std::size_t count) noexcept { return count >= lanes ? all_lanes : (1u << count) - 1u; }
 
 /// Calls visit(lane) for each lane whose bit is set.
@@ -189,7 +189,7 @@ template <class Visit> PW85_INLINE void for_lanes(unsigned bits, Visit const &vi
     for (; bits != 0; bits &= bits - 1) visit(static_cast<unsigned>(__builtin_ctz(bits)));
 }
 
-/// Stores numbers of neighbouring pairs.
+/// Stores one number for each of `count` consecutive pairs.
 PW85_INLINE void store_lanes(Pack const &x, std::size_t count, double *out) noexcept
 {
     if (count >= lanes)

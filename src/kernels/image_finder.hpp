@@ -1,5 +1,6 @@
 /// @file
-/// The nearest images of the pairs of a neighbour list: vectors, and which images they are.
+/// Finds the nearest images of the pairs of a neighbour list, and their multiples of the cell's vectors. pw85_nearest_images()
+/// (many_pairs.cpp) calls it.
 #ifndef PW85_KERNELS_IMAGE_FINDER_HPP_INCLUDED
 #define PW85_KERNELS_IMAGE_FINDER_HPP_INCLUDED
 
@@ -15,14 +16,14 @@ namespace {
 /// Finds the nearest images of the pairs of a list.
 class ImageFinder {
   public:
-    /// `list` has a lattice, that of its cell.
+    /// @param list with the lattice of its cell; must outlive this object
     explicit ImageFinder(NeighborList const &list) noexcept : list_(list)
     {
         double reduced[9];
         reduce(list.cell, reduced, multiples_);
     }
 
-    /// Writes the vector and the image of a pair, unless null, and returns a status.
+    /// Writes the separation and the multiples of the nearest image of a pair, unless null, and returns a status.
     int find(std::size_t pair, double *r12, std::int32_t *image) const noexcept
     {
         std::int32_t const *const ij = row_of(list_.pairs, 2, pair);
@@ -44,7 +45,7 @@ class ImageFinder {
     }
 
   private:
-    /// In the reduced basis.
+    /// Coordinate i of r in the reduced basis.
     double coordinate(int i, Vector<double, 3> const &r) const noexcept
     {
         double const *const dual = list_.lattice->dual[i];
@@ -52,7 +53,7 @@ class ImageFinder {
     }
 
     NeighborList const &list_;
-    double multiples_[3][3]; ///< of the cell's vectors, in those of the reduced basis
+    double multiples_[3][3]; ///< each reduced vector in multiples of the cell's vectors
 };
 
 } // namespace

@@ -1,10 +1,12 @@
 /// @file
-/// What is compiled once per instruction set, and the choice among them at run time.
+/// The interface to the functions that are compiled once per instruction set. one_pair.cpp and lanes.cpp implement it, dispatch.cpp
+/// chooses the instruction set, and the C API calls chosen().
 ///
-/// Types here are plain data, the same for every target: they cross the border between units compiled for different
-/// processors. A kernel is a pair of them, what it reads (rows) and what it writes (arrays by the same index); a new one is a line in
-/// LaneKernels, its types where they are new, `compute()` for the arrays that it writes (lanes.cpp) and `settle()` for a pair that
-/// lanes leave (many_pairs.hpp).
+/// The types here are plain data and the same for every target, because units that are compiled for different processors exchange
+/// them. A kernel has two types: the rows that it reads, and the arrays that it writes, by the same index. To add a kernel:
+/// 1. list its types in LaneKernels, and define them here if they are new;
+/// 2. write compute_chunk() for its arrays, in a header that lanes.cpp includes;
+/// 3. write settle() for a pair that lanes leave over (many_pairs.hpp).
 #ifndef PW85_KERNELS_KERNELS_HPP_INCLUDED
 #define PW85_KERNELS_KERNELS_HPP_INCLUDED
 
@@ -16,7 +18,8 @@
 #include "lattice.hpp"
 #include "worklist.hpp"
 
-struct pw85_motion; // of pw85.h, which needs a header that the build makes: devices have no build
+struct
+    pw85_motion; // Declared here, because pw85.h includes a header that the build makes, and code for devices has none.
 
 namespace pw85::detail::kernels {
 
@@ -27,14 +30,14 @@ template <class Number>
     return rows + static_cast<std::size_t>(width) * index;
 }
 
-/// The same of an array that may be null.
+/// The same for an array that may be null.
 template <class Number>
 [[gnu::always_inline]] PW85_FUNCTION inline Number *row_or_null(Number *rows, int width, std::size_t index) noexcept
 {
     return rows == nullptr ? nullptr : row_of(rows, width, index);
 }
 
-// Rows of pairs; from() gives those from a pair on.
+// Rows of pairs. from(k) is the same rows without the first k.
 
 /// Arrays of separations and forms: n×3, n×6, n×6 in three dimensions.
 template <int D> struct PairArrays {
@@ -48,7 +51,7 @@ template <int D> struct PairArrays {
     }
 };
 
-/// Pairs whose separation is a direction, of any length.
+/// Pairs with a direction in the place of the separation. Its length does not matter.
 struct Directions {
     static constexpr int dimension = 3;
     PairArrays<3> arrays;
@@ -56,7 +59,7 @@ struct Directions {
     PW85_MEMBER Directions from(std::size_t begin) const noexcept { return {arrays.from(begin)}; }
 };
 
-/// One ellipsoid, and others: r12 n×3, q2 n×6.
+/// One ellipsoid and n others: r12 n×3, q2 n×6.
 struct OneToMany {
     static constexpr int dimension = 3;
     double const *q1, *r12, *q2;
@@ -67,8 +70,8 @@ struct OneToMany {
     }
 };
 
-/// One ellipsoid, and others of a system by their indices: their images as those of a list.
-struct OneToSome {
+/// One ellipsoid and others of a system, given by their indices. Images are chosen as for NeighborList.
+struct OneToIndexed {
     static constexpr int dimension = 3;
     double const *center, *q1;
     std::int32_t const *others;
@@ -77,14 +80,14 @@ struct OneToSome {
     double const *cell;         ///< null without periodicity
     Lattice const *lattice;     ///< null, or prepared for nearest images
 
-    [[gnu::always_inline]] OneToSome from(std::size_t begin) const noexcept
+    [[gnu::always_inline]] OneToIndexed from(std::size_t begin) const noexcept
     {
         return {center, q1, others + begin, centers, q, row_or_null(images, 3, begin), cell, lattice};
     }
 };
 
-/// A neighbour list: pairs (i, j) of rows of centers (N×3) and q (N×6). Of the images of j it takes those that `images` names, as
-/// multiples of the rows of `cell`, or else the nearest in the lattice, or else j itself.
+/// A neighbour list: pairs (i, j) of rows of centers (N×3) and q (N×6). The image of j is the one that `images` gives as multiples
+/// of the rows of `cell`; without `images` it is the nearest one in the lattice; without both it is j itself.
 struct NeighborList {
     static constexpr int dimension = 3;
     std::int32_t const *pairs;
@@ -99,12 +102,12 @@ struct NeighborList {
     }
 };
 
-/// One pair of any of these.
+/// The numbers of one pair.
 template <int D> struct PairRow {
     double r12[D], q1[D * (D + 1) / 2], q2[D * (D + 1) / 2];
 };
 
-// Where results of pairs go; from() as above.
+// Output arrays, one row per pair, with from() as above.
 
 /// Contact functions.
 struct ContactArrays {
@@ -116,7 +119,7 @@ struct ContactArrays {
     }
 };
 
-/// Answers of the overlap test.
+/// Results of the overlap test: 1, 0, or 255 for a bad pair.
 struct OverlapArray {
     unsigned char *overlap;
 
@@ -130,7 +133,7 @@ struct ApproachArray {
     PW85_MEMBER ApproachArray from(std::size_t begin) const noexcept { return {distance + begin}; }
 };
 
-/// Distances and closest points; any may be null.
+/// Distances and closest points. Any pointer may be null.
 struct DistanceArrays {
     double *distance, *point1, *point2;
 
@@ -140,8 +143,8 @@ struct DistanceArrays {
     }
 };
 
-/// Contact functions and derivatives; any may be null, but for the kernels' lambda, which is NaN where a pair is left to the
-/// function for one before its λ is known.
+/// Contact functions and derivatives. Any pointer may be null, except that kernels need `lambda`: they set it to NaN for pairs that
+/// they leave over without a certain λ.
 struct DerivativeArrays {
     double *mu2, *lambda;
     double *point, *normal, *d_r12, *d_rot1, *d_rot2; ///< three numbers per pair
@@ -154,7 +157,7 @@ struct DerivativeArrays {
     }
 };
 
-/// Functions for one pair, with the contracts of the C API where inputs are not null.
+/// Functions for one pair, with the contracts of the C API for inputs that are not null.
 struct OnePairKernels {
     int (*contact)(double const *r12, double const *q1, double const *q2, double *out) noexcept;
     int (*overlap)(double const *r12, double const *q1, double const *q2, int *overlap) noexcept;
@@ -177,22 +180,22 @@ struct OnePairKernels {
 
 /// A function for many pairs, one per lane.
 template <class Rows, class Arrays> struct LaneKernel {
-    /// Computes the first of n pairs, as many as it returns; those that are left to the function for one pair replace what is in
-    /// `left`.
-    std::size_t (*compute)(Rows const &, std::size_t n, Arrays const &, Worklist &left) noexcept;
-    /// Some rows, as lanes see them.
+    /// Computes pairs from the first of n on, and returns how many. It writes to `left_over` the indices of those of them that need
+    /// the function for one pair.
+    std::size_t (*compute)(Rows const &, std::size_t n, Arrays const &, Worklist &left_over) noexcept;
+    /// Copies the pairs with the given indices, with the separations and images that lanes compute.
     void (*gather)(Rows const &, std::uint16_t const *indices, std::size_t count,
                    PairRow<Rows::dimension> *pairs) noexcept;
 };
 
-/// Kernels by their types: each is a base.
+/// All lane kernels of a target. Each is a base class, so that its types select it.
 template <class... Kernel> struct KernelTable : Kernel... {
 };
 
 using LaneKernels = KernelTable<LaneKernel<PairArrays<2>, ContactArrays>, LaneKernel<PairArrays<2>, OverlapArray>,
                                 LaneKernel<PairArrays<3>, ContactArrays>, LaneKernel<NeighborList, ContactArrays>,
                                 LaneKernel<PairArrays<3>, OverlapArray>, LaneKernel<NeighborList, OverlapArray>,
-                                LaneKernel<OneToMany, OverlapArray>, LaneKernel<OneToSome, OverlapArray>,
+                                LaneKernel<OneToMany, OverlapArray>, LaneKernel<OneToIndexed, OverlapArray>,
                                 LaneKernel<PairArrays<3>, DerivativeArrays>, LaneKernel<NeighborList, DerivativeArrays>,
                                 LaneKernel<Directions, ApproachArray>, LaneKernel<PairArrays<3>, DistanceArrays>>;
 
@@ -203,8 +206,8 @@ struct Kernels {
     LaneKernels const *lanes;
 };
 
-/// The kernels for this processor, or those that the environment variable PW85_TARGET asks for if the processor can run
-/// them. Decided at the first call, once and for all.
+/// The kernels for this processor, or those that the environment variable PW85_TARGET names if the processor can run them. The
+/// first call decides for the whole process.
 Kernels const &chosen() noexcept;
 
 } // namespace pw85::detail::kernels

@@ -1,5 +1,6 @@
 /// @file
-/// Distances of closest approach, one pair per lane: |d|/μ(d), by the contact function of the direction d.
+/// The kernel for distances of closest approach, one pair per lane: |d|/μ(d), where d is the direction. It is the kernel of the
+/// contact function (lane_contact.hpp) with another result.
 #ifndef PW85_KERNELS_LANE_CLOSEST_APPROACH_HPP_INCLUDED
 #define PW85_KERNELS_LANE_CLOSEST_APPROACH_HPP_INCLUDED
 
@@ -8,7 +9,7 @@
 namespace pw85::detail {
 namespace {
 
-/// Distances of a chunk. Pairs whose μ² leaves the range of double, which the distance does not, are left over.
+/// Computes the distances of a chunk. Pairs whose μ² is out of the range of double are left over: their distances may be in range.
 PW85_INLINE void compute_chunk(kernels::Directions const &rows, Chunk const &chunk, kernels::ApproachArray const &out,
                                kernels::Worklist &left_over) noexcept
 {

@@ -1,9 +1,9 @@
 /// @file
-/// The contact function of many pairs, one per lane: a driver of the search on the rational form.
+/// The kernel for the contact function, one pair per lane. It drives the search on the rational form (contact/rational_search.hpp).
 ///
-/// Each stage runs over all packs of a chunk before the next one begins: stages are short and packs independent, so that the
-/// processor works on several at a time. Pairs that are out of the ordinary, and those for which the search is not certain, are
-/// left over.
+/// Each stage runs over all packs of a chunk before the next stage begins. The stages are short and the packs independent, so that
+/// the processor works on several packs at a time. Pairs that fail the fast checks, and pairs for which the search is not certain,
+/// are left over.
 #ifndef PW85_KERNELS_LANE_CONTACT_HPP_INCLUDED
 #define PW85_KERNELS_LANE_CONTACT_HPP_INCLUDED
 
@@ -14,8 +14,8 @@
 namespace pw85::detail {
 namespace {
 
-/// Packs per chunk, with what their searches need: 1.7 kB each with 8 lanes. Two to eight are about as fast; what is in the first
-/// cache matters, and how much stack there is.
+/// Packs per chunk. A pack and its search take 1.7 kB with 8 lanes. Two to eight packs are about as fast; a small number saves
+/// first-level cache and stack.
 inline constexpr std::size_t packs_per_chunk = 3;
 inline constexpr std::size_t contact_chunk_size = packs_per_chunk * lanes;
 
@@ -25,7 +25,7 @@ template <int D> struct PackSearches {
     RationalSearch<Pack> states[packs_per_chunk];
 };
 
-/// Calls step(k) for each of up to packs_per_chunk searches, as often as asked for or until none of its lanes is active.
+/// Calls step(k) for each of up to packs_per_chunk searches, max_steps times or until none of its lanes is active.
 template <class Search, class Step>
 PW85_INLINE void run(Search const *searches, std::size_t packs, int max_steps, Step const &step) noexcept
 {
@@ -43,7 +43,7 @@ PW85_INLINE void run(Search const *searches, std::size_t packs, int max_steps, S
     }
 }
 
-/// Searches for up to packs_per_chunk packs.
+/// Runs the searches of up to packs_per_chunk packs.
 template <int D> PW85_INLINE void run(PackSearches<D> &searches, std::size_t packs) noexcept
 {
     for (std::size_t k = 0; k < packs && k < packs_per_chunk; ++k)
@@ -51,8 +51,9 @@ template <int D> PW85_INLINE void run(PackSearches<D> &searches, std::size_t pac
     run(searches.states, packs, max_rational_steps, [&](std::size_t k) { take_step(searches.states[k], Pack(1.0)); });
 }
 
-/// The contact functions of a chunk of at most contact_chunk_size pairs. Calls write(pair, value, certain, first,
-/// left) for each pack of `left` pairs or more from `first` on; it returns the bits of the lanes that are done.
+/// Computes the contact functions of a chunk of at most contact_chunk_size pairs. For each pack it calls write(pair, value,
+/// certain, first, left), where `first` is the index of the pack's first pair and `left` the number of pairs from there to the end
+/// of the chunk. write() returns the bits of the lanes that are done; the other pairs are left over.
 template <class Rows, class Write> PW85_INLINE void
 contact_chunk(Rows const &rows, Chunk const &chunk, kernels::Worklist &left_over, Write const &write) noexcept
 {
@@ -61,19 +62,19 @@ contact_chunk(Rows const &rows, Chunk const &chunk, kernels::Worklist &left_over
     prefetch(rows, begin + prefetch_distance, count, end);
     std::size_t const packs = (count + lanes - 1) / lanes;
     for (std::size_t k = 0; k < packs; ++k)
-        searches.pairs[k] = load_neighbors(rows, begin + k * lanes, count - k * lanes);
+        searches.pairs[k] = load_consecutive(rows, begin + k * lanes, count - k * lanes);
     run(searches, packs);
     for (std::size_t k = 0; k < packs; ++k) {
         std::size_t const first = begin + k * lanes, left = count - k * lanes;
         auto const &pair = searches.pairs[k];
         auto const last = last_evaluation(pair, searches.states[k].candidate);
-        PackMask const certain = last.certain && is_ordinary(pair.r12, pair.q1, pair.q2);
+        PackMask const certain = last.certain && passes_fast_checks(pair.r12, pair.q1, pair.q2);
         unsigned const done = write(pair, last.value, certain, first, left);
         for_lanes(live_lanes(left) & ~done, [&](unsigned i) { left_over.push(first + i); });
     }
 }
 
-/// Contact functions of a chunk; those that are not certain will be overwritten.
+/// Stores the contact functions of a chunk. settle() overwrites those that are not certain.
 template <class Rows> PW85_INLINE void compute_chunk(Rows const &rows, Chunk const &chunk,
                                                      kernels::ContactArrays const &out,
                                                      kernels::Worklist &left_over) noexcept

@@ -1,8 +1,8 @@
 /// @file
-/// The contact function with contact points, normals and derivatives, one pair per lane.
+/// The kernel for the contact function with contact points, normals and derivatives, one pair per lane.
 ///
-/// The formulas of geometry.hpp follow at the λ of the contact function, as the functions for one pair have them. Pairs that are
-/// ill-conditioned are left over with their λ.
+/// It evaluates the formulas of contact/geometry.hpp at the λ of the contact function (lane_contact.hpp), as the functions for one
+/// pair do. Ill-conditioned pairs are left over with their λ.
 #ifndef PW85_KERNELS_LANE_DERIVATIVES_HPP_INCLUDED
 #define PW85_KERNELS_LANE_DERIVATIVES_HPP_INCLUDED
 
@@ -15,8 +15,8 @@
 namespace pw85::detail {
 namespace {
 
-/// Register m of the coordinates of vectors one after the other: x0, y0, z0, x1 ... Its element j is coordinate k % 3 of lane k / 3
-/// with k = m lanes + j.
+/// Register m of the three that hold x0, y0, z0, x1, y1 ... in this order: its element j is coordinate k % 3 of lane k / 3, with
+/// k = m lanes + j.
 template <std::size_t m, std::size_t... j>
 PW85_INLINE Register interleave(Vector<Pack, 3> const &x, std::index_sequence<j...>) noexcept
 {
@@ -25,7 +25,7 @@ PW85_INLINE Register interleave(Vector<Pack, 3> const &x, std::index_sequence<j.
     return __builtin_shufflevector(xy, x[2].v, ((m * lanes + j) % 3 == 2 ? lanes + (m * lanes + j) / 3 : j)...);
 }
 
-/// Stores the vectors of the first `count` lanes in neighbouring rows; those that are not done will be overwritten.
+/// Stores the vectors of the first `count` lanes in consecutive rows. settle() overwrites those that are not certain.
 PW85_INLINE void store_rows(Vector<Pack, 3> const &x, std::size_t count, double *rows) noexcept
 {
     constexpr auto all = std::make_index_sequence<lanes>();
@@ -33,7 +33,7 @@ PW85_INLINE void store_rows(Vector<Pack, 3> const &x, std::size_t count, double 
     std::memcpy(rows, interleaved, 3 * sizeof(double) * (count < lanes ? count : lanes));
 }
 
-/// Derivatives of neighbouring pairs at their λ; gives the lanes that are done.
+/// Stores the derivatives of consecutive pairs at their λ, and returns the lanes in which they are accurate.
 PW85_INLINE PackMask store_derivatives(LanePair<3> const &pair, Pack const &lambda,
                                        kernels::DerivativeArrays const &out, std::size_t count) noexcept
 {
@@ -50,7 +50,7 @@ PW85_INLINE PackMask store_derivatives(LanePair<3> const &pair, Pack const &lamb
     return is_accurate(solution);
 }
 
-/// Contact functions and derivatives of a chunk.
+/// Stores the contact functions and derivatives of a chunk.
 template <class Rows> PW85_INLINE void compute_chunk(Rows const &rows, Chunk const &chunk,
                                                      kernels::DerivativeArrays const &out,
                                                      kernels::Worklist &left_over) noexcept

@@ -1,8 +1,8 @@
 /// @file
-/// The distances of many pairs, one per lane: a driver of the search by item 2 of normal_search.hpp.
+/// The kernel for distances, one pair per lane. It drives the search of item 2 of distance/normal_search.hpp.
 ///
-/// A slab between two ellipsoids that is wider than its rounding proves that they are apart. Those for which none is found, near
-/// contact, overlapping or out of the ordinary, and those whose points are not accurate, are left over.
+/// A slab between two ellipsoids that is wider than its rounding error proves that they are apart. Pairs are left over if no such
+/// slab is found, because they overlap or nearly touch, if they fail the fast checks, or if their closest points are not accurate.
 #ifndef PW85_KERNELS_LANE_DISTANCE_HPP_INCLUDED
 #define PW85_KERNELS_LANE_DISTANCE_HPP_INCLUDED
 
@@ -13,7 +13,7 @@
 namespace pw85::detail {
 namespace {
 
-/// Whether a slab is wider than what rounding can make of it (see pw85_distance()).
+/// Whether a slab is wider than its rounding error (see pw85_distance()).
 PW85_INLINE PackMask is_wide(LanePair<3> const &pair, Distance<Pack, 3> const &d) noexcept
 {
     Pack const extents = dot(d.normal, d.point1) + dot(d.normal, d.point2);
@@ -28,7 +28,7 @@ PW85_INLINE DistancePair<Pack, 3> with_units(LanePair<3> const &pair) noexcept
     return {pair.r12, pair.q1, pair.q2, Pack(1.0), Pack(1.0)};
 }
 
-/// Stores the distances of neighbouring pairs.
+/// Stores the distances and closest points of consecutive pairs.
 PW85_INLINE void store_distances(Distance<Pack, 3> const &d, Vector<Pack, 3> const &r12, std::size_t first,
                                  std::size_t left, kernels::DistanceArrays const &out) noexcept
 {
@@ -39,7 +39,7 @@ PW85_INLINE void store_distances(Distance<Pack, 3> const &d, Vector<Pack, 3> con
     if (out.point2 != nullptr) store_rows(point2, left, out.point2 + 3 * first);
 }
 
-/// Distances of a chunk; those that are not certain will be overwritten.
+/// Computes the distances of a chunk. settle() overwrites those that are not certain.
 template <class Rows> PW85_INLINE void compute_chunk(Rows const &rows, Chunk const &chunk,
                                                      kernels::DistanceArrays const &out,
                                                      kernels::Worklist &left_over) noexcept
@@ -50,7 +50,7 @@ template <class Rows> PW85_INLINE void compute_chunk(Rows const &rows, Chunk con
     prefetch(rows, begin + prefetch_distance, count, end);
     std::size_t const packs = (count + lanes - 1) / lanes;
     for (std::size_t k = 0; k < packs; ++k) {
-        pairs[k] = load_neighbors(rows, begin + k * lanes, count - k * lanes);
+        pairs[k] = load_consecutive(rows, begin + k * lanes, count - k * lanes);
         searches[k] = start_search(with_units(pairs[k]), initial_multipliers(with_units(pairs[k])));
     }
     run(searches, packs, max_normal_steps, [&](std::size_t k) { take_step(searches[k], with_units(pairs[k])); });
@@ -61,7 +61,7 @@ template <class Rows> PW85_INLINE void compute_chunk(Rows const &rows, Chunk con
         auto const slab = slab_along(with_units(pair), last.u);
         auto const d = distance_across(slab);
         store_distances(d, pair.r12, first, left, out);
-        PackMask const done = last.found && is_ordinary(pair.r12, pair.q1, pair.q2) && is_wide(pair, d) &&
+        PackMask const done = last.found && passes_fast_checks(pair.r12, pair.q1, pair.q2) && is_wide(pair, d) &&
                               is_accurate(with_units(pair), slab);
         for_lanes(live_lanes(left) & ~done.to_bits(), [&](unsigned i) { left_over.push(first + i); });
     }

@@ -1,9 +1,10 @@
 /// @file
-/// The overlap test of many pairs, one per lane: a driver of the tests on the quartic.
+/// The kernel for the overlap test, one pair per lane. It drives the tests on the quartic (overlap/quartic.hpp).
 ///
-/// Each pair is tested where the scalar path begins; undecided ones are collected, so that lanes stay full, and tested where the
-/// fixed-point map leads, then where the search on the rational form does. What that leaves, tangent to about as many digits as
-/// the pair's conditioning leaves, or out of the ordinary, is left over.
+/// Each pair is first tested at the same t as in the function for one pair. Undecided pairs are collected, so that all lanes stay
+/// in use. They are tested again at the next two t of the fixed-point map, and then at the t where the search on the rational form
+/// converges. Pairs are left over if even that does not decide, because they are tangent to within rounding, or if they fail the
+/// fast checks.
 #ifndef PW85_KERNELS_LANE_OVERLAP_HPP_INCLUDED
 #define PW85_KERNELS_LANE_OVERLAP_HPP_INCLUDED
 
@@ -16,10 +17,10 @@
 namespace pw85::detail {
 namespace {
 
-/// Pairs that are tested before the undecided ones among them are taken up again.
+/// Pairs that are tested once before the undecided ones among them are tested again.
 inline constexpr std::size_t overlap_chunk_size = 256;
 
-/// Undecided pairs, with the square of the t of their next test.
+/// Undecided pairs, with t² of their next test.
 struct UndecidedList {
     kernels::IndexList<overlap_chunk_size> pairs;
     double next[overlap_chunk_size];
@@ -30,7 +31,7 @@ struct UndecidedList {
         pairs.push(index);
     }
 
-    /// To be called between the last push() and load_next().
+    /// Fills the last pack. Call this between the last push() and load_next().
     PW85_INLINE void pad() noexcept
     {
         for (std::size_t i = pairs.size; i % lanes != 0; ++i) next[i] = 1.0;
@@ -40,12 +41,13 @@ struct UndecidedList {
     PW85_INLINE Pack load_next(std::size_t k) const noexcept { return rough_root(load_lanes<Pack>(next + k)); }
 };
 
-/// The outcome of a test.
+/// The result of a test.
 struct LaneCertainty {
-    unsigned overlap, decided; ///< lanes that are certain
+    unsigned overlap, decided; ///< bits of the lanes that overlap for certain, and of those that are decided
     Pack next;                 ///< square of the next t of the fixed-point map
 };
 
+/// Tests one pair per lane at t.
 template <int D> PW85_INLINE LaneCertainty test_lanes(LanePair<D> const &pair, Pack const &t) noexcept
 {
     auto const e = evaluate_quartic(pair, t);
@@ -54,10 +56,10 @@ template <int D> PW85_INLINE LaneCertainty test_lanes(LanePair<D> const &pair, P
     return {overlap, overlap | apart, fixed_point_square(e, t)};
 }
 
-/// Stores answers for neighbouring pairs.
+/// Stores the results of consecutive pairs, one byte for each.
 PW85_INLINE void store_answers(unsigned overlap, std::size_t count, unsigned char *out) noexcept
 {
-    // Bit i to byte i of memory: each byte keeps its own bit of a copy of all, and adding 127 carries it to the top.
+    // Bit i goes to byte i of memory: each byte gets a copy of all bits and keeps bit i; adding 127 carries it to the top bit.
     constexpr std::uint64_t bit_of_byte =
         std::endian::native == std::endian::little ? 0x8040201008040201u : 0x0102040810204080u;
     std::uint64_t const own = (overlap * 0x0101010101010101u) & bit_of_byte;
@@ -65,25 +67,25 @@ PW85_INLINE void store_answers(unsigned overlap, std::size_t count, unsigned cha
     std::memcpy(out, &bytes, count < lanes ? count : lanes);
 }
 
-/// First test, for neighbouring pairs; answers that are not certain will be overwritten.
-template <class Rows> PW85_INLINE void test_neighbors(Rows const &rows, Chunk const &chunk, unsigned char *out,
-                                                      UndecidedList &undecided, kernels::Worklist &left_over) noexcept
+/// The first test, of consecutive pairs. Later tests, or settle(), overwrite the results that are not certain.
+template <class Rows> PW85_INLINE void test_consecutive(Rows const &rows, Chunk const &chunk, unsigned char *out,
+                                                        UndecidedList &undecided, kernels::Worklist &left_over) noexcept
 {
     auto const [begin, count, end] = chunk;
     for (std::size_t k = 0; k < count; k += lanes) {
         std::size_t const first = begin + k, left = count - k;
         if (k % prefetch_distance == 0) prefetch(rows, first + prefetch_distance, prefetch_distance, end);
-        auto const pair = load_neighbors(rows, first, left);
-        unsigned const ordinary = is_ordinary(pair.r12, pair.q1, pair.q2).to_bits();
+        auto const pair = load_consecutive(rows, first, left);
+        unsigned const passing = passes_fast_checks(pair.r12, pair.q1, pair.q2).to_bits();
         LaneCertainty const certainty = test_lanes(pair, initial_guess(pair));
         store_answers(certainty.overlap, left, out + first);
-        for_lanes(live_lanes(left) & ordinary & ~certainty.decided,
+        for_lanes(live_lanes(left) & passing & ~certainty.decided,
                   [&](unsigned i) { undecided.push(first + i, certainty.next[i]); });
-        for_lanes(live_lanes(left) & ~ordinary, [&](unsigned i) { left_over.push(first + i); });
+        for_lanes(live_lanes(left) & ~passing, [&](unsigned i) { left_over.push(first + i); });
     }
 }
 
-/// Stores the answers for the lanes of a list that are decided, and calls keep(index, lane) for the others.
+/// Stores the results of the lanes that are decided, and calls keep(index, lane) for the others.
 template <class Keep> PW85_INLINE void store_decided(std::uint16_t const *list, std::size_t count,
                                                      LaneCertainty const &certainty, unsigned char *out,
                                                      Keep const &keep) noexcept
@@ -95,13 +97,13 @@ template <class Keep> PW85_INLINE void store_decided(std::uint16_t const *list, 
     }
 }
 
-/// A test of the undecided pairs, which are replaced by those that remain.
+/// Tests the undecided pairs, and keeps those that remain undecided.
 template <class Rows>
 PW85_INLINE void test_undecided(Rows const &rows, unsigned char *out, UndecidedList &undecided) noexcept
 {
     undecided.pad();
     std::size_t const size = undecided.pairs.size;
-    std::uint16_t const *const list = undecided.pairs.indices; // stay where they are until push() overwrites them
+    std::uint16_t const *const list = undecided.pairs.indices; // push() overwrites only indices that were already read
     undecided.pairs.size = 0;
     for (std::size_t k = 0; k < size; k += lanes) {
         std::size_t const count = size - k;
@@ -111,7 +113,7 @@ PW85_INLINE void test_undecided(Rows const &rows, unsigned char *out, UndecidedL
     }
 }
 
-/// The last test, where the search has converged.
+/// The last test, at the t to which the search on the rational form converges.
 template <class Rows> PW85_INLINE void test_converged(Rows const &rows, unsigned char *out,
                                                       kernels::IndexList<overlap_chunk_size> &pairs,
                                                       kernels::Worklist &left_over) noexcept
@@ -131,13 +133,13 @@ template <class Rows> PW85_INLINE void test_converged(Rows const &rows, unsigned
     }
 }
 
-/// All tests for a chunk.
+/// Runs all tests on a chunk.
 template <class Rows> PW85_INLINE void compute_chunk(Rows const &rows, Chunk const &chunk,
                                                      kernels::OverlapArray const &out,
                                                      kernels::Worklist &left_over) noexcept
 {
     UndecidedList undecided;
-    test_neighbors(rows, chunk, out.overlap, undecided, left_over);
+    test_consecutive(rows, chunk, out.overlap, undecided, left_over);
     test_undecided(rows, out.overlap, undecided);
     test_undecided(rows, out.overlap, undecided);
     test_converged(rows, out.overlap, undecided.pairs, left_over);

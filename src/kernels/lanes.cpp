@@ -1,4 +1,4 @@
-// The functions for many pairs, compiled once per instruction set.
+// The table of the lane kernels. It is compiled once per instruction set; many_pairs.hpp calls the kernels.
 #include "kernels.hpp"
 #include "lane_closest_approach.hpp"
 #include "lane_contact.hpp"
@@ -10,11 +10,11 @@ namespace pw85::detail::kernels {
 
 namespace {
 
-/// Pairs that compute_chunk() takes at a time.
+/// The number of pairs of a chunk.
 template <class Arrays> constexpr std::size_t chunk_size = contact_chunk_size;
 template <> constexpr std::size_t chunk_size<OverlapArray> = overlap_chunk_size;
 
-/// Chunk by chunk, until there may be no room for what the next one leaves over.
+/// Computes chunk by chunk, until there may be no room for the pairs that the next chunk leaves over.
 template <class Rows, class Arrays>
 [[gnu::flatten]] std::size_t compute(Rows const &rows, std::size_t n, Arrays const &out, Worklist &left_over) noexcept
 {

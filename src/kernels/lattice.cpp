@@ -1,4 +1,4 @@
-// Reduction of a lattice; items as in lattice.hpp.
+// Reduction of a lattice. The items are those of lattice.hpp.
 #include "lattice.hpp"
 
 #include <algorithm>
@@ -10,27 +10,28 @@ namespace pw85::detail::kernels {
 
 namespace {
 
-/// Three lattice vectors, times unit.
+/// Three lattice vectors, in multiples of `unit`.
 struct Basis {
     Vector<double, 3> b[3];
-    double multiples[3][3]; ///< of the cell's vectors, in each of them
+    double multiples[3][3]; ///< each of them in multiples of the cell's vectors
     double unit;            ///< a power of two, 1 unless the lengths are extreme
 };
 
-/// What the inequalities of item 1 are about.
+/// The scalar products in the inequalities of item 1.
 struct Gram {
     double square[3];  ///< b_i·b_i
-    double product[3]; ///< [i]: the product of the two others
+    double product[3]; ///< entry i: the product of the two other vectors
 };
 
-/// Magnitudes of the largest entry of a cell, and of their inverses, up to which it is not scaled.
+/// A cell is not scaled if its largest entry is between this and its inverse.
 constexpr double unscaled_limit = 0x1p100;
 
-/// Inequalities count as fulfilled where squares of lengths and products of vectors miss them by this fraction: far above the
-/// rounding of either.
+/// An inequality counts as fulfilled if it fails by no more than this fraction of the squares of lengths, which is far above their
+/// rounding errors.
 constexpr double tolerance = 0x1p-44;
 
-/// Squares of lengths of a reduced basis that differ by more than this count as those of a singular cell.
+/// A cell counts as singular if the ratio of the smallest to the largest square of the lengths of its reduced vectors is below
+/// this.
 constexpr double singular = 0x1p-80;
 
 /// Whether the nine numbers of a cell are finite.
@@ -41,7 +42,7 @@ bool is_finite(double const *cell) noexcept
     return zero == 0.0;
 }
 
-/// The cell in units in which products of its entries stay in range; false if it is not finite, or zero.
+/// Loads a cell in units in which products of its entries stay in range. Returns false if the cell is not finite, or zero.
 bool load(double const *cell, Basis &basis) noexcept
 {
     double largest = 0.0;
@@ -67,7 +68,7 @@ Gram gram(Basis const &basis) noexcept
     return g;
 }
 
-/// The shortest of b_1 ± b_2 ± b_3.
+/// The signs of the shortest of b_1 ± b_2 ± b_3, and the square of its length.
 struct Triple {
     double sign[3];
     double square;
@@ -95,14 +96,15 @@ void subtract(Basis &basis, std::ptrdiff_t i, double multiple, std::ptrdiff_t j)
     }
 }
 
-/// Whether a vector can be shortened by another one, of the given square, with which it has the given product.
+/// Whether adding multiples of another vector can shorten a vector. `product` is their product, `square` and `other` are their
+/// squares.
 bool is_reducible(double product, double square, double other) noexcept
 {
     double const excess = std::fabs(product) - 0.5 * other;
     return excess > 0.0 && excess * excess > tolerance * tolerance * (square * other);
 }
 
-/// Shortens a vector, as item 1 has it; false if the basis is reduced.
+/// Shortens one vector of the basis. Returns false if the basis is reduced (item 1).
 bool shorten(Basis &basis, Gram const &g) noexcept
 {
     for (int k = 0; k < 3; ++k)
@@ -120,13 +122,13 @@ bool shorten(Basis &basis, Gram const &g) noexcept
     return true;
 }
 
-/// Reduces a basis, which takes no step if it is reduced; false if it is singular to working precision: then reduction leads to
-/// a vector that is all rounding.
+/// Reduces a basis. A basis that is already reduced does not change. Returns false if the basis is singular to working precision:
+/// then the reduction leads to a vector that consists of rounding errors only.
 bool reduce(Basis &basis, Gram &g) noexcept
 {
     g = gram(basis);
     double const least = singular * *std::max_element(g.square, g.square + 3);
-    // Steps shorten like those of Euclid's algorithm: 53 bits are gone in far fewer than this.
+    // The lengths shrink as in Euclid's algorithm: far fewer steps than this use up all 53 bits.
     for (int step = 0; step < 1000; ++step) {
         if (!(*std::min_element(g.square, g.square + 3) > least)) return false;
         if (!shorten(basis, g)) return true;
@@ -138,7 +140,8 @@ bool reduce(Basis &basis, Gram &g) noexcept
 /// Lists the vectors of item 4.
 void list_shifts(Lattice &lattice, Basis const &basis, Gram const &g) noexcept
 {
-    int num_skew = 0, skew = 0; // couples of vectors that are not orthogonal; the vector that is not in one of them
+    int num_skew = 0,
+        skew = 0; // number of pairs of vectors that are not orthogonal; a vector that is not in the last such pair
     for (int i = 0; i < 3; ++i) {
         double const bound = tolerance * tolerance * g.square[(i + 1) % 3] * g.square[(i + 2) % 3];
         if (g.product[i] * g.product[i] <= bound) continue;
@@ -158,7 +161,7 @@ void list_shifts(Lattice &lattice, Basis const &basis, Gram const &g) noexcept
     }
 }
 
-/// Takes a lattice from units of the basis to the caller's.
+/// Converts a lattice from units of the basis to units of the caller.
 void rescale(Lattice &lattice, double unit) noexcept
 {
     for (int i = 0; i < 3; ++i)
@@ -172,8 +175,8 @@ void rescale(Lattice &lattice, double unit) noexcept
     }
 }
 
-/// What prepare() does, where the vectors of the cell are along the axes and in range; false elsewhere. Monte Carlo prepares
-/// a cell for each move.
+/// A faster prepare() for a cell whose vectors are along the axes and need no scaling; returns false for other cells. Monte Carlo
+/// simulations prepare a cell for each move.
 bool prepare_rectangular(double const *cell, Lattice &lattice) noexcept
 {
     for (int const k : {1, 2, 3, 5, 6, 7})

@@ -1,4 +1,5 @@
-// The functions of many pairs of the C API: what concerns a call as a whole.
+// The functions of many pairs of the C API that use lanes. They check the arguments of a call, choose the images, and call the
+// driver (many_pairs.hpp).
 #include <pw85.h>
 
 #include <cmath>
@@ -18,14 +19,14 @@ using pw85::detail::c_api::any_null;
 
 namespace {
 
-/// The first number that is no index of a particle.
+/// The smallest number that is not an index of a particle.
 std::uint32_t end_of(std::size_t num_particles) noexcept
 {
     return static_cast<std::uint32_t>(std::min<std::size_t>(num_particles, INT32_MAX + std::size_t{1}));
 }
 
-/// Whether n indices are below `end`, which is at most 2³¹: neither they nor `end` - 1 less them have the sign bit. No comparison, which
-/// baseline instructions lack for unsigned numbers.
+/// Whether n indices are at least 0 and below `end`, which is at most 2³¹: then neither an index nor `end` - 1 - index has the sign
+/// bit. The baseline instructions have no comparison of packed unsigned numbers.
 bool are_below(std::uint32_t end, std::int32_t const *indices, std::size_t n) noexcept
 {
     std::uint32_t signs = 0;
@@ -36,7 +37,7 @@ bool are_below(std::uint32_t end, std::int32_t const *indices, std::size_t n) no
     return signs >> 31 == 0;
 }
 
-/// Whether all indices are in range.
+/// Whether all indices of the pairs are in range.
 bool are_valid(std::size_t num_pairs, std::int32_t const *pairs, std::size_t num_particles) noexcept
 {
     auto const end = end_of(num_particles);
@@ -46,7 +47,7 @@ bool are_valid(std::size_t num_pairs, std::int32_t const *pairs, std::size_t num
            }) == PW85_SUCCESS;
 }
 
-/// The least time of each particle's pairs, and the pair.
+/// Finds the earliest time among the pairs of each particle, and the pair.
 void find_next(std::size_t num_pairs, std::int32_t const *pairs, double const *t, std::size_t num_particles,
                double *next, std::int64_t *next_pair) noexcept
 {
@@ -61,14 +62,14 @@ void find_next(std::size_t num_pairs, std::int32_t const *pairs, double const *t
     }
 }
 
-/// Prepares images of a system's particles, those that are given or the nearest ones.
+/// Prepares the images of a system's particles: those that the caller gives, or the nearest ones.
 int prepare_images(pw85_system const &system, bool given, Images &images) noexcept
 {
     bool const prepared = in_default_environment([&] { return prepare(system.cell, system.periodic, given, images); });
     return prepared ? PW85_SUCCESS : PW85_EINVAL;
 }
 
-/// Checks what the functions of lists share, and makes of a list and a system what kernels read; `images` must live as long.
+/// Checks the arguments that the functions of lists share, and converts them for the kernels. `made` points into `images`.
 int prepare_list(pw85_pair_list const &list, pw85_system const &system, Images &images, NeighborList &made) noexcept
 {
     if (list.num_pairs > max_rows || system.num_particles > max_rows) return PW85_EINVAL;
@@ -78,7 +79,7 @@ int prepare_list(pw85_pair_list const &list, pw85_system const &system, Images &
     return are_valid(list.num_pairs, list.pairs, system.num_particles) ? PW85_SUCCESS : PW85_EINVAL;
 }
 
-/// A system for functions that read no forms: the centres are in their place.
+/// A system for functions that read no forms. The pointer to the centres replaces that to the forms, so that it is not null.
 pw85_system without_forms(pw85_system const &system) noexcept
 {
     pw85_system rest = system;
@@ -86,7 +87,7 @@ pw85_system without_forms(pw85_system const &system) noexcept
     return rest;
 }
 
-/// Computes the pairs of a neighbour list, of which there is one at least.
+/// Computes the pairs of a neighbour list that is not empty.
 template <class Arrays>
 int compute_list(pw85_pair_list const &list, pw85_system const &system, Arrays const &out) noexcept
 {
@@ -96,10 +97,11 @@ int compute_list(pw85_pair_list const &list, pw85_system const &system, Arrays c
     return compute_all(list.num_pairs, rows, out);
 }
 
-/// Pairs that are tested before the answers are looked at: some more than the neighbours of a particle in a dense system.
+/// Pairs that are tested at a time: slightly more than the neighbours of a particle in a dense system.
 constexpr std::size_t any_chunk_size = 32;
 
-/// Looks for the first pair, by its index, that overlaps or is bad. Returns the status of a bad one, with `any` = -1.
+/// Finds the first pair that overlaps or is bad, and sets `any` to 1, or 0 if there is none. For a bad pair it sets `any` to -1 and
+/// returns the status of the pair.
 template <class Rows> int find_overlap(Rows const &rows, std::size_t n, int &any) noexcept
 {
     Kernels const &kernels = chosen();
@@ -116,17 +118,17 @@ template <class Rows> int find_overlap(Rows const &rows, std::size_t n, int &any
     return PW85_SUCCESS;
 }
 
-/// Looks for one of n others that overlaps or is bad, by the images that are given, or else by all that can overlap: an error if
-/// they are more than the nearest ones, and none of these overlaps.
-int overlap_any_images(OneToSome some, pw85_system const &system, std::size_t n, int &any) noexcept
+/// The same for one ellipsoid and n others of a system, with the images that the caller gives, or else the nearest ones. If no
+/// nearest image overlaps but a farther one could, it returns an error.
+int overlap_any_images(OneToIndexed rows, pw85_system const &system, std::size_t n, int &any) noexcept
 {
     Images images;
-    if (int const status = prepare_images(system, some.images != nullptr, images)) return status;
-    some.cell = images.cell;
-    some.lattice = images.nearest ? &images.lattice : nullptr;
+    if (int const status = prepare_images(system, rows.images != nullptr, images)) return status;
+    rows.cell = images.cell;
+    rows.lattice = images.nearest ? &images.lattice : nullptr;
     return in_default_environment([&] {
-        int const status = find_overlap(some, n, any);
-        if (any != 0 || some.lattice == nullptr || nearest_suffice(some, n)) return status;
+        int const status = find_overlap(rows, n, any);
+        if (any != 0 || rows.lattice == nullptr || nearest_images_suffice(rows, n)) return status;
         any = -1;
         return int{PW85_EINVAL};
     });

@@ -1,5 +1,6 @@
 /// @file
-/// The driver of the lane kernels: threads, and what lanes leave over, which goes to the function for one pair.
+/// Drives the lane kernels: it divides the pairs among threads, and computes the pairs that lanes leave over by the function for
+/// one pair. many_pairs.cpp calls compute_all().
 #ifndef PW85_KERNELS_MANY_PAIRS_HPP_INCLUDED
 #define PW85_KERNELS_MANY_PAIRS_HPP_INCLUDED
 
@@ -15,7 +16,7 @@
 namespace pw85::detail::kernels {
 namespace {
 
-// settle() computes pair `index` of some arrays by the functions for one pair and returns its status.
+// settle() computes pair `index` by the functions for one pair, writes it to the output arrays, and returns its status.
 
 inline int settle(OnePairKernels const &one, PairRow<3> const &pair, ContactArrays const &out,
                   std::size_t index) noexcept
@@ -66,7 +67,8 @@ inline int settle(OnePairKernels const &one, PairRow<3> const &pair, DistanceArr
     return one.distance(pair.r12, pair.q1, pair.q2, out.distance, out.point1, out.point2);
 }
 
-/// A concentric pair, which has no normal, is valid otherwise; where λ is NaN, so are the derivatives.
+/// Only the contact function decides the status: a concentric pair is valid, although it has no normal. If λ is NaN, so are the
+/// derivatives.
 inline int settle(OnePairKernels const &one, PairRow<3> const &pair, DerivativeArrays const &all,
                   std::size_t index) noexcept
 {
@@ -121,7 +123,7 @@ Failure compute(Kernels const &kernels, Rows const &rows, std::size_t n, Arrays 
     return first;
 }
 
-/// Without an array for λ, some chunks at a time with one on the stack.
+/// Derivatives need an array for λ. If the caller gives none, the pairs are computed in parts, with an array on the stack.
 template <class Rows>
 Failure compute(Kernels const &kernels, Rows const &rows, std::size_t n, DerivativeArrays const &out) noexcept
 {

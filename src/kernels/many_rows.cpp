@@ -1,4 +1,4 @@
-// The functions of many pairs, ellipses, walls, points, lines and forms that have no lanes: each row is a call of the function of one.
+// The functions of many rows of the C API that use no lanes: they call the function of one row for each row (each_row.hpp).
 #include <pw85.h>
 
 #include <pw85/distance/bounding_box.hpp>
@@ -12,7 +12,8 @@ using namespace pw85::detail::kernels;
 
 namespace {
 
-/// Not inlined: no arithmetic may leave the environment of the caller.
+/// Bounding box of one form. It is not inlined, so that the compiler cannot move its arithmetic out of the default floating-point
+/// environment.
 [[gnu::noinline]] int bounding_box_of(double const *q, double *half_widths) noexcept
 {
     auto const box = bounding_box(c_api::load_matrix<3>(q));
@@ -20,7 +21,7 @@ namespace {
     return static_cast<int>(box.status);
 }
 
-/// A function whose result is two numbers, with a place for each, which may be null.
+/// Calls a function whose result is an array of two numbers, and stores each number unless its pointer is null.
 template <auto function>
 int with_two_numbers(double const *a, double const *b, double const *c, double *first, double *second) noexcept
 {

@@ -1,5 +1,5 @@
 /// @file
-/// The nearest image of a separation in a lattice.
+/// Finds the nearest image of a separation in a lattice that lattice.hpp has prepared. rows.hpp calls it for each pair of a list.
 #ifndef PW85_KERNELS_NEAREST_IMAGE_HPP_INCLUDED
 #define PW85_KERNELS_NEAREST_IMAGE_HPP_INCLUDED
 
@@ -9,7 +9,7 @@
 
 namespace pw85::detail {
 
-/// The nearest integer, for |x| < 2^51; without instructions that old processors lack.
+/// The nearest integer, for |x| < 2^51. It needs no rounding instruction, which old processors lack.
 template <class T> PW85_FUNCTION inline T nearest_integer(T const &x) noexcept
 {
     T const shift = T(0x1.8p52);

@@ -1,4 +1,4 @@
-// The functions for one pair, compiled for two instruction sets (meson.build).
+// The table of the functions for one pair. It is compiled for two instruction sets (meson.build); the shims of the C API call it.
 #include <pw85.h>
 
 #include <pw85/contact/closest_approach.hpp>

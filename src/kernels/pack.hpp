@@ -1,10 +1,10 @@
 /// @file
-/// The lane pack: as many doubles as a register of the target holds, with the arithmetic that the templates of the core
-/// ask of a scalar.
+/// The scalar of the lane kernels: a pack of as many doubles as a register of the target holds, with the arithmetic that
+/// algebra/scalar.hpp asks for.
 ///
-/// A product is a type of its own until it is used, and becomes part of a fused multiply-add where it is added to or
-/// subtracted from something, if the target has one. So the source decides what is fused, not the compiler, and a lane
-/// gives the same bits whatever code surrounds it. Units that use packs are compiled without contraction.
+/// A product has a type of its own. It becomes part of a fused multiply-add where something is added to or subtracted from it, if
+/// the target has one. So the source decides what is fused, not the compiler, and a lane gives the same bits whatever code
+/// surrounds it. Units that use packs are compiled without contraction.
 #ifndef PW85_KERNELS_PACK_HPP_INCLUDED
 #define PW85_KERNELS_PACK_HPP_INCLUDED
 
@@ -14,8 +14,7 @@
 
 #include <pw85/algebra/scalar.hpp>
 
-// The build says for which of its instruction sets a unit is: PW85_LANES_AVX512, PW85_LANES_AVX2, PW85_LANES_SVE512,
-// PW85_LANES_SVE256, PW85_LANES_NEON or none of them.
+// The build defines at most one of PW85_LANES_AVX512, PW85_LANES_AVX2, PW85_LANES_SVE512, PW85_LANES_SVE256 and PW85_LANES_NEON.
 #if defined(PW85_LANES_AVX512) || defined(PW85_LANES_AVX2)
 #include <immintrin.h>
 #elif defined(PW85_LANES_SVE512) || defined(PW85_LANES_SVE256)
@@ -25,7 +24,7 @@
 #include <arm_neon.h>
 #endif
 
-/// Kernels are one function each: what they call must not be left to the compiler's idea of size.
+/// Each kernel is compiled into one function: the compiler's limits on inlining do not apply.
 #define PW85_INLINE __attribute__((always_inline)) inline
 
 namespace pw85::detail {
@@ -41,10 +40,10 @@ inline constexpr std::size_t lanes = __ARM_FEATURE_SVE_BITS / 64;
 inline constexpr std::size_t lanes = 2;
 #endif
 
-/// One bit for each lane.
+/// A mask of all lanes.
 inline constexpr unsigned all_lanes = (1u << lanes) - 1u;
 
-/// Vectors of N numbers, of the compiler.
+/// The compiler's vectors of N numbers.
 template <std::size_t N> struct VectorOf {
     typedef double Doubles __attribute__((vector_size(N * sizeof(double))));
     typedef std::int64_t Integers __attribute__((vector_size(N * sizeof(double))));
@@ -66,7 +65,7 @@ using MaskRegister = VectorOf<lanes>::Integers;
 struct PackMask {
     MaskRegister bits;
 
-    /// Bit i is that of lane i.
+    /// The truth values as bits: bit i is that of lane i.
     PW85_INLINE unsigned to_bits() const noexcept
     {
 #if defined(PW85_LANES_AVX512)
@@ -205,7 +204,7 @@ PW85_INLINE Pack select(PackMask mask, Pack const &yes, Pack const &no) noexcept
 PW85_INLINE PackMask operator>(Pack const &x, Pack const &y) noexcept { return y < x; }
 PW85_INLINE PackMask operator>=(Pack const &x, Pack const &y) noexcept { return y <= x; }
 
-// The instructions return their second operand where either is NaN, as select(y > x, y, x) does.
+// The instructions return their second operand if either is NaN, as select(y > x, y, x) does.
 #if defined(PW85_LANES_AVX512)
 PW85_INLINE Pack maximum(Pack const &x, Pack const &y) noexcept { return _mm512_max_pd(y.v, x.v); }
 PW85_INLINE Pack minimum(Pack const &x, Pack const &y) noexcept { return _mm512_min_pd(y.v, x.v); }
@@ -240,7 +239,7 @@ PW85_INLINE Pack square_root(Pack const &x) noexcept
 }
 
 #if defined(PW85_LANES_AVX512)
-// Estimates good to 2^-14 and one step of Newton's method, which doubles the digits.
+// An estimate with a relative error of 2^-14, and one step of Newton's method, which doubles the digits.
 PW85_INLINE Pack rough_quotient(Pack const &x, Pack const &y) noexcept
 {
     Pack const r = _mm512_rcp14_pd(y.v);
@@ -279,7 +278,7 @@ template <> PW85_INLINE Pack load_lanes<Pack>(double const *x) noexcept
     return p;
 }
 
-/// Without the loop of the template, which compilers do not carry out beforehand for a pack.
+/// The template has a loop, which compilers do not evaluate at compile time for a pack.
 template <> PW85_INLINE Pack negative_power_of_two<Pack>(int n) noexcept
 {
     return Pack(__builtin_bit_cast(double, static_cast<std::int64_t>(1023 - n) << 52));

@@ -1,5 +1,5 @@
 /// @file
-/// The distribution of rows to threads.
+/// Divides rows among threads, and finds the first bad row. All functions of many rows use it.
 #ifndef PW85_KERNELS_PARALLEL_HPP_INCLUDED
 #define PW85_KERNELS_PARALLEL_HPP_INCLUDED
 
@@ -32,11 +32,11 @@ struct Failure {
 /// The largest number of rows that an array of up to 6 doubles per row can have.
 constexpr std::size_t max_rows = PTRDIFF_MAX / (6 * sizeof(double));
 
-/// Rows that a thread takes at a time: some tens of microseconds of work. No more rows than this are not worth a parallel region,
-/// which costs some hundred nanoseconds even where it has one thread.
+/// Rows per block of a thread: some tens of microseconds of work. A call with no more rows than this opens no parallel region,
+/// which costs some hundred nanoseconds even with one thread.
 constexpr std::size_t block = 4096;
 
-/// Calls kernel(range) for blocks, of `rows` each, of n rows, in parallel, and returns the earliest failure.
+/// Divides n rows into blocks of `rows`, calls kernel(range) for each block in parallel, and returns the earliest failure.
 template <class Kernel>
 [[gnu::noinline]] Failure for_blocks(std::size_t n, Kernel const &kernel, std::size_t rows = block) noexcept
 {
@@ -44,7 +44,7 @@ template <class Kernel>
     auto const blocks = static_cast<std::ptrdiff_t>((n + rows - 1) / rows);
 #pragma omp parallel
     {
-        DefaultEnvironment const environment; // threads have their own
+        DefaultEnvironment const environment; // each thread has its own environment
         Failure own{0, 0};
 #pragma omp for schedule(static) nowait
         for (std::ptrdiff_t b = 0; b < blocks; ++b) {
@@ -57,7 +57,7 @@ template <class Kernel>
     return first;
 }
 
-/// Calls kernel(range) for parts of n rows and returns the status of the first bad one.
+/// Calls kernel(range) for parts of n rows, in parallel if they are many, and returns the status of the first bad row.
 template <class Kernel> int for_all(std::size_t n, Kernel const &kernel, std::size_t rows = block) noexcept
 {
     if (n > rows) return for_blocks(n, kernel, rows).status;

@@ -1,4 +1,4 @@
-// The periodic vectors of a cell.
+// Replaces the vectors of a cell that are not periodic, so that lattice.hpp can reduce it.
 #include "periodic_cell.hpp"
 
 #include <algorithm>
@@ -15,7 +15,7 @@ double largest_entry(Vector<double, 3> const &v) noexcept
     return std::max({std::fabs(v[0]), std::fabs(v[1]), std::fabs(v[2])});
 }
 
-/// The product of two vectors over its length, times the given length; zero if they are parallel.
+/// A vector along x × y of the given length; zero if x and y are parallel.
 Vector<double, 3> normal(Vector<double, 3> const &x, Vector<double, 3> const &y, double length) noexcept
 {
     Vector<double, 3> const product =
@@ -37,7 +37,7 @@ Vector<double, 3> axis_across(Vector<double, 3> const &v) noexcept
     return axis;
 }
 
-/// Puts vectors in the place of those that are not periodic.
+/// Replaces the vectors that are not periodic.
 void complete(Vector<double, 3> (&rows)[3], int const *periodic) noexcept
 {
     for (int k = 0; k < 3; ++k) {
@@ -51,7 +51,8 @@ void complete(Vector<double, 3> (&rows)[3], int const *periodic) noexcept
     }
 }
 
-/// The vectors of a cell, zero for those that are not periodic. False if none is periodic, or one that is is not finite.
+/// Copies the periodic vectors of a cell, and sets the others to zero. Returns false if none is periodic, or a periodic one is not
+/// finite.
 bool select_periodic(double const *cell, int const *periodic, double (&vectors)[9]) noexcept
 {
     bool finite = true;

@@ -1,5 +1,6 @@
 /// @file
-/// The cell of a system, of which some vectors are periodic: what functions of lists make of it.
+/// Prepares the cell of a system, in which any of the vectors may be periodic. The functions of lists (many_pairs.cpp, gpu/gpu.cpp)
+/// and the neighbour lists use it.
 #ifndef PW85_KERNELS_PERIODIC_CELL_HPP_INCLUDED
 #define PW85_KERNELS_PERIODIC_CELL_HPP_INCLUDED
 
@@ -7,23 +8,25 @@
 
 namespace pw85::detail::kernels {
 
-/// A cell (nine numbers, rows = vectors) with vectors in the place of those that are not periodic: orthogonal to the others, and as
-/// long as the longest of them. So the reduction leaves them alone. False if no vector is periodic, or one that is is not finite.
+/// Copies a cell (nine numbers, rows = vectors), and replaces the vectors that are not periodic by vectors that are orthogonal to
+/// the others and as long as the longest of them. The reduction of the lattice does not change these. Returns false if no vector is
+/// periodic, or if a periodic one is not finite.
 [[nodiscard]] bool complete(double const *cell, int const *periodic, double (&completed)[9]) noexcept;
 
-/// Prepares the lattice of the periodic vectors of a cell; the basis and its dual are zero for the others. False if no vector is periodic,
-/// or those that are are not finite or not independent.
+/// Prepares the lattice of the periodic vectors of a cell. The basis and its dual are zero for the others. Returns false if no
+/// vector is periodic, or if the periodic vectors are not finite or not linearly independent.
 [[nodiscard]] bool prepare(double const *cell, int const *periodic, Lattice &lattice) noexcept;
 
-/// Which images of particles a function looks at: plain data, as kernels.hpp asks for.
+/// Which images of particles a function uses: plain data, as kernels.hpp asks for.
 struct Images {
-    double cell[9]; ///< zero for vectors that are not periodic; completed if the nearest images are asked for
-    bool nearest;   ///< whether they are, and the lattice is prepared
-    Lattice lattice;
+    double cell[9];  ///< of complete() if `nearest`; otherwise with zeros for the vectors that are not periodic
+    bool nearest;    ///< whether the function uses the nearest images
+    Lattice lattice; ///< prepared if `nearest`
 };
 
-/// Prepares images, those that are given or the nearest ones; `cell` is null where nothing is periodic. False if there are given images
-/// without a cell, or the cell is bad: as for prepare() where nearest images are asked for, as for complete() elsewhere.
+/// Prepares images: those that the caller gives if `given`, otherwise the nearest ones. `cell` is null if nothing is periodic.
+/// Returns false if images are given without a cell. Otherwise the cell must be valid, for given images as for complete(), for
+/// nearest images as for the function above.
 [[nodiscard]] bool prepare(double const *cell, int const *periodic, bool given, Images &images) noexcept;
 
 } // namespace pw85::detail::kernels

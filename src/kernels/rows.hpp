@@ -1,5 +1,6 @@
 /// @file
-/// Pairs from their rows in memory, one per lane of a scalar.
+/// Loads pairs from their rows in memory, one pair per lane of a scalar. The lane kernels (gather.hpp) and the code for devices
+/// (gpu/work.hpp) use it.
 #ifndef PW85_KERNELS_ROWS_HPP_INCLUDED
 #define PW85_KERNELS_ROWS_HPP_INCLUDED
 
@@ -12,7 +13,8 @@ namespace pw85::detail {
 
 template <class T> inline constexpr std::size_t lanes_of = ScalarTraits<T>::lanes;
 
-/// The first N columns of as many rows as `T` has lanes, one row per lane; of a number, those of one row. Packs have their own.
+/// Loads the first N columns of as many rows as `T` has lanes, one row per lane. This is the version for one lane; gather.hpp has
+/// that for packs.
 template <class T, int N> struct ColumnLoader {
     PW85_MEMBER static void load(double const *const *rows, T *columns) noexcept
     {
@@ -49,7 +51,7 @@ load_pairs(kernels::PairArrays<D> const &arrays, std::size_t const *indices) noe
     return {load_vectors<T, D>(r12), load_matrices<T, D>(q1), load_matrices<T, D>(q2), T(1)};
 }
 
-/// Made of order one, as the function for one pair does. A direction of length zero becomes NaN.
+/// The direction is scaled to order one, as in the function for one pair. A direction of length zero becomes NaN.
 template <class T> [[gnu::always_inline]] PW85_FUNCTION inline Pair<T, 3>
 load_pairs(kernels::Directions const &directions, std::size_t const *indices) noexcept
 {
@@ -73,7 +75,7 @@ load_pairs(kernels::OneToMany const &others, std::size_t const *indices) noexcep
     return {load_vectors<T, 3>(r12), q1, load_matrices<T, 3>(q2), T(1)};
 }
 
-/// Separations plus the cell vectors that `images` of rows add to the second particles.
+/// Adds to the separations the multiples of cell vectors that rows.images gives for the second particles.
 template <class T, class Rows> [[gnu::always_inline]] PW85_FUNCTION inline Vector<T, 3>
 add_images(Rows const &rows, Vector<T, 3> r12, std::size_t const *indices) noexcept
 {
@@ -86,7 +88,7 @@ add_images(Rows const &rows, Vector<T, 3> r12, std::size_t const *indices) noexc
     return r12;
 }
 
-/// Separations of the images that rows ask for: given ones, the nearest, or the particles themselves.
+/// The separations of the images that `rows` selects: given images, nearest images, or the particles themselves.
 template <class T, class Rows> [[gnu::always_inline]] PW85_FUNCTION inline Vector<T, 3>
 image_separations(Rows const &rows, Vector<T, 3> const &r12, std::size_t const *indices) noexcept
 {
@@ -95,19 +97,19 @@ image_separations(Rows const &rows, Vector<T, 3> const &r12, std::size_t const *
 }
 
 template <class T> [[gnu::always_inline]] PW85_FUNCTION inline Pair<T, 3>
-load_pairs(kernels::OneToSome const &some, std::size_t const *indices) noexcept
+load_pairs(kernels::OneToIndexed const &rows, std::size_t const *indices) noexcept
 {
     double const *centers[lanes_of<T>], *q2[lanes_of<T>];
     for (std::size_t i = 0; i < lanes_of<T>; ++i) {
-        auto const other = static_cast<std::size_t>(some.others[indices[i]]);
-        centers[i] = kernels::row_of(some.centers, 3, other);
-        q2[i] = kernels::row_of(some.q, 6, other);
+        auto const other = static_cast<std::size_t>(rows.others[indices[i]]);
+        centers[i] = kernels::row_of(rows.centers, 3, other);
+        q2[i] = kernels::row_of(rows.q, 6, other);
     }
     Vector<T, 3> const y = load_vectors<T, 3>(centers);
-    Vector<T, 3> const r12 = {y[0] - T(some.center[0]), y[1] - T(some.center[1]), y[2] - T(some.center[2])};
+    Vector<T, 3> const r12 = {y[0] - T(rows.center[0]), y[1] - T(rows.center[1]), y[2] - T(rows.center[2])};
     SymmetricMatrix<T, 3> q1;
-    for (int e = 0; e < 6; ++e) q1[e] = T(some.q1[e]);
-    return {image_separations(some, r12, indices), q1, load_matrices<T, 3>(q2), T(1)};
+    for (int e = 0; e < 6; ++e) q1[e] = T(rows.q1[e]);
+    return {image_separations(rows, r12, indices), q1, load_matrices<T, 3>(q2), T(1)};
 }
 
 template <class T> [[gnu::always_inline]] PW85_FUNCTION inline Vector<T, 3>

@@ -1,5 +1,6 @@
 /// @file
-/// How long the vectors of SVE are, which differs from processor to processor and is what code for it is compiled for.
+/// The vector length of SVE, the vector extension of 64-bit ARM. It differs between processors; code is compiled for one length.
+/// dispatch.cpp compares both.
 #ifndef PW85_KERNELS_VECTOR_LENGTH_HPP_INCLUDED
 #define PW85_KERNELS_VECTOR_LENGTH_HPP_INCLUDED
 
@@ -9,7 +10,7 @@
 
 namespace pw85::detail::kernels {
 
-/// Bits of a vector of SVE, 0 where the processor or its system has none.
+/// The length of a vector of SVE in bits; 0 if the processor or its operating system has none.
 [[gnu::always_inline]] inline int vector_bits_of_sve() noexcept
 {
 #if defined(PR_SVE_GET_VL)

@@ -1,5 +1,5 @@
 /// @file
-/// Lists of pairs that are still to be done.
+/// Lists of the pairs that a kernel has not decided. The lane kernels fill them; many_pairs.hpp reads them.
 #ifndef PW85_KERNELS_WORKLIST_HPP_INCLUDED
 #define PW85_KERNELS_WORKLIST_HPP_INCLUDED
 
@@ -21,7 +21,7 @@ template <std::size_t Capacity> struct IndexList {
     }
 };
 
-/// What lanes leave to the function for one pair: room for two chunks of any kernel.
+/// The pairs that lanes leave over for the function for one pair. It has room for two chunks of any kernel.
 using Worklist = IndexList<512>;
 
 } // namespace pw85::detail::kernels

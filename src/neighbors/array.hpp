@@ -1,5 +1,6 @@
 /// @file
-/// Memory that may be refused.
+/// An array whose growth can fail. All files of this folder keep their data in it, because the C API reports missing memory as a
+/// status.
 #ifndef PW85_NEIGHBORS_ARRAY_HPP_INCLUDED
 #define PW85_NEIGHBORS_ARRAY_HPP_INCLUDED
 
@@ -11,7 +12,8 @@
 
 namespace pw85::detail::neighbors {
 
-/// An array of plain data whose size can grow. std::vector would throw where memory is short, and write all that it makes.
+/// An array of plain data whose size can grow. std::vector would throw an exception where memory is short, and would initialise
+/// each new element.
 template <class T> class Array {
     static_assert(std::is_trivially_copyable_v<T>);
 
@@ -29,7 +31,7 @@ template <class T> class Array {
     }
     [[gnu::always_inline]] ~Array() { std::free(data_); }
 
-    /// Makes room for n elements and keeps those that are there; false, with nothing changed, if there is no memory.
+    /// Sets the size to n and keeps the elements that there are. Returns false and changes nothing if there is no memory.
     [[nodiscard, gnu::always_inline]] bool resize(std::size_t n) noexcept
     {
         if (n > PTRDIFF_MAX / sizeof(T)) return false;

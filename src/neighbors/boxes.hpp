@@ -1,5 +1,5 @@
 /// @file
-/// Boxes with sides along the axes, eight at a time.
+/// Boxes with sides along the axes, and tests of one box against eight others. The tree and the search of pairs use them.
 #ifndef PW85_NEIGHBORS_BOXES_HPP_INCLUDED
 #define PW85_NEIGHBORS_BOXES_HPP_INCLUDED
 
@@ -19,7 +19,7 @@ struct Box {
 /// Boxes per block.
 inline constexpr int width = 8;
 
-/// Eight boxes, coordinate by coordinate. A place without a box has NaN, which meets nothing.
+/// Eight boxes, stored coordinate by coordinate. An empty place holds NaN, and so intersects no box.
 struct Block {
     double lower[3][width], upper[3][width];
 
@@ -38,10 +38,10 @@ struct Block {
     }
 };
 
-static constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
-static constexpr Box no_box{{no_number, no_number, no_number}, {no_number, no_number, no_number}};
+static constexpr double nan_value = std::numeric_limits<double>::quiet_NaN();
+static constexpr Box empty_box{{nan_value, nan_value, nan_value}, {nan_value, nan_value, nan_value}};
 
-/// The box around two, or around the other one where one is no box.
+/// The smallest box around two boxes, either of which may be empty.
 static inline Box enclose(Box const &a, Box const &b) noexcept
 {
     Box box;
@@ -52,41 +52,41 @@ static inline Box enclose(Box const &a, Box const &b) noexcept
     return box;
 }
 
-static inline bool meets(Box const &a, Box const &b) noexcept
+static inline bool intersect(Box const &a, Box const &b) noexcept
 {
-    bool meet = true;
-    for (int d = 0; d < 3; ++d) meet = meet && a.lower[d] <= b.upper[d] && b.lower[d] <= a.upper[d];
-    return meet;
+    bool result = true;
+    for (int d = 0; d < 3; ++d) result = result && a.lower[d] <= b.upper[d] && b.lower[d] <= a.upper[d];
+    return result;
 }
 
-/// The box around those of a block.
+/// The smallest box around the boxes of a block.
 static inline Box enclose(Block const &block) noexcept
 {
-    Box box = no_box;
+    Box box = empty_box;
     for (int place = 0; place < width; ++place) box = enclose(box, block.get(place));
     return box;
 }
 
-/// Bit k is set where a box meets box k of a block.
-static inline unsigned meeting(Box const &box, Block const &block) noexcept
+/// Bit k is set where `box` intersects box k of the block.
+static inline unsigned intersecting(Box const &box, Block const &block) noexcept
 {
     unsigned bits = 0;
 #ifdef __SSE2__
     for (int k = 0; k < width; k += 2) {
-        __m128d meet = _mm_castsi128_pd(_mm_set1_epi32(-1));
+        __m128d both = _mm_castsi128_pd(_mm_set1_epi32(-1));
         for (int d = 0; d < 3; ++d) {
-            meet = _mm_and_pd(meet, _mm_cmple_pd(_mm_loadu_pd(block.lower[d] + k), _mm_set1_pd(box.upper[d])));
-            meet = _mm_and_pd(meet, _mm_cmpge_pd(_mm_loadu_pd(block.upper[d] + k), _mm_set1_pd(box.lower[d])));
+            both = _mm_and_pd(both, _mm_cmple_pd(_mm_loadu_pd(block.lower[d] + k), _mm_set1_pd(box.upper[d])));
+            both = _mm_and_pd(both, _mm_cmpge_pd(_mm_loadu_pd(block.upper[d] + k), _mm_set1_pd(box.lower[d])));
         }
-        bits |= static_cast<unsigned>(_mm_movemask_pd(meet)) << k;
+        bits |= static_cast<unsigned>(_mm_movemask_pd(both)) << k;
     }
 #else
     for (int k = 0; k < width; ++k) {
-        unsigned meet = 1;
+        unsigned one = 1;
         for (int d = 0; d < 3; ++d)
-            meet &= static_cast<unsigned>(block.lower[d][k] <= box.upper[d]) &
-                    static_cast<unsigned>(block.upper[d][k] >= box.lower[d]);
-        bits |= meet << k;
+            one &= static_cast<unsigned>(block.lower[d][k] <= box.upper[d]) &
+                   static_cast<unsigned>(block.upper[d][k] >= box.lower[d]);
+        bits |= one << k;
     }
 #endif
     return bits;

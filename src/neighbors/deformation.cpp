@@ -1,4 +1,4 @@
-// Items as in deformation.hpp.
+// The items are those of deformation.hpp.
 #include "deformation.hpp"
 
 #include <algorithm>
@@ -10,19 +10,19 @@ Deformation::Deformation(Periodicity const &periodicity, double const *now, doub
 {
     for (int l = 0; l < 3; ++l) {
         if (!periodicity.is_periodic(l)) continue;
-        Vector<double, 3> const dual = periodicity.own_dual(l);
+        Vector<double, 3> const dual = periodicity.dual_of_cell(l);
         for (int e = 0; e < 3; ++e)
             for (int d = 0; d < 3; ++d) gradient_[e][d] += dual[e] * (then[3 * l + d] - now[3 * l + d]);
     }
     for (int l = 0; l < 3; ++l)
-        if (periodicity.is_periodic(l)) add_error(periodicity.own_dual_bound(l), now + 3 * l, then + 3 * l);
+        if (periodicity.is_periodic(l)) add_error(periodicity.dual_of_cell_bound(l), now + 3 * l, then + 3 * l);
     double largest = 0.0;
     for (auto const &row : gradient_)
         for (double const entry : row) largest = std::max(largest, std::fabs(entry));
     for (double &error : error_) error += margin * largest;
 }
 
-// ρ, of a difference, three products and their sum, is off by less than 8 u times the sum of their magnitudes.
+// ρ is the sum of a difference and three products: its rounding error is below 8 u times the sum of their magnitudes.
 void Deformation::add_error(double dual_bound, double const *now, double const *then) noexcept
 {
     for (int d = 0; d < 3; ++d) {
@@ -42,15 +42,15 @@ Box Deformation::shared_motions(Extent const &now, Extent const &then) const noe
     for (int d = 0; d < 3; ++d) size += std::fabs(now.center[d]) + now.half_widths[d];
     Box motions;
     for (int d = 0; d < 3; ++d) {
-        double moved = now.center[d] - then.center[d], reach = 0.0;
+        double motion = now.center[d] - then.center[d], reach = 0.0;
         for (int e = 0; e < 3; ++e) {
-            moved += now.center[e] * gradient_[e][d];
+            motion += now.center[e] * gradient_[e][d];
             reach += std::fabs((e == d ? 1.0 : 0.0) + gradient_[e][d]) * now.half_widths[e];
         }
-        double const room = then.half_widths[d] - reach - margin * std::fabs(moved) - error_[d] * size;
-        bool const is_empty = !(room >= 0.0); // also where numbers overflow
-        motions.lower[d] = is_empty ? HUGE_VAL : moved - room;
-        motions.upper[d] = is_empty ? -HUGE_VAL : moved + room;
+        double const room = then.half_widths[d] - reach - margin * std::fabs(motion) - error_[d] * size;
+        bool const is_empty = !(room >= 0.0); // true for NaN too, which an overflow gives
+        motions.lower[d] = is_empty ? HUGE_VAL : motion - room;
+        motions.upper[d] = is_empty ? -HUGE_VAL : motion + room;
     }
     return motions;
 }

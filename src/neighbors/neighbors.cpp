@@ -1,4 +1,5 @@
-// Neighbour lists of the C API.
+// The neighbour lists of the C API. Making one takes three steps: measure the particles, build the tree of their bounding boxes
+// (build_tree.hpp), find the pairs of boxes that intersect (search.hpp).
 #include <pw85.h>
 
 #include <cmath>
@@ -9,8 +10,8 @@
 
 #include "../c_arrays.hpp"
 #include "../kernels/parallel.hpp"
+#include "build_tree.hpp"
 #include "deformation.hpp"
-#include "planting.hpp"
 #include "search.hpp"
 
 using namespace pw85;
@@ -26,7 +27,7 @@ struct IndexPair {
     std::int32_t i, j;
 };
 
-/// Whose neighbours are asked for.
+/// The particles of a system, with the parameters that define their bounding boxes.
 struct Particles {
     pw85_system const &system;
     double scale, skin;
@@ -38,27 +39,28 @@ struct Particles {
                std::isfinite(scale) && skin >= 0.0 && std::isfinite(skin);
     }
 
-    Status measure(std::size_t i, double share, Extent &extent) const noexcept
+    /// Finds the centre and the half-widths of the box of particle i, which grow by `half_skin`.
+    Status measure(std::size_t i, double half_skin, Extent &extent) const noexcept
     {
         extent.center = c_api::load_vector<3>(system.centers + 3 * i);
         if (!is_finite(extent.center)) return Status::invalid_argument;
         auto const box = bounding_box(c_api::load_matrix<3>(system.q + 6 * i));
-        for (int d = 0; d < 3; ++d) extent.half_widths[d] = scale * box.half_widths[d] + share;
+        for (int d = 0; d < 3; ++d) extent.half_widths[d] = scale * box.half_widths[d] + half_skin;
         if (box.status != Status::success) return box.status;
         return is_finite(extent.half_widths) ? Status::success : Status::invalid_argument;
     }
 };
 
-/// The extent of a particle with its skin, and what takes it near the origin.
+/// Finds the extent of a particle with half of the skin, and the lattice vector to subtract to bring it near the origin.
 Failure measure(Particles const &particles, Periodicity const &lattice, std::size_t i, Extent &extent,
-                Move &move) noexcept
+                LatticeVector &vector) noexcept
 {
     Status status = particles.measure(i, 0.5 * particles.skin, extent);
-    if (status == Status::success && !lattice.reduce(extent.center, move)) status = Status::invalid_argument;
+    if (status == Status::success && !lattice.reduce(extent.center, vector)) status = Status::invalid_argument;
     return {i, static_cast<int>(status)};
 }
 
-/// Calls visit(i), which returns a Failure, for a range of rows, and returns the first one.
+/// Calls visit(i), which returns a Failure, for a range of rows, and returns the first failure.
 template <class Visit> Failure first_failure(Range range, Visit const &visit) noexcept
 {
     Failure first{0, 0};
@@ -66,20 +68,20 @@ template <class Visit> Failure first_failure(Range range, Visit const &visit) no
     return first;
 }
 
-/// The same for n rows, by threads.
+/// The same for n rows, in parallel.
 template <class Visit> Failure first_failure(std::size_t n, Visit const &visit) noexcept
 {
     return kernels::for_blocks(n, [&](Range range) { return first_failure(range, visit); });
 }
 
-/// Tasks that a thread does before their pairs are added to the list: enough for threads to end at the same time.
+/// Tasks per thread before their pairs are added to the list: enough to balance the work of the threads.
 constexpr std::size_t tasks_per_thread = 64;
 
-/// The pairs of a task.
+/// The pairs that one task has found.
 struct Task {
     FoundPairs found;
-    std::size_t begin = 0; ///< of its pairs among all
-    bool complete = false;
+    std::size_t begin = 0; ///< index of its first pair in the list
+    bool complete = false; ///< false if there was no memory for its pairs
 };
 
 } // namespace
@@ -96,33 +98,33 @@ struct pw85_neighbors {
 
 namespace {
 
-/// A list in the making.
-class Search {
+/// Fills a list with its pairs.
+class ListBuilder {
   public:
-    Search(Particles const &particles, Periodicity const &lattice, pw85_neighbors &list) noexcept
+    ListBuilder(Particles const &particles, Periodicity const &lattice, pw85_neighbors &list) noexcept
         : particles_(particles), lattice_(lattice), list_(list)
     {
     }
 
     int run() noexcept
     {
-        Box around = no_box;
+        Box around = empty_box;
         if (int const status = measure_all(around)) return status;
         if (particles_.system.num_particles == 0) return PW85_SUCCESS;
-        if (!plant(list_.extents, lattice_, around, tree_, occupants_)) return PW85_ENOMEM;
+        if (!build_tree(list_.extents, lattice_, around, tree_, placed_)) return PW85_ENOMEM;
         if (int const status = list_images(lattice_, tree_.root(), images_)) return status;
-        return find() ? PW85_SUCCESS : PW85_ENOMEM;
+        return find_all() ? PW85_SUCCESS : PW85_ENOMEM;
     }
 
   private:
-    /// Measures the particles, and finds the box around their centres, near the origin.
+    /// Measures the particles, and finds the smallest box around their centres, after they are moved near the origin.
     int measure_all(Box &around) noexcept
     {
         Array<Box> parts;
         if (!list_.extents.resize(particles_.system.num_particles) ||
             !parts.resize(particles_.system.num_particles / kernels::block + 1))
             return PW85_ENOMEM;
-        std::fill_n(parts.data(), parts.size(), no_box);
+        std::fill_n(parts.data(), parts.size(), empty_box);
         int const status = kernels::for_blocks(particles_.system.num_particles, [&](Range range) {
                                return measure_range(range, parts[range.begin / kernels::block]);
                            }).status;
@@ -134,16 +136,16 @@ class Search {
     {
         return first_failure(range, [&](std::size_t i) {
             Extent &extent = list_.extents[i];
-            Move move;
-            Failure const failure = measure(particles_, lattice_, i, extent, move);
+            LatticeVector vector;
+            Failure const failure = measure(particles_, lattice_, i, extent, vector);
             Vector<double, 3> const point = lattice_.wrapped(extent.center);
             around = enclose(around, {{point[0], point[1], point[2]}, {point[0], point[1], point[2]}});
             return failure;
         });
     }
 
-    /// Finds the pairs of some tasks at a time, so that these use the same memory again.
-    bool find() noexcept
+    /// Runs some tasks at a time, so that the next ones reuse their memory.
+    bool find_all() noexcept
     {
         std::size_t const num_tasks = (tree_.num_groups() + groups_per_task - 1) / groups_per_task;
         std::size_t const most = std::min(num_tasks, tasks_per_thread * most_threads());
@@ -151,12 +153,12 @@ class Search {
         if (tasks == nullptr) return false;
         std::size_t size = 0;
         for (std::size_t first = 0; first < num_tasks; first += most)
-            if (!find(tasks.get(), first, std::min(most, num_tasks - first), size)) return false;
+            if (!add_pairs(tasks.get(), first, std::min(most, num_tasks - first), size)) return false;
         return resize_list(size);
     }
 
-    /// Adds the pairs of tasks to the list, which has `size` pairs.
-    bool find(Task *tasks, std::size_t first, std::size_t count, std::size_t &size) noexcept
+    /// Runs `count` tasks from number `first` on, and adds their pairs to the list, which has `size` pairs.
+    bool add_pairs(Task *tasks, std::size_t first, std::size_t count, std::size_t &size) noexcept
     {
         for_tasks(count, count > 1, [&](std::size_t k) {
             tasks[k].complete = find_pairs(tree_, lattice_, images_, first + k, tasks[k].found);
@@ -167,7 +169,7 @@ class Search {
         }
         if (size > list_.pairs.size() && !resize_list(2 * size)) return false;
         for_tasks(count, count > 1, [&](std::size_t k) {
-            for (std::size_t l = 0; l < tasks[k].found.size(); ++l) translate(tasks[k].found[l], tasks[k].begin + l);
+            for (std::size_t l = 0; l < tasks[k].found.size(); ++l) write_pair(tasks[k].found[l], tasks[k].begin + l);
         });
         return true;
     }
@@ -177,15 +179,16 @@ class Search {
         return list_.pairs.resize(size) && (!list_.has_cell || list_.images.resize(size));
     }
 
-    /// Writes a pair in the caller's numbers and multiples. The first particle gets the lower number, or the image comes after zero in lexicographic order.
-    void translate(Found const &found, std::size_t k) noexcept
+    /// Writes pair k in the caller's numbers of particles and multiples of the cell's vectors. The first particle has the lower
+    /// number; for two images of one particle, the multiples come after zero in lexicographic order.
+    void write_pair(Found const &found, std::size_t k) noexcept
     {
-        Occupant first = occupants_[static_cast<std::size_t>(found.first)],
-                 second = occupants_[static_cast<std::size_t>(found.second)];
-        Multiples const &moved = images_[static_cast<std::size_t>(found.image)].own;
+        PlacedParticle first = placed_[static_cast<std::size_t>(found.first)],
+                       second = placed_[static_cast<std::size_t>(found.second)];
+        Multiples const &moved = images_[static_cast<std::size_t>(found.image)].of_cell;
         Multiples image;
         for (int d = 0; d < 3; ++d) image.n[d] = first.subtracted.n[d] - second.subtracted.n[d] - moved.n[d];
-        if (first.index > second.index || (first.index == second.index && is_behind(image))) {
+        if (first.index > second.index || (first.index == second.index && precedes_zero(image))) {
             std::swap(first, second);
             for (std::int32_t &n : image.n) n = -n;
         }
@@ -194,7 +197,7 @@ class Search {
     }
 
     /// Whether multiples come before zero in lexicographic order.
-    static bool is_behind(Multiples const &image) noexcept
+    static bool precedes_zero(Multiples const &image) noexcept
     {
         constexpr std::int32_t zero[3] = {};
         return std::lexicographical_compare(image.n, image.n + 3, zero, zero + 3);
@@ -203,12 +206,12 @@ class Search {
     Particles const &particles_;
     Periodicity const &lattice_;
     pw85_neighbors &list_;
-    Array<Occupant> occupants_;
+    Array<PlacedParticle> placed_;
     Tree tree_;
-    Array<Move> images_;
+    Array<LatticeVector> images_;
 };
 
-/// The motions that a list outlives, as deformation.hpp has them, for a range of particles; or the first bad one.
+/// The motions that some particles share (item 2 of deformation.hpp), or the first bad particle.
 struct SharedMotions {
     Failure bad{0, PW85_SUCCESS};
     Box box{{-HUGE_VAL, -HUGE_VAL, -HUGE_VAL}, {HUGE_VAL, HUGE_VAL, HUGE_VAL}};
@@ -222,11 +225,13 @@ struct SharedMotions {
         }
     }
 
-    bool are_there() const noexcept { return meets(box, box); }
+    /// Whether there is such a motion. An empty box does not intersect itself.
+    bool exist() const noexcept { return intersect(box, box); }
 };
 
-/// Whether a system has as many particles as a list, and a cell, periodic along the same vectors, if the list has one.
-bool can_be_of(pw85_neighbors const &list, pw85_system const &system) noexcept
+/// Whether a system has as many particles as a list, and either both have no cell or both have one that is periodic along the same
+/// vectors.
+bool matches(pw85_neighbors const &list, pw85_system const &system) noexcept
 {
     bool alike = system.num_particles == list.extents.size() && list.has_cell == (system.cell != nullptr);
     for (int k = 0; k < 3 && list.has_cell; ++k) alike = alike && (list.periodic[k] != 0) == (system.periodic[k] != 0);
@@ -245,7 +250,7 @@ SharedMotions shared_motions(pw85_neighbors const &list, Particles const &partic
     return shared;
 }
 
-/// The same for all particles, by threads: each part has its place, so that nothing is allocated.
+/// The same for all particles, in parallel. The results of the parts are on the stack, so that nothing is allocated.
 SharedMotions shared_motions(pw85_neighbors const &list, Particles const &particles,
                              Deformation const &deformation) noexcept
 {
@@ -272,7 +277,7 @@ int create(pw85_system const &system, double scale, double skin, pw85_neighbors 
     made->has_cell = system.cell != nullptr;
     if (made->has_cell) std::copy_n(system.cell, 9, made->cell);
     if (made->has_cell) std::copy_n(system.periodic, 3, made->periodic);
-    int const status = Search(particles, lattice, *made).run();
+    int const status = ListBuilder(particles, lattice, *made).run();
     if (status == PW85_SUCCESS) list = made.release();
     return status;
 }
@@ -284,8 +289,8 @@ int check(pw85_system const &system, double scale, double skin, std::size_t &par
     if (!particles.are_valid() || !lattice.prepare(system.cell, system.periodic)) return PW85_EINVAL;
     Failure const first = first_failure(system.num_particles, [&](std::size_t i) {
         Extent extent;
-        Move move;
-        return measure(particles, lattice, i, extent, move);
+        LatticeVector vector;
+        return measure(particles, lattice, i, extent, vector);
     });
     if (first.status != PW85_SUCCESS) particle = first.index;
     return first.status;
@@ -298,7 +303,7 @@ int compare(pw85_neighbors const &list, pw85_system const &system, int &holds) n
     if (!particles.are_valid() || !lattice.prepare(system.cell, system.periodic)) return PW85_EINVAL;
     SharedMotions const shared = shared_motions(list, particles, Deformation(lattice, system.cell, list.cell));
     if (shared.bad.status != PW85_SUCCESS) return shared.bad.status;
-    holds = shared.are_there();
+    holds = shared.exist();
     return PW85_SUCCESS;
 }
 
@@ -325,7 +330,7 @@ int pw85_neighbors_holds(pw85_neighbors const *list, pw85_system const *system, 
 {
     if (any_null(holds)) return PW85_EINVAL;
     *holds = -1;
-    if (any_null(list) || any_null(system) || !can_be_of(*list, *system)) return PW85_EINVAL;
+    if (any_null(list) || any_null(system) || !matches(*list, *system)) return PW85_EINVAL;
     return in_default_environment([&] { return compare(*list, *system, *holds); });
 }
 

@@ -1,4 +1,4 @@
-// Morton's curve, and the order along it.
+// Positions on Morton's curve, and the two passes of sorting along it.
 #include "order.hpp"
 
 #include <algorithm>
@@ -10,7 +10,7 @@ namespace {
 
 constexpr int bits = 21; // per coordinate, of 63
 
-/// Takes the bits of a number apart, with two zeros between them.
+/// Puts two zeros between neighbouring bits of a number.
 constexpr std::uint64_t spread(std::uint64_t x) noexcept
 {
     x = (x | x << 32) & 0x001f00000000ffff;
@@ -20,42 +20,43 @@ constexpr std::uint64_t spread(std::uint64_t x) noexcept
     return (x | x << 2) & 0x1249249249249249;
 }
 
-// Parts of about this many points fit into the cache; but there are no more parts than pages that a processor remembers.
+// A part of about this many points fits into the cache. There are at most 2^most_bits parts, because the points are written to all
+// parts at once, and the processor caches the address translations of a limited number of pages.
 constexpr std::size_t points_per_part = 4096;
 constexpr int most_bits = 10;
 constexpr std::size_t most_shares = 64;
 
-// The keys of a part are sorted by digits at once; few have these in common unless points cluster.
+// Within a part, keys are first sorted by two digits of nine bits. Few keys have equal digits unless the points cluster.
 constexpr int digit_bits = 9, digits = 2;
 constexpr std::size_t radix = std::size_t{1} << digit_bits;
 
-/// The first bit of the digits: below those in which keys differ.
-int first_bit(Array<Place> const &places) noexcept
+/// The lowest bit of the digits, chosen so that the highest bit in which keys differ is in them.
+int first_bit(Array<KeyedIndex> const &points) noexcept
 {
     std::uint64_t different = 0;
-    for (std::size_t i = 0; i < places.size(); ++i) different |= places[i].key ^ places[0].key;
+    for (std::size_t i = 0; i < points.size(); ++i) different |= points[i].key ^ points[0].key;
     return std::max(0, static_cast<int>(std::bit_width(different)) - digits * digit_bits);
 }
 
-/// Moves places to where those with their digit begin.
-void sort_by_digit(Array<Place> const &places, int shift, Array<Place> &sorted) noexcept
+/// One pass of a radix sort, which keeps the order of points with the same digit.
+void sort_by_digit(Array<KeyedIndex> const &points, int shift, Array<KeyedIndex> &sorted) noexcept
 {
     std::uint32_t starts[radix] = {}, sum = 0;
-    auto const digit = [=](Place const &place) { return static_cast<std::size_t>(place.key >> shift) & (radix - 1); };
-    for (std::size_t i = 0; i < places.size(); ++i) ++starts[digit(places[i])];
+    auto const digit = [=](KeyedIndex const &x) { return static_cast<std::size_t>(x.key >> shift) & (radix - 1); };
+    for (std::size_t i = 0; i < points.size(); ++i) ++starts[digit(points[i])];
     for (std::uint32_t &start : starts) sum += std::exchange(start, sum);
-    for (std::size_t i = 0; i < places.size(); ++i) sorted[starts[digit(places[i])]++] = places[i];
+    for (std::size_t i = 0; i < points.size(); ++i) sorted[starts[digit(points[i])]++] = points[i];
 }
 
-/// Sorts those that have the digits in common.
-void sort_the_same(Array<Place> &places, int shift) noexcept
+/// Sorts each run of points whose digits are equal.
+void sort_equal_digits(Array<KeyedIndex> &points, int shift) noexcept
 {
-    auto const before = [](Place const &a, Place const &b) {
+    auto const before = [](KeyedIndex const &a, KeyedIndex const &b) {
         return a.key < b.key || (a.key == b.key && a.index < b.index);
     };
-    for (std::size_t begin = 0, end; begin < places.size(); begin = end) {
-        for (end = begin + 1; end < places.size() && places[end].key >> shift == places[begin].key >> shift;) ++end;
-        if (end - begin > 1) std::sort(places.data() + begin, places.data() + end, before);
+    for (std::size_t begin = 0, end; begin < points.size(); begin = end) {
+        for (end = begin + 1; end < points.size() && points[end].key >> shift == points[begin].key >> shift;) ++end;
+        if (end - begin > 1) std::sort(points.data() + begin, points.data() + end, before);
     }
 }
 
@@ -67,7 +68,7 @@ std::uint64_t key_of(Vector<double, 3> const &point, Box const &around) noexcept
     std::uint64_t key = 0;
     for (int d = 0; d < 3; ++d) {
         double const part = (point[d] - around.lower[d]) / (around.upper[d] - around.lower[d]) * parts;
-        // NaN, of a box without width, goes with the last part.
+        // A box without width gives NaN, which goes to the last part.
         key |= spread(part < parts - 1.0 ? static_cast<std::uint64_t>(std::max(part, 0.0)) : (1u << bits) - 1u) << d;
     }
     return key;
@@ -89,16 +90,16 @@ bool Partition::prepare(Array<std::uint64_t> const &keys) noexcept
     return true;
 }
 
-bool sort(Array<Place> &places) noexcept
+bool sort(Array<KeyedIndex> &points) noexcept
 {
-    Array<Place> sorted;
-    if (!sorted.resize(places.size())) return false;
-    int const shift = first_bit(places);
+    Array<KeyedIndex> sorted;
+    if (!sorted.resize(points.size())) return false;
+    int const shift = first_bit(points);
     for (int d = 0; d < digits; ++d) {
-        sort_by_digit(places, shift + d * digit_bits, sorted);
-        std::swap(places, sorted);
+        sort_by_digit(points, shift + d * digit_bits, sorted);
+        std::swap(points, sorted);
     }
-    sort_the_same(places, shift);
+    sort_equal_digits(points, shift);
     return true;
 }
 

@@ -1,8 +1,8 @@
 /// @file
-/// An order of points in which neighbours in space are near each other: along Morton's curve.
+/// Sorts points along Morton's curve, so that neighbours in space are near each other in memory. build_tree.cpp calls it.
 ///
-/// Particles come in any order, and what is read from all over the memory costs more than all else where there are millions of them. So
-/// they are first moved to parts of the curve, each of which is then sorted within the cache.
+/// The particles come in any order. For millions of them, reads from random addresses cost more than everything else. So a first
+/// pass moves the points to their parts of the curve, and a second pass sorts each part within the cache.
 #ifndef PW85_NEIGHBORS_ORDER_HPP_INCLUDED
 #define PW85_NEIGHBORS_ORDER_HPP_INCLUDED
 
@@ -16,16 +16,16 @@
 
 namespace pw85::detail::neighbors {
 
-/// The position on the curve through a box, which is divided into 2²¹ parts along each axis, of a point.
+/// The position of a point on the curve through a box. The curve divides the box into 2²¹ parts along each axis.
 std::uint64_t key_of(Vector<double, 3> const &point, Box const &around) noexcept;
 
-/// Points by the part of the curve to which they belong.
+/// The first pass: it assigns points to parts of the curve. The points are divided into shares, which are processed in parallel.
 class Partition {
   public:
     /// Counts the points of each part; false if there is no memory.
     [[nodiscard]] bool prepare(Array<std::uint64_t> const &keys) noexcept;
 
-    /// Calls visit(i, place) for the points, with places in the order of the parts. To be called once.
+    /// Calls visit(i, place) for each point i, with its place in the order of the parts. Call this once, after prepare().
     template <class Visit> void for_places(Array<std::uint64_t> const &keys, Visit const &visit) noexcept
     {
         for_shares(keys.size(), [&](std::uint32_t *ends, std::size_t begin, std::size_t end) {
@@ -35,7 +35,7 @@ class Partition {
 
     std::size_t num_parts() const noexcept { return std::size_t{1} << bits_; }
 
-    /// Where the places of a part end, after for_places().
+    /// The end of the places of a part. Call this after for_places().
     std::size_t end(std::size_t part) const noexcept { return ends_[(num_shares_ - 1) * num_parts() + part]; }
 
   private:
@@ -52,17 +52,17 @@ class Partition {
 
     int bits_ = 0;
     std::size_t num_shares_ = 1;
-    Array<std::uint32_t> ends_; ///< for each share, and each part within it
+    Array<std::uint32_t> ends_; ///< next place, for each share and each part within it
 };
 
-/// A point on the curve, and its number.
-struct Place {
+/// The position of a point on the curve, and the index of the point.
+struct KeyedIndex {
     std::uint64_t key;
     std::int32_t index;
 };
 
-/// Sorts places of one part by keys; those with the same key stay in their order. False if there is no memory.
-[[nodiscard]] bool sort(Array<Place> &places) noexcept;
+/// The second pass: sorts the points of one part by key, and by index where keys are equal. Returns false if there is no memory.
+[[nodiscard]] bool sort(Array<KeyedIndex> &points) noexcept;
 
 } // namespace pw85::detail::neighbors
 

@@ -1,5 +1,5 @@
 /// @file
-/// Parts of rows, as tasks for threads.
+/// Loops over many rows, as tasks for threads. The other files of this folder use them.
 #ifndef PW85_NEIGHBORS_PARALLEL_HPP_INCLUDED
 #define PW85_NEIGHBORS_PARALLEL_HPP_INCLUDED
 
@@ -11,10 +11,10 @@
 namespace pw85::detail::neighbors {
 namespace {
 
-/// Rows of a task.
+/// The number of rows of a task.
 inline constexpr std::size_t rows_per_task = 4096;
 
-/// Calls visit(begin, end) for parts of n rows.
+/// Calls visit(begin, end) for parts of n rows, in parallel.
 template <class Visit> void for_parts(std::size_t n, Visit const &visit) noexcept
 {
     std::size_t const count = (n + rows_per_task - 1) / rows_per_task;

@@ -1,4 +1,4 @@
-// Periodic images; roundings as in periodicity.hpp.
+// The comment of periodicity.hpp derives the bounds on rounding errors.
 #include "periodicity.hpp"
 
 #include <cmath>
@@ -45,16 +45,16 @@ double Periodicity::multiples_in(Vector<double, 3> const &point, int k) const no
     return nearest_integer(dual_[k][0] * point[0] + dual_[k][1] * point[1] + dual_[k][2] * point[2]);
 }
 
-bool Periodicity::reduce(Vector<double, 3> const &point, Move &move) const noexcept
+bool Periodicity::reduce(Vector<double, 3> const &point, LatticeVector &vector) const noexcept
 {
-    move = {};
+    vector = {};
     if (!any_) return true;
     for (int k = 0; k < 3; ++k) {
         double const n = multiples_in(point, k);
         if (!(std::fabs(n) <= most_multiples)) return false;
-        move.reduced.n[k] = static_cast<std::int32_t>(n);
+        vector.of_reduced.n[k] = static_cast<std::int32_t>(n);
     }
-    return set_own(move);
+    return set_multiples_of_cell(vector);
 }
 
 Vector<double, 3> Periodicity::wrapped(Vector<double, 3> const &point) const noexcept
@@ -104,30 +104,30 @@ Box Periodicity::moved(Box const &box, Multiples const &multiples) const noexcep
     return result;
 }
 
-// An image that meets the box is moved by no more than the box's width along each axis.
+// An image that intersects the box is moved by no more than the width of the box along each axis.
 Vector<double, 3> Periodicity::reach(Box const &box) const noexcept
 {
     Vector<double, 3> reach = {0.0, 0.0, 0.0};
     for (int k = 0; k < 3; ++k) {
         if (!periodic_[k]) continue;
         for (int d = 0; d < 3; ++d) reach[k] += std::fabs(dual_[k][d]) * (box.upper[d] - box.lower[d]);
-        reach[k] = std::floor(1.0 + reach[k]); // one more than enough, for roundings
+        reach[k] = std::floor(1.0 + reach[k]); // one more than the exact value, for rounding errors
     }
     return reach;
 }
 
-bool Periodicity::set_own(Move &move) const noexcept
+bool Periodicity::set_multiples_of_cell(LatticeVector &vector) const noexcept
 {
     for (int l = 0; l < 3; ++l) {
         double n = 0.0;
-        for (int k = 0; k < 3; ++k) n += move.reduced.n[k] * multiples_[k][l];
+        for (int k = 0; k < 3; ++k) n += vector.of_reduced.n[k] * multiples_[k][l];
         if (!(std::fabs(n) <= most_multiples)) return false;
-        move.own.n[l] = static_cast<std::int32_t>(n);
+        vector.of_cell.n[l] = static_cast<std::int32_t>(n);
     }
     return true;
 }
 
-Vector<double, 3> Periodicity::own_dual(int l) const noexcept
+Vector<double, 3> Periodicity::dual_of_cell(int l) const noexcept
 {
     Vector<double, 3> dual = {0.0, 0.0, 0.0};
     for (int k = 0; k < 3; ++k)
@@ -135,8 +135,8 @@ Vector<double, 3> Periodicity::own_dual(int l) const noexcept
     return dual;
 }
 
-// Twice the sum, for the roundings of the reduced vectors, which are far from dependent.
-double Periodicity::own_dual_bound(int l) const noexcept
+// The factor of two covers the roundings of the reduced vectors, which are far from linearly dependent.
+double Periodicity::dual_of_cell_bound(int l) const noexcept
 {
     double bound = 0.0;
     for (int k = 0; k < 3; ++k)

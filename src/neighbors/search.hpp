@@ -1,5 +1,5 @@
 /// @file
-/// The pairs of boxes of a tree that meet, images included.
+/// Finds the pairs of boxes of a tree that intersect, with periodic images. neighbors.cpp runs find_pairs() for each task.
 #ifndef PW85_NEIGHBORS_SEARCH_HPP_INCLUDED
 #define PW85_NEIGHBORS_SEARCH_HPP_INCLUDED
 
@@ -9,15 +9,15 @@
 
 namespace pw85::detail::neighbors {
 
-/// Box `second` meets box `first` moved by a multiple of the lattice's vectors, the number of which is `image`.
+/// Box `second` intersects box `first`, which is moved by the lattice vector with number `image`.
 struct Found {
     std::int32_t first, second, image;
 };
 
-/// Pairs, in the order in which they are found.
+/// A growing array of pairs.
 class FoundPairs {
   public:
-    /// Adds pairs of the box `first` and those of a block, from number `begin` on, whose bits are set; false if there is no memory.
+    /// Adds the pairs of box `first` with box `begin` + k for each bit k that is set. Returns false if there is no memory.
     [[gnu::always_inline]] bool add(std::size_t first, std::size_t begin, unsigned bits, std::size_t image) noexcept
     {
         if (size_ + width > room_.size() && !room_.resize(2 * room_.size() + 1024)) return false;
@@ -37,16 +37,17 @@ class FoundPairs {
     std::size_t size_ = 0;
 };
 
-/// The vectors by which a tree can be moved and still meet itself, number 0 being zero; of v and -v only one. PW85_ENOMEM if they are
-/// too many to be listed, PW85_EINVAL if some are too far away for their multiples.
-[[nodiscard]] int list_images(Periodicity const &lattice, Box const &root, Array<Move> &images) noexcept;
+/// Lists the lattice vectors by which a tree can be moved and still intersect itself. Number 0 is zero; of v and -v there is only
+/// one. Returns PW85_ENOMEM if there are too many vectors, and PW85_EINVAL if the multiples of one are too large.
+[[nodiscard]] int list_images(Periodicity const &lattice, Box const &root, Array<LatticeVector> &images) noexcept;
 
-/// Groups whose pairs are found by one task.
+/// The number of groups of one task.
 inline constexpr std::size_t groups_per_task = 16;
 
-/// The pairs whose first box is of the groups of a task, each once, in place of those found before. False if there is no memory.
-[[nodiscard]] bool find_pairs(Tree const &tree, Periodicity const &lattice, Array<Move> const &images, std::size_t task,
-                              FoundPairs &found) noexcept;
+/// Finds the pairs whose first box belongs to the groups of a task, each pair once. They replace the pairs that `found` holds.
+/// Returns false if there is no memory.
+[[nodiscard]] bool find_pairs(Tree const &tree, Periodicity const &lattice, Array<LatticeVector> const &images,
+                              std::size_t task, FoundPairs &found) noexcept;
 
 } // namespace pw85::detail::neighbors
 

@@ -1,4 +1,4 @@
-// Boxes around boxes.
+// The levels of the tree above the boxes of the particles.
 #include "tree.hpp"
 
 namespace pw85::detail::neighbors {
@@ -6,7 +6,7 @@ namespace pw85::detail::neighbors {
 bool Tree::resize(std::size_t n) noexcept
 {
     num_groups_ = (n + group_size - 1) / group_size;
-    // Groups are complete: what they lack of particles are boxes that meet nothing.
+    // The last group is filled with empty boxes, which intersect nothing.
     std::size_t count = num_groups_ * width;
     first_[0] = 0;
     for (int level = 0;; ++level, count = (count + width - 1) / width) {
@@ -15,7 +15,7 @@ bool Tree::resize(std::size_t n) noexcept
         if (level >= group_level && count == 1) break;
     }
     if (!blocks_.resize(first_[top_ + 1])) return false;
-    for (std::size_t k = n; k < num_groups_ * group_size; ++k) set(k, no_box);
+    for (std::size_t k = n; k < num_groups_ * group_size; ++k) set(k, empty_box);
     return true;
 }
 
@@ -26,7 +26,7 @@ void Tree::enclose_levels() noexcept
         for_parts(room, [&](std::size_t begin, std::size_t end) {
             for (std::size_t k = begin * width; k < end * width; ++k)
                 blocks_[first_[level + 1] + k / width].set(static_cast<int>(k % width),
-                                                           k < count ? enclose(*block(level, k)) : no_box);
+                                                           k < count ? enclose(*block(level, k)) : empty_box);
         });
     }
 }

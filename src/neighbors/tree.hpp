@@ -1,5 +1,5 @@
 /// @file
-/// Boxes in the order of space, eight in a box of the next level, and so on.
+/// A tree of boxes: each box encloses eight boxes of the level below. build_tree() fills it, find_pairs() searches it.
 #ifndef PW85_NEIGHBORS_TREE_HPP_INCLUDED
 #define PW85_NEIGHBORS_TREE_HPP_INCLUDED
 
@@ -11,14 +11,14 @@
 
 namespace pw85::detail::neighbors {
 
-/// Level 0 has the boxes of the particles, level l + 1 the boxes around the blocks of level l. 64 particles are a group: one box of
-/// level 2, one block of level 1, eight of level 0.
+/// Level 0 has the boxes of the particles; level l + 1 has the boxes around the blocks of level l. A group is 64 particles: one box
+/// of level 2, one block of level 1, eight blocks of level 0.
 class Tree {
   public:
     static constexpr int group_level = 2;
     static constexpr std::size_t group_size = width * width;
 
-    /// Makes room for n > 0 particles; false if there is no memory.
+    /// Sets the number of particles to n > 0. Returns false if there is no memory.
     [[nodiscard]] bool resize(std::size_t n) noexcept;
 
     /// Sets the box of a particle.
@@ -27,7 +27,7 @@ class Tree {
         blocks_[particle / width].set(static_cast<int>(particle % width), box);
     }
 
-    /// To be called when all boxes of particles are set.
+    /// Computes the boxes of the higher levels. Call this when all boxes of particles are set.
     void enclose_levels() noexcept;
 
     [[gnu::always_inline]] std::size_t num_groups() const noexcept { return num_groups_; }
@@ -39,10 +39,10 @@ class Tree {
     {
         return block(level, k / width)->get(static_cast<int>(k % width));
     }
-    /// The box around all.
+    /// The smallest box around all boxes.
     [[gnu::always_inline]] Box root() const noexcept { return enclose(*block(top_, 0)); }
 
-    /// Calls visit(group) for the groups from `first` on whose boxes meet a box.
+    /// Calls visit(group) for each group from `first` on whose box intersects the given one.
     template <class Visit> void visit_groups(Box const &box, std::size_t first, Visit const &visit) const noexcept
     {
         descend(box, first, visit, top_, 0);
@@ -52,7 +52,7 @@ class Tree {
     template <class Visit>
     void descend(Box const &box, std::size_t first, Visit const &visit, int level, std::size_t k) const noexcept
     {
-        for (unsigned bits = meeting(box, *block(level, k)); bits != 0; bits &= bits - 1) {
+        for (unsigned bits = intersecting(box, *block(level, k)); bits != 0; bits &= bits - 1) {
             std::size_t const child = k * width + static_cast<unsigned>(std::countr_zero(bits));
             if ((child + 1) << 3 * (level - group_level) <= first) continue;
             if (level == group_level)
@@ -62,9 +62,9 @@ class Tree {
         }
     }
 
-    static constexpr int most_levels = 12; // 8¹² blocks are beyond the range of int32
+    static constexpr int most_levels = 12; // 8¹² blocks exceed the range of the indices, int32
     Array<Block> blocks_;
-    std::size_t first_[most_levels + 1] = {}; ///< where the blocks of each level begin
+    std::size_t first_[most_levels + 1] = {}; ///< index of the first block of each level
     std::size_t num_groups_ = 0;
     int top_ = group_level;
 };

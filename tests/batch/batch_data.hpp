@@ -1,4 +1,4 @@
-// Pairs in the arrays that the batch functions take, and what they give back.
+// Pairs in arrays for the batch functions, and the results of these.
 #ifndef PW85_TESTS_BATCH_DATA_HPP_INCLUDED
 #define PW85_TESTS_BATCH_DATA_HPP_INCLUDED
 

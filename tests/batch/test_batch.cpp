@@ -1,4 +1,5 @@
-// The batch functions against the functions for one pair, and against themselves: nothing but the pair decides the result.
+// Compares the batch functions with the functions for one pair, and with themselves: the result for a pair depends only on the
+// pair.
 #include <cstdint>
 #include <cstring>
 #include <memory>

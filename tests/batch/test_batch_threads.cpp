@@ -1,4 +1,4 @@
-// Batches on any number of threads, and from several threads at once: the same bits.
+// Batches give the same bits with any number of threads, and from several threads at once.
 #include <thread>
 
 #include <glib.h>

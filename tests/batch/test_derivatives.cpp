@@ -1,4 +1,4 @@
-// Contact points, normals and derivatives of many pairs against those of one, and against a wider type.
+// Compares contact points, normals and derivatives of many pairs with those of one pair, and with a wider type.
 #include <cmath>
 
 #include <glib.h>

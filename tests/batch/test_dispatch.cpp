@@ -1,4 +1,4 @@
-// The choice of the instruction set: the environment forces an older one, and never one that is not there.
+// The choice of the instruction set: PW85_TARGET can select an older one, but never one that the processor lacks.
 #include <cstdlib>
 #include <cstring>
 

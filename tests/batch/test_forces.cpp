@@ -1,4 +1,5 @@
-// Forces, torques and virial of a list against the derivative of the energy of the whole system; the same bits from any threads.
+// Compares forces, torques and virial of a list with the derivative of the energy of the whole system. The bits are the same with
+// any number of threads.
 #include <cmath>
 #include <cstring>
 #include <functional>

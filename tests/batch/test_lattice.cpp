@@ -1,5 +1,5 @@
-// Periodic cells: reduction, nearest images where each lattice vector that can decide does decide, images by their multiples, and
-// the limit up to which nearest images are enough.
+// Tests of periodic cells: reduction, nearest images in cases that depend on each lattice vector that can matter, multiples of
+// images, and the limit up to which nearest images suffice.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -452,8 +452,8 @@ struct CellAnswers {
     }
 };
 
-// Powers of two change nothing but the unit, up to the sizes that particles may have, nor does skewness: what is right for one size,
-// which other tests check, is for all.
+// Powers of two change nothing but the unit, up to the sizes that particles may have, nor does skewness: what is right for one
+// size, which other tests check, is for all.
 void test_units()
 {
     Failures failures;

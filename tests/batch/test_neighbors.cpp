@@ -1,4 +1,4 @@
-// Neighbour lists against all pairs and all images in a wider type; what becomes of bad input; how long a list holds.
+// Compares neighbour lists with all pairs and all images in a wider type. Tests bad input, and how long a list stays valid.
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -417,8 +417,8 @@ Vector3 product(Matrix const &f, Vector3 const &x)
 
 enum class Change { shrunk, grown, sheared, turned, any };
 
-/// How a system changes with a parameter t: the cell, and with it the centres, about a point, or nothing but the cell; each particle
-/// moves and grows besides.
+/// How a system changes with a parameter t: the cell, and with it the centres, about a point, or nothing but the cell; each
+/// particle moves and grows besides.
 struct Course {
     Change change;
     bool centers_follow, particles_move;

@@ -1,4 +1,5 @@
-// Neighbour lists when memory is refused at any point: an error, no list, and nothing lost (leaks are for the sanitizers to see).
+// Makes neighbour lists while each allocation in turn fails: there is an error, no list, and no leak (which the sanitizers would
+// find).
 #include <atomic>
 #include <cstddef>
 #include <vector>

@@ -1,4 +1,4 @@
-// The functions for neighbour lists: the same as a batch of the separations, and nearest images in any periodic cell.
+// The functions for neighbour lists give the same as a batch of the separations, and nearest images are right in any periodic cell.
 #include <algorithm>
 #include <cstdint>
 #include <initializer_list>

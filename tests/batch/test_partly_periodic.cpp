@@ -1,5 +1,5 @@
-// Systems that are periodic along some of the vectors of their cell, against all images one by one; and systems and lists that functions
-// refuse.
+// Compares systems that are periodic along some of the vectors of their cell with all images one by one. Tests systems and lists
+// that are errors.
 #include <glib.h>
 
 #include <cmath>

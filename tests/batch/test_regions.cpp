@@ -1,5 +1,5 @@
-// Small batches open no parallel region: it costs some hundred nanoseconds, even where it has one thread. Counted by a function of
-// the name of the one with which GCC opens them, in front of libgomp's.
+// Small batches open no parallel region, which costs some hundred nanoseconds even with one thread. The regions are counted by a
+// function with the name of the function of libgomp by which GCC opens them; the linker prefers it.
 #include <dlfcn.h>
 
 #include <glib.h>

@@ -1,5 +1,5 @@
-// The functions of many rows that have no lanes give what the functions of one row give, bit by bit and whatever the number of threads.
-// A function is found by its name, so a new one is tested as soon as it is declared.
+// The functions of many rows that have no lanes give what the functions of one row give, bit by bit and whatever the number of
+// threads. The test finds the functions by their names, so that a new function is tested as soon as it is declared.
 #include <optional>
 #include <string>
 
@@ -36,7 +36,8 @@ std::optional<Function> of_one_row(Function const &many)
     return {};
 }
 
-/// Makes the rows of an input unlike: most numbers are scaled, some get another sign, few are NaN. Forms and separations stay as the pairs have them.
+/// Makes the rows of an input unlike: most numbers are scaled, some get another sign, few are NaN. Forms and separations stay as
+/// the pairs have them.
 void scatter(Random &random, Call &call, std::size_t k)
 {
     Parameter const &p = call.parameter(k);

@@ -1,4 +1,5 @@
-// Functions of many rows by std::span are the functions of C: the same numbers, the same status; and sizes that do not fit are refused.
+// The functions of many rows with std::span give the same numbers and status as the functions of C. Sizes that do not match are
+// errors.
 #include <tuple>
 
 #include <glib.h>

@@ -1,4 +1,4 @@
-// Distances of closest approach of many pairs, one ellipsoid against many, and forms in bulk: the same as one by one.
+// Distances of closest approach of many pairs, one ellipsoid against many, and many forms give the same as the calls one by one.
 #include <algorithm>
 #include <cmath>
 

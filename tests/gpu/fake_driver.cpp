@@ -1,6 +1,6 @@
-// A driver without a device, as libcuda.so.1 in a folder of the tests: each stream is a thread, the memory of the device that of the
-// process, and its program the same source compiled for the host. The environment variable PW85_FAKE_DRIVER makes it fail in one way
-// or another; what it finds wrong with its use ends the process.
+// A driver that needs no device, as libcuda.so.1 in a folder of the tests. Each stream is a thread, the memory of the device is
+// that of the process, and the program is the same source compiled for the host. The environment variable PW85_FAKE_DRIVER selects
+// a way in which it fails. If it is used wrongly, it ends the process.
 #include <condition_variable>
 #include <cstdio>
 #include <cstdlib>
@@ -182,9 +182,9 @@ template <class Work> void run_attempt(void const *argument, unsigned blocks)
     Tile tile;
     for (unsigned block = 0; block < blocks; ++block) {
         std::memset(static_cast<void *>(&tile), 0xff, sizeof tile);
-        for (unsigned thread = 0; thread < block_size; ++thread) fill(work, tile, block, thread);
+        for (unsigned thread = 0; thread < block_size; ++thread) load_tile(work, tile, block, thread);
         for (unsigned thread = 0; thread < block_size; ++thread) attempt(work, tile, block, thread);
-        for (unsigned thread = 0; thread < block_size; ++thread) take_out(work, tile, block, thread);
+        for (unsigned thread = 0; thread < block_size; ++thread) store_tile(work, tile, block, thread);
     }
 }
 

@@ -1,5 +1,5 @@
-// The tiers of a device on the contact problems, as target regions of OpenMP: compiled for another machine, which is this one's
-// processor, and run there. Usage: offload PROBLEMS
+// Runs the tiers of a device on the contact problems, as target regions of OpenMP. They are compiled for another machine, which
+// here is the processor of this one. Usage: offload PROBLEMS
 #include <cmath>
 #include <cstdio>
 #include <vector>

@@ -1,4 +1,4 @@
-// Writes the contact problems as plain numbers, for programs of another compiler. Usage: problems FILE
+// Writes the contact problems as plain numbers, for programs that another compiler makes. Usage: problems FILE
 #include <cstdio>
 
 #include "../reference_data.hpp"

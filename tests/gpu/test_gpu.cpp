@@ -1,4 +1,4 @@
-// The functions for devices against those for the host; on a device, or on the fake one of the tests.
+// Compares the functions for devices with those for the host, on a device or with the driver of fake_driver.cpp.
 #include <algorithm>
 #include <cmath>
 #include <cstring>

@@ -1,4 +1,4 @@
-// What is said where there is no device that can be used: for each of the ways in which a driver can fail, one run.
+// Tests the statuses if no device can be used. There is one run for each way in which a driver can fail.
 #include <cmath>
 #include <vector>
 

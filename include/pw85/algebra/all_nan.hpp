@@ -1,5 +1,5 @@
 /// @file
-/// The results of calls that have none to give: every number is NaN, and a status says why.
+/// Results of calls that fail: every number is NaN, and a status tells the cause. Every function with a status uses all_nan().
 #ifndef PW85_ALGEBRA_ALL_NAN_HPP_INCLUDED
 #define PW85_ALGEBRA_ALL_NAN_HPP_INCLUDED
 
@@ -26,7 +26,8 @@ template <class T, int M, int N> PW85_FUNCTION constexpr void set_nan(T (&rows)[
         for (T &x : row) set_nan(x);
 }
 
-/// A result whose members are numbers, vectors or matrices, up to four of them, and then the status.
+/// A result with NaN in every number, and the given status. Its type has up to four numbers, vectors or matrices, and then the
+/// status.
 template <class Result> PW85_FUNCTION constexpr Result all_nan(Status status) noexcept
 {
     Result result{};

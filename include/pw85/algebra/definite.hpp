@@ -1,5 +1,6 @@
 /// @file
-/// Whether a form is positive definite: one decision, the same in every function, order of the ellipsoids and instruction set.
+/// Decides whether a form is positive definite. The decision is the same in every function, for either order of the ellipsoids, and
+/// for every instruction set.
 #ifndef PW85_ALGEBRA_DEFINITE_HPP_INCLUDED
 #define PW85_ALGEBRA_DEFINITE_HPP_INCLUDED
 
@@ -7,10 +8,10 @@
 
 namespace pw85::detail {
 
-/// The type of a number with more digits, or its own where there are none.
+/// The type with more digits that belongs to a type, or the type itself if there is none.
 template <class T> using Widened = std::conditional_t<exact::is_decidable<T>, exact::Extended<T>, T>;
 
-/// Leading principal minors, in their order.
+/// The leading principal minors, by increasing size.
 template <class T> PW85_FUNCTION inline Vector<T, 2> leading_minors(SymmetricMatrix<T, 2> const &a) noexcept
 {
     return {a[0], determinant(a, adjugate(a))};
@@ -22,8 +23,8 @@ template <class T> PW85_FUNCTION inline Vector<T, 3> leading_minors(SymmetricMat
     return {a[0], adj[5], determinant(a, adj)};
 }
 
-/// The determinant over the product of the diagonal down to which a form counts as positive definite: 2^-212 for double. Entries
-/// of like magnitude are multiples of some u, and a determinant of some u³: that is far above.
+/// The smallest ratio of the determinant to the product of the diagonal at which a form counts as positive definite: 2^-212 for
+/// double. If entries of similar magnitude are multiples of u, a determinant is a multiple of u³, which is far above this.
 template <class T> PW85_FUNCTION constexpr T least_determinant() noexcept
 {
     return negative_power_of_two<T>(4 * result_digits<T>());
@@ -31,8 +32,8 @@ template <class T> PW85_FUNCTION constexpr T least_determinant() noexcept
 
 /// Sylvester's criterion for finite entries and a positive diagonal, without rounding errors that matter: scaled to a unit diagonal
 /// the minors err by less than 2^(5-bits), and where the determinant exceeds least_determinant(), so do the others half of that.
-/// Pivots, which are ratios of minors, exceed the fourth root of the smallest number times the largest diagonal entry. (An ellipsoid
-/// of aspect ratio 1e38 has a pivot as small as that in double; its inverse leaves room for products of four entries.)
+/// Pivots, which are ratios of minors, exceed the fourth root of the smallest number times the largest diagonal entry. (An
+/// ellipsoid of aspect ratio 1e38 has a pivot as small as that in double; its inverse leaves room for products of four entries.)
 template <class T, int D>
 [[gnu::noinline, gnu::cold]] PW85_FUNCTION inline bool has_positive_minors(SymmetricMatrix<T, D> const &a) noexcept
 {
@@ -45,7 +46,8 @@ template <class T, int D>
     return positive && minors[D - 1] > W(least_determinant<W>() * diagonal_product(w));
 }
 
-/// The same to rounding, which serves types with digits to spare, and devices: pivots lose less than minors.
+/// The same up to rounding errors, for types with digits to spare and for devices. It uses pivots, which lose fewer digits than
+/// minors.
 template <class T, int D> PW85_FUNCTION inline bool has_positive_pivots(SymmetricMatrix<T, D> const &a) noexcept
 {
     T const floor = square_root(square_root(smallest_number<T>())) * largest_diagonal(a);
@@ -55,11 +57,11 @@ template <class T, int D> PW85_FUNCTION inline bool has_positive_pivots(Symmetri
     return positive;
 }
 
-/// Whether numbers of a type are extended where its own digits do not suffice.
+/// Whether a type has extended numbers, for matrices for which its own digits do not suffice.
 template <class T> static constexpr bool has_extended_numbers = exact::is_decidable<T> && !is_for_device;
 
-/// Whether a matrix with finite entries and a positive diagonal, the largest near one, is positive definite: decided for the numbers
-/// as they are where there are extended numbers, to rounding elsewhere.
+/// Whether a matrix is positive definite. Its entries are finite, its diagonal is positive, and the largest entry is near one. The
+/// decision is exact for types with extended numbers, and up to rounding for others.
 template <class T, int D> PW85_FUNCTION inline bool is_positive_definite(SymmetricMatrix<T, D> const &a) noexcept
 {
     if constexpr (has_extended_numbers<T>)

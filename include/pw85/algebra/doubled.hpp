@@ -1,10 +1,10 @@
 /// @file
-/// A number as the sum of two of a narrower type: about twice its digits.
+/// A number that is the sum of two numbers of a narrower type, and so has about twice its digits. Distances use it.
 ///
-/// Sums err by less than 4u² of the magnitudes of their terms, products by 8u² and quotients and roots by 16u² of themselves, u being the
-/// unit roundoff of the narrower type (M. Joldes, J.-M. Muller and V. Popescu, ACM Trans. Math. Softw. 44, 15, 2017). Only products of
-/// parts that are exact (error_free.hpp) are added up where an error would count, so that it makes no difference whether the
-/// compiler fuses them with additions. Ranges are those of the narrower type; what overflows becomes NaN.
+/// Sums err by less than 4u² of the magnitudes of their terms, products by 8u² and quotients and roots by 16u² of themselves, u
+/// being the unit roundoff of the narrower type (M. Joldes, J.-M. Muller and V. Popescu, ACM Trans. Math. Softw. 44, 15, 2017).
+/// Only products of parts that are exact (error_free.hpp) are added up where an error would count, so that it makes no difference
+/// whether the compiler fuses them with additions. The range is that of the narrower type; a result that overflows becomes NaN.
 #ifndef PW85_ALGEBRA_DOUBLED_HPP_INCLUDED
 #define PW85_ALGEBRA_DOUBLED_HPP_INCLUDED
 
@@ -56,7 +56,7 @@ template <class T> PW85_FUNCTION inline Doubled<T> operator*(Doubled<T> const &x
     return ordered_sum(second.high, T(first.low + (second.low + rest)));
 }
 
-/// A second quotient adds the digits that the first one leaves.
+/// A second quotient, of the remainder, adds the missing digits.
 template <class T> PW85_FUNCTION inline Doubled<T> operator/(Doubled<T> const &x, Doubled<T> const &y) noexcept
 {
     T const first = x.high / y.high, second = (x - y * Doubled<T>(first)).high / y.high;
@@ -97,11 +97,11 @@ template <class T> PW85_FUNCTION inline bool operator>=(Doubled<T> const &x, Dou
 
 template <class T> PW85_FUNCTION inline Doubled<T> abs(Doubled<T> const &x) noexcept { return x.high < T(0) ? -x : x; }
 
-/// A type with about twice the digits of a type of the hardware; another type itself, which has digits to spare.
+/// For a type of the hardware, a type with about twice its digits. Other types have digits to spare, and stand for themselves.
 template <class T> using Finer =
     std::conditional_t<std::is_floating_point_v<typename ScalarTraits<T>::Lane>, Doubled<T>, T>;
 
-/// The number nearest to one of a finer type.
+/// Rounds a number to a type with fewer digits.
 template <class T> PW85_FUNCTION constexpr T rounded(Doubled<T> const &x) noexcept { return x.high; }
 template <class T> PW85_FUNCTION constexpr T rounded(T const &x) noexcept { return x; }
 
@@ -116,7 +116,7 @@ template <class T, int D> PW85_FUNCTION constexpr auto rounded(Vector<T, D> cons
 
 namespace pw85 {
 
-/// Only distances want more digits than T has.
+/// Only distances need more digits than T has.
 template <class T>
 requires std::is_floating_point_v<T>
 struct ScalarTraits<detail::Doubled<T>> {
@@ -128,7 +128,7 @@ struct ScalarTraits<detail::Doubled<T>> {
 
 } // namespace pw85
 
-/// Two digits less than two mantissas have, for the roundings of a product.
+/// The digits are two fewer than those of two mantissas, because of the rounding errors of a product.
 template <class T> struct std::numeric_limits<pw85::detail::Doubled<T>>
     : std::numeric_limits<typename pw85::ScalarTraits<T>::Lane> {
     static constexpr int digits = 2 * pw85::detail::mantissa_digits<T>() - 2;

@@ -1,8 +1,8 @@
 /// @file
 /// Elementary functions of float, double and long double, for `using elementary::sqrt;` in place of `using std::sqrt;`.
 ///
-/// The functions of `std::` are inline: units that do without inlining share one copy, which the linker may take from the
-/// unit that was compiled for the newest processor. These here belong to their unit.
+/// The functions of `std::` are inline: translation units that are compiled without inlining share one copy, which the linker may
+/// take from the unit that was compiled for the newest processor. The functions here belong to one unit each.
 #ifndef PW85_ALGEBRA_ELEMENTARY_HPP_INCLUDED
 #define PW85_ALGEBRA_ELEMENTARY_HPP_INCLUDED
 

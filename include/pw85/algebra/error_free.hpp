@@ -1,5 +1,6 @@
 /// @file
-/// Sums and products with what their roundings leave out: error-free transformations.
+/// Error-free transformations: sums and products together with their rounding errors. doubled.hpp, contact/refinement.hpp and
+/// motion/approach.hpp use them.
 #ifndef PW85_ALGEBRA_ERROR_FREE_HPP_INCLUDED
 #define PW85_ALGEBRA_ERROR_FREE_HPP_INCLUDED
 
@@ -7,13 +8,13 @@
 
 namespace pw85::detail {
 
-/// A number as the sum of two whose products with such parts of others are exact, so that it makes no difference whether the compiler
-/// fuses them with an addition.
+/// A number as the sum of two parts. Products of such parts are exact, so that it makes no difference whether the compiler fuses
+/// them with an addition.
 template <class T> struct Parts {
     T high, low;
 };
 
-/// Rounded to 26 bits, so that 26 bits and a sign are left of 53.
+/// The first part is rounded to 26 bits, so that 26 bits and a sign remain of the 53 for the second part.
 PW85_FUNCTION inline double leading_bits(double x) noexcept
 {
     std::uint64_t const bits = __builtin_bit_cast(std::uint64_t, x) + 0x4000000;
@@ -25,7 +26,7 @@ PW85_FUNCTION inline float leading_bits(float x) noexcept
     return __builtin_bit_cast(float, __builtin_bit_cast(std::uint32_t, x) & ~std::uint32_t{0xfff});
 }
 
-/// T. J. Dekker, Numer. Math. 18, 224 (1971), for types whose products are never fused.
+/// The algorithm of T. J. Dekker, Numer. Math. 18, 224 (1971), for types whose products are never fused.
 template <class T> PW85_FUNCTION inline T leading_bits(T const &x) noexcept
 {
     T const scaled = x * (T(1) + T(1) / negative_power_of_two<T>((mantissa_digits<T>() + 1) / 2));
@@ -38,7 +39,7 @@ template <class T> PW85_FUNCTION inline Parts<T> split(T const &x) noexcept
     return {high, x - high};
 }
 
-/// A sum and what its roundings left out (D. E. Knuth, The Art of Computer Programming 2, 4.2.2).
+/// A sum and its rounding error (D. E. Knuth, The Art of Computer Programming 2, 4.2.2).
 template <class T> struct CompensatedSum {
     T sum, rest;
 };

@@ -1,7 +1,8 @@
 /// @file
-/// Floating-point numbers in integers, with seven times the digits of a native type: for pairs that are too nearly singular for the
-/// type itself. No rounding mode, option of the compiler or instruction set changes a bit of them. Their operators are compiled for
-/// speed (`gnu::hot`), the formulas that call them for size (`gnu::cold`): few pairs need them, and each unit has them.
+/// Floating-point numbers with seven times the digits of a native type, computed in integers: for pairs that are too nearly
+/// singular for the type itself. Rounding modes, compiler options and instruction sets do not change a bit of them. Their operators
+/// are compiled for speed (`gnu::hot`), and the formulas that call them for size (`gnu::cold`), because few pairs need them and
+/// each translation unit contains them.
 #ifndef PW85_ALGEBRA_EXTENDED_NUMBER_HPP_INCLUDED
 #define PW85_ALGEBRA_EXTENDED_NUMBER_HPP_INCLUDED
 
@@ -10,14 +11,14 @@
 
 namespace pw85::detail::exact {
 
-/// The formats whose numbers are taken apart: those of IEEE 754, and the 64 digits of the x87.
+/// The supported native formats: those of IEEE 754, and the x87 format with 64 digits.
 template <class T>
 static constexpr bool is_decidable = std::is_floating_point_v<T> &&
                                      (std::numeric_limits<T>::digits == 24 || std::numeric_limits<T>::digits == 53 ||
                                       std::numeric_limits<T>::digits == 64 || std::numeric_limits<T>::digits == 113);
 
-/// The number sign·m·2^exponent with m in [1/2, 1), where m = mantissa/2^bits; zero where the sign is zero, and NaN where it is
-/// `undefined`: there is no infinity. Results are truncated. A sum errs by at most 2^(1-bits) of itself, and so does a product.
+/// The number sign·m·2^exponent with m = mantissa/2^bits in [1/2, 1). It is zero if the sign is zero, and NaN if the sign is
+/// `undefined`; there is no infinity. Results are truncated. The relative error of a sum or product is at most 2^(1-bits).
 template <class T> struct Extended {
     static constexpr int size = limbs_for(7 * std::numeric_limits<T>::digits);
     static constexpr int bits = size * limb_bits;
@@ -29,7 +30,7 @@ template <class T> struct Extended {
 
     Extended() noexcept = default;
 
-    /// A native number, exactly; of constants too, which may be of another type than `T`.
+    /// Converts a native number exactly. Constants may have another type than `T`.
     template <class Number>
     requires std::is_arithmetic_v<Number> PW85_MEMBER explicit Extended(Number number) noexcept
         : mantissa{}, exponent(0), sign(0)
@@ -58,7 +59,7 @@ template <class T> PW85_FUNCTION inline Extended<T> not_a_number() noexcept
     return x;
 }
 
-/// Zeros above the highest bit of a number that is not zero, and of zero all bits.
+/// The number of zero bits above the highest bit that is set; all bits for zero.
 template <int N> PW85_FUNCTION inline int leading_zeros(Digits<N> const &x) noexcept
 {
     int i = N - 1;
@@ -92,7 +93,7 @@ PW85_FUNCTION inline Extended<T> normalized(Digits<N> const &x, int exponent, in
     return result;
 }
 
-/// The mantissa over 2^exponent, with a limb below it and one above.
+/// The mantissa divided by 2^exponent, with one limb below it and one above.
 template <class T> PW85_FUNCTION inline auto with_guards(Extended<T> const &x, int exponent) noexcept
 {
     constexpr int size = Extended<T>::size + 2;
@@ -108,13 +109,13 @@ template <int N> PW85_FUNCTION inline Digits<N> sum(Digits<N> x, Digits<N> const
     return x;
 }
 
-/// The sum where |x| has the larger exponent. A number that is shifted by more than a bit is smaller than half the other one, so
-/// that the result loses at most a bit, and what is truncated below the guard does not show.
+/// The sum where |x| has the larger exponent. If y is shifted by more than one bit, it is smaller than half of x: then the result
+/// loses at most one leading bit, and the bits that are truncated below the guard limb do not matter.
 template <class T> [[gnu::noinline, gnu::hot]] PW85_FUNCTION inline Extended<T>
 add_ordered(Extended<T> const &x, Extended<T> const &y) noexcept
 {
     auto result = sum(with_guards(x, 0), with_guards(y, x.exponent - y.exponent), x.sign * y.sign);
-    int const exponent = x.exponent + limb_bits; // of the guard above
+    int const exponent = x.exponent + limb_bits; // includes the guard limb above
     if (result.limbs[result.size - 1] >> (limb_bits - 1) == 0) return normalized<T>(result, exponent, x.sign);
     return normalized<T>(sum(Digits<result.size>{}, result, -1), exponent, -x.sign);
 }
@@ -147,7 +148,7 @@ template <class T> [[gnu::noinline, gnu::hot]] PW85_FUNCTION inline Extended<T> 
     return normalized<T>(x.mantissa * y.mantissa, x.exponent + y.exponent, x.sign * y.sign);
 }
 
-/// The nearest native number but for an error of 2^-10 ulp. Beyond the range of `T` it is infinity or zero.
+/// The nearest native number, up to an error of 2^-10 ulp. Out of the range of `T` it is infinity or zero.
 template <class T> PW85_FUNCTION inline T rounded(Extended<T> const &x) noexcept
 {
     if (!x.is_defined()) return quiet_nan<T>();
@@ -157,17 +158,18 @@ template <class T> PW85_FUNCTION inline T rounded(Extended<T> const &x) noexcept
     return pw85::detail::times_power_of_two(T(static_cast<T>(x.sign) * fraction), x.exponent);
 }
 
-/// x with another exponent: m in [1/2, 1), or half or twice that.
+/// x with another exponent, so that it is in [1/2, 1), or half or twice as large.
 template <class T> PW85_FUNCTION inline Extended<T> with_exponent(Extended<T> x, int exponent) noexcept
 {
     x.exponent = exponent;
     return x;
 }
 
-/// Steps of Newton's method that lead from the digits of `T` to all: each doubles what is right, and eight times is more than seven.
+/// Steps of Newton's method from the digits of `T` to all digits. Each step doubles the correct digits, and eight times is more
+/// than seven times.
 inline constexpr int newton_steps = 3;
 
-/// 1/x, off by some 2^-bits; x is not zero.
+/// 1/x with a relative error of some 2^-bits, for x != 0.
 template <class T>
 [[gnu::noinline, gnu::hot]] PW85_FUNCTION inline Extended<T> reciprocal(Extended<T> const &x) noexcept
 {
@@ -186,7 +188,7 @@ template <class T> [[gnu::noinline, gnu::hot]] PW85_FUNCTION inline Extended<T> 
 {
     if (x.sign == 0) return x;
     if (x.sign != 1) return not_a_number<T>();
-    int const odd = x.exponent & 1; // of negative numbers, too
+    int const odd = x.exponent & 1; // correct for negative exponents, too
     auto const m = with_exponent(x, odd), three = Extended<T>(3), half = Extended<T>(0.5);
     Extended<T> y(T(1) / square_root(rounded(m)));
     for (int n = 0; n < newton_steps; ++n) y = half * (y * (three - m * (y * y)));
@@ -235,8 +237,8 @@ template <class T> struct ScalarTraits<detail::exact::Extended<T>> {
 
 } // namespace pw85
 
-/// The range is given as that of the native type, though the exponents reach much farther. Of the digits some are left to quotients,
-/// and roots: those of float err by up to 2^(12-bits), as its digits double to no more than 192.
+/// The range is declared as that of the native type, though exponents can be much larger. The declared digits leave out some for
+/// quotients and roots: those of float err by up to 2^(12-bits), because eight times its 24 digits are only 192.
 template <class T> class std::numeric_limits<pw85::detail::exact::Extended<T>> {
     using Extended = pw85::detail::exact::Extended<T>;
 

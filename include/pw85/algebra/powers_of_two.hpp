@@ -14,7 +14,7 @@ template <class T> PW85_FUNCTION inline int binary_exponent(T const &x) noexcept
     return ilogb(x);
 }
 
-/// That of a double from its bits, as devices have no ilogb; subnormal numbers are made normal.
+/// The same for a double, from its bits, because devices have no ilogb. Subnormal numbers are first made normal.
 PW85_FUNCTION inline int binary_exponent(double x) noexcept
 {
     bool const subnormal = x < smallest_number<double>();
@@ -22,7 +22,7 @@ PW85_FUNCTION inline int binary_exponent(double x) noexcept
     return static_cast<int>(bits >> 52 & 0x7ff) - (subnormal ? 1023 + 54 : 1023);
 }
 
-/// Half of it, rounded down: x·4^-n lies in [1, 4).
+/// Half of the binary exponent, rounded down: x·4^-n lies in [1, 4).
 template <class T> PW85_FUNCTION inline int half_exponent(T const &x) noexcept
 {
     int const e = binary_exponent(x);
@@ -35,8 +35,8 @@ template <class T> PW85_FUNCTION inline T times_power_of_two(T const &x, int exp
     return ldexp(x, exponent);
 }
 
-/// x·2^exponent for a double, without ldexp, which devices lack. Rounded once: where a step of 2^-969 gives a subnormal number, the
-/// powers that are left, at most 2^-54, take it to zero.
+/// x·2^exponent for a double, without ldexp, which devices lack. The result is rounded only once: if a step of 2^-969 gives a
+/// subnormal number, the remaining factor is at most 2^-54 and gives zero.
 PW85_FUNCTION inline double times_power_of_two(double x, int exponent) noexcept
 {
     for (; exponent > 1023; exponent -= 1023) x = x * 0x1p1023;

@@ -1,22 +1,22 @@
 /// @file
-/// What the templates ask of a scalar. A scalar `T` is a floating-point type (float, double, long double, a
-/// multiprecision number) or a pack of them; comparisons of a `T` give a mask, which is `bool` for plain numbers.
+/// The requirements of the templates on a scalar. A scalar `T` is a floating-point type (float, double, long double, a
+/// multiprecision number) or a pack of them. Comparisons of a `T` give a mask, which is `bool` for plain numbers.
 ///
-/// 1. `T` is made of a number of its lanes, `T(x)`, with one value in all lanes; nothing has to convert to or from it by itself.
-///    So constants are written `T(0.5)`.
-/// 2. A product may be a type of its own that is not rounded until it becomes a `T`: what is added to it or subtracted from it is
-///    then fused with it. So a product or a sum of products that is an argument, a divisor, an operand of another product or one
-///    alternative of select() is wrapped, `T(x * y)`: that says where it is rounded, and lets the type of a template's arguments
-///    be `T`. What is not wrapped may be fused or not, and every bound holds for both.
-/// 3. Masks are combined by `&&`, `||` and `!`, which may be functions: both sides are evaluated, and what the right one computes
-///    must do no harm where the left one is false. A mask need not convert to `bool`: where one decides what is executed at all, it
-///    is any_of() or all_of() it. Functions of one pair alone (`if`, `while`) ask for a `T` whose mask is bool.
-/// 4. rough_quotient() and rough_root() may err by 2^-20 of themselves, coarse_root_of_ratio() by 10 %: they are for what guides an
-///    iteration, never for what bounds or returns a result. select() of lanes, load_lanes(), first_lane(), any_of(), all_of() and,
-///    where they are faster, maximum(), minimum() and absolute() come with the type, as do sqrt(), and for one pair ilogb() and
-///    ldexp(), which argument-dependent lookup finds. ScalarTraits says what a lane is.
+/// 1. `T(x)` makes a `T` with the number x in all lanes. There need not be implicit conversions to or from `T`, so constants are
+///    written `T(0.5)`.
+/// 2. A product may have a type of its own that is not rounded until it becomes a `T`. An addition or subtraction is then fused
+///    with it. So a product or a sum of products is wrapped, `T(x * y)`, if it is an argument, a divisor, an operand of another
+///    product or one alternative of select(): this shows where it is rounded, and template arguments are deduced as `T`. A product
+///    that is not wrapped may be fused or not; every bound holds for both.
+/// 3. Masks are combined by `&&`, `||` and `!`, which may be functions. Then both sides are evaluated, so the right side must be
+///    harmless if the left side is false. A mask need not convert to `bool`: code that branches on a mask calls any_of() or
+///    all_of(). Functions that are only for one pair (with `if` and `while`) require a `T` whose mask is bool.
+/// 4. rough_quotient() and rough_root() may have a relative error of 2^-20, and coarse_root_of_ratio() one of 10 %. They may
+///    guide an iteration, but must not bound or return a result. The type provides select() of lanes, load_lanes(), first_lane(),
+///    any_of(), all_of(), sqrt(), and maximum(), minimum() and absolute() where its own are faster; for one pair also ilogb() and
+///    ldexp(). Argument-dependent lookup finds these. ScalarTraits says what a lane is.
 ///
-/// tests/test_archetype.cpp has a type that can do this and no more.
+/// tests/test_archetype.cpp has a type that fulfils these requirements and no more.
 #ifndef PW85_ALGEBRA_SCALAR_HPP_INCLUDED
 #define PW85_ALGEBRA_SCALAR_HPP_INCLUDED
 
@@ -40,18 +40,18 @@ template <class T> struct ScalarTraits {
 
 namespace pw85::detail {
 
-/// A floating-point type or a pack of them. Integers are none: their quotients are truncated.
+/// A floating-point type or a pack of them. Integers are no scalars, because their quotients are truncated.
 template <class T>
 concept Scalar = !std::numeric_limits<typename ScalarTraits<T>::Lane>::is_integer;
 
-/// To be asserted by whatever is made of scalars.
+/// Types that are made of scalars assert this.
 template <class T> PW85_FUNCTION consteval bool require_scalar() noexcept
 {
     static_assert(Scalar<T>, "pw85 computes with floating-point numbers: write 1.0, not 1");
     return true;
 }
 
-/// As many numbers as `T` has lanes, from memory.
+/// Loads as many numbers as `T` has lanes from memory.
 template <class T> PW85_FUNCTION constexpr T load_lanes(typename ScalarTraits<T>::Lane const *x) noexcept
 {
     return T(*x);
@@ -60,10 +60,10 @@ template <class T> PW85_FUNCTION constexpr T load_lanes(typename ScalarTraits<T>
 /// The number in the first lane.
 template <class T> PW85_FUNCTION constexpr T first_lane(T const &x) noexcept { return x; }
 
-/// What a function of numeric_limits returns, for a native type: a constant, so that no unit, of a device least of all, calls it.
+/// The value of a function of numeric_limits for a native type, as a constant, so that no code calls the function. Devices cannot.
 template <auto function> constexpr auto constant_of = function();
 
-/// One of the functions of numeric_limits for a lane of `T`.
+/// The value of a function of numeric_limits for a lane of `T`.
 template <class T, auto function> PW85_FUNCTION constexpr typename ScalarTraits<T>::Lane lane_limit() noexcept
 {
     if constexpr (std::is_floating_point_v<typename ScalarTraits<T>::Lane>)
@@ -97,7 +97,7 @@ template <class T> PW85_FUNCTION constexpr int mantissa_digits() noexcept
     return std::numeric_limits<typename ScalarTraits<T>::Lane>::digits;
 }
 
-/// 2^-n for n up to 1022: computed in double, so that types whose products take long need not.
+/// 2^-n for n up to 1022. It is computed in double, because products of some types are slow.
 template <class T> PW85_FUNCTION constexpr T negative_power_of_two(int n) noexcept
 {
     double power = 1;
@@ -105,7 +105,7 @@ template <class T> PW85_FUNCTION constexpr T negative_power_of_two(int n) noexce
     return T(static_cast<typename ScalarTraits<T>::Lane>(power));
 }
 
-/// Binary digits that results are wanted to: those of the mantissa, but for a type that has more to guard those of another.
+/// The binary digits to which results are computed: those of the mantissa, except for a type with additional guard digits.
 template <class T> PW85_FUNCTION constexpr int result_digits() noexcept
 {
     if constexpr (requires { ScalarTraits<T>::result_digits; })
@@ -151,19 +151,18 @@ template <class T> PW85_FUNCTION inline T square_root(T const &x) noexcept
     return sqrt(x);
 }
 
-/// A quotient and a root that only guide an iteration, so that a relative error of 2^-20 does no harm: packs may round
-/// them coarsely.
+/// A quotient and a root that only guide an iteration. Packs may compute them with a relative error of up to 2^-20.
 template <class T> PW85_FUNCTION constexpr T rough_quotient(T const &x, T const &y) noexcept { return x / y; }
 
 template <class T> PW85_FUNCTION inline T rough_root(T const &x) noexcept { return square_root(x); }
 
-/// √(x/y), to 10 % or better.
+/// √(x/y) with a relative error of 10 % at most.
 template <class T> PW85_FUNCTION inline T coarse_root_of_ratio(T const &x, T const &y) noexcept
 {
     return rough_root(rough_quotient(x, y));
 }
 
-/// The bits of a positive double are about its logarithm.
+/// The bits of a positive double, as an integer, approximate its logarithm.
 PW85_FUNCTION inline double coarse_root_of_ratio(double x, double y) noexcept
 {
     static_assert(std::numeric_limits<double>::is_iec559);

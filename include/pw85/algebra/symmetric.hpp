@@ -1,5 +1,5 @@
 /// @file
-/// Packed symmetric matrices, and the factorisation that everything else solves with.
+/// Packed symmetric matrices, their products, and the factorisations that solve linear equations with them.
 #ifndef PW85_ALGEBRA_SYMMETRIC_HPP_INCLUDED
 #define PW85_ALGEBRA_SYMMETRIC_HPP_INCLUDED
 
@@ -49,7 +49,7 @@ PW85_FUNCTION constexpr Vector<T, D> product(SymmetricMatrix<T, D> const &a, Vec
 
 namespace pw85::detail {
 
-/// The same numbers as another type, which a constructor makes of a T.
+/// Converts the entries to another type, by a constructor that takes a T.
 template <class To, class T, int D>
 PW85_FUNCTION constexpr SymmetricMatrix<To, D> converted(SymmetricMatrix<T, D> const &a) noexcept
 {
@@ -59,7 +59,8 @@ PW85_FUNCTION constexpr SymmetricMatrix<To, D> converted(SymmetricMatrix<T, D> c
 }
 
 /// The weights w with xᵀ A x = Σ w_k a_k over the stored entries of A: one set serves several forms.
-/// Inlined, as entrywise_sums(): in a program that has the headers alone, GCC would else call both from the fast search.
+/// Always inlined, like entrywise_sums(): in programs that use only the headers, GCC would otherwise call both from the fast
+/// search.
 template <class T, int D>
 [[gnu::always_inline]] PW85_FUNCTION constexpr SymmetricMatrix<T, D> outer_weights(Vector<T, D> const &x) noexcept
 {
@@ -110,7 +111,8 @@ PW85_FUNCTION constexpr T quadratic_form(SymmetricMatrix<T, D> const &a, Vector<
     return quadratic_form(a, outer_weights(x));
 }
 
-/// The sum of the magnitudes of the products in xᵀAx: what relative errors of one in its entries change it by at most.
+/// The sum of the magnitudes of the products in xᵀAx. Relative errors ε of the entries of A change xᵀAx by at most ε times this
+/// sum.
 template <class T, int D>
 PW85_FUNCTION constexpr T magnitude_of_form(SymmetricMatrix<T, D> const &a, Vector<T, D> const &x) noexcept
 {
@@ -186,7 +188,7 @@ template <class T, int D> PW85_FUNCTION constexpr T diagonal_product(SymmetricMa
 
 /// The factorisation A = L·diag(d)·Lᵀ with L unit lower triangular.
 template <class T, int D> struct Factorization {
-    T lower[D][D];    ///< l[i][j] for j < i; the rest is not used
+    T lower[D][D];    ///< l[i][j] for j < i; other entries are not used
     T pivots[D];      ///< d
     T reciprocals[D]; ///< 1/d
 };
@@ -290,8 +292,8 @@ template <class T> PW85_FUNCTION constexpr SymmetricMatrix<T, 3> adjugate(Symmet
             a[0] * a[5] - a[2] * a[2], a[1] * a[2] - a[0] * a[4], a[0] * a[3] - a[1] * a[1]};
 }
 
-/// The determinant from a matrix and its adjugate, expanded along the first row. Inlined, as GCC 12 would else take dot() for it where
-/// numbers are structures, and warn of the sizes.
+/// The determinant from a matrix and its adjugate, expanded along the first row. It is always inlined:
+/// otherwise GCC 12 merges it with dot(), whose code is the same if numbers are structures, and warns of the array sizes.
 template <class T, int D> [[gnu::always_inline]] PW85_FUNCTION constexpr T
 determinant(SymmetricMatrix<T, D> const &a, SymmetricMatrix<T, D> const &adjugate_of_a) noexcept
 {
@@ -300,7 +302,7 @@ determinant(SymmetricMatrix<T, D> const &a, SymmetricMatrix<T, D> const &adjugat
     return sum;
 }
 
-/// The product of the diagonal down to which is_clearly_definite() looks no closer: far above the pivots that
+/// The smallest product of the diagonal for which is_clearly_definite() can be true. It is far above the pivots that
 /// is_positive_definite() (definite.hpp) still accepts.
 template <class T> PW85_FUNCTION constexpr T least_diagonal_product() noexcept
 {
@@ -308,12 +310,12 @@ template <class T> PW85_FUNCTION constexpr T least_diagonal_product() noexcept
     return negative_power_of_two<T>(exponent < 128 ? exponent : 128);
 }
 
-/// By how many u of the product of the diagonal products and pivots together may misjudge a determinant that is about zero
-/// (scripts/rounding_bounds.py: 8 and 15.8).
+/// A bound on the error of a determinant near zero, in units of u times the product of the diagonal: that of the expanded
+/// determinant plus that of the pivots (scripts/rounding_bounds.py: 8 and 15.8).
 template <int D> inline constexpr int definite_margin = D == 2 ? 8 : 16;
 
-/// Whether a symmetric matrix with entries near order one is positive definite by so wide a margin that products alone
-/// show it (Sylvester's criterion): is_positive_definite() says so, too, and the pivots of factorize() are positive.
+/// Whether products alone (Sylvester's criterion) show that a symmetric matrix with entries near order one is positive definite.
+/// Then is_positive_definite() is true as well, and the pivots of factorize() are positive.
 template <class T>
 PW85_FUNCTION constexpr typename ScalarTraits<T>::Mask is_clearly_definite(SymmetricMatrix<T, 2> const &a) noexcept
 {

@@ -1,5 +1,5 @@
 /// @file
-/// Vectors of any scalar.
+/// Vectors of any scalar, with their operators and products.
 #ifndef PW85_ALGEBRA_VECTOR_HPP_INCLUDED
 #define PW85_ALGEBRA_VECTOR_HPP_INCLUDED
 
@@ -24,7 +24,7 @@ namespace pw85::detail {
 /// Number of axes of rotation.
 template <int D> inline constexpr int rotation_axes = D *(D - 1) / 2;
 
-/// The same numbers as another type, which a constructor makes of a T.
+/// Converts the coordinates to another type, by a constructor that takes a T.
 template <class To, class T, int D> PW85_FUNCTION constexpr Vector<To, D> converted(Vector<T, D> const &x) noexcept
 {
     Vector<To, D> y{};
@@ -92,7 +92,7 @@ template <class T, int D> PW85_FUNCTION constexpr Vector<T, D> operator/(Vector<
 
 namespace pw85::detail {
 
-/// x + factor·y, with one rounding where products are fused with sums.
+/// x + factor·y, with one rounding if the product is fused with the sum.
 template <class T, int D>
 PW85_FUNCTION constexpr Vector<T, D> add_scaled(Vector<T, D> x, T const &factor, Vector<T, D> const &y) noexcept
 {
@@ -106,7 +106,7 @@ template <class T, int D> PW85_FUNCTION inline T magnitude(Vector<T, D> const &x
     return square_root(dot(x, x));
 }
 
-/// The sum of the magnitudes of the products in x·y: what relative errors of one in its terms change it by at most.
+/// The sum of the magnitudes of the products in x·y. Relative errors ε of its terms change x·y by at most ε times this sum.
 template <class T, int D>
 PW85_FUNCTION constexpr T magnitude_of_dot(Vector<T, D> const &x, Vector<T, D> const &y) noexcept
 {
@@ -124,7 +124,7 @@ PW85_FUNCTION constexpr typename ScalarTraits<T>::Mask is_finite(Vector<T, D> co
     return zero == T(0);
 }
 
-/// Between the largest magnitude and three times that; NaN if a coordinate is.
+/// The sum of the magnitudes of the coordinates: between the largest magnitude and D times it; NaN if a coordinate is NaN.
 template <class T, int D> PW85_FUNCTION constexpr T sum_of_magnitudes(Vector<T, D> const &x) noexcept
 {
     T sum = absolute(x[0]);

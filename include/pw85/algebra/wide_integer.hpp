@@ -1,6 +1,7 @@
 /// @file
-/// Integers of any width, in memory that the caller provides. A sum lives in a fixed number of limbs, lowest first, and all
-/// that is done to it is right modulo 2^bits: what overflows on the way does no harm if the result fits, as two's complement.
+/// Integers of any width, in memory that the caller provides. A sum has a fixed number of limbs, lowest first. All operations are
+/// exact modulo 2^bits, so that intermediate overflow is harmless if the result fits as two's complement. extended_number.hpp and
+/// overlap/exact.hpp use them.
 #ifndef PW85_ALGEBRA_WIDE_INTEGER_HPP_INCLUDED
 #define PW85_ALGEBRA_WIDE_INTEGER_HPP_INCLUDED
 
@@ -24,7 +25,7 @@ using SignedDoubleLimb = std::int64_t;
 
 static constexpr int limb_bits = std::numeric_limits<Limb>::digits;
 
-/// Limbs that hold so many bits.
+/// The number of limbs for so many bits.
 PW85_FUNCTION constexpr int limbs_for(int bits) noexcept { return (bits + limb_bits - 1) / limb_bits; }
 
 /// A small integer, Σ limbs[i] 2^(limb_bits·i).
@@ -75,27 +76,27 @@ template <int N> PW85_FUNCTION inline Digits<N> over_power_of_two(Digits<N> cons
     return quotient;
 }
 
-/// sign·Σ limbs[i] 2^(limb_bits·i), where the highest limb is not zero; zero has none.
+/// The integer sign·Σ limbs[i] 2^(limb_bits·i). The highest limb is not zero; zero has no limbs.
 struct WideInteger {
     Limb const *limbs;
     int size;
     int sign; ///< -1, 0 or 1
 };
 
-/// A number under construction.
+/// A sum to which products are added.
 struct WideSum {
     Limb *limbs;
     int size;
 };
 
-/// A sum in the given memory, zero.
+/// Makes a sum of value zero in the given memory.
 PW85_FUNCTION inline WideSum zero_sum(Limb *memory, int size) noexcept
 {
     for (int i = 0; i < size; ++i) memory[i] = 0;
     return {memory, size};
 }
 
-/// sum = -1 - sum: between two of these, additions subtract.
+/// sum = -1 - sum. Between two calls, an addition to the sum acts as a subtraction.
 PW85_FUNCTION inline void complement(WideSum sum) noexcept
 {
     for (int i = 0; i < sum.size; ++i) sum.limbs[i] = ~sum.limbs[i];
@@ -155,7 +156,7 @@ PW85_FUNCTION inline void multiply(WideSum sum, Limb factor) noexcept
     }
 }
 
-/// The value of a sum, whose memory then holds the magnitude.
+/// Converts a sum to sign and magnitude. The memory of the sum then holds the magnitude.
 PW85_FUNCTION inline WideInteger value(WideSum sum) noexcept
 {
     bool const negative = sum.limbs[sum.size - 1] >> (limb_bits - 1) != 0;
@@ -168,12 +169,13 @@ PW85_FUNCTION inline WideInteger value(WideSum sum) noexcept
     return {sum.limbs, size, size == 0 ? 0 : negative ? -1 : 1};
 }
 
-/// A sum of products of limbs, in halves that cannot overflow: of up to 2^(limb_bits - 2) products.
+/// A sum of up to 2^(limb_bits - 2) products of limbs. The halves of the products are added separately, so that neither sum
+/// overflows.
 struct SumOfProducts {
     DoubleLimb low, high;
 };
 
-/// The products that make up one limb of |x y|, without what is carried into it.
+/// The sum of the products that contribute to one limb of |x y|, without the carry from lower limbs.
 PW85_FUNCTION inline SumOfProducts column_of_product(WideInteger x, WideInteger y, int column) noexcept
 {
     SumOfProducts sum{};
@@ -185,8 +187,8 @@ PW85_FUNCTION inline SumOfProducts column_of_product(WideInteger x, WideInteger 
     return sum;
 }
 
-/// The sign of |x y| - |u v|, which needs no memory for the products: the difference is formed limb by limb, lowest first,
-/// and nothing is kept of it but whether it is zero and, in the end, what it borrows.
+/// The sign of |x y| - |u v|. It needs no memory for the products: the difference is formed limb by limb, lowest first, and only
+/// two facts are kept, whether all limbs are zero and what the last one borrows.
 [[gnu::noinline]] PW85_FUNCTION inline int compare_products(WideInteger x, WideInteger y, WideInteger u,
                                                             WideInteger v) noexcept
 {

@@ -21,7 +21,7 @@ closest_approach(Vector<T, D> direction, SymmetricMatrix<T, D> const &q1, Symmet
     if (!is_finite(direction) || !(largest > T(0))) return all_nan<ClosestApproach<T>>(Status::invalid_argument);
     direction = direction / largest;
     ScaledPair<T, D> scaled{{direction, q1, q2, T(1)}, 0, 0, false};
-    if (!is_ordinary(direction, q1, q2)) {
+    if (!passes_fast_checks(direction, q1, q2)) {
         Status const status = validate(direction, q1, q2, scaled);
         if (status != Status::success) return all_nan<ClosestApproach<T>>(status);
     }

@@ -78,7 +78,7 @@ template <class T, int D> PW85_FUNCTION inline Contact<T>
 contact(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, SymmetricMatrix<T, D> const &q2) noexcept
 {
     using namespace detail;
-    if (is_ordinary(r12, q1, q2)) return to_contact(maximize(Pair<T, D>{r12, q1, q2, T(1)}));
+    if (passes_fast_checks(r12, q1, q2)) return to_contact(maximize(Pair<T, D>{r12, q1, q2, T(1)}));
     return contact_scaled(r12, q1, q2);
 }
 

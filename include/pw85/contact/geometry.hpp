@@ -181,7 +181,7 @@ PW85_FUNCTION inline auto at_tangency(Formula formula, Vector<T, D> const &r12, 
                                       SymmetricMatrix<T, D> const &q2, T const &lambda) noexcept
 {
     T const lambda1 = complement_of(lambda);
-    if (lambda >= T(0) && lambda <= T(1) && is_ordinary(r12, q1, q2)) {
+    if (lambda >= T(0) && lambda <= T(1) && passes_fast_checks(r12, q1, q2)) {
         Vector<T, D> const v = solve_blend(lambda1, q1, lambda, q2, r12);
         return formula(Tangency<T, D>{v, lambda1, lambda, lambda1, lambda}, q1, q2);
     }

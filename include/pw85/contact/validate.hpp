@@ -51,7 +51,7 @@ template <class T, int D> PW85_FUNCTION inline bool is_valid(T const &lambda, Ve
 
 /// Whether products alone show that a pair is valid and in range, and r12 != 0: true of almost all pairs.
 template <class T, int D> PW85_FUNCTION inline typename ScalarTraits<T>::Mask
-is_ordinary(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, SymmetricMatrix<T, D> const &q2) noexcept
+passes_fast_checks(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, SymmetricMatrix<T, D> const &q2) noexcept
 {
     return is_in_range(sum_of_magnitudes(r12), largest_diagonal(q1), largest_diagonal(q2)) && is_clearly_definite(q1) &&
            is_clearly_definite(q2);

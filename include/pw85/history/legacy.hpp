@@ -1,6 +1,6 @@
 /// @file
-/// The rational form of f in λ, from the values of its polynomials at four points, and the solvers that were
-/// superseded.
+/// The rational form of f in λ, from the values of its polynomials at four points, and the superseded solvers. They are kept for
+/// comparison; pw85_legacy.cpp calls them.
 ///
 /// f(λ) = λ(1-λ) a(λ)/b(λ) with a = rᵀ adj[(1-λ)Q1 + λQ2] r and b = det[(1-λ)Q1 + λQ2].
 #ifndef PW85_HISTORY_LEGACY_HPP_INCLUDED
@@ -104,8 +104,8 @@ to_common_units(Vector<T, 3> const &r12, SymmetricMatrix<T, 3> const &q1, Symmet
             length, form};
 }
 
-/// Newton-Raphson iterations on f' from λ = 1/2. They leave [0, 1] or wander more often than not when f varies sharply
-/// near an end, and then the status says so.
+/// Newton-Raphson iterations on f' from λ = 1/2. If f varies sharply near an end, they often leave [0, 1] or do not converge; then
+/// the status is not success.
 template <class T> PW85_FUNCTION inline Contact<T> newton(CommonUnits<T> const &pair) noexcept
 {
     constexpr int max_iterations = 50;
@@ -122,8 +122,8 @@ template <class T> PW85_FUNCTION inline Contact<T> newton(CommonUnits<T> const &
     return all_nan<Contact<T>>(Status::no_convergence);
 }
 
-/// Bisection on the numerator of f', to the last digit of λ. Where cancellation in the polynomials leaves no sensible value
-/// of f there, it is that of the factorised form.
+/// Bisection on the numerator of f', to the last digit of λ. If cancellation in the polynomials makes the value of f meaningless
+/// there, f is computed by the factorised form.
 template <class T> PW85_FUNCTION inline Contact<T> bisection(CommonUnits<T> const &pair) noexcept
 {
     auto const p = polynomials(pair.r12, pair.q1, pair.q2);

@@ -1,9 +1,10 @@
 /// @file
-/// Distance of closest approach of two ellipses, the root of a quartic, and of two ellipsoids, a maximum over planes.
+/// The distance of closest approach of two ellipses, as the root of a quartic, and of two ellipsoids, as a maximum over planes. It
+/// is kept for comparison; pw85_zheng.cpp calls it.
 ///
-/// (X. Zheng and P. Palffy-Muhoray, Phys. Rev. E 75, 061709, 2007; X. Zheng, W. Iglesias and P. Palffy-Muhoray,
-/// Phys. Rev. E 79, 057702, 2009). Where those papers work with axes and angles, everything here comes from the forms
-/// themselves, so that equal orientations, circles and principal directions are no special cases.
+/// The algorithms are those of X. Zheng and P. Palffy-Muhoray, Phys. Rev. E 75, 061709, 2007, and of X. Zheng, W. Iglesias and
+/// P. Palffy-Muhoray, Phys. Rev. E 79, 057702, 2009. These papers work with axes and angles. Here everything is computed from the
+/// forms themselves, so that equal orientations, circles and principal directions are no special cases.
 ///
 /// The line of centres has the unit direction d. A plane through it with the in-plane vector s cuts an ellipsoid in an
 /// ellipse, which is described by its squared half-chord τ along d, by k, and by ρ: for covectors n in the plane,
@@ -17,7 +18,7 @@
 /// 3. With ρ1 >= ρ2, w = ρ1 √τ2 t, κ = ρ √τ, and M = K² (ρ1 - ρ2) it is M/(w + κ2)² + κ1²/w² = 1, w >= κ1. As a
 ///    difference of squares its factors are w² + κ2 w - u = ±[v - κ2 (u - κ1²) w/v], v² = u² + κ1² κ2², where
 ///    u³ - 3 r u² - M κ1² κ2²/2 = 0, 6 r = M + κ1² - κ2². This cubic has one positive root, and with it one factor has
-///    one positive root and the other none: there is no branch to choose.
+///    one positive root and the other has none, so that no branch has to be chosen.
 ///
 /// For two ellipsoids let c = c2 - c1 (c ⊥ d), e = c/|c|, f = d×e. The planes are p = f + x e with s = e - x f, so that
 /// K = |c| in all of them; the plane p = e (x infinite) has K = 0 and the least distance, √τ1 + √τ2.
@@ -32,7 +33,7 @@
 ///    is where (x - x1)/(x2 - x) = g2/(t g1).
 ///
 /// Item 5 is solved in y = log[(x - x1)/(x2 - x)] by Newton's method, kept inside a bracket that item 2 gives and item
-/// 4 makes certain: 2 to 3 planes at aspect 4, 4 at 100, 41 the most seen.
+/// 4 makes certain. It takes 2 to 3 planes at aspect 4 and 4 planes at aspect 100; the largest number seen is 41.
 ///
 /// Limits of double precision. For ellipses the last step evaluates two support functions at a normal where their sum
 /// is stationary: the error is that of the forms themselves, 2 u cond at most (cond as for the contact function),
@@ -54,8 +55,8 @@ template <class T> struct Section {
     T rho;
 };
 
-/// The common tangent line: its distances from the two centres, whose sum is the distance of closest approach, and the
-/// parts into which its ν divides the offset K.
+/// The common tangent line: its distances from the two centres, whose sum is the distance of closest approach, and the parts into
+/// which its ν divides the offset K.
 template <class T> struct Tangency {
     T h1, h2;
     T nu1, nu2;
@@ -120,8 +121,8 @@ template <class T, int D> struct Problem {
     T unit;
 };
 
-/// The smallest unit that is kept. As the aspect ratio of a valid form is below 1/√u, an ellipsoid so much smaller
-/// adds less than rounding to the distance, and one that is smaller still may be taken for it.
+/// The smallest unit; smaller ones are replaced by it. As the aspect ratio of a valid form is below 1/√u, an ellipsoid of this size
+/// adds less than a rounding error to the distance, and so does a smaller one.
 template <class T> PW85_FUNCTION constexpr T smallest_unit() noexcept
 {
     return negative_power_of_two<T>(3 * mantissa_digits<T>() / 2);
@@ -133,7 +134,7 @@ template <class T, int D> PW85_FUNCTION inline Problem<T, D> problem(Pair<T, D> 
     return {T(T(1) / norm) * pair.r12, pair.q1, pair.q2, maximum(T(T(1) / pair.ratio), smallest_unit<T>())};
 }
 
-/// What the ellipse of item 1 is in two dimensions, where s is d turned by a right angle.
+/// The section of item 1 in two dimensions, where s is d rotated by a right angle.
 template <class T> struct Ellipse {
     Section<T> section;
     T k;
@@ -149,8 +150,8 @@ ellipse_on_line(Vector<T, 2> const &d, SymmetricMatrix<T, 2> const &q, T const &
             -dot(d, product(q, s)) / across};
 }
 
-/// The sum of the support functions, at the normal found: it is stationary there, so that errors of the quartic and of
-/// the sections count only squared, and the result is as good as the forms allow.
+/// The sum of the support functions at the normal that was found. It is stationary there, so that errors of the quartic and of the
+/// sections enter only squared, and the result is as accurate as the forms allow.
 template <class T> PW85_FUNCTION inline T distance(Problem<T, 2> const &pair) noexcept
 {
     Vector<T, 2> const &d = pair.d;
@@ -160,7 +161,7 @@ template <class T> PW85_FUNCTION inline T distance(Problem<T, 2> const &pair) no
     return square_root(positive_form(pair.q1, weights)) + pair.unit * square_root(positive_form(pair.q2, weights));
 }
 
-/// What all sections of an ellipsoid share.
+/// The quantities that all sections of an ellipsoid share.
 template <class T> struct Axis {
     Vector<T, 3> c;
     T tau;

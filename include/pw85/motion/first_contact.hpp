@@ -112,7 +112,7 @@ PW85_FUNCTION inline FirstContact<T> first_contact(Vector<T, D> const &r12, Symm
     bool const valid = end >= T(0) && is_valid_motion(motion1, end) && is_valid_motion(motion2, end);
     if (!valid) return all_nan<FirstContact<T>>(Status::invalid_argument);
     ScaledPair<T, D> scaled{{r12, q1, q2, T(1)}, 0, 0, false};
-    if (!is_ordinary(r12, q1, q2)) {
+    if (!passes_fast_checks(r12, q1, q2)) {
         Status const status = validate(r12, q1, q2, scaled);
         if (status != Status::success) return all_nan<FirstContact<T>>(status);
     }

@@ -59,7 +59,7 @@ inline constexpr int touching_tolerance = 128;
 
 /// What the motion can be at one λ: not to touch, to be too near from the beginning for this λ to tell, or to touch not before
 /// some time.
-enum class Prospect { none, near, contact };
+enum class PassageOutcome { none, near, contact };
 
 /// rᵀM⁻¹r where f = 1, for f = τ/(1+τ) rᵀM⁻¹r with τ = ratio² t.
 template <class T> PW85_FUNCTION constexpr T target_at(T const &tangent, T const &ratio, T const &t) noexcept
@@ -95,19 +95,19 @@ template <class T, int D> PW85_FUNCTION constexpr bool is_far(Passage<T, D> cons
 /// Where item 1 leads to from `origin` on, a time that a contact is not before. A pair that would miss by no more than rounding touches;
 /// one that overlaps at time 0 by no more and separates does not. From afar the discriminant errs by the rounding of rᵀM⁻¹r, and as
 /// that of vᵀM⁻¹v and twice that of rᵀM⁻¹v is as much where v points at the other ellipsoid, by four times that: so much is left for later.
-template <class T, int D>
-PW85_FUNCTION inline Prospect prospect(Passage<T, D> const &p, T const &target, T const &origin, T &time) noexcept
+template <class T, int D> PW85_FUNCTION inline PassageOutcome passage_outcome(Passage<T, D> const &p, T const &target,
+                                                                              T const &origin, T &time) noexcept
 {
     bool const starts = !(origin > T(0));
     time = T(0);
-    if (starts && p.excess > -T(touching_tolerance) * p.slack && p.approach < T(0)) return Prospect::none;
-    if (starts && !(p.excess > T(0))) return Prospect::near;
+    if (starts && p.excess > -T(touching_tolerance) * p.slack && p.approach < T(0)) return PassageOutcome::none;
+    if (starts && !(p.excess > T(0))) return PassageOutcome::near;
     bool const far = is_far(p, target);
     time = first_root(far ? T(p.excess - T(4) * p.slack) : p.excess, p.approach, p.speed, far ? T(0) : p.slack);
-    if (!(time < infinity<T>())) return Prospect::none;
-    if (origin + time > T(0)) return Prospect::contact;
+    if (!(time < infinity<T>())) return PassageOutcome::none;
+    if (origin + time > T(0)) return PassageOutcome::contact;
     time = -origin;
-    return Prospect::near;
+    return PassageOutcome::near;
 }
 
 /// A Jet without second derivatives, for Newton's steps, from A, B and bend = (Q2s)ᵀM⁻¹Q2s: A' = -2 (B - t bend), B' = -2 bend.
@@ -153,7 +153,7 @@ template <class T, int D> struct Outlook {
     Factorization<T, D> factors;
     T target;
     Passage<T, D> passage;
-    Prospect prospect;
+    PassageOutcome outcome;
     T wait; ///< from that time to the one to which item 1 leads
 };
 
@@ -165,7 +165,7 @@ PW85_FUNCTION inline Outlook<T, D> outlook(Flight<T, D> const &flight, T const &
     T const target = target_at(flight.tangent, flight.pair.ratio, t);
     auto const p = passage(add_scaled(flight.pair.r12, time, flight.velocity), flight.velocity, target, m, factors);
     T wait;
-    Prospect const expected = prospect(p, target, time, wait);
+    PassageOutcome const expected = passage_outcome(p, target, time, wait);
     return {factors, target, p, expected, wait};
 }
 
@@ -197,7 +197,7 @@ template <class T, int D> PW85_FUNCTION constexpr T root_then(Outlook<T, D> cons
 template <class T, int D> PW85_FUNCTION constexpr bool tells_delay(Outlook<T, D> const &view, T const &size) noexcept
 {
     T const shift = size * size, grazing = last_passage_step<T>() * root_then(view);
-    return view.prospect == Prospect::contact && size <= final_step<T>() &&
+    return view.outcome == PassageOutcome::contact && size <= final_step<T>() &&
            shift * shift * view.passage.speed * view.target < grazing * grazing;
 }
 
@@ -219,7 +219,7 @@ PW85_FUNCTION inline FirstContact<T> find_passage(Flight<T, D> const &flight, T 
         T const t = state.t;
         auto const view = outlook(flight, t, time);
         T const reached = time + view.wait;
-        if (view.prospect == Prospect::none || reached > end) return contact_until(end, infinity<T>());
+        if (view.outcome == PassageOutcome::none || reached > end) return contact_until(end, infinity<T>());
         if (last) return contact_until(end, reached);
         bool const before = is_far(view.passage, view.target) && reached > time;
         Jet<T> const jet = jet_then(flight, view, t);

@@ -1,5 +1,6 @@
 /// @file
-/// The second tier of the overlap test: μ² by the solver, compared with 1 by more than it can err.
+/// The second tier of the overlap test: it computes μ² by the solver, and compares it with 1 up to a bound on its error.
+/// decide_overlap.hpp calls it.
 #ifndef PW85_OVERLAP_COMPARISON_HPP_INCLUDED
 #define PW85_OVERLAP_COMPARISON_HPP_INCLUDED
 
@@ -8,8 +9,7 @@
 
 namespace pw85::detail {
 
-/// The condition number of the contact function at the maximum: cond·u is what entrywise rounding of the data moves μ²/μ²
-/// by.
+/// The condition number of the contact function at the maximum: entrywise rounding of the data changes μ² by a fraction cond·u.
 template <class T, int D> PW85_FUNCTION inline T condition_number(Pair<T, D> const &pair, Maximum<T> const &m) noexcept
 {
     T const t = m.lambda / pair.ratio / m.complement / pair.ratio;
@@ -23,11 +23,11 @@ template <class T, int D> PW85_FUNCTION inline T condition_number(Pair<T, D> con
     return m.lambda * (forms + T(2) * arms) / m.mu2;
 }
 
-/// What μ² errs by at most, in units of u cond: the roundings of stationary_value() (scripts/rounding_bounds.py: 6.7), what
-/// is_certain() admits, at most 2u where cond >= 3, or u cond/8 where s is refined, and u for the comparison.
+/// A bound on the relative error of μ², in units of u cond: the rounding errors of stationary_value() (scripts/rounding_bounds.py:
+/// 6.7); the error that is_certain() admits, at most 2u where cond >= 3, or u cond/8 where s is refined; and u for the comparison.
 inline constexpr int value_margin = 8;
 
-/// The tier for a pair in range, whose `tangent` is μ² of tangent ellipsoids in its units.
+/// The tier for a pair in range. `tangent` is μ² of tangent ellipsoids in the units of the pair.
 template <class T, int D>
 [[gnu::noinline]] PW85_FUNCTION inline Decision decide_by_comparison(Pair<T, D> const &pair, T const &tangent) noexcept
 {

@@ -1,6 +1,6 @@
 /// @file
-/// The tiers of the overlap test that floating-point numbers suffice for, in their order: the sign of a quartic (quartic.hpp), then
-/// μ² by the solver (comparison.hpp). They need nothing that a device lacks, and leave undecided what only exact arithmetic can tell.
+/// The tiers of the overlap test in floating-point arithmetic, in their order: the sign of a quartic (quartic.hpp), then μ² by the
+/// solver (comparison.hpp). Devices can run them. A pair that only exact arithmetic can decide stays undecided (overlap.hpp).
 #ifndef PW85_OVERLAP_DECIDE_OVERLAP_HPP_INCLUDED
 #define PW85_OVERLAP_DECIDE_OVERLAP_HPP_INCLUDED
 
@@ -9,11 +9,11 @@
 
 namespace pw85 {
 
-/// The means by which a pair was decided.
+/// The tier that decided a pair.
 enum class OverlapTier { quartic, contact, exact };
 
-/// What is certain of a pair, and by what means; `none` if its status is not success, or if it is so near to contact, |μ² - 1| of
-/// some u cond, that these means cannot tell.
+/// The decision about a pair, and the tier that made it. It is `none` if the status is not success, or if the pair is so near to
+/// contact, |μ² - 1| of some u cond, that floating-point arithmetic cannot decide.
 struct OverlapDecision {
     Decision decision;
     OverlapTier tier;
@@ -36,7 +36,7 @@ decide_near_contact(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, Sy
     return {decide_by_comparison(scaled.pair, tangent), OverlapTier::contact, Status::success};
 }
 
-/// decide_overlap() with the first tier at as many points at once as `Lanes` has lanes.
+/// decide_overlap(), with the first tier evaluated at as many points at once as `Lanes` has lanes.
 template <class Lanes, class T, int D> [[gnu::always_inline]] PW85_FUNCTION inline OverlapDecision
 decide_overlap_by_lanes(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
                         SymmetricMatrix<T, D> const &q2) noexcept

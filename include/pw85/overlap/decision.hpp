@@ -1,5 +1,5 @@
 /// @file
-/// What a test for overlap can conclude.
+/// The result of one tier of the overlap test.
 #ifndef PW85_OVERLAP_DECISION_HPP_INCLUDED
 #define PW85_OVERLAP_DECISION_HPP_INCLUDED
 
@@ -7,14 +7,14 @@
 
 namespace pw85 {
 
-/// What is certain after a test.
+/// What a tier has decided for certain.
 enum class Decision { none, apart, overlap };
 
 } // namespace pw85
 
 namespace pw85::detail {
 
-/// The decision from two conditions, of which at most one holds. Which one cannot be foreseen: no branches.
+/// The decision from two conditions, of which at most one is true. It has no branches, because a processor could not predict them.
 PW85_FUNCTION constexpr Decision to_decision(bool apart, bool overlap) noexcept
 {
     return static_cast<Decision>(static_cast<unsigned>(apart) + 2u * static_cast<unsigned>(overlap));

@@ -1,17 +1,17 @@
 /// @file
-/// Whether two ellipsoids overlap, decided in integers.
+/// The last tier of the overlap test: it decides in integers whether two ellipsoids overlap. overlap.hpp calls it.
 ///
 /// With a(t) = rᵀ adj(Q1 + t Q2) r and b(t) = det(Q1 + t Q2), the ellipsoids are apart or tangent if and only if the quartic
 /// p(t) = t a(t) - (1 + t) b(t) has a root t > 0 (quartic.hpp). Its first and its last coefficient are negative.
 ///
 /// 1. Two roots are negative, counted with multiplicity. Let Q1 = I and Q2 = diag(d), d1 >= d2 >= d3 > 0: a congruence
 ///    multiplies p by a positive number. Then p(-1/di) = -(ri²/di) Π (1 - dj/di) over j != i, which is <= 0, >= 0 and <= 0.
-///    Between the three are two roots; where a value is zero they are limits of such.
-/// 2. So the two others are real or a complex pair, and the sign of the discriminant tells which: negative for the pair. If
-///    it is zero, two roots coincide, and the next subdiscriminant (the sum over i, j, k of (xi-xj)²(xj-xk)²(xk-xi)²) is
-///    negative for a pair beside a negative double root, and not negative if all roots are real.
-/// 3. If they are real, Descartes' rule of signs is exact: there is a positive root if and only if there is a positive
-///    coefficient. If there is none there is no positive root anyway.
+///    So there are two roots between the three points; if a value is zero, the roots are limits of such roots.
+/// 2. The two other roots are either real or a complex pair. The discriminant is negative for a complex pair. If it is zero, two
+///    roots coincide, and the next subdiscriminant (the sum over i, j, k of (xi-xj)²(xj-xk)²(xk-xi)²) is negative for a complex
+///    pair beside a negative double root, and not negative if all roots are real.
+/// 3. If all roots are real, Descartes' rule of signs is exact: there is a positive root if and only if there is a positive
+///    coefficient. Without a positive coefficient there is never a positive root.
 /// 4. With I = 12ae - 3bd + c² and J = 72ace + 9bcd - 27ad² - 27eb² - 2c³ for p = at⁴ + bt³ + ct² + dt + e, the discriminant
 ///    has the sign of 4I³ - J², and where it is zero the subdiscriminant that of 2aJ + I(3b² - 8ac).
 /// 5. In two dimensions p is a cubic with one negative root: everything holds with a = 0.
@@ -28,7 +28,7 @@ namespace pw85::detail {
 
 namespace exact {
 
-// What the terms of a(t) and b(t) are, from the functions that compute them: the numbers are symbols.
+// The terms of a(t) and b(t) come from the functions that compute them, which are called with symbols instead of numbers.
 
 /// coefficient·Π x[factors[i]] over i < degree.
 struct Monomial {
@@ -97,7 +97,7 @@ PW85_FUNCTION constexpr Polynomial operator+(Polynomial x, Polynomial const &y) 
 PW85_FUNCTION constexpr Polynomial operator-(Polynomial const &x) noexcept { return Polynomial(-1) * x; }
 PW85_FUNCTION constexpr Polynomial operator-(Polynomial const &x, Polynomial const &y) noexcept { return x + -y; }
 
-/// The rational form in the symbols x: r12, q1 and q2, one after the other.
+/// The rational form in the symbols x, which stand for r12, q1 and q2 in this order.
 template <int D> PW85_FUNCTION constexpr RationalForm<Polynomial> symbolic_form() noexcept
 {
     Pair<Polynomial, D> pair{};
@@ -108,7 +108,7 @@ template <int D> PW85_FUNCTION constexpr RationalForm<Polynomial> symbolic_form(
     return rational_form(pair);
 }
 
-/// A number sign·m·2^exponent with an odd integer m; or zero, where the sign is zero.
+/// A number sign·m·2^exponent with an odd integer m. It is zero if the sign is zero.
 template <class T> struct BinaryFraction {
     Digits<limbs_for(std::numeric_limits<T>::digits)> magnitude; ///< m
     int length;                                                  ///< bits of m
@@ -116,7 +116,7 @@ template <class T> struct BinaryFraction {
     int sign;
 };
 
-/// A finite number, exactly.
+/// Converts a finite number exactly.
 template <class T> PW85_FUNCTION inline BinaryFraction<T> to_binary_fraction(T const &x) noexcept
 {
     constexpr T radix = T(2) * static_cast<T>(Limb{1} << (limb_bits - 1));
@@ -137,7 +137,7 @@ template <class T> PW85_FUNCTION inline BinaryFraction<T> to_binary_fraction(T c
     return result;
 }
 
-/// Bounds of the binary digits of some numbers: they are multiples of 2^low and smaller than 2^high.
+/// The range of the binary digits of some numbers, which are multiples of 2^low and smaller than 2^high.
 struct BitRange {
     int low, high;
 
@@ -149,13 +149,13 @@ struct BitRange {
     }
 };
 
-/// The bounds of no number at all.
+/// The empty range.
 PW85_FUNCTION constexpr BitRange no_digits() noexcept { return {1 << 24, -(1 << 24)}; }
 
 /// The numbers of a pair, in the order of symbolic_form().
 template <class T, int D> struct Numbers {
     BinaryFraction<T> x[D * (D + 2)];
-    BitRange r, q; ///< of the coordinates, of the entries of both forms
+    BitRange r, q; ///< ranges of the coordinates, and of the entries of both forms
 };
 
 template <class T, int D> PW85_FUNCTION inline Numbers<T, D>
@@ -170,7 +170,7 @@ to_numbers(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, SymmetricMa
     return numbers;
 }
 
-/// Whether bounding boxes are apart: their half-widths are less than √2^q.high, and a coordinate is at least 2^(r.high - 1).
+/// Whether bounding boxes are apart, because half-widths are below √2^q.high, and a coordinate is at least 2^(r.high - 1).
 template <class T, int D> PW85_FUNCTION inline bool is_far(Numbers<T, D> const &numbers) noexcept
 {
     return 2 * numbers.r.high >= numbers.q.high + 4;
@@ -191,19 +191,19 @@ template <class T, int D> PW85_FUNCTION inline int bits(Numbers<T, D> const &num
     return (D - 1) * numbers.q.high + maximum(2 * numbers.r.high, numbers.q.high) + 7 - unit(numbers);
 }
 
-/// What bits() is at most, unless the pair is far: every number is a multiple of the smallest positive one.
+/// The largest value of bits(), unless the pair is far. Every number is a multiple of the smallest positive number.
 template <class T> PW85_FUNCTION constexpr int max_bits() noexcept
 {
     using Limits = std::numeric_limits<T>;
     return 3 * Limits::max_exponent + 3 + 7 - 4 * (Limits::min_exponent - Limits::digits);
 }
 
-/// Limbs of what is computed from coefficients below 2^bits, with a bit for the sign.
+/// The numbers of limbs of sums that are computed from coefficients below 2^bits, with a bit for the sign.
 struct Sizes {
     int coefficient;
-    int quadratic; ///< up to 83 products of two coefficients; fits in the place of two
-    int cubic;     ///< 2J: 274 products of three
-    int quartic;   ///< 16I²: 16·16² products of four; fits in the place of the five coefficients
+    int quadratic; ///< up to 83 products of two coefficients; fits into the memory of two coefficients
+    int cubic;     ///< 2J: 274 products of three coefficients
+    int quartic;   ///< 16I²: 16·16² products of four coefficients; fits into the memory of the five coefficients
     int total;
 
     [[gnu::always_inline]] explicit constexpr Sizes(int bits) noexcept
@@ -213,7 +213,7 @@ struct Sizes {
     }
 };
 
-/// The magnitude of the product of `Count` factors of a monomial, from the given one on.
+/// The magnitude of the product of `Count` consecutive factors of a monomial, from the given one on.
 template <int Count, class T, int D> PW85_FUNCTION inline auto
 magnitude_of_product(Numbers<T, D> const &numbers, Monomial const &monomial, int first = 0) noexcept
 {
@@ -255,7 +255,7 @@ struct Quartic {
     WideInteger coefficients[5];
 };
 
-/// In units of 2^unit(), in memory for five coefficients.
+/// Computes the coefficients in units of 2^unit(), in memory for five of them.
 template <class T, int D>
 [[gnu::noinline]] static Quartic make_quartic(Numbers<T, D> const &numbers, Limb *memory) noexcept
 {
@@ -274,7 +274,7 @@ template <class T, int D>
     return {{value(sums[0]), value(sums[1]), value(sums[2]), value(sums[3]), value(sums[4])}};
 }
 
-/// 2J, in its memory; uses that of a quadratic sum.
+/// Computes 2J in the memory of a cubic sum. It also uses the memory of a quadratic sum.
 [[gnu::noinline]] PW85_FUNCTION inline WideInteger twice_j(Quartic const &p, Sizes const &sizes, Limb *memory,
                                                            Limb *scratch) noexcept
 {
@@ -311,7 +311,7 @@ PW85_FUNCTION inline WideInteger invariant_i(Quartic const &p, Sizes const &size
     return value(sum);
 }
 
-/// The sign of the discriminant; uses memory for a quartic sum.
+/// The sign of the discriminant. It uses the memory of a quartic sum.
 PW85_FUNCTION inline int sign_of_discriminant(WideInteger i, WideInteger twice_j, Sizes const &sizes,
                                               Limb *memory) noexcept
 {
@@ -322,7 +322,7 @@ PW85_FUNCTION inline int sign_of_discriminant(WideInteger i, WideInteger twice_j
     return compare_products(value(square), i, twice_j, twice_j);
 }
 
-/// The sign of the subdiscriminant where the discriminant is zero; uses memory for a quadratic sum.
+/// The sign of the subdiscriminant if the discriminant is zero. It uses the memory of a quadratic sum.
 PW85_FUNCTION inline int sign_of_subdiscriminant(Quartic const &p, WideInteger i, WideInteger twice_j,
                                                  Sizes const &sizes, Limb *memory) noexcept
 {
@@ -338,8 +338,8 @@ PW85_FUNCTION inline int sign_of_subdiscriminant(Quartic const &p, WideInteger i
 
 } // namespace exact
 
-/// Whether two ellipsoids overlap, for the numbers as they were given: never Decision::none. Its memory, in which everything
-/// has its place, is 9 KiB for double, 1.3 KiB for float, 141 KiB for the long double of x86.
+/// Decides whether two ellipsoids overlap, for the numbers exactly as given. The result is never Decision::none. It uses a fixed
+/// array on the stack: 9 KiB for double, 1.3 KiB for float, 141 KiB for the long double of x86.
 template <class T, int D>
 requires exact::is_decidable<T>
 [[gnu::noinline]] static Decision decide_exactly(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,

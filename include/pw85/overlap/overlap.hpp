@@ -1,6 +1,5 @@
 /// @file
-/// Whether two ellipsoids overlap, decided by the cheapest means that is certain: what floating-point numbers can tell
-/// (decide_overlap.hpp), then exact arithmetic (exact.hpp).
+/// The overlap test: floating-point arithmetic decides if it can (decide_overlap.hpp), otherwise exact arithmetic (exact.hpp).
 #ifndef PW85_OVERLAP_OVERLAP_HPP_INCLUDED
 #define PW85_OVERLAP_OVERLAP_HPP_INCLUDED
 
@@ -11,19 +10,19 @@
 
 namespace pw85 {
 
-/// Whether two ellipsoids overlap; false where the status is not success.
+/// Whether two ellipsoids overlap; false if the status is not success.
 struct Overlap {
     bool overlap;
     OverlapTier tier;
     Status status;
 };
 
-/// What shows that two ellipsoids overlap or not. Near tangency it is right to rounding only.
+/// A witness that two ellipsoids overlap or are apart. Near tangency it is correct only up to rounding.
 template <class T, int D> struct OverlapWitness {
     bool overlap;
-    T lambda;               ///< where f > 1 if they are apart
+    T lambda;               ///< a λ with f > 1, if they are apart
     Vector<T, D> direction; ///< unit normal of a plane that separates them, from 1 to 2, if they are apart
-    Vector<T, D> point;     ///< inside both, relative to the centre of ellipsoid 1, if they overlap
+    Vector<T, D> point;     ///< a point inside both, relative to the centre of ellipsoid 1, if they overlap
     Status status;
 };
 
@@ -31,7 +30,7 @@ template <class T, int D> struct OverlapWitness {
 
 namespace pw85::detail {
 
-/// The last tier, for a valid pair. A multiprecision number is compared to rounding.
+/// The last tier, for a valid pair. For multiprecision numbers it compares μ² with 1, up to rounding.
 template <class T, int D> [[gnu::noinline]] PW85_FUNCTION inline Overlap
 overlap_exactly(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, SymmetricMatrix<T, D> const &q2) noexcept
 {
@@ -41,7 +40,7 @@ overlap_exactly(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, Symmet
         return {contact(r12, q1, q2).mu2 < T(1), OverlapTier::contact, Status::success};
 }
 
-/// Whether two ellipsoids overlap, μ² < 1; with the first tier at as many points at once as `Lanes` has lanes.
+/// Whether two ellipsoids overlap, μ² < 1. The first tier is evaluated at as many points at once as `Lanes` has lanes.
 template <class Lanes, class T, int D> [[gnu::always_inline]] PW85_FUNCTION inline Overlap
 overlap_by_lanes(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, SymmetricMatrix<T, D> const &q2) noexcept
 {

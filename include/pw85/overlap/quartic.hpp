@@ -1,11 +1,13 @@
 /// @file
-/// The first tier of the overlap test: the sign of a quartic.
+/// The first tier of the overlap test: the sign of a quartic. decide_overlap.hpp calls it for one pair, lane_overlap.hpp for one
+/// pair per lane.
 ///
 /// With M = Q1 + t Q2, a = rᵀ adj(M) r and b = det M, the ellipsoids are apart where t a - (1 + t) b > 0 for some t > 0
-/// (W. Wang, J. Wang and M.-S. Kim, Comput. Aided Geom. Des. 18, 531, 2001), that is f > 1; and for any t, x0 is inside both, and
-/// they overlap, if A < 1 and t²B < 1. Both are tested at a few t, with bounds on the rounding errors: what is decided is certain.
-/// The first t is about √(rᵀQ1r/rᵀQ2r): there f > 1 whenever the projections on the line of centres are apart, as those
-/// of bounding spheres are, since rᵀM⁻¹r >= |r|⁴/rᵀMr. The search on the rational form leads to the next ones.
+/// (W. Wang, J. Wang and M.-S. Kim, Comput. Aided Geom. Des. 18, 531, 2001), that is f > 1. They overlap if A < 1 and t²B < 1 for
+/// some t, because x0 is then inside both. Both conditions are tested at a few t, with bounds on the rounding errors, so that each
+/// decision is certain. The first t is about √(rᵀQ1r/rᵀQ2r): there f > 1 if the projections of the ellipsoids on the line of
+/// centres are apart, since rᵀM⁻¹r >= |r|⁴/rᵀMr; bounding spheres that are apart have such projections. The search on the rational
+/// form gives the next t.
 #ifndef PW85_OVERLAP_QUARTIC_HPP_INCLUDED
 #define PW85_OVERLAP_QUARTIC_HPP_INCLUDED
 
@@ -14,13 +16,13 @@
 
 namespace pw85::detail {
 
-/// What is certain after a test in each lane.
+/// The decision of a test in each lane.
 template <class Mask> struct Certainty {
     Mask apart;
     Mask overlap;
 };
 
-/// What the test needs to know at t.
+/// The values that the test needs at t.
 template <class T> struct QuarticEvaluation {
     T b;        ///< det M
     T a;        ///< b R, with R = rᵀM⁻¹r
@@ -48,17 +50,17 @@ template <class T> PW85_FUNCTION constexpr T fixed_point_square(QuarticEvaluatio
     return rough_quotient(first_form(e, t), e.form);
 }
 
-// What one t > 0 shows, for a pair with ratio 1 that is_ordinary(). Each error has a form that bounds it whatever the pair: in
-// units in which M has a unit diagonal and det M = d, the eigenvalues of adj(M) are between d/3 and 9/4. The margins, in units of
-// u, are the worst cases that scripts/rounding_bounds.py finds to first order: 19.6, 31.6 and 46.6. The last two are 6 % more, for
-// a itself, which errs by 24.2 u/d, is in their form.
+// The tests at one t > 0, for a pair with ratio 1 that passes_fast_checks(). Each rounding error has a bound that holds for all
+// pairs: in units in which M has a unit diagonal and det M = d, the eigenvalues of adj(M) are between d/3 and 9/4. The margins, in
+// units of u, are the worst cases that scripts/rounding_bounds.py finds to first order: 19.6, 31.6 and 46.6. The last two margins
+// are 6 % larger, because their bounds contain a, whose error is 24.2 u/d.
 
 inline constexpr int apart_margin = 20, inside1_margin = 34, inside2_margin = 50;
 
-/// The conditioning d, in units of u, above which a is right to 5 %, and what is of second order in u/d is 1 % of the margins.
+/// The smallest d, in units of u, at which the error of a is below 5 %, and terms of second order in u/d are 1 % of the margins.
 inline constexpr int least_conditioning = 512;
 
-/// f > 1. Where f <= 1, r is so short that both sides err by less than the margin times (1 + t) P.
+/// Shows that f > 1. If f <= 1, r is so short that the error of both sides together is below the margin times (1 + t) P.
 template <class T>
 PW85_FUNCTION constexpr typename ScalarTraits<T>::Mask shows_apart(QuarticEvaluation<T> const &e, T const &t) noexcept
 {
@@ -72,8 +74,8 @@ PW85_FUNCTION constexpr typename ScalarTraits<T>::Mask is_well_conditioned(Quart
     return e.b > T(least_conditioning * unit_roundoff<T>()) * e.diagonal;
 }
 
-/// A < 1, for a pair that is well-conditioned: b²A errs by less than the margin times a P where A = 1, and where A is larger, so
-/// is a.
+/// Shows that A < 1, for a well-conditioned pair. The error of b²A is below the margin times a P where A = 1; if A is larger, a is
+/// larger too.
 template <class T>
 PW85_FUNCTION constexpr typename ScalarTraits<T>::Mask shows_inside1(QuarticEvaluation<T> const &e, T const &t) noexcept
 {
@@ -81,7 +83,7 @@ PW85_FUNCTION constexpr typename ScalarTraits<T>::Mask shows_inside1(QuarticEval
     return e.a * T(e.b + margin * e.diagonal) - t * e.form < T(e.b * e.b);
 }
 
-/// t²B < 1, alike: b² t²B errs by less than the margin times t a P.
+/// Shows that t²B < 1, in the same way: the error of b² t²B is below the margin times t a P.
 template <class T>
 PW85_FUNCTION constexpr typename ScalarTraits<T>::Mask shows_inside2(QuarticEvaluation<T> const &e, T const &t) noexcept
 {
@@ -113,9 +115,9 @@ PW85_FUNCTION constexpr SymmetricMatrix<Lanes, D> broadcast(SymmetricMatrix<T, D
     return copies;
 }
 
-/// The test at several points about the first t at once, as many as there are lanes: a test that follows upon another costs
-/// most where its need cannot be foreseen. Four points decide 92 to 97 % of random pairs of aspect ratios from 2 to 100, the first
-/// alone 80 to 97 %. `t` becomes that of the fixed-point map from the first point.
+/// Tests at several points about the first t at once, as many as there are lanes. One test after another would be slower, because
+/// the processor cannot predict whether the next test is needed. Four points decide 92 to 97 % of random pairs of aspect ratios from
+/// 2 to 100, the first point alone 80 to 97 %. `t` becomes that of the fixed-point map from the first point.
 template <class Lanes, class T, int D>
 [[gnu::always_inline]] PW85_FUNCTION inline Decision decide_by_points(Pair<T, D> const &pair, T &t) noexcept
 {
@@ -133,7 +135,7 @@ template <class Lanes, class T, int D>
     return to_decision(any_of(certainty.apart), any_of(certainty.overlap));
 }
 
-/// The test at the points through which a search from t on the rational form goes.
+/// Tests at the points of a search on the rational form that starts at t.
 template <class T, int D> PW85_FUNCTION inline Decision decide_by_search(Pair<T, D> const &pair, T const &t) noexcept
 {
     auto state = start_search(pair, t);
@@ -146,12 +148,12 @@ template <class T, int D> PW85_FUNCTION inline Decision decide_by_search(Pair<T,
     return decision;
 }
 
-/// The tier for one pair; `none` for pairs that are not ordinary, ill-conditioned, or tangent to about as many digits as their
-/// conditioning leaves.
+/// The tier for one pair. The result is `none` for pairs that fail the fast checks, are ill-conditioned, or are tangent up to
+/// rounding.
 template <class Lanes, class T, int D> [[gnu::always_inline]] PW85_FUNCTION inline Decision
 decide_by_quartic(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, SymmetricMatrix<T, D> const &q2) noexcept
 {
-    if (!is_ordinary(r12, q1, q2)) return Decision::none;
+    if (!passes_fast_checks(r12, q1, q2)) return Decision::none;
     Pair<T, D> const pair{r12, q1, q2, T(1)};
     T t;
     Decision const decision = decide_by_points<Lanes>(pair, t);
