@@ -38,7 +38,7 @@ END = """} // namespace pw85
 #endif
 """
 
-# What the rows of an array of double are by their extents in space and in the plane: of inputs and of outputs.
+# What the rows of an array of double are, by their extents: in space, and in the plane.
 ELEMENTS = {
     3: {(): "double", (3,): "Vector<double, 3>", (6,): "SymmetricMatrix<double, 3>", (4,): "Vector<double, 4>"},
     2: {(): "double", (2,): "Vector<double, 2>", (3,): "SymmetricMatrix<double, 2>"},
@@ -114,7 +114,7 @@ def described(function, parameter):
     """The sentence of a parameter: instead of its shape, what it has a row for."""
     if not parameter.pointer:
         return in_cpp(parameter.text)
-    rest = re.sub(r" each\b|[,;]? (?:or null|any output may be null)", "", SHAPE.sub("", parameter.text, count=1))
+    rest = re.sub(r"^ each\b|[,;]? (?:or null|any output may be null)", "", SHAPE.sub("", parameter.text, count=1))
     row = first_said(function, r"@param n number of (\w+)s")
     return f"one for each {row}{', or empty' if parameter.nullable else ''}{in_cpp(rest)}"
 
