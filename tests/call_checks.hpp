@@ -3,12 +3,11 @@
 #define PW85_TESTS_CALL_CHECKS_HPP_INCLUDED
 
 #include <cmath>
-#include <limits>
 #include <string>
 #include <vector>
 
-#include "calls.hpp"
 #include "failures.hpp"
+#include "marks.hpp"
 
 namespace pw85_tests {
 
@@ -17,52 +16,6 @@ inline std::vector<Sample<double, 3>> const three_pairs = {
     {{3.0, 2.5, 2.0}, {2.0, 0.0, 0.0, 2.0, 0.0, 3.0}, {2.0, 0.0, 0.0, 2.0, 0.5, 3.0}},
     {{1.5, 0.5, 0.25}, {4.0, 0.5, 0.0, 3.0, 0.0, 2.0}, {1.0, 0.0, 0.25, 2.0, 0.0, 1.0}},
     {{1.0, 1.0, 1.0}, {0.25, 0.0, 0.0, 0.25, 0.0, 0.25}, {4.0, 0.0, 0.0, 2.0, 0.0, 3.0}}};
-
-/// Whether name is one of some names.
-inline bool is_one_of(std::string const &name, std::initializer_list<char const *> names)
-{
-    return std::any_of(names.begin(), names.end(), [&](char const *other) { return name == other; });
-}
-
-/// Whether an element of an output says that there is no result.
-inline bool is_marked(Call &call, std::size_t k, std::size_t i)
-{
-    switch (call.parameter(k).type) {
-    case Type::real:
-        return std::isnan(call.elements<double>(k)[i]);
-    case Type::byte:
-        return call.elements<unsigned char>(k)[i] == 255;
-    case Type::integer:
-        return call.elements<int>(k)[i] == -1;
-    case Type::int32:
-        return call.elements<std::int32_t>(k)[i] == std::numeric_limits<std::int32_t>::min();
-    case Type::handle:
-        return *call.elements<pw85_neighbors *>(k) == nullptr;
-    default:
-        return true; // the index of a bad particle
-    }
-}
-
-/// Whether the first row of each output is marked. Events and forces belong to particles, and bad pairs are none of theirs.
-inline bool first_rows_marked(Call &call)
-{
-    bool marked = true;
-    for (std::size_t k = 0; k < call.size(); ++k) {
-        bool const of_particles =
-            is_one_of(call.parameter(k).name, {"next", "next_pair", "forces", "torques", "virial"});
-        if (!call.parameter(k).output || of_particles || call[k].pointer == nullptr) continue;
-        for (std::size_t i = 0; i < call.row_length(k); ++i) marked = marked && is_marked(call, k, i);
-    }
-    return marked;
-}
-
-inline bool guards_intact(Call &call)
-{
-    bool intact = true;
-    for (std::size_t k = 0; k < call.size(); ++k)
-        intact = intact && (!call.parameter(k).output || call.guards_intact(k));
-    return intact;
-}
 
 /// Calls a function: its status is what it should be, or the number that it returns is NaN where it should be, and nothing is written
 /// where it should not be.
@@ -101,20 +54,6 @@ template <class Visit> void for_each_real_input(Visit const &visit)
             if (!p.output && (p.type == Type::real || p.type == Type::motion)) visit(function, k);
         }
     }
-}
-
-/// The numbers of a parameter: a number, or the first row of an array.
-struct Numbers {
-    double *begin;
-    std::size_t size;
-};
-
-inline Numbers numbers(Call &call, std::size_t k)
-{
-    Parameter const &p = call.parameter(k);
-    if (!p.pointer) return {&call[k].real, 1};
-    std::size_t const doubles = size_of(p.type) / sizeof(double);
-    return {call.elements<double>(k), call.row_length(k) * doubles};
 }
 
 } // namespace pw85_tests
