@@ -1,4 +1,4 @@
-"""Files that are made from the headers and committed, for builds without the generators: written, or compared with what they should be."""
+"""Files that are made from the headers and committed, for builds without the generators. They are written here, or compared."""
 
 import sys
 from pathlib import Path

@@ -14,7 +14,7 @@ the words at the head of its sentence in the comment:
 - "as for pw85_f()" refers to the parameter of the same name of another function, and so does a comment that says "arguments as for
   pw85_f()" or "see pw85_f()" for the parameters of which it says nothing.
 
-Called by docs/ (reference pages, checks of the comments), by the other programs of this folder, and by the tests of the declarations.
+Called by docs/ (reference pages, checks of the comments), the other programs of this folder, and the tests of the declarations.
 """
 
 import re

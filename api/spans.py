@@ -2,8 +2,8 @@
 
 Usage: spans.py [check]
 
-writes the header, or compares it with what it would write. A function of C becomes one of C++ of the same name, without the prefix and
-without `_2d`, which the types say: an array of n rows becomes a span, and an output that may be null, but the first, becomes a span that
+writes the header, or compares it with what it would write. A function of C becomes one of C++ of the same name, without the prefix
+and without `_2d`, which the types say. An array of n rows becomes a span, and an output that may be null, but the first, a span that
 is empty by default. Functions that take structs are written by hand beside it.
 """
 

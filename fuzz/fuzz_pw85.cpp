@@ -1,5 +1,5 @@
-// libFuzzer target: raw bytes as doubles into every public function, by the table of them. A success must not come with a NaN in the
-// outputs, an error must. Then what several functions say of the same pair must fit together.
+// libFuzzer target: raw bytes as doubles into every public function, by the table of them. A success must not come with a NaN in
+// the outputs, an error must. Then what several functions say of the same pair must fit together.
 #include <pw85.h>
 
 #include <algorithm>
@@ -57,8 +57,9 @@ bool takes_anything(std::string const &function)
            function == "pw85_legacy_contact_function2";
 }
 
-// What there is for some valid pairs only: points and derivatives of distances of pairs that are apart, directions of depths of those
-// that overlap, points and normals of those that are not concentric, and where lines that do not miss their ellipsoids enter and leave.
+// What there is for some valid pairs only: points and derivatives of distances of pairs that are apart, directions of depths of
+// those that overlap, points and normals of those that are not concentric, and where lines that meet their ellipsoids enter and
+// leave.
 bool may_be_absent(Call const &call, std::size_t k)
 {
     std::string const function = call.function().name;
@@ -77,7 +78,8 @@ bool has_mark(Call &call, std::size_t k)
     return false;
 }
 
-// Arguments beside the pair: the other numbers, in turn. Neighbour lists keep theirs: with any scale or cell they may have too many images.
+// Arguments beside the pair: the other numbers, in turn. Neighbour lists keep theirs: with any scale or cell they may have too many
+// images.
 void set_others(Input const &in, Call &call)
 {
     if (contains(call.function().name, "neighbors")) return;

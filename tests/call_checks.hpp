@@ -17,8 +17,8 @@ inline std::vector<Sample<double, 3>> const three_pairs = {
     {{1.5, 0.5, 0.25}, {4.0, 0.5, 0.0, 3.0, 0.0, 2.0}, {1.0, 0.0, 0.25, 2.0, 0.0, 1.0}},
     {{1.0, 1.0, 1.0}, {0.25, 0.0, 0.0, 0.25, 0.0, 0.25}, {4.0, 0.0, 0.0, 2.0, 0.0, 3.0}}};
 
-/// Calls a function: its status is what it should be, or the number that it returns is NaN where it should be, and nothing is written
-/// where it should not be.
+/// Calls a function: its status is what it should be, or the number that it returns is NaN where it should be, and nothing is
+/// written where it should not be.
 inline void expect(Failures &failures, Call &call, std::string const &what, int expected)
 {
     Answer const answer = call();
@@ -30,8 +30,8 @@ inline void expect(Failures &failures, Call &call, std::string const &what, int 
     failures.check(guards_intact(call), "guards", 0.0, 1.0, text);
 }
 
-/// The same of a call whose parameter `k` is spoiled, in its first row if it has rows: that row of the outputs is marked. What is wrong
-/// with all rows, as a null pointer, is found before anything is written.
+/// The same of a call whose parameter `k` is spoiled, in its first row if it has rows: that row of the outputs is marked. What is
+/// wrong with all rows, as a null pointer, is found before anything is written.
 inline void expect_error(Failures &failures, Call &call, std::size_t k, std::string const &what, int expected)
 {
     expect(failures, call, what, expected);
@@ -42,8 +42,8 @@ inline void expect_error(Failures &failures, Call &call, std::size_t k, std::str
                    [&] { return what + ": " + call.text(); });
 }
 
-/// Calls `visit` with each function and each parameter of it that a program gives numbers, real ones or motions. Building blocks are
-/// left out that compute with what they get.
+/// Calls `visit` with each function and each parameter of it that a program gives numbers, real ones or motions. Building blocks
+/// that compute with what they get are left out.
 template <class Visit> void for_each_real_input(Visit const &visit)
 {
     for (Function const &function : declared_functions()) {

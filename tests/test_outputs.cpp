@@ -1,5 +1,5 @@
-// Every function of the libraries writes what its contract says and nothing beside it, and says what is wrong with its arguments: for
-// valid ones, NaN and infinities, and null pointers, in each place.
+// Every function of the libraries writes what its contract says and nothing beside it, and says what is wrong with its arguments:
+// for valid ones, NaN and infinities, and null pointers, in each place.
 #include <limits>
 #include <string>
 

@@ -1,5 +1,5 @@
-// Statuses of values, of every function, with what happens to the outputs: forms that are not positive definite, zero vectors, λ. Those of
-// numbers that are not finite and of null pointers are in test_outputs.cpp. Versions and texts.
+// Statuses of values, of every function, with what happens to the outputs: forms that are not positive definite, zero vectors, λ.
+// Those of numbers that are not finite and of null pointers are in test_outputs.cpp. Versions and texts.
 #include <cstring>
 #include <limits>
 #include <string>
@@ -23,8 +23,8 @@ bool contains(std::string const &text, char const *part) { return text.find(part
 /// Whether a parameter is a form, or an array of forms, in space or in the plane.
 bool is_form(Parameter const &p) { return is_one_of(p.name, {"q", "q1", "q2"}); }
 
-/// Calls each function with each of its forms replaced, in the first row, by one of two, in space and in the plane, which is not positive
-/// definite.
+/// Calls each function with each of its forms replaced, in the first row, by one of two, in space and in the plane, which is not
+/// positive definite.
 void expect_not_definite(Failures &failures, double const *form, double const *flat)
 {
     for_each_real_input([&](Function const &function, std::size_t k) {

@@ -5,8 +5,8 @@
 /// returned; sizes that do not fit together, or an index out of range, are `Status::invalid_argument` before anything is
 /// written. Empty spans are fine. Outputs with a default may be left out.
 ///
-/// The functions are in the headers of the folder: pw85/batch/rows.hpp has those that take nothing but rows, pw85/batch/pairs.hpp more
-/// of many pairs, and pw85/batch/systems.hpp those of systems and lists.
+/// The functions are in the headers of the folder: pw85/batch/rows.hpp has those that take nothing but rows,
+/// pw85/batch/pairs.hpp more of many pairs, and pw85/batch/systems.hpp those of systems and lists.
 #ifndef PW85_BATCH_HPP_INCLUDED
 #define PW85_BATCH_HPP_INCLUDED
 

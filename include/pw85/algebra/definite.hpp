@@ -58,9 +58,9 @@ template <class T, int D> PW85_FUNCTION inline bool has_positive_pivots(Symmetri
 /// Whether numbers of a type are extended where its own digits do not suffice.
 template <class T> static constexpr bool has_extended_numbers = exact::is_decidable<T> && !is_for_device;
 
-/// Whether a matrix with a positive diagonal, the largest entry of which is near one, is positive definite: decided for the numbers as
-/// they are where there are extended numbers, to rounding elsewhere. An entry beside the diagonal that overflowed when the matrix was
-/// scaled is infinite. Such a matrix is not positive definite, and no comparison with what it makes NaN is true.
+/// Whether a matrix with a positive diagonal, the largest entry of which is near one, is positive definite: decided for the numbers
+/// as they are where there are extended numbers, to rounding elsewhere. An entry beside the diagonal that overflowed when the matrix
+/// was scaled is infinite. Such a matrix is not positive definite, and no comparison with what it makes NaN is true.
 template <class T, int D> PW85_FUNCTION inline bool is_positive_definite(SymmetricMatrix<T, D> const &a) noexcept
 {
     if constexpr (has_extended_numbers<T>)
