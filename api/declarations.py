@@ -16,7 +16,7 @@ its sentence in the comment:
 - "as for pw85_f()" refers to the parameter of the same name of another function. A comment that says "arguments as for pw85_f()" or
   "see pw85_f()" does so for all parameters that it does not describe.
 
-docs/ (reference pages, checks of the comments), fortran.py and tables.py import it.
+docs/ (reference pages, checks of the comments), the other programs of this folder and tests import it.
 """
 
 import re
@@ -26,7 +26,7 @@ from pathlib import Path
 
 INCLUDE = Path(__file__).resolve().parent.parent / "include"
 C_HEADERS = ("pw85.h", "pw85_gpu.h", "pw85_zheng.h", "pw85_legacy.h", "pw85_pre1.h")
-CPP_HEADERS = ("pw85/pw85.hpp", "pw85/batch.hpp", "pw85/neighbors.hpp")
+CPP_HEADERS = ("pw85/pw85.hpp", "pw85/batch/rows.hpp", "pw85/batch/pairs.hpp", "pw85/batch/systems.hpp", "pw85/neighbors.hpp")
 
 SECTION = r"^(?:/\*\*| \*|///) @name (?P<title>[^\n]+)$"
 C = re.compile(
@@ -36,7 +36,7 @@ C = re.compile(
 )
 CPP = re.compile(
     SECTION + r"|^(?P<comment>(?:///.*\n)+)(?:template <[^;{]*?> ?)?\s?"
-    r"(?:PW85_FUNCTION|static inline) (?P<type>[^;{(]*?)(?P<name>\w+)\((?P<parameters>[^;]*)\) noexcept;",
+    r"(?:PW85_FUNCTION|static inline) (?P<type>[^;{(]*?)(?P<name>\w+)\((?P<parameters>[^;]*)\) noexcept(?:;|\s*\{)",
     re.MULTILINE,
 )
 REFERENCE = re.compile(r"(?:as for|contract as|see|arguments of) (?:in )?(\w+)\(\)", re.IGNORECASE)
@@ -152,12 +152,18 @@ def functions(header):
 
 
 @cache
+def statuses():
+    """The status codes by their names in C: their names in C++ and their values."""
+    text = (INCLUDE / "pw85/status.h").read_text(encoding="utf-8")
+    return {c_name: (cpp_name, value) for c_name, cpp_name, value in re.findall(r"X\((PW85_\w+), (\w+), (\d+),", text)}
+
+
+@cache
 def constants():
     """The macros of the C headers that are numbers, and the status codes, as texts."""
     text = "".join((INCLUDE / header).read_text(encoding="utf-8") for header in C_HEADERS)
     found = dict(re.findall(r"^#define (PW85_\w+) ([\d.e-]+)$", text, re.MULTILINE))
-    statuses = (INCLUDE / "pw85/status.h").read_text(encoding="utf-8")
-    return found | dict(re.findall(r"X\((PW85_\w+), \w+, (\d+),", statuses))
+    return found | {name: value for name, (_, value) in statuses().items()}
 
 
 @cache

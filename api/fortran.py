@@ -11,11 +11,11 @@ import re
 import sys
 import textwrap
 from dataclasses import dataclass
-from pathlib import Path
 
+from committed import SOURCE, write_or_compare
 from declarations import constants, functions, members, parameters
 
-FORTRAN = Path(__file__).resolve().parent.parent / "fortran"
+FORTRAN = SOURCE / "fortran"
 MODULE, TEMPLATE = FORTRAN / "pw85.f90", FORTRAN / "pw85.in.f90"
 HEADERS = ("pw85.h", "pw85_legacy.h", "pw85_zheng.h")
 WIDTH = 120
@@ -150,13 +150,6 @@ def procedures():
     return found
 
 
-def main(version, check=None):
-    text = module(version)
-    if not check:
-        MODULE.write_text(text, encoding="utf-8")
-    elif MODULE.read_text(encoding="utf-8") != text:
-        sys.exit("fortran/pw85.f90 is not what api/fortran.py makes of the headers: make it anew")
-
-
 if __name__ == "__main__":
-    main(*sys.argv[1:])
+    version, *check = sys.argv[1:]
+    write_or_compare(MODULE, module(version), *check or [None])

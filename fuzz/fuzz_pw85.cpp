@@ -1,8 +1,6 @@
-// libFuzzer target: raw bytes as doubles into every public function. A success must not come with a NaN in the outputs, an
-// error must.
+// libFuzzer target: raw bytes as doubles into every public function, by the table of them. A success must not come with a NaN in
+// the outputs, an error must. Then what several functions say of the same pair must fit together.
 #include <pw85.h>
-#include <pw85_legacy.h>
-#include <pw85_zheng.h>
 
 #include <algorithm>
 #include <cmath>
@@ -12,10 +10,11 @@
 #include <vector>
 
 #include "../src/gpu/work.hpp"
+#include "../tests/marks.hpp"
+#include "../tests/rows_of_calls.hpp"
 #include "../tests/systems.hpp"
 
-using pw85_tests::list_of;
-using pw85_tests::system_of;
+using namespace pw85_tests;
 
 namespace {
 
@@ -49,69 +48,149 @@ void check(char const *function, Input const &in, int status, double const *out,
     if (status < PW85_SUCCESS || status > PW85_ECONVERGENCE) fail(function, in);
 }
 
-void check_builders(Input const &in)
+bool contains(std::string const &text, char const *part) { return text.find(part) != std::string::npos; }
+
+// Sums of forces and building blocks compute with what they get.
+bool takes_anything(std::string const &function)
 {
-    double q[6];
-    check("ellipsoid", in, pw85_ellipsoid(in.axes, in.rotation, q), q, 6);
-    check("ellipsoid_quaternion", in, pw85_ellipsoid_quaternion(in.axes, in.rotation, q), q, 6);
-    check("ellipse", in, pw85_ellipse(in.axes[0], in.axes[1], in.axes[2], q), q, 3);
-    pw85_spheroid(in.axes[0], in.axes[1], in.rotation, q);
-    if (has_nan(q, 6) != all_nan(q, 6)) fail("spheroid", in);
+    return contains(function, "__") || function == "pw85_contact_forces_pairs" ||
+           function == "pw85_legacy_contact_function2";
 }
 
+// What there is for some valid pairs only: points and derivatives of distances of pairs that are apart, directions of depths of
+// those that overlap, points and normals of those that are not concentric, and where lines that meet their ellipsoids enter and
+// leave.
+bool may_be_absent(Call const &call, std::size_t k)
+{
+    std::string const function = call.function().name;
+    return contains(function, "distance_derivatives") || is_one_of(call.parameter(k).name, {"point1", "point2"}) ||
+           (contains(function, "penetration") && is_one_of(call.parameter(k).name, {"direction"})) ||
+           (contains(function, "contact_derivatives") && is_one_of(call.parameter(k).name, {"point", "normal"})) ||
+           contains(function, "intersect_line");
+}
+
+// Whether the first row of an output has a mark where there is none on success.
+bool has_mark(Call &call, std::size_t k)
+{
+    bool const can_be_marked = is_one_of(call.parameter(k).name, {"particle", "next_pair"});
+    for (std::size_t i = 0; !can_be_marked && i < call.row_length(k); ++i)
+        if (is_marked(call, k, i)) return true;
+    return false;
+}
+
+// Arguments beside the pair: the other numbers, in turn. Neighbour lists keep theirs: with any scale or cell they may have too many
+// images.
+void set_others(Input const &in, Call &call)
+{
+    if (contains(call.function().name, "neighbors")) return;
+    double const *const others = in.axes; // and the rotation behind them
+    std::size_t next = 0;
+    for (std::size_t k = 0; k < call.size(); ++k) {
+        Parameter const &p = call.parameter(k);
+        bool const of_pair = is_one_of(p.name, {"r12", "q1", "q2", "q", "centers", "lambda"});
+        if (p.output || of_pair || !(p.type == Type::real || p.type == Type::motion)) continue;
+        Numbers const x = numbers(call, k);
+        for (std::size_t i = 0; i < x.size; ++i) x.begin[i] = others[next++ % 12];
+    }
+}
+
+void check_outputs(Input const &in, Call &call, int status)
+{
+    char const *const name = call.function().name;
+    // Memory is nothing that one row can lack, as a neighbour list can, nor a device what the host does without.
+    bool const may_lack_memory = status == PW85_ENOMEM && contains(name, "neighbors");
+    if (!may_lack_memory && (status < PW85_SUCCESS || status > PW85_ECONVERGENCE)) fail(name, in);
+    // What is wrong with all rows is found before anything is written.
+    bool untouched = call.parameter(0).type == Type::size;
+    for (std::size_t k = 0; k < call.size(); ++k)
+        if (call.parameter(k).output && call.parameter(k).type != Type::handle)
+            untouched = untouched && !call.all_written(k);
+    if (status != PW85_SUCCESS && !untouched && !first_rows_marked(call)) fail(name, in);
+    for (std::size_t k = 0; status == PW85_SUCCESS && k < call.size(); ++k)
+        if (call.parameter(k).output && !may_be_absent(call, k) && has_mark(call, k)) fail(name, in);
+}
+
+// A row is what the function of one row gives, to the last bit.
+void check_row(Input const &in, Call &call, int status)
+{
+    Function const *const one = of_one_row(call.function());
+    if (one == nullptr) return;
+    OneRow const expected = call_one(*one, call, 0);
+    if (status != expected.status) fail(call.function().name, in);
+    bool const written = status == PW85_SUCCESS || first_rows_marked(call);
+    if (written && !are_same(outputs_of(call, 0), expected.out)) fail(call.function().name, in);
+}
+
+void check_all(Input const &in)
+{
+    Sample<double, 3> pair{};
+    std::memcpy(&pair.r12, in.r12, sizeof in.r12);
+    std::memcpy(&pair.q1, in.q1, sizeof in.q1);
+    std::memcpy(&pair.q2, in.q2, sizeof in.q2);
+    double contact[2];
+    bool const valid = pw85_contact(in.r12, in.q1, in.q2, contact) == PW85_SUCCESS;
+    std::vector<Sample<double, 3>> const pairs = {pair};
+    for (Function const &function : declared_functions()) {
+        Call call(function, pairs, valid && in.scale % 2 == 1 ? contact[1] : in.lambda);
+        set_others(in, call);
+        int const status = call().status;
+        if (!guards_intact(call)) fail(function.name, in);
+        if (function.result != Result::status || takes_anything(function.name)) continue;
+        check_outputs(in, call, status);
+        check_row(in, call, status);
+    }
+    pw85_strerror(in.form);
+}
+
+// What the functions of a pair say of it fits together; where it is a scalar, it is in range.
 void check_pair(Input const &in)
 {
-    double out[3], point[6], gradient[15], torque[6], hessian[81];
+    double out[2];
     auto const *r = in.r12, *a = in.q1, *b = in.q2;
-    int const status = pw85_contact(r, a, b, out);
-    check("contact", in, status, out, 2);
-    double const lambda = status == PW85_SUCCESS ? out[1] : in.lambda;
-    if (status == PW85_SUCCESS && !(out[0] >= 0 && lambda >= 0 && lambda <= 1)) fail("contact: range", in);
-    check("contact_function", in, pw85_contact_function(r, a, b, out), out, 2);
-    check("contact_geometry", in, pw85_contact_geometry(r, a, b, lambda, point, point + 3), point, 6);
-    check("contact_gradient", in, pw85_contact_gradient(r, a, b, lambda, gradient, gradient + 3, gradient + 9),
-          gradient, 15);
-    check("contact_torque", in, pw85_contact_torque(r, a, b, lambda, torque, torque + 3), torque, 6);
-    check("contact_hessian", in, pw85_contact_hessian(r, a, b, lambda, hessian), hessian, 81);
-    check("closest_approach", in, pw85_closest_approach(r, a, b, out), out, 1);
-    check("closest_approach_2d", in, pw85_closest_approach_2d(r, a, b, out), out, 1);
-    check("legacy 1", in, pw85_legacy_contact_function1(r, a, b, out), out, 2);
-    check("zheng_ellipses", in, pw85_zheng_ellipses(r, a, b, out), out, 1);
-    check("zheng_ellipsoids", in, pw85_zheng_ellipsoids(r, a, b, out), out, 1);
     int overlap = 7;
-    int const overlap_status = pw85_overlap(r, a, b, &overlap);
-    if (overlap_status != status) fail("overlap: status", in);
-    if (overlap_status == PW85_SUCCESS ? overlap != 0 && overlap != 1 : overlap != -1) fail("overlap", in);
+    int const status = pw85_contact(r, a, b, out);
+    if (status == PW85_SUCCESS && !(out[0] >= 0 && out[1] >= 0 && out[1] <= 1)) fail("contact: range", in);
+    if (pw85_overlap(r, a, b, &overlap) != status) fail("overlap: status", in);
+    if (status == PW85_SUCCESS ? overlap != 0 && overlap != 1 : overlap != -1) fail("overlap", in);
+    unsigned char code = 7;
+    int const batch_status = pw85_contact_batch(1, r, a, b, out, out + 1);
+    if (pw85_overlap_batch(1, r, a, b, &code) != batch_status) fail("overlap_batch: status", in);
+    if (batch_status == PW85_SUCCESS ? code > 1 : code != 255) fail("overlap_batch", in);
+    int any = 7;
+    if (pw85_overlap_any(a, 1, r, b, &any) != batch_status) fail("overlap_any: status", in);
+    if (batch_status == PW85_SUCCESS ? any != 0 && any != 1 : any != -1) fail("overlap_any", in);
 }
 
 void check_flat_pair(Input const &in)
 {
-    double out[2], point[4], gradient[8], torque[2], hessian[16];
+    double out[2];
     auto const *r = in.r12, *a = in.q1, *b = in.q2;
     int const status = pw85_contact_2d(r, a, b, out);
-    check("contact_2d", in, status, out, 2);
-    double const lambda = status == PW85_SUCCESS ? out[1] : in.lambda;
-    check("contact_geometry_2d", in, pw85_contact_geometry_2d(r, a, b, lambda, point, point + 2), point, 4);
-    check("contact_gradient_2d", in, pw85_contact_gradient_2d(r, a, b, lambda, gradient, gradient + 2, gradient + 5),
-          gradient, 8);
-    check("contact_torque_2d", in, pw85_contact_torque_2d(r, a, b, lambda, torque, torque + 1), torque, 2);
-    check("contact_hessian_2d", in, pw85_contact_hessian_2d(r, a, b, lambda, hessian), hessian, 16);
     int overlap = 7;
     if (pw85_overlap_2d(r, a, b, &overlap) != status) fail("overlap_2d: status", in);
     if (status == PW85_SUCCESS ? overlap != 0 && overlap != 1 : overlap != -1) fail("overlap_2d", in);
     unsigned char code = 7;
     if (pw85_overlap_batch_2d(1, r, a, b, &code) != status) fail("overlap_batch_2d: status", in);
-    check("contact_batch_2d", in, pw85_contact_batch_2d(1, r, a, b, out, out + 1), out, 2);
 }
+
+void check_spheroid(Input const &in)
+{
+    double q[6];
+    pw85_spheroid(in.axes[0], in.axes[1], in.rotation, q);
+    if (has_nan(q, 6) != all_nan(q, 6)) fail("spheroid", in);
+}
+
+// Whether a search says of a pair what the decision does; it may give up.
+bool agree(int search_status, int status) { return search_status == status || search_status == PW85_ECONVERGENCE; }
 
 // Points and derivatives of a pair that overlaps are NaN.
 void check_distance(Input const &in)
 {
-    double distance, points[6], derivatives[90];
+    double distance, points[6], derivatives[90], row[7];
     int overlap;
-    int const status = pw85_overlap(in.r12, in.q1, in.q2, &overlap);
-    if (pw85_distance(in.r12, in.q1, in.q2, &distance, points, points + 3) != status) fail("distance: status", in);
-    check("distance", in, status, &distance, 1);
+    int const decided = pw85_overlap(in.r12, in.q1, in.q2, &overlap);
+    int const status = pw85_distance(in.r12, in.q1, in.q2, &distance, points, points + 3);
+    if (!agree(status, decided)) fail("distance: status", in);
     if (distance < 0) fail("distance: negative", in);
     bool const apart = status == PW85_SUCCESS && overlap == 0;
     if (apart ? has_nan(points, 6) : !all_nan(points, 6)) fail("distance: points", in);
@@ -119,111 +198,29 @@ void check_distance(Input const &in)
                                   derivatives + 9) != status)
         fail("distance_derivatives: status", in);
     if (apart ? has_nan(derivatives, 90) : !all_nan(derivatives, 90)) fail("distance_derivatives", in);
-    double depth;
-    int const depth_status = pw85_penetration(in.r12, in.q1, in.q2, &depth, points);
-    if (depth_status != status && depth_status != PW85_ECONVERGENCE) fail("penetration: status", in);
-    check("penetration", in, depth_status, &depth, 1);
-    if (depth_status == PW85_SUCCESS && (overlap == 1 ? has_nan(points, 3) || depth < 0 : depth != 0))
+    if (pw85_distance_batch(1, in.r12, in.q1, in.q2, row, row + 1, row + 4) != status)
+        fail("distance_batch: status", in);
+    if (apart ? has_nan(row + 1, 6) : !all_nan(row + 1, 6)) fail("distance_batch: points", in);
+}
+
+// A pair that does not overlap has depth 0 and no direction.
+void check_penetration(Input const &in)
+{
+    double depth, direction[3];
+    int overlap;
+    int const decided = pw85_overlap(in.r12, in.q1, in.q2, &overlap);
+    int const status = pw85_penetration(in.r12, in.q1, in.q2, &depth, direction);
+    if (!agree(status, decided)) fail("penetration: status", in);
+    if (status == PW85_SUCCESS && (overlap == 1 ? has_nan(direction, 3) || depth < 0 : depth != 0))
         fail("penetration", in);
-    check("distance_2d", in, pw85_distance_2d(in.r12, in.q1, in.q2, &distance, points, points + 2), &distance, 1);
 }
 
-void check_walls(Input const &in)
+// The parameters where a line enters and leaves are in order.
+void check_line(Input const &in)
 {
-    double out[7];
-    auto const *r = in.r12, *q = in.q1, *x = in.axes, *y = in.rotation;
-    check("distance_plane", in, pw85_distance_plane(r, in.lambda, q, out, out + 1), out, 4);
-    check("distance_plane_derivatives", in, pw85_distance_plane_derivatives(r, q, out, out + 3), out, 6);
-    check("contact_plane", in, pw85_contact_plane(r, in.lambda, q, out, out + 1), out, 4);
-    check("contact_plane_derivatives", in, pw85_contact_plane_derivatives(r, in.lambda, q, out, out + 3), out, 6);
-    check("distance_box", in, pw85_distance_box(x, y, q, out, out + 1, out + 4), out, 7);
-    check("distance_cylinder", in, pw85_distance_cylinder(x, in.lambda, r, q, out, out + 1, out + 4), out, 7);
-    check("distance_point", in, pw85_distance_point(r, q, out, out + 1, out + 4), out, 7);
-    int const status = pw85_intersect_line(x, r, q, out);
-    if (std::isnan(out[0]) != std::isnan(out[1]) || out[0] > out[1]) fail("intersect_line", in);
-    if (status != PW85_SUCCESS && !all_nan(out, 2)) fail("intersect_line: status", in);
-}
-
-// A row is what the function of one row gives, to the last bit.
-void check_row(char const *function, Input const &in, int one_status, double const *one, int status, double const *row,
-               int n)
-{
-    if (status != one_status || std::memcmp(one, row, static_cast<std::size_t>(n) * sizeof *one) != 0)
-        fail(function, in);
-}
-
-void check_rows_of_pairs(Input const &in)
-{
-    double one[90], row[90];
-    auto const *r = in.r12, *a = in.q1, *b = in.q2;
-    double const x = in.lambda;
-    check_row("contact_function_batch", in, pw85_contact_function(r, a, b, one), one,
-              pw85_contact_function_batch(1, r, a, b, row, row + 1), row, 2);
-    check_row("contact_geometry_batch", in, pw85_contact_geometry(r, a, b, x, one, one + 3), one,
-              pw85_contact_geometry_batch(1, r, a, b, &x, row, row + 3), row, 6);
-    check_row("contact_gradient_batch", in, pw85_contact_gradient(r, a, b, x, one, one + 3, one + 9), one,
-              pw85_contact_gradient_batch(1, r, a, b, &x, row, row + 3, row + 9), row, 15);
-    check_row("contact_torque_batch", in, pw85_contact_torque(r, a, b, x, one, one + 3), one,
-              pw85_contact_torque_batch(1, r, a, b, &x, row, row + 3), row, 6);
-    check_row("contact_hessian_batch", in, pw85_contact_hessian(r, a, b, x, one), one,
-              pw85_contact_hessian_batch(1, r, a, b, &x, row), row, 81);
-    check_row("distance_derivatives_batch", in, pw85_distance_derivatives(r, a, b, one, one + 3, one + 6, one + 9), one,
-              pw85_distance_derivatives_batch(1, r, a, b, row, row + 3, row + 6, row + 9), row, 90);
-}
-
-void check_rows_of_ellipses(Input const &in)
-{
-    double one[16], row[16];
-    auto const *r = in.r12, *a = in.q1, *b = in.q2;
-    double const x = in.lambda;
-    check_row("contact_geometry_batch_2d", in, pw85_contact_geometry_2d(r, a, b, x, one, one + 2), one,
-              pw85_contact_geometry_batch_2d(1, r, a, b, &x, row, row + 2), row, 4);
-    check_row("contact_gradient_batch_2d", in, pw85_contact_gradient_2d(r, a, b, x, one, one + 2, one + 5), one,
-              pw85_contact_gradient_batch_2d(1, r, a, b, &x, row, row + 2, row + 5), row, 8);
-    check_row("contact_torque_batch_2d", in, pw85_contact_torque_2d(r, a, b, x, one, one + 1), one,
-              pw85_contact_torque_batch_2d(1, r, a, b, &x, row, row + 1), row, 2);
-    check_row("contact_hessian_batch_2d", in, pw85_contact_hessian_2d(r, a, b, x, one), one,
-              pw85_contact_hessian_batch_2d(1, r, a, b, &x, row), row, 16);
-    check_row("closest_approach_batch_2d", in, pw85_closest_approach_2d(r, a, b, one), one,
-              pw85_closest_approach_batch_2d(1, r, a, b, row), row, 1);
-    check_row("distance_batch_2d", in, pw85_distance_2d(r, a, b, one, one + 1, one + 3), one,
-              pw85_distance_batch_2d(1, r, a, b, row, row + 1, row + 3), row, 5);
-}
-
-void check_rows_of_walls(Input const &in)
-{
-    double one[7], row[7];
-    auto const *r = in.r12, *q = in.q1, *x = in.axes, *y = in.rotation;
-    double const number = in.lambda;
-    check_row("distance_plane_batch", in, pw85_distance_plane(r, number, q, one, one + 1), one,
-              pw85_distance_plane_batch(1, r, &number, q, row, row + 1), row, 4);
-    check_row("distance_plane_derivatives_batch", in, pw85_distance_plane_derivatives(r, q, one, one + 3), one,
-              pw85_distance_plane_derivatives_batch(1, r, q, row, row + 3), row, 6);
-    check_row("contact_plane_batch", in, pw85_contact_plane(r, number, q, one, one + 1), one,
-              pw85_contact_plane_batch(1, r, &number, q, row, row + 1), row, 4);
-    check_row("contact_plane_derivatives_batch", in, pw85_contact_plane_derivatives(r, number, q, one, one + 3), one,
-              pw85_contact_plane_derivatives_batch(1, r, &number, q, row, row + 3), row, 6);
-    check_row("distance_box_batch", in, pw85_distance_box(x, y, q, one, one + 1, one + 4), one,
-              pw85_distance_box_batch(1, x, y, q, row, row + 1, row + 4), row, 7);
-    check_row("distance_cylinder_batch", in, pw85_distance_cylinder(x, number, r, q, one, one + 1, one + 4), one,
-              pw85_distance_cylinder_batch(1, x, &number, r, q, row, row + 1, row + 4), row, 7);
-    check_row("distance_point_batch", in, pw85_distance_point(r, q, one, one + 1, one + 4), one,
-              pw85_distance_point_batch(1, r, q, row, row + 1, row + 4), row, 7);
-    check_row("intersect_line_batch", in, pw85_intersect_line(x, r, q, one), one,
-              pw85_intersect_line_batch(1, x, r, q, row, row + 1), row, 2);
-}
-
-// Rows are what single calls give; distances but for rounding.
-void check_rows_of_distances(Input const &in)
-{
-    double one[7], row[7];
-    auto const *r = in.r12, *a = in.q1, *b = in.q2;
-    int const status = pw85_distance(r, a, b, one, one + 1, one + 4);
-    if (pw85_distance_batch(1, r, a, b, row, row + 1, row + 4) != status) fail("distance_batch: status", in);
-    check("distance_batch", in, status, row, 1);
-    if (std::isnan(one[1]) != std::isnan(row[1])) fail("distance_batch: points", in);
-    check_row("penetration_batch", in, pw85_penetration(r, a, b, one, one + 1), one,
-              pw85_penetration_batch(1, r, a, b, row, row + 1), row, 4);
+    double t[2];
+    pw85_intersect_line(in.axes, in.r12, in.q1, t);
+    if (std::isnan(t[0]) != std::isnan(t[1]) || t[0] > t[1]) fail("intersect_line", in);
 }
 
 // Times are not negative and not after the end; infinity is none.
@@ -234,56 +231,13 @@ void check_motion(Input const &in)
                                     {{x[6], x[7], x[8]}, {x[0], x[2], x[4]}, in.lambda}};
     pw85_motion const slide{{x[0], x[1], x[2]}, {0, 0, 0}, 0}, still{};
     double const end = in.axes[0];
-    double t, batch, list[1], next[2];
-    std::int64_t next_pair[2];
+    double t;
     auto const check_time = [&](pw85_motion const &a, pw85_motion const &b) {
         int const status = pw85_first_contact(in.r12, in.q1, in.q2, &a, &b, end, &t);
-        check("first_contact", in, status, &t, 1);
         if (status == PW85_SUCCESS && !(t >= 0 && (t <= end || std::isinf(t)))) fail("first_contact: range", in);
-        if (pw85_first_contact_batch(1, in.r12, in.q1, in.q2, &a, &b, end, &batch) != status)
-            fail("first_contact_batch: status", in);
-        if (status == PW85_SUCCESS && t != batch) fail("first_contact_batch", in);
     };
     check_time(slide, still);
     check_time(motions[0], motions[1]);
-    double centers[6] = {0, 0, 0, in.r12[0], in.r12[1], in.r12[2]}, forms[12];
-    std::memcpy(forms, in.q1, sizeof in.q1);
-    std::memcpy(forms + 6, in.q2, sizeof in.q2);
-    std::int32_t const pairs[2] = {0, 1};
-    check("first_contact_pairs", in,
-          pw85_first_contact_pairs(list_of(1, pairs), system_of(2, centers, forms, nullptr), motions, end, list, next,
-                                   next_pair),
-          list, 1);
-}
-
-void check_batch(Input const &in)
-{
-    double mu2[1], lambda[1];
-    unsigned char overlap = 7;
-    int const status = pw85_contact_batch(1, in.r12, in.q1, in.q2, mu2, lambda);
-    check("contact_batch", in, status, mu2, 1);
-    check("contact_batch: lambda", in, status, lambda, 1);
-    if (pw85_overlap_batch(1, in.r12, in.q1, in.q2, &overlap) != status) fail("overlap_batch: status", in);
-    if (status == PW85_SUCCESS ? overlap > 1 : overlap != 255) fail("overlap_batch", in);
-    double centers[6] = {0, 0, 0, in.r12[0], in.r12[1], in.r12[2]}, forms[12];
-    std::memcpy(forms, in.q1, sizeof in.q1);
-    std::memcpy(forms + 6, in.q2, sizeof in.q2);
-    std::int32_t const pairs[2] = {0, 1};
-    check("contact_pairs", in,
-          pw85_contact_pairs(list_of(1, pairs), system_of(2, centers, forms, nullptr), mu2, lambda), mu2, 1);
-    pw85_contact_pairs(list_of(1, pairs), system_of(2, centers, forms, in.rotation), mu2, lambda);
-    pw85_contact_pairs(list_of(1, pairs), system_of(2, centers, forms, in.rotation, true), mu2, lambda);
-    pw85_overlap_pairs(list_of(1, pairs), system_of(2, centers, forms, in.rotation), &overlap);
-    double limit, out[17];
-    pw85_contact_derivatives_pairs(list_of(1, pairs), system_of(2, centers, forms, in.rotation), out, out + 1, out + 2,
-                                   out + 5, out + 8, out + 11, out + 14);
-    double vector[3] = {};
-    std::int32_t image[3];
-    if (pw85_nearest_images(1, pairs, system_of(2, centers, nullptr, in.rotation), vector, image) == PW85_SUCCESS &&
-        has_nan(vector, 3))
-        fail("nearest_images", in);
-    check("nearest_image_limit", in, pw85_nearest_image_limit(system_of(2, nullptr, forms, in.rotation), &limit),
-          &limit, 1);
 }
 
 // What a device does with a pair, here: it answers as the host, marks what is not valid, or leaves it to the host.
@@ -306,23 +260,6 @@ void check_device(Input const &in)
     DerivativeArrays const derivatives{out, out + 1, out + 2, out + 5, out + 8, out + 11, out + 14};
     if (!attempt(derivatives, pair, 0)) settle(derivatives, pair, 0);
     check("device: derivatives", in, status, out + 8, 9);
-}
-
-// A pair at r12 = 0 has derivatives, but no point and no normal.
-void check_rows(Input const &in)
-{
-    double mu2, out[17];
-    int any = 7;
-    int const status = pw85_contact_derivatives_batch(1, in.r12, in.q1, in.q2, &mu2, out, out + 1, out + 4, out + 7,
-                                                      out + 10, out + 13);
-    check("contact_derivatives_batch", in, status, &mu2, 1);
-    check("contact_derivatives_batch: derivatives", in, status, out + 7, 9);
-    if (pw85_overlap_any(in.q1, 1, in.r12, in.q2, &any) != status) fail("overlap_any: status", in);
-    if (status == PW85_SUCCESS ? any != 0 && any != 1 : any != -1) fail("overlap_any", in);
-    check("closest_approach_batch", in, pw85_closest_approach_batch(1, in.r12, in.q1, in.q2, out), out, 1);
-    check("bounding_boxes", in, pw85_bounding_boxes(1, in.q1, out), out, 3);
-    check("ellipsoid_quaternion_batch", in, pw85_ellipsoid_quaternion_batch(1, in.axes, in.rotation, out), out, 6);
-    check("cell_reduce", in, pw85_cell_reduce(in.rotation, out), out, 9);
 }
 
 // The images of large particles in a small cell are too many to list.
@@ -352,37 +289,7 @@ void check_neighbors(Input const &in)
     for (std::size_t k = 0; k < 2 * found.num_pairs; ++k)
         if (found.pairs[k] < 0 || found.pairs[k] > 1) fail("neighbors_list: pairs", in);
     if (found.num_pairs > 0 && (found.images != nullptr) != (cell != nullptr)) fail("neighbors_list: images", in);
-    std::int32_t const other = 1, pair[2] = {0, 1};
-    double sums[21];
-    int any = 7;
-    int const any_status =
-        pw85_overlap_any_indices(centers, forms, system_of(2, centers, forms, nullptr), 1, &other, nullptr, &any);
-    if (any_status == PW85_SUCCESS ? any != 0 && any != 1 : any != -1) fail("overlap_any_indices", in);
-    pw85_contact_forces_pairs(list_of(1, pair), system_of(2, centers, nullptr, nullptr), in.axes, in.q1, in.q2,
-                              in.rotation, sums, sums + 6, sums + 12);
     pw85_neighbors_destroy(list);
-}
-
-void check_building_blocks(Input const &in)
-{
-    double out[6], params[15], b[4];
-    pw85__cholesky_decomp(in.q1, out);
-    pw85__cholesky_solve(out, in.r12, b);
-    pw85__residual(in.lambda, in.r12, in.q1, in.q2, out);
-    std::memcpy(params, in.r12, sizeof in.r12);
-    std::memcpy(params + 3, in.q1, sizeof in.q1);
-    std::memcpy(params + 9, in.q2, sizeof in.q2);
-    pw85_f_neg(in.lambda, params);
-    pw85_legacy_f1(in.lambda, in.r12, in.q1, in.q2, out);
-    pw85_legacy_f2(in.lambda, in.r12, in.q1, in.q2, out);
-    pw85_legacy_f2_derivatives(in.lambda, in.r12, in.q1, in.q2, out);
-    pw85_legacy_contact_function2(in.r12, in.q1, in.q2, out);
-    pw85_legacy__det_sym(in.q1);
-    pw85_legacy__xT_adjA_x(in.r12, in.q1);
-    pw85_legacy__detQ_as_poly(in.q1, in.q2, in.q1, in.q2, b);
-    pw85_legacy__rT_adjQ_r_as_poly(in.r12, in.q1, in.q2, in.q1, out);
-    pw85_strerror(in.form);
-    pw85_version();
 }
 
 // Raw bytes rarely make a positive definite matrix: most inputs are turned into L Lᵀ with entries of like magnitude.
@@ -414,20 +321,15 @@ extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const *data, std::size_t size
         make_definite(in.q1, in.form % 4 == 1 ? 0 : in.scale - 128);
         make_definite(in.q2, in.form % 4 == 3 ? 128 - in.scale : 0);
     }
-    check_builders(in);
+    check_all(in);
     check_pair(in);
     check_flat_pair(in);
+    check_spheroid(in);
     check_distance(in);
-    check_rows_of_distances(in);
-    check_rows_of_pairs(in);
-    check_rows_of_ellipses(in);
-    check_rows_of_walls(in);
+    check_penetration(in);
+    check_line(in);
     check_motion(in);
-    check_walls(in);
-    check_batch(in);
     check_device(in);
-    check_rows(in);
     check_neighbors(in);
-    check_building_blocks(in);
     return 0;
 }

@@ -771,7 +771,7 @@ PW85_API int pw85_distance_point_batch(size_t n, double const *r, double const *
  * @param origin n×3
  * @param directions n×3, of any lengths > 0
  * @param q n×6
- * @param[out] enter,leave n each: t[0] and t[1], NaN for lines that miss their ellipsoids; any output may be null
+ * @param[out] enter,leave n each: where a line enters and leaves, as t; NaN if it misses its ellipsoid; any output may be null
  * @return as for pw85_contact_batch(); a zero direction is #PW85_EINVAL */
 PW85_API int pw85_intersect_line_batch(size_t n, double const *origin, double const *directions, double const *q,
                                        double *enter, double *leave);

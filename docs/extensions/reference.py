@@ -62,7 +62,7 @@ class FunctionTable(FromHeader):
 class CppFunctions(FromHeader):
     def lines(self, section):
         yield from (section.title, "~" * len(section.title), "")
-        names = [function.name for function in section.functions]
+        names = [function.name for header in declarations.CPP_HEADERS for function in declarations.functions(header)]
         for function in section.functions:
             signature = f"({', '.join(function.parameters)})" if names.count(function.name) > 1 else ""
             yield from (f".. doxygenfunction:: pw85::{function.name}{signature}", "   :project: cpp", "")

@@ -77,7 +77,7 @@ static inline Status neighbors_create(Particles const &particles, NeighborOption
     list = Neighbors();
     if (particles.centers.size() != particles.q.size()) return Status::invalid_argument;
     pw85_neighbors *made = nullptr;
-    pw85_system const system = detail::c_struct(particles);
+    pw85_system const system = detail::in_c(particles);
     int const status = pw85_neighbors_create(&system, options.scale, options.skin, &made);
     list = Neighbors(made);
     return static_cast<Status>(status);
@@ -88,7 +88,7 @@ static inline Status neighbors_check(Particles const &particles, NeighborOptions
 {
     particle = particles.centers.size();
     if (particles.centers.size() != particles.q.size()) return Status::invalid_argument;
-    pw85_system const system = detail::c_struct(particles);
+    pw85_system const system = detail::in_c(particles);
     return static_cast<Status>(pw85_neighbors_check(&system, options.scale, options.skin, &particle));
 }
 
@@ -96,7 +96,7 @@ static inline Status neighbors_holds(Neighbors const &list, Particles const &par
 {
     holds = -1;
     if (particles.centers.size() != particles.q.size()) return Status::invalid_argument;
-    pw85_system const system = detail::c_struct(particles);
+    pw85_system const system = detail::in_c(particles);
     return static_cast<Status>(pw85_neighbors_holds(list.get(), &system, &holds));
 }
 

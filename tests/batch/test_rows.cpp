@@ -1,13 +1,12 @@
 // The functions of many rows that have no lanes give what the functions of one row give, bit by bit and whatever the number of
 // threads. The test finds the functions by their names, so that a new function is tested as soon as it is declared.
-#include <optional>
 #include <string>
 
 #include <glib.h>
 
-#include "../calls.hpp"
 #include "../draws.hpp"
 #include "../failures.hpp"
+#include "../rows_of_calls.hpp"
 #include "batch_data.hpp"
 
 #ifdef _OPENMP
@@ -17,24 +16,6 @@
 using namespace pw85_tests;
 
 namespace {
-
-// These have lanes, whose last bits differ, or codes of their own: other programs test them.
-std::vector<std::string> const with_lanes = {"pw85_contact_batch",          "pw85_overlap_batch",
-                                             "pw85_closest_approach_batch", "pw85_contact_batch_2d",
-                                             "pw85_overlap_batch_2d",       "pw85_distance_batch"};
-
-/// The function of one row of a function of many, by its name; none if it has lanes or no such relative.
-std::optional<Function> of_one_row(Function const &many)
-{
-    std::string name = many.name;
-    std::size_t const place = name.find("_batch");
-    if (place == std::string::npos || std::find(with_lanes.begin(), with_lanes.end(), name) != with_lanes.end())
-        return {};
-    name.erase(place, std::string("_batch").size());
-    for (Function const &one : declared_functions())
-        if (one.name == name) return one;
-    return {};
-}
 
 /// Makes the rows of an input unlike: most numbers are scaled, some get another sign, few are NaN. Forms and separations stay as
 /// the pairs have them.
@@ -52,55 +33,6 @@ void scatter(Random &random, Call &call, std::size_t k)
         if (name == "lambda" && kind < 0.02) x += 2.0;
         if (kind > 0.99) x = std::numeric_limits<double>::quiet_NaN();
     }
-}
-
-/// What a function of one row gives for a row of the arrays of a function of many.
-struct OneRow {
-    std::vector<double> out;
-    int status;
-};
-
-OneRow call_one(Function const &one, Call &many, std::size_t row)
-{
-    std::vector<Argument> arguments(one.parameters.size());
-    std::vector<std::vector<double>> outputs(one.parameters.size());
-    for (std::size_t k = 0; k < one.parameters.size(); ++k) {
-        Parameter const &p = one.parameters[k];
-        if (p.output) {
-            std::size_t size = 1;
-            for (auto const &extent : p.shape) size *= extent.number;
-            outputs[k].resize(size);
-            arguments[k].pointer = outputs[k].data();
-        } else if (!many.parameter(k + 1).pointer)
-            arguments[k] = many[k + 1];
-        else if (p.type == Type::motion)
-            arguments[k].pointer = many.elements<pw85_motion>(k + 1) + row;
-        else if (p.pointer)
-            arguments[k].pointer = many.elements<double>(k + 1) + row * many.row_length(k + 1);
-        else
-            arguments[k].real = many.elements<double>(k + 1)[row];
-    }
-    OneRow result{{}, one.call(arguments.data()).status};
-    for (auto const &numbers : outputs) result.out.insert(result.out.end(), numbers.begin(), numbers.end());
-    return result;
-}
-
-/// The outputs of a row of a function of many, one after the other.
-std::vector<double> outputs_of(Call &many, std::size_t row)
-{
-    std::vector<double> all;
-    for (std::size_t k = 0; k < many.size(); ++k) {
-        if (!many.parameter(k).output) continue;
-        std::size_t const width = many.row_length(k);
-        double const *const first = many.elements<double>(k) + row * width;
-        all.insert(all.end(), first, first + width);
-    }
-    return all;
-}
-
-bool are_same(std::vector<double> const &x, std::vector<double> const &y)
-{
-    return x.size() == y.size() && std::memcmp(x.data(), y.data(), x.size() * sizeof(double)) == 0;
 }
 
 void check_rows(Failures &failures, Function const &one, Call &many, std::size_t n)
@@ -139,8 +71,8 @@ void test_rows()
     auto const pairs = mixed_pairs(random, n);
     int functions = 0;
     for (Function const &function : declared_functions()) {
-        auto const one = of_one_row(function);
-        if (!one) continue;
+        Function const *const one = of_one_row(function);
+        if (one == nullptr) continue;
         ++functions;
         Call many(function, pairs);
         for (std::size_t k = 0; k < many.size(); ++k) scatter(random, many, k);

@@ -24,7 +24,8 @@ STANDS_ON = {
     "distance": ("ground", "algebra", "contact", "overlap"),
     "motion": ("ground", "algebra", "contact"),
     "history": ("ground", "algebra", "contact"),
-    "entries": ("ground", "algebra", "contact", "overlap", "distance", "motion"),
+    "batch": ("ground", "algebra", "motion"),
+    "entries": ("ground", "algebra", "contact", "overlap", "distance", "motion", "batch"),
 }
 MAX_FLOORS = 8  # of folders, and of headers within a folder
 

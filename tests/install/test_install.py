@@ -104,9 +104,10 @@ class Installation:
             raise Failed(f"not installed: {missing}")
         headers = {path.relative_to(self.source / "include") for path in (self.source / "include").rglob("*.h*")
                    if path.suffix in (".h", ".hpp")}
-        missing = [str(header) for header in sorted(headers) if not (self.prefix / "include" / header).exists()]
-        if missing:
-            raise Failed(f"headers not installed: {missing}")
+        include = self.prefix / "include"
+        installed = {path.relative_to(include) for path in include.rglob("*") if not path.is_dir()}
+        if installed != headers | {Path("pw85/version.h")}:
+            raise Failed(f"headers not installed, or installed and no headers: {sorted(map(str, installed ^ headers))}")
 
     def check_tags(self):
         """Those who package by Meson's tags lose nothing: each file has one, also of the parts that are not built here, and the

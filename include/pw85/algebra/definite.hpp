@@ -30,7 +30,7 @@ template <class T> PW85_FUNCTION constexpr T least_determinant() noexcept
     return negative_power_of_two<T>(4 * result_digits<T>());
 }
 
-/// Sylvester's criterion for finite entries and a positive diagonal, without rounding errors that matter: scaled to a unit diagonal
+/// Sylvester's criterion for a positive diagonal, without rounding errors that matter: scaled to a unit diagonal
 /// the minors err by less than 2^(5-bits), and where the determinant exceeds least_determinant(), so do the others half of that.
 /// Pivots, which are ratios of minors, exceed the fourth root of the smallest number times the largest diagonal entry. (An
 /// ellipsoid of aspect ratio 1e38 has a pivot as small as that in double; its inverse leaves room for products of four entries.)
@@ -60,8 +60,9 @@ template <class T, int D> PW85_FUNCTION inline bool has_positive_pivots(Symmetri
 /// Whether a type has extended numbers, for matrices for which its own digits do not suffice.
 template <class T> static constexpr bool has_extended_numbers = exact::is_decidable<T> && !is_for_device;
 
-/// Whether a matrix is positive definite. Its entries are finite, its diagonal is positive, and the largest entry is near one. The
-/// decision is exact for types with extended numbers, and up to rounding for others.
+/// Whether a matrix is positive definite. Its diagonal is positive, and the largest entry of the diagonal is near one. The decision is
+/// exact for types with extended numbers, and up to rounding for others. An entry beside the diagonal that overflowed when the matrix
+/// was scaled is infinite. Such a matrix is not positive definite, and no comparison with what it makes NaN is true.
 template <class T, int D> PW85_FUNCTION inline bool is_positive_definite(SymmetricMatrix<T, D> const &a) noexcept
 {
     if constexpr (has_extended_numbers<T>)

@@ -30,14 +30,15 @@ template <class T> struct Extended {
 
     Extended() noexcept = default;
 
-    /// Converts a native number exactly. Constants may have another type than `T`.
+    /// Converts a finite native number exactly, and others to NaN. Constants may have another type than `T`.
     template <class Number>
     requires std::is_arithmetic_v<Number> PW85_MEMBER explicit Extended(Number number) noexcept
         : mantissa{}, exponent(0), sign(0)
     {
         using Native = std::conditional_t<std::is_integral_v<Number>, double, Number>;
         auto const x = static_cast<Native>(number);
-        sign = x > 0 ? 1 : x < 0 ? -1 : x == 0 ? 0 : undefined;
+        bool const finite = x * Native(0) == Native(0);
+        sign = !finite ? undefined : x > 0 ? 1 : x < 0 ? -1 : 0;
         if (sign != 1 && sign != -1) return;
         exponent = binary_exponent(absolute(x)) + 1;
         Native fraction = pw85::detail::times_power_of_two(absolute(x), -exponent);

@@ -1,0 +1,115 @@
+/// @file
+/// Calls of the functions of C with spans: sizes are compared, and rows become the arrays that they are in memory.
+#ifndef PW85_BATCH_CALLS_HPP_INCLUDED
+#define PW85_BATCH_CALLS_HPP_INCLUDED
+
+#include <pw85.h>
+
+#include <algorithm>
+
+#include <pw85/batch/values.hpp>
+
+namespace pw85::detail {
+
+/// What rows consist of in C.
+template <class Row> struct ElementOf {
+    static_assert(sizeof(Row) % sizeof(double) == 0);
+    using Type = double;
+};
+template <> struct ElementOf<unsigned char> {
+    using Type = unsigned char;
+};
+template <> struct ElementOf<std::int64_t> {
+    using Type = std::int64_t;
+};
+template <std::size_t N> struct ElementOf<std::array<std::int32_t, N>> {
+    static_assert(sizeof(std::array<std::int32_t, N>) == N * sizeof(std::int32_t));
+    using Type = std::int32_t;
+};
+template <> struct ElementOf<Motion<double, 3>> {
+    static_assert(sizeof(Motion<double, 3>) == sizeof(pw85_motion));
+    using Type = pw85_motion;
+};
+
+static_assert(sizeof(Vector<double, 2>) == 2 * sizeof(double));
+static_assert(sizeof(SymmetricMatrix<double, 2>) == 3 * sizeof(double));
+static_assert(sizeof(Vector<double, 3>) == 3 * sizeof(double));
+static_assert(sizeof(SymmetricMatrix<double, 3>) == 6 * sizeof(double));
+static_assert(sizeof(Vector<double, 4>) == 4 * sizeof(double));
+static_assert(sizeof(Cell) == 9 * sizeof(double));
+
+/// Whether rows that may be left out are n.
+template <class Row> static bool fits(std::size_t n, std::span<Row> rows) noexcept
+{
+    return rows.empty() || rows.size() == n;
+}
+
+// Arguments of functions of n rows: inputs have n rows, outputs n or none, which are null in C.
+
+template <class Row> static bool has_rows(std::size_t n, std::span<Row const> input) noexcept
+{
+    return input.size() == n;
+}
+
+template <class Row> static bool has_rows(std::size_t n, std::span<Row> output) noexcept { return fits(n, output); }
+
+static inline bool has_rows(std::size_t, double) noexcept { return true; }
+
+template <class Row> static auto in_c(std::span<Row const> input) noexcept
+{
+    return reinterpret_cast<typename ElementOf<Row>::Type const *>(input.data());
+}
+
+template <class Row> static auto in_c(std::span<Row> output) noexcept
+{
+    return output.empty() ? nullptr : reinterpret_cast<typename ElementOf<Row>::Type *>(output.data());
+}
+
+static inline double in_c(double number) noexcept { return number; }
+
+static inline double const *in_c(Cell const *cell) noexcept { return reinterpret_cast<double const *>(cell); }
+
+/// Null images are the nearest ones.
+static inline pw85_pair_list in_c(PairList const &list) noexcept
+{
+    return {list.pairs.size(), in_c(list.pairs), list.images.empty() ? nullptr : in_c(list.images)};
+}
+
+/// Of as many particles as there are centres, or forms where centres are left out.
+static inline pw85_system in_c(Particles const &particles) noexcept
+{
+    return {std::max(particles.centers.size(), particles.q.size()),
+            in_c(particles.centers),
+            in_c(particles.q),
+            in_c(particles.cell),
+            {particles.periodic[0], particles.periodic[1], particles.periodic[2]}};
+}
+
+/// Calls a function of rows if the sizes of all fit to that of the first.
+template <class Function, class First, class... Rest>
+static Status call_rows(Function const &function, First first, Rest... rest) noexcept
+{
+    std::size_t const n = first.size();
+    if (!(has_rows(n, rest) && ...)) return Status::invalid_argument;
+    return static_cast<Status>(function(n, in_c(first), in_c(rest)...));
+}
+
+/// Whether the sizes of a list and of a system fit together.
+static inline bool fit(PairList const &list, Particles const &particles) noexcept
+{
+    return fits(list.pairs.size(), list.images) && particles.centers.size() == particles.q.size();
+}
+
+/// Calls a function of a list and a system, with rows for each pair, if all sizes fit.
+template <class Function, class... Rows> static Status call_pairs(Function const &function, PairList const &list,
+                                                                  Particles const &particles, Rows... rows) noexcept
+{
+    if (!fit(list, particles) || !(has_rows(list.pairs.size(), rows) && ...)) return Status::invalid_argument;
+    pw85_pair_list const c_list = in_c(list);
+    pw85_system const system = in_c(particles);
+    return static_cast<Status>(function(&c_list, &system, in_c(rows)...));
+}
+
+} // namespace pw85::detail
+
+#endif

@@ -1,0 +1,197 @@
+/// @file
+/// Functions of systems of particles and of lists of their pairs, in a periodic cell or not.
+#ifndef PW85_BATCH_SYSTEMS_HPP_INCLUDED
+#define PW85_BATCH_SYSTEMS_HPP_INCLUDED
+
+#include <pw85/batch/calls.hpp>
+
+namespace pw85 {
+
+namespace detail {
+
+static inline bool fits(std::size_t n, DerivativeSpans const &out) noexcept
+{
+    return fits(n, out.mu2) && fits(n, out.lambda) && fits(n, out.point) && fits(n, out.normal) && fits(n, out.d_r12) &&
+           fits(n, out.d_rot1) && fits(n, out.d_rot2);
+}
+
+} // namespace detail
+
+/// @name Systems and lists of pairs
+/// @{
+
+/// contact() for the pairs of a neighbour list: see pw85_contact_pairs().
+///
+/// @param list indices of particles, with or without images
+/// @param particles centres, forms and cell; sizes must fit, and indices be those of particles
+/// @param[out] mu2,lambda as for contact_batch()
+/// @return as for contact_batch(); Status::invalid_argument also for images without a cell, a cell that is not finite or,
+/// unless there are images, singular
+static inline Status contact_pairs(PairList const &list, Particles const &particles, std::span<double> mu2,
+                                   std::span<double> lambda = {}) noexcept
+{
+    return detail::call_pairs(pw85_contact_pairs, list, particles, mu2, lambda);
+}
+
+/// overlap() for the pairs of a neighbour list: see pw85_overlap_pairs().
+///
+/// @param list,particles as for contact_pairs()
+/// @param[out] overlap as for overlap_batch()
+/// @return as for contact_pairs()
+static inline Status overlap_pairs(PairList const &list, Particles const &particles,
+                                   std::span<unsigned char> overlap) noexcept
+{
+    return detail::call_pairs(pw85_overlap_pairs, list, particles, overlap);
+}
+
+/// contact_derivatives_batch() for the pairs of a neighbour list: see pw85_contact_derivatives_pairs().
+///
+/// @param list,particles as for contact_pairs()
+/// @param[out] out as for contact_derivatives_batch()
+/// @return as for contact_pairs()
+static inline Status contact_derivatives_pairs(PairList const &list, Particles const &particles,
+                                               DerivativeSpans const &out) noexcept
+{
+    return detail::call_pairs(pw85_contact_derivatives_pairs, list, particles, out.mu2, out.lambda, out.point,
+                              out.normal, out.d_r12, out.d_rot1, out.d_rot2);
+}
+
+/// first_contact() for the pairs of a neighbour list, and the next event of each particle: see pw85_first_contact_pairs().
+///
+/// @param list,particles as for contact_pairs()
+/// @param motions one for each particle
+/// @param end as for first_contact()
+/// @param[out] out one time for each pair, and one event for each particle
+/// @return as for contact_pairs(); Status::no_convergence, too
+static inline Status first_contact_pairs(PairList const &list, Particles const &particles,
+                                         std::span<Motion<double, 3> const> motions, double end,
+                                         EventSpans const &out) noexcept
+{
+    std::size_t const n = list.pairs.size(), num_particles = particles.centers.size();
+    if (out.time.size() != n || motions.size() != num_particles || !detail::fits(num_particles, out.next) ||
+        !detail::fits(num_particles, out.next_pair) || !detail::fit(list, particles))
+        return Status::invalid_argument;
+    pw85_pair_list const c_list = detail::in_c(list);
+    pw85_system const system = detail::in_c(particles);
+    return static_cast<Status>(pw85_first_contact_pairs(&c_list, &system, detail::in_c(motions), end,
+                                                        detail::in_c(out.time), detail::in_c(out.next),
+                                                        detail::in_c(out.next_pair)));
+}
+
+/// Forces, torques and virial of an energy of pairs: see pw85_contact_forces_pairs().
+///
+/// @param list,particles as for contact_pairs()
+/// @param d_u one for each pair: the derivative of the energy with respect to μ²
+/// @param derivatives from contact_derivatives_pairs()
+/// @param[out] out sums
+/// @return Status::success, Status::invalid_argument
+static inline Status contact_forces_pairs(PairList const &list, Particles const &particles, std::span<double const> d_u,
+                                          DerivativeSpans const &derivatives, ForceSpans const &out) noexcept
+{
+    std::size_t const n = list.pairs.size(), num_particles = particles.centers.size();
+    if (d_u.size() != n || !detail::fits(n, derivatives) || !detail::fits(n, list.images) ||
+        !detail::fits(num_particles, particles.q) || !detail::fits(num_particles, out.forces) ||
+        !detail::fits(num_particles, out.torques))
+        return Status::invalid_argument;
+    pw85_pair_list const c_list = detail::in_c(list);
+    pw85_system const system = detail::in_c(particles);
+    return static_cast<Status>(pw85_contact_forces_pairs(
+        &c_list, &system, d_u.data(), detail::in_c(derivatives.d_r12), detail::in_c(derivatives.d_rot1),
+        detail::in_c(derivatives.d_rot2), detail::in_c(out.forces), detail::in_c(out.torques),
+        reinterpret_cast<double *>(out.virial)));
+}
+
+/// overlap_any() for others of a system, by their indices: see pw85_overlap_any_indices().
+///
+/// @param center,q1 centre and form of the one
+/// @param indices of the others
+/// @param particles the system
+/// @param[out] any 1, 0, or -1 on error
+/// @return as for overlap_any(); Status::invalid_argument, too, where nearest images do not decide
+static inline Status overlap_any_indices(Vector<double, 3> const &center, SymmetricMatrix<double, 3> const &q1,
+                                         std::span<std::int32_t const> indices, Particles const &particles,
+                                         int &any) noexcept
+{
+    any = -1;
+    if (particles.centers.size() != particles.q.size()) return Status::invalid_argument;
+    pw85_system const system = detail::in_c(particles);
+    return static_cast<Status>(pw85_overlap_any_indices(center.coordinates, q1.entries, &system, indices.size(),
+                                                        indices.data(), nullptr, &any));
+}
+
+/// The same for given images of the others: see pw85_overlap_any_indices().
+///
+/// @param center,q1 centre and form of the one
+/// @param indices of the others
+/// @param images one for each of the others; none if there are none
+/// @param particles the system, in a cell
+/// @param[out] any 1, 0, or -1 on error
+/// @return Status::success, Status::invalid_argument, Status::not_positive_definite
+static inline Status overlap_any_indices(Vector<double, 3> const &center, SymmetricMatrix<double, 3> const &q1,
+                                         std::span<std::int32_t const> indices, std::span<Image const> images,
+                                         Particles const &particles, int &any) noexcept
+{
+    any = -1;
+    if (particles.centers.size() != particles.q.size() || images.size() != indices.size())
+        return Status::invalid_argument;
+    constexpr Image none{}; // null would ask for all images
+    pw85_system const system = detail::in_c(particles);
+    return static_cast<Status>(pw85_overlap_any_indices(center.coordinates, q1.entries, &system, indices.size(),
+                                                        indices.data(), images.empty() ? none.data() : images[0].data(),
+                                                        &any));
+}
+
+/// @}
+
+/// @name Periodic cells
+/// @{
+
+/// A reduced cell of the same lattice, the prepared form of a cell: see pw85_cell_reduce().
+///
+/// @param cell rows are its vectors
+/// @return the reduced cell; Status::invalid_argument for a cell that is singular or not finite
+static inline ReducedCell cell_reduce(Cell const &cell) noexcept
+{
+    ReducedCell result;
+    result.status =
+        static_cast<Status>(pw85_cell_reduce(detail::in_c(&cell), reinterpret_cast<double *>(&result.cell)));
+    return result;
+}
+
+/// The nearest images of the pairs of a list: see pw85_nearest_images().
+///
+/// @param pairs indices of particles
+/// @param particles centres and cell; forms may be left out
+/// @param[out] r12 from the first to the image of the second, one for each pair, or none
+/// @param[out] images multiples of the vectors of the cell, one row for each pair, or none
+/// @return Status::success, or Status::invalid_argument, also for the first bad pair, whose rows are NaN and INT32_MIN
+static inline Status nearest_images(std::span<IndexPair const> pairs, Particles const &particles,
+                                    std::span<Vector<double, 3>> r12, std::span<Image> images = {}) noexcept
+{
+    std::size_t const n = pairs.size();
+    if (!detail::fits(n, r12) || !detail::fits(n, images) || !detail::fits(particles.centers.size(), particles.q))
+        return Status::invalid_argument;
+    pw85_system const system = detail::in_c(particles);
+    return static_cast<Status>(
+        pw85_nearest_images(n, detail::in_c(pairs), &system, detail::in_c(r12), detail::in_c(images)));
+}
+
+/// Up to which μ² nearest images are all there is: see pw85_nearest_image_limit().
+///
+/// @param particles forms and cell; centres may be left out. Infinity is the limit of no particles.
+/// @param[out] mu2 the limit
+/// @return Status::success, Status::invalid_argument (also a cell that is singular or not finite),
+/// Status::not_positive_definite
+static inline Status nearest_image_limit(Particles const &particles, double &mu2) noexcept
+{
+    mu2 = detail::quiet_nan<double>();
+    if (!detail::fits(particles.q.size(), particles.centers)) return Status::invalid_argument;
+    pw85_system const system = detail::in_c(particles);
+    return static_cast<Status>(pw85_nearest_image_limit(&system, &mu2));
+}
+
+/// @}
+
+} // namespace pw85
+
+#endif
