@@ -103,6 +103,13 @@ static inline Status contact_batch(std::span<Vector<float, 3> const> r12, std::s
 /// @return as for contact_batch()
 static inline Status overlap_batch(Vectors r12, Forms q1, Forms q2, std::span<unsigned char> overlap) noexcept;
 
+/// contains() for pairs: see pw85_contains_batch().
+///
+/// @param r12,q1,q2 as for contact_batch()
+/// @param[out] contains one for each pair: 1, 0, or 255 for a bad one
+/// @return as for contact_batch()
+static inline Status contains_batch(Vectors r12, Forms q1, Forms q2, std::span<unsigned char> contains) noexcept;
+
 /// contact() for pairs of ellipses: see pw85_contact_batch_2d().
 ///
 /// @param r12,q1,q2 one of each for each pair
@@ -619,6 +626,11 @@ static inline Status contact_batch(std::span<Vector<float, 3> const> r12, std::s
 static inline Status overlap_batch(Vectors r12, Forms q1, Forms q2, std::span<unsigned char> overlap) noexcept
 {
     return detail::call_rows(pw85_overlap_batch, r12, q1, q2, overlap);
+}
+
+static inline Status contains_batch(Vectors r12, Forms q1, Forms q2, std::span<unsigned char> contains) noexcept
+{
+    return detail::call_rows(pw85_contains_batch, r12, q1, q2, contains);
 }
 
 static inline Status contact_batch(FlatVectors r12, FlatForms q1, FlatForms q2, std::span<double> mu2,
