@@ -210,6 +210,45 @@ def overlap(r12: ArrayLike, q1: ArrayLike, q2: ArrayLike, out: Any = None, **kwa
     return _core.call_overlap(r12, q1, q2, out, kwargs)
 
 
+@overload
+def contains(r12: Row, q1: One, q2: One, out: Floats | None = None) -> np.bool_: ...
+@overload
+def contains(r12: Rows, q1: ArrayLike, q2: ArrayLike, out: Any = None) -> NDArray[np.bool_]: ...
+@overload
+def contains(r12: ArrayLike, q1: ArrayLike, q2: ArrayLike, out: Any = None, **kwargs: Any) -> Any: ...
+@documented
+def contains(r12: ArrayLike, q1: ArrayLike, q2: ArrayLike, out: Any = None, **kwargs: Any) -> Any:
+    """Whether ellipsoid 2 is inside ellipsoid 1. One that touches it from inside is.
+
+    Parameters
+    ----------
+    {r12}
+    {forms}
+    out : (...) array, optional
+        Where to put the result.
+    **kwargs
+        As for any ufunc. With ``dtype=np.uint8`` the result is 1, 0, or 255 for a bad row, for `bad_rows`.
+
+    Returns
+    -------
+    (...) array of bool, or bool
+        A bad row is not inside.
+
+    Raises
+    ------
+    PW85Error
+        For a single pair: invalid input, or a form that is not positive definite.
+
+    Examples
+    --------
+    >>> import pypw85
+    >>> q1, q2 = pypw85.spheroid(2, 2, [0, 0, 1]), pypw85.spheroid(0.5, 1, [0, 0, 1])
+    >>> pypw85.contains([[0, 0, 1], [0, 0, 1.5]], q1, q2)
+    array([ True, False])
+    """
+    return _core.call_contains(r12, q1, q2, out, kwargs)
+
+
 @documented
 def contact_geometry(
     r12: ArrayLike, q1: ArrayLike, q2: ArrayLike, lambda_: ArrayLike, out: Any = None, **kwargs: Any

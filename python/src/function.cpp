@@ -82,7 +82,7 @@ int spheroid(double const *const *in, double *const *out)
     return std::isnan(out[0][0]) ? PW85_EINVAL : PW85_SUCCESS;
 }
 
-template <auto function> int overlap(double const *const *in, double *const *out)
+template <auto function> int truth_value(double const *const *in, double *const *out)
 {
     int result;
     int const status = function(in[0], in[1], in[2], &result);
@@ -322,7 +322,8 @@ std::vector<Function> &functions()
         {"contact_hessian", "(3),(6),(6),()->(9,9)", contact_hessian, false, batch<pw85_contact_hessian_batch>},
         {"contact_derivatives", "(3),(6),(6)->(),(),(3),(3),(3),(3),(3)", contact_derivatives, false,
          batch<pw85_contact_derivatives_batch>},
-        {"overlap", "(3),(6),(6)->()", overlap<pw85_overlap>, true},
+        {"overlap", "(3),(6),(6)->()", truth_value<pw85_overlap>, true, nullptr, pw85_overlap_batch},
+        {"contains", "(3),(6),(6)->()", truth_value<pw85_contains>, true, nullptr, pw85_contains_batch, false},
         {"cell_reduce", "(3,3)->(3,3)", cell_reduce},
         {"bounding_boxes", "(6)->(3)", bounding_boxes, false, batch<pw85_bounding_boxes>},
         {"closest_approach", "(3),(6),(6)->()", distance_result<pw85_closest_approach>, false,
@@ -355,7 +356,7 @@ std::vector<Function> &functions()
         {"contact_torque_2d", "(2),(3),(3),()->(),()", contact_torque_2d, false, batch<pw85_contact_torque_batch_2d>},
         {"contact_hessian_2d", "(2),(3),(3),()->(4,4)", contact_hessian_2d, false,
          batch<pw85_contact_hessian_batch_2d>},
-        {"overlap_2d", "(2),(3),(3)->()", overlap<pw85_overlap_2d>, true},
+        {"overlap_2d", "(2),(3),(3)->()", truth_value<pw85_overlap_2d>, true, nullptr, pw85_overlap_batch_2d},
         {"closest_approach_2d", "(2),(3),(3)->()", distance_result<pw85_closest_approach_2d>, false,
          batch<pw85_closest_approach_batch_2d>},
         {"zheng_ellipses", "(2),(3),(3)->()", distance_result<pw85_zheng_ellipses>},

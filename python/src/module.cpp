@@ -28,8 +28,8 @@ void describe_loops(Function &function, Registered &registered)
 {
     int const operands = function.operands();
     for (int k = 0; k < 2 * operands; ++k) registered.types[k] = NPY_DOUBLE;
-    registered.loops[0] = function.boolean ? overlap_boolean_loop : function.batch != nullptr ? batch_loop : row_loop;
-    registered.loops[1] = overlap_code_loop;
+    registered.loops[0] = function.boolean ? boolean_loop : function.batch != nullptr ? batch_loop : row_loop;
+    registered.loops[1] = code_loop;
     registered.data[0] = registered.data[1] = &function;
     if (!function.boolean) return;
     registered.types[operands - 1] = NPY_BOOL;
