@@ -348,6 +348,8 @@ void test_status()
         answer = 7;
         g_assert_cmpint(pw85_contains(s.r12.coordinates, s.q1.entries, s.q2.entries, &answer), ==, status);
         g_assert_cmpint(answer, ==, -1);
+        auto const result = pw85::contains(s.r12, s.q1, s.q2);
+        g_assert_true(!result.contains && static_cast<int>(result.status) == status);
         unsigned char code = 7;
         g_assert_cmpint(pw85_contains_batch(1, s.r12.coordinates, s.q1.entries, s.q2.entries, &code), ==, status);
         g_assert_cmpint(code, ==, 255);

@@ -19,9 +19,9 @@ using namespace pw85_tests;
 namespace {
 
 // These have lanes, whose last bits differ, or codes of their own: other programs test them.
-std::vector<std::string> const with_lanes = {"pw85_contact_batch",          "pw85_overlap_batch",
-                                             "pw85_closest_approach_batch", "pw85_contact_batch_2d",
-                                             "pw85_overlap_batch_2d",       "pw85_distance_batch"};
+std::vector<std::string> const with_lanes = {
+    "pw85_contact_batch",    "pw85_overlap_batch",  "pw85_closest_approach_batch", "pw85_contact_batch_2d",
+    "pw85_overlap_batch_2d", "pw85_distance_batch", "pw85_contains_batch"};
 
 /// The function of one row of a function of many, by its name; none if it has lanes or no such relative.
 std::optional<Function> of_one_row(Function const &many)
