@@ -36,22 +36,22 @@ namespace pw85::detail {
 
 namespace exact {
 
-/// A sum of the coefficients of a(t) and b(t), the rational form of Q1 + t Q2, with these weights.
+/// A sum of the coefficients of the rational form of Q1 + t Q2, with these weights: a(t), then b(t), by increasing powers of t.
 struct Combination {
-    signed char a[3], b[4];
+    static constexpr int size = 7;
+
+    signed char weights[size];
 };
 
 PW85_FUNCTION constexpr Combination operator*(int factor, Combination x) noexcept
 {
-    for (auto &weight : x.a) weight = static_cast<signed char>(factor * weight);
-    for (auto &weight : x.b) weight = static_cast<signed char>(factor * weight);
+    for (auto &weight : x.weights) weight = static_cast<signed char>(factor * weight);
     return x;
 }
 
 PW85_FUNCTION constexpr Combination operator+(Combination x, Combination const &y) noexcept
 {
-    for (int k = 0; k < 3; ++k) x.a[k] = static_cast<signed char>(x.a[k] + y.a[k]);
-    for (int k = 0; k < 4; ++k) x.b[k] = static_cast<signed char>(x.b[k] + y.b[k]);
+    for (int k = 0; k < x.size; ++k) x.weights[k] = static_cast<signed char>(x.weights[k] + y.weights[k]);
     return x;
 }
 
@@ -62,8 +62,9 @@ PW85_FUNCTION constexpr Combination operator-(Combination const &x, Combination 
 
 /// The coefficients of A and B, from wN - Q2 = w (Q1 + t Q2) with t = -(1 + 1/w).
 namespace nested {
-inline constexpr Combination m0{{1, -1, 1}, {}}, m1{{0, 1, -2}, {}}, m2{{0, 0, 1}, {}};
-inline constexpr Combination n0{{}, {1, -1, 1, -1}}, n1{{}, {0, 1, -2, 3}}, n2{{}, {0, 0, 1, -3}}, n3{{}, {0, 0, 0, 1}};
+inline constexpr Combination m0{{1, -1, 1}}, m1{{0, 1, -2}}, m2{{0, 0, 1}};
+inline constexpr Combination n0{{0, 0, 0, 1, -1, 1, -1}}, n1{{0, 0, 0, 0, 1, -2, 3}}, n2{{0, 0, 0, 0, 0, 1, -3}},
+    n3{{0, 0, 0, 0, 0, 0, 1}};
 
 inline constexpr Combination difference[3] = {n0, n1, n2};
 inline constexpr Combination quartic[5] = {-1 * n3, n2 - m2, m1 - n1 - m2, n0 + m1 - m0, -1 * m0};
@@ -77,18 +78,6 @@ inline constexpr Combination third[6] = {m0, m1, m2, n0 + m1 - m0, -4 * m0, {}};
 /// More bits than bits() says: a combination has up to 288 terms (the linear coefficient of p''' has 4·72) instead of 72.
 inline constexpr int extra_bits = 2;
 
-/// Adds a term times its weight in each combination to the sums.
-template <int N, int Count>
-PW85_FUNCTION inline void add(WideSum const (&sums)[Count], Term<N> const &term, int const (&weights)[Count]) noexcept
-{
-    if (term.sign == 0) return;
-    for (int k = 0; k < Count; ++k) {
-        if (weights[k] == 0) continue;
-        auto const size = static_cast<Limb>(weights[k] < 0 ? -weights[k] : weights[k]);
-        add(sums[k], term.magnitude * Digits<1>{{size}}, term.position, weights[k] < 0 ? -term.sign : term.sign);
-    }
-}
-
 inline constexpr Limb unit_limb[1] = {1};
 inline constexpr WideInteger one{unit_limb, 1, 1};
 
@@ -98,25 +87,39 @@ template <int Count> struct WideIntegers {
     [[gnu::always_inline]] WideInteger operator[](int k) const noexcept { return values[k]; }
 };
 
-/// Combinations in units of 2^unit(), one after the other in memory.
-template <int Count, class T, int D> [[gnu::noinline]] PW85_FUNCTION inline WideIntegers<Count>
-combine(Numbers<T, D> const &numbers, Combination const (&combinations)[Count], int size, Limb *memory) noexcept
+/// Adds a number times its weights in all combinations to their sums.
+template <int Count> PW85_FUNCTION inline void
+add_weighted(WideSum const (&sums)[Count], Combination const (&combinations)[Count], int k, WideInteger x) noexcept
+{
+    for (int i = 0; i < Count; ++i) {
+        int const weight = combinations[i].weights[k];
+        Limb const factor = static_cast<Limb>(weight < 0 ? -weight : weight);
+        if (weight != 0) add_product(sums[i], weight < 0 ? -1 : 1, x, {&factor, 1, 1});
+    }
+}
+
+/// Combinations in units of 2^unit(), the first thing in memory. Behind `total` limbs there is room for one coefficient of the form.
+template <int Count, class T, int D>
+[[gnu::noinline]] PW85_FUNCTION inline WideIntegers<Count> combine(Numbers<T, D> const &numbers,
+                                                                   Combination const (&combinations)[Count],
+                                                                   Sizes const &sizes, Limb *memory) noexcept
 {
     static constexpr auto form = symbolic_form<D>();
+    int const size = sizes.coefficient;
     WideSum sums[Count];
-    int weights[Count];
-    for (int k = 0; k < Count; ++k) sums[k] = zero_sum(memory + k * size, size);
-    for (int power = 0; power < 3; ++power) {
-        for (int k = 0; k < Count; ++k) weights[k] = combinations[k].a[power];
-        for (int i = 0; i < form.a[power].size; ++i)
-            add(sums, evaluate<D + 1>(numbers, form.a[power].terms[i]), weights);
+    for (int i = 0; i < Count; ++i) sums[i] = zero_sum(memory + i * size, size);
+    for (int k = 0; k < 3; ++k) {
+        WideSum const sum = zero_sum(memory + sizes.total, size);
+        for (int i = 0; i < form.a[k].size; ++i) add(sum, evaluate<D + 1>(numbers, form.a[k].terms[i]), 1);
+        add_weighted(sums, combinations, k, value(sum));
     }
-    for (int power = 0; power < 4; ++power) {
-        for (int k = 0; k < Count; ++k) weights[k] = combinations[k].b[power];
-        for (int i = 0; i < form.b[power].size; ++i) add(sums, evaluate<D>(numbers, form.b[power].terms[i]), weights);
+    for (int k = 0; k < 4; ++k) {
+        WideSum const sum = zero_sum(memory + sizes.total, size);
+        for (int i = 0; i < form.b[k].size; ++i) add(sum, evaluate<D>(numbers, form.b[k].terms[i]), 1);
+        add_weighted(sums, combinations, 3 + k, value(sum));
     }
     WideIntegers<Count> result;
-    for (int k = 0; k < Count; ++k) result.values[k] = value(sums[k]);
+    for (int i = 0; i < Count; ++i) result.values[i] = value(sums[i]);
     return result;
 }
 
@@ -148,7 +151,7 @@ template <class T, int D>
                                                                Combination const (&combinations)[6], Sizes const &sizes,
                                                                Limb *memory) noexcept
 {
-    auto const values = combine(numbers, combinations, sizes.coefficient, memory);
+    auto const values = combine(numbers, combinations, sizes, memory);
     auto const m0 = values[0], m1 = values[1], m2 = values[2], c0 = values[3], c1 = values[4], c2 = values[5];
     Limb *const products = memory + 6 * sizes.coefficient;
     WideInteger const x = sum_of_products(m0, c0, -1, m2, c2, sizes, products);
@@ -167,7 +170,7 @@ template <class T, int D> [[gnu::noinline]] PW85_FUNCTION inline bool
 has_positive_roots(Numbers<T, D> const &numbers, Sizes const &sizes, Limb *memory) noexcept
 {
     auto const make = [&] {
-        auto const values = combine(numbers, nested::quartic, sizes.coefficient, memory);
+        auto const values = combine(numbers, nested::quartic, sizes, memory);
         return Quartic{{values[0], values[1], values[2], values[3], values[4]}};
     };
     auto const p = make();
@@ -179,12 +182,12 @@ has_positive_roots(Numbers<T, D> const &numbers, Sizes const &sizes, Limb *memor
 template <class T, int D> [[gnu::noinline]] PW85_FUNCTION inline bool
 has_root_for_inside(Numbers<T, D> const &numbers, Sizes const &sizes, Limb *memory) noexcept
 {
-    int const first = sign_at_larger_root(numbers, nested::first, sizes, memory);
-    if (first > 0) return true;
+    if (sign_at_larger_root(numbers, nested::third, sizes, memory) > 0) return true;
     int const second = sign_at_larger_root(numbers, nested::second, sizes, memory);
-    if (second > 0 || sign_at_larger_root(numbers, nested::third, sizes, memory) > 0) return true;
-    if (first < 0) return false;
-    auto const a = combine(numbers, nested::second, sizes.coefficient, memory);
+    if (second > 0) return true;
+    int const first = sign_at_larger_root(numbers, nested::first, sizes, memory);
+    if (first != 0) return first > 0;
+    auto const a = combine(numbers, nested::second, sizes, memory);
     WideSum const product = zero_sum(memory + 6 * sizes.coefficient, sizes.quadratic);
     add_product(product, 1, a[0], a[2]);
     multiply(product, 4);
@@ -194,7 +197,7 @@ has_root_for_inside(Numbers<T, D> const &numbers, Sizes const &sizes, Limb *memo
 /// Limbs for all of the above.
 PW85_FUNCTION constexpr int limbs_for_containment(Sizes const &sizes) noexcept
 {
-    return maximum(sizes.total, 6 * sizes.coefficient + 3 * sizes.quadratic);
+    return maximum(sizes.total + sizes.coefficient, 6 * sizes.coefficient + 3 * sizes.quadratic);
 }
 
 } // namespace exact
@@ -210,7 +213,7 @@ requires exact::is_decidable<T>
     auto const numbers = to_numbers(r12, q1, q2);
     if (is_far(numbers)) return false;
     Sizes const sizes(bits(numbers) + extra_bits);
-    auto const n = combine(numbers, nested::difference, sizes.coefficient, memory);
+    auto const n = combine(numbers, nested::difference, sizes, memory);
     int const least = minimum(n[0].sign, minimum(n[1].sign, n[2].sign));
     if (largest_coordinate(r12) == T(0)) return least >= 0;
     return least > 0 && has_positive_roots(numbers, sizes, memory) && has_root_for_inside(numbers, sizes, memory);
