@@ -3,9 +3,9 @@
 
 Usage: containment_roots.py [PAIRS]
 
-The criterion is written out here anew, for rational pairs of ellipses and ellipsoids: random ones near tangency, and small integers
-with their coincidences. The truth is the least value of g(nu) = nu + r^T (Q1 - Q2/nu)^-1 r by golden section. The script fails if the two
-differ for a pair, or if a branch of the criterion was never taken.
+The criterion is written out here anew, for rational pairs of ellipses and ellipsoids: random ones near tangency, and small
+integers with their coincidences. The truth is the least value of g(nu) = nu + r^T (Q1 - Q2/nu)^-1 r by golden section. The
+script fails if the two differ for a pair, or if a branch of the criterion was never taken.
 """
 
 import random
@@ -166,15 +166,14 @@ def draw(rng, number):
 
 
 def tangent_flat_pair(dimension, number):
-    """A pair that touches where Q1 - Q2/nu is singular: a disc in a ball, raised so that its rim touches, and steps to both sides.
+    """A pair that touches where Q1 - Q2/nu is singular, an ellipsoid in a ball, or one that is moved a little from there.
 
-    The rim of radius c at height h is on the unit ball. Its half-thickness s with (h + s)^2 = 1 - c^2 d at a double root follows
-    from 1/u = c^2 and (1 - c^2) (1 - s^2/c^2) = h^2.
+    The largest semi-axis c lies at height h in the unit ball. At nu = c^2 the gauge nu + h^2/(1 - s^2/nu) is 1 if the semi-axis s
+    along the height is that of s^2 = c^2 (1 - h^2/(1 - c^2)).
     """
-    c2, factor = Fraction(16, 25), Fraction(9, 25)
-    share = Fraction(number % 5 + 1, 8)  # h^2/(1 - c^2), and h must be rational
-    h = Fraction(3, 5) * share
-    s2 = c2 * (1 - h * h / factor)
+    c2 = Fraction(16, 25)
+    h = Fraction(3, 5) * Fraction(number % 5 + 1, 8)
+    s2 = c2 * (1 - h * h / (1 - c2))
     wide = c2 if number % 2 == 0 else c2 / 2
     axes = [c2, s2] if dimension == 2 else [c2, wide, s2]
     r = [Fraction(0)] * (dimension - 1) + [h * (1 + Fraction(number % 3 - 1, 1000))]

@@ -4,8 +4,9 @@
 /// - It is outside if √(nᵀQ2n) + |n·r| > √(nᵀQ1n) for some n: it reaches beyond a plane that bounds ellipsoid 1.
 /// - It is inside if K(w) = Q1 - (1 + 1/w) Q2 - (1 + w) r rᵀ is positive semidefinite for some w > 0 (exact_containment.hpp).
 ///
-/// Both are true of ellipsoids that touch for one w and n alone. With M = Q1 - Q2 - Q2/w, n = M⁻¹r, d = r·n and e = nᵀQ2n that w maximises
-/// 1 - (1 + w) d, which has one maximum where M is positive definite: there F = w² d/((1 + w) e) is 1. F increases with w.
+/// Both are true of ellipsoids that touch for one w and n alone. With M = Q1 - Q2 - Q2/w, n = M⁻¹r, d = r·n and e = nᵀQ2n that w
+/// maximises 1 - (1 + w) d, which has one maximum where M is positive definite: there F = w² d/((1 + w) e) is 1. F increases with
+/// w.
 #ifndef PW85_OVERLAP_CONTAINMENT_HPP_INCLUDED
 #define PW85_OVERLAP_CONTAINMENT_HPP_INCLUDED
 
@@ -59,9 +60,9 @@ exceeds_bounding_box(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, S
 
 /// Whether a direction, of any length > 0, proves that ellipsoid 2 is not inside.
 ///
-/// A term of a form is rounded five times at most, one of n·r three times, their sums with the margins once more: 8 u and 6 u of the
-/// magnitudes bound that, and 8 u the two roots, their sum and the product. The smallest number is far above what underflows, as
-/// n has coordinates below 2 and the forms have entries of 4 at most.
+/// A term of a form is rounded five times at most, one of n·r three times, their sums with the margins once more: 8 u and 6 u of
+/// the magnitudes bound that, and 8 u the two roots, their sum and the product. The smallest number is far above what underflows,
+/// as n has coordinates below 2 and the forms have entries of 4 at most.
 template <class T, int D> PW85_FUNCTION inline bool shows_outside(NestedPair<T, D> const &pair, Vector<T, D> n) noexcept
 {
     T const u = T(unit_roundoff<T>()), tiny = smallest_number<T>(), length = largest_coordinate(n);
@@ -76,9 +77,10 @@ template <class T, int D> PW85_FUNCTION inline bool shows_outside(NestedPair<T, 
 
 /// Whether w proves that ellipsoid 2 is inside. What underflowed does not matter as u <= w <= 1/u.
 ///
-/// Let C = (1 + 1/w) Q2 + (1 + w) r rᵀ, with non-negative terms. An entry of C has terms of magnitudes that add up to √(Cii Cjj) at most, and
-/// Cii <= Q1ii if the diagonal of K is positive. So no entry of K errs by more than 7 u √(Q1ii Q1jj): 4 u for C, u for the difference, and on
-/// the diagonal u for the product. A matrix of such errors is at most 21 u diag(Q1), which is less than what is taken off.
+/// Let C = (1 + 1/w) Q2 + (1 + w) r rᵀ, with non-negative terms. An entry of C has terms of magnitudes that add up to √(Cii Cjj) at
+/// most, and Cii <= Q1ii if the diagonal of K is positive. So no entry of K errs by more than 7 u √(Q1ii Q1jj): 4 u for C, u for
+/// the difference, and on the diagonal u for the product. A matrix of such errors is at most 21 u diag(Q1), which is less than what
+/// is taken off.
 template <class T, int D> PW85_FUNCTION inline bool shows_inside(NestedPair<T, D> const &pair, T const &w) noexcept
 {
     T const u = T(unit_roundoff<T>()), share2 = T(1) + T(1) / w, share_r = T(1) + w, shrink = T(1) - T(32) * u;
@@ -91,8 +93,8 @@ template <class T, int D> PW85_FUNCTION inline bool shows_inside(NestedPair<T, D
     return w >= u && T(w * u) <= T(1) && is_clearly_definite(k);
 }
 
-/// A direction n in which nᵀAn is not positive, for a matrix with a positive first entry and a leading minor that is not: if that is the
-/// first of its size, it is nᵀAn, up to a positive factor.
+/// A direction n in which nᵀAn is not positive, for a matrix with a positive first entry and a leading minor that is not: if that
+/// is the first of its size, it is nᵀAn, up to a positive factor.
 template <class T> PW85_FUNCTION inline Vector<T, 2> negative_direction(SymmetricMatrix<T, 2> const &a) noexcept
 {
     return {-a(0, 1), a(0, 0)};
@@ -125,8 +127,8 @@ take_nesting_step(NestedPair<T, D> const &pair, SymmetricMatrix<T, D> const &m, 
     return {n, excess, T(w - T(w * excess) / slope)};
 }
 
-/// Steps until the search gives up. Of random pairs with |κ² - 1| from 1e-2 to 1e-12, κ the factor of ellipsoid 1 with which it would touch,
-/// and aspect ratios from 2 to 1000, one in a thousand needs more than eight.
+/// Steps until the search gives up. Of random pairs with |κ² - 1| from 1e-2 to 1e-12, κ the factor of ellipsoid 1 with which it
+/// would touch, and aspect ratios from 2 to 1000, one in a thousand needs more than eight.
 inline constexpr int max_nesting_steps = 16;
 
 /// The search for a proof: Newton's method on F(w) = 1, in a bracket.

@@ -1,29 +1,31 @@
 /// @file
 /// Whether ellipsoid 2 is inside ellipsoid 1, decided in integers.
 ///
-/// 1. For r != 0 it is inside if and only if K(w) = Q1 - (1 + 1/w) Q2 - (1 + w) r rᵀ is positive semidefinite for some w > 0. Inside means
-///    that √(nᵀQ2n) + |n·r| <= √(nᵀQ1n) for all n; if K(w) >= 0 this holds, as (x + y)² <= (1 + 1/w) x² + (1 + w) y². The other direction
-///    is the S-lemma: xᵀQ1⁻¹x <= 1 follows from (x - r)ᵀQ2⁻¹(x - r) <= 1 only if it does with some multiplier ν, 0 < ν < 1, and the Schur
-///    complement of that inequality is K >= 0 for w = ν/(1 - ν).
-/// 2. Let N = Q1 - Q2. If K(w) >= 0 then N - Q2/w >= 0, so N is positive definite. If r = 0, inside means N >= 0. Both are read off the
-///    coefficients of det(wN - Q2) = n0 w³ - n1 w² + n2 w - n3, whose roots are real: those of N⁻¹Q2 if N is positive definite.
-/// 3. Let N be positive definite, λ1 >= λ2 >= λ3 > 0 the roots, B(w) = det(wN - Q2), A(w) = rᵀ adj(wN - Q2) r = m0 w² - m1 w + m2. Then
-///    p(w) = det(w K(w)) = B(w) - w (1 + w) A(w), of degree 4. It is the quartic of exact.hpp at t = -(1 + 1/w), so two of its roots
-///    are in [λ3, λ1], counted with multiplicity. Its first coefficient -m0 and its last, -n3, are negative.
-/// 4. For w > λ1, K(w) >= 0 means p(w) >= 0, and p/B = 1 - w (1 + w) rᵀ(wN - Q2)⁻¹r, which is -∞ at infinity, is positive between two roots
-///    or nowhere. So if ellipsoid 2 is inside, all roots are real and positive, and by Descartes' rule the coefficients alternate in sign.
-/// 5. Let ω be the larger root of A. With N = I and Q2 diagonal A = Σ ri² Π (w - λj) over j != i, so that λ2 <= ω <= λ1, and for w in (ω, λ1)
-///    A > 0 and B <= 0: there p < 0. At λ1, p <= 0. So ellipsoid 2 is inside if p, with real roots, has one that exceeds ω.
-/// 6. By the Taylor series at ω none does if and only if no derivative of p is positive there: p has real roots and a negative first
-///    coefficient. p(ω) = B(ω) <= 0. Where A = 0, w A' = m1 w - 2 m2 and m0 w² = m1 w - m2, by which
+/// 1. For r != 0 it is inside if and only if K(w) = Q1 - (1 + 1/w) Q2 - (1 + w) r rᵀ is positive semidefinite for some w > 0.
+///    Inside means that √(nᵀQ2n) + |n·r| <= √(nᵀQ1n) for all n; if K(w) >= 0 this holds, as (x + y)² <= (1 + 1/w) x² + (1 + w) y².
+///    The other direction is the S-lemma: xᵀQ1⁻¹x <= 1 follows from (x - r)ᵀQ2⁻¹(x - r) <= 1 only if it does with some multiplier
+///    ν, 0 < ν < 1, and the Schur complement of that inequality is K >= 0 for w = ν/(1 - ν).
+/// 2. Let N = Q1 - Q2. If K(w) >= 0 then N - Q2/w >= 0, so N is positive definite. If r = 0, inside means N >= 0. Both are read off
+///    the coefficients of det(wN - Q2) = n0 w³ - n1 w² + n2 w - n3, whose roots are real: those of N⁻¹Q2 if N is positive definite.
+/// 3. Let N be positive definite, λ1 >= λ2 >= λ3 > 0 the roots, B(w) = det(wN - Q2), A(w) = rᵀ adj(wN - Q2) r = m0 w² - m1 w + m2.
+///    Then p(w) = det(w K(w)) = B(w) - w (1 + w) A(w), of degree 4. It is the quartic of exact.hpp at t = -(1 + 1/w), so two of its
+///    roots are in [λ3, λ1], counted with multiplicity. Its first coefficient -m0 and its last, -n3, are negative.
+/// 4. For w > λ1, K(w) >= 0 means p(w) >= 0, and p/B = 1 - w (1 + w) rᵀ(wN - Q2)⁻¹r, which is -∞ at infinity, is positive between
+///    two roots or nowhere. So if ellipsoid 2 is inside, all roots are real and positive, and by Descartes' rule the coefficients
+///    alternate in sign.
+/// 5. Let ω be the larger root of A. A congruence makes N = I and Q2 diagonal; then A = Σ ri² Π (w - λj) over j != i, so that
+///    λ2 <= ω <= λ1. For w in (ω, λ1), A > 0 and B <= 0, so p < 0. At λ1 > ω, B = 0 and p < 0. So a root that exceeds ω exceeds λ1,
+///    and ellipsoid 2 is inside if p has one. If none does, 7 says what is left.
+/// 6. By the Taylor series at ω none does if and only if no derivative of p is positive there: p has real roots and a negative
+///    first coefficient. p(ω) = B(ω) <= 0. Where A = 0, w A' = m1 w - 2 m2 and m0 w² = m1 w - m2, by which
 ///        p'    = (3 n0 - m1) w² + (2 m2 - 2 n1 - m1) w + (n2 + 2 m2),
 ///        p''/2 = 3 (n0 - m0 - m1) w + (m1 - n1 + 5 m2),        p'''/6 = -4 m0 w + (n0 + m1 - m0).
-/// 7. If no root exceeds ω, K(w) >= 0 is left at w = λ1 alone. Then r is orthogonal to the eigenvectors of λ1, and ω = λ1, as A(λ1) = 0
-///    and A > 0 beyond ω. Let p = B ψ, where ψ is regular and ψ(λ1) >= 0. As no root is larger ψ(λ1) = 0, so that ω is a root of p twice at
-///    least, p'(ω) = 0. Conversely let p'(ω) = 0, and no root exceed ω: then p(ω) = 0, too. If ω is a simple root of A, B'(ω) = ω (1 + ω) A'(ω)
-///    is positive, so ω = λ1 > λ2, and ψ(λ1) = 0: inside. If it is a double one, B'(ω) = 0, so ω = λ1 = λ2 (for ω = λ2 = λ3 < λ1, A(λ1)
-///    != 0 leaves r along the eigenvector of λ1, and both roots of ψ, if real, exceed λ1); p''(ω) = B''(ω) ψ(λ1), so inside
-///    means p''(ω) = 0.
+/// 7. If no root exceeds ω, K(w) >= 0 is left at w = λ1 alone. Then r is orthogonal to the eigenvectors of λ1, and ω = λ1, as A(λ1)
+///    = 0 and A > 0 beyond ω. Let p = B ψ, where ψ is regular and ψ(λ1) >= 0. As no root is larger ψ(λ1) = 0, so that ω is a root
+///    of p twice at least, p'(ω) = 0. Conversely let p'(ω) = 0, and no root exceed ω: then p(ω) = 0, too. If ω is a simple root of
+///    A, B'(ω) = ω (1 + ω) A'(ω) is positive, so ω = λ1 > λ2, and ψ(λ1) = 0: inside. If it is a double one, B'(ω) = 0, so ω = λ1 =
+///    λ2 (for ω = λ2 = λ3 < λ1, A(λ1) != 0 leaves r along the eigenvector of λ1, and both roots of ψ, if real, exceed λ1); p''(ω) =
+///    B''(ω) ψ(λ1), so inside means p''(ω) = 0.
 /// 8. Ellipses are flat ellipsoids with one more root at 0, and with m2 = n3 = 0: all of this holds.
 ///
 /// scripts/containment_roots.py checks the criterion in rational numbers against 60 digits.
@@ -98,7 +100,8 @@ add_weighted(WideSum const (&sums)[Count], Combination const (&combinations)[Cou
     }
 }
 
-/// Combinations in units of 2^unit(), the first thing in memory. Behind `total` limbs there is room for one coefficient of the form.
+/// Combinations in units of 2^unit(), the first thing in memory. Behind `total` limbs there is room for one coefficient of the
+/// form.
 template <int Count, class T, int D>
 [[gnu::noinline]] PW85_FUNCTION inline WideIntegers<Count> combine(Numbers<T, D> const &numbers,
                                                                    Combination const (&combinations)[Count],
@@ -143,9 +146,9 @@ PW85_FUNCTION inline int sign_of_products(WideInteger x, WideInteger y, int sign
 
 /// The sign of a polynomial c0 + c1 w + c2 w² at ω, whose coefficients follow those of A in `combinations`.
 ///
-/// m0 times the polynomial is y w + x at both roots of A, with x = m0 c0 - m2 c2 and y = m0 c1 + m1 c2. The product of the two values
-/// has the sign of x² + y (m1 c0 + m2 c1), the sum that of s = m1 y + 2 m0 x, and their difference that of y. Where the product is zero
-/// one value is: that at ω if s and y have opposite signs.
+/// m0 times the polynomial is y w + x at both roots of A, with x = m0 c0 - m2 c2 and y = m0 c1 + m1 c2. The product of the two
+/// values has the sign of x² + y (m1 c0 + m2 c1), the sum that of s = m1 y + 2 m0 x, and their difference that of y. Where the
+/// product is zero one value is: that at ω if s and y have opposite signs.
 template <class T, int D>
 [[gnu::noinline]] PW85_FUNCTION inline int sign_at_larger_root(Numbers<T, D> const &numbers,
                                                                Combination const (&combinations)[6], Sizes const &sizes,
