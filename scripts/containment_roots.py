@@ -61,8 +61,7 @@ def adjugate(q):
     rows = range(3)
     return [
         [
-            q[(j + 1) % 3][(i + 1) % 3] * q[(j + 2) % 3][(i + 2) % 3]
-            - q[(j + 1) % 3][(i + 2) % 3] * q[(j + 2) % 3][(i + 1) % 3]
+            q[(j + 1) % 3][(i + 1) % 3] * q[(j + 2) % 3][(i + 2) % 3] - q[(j + 1) % 3][(i + 2) % 3] * q[(j + 2) % 3][(i + 1) % 3]
             for j in rows
         ]
         for i in rows
