@@ -7,8 +7,11 @@ NUMBERS_OF_FORM = 6
 ROW = """\
 {{"{name}", "{signature}",
  [](Inputs in, Outputs out) -> int {{ {body} }},
- {truth}, {batch}}},
+ {batch}, {codes}, {if_bad}}},
 """
+
+# Truth values that are true of a bad row, so that a simulation refuses it.
+TRUE_IF_BAD = ("overlap", "overlap_2d")
 
 
 def argument(operand, number):
@@ -67,6 +70,13 @@ def batch(row):
 
 def table(rows):
     return "".join(
-        ROW.format(name=row.name, signature=row.signature(), body=body(row), truth=str(row.is_truth()).lower(), batch=batch(row))
+        ROW.format(
+            name=row.name,
+            signature=row.signature(),
+            body=body(row),
+            batch=batch(row),
+            codes=row.many.name if row.is_truth() else "nullptr",
+            if_bad=str(row.name in TRUE_IF_BAD).lower(),
+        )
         for row in rows
     )

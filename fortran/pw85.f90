@@ -68,6 +68,7 @@ module pw85
   public :: pw85_contact_torque
   public :: pw85_contact_hessian
   public :: pw85_overlap
+  public :: pw85_contains
   public :: pw85_closest_approach
   public :: pw85_contact_2d
   public :: pw85_contact_geometry_2d
@@ -91,6 +92,7 @@ module pw85
   public :: pw85_intersect_line
   public :: pw85_contact_batch
   public :: pw85_overlap_batch
+  public :: pw85_contains_batch
   public :: pw85_closest_approach_batch
   public :: pw85_contact_function_batch
   public :: pw85_contact_geometry_batch
@@ -259,6 +261,14 @@ module pw85
       integer(c_int), intent(out) :: overlap
       integer(c_int) :: status
     end function pw85_overlap
+
+    !> Whether ellipsoid 2 is inside ellipsoid 1.
+    function pw85_contains(r12, q1, q2, contains) result(status) bind(C, name='pw85_contains')
+      import
+      real(c_double), intent(in) :: r12(3), q1(6), q2(6)
+      integer(c_int), intent(out) :: contains
+      integer(c_int) :: status
+    end function pw85_contains
 
     !> Distance of closest approach.
     function pw85_closest_approach(direction, q1, q2, distance) result(status) bind(C, name='pw85_closest_approach')
@@ -471,6 +481,15 @@ module pw85
       integer(c_int8_t), intent(out) :: overlap(n)
       integer(c_int) :: status
     end function pw85_overlap_batch
+
+    !> pw85_contains() for n pairs.
+    function pw85_contains_batch(n, r12, q1, q2, contains) result(status) bind(C, name='pw85_contains_batch')
+      import
+      integer(c_size_t), value :: n
+      real(c_double), intent(in) :: r12(3, n), q1(6, n), q2(6, n)
+      integer(c_int8_t), intent(out) :: contains(n)
+      integer(c_int) :: status
+    end function pw85_contains_batch
 
     !> pw85_closest_approach() for n pairs.
     function pw85_closest_approach_batch(n, directions, q1, q2, distance) result(status) bind(C, &

@@ -161,6 +161,19 @@ void check_pair(Input const &in)
     if (batch_status == PW85_SUCCESS ? any != 0 && any != 1 : any != -1) fail("overlap_any", in);
 }
 
+// What is inside overlaps.
+void check_containment(Input const &in)
+{
+    int overlap = 7, contains = 7;
+    int const status = pw85_overlap(in.r12, in.q1, in.q2, &overlap);
+    if (pw85_contains(in.r12, in.q1, in.q2, &contains) != status) fail("contains: status", in);
+    if (status == PW85_SUCCESS ? contains != 0 && contains != 1 : contains != -1) fail("contains", in);
+    if (contains == 1 && overlap != 1) fail("contains: no overlap", in);
+    unsigned char code = 7;
+    if (pw85_contains_batch(1, in.r12, in.q1, in.q2, &code) != status) fail("contains_batch: status", in);
+    if (code != static_cast<unsigned char>(contains)) fail("contains_batch", in);
+}
+
 void check_flat_pair(Input const &in)
 {
     double out[2];
@@ -325,6 +338,7 @@ extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const *data, std::size_t size
     check_pair(in);
     check_flat_pair(in);
     check_spheroid(in);
+    check_containment(in);
     check_distance(in);
     check_penetration(in);
     check_line(in);

@@ -210,6 +210,16 @@ PW85_API int pw85_contact_hessian(double const r12[PW85_DIM], double const q1[PW
 PW85_API int pw85_overlap(double const r12[PW85_DIM], double const q1[PW85_SYM], double const q2[PW85_SYM],
                           int *overlap);
 
+/** Whether ellipsoid 2 is inside ellipsoid 1. One that touches it from inside is: every ellipsoid is inside itself.
+ *
+ * The answer is that of exact arithmetic for the numbers given, as that of pw85_overlap().
+ *
+ * @param r12,q1,q2 as for pw85_contact()
+ * @param[out] contains 1 or 0; -1 on error
+ * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD */
+PW85_API int pw85_contains(double const r12[PW85_DIM], double const q1[PW85_SYM], double const q2[PW85_SYM],
+                           int *contains);
+
 /** Distance of closest approach: the distance of the centres at which two ellipsoids of fixed orientation touch from
  * outside, when their centres are on a line of given direction d. It is |d|/μ(d).
  *
@@ -490,6 +500,16 @@ PW85_API int pw85_contact_batch(size_t n, double const *r12, double const *q1, d
  * @return as for pw85_contact_batch() */
 PW85_API int pw85_overlap_batch(size_t n, double const *r12, double const *q1, double const *q2,
                                 unsigned char *overlap);
+
+/** pw85_contains() for n pairs; the answers are the same.
+ *
+ * @param n number of pairs
+ * @param r12 n×3
+ * @param q1,q2 n×6
+ * @param[out] contains n: 1, 0, or 255 for a bad pair
+ * @return as for pw85_contact_batch() */
+PW85_API int pw85_contains_batch(size_t n, double const *r12, double const *q1, double const *q2,
+                                 unsigned char *contains);
 
 /** pw85_closest_approach() for n pairs. The relative error is below 2 u cond + 4 u; the last bits may differ from those of
  * pw85_closest_approach().

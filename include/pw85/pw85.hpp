@@ -62,6 +62,7 @@ template <class T, int D> struct BoundingBox;     // half_widths, status
 struct Overlap;                                   // overlap, tier, status
 struct OverlapDecision;                           // decision, tier, status
 template <class T, int D> struct OverlapWitness;  // overlap, lambda, direction, point, status
+struct Containment;                               // contains, status
 template <class T, int D> struct Distance;        // distance, point1, point2, normal, status
 template <class T> struct DistanceDerivatives;    // r12, rotation1, rotation2, hessian, status
 template <class T, int D> struct SurfaceDistance; // distance, point, normal, status
@@ -204,6 +205,16 @@ decide_overlap(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, Symmetr
 /// Status::not_positive_definite
 template <class T, int D> PW85_FUNCTION inline OverlapWitness<T, D>
 overlap_witness(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, SymmetricMatrix<T, D> const &q2) noexcept;
+
+/// Whether ellipsoid 2 is inside ellipsoid 1. One that touches it from inside is.
+///
+/// For float, double and long double the answer is that of exact arithmetic for the numbers given. For a multiprecision number a pair
+/// that cannot be told from one that touches counts as inside.
+///
+/// @param r12,q1,q2 as for contact()
+/// @return the answer; Status::invalid_argument, Status::not_positive_definite
+template <class T, int D> PW85_FUNCTION inline Containment
+contains(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, SymmetricMatrix<T, D> const &q2) noexcept;
 
 /// Distance of closest approach: the distance of the centres at which two ellipsoids of fixed orientation touch
 /// from outside, when their centres are on a line of given direction d. It is |d|/μ(d).
@@ -374,6 +385,7 @@ intersect_line(Vector<T, D> const &origin, Vector<T, D> const &direction, Symmet
 #include <pw85/distance/penetration.hpp>
 #include <pw85/distance/walls.hpp>
 #include <pw85/motion/first_contact.hpp>
+#include <pw85/overlap/containment.hpp>
 #include <pw85/overlap/overlap.hpp>
 
 #endif

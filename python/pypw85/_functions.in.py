@@ -241,6 +241,28 @@ def overlap():
 
 
 @declared
+def contains():
+    """
+    Parameters
+    ----------
+    **kwargs
+        As for any ufunc. With ``dtype=np.uint8`` the result is 1, 0, or 255 for a bad row, for `bad_rows`.
+
+    Returns
+    -------
+    (...) array of bool, or bool
+        A bad row is not inside.
+
+    Examples
+    --------
+    >>> import pypw85
+    >>> q1, q2 = pypw85.spheroid(2, 2, [0, 0, 1]), pypw85.spheroid(0.5, 1, [0, 0, 1])
+    >>> pypw85.contains([[0, 0, 1], [0, 0, 1.5]], q1, q2)
+    array([ True, False])
+    """
+
+
+@declared
 def contact_geometry():
     """
     Examples

@@ -2,8 +2,8 @@
 
 They take what ufuncs take (``out``, ``casting``, ``order``, ``dtype``, ``axes`` ...; NumPy has no ``where`` for
 generalised ufuncs) and have what ufuncs have (``signature``, ``types``). They never raise `pypw85.PW85Error`: a bad row
-is NaN, and NumPy reports "invalid value" as `numpy.errstate` says. ``overlap`` has two loops: to ``bool``, true for a
-bad row, and to ``uint8`` (``dtype=np.uint8``), 255 for a bad row.
+is NaN, and NumPy reports "invalid value" as `numpy.errstate` says. ``overlap`` and ``contains`` have two loops: to
+``bool``, for a bad row true of ``overlap`` and false of ``contains``, and to ``uint8`` (``dtype=np.uint8``), 255 for a bad row.
 
 >>> from pypw85 import gufuncs
 >>> gufuncs.contact.signature

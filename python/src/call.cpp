@@ -82,7 +82,7 @@ PyObject *new_array(Core const &core, double const *row)
 PyObject *new_value(Function const &function, Core const &core, double const *row)
 {
     if (core.ndim > 0) return new_array(core, row);
-    if (function.boolean) PyArrayScalar_RETURN_BOOL_FROM_LONG(*row != 0);
+    if (function.is_truth()) PyArrayScalar_RETURN_BOOL_FROM_LONG(*row != 0);
     PyObject *const number = PyArrayScalar_New(Double);
     if (number != nullptr) PyArrayScalar_ASSIGN(number, Double, *row);
     return number;
@@ -105,7 +105,7 @@ PyObject *store(PyObject *out, Reference const &value)
 PyObject *store_or_new(Function const &function, PyObject *out, Core const &core, double const *row)
 {
     if (out == Py_None) return new_value(function, core, row);
-    if (!function.boolean) return store(out, Reference(new_array(core, row)));
+    if (!function.is_truth()) return store(out, Reference(new_array(core, row)));
     return store(out, Reference(PyArray_FROM_O(*row != 0 ? Py_True : Py_False)));
 }
 

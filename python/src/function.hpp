@@ -31,17 +31,22 @@ using Evaluate = int (*)(Inputs in, Outputs out);
 /// The same for n rows.
 using Batch = int (*)(std::size_t n, Inputs in, Outputs out);
 
+/// A truth value of n pairs: 0, 1, or 255 for a bad one.
+using Codes = int (*)(std::size_t n, double const *r12, double const *q1, double const *q2, unsigned char *codes);
+
 struct Function {
     char const *name;
     char const *signature; ///< core signature, as NumPy writes it, fixed sizes only
     Evaluate evaluate;
-    bool boolean; ///< the only output is a truth value (overlap)
-    Batch batch;  ///< null: `evaluate` for each row
-    int nin = 0;  ///< this and what follows is read from the signature by parse_signature()
+    Batch batch; ///< null: `evaluate` for each row, or `codes`
+    Codes codes; ///< not null: the only output is a truth value
+    bool if_bad; ///< what the truth value of a bad row is
+    int nin = 0; ///< this and what follows is read from the signature by parse_signature()
     int nout = 0;
     Core cores[max_operands] = {};
 
     int operands() const noexcept { return nin + nout; }
+    bool is_truth() const noexcept { return codes != nullptr; }
 };
 
 /// Fills in what the signature says.
@@ -56,11 +61,11 @@ void row_loop(char **args, std::ptrdiff_t const *dimensions, std::ptrdiff_t cons
 /// Calls `batch` for blocks of rows, in threads; `data` is the Function.
 void batch_loop(char **args, std::ptrdiff_t const *dimensions, std::ptrdiff_t const *steps, void *data);
 
-/// pw85_overlap_batch() or pw85_overlap_batch_2d() on blocks of rows. Output: 0, 1, or 255 for a bad row.
-void overlap_code_loop(char **args, std::ptrdiff_t const *dimensions, std::ptrdiff_t const *steps, void *data);
+/// Calls `codes` for blocks of rows. Output: 0, 1, or 255 for a bad row.
+void code_loop(char **args, std::ptrdiff_t const *dimensions, std::ptrdiff_t const *steps, void *data);
 
-/// The same with a boolean output, true for a bad row.
-void overlap_boolean_loop(char **args, std::ptrdiff_t const *dimensions, std::ptrdiff_t const *steps, void *data);
+/// The same with a boolean output, `if_bad` for a bad row.
+void boolean_loop(char **args, std::ptrdiff_t const *dimensions, std::ptrdiff_t const *steps, void *data);
 
 /// Raises the floating-point exception "invalid" if a status (C long) is not zero; output: the status, as a double.
 void report_loop(char **args, std::ptrdiff_t const *dimensions, std::ptrdiff_t const *steps, void *data);

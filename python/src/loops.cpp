@@ -164,18 +164,18 @@ bool for_blocks(std::ptrdiff_t count, Rows const *rows, int operands, Batch cons
 }
 
 template <bool boolean>
-void overlap_loop(char **args, std::ptrdiff_t const *dimensions, std::ptrdiff_t const *steps, void *data) noexcept
+void truth_loop(char **args, std::ptrdiff_t const *dimensions, std::ptrdiff_t const *steps, void *data) noexcept
 {
     Rows rows[max_operands];
-    find_rows(*static_cast<Function const *>(data), args, steps, rows);
+    Function const &function = *static_cast<Function const *>(data);
+    find_rows(function, args, steps, rows);
     FloatingPointFlags flags;
-    auto const overlap_batch = rows[0].core.size() == 2 ? pw85_overlap_batch_2d : pw85_overlap_batch;
     bool const good = for_blocks(dimensions[0], rows, 3, [&](Block &block, std::ptrdiff_t first, std::size_t n) {
         unsigned char codes[max_block_rows];
-        int const status = overlap_batch(n, block.gathered(0), block.gathered(1), block.gathered(2), codes);
+        int const status = function.codes(n, block.gathered(0), block.gathered(1), block.gathered(2), codes);
         for (std::size_t i = 0; i < n; ++i)
             element<unsigned char>(rows[3], first + static_cast<std::ptrdiff_t>(i)) =
-                boolean ? codes[i] != 0 : codes[i];
+                boolean ? codes[i] == 1 || (codes[i] == 255 && function.if_bad) : codes[i];
         return status;
     });
     flags.note(!good);
@@ -222,14 +222,14 @@ void batch_loop(char **args, std::ptrdiff_t const *dimensions, std::ptrdiff_t co
     flags.note(!good);
 }
 
-void overlap_code_loop(char **args, std::ptrdiff_t const *dimensions, std::ptrdiff_t const *steps, void *data)
+void code_loop(char **args, std::ptrdiff_t const *dimensions, std::ptrdiff_t const *steps, void *data)
 {
-    overlap_loop<false>(args, dimensions, steps, data);
+    truth_loop<false>(args, dimensions, steps, data);
 }
 
-void overlap_boolean_loop(char **args, std::ptrdiff_t const *dimensions, std::ptrdiff_t const *steps, void *data)
+void boolean_loop(char **args, std::ptrdiff_t const *dimensions, std::ptrdiff_t const *steps, void *data)
 {
-    overlap_loop<true>(args, dimensions, steps, data);
+    truth_loop<true>(args, dimensions, steps, data);
 }
 
 void report_loop(char **args, std::ptrdiff_t const *dimensions, std::ptrdiff_t const *steps, void *)

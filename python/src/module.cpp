@@ -28,10 +28,10 @@ void describe_loops(Function &function, Registered &registered)
 {
     int const operands = function.operands();
     for (int k = 0; k < 2 * operands; ++k) registered.types[k] = NPY_DOUBLE;
-    registered.loops[0] = function.boolean ? overlap_boolean_loop : function.batch != nullptr ? batch_loop : row_loop;
-    registered.loops[1] = overlap_code_loop;
+    registered.loops[0] = function.is_truth() ? boolean_loop : function.batch != nullptr ? batch_loop : row_loop;
+    registered.loops[1] = code_loop;
     registered.data[0] = registered.data[1] = &function;
-    if (!function.boolean) return;
+    if (!function.is_truth()) return;
     registered.types[operands - 1] = NPY_BOOL;
     registered.types[2 * operands - 1] = NPY_UINT8;
 }
@@ -47,7 +47,7 @@ bool register_function(PyObject *module, Function &function)
     auto *const registered = new Registered{};
     describe_loops(function, *registered);
     Reference ufunc(PyUFunc_FromFuncAndDataAndSignature(registered->loops, registered->data, registered->types,
-                                                        function.boolean ? 2 : 1, function.nin, function.nout,
+                                                        function.is_truth() ? 2 : 1, function.nin, function.nout,
                                                         PyUFunc_None, function.name,
                                                         "Generalised ufunc; see the function of this name in pypw85 or "
                                                         "pypw85.legacy.",

@@ -30,6 +30,7 @@ FAILURES = [
     (pypw85.contact_function, (R, FLAT, Q), Status.ENOTPD),
     (pypw85.contact_function, ([np.inf, 0, 0], Q, Q), Status.EINVAL),
     (pypw85.overlap, (R, Q, FLAT), Status.ENOTPD),
+    (pypw85.contains, (R, Q, FLAT), Status.ENOTPD),
     (pypw85.contact_geometry, (0 * R, Q, Q, 0.5), Status.EINVAL),
     (pypw85.contact_gradient, (R, Q, Q, 2.0), Status.EINVAL),
     (pypw85.contact_torque, (R, Q, FLAT, 0.5), Status.ENOTPD),
@@ -68,7 +69,10 @@ def test_bad_row_of_array(function, args, status):
         result = function(*rows)
     assert len(caught) == 1
     for output in result if isinstance(result, tuple) else (result,):
-        assert output.all() if output.dtype == bool else np.isnan(output).all()
+        if output.dtype == bool:  # a bad pair counts as one that overlaps, and as one that is not inside
+            assert (output == (function is not pypw85.contains)).all()
+        else:
+            assert np.isnan(output).all()
 
 
 def mixed_rows():
@@ -99,6 +103,15 @@ def test_bad_rows_of_vectors_and_overlaps():
     np.testing.assert_array_equal(np.flatnonzero(truths), [17, 600])
     with pytest.raises(TypeError, match="uint8"):
         pypw85.bad_rows(truths)
+
+
+def test_bad_rows_of_containment():
+    r12, q1, q2 = mixed_rows()
+    with np.errstate(invalid="ignore"):
+        codes = pypw85.contains(0.0 * r12, 2.0 * q1, q2, dtype=np.uint8)
+        truths = pypw85.contains(0.0 * r12, 2.0 * q1, q2)
+    np.testing.assert_array_equal(pypw85.bad_rows(codes), [17, 600])
+    np.testing.assert_array_equal(np.flatnonzero(~truths), [17, 600])
 
 
 @pytest.mark.parametrize("scattered", [False, True])

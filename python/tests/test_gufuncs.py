@@ -30,6 +30,7 @@ SIGNATURES = {
     "contact_hessian_2d": "(2),(3),(3),()->(4,4)",
     "overlap_2d": "(2),(3),(3)->()",
     "overlap": "(3),(6),(6)->()",
+    "contains": "(3),(6),(6)->()",
     "closest_approach": "(3),(6),(6)->()",
     "distance": "(3),(6),(6)->(),(3),(3)",
     "distance_derivatives": "(3),(6),(6)->(3),(3),(3),(9,9)",

@@ -29,7 +29,8 @@ def run(*command, succeeds=True, **kwargs):
 @pytest.fixture(scope="module")
 def copy(tmp_path_factory):
     copy = tmp_path_factory.mktemp("source") / "pw85"
-    shutil.copytree(SOURCE, copy, ignore=shutil.ignore_patterns(".git", "build*", ".mesonpy*", "__pycache__"))
+    made = shutil.ignore_patterns(".git", "build*", ".mesonpy*")
+    shutil.copytree(SOURCE, copy, ignore=lambda folder, names: made(folder, names) if folder == str(SOURCE) else {"__pycache__"})
     return copy
 
 

@@ -32,7 +32,22 @@ int with_two_numbers(double const *a, double const *b, double const *c, double *
     return status;
 }
 
+/// Whether ellipsoid 2 is inside, as one byte.
+int contains_as_byte(double const *r12, double const *q1, double const *q2, unsigned char *contains) noexcept
+{
+    int answer = -1;
+    int const status = pw85_contains(r12, q1, q2, &answer);
+    *contains = static_cast<unsigned char>(answer); // -1 is 255
+    return status;
+}
+
 } // namespace
+
+int pw85_contains_batch(size_t n, double const *r12, double const *q1, double const *q2, unsigned char *contains)
+{
+    return each_row(n, contains_as_byte, RowsOf<3>{r12}, RowsOf<6>{q1}, RowsOf<6>{q2},
+                    RowsOf<1, unsigned char>{contains});
+}
 
 int pw85_contact_function_batch(size_t n, double const *r12, double const *q1, double const *q2, double *mu2,
                                 double *lambda)

@@ -34,6 +34,16 @@ static inline Status overlap_batch(Vectors r12, Forms q1, Forms q2, std::span<un
     return detail::call_rows(pw85_overlap_batch, r12, q1, q2, overlap);
 }
 
+/// contains() for many pairs: see pw85_contains_batch().
+///
+/// @param r12,q1,q2 one for each pair
+/// @param[out] contains one for each pair: 1, 0, or 255 for a bad pair
+/// @return as for contact_batch()
+static inline Status contains_batch(Vectors r12, Forms q1, Forms q2, std::span<unsigned char> contains) noexcept
+{
+    return detail::call_rows(pw85_contains_batch, r12, q1, q2, contains);
+}
+
 /// closest_approach() for many pairs: see pw85_closest_approach_batch().
 ///
 /// @param directions one for each pair, of any lengths > 0

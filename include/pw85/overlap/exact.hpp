@@ -336,6 +336,18 @@ PW85_FUNCTION inline int sign_of_subdiscriminant(Quartic const &p, WideInteger i
     return left != right ? left - right : left * compare_products(i, k, a, twice_j);
 }
 
+/// Whether all roots of a quartic are real, of which two are known to be. It is the first thing in its memory of `total` limbs, and
+/// is lost; make() makes it there again.
+template <class Make>
+PW85_FUNCTION inline bool has_real_roots(Quartic const &p, Sizes const &sizes, Limb *memory, Make const &make) noexcept
+{
+    Limb *const quadratic = memory + 5 * sizes.coefficient, *const cubic = quadratic + sizes.quadratic;
+    WideInteger const twice_j = exact::twice_j(p, sizes, cubic, quadratic);
+    WideInteger const i = invariant_i(p, sizes, quadratic);
+    int const sign = sign_of_discriminant(i, twice_j, sizes, memory);
+    return sign > 0 || (sign == 0 && sign_of_subdiscriminant(make(), i, twice_j, sizes, memory) >= 0);
+}
+
 } // namespace exact
 
 /// Decides whether two ellipsoids overlap, for the numbers exactly as given. The result is never Decision::none. It uses a fixed
@@ -350,18 +362,12 @@ requires exact::is_decidable<T>
     auto const numbers = to_numbers(r12, q1, q2);
     if (is_far(numbers)) return Decision::apart;
     Sizes const sizes(bits(numbers));
-    auto const p = make_quartic(numbers, memory);
+    auto const make = [&] { return make_quartic(numbers, memory); };
+    auto const p = make();
     auto const &c = p.coefficients;
     if (c[1].sign <= 0 && c[2].sign <= 0 && c[3].sign <= 0) return Decision::overlap;
-    Limb *const quadratic = memory + 5 * sizes.coefficient, *const cubic = quadratic + sizes.quadratic;
-    WideInteger const twice_j = exact::twice_j(p, sizes, cubic, quadratic);
-    WideInteger const i = invariant_i(p, sizes, quadratic);
-    int sign = sign_of_discriminant(i, twice_j, sizes, memory);
-    if (sign == 0) {
-        auto const again = make_quartic(numbers, memory);
-        sign = sign_of_subdiscriminant(again, i, twice_j, sizes, memory);
-    }
-    return to_decision(sign >= 0, sign < 0);
+    bool const apart = has_real_roots(p, sizes, memory, make);
+    return to_decision(apart, !apart);
 }
 
 } // namespace pw85::detail

@@ -1,0 +1,202 @@
+/// @file
+/// Whether an ellipsoid is inside another one: by numbers with margins against their rounding errors, then exactly.
+///
+/// - It is outside if √(nᵀQ2n) + |n·r| > √(nᵀQ1n) for some n: it reaches beyond a plane that bounds ellipsoid 1.
+/// - It is inside if K(w) = Q1 - (1 + 1/w) Q2 - (1 + w) r rᵀ is positive semidefinite for some w > 0 (exact_containment.hpp).
+///
+/// Both are true of ellipsoids that touch for one w and n alone. With M = Q1 - Q2 - Q2/w, n = M⁻¹r, d = r·n and e = nᵀQ2n that w
+/// maximises 1 - (1 + w) d, which has one maximum where M is positive definite: there F = w² d/((1 + w) e) is 1. F increases with
+/// w.
+#ifndef PW85_OVERLAP_CONTAINMENT_HPP_INCLUDED
+#define PW85_OVERLAP_CONTAINMENT_HPP_INCLUDED
+
+#include <pw85/contact/validate.hpp>
+#include <pw85/overlap/exact_containment.hpp>
+
+namespace pw85 {
+
+/// Whether an ellipsoid is inside another one; false where the status is not success.
+struct Containment {
+    bool contains;
+    Status status;
+};
+
+} // namespace pw85
+
+namespace pw85::detail {
+
+/// What is certain of a pair.
+enum class Nesting { none, outside, inside };
+
+/// A pair with its difference Q1 - Q2, in a unit in which the largest diagonal entry of Q1 is in [1, 4).
+template <class T, int D> struct NestedPair {
+    Vector<T, D> r12;
+    SymmetricMatrix<T, D> q1, q2, difference;
+};
+
+/// Scaled by a power of two. What becomes a subnormal number errs by 2^-53 of the smallest number for double.
+template <class T, int D> PW85_FUNCTION inline NestedPair<T, D>
+nested_pair(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, SymmetricMatrix<T, D> const &q2) noexcept
+{
+    int const e = half_exponent(largest_diagonal(q1));
+    NestedPair<T, D> pair{
+        times_power_of_two(r12, -e), times_power_of_two(q1, -2 * e), times_power_of_two(q2, -2 * e), {}};
+    for (int k = 0; k < q1.size; ++k) pair.difference[k] = pair.q1[k] - pair.q2[k];
+    return pair;
+}
+
+/// Whether ellipsoid 2 reaches beyond the bounding box of ellipsoid 1. Five roundings, and those of the comparison, are below 8 u.
+template <class T, int D> PW85_FUNCTION inline bool
+exceeds_bounding_box(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, SymmetricMatrix<T, D> const &q2) noexcept
+{
+    T const shrink = T(1) - T(8) * T(unit_roundoff<T>());
+    bool exceeds = false;
+    for (int i = 0; i < D; ++i) {
+        T const reach = square_root(q2(i, i)) + absolute(r12[i]);
+        exceeds = exceeds || T(shrink * reach) > square_root(q1(i, i));
+    }
+    return exceeds;
+}
+
+/// Whether a direction, of any length > 0, proves that ellipsoid 2 is not inside.
+///
+/// A term of a form is rounded five times at most, one of n·r three times, their sums with the margins once more: 8 u and 6 u of
+/// the magnitudes bound that, and 8 u the two roots, their sum and the product. The smallest number is far above what underflows,
+/// as n has coordinates below 2 and the forms have entries of 4 at most.
+template <class T, int D> PW85_FUNCTION inline bool shows_outside(NestedPair<T, D> const &pair, Vector<T, D> n) noexcept
+{
+    T const u = T(unit_roundoff<T>()), tiny = smallest_number<T>(), length = largest_coordinate(n);
+    if (!(length > T(0) && length < largest_number<T>())) return false;
+    n = times_power_of_two(n, -binary_exponent(length));
+    T const r = absolute(dot(n, pair.r12)) - T(T(6) * u * magnitude_of_dot(n, pair.r12) + tiny);
+    T const q1 = quadratic_form(pair.q1, n) + T(T(8) * u * magnitude_of_form(pair.q1, n) + tiny);
+    T const q2 = quadratic_form(pair.q2, n) - T(T(8) * u * magnitude_of_form(pair.q2, n) + tiny);
+    T const reach = square_root(maximum(q2, T(0))) + maximum(r, T(0));
+    return T(T(T(1) - T(8) * u) * reach) > square_root(q1);
+}
+
+/// Whether w proves that ellipsoid 2 is inside. What underflowed does not matter as u <= w <= 1/u.
+///
+/// Let C = (1 + 1/w) Q2 + (1 + w) r rᵀ, with non-negative terms. An entry of C has terms of magnitudes that add up to √(Cii Cjj) at
+/// most, and Cii <= Q1ii if the diagonal of K is positive. So no entry of K errs by more than 7 u √(Q1ii Q1jj): 4 u for C, u for
+/// the difference, and on the diagonal u for the product. A matrix of such errors is at most 21 u diag(Q1), which is less than what
+/// is taken off.
+template <class T, int D> PW85_FUNCTION inline bool shows_inside(NestedPair<T, D> const &pair, T const &w) noexcept
+{
+    T const u = T(unit_roundoff<T>()), share2 = T(1) + T(1) / w, share_r = T(1) + w, shrink = T(1) - T(32) * u;
+    SymmetricMatrix<T, D> k{};
+    for (int i = 0; i < D; ++i)
+        for (int j = i; j < D; ++j) {
+            T const cover = T(share2 * pair.q2(i, j)) + T(T(share_r * pair.r12[i]) * pair.r12[j]);
+            k(i, j) = (i == j ? T(shrink * pair.q1(i, j)) : pair.q1(i, j)) - cover;
+        }
+    return w >= u && T(w * u) <= T(1) && is_clearly_definite(k);
+}
+
+/// A direction n in which nᵀAn is not positive, for a matrix with a positive first entry and a leading minor that is not: if that
+/// is the first of its size, it is nᵀAn, up to a positive factor.
+template <class T> PW85_FUNCTION inline Vector<T, 2> negative_direction(SymmetricMatrix<T, 2> const &a) noexcept
+{
+    return {-a(0, 1), a(0, 0)};
+}
+
+template <class T> PW85_FUNCTION inline Vector<T, 3> negative_direction(SymmetricMatrix<T, 3> const &a) noexcept
+{
+    auto const adj = adjugate(a);
+    if (adj(2, 2) <= T(0)) return {-a(0, 1), a(0, 0), T(0)};
+    return {adj(0, 2), adj(1, 2), adj(2, 2)};
+}
+
+/// What the search knows at w.
+template <class T, int D> struct NestingStep {
+    Vector<T, D> n;
+    T excess; ///< 1 - 1/F: positive beyond the best w
+    T next;   ///< of Newton's method
+};
+
+/// With M' = Q2/w², d' = -e/w² and e' = -2 nᵀQ2M⁻¹Q2n/w², so that w F'/F = 1 + 1/(1 + w) - e/(w d) + 2 nᵀQ2M⁻¹Q2n/(w e).
+template <class T, int D> PW85_FUNCTION inline NestingStep<T, D>
+take_nesting_step(NestedPair<T, D> const &pair, SymmetricMatrix<T, D> const &m, T const &w) noexcept
+{
+    auto const adj = adjugate(m);
+    T const factor = T(1) / determinant(m, adj);
+    Vector<T, D> const n = factor * product(adj, pair.r12), q2n = product(pair.q2, n);
+    T const d = dot(pair.r12, n), e = dot(n, q2n), curvature = T(factor * quadratic_form(adj, q2n));
+    T const excess = T(1) - T(T(T(1) + w) * e) / T(T(w * w) * d);
+    T const slope = T(1) + T(1) / T(T(1) + w) - e / T(w * d) + T(T(2) * curvature) / T(w * e);
+    return {n, excess, T(w - T(w * excess) / slope)};
+}
+
+/// Steps until the search gives up. Of random pairs with |κ² - 1| from 1e-2 to 1e-12, κ the factor of ellipsoid 1 with which it
+/// would touch, and aspect ratios from 2 to 1000, one in a thousand needs more than eight.
+inline constexpr int max_nesting_steps = 16;
+
+/// The search for a proof: Newton's method on F(w) = 1, in a bracket.
+template <class T, int D> PW85_FUNCTION inline Nesting search_for_nesting(NestedPair<T, D> const &pair, T w) noexcept
+{
+    T low = T(0), high = infinity<T>();
+    for (int step = 0; step < max_nesting_steps; ++step) {
+        SymmetricMatrix<T, D> m = pair.difference;
+        for (int k = 0; k < m.size; ++k) m[k] = m[k] - T(pair.q2[k] / w);
+        T next = low;
+        if (is_clearly_definite(m)) {
+            if (shows_inside(pair, w)) return Nesting::inside;
+            auto const found = take_nesting_step(pair, m, w);
+            if (shows_outside(pair, found.n)) return Nesting::outside;
+            (found.excess > T(0) ? high : low) = w;
+            next = found.next;
+        } else
+            low = w;
+        if (!(next > low && next < high)) next = high < infinity<T>() ? T(T(0.5) * T(low + high)) : T(T(2) * low);
+        if (absolute(T(next - w)) <= T(T(4) * T(unit_roundoff<T>())) * w) break;
+        w = next;
+    }
+    return Nesting::none;
+}
+
+/// What numbers of the type can tell. The search starts where two balls with the extents along r would touch, or from the trace of
+/// (Q1 - Q2)⁻¹Q2 if that is more: M is positive definite there.
+template <class T, int D> PW85_FUNCTION inline Nesting decide_nesting(NestedPair<T, D> const &pair) noexcept
+{
+    T const u = T(unit_roundoff<T>());
+    if (!is_clearly_definite(pair.difference)) {
+        bool const outside = shows_outside(pair, negative_direction(pair.difference));
+        return outside ? Nesting::outside : Nesting::none;
+    }
+    auto const adj = adjugate(pair.difference);
+    T const r2 = dot(pair.r12, pair.r12), trace = contraction(adj, pair.q2) / determinant(pair.difference, adj);
+    T const extent = square_root(quadratic_form(pair.q2, pair.r12)) / r2;
+    T const largest = T(1) / u, start = maximum(u, maximum(trace, extent));
+    if (r2 > T(0) && start < largest) return search_for_nesting(pair, start);
+    return shows_inside(pair, largest) ? Nesting::inside : Nesting::none;
+}
+
+template <class T, int D> [[gnu::noinline]] PW85_FUNCTION inline Status
+validate_apart(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, SymmetricMatrix<T, D> const &q2) noexcept
+{
+    ScaledPair<T, D> scaled;
+    return validate(r12, q1, q2, scaled);
+}
+
+} // namespace pw85::detail
+
+namespace pw85 {
+
+template <class T, int D> PW85_FUNCTION inline Containment
+contains(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, SymmetricMatrix<T, D> const &q2) noexcept
+{
+    using namespace detail;
+    Status const status = passes_fast_checks(r12, q1, q2) ? Status::success : validate_apart(r12, q1, q2);
+    if (status != Status::success) return {false, status};
+    if (exceeds_bounding_box(r12, q1, q2)) return {false, status};
+    Nesting const nesting = decide_nesting(nested_pair(r12, q1, q2));
+    if (nesting != Nesting::none) return {nesting == Nesting::inside, status};
+    if constexpr (exact::is_decidable<T>)
+        return {contains_exactly(r12, q1, q2), status};
+    else
+        return {true, status}; // to rounding they touch
+}
+
+} // namespace pw85
+
+#endif

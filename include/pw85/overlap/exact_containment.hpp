@@ -1,0 +1,227 @@
+/// @file
+/// Whether ellipsoid 2 is inside ellipsoid 1, decided in integers.
+///
+/// 1. For r != 0 it is inside if and only if K(w) = Q1 - (1 + 1/w) Q2 - (1 + w) r rᵀ is positive semidefinite for some w > 0.
+///    Inside means that √(nᵀQ2n) + |n·r| <= √(nᵀQ1n) for all n; if K(w) >= 0 this holds, as (x + y)² <= (1 + 1/w) x² + (1 + w) y².
+///    The other direction is the S-lemma: xᵀQ1⁻¹x <= 1 follows from (x - r)ᵀQ2⁻¹(x - r) <= 1 only if it does with some multiplier
+///    ν, 0 < ν < 1, and the Schur complement of that inequality is K >= 0 for w = ν/(1 - ν).
+/// 2. Let N = Q1 - Q2. If K(w) >= 0 then N - Q2/w >= 0, so N is positive definite. If r = 0, inside means N >= 0. Both are read off
+///    the coefficients of det(wN - Q2) = n0 w³ - n1 w² + n2 w - n3, whose roots are real: those of N⁻¹Q2 if N is positive definite.
+/// 3. Let N be positive definite, λ1 >= λ2 >= λ3 > 0 the roots, B(w) = det(wN - Q2), A(w) = rᵀ adj(wN - Q2) r = m0 w² - m1 w + m2.
+///    Then p(w) = det(w K(w)) = B(w) - w (1 + w) A(w), of degree 4. It is the quartic of exact.hpp at t = -(1 + 1/w), so two of its
+///    roots are in [λ3, λ1], counted with multiplicity. Its first coefficient -m0 and its last, -n3, are negative.
+/// 4. For w > λ1, K(w) >= 0 means p(w) >= 0, and p/B = 1 - w (1 + w) rᵀ(wN - Q2)⁻¹r, which is -∞ at infinity, is positive between
+///    two roots or nowhere. So if ellipsoid 2 is inside, all roots are real and positive, and by Descartes' rule the coefficients
+///    alternate in sign.
+/// 5. Let ω be the larger root of A. A congruence makes N = I and Q2 diagonal; then A = Σ ri² Π (w - λj) over j != i, so that
+///    λ2 <= ω <= λ1. For w in (ω, λ1), A > 0 and B <= 0, so p < 0. At λ1 > ω, B = 0 and p < 0. So a root that exceeds ω exceeds λ1,
+///    and ellipsoid 2 is inside if p has one. If none does, 7 says what is left.
+/// 6. By the Taylor series at ω none does if and only if no derivative of p is positive there: p has real roots and a negative
+///    first coefficient. p(ω) = B(ω) <= 0. Where A = 0, w A' = m1 w - 2 m2 and m0 w² = m1 w - m2, by which
+///        p'    = (3 n0 - m1) w² + (2 m2 - 2 n1 - m1) w + (n2 + 2 m2),
+///        p''/2 = 3 (n0 - m0 - m1) w + (m1 - n1 + 5 m2),        p'''/6 = -4 m0 w + (n0 + m1 - m0).
+/// 7. If no root exceeds ω, K(w) >= 0 is left at w = λ1 alone. Then r is orthogonal to the eigenvectors of λ1, and ω = λ1, as A(λ1)
+///    = 0 and A > 0 beyond ω. Let p = B ψ, where ψ is regular and ψ(λ1) >= 0. As no root is larger ψ(λ1) = 0, so that ω is a root
+///    of p twice at least, p'(ω) = 0. Conversely let p'(ω) = 0, and no root exceed ω: then p(ω) = 0, too. If ω is a simple root of
+///    A, B'(ω) = ω (1 + ω) A'(ω) is positive, so ω = λ1 > λ2, and ψ(λ1) = 0: inside. If it is a double one, B'(ω) = 0, so ω = λ1 =
+///    λ2 (for ω = λ2 = λ3 < λ1, A(λ1) != 0 leaves r along the eigenvector of λ1, and both roots of ψ, if real, exceed λ1); p''(ω) =
+///    B''(ω) ψ(λ1), so inside means p''(ω) = 0.
+/// 8. Ellipses are flat ellipsoids with one more root at 0, and with m2 = n3 = 0: all of this holds.
+///
+/// scripts/containment_roots.py checks the criterion in rational numbers against 60 digits.
+#ifndef PW85_OVERLAP_EXACT_CONTAINMENT_HPP_INCLUDED
+#define PW85_OVERLAP_EXACT_CONTAINMENT_HPP_INCLUDED
+
+#include <pw85/overlap/exact.hpp>
+
+namespace pw85::detail {
+
+namespace exact {
+
+/// A sum of the coefficients of the rational form of Q1 + t Q2, with these weights: a(t), then b(t), by increasing powers of t.
+struct Combination {
+    static constexpr int size = 7;
+
+    signed char weights[size];
+};
+
+PW85_FUNCTION constexpr Combination operator*(int factor, Combination x) noexcept
+{
+    for (auto &weight : x.weights) weight = static_cast<signed char>(factor * weight);
+    return x;
+}
+
+PW85_FUNCTION constexpr Combination operator+(Combination x, Combination const &y) noexcept
+{
+    for (int k = 0; k < x.size; ++k) x.weights[k] = static_cast<signed char>(x.weights[k] + y.weights[k]);
+    return x;
+}
+
+PW85_FUNCTION constexpr Combination operator-(Combination const &x, Combination const &y) noexcept
+{
+    return x + -1 * y;
+}
+
+/// The coefficients of A and B, from wN - Q2 = w (Q1 + t Q2) with t = -(1 + 1/w).
+namespace nested {
+inline constexpr Combination m0{{1, -1, 1}}, m1{{0, 1, -2}}, m2{{0, 0, 1}};
+inline constexpr Combination n0{{0, 0, 0, 1, -1, 1, -1}}, n1{{0, 0, 0, 0, 1, -2, 3}}, n2{{0, 0, 0, 0, 0, 1, -3}},
+    n3{{0, 0, 0, 0, 0, 0, 1}};
+
+inline constexpr Combination difference[3] = {n0, n1, n2};
+inline constexpr Combination quartic[5] = {-1 * n3, n2 - m2, m1 - n1 - m2, n0 + m1 - m0, -1 * m0};
+
+/// A, and what p', p''/2 and p'''/6 are where A = 0, by increasing powers of w.
+inline constexpr Combination first[6] = {m0, m1, m2, n2 + 2 * m2, 2 * m2 - 2 * n1 - m1, 3 * n0 - m1};
+inline constexpr Combination second[6] = {m0, m1, m2, m1 - n1 + 5 * m2, 3 * (n0 - m0 - m1), {}};
+inline constexpr Combination third[6] = {m0, m1, m2, n0 + m1 - m0, -4 * m0, {}};
+} // namespace nested
+
+/// More bits than bits() says: a combination has up to 288 terms (the linear coefficient of p''' has 4·72) instead of 72.
+inline constexpr int extra_bits = 2;
+
+inline constexpr Limb unit_limb[1] = {1};
+inline constexpr WideInteger one{unit_limb, 1, 1};
+
+template <int Count> struct WideIntegers {
+    WideInteger values[Count];
+
+    [[gnu::always_inline]] WideInteger operator[](int k) const noexcept { return values[k]; }
+};
+
+/// Adds a number times its weights in all combinations to their sums.
+template <int Count> PW85_FUNCTION inline void
+add_weighted(WideSum const (&sums)[Count], Combination const (&combinations)[Count], int k, WideInteger x) noexcept
+{
+    for (int i = 0; i < Count; ++i) {
+        int const weight = combinations[i].weights[k];
+        Limb const factor = static_cast<Limb>(weight < 0 ? -weight : weight);
+        if (weight != 0) add_product(sums[i], weight < 0 ? -1 : 1, x, {&factor, 1, 1});
+    }
+}
+
+/// Combinations in units of 2^unit(), the first thing in memory. Behind `total` limbs there is room for one coefficient of the
+/// form.
+template <int Count, class T, int D>
+[[gnu::noinline]] PW85_FUNCTION inline WideIntegers<Count> combine(Numbers<T, D> const &numbers,
+                                                                   Combination const (&combinations)[Count],
+                                                                   Sizes const &sizes, Limb *memory) noexcept
+{
+    static constexpr auto form = symbolic_form<D>();
+    int const size = sizes.coefficient;
+    WideSum sums[Count];
+    for (int i = 0; i < Count; ++i) sums[i] = zero_sum(memory + i * size, size);
+    for (int k = 0; k < 3; ++k) {
+        WideSum const sum = zero_sum(memory + sizes.total, size);
+        for (int i = 0; i < form.a[k].size; ++i) add(sum, evaluate<D + 1>(numbers, form.a[k].terms[i]), 1);
+        add_weighted(sums, combinations, k, value(sum));
+    }
+    for (int k = 0; k < 4; ++k) {
+        WideSum const sum = zero_sum(memory + sizes.total, size);
+        for (int i = 0; i < form.b[k].size; ++i) add(sum, evaluate<D>(numbers, form.b[k].terms[i]), 1);
+        add_weighted(sums, combinations, 3 + k, value(sum));
+    }
+    WideIntegers<Count> result;
+    for (int i = 0; i < Count; ++i) result.values[i] = value(sums[i]);
+    return result;
+}
+
+/// sign·x y + sign2·u v in memory for a quadratic sum.
+PW85_FUNCTION inline WideInteger sum_of_products(WideInteger x, WideInteger y, int sign2, WideInteger u, WideInteger v,
+                                                 Sizes const &sizes, Limb *memory) noexcept
+{
+    WideSum const sum = zero_sum(memory, sizes.quadratic);
+    add_product(sum, 1, x, y);
+    add_product(sum, sign2, u, v);
+    return value(sum);
+}
+
+/// The sign of x y + sign2·u v.
+PW85_FUNCTION inline int sign_of_products(WideInteger x, WideInteger y, int sign2, WideInteger u,
+                                          WideInteger v) noexcept
+{
+    int const left = x.sign * y.sign, right = -sign2 * u.sign * v.sign;
+    return left != right ? (left > right ? 1 : -1) : left * compare_products(x, y, u, v);
+}
+
+/// The sign of a polynomial c0 + c1 w + c2 w² at ω, whose coefficients follow those of A in `combinations`.
+///
+/// m0 times the polynomial is y w + x at both roots of A, with x = m0 c0 - m2 c2 and y = m0 c1 + m1 c2. The product of the two
+/// values has the sign of x² + y (m1 c0 + m2 c1), the sum that of s = m1 y + 2 m0 x, and their difference that of y. Where the
+/// product is zero one value is: that at ω if s and y have opposite signs.
+template <class T, int D>
+[[gnu::noinline]] PW85_FUNCTION inline int sign_at_larger_root(Numbers<T, D> const &numbers,
+                                                               Combination const (&combinations)[6], Sizes const &sizes,
+                                                               Limb *memory) noexcept
+{
+    auto const values = combine(numbers, combinations, sizes, memory);
+    auto const m0 = values[0], m1 = values[1], m2 = values[2], c0 = values[3], c1 = values[4], c2 = values[5];
+    Limb *const products = memory + 6 * sizes.coefficient;
+    WideInteger const x = sum_of_products(m0, c0, -1, m2, c2, sizes, products);
+    WideInteger const y = sum_of_products(m0, c1, 1, m1, c2, sizes, products + sizes.quadratic);
+    WideInteger const z = sum_of_products(m1, c0, 1, m2, c1, sizes, products + 2 * sizes.quadratic);
+    int const product = sign_of_products(x, x, 1, y, z);
+    if (product < 0) return y.sign;
+    WideSum const twice = zero_sum(products + 2 * sizes.quadratic, sizes.quadratic);
+    for (int n = 0; n < 2; ++n) add_product(twice, 1, x, one);
+    int const sum = sign_of_products(m1, y, 1, m0, value(twice));
+    return product > 0 || sum == y.sign ? sum : 0;
+}
+
+/// Whether all roots of p are real and positive. Descartes' rule spares most pairs that are not inside the discriminant.
+template <class T, int D> [[gnu::noinline]] PW85_FUNCTION inline bool
+has_positive_roots(Numbers<T, D> const &numbers, Sizes const &sizes, Limb *memory) noexcept
+{
+    auto const make = [&] {
+        auto const values = combine(numbers, nested::quartic, sizes, memory);
+        return Quartic{{values[0], values[1], values[2], values[3], values[4]}};
+    };
+    auto const p = make();
+    if (p.coefficients[1].sign <= 0 || p.coefficients[2].sign >= 0 || p.coefficients[3].sign <= 0) return false;
+    return has_real_roots(p, sizes, memory, make);
+}
+
+/// Whether p, all of whose roots are real and positive, says that ellipsoid 2 is inside: see 5 to 7 above.
+template <class T, int D> [[gnu::noinline]] PW85_FUNCTION inline bool
+has_root_for_inside(Numbers<T, D> const &numbers, Sizes const &sizes, Limb *memory) noexcept
+{
+    if (sign_at_larger_root(numbers, nested::third, sizes, memory) > 0) return true;
+    int const second = sign_at_larger_root(numbers, nested::second, sizes, memory);
+    if (second > 0) return true;
+    int const first = sign_at_larger_root(numbers, nested::first, sizes, memory);
+    if (first != 0) return first > 0;
+    auto const a = combine(numbers, nested::second, sizes, memory);
+    WideSum const product = zero_sum(memory + 6 * sizes.coefficient, sizes.quadratic);
+    add_product(product, 1, a[0], a[2]);
+    multiply(product, 4);
+    return second == 0 || sign_of_products(a[1], a[1], -1, value(product), one) != 0;
+}
+
+/// Limbs for all of the above.
+PW85_FUNCTION constexpr int limbs_for_containment(Sizes const &sizes) noexcept
+{
+    return maximum(sizes.total + sizes.coefficient, 6 * sizes.coefficient + 3 * sizes.quadratic);
+}
+
+} // namespace exact
+
+/// Whether ellipsoid 2 is inside ellipsoid 1, for the numbers of a valid pair as they were given. Its memory is 11 KiB for double.
+template <class T, int D>
+requires exact::is_decidable<T>
+[[gnu::noinline]] static bool contains_exactly(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
+                                               SymmetricMatrix<T, D> const &q2) noexcept
+{
+    using namespace exact;
+    Limb memory[limbs_for_containment(Sizes(max_bits<T>() + extra_bits))];
+    auto const numbers = to_numbers(r12, q1, q2);
+    if (is_far(numbers)) return false;
+    Sizes const sizes(bits(numbers) + extra_bits);
+    auto const n = combine(numbers, nested::difference, sizes, memory);
+    int const least = minimum(n[0].sign, minimum(n[1].sign, n[2].sign));
+    if (largest_coordinate(r12) == T(0)) return least >= 0;
+    return least > 0 && has_positive_roots(numbers, sizes, memory) && has_root_for_inside(numbers, sizes, memory);
+}
+
+} // namespace pw85::detail
+
+#endif
