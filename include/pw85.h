@@ -271,7 +271,7 @@ PW85_API int pw85_closest_approach_2d(double const direction[2], double const q1
 /** Distance of the surfaces of two ellipsoids, and the points where they are closest.
  *
  * The error of the distance is below 8 u Σ, with u = 2⁻⁵³ and Σ = Σ|n_i r12_i| + Σ|n_i q1_ij n_j|/(2α) + Σ|n_i q2_ij n_j|/(2β),
- * the sums over all i and j. Entrywise rounding of the data can change the distance by u Σ. Here n is the unit normal, and α and β
+ * the sums over all i and j. Rounding the data entry by entry can change the distance by u Σ. Here n is the unit normal, and α and β
  * are the half-widths of the ellipsoids along it. The answer can be checked independently: any unit vector n gives a lower bound
  * n·r12 - α - β of the distance, and any two points of the ellipsoids give an upper bound. `distance` is the lower bound for the
  * normal that pw85_distance_derivatives() returns, and |point2 - point1| is an upper bound.
