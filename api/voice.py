@@ -99,7 +99,8 @@ class Voice:
                     wrong.append(WRONG[cause.key].format(name=self.arguments[one.name]))
         unique = list(dict.fromkeys(wrong))
         listed = f"{', '.join(unique[:-1])}{' or ' if unique[1:] else ''}{unique[-1]}"
-        return f"For a single row: {listed}. {self.convergence()}Rows of arrays become NaN."
+        others = "" if self.row.is_truth() else " Rows of arrays become NaN."
+        return f"For a single row: {listed}. {self.convergence()}".rstrip() + others
 
     def convergence(self):
         """Where there is no convergence, by what the function returns or that to which it refers."""

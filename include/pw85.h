@@ -210,9 +210,9 @@ PW85_API int pw85_contact_hessian(double const r12[PW85_DIM], double const q1[PW
 PW85_API int pw85_overlap(double const r12[PW85_DIM], double const q1[PW85_SYM], double const q2[PW85_SYM],
                           int *overlap);
 
-/** Whether ellipsoid 2 is inside ellipsoid 1. One that touches it from inside is: every ellipsoid is inside itself.
+/** Whether ellipsoid 2 is inside ellipsoid 1. It may touch the surface of ellipsoid 1 from inside.
  *
- * The answer is that of exact arithmetic for the numbers given, as that of pw85_overlap().
+ * The answer is that of exact arithmetic for the numbers given, as that of pw85_overlap(). Every ellipsoid is inside itself.
  *
  * @param r12,q1,q2 as for pw85_contact()
  * @param[out] contains 1 or 0; -1 on error
