@@ -64,24 +64,24 @@ PW85_FUNCTION constexpr Combination operator-(Combination const &x, Combination 
 
 /// The coefficients of A and B, from wN - Q2 = w (Q1 + t Q2) with t = -(1 + 1/w).
 namespace nested {
-inline constexpr Combination m0{{1, -1, 1}}, m1{{0, 1, -2}}, m2{{0, 0, 1}};
-inline constexpr Combination n0{{0, 0, 0, 1, -1, 1, -1}}, n1{{0, 0, 0, 0, 1, -2, 3}}, n2{{0, 0, 0, 0, 0, 1, -3}},
+static constexpr Combination m0{{1, -1, 1}}, m1{{0, 1, -2}}, m2{{0, 0, 1}};
+static constexpr Combination n0{{0, 0, 0, 1, -1, 1, -1}}, n1{{0, 0, 0, 0, 1, -2, 3}}, n2{{0, 0, 0, 0, 0, 1, -3}},
     n3{{0, 0, 0, 0, 0, 0, 1}};
 
-inline constexpr Combination difference[3] = {n0, n1, n2};
-inline constexpr Combination quartic[5] = {-1 * n3, n2 - m2, m1 - n1 - m2, n0 + m1 - m0, -1 * m0};
+static constexpr Combination difference[3] = {n0, n1, n2};
+static constexpr Combination quartic[5] = {-1 * n3, n2 - m2, m1 - n1 - m2, n0 + m1 - m0, -1 * m0};
 
 /// A, and what p', p''/2 and p'''/6 are where A = 0, by increasing powers of w.
-inline constexpr Combination first[6] = {m0, m1, m2, n2 + 2 * m2, 2 * m2 - 2 * n1 - m1, 3 * n0 - m1};
-inline constexpr Combination second[6] = {m0, m1, m2, m1 - n1 + 5 * m2, 3 * (n0 - m0 - m1), {}};
-inline constexpr Combination third[6] = {m0, m1, m2, n0 + m1 - m0, -4 * m0, {}};
+static constexpr Combination first[6] = {m0, m1, m2, n2 + 2 * m2, 2 * m2 - 2 * n1 - m1, 3 * n0 - m1};
+static constexpr Combination second[6] = {m0, m1, m2, m1 - n1 + 5 * m2, 3 * (n0 - m0 - m1), {}};
+static constexpr Combination third[6] = {m0, m1, m2, n0 + m1 - m0, -4 * m0, {}};
 } // namespace nested
 
 /// More bits than bits() says: a combination has up to 288 terms (the linear coefficient of p''' has 4·72) instead of 72.
-inline constexpr int extra_bits = 2;
+static constexpr int extra_bits = 2;
 
-inline constexpr Limb unit_limb[1] = {1};
-inline constexpr WideInteger one{unit_limb, 1, 1};
+static constexpr Limb unit_limb[1] = {1};
+static constexpr WideInteger one{unit_limb, 1, 1};
 
 template <int Count> struct WideIntegers {
     WideInteger values[Count];
