@@ -19,9 +19,9 @@ namespace pw85::detail::kernels {
 
 /// Which images of particles a function uses: plain data, as kernels.hpp asks for.
 struct Images {
-    double cell[9];  ///< of complete() if `nearest`; otherwise with zeros for the vectors that are not periodic
-    bool nearest;    ///< whether the function uses the nearest images
-    Lattice lattice; ///< prepared if `nearest`
+    double cell[9];       ///< of complete() if `nearest`; otherwise with zeros for the vectors that are not periodic
+    bool nearest = false; ///< whether the function uses the nearest images
+    Lattice lattice;      ///< prepared if `nearest`
 };
 
 /// Prepares images: those that the caller gives if `given`, otherwise the nearest ones. `cell` is null if nothing is periodic.
