@@ -1,19 +1,15 @@
 """The functions of rows of C++: include/pw85/batch/rows.hpp, one on std::span for each function of pw85.h that takes n rows.
 
-Usage: spans.py [check]
-
-writes the header, or compares it with what it would write. A function of C becomes one of C++ of the same name, without the prefix
-and without `_2d`, which the types say. An array of n rows becomes a span, and an output that may be null, but the first, a span that
-is empty by default. Functions that take structs are written by hand beside it.
+A function of C becomes one of C++ of the same name, without the prefix and without `_2d`, which the types say. An array of n rows
+becomes a span, and an output that may be null, but the first, a span that is empty by default. Functions that take structs are
+written by hand beside it. api/committed.py writes the header or compares it.
 """
 
 import re
-import sys
 import textwrap
 from functools import cache
 from itertools import groupby
 
-from committed import write_or_compare
 from declarations import CPP_HEADERS, INCLUDE, SHAPE, c_functions, functions, parameters, referenced, sections, statuses
 
 HEADER = INCLUDE / "pw85/batch/rows.hpp"
@@ -24,7 +20,7 @@ BEGIN = """\
 /// @file
 /// Functions of many pairs, ellipsoids, points or lines, one row for each: the functions of pw85.h, on spans.
 ///
-/// Made from pw85.h by api/spans.py.
+/// Made from pw85.h by api/committed.py.
 #ifndef PW85_BATCH_ROWS_HPP_INCLUDED
 #define PW85_BATCH_ROWS_HPP_INCLUDED
 
@@ -155,7 +151,3 @@ def header():
             lines += [line for function in listed for line in definition(function)]
             lines += ["/// @}", ""]
     return BEGIN + "".join(f"{line}\n" for line in lines) + END
-
-
-if __name__ == "__main__":
-    write_or_compare(HEADER, header(), *sys.argv[1:] or [None])

@@ -1,7 +1,7 @@
 /// @file
 /// Functions of many pairs, ellipsoids, points or lines, one row for each: the functions of pw85.h, on spans.
 ///
-/// Made from pw85.h by api/spans.py.
+/// Made from pw85.h by api/committed.py.
 #ifndef PW85_BATCH_ROWS_HPP_INCLUDED
 #define PW85_BATCH_ROWS_HPP_INCLUDED
 
