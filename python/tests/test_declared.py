@@ -96,8 +96,29 @@ def test_new_function(make):
     """It is in the table, among the ufuncs and in the module, where a template does not know of it."""
     row = r'\{"volume", "\(6\)->\(\)",.*?pw85_volume\(in\[0\], out\[0\]\).*?batch<pw85_volume_batch>, nullptr, false\}'
     assert re.search(row, make("table"), re.S)
-    assert "\nvolume\n" in make("ufuncs", "#@ names\n").replace(",", "")
+    assert "\nvolume\n" in make("names", "#@ names\n").replace(",", "")
     assert VOLUME in make("functions")
+
+
+def test_names_of_a_package(make):
+    """It offers the new function beside what its template imports and assigns, in order, without private names."""
+    text = make("names", """
+from . import _core, zoo
+from ._functions import (
+    #@ functions
+)
+from ._forms import full as abc
+_x = 1
+width = 2
+__all__ = [
+    #@ all
+]
+""")
+    names = {}
+    exec(text[text.index("__all__") :], names)
+    assert {"abc", "contact", "distance_box", "volume", "width", "zoo"} <= set(names["__all__"])
+    assert names["__all__"] == sorted(names["__all__"]) and not any(name.startswith("_") for name in names["__all__"])
+    assert "\n    volume,\n" in text and "\n    _cholesky_solve,\n" in text and "det_sym" not in text
 
 
 def test_what_a_template_says(make):
