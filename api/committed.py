@@ -12,16 +12,18 @@ import spans
 import symbols
 from declarations import SOURCE
 
-FILES = {fortran.MODULE: fortran.module, spans.HEADER: spans.header, symbols.LIST: symbols.text}
+
+def files():
+    """The texts of all of them by their paths."""
+    return {fortran.MODULE: fortran.module(), symbols.LIST: symbols.text()} | spans.headers()
 
 
 def main(check=None):
     if check not in (None, "check"):
         sys.exit(f"{check}: the only option is check")
     different = []
-    for path, make in FILES.items():
-        text = make()
-        if check and path.read_text(encoding="utf-8") != text:
+    for path, text in files().items():
+        if check and (not path.exists() or path.read_text(encoding="utf-8") != text):
             different.append(path.relative_to(SOURCE))
         elif not check:
             path.write_text(text, encoding="utf-8")

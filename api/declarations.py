@@ -27,7 +27,11 @@ from pathlib import Path
 SOURCE = Path(__file__).resolve().parent.parent
 INCLUDE = SOURCE / "include"
 C_HEADERS = ("pw85.h", "pw85_gpu.h", "pw85_zheng.h", "pw85_legacy.h", "pw85_pre1.h")
-CPP_HEADERS = ("pw85/pw85.hpp", "pw85/batch/rows.hpp", "pw85/batch/pairs.hpp", "pw85/batch/systems.hpp", "pw85/neighbors.hpp")
+CPP_HEADERS = (
+    "pw85/pw85.hpp",
+    *(f"pw85/batch/{name}.hpp" for name in ("rows", "pairs", "lists", "systems")),
+    "pw85/neighbors.hpp",
+)
 
 SECTION = r"^(?:/\*\*| \*|///) @name (?P<title>[^\n]+)$"
 C = re.compile(

@@ -10,6 +10,7 @@ import re
 import sys
 from pathlib import Path
 
+from declarations import SOURCE
 from python_functions import module, python_name
 from python_table import table
 from rows import row_functions
@@ -62,6 +63,12 @@ def with_names(template):
     """A template with what its marks stand for. The mark `all` stands for the public names of the text that the others make."""
     text = filled(template, made_lines())
     return filled(text, {"all": [f'"{name}",' for name in public_names(text)]}) if "#@ all" in text else text
+
+
+def package_names():
+    """The public names of the package."""
+    template = SOURCE / "python/pypw85/__init__.in.py"
+    return public_names(filled(template.read_text(encoding="utf-8"), made_lines()))
 
 
 def main(kind, *paths):
