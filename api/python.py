@@ -15,13 +15,9 @@ from python_functions import module, python_name
 from python_table import table
 from rows import row_functions
 
-# Made of a function that takes its arguments in one block: python/src/function.cpp.
-MADE_BY_HAND = {"f": [()]}
-
-
 def results():
     """The shapes of the results of each function of the compiled part, by its name in order."""
-    return dict(sorted(({row.name: [one.shape for one in row.outputs] for row in row_functions()} | MADE_BY_HAND).items()))
+    return dict(sorted((row.name, [one.shape for one in row.outputs]) for row in row_functions()))
 
 
 def type_of(shapes):

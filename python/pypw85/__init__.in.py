@@ -39,7 +39,6 @@ from ._errors import PW85Error, Status, bad_rows
 from ._forms import full, packed, principal_axes
 from ._functions import (
     ContactDerivatives,
-    f,
     f_neg,
     #@ functions
 )

@@ -13,7 +13,7 @@ import pypw85
 from pypw85 import _core, gufuncs
 
 sys.path.insert(0, os.path.join(os.environ["PYPW85_SOURCE"], "api"))
-from rows import row_functions  # noqa: E402
+from rows import row_functions
 
 # Functions of each kind, as one would write them by the manual: numbers and matrices, several results, those in one array in C,
 # truth values, motions, results of two extents, two dimensions, what is made by hand.
@@ -35,7 +35,7 @@ KNOWN = {
     "legacy_f1": "(),(3),(6),(6)->(),(),()",
     "legacy_f2_derivatives": "(),(3),(6),(6)->(3)",
 }
-SIGNATURES = {row.name: row.signature() for row in row_functions()} | {"f": KNOWN["f"]}
+SIGNATURES = {row.name: row.signature() for row in row_functions()}
 HAS_UPPER_CORNER = {row.name for row in row_functions() if any(one.name == "upper" for one in row.inputs)}
 
 
