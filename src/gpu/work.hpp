@@ -9,7 +9,7 @@
 #define PW85_GPU_WORK_HPP_INCLUDED
 
 #include <pw85/contact/geometry.hpp>
-#include <pw85/overlap/decide_overlap.hpp>
+#include <pw85/overlap/overlap.hpp>
 
 #include "../kernels/periodic_cell.hpp"
 #include "../kernels/rows.hpp"
@@ -153,10 +153,10 @@ PW85_FUNCTION inline Pair3 load(Tile const &, DeviceList const &list, std::size_
 /// The search on the rational form. Use the result only if it is certain.
 PW85_FUNCTION inline LastEvaluation<double> search_rationally(Pair3 const &pair) noexcept
 {
-    auto search = start_search(pair, initial_guess(pair));
-    for (int step = 0; search.active && step < max_rational_steps; ++step) take_step(search, pair.ratio);
+    auto search = start_search(pair);
+    run(search, pair, max_rational_steps);
     auto last = last_evaluation(pair, search.candidate);
-    last.certain = last.certain && passes_fast_checks(pair.r12, pair.q1, pair.q2);
+    last.certain = is_accepted(pair, last);
     return last;
 }
 
@@ -189,12 +189,12 @@ PW85_FUNCTION inline bool store(Decision decision, OverlapArray const &out, std:
 
 PW85_FUNCTION inline bool attempt(OverlapArray const &out, Pair3 const &pair, std::size_t i) noexcept
 {
-    return store(decide_by_quartic<double>(pair.r12, pair.q1, pair.q2), out, i);
+    return store(decide_by_quartic<double>(pair), out, i);
 }
 
 PW85_FUNCTION inline bool settle(OverlapArray const &out, Pair3 const &pair, std::size_t i) noexcept
 {
-    return store(decide_near_contact(pair.r12, pair.q1, pair.q2).decision, out, i);
+    return store(decide_near_contact(pair).decision, out, i);
 }
 
 PW85_FUNCTION inline bool attempt(DerivativeArrays const &out, Pair3 const &pair, std::size_t i) noexcept
