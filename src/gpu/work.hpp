@@ -200,9 +200,8 @@ PW85_FUNCTION inline bool settle(OverlapArray const &out, Pair3 const &pair, std
 PW85_FUNCTION inline bool attempt(DerivativeArrays const &out, Pair3 const &pair, std::size_t i) noexcept
 {
     auto const last = search_rationally(pair);
-    double const lambda = last.value.lambda, lambda1 = complement_of(lambda);
-    auto const solution = solve_by_adjugate(blend(lambda1, pair.q1, lambda, pair.q2), pair.r12);
-    Tangency<double, 3> const at{1.0 / solution.determinant * solution.s, lambda1, lambda, lambda1, lambda};
+    double const lambda = last.value.lambda;
+    auto const [at, accurate] = fast_tangency(pair, lambda);
     auto const gradients = rotation_gradients(at, pair.q1, pair.q2);
     store(last.value.mu2, out.mu2, i);
     store(lambda, out.lambda, i);
@@ -211,7 +210,7 @@ PW85_FUNCTION inline bool attempt(DerivativeArrays const &out, Pair3 const &pair
     store(separation_gradient(at), out.d_r12, i);
     store(gradients.first, out.d_rot1, i);
     store(gradients.second, out.d_rot2, i);
-    return last.certain && is_accurate(solution);
+    return last.certain && accurate;
 }
 
 /// A concentric pair has no normal, but is valid.

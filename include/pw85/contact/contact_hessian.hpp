@@ -161,7 +161,7 @@ PW85_FUNCTION inline ContactHessian<T, D> contact_hessian(Vector<T, D> const &r1
             if (dot(at.v, at.v) > T(0)) return hessian_at(at, p1, p2);
             return all_nan<ContactHessian<T, D>>(Status::invalid_argument);
         },
-        pair_of(r12, q1, q2), lambda);
+        r12, q1, q2, lambda);
 }
 
 } // namespace pw85

@@ -142,6 +142,21 @@ template <class T> PW85_FUNCTION constexpr T complement_of(T const &lambda) noex
     return maximum(T(T(1) - lambda), T(unit_roundoff<T>() / 2));
 }
 
+/// The pair at λ, by the adjugate, and whether that is accurate.
+template <class T, int D> struct FastTangency {
+    Tangency<T, D> at;
+    typename ScalarTraits<T>::Mask accurate;
+};
+
+template <class T, int D>
+PW85_FUNCTION inline FastTangency<T, D> fast_tangency(Pair<T, D> const &pair, T const &lambda) noexcept
+{
+    T const lambda1 = complement_of(lambda);
+    auto const solution = solve_by_adjugate(blend(lambda1, pair.q1, lambda, pair.q2), pair.r12);
+    T const reciprocal = T(1) / solution.determinant;
+    return {{reciprocal * solution.s, lambda1, lambda, lambda1, lambda}, is_accurate(solution)};
+}
+
 /// Exponents that lead from the units of a Tangency back to the caller's.
 struct TangencyUnits {
     int length; ///< of r12
@@ -169,7 +184,7 @@ scaled_tangency(ScaledPair<T, D> const &scaled, T const &lambda1, T const &lambd
 
 /// formula(tangency, q1, q2) for any pair at λ.
 template <class Formula, class T, int D> [[gnu::noinline]] PW85_FUNCTION inline auto
-at_tangency_scaled(Formula formula, Pair<T, D> const &pair, T const &lambda1, T const &lambda2) noexcept
+at_tangency_scaled(Formula formula, Pair<T, D> pair, T const &lambda1, T const &lambda2) noexcept
 {
     using Result = decltype(formula(Tangency<T, D>{}, pair.q1, pair.q2));
     ScaledPair<T, D> scaled;
@@ -184,16 +199,17 @@ at_tangency_scaled(Formula formula, Pair<T, D> const &pair, T const &lambda1, T 
     return result;
 }
 
-/// formula(tangency, q1, q2) for a pair at λ.
+/// formula(tangency, q1, q2) for a pair at λ. It takes references: a Pair would be copied to memory.
 template <class Formula, class T, int D>
-PW85_FUNCTION inline auto at_tangency(Formula formula, Pair<T, D> const &pair, T const &lambda) noexcept
+PW85_FUNCTION inline auto at_tangency(Formula formula, Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
+                                      SymmetricMatrix<T, D> const &q2, T const &lambda) noexcept
 {
     T const lambda1 = complement_of(lambda);
-    if (lambda >= T(0) && lambda <= T(1) && passes_fast_checks(pair)) {
-        Vector<T, D> const v = solve_blend(lambda1, pair.q1, lambda, pair.q2, pair.r12);
-        return formula(Tangency<T, D>{v, lambda1, lambda, lambda1, lambda}, pair.q1, pair.q2);
+    if (lambda >= T(0) && lambda <= T(1) && passes_fast_checks(pair_of(r12, q1, q2))) {
+        Vector<T, D> const v = solve_blend(lambda1, q1, lambda, q2, r12);
+        return formula(Tangency<T, D>{v, lambda1, lambda, lambda1, lambda}, q1, q2);
     }
-    return at_tangency_scaled(formula, pair, lambda1, lambda);
+    return at_tangency_scaled(formula, pair_of(r12, q1, q2), lambda1, lambda);
 }
 
 template <class T, int D>
@@ -231,7 +247,7 @@ PW85_FUNCTION inline ContactGeometry<T, D> contact_geometry(Vector<T, D> const &
             if (!(dot(at.v, at.v) > T(0))) return all_nan<ContactGeometry<T, D>>(Status::invalid_argument);
             return ContactGeometry<T, D>{tangency_point(at, p1), tangency_normal(at), Status::success};
         },
-        pair_of(r12, q1, q2), lambda);
+        r12, q1, q2, lambda);
 }
 
 template <class T, int D>
@@ -246,7 +262,7 @@ PW85_FUNCTION inline ContactGradient<T, D> contact_gradient(Vector<T, D> const &
             return ContactGradient<T, D>{separation_gradient(at), T(-at.lambda1 * weight) * nn,
                                          T(-at.lambda2 * weight) * nn, Status::success};
         },
-        pair_of(r12, q1, q2), lambda);
+        r12, q1, q2, lambda);
 }
 
 template <class T, int D>
@@ -259,7 +275,7 @@ PW85_FUNCTION inline ContactTorque<T, D> contact_torque(Vector<T, D> const &r12,
             auto const gradients = rotation_gradients(at, p1, p2);
             return ContactTorque<T, D>{gradients.first, gradients.second, Status::success};
         },
-        pair_of(r12, q1, q2), lambda);
+        r12, q1, q2, lambda);
 }
 
 } // namespace pw85

@@ -169,7 +169,7 @@ template <class T, int D> PW85_FUNCTION inline Nesting decide_nesting(NestedPair
     return shows_inside(pair, largest) ? Nesting::inside : Nesting::none;
 }
 
-template <class T, int D> [[gnu::noinline]] PW85_FUNCTION inline Status validate_apart(Pair<T, D> const &pair) noexcept
+template <class T, int D> [[gnu::noinline]] PW85_FUNCTION inline Status validate_apart(Pair<T, D> pair) noexcept
 {
     ScaledPair<T, D> scaled;
     return validate(pair, scaled);
