@@ -1,6 +1,6 @@
 /// @file
-/// The search for the maximum of f on the factorised form, for pairs whose rational form is not accurate: slower, right for
-/// all, and one pair at a time.
+/// The search for the maximum of f on the factorised form. It is slower than the search on the rational form, but it finds the maximum
+/// for all pairs. It computes one pair at a time. solver.hpp calls it for pairs whose rational form is not accurate.
 #ifndef PW85_CONTACT_FACTORIZED_SEARCH_HPP_INCLUDED
 #define PW85_CONTACT_FACTORIZED_SEARCH_HPP_INCLUDED
 
@@ -10,7 +10,7 @@
 
 namespace pw85::detail {
 
-/// The number of steps that may go anywhere in the bracket, a choice (bench/choices.py).
+/// The number of steps that may go anywhere in the bracket. It is a choice (bench/choices.py).
 inline constexpr int free_factorized_steps = 3;
 
 /// The largest number of evaluations that one search on the factorised form makes: the free steps, probes to enclose the root, which
@@ -40,9 +40,9 @@ template <class T> PW85_FUNCTION inline Candidate<T> end_of_search(SafeguardedSe
     return candidate;
 }
 
-/// Iterates from the candidate until a step is within penultimate_step(), or only rounding noise is left (item 2). Each evaluation gives
-/// a bound (item 3). False after max_steps, and where the search ends out of reach of Halley's method, so that h' is not known. Not
-/// inlined: extended numbers need much stack, at one place at a time.
+/// Searches from the candidate until a step is within penultimate_step(), or only rounding noise is left (item 2 of iteration.hpp). Each
+/// evaluation gives a bound (item 3). The result is false after max_steps, or if the search ends where Halley's method does not apply,
+/// so that h' is not known. The function is not inlined, because extended numbers need much stack, and only one search runs at a time.
 template <class T, int D>
 [[gnu::noinline]] PW85_FUNCTION inline bool search(Pair<T, D> const &pair, Candidate<T> &candidate, Precision precision,
                                                    int &evaluations, int max_steps = max_factorized_steps - 1) noexcept
