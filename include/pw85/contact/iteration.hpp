@@ -98,8 +98,8 @@ template <class T> PW85_FUNCTION inline T secular_factor(Jet<T> const &j, T cons
     return rough_quotient(select(positive, T(omega * eb), T(root - half)), select(positive, T(half + root), ea));
 }
 
-/// A step, and whether to trust it. It is not trusted if h is far from zero, or if numbers are out of the range of the scalar, so that
-/// the step is 0/0 or NaN.
+/// A step, and whether to trust it. It is not trusted if h is far from zero, or if numbers are out of the range of the scalar, so
+/// that the step is 0/0 or NaN.
 template <class T> struct TrustedStep {
     Step<T> step;
     T size; ///< magnitude; 2, which is above any that is trusted, where it is not

@@ -1,11 +1,11 @@
 /// @file
-/// A search for a root t > 0. The caller has a method that suggests steps, such as Newton's. The search keeps them in a bracket of the
-/// root, and bisects the bracket if they do not converge.
+/// A search for a root t > 0. The caller has a method that suggests steps, such as Newton's. The search keeps them in a bracket of
+/// the root, and bisects the bracket if they do not converge.
 ///
-/// The root may be anywhere in the range of the scalar. So the size of a step is its size in log t, and bisection halves the range of
-/// log t. The caller loops: it evaluates its function at t, passes a bound on the root to take_bound(), and passes the step that its
-/// method suggests to take_step(). The searches for the contact function (factorized_search.hpp), for first contacts and for distances
-/// use this search.
+/// The root may be anywhere in the range of the scalar. So the size of a step is its size in log t, and bisection halves the range
+/// of log t. The caller loops: it evaluates its function at t, passes a bound on the root to take_bound(), and passes the step that
+/// its method suggests to take_step(). The searches for the contact function (factorized_search.hpp), for first contacts and for
+/// distances use this search.
 #ifndef PW85_CONTACT_SAFEGUARDED_SEARCH_HPP_INCLUDED
 #define PW85_CONTACT_SAFEGUARDED_SEARCH_HPP_INCLUDED
 
@@ -47,7 +47,8 @@ template <class T> PW85_FUNCTION inline SafeguardedSearch<T> safeguarded_search(
     return search;
 }
 
-/// Narrows the bracket to a bound on the root, which is t or lies between t and the root. The bound is a lower one if the root is above t.
+/// Narrows the bracket to a bound on the root, which is t or lies between t and the root. The bound is a lower one if the root is
+/// above t.
 template <class T>
 PW85_FUNCTION inline void take_bound(SafeguardedSearch<T> &search, bool above, T const &bound) noexcept
 {
@@ -69,8 +70,8 @@ template <class T> PW85_FUNCTION inline bool halves(SafeguardedSearch<T> const &
     return size <= T(0.5) * search.shortest;
 }
 
-/// The next point if the steps do not converge: the middle of the bracket in log t. If only one end of the bracket is known, it is a
-/// point beyond that end, farther with each probe, as long as this is in the bracket.
+/// The next point if the steps do not converge: the middle of the bracket in log t. If only one end of the bracket is known, it is
+/// a point beyond that end, farther with each probe, as long as this is in the bracket.
 template <class T> PW85_FUNCTION inline T probe(SafeguardedSearch<T> &search) noexcept
 {
     bool const below = !(search.lower > smallest_number<T>());

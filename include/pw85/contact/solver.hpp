@@ -34,8 +34,8 @@ template <class T, int D> PW85_FUNCTION inline T start_from(Pair<T, D> const &pa
     return t > T(0) && t < largest_number<T>() ? t : initial_guess(pair);
 }
 
-/// Finds the maximum of f with a wider type, starting at t. If the search converges, μ² is correct to rounding, whatever the condition
-/// number of the pair.
+/// Finds the maximum of f with a wider type, starting at t. If the search converges, μ² is correct to rounding, whatever the
+/// condition number of the pair.
 template <class Wide, class T, int D> [[gnu::noinline, gnu::cold]] PW85_FUNCTION inline Maximum<T>
 maximize_in(Pair<T, D> const &pair, T const &t, int evaluations) noexcept
 {
@@ -49,9 +49,9 @@ maximize_in(Pair<T, D> const &pair, T const &t, int evaluations) noexcept
             evaluations + 1,    found && last.certain, false};
 }
 
-/// Finds the maximum of f with wider numbers. Numbers of twice the digits come first, if the processor computes in the type itself. They
-/// fail for one in many millions of nearly singular pairs. Extended numbers fail only for pairs that are worse conditioned than
-/// positive definite forms can be.
+/// Finds the maximum of f with wider numbers. Numbers of twice the digits come first, if the processor computes in the type itself.
+/// They fail for one in many millions of nearly singular pairs. Extended numbers fail only for pairs that are worse conditioned
+/// than positive definite forms can be.
 template <class T, int D>
 PW85_FUNCTION inline Maximum<T> maximize_wider(Pair<T, D> const &pair, T const &t, int evaluations) noexcept
 {
@@ -81,8 +81,8 @@ maximize_factorized(Pair<T, D> const &pair, Candidate<T> candidate, int evaluati
     return to_maximum(refined, evaluations, found_again);
 }
 
-/// Finds the maximum of f over λ in [0, 1], for a pair of positive definite forms in range with r12 != 0. The function is not inlined:
-/// all callers share one instance, so that the same products are fused, and scaling a pair changes no bit of the result.
+/// Finds the maximum of f over λ in [0, 1], for a pair of positive definite forms in range with r12 != 0. The function is not
+/// inlined: all callers share one instance, so that the same products are fused, and scaling a pair changes no bit of the result.
 template <class T, int D> [[gnu::noinline]] PW85_FUNCTION inline Maximum<T> maximize(Pair<T, D> const &pair) noexcept
 {
     T const guess = initial_guess(pair);
