@@ -1,6 +1,6 @@
 /// @file
-/// The search for the maximum of f on the factorised form, for pairs whose rational form is not accurate: slower, right for
-/// all, and one pair at a time.
+/// The search for the maximum of f on the factorised form. It is slower than the search on the rational form, but it finds the
+/// maximum for all pairs. It computes one pair at a time. solver.hpp calls it for pairs whose rational form is not accurate.
 #ifndef PW85_CONTACT_FACTORIZED_SEARCH_HPP_INCLUDED
 #define PW85_CONTACT_FACTORIZED_SEARCH_HPP_INCLUDED
 
@@ -10,12 +10,12 @@
 
 namespace pw85::detail {
 
-/// The number of steps that may go anywhere in the bracket, a choice (bench/choices.py).
+/// The number of steps that may go anywhere in the bracket. It is a choice (bench/choices.py).
 inline constexpr int free_factorized_steps = 3;
 
-/// The largest number of evaluations that one search on the factorised form makes: the free steps, probes to enclose the root, which
-/// lies in the range of double, 17 bisections of log t to make the bracket narrow, 8 steps that halve down to penultimate_step(), and
-/// the last evaluation.
+/// The largest number of evaluations that one search on the factorised form makes: the free steps, probes to enclose the root,
+/// which lies in the range of double, 17 bisections of log t to make the bracket narrow, 8 steps that halve down to
+/// penultimate_step(), and the last evaluation.
 inline constexpr int max_factorized_steps = free_factorized_steps + max_probes<double>() + 17 + 8 + 1;
 
 /// How a search solves with M: by factorisation, or with the solution refined.
@@ -40,9 +40,10 @@ template <class T> PW85_FUNCTION inline Candidate<T> end_of_search(SafeguardedSe
     return candidate;
 }
 
-/// Iterates from the candidate until a step is within penultimate_step(), or only rounding noise is left (item 2). Each evaluation gives
-/// a bound (item 3). False after max_steps, and where the search ends out of reach of Halley's method, so that h' is not known. Not
-/// inlined: extended numbers need much stack, at one place at a time.
+/// Searches from the candidate until a step is within penultimate_step(), or only rounding noise is left (item 2 of iteration.hpp).
+/// Each evaluation gives a bound (item 3). The result is false after max_steps, or if the search ends where Halley's method does
+/// not apply, so that h' is not known. The function is not inlined, because extended numbers need much stack, and only one search
+/// runs at a time.
 template <class T, int D>
 [[gnu::noinline]] PW85_FUNCTION inline bool search(Pair<T, D> const &pair, Candidate<T> &candidate, Precision precision,
                                                    int &evaluations, int max_steps = max_factorized_steps - 1) noexcept
@@ -88,9 +89,10 @@ inline constexpr int factorization_error = 5;
 /// (scripts/rounding_bounds.py: 9.4): so one correction shrinks an error.
 inline constexpr int correction_error = 10;
 
-/// By how many roundings of a result the last evaluation's s errs across, in the norm of M, beside what is_certain() need not count:
-/// solved by factorisation, or refined by three corrections. Rounding the refined s to u in each coordinate leaves at most u √cond; its
-/// square over k, which is compared with u cond, is below u cond/16 where k > 16 u, and its product with the step is smaller yet.
+/// By how many roundings of a result the last evaluation's s errs across, in the norm of M, beside what is_certain() need not
+/// count: solved by factorisation, or refined by three corrections. Rounding the refined s to u in each coordinate leaves at most u
+/// √cond; its square over k, which is compared with u cond, is below u cond/16 where k > 16 u, and its product with the step is
+/// smaller yet.
 template <class T> PW85_FUNCTION inline T error_of_solution(T const &condition, Precision precision) noexcept
 {
     if (precision == Precision::working)
@@ -100,8 +102,8 @@ template <class T> PW85_FUNCTION inline T error_of_solution(T const &condition, 
     return ratio * ratio * ratio * ratio / u;
 }
 
-/// What h' errs by where sᵀQ1s and sᵀQ2s cancel: -½ d(log A)/dx and ½ d(log C)/dx, whose sum it is, are at most 1 and err like A and
-/// B, each by some five roundings of a sum of magnitudes, which is at most D diagonal_form().
+/// What h' errs by where sᵀQ1s and sᵀQ2s cancel: -½ d(log A)/dx and ½ d(log C)/dx, whose sum it is, are at most 1 and err like A
+/// and B, each by some five roundings of a sum of magnitudes, which is at most D diagonal_form().
 template <class T, int D> PW85_FUNCTION inline T
 noise_of_slope(Pair<T, D> const &pair, SymmetricMatrix<T, D> const &weights, T const &a, T const &b) noexcept
 {

@@ -98,8 +98,8 @@ template <class T> PW85_FUNCTION inline T secular_factor(Jet<T> const &j, T cons
     return rough_quotient(select(positive, T(omega * eb), T(root - half)), select(positive, T(half + root), ea));
 }
 
-/// A step, and whether to trust it: where h is far from zero, or beyond the range of the scalar, where the step is 0/0 or NaN, there is no
-/// telling.
+/// A step, and whether to trust it. It is not trusted if h is far from zero, or if numbers are out of the range of the scalar, so
+/// that the step is 0/0 or NaN.
 template <class T> struct TrustedStep {
     Step<T> step;
     T size; ///< magnitude; 2, which is above any that is trusted, where it is not
@@ -126,7 +126,7 @@ template <class T> PW85_FUNCTION inline T next_guess(Jet<T> const &j, TrustedSte
     return next > smallest_number<T>() && next < largest_number<T>() ? next : image;
 }
 
-/// Where the iteration starts: exact for spheres.
+/// The start of a search. It is the root if both ellipsoids are spheres.
 template <class T, int D> PW85_FUNCTION inline T initial_guess(Pair<T, D> const &pair) noexcept
 {
     auto const weights = outer_weights(pair.r12);
@@ -134,13 +134,13 @@ template <class T, int D> PW85_FUNCTION inline T initial_guess(Pair<T, D> const 
     return rough_root(rough_quotient(quadratic_form(pair.q1, weights), quadratic_form(pair.q2, weights))) * unit;
 }
 
-/// Where a search stands: t, and once it has converged what is expected of h there.
+/// The point of a search. k and k2 are set when the search has converged.
 template <class T> struct Candidate {
     T t;
-    T k, k2; ///< h' and h''
+    T k, k2; ///< h' and h'' at t, as expected from the step before
 };
 
-/// Takes note of the derivatives to expect at the end of a step by a factor near 1.
+/// Sets the derivatives that are expected after a step that multiplies t by a factor near 1.
 template <class T> PW85_FUNCTION constexpr void expect_derivatives(Candidate<T> &candidate, Slope<T> const &s,
                                                                    T const &factor,
                                                                    typename ScalarTraits<T>::Mask where) noexcept
@@ -150,7 +150,7 @@ template <class T> PW85_FUNCTION constexpr void expect_derivatives(Candidate<T> 
     candidate.k2 = select(where, k2, candidate.k2);
 }
 
-/// What the last evaluation gives: μ² and λ from any vector near M⁻¹r12 in direction.
+/// The result of the last evaluation: μ² and λ, from any vector whose direction is near that of M⁻¹r12.
 template <class T> struct StationaryValue {
     T mu2;
     T lambda, complement; ///< λ and 1-λ

@@ -1,9 +1,9 @@
 /// @file
 /// The rational form of f: rᵀ(Q1 + t Q2)⁻¹r = a(t)/b(t) with a = rᵀ adj(Q1 + t Q2) r and b = det(Q1 + t Q2).
 ///
-/// Its coefficients cost little more than one factorisation, and every evaluation after that is a handful of
-/// products. All coefficients are positive, so evaluation at t > 0 cancels little; the coefficients themselves lose
-/// accuracy with the aspect ratio, which is why the rational form prepares what the quadratic forms finish.
+/// Its coefficients cost little more than one factorisation, and then each evaluation costs a few products. All coefficients are
+/// positive, so that an evaluation at t > 0 cancels little. But the coefficients lose accuracy with the aspect ratio. So the search
+/// uses the rational form (rational_search.hpp), and its last evaluation uses the quadratic forms.
 #ifndef PW85_CONTACT_RATIONAL_HPP_INCLUDED
 #define PW85_CONTACT_RATIONAL_HPP_INCLUDED
 

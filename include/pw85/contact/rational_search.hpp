@@ -16,8 +16,8 @@
 
 namespace pw85::detail {
 
-/// The number of steps after which a search gives up. Of 20,000 random pairs of aspect ratios to 1000, 413 need more than 5, 56 more
-/// than 6, 7 more than 7, and none more than 8.
+/// The number of steps after which a search gives up. Of 20,000 random pairs of aspect ratios to 1000, 413 need more than 5, 56
+/// more than 6, 7 more than 7, and none more than 8.
 inline constexpr int max_rational_steps = 8;
 
 /// The state of a search. The result for a lane depends on nothing but its pair: no step changes a lane that has converged.
@@ -41,8 +41,8 @@ template <class T, int D> PW85_FUNCTION inline RationalSearch<T> start_search(Pa
 }
 
 /// Takes Halley's step near the root, and the step of item 4 (iteration.hpp) elsewhere. A lane converges with a step within
-/// penultimate_step(). Rounding errors, or a number out of the range of the scalar, can prevent that, or lead to a wrong t. Then the
-/// last evaluation is not certain.
+/// penultimate_step(). Rounding errors, or a number out of the range of the scalar, can prevent that, or lead to a wrong t. Then
+/// the last evaluation is not certain.
 template <class T, int D>
 PW85_FUNCTION inline void take_step(RationalSearch<T> &search, Pair<T, D> const &pair) noexcept
 {

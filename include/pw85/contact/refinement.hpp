@@ -1,6 +1,6 @@
 /// @file
-/// Iterative refinement of a solution of (Q1 + t Q2) s = r12, with a residual that is exact to twice the working precision: s
-/// is then right to rounding in each coordinate, however ill-conditioned the matrix.
+/// Iterative refinement of a solution of (Q1 + t Q2) s = r12, with a residual in twice the working precision. Then each coordinate
+/// of s is correct to rounding, however ill-conditioned the matrix is. factorized_search.hpp calls it.
 #ifndef PW85_CONTACT_REFINEMENT_HPP_INCLUDED
 #define PW85_CONTACT_REFINEMENT_HPP_INCLUDED
 
@@ -28,7 +28,8 @@ PW85_FUNCTION inline Vector<T, D> residual(Pair<T, D> const &pair, T const &t, V
     return result;
 }
 
-/// Three corrections: each leaves u κ of the error, with κ the condition number of the matrix scaled to a unit diagonal.
+/// Corrects s three times. Each correction reduces the error by the factor u κ, where κ is the condition number of the matrix,
+/// scaled to a unit diagonal.
 template <class T, int D> PW85_FUNCTION inline Vector<T, D>
 refine(Pair<T, D> const &pair, T const &t, Factorization<T, D> const &factors, Vector<T, D> s) noexcept
 {

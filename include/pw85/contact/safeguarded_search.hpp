@@ -1,9 +1,11 @@
 /// @file
-/// A search for the place where something changes its sign: whatever steps the caller has, such as Newton's, kept in a bracket, and
-/// bisection where they do not converge.
+/// A search for a root t > 0. The caller has a method that suggests steps, such as Newton's. The search keeps them in a bracket of
+/// the root, and bisects the bracket if they do not converge.
 ///
-/// The unknown t is positive and may be anywhere in the range of the scalar, so log t is what steps are measured in and what is bisected.
-/// The caller loops: it looks at t, tells by take_bound() on which side of t the root is, and by take_step() where its method leads.
+/// The root may be anywhere in the range of the scalar. So the size of a step is its size in log t, and bisection halves the range
+/// of log t. The caller loops: it evaluates its function at t, passes a bound on the root to take_bound(), and passes the step that
+/// its method suggests to take_step(). The searches for the contact function (factorized_search.hpp), for first contacts and for
+/// distances use this search.
 #ifndef PW85_CONTACT_SAFEGUARDED_SEARCH_HPP_INCLUDED
 #define PW85_CONTACT_SAFEGUARDED_SEARCH_HPP_INCLUDED
 
@@ -13,17 +15,17 @@ namespace pw85::detail {
 
 /// The state of a search.
 template <class T> struct SafeguardedSearch {
-    T t;            ///< where to look next, in the bracket
-    T lower, upper; ///< the bracket of the root; the limits of the scalar where no bound is known
-    T shortest;     ///< of the steps in log t until now, 2 at the beginning
-    T reach;        ///< the factor from the end that is known to the next probe
+    T t;            ///< the next point, in the bracket
+    T lower, upper; ///< the bracket of the root; a limit of the scalar if no bound is known
+    T shortest;     ///< the size of the shortest step in log t until now; 2 at the beginning
+    T reach;        ///< the factor from the known end of the bracket to the next probe
     int free_steps; ///< how many of the next steps may go anywhere in the bracket
 };
 
-/// The exponent of the first probe's factor; that of each later one is twice the one before.
+/// The first probe is the known end of the bracket times 2 to the power of this exponent. Each probe doubles the exponent.
 inline constexpr int first_reach = 10;
 
-/// The largest number of probes that are needed where one end of the bracket is known and the root is in the range of `Lane`.
+/// The largest number of probes that are needed if one end of the bracket is known and the root is in the range of `Lane`.
 template <class Lane> PW85_FUNCTION consteval int max_probes() noexcept
 {
     constexpr long range = long{std::numeric_limits<Lane>::max_exponent} - std::numeric_limits<Lane>::min_exponent;
@@ -45,7 +47,8 @@ template <class T> PW85_FUNCTION inline SafeguardedSearch<T> safeguarded_search(
     return search;
 }
 
-/// Takes note of a bound, t or something between t and the root: one from below where the root is above t.
+/// Narrows the bracket to a bound on the root, which is t or lies between t and the root. The bound is a lower one if the root is
+/// above t.
 template <class T>
 PW85_FUNCTION inline void take_bound(SafeguardedSearch<T> &search, bool above, T const &bound) noexcept
 {
@@ -55,20 +58,20 @@ PW85_FUNCTION inline void take_bound(SafeguardedSearch<T> &search, bool above, T
         search.upper = minimum(search.upper, bound);
 }
 
-/// Whether the bracket leaves no more than a step of `width` in log t.
+/// Whether the width of the bracket in log t is at most `width`.
 template <class T> PW85_FUNCTION inline bool is_narrow(SafeguardedSearch<T> const &search, T const &width) noexcept
 {
     return search.upper <= search.lower + width * search.lower;
 }
 
-/// Whether a step is at most half of the shortest until now, as those of a method that converges are.
+/// Whether a step is at most half as long as the shortest one until now. The steps of a method that converges are.
 template <class T> PW85_FUNCTION inline bool halves(SafeguardedSearch<T> const &search, T const &size) noexcept
 {
     return size <= T(0.5) * search.shortest;
 }
 
-/// The middle of the bracket in log t, or a point far beyond the only end that is known, the farther the more were tried, if it is in the
-/// bracket.
+/// The next point if the steps do not converge: the middle of the bracket in log t. If only one end of the bracket is known, it is
+/// a point beyond that end, farther with each probe, as long as this is in the bracket.
 template <class T> PW85_FUNCTION inline T probe(SafeguardedSearch<T> &search) noexcept
 {
     bool const below = !(search.lower > smallest_number<T>());

@@ -1,6 +1,10 @@
 /// @file
-/// The maximum of f of any pair: the search on the rational form, and where its last evaluation is not certain the one on the
-/// factorised form, with the solution refined where that is not certain either, and by wider numbers where nothing else is.
+/// The maximum of f of any pair in range. maximize() takes the first of these methods whose result is certain:
+///
+/// 1. the search on the rational form (rational_search.hpp), which is enough for almost all pairs;
+/// 2. the search on the factorised form (factorized_search.hpp);
+/// 3. the same with refined solutions of the linear equations (refinement.hpp);
+/// 4. the same with wider numbers.
 #ifndef PW85_CONTACT_SOLVER_HPP_INCLUDED
 #define PW85_CONTACT_SOLVER_HPP_INCLUDED
 
@@ -24,14 +28,14 @@ PW85_FUNCTION inline Maximum<T> to_maximum(LastEvaluation<T> const &last, int ev
     return {value.mu2, value.lambda, value.complement, evaluations, converged, converged && last.certain};
 }
 
-/// Where a search on the factorised form begins, if one before led to t.
+/// The start of a search on the factorised form, if the search before it ended at t.
 template <class T, int D> PW85_FUNCTION inline T start_from(Pair<T, D> const &pair, T const &t) noexcept
 {
     return t > T(0) && t < largest_number<T>() ? t : initial_guess(pair);
 }
 
-/// The maximum of f by a wider type, from where another search came to. Where it is certain, the value is right to rounding, not to some
-/// cond of it.
+/// Finds the maximum of f with a wider type, starting at t. If the search converges, μ² is correct to rounding, whatever the
+/// condition number of the pair.
 template <class Wide, class T, int D> [[gnu::noinline, gnu::cold]] PW85_FUNCTION inline Maximum<T>
 maximize_in(Pair<T, D> const &pair, T const &t, int evaluations) noexcept
 {
@@ -45,8 +49,9 @@ maximize_in(Pair<T, D> const &pair, T const &t, int evaluations) noexcept
             evaluations + 1,    found && last.certain, false};
 }
 
-/// By twice the digits, where arithmetic is that of the type: certain but for one in many millions of pairs that are nearly singular.
-/// Then by extended numbers: certain but for an ill-conditioning beyond that of forms that are positive definite.
+/// Finds the maximum of f with wider numbers. Numbers of twice the digits come first, if the processor computes in the type itself.
+/// They fail for one in many millions of nearly singular pairs. Extended numbers fail only for pairs that are worse conditioned
+/// than positive definite forms can be.
 template <class T, int D>
 PW85_FUNCTION inline Maximum<T> maximize_wider(Pair<T, D> const &pair, T const &t, int evaluations) noexcept
 {
@@ -58,7 +63,8 @@ PW85_FUNCTION inline Maximum<T> maximize_wider(Pair<T, D> const &pair, T const &
     return maximize_in<exact::Extended<T>>(pair, t, evaluations);
 }
 
-/// The maximum of f by the factorised form alone, from where a search on the rational form came to after so many evaluations.
+/// Finds the maximum of f by methods 2 to 4, starting at the candidate of the search on the rational form, which made `evaluations`
+/// evaluations.
 template <class T, int D> [[gnu::noinline]] PW85_FUNCTION inline Maximum<T>
 maximize_factorized(Pair<T, D> const &pair, Candidate<T> candidate, int evaluations) noexcept
 {
@@ -75,8 +81,8 @@ maximize_factorized(Pair<T, D> const &pair, Candidate<T> candidate, int evaluati
     return to_maximum(refined, evaluations, found_again);
 }
 
-/// The maximum of f over λ in [0, 1], for a pair of positive definite forms in range with r12 != 0. All callers share one
-/// instance, so that products are fused alike and scaling changes no bit of the result.
+/// Finds the maximum of f over λ in [0, 1], for a pair of positive definite forms in range with r12 != 0. The function is not
+/// inlined: all callers share one instance, so that the same products are fused, and scaling a pair changes no bit of the result.
 template <class T, int D> [[gnu::noinline]] PW85_FUNCTION inline Maximum<T> maximize(Pair<T, D> const &pair) noexcept
 {
     T const guess = initial_guess(pair);

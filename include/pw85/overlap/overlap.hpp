@@ -74,8 +74,7 @@ template <class T, int D>
 }
 
 /// Tier 4, for a valid pair. For multiprecision numbers it compares μ² with 1, up to rounding.
-template <class T, int D>
-[[gnu::noinline]] PW85_FUNCTION inline Overlap overlap_exactly(Pair<T, D> pair) noexcept
+template <class T, int D> [[gnu::noinline]] PW85_FUNCTION inline Overlap overlap_exactly(Pair<T, D> pair) noexcept
 {
     auto const &[r12, q1, q2, ratio] = pair;
     if constexpr (exact::is_decidable<T>)
