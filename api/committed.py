@@ -1,16 +1,34 @@
-"""Files that are made from the headers and committed, for builds without the generators. They are written here, or compared."""
+"""Makes the files that follow from the headers and are committed, because builds without the generators need them.
+
+Usage: committed.py [check]
+
+writes them all; with `check` names those whose text differs, and fails if there is one.
+"""
 
 import sys
-from pathlib import Path
 
-SOURCE = Path(__file__).resolve().parent.parent
+import fortran
+import spans
+import symbols
+from declarations import SOURCE
 
 
-def write_or_compare(path, text, check):
-    """Writes a file of the source tree; with "check" ends the program with an error if the file differs."""
+def files():
+    """The texts of all of them by their paths."""
+    return {fortran.MODULE: fortran.module(), symbols.LIST: symbols.text()} | spans.headers()
+
+
+def main(check=None):
     if check not in (None, "check"):
         sys.exit(f"{check}: the only option is check")
-    if not check:
-        path.write_text(text, encoding="utf-8")
-    elif path.read_text(encoding="utf-8") != text:
-        sys.exit(f"{path.relative_to(SOURCE)} is not what api/{Path(sys.argv[0]).name} makes of the headers: make it anew")
+    different = []
+    for path, text in files().items():
+        if check and (not path.exists() or path.read_text(encoding="utf-8") != text):
+            different.append(path.relative_to(SOURCE))
+        elif not check:
+            path.write_text(text, encoding="utf-8")
+    sys.exit("".join(f"{path} is not what api/committed.py makes of the headers: run it\n" for path in different) or 0)
+
+
+if __name__ == "__main__":
+    main(*sys.argv[1:])

@@ -24,9 +24,14 @@ from dataclasses import dataclass, field
 from functools import cache
 from pathlib import Path
 
-INCLUDE = Path(__file__).resolve().parent.parent / "include"
+SOURCE = Path(__file__).resolve().parent.parent
+INCLUDE = SOURCE / "include"
 C_HEADERS = ("pw85.h", "pw85_gpu.h", "pw85_zheng.h", "pw85_legacy.h", "pw85_pre1.h")
-CPP_HEADERS = ("pw85/pw85.hpp", "pw85/batch/rows.hpp", "pw85/batch/pairs.hpp", "pw85/batch/systems.hpp", "pw85/neighbors.hpp")
+CPP_HEADERS = (
+    "pw85/pw85.hpp",
+    *(f"pw85/batch/{name}.hpp" for name in ("rows", "pairs", "lists", "systems")),
+    "pw85/neighbors.hpp",
+)
 
 SECTION = r"^(?:/\*\*| \*|///) @name (?P<title>[^\n]+)$"
 C = re.compile(
@@ -149,6 +154,12 @@ def values(header):
 
 def functions(header):
     return [function for section in sections(header) for function in section.functions]
+
+
+@cache
+def version():
+    """The version of the library, which stands in meson.build alone."""
+    return re.search(r"^  version: '([\d.]+)'", (SOURCE / "meson.build").read_text(encoding="utf-8"), re.MULTILINE)[1]
 
 
 @cache

@@ -1,19 +1,15 @@
-"""Writes the Fortran module fortran/pw85.f90 from its template, with an interface for each function of the C headers.
+"""The Fortran module fortran/pw85.f90, made of its template, with an interface for each function of the C headers.
 
-Usage: fortran.py VERSION [check]
-
-writes the module, or with `check` compares the existing one with the text that it would write. Functions that need more than an
-interface (for strings, pointers, and matrices that C stores by rows) are in the template fortran/pw85.in.f90, which calls the C
-function by the name c_… . Absent optional arguments of Fortran 2018 are null pointers in C.
+Functions that need more than an interface (for strings, pointers, and matrices that C stores by rows) are in the template
+fortran/pw85.in.f90, which calls the C function by the name c_… . Absent optional arguments of Fortran 2018 are null pointers in C.
+api/committed.py writes the module or compares it.
 """
 
 import re
-import sys
 import textwrap
 from dataclasses import dataclass
 
-from committed import SOURCE, write_or_compare
-from declarations import constants, functions, members, parameters
+from declarations import SOURCE, constants, functions, members, parameters, version
 
 FORTRAN = SOURCE / "fortran"
 MODULE, TEMPLATE = FORTRAN / "pw85.f90", FORTRAN / "pw85.in.f90"
@@ -105,9 +101,9 @@ def constant(name, value):
     return f"  {kind}, parameter, public :: {name.lower()} = {value if value.isdigit() else value + '_c_double'}"
 
 
-def module(version):
+def module():
     template = TEMPLATE.read_text(encoding="utf-8")
-    numbers = dict(zip(("major", "minor", "patch"), version.split(".")))
+    numbers = dict(zip(("major", "minor", "patch"), version().split(".")))
     values = {f"PW85_VERSION_{part.upper()}": number for part, number in numbers.items()} | constants()
     names = [function.name.lower() for header in HEADERS for function in functions(header)]
     made = {
@@ -148,8 +144,3 @@ def procedures():
         comment = " ".join(re.sub(r" *!> ", " ", match["comment"] or "").split())
         found[match["name"]] = Procedure(match["name"], match["kind"], arguments, comment, declared)
     return found
-
-
-if __name__ == "__main__":
-    version, *check = sys.argv[1:]
-    write_or_compare(MODULE, module(version), *check or [None])

@@ -1,25 +1,23 @@
 """What the Python package has by the declarations of the C API: its functions for rows of numbers (api/rows.py).
 
 Usage: python.py table OUTPUT               the table that the compiled part includes (python/src/function.cpp)
-       python.py ufuncs TEMPLATE OUTPUT     a module or stub, in whose template `#@` marks where the names of the ufuncs belong
+       python.py names TEMPLATE OUTPUT      a module or stub, in whose template `#@` marks where names belong: see with_names()
        python.py functions TEMPLATE OUTPUT  a module of functions (api/python_functions.py)
 """
 
+import ast
 import re
 import sys
 from pathlib import Path
 
-from python_functions import module
+from declarations import SOURCE
+from python_functions import module, python_name
 from python_table import table
 from rows import row_functions
 
-# Made of a function that takes its arguments in one block: python/src/function.cpp.
-MADE_BY_HAND = {"f": [()]}
-
-
 def results():
     """The shapes of the results of each function of the compiled part, by its name in order."""
-    return dict(sorted(({row.name: [one.shape for one in row.outputs] for row in row_functions()} | MADE_BY_HAND).items()))
+    return dict(sorted((row.name, [one.shape for one in row.outputs]) for row in row_functions()))
 
 
 def type_of(shapes):
@@ -27,30 +25,54 @@ def type_of(shapes):
     return types[0] if len(types) == 1 else f"tuple[{', '.join(types)}]"
 
 
-def made_for(mark):
+def made_lines():
     """Lines for each mark of a template."""
     return {
+        "functions": [f"{python_name(row)}," for row in row_functions() if not row.name.startswith("legacy_")],
         "names": [f"{name}," for name in results()],
         "ufuncs": [f"{name}: np.ufunc" for name in results()],
         "calls": [f"def call_{name}(*args: Any) -> {type_of(shapes)}: ..." for name, shapes in results().items()],
-    }[mark]
+    }
 
 
-def filled(template):
+def public_names(text):
+    """What a module offers: the public names that it imports or assigns."""
+    names = []
+    for node in ast.parse(text).body:
+        if isinstance(node, ast.ImportFrom):
+            names += [alias.asname or alias.name for alias in node.names]
+        elif isinstance(node, ast.Assign):
+            names += [target.id for target in node.targets]
+    return sorted(name for name in names if not name.startswith("_"))
+
+
+def filled(template, made):
     """A template with lines in the place of its marks, indented like these."""
+    for mark, lines in made.items():
+        template = re.sub(
+            rf"^( *)#@ {mark}\n", lambda match, lines=lines: "".join(f"{match[1]}{line}\n" for line in lines), template, flags=re.MULTILINE
+        )
+    return template
 
-    def lines(match):
-        return "".join(f"{match[1]}{line}\n" for line in made_for(match[2]))
 
-    return re.sub(r"^( *)#@ (\w+)\n", lines, template, flags=re.MULTILINE)
+def with_names(template):
+    """A template with what its marks stand for. The mark `all` stands for the public names of the text that the others make."""
+    text = filled(template, made_lines())
+    return filled(text, {"all": [f'"{name}",' for name in public_names(text)]}) if "#@ all" in text else text
+
+
+def package_names():
+    """The public names of the package."""
+    template = SOURCE / "python/pypw85/__init__.in.py"
+    return public_names(filled(template.read_text(encoding="utf-8"), made_lines()))
 
 
 def main(kind, *paths):
     templates = [Path(path).read_text(encoding="utf-8") for path in paths[:-1]]
     if kind == "table":
         text = table(row_functions())
-    elif kind == "ufuncs":
-        text = filled(*templates)
+    elif kind == "names":
+        text = with_names(*templates)
     else:
         text = module(*templates, is_legacy="legacy" in Path(paths[0]).name)
     Path(paths[-1]).write_text(text, encoding="utf-8")

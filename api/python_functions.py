@@ -59,7 +59,7 @@ def python_name(row):
 def python_names():
     """The names in Python of C functions, those of many rows included."""
     names = {}
-    for row in row_functions():
+    for row in filter(lambda row: not row.is_by_hand(), row_functions()):
         name = f"legacy.{python_name(row)}" if row.name.startswith("legacy_") else python_name(row)
         names |= {one.name: name for one in (row.function, row.many) if one is not None}
     return names

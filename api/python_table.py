@@ -1,6 +1,7 @@
 """The table of functions that the compiled part of the Python package includes: a row for each function of api/rows.py."""
 
-from declarations import c_functions, parameters, referenced
+from declarations import parameters
+from voice import may_fail
 
 NUMBERS_OF_FORM = 6
 
@@ -25,11 +26,6 @@ def call(row, outputs):
     return f"{row.function.name}({', '.join((['1'] if row.is_of_many() else []) + inputs + outputs)})"
 
 
-def may_fail(function):
-    """Whether the contract says that NaN comes of bad input, where no status says so."""
-    return any("NaN" in other.comment for other in referenced(function, c_functions()))
-
-
 def status_of(row, value):
     """The status of a function that returns none: of the pair, or of the matrix, where the result is NaN."""
     if not may_fail(row.function):
@@ -45,6 +41,8 @@ def is_split(row):
 
 
 def body(row):
+    if row.is_by_hand():
+        return f"return {row.name}(in, out);"
     if row.is_truth():
         return f"int answer; return truth({call(row, ['&answer'])}, answer, out);"
     if is_split(row):

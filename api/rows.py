@@ -10,7 +10,8 @@ from dataclasses import dataclass
 from declarations import Function, Parameter, functions, parameters, referenced
 
 HEADERS = ("pw85.h", "pw85_legacy.h", "pw85_zheng.h")
-NOT_IN_PYTHON = ("pw85__residual",)  # a building block for programs of 1.0
+# Python has one number of what this building block of 1.0's programs gives: f, by a function of python/src/function.cpp.
+ONE_OF_MANY = {"pw85__residual": "f"}
 NUMBERS_OF_MOTION = 7  # in a pw85_motion
 
 
@@ -39,12 +40,18 @@ class RowFunction:
     @property
     def name(self):
         """In the compiled part of the package."""
+        if self.is_by_hand():
+            return ONE_OF_MANY[self.function.name]
         name = self.function.name.removeprefix("pw85_").removesuffix("_batch").replace("legacy__", "legacy_")
         return name.removeprefix("_")
 
+    def is_by_hand(self):
+        """Whether the compiled part has a function for it that is not made of the declaration."""
+        return self.function.name in ONE_OF_MANY
+
     def is_building_block(self):
         """Whether its name may change: it has two underscores."""
-        return "__" in self.function.name
+        return "__" in self.function.name and not self.is_by_hand()
 
     def is_of_many(self):
         """Whether there is no function of one row."""
@@ -92,6 +99,8 @@ def named_results(function, known):
 
 
 def results(function, listed, known):
+    if function.name in ONE_OF_MANY:
+        return [Operand("", (), None)]
     outputs = [one for one in listed if one.is_output()]
     named = named_results(function, known)
     if len(named) > len(outputs) == 1:
@@ -107,7 +116,7 @@ def row_functions():
     found, relatives = [], set()
     for name, function in known.items():
         listed = parameters(function)
-        if name in relatives or name in NOT_IN_PYTHON or not listed:
+        if name in relatives or not listed:
             continue
         if is_of_one_row(function, listed):
             many = known.get(name_of_many(name))

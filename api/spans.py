@@ -1,43 +1,56 @@
-"""The functions of rows of C++: include/pw85/batch/rows.hpp, one on std::span for each function of pw85.h that takes n rows.
+"""The functions of C++ for many rows: headers with one function on std::span for each function of pw85.h of these kinds.
 
-Usage: spans.py [check]
+- include/pw85/batch/rows.hpp: functions that take n rows;
+- include/pw85/batch/lists.hpp: functions that take a list of pairs and a system, and have rows for each pair.
 
-writes the header, or compares it with what it would write. A function of C becomes one of C++ of the same name, without the prefix
-and without `_2d`, which the types say. An array of n rows becomes a span, and an output that may be null, but the first, a span that
-is empty by default. Functions that take structs are written by hand beside it.
+A function of C becomes one of C++ of the same name, without the prefix and without `_2d`, which the types say. An array becomes a
+span, and an output that may be null, but the first, a span that is empty by default. Outputs that are the members of a struct of
+include/pw85/batch/values.hpp become that struct. Other functions of many rows are written by hand beside these headers.
+api/committed.py writes the headers or compares them.
 """
 
 import re
-import sys
 import textwrap
+from dataclasses import dataclass
 from functools import cache
 from itertools import groupby
 from math import prod
 
-from committed import write_or_compare
 from declarations import CPP_HEADERS, INCLUDE, SHAPE, c_functions, functions, parameters, referenced, sections, statuses
 
-HEADER = INCLUDE / "pw85/batch/rows.hpp"
+FOLDER = INCLUDE / "pw85/batch"
 WIDTH = 120
-BY_HAND = {"pw85_contact_derivatives_batch"}  # its outputs are the members of a struct
 
 BEGIN = """\
 /// @file
-/// Functions of many pairs, ellipsoids, points or lines, one row for each: the functions of pw85.h, on spans.
+/// {brief}
 ///
-/// Made from pw85.h by api/spans.py.
-#ifndef PW85_BATCH_ROWS_HPP_INCLUDED
-#define PW85_BATCH_ROWS_HPP_INCLUDED
+/// Made from pw85.h by api/committed.py.
+#ifndef PW85_BATCH_{guard}_HPP_INCLUDED
+#define PW85_BATCH_{guard}_HPP_INCLUDED
 
 #include <pw85/batch/calls.hpp>
 
-namespace pw85 {
+namespace pw85 {{
 
 """
 END = """} // namespace pw85
 
 #endif
 """
+
+
+@dataclass
+class Kind:
+    """A header, and which functions it has."""
+
+    name: str
+    brief: str
+    title: str  # of its functions; empty for the titles of the sections of pw85.h
+    has: object  # whether it has a function of C
+    call: str  # of include/pw85/batch/calls.hpp
+    structs: dict  # the struct arguments: their declarations in C++, and what is said of them
+
 
 # What the rows of an array of double are, by their extents: in space, and in the plane.
 ELEMENTS = {
@@ -53,12 +66,49 @@ SHORT_NAMES = {
 }
 
 
+def has_rows(listed, extent):
+    """Whether all arrays have as many rows."""
+    return all(one.shape[:1] == (extent,) if one.pointer else one.type == "double" for one in listed)
+
+
 def is_of_rows(function):
-    """Whether all arrays of a function have n rows, the number that comes first."""
-    if function.parameter_names()[:1] != ["n"] or function.name in BY_HAND:
-        return False
-    _, *rest = parameters(function)
-    return all(one.shape[:1] == ("n",) if one.pointer else one.type == "double" for one in rest)
+    return function.parameter_names()[:1] == ["n"] and has_rows(parameters(function)[1:], "n")
+
+
+def is_of_list(function):
+    listed = parameters(function)
+    return [one.type for one in listed[:2]] == ["pw85_pair_list", "pw85_system"] and has_rows(listed[2:], "num_pairs")
+
+
+KINDS = (
+    Kind(
+        "rows",
+        "Functions of many pairs, ellipsoids, points or lines, one row for each: the functions of pw85.h, on spans.",
+        "",
+        is_of_rows,
+        "call_rows",
+        {},
+    ),
+    Kind(
+        "lists",
+        "Functions of the pairs of a list, in a system of particles: the functions of pw85.h, on spans.",
+        "Lists of pairs",
+        is_of_list,
+        "call_pairs",
+        {
+            "PairList const &list": "indices of particles, with or without images",
+            "Particles const &particles": "centres, forms and cell; sizes must fit, and indices be those of particles",
+        },
+    ),
+)
+
+
+@cache
+def structs():
+    """The structs of spans by the names of their members, all of which may be left out."""
+    text = (FOLDER / "values.hpp").read_text(encoding="utf-8")
+    found = re.findall(r"^struct (\w+Spans) \{\n(.*?)^\};", text, re.MULTILINE | re.DOTALL)
+    return {tuple(re.findall(r"(\w+) = \{\}", members)): name for name, members in found}
 
 
 def is_of_plane(name):
@@ -87,8 +137,13 @@ def span(function, parameter):
 @cache
 def names_in_cpp():
     """The functions of C that C++ has, too, and their names there."""
-    by_hand = {function.name for header in CPP_HEADERS if INCLUDE / header != HEADER for function in functions(header)}
-    return {name: plain(name) for name, function in c_functions().items() if plain(name) in by_hand or is_of_rows(function)}
+    made = [f"pw85/batch/{kind.name}.hpp" for kind in KINDS]
+    by_hand = {function.name for header in CPP_HEADERS if header not in made for function in functions(header)}
+    return {
+        name: plain(name)
+        for name, function in c_functions().items()
+        if plain(name) in by_hand or any(kind.has(function) for kind in KINDS)
+    }
 
 
 def in_cpp(text):
@@ -115,14 +170,19 @@ def described(function, parameter):
     if not parameter.pointer:
         return in_cpp(parameter.text)
     rest = re.sub(r"^ each\b|[,;]? (?:or null|any output may be null)", "", SHAPE.sub("", parameter.text, count=1))
-    row = first_said(function, r"@param n number of (\w+)s")
+    extent = parameter.shape[0]
+    row = first_said(function, r"@param n number of (\w+)s") if extent == "n" else re.fullmatch(r"num_(\w+)s", extent)[1]
     return f"one for each {row}{', or empty' if parameter.nullable else ''}{in_cpp(rest)}"
 
 
-def comment(function, listed):
+def comment(function, kind, listed, struct):
     yield from (brief(function), "")
-    for (is_output, text), group in groupby(listed, lambda one: (one.is_output(), described(function, one))):
-        yield f"@param{'[out]' if is_output else ''} {','.join(one.name for one in group)} {text}"
+    yield from (f"@param {declared.split('&')[1]} {text}" for declared, text in kind.structs.items())
+    said = [(one.is_output(), described(function, one), one.name) for one in listed if not (struct and one.is_output())]
+    for (is_output, text), group in groupby(said, lambda one: one[:2]):
+        yield f"@param{'[out]' if is_output else ''} {','.join(name for _, _, name in group)} {text}"
+    if struct:
+        yield f"@param[out] out one row for each pair in all spans, or in some: see {function.name}()"
     yield f"@return {in_cpp(first_said(function, r'@return (.*?)(?= @|$)')).strip()}"
 
 
@@ -134,28 +194,35 @@ def wrapped(begin, arguments, end):
     yield from (f"{' ' * indent if i else begin}{line}".replace("\0", " ") for i, line in enumerate(lines))
 
 
-def definition(function):
-    _, *listed = parameters(function)
+def definition(function, kind):
+    listed = parameters(function)[max(1, len(kind.structs)) :]
     outputs = [one for one in listed if one.is_output()]
-    for line in comment(function, listed):
+    struct = structs().get(tuple(one.name for one in outputs))
+    for line in comment(function, kind, listed, struct):
         yield from textwrap.wrap(line, WIDTH, initial_indent="/// ", subsequent_indent="/// ") or ["///"]
     written = [f"{span(function, one)} {one.name}{' = {}' if one.nullable and one is not outputs[0] else ''}" for one in listed]
-    yield from wrapped(f"static inline Status {plain(function.name)}(", written, ") noexcept")
+    names = [one.name for one in listed]
+    if struct:
+        written[-len(outputs) :] = [f"{struct} const &out"]
+        names[-len(outputs) :] = [f"out.{one.name}" for one in outputs]
+    yield from wrapped(f"static inline Status {plain(function.name)}(", [*kind.structs, *written], ") noexcept")
     yield "{"
-    yield from wrapped("    return detail::call_rows(", [function.name, *(one.name for one in listed)], ");")
+    first = [declared.split("&")[1] for declared in kind.structs]
+    yield from wrapped(f"    return detail::{kind.call}(", [function.name, *first, *names], ");")
     yield from ("}", "")
 
 
-def header():
+def header(kind):
     lines = []
     for section in sections("pw85.h"):
-        listed = [function for function in section.functions if is_of_rows(function)]
+        listed = [function for function in section.functions if kind.has(function)]
         if listed:
-            lines += [f"/// @name {section.title}", "/// @{", ""]
-            lines += [line for function in listed for line in definition(function)]
+            lines += [f"/// @name {kind.title or section.title}", "/// @{", ""]
+            lines += [line for function in listed for line in definition(function, kind)]
             lines += ["/// @}", ""]
-    return BEGIN + "".join(f"{line}\n" for line in lines) + END
+    return BEGIN.format(brief=kind.brief, guard=kind.name.upper()) + "".join(f"{line}\n" for line in lines) + END
 
 
-if __name__ == "__main__":
-    write_or_compare(HEADER, header(), *sys.argv[1:] or [None])
+def headers():
+    """The texts of the headers by their paths."""
+    return {FOLDER / f"{kind.name}.hpp": header(kind) for kind in KINDS}

@@ -60,8 +60,13 @@ class Voice:
         name = flat if self.is_flat and is_inherited and flat in self.names else match[1]
         return f"`{self.names[name]}`" if name in self.names else f"``{match[1]}`` in the C API"
 
+    def unit(self, match):
+        """The unit of an argument, whose name is marked."""
+        return f"unit of `{self.arguments[match[1]]}`" if match[1] in self.arguments else match[0]
+
     def said(self, text, is_inherited=False):
         text = re.sub(r"\b(pw85\w+)\(\)", lambda match: self.reference(match, is_inherited), text)
+        text = re.sub(r"\bunit of (\w+)\b(?!·)", self.unit, text)
         text = re.sub(r"#(PW85_\w+)", constant, re.sub(r"\blambda\b", "λ", text))
         if self.is_flat and is_inherited:
             text = text.replace("forms of the ellipsoids", "forms (xx, xy, yy) of the ellipses").replace("ellipsoid", "ellipse")
@@ -90,7 +95,7 @@ class Voice:
         """Which rows are refused; nothing where none is."""
         function = self.row.function
         if function.type != "int":
-            return ""
+            return "For a single value: invalid input. Rows of arrays become NaN." if may_fail(function) else ""
         infinite = [f"`{one.name}` may be infinite" for one in self.row.inputs if not is_named(INFINITY, function, one.name)]
         wrong = [f"a number is not finite{f' ({infinite[0]})' if infinite else ''}"]
         for cause in CAUSES:
@@ -111,6 +116,11 @@ class Voice:
         if match is None or not (match[1] or match[2]):
             return ""
         return f"``Status.ECONVERGENCE``: {self.said(match[1] or match[2])}. "
+
+
+def may_fail(function):
+    """Whether the contract says that NaN comes of bad input, where no status says so."""
+    return any("NaN" in other.comment for other in referenced(function, c_functions()))
 
 
 def sentence_of(function, name):

@@ -15,12 +15,22 @@
 .. fortran-functions:: pw85.h
 
     The same for Fortran, in the sections of the C header.
+
+.. python-functions:: Distance
+
+    The functions of Python for those of a section of the C headers, with their texts.
+
+.. functions-by-purpose::
+
+    A table with the given rows. Functions for many rows stand behind those for one, and functions that no row names follow at the
+    end with their first sentences.
 """
 
 import textwrap
 
 import declarations
 import fortran
+import pages
 from docutils import nodes
 from docutils.parsers.rst import Directive
 from docutils.statemachine import StringList
@@ -37,15 +47,18 @@ class FromHeader(Directive):
 
     def run(self):
         header = self.arguments[0]
-        path = str(declarations.INCLUDE / header)
-        self.state.document.settings.record_dependencies.add(path)
+        self.depend_on(header)
         lines = [line for section in declarations.sections(header) if section.functions for line in self.lines(section)]
         return self.parsed(lines)
+
+    def depend_on(self, *headers):
+        for header in headers:
+            self.state.document.settings.record_dependencies.add(str(declarations.INCLUDE / header))
 
     def parsed(self, lines):
         node = nodes.section()
         node.document = self.state.document
-        nested_parse_with_titles(self.state, StringList(lines, self.arguments[0]), node)
+        nested_parse_with_titles(self.state, StringList(lines, self.name), node)
         return node.children
 
 
@@ -95,9 +108,37 @@ class FortranFunctions(FromHeader):
         yield ""
 
 
+class PythonFunctions(FromHeader):
+    final_argument_whitespace = True
+
+    def run(self):
+        self.depend_on(*declarations.C_HEADERS)
+        return self.parsed([f".. autofunction:: pypw85.{name}" for name in pages.python_functions(self.arguments[0])])
+
+
+class FunctionsByPurpose(FromHeader):
+    required_arguments = 0
+    has_content = True
+
+    def run(self):
+        self.depend_on(*pages.PURPOSE_HEADERS)
+        text = pages.with_twins("\n".join(self.content))
+        options = (":widths: 44 56", ":header-rows: 1", ":class: stacked")
+        rows = ["* - I want", "  - I call", *text.splitlines(), *self.others(text)]
+        return self.parsed([".. list-table::", *(f"   {line}" for line in (*options, "", *rows))])
+
+    def others(self, text):
+        listed = pages.unmentioned(text)
+        yield from ["* - **something else**", "  -"] if listed else []
+        for function in listed:
+            yield from (f"* - {as_text(function.brief())}", f"  - :c:func:`{function.name}`")
+
+
 def setup(app):
     app.add_directive("fortran-functions", FortranFunctions)
+    app.add_directive("functions-by-purpose", FunctionsByPurpose)
     app.add_directive("function-table", FunctionTable)
     app.add_directive("cpp-functions", CppFunctions)
     app.add_directive("cpp-values", CppValues)
+    app.add_directive("python-functions", PythonFunctions)
     return {"parallel_read_safe": True}

@@ -6,10 +6,12 @@
 /// written. Empty spans are fine. Outputs with a default may be left out.
 ///
 /// The functions are in the headers of the folder: pw85/batch/rows.hpp has those that take nothing but rows,
-/// pw85/batch/pairs.hpp more of many pairs, and pw85/batch/systems.hpp those of systems and lists.
+/// pw85/batch/pairs.hpp more of many pairs, pw85/batch/lists.hpp those with rows for the pairs of a list, and
+/// pw85/batch/systems.hpp others of systems.
 #ifndef PW85_BATCH_HPP_INCLUDED
 #define PW85_BATCH_HPP_INCLUDED
 
+#include <pw85/batch/lists.hpp>
 #include <pw85/batch/pairs.hpp>
 #include <pw85/batch/rows.hpp>
 #include <pw85/batch/systems.hpp>

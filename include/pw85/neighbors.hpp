@@ -53,25 +53,6 @@ class Neighbors {
 /// @param[out] list empty on error
 /// @return Status::success, Status::invalid_argument, Status::not_positive_definite, Status::out_of_memory
 static inline Status neighbors_create(Particles const &particles, NeighborOptions const &options,
-                                      Neighbors &list) noexcept;
-
-/// Finds the particle because of which a list cannot be made: see pw85_neighbors_check().
-///
-/// @param particles,options as for neighbors_create()
-/// @param[out] particle index of the first bad particle, or the number of particles if there is none
-/// @return the status of this particle or of the options, or Status::success
-static inline Status neighbors_check(Particles const &particles, NeighborOptions const &options,
-                                     std::size_t &particle) noexcept;
-
-/// Whether a list still has all pairs after particles or cell have changed: see pw85_neighbors_holds().
-///
-/// @param list a list
-/// @param particles the present positions and the present cell
-/// @param[out] holds 1, 0, or -1 on error
-/// @return Status::success, Status::invalid_argument, Status::not_positive_definite
-static inline Status neighbors_holds(Neighbors const &list, Particles const &particles, int &holds) noexcept;
-
-static inline Status neighbors_create(Particles const &particles, NeighborOptions const &options,
                                       Neighbors &list) noexcept
 {
     list = Neighbors();
@@ -83,6 +64,11 @@ static inline Status neighbors_create(Particles const &particles, NeighborOption
     return static_cast<Status>(status);
 }
 
+/// Finds the particle because of which a list cannot be made: see pw85_neighbors_check().
+///
+/// @param particles,options as for neighbors_create()
+/// @param[out] particle index of the first bad particle, or the number of particles if there is none
+/// @return the status of this particle or of the options, or Status::success
 static inline Status neighbors_check(Particles const &particles, NeighborOptions const &options,
                                      std::size_t &particle) noexcept
 {
@@ -92,6 +78,12 @@ static inline Status neighbors_check(Particles const &particles, NeighborOptions
     return static_cast<Status>(pw85_neighbors_check(&system, options.scale, options.skin, &particle));
 }
 
+/// Whether a list still has all pairs after particles or cell have changed: see pw85_neighbors_holds().
+///
+/// @param list a list
+/// @param particles the present positions and the present cell
+/// @param[out] holds 1, 0, or -1 on error
+/// @return Status::success, Status::invalid_argument, Status::not_positive_definite
 static inline Status neighbors_holds(Neighbors const &list, Particles const &particles, int &holds) noexcept
 {
     holds = -1;

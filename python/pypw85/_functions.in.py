@@ -92,37 +92,9 @@ def ellipse():
     """
 
 
-@overload
-def f(lambda_: float, r12: Row, q1: One, q2: One, out: Floats | None = None) -> float: ...
-@overload
-def f(lambda_: ArrayLike, r12: Rows, q1: ArrayLike, q2: ArrayLike, out: Any = None, **kwargs: Any) -> Floats: ...
-@overload
-def f(lambda_: ArrayLike, r12: ArrayLike, q1: ArrayLike, q2: ArrayLike, out: Any = None, **kwargs: Any) -> Any: ...
-@listed
-def f(lambda_: ArrayLike, r12: ArrayLike, q1: ArrayLike, q2: ArrayLike, out: Any = None, **kwargs: Any) -> Any:
+@declared
+def f():
     """f(λ) = λ(1-λ) r12ᵀ [(1-λ) Q1 + λ Q2]⁻¹ r12, whose maximum over λ is the contact function.
-
-    Parameters
-    ----------
-    lambda_ : (...) array_like
-        In [0, 1].
-    r12 : (..., 3) array_like
-        From the centre of ellipsoid 1 to that of ellipsoid 2.
-    q1, q2 : (..., 6) array_like
-        Forms of the ellipsoids, in the square of the unit of `r12`.
-    out : (...) array, optional
-        Where to put the result.
-    **kwargs
-        As for any ufunc.
-
-    Returns
-    -------
-    (...) array or number
-
-    Raises
-    ------
-    PW85Error
-        For a single value: invalid input. Rows of arrays become NaN.
 
     Examples
     --------
@@ -131,7 +103,6 @@ def f(lambda_: ArrayLike, r12: ArrayLike, q1: ArrayLike, q2: ArrayLike, out: Any
     >>> pypw85.f(0.5, [3, 0, 0], q, q)
     2.25
     """
-    return _core.call_f(lambda_, r12, q1, q2, out, kwargs)
 
 
 @overload

@@ -118,11 +118,6 @@ def f1(lambda_, r12, q1, q2, out: Floats | None) -> float:
     (...) array or number
         f(λ)
 
-    Raises
-    ------
-    PW85Error
-        For a single value: invalid input. Rows of arrays become NaN.
-
     Examples
     --------
     >>> import numpy as np
@@ -152,11 +147,6 @@ def f2(lambda_, r12, q1, q2, out: Floats | None) -> float:
     -------
     (...) array or number
         f(λ)
-
-    Raises
-    ------
-    PW85Error
-        For a single value: invalid input. Rows of arrays become NaN.
     """
     if out is None:
         return _core.call_legacy_f2(lambda_, r12, q1, q2, None, kwargs)
@@ -171,11 +161,6 @@ def f2_derivatives(lambda_, r12, q1, q2, out: Floats | None):
     -------
     (..., 3) array
         f, f' and f''; `out` if given.
-
-    Raises
-    ------
-    PW85Error
-        For a single value: invalid input. Rows of arrays become NaN.
 
     Examples
     --------

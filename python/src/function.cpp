@@ -133,7 +133,6 @@ void parse_signature(Function &function) noexcept
 std::vector<Function> &functions()
 {
     static std::vector<Function> table{
-        {"f", "(),(3),(6),(6)->()", f, nullptr, nullptr, false},
 #include "functions.inc"
     };
     return table;

@@ -24,7 +24,8 @@ PW85_API int pw85_volume(double const q[PW85_SYM], double *volume);
  *
  * @param n number of ellipsoids
  * @param q n×6
- * @param[out] volume n */
+ * @param[out] volume n
+ * @return as for pw85_contact_batch() */
 PW85_API int pw85_volume_batch(size_t n, double const *q, double *volume);
 
 """
@@ -66,6 +67,24 @@ def volume(q: ArrayLike, out: Any = None, **kwargs: Any) -> Any:
 '''
 
 
+LIST_DECLARATIONS = """
+/** Volumes for the pairs of a neighbour list; arguments as for pw85_contact_pairs().
+ *
+ * @param weight num_pairs: at most 1
+ * @param[out] d_mu2 num_pairs×3; any output may be null
+ * @param[out] volume num_pairs */
+PW85_API int pw85_volume_pairs(pw85_pair_list const *list, pw85_system const *system, double const *weight, double *d_mu2,
+                               double *volume);
+
+/** Volumes of the particles.
+ *
+ * @param list,system as for pw85_contact_pairs()
+ * @param[out] volume num_particles */
+PW85_API int pw85_volume_particles(pw85_pair_list const *list, pw85_system const *system, double *volume);
+
+"""
+
+
 def template(name, title, *lines):
     """That of a function of which one section is given."""
     return "\n    ".join(["@declared", f"def {name}():", f'"""{title}', "-" * len(title), *lines, '"""\n']).replace("    def", "def", 1)
@@ -76,10 +95,13 @@ def make(tmp_path):
     """Makes a file of a template, by headers that declare one more function."""
     for folder in ("api", "include"):
         shutil.copytree(SOURCE / folder, tmp_path / folder)
+    for name in ("meson.build", "fortran/pw85.in.f90", "fortran/pw85.f90", "debian/libpw85-3.symbols", "python/pypw85/__init__.in.py"):
+        (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
+        shutil.copy(SOURCE / name, tmp_path / name)
     header = tmp_path / "include" / "pw85.h"
     text = header.read_text(encoding="utf-8")
     place = text.index("/** @}")
-    header.write_text(text[:place] + DECLARATIONS.lstrip() + text[place:], encoding="utf-8")
+    header.write_text(text[:place] + (DECLARATIONS + LIST_DECLARATIONS).lstrip() + text[place:], encoding="utf-8")
 
     def run(kind, template="", succeeds=True):
         (tmp_path / "in").write_text(template, encoding="utf-8")
@@ -96,8 +118,68 @@ def test_new_function(make):
     """It is in the table, among the ufuncs and in the module, where a template does not know of it."""
     row = r'\{"volume", "\(6\)->\(\)",.*?pw85_volume\(in\[0\], out\[0\]\).*?batch<pw85_volume_batch>, nullptr, false\}'
     assert re.search(row, make("table"), re.S)
-    assert "\nvolume\n" in make("ufuncs", "#@ names\n").replace(",", "")
+    assert "\nvolume\n" in make("names", "#@ names\n").replace(",", "")
     assert VOLUME in make("functions")
+
+
+def test_names_of_a_package(make):
+    """It offers the new function beside what its template imports and assigns, in order, without private names."""
+    text = make("names", """
+from . import _core, zoo
+from ._functions import (
+    #@ functions
+)
+from ._forms import full as abc
+_x = 1
+width = 2
+__all__ = [
+    #@ all
+]
+""")
+    names = {}
+    exec(text[text.index("__all__") :], names)
+    assert {"abc", "contact", "distance_box", "volume", "width", "zoo"} <= set(names["__all__"])
+    assert names["__all__"] == sorted(names["__all__"]) and not any(name.startswith("_") for name in names["__all__"])
+    assert "\n    volume,\n" in text and "\n    _cholesky_solve,\n" in text and "det_sym" not in text
+
+
+def run_program(folder, *arguments):
+    done = subprocess.run([sys.executable, "-B", *arguments], cwd=folder, capture_output=True, text=True)
+    return done.returncode, done.stdout + done.stderr
+
+
+def test_committed_files(make, tmp_path):
+    """One command makes them anew with the new functions; before, it names each of them."""
+    status, text = run_program(tmp_path, "api/committed.py", "check")
+    names = ("fortran/pw85.f90", "include/pw85/batch/rows.hpp", "include/pw85/batch/lists.hpp", "debian/libpw85-3.symbols")
+    assert status == 1 and all(name in text for name in names)
+    assert run_program(tmp_path, "api/committed.py") == (0, "")
+    assert run_program(tmp_path, "api/committed.py", "check") == (0, "")
+    fortran, rows, lists, symbols = ((tmp_path / name).read_text(encoding="utf-8") for name in names)
+    assert "function pw85_volume(q, volume) result(status) bind(C, name='pw85_volume')" in fortran
+    assert "Status volume_batch(Forms q, std::span<double> volume) noexcept" in rows
+    assert "call_pairs(pw85_volume_pairs, list, particles, weight, d_mu2, volume)" in lists
+    assert "/// @param weight one for each pair: at most 1\n/// @param[out] d_mu2,volume one for each pair, or empty\n" in lists
+    assert "volume_particles" not in lists  # its rows are not those of pairs: it is written by hand
+    version = re.search(r"version: '(.*)'", (tmp_path / "meson.build").read_text(encoding="utf-8"))[1]
+    assert f" pw85_strerror@Base 3.0.0\n pw85_version@Base 3.0.0\n pw85_volume@Base {version}\n" in symbols
+
+
+def test_first_version_of_a_symbol(make, tmp_path):
+    """What the list has keeps its version; what is new has that of the library; what is gone is not in the list."""
+    path, build = tmp_path / "debian/libpw85-3.symbols", tmp_path / "meson.build"
+    build.write_text(re.sub("version: '.*'", "version: '3.7.1'", build.read_text(encoding="utf-8"), count=1), encoding="utf-8")
+    path.write_text(path.read_text(encoding="utf-8") + " pw85_gone@Base 3.0.0\n", encoding="utf-8")
+    assert run_program(tmp_path, "api/committed.py") == (0, "")
+    text = path.read_text(encoding="utf-8")
+    assert " pw85_volume@Base 3.7.1\n" in text and " pw85_contact@Base 3.0.0\n" in text and "gone" not in text
+
+
+def test_pages(make, tmp_path):
+    """The manual has the new function in its section and among purposes."""
+    program = "import pages; print(pages.python_functions('Version and errors'), [one.name for one in pages.unmentioned('')][2:4])"
+    expected = "['version', 'strerror', 'volume'] ['pw85_volume', 'pw85_volume_batch']\n"
+    assert run_program(tmp_path / "api", "-c", program) == (0, expected)
 
 
 def test_what_a_template_says(make):

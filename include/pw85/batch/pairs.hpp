@@ -1,5 +1,5 @@
 /// @file
-/// Functions of many pairs that are more than one of C: of single precision, with outputs in a struct, of one against many.
+/// Functions of many pairs that are more than one of C: of single precision, of one against many.
 #ifndef PW85_BATCH_PAIRS_HPP_INCLUDED
 #define PW85_BATCH_PAIRS_HPP_INCLUDED
 
@@ -20,7 +20,7 @@ static void widen(std::span<Row const> rows, std::size_t first, std::size_t coun
 
 } // namespace detail
 
-/// @name Single precision, all derivatives, one against many
+/// @name Single precision, one against many
 /// @{
 
 /// contact() for pairs of single precision: the forms are widened, computed with in double, and the results rounded.
@@ -53,17 +53,6 @@ static inline Status contact_batch(std::span<Vector<float, 3> const> r12, std::s
         }
     }
     return first_bad;
-}
-
-/// contact(), contact_geometry() and the derivatives for many pairs: see pw85_contact_derivatives_batch().
-///
-/// @param r12,q1,q2 as for contact_batch()
-/// @param[out] out one row for each pair in all spans, or in some
-/// @return as for contact_batch()
-static inline Status contact_derivatives_batch(Vectors r12, Forms q1, Forms q2, DerivativeSpans const &out) noexcept
-{
-    return detail::call_rows(pw85_contact_derivatives_batch, r12, q1, q2, out.mu2, out.lambda, out.point, out.normal,
-                             out.d_r12, out.d_rot1, out.d_rot2);
 }
 
 /// Whether an ellipsoid overlaps any of others, up to the first that overlaps or is bad: see pw85_overlap_any().

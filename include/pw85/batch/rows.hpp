@@ -1,7 +1,7 @@
 /// @file
 /// Functions of many pairs, ellipsoids, points or lines, one row for each: the functions of pw85.h, on spans.
 ///
-/// Made from pw85.h by api/spans.py.
+/// Made from pw85.h by api/committed.py.
 #ifndef PW85_BATCH_ROWS_HPP_INCLUDED
 #define PW85_BATCH_ROWS_HPP_INCLUDED
 
@@ -222,6 +222,18 @@ static inline Status closest_approach_batch(FlatVectors directions, FlatForms q1
                                             std::span<double> distance) noexcept
 {
     return detail::call_rows(pw85_closest_approach_batch_2d, directions, q1, q2, distance);
+}
+
+/// contact(), contact_geometry(), contact_gradient() and contact_torque() for many pairs: see
+/// pw85_contact_derivatives_batch().
+///
+/// @param r12,q1,q2 one for each pair
+/// @param[out] out one row for each pair in all spans, or in some: see pw85_contact_derivatives_batch()
+/// @return as for contact_batch()
+static inline Status contact_derivatives_batch(Vectors r12, Forms q1, Forms q2, DerivativeSpans const &out) noexcept
+{
+    return detail::call_rows(pw85_contact_derivatives_batch, r12, q1, q2, out.mu2, out.lambda, out.point, out.normal,
+                             out.d_r12, out.d_rot1, out.d_rot2);
 }
 
 /// distance() for many pairs: see pw85_distance_batch().

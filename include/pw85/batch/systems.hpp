@@ -1,9 +1,10 @@
 /// @file
-/// Functions of systems of particles and of lists of their pairs, in a periodic cell or not.
+/// Functions of systems of particles, in a periodic cell or not; those with nothing but rows for the pairs of a list are in
+/// lists.hpp.
 #ifndef PW85_BATCH_SYSTEMS_HPP_INCLUDED
 #define PW85_BATCH_SYSTEMS_HPP_INCLUDED
 
-#include <pw85/batch/calls.hpp>
+#include <pw85/batch/lists.hpp>
 
 namespace pw85 {
 
@@ -17,44 +18,8 @@ static inline bool fits(std::size_t n, DerivativeSpans const &out) noexcept
 
 } // namespace detail
 
-/// @name Systems and lists of pairs
+/// @name Systems
 /// @{
-
-/// contact() for the pairs of a neighbour list: see pw85_contact_pairs().
-///
-/// @param list indices of particles, with or without images
-/// @param particles centres, forms and cell; sizes must fit, and indices be those of particles
-/// @param[out] mu2,lambda as for contact_batch()
-/// @return as for contact_batch(); Status::invalid_argument also for images without a cell, a cell that is not finite or,
-/// unless there are images, singular
-static inline Status contact_pairs(PairList const &list, Particles const &particles, std::span<double> mu2,
-                                   std::span<double> lambda = {}) noexcept
-{
-    return detail::call_pairs(pw85_contact_pairs, list, particles, mu2, lambda);
-}
-
-/// overlap() for the pairs of a neighbour list: see pw85_overlap_pairs().
-///
-/// @param list,particles as for contact_pairs()
-/// @param[out] overlap as for overlap_batch()
-/// @return as for contact_pairs()
-static inline Status overlap_pairs(PairList const &list, Particles const &particles,
-                                   std::span<unsigned char> overlap) noexcept
-{
-    return detail::call_pairs(pw85_overlap_pairs, list, particles, overlap);
-}
-
-/// contact_derivatives_batch() for the pairs of a neighbour list: see pw85_contact_derivatives_pairs().
-///
-/// @param list,particles as for contact_pairs()
-/// @param[out] out as for contact_derivatives_batch()
-/// @return as for contact_pairs()
-static inline Status contact_derivatives_pairs(PairList const &list, Particles const &particles,
-                                               DerivativeSpans const &out) noexcept
-{
-    return detail::call_pairs(pw85_contact_derivatives_pairs, list, particles, out.mu2, out.lambda, out.point,
-                              out.normal, out.d_r12, out.d_rot1, out.d_rot2);
-}
 
 /// first_contact() for the pairs of a neighbour list, and the next event of each particle: see pw85_first_contact_pairs().
 ///

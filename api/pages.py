@@ -1,0 +1,49 @@
+"""Lists of functions in the manual, which follow from the declarations: docs/extensions/reference.py shows them."""
+
+import re
+
+from declarations import C_HEADERS, c_functions, functions, sections
+from python import package_names
+from python_functions import python_names
+from rows import name_of_many
+
+FUNCTION = re.compile(r":c:func:`(\w+)`")
+PURPOSE_HEADERS = ("pw85.h", "pw85_zheng.h")  # the table of purposes has all their functions
+
+
+def names_in_python():
+    """The names in Python of the functions of C that the package has."""
+    public = package_names()
+    same = {name: name.removeprefix("pw85_") for name in c_functions() if name.removeprefix("pw85_") in public}
+    return same | python_names()
+
+
+def python_functions(title):
+    """The functions of Python that a section of the C headers, or a header without sections, has first. The function for one row
+    comes before that for many, which has the same name in Python."""
+    names, first = names_in_python(), {}
+    for header in C_HEADERS:
+        for section in sections(header):
+            for function in section.functions:
+                first.setdefault(names.get(function.name), section.title or header)
+    found = [name for name, place in first.items() if name is not None and place == title]
+    if not found:
+        raise ValueError(f"no functions of Python in {title}")
+    return found
+
+
+def with_twins(text):
+    """A text that refers to functions; behind each one is its function for many rows if the text does not refer to that."""
+    mentioned = set(FUNCTION.findall(text))
+
+    def both(match):
+        twin = name_of_many(match[1])
+        return f"{match[0]}, :c:func:`{twin}`" if twin in c_functions().keys() - mentioned else match[0]
+
+    return FUNCTION.sub(both, text)
+
+
+def unmentioned(text):
+    """The functions of C to which a text does not refer, in the order of the headers."""
+    mentioned = set(FUNCTION.findall(text))
+    return [function for header in PURPOSE_HEADERS for function in functions(header) if function.name not in mentioned]

@@ -1,0 +1,60 @@
+/// @file
+/// Functions of the pairs of a list, in a system of particles: the functions of pw85.h, on spans.
+///
+/// Made from pw85.h by api/committed.py.
+#ifndef PW85_BATCH_LISTS_HPP_INCLUDED
+#define PW85_BATCH_LISTS_HPP_INCLUDED
+
+#include <pw85/batch/calls.hpp>
+
+namespace pw85 {
+
+/// @name Lists of pairs
+/// @{
+
+/// contact() for the pairs of a neighbour list: see pw85_contact_pairs().
+///
+/// @param list indices of particles, with or without images
+/// @param particles centres, forms and cell; sizes must fit, and indices be those of particles
+/// @param[out] mu2 one for each pair
+/// @param[out] lambda one for each pair, or empty
+/// @return as for contact_batch(); Status::invalid_argument also for `images` without `cell`, a cell that is not finite
+/// or, unless there are images, singular
+static inline Status contact_pairs(PairList const &list, Particles const &particles, std::span<double> mu2,
+                                   std::span<double> lambda = {}) noexcept
+{
+    return detail::call_pairs(pw85_contact_pairs, list, particles, mu2, lambda);
+}
+
+/// overlap() for the pairs of a neighbour list: see pw85_overlap_pairs().
+///
+/// @param list indices of particles, with or without images
+/// @param particles centres, forms and cell; sizes must fit, and indices be those of particles
+/// @param[out] overlap one for each pair: 1, 0, or 255 for a bad pair
+/// @return as for contact_batch(); Status::invalid_argument also for `images` without `cell`, a cell that is not finite
+/// or, unless there are images, singular
+static inline Status overlap_pairs(PairList const &list, Particles const &particles,
+                                   std::span<unsigned char> overlap) noexcept
+{
+    return detail::call_pairs(pw85_overlap_pairs, list, particles, overlap);
+}
+
+/// The derivatives for the pairs of a neighbour list: see pw85_contact_derivatives_pairs().
+///
+/// @param list indices of particles, with or without images
+/// @param particles centres, forms and cell; sizes must fit, and indices be those of particles
+/// @param[out] out one row for each pair in all spans, or in some: see pw85_contact_derivatives_pairs()
+/// @return as for contact_batch(); Status::invalid_argument also for `images` without `cell`, a cell that is not finite
+/// or, unless there are images, singular
+static inline Status contact_derivatives_pairs(PairList const &list, Particles const &particles,
+                                               DerivativeSpans const &out) noexcept
+{
+    return detail::call_pairs(pw85_contact_derivatives_pairs, list, particles, out.mu2, out.lambda, out.point,
+                              out.normal, out.d_r12, out.d_rot1, out.d_rot2);
+}
+
+/// @}
+
+} // namespace pw85
+
+#endif
