@@ -224,7 +224,7 @@ module pw85
     !> Contact function of two ellipsoids that are given by factors of their forms, Q1 = S1 S1ᵀ and Q2 = S2 S2ᵀ.
     function pw85_contact_factored(r12, s1, s2, out) result(status) bind(C, name='pw85_contact_factored')
       import
-      real(c_double), intent(in) :: r12(3), s1(9), s2(9)
+      real(c_double), intent(in) :: r12(3), s1(3, 3), s2(3, 3)
       real(c_double), intent(out) :: out(2)
       integer(c_int) :: status
     end function pw85_contact_factored
