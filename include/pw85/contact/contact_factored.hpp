@@ -117,14 +117,15 @@ PW85_FUNCTION inline T sensitivity(FactoredPair<T, D> const &pair, FactoredEvalu
 }
 
 /// The evaluation with which a search ends. It is certain if the step that is left is within final_step(), and if the error
-/// e = u c of h moves the root so little that μ² changes by less than u c: h' > e²/(u c). The factor 16 leaves room for the constants.
+/// e = v c of h, with the unit roundoff v of T and u of the result, moves the root so little that μ² changes by less than u c:
+/// h' > e²/(u c). The factor 16 leaves room for the constants.
 template <class T, int D> PW85_FUNCTION inline LastEvaluation<T>
 finish(FactoredPair<T, D> const &pair, FactoredEvaluation<T, D> const &e, Slope<T> const &s) noexcept
 {
     Candidate<T> candidate{T(1), T(1), T(0)};
     expect_derivatives(candidate, s, T(1), true);
     auto const value = stationary_value(candidate, e.ratio, e.a, e.b, e.rs);
-    T const noise = T(16) * result_roundoff<T>() * sensitivity(pair, e) / e.rs;
+    T const v = T(unit_roundoff<T>()), noise = T(16) * (v / result_roundoff<T>() * v) * sensitivity(pair, e) / e.rs;
     return {value, candidate.k > noise && absolute(value.step) <= final_step<T>()};
 }
 
