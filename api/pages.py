@@ -1,6 +1,7 @@
 """Lists of functions in the manual, which follow from the declarations: docs/extensions/reference.py shows them."""
 
 import re
+from functools import cache
 
 from declarations import C_HEADERS, c_functions, functions, sections
 from python import package_names
@@ -18,15 +19,22 @@ def names_in_python():
     return same | python_names()
 
 
-def python_functions(title):
-    """The functions of Python that a section of the C headers, or a header without sections, has first. The function for one row
-    comes before that for many, which has the same name in Python."""
-    names, first = names_in_python(), {}
+@cache
+def places_in_python():
+    """The section, or the header without sections, that has each function of Python first. The function for one row comes before that
+    for many, which has the same name in Python."""
+    names, places = names_in_python(), {}
     for header in C_HEADERS:
         for section in sections(header):
             for function in section.functions:
-                first.setdefault(names.get(function.name), section.title or header)
-    found = [name for name, place in first.items() if name is not None and place == title]
+                if function.name in names:
+                    places.setdefault(names[function.name], section.title or header)
+    return places
+
+
+def python_functions(title):
+    """The functions of Python that a section of the C headers, or a header without sections, has."""
+    found = [name for name, place in places_in_python().items() if place == title]
     if not found:
         raise ValueError(f"no functions of Python in {title}")
     return found

@@ -25,13 +25,12 @@ void count_evaluations(double aspect)
     double sum = 0.0, factorized = 0.0;
     int largest = 0;
     for (Pair const &pair : random_block(aspect, 0.0, num_pairs)) {
-        auto const scaled = pw85::detail::scale(pair.r12, pair.q1, pair.q2).pair;
+        auto const scaled = pw85::detail::scale(pw85::detail::pair_of(pair.r12, pair.q1, pair.q2)).pair;
         auto const maximum = pw85::detail::maximize(scaled);
-        auto state = pw85::detail::start_search(scaled, pw85::detail::initial_guess(scaled));
-        for (int i = 0; i < pw85::detail::max_rational_steps && state.active; ++i)
-            pw85::detail::take_step(state, scaled.ratio);
+        auto search = pw85::detail::start_search(scaled);
+        run(search, scaled, pw85::detail::max_rational_steps);
         sum += maximum.evaluations;
-        factorized += 100.0 * !pw85::detail::last_evaluation(scaled, state.candidate).certain;
+        factorized += 100.0 * !pw85::detail::last_evaluation(scaled, search.candidate).certain;
         largest = std::max(largest, maximum.evaluations);
     }
     std::printf("%g,%.3f,%d,%.3g\n", aspect, sum / num_pairs, largest, factorized / num_pairs);

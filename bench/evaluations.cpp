@@ -59,7 +59,8 @@ void print_row(double aspect, int pairs, gsl_min_fminimizer *minimizer)
     double tiers[3] = {};
     for (Pair const &pair : random_block(aspect, 0.0, pairs)) {
         brent.add(evaluations_by_brent(pair, minimizer));
-        fast.add(pw85::detail::maximize(pw85::detail::scale(pair.r12, pair.q1, pair.q2).pair).evaluations);
+        fast.add(pw85::detail::maximize(pw85::detail::scale(pw85::detail::pair_of(pair.r12, pair.q1, pair.q2)).pair)
+                     .evaluations);
         tiers[static_cast<int>(pw85::overlap(pair.r12, pair.q1, pair.q2).tier)] += 100.0 / pairs;
     }
     std::printf("%g,%d,%.2f,%d,%.2f,%d,%.3g,%.3g,%.3g\n", aspect, pairs, fast.sum / pairs, fast.largest,

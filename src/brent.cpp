@@ -65,9 +65,10 @@ bool refine(Pair<double, 3> const &pair, Candidate<double> &candidate, Options c
 Contact<double> contact_function(Vector<double, 3> const &r12, SymmetricMatrix<double, 3> const &q1,
                                  SymmetricMatrix<double, 3> const &q2, Options const &options) noexcept
 {
-    if (passes_fast_checks(r12, q1, q2)) return to_contact(maximize(Pair<double, 3>{r12, q1, q2, 1.0}, options));
+    auto const pair = pair_of(r12, q1, q2);
+    if (passes_fast_checks(pair)) return to_contact(maximize(pair, options));
     ScaledPair<double, 3> scaled;
-    Status const status = validate(r12, q1, q2, scaled);
+    Status const status = validate(pair, scaled);
     if (status != Status::success) return all_nan<Contact<double>>(status);
     if (largest_coordinate(r12) == 0.0) return {0.0, 0.5, Status::success};
     return unscale(scaled, maximize(scaled.pair, options));

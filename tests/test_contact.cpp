@@ -99,7 +99,7 @@ void test_number_of_evaluations()
     Failures failures;
     std::map<int, int> histogram;
     for (auto const &p : contact_problems()) {
-        auto const scaled = pw85::detail::scale(p.pair.r12, p.pair.q1, p.pair.q2);
+        auto const scaled = pw85::detail::scale(pw85::detail::pair_of(p.pair.r12, p.pair.q1, p.pair.q2));
         int const evaluations = pw85::detail::maximize(scaled.pair).evaluations;
         ++histogram[evaluations];
         failures.check(evaluations <= pw85::detail::max_evaluations, "evaluations", evaluations,

@@ -100,7 +100,8 @@ template <class T, int D> void compare(Sample<T, D> const &s, bool expected, Fai
 /// Whether floating-point numbers decide.
 template <class T, int D> bool is_decided(Sample<T, D> const &s)
 {
-    return pw85::detail::decide_nesting(pw85::detail::nested_pair(s.r12, s.q1, s.q2)) != pw85::detail::Nesting::none;
+    return pw85::detail::decide_nesting(pw85::detail::nested_pair(pw85::detail::pair_of(s.r12, s.q1, s.q2))) !=
+           pw85::detail::Nesting::none;
 }
 
 /// The factor of ellipsoid 1 that makes κ² what is wanted, to rounding.

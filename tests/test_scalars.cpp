@@ -38,7 +38,8 @@ template <class T, int D> void test_contact()
             continue;
         double const units = error_in_units(c.mu2, truth<Oracle>(p));
         failures.check(units <= 4.0, "error of mu^2 in u cond", units, 4.0, describe);
-        int const evaluations = pw85::detail::maximize(pw85::detail::scale(p.r12, p.q1, p.q2).pair).evaluations;
+        int const evaluations =
+            pw85::detail::maximize(pw85::detail::scale(pw85::detail::pair_of(p.r12, p.q1, p.q2)).pair).evaluations;
         failures.check(evaluations <= pw85::detail::max_evaluations, "evaluations", evaluations,
                        pw85::detail::max_evaluations, describe);
         worst = std::fmax(worst, units);

@@ -214,11 +214,11 @@ template <class T, int D> void test_alone()
     for (int n = 0; n < draws(3000); ++n) {
         auto const s = convert<T>(near_contact<D>(random, n, std::is_same_v<T, float> ? 1.1e3 : 1e6));
         pw85::detail::ScaledPair<T, D> scaled;
-        if (pw85::detail::validate(s.r12, s.q1, s.q2, scaled) != pw85::Status::success) continue;
+        if (pw85::detail::validate(pw85::detail::pair_of(s.r12, s.q1, s.q2), scaled) != pw85::Status::success) continue;
         bool const overlap = true_mu2(s) < 1;
         T const tangent = pw85::detail::times_power_of_two(T(1), 2 * (scaled.form - scaled.length));
         comparison.count(pw85::detail::decide_by_comparison(scaled.pair, tangent), overlap, s);
-        if (!pw85::detail::passes_fast_checks(s.r12, s.q1, s.q2)) continue;
+        if (!pw85::detail::passes_fast_checks(pw85::detail::pair_of(s.r12, s.q1, s.q2))) continue;
         auto const pair = to_pair(s);
         T t;
         points.count(pw85::detail::decide_by_points<T>(pair, t), overlap, s);

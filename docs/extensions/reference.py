@@ -12,6 +12,10 @@
 
     The structures that it declares, with their members.
 
+.. cpp-headers::
+
+    What the given C++ headers, one on each line, say at their top.
+
 .. fortran-functions:: pw85.h
 
     The same for Fortran, in the sections of the C header.
@@ -89,6 +93,18 @@ class CppValues(FromHeader):
         return self.parsed(lines)
 
 
+class CppHeaders(FromHeader):
+    required_arguments = 0
+    has_content = True
+
+    def run(self):
+        lines = []
+        for header in self.content:
+            lines += [f".. rubric:: {header}", "", f".. doxygenfile:: {header.rpartition('/')[2]}", "   :project: cpp",
+                      "   :sections: briefdescription detaileddescription", ""]  # fmt: skip
+        return self.parsed(lines)
+
+
 class FortranFunctions(FromHeader):
     def lines(self, section):
         if section.title:
@@ -139,6 +155,7 @@ def setup(app):
     app.add_directive("functions-by-purpose", FunctionsByPurpose)
     app.add_directive("function-table", FunctionTable)
     app.add_directive("cpp-functions", CppFunctions)
+    app.add_directive("cpp-headers", CppHeaders)
     app.add_directive("cpp-values", CppValues)
     app.add_directive("python-functions", PythonFunctions)
     return {"parallel_read_safe": True}

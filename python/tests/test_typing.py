@@ -149,6 +149,14 @@ def test_text_of_contact():
     text = inspect.getdoc(pypw85.contact)
     for part in ("Parameters", "r12 :", "q1, q2 :", "out :", "Returns", "mu2, lambda_ :", "Raises", "Examples"):
         assert part in text
+    assert "in the square of the unit of `r12`." in text
+
+
+@pytest.mark.parametrize("function", [pypw85.f, legacy.f1, legacy.f2, legacy.f2_derivatives])
+def test_refusals_without_status(function):
+    """Functions of C that return no status say in Python, too, that they refuse input."""
+    raises = inspect.getdoc(function).partition("Raises\n------\n")[2]
+    assert raises.startswith("PW85Error\n    For a single value: invalid input. Rows of arrays become NaN.")
 
 
 def test_all_paragraphs_are_used():

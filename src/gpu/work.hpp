@@ -9,7 +9,7 @@
 #define PW85_GPU_WORK_HPP_INCLUDED
 
 #include <pw85/contact/geometry.hpp>
-#include <pw85/overlap/decide_overlap.hpp>
+#include <pw85/overlap/overlap.hpp>
 
 #include "../kernels/periodic_cell.hpp"
 #include "../kernels/rows.hpp"
@@ -153,10 +153,10 @@ PW85_FUNCTION inline Pair3 load(Tile const &, DeviceList const &list, std::size_
 /// The search on the rational form. Use the result only if it is certain.
 PW85_FUNCTION inline LastEvaluation<double> search_rationally(Pair3 const &pair) noexcept
 {
-    auto search = start_search(pair, initial_guess(pair));
-    for (int step = 0; search.active && step < max_rational_steps; ++step) take_step(search, pair.ratio);
+    auto search = start_search(pair);
+    run(search, pair, max_rational_steps);
     auto last = last_evaluation(pair, search.candidate);
-    last.certain = last.certain && passes_fast_checks(pair.r12, pair.q1, pair.q2);
+    last.certain = is_accepted(pair, last);
     return last;
 }
 
@@ -189,20 +189,19 @@ PW85_FUNCTION inline bool store(Decision decision, OverlapArray const &out, std:
 
 PW85_FUNCTION inline bool attempt(OverlapArray const &out, Pair3 const &pair, std::size_t i) noexcept
 {
-    return store(decide_by_quartic<double>(pair.r12, pair.q1, pair.q2), out, i);
+    return store(decide_by_quartic<double>(pair), out, i);
 }
 
 PW85_FUNCTION inline bool settle(OverlapArray const &out, Pair3 const &pair, std::size_t i) noexcept
 {
-    return store(decide_near_contact(pair.r12, pair.q1, pair.q2).decision, out, i);
+    return store(decide_near_contact(pair).decision, out, i);
 }
 
 PW85_FUNCTION inline bool attempt(DerivativeArrays const &out, Pair3 const &pair, std::size_t i) noexcept
 {
     auto const last = search_rationally(pair);
-    double const lambda = last.value.lambda, lambda1 = complement_of(lambda);
-    auto const solution = solve_by_adjugate(blend(lambda1, pair.q1, lambda, pair.q2), pair.r12);
-    Tangency<double, 3> const at{1.0 / solution.determinant * solution.s, lambda1, lambda, lambda1, lambda};
+    double const lambda = last.value.lambda;
+    auto const [at, accurate] = fast_tangency(pair, lambda);
     auto const gradients = rotation_gradients(at, pair.q1, pair.q2);
     store(last.value.mu2, out.mu2, i);
     store(lambda, out.lambda, i);
@@ -211,7 +210,7 @@ PW85_FUNCTION inline bool attempt(DerivativeArrays const &out, Pair3 const &pair
     store(separation_gradient(at), out.d_r12, i);
     store(gradients.first, out.d_rot1, i);
     store(gradients.second, out.d_rot2, i);
-    return last.certain && is_accurate(solution);
+    return last.certain && accurate;
 }
 
 /// A concentric pair has no normal, but is valid.

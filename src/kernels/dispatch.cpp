@@ -19,34 +19,35 @@ PW85_DECLARE(baseline, baseline, true)
 
 namespace {
 
-struct Target {
-    Kernels kernels;
-    bool available;
-};
-
-/// The newest available target that is not newer than the one that PW85_TARGET names. It is not inlined: otherwise each call for
-/// one pair would save registers and check a stack frame that only this function needs.
-[[gnu::noinline]] Kernels choose() noexcept
-{
-#define PW85_TARGET(target, one_pair, available) {{#target, &one_pair_##one_pair, &lanes_##target}, available},
-    Target const targets[] = {PW85_INSTRUCTION_SETS(PW85_TARGET) PW85_TARGET(baseline, baseline, true)};
+/// All targets, from the newest to the oldest.
+#define PW85_TARGET(target, one_pair, available) {#target, &one_pair_##one_pair, &lanes_##target},
+constexpr Kernels targets[] = {PW85_INSTRUCTION_SETS(PW85_TARGET) PW85_TARGET(baseline, baseline, true)};
 #undef PW85_TARGET
+
+/// The newest available target that is not newer than the one that PW85_TARGET names. It is not inlined, and returns a reference:
+/// otherwise each call for one pair would save registers and check a stack frame that only this function needs.
+[[gnu::noinline]] Kernels const &choose() noexcept
+{
+#define PW85_AVAILABLE(target, one_pair, available) available,
+    bool const available[] = {PW85_INSTRUCTION_SETS(PW85_AVAILABLE) PW85_AVAILABLE(baseline, baseline, true)};
+#undef PW85_AVAILABLE
     char const *const wanted = std::getenv("PW85_TARGET");
     bool allowed = true;
     if (wanted != nullptr)
-        for (Target const &target : targets) allowed = allowed && std::strcmp(wanted, target.kernels.name) != 0;
-    for (Target const &target : targets) {
-        allowed = allowed || std::strcmp(wanted, target.kernels.name) == 0;
-        if (allowed && target.available) return target.kernels;
+        for (Kernels const &target : targets) allowed = allowed && std::strcmp(wanted, target.name) != 0;
+    std::size_t i = 0;
+    for (; i + 1 < sizeof targets / sizeof *targets; ++i) {
+        allowed = allowed || std::strcmp(wanted, targets[i].name) == 0;
+        if (allowed && available[i]) break;
     }
-    return {"baseline", &one_pair_baseline, &lanes_baseline};
+    return targets[i];
 }
 
 } // namespace
 
 Kernels const &chosen() noexcept
 {
-    static Kernels const chosen = choose();
+    static Kernels const &chosen = choose();
     return chosen;
 }
 

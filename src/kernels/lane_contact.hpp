@@ -23,6 +23,12 @@ inline constexpr std::size_t contact_chunk_size = packs_per_chunk * lanes;
 template <int D> struct PackSearches {
     LanePair<D> pairs[packs_per_chunk];
     RationalSearch<Pack> states[packs_per_chunk];
+
+    /// Pair k. The compiler sees that its ratio is 1, which it could not read from memory.
+    PW85_INLINE LanePair<D> pair(std::size_t k) const noexcept
+    {
+        return pair_of(pairs[k].r12, pairs[k].q1, pairs[k].q2);
+    }
 };
 
 /// Calls step(k) for each of up to packs_per_chunk searches, max_steps times or until none of its lanes is active.
@@ -46,9 +52,9 @@ PW85_INLINE void run(Search const *searches, std::size_t packs, int max_steps, S
 /// Runs the searches of up to packs_per_chunk packs.
 template <int D> PW85_INLINE void run(PackSearches<D> &searches, std::size_t packs) noexcept
 {
-    for (std::size_t k = 0; k < packs && k < packs_per_chunk; ++k)
-        searches.states[k] = start_search(searches.pairs[k], initial_guess(searches.pairs[k]));
-    run(searches.states, packs, max_rational_steps, [&](std::size_t k) { take_step(searches.states[k], Pack(1.0)); });
+    for (std::size_t k = 0; k < packs && k < packs_per_chunk; ++k) searches.states[k] = start_search(searches.pairs[k]);
+    run(searches.states, packs, max_rational_steps,
+        [&](std::size_t k) { take_step(searches.states[k], searches.pair(k)); });
 }
 
 /// Computes the contact functions of a chunk of at most contact_chunk_size pairs. For each pack it calls write(pair, value,
@@ -68,8 +74,7 @@ contact_chunk(Rows const &rows, Chunk const &chunk, kernels::Worklist &left_over
         std::size_t const first = begin + k * lanes, left = count - k * lanes;
         auto const &pair = searches.pairs[k];
         auto const last = last_evaluation(pair, searches.states[k].candidate);
-        PackMask const certain = last.certain && passes_fast_checks(pair.r12, pair.q1, pair.q2);
-        unsigned const done = write(pair, last.value, certain, first, left);
+        unsigned const done = write(pair, last.value, is_accepted(pair, last), first, left);
         for_lanes(live_lanes(left) & ~done, [&](unsigned i) { left_over.push(first + i); });
     }
 }

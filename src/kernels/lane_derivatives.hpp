@@ -37,17 +37,14 @@ PW85_INLINE void store_rows(Vector<Pack, 3> const &x, std::size_t count, double 
 PW85_INLINE PackMask store_derivatives(LanePair<3> const &pair, Pack const &lambda,
                                        kernels::DerivativeArrays const &out, std::size_t count) noexcept
 {
-    Pack const lambda1 = complement_of(lambda);
-    auto const solution = solve_by_adjugate(blend(lambda1, pair.q1, lambda, pair.q2), pair.r12);
-    Pack const reciprocal = Pack(1.0) / solution.determinant;
-    Tangency<Pack, 3> const at{reciprocal * solution.s, lambda1, lambda, lambda1, lambda};
+    auto const [at, accurate] = fast_tangency(pair, lambda);
     if (out.point != nullptr) store_rows(tangency_point(at, pair.q1), count, out.point);
     if (out.normal != nullptr) store_rows(tangency_normal(at), count, out.normal);
     if (out.d_r12 != nullptr) store_rows(separation_gradient(at), count, out.d_r12);
     auto const gradients = rotation_gradients(at, pair.q1, pair.q2);
     if (out.d_rot1 != nullptr) store_rows(gradients.first, count, out.d_rot1);
     if (out.d_rot2 != nullptr) store_rows(gradients.second, count, out.d_rot2);
-    return is_accurate(solution);
+    return accurate;
 }
 
 /// Stores the contact functions and derivatives of a chunk.

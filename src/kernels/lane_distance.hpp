@@ -61,8 +61,8 @@ template <class Rows> PW85_INLINE void compute_chunk(Rows const &rows, Chunk con
         auto const slab = slab_along(with_units(pair), last.u);
         auto const d = distance_across(slab);
         store_distances(d, pair.r12, first, left, out);
-        PackMask const done = last.found && passes_fast_checks(pair.r12, pair.q1, pair.q2) && is_wide(pair, d) &&
-                              is_accurate(with_units(pair), slab);
+        PackMask const done =
+            last.found && passes_fast_checks(pair) && is_wide(pair, d) && is_accurate(with_units(pair), slab);
         for_lanes(live_lanes(left) & ~done.to_bits(), [&](unsigned i) { left_over.push(first + i); });
     }
 }

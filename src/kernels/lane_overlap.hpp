@@ -76,7 +76,7 @@ template <class Rows> PW85_INLINE void test_consecutive(Rows const &rows, Chunk 
         std::size_t const first = begin + k, left = count - k;
         if (k % prefetch_distance == 0) prefetch(rows, first + prefetch_distance, prefetch_distance, end);
         auto const pair = load_consecutive(rows, first, left);
-        unsigned const passing = passes_fast_checks(pair.r12, pair.q1, pair.q2).to_bits();
+        unsigned const passing = passes_fast_checks(pair).to_bits();
         LaneCertainty const certainty = test_lanes(pair, initial_guess(pair));
         store_answers(certainty.overlap, left, out + first);
         for_lanes(live_lanes(left) & passing & ~certainty.decided,

@@ -4,76 +4,51 @@
 #ifndef PW85_KERNELS_MANY_PAIRS_HPP_INCLUDED
 #define PW85_KERNELS_MANY_PAIRS_HPP_INCLUDED
 
+#include <algorithm>
 #include <cmath>
 
-#include <pw85/contact/contact.hpp>
-#include <pw85/overlap/overlap.hpp>
+#include <pw85.h>
 
-#include "../c_arrays.hpp"
 #include "kernels.hpp"
 #include "parallel.hpp"
 
 namespace pw85::detail::kernels {
 namespace {
 
-// settle() computes pair `index` by the functions for one pair, writes it to the output arrays, and returns its status.
+// settle() computes a pair by the functions for one pair, writes it to the first row of the output arrays, and returns its status.
 
-inline int settle(OnePairKernels const &one, PairRow<3> const &pair, ContactArrays const &out,
-                  std::size_t index) noexcept
+template <int D> int settle(OnePairKernels const &one, PairRow<D> const &pair, ContactArrays const &out) noexcept
 {
     double contact[2];
-    int const status = one.contact(pair.r12, pair.q1, pair.q2, contact);
-    out.mu2[index] = contact[0];
-    if (out.lambda != nullptr) out.lambda[index] = contact[1];
+    int const status = (D == 3 ? one.contact : pw85_contact_2d)(pair.r12, pair.q1, pair.q2, contact);
+    *out.mu2 = contact[0];
+    if (out.lambda != nullptr) *out.lambda = contact[1];
     return status;
 }
 
-inline int settle(OnePairKernels const &one, PairRow<3> const &pair, OverlapArray const &out,
-                  std::size_t index) noexcept
+template <int D> int settle(OnePairKernels const &one, PairRow<D> const &pair, OverlapArray const &out) noexcept
 {
     int overlap = 0;
-    int const status = one.overlap(pair.r12, pair.q1, pair.q2, &overlap);
-    out.overlap[index] = static_cast<unsigned char>(overlap); // -1, for a bad pair, becomes 255
+    int const status = (D == 3 ? one.overlap : pw85_overlap_2d)(pair.r12, pair.q1, pair.q2, &overlap);
+    *out.overlap = static_cast<unsigned char>(overlap); // -1, for a bad pair, becomes 255
     return status;
 }
 
-inline int settle(OnePairKernels const &, PairRow<2> const &pair, ContactArrays const &out, std::size_t index) noexcept
+inline int settle(OnePairKernels const &one, PairRow<3> const &pair, ApproachArray const &out) noexcept
 {
-    auto const contact =
-        pw85::contact(c_api::load_vector<2>(pair.r12), c_api::load_matrix<2>(pair.q1), c_api::load_matrix<2>(pair.q2));
-    out.mu2[index] = contact.mu2;
-    if (out.lambda != nullptr) out.lambda[index] = contact.lambda;
-    return static_cast<int>(contact.status);
+    return one.closest_approach(pair.r12, pair.q1, pair.q2, out.distance);
 }
 
-inline int settle(OnePairKernels const &, PairRow<2> const &pair, OverlapArray const &out, std::size_t index) noexcept
+inline int settle(OnePairKernels const &one, PairRow<3> const &pair, DistanceArrays const &out) noexcept
 {
-    auto const overlap =
-        pw85::overlap(c_api::load_vector<2>(pair.r12), c_api::load_matrix<2>(pair.q1), c_api::load_matrix<2>(pair.q2));
-    out.overlap[index] = overlap.status != Status::success ? 255 : overlap.overlap ? 1 : 0;
-    return static_cast<int>(overlap.status);
-}
-
-inline int settle(OnePairKernels const &one, PairRow<3> const &pair, ApproachArray const &out,
-                  std::size_t index) noexcept
-{
-    return one.closest_approach(pair.r12, pair.q1, pair.q2, out.distance + index);
-}
-
-inline int settle(OnePairKernels const &one, PairRow<3> const &pair, DistanceArrays const &all,
-                  std::size_t index) noexcept
-{
-    DistanceArrays const out = all.from(index);
     return one.distance(pair.r12, pair.q1, pair.q2, out.distance, out.point1, out.point2);
 }
 
 /// Only the contact function decides the status: a concentric pair is valid, although it has no normal. If λ is NaN, so are the
 /// derivatives.
-inline int settle(OnePairKernels const &one, PairRow<3> const &pair, DerivativeArrays const &all,
-                  std::size_t index) noexcept
+inline int settle(OnePairKernels const &one, PairRow<3> const &pair, DerivativeArrays const &out) noexcept
 {
     auto const &[r12, q1, q2] = pair;
-    DerivativeArrays const out = all.from(index);
     int status = 0;
     if (std::isnan(*out.lambda)) {
         double contact[2];
@@ -100,7 +75,7 @@ Failure settle_all(Kernels const &kernels, Rows const &rows, Arrays const &out, 
         std::size_t const count = std::min(group, left_over.size - k);
         kernel.gather(rows, indices, count, pairs);
         for (std::size_t i = 0; i < count; ++i)
-            first.update({indices[i], settle(*kernels.one_pair, pairs[i], out, indices[i])});
+            first.update({indices[i], settle(*kernels.one_pair, pairs[i], out.from(indices[i]))});
     }
     return first;
 }

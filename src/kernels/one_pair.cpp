@@ -36,8 +36,8 @@ int contact_factored(double const *r12, double const *s1, double const *s2, doub
 
 int overlap(double const *r12, double const *q1, double const *q2, int *overlap) noexcept
 {
-    auto const o =
-        overlap_by_lanes<Pack>(c_api::load_vector<3>(r12), c_api::load_matrix<3>(q1), c_api::load_matrix<3>(q2));
+    auto const o = overlap_by_lanes<Pack>(
+        pair_of(c_api::load_vector<3>(r12), c_api::load_matrix<3>(q1), c_api::load_matrix<3>(q2)));
     *overlap = o.status == Status::success ? static_cast<int>(o.overlap) : -1;
     return static_cast<int>(o.status);
 }

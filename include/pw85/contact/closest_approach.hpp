@@ -20,9 +20,10 @@ closest_approach(Vector<T, D> direction, SymmetricMatrix<T, D> const &q1, Symmet
     T const largest = largest_coordinate(direction);
     if (!is_finite(direction) || !(largest > T(0))) return all_nan<ClosestApproach<T>>(Status::invalid_argument);
     direction = direction / largest;
-    ScaledPair<T, D> scaled{{direction, q1, q2, T(1)}, 0, 0, false};
-    if (!passes_fast_checks(direction, q1, q2)) {
-        Status const status = validate(direction, q1, q2, scaled);
+    auto const pair = pair_of(direction, q1, q2);
+    ScaledPair<T, D> scaled{pair, 0, 0, false};
+    if (!passes_fast_checks(pair)) {
+        Status const status = validate(pair, scaled);
         if (status != Status::success) return all_nan<ClosestApproach<T>>(status);
     }
     Maximum<T> const maximum = maximize(scaled.pair);

@@ -30,7 +30,7 @@ template <class T, int D> PW85_FUNCTION inline T checked_f(T const &lambda, Vect
                                                            SymmetricMatrix<T, D> const &q1,
                                                            SymmetricMatrix<T, D> const &q2) noexcept
 {
-    return is_valid(lambda, r12, q1, q2) ? evaluate_f(lambda, r12, q1, q2) : quiet_nan<T>();
+    return is_valid(lambda, pair_of(r12, q1, q2)) ? evaluate_f(lambda, r12, q1, q2) : quiet_nan<T>();
 }
 
 /// f, f' and f'' at λ; NaN for invalid input.
@@ -39,7 +39,15 @@ PW85_FUNCTION inline Derivatives<T> checked_derivatives(T const &lambda, Vector<
                                                         SymmetricMatrix<T, D> const &q1,
                                                         SymmetricMatrix<T, D> const &q2) noexcept
 {
-    return is_valid(lambda, r12, q1, q2) ? evaluate_derivatives(lambda, r12, q1, q2) : invalid_derivatives<T>();
+    return is_valid(lambda, pair_of(r12, q1, q2)) ? evaluate_derivatives(lambda, r12, q1, q2)
+                                                  : invalid_derivatives<T>();
+}
+
+/// Accepts the last evaluation of a search for a pair that nobody has validated.
+template <class T, int D> PW85_FUNCTION inline typename ScalarTraits<T>::Mask
+is_accepted(Pair<T, D> const &pair, LastEvaluation<T> const &last) noexcept
+{
+    return last.certain && passes_fast_checks(pair);
 }
 
 /// The contact function from a maximum that was found.
@@ -60,13 +68,13 @@ PW85_FUNCTION inline Contact<T> unscale(ScaledPair<T, D> const &scaled, Maximum<
 }
 
 /// contact() for any pair: validated, and in units that keep it in range.
-template <class T, int D> [[gnu::noinline]] PW85_FUNCTION inline Contact<T>
-contact_scaled(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, SymmetricMatrix<T, D> const &q2) noexcept
+template <class T, int D>
+[[gnu::noinline]] PW85_FUNCTION inline Contact<T> contact_scaled(Pair<T, D> pair) noexcept
 {
     ScaledPair<T, D> scaled;
-    Status const status = validate(r12, q1, q2, scaled);
+    Status const status = validate(pair, scaled);
     if (status != Status::success) return all_nan<Contact<T>>(status);
-    if (largest_coordinate(r12) == T(0)) return {T(0), T(0.5), Status::success};
+    if (largest_coordinate(pair.r12) == T(0)) return {T(0), T(0.5), Status::success};
     return unscale(scaled, maximize(scaled.pair));
 }
 
@@ -78,8 +86,8 @@ template <class T, int D> PW85_FUNCTION inline Contact<T>
 contact(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, SymmetricMatrix<T, D> const &q2) noexcept
 {
     using namespace detail;
-    if (passes_fast_checks(r12, q1, q2)) return to_contact(maximize(Pair<T, D>{r12, q1, q2, T(1)}));
-    return contact_scaled(r12, q1, q2);
+    auto const pair = pair_of(r12, q1, q2);
+    return passes_fast_checks(pair) ? to_contact(maximize(pair)) : contact_scaled(pair);
 }
 
 } // namespace pw85

@@ -71,20 +71,29 @@ solve_blend_extended(T const &w1, SymmetricMatrix<T, D> const &q1, T const &w2, 
     return result;
 }
 
-/// M⁻¹ x for M = w1 Q1 + w2 Q2: by the adjugate where that is as good as rounding allows, by factorisation where that leaves
-/// some digits, else with extended numbers where there are such.
-template <class T, int D> PW85_FUNCTION inline Vector<T, D> solve_blend(T const &w1, SymmetricMatrix<T, D> const &q1,
-                                                                        T const &w2, SymmetricMatrix<T, D> const &q2,
-                                                                        Vector<T, D> const &x) noexcept
+/// M⁻¹ x for M = w1 Q1 + w2 Q2, where the adjugate is not accurate: by factorisation if that leaves some digits, else with extended
+/// numbers if the type has such.
+template <class T, int D>
+[[gnu::noinline]] PW85_FUNCTION inline Vector<T, D> solve_ill_conditioned(T const &w1, SymmetricMatrix<T, D> const &q1,
+                                                                          T const &w2, SymmetricMatrix<T, D> const &q2,
+                                                                          Vector<T, D> const &x) noexcept
 {
     auto const m = blend(w1, q1, w2, q2);
-    auto const solution = solve_by_adjugate(m, x);
-    if (is_accurate(solution)) return T(T(1) / solution.determinant) * solution.s;
     auto const factors = factorize(m, T(unit_roundoff<T>()));
     if constexpr (has_extended_numbers<T>)
         if (!(T(factorization_error) * unit_roundoff<T>() * condition(factors, m) <= tolerated_error<T>()))
             return solve_blend_extended(w1, q1, w2, q2, x);
     return solve(factors, x);
+}
+
+/// M⁻¹ x for M = w1 Q1 + w2 Q2, by the adjugate if it is as good as rounding allows.
+template <class T, int D> PW85_FUNCTION inline Vector<T, D> solve_blend(T const &w1, SymmetricMatrix<T, D> const &q1,
+                                                                        T const &w2, SymmetricMatrix<T, D> const &q2,
+                                                                        Vector<T, D> const &x) noexcept
+{
+    auto const solution = solve_by_adjugate(blend(w1, q1, w2, q2), x);
+    if (is_accurate(solution)) return T(T(1) / solution.determinant) * solution.s;
+    return solve_ill_conditioned(w1, q1, w2, q2, x);
 }
 
 /// A pair at some λ, in units of its own: n is proportional to v = (w1 Q1 + w2 Q2)⁻¹ r12.
@@ -133,6 +142,21 @@ template <class T> PW85_FUNCTION constexpr T complement_of(T const &lambda) noex
     return maximum(T(T(1) - lambda), T(unit_roundoff<T>() / 2));
 }
 
+/// The pair at λ, by the adjugate, and whether that is accurate.
+template <class T, int D> struct FastTangency {
+    Tangency<T, D> at;
+    typename ScalarTraits<T>::Mask accurate;
+};
+
+template <class T, int D>
+PW85_FUNCTION inline FastTangency<T, D> fast_tangency(Pair<T, D> const &pair, T const &lambda) noexcept
+{
+    T const lambda1 = complement_of(lambda);
+    auto const solution = solve_by_adjugate(blend(lambda1, pair.q1, lambda, pair.q2), pair.r12);
+    T const reciprocal = T(1) / solution.determinant;
+    return {{reciprocal * solution.s, lambda1, lambda, lambda1, lambda}, is_accurate(solution)};
+}
+
 /// Exponents that lead from the units of a Tangency back to the caller's.
 struct TangencyUnits {
     int length; ///< of r12
@@ -160,13 +184,13 @@ scaled_tangency(ScaledPair<T, D> const &scaled, T const &lambda1, T const &lambd
 
 /// formula(tangency, q1, q2) for any pair at λ.
 template <class Formula, class T, int D> [[gnu::noinline]] PW85_FUNCTION inline auto
-at_tangency_scaled(Formula formula, Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
-                   SymmetricMatrix<T, D> const &q2, T const &lambda1, T const &lambda2) noexcept
+at_tangency_scaled(Formula formula, Pair<T, D> pair, T const &lambda1, T const &lambda2) noexcept
 {
+    using Result = decltype(formula(Tangency<T, D>{}, pair.q1, pair.q2));
     ScaledPair<T, D> scaled;
-    Status const status = lambda2 >= T(0) && lambda2 <= T(1) ? validate(r12, q1, q2, scaled) : Status::invalid_argument;
-    if (status != Status::success) return all_nan<decltype(formula(Tangency<T, D>{}, q1, q2))>(status);
-    if (!(largest_coordinate(r12) > T(0))) return formula(Tangency<T, D>{}, q1, q2);
+    Status const status = lambda2 >= T(0) && lambda2 <= T(1) ? validate(pair, scaled) : Status::invalid_argument;
+    if (status != Status::success) return all_nan<Result>(status);
+    if (!(largest_coordinate(pair.r12) > T(0))) return formula(Tangency<T, D>{}, pair.q1, pair.q2);
     TangencyUnits units;
     Tangency<T, D> const at = scaled_tangency(scaled, lambda1, lambda2, units);
     auto result =
@@ -175,17 +199,17 @@ at_tangency_scaled(Formula formula, Vector<T, D> const &r12, SymmetricMatrix<T, 
     return result;
 }
 
-/// formula(tangency, q1, q2) for a pair at λ.
+/// formula(tangency, q1, q2) for a pair at λ. It takes references: a Pair would be copied to memory.
 template <class Formula, class T, int D>
 PW85_FUNCTION inline auto at_tangency(Formula formula, Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
                                       SymmetricMatrix<T, D> const &q2, T const &lambda) noexcept
 {
     T const lambda1 = complement_of(lambda);
-    if (lambda >= T(0) && lambda <= T(1) && passes_fast_checks(r12, q1, q2)) {
+    if (lambda >= T(0) && lambda <= T(1) && passes_fast_checks(pair_of(r12, q1, q2))) {
         Vector<T, D> const v = solve_blend(lambda1, q1, lambda, q2, r12);
         return formula(Tangency<T, D>{v, lambda1, lambda, lambda1, lambda}, q1, q2);
     }
-    return at_tangency_scaled(formula, r12, q1, q2, lambda1, lambda);
+    return at_tangency_scaled(formula, pair_of(r12, q1, q2), lambda1, lambda);
 }
 
 template <class T, int D>
@@ -245,9 +269,10 @@ template <class T, int D>
 PW85_FUNCTION inline ContactTorque<T, D> contact_torque(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
                                                         SymmetricMatrix<T, D> const &q2, T const &lambda) noexcept
 {
-    return detail::at_tangency(
-        [](detail::Tangency<T, D> const &at, SymmetricMatrix<T, D> const &p1, SymmetricMatrix<T, D> const &p2) {
-            auto const gradients = detail::rotation_gradients(at, p1, p2);
+    using namespace detail;
+    return at_tangency(
+        [](Tangency<T, D> const &at, SymmetricMatrix<T, D> const &p1, SymmetricMatrix<T, D> const &p2) {
+            auto const gradients = rotation_gradients(at, p1, p2);
             return ContactTorque<T, D>{gradients.first, gradients.second, Status::success};
         },
         r12, q1, q2, lambda);

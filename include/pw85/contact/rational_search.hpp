@@ -1,6 +1,13 @@
 /// @file
-/// The search for the maximum of f on the rational form: the same few functions step a number, a pack of lanes or the value
-/// of a device's thread. Whoever drives it loops; what it finds is right wherever the last evaluation says that it is certain.
+/// The search for the maximum of f on the rational form, as a task. The scalar may be a number, a pack of lanes, or the number of a
+/// device's thread. A task has four parts:
+///
+/// 1. start: start_search() makes the state of the search.
+/// 2. step: take_step() changes the state. A driver calls it while the state is active. It is run() for a number or one pack, and
+///    src/kernels/lane_contact.hpp has one for several packs.
+/// 3. accept: last_evaluation() gives the result. Use the result only where last_evaluation() says that it is certain.
+/// 4. settle: a slower method computes the pairs that are not certain. For a number it is maximize_factorized() (solver.hpp); lanes
+///    and devices leave these pairs to the functions for one pair.
 #ifndef PW85_CONTACT_RATIONAL_SEARCH_HPP_INCLUDED
 #define PW85_CONTACT_RATIONAL_SEARCH_HPP_INCLUDED
 
@@ -13,38 +20,55 @@ namespace pw85::detail {
 /// than 6, 7 more than 7, and none more than 8.
 inline constexpr int max_rational_steps = 8;
 
-/// A search under way. What becomes of a lane depends on nothing but its pair: one that has converged is left alone.
+/// The state of a search. The result for a lane depends on nothing but its pair: no step changes a lane that has converged.
 template <class T> struct RationalSearch {
     RationalForm<T> form;
     Candidate<T> candidate;
     typename ScalarTraits<T>::Mask active; ///< not converged
 };
 
-/// A search that is about to begin at t.
+/// Starts a search at t.
 template <class T, int D>
 PW85_FUNCTION inline RationalSearch<T> start_search(Pair<T, D> const &pair, T const &t) noexcept
 {
     return {rational_form(pair), {t, T(0), T(0)}, t == t};
 }
 
-/// One step: Halley's, or that of item 4 from afar. Lanes converge with a step within penultimate_step(); those that rounding
-/// errors or the range of the scalar lead astray never do, or end where the last evaluation is not certain.
-template <class T> PW85_FUNCTION inline void take_step(RationalSearch<T> &search, T const &ratio) noexcept
+/// Starts a search at initial_guess().
+template <class T, int D> PW85_FUNCTION inline RationalSearch<T> start_search(Pair<T, D> const &pair) noexcept
+{
+    return start_search(pair, initial_guess(pair));
+}
+
+/// Takes Halley's step near the root, and the step of item 4 (iteration.hpp) elsewhere. A lane converges with a step within
+/// penultimate_step(). Rounding errors, or a number out of the range of the scalar, can prevent that, or lead to a wrong t. Then the
+/// last evaluation is not certain.
+template <class T, int D>
+PW85_FUNCTION inline void take_step(RationalSearch<T> &search, Pair<T, D> const &pair) noexcept
 {
     T const t = search.candidate.t;
     Jet<T> const jet = evaluate_jet(search.form, t);
-    Slope<T> const s = slope(jet, ratio, t);
+    Slope<T> const s = slope(jet, pair.ratio, t);
     Step<T> const step = halley_step(s);
     auto const near = is_near(s), active = search.active;
     T factor = exponential(step);
     auto const converged = active && near && is_within(step, penultimate_step<T>());
     if (any_of(converged)) expect_derivatives(search.candidate, s, factor, converged);
-    if (!all_of(near)) factor = select(near, factor, secular_factor(jet, ratio, t));
+    if (!all_of(near)) factor = select(near, factor, secular_factor(jet, pair.ratio, t));
     search.candidate.t = select(active, T(t * factor), t);
     search.active = active && !converged;
 }
 
-/// By how many u/d solve_by_adjugate() errs across s, in the norm of M (scripts/rounding_bounds.py: 12.2).
+/// The driver for a number or one pack: it takes steps until no lane is active, but at most max_steps. It returns their number.
+template <class Search, class T, int D>
+PW85_FUNCTION inline int run(Search &search, Pair<T, D> const &pair, int max_steps) noexcept
+{
+    int steps = 0;
+    for (; any_of(search.active) && steps < max_steps; ++steps) take_step(search, pair);
+    return steps;
+}
+
+/// A bound on the error of solve_by_adjugate() across s in the norm of M, in units of u/d (scripts/rounding_bounds.py: 12.2).
 inline constexpr int adjugate_error = 13;
 
 /// The last evaluation, by the adjugate of M at t.
@@ -55,7 +79,7 @@ PW85_FUNCTION inline LastEvaluation<T> last_evaluation(Pair<T, D> const &pair, C
     auto const weights = outer_weights(solution.s);
     auto const value = stationary_value(candidate, pair.ratio, quadratic_form(pair.q1, weights),
                                         quadratic_form(pair.q2, weights), dot(pair.r12, solution.s));
-    // One by one: a copy of the whole would wait for stores that are narrower than its loads.
+    // The members are copied one by one, because a wide load of a whole structure waits for the narrower stores before it.
     return {{value.mu2, value.lambda, value.complement, value.step},
             is_certain(candidate, value.step, T(T(adjugate_error) * solution.diagonal), solution.determinant)};
 }

@@ -18,6 +18,13 @@ template <class T, int D> struct Pair {
     T ratio; ///< size of the units of ellipsoid 1 over that of ellipsoid 2, not small
 };
 
+/// A pair as the caller gives it: both ellipsoids are in the same units.
+template <class T, int D> [[gnu::always_inline]] PW85_FUNCTION constexpr Pair<T, D>
+pair_of(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, SymmetricMatrix<T, D> const &q2) noexcept
+{
+    return {r12, q1, q2, T(1)};
+}
+
 /// A pair in units that keep every intermediate result in range, and the way back.
 template <class T, int D> struct ScaledPair {
     Pair<T, D> pair;
@@ -55,11 +62,11 @@ template <class T> PW85_FUNCTION constexpr int ratio_exponent_limit() noexcept
 }
 
 /// Brings a pair with finite entries and positive diagonals into range, exactly.
-template <class T, int D> PW85_FUNCTION inline ScaledPair<T, D>
-scale(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, SymmetricMatrix<T, D> const &q2) noexcept
+template <class T, int D> PW85_FUNCTION inline ScaledPair<T, D> scale(Pair<T, D> const &pair) noexcept
 {
+    auto const &[r12, q1, q2, ratio] = pair;
     T const r = largest_coordinate(r12);
-    if (is_in_range(r, largest_diagonal(q1), largest_diagonal(q2))) return {{r12, q1, q2, T(1)}, 0, 0, false};
+    if (is_in_range(r, largest_diagonal(q1), largest_diagonal(q2))) return {pair, 0, 0, false};
     int const er = r > T(0) ? binary_exponent(r) : 0;
     int const e1 = half_exponent(largest_diagonal(q1)), e2 = half_exponent(largest_diagonal(q2));
     // Half the exponents of diagonals between the inverse of 2^24 and that, in range, differ by at most 24: such pairs are not

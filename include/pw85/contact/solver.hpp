@@ -80,16 +80,15 @@ maximize_factorized(Pair<T, D> const &pair, Candidate<T> candidate, int evaluati
 template <class T, int D> [[gnu::noinline]] PW85_FUNCTION inline Maximum<T> maximize(Pair<T, D> const &pair) noexcept
 {
     T const guess = initial_guess(pair);
-    auto state = start_search(pair, guess);
+    auto search = start_search(pair, guess);
     int evaluations = 0;
     T const diagonal = diagonal_product(blend(pair.q1, guess, pair.q2));
-    if (evaluate_b(state.form, guess) >= rough_conditioning<T>() * diagonal) {
-        for (; any_of(state.active) && evaluations < max_rational_steps; ++evaluations) take_step(state, pair.ratio);
-        auto const last = last_evaluation(pair, state.candidate);
-        ++evaluations;
+    if (evaluate_b(search.form, guess) >= rough_conditioning<T>() * diagonal) {
+        evaluations = run(search, pair, max_rational_steps) + 1;
+        auto const last = last_evaluation(pair, search.candidate);
         if (last.certain) return to_maximum(last, evaluations, true);
     }
-    return maximize_factorized(pair, state.candidate, evaluations);
+    return maximize_factorized(pair, search.candidate, evaluations);
 }
 
 } // namespace pw85::detail

@@ -20,41 +20,32 @@ template <class T, int D> PW85_FUNCTION inline Status validate(SymmetricMatrix<T
     return definite ? Status::success : Status::not_positive_definite;
 }
 
-/// Status of the separation and the forms, before anything is computed with them.
-template <class T, int D> PW85_FUNCTION inline Status
-check_finite(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, SymmetricMatrix<T, D> const &q2) noexcept
+/// Status of a pair. If it is success, `scaled` is the pair in range.
+template <class T, int D>
+[[gnu::noinline]] PW85_FUNCTION inline Status validate(Pair<T, D> const &pair, ScaledPair<T, D> &scaled) noexcept
 {
-    return is_finite(r12) && is_finite(q1) && is_finite(q2) ? Status::success : Status::invalid_argument;
-}
-
-/// Validates a pair and brings it into range.
-template <class T, int D> [[gnu::noinline]] PW85_FUNCTION inline Status validate(Vector<T, D> const &r12,
-                                                                                 SymmetricMatrix<T, D> const &q1,
-                                                                                 SymmetricMatrix<T, D> const &q2,
-                                                                                 ScaledPair<T, D> &scaled) noexcept
-{
-    if (Status const status = check_finite(r12, q1, q2); status != Status::success) return status;
+    auto const &[r12, q1, q2, ratio] = pair;
+    if (!(is_finite(r12) && is_finite(q1) && is_finite(q2))) return Status::invalid_argument;
     if (!(has_positive_diagonal(q1) && has_positive_diagonal(q2))) return Status::not_positive_definite;
-    scaled = scale(r12, q1, q2);
+    scaled = scale(pair);
     bool const definite = is_positive_definite(scaled.pair.q1) && is_positive_definite(scaled.pair.q2);
     return definite ? Status::success : Status::not_positive_definite;
 }
 
 /// Whether λ is in [0, 1] and a pair is valid.
-template <class T, int D> PW85_FUNCTION inline bool is_valid(T const &lambda, Vector<T, D> const &r12,
-                                                             SymmetricMatrix<T, D> const &q1,
-                                                             SymmetricMatrix<T, D> const &q2) noexcept
+template <class T, int D> PW85_FUNCTION inline bool is_valid(T const &lambda, Pair<T, D> const &pair) noexcept
 {
     ScaledPair<T, D> scaled;
-    return lambda >= T(0) && lambda <= T(1) && validate(r12, q1, q2, scaled) == Status::success;
+    return lambda >= T(0) && lambda <= T(1) && validate(pair, scaled) == Status::success;
 }
 
-/// Whether products alone show that a pair is valid and in range, and r12 != 0: true of almost all pairs.
-template <class T, int D> PW85_FUNCTION inline typename ScalarTraits<T>::Mask
-passes_fast_checks(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, SymmetricMatrix<T, D> const &q2) noexcept
+/// Whether products alone show that a pair is valid and in range, and r12 != 0: true of almost all pairs. It is always inlined, so
+/// that the pair stays in registers.
+template <class T, int D> [[gnu::always_inline]] PW85_FUNCTION inline typename ScalarTraits<T>::Mask
+passes_fast_checks(Pair<T, D> const &pair) noexcept
 {
-    return is_in_range(sum_of_magnitudes(r12), largest_diagonal(q1), largest_diagonal(q2)) && is_clearly_definite(q1) &&
-           is_clearly_definite(q2);
+    return is_in_range(sum_of_magnitudes(pair.r12), largest_diagonal(pair.q1), largest_diagonal(pair.q2)) &&
+           is_clearly_definite(pair.q1) && is_clearly_definite(pair.q2);
 }
 
 } // namespace pw85::detail

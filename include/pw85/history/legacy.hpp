@@ -74,8 +74,8 @@ template <class T> PW85_FUNCTION inline Derivatives<T> checked_rational(T const 
                                                                         SymmetricMatrix<T, 3> const &q1,
                                                                         SymmetricMatrix<T, 3> const &q2) noexcept
 {
-    return is_valid(lambda, r12, q1, q2) ? evaluate_rational(polynomials(r12, q1, q2), lambda)
-                                         : invalid_derivatives<T>();
+    return is_valid(lambda, pair_of(r12, q1, q2)) ? evaluate_rational(polynomials(r12, q1, q2), lambda)
+                                                  : invalid_derivatives<T>();
 }
 
 /// The numerator c(λ) of f' = c/b².
@@ -143,7 +143,7 @@ template <class T, class Solver> PW85_FUNCTION inline Contact<T> contact_by(Solv
                                                                             SymmetricMatrix<T, 3> const &q2) noexcept
 {
     ScaledPair<T, 3> scaled;
-    Status const status = validate(r12, q1, q2, scaled);
+    Status const status = validate(pair_of(r12, q1, q2), scaled);
     if (status != Status::success) return all_nan<Contact<T>>(status);
     if (largest_coordinate(r12) == T(0)) return {T(0), T(0.5), Status::success};
     auto const pair = to_common_units(r12, q1, q2);

@@ -275,7 +275,7 @@ checked_distance(Vector<T, D> direction, SymmetricMatrix<T, D> const &q1, Symmet
     if (!is_finite(direction) || !(largest_coordinate(direction) > T(0)))
         return all_nan<ClosestApproach<T>>(Status::invalid_argument);
     ScaledPair<T, D> scaled;
-    Status const status = validate(direction, q1, q2, scaled);
+    Status const status = validate(pair_of(direction, q1, q2), scaled);
     if (status != Status::success) return all_nan<ClosestApproach<T>>(status);
     return {times_power_of_two(distance(problem(scaled.pair)), scaled.form), Status::success};
 }

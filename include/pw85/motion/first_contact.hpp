@@ -94,7 +94,7 @@ template <class T, int D>
         waited = waited + wait;
     }
     if (is_remote(moving)) return all_nan<FirstContact<T>>(Status::no_convergence);
-    auto const rest = first_contact_nearby(moving, scale(moving.r12, moving.q1, moving.q2));
+    auto const rest = first_contact_nearby(moving, scale(pair_of(moving.r12, moving.q1, moving.q2)));
     if (!(rest.time < infinity<T>())) return rest;
     return {minimum(end, T(waited + rest.time)), rest.status};
 }
@@ -111,9 +111,10 @@ PW85_FUNCTION inline FirstContact<T> first_contact(Vector<T, D> const &r12, Symm
     using namespace detail;
     bool const valid = end >= T(0) && is_valid_motion(motion1, end) && is_valid_motion(motion2, end);
     if (!valid) return all_nan<FirstContact<T>>(Status::invalid_argument);
-    ScaledPair<T, D> scaled{{r12, q1, q2, T(1)}, 0, 0, false};
-    if (!passes_fast_checks(r12, q1, q2)) {
-        Status const status = validate(r12, q1, q2, scaled);
+    auto const pair = pair_of(r12, q1, q2);
+    ScaledPair<T, D> scaled{pair, 0, 0, false};
+    if (!passes_fast_checks(pair)) {
+        Status const status = validate(pair, scaled);
         if (status != Status::success) return all_nan<FirstContact<T>>(status);
     }
     if (largest_coordinate(r12) == T(0)) return {T(0), Status::success};

@@ -1,6 +1,6 @@
 /// @file
 /// The second tier of the overlap test: it computes μ² by the solver, and compares it with 1 up to a bound on its error.
-/// decide_overlap.hpp calls it.
+/// overlap.hpp calls it.
 #ifndef PW85_OVERLAP_COMPARISON_HPP_INCLUDED
 #define PW85_OVERLAP_COMPARISON_HPP_INCLUDED
 

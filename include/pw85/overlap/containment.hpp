@@ -35,25 +35,23 @@ template <class T, int D> struct NestedPair {
 };
 
 /// Scaled by a power of two. What becomes a subnormal number errs by 2^-53 of the smallest number for double.
-template <class T, int D> PW85_FUNCTION inline NestedPair<T, D>
-nested_pair(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, SymmetricMatrix<T, D> const &q2) noexcept
+template <class T, int D> PW85_FUNCTION inline NestedPair<T, D> nested_pair(Pair<T, D> const &pair) noexcept
 {
-    int const e = half_exponent(largest_diagonal(q1));
-    NestedPair<T, D> pair{
-        times_power_of_two(r12, -e), times_power_of_two(q1, -2 * e), times_power_of_two(q2, -2 * e), {}};
-    for (int k = 0; k < q1.size; ++k) pair.difference[k] = pair.q1[k] - pair.q2[k];
-    return pair;
+    int const e = half_exponent(largest_diagonal(pair.q1));
+    NestedPair<T, D> nested{
+        times_power_of_two(pair.r12, -e), times_power_of_two(pair.q1, -2 * e), times_power_of_two(pair.q2, -2 * e), {}};
+    for (int k = 0; k < pair.q1.size; ++k) nested.difference[k] = nested.q1[k] - nested.q2[k];
+    return nested;
 }
 
 /// Whether ellipsoid 2 reaches beyond the bounding box of ellipsoid 1. Five roundings, and those of the comparison, are below 8 u.
-template <class T, int D> PW85_FUNCTION inline bool
-exceeds_bounding_box(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, SymmetricMatrix<T, D> const &q2) noexcept
+template <class T, int D> PW85_FUNCTION inline bool exceeds_bounding_box(Pair<T, D> const &pair) noexcept
 {
     T const shrink = T(1) - T(8) * T(unit_roundoff<T>());
     bool exceeds = false;
     for (int i = 0; i < D; ++i) {
-        T const reach = square_root(q2(i, i)) + absolute(r12[i]);
-        exceeds = exceeds || T(shrink * reach) > square_root(q1(i, i));
+        T const reach = square_root(pair.q2(i, i)) + absolute(pair.r12[i]);
+        exceeds = exceeds || T(shrink * reach) > square_root(pair.q1(i, i));
     }
     return exceeds;
 }
@@ -171,11 +169,10 @@ template <class T, int D> PW85_FUNCTION inline Nesting decide_nesting(NestedPair
     return shows_inside(pair, largest) ? Nesting::inside : Nesting::none;
 }
 
-template <class T, int D> [[gnu::noinline]] PW85_FUNCTION inline Status
-validate_apart(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, SymmetricMatrix<T, D> const &q2) noexcept
+template <class T, int D> [[gnu::noinline]] PW85_FUNCTION inline Status validate_apart(Pair<T, D> pair) noexcept
 {
     ScaledPair<T, D> scaled;
-    return validate(r12, q1, q2, scaled);
+    return validate(pair, scaled);
 }
 
 } // namespace pw85::detail
@@ -186,10 +183,11 @@ template <class T, int D> PW85_FUNCTION inline Containment
 contains(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, SymmetricMatrix<T, D> const &q2) noexcept
 {
     using namespace detail;
-    Status const status = passes_fast_checks(r12, q1, q2) ? Status::success : validate_apart(r12, q1, q2);
+    auto const pair = pair_of(r12, q1, q2);
+    Status const status = passes_fast_checks(pair) ? Status::success : validate_apart(pair);
     if (status != Status::success) return {false, status};
-    if (exceeds_bounding_box(r12, q1, q2)) return {false, status};
-    Nesting const nesting = decide_nesting(nested_pair(r12, q1, q2));
+    if (exceeds_bounding_box(pair)) return {false, status};
+    Nesting const nesting = decide_nesting(nested_pair(pair));
     if (nesting != Nesting::none) return {nesting == Nesting::inside, status};
     if constexpr (exact::is_decidable<T>)
         return {contains_exactly(r12, q1, q2), status};

@@ -1,5 +1,5 @@
 /// @file
-/// The first tier of the overlap test: the sign of a quartic. decide_overlap.hpp calls it for one pair, lane_overlap.hpp for one
+/// The first tier of the overlap test: the sign of a quartic. overlap.hpp calls it for one pair, lane_overlap.hpp for one
 /// pair per lane.
 ///
 /// With M = Q1 + t Q2, a = rᵀ adj(M) r and b = det M, the ellipsoids are apart where t a - (1 + t) b > 0 for some t > 0
@@ -135,29 +135,29 @@ template <class Lanes, class T, int D>
     return to_decision(any_of(certainty.apart), any_of(certainty.overlap));
 }
 
-/// Tests at the points of a search on the rational form that starts at t.
-template <class T, int D> PW85_FUNCTION inline Decision decide_by_search(Pair<T, D> const &pair, T const &t) noexcept
+/// A search on the rational form with a test at each of its points: a task (contact/rational_search.hpp) that ends when a test
+/// decides.
+template <class T> struct QuarticSearch {
+    RationalSearch<T> rational;
+    Decision decision;
+    bool active;
+};
+
+template <class T, int D> PW85_FUNCTION inline void take_step(QuarticSearch<T> &search, Pair<T, D> const &pair) noexcept
 {
-    auto state = start_search(pair, t);
-    Decision decision = Decision::none;
-    for (int step = 0; any_of(state.active) && decision == Decision::none && step < max_rational_steps; ++step) {
-        take_step(state, pair.ratio);
-        auto const certainty = test_quartic(evaluate_quartic(pair, state.candidate.t), state.candidate.t);
-        decision = to_decision(certainty.apart, certainty.overlap);
-    }
-    return decision;
+    take_step(search.rational, pair);
+    T const &t = search.rational.candidate.t;
+    auto const certainty = test_quartic(evaluate_quartic(pair, t), t);
+    search.decision = to_decision(certainty.apart, certainty.overlap);
+    search.active = search.rational.active && search.decision == Decision::none;
 }
 
-/// The tier for one pair. The result is `none` for pairs that fail the fast checks, are ill-conditioned, or are tangent up to
-/// rounding.
-template <class Lanes, class T, int D> [[gnu::always_inline]] PW85_FUNCTION inline Decision
-decide_by_quartic(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, SymmetricMatrix<T, D> const &q2) noexcept
+/// Tests at the points of a search that starts at t.
+template <class T, int D> PW85_FUNCTION inline Decision decide_by_search(Pair<T, D> const &pair, T const &t) noexcept
 {
-    if (!passes_fast_checks(r12, q1, q2)) return Decision::none;
-    Pair<T, D> const pair{r12, q1, q2, T(1)};
-    T t;
-    Decision const decision = decide_by_points<Lanes>(pair, t);
-    return decision != Decision::none ? decision : decide_by_search(pair, t);
+    QuarticSearch<T> search{start_search(pair, t), Decision::none, t == t};
+    run(search, pair, max_rational_steps);
+    return search.decision;
 }
 
 } // namespace pw85::detail
