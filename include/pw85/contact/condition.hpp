@@ -49,7 +49,8 @@ PW85_FUNCTION inline Condition<T> condition(Vector<T, D> const &r12, SymmetricMa
 {
     using namespace detail;
     ScaledPair<T, D> scaled;
-    Status const status = lambda >= T(0) && lambda <= T(1) ? validate(r12, q1, q2, scaled) : Status::invalid_argument;
+    Status const status =
+        lambda >= T(0) && lambda <= T(1) ? validate(pair_of(r12, q1, q2), scaled) : Status::invalid_argument;
     if (status != Status::success) return all_nan<Condition<T>>(status);
     if (largest_coordinate(r12) == T(0)) return {T(0), Status::success};
     T const complement = complement_of(lambda);

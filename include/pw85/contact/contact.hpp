@@ -68,8 +68,7 @@ PW85_FUNCTION inline Contact<T> unscale(ScaledPair<T, D> const &scaled, Maximum<
 }
 
 /// contact() for any pair: validated, and in units that keep it in range.
-template <class T, int D>
-[[gnu::noinline]] PW85_FUNCTION inline Contact<T> contact_scaled(Pair<T, D> pair) noexcept
+template <class T, int D> [[gnu::noinline]] PW85_FUNCTION inline Contact<T> contact_scaled(Pair<T, D> pair) noexcept
 {
     ScaledPair<T, D> scaled;
     Status const status = validate(pair, scaled);

@@ -168,7 +168,7 @@ template <class T, int D> PW85_FUNCTION inline T initial_guess(FactoredPair<T, D
     Pair<T, D> const rounded_pair{pair.r12, form_of_factor(pair.s1), form_of_factor(pair.s2), pair.ratio};
     T const guess = initial_guess(rounded_pair);
     auto state = start_search(rounded_pair, guess);
-    for (int step = 0; state.active && step < max_rational_steps; ++step) take_step(state, pair.ratio);
+    run(state, rounded_pair, max_rational_steps);
     T const t = state.active ? guess : state.candidate.t;
     return t > smallest_number<T>() && t < largest_number<T>() ? t : T(1);
 }
