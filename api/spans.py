@@ -14,6 +14,7 @@ import textwrap
 from dataclasses import dataclass
 from functools import cache
 from itertools import groupby
+from math import prod
 
 from declarations import CPP_HEADERS, INCLUDE, SHAPE, c_functions, functions, parameters, referenced, sections, statuses
 
@@ -53,7 +54,7 @@ class Kind:
 
 # What the rows of an array of double are, by their extents: in space, and in the plane.
 ELEMENTS = {
-    3: {(): "double", (3,): "Vector<double, 3>", (6,): "SymmetricMatrix<double, 3>", (4,): "Vector<double, 4>"},
+    3: {(): "double", (3,): "Vector<double, 3>", (6,): "SymmetricMatrix<double, 3>", (4,): "Vector<double, 4>", (3, 3): "Factor<double, 3>"},
     2: {(): "double", (2,): "Vector<double, 2>", (3,): "SymmetricMatrix<double, 2>"},
 }
 ELEMENTS_OF_OTHERS = {"unsigned char": "unsigned char", "pw85_motion": "Motion<double, 3>"}
@@ -126,10 +127,9 @@ def span(function, parameter):
     extents = parameter.shape[1:]
     if parameter.type != "double":
         element = ELEMENTS_OF_OTHERS[parameter.type]
-    elif len(extents) == 2:
-        element = f"std::array<double, {extents[0] * extents[1]}>"
     else:
-        element = ELEMENTS[2 if is_of_plane(function.name) else 3][extents]
+        of_matrix = f"std::array<double, {prod(extents)}>"
+        element = ELEMENTS[2 if is_of_plane(function.name) else 3].get(extents, of_matrix)
     written = f"std::span<{element}{' const' if parameter.const else ''}>"
     return SHORT_NAMES.get(written, written)
 

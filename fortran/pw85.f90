@@ -60,8 +60,11 @@ module pw85
   public :: pw85_spheroid
   public :: pw85_ellipsoid
   public :: pw85_ellipsoid_quaternion
+  public :: pw85_ellipsoid_factor
   public :: pw85_ellipse
   public :: pw85_contact
+  public :: pw85_contact_factored
+  public :: pw85_condition
   public :: pw85_contact_function
   public :: pw85_contact_geometry
   public :: pw85_contact_gradient
@@ -94,6 +97,8 @@ module pw85
   public :: pw85_overlap_batch
   public :: pw85_contains_batch
   public :: pw85_closest_approach_batch
+  public :: pw85_contact_factored_batch
+  public :: pw85_condition_batch
   public :: pw85_contact_function_batch
   public :: pw85_contact_geometry_batch
   public :: pw85_contact_gradient_batch
@@ -135,6 +140,7 @@ module pw85
   public :: pw85_neighbors_holds
   public :: pw85_neighbors_list
   public :: pw85_neighbors_destroy
+  public :: pw85_ellipsoid_factor_batch
   public :: pw85_ellipsoid_quaternion_batch
   public :: pw85_bounding_boxes
   public :: pw85__cholesky_decomp
@@ -191,6 +197,14 @@ module pw85
       integer(c_int) :: status
     end function pw85_ellipsoid_quaternion
 
+    !> Factor S of the quadratic form of a general ellipsoid, Q = S Sᵀ.
+    function pw85_ellipsoid_factor(semi_axes, quaternion, s) result(status) bind(C, name='pw85_ellipsoid_factor')
+      import
+      real(c_double), intent(in) :: semi_axes(3), quaternion(4)
+      real(c_double), intent(out) :: s(3, 3)
+      integer(c_int) :: status
+    end function pw85_ellipsoid_factor
+
     !> Quadratic form (xx, xy, yy) of an ellipse.
     function pw85_ellipse(a, b, angle, q) result(status) bind(C, name='pw85_ellipse')
       import
@@ -206,6 +220,23 @@ module pw85
       real(c_double), intent(out) :: out(2)
       integer(c_int) :: status
     end function pw85_contact
+
+    !> Contact function of two ellipsoids that are given by factors of their forms, Q1 = S1 S1ᵀ and Q2 = S2 S2ᵀ.
+    function pw85_contact_factored(r12, s1, s2, out) result(status) bind(C, name='pw85_contact_factored')
+      import
+      real(c_double), intent(in) :: r12(3), s1(3, 3), s2(3, 3)
+      real(c_double), intent(out) :: out(2)
+      integer(c_int) :: status
+    end function pw85_contact_factored
+
+    !> Condition number of the contact function.
+    function pw85_condition(r12, q1, q2, lambda, cond) result(status) bind(C, name='pw85_condition')
+      import
+      real(c_double), intent(in) :: r12(3), q1(6), q2(6)
+      real(c_double), value :: lambda
+      real(c_double), intent(out) :: cond
+      integer(c_int) :: status
+    end function pw85_condition
 
     !> Contact function of two ellipsoids, by Brent's method on f and Newton-Raphson iterations on f' (the method and
     !> the semantics of pw85 1.0).
@@ -500,6 +531,25 @@ module pw85
       real(c_double), intent(out) :: distance(n)
       integer(c_int) :: status
     end function pw85_closest_approach_batch
+
+    !> pw85_contact_factored() for n pairs.
+    function pw85_contact_factored_batch(n, r12, s1, s2, mu2, lambda) result(status) bind(C, &
+      name='pw85_contact_factored_batch')
+      import
+      integer(c_size_t), value :: n
+      real(c_double), intent(in) :: r12(3, n), s1(3, 3, n), s2(3, 3, n)
+      real(c_double), intent(out), optional :: mu2(n), lambda(n)
+      integer(c_int) :: status
+    end function pw85_contact_factored_batch
+
+    !> pw85_condition() for n pairs.
+    function pw85_condition_batch(n, r12, q1, q2, lambda, cond) result(status) bind(C, name='pw85_condition_batch')
+      import
+      integer(c_size_t), value :: n
+      real(c_double), intent(in) :: r12(3, n), q1(6, n), q2(6, n), lambda(n)
+      real(c_double), intent(out) :: cond(n)
+      integer(c_int) :: status
+    end function pw85_condition_batch
 
     !> pw85_contact_function() for n pairs.
     function pw85_contact_function_batch(n, r12, q1, q2, mu2, lambda) result(status) bind(C, &
@@ -912,6 +962,16 @@ module pw85
       import
       type(c_ptr), value :: list
     end subroutine pw85_neighbors_destroy
+
+    !> pw85_ellipsoid_factor() for n ellipsoids.
+    function pw85_ellipsoid_factor_batch(n, semi_axes, quaternions, s) result(status) bind(C, &
+      name='pw85_ellipsoid_factor_batch')
+      import
+      integer(c_size_t), value :: n
+      real(c_double), intent(in) :: semi_axes(3, n), quaternions(4, n)
+      real(c_double), intent(out) :: s(3, 3, n)
+      integer(c_int) :: status
+    end function pw85_ellipsoid_factor_batch
 
     !> pw85_ellipsoid_quaternion() for n ellipsoids.
     function pw85_ellipsoid_quaternion_batch(n, semi_axes, quaternions, q) result(status) bind(C, &

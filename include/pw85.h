@@ -120,6 +120,17 @@ PW85_API int pw85_ellipsoid(double const semi_axes[PW85_DIM], double const rotat
 PW85_API int pw85_ellipsoid_quaternion(double const semi_axes[PW85_DIM], double const quaternion[4],
                                        double q[PW85_SYM]);
 
+/** Factor S of the quadratic form of a general ellipsoid, Q = S Sᵀ. It keeps the digits that squares of lengths lose: see
+ * pw85_contact_factored().
+ *
+ * @param semi_axes lengths of the principal semi-axes (not diameters), > 0, whose squares are in the range of double
+ * @param quaternion (w, x, y, z), scalar first, of any length > 0: normalised inside. It takes the body frame to the
+ *        space frame.
+ * @param[out] s 3×3 matrix in row-major order; its columns are the semi-axes as vectors
+ * @return #PW85_SUCCESS or #PW85_EINVAL */
+PW85_API int pw85_ellipsoid_factor(double const semi_axes[PW85_DIM], double const quaternion[4],
+                                   double s[PW85_DIM * PW85_DIM]);
+
 /** Quadratic form (xx, xy, yy) of an ellipse.
  *
  * @param a first semi-axis, > 0, whose square is in the range of double
@@ -145,6 +156,35 @@ PW85_API int pw85_ellipse(double a, double b, double angle, double q[3]);
  *         error cannot be proved; this has never been seen) */
 PW85_API int pw85_contact(double const r12[PW85_DIM], double const q1[PW85_SYM], double const q2[PW85_SYM],
                           double out[2]);
+
+/** Contact function of two ellipsoids that are given by factors of their forms, Q1 = S1 S1ᵀ and Q2 = S2 S2ᵀ.
+ *
+ * Rounding a form to doubles changes μ² by some 1e-12 at aspect ratio 100, 1e-8 at 10⁴ and 1e-4 at 10⁶, because the squares of the
+ * semi-axes stand in the same numbers. Rounding a factor changes μ² by less than 1e-14, 1e-13 and 1e-13. The relative error of the
+ * result is below 4 u c, where c is the fraction by which μ² can change if each entry of s1, s2 and r12 changes by a fraction of one.
+ *
+ * @param r12 from the centre of ellipsoid 1 to that of ellipsoid 2; zero is valid: μ² = 0, λ = 1/2
+ * @param s1,s2 3×3, row-major, as pw85_ellipsoid_factor() makes them. Any matrix S counts as a factor if its columns,
+ *        scaled to length one, span a volume above 2⁻³⁹, and if the lengths of its columns differ by less than a factor of 2¹²⁷.
+ * @param[out] out (μ², λ), with the maximiser λ of f in [0, 1]
+ * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD (a factor is singular, or nearly), #PW85_ECONVERGENCE as for pw85_contact() */
+PW85_API int pw85_contact_factored(double const r12[PW85_DIM], double const s1[PW85_DIM * PW85_DIM],
+                                   double const s2[PW85_DIM * PW85_DIM], double out[2]);
+
+/** Condition number of the contact function: if each entry of r12, q1 and q2 changes by a fraction ε of itself, μ² changes by a
+ * fraction of at most ε cond, to first order in ε.
+ *
+ * So data that are known to d digits give μ² to d - log10(cond) digits. The condition number is some units for ordinary pairs, and
+ * some squares of the aspect ratio for slender ones. It is
+ * [λ(1-λ) Σ |n_i| ((1-λ) |q1_ij| + λ |q2_ij|) |n_j| + 2 λ(1-λ) Σ |r12_i n_i|]/μ² with n = [(1-λ) q1 + λ q2]⁻¹ r12, the sums over all i
+ * and j.
+ *
+ * @param r12,q1,q2 as for pw85_contact()
+ * @param lambda from pw85_contact()
+ * @param[out] cond no less than 3; 0 for r12 = 0
+ * @return #PW85_SUCCESS, #PW85_EINVAL (also for lambda outside [0, 1]), #PW85_ENOTPD */
+PW85_API int pw85_condition(double const r12[PW85_DIM], double const q1[PW85_SYM], double const q2[PW85_SYM],
+                            double lambda, double *cond);
 
 /** Contact function of two ellipsoids, by Brent's method on f and Newton-Raphson iterations on f' (the method and the
  * semantics of pw85 1.0). Same contract as pw85_contact(), which is several times faster.
@@ -521,6 +561,27 @@ PW85_API int pw85_contains_batch(size_t n, double const *r12, double const *q1, 
  * @return as for pw85_contact_batch(); a zero direction is #PW85_EINVAL */
 PW85_API int pw85_closest_approach_batch(size_t n, double const *directions, double const *q1, double const *q2,
                                          double *distance);
+
+/** pw85_contact_factored() for n pairs; the bits are the same.
+ *
+ * @param n number of pairs
+ * @param r12 n×3
+ * @param s1,s2 n×3×3
+ * @param[out] mu2,lambda n each; any output may be null
+ * @return as for pw85_contact_batch() */
+PW85_API int pw85_contact_factored_batch(size_t n, double const *r12, double const *s1, double const *s2, double *mu2,
+                                         double *lambda);
+
+/** pw85_condition() for n pairs; the bits are the same.
+ *
+ * @param n number of pairs
+ * @param r12 n×3
+ * @param q1,q2 n×6
+ * @param lambda n, as pw85_contact_batch() returns them
+ * @param[out] cond n
+ * @return as for pw85_contact_batch() */
+PW85_API int pw85_condition_batch(size_t n, double const *r12, double const *q1, double const *q2, double const *lambda,
+                                  double *cond);
 
 /** pw85_contact_function() for n pairs; the bits are the same.
  *
@@ -1053,6 +1114,15 @@ PW85_API void pw85_neighbors_destroy(pw85_neighbors *list);
  *
  * Rows, bad rows and threads are as for many pairs. Bad rows are marked with NaN.
  * @{ */
+
+/** pw85_ellipsoid_factor() for n ellipsoids; the bits are the same.
+ *
+ * @param n number of ellipsoids
+ * @param semi_axes n×3, as for pw85_ellipsoid_factor()
+ * @param quaternions n×4: (w, x, y, z), of any lengths > 0
+ * @param[out] s n×3×3
+ * @return #PW85_SUCCESS, #PW85_EINVAL */
+PW85_API int pw85_ellipsoid_factor_batch(size_t n, double const *semi_axes, double const *quaternions, double *s);
 
 /** pw85_ellipsoid_quaternion() for n ellipsoids; the bits are the same.
  *

@@ -4,7 +4,7 @@
 
 #include <cstring>
 
-#include <pw85/algebra/symmetric.hpp>
+#include <pw85/algebra/factor.hpp>
 #include <pw85/status.hpp>
 
 namespace pw85::detail::c_api {
@@ -30,6 +30,13 @@ template <int D> SymmetricMatrix<double, D> load_matrix(double const *a) noexcep
     SymmetricMatrix<double, D> m;
     std::memcpy(m.entries, a, sizeof m.entries);
     return m;
+}
+
+template <int D> Factor<double, D> load_factor(double const *a) noexcept
+{
+    Factor<double, D> s;
+    std::memcpy(s.entries, a, sizeof s.entries);
+    return s;
 }
 
 template <int D> void store(Vector<double, D> const &v, double *x) noexcept

@@ -54,6 +54,16 @@ int pw85_ellipsoid_quaternion(double const semi_axes[3], double const quaternion
         [&] { return store_form(ellipsoid_quaternion(load_vector<3>(semi_axes), load_vector<4>(quaternion)), q); });
 }
 
+int pw85_ellipsoid_factor(double const semi_axes[3], double const quaternion[4], double s[9])
+{
+    if (any_null(semi_axes, quaternion, s)) return null_pointer(s, 9);
+    return in_default_environment([&] {
+        auto const factor = ellipsoid_factor(load_vector<3>(semi_axes), load_vector<4>(quaternion));
+        std::memcpy(s, factor.s.entries, sizeof factor.s.entries);
+        return static_cast<int>(factor.status);
+    });
+}
+
 int pw85_ellipse(double a, double b, double angle, double q[3])
 {
     if (any_null(q)) return PW85_EINVAL;
@@ -64,6 +74,22 @@ int pw85_contact(double const r12[3], double const q1[6], double const q2[6], do
 {
     if (any_null(r12, q1, q2, out)) return null_pointer(out, 2);
     return in_default_environment(kernels::chosen().one_pair->contact, r12, q1, q2, out);
+}
+
+int pw85_contact_factored(double const r12[3], double const s1[9], double const s2[9], double out[2])
+{
+    if (any_null(r12, s1, s2, out)) return null_pointer(out, 2);
+    return in_default_environment(kernels::chosen().one_pair->contact_factored, r12, s1, s2, out);
+}
+
+int pw85_condition(double const r12[3], double const q1[6], double const q2[6], double lambda, double *cond)
+{
+    if (any_null(r12, q1, q2, cond)) return null_pointer(cond, 1);
+    return in_default_environment([&] {
+        auto const c = condition(load_vector<3>(r12), load_matrix<3>(q1), load_matrix<3>(q2), lambda);
+        *cond = c.condition;
+        return static_cast<int>(c.status);
+    });
 }
 
 int pw85_contact_function(double const r12[3], double const q1[6], double const q2[6], double out[2])

@@ -52,7 +52,10 @@
 namespace pw85 {
 
 template <class T, int D> struct Form;            // q, status
+template <class T, int D> struct Factor;          // entries
+template <class T, int D> struct EllipsoidFactor; // s, status
 template <class T> struct Contact;                // mu2, lambda, status
+template <class T> struct Condition;              // condition, status
 template <class T, int D> struct ContactGeometry; // point, normal, status
 template <class T, int D> struct ContactGradient; // r12, q1, q2, status
 template <class T, int D> struct ContactTorque;   // rotation1, rotation2, status
@@ -103,6 +106,13 @@ PW85_FUNCTION constexpr Form<T, 3> ellipsoid(Vector<T, 3> const &semi_axes, T co
 template <class T> PW85_FUNCTION constexpr Form<T, 3> ellipsoid_quaternion(Vector<T, 3> const &semi_axes,
                                                                            Vector<T, 4> quaternion) noexcept;
 
+/// Factor S of the form of a general ellipsoid, Q = S Sᵀ, for contact_factored(). Its columns are the semi-axes as vectors.
+///
+/// @param semi_axes,quaternion as for ellipsoid_quaternion()
+/// @return the factor; Status::invalid_argument
+template <class T> PW85_FUNCTION constexpr EllipsoidFactor<T, 3> ellipsoid_factor(Vector<T, 3> const &semi_axes,
+                                                                                  Vector<T, 4> quaternion) noexcept;
+
 /// Form (xx, xy, yy) of an ellipse.
 ///
 /// @param a first semi-axis, > 0, whose square is in the range of `T`
@@ -132,6 +142,27 @@ template <class T, int D> PW85_FUNCTION inline BoundingBox<T, D> bounding_box(Sy
 /// @return μ² and λ in [0, 1]; Status::invalid_argument (NaN or infinity), Status::not_positive_definite
 template <class T, int D> PW85_FUNCTION inline Contact<T>
 contact(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, SymmetricMatrix<T, D> const &q2) noexcept;
+
+/// contact() of ellipsoids that are given by factors of their forms, Q1 = S1 S1ᵀ and Q2 = S2 S2ᵀ. Slender ellipsoids keep the digits
+/// that the squares of their semi-axes lose: see pw85_contact_factored() in pw85.h.
+///
+/// @param r12 as for contact()
+/// @param s1,s2 the factors, in the unit of `r12`, as ellipsoid_factor() makes them; other matrices as said in pw85.h
+/// @return μ² and λ in [0, 1]; Status::invalid_argument, Status::not_positive_definite (a factor is singular, or nearly),
+/// Status::no_convergence
+template <class T, int D> PW85_FUNCTION inline Contact<T>
+contact_factored(Vector<T, D> const &r12, Factor<T, D> const &s1, Factor<T, D> const &s2) noexcept;
+
+/// Condition number of the contact function: if each entry of r12, q1 and q2 changes by a fraction ε of itself, μ² changes by a
+/// fraction of at most ε times the condition number, to first order in ε.
+///
+/// @param r12,q1,q2 as for contact()
+/// @param lambda from contact()
+/// @return the condition number, no less than 3, and 0 for r12 = 0; Status::invalid_argument (also for λ outside [0, 1]),
+/// Status::not_positive_definite
+template <class T, int D>
+PW85_FUNCTION inline Condition<T> condition(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
+                                            SymmetricMatrix<T, D> const &q2, T const &lambda) noexcept;
 
 /// Point at which the ellipsoids, scaled by μ, touch, and their common normal.
 ///
@@ -373,8 +404,11 @@ intersect_line(Vector<T, D> const &origin, Vector<T, D> const &direction, Symmet
 } // namespace pw85
 
 #include <pw85/contact/closest_approach.hpp>
+#include <pw85/contact/condition.hpp>
 #include <pw85/contact/contact.hpp>
+#include <pw85/contact/contact_factored.hpp>
 #include <pw85/contact/contact_hessian.hpp>
+#include <pw85/contact/factor.hpp>
 #include <pw85/contact/forms.hpp>
 #include <pw85/contact/geometry.hpp>
 #include <pw85/distance/bounding_box.hpp>

@@ -49,6 +49,20 @@ int pw85_contains_batch(size_t n, double const *r12, double const *q1, double co
                     RowsOf<1, unsigned char>{contains});
 }
 
+int pw85_contact_factored_batch(size_t n, double const *r12, double const *s1, double const *s2, double *mu2,
+                                double *lambda)
+{
+    return each_row(n, with_two_numbers<pw85_contact_factored>, RowsOf<3>{r12}, RowsOf<9>{s1}, RowsOf<9>{s2},
+                    OptionalRowsOf<1>{mu2}, OptionalRowsOf<1>{lambda});
+}
+
+int pw85_condition_batch(size_t n, double const *r12, double const *q1, double const *q2, double const *lambda,
+                         double *cond)
+{
+    return each_row(n, pw85_condition, RowsOf<3>{r12}, RowsOf<6>{q1}, RowsOf<6>{q2}, Numbers{lambda},
+                    RowsOf<1, double>{cond});
+}
+
 int pw85_contact_function_batch(size_t n, double const *r12, double const *q1, double const *q2, double *mu2,
                                 double *lambda)
 {
@@ -203,6 +217,11 @@ int pw85_first_contact_batch(size_t n, double const *r12, double const *q1, doub
     return each_row(n, pw85_first_contact, RowsOf<3>{r12}, RowsOf<6>{q1}, RowsOf<6>{q2},
                     RowsOf<1, pw85_motion const>{motion1}, RowsOf<1, pw85_motion const>{motion2}, SameNumber{t_max},
                     RowsOf<1, double>{t});
+}
+
+int pw85_ellipsoid_factor_batch(size_t n, double const *semi_axes, double const *quaternions, double *s)
+{
+    return each_row(n, pw85_ellipsoid_factor, RowsOf<3>{semi_axes}, RowsOf<4>{quaternions}, RowsOf<9, double>{s});
 }
 
 int pw85_ellipsoid_quaternion_batch(size_t n, double const *semi_axes, double const *quaternions, double *q)

@@ -2,6 +2,7 @@
 #include <pw85.h>
 
 #include <pw85/contact/closest_approach.hpp>
+#include <pw85/contact/contact_factored.hpp>
 #include <pw85/contact/contact_hessian.hpp>
 #include <pw85/contact/geometry.hpp>
 #include <pw85/distance/distance_derivatives.hpp>
@@ -19,6 +20,15 @@ namespace {
 int contact(double const *r12, double const *q1, double const *q2, double *out) noexcept
 {
     auto const c = pw85::contact(c_api::load_vector<3>(r12), c_api::load_matrix<3>(q1), c_api::load_matrix<3>(q2));
+    out[0] = c.mu2;
+    out[1] = c.lambda;
+    return static_cast<int>(c.status);
+}
+
+int contact_factored(double const *r12, double const *s1, double const *s2, double *out) noexcept
+{
+    auto const c =
+        pw85::contact_factored(c_api::load_vector<3>(r12), c_api::load_factor<3>(s1), c_api::load_factor<3>(s2));
     out[0] = c.mu2;
     out[1] = c.lambda;
     return static_cast<int>(c.status);
@@ -119,7 +129,7 @@ int first_contact(double const *r12, double const *q1, double const *q2, pw85_mo
 
 extern OnePairKernels const PW85_ONE_PAIR_KERNELS;
 OnePairKernels const PW85_ONE_PAIR_KERNELS = {
-    contact,         overlap,          contact_geometry, contact_gradient,     contact_torque,
-    contact_hessian, closest_approach, distance,         distance_derivatives, first_contact};
+    contact,          overlap,  contact_geometry,     contact_gradient, contact_torque,  contact_hessian,
+    closest_approach, distance, distance_derivatives, first_contact,    contact_factored};
 
 } // namespace pw85::detail::kernels

@@ -3,7 +3,7 @@
 #ifndef PW85_ALGEBRA_ALL_NAN_HPP_INCLUDED
 #define PW85_ALGEBRA_ALL_NAN_HPP_INCLUDED
 
-#include <pw85/algebra/symmetric.hpp>
+#include <pw85/algebra/factor.hpp>
 #include <pw85/status.hpp>
 
 namespace pw85::detail {
@@ -18,6 +18,11 @@ template <class T, int D> PW85_FUNCTION constexpr void set_nan(Vector<T, D> &x) 
 template <class T, int D> PW85_FUNCTION constexpr void set_nan(SymmetricMatrix<T, D> &a) noexcept
 {
     for (int k = 0; k < a.size; ++k) set_nan(a[k]);
+}
+
+template <class T, int D> PW85_FUNCTION constexpr void set_nan(Factor<T, D> &s) noexcept
+{
+    for (T &x : s.entries) set_nan(x);
 }
 
 template <class T, int M, int N> PW85_FUNCTION constexpr void set_nan(T (&rows)[M][N]) noexcept

@@ -55,6 +55,30 @@ static inline Status closest_approach_batch(Vectors directions, Forms q1, Forms 
     return detail::call_rows(pw85_closest_approach_batch, directions, q1, q2, distance);
 }
 
+/// contact_factored() for many pairs: see pw85_contact_factored_batch().
+///
+/// @param r12,s1,s2 one for each pair
+/// @param[out] mu2,lambda one for each pair, or empty
+/// @return as for contact_batch()
+static inline Status contact_factored_batch(Vectors r12, std::span<Factor<double, 3> const> s1,
+                                            std::span<Factor<double, 3> const> s2, std::span<double> mu2,
+                                            std::span<double> lambda = {}) noexcept
+{
+    return detail::call_rows(pw85_contact_factored_batch, r12, s1, s2, mu2, lambda);
+}
+
+/// condition() for many pairs: see pw85_condition_batch().
+///
+/// @param r12,q1,q2 one for each pair
+/// @param lambda one for each pair, as contact_batch() returns them
+/// @param[out] cond one for each pair
+/// @return as for contact_batch()
+static inline Status condition_batch(Vectors r12, Forms q1, Forms q2, std::span<double const> lambda,
+                                     std::span<double> cond) noexcept
+{
+    return detail::call_rows(pw85_condition_batch, r12, q1, q2, lambda, cond);
+}
+
 /// pw85_contact_function() for many pairs: see pw85_contact_function_batch().
 ///
 /// @param r12,q1,q2 one for each pair
@@ -377,6 +401,18 @@ static inline Status first_contact_batch(Vectors r12, Forms q1, Forms q2, std::s
 
 /// @name Many forms
 /// @{
+
+/// ellipsoid_factor() for many ellipsoids: see pw85_ellipsoid_factor_batch().
+///
+/// @param semi_axes one for each ellipsoid, as for ellipsoid_factor()
+/// @param quaternions one for each ellipsoid: (w, x, y, z), of any lengths > 0
+/// @param[out] s one for each ellipsoid
+/// @return Status::success, Status::invalid_argument
+static inline Status ellipsoid_factor_batch(Vectors semi_axes, std::span<Vector<double, 4> const> quaternions,
+                                            std::span<Factor<double, 3>> s) noexcept
+{
+    return detail::call_rows(pw85_ellipsoid_factor_batch, semi_axes, quaternions, s);
+}
 
 /// ellipsoid_quaternion() for many ellipsoids: see pw85_ellipsoid_quaternion_batch().
 ///

@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <span>
 
-#include <pw85/algebra/symmetric.hpp>
+#include <pw85/algebra/factor.hpp>
 #include <pw85/motion/motion.hpp>
 #include <pw85/status.hpp>
 

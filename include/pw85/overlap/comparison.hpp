@@ -4,23 +4,16 @@
 #ifndef PW85_OVERLAP_COMPARISON_HPP_INCLUDED
 #define PW85_OVERLAP_COMPARISON_HPP_INCLUDED
 
-#include <pw85/contact/contact.hpp>
+#include <pw85/contact/condition.hpp>
 #include <pw85/overlap/decision.hpp>
 
 namespace pw85::detail {
 
-/// The condition number of the contact function at the maximum: entrywise rounding of the data changes μ² by a fraction cond·u.
+/// The condition number at the maximum. A few digits of it suffice, so s comes from the factorisation.
 template <class T, int D> PW85_FUNCTION inline T condition_number(Pair<T, D> const &pair, Maximum<T> const &m) noexcept
 {
     T const t = m.lambda / pair.ratio / m.complement / pair.ratio;
-    Vector<T, D> const s = solve(factorize_blend(T(1), pair.q1, t, pair.q2), pair.r12);
-    T forms = T(0), arms = T(0);
-    for (int i = 0; i < D; ++i) {
-        arms = arms + absolute(T(pair.r12[i] * s[i]));
-        for (int j = 0; j < D; ++j)
-            forms = forms + (absolute(pair.q1(i, j)) + t * absolute(pair.q2(i, j))) * absolute(T(s[i] * s[j]));
-    }
-    return m.lambda * (forms + T(2) * arms) / m.mu2;
+    return m.lambda * condition_sum(pair, t, solve(factorize_blend(T(1), pair.q1, t, pair.q2), pair.r12)) / m.mu2;
 }
 
 /// A bound on the relative error of μ², in units of u cond: the rounding errors of stationary_value() (scripts/rounding_bounds.py:

@@ -1,0 +1,64 @@
+/// @file
+/// The entrywise condition number of the contact function, which says how many digits of μ² the data determine. The overlap test uses it
+/// for its bound on the error of μ².
+#ifndef PW85_CONTACT_CONDITION_HPP_INCLUDED
+#define PW85_CONTACT_CONDITION_HPP_INCLUDED
+
+#include <pw85/contact/geometry.hpp>
+
+namespace pw85 {
+
+/// A condition number; NaN where the status is not success.
+template <class T> struct Condition {
+    T condition;
+    Status status;
+};
+
+} // namespace pw85
+
+namespace pw85::detail {
+
+/// Σ|s_i M_ij s_j| + 2 Σ|r_i s_i| with the magnitudes of Q1 and tQ2 added up in M, from s = (Q1 + tQ2)⁻¹r. Over rᵀs, it is the condition
+/// number.
+template <class T, int D>
+PW85_FUNCTION inline T condition_sum(Pair<T, D> const &pair, T const &t, Vector<T, D> const &s) noexcept
+{
+    T forms = T(0);
+    for (int i = 0; i < D; ++i)
+        for (int j = 0; j < D; ++j)
+            forms = forms + (absolute(pair.q1(i, j)) + t * absolute(pair.q2(i, j))) * absolute(T(s[i] * s[j]));
+    return forms + T(2) * magnitude_of_dot(pair.r12, s);
+}
+
+/// The condition number of a pair in range at λ.
+template <class T, int D>
+PW85_FUNCTION inline T condition_number(Pair<T, D> const &pair, T const &lambda, T const &complement) noexcept
+{
+    T const t = lambda / pair.ratio / complement / pair.ratio;
+    Vector<T, D> const s = solve_blend(T(1), pair.q1, t, pair.q2, pair.r12);
+    return condition_sum(pair, t, s) / dot(pair.r12, s);
+}
+
+} // namespace pw85::detail
+
+namespace pw85 {
+
+template <class T, int D>
+PW85_FUNCTION inline Condition<T> condition(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
+                                            SymmetricMatrix<T, D> const &q2, T const &lambda) noexcept
+{
+    using namespace detail;
+    ScaledPair<T, D> scaled;
+    Status const status =
+        lambda >= T(0) && lambda <= T(1) ? validate(pair_of(r12, q1, q2), scaled) : Status::invalid_argument;
+    if (status != Status::success) return all_nan<Condition<T>>(status);
+    if (largest_coordinate(r12) == T(0)) return {T(0), Status::success};
+    T const complement = complement_of(lambda);
+    return {scaled.swapped ? condition_number(scaled.pair, complement, lambda)
+                           : condition_number(scaled.pair, lambda, complement),
+            Status::success};
+}
+
+} // namespace pw85
+
+#endif

@@ -1,0 +1,117 @@
+/// @file
+/// The factor S of the form Q = S Sᵀ of an ellipsoid, and which matrices count as factors.
+#ifndef PW85_CONTACT_FACTOR_HPP_INCLUDED
+#define PW85_CONTACT_FACTOR_HPP_INCLUDED
+
+#include <pw85/algebra/factor.hpp>
+#include <pw85/contact/forms.hpp>
+
+namespace pw85 {
+
+/// A factor, NaN where the status is not success.
+template <class T, int D> struct EllipsoidFactor {
+    Factor<T, D> s;
+    Status status;
+};
+
+} // namespace pw85
+
+namespace pw85::detail {
+
+/// The determinant of a matrix with these columns.
+template <class T> PW85_FUNCTION constexpr T determinant(Vector<T, 2> const (&columns)[2]) noexcept
+{
+    return cross(columns[0], columns[1])[0];
+}
+
+template <class T> PW85_FUNCTION constexpr T determinant(Vector<T, 3> const (&columns)[3]) noexcept
+{
+    return dot(columns[0], cross(columns[1], columns[2]));
+}
+
+/// The smallest volume of the parallelepiped of the columns, each scaled to length one, at which a factor counts as one of a positive
+/// definite form. The computed volume errs by less than 2⁻⁴⁸ in double.
+template <class T> PW85_FUNCTION constexpr T least_volume() noexcept
+{
+    return negative_power_of_two<T>(3 * mantissa_digits<T>() / 4);
+}
+
+/// Whether the form S Sᵀ is positive definite: the columns of S are not zero, their lengths differ by no more than those that forms
+/// allow (definite.hpp), and they are linearly independent.
+template <class T, int D> PW85_FUNCTION inline bool is_regular(Factor<T, D> const &s) noexcept
+{
+    T const largest = largest_entry(s);
+    if (!(largest > T(0))) return false;
+    T const floor = square_root(square_root(square_root(smallest_number<T>())));
+    Factor<T, D> const scaled = times_power_of_two(s, -binary_exponent(largest));
+    Vector<T, D> columns[D];
+    for (int j = 0; j < D; ++j) {
+        columns[j] = column(scaled, j);
+        T const length = magnitude(columns[j]);
+        if (!(length > floor)) return false;
+        columns[j] = columns[j] / length;
+    }
+    return absolute(determinant(columns)) > least_volume<T>();
+}
+
+/// The smallest product of the squares of the lengths of the columns for which is_clearly_regular() can be true. With entries below
+/// unscaled_limit(), the lengths then differ by less than is_regular() allows.
+template <class T> PW85_FUNCTION constexpr T least_product_of_squares() noexcept
+{
+    constexpr int exponent = std::numeric_limits<typename ScalarTraits<T>::Lane>::max_exponent / 16;
+    return negative_power_of_two<T>(exponent < 64 ? exponent : 64);
+}
+
+/// Whether products alone show that a factor with entries below unscaled_limit() is regular.
+template <class T, int D> PW85_FUNCTION inline bool is_clearly_regular(Factor<T, D> const &s) noexcept
+{
+    Vector<T, D> columns[D];
+    T product = T(1);
+    for (int j = 0; j < D; ++j) {
+        columns[j] = column(s, j);
+        product = product * dot(columns[j], columns[j]);
+    }
+    T const volume = determinant(columns);
+    T const least = T(2) * least_volume<T>();
+    return volume * volume > T(least * least) * product && product > least_product_of_squares<T>();
+}
+
+/// Status of a factor.
+template <class T, int D> PW85_FUNCTION inline Status validate(Factor<T, D> const &s) noexcept
+{
+    if (!is_finite(s)) return Status::invalid_argument;
+    return is_regular(s) ? Status::success : Status::not_positive_definite;
+}
+
+/// S Sᵀ, rounded.
+template <class T, int D> PW85_FUNCTION constexpr SymmetricMatrix<T, D> form_of_factor(Factor<T, D> const &s) noexcept
+{
+    SymmetricMatrix<T, D> q{};
+    for (int i = 0; i < D; ++i)
+        for (int j = i; j < D; ++j)
+            for (int k = 0; k < D; ++k) q(i, j) = q(i, j) + s(i, k) * s(j, k);
+    return q;
+}
+
+} // namespace pw85::detail
+
+namespace pw85 {
+
+template <class T> PW85_FUNCTION constexpr EllipsoidFactor<T, 3> ellipsoid_factor(Vector<T, 3> const &semi_axes,
+                                                                                  Vector<T, 4> quaternion) noexcept
+{
+    using namespace detail;
+    T const largest = largest_coordinate(quaternion);
+    bool valid = is_finite(quaternion) && largest > T(0);
+    for (int i = 0; i < 3; ++i) valid = valid && is_length(semi_axes[i]);
+    if (!valid) return all_nan<EllipsoidFactor<T, 3>>(Status::invalid_argument);
+    quaternion = quaternion / largest;
+    auto const rotation = rotation_matrix(quaternion, dot(quaternion, quaternion));
+    EllipsoidFactor<T, 3> factor{};
+    for (int i = 0; i < 9; ++i) factor.s.entries[i] = rotation.entries[i] * semi_axes[i % 3];
+    return factor;
+}
+
+} // namespace pw85
+
+#endif

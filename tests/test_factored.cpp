@@ -1,0 +1,329 @@
+// The contact function of ellipsoids that are given by factors of their forms, against 100 digits: for the factors as given, and for
+// semi-axes and quaternions as given. And the condition number.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <glib.h>
+
+#include <pw85.h>
+#include <pw85/pw85.hpp>
+
+#include "draws.hpp"
+#include "failures.hpp"
+#include "random_pairs.hpp"
+#include "wide.hpp"
+
+using namespace pw85_tests;
+
+namespace {
+
+using Truth100 = Multiprecision<100>;
+
+template <class T, int D> struct Factors {
+    pw85::Vector<T, D> r12;
+    pw85::Factor<T, D> s1, s2;
+};
+
+template <class T, int D> std::string hex_text(Factors<T, D> const &p)
+{
+    return "r12 = " + pw85_tests::hex_text(p.r12.coordinates, D) +
+           ", s1 = " + pw85_tests::hex_text(p.s1.entries, D * D) +
+           ", s2 = " + pw85_tests::hex_text(p.s2.entries, D * D);
+}
+
+/// Q = S Sᵀ for the factors as given.
+template <class T, int D> Sample<Truth100, D> squared(Factors<T, D> const &p)
+{
+    auto const form = [](pw85::Factor<T, D> const &s) {
+        pw85::SymmetricMatrix<Truth100, D> q{};
+        for (int i = 0; i < D; ++i)
+            for (int j = i; j < D; ++j)
+                for (int k = 0; k < D; ++k) q(i, j) += Truth100(s(i, k)) * Truth100(s(j, k));
+        return q;
+    };
+    return {pw85::detail::converted<Truth100>(p.r12), form(p.s1), form(p.s2)};
+}
+
+/// μ², λ and the fraction c by which μ² changes at most, for fractions of the entries.
+template <class T, int D> Truth<Truth100> truth_of(Factors<T, D> const &p)
+{
+    auto const w = squared(p);
+    auto const c = pw85::contact(w.r12, w.q1, w.q2);
+    Truth100 const complement = 1 - c.lambda;
+    pw85::SymmetricMatrix<Truth100, D> m{};
+    for (int k = 0; k < m.size; ++k) m[k] = complement * w.q1[k] + c.lambda * w.q2[k];
+    auto const n = pw85::detail::solve(pw85::detail::factorize(m, Truth100(0)), w.r12);
+    Truth100 sum = 0;
+    auto const add = [&](pw85::Factor<T, D> const &s, Truth100 const &weight) {
+        for (int j = 0; j < D; ++j) {
+            Truth100 along = 0, magnitudes = 0;
+            for (int i = 0; i < D; ++i) {
+                along += n[i] * Truth100(s(i, j));
+                magnitudes += abs(Truth100(n[i] * Truth100(s(i, j))));
+            }
+            sum += weight * abs(along) * magnitudes;
+        }
+    };
+    add(p.s1, complement);
+    add(p.s2, c.lambda);
+    for (int i = 0; i < D; ++i) sum += abs(Truth100(n[i] * w.r12[i]));
+    return {c.mu2, c.lambda, 2 * c.lambda * complement * sum / c.mu2};
+}
+
+template <int D> pw85::Factor<double, D> product(pw85::Factor<double, D> const &a, pw85::Factor<double, D> const &b)
+{
+    pw85::Factor<double, D> c{};
+    for (int i = 0; i < D; ++i)
+        for (int j = 0; j < D; ++j)
+            for (int k = 0; k < D; ++k) c(i, j) += a(i, k) * b(k, j);
+    return c;
+}
+
+pw85::Factor<double, 3> random_rotation(Random &random)
+{
+    return pw85::ellipsoid_factor({1.0, 1.0, 1.0}, random.direction<4>()).s;
+}
+
+/// Axes as columns; mixed columns; a triangle; columns that are nearly parallel.
+pw85::Factor<double, 3> random_factor(Random &random, int kind, double size, double aspect)
+{
+    auto const axes = random.semi_axes(size, aspect);
+    auto s = pw85::ellipsoid_factor(axes, random.direction<4>()).s;
+    if (kind == 1) return product(s, random_rotation(random));
+    if (kind == 2)
+        for (int i = 0; i < 3; ++i)
+            for (int j = i + 1; j < 3; ++j) s(i, j) = 0.0;
+    if (kind == 3)
+        for (int i = 0; i < 3; ++i) s(i, 1) = s(i, 0) / axes[0] * axes[1] + 1e-3 * s(i, 1);
+    return s;
+}
+
+Factors<double, 3> random_factors(Random &random, int kind, double aspect, double ratio)
+{
+    Factors<double, 3> p{random.direction<3>(), random_factor(random, kind, 1.0, aspect),
+                         random_factor(random, kind, ratio, random.log_uniform(1.0, aspect))};
+    double const mu2 = pw85::contact_factored(p.r12, p.s1, p.s2).mu2;
+    p.r12 = std::sqrt(random.log_uniform(0.01, 100.0) / mu2) * p.r12;
+    return p;
+}
+
+template <class T, int D> void check_error(Factors<T, D> const &p, double bound, Failures &failures)
+{
+    auto const describe = [&] { return hex_text(p); };
+    auto const actual = pw85::contact_factored(p.r12, p.s1, p.s2);
+    if (!failures.check(actual.status == pw85::Status::success, "status", static_cast<double>(actual.status), 0.0,
+                        describe))
+        return;
+    auto const exact = truth_of(p);
+    double const error = error_in_units(actual.mu2, exact);
+    failures.check(error <= bound, "error in u c", error, bound, describe);
+    auto const swapped = pw85::contact_factored(-p.r12, p.s2, p.s1);
+    double const other = error_in_units(swapped.mu2, exact);
+    failures.check(other <= bound, "error of the swapped pair in u c", other, bound, describe);
+}
+
+/// The error is below 4 u c for factors of all kinds, aspect ratios to 1e12 and sizes to 2^±40.
+void test_error()
+{
+    Failures failures;
+    Random random(27);
+    for (int n = 0; n < draws(4000); ++n) {
+        double const aspect =
+            random.log_uniform(1.0, n % 4 == 1 ? 1e5 : 1e12); // mixed columns of 1e6 are nearly dependent
+        check_error(random_factors(random, n % 4, aspect, random.log_uniform(0x1p-40, 0x1p40)), 4.0, failures);
+    }
+}
+
+/// The semi-axes and rotations as given, in 100 digits.
+Sample<Truth100, 3> exact_pair(pw85::Vector<double, 3> const &r12, pw85::Vector<double, 3> const (&axes)[2],
+                               pw85::Vector<double, 4> const (&turns)[2])
+{
+    using pw85::detail::converted;
+    return {converted<Truth100>(r12),
+            pw85::ellipsoid_quaternion(converted<Truth100>(axes[0]), converted<Truth100>(turns[0])).q,
+            pw85::ellipsoid_quaternion(converted<Truth100>(axes[1]), converted<Truth100>(turns[1])).q};
+}
+
+/// The digits of slender ellipsoids: at aspect ratio 100, 1e4 and 1e6 the relative error against the truth for the semi-axes and
+/// quaternions as given is below 1e-14, 1e-12 and 1e-10.
+void test_digits()
+{
+    Failures failures;
+    Random random(28);
+    struct Row {
+        double aspect, bound;
+    };
+    for (auto const &[aspect, bound] : {Row{1e2, 1e-14}, Row{1e4, 1e-12}, Row{1e6, 1e-10}}) {
+        double worst = 0.0, worst_packed = 0.0;
+        for (int n = 0; n < draws(2000); ++n) {
+            pw85::Vector<double, 3> const axes[2] = {random.semi_axes(1.0, aspect),
+                                                     random.semi_axes(random.log_uniform(0.5, 2.0), aspect)};
+            pw85::Vector<double, 4> const turns[2] = {random.direction<4>(), random.direction<4>()};
+            auto const r12 = random.direction<3>();
+            auto const exact = exact_pair(r12, axes, turns);
+            Truth100 const mu2 = pw85::contact(exact.r12, exact.q1, exact.q2).mu2;
+            double s1[9], s2[9], q1[6], q2[6], out[2], packed[2];
+            pw85_ellipsoid_factor(axes[0].coordinates, turns[0].coordinates, s1);
+            pw85_ellipsoid_factor(axes[1].coordinates, turns[1].coordinates, s2);
+            pw85_contact_factored(r12.coordinates, s1, s2, out);
+            pw85_ellipsoid_quaternion(axes[0].coordinates, turns[0].coordinates, q1);
+            pw85_ellipsoid_quaternion(axes[1].coordinates, turns[1].coordinates, q2);
+            pw85_contact(r12.coordinates, q1, q2, packed);
+            double const error = std::fabs(static_cast<double>(Truth100(out[0] / mu2 - 1)));
+            worst = std::max(worst, error);
+            worst_packed = std::max(worst_packed, std::fabs(static_cast<double>(Truth100(packed[0] / mu2 - 1))));
+            failures.check(error <= bound, "relative error", error, bound, [&] {
+                return pw85_tests::hex_text(r12.coordinates, 3) + pw85_tests::hex_text(s1, 9) +
+                       pw85_tests::hex_text(s2, 9);
+            });
+        }
+        g_test_message("aspect ratio %g: largest relative error %.1e by factors, %.1e by forms", aspect, worst,
+                       worst_packed);
+    }
+}
+
+/// Needles that cross tip to tip, where h' is tiny.
+void test_crossed()
+{
+    Failures failures;
+    Random random(29);
+    for (int n = 0; n < draws(1000); ++n) {
+        double const thin = 1.0 / random.log_uniform(10.0, 1e30), tilt = random.sign() * random.log_uniform(1e-14, 1e-2);
+        auto const turn = random_rotation(random);
+        pw85::Factor<double, 3> const a{{1.0, 0.0, 0.0, 0.0, thin, 0.0, 0.0, 0.0, thin}};
+        pw85::Factor<double, 3> const b{{thin, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, thin}};
+        pw85::Vector<double, 3> r12{};
+        pw85::Vector<double, 3> const body{1.0 + tilt, random.sign() * (1.0 + tilt), random.uniform(-1.0, 1.0) * thin};
+        for (int i = 0; i < 3; ++i)
+            for (int k = 0; k < 3; ++k) r12[i] += turn(i, k) * body[k];
+        check_error(Factors<double, 3>{r12, product(turn, a), product(turn, b)}, 4.0, failures);
+    }
+}
+
+template <class T, int D> void test_scalar()
+{
+    Failures failures;
+    Random random(30);
+    for (int n = 0; n < draws(300); ++n) {
+        Factors<T, D> p{};
+        for (int i = 0; i < D; ++i) p.r12[i] = static_cast<T>(random.normal());
+        for (int i = 0; i < D * D; ++i) {
+            p.s1.entries[i] = static_cast<T>(random.normal());
+            p.s2.entries[i] = static_cast<T>(random.normal());
+        }
+        check_error(p, 4.0, failures);
+    }
+}
+
+/// Powers of two change no bit; and sizes of both ellipsoids and the distance may be anywhere from 2^-490 to 2^490.
+void test_scales()
+{
+    Failures failures;
+    Random random(31);
+    for (int n = 0; n < draws(1000); ++n) {
+        auto const p = random_factors(random, 0, 100.0, 1.0);
+        auto const expected = pw85::contact_factored(p.r12, p.s1, p.s2);
+        int const e = static_cast<int>(random.uniform(-490.0, 490.0));
+        using pw85::detail::times_power_of_two;
+        Factors<double, 3> const scaled{times_power_of_two(p.r12, e), times_power_of_two(p.s1, e),
+                                        times_power_of_two(p.s2, e)};
+        auto const actual = pw85::contact_factored(scaled.r12, scaled.s1, scaled.s2);
+        failures.check(std::fabs(actual.mu2 / expected.mu2 - 1.0) <= 0x1p-48, "μ² of a scaled pair", actual.mu2,
+                       expected.mu2, [&] { return hex_text(scaled); });
+        Factors<double, 3> const unlike{p.r12, p.s1, times_power_of_two(p.s2, -std::abs(e))};
+        check_error(unlike, 4.0, failures);
+    }
+}
+
+/// Columns of a batch are those of single calls.
+void test_batch()
+{
+    constexpr int count = 100;
+    double axes[3 * count], turns[4 * count], r12[3 * count], s[9 * count], mu2[count], lambda[count];
+    Random random(32);
+    for (int i = 0; i < count; ++i)
+        for (int k = 0; k < 4; ++k) {
+            if (k < 3) axes[3 * i + k] = random.log_uniform(0.1, 10.0);
+            if (k < 3) r12[3 * i + k] = random.normal();
+            turns[4 * i + k] = random.normal();
+        }
+    axes[3 * 7] = -1.0;
+    g_assert_cmpint(pw85_ellipsoid_factor_batch(count, axes, turns, s), ==, PW85_EINVAL);
+    g_assert_true(std::isnan(s[9 * 7]));
+    g_assert_cmpint(pw85_contact_factored_batch(count, r12, s, s, mu2, lambda), ==, PW85_EINVAL);
+    for (int i = 0; i < count; ++i) {
+        double out[2];
+        int const status = pw85_contact_factored(r12 + 3 * i, s + 9 * i, s + 9 * i, out);
+        g_assert_cmpint(status, ==, i == 7 ? PW85_EINVAL : PW85_SUCCESS);
+        g_assert_true(i == 7 ? std::isnan(mu2[i]) : mu2[i] == out[0] && lambda[i] == out[1]);
+    }
+}
+
+void test_status()
+{
+    double const s[9] = {1.0, 0.0, 0.0, 0.0, 2.0, 0.0, 0.0, 0.0, 3.0}, r12[3] = {1.0, 2.0, 3.0}, zero[3] = {};
+    double out[2];
+    auto const status = [&](double const *r, double const *s1, double const *s2) {
+        out[0] = out[1] = 7.0;
+        int const result = pw85_contact_factored(r, s1, s2, out);
+        g_assert_true(result == PW85_SUCCESS || (std::isnan(out[0]) && std::isnan(out[1])));
+        return result;
+    };
+    g_assert_cmpint(status(r12, s, s), ==, PW85_SUCCESS);
+    g_assert_cmpint(status(zero, s, s), ==, PW85_SUCCESS);
+    g_assert_true(out[0] == 0.0 && out[1] == 0.5);
+    double const parallel[9] = {1.0, 1.0, 0.0, 2.0, 2.0, 0.0, 0.0, 0.0, 3.0}, none[9] = {};
+    double const no_column[9] = {1.0, 0.0, 0.0, 0.0, 2.0, 0.0, 0.0, 1.0, 0.0};
+    double const unlike[9] = {0x1p-130, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0};
+    for (double const *bad : {parallel, none, no_column, unlike}) {
+        g_assert_cmpint(status(r12, bad, s), ==, PW85_ENOTPD);
+        g_assert_cmpint(status(r12, s, bad), ==, PW85_ENOTPD);
+        g_assert_cmpint(status(zero, s, bad), ==, PW85_ENOTPD);
+    }
+    for (double const wrong : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()})
+        for (int i = 0; i < 9; ++i) {
+            double bad[9];
+            std::copy(s, s + 9, bad);
+            bad[i] = wrong;
+            g_assert_cmpint(status(r12, bad, s), ==, PW85_EINVAL);
+            g_assert_cmpint(status(r12, s, bad), ==, PW85_EINVAL);
+            g_assert_cmpint(status(bad + (i / 3) * 3, s, s), ==, PW85_EINVAL);
+        }
+}
+
+/// The condition number against its definition in 100 digits, also for ellipsoids of unlike sizes in either order.
+void test_condition()
+{
+    Failures failures;
+    Random random(33);
+    for (int n = 0; n < draws(2000); ++n) {
+        auto const s = random_pair<3>(random, {random.log_uniform(1.0, 1e5), 0x1p30, 0.01, 100.0});
+        double const lambda = pw85::contact(s.r12, s.q1, s.q2).lambda;
+        double cond = 0.0;
+        int const status = pw85_condition(s.r12.coordinates, s.q1.entries, s.q2.entries, lambda, &cond);
+        double const exact = static_cast<double>(condition_number(convert<Truth100>(s), Truth100(lambda)));
+        failures.check(status == PW85_SUCCESS && std::fabs(cond / exact - 1.0) <= 1e-2, "condition number", cond, exact,
+                       [&] { return pw85_tests::hex_text(s); });
+        failures.check(cond >= 3.0 - 1e-12, "least condition number", cond, 3.0,
+                       [&] { return pw85_tests::hex_text(s); });
+    }
+}
+
+} // namespace
+
+int main(int argc, char **argv)
+{
+    g_test_init(&argc, &argv, nullptr);
+    g_test_add_func("/factored/error", test_error);
+    g_test_add_func("/factored/digits", test_digits);
+    g_test_add_func("/factored/crossed", test_crossed);
+    g_test_add_func("/factored/scalars/float", test_scalar<float, 3>);
+    g_test_add_func("/factored/scalars/long-double", test_scalar<long double, 3>);
+    g_test_add_func("/factored/scalars/plane", test_scalar<double, 2>);
+    g_test_add_func("/factored/scales", test_scales);
+    g_test_add_func("/factored/batch", test_batch);
+    g_test_add_func("/factored/status", test_status);
+    g_test_add_func("/factored/condition", test_condition);
+    return g_test_run();
+}
