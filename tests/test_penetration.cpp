@@ -389,7 +389,8 @@ void test_minimum_proof()
             auto const form = pw85::detail::enclosing_form(s.q1, s.q2, c, 0.0);
             auto const normal = pw85::detail::extreme_normal(form, s.r12, true);
             double const depth = pw85::detail::support(form, normal).extent - pw85::dot(normal, s.r12);
-            double const rounding = std::fmax(search.best.rounding, shift_along(normal, s.r12, s.q1, s.q2).rounding);
+            double const rounding =
+                std::fmax(search.best.rounding, pw85::detail::shift_along(normal, s.r12, s.q1, s.q2).rounding);
             failures.check(depth >= search.best.length - 4 * rounding, "depth in the range", depth, search.best.length,
                            [&] { return hex_text(s) + ", c = " + hex_text(&c, 1); });
         }
