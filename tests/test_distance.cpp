@@ -222,12 +222,13 @@ void test_search()
         check(pw85::detail::search_normal(pair, start.ratio), "search");
         check(pw85::detail::search_normal(pair, 1e-3 * start.ratio), "search from below");
         check(pw85::detail::search_normal(pair, 1e3 * start.ratio), "search from above");
-        auto const newton = pw85::detail::find_normal(pair, start);
+        auto const newton = pw85::detail::find_normal(pair, pw85::detail::start_search(pair, start));
         if (newton.found)
             check(newton.u, "Newton's method");
         else
             ++given_up;
-        auto const again = pw85::detail::find_normal(pair, pw85::detail::touching_multipliers(pair));
+        auto const again =
+            pw85::detail::find_normal(pair, pw85::detail::start_search(pair, pw85::detail::touching_multipliers(pair)));
         if (again.found) check(again.u, "from contact");
     }
     g_assert_cmpint(given_up, >, 0);

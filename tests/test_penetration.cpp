@@ -368,6 +368,36 @@ void test_proof()
     g_assert_cmpint(proved, >, draws(80));
 }
 
+// Items 4 and 5: around a local minimum, from any start, no c of the proved range gives less. Global minima in the range, and ranges
+// that go too far, would show. Most minima have such a range.
+void test_minimum_proof()
+{
+    Failures failures;
+    Random random(795);
+    int proved = 0, total = 0;
+    for (int n = 0; n < draws(2000); ++n) {
+        auto const s = overlapping_pair<3>(random, 100.0);
+        pw85::detail::DepthSearch<double, 3> search{
+            s.r12, s.q1, s.q2, {}, {std::numeric_limits<double>::max(), 1.0, 0.0}};
+        descend(search, random.log_uniform(1e-2, 1e2));
+        auto const range = proved_range(search);
+        ++total;
+        if (!(range.upper > range.lower)) continue;
+        if (range.upper > 1.5 * range.lower) ++proved;
+        for (int k = 0; k <= 32; ++k) {
+            double const c = range.lower * std::pow(range.upper / range.lower, k / 32.0);
+            auto const form = pw85::detail::enclosing_form(s.q1, s.q2, c, 0.0);
+            auto const normal = pw85::detail::extreme_normal(form, s.r12, true);
+            double const depth = pw85::detail::support(form, normal).extent - pw85::dot(normal, s.r12);
+            double const rounding =
+                std::fmax(search.best.rounding, pw85::detail::shift_along(normal, s.r12, s.q1, s.q2).rounding);
+            failures.check(depth >= search.best.length - 4 * rounding, "depth in the range", depth, search.best.length,
+                           [&] { return hex_text(s) + ", c = " + hex_text(&c, 1); });
+        }
+    }
+    g_assert_cmpint(10 * proved, >, 8 * total);
+}
+
 void test_statuses()
 {
     double const nan = std::numeric_limits<double>::quiet_NaN();
@@ -406,6 +436,7 @@ int main(int argc, char **argv)
     g_test_add_func("/penetration/widest", test_widest);
     g_test_add_func("/penetration/scalars", test_scalars);
     g_test_add_func("/penetration/proof", test_proof);
+    g_test_add_func("/penetration/minimum_proof", test_minimum_proof);
     g_test_add_func("/penetration/batch", test_batch);
     g_test_add_func("/penetration/statuses", test_statuses);
     return g_test_run();

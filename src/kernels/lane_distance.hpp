@@ -13,16 +13,6 @@
 namespace pw85::detail {
 namespace {
 
-/// Whether a slab is wider than its rounding error (see pw85_distance()).
-PW85_INLINE PackMask is_wide(LanePair<3> const &pair, Distance<Pack, 3> const &d) noexcept
-{
-    Pack const extents = dot(d.normal, d.point1) + dot(d.normal, d.point2);
-    Pack const forms = magnitude_of_form(pair.q1, d.normal) + magnitude_of_form(pair.q2, d.normal);
-    Pack const least = minimum(dot(d.normal, d.point1), dot(d.normal, d.point2));
-    Pack const sum = magnitude_of_dot(d.normal, pair.r12) + extents + forms / least;
-    return d.distance > Pack(8 * unit_roundoff<Pack>()) * sum;
-}
-
 PW85_INLINE DistancePair<Pack, 3> with_units(LanePair<3> const &pair) noexcept
 {
     return {pair.r12, pair.q1, pair.q2, Pack(1.0), Pack(1.0)};
@@ -58,11 +48,11 @@ template <class Rows> PW85_INLINE void compute_chunk(Rows const &rows, Chunk con
         std::size_t const first = begin + k * lanes, left = count - k * lanes;
         auto const &pair = pairs[k];
         auto const last = take_last_step(with_units(pair), searches[k].x);
-        auto const slab = slab_along(with_units(pair), last.u);
+        auto const slab = accurate_slab_along(with_units(pair), last.u);
         auto const d = distance_across(slab);
         store_distances(d, pair.r12, first, left, out);
-        PackMask const done =
-            last.found && passes_fast_checks(pair) && is_wide(pair, d) && is_accurate(with_units(pair), slab);
+        PackMask const done = last.found && passes_fast_checks(pair) && is_wide(with_units(pair), slab) &&
+                              is_accurate(with_units(pair), slab);
         for_lanes(live_lanes(left) & ~done.to_bits(), [&](unsigned i) { left_over.push(first + i); });
     }
 }

@@ -51,12 +51,18 @@ template <class T, int D> struct Slab {
     T along, width; ///< u·r12 and the width, both times |u|
 };
 
+template <class T, int D> PW85_FUNCTION inline Slab<T, D> slab_between(DistancePair<T, D> const &pair,
+                                                                       Vector<T, D> const &u, Support<T, D> const &s1,
+                                                                       Support<T, D> const &s2) noexcept
+{
+    T const along = dot(u, pair.r12);
+    return {u, s1, s2, dot(u, u), along, along - pair.scale1 * s1.extent - pair.scale2 * s2.extent};
+}
+
 template <class T, int D>
 PW85_FUNCTION inline Slab<T, D> slab_along(DistancePair<T, D> const &pair, Vector<T, D> const &u) noexcept
 {
-    Support<T, D> const s1 = support(pair.q1, u), s2 = support(pair.q2, u);
-    T const along = dot(u, pair.r12);
-    return {u, s1, s2, dot(u, u), along, along - pair.scale1 * s1.extent - pair.scale2 * s2.extent};
+    return slab_between(pair, u, support(pair.q1, u), support(pair.q2, u));
 }
 
 template <class T, int D> PW85_FUNCTION inline Distance<T, D> distance_across(Slab<T, D> const &slab) noexcept
@@ -66,75 +72,138 @@ template <class T, int D> PW85_FUNCTION inline Distance<T, D> distance_across(Sl
             Status::success};
 }
 
-/// Whether the half-width along u, and so the point of the surface, errs by less than `bound` relative to itself: by 3u of the
-/// magnitudes of the products in its square, which are not above the trace.
+/// Whether the width of a slab exceeds its rounding error, 8uΣ of pw85_distance(), which proves that the pair is apart. Here the traces
+/// stand for the magnitudes of the products in the forms.
 template <class T, int D> PW85_FUNCTION constexpr typename ScalarTraits<T>::Mask
-is_accurate(SymmetricMatrix<T, D> const &q, Support<T, D> const &s, Slab<T, D> const &slab, T const &bound) noexcept
+is_wide(DistancePair<T, D> const &pair, Slab<T, D> const &slab) noexcept
 {
-    T const least = bound * (s.extent * s.extent), error = T(3) * unit_roundoff<T>();
-    auto const clear = error * (trace(q) * slab.norm2) <= least;
-    if (all_of(clear)) return clear;
-    return T(error * magnitude_of_form(q, slab.u)) <= least;
+    T const error = T(8 * unit_roundoff<T>()), a = slab.support1.extent, b = slab.support2.extent;
+    T const forms = (trace(pair.q1) + trace(pair.q2)) * slab.norm2;
+    return (slab.width - error * (magnitude_of_dot(slab.u, pair.r12) + (a + b))) * minimum(a, b) > error * forms;
 }
 
-/// Whether a slab gives the distance and the points: for half-widths that err by less than `bound`, and for the way between the
-/// points, w = r12 - (Q1/α + Q2/β)n. The part of w across n, which is zero for the normal,
+/// Whether X of support.hpp is at most `spread`, or, with the magnitudes of the products in the form in the place of the trace, at most
+/// `plain`. In plain arithmetic 3uX bounds the error of the half-width also with these magnitudes.
+template <class T, int D>
+PW85_FUNCTION constexpr typename ScalarTraits<T>::Mask is_within_spread(SymmetricMatrix<T, D> const &q,
+                                                                        Support<T, D> const &s, Slab<T, D> const &slab,
+                                                                        T const &spread, T const &plain) noexcept
+{
+    T const square = s.extent * s.extent;
+    auto const within = trace(q) * slab.norm2 <= spread * square;
+    if (all_of(within)) return within;
+    return within || magnitude_of_form(q, slab.u) <= plain * square;
+}
+
+template <class T, int D> PW85_FUNCTION constexpr typename ScalarTraits<T>::Mask
+is_within_spread(DistancePair<T, D> const &pair, Slab<T, D> const &slab, T const &spread, T const &plain) noexcept
+{
+    return is_within_spread(pair.q1, slab.support1, slab, spread, plain) &&
+           is_within_spread(pair.q2, slab.support2, slab, spread, plain);
+}
+
+/// By how much the points of a slab may err, in units of u: half of the 2^18 that pw85_distance() promises for either source of errors.
+template <class T> PW85_FUNCTION constexpr T largest_error() noexcept { return T(128000); }
+
+/// A slab whose half-widths and points err by less than largest_error(), if X is at most largest_spread().
+template <class T, int D> [[gnu::always_inline]] PW85_FUNCTION inline Slab<T, D>
+accurate_slab_along(DistancePair<T, D> const &pair, Vector<T, D> const &u) noexcept
+{
+    Slab<T, D> slab = slab_along(pair, u);
+    T const plain = T(largest_error<T>() / T(3));
+    auto const clear = is_within_spread(pair, slab, plain, plain);
+    if (all_of(clear)) return slab;
+    Slab<T, D> const accurate = slab_between(pair, u, support_from(accurate_product(pair.q1, u), u),
+                                             support_from(accurate_product(pair.q2, u), u));
+    slab.width = select(clear, slab.width, accurate.width);
+    slab.support1.extent = select(clear, slab.support1.extent, accurate.support1.extent);
+    slab.support2.extent = select(clear, slab.support2.extent, accurate.support2.extent);
+    for (int i = 0; i < D; ++i) {
+        slab.support1.point[i] = select(clear, slab.support1.point[i], accurate.support1.point[i]);
+        slab.support2.point[i] = select(clear, slab.support2.point[i], accurate.support2.point[i]);
+    }
+    return slab;
+}
+
+/// Whether a slab gives the distance and the points, if is_within_spread() bounds the errors of half-widths and points: for the way between the points,
+/// w = r12 - (Q1/α + Q2/β)n, the part of w across n, which is zero for the normal,
 ///
 /// 1. is below `bound` times the root of the sum of the squares of r12 and of the points relative to their own centres: these are
 ///    the closest points of the pair whose r12 differs by that part;
 /// 2. has a square below 2u (n·r12) max(width, u n·r12): the width lacks less than it of the distance, at most |w| less the width,
 ///    2u n·r12, which is below 2uΣ of pw85_distance(); u is `unit`.
 template <class T, int D> PW85_FUNCTION constexpr typename ScalarTraits<T>::Mask
-is_accurate(DistancePair<T, D> const &pair, Slab<T, D> const &slab, T const &unit, T const &bound) noexcept
+is_accurate(DistancePair<T, D> const &pair, Slab<T, D> const &slab, T const &unit, T const &bound, T const &spread,
+            T const &plain) noexcept
 {
     Vector<T, D> const p1 = pair.scale1 * slab.support1.point, p2 = pair.scale2 * slab.support2.point;
     auto const off = cross(pair.r12 - (p1 + p2), slab.u);
-    T const off2 = dot(off, off);
-    return off2 <= bound * bound * slab.norm2 * (dot(pair.r12, pair.r12) + dot(p1, p1) + dot(p2, p2)) &&
-           off2 <= T(2) * unit * slab.along * maximum(slab.width, T(unit * slab.along)) &&
-           is_accurate(pair.q1, slab.support1, slab, bound) && is_accurate(pair.q2, slab.support2, slab, bound);
+    T const off2 = dot(off, off), along = slab.along, factor = bound * bound;
+    auto const accurate = off2 <= T(2) * unit * along * maximum(slab.width, T(unit * along)) &&
+                          is_within_spread(pair, slab, spread, plain);
+    if (all_of(off2 <= factor * (along * along))) return accurate; // (u·r12)² is at most |u|²|r12|²
+    return accurate && off2 <= factor * slab.norm2 * (dot(pair.r12, pair.r12) + dot(p1, p1) + dot(p2, p2));
 }
 
-/// By how much the points of a slab may err: half of the 2^18 u that pw85_distance() promises for either source of errors.
-template <class T> PW85_FUNCTION constexpr T largest_error() noexcept { return T(T(128000) * unit_roundoff<T>()); }
-
+/// For a slab by accurate_slab_along().
 template <class T, int D> PW85_FUNCTION constexpr typename ScalarTraits<T>::Mask
 is_accurate(DistancePair<T, D> const &pair, Slab<T, D> const &slab) noexcept
 {
-    return is_accurate(pair, slab, T(unit_roundoff<T>()), largest_error<T>());
+    T const unit = T(unit_roundoff<T>());
+    return is_accurate(pair, slab, unit, T(largest_error<T>() * unit), largest_spread<T>(),
+                       T(largest_error<T>() / T(3)));
 }
 
 /// The slab of the distance of a pair, as far as the search by T leads.
 template <class T, int D> struct FoundSlab {
     Slab<T, D> slab;
     typename ScalarTraits<T>::Mask found, accurate;
+    bool tried; ///< false if the search has not begun
 };
 
 /// Types with digits to spare need no certificate.
-template <class T, int D>
-PW85_FUNCTION inline FoundSlab<T, D> judge(DistancePair<T, D> const &pair, Slab<T, D> const &slab) noexcept
+template <class T, int D> [[gnu::always_inline]] PW85_FUNCTION inline FoundSlab<T, D>
+found_slab(DistancePair<T, D> const &pair, Vector<T, D> const &u) noexcept
 {
-    return {slab, true, std::is_same_v<Finer<T>, T> || is_accurate(pair, slab)};
+    if constexpr (std::is_same_v<Finer<T>, T>)
+        return {slab_along(pair, u), true, true, true};
+    else {
+        auto const slab = accurate_slab_along(pair, u);
+        return {slab, true, is_accurate(pair, slab), true};
+    }
 }
 
-/// By Newton's method, which finds nearly all.
-template <class T, int D> PW85_FUNCTION inline FoundSlab<T, D> find_slab(DistancePair<T, D> const &pair) noexcept
+/// Whether f > 1 at the λ with which a search starts, by the polynomials: then the pair is apart, up to rounding. Most pairs that are
+/// apart pass.
+template <class T, int D>
+PW85_FUNCTION constexpr bool seems_apart(DistancePair<T, D> const &pair, NormalSearch<T> const &search) noexcept
+{
+    auto const &[a, a_s, a_ss, b, b_s, b_ss, b_sss] = search.form;
+    T const t = search.x.ratio, numerator = a[0] + t * (a[1] + t * a[2]);
+    return t * numerator > (pair.scale1 * t + pair.scale2) * ((b[0] + t * b[1]) + (t * t) * (b[2] + t * b[3]));
+}
+
+/// By Newton's method, which finds nearly all. If it is not known that the pair is apart, only where it seems so. All callers share
+/// one instance, so that products are fused alike and scaling changes no bit of the result.
+template <class T, int D>
+[[gnu::noinline]] PW85_FUNCTION inline FoundSlab<T, D> find_slab(DistancePair<T, D> const &pair, bool apart) noexcept
 {
     // Semi-axes are below √12 of their units, so that n is within 7 scales of the direction of r12: rounding.
-    bool const far = maximum(pair.scale1, pair.scale2) <= T(0.125) * unit_roundoff<T>();
-    auto const start = initial_multipliers(pair);
-    LastStep<T, D> const last = far ? LastStep<T, D>{pair.r12, start, true} : find_normal(pair, start);
-    if (!last.found) return {{}, false, false};
-    return judge(pair, slab_along(pair, last.u));
+    if (maximum(pair.scale1, pair.scale2) <= T(0.125) * unit_roundoff<T>()) return found_slab(pair, pair.r12);
+    auto const search = start_search(pair, initial_multipliers(pair));
+    if (!apart && !seems_apart(pair, search)) return {{}, false, false, false};
+    LastStep<T, D> const last = find_normal(pair, search);
+    if (!last.found) return {{}, false, false, true};
+    return found_slab(pair, last.u);
 }
 
 /// By Newton's method from where the ellipsoids would touch, else by the nested search.
 template <class T, int D>
 [[gnu::noinline]] PW85_FUNCTION inline FoundSlab<T, D> search_slab(DistancePair<T, D> const &pair) noexcept
 {
-    auto const last = find_normal(pair, touching_multipliers(pair));
+    auto const last = find_normal(pair, start_search(pair, touching_multipliers(pair)));
     Vector<T, D> const u = last.found ? last.u : search_normal(pair, initial_multipliers(pair).ratio);
-    return judge(pair, slab_along(pair, T(T(1) / square_root(dot(u, u))) * u));
+    return found_slab(pair, T(T(1) / square_root(dot(u, u))) * u);
 }
 
 /// t and s of the search for the normal, for that of a slab: with the half-widths a|u| and b|u| along u they are a/b and aφ.
@@ -142,6 +211,14 @@ template <class T, int D> PW85_FUNCTION inline Multipliers<T> multipliers(Slab<T
 {
     T const a = slab.support1.extent;
     return {a / slab.support2.extent, maximum(T(0), T(a * slab.width / slab.norm2))};
+}
+
+/// One more step from a slab, by factorisation, whose products are accurate.
+template <class T, int D>
+PW85_FUNCTION inline FoundSlab<T, D> step_slab(DistancePair<T, D> const &pair, Slab<T, D> const &slab) noexcept
+{
+    auto const x = multipliers(slab);
+    return found_slab(pair, take_last_step(pair, factorize_normal(pair, x), x).u);
 }
 
 template <class T, int D>
@@ -163,18 +240,19 @@ PW85_FUNCTION inline FoundSlab<Finer<T>, D> polish(DistancePair<T, D> const &pai
 {
     using F = Finer<T>;
     auto const fine = finer(pair);
-    F const unit = F(unit_roundoff<T>());
+    F const unit = F(unit_roundoff<T>()), error = F(largest_error<T>()) * unit;
+    F const spread = error / (F(3) * F(unit_roundoff<F>()));
     auto const given = slab_along(fine, converted<F>(slab.u));
-    if (is_accurate(fine, given, unit, F(largest_error<T>()))) return {given, true, true};
+    if (is_accurate(fine, given, unit, error, spread, spread)) return {given, true, true, true};
     auto const start = multipliers(slab);
     Multipliers<F> x{F(start.ratio), F(start.shift)};
     for (int i = 0; i < max_last_steps; ++i) {
         auto const last = take_last_step(fine, factorize_normal(fine, x), x);
         auto const polished = slab_along(fine, last.u);
-        if (is_accurate(fine, polished, unit, F(T(64.0) * unit_roundoff<T>()))) return {polished, true, true};
+        if (is_accurate(fine, polished, unit, F(T(64)) * unit, spread, spread)) return {polished, true, true, true};
         x = last.next;
     }
-    return {given, true, false};
+    return {given, true, false, true};
 }
 
 /// Where find_slab() has not led to an accurate slab. Arguments that are copied stay in registers where it is not called.
@@ -182,18 +260,26 @@ template <class T, int D> [[gnu::noinline, gnu::cold]] PW85_FUNCTION inline Dist
 refined_distance(DistancePair<T, D> pair, FoundSlab<T, D> found) noexcept
 {
     if (!found.found) found = search_slab(pair);
+    if (!found.accurate) found = step_slab(pair, found.slab);
     if (found.accurate) return distance_across(found.slab);
     auto const polished = polish(pair, found.slab);
     if (!polished.accurate) return all_nan<Distance<T, D>>(Status::no_convergence);
     return rounded<T, D>(distance_across(polished.slab));
 }
 
-/// distance() of a pair that is in range and apart, with both points relative to their own centres. All callers share one
-/// instance, so that products are fused alike and scaling changes no bit of the result.
-template <class T, int D> PW85_FUNCTION inline Distance<T, D> distance_in_range(DistancePair<T, D> const &pair) noexcept
+/// The distance of a pair that is apart from what find_slab() has found, with both points relative to their own centres.
+template <class T, int D> PW85_FUNCTION inline Distance<T, D> settled_distance(DistancePair<T, D> const &pair,
+                                                                               FoundSlab<T, D> const &found) noexcept
 {
-    auto const found = find_slab(pair);
     return found.accurate ? distance_across(found.slab) : refined_distance(pair, found);
+}
+
+/// A result with point 2 relative to the centre of ellipsoid 1.
+template <class T, int D>
+PW85_FUNCTION constexpr Distance<T, D> with_point2(Vector<T, D> const &r12, Distance<T, D> result) noexcept
+{
+    result.point2 = r12 - result.point2;
+    return result;
 }
 
 /// distance() of a valid pair that is apart.
@@ -201,17 +287,18 @@ template <class T, int D> PW85_FUNCTION inline Distance<T, D>
 distance_apart(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, SymmetricMatrix<T, D> const &q2) noexcept
 {
     Distance<T, D> result;
-    if (is_in_range(sum_of_magnitudes(r12), largest_diagonal(q1), largest_diagonal(q2)))
-        result = distance_in_range(DistancePair<T, D>{r12, q1, q2, T(1), T(1)});
-    else {
+    if (is_in_range(sum_of_magnitudes(r12), largest_diagonal(q1), largest_diagonal(q2))) {
+        DistancePair<T, D> const pair{r12, q1, q2, T(1), T(1)};
+        result = settled_distance(pair, find_slab(pair, true));
+    } else {
         DistanceUnits units;
-        result = distance_in_range(scale_distance(r12, q1, q2, units));
+        DistancePair<T, D> const pair = scale_distance(r12, q1, q2, units);
+        result = settled_distance(pair, find_slab(pair, true));
         result.distance = times_power_of_two(result.distance, units.length);
         result.point1 = times_power_of_two(result.point1, units.form1);
         result.point2 = times_power_of_two(result.point2, units.form2);
     }
-    result.point2 = r12 - result.point2;
-    return result;
+    return with_point2(r12, result);
 }
 
 /// The distance of a pair that overlaps or is invalid.
@@ -229,9 +316,14 @@ namespace pw85 {
 template <class T, int D> PW85_FUNCTION inline Distance<T, D>
 distance(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, SymmetricMatrix<T, D> const &q2) noexcept
 {
+    using namespace detail;
+    DistancePair<T, D> const pair{r12, q1, q2, T(1), T(1)};
+    bool const ordinary = passes_fast_checks(r12, q1, q2);
+    auto const found = ordinary ? find_slab(pair, false) : FoundSlab<T, D>{{}, false, false, false};
+    if (found.accurate && is_wide(pair, found.slab)) return with_point2(r12, distance_across(found.slab));
     Overlap const decision = overlap(r12, q1, q2);
-    if (decision.status != Status::success || decision.overlap) return detail::no_distance<T, D>(decision.status);
-    return detail::distance_apart(r12, q1, q2);
+    if (decision.status != Status::success || decision.overlap) return no_distance<T, D>(decision.status);
+    return found.tried ? with_point2(r12, settled_distance(pair, found)) : distance_apart(r12, q1, q2);
 }
 
 } // namespace pw85

@@ -129,6 +129,7 @@ template <class T> [[gnu::noinline]] PW85_FUNCTION inline DistanceDerivatives<T>
 refined_derivatives(DistancePair<T, 3> const &pair, FoundSlab<T, 3> found) noexcept
 {
     if (!found.found) found = search_slab(pair);
+    if (!found.accurate) found = step_slab(pair, found.slab);
     if (found.accurate) return derivatives_across(pair, found.slab);
     auto const polished = polish(pair, found.slab);
     if (!polished.accurate) return all_nan<DistanceDerivatives<T>>(Status::no_convergence);
@@ -148,7 +149,7 @@ PW85_FUNCTION inline DistanceDerivatives<T> distance_derivatives_apart(Vector<T,
 {
     DistanceUnits units;
     DistancePair<T, 3> const pair = scale_distance(r12, q1, q2, units);
-    auto const found = find_slab(pair);
+    auto const found = find_slab(pair, true);
     DistanceDerivatives<T> result =
         found.accurate ? derivatives_across(pair, found.slab) : refined_derivatives(pair, found);
     result.rotation1 = times_power_of_two(result.rotation1, units.form1);

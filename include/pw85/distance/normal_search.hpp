@@ -23,9 +23,11 @@
 #ifndef PW85_DISTANCE_NORMAL_SEARCH_HPP_INCLUDED
 #define PW85_DISTANCE_NORMAL_SEARCH_HPP_INCLUDED
 
+#include <pw85/algebra/doubled.hpp>
 #include <pw85/contact/geometry.hpp>
 #include <pw85/contact/safeguarded_search.hpp>
 #include <pw85/contact/solver.hpp>
+#include <pw85/distance/support.hpp>
 
 namespace pw85::detail {
 
@@ -196,15 +198,15 @@ template <class T> struct NormalSearch {
     typename ScalarTraits<T>::Mask active; ///< not converged
 };
 
-template <class T, int D>
-PW85_FUNCTION inline NormalSearch<T> start_search(DistancePair<T, D> const &pair, Multipliers<T> const &x) noexcept
+template <class T, int D> [[gnu::always_inline]] PW85_FUNCTION inline NormalSearch<T>
+start_search(DistancePair<T, D> const &pair, Multipliers<T> const &x) noexcept
 {
     return {shifted_form(pair.r12, pair.scale1 * pair.q1, pair.scale2 * pair.q2), x, x.ratio == x.ratio};
 }
 
 /// The number of steps by the polynomials after which a search gives up, and of last steps by factorisation: choices
 /// (docs/implementation.rst).
-inline constexpr int max_normal_steps = 10, max_last_steps = 6;
+inline constexpr int max_normal_steps = 16, max_last_steps = 6;
 
 /// One step. Lanes converge with one of which a last step leaves its square, rounding (a choice, too).
 template <class T, int D>
@@ -238,6 +240,23 @@ PW85_FUNCTION constexpr Vector<T, D> solve(Inverse<T, D> const &inverse, Vector<
     return inverse.factor * product(inverse.adjugate, x);
 }
 
+/// The product of a form with a vector that comes from a solution with M: plain for a solution by the adjugate, and accurate for one
+/// by factorisation. Types with digits to spare need nothing else than the plain product.
+template <class T, int D> PW85_FUNCTION constexpr Vector<T, D>
+form_product(Inverse<T, D> const &, SymmetricMatrix<T, D> const &q, Vector<T, D> const &u) noexcept
+{
+    return product(q, u);
+}
+
+template <class T, int D> PW85_FUNCTION inline Vector<T, D>
+form_product(Factorization<T, D> const &, SymmetricMatrix<T, D> const &q, Vector<T, D> const &u) noexcept
+{
+    if constexpr (std::is_same_v<Finer<T>, T>)
+        return product(q, u);
+    else
+        return accurate_product(q, u);
+}
+
 /// u with its derivatives.
 template <class T, int D> struct NormalVector {
     Vector<T, D> u, u_ratio, u_shift; ///< u, -∂u/∂t, -∂u/∂s
@@ -245,10 +264,11 @@ template <class T, int D> struct NormalVector {
 };
 
 /// By solutions with M.
-template <class T, int D, class Solver> PW85_FUNCTION inline NormalVector<T, D>
+template <class T, int D, class Solver> [[gnu::always_inline]] PW85_FUNCTION inline NormalVector<T, D>
 solve_normal(DistancePair<T, D> const &pair, Solver const &solver, Multipliers<T> const &x) noexcept
 {
-    Vector<T, D> const u = solve(solver, pair.r12), p = product(pair.q1, u), q = product(pair.q2, u);
+    Vector<T, D> const u = solve(solver, pair.r12);
+    Vector<T, D> const p = form_product(solver, pair.q1, u), q = form_product(solver, pair.q2, u);
     Vector<T, D> const u_ratio = pair.scale2 * solve(solver, q), u_shift = solve(solver, u);
     T const a = positive_form(pair.q1, u, p), b = positive_form(pair.q2, u, q), weighted = pair.scale2 * x.ratio;
     T const a_ratio = dot(p, u_ratio), a_shift = dot(p, u_shift), b_ratio = dot(q, u_ratio), b_shift = dot(q, u_shift);
@@ -280,7 +300,7 @@ template <class T, int D> struct LastStep {
     typename ScalarTraits<T>::Mask found;
 };
 
-template <class T, int D, class Solver> PW85_FUNCTION inline LastStep<T, D>
+template <class T, int D, class Solver> [[gnu::always_inline]] PW85_FUNCTION inline LastStep<T, D>
 take_last_step(DistancePair<T, D> const &pair, Solver const &solver, Multipliers<T> const &x) noexcept
 {
     auto const v = solve_normal(pair, solver, x);
@@ -289,8 +309,8 @@ take_last_step(DistancePair<T, D> const &pair, Solver const &solver, Multipliers
 }
 
 /// By the adjugate. Where its errors count, the slab that u gives is not accurate (distance.hpp).
-template <class T, int D>
-PW85_FUNCTION inline LastStep<T, D> take_last_step(DistancePair<T, D> const &pair, Multipliers<T> const &x) noexcept
+template <class T, int D> [[gnu::always_inline]] PW85_FUNCTION inline LastStep<T, D>
+take_last_step(DistancePair<T, D> const &pair, Multipliers<T> const &x) noexcept
 {
     auto const m = normal_matrix(pair, x);
     auto const adj = adjugate(m);
@@ -314,13 +334,12 @@ follow_normal(DistancePair<T, D> const &pair, Multipliers<T> x) noexcept
     return last;
 }
 
-/// A vector along the normal by item 2, from t and s, and where these went.
-template <class T, int D>
-PW85_FUNCTION inline LastStep<T, D> find_normal(DistancePair<T, D> const &pair, Multipliers<T> const &x) noexcept
+/// A vector along the normal by item 2, from where a search is, and where t and s went.
+template <class T, int D> [[gnu::always_inline]] PW85_FUNCTION inline LastStep<T, D>
+find_normal(DistancePair<T, D> const &pair, NormalSearch<T> search) noexcept
 {
-    auto search = start_search(pair, x);
     for (int i = 0; i < max_normal_steps && search.active; ++i) take_step(search, pair);
-    if (search.active) return {{}, x, false};
+    if (search.active) return {{}, search.x, false};
     auto const last = take_last_step(pair, search.x);
     return last.found ? last : follow_normal(pair, last.next);
 }

@@ -11,8 +11,16 @@
 /// 2. For c from c0/ρ to c0ρ, 1/c is at least 2/c0 - c/c0². With this in its place W is affine in c, so that for each n the root
 ///    of nᵀWn is concave, and smallest at an end: D(c) is at least the smaller depth of r in W(c0/ρ) - δQ2 and W(c0ρ) - δQ2,
 ///    δ = (ρ - 1)²/(ρc0).
-/// 3. This errs by a square of log ρ. Where D is quadratic, the intervals on which it proves that D is not below the smallest value
-///    by more than rounding are longer in proportion to their distance from it: some hundred are enough.
+/// 3. The bound of item 2 is off by O(log²ρ). So the intervals that can be proved shrink towards a minimum, in proportion to their
+///    distance from it.
+/// 4. Around the best minimum (n, c0), c0 = β/α, another proof takes their place. With x = (m; 1) for unit vectors m, mᵀWm - (m·r + d)²
+///    is xᵀGx, G(c) = diag(W - σI, σ) - (r; d)(r; d)ᵀ, for any number σ. So D(c) >= d where G is positive semidefinite for some σ.
+///    Here σ = dℓ + (c - c0) σ1 + (1/c - 1/c0) σ2, ℓ = m·r + d at m = n. In the basis v = (n; 1), (t_i; 0) with the tangents t_i,
+///    (n; -1), the entry vᵀGv is (ℓ' - ℓ)(ℓ' + ℓ) + α²(c - c0)²/c with ℓ' = α + β, and the rest of its row is h + (c - c0) k. At a minimum
+///    with d = ℓ' - n·r, ℓ' = ℓ and h = 0. Without the first row and column G is H. So G is semidefinite where
+///    K = (α²/c, kᵀ; k, H) is.
+/// 5. K is affine in c and y = 1/c. So it is semidefinite on an interval if it is at the ends and at the point (c, y) where the
+///    tangents of the hyperbola y = 1/c at the ends meet: the arc is in the triangle of these three points.
 #ifndef PW85_DISTANCE_PENETRATION_HPP_INCLUDED
 #define PW85_DISTANCE_PENETRATION_HPP_INCLUDED
 
@@ -89,7 +97,8 @@ template <class T, int D> PW85_FUNCTION inline T try_ratio(DepthSearch<T, D> &se
 }
 
 /// Follows D to a local minimum: the next c is that of the direction, or where the secant says that they agree. D is right to
-/// rounding where its slope is below the root of that, after a few steps; that it is the least is shown elsewhere.
+/// rounding where its slope is below the root of that, after a few steps. A last step makes the direction right, too, and is taken
+/// unless it lengthens the shift by more than rounding. That the minimum is the least is shown elsewhere.
 template <class T, int D> PW85_FUNCTION inline void descend(DepthSearch<T, D> &search, T c) noexcept
 {
     T const small = negative_power_of_two<T>(mantissa_digits<T>() / 2 + 2);
@@ -102,6 +111,12 @@ template <class T, int D> PW85_FUNCTION inline void descend(DepthSearch<T, D> &s
         excess = after;
         c = next;
     }
+    auto const form = enclosing_form(search.q1, search.q2, T(c * (T(1) + step)), T(0));
+    Vector<T, D> const n = extreme_normal(form, search.r12, true);
+    Shift<T> const last = shift_along(n, search.r12, search.q1, search.q2);
+    if (!(last.length <= search.best.length + search.best.rounding)) return;
+    search.best = last;
+    search.direction = n;
 }
 
 /// The range of c = β/α over all directions, and twice as far for rounding.
@@ -151,18 +166,219 @@ inline constexpr int max_depth_intervals = 20000;
 template <class T, int D>
 PW85_FUNCTION inline bool prove_depth(DepthSearch<T, D> &search, RatioRange<T> const &range) noexcept
 {
-    T const shortest = negative_power_of_two<T>(mantissa_digits<T>() / 2);
+    T const shortest = negative_power_of_two<T>(mantissa_digits<T>() / 2), longest = T(1);
     T c = range.lower, width = T(0.5);
-    for (int i = 0; i < max_depth_intervals; ++i) {
-        T const rho = T(1) + width;
-        if (none_deeper(search, c, rho) || width <= shortest) {
-            c = rho * rho * c;
-            width = minimum(T(0.5), T(width + width));
-            if (!(c < range.upper)) return true;
+    for (int i = 0; i < max_depth_intervals && c < range.upper; ++i) {
+        T const end = minimum(range.upper, T((T(1) + width) * (T(1) + width) * c));
+        if (none_deeper(search, c, square_root(T(end / c))) || width <= shortest) {
+            c = end;
+            width = minimum(longest, T(width + width));
         } else
             width = T(0.5) * width;
     }
-    return false;
+    return !(c < range.upper);
+}
+
+/// A square matrix of which the lower triangle counts.
+template <class T, int N> struct LowerTriangle {
+    T entries[N][N];
+};
+
+/// Replaces a symmetric matrix by its factor L, a = LLᵀ; false if it is not positive definite.
+template <class T, int N> PW85_FUNCTION inline bool factorize_in_place(LowerTriangle<T, N> &a) noexcept
+{
+    for (int j = 0; j < N; ++j) {
+        for (int k = 0; k < j; ++k)
+            for (int i = j; i < N; ++i) a.entries[i][j] = a.entries[i][j] - a.entries[i][k] * a.entries[j][k];
+        T const pivot = a.entries[j][j];
+        if (!(pivot > T(0))) return false;
+        T const factor = T(1) / square_root(pivot);
+        for (int i = j; i < N; ++i) a.entries[i][j] = factor * a.entries[i][j];
+    }
+    return true;
+}
+
+/// K of item 4 as K0 + c K1 + y K2, with what rounding errors and h need of its diagonal.
+template <class T, int D> struct MinimumProof {
+    T ratio; ///< c0
+    struct {
+        LowerTriangle<T, D + 1> constant, by_c, by_y;
+    } entries;
+    T margin, margin_c, margin_y; ///< what the diagonal of H must spare: margin + c margin_c + y margin_y
+    bool valid;
+};
+
+/// The directions orthogonal to the unit vector n: columns of the reflection that exchanges n and a unit vector of the axes.
+template <class T, int D>
+PW85_FUNCTION inline void fill_tangents(Vector<T, D> const &n, Vector<T, D> (&tangents)[D - 1]) noexcept
+{
+    int pole = 0;
+    for (int i = 1; i < D; ++i)
+        if (absolute(n[i]) > absolute(n[pole])) pole = i;
+    Vector<T, D> v = n;
+    v[pole] = v[pole] + (n[pole] < T(0) ? T(-1) : T(1));
+    for (int i = 0, j = 0; j < D; ++j) {
+        if (j == pole) continue;
+        tangents[i] = (-n[j] / (T(1) + absolute(n[pole]))) * v;
+        tangents[i][j] = tangents[i][j] + T(1);
+        ++i;
+    }
+}
+
+/// x in Ly = x, for the first N - 1 rows of a factor.
+template <class T, int N>
+PW85_FUNCTION inline void solve_forward(LowerTriangle<T, N> const &factor, T (&x)[N - 1]) noexcept
+{
+    for (int i = 0; i < N - 1; ++i) {
+        for (int k = 0; k < i; ++k) x[i] = x[i] - factor.entries[i][k] * x[k];
+        x[i] = x[i] / factor.entries[i][i];
+    }
+}
+
+/// The entries of K, but for what depends on σ: tangents first, then (n; -1), then the row of α²/c. `d` is the depth to be proved.
+template <class T, int D>
+PW85_FUNCTION inline void fill_entries(MinimumProof<T, D> &proof, DepthSearch<T, D> const &search, T const &d) noexcept
+{
+    auto const &[r12, q1, q2, n, best] = search;
+    Vector<T, D> const p = product(q1, n), q = product(q2, n);
+    Vector<T, D> tangents[D - 1];
+    fill_tangents(n, tangents);
+    T const a2 = dot(n, p), b2 = dot(n, q), back = dot(n, r12) - d;
+    auto &[fixed, by_c, by_y] = proof.entries;
+    for (int i = 0; i < D - 1; ++i) {
+        Vector<T, D> const &t = tangents[i];
+        Vector<T, D> const p_t = product(q1, t), q_t = product(q2, t);
+        T const r = dot(t, r12);
+        for (int j = 0; j <= i; ++j) {
+            by_c.entries[i][j] = dot(tangents[j], p_t);
+            by_y.entries[i][j] = dot(tangents[j], q_t);
+            fixed.entries[i][j] = by_c.entries[i][j] + by_y.entries[i][j] - r * dot(tangents[j], r12);
+        }
+        by_c.entries[D - 1][i] = fixed.entries[D][i] = dot(t, p);
+        by_y.entries[D - 1][i] = dot(t, q);
+        by_y.entries[D][i] = -dot(t, q) / proof.ratio;
+        by_c.entries[D][i] = T(0);
+        fixed.entries[D - 1][i] = dot(t, p) + dot(t, q) - r * back;
+    }
+    by_c.entries[D - 1][D - 1] = fixed.entries[D][D - 1] = a2;
+    by_y.entries[D - 1][D - 1] = b2;
+    by_y.entries[D][D - 1] = -b2 / proof.ratio;
+    fixed.entries[D - 1][D - 1] = a2 + b2 - back * back;
+    by_c.entries[D][D - 1] = by_c.entries[D][D] = fixed.entries[D][D] = T(0);
+    by_y.entries[D][D] = a2 - negative_power_of_two<T>(9) * a2;
+}
+
+/// Takes σ from the diagonal of K, with the σ1 and σ2 for which K is definite next to c0 at every strict minimum: if m solves
+/// H_tt m = H_tz, k_z = m·k_t.
+template <class T, int D>
+PW85_FUNCTION inline bool subtract_sigma(MinimumProof<T, D> &proof, T const &sigma, T const &unscaled) noexcept
+{
+    auto &[fixed, by_c, by_y] = proof.entries;
+    T const c = proof.ratio, y = T(1) / c;
+    LowerTriangle<T, D> h{};
+    T z[D - 1], p[D - 1], q[D - 1], product_p = T(0), product_q = T(0);
+    for (int i = 0; i < D - 1; ++i) {
+        for (int j = 0; j <= i; ++j)
+            h.entries[i][j] = fixed.entries[i][j] + c * by_c.entries[i][j] + y * by_y.entries[i][j];
+        h.entries[i][i] = h.entries[i][i] - sigma;
+        z[i] = fixed.entries[D - 1][i] + c * by_c.entries[D - 1][i] + y * by_y.entries[D - 1][i];
+        p[i] = by_c.entries[D - 1][i];
+        q[i] = by_y.entries[D - 1][i];
+    }
+    h.entries[D - 1][D - 1] = largest_number<T>();
+    if (!factorize_in_place(h)) return false;
+    solve_forward(h, z);
+    solve_forward(h, p);
+    solve_forward(h, q);
+    for (int i = 0; i < D - 1; ++i) {
+        product_p = product_p + z[i] * p[i];
+        product_q = product_q + z[i] * q[i];
+    }
+    T const a2 = by_c.entries[D - 1][D - 1], b2 = by_y.entries[D - 1][D - 1];
+    T const sigma1 = T(0.5) * (a2 - product_p), sigma2 = T(0.5) * (b2 - product_q);
+    T const rest = sigma - sigma1 * c - sigma2 * y;
+    for (int i = 0; i < D - 1; ++i) {
+        fixed.entries[i][i] = fixed.entries[i][i] - rest;
+        by_c.entries[i][i] = by_c.entries[i][i] - sigma1;
+        by_y.entries[i][i] = by_y.entries[i][i] - sigma2;
+    }
+    fixed.entries[D][D - 1] = product_p;
+    by_y.entries[D][D - 1] = -product_q / c;
+    T const fraction = negative_power_of_two<T>(mantissa_digits<T>() / 2);
+    proof.margin = fraction * (unscaled + absolute(rest));
+    proof.margin_c = fraction * absolute(sigma1);
+    proof.margin_y = fraction * absolute(sigma2);
+    return true;
+}
+
+/// K for the best minimum of a search; not valid where it is not isolated, or where rounding errors exceed the margin.
+///
+/// Entries of H err by less than 30u times their size, which is far below the margin, 2^-26 of it in double; what h and k need of the
+/// margin is computed. The minimum lacks ρ, its rounding error, of what is to be proved, at least: so the first entry of G has
+/// g >= ρ (α + β) at c0. A quarter of the margin makes (g/2, hᵀ; h, margin) semidefinite if 16 |h|² < ρ (α + β) margin. c0 errs by
+/// less than e = 3u (X1 + X2) c0 (support.hpp), and (c - c0)² from the true c0 is at least 1 - 2^-10 of that from the given one, less
+/// 2^10 e²: so 2^14 e² α²/c0 < ρ (α + β)/2 for c down to c0/16. Row k errs by less than 8u (trace Q1 + trace Q2/(c c0)), for which
+/// another 2^-10 of α²/c and a quarter of the margin suffice.
+template <class T, int D>
+PW85_FUNCTION inline MinimumProof<T, D> prepare_proof(DepthSearch<T, D> const &search) noexcept
+{
+    auto const &[r12, q1, q2, n, best] = search;
+    Support<T, D> const s1 = support(q1, n), s2 = support(q2, n);
+    T const a = s1.extent, b = s2.extent, c = b / a, y = T(1) / c, u = T(unit_roundoff<T>());
+    T const trace1 = trace(q1), trace2 = trace(q2), slack = best.rounding * (a + b);
+    T const d = best.length - T(2) * best.rounding, level = dot(n, r12) + d, sigma = d * level;
+    MinimumProof<T, D> proof{c, {}, T(0), T(0), T(0), false};
+    fill_entries(proof, search, d);
+    T const size = trace1 + trace2 + dot(r12, r12) + d * d;
+    if (!subtract_sigma(proof, sigma, size)) return proof;
+    proof.margin_c = proof.margin_c + negative_power_of_two<T>(mantissa_digits<T>() / 2) * trace1;
+    proof.margin_y = proof.margin_y + negative_power_of_two<T>(mantissa_digits<T>() / 2) * trace2;
+    Vector<T, D> const h = ((T(1) + c) * a) * s1.point + ((T(1) + y) * b) * s2.point - (sigma * n + level * r12);
+    T const rounding = T(16) * u * (size + c * trace1 + y * trace2 + absolute(sigma));
+    T const error = T(3) * u * (trace1 / (a * a) + trace2 / (b * b)),
+            row = T(8) * u * (trace1 + T(16) * trace2 * y / c);
+    proof.valid = T(16) * (dot(h, h) + rounding * rounding) < slack * proof.margin &&
+                  T(32768) * error * error * (a * b) < slack && T(65536 * D) * row * row < a * a * y * proof.margin;
+    return proof;
+}
+
+/// Whether K is positive definite, with its margin, at a point (c, y).
+template <class T, int D>
+PW85_FUNCTION inline bool is_definite(MinimumProof<T, D> const &proof, T const &c, T const &y) noexcept
+{
+    auto const &[fixed, by_c, by_y] = proof.entries;
+    LowerTriangle<T, D + 1> k;
+    for (int i = 0; i <= D; ++i)
+        for (int j = 0; j <= i; ++j)
+            k.entries[i][j] = fixed.entries[i][j] + c * by_c.entries[i][j] + y * by_y.entries[i][j];
+    for (int i = 0; i < D; ++i)
+        k.entries[i][i] = k.entries[i][i] - (proof.margin + c * proof.margin_c + y * proof.margin_y);
+    return factorize_in_place(k);
+}
+
+/// How far from c0 item 5 proves the depth, up to a factor of 16: by intervals whose ends differ by a factor of 2, or of a root of it.
+template <class T, int D> PW85_FUNCTION inline T proved_bound(MinimumProof<T, D> const &proof, bool up) noexcept
+{
+    T c = proof.ratio, step = T(2);
+    for (int i = 0; i < 12 && step > T(1.05); ++i) {
+        T const next = up ? T(c * step) : T(c / step), sum = c + next;
+        bool const far = up ? next > T(16) * proof.ratio : T(16) * next < proof.ratio;
+        if (far) break;
+        if (is_definite(proof, next, T(T(1) / next)) && is_definite(proof, T(T(2) * c * next / sum), T(T(2) / sum)))
+            c = next;
+        else
+            step = square_root(step);
+    }
+    return c;
+}
+
+/// The range of c around the best minimum for which items 4 and 5 prove the depth.
+template <class T, int D> PW85_FUNCTION inline RatioRange<T> proved_range(DepthSearch<T, D> const &search) noexcept
+{
+    auto const proof = prepare_proof(search);
+    T const c = search.best.ratio;
+    if (!(proof.valid && is_definite(proof, proof.ratio, T(T(1) / proof.ratio)))) return {c, c};
+    return {proved_bound(proof, false), proved_bound(proof, true)};
 }
 
 /// penetration() of a valid pair that overlaps, in range.
@@ -179,7 +395,10 @@ penetration_in_range(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, S
         c = c * factor;
     }
     descend(search, search.best.ratio);
-    if (!prove_depth(search, range)) return no_penetration<T, D>(Status::no_convergence);
+    RatioRange<T> const around = proved_range(search);
+    if (!(prove_depth(search, RatioRange<T>{range.lower, around.lower}) &&
+          prove_depth(search, RatioRange<T>{around.upper, range.upper})))
+        return no_penetration<T, D>(Status::no_convergence);
     return {maximum(T(0), search.best.length), search.direction, Status::success};
 }
 
