@@ -208,7 +208,7 @@ def _images(images: ArrayLike | None, num_pairs: int, has_cell: bool) -> NDArray
 def _int32(array: NDArray[Any], name: str) -> NDArray[np.int32]:
     if array.dtype.kind not in "iu":
         raise TypeError(f"{name} must be integers, but they are {array.dtype}")
-    if not np.array_equal(array, array.astype(np.int32)):
+    if array.dtype != np.int32 and not np.array_equal(array, array.astype(np.int32)):
         raise OverflowError(f"{name} must fit into 32 bits")
     return np.require(array, np.int32, ["C", "A"])
 

@@ -157,19 +157,21 @@ class System:
 
     def check(self, worst: int = 10, below: float = 1.0) -> Report:
         """Overlaps, contacts below a μ, and the pairs with the smallest μ, whether or not these overlap."""
-        candidates = self._candidates(max(below, 1.0))
-        tested = candidates if below <= 1 else self._candidates(1.0)
-        closest = self._closest(candidates, max(below, 1.0), max(worst, 1))
+        tested = self._candidates(1.0)
+        counts = len(tested.pairs), int(tested.overlap.sum())
+        lists = [tested if below <= 1 else self._candidates(below)]
+        del tested
+        contacts = self._contacts(lists[0], below)
+        closest = self._closest(lists, max(below, 1.0), max(worst, 1))
         return Report(
             len(self),
             self.shapeless,
             None if self.cell is None else float(abs(np.linalg.det(self.cell))),
             self.packing_fraction,
-            len(tested.pairs),
-            int(tested.overlap.sum()),
+            *counts,
             float(closest.mu[0]) if len(closest.mu) else None,
             nearest_image_limit(self.q, self.cell) if self.cell is not None and all(self.periodic) else None,
-            self._contacts(candidates, below),
+            contacts,
             Contacts._make(np.asarray(column)[:worst] for column in closest),
         )
 
@@ -209,27 +211,35 @@ class System:
         found = self.neighbors(scale)
         images = None if self.cell is None else found.images
         arrays = found.pairs, self.centers, self.q, self.cell
-        return _Candidates(
-            found.pairs, found.images, contact_pairs(*arrays, images=images)[0], overlap_pairs(*arrays, images=images)
-        )
+        overlap = overlap_pairs(*arrays, images=images)
+        return _Candidates(found.pairs, found.images, contact_pairs(*arrays, images=images)[0], overlap)
 
     def _contacts(self, candidates: _Candidates, below: float) -> Contacts:
         chosen = candidates.overlap if below == 1 else candidates.mu2 < _squared(below)
         return self._details(candidates, np.flatnonzero(chosen))
 
-    def _closest(self, candidates: _Candidates, scale: float, count: int) -> Contacts:
-        """The pairs with the smallest μ. A list for one scale has all pairs whose μ is no larger, so it grows until it has some."""
+    def _closest(self, lists: list[_Candidates], scale: float, count: int) -> Contacts:
+        """The pairs with the smallest μ, found from the only one of `lists`, which is for this scale.
+
+        A list for a scale has all pairs whose μ is not larger. While it has none of these, a list for a larger scale replaces it. The
+        old one is freed first: `lists` holds the only reference.
+        """
+        candidates = lists.pop()
         reach = np.ptp(self.centers, axis=0).max(initial=0) + np.sqrt(self.q[:, [0, 3, 5]].max(initial=0))
         smallest_box = np.sqrt(self.q[:, [0, 3, 5]].min(initial=np.inf))
         while not (candidates.mu2 <= _squared(scale)).any() and scale * smallest_box <= reach:
             scale *= 1.25 if len(candidates.pairs) else 2.0
+            del candidates
             candidates = self._candidates(scale)
         complete = np.flatnonzero(candidates.mu2 <= _squared(scale))
-        smallest = complete[np.argsort(candidates.mu2[complete], kind="stable")[:count]]
-        return self._details(candidates, smallest)
+        if len(complete) > count:
+            bound = np.partition(candidates.mu2[complete], count - 1)[count - 1]
+            complete = complete[candidates.mu2[complete] <= bound]
+        return self._details(candidates, complete, count)
 
-    def _details(self, candidates: _Candidates, chosen: NDArray[np.intp]) -> Contacts:
-        chosen = chosen[np.argsort(candidates.mu2[chosen], kind="stable")]
+    def _details(self, candidates: _Candidates, chosen: NDArray[np.intp], count: int | None = None) -> Contacts:
+        """The chosen pairs in the order of μ, up to `count` of them."""
+        chosen = chosen[np.argsort(candidates.mu2[chosen], kind="stable")[:count]]
         pairs, images = candidates.pairs[chosen], candidates.images[chosen]
         # At a common centre, point and normal are NaN, which is no mistake of the input.
         with np.errstate(invalid="ignore"):
@@ -258,13 +268,14 @@ _UNIT = 2.0**-23
 
 
 def unit_quaternions(quaternions: Floats) -> Floats:
-    """Quaternions (n, 4) of length 1; NaN for those that are zero or not finite. Which have length 1 stay as they are."""
+    """Quaternions (n, 4) of length 1; NaN for those that are zero or not finite. Quaternions of length 1 stay as they are."""
+    units: Floats = quaternions.copy()
     with np.errstate(invalid="ignore", over="ignore"):
-        lengths = np.linalg.norm(quaternions, axis=1, keepdims=True)
-        # By their largest component first, so that no length overflows or underflows
-        scaled = quaternions / np.abs(quaternions).max(axis=1, keepdims=True)
-        units: Floats = scaled / np.linalg.norm(scaled, axis=1, keepdims=True)
-    return np.where(np.abs(lengths - 1) <= _UNIT, quaternions, units)
+        others = ~(np.abs(np.sqrt(np.einsum("ij,ij->i", units, units)) - 1) <= _UNIT)
+        # Divided by their largest component first, so that no length overflows or underflows
+        scaled = units[others] / np.abs(units[others]).max(axis=1, keepdims=True)
+        units[others] = scaled / np.linalg.norm(scaled, axis=1, keepdims=True)
+    return units
 
 
 def _whole_numbers(values: ArrayLike, name: str) -> NDArray[Any]:
