@@ -231,11 +231,10 @@ class System:
             scale *= 1.25 if len(candidates.pairs) else 2.0
             del candidates
             candidates = self._candidates(scale)
-        complete = np.flatnonzero(candidates.mu2 <= _squared(scale))
-        if len(complete) > count:
-            bound = np.partition(candidates.mu2[complete], count - 1)[count - 1]
-            complete = complete[candidates.mu2[complete] <= bound]
-        return self._details(candidates, complete, count)
+        bound = _squared(scale)
+        if len(candidates.mu2) > count:
+            bound = min(bound, np.partition(candidates.mu2, count - 1)[count - 1])
+        return self._details(candidates, np.flatnonzero(candidates.mu2 <= bound), count)
 
     def _details(self, candidates: _Candidates, chosen: NDArray[np.intp], count: int | None = None) -> Contacts:
         """The chosen pairs in the order of μ, up to `count` of them."""
