@@ -1,4 +1,4 @@
-"""Many ellipsoids in a cell, and what is asked of them: neighbours, contacts, overlaps, a report, a picture."""
+"""Systems of many ellipsoids in a cell: neighbours, contacts, overlaps, a report, a picture."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ class Contacts(NamedTuple):
 
 
 class Report(NamedTuple):
-    """What `System.check` found."""
+    """Result of `System.check`."""
 
     particles: int
     shapeless: int
@@ -70,7 +70,7 @@ class System:
         How many particles without a shape a file had besides these.
     """
 
-    # What draw() does. The module that draws stands above this one, and puts its function here when it is imported.
+    # Implements draw(). The module that draws imports this one, and sets the function.
     _drawer: ClassVar[Callable[..., Any]]
 
     def __init__(
@@ -115,7 +115,7 @@ class System:
 
     @property
     def semi_axes(self) -> Floats:
-        """Of each ellipsoid (n, 3), as given to `from_axes`, else from the forms, in increasing order."""
+        """Semi-axes of each ellipsoid (n, 3): as given to `from_axes`, or else from the forms in increasing order."""
         return self._principal()[0]
 
     @property
@@ -258,7 +258,7 @@ class _Candidates(NamedTuple):
 
 
 def _squared(scale: float) -> float:
-    """Infinity where that overflows, as μ² does."""
+    """Infinity if the square overflows, as μ² does. The operator ** would raise OverflowError."""
     return scale * scale
 
 

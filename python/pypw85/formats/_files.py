@@ -1,4 +1,4 @@
-"""How files are opened: for reading, decompressed if need be; for writing, so that a file is complete or not there."""
+"""Opening files. Compressed files are decompressed for reading. Files are written atomically."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ class Target(NamedTuple):
 
 
 def check_output(path: Path) -> Target:
-    """Where an output of this name goes. Call it before the work that makes the output.
+    """Finds where an output of this name goes. Call it before the work that makes the output.
 
     Raises
     ------
@@ -65,7 +65,7 @@ def check_output(path: Path) -> Target:
 
 
 def _is(path: str, status: os.stat_result) -> bool:
-    """Whether the path leads to this file: that of an open file in /proc may have no name any more."""
+    """Whether the path leads to this file. The path of an open file in /proc may lead to none, if the file was removed."""
     try:
         return os.path.samestat(os.stat(path), status)
     except OSError:
@@ -124,7 +124,7 @@ _unfinished: set[str] = set()
 
 
 def discard_unfinished() -> None:
-    """Removes temporary files of this process, which is about to end without the usual ceremonies."""
+    """Removes the temporary files of this process. Call it before the process ends by os._exit()."""
     for work in list(_unfinished):
         shutil.rmtree(work, ignore_errors=True)
 
@@ -149,7 +149,7 @@ def create_text(path: str, compressed: bool) -> Iterator[IO[str]]:
 
 
 def check_input(path: Path) -> os.stat_result:
-    """Formats are recognised, and frames found, by reading a file more than once: pipes and devices will not do."""
+    """Refuses pipes and devices: a file is read more than once, to recognise its format, to find frames, and to read them."""
     status = os.stat(path)
     if stat.S_ISDIR(status.st_mode):
         raise FileError(path, "is a directory: name a file in it")
