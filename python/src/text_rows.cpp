@@ -21,7 +21,7 @@ bool is_ascii(std::string_view word) noexcept
     return std::all_of(word.begin(), word.end(), [](char c) { return static_cast<unsigned char>(c) < 0x80; });
 }
 
-/// The words of a line: between blanks, or between separators and without the blanks around them.
+/// The words of a line: between blanks, or between separators and without the blanks and quotation marks around them.
 class Words {
   public:
     Words(std::string_view line, char separator) noexcept : rest_{line}, separator_{separator} {}
@@ -39,11 +39,16 @@ class Words {
         return size > 0;
     }
 
+    /// Whether quotation marks are such that Python has to read the line: doubled, within a word, or without a partner.
+    bool is_hard() const noexcept { return is_hard_; }
+
   private:
     bool next_between_separators(std::string_view &word) noexcept
     {
+        if (!rest_.empty() && rest_.front() == '"') return next_quoted(word);
         std::size_t const size = std::min(rest_.find(separator_), rest_.size());
         word = rest_.substr(0, size);
+        is_hard_ = is_hard_ || word.find('"') != word.npos;
         is_finished_ = size == rest_.size();
         rest_.remove_prefix(is_finished_ ? size : size + 1);
         while (!word.empty() && is_blank(word.front())) word.remove_prefix(1);
@@ -51,9 +56,21 @@ class Words {
         return true;
     }
 
+    bool next_quoted(std::string_view &word) noexcept
+    {
+        std::size_t const end = std::min(rest_.find('"', 1), rest_.size() - 1);
+        word = rest_.substr(1, std::max<std::size_t>(end, 1) - 1);
+        std::string_view const mark = rest_.substr(end);
+        rest_.remove_prefix(end + 1);
+        is_finished_ = rest_.empty() || rest_ == "\r";
+        is_hard_ = is_hard_ || end == 0 || mark.front() != '"' || !(is_finished_ || rest_.front() == separator_);
+        if (!is_finished_) rest_.remove_prefix(1);
+        return true;
+    }
+
     std::string_view rest_;
     char separator_;
-    bool is_finished_ = false;
+    bool is_finished_ = false, is_hard_ = false;
 };
 
 /// Reads a number as Python's float() does, correctly rounded. Returns false for what float() refuses, and for numbers out of range.
@@ -126,12 +143,11 @@ bool read_line(std::string_view line, char separator, std::string_view kinds, Ou
             return false;
         }
     }
-    return !words.next(word);
+    return !words.next(word) && !words.is_hard();
 }
 
 bool read_block(std::string_view block, char separator, std::string_view kinds, Output &out)
 {
-    if (separator != '\0' && block.find('"') != block.npos) return false;
     while (!block.empty()) {
         std::size_t const size = std::min(block.find('\n'), block.size());
         if (!read_line(block.substr(0, size), separator, kinds, out)) return false;

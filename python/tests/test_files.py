@@ -453,7 +453,12 @@ def test_plain_rows():
     assert (numbers.tolist(), codes.tolist(), names) == ([[1, 2], [3, 4]], [[0], [1]], ([b"a b", b""],))
     for bad in (b"a 1 x\n", b"a 1 x 2 3\n", b"\n", b"a 1 x 2\n\n", b"a 1 \xc2\xa0 2\n"):
         assert _core.parse_rows(bad, 0, b"tn-n") is None, bad
-    assert _core.parse_rows(b'"a",1,x,2\n', ord(","), b"tn-n") is None
+    numbers, codes, names = _core.parse_rows(b'"a,b",1,"x","2"\r\n"",3,x,4\n"c","5",,"6"', ord(","), b"tn-n")
+    assert (numbers.tolist(), codes.tolist(), names) == ([[1, 2], [3, 4], [5, 6]], [[0], [1], [2]], ([b"a,b", b"", b"c"],))
+    for bad in ('"a""b",1,x,2', 'a"b,1,x,2', ' "a",1,x,2', '"a,1,x,2', '"a"b,1,x,2', 'a,1,x,"2', 'a,1,x,2,"', 'a,1,x,"', 'a,1,"x,2',
+                'a,1,x,"2" ', '"a",1,x"y,2'):  # fmt: skip
+        assert _core.parse_rows(bad.encode(), ord(","), b"tn-n") is None, bad
+        assert _core.parse_rows(bad.encode() + b"\n", ord(","), b"tn-n") is None, bad
     assert _core.parse_rows(b"a,1,2\n", ord(","), b"tn-n") is None
 
 
