@@ -92,7 +92,7 @@ class Names {
   public:
     std::int32_t number_of(std::string_view name)
     {
-        if (name == last_name_) return last_number_;
+        if (last_number_ >= 0 && name == last_name_) return last_number_;
         auto const [place, is_new] = numbers_.try_emplace(name, static_cast<std::int32_t>(names_.size()));
         if (is_new) names_.push_back(name);
         last_name_ = name;
@@ -130,6 +130,8 @@ struct Output {
 /// Reads a line; false unless it is plain.
 bool read_line(std::string_view line, char separator, std::string_view kinds, Output &out)
 {
+    // Python's csv.reader() takes a carriage return for the end of a line.
+    if (separator != '\0' && std::min(line.find('\r'), line.size()) + 1 < line.size()) return false;
     Words words(line, separator);
     std::string_view word;
     auto names = out.names.begin();

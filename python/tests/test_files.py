@@ -5,6 +5,7 @@ import gzip
 import itertools
 import os
 import pathlib
+import random
 import re
 import stat
 import subprocess
@@ -449,17 +450,49 @@ def test_plain_rows():
     block = b"a 1 x -2.5\t \r\n  b\x1c3 y\x0b4\na 5 z 6"
     numbers, codes, names = _core.parse_rows(block, 0, b"tn-n")
     assert (numbers.tolist(), codes.tolist(), names) == ([[1, -2.5], [3, 4], [5, 6]], [[0], [1], [0]], ([b"a", b"b"],))
-    numbers, codes, names = _core.parse_rows(b" a b ,1,, 2\r\n,3,x,4\n", ord(","), b"tn-n")
-    assert (numbers.tolist(), codes.tolist(), names) == ([[1, 2], [3, 4]], [[0], [1]], ([b"a b", b""],))
+    numbers, codes, names = _core.parse_rows(b",1,, 2\r\n a b ,3,x,4\n", ord(","), b"tn-n")
+    assert (numbers.tolist(), codes.tolist(), names) == ([[1, 2], [3, 4]], [[0], [1]], ([b"", b"a b"],))
     for bad in (b"a 1 x\n", b"a 1 x 2 3\n", b"\n", b"a 1 x 2\n\n", b"a 1 \xc2\xa0 2\n"):
         assert _core.parse_rows(bad, 0, b"tn-n") is None, bad
     numbers, codes, names = _core.parse_rows(b'"a,b",1,"x","2"\r\n"",3,x,4\n"c","5",,"6"', ord(","), b"tn-n")
     assert (numbers.tolist(), codes.tolist(), names) == ([[1, 2], [3, 4], [5, 6]], [[0], [1], [2]], ([b"a,b", b"", b"c"],))
     for bad in ('"a""b",1,x,2', 'a"b,1,x,2', ' "a",1,x,2', '"a,1,x,2', '"a"b,1,x,2', 'a,1,x,"2', 'a,1,x,2,"', 'a,1,x,"', 'a,1,"x,2',
+                '\r,1,"x",2',
                 'a,1,x,"2" ', '"a",1,x"y,2'):  # fmt: skip
         assert _core.parse_rows(bad.encode(), ord(","), b"tn-n") is None, bad
         assert _core.parse_rows(bad.encode() + b"\n", ord(","), b"tn-n") is None, bad
     assert _core.parse_rows(b"a,1,2\n", ord(","), b"tn-n") is None
+
+
+WORDS = ["1", "-2.5", "1e3", "a", "", '""', '"a"', '"1"', '"a,b"', " 1", 'a"b', '"', "\r", "\x1c", "é", "\u00a0", "nan",
+         "+1", '"a""b"', '  "a"', "\t"]  # fmt: skip
+
+
+@pytest.mark.parametrize("name, head, separator", [("a.csv", "x,y,z,radius,type,other\n", ","),
+                                                   ("a.xyz", "3\nProperties=pos:R:3:radius:R:1:species:S:1:other:S:1\n", " ")])
+def test_compiled_code_reads_what_python_reads(name, head, separator, file, monkeypatch):
+    """Tables with odd words: the same numbers and names, or the same error."""
+
+    def outcome(path):
+        try:
+            system = pypw85.read(path, format=name[2:])
+        except pypw85.FileError as error:
+            return str(error)
+        return system.centers.tolist(), system.semi_axes.tolist(), list(map(str, system.types))
+
+    chance = random.Random(1)
+    found = []
+    for _ in range(400):
+        rows = [["1", "2", "3", "1", "a", "b"] for _ in range(3)]
+        for _ in range(chance.choice([1, 1, 2, 4])):
+            row = chance.choice(rows)
+            row[chance.randrange(6)] = chance.choice(WORDS) + chance.choice(["", "", "", chance.choice(WORDS)])
+        path = file(head + "\n".join(map(separator.join, rows)) + chance.choice(["", "\n", "\r\n"]), name)
+        found.append(outcome(path))
+        with monkeypatch.context() as context:
+            context.setattr(_table.Table, "_plain_rows", lambda *_: None)
+            assert outcome(path) == found[-1], path.read_bytes()
+    assert 50 < sum(isinstance(each, tuple) for each in found) < 350
 
 
 def test_hdf5_without_particles(tmp_path):
