@@ -1,4 +1,4 @@
-"""The one way in for arguments that are not plain: labelled, masked and lazy arrays, long doubles, objects.
+"""Arguments that are not plain: labelled, masked and lazy arrays, long doubles, objects.
 
 The compiled part (`_core.call_...`) takes numbers, sequences and arrays of NumPy itself and hands everything else to
 `apply`. Functions written in Python use `plain` and `by_rows`.
@@ -23,7 +23,7 @@ Result = TypeVar("Result")
 
 
 def plain(x: Any) -> Any:
-    """`x` as something that the ufuncs take: an array of NumPy, of dask, or of another library that implements ufuncs.
+    """Converts `x` to an array that ufuncs take: of NumPy, of dask, or of another library that implements ufuncs.
 
     Labelled arrays (pandas, xarray) are taken by position. Masked entries become NaN; long doubles and objects become
     float64.
@@ -52,7 +52,7 @@ def is_dask_array(x: Any) -> bool:
 
 
 def _is_other_dask_collection(x: Any) -> bool:
-    """That there is a `__dask_graph__` says nothing: xarray has it for all of its objects."""
+    """Whether `x` is a collection of dask but no array. All objects of xarray have `__dask_graph__`, which may return None."""
     if isinstance(x, type) or not hasattr(x, "__dask_graph__") or is_dask_array(x):
         return False
     return x.__dask_graph__() is not None
@@ -67,7 +67,7 @@ def _is_instance(x: Any, module: str, *names: str) -> bool:
 def apply(
     call: Callable[..., Any], ufunc: np.ufunc, inputs: tuple[Any, ...], out: Any, keywords: dict[str, Any]
 ) -> Any:
-    """What the compiled `call` does when an input is not plain; it comes back here with inputs that stay as they are."""
+    """Called by the compiled `call` if an input is not plain. Calls that again if this has converted an input, else the ufunc."""
     if any(map(_device.is_device_array, inputs)):
         return _device.apply(ufunc.__name__, inputs, out, keywords)
     arrays = tuple(map(plain, inputs))
@@ -81,7 +81,7 @@ def apply(
 def apply_to_columns(
     call: Callable[..., Any], inputs: tuple[Any, ...], out: Any, keywords: dict[str, Any], nout: int
 ) -> tuple[Any, ...]:
-    """What the compiled `call` does when one array `out` (..., nout) is to receive the `nout` numbers of each row."""
+    """Called by the compiled `call` if one array `out` (..., nout) receives the `nout` numbers of each row."""
     if out.ndim == 0 or out.shape[-1] != nout:
         raise ValueError(f"the last dimension of 'out' must be {nout}, but its shape is {out.shape}")
     columns = tuple(out[..., k] for k in range(nout))
@@ -131,7 +131,7 @@ def _chunk(function: Callable[..., Any], keywords: dict[str, Any], *chunks: Any)
 def _by_chunks(
     function: Any, signature: str, arrays: tuple[Any, ...], types: tuple[Any, ...], axes: Any = None
 ) -> Any:
-    """Dask would find types and sizes of outputs by a call with arrays of size one, which fixed sizes refuse."""
+    """Calls apply_gufunc() with types and sizes of outputs. Dask would look for them with arrays of size 1, which are refused."""
     outputs = signature.split("->")[1]
     return importlib.import_module("dask.array").apply_gufunc(
         function,

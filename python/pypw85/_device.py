@@ -26,7 +26,7 @@ _CUDA = (2, 13)  # of DLPack: memory of the device, and memory that it shares wi
 
 
 class _View(NamedTuple):
-    """What is known of an array; `owner` keeps it."""
+    """Description of an array on a GPU. `owner` keeps its memory."""
 
     pointer: int
     shape: tuple[int, ...]
@@ -81,7 +81,7 @@ def is_device_array(x: Any) -> bool:
 
 
 def _strides(shape: Sequence[int], size: int) -> tuple[int, ...]:
-    """Those of a contiguous array."""
+    """Strides of a contiguous array."""
     strides = []
     for length in reversed(shape):
         strides.append(size)
@@ -90,7 +90,7 @@ def _strides(shape: Sequence[int], size: int) -> tuple[int, ...]:
 
 
 def _is_contiguous(shape: tuple[int, ...], strides: Sequence[int] | None, size: int) -> bool:
-    """Where there is one row, or none, its stride does not matter."""
+    """Whether strides are those of a contiguous array. The stride of a single row does not matter."""
     if strides is None or 0 in shape:
         return True
     return all(n == 1 or has == needs for n, has, needs in zip(shape, strides, _strides(shape, size)))
@@ -106,7 +106,7 @@ def _stream(x: Any) -> int | None:
 
 
 def _is_handed_over(x: Any) -> bool:
-    """Whether DLPack is needed, which is in the order of the stream that one asks for."""
+    """Whether the array is taken by DLPack, which orders its work before that of the stream that is asked for."""
     return hasattr(x, "__dlpack__") and _stream(x) is None
 
 
@@ -141,14 +141,14 @@ def _common_stream(arrays: Sequence[Any]) -> int | None:
 
 
 def _library(like: Any) -> Any:
-    """That of an array: by the standard of array libraries, or the package of its class."""
+    """The library of an array: by the standard of array libraries, or by the package of its class."""
     if hasattr(like, "__array_namespace__"):
         return like.__array_namespace__()
     return sys.modules[type(like).__module__.partition(".")[0]]
 
 
 def _new(like: Any, shape: tuple[int, ...], kind: str) -> Any:
-    """An array of the library of another one, or one for it to take."""
+    """A new array of the library of another array, or an array that this library can take."""
     if hasattr(like, "new_empty"):
         return like.new_empty(shape, dtype=getattr(_library(like), kind))
     library = _library(like)
@@ -187,7 +187,7 @@ def _call(
 
 
 def _result(function: str, outputs: tuple[Any, ...], dtype: Any) -> Any:
-    """A bad pair counts as an overlap."""
+    """Converts codes to truth values. A bad pair counts as an overlap."""
     if function != "overlap":
         return outputs
     if dtype is not None and np.dtype(dtype) == np.uint8:

@@ -1,4 +1,4 @@
-"""The texts of functions: paragraphs that several share, so that the text of each is whole, and where a function is found by name."""
+"""Paragraphs that the docstrings of several functions share, and the functions of the compiled part by name."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from collections.abc import Callable
 
 Function = TypeVar("Function", bound=Callable[..., object])
 
-# The functions that the compiled part has, by their names there.
+# The functions of the compiled part, by their names in it
 FUNCTIONS: dict[str, Callable[..., object]] = {}
 
 
@@ -21,7 +21,7 @@ def listed(function: Function) -> Function:
 
 
 def documented(function: Function) -> Function:
-    """Decorator: puts the paragraph of that name in place of a line like ``{pair_list}`` in the text of a function."""
+    """Decorator: replaces a line like ``{pair_list}`` of a docstring by the paragraph of that name."""
     if function.__doc__:  # not with python -OO
         function.__doc__ = re.sub(r"^( *)\{(\w+)\}\n", _paragraph, function.__doc__, flags=re.MULTILINE)
     return function

@@ -19,7 +19,7 @@ from ._system import Contacts, System
 from ._typing import Floats
 from .formats import check_output, replacing
 
-# Of ellipsoids that overlap none, and of those that overlap some
+# Colours of ellipsoids without and with overlaps
 _COLOURS = np.array([[0.45, 0.6, 0.8], [0.85, 0.25, 0.2]])
 _THREE = "/usr/share/javascript/three"
 
@@ -52,7 +52,7 @@ def check_picture(path: Any) -> None:
 
 
 def draw(system: System, path: Any, ax: Any, contacts: bool, elevation: float, azimuth: float, size: int) -> Any:
-    """What `System.draw` does."""
+    """Implements `System.draw`."""
     if path is not None:
         check_picture(path)
         check_output(path)

@@ -1,4 +1,4 @@
-"""Which argument of a call that failed is to blame, in which row, and why. Nothing here runs before a call has failed."""
+"""Finds the argument because of which a call failed, its row, and the cause. Nothing here runs before a call has failed."""
 
 from __future__ import annotations
 
@@ -26,12 +26,12 @@ _ROTATION_ATOL = 1e-6
 
 
 def raise_status(status: int, name: str, arguments: tuple[Any, ...]) -> None:
-    """What the compiled part calls when a call for one row has failed."""
+    """Called by the compiled part when a call for one row has failed."""
     raise PW85Error(status, name, _core.strerror(status), explain_values(name, arguments))
 
 
 def raise_better(error: Exception, name: str, arguments: tuple[Any, ...]) -> None:
-    """What the compiled part calls when a ufunc has raised: tells which argument is to blame, if that can be found out."""
+    """Called by the compiled part when a ufunc has raised an exception. Names the argument that caused it, if that can be found."""
     try:
         text = explain_shapes(name, arguments)
         if not text and isinstance(error, FloatingPointError):
@@ -61,7 +61,7 @@ def explain_values(name: str, arguments: tuple[Any, ...]) -> str:
 
 
 def _complaints(name: str, flat: dict[str, _Rows]) -> Iterator[tuple[str, NDArray[np.bool_], str]]:
-    """Arguments, which rows of them are bad, and why: first what is no number, from which all else follows."""
+    """Arguments, which of their rows are bad, and the causes. NaN comes first, since other causes follow from it."""
     for argument, x in flat.items():
         axes = tuple(range(1, x.ndim))
         yield argument, np.isnan(x).any(axis=axes), "is NaN" if x.ndim == 1 else "has a NaN"
@@ -91,7 +91,7 @@ def _complaints(name: str, flat: dict[str, _Rows]) -> Iterator[tuple[str, NDArra
 
 
 def _not_definite(q: _Rows) -> NDArray[np.bool_]:
-    """By the pivots of the factorisation, as the library decides it."""
+    """Decides by the pivots of the factorisation, as the library does."""
     if q.shape[1] == 6:
         bad: NDArray[np.bool_] = np.isnan(_core.cholesky_decomp(q)).any(axis=1)
     else:

@@ -147,13 +147,13 @@ def neighbors(
 
 
 def _periodic_cell(cell: ArrayLike | None, periodic: NDArray[np.int32]) -> tuple[Floats | None, NDArray[np.int32]]:
-    """The cell as the library takes it: none where none of its vectors is periodic."""
+    """The cell for the library: None if no vector is periodic."""
     vectors = _cell(cell)
     return vectors if periodic.any() else None, periodic
 
 
 def _blame(particle: int, centers: Floats, q: Floats, cell: Floats | None, scale: float, skin: float) -> str:
-    """What is wrong with the arguments of neighbors()."""
+    """Says what is wrong with the arguments of neighbors()."""
     if particle < len(centers):
         found = explain_values("bounding_boxes", (q[particle],)) or f"centers is not finite: {centers[particle].tolist()}"
         return f"particle {particle}: {found}"

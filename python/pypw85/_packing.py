@@ -16,15 +16,15 @@ from ._system import System
 from ._systems import contact_derivatives_pairs, contact_forces_pairs
 from ._typing import Floats
 
-# Ellipsoids that are pressed together end up a little too deep: so they are larger than they are meant to be while they move.
-# Much larger ones are apart sooner, slightly larger ones find room in denser packings.
+# Repelling ellipsoids end with small overlaps. So they are larger by these factors while they move. A large factor separates them
+# sooner, a small one finds denser packings.
 _MUCH_SWOLLEN, _SLIGHTLY_SWOLLEN = 1.01, 1.001
 # FIRE (Bitzek et al., Phys. Rev. Lett. 97, 170201, 2006), with its own constants; times and masses have no unit.
 _STEP, _LONGEST_STEP, _MIXING = 0.05, 0.5, 0.1
 _FASTER, _SLOWER, _LESS_MIXING, _PATIENCE = 1.1, 0.5, 0.99, 5
-# Longest way of a step, in units of the shortest semi-axis: nothing passes through anything.
+# Longest displacement in a step, in units of the shortest semi-axis: no ellipsoid passes through another one.
 _WAY = 0.25
-# A quench is stuck when so many steps take off less than this part of the energy: annealing gains more in as many.
+# A quench is stuck if the energy falls by less than this share in so many steps. Annealing gains more in as many steps.
 _STUCK_AFTER, _STUCK = 100, 0.05
 # Annealing starts at a temperature at which pairs with (1 - μ²)²/2 = kT are 7 % too close: dense packings melt, as if they filled
 # 0.93³ = 0.8 of their volume. The first one takes so many steps, each further one twice as many.
@@ -32,7 +32,7 @@ _MELTING, _ANNEALING_STEPS = 0.01, 2000
 # A contact is as stiff as (2 / shortest semi-axis)²/4, in these units, and an ellipsoid has some ten: Verlet's method is stable for
 # steps up to 2/√(10 stiffness) = 0.63 shortest semi-axis.
 _VERLET_STEP = 0.4
-# Neighbour lists serve until something has moved by half of this, in units of the shortest semi-axis.
+# Skin of the neighbour lists, in units of the shortest semi-axis. A list is made anew when a surface has moved by half of it.
 _SKIN = 0.2
 
 

@@ -14,7 +14,7 @@ from ._documentation import documented
 from ._explanations import form_hint
 from ._typing import Floats
 
-# No result has these values: where one is still there after a call, the call was refused as a whole.
+# No result has these values. If one is left after a call, the library refused the whole call.
 _NO_MU2 = -1.0
 _NO_CODE = 254
 
@@ -118,7 +118,7 @@ def overlap_pairs(
 def nearest_images(
     pairs: ArrayLike, centers: ArrayLike, cell: ArrayLike
 ) -> tuple[Floats, NDArray[np.int32]]:
-    """Nearest images that the functions of neighbour lists take without `images`: as vectors, and as such `images`.
+    """The nearest images, which functions of neighbour lists use without `images`: as vectors, and as values for `images`.
 
     Parameters
     ----------
@@ -167,7 +167,7 @@ def _outputs(out: Any, count: int) -> tuple[Floats, Floats]:
 def _pair_list(
     pairs: ArrayLike, centers: ArrayLike, q: ArrayLike | None, cell: ArrayLike | None, images: ArrayLike | None
 ) -> tuple[NDArray[np.int32], Floats, Floats | None, Floats | None, NDArray[np.int32] | None]:
-    """Contiguous arrays of the types that the library takes; without forms where `q` is None."""
+    """Contiguous arrays of the types that the library takes. Arrays of these types are not copied. No forms if `q` is None."""
     rows, forms = (_rows(centers, 3, "centers"), None) if q is None else _particles(centers, q)
     indices = _indices(pairs, len(rows))
     return indices, rows, forms, _cell(cell), _images(images, len(indices), cell is not None)
@@ -208,7 +208,7 @@ def _images(images: ArrayLike | None, num_pairs: int, has_cell: bool) -> NDArray
 def _int32(array: NDArray[Any], name: str) -> NDArray[np.int32]:
     if array.dtype.kind not in "iu":
         raise TypeError(f"{name} must be integers, but they are {array.dtype}")
-    if not np.array_equal(array, array.astype(np.int32)):
+    if array.dtype != np.int32 and not np.array_equal(array, array.astype(np.int32)):
         raise OverflowError(f"{name} must fit into 32 bits")
     return np.require(array, np.int32, ["C", "A"])
 
@@ -254,7 +254,7 @@ def _explain(
     images: NDArray[np.int32] | None,
     refused: bool,
 ) -> None:
-    """Raise what fits if the call was refused as a whole."""
+    """Raises the exception for a call that was refused as a whole."""
     if not refused:
         return
     _check_indices(pairs, len(centers))

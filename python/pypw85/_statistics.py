@@ -1,4 +1,4 @@
-"""What a suspension of ellipsoids is like: order, and how close neighbours come in units of contact."""
+"""Statistics of a suspension of ellipsoids: nematic order, and the distribution of μ."""
 
 from __future__ import annotations
 
@@ -12,7 +12,8 @@ from ._pairs import contact_pairs
 from ._system import System
 from ._typing import Floats
 
-# Pairs and directions to average excluded volumes over: their spread of about half the mean leaves 0.4 %.
+# Numbers of pairs and directions for the average of excluded volumes. The standard deviation is about half the mean, so the error
+# is 0.4 %.
 _SAMPLES = 20_000
 
 

@@ -1,4 +1,4 @@
-"""Many ellipsoids in a cell, and what is asked of them: neighbours, contacts, overlaps, a report, a picture."""
+"""Systems of many ellipsoids in a cell: neighbours, contacts, overlaps, a report, a picture."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ class Contacts(NamedTuple):
 
 
 class Report(NamedTuple):
-    """What `System.check` found."""
+    """Result of `System.check`."""
 
     particles: int
     shapeless: int
@@ -70,7 +70,7 @@ class System:
         How many particles without a shape a file had besides these.
     """
 
-    # What draw() does. The module that draws stands above this one, and puts its function here when it is imported.
+    # Implements draw(). The module that draws imports this one, and sets the function.
     _drawer: ClassVar[Callable[..., Any]]
 
     def __init__(
@@ -115,7 +115,7 @@ class System:
 
     @property
     def semi_axes(self) -> Floats:
-        """Of each ellipsoid (n, 3), as given to `from_axes`, else from the forms, in increasing order."""
+        """Semi-axes of each ellipsoid (n, 3): as given to `from_axes`, or else from the forms in increasing order."""
         return self._principal()[0]
 
     @property
@@ -157,19 +157,21 @@ class System:
 
     def check(self, worst: int = 10, below: float = 1.0) -> Report:
         """Overlaps, contacts below a μ, and the pairs with the smallest μ, whether or not these overlap."""
-        candidates = self._candidates(max(below, 1.0))
-        tested = candidates if below <= 1 else self._candidates(1.0)
-        closest = self._closest(candidates, max(below, 1.0), max(worst, 1))
+        tested = self._candidates(1.0)
+        counts = len(tested.pairs), int(tested.overlap.sum())
+        lists = [tested if below <= 1 else self._candidates(below)]
+        del tested
+        contacts = self._contacts(lists[0], below)
+        closest = self._closest(lists, max(below, 1.0), max(worst, 1))
         return Report(
             len(self),
             self.shapeless,
             None if self.cell is None else float(abs(np.linalg.det(self.cell))),
             self.packing_fraction,
-            len(tested.pairs),
-            int(tested.overlap.sum()),
+            *counts,
             float(closest.mu[0]) if len(closest.mu) else None,
             nearest_image_limit(self.q, self.cell) if self.cell is not None and all(self.periodic) else None,
-            self._contacts(candidates, below),
+            contacts,
             Contacts._make(np.asarray(column)[:worst] for column in closest),
         )
 
@@ -209,27 +211,34 @@ class System:
         found = self.neighbors(scale)
         images = None if self.cell is None else found.images
         arrays = found.pairs, self.centers, self.q, self.cell
-        return _Candidates(
-            found.pairs, found.images, contact_pairs(*arrays, images=images)[0], overlap_pairs(*arrays, images=images)
-        )
+        overlap = overlap_pairs(*arrays, images=images)
+        return _Candidates(found.pairs, found.images, contact_pairs(*arrays, images=images)[0], overlap)
 
     def _contacts(self, candidates: _Candidates, below: float) -> Contacts:
         chosen = candidates.overlap if below == 1 else candidates.mu2 < _squared(below)
         return self._details(candidates, np.flatnonzero(chosen))
 
-    def _closest(self, candidates: _Candidates, scale: float, count: int) -> Contacts:
-        """The pairs with the smallest μ. A list for one scale has all pairs whose μ is no larger, so it grows until it has some."""
+    def _closest(self, lists: list[_Candidates], scale: float, count: int) -> Contacts:
+        """The pairs with the smallest μ, found from the only one of `lists`, which is for this scale.
+
+        A list for a scale has all pairs whose μ is not larger. While it has none of these, a list for a larger scale replaces it. The
+        old one is freed first: `lists` holds the only reference.
+        """
+        candidates = lists.pop()
         reach = np.ptp(self.centers, axis=0).max(initial=0) + np.sqrt(self.q[:, [0, 3, 5]].max(initial=0))
         smallest_box = np.sqrt(self.q[:, [0, 3, 5]].min(initial=np.inf))
         while not (candidates.mu2 <= _squared(scale)).any() and scale * smallest_box <= reach:
             scale *= 1.25 if len(candidates.pairs) else 2.0
+            del candidates
             candidates = self._candidates(scale)
-        complete = np.flatnonzero(candidates.mu2 <= _squared(scale))
-        smallest = complete[np.argsort(candidates.mu2[complete], kind="stable")[:count]]
-        return self._details(candidates, smallest)
+        bound = _squared(scale)
+        if len(candidates.mu2) > count:
+            bound = min(bound, np.partition(candidates.mu2, count - 1)[count - 1])
+        return self._details(candidates, np.flatnonzero(candidates.mu2 <= bound), count)
 
-    def _details(self, candidates: _Candidates, chosen: NDArray[np.intp]) -> Contacts:
-        chosen = chosen[np.argsort(candidates.mu2[chosen], kind="stable")]
+    def _details(self, candidates: _Candidates, chosen: NDArray[np.intp], count: int | None = None) -> Contacts:
+        """The chosen pairs in the order of μ, up to `count` of them."""
+        chosen = chosen[np.argsort(candidates.mu2[chosen], kind="stable")[:count]]
         pairs, images = candidates.pairs[chosen], candidates.images[chosen]
         # At a common centre, point and normal are NaN, which is no mistake of the input.
         with np.errstate(invalid="ignore"):
@@ -249,7 +258,7 @@ class _Candidates(NamedTuple):
 
 
 def _squared(scale: float) -> float:
-    """Infinity where that overflows, as μ² does."""
+    """Infinity if the square overflows, as μ² does. The operator ** would raise OverflowError."""
     return scale * scale
 
 
@@ -258,13 +267,14 @@ _UNIT = 2.0**-23
 
 
 def unit_quaternions(quaternions: Floats) -> Floats:
-    """Quaternions (n, 4) of length 1; NaN for those that are zero or not finite. Which have length 1 stay as they are."""
+    """Quaternions (n, 4) of length 1; NaN for those that are zero or not finite. Quaternions of length 1 stay as they are."""
+    units: Floats = quaternions.copy()
     with np.errstate(invalid="ignore", over="ignore"):
-        lengths = np.linalg.norm(quaternions, axis=1, keepdims=True)
-        # By their largest component first, so that no length overflows or underflows
-        scaled = quaternions / np.abs(quaternions).max(axis=1, keepdims=True)
-        units: Floats = scaled / np.linalg.norm(scaled, axis=1, keepdims=True)
-    return np.where(np.abs(lengths - 1) <= _UNIT, quaternions, units)
+        others = ~(np.abs(np.sqrt(np.einsum("ij,ij->i", units, units)) - 1) <= _UNIT)
+        # Divided by their largest component first, so that no length overflows or underflows
+        scaled = units[others] / np.abs(units[others]).max(axis=1, keepdims=True)
+        units[others] = scaled / np.linalg.norm(scaled, axis=1, keepdims=True)
+    return units
 
 
 def _whole_numbers(values: ArrayLike, name: str) -> NDArray[Any]:

@@ -17,7 +17,7 @@ from ._typing import Floats
 
 
 class ContactForces(NamedTuple):
-    """What an energy of pairs does to the particles."""
+    """Forces and torques on the particles, and the virial, of an energy of pairs."""
 
     forces: Floats
     torques: Floats
@@ -137,7 +137,7 @@ def overlap_any_indices(
     cell: ArrayLike | None = None,
     images: ArrayLike | None = None,
 ) -> bool:
-    """Whether an ellipsoid overlaps any of others of a system, by their indices, as a Monte Carlo move asks.
+    """Whether an ellipsoid overlaps any of the given particles of a system, as the test of a Monte Carlo move.
 
     Without `images` the answer is about all images of the others, and of the one itself: an error where none of the nearest ones
     overlaps, but others could (`nearest_image_limit` of the one and the others is below 1). There, take the images of a neighbour
@@ -201,7 +201,7 @@ def overlap_any_indices(
 def _blame(
     indices: NDArray[Any], center: Floats, q1: Floats, centers: Floats, q: Floats, cell: Floats | None
 ) -> str:
-    """What is wrong with the arguments of overlap_any_indices; a row is one of `indices`."""
+    """Says what is wrong with the arguments of overlap_any_indices(). A row is one of `indices`."""
     outside = (indices < 0) | (indices >= len(centers))
     if outside.any():
         row = int(outside.argmax())
@@ -211,7 +211,7 @@ def _blame(
 
 
 def overlap_any(q1: ArrayLike, r12: ArrayLike, q2: ArrayLike) -> bool:
-    """Whether an ellipsoid overlaps any of n others; looks at them one after the other up to the first that does.
+    """Whether an ellipsoid overlaps any of n others. Tests one after the other, up to the first overlap.
 
     Parameters
     ----------

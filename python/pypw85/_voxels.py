@@ -1,4 +1,4 @@
-"""Ellipsoids on a grid, as solvers by fast Fourier transforms take them."""
+"""Voxel images of systems, as input of solvers that use fast Fourier transforms."""
 
 from __future__ import annotations
 
@@ -56,7 +56,7 @@ def check_voxels_name(path: str) -> None:
 
 
 def save_voxels(path: str, system: System, resolution: int) -> None:
-    """As a data set "voxels" of HDF5 with cell and origin, or as an image of VTK's legacy format (cells with right angles)."""
+    """Writes a data set "voxels" of HDF5 with cell and origin, or an image of VTK's legacy format (rectangular cells only)."""
     check_voxels_name(path)
     image = voxels(system, resolution)
     with replacing(path) as temporary:

@@ -1,4 +1,4 @@
-"""What programs for pw85 1.0 read from its configuration file, which nothing else needs any more."""
+"""Options of the configuration file of pw85 1.0, for programs that were written for it. Nothing else reads this file."""
 
 from __future__ import annotations
 

@@ -66,6 +66,10 @@ PyObject *overlap_any_indices(PyObject *self, PyObject *const *args, Py_ssize_t 
 /// contact_forces_pairs(pairs, centers, q, cell or None, images or None, d_u, d_r12, d_rot1, d_rot2, forces, torques, virial): status.
 PyObject *contact_forces_pairs(PyObject *self, PyObject *const *args, Py_ssize_t nargs);
 
+/// parse_rows(block, separator or 0, kinds): (numbers (rows, n), codes (rows, m) of int32, m lists of names that codes count), or None
+/// unless all lines of the block, which is bytes, are plain. Kinds of columns, in bytes, are n (number), t (name), - (skipped).
+PyObject *parse_rows(PyObject *self, PyObject *args);
+
 /// nearest_image_limit(q, cell): (status, mu2).
 PyObject *nearest_image_limit(PyObject *self, PyObject *const *args, Py_ssize_t nargs);
 

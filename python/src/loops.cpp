@@ -163,6 +163,15 @@ bool for_blocks(std::ptrdiff_t count, Rows const *rows, int operands, Batch cons
     return bad == 0;
 }
 
+/// Makes truth values of codes, which are 0, 1 and 255, by loops that compilers vectorise.
+void make_boolean(unsigned char *codes, std::size_t n, bool if_bad) noexcept
+{
+    if (if_bad)
+        std::transform(codes, codes + n, codes, [](unsigned char code) -> unsigned char { return code != 0; });
+    else
+        std::transform(codes, codes + n, codes, [](unsigned char code) -> unsigned char { return code == 1; });
+}
+
 template <bool boolean>
 void truth_loop(char **args, std::ptrdiff_t const *dimensions, std::ptrdiff_t const *steps, void *data) noexcept
 {
@@ -170,12 +179,14 @@ void truth_loop(char **args, std::ptrdiff_t const *dimensions, std::ptrdiff_t co
     Function const &function = *static_cast<Function const *>(data);
     find_rows(function, args, steps, rows);
     FloatingPointFlags flags;
+    bool const is_contiguous = rows[3].step == 1, if_bad = function.if_bad;
     bool const good = for_blocks(dimensions[0], rows, 3, [&](Block &block, std::ptrdiff_t first, std::size_t n) {
-        unsigned char codes[max_block_rows];
+        unsigned char buffer[max_block_rows];
+        unsigned char *const codes = is_contiguous ? &element<unsigned char>(rows[3], first) : buffer;
         int const status = function.codes(n, block.gathered(0), block.gathered(1), block.gathered(2), codes);
-        for (std::size_t i = 0; i < n; ++i)
-            element<unsigned char>(rows[3], first + static_cast<std::ptrdiff_t>(i)) =
-                boolean ? codes[i] == 1 || (codes[i] == 255 && function.if_bad) : codes[i];
+        if (boolean) make_boolean(codes, n, if_bad);
+        for (std::size_t i = 0; !is_contiguous && i < n; ++i)
+            element<unsigned char>(rows[3], first + static_cast<std::ptrdiff_t>(i)) = codes[i];
         return status;
     });
     flags.note(!good);

@@ -127,6 +127,7 @@ PyMethodDef methods[] = {
     {"nearest_images", as_method(nearest_images), METH_FASTCALL, "Status of pw85_nearest_images()."},
     {"nearest_image_limit", as_method(nearest_image_limit), METH_FASTCALL,
      "Status and limit of pw85_nearest_image_limit()."},
+    {"parse_rows", parse_rows, METH_VARARGS, "Rows of a table in a text file."},
     {nullptr, nullptr, 0, nullptr},
 };
 

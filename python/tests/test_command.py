@@ -5,6 +5,7 @@ import errno
 import functools
 import json
 import os
+import pathlib
 import re
 import shlex
 import signal
@@ -401,6 +402,43 @@ def test_closed_pipe_of_a_slow_command():
     for descriptor in (writer, terminal, controller):
         os.close(descriptor)
     assert done.returncode == 3
+
+
+def touching_lattice(side):
+    """Ellipsoids with μ = 1.05 between nearest neighbours, whose boxes meet: a cubic lattice of spheres under a linear map."""
+    linear = np.array([[1, 0.5, 0.5], [0, 1, 0.5], [0, 0, 1]])
+    grid = np.stack(np.meshgrid(*[np.arange(side)] * 3, indexing="ij"), axis=-1).reshape(-1, 3)
+    form = (linear @ linear.T)[np.triu_indices(3)]
+    return pypw85.System(2.1 * grid @ linear.T, np.tile(form, (side**3, 1)), cell=2.1 * side * linear.T)
+
+
+# The kernel counts in ru_maxrss what a parent had when it started the process, but not here.
+PEAK = """
+import pathlib, sys
+from pypw85 import cli
+sys.argv = ["pw85", "check", "a.dump"]
+assert cli._run() == 0
+print(pathlib.Path("/proc/self/status").read_text())
+"""
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="the file with the peak is one of Linux")
+def test_memory(folder):
+    """The growth between two sizes against what docs/command.rst says.
+
+    A tenth of that is left for memory which the allocator keeps; here it gives back what is more than 128 KiB.
+    """
+    text = (pathlib.Path(os.environ["PYPW85_SOURCE"]) / "docs" / "command.rst").read_text(encoding="utf-8")
+    per_particle, per_pair = map(int, re.search(r"(\d+) bytes for each\s+particle, and (\d+) for each\s+pair", text).groups())
+    needed, bound = [], []
+    for side in (30, 50):  # larger than the blocks in which files are read
+        system = touching_lattice(side)
+        pypw85.write("a.dump", system)
+        environment = {**os.environ, "MALLOC_MMAP_THRESHOLD_": "131072"}
+        done = subprocess.run([sys.executable, "-c", PEAK], capture_output=True, text=True, env=environment)
+        needed.append(1024 * int(re.search(r"VmHWM:\s+(\d+) kB", done.stdout)[1]))
+        bound.append(per_particle * side**3 + per_pair * len(system.neighbors(1.25)))
+    assert 0.5 <= (needed[1] - needed[0]) / (bound[1] - bound[0]) <= 0.9, (needed, bound)
 
 
 def test_help(run):

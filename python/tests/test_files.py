@@ -1,9 +1,12 @@
 """Files of other programs: what is written is read again, conventions, and what is said of broken files."""
 
+import decimal
 import gzip
 import itertools
 import os
 import pathlib
+import random
+import re
 import stat
 import subprocess
 import sys
@@ -13,6 +16,8 @@ import numpy as np
 import pytest
 
 import pypw85
+from pypw85 import _core
+from pypw85.formats import _files, _table
 from systems import CELL, SUFFIXES, random_system
 
 DUMP = """ITEM: TIMESTEP
@@ -353,6 +358,141 @@ def test_lines(suffix, line, tmp_path, file):
     assert bad.splitlines()[line - 1].count("abc") == 1
     with pytest.raises(pypw85.FileError, match=f"line {line}: column . .*'abc'"):
         pypw85.read(file(bad, f"b.{suffix}"))
+
+
+TEXT = ["dump", "data", "xyz", "csv"]
+
+
+@pytest.fixture
+def small_blocks(monkeypatch):
+    """Some lines are read at once, and lines lie across the bytes that are read ahead."""
+    monkeypatch.setattr(_table, "_BLOCK", 700)
+    monkeypatch.setattr(_files, "READ_AHEAD", 300)
+
+
+@pytest.mark.parametrize("suffix", [*TEXT, "dump.gz", "xyz.gz"])
+def test_blocks_of_lines(suffix, tmp_path, assert_rows, small_blocks):
+    names = [f"a{k // 3}" for k in range(40)]
+    expected = [random_system(seed, step=seed, types=names) for seed in range(1 if suffix in ("data", "csv") else 3)]
+    pypw85.write(tmp_path / f"a.{suffix}", expected)
+    found = list(pypw85.frames(tmp_path / f"a.{suffix}"))
+    assert len(found) == len(expected)
+    for a, b in zip(found, expected):
+        assert_same(a, b, assert_rows)
+        assert list(a.types) == names
+
+
+@pytest.mark.parametrize("suffix", TEXT)
+def test_lines_of_blocks(suffix, tmp_path, file, small_blocks):
+    """A word that is wrong is found in its line, and so is the end of a truncated table, wherever these are."""
+    pypw85.write(tmp_path / f"a.{suffix}", random_system(step=0))
+    lines = (tmp_path / f"a.{suffix}").read_text().splitlines(keepends=True)
+    first = len(lines) - 40 if suffix != "data" else next(k for k, line in enumerate(lines) if line.startswith("Atoms")) + 2
+    for k in (0, 1, 6, 20, 39):
+        broken = [*lines]
+        words = re.split("([ ,])", broken[first + k])
+        broken[first + k] = "".join([*words[:10], "1_0", *words[11:]])
+        with pytest.raises(pypw85.FileError, match=r"should be a number, not '1_0'") as raised:
+            pypw85.read(file("".join(broken), f"b.{suffix}"))
+        assert raised.value.line == first + k + 1
+        if suffix != "csv" and k:
+            with pytest.raises(pypw85.FileError, match=f"the file ends after {k} of 40 particles") as raised:
+                pypw85.read(file("".join(lines[:first + k]), f"b.{suffix}"))
+            assert raised.value.line == first + k
+
+
+def test_plain_files_are_read_by_compiled_code(tmp_path, monkeypatch):
+    def by_words(*_):
+        pytest.fail("lines were read word by word")
+
+    monkeypatch.setattr(_table.Table, "_rows_by_words", by_words)
+    for suffix in TEXT:
+        types = ["a", "Größe"] * 20
+        pypw85.write(tmp_path / f"a.{suffix}", random_system(types=types))
+        windows = (tmp_path / f"a.{suffix}").read_bytes().replace(b"\n", b"\r\n")
+        (tmp_path / f"b.{suffix}").write_bytes(windows)
+        for name in "ab":
+            assert list(pypw85.read(tmp_path / f"{name}.{suffix}").types) == types
+
+
+def number_words(rng):
+    """Decimals of all sizes: short, of 17 digits, and of all digits that the midpoint of two numbers has."""
+    for exponent in rng.integers(-1074, 1024, 2000):
+        number = float(np.ldexp(rng.uniform(-1, 1), exponent))
+        middle = decimal.Decimal(number) + (decimal.Decimal(float(np.nextafter(number, np.inf))) - decimal.Decimal(number)) / 2
+        yield from (repr(number), f"{number:.17g}", f"{number:+.6e}", f"{number:.3g}", str(middle))
+    yield from ("0", "-0", "+0", "1.", ".5", "-.5e1", "1E5", "+1e+5", "00012", "inf", "-Infinity", "NaN", "5e-324", "4.9e-324", "2e-324",
+                "1.7976931348623157e308", "1e309", "-1e400", "1e-400", "0" * 400 + "1", "1" + "0" * 400, "9007199254740993")
+
+
+@pytest.mark.parametrize("separator", [" ", ","])
+def test_numbers_are_those_of_float(separator, rng):
+    """Bit for bit, if they are read at all; those out of range, and only those, are left to Python."""
+    decimal.getcontext().prec = 1200
+    for word in number_words(rng):
+        expected = float(word)
+        found = _core.parse_rows(f"x{separator}{word}\n".encode(), 0 if separator == " " else ord(separator), b"-n")
+        if found is None:
+            assert np.isinf(expected) or abs(expected) < 2.0**-1022, word
+        else:
+            assert found[0].tobytes() == np.array(expected).tobytes() or (np.isnan(expected) and np.isnan(found[0][0, 0])), word
+
+
+@pytest.mark.parametrize("word", ["", "+", "-", ".", "e5", "1e", "1e+", "1_0", "0x10", "1,0", "--1", "+-1", "-+1", "++1", "1a",
+                                  "nan(1)", "nan()", "infi", "\u0661", "1\u00a0", "\xb2", "1\0", "T"])  # fmt: skip
+def test_words_that_are_no_numbers(word):
+    assert _core.parse_rows(f"{word} \n".encode(), 0, b"n") is None
+    assert _core.parse_rows(f"1;{word}\n".encode(), ord(";"), b"nn") is None
+
+
+def test_plain_rows():
+    """What str.split() makes of lines; without an end, the last line is one, too."""
+    block = b"a 1 x -2.5\t \r\n  b\x1c3 y\x0b4\na 5 z 6"
+    numbers, codes, names = _core.parse_rows(block, 0, b"tn-n")
+    assert (numbers.tolist(), codes.tolist(), names) == ([[1, -2.5], [3, 4], [5, 6]], [[0], [1], [0]], ([b"a", b"b"],))
+    numbers, codes, names = _core.parse_rows(b",1,, 2\r\n a b ,3,x,4\n", ord(","), b"tn-n")
+    assert (numbers.tolist(), codes.tolist(), names) == ([[1, 2], [3, 4]], [[0], [1]], ([b"", b"a b"],))
+    for bad in (b"a 1 x\n", b"a 1 x 2 3\n", b"\n", b"a 1 x 2\n\n", b"a 1 \xc2\xa0 2\n"):
+        assert _core.parse_rows(bad, 0, b"tn-n") is None, bad
+    numbers, codes, names = _core.parse_rows(b'"a,b",1,"x","2"\r\n"",3,x,4\n"c","5",,"6"', ord(","), b"tn-n")
+    assert (numbers.tolist(), codes.tolist(), names) == ([[1, 2], [3, 4], [5, 6]], [[0], [1], [2]], ([b"a,b", b"", b"c"],))
+    for bad in ('"a""b",1,x,2', 'a"b,1,x,2', ' "a",1,x,2', '"a,1,x,2', '"a"b,1,x,2', 'a,1,x,"2', 'a,1,x,2,"', 'a,1,x,"', 'a,1,"x,2',
+                '\r,1,"x",2',
+                'a,1,x,"2" ', '"a",1,x"y,2'):  # fmt: skip
+        assert _core.parse_rows(bad.encode(), ord(","), b"tn-n") is None, bad
+        assert _core.parse_rows(bad.encode() + b"\n", ord(","), b"tn-n") is None, bad
+    assert _core.parse_rows(b"a,1,2\n", ord(","), b"tn-n") is None
+
+
+WORDS = ["1", "-2.5", "1e3", "a", "", '""', '"a"', '"1"', '"a,b"', " 1", 'a"b', '"', "\r", "\x1c", "é", "\u00a0", "nan",
+         "+1", '"a""b"', '  "a"', "\t"]  # fmt: skip
+
+
+@pytest.mark.parametrize("name, head, separator", [("a.csv", "x,y,z,radius,type,other\n", ","),
+                                                   ("a.xyz", "3\nProperties=pos:R:3:radius:R:1:species:S:1:other:S:1\n", " ")])
+def test_compiled_code_reads_what_python_reads(name, head, separator, file, monkeypatch):
+    """Tables with odd words: the same numbers and names, or the same error."""
+
+    def outcome(path):
+        try:
+            system = pypw85.read(path, format=name[2:])
+        except pypw85.FileError as error:
+            return str(error)
+        return system.centers.tolist(), system.semi_axes.tolist(), list(map(str, system.types))
+
+    chance = random.Random(1)
+    found = []
+    for _ in range(400):
+        rows = [["1", "2", "3", "1", "a", "b"] for _ in range(3)]
+        for _ in range(chance.choice([1, 1, 2, 4])):
+            row = chance.choice(rows)
+            row[chance.randrange(6)] = chance.choice(WORDS) + chance.choice(["", "", "", chance.choice(WORDS)])
+        path = file(head + "\n".join(map(separator.join, rows)) + chance.choice(["", "\n", "\r\n"]), name)
+        found.append(outcome(path))
+        with monkeypatch.context() as context:
+            context.setattr(_table.Table, "_plain_rows", lambda *_: None)
+            assert outcome(path) == found[-1], path.read_bytes()
+    assert 50 < sum(isinstance(each, tuple) for each in found) < 350
 
 
 def test_hdf5_without_particles(tmp_path):

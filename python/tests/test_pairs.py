@@ -1,5 +1,7 @@
 """Neighbour lists."""
 
+import tracemalloc
+
 import numpy as np
 import pytest
 
@@ -152,3 +154,23 @@ def test_nearest_images_of_bad_input():
         pypw85.nearest_images([[0, 0]], centers, np.zeros((3, 3)))
     with pytest.raises(IndexError):
         pypw85.nearest_images(np.array([[0, 2]], dtype=np.int32), centers, np.eye(3))
+
+
+@pytest.mark.parametrize("name", ["contact_pairs", "overlap_pairs", "nearest_images"])
+def test_lists_are_used_in_place(name):
+    """Index pairs and images of int32 are not copied: the memory of a call is that of its results."""
+    n = 20_000
+    pairs = np.tile(np.array([[0, 1]], np.int32), (n, 1))
+    images = np.zeros((n, 3), np.int32)
+    for array in (pairs, images):
+        array.setflags(write=False)  # as those of Neighbors
+    arguments = pairs, np.array([[0.0, 0, 0], [3, 0, 0]]), *([np.tile([1.0, 0, 0, 1, 0, 1], (2, 1))] if name != "nearest_images" else [])
+    keywords = {"cell": 9 * np.eye(3)} | ({"images": images} if name != "nearest_images" else {})
+    tracemalloc.start()
+    try:
+        results = getattr(pypw85, name)(*arguments, **keywords)
+        peak = tracemalloc.get_traced_memory()[1]
+    finally:
+        tracemalloc.stop()
+    own = sum(array.nbytes for array in (results if isinstance(results, tuple) else [results]))
+    assert own <= peak < own + 2 * n, (peak, own)

@@ -51,7 +51,7 @@ for _command, _lines in _EXAMPLES.items():
     pw85.add_command(_command)
 
 
-# As of a program that the signal SIGPIPE ends: the input was not bad, but not all of it may have been seen.
+# The status of a program that SIGPIPE ends. The input was not bad, but not all of it may have been read.
 _GONE = 128 + 13
 
 
@@ -105,7 +105,7 @@ def _run() -> int:
 
 
 def _show_warnings() -> None:
-    """What the library says to users becomes one line; other warnings are shown as Python does."""
+    """Prints UserWarning, by which the library speaks to users, as one line, and other warnings as Python does."""
     others = warnings.showwarning
 
     def show(message: Warning | str, category: type[Warning], *where: Any, **more: Any) -> None:

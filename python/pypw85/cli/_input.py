@@ -1,4 +1,4 @@
-"""Options that every command has which reads a file."""
+"""Options of all commands that read a file."""
 
 from __future__ import annotations
 
@@ -109,7 +109,7 @@ def input_options(function: Callable[..., Any]) -> Callable[..., Any]:
 
 
 def check_outputs(given: Input, *paths: str | None) -> None:
-    """Refuses, before there is work, names that cannot be written, that of the input, and one name for two outputs."""
+    """Refuses names that cannot be written, the name of the input, and one name for two outputs. Call it before the work."""
     taken = {os.path.realpath(given.path): "is the input: name another file"}
     for path in paths:
         if path is None:

@@ -1,4 +1,4 @@
-"""Ctrl-C: what can be kept is finished and written; everything else ends at once."""
+"""Ctrl-C: work that can be kept is finished and written; all other work ends at once."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ def keeping_work() -> Iterator[None]:
 
 
 def shield_processes() -> None:
-    """Keeps Ctrl-C from the processes that this thread will start, which would complain each on their own."""
+    """Blocks Ctrl-C for the processes that this thread will start. Each of them would print an error."""
     if hasattr(signal, "pthread_sigmask"):  # not on Windows
         from multiprocessing import resource_tracker
 

@@ -1,4 +1,4 @@
-"""A line for what takes longer than a second: on terminals, where tqdm is installed."""
+"""A line that shows the progress of work that takes longer than a second, on terminals, if tqdm is installed."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ except ImportError:
 
 @contextlib.contextmanager
 def progress() -> Iterator[Callable[[str], None]]:
-    """Yields a function that takes what is done now, and raises KeyboardInterrupt after Ctrl-C.
+    """Yields a function that takes a description of the current work, and raises KeyboardInterrupt after Ctrl-C.
 
     Another thread shows it, so that time goes on while nothing else does.
     """
@@ -49,7 +49,7 @@ def _show(stage: list[str], finished: threading.Event) -> None:
 
 
 def say(line: str, to: TextIO | None = None) -> None:
-    """Prints a line, to stdout by default, without damage to that of the progress."""
+    """Prints a line, to stdout by default, without damage to the line of the progress."""
     stream = to or sys.stdout
     if tqdm is None:
         print(line, file=stream, flush=True)

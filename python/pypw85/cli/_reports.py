@@ -1,4 +1,4 @@
-"""Files with what `pw85 check` finds: each is complete or not there."""
+"""Files with the results of `pw85 check`. Files are written atomically."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ _COLUMNS = ("frame", "step", "id1", "id2", "image_a", "image_b", "image_c", "mu"
 
 
 class Found(NamedTuple):
-    """A report with what is known of its frame; `contact_ids` and `worst_ids` name the particles of its pairs."""
+    """A report and its frame. `contact_ids` and `worst_ids` are the ids of the particles of its pairs."""
 
     frame: int
     step: int
@@ -77,7 +77,7 @@ def _as_json(found: Found) -> dict[str, Any]:
 
 
 def _lists(contacts: Contacts) -> Iterator[list[Any]]:
-    """Columns as lists; JSON knows no NaN, which point and normal are at a common centre."""
+    """Columns as lists, with None for NaN, which JSON does not have: point and normal at a common centre."""
     for column in map(np.asarray, contacts[1:]):
         plain: Any = column.astype(object)
         plain[plain != plain] = None

@@ -51,7 +51,7 @@ def check(given: Input, worst: int, below: float, csv_path: str | None, json_pat
 
 
 def survey(given: Input, location: Location, worst: int, below: float, stage: Callable[[str], object] = str) -> Found:
-    """What is found in a frame; calls `stage` with what it does."""
+    """Checks a frame. Calls `stage` with a description of each step."""
     stage(f"frame {location.frame}: reading")
     system = given.load(location)
     stage(f"frame {location.frame}: checking")
@@ -73,7 +73,7 @@ def _survey_all(
 def _survey_with_dask(
     given: Input, worst: int, below: float, workers: int, stage: Callable[[str], object]
 ) -> Iterator[Found]:
-    """Some frames at a time, so that no more reports than these wait."""
+    """Takes some frames at a time, so that only their reports are in memory."""
     from concurrent.futures import ProcessPoolExecutor
 
     from dask.base import compute
@@ -94,7 +94,7 @@ def _survey_with_dask(
 
 
 def _survey_or_error(given: Input, location: Location, worst: int, below: float) -> Found | Exception:
-    """Errors as results: dask would put the traceback of the worker into their text."""
+    """Returns errors as results, since dask would put the traceback of the worker into their text."""
     try:
         return survey(given, location, worst, below)
     except (OSError, ValueError, MemoryError) as error:
@@ -102,7 +102,7 @@ def _survey_or_error(given: Input, location: Location, worst: int, below: float)
 
 
 class _Summary:
-    """What is printed: a line for each frame, and the worst pairs of all."""
+    """Prints a line for each frame, and the worst pairs of all frames."""
 
     def __init__(self, given: Input, worst: int) -> None:
         self.given, self.count = given, worst

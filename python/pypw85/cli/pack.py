@@ -91,7 +91,7 @@ def relax(given: Input, output: str, to: str | None, steps: int) -> int:
 
 
 class _Best:
-    """The best that comes of relaxations for a file, and what is to be said where overlaps are left."""
+    """The best results of relaxations for a file, and sentences about overlaps that are left."""
 
     def __init__(self, output: str) -> None:
         self.output, self.status = output, 0
@@ -110,7 +110,7 @@ class _Best:
         return best
 
     def report(self) -> int:
-        """Says it, and returns the status of the command."""
+        """Prints the sentences, and returns the status of the command."""
         for sentence in self.sentences:
             say(f"{sentence}; the file has the best that was found", sys.stderr)
         return self.status

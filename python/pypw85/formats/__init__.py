@@ -1,4 +1,4 @@
-"""Files of other programs: which format one has, its frames, and writing.
+"""Files of other programs: recognising their format, finding and reading frames, writing.
 
 A format is a module. One that is read has ``recognise(start)``, ``locate(path)``, which finds frames without reading them, and
 ``load(path, location, options)``. One that is written has ``save``: of a frame to an open file, or of all frames to a path;
@@ -56,7 +56,7 @@ _WHOLE_FILES = (gsd, hdf5)
 
 
 def guess(path: Path) -> str:
-    """The format of a file, by what is in it."""
+    """The format of a file, by its content."""
     check_input(path)
     is_packed = is_compressed(path)
     try:
@@ -102,7 +102,7 @@ def check_written_name(path: Path, format: str | None) -> str:
 
 
 def locate(path: Path, format: str, chosen: slice = slice(None)) -> Iterator[Location]:
-    """Where the chosen frames are; found as they are asked for, unless counted from the last."""
+    """Locations of the chosen frames. They are found one by one, unless frames are counted from the last."""
     located = FORMATS[format].locate(path)
     if any(number is not None and number < 0 for number in (chosen.start, chosen.stop, chosen.step)):
         yield from list(located)[chosen]
@@ -116,7 +116,7 @@ def load(path: Path, format: str, location: Location, options: Options) -> Syste
 
 
 def frames(path: Path, chosen: slice = slice(None), format: str | None = None, **options: Any) -> Iterator[System]:
-    """The frames of a file, one after the other: no more than one is in memory.
+    """The frames of a file, one after the other. Only one is in memory.
 
     Parameters
     ----------
@@ -175,7 +175,7 @@ def read(path: Path, frame: int = 0, format: str | None = None, **options: Any) 
 
 
 def write(path: Path, systems: System | Iterable[System], format: str | None = None) -> None:
-    """Write a system, or several as frames. A file that was there stays whole until the new one is complete.
+    """Write a system, or several as frames. The file is written atomically.
 
     A text file whose name ends with .gz is compressed. What the format cannot hold exactly, as numbers in double precision in a
     GSD file, is lost with a warning (`UserWarning`).
@@ -211,7 +211,7 @@ def write(path: Path, systems: System | Iterable[System], format: str | None = N
 
 
 def _storable(path: Path, module: ModuleType, systems: Iterable[System]) -> Iterator[System]:
-    """Systems that can be read again. Says once what is lost."""
+    """Checks that systems can be read again. Warns once of each kind of loss."""
     said: set[str] = set()
     frame = -1
     for frame, system in enumerate(systems):
@@ -226,7 +226,7 @@ def _storable(path: Path, module: ModuleType, systems: Iterable[System]) -> Iter
 
 
 def _losses(module: ModuleType, system: System) -> Iterator[tuple[str, str]]:
-    """What of a system a format cannot hold: a word, and a sentence."""
+    """What a format cannot store of a system: a word for each kind of loss, and a sentence."""
     if hasattr(module, "losses"):
         yield from module.losses(system)
     if system.shapeless:

@@ -1,4 +1,4 @@
-"""What LAMMPS and HOOMD ask of a system that is written for them."""
+"""Boxes and types of a system as LAMMPS and HOOMD need them."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from ._names import numbers_if_all_are, type_names
 
 # A box around a system is wider by this share of it, so that no images overlap where single precision rounds it.
 _MARGIN = 2.0**-20
-# Rounding a corner and adding an edge to it may change an edge by this share; more is a corner too far from the particles.
+# Rounding a corner, and adding an edge to it, may change the edge by this share. If it changes more, the corner is too far from 0.
 _ROUNDED = 2.0**-40
 
 

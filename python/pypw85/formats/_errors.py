@@ -1,4 +1,4 @@
-"""What is wrong with a file, where, and what helps."""
+"""Errors in files: each says what is wrong, where, and what helps."""
 
 from __future__ import annotations
 
@@ -37,12 +37,12 @@ FileError.__module__ = "pypw85"
 
 
 def printable(text: str) -> str:
-    """The text with control characters escaped: what a file holds must neither break a line nor command a terminal."""
+    """Escapes control characters, so that text from a file neither breaks a line nor controls a terminal."""
     return "".join(c if c.isprintable() else c.encode("unicode_escape").decode() for c in text)
 
 
 def guarded(function: Function) -> Function:
-    """Decorator of what reads a file, whose path is the first argument, by a library: of broken files these raise errors of any type."""
+    """Decorator for functions (path, ...) that read a file by a library. Turns its exceptions, of any type, into FileError."""
 
     @functools.wraps(function)
     def run(path: os.PathLike[str], *others: Any) -> Any:

@@ -1,4 +1,4 @@
-"""How files are opened: for reading, decompressed if need be; for writing, so that a file is complete or not there."""
+"""Opening files. Compressed files are decompressed for reading. Files are written atomically."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ import os
 import shutil
 import stat
 import tempfile
-from typing import IO, Any, NamedTuple, Union, cast
+from typing import IO, Any, NamedTuple, TypeAlias, Union, cast
 from collections.abc import Iterator
 
 from ._errors import FileError
@@ -18,6 +18,8 @@ from ._errors import FileError
 Path = Union[str, "os.PathLike[str]"]
 
 _GZIP = b"\x1f\x8b"
+# Bytes that are read from a text file at once.
+READ_AHEAD = 1 << 20
 
 
 class Target(NamedTuple):
@@ -32,7 +34,7 @@ class Target(NamedTuple):
 
 
 def check_output(path: Path) -> Target:
-    """Where an output of this name goes. Call it before the work that makes the output.
+    """Finds where an output of this name goes. Call it before the work that makes the output.
 
     Raises
     ------
@@ -63,7 +65,7 @@ def check_output(path: Path) -> Target:
 
 
 def _is(path: str, status: os.stat_result) -> bool:
-    """Whether the path leads to this file: that of an open file in /proc may have no name any more."""
+    """Whether the path leads to this file. The path of an open file in /proc may lead to none, if the file was removed."""
     try:
         return os.path.samestat(os.stat(path), status)
     except OSError:
@@ -122,7 +124,7 @@ _unfinished: set[str] = set()
 
 
 def discard_unfinished() -> None:
-    """Removes temporary files of this process, which is about to end without the usual ceremonies."""
+    """Removes the temporary files of this process. Call it before the process ends by os._exit()."""
     for work in list(_unfinished):
         shutil.rmtree(work, ignore_errors=True)
 
@@ -147,7 +149,7 @@ def create_text(path: str, compressed: bool) -> Iterator[IO[str]]:
 
 
 def check_input(path: Path) -> os.stat_result:
-    """Formats are recognised, and frames found, by reading a file more than once: pipes and devices will not do."""
+    """Refuses pipes and devices: a file is read more than once, to recognise its format, to find frames, and to read them."""
     status = os.stat(path)
     if stat.S_ISDIR(status.st_mode):
         raise FileError(path, "is a directory: name a file in it")
@@ -161,25 +163,30 @@ def is_compressed(path: Path) -> bool:
         return file.read(2) == _GZIP
 
 
-# A decompressor that nobody uses, for the next frame: to reach it from the start of the file would take longer each time.
-_idle: dict[Any, IO[bytes]] = {}
+# Text to read, decompressed if need be
+Source: TypeAlias = io.BufferedReader | gzip.GzipFile
+
+# A decompressor that is not in use, kept for the next frame: to decompress a file from its start takes longer for each frame.
+_idle: dict[Any, gzip.GzipFile] = {}
 
 
-def open_for_reading(path: Path) -> IO[bytes]:
-    """A file, decompressed if it is one of gzip. End with `close_or_keep`."""
+def open_for_reading(path: Path) -> Source:
+    """Opens a file, and decompresses it if it is one of gzip. Pass the result to `close_or_keep` at the end."""
     file = _idle.pop(_identity(path, check_input(path)), None)
     if file is not None:
         return file
-    return cast("IO[bytes]", gzip.open(path, "rb") if is_compressed(path) else open(path, "rb"))
+    if is_compressed(path):
+        return gzip.open(path, "rb")
+    return cast("io.BufferedReader", open(path, "rb", buffering=READ_AHEAD))
 
 
-def close_or_keep(path: Path, file: IO[bytes], is_sound: bool) -> None:
-    """Keeps a decompressor that is not at its end."""
+def close_or_keep(path: Path, file: Source, is_sound: bool) -> None:
+    """Closes a file, or keeps its decompressor if that is not at its end."""
     if is_sound and isinstance(file, gzip.GzipFile) and file.peek(1):
         for other in list(_idle):
             if (old := _idle.pop(other, None)) is not None:
                 old.close()
-        _idle[_identity(path, os.fstat(file.fileno()))] = cast("IO[bytes]", file)
+        _idle[_identity(path, os.fstat(file.fileno()))] = file
     else:
         file.close()
 

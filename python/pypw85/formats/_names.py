@@ -12,9 +12,10 @@ from numpy.typing import NDArray
 from .._system import System
 from ._errors import printable
 
-# As for names of files. Arrays have room for the longest name in every row, so that one long name would take much memory.
+# Arrays of strings have room for the longest name in every row, so a long name would need much memory. 255 is the limit for names
+# of files, too.
 LONGEST = 255
-# Whole numbers as Python writes them, within 64 bits: only these are the same after they were read as numbers.
+# Whole numbers as Python writes them, within 64 bits. Only these keep their spelling when they are read as numbers.
 _WHOLE = re.compile(r"0|-?[1-9][0-9]{0,17}")
 
 
@@ -25,13 +26,13 @@ def type_names(system: System) -> NDArray[np.str_]:
 
 
 def numbers_if_all_are(names: NDArray[Any]) -> NDArray[Any]:
-    """Names as whole numbers, if all are: "007" and "7" remain two names."""
+    """Converts names to whole numbers if all are such; "007" and "7" remain two names."""
     if names.dtype.kind == "U" and all(map(_WHOLE.fullmatch, np.unique(names).tolist())):
         return names.astype(np.int64)
     return names
 
 
-# What names a format can hold: a test, and what is wrong with a name that does not pass it.
+# A rule for the names that a format can store: a test, and the error for a name that fails it
 Rule = tuple[Callable[[str], Any], str]
 
 _VALID: Rule = (lambda name: not re.search("[\0\ud800-\udfff]", name), "is no valid Unicode, or contains a null")

@@ -1,30 +1,32 @@
-"""Tables of numbers in text files: fast while they are right, and the line and column where they are not."""
+"""Tables of numbers in text files. Plain lines are read by compiled code; errors name the line and the column."""
 
 from __future__ import annotations
 
 import csv
 import gzip
-import itertools
 import os
 import re
 import zlib
-from typing import Any, NoReturn
+from typing import Any, TypeAlias
 from collections.abc import Callable, Iterator, Sequence
 
 import numpy as np
 from numpy.typing import NDArray
 
+from .. import _core
 from ._errors import FileError
-from ._files import close_or_keep, open_for_reading
+from ._files import READ_AHEAD, close_or_keep, open_for_reading
 from ._frames import Location, check_lengths_of_names
+from ._names import LONGEST
 
-# Lines parsed at once: some tenths of a second, after which an interruption is noticed.
-_BLOCK = 50_000
-_BLOCK_BYTES = 1 << 24
-# Bytes of a line: what is no text can be one line of any length, and compressed be a small file.
-_LONGEST = 1 << 20
+# Bytes of the lines that are parsed at once: some hundredths of a second, after which an interruption is noticed.
+_BLOCK = 1 << 22
+# The longest line in bytes. A file that is no text may be one line of any length, and small if it is compressed.
+_LONGEST = READ_AHEAD
 _DIGITS = re.compile(r"[-+]?[0-9]+")
 _NUMBER = re.compile(r"[-+]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][-+]?[0-9]+)?|[-+]?(?:inf|infinity|nan)", re.ASCII | re.IGNORECASE)
+# Rows of numbers, and for each column of names, codes and the names that these count.
+_Block: TypeAlias = tuple[NDArray[np.float64], NDArray[np.int32], list[list[str]]]
 _TRUE, _FALSE = ("T", "True", "TRUE", "true", "1"), ("F", "False", "FALSE", "false", "0")
 
 
@@ -49,12 +51,30 @@ class Lines:
             raise self.error(f"what is compressed cannot be read ({error}): it is broken or truncated; write it again") from None
 
     def read(self) -> bytes:
-        """The next line with its end; nothing behind the last."""
+        """The next line with its end; empty at the end of the file."""
         line: bytes = self._try(self._file.readline, _LONGEST + 1)
         self.number += bool(line)
         if len(line) > _LONGEST:
             raise self.error(f"the line is longer than {_LONGEST} bytes: this is no file of this format, or it is broken")
         return line
+
+    def read_block(self, count: int) -> tuple[bytes, int]:
+        """The next lines, up to `count` and some megabytes, and how many they are."""
+        parts: list[bytes] = []
+        start, size = self.number, 0
+        while size < _BLOCK and (left := start + count - self.number) and (part := self._read_ahead(left) or self.read()):
+            parts.append(part)
+            size += len(part)
+        return b"".join(parts), self.number - start
+
+    def _read_ahead(self, count: int) -> bytes:
+        """Whole lines that are in memory already, up to `count`."""
+        ahead: bytes = self._try(self._file.peek, 1)
+        ends, size = ahead.count(b"\n"), ahead.rfind(b"\n") + 1
+        if ends > count:
+            ends, size = count, int(np.flatnonzero(np.frombuffer(ahead, np.uint8) == ord("\n"))[count - 1]) + 1
+        self.number += ends
+        return self._file.read(size)
 
     def next(self) -> str | None:
         """The next line without its end; None behind the last."""
@@ -71,10 +91,10 @@ class Lines:
         return line
 
     def skip(self, count: int) -> int:
-        """Skips up to so many lines; how many there were."""
+        """Skips up to `count` lines, and returns how many there were."""
         skipped = 0
-        while skipped < count and self.read():
-            skipped += 1
+        while skipped < count and (lines := self.read_block(count - skipped)[1]):
+            skipped += lines
         return skipped
 
     def columns_ahead(self) -> int:
@@ -149,7 +169,7 @@ def _number(word: str) -> float:
 
 
 class Table:
-    """Columns of `count` lines, by name; its first line has the number `line`."""
+    """Columns of `count` lines, by name. The first of the lines has the number `line`."""
 
     def __init__(self, lines: Lines, count: int, columns: list[str], text: set[str],
                  separator: str | None, wanted: set[str] | None) -> None:  # fmt: skip
@@ -158,122 +178,124 @@ class Table:
         for name in chosen:
             if chosen.count(name) > 1:
                 raise lines.error(f"there are several columns '{name}': rename all but one")
-        self._text = {name: columns.index(name) for name in chosen if name in text}
-        self._numbers = {name: columns.index(name) for name in chosen if name not in text}
-        self.line, self.count = lines.number + 1, count
-        blocks = list(self._blocks())
-        self._values = {name: np.concatenate([block[name] for block in blocks]) if blocks else np.empty(0) for name in chosen}
+        self._text = [name for name in chosen if name in text]
+        self._numbers = [name for name in chosen if name not in text]
+        kinds = ["n" if name in self._numbers else "t" if name in self._text else "-" for name in columns]
+        self._kinds = "".join(kinds).encode()
+        self.line, self.count, self._filled = lines.number + 1, count, 0
+        self._rows = np.empty((0, len(self._numbers)))
+        # For each column of names, the different names with their numbers, and the numbers in each row
+        self._names: list[dict[str, int]] = [{} for _ in self._text]
+        self._codes: list[list[NDArray[np.int32]]] = [[] for _ in self._text]
+        while self._filled < count:
+            self._add(*lines.read_block(count - self._filled))
 
     def __contains__(self, name: str) -> bool:
-        return name in self._values
+        return name in self._text or name in self._numbers
 
     def __getitem__(self, name: str) -> NDArray[Any]:
-        column: NDArray[Any] = self._values[name]
-        return column
+        if name in self._numbers:
+            return self._rows[:, self._numbers.index(name)]
+        column = self._text.index(name)
+        return np.array(list(self._names[column]))[np.concatenate(self._codes[column])] if self.count else np.empty(0)
 
     def stack(self, names: Sequence[str]) -> NDArray[np.float64]:
+        """Columns of numbers side by side; a view where they lie so in the file."""
         for name in names:
             if name in self._text:
                 raise self._lines.error(f"the column '{name}' holds names: choose columns of numbers")
-        return np.stack([self[name] for name in names], axis=1)
+        places = [self._numbers.index(name) for name in names]
+        first, end = places[0], places[0] + len(places)
+        return self._rows[:, first:end] if places == list(range(first, end)) else self._rows.take(places, axis=1)
 
     def integers(self, name: str) -> NDArray[np.int64]:
         column = self[name]
         wrong = ~(np.abs(column) < 2.0**53) | (column != np.trunc(column))
         if wrong.any():
-            self._lines.number = self.line + int(wrong.argmax())
-            raise self._lines.error(f"'{name}' should be a whole number, not {column[wrong][0]:g}")
+            raise self._error(int(wrong.argmax()), f"'{name}' should be a whole number, not {column[wrong][0]:g}")
         return column.astype(np.int64)
 
-    def _blocks(self) -> Iterator[dict[str, NDArray[Any]]]:
-        remaining = self.count
-        while remaining:
-            start = self._lines.number
-            block = list(itertools.islice(self._lines_of_block(), min(remaining, _BLOCK)))
-            end, self._lines.number = self._lines.number, start
-            yield self._parse([line.decode("utf-8", errors="replace") for line in block])
-            self._lines.number = end
-            remaining -= len(block)
-            if remaining and not self._has_more:
-                raise self._lines.error(
-                    f"the file ends after {self.count - remaining} of {self.count} particles: it is truncated; "
-                    "write it again, or end before this frame"
-                )
+    def _error(self, row: int, reason: str) -> FileError:
+        self._lines.number = self.line + row
+        return self._lines.error(reason)
 
-    def _lines_of_block(self) -> Iterator[bytes]:
-        """Up to a number of bytes: a small compressed file may have long lines."""
-        size, self._has_more = 0, True
-        while size < _BLOCK_BYTES:
-            line = self._lines.read()
-            if not line:
-                self._has_more = False
-                return
-            size += len(line)
-            yield line
-
-    def _parse(self, block: list[str]) -> dict[str, NDArray[Any]]:
-        """Numbers are parsed by NumPy from whole lines, or from the words of these where some are quoted."""
+    def _add(self, block: bytes, count: int) -> None:
+        """Appends the rows of a block of lines."""
         if not block:
-            self._explain(block)
-        names: dict[str, list[str]] = {name: [] for name in self._text}
-        has_quotes = self._separator is not None and any('"' in line for line in block)
-        numbers = []
-        for k, line in enumerate(block):
-            words = self._split(line, k)
-            if len(words) != len(self.columns):
-                self._explain(block)
-            for name, column in self._text.items():
-                names[name].append(words[column].strip())
-            if has_quotes:
-                numbers.append("\x1f".join(words[column] for column in self._numbers.values()))
+            raise self._truncated()
+        rows, codes, names = self._plain_rows(block) or self._rows_by_words(block)
+        end = self._filled + count
+        if end > len(self._rows):
+            self._rows.resize((min(self.count, 2 * end), len(self._numbers)), refcheck=False)
+        self._rows[self._filled : end] = rows
+        for k, found in enumerate(names):
+            self._check_names(found, codes[:, k])
+            numbers = [self._names[k].setdefault(name, len(self._names[k])) for name in found]
+            self._codes[k].append(np.array(numbers, np.int32)[codes[:, k]])
+        self._filled = end
+
+    def _truncated(self) -> FileError:
+        if not self._filled:
+            return self._lines.error("the file ends where particles should be: it is truncated; write it again")
+        return self._lines.error(
+            f"the file ends after {self._filled} of {self.count} particles: it is truncated; write it again, or end before this frame"
+        )
+
+    def _plain_rows(self, block: bytes) -> _Block | None:
+        """The rows of a block; None unless all of its lines are plain."""
+        found = _core.parse_rows(block, ord(self._separator or "\0"), self._kinds)
+        if found is None:
+            return None
+        rows, codes, words = found
+        names = [[word.decode("utf-8", errors="replace") for word in column] for column in words]
+        if self._separator is not None:
+            return rows, codes, [[name.strip() for name in column] for column in names]
+        # Unicode has blanks of its own.
+        return (rows, codes, names) if all(name.split() == [name] for column in names for name in column) else None
+
+    def _rows_by_words(self, block: bytes) -> _Block:
+        """The rows of a block of any lines. Raises an error for the first line that cannot be read."""
+        rows = []
+        words: list[list[str]] = [[] for _ in self._text]
+        numbers = [self.columns.index(name) for name in self._numbers]
+        for k, line in enumerate(block.decode("utf-8", errors="replace").removesuffix("\n").split("\n")):
+            fields = self._split(line, self._filled + k)
+            rows.append([self._number(fields[column], self._filled + k, column) for column in numbers])
+            for name, column in zip(self._text, words):
+                column.append(fields[self.columns.index(name)].strip())
+        codes = np.empty((len(rows), len(words)), np.int32)
+        names = [list(dict.fromkeys(column)) for column in words]
+        for k, column in enumerate(words):
+            known = {name: number for number, name in enumerate(names[k])}
+            codes[:, k] = [known[name] for name in column]
+        return np.array(rows).reshape(len(rows), len(numbers)), codes, names
+
+    def _split(self, line: str, row: int) -> list[str]:
+        fields = line.split(self._separator)
+        if self._separator is not None and '"' in line:
+            try:
+                fields = next(csv.reader([line], delimiter=self._separator, strict=True))
+            except (csv.Error, StopIteration) as error:
+                raise self._error(row, f"the line cannot be read ({error}): correct its quotation marks") from None
+        if len(fields) != len(self.columns):
+            raise self._error(row, f"{len(fields)} columns instead of {len(self.columns)} ({' '.join(self.columns)[:200]}): "
+                              "the line is broken, or the file truncated")  # fmt: skip
+        return fields
+
+    def _number(self, field: str, row: int, column: int) -> float:
+        word = field.strip()
         try:
-            if has_quotes:
-                rows = np.loadtxt(numbers, delimiter="\x1f", comments=None, ndmin=2)
-            else:
-                places = list(self._numbers.values())
-                rows = np.loadtxt(block, delimiter=self._separator, usecols=places, comments=None, ndmin=2)
+            return _number(word)
         except ValueError:
-            self._explain(block)
-        if len(rows) != len(block):
-            self._explain(block)
-        return dict(zip(self._numbers, rows.T)) | {name: self._names(words) for name, words in names.items()}
-
-    def _names(self, words: list[str]) -> NDArray[np.str_]:
-        different = set(words)
-        check_lengths_of_names(sorted(different), self._lines.error)
-        if any("\ufffd" in word for word in different):
-            self._lines.number += 1 + next(k for k, word in enumerate(words) if "\ufffd" in word)
-            raise self._lines.error("the name of a type is no text in UTF-8: convert the file")
-        return np.array(words)
-
-    def _split(self, line: str, number: int) -> list[str]:
-        if self._separator is None or '"' not in line:
-            return line.split(self._separator)
-        try:
-            return next(csv.reader([line], delimiter=self._separator, strict=True))
-        except (csv.Error, StopIteration) as error:
-            self._lines.number += number + 1
-            raise self._lines.error(f"the line cannot be read ({error}): correct its quotation marks") from None
-
-    def _explain(self, block: list[str]) -> NoReturn:
-        for line in block:
-            words = self._split(line, 0)
-            self._lines.number += 1
-            if len(words) != len(self.columns):
-                raise self._lines.error(
-                    f"{len(words)} columns instead of {len(self.columns)} ({' '.join(self.columns)[:200]}): the line is broken, "
-                    "or the file truncated"
-                )
-            for name, column in self._numbers.items():
-                self._check_number(column + 1, name, words[column].strip())
-        if block:
-            raise self._lines.error("the lines of particles cannot be read: write the file again")
-        raise self._lines.error("the file ends where particles should be: it is truncated; write it again")
-
-    def _check_number(self, number: int, name: str, word: str) -> None:
-        try:
-            np.loadtxt([word or "?"], comments=None, delimiter=",")
-        except ValueError:
-            raise self._lines.error(
-                f"column {number} ({name}) should be a number, not '{word[:40]}': correct it, or name other columns"
+            raise self._error(
+                row,
+                f"column {column + 1} ({self.columns[column]}) should be a number, not '{word[:40]}': "
+                "correct it, or name other columns",
             ) from None
+
+    def _check_names(self, names: list[str], codes: NDArray[np.int32]) -> None:
+        for code, name in enumerate(names):
+            if len(name) > LONGEST or "\ufffd" in name:
+                self._lines.number = self.line + self._filled + int((codes == code).argmax())
+                check_lengths_of_names([name], self._lines.error)
+                raise self._lines.error("the name of a type is no text in UTF-8: convert the file")

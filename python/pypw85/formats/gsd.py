@@ -30,7 +30,7 @@ def recognise(start: bytes) -> bool:
 
 
 def _open(path: os.PathLike[str], mode: str = "r") -> Any:
-    """Before gsd 2.8, modes end with b, and frames are snapshots."""
+    """Opens a file. Before gsd 2.8, modes end with b, and frames are called snapshots."""
     import gsd.hoomd
 
     try:
@@ -78,7 +78,7 @@ class _Chunks:
         return default
 
     def rows(self, name: str, default: Any, kinds: str) -> Any:
-        """An array with a row for each particle. That of the first frame serves only if that has as many."""
+        """An array with a row for each particle. The array of the first frame is the default if it has as many rows."""
         row = np.asarray(default)
         shape = (self.count, *row.shape)
         rows = self._read(name, self._frame)

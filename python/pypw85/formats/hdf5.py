@@ -23,7 +23,7 @@ from ._frames import Frame, Location, Options, check_lengths_of_names
 from ._names import checked_names, numbers_if_all_are
 
 SUFFIXES = (".h5", ".hdf5", ".h5md")
-# Soft links that lead to one another; more are a loop.
+# Largest number of soft links that lead to one another. More of them are a loop.
 _LINKS = 16
 # The largest ratio of deflate, 1032, and its headers: a data set that claims more than that of its bytes was never written.
 _COMPRESSION = 1100
@@ -194,7 +194,7 @@ def _floats(source: _Source, name: str, *shape: int) -> Floats | None:
 
 
 def _check_size(source: _Source, name: str, values: Any, count: int) -> None:
-    """A file of some bytes can claim any number of rows, for which there must be memory."""
+    """Refuses more rows than the bytes of a file can hold, before memory is allocated for them."""
     stored = values.id.get_storage_size()
     if values.size and not stored:
         raise source.error(name, "was never written: write the file again")

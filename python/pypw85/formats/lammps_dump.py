@@ -95,7 +95,7 @@ def _shape_columns(columns: list[str], options: Options, lines: Lines) -> tuple[
 
 
 def _guess(columns: list[str], named: tuple[str, ...], pattern: str, first: int, count: int) -> tuple[str, ...]:
-    """Columns by their names, or else those of a compute: its name is the user's, its columns are numbered."""
+    """Columns by their names, or else the numbered columns of a compute, whose name the user has chosen."""
     if set(named) <= set(columns):
         return named
     for name in columns:
@@ -107,7 +107,7 @@ def _guess(columns: list[str], named: tuple[str, ...], pattern: str, first: int,
 
 
 def _header(lines: Lines) -> _Header | None:
-    """Everything up to the particles; None at the end of the file."""
+    """Reads the header, up to the particles. Returns None at the end of the file."""
     step, count, box = 0, -1, None
     line = lines.next()
     while line == "":

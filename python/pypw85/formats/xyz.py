@@ -84,7 +84,7 @@ def load(path: os.PathLike[str], location: Location, options: Options) -> System
 
 
 def _keys(lines: Lines) -> dict[str, str]:
-    """What the second line says, which in a file without Properties may be any text."""
+    """Keys and values of the second line. In a file without Properties that may be any text."""
     comment = lines.expect("the line with Properties")
     if not re.search(r"\b(?:Properties|Lattice)=", comment):
         return {}

@@ -1,7 +1,7 @@
-"""Python against C on the same arrays: python3 compare_speed.py LIBRARY_OF_C_LOOPS [PAIRS]
+"""Calls for one pair from Python against calls from C: python3 compare_calls.py LIBRARY_OF_C_LOOPS
 
-Prints, for many pairs, the ratio of the times, and for a single call, what Python adds to it. Python and C take turns,
-and the shortest time of each counts, which leaves out most of what else the machine does.
+Prints what Python adds to a call. Python and C take turns, and the shortest time of each counts, which leaves out most of what
+else the machine does. compare_batches.py does the same for arrays.
 """
 
 import ctypes
@@ -42,15 +42,6 @@ def random_pairs(count):
     return rng.normal(scale=1.5, size=(count, 3)), forms(), forms()
 
 
-def compare_many(library, name, count):
-    pairs = random_pairs(count)
-    out = np.empty(count), np.empty(count)
-    from_c, from_python = c_function(library, "c_" + name), getattr(pypw85, name)
-    c, python = shortest(lambda: from_c(count, *pairs, *out), lambda: from_python(*pairs, out))
-    print(f"{name}, {count} pairs: C {1e9 * c / count:.1f} ns, Python {1e9 * python / count:.1f} ns, "
-          f"ratio {python / c:.3f}")
-
-
 def compare_single(library, name):
     pair = [x[0] for x in random_pairs(1)]
     from_c, from_python = c_function(library, f"c_{name}_again"), getattr(pypw85, name)
@@ -66,7 +57,5 @@ def compare_single(library, name):
 
 if __name__ == "__main__":
     loops = ctypes.CDLL(sys.argv[1])
-    pairs_to_compare = int(sys.argv[2]) if len(sys.argv) > 2 else 1_000_000
     for function_name in ("contact", "contact_function"):
-        compare_many(loops, function_name, pairs_to_compare)
         compare_single(loops, function_name)
