@@ -318,7 +318,7 @@ distance(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, SymmetricMatr
 {
     using namespace detail;
     DistancePair<T, D> const pair{r12, q1, q2, T(1), T(1)};
-    bool const ordinary = passes_fast_checks(r12, q1, q2);
+    bool const ordinary = passes_fast_checks(pair_of(r12, q1, q2));
     auto const found = ordinary ? find_slab(pair, false) : FoundSlab<T, D>{{}, false, false, false};
     if (found.accurate && is_wide(pair, found.slab)) return with_point2(r12, distance_across(found.slab));
     Overlap const decision = overlap(r12, q1, q2);
