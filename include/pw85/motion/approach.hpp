@@ -66,16 +66,20 @@ template <class T> struct Reach {
     T radius, growth;
 };
 
-/// That of spheres around two bodies after some time, with the units of their forms in that of the radii. The spheres are larger by a thousandth,
-/// which covers rounding, and do not shrink: both let them meet earlier.
-template <class T, int D> PW85_FUNCTION inline Reach<T> reach_of_spheres(Body<T, D> const &body1, T const &unit1,
-                                                                         Body<T, D> const &body2, T const &unit2,
-                                                                         T const &time) noexcept
+/// That of spheres around two bodies, with the units of their forms in that of the radii. The spheres are larger by a thousandth, which
+/// covers rounding.
+template <class T, int D> PW85_FUNCTION inline Reach<T>
+reach_of_spheres(Body<T, D> const &body1, T const &unit1, Body<T, D> const &body2, T const &unit2) noexcept
 {
     T const margin = T(1) + T(0x1p-10);
     T const radius1 = margin * unit1 * square_root(body1.most), radius2 = margin * unit2 * square_root(body2.most);
-    T const growth = body1.growth * radius1 + body2.growth * radius2;
-    return {radius1 + radius2 + growth * time, maximum(growth, T(0))}; // NaN remains
+    return {radius1 + radius2, body1.growth * radius1 + body2.growth * radius2};
+}
+
+/// The spheres after some time, from where on they do not shrink, which lets them meet earlier.
+template <class T> PW85_FUNCTION inline Reach<T> reach_after(Reach<T> const &start, T const &time) noexcept
+{
+    return {start.radius + start.growth * time, maximum(start.growth, T(0))}; // NaN remains
 }
 
 /// √(|x|² - |y|²), or less than 0 where there is none; squares may be beyond the range of T.
@@ -84,35 +88,39 @@ PW85_FUNCTION inline T root_of_difference(Vector<T, D> const &x, Vector<T, E> co
 {
     T const largest = maximum(largest_coordinate(x), largest_coordinate(y));
     if (!(largest > T(0))) return largest;
-    int const unit = binary_exponent(largest);
+    int const unit = is_in_range(largest, largest, largest) ? 0 : binary_exponent(largest);
     Vector<T, D> const a = times_power_of_two(x, -unit);
     Vector<T, E> const b = times_power_of_two(y, -unit);
     T const square = dot(a, a) - dot(b, b);
     return square < T(0) ? T(-1) : times_power_of_two(square_root(square), unit);
 }
 
-/// When two spheres meet that are apart (item 1).
-template <class T, int D> struct Meeting {
-    T time, root;                       ///< infinity if they do not; the root of the discriminant
-    Vector<T, rotation_axes<D>> moment; ///< r × v
+/// The moment r × v of two centres: item 3.
+template <class T, int D> using Moment = Vector<T, rotation_axes<D>>;
+
+/// When two spheres that are apart meet (item 1).
+template <class T> struct Meeting {
+    T time; ///< infinity if they do not meet
+    T root; ///< the root of the discriminant
 };
 
-template <class T, int D> PW85_FUNCTION inline Meeting<T, D>
-meeting_of_spheres(Vector<T, D> const &r12, Vector<T, D> const &velocity, Reach<T> const &reach) noexcept
+template <class T, int D>
+PW85_FUNCTION inline Meeting<T> meeting_of_spheres(Vector<T, D> const &r12, Vector<T, D> const &velocity,
+                                                   Reach<T> const &reach, Moment<T, D> const &moment) noexcept
 {
     auto const &[radius, growth] = reach;
-    auto const moment = accurate_cross(r12, velocity);
     T const root = root_of_difference(add_scaled(radius * velocity, T(-growth), r12), moment);
     T const speed = dot(velocity, velocity) - growth * growth, approach = growth * radius - dot(r12, velocity);
     bool const meets = (approach > T(0) || speed < T(0)) && root >= T(0);
     T const excess = dot(r12, r12) - radius * radius;
-    return {meets ? nearer_root(excess, approach, speed, root) : infinity<T>(), root, moment};
+    return {meets ? nearer_root(excess, approach, speed, root) : infinity<T>(), root};
 }
 
 /// The vector between the centres then: by item 2 where it is short, so that rounding of the longer way would tell.
 template <class T, int D>
 PW85_FUNCTION inline Vector<T, D> r12_at_meeting(Vector<T, D> const &r12, Vector<T, D> const &velocity,
-                                                 Reach<T> const &reach, Meeting<T, D> const &meeting) noexcept
+                                                 Reach<T> const &reach, Moment<T, D> const &moment,
+                                                 Meeting<T> const &meeting) noexcept
 {
     auto const &[radius, growth] = reach;
     T const nearer = radius + growth * meeting.time;
@@ -120,12 +128,18 @@ PW85_FUNCTION inline Vector<T, D> r12_at_meeting(Vector<T, D> const &r12, Vector
     // Then |v| > 7 G, as the centres go 7/8 of |r| at least while the spheres grow by less than 1/8.
     T const square = dot(velocity, velocity), speed = square - growth * growth;
     T const later = (growth * (radius * square - growth * dot(r12, velocity)) / square - meeting.root) / speed;
-    return add_scaled(T(T(-1) / square) * turning(meeting.moment, velocity), later, velocity);
+    return add_scaled(T(T(-1) / square) * turning(moment, velocity), later, velocity);
 }
 
 template <class T, int D> PW85_FUNCTION inline bool only_translates(Motion<T, D> const &motion) noexcept
 {
     return largest_coordinate(motion.angular_velocity) == T(0) && motion.growth == T(0);
+}
+
+template <class T, int D>
+PW85_FUNCTION inline Vector<T, D> relative_velocity(Motion<T, D> const &motion1, Motion<T, D> const &motion2) noexcept
+{
+    return motion2.velocity - motion1.velocity;
 }
 
 /// Two ellipsoids that move, and the time up to which contacts count.
@@ -136,18 +150,13 @@ template <class T, int D> struct MovingEllipsoids {
     T end;
 };
 
-template <class T, int D>
-PW85_FUNCTION inline Vector<T, D> relative_velocity(MovingEllipsoids<T, D> const &moving) noexcept
+/// Whether the largest coordinate of r12 is more than 32 times the root of the largest diagonal entry. Up to there, rounding of positions is
+/// some hundred u of the longest semi-axis. A square that leaves the range of T does not change the answer.
+template <class T, int D> PW85_FUNCTION inline bool is_remote(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
+                                                              SymmetricMatrix<T, D> const &q2) noexcept
 {
-    return moving.motion2.velocity - moving.motion1.velocity;
-}
-
-/// Whether the centres are at least sixteen times as far from each other as the longest semi-axis is long, or some such number: up to
-/// there rounding of positions is some hundred u of it.
-template <class T, int D> PW85_FUNCTION inline bool is_remote(MovingEllipsoids<T, D> const &moving) noexcept
-{
-    T const r = largest_coordinate(moving.r12), q = maximum(largest_diagonal(moving.q1), largest_diagonal(moving.q2));
-    return r > T(0) && binary_exponent(r) > half_exponent(q) + 4;
+    T const r = T(0x1p-5) * largest_coordinate(r12);
+    return T(r * r) > maximum(largest_diagonal(q1), largest_diagonal(q2));
 }
 
 /// The larger of an exponent and that of x times 2^unit.
@@ -169,7 +178,7 @@ template <class T, int D>
 PW85_FUNCTION inline RemotePair<T, D> remote_pair(MovingEllipsoids<T, D> const &moving) noexcept
 {
     auto const &[r12, q1, q2, motion1, motion2, end] = moving;
-    Vector<T, D> const velocity = relative_velocity(moving);
+    Vector<T, D> const velocity = relative_velocity(motion1, motion2);
     int const length = binary_exponent(largest_coordinate(r12));
     int const form1 = half_exponent(largest_diagonal(q1)), form2 = half_exponent(largest_diagonal(q2));
     int rate = larger_exponent(std::numeric_limits<int>::min(), largest_coordinate(velocity), -length);
@@ -203,19 +212,21 @@ template <class T, int D> PW85_FUNCTION inline bool let_move(SymmetricMatrix<T, 
 /// where something leaves the range of T.
 template <class T, int D> [[gnu::noinline]] PW85_FUNCTION inline T come_near(MovingEllipsoids<T, D> &moving) noexcept
 {
-    T const speed = largest_coordinate(relative_velocity(moving)), none = T(0);
+    T const speed = largest_coordinate(relative_velocity(moving.motion1, moving.motion2)), none = T(0);
     if (speed == none && moving.motion1.growth == none && moving.motion2.growth == none) return infinity<T>();
     auto const pair = remote_pair(moving);
-    auto reach = reach_of_spheres(pair.bodies[0], times_power_of_two(T(1), pair.forms[0] - pair.length), pair.bodies[1],
-                                  times_power_of_two(T(1), pair.forms[1] - pair.length), T(0));
+    T const unit1 = times_power_of_two(T(1), pair.forms[0] - pair.length),
+            unit2 = times_power_of_two(T(1), pair.forms[1] - pair.length);
+    auto reach = reach_after(reach_of_spheres(pair.bodies[0], unit1, pair.bodies[1], unit2), T(0));
     T const least = times_power_of_two(T(1), std::numeric_limits<T>::min_exponent + 8);
     if (!(reach.growth < infinity<T>())) return quiet_nan<T>();
     bool const in_range = reach.radius > least;
     reach.radius = maximum(reach.radius, least);
-    auto const meeting = meeting_of_spheres(pair.r12, pair.velocity, reach);
+    auto const moment = accurate_cross(pair.r12, pair.velocity);
+    auto const meeting = meeting_of_spheres(pair.r12, pair.velocity, reach, moment);
     if (meeting.time >= times_power_of_two(moving.end, pair.rate)) return infinity<T>();
     T const time = times_power_of_two(meeting.time, -pair.rate);
-    moving.r12 = times_power_of_two(r12_at_meeting(pair.r12, pair.velocity, reach, meeting), pair.length);
+    moving.r12 = times_power_of_two(r12_at_meeting(pair.r12, pair.velocity, reach, moment, meeting), pair.length);
     moving.end = moving.end - time;
     bool const known = let_move(moving.q1, moving.motion1, pair.bodies[0], pair.forms[0], meeting.time) &&
                        let_move(moving.q2, moving.motion2, pair.bodies[1], pair.forms[1], meeting.time);

@@ -114,7 +114,7 @@ template <class T, int D>
 PW85_FUNCTION inline Body<T, D> body_at(Body<T, D> const &start, TurningForm<T, D> const &form, T const &time) noexcept
 {
     T const size = T(1) + start.growth * time, square = size * size;
-    return {square * turned(form, T(start.rate * time)),
+    return {square * (start.rate > T(0) ? turned(form, T(start.rate * time)) : start.rest),
             square * start.least,
             square * start.most,
             start.omega,

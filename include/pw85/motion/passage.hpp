@@ -81,8 +81,14 @@ template <class T, int D>
 PW85_FUNCTION inline Passage<T, D> passage(Vector<T, D> const &r12, Vector<T, D> const &velocity, T const &target,
                                            SymmetricMatrix<T, D> const &m, Factorization<T, D> const &factors) noexcept
 {
-    Vector<T, D> const s = solve(factors, r12), v = solve(factors, velocity);
-    return {s, v, dot(r12, s) - target, slack_of_form(m, s), -dot(velocity, s), dot(velocity, v)};
+    Vector<T, D> const y = substitute_forward(factors, r12), z = substitute_forward(factors, velocity),
+                       s = substitute_back(factors, y);
+    return {s,
+            substitute_back(factors, z),
+            dot_over_pivots(factors, y, y) - target,
+            slack_of_form(m, s),
+            -dot_over_pivots(factors, y, z),
+            dot_over_pivots(factors, z, z)};
 }
 
 /// Whether a passage is to be seen from nearer: roundings of rᵀM⁻¹r, 16 u cond of the target and more, hide what little the square of
@@ -174,10 +180,9 @@ template <class T, int D>
 PW85_FUNCTION inline Jet<T> jet_then(Flight<T, D> const &flight, Outlook<T, D> const &view, T const &t) noexcept
 {
     Vector<T, D> const s = add_scaled(view.passage.s, view.wait, view.passage.s_velocity);
-    Vector<T, D> const q = product(flight.pair.q2, s);
     auto const weights = outer_weights(s);
     T const a = positive_form(flight.pair.q1, weights), b = positive_form(flight.pair.q2, weights);
-    return first_jet(a, b, dot(q, solve(view.factors, q)), t);
+    return first_jet(a, b, inverse_form(view.factors, product(flight.pair.q2, s)), t);
 }
 
 /// Newton's step for the root of h.
@@ -225,13 +230,12 @@ PW85_FUNCTION inline FirstContact<T> find_passage(Flight<T, D> const &flight, T 
         Jet<T> const jet = jet_then(flight, view, t);
         Slope<T> const s = slope(jet, ratio, t);
         auto const trusted = trust(newton_step(s), s);
-        T const image = fixed_point_image(jet, ratio);
-        if (!before) take_bound(state, image > t, t);
+        if (!before) take_bound(state, s.difference < T(0), t);
         if (!before && tells_delay(view, trusted.size))
             return contact_until(end, T(reached + delay(s, ratio, t, root_then(view), view.target)));
         time = reached;
         last = !before && (trusted.size <= last_passage_step<T>() || is_narrow(state, last_passage_step<T>()));
-        T const next = next_guess(jet, trusted, ratio, t, image);
+        T const next = next_guess(jet, trusted, ratio, t, fixed_point_image(jet, ratio));
         if (before || last)
             go_to(state, next);
         else
