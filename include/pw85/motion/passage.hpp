@@ -214,7 +214,7 @@ template <class T> PW85_FUNCTION constexpr FirstContact<T> contact_until(T const
 
 /// The first contact of a flight, by items 1 and 2. A time before the root tells no side of it.
 template <class T, int D>
-PW85_FUNCTION inline FirstContact<T> find_passage(Flight<T, D> const &flight, T const &end) noexcept
+[[gnu::always_inline]] PW85_FUNCTION inline FirstContact<T> find_passage(Flight<T, D> const &flight, T const &end) noexcept
 {
     T const &ratio = flight.pair.ratio;
     auto state = safeguarded_search(initial_guess(flight.pair), free_passage_steps);
