@@ -97,8 +97,8 @@ template <class T> PW85_FUNCTION constexpr int mantissa_digits() noexcept
     return std::numeric_limits<typename ScalarTraits<T>::Lane>::digits;
 }
 
-/// 2^-n for n from 0 to 1022, from the bits of a double: compilers do not evaluate a loop of products at compile time at every level of
-/// optimization.
+/// 2^-n for n from 0 to 1022, from the bits of a double: compilers do not evaluate a loop of products at compile time at every
+/// level of optimization.
 template <class T> PW85_FUNCTION constexpr T negative_power_of_two(int n) noexcept
 {
     static_assert(std::numeric_limits<double>::is_iec559);

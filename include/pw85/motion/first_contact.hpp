@@ -24,7 +24,8 @@ PW85_FUNCTION inline T fastest(Motion<T, D> const &motion1, Motion<T, D> const &
     return maximum(turning, maximum(absolute(motion1.growth), absolute(motion2.growth)));
 }
 
-/// A time in its own unit; what is finite but too large is no time that there is none.
+/// A time in the caller's unit. A finite time that is too large for T is an error, because infinity would mean that there is no
+/// contact.
 template <class T> PW85_FUNCTION inline FirstContact<T> in_unit_of_time(FirstContact<T> result, int exponent) noexcept
 {
     T const time = times_power_of_two(result.time, exponent);
@@ -32,7 +33,7 @@ template <class T> PW85_FUNCTION inline FirstContact<T> in_unit_of_time(FirstCon
     return {time, result.status};
 }
 
-/// μ² of a tangent pair in the units of a Pair. Ellipsoids whose centres are so near that it would leave the range of T overlap anyway.
+/// μ² of a tangent pair in the units of a Pair. It is limited to the range of T: ellipsoids with centres so near overlap anyway.
 template <class T, int D> PW85_FUNCTION inline T tangent_in_units(ScaledPair<T, D> const &scaled) noexcept
 {
     int const exponent = scaled.form - scaled.length, limit = std::numeric_limits<T>::max_exponent / 4;
@@ -50,8 +51,8 @@ first_contact_of_translation(ScaledPair<T, D> const &scaled, Vector<T, D> const 
     return in_unit_of_time(find_passage(flight, times_power_of_two(end, -exponent)), exponent);
 }
 
-/// first_contact() of a valid pair, in the unit of time in which the largest rate is of order one. That of the velocity is how often it
-/// covers the distance of the centres, or the larger of the sizes where this is larger.
+/// first_contact() of a valid pair, in the unit of time in which the largest rate is of order one. The rate of the velocity is its
+/// quotient by the distance of the centres, or by the larger of the sizes if this is larger.
 template <class T, int D> [[gnu::noinline]] PW85_FUNCTION inline FirstContact<T>
 first_contact_of_motion(ScaledPair<T, D> const &scaled, Vector<T, D> const &velocity, Motion<T, D> const &motion1,
                         Motion<T, D> const &motion2, T const &end) noexcept
@@ -82,7 +83,7 @@ PW85_FUNCTION inline FirstContact<T> first_contact_nearby(ScaledPair<T, D> const
     return first_contact_of_motion(scaled, velocity, motion1, motion2, end);
 }
 
-/// first_contact() of a valid pair that is remote: it has come near before it touches.
+/// first_contact() of a valid pair that is remote: it comes near before it touches.
 template <class T, int D> [[gnu::noinline]] PW85_FUNCTION inline FirstContact<T>
 first_contact_from_afar(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, SymmetricMatrix<T, D> const &q2,
                         Motion<T, D> const &motion1, Motion<T, D> const &motion2, T const &end) noexcept

@@ -116,8 +116,8 @@ PW85_FUNCTION constexpr SymmetricMatrix<Lanes, D> broadcast(SymmetricMatrix<T, D
 }
 
 /// Tests at several points about the first t at once, as many as there are lanes. One test after another would be slower, because
-/// the processor cannot predict whether the next test is needed. Four points decide 92 to 97 % of random pairs of aspect ratios from
-/// 2 to 100, the first point alone 80 to 97 %. `t` becomes that of the fixed-point map from the first point.
+/// the processor cannot predict whether the next test is needed. Four points decide 92 to 97 % of random pairs of aspect ratios
+/// from 2 to 100, the first point alone 80 to 97 %. `t` becomes that of the fixed-point map from the first point.
 template <class Lanes, class T, int D>
 [[gnu::always_inline]] PW85_FUNCTION inline Decision decide_by_points(Vector<T, D> const &r12,
                                                                       SymmetricMatrix<T, D> const &q1,
@@ -136,8 +136,9 @@ template <class Lanes, class T, int D>
     return to_decision(any_of(certainty.apart), any_of(certainty.overlap));
 }
 
-/// Tests at the points of a search on the rational form that starts at t. It is not inlined, and makes the Pair itself: if the caller had a
-/// Pair in memory, the tests at the first points would wait where the compiler loads two numbers at once that were stored one by one.
+/// Tests at the points of a search on the rational form that starts at t. It is not inlined, and makes the Pair itself: if the
+/// caller had a Pair in memory, the tests at the first points would wait where the compiler loads two numbers at once that were
+/// stored one by one.
 template <class T, int D>
 [[gnu::noinline]] PW85_FUNCTION inline Decision decide_by_search(Vector<T, D> const &r12,
                                                                  SymmetricMatrix<T, D> const &q1,
