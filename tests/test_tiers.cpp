@@ -219,10 +219,10 @@ template <class T, int D> void test_alone()
         T const tangent = pw85::detail::times_power_of_two(T(1), 2 * (scaled.form - scaled.length));
         comparison.count(pw85::detail::decide_by_comparison(scaled.pair, tangent), overlap, s);
         if (!pw85::detail::passes_fast_checks(pw85::detail::pair_of(s.r12, s.q1, s.q2))) continue;
-        auto const pair = to_pair(s);
         T t;
-        points.count(pw85::detail::decide_by_points<T>(pair, t), overlap, s);
-        search.count(pw85::detail::decide_by_search(pair, pw85::detail::initial_guess(pair)), overlap, s);
+        points.count(pw85::detail::decide_by_points<T>(s.r12, s.q1, s.q2, t), overlap, s);
+        T const guess = pw85::detail::initial_guess(to_pair(s));
+        search.count(pw85::detail::decide_by_search(s.r12, s.q1, s.q2, guess), overlap, s);
     }
 }
 

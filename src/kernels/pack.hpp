@@ -278,12 +278,6 @@ template <> PW85_INLINE Pack load_lanes<Pack>(double const *x) noexcept
     return p;
 }
 
-/// The template has a loop, which compilers do not evaluate at compile time for a pack.
-template <> PW85_INLINE Pack negative_power_of_two<Pack>(int n) noexcept
-{
-    return Pack(__builtin_bit_cast(double, static_cast<std::int64_t>(1023 - n) << 52));
-}
-
 } // namespace pw85::detail
 
 #endif

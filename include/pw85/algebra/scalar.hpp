@@ -97,11 +97,12 @@ template <class T> PW85_FUNCTION constexpr int mantissa_digits() noexcept
     return std::numeric_limits<typename ScalarTraits<T>::Lane>::digits;
 }
 
-/// 2^-n for n up to 1022. It is computed in double, because products of some types are slow.
+/// 2^-n for n from 0 to 1022, from the bits of a double: compilers do not evaluate a loop of products at compile time at every
+/// level of optimization.
 template <class T> PW85_FUNCTION constexpr T negative_power_of_two(int n) noexcept
 {
-    double power = 1;
-    for (int i = 0; i < n; ++i) power = power * 0.5;
+    static_assert(std::numeric_limits<double>::is_iec559);
+    double const power = __builtin_bit_cast(double, static_cast<std::uint64_t>(1023 - n) << 52);
     return T(static_cast<typename ScalarTraits<T>::Lane>(power));
 }
 

@@ -214,28 +214,48 @@ PW85_FUNCTION constexpr Factorization<T, D> factorize(SymmetricMatrix<T, D> cons
     return f;
 }
 
-/// Solves A x = b by substitution.
+/// L⁻¹ x.
 template <class T, int D>
-PW85_FUNCTION constexpr Vector<T, D> solve(Factorization<T, D> const &f, Vector<T, D> x) noexcept
+PW85_FUNCTION constexpr Vector<T, D> substitute_forward(Factorization<T, D> const &f, Vector<T, D> x) noexcept
 {
     for (int i = 1; i < D; ++i)
         for (int j = 0; j < i; ++j) x[i] = x[i] - f.lower[i][j] * x[j];
-    for (int i = D - 1; i >= 0; --i) {
-        x[i] = x[i] * f.reciprocals[i];
-        for (int j = i + 1; j < D; ++j) x[i] = x[i] - f.lower[j][i] * x[j];
-    }
     return x;
 }
 
-/// xᵀ A⁻¹ x, by forward substitution alone: a sum of squares.
-template <class T, int D> PW85_FUNCTION constexpr T inverse_form(Factorization<T, D> const &f, Vector<T, D> x) noexcept
+/// L⁻ᵀ diag(d)⁻¹ y.
+template <class T, int D>
+PW85_FUNCTION constexpr Vector<T, D> substitute_back(Factorization<T, D> const &f, Vector<T, D> y) noexcept
 {
-    T sum = x[0] * x[0] * f.reciprocals[0];
-    for (int i = 1; i < D; ++i) {
-        for (int j = 0; j < i; ++j) x[i] = x[i] - f.lower[i][j] * x[j];
-        sum = sum + x[i] * x[i] * f.reciprocals[i];
+    for (int i = D - 1; i >= 0; --i) {
+        y[i] = y[i] * f.reciprocals[i];
+        for (int j = i + 1; j < D; ++j) y[i] = y[i] - f.lower[j][i] * y[j];
     }
+    return y;
+}
+
+/// Solves A x = b by substitution.
+template <class T, int D>
+PW85_FUNCTION constexpr Vector<T, D> solve(Factorization<T, D> const &f, Vector<T, D> const &b) noexcept
+{
+    return substitute_back(f, substitute_forward(f, b));
+}
+
+/// yᵀ diag(d)⁻¹ z: xᵀ A⁻¹ w for y = L⁻¹ x and z = L⁻¹ w.
+template <class T, int D> PW85_FUNCTION constexpr T
+dot_over_pivots(Factorization<T, D> const &f, Vector<T, D> const &y, Vector<T, D> const &z) noexcept
+{
+    T sum = y[0] * z[0] * f.reciprocals[0];
+    for (int i = 1; i < D; ++i) sum = sum + y[i] * z[i] * f.reciprocals[i];
     return sum;
+}
+
+/// xᵀ A⁻¹ x, by forward substitution alone: a sum of squares.
+template <class T, int D>
+PW85_FUNCTION constexpr T inverse_form(Factorization<T, D> const &f, Vector<T, D> const &x) noexcept
+{
+    Vector<T, D> const y = substitute_forward(f, x);
+    return dot_over_pivots(f, y, y);
 }
 
 } // namespace pw85::detail

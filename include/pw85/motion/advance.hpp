@@ -1,20 +1,21 @@
 /// @file
-/// The first contact of two ellipsoids that turn and grow, by steps each of which is proved to be free of contact.
+/// The first contact of two ellipsoids that turn and grow. All steps in time but the last, tiny one are proved free of contact.
 ///
 /// In the units of a Pair, with M = Q1 + t Q2 for some t, and `target` the value of rᵀM⁻¹r where f = 1 (passage.hpp):
 ///
-/// 1. For any vector s, (s·r)² <= sᵀMs rᵀM⁻¹r. So there is no contact while s·r > √(target sᵀMs), whatever s and t are; the best are
-///    those of the maximum of f, where their errors count squared.
-/// 2. From a time at which s0 = M⁻¹r on, take s(x) = s0 + x s1 with the derivative s1 of M⁻¹r, so that it turns with the plane between
-///    the ellipsoids. In the frame of an ellipsoid, s is m(x) = (1 + γx) R(-x) s(x) for a rotation R and the growth rate γ. With
-///    W y = ω × y and the part of R(-x) s(x) of second order in x, c2 = ½W²s0 - Ws1, its third derivative is
-///    R(-x) W (Ws1 - 2 c2 - x W²s1): its Taylor polynomial of degree two lacks at most x³ω (|Ws1 - 2 c2|/6 + xω |Ws1|/24).
-/// 3. The root of sᵀQs is a norm of m. Of Q = (Q - κI) + κI with κ below all eigenvalues, the second part is κ(1 + γx)²|s|²; the
-///    first is that of the polynomial, and a remainder of at most √(λ - κ) times that of m, where no eigenvalue is above λ.
-/// 4. The root of a sum of squares is a norm again. So by the triangle inequality there is no contact while N - ρx³ > √q, with
-///    N = s·r, q = target sᵀMs by polynomials, and ρ² = target times the sum of the squares of the remainders' factors, or where
-///    P = (N - ρx³)² - q, of degree six, stays positive.
-/// 5. For x up to some X, a power xᵏ is at most X^(k-2) x²: a parabola below P has a first root in closed form.
+/// 1. For any vector s, (s·r)² <= sᵀMs rᵀM⁻¹r. So there is no contact while s·r > √(target sᵀMs), whatever s and t are. The best s
+///    and t are those of the maximum of f, where their errors count squared.
+/// 2. From a time with s0 = M⁻¹r on, s(x) = s0 + x s1 is used, where s1 is the derivative of M⁻¹r. So s turns with the plane
+///    between the ellipsoids. In the frame of an ellipsoid, s is m(x) = (1 + γx) R(-x) s(x), with a rotation R and the growth rate
+///    γ. With W y = ω × y and the part of R(-x) s(x) of second order in x, c2 = ½W²s0 - Ws1, its third derivative is R(-x) W (Ws1 -
+///    2 c2 - x W²s1): its Taylor polynomial of degree two lacks at most x³ω (|Ws1 - 2 c2|/6 + xω |Ws1|/24).
+/// 3. The root of sᵀQs is a norm of m. Let all eigenvalues of Q be between κ and λ, and let Q = (Q - κI) + κI. The second part
+///    contributes κ(1 + γx)²|s|² exactly. The root of the first part differs from that of the Taylor polynomial by at most √(λ - κ)
+///    times the remainder of m.
+/// 4. The root of a sum of squares is a norm, too. So, by the triangle inequality, there is no contact while N - ρx³ > √q. Here N =
+///    s·r, q is target sᵀMs from the polynomials, and ρ² is target times the sum of the squares of the remainders' factors. The
+///    condition holds while P = (N - ρx³)² - q, of degree six, stays positive.
+/// 5. For x <= X, a power xᵏ is at most X^(k-2) x². So a parabola bounds P from below, and its first root has a closed form.
 #ifndef PW85_MOTION_ADVANCE_HPP_INCLUDED
 #define PW85_MOTION_ADVANCE_HPP_INCLUDED
 
@@ -33,11 +34,15 @@ template <class T, int D> struct BodyPair {
 template <class T, int D> struct MovingPair {
     BodyPair<T, D> start;
     TurningForm<T, D> forms[2];
+    Reach<T> spheres; ///< of spheres around the bodies at the start
 };
 
 template <class T, int D> PW85_FUNCTION inline MovingPair<T, D> moving_pair(BodyPair<T, D> const &start) noexcept
 {
-    return {start, {turning_form(start.bodies[0]), turning_form(start.bodies[1])}};
+    auto const &[body1, body2] = start.bodies;
+    T const unit = square_root(start.tangent); // of forms over that of r12
+    return {
+        start, {turning_form(body1), turning_form(body2)}, reach_of_spheres(body1, unit, body2, T(unit / start.ratio))};
 }
 
 template <class T, int D>
@@ -51,15 +56,15 @@ PW85_FUNCTION inline BodyPair<T, D> pair_at(MovingPair<T, D> const &moving, T co
             tangent};
 }
 
-/// How long the spheres around the ellipsoids are apart from some time on, if that is worth a step.
-template <class T, int D> PW85_FUNCTION inline T time_apart(BodyPair<T, D> const &start, T const &time) noexcept
+/// How long the spheres around the ellipsoids stay apart from some time on; zero if they are too near for a step that is worth its
+/// cost. The moment errs by at most 4 u |r| |v|, which the margin of the radii covers if |r| is below 2^40 times their sum.
+template <class T, int D> PW85_FUNCTION inline T time_apart(MovingPair<T, D> const &moving, T const &time) noexcept
 {
-    Vector<T, D> const r12 = add_scaled(start.r12, time, start.velocity);
-    T const unit = square_root(start.tangent); // of forms over that of r12
-    auto const reach = reach_of_spheres(start.bodies[0], unit, start.bodies[1], T(unit / start.ratio), time);
+    Vector<T, D> const &velocity = moving.start.velocity, r12 = add_scaled(moving.start.r12, time, velocity);
+    auto const reach = reach_after(moving.spheres, time);
     T const square = dot(r12, r12);
     if (!(square - reach.radius * reach.radius > T(0.0625) * square)) return T(0);
-    return meeting_of_spheres(r12, start.velocity, reach).time;
+    return meeting_of_spheres(r12, velocity, reach, cross(r12, velocity)).time;
 }
 
 /// The largest step, for which remainders are bounded.
@@ -80,7 +85,7 @@ template <class T, int D> PW85_FUNCTION inline Blend<T, D> blend_at(BodyPair<T, 
     return {m, factors, solve(factors, pair.r12)};
 }
 
-/// What becomes of s0 in a body: (Q - κI) s0, ω × s0, and the derivative of Qs0.
+/// Products of a body with s0: (Q - κI) s0, ω × s0, and the derivative of Qs0.
 template <class T, int D> struct Response {
     Vector<T, D> product, turned, change;
 };
@@ -122,7 +127,9 @@ template <class T, int D> PW85_FUNCTION inline Extent<T> extent(Body<T, D> const
     Vector<T, D> const z1 = add_scaled(c1, body.growth, path.s0), z2 = add_scaled(c2, body.growth, c1);
     Vector<T, D> const &y0 = response.product, y1 = product(body.rest, z1), y2 = product(body.rest, z2);
     T const g = body.growth, twice = g + g, square = g * g, k = body.least, step = longest_advance<T>();
-    T const lack = body.rate * (magnitude(add_scaled(w1, T(-2), c2)) / T(6) + step * body.rate * magnitude(w1) / T(24));
+    T const sixth = T(1) / T(6),
+            remainder = magnitude(add_scaled(w1, T(-2), c2)) + T(0.25) * step * body.rate * magnitude(w1);
+    T const lack = body.rate * sixth * remainder;
     T const most = (T(1) + maximum(T(0), g) * step) * lack + absolute(g) * magnitude(c2);
     auto const &[l0, l1, l2] = path.square;
     return {{dot(path.s0, y0) + k * l0, T(2) * dot(z1, y0) + k * (l1 + twice * l0),
@@ -131,7 +138,7 @@ template <class T, int D> PW85_FUNCTION inline Extent<T> extent(Body<T, D> const
             square_root(T(body.most - body.least)) * most};
 }
 
-/// P/N(0) of item 4 by its coefficients, the first of them the excess of f over 1 in the units of `target`.
+/// The coefficients of P/N(0) of item 4. The first is the excess of f over 1 in the units of `target`.
 template <class T> struct Clearance {
     T p[7];
 };
@@ -151,7 +158,7 @@ PW85_FUNCTION inline Clearance<T> clearance(BodyPair<T, D> const &pair, Path<T, 
              T(-2) * unit * n2 * rho, unit * rho * rho}};
 }
 
-/// A time up to which P is positive, near its first root (item 5): X goes down to where the root of the parabola is.
+/// A time up to which P is positive, near its first root (item 5). X decreases until it is near the root of the parabola.
 template <class T>
 PW85_FUNCTION inline T safe_time(Clearance<T> const &clearance, T const &slack, T const &end) noexcept
 {
@@ -169,8 +176,8 @@ PW85_FUNCTION inline T safe_time(Clearance<T> const &clearance, T const &slack, 
     return lower;
 }
 
-/// By how much P may be too small after a step x: the terms that are bounds, and what an error of log t takes from f, a quarter of its
-/// square at most (f'' = -2 λ(1-λ) h' f at the maximum, as contact/iteration.hpp has it).
+/// A bound on how much too small P may be after a step x. It is the sum of the terms that are bounds themselves, and of what an
+/// error of log t takes from f: at most a quarter of its square, since f'' = -2 λ(1-λ) h' f at the maximum (contact/iteration.hpp).
 template <class T> PW85_FUNCTION inline T error_of_step(Clearance<T> const &clearance, T const &target, T const &x,
                                                         T const &log_t) noexcept
 {
@@ -179,7 +186,7 @@ template <class T> PW85_FUNCTION inline T error_of_step(Clearance<T> const &clea
     return x * x * x * sum + T(0.25) * log_t * log_t * target;
 }
 
-/// Where the maximum of f is: Newton's step in log t, by how much this changes with time, and whether to trust it.
+/// Newton's step in log t to the maximum of f, the change of this maximum with time, and whether to trust both.
 template <class T> struct Drift {
     T newton, rate;
     bool near;
@@ -190,13 +197,13 @@ template <class T, int D> PW85_FUNCTION inline Drift<T> find_drift(BodyPair<T, D
                                                                    Vector<T, D> const &product2, T const &t) noexcept
 {
     T const a = e1.square[0], b = e2.square[0];
-    Vector<T, D> const q = add_scaled(product2, pair.bodies[1].least, blend.s), v = solve(blend.factors, q);
-    Slope<T> const s = slope(first_jet(a, b, dot(q, v), t), pair.ratio, t);
+    Vector<T, D> const q = add_scaled(product2, pair.bodies[1].least, blend.s);
+    Slope<T> const s = slope(first_jet(a, b, inverse_form(blend.factors, q), t), pair.ratio, t);
     T const change = T(0.5) * (e2.square[1] / b - e1.square[1] / a), per = s.weight / s.k; // of h; over h'
     return {-(s.difference / s.sum) * per, -change * per, is_near(s)};
 }
 
-/// What is known at some time and t.
+/// What one time and t show.
 template <class T> struct View {
     Clearance<T> clearance;
     T slack, target; ///< as in a Passage
@@ -223,8 +230,8 @@ template <class T, int D> PW85_FUNCTION inline T maximiser(BodyPair<T, D> const 
     return maximum(smallest_number<T>(), minimum(largest_number<T>(), t));
 }
 
-/// Whether numbers still tell where the bodies are. Sizes that grow out of the range of T are no fault of the arguments, nor orientations
-/// that nobody knows.
+/// Whether the numbers are finite, and the orientations are known. Neither is the fault of the arguments: sizes may grow out of the
+/// range of T, and angles may grow until their rounding errors exceed a thousandth of a radian.
 template <class T, int D>
 PW85_FUNCTION inline bool is_known(BodyPair<T, D> const &pair, View<T> const &view, T const &time) noexcept
 {
@@ -238,14 +245,14 @@ template <class T> PW85_FUNCTION constexpr bool is_clear(View<T> const &view) no
     return view.clearance.p[0] > view.slack;
 }
 
-/// Whether a view from a t that was not sought for its time says enough: f is at its maximum, or near it and clear.
+/// Whether a view at a t that was carried over from an earlier time suffices: f is at its maximum, or near its maximum and clear.
 template <class T> PW85_FUNCTION constexpr bool is_enough(View<T> const &view) noexcept
 {
     Drift<T> const &drift = view.drift;
     return drift.near && (is_clear(view) || drift.newton * drift.newton <= T(unit_roundoff<T>()));
 }
 
-/// Whether a pair that is not clear separates, and overlaps by no more than one that has just collided.
+/// Whether a pair that is not clear separates, and overlaps by no more than a pair that has just collided.
 template <class T> PW85_FUNCTION constexpr bool just_separates(View<T> const &view) noexcept
 {
     return view.clearance.p[1] > T(0) && view.clearance.p[0] >= -T(touching_tolerance) * view.slack;
@@ -262,15 +269,16 @@ PW85_FUNCTION constexpr bool ends_at_contact(View<T> const &view, T const &x, T 
 /// The largest number of steps of first_contact(): some thousand radians of rotation without contact.
 inline constexpr int max_advances = 10000;
 
-/// first_contact() of a valid pair, in a unit of time in which its rates are below 2. A pair that was apart touches where it is not clear;
-/// one that was not may separate first. t follows the maximum of f, which is sought anew where it is lost.
+/// first_contact() of a valid pair, in a unit of time in which its rates are below 2. A pair that has been apart touches when it is
+/// no longer clear. A pair that has not been apart may separate first. t follows the maximum of f; if it loses the maximum, the
+/// maximum is sought anew.
 template <class T, int D>
 PW85_FUNCTION inline FirstContact<T> advance_to_contact(MovingPair<T, D> const &moving, T const &end) noexcept
 {
     T time = T(0), t = T(0);
     bool apart = false, lost = true;
     for (int i = 0; i < max_advances; ++i) {
-        T const wait = time_apart(moving.start, time);
+        T const wait = time_apart(moving, time);
         time = time + wait;
         if (time >= end) return {infinity<T>(), Status::success};
         auto const pair = pair_at(moving, time);

@@ -1,13 +1,14 @@
 /// @file
-/// The way of two ellipsoids that are far apart to where they are near. It is as long as two spheres around them, with growing radii, are
-/// apart.
+/// Moves two ellipsoids that are far apart to where they are near. They cannot touch while the spheres around them, with growing
+/// radii, are apart.
 ///
-/// Let the sum of the radii be R + G x after a time x, let c = r × v, and let t = -(r·v)/v² be the time at which the centres are nearest.
+/// Let the sum of the radii be R + G x after a time x, let c = r × v, and let t = -(r·v)/v² be the time at which the centres are
+/// nearest.
 ///
-/// 1. The spheres meet where |r + v x| = R + G x. The discriminant of this quadratic equation is (GR - r·v)² - (v² - G²)(r² - R²), which
-///    is rounding noise from afar. It is also |R v - G r|² - |c|², which is accurate.
-/// 2. The centres are then at r + v x = (v × c)/v² + (x - t) v, and x - t = (G (R v² - G r·v) - v² root)/(v² (v² - G²)), with the root of
-///    the discriminant. So their distance is right to rounding, however much farther they have come.
+/// 1. The spheres meet where |r + v x| = R + G x. The discriminant of this quadratic equation is (GR - r·v)² - (v² - G²)(r² - R²),
+///    which is rounding noise from afar. It is also |R v - G r|² - |c|², which is accurate.
+/// 2. The centres are then at r + v x = (v × c)/v² + (x - t) v, and x - t = (G (R v² - G r·v) - v² root)/(v² (v² - G²)), with the
+///    root of the discriminant. So their distance is right to rounding, however much farther they have come.
 /// 3. Both need an accurate c: its coordinates are sums of exact products, without rounding but for that of the result.
 #ifndef PW85_MOTION_APPROACH_HPP_INCLUDED
 #define PW85_MOTION_APPROACH_HPP_INCLUDED
@@ -17,8 +18,8 @@
 
 namespace pw85::detail {
 
-/// A sum that errs by some u of itself, however the terms cancel: the partial sums are kept as sums of numbers whose digits do not overlap
-/// (J. R. Shewchuk, Discrete Comput. Geom. 18, 305, 1997).
+/// A sum with an error of some u of itself, even if the terms cancel. Each partial sum is kept as a sum of numbers whose digits do
+/// not overlap (J. R. Shewchuk, Discrete Comput. Geom. 18, 305, 1997).
 template <class T, int N> PW85_FUNCTION inline T exact_sum(T const (&terms)[N]) noexcept
 {
     T parts[N];
@@ -37,7 +38,7 @@ template <class T, int N> PW85_FUNCTION inline T exact_sum(T const (&terms)[N]) 
     return sum;
 }
 
-/// ab - cd, to some u of itself.
+/// ab - cd, with an error of some u of itself.
 template <class T>
 PW85_FUNCTION inline T difference_of_products(T const &a, T const &b, T const &c, T const &d) noexcept
 {
@@ -47,7 +48,7 @@ PW85_FUNCTION inline T difference_of_products(T const &a, T const &b, T const &c
     return exact_sum(terms);
 }
 
-/// x × y, each coordinate to some u of itself.
+/// x × y. Each coordinate has an error of some u of itself.
 template <class T>
 PW85_FUNCTION inline Vector<T, 3> accurate_cross(Vector<T, 3> const &x, Vector<T, 3> const &y) noexcept
 {
@@ -66,53 +67,62 @@ template <class T> struct Reach {
     T radius, growth;
 };
 
-/// That of spheres around two bodies after some time, with the units of their forms in that of the radii. The spheres are larger by a thousandth,
-/// which covers rounding, and do not shrink: both let them meet earlier.
-template <class T, int D> PW85_FUNCTION inline Reach<T> reach_of_spheres(Body<T, D> const &body1, T const &unit1,
-                                                                         Body<T, D> const &body2, T const &unit2,
-                                                                         T const &time) noexcept
+/// The reach of spheres around two bodies; unit1 and unit2 are the units of the roots of their forms, in the unit of the radii. The
+/// radii are enlarged by a thousandth, which covers rounding.
+template <class T, int D> PW85_FUNCTION inline Reach<T>
+reach_of_spheres(Body<T, D> const &body1, T const &unit1, Body<T, D> const &body2, T const &unit2) noexcept
 {
     T const margin = T(1) + T(0x1p-10);
     T const radius1 = margin * unit1 * square_root(body1.most), radius2 = margin * unit2 * square_root(body2.most);
-    T const growth = body1.growth * radius1 + body2.growth * radius2;
-    return {radius1 + radius2 + growth * time, maximum(growth, T(0))}; // NaN remains
+    return {radius1 + radius2, body1.growth * radius1 + body2.growth * radius2};
 }
 
-/// √(|x|² - |y|²), or less than 0 where there is none; squares may be beyond the range of T.
+/// The reach after some time. From then on the spheres are taken not to shrink, so that they meet no later than the true ones.
+template <class T> PW85_FUNCTION inline Reach<T> reach_after(Reach<T> const &start, T const &time) noexcept
+{
+    return {start.radius + start.growth * time, maximum(start.growth, T(0))}; // NaN remains
+}
+
+/// √(|x|² - |y|²), or a negative number if |x| < |y|. The squares may be beyond the range of T.
 template <class T, int D, int E>
 PW85_FUNCTION inline T root_of_difference(Vector<T, D> const &x, Vector<T, E> const &y) noexcept
 {
     T const largest = maximum(largest_coordinate(x), largest_coordinate(y));
     if (!(largest > T(0))) return largest;
-    int const unit = binary_exponent(largest);
+    int const unit = is_in_range(largest, largest, largest) ? 0 : binary_exponent(largest);
     Vector<T, D> const a = times_power_of_two(x, -unit);
     Vector<T, E> const b = times_power_of_two(y, -unit);
     T const square = dot(a, a) - dot(b, b);
     return square < T(0) ? T(-1) : times_power_of_two(square_root(square), unit);
 }
 
-/// When two spheres meet that are apart (item 1).
-template <class T, int D> struct Meeting {
-    T time, root;                       ///< infinity if they do not; the root of the discriminant
-    Vector<T, rotation_axes<D>> moment; ///< r × v
+/// The moment c = r × v of two centres.
+template <class T, int D> using Moment = Vector<T, rotation_axes<D>>;
+
+/// When two spheres that are apart meet (item 1).
+template <class T> struct Meeting {
+    T time; ///< infinity if they do not meet
+    T root; ///< the root of the discriminant
 };
 
-template <class T, int D> PW85_FUNCTION inline Meeting<T, D>
-meeting_of_spheres(Vector<T, D> const &r12, Vector<T, D> const &velocity, Reach<T> const &reach) noexcept
+template <class T, int D>
+PW85_FUNCTION inline Meeting<T> meeting_of_spheres(Vector<T, D> const &r12, Vector<T, D> const &velocity,
+                                                   Reach<T> const &reach, Moment<T, D> const &moment) noexcept
 {
     auto const &[radius, growth] = reach;
-    auto const moment = accurate_cross(r12, velocity);
     T const root = root_of_difference(add_scaled(radius * velocity, T(-growth), r12), moment);
     T const speed = dot(velocity, velocity) - growth * growth, approach = growth * radius - dot(r12, velocity);
     bool const meets = (approach > T(0) || speed < T(0)) && root >= T(0);
     T const excess = dot(r12, r12) - radius * radius;
-    return {meets ? nearer_root(excess, approach, speed, root) : infinity<T>(), root, moment};
+    return {meets ? nearer_root(excess, approach, speed, root) : infinity<T>(), root};
 }
 
-/// The vector between the centres then: by item 2 where it is short, so that rounding of the longer way would tell.
+/// The vector between the centres when the spheres meet. If it is short, item 2 gives it, because the rounding errors of the long
+/// way would matter.
 template <class T, int D>
 PW85_FUNCTION inline Vector<T, D> r12_at_meeting(Vector<T, D> const &r12, Vector<T, D> const &velocity,
-                                                 Reach<T> const &reach, Meeting<T, D> const &meeting) noexcept
+                                                 Reach<T> const &reach, Moment<T, D> const &moment,
+                                                 Meeting<T> const &meeting) noexcept
 {
     auto const &[radius, growth] = reach;
     T const nearer = radius + growth * meeting.time;
@@ -120,12 +130,18 @@ PW85_FUNCTION inline Vector<T, D> r12_at_meeting(Vector<T, D> const &r12, Vector
     // Then |v| > 7 G, as the centres go 7/8 of |r| at least while the spheres grow by less than 1/8.
     T const square = dot(velocity, velocity), speed = square - growth * growth;
     T const later = (growth * (radius * square - growth * dot(r12, velocity)) / square - meeting.root) / speed;
-    return add_scaled(T(T(-1) / square) * turning(meeting.moment, velocity), later, velocity);
+    return add_scaled(T(T(-1) / square) * turning(moment, velocity), later, velocity);
 }
 
 template <class T, int D> PW85_FUNCTION inline bool only_translates(Motion<T, D> const &motion) noexcept
 {
     return largest_coordinate(motion.angular_velocity) == T(0) && motion.growth == T(0);
+}
+
+template <class T, int D>
+PW85_FUNCTION inline Vector<T, D> relative_velocity(Motion<T, D> const &motion1, Motion<T, D> const &motion2) noexcept
+{
+    return motion2.velocity - motion1.velocity;
 }
 
 /// Two ellipsoids that move, and the time up to which contacts count.
@@ -136,18 +152,13 @@ template <class T, int D> struct MovingEllipsoids {
     T end;
 };
 
-template <class T, int D>
-PW85_FUNCTION inline Vector<T, D> relative_velocity(MovingEllipsoids<T, D> const &moving) noexcept
+/// Whether the largest coordinate of r12 is more than 32 times the root of the largest diagonal entry. Up to there, rounding of
+/// positions is some hundred u of the longest semi-axis. A square that leaves the range of T does not change the answer.
+template <class T, int D> PW85_FUNCTION inline bool is_remote(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
+                                                              SymmetricMatrix<T, D> const &q2) noexcept
 {
-    return moving.motion2.velocity - moving.motion1.velocity;
-}
-
-/// Whether the centres are at least sixteen times as far from each other as the longest semi-axis is long, or some such number: up to
-/// there rounding of positions is some hundred u of it.
-template <class T, int D> PW85_FUNCTION inline bool is_remote(MovingEllipsoids<T, D> const &moving) noexcept
-{
-    T const r = largest_coordinate(moving.r12), q = maximum(largest_diagonal(moving.q1), largest_diagonal(moving.q2));
-    return r > T(0) && binary_exponent(r) > half_exponent(q) + 4;
+    T const r = T(0x1p-5) * largest_coordinate(r12);
+    return T(r * r) > maximum(largest_diagonal(q1), largest_diagonal(q2));
 }
 
 /// The larger of an exponent and that of x times 2^unit.
@@ -156,8 +167,9 @@ template <class T> PW85_FUNCTION inline int larger_exponent(int exponent, T cons
     return x > T(0) && binary_exponent(x) + unit > exponent ? binary_exponent(x) + unit : exponent;
 }
 
-/// A remote pair in units that keep it in range: r12 is the pair's times 2^length, forms the bodies' times 4^form, and the unit of time 2^-rate,
-/// in which the centres or the surfaces go about that distance. One of them moves.
+/// A remote pair, of which at least one ellipsoid moves, in units that keep it in range. The true r12 is this one times 2^length,
+/// the true forms are those of the bodies times 4^form, and the unit of time is 2^-rate: in it the centres or the surfaces move by
+/// about the distance of the centres.
 template <class T, int D> struct RemotePair {
     Vector<T, D> r12, velocity;
     int length, rate;
@@ -169,7 +181,7 @@ template <class T, int D>
 PW85_FUNCTION inline RemotePair<T, D> remote_pair(MovingEllipsoids<T, D> const &moving) noexcept
 {
     auto const &[r12, q1, q2, motion1, motion2, end] = moving;
-    Vector<T, D> const velocity = relative_velocity(moving);
+    Vector<T, D> const velocity = relative_velocity(motion1, motion2);
     int const length = binary_exponent(largest_coordinate(r12));
     int const form1 = half_exponent(largest_diagonal(q1)), form2 = half_exponent(largest_diagonal(q2));
     int rate = larger_exponent(std::numeric_limits<int>::min(), largest_coordinate(velocity), -length);
@@ -184,11 +196,12 @@ PW85_FUNCTION inline RemotePair<T, D> remote_pair(MovingEllipsoids<T, D> const &
             {form1, form2}};
 }
 
-/// The largest angle after which the orientation of a body is known to a thousandth of a radian, for an error of u in the angle.
+/// The largest angle after which the orientation of a body is known to a thousandth of a radian, if the angle has a relative error
+/// of u.
 template <class T> PW85_FUNCTION constexpr T longest_turn() noexcept { return T(0x1p-10 / unit_roundoff<T>()); }
 
-/// Lets an ellipsoid turn and grow for some time, in the unit of the body. False where its size leaves the range of T, or its orientation
-/// is unknown.
+/// Lets an ellipsoid turn and grow for some time, in the unit of the body. False if its size leaves the range of T, or if its
+/// orientation becomes unknown.
 template <class T, int D> PW85_FUNCTION inline bool let_move(SymmetricMatrix<T, D> &q, Motion<T, D> &motion,
                                                              Body<T, D> const &body, int form, T const &time) noexcept
 {
@@ -199,23 +212,25 @@ template <class T, int D> PW85_FUNCTION inline bool let_move(SymmetricMatrix<T, 
     return is_finite(q) && size > smallest_number<T>() && body.rate * time <= longest_turn<T>();
 }
 
-/// Lets a remote pair move as long as the spheres around it are apart, and returns that time: infinity if they do not meet by the end, NaN
-/// where something leaves the range of T.
+/// Lets a remote pair move until the spheres around its ellipsoids meet, and returns that time. Infinity if they do not meet before
+/// the end; NaN if a number leaves the range of T.
 template <class T, int D> [[gnu::noinline]] PW85_FUNCTION inline T come_near(MovingEllipsoids<T, D> &moving) noexcept
 {
-    T const speed = largest_coordinate(relative_velocity(moving)), none = T(0);
+    T const speed = largest_coordinate(relative_velocity(moving.motion1, moving.motion2)), none = T(0);
     if (speed == none && moving.motion1.growth == none && moving.motion2.growth == none) return infinity<T>();
     auto const pair = remote_pair(moving);
-    auto reach = reach_of_spheres(pair.bodies[0], times_power_of_two(T(1), pair.forms[0] - pair.length), pair.bodies[1],
-                                  times_power_of_two(T(1), pair.forms[1] - pair.length), T(0));
+    T const unit1 = times_power_of_two(T(1), pair.forms[0] - pair.length),
+            unit2 = times_power_of_two(T(1), pair.forms[1] - pair.length);
+    auto reach = reach_after(reach_of_spheres(pair.bodies[0], unit1, pair.bodies[1], unit2), T(0));
     T const least = times_power_of_two(T(1), std::numeric_limits<T>::min_exponent + 8);
     if (!(reach.growth < infinity<T>())) return quiet_nan<T>();
     bool const in_range = reach.radius > least;
     reach.radius = maximum(reach.radius, least);
-    auto const meeting = meeting_of_spheres(pair.r12, pair.velocity, reach);
+    auto const moment = accurate_cross(pair.r12, pair.velocity);
+    auto const meeting = meeting_of_spheres(pair.r12, pair.velocity, reach, moment);
     if (meeting.time >= times_power_of_two(moving.end, pair.rate)) return infinity<T>();
     T const time = times_power_of_two(meeting.time, -pair.rate);
-    moving.r12 = times_power_of_two(r12_at_meeting(pair.r12, pair.velocity, reach, meeting), pair.length);
+    moving.r12 = times_power_of_two(r12_at_meeting(pair.r12, pair.velocity, reach, moment, meeting), pair.length);
     moving.end = moving.end - time;
     bool const known = let_move(moving.q1, moving.motion1, pair.bodies[0], pair.forms[0], meeting.time) &&
                        let_move(moving.q2, moving.motion2, pair.bodies[1], pair.forms[1], meeting.time);

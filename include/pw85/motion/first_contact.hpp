@@ -24,7 +24,8 @@ PW85_FUNCTION inline T fastest(Motion<T, D> const &motion1, Motion<T, D> const &
     return maximum(turning, maximum(absolute(motion1.growth), absolute(motion2.growth)));
 }
 
-/// A time in its own unit; what is finite but too large is no time that there is none.
+/// A time in the caller's unit. A finite time that is too large for T is an error, because infinity would mean that there is no
+/// contact.
 template <class T> PW85_FUNCTION inline FirstContact<T> in_unit_of_time(FirstContact<T> result, int exponent) noexcept
 {
     T const time = times_power_of_two(result.time, exponent);
@@ -32,7 +33,7 @@ template <class T> PW85_FUNCTION inline FirstContact<T> in_unit_of_time(FirstCon
     return {time, result.status};
 }
 
-/// μ² of a tangent pair in the units of a Pair. Ellipsoids whose centres are so near that it would leave the range of T overlap anyway.
+/// μ² of a tangent pair in the units of a Pair. It is limited to the range of T: ellipsoids with centres so near overlap anyway.
 template <class T, int D> PW85_FUNCTION inline T tangent_in_units(ScaledPair<T, D> const &scaled) noexcept
 {
     int const exponent = scaled.form - scaled.length, limit = std::numeric_limits<T>::max_exponent / 4;
@@ -50,8 +51,8 @@ first_contact_of_translation(ScaledPair<T, D> const &scaled, Vector<T, D> const 
     return in_unit_of_time(find_passage(flight, times_power_of_two(end, -exponent)), exponent);
 }
 
-/// first_contact() of a valid pair, in the unit of time in which the largest rate is of order one. That of the velocity is how often it
-/// covers the distance of the centres, or the larger of the sizes where this is larger.
+/// first_contact() of a valid pair, in the unit of time in which the largest rate is of order one. The rate of the velocity is its
+/// quotient by the distance of the centres, or by the larger of the sizes if this is larger.
 template <class T, int D> [[gnu::noinline]] PW85_FUNCTION inline FirstContact<T>
 first_contact_of_motion(ScaledPair<T, D> const &scaled, Vector<T, D> const &velocity, Motion<T, D> const &motion1,
                         Motion<T, D> const &motion2, T const &end) noexcept
@@ -72,29 +73,30 @@ first_contact_of_motion(ScaledPair<T, D> const &scaled, Vector<T, D> const &velo
 }
 
 /// first_contact() of a valid pair that is not remote.
-template <class T, int D> PW85_FUNCTION inline FirstContact<T>
-first_contact_nearby(MovingEllipsoids<T, D> const &moving, ScaledPair<T, D> const &scaled) noexcept
+template <class T, int D>
+PW85_FUNCTION inline FirstContact<T> first_contact_nearby(ScaledPair<T, D> const &scaled, Motion<T, D> const &motion1,
+                                                          Motion<T, D> const &motion2, T const &end) noexcept
 {
-    auto const &[r12, q1, q2, motion1, motion2, end] = moving;
-    Vector<T, D> const velocity = relative_velocity(moving);
+    Vector<T, D> const velocity = relative_velocity(motion1, motion2);
     if (only_translates(motion1) && only_translates(motion2))
         return first_contact_of_translation(scaled, velocity, end);
     return first_contact_of_motion(scaled, velocity, motion1, motion2, end);
 }
 
-/// first_contact() of a valid pair that is remote: it has come near before it touches.
-template <class T, int D>
-[[gnu::noinline]] PW85_FUNCTION inline FirstContact<T> first_contact_from_afar(MovingEllipsoids<T, D> moving) noexcept
+/// first_contact() of a valid pair that is remote: it comes near before it touches.
+template <class T, int D> [[gnu::noinline]] PW85_FUNCTION inline FirstContact<T>
+first_contact_from_afar(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, SymmetricMatrix<T, D> const &q2,
+                        Motion<T, D> const &motion1, Motion<T, D> const &motion2, T const &end) noexcept
 {
-    T const end = moving.end;
+    MovingEllipsoids<T, D> m{r12, q1, q2, motion1, motion2, end};
     T waited = T(0);
-    for (int i = 0; i < max_passages && is_remote(moving); ++i) {
-        T const wait = come_near(moving);
+    for (int i = 0; i < max_passages && is_remote(m.r12, m.q1, m.q2); ++i) {
+        T const wait = come_near(m);
         if (!(wait < infinity<T>())) return {wait, wait > T(0) ? Status::success : Status::no_convergence};
         waited = waited + wait;
     }
-    if (is_remote(moving)) return all_nan<FirstContact<T>>(Status::no_convergence);
-    auto const rest = first_contact_nearby(moving, scale(pair_of(moving.r12, moving.q1, moving.q2)));
+    if (is_remote(m.r12, m.q1, m.q2)) return all_nan<FirstContact<T>>(Status::no_convergence);
+    auto const rest = first_contact_nearby(scale(pair_of(m.r12, m.q1, m.q2)), m.motion1, m.motion2, m.end);
     if (!(rest.time < infinity<T>())) return rest;
     return {minimum(end, T(waited + rest.time)), rest.status};
 }
@@ -118,9 +120,9 @@ PW85_FUNCTION inline FirstContact<T> first_contact(Vector<T, D> const &r12, Symm
         if (status != Status::success) return all_nan<FirstContact<T>>(status);
     }
     if (largest_coordinate(r12) == T(0)) return {T(0), Status::success};
-    MovingEllipsoids<T, D> const moving{r12, q1, q2, motion1, motion2, end};
-    if (!is_finite(relative_velocity(moving))) return all_nan<FirstContact<T>>(Status::no_convergence);
-    return is_remote(moving) ? first_contact_from_afar(moving) : first_contact_nearby(moving, scaled);
+    if (!is_finite(relative_velocity(motion1, motion2))) return all_nan<FirstContact<T>>(Status::no_convergence);
+    if (is_remote(r12, q1, q2)) return first_contact_from_afar(r12, q1, q2, motion1, motion2, end);
+    return first_contact_nearby(scaled, motion1, motion2, end);
 }
 
 } // namespace pw85

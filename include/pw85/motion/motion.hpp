@@ -78,12 +78,13 @@ PW85_FUNCTION inline SymmetricMatrix<T, D> turned(TurningForm<T, D> const &x, T 
 /// An ellipsoid, of which a part κI does not change as it turns.
 template <class T, int D> struct Body {
     SymmetricMatrix<T, D> rest; ///< the form less κI
-    T least, most;              ///< κ, which no eigenvalue of the form is below, and what none is above
+    T least, most;              ///< bounds on the eigenvalues of the form; the lower one is κ
     Vector<T, rotation_axes<D>> omega;
     T rate, growth; ///< |omega|, and that of the size over the size
 };
 
-/// Eigenvalues differ from their mean, tr Q/D, by at most √((D - 1)/D) |Q - (tr Q/D) I|, in the norm of Frobenius; both err by some u.
+/// The body of a form that moves, in the unit of time 2^-unit. Eigenvalues differ from their mean, tr Q/D, by at most
+/// √((D - 1)/D) |Q - (tr Q/D) I| in the norm of Frobenius; the margin covers the rounding errors of both.
 template <class T, int D>
 PW85_FUNCTION inline Body<T, D> to_body(SymmetricMatrix<T, D> const &q, Motion<T, D> const &motion, int unit) noexcept
 {
@@ -114,7 +115,7 @@ template <class T, int D>
 PW85_FUNCTION inline Body<T, D> body_at(Body<T, D> const &start, TurningForm<T, D> const &form, T const &time) noexcept
 {
     T const size = T(1) + start.growth * time, square = size * size;
-    return {square * turned(form, T(start.rate * time)),
+    return {square * (start.rate > T(0) ? turned(form, T(start.rate * time)) : start.rest),
             square * start.least,
             square * start.most,
             start.omega,

@@ -3,11 +3,12 @@
 ///
 /// With r(time) = r + v·time, M = Q1 + t Q2 and f as everywhere:
 ///
-/// 1. At fixed λ, f <= μ² is a quadratic polynomial of time: where it is above 1 there is no contact. Its first root bounds the
-///    time of contact from below; without a root ahead there is no contact.
-/// 2. f is convex in time and concave in λ. So a contact is the largest of these roots, and the side of λ on which larger ones
-///    (or a λ without) are is that on which the maximum of f is, at the root's time: a search for the root of h (contact/iteration.hpp)
-///    with the time updated at every step. As the root is stationary there, an error in λ counts only squared.
+/// 1. At fixed λ, f is a quadratic polynomial of time, and f <= μ². There is no contact while f > 1. So the first root of f = 1 is
+///    a lower bound on the time of contact. If f has no such root ahead, there is no contact.
+/// 2. f is convex in time and concave in λ. So the time of contact is the largest of these roots. Larger roots (or a λ without a
+///    root) lie on that side of λ on which f has its maximum at the time of the root. So the contact is found by a search for the
+///    root of h (contact/iteration.hpp), in which every step also updates the time. The root is stationary at the contact, so an
+///    error in λ counts only squared.
 #ifndef PW85_MOTION_PASSAGE_HPP_INCLUDED
 #define PW85_MOTION_PASSAGE_HPP_INCLUDED
 
@@ -27,16 +28,16 @@ template <class T> struct FirstContact {
 
 namespace pw85::detail {
 
-/// The first root of excess - 2 approach·x + speed·x² from the root of the discriminant approach² - speed·excess, without a difference of
-/// like numbers.
+/// The first root of excess - 2 approach·x + speed·x², computed from the root of the discriminant approach² - speed·excess. No two
+/// like numbers are subtracted.
 template <class T>
 PW85_FUNCTION constexpr T nearer_root(T const &excess, T const &approach, T const &speed, T const &root) noexcept
 {
     return approach > T(0) ? T(excess / (approach + root)) : T((approach - root) / speed);
 }
 
-/// The same of numbers that are positive before it; infinity if there is none, or where it is positive at zero and grows from there. What
-/// misses zero by less than the slack has one where it is least.
+/// The first root of the same polynomial, which is positive before the root. Infinity if there is no root, or if the polynomial is
+/// positive at zero and grows. A polynomial whose least value exceeds zero by less than the slack has its root at the least value.
 template <class T>
 PW85_FUNCTION inline T first_root(T const &excess, T const &approach, T const &speed, T const &slack) noexcept
 {
@@ -53,12 +54,12 @@ template <class T, int D> struct Passage {
     T approach, speed;          ///< -rᵀM⁻¹v, vᵀM⁻¹v
 };
 
-/// By how many times its own rounding a pair may overlap and still count as one that only touches: what is left of the rounding
-/// of coordinates in a space a hundred times larger than its particles.
+/// A pair that overlaps by at most this many times its own rounding error counts as one that touches. Coordinates in a space a
+/// hundred times larger than its particles are rounded by about as much.
 inline constexpr int touching_tolerance = 128;
 
-/// What the motion can be at one λ: not to touch, to be too near from the beginning for this λ to tell, or to touch not before
-/// some time.
+/// What one λ shows: the ellipsoids do not touch; they are too near from the beginning for this λ to decide; or they do not touch
+/// before some time.
 enum class PassageOutcome { none, near, contact };
 
 /// rᵀM⁻¹r where f = 1, for f = τ/(1+τ) rᵀM⁻¹r with τ = ratio² t.
@@ -67,8 +68,8 @@ template <class T> PW85_FUNCTION constexpr T target_at(T const &tangent, T const
     return tangent + tangent / (ratio * ratio * t);
 }
 
-/// By how much rᵀM⁻¹r may err: f errs by 4 u cond at most, the sums of magnitudes that make up cond by Σ|s_i M_ij s_j|, thrice this
-/// sum, and it by D Σ M_ii s_i², since |M_ij| <= √(M_ii M_jj).
+/// A bound on the error of rᵀM⁻¹r. f errs by at most 4 u cond; the sums of magnitudes in cond are at most thrice Σ|s_i M_ij s_j|;
+/// this sum is at most D Σ M_ii s_i², since |M_ij| <= √(M_ii M_jj).
 template <class T, int D>
 PW85_FUNCTION constexpr T slack_of_form(SymmetricMatrix<T, D> const &m, Vector<T, D> const &s) noexcept
 {
@@ -81,20 +82,27 @@ template <class T, int D>
 PW85_FUNCTION inline Passage<T, D> passage(Vector<T, D> const &r12, Vector<T, D> const &velocity, T const &target,
                                            SymmetricMatrix<T, D> const &m, Factorization<T, D> const &factors) noexcept
 {
-    Vector<T, D> const s = solve(factors, r12), v = solve(factors, velocity);
-    return {s, v, dot(r12, s) - target, slack_of_form(m, s), -dot(velocity, s), dot(velocity, v)};
+    Vector<T, D> const y = substitute_forward(factors, r12), z = substitute_forward(factors, velocity),
+                       s = substitute_back(factors, y);
+    return {s,
+            substitute_back(factors, z),
+            dot_over_pivots(factors, y, y) - target,
+            slack_of_form(m, s),
+            -dot_over_pivots(factors, y, z),
+            dot_over_pivots(factors, z, z)};
 }
 
-/// Whether a passage is to be seen from nearer: roundings of rᵀM⁻¹r, 16 u cond of the target and more, hide what little the square of
-/// its nearest value may miss the target by.
+/// Whether the ellipsoids are too far apart for this view to decide whether they touch. The rounding error of rᵀM⁻¹r is 16 u cond
+/// of the target or more, so it can hide by how much the least value of rᵀM⁻¹r misses the target.
 template <class T, int D> PW85_FUNCTION constexpr bool is_far(Passage<T, D> const &p, T const &target) noexcept
 {
     return p.excess > T(15) * target;
 }
 
-/// Where item 1 leads to from `origin` on, a time that a contact is not before. A pair that would miss by no more than rounding touches;
-/// one that overlaps at time 0 by no more and separates does not. From afar the discriminant errs by the rounding of rᵀM⁻¹r, and as
-/// that of vᵀM⁻¹v and twice that of rᵀM⁻¹v is as much where v points at the other ellipsoid, by four times that: so much is left for later.
+/// The time to which item 1 leads from `origin` on. There is no contact before `origin`. A pair that misses by no more than
+/// rounding touches. A pair that overlaps at time 0 by no more than rounding, and separates, does not touch. From afar the
+/// discriminant errs by the rounding error of rᵀM⁻¹r, by that of vᵀM⁻¹v and by twice that of rᵀM⁻¹v. These errors are alike if v
+/// points at the other ellipsoid, so the step stops short of the contact by four times the first.
 template <class T, int D> PW85_FUNCTION inline PassageOutcome passage_outcome(Passage<T, D> const &p, T const &target,
                                                                               T const &origin, T &time) noexcept
 {
@@ -117,14 +125,15 @@ template <class T> PW85_FUNCTION constexpr Jet<T> first_jet(T const &a, T const 
     return {T(1), twice * (b - t * bend), T(0), unit * b, twice * bend, T(0), T(0)};
 }
 
-/// A step in log t that leaves nothing open: what the next t errs by, about its square, counts squared.
+/// A step in log t after which one more view gives the contact: the error of the next t is about the square of the step, and the
+/// time errs by the square of that error.
 template <class T> PW85_FUNCTION constexpr T last_passage_step() noexcept
 {
     return negative_power_of_two<T>(mantissa_digits<T>() / 2 + 2);
 }
 
-/// How much later than the root of item 1 at some t the contact is, after a small step of Newton's to the maximum of f: log f gains half
-/// the step times its slope, λ(1-λ)(A - C)/(λA + (1-λ)C), and loses 2 root/target in a unit of time.
+/// The time from the root of item 1 at some t to the contact, if Newton's step to the maximum of f is small. The step raises log f
+/// by half the step times the slope λ(1-λ)(A - C)/(λA + (1-λ)C). log f falls by 2 root/target in a unit of time.
 template <class T>
 PW85_FUNCTION inline T delay(Slope<T> const &s, T const &ratio, T const &t, T const &root, T const &target) noexcept
 {
@@ -134,8 +143,8 @@ PW85_FUNCTION inline T delay(Slope<T> const &s, T const &ratio, T const &t, T co
     return T(0.25) * (lambda * (T(1) - lambda)) * (s.difference / level) * step * (target / root);
 }
 
-/// The largest number of values of t that find_passage() tries: those of search(), of which each but the last ends the search for
-/// some time, and with the time moving along.
+/// The largest number of values of t that find_passage() tries. It is more than search() needs, because the time changes with every
+/// step.
 inline constexpr int max_passages = 100;
 
 /// The number of steps that may go anywhere in the bracket, a choice: two more than those of search(), as the time moves.
@@ -174,10 +183,9 @@ template <class T, int D>
 PW85_FUNCTION inline Jet<T> jet_then(Flight<T, D> const &flight, Outlook<T, D> const &view, T const &t) noexcept
 {
     Vector<T, D> const s = add_scaled(view.passage.s, view.wait, view.passage.s_velocity);
-    Vector<T, D> const q = product(flight.pair.q2, s);
     auto const weights = outer_weights(s);
     T const a = positive_form(flight.pair.q1, weights), b = positive_form(flight.pair.q2, weights);
-    return first_jet(a, b, dot(q, solve(view.factors, q)), t);
+    return first_jet(a, b, inverse_form(view.factors, product(flight.pair.q2, s)), t);
 }
 
 /// Newton's step for the root of h.
@@ -192,8 +200,8 @@ template <class T, int D> PW85_FUNCTION constexpr T root_then(Outlook<T, D> cons
     return view.passage.approach - view.passage.speed * view.wait;
 }
 
-/// Whether delay() is right to rounding for a step of some size. Where passages graze, with little change of f in time, it may shift the
-/// maximum.
+/// Whether delay() is right to rounding for a step of some size. In a grazing passage f hardly changes with time, and the delay may
+/// shift the maximum of f.
 template <class T, int D> PW85_FUNCTION constexpr bool tells_delay(Outlook<T, D> const &view, T const &size) noexcept
 {
     T const shift = size * size, grazing = last_passage_step<T>() * root_then(view);
@@ -207,9 +215,9 @@ template <class T> PW85_FUNCTION constexpr FirstContact<T> contact_until(T const
     return {time > end ? infinity<T>() : time, Status::success};
 }
 
-/// The first contact of a flight, by items 1 and 2. A time before the root tells no side of it.
-template <class T, int D>
-PW85_FUNCTION inline FirstContact<T> find_passage(Flight<T, D> const &flight, T const &end) noexcept
+/// The first contact of a flight, by items 1 and 2. A time before the root does not show on which side of t the maximum is.
+template <class T, int D> [[gnu::always_inline]] PW85_FUNCTION inline FirstContact<T>
+find_passage(Flight<T, D> const &flight, T const &end) noexcept
 {
     T const &ratio = flight.pair.ratio;
     auto state = safeguarded_search(initial_guess(flight.pair), free_passage_steps);
@@ -225,13 +233,12 @@ PW85_FUNCTION inline FirstContact<T> find_passage(Flight<T, D> const &flight, T 
         Jet<T> const jet = jet_then(flight, view, t);
         Slope<T> const s = slope(jet, ratio, t);
         auto const trusted = trust(newton_step(s), s);
-        T const image = fixed_point_image(jet, ratio);
-        if (!before) take_bound(state, image > t, t);
+        if (!before) take_bound(state, s.difference < T(0), t);
         if (!before && tells_delay(view, trusted.size))
             return contact_until(end, T(reached + delay(s, ratio, t, root_then(view), view.target)));
         time = reached;
         last = !before && (trusted.size <= last_passage_step<T>() || is_narrow(state, last_passage_step<T>()));
-        T const next = next_guess(jet, trusted, ratio, t, image);
+        T const next = next_guess(jet, trusted, ratio, t, fixed_point_image(jet, ratio));
         if (before || last)
             go_to(state, next);
         else

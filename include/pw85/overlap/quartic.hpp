@@ -119,16 +119,17 @@ PW85_FUNCTION constexpr SymmetricMatrix<Lanes, D> broadcast(SymmetricMatrix<T, D
 /// the processor cannot predict whether the next test is needed. Four points decide 92 to 97 % of random pairs of aspect ratios
 /// from 2 to 100, the first point alone 80 to 97 %. `t` becomes that of the fixed-point map from the first point.
 template <class Lanes, class T, int D>
-[[gnu::always_inline]] PW85_FUNCTION inline Decision decide_by_points(Pair<T, D> const &pair, T &t) noexcept
+[[gnu::always_inline]] PW85_FUNCTION inline Decision decide_by_points(Vector<T, D> const &r12,
+                                                                      SymmetricMatrix<T, D> const &q1,
+                                                                      SymmetricMatrix<T, D> const &q2, T &t) noexcept
 {
     using Lane = typename ScalarTraits<T>::Lane;
     Lane const points[4] = {Lane(1), Lane(0.5), Lane(2), Lane(0.25)};
     static_assert(ScalarTraits<Lanes>::lanes <= 4);
-    auto const weights = outer_weights(pair.r12);
-    T const center = coarse_root_of_ratio(quadratic_form(pair.q1, weights), quadratic_form(pair.q2, weights));
+    auto const weights = outer_weights(r12);
+    T const center = coarse_root_of_ratio(quadratic_form(q1, weights), quadratic_form(q2, weights));
     Lanes const probes = Lanes(center) * load_lanes<Lanes>(points);
-    Pair<Lanes, D> const copies{broadcast<Lanes>(pair.r12), broadcast<Lanes>(pair.q1), broadcast<Lanes>(pair.q2),
-                                Lanes(T(1))};
+    Pair<Lanes, D> const copies{broadcast<Lanes>(r12), broadcast<Lanes>(q1), broadcast<Lanes>(q2), Lanes(T(1))};
     auto const e = evaluate_quartic(copies, probes);
     auto const certainty = test_quartic(e, probes);
     t = rough_root(first_lane(fixed_point_square(e, probes)));
@@ -152,9 +153,14 @@ template <class T, int D> PW85_FUNCTION inline void take_step(QuarticSearch<T> &
     search.active = search.rational.active && search.decision == Decision::none;
 }
 
-/// Tests at the points of a search that starts at t.
-template <class T, int D> PW85_FUNCTION inline Decision decide_by_search(Pair<T, D> const &pair, T const &t) noexcept
+/// Tests at the points of a search that starts at t. It is not inlined, and makes the Pair itself: if the caller had a Pair in memory, the
+/// tests at the first points would wait where the compiler loads two numbers at once that were stored one by one.
+template <class T, int D>
+[[gnu::noinline]] PW85_FUNCTION inline Decision decide_by_search(Vector<T, D> const &r12,
+                                                                 SymmetricMatrix<T, D> const &q1,
+                                                                 SymmetricMatrix<T, D> const &q2, T const &t) noexcept
 {
+    auto const pair = pair_of(r12, q1, q2);
     QuarticSearch<T> search{start_search(pair, t), Decision::none, t == t};
     run(search, pair, max_rational_steps);
     return search.decision;
