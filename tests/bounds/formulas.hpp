@@ -9,12 +9,19 @@ namespace pw85_bounds {
 
 using namespace pw85::detail;
 
+/// The name of a vector or matrix, with indices.
+inline std::string entry_name(std::string name, std::initializer_list<int> indices)
+{
+    for (int const index : indices) name.push_back(static_cast<char>('0' + index));
+    return name;
+}
+
 /// The inputs of a formula, by their names in the order of the entries. The values are those of an ordinary pair.
 template <int D> struct Inputs {
     static pw85::Vector<Recorded, D> vector(char const *name)
     {
         pw85::Vector<Recorded, D> x;
-        for (int i = 0; i < D; ++i) x[i] = Recorded::input(name + std::to_string(i), 1.0 + 0.25 * i);
+        for (int i = 0; i < D; ++i) x[i] = Recorded::input(entry_name(name, {i}), 1.0 + 0.25 * i);
         return x;
     }
 
@@ -22,8 +29,7 @@ template <int D> struct Inputs {
     {
         pw85::SymmetricMatrix<Recorded, D> a;
         for (int i = 0; i < D; ++i)
-            for (int j = i; j < D; ++j)
-                a(i, j) = Recorded::input(name + std::to_string(i) + std::to_string(j), i == j ? 1.0 : 0.1);
+            for (int j = i; j < D; ++j) a(i, j) = Recorded::input(entry_name(name, {i, j}), i == j ? 1.0 : 0.1);
         return a;
     }
 

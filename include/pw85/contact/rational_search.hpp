@@ -44,7 +44,7 @@ template <class T> PW85_FUNCTION inline void take_step(RationalSearch<T> &search
     search.active = active && !converged;
 }
 
-/// By how many u/d solve_by_adjugate() errs across s, in the norm of M (scripts/rounding_bounds.py: 12.2).
+/// By how many u/d solve_by_adjugate() errs across s, in the norm of M (theorem `adjugate` of tests/bounds/proofs.cpp).
 inline constexpr int adjugate_error = 13;
 
 /// The last evaluation, by the adjugate of M at t.
