@@ -130,13 +130,36 @@ struct Formula {
     std::vector<int> results;
 };
 
+/// Without the nodes that no result depends on.
+inline Formula pruned(Formula const &formula)
+{
+    auto const size = formula.graph.size();
+    std::vector<bool> used(size, false);
+    for (int const result : formula.results) used[static_cast<std::size_t>(result)] = true;
+    for (auto k = size; k-- > 0;)
+        for (int const operand : {formula.graph[k].left, formula.graph[k].right})
+            if (used[k] && operand >= 0) used[static_cast<std::size_t>(operand)] = true;
+    std::vector<int> place(size, -1);
+    auto const moved = [&](int k) { return k < 0 ? -1 : place[static_cast<std::size_t>(k)]; };
+    Formula kept;
+    for (std::size_t k = 0; k < size; ++k)
+        if (used[k]) {
+            Node node = formula.graph[k];
+            node.left = moved(node.left), node.right = moved(node.right);
+            place[k] = static_cast<int>(kept.graph.size());
+            kept.graph.push_back(node);
+        }
+    for (int const result : formula.results) kept.results.push_back(moved(result));
+    return kept;
+}
+
 inline Formula record(std::vector<int> (*run)())
 {
     Formula formula;
     recording = &formula.graph;
     formula.results = run();
     recording = nullptr;
-    return formula;
+    return pruned(formula);
 }
 
 } // namespace pw85_bounds

@@ -47,9 +47,9 @@ struct Comparison {
     bool value;
     std::vector<std::pair<int, int>> sides; ///< more, less
 
-    friend Comparison joined(bool value, Comparison x, Comparison const &y)
+    friend Comparison joined(bool both, Comparison x, Comparison const &y)
     {
-        x.value = value;
+        x.value = both;
         x.sides.insert(x.sides.end(), y.sides.begin(), y.sides.end());
         return x;
     }
