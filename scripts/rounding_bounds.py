@@ -3,10 +3,10 @@
 
 The program tests/bounds/graphs.cpp runs the templates of the library on a scalar that records, and prints every formula that a
 margin guards as a graph, rounding by rounding. With z_k(1 + δ_k) for each rounded result, |δ_k| <= u, the error of the result is
-Σ δ_k z_k ∂f/∂z_k to first order, which is at most u Σ |z_k ∂f/∂z_k|. One reverse sweep gives this sum. The sum divided by the form of
-the margin is maximised over pairs of positive definite forms, separations and t. All formulas are homogeneous in the units of each
-axis, so that M = Q1 + t Q2 has a unit diagonal without loss of generality. A fused multiplication and addition removes one δ_k, so
-that the sum loses a term: the constants hold with and without fusion.
+Σ δ_k z_k ∂f/∂z_k to first order, which is at most u Σ |z_k ∂f/∂z_k|. One reverse sweep gives this sum. The sum divided by the
+form of the margin is maximised over pairs of positive definite forms, separations and t. All formulas are homogeneous in the units
+of each axis, so that M = Q1 + t Q2 has a unit diagonal without loss of generality. A fused multiplication and addition removes one
+δ_k, so that the sum loses a term: the constants hold with and without fusion. tests/bounds/proofs.cpp proves some of them.
 
     rounding_bounds.py GRAPHS [--starts N] [--steps N]
 
@@ -22,8 +22,8 @@ import numpy as np
 
 
 class Formula:
-    """A graph, and the constant of the headers that bounds its errors. A node is its operation, its operands, and whether its result
-    is rounded."""
+    """A graph, and the constant of the headers that bounds its errors. A node is its operation, its operands, and whether its
+    result is rounded."""
 
     def __init__(self, constant):
         self.constant, self.nodes, self.results = int(constant), [], []

@@ -1,7 +1,7 @@
 /// @file
-/// Affine arithmetic with N variables ε_i in [-1, 1]: a number is center + Σ slopes_i ε_i ± rest, where `rest` bounds everything else,
-/// terms of higher order and the rounding errors of this arithmetic included. Unlike intervals, such numbers know that x - x is 0, so
-/// that bounds on a small box err by the square of its size.
+/// Affine arithmetic with N variables ε_i in [-1, 1]: a number is center + Σ slopes_i ε_i ± rest, where `rest` bounds everything
+/// else, terms of higher order and the rounding errors of this arithmetic included. Unlike intervals, such numbers know that x - x
+/// is 0, so that bounds on a small box err by the square of its size.
 #ifndef PW85_TESTS_BOUNDS_AFFINE_HPP_INCLUDED
 #define PW85_TESTS_BOUNDS_AFFINE_HPP_INCLUDED
 
@@ -79,8 +79,8 @@ template <int N> struct Affine {
         return x * Affine((u - l) / (u + l)) + Affine(2.0 * (l / (u + l)) * u).roundings(u + l);
     }
 
-    /// cos(angle) for angle in center ± width, ε_k its deviation over the width. The remainder of Taylor's series is below width²/2; it
-    /// is centred.
+    /// cos(angle) for angle in center ± width, ε_k its deviation over the width. The remainder of Taylor's series is below
+    /// width²/2; it is centred.
     static Affine cosine(int k, double center, double width)
     {
         Affine z(std::cos(center));

@@ -1,5 +1,6 @@
 /// @file
-/// A proof that a function of a few angles is nowhere above a limit: by bounds on boxes, which are halved where the bound is above it.
+/// A proof that a function of a few angles is nowhere above a limit: by bounds on boxes, which are halved where the bound is above
+/// it.
 #ifndef PW85_TESTS_BOUNDS_BRANCH_AND_BOUND_HPP_INCLUDED
 #define PW85_TESTS_BOUNDS_BRANCH_AND_BOUND_HPP_INCLUDED
 
@@ -38,7 +39,8 @@ template <int N> Box<N> whole_box(double const *ranges)
     return box;
 }
 
-/// Which angle to halve: that which moves the terms most. Its square counts as well: in the middle of a wide range slopes may vanish.
+/// Which angle to halve: that which moves the terms most. Its square counts as well: in the middle of a wide range slopes may
+/// vanish.
 template <int N> int angle_to_halve(Box<N> const &box, double (&variation)[N])
 {
     for (int k = 0; k < N; ++k) variation[k] = std::min(variation[k], 100.0) + 30.0 * box.width[k] * box.width[k];

@@ -1,6 +1,6 @@
 // Prints the formulas of formulas.hpp as graphs, for scripts/rounding_bounds.py: a line for each node, with the numbers of its
-// operands, in the order of the arithmetic. A line "= name dimensions constant" begins a formula, with the constant of the headers that
-// bounds its errors; a line ">" names its results.
+// operands, in the order of the arithmetic. A line "= name dimensions constant" begins a formula, with the constant of the headers
+// that bounds its errors; a line ">" names its results.
 #include <cstdio>
 
 #include "formulas.hpp"

@@ -2,11 +2,12 @@
 //
 //     proofs apart
 //
-// Each proof is for all pairs, with and without fused operations, and for every type with u <= 2^-24, float included. The hypothesis is
-// that each rounded result errs by a fraction of at most u, so that nothing over- or underflows (docs/implementation.rst). The bound on
-// terms of first order comes from branch_and_bound.hpp, that on the others from second_order.hpp. A share of 2^-10 of each constant is
-// left for terms beyond first order. One quarter of it is for those of the formula. The others are smaller: the rounding errors of the
-// products with the constant, 25 u of it, and in `adjugate` the error of d, at most 20 u where d > 13 √u (is_certain()).
+// Each proof is for all pairs, with and without fused operations, and for every type with u <= 2^-24, float included. The
+// hypothesis is that each rounded result errs by a fraction of at most u, so that nothing over- or underflows
+// (docs/implementation.rst). The bound on terms of first order comes from branch_and_bound.hpp, that on the others from
+// second_order.hpp. A share of 2^-10 of each constant is left for terms beyond first order. One quarter of it is for those of the
+// formula. The others are smaller: the rounding errors of the products with the constant, 25 u of it, and in `adjugate` the error
+// of d, at most 20 u where d > 13 √u (is_certain()).
 #include <cstdio>
 #include <cstring>
 
@@ -34,9 +35,9 @@ bool holds(char const *what, std::vector<int> (*run)(), Question const &question
     return proof.proved && small;
 }
 
-/// shows_apart(): (t a - (1 + t) b)/((1 + t) P) errs by less than apart_margin u if f <= 1. For pairs that differ in the length of r
-/// alone, the error is at most (1 - f) times that at r = 0 and f times that at f = 1, since each of its terms is affine in f. With t
-/// = 1, f = |w|²/2.
+/// shows_apart(): (t a - (1 + t) b)/((1 + t) P) errs by less than apart_margin u if f <= 1. For pairs that differ in the length of
+/// r alone, the error is at most (1 - f) times that at r = 0 and f times that at f = 1, since each of its terms is affine in f.
+/// With t = 1, f = |w|²/2.
 bool prove_apart()
 {
     bool const two = holds<2, 1>("apart, f = 0", apart<2>, {0.0, 0.5}, apart_margin) &&
@@ -84,11 +85,11 @@ int roundings_from(Graph const &graph, int from, std::vector<int> const &stops)
     return count;
 }
 
-/// The error of μ² = λ (rᵀs)²/(A + tB), in units of u μ²: with F the sum of magnitudes of the terms of A + tB and G that of rᵀs, both
-/// over rᵀs, cond = F + 2G. The error is at most n F + 2 m G + k, with n and m the roundings of a term and k those of what follows,
-/// each of which counts once. To k come 2 that is_certain() admits and 1 for the comparison. As F and G are at least 1, the error
-/// over cond is largest where both are 1, or where one of them is large. The share of the last step, ½ f' x, errs by x times n F at
-/// most, where x <= 2^-8 (final_step()).
+/// The error of μ² = λ (rᵀs)²/(A + tB), in units of u μ²: with F the sum of magnitudes of the terms of A + tB and G that of rᵀs,
+/// both over rᵀs, cond = F + 2G. The error is at most n F + 2 m G + k, with n and m the roundings of a term and k those of what
+/// follows, each of which counts once. To k come 2 that is_certain() admits and 1 for the comparison. As F and G are at least 1,
+/// the error over cond is largest where both are 1, or where one of them is large. The share of the last step, ½ f' x, errs by x
+/// times n F at most, where x <= 2^-8 (final_step()).
 template <int D> bool value_holds()
 {
     Formula const formula = record(value<D>);

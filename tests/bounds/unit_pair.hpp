@@ -1,9 +1,9 @@
 /// @file
 /// All pairs of ellipsoids, as far as the rounding errors of the formulas in M = Q1 + t Q2 can tell them apart.
 ///
-/// The formulas are homogeneous in the units of each axis, and relative errors do not depend on units. So M has a unit diagonal, and
-/// t = 1. Then M = VᵀV with columns v_i of length 1, and r = Vᵀw, so that rᵀM⁻¹r = |w|². A change of the sign of a coordinate changes no
-/// magnitude: v_0·v_i >= 0, and w is in a half-space.
+/// The formulas are homogeneous in the units of each axis, and relative errors do not depend on units. So M has a unit diagonal,
+/// and t = 1. Then M = VᵀV with columns v_i of length 1, and r = Vᵀw, so that rᵀM⁻¹r = |w|². A change of the sign of a coordinate
+/// changes no magnitude: v_0·v_i >= 0, and w is in a half-space.
 #ifndef PW85_TESTS_BOUNDS_UNIT_PAIR_HPP_INCLUDED
 #define PW85_TESTS_BOUNDS_UNIT_PAIR_HPP_INCLUDED
 

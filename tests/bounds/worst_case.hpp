@@ -28,8 +28,8 @@ template <int D, int N> class WorstCase {
 
     Formula const &formula() const { return errors_.formula(); }
 
-    /// A bound on the sum of the errors in a box, and in `variation` how much each angle moves it. It need not be a bound if it is above
-    /// the limit.
+    /// A bound on the sum of the errors in a box, and in `variation` how much each angle moves it. It need not be a bound if it is
+    /// above the limit.
     double bound(Box<N> const &box, double limit, double (&variation)[N])
     {
         UnitPair<D, N> const pair(box);
@@ -55,8 +55,8 @@ template <int D, int N> class WorstCase {
         return i == j ? Number(1.0) : inner(pair.v[i], pair.v[j]);
     }
 
-    /// An input; or a bound on |t Q2ij|: as 0 <= t Q2 <= M, it is v_iᵀX v_j with 0 <= X <= 1, so that it lies between (v_i·v_j ± 1)/2.
-    /// M is written to Q1 and zero to Q2, because t Q2 counts in these formulas by M and this bound only.
+    /// An input; or a bound on |t Q2ij|: as 0 <= t Q2 <= M, it is v_iᵀX v_j with 0 <= X <= 1, so that it lies between (v_i·v_j ±
+    /// 1)/2. M is written to Q1 and zero to Q2, because t Q2 counts in these formulas by M and this bound only.
     void write_node(std::size_t k, UnitPair<D, N> const &pair)
     {
         Node const &n = formula().graph[k];
@@ -74,8 +74,8 @@ template <int D, int N> class WorstCase {
         return name[0] == 'r' && name.size() == 2 ? length_ * inner(pair.v[digit(name[1])], pair.w) : Number(1.0);
     }
 
-    /// Of a vector M⁻¹r counts the error across: its products with M v = Vᵀy, for vectors v of length 1 in the norm of M that are normal
-    /// to M⁻¹r, which means that y is normal to w.
+    /// Of a vector M⁻¹r counts the error across: its products with M v = Vᵀy, for vectors v of length 1 in the norm of M that are
+    /// normal to M⁻¹r, which means that y is normal to w.
     void propagate_across(int i, UnitPair<D, N> const &pair)
     {
         for (int j = 0; j < D; ++j)
@@ -84,8 +84,9 @@ template <int D, int N> class WorstCase {
         errors_.propagate(i);
     }
 
-    /// The largest error across, for any y = x_0 n_0 + x_1 n_1 of length 1. It is a norm of x, so it is at most that at the corners of a
-    /// regular polygon around the circle: on directions 2h apart, over cos h. One that is above the limit comes first the next time.
+    /// The largest error across, for any y = x_0 n_0 + x_1 n_1 of length 1. It is a norm of x, so it is at most that at the corners
+    /// of a regular polygon around the circle: on directions 2h apart, over cos h. One that is above the limit comes first the next
+    /// time.
     double bound_across(double limit, double (&variation)[N])
     {
         double const h = pi / (2 * directions);
