@@ -70,13 +70,22 @@ template <int N> struct Affine {
         return z.roundings((std::fabs(x.center) + rx) * (std::fabs(y.center) + ry));
     }
 
+    friend Affine operator*(Affine x, double factor)
+    {
+        double const magnitude = (std::fabs(x.center) + x.radius()) * std::fabs(factor);
+        x.center *= factor;
+        for (double &slope : x.slopes) slope *= factor;
+        x.rest *= std::fabs(factor);
+        return x.roundings(magnitude);
+    }
+
     /// An upper bound on |x|, x or -x where the sign is known. On [-l, u] it is the chord ((u - l) x + 2 l u)/(u + l).
     friend Affine magnitude(Affine const &x)
     {
         double const u = x.largest(), l = -x.smallest();
         if (l <= 0.0) return x;
         if (u <= 0.0) return -x;
-        return x * Affine((u - l) / (u + l)) + Affine(2.0 * (l / (u + l)) * u).roundings(u + l);
+        return x * ((u - l) / (u + l)) + Affine(2.0 * (l / (u + l)) * u).roundings(u + l);
     }
 
     /// cos(angle) for angle in center ± width, ε_k its deviation over the width. The remainder of Taylor's series is below

@@ -56,7 +56,7 @@ template <int N> class ErrorSum {
         for (double &v : variation) v = 0.0;
         for (std::size_t k = 0; k < size(); ++k) {
             if (!formula_.graph[k].rounded) continue;
-            Number const slope = y == 0.0 ? adjoints_[0][k] : adjoints_[0][k] * Number(x) + adjoints_[1][k] * Number(y);
+            Number const slope = y == 0.0 ? adjoints_[0][k] : adjoints_[0][k] * x + adjoints_[1][k] * y;
             Number const term = bounds_[k].center < 0.0 ? magnitude(slope) : magnitude(slope) * bounds_[k];
             for (int i = 0; i < N; ++i) variation[i] += std::fabs(term.slopes[i]);
             sum = sum + term;

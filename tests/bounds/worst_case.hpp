@@ -64,7 +64,7 @@ template <int D, int N> class WorstCase {
         if (n.operation == Operation::input)
             errors_.value(k) = input(n.name, pair);
         else if (n.operation == Operation::product && node(n.left).name == "t" && node(n.right).name[0] == 'q')
-            errors_.bound(k) = Number(0.5) * (Number(1.0) + magnitude(entry(pair, node(n.right).name)));
+            errors_.bound(k) = (Number(1.0) + magnitude(entry(pair, node(n.right).name))) * 0.5;
     }
 
     Number input(std::string const &name, UnitPair<D, N> const &pair) const
