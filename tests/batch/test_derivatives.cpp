@@ -70,7 +70,7 @@ Result run(std::vector<Pair3> const &pairs) { return run(pairs, 0, pairs.size())
 
 double largest(Vector3 const &x) { return std::fmax(std::fabs(x[0]), std::fmax(std::fabs(x[1]), std::fabs(x[2]))); }
 
-/// What the adjugate may add to an error: 13 u/d of itself (scripts/rounding_bounds.py), where it is taken.
+/// What the adjugate may add to an error: 13 u/d of itself (theorem `adjugate` of tests/bounds/proofs.cpp), where it is taken.
 double error_of_adjugate(Pair3 const &p, double lambda)
 {
     auto const solution = pw85::detail::solve_by_adjugate(pw85::detail::blend(1.0 - lambda, p.q1, lambda, p.q2), p.r12);

@@ -331,7 +331,8 @@ template <class T> PW85_FUNCTION constexpr T least_diagonal_product() noexcept
 }
 
 /// A bound on the error of a determinant near zero, in units of u times the product of the diagonal: that of the expanded
-/// determinant plus that of the pivots (scripts/rounding_bounds.py: 8 and 15.8).
+/// determinant plus that of the pivots, to first order (scripts/rounding_bounds.py: 8 and 15.8). That it bounds the first of these
+/// is theorem `definite` of tests/bounds/proofs.cpp.
 template <int D> inline constexpr int definite_margin = D == 2 ? 8 : 16;
 
 /// Whether products alone (Sylvester's criterion) show that a symmetric matrix with entries near order one is positive definite.

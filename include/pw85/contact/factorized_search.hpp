@@ -82,11 +82,11 @@ PW85_FUNCTION inline T condition(Factorization<T, D> const &factors, SymmetricMa
 }
 
 /// By how many u κ the solution by factorisation errs across s, in the norm of M, with κ from condition()
-/// (scripts/rounding_bounds.py: 4.8).
+/// (to first order; scripts/rounding_bounds.py: 4.8).
 inline constexpr int factorization_error = 5;
 
 /// By how many u κ of itself a correction of refine() errs, or the solution that it corrects, in the norm of M
-/// (scripts/rounding_bounds.py: 9.4): so one correction shrinks an error.
+/// (to first order; scripts/rounding_bounds.py: 9.4): so one correction shrinks an error.
 inline constexpr int correction_error = 10;
 
 /// By how many roundings of a result the last evaluation's s errs across, in the norm of M, beside what is_certain() need not

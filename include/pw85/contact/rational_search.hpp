@@ -68,7 +68,8 @@ PW85_FUNCTION inline int run(Search &search, Pair<T, D> const &pair, int max_ste
     return steps;
 }
 
-/// A bound on the error of solve_by_adjugate() across s in the norm of M, in units of u/d (scripts/rounding_bounds.py: 12.2).
+/// A bound on the error of solve_by_adjugate() across s in the norm of M, in units of u/d (theorem `adjugate` of
+/// tests/bounds/proofs.cpp).
 inline constexpr int adjugate_error = 13;
 
 /// The last evaluation, by the adjugate of M at t.

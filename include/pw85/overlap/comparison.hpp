@@ -16,8 +16,9 @@ template <class T, int D> PW85_FUNCTION inline T condition_number(Pair<T, D> con
     return m.lambda * condition_sum(pair, t, solve(factorize_blend(T(1), pair.q1, t, pair.q2), pair.r12)) / m.mu2;
 }
 
-/// A bound on the relative error of μ², in units of u cond: the rounding errors of stationary_value() (scripts/rounding_bounds.py:
-/// 6.7); the error that is_certain() admits, at most 2u where cond >= 3, or u cond/8 where s is refined; and u for the comparison.
+/// A bound on the relative error of μ², in units of u cond: the rounding errors of stationary_value(); the error that is_certain()
+/// admits, at most 2u where cond >= 3, or u cond/8 where s is refined; and u for the comparison. This is theorem `value` of
+/// tests/bounds/proofs.cpp.
 inline constexpr int value_margin = 8;
 
 /// The tier for a pair in range. `tangent` is μ² of tangent ellipsoids in the units of the pair.

@@ -51,13 +51,14 @@ template <class T> PW85_FUNCTION constexpr T fixed_point_square(QuarticEvaluatio
 }
 
 // The tests at one t > 0, for a pair with ratio 1 that passes_fast_checks(). Each rounding error has a bound that holds for all
-// pairs: in units in which M has a unit diagonal and det M = d, the eigenvalues of adj(M) are between d/3 and 9/4. The margins, in
-// units of u, are the worst cases that scripts/rounding_bounds.py finds to first order: 19.6, 31.6 and 46.6. The last two margins
-// are 6 % larger, because their bounds contain a, whose error is 24.2 u/d.
+// pairs: in units in which M has a unit diagonal and det M = d, the eigenvalues of adj(M) are between d/3 and 9/4. The margins are in
+// units of u. That of shows_apart() is theorem `apart` of tests/bounds/proofs.cpp. The other two have no proof: they are the worst
+// cases that scripts/rounding_bounds.py finds to first order, 31.6 and 46.6, and 6 % more, because their bounds contain a.
 
 inline constexpr int apart_margin = 20, inside1_margin = 34, inside2_margin = 50;
 
-/// The smallest d, in units of u, at which the error of a is below 5 %, and terms of second order in u/d are 1 % of the margins.
+/// The smallest d, in units of u, at which the error of a is below 5 % (theorem `separation` of tests/bounds/proofs.cpp), and terms
+/// of second order in u/d are 1 % of the margins.
 inline constexpr int least_conditioning = 512;
 
 /// Shows that f > 1. If f <= 1, r is so short that the error of both sides together is below the margin times (1 + t) P.
