@@ -41,6 +41,7 @@ PW85_INLINE PackMask store_derivatives(LanePair<3> const &pair, Pack const &lamb
     auto const solution = solve_by_adjugate(blend(lambda1, pair.q1, lambda, pair.q2), pair.r12);
     Pack const reciprocal = Pack(1.0) / solution.determinant;
     Tangency<Pack, 3> const at{reciprocal * solution.s, lambda1, lambda, lambda1, lambda};
+    if (out.r12 != nullptr) store_rows(pair.r12, count, out.r12);
     if (out.point != nullptr) store_rows(tangency_point(at, pair.q1), count, out.point);
     if (out.normal != nullptr) store_rows(tangency_normal(at), count, out.normal);
     if (out.d_r12 != nullptr) store_rows(separation_gradient(at), count, out.d_r12);
