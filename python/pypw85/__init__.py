@@ -91,8 +91,11 @@ from ._statistics import Correlation, correlation, nematic_order
 from ._system import Contacts, Report, System
 from ._systems import (
     ContactForces,
+    Law,
+    LawForces,
     contact_derivatives_pairs,
     contact_forces_pairs,
+    law_forces_pairs,
     nearest_image_limit,
     overlap_any,
     overlap_any_indices,
@@ -121,6 +124,8 @@ __all__ = [
     "Correlation",
     "Events",
     "FileError",
+    "Law",
+    "LawForces",
     "Neighbors",
     "OverlapsLeft",
     "PW85Error",
@@ -175,6 +180,7 @@ __all__ = [
     "gufuncs",
     "intersect_line",
     "lambda_atol",
+    "law_forces_pairs",
     "legacy",
     "metadata",
     "motion",

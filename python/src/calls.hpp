@@ -66,6 +66,10 @@ PyObject *overlap_any_indices(PyObject *self, PyObject *const *args, Py_ssize_t 
 /// contact_forces_pairs(pairs, centers, q, cell or None, images or None, d_u, d_r12, d_rot1, d_rot2, forces, torques, virial): status.
 PyObject *contact_forces_pairs(PyObject *self, PyObject *const *args, Py_ssize_t nargs);
 
+/// law_forces_pairs(pairs, centers, q, cell or None, images or None, kind, parameters, energy (one number), forces, torques, virial):
+/// status.
+PyObject *law_forces_pairs(PyObject *self, PyObject *const *args, Py_ssize_t nargs);
+
 /// nearest_image_limit(q, cell): (status, mu2).
 PyObject *nearest_image_limit(PyObject *self, PyObject *const *args, Py_ssize_t nargs);
 
