@@ -22,7 +22,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parent.parent
 RESULTS = ROOT / "docs" / "measurements.json"
 REPETITIONS = 31
-COMPARED = {"pw85 2.0", "HOOMD-blue 2"}  # libraries that are not in Debian
+COMPARED = {"pw85 2.0", "HOOMD-blue 2 (quaternions)"}  # libraries that are not in Debian
 DISPATCHED = "^(contact|overlap|contact_batch|overlap_batch)/[0-9e+]+$"
 
 
