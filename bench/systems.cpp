@@ -24,32 +24,13 @@
 #include <pw85/neighbors.hpp>
 #include <pw85/pw85.hpp>
 
-#include "random_pairs.hpp"
+#include "spheroids.hpp"
 
 namespace {
 
 using Vector3 = pw85::Vector<double, 3>;
 using Form = pw85::SymmetricMatrix<double, 3>;
-
-/// Spheroids with semi-axes 1, 1 and `aspect`.
-struct System {
-    std::vector<Vector3> centers;
-    std::vector<Form> q;
-    pw85::Cell cell{};
-
-    System(std::size_t n, double aspect, double packing_fraction)
-    {
-        pw85_tests::Random random(131);
-        double const side = std::cbrt(static_cast<double>(n) * 4.0 / 3.0 * std::acos(-1.0) * aspect / packing_fraction);
-        for (std::size_t i = 0; i < n; ++i) {
-            centers.push_back({random.uniform(0.0, side), random.uniform(0.0, side), random.uniform(0.0, side)});
-            q.push_back(pw85::spheroid(1.0, aspect, random.direction<3>()).q);
-        }
-        for (std::size_t d = 0; d < 3; ++d) cell[d][static_cast<int>(d)] = side;
-    }
-
-    pw85::Particles particles() const { return {centers, q, &cell}; }
-};
+using pw85_bench::System;
 
 void count(benchmark::State &state, std::size_t items)
 {
