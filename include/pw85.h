@@ -961,9 +961,9 @@ typedef struct pw85_law {
  * @param[out] energy 1: ΣU; any output may be null
  * @param[out] forces num_particles×3: -∂U/∂centre
  * @param[out] torques num_particles×3: -∂U/∂(rotation vector) about the centre
- * @param[out] virial 3×3: as for pw85_contact_forces_pairs()
+ * @param[out] virial 3×3: Σ r12 ⊗ force on the second particle of each pair, row-major
  * @return as for pw85_contact_pairs(); sums to which a bad pair contributes are NaN. #PW85_EINVAL also for a law whose kind is none of
- *         these, or whose parameters are not allowed; #PW85_ENOMEM without memory for some hundred kilobytes per thread. Both come
+ *         these, or whose parameters are not allowed; #PW85_ENOMEM without memory for one megabyte per thread. Both come
  *         before anything is written. */
 PW85_API int pw85_law_forces_pairs(pw85_pair_list const *list, pw85_system const *system, pw85_law const *law,
                                    double *energy, double *forces, double *torques, double *virial);

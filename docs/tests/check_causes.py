@@ -33,6 +33,7 @@ VALID = {
     **dict.fromkeys(("n", "num_pairs", "num_particles"), ROWS),
     "kind": 1,
     "num_parameters": 2,
+    "parameters": [1.0, 2.0],
     "semi_axes": [3.0, 2, 1],
     "rotation": np.eye(3).ravel(),
     "lambda": 0.5,

@@ -2,9 +2,9 @@
 /// Sums energy, forces, torques and virial of a law over the pairs of a neighbour list. pw85_law_forces_pairs() (many_pairs.cpp)
 /// calls sum_law().
 ///
-/// The pairs are divided into blocks, whatever the number of threads. A round has one block for each thread: each computes the
-/// derivatives of its block, which remain in its cache, and then adds the terms of all blocks of the round to its own particles
-/// (forces.hpp). So the sums are those of the pairs in their order, and their bits do not depend on the number of threads.
+/// The pairs are divided into blocks, whatever the number of threads. In each round, every thread computes the derivatives of some
+/// blocks, which remain in the cache, and then adds the terms of all blocks of the round to its own particles (forces.hpp). So the
+/// sums are those of the pairs in their order, and their bits do not depend on the number of threads.
 #ifndef PW85_KERNELS_LAW_FORCES_HPP_INCLUDED
 #define PW85_KERNELS_LAW_FORCES_HPP_INCLUDED
 
@@ -52,8 +52,8 @@ inline void select_overlaps(Kernels const &kernels, NeighborList const &rows, st
     if (rows.images != nullptr) made.list.images = made.images;
 }
 
-/// Computes the derivatives of a block of n pairs, and the sum of its energies. A pair that does not overlap has no soft repulsion, and
-/// no derivatives are needed.
+/// Computes the derivatives of a block of n pairs, and the sum of its energies. A pair that does not overlap has no soft repulsion,
+/// and needs no derivatives. The kernel needs an array for λ: that of the slopes, which are found last.
 template <class Law> Failure compute_block(Kernels const &kernels, NeighborList const &rows, std::size_t n,
                                            Law const &law, PairSums const &sums, LawBlock &made,
                                            double &energy) noexcept
@@ -81,29 +81,42 @@ template <class Law> struct LawProblem {
     std::size_t num_blocks() const noexcept { return (num_pairs + law_block - 1) / law_block; }
 };
 
-/// The work of one thread. `all` has two blocks for each thread: while some threads still add the terms of a round, others compute
-/// the blocks of the next one.
-template <class Law>
-Failure sum_law(LawProblem<Law> const &problem, ThreadNumber const &team, LawBlock *all, BlockSums *block_sums) noexcept
+/// How many blocks each of several threads computes in a round. Threads wait for each other once in a round, so that rounds of a tenth
+/// of a millisecond leave little to wait for.
+constexpr std::size_t blocks_per_thread = 8;
+
+/// The blocks of a round, in their order.
+struct Round {
+    std::size_t depth, threads; ///< blocks of a thread, number of threads
+
+    std::size_t size() const noexcept { return depth * threads; }
+};
+
+/// The work of one thread. `all` has two rounds of blocks: while some threads still add the terms of a round, others compute the blocks
+/// of the next one.
+template <class Law> Failure sum_law(LawProblem<Law> const &problem, Round const &round, std::size_t thread,
+                                     LawBlock *all, BlockSums *block_sums) noexcept
 {
     Kernels const &kernels = chosen();
-    auto const [thread, threads] = team;
-    ForceSum const own(problem.sums, share(problem.num_particles, threads, thread));
+    ForceSum const own(problem.sums, share(problem.num_particles, round.threads, thread));
     Failure first{0, 0};
-    for (std::size_t begin = 0, round = 0; begin < problem.num_blocks(); begin += threads, ++round) {
-        LawBlock *const blocks = all + round % 2 * threads;
-        std::size_t const mine = begin + thread, end = std::min(begin + threads, problem.num_blocks()),
-                          pair = mine * law_block;
-        if (mine < end) {
+    bool odd = false;
+    for (std::size_t begin = 0; begin < problem.num_blocks(); begin += round.size(), odd = !odd) {
+        LawBlock *const blocks = all + (odd ? round.size() : 0);
+        std::size_t const end = std::min(begin + round.size(), problem.num_blocks());
+        Range const mine = {std::min(end, begin + thread * round.depth),
+                            std::min(end, begin + (thread + 1) * round.depth)};
+        for (std::size_t k = mine.begin; k < mine.end; ++k) {
+            std::size_t const pair = k * law_block;
             Failure const bad =
                 compute_block(kernels, problem.rows.from(pair), std::min(law_block, problem.num_pairs - pair),
-                              problem.law, problem.sums, blocks[thread], block_sums[mine].energy);
+                              problem.law, problem.sums, blocks[k - begin], block_sums[k].energy);
             first.update({pair + bad.index, bad.status});
         }
 #pragma omp barrier
         for (std::size_t k = begin; k < end; ++k) {
             PairGradients const pairs = blocks[k - begin].gradients();
-            bool const with_virial = k == mine && problem.sums.virial != nullptr;
+            bool const with_virial = problem.sums.virial != nullptr && k >= mine.begin && k < mine.end;
             own.add_part(pairs, {0, pairs.num_pairs}, with_virial ? block_sums[k].virial : nullptr);
         }
     }
@@ -123,22 +136,29 @@ inline void add_blocks(BlockSums const *blocks, std::size_t n, double *energy, d
     });
 }
 
+/// How many threads share n pairs.
+inline std::size_t threads_for(std::size_t n) noexcept
+{
+#ifdef _OPENMP
+    if (n > block) return std::min(static_cast<std::size_t>(omp_get_max_threads()), n / law_block);
+#endif
+    static_cast<void>(n);
+    return 1;
+}
+
 /// Sums in parallel, and returns the status of the first bad pair.
 template <class Law> int sum_law(LawProblem<Law> const &problem, double *energy) noexcept
 {
-    std::size_t most_threads = 1;
-#ifdef _OPENMP
-    most_threads =
-        std::min(static_cast<std::size_t>(omp_get_max_threads()), std::max<std::size_t>(problem.num_blocks(), 1));
-#endif
+    std::size_t const threads = threads_for(problem.num_pairs), depth = threads > 1 ? blocks_per_thread : 1;
     neighbors::Array<LawBlock> blocks;
     neighbors::Array<BlockSums> block_sums;
-    if (!blocks.resize(2 * most_threads) || !block_sums.resize(problem.num_blocks())) return PW85_ENOMEM;
+    if (!blocks.resize(2 * depth * threads) || !block_sums.resize(problem.num_blocks())) return PW85_ENOMEM;
     Failure first{0, 0};
-#pragma omp parallel num_threads(static_cast <int>(most_threads)) if (most_threads > 1)
+#pragma omp parallel num_threads(static_cast <int>(threads)) if (threads > 1)
     {
         DefaultEnvironment const environment; // threads have their own
-        Failure const own = sum_law(problem, this_thread(), blocks.data(), block_sums.data());
+        auto const team = this_thread();
+        Failure const own = sum_law(problem, {depth, team.threads}, team.thread, blocks.data(), block_sums.data());
 #pragma omp critical(pw85_batch)
         first.update(own);
     }
