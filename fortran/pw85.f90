@@ -847,7 +847,7 @@ module pw85
       type(pw85_pair_list), intent(in) :: list
       type(pw85_system), intent(in) :: system
       type(pw85_law), intent(in) :: law
-      real(c_double), intent(out), optional :: energy(1), forces(3, system%num_particles), torques(3, &
+      real(c_double), intent(out), optional :: energy, forces(3, system%num_particles), torques(3, &
         system%num_particles), virial(3, 3)
       integer(c_int) :: status
     end function pw85_law_forces_pairs

@@ -958,7 +958,7 @@ typedef struct pw85_law {
  * @param list the pairs; without pairs the sums are 0
  * @param system as for pw85_contact_pairs()
  * @param law the energy of a pair
- * @param[out] energy 1: ΣU; any output may be null
+ * @param[out] energy ΣU; any output may be null
  * @param[out] forces num_particles×3: -∂U/∂centre
  * @param[out] torques num_particles×3: -∂U/∂(rotation vector) about the centre
  * @param[out] virial 3×3: Σ r12 ⊗ force on the second particle of each pair, row-major
