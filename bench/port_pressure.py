@@ -4,9 +4,10 @@ of the processor busy; for one pair it is the latency of operations that depend 
 
     port_pressure.py BUILD
 
-BUILD is a build directory with the targets avx512 and avx2. Needs objdump and llvm-mca, whose model of Skylake has the two ports for
-512 bits of later processors. Prints, for each loop over packs of eight pairs, its instructions and cycles per pack; and for one pair, by the
-number of Halley steps, the cycles of the whole path without mispredicted branches, and the cycles that the ports alone would need.
+BUILD is a build directory with the targets avx512 and avx2. Needs objdump and llvm-mca, whose model of Skylake has the two ports
+for 512 bits of later processors. Prints, for the loops over packs of eight pairs, their instructions and cycles per pack; and for
+one pair, by the number of Halley steps, the cycles of the whole path without mispredicted branches, and the cycles that the ports
+alone would need.
 """
 
 import heapq
