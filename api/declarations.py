@@ -9,10 +9,10 @@ its sentence in the comment:
 - a pointer that is not to const is an output, and the comment marks it @param[out];
 - "may be null", "or null" and "null if", "null for" mean that the pointer may be null; "any output may be null" means this for all
   outputs;
-- `pw85_pair_list const *list` and `pw85_system const *system` are structs, whose members have comments of the same kind. Members
-  count as parameters of the function, and extents may be names of members. If the comment of a function says "`q` may be null", the
-  function does not read that member. If it says "`cell` is not null", the function needs a pointer that other functions do not
-  need;
+- `pw85_pair_list const *list`, `pw85_system const *system` and `pw85_law const *law` are structs, whose members have comments of
+  the same kind. Members count as parameters of the function, and extents may be names of members. If the comment of a function
+  says "`q` may be null", the function does not read that member. If it says "`cell` is not null", the function needs a pointer
+  that other functions do not need;
 - "as for pw85_f()" refers to the parameter of the same name of another function. A comment that says "arguments as for pw85_f()" or
   "see pw85_f()" does so for all parameters that it does not describe.
 
@@ -50,7 +50,7 @@ PARAMETER = re.compile(
 )
 EXTENT = r"(?:[a-z_]+|\d+)"
 SHAPE = re.compile(rf"({EXTENT}(?:×{EXTENT})*)(?= each\b| matrix\b| in\b| or null|[,;:.]|$)")
-STRUCTS = ("pw85_pair_list", "pw85_system")  # structs that are arguments; other structs are elements of arrays
+STRUCTS = ("pw85_pair_list", "pw85_system", "pw85_law")  # structs that are arguments; other structs are elements of arrays
 STRUCT = re.compile(r"^typedef struct (?P<name>\w+) \{\n(?P<members>.*?)^\} (?P=name);", re.DOTALL | re.MULTILINE)
 MEMBER = re.compile(r"/\*\*(?P<comment>(?:(?!\*/).)*)\*/\s*(?P<declaration>[^;/]+);", re.DOTALL)
 NULLABLE = re.compile(r"\b(?:may be|or) null\b|\bnull (?:if|for) ")

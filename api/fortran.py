@@ -26,6 +26,7 @@ TYPES = {
     "pw85_motion": "type(pw85_motion)",
     "pw85_pair_list": "type(pw85_pair_list)",
     "pw85_system": "type(pw85_system)",
+    "pw85_law": "type(pw85_law)",
 }
 
 

@@ -25,6 +25,7 @@ class Peer {
 
 std::unique_ptr<Peer> peer_pw85_2();
 std::unique_ptr<Peer> peer_hoomd();
+std::unique_ptr<Peer> peer_hoomd_matrices();
 std::unique_ptr<Peer> peer_fcl();
 
 } // namespace pw85_bench

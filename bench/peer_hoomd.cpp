@@ -1,29 +1,18 @@
-// The overlap test of HOOMD-blue 2 for ellipsoids (hoomd/hpmc/ShapeEllipsoid.h), with the mixed precision of its simulations, for
-// side_by_side.cpp.
+// The overlap test of HOOMD-blue 2 for ellipsoids (hoomd/hpmc/ShapeEllipsoid.h) as its simulations call it: from semi-axes and
+// quaternions, with their mixed precision. For side_by_side.cpp.
 #include <vector>
 
-#include <hoomd/hpmc/ShapeEllipsoid.h>
-
-#include <Eigen/Geometry>
-
+#include "hoomd_shapes.hpp"
 #include "peer.hpp"
-#include "principal_axes.hpp"
 
 namespace {
 
-using pw85_bench::PrincipalAxes;
-using Real = hpmc::OverlapReal;
+using pw85_bench::HoomdShape;
 
 hpmc::ShapeEllipsoid shape(double const *q)
 {
-    PrincipalAxes const axes(q);
-    Eigen::Quaterniond const turn(axes.turn);
-    hpmc::ell_params lengths;
-    lengths.x = static_cast<Real>(axes.lengths[0]);
-    lengths.y = static_cast<Real>(axes.lengths[1]);
-    lengths.z = static_cast<Real>(axes.lengths[2]);
-    lengths.ignore = 0;
-    return {quat<Scalar>(turn.w(), vec3<Scalar>(turn.x(), turn.y(), turn.z())), lengths};
+    HoomdShape const made(q);
+    return {made.orientation, made.lengths};
 }
 
 class PeerHoomd final : public pw85_bench::Peer {

@@ -4,9 +4,10 @@ of the processor busy; for one pair it is the latency of operations that depend 
 
     port_pressure.py BUILD
 
-BUILD is a build directory with the target avx512. Needs objdump and llvm-mca, whose model of Skylake has the two ports for 512 bits
-of later processors. Prints, for each loop over packs of eight pairs, its instructions and cycles per pack; and for one pair, by the
-number of Halley steps, the cycles of the whole path without mispredicted branches, and the cycles that the ports alone would need.
+BUILD is a build directory with the targets avx512 and avx2. Needs objdump and llvm-mca, whose model of Skylake has the two ports
+for 512 bits of later processors. Prints, for the loops over packs of eight pairs, their instructions and cycles per pack; and for
+one pair, by the number of Halley steps, the cycles of the whole path without mispredicted branches, and the cycles that the ports
+alone would need.
 """
 
 import heapq
@@ -15,7 +16,10 @@ import re
 import subprocess
 import sys
 
-PACKS = r"compute<pw85::detail::kernels::PairArrays<3>, pw85::detail::kernels::ContactArrays>"
+PACKS = {
+    "contact_batch": r"compute<pw85::detail::kernels::PairArrays<3>, pw85::detail::kernels::ContactArrays>",
+    "overlap_batch": r"compute<pw85::detail::kernels::PairArrays<3>, pw85::detail::kernels::OverlapArray>",
+}
 ONE_PAIR = r"> pw85::detail::maximize<double, 3>"
 FORM = r"> pw85::detail::rational_form<double>"
 ARITHMETIC = r"v(f|mul|add|sub|div|max|min|rcp|rsqrt|sqrt|cmp|blend)"
@@ -85,13 +89,18 @@ def path(code, begin, is_end, is_barred):
 
 
 def many_pairs(disassembly):
-    for body in loops(instructions(disassembly, PACKS)).values():
-        wide = [text for text in body if "zmm" in text]
-        if len(wide) < 40:
-            continue
-        _, port0, _, port5 = simulate(body, 100)
-        arithmetic, shuffles = (sum(bool(re.match(p, text)) for text in wide) for p in (ARITHMETIC, SHUFFLE))
-        print(f"{len(body)} instructions: {arithmetic} arithmetic, {shuffles} shuffles; port 0 busy {port0}, port 5 {port5} cycles")
+    """Of loops with the same operations, which differ in the jumps around them, the shortest one is shown."""
+    for name, function in PACKS.items():
+        shown = {}
+        for body in sorted(loops(instructions(disassembly, function)).values(), key=len, reverse=True):
+            wide = [text for text in body if "zmm" in text]
+            if len(wide) < 40:
+                continue
+            _, port0, _, port5 = simulate(body, 100)
+            arithmetic, shuffles = (sum(bool(re.match(p, text)) for text in wide) for p in (ARITHMETIC, SHUFFLE))
+            shown[arithmetic, shuffles] = f"{len(body)} instructions; port 0 busy {port0}, port 5 {port5} cycles"
+        for (arithmetic, shuffles), text in shown.items():
+            print(f"{name}: {arithmetic} arithmetic, {shuffles} shuffles: {text}")
 
 
 def one_pair(disassembly):
@@ -113,8 +122,8 @@ def one_pair(disassembly):
 
 def main():
     kernels = pathlib.Path(sys.argv[1]) / "src" / "kernels"
-    for unit, report in {"lanes": many_pairs, "one_pair": one_pair}.items():
-        report(output(["objdump", "-d", "-C", "--no-show-raw-insn", kernels / f"libpw85_{unit}_avx512.a.p" / f"{unit}.cpp.o"]))
+    for unit, target, report in (("lanes", "avx512", many_pairs), ("one_pair", "avx2", one_pair)):
+        report(output(["objdump", "-d", "-C", "--no-show-raw-insn", kernels / f"libpw85_{unit}_{target}.a.p" / f"{unit}.cpp.o"]))
 
 
 main()

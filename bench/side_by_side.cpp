@@ -5,11 +5,14 @@
 // Meson is given their sources (-Dpw85_2, -Dhoomd).
 #include <cstdio>
 
+#include <Eigen/Geometry>
+
 #include <pw85.h>
 
 #include "least_time.hpp"
 #include "pairs.hpp"
 #include "peer.hpp"
+#include "principal_axes.hpp"
 
 using namespace pw85_bench;
 
@@ -58,6 +61,45 @@ bool overlaps_exactly(double const *r12, double const *q1, double const *q2)
     return overlap == 1;
 }
 
+/// pw85_overlap() of ellipsoids that are given by semi-axes and quaternions, of which each test makes forms, as HOOMD-blue does.
+class FromQuaternions final : public Peer {
+  public:
+    void take(Rows rows) override
+    {
+        pairs_.clear();
+        for (std::size_t i = 0; i < rows.n; ++i)
+            pairs_.push_back({shape(rows.q1 + 6 * i), shape(rows.q2 + 6 * i), rows.r12 + 3 * i});
+    }
+    void decide(std::size_t begin, std::size_t end, unsigned char *overlap) const override
+    {
+        for (std::size_t i = begin; i < end; ++i) {
+            auto const &[first, second, r12] = pairs_[i];
+            double q1[PW85_SYM], q2[PW85_SYM];
+            pw85_ellipsoid_quaternion(first.lengths, first.quaternion, q1);
+            pw85_ellipsoid_quaternion(second.lengths, second.quaternion, q2);
+            overlap[i] = overlaps_exactly(r12, q1, q2);
+        }
+    }
+
+  private:
+    struct Shape {
+        double lengths[3], quaternion[4];
+    };
+    struct Pair {
+        Shape first, second;
+        double const *r12;
+    };
+
+    static Shape shape(double const *q)
+    {
+        PrincipalAxes const axes(q);
+        Eigen::Quaterniond const turn(axes.turn);
+        return {{axes.lengths[0], axes.lengths[1], axes.lengths[2]}, {turn.w(), turn.x(), turn.y(), turn.z()}};
+    }
+
+    std::vector<Pair> pairs_;
+};
+
 struct Entry {
     char const *name, *gives;
     std::unique_ptr<Peer> peer;
@@ -69,13 +111,15 @@ std::vector<Entry> entries()
     list.push_back({"pw85_overlap_batch", "boolean",
                     own([](Rows x, unsigned char *overlap) { pw85_overlap_batch(x.n, x.r12, x.q1, x.q2, overlap); })});
     list.push_back({"pw85_overlap", "boolean", one_by_one(overlaps_exactly)});
+    list.push_back({"pw85_overlap (quaternions)", "boolean", std::make_unique<FromQuaternions>()});
     list.push_back({"pw85_contact", "value", one_by_one(overlaps_by<pw85_contact>)});
     list.push_back({"pw85_contact_function", "value", one_by_one(overlaps_by<pw85_contact_function>)});
 #ifdef PW85_BENCH_PW85_2
     list.push_back({"pw85 2.0", "value", peer_pw85_2()});
 #endif
 #ifdef PW85_BENCH_HOOMD
-    list.push_back({"HOOMD-blue 2", "boolean", peer_hoomd()});
+    list.push_back({"HOOMD-blue 2 (quaternions)", "boolean", peer_hoomd()});
+    list.push_back({"HOOMD-blue 2 (matrices)", "boolean", peer_hoomd_matrices()});
 #endif
     list.push_back({"FCL 0.7", "boolean", peer_fcl()});
     return list;

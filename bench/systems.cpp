@@ -2,7 +2,9 @@
 // measure.py runs it. The names of the benchmarks are
 //
 //     neighbors/ASPECT/NUMBER       making a list at packing fraction 0.5; `items_per_second` counts particles
-//     derivatives_pairs, forces     derivatives of the pairs of a list, and the sums of their forces; counts pairs
+//     derivatives_pairs/NUMBER      derivatives of the pairs of a list of as many particles; counts pairs
+//     forces/NUMBER                 the same, and the sums of their forces, in two steps
+//     law/LAW/NUMBER                the sums of a law in one step; `law/two_steps`: the soft repulsion by derivatives, U' and sums
 //     threads/neighbors, ...        the same with two threads, in real time: `speed_up` over one thread, and the `limit` of this
 //                                   machine, which is the gain of two independent programs with one thread and one system each
 //     overlap_any                   one ellipsoid, given by its form, against 16 neighbours that it does not overlap; counts calls
@@ -22,32 +24,13 @@
 #include <pw85/neighbors.hpp>
 #include <pw85/pw85.hpp>
 
-#include "random_pairs.hpp"
+#include "spheroids.hpp"
 
 namespace {
 
 using Vector3 = pw85::Vector<double, 3>;
 using Form = pw85::SymmetricMatrix<double, 3>;
-
-/// Spheroids with semi-axes 1, 1 and `aspect`.
-struct System {
-    std::vector<Vector3> centers;
-    std::vector<Form> q;
-    pw85::Cell cell{};
-
-    System(std::size_t n, double aspect, double packing_fraction)
-    {
-        pw85_tests::Random random(131);
-        double const side = std::cbrt(static_cast<double>(n) * 4.0 / 3.0 * std::acos(-1.0) * aspect / packing_fraction);
-        for (std::size_t i = 0; i < n; ++i) {
-            centers.push_back({random.uniform(0.0, side), random.uniform(0.0, side), random.uniform(0.0, side)});
-            q.push_back(pw85::spheroid(1.0, aspect, random.direction<3>()).q);
-        }
-        for (std::size_t d = 0; d < 3; ++d) cell[d][static_cast<int>(d)] = side;
-    }
-
-    pw85::Particles particles() const { return {centers, q, &cell}; }
-};
+using pw85_bench::System;
 
 void count(benchmark::State &state, std::size_t items)
 {
@@ -68,12 +51,12 @@ void neighbors(benchmark::State &state)
 
 /// A neighbour list and the derivatives of its pairs.
 struct Derivatives {
-    System system{100000, 3.0, 0.5};
+    System system;
     pw85::Neighbors list;
     std::vector<double> mu2, lambda;
     std::vector<Vector3> d_r12, d_rot1, d_rot2;
 
-    Derivatives()
+    explicit Derivatives(std::size_t num_particles) : system(num_particles, 3.0, 0.5)
     {
         neighbors_create(system.particles(), {}, list);
         std::size_t const n = list.pairs().size();
@@ -96,21 +79,75 @@ struct Derivatives {
 
 void derivatives_pairs(benchmark::State &state)
 {
-    Derivatives d;
+    Derivatives d(static_cast<std::size_t>(state.range(0)));
     for ([[maybe_unused]] auto _ : state) contact_derivatives_pairs(d.list.list(), d.system.particles(), d.spans());
+    count(state, d.list.pairs().size());
+}
+
+/// The sums of forces, torques and virial of a system.
+struct Sums {
+    std::vector<Vector3> forces, torques;
+    std::array<Vector3, 3> virial;
+    double energy;
+
+    explicit Sums(std::size_t num_particles) : forces(num_particles), torques(num_particles) {}
+    pw85::ForceSpans spans() { return {forces, torques, &virial}; }
+};
+
+/// The soft repulsion (1 - μ)²/2 as a user of derivatives computes it.
+void compute_slopes(std::vector<double> const &mu2, std::vector<double> &d_u)
+{
+    for (std::size_t k = 0; k < mu2.size(); ++k) {
+        double const mu = std::sqrt(mu2[k]);
+        d_u[k] = mu < 1.0 ? -(1.0 - mu) / (2.0 * mu) : 0.0;
+    }
+}
+
+void two_steps(benchmark::State &state)
+{
+    Derivatives d(static_cast<std::size_t>(state.range(0)));
+    Sums sums(d.system.q.size());
+    std::vector<double> d_u(d.mu2.size());
+    for ([[maybe_unused]] auto _ : state) {
+        contact_derivatives_pairs(d.list.list(), d.system.particles(), d.spans());
+        compute_slopes(d.mu2, d_u);
+        contact_forces_pairs(d.list.list(), d.system.particles(), d_u, d.spans(), sums.spans());
+    }
     count(state, d.list.pairs().size());
 }
 
 void forces(benchmark::State &state)
 {
-    Derivatives d;
-    std::vector<Vector3> forces(d.system.q.size()), torques(forces.size());
-    std::array<Vector3, 3> virial;
+    Derivatives d(static_cast<std::size_t>(state.range(0)));
+    Sums sums(d.system.q.size());
     for ([[maybe_unused]] auto _ : state) {
         contact_derivatives_pairs(d.list.list(), d.system.particles(), d.spans());
-        contact_forces_pairs(d.list.list(), d.system.particles(), d.mu2, d.spans(), {forces, torques, &virial});
+        contact_forces_pairs(d.list.list(), d.system.particles(), d.mu2, d.spans(), sums.spans());
     }
     count(state, d.list.pairs().size());
+}
+
+/// A table of (1 - μ²)² at 101 points.
+std::vector<double> table()
+{
+    std::vector<double> numbers = {0.0, 1.0};
+    for (int k = 0; k <= 100; ++k) {
+        double const x = 0.01 * k;
+        numbers.insert(numbers.end(), {(1.0 - x) * (1.0 - x), -2.0 * (1.0 - x)});
+    }
+    return numbers;
+}
+
+void law(benchmark::State &state, int kind, std::vector<double> const &parameters)
+{
+    auto const n = static_cast<std::size_t>(state.range(0));
+    System const system(n, 3.0, 0.5);
+    pw85::Neighbors list;
+    neighbors_create(system.particles(), {}, list);
+    Sums sums(n);
+    for ([[maybe_unused]] auto _ : state)
+        law_forces_pairs(list.list(), system.particles(), {kind, parameters}, sums.energy, sums.spans());
+    count(state, list.pairs().size());
 }
 
 #ifdef _OPENMP
@@ -156,7 +193,7 @@ void threads_neighbors(benchmark::State &state)
 
 void threads_derivatives_pairs(benchmark::State &state)
 {
-    Derivatives both[2];
+    Derivatives both[2] = {Derivatives(100000), Derivatives(100000)};
     compare_threads(state, [&](std::size_t k) {
         contact_derivatives_pairs(both[k].list.list(), both[k].system.particles(), both[k].spans());
     });
@@ -203,8 +240,18 @@ void overlap_any(benchmark::State &state)
 
 BENCHMARK(neighbors)->ArgsProduct({{3, 10}, {10000, 100000, 1000000}})->Unit(benchmark::kMillisecond);
 BENCHMARK(neighbors)->Args({3, 10000000})->Unit(benchmark::kMillisecond);
-BENCHMARK(derivatives_pairs)->Unit(benchmark::kMillisecond);
-BENCHMARK(forces)->Unit(benchmark::kMillisecond);
+BENCHMARK(derivatives_pairs)->Arg(10000)->Arg(100000)->Unit(benchmark::kMillisecond);
+BENCHMARK(forces)->Arg(10000)->Arg(100000)->Unit(benchmark::kMillisecond);
+BENCHMARK(two_steps)->Name("law/two_steps")->Arg(10000)->Arg(100000)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(law, soft_repulsion, PW85_LAW_SOFT_REPULSION, {1.0, 2.0})
+    ->Arg(10000)
+    ->Arg(100000)
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(law, inverse_powers, PW85_LAW_INVERSE_POWERS, {4.0, 12.0, 4.0, 6.0, 1e300})
+    ->Arg(10000)
+    ->Arg(100000)
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(law, table, PW85_LAW_TABLE, table())->Arg(10000)->Arg(100000)->Unit(benchmark::kMillisecond);
 BENCHMARK(overlap_any)->ArgName("quaternion")->Arg(0)->Arg(1);
 
 } // namespace

@@ -15,7 +15,7 @@ import measurements
 HERE = Path(__file__).resolve().parent
 README = HERE.parent / "README.md"
 SECTION = re.compile(r"(?<=<!-- measured -->\n).*(?=\n<!-- end of measured -->)", re.DOTALL)
-PICTURES = {"accuracy": "accuracy", "digits": "digits", "evaluations": "evaluations", "throughput": "speed"}
+PICTURES = {"accuracy": "accuracy", "digits": "digits", "evaluations": "evaluations", "growth": "growth", "throughput": "speed"}
 ASPECTS = ("2", "10", "100", "1000")
 FUNCTIONS = {
     "contact_function": "`pw85_contact_function` (Brent's method, as in pw85 1.0)",

@@ -25,6 +25,9 @@ module pw85
   real(c_double), parameter, public :: pw85_lambda_atol = 1e-6_c_double
   integer(c_int), parameter, public :: pw85_max_iter = 25
   integer(c_int), parameter, public :: pw85_nr_iter = 3
+  integer(c_int), parameter, public :: pw85_law_soft_repulsion = 1
+  integer(c_int), parameter, public :: pw85_law_inverse_powers = 2
+  integer(c_int), parameter, public :: pw85_law_table = 3
   integer(c_int), parameter, public :: pw85_success = 0
   integer(c_int), parameter, public :: pw85_einval = 1
   integer(c_int), parameter, public :: pw85_enotpd = 2
@@ -54,6 +57,13 @@ module pw85
     type(c_ptr) :: pairs = c_null_ptr !< of 2 x num_pairs indices
     type(c_ptr) :: images = c_null_ptr !< of 3 x num_pairs multiples of the cell's vectors, or null for the nearest images
   end type pw85_pair_list
+
+  !> The energy of a pair: pw85_law(pw85_law_soft_repulsion, 2_c_size_t, c_loc(parameters)) of an array that is a target.
+  type, bind(C), public :: pw85_law
+    integer(c_int) :: kind = 0
+    integer(c_size_t) :: num_parameters = 0
+    type(c_ptr) :: parameters = c_null_ptr !< of num_parameters numbers
+  end type pw85_law
 
   public :: pw85_version
   public :: pw85_strerror
@@ -131,6 +141,7 @@ module pw85
   public :: pw85_overlap_pairs
   public :: pw85_contact_derivatives_pairs
   public :: pw85_contact_forces_pairs
+  public :: pw85_law_forces_pairs
   public :: pw85_first_contact_pairs
   public :: pw85_cell_reduce
   public :: pw85_nearest_images
@@ -878,6 +889,18 @@ module pw85
         virial(3, 3)
       integer(c_int) :: status
     end function pw85_contact_forces_pairs
+
+    !> Sums of the energies, forces, torques and virial of the pairs of a neighbour list, whose energy is a law of μ².
+    function pw85_law_forces_pairs(list, system, law, energy, forces, torques, virial) result(status) bind(C, &
+      name='pw85_law_forces_pairs')
+      import
+      type(pw85_pair_list), intent(in) :: list
+      type(pw85_system), intent(in) :: system
+      type(pw85_law), intent(in) :: law
+      real(c_double), intent(out), optional :: energy, forces(3, system%num_particles), torques(3, &
+        system%num_particles), virial(3, 3)
+      integer(c_int) :: status
+    end function pw85_law_forces_pairs
 
     !> pw85_first_contact() for the pairs of a neighbour list, and the next event of each particle.
     function pw85_first_contact_pairs(list, system, motions, t_max, t, next, next_pair) result(status) bind(C, &

@@ -42,6 +42,13 @@ module pw85
     type(c_ptr) :: images = c_null_ptr !< of 3 x num_pairs multiples of the cell's vectors, or null for the nearest images
   end type pw85_pair_list
 
+  !> The energy of a pair: pw85_law(pw85_law_soft_repulsion, 2_c_size_t, c_loc(parameters)) of an array that is a target.
+  type, bind(C), public :: pw85_law
+    integer(c_int) :: kind = 0
+    integer(c_size_t) :: num_parameters = 0
+    type(c_ptr) :: parameters = c_null_ptr !< of num_parameters numbers
+  end type pw85_law
+
   !@ names
 
   !@ interfaces

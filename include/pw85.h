@@ -984,6 +984,51 @@ PW85_API int pw85_contact_forces_pairs(pw85_pair_list const *list, pw85_system c
                                        double const *d_r12, double const *d_rot1, double const *d_rot2, double *forces,
                                        double *torques, double *virial);
 
+/** A soft repulsion, U = ε/α (1 - μ)^α for μ < 1 and 0 beyond. Parameters: ε, and α >= 1; 2 is harmonic, 2.5 that of Hertz. */
+#define PW85_LAW_SOFT_REPULSION 1
+
+/** Powers of 1/μ, U = A μ⁻ⁿ - B μ⁻ᵐ for μ² < c, less the value of that at μ² = c; 0 beyond. Parameters: A, n, B, m, and c > 0, with
+ * n > m > 0. (4ε, 12, 4ε, 6, c) is the potential of Lennard-Jones with μ in the place of r/σ, as Perram and others take it; with
+ * c = 2^(1/3) it is only repulsive. */
+#define PW85_LAW_INVERSE_POWERS 2
+
+/** A table of at least two points, which divide the range from a to b of μ² into equal intervals: U is the cubic polynomial with the
+ * values and derivatives of the points at both ends of an interval, linear below a, and 0 from b on. Parameters: a, b > a, then U and
+ * dU/dμ² of each point, in turn. */
+#define PW85_LAW_TABLE 3
+
+/** The energy U(μ²) of a pair, the same for all pairs. The caller owns the struct and its array; functions only read them, and do not
+ * use them after the call. */
+typedef struct pw85_law {
+    /** #PW85_LAW_SOFT_REPULSION, #PW85_LAW_INVERSE_POWERS or #PW85_LAW_TABLE. */
+    int kind;
+    /** number of parameters, which must be that of the kind. */
+    size_t num_parameters;
+    /** num_parameters: all finite, in the order in which the description of the kind names them. */
+    double const *parameters;
+} pw85_law;
+
+/** Sums of the energies, forces, torques and virial of the pairs of a neighbour list, whose energy is a law of μ². The function takes
+ * little more time than pw85_contact_derivatives_pairs() alone, and less for a soft repulsion, where pairs that do not overlap have no
+ * forces. The sums of forces and torques are those of pw85_contact_forces_pairs(), bit by bit, except that a soft repulsion leaves out
+ * pairs that do not overlap although their μ² is rounded to less than 1. The bits depend only on the input, not on the number of
+ * threads.
+ *
+ * Concentric ellipsoids have no force. Particles of several species need one list, and one call, for each law.
+ *
+ * @param list the pairs; without pairs the sums are 0
+ * @param system as for pw85_contact_pairs()
+ * @param law the energy of a pair
+ * @param[out] energy ΣU; any output may be null
+ * @param[out] forces num_particles×3: -∂U/∂centre
+ * @param[out] torques num_particles×3: -∂U/∂(rotation vector) about the centre
+ * @param[out] virial 3×3: Σ r12 ⊗ force on the second particle of each pair, row-major
+ * @return as for pw85_contact_pairs(); sums to which a bad pair contributes are NaN. #PW85_EINVAL also for a law whose kind is none of
+ *         these, or whose parameters are not allowed; #PW85_ENOMEM without memory for one megabyte per thread. Both come
+ *         before anything is written. */
+PW85_API int pw85_law_forces_pairs(pw85_pair_list const *list, pw85_system const *system, pw85_law const *law,
+                                   double *energy, double *forces, double *torques, double *virial);
+
 /** pw85_first_contact() for the pairs of a neighbour list, and the next event of each particle: what event-driven simulations
  * schedule. A pair stands for the same image of j at all times, that of time 0.
  *

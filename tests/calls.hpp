@@ -202,7 +202,8 @@ class Call {
     Argument number(std::string const &name) const
     {
         Argument x{};
-        x.size = name == "num_particles" ? 2 * pairs_->size() : pairs_->size();
+        x.size = name == "num_particles" ? 2 * pairs_->size() : name == "num_parameters" ? 2 : pairs_->size();
+        if (name == "kind") x.integer = PW85_LAW_SOFT_REPULSION;
         x.real = name == "lambda"   ? lambda_
                  : name == "angle"  ? 0.3
                  : name == "radius" ? 4.0
@@ -257,6 +258,7 @@ class Call {
         if (name == "centers") return second ? separation : nothing;
         if (name == "cell") return cell();
         if (name == "lambda") return {lambda_};
+        if (name == "parameters") return {2.0 + static_cast<double>(i)}; // of a soft repulsion
         if (name == "rotation") return {1, 0, 0, 0, 1, 0, 0, 0, 1};
         if (name == "semi_axes" || name == "axis" || name == "offsets" || name == "d_u") return {1, 2, 3};
         if (name == "quaternion" || name == "quaternions") return {1, 2, 3, 4};

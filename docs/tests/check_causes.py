@@ -31,6 +31,9 @@ VALID = {
     **dict.fromkeys(("motion1", "motion2", "motions"), (0.0,) * 7),
     **dict.fromkeys(("quaternion", "quaternions"), (1.0, 0, 0, 0)),
     **dict.fromkeys(("n", "num_pairs", "num_particles"), ROWS),
+    "kind": 1,
+    "num_parameters": 2,
+    "parameters": [1.0, 2.0],
     "semi_axes": [3.0, 2, 1],
     "rotation": np.eye(3).ravel(),
     "lambda": 0.5,
@@ -133,7 +136,11 @@ class System(ctypes.Structure):
     ]
 
 
-STRUCTS = {"pw85_pair_list": PairList, "pw85_system": System}
+class Law(ctypes.Structure):
+    _fields_ = [("kind", ctypes.c_int), ("num_parameters", ctypes.c_size_t), ("parameters", ctypes.c_void_p)]
+
+
+STRUCTS = {"pw85_pair_list": PairList, "pw85_system": System, "pw85_law": Law}
 
 
 class Caller:

@@ -350,6 +350,9 @@ contains
     integer(c_int32_t), target :: pairs(2, num_pairs)
     real(c_double), target :: centers(3, num_particles), q(6, num_particles), cell(3, 3), other(3, 3), moved(3, num_particles)
     type(pw85_pair_list) :: both, one, with_images, found
+    type(pw85_law) :: law
+    real(c_double), target :: line(6) = [0, 100, 0, 3, 300, 3] ! of 3 μ² as a table
+    real(c_double) :: energy
     type(pw85_system) :: apart, system
     real(c_double) :: mu2(num_pairs), lambda(num_pairs), nearest(3, 1)
     integer(c_int32_t) :: image(3, 1)
@@ -412,6 +415,10 @@ contains
     call check(status == pw85_success .and. all(close(forces(:, 1), 3 * d_r12(:, 1))), 'contact_forces_pairs: force')
     call check(all(abs(forces(:, 1) + forces(:, 2)) <= 0) .and. all(abs(forces(:, 3)) <= 0), 'contact_forces_pairs: others')
     call check(close(virial(1, 1) + virial(2, 2) + virial(3, 3), -6 * mu2(1)), 'contact_forces_pairs: virial')
+    law = pw85_law(pw85_law_table, 6_c_size_t, c_loc(line))
+    status = pw85_law_forces_pairs(with_images, system, law, energy, forces)
+    call check(status == pw85_success .and. close(energy, 3 * mu2(1)), 'law_forces_pairs: energy')
+    call check(all(close(forces(:, 1), 3 * d_r12(:, 1))), 'law_forces_pairs: force')
     status = pw85_overlap_any_indices(centers(:, 1), q1, system, 1_c_size_t, pairs(2:2, 1), any=holds)
     call check(status == pw85_success .and. (holds == 1) .eqv. (mu2(1) < 1), 'overlap_any_indices')
     image(:, 1) = [1, 0, 0]

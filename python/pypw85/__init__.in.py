@@ -51,8 +51,11 @@ from ._statistics import Correlation, correlation, nematic_order
 from ._system import Contacts, Report, System
 from ._systems import (
     ContactForces,
+    Law,
+    LawForces,
     contact_derivatives_pairs,
     contact_forces_pairs,
+    law_forces_pairs,
     nearest_image_limit,
     overlap_any,
     overlap_any_indices,

@@ -70,6 +70,10 @@ PyObject *contact_forces_pairs(PyObject *self, PyObject *const *args, Py_ssize_t
 /// unless all lines of the block, which is bytes, are plain. Kinds of columns, in bytes, are n (number), t (name), - (skipped).
 PyObject *parse_rows(PyObject *self, PyObject *args);
 
+/// law_forces_pairs(pairs, centers, q, cell or None, images or None, kind, parameters, energy (one number), forces, torques, virial):
+/// status.
+PyObject *law_forces_pairs(PyObject *self, PyObject *const *args, Py_ssize_t nargs);
+
 /// nearest_image_limit(q, cell): (status, mu2).
 PyObject *nearest_image_limit(PyObject *self, PyObject *const *args, Py_ssize_t nargs);
 

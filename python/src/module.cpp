@@ -122,6 +122,7 @@ PyMethodDef methods[] = {
     {"overlap_any_indices", as_method(overlap_any_indices), METH_FASTCALL,
      "Status and answer of pw85_overlap_any_indices()."},
     {"contact_forces_pairs", as_method(contact_forces_pairs), METH_FASTCALL, "Status of pw85_contact_forces_pairs()."},
+    {"law_forces_pairs", as_method(law_forces_pairs), METH_FASTCALL, "Status of pw85_law_forces_pairs()."},
     {"neighbors", as_method(neighbors), METH_FASTCALL, "Status and results of pw85_neighbors_create()."},
     {"neighbors_hold", as_method(neighbors_hold), METH_FASTCALL, "Status and answer of pw85_neighbors_holds()."},
     {"nearest_images", as_method(nearest_images), METH_FASTCALL, "Status of pw85_nearest_images()."},

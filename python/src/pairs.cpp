@@ -209,6 +209,31 @@ PyObject *contact_forces_pairs(PyObject *, PyObject *const *args, Py_ssize_t nar
     return PyLong_FromLong(status);
 }
 
+PyObject *law_forces_pairs(PyObject *, PyObject *const *args, Py_ssize_t nargs)
+{
+    PairList read;
+    if (!right_number(nargs, 11) || !read_pair_list(args, read)) return nullptr;
+    npy_intp num_parameters = -1, one = 1, three = 3;
+    long const kind = PyLong_AsLong(args[5]);
+    if (PyErr_Occurred()) return nullptr;
+    auto const *const parameters = static_cast<double const *>(data_of(args[6], NPY_DOUBLE, num_parameters, 0, false));
+    if (parameters == nullptr) return nullptr;
+    auto *const energy = static_cast<double *>(data_of(args[7], NPY_DOUBLE, one, 0, true));
+    if (energy == nullptr) return nullptr;
+    double *out[3];
+    for (int k = 0; k < 3; ++k) {
+        npy_intp &rows = k < 2 ? read.num_particles : three;
+        out[k] = static_cast<double *>(data_of(args[8 + k], NPY_DOUBLE, rows, PW85_DIM, true));
+        if (out[k] == nullptr) return nullptr;
+    }
+    pw85_law const law = {static_cast<int>(kind), static_cast<size_t>(num_parameters), parameters};
+    int status;
+    Py_BEGIN_ALLOW_THREADS;
+    status = pw85_law_forces_pairs(&read.list, &read.system, &law, energy, out[0], out[1], out[2]);
+    Py_END_ALLOW_THREADS;
+    return PyLong_FromLong(status);
+}
+
 PyObject *nearest_image_limit(PyObject *, PyObject *const *args, Py_ssize_t nargs)
 {
     npy_intp n = -1, cell_rows = 3;

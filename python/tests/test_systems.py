@@ -224,6 +224,38 @@ def test_contact_forces(particles):
         pypw85.contact_forces_pairs(*system[:2], d_u, derivatives, np.ones((3, 3)))
 
 
+@pytest.mark.parametrize(
+    ("law", "u", "d_u"),
+    [
+        (pypw85.Law.soft_repulsion(3.0), lambda x: 1.5 * (1 - np.sqrt(x)) ** 2 * (x < 1),
+         lambda x: -1.5 * (1 / np.sqrt(x) - 1) * (x < 1)),
+        (pypw85.Law.inverse_powers(4, 12, 4, 6), lambda x: 4 * (x**-6 - x**-3), lambda x: 4 * (3 * x**-4 - 6 * x**-7)),
+        (pypw85.Law.table(0, 4, [0, 8, 64], [0, 12, 48]), lambda x: x**3 * (x < 4), lambda x: 3 * x**2 * (x < 4)),
+    ],
+)  # fmt: skip
+def test_laws(particles, law, u, d_u):
+    """The sums of a law are those of its derivative in two steps."""
+    _, centers, q = particles
+    found = pypw85.neighbors(centers, q, CELL)
+    system = found.pairs, centers, q
+    derivatives = pypw85.contact_derivatives_pairs(*system, CELL, found.images)
+    two_steps = pypw85.contact_forces_pairs(*system[:2], d_u(derivatives.mu2), derivatives, CELL, found.images)
+    sums = pypw85.law_forces_pairs(*system, law, CELL, found.images)
+    assert sums.energy == pytest.approx(u(derivatives.mu2).sum(), rel=1e-12)
+    for one, other in zip(sums[1:], two_steps):
+        np.testing.assert_allclose(one, other, rtol=1e-12, atol=1e-12 * np.abs(other).max())
+
+
+def test_wrong_laws(particles):
+    pairs, centers, q = particles
+    with pytest.raises(ValueError, match="law"):
+        pypw85.law_forces_pairs(pairs, centers, q, pypw85.Law.soft_repulsion(1, 0.5))
+    with pytest.raises(ValueError, match="cell"):
+        pypw85.law_forces_pairs(pairs, centers, q, pypw85.Law.soft_repulsion(1), np.ones((3, 3)))
+    with np.errstate(invalid="ignore"):
+        assert np.isnan(pypw85.law_forces_pairs(pairs, centers, -q, pypw85.Law.soft_repulsion(1)).energy)
+
+
 def test_cells(particles):
     pairs, centers, q = particles
     skewed = np.array([[1, 0, 0], [3, 1, 0], [-4, 7, 1]]) @ CELL

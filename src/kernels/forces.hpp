@@ -23,6 +23,7 @@ struct PairGradients {
     NeighborList list;                     ///< its forms are not read
     double const *d_u;                     ///< dU/dμ², one number per pair
     double const *d_r12, *d_rot1, *d_rot2; ///< derivatives of μ², three numbers per pair
+    double const *r12 = nullptr; ///< separations, three numbers per pair; null where they are to be found from the list
 };
 
 /// The output arrays, any of which may be null.
@@ -74,25 +75,45 @@ constexpr std::size_t num_parts = 64;
 /// How many pairs ahead particles are prefetched: the particles of consecutive pairs may be anywhere in memory.
 constexpr std::size_t prefetch_distance = 16;
 
+/// The number of the calling thread in its parallel region, and how many there are.
+struct ThreadNumber {
+    std::size_t thread, threads;
+};
+
+inline ThreadNumber this_thread() noexcept
+{
+#ifdef _OPENMP
+    return {static_cast<std::size_t>(omp_get_thread_num()), static_cast<std::size_t>(omp_get_num_threads())};
+#else
+    return {0, 1};
+#endif
+}
+
+/// Part k of n rows that are divided into `count` parts.
+inline Range share(std::size_t n, std::size_t count, std::size_t k) noexcept
+{
+    std::size_t const size = (n + count - 1) / count;
+    return Range{std::min(n, k * size), std::min(n, (k + 1) * size)};
+}
+
 /// The sums of one thread: forces and torques on its own particles, in the order of all pairs, and the virial of its own parts.
 class ForceSum {
   public:
-    ForceSum(PairGradients const &pairs, PairSums const &sums, Range own) noexcept
-        : pairs_(pairs), sums_(sums), begin_(own.begin), size_(own.end - own.begin)
+    ForceSum(PairSums const &sums, Range own) noexcept : sums_(sums), begin_(own.begin), size_(own.end - own.begin)
     {
         for (double *const rows : {sums.forces, sums.torques})
             if (rows != nullptr) std::fill(rows + 3 * own.begin, rows + 3 * own.end, 0.0);
     }
 
     /// Adds the forces and torques of a part of the pairs, and writes the virial of this part unless null.
-    void add_part(Range part, double *virial) const noexcept
+    void add_part(PairGradients const &pairs, Range part, double *virial) const noexcept
     {
         Rows3 sum = {};
         for (std::size_t k = part.begin; k < part.end; ++k) {
-            fetch(std::min(k + prefetch_distance, pairs_.num_pairs - 1));
-            if (pairs_.d_u[k] == 0.0) continue;
-            if (virial != nullptr) add_virial(k, sum);
-            add_pair(k);
+            fetch(pairs, std::min(k + prefetch_distance, pairs.num_pairs - 1));
+            if (pairs.d_u[k] == 0.0) continue;
+            if (virial != nullptr) add_virial(pairs, k, sum);
+            add_pair(pairs, k);
         }
         if (virial == nullptr) return;
         store_row(sum.x, virial, 0);
@@ -101,32 +122,32 @@ class ForceSum {
     }
 
   private:
-    std::size_t particle(std::size_t k, int which) const noexcept
+    static std::size_t particle(NeighborList const &list, std::size_t k, int which) noexcept
     {
-        return static_cast<std::size_t>(pairs_.list.pairs[2 * k + static_cast<std::size_t>(which)]);
+        return static_cast<std::size_t>(list.pairs[2 * k + static_cast<std::size_t>(which)]);
     }
 
     bool is_own(std::size_t particle) const noexcept { return particle - begin_ < size_; }
 
     /// Prefetches what add_pair() and add_virial() read, except for the sums of other threads.
-    void fetch(std::size_t k) const noexcept
+    void fetch(PairGradients const &pairs, std::size_t k) const noexcept
     {
         for (int const which : {0, 1}) {
-            std::size_t const i = particle(k, which), own = is_own(i) ? i : begin_;
-            __builtin_prefetch(row_of(pairs_.list.centers, 3, i));
+            std::size_t const i = particle(pairs.list, k, which), own = is_own(i) ? i : begin_;
+            if (pairs.r12 == nullptr) __builtin_prefetch(row_of(pairs.list.centers, 3, i));
             if (sums_.forces != nullptr) __builtin_prefetch(row_of(sums_.forces, 3, own), 1);
             if (sums_.torques != nullptr) __builtin_prefetch(row_of(sums_.torques, 3, own), 1);
         }
     }
 
     /// Adds pair k to the sums of its particles. The forces on both are opposite.
-    void add_pair(std::size_t k) const noexcept
+    void add_pair(PairGradients const &pairs, std::size_t k) const noexcept
     {
-        double const d_u = pairs_.d_u[k];
-        std::size_t const i = particle(k, 0), j = particle(k, 1);
-        Row const force = sums_.forces != nullptr ? times(d_u, load_row(pairs_.d_r12, k)) : Row{};
-        if (is_own(i)) add(i, force, -d_u, pairs_.d_rot1, k);
-        if (is_own(j)) add(j, times(-1.0, force), -d_u, pairs_.d_rot2, k);
+        double const d_u = pairs.d_u[k];
+        std::size_t const i = particle(pairs.list, k, 0), j = particle(pairs.list, k, 1);
+        Row const force = sums_.forces != nullptr ? times(d_u, load_row(pairs.d_r12, k)) : Row{};
+        if (is_own(i)) add(i, force, -d_u, pairs.d_rot1, k);
+        if (is_own(j)) add(j, times(-1.0, force), -d_u, pairs.d_rot2, k);
     }
 
     /// Adds a force on a particle, and the torque, which is `factor` times row k of d_rot.
@@ -137,14 +158,15 @@ class ForceSum {
     }
 
     /// Adds the virial of pair k, r12 times the force on the second particle.
-    void add_virial(std::size_t k, Rows3 &sum) const noexcept
+    static void add_virial(PairGradients const &pairs, std::size_t k, Rows3 &sum) noexcept
     {
-        auto const r12 = load_separations<double>(pairs_.list, &k);
-        Row const force = times(-pairs_.d_u[k], load_row(pairs_.d_r12, k));
+        double const *const given = row_or_null(pairs.r12, 3, k);
+        auto const r12 = given != nullptr ? Vector<double, 3>{given[0], given[1], given[2]}
+                                          : load_separations<double>(pairs.list, &k);
+        Row const force = times(-pairs.d_u[k], load_row(pairs.d_r12, k));
         sum = {plus(sum.x, times(r12[0], force)), plus(sum.y, times(r12[1], force)), plus(sum.z, times(r12[2], force))};
     }
 
-    PairGradients const pairs_;
     PairSums const sums_;
     std::size_t begin_, size_;
 };
@@ -153,13 +175,9 @@ class ForceSum {
 inline void sum_forces(PairGradients const &pairs, std::size_t num_particles, PairSums const &sums, std::size_t thread,
                        std::size_t threads, double (&parts)[num_parts][9]) noexcept
 {
-    auto const share = [](std::size_t n, std::size_t count, std::size_t k) {
-        std::size_t const size = (n + count - 1) / count;
-        return Range{std::min(n, k * size), std::min(n, (k + 1) * size)};
-    };
-    ForceSum const own(pairs, sums, share(num_particles, threads, thread));
+    ForceSum const own(sums, share(num_particles, threads, thread));
     for (std::size_t part = 0; part < num_parts; ++part)
-        own.add_part(share(pairs.num_pairs, num_parts, part),
+        own.add_part(pairs, share(pairs.num_pairs, num_parts, part),
                      sums.virial != nullptr && part % threads == thread ? parts[part] : nullptr);
 }
 
@@ -170,11 +188,7 @@ inline void sum_forces(PairGradients const &pairs, std::size_t num_particles, Pa
 #pragma omp parallel if (pairs.num_pairs > block)
     {
         DefaultEnvironment const environment; // threads have their own
-        std::size_t thread = 0, threads = 1;
-#ifdef _OPENMP
-        thread = static_cast<std::size_t>(omp_get_thread_num());
-        threads = static_cast<std::size_t>(omp_get_num_threads());
-#endif
+        auto const [thread, threads] = this_thread();
         sum_forces(pairs, num_particles, sums, thread, threads, parts);
     }
     if (sums.virial == nullptr) return;

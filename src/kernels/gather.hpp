@@ -189,6 +189,15 @@ template <class Visit> PW85_INLINE void for_lanes(unsigned bits, Visit const &vi
     for (; bits != 0; bits &= bits - 1) visit(static_cast<unsigned>(__builtin_ctz(bits)));
 }
 
+/// Loads one number for each of `count` consecutive pairs. Lanes beyond the last pair repeat it.
+PW85_INLINE Pack load_numbers(double const *x, std::size_t count) noexcept
+{
+    if (count >= lanes) return load_lanes<Pack>(x);
+    double numbers[lanes];
+    for (std::size_t i = 0; i < lanes; ++i) numbers[i] = x[i < count ? i : count - 1];
+    return load_lanes<Pack>(numbers);
+}
+
 /// Stores one number for each of `count` consecutive pairs.
 PW85_INLINE void store_lanes(Pack const &x, std::size_t count, double *out) noexcept
 {

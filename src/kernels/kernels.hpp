@@ -148,13 +148,39 @@ struct DistanceArrays {
 struct DerivativeArrays {
     double *mu2, *lambda;
     double *point, *normal, *d_r12, *d_rot1, *d_rot2; ///< three numbers per pair
+    double *r12 = nullptr;                            ///< the separations of the images that the kernel chose
 
     PW85_MEMBER DerivativeArrays from(std::size_t begin) const noexcept
     {
         return {row_or_null(mu2, 1, begin),    row_or_null(lambda, 1, begin), row_or_null(point, 3, begin),
                 row_or_null(normal, 3, begin), row_or_null(d_r12, 3, begin),  row_or_null(d_rot1, 3, begin),
-                row_or_null(d_rot2, 3, begin)};
+                row_or_null(d_rot2, 3, begin), row_or_null(r12, 3, begin)};
     }
+};
+
+// Laws: energies U(μ²) of pairs.
+
+/// U = ε/α (1 - μ)^α for μ < 1, otherwise 0.
+struct SoftRepulsion {
+    double energy, exponent;
+};
+
+/// U = A μ^-n - B μ^-m - `shift` for μ² < `mu2_max`, otherwise 0.
+struct InversePowers {
+    double repulsion, n, attraction, m, mu2_max, shift;
+};
+
+/// U by cubic Hermite interpolation between points that are equally far from each other in μ², and 0 from the last point on. Its
+/// derivative is that of the polynomial, so that forces conserve the energy. Before the first point, U is linear.
+struct LawTable {
+    double mu2_min, mu2_max;
+    std::size_t intervals;
+    double const *points; ///< U and its derivative, two numbers per point
+};
+
+/// A function for the values of a law: it writes the derivatives of U at n numbers μ², and returns the sum of U.
+template <class Law> struct LawKernel {
+    double (*evaluate)(Law const &, std::size_t n, double const *mu2, double *d_u) noexcept;
 };
 
 /// Functions for one pair, with the contracts of the C API for inputs that are not null.
@@ -198,7 +224,8 @@ using LaneKernels = KernelTable<LaneKernel<PairArrays<2>, ContactArrays>, LaneKe
                                 LaneKernel<PairArrays<3>, OverlapArray>, LaneKernel<NeighborList, OverlapArray>,
                                 LaneKernel<OneToMany, OverlapArray>, LaneKernel<OneToIndexed, OverlapArray>,
                                 LaneKernel<PairArrays<3>, DerivativeArrays>, LaneKernel<NeighborList, DerivativeArrays>,
-                                LaneKernel<Directions, ApproachArray>, LaneKernel<PairArrays<3>, DistanceArrays>>;
+                                LaneKernel<Directions, ApproachArray>, LaneKernel<PairArrays<3>, DistanceArrays>,
+                                LawKernel<SoftRepulsion>, LawKernel<InversePowers>, LawKernel<LawTable>>;
 
 /// All functions of one target.
 struct Kernels {

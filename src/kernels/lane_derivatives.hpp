@@ -38,6 +38,7 @@ PW85_INLINE PackMask store_derivatives(LanePair<3> const &pair, Pack const &lamb
                                        kernels::DerivativeArrays const &out, std::size_t count) noexcept
 {
     auto const [at, accurate] = fast_tangency(pair, lambda);
+    if (out.r12 != nullptr) store_rows(pair.r12, count, out.r12);
     if (out.point != nullptr) store_rows(tangency_point(at, pair.q1), count, out.point);
     if (out.normal != nullptr) store_rows(tangency_normal(at), count, out.normal);
     if (out.d_r12 != nullptr) store_rows(separation_gradient(at), count, out.d_r12);

@@ -4,6 +4,7 @@
 #include "lane_contact.hpp"
 #include "lane_derivatives.hpp"
 #include "lane_distance.hpp"
+#include "lane_law.hpp"
 #include "lane_overlap.hpp"
 
 namespace pw85::detail::kernels {
@@ -29,10 +30,32 @@ template <class Rows, class Arrays>
     return done;
 }
 
-template <class... Rows, class... Arrays>
-constexpr KernelTable<LaneKernel<Rows, Arrays>...> fill(KernelTable<LaneKernel<Rows, Arrays>...> const &) noexcept
+/// The values of a law, pack by pack. Lanes beyond the last pair repeat it, and do not count.
+template <class Law>
+[[gnu::flatten]] double evaluate_law(Law const &law, std::size_t n, double const *mu2, double *d_u) noexcept
 {
-    return {{compute<Rows, Arrays>, gather<Rows>}...};
+    Pack sums = Pack(0.0);
+    for (std::size_t k = 0; k < n; k += lanes) {
+        std::size_t const left = n - k;
+        LawValues const values = evaluate(law, load_numbers(mu2 + k, left));
+        store_lanes(values.d_u, left, d_u + k);
+        sums = sums + select(PackMask::from_bits(live_lanes(left)), values.u, Pack(0.0));
+    }
+    double sum = 0.0;
+    for (std::size_t i = 0; i < lanes; ++i) sum += sums[i];
+    return sum;
+}
+
+template <class Rows, class Arrays> constexpr LaneKernel<Rows, Arrays> made(LaneKernel<Rows, Arrays> const &) noexcept
+{
+    return {compute<Rows, Arrays>, gather<Rows>};
+}
+
+template <class Law> constexpr LawKernel<Law> made(LawKernel<Law> const &) noexcept { return {evaluate_law<Law>}; }
+
+template <class... Kernel> constexpr KernelTable<Kernel...> fill(KernelTable<Kernel...> const &) noexcept
+{
+    return {made(Kernel{})...};
 }
 
 } // namespace

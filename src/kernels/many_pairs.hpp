@@ -50,6 +50,7 @@ inline int settle(OnePairKernels const &one, PairRow<3> const &pair, DerivativeA
 {
     auto const &[r12, q1, q2] = pair;
     int status = 0;
+    if (out.r12 != nullptr) std::copy_n(r12, 3, out.r12);
     if (std::isnan(*out.lambda)) {
         double contact[2];
         status = one.contact(r12, q1, q2, contact);

@@ -66,6 +66,28 @@ static inline Status contact_forces_pairs(PairList const &list, Particles const 
         reinterpret_cast<double *>(out.virial)));
 }
 
+/// Energy, forces, torques and virial of a law for the pairs of a neighbour list: see pw85_law_forces_pairs().
+///
+/// @param list,particles as for contact_pairs()
+/// @param law the energy of a pair
+/// @param[out] energy the sum of the energies
+/// @param[out] out sums
+/// @return as for contact_pairs(); Status::invalid_argument also for a law whose parameters are not allowed; Status::out_of_memory
+static inline Status law_forces_pairs(PairList const &list, Particles const &particles, Law const &law, double &energy,
+                                      ForceSpans const &out) noexcept
+{
+    std::size_t const num_particles = particles.centers.size();
+    if (!detail::fit(list, particles) || !detail::fits(num_particles, out.forces) ||
+        !detail::fits(num_particles, out.torques))
+        return Status::invalid_argument;
+    pw85_pair_list const c_list = detail::in_c(list);
+    pw85_system const system = detail::in_c(particles);
+    pw85_law const c_law = {law.kind, law.parameters.size(), law.parameters.data()};
+    return static_cast<Status>(pw85_law_forces_pairs(&c_list, &system, &c_law, &energy, detail::in_c(out.forces),
+                                                     detail::in_c(out.torques),
+                                                     reinterpret_cast<double *>(out.virial)));
+}
+
 /// overlap_any() for others of a system, by their indices: see pw85_overlap_any_indices().
 ///
 /// @param center,q1 centre and form of the one

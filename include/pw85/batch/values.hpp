@@ -49,6 +49,12 @@ struct EventSpans {
     std::span<std::int64_t> next_pair = {}; ///< not without `next`
 };
 
+/// The energy U(μ²) of a pair: PW85_LAW_SOFT_REPULSION, PW85_LAW_INVERSE_POWERS or PW85_LAW_TABLE, and its parameters; see pw85_law.
+struct Law {
+    int kind;
+    std::span<double const> parameters;
+};
+
 /// Where forces go, one row for each particle, and the virial; see pw85_contact_forces_pairs().
 struct ForceSpans {
     std::span<Vector<double, 3>> forces = {}, torques = {};

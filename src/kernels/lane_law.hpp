@@ -1,0 +1,87 @@
+/// @file
+/// The kernels for laws: the energy U(μ²) of a pair and its derivative with respect to μ², one pair per lane. law_forces.hpp has the
+/// sums.
+///
+/// Each law has a function evaluate(). It gives NaN for NaN. Concentric ellipsoids have no force whatever the law: where U has no
+/// derivative at μ = 0, evaluate() gives 0 for it.
+#ifndef PW85_KERNELS_LANE_LAW_HPP_INCLUDED
+#define PW85_KERNELS_LANE_LAW_HPP_INCLUDED
+
+#include "gather.hpp"
+
+namespace pw85::detail {
+namespace {
+
+/// The energies of pairs, and the derivatives.
+struct LawValues {
+    Pack u, d_u;
+};
+
+/// A power of x >= 0. Multiples of 1/2 up to 32 are products of x^(2^k) and a root, without a function of the C library. The relative
+/// error of x^(2^k) is at most (2^k - 1) u to first order, that of the root u, and there are at most six products: in all it is less
+/// than (exponent + 7) u.
+PW85_INLINE Pack power(Pack x, double exponent) noexcept
+{
+    bool const is_product = exponent >= 0.0 && exponent <= 32.0 && 2.0 * exponent == static_cast<int>(2.0 * exponent);
+    if (!is_product) {
+        double powers[lanes];
+        for (std::size_t i = 0; i < lanes; ++i) powers[i] = __builtin_pow(x[i], exponent);
+        return load_lanes<Pack>(powers);
+    }
+    int const halves = static_cast<int>(2.0 * exponent);
+    Pack result = halves % 2 == 0 ? Pack(1.0) : square_root(x);
+    for (int n = halves / 2; n != 0; n /= 2, x = x * x)
+        if (n % 2 == 1) result = result * x;
+    return result;
+}
+
+/// The difference 1 - μ is taken from 1 - μ², which is exact near contact.
+PW85_INLINE LawValues evaluate(kernels::SoftRepulsion const &law, Pack const &mu2) noexcept
+{
+    Pack const mu = square_root(mu2), gap = (Pack(1.0) - mu2) / (Pack(1.0) + mu);
+    Pack const slope = Pack(law.energy) * power(gap, law.exponent - 1.0);
+    Pack const u = Pack(slope * gap) / Pack(law.exponent), d_u = -slope / (mu + mu);
+    PackMask const apart = mu2 >= Pack(1.0);
+    return {select(apart, Pack(0.0), u), select(apart || mu2 == Pack(0.0), Pack(0.0), d_u)};
+}
+
+/// The smaller power is a factor, so that there is no difference of infinities at μ = 0.
+PW85_INLINE LawValues evaluate(kernels::InversePowers const &law, Pack const &mu2) noexcept
+{
+    Pack const x = Pack(1.0) / mu2, weak = power(x, 0.5 * law.m), ratio = power(x, 0.5 * (law.n - law.m));
+    Pack const u = weak * Pack(Pack(law.repulsion) * ratio - Pack(law.attraction)) - Pack(law.shift);
+    Pack const slope = Pack(law.n * law.repulsion) * ratio - Pack(law.m * law.attraction);
+    Pack const d_u = Pack(-0.5 * x) * Pack(weak * slope);
+    PackMask const apart = mu2 >= Pack(law.mu2_max);
+    return {select(apart, Pack(0.0), u), select(apart || mu2 == Pack(0.0), Pack(0.0), d_u)};
+}
+
+PW85_INLINE LawValues evaluate(kernels::LawTable const &law, Pack const &mu2) noexcept
+{
+    auto const count = static_cast<double>(law.intervals);
+    double const per_interval = count / (law.mu2_max - law.mu2_min);
+    Pack const position = Pack(per_interval) * (mu2 - Pack(law.mu2_min));
+    // The nearest one of the positions with an interval behind them; 0 for NaN.
+    Pack const nearest = minimum(Pack(count - 1.0), maximum(Pack(0.0), position));
+    double begin[lanes];
+    double const *rows[lanes];
+    for (std::size_t i = 0; i < lanes; ++i) {
+        auto const k = static_cast<std::ptrdiff_t>(nearest[i]);
+        begin[i] = static_cast<double>(k);
+        rows[i] = law.points + 2 * k;
+    }
+    Pack p[4]; // value and derivative at both ends
+    ColumnLoader<Pack, 4>::load(rows, p);
+    Pack const x = position - load_lanes<Pack>(begin), chord = Pack(per_interval) * (p[2] - p[0]);
+    Pack const square = Pack(3.0) * chord - Pack(2.0) * p[1] - p[3], cube = p[1] + p[3] - Pack(2.0) * chord;
+    PackMask const before = x < Pack(0.0), apart = mu2 >= Pack(law.mu2_max);
+    Pack const mean = select(before, p[1], p[1] + x * Pack(square + x * cube)); // of the derivative up to x
+    Pack const d_u = select(before, p[1], p[1] + x * Pack(Pack(2.0) * square + Pack(3.0 * x) * cube));
+    Pack const u = p[0] + Pack(x / Pack(per_interval)) * mean;
+    return {select(apart, Pack(0.0), u), select(apart, Pack(0.0), d_u)};
+}
+
+} // namespace
+} // namespace pw85::detail
+
+#endif
