@@ -210,6 +210,18 @@ PW85_API int pw85_contact_hessian(double const r12[PW85_DIM], double const q1[PW
 PW85_API int pw85_overlap(double const r12[PW85_DIM], double const q1[PW85_SYM], double const q2[PW85_SYM],
                           int *overlap);
 
+/** The sign of μ² - mu2, for any number mu2.
+ *
+ * The sign is that of exact arithmetic for the numbers given, as the answer of pw85_overlap(), which is the case mu2 = 1. A bound on
+ * the error of μ² decides almost all pairs, and exact arithmetic decides the others.
+ *
+ * @param r12,q1,q2 as for pw85_contact()
+ * @param mu2 >= 0; may be infinity
+ * @param[out] sign -1 if μ² < mu2, 0 if they are equal, 1 if μ² > mu2; 2 on error
+ * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD */
+PW85_API int pw85_compare(double const r12[PW85_DIM], double const q1[PW85_SYM], double const q2[PW85_SYM], double mu2,
+                          int *sign);
+
 /** Whether ellipsoid 2 is inside ellipsoid 1. It may touch the surface of ellipsoid 1 from inside.
  *
  * The answer is that of exact arithmetic for the numbers given, as that of pw85_overlap(). Every ellipsoid is inside itself.
@@ -500,6 +512,17 @@ PW85_API int pw85_contact_batch(size_t n, double const *r12, double const *q1, d
  * @return as for pw85_contact_batch() */
 PW85_API int pw85_overlap_batch(size_t n, double const *r12, double const *q1, double const *q2,
                                 unsigned char *overlap);
+
+/** pw85_compare() for n pairs; the signs are the same.
+ *
+ * @param n number of pairs
+ * @param r12 n×3
+ * @param q1,q2 n×6
+ * @param mu2 n, >= 0; may be infinity
+ * @param[out] sign n: -1, 0 or 1, or 2 for a bad pair
+ * @return as for pw85_contact_batch() */
+PW85_API int pw85_compare_batch(size_t n, double const *r12, double const *q1, double const *q2, double const *mu2,
+                                int *sign);
 
 /** pw85_contains() for n pairs; the answers are the same.
  *
