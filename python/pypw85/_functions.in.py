@@ -241,6 +241,23 @@ def overlap():
 
 
 @declared
+def compare():
+    """
+    Returns
+    -------
+    (...) array or number
+        -1 if μ² < `mu2`, 0 if they are equal, 1 if μ² > `mu2`.
+
+    Examples
+    --------
+    >>> import pypw85
+    >>> q = pypw85.spheroid(2, 2, [0, 0, 1])
+    >>> pypw85.compare([3, 4, 0], q, q, [25 / 16, 1.5, 1.6])
+    array([ 0.,  1., -1.])
+    """
+
+
+@declared
 def contains():
     """
     Parameters

@@ -30,6 +30,8 @@ FAILURES = [
     (pypw85.contact_function, (R, FLAT, Q), Status.ENOTPD),
     (pypw85.contact_function, ([np.inf, 0, 0], Q, Q), Status.EINVAL),
     (pypw85.overlap, (R, Q, FLAT), Status.ENOTPD),
+    (pypw85.compare, (R, Q, FLAT, 1), Status.ENOTPD),
+    (pypw85.compare, (R, Q, Q, -1), Status.EINVAL),
     (pypw85.contains, (R, Q, FLAT), Status.ENOTPD),
     (pypw85.contact_geometry, (0 * R, Q, Q, 0.5), Status.EINVAL),
     (pypw85.contact_gradient, (R, Q, Q, 2.0), Status.EINVAL),

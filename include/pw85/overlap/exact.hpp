@@ -44,7 +44,7 @@ struct Monomial {
 
 /// A sum of monomials.
 struct Polynomial {
-    Monomial terms[24];
+    Monomial terms[48];
     int size;
 
     Polynomial() noexcept = default;
