@@ -66,7 +66,7 @@ bool may_be_absent(Call const &call, std::size_t k)
     return contains(function, "distance_derivatives") || is_one_of(call.parameter(k).name, {"point1", "point2"}) ||
            (contains(function, "penetration") && is_one_of(call.parameter(k).name, {"direction"})) ||
            (contains(function, "contact_derivatives") && is_one_of(call.parameter(k).name, {"point", "normal"})) ||
-           contains(function, "intersect_line");
+           contains(function, "intersect_line") || contains(function, "witness");
 }
 
 // Whether the first row of an output has a mark where there is none on success.

@@ -241,6 +241,30 @@ def overlap():
 
 
 @declared
+def overlap_witness():
+    """
+    Returns
+    -------
+    overlap : (...) array or number
+        1 if they overlap, otherwise 0.
+    lambda_ : (...) array or number
+        Of ellipsoids that are apart, a λ with f(λ) > 1; otherwise NaN.
+    point : (..., 3) array
+        Of ellipsoids that overlap, a point inside both, relative to the centre of ellipsoid 1; otherwise NaN.
+
+    Examples
+    --------
+    >>> import pypw85
+    >>> q = pypw85.spheroid(1, 1, [0, 0, 1])
+    >>> overlap, lambda_, point = pypw85.overlap_witness([[3, 0, 0], [2, 0, 0], [1, 0, 0]], q, q)
+    >>> overlap, lambda_
+    (array([0., 0., 1.]), array([0.5, nan, nan]))
+    >>> point[2]
+    array([0.5, 0. , 0. ])
+    """
+
+
+@declared
 def compare():
     """
     Returns

@@ -108,6 +108,7 @@ void test_pairs()
     compare(SPANS(distance_derivatives_batch), pw85_distance_derivatives_batch, in.pairs(), vectors, vectors, vectors,
             matrices);
     compare(SPANS(penetration_batch), pw85_penetration_batch, in.pairs(), numbers, vectors);
+    compare(SPANS(overlap_witness_batch), pw85_overlap_witness_batch, in.pairs(), Codes(n), numbers, vectors);
     compare(SPANS(compare_batch), pw85_compare_batch, std::tie(in.r, in.q1, in.q2, in.ones), Signs(n));
     compare(SPANS(contains_batch), pw85_contains_batch, in.pairs(), Codes(n));
     double const end = 2.0;

@@ -19,7 +19,7 @@
 ///    discriminant is zero. No three roots coincide, as two are negative. So if the subdiscriminant is zero there are two double
 ///    roots, and the positive one is double. If it is positive there is one double root x. The covariant 2J p + I H, where H is the
 ///    Hessian of p as a binary form, is k (t - x)⁴ with k = 2aJ + I(3b² - 8ac) > 0. Its second coefficient gives
-///    -4kx = 2bJ + 4I(bc - 6ad).
+///    -4kx = 2bJ + 4I(bc - 6ad). As J² = 4I³, that has the sign of bc - 6ad + s b √I, where s is the sign of J.
 /// 6. In two dimensions p is a cubic with one negative root: everything holds with a = 0.
 #ifndef PW85_OVERLAP_EXACT_HPP_INCLUDED
 #define PW85_OVERLAP_EXACT_HPP_INCLUDED
@@ -220,14 +220,14 @@ template <class T> PW85_FUNCTION constexpr int max_bits(int high = 1) noexcept
 /// The numbers of limbs of sums that are computed from coefficients below 2^bits, with a bit for the sign.
 struct Sizes {
     int coefficient;
-    int quadratic; ///< up to 84 products of two coefficients; fits into the memory of two coefficients
+    int quadratic; ///< up to 83 products of two coefficients; fits into the memory of two coefficients
     int cubic;     ///< 2J: 274 products of three coefficients
     int quartic;   ///< 16I²: 16·16² products of four coefficients; fits into the memory of the five coefficients
     int total;
 
     [[gnu::always_inline]] explicit constexpr Sizes(int bits) noexcept
         : coefficient(limbs_for(bits + 4)), quadratic(limbs_for(2 * bits + 8)), cubic(limbs_for(3 * bits + 10)),
-          quartic(limbs_for(4 * bits + 13)), total(6 * coefficient + quadratic + cubic)
+          quartic(limbs_for(4 * bits + 13)), total(5 * coefficient + quadratic + cubic)
     {
     }
 };
@@ -341,13 +341,6 @@ PW85_FUNCTION inline int sign_of_discriminant(WideInteger i, WideInteger twice_j
     return compare_products(value(square), i, twice_j, twice_j);
 }
 
-/// The sign of a coefficient i k + x twice_j of the covariant.
-PW85_FUNCTION inline int sign_of_covariant(WideInteger i, WideInteger k, WideInteger x, WideInteger twice_j) noexcept
-{
-    int const left = i.sign * k.sign, right = -x.sign * twice_j.sign;
-    return left != right ? (left > right ? 1 : -1) : left * compare_products(i, k, x, twice_j);
-}
-
 /// The sign of the subdiscriminant if the discriminant is zero. It uses the memory of a quadratic sum.
 PW85_FUNCTION inline int sign_of_subdiscriminant(Quartic const &p, WideInteger i, WideInteger twice_j,
                                                  Sizes const &sizes, Limb *memory) noexcept
@@ -357,36 +350,40 @@ PW85_FUNCTION inline int sign_of_subdiscriminant(Quartic const &p, WideInteger i
     add_product(sum, -1, a, c);
     multiply(sum, 8);
     for (int n = 0; n < 3; ++n) add_product(sum, 1, b, b);
-    return sign_of_covariant(i, value(sum), a, twice_j);
+    WideInteger const k = value(sum);
+    int const left = i.sign * k.sign, right = -a.sign * twice_j.sign;
+    return left != right ? (left > right ? 1 : -1) : left * compare_products(i, k, a, twice_j);
 }
 
-/// The sign of the double root if there is one, and the other roots are real and simple. It uses the memory of a quadratic sum.
-PW85_FUNCTION inline int sign_of_double_root(Quartic const &p, WideInteger i, WideInteger twice_j, Sizes const &sizes,
-                                             Limb *memory) noexcept
+/// The sign of the double root if there is one, and the other roots are real and simple. It uses the memory of two quadratic sums; the
+/// second may be that of the last two coefficients.
+PW85_FUNCTION inline int sign_of_double_root(Quartic const &p, WideInteger i, int sign_of_j, Sizes const &sizes,
+                                             Limb *first, Limb *second) noexcept
 {
     auto const &[e, d, c, b, a] = p.coefficients;
-    WideSum const sum = zero_sum(memory, sizes.quadratic);
+    WideSum const sum = zero_sum(first, sizes.quadratic);
     add_product(sum, -1, a, d);
     multiply(sum, 6);
     add_product(sum, 1, b, c);
-    multiply(sum, 4);
-    return -sign_of_covariant(i, value(sum), b, twice_j);
+    WideInteger const k = value(sum);
+    WideSum const square = zero_sum(second, sizes.quadratic);
+    add_product(square, 1, b, b);
+    int const left = k.sign, right = -sign_of_j * b.sign;
+    return left != right ? (left > right ? -1 : 1) : -left * compare_products(k, k, value(square), i);
 }
 
-/// The sign of the maximum of p over t > 0, for a p with a positive coefficient. make() makes p in its memory of `total` limbs, behind
-/// room for one coefficient. The discriminant takes that memory, and so p is made again where two roots coincide. Its last coefficient
-/// is not needed there: a quadratic sum takes the place of that and the room before it.
+/// The sign of the maximum of p over t > 0, for a p with a positive coefficient. It is the first thing in its memory of `total`
+/// limbs, and is lost; make() makes it there again.
 template <class Make>
 PW85_FUNCTION inline int sign_of_maximum(Quartic const &p, Sizes const &sizes, Limb *memory, Make const &make) noexcept
 {
-    Limb *const quadratic = memory + 6 * sizes.coefficient, *const cubic = quadratic + sizes.quadratic;
+    Limb *const quadratic = memory + 5 * sizes.coefficient, *const cubic = quadratic + sizes.quadratic;
     WideInteger const twice_j = exact::twice_j(p, sizes, cubic, quadratic);
     WideInteger const i = invariant_i(p, sizes, quadratic);
     int const sign = sign_of_discriminant(i, twice_j, sizes, memory);
     if (sign != 0) return sign;
-    Quartic const again = make();
-    int const other = sign_of_subdiscriminant(again, i, twice_j, sizes, memory);
-    return other <= 0 ? other : sign_of_double_root(again, i, twice_j, sizes, memory) < 0;
+    int const other = sign_of_subdiscriminant(make(), i, twice_j, sizes, memory);
+    return other <= 0 ? other : sign_of_double_root(make(), i, twice_j.sign, sizes, cubic, memory) < 0;
 }
 
 /// Whether all roots of a quartic are real, of which two are known to be. The memory and make() are those of sign_of_maximum().
@@ -402,7 +399,7 @@ PW85_FUNCTION inline int sign_of_difference(Numbers<T, D> const &numbers, Limb *
 {
     if (is_far(numbers)) return 1;
     Sizes const sizes(bits(numbers));
-    auto const make = [&] { return make_quartic(numbers, memory + sizes.coefficient); };
+    auto const make = [&] { return make_quartic(numbers, memory); };
     auto const p = make();
     auto const &c = p.coefficients;
     if (c[1].sign <= 0 && c[2].sign <= 0 && c[3].sign <= 0) return -1;
@@ -412,7 +409,7 @@ PW85_FUNCTION inline int sign_of_difference(Numbers<T, D> const &numbers, Limb *
 } // namespace exact
 
 /// Decides whether two ellipsoids overlap, for the numbers exactly as given. The result is never Decision::none. It uses a fixed
-/// array on the stack: 10 KiB for double, 1.4 KiB for float, 155 KiB for the long double of x86.
+/// array on the stack: 9 KiB for double, 1.3 KiB for float, 141 KiB for the long double of x86.
 template <class T, int D>
 requires exact::is_decidable<T>
 [[gnu::noinline]] static Decision decide_exactly(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
@@ -424,7 +421,7 @@ requires exact::is_decidable<T>
     return to_decision(!overlap, overlap);
 }
 
-/// The sign of μ² - m for the numbers exactly as given, m > 0. It uses a fixed array on the stack: 12 KiB for double.
+/// The sign of μ² - m for the numbers exactly as given, m > 0. It uses a fixed array on the stack: 10 KiB for double.
 template <class T, int D>
 requires exact::is_decidable<T>
 [[gnu::noinline]] static int compare_exactly(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,

@@ -171,7 +171,7 @@ template <class T, int D> [[gnu::noinline]] PW85_FUNCTION inline bool
 has_positive_roots(Numbers<T, D> const &numbers, Sizes const &sizes, Limb *memory) noexcept
 {
     auto const make = [&] {
-        auto const values = combine(numbers, nested::quartic, sizes, memory + sizes.coefficient, memory);
+        auto const values = combine(numbers, nested::quartic, sizes, memory, memory + sizes.total);
         return Quartic{{values[0], values[1], values[2], values[3], values[4]}};
     };
     auto const p = make();
@@ -198,7 +198,7 @@ has_root_for_inside(Numbers<T, D> const &numbers, Sizes const &sizes, Limb *memo
 /// Limbs for all of the above.
 PW85_FUNCTION constexpr int limbs_for_containment(Sizes const &sizes) noexcept
 {
-    return maximum(sizes.total, 6 * sizes.coefficient + 3 * sizes.quadratic);
+    return maximum(sizes.total + sizes.coefficient, 6 * sizes.coefficient + 3 * sizes.quadratic);
 }
 
 } // namespace exact

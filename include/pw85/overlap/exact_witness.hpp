@@ -65,14 +65,16 @@ PW85_FUNCTION inline Shares to_shares(BinaryFraction<T> const &lambda, int e, in
 /// Memory for sign_at(): the coefficients, two sums, two shares and two powers.
 template <class T> PW85_FUNCTION constexpr int limbs_for_shares(int bits, int e) noexcept
 {
-    return 5 * limbs_for(bits + 4) + 2 * limbs_for(bits + 4 * e + 8) + 2 * limbs_of_share<T>(e) + 2 * limbs_for(4 * e + 4);
+    return 5 * limbs_for(bits + 4) + 2 * limbs_for(bits + 4 * e + 8) + 2 * limbs_of_share<T>(e) +
+           2 * limbs_for(4 * e + 4);
 }
 
 /// The sign of f(λ) - 1, by Horner's scheme: sums and powers take turns in two places each.
-template <class T, int D> PW85_FUNCTION inline int sign_at(Numbers<T, D> const &numbers,
-                                                           BinaryFraction<T> const &lambda, Limb *memory) noexcept
+template <class T, int D>
+PW85_FUNCTION inline int sign_at(Numbers<T, D> const &numbers, BinaryFraction<T> const &lambda, Limb *memory) noexcept
 {
-    int const n = bits(numbers), e = -lambda.exponent, size = limbs_for(n + 4 * e + 8), power_size = limbs_for(4 * e + 4);
+    int const n = bits(numbers), e = -lambda.exponent, size = limbs_for(n + 4 * e + 8),
+              power_size = limbs_for(4 * e + 4);
     Limb *const sums = memory + 5 * limbs_for(n + 4), *const shares = sums + 2 * size;
     Limb *const powers = shares + 2 * limbs_of_share<T>(e);
     Quartic const p = make_quartic(numbers, memory);
