@@ -29,6 +29,7 @@ int sign_in_c(Sample<double, 3> const &s, double m)
 {
     int sign = 7;
     int const status = pw85_compare(s.r12.coordinates, s.q1.entries, s.q2.entries, m, &sign);
+    g_assert_cmpint(sign, ==, pw85::compare(s.r12, s.q1, s.q2, m).sign);
     return status == PW85_SUCCESS ? sign : 100 + status;
 }
 

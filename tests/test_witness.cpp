@@ -201,6 +201,8 @@ void test_tangent()
             pw85_overlap_witness(s.r12.coordinates, s.q1.entries, s.q2.entries, &overlap, &lambda, point);
         failures.check(status == PW85_SUCCESS && overlap == 0 && std::isnan(lambda) && std::isnan(point[0]), "tangent",
                        status, overlap, [&] { return hex_text(s); });
+        failures.check(std::isnan(pw85::overlap_witness(s.r12, s.q1, s.q2).lambda), "tangent in the headers", lambda, 0,
+                       [&] { return hex_text(s); });
         for (double const towards : {0.0, 1e300}) {
             auto near = s;
             for (int const k : {0, 3, 5}) near.q1[k] = std::nextafter(s.q1[k], towards);
