@@ -163,18 +163,32 @@ template <class T, int D> PW85_FUNCTION inline int axis_across(PreciseMaximum<T,
     return best;
 }
 
+/// How far from x0 the plane of the lattice is, times the length of the normal. Along the normal the lens reaches from x0 as far as
+/// 1 - μ times the half-width of either ellipsoid: its middle is sought, but not beyond a few spacings, as needles that cross have a
+/// narrow lens.
+template <class T, int D>
+PW85_FUNCTION inline T plane_of_lattice(PreciseMaximum<T, D> const &at, Vector<T, D> const &r12) noexcept
+{
+    T middle = T(0), limit = T(0);
+    for (int i = 0; i < D; ++i) {
+        middle = middle + at.normal[i] * (at.point[i] - T(0.5) * r12[i]);
+        limit = limit + T(4) * absolute(at.normal[i]) * spacing(at.point[i]);
+    }
+    return minimum(limit, maximum(T(-limit), T(T(0.5) * at.below_one * middle)));
+}
+
 /// A point of the lattice and its distance from the plane, times the length of the normal. Points are counted from the middle.
 template <class T, int D> struct LatticePoint {
     Vector<T, D> x;
     T distance;
 };
 
-template <class T, int D>
-PW85_FUNCTION inline LatticePoint<T, D> lattice_point(PreciseMaximum<T, D> const &at, int across, int index) noexcept
+template <class T, int D> PW85_FUNCTION inline LatticePoint<T, D>
+lattice_point(PreciseMaximum<T, D> const &at, T const &plane, int across, int index) noexcept
 {
     LatticePoint<T, D> p{at.point, T(0)};
     T const finest = T(spacing(largest_coordinate(at.point)) * T(unit_roundoff<float>()));
-    T sum = T(0);
+    T sum = -plane;
     for (int i = 0; i < D; ++i) {
         if (i == across) continue;
         int const place = index % (2 * lattice_reach + 1), steps = place % 2 == 0 ? place / 2 : -(place + 1) / 2;
@@ -193,10 +207,10 @@ template <class T, int D>
 PW85_FUNCTION inline Vector<T, D> search_lens(PreciseMaximum<T, D> const &at, Vector<T, D> const &r12,
                                               SymmetricMatrix<T, D> const &q1, SymmetricMatrix<T, D> const &q2) noexcept
 {
-    T const thickness = at.below_one * magnitude_of_dot(at.normal, r12);
+    T const thickness = at.below_one * magnitude_of_dot(at.normal, r12), plane = plane_of_lattice(at, r12);
     int const across = axis_across(at), side = 2 * lattice_reach + 1, count = D == 3 ? side * side : side;
     for (int index = 0, tried = 0; across >= 0 && index < count && tried < max_lattice_points; ++index) {
-        auto const p = lattice_point(at, across, index);
+        auto const p = lattice_point(at, plane, across, index);
         if (!(p.distance < thickness)) continue;
         ++tried;
         if (is_inside_both(p.x, r12, q1, q2)) return p.x;
