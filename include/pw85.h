@@ -227,7 +227,7 @@ PW85_API int pw85_compare(double const r12[PW85_DIM], double const q1[PW85_SYM],
  * The proof holds in exact arithmetic for the numbers given, and rational arithmetic can check it. Tangent ellipsoids do not overlap;
  * they have no such proof, `lambda` and `point` are NaN, and the status is success. If a λ that proves that ellipsoids are apart exists
  * among the doubles, it is found. Points are sought near the point where the ellipsoids, scaled by μ, touch: if 1 - μ² is below
- * 1e-15, none may be found.
+ * 1e-13, none may be found.
  *
  * @param r12,q1,q2 as for pw85_contact()
  * @param[out] overlap 1 or 0; -1 on error
@@ -235,7 +235,7 @@ PW85_API int pw85_compare(double const r12[PW85_DIM], double const q1[PW85_SYM],
  * @param[out] point inside both ellipsoids and on neither surface, relative to the centre of ellipsoid 1, if they overlap; otherwise
  *        NaN, also on success; may be null
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD, #PW85_ECONVERGENCE (no proof among the doubles was found; seen only where μ²
- *         differs from one by less than 1e-15) */
+ *         differs from one by less than 1e-13, at aspect ratios up to 10⁸) */
 PW85_API int pw85_overlap_witness(double const r12[PW85_DIM], double const q1[PW85_SYM], double const q2[PW85_SYM],
                                   int *overlap, double *lambda, double point[PW85_DIM]);
 
