@@ -32,7 +32,7 @@ CAUSES = (
     Cause("not definite", "a form is not positive definite", "PW85_ENOTPD", r"q|q1|q2"),
     Cause("not positive", "a length or a scale is not positive", "PW85_EINVAL", r"semi_axes|a|b|radius|scale", r"> 0"),
     Cause("range", "the square of a length is zero or infinite in double", "PW85_EINVAL", r"semi_axes|a|b", r"range of double"),
-    Cause("negative", "a time or a skin is negative", "PW85_EINVAL", r"t_max|skin", r">= 0"),
+    Cause("negative", "a time, a skin or a ``mu2`` is negative", "PW85_EINVAL", r"t_max|skin|mu2", r">= 0"),
     Cause("no rotation", "a matrix is neither a rotation nor a reflection", "PW85_EINVAL", r"rotation", r"at most 1e-6"),
     Cause(
         "zero",

@@ -40,6 +40,20 @@ def is_split(row):
     return not first.shape and first.parameter is not None and bool(first.parameter.shape) and not row.is_of_many()
 
 
+def is_integer(operand):
+    """Whether a result is an integer of C, which is a number of Python, NaN on error."""
+    return operand.parameter is not None and operand.parameter.type == "int"
+
+
+def body_with_integers(row):
+    """Of a function of which some results are integers."""
+    written = [f"&integer{k}" if is_integer(one) else f"out[{k}]" for k, one in enumerate(row.outputs)]
+    of_integers = [k for k, one in enumerate(row.outputs) if is_integer(one)]
+    declared = f"int {', '.join(f'integer{k}' for k in of_integers)};"
+    stored = "".join(f" number(status, integer{k}, out[{k}]);" for k in of_integers)
+    return f"{declared} int const status = {call(row, written)};{stored} return status;"
+
+
 def body(row):
     if row.is_by_hand():
         return f"return {row.name}(in, out);"
@@ -53,13 +67,15 @@ def body(row):
         return f"{declared} {made}; return split({status_of(row, 'row[0]')}, row, out);"
     if row.function.type == "double":
         return f"*out[0] = {call(row, [])}; return {status_of(row, '*out[0]')};"
+    if any(is_integer(one) for one in row.outputs):
+        return body_with_integers(row)
     made = call(row, [f"out[{k}]" for k in range(len(row.outputs))])
     return f"return {made};" if row.function.type == "int" else f"{made}; return {status_of(row, '*out[0]')};"
 
 
 def batch(row):
     """The function of many rows; one that is not only of arrays has a function of its own in function.cpp."""
-    if row.many is None or row.is_truth():
+    if row.many is None or row.is_truth() or any(is_integer(one) for one in row.outputs):
         return "nullptr"
     is_of_arrays = all(one.pointer for one in parameters(row.many)[1:])
     has_motions = any(one.type == "pw85_motion" for one in parameters(row.many))

@@ -58,8 +58,9 @@ class RowFunction:
         return self.function is self.many
 
     def is_truth(self):
-        """Whether the result is a truth value."""
-        return any(one.parameter is not None and one.parameter.type == "int" for one in self.outputs)
+        """Whether the result is a truth value, which takes a byte where there are many rows."""
+        outputs = [one for one in parameters(self.many) if one.is_output()] if self.many is not None else []
+        return [one.type for one in outputs] == ["unsigned char"]
 
     def signature(self):
         return "->".join(",".join(one.core() for one in operands) for operands in (self.inputs, self.outputs))

@@ -6,7 +6,7 @@ from causes import CAUSES, is_named
 from declarations import c_functions, referenced
 
 # Clauses of C that mean nothing in Python.
-OF_C = re.compile(r"(?:; )?\b(?:any output )?may be null$|, also on success|; -1 on error$|(?:^|; )may be the same array as \w+$")
+OF_C = re.compile(r"(?:; )?\b(?:any output )?may be null$|, also on success|; (?:-1|2) on error$|(?:^|; )may be the same array as \w+$")
 LEADING_SHAPE = re.compile(r"^(?:(?:n|\d+)×\d+(?: matrix)?|one number each)[,;:]? ?")
 
 INFINITY = next(cause for cause in CAUSES if cause.key == "infinity")

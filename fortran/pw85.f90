@@ -81,6 +81,8 @@ module pw85
   public :: pw85_contact_torque
   public :: pw85_contact_hessian
   public :: pw85_overlap
+  public :: pw85_compare
+  public :: pw85_overlap_witness
   public :: pw85_contains
   public :: pw85_closest_approach
   public :: pw85_contact_2d
@@ -105,6 +107,8 @@ module pw85
   public :: pw85_intersect_line
   public :: pw85_contact_batch
   public :: pw85_overlap_batch
+  public :: pw85_compare_batch
+  public :: pw85_overlap_witness_batch
   public :: pw85_contains_batch
   public :: pw85_closest_approach_batch
   public :: pw85_contact_factored_batch
@@ -303,6 +307,25 @@ module pw85
       integer(c_int), intent(out) :: overlap
       integer(c_int) :: status
     end function pw85_overlap
+
+    !> The sign of μ² - mu2, for any number mu2.
+    function pw85_compare(r12, q1, q2, mu2, sign) result(status) bind(C, name='pw85_compare')
+      import
+      real(c_double), intent(in) :: r12(3), q1(6), q2(6)
+      real(c_double), value :: mu2
+      integer(c_int), intent(out) :: sign
+      integer(c_int) :: status
+    end function pw85_compare
+
+    !> Whether two ellipsoids overlap, as pw85_overlap(), with a number or a point that proves the answer.
+    function pw85_overlap_witness(r12, q1, q2, overlap, lambda, point) result(status) bind(C, &
+      name='pw85_overlap_witness')
+      import
+      real(c_double), intent(in) :: r12(3), q1(6), q2(6)
+      integer(c_int), intent(out) :: overlap
+      real(c_double), intent(out), optional :: lambda, point(3)
+      integer(c_int) :: status
+    end function pw85_overlap_witness
 
     !> Whether ellipsoid 2 is inside ellipsoid 1.
     function pw85_contains(r12, q1, q2, contains) result(status) bind(C, name='pw85_contains')
@@ -523,6 +546,26 @@ module pw85
       integer(c_int8_t), intent(out) :: overlap(n)
       integer(c_int) :: status
     end function pw85_overlap_batch
+
+    !> pw85_compare() for n pairs.
+    function pw85_compare_batch(n, r12, q1, q2, mu2, sign) result(status) bind(C, name='pw85_compare_batch')
+      import
+      integer(c_size_t), value :: n
+      real(c_double), intent(in) :: r12(3, n), q1(6, n), q2(6, n), mu2(n)
+      integer(c_int), intent(out) :: sign(n)
+      integer(c_int) :: status
+    end function pw85_compare_batch
+
+    !> pw85_overlap_witness() for n pairs.
+    function pw85_overlap_witness_batch(n, r12, q1, q2, overlap, lambda, point) result(status) bind(C, &
+      name='pw85_overlap_witness_batch')
+      import
+      integer(c_size_t), value :: n
+      real(c_double), intent(in) :: r12(3, n), q1(6, n), q2(6, n)
+      integer(c_int8_t), intent(out) :: overlap(n)
+      real(c_double), intent(out), optional :: lambda(n), point(3, n)
+      integer(c_int) :: status
+    end function pw85_overlap_witness_batch
 
     !> pw85_contains() for n pairs.
     function pw85_contains_batch(n, r12, q1, q2, contains) result(status) bind(C, name='pw85_contains_batch')

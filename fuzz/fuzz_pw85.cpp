@@ -66,7 +66,7 @@ bool may_be_absent(Call const &call, std::size_t k)
     return contains(function, "distance_derivatives") || is_one_of(call.parameter(k).name, {"point1", "point2"}) ||
            (contains(function, "penetration") && is_one_of(call.parameter(k).name, {"direction"})) ||
            (contains(function, "contact_derivatives") && is_one_of(call.parameter(k).name, {"point", "normal"})) ||
-           contains(function, "intersect_line");
+           contains(function, "intersect_line") || contains(function, "witness");
 }
 
 // Whether the first row of an output has a mark where there is none on success.
@@ -159,6 +159,19 @@ void check_pair(Input const &in)
     int any = 7;
     if (pw85_overlap_any(a, 1, r, b, &any) != batch_status) fail("overlap_any: status", in);
     if (batch_status == PW85_SUCCESS ? any != 0 && any != 1 : any != -1) fail("overlap_any", in);
+}
+
+// What overlaps has a μ² below one.
+void check_comparison(Input const &in)
+{
+    int overlap = 7, sign = 7;
+    int const status = pw85_overlap(in.r12, in.q1, in.q2, &overlap);
+    if (pw85_compare(in.r12, in.q1, in.q2, 1.0, &sign) != status) fail("compare: status", in);
+    if (status == PW85_SUCCESS ? (sign < 0) != (overlap == 1) || sign > 1 : sign != 2) fail("compare", in);
+    double const mu2 = in.axes[0];
+    int one = 7, row = 7;
+    int const of_one = pw85_compare(in.r12, in.q1, in.q2, mu2, &one);
+    if (pw85_compare_batch(1, in.r12, in.q1, in.q2, &mu2, &row) != of_one || row != one) fail("compare_batch", in);
 }
 
 // What is inside overlaps.
@@ -338,6 +351,7 @@ extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const *data, std::size_t size
     check_pair(in);
     check_flat_pair(in);
     check_spheroid(in);
+    check_comparison(in);
     check_containment(in);
     check_distance(in);
     check_penetration(in);

@@ -250,6 +250,35 @@ PW85_API int pw85_contact_hessian(double const r12[PW85_DIM], double const q1[PW
 PW85_API int pw85_overlap(double const r12[PW85_DIM], double const q1[PW85_SYM], double const q2[PW85_SYM],
                           int *overlap);
 
+/** The sign of μ² - mu2, for any number mu2.
+ *
+ * The sign is that of exact arithmetic for the numbers given, as the answer of pw85_overlap(), which is the case mu2 = 1. A bound on
+ * the error of μ² decides almost all pairs, and exact arithmetic decides the others.
+ *
+ * @param r12,q1,q2 as for pw85_contact()
+ * @param mu2 >= 0; may be infinity
+ * @param[out] sign -1 if μ² < mu2, 0 if they are equal, 1 if μ² > mu2; 2 on error
+ * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD */
+PW85_API int pw85_compare(double const r12[PW85_DIM], double const q1[PW85_SYM], double const q2[PW85_SYM], double mu2,
+                          int *sign);
+
+/** Whether two ellipsoids overlap, as pw85_overlap(), with a number or a point that proves the answer.
+ *
+ * The proof holds in exact arithmetic for the numbers given, and rational arithmetic can check it. Tangent ellipsoids do not overlap;
+ * they have no such proof, `lambda` and `point` are NaN, and the status is success. If a λ that proves that ellipsoids are apart exists
+ * among the doubles, it is found. Points are sought near the point where the ellipsoids, scaled by μ, touch: if 1 - μ² is below
+ * 1e-13, none may be found.
+ *
+ * @param r12,q1,q2 as for pw85_contact()
+ * @param[out] overlap 1 or 0; -1 on error
+ * @param[out] lambda from 0 to 1, with f(λ) > 1, if the ellipsoids are apart; otherwise NaN, also on success; may be null
+ * @param[out] point inside both ellipsoids and on neither surface, relative to the centre of ellipsoid 1, if they overlap; otherwise
+ *        NaN, also on success; may be null
+ * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD, #PW85_ECONVERGENCE (no proof among the doubles was found; seen only where μ²
+ *         differs from one by less than 1e-13, at aspect ratios up to 10⁸) */
+PW85_API int pw85_overlap_witness(double const r12[PW85_DIM], double const q1[PW85_SYM], double const q2[PW85_SYM],
+                                  int *overlap, double *lambda, double point[PW85_DIM]);
+
 /** Whether ellipsoid 2 is inside ellipsoid 1. It may touch the surface of ellipsoid 1 from inside.
  *
  * The answer is that of exact arithmetic for the numbers given, as that of pw85_overlap(). Every ellipsoid is inside itself.
@@ -540,6 +569,29 @@ PW85_API int pw85_contact_batch(size_t n, double const *r12, double const *q1, d
  * @return as for pw85_contact_batch() */
 PW85_API int pw85_overlap_batch(size_t n, double const *r12, double const *q1, double const *q2,
                                 unsigned char *overlap);
+
+/** pw85_compare() for n pairs; the signs are the same.
+ *
+ * @param n number of pairs
+ * @param r12 n×3
+ * @param q1,q2 n×6
+ * @param mu2 n, >= 0; may be infinity
+ * @param[out] sign n: -1, 0 or 1, or 2 for a bad pair
+ * @return as for pw85_contact_batch() */
+PW85_API int pw85_compare_batch(size_t n, double const *r12, double const *q1, double const *q2, double const *mu2,
+                                int *sign);
+
+/** pw85_overlap_witness() for n pairs; the results are the same.
+ *
+ * @param n number of pairs
+ * @param r12 n×3
+ * @param q1,q2 n×6
+ * @param[out] overlap n: 1, 0, or 255 for a bad pair
+ * @param[out] lambda n, or null; NaN where the ellipsoids are not apart
+ * @param[out] point n×3, or null; NaN where they do not overlap
+ * @return as for pw85_contact_batch(), or #PW85_ECONVERGENCE as for pw85_overlap_witness() */
+PW85_API int pw85_overlap_witness_batch(size_t n, double const *r12, double const *q1, double const *q2,
+                                        unsigned char *overlap, double *lambda, double *point);
 
 /** pw85_contains() for n pairs; the answers are the same.
  *

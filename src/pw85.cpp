@@ -137,6 +137,33 @@ int pw85_overlap(double const r12[3], double const q1[6], double const q2[6], in
     return in_default_environment(kernels::chosen().one_pair->overlap, r12, q1, q2, overlap);
 }
 
+int pw85_compare(double const r12[3], double const q1[6], double const q2[6], double mu2, int *sign)
+{
+    if (any_null(sign)) return PW85_EINVAL;
+    *sign = 2;
+    if (any_null(r12, q1, q2)) return PW85_EINVAL;
+    DefaultEnvironment const environment;
+    auto const answer = pw85::compare(load_vector<3>(r12), load_matrix<3>(q1), load_matrix<3>(q2), mu2);
+    *sign = answer.sign;
+    return static_cast<int>(answer.status);
+}
+
+int pw85_overlap_witness(double const r12[3], double const q1[6], double const q2[6], int *overlap, double *lambda,
+                         double point[3])
+{
+    store_nan(lambda, 1);
+    store_nan(point, PW85_DIM);
+    if (any_null(overlap)) return PW85_EINVAL;
+    *overlap = -1;
+    if (any_null(r12, q1, q2)) return PW85_EINVAL;
+    DefaultEnvironment const environment;
+    auto const witness = pw85::overlap_witness(load_vector<3>(r12), load_matrix<3>(q1), load_matrix<3>(q2));
+    if (witness.status == Status::success) *overlap = witness.overlap;
+    if (lambda != nullptr) *lambda = witness.lambda;
+    store(witness.point, point);
+    return static_cast<int>(witness.status);
+}
+
 int pw85_contains(double const r12[3], double const q1[6], double const q2[6], int *contains)
 {
     if (any_null(contains)) return PW85_EINVAL;

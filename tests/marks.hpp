@@ -27,7 +27,7 @@ inline bool is_marked(Call &call, std::size_t k, std::size_t i)
     case Type::byte:
         return call.elements<unsigned char>(k)[i] == 255;
     case Type::integer:
-        return call.elements<int>(k)[i] == -1;
+        return call.elements<int>(k)[i] == (is_one_of(call.parameter(k).name, {"sign"}) ? 2 : -1);
     case Type::int32:
         return call.elements<std::int32_t>(k)[i] == std::numeric_limits<std::int32_t>::min();
     case Type::handle:

@@ -109,7 +109,7 @@ SPOILED = {
     "infinity": spoiled_by(np.inf),
     "not definite": lambda p: of_rows(p, *np.eye(len(p.valid()[0]))[[0, -1]], -p.valid()[0], 0 * p.valid()[0]),
     "not positive": lambda p: of_rows(p, [0.0, 2, 1], [3, 2, -1.0]) if p.name == "semi_axes" else of_numbers(p, 0.0, -1.0),
-    "negative": lambda p: [-1.0],
+    "negative": lambda p: of_numbers(p, -1.0),
     "no rotation": lambda p: [1.00001 * p.valid(), 0 * p.valid()],
     "zero": lambda p: [0 * p.valid()],
     "concentric": lambda p: [0 * p.valid()],

@@ -66,6 +66,7 @@ struct Overlap;                                   // overlap, tier, status
 struct OverlapDecision;                           // decision, tier, status
 template <class T, int D> struct OverlapWitness;  // overlap, lambda, direction, point, status
 struct Containment;                               // contains, status
+struct Comparison;                                // sign, status
 template <class T, int D> struct Distance;        // distance, point1, point2, normal, status
 template <class T> struct DistanceDerivatives;    // r12, rotation1, rotation2, hessian, status
 template <class T, int D> struct SurfaceDistance; // distance, point, normal, status
@@ -228,12 +229,16 @@ template <class T, int D> PW85_FUNCTION inline Overlap overlap(Vector<T, D> cons
 template <class T, int D> PW85_FUNCTION inline OverlapDecision
 decide_overlap(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, SymmetricMatrix<T, D> const &q2) noexcept;
 
-/// overlap() with a witness of the answer: a separating direction, or a point inside both. The witness is right to rounding.
+/// overlap() with a witness of the answer, for whoever does not trust the computation.
+///
+/// For float, double and long double the witness holds in exact arithmetic, as f(lambda) > 1 or as a point inside both, not on a surface.
+/// Tangent ellipsoids have none: `lambda` and `point` are NaN, and the status is success. For a multiprecision number the witness is
+/// right to rounding.
 ///
 /// @param r12,q1,q2 as for overlap()
-/// @return the answer, λ, and, if the ellipsoids are apart, the unit normal of a plane between them; if they overlap, a point in
-/// both, relative to the centre of ellipsoid 1; the other of the two is NaN; Status::invalid_argument,
-/// Status::not_positive_definite
+/// @return the answer; a λ with f(λ) > 1, and the unit normal of a plane between the ellipsoids to rounding, if they are apart; a point
+/// in both, relative to the centre of ellipsoid 1, if they overlap; what does not apply is NaN; Status::invalid_argument,
+/// Status::not_positive_definite, Status::no_convergence (no witness was found; the answer is right nevertheless)
 template <class T, int D> PW85_FUNCTION inline OverlapWitness<T, D>
 overlap_witness(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, SymmetricMatrix<T, D> const &q2) noexcept;
 
@@ -246,6 +251,17 @@ overlap_witness(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, Symmet
 /// @return the answer; Status::invalid_argument, Status::not_positive_definite
 template <class T, int D> PW85_FUNCTION inline Containment
 contains(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, SymmetricMatrix<T, D> const &q2) noexcept;
+
+/// The sign of μ² - m.
+///
+/// For float, double and long double the sign is that of exact arithmetic for the numbers given. For a multiprecision number it is right
+/// to rounding.
+///
+/// @param r12,q1,q2 as for contact()
+/// @param m >= 0; may be infinity
+/// @return -1, 0 or 1; as 2, Status::invalid_argument, Status::not_positive_definite
+template <class T, int D> PW85_FUNCTION inline Comparison
+compare(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, SymmetricMatrix<T, D> const &q2, T const &m) noexcept;
 
 /// Distance of closest approach: the distance of the centres at which two ellipsoids of fixed orientation touch
 /// from outside, when their centres are on a line of given direction d. It is |d|/μ(d).
@@ -419,7 +435,9 @@ intersect_line(Vector<T, D> const &origin, Vector<T, D> const &direction, Symmet
 #include <pw85/distance/penetration.hpp>
 #include <pw85/distance/walls.hpp>
 #include <pw85/motion/first_contact.hpp>
+#include <pw85/overlap/compare.hpp>
 #include <pw85/overlap/containment.hpp>
 #include <pw85/overlap/overlap.hpp>
+#include <pw85/overlap/witness.hpp>
 
 #endif

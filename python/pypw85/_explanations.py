@@ -19,6 +19,7 @@ _Rows = NDArray[np.float64]
 _FORM = re.compile(r"q\d?$")
 _POSITIVE = {"a", "b", "c", "radius", "semi_axes"}
 _NOT_ZERO = {"axis", "direction", "n", "normal", "quaternion_wxyz"}
+_FROM_ZERO = {"t_max", "mu2"}  # not negative; may be infinite
 # Functions for which ellipsoids must not have one centre.
 _APART = re.compile(r"contact_(geometry|hessian)")
 # Largest error of an entry of RᵀR, as for pw85_ellipsoid().
@@ -65,7 +66,7 @@ def _complaints(name: str, flat: dict[str, _Rows]) -> Iterator[tuple[str, NDArra
     for argument, x in flat.items():
         axes = tuple(range(1, x.ndim))
         yield argument, np.isnan(x).any(axis=axes), "is NaN" if x.ndim == 1 else "has a NaN"
-        if argument != "t_max":
+        if argument not in _FROM_ZERO:
             yield argument, np.isinf(x).any(axis=axes), "is infinite"
     for argument, x in flat.items():
         axes = tuple(range(1, x.ndim))
@@ -77,7 +78,7 @@ def _complaints(name: str, flat: dict[str, _Rows]) -> Iterator[tuple[str, NDArra
             yield argument, (x == 0).all(axis=axes), "is zero"
         elif argument == "lambda_":
             yield argument, (x < 0) | (x > 1), "is not in [0, 1]"
-        elif argument == "t_max":
+        elif argument in _FROM_ZERO:
             yield argument, x < 0, "is negative"
         elif argument.startswith("motion"):  # whose last number is the growth
             yield argument, (x[:, 6] < 0) & (1 + x[:, 6] * flat["t_max"] <= 0), "shrinks to nothing before t_max"

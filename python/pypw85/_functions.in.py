@@ -212,6 +212,47 @@ def overlap():
 
 
 @declared
+def overlap_witness():
+    """
+    Returns
+    -------
+    overlap : (...) array or number
+        1 if they overlap, otherwise 0.
+    lambda_ : (...) array or number
+        Of ellipsoids that are apart, a λ with f(λ) > 1; otherwise NaN.
+    point : (..., 3) array
+        Of ellipsoids that overlap, a point inside both, relative to the centre of ellipsoid 1; otherwise NaN.
+
+    Examples
+    --------
+    >>> import pypw85
+    >>> q = pypw85.spheroid(1, 1, [0, 0, 1])
+    >>> overlap, lambda_, point = pypw85.overlap_witness([[3, 0, 0], [2, 0, 0], [1, 0, 0]], q, q)
+    >>> overlap, lambda_
+    (array([0., 0., 1.]), array([0.5, nan, nan]))
+    >>> point[2]
+    array([0.5, 0. , 0. ])
+    """
+
+
+@declared
+def compare():
+    """
+    Returns
+    -------
+    (...) array or number
+        -1 if μ² < `mu2`, 0 if they are equal, 1 if μ² > `mu2`.
+
+    Examples
+    --------
+    >>> import pypw85
+    >>> q = pypw85.spheroid(2, 2, [0, 0, 1])
+    >>> pypw85.compare([3, 4, 0], q, q, [25 / 16, 1.5, 1.6])
+    array([ 0.,  1., -1.])
+    """
+
+
+@declared
 def contains():
     """
     Parameters

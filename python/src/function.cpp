@@ -48,10 +48,13 @@ template <std::size_t size> int split(int status, double const (&row)[size], Out
     return status;
 }
 
+/// An integer as an output.
+void number(int status, int integer, double *out) noexcept { *out = status == PW85_SUCCESS ? integer : nan; }
+
 /// An answer as an output.
 int truth(int status, int const &answer, Outputs out) noexcept
 {
-    *out[0] = status == PW85_SUCCESS ? answer : nan;
+    number(status, answer, out[0]);
     return status;
 }
 

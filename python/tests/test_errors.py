@@ -30,6 +30,8 @@ FAILURES = [
     (pypw85.contact_function, (R, FLAT, Q), Status.ENOTPD),
     (pypw85.contact_function, ([np.inf, 0, 0], Q, Q), Status.EINVAL),
     (pypw85.overlap, (R, Q, FLAT), Status.ENOTPD),
+    (pypw85.compare, (R, Q, FLAT, 1), Status.ENOTPD),
+    (pypw85.compare, (R, Q, Q, -1), Status.EINVAL),
     (pypw85.contains, (R, Q, FLAT), Status.ENOTPD),
     (pypw85.contact_geometry, (0 * R, Q, Q, 0.5), Status.EINVAL),
     (pypw85.contact_gradient, (R, Q, Q, 2.0), Status.EINVAL),
@@ -192,7 +194,7 @@ REASONS = {
     **dict.fromkeys(["motion1", "motion2"], ((-2.0, "shrinks to nothing before t_max"),)),
     **dict.fromkeys(["axis", "direction", "n", "normal", "quaternion_wxyz"], ((0, "is zero"),)),
     "lambda_": [(-0.5, "is not in [0, 1]"), (1.5, "is not in [0, 1]")],
-    "t_max": [(-1, "is negative")],
+    **dict.fromkeys(["t_max", "mu2"], ((-1, "is negative"),)),
     "rotation": [(1, "is no rotation matrix")],
     "cell": [(1, "is singular")],
     "lower": [(10, "is larger than upper")],
@@ -204,7 +206,7 @@ def causes():
         cores, names = _explanations._cores(name), _explanations._names(name)
         good = [np.array(good_row(argument, core), dtype=float) for argument, core in zip(names, cores)]
         for k, (argument, core) in enumerate(zip(names, cores)):
-            bad = [(np.nan, "NaN"), *([(np.inf, "is infinite")] if argument != "t_max" else [])]
+            bad = [(np.nan, "NaN"), *([(np.inf, "is infinite")] if argument not in ("t_max", "mu2") else [])]
             if is_form(argument, core):
                 bad.append((-1, "is not positive definite"))
             elif argument == "r12" and name.startswith(("contact_geometry", "contact_hessian")):

@@ -8,9 +8,10 @@ import sys
 import pytest
 
 EXAMPLES = pathlib.Path(os.environ["PYPW85_SOURCE"]) / "examples"
+EXPECTED = [("pair", "c/pair.txt"), ("tutorial", "python/tutorial.out"), ("check_witness", "python/check_witness.out")]
 
 
-@pytest.mark.parametrize("name, expected", [("pair", "c/pair.txt"), ("tutorial", "python/tutorial.out")])
+@pytest.mark.parametrize("name, expected", EXPECTED)
 def test_output(name, expected):
     done = subprocess.run([sys.executable, EXAMPLES / "python" / f"{name}.py"], capture_output=True, check=True)
     assert done.stdout.decode() == (EXAMPLES / expected).read_text(encoding="utf-8")

@@ -41,7 +41,29 @@ int contains_as_byte(double const *r12, double const *q1, double const *q2, unsi
     return status;
 }
 
+/// Whether ellipsoids overlap, as one byte, with a proof.
+int witness_with_byte(double const *r12, double const *q1, double const *q2, unsigned char *overlap, double *lambda,
+                      double *point) noexcept
+{
+    int answer = -1;
+    int const status = pw85_overlap_witness(r12, q1, q2, &answer, lambda, point);
+    *overlap = static_cast<unsigned char>(answer); // -1 is 255
+    return status;
+}
+
 } // namespace
+
+int pw85_overlap_witness_batch(size_t n, double const *r12, double const *q1, double const *q2, unsigned char *overlap,
+                               double *lambda, double *point)
+{
+    return each_row(n, witness_with_byte, RowsOf<3>{r12}, RowsOf<6>{q1}, RowsOf<6>{q2},
+                    RowsOf<1, unsigned char>{overlap}, OptionalRowsOf<1>{lambda}, OptionalRowsOf<3>{point});
+}
+
+int pw85_compare_batch(size_t n, double const *r12, double const *q1, double const *q2, double const *mu2, int *sign)
+{
+    return each_row(n, pw85_compare, RowsOf<3>{r12}, RowsOf<6>{q1}, RowsOf<6>{q2}, Numbers{mu2}, RowsOf<1, int>{sign});
+}
 
 int pw85_contains_batch(size_t n, double const *r12, double const *q1, double const *q2, unsigned char *contains)
 {

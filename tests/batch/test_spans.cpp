@@ -19,6 +19,7 @@ using Vectors2 = std::vector<pw85::Vector<double, 2>>;
 using Forms2 = std::vector<pw85::SymmetricMatrix<double, 2>>;
 using Motions = std::vector<pw85::Motion<double, 3>>;
 using Codes = std::vector<unsigned char>;
+using Signs = std::vector<int>;
 template <std::size_t size> using Matrices = std::vector<std::array<double, size>>;
 
 /// Inputs of any function: a few pairs of each kind, bad ones among them.
@@ -57,6 +58,7 @@ template <class Row> auto raw(std::vector<Row> const &rows) { return reinterpret
 template <class Row> auto raw(std::vector<Row> &rows) { return reinterpret_cast<double *>(rows.data()); }
 auto raw(Motions const &rows) { return reinterpret_cast<pw85_motion const *>(rows.data()); }
 unsigned char *raw(Codes &rows) { return rows.data(); }
+int *raw(Signs &rows) { return rows.data(); }
 double raw(double number) { return number; }
 
 template <class Row> bool are_same(std::vector<Row> const &x, std::vector<Row> const &y)
@@ -106,6 +108,8 @@ void test_pairs()
     compare(SPANS(distance_derivatives_batch), pw85_distance_derivatives_batch, in.pairs(), vectors, vectors, vectors,
             matrices);
     compare(SPANS(penetration_batch), pw85_penetration_batch, in.pairs(), numbers, vectors);
+    compare(SPANS(overlap_witness_batch), pw85_overlap_witness_batch, in.pairs(), Codes(n), numbers, vectors);
+    compare(SPANS(compare_batch), pw85_compare_batch, std::tie(in.r, in.q1, in.q2, in.ones), Signs(n));
     compare(SPANS(contains_batch), pw85_contains_batch, in.pairs(), Codes(n));
     double const end = 2.0;
     compare(SPANS(first_contact_batch), pw85_first_contact_batch,

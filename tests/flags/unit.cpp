@@ -30,7 +30,7 @@ T both(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, SymmetricMatrix
     auto const p = distance_plane(r12, T(2), q1);
     auto const b = distance_box(-r12, r12, q1);
     return c.mu2 + sum(g.point) + sum(g.normal) + sum(d.r12) + d.q1[0] + d.q2[1] + T(w.overlap) +
-           T(overlap(r12, q1, q2).overlap) + T(contains(r12, q1, q2).contains) +
+           T(overlap(r12, q1, q2).overlap) + T(contains(r12, q1, q2).contains) + T(compare(r12, q1, q2, T(2)).sign) +
            closest_approach(r12, q1, q2).distance + s.distance + sum(s.point1) + sum(s.normal) + p.distance +
            sum(p.point) + b.distance + sum(b.normal) + distance_point(r12, q1).distance +
            contact_plane(r12, T(2), q1).mu2 + intersect_line(r12, r12, q1).enter;

@@ -19,6 +19,9 @@ template <class Row> struct ElementOf {
 template <> struct ElementOf<unsigned char> {
     using Type = unsigned char;
 };
+template <> struct ElementOf<int> {
+    using Type = int;
+};
 template <> struct ElementOf<std::int64_t> {
     using Type = std::int64_t;
 };

@@ -34,6 +34,32 @@ static inline Status overlap_batch(Vectors r12, Forms q1, Forms q2, std::span<un
     return detail::call_rows(pw85_overlap_batch, r12, q1, q2, overlap);
 }
 
+/// compare() for many pairs: see pw85_compare_batch().
+///
+/// @param r12,q1,q2 one for each pair
+/// @param mu2 one for each pair, >= 0; may be infinity
+/// @param[out] sign one for each pair: -1, 0 or 1, or 2 for a bad pair
+/// @return as for contact_batch()
+static inline Status compare_batch(Vectors r12, Forms q1, Forms q2, std::span<double const> mu2,
+                                   std::span<int> sign) noexcept
+{
+    return detail::call_rows(pw85_compare_batch, r12, q1, q2, mu2, sign);
+}
+
+/// overlap_witness() for many pairs: see pw85_overlap_witness_batch().
+///
+/// @param r12,q1,q2 one for each pair
+/// @param[out] overlap one for each pair: 1, 0, or 255 for a bad pair
+/// @param[out] lambda one for each pair, or empty; NaN where the ellipsoids are not apart
+/// @param[out] point one for each pair, or empty; NaN where they do not overlap
+/// @return as for contact_batch(), or Status::no_convergence as for overlap_witness()
+static inline Status overlap_witness_batch(Vectors r12, Forms q1, Forms q2, std::span<unsigned char> overlap,
+                                           std::span<double> lambda = {},
+                                           std::span<Vector<double, 3>> point = {}) noexcept
+{
+    return detail::call_rows(pw85_overlap_witness_batch, r12, q1, q2, overlap, lambda, point);
+}
+
 /// contains() for many pairs: see pw85_contains_batch().
 ///
 /// @param r12,q1,q2 one for each pair

@@ -34,13 +34,18 @@ template <class T, int D> PW85_FUNCTION inline T start_from(Pair<T, D> const &pa
     return t > T(0) && t < largest_number<T>() ? t : initial_guess(pair);
 }
 
+/// A pair in a wider type.
+template <class Wide, class T, int D> PW85_FUNCTION inline Pair<Wide, D> widened(Pair<T, D> const &pair) noexcept
+{
+    return {converted<Wide>(pair.r12), converted<Wide>(pair.q1), converted<Wide>(pair.q2), Wide(pair.ratio)};
+}
+
 /// Finds the maximum of f with a wider type, starting at t. If the search converges, μ² is correct to rounding, whatever the
 /// condition number of the pair.
 template <class Wide, class T, int D> [[gnu::noinline, gnu::cold]] PW85_FUNCTION inline Maximum<T>
 maximize_in(Pair<T, D> const &pair, T const &t, int evaluations) noexcept
 {
-    Pair<Wide, D> const wide{converted<Wide>(pair.r12), converted<Wide>(pair.q1), converted<Wide>(pair.q2),
-                             Wide(pair.ratio)};
+    Pair<Wide, D> const wide = widened<Wide>(pair);
     Candidate<Wide> candidate{start_from(wide, Wide(t)), Wide(1), Wide(0)};
     bool const found = search(wide, candidate, Precision::working, evaluations);
     auto const last = last_evaluation(wide, candidate, Precision::working);

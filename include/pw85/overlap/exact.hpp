@@ -1,11 +1,12 @@
 /// @file
-/// The last tier of the overlap test: it decides in integers whether two ellipsoids overlap. overlap.hpp calls it.
+/// The sign of μ² - m in integers, for any number m > 0. It is the last tier of compare.hpp and, with m = 1, of overlap.hpp.
 ///
-/// With a(t) = rᵀ adj(Q1 + t Q2) r and b(t) = det(Q1 + t Q2), the ellipsoids are apart or tangent if and only if the quartic
-/// p(t) = t a(t) - (1 + t) b(t) has a root t > 0 (quartic.hpp). Its first and its last coefficient are negative.
+/// The ellipsoids of the forms m Q1 and m Q2 are apart, touch or overlap where μ² - m is positive, zero or negative. With
+/// a(t) = rᵀ adj(Q1 + t Q2) r and b(t) = det(Q1 + t Q2), they are apart or tangent if and only if the quartic
+/// p(t) = t a(t) - m (1 + t) b(t) has a root t > 0 (quartic.hpp). Its first and its last coefficient are negative.
 ///
 /// 1. Two roots are negative, counted with multiplicity. Let Q1 = I and Q2 = diag(d), d1 >= d2 >= d3 > 0: a congruence
-///    multiplies p by a positive number. Then p(-1/di) = -(ri²/di) Π (1 - dj/di) over j != i, which is <= 0, >= 0 and <= 0.
+///    multiplies p by a positive number. For m = 1 p(-1/di) = -(ri²/di) Π (1 - dj/di) over j != i, which is <= 0, >= 0 and <= 0.
 ///    So there are two roots between the three points; if a value is zero, the roots are limits of such roots.
 /// 2. The two other roots are either real or a complex pair. The discriminant is negative for a complex pair. If it is zero, two
 ///    roots coincide, and the next subdiscriminant (the sum over i, j, k of (xi-xj)²(xj-xk)²(xk-xi)²) is negative for a complex
@@ -14,7 +15,12 @@
 ///    coefficient. Without a positive coefficient there is never a positive root.
 /// 4. With I = 12ae - 3bd + c² and J = 72ace + 9bcd - 27ad² - 27eb² - 2c³ for p = at⁴ + bt³ + ct² + dt + e, the discriminant
 ///    has the sign of 4I³ - J², and where it is zero the subdiscriminant that of 2aJ + I(3b² - 8ac).
-/// 5. In two dimensions p is a cubic with one negative root: everything holds with a = 0.
+/// 5. If all roots are real and two are positive, the ellipsoids are tangent if and only if the positive roots coincide. Then the
+///    discriminant is zero. No three roots coincide, as two are negative. So if the subdiscriminant is zero there are two double
+///    roots, and the positive one is double. If it is positive there is one double root x. The covariant 2J p + I H, where H is the
+///    Hessian of p as a binary form, is k (t - x)⁴ with k = 2aJ + I(3b² - 8ac) > 0. Its second coefficient gives
+///    -4kx = 2bJ + 4I(bc - 6ad). As J² = 4I³, that has the sign of bc - 6ad + s b √I, where s is the sign of J.
+/// 6. In two dimensions p is a cubic with one negative root: everything holds with a = 0.
 #ifndef PW85_OVERLAP_EXACT_HPP_INCLUDED
 #define PW85_OVERLAP_EXACT_HPP_INCLUDED
 
@@ -38,7 +44,7 @@ struct Monomial {
 
 /// A sum of monomials.
 struct Polynomial {
-    Monomial terms[24];
+    Monomial terms[48];
     int size;
 
     Polynomial() noexcept = default;
@@ -97,7 +103,7 @@ PW85_FUNCTION constexpr Polynomial operator+(Polynomial x, Polynomial const &y) 
 PW85_FUNCTION constexpr Polynomial operator-(Polynomial const &x) noexcept { return Polynomial(-1) * x; }
 PW85_FUNCTION constexpr Polynomial operator-(Polynomial const &x, Polynomial const &y) noexcept { return x + -y; }
 
-/// The rational form in the symbols x, which stand for r12, q1 and q2 in this order.
+/// The rational form, with b multiplied by m, in the symbols x, which stand for r12, q1, q2 and m in this order.
 template <int D> PW85_FUNCTION constexpr RationalForm<Polynomial> symbolic_form() noexcept
 {
     Pair<Polynomial, D> pair{};
@@ -105,7 +111,9 @@ template <int D> PW85_FUNCTION constexpr RationalForm<Polynomial> symbolic_form(
     for (int i = 0; i < D; ++i) pair.r12[i] = variable(index++);
     for (int k = 0; k < pair.q1.size; ++k) pair.q1[k] = variable(index++);
     for (int k = 0; k < pair.q2.size; ++k) pair.q2[k] = variable(index++);
-    return rational_form(pair);
+    auto form = rational_form(pair);
+    for (auto &coefficient : form.b) coefficient = coefficient * variable(index);
+    return form;
 }
 
 /// A number sign·m·2^exponent with an odd integer m. It is zero if the sign is zero.
@@ -152,50 +160,61 @@ struct BitRange {
 /// The empty range.
 PW85_FUNCTION constexpr BitRange no_digits() noexcept { return {1 << 24, -(1 << 24)}; }
 
-/// The numbers of a pair, in the order of symbolic_form().
+/// The numbers of a pair and of a comparison, in the order of symbolic_form().
 template <class T, int D> struct Numbers {
-    BinaryFraction<T> x[D * (D + 2)];
-    BitRange r, q; ///< ranges of the coordinates, and of the entries of both forms
+    BinaryFraction<T> x[D * (D + 2) + 1];
+    BitRange r, q, m; ///< ranges of the coordinates, of the entries of both forms, and of m
 };
 
-template <class T, int D> PW85_FUNCTION inline Numbers<T, D>
-to_numbers(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, SymmetricMatrix<T, D> const &q2) noexcept
+/// `m` is positive.
+template <class T, int D>
+PW85_FUNCTION inline Numbers<T, D> to_numbers(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
+                                              SymmetricMatrix<T, D> const &q2, T const &m = T(1)) noexcept
 {
     Numbers<T, D> numbers;
-    numbers.r = numbers.q = no_digits();
+    numbers.r = numbers.q = numbers.m = no_digits();
     int index = 0;
     for (int i = 0; i < D; ++i) numbers.r.include(numbers.x[index++] = to_binary_fraction(r12[i]));
     for (int k = 0; k < q1.size; ++k) numbers.q.include(numbers.x[index++] = to_binary_fraction(q1[k]));
     for (int k = 0; k < q2.size; ++k) numbers.q.include(numbers.x[index++] = to_binary_fraction(q2[k]));
+    numbers.m.include(numbers.x[index] = to_binary_fraction(m));
     return numbers;
 }
 
-/// Whether bounding boxes are apart, because half-widths are below √2^q.high, and a coordinate is at least 2^(r.high - 1).
-template <class T, int D> PW85_FUNCTION inline bool is_far(Numbers<T, D> const &numbers) noexcept
+/// The entries of m Q1 and m Q2 are smaller than two to this power.
+template <class T, int D> PW85_FUNCTION inline int high_of_forms(Numbers<T, D> const &numbers) noexcept
 {
-    return 2 * numbers.r.high >= numbers.q.high + 4;
+    return numbers.q.high + numbers.m.high;
 }
 
-// A term of p is a product of D - 1 entries of the forms and of either two coordinates or one more entry. No coefficient has
+/// Whether the bounding boxes of m Q1 and m Q2 are apart, because half-widths are below √2^high_of_forms(), and a coordinate is at
+/// least 2^(r.high - 1).
+template <class T, int D> PW85_FUNCTION inline bool is_far(Numbers<T, D> const &numbers) noexcept
+{
+    return 2 * numbers.r.high >= high_of_forms(numbers) + 4;
+}
+
+// A term of p is a product of D - 1 entries of the forms and of either two coordinates or one more entry and m. No coefficient has
 // more than 72: 36 in rᵀ adj r, where a cofactor has up to 4, and 18 in each of two coefficients of det.
 
 /// The coefficients of p are multiples of 2^unit.
 template <class T, int D> PW85_FUNCTION inline int unit(Numbers<T, D> const &numbers) noexcept
 {
-    return (D - 1) * numbers.q.low + minimum(2 * numbers.r.low, numbers.q.low);
+    return (D - 1) * numbers.q.low + minimum(2 * numbers.r.low, numbers.q.low + numbers.m.low);
 }
 
 /// They are smaller than 2^(unit + bits).
 template <class T, int D> PW85_FUNCTION inline int bits(Numbers<T, D> const &numbers) noexcept
 {
-    return (D - 1) * numbers.q.high + maximum(2 * numbers.r.high, numbers.q.high) + 7 - unit(numbers);
+    return (D - 1) * numbers.q.high + maximum(2 * numbers.r.high, high_of_forms(numbers)) + 7 - unit(numbers);
 }
 
-/// The largest value of bits(), unless the pair is far. Every number is a multiple of the smallest positive number.
-template <class T> PW85_FUNCTION constexpr int max_bits() noexcept
+/// The largest value of bits(), unless the pair is far, for m < 2^high: for m = 1 unless another bound is given. Every number is a
+/// multiple of the smallest positive number.
+template <class T> PW85_FUNCTION constexpr int max_bits(int high = 1) noexcept
 {
     using Limits = std::numeric_limits<T>;
-    return 3 * Limits::max_exponent + 3 + 7 - 4 * (Limits::min_exponent - Limits::digits);
+    return 3 * Limits::max_exponent + high + 3 + 7 - 4 * (Limits::min_exponent - Limits::digits);
 }
 
 /// The numbers of limbs of sums that are computed from coefficients below 2^bits, with a bit for the sign.
@@ -267,7 +286,7 @@ template <class T, int D>
         for (int i = 0; i < form.a[k].size; ++i) add(sums[k + 1], evaluate<D + 1>(numbers, form.a[k].terms[i]), 1);
     for (int k = 0; k < 4; ++k)
         for (int i = 0; i < form.b[k].size; ++i) {
-            auto const term = evaluate<D>(numbers, form.b[k].terms[i]);
+            auto const term = evaluate<D + 1>(numbers, form.b[k].terms[i]);
             add(sums[k], term, -1);
             add(sums[k + 1], term, -1);
         }
@@ -333,19 +352,58 @@ PW85_FUNCTION inline int sign_of_subdiscriminant(Quartic const &p, WideInteger i
     for (int n = 0; n < 3; ++n) add_product(sum, 1, b, b);
     WideInteger const k = value(sum);
     int const left = i.sign * k.sign, right = -a.sign * twice_j.sign;
-    return left != right ? left - right : left * compare_products(i, k, a, twice_j);
+    return left != right ? (left > right ? 1 : -1) : left * compare_products(i, k, a, twice_j);
 }
 
-/// Whether all roots of a quartic are real, of which two are known to be. It is the first thing in its memory of `total` limbs, and
-/// is lost; make() makes it there again.
+/// The sign of the double root if there is one, and the other roots are real and simple. It uses the memory of two quadratic sums; the
+/// second may be that of the last two coefficients.
+PW85_FUNCTION inline int sign_of_double_root(Quartic const &p, WideInteger i, int sign_of_j, Sizes const &sizes,
+                                             Limb *first, Limb *second) noexcept
+{
+    auto const &[e, d, c, b, a] = p.coefficients;
+    WideSum const sum = zero_sum(first, sizes.quadratic);
+    add_product(sum, -1, a, d);
+    multiply(sum, 6);
+    add_product(sum, 1, b, c);
+    WideInteger const k = value(sum);
+    WideSum const square = zero_sum(second, sizes.quadratic);
+    add_product(square, 1, b, b);
+    int const left = k.sign, right = -sign_of_j * b.sign;
+    return left != right ? (left > right ? -1 : 1) : -left * compare_products(k, k, value(square), i);
+}
+
+/// The sign of the maximum of p over t > 0, for a p with a positive coefficient. It is the first thing in its memory of `total`
+/// limbs, and is lost; make() makes it there again.
 template <class Make>
-PW85_FUNCTION inline bool has_real_roots(Quartic const &p, Sizes const &sizes, Limb *memory, Make const &make) noexcept
+PW85_FUNCTION inline int sign_of_maximum(Quartic const &p, Sizes const &sizes, Limb *memory, Make const &make) noexcept
 {
     Limb *const quadratic = memory + 5 * sizes.coefficient, *const cubic = quadratic + sizes.quadratic;
     WideInteger const twice_j = exact::twice_j(p, sizes, cubic, quadratic);
     WideInteger const i = invariant_i(p, sizes, quadratic);
     int const sign = sign_of_discriminant(i, twice_j, sizes, memory);
-    return sign > 0 || (sign == 0 && sign_of_subdiscriminant(make(), i, twice_j, sizes, memory) >= 0);
+    if (sign != 0) return sign;
+    int const other = sign_of_subdiscriminant(make(), i, twice_j, sizes, memory);
+    return other <= 0 ? other : sign_of_double_root(make(), i, twice_j.sign, sizes, cubic, memory) < 0;
+}
+
+/// Whether all roots of a quartic are real, of which two are known to be. The memory and make() are those of sign_of_maximum().
+template <class Make>
+PW85_FUNCTION inline bool has_real_roots(Quartic const &p, Sizes const &sizes, Limb *memory, Make const &make) noexcept
+{
+    return sign_of_maximum(p, sizes, memory, make) >= 0;
+}
+
+/// The sign of μ² - m, in memory of `total` limbs for bits(numbers).
+template <class T, int D>
+PW85_FUNCTION inline int sign_of_difference(Numbers<T, D> const &numbers, Limb *memory) noexcept
+{
+    if (is_far(numbers)) return 1;
+    Sizes const sizes(bits(numbers));
+    auto const make = [&] { return make_quartic(numbers, memory); };
+    auto const p = make();
+    auto const &c = p.coefficients;
+    if (c[1].sign <= 0 && c[2].sign <= 0 && c[3].sign <= 0) return -1;
+    return sign_of_maximum(p, sizes, memory, make);
 }
 
 } // namespace exact
@@ -359,15 +417,19 @@ requires exact::is_decidable<T>
 {
     using namespace exact;
     Limb memory[Sizes(max_bits<T>()).total];
-    auto const numbers = to_numbers(r12, q1, q2);
-    if (is_far(numbers)) return Decision::apart;
-    Sizes const sizes(bits(numbers));
-    auto const make = [&] { return make_quartic(numbers, memory); };
-    auto const p = make();
-    auto const &c = p.coefficients;
-    if (c[1].sign <= 0 && c[2].sign <= 0 && c[3].sign <= 0) return Decision::overlap;
-    bool const apart = has_real_roots(p, sizes, memory, make);
-    return to_decision(apart, !apart);
+    bool const overlap = sign_of_difference(to_numbers(r12, q1, q2), memory) < 0;
+    return to_decision(!overlap, overlap);
+}
+
+/// The sign of μ² - m for the numbers exactly as given, m > 0. It uses a fixed array on the stack: 10 KiB for double.
+template <class T, int D>
+requires exact::is_decidable<T>
+[[gnu::noinline]] static int compare_exactly(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
+                                             SymmetricMatrix<T, D> const &q2, T const &m) noexcept
+{
+    using namespace exact;
+    Limb memory[Sizes(max_bits<T>(std::numeric_limits<T>::max_exponent)).total];
+    return sign_of_difference(to_numbers(r12, q1, q2, m), memory);
 }
 
 } // namespace pw85::detail

@@ -100,25 +100,23 @@ add_weighted(WideSum const (&sums)[Count], Combination const (&combinations)[Cou
     }
 }
 
-/// Combinations in units of 2^unit(), the first thing in memory. Behind `total` limbs there is room for one coefficient of the
-/// form.
-template <int Count, class T, int D>
-[[gnu::noinline]] PW85_FUNCTION inline WideIntegers<Count> combine(Numbers<T, D> const &numbers,
-                                                                   Combination const (&combinations)[Count],
-                                                                   Sizes const &sizes, Limb *memory) noexcept
+/// Combinations in units of 2^unit(), in memory for them, with scratch memory for one coefficient of the form.
+template <int Count, class T, int D> [[gnu::noinline]] PW85_FUNCTION inline WideIntegers<Count>
+combine(Numbers<T, D> const &numbers, Combination const (&combinations)[Count], Sizes const &sizes, Limb *memory,
+        Limb *scratch) noexcept
 {
     static constexpr auto form = symbolic_form<D>();
     int const size = sizes.coefficient;
     WideSum sums[Count];
     for (int i = 0; i < Count; ++i) sums[i] = zero_sum(memory + i * size, size);
     for (int k = 0; k < 3; ++k) {
-        WideSum const sum = zero_sum(memory + sizes.total, size);
+        WideSum const sum = zero_sum(scratch, size);
         for (int i = 0; i < form.a[k].size; ++i) add(sum, evaluate<D + 1>(numbers, form.a[k].terms[i]), 1);
         add_weighted(sums, combinations, k, value(sum));
     }
     for (int k = 0; k < 4; ++k) {
-        WideSum const sum = zero_sum(memory + sizes.total, size);
-        for (int i = 0; i < form.b[k].size; ++i) add(sum, evaluate<D>(numbers, form.b[k].terms[i]), 1);
+        WideSum const sum = zero_sum(scratch, size);
+        for (int i = 0; i < form.b[k].size; ++i) add(sum, evaluate<D + 1>(numbers, form.b[k].terms[i]), 1);
         add_weighted(sums, combinations, 3 + k, value(sum));
     }
     WideIntegers<Count> result;
@@ -154,7 +152,7 @@ template <class T, int D>
                                                                Combination const (&combinations)[6], Sizes const &sizes,
                                                                Limb *memory) noexcept
 {
-    auto const values = combine(numbers, combinations, sizes, memory);
+    auto const values = combine(numbers, combinations, sizes, memory, memory + 6 * sizes.coefficient);
     auto const m0 = values[0], m1 = values[1], m2 = values[2], c0 = values[3], c1 = values[4], c2 = values[5];
     Limb *const products = memory + 6 * sizes.coefficient;
     WideInteger const x = sum_of_products(m0, c0, -1, m2, c2, sizes, products);
@@ -173,7 +171,7 @@ template <class T, int D> [[gnu::noinline]] PW85_FUNCTION inline bool
 has_positive_roots(Numbers<T, D> const &numbers, Sizes const &sizes, Limb *memory) noexcept
 {
     auto const make = [&] {
-        auto const values = combine(numbers, nested::quartic, sizes, memory);
+        auto const values = combine(numbers, nested::quartic, sizes, memory, memory + sizes.total);
         return Quartic{{values[0], values[1], values[2], values[3], values[4]}};
     };
     auto const p = make();
@@ -190,7 +188,7 @@ has_root_for_inside(Numbers<T, D> const &numbers, Sizes const &sizes, Limb *memo
     if (second > 0) return true;
     int const first = sign_at_larger_root(numbers, nested::first, sizes, memory);
     if (first != 0) return first > 0;
-    auto const a = combine(numbers, nested::second, sizes, memory);
+    auto const a = combine(numbers, nested::second, sizes, memory, memory + 6 * sizes.coefficient);
     WideSum const product = zero_sum(memory + 6 * sizes.coefficient, sizes.quadratic);
     add_product(product, 1, a[0], a[2]);
     multiply(product, 4);
@@ -216,7 +214,7 @@ requires exact::is_decidable<T>
     auto const numbers = to_numbers(r12, q1, q2);
     if (is_far(numbers)) return false;
     Sizes const sizes(bits(numbers) + extra_bits);
-    auto const n = combine(numbers, nested::difference, sizes, memory);
+    auto const n = combine(numbers, nested::difference, sizes, memory, memory + 6 * sizes.coefficient);
     int const least = minimum(n[0].sign, minimum(n[1].sign, n[2].sign));
     if (largest_coordinate(r12) == T(0)) return least >= 0;
     return least > 0 && has_positive_roots(numbers, sizes, memory) && has_root_for_inside(numbers, sizes, memory);

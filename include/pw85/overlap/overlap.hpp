@@ -11,8 +11,6 @@
 #ifndef PW85_OVERLAP_OVERLAP_HPP_INCLUDED
 #define PW85_OVERLAP_OVERLAP_HPP_INCLUDED
 
-#include <pw85/algebra/all_nan.hpp>
-#include <pw85/contact/geometry.hpp>
 #include <pw85/overlap/comparison.hpp>
 #include <pw85/overlap/exact.hpp>
 #include <pw85/overlap/quartic.hpp>
@@ -34,15 +32,6 @@ struct OverlapDecision {
 struct Overlap {
     bool overlap;
     OverlapTier tier;
-    Status status;
-};
-
-/// A witness that two ellipsoids overlap or are apart. Near tangency it is correct only up to rounding.
-template <class T, int D> struct OverlapWitness {
-    bool overlap;
-    T lambda;               ///< a λ with f > 1, if they are apart
-    Vector<T, D> direction; ///< unit normal of a plane that separates them, from 1 to 2, if they are apart
-    Vector<T, D> point;     ///< a point inside both, relative to the centre of ellipsoid 1, if they overlap
     Status status;
 };
 
@@ -115,21 +104,6 @@ template <class T, int D> PW85_FUNCTION inline Overlap overlap(Vector<T, D> cons
                                                                SymmetricMatrix<T, D> const &q2) noexcept
 {
     return detail::overlap_by_lanes<T>(detail::pair_of(r12, q1, q2));
-}
-
-template <class T, int D> PW85_FUNCTION inline OverlapWitness<T, D>
-overlap_witness(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, SymmetricMatrix<T, D> const &q2) noexcept
-{
-    Overlap const answer = overlap(r12, q1, q2);
-    T const lambda = contact(r12, q1, q2).lambda;
-    auto const geometry = contact_geometry(r12, q1, q2, lambda);
-    OverlapWitness<T, D> witness{answer.overlap, lambda, geometry.normal, geometry.point, answer.status};
-    if (answer.overlap) detail::set_nan(witness.direction);
-    if (answer.status != Status::success || !answer.overlap)
-        detail::set_nan(witness.point);
-    else if (geometry.status != Status::success)
-        witness.point = {};
-    return witness;
 }
 
 } // namespace pw85

@@ -1,0 +1,278 @@
+/// @file
+/// A number or a point that proves the answer of the overlap test.
+///
+/// 1. f is concave, so that f(λ) > 1 for some number λ of the type only if it is for one of the two next to the maximiser. The
+///    maximiser by extended numbers errs by far less than half of what separates them: it, rounded, and its two neighbours are tried.
+/// 2. The point x0 of the maximiser is as deep inside of ellipsoid 1 as inside of ellipsoid 2, relative to the sizes of both. Near
+///    contact what they have in common is a thin lens about it, in the common tangent plane, and x0 rounded may be beside the lens.
+///    Then the points of a lattice about x0 are tried: one coordinate is computed from the others, so that the point is nearest to the
+///    plane, and the integers are asked if it is within the thickness of the lens.
+#ifndef PW85_OVERLAP_WITNESS_HPP_INCLUDED
+#define PW85_OVERLAP_WITNESS_HPP_INCLUDED
+
+#include <pw85/algebra/all_nan.hpp>
+#include <pw85/contact/geometry.hpp>
+#include <pw85/overlap/exact_witness.hpp>
+#include <pw85/overlap/overlap.hpp>
+
+namespace pw85 {
+
+/// A witness that two ellipsoids overlap or are apart.
+template <class T, int D> struct OverlapWitness {
+    bool overlap;
+    T lambda;               ///< a λ with f > 1, if they are apart
+    Vector<T, D> direction; ///< unit normal of a plane that separates them to rounding, from 1 to 2, if they are apart
+    Vector<T, D> point;     ///< a point inside both, relative to the centre of ellipsoid 1, if they overlap
+    Status status;
+};
+
+} // namespace pw85
+
+namespace pw85::detail {
+
+/// Whether numbers of the type show that f(λ) > 1. The t of λ has two roundings, and log f changes by no more than log t does.
+template <class T, int D>
+PW85_FUNCTION inline bool exceeds_one_clearly(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
+                                              SymmetricMatrix<T, D> const &q2, T const &lambda) noexcept
+{
+    if (!(lambda > T(0) && lambda < T(1)) || !passes_fast_checks(r12, q1, q2)) return false;
+    T const t = lambda / T(T(1) - lambda);
+    if (!(t * unscaled_limit<T>() > T(1) && t < unscaled_limit<T>())) return false;
+    auto e = evaluate_quartic(Pair<T, D>{r12, q1, q2, T(1)}, t);
+    e.b = e.b + T(T(4) * T(unit_roundoff<T>())) * e.diagonal;
+    return shows_apart(e, t);
+}
+
+/// The maximum of f by extended numbers: what is near it in numbers of the type.
+template <class T, int D> struct PreciseMaximum {
+    T lambda;                   ///< rounded
+    T below_one;                ///< 1 - μ², rounded
+    Vector<T, D> point, offset; ///< x0, rounded, and what is left of it
+    Vector<T, D> normal;        ///< across which they touch, of any length
+};
+
+/// Halley's steps beyond those of the search. Each leaves an error in log t of about the cube of the one before: the search ends with
+/// at most 2^-15, and three leave less than 2^-300.
+inline constexpr int steps_to_all_digits = 3;
+
+/// The maximiser t of a pair, by all digits.
+template <class W, int D> [[gnu::noinline]] PW85_FUNCTION inline W precise_maximiser(Pair<W, D> const &pair) noexcept
+{
+    Candidate<W> candidate{initial_guess(pair), W(1), W(0)};
+    int evaluations = 0;
+    search(pair, candidate, Precision::working, evaluations);
+    W t = candidate.t;
+    for (int n = 0; n < steps_to_all_digits; ++n) {
+        auto const factors = factorize_blend(W(1), pair.q1, t, pair.q2);
+        auto const s = slope(evaluate_jet(pair, factors, solve(factors, pair.r12)), pair.ratio, t);
+        t = t * exponential(halley_step(s));
+    }
+    return t;
+}
+
+/// x·2^exponent.
+template <class T> PW85_FUNCTION inline exact::Extended<T> scaled_by(exact::Extended<T> const &x, int exponent) noexcept
+{
+    return with_exponent(x, x.exponent + exponent);
+}
+
+/// For a valid pair with r12 != 0.
+template <class T, int D> [[gnu::noinline, gnu::cold]] PW85_FUNCTION inline PreciseMaximum<T, D>
+maximize_precisely(ScaledPair<T, D> const &scaled, Vector<T, D> const &r12) noexcept
+{
+    using W = exact::Extended<T>;
+    auto const pair = widened<W>(scaled.pair);
+    W const t = precise_maximiser(pair), tau = pair.ratio * pair.ratio * t, complement = W(1) / (W(1) + tau);
+    auto const s = solve(factorize_blend(W(1), pair.q1, t, pair.q2), pair.r12), x = product(pair.q1, s);
+    W const mu2 = scaled_by(tau * complement * dot(pair.r12, s), 2 * (scaled.length - scaled.form));
+    PreciseMaximum<T, D> result{
+        rounded(scaled.swapped ? complement : tau * complement), rounded(W(1) - mu2), {}, {}, {}};
+    for (int i = 0; i < D; ++i) {
+        W const relative = scaled_by(x[i], scaled.length),
+                coordinate = scaled.swapped ? W(r12[i]) + relative : relative;
+        result.point[i] = rounded(coordinate);
+        result.offset[i] = rounded(coordinate - W(result.point[i]));
+        result.normal[i] = rounded(s[i]);
+    }
+    return result;
+}
+
+/// The distance from |x| to the next larger number.
+template <class T> PW85_FUNCTION inline T spacing(T const &x) noexcept
+{
+    using Limits = std::numeric_limits<T>;
+    int const exponent = x == T(0) ? Limits::min_exponent : binary_exponent(absolute(x));
+    return times_power_of_two(T(1), maximum(exponent + 1, int{Limits::min_exponent}) - Limits::digits);
+}
+
+/// What extended numbers decide about f(λ) > 1. If M is scaled to a unit diagonal its determinant is above 2^-214 for double, so that f
+/// errs by less than 2^-150 of itself; for float these are 2^-98 and 2^-80. The margins are 2^-79 and 2^-36.
+template <class T, int D> [[gnu::noinline, gnu::cold]] PW85_FUNCTION inline Decision
+decide_by_extended(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, SymmetricMatrix<T, D> const &q2,
+                   T const &lambda) noexcept
+{
+    using W = exact::Extended<T>;
+    W const margin(negative_power_of_two<T>(3 * mantissa_digits<T>() / 2));
+    W const f = evaluate_f(W(lambda), converted<W>(r12), converted<W>(q1), converted<W>(q2));
+    return to_decision(f > W(1) + margin, f < W(1) - margin);
+}
+
+/// Whether f(λ) > 1. Extended numbers decide all pairs whose bounding boxes are apart by a factor of two.
+template <class T, int D>
+PW85_FUNCTION inline bool exceeds_one(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
+                                      SymmetricMatrix<T, D> const &q2, T const &lambda) noexcept
+{
+    if (!(lambda > T(0) && lambda < T(1))) return false;
+    Decision const decision = decide_by_extended(r12, q1, q2, lambda);
+    return decision == Decision::apart || (decision == Decision::none && exceeds_one_exactly(r12, q1, q2, lambda));
+}
+
+/// A λ with f(λ) > 1, or NaN, for a valid pair with r12 != 0. Below a power of two numbers have half the spacing.
+template <class T, int D> PW85_FUNCTION inline T find_lambda(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
+                                                             SymmetricMatrix<T, D> const &q2, T const &guess,
+                                                             ScaledPair<T, D> const &scaled) noexcept
+{
+    if (exceeds_one_clearly(r12, q1, q2, guess)) return guess;
+    T const best = maximize_precisely(scaled, r12).lambda, step = spacing(best), half = T(0.5) * step;
+    T const tried[] = {best, T(best - half), T(best - step), T(best + step)};
+    for (T const &lambda : tried)
+        if (exceeds_one(r12, q1, q2, lambda)) return lambda;
+    return quiet_nan<T>();
+}
+
+/// Whether a point is inside both ellipsoids.
+template <class T, int D> PW85_FUNCTION inline bool is_inside_both(Vector<T, D> const &x, Vector<T, D> const &r12,
+                                                                   SymmetricMatrix<T, D> const &q1,
+                                                                   SymmetricMatrix<T, D> const &q2) noexcept
+{
+    return is_finite(x) && is_inside_exactly(x, Vector<T, D>{}, q1) && is_inside_exactly(x, r12, q2);
+}
+
+/// The lattice of item 2: along each axis so many points to either side, and of those that seem to be in the lens so many are tried.
+inline constexpr int lattice_reach = 20, max_lattice_points = 256;
+
+/// The axis along which the plane is met: that where the spacing of numbers moves a point least across the plane, of those along which
+/// the normal is not small.
+template <class T, int D> PW85_FUNCTION inline int axis_across(PreciseMaximum<T, D> const &at) noexcept
+{
+    int best = -1;
+    T const largest = largest_coordinate(at.normal);
+    auto const shift = [&](int i) { return T(absolute(at.normal[i]) * spacing(at.point[i])); };
+    for (int i = 0; i < D; ++i)
+        if (T(T(8) * absolute(at.normal[i])) >= largest && (best < 0 || shift(i) < shift(best))) best = i;
+    return best;
+}
+
+/// How far from x0 the plane of the lattice is, times the length of the normal. Along the normal the lens reaches from x0 as far as
+/// 1 - μ times the half-width of either ellipsoid: its middle is sought, but not beyond a few spacings, as needles that cross have a
+/// narrow lens.
+template <class T, int D>
+PW85_FUNCTION inline T plane_of_lattice(PreciseMaximum<T, D> const &at, Vector<T, D> const &r12) noexcept
+{
+    T middle = T(0), limit = T(0);
+    for (int i = 0; i < D; ++i) {
+        middle = middle + at.normal[i] * (at.point[i] - T(0.5) * r12[i]);
+        limit = limit + T(4) * absolute(at.normal[i]) * spacing(at.point[i]);
+    }
+    return minimum(limit, maximum(T(-limit), T(T(0.5) * at.below_one * middle)));
+}
+
+/// A point of the lattice and its distance from the plane, times the length of the normal. Points are counted from the middle.
+template <class T, int D> struct LatticePoint {
+    Vector<T, D> x;
+    T distance;
+};
+
+template <class T, int D> PW85_FUNCTION inline LatticePoint<T, D>
+lattice_point(PreciseMaximum<T, D> const &at, T const &plane, int across, int index) noexcept
+{
+    LatticePoint<T, D> p{at.point, T(0)};
+    T const finest = T(spacing(largest_coordinate(at.point)) * T(unit_roundoff<float>()));
+    T sum = -plane;
+    for (int i = 0; i < D; ++i) {
+        if (i == across) continue;
+        int const place = index % (2 * lattice_reach + 1), steps = place % 2 == 0 ? place / 2 : -(place + 1) / 2;
+        index /= 2 * lattice_reach + 1;
+        p.x[i] = at.point[i] + T(steps) * maximum(spacing(at.point[i]), finest);
+        sum = sum + at.normal[i] * ((p.x[i] - at.point[i]) - at.offset[i]);
+    }
+    T const wanted = at.offset[across] - sum / at.normal[across];
+    p.x[across] = at.point[across] + wanted;
+    p.distance = absolute(T(((p.x[across] - at.point[across]) - wanted) * at.normal[across]));
+    return p;
+}
+
+/// A point inside both ellipsoids near x0, or NaN. The lens is thinner than 1 - μ² times r12 along the normal.
+template <class T, int D>
+PW85_FUNCTION inline Vector<T, D> search_lens(PreciseMaximum<T, D> const &at, Vector<T, D> const &r12,
+                                              SymmetricMatrix<T, D> const &q1, SymmetricMatrix<T, D> const &q2) noexcept
+{
+    T const thickness = at.below_one * magnitude_of_dot(at.normal, r12), plane = plane_of_lattice(at, r12);
+    int const across = axis_across(at), side = 2 * lattice_reach + 1, count = D == 3 ? side * side : side;
+    for (int index = 0, tried = 0; across >= 0 && index < count && tried < max_lattice_points; ++index) {
+        auto const p = lattice_point(at, plane, across, index);
+        if (!(p.distance < thickness)) continue;
+        ++tried;
+        if (is_inside_both(p.x, r12, q1, q2)) return p.x;
+    }
+    Vector<T, D> none{};
+    set_nan(none);
+    return none;
+}
+
+/// A point inside both, or NaN, for a valid pair with r12 != 0.
+template <class T, int D>
+PW85_FUNCTION inline Vector<T, D> find_point(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
+                                             SymmetricMatrix<T, D> const &q2, Vector<T, D> const &guess,
+                                             ScaledPair<T, D> const &scaled) noexcept
+{
+    return is_inside_both(guess, r12, q1, q2) ? guess : search_lens(maximize_precisely(scaled, r12), r12, q1, q2);
+}
+
+/// Fills in what proves the answer, for a valid pair with r12 != 0; `lambda` is the maximiser to rounding. For multiprecision numbers
+/// the proof is right to rounding.
+template <class T, int D> PW85_FUNCTION inline void prove(OverlapWitness<T, D> &witness, T const &lambda,
+                                                          Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
+                                                          SymmetricMatrix<T, D> const &q2) noexcept
+{
+    auto const geometry = contact_geometry(r12, q1, q2, lambda);
+    if (!witness.overlap) witness.direction = geometry.normal;
+    if constexpr (exact::is_decidable<T>) {
+        ScaledPair<T, D> scaled;
+        validate(r12, q1, q2, scaled);
+        if (witness.overlap)
+            witness.point = find_point(r12, q1, q2, geometry.point, scaled);
+        else
+            witness.lambda = find_lambda(r12, q1, q2, lambda, scaled);
+        bool const proved = witness.lambda > T(0) || is_finite(witness.point);
+        if (!proved && compare_exactly(r12, q1, q2, T(1)) != 0) witness.status = Status::no_convergence;
+    } else if (witness.overlap) {
+        witness.point = geometry.point;
+    } else {
+        witness.lambda = lambda;
+    }
+}
+
+} // namespace pw85::detail
+
+namespace pw85 {
+
+template <class T, int D> PW85_FUNCTION inline OverlapWitness<T, D>
+overlap_witness(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, SymmetricMatrix<T, D> const &q2) noexcept
+{
+    using namespace detail;
+    Overlap const answer = overlap(r12, q1, q2);
+    OverlapWitness<T, D> witness{answer.overlap, quiet_nan<T>(), {}, {}, answer.status};
+    set_nan(witness.direction);
+    set_nan(witness.point);
+    if (answer.status != Status::success) return witness;
+    if (largest_coordinate(r12) == T(0))
+        witness.point = {};
+    else
+        prove(witness, contact(r12, q1, q2).lambda, r12, q1, q2);
+    return witness;
+}
+
+} // namespace pw85
+
+#endif
