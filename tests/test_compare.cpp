@@ -40,7 +40,7 @@ template <class T, int D> void expect(Sample<T, D> const &s, T const &m, int sig
     for (auto const &sample : {s, Sample<T, D>{-s.r12, s.q2, s.q1}}) {
         auto const describe = [&] { return hex_text(sample) + ", m = " + hex_text(&m, 1); };
         d::ScaledPair<T, D> scaled;
-        if (d::validate(s.r12, s.q1, s.q2, scaled) != pw85::Status::success) return;
+        if (d::validate(d::pair_of(s.r12, s.q1, s.q2), scaled) != pw85::Status::success) return;
         auto const decision = d::compare_by_search(scaled, m);
         signs.decided += decision != pw85::Decision::none;
         failures.check(decision == pw85::Decision::none || d::to_sign(decision) == sign, "search", d::to_sign(decision),
