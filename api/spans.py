@@ -54,7 +54,13 @@ class Kind:
 
 # What the rows of an array of double are, by their extents: in space, and in the plane.
 ELEMENTS = {
-    3: {(): "double", (3,): "Vector<double, 3>", (6,): "SymmetricMatrix<double, 3>", (4,): "Vector<double, 4>", (3, 3): "Factor<double, 3>"},
+    3: {
+        (): "double",
+        (3,): "Vector<double, 3>",
+        (6,): "SymmetricMatrix<double, 3>",
+        (4,): "Vector<double, 4>",
+        (3, 3): "Factor<double, 3>",
+    },
     2: {(): "double", (2,): "Vector<double, 2>", (3,): "SymmetricMatrix<double, 2>"},
 }
 ELEMENTS_OF_OTHERS = {"unsigned char": "unsigned char", "int": "int", "pw85_motion": "Motion<double, 3>"}

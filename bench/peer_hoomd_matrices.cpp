@@ -30,8 +30,8 @@ class PeerHoomdMatrices final : public pw85_bench::Peer {
     {
         for (std::size_t i = begin; i < end; ++i) {
             Pair &pair = pairs_[i];
-            overlap[i] = hpmc::detail::test_overlap_ellipsoids(pair.first.data(), pair.second.data()) ==
-                         ELLIPSOID_OVERLAP_TRUE;
+            overlap[i] =
+                hpmc::detail::test_overlap_ellipsoids(pair.first.data(), pair.second.data()) == ELLIPSOID_OVERLAP_TRUE;
         }
     }
 

@@ -189,7 +189,8 @@ void test_crossed()
     Failures failures;
     Random random(29);
     for (int n = 0; n < draws(1000); ++n) {
-        double const thin = 1.0 / random.log_uniform(10.0, 1e30), tilt = random.sign() * random.log_uniform(1e-14, 1e-2);
+        double const thin = 1.0 / random.log_uniform(10.0, 1e30),
+                     tilt = random.sign() * random.log_uniform(1e-14, 1e-2);
         auto const turn = random_rotation(random);
         pw85::Factor<double, 3> const a{{1.0, 0.0, 0.0, 0.0, thin, 0.0, 0.0, 0.0, thin}};
         pw85::Factor<double, 3> const b{{thin, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, thin}};

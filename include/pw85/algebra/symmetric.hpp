@@ -242,8 +242,8 @@ PW85_FUNCTION constexpr Vector<T, D> solve(Factorization<T, D> const &f, Vector<
 }
 
 /// yᵀ diag(d)⁻¹ z: xᵀ A⁻¹ w for y = L⁻¹ x and z = L⁻¹ w.
-template <class T, int D> PW85_FUNCTION constexpr T
-dot_over_pivots(Factorization<T, D> const &f, Vector<T, D> const &y, Vector<T, D> const &z) noexcept
+template <class T, int D> PW85_FUNCTION constexpr T dot_over_pivots(Factorization<T, D> const &f, Vector<T, D> const &y,
+                                                                    Vector<T, D> const &z) noexcept
 {
     T sum = y[0] * z[0] * f.reciprocals[0];
     for (int i = 1; i < D; ++i) sum = sum + y[i] * z[i] * f.reciprocals[i];
