@@ -110,8 +110,8 @@ template <class T, int D> PW85_FUNCTION inline T secular_root(T const (&gaps)[D]
     return sigma;
 }
 
-/// The exponent of the unit of length for r, if `exponent` is that for the ellipsoid. The unit for r is larger only if r is so far away
-/// that its distance makes no difference to directions.
+/// The exponent of the unit of length for r, if `exponent` is that for the ellipsoid. The unit for r is larger only if r is so
+/// far away that its distance makes no difference to directions.
 template <class T, int D> PW85_FUNCTION inline int point_exponent(Vector<T, D> const &r, int exponent) noexcept
 {
     T const largest = largest_coordinate(r);
