@@ -1,7 +1,8 @@
 /// @file
-/// Decides whether a form is positive definite. contact/validate.hpp calls is_positive_definite(), and contact/solver.hpp uses the
-/// types. It calls is_clearly_definite() and, if that is not sufficient, the arithmetic of extended_number.hpp. The decision is the
-/// same in every function, for either order of the ellipsoids, and for every instruction set.
+/// Decides whether a form is positive definite. contact/validate.hpp calls is_positive_definite(). The solver and the geometry of
+/// contact/ use Widened and has_extended_numbers. is_positive_definite() calls is_clearly_definite() and, if that is not
+/// sufficient, the arithmetic of extended_number.hpp. The decision is the same in every function, for either order of the
+/// ellipsoids, and for every instruction set.
 #ifndef PW85_ALGEBRA_DEFINITE_HPP_INCLUDED
 #define PW85_ALGEBRA_DEFINITE_HPP_INCLUDED
 

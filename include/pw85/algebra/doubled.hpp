@@ -1,6 +1,6 @@
 /// @file
 /// A number that is the sum of two numbers of a narrower type, and so has about twice its digits. The distances (distance/) and the
-/// solver of contact/ use it. It calls error_free.hpp.
+/// solver of contact/ use it. The operators call error_free.hpp.
 ///
 /// Let u be the unit roundoff of the narrower type. Sums err by less than 4u² times the magnitudes of their terms. Products err by
 /// less than 8u² times their value, quotients and roots by less than 16u² times theirs (M. Joldes, J.-M. Muller and V. Popescu, ACM

@@ -1,8 +1,9 @@
 /// @file
 /// Floating-point numbers with seven times the digits of a native type, computed in integers. definite.hpp and overlap/exact.hpp
-/// use them for pairs that are too nearly singular for the native type; they call wide_integer.hpp. Rounding modes, compiler
-/// options and instruction sets do not change a bit of the results. The operators are compiled for speed (`gnu::hot`). The formulas
-/// that call them are compiled for size (`gnu::cold`), because few pairs need them and each translation unit contains them.
+/// use them for pairs that are too nearly singular for the native type. The operators call wide_integer.hpp. Rounding modes,
+/// compiler options and instruction sets do not change a bit of the results. The operators are compiled for speed (`gnu::hot`). The
+/// formulas that call them are compiled for size (`gnu::cold`), because few pairs need them and each translation unit contains
+/// them.
 #ifndef PW85_ALGEBRA_EXTENDED_NUMBER_HPP_INCLUDED
 #define PW85_ALGEBRA_EXTENDED_NUMBER_HPP_INCLUDED
 

@@ -1,6 +1,7 @@
 /// @file
 /// The distance of two ellipsoids, and their closest points. The kernels of the C API (src/kernels/lane_distance.hpp) and
-/// distance_derivatives.hpp call these functions. They call normal_search.hpp for the common normal and overlap() for the decision.
+/// distance_derivatives.hpp call these functions, which call normal_search.hpp for the common normal and overlap() for the
+/// decision.
 ///
 /// For any unit vector n, the width of the slab between the ellipsoids that is normal to n is a lower bound of the distance. The
 /// distance between any two of their points is an upper bound. With the normal that normal_search.hpp finds, the two bounds are

@@ -8,8 +8,8 @@
 ///    sum of the two rotations plus r12 × n vanishes: there is no net torque.
 /// 2. Let Ai = ∂pi/∂n, so that A1 = (Q1 - p1p1ᵀ)/α, whose null space is n, and P = I - nnᵀ. If the condition of the normal is
 ///    violated by a vector, the normal turns by G = P(A1 + A2 + d I)⁻¹P times this vector. Let Ci = ∂(n × pi)/∂n = [n]Ai - [pi],
-///    where [x]y = x × y. The Hessian is J G Jᵀ with J = (I; C1; C2), plus for each rotation its contribution at fixed n, Ki =
-///    (n·pi) I - ½(pi nᵀ + n piᵀ) - [n]ᵀAi[n].
+///    where [x]y = x × y. The Hessian is J G Jᵀ with J = (I; C1; C2), plus for each rotation its contribution at fixed n,
+///    Ki = (n·pi) I - ½(pi nᵀ + n piᵀ) - [n]ᵀAi[n].
 #ifndef PW85_DISTANCE_DISTANCE_DERIVATIVES_HPP_INCLUDED
 #define PW85_DISTANCE_DISTANCE_DERIVATIVES_HPP_INCLUDED
 

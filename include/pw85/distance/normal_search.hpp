@@ -1,27 +1,27 @@
 /// @file
 /// The search for the common normal of the closest points of two ellipsoids. distance.hpp and src/kernels/lane_distance.hpp call
-/// find_normal(), take_step() and search_normal(). They call the solvers of symmetric.hpp and accurate_product().
+/// find_normal(), take_step() and search_normal(). These functions call the solvers of symmetric.hpp and accurate_product().
 ///
 /// Let α(n) = √(nᵀQ1n), β(n) = √(nᵀQ2n) and r = r12. The distance of ellipsoids that are apart is the largest value over unit
 /// vectors n of φ(n) = n·r - α - β, the width of the slab between them that is normal to n. φ is concave in the unit ball.
 ///
-/// 1. For any n, Q1n/α and r - Q2n/β are points of the surfaces. The vector w from the first to the second has n·w = φ(n). So φ(n)
-///    <= distance <= |w|. Both are equalities where w = φ n, that is, r = (Q1/α + Q2/β + φ I) n.
-/// 2. Let u = n/α, t = α/β and s = αφ. Then item 1 becomes M u = r with M = Q1 + t Q2 + s I, where A = uᵀQ1u = 1 and t²B = t²uᵀQ2u
-///    = 1. These are two equations for t and s. Newton's method converges from afar if they are written as t²B = A, solved for log
-///    t, and 1/√(A + tB) = 1/√(1 + 1/t), which is nearly affine in s. If a step would make s negative, each equation is solved
-///    alone, the second one first. With s = 0 the first equation leads to the maximum of the contact function, where the second one
-///    has a root.
+/// 1. For any n, Q1n/α and r - Q2n/β are points of the surfaces. The vector w from the first to the second has n·w = φ(n). So
+///    φ(n) <= distance <= |w|. Both are equalities where w = φ n, that is, r = (Q1/α + Q2/β + φ I) n.
+/// 2. Let u = n/α, t = α/β and s = αφ. Then item 1 becomes M u = r with M = Q1 + t Q2 + s I, where A = uᵀQ1u = 1 and
+///    t²B = t²uᵀQ2u = 1. These are two equations for t and s. Newton's method converges from afar if they are written as t²B = A,
+///    solved for log t, and 1/√(A + tB) = 1/√(1 + 1/t), which is nearly affine in s. If a step would make s negative, each equation
+///    is solved alone, the second one first. With s = 0 the first equation leads to the maximum of the contact function, where the
+///    second one has a root.
 /// 3. For fixed t, s is the root of 1/√(A + tB) = 1/√(1 + 1/t). The left side is concave in s and increases. So Newton's method is
 ///    monotone from s = 0, and each step divides residual times slope by at least 4. If there is no root, s = 0 takes its place.
 /// 4. Then t is too large if and only if t²B > A. The proof uses the dual function g(y) = ½ rᵀ(Q1/y1 + Q2/y2 + I)⁻¹r - ½(y1 + y2)
 ///    of the problem to minimise |w|² under the constraints that the points are in the ellipsoids. g is concave. Its largest value
 ///    is ½ distance², at y = (αφ, βφ). The s of item 3 is that of the maximum of g on the ray y1 = t y2. As a function of the ray
-///    these maxima have a single maximum, and t²B - A has the sign of minus their slope. If the maximum on a ray is at y = 0, f <=
-///    1 at λ = t/(1+t), where f is that of the contact function. A - t²B has the sign of the slope of f, so the search moves to
-///    where f > 1.
-/// 5. R = rᵀM⁻¹r is a quotient of polynomials in t and s with positive coefficients. With C = uᵀu, B = -∂R/∂t, C = -∂R/∂s and A = R
-///    - tB - sC. So no step except the last needs to solve linear equations.
+///    these maxima have a single maximum, and t²B - A has the sign of minus their slope. If the maximum on a ray is at y = 0,
+///    f <= 1 at λ = t/(1+t), where f is that of the contact function. A - t²B has the sign of the slope of f, so the search moves
+///    to where f > 1.
+/// 5. R = rᵀM⁻¹r is a quotient of polynomials in t and s with positive coefficients. With C = uᵀu, B = -∂R/∂t, C = -∂R/∂s and
+///    A = R - tB - sC. So no step except the last needs to solve linear equations.
 #ifndef PW85_DISTANCE_NORMAL_SEARCH_HPP_INCLUDED
 #define PW85_DISTANCE_NORMAL_SEARCH_HPP_INCLUDED
 

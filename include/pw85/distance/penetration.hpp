@@ -1,6 +1,6 @@
 /// @file
 /// The depth of an overlap: the shortest translation that separates two ellipsoids. src/distance.cpp calls
-/// penetration_overlapping(). It calls extreme_normal() for the depth of a point in an ellipsoid, and support().
+/// penetration_overlapping(), which calls extreme_normal() for the depth of a point in an ellipsoid, and support().
 ///
 /// Let α(n) = √(nᵀQ1n), β(n) = √(nᵀQ2n) and r = r12. To separate from ellipsoid 1, ellipsoid 2 must move by g(n) = α + β - n·r
 /// along the unit vector n. The depth is the smallest value of g, which may have several local minima. A search over one number

@@ -12,8 +12,8 @@
 /// 2. H h is exact if 2k >= p + 3. Its terms are multiples of the product of the quanta, 2^(2k-2p-2) trace Q Σ|n_i|, and no partial
 ///    sum exceeds 2 trace Q Σ|n_i|.
 /// 3. The rest, H l + L n, is of size 3·2^(k-p) trace Q Σ|n_i|, and its rounding errors are below 2^(k-p+4) u trace Q Σ|n_i|. The
-///    sum with H h adds u |Qn|. |n| |Qn| is at most √(trace Q) |n| α, and Σ|n_i| is at most √D |n|. So α errs by less than (1.5 √X
-///    + 2^(k-p+5) X) u.
+///    sum with H h adds u |Qn|. |n| |Qn| is at most √(trace Q) |n| α, and Σ|n_i| is at most √D |n|. So α errs by less than (1.5
+///    √X + 2^(k-p+5) X) u.
 #ifndef PW85_DISTANCE_SUPPORT_HPP_INCLUDED
 #define PW85_DISTANCE_SUPPORT_HPP_INCLUDED
 

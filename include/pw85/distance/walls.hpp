@@ -1,5 +1,5 @@
 /// @file
-/// An ellipsoid and walls: half-space, box, cylinder. src/walls.cpp calls these functions; they call support() and
+/// An ellipsoid and walls: half-space, box, cylinder. src/walls.cpp calls these functions, which call support() and
 /// extreme_normal(). Distances are clearances. They are negative where the ellipsoid is in the wall.
 ///
 /// The support is α(n) = √(nᵀQn). The ellipsoid reaches it at Qn/α.
