@@ -99,7 +99,7 @@ template <class T> PW85_FUNCTION inline bool operator>=(Doubled<T> const &x, Dou
 
 template <class T> PW85_FUNCTION inline Doubled<T> abs(Doubled<T> const &x) noexcept { return x.high < T(0) ? -x : x; }
 
-/// The type with about twice the digits of a hardware type. Other types have digits to spare, and Finer is the type itself.
+/// The type with about twice the digits of a hardware type. For other types, which have digits to spare, Finer is the type itself.
 template <class T> using Finer =
     std::conditional_t<std::is_floating_point_v<typename ScalarTraits<T>::Lane>, Doubled<T>, T>;
 
@@ -118,7 +118,7 @@ template <class T, int D> PW85_FUNCTION constexpr auto rounded(Vector<T, D> cons
 
 namespace pw85 {
 
-/// The properties of a lane. Only distances need more digits than T has.
+/// Results are computed to the digits of T. Only distances need more digits.
 template <class T>
 requires std::is_floating_point_v<T>
 struct ScalarTraits<detail::Doubled<T>> {

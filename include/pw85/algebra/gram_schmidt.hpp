@@ -70,8 +70,8 @@ template <class T, int D> PW85_FUNCTION inline void project_out(OrthogonalFactor
     f.u[column] = add_scaled(f.u[column], T(-component), unit);
 }
 
-/// The square of the length of the column in place j. If less than 2^-20 of it is left, the column is projected a second time. The
-/// errors of the first projection are then at most some 2^10 u, and matter less than those of the coefficients.
+/// The square of the length of the column in place j. If the first projection leaves less than 2^-20 of the square, a second
+/// one follows. The errors of the first projection are then at most some 2^10 u, and matter less than those of the coefficients.
 template <class T, int D>
 PW85_FUNCTION inline T project_again(OrthogonalFactors<T, D> &f, int j, T const &square) noexcept
 {
