@@ -1,6 +1,6 @@
 /// @file
 /// An array whose growth can fail. All files of this folder keep their data in it, because the C API reports missing memory as a
-/// status.
+/// status. kernels/law_forces.hpp uses it, too.
 #ifndef PW85_NEIGHBORS_ARRAY_HPP_INCLUDED
 #define PW85_NEIGHBORS_ARRAY_HPP_INCLUDED
 
@@ -12,8 +12,8 @@
 
 namespace pw85::detail::neighbors {
 
-/// An array of plain data whose size can grow. std::vector would throw an exception where memory is short, and would initialise
-/// each new element.
+/// An array of plain data whose size can grow. std::vector would throw an exception if memory is short, and would initialise each
+/// new element.
 template <class T> class Array {
     static_assert(std::is_trivially_copyable_v<T>);
 
@@ -31,7 +31,7 @@ template <class T> class Array {
     }
     [[gnu::always_inline]] ~Array() { std::free(data_); }
 
-    /// Sets the size to n and keeps the elements that there are. Returns false and changes nothing if there is no memory.
+    /// Sets the size to n and keeps the elements that exist. Returns false and changes nothing if there is no memory.
     [[nodiscard, gnu::always_inline]] bool resize(std::size_t n) noexcept
     {
         if (n > PTRDIFF_MAX / sizeof(T)) return false;

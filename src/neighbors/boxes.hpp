@@ -1,5 +1,6 @@
 /// @file
-/// Boxes with sides along the axes, and tests of one box against eight others. The tree and the search of pairs use them.
+/// Boxes with sides along the axes, and tests of one box against eight others. tree.hpp, order.hpp and periodicity.hpp include this
+/// file.
 #ifndef PW85_NEIGHBORS_BOXES_HPP_INCLUDED
 #define PW85_NEIGHBORS_BOXES_HPP_INCLUDED
 
@@ -16,10 +17,10 @@ struct Box {
     double lower[3], upper[3];
 };
 
-/// Boxes per block.
+/// The number of boxes per block.
 inline constexpr int width = 8;
 
-/// Eight boxes, stored coordinate by coordinate. An empty place holds NaN, and so intersects no box.
+/// Eight boxes, stored coordinate by coordinate. An empty place holds NaN, so that it intersects no box.
 struct Block {
     double lower[3][width], upper[3][width];
 
@@ -41,7 +42,7 @@ struct Block {
 static constexpr double nan_value = std::numeric_limits<double>::quiet_NaN();
 static constexpr Box empty_box{{nan_value, nan_value, nan_value}, {nan_value, nan_value, nan_value}};
 
-/// The smallest box around two boxes, either of which may be empty.
+/// The smallest box around two boxes. Either box may be empty.
 static inline Box enclose(Box const &a, Box const &b) noexcept
 {
     Box box;

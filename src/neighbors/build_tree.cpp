@@ -1,4 +1,5 @@
-// The particles are sorted in two passes: into parts of the curve, then within each part.
+// Builds the tree of build_tree.hpp. Two passes of order.hpp sort the particles: first into parts of the curve, then within each
+// part.
 #include "build_tree.hpp"
 
 #include <atomic>

@@ -1,6 +1,6 @@
 /// @file
-/// Builds the tree of bounding boxes: it sorts the particles along a space-filling curve (order.hpp) and stores their boxes in this
-/// order (tree.hpp). neighbors.cpp calls it once per list.
+/// Builds the tree of bounding boxes. It sorts the particles along a space-filling curve (order.hpp) and stores their boxes in this
+/// order (tree.hpp). neighbors.cpp calls build_tree() once per list.
 #ifndef PW85_NEIGHBORS_BUILD_TREE_HPP_INCLUDED
 #define PW85_NEIGHBORS_BUILD_TREE_HPP_INCLUDED
 
@@ -15,14 +15,14 @@ struct Extent {
     Vector<double, 3> center, half_widths;
 };
 
-/// The particle whose box is at some place of the tree. The centre of that box is the particle's centre minus `subtracted`, in
-/// multiples of the cell's vectors.
+/// The particle whose box is at some place of the tree. The centre of this box is the centre of the particle minus `subtracted`, in
+/// multiples of the vectors of the cell.
 struct PlacedParticle {
     std::int32_t index;
     Multiples subtracted;
 };
 
-/// Moves the boxes of the particles near the origin by lattice vectors and builds the tree of them.
+/// Moves the boxes of the particles near the origin by lattice vectors and builds their tree.
 ///
 /// @param extents at least one particle
 /// @param around the smallest box around the centres, after they are moved near the origin

@@ -1,4 +1,4 @@
-// The items are those of deformation.hpp.
+// Computes the intervals of deformation.hpp. The items are those of that file.
 #include "deformation.hpp"
 
 #include <algorithm>
@@ -22,7 +22,7 @@ Deformation::Deformation(Periodicity const &periodicity, double const *now, doub
     for (double &error : error_) error += margin * largest;
 }
 
-// ρ is the sum of a difference and three products: its rounding error is below 8 u times the sum of their magnitudes.
+// ρ is the sum of a difference and three products. Its rounding error is below 8 u times the sum of their magnitudes.
 void Deformation::add_error(double dual_bound, double const *now, double const *then) noexcept
 {
     for (int d = 0; d < 3; ++d) {
@@ -48,7 +48,7 @@ Box Deformation::shared_motions(Extent const &now, Extent const &then) const noe
             reach += std::fabs((e == d ? 1.0 : 0.0) + gradient_[e][d]) * now.half_widths[e];
         }
         double const room = then.half_widths[d] - reach - margin * std::fabs(motion) - error_[d] * size;
-        bool const is_empty = !(room >= 0.0); // true for NaN too, which an overflow gives
+        bool const is_empty = !(room >= 0.0); // also true for NaN, which an overflow gives
         motions.lower[d] = is_empty ? HUGE_VAL : motion - room;
         motions.upper[d] = is_empty ? -HUGE_VAL : motion + room;
     }

@@ -1,5 +1,5 @@
-// The neighbour lists of the C API. Making one takes three steps: measure the particles, build the tree of their bounding boxes
-// (build_tree.hpp), find the pairs of boxes that intersect (search.hpp).
+// The neighbour lists of the C API. To make a list takes three steps: measure the particles, build the tree of their bounding boxes
+// (build_tree.hpp), and find the pairs of boxes that intersect (search.hpp).
 #include <pw85.h>
 
 #include <cmath>
@@ -39,7 +39,7 @@ struct Particles {
                std::isfinite(scale) && skin >= 0.0 && std::isfinite(skin);
     }
 
-    /// Finds the centre and the half-widths of the box of particle i, which grow by `half_skin`.
+    /// Finds the centre of the box of particle i, and its half-widths, which are increased by `half_skin`.
     Status measure(std::size_t i, double half_skin, Extent &extent) const noexcept
     {
         extent.center = c_api::load_vector<3>(system.centers + 3 * i);
@@ -51,7 +51,8 @@ struct Particles {
     }
 };
 
-/// Finds the extent of a particle with half of the skin, and the lattice vector to subtract to bring it near the origin.
+/// Finds the extent of a particle with half of the skin, and the lattice vector to subtract so that the particle is near the
+/// origin.
 Failure measure(Particles const &particles, Periodicity const &lattice, std::size_t i, Extent &extent,
                 LatticeVector &vector) noexcept
 {
@@ -60,7 +61,7 @@ Failure measure(Particles const &particles, Periodicity const &lattice, std::siz
     return {i, static_cast<int>(status)};
 }
 
-/// Calls visit(i), which returns a Failure, for a range of rows, and returns the first failure.
+/// Calls visit(i) for a range of rows. visit(i) returns a Failure, and the function returns the first one.
 template <class Visit> Failure first_failure(Range range, Visit const &visit) noexcept
 {
     Failure first{0, 0};
@@ -74,7 +75,8 @@ template <class Visit> Failure first_failure(std::size_t n, Visit const &visit) 
     return kernels::for_blocks(n, [&](Range range) { return first_failure(range, visit); });
 }
 
-/// Tasks per thread before their pairs are added to the list: enough to balance the work of the threads.
+/// The number of tasks per thread that run before their pairs are added to the list. It is large enough to balance the work of the
+/// threads.
 constexpr std::size_t tasks_per_thread = 64;
 
 /// The pairs that one task has found.
@@ -117,7 +119,7 @@ class ListBuilder {
     }
 
   private:
-    /// Measures the particles, and finds the smallest box around their centres, after they are moved near the origin.
+    /// Measures the particles and finds the smallest box around their centres, after they are moved near the origin.
     int measure_all(Box &around) noexcept
     {
         Array<Box> parts;
@@ -144,7 +146,7 @@ class ListBuilder {
         });
     }
 
-    /// Runs some tasks at a time, so that the next ones reuse their memory.
+    /// Runs the tasks in groups, so that each group reuses the memory of the one before.
     bool find_all() noexcept
     {
         std::size_t const num_tasks = (tree_.num_groups() + groups_per_task - 1) / groups_per_task;
@@ -157,7 +159,7 @@ class ListBuilder {
         return resize_list(size);
     }
 
-    /// Runs `count` tasks from number `first` on, and adds their pairs to the list, which has `size` pairs.
+    /// Runs `count` tasks, starting with number `first`, and adds their pairs to the list. The list has `size` pairs.
     bool add_pairs(Task *tasks, std::size_t first, std::size_t count, std::size_t &size) noexcept
     {
         for_tasks(count, count > 1, [&](std::size_t k) {
@@ -179,8 +181,8 @@ class ListBuilder {
         return list_.pairs.resize(size) && (!list_.has_cell || list_.images.resize(size));
     }
 
-    /// Writes pair k in the caller's numbers of particles and multiples of the cell's vectors. The first particle has the lower
-    /// number; for two images of one particle, the multiples come after zero in lexicographic order.
+    /// Writes pair k with the caller's numbers of particles, and in multiples of the vectors of the cell. The first particle has
+    /// the lower number. For two images of one particle, the multiples come after zero in lexicographic order.
     void write_pair(Found const &found, std::size_t k) noexcept
     {
         PlacedParticle first = placed_[static_cast<std::size_t>(found.first)],
@@ -211,7 +213,7 @@ class ListBuilder {
     Array<LatticeVector> images_;
 };
 
-/// The motions that some particles share (item 2 of deformation.hpp), or the first bad particle.
+/// The motions that some particles share (item 2 of deformation.hpp), or the first failure.
 struct SharedMotions {
     Failure bad{0, PW85_SUCCESS};
     Box box{{-HUGE_VAL, -HUGE_VAL, -HUGE_VAL}, {HUGE_VAL, HUGE_VAL, HUGE_VAL}};
@@ -225,12 +227,12 @@ struct SharedMotions {
         }
     }
 
-    /// Whether there is such a motion. An empty box does not intersect itself.
+    /// Whether such a motion exists. An empty box does not intersect itself.
     bool exist() const noexcept { return intersect(box, box); }
 };
 
-/// Whether a system has as many particles as a list, and either both have no cell or both have one that is periodic along the same
-/// vectors.
+/// Whether a system has as many particles as a list, and either both have no cell, or both have a cell that is periodic along the
+/// same vectors.
 bool matches(pw85_neighbors const &list, pw85_system const &system) noexcept
 {
     bool alike = system.num_particles == list.extents.size() && list.has_cell == (system.cell != nullptr);

@@ -1,4 +1,4 @@
-// Positions on Morton's curve, and the two passes of sorting along it.
+// Computes the positions on Morton's curve and makes the two passes that sort along the curve (order.hpp).
 #include "order.hpp"
 
 #include <algorithm>
@@ -8,7 +8,7 @@ namespace pw85::detail::neighbors {
 
 namespace {
 
-constexpr int bits = 21; // per coordinate, of 63
+constexpr int bits = 21; // of each coordinate; the key has 63
 
 /// Puts two zeros between neighbouring bits of a number.
 constexpr std::uint64_t spread(std::uint64_t x) noexcept
@@ -21,16 +21,16 @@ constexpr std::uint64_t spread(std::uint64_t x) noexcept
 }
 
 // A part of about this many points fits into the cache. There are at most 2^most_bits parts, because the points are written to all
-// parts at once, and the processor caches the address translations of a limited number of pages.
+// parts at once, and the processor caches the address translations of only a limited number of pages.
 constexpr std::size_t points_per_part = 4096;
 constexpr int most_bits = 10;
 constexpr std::size_t most_shares = 64;
 
-// Within a part, keys are first sorted by two digits of nine bits. Few keys have equal digits unless the points cluster.
+// Within a part, keys are first sorted by two digits of nine bits. Few keys have equal digits unless the points form clusters.
 constexpr int digit_bits = 9, digits = 2;
 constexpr std::size_t radix = std::size_t{1} << digit_bits;
 
-/// The lowest bit of the digits, chosen so that the highest bit in which keys differ is in them.
+/// The lowest bit of the digits. It is chosen so that the digits contain the highest bit in which the keys differ.
 int first_bit(Array<KeyedIndex> const &points) noexcept
 {
     std::uint64_t different = 0;
@@ -38,7 +38,7 @@ int first_bit(Array<KeyedIndex> const &points) noexcept
     return std::max(0, static_cast<int>(std::bit_width(different)) - digits * digit_bits);
 }
 
-/// One pass of a radix sort, which keeps the order of points with the same digit.
+/// Makes one pass of a radix sort. Points with the same digit keep their order.
 void sort_by_digit(Array<KeyedIndex> const &points, int shift, Array<KeyedIndex> &sorted) noexcept
 {
     std::uint32_t starts[radix] = {}, sum = 0;
@@ -68,7 +68,7 @@ std::uint64_t key_of(Vector<double, 3> const &point, Box const &around) noexcept
     std::uint64_t key = 0;
     for (int d = 0; d < 3; ++d) {
         double const part = (point[d] - around.lower[d]) / (around.upper[d] - around.lower[d]) * parts;
-        // A box without width gives NaN, which goes to the last part.
+        // In a box without width the result is NaN, and the point goes to the last part.
         key |= spread(part < parts - 1.0 ? static_cast<std::uint64_t>(std::max(part, 0.0)) : (1u << bits) - 1u) << d;
     }
     return key;

@@ -1,8 +1,8 @@
 /// @file
-/// Sorts points along Morton's curve, so that neighbours in space are near each other in memory. build_tree.cpp calls it.
+/// Sorts points along Morton's curve, so that neighbours in space are near each other in memory. build_tree.cpp calls this.
 ///
-/// The particles come in any order. For millions of them, reads from random addresses cost more than everything else. So a first
-/// pass moves the points to their parts of the curve, and a second pass sorts each part within the cache.
+/// The particles come in any order. For millions of them, reads from random addresses cost more than everything else. So the first
+/// pass moves the points to their parts of the curve, and the second pass sorts each part within the cache.
 #ifndef PW85_NEIGHBORS_ORDER_HPP_INCLUDED
 #define PW85_NEIGHBORS_ORDER_HPP_INCLUDED
 
@@ -19,13 +19,13 @@ namespace pw85::detail::neighbors {
 /// The position of a point on the curve through a box. The curve divides the box into 2²¹ parts along each axis.
 std::uint64_t key_of(Vector<double, 3> const &point, Box const &around) noexcept;
 
-/// The first pass: it assigns points to parts of the curve. The points are divided into shares, which are processed in parallel.
+/// The first pass. It assigns points to parts of the curve. The points are divided into shares that are processed in parallel.
 class Partition {
   public:
-    /// Counts the points of each part; false if there is no memory.
+    /// Counts the points of each part. Returns false if there is no memory.
     [[nodiscard]] bool prepare(Array<std::uint64_t> const &keys) noexcept;
 
-    /// Calls visit(i, place) for each point i, with its place in the order of the parts. Call this once, after prepare().
+    /// Calls visit(i, place) for each point i with its place in the order of the parts. Call this once, after prepare().
     template <class Visit> void for_places(Array<std::uint64_t> const &keys, Visit const &visit) noexcept
     {
         for_shares(keys.size(), [&](std::uint32_t *ends, std::size_t begin, std::size_t end) {
@@ -52,7 +52,7 @@ class Partition {
 
     int bits_ = 0;
     std::size_t num_shares_ = 1;
-    Array<std::uint32_t> ends_; ///< next place, for each share and each part within it
+    Array<std::uint32_t> ends_; ///< the next place, for each share and each part in the share
 };
 
 /// The position of a point on the curve, and the index of the point.

@@ -1,5 +1,5 @@
 /// @file
-/// Loops over many rows, as tasks for threads. The other files of this folder use them.
+/// Loops over many rows, as tasks for threads. The other files of this folder call for_parts().
 #ifndef PW85_NEIGHBORS_PARALLEL_HPP_INCLUDED
 #define PW85_NEIGHBORS_PARALLEL_HPP_INCLUDED
 
@@ -11,7 +11,7 @@
 namespace pw85::detail::neighbors {
 namespace {
 
-/// The number of rows of a task.
+/// The number of rows of each task.
 inline constexpr std::size_t rows_per_task = 4096;
 
 /// Calls visit(begin, end) for parts of n rows, in parallel.

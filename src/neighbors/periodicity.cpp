@@ -1,4 +1,4 @@
-// The comment of periodicity.hpp derives the bounds on rounding errors.
+// Computes lattice vectors and moves boxes by them. The comment in periodicity.hpp derives the bounds on rounding errors.
 #include "periodicity.hpp"
 
 #include <cmath>
@@ -104,14 +104,14 @@ Box Periodicity::moved(Box const &box, Multiples const &multiples) const noexcep
     return result;
 }
 
-// An image that intersects the box is moved by no more than the width of the box along each axis.
+// An image that intersects the box is moved by at most the width of the box along each axis.
 Vector<double, 3> Periodicity::reach(Box const &box) const noexcept
 {
     Vector<double, 3> reach = {0.0, 0.0, 0.0};
     for (int k = 0; k < 3; ++k) {
         if (!periodic_[k]) continue;
         for (int d = 0; d < 3; ++d) reach[k] += std::fabs(dual_[k][d]) * (box.upper[d] - box.lower[d]);
-        reach[k] = std::floor(1.0 + reach[k]); // one more than the exact value, for rounding errors
+        reach[k] = std::floor(1.0 + reach[k]); // at most one more than the exact value, for rounding errors
     }
     return reach;
 }
@@ -135,7 +135,7 @@ Vector<double, 3> Periodicity::dual_of_cell(int l) const noexcept
     return dual;
 }
 
-// The factor of two covers the roundings of the reduced vectors, which are far from linearly dependent.
+// The factor of two covers the rounding errors of the reduced vectors. These vectors are far from linearly dependent.
 double Periodicity::dual_of_cell_bound(int l) const noexcept
 {
     double bound = 0.0;

@@ -1,12 +1,12 @@
 /// @file
-/// The periodic images of a system along any of the vectors of its cell. It moves points and boxes by lattice vectors for the tree
-/// and the search; the lattice itself is reduced by kernels/lattice.hpp.
+/// The periodic images of a system along any of the vectors of its cell. The class moves points and boxes by lattice vectors.
+/// build_tree.cpp and search.cpp call it, and kernels/lattice.hpp reduces the lattice.
 ///
-/// Roundings, with u = 2⁻⁵³: a vector of the reduced lattice is a sum of up to three products; its error is at most 3 u times
-/// `size`, the sum of their magnitudes. A centre c that is moved by multiples s of these vectors is off by at most 8 u M in each
-/// coordinate, with M = |c| + Σ|s| size; a half-width h of three roundings by 4 u h, and each side of its box by u (M + h) more. So
-/// boxes grow by 16 u (M + h) on each side, and by 16 u (M' + |side|) when they are moved by multiples m, M' = Σ|m| size. Boxes
-/// that intersect in exact arithmetic therefore intersect here.
+/// Rounding errors, with u = 2⁻⁵³: a vector of the reduced lattice is a sum of up to three products. Its error is at most 3 u times
+/// `size`, the sum of their magnitudes. A centre c that is moved by multiples s of these vectors has an error of at most 8 u M in
+/// each coordinate, with M = |c| + Σ|s| size. A half-width h after three roundings has an error of at most 4 u h. Each side of its
+/// box errs by u (M + h) more. So boxes grow by 16 u (M + h) on each side. When they are moved by multiples m, they grow by 16 u
+/// (M' + |side|), with M' = Σ|m| size. Boxes that intersect in exact arithmetic therefore intersect here.
 #ifndef PW85_NEIGHBORS_PERIODICITY_HPP_INCLUDED
 #define PW85_NEIGHBORS_PERIODICITY_HPP_INCLUDED
 
@@ -39,24 +39,25 @@ struct LatticeVector {
 class Periodicity {
   public:
     /// @param cell nine numbers, rows = vectors; null if nothing is periodic
-    /// @param periodic which vectors are periodic; not read without a cell
+    /// @param periodic which vectors are periodic; not read if there is no cell
     /// @return false if no vector of the cell is periodic, or if the periodic vectors are not finite or not linearly independent
     bool prepare(double const *cell, int const *periodic) noexcept;
 
-    /// Finds the lattice vector to subtract from a point to bring it near the origin. Returns false if its multiples are too large.
+    /// Finds the lattice vector that is subtracted from a point to move it near the origin. Returns false if its multiples are too
+    /// large.
     bool reduce(Vector<double, 3> const &point, LatticeVector &vector) const noexcept;
 
     /// A point near the origin that differs from the given one by a lattice vector, up to rounding.
     Vector<double, 3> wrapped(Vector<double, 3> const &point) const noexcept;
 
-    /// The box around a centre from which multiples of the reduced vectors are subtracted.
+    /// The box around a centre after multiples of the reduced vectors are subtracted.
     Box wrapped(Vector<double, 3> const &center, Vector<double, 3> const &half_widths,
                 Multiples const &multiples) const noexcept;
 
-    /// A box moved by multiples of the reduced vectors.
+    /// A box that is moved by multiples of the reduced vectors.
     Box moved(Box const &box, Multiples const &multiples) const noexcept;
 
-    /// The largest multiple of each reduced vector by which a box can be moved and still intersect itself. It may exceed
+    /// The largest multiple of each reduced vector by which a box can be moved and still intersect itself. The result may exceed
     /// most_multiples.
     Vector<double, 3> reach(Box const &box) const noexcept;
 
@@ -66,7 +67,8 @@ class Periodicity {
     /// Whether there are images along vector l of the cell.
     bool is_periodic(int l) const noexcept { return periodic_[l]; }
 
-    /// The dual of vector l of the cell, which is periodic: its product is 1 with this vector and 0 with the other periodic ones.
+    /// The dual of vector l of the cell, which must be periodic. The product of the dual with this vector is 1, and with the other
+    /// periodic vectors 0.
     Vector<double, 3> dual_of_cell(int l) const noexcept;
 
     /// A bound on the entries of dual_of_cell() that includes rounding errors.
@@ -81,7 +83,7 @@ class Periodicity {
     bool periodic_[3] = {};
     bool any_ = false;
     double basis_[3][3] = {};     ///< reduced vectors; zero for directions that are not periodic
-    double size_[3][3] = {};      ///< `size` of the comment at the top
+    double size_[3][3] = {};      ///< `size` of the comment at the head of this file
     double dual_[3][3] = {};      ///< dual of the reduced vectors; zero for directions that are not periodic
     double multiples_[3][3] = {}; ///< each reduced vector in multiples of the vectors of the cell
 };

@@ -1,4 +1,5 @@
-// The search goes down the tree: first pairs of groups, then each box of one group against the blocks of the other.
+// Finds the pairs of search.hpp by going down the tree: first pairs of groups, then each box of one group against the blocks of the
+// other group.
 #include "search.hpp"
 
 #include <pw85.h>
@@ -7,7 +8,7 @@ namespace pw85::detail::neighbors {
 
 namespace {
 
-/// The blocks of a group, moved by the lattice vector with number `image`.
+/// The blocks of a group, moved by the lattice vector number `image`.
 struct MovedGroup {
     Block blocks[width];
     std::size_t group, image;
@@ -28,8 +29,8 @@ MovedGroup move_group(Tree const &tree, Periodicity const &lattice, std::size_t 
 /// The bits above bit k.
 constexpr unsigned above(std::size_t k) noexcept { return ~0u << (k + 1); }
 
-/// Finds the pairs of one box, number `i`, with the boxes of a group. Within its own group, if it has not moved, it finds only
-/// pairs with later boxes, so that each pair is found once.
+/// Finds the pairs of one box, number `i`, with the boxes of a group. In the group of the box itself, if it is not moved, only
+/// pairs with later boxes are found. So each pair is found once.
 bool pair_box(Tree const &tree, Box const &box, std::size_t i, std::size_t image, std::size_t group,
               FoundPairs &found) noexcept
 {
@@ -46,7 +47,7 @@ bool pair_box(Tree const &tree, Box const &box, std::size_t i, std::size_t image
     return true;
 }
 
-/// Finds the pairs of a moved group with another one.
+/// Finds the pairs of a moved group with another group.
 bool pair_groups(Tree const &tree, MovedGroup const &moved, std::size_t group, FoundPairs &found) noexcept
 {
     Box const around = tree.box(Tree::group_level, group);
@@ -69,7 +70,7 @@ int list_images(Periodicity const &lattice, Box const &root, Array<LatticeVector
     std::int32_t const x = static_cast<std::int32_t>(reach[0]), y = static_cast<std::int32_t>(reach[1]),
                        z = static_cast<std::int32_t>(reach[2]);
     std::size_t count = 0;
-    // Of each pair v and -v, only the vector that comes after zero in lexicographic order is listed.
+    // Of each pair v and -v, only the vector that comes after zero in lexicographic order is in the list.
     for (std::int32_t i = 0; i <= x; ++i)
         for (std::int32_t j = i > 0 ? -y : 0; j <= y; ++j)
             for (std::int32_t k = i > 0 || j > 0 ? -z : 0; k <= z; ++k) {

@@ -1,5 +1,6 @@
 /// @file
-/// Finds the pairs of boxes of a tree that intersect, with periodic images. neighbors.cpp runs find_pairs() for each task.
+/// Finds the pairs of boxes of a tree that intersect, with periodic images. neighbors.cpp calls list_images(), and runs
+/// find_pairs() for each task.
 #ifndef PW85_NEIGHBORS_SEARCH_HPP_INCLUDED
 #define PW85_NEIGHBORS_SEARCH_HPP_INCLUDED
 
@@ -9,7 +10,7 @@
 
 namespace pw85::detail::neighbors {
 
-/// Box `second` intersects box `first`, which is moved by the lattice vector with number `image`.
+/// Box `second` intersects box `first` after box `first` is moved by the lattice vector number `image`.
 struct Found {
     std::int32_t first, second, image;
 };
@@ -37,15 +38,15 @@ class FoundPairs {
     std::size_t size_ = 0;
 };
 
-/// Lists the lattice vectors by which a tree can be moved and still intersect itself. Number 0 is zero; of v and -v there is only
-/// one. Returns PW85_ENOMEM if there are too many vectors, and PW85_EINVAL if the multiples of one are too large.
+/// Lists the lattice vectors by which a tree can be moved and still intersect itself. Number 0 is zero. Of v and -v only one is in
+/// the list. Returns PW85_ENOMEM if there are too many vectors, and PW85_EINVAL if the multiples of one are too large.
 [[nodiscard]] int list_images(Periodicity const &lattice, Box const &root, Array<LatticeVector> &images) noexcept;
 
 /// The number of groups of one task.
 inline constexpr std::size_t groups_per_task = 16;
 
-/// Finds the pairs whose first box belongs to the groups of a task, each pair once. They replace the pairs that `found` holds.
-/// Returns false if there is no memory.
+/// Finds the pairs whose first box belongs to the groups of a task, each pair once. They replace the pairs in `found`. Returns
+/// false if there is no memory.
 [[nodiscard]] bool find_pairs(Tree const &tree, Periodicity const &lattice, Array<LatticeVector> const &images,
                               std::size_t task, FoundPairs &found) noexcept;
 

@@ -1,4 +1,4 @@
-// The levels of the tree above the boxes of the particles.
+// Computes the levels of the tree above the boxes of the particles (tree.hpp).
 #include "tree.hpp"
 
 namespace pw85::detail::neighbors {

@@ -1,5 +1,5 @@
 /// @file
-/// A tree of boxes: each box encloses eight boxes of the level below. build_tree() fills it, find_pairs() searches it.
+/// A tree of boxes. Each box encloses eight boxes of the level below. build_tree() fills the tree, and find_pairs() searches it.
 #ifndef PW85_NEIGHBORS_TREE_HPP_INCLUDED
 #define PW85_NEIGHBORS_TREE_HPP_INCLUDED
 
@@ -11,7 +11,7 @@
 
 namespace pw85::detail::neighbors {
 
-/// Level 0 has the boxes of the particles; level l + 1 has the boxes around the blocks of level l. A group is 64 particles: one box
+/// Level 0 has the boxes of the particles. Level l + 1 has the boxes around the blocks of level l. A group is 64 particles: one box
 /// of level 2, one block of level 1, eight blocks of level 0.
 class Tree {
   public:
@@ -27,7 +27,7 @@ class Tree {
         blocks_[particle / width].set(static_cast<int>(particle % width), box);
     }
 
-    /// Computes the boxes of the higher levels. Call this when all boxes of particles are set.
+    /// Computes the boxes of the higher levels. Call this when the boxes of all particles are set.
     void enclose_levels() noexcept;
 
     [[gnu::always_inline]] std::size_t num_groups() const noexcept { return num_groups_; }
@@ -42,7 +42,7 @@ class Tree {
     /// The smallest box around all boxes.
     [[gnu::always_inline]] Box root() const noexcept { return enclose(*block(top_, 0)); }
 
-    /// Calls visit(group) for each group from `first` on whose box intersects the given one.
+    /// Calls visit(group) for each group from `first` on whose box intersects `box`.
     template <class Visit> void visit_groups(Box const &box, std::size_t first, Visit const &visit) const noexcept
     {
         descend(box, first, visit, top_, 0);

@@ -1,5 +1,6 @@
 /// @file
-/// Results of calls that fail: every number is NaN, and a status tells the cause. Every function with a status uses all_nan().
+/// The result of a call that fails: every number is NaN, and the status tells the cause. Every function with a status calls
+/// all_nan().
 #ifndef PW85_ALGEBRA_ALL_NAN_HPP_INCLUDED
 #define PW85_ALGEBRA_ALL_NAN_HPP_INCLUDED
 
@@ -31,8 +32,8 @@ template <class T, int M, int N> PW85_FUNCTION constexpr void set_nan(T (&rows)[
         for (T &x : row) set_nan(x);
 }
 
-/// A result with NaN in every number, and the given status. Its type has up to four numbers, vectors or matrices, and then the
-/// status.
+/// Returns a result with NaN in every number and the given status. The type of a result has up to four numbers, vectors or
+/// matrices, followed by the status.
 template <class Result> PW85_FUNCTION constexpr Result all_nan(Status status) noexcept
 {
     Result result{};

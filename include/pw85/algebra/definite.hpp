@@ -1,6 +1,8 @@
 /// @file
-/// Decides whether a form is positive definite. The decision is the same in every function, for either order of the ellipsoids, and
-/// for every instruction set.
+/// Decides whether a form is positive definite. contact/validate.hpp calls is_positive_definite(). The solver and the geometry of
+/// contact/ use Widened and has_extended_numbers. is_positive_definite() calls is_clearly_definite() and, if that is not
+/// sufficient, the arithmetic of extended_number.hpp. The decision is the same in every function, for either order of the
+/// ellipsoids, and for every instruction set.
 #ifndef PW85_ALGEBRA_DEFINITE_HPP_INCLUDED
 #define PW85_ALGEBRA_DEFINITE_HPP_INCLUDED
 
@@ -8,10 +10,10 @@
 
 namespace pw85::detail {
 
-/// The type with more digits that belongs to a type, or the type itself if there is none.
+/// The type with more digits that belongs to T. It is T itself if there is none.
 template <class T> using Widened = std::conditional_t<exact::is_decidable<T>, exact::Extended<T>, T>;
 
-/// The leading principal minors, by increasing size.
+/// The leading principal minors, from the smallest to the largest.
 template <class T> PW85_FUNCTION inline Vector<T, 2> leading_minors(SymmetricMatrix<T, 2> const &a) noexcept
 {
     return {a[0], determinant(a, adjugate(a))};
@@ -24,16 +26,17 @@ template <class T> PW85_FUNCTION inline Vector<T, 3> leading_minors(SymmetricMat
 }
 
 /// The smallest ratio of the determinant to the product of the diagonal at which a form counts as positive definite: 2^-212 for
-/// double. If entries of similar magnitude are multiples of u, a determinant is a multiple of u³, which is far above this.
+/// double. If entries of similar magnitude are multiples of u, a determinant is a multiple of u³, which is far above this limit.
 template <class T> PW85_FUNCTION constexpr T least_determinant() noexcept
 {
     return negative_power_of_two<T>(4 * result_digits<T>());
 }
 
-/// Sylvester's criterion for a positive diagonal, without rounding errors that matter: scaled to a unit diagonal
-/// the minors err by less than 2^(5-bits), and where the determinant exceeds least_determinant(), so do the others half of that.
-/// Pivots, which are ratios of minors, exceed the fourth root of the smallest number times the largest diagonal entry. (An
-/// ellipsoid of aspect ratio 1e38 has a pivot as small as that in double; its inverse leaves room for products of four entries.)
+/// Decides by Sylvester's criterion for a matrix with a positive diagonal. Rounding errors do not matter: for a matrix scaled to a
+/// unit diagonal the minors err by less than 2^(5-bits). Where the determinant exceeds least_determinant(), the other minors exceed
+/// half of least_determinant(). Pivots are ratios of minors. They must exceed the fourth root of the smallest number times the
+/// largest diagonal entry. (In double an ellipsoid of aspect ratio 1e38 has such a small pivot. Its inverse leaves room for
+/// products of four entries.)
 template <class T, int D>
 [[gnu::noinline, gnu::cold]] PW85_FUNCTION inline bool has_positive_minors(SymmetricMatrix<T, D> const &a) noexcept
 {
@@ -46,8 +49,8 @@ template <class T, int D>
     return positive && minors[D - 1] > W(least_determinant<W>() * diagonal_product(w));
 }
 
-/// The same up to rounding errors, for types with digits to spare and for devices. It uses pivots, which lose fewer digits than
-/// minors.
+/// Decides up to rounding errors, for types with digits to spare and for devices. The function uses pivots, which lose fewer digits
+/// than minors.
 template <class T, int D> PW85_FUNCTION inline bool has_positive_pivots(SymmetricMatrix<T, D> const &a) noexcept
 {
     T const floor = square_root(square_root(smallest_number<T>())) * largest_diagonal(a);
@@ -57,12 +60,12 @@ template <class T, int D> PW85_FUNCTION inline bool has_positive_pivots(Symmetri
     return positive;
 }
 
-/// Whether a type has extended numbers, for matrices for which its own digits do not suffice.
+/// Whether T has extended numbers. They decide where the digits of T do not suffice.
 template <class T> static constexpr bool has_extended_numbers = exact::is_decidable<T> && !is_for_device;
 
-/// Whether a matrix is positive definite. Its diagonal is positive, and the largest entry of the diagonal is near one. The decision is
-/// exact for types with extended numbers, and up to rounding for others. An entry beside the diagonal that overflowed when the matrix
-/// was scaled is infinite. Such a matrix is not positive definite, and no comparison with what it makes NaN is true.
+/// Whether a matrix is positive definite. The diagonal must be positive, with its largest entry near one. The decision is exact for
+/// types with extended numbers, and correct up to rounding for others. An off-diagonal entry that overflowed when the matrix was
+/// scaled is infinite. Such a matrix is not positive definite: the entry makes NaN, and no comparison with NaN is true.
 template <class T, int D> PW85_FUNCTION inline bool is_positive_definite(SymmetricMatrix<T, D> const &a) noexcept
 {
     if constexpr (has_extended_numbers<T>)

@@ -1,10 +1,12 @@
 /// @file
-/// A number that is the sum of two numbers of a narrower type, and so has about twice its digits. Distances use it.
+/// A number that is the sum of two numbers of a narrower type, and so has about twice its digits. The distances (distance/) and the
+/// solver of contact/ use it. The operators call error_free.hpp.
 ///
-/// Sums err by less than 4u² of the magnitudes of their terms, products by 8u² and quotients and roots by 16u² of themselves, u
-/// being the unit roundoff of the narrower type (M. Joldes, J.-M. Muller and V. Popescu, ACM Trans. Math. Softw. 44, 15, 2017).
-/// Only products of parts that are exact (error_free.hpp) are added up where an error would count, so that it makes no difference
-/// whether the compiler fuses them with additions. The range is that of the narrower type; a result that overflows becomes NaN.
+/// Let u be the unit roundoff of the narrower type. Sums err by less than 4u² times the magnitudes of their terms. Products err by
+/// less than 8u² times their value, quotients and roots by less than 16u² times theirs (M. Joldes, J.-M. Muller and V. Popescu, ACM
+/// Trans. Math. Softw. 44, 15, 2017). Where an error would matter, only products of parts that are exact (error_free.hpp) are
+/// added. So it makes no difference whether the compiler fuses them with additions. The range is that of the narrower type. A
+/// result that overflows becomes NaN.
 #ifndef PW85_ALGEBRA_DOUBLED_HPP_INCLUDED
 #define PW85_ALGEBRA_DOUBLED_HPP_INCLUDED
 
@@ -21,7 +23,7 @@ template <class T> struct Doubled {
     PW85_MEMBER constexpr Doubled(T const &leading, T const &rest) noexcept : high(leading), low(rest) {}
 };
 
-/// x + y, exact if |y| <= |x| (T. J. Dekker, Numer. Math. 18, 224, 1971).
+/// x + y, which is exact if |y| <= |x| (T. J. Dekker, Numer. Math. 18, 224, 1971).
 template <class T> PW85_FUNCTION inline Doubled<T> ordered_sum(T const &x, T const &y) noexcept
 {
     T const sum = x + y;
@@ -56,7 +58,7 @@ template <class T> PW85_FUNCTION inline Doubled<T> operator*(Doubled<T> const &x
     return ordered_sum(second.high, T(first.low + (second.low + rest)));
 }
 
-/// A second quotient, of the remainder, adds the missing digits.
+/// The quotient of the remainder is added to the first quotient and gives the missing digits.
 template <class T> PW85_FUNCTION inline Doubled<T> operator/(Doubled<T> const &x, Doubled<T> const &y) noexcept
 {
     T const first = x.high / y.high, second = (x - y * Doubled<T>(first)).high / y.high;
@@ -97,7 +99,7 @@ template <class T> PW85_FUNCTION inline bool operator>=(Doubled<T> const &x, Dou
 
 template <class T> PW85_FUNCTION inline Doubled<T> abs(Doubled<T> const &x) noexcept { return x.high < T(0) ? -x : x; }
 
-/// For a type of the hardware, a type with about twice its digits. Other types have digits to spare, and stand for themselves.
+/// The type with about twice the digits of a hardware type. For other types, which have digits to spare, Finer is the type itself.
 template <class T> using Finer =
     std::conditional_t<std::is_floating_point_v<typename ScalarTraits<T>::Lane>, Doubled<T>, T>;
 
@@ -116,7 +118,7 @@ template <class T, int D> PW85_FUNCTION constexpr auto rounded(Vector<T, D> cons
 
 namespace pw85 {
 
-/// Only distances need more digits than T has.
+/// Results are computed to the digits of T. Only distances need more digits.
 template <class T>
 requires std::is_floating_point_v<T>
 struct ScalarTraits<detail::Doubled<T>> {

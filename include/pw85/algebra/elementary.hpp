@@ -1,8 +1,9 @@
 /// @file
-/// Elementary functions of float, double and long double, for `using elementary::sqrt;` in place of `using std::sqrt;`.
+/// Elementary functions of float, double and long double. Code writes `using elementary::sqrt;` instead of `using std::sqrt;`;
+/// scalar.hpp includes this file for all other headers.
 ///
-/// The functions of `std::` are inline: translation units that are compiled without inlining share one copy, which the linker may
-/// take from the unit that was compiled for the newest processor. The functions here belong to one unit each.
+/// The functions of `std::` are inline. Translation units that are compiled without inlining share one copy of each. The linker may
+/// take this copy from the unit that was compiled for the newest processor. The functions here belong to one unit each.
 #ifndef PW85_ALGEBRA_ELEMENTARY_HPP_INCLUDED
 #define PW85_ALGEBRA_ELEMENTARY_HPP_INCLUDED
 

@@ -1,6 +1,6 @@
 /// @file
 /// Error-free transformations: sums and products together with their rounding errors. doubled.hpp, contact/refinement.hpp and
-/// motion/approach.hpp use them.
+/// motion/approach.hpp call them.
 #ifndef PW85_ALGEBRA_ERROR_FREE_HPP_INCLUDED
 #define PW85_ALGEBRA_ERROR_FREE_HPP_INCLUDED
 
@@ -14,7 +14,7 @@ template <class T> struct Parts {
     T high, low;
 };
 
-/// The first part is rounded to 26 bits, so that 26 bits and a sign remain of the 53 for the second part.
+/// Rounds the first part to 26 bits. Of the 53 bits, 26 and a sign remain for the second part.
 PW85_FUNCTION inline double leading_bits(double x) noexcept
 {
     std::uint64_t const bits = __builtin_bit_cast(std::uint64_t, x) + 0x4000000;
@@ -26,7 +26,8 @@ PW85_FUNCTION inline float leading_bits(float x) noexcept
     return __builtin_bit_cast(float, __builtin_bit_cast(std::uint32_t, x) & ~std::uint32_t{0xfff});
 }
 
-/// The algorithm of T. J. Dekker, Numer. Math. 18, 224 (1971), for types whose products are never fused.
+/// Computes the leading bits by the algorithm of T. J. Dekker, Numer. Math. 18, 224 (1971), for types whose products are never
+/// fused.
 template <class T> PW85_FUNCTION inline T leading_bits(T const &x) noexcept
 {
     T const scaled = x * (T(1) + T(1) / negative_power_of_two<T>((mantissa_digits<T>() + 1) / 2));

@@ -1,8 +1,9 @@
 /// @file
-/// Floating-point numbers with seven times the digits of a native type, computed in integers: for pairs that are too nearly
-/// singular for the type itself. Rounding modes, compiler options and instruction sets do not change a bit of them. Their operators
-/// are compiled for speed (`gnu::hot`), and the formulas that call them for size (`gnu::cold`), because few pairs need them and
-/// each translation unit contains them.
+/// Floating-point numbers with seven times the digits of a native type, computed in integers. definite.hpp and overlap/exact.hpp
+/// use them for pairs that are too nearly singular for the native type. The operators call wide_integer.hpp. Rounding modes,
+/// compiler options and instruction sets do not change a bit of the results. The operators are compiled for speed (`gnu::hot`). The
+/// formulas that call them are compiled for size (`gnu::cold`), because few pairs need them and each translation unit contains
+/// them.
 #ifndef PW85_ALGEBRA_EXTENDED_NUMBER_HPP_INCLUDED
 #define PW85_ALGEBRA_EXTENDED_NUMBER_HPP_INCLUDED
 
@@ -17,8 +18,8 @@ static constexpr bool is_decidable = std::is_floating_point_v<T> &&
                                      (std::numeric_limits<T>::digits == 24 || std::numeric_limits<T>::digits == 53 ||
                                       std::numeric_limits<T>::digits == 64 || std::numeric_limits<T>::digits == 113);
 
-/// The number sign·m·2^exponent with m = mantissa/2^bits in [1/2, 1). It is zero if the sign is zero, and NaN if the sign is
-/// `undefined`; there is no infinity. Results are truncated. The relative error of a sum or product is at most 2^(1-bits).
+/// The number sign·m·2^exponent with m = mantissa/2^bits in [1/2, 1). The number is zero if the sign is zero, and NaN if the sign
+/// is `undefined`. There is no infinity. Results are truncated. The relative error of a sum or product is at most 2^(1-bits).
 template <class T> struct Extended {
     static constexpr int size = limbs_for(7 * std::numeric_limits<T>::digits);
     static constexpr int bits = size * limb_bits;
@@ -60,7 +61,7 @@ template <class T> PW85_FUNCTION inline Extended<T> not_a_number() noexcept
     return x;
 }
 
-/// The number of zero bits above the highest bit that is set; all bits for zero.
+/// The number of zero bits above the highest bit that is set. For zero, all bits are counted.
 template <int N> PW85_FUNCTION inline int leading_zeros(Digits<N> const &x) noexcept
 {
     int i = N - 1;
@@ -68,7 +69,7 @@ template <int N> PW85_FUNCTION inline int leading_zeros(Digits<N> const &x) noex
     return (N - 1 - i) * limb_bits + std::countl_zero(x.limbs[i]);
 }
 
-/// x·2^exponent modulo 2^(limb_bits·N); 0 <= exponent < limb_bits·N.
+/// x·2^exponent modulo 2^(limb_bits·N), for 0 <= exponent < limb_bits·N.
 template <int N> PW85_FUNCTION inline Digits<N> shifted_up(Digits<N> const &x, int exponent) noexcept
 {
     int const whole = exponent / limb_bits, bits = exponent % limb_bits;
@@ -103,14 +104,14 @@ template <class T> PW85_FUNCTION inline auto with_guards(Extended<T> const &x, i
     return exponent < size * limb_bits ? over_power_of_two(result, exponent) : Digits<size>{};
 }
 
-/// x + sign·y for Σ limbs as two's complement, sign = ±1.
+/// x + sign·y for numbers Σ limbs in two's complement, with sign = ±1.
 template <int N> PW85_FUNCTION inline Digits<N> sum(Digits<N> x, Digits<N> const &y, int sign) noexcept
 {
     add(WideSum{x.limbs, N}, y, 0, sign);
     return x;
 }
 
-/// The sum where |x| has the larger exponent. If y is shifted by more than one bit, it is smaller than half of x: then the result
+/// The sum if |x| has the larger exponent. If y is shifted by more than one bit, |y| is smaller than half of |x|. Then the result
 /// loses at most one leading bit, and the bits that are truncated below the guard limb do not matter.
 template <class T> [[gnu::noinline, gnu::hot]] PW85_FUNCTION inline Extended<T>
 add_ordered(Extended<T> const &x, Extended<T> const &y) noexcept
@@ -149,7 +150,7 @@ template <class T> [[gnu::noinline, gnu::hot]] PW85_FUNCTION inline Extended<T> 
     return normalized<T>(x.mantissa * y.mantissa, x.exponent + y.exponent, x.sign * y.sign);
 }
 
-/// The nearest native number, up to an error of 2^-10 ulp. Out of the range of `T` it is infinity or zero.
+/// The nearest native number, up to an error of 2^-10 ulp. Outside the range of `T` the result is infinity or zero.
 template <class T> PW85_FUNCTION inline T rounded(Extended<T> const &x) noexcept
 {
     if (!x.is_defined()) return quiet_nan<T>();
@@ -159,15 +160,15 @@ template <class T> PW85_FUNCTION inline T rounded(Extended<T> const &x) noexcept
     return pw85::detail::times_power_of_two(T(static_cast<T>(x.sign) * fraction), x.exponent);
 }
 
-/// x with another exponent, so that it is in [1/2, 1), or half or twice as large.
+/// x with another exponent, chosen so that the result is in [1/2, 1), or half or twice as large.
 template <class T> PW85_FUNCTION inline Extended<T> with_exponent(Extended<T> x, int exponent) noexcept
 {
     x.exponent = exponent;
     return x;
 }
 
-/// Steps of Newton's method from the digits of `T` to all digits. Each step doubles the correct digits, and eight times is more
-/// than seven times.
+/// The number of Newton steps from the digits of `T` to all digits. Each step doubles the number of correct digits. Three steps
+/// give eight times the digits, and seven times are needed.
 inline constexpr int newton_steps = 3;
 
 /// 1/x with a relative error of some 2^-bits, for x != 0.
@@ -189,7 +190,7 @@ template <class T> [[gnu::noinline, gnu::hot]] PW85_FUNCTION inline Extended<T> 
 {
     if (x.sign == 0) return x;
     if (x.sign != 1) return not_a_number<T>();
-    int const odd = x.exponent & 1; // correct for negative exponents, too
+    int const odd = x.exponent & 1; // correct for negative exponents as well
     auto const m = with_exponent(x, odd), three = Extended<T>(3), half = Extended<T>(0.5);
     Extended<T> y(T(1) / square_root(rounded(m)));
     for (int n = 0; n < newton_steps; ++n) y = half * (y * (three - m * (y * y)));
@@ -238,8 +239,9 @@ template <class T> struct ScalarTraits<detail::exact::Extended<T>> {
 
 } // namespace pw85
 
-/// The range is declared as that of the native type, though exponents can be much larger. The declared digits leave out some for
-/// quotients and roots: those of float err by up to 2^(12-bits), because eight times its 24 digits are only 192.
+/// The range is declared as that of the native type, although exponents can be much larger. The declared digits are fewer than the
+/// bits, because quotients and roots lose some. Those of float err by up to 2^(12-bits), because eight times its 24 digits are only
+/// 192.
 template <class T> class std::numeric_limits<pw85::detail::exact::Extended<T>> {
     using Extended = pw85::detail::exact::Extended<T>;
 

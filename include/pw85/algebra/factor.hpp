@@ -1,5 +1,6 @@
 /// @file
-/// Factors S of quadratic forms Q = S Sᵀ, which keep the digits that squares of lengths lose.
+/// Factors S of quadratic forms Q = S Sᵀ. They keep the digits that squares of lengths lose. contact/factor.hpp, the batches and
+/// the C arrays use them.
 #ifndef PW85_ALGEBRA_FACTOR_HPP_INCLUDED
 #define PW85_ALGEBRA_FACTOR_HPP_INCLUDED
 
@@ -7,7 +8,7 @@
 
 namespace pw85 {
 
-/// A square matrix S that stands for the form S Sᵀ. The columns of the factor of an ellipsoid may be its semi-axes, as vectors.
+/// A square matrix S that represents the form S Sᵀ. The columns of the factor of an ellipsoid may be its semi-axes, as vectors.
 template <class T, int D> struct Factor {
     static_assert(detail::require_scalar<T>());
 
@@ -21,7 +22,7 @@ template <class T, int D> struct Factor {
 
 namespace pw85::detail {
 
-/// Converts the entries to another type, by a constructor that takes a T.
+/// Converts the entries to another type by a constructor that takes a T.
 template <class To, class T, int D> PW85_FUNCTION constexpr Factor<To, D> converted(Factor<T, D> const &s) noexcept
 {
     Factor<To, D> copy{};

@@ -1,11 +1,11 @@
 /// @file
 /// The factorisation K = U R of two stacked square matrices by pivoted Gram–Schmidt orthogonalisation, for forms that are given by
-/// square roots. contact_factored.hpp calls it.
+/// square roots. contact/contact_factored.hpp calls orthogonalize() and the solvers below.
 ///
-/// The longest remaining column is taken next. Where most of it cancels, it is made orthogonal to the ones before once more. Then the
-/// rounding errors in a row of K are a few u times the entries of that row, also where the lengths of the rows differ by many orders of
-/// magnitude. (For Householder's method this is a theorem of A. J. Cox and N. J. Higham, in: Numerical Analysis 1997, Longman, 57,
-/// 1998; tests/test_factored.cpp checks it here.)
+/// Each place takes the longest column that remains. A column that has mostly cancelled is made orthogonal to the earlier ones once
+/// more. Then the rounding errors in a row of K are a few u times the entries of that row. This holds also if the lengths of the
+/// rows differ by many orders of magnitude. (For Householder's method this is a theorem of A. J. Cox and N. J. Higham, in:
+/// Numerical Analysis 1997, Longman, 57, 1998. Here tests/test_factored.cpp checks it.)
 #ifndef PW85_ALGEBRA_GRAM_SCHMIDT_HPP_INCLUDED
 #define PW85_ALGEBRA_GRAM_SCHMIDT_HPP_INCLUDED
 
@@ -36,7 +36,8 @@ add_scaled(StackedVector<T, D> const &x, T const &factor, StackedVector<T, D> co
     return {add_scaled(x.upper, factor, y.upper), add_scaled(x.lower, factor, y.lower)};
 }
 
-/// K = U R. The columns of U are orthonormal. Column order[j] of K is the one that was taken in place j, and that of U and R too.
+/// The factors of K = U R. The columns of U are orthonormal. Place j belongs to column order[j] of K, and to the same column of U
+/// and R.
 template <class T, int D> struct OrthogonalFactors {
     StackedVector<T, D> u[D]; ///< by column of K
     T r[D][D];                ///< by place and column of K, beside the diagonal
@@ -44,7 +45,7 @@ template <class T, int D> struct OrthogonalFactors {
     int order[D];
 };
 
-/// Takes the longest of the remaining columns in place j. Returns the square of its length.
+/// Puts the longest of the remaining columns in place j. Returns the square of its length.
 template <class T, int D> PW85_FUNCTION inline T choose_pivot(OrthogonalFactors<T, D> &f, int j) noexcept
 {
     int const first = f.order[j];
@@ -60,7 +61,7 @@ template <class T, int D> PW85_FUNCTION inline T choose_pivot(OrthogonalFactors<
     return square;
 }
 
-/// Subtracts from a column its component along the one that was taken in place i.
+/// Subtracts from a column its component along the column in place i.
 template <class T, int D> PW85_FUNCTION inline void project_out(OrthogonalFactors<T, D> &f, int i, int column) noexcept
 {
     auto const &unit = f.u[f.order[i]];
@@ -69,8 +70,8 @@ template <class T, int D> PW85_FUNCTION inline void project_out(OrthogonalFactor
     f.u[column] = add_scaled(f.u[column], T(-component), unit);
 }
 
-/// The square of the length of the column in place j, after a second projection if less than 2^-20 of it was left by the first. The errors
-/// of the first are then at most some 2^10 u, and matter less than those of the coefficients.
+/// The square of the length of the column in place j. If the first projection leaves less than 2^-20 of the square, a second
+/// one follows. The errors of the first projection are then at most some 2^10 u, and matter less than those of the coefficients.
 template <class T, int D>
 PW85_FUNCTION inline T project_again(OrthogonalFactors<T, D> &f, int j, T const &square) noexcept
 {
@@ -82,7 +83,7 @@ PW85_FUNCTION inline T project_again(OrthogonalFactors<T, D> &f, int j, T const 
     return dot(f.u[column], f.u[column]);
 }
 
-/// The factors of the matrix with these columns.
+/// Computes the factors of the matrix with these columns.
 template <class T, int D>
 PW85_FUNCTION inline OrthogonalFactors<T, D> orthogonalize(StackedVector<T, D> const (&columns)[D]) noexcept
 {
@@ -113,7 +114,7 @@ PW85_FUNCTION inline Vector<T, D> solve_transposed(OrthogonalFactors<T, D> const
     return y;
 }
 
-/// R⁻¹ y: after solve_transposed(), it gives (KᵀK)⁻¹x.
+/// R⁻¹ y. For y from solve_transposed() the result is (KᵀK)⁻¹x.
 template <class T, int D>
 PW85_FUNCTION inline Vector<T, D> solve_triangle(OrthogonalFactors<T, D> const &f, Vector<T, D> const &y) noexcept
 {

@@ -1,5 +1,6 @@
 /// @file
-/// Exponents of numbers, and products with powers of two, which are exact.
+/// Exponents of numbers, and products with powers of two. These products are exact. The scaling of pairs (contact/, motion/,
+/// distance/) and factor.hpp call them.
 #ifndef PW85_ALGEBRA_POWERS_OF_TWO_HPP_INCLUDED
 #define PW85_ALGEBRA_POWERS_OF_TWO_HPP_INCLUDED
 
@@ -7,14 +8,14 @@
 
 namespace pw85::detail {
 
-/// The binary exponent of a positive number: x·2^-n lies in [1, 2).
+/// The binary exponent n of a positive number: x·2^-n lies in [1, 2).
 template <class T> PW85_FUNCTION inline int binary_exponent(T const &x) noexcept
 {
     using elementary::ilogb;
     return ilogb(x);
 }
 
-/// The same for a double, from its bits, because devices have no ilogb. Subnormal numbers are first made normal.
+/// The binary exponent of a double, from its bits, because devices have no ilogb. A subnormal number is first made normal.
 PW85_FUNCTION inline int binary_exponent(double x) noexcept
 {
     bool const subnormal = x < smallest_number<double>();
@@ -22,7 +23,7 @@ PW85_FUNCTION inline int binary_exponent(double x) noexcept
     return static_cast<int>(bits >> 52 & 0x7ff) - (subnormal ? 1023 + 54 : 1023);
 }
 
-/// Half of the binary exponent, rounded down: x·4^-n lies in [1, 4).
+/// Half of the binary exponent, rounded down to n: x·4^-n lies in [1, 4).
 template <class T> PW85_FUNCTION inline int half_exponent(T const &x) noexcept
 {
     int const e = binary_exponent(x);
@@ -35,8 +36,8 @@ template <class T> PW85_FUNCTION inline T times_power_of_two(T const &x, int exp
     return ldexp(x, exponent);
 }
 
-/// x·2^exponent for a double, without ldexp, which devices lack. The result is rounded only once: if a step of 2^-969 gives a
-/// subnormal number, the remaining factor is at most 2^-54 and gives zero.
+/// x·2^exponent for a double. It does without ldexp, which devices lack. The result is rounded only once: if a step of 2^-969 gives
+/// a subnormal number, the remaining factor is at most 2^-54 and gives zero.
 PW85_FUNCTION inline double times_power_of_two(double x, int exponent) noexcept
 {
     for (; exponent > 1023; exponent -= 1023) x = x * 0x1p1023;

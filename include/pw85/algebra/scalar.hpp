@@ -1,20 +1,22 @@
 /// @file
 /// The requirements of the templates on a scalar. A scalar `T` is a floating-point type (float, double, long double, a
-/// multiprecision number) or a pack of them. Comparisons of a `T` give a mask, which is `bool` for plain numbers.
+/// multiprecision number) or a pack of such numbers. Comparisons of a `T` give a mask, which is `bool` for plain numbers.
+/// vector.hpp, error_free.hpp and the packs (src/kernels/pack.hpp) include this file.
 ///
-/// 1. `T(x)` makes a `T` with the number x in all lanes. There need not be implicit conversions to or from `T`, so constants are
+/// 1. `T(x)` makes a `T` with the number x in all lanes. Implicit conversions to or from `T` need not exist, so constants are
 ///    written `T(0.5)`.
-/// 2. A product may have a type of its own that is not rounded until it becomes a `T`. An addition or subtraction is then fused
-///    with it. So a product or a sum of products is wrapped, `T(x * y)`, if it is an argument, a divisor, an operand of another
-///    product or one alternative of select(): this shows where it is rounded, and template arguments are deduced as `T`. A product
-///    that is not wrapped may be fused or not; every bound holds for both.
+/// 2. A product may have a type of its own that is rounded only when it becomes a `T`. An addition or subtraction is then fused
+///    with the product. So a product or a sum of products is wrapped, `T(x * y)`, if it is an argument, a divisor, an operand of
+///    another product, or one alternative of select(). This shows where it is rounded, and template arguments are deduced as `T`. A
+///    product that is not wrapped may be fused or not. Every bound holds for both.
 /// 3. Masks are combined by `&&`, `||` and `!`, which may be functions. Then both sides are evaluated, so the right side must be
 ///    harmless if the left side is false. A mask need not convert to `bool`: code that branches on a mask calls any_of() or
 ///    all_of(). Functions that are only for one pair (with `if` and `while`) require a `T` whose mask is bool.
-/// 4. rough_quotient() and rough_root() may have a relative error of 2^-20, and coarse_root_of_ratio() one of 10 %. They may
-///    guide an iteration, but must not bound or return a result. The type provides select() of lanes, load_lanes(), first_lane(),
-///    any_of(), all_of(), sqrt(), and maximum(), minimum() and absolute() where its own are faster; for one pair also ilogb() and
-///    ldexp(). Argument-dependent lookup finds these. ScalarTraits says what a lane is.
+/// 4. rough_quotient() and rough_root() may have a relative error of 2^-20, and coarse_root_of_ratio() one of 10 %. They may guide
+///    an iteration, but must not bound or return a result.
+/// 5. The type provides select() of lanes, load_lanes(), first_lane(), any_of(), all_of() and sqrt(). It provides maximum(),
+///    minimum() and absolute() if its own are faster. A type for one pair also provides ilogb() and ldexp(). Argument-dependent
+///    lookup finds these functions. ScalarTraits describes a lane.
 ///
 /// tests/test_archetype.cpp has a type that fulfils these requirements and no more.
 #ifndef PW85_ALGEBRA_SCALAR_HPP_INCLUDED
@@ -60,7 +62,8 @@ template <class T> PW85_FUNCTION constexpr T load_lanes(typename ScalarTraits<T>
 /// The number in the first lane.
 template <class T> PW85_FUNCTION constexpr T first_lane(T const &x) noexcept { return x; }
 
-/// The value of a function of numeric_limits for a native type, as a constant, so that no code calls the function. Devices cannot.
+/// The value of a function of numeric_limits for a native type, as a constant, so that no code calls the function. Devices cannot
+/// call it.
 template <auto function> constexpr auto constant_of = function();
 
 /// The value of a function of numeric_limits for a lane of `T`.
@@ -97,8 +100,8 @@ template <class T> PW85_FUNCTION constexpr int mantissa_digits() noexcept
     return std::numeric_limits<typename ScalarTraits<T>::Lane>::digits;
 }
 
-/// 2^-n for n from 0 to 1022, from the bits of a double: compilers do not evaluate a loop of products at compile time at every
-/// level of optimization.
+/// 2^-n for n from 0 to 1022, from the bits of a double. A loop of products would not serve: compilers do not evaluate it at
+/// compile time at every level of optimization.
 template <class T> PW85_FUNCTION constexpr T negative_power_of_two(int n) noexcept
 {
     static_assert(std::numeric_limits<double>::is_iec559);
@@ -134,10 +137,10 @@ PW85_FUNCTION constexpr bool any_of(bool mask) noexcept { return mask; }
 
 PW85_FUNCTION constexpr bool all_of(bool mask) noexcept { return mask; }
 
-/// The larger of two numbers; the first where either is NaN.
+/// The larger of two numbers. It is the first one if either is NaN.
 template <class T> PW85_FUNCTION constexpr T maximum(T const &x, T const &y) noexcept { return select(y > x, y, x); }
 
-/// The smaller of two numbers; the first where either is NaN.
+/// The smaller of two numbers. It is the first one if either is NaN.
 template <class T> PW85_FUNCTION constexpr T minimum(T const &x, T const &y) noexcept { return select(y < x, y, x); }
 
 template <class T> PW85_FUNCTION constexpr T absolute(T const &x) noexcept
@@ -163,7 +166,7 @@ template <class T> PW85_FUNCTION inline T coarse_root_of_ratio(T const &x, T con
     return rough_root(rough_quotient(x, y));
 }
 
-/// The bits of a positive double, as an integer, approximate its logarithm.
+/// The bits of a positive double, read as an integer, approximate its logarithm.
 PW85_FUNCTION inline double coarse_root_of_ratio(double x, double y) noexcept
 {
     static_assert(std::numeric_limits<double>::is_iec559);

@@ -1,5 +1,6 @@
 /// @file
-/// Packed symmetric matrices, their products, and the factorisations that solve linear equations with them.
+/// Packed symmetric matrices, their products, and the factorisations that solve linear equations with them. All algorithms of
+/// contact/, distance/, motion/ and overlap/ call them.
 #ifndef PW85_ALGEBRA_SYMMETRIC_HPP_INCLUDED
 #define PW85_ALGEBRA_SYMMETRIC_HPP_INCLUDED
 
@@ -58,8 +59,8 @@ PW85_FUNCTION constexpr SymmetricMatrix<To, D> converted(SymmetricMatrix<T, D> c
     return b;
 }
 
-/// The weights w with xᵀ A x = Σ w_k a_k over the stored entries of A: one set serves several forms.
-/// Always inlined, like entrywise_sums(): in programs that use only the headers, GCC would otherwise call both from the fast
+/// The weights w with xᵀ A x = Σ w_k a_k over the stored entries of A. One set of weights serves several forms. The function is
+/// always inlined, like entrywise_sums(): in programs that use only the headers, GCC would otherwise call both from the fast
 /// search.
 template <class T, int D>
 [[gnu::always_inline]] PW85_FUNCTION constexpr SymmetricMatrix<T, D> outer_weights(Vector<T, D> const &x) noexcept
@@ -193,9 +194,9 @@ template <class T, int D> struct Factorization {
     T reciprocals[D]; ///< 1/d
 };
 
-/// Factorises a symmetric matrix. Pivots smaller than `floor` times the diagonal entry of `a` in their place are
-/// raised to it. With floor = u this changes `a` by no more than its own rounding, and every pivot of a matrix with
-/// positive diagonal is positive; with floor = 0 and all pivots positive, `a` is positive definite.
+/// Factorises a symmetric matrix. Pivots smaller than `floor` times the diagonal entry of `a` in their place are raised to this
+/// value. With floor = u this changes `a` by no more than its own rounding, and every pivot of a matrix with positive diagonal is
+/// positive. With floor = 0 and all pivots positive, `a` is positive definite.
 template <class T, int D>
 PW85_FUNCTION constexpr Factorization<T, D> factorize(SymmetricMatrix<T, D> const &a, T const &floor) noexcept
 {
@@ -241,7 +242,7 @@ PW85_FUNCTION constexpr Vector<T, D> solve(Factorization<T, D> const &f, Vector<
     return substitute_back(f, substitute_forward(f, b));
 }
 
-/// yᵀ diag(d)⁻¹ z: xᵀ A⁻¹ w for y = L⁻¹ x and z = L⁻¹ w.
+/// yᵀ diag(d)⁻¹ z. For y = L⁻¹ x and z = L⁻¹ w this is xᵀ A⁻¹ w.
 template <class T, int D> PW85_FUNCTION constexpr T dot_over_pivots(Factorization<T, D> const &f, Vector<T, D> const &y,
                                                                     Vector<T, D> const &z) noexcept
 {
@@ -250,7 +251,7 @@ template <class T, int D> PW85_FUNCTION constexpr T dot_over_pivots(Factorizatio
     return sum;
 }
 
-/// xᵀ A⁻¹ x, by forward substitution alone: a sum of squares.
+/// xᵀ A⁻¹ x, a sum of squares. It needs only forward substitution.
 template <class T, int D>
 PW85_FUNCTION constexpr T inverse_form(Factorization<T, D> const &f, Vector<T, D> const &x) noexcept
 {
@@ -262,7 +263,7 @@ PW85_FUNCTION constexpr T inverse_form(Factorization<T, D> const &f, Vector<T, D
 
 namespace pw85 {
 
-/// The Cholesky factor L, A = L·Lᵀ, stored by columns like the upper triangle of its transpose; NaN unless A is
+/// The Cholesky factor L, A = L·Lᵀ, stored by columns like the upper triangle of its transpose. All entries are NaN unless A is
 /// positive definite to working precision.
 template <class T, int D> PW85_FUNCTION inline SymmetricMatrix<T, D> cholesky(SymmetricMatrix<T, D> const &a) noexcept
 {
@@ -312,8 +313,8 @@ template <class T> PW85_FUNCTION constexpr SymmetricMatrix<T, 3> adjugate(Symmet
             a[0] * a[5] - a[2] * a[2], a[1] * a[2] - a[0] * a[4], a[0] * a[3] - a[1] * a[1]};
 }
 
-/// The determinant from a matrix and its adjugate, expanded along the first row. It is always inlined:
-/// otherwise GCC 12 merges it with dot(), whose code is the same if numbers are structures, and warns of the array sizes.
+/// The determinant from a matrix and its adjugate, expanded along the first row. The function is always inlined. Otherwise GCC 12
+/// merges it with dot(), whose code is the same if numbers are structures, and warns of the array sizes.
 template <class T, int D> [[gnu::always_inline]] PW85_FUNCTION constexpr T
 determinant(SymmetricMatrix<T, D> const &a, SymmetricMatrix<T, D> const &adjugate_of_a) noexcept
 {
@@ -322,7 +323,7 @@ determinant(SymmetricMatrix<T, D> const &a, SymmetricMatrix<T, D> const &adjugat
     return sum;
 }
 
-/// The smallest product of the diagonal for which is_clearly_definite() can be true. It is far above the pivots that
+/// The smallest product of the diagonal for which is_clearly_definite() can be true. This is far above the pivots that
 /// is_positive_definite() (definite.hpp) still accepts.
 template <class T> PW85_FUNCTION constexpr T least_diagonal_product() noexcept
 {
@@ -330,13 +331,13 @@ template <class T> PW85_FUNCTION constexpr T least_diagonal_product() noexcept
     return negative_power_of_two<T>(exponent < 128 ? exponent : 128);
 }
 
-/// A bound on the error of a determinant near zero, in units of u times the product of the diagonal: that of the expanded
-/// determinant plus that of the pivots, to first order (scripts/rounding_bounds.py: 8 and 15.8). That it bounds the first of these
-/// is theorem `definite` of tests/bounds/proofs.cpp.
+/// A bound on the error of a determinant near zero, in units of u times the product of the diagonal. It is the sum, to first order,
+/// of the errors of the expanded determinant and of the pivots (scripts/rounding_bounds.py: 8 and 15.8). Theorem `definite` of
+/// tests/bounds/proofs.cpp proves the bound for the expanded determinant.
 template <int D> inline constexpr int definite_margin = D == 2 ? 8 : 16;
 
-/// Whether products alone (Sylvester's criterion) show that a symmetric matrix with entries near order one is positive definite.
-/// Then is_positive_definite() is true as well, and the pivots of factorize() are positive.
+/// Whether products alone (Sylvester's criterion) show that a symmetric matrix with entries near order one is positive definite. If
+/// they do, is_positive_definite() is true as well, and the pivots of factorize() are positive.
 template <class T>
 PW85_FUNCTION constexpr typename ScalarTraits<T>::Mask is_clearly_definite(SymmetricMatrix<T, 2> const &a) noexcept
 {

@@ -1,5 +1,6 @@
 /// @file
-/// Vectors of any scalar, with their operators and products.
+/// Vectors of any scalar, with their operators and products. symmetric.hpp and gram_schmidt.hpp include this file; every algorithm
+/// calls it.
 #ifndef PW85_ALGEBRA_VECTOR_HPP_INCLUDED
 #define PW85_ALGEBRA_VECTOR_HPP_INCLUDED
 
@@ -21,7 +22,7 @@ template <class T, int D> struct Vector {
 
 namespace pw85::detail {
 
-/// Number of axes of rotation.
+/// The number of axes of rotation.
 template <int D> inline constexpr int rotation_axes = D *(D - 1) / 2;
 
 /// Converts the coordinates to another type, by a constructor that takes a T.
@@ -52,7 +53,7 @@ template <class T> PW85_FUNCTION constexpr Vector<T, 3> cross(Vector<T, 3> const
     return {x[1] * y[2] - x[2] * y[1], x[2] * y[0] - x[0] * y[2], x[0] * y[1] - x[1] * y[0]};
 }
 
-/// The component along the one axis of rotation in two dimensions.
+/// x × y in two dimensions: the component along the one axis of rotation.
 template <class T> PW85_FUNCTION constexpr Vector<T, 1> cross(Vector<T, 2> const &x, Vector<T, 2> const &y) noexcept
 {
     return {x[0] * y[1] - x[1] * y[0]};
@@ -124,7 +125,8 @@ PW85_FUNCTION constexpr typename ScalarTraits<T>::Mask is_finite(Vector<T, D> co
     return zero == T(0);
 }
 
-/// The sum of the magnitudes of the coordinates: between the largest magnitude and D times it; NaN if a coordinate is NaN.
+/// The sum of the magnitudes of the coordinates. It is between the largest magnitude and D times the largest magnitude. It is NaN
+/// if a coordinate is NaN.
 template <class T, int D> PW85_FUNCTION constexpr T sum_of_magnitudes(Vector<T, D> const &x) noexcept
 {
     T sum = absolute(x[0]);

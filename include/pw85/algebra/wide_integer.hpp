@@ -1,7 +1,7 @@
 /// @file
-/// Integers of any width, in memory that the caller provides. A sum has a fixed number of limbs, lowest first. All operations are
-/// exact modulo 2^bits, so that intermediate overflow is harmless if the result fits as two's complement. extended_number.hpp and
-/// overlap/exact.hpp use them.
+/// Integers of any width, in memory that the caller provides. extended_number.hpp and overlap/exact.hpp use them. A sum has a fixed
+/// number of limbs, the lowest one first. All operations are exact modulo 2^bits. So an intermediate overflow is harmless if the
+/// result fits in two's complement.
 #ifndef PW85_ALGEBRA_WIDE_INTEGER_HPP_INCLUDED
 #define PW85_ALGEBRA_WIDE_INTEGER_HPP_INCLUDED
 
@@ -25,7 +25,7 @@ using SignedDoubleLimb = std::int64_t;
 
 static constexpr int limb_bits = std::numeric_limits<Limb>::digits;
 
-/// The number of limbs for so many bits.
+/// The number of limbs for this number of bits.
 PW85_FUNCTION constexpr int limbs_for(int bits) noexcept { return (bits + limb_bits - 1) / limb_bits; }
 
 /// A small integer, Σ limbs[i] 2^(limb_bits·i).
@@ -50,7 +50,7 @@ template <int M, int N> PW85_FUNCTION inline Digits<M + N> operator*(Digits<M> c
     return product;
 }
 
-/// x·2^exponent, 0 <= exponent < limb_bits.
+/// x·2^exponent, for 0 <= exponent < limb_bits.
 template <int N> PW85_FUNCTION inline Digits<N + 1> times_power_of_two(Digits<N> const &x, int exponent) noexcept
 {
     return x * Digits<1>{{Limb{1} << exponent}};
@@ -64,7 +64,7 @@ template <int N> PW85_FUNCTION inline int trailing_zeros(Digits<N> const &x) noe
     return i * limb_bits + __builtin_ctzll(x.limbs[i]);
 }
 
-/// x/2^exponent, rounded down; 0 <= exponent < limb_bits·N.
+/// x/2^exponent, rounded down, for 0 <= exponent < limb_bits·N.
 template <int N> PW85_FUNCTION inline Digits<N> over_power_of_two(Digits<N> const &x, int exponent) noexcept
 {
     int const whole = exponent / limb_bits, bits = exponent % limb_bits;
@@ -76,7 +76,7 @@ template <int N> PW85_FUNCTION inline Digits<N> over_power_of_two(Digits<N> cons
     return quotient;
 }
 
-/// The integer sign·Σ limbs[i] 2^(limb_bits·i). The highest limb is not zero; zero has no limbs.
+/// The integer sign·Σ limbs[i] 2^(limb_bits·i). The highest limb is not zero. Zero has no limbs.
 struct WideInteger {
     Limb const *limbs;
     int size;
@@ -89,7 +89,7 @@ struct WideSum {
     int size;
 };
 
-/// Makes a sum of value zero in the given memory.
+/// Makes a sum with the value zero in the given memory.
 PW85_FUNCTION inline WideSum zero_sum(Limb *memory, int size) noexcept
 {
     for (int i = 0; i < size; ++i) memory[i] = 0;
@@ -169,8 +169,8 @@ PW85_FUNCTION inline WideInteger value(WideSum sum) noexcept
     return {sum.limbs, size, size == 0 ? 0 : negative ? -1 : 1};
 }
 
-/// A sum of up to 2^(limb_bits - 2) products of limbs. The halves of the products are added separately, so that neither sum
-/// overflows.
+/// A sum of up to 2^(limb_bits - 2) products of limbs. The low and the high halves of the products are added separately, so that
+/// neither sum overflows.
 struct SumOfProducts {
     DoubleLimb low, high;
 };
@@ -187,8 +187,8 @@ PW85_FUNCTION inline SumOfProducts column_of_product(WideInteger x, WideInteger 
     return sum;
 }
 
-/// The sign of |x y| - |u v|. It needs no memory for the products: the difference is formed limb by limb, lowest first, and only
-/// two facts are kept, whether all limbs are zero and what the last one borrows.
+/// The sign of |x y| - |u v|. It needs no memory for the products. The difference is computed limb by limb, the lowest one first.
+/// Only two facts are kept: whether all limbs are zero, and what the last limb borrows.
 [[gnu::noinline]] PW85_FUNCTION inline int compare_products(WideInteger x, WideInteger y, WideInteger u,
                                                             WideInteger v) noexcept
 {

@@ -1,5 +1,6 @@
 /// @file
-/// The tight box around an ellipsoid, with sides along the axes.
+/// The tight box around an ellipsoid, with sides along the axes. The batch kernels and the neighbour lists call bounding_box(),
+/// which calls validate().
 #ifndef PW85_DISTANCE_BOUNDING_BOX_HPP_INCLUDED
 #define PW85_DISTANCE_BOUNDING_BOX_HPP_INCLUDED
 
@@ -8,14 +9,14 @@
 
 namespace pw85 {
 
-/// Half-widths of the box: the ellipsoid reaches so far from its centre along each axis, both ways. NaN where the status is not
-/// success.
+/// The half-widths of the box: along each axis the ellipsoid reaches this far from its centre, in both directions. They are NaN if
+/// the status is not success.
 template <class T, int D> struct BoundingBox {
     Vector<T, D> half_widths;
     Status status;
 };
 
-// The support function of the ellipsoid in the direction of an axis is the root of a diagonal entry.
+// The half-width along an axis is the support of the ellipsoid in the direction of this axis, the root of a diagonal entry.
 template <class T, int D> PW85_FUNCTION inline BoundingBox<T, D> bounding_box(SymmetricMatrix<T, D> const &q) noexcept
 {
     Status const status = detail::validate(q);

@@ -1,8 +1,11 @@
 /// @file
-/// The distance of two ellipsoids, and their closest points.
+/// The distance of two ellipsoids, and their closest points. The kernels of the C API (src/kernels/lane_distance.hpp) and
+/// distance_derivatives.hpp call these functions, which call normal_search.hpp for the common normal and overlap() for the
+/// decision.
 ///
-/// The width of the slab normal to any n between them is a lower bound, and that between any two points an upper one: with the
-/// normal of normal_search.hpp they are the same (item 1 there).
+/// For any unit vector n, the width of the slab between the ellipsoids that is normal to n is a lower bound of the distance. The
+/// distance between any two of their points is an upper bound. With the normal that normal_search.hpp finds, the two bounds are
+/// equal (item 1 there).
 #ifndef PW85_DISTANCE_DISTANCE_HPP_INCLUDED
 #define PW85_DISTANCE_DISTANCE_HPP_INCLUDED
 
@@ -14,7 +17,7 @@
 
 namespace pw85 {
 
-/// How far the surfaces of two ellipsoids are apart. If they overlap, the distance is zero and the vectors are NaN.
+/// The distance between the surfaces of two ellipsoids. If they overlap, the distance is zero and the vectors are NaN.
 template <class T, int D> struct Distance {
     T distance;
     Vector<T, D> point1, point2; ///< the closest points, relative to the centre of ellipsoid 1
@@ -26,12 +29,13 @@ template <class T, int D> struct Distance {
 
 namespace pw85::detail {
 
-/// Exponents of the units of a DistancePair: the caller's separation is 2^length, form i 4^form_i times the pair's.
+/// The exponents of the units of a DistancePair. The caller's separation is 2^length times that of the pair, and form i is 4^form_i
+/// times that of the pair.
 struct DistanceUnits {
     int length, form1, form2;
 };
 
-/// Brings a valid pair that is apart into range.
+/// Scales a valid pair that is apart, so that its numbers are in range.
 template <class T, int D>
 PW85_FUNCTION inline DistancePair<T, D> scale_distance(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
                                                        SymmetricMatrix<T, D> const &q2, DistanceUnits &units) noexcept
@@ -43,7 +47,8 @@ PW85_FUNCTION inline DistancePair<T, D> scale_distance(Vector<T, D> const &r12, 
             times_power_of_two(T(1), units.form2 - units.length)};
 }
 
-/// The slab between a pair that is normal to u, of any length, with the points that touch it, relative to their own centres.
+/// The slab between a pair that is normal to u, which may have any length. The supports are the points of the ellipsoids that touch
+/// the slab, relative to their own centres.
 template <class T, int D> struct Slab {
     Vector<T, D> u;
     Support<T, D> support1, support2;
@@ -72,8 +77,8 @@ template <class T, int D> PW85_FUNCTION inline Distance<T, D> distance_across(Sl
             Status::success};
 }
 
-/// Whether the width of a slab exceeds its rounding error, 8uΣ of pw85_distance(), which proves that the pair is apart. Here the traces
-/// stand for the magnitudes of the products in the forms.
+/// Whether the width of a slab exceeds its rounding error, 8uΣ of pw85_distance(). If so, the pair is proved to be apart. Here the
+/// traces take the place of the magnitudes of the products in the forms.
 template <class T, int D> PW85_FUNCTION constexpr typename ScalarTraits<T>::Mask
 is_wide(DistancePair<T, D> const &pair, Slab<T, D> const &slab) noexcept
 {
@@ -82,8 +87,9 @@ is_wide(DistancePair<T, D> const &pair, Slab<T, D> const &slab) noexcept
     return (slab.width - error * (magnitude_of_dot(slab.u, pair.r12) + (a + b))) * minimum(a, b) > error * forms;
 }
 
-/// Whether X of support.hpp is at most `spread`, or, with the magnitudes of the products in the form in the place of the trace, at most
-/// `plain`. In plain arithmetic 3uX bounds the error of the half-width also with these magnitudes.
+/// Whether X of support.hpp is at most `spread`. The form also passes if X is at most `plain` when the trace in X is replaced by
+/// the magnitudes of the products in the form. In plain arithmetic 3uX bounds the error of the half-width also with these
+/// magnitudes.
 template <class T, int D>
 PW85_FUNCTION constexpr typename ScalarTraits<T>::Mask is_within_spread(SymmetricMatrix<T, D> const &q,
                                                                         Support<T, D> const &s, Slab<T, D> const &slab,
@@ -102,10 +108,11 @@ is_within_spread(DistancePair<T, D> const &pair, Slab<T, D> const &slab, T const
            is_within_spread(pair.q2, slab.support2, slab, spread, plain);
 }
 
-/// By how much the points of a slab may err, in units of u: half of the 2^18 that pw85_distance() promises for either source of errors.
+/// The largest error of the points of a slab, in units of u. pw85_distance() promises 2^18 u. The errors have two sources, rounding
+/// and the direction of the normal. Each may use half of 2^18.
 template <class T> PW85_FUNCTION constexpr T largest_error() noexcept { return T(128000); }
 
-/// A slab whose half-widths and points err by less than largest_error(), if X is at most largest_spread().
+/// Computes a slab whose half-widths and points err by less than largest_error(), if X is at most largest_spread().
 template <class T, int D> [[gnu::always_inline]] PW85_FUNCTION inline Slab<T, D>
 accurate_slab_along(DistancePair<T, D> const &pair, Vector<T, D> const &u) noexcept
 {
@@ -125,13 +132,14 @@ accurate_slab_along(DistancePair<T, D> const &pair, Vector<T, D> const &u) noexc
     return slab;
 }
 
-/// Whether a slab gives the distance and the points, if is_within_spread() bounds the errors of half-widths and points: for the way between the points,
-/// w = r12 - (Q1/α + Q2/β)n, the part of w across n, which is zero for the normal,
+/// Whether a slab gives the distance and the points. is_within_spread() bounds the errors of the half-widths and points. The vector
+/// from the first point to the second is w = r12 - (Q1/α + Q2/β)n. Its part across n is zero for the exact normal. This part must
+/// satisfy two conditions:
 ///
-/// 1. is below `bound` times the root of the sum of the squares of r12 and of the points relative to their own centres: these are
-///    the closest points of the pair whose r12 differs by that part;
-/// 2. has a square below 2u (n·r12) max(width, u n·r12): the width lacks less than it of the distance, at most |w| less the width,
-///    2u n·r12, which is below 2uΣ of pw85_distance(); u is `unit`.
+/// 1. The part is below `bound` times the root of the sum of the squares of r12 and of the points relative to their own centres.
+///    Then these are the closest points of the pair whose r12 differs by this part.
+/// 2. The square of the part is below 2u (n·r12) max(width, u n·r12), where u is `unit`. The distance exceeds the width by at most
+///    |w| - width, which is then below 2u n·r12. This is below 2uΣ of pw85_distance().
 template <class T, int D> PW85_FUNCTION constexpr typename ScalarTraits<T>::Mask
 is_accurate(DistancePair<T, D> const &pair, Slab<T, D> const &slab, T const &unit, T const &bound, T const &spread,
             T const &plain) noexcept
@@ -145,7 +153,7 @@ is_accurate(DistancePair<T, D> const &pair, Slab<T, D> const &slab, T const &uni
     return accurate && off2 <= factor * slab.norm2 * (dot(pair.r12, pair.r12) + dot(p1, p1) + dot(p2, p2));
 }
 
-/// For a slab by accurate_slab_along().
+/// The same for a slab that accurate_slab_along() computes.
 template <class T, int D> PW85_FUNCTION constexpr typename ScalarTraits<T>::Mask
 is_accurate(DistancePair<T, D> const &pair, Slab<T, D> const &slab) noexcept
 {
@@ -154,14 +162,14 @@ is_accurate(DistancePair<T, D> const &pair, Slab<T, D> const &slab) noexcept
                        T(largest_error<T>() / T(3)));
 }
 
-/// The slab of the distance of a pair, as far as the search by T leads.
+/// The slab that gives the distance of a pair, as far as the search in the type T finds it.
 template <class T, int D> struct FoundSlab {
     Slab<T, D> slab;
     typename ScalarTraits<T>::Mask found, accurate;
     bool tried; ///< false if the search has not begun
 };
 
-/// Types with digits to spare need no certificate.
+/// Computes the slab of a normal. Types with digits to spare need no certificate of its accuracy.
 template <class T, int D> [[gnu::always_inline]] PW85_FUNCTION inline FoundSlab<T, D>
 found_slab(DistancePair<T, D> const &pair, Vector<T, D> const &u) noexcept
 {
@@ -173,8 +181,8 @@ found_slab(DistancePair<T, D> const &pair, Vector<T, D> const &u) noexcept
     }
 }
 
-/// Whether f > 1 at the λ with which a search starts, by the polynomials: then the pair is apart, up to rounding. Most pairs that are
-/// apart pass.
+/// Whether f > 1 at the λ with which a search starts. Then the pair is apart, up to rounding. The polynomials of the search give f.
+/// Most pairs that are apart pass this test.
 template <class T, int D>
 PW85_FUNCTION constexpr bool seems_apart(DistancePair<T, D> const &pair, NormalSearch<T> const &search) noexcept
 {
@@ -183,12 +191,14 @@ PW85_FUNCTION constexpr bool seems_apart(DistancePair<T, D> const &pair, NormalS
     return t * numerator > (pair.scale1 * t + pair.scale2) * ((b[0] + t * b[1]) + (t * t) * (b[2] + t * b[3]));
 }
 
-/// By Newton's method, which finds nearly all. If it is not known that the pair is apart, only where it seems so. All callers share
-/// one instance, so that products are fused alike and scaling changes no bit of the result.
+/// Finds the slab by Newton's method, which succeeds for nearly all pairs. If it is not known whether the pair is apart, the search
+/// begins only if seems_apart(). All callers share one instance of this function. So products are fused alike, and scaling changes
+/// no bit of the result.
 template <class T, int D>
 [[gnu::noinline]] PW85_FUNCTION inline FoundSlab<T, D> find_slab(DistancePair<T, D> const &pair, bool apart) noexcept
 {
-    // Semi-axes are below √12 of their units, so that n is within 7 scales of the direction of r12: rounding.
+    // Semi-axes are below √12 of their units, so that n differs from the direction of r12 by at most 7 scales, which is below
+    // rounding.
     if (maximum(pair.scale1, pair.scale2) <= T(0.125) * unit_roundoff<T>()) return found_slab(pair, pair.r12);
     auto const search = start_search(pair, initial_multipliers(pair));
     if (!apart && !seems_apart(pair, search)) return {{}, false, false, false};
@@ -197,7 +207,7 @@ template <class T, int D>
     return found_slab(pair, last.u);
 }
 
-/// By Newton's method from where the ellipsoids would touch, else by the nested search.
+/// Finds the slab by Newton's method, which starts where the ellipsoids would touch. If this fails, the nested search follows.
 template <class T, int D>
 [[gnu::noinline]] PW85_FUNCTION inline FoundSlab<T, D> search_slab(DistancePair<T, D> const &pair) noexcept
 {
@@ -206,14 +216,15 @@ template <class T, int D>
     return found_slab(pair, T(T(1) / square_root(dot(u, u))) * u);
 }
 
-/// t and s of the search for the normal, for that of a slab: with the half-widths a|u| and b|u| along u they are a/b and aφ.
+/// The values of t and s of the search for the normal that belong to a slab. With the half-widths a|u| and b|u| along u they are
+/// a/b and aφ.
 template <class T, int D> PW85_FUNCTION inline Multipliers<T> multipliers(Slab<T, D> const &slab) noexcept
 {
     T const a = slab.support1.extent;
     return {a / slab.support2.extent, maximum(T(0), T(a * slab.width / slab.norm2))};
 }
 
-/// One more step from a slab, by factorisation, whose products are accurate.
+/// Takes one more step from a slab, by factorisation, whose products are accurate.
 template <class T, int D>
 PW85_FUNCTION inline FoundSlab<T, D> step_slab(DistancePair<T, D> const &pair, Slab<T, D> const &slab) noexcept
 {
@@ -233,8 +244,8 @@ template <class T, int D> PW85_FUNCTION constexpr Distance<T, D> rounded(Distanc
     return {rounded(d.distance), rounded(d.point1), rounded(d.point2), rounded(d.normal), d.status};
 }
 
-/// A slab in the finer type, where T leaves a normal or half-widths that are not accurate: by Newton's method, unless the normal serves
-/// as it is.
+/// Finds the slab in the finer type, for a normal or half-widths that are not accurate in T. If the given normal is not accurate
+/// enough, Newton's method improves it.
 template <class T, int D>
 PW85_FUNCTION inline FoundSlab<Finer<T>, D> polish(DistancePair<T, D> const &pair, Slab<T, D> const &slab) noexcept
 {
@@ -255,7 +266,8 @@ PW85_FUNCTION inline FoundSlab<Finer<T>, D> polish(DistancePair<T, D> const &pai
     return {given, true, false, true};
 }
 
-/// Where find_slab() has not led to an accurate slab. Arguments that are copied stay in registers where it is not called.
+/// The distance of a pair for which find_slab() has not found an accurate slab. The arguments are copied, so that callers keep
+/// theirs in registers where they do not call this function.
 template <class T, int D> [[gnu::noinline, gnu::cold]] PW85_FUNCTION inline Distance<T, D>
 refined_distance(DistancePair<T, D> pair, FoundSlab<T, D> found) noexcept
 {
@@ -267,14 +279,14 @@ refined_distance(DistancePair<T, D> pair, FoundSlab<T, D> found) noexcept
     return rounded<T, D>(distance_across(polished.slab));
 }
 
-/// The distance of a pair that is apart from what find_slab() has found, with both points relative to their own centres.
+/// The distance of a pair that is apart, from the result of find_slab(). Both points are relative to their own centres.
 template <class T, int D> PW85_FUNCTION inline Distance<T, D> settled_distance(DistancePair<T, D> const &pair,
                                                                                FoundSlab<T, D> const &found) noexcept
 {
     return found.accurate ? distance_across(found.slab) : refined_distance(pair, found);
 }
 
-/// A result with point 2 relative to the centre of ellipsoid 1.
+/// Returns the result with point 2 relative to the centre of ellipsoid 1.
 template <class T, int D>
 PW85_FUNCTION constexpr Distance<T, D> with_point2(Vector<T, D> const &r12, Distance<T, D> result) noexcept
 {
@@ -282,7 +294,7 @@ PW85_FUNCTION constexpr Distance<T, D> with_point2(Vector<T, D> const &r12, Dist
     return result;
 }
 
-/// distance() of a valid pair that is apart.
+/// Computes distance() of a valid pair that is apart.
 template <class T, int D> PW85_FUNCTION inline Distance<T, D>
 distance_apart(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, SymmetricMatrix<T, D> const &q2) noexcept
 {

@@ -1,13 +1,14 @@
 /// @file
-/// First and second derivatives of the distance with respect to positions and rotations.
+/// First and second derivatives of the distance with respect to positions and rotations. src/kernels/one_pair.cpp calls
+/// distance_derivatives(), which takes the normal and the closest points from distance.hpp.
 ///
-/// With the notation of distance.hpp, p1 = Q1n/α and p2 = Q2n/β, the points of the surfaces relative to their own centres:
+/// The notation is that of distance.hpp. p1 = Q1n/α and p2 = Q2n/β are the points of the surfaces, relative to their own centres.
 ///
-/// 1. Envelope theorem: n may be held fixed. ∂d/∂r12 = n, and rotations about the own centres give ∂d/∂ωi = n × pi. Their sum
-///    plus r12 × n vanishes: no net torque.
-/// 2. With Ai = ∂pi/∂n, A1 = (Q1 - p1p1ᵀ)/α, whose null space is n, the normal turns by P(A1 + A2 + d I)⁻¹P times what its
-///    condition is off, P = I - nnᵀ. With Ci = ∂(n × pi)/∂n = [n]Ai - [pi], where [x]y = x × y, the Hessian is J G Jᵀ with G
-///    that matrix and J = (I; C1; C2), plus for each rotation what it does at fixed n,
+/// 1. By the envelope theorem n may be held fixed. So ∂d/∂r12 = n, and rotations about the own centres give ∂d/∂ωi = n × pi. The
+///    sum of the two rotations plus r12 × n vanishes: there is no net torque.
+/// 2. Let Ai = ∂pi/∂n, so that A1 = (Q1 - p1p1ᵀ)/α, whose null space is n, and P = I - nnᵀ. If the condition of the normal is
+///    violated by a vector, the normal turns by G = P(A1 + A2 + d I)⁻¹P times this vector. Let Ci = ∂(n × pi)/∂n = [n]Ai - [pi],
+///    where [x]y = x × y. The Hessian is J G Jᵀ with J = (I; C1; C2), plus for each rotation its contribution at fixed n,
 ///    Ki = (n·pi) I - ½(pi nᵀ + n piᵀ) - [n]ᵀAi[n].
 #ifndef PW85_DISTANCE_DISTANCE_DERIVATIVES_HPP_INCLUDED
 #define PW85_DISTANCE_DISTANCE_DERIVATIVES_HPP_INCLUDED
@@ -16,7 +17,7 @@
 
 namespace pw85 {
 
-/// Derivatives of the distance; NaN if the ellipsoids overlap.
+/// Derivatives of the distance. They are NaN if the ellipsoids overlap.
 template <class T> struct DistanceDerivatives {
     Vector<T, 3> r12;                  ///< the unit normal, from 1 to 2
     Vector<T, 3> rotation1, rotation2; ///< per radian, for rotation vectors about the own centres
@@ -51,13 +52,13 @@ template <class T> PW85_FUNCTION constexpr Vector<T, 3> unit_vector(int i) noexc
     return e;
 }
 
-/// x less its part along the unit vector n.
+/// x minus its part along the unit vector n.
 template <class T> PW85_FUNCTION constexpr Vector<T, 3> project(Vector<T, 3> const &x, Vector<T, 3> const &n) noexcept
 {
     return add_scaled(x, T(-dot(x, n)), n);
 }
 
-/// A1 + A2 + d I, stiffened along n, where A1 and A2 have nothing, by their trace.
+/// Factorises A1 + A2 + d I. A1 and A2 are zero along n; there the trace of A1 + A2 is added to make the matrix stiff.
 template <class T> PW85_FUNCTION inline Factorization<T, 3>
 factorize_stiffness(SurfaceElement<T> const (&elements)[2], T const &distance, Vector<T, 3> const &n) noexcept
 {
@@ -70,7 +71,7 @@ factorize_stiffness(SurfaceElement<T> const (&elements)[2], T const &distance, V
     return factorize(stiffness, T(unit_roundoff<T>()));
 }
 
-/// K of item 2.
+/// Computes K of item 2.
 template <class T>
 PW85_FUNCTION inline SymmetricMatrix<T, 3> bend(SurfaceElement<T> const &element, Vector<T, 3> const &n) noexcept
 {
@@ -86,12 +87,12 @@ PW85_FUNCTION inline SymmetricMatrix<T, 3> bend(SurfaceElement<T> const &element
     return k;
 }
 
-/// The Hessian in the units of a DistancePair (item 2).
+/// Computes the Hessian in the units of a DistancePair (item 2).
 template <class T> PW85_FUNCTION inline void distance_hessian(SurfaceElement<T> const (&elements)[2], T const &distance,
                                                               Vector<T, 3> const &n, T (&hessian)[9][9]) noexcept
 {
     auto const factors = factorize_stiffness(elements, distance, n);
-    Vector<T, 3> rows[9], turned[9]; // of J and J G
+    Vector<T, 3> rows[9], turned[9]; // rows of J and of J G
     for (int k = 0; k < 3; ++k) {
         rows[k] = unit_vector<T>(k);
         for (int e = 0; e < 2; ++e) {
@@ -113,7 +114,8 @@ template <class T> PW85_FUNCTION inline void distance_hessian(SurfaceElement<T> 
     }
 }
 
-/// Derivatives in the units of a DistancePair, but for rotations: those are in the units of their forms.
+/// Computes the derivatives in the units of a DistancePair. Only the derivatives with respect to rotations are in the units of the
+/// forms.
 template <class T> PW85_FUNCTION inline DistanceDerivatives<T> derivatives_across(DistancePair<T, 3> const &pair,
                                                                                   Slab<T, 3> const &slab) noexcept
 {
@@ -141,7 +143,7 @@ refined_derivatives(DistancePair<T, 3> const &pair, FoundSlab<T, 3> found) noexc
     return result;
 }
 
-/// distance_derivatives() of a valid pair that is apart.
+/// Computes distance_derivatives() of a valid pair that is apart.
 template <class T>
 PW85_FUNCTION inline DistanceDerivatives<T> distance_derivatives_apart(Vector<T, 3> const &r12,
                                                                        SymmetricMatrix<T, 3> const &q1,

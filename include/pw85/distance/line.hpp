@@ -1,8 +1,9 @@
 /// @file
-/// Where a straight line is inside of an ellipsoid.
+/// The part of a straight line that is inside an ellipsoid. src/walls.cpp calls intersect_line(), which calls factorize() and
+/// solve().
 ///
-/// In the metric of Q⁻¹ the ellipsoid is a ball: the point of the line that is nearest to the centre comes first, then half the
-/// chord. So no digits are lost however far away the line starts, but those of the nearest point itself.
+/// In the metric of Q⁻¹ the ellipsoid is a ball. The function first finds the point of the line that is nearest to the centre, and
+/// then half of the chord. So a line that starts far away costs no digits except those of the nearest point itself.
 #ifndef PW85_DISTANCE_LINE_HPP_INCLUDED
 #define PW85_DISTANCE_LINE_HPP_INCLUDED
 
@@ -11,7 +12,8 @@
 
 namespace pw85 {
 
-/// The part enter <= t <= leave of the line origin + t·direction that is in an ellipsoid; NaN if there is none.
+/// The part enter <= t <= leave of the line origin + t·direction that is in an ellipsoid. Both ends are NaN if the line misses the
+/// ellipsoid.
 template <class T> struct Chord {
     T enter, leave;
     Status status;

@@ -1,17 +1,19 @@
 /// @file
-/// The nearest and the farthest point of an ellipsoid's surface from a point.
+/// The nearest and the farthest point of an ellipsoid's surface from a point. walls.hpp and penetration.hpp call extreme_normal(),
+/// which calls principal_axes() and secular_root().
 ///
-/// With the support α(n) = √(nᵀQn) and a point r relative to the centre, the signed distance of r from the surface (negative
-/// inside) is the largest n·r - α over unit vectors n, and the farthest point is at the largest n·r + α. Both may have several
-/// local maxima; the largest is found without search:
+/// The support is α(n) = √(nᵀQn), and r is a point relative to the centre. The signed distance of r from the surface (negative
+/// inside) is the largest n·r - α over unit vectors n. The farthest point is at the largest n·r + α. Both functions may have
+/// several local maxima. The largest one is found without a search:
 ///
-/// 1. In the basis of the principal axes, with squares q_i, n is along v, v_i = r_i/(g_i + σ), where g_i = q_i - q_min for the
-///    nearest point and g_i = q_max - q_i for the farthest, and the point is Qv: σ >= 0 is the root of F(σ) = 1,
-///    F² = Σ q_i r_i²/(g_i + σ)² (S-lemma: a stationary point at which Q⁻¹ + s⁻¹I, or its counterpart, is semidefinite is
-///    the global one).
-/// 2. F decreases and 1/F is concave: from the σ at which the largest term is 1, Newton's method is monotone, and each step
-///    divides residual times slope by 4 at least.
-/// 3. If F(0) < 1, as at the centre, σ = 0, and v has a part along the axis of g_i = 0 that makes F = 1, of either sign.
+/// 1. In the basis of the principal axes, let q_i be the squares of the semi-axes. For the nearest point let g_i = q_i - q_min, and
+///    for the farthest g_i = q_max - q_i. Then n is along v with v_i = r_i/(g_i + σ), and the point is Qv. Here σ >= 0 is the root
+///    of F(σ) = 1, with F² = Σ q_i r_i²/(g_i + σ)². This stationary point is the global one by the S-lemma, because Q⁻¹ + s⁻¹I, or
+///    its counterpart, is semidefinite there.
+/// 2. F decreases and 1/F is concave. So Newton's method is monotone from the σ at which the largest term is 1, and each step
+///    divides residual times slope by at least 4.
+/// 3. If F(0) < 1, as at the centre, σ is 0, and v has a part along the axis with g_i = 0. This part makes F = 1 and may have
+///    either sign.
 #ifndef PW85_DISTANCE_NEAREST_HPP_INCLUDED
 #define PW85_DISTANCE_NEAREST_HPP_INCLUDED
 
@@ -21,9 +23,10 @@
 
 namespace pw85 {
 
-/// How far something is from an ellipsoid, and where. NaN where the status is not success.
+/// The distance of something from an ellipsoid, and the point where it is reached. All numbers are NaN if the status is not
+/// success.
 template <class T, int D> struct SurfaceDistance {
-    T distance;          ///< negative where the two overlap, or an enclosure is pierced
+    T distance;          ///< negative where the two overlap, or where the ellipsoid pierces an enclosure
     Vector<T, D> point;  ///< of the ellipsoid, relative to its centre
     Vector<T, D> normal; ///< unit vector, out of the ellipsoid at this point
     Status status;
@@ -33,13 +36,13 @@ template <class T, int D> struct SurfaceDistance {
 
 namespace pw85::detail {
 
-/// The squares of the semi-axes, positive, and their directions as columns.
+/// The squares of the semi-axes, which are positive, and the directions of the semi-axes as columns.
 template <class T, int D> struct PrincipalAxes {
     T squares[D];
     T axes[D][D];
 };
 
-/// Turns the point (x, y) about the origin, by an angle of cosine c and sine s.
+/// Turns the point (x, y) about the origin by an angle with cosine c and sine s.
 template <class T> PW85_FUNCTION constexpr void turn(T const &c, T const &s, T &x, T &y) noexcept
 {
     T const old = x;
@@ -51,7 +54,7 @@ template <class T> PW85_FUNCTION constexpr void turn(T const &c, T const &s, T &
 template <class T, int D>
 PW85_FUNCTION inline void rotate(SymmetricMatrix<T, D> &a, PrincipalAxes<T, D> &p, int i, int j) noexcept
 {
-    T const cotangent = (a(j, j) - a(i, i)) / (T(2) * a(i, j)); // of twice the angle
+    T const cotangent = (a(j, j) - a(i, i)) / (T(2) * a(i, j)); // cotangent of twice the angle
     T const root = square_root(T(T(1) + cotangent * cotangent));
     T const t = cotangent < T(0) ? T(T(1) / (cotangent - root)) : T(T(1) / (cotangent + root));
     T const c = T(1) / square_root(T(T(1) + t * t)), s = t * c, shift = t * a(i, j);
@@ -64,8 +67,8 @@ PW85_FUNCTION inline void rotate(SymmetricMatrix<T, D> &a, PrincipalAxes<T, D> &
     }
 }
 
-/// By Jacobi's rotations, which find small eigenvalues of a positive definite matrix to the accuracy that its entries allow. They
-/// converge quadratically, to any precision in far less than 50 sweeps.
+/// Computes the principal axes by Jacobi's rotations. They find small eigenvalues of a positive definite matrix to the accuracy
+/// that its entries allow. They converge quadratically, to any precision in far fewer than 50 sweeps.
 template <class T, int D> PW85_FUNCTION inline PrincipalAxes<T, D> principal_axes(SymmetricMatrix<T, D> a) noexcept
 {
     PrincipalAxes<T, D> p{};
@@ -86,7 +89,7 @@ template <class T, int D> PW85_FUNCTION inline PrincipalAxes<T, D> principal_axe
     return p;
 }
 
-/// The root of item 2, where F(0) >= 1, or zero; `roots` are √q_i |r_i|. 170 steps are more than any shape needs: see
+/// The root of item 2 if F(0) >= 1, and zero otherwise. `roots` are √q_i |r_i|. 170 steps are more than any shape needs: see
 /// find_shift().
 template <class T, int D> PW85_FUNCTION inline T secular_root(T const (&gaps)[D], T const (&roots)[D]) noexcept
 {
@@ -107,8 +110,8 @@ template <class T, int D> PW85_FUNCTION inline T secular_root(T const (&gaps)[D]
     return sigma;
 }
 
-/// The exponent of the unit of length in which r is given to an ellipsoid with that of its own: larger only where r is so far
-/// away that its distance makes no difference to directions.
+/// The exponent of the unit of length for r, if `exponent` is that for the ellipsoid. The unit for r is larger only if r is so
+/// far away that its distance makes no difference to directions.
 template <class T, int D> PW85_FUNCTION inline int point_exponent(Vector<T, D> const &r, int exponent) noexcept
 {
     T const largest = largest_coordinate(r);
@@ -117,7 +120,7 @@ template <class T, int D> PW85_FUNCTION inline int point_exponent(Vector<T, D> c
     return exponent < least ? least : exponent;
 }
 
-/// The unit normal at the nearest or the farthest point of a valid ellipsoid from r.
+/// The unit normal at the point of a valid ellipsoid that is nearest to r, or farthest from r.
 template <class T, int D> PW85_FUNCTION inline Vector<T, D> extreme_normal(SymmetricMatrix<T, D> const &q,
                                                                            Vector<T, D> const &r, bool nearest) noexcept
 {

@@ -1,25 +1,27 @@
 /// @file
-/// The search for the common normal of the closest points of two ellipsoids.
+/// The search for the common normal of the closest points of two ellipsoids. distance.hpp and src/kernels/lane_distance.hpp call
+/// find_normal(), take_step() and search_normal(). These functions call the solvers of symmetric.hpp and accurate_product().
 ///
-/// With α(n) = √(nᵀQ1n), β(n) = √(nᵀQ2n) and r = r12, the distance of ellipsoids that are apart is the largest value over unit
+/// Let α(n) = √(nᵀQ1n), β(n) = √(nᵀQ2n) and r = r12. The distance of ellipsoids that are apart is the largest value over unit
 /// vectors n of φ(n) = n·r - α - β, the width of the slab between them that is normal to n. φ is concave in the unit ball.
 ///
-/// 1. For any n, Q1n/α and r - Q2n/β are points of the surfaces; for the vector w from the first to the second n·w = φ(n). So
-///    φ(n) <= distance <= |w|, with equality where w = φ n, that is, r = (Q1/α + Q2/β + φ I) n.
-/// 2. With u = n/α, t = α/β and s = αφ this is M u = r, M = Q1 + t Q2 + s I, where A = uᵀQ1u = 1 and t²B = t²uᵀQ2u = 1: two
-///    equations for t and s. As t²B = A, solved for log t, and 1/√(A + tB) = 1/√(1 + 1/t), which is nearly affine in s, they
-///    let Newton's method converge from afar. Where it would make s negative, each is solved alone, the second one first: with
-///    s = 0 the first one leads to the maximum of the contact function, where there is a root of the second.
-/// 3. For fixed t, s is the root of 1/√(A + tB) = 1/√(1 + 1/t). The left side is concave in s and increases: Newton's method
-///    is monotone from s = 0, and each step divides residual times slope by 4 at least. If there is no root, s = 0 stands
-///    for it.
-/// 4. Then t is too large if and only if t²B > A. For the dual function g(y) = ½ rᵀ(Q1/y1 + Q2/y2 + I)⁻¹r - ½(y1 + y2) of
-///    minimal |w|² under the constraints that the points are in the ellipsoids is concave, its largest value ½ distance² at
-///    y = (αφ, βφ), and s in item 3 that of its maximum on the ray y1 = t y2: over the rays these have one maximum, and t²B - A
-///    the sign of minus their slope. Where that maximum is at y = 0, f <= 1 at λ = t/(1+t), f being that of the contact
-///    function; and A - t²B has the sign of its slope, which leads to where f > 1.
-/// 5. R = rᵀM⁻¹r is a quotient of polynomials in t and s with positive coefficients, and with C = uᵀu, B = -∂R/∂t, C = -∂R/∂s and
-///    A = R - tB - sC. So all steps but the last do without solutions.
+/// 1. For any n, Q1n/α and r - Q2n/β are points of the surfaces. The vector w from the first to the second has n·w = φ(n). So
+///    φ(n) <= distance <= |w|. Both are equalities where w = φ n, that is, r = (Q1/α + Q2/β + φ I) n.
+/// 2. Let u = n/α, t = α/β and s = αφ. Then item 1 becomes M u = r with M = Q1 + t Q2 + s I, where A = uᵀQ1u = 1 and
+///    t²B = t²uᵀQ2u = 1. These are two equations for t and s. Newton's method converges from afar if they are written as t²B = A,
+///    solved for log t, and 1/√(A + tB) = 1/√(1 + 1/t), which is nearly affine in s. If a step would make s negative, each equation
+///    is solved alone, the second one first. With s = 0 the first equation leads to the maximum of the contact function, where the
+///    second one has a root.
+/// 3. For fixed t, s is the root of 1/√(A + tB) = 1/√(1 + 1/t). The left side is concave in s and increases. So Newton's method is
+///    monotone from s = 0, and each step divides residual times slope by at least 4. If there is no root, s = 0 takes its place.
+/// 4. Then t is too large if and only if t²B > A. The proof uses the dual function g(y) = ½ rᵀ(Q1/y1 + Q2/y2 + I)⁻¹r - ½(y1 + y2)
+///    of the problem to minimise |w|² under the constraints that the points are in the ellipsoids. g is concave. Its largest value
+///    is ½ distance², at y = (αφ, βφ). The s of item 3 is that of the maximum of g on the ray y1 = t y2. As a function of the ray
+///    these maxima have a single maximum, and t²B - A has the sign of minus their slope. If the maximum on a ray is at y = 0,
+///    f <= 1 at λ = t/(1+t), where f is that of the contact function. A - t²B has the sign of the slope of f, so the search moves
+///    to where f > 1.
+/// 5. R = rᵀM⁻¹r is a quotient of polynomials in t and s with positive coefficients. With C = uᵀu, B = -∂R/∂t, C = -∂R/∂s and
+///    A = R - tB - sC. So no step except the last needs to solve linear equations.
 #ifndef PW85_DISTANCE_NORMAL_SEARCH_HPP_INCLUDED
 #define PW85_DISTANCE_NORMAL_SEARCH_HPP_INCLUDED
 
@@ -31,20 +33,20 @@
 
 namespace pw85::detail {
 
-/// A pair in units of its own: in the unit of r12 the forms are scale² Q.
+/// A pair in units of its own. In the unit of r12 the forms are scale² Q.
 template <class T, int D> struct DistancePair {
     Vector<T, D> r12;
     SymmetricMatrix<T, D> q1, q2;
     T scale1, scale2;
 };
 
-/// The unknowns t and s of item 2. In the units of a DistancePair M = P1 + t P2 + s I, P = scale Q, and what is said of A + tB
-/// and 1 + 1/t holds for scale1 A + scale2 tB and scale1 + scale2/t.
+/// The unknowns t and s of item 2. In the units of a DistancePair M = P1 + t P2 + s I with P = scale Q. The statements on A + tB
+/// and 1 + 1/t then hold for scale1 A + scale2 tB and scale1 + scale2/t.
 template <class T> struct Multipliers {
     T ratio, shift;
 };
 
-/// What the equations of item 2 are made of, at some t and s. S = A + tB.
+/// The numbers at some t and s from which the equations of item 2 are formed. S = A + tB.
 template <class T> struct NormalJet {
     T r, bend;                   ///< rᵀu, uᵀM⁻¹u
     T a, b;                      ///< A and B
@@ -52,7 +54,7 @@ template <class T> struct NormalJet {
     T sum, sum_ratio, sum_shift; ///< S, -½ ∂S/∂t, -½ ∂S/∂s
 };
 
-/// R of item 5 as a quotient a/b: coefficients of 1, t, t² ..., and of these times s and s².
+/// R of item 5 as a quotient a/b. The coefficients are those of 1, t, t² ..., and of these times s and s².
 template <class T> struct ShiftedForm {
     T a[3], a_s[2], a_ss;
     T b[4], b_s[3], b_ss[2], b_sss;
@@ -86,8 +88,8 @@ shifted_form(Vector<T, 3> const &r12, SymmetricMatrix<T, 3> const &p1, Symmetric
             T(1)};
 }
 
-/// By the polynomials, to what they guide: their coefficients lose digits with the aspect ratio. Here forms are P, n is b²B, and S is
-/// R - sC.
+/// Evaluates the equations by the polynomials. The coefficients lose digits as the aspect ratio grows, so the result only guides
+/// the search. Here the forms are P, n is b²B, and S is R - sC.
 template <class T, int D> PW85_FUNCTION constexpr NormalJet<T>
 evaluate_normal(DistancePair<T, D> const &pair, ShiftedForm<T> const &f, Multipliers<T> const &x) noexcept
 {
@@ -119,14 +121,14 @@ evaluate_normal(DistancePair<T, D> const &pair, ShiftedForm<T> const &f, Multipl
             sum_shift};
 }
 
-/// A step in log t, as a fraction, and in s.
+/// A step in log t, as a fraction, and a step in s.
 template <class T> struct NormalStep {
     T numerator, denominator;
     T shift;
 };
 
-/// Newton's step of item 2. With v = t(A + tB) and w = 1 + t, (w + 3v)/(3w + v) stands for √(v/w), whose derivative it has where
-/// both are one.
+/// Newton's step of item 2. With v = t(A + tB) and w = 1 + t, the fraction (w + 3v)/(3w + v) takes the place of √(v/w). Both are
+/// one, and their derivatives agree, where v = w.
 template <class T, int D> PW85_FUNCTION constexpr NormalStep<T>
 newton_step(DistancePair<T, D> const &pair, NormalJet<T> const &j, Multipliers<T> const &x) noexcept
 {
@@ -148,8 +150,8 @@ newton_step(DistancePair<T, D> const &pair, NormalJet<T> const &j, Multipliers<T
     return step;
 }
 
-/// Whether a step is at most 2^-digits, relative to t, and to u in the norm of M. (In this norm t changes u by less than by its
-/// own relative change.)
+/// Whether a step is at most 2^-digits, relative to t, and relative to u in the norm of M. In this norm a change of t causes a
+/// smaller relative change of u than of t.
 template <class T> PW85_FUNCTION constexpr typename ScalarTraits<T>::Mask
 is_within(NormalStep<T> const &step, NormalJet<T> const &j, int digits) noexcept
 {
@@ -158,7 +160,7 @@ is_within(NormalStep<T> const &step, NormalJet<T> const &j, int digits) noexcept
            step.shift * step.shift * j.bend <= bound * bound * j.r;
 }
 
-/// The largest step in log t, a choice (docs/implementation.rst): by a factor of 7.
+/// The largest step in log t: t changes by at most a factor of 7. This is a choice (docs/implementation.rst).
 template <class T> PW85_FUNCTION constexpr T longest_step() noexcept { return T(1.5); }
 
 /// t and s after a step, with e^x to third order.
@@ -172,7 +174,7 @@ PW85_FUNCTION constexpr Multipliers<T> advance(Multipliers<T> const &x, NormalSt
     return {x.ratio * factor, maximum(T(0), T(x.shift + step.shift))};
 }
 
-/// Where the search starts: exact for spheres.
+/// The point where the search starts. It is exact for spheres.
 template <class T, int D>
 PW85_FUNCTION inline Multipliers<T> initial_multipliers(DistancePair<T, D> const &pair) noexcept
 {
@@ -182,7 +184,7 @@ PW85_FUNCTION inline Multipliers<T> initial_multipliers(DistancePair<T, D> const
     return {a / b, a * maximum(T(0), width)};
 }
 
-/// Where it starts anew if it loses its way: exact for ellipsoids that touch.
+/// The point where the search starts anew if it does not converge. It is exact for ellipsoids that touch.
 template <class T, int D>
 PW85_FUNCTION inline Multipliers<T> touching_multipliers(DistancePair<T, D> const &pair) noexcept
 {
@@ -191,7 +193,7 @@ PW85_FUNCTION inline Multipliers<T> touching_multipliers(DistancePair<T, D> cons
     return {m.lambda / m.complement / ratio, T(0)};
 }
 
-/// A search by the polynomials under way. What becomes of a lane depends on nothing but its pair.
+/// The state of a search by the polynomials. The result of a lane depends only on its own pair.
 template <class T> struct NormalSearch {
     ShiftedForm<T> form;
     Multipliers<T> x;
@@ -204,11 +206,12 @@ start_search(DistancePair<T, D> const &pair, Multipliers<T> const &x) noexcept
     return {shifted_form(pair.r12, pair.scale1 * pair.q1, pair.scale2 * pair.q2), x, x.ratio == x.ratio};
 }
 
-/// The number of steps by the polynomials after which a search gives up, and of last steps by factorisation: choices
+/// The numbers of steps after which a search gives up: steps by the polynomials, and last steps by factorisation. They are choices
 /// (docs/implementation.rst).
 inline constexpr int max_normal_steps = 16, max_last_steps = 6;
 
-/// One step. Lanes converge with one of which a last step leaves its square, rounding (a choice, too).
+/// Takes one step. A lane has converged after a step below 2^-(digits/4). The error that remains is about the square of the step,
+/// and a last step squares it once more, which is rounding. This limit is a choice, too.
 template <class T, int D>
 PW85_FUNCTION inline void take_step(NormalSearch<T> &search, DistancePair<T, D> const &pair) noexcept
 {
@@ -228,7 +231,7 @@ template <class T, int D> PW85_FUNCTION constexpr SymmetricMatrix<T, D> normal_m
     return m;
 }
 
-/// What solves with M, by its adjugate.
+/// Solves with M by the adjugate.
 template <class T, int D> struct Inverse {
     SymmetricMatrix<T, D> adjugate;
     T factor; ///< 1/det M
@@ -240,8 +243,8 @@ PW85_FUNCTION constexpr Vector<T, D> solve(Inverse<T, D> const &inverse, Vector<
     return inverse.factor * product(inverse.adjugate, x);
 }
 
-/// The product of a form with a vector that comes from a solution with M: plain for a solution by the adjugate, and accurate for one
-/// by factorisation. Types with digits to spare need nothing else than the plain product.
+/// The product of a form with a vector that comes from a solution with M. It is plain for a solution by the adjugate and accurate
+/// for a solution by factorisation. Types with digits to spare need only the plain product.
 template <class T, int D> PW85_FUNCTION constexpr Vector<T, D>
 form_product(Inverse<T, D> const &, SymmetricMatrix<T, D> const &q, Vector<T, D> const &u) noexcept
 {
@@ -257,13 +260,13 @@ form_product(Factorization<T, D> const &, SymmetricMatrix<T, D> const &q, Vector
         return accurate_product(q, u);
 }
 
-/// u with its derivatives.
+/// The vector u with its derivatives.
 template <class T, int D> struct NormalVector {
     Vector<T, D> u, u_ratio, u_shift; ///< u, -∂u/∂t, -∂u/∂s
     NormalJet<T> jet;
 };
 
-/// By solutions with M.
+/// Computes u and its derivatives by solutions with M.
 template <class T, int D, class Solver> [[gnu::always_inline]] PW85_FUNCTION inline NormalVector<T, D>
 solve_normal(DistancePair<T, D> const &pair, Solver const &solver, Multipliers<T> const &x) noexcept
 {
@@ -280,7 +283,7 @@ solve_normal(DistancePair<T, D> const &pair, Solver const &solver, Multipliers<T
              pair.scale1 * a_shift + weighted * b_shift}};
 }
 
-/// u after a step.
+/// Returns u after a step.
 template <class T, int D> PW85_FUNCTION constexpr Vector<T, D>
 advance(NormalVector<T, D> const &v, Multipliers<T> const &x, NormalStep<T> const &step) noexcept
 {
@@ -290,10 +293,10 @@ advance(NormalVector<T, D> const &v, Multipliers<T> const &x, NormalStep<T> cons
     return u;
 }
 
-/// The number of binary digits below which a step is the last one: the square of it is below rounding.
+/// A step that is below 2^-last_digits() is the last one, because its square is below rounding.
 template <class T> PW85_FUNCTION constexpr int last_digits() noexcept { return (mantissa_digits<T>() + 1) / 2; }
 
-/// A last step, to u.
+/// The result of a last step, which ends at u.
 template <class T, int D> struct LastStep {
     Vector<T, D> u; ///< along the normal, if it is found
     Multipliers<T> next;
@@ -308,7 +311,8 @@ take_last_step(DistancePair<T, D> const &pair, Solver const &solver, Multipliers
     return {advance(v, x, step), advance(x, step), is_within(step, v.jet, last_digits<T>())};
 }
 
-/// By the adjugate. Where its errors count, the slab that u gives is not accurate (distance.hpp).
+/// Takes a last step by the adjugate. Where the errors of the adjugate matter, the slab that u gives is not accurate
+/// (distance.hpp).
 template <class T, int D> [[gnu::always_inline]] PW85_FUNCTION inline LastStep<T, D>
 take_last_step(DistancePair<T, D> const &pair, Multipliers<T> const &x) noexcept
 {
@@ -317,14 +321,14 @@ take_last_step(DistancePair<T, D> const &pair, Multipliers<T> const &x) noexcept
     return take_last_step(pair, Inverse<T, D>{adj, T(1) / determinant(m, adj)}, x);
 }
 
-/// What solves with M by factorisation, which serves any shape.
+/// Factorises M, which serves any shape.
 template <class T, int D> PW85_FUNCTION inline Factorization<T, D> factorize_normal(DistancePair<T, D> const &pair,
                                                                                     Multipliers<T> const &x) noexcept
 {
     return factorize(normal_matrix(pair, x), T(unit_roundoff<T>()));
 }
 
-/// A vector along the normal by Newton's method with factorisation, from t and s.
+/// Finds a vector along the normal by Newton's method with factorisation, starting at t and s.
 template <class T, int D> [[gnu::noinline]] PW85_FUNCTION inline LastStep<T, D>
 follow_normal(DistancePair<T, D> const &pair, Multipliers<T> x) noexcept
 {
@@ -334,7 +338,7 @@ follow_normal(DistancePair<T, D> const &pair, Multipliers<T> x) noexcept
     return last;
 }
 
-/// A vector along the normal by item 2, from where a search is, and where t and s went.
+/// Finds a vector along the normal by item 2, starting from the state of a search. Returns also the last t and s.
 template <class T, int D> [[gnu::always_inline]] PW85_FUNCTION inline LastStep<T, D>
 find_normal(DistancePair<T, D> const &pair, NormalSearch<T> search) noexcept
 {
@@ -344,9 +348,9 @@ find_normal(DistancePair<T, D> const &pair, NormalSearch<T> search) noexcept
     return last.found ? last : follow_normal(pair, last.next);
 }
 
-/// s of item 3, for some t, from any other: the first step leads below s, or to zero. Residual times slope falls from step to
-/// step to a quarter: for aspect ratios up to 2^127 the slope by 2^254 in all, the residual by 2^85 for 50 digits, which 171
-/// steps exhaust.
+/// Finds s of item 3 for some t, starting at any other s. The first step ends below the root, or at zero. Each step divides
+/// residual times slope by at least 4. For aspect ratios up to 2^127 the slope falls by at most 2^254 in all, and the residual by
+/// 2^85 for 50 digits. 171 steps exhaust their product.
 template <class T, int D>
 PW85_FUNCTION inline T find_shift(DistancePair<T, D> const &pair, T const &ratio, T shift) noexcept
 {
@@ -362,14 +366,15 @@ PW85_FUNCTION inline T find_shift(DistancePair<T, D> const &pair, T const &ratio
     return shift;
 }
 
-/// The largest number of values of t that search_normal() tries: probes to enclose the one it looks for, which is in the range of T, 15
-/// and as many as there are digits to make the bracket as narrow as rounding allows, and Newton's steps, which halve as often at most.
+/// The largest number of values of t that search_normal() tries. It is a sum: max_probes() values enclose the root, which is in the
+/// range of T. 15 values and one for each digit make the bracket as narrow as rounding allows. Newton's steps, which halve at most
+/// once for each digit, are the rest.
 template <class T> PW85_FUNCTION constexpr int max_ratios() noexcept
 {
     return 2 * mantissa_digits<T>() + 15 + max_probes<T>();
 }
 
-/// A vector along the normal, by a search for t with s from find_shift() and the bracket of item 4.
+/// Finds a vector along the normal by a search for t. find_shift() gives s, and item 4 gives the bracket.
 template <class T, int D>
 [[gnu::noinline]] PW85_FUNCTION inline Vector<T, D> search_normal(DistancePair<T, D> const &pair, T ratio) noexcept
 {

@@ -1,26 +1,27 @@
 /// @file
-/// The depth of an overlap: the shortest translation that separates two ellipsoids.
+/// The depth of an overlap: the shortest translation that separates two ellipsoids. src/distance.cpp calls
+/// penetration_overlapping(), which calls extreme_normal() for the depth of a point in an ellipsoid, and support().
 ///
-/// With α(n) = √(nᵀQ1n), β(n) = √(nᵀQ2n) and r = r12, ellipsoid 2 must move by g(n) = α + β - n·r along the unit vector n. The depth
-/// is the smallest value of g, which may have several local minima; the proof that one is the global minimum is a search over one
-/// number:
+/// Let α(n) = √(nᵀQ1n), β(n) = √(nᵀQ2n) and r = r12. To separate from ellipsoid 1, ellipsoid 2 must move by g(n) = α + β - n·r
+/// along the unit vector n. The depth is the smallest value of g, which may have several local minima. A search over one number
+/// proves that one of them is the global minimum:
 ///
-/// 1. (α + β)² is the smallest value over c > 0 of nᵀWn, W(c) = (1 + c) Q1 + (1 + 1/c) Q2, reached at c = β/α. So the depth is that of
-///    the point r in the ellipsoid W(c), D(c), at its smallest over c. For each c, D is found without search (nearest.hpp), whatever
-///    the symmetry: ellipsoids of revolution and concentric ones are no exception.
-/// 2. For c from c0/ρ to c0ρ, 1/c is at least 2/c0 - c/c0². With this in its place W is affine in c, so that for each n the root
-///    of nᵀWn is concave, and smallest at an end: D(c) is at least the smaller depth of r in W(c0/ρ) - δQ2 and W(c0ρ) - δQ2,
-///    δ = (ρ - 1)²/(ρc0).
+/// 1. (α + β)² is the smallest value over c > 0 of nᵀWn, W(c) = (1 + c) Q1 + (1 + 1/c) Q2. It is reached at c = β/α. So the depth
+///    is the smallest value over c of D(c), the depth of the point r in the ellipsoid W(c). For each c, nearest.hpp finds D without
+///    a search, whatever the symmetry. Ellipsoids of revolution and concentric ellipsoids are no exception.
+/// 2. For c from c0/ρ to c0ρ, 1/c is at least 2/c0 - c/c0². If this bound replaces 1/c, W is affine in c. Then for each n the root
+///    of nᵀWn is concave in c, and smallest at an end of the interval. So D(c) is at least the smaller depth of r in W(c0/ρ) - δQ2
+///    and W(c0ρ) - δQ2, δ = (ρ - 1)²/(ρc0).
 /// 3. The bound of item 2 is off by O(log²ρ). So the intervals that can be proved shrink towards a minimum, in proportion to their
 ///    distance from it.
-/// 4. Around the best minimum (n, c0), c0 = β/α, another proof takes their place. With x = (m; 1) for unit vectors m, mᵀWm - (m·r + d)²
-///    is xᵀGx, G(c) = diag(W - σI, σ) - (r; d)(r; d)ᵀ, for any number σ. So D(c) >= d where G is positive semidefinite for some σ.
-///    Here σ = dℓ + (c - c0) σ1 + (1/c - 1/c0) σ2, ℓ = m·r + d at m = n. In the basis v = (n; 1), (t_i; 0) with the tangents t_i,
-///    (n; -1), the entry vᵀGv is (ℓ' - ℓ)(ℓ' + ℓ) + α²(c - c0)²/c with ℓ' = α + β, and the rest of its row is h + (c - c0) k. At a minimum
-///    with d = ℓ' - n·r, ℓ' = ℓ and h = 0. Without the first row and column G is H. So G is semidefinite where
-///    K = (α²/c, kᵀ; k, H) is.
-/// 5. K is affine in c and y = 1/c. So it is semidefinite on an interval if it is at the ends and at the point (c, y) where the
-///    tangents of the hyperbola y = 1/c at the ends meet: the arc is in the triangle of these three points.
+/// 4. Around the best minimum (n, c0), c0 = β/α, another proof takes over. With x = (m; 1) for unit vectors m, mᵀWm - (m·r + d)² is
+///    xᵀGx, where G(c) = diag(W - σI, σ) - (r; d)(r; d)ᵀ for any number σ. So D(c) >= d if G is positive semidefinite for some σ.
+///    Here σ = dℓ + (c - c0) σ1 + (1/c - 1/c0) σ2, with ℓ = m·r + d at m = n. The basis consists of v = (n; 1), of (t_i; 0) with
+///    the tangents t_i, and of (n; -1). In this basis the entry vᵀGv is (ℓ' - ℓ)(ℓ' + ℓ) + α²(c - c0)²/c with ℓ' = α + β, and the
+///    rest of its row is h + (c - c0) k. At a minimum with d = ℓ' - n·r, ℓ' = ℓ and h = 0. H is G without the first row and column.
+///    So G is semidefinite where K = (α²/c, kᵀ; k, H) is.
+/// 5. K is affine in c and y = 1/c. So K is semidefinite on an interval if it is semidefinite at three points (c, y): at both ends,
+///    and where the tangents of the hyperbola y = 1/c at the ends meet. The arc is in the triangle of these three points.
 #ifndef PW85_DISTANCE_PENETRATION_HPP_INCLUDED
 #define PW85_DISTANCE_PENETRATION_HPP_INCLUDED
 
@@ -29,7 +30,8 @@
 
 namespace pw85 {
 
-/// The shortest translation of ellipsoid 2 that separates two ellipsoids: zero, and a NaN direction, if they are apart.
+/// The shortest translation of ellipsoid 2 that separates two ellipsoids. If they are apart, the depth is zero and the direction is
+/// NaN.
 template <class T, int D> struct Penetration {
     T depth;
     Vector<T, D> direction; ///< unit vector
@@ -47,7 +49,7 @@ template <class T, int D> PW85_FUNCTION inline Penetration<T, D> no_penetration(
     return result;
 }
 
-/// By how far ellipsoid 2 must move along n, with the ratio c of the half-widths and the rounding error.
+/// The length by which ellipsoid 2 must move along n, its rounding error, and the ratio c of the half-widths.
 template <class T> struct Shift {
     T length, ratio, rounding;
 };
@@ -62,14 +64,14 @@ template <class T, int D> PW85_FUNCTION inline Shift<T> shift_along(Vector<T, D>
     return {a + b - dot(n, r12), b / a, T(8 * unit_roundoff<T>()) * sum};
 }
 
-/// W(c) less `deficit` Q2.
+/// W(c) minus `deficit` Q2.
 template <class T, int D> PW85_FUNCTION constexpr SymmetricMatrix<T, D>
 enclosing_form(SymmetricMatrix<T, D> const &q1, SymmetricMatrix<T, D> const &q2, T const &c, T const &deficit) noexcept
 {
     return blend(T(T(1) + c), q1, T(T(1) + (T(1) / c - deficit)), q2);
 }
 
-/// The search for the depth of a pair, with the best direction so far.
+/// The search for the depth of a pair, with the best direction that it has found.
 template <class T, int D> struct DepthSearch {
     Vector<T, D> r12;
     SymmetricMatrix<T, D> q1, q2;
@@ -77,7 +79,7 @@ template <class T, int D> struct DepthSearch {
     Shift<T> best;
 };
 
-/// Takes note of a direction; returns what it gives.
+/// Computes the shift along a direction, and keeps the direction if it is the best one.
 template <class T, int D>
 PW85_FUNCTION inline Shift<T> try_direction(DepthSearch<T, D> &search, Vector<T, D> const &n) noexcept
 {
@@ -89,16 +91,17 @@ PW85_FUNCTION inline Shift<T> try_direction(DepthSearch<T, D> &search, Vector<T,
     return shift;
 }
 
-/// By what fraction the ratio of the half-widths along the direction of D(c) exceeds c: the slope of D has the opposite sign.
+/// The fraction by which the ratio of the half-widths along the direction of D(c) exceeds c. The slope of D has the opposite sign.
 template <class T, int D> PW85_FUNCTION inline T try_ratio(DepthSearch<T, D> &search, T const &c) noexcept
 {
     auto const form = enclosing_form(search.q1, search.q2, c, T(0));
     return try_direction(search, extreme_normal(form, search.r12, true)).ratio / c - T(1);
 }
 
-/// Follows D to a local minimum: the next c is that of the direction, or where the secant says that they agree. D is right to
-/// rounding where its slope is below the root of that, after a few steps. A last step makes the direction right, too, and is taken
-/// unless it lengthens the shift by more than rounding. That the minimum is the least is shown elsewhere.
+/// Follows D to a local minimum. The next c is the ratio of the half-widths along the direction, or the c at which the two agree by
+/// the secant. D is correct up to rounding if its slope is below the root of the rounding error, after a few steps. A last step
+/// makes the direction correct, too. This step is taken unless it lengthens the shift by more than rounding. Items 2 to 5 show
+/// that the minimum is the global one.
 template <class T, int D> PW85_FUNCTION inline void descend(DepthSearch<T, D> &search, T c) noexcept
 {
     T const small = negative_power_of_two<T>(mantissa_digits<T>() / 2 + 2);
@@ -119,7 +122,7 @@ template <class T, int D> PW85_FUNCTION inline void descend(DepthSearch<T, D> &s
     search.direction = n;
 }
 
-/// The range of c = β/α over all directions, and twice as far for rounding.
+/// The range of c = β/α over all directions, extended by a factor of two at both ends for rounding.
 template <class T> struct RatioRange {
     T lower, upper;
 };
@@ -141,8 +144,8 @@ template <class T, int D> PW85_FUNCTION inline RatioRange<T> ratio_range(Symmetr
             times_power_of_two(T(T(2) * square_root(T(most2 / least1))), unit2 - unit1)};
 }
 
-/// Whether item 2 shows that D is not smaller than the smallest value found, for c from `c` to ρ²c; directions that come to light
-/// are tried.
+/// Whether item 2 shows that D is not below the smallest value found, for c from `c` to ρ²c. The directions that this computes are
+/// tried as well.
 template <class T, int D>
 PW85_FUNCTION inline bool none_deeper(DepthSearch<T, D> &search, T const &c, T const &rho) noexcept
 {
@@ -158,11 +161,11 @@ PW85_FUNCTION inline bool none_deeper(DepthSearch<T, D> &search, T const &c, T c
     return true;
 }
 
-/// The largest number of intervals that the proof takes: some hundred are usual.
+/// The largest number of intervals that the proof takes. A few hundred are usual.
 inline constexpr int max_depth_intervals = 20000;
 
-/// Goes through a range of c by intervals, as long as they can be; false if there are too many. One that is shorter than the root
-/// of u leaves less than rounding open.
+/// Proves the depth for a range of c by intervals that are as long as possible. Returns false if there are too many. An interval
+/// that is shorter than the root of u counts as proved, because what it leaves open is below rounding.
 template <class T, int D>
 PW85_FUNCTION inline bool prove_depth(DepthSearch<T, D> &search, RatioRange<T> const &range) noexcept
 {
@@ -179,12 +182,12 @@ PW85_FUNCTION inline bool prove_depth(DepthSearch<T, D> &search, RatioRange<T> c
     return !(c < range.upper);
 }
 
-/// A square matrix of which the lower triangle counts.
+/// A square matrix of which only the lower triangle is used.
 template <class T, int N> struct LowerTriangle {
     T entries[N][N];
 };
 
-/// Replaces a symmetric matrix by its factor L, a = LLᵀ; false if it is not positive definite.
+/// Replaces a symmetric matrix by its factor L, a = LLᵀ. Returns false if the matrix is not positive definite.
 template <class T, int N> PW85_FUNCTION inline bool factorize_in_place(LowerTriangle<T, N> &a) noexcept
 {
     for (int j = 0; j < N; ++j) {
@@ -198,17 +201,18 @@ template <class T, int N> PW85_FUNCTION inline bool factorize_in_place(LowerTria
     return true;
 }
 
-/// K of item 4 as K0 + c K1 + y K2, with what rounding errors and h need of its diagonal.
+/// K of item 4 as K0 + c K1 + y K2, with the margins of its diagonal for rounding errors and for h.
 template <class T, int D> struct MinimumProof {
     T ratio; ///< c0
     struct {
         LowerTriangle<T, D + 1> constant, by_c, by_y;
     } entries;
-    T margin, margin_c, margin_y; ///< what the diagonal of H must spare: margin + c margin_c + y margin_y
+    T margin, margin_c, margin_y; ///< reserved on the diagonal of H: margin + c margin_c + y margin_y
     bool valid;
 };
 
-/// The directions orthogonal to the unit vector n: columns of the reflection that exchanges n and a unit vector of the axes.
+/// Computes the directions orthogonal to the unit vector n: the columns of the reflection that exchanges n and a unit vector of the
+/// axes.
 template <class T, int D>
 PW85_FUNCTION inline void fill_tangents(Vector<T, D> const &n, Vector<T, D> (&tangents)[D - 1]) noexcept
 {
@@ -225,7 +229,7 @@ PW85_FUNCTION inline void fill_tangents(Vector<T, D> const &n, Vector<T, D> (&ta
     }
 }
 
-/// x in Ly = x, for the first N - 1 rows of a factor.
+/// Solves Ly = x in place, for the first N - 1 rows of a factor.
 template <class T, int N>
 PW85_FUNCTION inline void solve_forward(LowerTriangle<T, N> const &factor, T (&x)[N - 1]) noexcept
 {
@@ -235,7 +239,8 @@ PW85_FUNCTION inline void solve_forward(LowerTriangle<T, N> const &factor, T (&x
     }
 }
 
-/// The entries of K, but for what depends on σ: tangents first, then (n; -1), then the row of α²/c. `d` is the depth to be proved.
+/// Computes the entries of K that do not depend on σ. The tangents come first, then (n; -1), then the row of α²/c. `d` is the depth
+/// to be proved.
 template <class T, int D>
 PW85_FUNCTION inline void fill_entries(MinimumProof<T, D> &proof, DepthSearch<T, D> const &search, T const &d) noexcept
 {
@@ -268,8 +273,8 @@ PW85_FUNCTION inline void fill_entries(MinimumProof<T, D> &proof, DepthSearch<T,
     by_y.entries[D][D] = a2 - negative_power_of_two<T>(9) * a2;
 }
 
-/// Takes σ from the diagonal of K, with the σ1 and σ2 for which K is definite next to c0 at every strict minimum: if m solves
-/// H_tt m = H_tz, k_z = m·k_t.
+/// Subtracts σ from the diagonal of K. σ1 and σ2 are such that K is definite next to c0 at every strict minimum: k_z = m·k_t, where
+/// m solves H_tt m = H_tz.
 template <class T, int D>
 PW85_FUNCTION inline bool subtract_sigma(MinimumProof<T, D> &proof, T const &sigma, T const &unscaled) noexcept
 {
@@ -311,13 +316,15 @@ PW85_FUNCTION inline bool subtract_sigma(MinimumProof<T, D> &proof, T const &sig
     return true;
 }
 
-/// K for the best minimum of a search; not valid where it is not isolated, or where rounding errors exceed the margin.
+/// Computes K for the best minimum of a search. The proof is not valid if the minimum is not isolated, or if rounding errors exceed
+/// the margin.
 ///
-/// Entries of H err by less than 30u times their size, which is far below the margin, 2^-26 of it in double; what h and k need of the
-/// margin is computed. The minimum lacks ρ, its rounding error, of what is to be proved, at least: so the first entry of G has
-/// g >= ρ (α + β) at c0. A quarter of the margin makes (g/2, hᵀ; h, margin) semidefinite if 16 |h|² < ρ (α + β) margin. c0 errs by
-/// less than e = 3u (X1 + X2) c0 (support.hpp), and (c - c0)² from the true c0 is at least 1 - 2^-10 of that from the given one, less
-/// 2^10 e²: so 2^14 e² α²/c0 < ρ (α + β)/2 for c down to c0/16. Row k errs by less than 8u (trace Q1 + trace Q2/(c c0)), for which
+/// The entries of H err by less than 30u times their size. This is far below the margin, which is 2^-26 of the size in double. The
+/// parts of the margin that h and k need are computed here. The depth to be proved is below the minimum by at least ρ, the rounding
+/// error of the minimum. So the first entry of G has g >= ρ (α + β) at c0. A quarter of the margin makes (g/2, hᵀ; h, margin)
+/// semidefinite if 16 |h|² < ρ (α + β) margin. c0 errs by less than e = 3u (X1 + X2) c0 (support.hpp). (c - c0)² from the true c0
+/// is at least 1 - 2^-10 of that from the given one, less 2^10 e². So 2^14 e² α²/c0 < ρ (α + β)/2 suffices for c down to c0/16. Row
+/// k errs by less than 8u (trace Q1 + trace Q2/(c c0)). For this another 2^-10 of α²/c and a quarter of the margin suffice.
 /// another 2^-10 of α²/c and a quarter of the margin suffice.
 template <class T, int D>
 PW85_FUNCTION inline MinimumProof<T, D> prepare_proof(DepthSearch<T, D> const &search) noexcept
@@ -356,7 +363,8 @@ PW85_FUNCTION inline bool is_definite(MinimumProof<T, D> const &proof, T const &
     return factorize_in_place(k);
 }
 
-/// How far from c0 item 5 proves the depth, up to a factor of 16: by intervals whose ends differ by a factor of 2, or of a root of it.
+/// The end of the range around c0 for which item 5 proves the depth, up to a factor of 16. The ends of an interval differ by a
+/// factor of 2, or of a root of 2.
 template <class T, int D> PW85_FUNCTION inline T proved_bound(MinimumProof<T, D> const &proof, bool up) noexcept
 {
     T c = proof.ratio, step = T(2);
@@ -381,13 +389,13 @@ template <class T, int D> PW85_FUNCTION inline RatioRange<T> proved_range(DepthS
     return {proved_bound(proof, false), proved_bound(proof, true)};
 }
 
-/// penetration() of a valid pair that overlaps, in range.
+/// Computes penetration() of a valid pair that overlaps and is in range.
 template <class T, int D> [[gnu::noinline]] PW85_FUNCTION inline Penetration<T, D>
 penetration_in_range(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, SymmetricMatrix<T, D> const &q2) noexcept
 {
     RatioRange<T> const range = ratio_range(q1, q2);
     DepthSearch<T, D> search{r12, q1, q2, {}, {largest_number<T>(), T(1), T(0)}};
-    constexpr int starts = 8; // the more, the less often a better minimum comes to light in the proof
+    constexpr int starts = 8; // with more starts, the proof finds a better minimum less often
     T const factor = square_root(square_root(square_root(T(range.upper / range.lower))));
     T c = range.lower * square_root(factor);
     for (int i = 0; i < starts; ++i) {
@@ -402,8 +410,8 @@ penetration_in_range(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, S
     return {maximum(T(0), search.best.length), search.direction, Status::success};
 }
 
-/// penetration() of a valid pair that overlaps: the larger ellipsoid is of size 2^room, so that cQ1 and Q2/c are in range for any
-/// aspect ratio; a smaller one that would leave it is made larger, which is far below rounding.
+/// Computes penetration() of a valid pair that overlaps. The larger ellipsoid is scaled to size 2^room, so that cQ1 and Q2/c are in
+/// range for any aspect ratio. A smaller ellipsoid that would leave the range is made larger. This change is far below rounding.
 template <class T, int D>
 PW85_FUNCTION inline Penetration<T, D> penetration_overlapping(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
                                                                SymmetricMatrix<T, D> const &q2) noexcept

@@ -1,12 +1,14 @@
 /// @file
-/// An ellipsoid and walls: half-space, box, cylinder. Distances are clearances, negative where the ellipsoid is in the wall.
+/// An ellipsoid and walls: half-space, box, cylinder. src/walls.cpp calls these functions, which call support() and
+/// extreme_normal(). Distances are clearances. They are negative where the ellipsoid is in the wall.
 ///
-/// With the support α(n) = √(nᵀQn), reached at Qn/α:
+/// The support is α(n) = √(nᵀQn). The ellipsoid reaches it at Qn/α.
 ///
-/// 1. A wall n·x >= c, |n| = 1, is c - α away; the ellipsoid must be scaled by μ = c/α to touch it. Moving the centre by
-///    y changes the distance by -n·y, a small rotation ω about it by ω·(n × Qn/α); μ² changes by 2μ/α and 2μ²/α times that.
-/// 2. A box is six such walls, a cylinder one for every normal n to its axis: R - n·c - α(n) is smallest where the projection of
-///    the ellipsoid is farthest from the axis.
+/// 1. A wall n·x >= c with |n| = 1 is c - α away. The ellipsoid touches the wall if it is scaled by μ = c/α. Moving the centre by y
+///    changes the distance by -n·y. A small rotation ω about the centre changes the distance by ω·(n × Qn/α). μ² changes by 2μ/α
+///    times the first of these and by 2μ²/α times the second.
+/// 2. A box is six such walls. A cylinder of radius R is one wall for every normal n to its axis: R - n·c - α(n) is smallest where
+///    the projection of the ellipsoid is farthest from the axis.
 #ifndef PW85_DISTANCE_WALLS_HPP_INCLUDED
 #define PW85_DISTANCE_WALLS_HPP_INCLUDED
 
@@ -17,11 +19,11 @@ namespace pw85 {
 /// The contact function of an ellipsoid and a half-space.
 template <class T, int D> struct PlaneContact {
     T mu2; ///< square of the factor by which the ellipsoid must be scaled to touch; 0 if its centre is in the wall
-    Vector<T, D> point; ///< where it then touches, relative to its centre
+    Vector<T, D> point; ///< where the scaled ellipsoid touches, relative to its centre
     Status status;
 };
 
-/// Derivatives of the distance to a half-space, or of μ², with respect to the centre, and to the rotation vector about it.
+/// Derivatives of the distance to a half-space, or of μ², with respect to the centre and to the rotation vector about the centre.
 template <class T> struct PlaneDerivatives {
     Vector<T, 3> center, rotation;
     Status status;
@@ -31,7 +33,7 @@ template <class T> struct PlaneDerivatives {
 
 namespace pw85::detail {
 
-/// A wall in units of its own: n·x >= offset with a normal whose largest coordinate is of order one.
+/// A wall in units of its own: n·x >= offset, with a normal whose largest coordinate is of order one.
 template <class T, int D> struct Wall {
     Vector<T, D> normal;
     T offset;
@@ -49,7 +51,7 @@ template <class T, int D> PW85_FUNCTION inline Wall<T, D> normalize_wall(Vector<
     return {normal, offset / largest, valid ? status : Status::invalid_argument};
 }
 
-/// distance_plane() in the units of a valid wall.
+/// Computes distance_plane() in the units of a valid wall.
 template <class T, int D> PW85_FUNCTION inline SurfaceDistance<T, D>
 distance_wall(Vector<T, D> const &normal, T const &offset, Support<T, D> const &s) noexcept
 {
@@ -57,7 +59,8 @@ distance_wall(Vector<T, D> const &normal, T const &offset, Support<T, D> const &
     return {(offset - s.extent) * reciprocal, s.point, reciprocal * normal, Status::success};
 }
 
-/// distance_plane() for any wall. Arguments that are copied stay in registers where it is not called.
+/// Computes distance_plane() for any wall. The arguments are copied, so that callers keep theirs in registers where they do not
+/// call this function.
 template <class T, int D> [[gnu::noinline]] PW85_FUNCTION inline SurfaceDistance<T, D>
 distance_plane_scaled(Vector<T, D> normal, T offset, SymmetricMatrix<T, D> q) noexcept
 {
@@ -66,13 +69,13 @@ distance_plane_scaled(Vector<T, D> normal, T offset, SymmetricMatrix<T, D> q) no
     return distance_wall(wall.normal, wall.offset, support_of_any(q, wall.normal));
 }
 
-/// μ of a wall, in [0, largest number]: where it leaves the range of T, its products with zeros must not be NaN.
+/// μ of a wall, limited to [0, largest number]. Where μ leaves the range of T, its products with zeros must not be NaN.
 template <class T, int D> PW85_FUNCTION inline T wall_factor(Wall<T, D> const &wall, Support<T, D> const &s) noexcept
 {
     return minimum(largest_number<T>(), maximum(T(0), T(wall.offset / s.extent)));
 }
 
-/// Two unit vectors that make a right-handed basis with the unit vector `axis`.
+/// Finds two unit vectors that make a right-handed basis with the unit vector `axis`.
 template <class T>
 PW85_FUNCTION inline void complete_basis(Vector<T, 3> const &axis, Vector<T, 3> &e1, Vector<T, 3> &e2) noexcept
 {
@@ -126,7 +129,7 @@ contact_plane_derivatives(Vector<T, 3> const &normal, T const &offset, Symmetric
     if (wall.status != Status::success) return all_nan<PlaneDerivatives<T>>(wall.status);
     Support<T, 3> const s = support_of_any(q, wall.normal);
     T const mu = wall_factor(wall, s), reciprocal = T(2) / s.extent;
-    // In this order μ = 0 gives zeros whatever the sizes.
+    // Products in this order are zero for μ = 0, whatever the sizes.
     return {T(-mu) * (reciprocal * wall.normal), mu * (reciprocal * (mu * cross(wall.normal, s.point))),
             Status::success};
 }
