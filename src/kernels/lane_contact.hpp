@@ -14,8 +14,8 @@
 namespace pw85::detail {
 namespace {
 
-/// Packs per chunk. A pack and its search take 1.7 kB with 8 lanes. Two to eight packs are about as fast; a small number saves
-/// first-level cache and stack.
+/// The number of packs per chunk. A pack and its search take 1.7 kB with 8 lanes. Two to eight packs are about as fast. A small
+/// number saves first-level cache and stack.
 inline constexpr std::size_t packs_per_chunk = 3;
 inline constexpr std::size_t contact_chunk_size = packs_per_chunk * lanes;
 
@@ -24,7 +24,7 @@ template <int D> struct PackSearches {
     LanePair<D> pairs[packs_per_chunk];
     RationalSearch<Pack> states[packs_per_chunk];
 
-    /// Pair k. The compiler sees that its ratio is 1, which it could not read from memory.
+    /// Pair k. The compiler sees that the ratio is 1; it could not know that of a ratio in memory.
     PW85_INLINE LanePair<D> pair(std::size_t k) const noexcept
     {
         return pair_of(pairs[k].r12, pairs[k].q1, pairs[k].q2);

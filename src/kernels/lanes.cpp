@@ -15,7 +15,7 @@ namespace {
 template <class Arrays> constexpr std::size_t chunk_size = contact_chunk_size;
 template <> constexpr std::size_t chunk_size<OverlapArray> = overlap_chunk_size;
 
-/// Computes chunk by chunk, until there may be no room for the pairs that the next chunk leaves over.
+/// Computes chunk after chunk. It stops when there may be no room for the pairs that the next chunk leaves over.
 template <class Rows, class Arrays>
 [[gnu::flatten]] std::size_t compute(Rows const &rows, std::size_t n, Arrays const &out, Worklist &left_over) noexcept
 {
@@ -30,7 +30,7 @@ template <class Rows, class Arrays>
     return done;
 }
 
-/// The values of a law, pack by pack. Lanes beyond the last pair repeat it, and do not count.
+/// Computes the values of a law, pack by pack. Lanes beyond the last pair repeat that pair, and do not enter the sum.
 template <class Law>
 [[gnu::flatten]] double evaluate_law(Law const &law, std::size_t n, double const *mu2, double *d_u) noexcept
 {
