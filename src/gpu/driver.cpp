@@ -1,4 +1,4 @@
-// Finds the library of NVIDIA's driver at run time, and keeps it loaded. gpu.cpp, host_arrays.cpp and mailboxes.cpp call driver().
+// Finds the library of NVIDIA's driver at run time, and keeps it loaded. gpu.cpp and host_arrays.cpp call driver().
 #include "driver.hpp"
 
 #if __has_include(<dlfcn.h>)

@@ -26,7 +26,8 @@ struct SharedMailbox {
 /// the host cannot use the memory at the same time.
 SharedMailbox *acquire_mailbox(Driver const &driver, Handle context, std::size_t capacity) noexcept;
 
-/// Computes the overlaps of the pairs in a mailbox. Driver::launch_host runs it after the stage that posts them.
+/// Computes the overlaps of the pairs in a mailbox by pw85_overlap_batch(). Driver::launch_host runs it after the stage that posts
+/// them.
 void compute_requests(void *mailbox) noexcept;
 
 /// Releases a mailbox for other calls. Driver::launch_host runs it after the results were delivered.

@@ -114,7 +114,7 @@ namespace {
 template <int D> using LanePair = Pair<Pack, D>;
 template <class Rows> using LanePairOf = LanePair<Rows::dimension>;
 
-/// How many pairs ahead particles are prefetched.
+/// The number of pairs by which particles are prefetched ahead.
 inline constexpr std::size_t prefetch_distance = 128;
 
 /// `count` consecutive pairs from `begin` on, which are computed together. `end` is the number of all pairs.
@@ -181,7 +181,7 @@ template <class Rows> [[gnu::flatten]] void gather(Rows const &rows, std::uint16
     }
 }
 
-/// A mask of the first `count` lanes.
+/// A mask of the first `count` lanes; all lanes if there are fewer.
 PW85_INLINE unsigned live_lanes(std::size_t count) noexcept { return count >= lanes ? all_lanes : (1u << count) - 1u; }
 
 /// Calls visit(lane) for each lane whose bit is set.

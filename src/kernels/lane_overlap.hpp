@@ -1,10 +1,11 @@
 /// @file
-/// The kernel for the overlap test, one pair per lane. It drives the tests on the quartic (overlap/quartic.hpp).
+/// The kernel for the overlap test, one pair per lane. It drives the tests on the quartic (overlap/quartic.hpp). lanes.cpp puts it
+/// into its table.
 ///
 /// Each pair is first tested at the same t as in the function for one pair. Undecided pairs are collected, so that all lanes stay
 /// in use. They are tested again at the next two t of the fixed-point map, and then at the t to which the search on the rational
-/// form converges. Pairs are left over if they remain undecided, because they are tangent to within rounding, or if they fail the
-/// fast checks.
+/// form converges. Pairs are left over if they fail the fast checks, or if they remain undecided because they are tangent to within
+/// rounding.
 #ifndef PW85_KERNELS_LANE_OVERLAP_HPP_INCLUDED
 #define PW85_KERNELS_LANE_OVERLAP_HPP_INCLUDED
 

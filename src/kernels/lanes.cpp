@@ -1,4 +1,5 @@
-// The table of the lane kernels. It is compiled once per instruction set; many_pairs.hpp calls the kernels.
+// The table of the lane kernels (lane_*.hpp). It is compiled once per instruction set. dispatch.cpp chooses a table, and
+// many_pairs.hpp calls its kernels.
 #include "kernels.hpp"
 #include "lane_closest_approach.hpp"
 #include "lane_contact.hpp"

@@ -10,7 +10,7 @@
 
 namespace pw85::detail {
 
-/// The nearest integer, for |x| < 2^51. It needs no rounding instruction, which old processors lack.
+/// The nearest integer to x, for |x| < 2^51. The function uses no rounding instruction, which old processors lack.
 template <class T> PW85_FUNCTION inline T nearest_integer(T const &x) noexcept
 {
     T const shift = T(0x1.8p52);

@@ -12,7 +12,7 @@
 namespace pw85::detail::kernels {
 namespace {
 
-/// Rows begin, begin + 1, ... end - 1.
+/// The rows begin, begin + 1, ... end - 1.
 struct Range {
     std::size_t begin, end;
 };
@@ -29,7 +29,7 @@ struct Failure {
     }
 };
 
-/// The largest number of rows that an array of up to 6 doubles per row can have.
+/// The largest number of rows for which an array of up to 6 doubles per row can exist.
 constexpr std::size_t max_rows = PTRDIFF_MAX / (6 * sizeof(double));
 
 /// The number of rows per block of a thread: some tens of microseconds of work. A call with no more rows than this opens no

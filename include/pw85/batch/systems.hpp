@@ -133,7 +133,7 @@ static inline Status overlap_any_indices(Vector<double, 3> const &center, Symmet
 /// @name Periodic cells
 /// @{
 
-/// A reduced cell of the same lattice, the prepared form of a cell: see pw85_cell_reduce().
+/// A reduced cell of the same lattice. It can be passed in place of the cell, and needs less preparation: see pw85_cell_reduce().
 ///
 /// @param cell rows are its vectors
 /// @return the reduced cell; Status::invalid_argument for a cell that is singular or not finite
@@ -163,11 +163,11 @@ static inline Status nearest_images(std::span<IndexPair const> pairs, Particles 
         pw85_nearest_images(n, detail::in_c(pairs), &system, detail::in_c(r12), detail::in_c(images)));
 }
 
-/// Up to which μ² nearest images are all there is: see pw85_nearest_image_limit().
+/// The largest μ² up to which only nearest images count: see pw85_nearest_image_limit().
 ///
-/// @param particles forms and cell; centres may be left out. Infinity is the limit of no particles.
-/// @param[out] mu2 the limit
-/// @return Status::success, Status::invalid_argument (also a cell that is singular or not finite),
+/// @param particles forms and cell; centres may be left out
+/// @param[out] mu2 the limit; infinity if there are no particles
+/// @return Status::success, Status::invalid_argument (also for a cell that is singular or not finite),
 /// Status::not_positive_definite
 static inline Status nearest_image_limit(Particles const &particles, double &mu2) noexcept
 {
