@@ -50,8 +50,8 @@ template <class T> PW85_FUNCTION constexpr Slope<T> slope(Jet<T> const &j, T con
             T(0.5) * (weight * ((p - q) + t * t * (j.b2 * j.a - j.a2 * j.b)) - (p - q) * (p + q))};
 }
 
-/// Whether Newton's step is at most 5/8. There item 2 makes Halley's step the better one. If the rounding noise of h' exceeds the
-/// largest possible h', the noise counts as that value. The result is false if rounding errors have made A·B negative.
+/// Whether Newton's step is at most 5/8. There item 2 makes Halley's step the better one. If rounding noise makes h' larger than 1,
+/// the largest possible h', then 1 is used. The result is false if rounding errors have made A·B negative.
 template <class T> PW85_FUNCTION constexpr typename ScalarTraits<T>::Mask is_near(Slope<T> const &s) noexcept
 {
     return s.weight > T(0) && absolute(s.difference) * s.weight <= T(0.625) * (s.sum * minimum(s.k, s.weight));
