@@ -23,12 +23,13 @@
 ///    w - m2. This gives
 ///        p'    = (3 n0 - m1) w² + (2 m2 - 2 n1 - m1) w + (n2 + 2 m2),
 ///        p''/2 = 3 (n0 - m0 - m1) w + (m1 - n1 + 5 m2),        p'''/6 = -4 m0 w + (n0 + m1 - m0).
-/// 7. If no root exceeds ω, K(w) >= 0 is possible at w = λ1 only. Then r is orthogonal to the eigenvectors of λ1. Also ω = λ1,
-///    because A(λ1) = 0 and A > 0 beyond ω. Let p = B ψ, where ψ is regular and ψ(λ1) >= 0. As no root is larger, ψ(λ1) = 0. So ω
-///    is at least a double root of p, and p'(ω) = 0. Conversely, let p'(ω) = 0, and let no root exceed ω. Then p(ω) = 0, too. If ω
-///    is a simple root of A, B'(ω) = ω (1 + ω) A'(ω) is positive. So ω = λ1 > λ2 and ψ(λ1) = 0, and ellipsoid 2 is inside. If ω is
-///    a double root of A, B'(ω) = 0, so ω = λ1 = λ2. (The case ω = λ2 = λ3 < λ1 is excluded: A(λ1) != 0 leaves r along the
-///    eigenvector of λ1, and both roots of ψ, if real, exceed λ1.) Then p''(ω) = B''(ω) ψ(λ1), so inside means p''(ω) = 0.
+/// 7. If no root exceeds ω, K(w) >= 0 is possible at w = λ1 only. If K(λ1) >= 0, r is orthogonal to the eigenvectors of λ1. Also
+///    ω = λ1, because A(λ1) = 0 and A > 0 beyond ω. Let p = B ψ, where ψ is regular and ψ(λ1) >= 0. As no root is larger,
+///    ψ(λ1) = 0. So ω is at least a double root of p, and p'(ω) = 0. Conversely, let p'(ω) = 0, and let no root exceed ω. Then
+///    p(ω) = 0, too. If ω is a simple root of A, B'(ω) = ω (1 + ω) A'(ω) is positive. So ω = λ1 > λ2 and ψ(λ1) = 0, and ellipsoid 2
+///    is inside. If ω is a double root of A, B'(ω) = 0, so ω = λ1 = λ2. (The case ω = λ2 = λ3 < λ1 is excluded: A(λ1) != 0 leaves r
+///    along the eigenvector of λ1, and both roots of ψ, if real, exceed λ1.) Then p''(ω) = B''(ω) ψ(λ1), so inside means
+///    p''(ω) = 0.
 /// 8. Ellipses are flat ellipsoids with one more root at 0, and with m2 = n3 = 0. All items hold for them.
 ///
 /// scripts/containment_roots.py checks the criterion in rational numbers against 60 digits.
