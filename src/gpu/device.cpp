@@ -1,5 +1,5 @@
-// The entry points of the program for a device. It is compiled as CUDA, by a compiler that need not have its headers, and only calls
-// work.hpp.
+// The entry points of the program for a device. They call the functions of work.hpp. The file is compiled as CUDA, by a compiler
+// that need not have the CUDA headers, so it includes none of them.
 #include "work.hpp"
 
 namespace {

@@ -5,7 +5,8 @@
 
 namespace pw85::detail::gpu {
 
-/// Text in the language PTX, which the driver compiles. It is empty if the library was built without a compiler for devices.
+/// Program text in the language PTX, which the driver compiles. It is empty if the library was built without a compiler for
+/// devices.
 extern char const device_code[];
 
 } // namespace pw85::detail::gpu

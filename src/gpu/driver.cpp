@@ -1,4 +1,4 @@
-// Finds the library of NVIDIA's driver at run time, and keeps it loaded.
+// Finds the library of NVIDIA's driver at run time, and keeps it loaded. gpu.cpp and host_arrays.cpp call driver().
 #include "driver.hpp"
 
 #if __has_include(<dlfcn.h>)
@@ -46,7 +46,7 @@ Handle first_context(Driver const &driver) noexcept
     return context;
 }
 
-/// Loads the driver. Once it is initialised it has threads of its own, so it is never unloaded.
+/// Loads the driver. An initialised driver has threads of its own, so it is never unloaded.
 Driver const *load() noexcept
 {
     static Driver driver;

@@ -1,6 +1,6 @@
 /// @file
-/// The part of the interface of NVIDIA's driver (CUDA driver API) that the library uses. It is declared here and found at run time,
-/// so that a build needs neither the headers nor the library of the driver.
+/// The part of NVIDIA's driver interface (CUDA driver API) that the library uses. The functions are declared here and found at run
+/// time (driver.cpp). So a build needs neither the headers nor the library of the driver. The other files of this folder use it.
 #ifndef PW85_GPU_DRIVER_HPP_INCLUDED
 #define PW85_GPU_DRIVER_HPP_INCLUDED
 
@@ -58,11 +58,12 @@ struct Driver {
 #undef PW85_DRIVER_POINTER
 };
 
-/// The driver, initialised and with at least one device. It is null if there is none, or if the driver is too old to have all
-/// functions. The first call looks for it, and later calls return the same pointer.
+/// The driver, initialised and with at least one device. The result is null if there is no device, or if the driver is too old to
+/// have all functions. The first call searches for the driver, and later calls return the same pointer.
 Driver const *driver() noexcept;
 
-/// Ensures that the calling thread has a context while the object lives: its current one, or otherwise that of the first device.
+/// Ensures that the calling thread has a context while the object lives. It uses the current context, or else that of the first
+/// device.
 class Context {
   public:
     explicit Context(Driver const *driver) noexcept;

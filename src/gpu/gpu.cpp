@@ -52,7 +52,7 @@ bool load(Driver const &driver, Code &code) noexcept
     return complete;
 }
 
-/// The functions of the program, which the first call loads; null if that fails.
+/// The functions of the program. The first call loads the program. The result is null if that fails.
 Code const *code_for(Driver const &driver) noexcept
 {
     static Code code{};
@@ -100,7 +100,7 @@ struct Queue {
     }
 };
 
-/// The largest number of blocks for stages that work through a list: enough to fill any device, and few enough to cost little if
+/// The largest number of blocks for stages that process a list. It is enough to fill any device, and small enough to cost little if
 /// the list is empty.
 constexpr std::size_t max_list_blocks = 1024;
 
@@ -115,7 +115,7 @@ bool queue_stages(Queue const &queue, Attempt<Rows, Out> const &attempt, Mailbox
            queue.launch(s.settle, std::min(blocks, max_list_blocks), settle);
 }
 
-/// The same for overlaps, where the host computes the pairs that both stages leave undecided.
+/// Queues both stages for overlaps. The host computes the pairs that both stages leave undecided.
 template <class Rows>
 bool queue_overlaps(Queue const &queue, Attempt<Rows, OverlapArray> const &attempt, SharedMailbox &box) noexcept
 {
@@ -155,7 +155,7 @@ template <class Rows> bool queue_all(Queue const &queue, Handle context, std::si
     return queue.driver.launch_host(queue.stream, release_mailbox, box) == 0 && queued;
 }
 
-/// Whether the driver knows a pointer, or it is null.
+/// Whether a pointer is null, or the driver knows it.
 bool is_known(Driver const &driver, void const *pointer) noexcept
 {
     int type = 0;

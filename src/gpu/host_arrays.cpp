@@ -24,8 +24,8 @@ struct Column {
     std::size_t width; ///< bytes
 };
 
-/// The arrays of a call. The first output is the one that marks bad pairs. It is computed even if the caller passes null for it,
-/// and its `rows` is null then.
+/// The arrays of a call. The first output marks bad pairs. It is computed even if the caller passes null for it. In this case its
+/// `rows` is null.
 struct Table {
     std::span<Column const> inputs, outputs;
 
@@ -38,12 +38,12 @@ struct Table {
     }
 };
 
-/// Pairs of a piece. Their memory is some tens of megabytes, once pinned on the host and once on the device.
+/// The number of pairs of a piece. The memory of a piece is some tens of megabytes, once pinned on the host and once on the device.
 constexpr std::size_t piece_size = std::size_t{1} << 17;
 
 constexpr int max_columns = 10;
 
-/// Memory and stream for one of the pieces that are in progress.
+/// The memory and the stream for one of the pieces that are in progress.
 class Piece {
   public:
     Piece(Driver const &driver, Table const &table, std::size_t capacity) noexcept
@@ -65,7 +65,7 @@ class Piece {
 
     bool is_ready() const noexcept { return ready_; }
 
-    /// Queues three steps for `count` pairs from `begin` on: copy the inputs to the device, compute(stream, count, columns), copy
+    /// Queues three steps for `count` pairs from `begin` on: copy the inputs to the device; compute(stream, count, columns); copy
     /// the outputs back.
     template <class Compute> int send(std::size_t begin, std::size_t count, Compute const &compute) noexcept
     {
@@ -89,8 +89,8 @@ class Piece {
         return fetch(outputs) ? PW85_SUCCESS : PW85_EDEVICE;
     }
 
-    /// Waits for the outputs and copies them to the caller's arrays. Sets `first_bad` to the first bad pair if it is still
-    /// SIZE_MAX.
+    /// Waits for the outputs and copies them to the caller's arrays. If `first_bad` is still SIZE_MAX, it becomes the index of the
+    /// first bad pair.
     template <class IsBad> bool collect(std::size_t &first_bad, IsBad const &is_bad) noexcept
     {
         if (count_ == 0) return true;
@@ -130,7 +130,8 @@ class Piece {
     bool ready_;
 };
 
-/// Computes all pieces. Returns PW85_EDEVICE if the device fails; a bad pair is only noted in `first_bad`.
+/// Computes all pieces. It returns PW85_EDEVICE if the device fails. A bad pair is not an error here: its index goes to
+/// `first_bad`.
 template <class Compute, class IsBad> int send_all(std::size_t n, Table const &table, Compute const &compute,
                                                    IsBad const &is_bad, std::size_t &first_bad) noexcept
 {
@@ -160,8 +161,8 @@ Column column(double const *rows, std::size_t numbers) noexcept
     return {reinterpret_cast<char *>(const_cast<double *>(rows)), numbers * sizeof(double)};
 }
 
-/// Computes all pairs and returns the status of the first bad one. If the device fails, all outputs are filled with bytes of 255,
-/// which are NaN as numbers and the mark of a bad pair as overlaps.
+/// Computes all pairs and returns the status of the first bad one. If the device fails, all outputs are filled with bytes of 255.
+/// As numbers these are NaN; for overlaps they mark a bad pair.
 template <class Compute, class IsBad> int run(std::size_t n, HostPairs const &in, std::span<Column const> outputs,
                                               Compute const &compute, IsBad const &is_bad) noexcept
 {

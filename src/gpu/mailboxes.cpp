@@ -1,4 +1,5 @@
-// The list of all mailboxes, which grows and never shrinks.
+// The list of all mailboxes. It grows and never shrinks. gpu.cpp acquires mailboxes; the driver calls compute_requests() and
+// release_mailbox() in the order of a stream.
 #include "mailboxes.hpp"
 
 #include <bit>

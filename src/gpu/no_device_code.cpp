@@ -1,4 +1,5 @@
-// Replaces the source that embed.py makes if no compiler for devices is available.
+// An empty program for the device. The build uses this file in place of the output of embed.py if no compiler for devices is
+// available.
 #include "device_code.hpp"
 
 char const pw85::detail::gpu::device_code[] = "";

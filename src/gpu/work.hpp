@@ -1,9 +1,9 @@
 /// @file
-/// The work of one thread of a device: the search and the tiers of the headers for one pair at a time, in two stages. device.cpp
-/// calls it on a device; the tests call it on the host.
+/// The work of one thread of a device. It runs the search and the overlap tiers of the headers for one pair at a time, in two
+/// stages. device.cpp calls it on a device; the tests call it on the host.
 ///
 /// The first stage is enough for almost all pairs, so that the threads of a block take the same branches. It lists the other pairs,
-/// and the second stage computes them by slower means. Overlaps that are undecided even then, and pairs that are not valid, are
+/// and the second stage computes them by slower methods. Overlaps that are undecided even then, and pairs that are not valid, are
 /// posted to the host, which computes them by pw85_overlap_batch(). Only fetch_and_increment() differs between devices.
 #ifndef PW85_GPU_WORK_HPP_INCLUDED
 #define PW85_GPU_WORK_HPP_INCLUDED
@@ -23,7 +23,7 @@ using kernels::OverlapArray;
 using Pairs = kernels::PairArrays<3>;
 using Pair3 = Pair<double, 3>;
 
-/// Threads of a block.
+/// The number of threads of a block.
 inline constexpr unsigned block_size = 128;
 
 /// The largest number of pairs of a launch. Lists of them have 32-bit indices, and take little memory beside the caller's arrays.
@@ -61,9 +61,9 @@ PW85_FUNCTION inline void store(double x, double *rows, std::size_t i) noexcept
     if (rows != nullptr) rows[i] = x;
 }
 
-/// Shared memory of a block of threads with one row for each pair of the block: 3, 6 and 6 numbers of r12, q1 and q2. All threads
-/// copy the rows together, so that consecutive threads read consecutive addresses. The five results of three numbers go back
-/// through the same rows. As the width 15 is odd, threads that access their own rows use different memory banks.
+/// The shared memory of a block of threads, with one row for each pair of the block: 3, 6 and 6 numbers of r12, q1 and q2. All
+/// threads copy the rows together, so that consecutive threads read consecutive addresses. The five results of three numbers go
+/// back through the same rows. The width 15 is odd, so threads that access their own rows use different memory banks.
 struct Tile {
     static constexpr std::size_t width = 15;
     double numbers[width * block_size];
@@ -80,7 +80,7 @@ copy_to_tile(double const *from, Tile &tile, std::size_t offset, std::size_t cou
         tile.numbers[Tile::width * (k / columns) + offset + k % columns] = from[k];
 }
 
-/// The share of one thread in copying `count` rows of three numbers from the tile to `to`, unless null.
+/// The share of one thread in copying `count` rows of three numbers from the tile to `to`. It does nothing if `to` is null.
 PW85_FUNCTION inline void copy_from_tile(Tile const &tile, std::size_t offset, double *to, std::size_t count,
                                          unsigned thread) noexcept
 {
@@ -130,7 +130,7 @@ PW85_FUNCTION inline Pair3 pair_of_nan() noexcept
     return {{nan, nan, nan}, {nan, nan, nan, nan, nan, nan}, {nan, nan, nan, nan, nan, nan}, nan};
 }
 
-/// Pair k of a list; a pair of NaN if one of its indices is out of range.
+/// Pair k of a list. The numbers are NaN if an index of the pair is out of range.
 PW85_FUNCTION inline Pair3 load(DeviceList const &rows, std::size_t k) noexcept
 {
     kernels::NeighborList list = rows.list;
@@ -142,7 +142,7 @@ PW85_FUNCTION inline Pair3 load(DeviceList const &rows, std::size_t k) noexcept
     return load_pairs<double>(list, &k);
 }
 
-/// The pairs of a list do not use the tile: their particles may be anywhere in memory, so each thread loads its own.
+/// The pairs of a list do not use the tile. Their particles may be anywhere in memory, so each thread loads its own pair.
 PW85_FUNCTION inline void load_tile(Tile &, DeviceList const &, std::size_t, std::size_t, unsigned) noexcept {}
 
 PW85_FUNCTION inline Pair3 load(Tile const &, DeviceList const &list, std::size_t begin, unsigned thread) noexcept
@@ -213,7 +213,7 @@ PW85_FUNCTION inline bool attempt(DerivativeArrays const &out, Pair3 const &pair
     return last.certain && accurate;
 }
 
-/// A concentric pair has no normal, but is valid.
+/// A concentric pair is valid, although it has no normal.
 PW85_FUNCTION inline bool settle(DerivativeArrays const &out, Pair3 const &pair, std::size_t i) noexcept
 {
     auto const c = contact(pair.r12, pair.q1, pair.q2);
@@ -261,8 +261,8 @@ PW85_FUNCTION inline double *destination(double const *wanted, double *here) noe
     return wanted == nullptr ? nullptr : here;
 }
 
-/// Derivatives go to the output arrays if they are numbers, and to the thread's own row of the tile if they are vectors. The thread
-/// has loaded its pair from that row already.
+/// Derivatives that are numbers go to the output arrays. Derivatives that are vectors go to the thread's own row of the tile, from
+/// which the thread has already loaded its pair.
 PW85_FUNCTION inline DerivativeArrays destination(DerivativeArrays const &out, Tile &tile, unsigned thread,
                                                   std::size_t i) noexcept
 {
@@ -310,7 +310,7 @@ store_tile(Attempt<Rows, DerivativeArrays> const &work, Tile const &tile, std::s
     copy_from_tile(tile, 12, out.d_rot2, count, thread);
 }
 
-/// The second stage: the pairs of the list `rest`, and the mailbox for pairs that the host must compute.
+/// The second stage. It has the pairs of the list `rest`, and the mailbox for pairs that the host must compute.
 template <class Rows, class Out> struct Settle {
     Rows rows;
     Out out;

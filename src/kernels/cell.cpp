@@ -1,4 +1,4 @@
-// The functions of the C API for periodic cells: the reduced cell, and the limit up to which nearest images suffice
+// The functions of the C API for periodic cells: the reduced cell (lattice.hpp), and the limit up to which nearest images suffice
 // (image_limit.hpp).
 #include <pw85.h>
 

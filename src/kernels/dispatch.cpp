@@ -1,4 +1,5 @@
-// Chooses the instruction set at run time. The functions of the C API call chosen().
+// Chooses the instruction set at run time. The functions of the C API call chosen(). The tables of functions are in one_pair.cpp
+// and lanes.cpp.
 #include "kernels.hpp"
 
 #include <cstdlib>
@@ -24,8 +25,8 @@ namespace {
 constexpr Kernels targets[] = {PW85_INSTRUCTION_SETS(PW85_TARGET) PW85_TARGET(baseline, baseline, true)};
 #undef PW85_TARGET
 
-/// The newest available target that is not newer than the one that PW85_TARGET names. It is not inlined, and returns a reference:
-/// otherwise each call for one pair would save registers and check a stack frame that only this function needs.
+/// The newest available target that is not newer than the one that PW85_TARGET names. The function is not inlined and returns a
+/// reference. Otherwise each call for one pair would save registers and check a stack frame that only this function needs.
 [[gnu::noinline]] Kernels const &choose() noexcept
 {
 #define PW85_AVAILABLE(target, one_pair, available) available,

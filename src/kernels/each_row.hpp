@@ -1,5 +1,6 @@
 /// @file
-/// Calls a function of one row for each row of arrays, in parallel. many_rows.cpp makes all functions without lanes with it.
+/// Calls a function of one row for each row of arrays, in parallel. many_rows.cpp and many_pairs.cpp use it for functions without
+/// lanes.
 #ifndef PW85_KERNELS_EACH_ROW_HPP_INCLUDED
 #define PW85_KERNELS_EACH_ROW_HPP_INCLUDED
 
@@ -19,7 +20,7 @@ template <class Row> Failure for_rows(Range range, Row const &row) noexcept
     return first;
 }
 
-// Arguments of functions of many rows. row(i) returns the argument of the function of one row for row i.
+// The arguments of functions of many rows. row(i) is the argument of the function of one row for row i.
 
 /// An array with `columns` elements in each row.
 template <int columns, class T = double const> struct RowsOf {

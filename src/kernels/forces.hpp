@@ -1,6 +1,6 @@
 /// @file
-/// Sums forces, torques and virial over the pairs of a neighbour list, with the same bits for any number of threads.
-/// pw85_contact_forces_pairs() (many_pairs.cpp) calls sum_forces().
+/// Sums forces, torques and virial over the pairs of a neighbour list. The result has the same bits for any number of threads.
+/// pw85_contact_forces_pairs() (many_pairs.cpp) and law_forces.hpp use this file.
 #ifndef PW85_KERNELS_FORCES_HPP_INCLUDED
 #define PW85_KERNELS_FORCES_HPP_INCLUDED
 
@@ -23,7 +23,7 @@ struct PairGradients {
     NeighborList list;                     ///< its forms are not read
     double const *d_u;                     ///< dU/dμ², one number per pair
     double const *d_r12, *d_rot1, *d_rot2; ///< derivatives of μ², three numbers per pair
-    double const *r12 = nullptr; ///< separations, three numbers per pair; null where they are to be found from the list
+    double const *r12 = nullptr; ///< separations, three numbers per pair; null if they are to be computed from the list
 };
 
 /// The output arrays, any of which may be null.
@@ -64,18 +64,19 @@ inline void add_row(Row const &row, double *sums, std::size_t index) noexcept
     store_row(plus(load_row(sums, index), row), sums, index);
 }
 
-/// The rows of a matrix. It is no array, because compilers would keep an array in memory.
+/// The rows of a matrix. This is not an array, because compilers would keep an array in memory.
 struct Rows3 {
     Row x, y, z;
 };
 
-/// The virial is summed in this many parts, whatever the number of threads: so the order of additions is always the same.
+/// The number of parts in which the virial is summed. It does not depend on the number of threads, so the order of additions is
+/// always the same.
 constexpr std::size_t num_parts = 64;
 
-/// How many pairs ahead particles are prefetched: the particles of consecutive pairs may be anywhere in memory.
+/// The number of pairs by which particles are prefetched ahead. The particles of consecutive pairs may be anywhere in memory.
 constexpr std::size_t prefetch_distance = 16;
 
-/// The number of the calling thread in its parallel region, and how many there are.
+/// The number of the calling thread in its parallel region, and the number of threads.
 struct ThreadNumber {
     std::size_t thread, threads;
 };
@@ -96,7 +97,7 @@ inline Range share(std::size_t n, std::size_t count, std::size_t k) noexcept
     return Range{std::min(n, k * size), std::min(n, (k + 1) * size)};
 }
 
-/// The sums of one thread: forces and torques on its own particles, in the order of all pairs, and the virial of its own parts.
+/// The sums of one thread: the forces and torques on its own particles, in the order of all pairs, and the virial of its own parts.
 class ForceSum {
   public:
     ForceSum(PairSums const &sums, Range own) noexcept : sums_(sums), begin_(own.begin), size_(own.end - own.begin)
@@ -105,7 +106,7 @@ class ForceSum {
             if (rows != nullptr) std::fill(rows + 3 * own.begin, rows + 3 * own.end, 0.0);
     }
 
-    /// Adds the forces and torques of a part of the pairs, and writes the virial of this part unless null.
+    /// Adds the forces and torques of a part of the pairs, and writes the virial of this part if `virial` is not null.
     void add_part(PairGradients const &pairs, Range part, double *virial) const noexcept
     {
         Rows3 sum = {};
@@ -140,7 +141,7 @@ class ForceSum {
         }
     }
 
-    /// Adds pair k to the sums of its particles. The forces on both are opposite.
+    /// Adds pair k to the sums of its particles. The forces on the two particles are opposite.
     void add_pair(PairGradients const &pairs, std::size_t k) const noexcept
     {
         double const d_u = pairs.d_u[k];
@@ -150,7 +151,7 @@ class ForceSum {
         if (is_own(j)) add(j, times(-1.0, force), -d_u, pairs.d_rot2, k);
     }
 
-    /// Adds a force on a particle, and the torque, which is `factor` times row k of d_rot.
+    /// Adds a force and a torque on a particle. The torque is `factor` times row k of d_rot.
     void add(std::size_t particle, Row const &force, double factor, double const *d_rot, std::size_t k) const noexcept
     {
         if (sums_.forces != nullptr) add_row(force, sums_.forces, particle);
@@ -171,7 +172,7 @@ class ForceSum {
     std::size_t begin_, size_;
 };
 
-/// The work of one of `threads` threads: the sums of its share of the particles, and the virial of every `threads`-th part.
+/// The work of one of `threads` threads: the sums for its share of the particles, and the virial of every `threads`-th part.
 inline void sum_forces(PairGradients const &pairs, std::size_t num_particles, PairSums const &sums, std::size_t thread,
                        std::size_t threads, double (&parts)[num_parts][9]) noexcept
 {

@@ -68,7 +68,7 @@ PW85_INLINE Columns load_columns(double const *const *rows, int column) noexcept
 }
 
 #if defined(PW85_LANES_AVX512)
-/// Loads the first four columns. Rows i and i + 4 share a register, which makes two transpositions of 4×4 numbers.
+/// Loads the first four columns. Rows i and i + 4 share a register, so there are two transpositions of 4×4 numbers.
 PW85_INLINE void load_four_columns(double const *const *rows, Pack *columns) noexcept
 {
     __m512d two[4];
@@ -114,10 +114,10 @@ namespace {
 template <int D> using LanePair = Pair<Pack, D>;
 template <class Rows> using LanePairOf = LanePair<Rows::dimension>;
 
-/// How many pairs ahead particles are prefetched.
+/// The number of pairs by which particles are prefetched ahead.
 inline constexpr std::size_t prefetch_distance = 128;
 
-/// `count` consecutive pairs from `begin` on, which are computed together; `end` is the number of all pairs.
+/// `count` consecutive pairs from `begin` on, which are computed together. `end` is the number of all pairs.
 struct Chunk {
     std::size_t begin, count, end;
 };
@@ -125,7 +125,8 @@ struct Chunk {
 /// Consecutive rows of arrays need no prefetch by software.
 template <class Rows> PW85_INLINE void prefetch(Rows const &, std::size_t, std::size_t, std::size_t) noexcept {}
 
-/// Prefetches the particles of `count` pairs of a list from `begin` on, but none from `end` on. They may be anywhere in memory.
+/// Prefetches the particles of `count` pairs of a list, from pair `begin` on and below pair `end`. The particles may be anywhere in
+/// memory.
 PW85_INLINE void prefetch(kernels::NeighborList const &list, std::size_t begin, std::size_t count,
                           std::size_t end) noexcept
 {
@@ -180,7 +181,7 @@ template <class Rows> [[gnu::flatten]] void gather(Rows const &rows, std::uint16
     }
 }
 
-/// A mask of the first `count` lanes.
+/// A mask of the first `count` lanes; all lanes if there are fewer.
 PW85_INLINE unsigned live_lanes(std::size_t count) noexcept { return count >= lanes ? all_lanes : (1u << count) - 1u; }
 
 /// Calls visit(lane) for each lane whose bit is set.

@@ -23,7 +23,8 @@ class ImageFinder {
         reduce(list.cell, reduced, multiples_);
     }
 
-    /// Writes the separation and the multiples of the nearest image of a pair, unless null, and returns a status.
+    /// Finds the nearest image of a pair, and returns a status. It writes the separation and the multiples of the cell's vectors,
+    /// each if its pointer is not null.
     int find(std::size_t pair, double *r12, std::int32_t *image) const noexcept
     {
         std::int32_t const *const ij = row_of(list_.pairs, 2, pair);

@@ -2,10 +2,10 @@
 /// Decides whether only the nearest images in a lattice can overlap. pw85_nearest_image_limit() (cell.cpp) and
 /// pw85_overlap_any_indices() (many_pairs.cpp) use it.
 ///
-/// An image that is not the nearest has r·v >= ½|v|² for a vector v to a face of the lattice's Voronoi cell, whose coordinates are
-/// -1, 0 or 1 (item 3 of lattice.hpp). μ is the maximum of r·n over the sum of the two half-widths along n, √(nᵀQ1n) + √(nᵀQ2n),
-/// for any n: so it is at least ¼|v|²/√(vᵀQv), Q the wider of the two along v. (Other vectors v give no less: v/|v|² is in the hull
-/// of those of the faces.)
+/// An image that is not the nearest has r·v >= ½|v|² for a vector v to a face of the lattice's Voronoi cell. The coordinates of v
+/// are -1, 0 or 1 (item 3 of lattice.hpp). μ is the maximum over n of r·n divided by the sum of the two half-widths along n,
+/// √(nᵀQ1n) + √(nᵀQ2n). So μ is at least ¼|v|²/√(vᵀQv), where Q is the wider of the two forms along v. (Other vectors v give no
+/// smaller value, because v/|v|² is in the convex hull of those of the faces.)
 #ifndef PW85_KERNELS_IMAGE_LIMIT_HPP_INCLUDED
 #define PW85_KERNELS_IMAGE_LIMIT_HPP_INCLUDED
 
@@ -41,11 +41,12 @@ inline double largest_relative_width(Lattice const &lattice, SymmetricMatrix<dou
     return largest;
 }
 
-/// Largest value of largest_relative_width() at which images that are not the nearest do not overlap.
+/// The largest value of largest_relative_width() at which images that are not the nearest do not overlap.
 constexpr double relative_width_limit = 0.0625;
 
-/// Whether the diagonal entries Q_dd alone show that all relative widths are within the limit; `squares` are their largest values.
-/// The first test uses vᵀQv <= |v|² ΣQ_dd, where the basis has the shortest vectors; the second uses vᵀQv <= (Σ|v_d|√Q_dd)².
+/// Whether the diagonal entries Q_dd alone show that all relative widths are within the limit. `squares` are the largest of these
+/// entries. The first test uses vᵀQv <= |v|² ΣQ_dd, where the basis has the shortest vectors. The second test uses
+/// vᵀQv <= (Σ|v_d|√Q_dd)².
 inline bool have_narrow_boxes(Lattice const &lattice, double const (&squares)[3]) noexcept
 {
     double shortest = HUGE_VAL;
@@ -61,7 +62,7 @@ inline bool have_narrow_boxes(Lattice const &lattice, double const (&squares)[3]
     return narrow;
 }
 
-/// Whether only the nearest images of the other ellipsoids can overlap the first one, and no image of the first one can.
+/// Whether only the nearest images of the other ellipsoids can overlap the first one, and no image of the first one can overlap it.
 inline bool nearest_images_suffice(OneToIndexed const &rows, std::size_t n) noexcept
 {
     double squares[3] = {rows.q1[0], rows.q1[3], rows.q1[5]};

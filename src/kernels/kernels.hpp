@@ -51,7 +51,7 @@ template <int D> struct PairArrays {
     }
 };
 
-/// Pairs with a direction in the place of the separation. Its length does not matter.
+/// Pairs with a direction instead of the separation. Its length does not matter.
 struct Directions {
     static constexpr int dimension = 3;
     PairArrays<3> arrays;
@@ -86,8 +86,8 @@ struct OneToIndexed {
     }
 };
 
-/// A neighbour list: pairs (i, j) of rows of centers (N×3) and q (N×6). The image of j is the one that `images` gives as multiples
-/// of the rows of `cell`; without `images` it is the nearest one in the lattice; without both it is j itself.
+/// A neighbour list: pairs (i, j) of rows of centers (N×3) and q (N×6). `images` gives the image of j as multiples of the rows of
+/// `cell`. Without `images` the image is the nearest one in the lattice. Without both it is j itself.
 struct NeighborList {
     static constexpr int dimension = 3;
     std::int32_t const *pairs;
@@ -170,15 +170,15 @@ struct InversePowers {
     double repulsion, n, attraction, m, mu2_max, shift;
 };
 
-/// U by cubic Hermite interpolation between points that are equally far from each other in μ², and 0 from the last point on. Its
-/// derivative is that of the polynomial, so that forces conserve the energy. Before the first point, U is linear.
+/// U by cubic Hermite interpolation between points that are equally spaced in μ², and 0 from the last point on. The derivative is
+/// that of the polynomial, so that forces conserve the energy. Before the first point, U is linear.
 struct LawTable {
     double mu2_min, mu2_max;
     std::size_t intervals;
     double const *points; ///< U and its derivative, two numbers per point
 };
 
-/// A function for the values of a law: it writes the derivatives of U at n numbers μ², and returns the sum of U.
+/// A function for the values of a law. It writes the derivatives of U at n numbers μ², and returns the sum of U.
 template <class Law> struct LawKernel {
     double (*evaluate)(Law const &, std::size_t n, double const *mu2, double *d_u) noexcept;
 };
@@ -207,15 +207,15 @@ struct OnePairKernels {
 
 /// A function for many pairs, one per lane.
 template <class Rows, class Arrays> struct LaneKernel {
-    /// Computes pairs from the first of n on, and returns how many. It writes to `left_over` the indices of those of them that need
-    /// the function for one pair.
+    /// Computes pairs from the first of n on, and returns their number. It writes to `left_over` the indices of the computed pairs
+    /// that need the function for one pair.
     std::size_t (*compute)(Rows const &, std::size_t n, Arrays const &, Worklist &left_over) noexcept;
     /// Copies the pairs with the given indices, with the separations and images that lanes compute.
     void (*gather)(Rows const &, std::uint16_t const *indices, std::size_t count,
                    PairRow<Rows::dimension> *pairs) noexcept;
 };
 
-/// All lane kernels of a target. Each is a base class, so that its types select it.
+/// All lane kernels of a target. Each kernel is a base class, so that its types select it.
 template <class... Kernel> struct KernelTable : Kernel... {
 };
 
@@ -234,8 +234,8 @@ struct Kernels {
     LaneKernels const *lanes;
 };
 
-/// The kernels for this processor, or those that the environment variable PW85_TARGET names if the processor can run them. The
-/// first call decides for the whole process.
+/// The kernels for this processor. If the environment variable PW85_TARGET names others that the processor can run, it is those.
+/// The first call decides for the whole process.
 Kernels const &chosen() noexcept;
 
 } // namespace pw85::detail::kernels

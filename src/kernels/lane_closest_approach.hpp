@@ -1,6 +1,6 @@
 /// @file
 /// The kernel for distances of closest approach, one pair per lane: |d|/μ(d), where d is the direction. It is the kernel of the
-/// contact function (lane_contact.hpp) with another result.
+/// contact function (lane_contact.hpp) with another result. lanes.cpp puts it into its table.
 #ifndef PW85_KERNELS_LANE_CLOSEST_APPROACH_HPP_INCLUDED
 #define PW85_KERNELS_LANE_CLOSEST_APPROACH_HPP_INCLUDED
 
@@ -9,7 +9,8 @@
 namespace pw85::detail {
 namespace {
 
-/// Computes the distances of a chunk. Pairs whose μ² is out of the range of double are left over: their distances may be in range.
+/// Computes the distances of a chunk. If the μ² of a pair is out of the range of double, the pair is left over, because its
+/// distance may be in range.
 PW85_INLINE void compute_chunk(kernels::Directions const &rows, Chunk const &chunk, kernels::ApproachArray const &out,
                                kernels::Worklist &left_over) noexcept
 {

@@ -1,9 +1,10 @@
 /// @file
 /// The kernel for the contact function, one pair per lane. It drives the search on the rational form (contact/rational_search.hpp).
+/// lanes.cpp puts it into its table, and the kernels for derivatives and closest approach call contact_chunk().
 ///
-/// Each stage runs over all packs of a chunk before the next stage begins. The stages are short and the packs independent, so that
-/// the processor works on several packs at a time. Pairs that fail the fast checks, and pairs for which the search is not certain,
-/// are left over.
+/// Each stage runs over all packs of a chunk before the next stage begins. The stages are short and the packs are independent, so
+/// that the processor works on several packs at a time. Pairs that fail the fast checks, and pairs for which the search is not
+/// certain, are left over.
 #ifndef PW85_KERNELS_LANE_CONTACT_HPP_INCLUDED
 #define PW85_KERNELS_LANE_CONTACT_HPP_INCLUDED
 
@@ -14,8 +15,8 @@
 namespace pw85::detail {
 namespace {
 
-/// Packs per chunk. A pack and its search take 1.7 kB with 8 lanes. Two to eight packs are about as fast; a small number saves
-/// first-level cache and stack.
+/// The number of packs per chunk. A pack and its search take 1.7 kB with 8 lanes. Two to eight packs are about as fast. A small
+/// number saves first-level cache and stack.
 inline constexpr std::size_t packs_per_chunk = 3;
 inline constexpr std::size_t contact_chunk_size = packs_per_chunk * lanes;
 
@@ -24,7 +25,7 @@ template <int D> struct PackSearches {
     LanePair<D> pairs[packs_per_chunk];
     RationalSearch<Pack> states[packs_per_chunk];
 
-    /// Pair k. The compiler sees that its ratio is 1, which it could not read from memory.
+    /// Pair k. The compiler sees that the ratio is 1; it could not know that of a ratio in memory.
     PW85_INLINE LanePair<D> pair(std::size_t k) const noexcept
     {
         return pair_of(pairs[k].r12, pairs[k].q1, pairs[k].q2);

@@ -1,8 +1,9 @@
 /// @file
-/// The kernel for the contact function with contact points, normals and derivatives, one pair per lane.
+/// The kernel for the contact function with contact points, normals and derivatives, one pair per lane. lanes.cpp puts it into its
+/// table.
 ///
-/// It evaluates the formulas of contact/geometry.hpp at the λ of the contact function (lane_contact.hpp), as the functions for one
-/// pair do. Ill-conditioned pairs are left over with their λ.
+/// The kernel evaluates the formulas of contact/geometry.hpp at the λ of the contact function (lane_contact.hpp), as the functions
+/// for one pair do. Ill-conditioned pairs are left over with their λ.
 #ifndef PW85_KERNELS_LANE_DERIVATIVES_HPP_INCLUDED
 #define PW85_KERNELS_LANE_DERIVATIVES_HPP_INCLUDED
 
@@ -15,8 +16,8 @@
 namespace pw85::detail {
 namespace {
 
-/// Register m of the three that hold x0, y0, z0, x1, y1 ... in this order: its element j is coordinate k % 3 of lane k / 3, with
-/// k = m lanes + j.
+/// Register m of the three registers that hold x0, y0, z0, x1, y1 ... in this order. With k = m lanes + j, element j is coordinate
+/// k % 3 of lane k / 3.
 template <std::size_t m, std::size_t... j>
 PW85_INLINE Register interleave(Vector<Pack, 3> const &x, std::index_sequence<j...>) noexcept
 {

@@ -1,8 +1,10 @@
 /// @file
-/// The kernel for distances, one pair per lane. It drives the search of item 2 of distance/normal_search.hpp.
+/// The kernel for distances, one pair per lane. It drives the search of item 2 of distance/normal_search.hpp. lanes.cpp puts it
+/// into its table.
 ///
-/// A slab between two ellipsoids that is wider than its rounding error proves that they are apart. Pairs are left over if no such
-/// slab is found, because they overlap or nearly touch, if they fail the fast checks, or if their closest points are not accurate.
+/// A slab between two ellipsoids that is wider than its rounding error proves that they are apart. A pair is left over in three
+/// cases: no such slab is found, because the ellipsoids overlap or nearly touch; the pair fails the fast checks; or the closest
+/// points are not accurate.
 #ifndef PW85_KERNELS_LANE_DISTANCE_HPP_INCLUDED
 #define PW85_KERNELS_LANE_DISTANCE_HPP_INCLUDED
 

@@ -1,8 +1,8 @@
 /// @file
-/// The kernels for laws: the energy U(μ²) of a pair and its derivative with respect to μ², one pair per lane. law_forces.hpp has the
-/// sums.
+/// The kernels for laws: the energy U(μ²) of a pair and its derivative with respect to μ², one pair per lane. lanes.cpp makes the
+/// table of them, and law_forces.hpp sums the results.
 ///
-/// Each law has a function evaluate(). It gives NaN for NaN. Concentric ellipsoids have no force whatever the law: where U has no
+/// Each law has a function evaluate(). It gives NaN for NaN. Concentric ellipsoids have no force for any law. So if U has no
 /// derivative at μ = 0, evaluate() gives 0 for it.
 #ifndef PW85_KERNELS_LANE_LAW_HPP_INCLUDED
 #define PW85_KERNELS_LANE_LAW_HPP_INCLUDED
@@ -17,9 +17,9 @@ struct LawValues {
     Pack u, d_u;
 };
 
-/// A power of x >= 0. Multiples of 1/2 up to 32 are products of x^(2^k) and a root, without a function of the C library. The relative
-/// error of x^(2^k) is at most (2^k - 1) u to first order, that of the root u, and there are at most six products: in all it is less
-/// than (exponent + 7) u.
+/// A power of x >= 0. For multiples of 1/2 up to 32 it is a product of factors x^(2^k) and a root, without a function of the C
+/// library. To first order, the relative error of x^(2^k) is at most (2^k - 1) u, and that of the root is u. There are at most six
+/// products. So the whole error is less than (exponent + 7) u.
 PW85_INLINE Pack power(Pack x, double exponent) noexcept
 {
     bool const is_product = exponent >= 0.0 && exponent <= 32.0 && 2.0 * exponent == static_cast<int>(2.0 * exponent);
@@ -35,7 +35,7 @@ PW85_INLINE Pack power(Pack x, double exponent) noexcept
     return result;
 }
 
-/// The difference 1 - μ is taken from 1 - μ², which is exact near contact.
+/// The difference 1 - μ is computed from 1 - μ², which is exact near contact.
 PW85_INLINE LawValues evaluate(kernels::SoftRepulsion const &law, Pack const &mu2) noexcept
 {
     Pack const mu = square_root(mu2), gap = (Pack(1.0) - mu2) / (Pack(1.0) + mu);
@@ -45,7 +45,7 @@ PW85_INLINE LawValues evaluate(kernels::SoftRepulsion const &law, Pack const &mu
     return {select(apart, Pack(0.0), u), select(apart || mu2 == Pack(0.0), Pack(0.0), d_u)};
 }
 
-/// The smaller power is a factor, so that there is no difference of infinities at μ = 0.
+/// The smaller power is a factor, so that no infinities are subtracted at μ = 0.
 PW85_INLINE LawValues evaluate(kernels::InversePowers const &law, Pack const &mu2) noexcept
 {
     Pack const x = Pack(1.0) / mu2, weak = power(x, 0.5 * law.m), ratio = power(x, 0.5 * (law.n - law.m));
@@ -61,7 +61,7 @@ PW85_INLINE LawValues evaluate(kernels::LawTable const &law, Pack const &mu2) no
     auto const count = static_cast<double>(law.intervals);
     double const per_interval = count / (law.mu2_max - law.mu2_min);
     Pack const position = Pack(per_interval) * (mu2 - Pack(law.mu2_min));
-    // The nearest one of the positions with an interval behind them; 0 for NaN.
+    // The nearest position that has an interval behind it; 0 for NaN.
     Pack const nearest = minimum(Pack(count - 1.0), maximum(Pack(0.0), position));
     double begin[lanes];
     double const *rows[lanes];
@@ -75,7 +75,7 @@ PW85_INLINE LawValues evaluate(kernels::LawTable const &law, Pack const &mu2) no
     Pack const x = position - load_lanes<Pack>(begin), chord = Pack(per_interval) * (p[2] - p[0]);
     Pack const square = Pack(3.0) * chord - Pack(2.0) * p[1] - p[3], cube = p[1] + p[3] - Pack(2.0) * chord;
     PackMask const before = x < Pack(0.0), apart = mu2 >= Pack(law.mu2_max);
-    Pack const mean = select(before, p[1], p[1] + x * Pack(square + x * cube)); // of the derivative up to x
+    Pack const mean = select(before, p[1], p[1] + x * Pack(square + x * cube)); // the mean derivative up to x
     Pack const d_u = select(before, p[1], p[1] + x * Pack(Pack(2.0) * square + Pack(3.0 * x) * cube));
     Pack const u = p[0] + Pack(x / Pack(per_interval)) * mean;
     return {select(apart, Pack(0.0), u), select(apart, Pack(0.0), d_u)};

@@ -1,10 +1,11 @@
 /// @file
-/// The kernel for the overlap test, one pair per lane. It drives the tests on the quartic (overlap/quartic.hpp).
+/// The kernel for the overlap test, one pair per lane. It drives the tests on the quartic (overlap/quartic.hpp). lanes.cpp puts it
+/// into its table.
 ///
 /// Each pair is first tested at the same t as in the function for one pair. Undecided pairs are collected, so that all lanes stay
-/// in use. They are tested again at the next two t of the fixed-point map, and then at the t where the search on the rational form
-/// converges. Pairs are left over if even that does not decide, because they are tangent to within rounding, or if they fail the
-/// fast checks.
+/// in use. They are tested again at the next two t of the fixed-point map, and then at the t to which the search on the rational
+/// form converges. Pairs are left over if they fail the fast checks, or if they remain undecided because they are tangent to within
+/// rounding.
 #ifndef PW85_KERNELS_LANE_OVERLAP_HPP_INCLUDED
 #define PW85_KERNELS_LANE_OVERLAP_HPP_INCLUDED
 
@@ -17,7 +18,7 @@
 namespace pw85::detail {
 namespace {
 
-/// Pairs that are tested once before the undecided ones among them are tested again.
+/// The number of pairs that are tested once before the undecided pairs among them are tested again.
 inline constexpr std::size_t overlap_chunk_size = 256;
 
 /// Undecided pairs, with t² of their next test.
@@ -59,7 +60,8 @@ template <int D> PW85_INLINE LaneCertainty test_lanes(LanePair<D> const &pair, P
 /// Stores the results of consecutive pairs, one byte for each.
 PW85_INLINE void store_answers(unsigned overlap, std::size_t count, unsigned char *out) noexcept
 {
-    // Bit i goes to byte i of memory: each byte gets a copy of all bits and keeps bit i; adding 127 carries it to the top bit.
+    // Bit i goes to byte i of memory. Each byte gets a copy of all bits and keeps bit i. Adding 127 carries that bit to the top of
+    // the byte.
     constexpr std::uint64_t bit_of_byte =
         std::endian::native == std::endian::little ? 0x8040201008040201u : 0x0102040810204080u;
     std::uint64_t const own = (overlap * 0x0101010101010101u) & bit_of_byte;

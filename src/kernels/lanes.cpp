@@ -1,4 +1,5 @@
-// The table of the lane kernels. It is compiled once per instruction set; many_pairs.hpp calls the kernels.
+// The table of the lane kernels (lane_*.hpp). It is compiled once per instruction set. dispatch.cpp chooses a table, and
+// many_pairs.hpp calls its kernels.
 #include "kernels.hpp"
 #include "lane_closest_approach.hpp"
 #include "lane_contact.hpp"
@@ -15,7 +16,7 @@ namespace {
 template <class Arrays> constexpr std::size_t chunk_size = contact_chunk_size;
 template <> constexpr std::size_t chunk_size<OverlapArray> = overlap_chunk_size;
 
-/// Computes chunk by chunk, until there may be no room for the pairs that the next chunk leaves over.
+/// Computes chunk after chunk. It stops when there may be no room for the pairs that the next chunk leaves over.
 template <class Rows, class Arrays>
 [[gnu::flatten]] std::size_t compute(Rows const &rows, std::size_t n, Arrays const &out, Worklist &left_over) noexcept
 {
@@ -30,7 +31,7 @@ template <class Rows, class Arrays>
     return done;
 }
 
-/// The values of a law, pack by pack. Lanes beyond the last pair repeat it, and do not count.
+/// Computes the values of a law, pack by pack. Lanes beyond the last pair repeat that pair, and do not enter the sum.
 template <class Law>
 [[gnu::flatten]] double evaluate_law(Law const &law, std::size_t n, double const *mu2, double *d_u) noexcept
 {

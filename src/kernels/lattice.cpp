@@ -1,4 +1,5 @@
-// Reduction of a lattice. The items are those of lattice.hpp.
+// Reduces a lattice and prepares the search of nearest images (nearest_image.hpp). The items are those of lattice.hpp, which lists
+// the callers.
 #include "lattice.hpp"
 
 #include <algorithm>
@@ -23,15 +24,14 @@ struct Gram {
     double product[3]; ///< entry i: the product of the two other vectors
 };
 
-/// A cell is not scaled if its largest entry is between this and its inverse.
+/// A cell is not scaled if its largest entry is between this number and its inverse.
 constexpr double unscaled_limit = 0x1p100;
 
-/// An inequality counts as fulfilled if it fails by no more than this fraction of the squares of lengths, which is far above their
-/// rounding errors.
+/// An inequality counts as fulfilled if it fails by no more than this fraction of the squares of lengths. The fraction is far above
+/// their rounding errors.
 constexpr double tolerance = 0x1p-44;
 
-/// A cell counts as singular if the ratio of the smallest to the largest square of the lengths of its reduced vectors is below
-/// this.
+/// A cell counts as singular if the smallest squared length of its reduced vectors over the largest is below this number.
 constexpr double singular = 0x1p-80;
 
 /// Whether the nine numbers of a cell are finite.
@@ -42,7 +42,7 @@ bool is_finite(double const *cell) noexcept
     return zero == 0.0;
 }
 
-/// Loads a cell in units in which products of its entries stay in range. Returns false if the cell is not finite, or zero.
+/// Loads a cell in units in which products of its entries stay in range. It returns false if the cell is not finite, or zero.
 bool load(double const *cell, Basis &basis) noexcept
 {
     double largest = 0.0;
@@ -104,7 +104,7 @@ bool is_reducible(double product, double square, double other) noexcept
     return excess > 0.0 && excess * excess > tolerance * tolerance * (square * other);
 }
 
-/// Shortens one vector of the basis. Returns false if the basis is reduced (item 1).
+/// Shortens one vector of the basis. It returns false if the basis is already reduced (item 1).
 bool shorten(Basis &basis, Gram const &g) noexcept
 {
     for (int k = 0; k < 3; ++k)
@@ -122,13 +122,13 @@ bool shorten(Basis &basis, Gram const &g) noexcept
     return true;
 }
 
-/// Reduces a basis. A basis that is already reduced does not change. Returns false if the basis is singular to working precision:
-/// then the reduction leads to a vector that consists of rounding errors only.
+/// Reduces a basis. A basis that is already reduced does not change. It returns false if the basis is singular to working
+/// precision. In this case the reduction leads to a vector that consists of rounding errors only.
 bool reduce(Basis &basis, Gram &g) noexcept
 {
     g = gram(basis);
     double const least = singular * *std::max_element(g.square, g.square + 3);
-    // The lengths shrink as in Euclid's algorithm: far fewer steps than this use up all 53 bits.
+    // The lengths decrease as in Euclid's algorithm. Far fewer steps than this limit use up all 53 bits.
     for (int step = 0; step < 1000; ++step) {
         if (!(*std::min_element(g.square, g.square + 3) > least)) return false;
         if (!shorten(basis, g)) return true;
@@ -141,7 +141,7 @@ bool reduce(Basis &basis, Gram &g) noexcept
 void list_shifts(Lattice &lattice, Basis const &basis, Gram const &g) noexcept
 {
     int num_skew = 0,
-        skew = 0; // number of pairs of vectors that are not orthogonal; a vector that is not in the last such pair
+        skew = 0; // the number of pairs of vectors that are not orthogonal; a vector that is not in the last such pair
     for (int i = 0; i < 3; ++i) {
         double const bound = tolerance * tolerance * g.square[(i + 1) % 3] * g.square[(i + 2) % 3];
         if (g.product[i] * g.product[i] <= bound) continue;
@@ -175,8 +175,8 @@ void rescale(Lattice &lattice, double unit) noexcept
     }
 }
 
-/// A faster prepare() for a cell whose vectors are along the axes and need no scaling; returns false for other cells. Monte Carlo
-/// simulations prepare a cell for each move.
+/// A faster prepare() for a cell whose vectors are along the axes and need no scaling. It returns false for other cells. Monte
+/// Carlo simulations prepare a cell for each move.
 bool prepare_rectangular(double const *cell, Lattice &lattice) noexcept
 {
     for (int const k : {1, 2, 3, 5, 6, 7})

@@ -2,9 +2,9 @@
 /// Sums energy, forces, torques and virial of a law over the pairs of a neighbour list. pw85_law_forces_pairs() (many_pairs.cpp)
 /// calls sum_law().
 ///
-/// The pairs are divided into blocks, whatever the number of threads. In each round, every thread computes the derivatives of some
-/// blocks, which remain in the cache, and then adds the terms of all blocks of the round to its own particles (forces.hpp). So the
-/// sums are those of the pairs in their order, and their bits do not depend on the number of threads.
+/// The pairs are divided into blocks of a fixed size, for any number of threads. In each round, every thread computes the
+/// derivatives of some blocks, which remain in the cache. Then it adds the terms of all blocks of the round to its own particles
+/// (forces.hpp). So the terms are added in the order of the pairs, and the bits of the sums do not depend on the number of threads.
 #ifndef PW85_KERNELS_LAW_FORCES_HPP_INCLUDED
 #define PW85_KERNELS_LAW_FORCES_HPP_INCLUDED
 
@@ -15,8 +15,8 @@
 namespace pw85::detail::kernels {
 namespace {
 
-/// Pairs per block, a multiple of the chunks of all kernels for contact functions on x86. Their derivatives take 60 kB, so that those
-/// of all rounds at work fit into a second-level cache.
+/// The number of pairs per block, a multiple of the chunks of all kernels for contact functions on x86. The derivatives of a block
+/// take 60 kB, so that those of all rounds in progress fit into a second-level cache.
 constexpr std::size_t law_block = 504;
 
 /// The sums of a block.
@@ -36,7 +36,7 @@ struct LawBlock {
     PairGradients gradients() const noexcept { return {size, list, d_u, d_r12, d_rot1, d_rot2, r12}; }
 };
 
-/// Selects the pairs that overlap, and bad ones, which derivatives report.
+/// Selects the pairs that overlap, and the bad pairs, whose errors the computation of derivatives reports.
 inline void select_overlaps(Kernels const &kernels, NeighborList const &rows, std::size_t n, LawBlock &made) noexcept
 {
     compute(kernels, rows, n, OverlapArray{made.overlap});
@@ -52,8 +52,8 @@ inline void select_overlaps(Kernels const &kernels, NeighborList const &rows, st
     if (rows.images != nullptr) made.list.images = made.images;
 }
 
-/// Computes the derivatives of a block of n pairs, and the sum of its energies. A pair that does not overlap has no soft repulsion,
-/// and needs no derivatives. The kernel needs an array for λ: that of the slopes, which are found last.
+/// Computes the derivatives of a block of n pairs, and the sum of its energies. With soft repulsion, pairs that do not overlap need
+/// no derivatives. The kernel needs an array for λ. It gets that of the slopes, which are computed last.
 template <class Law> Failure compute_block(Kernels const &kernels, NeighborList const &rows, std::size_t n,
                                            Law const &law, PairSums const &sums, LawBlock &made,
                                            double &energy) noexcept
@@ -71,7 +71,7 @@ template <class Law> Failure compute_block(Kernels const &kernels, NeighborList 
     return bad;
 }
 
-/// A law, the pairs, and where the sums go.
+/// A law, the pairs, and the output arrays.
 template <class Law> struct LawProblem {
     std::size_t num_pairs, num_particles;
     NeighborList rows;
@@ -81,8 +81,8 @@ template <class Law> struct LawProblem {
     std::size_t num_blocks() const noexcept { return (num_pairs + law_block - 1) / law_block; }
 };
 
-/// How many blocks each of several threads computes in a round. Threads wait for each other once in a round, so that rounds of a tenth
-/// of a millisecond leave little to wait for.
+/// The number of blocks that each of several threads computes in a round. Threads wait for each other once in a round. A round
+/// takes a tenth of a millisecond, so the waiting costs little.
 constexpr std::size_t blocks_per_thread = 8;
 
 /// The blocks of a round, in their order.
@@ -92,8 +92,8 @@ struct Round {
     std::size_t size() const noexcept { return depth * threads; }
 };
 
-/// The work of one thread. `all` has two rounds of blocks: while some threads still add the terms of a round, others compute the blocks
-/// of the next one.
+/// The work of one thread. `all` has two rounds of blocks. While some threads still add the terms of a round, others compute the
+/// blocks of the next one.
 template <class Law> Failure sum_law(LawProblem<Law> const &problem, Round const &round, std::size_t thread,
                                      LawBlock *all, BlockSums *block_sums) noexcept
 {
@@ -136,7 +136,7 @@ inline void add_blocks(BlockSums const *blocks, std::size_t n, double *energy, d
     });
 }
 
-/// How many threads share n pairs.
+/// The number of threads that share n pairs.
 inline std::size_t threads_for(std::size_t n) noexcept
 {
 #ifdef _OPENMP

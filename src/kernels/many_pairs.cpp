@@ -26,8 +26,8 @@ std::uint32_t end_of(std::size_t num_particles) noexcept
     return static_cast<std::uint32_t>(std::min<std::size_t>(num_particles, INT32_MAX + std::size_t{1}));
 }
 
-/// Whether n indices are at least 0 and below `end`, which is at most 2³¹: then neither an index nor `end` - 1 - index has the sign
-/// bit. The baseline instructions have no comparison of packed unsigned numbers.
+/// Whether n indices are at least 0 and below `end`. `end` is at most 2³¹, so the test is that neither an index nor `end` - 1 -
+/// index has the sign bit. The baseline instructions have no comparison of packed unsigned numbers.
 bool are_below(std::uint32_t end, std::int32_t const *indices, std::size_t n) noexcept
 {
     std::uint32_t signs = 0;
@@ -63,7 +63,7 @@ void find_next(std::size_t num_pairs, std::int32_t const *pairs, double const *t
     }
 }
 
-/// Prepares the images of a system's particles: those that the caller gives, or the nearest ones.
+/// Prepares the images of a system's particles: those that the caller gives, or else the nearest ones.
 int prepare_images(pw85_system const &system, bool given, Images &images) noexcept
 {
     bool const prepared = in_default_environment([&] { return prepare(system.cell, system.periodic, given, images); });
@@ -80,7 +80,7 @@ int prepare_list(pw85_pair_list const &list, pw85_system const &system, Images &
     return are_valid(list.num_pairs, list.pairs, system.num_particles) ? PW85_SUCCESS : PW85_EINVAL;
 }
 
-/// A system for functions that read no forms. The pointer to the centres replaces that to the forms, so that it is not null.
+/// A system for functions that read no forms. Its pointer to the forms is that to the centres, so that it is not null.
 pw85_system without_forms(pw85_system const &system) noexcept
 {
     pw85_system rest = system;
@@ -128,7 +128,7 @@ InversePowers shifted(InversePowers law) noexcept
     return law;
 }
 
-/// Pairs that are tested at a time: slightly more than the neighbours of a particle in a dense system.
+/// The number of pairs that are tested at a time: slightly more than the neighbours of a particle in a dense system.
 constexpr std::size_t any_chunk_size = 32;
 
 /// Finds the first pair that overlaps or is bad, and sets `any` to 1, or 0 if there is none. For a bad pair it sets `any` to -1 and
@@ -149,7 +149,7 @@ template <class Rows> int find_overlap(Rows const &rows, std::size_t n, int &any
     return PW85_SUCCESS;
 }
 
-/// The same for one ellipsoid and n others of a system, with the images that the caller gives, or else the nearest ones. If no
+/// Does the same for one ellipsoid and n others of a system, with the images that the caller gives, or else the nearest ones. If no
 /// nearest image overlaps but a farther one could, it returns an error.
 int overlap_any_images(OneToIndexed rows, pw85_system const &system, std::size_t n, int &any) noexcept
 {

@@ -44,8 +44,8 @@ inline int settle(OnePairKernels const &one, PairRow<3> const &pair, DistanceArr
     return one.distance(pair.r12, pair.q1, pair.q2, out.distance, out.point1, out.point2);
 }
 
-/// Only the contact function decides the status: a concentric pair is valid, although it has no normal. If λ is NaN, so are the
-/// derivatives.
+/// Only the contact function decides the status: a concentric pair is valid, although it has no normal. If λ is NaN, the
+/// derivatives are NaN too.
 inline int settle(OnePairKernels const &one, PairRow<3> const &pair, DerivativeArrays const &out) noexcept
 {
     auto const &[r12, q1, q2] = pair;
@@ -99,7 +99,7 @@ Failure compute(Kernels const &kernels, Rows const &rows, std::size_t n, Arrays 
     return first;
 }
 
-/// Derivatives need an array for λ. If the caller gives none, the pairs are computed in parts, with an array on the stack.
+/// Derivatives need an array for λ. If the caller gives none, the pairs are computed in parts with an array on the stack.
 template <class Rows>
 Failure compute(Kernels const &kernels, Rows const &rows, std::size_t n, DerivativeArrays const &out) noexcept
 {

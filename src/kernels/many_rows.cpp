@@ -1,4 +1,4 @@
-// The functions of many rows of the C API that use no lanes: they call the function of one row for each row (each_row.hpp).
+// The functions of many rows of the C API that use no lanes. They call the function of one row for each row (each_row.hpp).
 #include <pw85.h>
 
 #include <pw85/distance/bounding_box.hpp>
@@ -12,8 +12,8 @@ using namespace pw85::detail::kernels;
 
 namespace {
 
-/// Bounding box of one form. It is not inlined, so that the compiler cannot move its arithmetic out of the default floating-point
-/// environment.
+/// The bounding box of one form. The function is not inlined, so that the compiler cannot move its arithmetic out of the default
+/// floating-point environment.
 [[gnu::noinline]] int bounding_box_of(double const *q, double *half_widths) noexcept
 {
     auto const box = bounding_box(c_api::load_matrix<3>(q));

@@ -1,4 +1,5 @@
-// The table of the functions for one pair. It is compiled for two instruction sets (meson.build); the shims of the C API call it.
+// The table of the functions for one pair, which call the headers of include/pw85. It is compiled for two instruction sets
+// (meson.build). The functions of the C API call it by chosen() (dispatch.cpp).
 #include <pw85.h>
 
 #include <pw85/contact/closest_approach.hpp>

@@ -1,10 +1,10 @@
 /// @file
 /// The scalar of the lane kernels: a pack of as many doubles as a register of the target holds, with the arithmetic that
-/// algebra/scalar.hpp asks for.
+/// algebra/scalar.hpp asks for. The lane kernels use it, and one_pair.cpp uses it to test several points of one pair at once.
 ///
-/// A product has a type of its own. It becomes part of a fused multiply-add where something is added to or subtracted from it, if
-/// the target has one. So the source decides what is fused, not the compiler, and a lane gives the same bits whatever code
-/// surrounds it. Units that use packs are compiled without contraction.
+/// A product has a type of its own. If something is added to it or subtracted from it, and the target has fused multiply-add, the
+/// product becomes part of that instruction. So the source decides what is fused, not the compiler, and a lane gives the same bits
+/// in any surrounding code. Units that use packs are compiled without contraction.
 #ifndef PW85_KERNELS_PACK_HPP_INCLUDED
 #define PW85_KERNELS_PACK_HPP_INCLUDED
 
@@ -24,7 +24,7 @@
 #include <arm_neon.h>
 #endif
 
-/// Each kernel is compiled into one function: the compiler's limits on inlining do not apply.
+/// Each kernel is compiled into one function, so the compiler's limits on inlining must not apply.
 #define PW85_INLINE __attribute__((always_inline)) inline
 
 namespace pw85::detail {
@@ -132,7 +132,7 @@ struct Pack {
     PW85_INLINE double operator[](std::size_t i) const noexcept { return v[i]; }
 };
 
-/// A product that is not rounded yet.
+/// A product before rounding.
 struct Product {
     Register x, y;
 };
@@ -204,7 +204,7 @@ PW85_INLINE Pack select(PackMask mask, Pack const &yes, Pack const &no) noexcept
 PW85_INLINE PackMask operator>(Pack const &x, Pack const &y) noexcept { return y < x; }
 PW85_INLINE PackMask operator>=(Pack const &x, Pack const &y) noexcept { return y <= x; }
 
-// The instructions return their second operand if either is NaN, as select(y > x, y, x) does.
+// If either operand is NaN, the instructions return the second one, as select(y > x, y, x) does.
 #if defined(PW85_LANES_AVX512)
 PW85_INLINE Pack maximum(Pack const &x, Pack const &y) noexcept { return _mm512_max_pd(y.v, x.v); }
 PW85_INLINE Pack minimum(Pack const &x, Pack const &y) noexcept { return _mm512_min_pd(y.v, x.v); }
@@ -239,7 +239,7 @@ PW85_INLINE Pack square_root(Pack const &x) noexcept
 }
 
 #if defined(PW85_LANES_AVX512)
-// An estimate with a relative error of 2^-14, and one step of Newton's method, which doubles the digits.
+// An estimate with a relative error of 2^-14, improved by one step of Newton's method, which doubles the number of correct digits.
 PW85_INLINE Pack rough_quotient(Pack const &x, Pack const &y) noexcept
 {
     Pack const r = _mm512_rcp14_pd(y.v);

@@ -12,7 +12,7 @@
 namespace pw85::detail::kernels {
 namespace {
 
-/// Rows begin, begin + 1, ... end - 1.
+/// The rows begin, begin + 1, ... end - 1.
 struct Range {
     std::size_t begin, end;
 };
@@ -29,11 +29,11 @@ struct Failure {
     }
 };
 
-/// The largest number of rows that an array of up to 6 doubles per row can have.
+/// The largest number of rows for which an array of up to 6 doubles per row can exist.
 constexpr std::size_t max_rows = PTRDIFF_MAX / (6 * sizeof(double));
 
-/// Rows per block of a thread: some tens of microseconds of work. A call with no more rows than this opens no parallel region,
-/// which costs some hundred nanoseconds even with one thread.
+/// The number of rows per block of a thread: some tens of microseconds of work. A call with no more rows than this opens no
+/// parallel region, which costs some hundred nanoseconds even with one thread.
 constexpr std::size_t block = 4096;
 
 /// Divides n rows into blocks of `rows`, calls kernel(range) for each block in parallel, and returns the earliest failure.
@@ -57,7 +57,7 @@ template <class Kernel>
     return first;
 }
 
-/// Calls kernel(range) for parts of n rows, in parallel if they are many, and returns the status of the first bad row.
+/// Calls kernel(range) for parts of n rows, in parallel if there are many, and returns the status of the first bad row.
 template <class Kernel> int for_all(std::size_t n, Kernel const &kernel, std::size_t rows = block) noexcept
 {
     if (n > rows) return for_blocks(n, kernel, rows).status;

@@ -1,4 +1,4 @@
-// Replaces the vectors of a cell that are not periodic, so that lattice.hpp can reduce it.
+// Replaces the vectors of a cell that are not periodic, so that lattice.hpp can reduce it. periodic_cell.hpp lists the callers.
 #include "periodic_cell.hpp"
 
 #include <algorithm>
@@ -51,8 +51,8 @@ void complete(Vector<double, 3> (&rows)[3], int const *periodic) noexcept
     }
 }
 
-/// Copies the periodic vectors of a cell, and sets the others to zero. Returns false if none is periodic, or a periodic one is not
-/// finite.
+/// Copies the periodic vectors of a cell, and sets the others to zero. It returns false if no vector is periodic, or if a periodic
+/// one is not finite.
 bool select_periodic(double const *cell, int const *periodic, double (&vectors)[9]) noexcept
 {
     bool finite = true;

@@ -17,16 +17,16 @@ namespace pw85::detail::kernels {
 /// vector is periodic, or if the periodic vectors are not finite or not linearly independent.
 [[nodiscard]] bool prepare(double const *cell, int const *periodic, Lattice &lattice) noexcept;
 
-/// Which images of particles a function uses: plain data, as kernels.hpp asks for.
+/// The images of particles that a function uses. This is plain data, as kernels.hpp requires.
 struct Images {
     double cell[9];       ///< of complete() if `nearest`; otherwise with zeros for the vectors that are not periodic
     bool nearest = false; ///< whether the function uses the nearest images
     Lattice lattice;      ///< prepared if `nearest`
 };
 
-/// Prepares images: those that the caller gives if `given`, otherwise the nearest ones. `cell` is null if nothing is periodic.
-/// Returns false if images are given without a cell. Otherwise the cell must be valid, for given images as for complete(), for
-/// nearest images as for the function above.
+/// Prepares images: those that the caller gives if `given` is true, otherwise the nearest ones. `cell` is null if nothing is
+/// periodic. The function returns false if images are given without a cell. Otherwise the cell must be valid: for given images as
+/// for complete(), for nearest images as for the function above.
 [[nodiscard]] bool prepare(double const *cell, int const *periodic, bool given, Images &images) noexcept;
 
 } // namespace pw85::detail::kernels

@@ -13,8 +13,8 @@ namespace pw85::detail {
 
 template <class T> inline constexpr std::size_t lanes_of = ScalarTraits<T>::lanes;
 
-/// Loads the first N columns of as many rows as `T` has lanes, one row per lane. This is the version for one lane; gather.hpp has
-/// that for packs.
+/// Loads the first N columns of as many rows as `T` has lanes, one row per lane. This version is for one lane; gather.hpp has that
+/// for packs.
 template <class T, int N> struct ColumnLoader {
     PW85_MEMBER static void load(double const *const *rows, T *columns) noexcept
     {

@@ -21,7 +21,7 @@ template <std::size_t Capacity> struct IndexList {
     }
 };
 
-/// The pairs that lanes leave over for the function for one pair. It has room for two chunks of any kernel.
+/// The pairs that lanes leave over to the function for one pair. There is room for two chunks of any kernel.
 using Worklist = IndexList<512>;
 
 } // namespace pw85::detail::kernels

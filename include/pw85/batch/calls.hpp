@@ -1,5 +1,6 @@
 /// @file
-/// Calls of the functions of C with spans: sizes are compared, and rows become the arrays that they are in memory.
+/// Calls functions of the C API with spans. The functions here compare the sizes of spans, and convert rows to pointers to their
+/// numbers. rows.hpp, lists.hpp, systems.hpp and the Python module call them.
 #ifndef PW85_BATCH_CALLS_HPP_INCLUDED
 #define PW85_BATCH_CALLS_HPP_INCLUDED
 
@@ -11,7 +12,7 @@
 
 namespace pw85::detail {
 
-/// What rows consist of in C.
+/// The type of the numbers in C of which a row consists.
 template <class Row> struct ElementOf {
     static_assert(sizeof(Row) % sizeof(double) == 0);
     using Type = double;
@@ -41,13 +42,13 @@ static_assert(sizeof(SymmetricMatrix<double, 3>) == 6 * sizeof(double));
 static_assert(sizeof(Vector<double, 4>) == 4 * sizeof(double));
 static_assert(sizeof(Cell) == 9 * sizeof(double));
 
-/// Whether rows that may be left out are n.
+/// Whether an array has n rows, or is left out.
 template <class Row> static bool fits(std::size_t n, std::span<Row> rows) noexcept
 {
     return rows.empty() || rows.size() == n;
 }
 
-// Arguments of functions of n rows: inputs have n rows, outputs n or none, which are null in C.
+// Arguments of functions of n rows. Inputs have n rows. Outputs have n rows or none; those without rows are null in C.
 
 template <class Row> static bool has_rows(std::size_t n, std::span<Row const> input) noexcept
 {
@@ -72,13 +73,13 @@ static inline double in_c(double number) noexcept { return number; }
 
 static inline double const *in_c(Cell const *cell) noexcept { return reinterpret_cast<double const *>(cell); }
 
-/// Null images are the nearest ones.
+/// Converts a list. Images are null in C if there are none, which means the nearest images.
 static inline pw85_pair_list in_c(PairList const &list) noexcept
 {
     return {list.pairs.size(), in_c(list.pairs), list.images.empty() ? nullptr : in_c(list.images)};
 }
 
-/// Of as many particles as there are centres, or forms where centres are left out.
+/// Converts a system. It has as many particles as there are centres, or as there are forms if centres are left out.
 static inline pw85_system in_c(Particles const &particles) noexcept
 {
     return {std::max(particles.centers.size(), particles.q.size()),
@@ -88,7 +89,7 @@ static inline pw85_system in_c(Particles const &particles) noexcept
             {particles.periodic[0], particles.periodic[1], particles.periodic[2]}};
 }
 
-/// Calls a function of rows if the sizes of all fit to that of the first.
+/// Calls a function of rows if all arguments have as many rows as the first one.
 template <class Function, class First, class... Rest>
 static Status call_rows(Function const &function, First first, Rest... rest) noexcept
 {
@@ -97,13 +98,13 @@ static Status call_rows(Function const &function, First first, Rest... rest) noe
     return static_cast<Status>(function(n, in_c(first), in_c(rest)...));
 }
 
-/// Whether the sizes of a list and of a system fit together.
+/// Whether the sizes of a list and of a system are consistent.
 static inline bool fit(PairList const &list, Particles const &particles) noexcept
 {
     return fits(list.pairs.size(), list.images) && particles.centers.size() == particles.q.size();
 }
 
-/// Calls a function of a list and a system, with rows for each pair, if all sizes fit.
+/// Calls a function of a list and a system, with rows for each pair, if all sizes are consistent.
 template <class Function, class... Rows> static Status call_pairs(Function const &function, PairList const &list,
                                                                   Particles const &particles, Rows... rows) noexcept
 {

@@ -1,5 +1,6 @@
 /// @file
-/// Functions of many pairs that are more than one of C: of single precision, of one against many.
+/// Functions of many pairs that differ from those of C: single precision, and one ellipsoid against many. batch.hpp includes this
+/// file. It calls rows.hpp and the C API.
 #ifndef PW85_BATCH_PAIRS_HPP_INCLUDED
 #define PW85_BATCH_PAIRS_HPP_INCLUDED
 
@@ -9,7 +10,7 @@ namespace pw85 {
 
 namespace detail {
 
-/// Copies `count` rows and widens them.
+/// Copies `count` rows from row `first` on, and converts them to double.
 template <class Row, class Wide>
 static void widen(std::span<Row const> rows, std::size_t first, std::size_t count, Wide *wide) noexcept
 {
@@ -23,7 +24,8 @@ static void widen(std::span<Row const> rows, std::size_t first, std::size_t coun
 /// @name Single precision, one against many
 /// @{
 
-/// contact() for pairs of single precision: the forms are widened, computed with in double, and the results rounded.
+/// contact() for pairs of single precision. The numbers are converted to double, the results are computed in double, and rounded to
+/// float.
 ///
 /// @param r12,q1,q2,mu2,lambda as for contact_batch() of double precision
 /// @return as for contact_batch() of double precision
@@ -55,10 +57,10 @@ static inline Status contact_batch(std::span<Vector<float, 3> const> r12, std::s
     return first_bad;
 }
 
-/// Whether an ellipsoid overlaps any of others, up to the first that overlaps or is bad: see pw85_overlap_any().
+/// Whether an ellipsoid overlaps any of the others. The test ends at the first one that overlaps or is bad: see pw85_overlap_any().
 ///
-/// @param q1 form of the one
-/// @param r12,q2 centres of the others relative to that of the one, and their forms
+/// @param q1 form of the first ellipsoid
+/// @param r12,q2 centres of the others relative to that of the first ellipsoid, and their forms
 /// @param[out] any 1 or 0; -1 on error
 /// @return Status::success, Status::invalid_argument, or the status of the first bad pair if no pair before it overlaps
 static inline Status overlap_any(SymmetricMatrix<double, 3> const &q1, Vectors r12, Forms q2, int &any) noexcept

@@ -1,6 +1,6 @@
 /// @file
-/// Functions of systems of particles, in a periodic cell or not; those with nothing but rows for the pairs of a list are in
-/// lists.hpp.
+/// Functions of systems of particles, with or without a periodic cell. batch.hpp includes this file, and the functions call the C
+/// API. Functions whose only outputs are rows for the pairs of a list are in lists.hpp.
 #ifndef PW85_BATCH_SYSTEMS_HPP_INCLUDED
 #define PW85_BATCH_SYSTEMS_HPP_INCLUDED
 
@@ -27,7 +27,7 @@ static inline bool fits(std::size_t n, DerivativeSpans const &out) noexcept
 /// @param motions one for each particle
 /// @param end as for first_contact()
 /// @param[out] out one time for each pair, and one event for each particle
-/// @return as for contact_pairs(); Status::no_convergence, too
+/// @return as for contact_pairs(), or Status::no_convergence
 static inline Status first_contact_pairs(PairList const &list, Particles const &particles,
                                          std::span<Motion<double, 3> const> motions, double end,
                                          EventSpans const &out) noexcept
@@ -43,12 +43,12 @@ static inline Status first_contact_pairs(PairList const &list, Particles const &
                                                         detail::in_c(out.next_pair)));
 }
 
-/// Forces, torques and virial of an energy of pairs: see pw85_contact_forces_pairs().
+/// Forces, torques and virial from the energies of pairs: see pw85_contact_forces_pairs().
 ///
 /// @param list,particles as for contact_pairs()
 /// @param d_u one for each pair: the derivative of the energy with respect to μ²
 /// @param derivatives from contact_derivatives_pairs()
-/// @param[out] out sums
+/// @param[out] out the sums
 /// @return Status::success, Status::invalid_argument
 static inline Status contact_forces_pairs(PairList const &list, Particles const &particles, std::span<double const> d_u,
                                           DerivativeSpans const &derivatives, ForceSpans const &out) noexcept
@@ -66,12 +66,12 @@ static inline Status contact_forces_pairs(PairList const &list, Particles const 
         reinterpret_cast<double *>(out.virial)));
 }
 
-/// Energy, forces, torques and virial of a law for the pairs of a neighbour list: see pw85_law_forces_pairs().
+/// The energy, forces, torques and virial of a law for the pairs of a neighbour list: see pw85_law_forces_pairs().
 ///
 /// @param list,particles as for contact_pairs()
 /// @param law the energy of a pair
 /// @param[out] energy the sum of the energies
-/// @param[out] out sums
+/// @param[out] out the sums
 /// @return as for contact_pairs(); Status::invalid_argument also for a law whose parameters are not allowed; Status::out_of_memory
 static inline Status law_forces_pairs(PairList const &list, Particles const &particles, Law const &law, double &energy,
                                       ForceSpans const &out) noexcept
@@ -88,13 +88,13 @@ static inline Status law_forces_pairs(PairList const &list, Particles const &par
                                                      reinterpret_cast<double *>(out.virial)));
 }
 
-/// overlap_any() for others of a system, by their indices: see pw85_overlap_any_indices().
+/// overlap_any() for other particles of a system, given by their indices: see pw85_overlap_any_indices().
 ///
-/// @param center,q1 centre and form of the one
-/// @param indices of the others
+/// @param center,q1 centre and form of the first ellipsoid
+/// @param indices indices of the others
 /// @param particles the system
-/// @param[out] any 1, 0, or -1 on error
-/// @return as for overlap_any(); Status::invalid_argument, too, where nearest images do not decide
+/// @param[out] any 1 or 0; -1 on error
+/// @return as for overlap_any(); Status::invalid_argument also if nearest images do not decide
 static inline Status overlap_any_indices(Vector<double, 3> const &center, SymmetricMatrix<double, 3> const &q1,
                                          std::span<std::int32_t const> indices, Particles const &particles,
                                          int &any) noexcept
@@ -106,13 +106,13 @@ static inline Status overlap_any_indices(Vector<double, 3> const &center, Symmet
                                                         indices.data(), nullptr, &any));
 }
 
-/// The same for given images of the others: see pw85_overlap_any_indices().
+/// overlap_any() for given images of other particles of a system: see pw85_overlap_any_indices().
 ///
-/// @param center,q1 centre and form of the one
-/// @param indices of the others
-/// @param images one for each of the others; none if there are none
+/// @param center,q1 centre and form of the first ellipsoid
+/// @param indices indices of the others
+/// @param images one for each of the others; none if there are no others
 /// @param particles the system, in a cell
-/// @param[out] any 1, 0, or -1 on error
+/// @param[out] any 1 or 0; -1 on error
 /// @return Status::success, Status::invalid_argument, Status::not_positive_definite
 static inline Status overlap_any_indices(Vector<double, 3> const &center, SymmetricMatrix<double, 3> const &q1,
                                          std::span<std::int32_t const> indices, std::span<Image const> images,
@@ -133,7 +133,7 @@ static inline Status overlap_any_indices(Vector<double, 3> const &center, Symmet
 /// @name Periodic cells
 /// @{
 
-/// A reduced cell of the same lattice, the prepared form of a cell: see pw85_cell_reduce().
+/// A reduced cell of the same lattice. It can be passed in place of the cell, and needs less preparation: see pw85_cell_reduce().
 ///
 /// @param cell rows are its vectors
 /// @return the reduced cell; Status::invalid_argument for a cell that is singular or not finite
@@ -163,11 +163,11 @@ static inline Status nearest_images(std::span<IndexPair const> pairs, Particles 
         pw85_nearest_images(n, detail::in_c(pairs), &system, detail::in_c(r12), detail::in_c(images)));
 }
 
-/// Up to which μ² nearest images are all there is: see pw85_nearest_image_limit().
+/// The largest μ² up to which only nearest images count: see pw85_nearest_image_limit().
 ///
-/// @param particles forms and cell; centres may be left out. Infinity is the limit of no particles.
-/// @param[out] mu2 the limit
-/// @return Status::success, Status::invalid_argument (also a cell that is singular or not finite),
+/// @param particles forms and cell; centres may be left out
+/// @param[out] mu2 the limit; infinity if there are no particles
+/// @return Status::success, Status::invalid_argument (also for a cell that is singular or not finite),
 /// Status::not_positive_definite
 static inline Status nearest_image_limit(Particles const &particles, double &mu2) noexcept
 {

@@ -1,5 +1,7 @@
 /// @file
-/// Distance of closest approach: μ² is quadratic in the separation, so along a unit vector d it is 1/μ(d).
+/// The distance of closest approach of two ellipsoids with given orientations, along a given direction. μ² is quadratic in the
+/// separation. So along a unit vector d the distance is 1/μ(d). pw85.hpp and the C API (one_pair.cpp) use this file. It finds μ² by
+/// the solver (solver.hpp).
 #ifndef PW85_CONTACT_CLOSEST_APPROACH_HPP_INCLUDED
 #define PW85_CONTACT_CLOSEST_APPROACH_HPP_INCLUDED
 
@@ -7,7 +9,7 @@
 
 namespace pw85 {
 
-/// Distance of the centres at external tangency; NaN where the status is not success.
+/// The distance of the centres at external tangency. It is NaN if the status is not success.
 template <class T> struct ClosestApproach {
     T distance;
     Status status;

@@ -1,6 +1,6 @@
 /// @file
-/// The entrywise condition number of the contact function, which says how many digits of μ² the data determine. The overlap test uses it
-/// for its bound on the error of μ².
+/// The entrywise condition number of the contact function. It says how many digits of μ² the data determine. The overlap test
+/// (comparison.hpp) uses it to bound the error of μ². The linear equations are solved by geometry.hpp.
 #ifndef PW85_CONTACT_CONDITION_HPP_INCLUDED
 #define PW85_CONTACT_CONDITION_HPP_INCLUDED
 
@@ -8,7 +8,7 @@
 
 namespace pw85 {
 
-/// A condition number; NaN where the status is not success.
+/// A condition number. It is NaN if the status is not success.
 template <class T> struct Condition {
     T condition;
     Status status;
@@ -18,8 +18,8 @@ template <class T> struct Condition {
 
 namespace pw85::detail {
 
-/// Σ|s_i M_ij s_j| + 2 Σ|r_i s_i| with the magnitudes of Q1 and tQ2 added up in M, from s = (Q1 + tQ2)⁻¹r. Over rᵀs, it is the condition
-/// number.
+/// The sum Σ(|Q1_ij| + t |Q2_ij|)|s_i s_j| + 2 Σ|r_i s_i|, where s = (Q1 + tQ2)⁻¹r. The condition number is this sum divided by
+/// rᵀs.
 template <class T, int D>
 PW85_FUNCTION inline T condition_sum(Pair<T, D> const &pair, T const &t, Vector<T, D> const &s) noexcept
 {
@@ -30,7 +30,7 @@ PW85_FUNCTION inline T condition_sum(Pair<T, D> const &pair, T const &t, Vector<
     return forms + T(2) * magnitude_of_dot(pair.r12, s);
 }
 
-/// The condition number of a pair in range at λ.
+/// The condition number at λ of a pair that is in range.
 template <class T, int D>
 PW85_FUNCTION inline T condition_number(Pair<T, D> const &pair, T const &lambda, T const &complement) noexcept
 {

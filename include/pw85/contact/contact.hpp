@@ -1,5 +1,6 @@
 /// @file
-/// The contact function of two ellipsoids, by the fast solver.
+/// The contact function of two ellipsoids. pw85.hpp, the lane kernels and the headers for derivatives, overlaps and closest
+/// approach use this file. It validates the pair (validate.hpp), and finds the maximum of f by the solver (solver.hpp).
 #ifndef PW85_CONTACT_CONTACT_HPP_INCLUDED
 #define PW85_CONTACT_CONTACT_HPP_INCLUDED
 
@@ -25,7 +26,7 @@ template <class T> PW85_FUNCTION constexpr Derivatives<T> invalid_derivatives() 
     return {quiet_nan<T>(), quiet_nan<T>(), quiet_nan<T>()};
 }
 
-/// f at λ; NaN for invalid input.
+/// f at λ. It is NaN for invalid input.
 template <class T, int D> PW85_FUNCTION inline T checked_f(T const &lambda, Vector<T, D> const &r12,
                                                            SymmetricMatrix<T, D> const &q1,
                                                            SymmetricMatrix<T, D> const &q2) noexcept
@@ -33,7 +34,7 @@ template <class T, int D> PW85_FUNCTION inline T checked_f(T const &lambda, Vect
     return is_valid(lambda, pair_of(r12, q1, q2)) ? evaluate_f(lambda, r12, q1, q2) : quiet_nan<T>();
 }
 
-/// f, f' and f'' at λ; NaN for invalid input.
+/// f, f' and f'' at λ. They are NaN for invalid input.
 template <class T, int D>
 PW85_FUNCTION inline Derivatives<T> checked_derivatives(T const &lambda, Vector<T, D> const &r12,
                                                         SymmetricMatrix<T, D> const &q1,
@@ -43,21 +44,21 @@ PW85_FUNCTION inline Derivatives<T> checked_derivatives(T const &lambda, Vector<
                                                   : invalid_derivatives<T>();
 }
 
-/// Accepts the last evaluation of a search for a pair that nobody has validated.
+/// Whether to accept the last evaluation of a search for a pair that was not validated.
 template <class T, int D> PW85_FUNCTION inline typename ScalarTraits<T>::Mask
 is_accepted(Pair<T, D> const &pair, LastEvaluation<T> const &last) noexcept
 {
     return last.certain && passes_fast_checks(pair);
 }
 
-/// The contact function from a maximum that was found.
+/// Converts a maximum to the contact function.
 template <class T> PW85_FUNCTION inline Contact<T> to_contact(Maximum<T> const &m) noexcept
 {
     if (!m.converged || !(m.mu2 >= T(0))) return all_nan<Contact<T>>(Status::no_convergence);
     return {m.mu2, m.lambda, Status::success};
 }
 
-/// The contact function from a maximum that was found in scaled units.
+/// Converts a maximum in scaled units to the contact function in the units of the caller.
 template <class T, int D>
 PW85_FUNCTION inline Contact<T> unscale(ScaledPair<T, D> const &scaled, Maximum<T> const &m) noexcept
 {
@@ -67,7 +68,7 @@ PW85_FUNCTION inline Contact<T> unscale(ScaledPair<T, D> const &scaled, Maximum<
     return result;
 }
 
-/// contact() for any pair: validated, and in units that keep it in range.
+/// contact() for any pair. It validates the pair and scales it to units in which all numbers stay in range.
 template <class T, int D> [[gnu::noinline]] PW85_FUNCTION inline Contact<T> contact_scaled(Pair<T, D> pair) noexcept
 {
     ScaledPair<T, D> scaled;

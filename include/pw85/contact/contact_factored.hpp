@@ -1,16 +1,17 @@
 /// @file
-/// The contact function of ellipsoids that are given by factors, Qi = Si Siᵀ.
+/// The contact function of ellipsoids that are given by factors, Qi = Si Siᵀ. pw85.hpp and the C API (one_pair.cpp) use this file.
+/// It orthogonalises the factors (gram_schmidt.hpp), and iterates with the safeguarded search (safeguarded_search.hpp).
 ///
-/// Nothing is squared. With K = [S1ᵀ; √t S2ᵀ], M = Q1 + t Q2 is KᵀK. Let K = U R (gram_schmidt.hpp), y = R⁻ᵀr and g = U y, whose
-/// upper half g1 is S1ᵀs and whose lower half g2 is √t S2ᵀs, where s = M⁻¹r. Then
+/// The forms are never computed, so no condition number is squared. With K = [S1ᵀ; √t S2ᵀ], M = Q1 + t Q2 is KᵀK. Let K = U R
+/// (gram_schmidt.hpp), s = M⁻¹r, y = R⁻ᵀr and g = U y. The upper half of g is g1 = S1ᵀs, and the lower half is g2 = √t S2ᵀs. Then
 ///
 /// 1. A = |g1|², tB = |g2|² and rᵀs = |y|².
-/// 2. With U2 the lower half of U, z = U2ᵀg2 and w = U z, of halves w1 and w2: tA' = -2 g1·w1, t²B' = -2 |z|², t²A'' = 6 |w1|²
-///    and t³B'' = 6 |w2|². (U2ᵀU2 has the eigenvalues 1 - p, in the notation of evaluation.hpp.) These are the derivatives at 1, if
-///    the unit of ellipsoid 2 is changed so that t becomes 1.
+/// 2. Let U2 be the lower half of U, z = U2ᵀg2 and w = U z, with the halves w1 and w2. Then tA' = -2 g1·w1, t²B' = -2 |z|²,
+///    t²A'' = 6 |w1|² and t³B'' = 6 |w2|². (U2ᵀU2 has the eigenvalues 1 - p, in the notation of evaluation.hpp.) These are the
+///    derivatives at 1, if the unit of ellipsoid 2 is changed so that t becomes 1.
 ///
-/// A change of the entries of S1, S2 and r by fractions ε changes μ² by a fraction of at most ε c, where
-/// c = 2 λ (Σ|s_i S1_ij g1_j| + √t Σ|s_i S2_ij g2_j| + Σ|s_i r_i|)/μ². The error of the result is some u c.
+/// If the entries of S1, S2 and r change by fractions ε, then μ² changes by a fraction of at most ε c, where c = 2 λ (Σ|s_i S1_ij
+/// g1_j| + √t Σ|s_i S2_ij g2_j| + Σ|s_i r_i|)/μ². The error of the result is a small multiple of u c.
 #ifndef PW85_CONTACT_CONTACT_FACTORED_HPP_INCLUDED
 #define PW85_CONTACT_CONTACT_FACTORED_HPP_INCLUDED
 
@@ -20,22 +21,23 @@
 
 namespace pw85::detail {
 
-/// A pair of factors in units of their own: the true factors and the separation are S1, S2/ratio and r12, all three times a power of
-/// two. As in Pair, τ = ratio²·t.
+/// A pair of factors in units of their own. The true factors and the separation are S1, S2/ratio and r12, each times the same power
+/// of two. As in Pair, τ = ratio²·t.
 template <class T, int D> struct FactoredPair {
     Vector<T, D> r12;
     Factor<T, D> s1, s2;
     T ratio;
 };
 
-/// A pair in units that keep every intermediate result in range, and the way back, as in ScaledPair.
+/// A pair in units that keep every intermediate result in range, and the exponents that lead back to the units of the caller.
+/// ScaledPair is the same for forms.
 template <class T, int D> struct ScaledFactors {
     FactoredPair<T, D> pair;
     int length, factor; ///< r12 is the pair's times 2^length, S1 the pair's times 2^factor
     bool swapped;
 };
 
-/// Brings a pair of regular factors and r12 != 0 into range, exactly.
+/// Brings a pair of regular factors with r12 != 0 into range. The scaling is exact.
 template <class T, int D> PW85_FUNCTION inline ScaledFactors<T, D>
 scale(Vector<T, D> const &r12, Factor<T, D> const &s1, Factor<T, D> const &s2) noexcept
 {
@@ -54,7 +56,7 @@ scale(Vector<T, D> const &r12, Factor<T, D> const &s1, Factor<T, D> const &s2) n
     return scaled;
 }
 
-/// K at t, factorised.
+/// The factorisation of K at t.
 template <class T, int D>
 PW85_FUNCTION inline OrthogonalFactors<T, D> factorize(FactoredPair<T, D> const &pair, T const &root_t) noexcept
 {
@@ -67,14 +69,14 @@ PW85_FUNCTION inline OrthogonalFactors<T, D> factorize(FactoredPair<T, D> const 
     return orthogonalize(columns);
 }
 
-/// What an evaluation at t gives (items 1 and 2).
+/// The result of an evaluation at t (items 1 and 2).
 template <class T, int D> struct FactoredEvaluation {
     T root_t;
     OrthogonalFactors<T, D> factors;
     Vector<T, D> y;
     StackedVector<T, D> g;
     T a, b, rs; ///< A, tB and rᵀs
-    T ratio;    ///< of the units, if that of ellipsoid 2 is such that t is 1
+    T ratio;    ///< the ratio of the units, if the unit of ellipsoid 2 is such that t is 1
 };
 
 template <class T, int D>
@@ -87,7 +89,7 @@ PW85_FUNCTION inline FactoredEvaluation<T, D> evaluate(FactoredPair<T, D> const 
     return {root_t, factors, y, g, dot(g.upper, g.upper), dot(g.lower, g.lower), dot(y, y), pair.ratio * root_t};
 }
 
-/// A and tB with their derivatives at 1, over A (item 2).
+/// A and tB with their derivatives at 1, all divided by A (item 2).
 template <class T, int D> PW85_FUNCTION inline Jet<T> jet_of(FactoredEvaluation<T, D> const &e) noexcept
 {
     Vector<T, D> z{};
@@ -103,7 +105,7 @@ template <class T, int D> PW85_FUNCTION inline Jet<T> jet_of(FactoredEvaluation<
             T(0)};
 }
 
-/// c μ²/λ: see above.
+/// c μ²/λ, where c is the bound at the top of this file.
 template <class T, int D>
 PW85_FUNCTION inline T sensitivity(FactoredPair<T, D> const &pair, FactoredEvaluation<T, D> const &e) noexcept
 {
@@ -116,9 +118,9 @@ PW85_FUNCTION inline T sensitivity(FactoredPair<T, D> const &pair, FactoredEvalu
     return sum + sum;
 }
 
-/// The evaluation with which a search ends. It is certain if the step that is left is within final_step(), and if the error
-/// e = v c of h, with the unit roundoff v of T and u of the result, moves the root so little that μ² changes by less than u c:
-/// h' > e²/(u c). The factor 16 leaves room for the constants.
+/// The last evaluation of a search. Let v be the unit roundoff of T, u the unit roundoff of the result, and e = v c the error of h.
+/// The evaluation is certain if two conditions hold. First, the remaining step is within final_step(). Second, the error e moves
+/// the root so little that μ² changes by less than u c: h' > e²/(u c). The factor 16 leaves room for the constants.
 template <class T, int D> PW85_FUNCTION inline LastEvaluation<T>
 finish(FactoredPair<T, D> const &pair, FactoredEvaluation<T, D> const &e, Slope<T> const &s) noexcept
 {
@@ -129,8 +131,8 @@ finish(FactoredPair<T, D> const &pair, FactoredEvaluation<T, D> const &e, Slope<
     return {value, candidate.k > noise && absolute(value.step) <= final_step<T>()};
 }
 
-/// Iterates from t until an evaluation is certain, or a step is so small that only the digits of T are in the way. The status of the
-/// search is in the result; `t` becomes the last point.
+/// Iterates from t until an evaluation is certain, or until a step is so small that only the precision of T limits the result. The
+/// result says whether the search converged. `t` becomes the last point.
 template <class T, int D>
 [[gnu::noinline]] PW85_FUNCTION inline Maximum<T> search(FactoredPair<T, D> const &pair, T &t) noexcept
 {
@@ -150,7 +152,7 @@ template <class T, int D>
     }
 }
 
-/// The same by numbers of twice the digits, for a pair for which those of T do not suffice.
+/// Does the same search with numbers of twice the digits, for a pair for which the digits of T do not suffice.
 template <class T, int D> [[gnu::noinline, gnu::cold]] PW85_FUNCTION inline Maximum<T>
 search_doubled(FactoredPair<T, D> const &pair, T const &t) noexcept
 {
@@ -161,8 +163,8 @@ search_doubled(FactoredPair<T, D> const &pair, T const &t) noexcept
     return {rounded(m.mu2), rounded(m.lambda), rounded(m.complement), m.evaluations, m.converged, m.certain};
 }
 
-/// Where the search begins: where that on the rounded forms ends, if their rational form is good for something, else at the guess that is
-/// exact for spheres.
+/// The start of the search. It is the end of the search on the rational form of the rounded forms, if that search converges.
+/// Otherwise it is the guess that is exact for spheres.
 template <class T, int D> PW85_FUNCTION inline T initial_guess(FactoredPair<T, D> const &pair) noexcept
 {
     Pair<T, D> const rounded_pair{pair.r12, form_of_factor(pair.s1), form_of_factor(pair.s2), pair.ratio};
@@ -173,7 +175,7 @@ template <class T, int D> PW85_FUNCTION inline T initial_guess(FactoredPair<T, D
     return t > smallest_number<T>() && t < largest_number<T>() ? t : T(1);
 }
 
-/// The maximum of f, for a pair in range.
+/// The maximum of f for a pair in range.
 template <class T, int D> PW85_FUNCTION inline Maximum<T> maximize(FactoredPair<T, D> const &pair) noexcept
 {
     T t = initial_guess(pair);
@@ -183,7 +185,7 @@ template <class T, int D> PW85_FUNCTION inline Maximum<T> maximize(FactoredPair<
     return m;
 }
 
-/// Status of a pair of factors, before anything is computed with them.
+/// The status of a pair of factors. It is checked before anything is computed with them.
 template <class T, int D>
 PW85_FUNCTION inline Status validate(Vector<T, D> const &r12, Factor<T, D> const &s1, Factor<T, D> const &s2) noexcept
 {

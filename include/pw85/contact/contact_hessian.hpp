@@ -1,15 +1,16 @@
 /// @file
-/// Second derivatives of μ² with respect to positions and rotations, from the maximiser λ.
+/// The second derivatives of μ² with respect to positions and rotations, from the maximiser λ. pw85.hpp and the C API
+/// (one_pair.cpp) use this file. It takes the units and the linear solver from geometry.hpp.
 ///
 /// With λ1 = 1-λ, λ2 = λ, N = λ1 Q1 + λ2 Q2, n = N⁻¹ r12, w = λ1 λ2 and Pe = λe Qe n, so that P1 + P2 = r12:
 ///
-/// 1. μ² is the maximum over n and λ of w (2 n·r12 - nᵀN n), which is linear in the forms. For each ellipsoid e and each axis of
-///    rotation i, with G x = axis × x, let g = G n and k = λe (Qe G n - G Qe n), which is N dn for that rotation at fixed λ; for
-///    r12 along axis i, k is the axis itself. At fixed λ the Hessian is 2w kᵀN⁻¹k', less w (g·k' + g'·k) where both are rotations
-///    of one ellipsoid.
-/// 2. f'' = -2w⁻¹ P1ᵀN⁻¹P2, whatever λ; so no difference of large terms decides it, and it is negative. With the vector
-///    b = N⁻¹(λ1 P1 - λ2 P2), f' changes by 2c, c = k·b, less λ1 g·P1 for rotations of ellipsoid 1, plus λ2 g·P2 for those of 2.
-///    What λ does of its own accord adds 2w c c'/(P1ᵀN⁻¹P2) to the Hessian.
+/// 1. μ² is the maximum over n and λ of w (2 n·r12 - nᵀN n). This expression is linear in the forms. For each ellipsoid e and each
+///    axis of rotation i, with G x = axis × x, let g = G n and k = λe (Qe G n - G Qe n). Then k = N dn for that rotation at fixed
+///    λ. For a shift of r12 along axis i, k is the axis itself. At fixed λ the Hessian is 2w kᵀN⁻¹k'. If both changes are rotations
+///    of the same ellipsoid, w (g·k' + g'·k) is subtracted.
+/// 2. f'' = -2w⁻¹ P1ᵀN⁻¹P2 for every λ. So f'' is negative, and its sign does not depend on a difference of large terms. Let
+///    b = N⁻¹(λ1 P1 - λ2 P2). Then f' changes by 2c, where c is k·b for a shift of r12, k·b - λ1 g·P1 for a rotation of ellipsoid
+///    1, and k·b + λ2 g·P2 for a rotation of ellipsoid 2. As λ follows the changes, it adds 2w c c'/(P1ᵀN⁻¹P2) to the Hessian.
 #ifndef PW85_CONTACT_CONTACT_HESSIAN_HPP_INCLUDED
 #define PW85_CONTACT_CONTACT_HESSIAN_HPP_INCLUDED
 
@@ -18,7 +19,8 @@
 
 namespace pw85 {
 
-/// Second derivatives of μ² with respect to r12, rotation 1 and rotation 2, in this order: 9×9, and 4×4 in two dimensions.
+/// The second derivatives of μ² with respect to r12, rotation 1 and rotation 2, in this order. The matrix is 9×9 in three
+/// dimensions and 4×4 in two.
 template <class T, int D> struct ContactHessian {
     static constexpr int size = D + 2 * detail::rotation_axes<D>;
 
@@ -30,7 +32,8 @@ template <class T, int D> struct ContactHessian {
 
 namespace pw85::detail {
 
-/// Axis i, crossed with x: what a rotation about it does to x. In two dimensions the one axis points at the reader.
+/// The cross product of axis i with x. This is how x changes in a rotation about the axis. In two dimensions there is one axis,
+/// which points at the reader.
 template <class T> PW85_FUNCTION constexpr Vector<T, 2> turned(int, Vector<T, 2> const &x) noexcept
 {
     return {-x[1], x[0]};
@@ -46,24 +49,24 @@ template <class T> PW85_FUNCTION constexpr Vector<T, 3> turned(int i, Vector<T, 
 
 /// A change of r12 or of an orientation, in the terms of items 1 and 2.
 template <class T, int D> struct Change {
-    int ellipsoid;         ///< 0 for a change of r12, else that which turns
+    int ellipsoid;         ///< 0 for a change of r12, otherwise the ellipsoid that turns
     Vector<T, D> load, dn; ///< k, N⁻¹k
     Vector<T, D> turn;     ///< g; zero for r12
     T slope;               ///< c
 };
 
-/// The pair at λ as its changes see it. The shares, and with them b and every slope, are over a power of two near the larger, so
-/// that their squares stay in range however much the sizes differ.
+/// The terms of items 1 and 2 that all changes share, for a pair at λ. The shares are divided by a power of two near the larger
+/// one. So are b and every slope. Then their squares stay in range for any ratio of sizes.
 template <class T, int D> struct Balance {
     Factorization<T, D> factors; ///< of N
     Vector<T, D> n;
     Vector<T, D> shares[2]; ///< λ1 P1, λ2 P2
     Vector<T, D> bias;      ///< b
     T stiffness;            ///< (Q1 n)ᵀN⁻¹(Q2 n)
-    int exponent;           ///< of what the product of two slopes over the stiffness is to be multiplied by
+    int exponent;           ///< the product of two slopes over the stiffness is multiplied by 2 to this power
 };
 
-/// The binary exponent of the largest coordinate; very small for zero.
+/// The binary exponent of the largest coordinate. For zero it is a very small number.
 template <class T, int D> PW85_FUNCTION inline int largest_exponent(Vector<T, D> const &x) noexcept
 {
     T const largest = largest_coordinate(x);
@@ -88,7 +91,7 @@ balance(Tangency<T, D> const &at, SymmetricMatrix<T, D> const &q1, SymmetricMatr
     return b;
 }
 
-/// The change of r12 along an axis.
+/// The change of r12 along an axis, as in item 1.
 template <class T, int D> PW85_FUNCTION inline Change<T, D> shift(Balance<T, D> const &b, int axis) noexcept
 {
     Vector<T, D> load{};
@@ -96,7 +99,7 @@ template <class T, int D> PW85_FUNCTION inline Change<T, D> shift(Balance<T, D> 
     return {0, load, solve(b.factors, load), {}, dot(load, b.bias)};
 }
 
-/// The rotation of an ellipsoid (1 or 2), whose form times its weight is `q`, about an axis.
+/// The rotation of an ellipsoid (1 or 2) about an axis. `q` is the form of the ellipsoid times its weight.
 template <class T, int D> PW85_FUNCTION inline Change<T, D> turn(Balance<T, D> const &b, int ellipsoid,
                                                                  SymmetricMatrix<T, D> const &q, int axis) noexcept
 {
@@ -106,7 +109,7 @@ template <class T, int D> PW85_FUNCTION inline Change<T, D> turn(Balance<T, D> c
     return {ellipsoid, load, solve(b.factors, load), g, dot(load, b.bias) + (ellipsoid == 1 ? -own : own)};
 }
 
-/// The entry of the Hessian for two changes, in the units of a Tangency; `weight` is its λ1 λ2.
+/// The entry of the Hessian for two changes, in the units of a Tangency. `weight` is λ1 λ2 in these units.
 template <class T, int D> PW85_FUNCTION inline T
 second_derivative(Balance<T, D> const &b, T const &weight, Change<T, D> const &x, Change<T, D> const &y) noexcept
 {
@@ -116,7 +119,7 @@ second_derivative(Balance<T, D> const &b, T const &weight, Change<T, D> const &x
     return T(2) * (weight * fixed + times_power_of_two(follows, b.exponent));
 }
 
-/// Items 1 and 2, in the units of a Tangency.
+/// The Hessian by items 1 and 2, in the units of a Tangency.
 template <class T, int D> PW85_FUNCTION inline ContactHessian<T, D>
 hessian_at(Tangency<T, D> const &at, SymmetricMatrix<T, D> const &q1, SymmetricMatrix<T, D> const &q2) noexcept
 {

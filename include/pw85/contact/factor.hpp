@@ -1,5 +1,6 @@
 /// @file
-/// The factor S of the form Q = S Sᵀ of an ellipsoid, and which matrices count as factors.
+/// The factor S of the form Q = S Sᵀ of an ellipsoid, and the test whether a matrix is a valid factor. contact_factored.hpp and
+/// pw85.hpp use this file.
 #ifndef PW85_CONTACT_FACTOR_HPP_INCLUDED
 #define PW85_CONTACT_FACTOR_HPP_INCLUDED
 
@@ -8,7 +9,7 @@
 
 namespace pw85 {
 
-/// A factor, NaN where the status is not success.
+/// A factor. It is NaN if the status is not success.
 template <class T, int D> struct EllipsoidFactor {
     Factor<T, D> s;
     Status status;
@@ -29,15 +30,15 @@ template <class T> PW85_FUNCTION constexpr T determinant(Vector<T, 3> const (&co
     return dot(columns[0], cross(columns[1], columns[2]));
 }
 
-/// The smallest volume of the parallelepiped of the columns, each scaled to length one, at which a factor counts as one of a positive
-/// definite form. The computed volume errs by less than 2⁻⁴⁸ in double.
+/// The smallest volume at which a factor counts as a factor of a positive definite form. It is the volume of the parallelepiped of
+/// the columns, each scaled to length one. The computed volume errs by less than 2⁻⁴⁸ in double.
 template <class T> PW85_FUNCTION constexpr T least_volume() noexcept
 {
     return negative_power_of_two<T>(3 * mantissa_digits<T>() / 4);
 }
 
-/// Whether the form S Sᵀ is positive definite: the columns of S are not zero, their lengths differ by no more than those that forms
-/// allow (definite.hpp), and they are linearly independent.
+/// Whether the form S Sᵀ is positive definite. This needs three conditions: the columns of S are not zero; their lengths differ by
+/// no more than forms allow (definite.hpp); and the columns are linearly independent.
 template <class T, int D> PW85_FUNCTION inline bool is_regular(Factor<T, D> const &s) noexcept
 {
     T const largest = largest_entry(s);
@@ -54,7 +55,7 @@ template <class T, int D> PW85_FUNCTION inline bool is_regular(Factor<T, D> cons
     return absolute(determinant(columns)) > least_volume<T>();
 }
 
-/// The smallest product of the squares of the lengths of the columns for which is_clearly_regular() can be true. With entries below
+/// The smallest product of the squared lengths of the columns for which is_clearly_regular() can be true. If the entries are below
 /// unscaled_limit(), the lengths then differ by less than is_regular() allows.
 template <class T> PW85_FUNCTION constexpr T least_product_of_squares() noexcept
 {
@@ -62,7 +63,8 @@ template <class T> PW85_FUNCTION constexpr T least_product_of_squares() noexcept
     return negative_power_of_two<T>(exponent < 64 ? exponent : 64);
 }
 
-/// Whether products alone show that a factor with entries below unscaled_limit() is regular.
+/// Whether a factor is regular, tested with products only. The entries must be below unscaled_limit(). If the result is false, the
+/// factor may still be regular.
 template <class T, int D> PW85_FUNCTION inline bool is_clearly_regular(Factor<T, D> const &s) noexcept
 {
     Vector<T, D> columns[D];
@@ -76,14 +78,14 @@ template <class T, int D> PW85_FUNCTION inline bool is_clearly_regular(Factor<T,
     return volume * volume > T(least * least) * product && product > least_product_of_squares<T>();
 }
 
-/// Status of a factor.
+/// The status of a factor.
 template <class T, int D> PW85_FUNCTION inline Status validate(Factor<T, D> const &s) noexcept
 {
     if (!is_finite(s)) return Status::invalid_argument;
     return is_regular(s) ? Status::success : Status::not_positive_definite;
 }
 
-/// S Sᵀ, rounded.
+/// S Sᵀ, with rounding errors.
 template <class T, int D> PW85_FUNCTION constexpr SymmetricMatrix<T, D> form_of_factor(Factor<T, D> const &s) noexcept
 {
     SymmetricMatrix<T, D> q{};

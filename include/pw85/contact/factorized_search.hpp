@@ -18,7 +18,7 @@ inline constexpr int free_factorized_steps = 3;
 /// penultimate_step(), and the last evaluation.
 inline constexpr int max_factorized_steps = free_factorized_steps + max_probes<double>() + 17 + 8 + 1;
 
-/// How a search solves with M: by factorisation, or with the solution refined.
+/// How a search solves equations with M: by factorisation alone, or with refinement of the solution.
 enum class Precision { working, refined };
 
 /// M⁻¹ r12.
@@ -30,7 +30,7 @@ template <class T, int D> PW85_FUNCTION inline Vector<T, D> solve_for_separation
     return precision == Precision::refined ? refine(pair, t, factors, s) : s;
 }
 
-/// The candidate where a search ends, by one more step if it can be trusted.
+/// The candidate at the end of a search. It is one step further if the step can be trusted.
 template <class T> PW85_FUNCTION inline Candidate<T> end_of_search(SafeguardedSearch<T> const &state, Slope<T> const &s,
                                                                    TrustedStep<T> const &trusted) noexcept
 {
@@ -68,7 +68,7 @@ template <class T, int D>
     }
 }
 
-/// A bound on the inverse of the smallest eigenvalue of M scaled to a unit diagonal: the sum of M_ii (M⁻¹)_ii.
+/// A bound on the inverse of the smallest eigenvalue of M, with M scaled to a unit diagonal: the sum of M_ii (M⁻¹)_ii.
 template <class T, int D>
 PW85_FUNCTION inline T condition(Factorization<T, D> const &factors, SymmetricMatrix<T, D> const &m) noexcept
 {
@@ -81,18 +81,18 @@ PW85_FUNCTION inline T condition(Factorization<T, D> const &factors, SymmetricMa
     return sum;
 }
 
-/// By how many u κ the solution by factorisation errs across s, in the norm of M, with κ from condition()
-/// (to first order; scripts/rounding_bounds.py: 4.8).
+/// The error of the solution by factorisation across s, in the norm of M, in units of u κ, with κ from condition(). To first order
+/// it is 4.8 (scripts/rounding_bounds.py).
 inline constexpr int factorization_error = 5;
 
-/// By how many u κ of itself a correction of refine() errs, or the solution that it corrects, in the norm of M
-/// (to first order; scripts/rounding_bounds.py: 9.4): so one correction shrinks an error.
+/// The relative error of a correction of refine() in the norm of M, in units of u κ. The error is relative to the correction, or to
+/// the solution that is corrected. To first order it is 9.4 (scripts/rounding_bounds.py). So one correction reduces the error.
 inline constexpr int correction_error = 10;
 
-/// By how many roundings of a result the last evaluation's s errs across, in the norm of M, beside what is_certain() need not
-/// count: solved by factorisation, or refined by three corrections. Rounding the refined s to u in each coordinate leaves at most u
-/// √cond; its square over k, which is compared with u cond, is below u cond/16 where k > 16 u, and its product with the step is
-/// smaller yet.
+/// The error of the s of the last evaluation across its direction, in the norm of M, in units of the roundoff of the result. The
+/// solution comes from factorisation, or is refined by three corrections. The error leaves out a part that is_certain() need not
+/// count: rounding the refined s to u in each coordinate leaves at most u √cond. The square of this part over k is compared with u
+/// cond. It is below u cond/16 where k > 16 u. Its product with the step is smaller still.
 template <class T> PW85_FUNCTION inline T error_of_solution(T const &condition, Precision precision) noexcept
 {
     if (precision == Precision::working)
@@ -102,8 +102,9 @@ template <class T> PW85_FUNCTION inline T error_of_solution(T const &condition, 
     return ratio * ratio * ratio * ratio / u;
 }
 
-/// What h' errs by where sᵀQ1s and sᵀQ2s cancel: -½ d(log A)/dx and ½ d(log C)/dx, whose sum it is, are at most 1 and err like A
-/// and B, each by some five roundings of a sum of magnitudes, which is at most D diagonal_form().
+/// The error of h' where sᵀQ1s and sᵀQ2s cancel. h' is the sum of -½ d(log A)/dx and ½ d(log C)/dx. Both terms are at most 1. Their
+/// relative errors are like those of A and B: each is some five roundings of a sum of magnitudes, which is at most D
+/// diagonal_form().
 template <class T, int D> PW85_FUNCTION inline T
 noise_of_slope(Pair<T, D> const &pair, SymmetricMatrix<T, D> const &weights, T const &a, T const &b) noexcept
 {

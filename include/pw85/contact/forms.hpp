@@ -1,5 +1,5 @@
 /// @file
-/// Builders of quadratic forms from lengths and directions.
+/// Builders of quadratic forms from lengths and directions. pw85.hpp and factor.hpp use this file.
 #ifndef PW85_CONTACT_FORMS_HPP_INCLUDED
 #define PW85_CONTACT_FORMS_HPP_INCLUDED
 
@@ -8,7 +8,7 @@
 
 namespace pw85 {
 
-/// A quadratic form, NaN where the status is not success.
+/// A quadratic form. It is NaN if the status is not success.
 template <class T, int D> struct Form {
     SymmetricMatrix<T, D> q;
     Status status;
@@ -18,11 +18,11 @@ template <class T, int D> struct Form {
 
 namespace pw85::detail {
 
-/// Largest deviation of RᵀR from the identity that is taken for rounding: that of a rotation in single precision, with
-/// some room.
+/// The largest deviation of RᵀR from the identity that counts as rounding. It is that of a rotation in single precision, with some
+/// room.
 inline constexpr double rotation_tolerance = 1e-6;
 
-/// A form with its status: entries must be finite and the diagonal positive, which they are not when a sum of squares of
+/// A form with its status. The entries must be finite and the diagonal positive. These conditions fail if a sum of squares of
 /// lengths overflows.
 template <class T, int D> PW85_FUNCTION constexpr Form<T, D> checked_form(SymmetricMatrix<T, D> const &q) noexcept
 {
@@ -31,15 +31,15 @@ template <class T, int D> PW85_FUNCTION constexpr Form<T, D> checked_form(Symmet
     return valid ? Form<T, D>{q, Status::success} : all_nan<Form<T, D>>(Status::invalid_argument);
 }
 
-/// Whether a length is positive, and its square a positive number of `T`: one that vanishes makes a form singular, which its
-/// entries show only where the axis is along x, y or z.
+/// Whether a length is positive and its square is a positive number of `T`. If the square vanishes, the form is singular. The
+/// entries of the form show this only if the axis is along x, y or z, so it is tested here.
 template <class T> PW85_FUNCTION constexpr bool is_length(T const &x) noexcept
 {
     T const square = x * x;
     return x > T(0) && square > T(0) && square <= largest_number<T>();
 }
 
-/// Q = R diag(semi_axes²) Rᵀ, for R known to be orthogonal.
+/// Q = R diag(semi_axes²) Rᵀ. R must be orthogonal.
 template <class T, int D>
 PW85_FUNCTION constexpr Form<T, D> form_of_axes(Vector<T, D> const &semi_axes, T const (&rotation)[D * D]) noexcept
 {
@@ -70,7 +70,7 @@ PW85_FUNCTION constexpr RotationMatrix<T> rotation_matrix(Vector<T, 4> const &qu
 
 namespace pw85 {
 
-// Q = a² (I - nnᵀ) + c² nnᵀ for the unit vector along n, without cancellation for any ratio of the lengths.
+// Q = a² (I - nnᵀ) + c² nnᵀ for the unit vector along n. There is no cancellation for any ratio of the lengths.
 template <class T> PW85_FUNCTION constexpr Form<T, 3> spheroid(T const &a, T const &c, Vector<T, 3> n) noexcept
 {
     using namespace detail;

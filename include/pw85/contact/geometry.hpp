@@ -1,12 +1,13 @@
 /// @file
-/// Contact point, normal and derivatives, from the maximiser λ.
+/// The contact point, the normal and the first derivatives of μ², from the maximiser λ. pw85.hpp, the lane kernels, the code for
+/// devices, contact_hessian.hpp, condition.hpp and witness.hpp use this file.
 ///
-/// With n = [(1-λ) Q1 + λ Q2]⁻¹ r12 (envelope theorem: λ may be held fixed, f being stationary there):
+/// Let n = [(1-λ) Q1 + λ Q2]⁻¹ r12. By the envelope theorem λ may be held fixed in the derivatives, because f is stationary there.
 ///
-/// 1. x0 - c1 = (1-λ) Q1 n, x0 - c2 = -λ Q2 n; the common normal is along n.
+/// 1. x0 - c1 = (1-λ) Q1 n, x0 - c2 = -λ Q2 n. The common normal is along n.
 /// 2. ∂μ²/∂r12 = 2λ(1-λ) n; ∂μ²/∂Q1 = -λ(1-λ)² n nᵀ; ∂μ²/∂Q2 = -λ²(1-λ) n nᵀ.
-/// 3. Rotations about the own centres: ∂μ²/∂ω1 = 2λ(1-λ)² n × Q1n, ∂μ²/∂ω2 = 2λ²(1-λ) n × Q2n. Their sum plus r12 × ∂μ²/∂r12
-///    vanishes: no net torque.
+/// 3. For rotations about the own centres, ∂μ²/∂ω1 = 2λ(1-λ)² n × Q1n and ∂μ²/∂ω2 = 2λ²(1-λ) n × Q2n. Their sum plus r12 × ∂μ²/∂r12
+///    vanishes: there is no net torque.
 #ifndef PW85_CONTACT_GEOMETRY_HPP_INCLUDED
 #define PW85_CONTACT_GEOMETRY_HPP_INCLUDED
 
@@ -14,7 +15,7 @@
 
 namespace pw85 {
 
-/// Where and how the ellipsoids, scaled by μ, touch.
+/// The point and the normal at which the ellipsoids touch if both are scaled by μ.
 template <class T, int D> struct ContactGeometry {
     Vector<T, D> point;  ///< relative to the centre of ellipsoid 1
     Vector<T, D> normal; ///< unit vector, out of ellipsoid 1 and into ellipsoid 2
@@ -28,8 +29,8 @@ template <class T, int D> struct ContactGradient {
     Status status;
 };
 
-/// Derivatives of μ² with respect to the rotation vectors of the ellipsoids, each about its own centre; the one component of
-/// ellipses is that with respect to the angle.
+/// The derivatives of μ² with respect to the rotation vectors of the ellipsoids, each about its own centre. In two dimensions the
+/// one component is the derivative with respect to the angle.
 template <class T, int D = 3> struct ContactTorque {
     Vector<T, detail::rotation_axes<D>> rotation1, rotation2;
     Status status;
@@ -39,8 +40,9 @@ template <class T, int D = 3> struct ContactTorque {
 
 namespace pw85::detail {
 
-/// Conditioning (rational.hpp) above which the adjugate gives M⁻¹x to 126 u/d < 2^-28 in double, a few times what the rounding of
-/// λ and of the forms leaves certain of the derivatives of such a pair.
+/// The conditioning (rational.hpp) above which the adjugate is accurate enough for derivatives. The error of M⁻¹x is then below 126
+/// u/d < 2^-28 in double. This is a few times the error that the rounding of λ and of the forms causes in the derivatives of such a
+/// pair.
 template <class T> PW85_FUNCTION constexpr T adjugate_conditioning() noexcept
 {
     return negative_power_of_two<T>(maximum(mantissa_digits<T>() / 2 - 8, 0));
@@ -52,14 +54,14 @@ PW85_FUNCTION constexpr typename ScalarTraits<T>::Mask is_accurate(AdjugateSolut
     return solution.determinant > adjugate_conditioning<T>() * solution.diagonal;
 }
 
-/// The relative error in the norm of M up to which a solution by factorisation is taken: 2^-13 for double. Extended numbers,
-/// which take some hundred times as long, are left to pairs that are still worse.
+/// The largest relative error, in the norm of M, at which a solution by factorisation is accepted: 2^-13 for double. Pairs with
+/// larger errors are computed with extended numbers, which take some hundred times as long.
 template <class T> PW85_FUNCTION constexpr T tolerated_error() noexcept
 {
     return negative_power_of_two<T>(mantissa_digits<T>() / 4);
 }
 
-/// M⁻¹ x for M = w1 Q1 + w2 Q2, to rounding in the norm of M.
+/// M⁻¹ x for M = w1 Q1 + w2 Q2. It is correct to rounding in the norm of M.
 template <class T, int D> [[gnu::noinline, gnu::cold]] PW85_FUNCTION inline Vector<T, D>
 solve_blend_extended(T const &w1, SymmetricMatrix<T, D> const &q1, T const &w2, SymmetricMatrix<T, D> const &q2,
                      Vector<T, D> const &x) noexcept
@@ -71,8 +73,8 @@ solve_blend_extended(T const &w1, SymmetricMatrix<T, D> const &q1, T const &w2, 
     return result;
 }
 
-/// M⁻¹ x for M = w1 Q1 + w2 Q2, where the adjugate is not accurate: by factorisation if that leaves some digits, else with extended
-/// numbers if the type has such.
+/// M⁻¹ x for M = w1 Q1 + w2 Q2, where the adjugate is not accurate. It uses factorisation if that leaves some digits. Otherwise it
+/// uses extended numbers, if the type has them.
 template <class T, int D>
 [[gnu::noinline]] PW85_FUNCTION inline Vector<T, D> solve_ill_conditioned(T const &w1, SymmetricMatrix<T, D> const &q1,
                                                                           T const &w2, SymmetricMatrix<T, D> const &q2,
@@ -86,7 +88,7 @@ template <class T, int D>
     return solve(factors, x);
 }
 
-/// M⁻¹ x for M = w1 Q1 + w2 Q2, by the adjugate if it is as good as rounding allows.
+/// M⁻¹ x for M = w1 Q1 + w2 Q2. It uses the adjugate if that is as accurate as rounding allows.
 template <class T, int D> PW85_FUNCTION inline Vector<T, D> solve_blend(T const &w1, SymmetricMatrix<T, D> const &q1,
                                                                         T const &w2, SymmetricMatrix<T, D> const &q2,
                                                                         Vector<T, D> const &x) noexcept
@@ -96,13 +98,13 @@ template <class T, int D> PW85_FUNCTION inline Vector<T, D> solve_blend(T const 
     return solve_ill_conditioned(w1, q1, w2, q2, x);
 }
 
-/// A pair at some λ, in units of its own: n is proportional to v = (w1 Q1 + w2 Q2)⁻¹ r12.
+/// A pair at one λ, in units of its own. n is proportional to v = (w1 Q1 + w2 Q2)⁻¹ r12.
 template <class T, int D> struct Tangency {
     Vector<T, D> v;
     T lambda1, lambda2;       ///< 1-λ, λ
-    T weight1, weight2;       ///< w1, w2: proportional to 1-λ and λ
-    int lambda_exponent = 0;  ///< lambda2 is λ over this power of two
-    int weights_exponent = 0; ///< lambda1 lambda2 is w1 w2 times this power of two
+    T weight1, weight2;       ///< w1 and w2, proportional to 1-λ and λ
+    int lambda_exponent = 0;  ///< lambda2 is λ divided by 2 to this power
+    int weights_exponent = 0; ///< lambda1 lambda2 is w1 w2 times 2 to this power
 };
 
 /// The point x0, relative to the centre of ellipsoid 1 (item 1).
@@ -112,7 +114,7 @@ PW85_FUNCTION constexpr Vector<T, D> tangency_point(Tangency<T, D> const &at, Sy
     return at.weight1 * product(q1, at.v);
 }
 
-/// The unit vector along n; not finite where n is zero.
+/// The unit vector along n. It is not finite if n is zero.
 template <class T, int D> PW85_FUNCTION inline Vector<T, D> tangency_normal(Tangency<T, D> const &at) noexcept
 {
     return T(T(1) / square_root(dot(at.v, at.v))) * at.v;
@@ -136,13 +138,14 @@ rotation_gradients(Tangency<T, D> const &at, SymmetricMatrix<T, D> const &q1, Sy
     return {cross(n, at.weight1 * product(q1, at.v)), cross(n, at.weight2 * product(q2, at.v))};
 }
 
-/// 1-λ: a maximiser that rounds to 1 is that of a pair of very different sizes, not the end.
+/// 1-λ, but not below the unit roundoff. A maximiser that rounds to 1 belongs to a pair of very different sizes; it is not the end
+/// of the interval.
 template <class T> PW85_FUNCTION constexpr T complement_of(T const &lambda) noexcept
 {
     return maximum(T(T(1) - lambda), T(unit_roundoff<T>() / 2));
 }
 
-/// The pair at λ, by the adjugate, and whether that is accurate.
+/// The pair at λ, computed by the adjugate, and whether the result is accurate.
 template <class T, int D> struct FastTangency {
     Tangency<T, D> at;
     typename ScalarTraits<T>::Mask accurate;
@@ -157,15 +160,16 @@ PW85_FUNCTION inline FastTangency<T, D> fast_tangency(Pair<T, D> const &pair, T 
     return {{reciprocal * solution.s, lambda1, lambda, lambda1, lambda}, is_accurate(solution)};
 }
 
-/// Exponents that lead from the units of a Tangency back to the caller's.
+/// The exponents that lead from the units of a Tangency back to those of the caller.
 struct TangencyUnits {
     int length; ///< of r12
     int normal; ///< of n
     int lambda; ///< of λ
 };
 
-/// The pair at λ in units in which its forms, the larger of its weights and λ are of order one, so that everything that is
-/// made of them stays in range. `scaled` is the pair, in its order and scaled.
+/// The pair at λ in units in which the forms, the larger of the weights and λ are of order one. So everything that is computed from
+/// them stays in range. `scaled` is the scaled pair, perhaps with the ellipsoids exchanged. The result is in the order of the
+/// caller.
 template <class T, int D> PW85_FUNCTION inline Tangency<T, D>
 scaled_tangency(ScaledPair<T, D> const &scaled, T const &lambda1, T const &lambda2, TangencyUnits &units) noexcept
 {
@@ -182,7 +186,7 @@ scaled_tangency(ScaledPair<T, D> const &scaled, T const &lambda1, T const &lambd
             scaled.swapped ? w1 : w2,       lambda,  2 * weight - small - lambda};
 }
 
-/// formula(tangency, q1, q2) for any pair at λ.
+/// Computes formula(tangency, q1, q2) for any pair at λ.
 template <class Formula, class T, int D> [[gnu::noinline]] PW85_FUNCTION inline auto
 at_tangency_scaled(Formula formula, Pair<T, D> pair, T const &lambda1, T const &lambda2) noexcept
 {
@@ -199,7 +203,7 @@ at_tangency_scaled(Formula formula, Pair<T, D> pair, T const &lambda1, T const &
     return result;
 }
 
-/// formula(tangency, q1, q2) for a pair at λ. It takes references: a Pair would be copied to memory.
+/// Computes formula(tangency, q1, q2) for a pair at λ. The arguments are references, because a Pair would be copied to memory.
 template <class Formula, class T, int D>
 PW85_FUNCTION inline auto at_tangency(Formula formula, Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
                                       SymmetricMatrix<T, D> const &q2, T const &lambda) noexcept

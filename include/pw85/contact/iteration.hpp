@@ -1,18 +1,19 @@
 /// @file
-/// The formulas of the search for the maximum of f: a third-order iteration in x = log t.
+/// The formulas of the search for the maximum of f: a third-order iteration in x = log t. rational_search.hpp and
+/// factorized_search.hpp call them.
 ///
 /// With A and B as in evaluation.hpp, C = (ratio·t)² B (A = μ1² and C = μ2² of x0) and h = ½ log(C/A):
 ///
-/// 1. The maximum of f is the root of h, df/dx = λ(1-λ)(A - C), and h increases: in the eigenbasis of the pencil
-///    (Q1, Q2), with eigenvalues d_i and p_i = 1/(1 + t d_i), h' = ea + eb, where ea = -½ d(log A)/dx is an average of
-///    1 - p_i and eb = ½ d(log C)/dx one of p_i over positive weights, and h' <= 1, with equality for spheres.
-/// 2. |h''| <= 2 h', since d p_i/dx = -p_i (1 - p_i). So a step δ of Newton's method from a distance below 0.1 is followed
-///    by one of less than a quarter of it; where that is not seen, δ is rounding noise. Farther away a step may be small and
-///    the root still far: where h grows like e^(2x), h/h' is 1/2.
-/// 3. f <= μ² <= max(A, C), and x - h is nearer to the root than x and on the same side: every evaluation gives a bound.
-/// 4. 1/√A and 1/√C are nearly affine in t and in 1/t (exactly, where r12 is an eigenvector of the pencil). Equating the
-///    tangents gives a quadratic for t that converges from afar, as in trust-region methods (J. J. Moré and
-///    D. C. Sorensen, SIAM J. Sci. Stat. Comput. 4, 553, 1983); near the root Halley's method is better.
+/// 1. The maximum of f is the root of h, because df/dx = λ(1-λ)(A - C). h increases. To see this, use the eigenbasis of the pencil
+///    (Q1, Q2), with eigenvalues d_i and p_i = 1/(1 + t d_i). There h' = ea + eb, where ea = -½ d(log A)/dx is an average of
+///    1 - p_i, and eb = ½ d(log C)/dx is an average of p_i, both over positive weights. Also h' <= 1, with equality for spheres.
+/// 2. |h''| <= 2 h', since d p_i/dx = -p_i (1 - p_i). So if the distance to the root is below 0.1, a step δ of Newton's method is
+///    followed by a step of less than a quarter of δ. If the next step is not that small, δ is rounding noise. Farther away, a step
+///    may be small although the root is still far: where h grows like e^(2x), h/h' is 1/2.
+/// 3. f <= μ² <= max(A, C), and x - h is nearer to the root than x and on the same side. So every evaluation gives a bound.
+/// 4. 1/√A and 1/√C are nearly affine in t and in 1/t. They are exactly affine if r12 is an eigenvector of the pencil. Equating the
+///    tangents gives a quadratic equation for t. This step converges from afar, as in trust-region methods (J. J. Moré and D. C.
+///    Sorensen, SIAM J. Sci. Stat. Comput. 4, 553, 1983). Near the root Halley's method is better.
 #ifndef PW85_CONTACT_ITERATION_HPP_INCLUDED
 #define PW85_CONTACT_ITERATION_HPP_INCLUDED
 
@@ -20,20 +21,20 @@
 
 namespace pw85::detail {
 
-/// A step in x that leaves an error below final_step(): Halley's error is about its cube.
+/// The largest step in x after which the error is below final_step(). The error of Halley's method is about the cube of the step.
 template <class T> PW85_FUNCTION constexpr T penultimate_step() noexcept
 {
     return negative_power_of_two<T>(result_digits<T>() / 9 + 2);
 }
 
-/// A step x to the root up to which f + ½ f' x is right to u: it errs by f‴x³/12, where |f‴| <= 2.4 f by items 1 and 2, and the
-/// cube is at most 4u.
+/// The largest step x to the root for which f + ½ f' x is correct to u. The error is f‴x³/12, where |f‴| <= 2.4 f by items 1 and 2,
+/// and the cube is at most 4u.
 template <class T> PW85_FUNCTION constexpr T final_step() noexcept
 {
     return negative_power_of_two<T>(result_digits<T>() / 3);
 }
 
-/// A Jet's view of h: h = artanh(difference/sum); h' = k/weight and h'' = k2/weight².
+/// The values that describe h, computed from a Jet: h = artanh(difference/sum), h' = k/weight and h'' = k2/weight².
 template <class T> struct Slope {
     T sum;        ///< C + A
     T difference; ///< C - A
@@ -49,8 +50,8 @@ template <class T> PW85_FUNCTION constexpr Slope<T> slope(Jet<T> const &j, T con
             T(0.5) * (weight * ((p - q) + t * t * (j.b2 * j.a - j.a2 * j.b)) - (p - q) * (p + q))};
 }
 
-/// Whether Newton's step is at most 5/8, where item 2 makes Halley's the better one. Where rounding noise exceeds the
-/// largest h', it counts as that. False where rounding errors have made A·B negative.
+/// Whether Newton's step is at most 5/8. There item 2 makes Halley's step the better one. If rounding noise makes h' larger than 1,
+/// the largest possible h', then 1 is used. The result is false if rounding errors have made A·B negative.
 template <class T> PW85_FUNCTION constexpr typename ScalarTraits<T>::Mask is_near(Slope<T> const &s) noexcept
 {
     return s.weight > T(0) && absolute(s.difference) * s.weight <= T(0.625) * (s.sum * minimum(s.k, s.weight));
@@ -62,8 +63,8 @@ template <class T> struct Step {
     T denominator; ///< positive
 };
 
-/// Halley's step for the root of tanh h, where is_near(), kept between half and twice Newton's: rounding noise in h'' must
-/// not make it small.
+/// Halley's step for the root of tanh h, where is_near() is true. It is kept between half and twice Newton's step, so that rounding
+/// noise in h'' cannot make it small.
 template <class T> PW85_FUNCTION constexpr Step<T> halley_step(Slope<T> const &s) noexcept
 {
     T const k = s.sum * s.k * s.k;
@@ -71,7 +72,7 @@ template <class T> PW85_FUNCTION constexpr Step<T> halley_step(Slope<T> const &s
     return {-s.difference * s.k * s.weight, denominator};
 }
 
-/// e^step to third order: the factor by which t changes.
+/// e^step to third order. This is the factor by which t changes.
 template <class T> PW85_FUNCTION constexpr T exponential(Step<T> const &step) noexcept
 {
     T const twice = step.denominator + step.denominator;
@@ -85,7 +86,7 @@ PW85_FUNCTION constexpr typename ScalarTraits<T>::Mask is_within(Step<T> const &
     return absolute(step.numerator) <= bound * step.denominator;
 }
 
-/// The factor y on t of item 4: the positive root of ea y² + ((1 - ea) - ω(1 - eb)) y - ω eb, with ω = √(A/C).
+/// The factor y on t of item 4. It is the positive root of ea y² + ((1 - ea) - ω(1 - eb)) y - ω eb, with ω = √(A/C).
 template <class T> PW85_FUNCTION inline T secular_factor(Jet<T> const &j, T const &ratio, T const &t) noexcept
 {
     T const y = ratio * t;
@@ -98,11 +99,11 @@ template <class T> PW85_FUNCTION inline T secular_factor(Jet<T> const &j, T cons
     return rough_quotient(select(positive, T(omega * eb), T(root - half)), select(positive, T(half + root), ea));
 }
 
-/// A step, and whether to trust it. It is not trusted if h is far from zero, or if numbers are out of the range of the scalar, so
-/// that the step is 0/0 or NaN.
+/// A step, and whether to trust it. The step is not trusted if h is far from zero. It is also not trusted if numbers are out of the
+/// range of the scalar, so that the step is 0/0 or NaN.
 template <class T> struct TrustedStep {
     Step<T> step;
-    T size; ///< magnitude; 2, which is above any that is trusted, where it is not
+    T size; ///< magnitude; 2 if the step is not trusted, which is above the size of all trusted steps
     bool near;
 };
 
@@ -112,13 +113,14 @@ template <class T> PW85_FUNCTION constexpr TrustedStep<T> trust(Step<T> const &s
     return {step, near ? T(absolute(step.numerator) / step.denominator) : T(2), near};
 }
 
-/// e^(x - h), which item 3 has between t and the root.
+/// e^(x - h), limited to the range of the scalar. By item 3 it is between t and the root.
 template <class T> PW85_FUNCTION inline T fixed_point_image(Jet<T> const &j, T const &ratio) noexcept
 {
     return minimum(largest_number<T>(), maximum(smallest_number<T>(), T(square_root(T(j.a / j.b)) / ratio)));
 }
 
-/// The next t: by a step that is trusted, else by item 4, and where this leaves the range of the scalar the image of item 3.
+/// The next t. It comes from the step if that is trusted, otherwise from item 4. If item 4 leaves the range of the scalar, it is
+/// the image of item 3.
 template <class T> PW85_FUNCTION inline T next_guess(Jet<T> const &j, TrustedStep<T> const &trusted, T const &ratio,
                                                      T const &t, T const &image) noexcept
 {
@@ -130,7 +132,7 @@ template <class T> PW85_FUNCTION inline T next_guess(Jet<T> const &j, TrustedSte
 template <class T, int D> PW85_FUNCTION inline T initial_guess(Pair<T, D> const &pair) noexcept
 {
     auto const weights = outer_weights(pair.r12);
-    T const unit = T(1) / pair.ratio; // while the root is taken
+    T const unit = T(1) / pair.ratio; // the processor divides while it takes the root
     return rough_root(rough_quotient(quadratic_form(pair.q1, weights), quadratic_form(pair.q2, weights))) * unit;
 }
 
@@ -150,16 +152,16 @@ template <class T> PW85_FUNCTION constexpr void expect_derivatives(Candidate<T> 
     candidate.k2 = select(where, k2, candidate.k2);
 }
 
-/// The result of the last evaluation: μ² and λ, from any vector whose direction is near that of M⁻¹r12.
+/// The result of the last evaluation: μ² and λ. The direction of s need only be near that of M⁻¹r12.
 template <class T> struct StationaryValue {
     T mu2;
     T lambda, complement; ///< λ and 1-λ
-    T step;               ///< the last step in x, taken into account in all of these
+    T step;               ///< the last step in x; all values above include it
 };
 
-/// From A and B of s and rᵀs. λ(rᵀs)²/(A + tB) is stationary in s as well as in x, so that an error of s counts only
-/// squared, and its scale not at all; to it comes ½ f' x for the last step x, which is never negative. The step, to third
-/// order, is that of h + k x + ½ k2 x² = 0; where rounding noise makes it meaningless it is limited to ¼.
+/// Computes the result from A and B of s, and rᵀs. λ(rᵀs)²/(A + tB) is stationary in s as well as in x. So an error of s enters
+/// only squared, and the scale of s does not enter. The term ½ f' x for the last step x is added; it is never negative. The step
+/// solves h + k x + ½ k2 x² = 0 to third order. It is limited to ¼, because rounding noise can make it meaningless.
 template <class T> PW85_FUNCTION constexpr StationaryValue<T>
 stationary_value(Candidate<T> const &candidate, T const &ratio, T const &a, T const &b, T const &rs) noexcept
 {
@@ -192,15 +194,16 @@ template <class T> PW85_FUNCTION constexpr T result_roundoff() noexcept
         return negative_power_of_two<T>(result_digits<T>());
 }
 
-/// Whether a last evaluation is right to rounding, from an s that errs by e = u n/d of itself across its direction, in the norm
-/// of M. The value then errs by the sum of three parts, and each is kept below u, where cond >= 3:
+/// Whether a last evaluation is correct to rounding. Its s errs by e = u n/d of itself across its direction, in the norm of M. The
+/// error of the value is then the sum of three parts. Each is kept below u, where cond >= 3:
 ///
-/// 1. λ(rᵀs)²/(A + tB) is e² too small, and a wrong root of h costs e²(1 - k)/k, with k = h': where the eigenvalues p of Q1
-///    relative to M, weighted with s, have mean λ and variance σ², k = 1 - σ²/(λ(1-λ)), and h errs by eσ/(λ(1-λ)).
-/// 2. The share of the step, ½ f' x, errs by 2λ(1-λ) x times that, at most e x.
-/// 3. What is of third order in x (final_step()).
+/// 1. λ(rᵀs)²/(A + tB) is too small by e², and a wrong root of h costs e²(1 - k)/k, with k = h'. To see this, weight the
+///    eigenvalues p of Q1 relative to M with s, and let their mean be λ and their variance σ². Then k = 1 - σ²/(λ(1-λ)), and h errs
+///    by eσ/(λ(1-λ)).
+/// 2. The share of the step, ½ f' x, errs by 2λ(1-λ) x times the error of h, which is at most e x.
+/// 3. The terms of third order in x: see final_step().
 ///
-/// False for a t and k that are not positive, or NaN.
+/// The result is false if t or k is not positive, or NaN.
 template <class T> PW85_FUNCTION constexpr typename ScalarTraits<T>::Mask
 is_certain(Candidate<T> const &candidate, T const &step, T const &n, T const &d) noexcept
 {
@@ -208,13 +211,13 @@ is_certain(Candidate<T> const &candidate, T const &step, T const &n, T const &d)
     return candidate.t > T(0) && u * n * n < candidate.k * d * d && n * x < d && x <= final_step<T>();
 }
 
-/// The maximum of f in the units of a Pair.
+/// The maximum of f, in the units of a Pair.
 template <class T> struct Maximum {
     T mu2;
     T lambda, complement; ///< λ and 1-λ
     int evaluations;      ///< of f, in either form
     bool converged;
-    bool certain; ///< whether condition_number() bounds by how much μ² errs, as decide_by_comparison() asks for
+    bool certain; ///< whether condition_number() bounds the error of μ², as decide_by_comparison() requires
 };
 
 } // namespace pw85::detail

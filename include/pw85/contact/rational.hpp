@@ -11,7 +11,7 @@
 
 namespace pw85::detail {
 
-/// Coefficients in increasing powers of t; in two dimensions the last of each is zero.
+/// The coefficients, in increasing powers of t. In two dimensions the last coefficient of each polynomial is zero.
 template <class T> struct RationalForm {
     T a[3]; ///< of a(t)
     T b[4]; ///< of b(t)
@@ -57,8 +57,8 @@ template <class T> PW85_FUNCTION constexpr T evaluate_b(RationalForm<T> const &f
     return (form.b[1] * t + form.b[0]) + (t * t) * (form.b[3] * t + form.b[2]);
 }
 
-/// A and B and their derivatives, all times b². With R = a/b: B = -R' and A = R + tR', hence b²B = N and
-/// b²A = ab - tN with N = ab' - a'b.
+/// A and B and their derivatives, all times b². With R = a/b: B = -R' and A = R + tR'. Hence b²B = N and b²A = ab - tN, where
+/// N = ab' - a'b.
 template <class T> PW85_FUNCTION constexpr Jet<T> evaluate_jet(RationalForm<T> const &form, T const &t) noexcept
 {
     T const c = form.b[3] * t;
@@ -76,12 +76,12 @@ template <class T> PW85_FUNCTION constexpr Jet<T> evaluate_jet(RationalForm<T> c
             rough_quotient(T(t * b1), b)};
 }
 
-// The conditioning of M at t is det M over the product P of its diagonal, in (0, 1]. Scale M to a unit diagonal, so that entries
-// of M and of adj M are at most 1; let d be its determinant.
+// The conditioning of M at t is the determinant of M divided by the product P of its diagonal. It is in (0, 1]. Scale M to a unit
+// diagonal, so that the entries of M and of adj M are at most 1, and let d be its determinant.
 
-/// Conditioning above which the rational form is right to some per cent: a fair guide to the root. From its coefficients b errs
-/// by 80 u/d of itself (13 roundings in a sum of products that is at most 6), and a by 234 u/d (13 in one that is at most
-/// 6|r|², where a is at least d|r|²/3).
+/// The conditioning above which the rational form is correct to some per cent, which is enough to guide a search to the root.
+/// Computed from the coefficients, b errs by 80 u/d of itself: 13 roundings in a sum of products that is at most 6. a errs by 234
+/// u/d: 13 roundings in a sum that is at most 6|r|², where a is at least d|r|²/3.
 template <class T> PW85_FUNCTION constexpr T rough_conditioning() noexcept { return T(1024 * unit_roundoff<T>()); }
 
 /// The solution of M s = det(M) x by the adjugate.

@@ -16,11 +16,11 @@
 
 namespace pw85::detail {
 
-/// The number of steps after which a search gives up. Of 20,000 random pairs of aspect ratios to 1000, 413 need more than 5, 56
-/// more than 6, 7 more than 7, and none more than 8.
+/// The number of steps after which a search gives up. Of 20,000 random pairs with aspect ratios up to 1000, 413 need more than 5
+/// steps, 56 more than 6, 7 more than 7, and none more than 8.
 inline constexpr int max_rational_steps = 8;
 
-/// The state of a search. The result for a lane depends on nothing but its pair: no step changes a lane that has converged.
+/// The state of a search. The result for a lane depends only on its own pair, because no step changes a lane that has converged.
 template <class T> struct RationalSearch {
     RationalForm<T> form;
     Candidate<T> candidate;
@@ -41,8 +41,8 @@ template <class T, int D> PW85_FUNCTION inline RationalSearch<T> start_search(Pa
 }
 
 /// Takes Halley's step near the root, and the step of item 4 (iteration.hpp) elsewhere. A lane converges with a step within
-/// penultimate_step(). Rounding errors, or a number out of the range of the scalar, can prevent that, or lead to a wrong t. Then
-/// the last evaluation is not certain.
+/// penultimate_step(). Rounding errors, or numbers out of the range of the scalar, can prevent this, or can lead to a wrong t. In
+/// these cases the last evaluation is not certain.
 template <class T, int D>
 PW85_FUNCTION inline void take_step(RationalSearch<T> &search, Pair<T, D> const &pair) noexcept
 {
@@ -59,7 +59,8 @@ PW85_FUNCTION inline void take_step(RationalSearch<T> &search, Pair<T, D> const 
     search.active = active && !converged;
 }
 
-/// The driver for a number or one pack: it takes steps until no lane is active, but at most max_steps. It returns their number.
+/// The driver for a number or one pack. It takes steps until no lane is active, but at most max_steps. It returns the number of
+/// steps.
 template <class Search, class T, int D>
 PW85_FUNCTION inline int run(Search &search, Pair<T, D> const &pair, int max_steps) noexcept
 {

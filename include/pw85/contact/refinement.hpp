@@ -1,6 +1,6 @@
 /// @file
-/// Iterative refinement of a solution of (Q1 + t Q2) s = r12, with a residual in twice the working precision. Then each coordinate
-/// of s is correct to rounding, however ill-conditioned the matrix is. factorized_search.hpp calls it.
+/// Iterative refinement of a solution of (Q1 + t Q2) s = r12, with a residual in twice the working precision. Each coordinate of
+/// the refined s is correct to rounding, even if the matrix is ill-conditioned. factorized_search.hpp calls refine().
 #ifndef PW85_CONTACT_REFINEMENT_HPP_INCLUDED
 #define PW85_CONTACT_REFINEMENT_HPP_INCLUDED
 

@@ -1,10 +1,11 @@
 /// @file
-/// The maximum of f of any pair in range. maximize() takes the first of these methods whose result is certain:
+/// The maximum of f for any pair in range. contact.hpp calls maximize(); the headers for distances and first contacts use it as
+/// well. It takes the first of these methods whose result is certain:
 ///
 /// 1. the search on the rational form (rational_search.hpp), which is enough for almost all pairs;
 /// 2. the search on the factorised form (factorized_search.hpp);
-/// 3. the same with refined solutions of the linear equations (refinement.hpp);
-/// 4. the same with wider numbers.
+/// 3. the search on the factorised form with refined solutions of the linear equations (refinement.hpp);
+/// 4. the search on the factorised form with wider numbers.
 #ifndef PW85_CONTACT_SOLVER_HPP_INCLUDED
 #define PW85_CONTACT_SOLVER_HPP_INCLUDED
 
@@ -40,8 +41,8 @@ template <class Wide, class T, int D> PW85_FUNCTION inline Pair<Wide, D> widened
     return {converted<Wide>(pair.r12), converted<Wide>(pair.q1), converted<Wide>(pair.q2), Wide(pair.ratio)};
 }
 
-/// Finds the maximum of f with a wider type, starting at t. If the search converges, μ² is correct to rounding, whatever the
-/// condition number of the pair.
+/// Finds the maximum of f with a wider type, starting at t. If the search converges, μ² is correct to rounding for any condition
+/// number of the pair.
 template <class Wide, class T, int D> [[gnu::noinline, gnu::cold]] PW85_FUNCTION inline Maximum<T>
 maximize_in(Pair<T, D> const &pair, T const &t, int evaluations) noexcept
 {
@@ -54,9 +55,9 @@ maximize_in(Pair<T, D> const &pair, T const &t, int evaluations) noexcept
             evaluations + 1,    found && last.certain, false};
 }
 
-/// Finds the maximum of f with wider numbers. Numbers of twice the digits come first, if the processor computes in the type itself.
-/// They fail for one in many millions of nearly singular pairs. Extended numbers fail only for pairs that are worse conditioned
-/// than positive definite forms can be.
+/// Finds the maximum of f with wider numbers. If the processor computes in the type itself, numbers of twice the digits come first.
+/// They fail for one in many millions of nearly singular pairs. Then extended numbers follow. They fail only for pairs that are
+/// worse conditioned than positive definite forms can be.
 template <class T, int D>
 PW85_FUNCTION inline Maximum<T> maximize_wider(Pair<T, D> const &pair, T const &t, int evaluations) noexcept
 {
@@ -87,7 +88,8 @@ maximize_factorized(Pair<T, D> const &pair, Candidate<T> candidate, int evaluati
 }
 
 /// Finds the maximum of f over λ in [0, 1], for a pair of positive definite forms in range with r12 != 0. The function is not
-/// inlined: all callers share one instance, so that the same products are fused, and scaling a pair changes no bit of the result.
+/// inlined. So all callers share one instance, in which the same products are fused, and scaling a pair changes no bit of the
+/// result.
 template <class T, int D> [[gnu::noinline]] PW85_FUNCTION inline Maximum<T> maximize(Pair<T, D> const &pair) noexcept
 {
     T const guess = initial_guess(pair);

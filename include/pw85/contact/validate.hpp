@@ -1,5 +1,6 @@
 /// @file
-/// Status of a form and of a pair, before anything is computed with them.
+/// The status of a form and of a pair. Every function checks its input here before it computes anything. If a pair is valid,
+/// scaling.hpp brings it into range.
 #ifndef PW85_CONTACT_VALIDATE_HPP_INCLUDED
 #define PW85_CONTACT_VALIDATE_HPP_INCLUDED
 
@@ -9,7 +10,7 @@
 
 namespace pw85::detail {
 
-/// Status of one form.
+/// The status of one form.
 template <class T, int D> PW85_FUNCTION inline Status validate(SymmetricMatrix<T, D> const &q) noexcept
 {
     if (!is_finite(q)) return Status::invalid_argument;
@@ -20,7 +21,7 @@ template <class T, int D> PW85_FUNCTION inline Status validate(SymmetricMatrix<T
     return definite ? Status::success : Status::not_positive_definite;
 }
 
-/// Status of a pair. If it is success, `scaled` is the pair in range.
+/// The status of a pair. If it is success, `scaled` becomes the pair in range.
 template <class T, int D>
 [[gnu::noinline]] PW85_FUNCTION inline Status validate(Pair<T, D> const &pair, ScaledPair<T, D> &scaled) noexcept
 {
@@ -39,8 +40,8 @@ template <class T, int D> PW85_FUNCTION inline bool is_valid(T const &lambda, Pa
     return lambda >= T(0) && lambda <= T(1) && validate(pair, scaled) == Status::success;
 }
 
-/// Whether products alone show that a pair is valid and in range, and r12 != 0: true of almost all pairs. It is always inlined, so
-/// that the pair stays in registers.
+/// Whether a pair is valid and in range and has r12 != 0, tested with products only. The result is true for almost all such pairs.
+/// The function is always inlined, so that the pair stays in registers.
 template <class T, int D> [[gnu::always_inline]] PW85_FUNCTION inline typename ScalarTraits<T>::Mask
 passes_fast_checks(Pair<T, D> const &pair) noexcept
 {

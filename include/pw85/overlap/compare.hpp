@@ -1,5 +1,6 @@
 /// @file
-/// The sign of μ² - m for any number m: by the solver with a bound on its error (comparison.hpp), otherwise in integers (exact.hpp).
+/// The sign of μ² - m for any number m. pw85.hpp and the C API use this file. The solver decides with a bound on its error
+/// (comparison.hpp). If it cannot, integers decide (exact.hpp).
 #ifndef PW85_OVERLAP_COMPARE_HPP_INCLUDED
 #define PW85_OVERLAP_COMPARE_HPP_INCLUDED
 
@@ -18,13 +19,13 @@ struct Comparison {
 
 namespace pw85::detail {
 
-/// The sign that a decision about the ellipsoids of m Q1 and m Q2 stands for.
+/// Converts a decision about the ellipsoids of m Q1 and m Q2 to the sign of μ² - m.
 PW85_FUNCTION constexpr int to_sign(Decision decision) noexcept
 {
     return decision == Decision::apart ? 1 : decision == Decision::overlap ? -1 : 0;
 }
 
-/// The last tier, for a valid pair and 0 < m < infinity. For multiprecision numbers it compares up to rounding.
+/// The last tier, for a valid pair and 0 < m < infinity. For multiprecision numbers the comparison is up to rounding.
 template <class T, int D>
 [[gnu::noinline]] PW85_FUNCTION inline int compare_last(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
                                                         SymmetricMatrix<T, D> const &q2, T const &m) noexcept
@@ -37,8 +38,8 @@ template <class T, int D>
     }
 }
 
-/// Whether the search for the maximum decides, for a valid pair and m > 0. In the units of the pair μ² is not below 2^-52, so that a
-/// scaled m may underflow; one that overflows becomes infinity, which μ² is below.
+/// Decides by the search for the maximum, for a valid pair and m > 0. In the units of the pair μ² is at least 2^-52, so a scaled m
+/// that underflows does no harm. A scaled m that overflows becomes infinity, and μ² is below infinity.
 template <class T, int D>
 PW85_FUNCTION inline Decision compare_by_search(ScaledPair<T, D> const &scaled, T const &m) noexcept
 {

@@ -1,12 +1,14 @@
 /// @file
-/// Whether an ellipsoid is inside another one: by numbers with margins against their rounding errors, then exactly.
+/// Whether one ellipsoid is inside another one. pw85.hpp and the C API use this file. Floating-point numbers decide first, with
+/// margins for their rounding errors. Integers decide the remaining pairs (exact_containment.hpp).
 ///
-/// - It is outside if √(nᵀQ2n) + |n·r| > √(nᵀQ1n) for some n: it reaches beyond a plane that bounds ellipsoid 1.
-/// - It is inside if K(w) = Q1 - (1 + 1/w) Q2 - (1 + w) r rᵀ is positive semidefinite for some w > 0 (exact_containment.hpp).
+/// - Ellipsoid 2 is outside if √(nᵀQ2n) + |n·r| > √(nᵀQ1n) for some n. Then it reaches beyond a plane that bounds ellipsoid 1.
+/// - Ellipsoid 2 is inside if K(w) = Q1 - (1 + 1/w) Q2 - (1 + w) r rᵀ is positive semidefinite for some w > 0
+///   (exact_containment.hpp).
 ///
-/// Both are true of ellipsoids that touch for one w and n alone. With M = Q1 - Q2 - Q2/w, n = M⁻¹r, d = r·n and e = nᵀQ2n that w
-/// maximises 1 - (1 + w) d, which has one maximum where M is positive definite: there F = w² d/((1 + w) e) is 1. F increases with
-/// w.
+/// At internal tangency both conditions reach their limits, at one w and one n only. Let M = Q1 - Q2 - Q2/w, n = M⁻¹r, d = r·n and
+/// e = nᵀQ2n. This w maximises 1 - (1 + w) d, which has one maximum in the range where M is positive definite. At the maximum
+/// F = w² d/((1 + w) e) is 1. F increases with w.
 #ifndef PW85_OVERLAP_CONTAINMENT_HPP_INCLUDED
 #define PW85_OVERLAP_CONTAINMENT_HPP_INCLUDED
 
@@ -15,7 +17,7 @@
 
 namespace pw85 {
 
-/// Whether an ellipsoid is inside another one; false where the status is not success.
+/// Whether one ellipsoid is inside another one. It is false if the status is not success.
 struct Containment {
     bool contains;
     Status status;
@@ -25,16 +27,16 @@ struct Containment {
 
 namespace pw85::detail {
 
-/// What is certain of a pair.
+/// What floating-point numbers prove about a pair.
 enum class Nesting { none, outside, inside };
 
-/// A pair with its difference Q1 - Q2, in a unit in which the largest diagonal entry of Q1 is in [1, 4).
+/// A pair with the difference Q1 - Q2. The unit is such that the largest diagonal entry of Q1 is in [1, 4).
 template <class T, int D> struct NestedPair {
     Vector<T, D> r12;
     SymmetricMatrix<T, D> q1, q2, difference;
 };
 
-/// Scaled by a power of two. What becomes a subnormal number errs by 2^-53 of the smallest number for double.
+/// Scales a pair by a power of two. A number that becomes subnormal errs by 2^-53 of the smallest number, for double.
 template <class T, int D> PW85_FUNCTION inline NestedPair<T, D> nested_pair(Pair<T, D> const &pair) noexcept
 {
     int const e = half_exponent(largest_diagonal(pair.q1));
@@ -44,7 +46,8 @@ template <class T, int D> PW85_FUNCTION inline NestedPair<T, D> nested_pair(Pair
     return nested;
 }
 
-/// Whether ellipsoid 2 reaches beyond the bounding box of ellipsoid 1. Five roundings, and those of the comparison, are below 8 u.
+/// Whether ellipsoid 2 reaches beyond the bounding box of ellipsoid 1. The five roundings, and those of the comparison, are below 8
+/// u in all.
 template <class T, int D> PW85_FUNCTION inline bool exceeds_bounding_box(Pair<T, D> const &pair) noexcept
 {
     T const shrink = T(1) - T(8) * T(unit_roundoff<T>());
@@ -56,11 +59,12 @@ template <class T, int D> PW85_FUNCTION inline bool exceeds_bounding_box(Pair<T,
     return exceeds;
 }
 
-/// Whether a direction, of any length > 0, proves that ellipsoid 2 is not inside.
+/// Whether a direction n, of any length > 0, proves that ellipsoid 2 is not inside.
 ///
-/// A term of a form is rounded five times at most, one of n·r three times, their sums with the margins once more: 8 u and 6 u of
-/// the magnitudes bound that, and 8 u the two roots, their sum and the product. The smallest number is far above what underflows,
-/// as n has coordinates below 2 and the forms have entries of 4 at most.
+/// A term of a form is rounded five times at most, and a term of n·r three times. The sums with the margins are rounded once more.
+/// So the margins 8 u and 6 u, times the sums of magnitudes, bound these errors. A further 8 u bounds those of the two roots, their
+/// sum and the product. The smallest number is far above the errors of underflow, because n has coordinates below 2 and the forms
+/// have entries of 4 at most.
 template <class T, int D> PW85_FUNCTION inline bool shows_outside(NestedPair<T, D> const &pair, Vector<T, D> n) noexcept
 {
     T const u = T(unit_roundoff<T>()), tiny = smallest_number<T>(), length = largest_coordinate(n);
@@ -73,12 +77,12 @@ template <class T, int D> PW85_FUNCTION inline bool shows_outside(NestedPair<T, 
     return T(T(T(1) - T(8) * u) * reach) > square_root(q1);
 }
 
-/// Whether w proves that ellipsoid 2 is inside. What underflowed does not matter as u <= w <= 1/u.
+/// Whether w proves that ellipsoid 2 is inside. Errors of underflow do not matter, because u <= w <= 1/u.
 ///
-/// Let C = (1 + 1/w) Q2 + (1 + w) r rᵀ, with non-negative terms. An entry of C has terms of magnitudes that add up to √(Cii Cjj) at
-/// most, and Cii <= Q1ii if the diagonal of K is positive. So no entry of K errs by more than 7 u √(Q1ii Q1jj): 4 u for C, u for
-/// the difference, and on the diagonal u for the product. A matrix of such errors is at most 21 u diag(Q1), which is less than what
-/// is taken off.
+/// Let C = (1 + 1/w) Q2 + (1 + w) r rᵀ, with non-negative terms. The magnitudes of the terms of an entry of C add up to √(Cii Cjj)
+/// at most. If the diagonal of K is positive, Cii <= Q1ii. So no entry of K errs by more than 7 u √(Q1ii Q1jj): 4 u for C, u for
+/// the difference, and on the diagonal u for the product. A matrix of such errors is at most 21 u diag(Q1). This is less than the
+/// part of the diagonal that `shrink` removes.
 template <class T, int D> PW85_FUNCTION inline bool shows_inside(NestedPair<T, D> const &pair, T const &w) noexcept
 {
     T const u = T(unit_roundoff<T>()), share2 = T(1) + T(1) / w, share_r = T(1) + w, shrink = T(1) - T(32) * u;
@@ -91,8 +95,8 @@ template <class T, int D> PW85_FUNCTION inline bool shows_inside(NestedPair<T, D
     return w >= u && T(w * u) <= T(1) && is_clearly_definite(k);
 }
 
-/// A direction n in which nᵀAn is not positive, for a matrix with a positive first entry and a leading minor that is not: if that
-/// is the first of its size, it is nᵀAn, up to a positive factor.
+/// A direction n in which nᵀAn is not positive. The first entry of A is positive, and one of its leading minors is not positive. Up
+/// to a positive factor, nᵀAn is the first such minor.
 template <class T> PW85_FUNCTION inline Vector<T, 2> negative_direction(SymmetricMatrix<T, 2> const &a) noexcept
 {
     return {-a(0, 1), a(0, 0)};
@@ -105,14 +109,15 @@ template <class T> PW85_FUNCTION inline Vector<T, 3> negative_direction(Symmetri
     return {adj(0, 2), adj(1, 2), adj(2, 2)};
 }
 
-/// What the search knows at w.
+/// The values that the search computes at w.
 template <class T, int D> struct NestingStep {
     Vector<T, D> n;
-    T excess; ///< 1 - 1/F: positive beyond the best w
-    T next;   ///< of Newton's method
+    T excess; ///< 1 - 1/F; positive if w is above the best one
+    T next;   ///< the next w by Newton's method
 };
 
-/// With M' = Q2/w², d' = -e/w² and e' = -2 nᵀQ2M⁻¹Q2n/w², so that w F'/F = 1 + 1/(1 + w) - e/(w d) + 2 nᵀQ2M⁻¹Q2n/(w e).
+/// Computes the values at w, by M' = Q2/w², d' = -e/w² and e' = -2 nᵀQ2M⁻¹Q2n/w². So w F'/F = 1 + 1/(1 + w) - e/(w d) + 2
+/// nᵀQ2M⁻¹Q2n/(w e).
 template <class T, int D> PW85_FUNCTION inline NestingStep<T, D>
 take_nesting_step(NestedPair<T, D> const &pair, SymmetricMatrix<T, D> const &m, T const &w) noexcept
 {
@@ -125,11 +130,12 @@ take_nesting_step(NestedPair<T, D> const &pair, SymmetricMatrix<T, D> const &m, 
     return {n, excess, T(w - T(w * excess) / slope)};
 }
 
-/// Steps until the search gives up. Of random pairs with |κ² - 1| from 1e-2 to 1e-12, κ the factor of ellipsoid 1 with which it
-/// would touch, and aspect ratios from 2 to 1000, one in a thousand needs more than eight.
+/// The number of steps after which the search gives up. Let κ be the factor by which ellipsoid 1 must be scaled to touch ellipsoid
+/// 2. Of random pairs with |κ² - 1| from 1e-2 to 1e-12 and aspect ratios from 2 to 1000, one in a thousand needs more than eight
+/// steps.
 inline constexpr int max_nesting_steps = 16;
 
-/// The search for a proof: Newton's method on F(w) = 1, in a bracket.
+/// The search for a proof. It uses Newton's method on F(w) = 1, in a bracket.
 template <class T, int D> PW85_FUNCTION inline Nesting search_for_nesting(NestedPair<T, D> const &pair, T w) noexcept
 {
     T low = T(0), high = infinity<T>();
@@ -152,8 +158,8 @@ template <class T, int D> PW85_FUNCTION inline Nesting search_for_nesting(Nested
     return Nesting::none;
 }
 
-/// What numbers of the type can tell. The search starts where two balls with the extents along r would touch, or from the trace of
-/// (Q1 - Q2)⁻¹Q2 if that is more: M is positive definite there.
+/// The decision by floating-point numbers. The search starts at the larger of two values: the w at which two balls with the extents
+/// along r would touch, and the trace of (Q1 - Q2)⁻¹Q2. M is positive definite there.
 template <class T, int D> PW85_FUNCTION inline Nesting decide_nesting(NestedPair<T, D> const &pair) noexcept
 {
     T const u = T(unit_roundoff<T>());
@@ -192,7 +198,7 @@ contains(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, SymmetricMatr
     if constexpr (exact::is_decidable<T>)
         return {contains_exactly(r12, q1, q2), status};
     else
-        return {true, status}; // to rounding they touch
+        return {true, status}; // they touch to rounding
 }
 
 } // namespace pw85

@@ -1,26 +1,27 @@
 /// @file
 /// The sign of μ² - m in integers, for any number m > 0. It is the last tier of compare.hpp and, with m = 1, of overlap.hpp.
 ///
-/// The ellipsoids of the forms m Q1 and m Q2 are apart, touch or overlap where μ² - m is positive, zero or negative. With
-/// a(t) = rᵀ adj(Q1 + t Q2) r and b(t) = det(Q1 + t Q2), they are apart or tangent if and only if the quartic
-/// p(t) = t a(t) - m (1 + t) b(t) has a root t > 0 (quartic.hpp). Its first and its last coefficient are negative.
+/// The ellipsoids of the forms m Q1 and m Q2 are apart, touch or overlap if μ² - m is positive, zero or negative. With a(t) = rᵀ
+/// adj(Q1 + t Q2) r and b(t) = det(Q1 + t Q2), they are apart or tangent if and only if the quartic p(t) = t a(t) - m (1 + t) b(t)
+/// has a root t > 0 (quartic.hpp). The first and the last coefficient of p are negative.
 ///
-/// 1. Two roots are negative, counted with multiplicity. Let Q1 = I and Q2 = diag(d), d1 >= d2 >= d3 > 0: a congruence
-///    multiplies p by a positive number. For m = 1 p(-1/di) = -(ri²/di) Π (1 - dj/di) over j != i, which is <= 0, >= 0 and <= 0.
-///    So there are two roots between the three points; if a value is zero, the roots are limits of such roots.
-/// 2. The two other roots are either real or a complex pair. The discriminant is negative for a complex pair. If it is zero, two
-///    roots coincide, and the next subdiscriminant (the sum over i, j, k of (xi-xj)²(xj-xk)²(xk-xi)²) is negative for a complex
-///    pair beside a negative double root, and not negative if all roots are real.
+/// 1. Two roots are negative, counted with multiplicity. Let Q1 = I and Q2 = diag(d), d1 >= d2 >= d3 > 0. This is no restriction,
+///    because a congruence multiplies p by a positive number. For m = 1, p(-1/di) = -(ri²/di) Π (1 - dj/di) over j != i, which
+///    is <= 0, >= 0 and <= 0. So there are two roots between the three points. If a value is zero, the roots are limits of such
+///    roots.
+/// 2. The two other roots are either real or a complex pair. The discriminant is negative for a complex pair. If the discriminant
+///    is zero, two roots coincide. Then the next subdiscriminant (the sum over i, j, k of (xi-xj)²(xj-xk)²(xk-xi)²) is negative for
+///    a complex pair beside a negative double root, and not negative if all roots are real.
 /// 3. If all roots are real, Descartes' rule of signs is exact: there is a positive root if and only if there is a positive
 ///    coefficient. Without a positive coefficient there is never a positive root.
-/// 4. With I = 12ae - 3bd + c² and J = 72ace + 9bcd - 27ad² - 27eb² - 2c³ for p = at⁴ + bt³ + ct² + dt + e, the discriminant
-///    has the sign of 4I³ - J², and where it is zero the subdiscriminant that of 2aJ + I(3b² - 8ac).
+/// 4. Let I = 12ae - 3bd + c² and J = 72ace + 9bcd - 27ad² - 27eb² - 2c³ for p = at⁴ + bt³ + ct² + dt + e. The discriminant has the
+///    sign of 4I³ - J². If the discriminant is zero, the subdiscriminant has the sign of 2aJ + I(3b² - 8ac).
 /// 5. If all roots are real and two are positive, the ellipsoids are tangent if and only if the positive roots coincide. Then the
-///    discriminant is zero. No three roots coincide, as two are negative. So if the subdiscriminant is zero there are two double
-///    roots, and the positive one is double. If it is positive there is one double root x. The covariant 2J p + I H, where H is the
-///    Hessian of p as a binary form, is k (t - x)⁴ with k = 2aJ + I(3b² - 8ac) > 0. Its second coefficient gives
-///    -4kx = 2bJ + 4I(bc - 6ad). As J² = 4I³, that has the sign of bc - 6ad + s b √I, where s is the sign of J.
-/// 6. In two dimensions p is a cubic with one negative root: everything holds with a = 0.
+///    discriminant is zero. No three roots coincide, because two are negative. So if the subdiscriminant is zero, there are two
+///    double roots, and the positive one is double. If it is positive, there is one double root x. Let H be the Hessian of p as a
+///    binary form. The covariant 2J p + I H is k (t - x)⁴ with k = 2aJ + I(3b² - 8ac) > 0. Its second coefficient gives -4kx = 2bJ
+///    + 4I(bc - 6ad). As J² = 4I³, this has the sign of bc - 6ad + s b √I, where s is the sign of J.
+/// 6. In two dimensions p is a cubic with one negative root. Everything above holds with a = 0.
 #ifndef PW85_OVERLAP_EXACT_HPP_INCLUDED
 #define PW85_OVERLAP_EXACT_HPP_INCLUDED
 
@@ -34,7 +35,7 @@ namespace pw85::detail {
 
 namespace exact {
 
-// The terms of a(t) and b(t) come from the functions that compute them, which are called with symbols instead of numbers.
+// The functions that compute a(t) and b(t) also give their terms, if they are called with symbols instead of numbers.
 
 /// coefficient·Π x[factors[i]] over i < degree.
 struct Monomial {
@@ -103,7 +104,7 @@ PW85_FUNCTION constexpr Polynomial operator+(Polynomial x, Polynomial const &y) 
 PW85_FUNCTION constexpr Polynomial operator-(Polynomial const &x) noexcept { return Polynomial(-1) * x; }
 PW85_FUNCTION constexpr Polynomial operator-(Polynomial const &x, Polynomial const &y) noexcept { return x + -y; }
 
-/// The rational form, with b multiplied by m, in the symbols x, which stand for r12, q1, q2 and m in this order.
+/// The rational form, with b multiplied by m, in the symbols x. The symbols stand for r12, q1, q2 and m in this order.
 template <int D> PW85_FUNCTION constexpr RationalForm<Polynomial> symbolic_form() noexcept
 {
     Pair<Polynomial, D> pair{};
@@ -116,7 +117,7 @@ template <int D> PW85_FUNCTION constexpr RationalForm<Polynomial> symbolic_form(
     return form;
 }
 
-/// A number sign·m·2^exponent with an odd integer m. It is zero if the sign is zero.
+/// A number sign·m·2^exponent with an odd integer m. The number is zero if the sign is zero.
 template <class T> struct BinaryFraction {
     Digits<limbs_for(std::numeric_limits<T>::digits)> magnitude; ///< m
     int length;                                                  ///< bits of m
@@ -145,7 +146,7 @@ template <class T> PW85_FUNCTION inline BinaryFraction<T> to_binary_fraction(T c
     return result;
 }
 
-/// The range of the binary digits of some numbers, which are multiples of 2^low and smaller than 2^high.
+/// A range of binary digits. The numbers are multiples of 2^low and smaller than 2^high.
 struct BitRange {
     int low, high;
 
@@ -166,7 +167,7 @@ template <class T, int D> struct Numbers {
     BitRange r, q, m; ///< ranges of the coordinates, of the entries of both forms, and of m
 };
 
-/// `m` is positive.
+/// Converts the numbers of a pair and of a comparison. `m` must be positive.
 template <class T, int D>
 PW85_FUNCTION inline Numbers<T, D> to_numbers(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
                                               SymmetricMatrix<T, D> const &q2, T const &m = T(1)) noexcept
@@ -181,21 +182,21 @@ PW85_FUNCTION inline Numbers<T, D> to_numbers(Vector<T, D> const &r12, Symmetric
     return numbers;
 }
 
-/// The entries of m Q1 and m Q2 are smaller than two to this power.
+/// The exponent of a power of two that exceeds all entries of m Q1 and m Q2.
 template <class T, int D> PW85_FUNCTION inline int high_of_forms(Numbers<T, D> const &numbers) noexcept
 {
     return numbers.q.high + numbers.m.high;
 }
 
-/// Whether the bounding boxes of m Q1 and m Q2 are apart, because half-widths are below √2^high_of_forms(), and a coordinate is at
-/// least 2^(r.high - 1).
+/// Whether the sizes of the numbers show that the bounding boxes of m Q1 and m Q2 are apart. The half-widths are below
+/// √2^high_of_forms(), and a coordinate is at least 2^(r.high - 1).
 template <class T, int D> PW85_FUNCTION inline bool is_far(Numbers<T, D> const &numbers) noexcept
 {
     return 2 * numbers.r.high >= high_of_forms(numbers) + 4;
 }
 
-// A term of p is a product of D - 1 entries of the forms and of either two coordinates or one more entry and m. No coefficient has
-// more than 72: 36 in rᵀ adj r, where a cofactor has up to 4, and 18 in each of two coefficients of det.
+// A term of p is a product of D - 1 entries of the forms and of two more factors: either two coordinates, or one more entry and m.
+// No coefficient has more than 72 terms: 36 in rᵀ adj r, where a cofactor has up to 4, and 18 in each of two coefficients of det.
 
 /// The coefficients of p are multiples of 2^unit.
 template <class T, int D> PW85_FUNCTION inline int unit(Numbers<T, D> const &numbers) noexcept
@@ -203,13 +204,13 @@ template <class T, int D> PW85_FUNCTION inline int unit(Numbers<T, D> const &num
     return (D - 1) * numbers.q.low + minimum(2 * numbers.r.low, numbers.q.low + numbers.m.low);
 }
 
-/// They are smaller than 2^(unit + bits).
+/// The coefficients of p are smaller than 2^(unit + bits).
 template <class T, int D> PW85_FUNCTION inline int bits(Numbers<T, D> const &numbers) noexcept
 {
     return (D - 1) * numbers.q.high + maximum(2 * numbers.r.high, high_of_forms(numbers)) + 7 - unit(numbers);
 }
 
-/// The largest value of bits(), unless the pair is far, for m < 2^high: for m = 1 unless another bound is given. Every number is a
+/// The largest value of bits() for pairs that are not far and for m < 2^high. By default `high` is for m = 1. Every number is a
 /// multiple of the smallest positive number.
 template <class T> PW85_FUNCTION constexpr int max_bits(int high = 1) noexcept
 {
@@ -217,7 +218,7 @@ template <class T> PW85_FUNCTION constexpr int max_bits(int high = 1) noexcept
     return 3 * Limits::max_exponent + high + 3 + 7 - 4 * (Limits::min_exponent - Limits::digits);
 }
 
-/// The numbers of limbs of sums that are computed from coefficients below 2^bits, with a bit for the sign.
+/// The numbers of limbs of sums that are computed from coefficients below 2^bits. One bit is for the sign.
 struct Sizes {
     int coefficient;
     int quadratic; ///< up to 83 products of two coefficients; fits into the memory of two coefficients
@@ -232,7 +233,7 @@ struct Sizes {
     }
 };
 
-/// The magnitude of the product of `Count` consecutive factors of a monomial, from the given one on.
+/// The magnitude of the product of `Count` consecutive factors of a monomial, beginning with the given one.
 template <int Count, class T, int D> PW85_FUNCTION inline auto
 magnitude_of_product(Numbers<T, D> const &numbers, Monomial const &monomial, int first = 0) noexcept
 {
@@ -355,8 +356,8 @@ PW85_FUNCTION inline int sign_of_subdiscriminant(Quartic const &p, WideInteger i
     return left != right ? (left > right ? 1 : -1) : left * compare_products(i, k, a, twice_j);
 }
 
-/// The sign of the double root if there is one, and the other roots are real and simple. It uses the memory of two quadratic sums; the
-/// second may be that of the last two coefficients.
+/// The sign of the double root if there is one and the other roots are real and simple. It uses the memory of two quadratic sums.
+/// The second one may be that of the last two coefficients.
 PW85_FUNCTION inline int sign_of_double_root(Quartic const &p, WideInteger i, int sign_of_j, Sizes const &sizes,
                                              Limb *first, Limb *second) noexcept
 {
@@ -372,8 +373,8 @@ PW85_FUNCTION inline int sign_of_double_root(Quartic const &p, WideInteger i, in
     return left != right ? (left > right ? -1 : 1) : -left * compare_products(k, k, value(square), i);
 }
 
-/// The sign of the maximum of p over t > 0, for a p with a positive coefficient. It is the first thing in its memory of `total`
-/// limbs, and is lost; make() makes it there again.
+/// The sign of the maximum of p over t > 0, for a p with a positive coefficient. p is the first thing in its memory of `total`
+/// limbs, and is overwritten. make() computes it there again.
 template <class Make>
 PW85_FUNCTION inline int sign_of_maximum(Quartic const &p, Sizes const &sizes, Limb *memory, Make const &make) noexcept
 {
@@ -386,7 +387,8 @@ PW85_FUNCTION inline int sign_of_maximum(Quartic const &p, Sizes const &sizes, L
     return other <= 0 ? other : sign_of_double_root(make(), i, twice_j.sign, sizes, cubic, memory) < 0;
 }
 
-/// Whether all roots of a quartic are real, of which two are known to be. The memory and make() are those of sign_of_maximum().
+/// Whether all roots of a quartic are real, if two of them are known to be real. The memory and make() are those of
+/// sign_of_maximum().
 template <class Make>
 PW85_FUNCTION inline bool has_real_roots(Quartic const &p, Sizes const &sizes, Limb *memory, Make const &make) noexcept
 {
@@ -421,7 +423,7 @@ requires exact::is_decidable<T>
     return to_decision(!overlap, overlap);
 }
 
-/// The sign of μ² - m for the numbers exactly as given, m > 0. It uses a fixed array on the stack: 10 KiB for double.
+/// The sign of μ² - m for the numbers exactly as given. m must be positive. It uses a fixed array on the stack: 10 KiB for double.
 template <class T, int D>
 requires exact::is_decidable<T>
 [[gnu::noinline]] static int compare_exactly(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,

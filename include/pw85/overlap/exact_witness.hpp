@@ -1,5 +1,6 @@
 /// @file
-/// Decides in integers whether a number or a point proves that two ellipsoids are apart, or that they overlap. witness.hpp calls it.
+/// Decides in integers whether a number or a point proves that two ellipsoids are apart, or that they overlap. witness.hpp calls
+/// it. The integers are those of exact.hpp.
 ///
 /// 1. f(λ) > 1 if and only if Σ c_k λ^k (1-λ)^(4-k) > 0, with the coefficients c of the quartic of exact.hpp for m = 1.
 /// 2. A point x is inside the ellipsoid of the form Q about the centre c if and only if (x-c)ᵀ adj(Q) (x-c) < det Q.
@@ -27,8 +28,8 @@ template <int D> PW85_FUNCTION constexpr Gauge symbolic_gauge() noexcept
     return {quadratic_form(adj, outer_weights(y)), determinant(q, adj)};
 }
 
-/// The numbers of a point, a centre and a form, in the order of symbolic_gauge(). bits() and unit() hold for both polynomials: the
-/// coefficients of their terms add up to 78.
+/// Converts the numbers of a point, a centre and a form, in the order of symbolic_gauge(). bits() and unit() hold for both
+/// polynomials, because the coefficients of their terms add up to 78.
 template <class T, int D> PW85_FUNCTION inline Numbers<T, D>
 to_numbers_of_gauge(Vector<T, D> const &x, Vector<T, D> const &center, SymmetricMatrix<T, D> const &q) noexcept
 {
@@ -69,7 +70,7 @@ template <class T> PW85_FUNCTION constexpr int limbs_for_shares(int bits, int e)
            2 * limbs_for(4 * e + 4);
 }
 
-/// The sign of f(λ) - 1, by Horner's scheme: sums and powers take turns in two places each.
+/// The sign of f(λ) - 1, by Horner's scheme. The sums alternate between two places in memory, and so do the powers.
 template <class T, int D>
 PW85_FUNCTION inline int sign_at(Numbers<T, D> const &numbers, BinaryFraction<T> const &lambda, Limb *memory) noexcept
 {
@@ -109,8 +110,8 @@ requires exact::is_decidable<T>
     return !is_far(numbers) && sign_at(numbers, to_binary_fraction(lambda), memory) > 0;
 }
 
-/// Whether a point is inside an ellipsoid, not on its surface, for the numbers exactly as given. Coordinates so large that the memory
-/// would not suffice are outside.
+/// Whether a point is inside an ellipsoid and not on its surface, for the numbers exactly as given. If the coordinates are so large
+/// that the memory would not suffice, the point is outside.
 template <class T, int D>
 requires exact::is_decidable<T>
 [[gnu::noinline]] static bool is_inside_exactly(Vector<T, D> const &x, Vector<T, D> const &center,

@@ -1,9 +1,10 @@
 /// @file
-/// The overlap test, and the ladder of its tiers. Each tier decides for certain or not at all. The next tier is slower, and decides
-/// what the tiers before it leave open:
+/// The overlap test, and the ladder of its tiers. pw85.hpp, the C API, the headers for distances and the code for devices call it.
+/// Each tier decides for certain or not at all. Each tier is slower than the one before, and decides pairs that the tiers before it
+/// leave open:
 ///
 /// 1. decide_by_points(): the sign of a quartic at some points, with bounds on the rounding errors (quartic.hpp);
-/// 2. decide_by_search(): the same at the points of a search (quartic.hpp);
+/// 2. decide_by_search(): the sign of the same quartic at the points of a search (quartic.hpp);
 /// 3. decide_by_comparison(): μ² by the solver, with a bound on its error (comparison.hpp);
 /// 4. decide_exactly(): integers (exact.hpp).
 ///
@@ -17,18 +18,18 @@
 
 namespace pw85 {
 
-/// The tier that decided a pair. Tiers 1 and 2 are one here.
+/// The tier that decided a pair. `quartic` stands for tiers 1 and 2.
 enum class OverlapTier { quartic, contact, exact };
 
-/// The decision about a pair, and the tier that made it. It is `none` if the status is not success, or if the pair is so near to
-/// contact, |μ² - 1| of some u cond, that floating-point arithmetic cannot decide.
+/// The decision about a pair, and the tier that made it. The decision is `none` in two cases: the status is not success, or the
+/// pair is so near to contact (|μ² - 1| of some u cond) that floating-point arithmetic cannot decide.
 struct OverlapDecision {
     Decision decision;
     OverlapTier tier;
     Status status;
 };
 
-/// Whether two ellipsoids overlap; false if the status is not success.
+/// Whether two ellipsoids overlap. It is false if the status is not success.
 struct Overlap {
     bool overlap;
     OverlapTier tier;

@@ -1,12 +1,12 @@
 /// @file
-/// The first tier of the overlap test: the sign of a quartic. overlap.hpp calls it for one pair, lane_overlap.hpp for one
-/// pair per lane.
+/// The first two tiers of the overlap test: the sign of a quartic. overlap.hpp calls it for one pair, lane_overlap.hpp for one pair
+/// per lane.
 ///
-/// With M = Q1 + t Q2, a = rᵀ adj(M) r and b = det M, the ellipsoids are apart where t a - (1 + t) b > 0 for some t > 0
-/// (W. Wang, J. Wang and M.-S. Kim, Comput. Aided Geom. Des. 18, 531, 2001), that is f > 1. They overlap if A < 1 and t²B < 1 for
-/// some t, because x0 is then inside both. Both conditions are tested at a few t, with bounds on the rounding errors, so that each
-/// decision is certain. The first t is about √(rᵀQ1r/rᵀQ2r): there f > 1 if the projections of the ellipsoids on the line of
-/// centres are apart, since rᵀM⁻¹r >= |r|⁴/rᵀMr; bounding spheres that are apart have such projections. The search on the rational
+/// With M = Q1 + t Q2, a = rᵀ adj(M) r and b = det M, the ellipsoids are apart if t a - (1 + t) b > 0 for some t > 0 (W. Wang, J.
+/// Wang and M.-S. Kim, Comput. Aided Geom. Des. 18, 531, 2001), that is f > 1. They overlap if A < 1 and t²B < 1 for some t,
+/// because x0 is then inside both. Both conditions are tested at a few t, with bounds on the rounding errors, so that each decision
+/// is certain. The first t is about √(rᵀQ1r/rᵀQ2r). At this t, f > 1 if the projections of the ellipsoids on the line of centres
+/// are apart, since rᵀM⁻¹r >= |r|⁴/rᵀMr. If the bounding spheres are apart, so are these projections. The search on the rational
 /// form gives the next t.
 #ifndef PW85_OVERLAP_QUARTIC_HPP_INCLUDED
 #define PW85_OVERLAP_QUARTIC_HPP_INCLUDED
@@ -44,21 +44,22 @@ template <class T> PW85_FUNCTION constexpr T first_form(QuarticEvaluation<T> con
     return e.a * e.b - t * e.form;
 }
 
-/// t² for the next t of the fixed-point map, x - h in log t.
+/// t² for the next t of the fixed-point map, which is x - h in log t.
 template <class T> PW85_FUNCTION constexpr T fixed_point_square(QuarticEvaluation<T> const &e, T const &t) noexcept
 {
     return rough_quotient(first_form(e, t), e.form);
 }
 
-// The tests at one t > 0, for a pair with ratio 1 that passes_fast_checks(). Each rounding error has a bound that holds for all
-// pairs: in units in which M has a unit diagonal and det M = d, the eigenvalues of adj(M) are between d/3 and 9/4. The margins are in
-// units of u. That of shows_apart() is theorem `apart` of tests/bounds/proofs.cpp. The other two have no proof: they are the worst
-// cases that scripts/rounding_bounds.py finds to first order, 31.6 and 46.6, and 6 % more, because their bounds contain a.
+// The margins of the tests at one t > 0, for a pair with ratio 1 that passes_fast_checks(). Each rounding error has a bound that
+// holds for all pairs: in units in which M has a unit diagonal and det M = d, the eigenvalues of adj(M) are between d/3 and 9/4.
+// The margins are in units of u. That of shows_apart() is theorem `apart` of tests/bounds/proofs.cpp. The other two have no proof.
+// They are the worst cases that scripts/rounding_bounds.py finds to first order, 31.6 and 46.6, and 6 % more, because their bounds
+// contain a.
 
 inline constexpr int apart_margin = 20, inside1_margin = 34, inside2_margin = 50;
 
-/// The smallest d, in units of u, at which the error of a is below 5 % (theorem `separation` of tests/bounds/proofs.cpp), and terms
-/// of second order in u/d are 1 % of the margins.
+/// The smallest d, in units of u, at which the inside tests may decide. At this d the error of a is below 5 % (theorem `separation`
+/// of tests/bounds/proofs.cpp), and terms of second order in u/d are 1 % of the margins.
 inline constexpr int least_conditioning = 512;
 
 /// Shows that f > 1. If f <= 1, r is so short that the error of both sides together is below the margin times (1 + t) P.
@@ -75,7 +76,7 @@ PW85_FUNCTION constexpr typename ScalarTraits<T>::Mask is_well_conditioned(Quart
     return e.b > T(least_conditioning * unit_roundoff<T>()) * e.diagonal;
 }
 
-/// Shows that A < 1, for a well-conditioned pair. The error of b²A is below the margin times a P where A = 1; if A is larger, a is
+/// Shows that A < 1, for a well-conditioned pair. If A = 1, the error of b²A is below the margin times a P. If A is larger, a is
 /// larger too.
 template <class T>
 PW85_FUNCTION constexpr typename ScalarTraits<T>::Mask shows_inside1(QuarticEvaluation<T> const &e, T const &t) noexcept
@@ -116,9 +117,9 @@ PW85_FUNCTION constexpr SymmetricMatrix<Lanes, D> broadcast(SymmetricMatrix<T, D
     return copies;
 }
 
-/// Tests at several points about the first t at once, as many as there are lanes. One test after another would be slower, because
-/// the processor cannot predict whether the next test is needed. Four points decide 92 to 97 % of random pairs of aspect ratios
-/// from 2 to 100, the first point alone 80 to 97 %. `t` becomes that of the fixed-point map from the first point.
+/// Tests several points about the first t at once, as many as there are lanes. Testing one point after another would be slower,
+/// because the processor cannot predict whether the next test is needed. Four points decide 92 to 97 % of random pairs with aspect
+/// ratios from 2 to 100; the first point alone decides 80 to 97 %. `t` becomes that of the fixed-point map from the first point.
 template <class Lanes, class T, int D>
 [[gnu::always_inline]] PW85_FUNCTION inline Decision decide_by_points(Vector<T, D> const &r12,
                                                                       SymmetricMatrix<T, D> const &q1,
@@ -137,8 +138,8 @@ template <class Lanes, class T, int D>
     return to_decision(any_of(certainty.apart), any_of(certainty.overlap));
 }
 
-/// A search on the rational form with a test at each of its points: a task (contact/rational_search.hpp) that ends when a test
-/// decides.
+/// A search on the rational form with a test at each of its points. It is a task (contact/rational_search.hpp) that ends when a
+/// test decides.
 template <class T> struct QuarticSearch {
     RationalSearch<T> rational;
     Decision decision;
@@ -154,8 +155,9 @@ template <class T, int D> PW85_FUNCTION inline void take_step(QuarticSearch<T> &
     search.active = search.rational.active && search.decision == Decision::none;
 }
 
-/// Tests at the points of a search that starts at t. It is not inlined, and makes the Pair itself: if the caller had a Pair in memory, the
-/// tests at the first points would wait where the compiler loads two numbers at once that were stored one by one.
+/// Tests at the points of a search that starts at t. The function is not inlined, and makes the Pair itself. If the caller had a
+/// Pair in memory, the tests at the first points would be delayed, because the compiler loads two numbers at once that were stored
+/// one by one.
 template <class T, int D>
 [[gnu::noinline]] PW85_FUNCTION inline Decision decide_by_search(Vector<T, D> const &r12,
                                                                  SymmetricMatrix<T, D> const &q1,

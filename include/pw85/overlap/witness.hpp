@@ -1,12 +1,14 @@
 /// @file
-/// A number or a point that proves the answer of the overlap test.
+/// A number or a point that proves the answer of the overlap test. pw85.hpp and the C API use this file. It calls overlap.hpp for
+/// the answer, extended numbers for candidates, and integers for the proof (exact_witness.hpp).
 ///
-/// 1. f is concave, so that f(λ) > 1 for some number λ of the type only if it is for one of the two next to the maximiser. The
-///    maximiser by extended numbers errs by far less than half of what separates them: it, rounded, and its two neighbours are tried.
-/// 2. The point x0 of the maximiser is as deep inside of ellipsoid 1 as inside of ellipsoid 2, relative to the sizes of both. Near
-///    contact what they have in common is a thin lens about it, in the common tangent plane, and x0 rounded may be beside the lens.
-///    Then the points of a lattice about x0 are tried: one coordinate is computed from the others, so that the point is nearest to the
-///    plane, and the integers are asked if it is within the thickness of the lens.
+/// 1. f is concave. So if f(λ) > 1 for any number λ of the type, then also for one of the two numbers next to the maximiser. The
+///    maximiser computed with extended numbers errs by far less than half the spacing of numbers. The maximiser, rounded, and its
+///    two neighbours are tried.
+/// 2. The point x0 of the maximiser is as deep inside ellipsoid 1 as inside ellipsoid 2, relative to the sizes of both. Near
+///    contact the intersection is a thin lens about x0 in the common tangent plane, and x0 may leave the lens when it is rounded.
+///    Then the points of a lattice about x0 are tried. One coordinate is computed from the others, so that the point is nearest to
+///    the plane. Points within the thickness of the lens are tested in integers.
 #ifndef PW85_OVERLAP_WITNESS_HPP_INCLUDED
 #define PW85_OVERLAP_WITNESS_HPP_INCLUDED
 
@@ -17,7 +19,7 @@
 
 namespace pw85 {
 
-/// A witness that two ellipsoids overlap or are apart.
+/// A witness that two ellipsoids overlap, or that they are apart.
 template <class T, int D> struct OverlapWitness {
     bool overlap;
     T lambda;               ///< a λ with f > 1, if they are apart
@@ -30,7 +32,7 @@ template <class T, int D> struct OverlapWitness {
 
 namespace pw85::detail {
 
-/// Whether numbers of the type show that f(λ) > 1. The t of λ has two roundings, and log f changes by no more than log t does.
+/// Whether floating-point numbers show that f(λ) > 1. The t of λ has two roundings, and log f changes by no more than log t does.
 template <class T, int D>
 PW85_FUNCTION inline bool exceeds_one_clearly(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
                                               SymmetricMatrix<T, D> const &q2, T const &lambda) noexcept
@@ -43,19 +45,19 @@ PW85_FUNCTION inline bool exceeds_one_clearly(Vector<T, D> const &r12, Symmetric
     return shows_apart(e, t);
 }
 
-/// The maximum of f by extended numbers: what is near it in numbers of the type.
+/// The maximum of f from extended numbers, rounded to numbers of the type.
 template <class T, int D> struct PreciseMaximum {
     T lambda;                   ///< rounded
     T below_one;                ///< 1 - μ², rounded
-    Vector<T, D> point, offset; ///< x0, rounded, and what is left of it
-    Vector<T, D> normal;        ///< across which they touch, of any length
+    Vector<T, D> point, offset; ///< x0, rounded, and the rounding error of x0
+    Vector<T, D> normal;        ///< the common normal at contact, of any length
 };
 
-/// Halley's steps beyond those of the search. Each leaves an error in log t of about the cube of the one before: the search ends with
-/// at most 2^-15, and three leave less than 2^-300.
+/// The number of Halley's steps after those of the search. Each leaves an error in log t of about the cube of the error before. The
+/// search ends with at most 2^-15, and three steps leave less than 2^-300.
 inline constexpr int steps_to_all_digits = 3;
 
-/// The maximiser t of a pair, by all digits.
+/// The maximiser t of a pair, to all digits of the type W.
 template <class W, int D> [[gnu::noinline]] PW85_FUNCTION inline W precise_maximiser(Pair<W, D> const &pair) noexcept
 {
     Candidate<W> candidate{initial_guess(pair), W(1), W(0)};
@@ -76,7 +78,7 @@ template <class T> PW85_FUNCTION inline exact::Extended<T> scaled_by(exact::Exte
     return with_exponent(x, x.exponent + exponent);
 }
 
-/// For a valid pair with r12 != 0.
+/// Computes the maximum with extended numbers, for a valid pair with r12 != 0.
 template <class T, int D> [[gnu::noinline, gnu::cold]] PW85_FUNCTION inline PreciseMaximum<T, D>
 maximize_precisely(ScaledPair<T, D> const &scaled, Vector<T, D> const &r12) noexcept
 {
@@ -105,8 +107,8 @@ template <class T> PW85_FUNCTION inline T spacing(T const &x) noexcept
     return times_power_of_two(T(1), maximum(exponent + 1, int{Limits::min_exponent}) - Limits::digits);
 }
 
-/// What extended numbers decide about f(λ) > 1. If M is scaled to a unit diagonal its determinant is above 2^-214 for double, so that f
-/// errs by less than 2^-150 of itself; for float these are 2^-98 and 2^-80. The margins are 2^-79 and 2^-36.
+/// The decision by extended numbers whether f(λ) > 1. If M is scaled to a unit diagonal, its determinant is above 2^-214 for
+/// double, so f errs by less than 2^-150 of itself. For float these numbers are 2^-98 and 2^-80. The margins are 2^-79 and 2^-36.
 template <class T, int D> [[gnu::noinline, gnu::cold]] PW85_FUNCTION inline Decision
 decide_by_extended(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, SymmetricMatrix<T, D> const &q2,
                    T const &lambda) noexcept
@@ -117,7 +119,7 @@ decide_by_extended(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, Sym
     return to_decision(f > W(1) + margin, f < W(1) - margin);
 }
 
-/// Whether f(λ) > 1. Extended numbers decide all pairs whose bounding boxes are apart by a factor of two.
+/// Whether f(λ) > 1. Extended numbers decide all pairs whose bounding boxes are apart by a factor of two. Integers decide the rest.
 template <class T, int D>
 PW85_FUNCTION inline bool exceeds_one(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
                                       SymmetricMatrix<T, D> const &q2, T const &lambda) noexcept
@@ -127,7 +129,8 @@ PW85_FUNCTION inline bool exceeds_one(Vector<T, D> const &r12, SymmetricMatrix<T
     return decision == Decision::apart || (decision == Decision::none && exceeds_one_exactly(r12, q1, q2, lambda));
 }
 
-/// A λ with f(λ) > 1, or NaN, for a valid pair with r12 != 0. Below a power of two numbers have half the spacing.
+/// A λ with f(λ) > 1, or NaN if none is found, for a valid pair with r12 != 0. It also tries half a spacing below the maximiser,
+/// because below a power of two the spacing of numbers is half as large.
 template <class T, int D> PW85_FUNCTION inline T find_lambda(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
                                                              SymmetricMatrix<T, D> const &q2, T const &guess,
                                                              ScaledPair<T, D> const &scaled) noexcept
@@ -148,11 +151,12 @@ template <class T, int D> PW85_FUNCTION inline bool is_inside_both(Vector<T, D> 
     return is_finite(x) && is_inside_exactly(x, Vector<T, D>{}, q1) && is_inside_exactly(x, r12, q2);
 }
 
-/// The lattice of item 2: along each axis so many points to either side, and of those that seem to be in the lens so many are tried.
+/// The size of the lattice of item 2: the number of points on either side of x0 along each axis, and the largest number of points
+/// that are tested in integers.
 inline constexpr int lattice_reach = 20, max_lattice_points = 256;
 
-/// The axis along which the plane is met: that where the spacing of numbers moves a point least across the plane, of those along which
-/// the normal is not small.
+/// The axis along which the coordinate is computed from the others. Of the axes along which the normal is not small, it is the one
+/// on which the spacing of numbers moves a point least across the plane.
 template <class T, int D> PW85_FUNCTION inline int axis_across(PreciseMaximum<T, D> const &at) noexcept
 {
     int best = -1;
@@ -163,9 +167,9 @@ template <class T, int D> PW85_FUNCTION inline int axis_across(PreciseMaximum<T,
     return best;
 }
 
-/// How far from x0 the plane of the lattice is, times the length of the normal. Along the normal the lens reaches from x0 as far as
-/// 1 - μ times the half-width of either ellipsoid: its middle is sought, but not beyond a few spacings, as needles that cross have a
-/// narrow lens.
+/// The distance from x0 to the plane of the lattice, times the length of the normal. Along the normal the lens reaches from x0 as
+/// far as 1 - μ times the half-width of either ellipsoid. The plane is in the middle of the lens, but at most a few spacings from
+/// x0, because needles that cross have a narrow lens.
 template <class T, int D>
 PW85_FUNCTION inline T plane_of_lattice(PreciseMaximum<T, D> const &at, Vector<T, D> const &r12) noexcept
 {
@@ -177,7 +181,8 @@ PW85_FUNCTION inline T plane_of_lattice(PreciseMaximum<T, D> const &at, Vector<T
     return minimum(limit, maximum(T(-limit), T(T(0.5) * at.below_one * middle)));
 }
 
-/// A point of the lattice and its distance from the plane, times the length of the normal. Points are counted from the middle.
+/// A point of the lattice, and its distance from the plane times the length of the normal. Points are counted from the middle of
+/// the lattice.
 template <class T, int D> struct LatticePoint {
     Vector<T, D> x;
     T distance;
@@ -202,7 +207,7 @@ lattice_point(PreciseMaximum<T, D> const &at, T const &plane, int across, int in
     return p;
 }
 
-/// A point inside both ellipsoids near x0, or NaN. The lens is thinner than 1 - μ² times r12 along the normal.
+/// A point inside both ellipsoids near x0, or NaN if none is found. The lens is thinner than 1 - μ² times r12 along the normal.
 template <class T, int D>
 PW85_FUNCTION inline Vector<T, D> search_lens(PreciseMaximum<T, D> const &at, Vector<T, D> const &r12,
                                               SymmetricMatrix<T, D> const &q1, SymmetricMatrix<T, D> const &q2) noexcept
@@ -220,7 +225,7 @@ PW85_FUNCTION inline Vector<T, D> search_lens(PreciseMaximum<T, D> const &at, Ve
     return none;
 }
 
-/// A point inside both, or NaN, for a valid pair with r12 != 0.
+/// A point inside both ellipsoids, or NaN if none is found, for a valid pair with r12 != 0.
 template <class T, int D>
 PW85_FUNCTION inline Vector<T, D> find_point(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
                                              SymmetricMatrix<T, D> const &q2, Vector<T, D> const &guess,
@@ -229,8 +234,8 @@ PW85_FUNCTION inline Vector<T, D> find_point(Vector<T, D> const &r12, SymmetricM
     return is_inside_both(guess, r12, q1, q2) ? guess : search_lens(maximize_precisely(scaled, r12), r12, q1, q2);
 }
 
-/// Fills in what proves the answer, for a valid pair with r12 != 0; `lambda` is the maximiser to rounding. For multiprecision numbers
-/// the proof is right to rounding.
+/// Fills in the proof of the answer, for a valid pair with r12 != 0. `lambda` is the maximiser to rounding. For multiprecision
+/// numbers the proof is correct to rounding.
 template <class T, int D> PW85_FUNCTION inline void prove(OverlapWitness<T, D> &witness, T const &lambda,
                                                           Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
                                                           SymmetricMatrix<T, D> const &q2) noexcept
