@@ -22,6 +22,8 @@ _NOT_ZERO = {"axis", "direction", "n", "normal", "quaternion_wxyz"}
 _FROM_ZERO = {"t_max", "mu2"}  # not negative; may be infinite
 # Functions for which ellipsoids must not have one centre.
 _APART = re.compile(r"contact_(geometry|hessian)")
+# Smallest volume that the columns of a factor span, scaled to length one, as for pw85_contact_factored().
+_LEAST_VOLUME = 2.0**-39
 # Largest error of an entry of RᵀR, as for pw85_ellipsoid().
 _ROTATION_ATOL = 1e-6
 
@@ -85,6 +87,10 @@ def _complaints(name: str, flat: dict[str, _Rows]) -> Iterator[tuple[str, NDArra
         elif argument == "rotation":
             errors = np.abs(np.swapaxes(x, 1, 2) @ x - np.eye(3)).max(axis=axes)
             yield argument, errors > _ROTATION_ATOL, "is no rotation matrix, whose columns are orthonormal"
+        elif argument in ("s1", "s2"):
+            lengths = np.sqrt((x * x).sum(axis=1))
+            volumes = np.abs(np.linalg.det(x / lengths[:, None, :]))
+            yield argument, ~(volumes > _LEAST_VOLUME), "is a factor whose columns are zero or nearly dependent"
         elif argument == "cell":
             yield argument, np.isnan(_core.cell_reduce(x)).any(axis=axes), "is singular"
         elif argument == "lower":

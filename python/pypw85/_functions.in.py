@@ -82,6 +82,32 @@ def ellipsoid_quaternion(semi_axes, quaternion_wxyz):
 
 
 @declared
+def ellipsoid_factor(semi_axes, quaternion_wxyz):
+    """
+    Examples
+    --------
+    >>> import pypw85
+    >>> pypw85.ellipsoid_factor([1, 2, 3], [1, 0, 0, 0])
+    array([[1., 0., 0.],
+           [0., 2., 0.],
+           [0., 0., 3.]])
+    """
+
+
+@declared
+def contact_factored():
+    """
+    Examples
+    --------
+    >>> import pypw85
+    >>> needle = pypw85.ellipsoid_factor([1, 1, 1e6], [1, 0, 0, 0])
+    >>> mu2, lambda_ = pypw85.contact_factored([3, 0, 4e6], needle, needle)
+    >>> round(float(mu2), 12)
+    6.25
+    """
+
+
+@declared
 def ellipse():
     """
     Examples

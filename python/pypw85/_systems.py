@@ -141,7 +141,7 @@ class Law(NamedTuple):
 
     @classmethod
     def inverse_powers(
-        cls, repulsion: float, n: float, attraction: float, m: float, mu2_max: float = np.finfo(float).max
+        cls, repulsion: float, n: float, attraction: float, m: float, mu2_max: float = float(np.finfo(float).max)
     ) -> Law:
         """U = repulsion μ**-n - attraction μ**-m, less the value of that at the cutoff `mu2_max`; 0 beyond. n > m > 0."""
         return cls(2, np.array([repulsion, n, attraction, m, mu2_max], dtype=np.float64))

@@ -434,7 +434,7 @@ def test_memory(folder):
     for side in (30, 50):  # larger than the blocks in which files are read
         system = touching_lattice(side)
         pypw85.write("a.dump", system)
-        environment = {**os.environ, "MALLOC_MMAP_THRESHOLD_": "131072"}
+        environment = {**os.environ, "MALLOC_MMAP_THRESHOLD_": "131072", "MALLOC_PERTURB_": "0"}  # fill no pages
         done = subprocess.run([sys.executable, "-c", PEAK], capture_output=True, text=True, env=environment)
         needed.append(1024 * int(re.search(r"VmHWM:\s+(\d+) kB", done.stdout)[1]))
         bound.append(per_particle * side**3 + per_pair * len(system.neighbors(1.25)))

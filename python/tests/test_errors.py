@@ -187,6 +187,7 @@ def test_version():
 
 # A good row of each argument, by its name and shape; and what may be bad about one, with the words for it.
 GOOD = {"lambda_": 0.5, "semi_axes": [1, 2, 3], "rotation": np.eye(3), "cell": np.eye(3), "quaternion_wxyz": [1, 0, 0, 0],
+        "s1": np.eye(3), "s2": np.eye(3),
         "lower": [-9.0] * 3, "upper": [9.0] * 3, "motion1": [0.0] * 7, "motion2": [0.0] * 7, "offset": 5.0, "t_max": 1.0}  # fmt: skip
 FORMS = {(6,): [1, 0, 0, 1, 0, 1], (3,): [1, 0, 1]}
 REASONS = {
@@ -197,6 +198,7 @@ REASONS = {
     **dict.fromkeys(["t_max", "mu2"], ((-1, "is negative"),)),
     "rotation": [(1, "is no rotation matrix")],
     "cell": [(1, "is singular")],
+    **dict.fromkeys(["s1", "s2"], ((1, "is a factor whose columns"), (0, "is a factor whose columns"))),
     "lower": [(10, "is larger than upper")],
 }
 
