@@ -160,7 +160,7 @@ PW85_API int pw85_contact(double const r12[PW85_DIM], double const q1[PW85_SYM],
 /** Contact function of two ellipsoids that are given by factors of their forms, Q1 = S1 S1ᵀ and Q2 = S2 S2ᵀ.
  *
  * Rounding a form to doubles changes μ² by some 1e-12 at aspect ratio 100, 1e-8 at 10⁴ and 1e-4 at 10⁶, because the squares of the
- * semi-axes stand in the same numbers. Rounding a factor changes μ² by less than 1e-14, 1e-13 and 1e-13. The relative error of the
+ * semi-axes stand in the same numbers. Rounding a factor changes μ² by less than 1e-14, 1e-12 and 1e-12. The relative error of the
  * result is below 4 u c, where c is the fraction by which μ² can change if each entry of s1, s2 and r12 changes by a fraction of one.
  *
  * @param r12 from the centre of ellipsoid 1 to that of ellipsoid 2; zero is valid: μ² = 0, λ = 1/2
