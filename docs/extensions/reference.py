@@ -38,12 +38,21 @@ import pages
 from docutils import nodes
 from docutils.parsers.rst import Directive
 from docutils.statemachine import StringList
+from sphinx import addnodes
 from sphinx.util.nodes import nested_parse_with_titles
 
 
 def as_text(sentence):
     """A sentence of a comment as reStructuredText."""
     return sentence.replace("\\", "\\\\").replace("*", "\\*").replace("|", "\\|").replace("`", "``")
+
+
+def without_links(parsed):
+    """The nodes with plain names in the place of links: the manual has no entries for what a header calls."""
+    for node in parsed:
+        for link in list(node.findall(addnodes.pending_xref)):
+            link.replace_self(link.children)
+    return parsed
 
 
 class FromHeader(Directive):
@@ -102,7 +111,7 @@ class CppHeaders(FromHeader):
         for header in self.content:
             lines += [f".. rubric:: {header}", "", f".. doxygenfile:: {header.rpartition('/')[2]}", "   :project: cpp",
                       "   :sections: briefdescription detaileddescription", ""]  # fmt: skip
-        return self.parsed(lines)
+        return without_links(self.parsed(lines))
 
 
 class FortranFunctions(FromHeader):

@@ -115,7 +115,7 @@ class System:
 
     @property
     def semi_axes(self) -> Floats:
-        """Semi-axes of each ellipsoid (n, 3): as given to `from_axes`, or else from the forms in increasing order."""
+        """Semi-axes, one row for each ellipsoid, as given to `from_axes`, or from the forms in increasing order."""
         return self._principal()[0]
 
     @property
