@@ -49,7 +49,7 @@ struct Polynomial {
     int size;
 
     Polynomial() noexcept = default;
-    [[gnu::always_inline]] constexpr Polynomial(int constant) noexcept
+    PW85_MEMBER constexpr Polynomial(int constant) noexcept
         : terms{{static_cast<signed char>(constant), 0, {}}}, size(constant != 0)
     {
     }

@@ -48,7 +48,11 @@ template <class Lanes, class T, int D>
     if (!passes_fast_checks(pair)) return Decision::none;
     T t;
     Decision const decision = decide_by_points<Lanes>(pair.r12, pair.q1, pair.q2, t);
-    return decision != Decision::none ? decision : decide_by_search(pair.r12, pair.q1, pair.q2, t);
+    if (decision != Decision::none) return decision;
+    if constexpr (is_for_device) // a call would need local memory
+        return decide_by_search(pair, t);
+    else
+        return decide_by_search(pair.r12, pair.q1, pair.q2, t);
 }
 
 /// Tier 3, for any pair.

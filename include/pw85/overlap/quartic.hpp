@@ -155,18 +155,22 @@ template <class T, int D> PW85_FUNCTION inline void take_step(QuarticSearch<T> &
     search.active = search.rational.active && search.decision == Decision::none;
 }
 
-/// Tests at the points of a search that starts at t. The function is not inlined, and makes the Pair itself. If the caller had a
-/// Pair in memory, the tests at the first points would be delayed, because the compiler loads two numbers at once that were stored
-/// one by one.
+/// Tests at the points of a search that starts at t.
+template <class T, int D> PW85_FUNCTION inline Decision decide_by_search(Pair<T, D> const &pair, T const &t) noexcept
+{
+    QuarticSearch<T> search{start_search(pair, t), Decision::none, t == t};
+    run(search, pair, max_rational_steps);
+    return search.decision;
+}
+
+/// The same, not inlined, and with a Pair of its own. If the caller had a Pair in memory, the tests at the first points would wait
+/// where the compiler loads two numbers at once that were stored one by one.
 template <class T, int D>
 [[gnu::noinline]] PW85_FUNCTION inline Decision decide_by_search(Vector<T, D> const &r12,
                                                                  SymmetricMatrix<T, D> const &q1,
                                                                  SymmetricMatrix<T, D> const &q2, T const &t) noexcept
 {
-    auto const pair = pair_of(r12, q1, q2);
-    QuarticSearch<T> search{start_search(pair, t), Decision::none, t == t};
-    run(search, pair, max_rational_steps);
-    return search.decision;
+    return decide_by_search(pair_of(r12, q1, q2), t);
 }
 
 } // namespace pw85::detail
