@@ -1056,7 +1056,7 @@ typedef struct pw85_law {
     int kind;
     /** number of parameters, which must be that of the kind. */
     size_t num_parameters;
-    /** num_parameters: all finite, in the order in which the description of the kind names them. */
+    /** num_parameters: all finite, in the order of the description of the kind. */
     double const *parameters;
 } pw85_law;
 

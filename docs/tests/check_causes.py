@@ -35,7 +35,7 @@ VALID = {
     "num_parameters": 2,
     "parameters": [1.0, 2.0],
     "semi_axes": [3.0, 2, 1],
-    "rotation": np.eye(3).ravel(),
+    **dict.fromkeys(("rotation", "s1", "s2"), np.eye(3).ravel()),
     "lambda": 0.5,
     "offset": 5.0,
     "lower": [-9.0] * 3,

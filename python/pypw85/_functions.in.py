@@ -253,7 +253,8 @@ def overlap_witness():
     --------
     >>> import pypw85
     >>> q = pypw85.spheroid(1, 1, [0, 0, 1])
-    >>> overlap, lambda_, point = pypw85.overlap_witness([[3, 0, 0], [2, 0, 0], [1, 0, 0]], q, q)
+    >>> r12 = [[3, 0, 0], [2, 0, 0], [1, 0, 0]]
+    >>> overlap, lambda_, point = pypw85.overlap_witness(r12, q, q)
     >>> overlap, lambda_
     (array([0., 0., 1.]), array([0.5, nan, nan]))
     >>> point[2]

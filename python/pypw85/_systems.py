@@ -199,7 +199,8 @@ def law_forces_pairs(
     --------
     >>> import numpy as np, pypw85
     >>> q = np.array([pypw85.spheroid(1, 1, [0, 0, 1])] * 2)
-    >>> sums = pypw85.law_forces_pairs([[0, 1]], [[0, 0, 0], [1, 0, 0]], q, pypw85.Law.soft_repulsion(8))
+    >>> law = pypw85.Law.soft_repulsion(8)
+    >>> sums = pypw85.law_forces_pairs([[0, 1]], [[0, 0, 0], [1, 0, 0]], q, law)
     >>> sums.energy, sums.forces
     (1.0, array([[-2.,  0.,  0.],
            [ 2.,  0.,  0.]]))

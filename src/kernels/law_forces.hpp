@@ -74,7 +74,7 @@ template <class Law> Failure compute_block(Kernels const &kernels, NeighborList 
 /// A law, the pairs, and the output arrays.
 template <class Law> struct LawProblem {
     std::size_t num_pairs, num_particles;
-    NeighborList rows;
+    NeighborList const &rows;
     Law law;
     PairSums sums;
 

@@ -243,7 +243,7 @@ template <class T, int D> PW85_FUNCTION inline void prove(OverlapWitness<T, D> &
     auto const geometry = contact_geometry(r12, q1, q2, lambda);
     if (!witness.overlap) witness.direction = geometry.normal;
     if constexpr (exact::is_decidable<T>) {
-        ScaledPair<T, D> scaled;
+        ScaledPair<T, D> scaled{};
         validate(pair_of(r12, q1, q2), scaled);
         if (witness.overlap)
             witness.point = find_point(r12, q1, q2, geometry.point, scaled);
