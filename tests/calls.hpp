@@ -258,7 +258,7 @@ class Call {
         if (name == "centers") return second ? separation : nothing;
         if (name == "cell") return cell();
         if (name == "lambda") return {lambda_};
-        if (name == "parameters") return {2.0 + static_cast<double>(i)}; // of a soft repulsion
+        if (name == "parameters") return {2.0 + static_cast<double>(i)};           // of a soft repulsion
         if (name == "s1" || name == "s2") return {1, 0.5, 0, 0, 2, 0.25, 0, 0, 3}; // factors
         if (name == "rotation") return {1, 0, 0, 0, 1, 0, 0, 0, 1};
         if (name == "semi_axes" || name == "axis" || name == "offsets" || name == "d_u") return {1, 2, 3};
