@@ -86,6 +86,14 @@ struct Found {
     long apart = 0, overlapping = 0, nothing = 0;
 };
 
+/// Expects more than so many proofs of either kind.
+void expect_enough(Found const &found, long least)
+{
+    g_test_message("%ld apart, %ld overlap, %ld without a proof", found.apart, found.overlapping, found.nothing);
+    g_assert_cmpint(found.apart, >, least);
+    g_assert_cmpint(found.overlapping, >, least);
+}
+
 /// Checks the proof for a pair and for the same pair exchanged. False if none was found.
 template <class T, int D> bool expect_proof(Sample<T, D> const &s, Failures &failures, Found &found)
 {
@@ -132,9 +140,7 @@ template <class T, int D> void test_random()
         bool const proved = expect_proof(s, failures, found);
         failures.check(proved || distance < (coarse ? 1e-6 : 1e-14), "found", distance, 0, describe);
     }
-    g_test_message("%ld apart, %ld overlap, %ld without a proof", found.apart, found.overlapping, found.nothing);
-    g_assert_cmpint(found.apart, >, draws(400));
-    g_assert_cmpint(found.overlapping, >, draws(400));
+    expect_enough(found, draws(400));
 }
 
 // Sizes from 1e-150 to 1e150.
@@ -209,9 +215,7 @@ void test_tangent()
             expect_proof(near, failures, found);
         }
     }
-    g_test_message("%ld apart, %ld overlap, %ld without a proof", found.apart, found.overlapping, found.nothing);
-    g_assert_cmpint(found.apart, >, draws(100));
-    g_assert_cmpint(found.overlapping, >, draws(100));
+    expect_enough(found, draws(100));
 }
 
 // Balls at λ = 1/2 that are apart by the smallest numbers: λ = 1/2 proves it.

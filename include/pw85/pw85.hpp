@@ -105,14 +105,14 @@ PW85_FUNCTION constexpr Form<T, 3> ellipsoid(Vector<T, 3> const &semi_axes, T co
 /// frame.
 /// @return the form; Status::invalid_argument
 template <class T> PW85_FUNCTION constexpr Form<T, 3> ellipsoid_quaternion(Vector<T, 3> const &semi_axes,
-                                                                           Vector<T, 4> quaternion) noexcept;
+                                                                           Vector<T, 4> const &quaternion) noexcept;
 
 /// Factor S of the form of a general ellipsoid, Q = S Sᵀ, for contact_factored(). Its columns are the semi-axes as vectors.
 ///
 /// @param semi_axes,quaternion as for ellipsoid_quaternion()
 /// @return the factor; Status::invalid_argument
-template <class T> PW85_FUNCTION constexpr EllipsoidFactor<T, 3> ellipsoid_factor(Vector<T, 3> const &semi_axes,
-                                                                                  Vector<T, 4> quaternion) noexcept;
+template <class T> PW85_FUNCTION constexpr EllipsoidFactor<T, 3>
+ellipsoid_factor(Vector<T, 3> const &semi_axes, Vector<T, 4> const &quaternion) noexcept;
 
 /// Form (xx, xy, yy) of an ellipse.
 ///
@@ -424,7 +424,6 @@ intersect_line(Vector<T, D> const &origin, Vector<T, D> const &direction, Symmet
 #include <pw85/contact/contact.hpp>
 #include <pw85/contact/contact_factored.hpp>
 #include <pw85/contact/contact_hessian.hpp>
-#include <pw85/contact/factor.hpp>
 #include <pw85/contact/forms.hpp>
 #include <pw85/contact/geometry.hpp>
 #include <pw85/distance/bounding_box.hpp>

@@ -57,6 +57,17 @@ template <class T, int D> PW85_FUNCTION inline Factor<T, D> times_power_of_two(F
     return s;
 }
 
+/// S Sᵀ, with rounding errors.
+template <class T, int D>
+[[gnu::always_inline]] PW85_FUNCTION constexpr SymmetricMatrix<T, D> form_of_factor(Factor<T, D> const &s) noexcept
+{
+    SymmetricMatrix<T, D> q{};
+    for (int i = 0; i < D; ++i)
+        for (int j = i; j < D; ++j)
+            for (int k = 0; k < D; ++k) q(i, j) = q(i, j) + s(i, k) * s(j, k);
+    return q;
+}
+
 } // namespace pw85::detail
 
 #endif

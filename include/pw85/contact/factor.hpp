@@ -1,21 +1,10 @@
 /// @file
-/// The factor S of the form Q = S Sᵀ of an ellipsoid, and the test whether a matrix is a valid factor. contact_factored.hpp and
-/// pw85.hpp use this file.
+/// The test whether a matrix S is a valid factor of a form Q = S Sᵀ. contact_factored.hpp calls it.
 #ifndef PW85_CONTACT_FACTOR_HPP_INCLUDED
 #define PW85_CONTACT_FACTOR_HPP_INCLUDED
 
 #include <pw85/algebra/factor.hpp>
-#include <pw85/contact/forms.hpp>
-
-namespace pw85 {
-
-/// A factor. It is NaN if the status is not success.
-template <class T, int D> struct EllipsoidFactor {
-    Factor<T, D> s;
-    Status status;
-};
-
-} // namespace pw85
+#include <pw85/contact/scaling.hpp>
 
 namespace pw85::detail {
 
@@ -78,42 +67,6 @@ template <class T, int D> PW85_FUNCTION inline bool is_clearly_regular(Factor<T,
     return volume * volume > T(least * least) * product && product > least_product_of_squares<T>();
 }
 
-/// The status of a factor.
-template <class T, int D> PW85_FUNCTION inline Status validate(Factor<T, D> const &s) noexcept
-{
-    if (!is_finite(s)) return Status::invalid_argument;
-    return is_regular(s) ? Status::success : Status::not_positive_definite;
-}
-
-/// S Sᵀ, with rounding errors.
-template <class T, int D> PW85_FUNCTION constexpr SymmetricMatrix<T, D> form_of_factor(Factor<T, D> const &s) noexcept
-{
-    SymmetricMatrix<T, D> q{};
-    for (int i = 0; i < D; ++i)
-        for (int j = i; j < D; ++j)
-            for (int k = 0; k < D; ++k) q(i, j) = q(i, j) + s(i, k) * s(j, k);
-    return q;
-}
-
 } // namespace pw85::detail
-
-namespace pw85 {
-
-template <class T> PW85_FUNCTION constexpr EllipsoidFactor<T, 3> ellipsoid_factor(Vector<T, 3> const &semi_axes,
-                                                                                  Vector<T, 4> quaternion) noexcept
-{
-    using namespace detail;
-    T const largest = largest_coordinate(quaternion);
-    bool valid = is_finite(quaternion) && largest > T(0);
-    for (int i = 0; i < 3; ++i) valid = valid && is_length(semi_axes[i]);
-    if (!valid) return all_nan<EllipsoidFactor<T, 3>>(Status::invalid_argument);
-    quaternion = quaternion / largest;
-    auto const rotation = rotation_matrix(quaternion, dot(quaternion, quaternion));
-    EllipsoidFactor<T, 3> factor{};
-    for (int i = 0; i < 9; ++i) factor.s.entries[i] = rotation.entries[i] * semi_axes[i % 3];
-    return factor;
-}
-
-} // namespace pw85
 
 #endif

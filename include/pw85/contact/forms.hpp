@@ -1,5 +1,5 @@
 /// @file
-/// Builders of quadratic forms from lengths and directions. pw85.hpp and factor.hpp use this file.
+/// Builders of quadratic forms, and of their factors, from lengths and directions.
 #ifndef PW85_CONTACT_FORMS_HPP_INCLUDED
 #define PW85_CONTACT_FORMS_HPP_INCLUDED
 
@@ -11,6 +11,12 @@ namespace pw85 {
 /// A quadratic form. It is NaN if the status is not success.
 template <class T, int D> struct Form {
     SymmetricMatrix<T, D> q;
+    Status status;
+};
+
+/// A factor. It is NaN if the status is not success.
+template <class T, int D> struct EllipsoidFactor {
+    Factor<T, D> s;
     Status status;
 };
 
@@ -39,16 +45,20 @@ template <class T> PW85_FUNCTION constexpr bool is_length(T const &x) noexcept
     return x > T(0) && square > T(0) && square <= largest_number<T>();
 }
 
+/// S = R diag(semi_axes), a factor of Q = R diag(semi_axes²) Rᵀ. R must be orthogonal.
+template <class T, int D>
+PW85_FUNCTION constexpr Factor<T, D> factor_of_axes(Vector<T, D> const &semi_axes, T const (&rotation)[D * D]) noexcept
+{
+    Factor<T, D> s{};
+    for (int i = 0; i < D * D; ++i) s.entries[i] = rotation[i] * semi_axes[i % D];
+    return s;
+}
+
 /// Q = R diag(semi_axes²) Rᵀ. R must be orthogonal.
 template <class T, int D>
 PW85_FUNCTION constexpr Form<T, D> form_of_axes(Vector<T, D> const &semi_axes, T const (&rotation)[D * D]) noexcept
 {
-    SymmetricMatrix<T, D> q{};
-    for (int i = 0; i < D; ++i)
-        for (int j = i; j < D; ++j)
-            for (int k = 0; k < D; ++k)
-                q(i, j) = q(i, j) + (rotation[D * i + k] * semi_axes[k]) * (rotation[D * j + k] * semi_axes[k]);
-    return checked_form(q);
+    return checked_form(form_of_factor(factor_of_axes(semi_axes, rotation)));
 }
 
 /// The rotation matrix (row-major) of a quaternion (w, x, y, z) of squared length `norm2`.
@@ -64,6 +74,22 @@ PW85_FUNCTION constexpr RotationMatrix<T> rotation_matrix(Vector<T, 4> const &qu
     return {{T(1) - two * (y * y + z * z), two * (x * y - w * z), two * (x * z + w * y), two * (x * y + w * z),
              T(1) - two * (x * x + z * z), two * (y * z - w * x), two * (x * z - w * y), two * (y * z + w * x),
              T(1) - two * (x * x + y * y)}};
+}
+
+/// The same of a quaternion of any length.
+template <class T> PW85_FUNCTION constexpr RotationMatrix<T> rotation_matrix(Vector<T, 4> const &quaternion) noexcept
+{
+    auto const scaled = quaternion / largest_coordinate(quaternion);
+    return rotation_matrix(scaled, dot(scaled, scaled));
+}
+
+/// Whether lengths and a quaternion describe an ellipsoid.
+template <class T>
+PW85_FUNCTION constexpr bool is_oriented(Vector<T, 3> const &semi_axes, Vector<T, 4> const &quaternion) noexcept
+{
+    bool valid = is_finite(quaternion) && largest_coordinate(quaternion) > T(0);
+    for (int i = 0; i < 3; ++i) valid = valid && is_length(semi_axes[i]);
+    return valid;
 }
 
 } // namespace pw85::detail
@@ -104,16 +130,20 @@ PW85_FUNCTION constexpr Form<T, 3> ellipsoid(Vector<T, 3> const &semi_axes, T co
     return valid ? form_of_axes(semi_axes, rotation) : all_nan<Form<T, 3>>(Status::invalid_argument);
 }
 
-template <class T>
-PW85_FUNCTION constexpr Form<T, 3> ellipsoid_quaternion(Vector<T, 3> const &semi_axes, Vector<T, 4> quaternion) noexcept
+template <class T> PW85_FUNCTION constexpr EllipsoidFactor<T, 3>
+ellipsoid_factor(Vector<T, 3> const &semi_axes, Vector<T, 4> const &quaternion) noexcept
 {
     using namespace detail;
-    T const largest = largest_coordinate(quaternion);
-    bool valid = is_finite(quaternion) && largest > T(0);
-    for (int i = 0; i < 3; ++i) valid = valid && is_length(semi_axes[i]);
-    if (!valid) return all_nan<Form<T, 3>>(Status::invalid_argument);
-    quaternion = quaternion / largest;
-    return form_of_axes(semi_axes, rotation_matrix(quaternion, dot(quaternion, quaternion)).entries);
+    if (!is_oriented(semi_axes, quaternion)) return all_nan<EllipsoidFactor<T, 3>>(Status::invalid_argument);
+    return {factor_of_axes(semi_axes, rotation_matrix(quaternion).entries), Status::success};
+}
+
+template <class T> PW85_FUNCTION constexpr Form<T, 3> ellipsoid_quaternion(Vector<T, 3> const &semi_axes,
+                                                                           Vector<T, 4> const &quaternion) noexcept
+{
+    using namespace detail;
+    if (!is_oriented(semi_axes, quaternion)) return all_nan<Form<T, 3>>(Status::invalid_argument);
+    return form_of_axes(semi_axes, rotation_matrix(quaternion).entries);
 }
 
 template <class T> PW85_FUNCTION inline Form<T, 2> ellipse(T const &a, T const &b, T const &angle) noexcept
