@@ -68,11 +68,54 @@ template <int D> std::vector<int> inside2()
     return {difference_of_sides(shows_inside2(evaluate_quartic(in.pair, in.t), in.t))};
 }
 
+/// What evaluate_quartic() computes before the form: adj(M) r, and det M.
+template <int D> std::vector<int> solution()
+{
+    Inputs<D> const in;
+    auto const found = solve_by_adjugate(blend(in.pair.q1, in.t, in.pair.q2), in.pair.r12);
+    auto nodes = nodes_of(found.s.coordinates);
+    nodes.push_back(found.determinant.node());
+    return nodes;
+}
+
+template <int D> std::vector<int> determinant_of_blend() { return {solution<D>().back()}; }
+
 /// a of the quartic.
 template <int D> std::vector<int> separation()
 {
     Inputs<D> const in;
     return {evaluate_quartic(in.pair, in.t).a.node()};
+}
+
+/// a of the quartic, from an exact adj(M) r.
+template <int D> std::vector<int> product_with_separation()
+{
+    Inputs<D> const in;
+    return {dot(in.pair.r12, Inputs<D>::vector("s")).node()};
+}
+
+/// The form of the quartic, from an exact adj(M) r.
+template <int D> std::vector<int> form_of_solution()
+{
+    Inputs<D> const in;
+    return {quadratic_form(in.pair.q2, Inputs<D>::vector("s")).node()};
+}
+
+/// The exact values of a quartic.
+inline QuarticEvaluation<Recorded> exact_quartic()
+{
+    return {Recorded::input("b", 1.0), Recorded::input("a", 1.0), Recorded::input("form", 1.0),
+            Recorded::input("diagonal", 1.0)};
+}
+
+inline std::vector<int> last_steps_inside1()
+{
+    return {difference_of_sides(shows_inside1(exact_quartic(), Recorded::input("t", 0.75)))};
+}
+
+inline std::vector<int> last_steps_inside2()
+{
+    return {difference_of_sides(shows_inside2(exact_quartic(), Recorded::input("t", 0.75)))};
 }
 
 template <int D> std::vector<int> adjugate_solution()

@@ -11,9 +11,9 @@
 #include <cstdio>
 #include <cstring>
 
+#include "backward.hpp"
 #include "branch_and_bound.hpp"
-#include "second_order.hpp"
-#include "worst_case.hpp"
+#include "inside.hpp"
 
 namespace {
 
@@ -61,11 +61,132 @@ bool prove_adjugate()
            holds<3, 5>("adjugate", adjugate_solution<3>, {1.0, 1.0}, adjugate_error);
 }
 
-/// is_clearly_definite(): the determinant errs by less than definite_margin u P.
+/// is_clearly_definite(): the errors of the determinant and of the pivots add up to less than definite_margin u P.
+template <int D> bool definite_holds()
+{
+    using Errors = DefiniteErrors<D>;
+    Errors errors;
+    double const limit = definite_margin<D> * (1.0 - share_beyond);
+    auto const proof = prove<Errors::angles>(errors, Errors::ranges, limit, 100000);
+    std::printf("definite, D = %d: %s %d u; %ld boxes, largest value seen %.2f\n", D,
+                proof.proved ? "proved" : "NOT PROVED", definite_margin<D>, proof.boxes, proof.largest);
+    return proof.proved;
+}
+
 bool prove_definite()
 {
-    return holds<2, 1>("definite", definite<2>, {0.0, 1.0}, definite_margin<2>) &&
-           holds<3, 3>("definite", definite<3>, {0.0, 1.0}, definite_margin<3>);
+    bool const two = definite_holds<2>();
+    return definite_holds<3>() && two;
+}
+
+/// Bounds for shows_inside1() and shows_inside2(), in units of u, where a errs by u/d times `a` of itself and d = least_conditioning
+/// u at least.
+struct InsideBounds {
+    static constexpr double a = 0.05 * least_conditioning; ///< theorem `separation`
+    static constexpr double across = adjugate_error;       ///< of s; theorem `adjugate`
+    static constexpr double b = 17.0;                      ///< of det M
+    static constexpr double form = 16.9;                   ///< part 3 of inside.hpp
+    static constexpr double share = 6.0;                   ///< of d, in part 3
+};
+
+/// The products of the errors of s with each other and with those of the form. A coordinate of s is at most √d, and errs by
+/// `coordinates`/D. Each term of the form has `roundings`.
+template <int D> double inside_products()
+{
+    Formula const formula = record(solution<D>), form = record(form_of_solution<D>);
+    auto const found = monomials(formula.graph, 1.0);
+    double coordinates = 0.0;
+    for (int j = 0; j < D; ++j) {
+        auto const &m = found[static_cast<std::size_t>(formula.results[static_cast<std::size_t>(j)])];
+        coordinates += m.magnitude * m.roundings * 1.01;
+    }
+    double const roundings = monomials(form.graph, 1.0)[static_cast<std::size_t>(form.results[0])].roundings;
+    double const c = coordinates * std::sqrt(largest_u / least_conditioning);
+    return (InsideBounds::a * InsideBounds::a + InsideBounds::across * InsideBounds::across) / least_conditioning +
+           roundings * c * (2.0 * D + c);
+}
+
+/// What of a margin is left for parts 1 and 2 of inside.hpp. The margin is proportional to the computed a.
+double left_of(int margin, double products)
+{
+    return margin * (1.0 - InsideBounds::a / least_conditioning - share_beyond) - products - InsideBounds::form;
+}
+
+template <int D, int N> bool proved_below(char const *what, FormBound<D, N> errors, double limit)
+{
+    auto const proof = prove<N>(errors, UnitPair<D, N>::ranges, limit, 4000000);
+    std::printf("%s, D = %d: %s %g u; %ld boxes, largest value seen %.2f\n", what, D,
+                proof.proved ? "proved" : "NOT PROVED", limit, proof.boxes, proof.largest);
+    return proof.proved;
+}
+
+/// Both tests inside err by less than their margins u a P.
+template <int D, int N, int M> bool inside_holds()
+{
+    using Bounds = InsideBounds;
+    bool const b = holds<D, M>("determinant", determinant_of_blend<D>, {0.0, 1.0}, Bounds::b);
+    bool const form = proved_below("inside, form", FormBound<D, N>(Bounds::share), Bounds::form);
+    double const b2 = Bounds::b * Bounds::b / least_conditioning, products = inside_products<D>() + b2;
+    double const left1 = left_of(inside1_margin, products + Bounds::a * Bounds::b / least_conditioning);
+    double const left2 = left_of(inside2_margin, products);
+    SolutionErrors<D, N> errors({left1, left2}, Bounds::across, Bounds::share);
+    auto const proof = prove<N>(errors, UnitPair<D, N>::ranges, 1.0, 8000000);
+    std::printf(
+        "inside, D = %d: %s %d u and %d u; rest below %.2f and %.2f, %ld boxes, largest value seen %.3f of it\n", D,
+        proof.proved ? "proved" : "NOT PROVED", inside1_margin, inside2_margin, left1, left2, proof.boxes,
+        proof.largest);
+    return b && form && proof.proved;
+}
+
+bool prove_inside()
+{
+    bool const two = inside_holds<2, 2, 1>();
+    return inside_holds<3, 5, 3>() && two;
+}
+
+/// Prints whether the eigenvalues of a matrix, and `rest`, are below a constant. Where these bounds count, they are below 2^-10, and
+/// so is the error of κ. A share of 2^-6 covers terms of higher order.
+template <int D> bool eigenvalues_below(char const *what, Exact<D> const &c, double rest, int constant)
+{
+    bool const proved = is_at_most(c, constant * (1.0 - 0x1p-6) - rest);
+    double least = 0.0;
+    while (!is_at_most(c, least)) least += 0x1p-8;
+    std::printf("%s, D = %d: %s %d u κ; %.2f\n", what, D, proved ? "proved" : "NOT PROVED", constant,
+                (least + rest) / (1.0 - 0x1p-6));
+    return proved;
+}
+
+/// last_evaluation() by factorisation: s errs across its direction, in the norm of M, by less than factorization_error u κ of
+/// itself. As x_i >= 1, w·x is at most Σ w_i x_i².
+template <int D> bool factorization_holds()
+{
+    auto const counts = count_solution<D>();
+    Exact<D> c = 0.5 * counts.c;
+    for (int i = 0; i < D; ++i) c(i, i) += counts.w[i];
+    return eigenvalues_below("factorization", c, 0.0, factorization_error);
+}
+
+bool prove_factorization()
+{
+    bool const two = factorization_holds<2>();
+    return factorization_holds<3>() && two;
+}
+
+/// refine(): a correction errs by less than correction_error u κ of itself, where κ >= 2^12: w·x is at most |w| √κ, and the residual
+/// has errors u |r_i|, which add √(3κ) u at most. For smaller κ, with √κ <= κ/√3, it is below 19 u κ, and four such factors are below
+/// u/100.
+template <int D> bool correction_holds()
+{
+    auto const counts = count_solution<D>();
+    double square = 0.0;
+    for (double const w : counts.w) square += w * w;
+    return eigenvalues_below("correction", counts.c, (std::sqrt(square) + std::sqrt(3.0)) / 64.0, correction_error);
+}
+
+bool prove_correction()
+{
+    bool const two = correction_holds<2>();
+    return correction_holds<3>() && two;
 }
 
 /// The number of rounded results that a node depends on, without those that its operands `stops` depend on.
@@ -119,8 +240,14 @@ struct Theorem {
 };
 
 constexpr Theorem theorems[] = {
-    {"apart", prove_apart},       {"separation", prove_separation}, {"adjugate", prove_adjugate},
-    {"definite", prove_definite}, {"value", prove_value},
+    {"apart", prove_apart},
+    {"separation", prove_separation},
+    {"adjugate", prove_adjugate},
+    {"definite", prove_definite},
+    {"value", prove_value},
+    {"inside", prove_inside},
+    {"factorization", prove_factorization},
+    {"correction", prove_correction},
 };
 
 } // namespace

@@ -28,13 +28,14 @@ inline Monomials monomials(Node const &node, Monomials const &left, Monomials co
     }
 }
 
-/// Those of each node, where no coordinate of r exceeds `length`, and no other input one.
+/// Those of each node, where no coordinate of r exceeds `length`, and no other input one. Entries of the forms count half: of Q1 and
+/// Q2 only the sums |Q1_ij| + t |Q2_ij| occur, which are at most 1.
 inline std::vector<Monomials> monomials(Graph const &graph, double length)
 {
     std::vector<Monomials> found;
     for (auto const &node : graph) {
         if (node.operation == Operation::input)
-            found.push_back({node.name[0] == 'r' ? length : 1.0, 0});
+            found.push_back({node.name[0] == 'r' ? length : node.name[0] == 'q' ? 0.5 : 1.0, 0});
         else if (node.operation == Operation::constant)
             found.push_back({std::fabs(node.value), 0});
         else

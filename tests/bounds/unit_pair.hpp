@@ -20,6 +20,14 @@ template <int N> struct Box {
     double center[N], width[N];
 };
 
+/// x·y.
+template <int D, int N> Affine<N> inner(Affine<N> const (&x)[D], Affine<N> const (&y)[D])
+{
+    Affine<N> sum = x[0] * y[0];
+    for (int i = 1; i < D; ++i) sum = sum + x[i] * y[i];
+    return sum;
+}
+
 template <int D, int N> struct UnitPair;
 
 /// In two dimensions: the angle between v_0 and v_1, and that of w if N > 1.
@@ -39,6 +47,15 @@ template <int N> struct UnitPair<2, N> {
             normals[0][0] = -w[1], normals[0][1] = w[0];
         }
     }
+
+    /// M_ij.
+    Number entry(int i, int j) const { return i == j ? Number(1.0) : inner(v[i], v[j]); }
+
+    /// det V, the root of det M.
+    Number root_of_determinant() const { return v[1][1]; }
+
+    /// Coordinate i of det(V) V⁻¹w.
+    Number scaled_solution(int i) const { return i == 0 ? v[1][1] * w[0] - v[1][0] * w[1] : w[1]; }
 };
 
 /// In three dimensions: the angles between v_0 and v_1, v_0 and v_2 and the planes of both, those of w if N > 3.
@@ -65,15 +82,20 @@ template <int N> struct UnitPair<3, N> {
             normals[1][0] = -s[4], normals[1][1] = c[4], normals[1][2] = 0.0;
         }
     }
-};
 
-/// x·y.
-template <int D, int N> Affine<N> inner(Affine<N> const (&x)[D], Affine<N> const (&y)[D])
-{
-    Affine<N> sum = x[0] * y[0];
-    for (int i = 1; i < D; ++i) sum = sum + x[i] * y[i];
-    return sum;
-}
+    /// M_ij.
+    Number entry(int i, int j) const { return i == j ? Number(1.0) : inner(v[i], v[j]); }
+
+    /// det V, the root of det M.
+    Number root_of_determinant() const { return v[1][1] * v[2][2]; }
+
+    /// Coordinate i of det(V) V⁻¹w.
+    Number scaled_solution(int i) const
+    {
+        if (i == 0) return v[2][2] * (v[1][1] * w[0] - v[1][0] * w[1]) + (v[1][0] * v[2][1] - v[1][1] * v[2][0]) * w[2];
+        return i == 1 ? v[2][2] * w[1] - v[2][1] * w[2] : v[1][1] * w[2];
+    }
+};
 
 } // namespace pw85_bounds
 

@@ -331,10 +331,9 @@ template <class T> PW85_FUNCTION constexpr T least_diagonal_product() noexcept
     return negative_power_of_two<T>(exponent < 128 ? exponent : 128);
 }
 
-/// A bound on the error of a determinant near zero, in units of u times the product of the diagonal. It is the sum, to first order,
-/// of the errors of the expanded determinant and of the pivots (scripts/rounding_bounds.py: 8 and 15.8). Theorem `definite` of
-/// tests/bounds/proofs.cpp proves the bound for the expanded determinant.
-template <int D> inline constexpr int definite_margin = D == 2 ? 8 : 16;
+/// A bound on the errors of a determinant near zero, in units of u times the product of the diagonal: the sum of those of the
+/// expanded determinant and of the product of the pivots (theorem `definite` of tests/bounds/proofs.cpp).
+template <int D> inline constexpr int definite_margin = D == 2 ? 9 : 16;
 
 /// Whether products alone (Sylvester's criterion) show that a symmetric matrix with entries near order one is positive definite. If
 /// they do, is_positive_definite() is true as well, and the pivots of factorize() are positive.

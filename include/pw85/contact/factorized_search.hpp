@@ -81,13 +81,14 @@ PW85_FUNCTION inline T condition(Factorization<T, D> const &factors, SymmetricMa
     return sum;
 }
 
-/// The error of the solution by factorisation across s, in the norm of M, in units of u κ, with κ from condition(). To first order
-/// it is 4.8 (scripts/rounding_bounds.py).
-inline constexpr int factorization_error = 5;
+/// A bound on the error of the solution by factorisation across s, in the norm of M, in units of u κ, with κ from condition()
+/// (theorem `factorization` of tests/bounds/proofs.cpp). To first order the error is 4.8 at least (scripts/rounding_bounds.py).
+inline constexpr int factorization_error = 12;
 
-/// The relative error of a correction of refine() in the norm of M, in units of u κ. The error is relative to the correction, or to
-/// the solution that is corrected. To first order it is 9.4 (scripts/rounding_bounds.py). So one correction reduces the error.
-inline constexpr int correction_error = 10;
+/// A bound on the relative error of a correction of refine() in the norm of M, in units of u κ (theorem `correction` of
+/// tests/bounds/proofs.cpp). The error is relative to the correction, or to the solution that is corrected. To first order it is 9.4
+/// at least (scripts/rounding_bounds.py). So one correction reduces the error.
+inline constexpr int correction_error = 13;
 
 /// The error of the s of the last evaluation across its direction, in the norm of M, in units of the roundoff of the result. The
 /// solution comes from factorisation, or is refined by three corrections. The error leaves out a part that is_certain() need not

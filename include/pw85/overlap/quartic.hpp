@@ -50,16 +50,16 @@ template <class T> PW85_FUNCTION constexpr T fixed_point_square(QuarticEvaluatio
     return rough_quotient(first_form(e, t), e.form);
 }
 
-// The margins of the tests at one t > 0, for a pair with ratio 1 that passes_fast_checks(). Each rounding error has a bound that
-// holds for all pairs: in units in which M has a unit diagonal and det M = d, the eigenvalues of adj(M) are between d/3 and 9/4.
-// The margins are in units of u. That of shows_apart() is theorem `apart` of tests/bounds/proofs.cpp. The other two have no proof.
-// They are the worst cases that scripts/rounding_bounds.py finds to first order, 31.6 and 46.6, and 6 % more, because their bounds
-// contain a.
+// The margins of the tests at one t > 0, for a pair with ratio 1 that passes_fast_checks(), in units of u. Each rounding error has a
+// bound that holds for all pairs: in units in which M has a unit diagonal and det M = d, the eigenvalues of adj(M) are between d/3
+// and 9/4. The margins are the theorems `apart` and `inside` of tests/bounds/proofs.cpp. Those of the tests inside contain a, which
+// errs by 5 %, and 3u for products of two errors. To first order their errors are 31.6 and 46.6 at least
+// (scripts/rounding_bounds.py).
 
-inline constexpr int apart_margin = 20, inside1_margin = 34, inside2_margin = 50;
+inline constexpr int apart_margin = 20, inside1_margin = 44, inside2_margin = 61;
 
 /// The smallest d, in units of u, at which the inside tests may decide. At this d the error of a is below 5 % (theorem `separation`
-/// of tests/bounds/proofs.cpp), and terms of second order in u/d are 1 % of the margins.
+/// of tests/bounds/proofs.cpp).
 inline constexpr int least_conditioning = 512;
 
 /// Shows that f > 1. If f <= 1, r is so short that the error of both sides together is below the margin times (1 + t) P.
