@@ -124,6 +124,19 @@ template <int D> std::vector<int> adjugate_solution()
     return nodes_of(solve_by_adjugate(blend(in.pair.q1, in.t, in.pair.q2), in.pair.r12).s.coordinates);
 }
 
+/// a and b from the coefficients of the rational form.
+template <int D> std::vector<int> rational_a()
+{
+    Inputs<D> const in;
+    return {evaluate_a(rational_form(in.pair), in.t).node()};
+}
+
+template <int D> std::vector<int> rational_b()
+{
+    Inputs<D> const in;
+    return {evaluate_b(rational_form(in.pair), in.t).node()};
+}
+
 template <int D> auto factorized(Inputs<D> const &in)
 {
     return factorize(blend(in.pair.q1, in.t, in.pair.q2), Recorded(unit_roundoff<Recorded>()));

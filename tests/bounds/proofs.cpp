@@ -3,8 +3,8 @@
 //     proofs apart
 //
 // Each proof is for all pairs, with and without fused operations, and for every type with u <= 2^-24, float included. The
-// hypothesis is that each rounded result errs by a fraction of at most u, so that nothing over- or underflows
-// (docs/implementation.rst). The bound on terms of first order comes from branch_and_bound.hpp, that on the others from
+// hypothesis is that each rounded result errs by a fraction of at most u, so that nothing over- or underflows. For doubles the theorem
+// `range` shows it from the conditions of passes_fast_checks(). The bound on terms of first order comes from branch_and_bound.hpp, that on the others from
 // second_order.hpp. A share of 2^-10 of each constant is left for terms beyond first order. One quarter of it is for those of the
 // formula. The others are smaller: the rounding errors of the products with the constant, 25 u of it, and in `adjugate` the error
 // of d, at most 20 u where d > 13 √u (is_certain()).
@@ -14,6 +14,7 @@
 #include "backward.hpp"
 #include "branch_and_bound.hpp"
 #include "inside.hpp"
+#include "range.hpp"
 
 namespace {
 
@@ -234,6 +235,66 @@ bool prove_value()
     return value_holds<3>() && two;
 }
 
+/// Counts that the comments of the headers rely on: the roundings of a term, and a bound on the sum of the magnitudes of all terms.
+bool counts_at_most(char const *what, int dimensions, std::vector<int> (*run)(), int roundings, double magnitude)
+{
+    Formula const formula = record(run);
+    auto const found = monomials(formula.graph, 1.0)[static_cast<std::size_t>(formula.results[0])];
+    bool const proved = found.roundings <= roundings && found.magnitude <= magnitude;
+    std::printf("counts, %s, D = %d: %s %d roundings; %d\n", what, dimensions, proved ? "proved" : "NOT PROVED",
+                roundings, found.roundings);
+    return proved;
+}
+
+/// Forms and products of vectors (containment.hpp, noise_of_slope()), and the rational form (rough_conditioning()) for r with
+/// coordinates of 1.
+template <int D> bool counts_hold()
+{
+    double const any = std::numeric_limits<double>::infinity();
+    bool const form = counts_at_most("form", D, form_of_solution<D>, 5, any);
+    bool const product = counts_at_most("product", D, product_with_separation<D>, 3, any);
+    bool const a = counts_at_most("a", D, rational_a<D>, 11, 6.0 * D);
+    bool const b = counts_at_most("b", D, rational_b<D>, 10, 6.0);
+    return form && product && a && b;
+}
+
+bool prove_counts()
+{
+    bool const two = counts_hold<2>();
+    return counts_hold<3>() && two;
+}
+
+/// The hypothesis of the other theorems, for doubles that passes_fast_checks() accepts and t up to 2^128: nothing overflows, and
+/// what underflow adds is far below the share. P is at least least_diagonal_product().
+///
+/// The bound on underflow suffices for shows_apart(), whose margin is at least that of P. For the tests inside units decide. The roots
+/// of m_ii are between 2^-88 and 2^76, and their product is above 2^-64. |r| is above its unit where A = 1, and above 1/√t of it where
+/// t²B = 1. So the units of all results are above 2^-540, and underflow adds less than 2^-500 in these units, where the margin is at
+/// least u (least_conditioning u).
+bool range_holds(char const *what, int dimensions, std::vector<int> (*run)(), double least_margin)
+{
+    double const u = unit_roundoff<double>();
+    Range const range = range_of(record(run), unscaled_limit<double>(), 0x1p128);
+    bool const proved = range.largest < 0x1p1023 && range.underflow < 0.25 * share_beyond * u * least_margin;
+    std::printf("range, %s, D = %d: %s; all results are below 2^%.0f\n", what, dimensions,
+                proved ? "proved" : "NOT PROVED", std::ceil(std::log2(range.largest)));
+    return proved;
+}
+
+template <int D> bool ranges_hold()
+{
+    double const any = std::numeric_limits<double>::infinity();
+    bool const apart_in_range = range_holds("apart", D, apart<D>, apart_margin * least_diagonal_product<double>());
+    bool const inside1_in_range = range_holds("inside1", D, inside1<D>, any);
+    return range_holds("inside2", D, inside2<D>, any) && apart_in_range && inside1_in_range;
+}
+
+bool prove_range()
+{
+    bool const two = ranges_hold<2>();
+    return ranges_hold<3>() && two;
+}
+
 struct Theorem {
     char const *name;
     bool (*prove)();
@@ -248,6 +309,8 @@ constexpr Theorem theorems[] = {
     {"inside", prove_inside},
     {"factorization", prove_factorization},
     {"correction", prove_correction},
+    {"counts", prove_counts},
+    {"range", prove_range},
 };
 
 } // namespace

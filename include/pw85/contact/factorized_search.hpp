@@ -104,8 +104,8 @@ template <class T> PW85_FUNCTION inline T error_of_solution(T const &condition, 
 }
 
 /// The error of h' where sᵀQ1s and sᵀQ2s cancel. h' is the sum of -½ d(log A)/dx and ½ d(log C)/dx. Both terms are at most 1. Their
-/// relative errors are like those of A and B: each is some five roundings of a sum of magnitudes, which is at most D
-/// diagonal_form().
+/// relative errors are like those of A and B: each is five roundings (theorem `counts` of tests/bounds/proofs.cpp) of a sum of
+/// magnitudes, which is at most D diagonal_form().
 template <class T, int D> PW85_FUNCTION inline T
 noise_of_slope(Pair<T, D> const &pair, SymmetricMatrix<T, D> const &weights, T const &a, T const &b) noexcept
 {

@@ -80,8 +80,9 @@ template <class T> PW85_FUNCTION constexpr Jet<T> evaluate_jet(RationalForm<T> c
 // diagonal, so that the entries of M and of adj M are at most 1, and let d be its determinant.
 
 /// The conditioning above which the rational form is correct to some per cent, which is enough to guide a search to the root.
-/// Computed from the coefficients, b errs by 80 u/d of itself: 13 roundings in a sum of products that is at most 6. a errs by 234
-/// u/d: 13 roundings in a sum that is at most 6|r|², where a is at least d|r|²/3.
+/// Computed from the coefficients, b errs by 60 u/d of itself: 10 roundings in a sum of products that is at most 6. a errs by 198
+/// u/d: 11 roundings in a sum that is at most 6|r|², where a is at least d|r|²/3. (Theorem `counts` of tests/bounds/proofs.cpp has
+/// the roundings and sums.)
 template <class T> PW85_FUNCTION constexpr T rough_conditioning() noexcept { return T(1024 * unit_roundoff<T>()); }
 
 /// The solution of M s = det(M) x by the adjugate.

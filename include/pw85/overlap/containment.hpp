@@ -61,7 +61,8 @@ template <class T, int D> PW85_FUNCTION inline bool exceeds_bounding_box(Pair<T,
 
 /// Whether a direction n, of any length > 0, proves that ellipsoid 2 is not inside.
 ///
-/// A term of a form is rounded five times at most, and a term of n·r three times. The sums with the margins are rounded once more.
+/// A term of a form is rounded five times at most, and a term of n·r three times (theorem `counts` of tests/bounds/proofs.cpp). The
+/// sums with the margins are rounded once more.
 /// So the margins 8 u and 6 u, times the sums of magnitudes, bound these errors. A further 8 u bounds those of the two roots, their
 /// sum and the product. The smallest number is far above the errors of underflow, because n has coordinates below 2 and the forms
 /// have entries of 4 at most.
