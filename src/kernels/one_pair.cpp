@@ -12,7 +12,6 @@
 
 #include "../c_arrays.hpp"
 #include "kernels.hpp"
-#include "pack.hpp"
 
 namespace pw85::detail::kernels {
 
@@ -37,8 +36,9 @@ int contact_factored(double const *r12, double const *s1, double const *s2, doub
 
 int overlap(double const *r12, double const *q1, double const *q2, int *overlap) noexcept
 {
-    auto const o = overlap_by_lanes<Pack>(
-        pair_of(c_api::load_vector<3>(r12), c_api::load_matrix<3>(q1), c_api::load_matrix<3>(q2)));
+    using Matrix = SymmetricMatrix<double, 3>;
+    auto const o =
+        pw85::overlap(c_api::view<Vector<double, 3>>(r12), c_api::view<Matrix>(q1), c_api::view<Matrix>(q2));
     *overlap = o.status == Status::success ? static_cast<int>(o.overlap) : -1;
     return static_cast<int>(o.status);
 }

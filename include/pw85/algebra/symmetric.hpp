@@ -338,21 +338,27 @@ template <int D> inline constexpr int definite_margin = D == 2 ? 8 : 16;
 
 /// Whether products alone (Sylvester's criterion) show that a symmetric matrix with entries near order one is positive definite. If
 /// they do, is_positive_definite() is true as well, and the pivots of factorize() are positive.
-template <class T>
-PW85_FUNCTION constexpr typename ScalarTraits<T>::Mask is_clearly_definite(SymmetricMatrix<T, 2> const &a) noexcept
+template <class T> PW85_FUNCTION constexpr typename ScalarTraits<T>::Mask
+is_clearly_definite(SymmetricMatrix<T, 2> const &a, SymmetricMatrix<T, 2> const &) noexcept
 {
     T const bound = T(definite_margin<2> * unit_roundoff<T>()), product = a[0] * a[2];
     return a[0] > T(0) && product > least_diagonal_product<T>() && product - a[1] * a[1] > bound * product;
 }
 
-template <class T>
-PW85_FUNCTION constexpr typename ScalarTraits<T>::Mask is_clearly_definite(SymmetricMatrix<T, 3> const &a) noexcept
+template <class T> PW85_FUNCTION constexpr typename ScalarTraits<T>::Mask
+is_clearly_definite(SymmetricMatrix<T, 3> const &a, SymmetricMatrix<T, 3> const &adjugate_of_a) noexcept
 {
     auto const u = unit_roundoff<T>();
-    auto const adj = adjugate(a);
     T const leading = a[0] * a[3], product = leading * a[5];
-    return a[0] > T(0) && product > least_diagonal_product<T>() && adj[5] > T(definite_margin<2> * u) * leading &&
-           determinant(a, adj) > T(definite_margin<3> * u) * product;
+    return a[0] > T(0) && product > least_diagonal_product<T>() &&
+           adjugate_of_a[5] > T(definite_margin<2> * u) * leading &&
+           determinant(a, adjugate_of_a) > T(definite_margin<3> * u) * product;
+}
+
+template <class T, int D>
+PW85_FUNCTION constexpr typename ScalarTraits<T>::Mask is_clearly_definite(SymmetricMatrix<T, D> const &a) noexcept
+{
+    return is_clearly_definite(a, adjugate(a));
 }
 
 } // namespace pw85::detail
