@@ -37,8 +37,7 @@ int contact_factored(double const *r12, double const *s1, double const *s2, doub
 int overlap(double const *r12, double const *q1, double const *q2, int *overlap) noexcept
 {
     using Matrix = SymmetricMatrix<double, 3>;
-    auto const o =
-        pw85::overlap(c_api::view<Vector<double, 3>>(r12), c_api::view<Matrix>(q1), c_api::view<Matrix>(q2));
+    auto const o = pw85::overlap(c_api::view<Vector<double, 3>>(r12), c_api::view<Matrix>(q1), c_api::view<Matrix>(q2));
     *overlap = o.status == Status::success ? static_cast<int>(o.overlap) : -1;
     return static_cast<int>(o.status);
 }

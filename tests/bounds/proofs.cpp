@@ -12,6 +12,7 @@
 #include <cstring>
 
 #include "branch_and_bound.hpp"
+#include "coefficients.hpp"
 #include "second_order.hpp"
 #include "worst_case.hpp"
 
@@ -120,7 +121,7 @@ struct Theorem {
 
 constexpr Theorem theorems[] = {
     {"apart", prove_apart},       {"separation", prove_separation}, {"adjugate", prove_adjugate},
-    {"definite", prove_definite}, {"value", prove_value},
+    {"definite", prove_definite}, {"value", prove_value},           {"coefficients", prove_coefficients},
 };
 
 } // namespace

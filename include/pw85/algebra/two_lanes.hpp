@@ -9,6 +9,8 @@
 
 #include <pw85/algebra/symmetric.hpp>
 
+#include <utility>
+
 namespace pw85::detail {
 
 /// One truth value per lane.
@@ -22,8 +24,8 @@ template <class T> struct TwoLanes {
 
     TwoLanes() = default;
     PW85_MEMBER constexpr TwoLanes(T const &x, T const &y) noexcept : first(x), second(y) {}
-    template <class Number>
-    PW85_MEMBER constexpr explicit TwoLanes(Number const &x) noexcept : first(T(x)), second(T(x))
+    template <class Number> PW85_MEMBER constexpr explicit TwoLanes(Number const &x) noexcept
+        : first(T(x)), second(T(x))
     {
     }
 };
@@ -55,13 +57,11 @@ template <class T> PW85_FUNCTION constexpr auto operator>(TwoLanes<T> const &x, 
 {
     return y < x;
 }
-template <class T>
-PW85_FUNCTION constexpr TwoLanes<T> maximum(TwoLanes<T> const &x, TwoLanes<T> const &y) noexcept
+template <class T> PW85_FUNCTION constexpr TwoLanes<T> maximum(TwoLanes<T> const &x, TwoLanes<T> const &y) noexcept
 {
     return {maximum(x.first, y.first), maximum(x.second, y.second)};
 }
-template <class T>
-PW85_FUNCTION constexpr TwoLanes<T> minimum(TwoLanes<T> const &x, TwoLanes<T> const &y) noexcept
+template <class T> PW85_FUNCTION constexpr TwoLanes<T> minimum(TwoLanes<T> const &x, TwoLanes<T> const &y) noexcept
 {
     return {minimum(x.first, y.first), minimum(x.second, y.second)};
 }
@@ -183,13 +183,18 @@ template <class T> struct pw85::ScalarTraits<pw85::detail::TwoLanes<T>> {
 
 namespace pw85::detail {
 
-/// Both matrices of a pair side by side.
+/// Two matrices side by side. This is no loop, because compilers do not unroll all loops with -O2.
+template <class T, int D, int... k> [[gnu::always_inline]] PW85_FUNCTION constexpr SymmetricMatrix<TwoLanes<T>, D>
+side_by_side(SymmetricMatrix<T, D> const &first, SymmetricMatrix<T, D> const &second,
+             std::integer_sequence<int, k...>) noexcept
+{
+    return {{TwoLanes<T>(first[k], second[k])...}};
+}
+
 template <class T, int D> [[gnu::always_inline]] PW85_FUNCTION constexpr SymmetricMatrix<TwoLanes<T>, D>
 side_by_side(SymmetricMatrix<T, D> const &first, SymmetricMatrix<T, D> const &second) noexcept
 {
-    SymmetricMatrix<TwoLanes<T>, D> both{};
-    for (int k = 0; k < both.size; ++k) both[k] = TwoLanes<T>(first[k], second[k]);
-    return both;
+    return side_by_side(first, second, std::make_integer_sequence<int, D *(D + 1) / 2>());
 }
 
 } // namespace pw85::detail
