@@ -97,10 +97,11 @@ template <class T, int D> [[gnu::noinline]] PW85_FUNCTION inline Maximum<T> maxi
     auto const weights = outer_weights(converted<TwoLanes<T>>(pair.r12));
     auto const forms = quadratic_form(q, weights);
     T const guess = initial_guess(first_of(forms), second_of(forms), pair.ratio);
-    RationalSearch<T> search{rational_form(q, other, adj, weights), {guess, T(0), T(0)}, guess == guess};
+    auto const rational = rational_form(q, other, adj, weights);
+    RationalSearch<T, QuarticForms<T>> search{quartic_forms(rational), {guess, T(0), T(0)}, guess == guess};
     int evaluations = 0;
     T const diagonal = diagonal_product(blend(pair.q1, guess, pair.q2));
-    if (evaluate_b(search.form, guess) >= rough_conditioning<T>() * diagonal) {
+    if (evaluate_b(rational, guess) >= rough_conditioning<T>() * diagonal) {
         evaluations = run(search, pair, max_rational_steps) + 1;
         auto const last = last_evaluation(pair, search.candidate);
         if (last.certain) return to_maximum(last, evaluations, true);

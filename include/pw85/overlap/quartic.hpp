@@ -14,6 +14,7 @@
 #ifndef PW85_OVERLAP_QUARTIC_HPP_INCLUDED
 #define PW85_OVERLAP_QUARTIC_HPP_INCLUDED
 
+#include <pw85/contact/both_forms.hpp>
 #include <pw85/contact/contact.hpp>
 #include <pw85/overlap/decision.hpp>
 
@@ -172,8 +173,8 @@ decide_by_points(QuarticCoefficients<T> const &quartic, T const &t) noexcept
 /// A search on the rational form with a test at each of its points. It is a task (contact/rational_search.hpp) that ends when a
 /// test decides.
 template <class T> struct QuarticSearch {
-    RationalSearch<T> rational;
-    DiagonalCoefficients<T> diagonal;
+    RationalSearch<T, QuarticForms<T>> rational;
+    QuarticCoefficients<T> quartic;
     Decision decision;
     bool active;
 };
@@ -182,8 +183,7 @@ template <class T, int D> PW85_FUNCTION inline void take_step(QuarticSearch<T> &
 {
     take_step(search.rational, pair);
     T const &t = search.rational.candidate.t;
-    QuarticCoefficients<T> const quartic{search.rational.form, search.diagonal};
-    auto const certainty = test_by_coefficients(evaluate_quartic(quartic, t), t);
+    auto const certainty = test_by_coefficients(evaluate_quartic(search.quartic, t), t);
     search.decision = to_decision(certainty.apart, certainty.overlap);
     search.active = search.rational.active && search.decision == Decision::none;
 }
@@ -192,7 +192,7 @@ template <class T, int D> PW85_FUNCTION inline void take_step(QuarticSearch<T> &
 template <class T, int D> PW85_FUNCTION inline Decision
 search_for_decision(Pair<T, D> const &pair, QuarticCoefficients<T> const &quartic, T const &t) noexcept
 {
-    QuarticSearch<T> search{{quartic.form, {t, T(0), T(0)}, t == t}, quartic.diagonal, Decision::none, t == t};
+    QuarticSearch<T> search{{quartic_forms(quartic.form), {t, T(0), T(0)}, t == t}, quartic, Decision::none, t == t};
     run(search, pair, max_rational_steps);
     if (search.decision != Decision::none) return search.decision;
     T const &last = search.rational.candidate.t;
