@@ -6,6 +6,8 @@
 
 #include <pw85/algebra/vector.hpp>
 
+#include <utility>
+
 namespace pw85 {
 
 /// A symmetric matrix: its upper triangle in row-major order, (xx, xy, xz, yy, yz, zz) in three dimensions.
@@ -132,13 +134,19 @@ blend(T const &alpha, SymmetricMatrix<T, D> const &a, T const &beta, SymmetricMa
     return c;
 }
 
-/// The sum A + β B.
+/// The sum A + β B. It is no loop, because compilers do not unroll all loops with -O2.
+template <class T, int D, int... k>
+PW85_FUNCTION constexpr SymmetricMatrix<T, D> blend(SymmetricMatrix<T, D> const &a, T const &beta,
+                                                    SymmetricMatrix<T, D> const &b,
+                                                    std::integer_sequence<int, k...>) noexcept
+{
+    return {{a[k] + beta * b[k]...}};
+}
+
 template <class T, int D> PW85_FUNCTION constexpr SymmetricMatrix<T, D>
 blend(SymmetricMatrix<T, D> const &a, T const &beta, SymmetricMatrix<T, D> const &b) noexcept
 {
-    SymmetricMatrix<T, D> c{};
-    for (int k = 0; k < c.size; ++k) c[k] = a[k] + beta * b[k];
-    return c;
+    return blend(a, beta, b, std::make_integer_sequence<int, SymmetricMatrix<T, D>::size>());
 }
 
 /// Whether all entries are finite.

@@ -9,8 +9,6 @@
 
 #include <pw85/algebra/symmetric.hpp>
 
-#include <utility>
-
 namespace pw85::detail {
 
 /// One truth value per lane.
@@ -194,7 +192,7 @@ side_by_side(SymmetricMatrix<T, D> const &first, SymmetricMatrix<T, D> const &se
 template <class T, int D> [[gnu::always_inline]] PW85_FUNCTION constexpr SymmetricMatrix<TwoLanes<T>, D>
 side_by_side(SymmetricMatrix<T, D> const &first, SymmetricMatrix<T, D> const &second) noexcept
 {
-    return side_by_side(first, second, std::make_integer_sequence<int, D *(D + 1) / 2>());
+    return side_by_side(first, second, std::make_integer_sequence<int, SymmetricMatrix<T, D>::size>());
 }
 
 } // namespace pw85::detail

@@ -60,7 +60,10 @@ template <class T>
     auto const two = TwoLanes<T>(2), e0 = a02 * b03, e1 = two * a1 * b03;
     auto const e2 = TwoLanes<T>(3) * a20 * b03 + (a1 * b12 - a02 * b21);
     auto const e3 = two * (a20 * b12 - a02 * b30), e4 = a20 * b21 - a1 * b30;
-    return {{{first_of(e0), second_of(e4)}, {first_of(e1), second_of(e3)}, e2, {first_of(e3), second_of(e1)},
+    return {{{first_of(e0), second_of(e4)},
+             {first_of(e1), second_of(e3)},
+             e2,
+             {first_of(e3), second_of(e1)},
              {first_of(e4), second_of(e0)}},
             {b[0], b[1], b[2], b[3]}};
 }
@@ -76,7 +79,12 @@ template <class T> PW85_FUNCTION constexpr Jet<T> evaluate_jet(QuarticForms<T> c
     auto const curvature = TwoLanes<T>(12) * c[4] * square + (six * c3x + two * c[2]);
     T const b_value = (b[1] * t + b[0]) + (t * t) * (b[3] * t + b[2]);
     T const b_slope = (T(3) * b[3] * t + T(2) * b[2]) * t + b[1];
-    return {first_of(value), first_of(slope), first_of(curvature), second_of(value), second_of(slope), second_of(curvature),
+    return {first_of(value),
+            first_of(slope),
+            first_of(curvature),
+            second_of(value),
+            second_of(slope),
+            second_of(curvature),
             rough_quotient(T(t * b_slope), b_value)};
 }
 

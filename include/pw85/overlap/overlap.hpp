@@ -96,7 +96,7 @@ template <class T, int D> [[gnu::noinline]] PW85_FUNCTION inline Overlap overlap
 
 namespace pw85 {
 
-template <class T, int D> [[gnu::always_inline]] PW85_FUNCTION inline OverlapDecision
+template <class T, int D> PW85_FUNCTION inline OverlapDecision
 decide_overlap(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, SymmetricMatrix<T, D> const &q2) noexcept
 {
     using namespace detail;
@@ -105,8 +105,8 @@ decide_overlap(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, Symmetr
     return decide_near_contact(pair_of(r12, q1, q2));
 }
 
-template <class T, int D> [[gnu::always_inline]] PW85_FUNCTION inline Overlap
-overlap(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, SymmetricMatrix<T, D> const &q2) noexcept
+template <class T, int D> PW85_FUNCTION inline Overlap overlap(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
+                                                               SymmetricMatrix<T, D> const &q2) noexcept
 {
     using namespace detail;
     Decision const decision = decide_by_quartic(r12, q1, q2);
