@@ -43,7 +43,7 @@ int contact_factored(double const *r12, double const *s1, double const *s2, doub
 
 int overlap(double const *r12, double const *q1, double const *q2, int *overlap) noexcept
 {
-    auto const o = pw85::overlap(view_vector(r12), view_matrix(q1), view_matrix(q2));
+    auto const o = overlap_by_tiers(view_vector(r12), view_matrix(q1), view_matrix(q2));
     *overlap = o.status == Status::success ? static_cast<int>(o.overlap) : -1;
     return static_cast<int>(o.status);
 }

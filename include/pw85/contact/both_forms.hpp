@@ -72,11 +72,10 @@ template <class T>
 template <class T> PW85_FUNCTION constexpr Jet<T> evaluate_jet(QuarticForms<T> const &form, T const &t) noexcept
 {
     auto const &[c, b] = form;
-    TwoLanes<T> const x(t), square(T(t * t)), two(2), six(6);
-    auto const c4x = c[4] * x, c3x = c[3] * x, c2x = c[2] * x;
-    auto const value = ((c4x + c[3]) * square + (c2x + c[1])) * x + c[0];
-    auto const slope = (TwoLanes<T>(4) * c4x + TwoLanes<T>(3) * c[3]) * square + (two * c2x + c[1]);
-    auto const curvature = TwoLanes<T>(12) * c[4] * square + (six * c3x + two * c[2]);
+    TwoLanes<T> const x(t), square(T(t * t)), two(2), three(3), four(4), six(6), twelve(12);
+    auto const value = ((c[4] * x + c[3]) * square + (c[2] * x + c[1])) * x + c[0];
+    auto const slope = (four * c[4] * x + three * c[3]) * square + (two * c[2] * x + c[1]);
+    auto const curvature = twelve * c[4] * square + (six * c[3] * x + two * c[2]);
     T const b_value = (b[1] * t + b[0]) + (t * t) * (b[3] * t + b[2]);
     T const b_slope = (T(3) * b[3] * t + T(2) * b[2]) * t + b[1];
     return {first_of(value),

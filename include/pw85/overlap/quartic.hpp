@@ -66,18 +66,24 @@ inline constexpr int apart_margin = 20, inside1_margin = 34, inside2_margin = 50
 /// of tests/bounds/proofs.cpp), and terms of second order in u/d are 1 % of the margins.
 inline constexpr int least_conditioning = 512;
 
+/// A number of unit roundoffs.
+template <class T> PW85_FUNCTION constexpr T roundoffs(int units) noexcept
+{
+    return T(static_cast<typename ScalarTraits<T>::Lane>(units) * unit_roundoff<T>());
+}
+
 /// Shows that f > 1. If f <= 1, r is so short that the error of both sides together is below the margin times (1 + t) P.
 template <class T> PW85_FUNCTION constexpr typename ScalarTraits<T>::Mask
 shows_apart(QuarticEvaluation<T> const &e, T const &t, int units = apart_margin) noexcept
 {
-    T const margin = T(units * unit_roundoff<T>());
+    T const margin = roundoffs<T>(units);
     return t * e.a > T(T(1) + t) * T(e.b + margin * e.diagonal);
 }
 
 template <class T> PW85_FUNCTION constexpr typename ScalarTraits<T>::Mask
 is_well_conditioned(QuarticEvaluation<T> const &e, int units = least_conditioning) noexcept
 {
-    return e.b > T(units * unit_roundoff<T>()) * e.diagonal;
+    return e.b > roundoffs<T>(units) * e.diagonal;
 }
 
 /// Shows that A < 1, for a well-conditioned pair. If A = 1, the error of b²A is below the margin times a P. If A is larger, a is
@@ -85,7 +91,7 @@ is_well_conditioned(QuarticEvaluation<T> const &e, int units = least_conditionin
 template <class T> PW85_FUNCTION constexpr typename ScalarTraits<T>::Mask
 shows_inside1(QuarticEvaluation<T> const &e, T const &t, int units = inside1_margin) noexcept
 {
-    T const margin = T(units * unit_roundoff<T>());
+    T const margin = roundoffs<T>(units);
     return e.a * T(e.b + margin * e.diagonal) - t * e.form < T(e.b * e.b);
 }
 
@@ -93,7 +99,7 @@ shows_inside1(QuarticEvaluation<T> const &e, T const &t, int units = inside1_mar
 template <class T> PW85_FUNCTION constexpr typename ScalarTraits<T>::Mask
 shows_inside2(QuarticEvaluation<T> const &e, T const &t, int units = inside2_margin) noexcept
 {
-    T const margin = T(units * unit_roundoff<T>());
+    T const margin = roundoffs<T>(units);
     return t * T(t * e.form + T(margin * e.diagonal) * e.a) < T(e.b * e.b);
 }
 
