@@ -21,7 +21,6 @@ PACKS = {
     "overlap_batch": r"compute<pw85::detail::kernels::PairArrays<3>, pw85::detail::kernels::OverlapArray>",
 }
 ONE_PAIR = r"> pw85::detail::maximize<double, 3>"
-FORM = r"> pw85::detail::rational_form<double>"
 ARITHMETIC = r"v(f|mul|add|sub|div|max|min|rcp|rsqrt|sqrt|cmp|blend)"
 SHUFFLE = r"v(unpck|perm|insert|broadcast)"
 TAKEN = 1000  # cost of a jump that is taken, which leaves the common path
@@ -52,6 +51,21 @@ def loops(code):
         if target is not None and target <= i:
             found[target] = i
     return {begin: [text for _, text in code[begin : end + 1]] for begin, end in sorted(found.items())}
+
+
+def is_call(text):
+    return text.startswith("call")
+
+
+def search_loop(code):
+    """The first instruction of the longest loop that the function enters without a call, and the path of one round."""
+    for begin, body in sorted(loops(code).items(), key=lambda item: -len(item[1])):
+        ways = {i: path(code, 0, lambda k, i=i: k == i, is_call) for i in range(begin, begin + len(body))}
+        head = min((i for i in ways if ways[i]), key=lambda i: len(ways[i]), default=None)
+        step = head and path(code, head, lambda i, head=head: i == head, lambda text: "sqrt" in text)
+        if step:
+            return head, step
+    raise ValueError("no loop")
 
 
 def straight(texts):
@@ -85,7 +99,7 @@ def path(code, begin, is_end, is_barred):
             heapq.heappush(queue, (cost + TAKEN, target, [*way, text]))
         if not re.match(r"jmp|ret", text):
             heapq.heappush(queue, (cost + 1, i + 1, [*way, text]))
-    raise ValueError("no way")
+    return []
 
 
 def many_pairs(disassembly):
@@ -104,13 +118,10 @@ def many_pairs(disassembly):
 
 
 def one_pair(disassembly):
-    code, form = instructions(disassembly, ONE_PAIR), [text for _, text in instructions(disassembly, FORM)]
-    head = max(loops(code), key=lambda begin: len(loops(code)[begin]))
-    start = path(code, 0, lambda i: i == head, lambda text: False)
-    call = next(i for i, text in enumerate(start) if text.startswith("call"))
-    start[call : call + 1] = form
-    step = path(code, head, lambda i: i == head, lambda text: "sqrt" in text)
-    last = path(code, head, lambda i: code[i][1].startswith("ret"), lambda text: text.startswith("call"))
+    code = instructions(disassembly, ONE_PAIR)
+    head, step = search_loop(code)
+    start = path(code, 0, lambda i: i == head, is_call)
+    last = path(code, head, lambda i: code[i][1].startswith("ret"), is_call)
     print(f"one pair: {len(start)} instructions before the first step, {len(step)} in a step, {len(last)} in the last and the end")
     before = 0
     for steps in range(1, 5):

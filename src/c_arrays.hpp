@@ -3,6 +3,7 @@
 #define PW85_C_ARRAYS_HPP_INCLUDED
 
 #include <cstring>
+#include <type_traits>
 
 #include <pw85/algebra/factor.hpp>
 #include <pw85/status.hpp>
@@ -30,6 +31,14 @@ template <int D> SymmetricMatrix<double, D> load_matrix(double const *a) noexcep
     SymmetricMatrix<double, D> m;
     std::memcpy(m.entries, a, sizeof m.entries);
     return m;
+}
+
+/// A type with the layout of an array of the C API, as that array. Nothing is copied: a copy would pass through memory where a
+/// function that is not inlined reads it.
+template <class Type> Type const &view(double const *x) noexcept
+{
+    static_assert(std::is_standard_layout_v<Type> && alignof(Type) == alignof(double));
+    return *reinterpret_cast<Type const *>(x);
 }
 
 template <int D> Factor<double, D> load_factor(double const *a) noexcept

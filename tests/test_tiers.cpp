@@ -207,10 +207,18 @@ struct Tally {
     }
 };
 
+template <class T, int D> pw85::detail::QuarticCoefficients<T> coefficients(Sample<T, D> const &s)
+{
+    using namespace pw85::detail;
+    auto const q = side_by_side(s.q1, s.q2), other = side_by_side(s.q2, s.q1);
+    return {rational_form(q, other, adjugate(q), outer_weights(converted<TwoLanes<T>>(s.r12))),
+            diagonal_coefficients(q, other)};
+}
+
 template <class T, int D> void test_alone()
 {
     Random random(110 + D);
-    Tally points{"decide_by_points", {}}, search{"decide_by_search", {}}, comparison{"decide_by_comparison", {}};
+    Tally points{"decide_by_points", {}}, search{"search_for_decision", {}}, comparison{"decide_by_comparison", {}};
     for (int n = 0; n < draws(3000); ++n) {
         auto const s = convert<T>(near_contact<D>(random, n, std::is_same_v<T, float> ? 1.1e3 : 1e6));
         pw85::detail::ScaledPair<T, D> scaled;
@@ -219,10 +227,10 @@ template <class T, int D> void test_alone()
         T const tangent = pw85::detail::times_power_of_two(T(1), 2 * (scaled.form - scaled.length));
         comparison.count(pw85::detail::decide_by_comparison(scaled.pair, tangent), overlap, s);
         if (!pw85::detail::passes_fast_checks(pw85::detail::pair_of(s.r12, s.q1, s.q2))) continue;
-        T t;
-        points.count(pw85::detail::decide_by_points<T>(s.r12, s.q1, s.q2, t), overlap, s);
         T const guess = pw85::detail::initial_guess(to_pair(s));
-        search.count(pw85::detail::decide_by_search(s.r12, s.q1, s.q2, guess), overlap, s);
+        auto const quartic = coefficients(s);
+        points.count(pw85::detail::decide_by_points(quartic, guess), overlap, s);
+        search.count(pw85::detail::search_for_decision(to_pair(s), quartic, guess), overlap, s);
     }
 }
 

@@ -189,7 +189,7 @@ PW85_FUNCTION inline bool store(Decision decision, OverlapArray const &out, std:
 
 PW85_FUNCTION inline bool attempt(OverlapArray const &out, Pair3 const &pair, std::size_t i) noexcept
 {
-    return store(decide_by_quartic<double>(pair), out, i);
+    return store(decide_by_quartic(pair.r12, pair.q1, pair.q2), out, i);
 }
 
 PW85_FUNCTION inline bool settle(OverlapArray const &out, Pair3 const &pair, std::size_t i) noexcept

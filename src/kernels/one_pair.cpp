@@ -12,15 +12,21 @@
 
 #include "../c_arrays.hpp"
 #include "kernels.hpp"
-#include "pack.hpp"
 
 namespace pw85::detail::kernels {
 
 namespace {
 
+Vector<double, 3> const &view_vector(double const *x) noexcept { return c_api::view<Vector<double, 3>>(x); }
+
+SymmetricMatrix<double, 3> const &view_matrix(double const *a) noexcept
+{
+    return c_api::view<SymmetricMatrix<double, 3>>(a);
+}
+
 int contact(double const *r12, double const *q1, double const *q2, double *out) noexcept
 {
-    auto const c = pw85::contact(c_api::load_vector<3>(r12), c_api::load_matrix<3>(q1), c_api::load_matrix<3>(q2));
+    auto const c = pw85::contact(view_vector(r12), view_matrix(q1), view_matrix(q2));
     out[0] = c.mu2;
     out[1] = c.lambda;
     return static_cast<int>(c.status);
@@ -37,8 +43,7 @@ int contact_factored(double const *r12, double const *s1, double const *s2, doub
 
 int overlap(double const *r12, double const *q1, double const *q2, int *overlap) noexcept
 {
-    auto const o = overlap_by_lanes<Pack>(
-        pair_of(c_api::load_vector<3>(r12), c_api::load_matrix<3>(q1), c_api::load_matrix<3>(q2)));
+    auto const o = overlap_by_tiers(view_vector(r12), view_matrix(q1), view_matrix(q2));
     *overlap = o.status == Status::success ? static_cast<int>(o.overlap) : -1;
     return static_cast<int>(o.status);
 }

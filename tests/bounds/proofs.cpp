@@ -13,6 +13,7 @@
 
 #include "backward.hpp"
 #include "branch_and_bound.hpp"
+#include "coefficients.hpp"
 #include "inside.hpp"
 #include "range.hpp"
 
@@ -311,6 +312,7 @@ constexpr Theorem theorems[] = {
     {"correction", prove_correction},
     {"counts", prove_counts},
     {"range", prove_range},
+    {"coefficients", prove_coefficients},
 };
 
 } // namespace

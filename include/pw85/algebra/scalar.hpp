@@ -137,6 +137,14 @@ PW85_FUNCTION constexpr bool any_of(bool mask) noexcept { return mask; }
 
 PW85_FUNCTION constexpr bool all_of(bool mask) noexcept { return mask; }
 
+/// x && y without a branch, which a processor could not predict if the conditions depend on data.
+template <class Mask> PW85_FUNCTION constexpr Mask both_true(Mask const &x, Mask const &y) noexcept { return x && y; }
+
+PW85_FUNCTION constexpr bool both_true(bool x, bool y) noexcept
+{
+    return (static_cast<unsigned>(x) & static_cast<unsigned>(y)) != 0;
+}
+
 /// The larger of two numbers. It is the first one if either is NaN.
 template <class T> PW85_FUNCTION constexpr T maximum(T const &x, T const &y) noexcept { return select(y > x, y, x); }
 

@@ -6,6 +6,8 @@
 
 #include <pw85/algebra/vector.hpp>
 
+#include <utility>
+
 namespace pw85 {
 
 /// A symmetric matrix: its upper triangle in row-major order, (xx, xy, xz, yy, yz, zz) in three dimensions.
@@ -132,13 +134,19 @@ blend(T const &alpha, SymmetricMatrix<T, D> const &a, T const &beta, SymmetricMa
     return c;
 }
 
-/// The sum A + β B.
+/// The sum A + β B. It is no loop, because compilers do not unroll all loops with -O2.
+template <class T, int D, int... k>
+PW85_FUNCTION constexpr SymmetricMatrix<T, D> blend(SymmetricMatrix<T, D> const &a, T const &beta,
+                                                    SymmetricMatrix<T, D> const &b,
+                                                    std::integer_sequence<int, k...>) noexcept
+{
+    return {{a[k] + beta * b[k]...}};
+}
+
 template <class T, int D> PW85_FUNCTION constexpr SymmetricMatrix<T, D>
 blend(SymmetricMatrix<T, D> const &a, T const &beta, SymmetricMatrix<T, D> const &b) noexcept
 {
-    SymmetricMatrix<T, D> c{};
-    for (int k = 0; k < c.size; ++k) c[k] = a[k] + beta * b[k];
-    return c;
+    return blend(a, beta, b, std::make_integer_sequence<int, SymmetricMatrix<T, D>::size>());
 }
 
 /// Whether all entries are finite.
@@ -337,21 +345,27 @@ template <int D> inline constexpr int definite_margin = D == 2 ? 9 : 16;
 
 /// Whether products alone (Sylvester's criterion) show that a symmetric matrix with entries near order one is positive definite. If
 /// they do, is_positive_definite() is true as well, and the pivots of factorize() are positive.
-template <class T>
-PW85_FUNCTION constexpr typename ScalarTraits<T>::Mask is_clearly_definite(SymmetricMatrix<T, 2> const &a) noexcept
+template <class T> PW85_FUNCTION constexpr typename ScalarTraits<T>::Mask
+is_clearly_definite(SymmetricMatrix<T, 2> const &a, SymmetricMatrix<T, 2> const &) noexcept
 {
     T const bound = T(definite_margin<2> * unit_roundoff<T>()), product = a[0] * a[2];
     return a[0] > T(0) && product > least_diagonal_product<T>() && product - a[1] * a[1] > bound * product;
 }
 
-template <class T>
-PW85_FUNCTION constexpr typename ScalarTraits<T>::Mask is_clearly_definite(SymmetricMatrix<T, 3> const &a) noexcept
+template <class T> PW85_FUNCTION constexpr typename ScalarTraits<T>::Mask
+is_clearly_definite(SymmetricMatrix<T, 3> const &a, SymmetricMatrix<T, 3> const &adjugate_of_a) noexcept
 {
     auto const u = unit_roundoff<T>();
-    auto const adj = adjugate(a);
     T const leading = a[0] * a[3], product = leading * a[5];
-    return a[0] > T(0) && product > least_diagonal_product<T>() && adj[5] > T(definite_margin<2> * u) * leading &&
-           determinant(a, adj) > T(definite_margin<3> * u) * product;
+    return a[0] > T(0) && product > least_diagonal_product<T>() &&
+           adjugate_of_a[5] > T(definite_margin<2> * u) * leading &&
+           determinant(a, adjugate_of_a) > T(definite_margin<3> * u) * product;
+}
+
+template <class T, int D>
+PW85_FUNCTION constexpr typename ScalarTraits<T>::Mask is_clearly_definite(SymmetricMatrix<T, D> const &a) noexcept
+{
+    return is_clearly_definite(a, adjugate(a));
 }
 
 } // namespace pw85::detail

@@ -86,8 +86,9 @@ template <class T, int D> PW85_FUNCTION inline Contact<T>
 contact(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, SymmetricMatrix<T, D> const &q2) noexcept
 {
     using namespace detail;
+    auto const q = side_by_side(q1, q2);
     auto const pair = pair_of(r12, q1, q2);
-    return passes_fast_checks(pair) ? to_contact(maximize(pair)) : contact_scaled(pair);
+    return passes_fast_checks(r12, q, adjugate(q)) ? to_contact(maximize(pair)) : contact_scaled(pair);
 }
 
 } // namespace pw85

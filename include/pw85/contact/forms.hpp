@@ -92,6 +92,22 @@ PW85_FUNCTION constexpr bool is_oriented(Vector<T, 3> const &semi_axes, Vector<T
     return valid;
 }
 
+/// Whether a number is positive, and so far from the limits of the type that squares and their sums are in range.
+template <class T> PW85_FUNCTION constexpr bool is_moderate(T const &x) noexcept
+{
+    constexpr int exponent = std::numeric_limits<typename ScalarTraits<T>::Lane>::max_exponent / 8;
+    T const least = negative_power_of_two<T>(exponent < 128 ? exponent : 128);
+    return both_true(x > least, x * least < T(1));
+}
+
+/// The form of lengths and a quaternion of any magnitudes.
+template <class T> [[gnu::noinline]] PW85_FUNCTION constexpr Form<T, 3>
+form_of_any_axes(Vector<T, 3> const &semi_axes, Vector<T, 4> const &quaternion) noexcept
+{
+    if (!is_oriented(semi_axes, quaternion)) return all_nan<Form<T, 3>>(Status::invalid_argument);
+    return checked_form(form_of_factor(factor_of_axes(semi_axes, rotation_matrix(quaternion).entries)));
+}
+
 } // namespace pw85::detail
 
 namespace pw85 {
@@ -138,12 +154,17 @@ ellipsoid_factor(Vector<T, 3> const &semi_axes, Vector<T, 4> const &quaternion) 
     return {factor_of_axes(semi_axes, rotation_matrix(quaternion).entries), Status::success};
 }
 
+// Moderate numbers need no other check, since then the form is finite and its diagonal is positive: each row of R is of length one
+// to rounding. The quaternion is not normalised first, which would only add rounding errors.
 template <class T> PW85_FUNCTION constexpr Form<T, 3> ellipsoid_quaternion(Vector<T, 3> const &semi_axes,
                                                                            Vector<T, 4> const &quaternion) noexcept
 {
     using namespace detail;
-    if (!is_oriented(semi_axes, quaternion)) return all_nan<Form<T, 3>>(Status::invalid_argument);
-    return form_of_axes(semi_axes, rotation_matrix(quaternion).entries);
+    T const norm2 = dot(quaternion, quaternion);
+    bool const first = both_true(is_moderate(norm2), is_moderate(semi_axes[0]));
+    bool const others = both_true(is_moderate(semi_axes[1]), is_moderate(semi_axes[2]));
+    if (!both_true(first, others)) return form_of_any_axes(semi_axes, quaternion);
+    return {form_of_factor(factor_of_axes(semi_axes, rotation_matrix(quaternion, norm2).entries)), Status::success};
 }
 
 template <class T> PW85_FUNCTION inline Form<T, 2> ellipse(T const &a, T const &b, T const &angle) noexcept

@@ -128,12 +128,17 @@ template <class T> PW85_FUNCTION inline T next_guess(Jet<T> const &j, TrustedSte
     return next > smallest_number<T>() && next < largest_number<T>() ? next : image;
 }
 
-/// The start of a search. It is the root if both ellipsoids are spheres.
+/// The start of a search, from rᵀQ1r and rᵀQ2r. It is the root if both ellipsoids are spheres.
+template <class T> PW85_FUNCTION inline T initial_guess(T const &form1, T const &form2, T const &ratio) noexcept
+{
+    T const unit = T(1) / ratio; // the processor divides while it takes the root
+    return rough_root(rough_quotient(form1, form2)) * unit;
+}
+
 template <class T, int D> PW85_FUNCTION inline T initial_guess(Pair<T, D> const &pair) noexcept
 {
     auto const weights = outer_weights(pair.r12);
-    T const unit = T(1) / pair.ratio; // the processor divides while it takes the root
-    return rough_root(rough_quotient(quadratic_form(pair.q1, weights), quadratic_form(pair.q2, weights))) * unit;
+    return initial_guess(quadratic_form(pair.q1, weights), quadratic_form(pair.q2, weights), pair.ratio);
 }
 
 /// The point of a search. k and k2 are set when the search has converged.

@@ -21,8 +21,8 @@ namespace pw85::detail {
 inline constexpr int max_rational_steps = 8;
 
 /// The state of a search. The result for a lane depends only on its own pair, because no step changes a lane that has converged.
-template <class T> struct RationalSearch {
-    RationalForm<T> form;
+template <class T, class Form = RationalForm<T>> struct RationalSearch {
+    Form form; ///< one of which evaluate_jet() gives A and B
     Candidate<T> candidate;
     typename ScalarTraits<T>::Mask active; ///< not converged
 };
@@ -42,9 +42,10 @@ template <class T, int D> PW85_FUNCTION inline RationalSearch<T> start_search(Pa
 
 /// Takes Halley's step near the root, and the step of item 4 (iteration.hpp) elsewhere. A lane converges with a step within
 /// penultimate_step(). Rounding errors, or numbers out of the range of the scalar, can prevent this, or can lead to a wrong t. In
-/// these cases the last evaluation is not certain.
-template <class T, int D>
-PW85_FUNCTION inline void take_step(RationalSearch<T> &search, Pair<T, D> const &pair) noexcept
+/// these cases the last evaluation is not certain. The function is always inlined: GCC would otherwise call it with -O2, and keep the
+/// search in memory.
+template <class T, class Form, int D> [[gnu::always_inline]] PW85_FUNCTION inline void
+take_step(RationalSearch<T, Form> &search, Pair<T, D> const &pair) noexcept
 {
     T const t = search.candidate.t;
     Jet<T> const jet = evaluate_jet(search.form, t);

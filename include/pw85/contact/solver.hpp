@@ -11,6 +11,7 @@
 
 #include <pw85/algebra/definite.hpp>
 #include <pw85/algebra/doubled.hpp>
+#include <pw85/contact/both_forms.hpp>
 #include <pw85/contact/factorized_search.hpp>
 #include <pw85/contact/rational_search.hpp>
 
@@ -92,11 +93,15 @@ maximize_factorized(Pair<T, D> const &pair, Candidate<T> candidate, int evaluati
 /// result.
 template <class T, int D> [[gnu::noinline]] PW85_FUNCTION inline Maximum<T> maximize(Pair<T, D> const &pair) noexcept
 {
-    T const guess = initial_guess(pair);
-    auto search = start_search(pair, guess);
+    auto const q = side_by_side(pair.q1, pair.q2), other = side_by_side(pair.q2, pair.q1), adj = adjugate(q);
+    auto const weights = outer_weights(converted<TwoLanes<T>>(pair.r12));
+    auto const forms = quadratic_form(q, weights);
+    T const guess = initial_guess(first_of(forms), second_of(forms), pair.ratio);
+    auto const rational = rational_form(q, other, adj, weights);
+    RationalSearch<T, QuarticForms<T>> search{quartic_forms(rational), {guess, T(0), T(0)}, guess == guess};
     int evaluations = 0;
     T const diagonal = diagonal_product(blend(pair.q1, guess, pair.q2));
-    if (evaluate_b(search.form, guess) >= rough_conditioning<T>() * diagonal) {
+    if (evaluate_b(rational, guess) >= rough_conditioning<T>() * diagonal) {
         evaluations = run(search, pair, max_rational_steps) + 1;
         auto const last = last_evaluation(pair, search.candidate);
         if (last.certain) return to_maximum(last, evaluations, true);

@@ -5,6 +5,7 @@
 #define PW85_CONTACT_VALIDATE_HPP_INCLUDED
 
 #include <pw85/algebra/definite.hpp>
+#include <pw85/algebra/two_lanes.hpp>
 #include <pw85/contact/scaling.hpp>
 #include <pw85/status.hpp>
 
@@ -47,6 +48,16 @@ passes_fast_checks(Pair<T, D> const &pair) noexcept
 {
     return is_in_range(sum_of_magnitudes(pair.r12), largest_diagonal(pair.q1), largest_diagonal(pair.q2)) &&
            is_clearly_definite(pair.q1) && is_clearly_definite(pair.q2);
+}
+
+/// The same for one pair, from both forms side by side and their adjugates.
+template <class T, int D> [[gnu::always_inline]] PW85_FUNCTION inline bool
+passes_fast_checks(Vector<T, D> const &r12, SymmetricMatrix<TwoLanes<T>, D> const &q,
+                   SymmetricMatrix<TwoLanes<T>, D> const &adjugate_of_q) noexcept
+{
+    auto const largest = largest_diagonal(q);
+    return all_of(is_in_range(TwoLanes<T>(sum_of_magnitudes(r12)), largest, largest) &&
+                  is_clearly_definite(q, adjugate_of_q));
 }
 
 } // namespace pw85::detail

@@ -3,8 +3,8 @@
 /// Each tier decides for certain or not at all. Each tier is slower than the one before, and decides pairs that the tiers before it
 /// leave open:
 ///
-/// 1. decide_by_points(): the sign of a quartic at some points, with bounds on the rounding errors (quartic.hpp);
-/// 2. decide_by_search(): the sign of the same quartic at the points of a search (quartic.hpp);
+/// 1. decide_by_points(): the sign of a quartic at two points, with bounds on the rounding errors (quartic.hpp);
+/// 2. search_for_decision(): the sign of the same quartic at the points of a search (quartic.hpp);
 /// 3. decide_by_comparison(): μ² by the solver, with a bound on its error (comparison.hpp);
 /// 4. decide_exactly(): integers (exact.hpp).
 ///
@@ -40,19 +40,26 @@ struct Overlap {
 
 namespace pw85::detail {
 
-/// Tiers 1 and 2. Tier 1 tests as many points at once as `Lanes` has lanes. The result is `none` for pairs that fail the fast
-/// checks, are ill-conditioned, or are tangent up to rounding.
-template <class Lanes, class T, int D>
-[[gnu::always_inline]] PW85_FUNCTION inline Decision decide_by_quartic(Pair<T, D> const &pair) noexcept
+/// Tiers 1 and 2. The result is `none` for pairs that fail the fast checks, are ill-conditioned, or are tangent up to rounding.
+template <class T, int D> [[gnu::always_inline]] PW85_FUNCTION inline Decision
+decide_by_quartic(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, SymmetricMatrix<T, D> const &q2) noexcept
 {
-    if (!passes_fast_checks(pair)) return Decision::none;
-    T t;
-    Decision const decision = decide_by_points<Lanes>(pair.r12, pair.q1, pair.q2, t);
-    if (decision != Decision::none) return decision;
-    if constexpr (is_for_device) // a call would need local memory
-        return decide_by_search(pair, t);
-    else
-        return decide_by_search(pair.r12, pair.q1, pair.q2, t);
+    // t comes first, because the points wait for it, and not for the coefficients.
+    auto const q = side_by_side(q1, q2);
+    auto const weights = outer_weights(converted<TwoLanes<T>>(r12));
+    T const t = coarse_root_of_ratio(quadratic_form(q, weights));
+    auto const other = side_by_side(q2, q1), adj = adjugate(q);
+    QuarticCoefficients<T> const quartic{rational_form(q, other, adj, weights), diagonal_coefficients(q, other)};
+    Decision const decision = decide_by_points(quartic, t);
+    bool const passes = passes_fast_checks(r12, q, adj);
+    if (passes && decision != Decision::none) return decision;
+    if (!passes) return Decision::none;
+    if constexpr (is_for_device) { // a call would need local memory
+        return search_for_decision(pair_of(r12, q1, q2), quartic, t);
+    } else {
+        auto const copy = quartic; // the address of `quartic` would keep it in memory
+        return call_search_for_decision(r12, q1, q2, copy, t);
+    }
 }
 
 /// Tier 3, for any pair.
@@ -77,22 +84,21 @@ template <class T, int D> [[gnu::noinline]] PW85_FUNCTION inline Overlap overlap
         return {contact(r12, q1, q2).mu2 < T(1), OverlapTier::contact, Status::success};
 }
 
-/// Tiers 1 to 3.
-template <class Lanes, class T, int D>
-[[gnu::always_inline]] PW85_FUNCTION inline OverlapDecision decide_overlap_by_lanes(Pair<T, D> const &pair) noexcept
+/// Tiers 3 and 4.
+template <class T, int D> [[gnu::noinline]] PW85_FUNCTION inline Overlap overlap_near_contact(Pair<T, D> pair) noexcept
 {
-    Decision const decision = decide_by_quartic<Lanes>(pair);
-    if (decision != Decision::none) return {decision, OverlapTier::quartic, Status::success};
-    return decide_near_contact(pair);
-}
-
-/// All tiers.
-template <class Lanes, class T, int D>
-[[gnu::always_inline]] PW85_FUNCTION inline Overlap overlap_by_lanes(Pair<T, D> const &pair) noexcept
-{
-    auto const [decision, tier, status] = decide_overlap_by_lanes<Lanes>(pair);
+    auto const [decision, tier, status] = decide_near_contact(pair);
     if (decision == Decision::none && status == Status::success) return overlap_exactly(pair);
     return {decision == Decision::overlap, tier, status};
+}
+
+/// All tiers. Callers that make a function of their own of it inline it.
+template <class T, int D> [[gnu::always_inline]] PW85_FUNCTION inline Overlap
+overlap_by_tiers(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, SymmetricMatrix<T, D> const &q2) noexcept
+{
+    Decision const decision = decide_by_quartic(r12, q1, q2);
+    if (decision != Decision::none) return {decision == Decision::overlap, OverlapTier::quartic, Status::success};
+    return overlap_near_contact(pair_of(r12, q1, q2));
 }
 
 } // namespace pw85::detail
@@ -102,13 +108,16 @@ namespace pw85 {
 template <class T, int D> PW85_FUNCTION inline OverlapDecision
 decide_overlap(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, SymmetricMatrix<T, D> const &q2) noexcept
 {
-    return detail::decide_overlap_by_lanes<T>(detail::pair_of(r12, q1, q2));
+    using namespace detail;
+    Decision const decision = decide_by_quartic(r12, q1, q2);
+    if (decision != Decision::none) return {decision, OverlapTier::quartic, Status::success};
+    return decide_near_contact(pair_of(r12, q1, q2));
 }
 
 template <class T, int D> PW85_FUNCTION inline Overlap overlap(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
                                                                SymmetricMatrix<T, D> const &q2) noexcept
 {
-    return detail::overlap_by_lanes<T>(detail::pair_of(r12, q1, q2));
+    return detail::overlap_by_tiers(r12, q1, q2);
 }
 
 } // namespace pw85

@@ -8,9 +8,13 @@
 /// is certain. The first t is about √(rᵀQ1r/rᵀQ2r). At this t, f > 1 if the projections of the ellipsoids on the line of centres
 /// are apart, since rᵀM⁻¹r >= |r|⁴/rᵀMr. If the bounding spheres are apart, so are these projections. The search on the rational
 /// form gives the next t.
+///
+/// There are two ways to evaluate a and b. One pair has the coefficients of their powers of t (both_forms.hpp), so that each t costs
+/// a few products. The adjugate of M at t has smaller rounding errors. It serves packs of lanes, and one pair at the last t.
 #ifndef PW85_OVERLAP_QUARTIC_HPP_INCLUDED
 #define PW85_OVERLAP_QUARTIC_HPP_INCLUDED
 
+#include <pw85/contact/both_forms.hpp>
 #include <pw85/contact/contact.hpp>
 #include <pw85/overlap/decision.hpp>
 
@@ -26,7 +30,7 @@ template <class Mask> struct Certainty {
 template <class T> struct QuarticEvaluation {
     T b;        ///< det M
     T a;        ///< b R, with R = rᵀM⁻¹r
-    T form;     ///< b²B
+    T form;     ///< b²B, which is ab' - a'b
     T diagonal; ///< P, the product of the diagonal of M
 };
 
@@ -62,34 +66,40 @@ inline constexpr int apart_margin = 20, inside1_margin = 44, inside2_margin = 61
 /// of tests/bounds/proofs.cpp).
 inline constexpr int least_conditioning = 512;
 
-/// Shows that f > 1. If f <= 1, r is so short that the error of both sides together is below the margin times (1 + t) P.
-template <class T>
-PW85_FUNCTION constexpr typename ScalarTraits<T>::Mask shows_apart(QuarticEvaluation<T> const &e, T const &t) noexcept
+/// A number of unit roundoffs.
+template <class T> PW85_FUNCTION constexpr T roundoffs(int units) noexcept
 {
-    T const margin = T(apart_margin * unit_roundoff<T>());
+    return T(static_cast<typename ScalarTraits<T>::Lane>(units) * unit_roundoff<T>());
+}
+
+/// Shows that f > 1. If f <= 1, r is so short that the error of both sides together is below the margin times (1 + t) P.
+template <class T> PW85_FUNCTION constexpr typename ScalarTraits<T>::Mask
+shows_apart(QuarticEvaluation<T> const &e, T const &t, int units = apart_margin) noexcept
+{
+    T const margin = roundoffs<T>(units);
     return t * e.a > T(T(1) + t) * T(e.b + margin * e.diagonal);
 }
 
-template <class T>
-PW85_FUNCTION constexpr typename ScalarTraits<T>::Mask is_well_conditioned(QuarticEvaluation<T> const &e) noexcept
+template <class T> PW85_FUNCTION constexpr typename ScalarTraits<T>::Mask
+is_well_conditioned(QuarticEvaluation<T> const &e, int units = least_conditioning) noexcept
 {
-    return e.b > T(least_conditioning * unit_roundoff<T>()) * e.diagonal;
+    return e.b > roundoffs<T>(units) * e.diagonal;
 }
 
 /// Shows that A < 1, for a well-conditioned pair. If A = 1, the error of b²A is below the margin times a P. If A is larger, a is
 /// larger too.
-template <class T>
-PW85_FUNCTION constexpr typename ScalarTraits<T>::Mask shows_inside1(QuarticEvaluation<T> const &e, T const &t) noexcept
+template <class T> PW85_FUNCTION constexpr typename ScalarTraits<T>::Mask
+shows_inside1(QuarticEvaluation<T> const &e, T const &t, int units = inside1_margin) noexcept
 {
-    T const margin = T(inside1_margin * unit_roundoff<T>());
+    T const margin = roundoffs<T>(units);
     return e.a * T(e.b + margin * e.diagonal) - t * e.form < T(e.b * e.b);
 }
 
 /// Shows that t²B < 1, in the same way: the error of b² t²B is below the margin times t a P.
-template <class T>
-PW85_FUNCTION constexpr typename ScalarTraits<T>::Mask shows_inside2(QuarticEvaluation<T> const &e, T const &t) noexcept
+template <class T> PW85_FUNCTION constexpr typename ScalarTraits<T>::Mask
+shows_inside2(QuarticEvaluation<T> const &e, T const &t, int units = inside2_margin) noexcept
 {
-    T const margin = T(inside2_margin * unit_roundoff<T>());
+    T const margin = roundoffs<T>(units);
     return t * T(t * e.form + T(margin * e.diagonal) * e.a) < T(e.b * e.b);
 }
 
@@ -101,47 +111,76 @@ test_quartic(QuarticEvaluation<T> const &e, T const &t) noexcept
             positive && is_well_conditioned(e) && shows_inside1(e, t) && shows_inside2(e, t)};
 }
 
-template <class Lanes, class T, int D>
-PW85_FUNCTION constexpr Vector<Lanes, D> broadcast(Vector<T, D> const &x) noexcept
+/// The coefficients of P, in increasing powers of t.
+template <class T> struct DiagonalCoefficients {
+    T c[4];
+};
+
+/// The coefficients of a, b and P. In two dimensions the last one of each is zero.
+template <class T> struct QuarticCoefficients {
+    RationalForm<T> form;
+    DiagonalCoefficients<T> diagonal;
+};
+
+template <class T> [[gnu::always_inline]] PW85_FUNCTION constexpr DiagonalCoefficients<T>
+diagonal_coefficients(SymmetricMatrix<TwoLanes<T>, 2> const &q, SymmetricMatrix<TwoLanes<T>, 2> const &other) noexcept
 {
-    Vector<Lanes, D> copies{};
-    for (int i = 0; i < D; ++i) copies[i] = Lanes(x[i]);
-    return copies;
+    auto const p = diagonal_product(q), mixed = q[0] * other[2];
+    return {{first_of(p), first_of(mixed) + second_of(mixed), second_of(p), T(0)}};
 }
 
-template <class Lanes, class T, int D>
-PW85_FUNCTION constexpr SymmetricMatrix<Lanes, D> broadcast(SymmetricMatrix<T, D> const &a) noexcept
+template <class T> [[gnu::always_inline]] PW85_FUNCTION constexpr DiagonalCoefficients<T>
+diagonal_coefficients(SymmetricMatrix<TwoLanes<T>, 3> const &q, SymmetricMatrix<TwoLanes<T>, 3> const &other) noexcept
 {
-    SymmetricMatrix<Lanes, D> copies{};
-    for (int k = 0; k < a.size; ++k) copies[k] = Lanes(a[k]);
-    return copies;
+    auto const p = diagonal_product(q), mixed = q[0] * q[3] * other[5] + q[5] * (q[0] * other[3] + other[0] * q[3]);
+    return {{first_of(p), first_of(mixed), second_of(mixed), second_of(p)}};
 }
 
-/// Tests several points about the first t at once, as many as there are lanes. Testing one point after another would be slower,
-/// because the processor cannot predict whether the next test is needed. Four points decide 92 to 97 % of random pairs with aspect
-/// ratios from 2 to 100; the first point alone decides 80 to 97 %. `t` becomes that of the fixed-point map from the first point.
-template <class Lanes, class T, int D>
-[[gnu::always_inline]] PW85_FUNCTION inline Decision decide_by_points(Vector<T, D> const &r12,
-                                                                      SymmetricMatrix<T, D> const &q1,
-                                                                      SymmetricMatrix<T, D> const &q2, T &t) noexcept
+/// The values at t from the coefficients. `T` is `Number`, or has several lanes of it.
+template <class T, class Number> [[gnu::always_inline]] PW85_FUNCTION constexpr QuarticEvaluation<T>
+evaluate_quartic(QuarticCoefficients<Number> const &quartic, T const &t) noexcept
 {
-    using Lane = typename ScalarTraits<T>::Lane;
-    Lane const points[4] = {Lane(1), Lane(0.5), Lane(2), Lane(0.25)};
-    static_assert(ScalarTraits<Lanes>::lanes <= 4);
-    auto const weights = outer_weights(r12);
-    T const center = coarse_root_of_ratio(quadratic_form(q1, weights), quadratic_form(q2, weights));
-    Lanes const probes = Lanes(center) * load_lanes<Lanes>(points);
-    Pair<Lanes, D> const copies{broadcast<Lanes>(r12), broadcast<Lanes>(q1), broadcast<Lanes>(q2), Lanes(T(1))};
-    auto const e = evaluate_quartic(copies, probes);
-    auto const certainty = test_quartic(e, probes);
-    t = rough_root(first_lane(fixed_point_square(e, probes)));
+    auto const &form = quartic.form;
+    auto const &p = quartic.diagonal.c;
+    T const a2 = T(form.a[2]) * t, b2 = T(form.b[2]), b3 = T(form.b[3]) * t, square = t * t;
+    T const a = (a2 + T(form.a[1])) * t + T(form.a[0]), b = (T(form.b[1]) * t + T(form.b[0])) + square * (b3 + b2);
+    T const a_slope = T(2) * a2 + T(form.a[1]), b_slope = (T(3) * b3 + T(2) * b2) * t + T(form.b[1]);
+    T const diagonal = (T(p[1]) * t + T(p[0])) + square * (T(p[3]) * t + T(p[2]));
+    return {b, a, a * b_slope - a_slope * b, diagonal};
+}
+
+// The margins of the same tests from the coefficients (theorem `coefficients` of tests/bounds/proofs.cpp).
+
+inline constexpr int coefficients_apart_margin = 264, coefficients_inside_margin = 1704,
+                     coefficients_least_conditioning = 6666;
+
+template <class T> [[gnu::always_inline]] PW85_FUNCTION constexpr Certainty<typename ScalarTraits<T>::Mask>
+test_by_coefficients(QuarticEvaluation<T> const &e, T const &t) noexcept
+{
+    auto const positive = t > T(0), well_conditioned = is_well_conditioned(e, coefficients_least_conditioning);
+    auto const inside1 = shows_inside1(e, t, coefficients_inside_margin);
+    auto const inside2 = shows_inside2(e, t, coefficients_inside_margin);
+    return {both_true(positive, shows_apart(e, t, coefficients_apart_margin)),
+            both_true(both_true(positive, well_conditioned), both_true(inside1, inside2))};
+}
+
+/// The second point over the first one. At aspect ratio 10 both decide 91 % of random pairs, and the first one alone 86 %.
+inline constexpr int second_point = 2;
+
+/// Tests two points at once, which takes little more time than a test of one.
+template <class T> [[gnu::always_inline]] PW85_FUNCTION inline Decision
+decide_by_points(QuarticCoefficients<T> const &quartic, T const &t) noexcept
+{
+    TwoLanes<T> const points(t, T(T(second_point) * t));
+    auto const certainty = test_by_coefficients(evaluate_quartic(quartic, points), points);
     return to_decision(any_of(certainty.apart), any_of(certainty.overlap));
 }
 
 /// A search on the rational form with a test at each of its points. It is a task (contact/rational_search.hpp) that ends when a
 /// test decides.
 template <class T> struct QuarticSearch {
-    RationalSearch<T> rational;
+    RationalSearch<T, QuarticForms<T>> rational;
+    QuarticCoefficients<T> quartic;
     Decision decision;
     bool active;
 };
@@ -150,27 +189,30 @@ template <class T, int D> PW85_FUNCTION inline void take_step(QuarticSearch<T> &
 {
     take_step(search.rational, pair);
     T const &t = search.rational.candidate.t;
-    auto const certainty = test_quartic(evaluate_quartic(pair, t), t);
+    auto const certainty = test_by_coefficients(evaluate_quartic(search.quartic, t), t);
     search.decision = to_decision(certainty.apart, certainty.overlap);
     search.active = search.rational.active && search.decision == Decision::none;
 }
 
-/// Tests at the points of a search that starts at t.
-template <class T, int D> PW85_FUNCTION inline Decision decide_by_search(Pair<T, D> const &pair, T const &t) noexcept
+/// Tests at the points of a search that starts at t. The last test is by the adjugate.
+template <class T, int D> PW85_FUNCTION inline Decision
+search_for_decision(Pair<T, D> const &pair, QuarticCoefficients<T> const &quartic, T const &t) noexcept
 {
-    QuarticSearch<T> search{start_search(pair, t), Decision::none, t == t};
+    QuarticSearch<T> search{{quartic_forms(quartic.form), {t, T(0), T(0)}, t == t}, quartic, Decision::none, t == t};
     run(search, pair, max_rational_steps);
-    return search.decision;
+    if (search.decision != Decision::none) return search.decision;
+    T const &last = search.rational.candidate.t;
+    auto const certainty = test_quartic(evaluate_quartic(pair, last), last);
+    return to_decision(certainty.apart, certainty.overlap);
 }
 
-/// The same, not inlined, and with a Pair of its own. If the caller had a Pair in memory, the tests at the first points would wait
-/// where the compiler loads two numbers at once that were stored one by one.
-template <class T, int D>
-[[gnu::noinline]] PW85_FUNCTION inline Decision decide_by_search(Vector<T, D> const &r12,
-                                                                 SymmetricMatrix<T, D> const &q1,
-                                                                 SymmetricMatrix<T, D> const &q2, T const &t) noexcept
+/// The same in a function of its own, which has a Pair of its own. If the caller had a Pair in memory, the tests at the first points
+/// would wait where the compiler loads two numbers at once that were stored one by one.
+template <class T, int D> [[gnu::noinline]] PW85_FUNCTION inline Decision
+call_search_for_decision(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, SymmetricMatrix<T, D> const &q2,
+                         QuarticCoefficients<T> const &quartic, T const &t) noexcept
 {
-    return decide_by_search(pair_of(r12, q1, q2), t);
+    return search_for_decision(pair_of(r12, q1, q2), quartic, t);
 }
 
 } // namespace pw85::detail
