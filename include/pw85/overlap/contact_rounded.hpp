@@ -108,25 +108,50 @@ template <class T> struct ExtendedMaximum {
     T mu2, lambda;
 };
 
-/// Step 2, for a valid pair with r12 != 0 whose units differ by 2^ratio. As enclose(), but s comes from the adjugate alone: it errs
-/// by η of itself, A and B together by 3η R, and their rounding errors are below η R.
+/// A bound on the eigenvalues of Q relative to M, at most 1. With M scaled to a unit diagonal, it is the trace of Q over the smallest
+/// eigenvalue of M, which is at least 4d/9.
+template <class T, int D> PW85_FUNCTION inline T largest_share(SymmetricMatrix<T, D> const &q,
+                                                               SymmetricMatrix<T, D> const &m, T const &d) noexcept
+{
+    T sum = T(0);
+    for (int i = 0; i < D; ++i) sum = sum + q(i, i) / m(i, i);
+    return minimum(T(1), T(T(2.25) * sum / d));
+}
+
+/// Bounds on the errors of z and S that are computed from the solution s of the adjugate. s errs by η of itself in the norm of M. Let
+/// π1 and π2 be largest_share() of Q1 and of t Q2. Then A and tB are at most π1 R and π2 R. A errs by 2η π1 R to first order, and its
+/// rounding errors are below η π1 R; the same holds for tB. S is a form with eigenvalues p (1 - p), which are at most π1 and π2. It errs
+/// by 2η of the smaller one times R, and by as much again from the solution v and from rounding.
+template <class W, int D>
+PW85_FUNCTION inline Stationarity<W> stationarity_of(Pair<W, D> const &pair, W const &t, SymmetricMatrix<W, D> const &m,
+                                                     W const &lambda, W const &complement, Vector<W, D> const &s,
+                                                     AdjugateInverse<W, D> const &inverse) noexcept
+{
+    auto const y1 = product(pair.q1, s), y2 = t * product(pair.q2, s);
+    W const d = W(1) / (inverse.reciprocal * diagonal_product(m)), noise = inverse.error * (dot(s, y1) + dot(s, y2));
+    W const share1 = largest_share(pair.q1, m, d), share2 = largest_share(t * pair.q2, m, d);
+    return {complement * dot(s, y1) - lambda * dot(s, y2), W(5) * noise * (complement * share1 + lambda * share2),
+            dot(solve(inverse, y2), y1), W(4) * noise * minimum(share1, share2)};
+}
+
+/// Step 2, for a valid pair with r12 != 0 whose units differ by 2^ratio.
 template <class T, int D> [[gnu::noinline, gnu::cold]] PW85_FUNCTION inline ExtendedMaximum<T>
 maximize_to_all_digits(ScaledPair<T, D> const &scaled, int ratio, T const &guess) noexcept
 {
     using W = exact::Extended<T>;
     auto const pair = extended_pair(scaled, ratio);
     W const t = precise_maximiser(pair, start_from(pair, W(guess))), tau = pair.ratio * pair.ratio * t;
-    auto const inverse = invert_by_adjugate(blend(pair.q1, t, pair.q2));
-    auto const s = solve(inverse, pair.r12), y1 = product(pair.q1, s), y2 = product(pair.q2, s);
-    W const a = dot(s, y1), b = t * dot(s, y2), scale = a + b, noise = inverse.error * scale;
     W const complement = W(1) / (W(1) + tau), lambda = tau * complement;
-    auto const step = prove_step(
-        Stationarity<W>{complement * a - lambda * b, W(4) * noise, t * dot(solve(inverse, y2), y1), W(2) * noise});
+    auto const m = blend(pair.q1, t, pair.q2);
+    auto const inverse = invert_by_adjugate(m);
+    auto const s = solve(inverse, pair.r12);
+    auto const step = prove_step(stationarity_of(pair, t, m, lambda, complement, s, inverse));
     W const change = lambda * complement * step.step;
     bool const proved =
         inverse.error > W(0) && inverse.error <= W(0.0625) && step.proved && step.error <= W(largest_lambda_error<T>());
     T const result = rounded(scaled.swapped ? complement - change : lambda + change);
-    return {rounded(scaled_by(lambda * scale, 2 * (scaled.length - scaled.form))), proved ? result : quiet_nan<T>()};
+    return {rounded(scaled_by(lambda * dot(pair.r12, s), 2 * (scaled.length - scaled.form))),
+            proved ? result : quiet_nan<T>()};
 }
 
 /// The number next to x >= 0 and larger.

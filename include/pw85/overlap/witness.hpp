@@ -105,7 +105,7 @@ maximize_precisely(ScaledPair<T, D> const &scaled, Vector<T, D> const &r12) noex
 template <class T> PW85_FUNCTION inline T spacing(T const &x) noexcept
 {
     using Limits = std::numeric_limits<T>;
-    int const exponent = x == T(0) ? Limits::min_exponent : binary_exponent(absolute(x));
+    int const exponent = x == T(0) ? Limits::min_exponent - 1 : binary_exponent(absolute(x));
     return times_power_of_two(T(1), maximum(exponent + 1, int{Limits::min_exponent}) - Limits::digits);
 }
 
