@@ -1,7 +1,10 @@
 // μ² correctly rounded, and λ within one unit in the last place, against exact arithmetic: Sturm's theorem in integers of any size says
 // on which side of the middle of two numbers μ² is, and the sign of f' in integers says on which side of a number λ is.
 #include <cmath>
+#include <cstdlib>
+#include <fstream>
 #include <limits>
+#include <string>
 #include <vector>
 
 #include <glib.h>
@@ -119,7 +122,7 @@ void expect_steps(Sample<T, D> const &s, RationalPolynomials const &f, T const &
         failures.check(is_within_unit(f, bounds.lambda), "lambda of bounds", shown(bounds.lambda), 0, describe);
     steps.bounds += d::decides(bounds);
     ++steps.pairs;
-    steps.comparisons += d::count_comparisons(pair).comparisons;
+    steps.comparisons += d::round_contact(pair).comparisons;
 
     if (steps.pairs % 16 == 0) {
         int const ratio = d::half_exponent(d::largest_diagonal(s.q1)) - d::half_exponent(d::largest_diagonal(s.q2));
@@ -314,6 +317,39 @@ void test_doubles()
     report(steps);
 }
 
+/// The pairs of data/contact_rounded.wc: lines of 15 numbers with commas between them, and comments behind `#`.
+std::vector<Sample<double, 3>> worst_roundings()
+{
+    std::string path = reference_data_path();
+    path.replace(path.rfind('/') + 1, std::string::npos, "contact_rounded.wc");
+    std::ifstream file(path);
+    std::vector<Sample<double, 3>> found;
+    for (std::string line; std::getline(file, line);) {
+        if (line.empty() || line[0] == '#') continue;
+        Sample<double, 3> s{};
+        char const *next = line.c_str();
+        for (int k = 0; k < 15; ++k) {
+            char *end = nullptr;
+            (k < 3 ? s.r12[k] : k < 9 ? s.q1[k - 3] : s.q2[k - 9]) = std::strtod(next, &end);
+            g_assert_cmpint(*end, ==, k < 14 ? ',' : 0);
+            next = end + 1;
+        }
+        found.push_back(s);
+    }
+    return found;
+}
+
+// The worst pairs known: μ² is so near to the middle of two doubles that doubled numbers leave the rounding open for most of them.
+void test_worst()
+{
+    Failures failures;
+    Steps steps;
+    for (auto const &s : worst_roundings()) expect_rounded(s, failures, steps);
+    report(steps);
+    g_assert_cmpint(steps.pairs, >=, 16);
+    g_assert_cmpint(steps.bounds, <, steps.pairs / 2);
+}
+
 // The ends of the range: subnormal μ², middles of subnormal numbers, and the middle between the largest number and 2^1024.
 void test_ends()
 {
@@ -445,6 +481,7 @@ int main(int argc, char **argv)
     g_test_add_func("/rounded/problems", test_problems);
     g_test_add_func("/rounded/middles", test_middles);
     g_test_add_func("/rounded/doubles", test_doubles);
+    g_test_add_func("/rounded/worst", test_worst);
     g_test_add_func("/rounded/ends", test_ends);
     g_test_add_func("/rounded/enclosure", test_enclosure);
     g_test_add_func("/rounded/status", test_status);

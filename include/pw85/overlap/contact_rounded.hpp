@@ -20,13 +20,14 @@ namespace pw85::detail {
 template <class T> struct MaximumBounds {
     T lower, upper; ///< μ² is between numbers that round to these
     T lambda;
-    T t; ///< near the maximiser
+    T t;             ///< near the maximiser
+    int evaluations; ///< of doubled numbers
 };
 
 template <class T> PW85_FUNCTION constexpr MaximumBounds<T> no_bounds() noexcept
 {
     T const nan = quiet_nan<T>();
-    return {nan, nan, nan, nan};
+    return {nan, nan, nan, nan, 0};
 }
 
 /// Whether the bounds leave one μ². Subnormal numbers are rounded twice, so they are left open.
@@ -52,12 +53,13 @@ PW85_FUNCTION inline T lambda_of(ScaledPair<T, D> const &scaled, Enclosure<T, D>
                           : T(e.lambda.high + (e.lambda.low + change));
 }
 
-template <class T, int D>
-PW85_FUNCTION inline MaximumBounds<T> bounds_of(ScaledPair<T, D> const &scaled, Enclosure<T, D> const &e) noexcept
+template <class T, int D> PW85_FUNCTION inline MaximumBounds<T>
+bounds_of(ScaledPair<T, D> const &scaled, Enclosure<T, D> const &e, int evaluations) noexcept
 {
     int const exponent = 2 * (scaled.length - scaled.form);
     T const lower = e.value.high + (e.value.low - e.below), upper = e.value.high + (e.value.low + e.above);
-    return {times_power_of_two(lower, exponent), times_power_of_two(upper, exponent), lambda_of(scaled, e), e.next.t};
+    return {times_power_of_two(lower, exponent), times_power_of_two(upper, exponent), lambda_of(scaled, e), e.next.t,
+            evaluations};
 }
 
 /// Whether t and τ are so near to one that no product of enclose() leaves the range of the type.
@@ -86,7 +88,7 @@ template <class T, int D> PW85_FUNCTION inline MaximumBounds<T> bound_maximum(Sc
         if (n == 0) at.s = solve(inverse, pair.r12);
         auto const enclosure = enclose(pair, at, m, inverse);
         if (!enclosure.step.proved) break;
-        bounds = bounds_of(scaled, enclosure);
+        bounds = bounds_of(scaled, enclosure, n + 1);
         if (decides(bounds)) break;
         at = enclosure.next;
     }
@@ -212,10 +214,11 @@ template <class T, int D>
     return x;
 }
 
-/// A result, and the comparisons in integers that it took.
+/// A result, and what it took.
 template <class T> struct RoundedContact {
     Contact<T> contact;
-    int comparisons;
+    int evaluations; ///< of doubled numbers
+    int comparisons; ///< in integers
 };
 
 /// Steps 2 and 3, for what step 1 has left open.
@@ -228,7 +231,7 @@ settle(Pair<T, D> const &pair, ScaledPair<T, D> const &scaled, MaximumBounds<T> 
         int const ratio = half_exponent(largest_diagonal(q1)) - half_exponent(largest_diagonal(q2));
         maximum = maximize_to_all_digits(scaled, scaled.swapped ? -ratio : ratio, bounds.t);
     }
-    RoundedContact<T> result{all_nan<Contact<T>>(Status::no_convergence), 0};
+    RoundedContact<T> result{all_nan<Contact<T>>(Status::no_convergence), bounds.evaluations, 0};
     if (!(maximum.lambda >= T(0) && maximum.mu2 >= T(0))) return result;
     T const mu2 = nearest_number(r12, q1, q2, maximum.mu2, result.comparisons);
     result.contact = {mu2, maximum.lambda, Status::success};
@@ -241,26 +244,26 @@ PW85_FUNCTION inline RoundedContact<T> round_contact(Pair<T, D> const &pair, Sca
 {
     MaximumBounds<T> bounds = no_bounds<T>();
     if constexpr (FLT_EVAL_METHOD == 0) bounds = bound_maximum(scaled);
-    if (decides(bounds)) return {{bounds.lower, bounds.lambda, Status::success}, 0};
+    if (decides(bounds)) return {{bounds.lower, bounds.lambda, Status::success}, bounds.evaluations, 0};
     return settle(pair, scaled, bounds);
 }
 
 /// contact_rounded() for a pair that fails the fast checks.
 template <class T, int D>
-[[gnu::noinline]] PW85_FUNCTION inline RoundedContact<T> contact_rounded_scaled(Pair<T, D> pair) noexcept
+[[gnu::noinline]] PW85_FUNCTION inline RoundedContact<T> round_contact_scaled(Pair<T, D> pair) noexcept
 {
     ScaledPair<T, D> scaled;
     Status const status = validate(pair, scaled);
-    if (status != Status::success) return {all_nan<Contact<T>>(status), 0};
-    if (largest_coordinate(pair.r12) == T(0)) return {{T(0), T(0.5), Status::success}, 0};
+    if (status != Status::success) return {all_nan<Contact<T>>(status), 0, 0};
+    if (largest_coordinate(pair.r12) == T(0)) return {{T(0), T(0.5), Status::success}, 0, 0};
     return round_contact(pair, scaled);
 }
 
-/// contact_rounded() with the number of comparisons.
-template <class T, int D> PW85_FUNCTION inline RoundedContact<T> count_comparisons(Pair<T, D> const &pair) noexcept
+/// contact_rounded() with what it took.
+template <class T, int D> PW85_FUNCTION inline RoundedContact<T> round_contact(Pair<T, D> const &pair) noexcept
 {
     return passes_fast_checks(pair) ? round_contact(pair, ScaledPair<T, D>{pair, 0, 0, false})
-                                    : contact_rounded_scaled(pair);
+                                    : round_contact_scaled(pair);
 }
 
 } // namespace pw85::detail
@@ -272,7 +275,7 @@ contact_rounded(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, Symmet
 {
     using namespace detail;
     if constexpr (exact::is_decidable<T>)
-        return count_comparisons(pair_of(r12, q1, q2)).contact;
+        return round_contact(pair_of(r12, q1, q2)).contact;
     else
         return contact(r12, q1, q2);
 }
