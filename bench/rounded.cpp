@@ -1,8 +1,9 @@
 // Compares pw85_contact_rounded() with pw85_contact() on the same pairs, in turn, and prints what decides the rounding, as CSV.
 // Usage: rounded
 //
-// Times are in nanoseconds per pair. `bounds` is the per cent of pairs that the first evaluation in doubled numbers decides, `again`
-// that of pairs that more evaluations decide, `exact` that of pairs for which μ² is compared with the middle of two doubles in integers.
+// Times are in nanoseconds per pair. `bounds` is the per cent of pairs that the first evaluation in doubled numbers decides,
+// `again` that of pairs that more evaluations decide, `exact` that of pairs for which μ² is compared with the middle of two doubles
+// in integers.
 #include <cstdio>
 
 #include <pw85.h>

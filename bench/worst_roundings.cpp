@@ -1,9 +1,9 @@
-// Searches for pairs whose μ² is next to the middle of two doubles, and prints them for data/contact_rounded.wc: the 15 numbers of r12,
-// q1 and q2, in hexadecimal, and above them the distance from the middle. Usage: worst_roundings [PAIRS]
+// Searches for pairs whose μ² is next to the middle of two doubles, and prints them for data/contact_rounded.wc: the 15 numbers of
+// r12, q1 and q2, in hexadecimal, and above them the distance from the middle. Usage: worst_roundings [PAIRS]
 //
-// Around a random pair, μ² is nearly linear in a few steps of the last place of six of its numbers. All sums of three steps are sorted,
-// those of the other three as well. Two sums that add up to the distance of μ² from a middle are found by one pass over both. So 2^42
-// pairs are searched in the time of 2^21. The best hundred are computed in 200 digits.
+// Around a random pair, μ² is nearly linear in a few steps of the last place of six of its numbers. All sums of three steps are
+// sorted, those of the other three as well. Two sums that add up to the distance of μ² from a middle are found by one pass over
+// both. So 2^42 pairs are searched in the time of 2^21. The best hundred are computed in 200 digits.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>

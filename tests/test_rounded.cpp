@@ -1,5 +1,5 @@
-// μ² correctly rounded, and λ within one unit in the last place, against exact arithmetic: Sturm's theorem in integers of any size says
-// on which side of the middle of two numbers μ² is, and the sign of f' in integers says on which side of a number λ is.
+// μ² correctly rounded, and λ within one unit in the last place, against exact arithmetic: Sturm's theorem in integers of any size
+// says on which side of the middle of two numbers μ² is, and the sign of f' in integers says on which side of a number λ is.
 #include <cmath>
 #include <cstdlib>
 #include <fstream>
@@ -258,8 +258,8 @@ void test_problems()
     report(steps);
 }
 
-/// Balls of radii a and 2^k - a whose centres differ by three integers, times a power of two. A map stretches the axes. So μ² is the sum
-/// of the squares over 4^k. Greedy squares leave less than 2^16 of the 106 bits: the sum is `numerator` or just below.
+/// Balls of radii a and 2^k - a whose centres differ by three integers, times a power of two. A map stretches the axes. So μ² is
+/// the sum of the squares over 4^k. Greedy squares leave less than 2^16 of the 106 bits: the sum is `numerator` or just below.
 Sample<double, 3> balls(Random &random, Integer const &numerator, int below)
 {
     double const sum = 64.0, a1 = std::floor(random.uniform(1.0, 64.0)), a2 = sum - a1;
@@ -380,8 +380,8 @@ void test_ends()
     g_assert_cmpint(steps.comparisons, >, draws(400) / 4);
 }
 
-/// The bounds of the enclosure contain μ² and λ, at the maximum and off it. A bound that is never used up by more than a hundredth would
-/// hide errors in the formulas.
+/// The bounds of the enclosure contain μ² and λ, at the maximum and off it. A bound that is never used up by more than a hundredth
+/// would hide errors in the formulas.
 void test_enclosure()
 {
     Failures failures;

@@ -62,8 +62,8 @@ template <class T> PW85_FUNCTION inline Parts<T> exact_product(T const &x, T con
     return {sum.sum, T(sum.rest + a.low * b.low)};
 }
 
-// Processors that fuse operations compute both numbers at once. The addition of zero keeps the compiler from fusing the product with
-// an addition that follows.
+// Processors that fuse operations compute both numbers at once. The addition of zero keeps the compiler from fusing the product
+// with an addition that follows.
 #if defined(__FP_FAST_FMA)
 PW85_FUNCTION inline Parts<double> exact_product(double const &x, double const &y) noexcept
 {

@@ -58,10 +58,10 @@ template <class T, int D> struct AdjugateInverse {
     T error;      ///< η: solutions err by η of themselves in the norm of M
 };
 
-/// The error η of solutions by the adjugate, in units of u/d. To first order an entry of M errs by 2u, one of the adjugate by 12u, the
-/// product of the adjugate and x by 45u |x|, and the determinant by 51u. The norm of M is at most √3 times the length of the solution,
-/// and |x| is at most √3 times the norm of M⁻¹. So η is 190 u/d to first order. The rest is for terms of higher order, for right-hand
-/// sides that are rounded, and for dot products with a solution, which add less than 30 u/√d.
+/// The error η of solutions by the adjugate, in units of u/d. To first order an entry of M errs by 2u, one of the adjugate by 12u,
+/// the product of the adjugate and x by 45u |x|, and the determinant by 51u. The norm of M is at most √3 times the length of the
+/// solution, and |x| is at most √3 times the norm of M⁻¹. So η is 190 u/d to first order. The rest is for terms of higher order,
+/// for right-hand sides that are rounded, and for dot products with a solution, which add less than 30 u/√d.
 inline constexpr int solution_error = 512;
 
 template <class T, int D>
@@ -98,8 +98,9 @@ template <class T, int D> struct DoubledVector {
     Vector<T, D> high, low;
 };
 
-/// A x. Coordinate i errs by at most 16u² Σ|A_ij x_j|: the low part is the sum of terms that add up to 3u times these magnitudes, in
-/// four roundings (T. Ogita, S. M. Rump and S. Oishi, SIAM J. Sci. Comput. 26, 1955, 2005), and products err by 2u² (exact_product()).
+/// A x. Coordinate i errs by at most 16u² Σ|A_ij x_j|: the low part is the sum of terms that add up to 3u times these magnitudes,
+/// in four roundings (T. Ogita, S. M. Rump and S. Oishi, SIAM J. Sci. Comput. 26, 1955, 2005), and products err by 2u²
+/// (exact_product()).
 template <class T, int D>
 PW85_FUNCTION inline DoubledVector<T, D> doubled_product(SymmetricMatrix<T, D> const &a, Vector<T, D> const &x) noexcept
 {
@@ -163,8 +164,8 @@ template <class T> struct ErrorSums {
     T residual; ///< Σ |ρ_i s_i|
 };
 
-/// Entries of a positive definite matrix are at most the geometric means of diagonal entries. So the sum over i, j is at most D times
-/// the sum over the diagonal.
+/// Entries of a positive definite matrix are at most the geometric means of diagonal entries. So the sum over i, j is at most D
+/// times the sum over the diagonal.
 template <class T, int D> PW85_FUNCTION inline ErrorSums<T> error_sums(SymmetricMatrix<T, D> const &m,
                                                                        Vector<T, D> const &r, Vector<T, D> const &s,
                                                                        Vector<T, D> const &rho) noexcept
@@ -174,11 +175,11 @@ template <class T, int D> PW85_FUNCTION inline ErrorSums<T> error_sums(Symmetric
     return {T(D) * diagonal + T(2) * magnitude_of_dot(r, s), magnitude_of_dot(rho, s)};
 }
 
-/// A bound on the errors of f/λ and z, without those of s and w, in units of u² ErrorSums::terms and of u ErrorSums::residual. With K =
-/// Σ |s_i| (|Q1_ij| + t |Q2_ij|) |s_j|:
+/// A bound on the errors of f/λ and z, without those of s and w, in units of u² ErrorSums::terms and of u ErrorSums::residual. With
+/// K = Σ |s_i| (|Q1_ij| + t |Q2_ij|) |s_j|:
 ///
-/// - A coordinate of ρ errs by u of itself and by 128u² Σ (|Q1_ij| + t |Q2_ij|) |s_j|: 34 come from the products, and the others from
-///   five roundings of terms that add up to 16u times these magnitudes. So ρᵀs errs by 128u² K and by 4u ErrorSums::residual.
+/// - A coordinate of ρ errs by u of itself and by 128u² Σ (|Q1_ij| + t |Q2_ij|) |s_j|: 34 come from the products, and the others
+///   from five roundings of terms that add up to 16u times these magnitudes. So ρᵀs errs by 128u² K and by 4u ErrorSums::residual.
 /// - rᵀs errs by 16u² Σ |r_i s_i|, tB by 44u² K.
 /// - Sums and products of doubled numbers, λ and 1-λ among them, add 28u² K.
 /// - In the norm of M⁻¹ the second part of the error of ρ is 864 u²/d √R, which is at most 0.11 u √R as η <= 1/16. It enters ρᵀM⁻¹ρ
@@ -193,11 +194,12 @@ template <class T> PW85_FUNCTION inline T error_of_values(ErrorSums<T> const &su
     return u * (T(accurate_error) * u * sums.terms + T(residual_error) * sums.residual);
 }
 
-/// Bounds on μ² and λ from t and an s near M⁻¹r12. They hold if `step` is proved and η <= 1/16. Let ω = |M⁻¹ρ|/|s| in the norm of M.
+/// Bounds on μ² and λ from t and an s near M⁻¹r12. They hold if `step` is proved and η <= 1/16. Let ω = |M⁻¹ρ|/|s| in the norm of
+/// M.
 ///
 /// - ρᵀM⁻¹ρ is at most 2.3 ρᵀw, besides what error_of_values() contains. It raises f, and 4 ρᵀw are allowed for it.
-/// - z is that of s + w to first order. The terms of second order are below ρᵀM⁻¹ρ. The error of w, which is ηω + 1.7 ηu in units of
-///   |s|, enters z twice, and rounding of the product with w adds less than ηω.
+/// - z is that of s + w to first order. The terms of second order are below ρᵀM⁻¹ρ. The error of w, which is ηω + 1.7 ηu in units
+///   of |s|, enters z twice, and rounding of the product with w adds less than ηω.
 /// - S errs by η/2 R, and by ω/2 R because s is not exact.
 template <class T, int D>
 [[gnu::noinline]] PW85_FUNCTION inline Enclosure<T, D> enclose(Pair<T, D> const &pair, NearMaximum<T, D> const &at,

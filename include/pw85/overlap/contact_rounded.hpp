@@ -15,8 +15,8 @@
 
 namespace pw85::detail {
 
-/// What floating-point numbers prove of the maximum, in the units of the caller. λ is NaN if its last digit is not proved. Numbers that
-/// are not known are NaN.
+/// What floating-point numbers prove of the maximum, in the units of the caller. λ is NaN if its last digit is not proved. Numbers
+/// that are not known are NaN.
 template <class T> struct MaximumBounds {
     T lower, upper; ///< μ² is between numbers that round to these
     T lambda;
@@ -110,8 +110,8 @@ template <class T> struct ExtendedMaximum {
     T mu2, lambda;
 };
 
-/// A bound on the eigenvalues of Q relative to M, at most 1. With M scaled to a unit diagonal, it is the trace of Q over the smallest
-/// eigenvalue of M, which is at least 4d/9.
+/// A bound on the eigenvalues of Q relative to M, at most 1. With M scaled to a unit diagonal, it is the trace of Q over the
+/// smallest eigenvalue of M, which is at least 4d/9.
 template <class T, int D> PW85_FUNCTION inline T largest_share(SymmetricMatrix<T, D> const &q,
                                                                SymmetricMatrix<T, D> const &m, T const &d) noexcept
 {
@@ -120,10 +120,10 @@ template <class T, int D> PW85_FUNCTION inline T largest_share(SymmetricMatrix<T
     return minimum(T(1), T(T(2.25) * sum / d));
 }
 
-/// Bounds on the errors of z and S that are computed from the solution s of the adjugate. s errs by η of itself in the norm of M. Let
-/// π1 and π2 be largest_share() of Q1 and of t Q2. Then A and tB are at most π1 R and π2 R. A errs by 2η π1 R to first order, and its
-/// rounding errors are below η π1 R; the same holds for tB. S is a form with eigenvalues p (1 - p), which are at most π1 and π2. It errs
-/// by 2η of the smaller one times R, and by as much again from the solution v and from rounding.
+/// Bounds on the errors of z and S that are computed from the solution s of the adjugate. s errs by η of itself in the norm of M.
+/// Let π1 and π2 be largest_share() of Q1 and of t Q2. Then A and tB are at most π1 R and π2 R. A errs by 2η π1 R to first order,
+/// and its rounding errors are below η π1 R; the same holds for tB. S is a form with eigenvalues p (1 - p), which are at most π1
+/// and π2. It errs by 2η of the smaller one times R, and by as much again from the solution v and from rounding.
 template <class W, int D>
 PW85_FUNCTION inline Stationarity<W> stationarity_of(Pair<W, D> const &pair, W const &t, SymmetricMatrix<W, D> const &m,
                                                      W const &lambda, W const &complement, Vector<W, D> const &s,
@@ -187,8 +187,8 @@ template <class T> PW85_FUNCTION inline bool is_even(T const &x) noexcept
     return fraction.sign == 0 || fraction.exponent > binary_exponent(spacing(x));
 }
 
-/// Step 3: the number nearest to μ², for a valid pair with r12 != 0. If two are equally near, it is the one whose last digit is 0. It
-/// is infinity if μ² is at least as large as the middle of the largest number and the next power of two. The function goes from
+/// Step 3: the number nearest to μ², for a valid pair with r12 != 0. If two are equally near, it is the one whose last digit is 0.
+/// It is infinity if μ² is at least as large as the middle of the largest number and the next power of two. The function goes from
 /// `guess` >= 0 to the neighbours until it has found μ². It counts the comparisons.
 template <class T, int D>
 [[gnu::noinline]] PW85_FUNCTION inline T nearest_number(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
