@@ -73,6 +73,7 @@ module pw85
   public :: pw85_ellipsoid_factor
   public :: pw85_ellipse
   public :: pw85_contact
+  public :: pw85_contact_rounded
   public :: pw85_contact_factored
   public :: pw85_condition
   public :: pw85_contact_function
@@ -107,6 +108,7 @@ module pw85
   public :: pw85_intersect_line
   public :: pw85_contact_batch
   public :: pw85_overlap_batch
+  public :: pw85_contact_rounded_batch
   public :: pw85_compare_batch
   public :: pw85_overlap_witness_batch
   public :: pw85_contains_batch
@@ -235,6 +237,14 @@ module pw85
       real(c_double), intent(out) :: out(2)
       integer(c_int) :: status
     end function pw85_contact
+
+    !> Contact function of two ellipsoids, with μ² correctly rounded.
+    function pw85_contact_rounded(r12, q1, q2, out) result(status) bind(C, name='pw85_contact_rounded')
+      import
+      real(c_double), intent(in) :: r12(3), q1(6), q2(6)
+      real(c_double), intent(out) :: out(2)
+      integer(c_int) :: status
+    end function pw85_contact_rounded
 
     !> Contact function of two ellipsoids that are given by factors of their forms, Q1 = S1 S1ᵀ and Q2 = S2 S2ᵀ.
     function pw85_contact_factored(r12, s1, s2, out) result(status) bind(C, name='pw85_contact_factored')
@@ -546,6 +556,16 @@ module pw85
       integer(c_int8_t), intent(out) :: overlap(n)
       integer(c_int) :: status
     end function pw85_overlap_batch
+
+    !> pw85_contact_rounded() for n pairs.
+    function pw85_contact_rounded_batch(n, r12, q1, q2, mu2, lambda) result(status) bind(C, &
+      name='pw85_contact_rounded_batch')
+      import
+      integer(c_size_t), value :: n
+      real(c_double), intent(in) :: r12(3, n), q1(6, n), q2(6, n)
+      real(c_double), intent(out), optional :: mu2(n), lambda(n)
+      integer(c_int) :: status
+    end function pw85_contact_rounded_batch
 
     !> pw85_compare() for n pairs.
     function pw85_compare_batch(n, r12, q1, q2, mu2, sign) result(status) bind(C, name='pw85_compare_batch')

@@ -157,6 +157,20 @@ PW85_API int pw85_ellipse(double a, double b, double angle, double q[3]);
 PW85_API int pw85_contact(double const r12[PW85_DIM], double const q1[PW85_SYM], double const q2[PW85_SYM],
                           double out[2]);
 
+/** Contact function of two ellipsoids, with μ² correctly rounded: it is the double nearest to the exact value for the numbers given.
+ *
+ * If two doubles are equally near, μ² is the one whose last bit is 0. Underflow and overflow follow the same rule: a μ² that is at
+ * least 2¹⁰²⁴ - 2⁹⁷⁰ becomes infinity, with success. λ errs by less than one unit in the last place. So every processor and every
+ * instruction set gives the same μ², as do the pair with both ellipsoids exchanged and, if μ² stays in the range of normal doubles,
+ * the pair in other units that are powers of two.
+ *
+ * @param r12,q1,q2 as for pw85_contact()
+ * @param[out] out (μ², λ), with the maximiser λ of f in [0, 1]
+ * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD, #PW85_ECONVERGENCE (the last digit of λ cannot be proved; this has never been
+ *         seen) */
+PW85_API int pw85_contact_rounded(double const r12[PW85_DIM], double const q1[PW85_SYM], double const q2[PW85_SYM],
+                                  double out[2]);
+
 /** Contact function of two ellipsoids that are given by factors of their forms, Q1 = S1 S1ᵀ and Q2 = S2 S2ᵀ.
  *
  * Rounding a form to doubles changes μ² by some 1e-12 at aspect ratio 100, 1e-8 at 10⁴ and 1e-4 at 10⁶, because the squares of the
@@ -569,6 +583,17 @@ PW85_API int pw85_contact_batch(size_t n, double const *r12, double const *q1, d
  * @return as for pw85_contact_batch() */
 PW85_API int pw85_overlap_batch(size_t n, double const *r12, double const *q1, double const *q2,
                                 unsigned char *overlap);
+
+/** pw85_contact_rounded() for n pairs; the bits are the same.
+ *
+ * @param n number of pairs
+ * @param r12 n×3
+ * @param q1,q2 n×6
+ * @param[out] mu2 n, or null
+ * @param[out] lambda n, or null
+ * @return as for pw85_contact_batch(), or #PW85_ECONVERGENCE as for pw85_contact_rounded() */
+PW85_API int pw85_contact_rounded_batch(size_t n, double const *r12, double const *q1, double const *q2, double *mu2,
+                                        double *lambda);
 
 /** pw85_compare() for n pairs; the signs are the same.
  *

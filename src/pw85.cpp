@@ -76,6 +76,12 @@ int pw85_contact(double const r12[3], double const q1[6], double const q2[6], do
     return in_default_environment(kernels::chosen().one_pair->contact, r12, q1, q2, out);
 }
 
+int pw85_contact_rounded(double const r12[3], double const q1[6], double const q2[6], double out[2])
+{
+    if (any_null(r12, q1, q2, out)) return null_pointer(out, 2);
+    return in_default_environment(kernels::chosen().one_pair->contact_rounded, r12, q1, q2, out);
+}
+
 int pw85_contact_factored(double const r12[3], double const s1[9], double const s2[9], double out[2])
 {
     if (any_null(r12, s1, s2, out)) return null_pointer(out, 2);

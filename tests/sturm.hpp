@@ -67,8 +67,13 @@ template <class T> Integer shifted(T const &x, int shift)
     return n >= 0 ? Integer(mantissa << n) : Integer(mantissa / (Integer(1) << -n));
 }
 
-/// t a(t) - m (1 + t) b(t), times a positive number: a is minus the determinant of the bordered matrix.
-template <class T, int D> Polynomial quartic(Sample<T, D> const &s, T const &m = T(1))
+/// a(t) = rᵀ adj(Q1 + t Q2) r and b(t) = det(Q1 + t Q2), both times the same positive number. a is minus the determinant of the
+/// bordered matrix.
+struct RationalPolynomials {
+    Polynomial a, b;
+};
+
+template <class T, int D> RationalPolynomials rational_polynomials(Sample<T, D> const &s)
 {
     int shift = 0;
     for (int i = 0; i < D; ++i) shift = std::max(shift, digits_after_point(s.r12[i]));
@@ -87,12 +92,24 @@ template <class T, int D> Polynomial quartic(Sample<T, D> const &s, T const &m =
         trim(bordered[row][D]);
         bordered[D][row] = bordered[row][D];
     }
-    int const point = digits_after_point(m) > 0 ? digits_after_point(m) : 0;
-    Integer const factor = shifted(m, point);
-    Polynomial p;
-    add_product(p, -1, {0, Integer(1) << point}, determinant(bordered));
-    add_product(p, -1, {factor, factor}, determinant(blend));
+    RationalPolynomials p{{}, determinant(blend)};
+    add_product(p.a, -1, {Integer(1)}, determinant(bordered));
     return p;
+}
+
+/// t a(t) - m (1 + t) b(t) for m = factor/2^point, times a positive number.
+inline Polynomial quartic(RationalPolynomials const &f, Integer const &factor, int point)
+{
+    Polynomial p;
+    add_product(p, 1, {0, Integer(1) << point}, f.a);
+    add_product(p, -1, {factor, factor}, f.b);
+    return p;
+}
+
+template <class T, int D> Polynomial quartic(Sample<T, D> const &s, T const &m = T(1))
+{
+    int const point = digits_after_point(m) > 0 ? digits_after_point(m) : 0;
+    return quartic(rational_polynomials(s), shifted(m, point), point);
 }
 
 /// A positive multiple of minus the remainder of x by y.
@@ -150,6 +167,13 @@ inline int sign_of(Roots const &roots) { return roots.positive == 0 ? -1 : roots
 
 /// The sign of μ² - m, m > 0.
 template <class T, int D> int true_sign(Sample<T, D> const &s, T const &m) { return sign_of(roots_of(quartic(s, m))); }
+
+/// The sign of μ² - (m + spacing/2), for m >= 0 and a power of two.
+template <class T> int true_sign_of_middle(RationalPolynomials const &f, T const &m, T const &spacing)
+{
+    int const point = std::max(0, digits_after_point(spacing)) + 1;
+    return sign_of(roots_of(quartic(f, Integer(shifted(m, point) + shifted(spacing, point - 1)), point)));
+}
 
 } // namespace pw85_tests
 

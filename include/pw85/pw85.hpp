@@ -144,6 +144,16 @@ template <class T, int D> PW85_FUNCTION inline BoundingBox<T, D> bounding_box(Sy
 template <class T, int D> PW85_FUNCTION inline Contact<T>
 contact(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, SymmetricMatrix<T, D> const &q2) noexcept;
 
+/// contact() with μ² correctly rounded: it is the number of the type that is nearest to the exact value for the numbers given. If two
+/// are equally near, it is the one whose last digit is 0. λ errs by less than one unit in the last place. For multiprecision numbers
+/// the results are those of contact().
+///
+/// @param r12,q1,q2 as for contact()
+/// @return μ² and λ in [0, 1]; μ² is infinity if it overflows, with success; Status::invalid_argument, Status::not_positive_definite,
+/// Status::no_convergence (the last digit of λ cannot be proved; this has never been seen)
+template <class T, int D> PW85_FUNCTION inline Contact<T>
+contact_rounded(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, SymmetricMatrix<T, D> const &q2) noexcept;
+
 /// contact() of ellipsoids that are given by factors of their forms, Q1 = S1 S1ᵀ and Q2 = S2 S2ᵀ. Slender ellipsoids keep the digits
 /// that the squares of their semi-axes lose: see pw85_contact_factored() in pw85.h.
 ///
@@ -435,6 +445,7 @@ intersect_line(Vector<T, D> const &origin, Vector<T, D> const &direction, Symmet
 #include <pw85/distance/walls.hpp>
 #include <pw85/motion/first_contact.hpp>
 #include <pw85/overlap/compare.hpp>
+#include <pw85/overlap/contact_rounded.hpp>
 #include <pw85/overlap/containment.hpp>
 #include <pw85/overlap/overlap.hpp>
 #include <pw85/overlap/witness.hpp>

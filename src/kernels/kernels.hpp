@@ -203,6 +203,7 @@ struct OnePairKernels {
     int (*first_contact)(double const *r12, double const *q1, double const *q2, pw85_motion const *motion1,
                          pw85_motion const *motion2, double end, double *time) noexcept;
     int (*contact_factored)(double const *r12, double const *s1, double const *s2, double *out) noexcept;
+    int (*contact_rounded)(double const *r12, double const *q1, double const *q2, double *out) noexcept;
 };
 
 /// A function for many pairs, one per lane.

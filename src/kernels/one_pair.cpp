@@ -8,6 +8,7 @@
 #include <pw85/contact/geometry.hpp>
 #include <pw85/distance/distance_derivatives.hpp>
 #include <pw85/motion/first_contact.hpp>
+#include <pw85/overlap/contact_rounded.hpp>
 #include <pw85/overlap/overlap.hpp>
 
 #include "../c_arrays.hpp"
@@ -36,6 +37,15 @@ int contact_factored(double const *r12, double const *s1, double const *s2, doub
 {
     auto const c =
         pw85::contact_factored(c_api::load_vector<3>(r12), c_api::load_factor<3>(s1), c_api::load_factor<3>(s2));
+    out[0] = c.mu2;
+    out[1] = c.lambda;
+    return static_cast<int>(c.status);
+}
+
+int contact_rounded(double const *r12, double const *q1, double const *q2, double *out) noexcept
+{
+    auto const c =
+        pw85::contact_rounded(c_api::load_vector<3>(r12), c_api::load_matrix<3>(q1), c_api::load_matrix<3>(q2));
     out[0] = c.mu2;
     out[1] = c.lambda;
     return static_cast<int>(c.status);
@@ -135,7 +145,7 @@ int first_contact(double const *r12, double const *q1, double const *q2, pw85_mo
 
 extern OnePairKernels const PW85_ONE_PAIR_KERNELS;
 OnePairKernels const PW85_ONE_PAIR_KERNELS = {
-    contact,          overlap,  contact_geometry,     contact_gradient, contact_torque,  contact_hessian,
-    closest_approach, distance, distance_derivatives, first_contact,    contact_factored};
+    contact,          overlap,  contact_geometry,     contact_gradient, contact_torque,   contact_hessian,
+    closest_approach, distance, distance_derivatives, first_contact,    contact_factored, contact_rounded};
 
 } // namespace pw85::detail::kernels

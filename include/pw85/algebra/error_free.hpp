@@ -1,6 +1,6 @@
 /// @file
-/// Error-free transformations: sums and products together with their rounding errors. doubled.hpp, contact/refinement.hpp and
-/// motion/approach.hpp call them.
+/// Error-free transformations: sums and products together with their rounding errors. doubled.hpp, contact/refinement.hpp,
+/// contact/enclosure.hpp and motion/approach.hpp call them.
 #ifndef PW85_ALGEBRA_ERROR_FREE_HPP_INCLUDED
 #define PW85_ALGEBRA_ERROR_FREE_HPP_INCLUDED
 
@@ -50,6 +50,41 @@ template <class T> PW85_FUNCTION inline void add(CompensatedSum<T> &c, T const &
     T const sum = c.sum + x, part = sum - c.sum;
     c.rest = c.rest + ((c.sum - (sum - part)) + (x - part));
     c.sum = sum;
+}
+
+/// x y as the sum of two numbers. The error is at most 2u² |x y|: the second number is rounded.
+template <class T> PW85_FUNCTION inline Parts<T> exact_product(T const &x, T const &y) noexcept
+{
+    Parts<T> const a = split(x), b = split(y);
+    CompensatedSum<T> sum{a.high * b.high, T(0)};
+    add(sum, T(a.high * b.low));
+    add(sum, T(a.low * b.high));
+    return {sum.sum, T(sum.rest + a.low * b.low)};
+}
+
+// Processors that fuse operations compute both numbers at once. The addition of zero keeps the compiler from fusing the product
+// with an addition that follows.
+#if defined(__FP_FAST_FMA)
+PW85_FUNCTION inline Parts<double> exact_product(double const &x, double const &y) noexcept
+{
+    double const high = __builtin_fma(x, y, 0.0);
+    return {high, __builtin_fma(x, y, -high)};
+}
+#endif
+#if defined(__FP_FAST_FMAF)
+PW85_FUNCTION inline Parts<float> exact_product(float const &x, float const &y) noexcept
+{
+    float const high = __builtin_fmaf(x, y, 0.0f);
+    return {high, __builtin_fmaf(x, y, -high)};
+}
+#endif
+
+/// Adds x y to a sum.
+template <class T> PW85_FUNCTION inline void add_product(CompensatedSum<T> &c, T const &x, T const &y) noexcept
+{
+    Parts<T> const product = exact_product(x, y);
+    add(c, product.high);
+    c.rest = c.rest + product.low;
 }
 
 template <class T>

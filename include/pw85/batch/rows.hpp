@@ -34,6 +34,17 @@ static inline Status overlap_batch(Vectors r12, Forms q1, Forms q2, std::span<un
     return detail::call_rows(pw85_overlap_batch, r12, q1, q2, overlap);
 }
 
+/// contact_rounded() for many pairs: see pw85_contact_rounded_batch().
+///
+/// @param r12,q1,q2 one for each pair
+/// @param[out] mu2,lambda one for each pair, or empty
+/// @return as for contact_batch(), or Status::no_convergence as for contact_rounded()
+static inline Status contact_rounded_batch(Vectors r12, Forms q1, Forms q2, std::span<double> mu2,
+                                           std::span<double> lambda = {}) noexcept
+{
+    return detail::call_rows(pw85_contact_rounded_batch, r12, q1, q2, mu2, lambda);
+}
+
 /// compare() for many pairs: see pw85_compare_batch().
 ///
 /// @param r12,q1,q2 one for each pair

@@ -117,10 +117,10 @@ template <int D> PW85_FUNCTION constexpr RationalForm<Polynomial> symbolic_form(
     return form;
 }
 
-/// A number sign·m·2^exponent with an odd integer m. The number is zero if the sign is zero.
+/// A number sign·m·2^exponent with an odd integer m. The number is zero if the sign is zero. It has room for one digit more than T.
 template <class T> struct BinaryFraction {
-    Digits<limbs_for(std::numeric_limits<T>::digits)> magnitude; ///< m
-    int length;                                                  ///< bits of m
+    Digits<limbs_for(std::numeric_limits<T>::digits + 1)> magnitude; ///< m
+    int length;                                                      ///< bits of m
     int exponent;
     int sign;
 };
@@ -170,7 +170,7 @@ template <class T, int D> struct Numbers {
 /// Converts the numbers of a pair and of a comparison. `m` must be positive.
 template <class T, int D>
 PW85_FUNCTION inline Numbers<T, D> to_numbers(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
-                                              SymmetricMatrix<T, D> const &q2, T const &m = T(1)) noexcept
+                                              SymmetricMatrix<T, D> const &q2, BinaryFraction<T> const &m) noexcept
 {
     Numbers<T, D> numbers;
     numbers.r = numbers.q = numbers.m = no_digits();
@@ -178,8 +178,15 @@ PW85_FUNCTION inline Numbers<T, D> to_numbers(Vector<T, D> const &r12, Symmetric
     for (int i = 0; i < D; ++i) numbers.r.include(numbers.x[index++] = to_binary_fraction(r12[i]));
     for (int k = 0; k < q1.size; ++k) numbers.q.include(numbers.x[index++] = to_binary_fraction(q1[k]));
     for (int k = 0; k < q2.size; ++k) numbers.q.include(numbers.x[index++] = to_binary_fraction(q2[k]));
-    numbers.m.include(numbers.x[index] = to_binary_fraction(m));
+    numbers.m.include(numbers.x[index] = m);
     return numbers;
+}
+
+template <class T, int D>
+PW85_FUNCTION inline Numbers<T, D> to_numbers(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
+                                              SymmetricMatrix<T, D> const &q2, T const &m = T(1)) noexcept
+{
+    return to_numbers(r12, q1, q2, to_binary_fraction(m));
 }
 
 /// The exponent of a power of two that exceeds all entries of m Q1 and m Q2.
@@ -423,15 +430,26 @@ requires exact::is_decidable<T>
     return to_decision(!overlap, overlap);
 }
 
-/// The sign of μ² - m for the numbers exactly as given. m must be positive. It uses a fixed array on the stack: 10 KiB for double.
+/// The sign of μ² - m for the numbers exactly as given. m must be positive, and a multiple of half of the smallest positive number:
+/// it is a number of the type, or in the middle of two. It uses a fixed array on the stack: 10 KiB for double.
 template <class T, int D>
 requires exact::is_decidable<T>
 [[gnu::noinline]] static int compare_exactly(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
-                                             SymmetricMatrix<T, D> const &q2, T const &m) noexcept
+                                             SymmetricMatrix<T, D> const &q2,
+                                             exact::BinaryFraction<T> const &m) noexcept
 {
     using namespace exact;
-    Limb memory[Sizes(max_bits<T>(std::numeric_limits<T>::max_exponent)).total];
+    Limb memory[Sizes(max_bits<T>(std::numeric_limits<T>::max_exponent) + 1).total];
     return sign_of_difference(to_numbers(r12, q1, q2, m), memory);
+}
+
+template <class T, int D>
+requires exact::is_decidable<T> PW85_FUNCTION inline int compare_exactly(Vector<T, D> const &r12,
+                                                                         SymmetricMatrix<T, D> const &q1,
+                                                                         SymmetricMatrix<T, D> const &q2,
+                                                                         T const &m) noexcept
+{
+    return compare_exactly(r12, q1, q2, exact::to_binary_fraction(m));
 }
 
 } // namespace pw85::detail

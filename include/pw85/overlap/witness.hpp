@@ -57,10 +57,11 @@ template <class T, int D> struct PreciseMaximum {
 /// search ends with at most 2^-15, and three steps leave less than 2^-300.
 inline constexpr int steps_to_all_digits = 3;
 
-/// The maximiser t of a pair, to all digits of the type W.
-template <class W, int D> [[gnu::noinline]] PW85_FUNCTION inline W precise_maximiser(Pair<W, D> const &pair) noexcept
+/// The maximiser t of a pair, to all digits of the type W, by a search that starts at `guess`.
+template <class W, int D>
+[[gnu::noinline]] PW85_FUNCTION inline W precise_maximiser(Pair<W, D> const &pair, W const &guess) noexcept
 {
-    Candidate<W> candidate{initial_guess(pair), W(1), W(0)};
+    Candidate<W> candidate{guess, W(1), W(0)};
     int evaluations = 0;
     search(pair, candidate, Precision::working, evaluations);
     W t = candidate.t;
@@ -84,7 +85,8 @@ maximize_precisely(ScaledPair<T, D> const &scaled, Vector<T, D> const &r12) noex
 {
     using W = exact::Extended<T>;
     auto const pair = widened<W>(scaled.pair);
-    W const t = precise_maximiser(pair), tau = pair.ratio * pair.ratio * t, complement = W(1) / (W(1) + tau);
+    W const t = precise_maximiser(pair, initial_guess(pair)), tau = pair.ratio * pair.ratio * t,
+            complement = W(1) / (W(1) + tau);
     auto const s = solve(factorize_blend(W(1), pair.q1, t, pair.q2), pair.r12), x = product(pair.q1, s);
     W const mu2 = scaled_by(tau * complement * dot(pair.r12, s), 2 * (scaled.length - scaled.form));
     PreciseMaximum<T, D> result{
@@ -103,7 +105,7 @@ maximize_precisely(ScaledPair<T, D> const &scaled, Vector<T, D> const &r12) noex
 template <class T> PW85_FUNCTION inline T spacing(T const &x) noexcept
 {
     using Limits = std::numeric_limits<T>;
-    int const exponent = x == T(0) ? Limits::min_exponent : binary_exponent(absolute(x));
+    int const exponent = x == T(0) ? Limits::min_exponent - 1 : binary_exponent(absolute(x));
     return times_power_of_two(T(1), maximum(exponent + 1, int{Limits::min_exponent}) - Limits::digits);
 }
 
