@@ -22,8 +22,9 @@
  * - #PW85_EINVAL has three causes, the same in every function: a pointer is null, and its description does not allow that; a
  *   number is NaN or infinite, and its description does not allow that; or an argument is outside of the range that its
  *   description states, as "> 0". #PW85_ENOTPD says that a form is not positive definite. The chapter on errors has a table.
- * - Only the functions of neighbour lists allocate memory. No function prints anything, ends the process, or shares state with
- *   another call: any number of threads may call any functions at the same time.
+ * - Only the functions of neighbour lists allocate memory. No function prints anything or ends the process. No
+ *   function shares state with another call, except that pw85_set_reproducible() sets a mode of the process: any number of threads may
+ *   call any functions at the same time.
  * - No function needs more than 16 KiB of stack, besides what the dynamic linker takes to bind it at its first call. The
  *   threads that a batch starts have stacks of their own, which OpenMP provides.
  * - Functions compute in the default floating-point environment. The rounding mode, status flags and traps of the caller do not

@@ -15,15 +15,13 @@ using namespace pw85_tests;
 namespace {
 
 // Enough digits for angles up to 2^1000.
-using Wide = boost::multiprecision::number<boost::multiprecision::cpp_bin_float<1200, boost::multiprecision::digit_base_2>,
-                                           boost::multiprecision::et_off>;
+using Wide =
+    boost::multiprecision::number<boost::multiprecision::cpp_bin_float<1200, boost::multiprecision::digit_base_2>,
+                                  boost::multiprecision::et_off>;
 
 double ulp(double x) { return std::nextafter(std::fabs(x), HUGE_VAL) - std::fabs(x); }
 
-double error_of(double computed, Wide const &exact)
-{
-    return static_cast<double>(abs(Wide(computed) - exact));
-}
+double error_of(double computed, Wide const &exact) { return static_cast<double>(abs(Wide(computed) - exact)); }
 
 void check_angle(double angle, Failures &failures)
 {
@@ -44,7 +42,8 @@ void test_sine_cosine()
     Failures failures;
     Random random(40);
     for (int n = 0; n < draws(4000); ++n) {
-        check_angle(random.sign() * random.log_uniform(n % 4 == 0 ? 1e-300 : 1e-3, n % 4 == 1 ? 0x1p100 : 8.0), failures);
+        check_angle(random.sign() * random.log_uniform(n % 4 == 0 ? 1e-300 : 1e-3, n % 4 == 1 ? 0x1p100 : 8.0),
+                    failures);
         double const multiple = std::floor(random.log_uniform(1.0, n % 2 == 0 ? 10.0 : 1e9)) * 1.5707963267948966;
         check_angle(multiple, failures);
         check_angle(std::nextafter(multiple, 0.0), failures);
@@ -102,8 +101,8 @@ void test_special_powers()
         for (double const exponent : {-1e300, -0x1p70, -1e5, -33.5, -0.25, 0.25, 33.5, 1e5, 0x1p70, 1e300}) {
             double const computed = power_of(x, exponent), expected = std::pow(x, exponent);
             double const arguments[] = {x, exponent};
-            failures.check(computed == expected || std::fabs(computed / expected - 1) < 1e-15, "power", computed, expected,
-                           [&] { return hex_text(arguments, 2); });
+            failures.check(computed == expected || std::fabs(computed / expected - 1) < 1e-15, "power", computed,
+                           expected, [&] { return hex_text(arguments, 2); });
         }
     g_assert_true(std::isnan(power_of(std::numeric_limits<double>::quiet_NaN(), 0.3)));
     g_assert_true(std::isnan(power_of(-1.0, 0.3)));

@@ -73,10 +73,7 @@ Kernels const &chosen() noexcept
     return target != nullptr ? *target : choose();
 }
 
-void set_reproducible(bool on) noexcept
-{
-    current.store(on ? &reproducible : &newest(), std::memory_order_relaxed);
-}
+void set_reproducible(bool on) noexcept { current.store(on ? &reproducible : &newest(), std::memory_order_relaxed); }
 
 bool is_reproducible() noexcept { return &chosen() == &reproducible; }
 

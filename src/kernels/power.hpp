@@ -97,10 +97,13 @@ PW85_INLINE Pack exponential(Doubled<Pack> const &z) noexcept
     PackMask const in_range = absolute(z.high) <= Pack(800.0);
     Pack const limited = maximum(Pack(-800.0), minimum(Pack(800.0), z.high));
     Pack const power = exponential({limited, select(in_range, z.low, Pack(0.0))});
-    Pack const of_zero = Pack(y > 0.0 ? 0.0 : y < 0.0 ? infinity<double>() : 1.0),
-               of_infinity = Pack(y > 0.0 ? infinity<double>() : y < 0.0 ? 0.0 : 1.0);
-    Pack const special =
-        select(x == Pack(0.0), of_zero, select(x > Pack(0.0), of_infinity, Pack(quiet_nan<double>())));
+    Pack const of_zero = Pack(y > 0.0   ? 0.0
+                              : y < 0.0 ? infinity<double>()
+                                        : 1.0),
+               of_infinity = Pack(y > 0.0   ? infinity<double>()
+                                  : y < 0.0 ? 0.0
+                                            : 1.0);
+    Pack const special = select(x == Pack(0.0), of_zero, select(x > Pack(0.0), of_infinity, Pack(quiet_nan<double>())));
     return select(x > Pack(0.0) && x <= Pack(largest_number<double>()), power, special).v;
 }
 

@@ -72,10 +72,9 @@ PW85_FUNCTION inline double sine_of_rest(Doubled<double> const &x) noexcept
     double const series =
         -1.0 / 6 +
         w * (1.0 / 120 +
-             w * (-1.0 / 5040 +
-                  w * (1.0 / 362880 +
-                       w * (-1.0 / 39916800 +
-                            w * (1.0 / 6227020800 + w * (-1.0 / 1307674368000 + w * (1.0 / 355687428096000)))))));
+             w * (-1.0 / 5040 + w * (1.0 / 362880 + w * (-1.0 / 39916800 +
+                                                         w * (1.0 / 6227020800 + w * (-1.0 / 1307674368000 +
+                                                                                      w * (1.0 / 355687428096000)))))));
     return h + (h * w * series + x.low * (1.0 - 0.5 * w));
 }
 
@@ -86,9 +85,8 @@ PW85_FUNCTION inline double cosine_of_rest(Doubled<double> const &x) noexcept
     double const series =
         1.0 / 24 +
         w * (-1.0 / 720 +
-             w * (1.0 / 40320 +
-                  w * (-1.0 / 3628800 +
-                       w * (1.0 / 479001600 + w * (-1.0 / 87178291200 + w * (1.0 / 20922789888000))))));
+             w * (1.0 / 40320 + w * (-1.0 / 3628800 +
+                                     w * (1.0 / 479001600 + w * (-1.0 / 87178291200 + w * (1.0 / 20922789888000))))));
     return first + (((1.0 - first) - half) + (w * w * series - h * x.low));
 }
 
