@@ -49,7 +49,7 @@ void test_choice()
         break;
     }
     char const *const mode = std::getenv("PW85_REPRODUCIBLE");
-    bool const on = mode != nullptr && std::strcmp(mode, "0") != 0;
+    bool const on = mode != nullptr && *mode != '\0' && std::strcmp(mode, "0") != 0;
     g_assert_cmpstr(chosen, ==, on ? "reproducible" : expected);
     using namespace pw85::detail::kernels;
     for (bool const other : {true, false}) {
