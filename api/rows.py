@@ -73,7 +73,8 @@ def is_of_one_row(function, listed):
         return one.type == "pw85_motion" or (one.type == "double" and (not one.pointer or one.length is not None))
 
     has_result = function.type == "double" or any(one.is_output() for one in listed)
-    return function.type in ("int", "double", "void") and bool(listed) and has_result and all(map(is_known, listed))
+    has_input = not all(one.is_output() for one in listed)
+    return function.type in ("int", "double", "void") and has_input and has_result and all(map(is_known, listed))
 
 
 def is_of_many_rows(listed):

@@ -67,6 +67,8 @@ module pw85
 
   public :: pw85_version
   public :: pw85_strerror
+  public :: pw85_set_reproducible
+  public :: pw85_is_reproducible
   public :: pw85_spheroid
   public :: pw85_ellipsoid
   public :: pw85_ellipsoid_quaternion
@@ -189,6 +191,20 @@ module pw85
       integer(c_int), value :: status
       type(c_ptr) :: value
     end function c_strerror
+
+    !> Switches the reproducible mode on or off, for all threads of the process.
+    function pw85_set_reproducible(on) result(status) bind(C, name='pw85_set_reproducible')
+      import
+      integer(c_int), value :: on
+      integer(c_int) :: status
+    end function pw85_set_reproducible
+
+    !> Whether the reproducible mode is on.
+    function pw85_is_reproducible(on) result(status) bind(C, name='pw85_is_reproducible')
+      import
+      integer(c_int), intent(out) :: on
+      integer(c_int) :: status
+    end function pw85_is_reproducible
 
     !> Quadratic form of a spheroid, Q = a² I + (c² - a²) n nᵀ.
     subroutine pw85_spheroid(a, c, n, q) bind(C, name='pw85_spheroid')

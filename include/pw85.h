@@ -22,8 +22,9 @@
  * - #PW85_EINVAL has three causes, the same in every function: a pointer is null, and its description does not allow that; a
  *   number is NaN or infinite, and its description does not allow that; or an argument is outside of the range that its
  *   description states, as "> 0". #PW85_ENOTPD says that a form is not positive definite. The chapter on errors has a table.
- * - Only the functions of neighbour lists allocate memory. No function prints anything, ends the process, or shares state with
- *   another call: any number of threads may call any functions at the same time.
+ * - Only the functions of neighbour lists allocate memory. No function prints anything or ends the process. No
+ *   function shares state with another call, except that pw85_set_reproducible() sets a mode of the process: any number of threads may
+ *   call any functions at the same time.
  * - No function needs more than 16 KiB of stack, besides what the dynamic linker takes to bind it at its first call. The
  *   threads that a batch starts have stacks of their own, which OpenMP provides.
  * - Functions compute in the default floating-point environment. The rounding mode, status flags and traps of the caller do not
@@ -85,6 +86,27 @@ PW85_API char const *pw85_version(void);
  * @param status any number
  * @return the sentence, a constant; never null */
 PW85_API char const *pw85_strerror(int status);
+
+/** Switches the reproducible mode on or off, for all threads of the process.
+ *
+ * In this mode all functions of pw85.h give the same bits on every processor and with every number of threads: on x86-64 with any
+ * instruction set, 32-bit x86 with SSE2, 64-bit ARM and z/Architecture, whatever the byte order. The functions use no fused
+ * multiplication and addition, and registers of two doubles at most, so that those of many pairs are slower.
+ * pw85_contact_function() returns the numbers of pw85_contact(), because Brent's method comes from a library that is compiled
+ * elsewhere. The functions of pw85_gpu.h and pw85_zheng.h do not follow the mode.
+ *
+ * If the environment variable PW85_REPRODUCIBLE is neither empty nor 0 at the first call of a function, the process starts in this
+ * mode. A call that runs in another thread while the mode changes may compute some of its pairs in either mode.
+ *
+ * @param on 1 or 0
+ * @return #PW85_SUCCESS or #PW85_EINVAL */
+PW85_API int pw85_set_reproducible(int on);
+
+/** Whether the reproducible mode is on: see pw85_set_reproducible().
+ *
+ * @param[out] on 1 or 0
+ * @return #PW85_SUCCESS or #PW85_EINVAL */
+PW85_API int pw85_is_reproducible(int *on);
 
 /** @}
  * @name Quadratic forms
@@ -556,7 +578,8 @@ PW85_API int pw85_intersect_line(double const origin[PW85_DIM], double const dir
  *
  * The result for a pair depends on the pair and on the instruction set alone: not on its position, the number of pairs, or the
  * number of threads. The library uses the newest instruction set of the processor that it knows. The environment variable
- * PW85_TARGET (baseline, avx2, avx512), which is read once, makes it use an older one.
+ * PW85_TARGET (baseline, avx2, avx512), which is read once, makes it use an older one. pw85_set_reproducible() makes the result
+ * independent of the instruction set.
  *
  * With OpenMP, threads share the pairs; OMP_NUM_THREADS or omp_set_num_threads() sets their number. The threads of GNU OpenMP do
  * not survive fork(): a process that was forked after a threaded call must set one thread before it calls these functions.

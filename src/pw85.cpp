@@ -33,6 +33,20 @@ char const *pw85_version(void) { return PW85_VERSION; }
 
 char const *pw85_strerror(int status) { return pw85::strerror(static_cast<Status>(status)); }
 
+int pw85_set_reproducible(int on)
+{
+    if (on != 0 && on != 1) return PW85_EINVAL;
+    kernels::set_reproducible(on == 1);
+    return PW85_SUCCESS;
+}
+
+int pw85_is_reproducible(int *on)
+{
+    if (any_null(on)) return PW85_EINVAL;
+    *on = kernels::is_reproducible() ? 1 : 0;
+    return PW85_SUCCESS;
+}
+
 void pw85_spheroid(double a, double c, double const n[3], double q[6])
 {
     if (any_null(n, q)) return store_nan(q, PW85_SYM);
@@ -102,6 +116,8 @@ int pw85_contact_function(double const r12[3], double const q1[6], double const 
 {
     if (any_null(r12, q1, q2, out)) return null_pointer(out, 2);
     constexpr brent::Options options{PW85_LAMBDA_ATOL, PW85_MAX_ITER, PW85_NR_ITER};
+    // Brent's method is that of another library, whose arithmetic depends on how that was compiled.
+    if (kernels::is_reproducible()) return pw85_contact(r12, q1, q2, out);
     return in_default_environment([&] {
         return store_contact(
             brent::contact_function(load_vector<3>(r12), load_matrix<3>(q1), load_matrix<3>(q2), options), out);

@@ -201,6 +201,20 @@ void test_version()
     g_free(expected);
 }
 
+// The reproducible mode is on or off, and nothing else.
+void test_reproducible()
+{
+    int on = 7;
+    g_assert_cmpint(pw85_set_reproducible(2), ==, PW85_EINVAL);
+    g_assert_cmpint(pw85_set_reproducible(-1), ==, PW85_EINVAL);
+    for (int const wanted : {1, 0}) {
+        g_assert_cmpint(pw85_set_reproducible(wanted), ==, PW85_SUCCESS);
+        g_assert_cmpint(pw85_is_reproducible(&on), ==, PW85_SUCCESS);
+        g_assert_cmpint(on, ==, wanted);
+    }
+    g_assert_cmpint(pw85_is_reproducible(nullptr), ==, PW85_EINVAL);
+}
+
 } // namespace
 
 int main(int argc, char **argv)
@@ -215,5 +229,6 @@ int main(int argc, char **argv)
     g_test_add_func("/status/building_blocks", test_building_blocks);
     g_test_add_func("/status/texts", test_texts);
     g_test_add_func("/status/version", test_version);
+    g_test_add_func("/status/reproducible", test_reproducible);
     return g_test_run();
 }

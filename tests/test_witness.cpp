@@ -1,4 +1,4 @@
-// What pw85_overlap_witness() returns as a proof is one, checked in rational numbers.
+// What pw85_overlap_witness() returns as a proof is one, checked in rational numbers: integers times powers of two.
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -18,10 +18,39 @@ using namespace pw85_tests;
 
 namespace {
 
-using Rational = boost::multiprecision::cpp_rational;
+using Integer = boost::multiprecision::number<boost::multiprecision::cpp_int_backend<>, boost::multiprecision::et_off>;
+
+/// mantissa·2^exponent, which is every result of additions and multiplications of floating-point numbers.
+struct Rational {
+    Integer mantissa = 0;
+    int exponent = 0;
+
+    Rational() = default;
+    Rational(int x) : mantissa(x) {}
+    Rational(Integer const &m, int e) : mantissa(m), exponent(e) {}
+};
+
+Rational operator*(Rational const &x, Rational const &y) { return {x.mantissa * y.mantissa, x.exponent + y.exponent}; }
+
+Rational operator+(Rational const &x, Rational const &y)
+{
+    if (x.exponent < y.exponent) return y + x;
+    return {Integer((x.mantissa << (x.exponent - y.exponent)) + y.mantissa), y.exponent};
+}
+
+Rational operator-(Rational const &x, Rational const &y) { return x + Rational(-1) * y; }
+
+int sign(Rational const &x) { return x.mantissa.sign(); }
+
 using Matrix = std::vector<std::vector<Rational>>;
 
-template <class T> Rational exactly(T const &x) { return Rational(x); }
+template <class T> Rational exactly(T const &x)
+{
+    constexpr int digits = std::numeric_limits<T>::digits;
+    int exponent = 0;
+    T const fraction = std::frexp(x, &exponent);
+    return {Integer(std::ldexp(fraction, digits)), exponent - digits};
+}
 
 Rational determinant(Matrix const &a)
 {
@@ -31,7 +60,7 @@ Rational determinant(Matrix const &a)
         Matrix minor(a.begin() + 1, a.end());
         for (auto &row : minor) row.erase(row.begin() + static_cast<std::ptrdiff_t>(j));
         Rational const term = a[0][j] * determinant(minor);
-        sum += j % 2 == 0 ? term : Rational(-term);
+        sum = j % 2 == 0 ? sum + term : sum - term;
     }
     return sum;
 }
@@ -63,10 +92,10 @@ template <class T, int D> Matrix blend(Rational const &a, pw85::SymmetricMatrix<
 template <class T, int D> bool proves_apart(Sample<T, D> const &s, T const &lambda)
 {
     if (!(lambda > 0 && lambda < 1)) return false;
-    Rational const l = exactly(lambda), rest = 1 - l;
+    Rational const l = exactly(lambda), rest = Rational(1) - l;
     std::vector<Rational> r;
     for (int i = 0; i < D; ++i) r.push_back(exactly(s.r12[i]));
-    return excess(blend(rest, s.q1, l, s.q2), r, l * rest) < 0;
+    return sign(excess(blend(rest, s.q1, l, s.q2), r, l * rest)) < 0;
 }
 
 template <class T, int D>
@@ -74,7 +103,7 @@ bool is_inside(pw85::Vector<T, D> const &x, pw85::Vector<T, D> const &center, pw
 {
     std::vector<Rational> y;
     for (int i = 0; i < D; ++i) y.push_back(exactly(x[i]) - exactly(center[i]));
-    return excess(blend(Rational(1), q, Rational(0), q), y, 1) > 0;
+    return sign(excess(blend(Rational(1), q, Rational(0), q), y, 1)) > 0;
 }
 
 template <class T, int D> bool proves_overlap(Sample<T, D> const &s, pw85::Vector<T, D> const &x)
@@ -141,6 +170,44 @@ template <class T, int D> void test_random()
         failures.check(proved || distance < (coarse ? 1e-6 : 1e-14), "found", distance, 0, describe);
     }
     expect_enough(found, draws(400));
+}
+
+// A million pairs, with `-m perf`: aspect ratios to 1e8, crossed needles and ribbons, unlike sizes, |μ² - 1| from 1e-16 on. Prints
+// where no proof was found, by |μ² - 1|.
+void test_million()
+{
+    Failures failures;
+    Found found;
+    Random random(705);
+    long without[20] = {}, all[20] = {};
+    for (int n = 0; n < 1000000; ++n) {
+        double const aspect = random.log_uniform(1.0, n % 4 == 0 ? 1e8 : n % 4 == 1 ? 1e4 : 10.0);
+        double const mu2 = 1 + random.sign() * random.log_uniform(n % 8 == 0 ? 1e-16 : 1e-13, 0.5);
+        auto const s = n % 5 == 0 ? crossed_pair<3>(random, aspect)
+                                  : random_pair<3>(random, {.aspect = aspect,
+                                                            .size_ratio = n % 7 == 0 ? 1e6 : 2.0,
+                                                            .mu2_min = mu2,
+                                                            .mu2_max = mu2,
+                                                            .aspect_min = n % 2 == 0 ? aspect : 1.0});
+        auto const witness = pw85::overlap_witness(s.r12, s.q1, s.q2);
+        if (witness.status != pw85::Status::success && witness.status != pw85::Status::no_convergence) continue;
+        bool const proved = witness.status == pw85::Status::success,
+                   tangent = proved && !witness.overlap && !(witness.lambda > 0);
+        bool const right = !proved || tangent ||
+                           (witness.overlap ? proves_overlap(s, witness.point) : proves_apart(s, witness.lambda));
+        failures.check(right, "proof", witness.lambda, witness.overlap, [&] { return hex_text(s); });
+        ++(!proved ? found.nothing : witness.overlap ? found.overlapping : found.apart);
+        double const distance = std::fabs(pw85::contact(s.r12, s.q1, s.q2).mu2 - 1);
+        auto const decade = static_cast<std::size_t>(distance > 1e-18 ? -std::log10(distance) : 18.0);
+        ++all[decade];
+        if (proved) continue;
+        ++without[decade];
+        if (without[decade] <= 2) g_test_message("no proof, overlap %d: %s", witness.overlap, hex_text(s).c_str());
+    }
+    for (int k = 0; k < 20; ++k)
+        if (all[k] > 0)
+            g_test_message("|mu2 - 1| from 1e-%d to 1e-%d: %ld of %ld without a proof", k + 1, k, without[k], all[k]);
+    expect_enough(found, 400000);
 }
 
 // Sizes from 1e-150 to 1e150.
@@ -318,6 +385,7 @@ int main(int argc, char **argv)
     g_test_add_func("/witness/random/float", test_random<float, 3>);
     g_test_add_func("/witness/random/double", test_random<double, 3>);
     g_test_add_func("/witness/random/2d", test_random<double, 2>);
+    if (g_test_perf()) g_test_add_func("/witness/million", test_million);
     g_test_add_func("/witness/sizes", test_sizes);
     g_test_add_func("/witness/tangent", test_tangent);
     g_test_add_func("/witness/barely_apart", test_barely_apart);

@@ -32,6 +32,7 @@ VALID = {
     **dict.fromkeys(("quaternion", "quaternions"), (1.0, 0, 0, 0)),
     **dict.fromkeys(("n", "num_pairs", "num_particles"), ROWS),
     "kind": 1,
+    "on": 1,
     "num_parameters": 2,
     "parameters": [1.0, 2.0],
     "semi_axes": [3.0, 2, 1],

@@ -20,6 +20,7 @@ program test_api
   call pw85_spheroid(3.0_c_double, 0.5_c_double, [1.0_c_double, 1.0_c_double, 1.0_c_double], q2)
 
   call test_strings
+  call test_mode
   call test_forms
   call test_contact
   call test_derivatives
@@ -59,6 +60,21 @@ contains
     call check(len(pw85_strerror(pw85_enotpd)) > 20, 'strerror(enotpd)')
     call check(pw85_strerror(-7_c_int) /= pw85_strerror(pw85_success), 'strerror(unknown)')
   end subroutine test_strings
+
+  subroutine test_mode
+    real(c_double) :: contact(2), by_brent(2)
+    integer(c_int) :: on, status
+    call check(pw85_set_reproducible(1_c_int) == pw85_success, 'set_reproducible')
+    status = pw85_is_reproducible(on)
+    call check(status == pw85_success .and. on == 1, 'is_reproducible')
+    status = pw85_contact(r12, q1, q2, contact)
+    status = pw85_contact_function(r12, q1, q2, by_brent)
+    call check(all(abs(contact - by_brent) <= 0), 'contact_function in the reproducible mode')
+    call check(pw85_set_reproducible(2_c_int) == pw85_einval, 'set_reproducible(2)')
+    call check(pw85_set_reproducible(0_c_int) == pw85_success, 'set_reproducible(0)')
+    status = pw85_is_reproducible(on)
+    call check(status == pw85_success .and. on == 0, 'is_reproducible: off')
+  end subroutine test_mode
 
   subroutine test_forms
     real(c_double), parameter :: semi_axes(3) = [3.0_c_double, 2.0_c_double, 1.0_c_double]

@@ -34,7 +34,7 @@ from . import (
 )
 from ._conversions import from_gsd, from_lammps, from_ovito
 from ._core import LAMBDA_ATOL as lambda_atol
-from ._core import strerror, version
+from ._core import is_reproducible, set_reproducible, strerror, version
 from ._errors import PW85Error, Status, bad_rows
 from ._forms import full, packed, principal_axes
 from ._functions import (

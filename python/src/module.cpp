@@ -100,6 +100,21 @@ PyObject *strerror(PyObject *, PyObject *status)
     return PyUnicode_FromString(pw85_strerror(is_int ? static_cast<int>(number) : -1));
 }
 
+PyObject *set_reproducible(PyObject *, PyObject *on)
+{
+    int const truth = PyObject_IsTrue(on);
+    if (truth < 0) return nullptr;
+    pw85_set_reproducible(truth);
+    Py_RETURN_NONE;
+}
+
+PyObject *is_reproducible(PyObject *, PyObject *)
+{
+    int on = 0;
+    pw85_is_reproducible(&on);
+    return PyBool_FromLong(on);
+}
+
 template <class Function> PyCFunction as_method(Function *function)
 {
     return reinterpret_cast<PyCFunction>(reinterpret_cast<void *>(function));
@@ -107,6 +122,14 @@ template <class Function> PyCFunction as_method(Function *function)
 
 PyMethodDef methods[] = {
     {"version", version, METH_NOARGS, "version()\n--\n\nVersion of the library, 'major.minor.patch'."},
+    {"set_reproducible", set_reproducible, METH_O,
+     "set_reproducible(on, /)\n--\n\n"
+     "Switch the reproducible mode on or off, for all threads of the process.\n\n"
+     "In this mode all functions of pairs give the same bits on every processor and with every number of threads; those\n"
+     "of arrays are slower. `contact_function` returns the numbers of `contact`. The functions of Zheng and those for\n"
+     "arrays of a GPU do not follow the mode. The environment variable PW85_REPRODUCIBLE=1 starts a process in it."},
+    {"is_reproducible", is_reproducible, METH_NOARGS,
+     "is_reproducible()\n--\n\nWhether the reproducible mode is on: see `set_reproducible`."},
     {"strerror", strerror, METH_O, "strerror(status, /)\n--\n\nSentence that says what a status means."},
     {"contact_pairs", as_method(contact_pairs), METH_FASTCALL, "Status of pw85_contact_pairs()."},
     {"overlap_pairs", as_method(overlap_pairs), METH_FASTCALL, "Status of pw85_overlap_pairs()."},

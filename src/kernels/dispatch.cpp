@@ -2,6 +2,7 @@
 // and lanes.cpp.
 #include "kernels.hpp"
 
+#include <atomic>
 #include <cstdlib>
 #include <cstring>
 
@@ -25,9 +26,11 @@ namespace {
 constexpr Kernels targets[] = {PW85_INSTRUCTION_SETS(PW85_TARGET) PW85_TARGET(baseline, baseline, true)};
 #undef PW85_TARGET
 
-/// The newest available target that is not newer than the one that PW85_TARGET names. The function is not inlined and returns a
-/// reference. Otherwise each call for one pair would save registers and check a stack frame that only this function needs.
-[[gnu::noinline]] Kernels const &choose() noexcept
+/// The target of the reproducible mode: the functions of the baseline, whose arithmetic is the same on every processor.
+constexpr Kernels reproducible = {"reproducible", &one_pair_baseline, &lanes_baseline};
+
+/// The newest available target that is not newer than the one that PW85_TARGET names.
+Kernels const &newest() noexcept
 {
 #define PW85_AVAILABLE(target, one_pair, available) available,
     bool const available[] = {PW85_INSTRUCTION_SETS(PW85_AVAILABLE) PW85_AVAILABLE(baseline, baseline, true)};
@@ -44,12 +47,34 @@ constexpr Kernels targets[] = {PW85_INSTRUCTION_SETS(PW85_TARGET) PW85_TARGET(ba
     return targets[i];
 }
 
+bool is_set(char const *name) noexcept
+{
+    char const *const value = std::getenv(name);
+    return value != nullptr && *value != '\0' && std::strcmp(value, "0") != 0;
+}
+
+/// The target that calls use; null before the first call. The tables are constant, so that any order of loads and stores will do.
+std::atomic<Kernels const *> current{nullptr};
+
+/// Chooses at the first call. A choice that another thread makes meanwhile by set_reproducible() has priority. The function is
+/// not inlined. Otherwise each call for one pair would save registers that only this function needs.
+[[gnu::noinline, gnu::cold]] Kernels const &choose() noexcept
+{
+    Kernels const *made = nullptr;
+    Kernels const &first = is_set("PW85_REPRODUCIBLE") ? reproducible : newest();
+    return current.compare_exchange_strong(made, &first, std::memory_order_relaxed) ? first : *made;
+}
+
 } // namespace
 
 Kernels const &chosen() noexcept
 {
-    static Kernels const &chosen = choose();
-    return chosen;
+    Kernels const *const target = current.load(std::memory_order_relaxed);
+    return target != nullptr ? *target : choose();
 }
+
+void set_reproducible(bool on) noexcept { current.store(on ? &reproducible : &newest(), std::memory_order_relaxed); }
+
+bool is_reproducible() noexcept { return &chosen() == &reproducible; }
 
 } // namespace pw85::detail::kernels

@@ -235,9 +235,14 @@ struct Kernels {
     LaneKernels const *lanes;
 };
 
-/// The kernels for this processor. If the environment variable PW85_TARGET names others that the processor can run, it is those.
-/// The first call decides for the whole process.
+/// The kernels for this processor. If the environment variable PW85_TARGET names others that the processor can run, it is those. In
+/// the reproducible mode it is those of the baseline. The first call decides for the whole process, until set_reproducible().
 Kernels const &chosen() noexcept;
+
+/// Switches the reproducible mode on or off, for all threads.
+void set_reproducible(bool on) noexcept;
+
+bool is_reproducible() noexcept;
 
 } // namespace pw85::detail::kernels
 

@@ -8,6 +8,7 @@
 #define PW85_KERNELS_LANE_LAW_HPP_INCLUDED
 
 #include "gather.hpp"
+#include "power.hpp"
 
 namespace pw85::detail {
 namespace {
@@ -16,24 +17,6 @@ namespace {
 struct LawValues {
     Pack u, d_u;
 };
-
-/// A power of x >= 0. For multiples of 1/2 up to 32 it is a product of factors x^(2^k) and a root, without a function of the C
-/// library. To first order, the relative error of x^(2^k) is at most (2^k - 1) u, and that of the root is u. There are at most six
-/// products. So the whole error is less than (exponent + 7) u.
-PW85_INLINE Pack power(Pack x, double exponent) noexcept
-{
-    bool const is_product = exponent >= 0.0 && exponent <= 32.0 && 2.0 * exponent == static_cast<int>(2.0 * exponent);
-    if (!is_product) {
-        double powers[lanes];
-        for (std::size_t i = 0; i < lanes; ++i) powers[i] = __builtin_pow(x[i], exponent);
-        return load_lanes<Pack>(powers);
-    }
-    int const halves = static_cast<int>(2.0 * exponent);
-    Pack result = halves % 2 == 0 ? Pack(1.0) : square_root(x);
-    for (int n = halves / 2; n != 0; n /= 2, x = x * x)
-        if (n % 2 == 1) result = result * x;
-    return result;
-}
 
 /// The difference 1 - μ is computed from 1 - μ², which is exact near contact.
 PW85_INLINE LawValues evaluate(kernels::SoftRepulsion const &law, Pack const &mu2) noexcept

@@ -1,12 +1,18 @@
-// The choice of the instruction set: PW85_TARGET can select an older one, but never one that the processor lacks.
+// The choice of the instruction set: PW85_TARGET can select an older one, but never one that the processor lacks. The reproducible
+// mode goes before it.
 #include <cstdlib>
 #include <cstring>
+#include <initializer_list>
 
 #include <glib.h>
 
 #include "../../src/kernels/kernels.hpp"
 #include "../../src/kernels/vector_length.hpp"
 #include "instruction_sets.h"
+
+namespace pw85::detail::kernels {
+extern LaneKernels const lanes_baseline;
+}
 
 namespace {
 
@@ -27,6 +33,8 @@ bool is_known(char const *name)
     return false;
 }
 
+pw85::detail::kernels::LaneKernels const *baseline_lanes() { return &pw85::detail::kernels::lanes_baseline; }
+
 void test_choice()
 {
     char const *const wanted = std::getenv("PW85_TARGET"), *const chosen = pw85::detail::kernels::chosen().name;
@@ -40,7 +48,17 @@ void test_choice()
         expected = target.name;
         break;
     }
-    g_assert_cmpstr(chosen, ==, expected);
+    char const *const mode = std::getenv("PW85_REPRODUCIBLE");
+    bool const on = mode != nullptr && *mode != '\0' && std::strcmp(mode, "0") != 0;
+    g_assert_cmpstr(chosen, ==, on ? "reproducible" : expected);
+    using namespace pw85::detail::kernels;
+    for (bool const other : {true, false}) {
+        set_reproducible(other);
+        g_assert_true(is_reproducible() == other);
+        g_assert_cmpstr(pw85::detail::kernels::chosen().name, ==, other ? "reproducible" : expected);
+        g_assert_true((pw85::detail::kernels::chosen().lanes == baseline_lanes()) ==
+                      (other || std::strcmp(expected, "baseline") == 0));
+    }
 }
 
 } // namespace

@@ -5,6 +5,7 @@
 
 #include <pw85/algebra/all_nan.hpp>
 #include <pw85/algebra/powers_of_two.hpp>
+#include <pw85/algebra/sine_cosine.hpp>
 
 namespace pw85 {
 
@@ -170,10 +171,8 @@ template <class T> PW85_FUNCTION constexpr Form<T, 3> ellipsoid_quaternion(Vecto
 template <class T> PW85_FUNCTION inline Form<T, 2> ellipse(T const &a, T const &b, T const &angle) noexcept
 {
     using namespace detail;
-    using elementary::cos;
-    using elementary::sin;
     if (!is_length(a) || !is_length(b) || !(angle * T(0) == T(0))) return all_nan<Form<T, 2>>(Status::invalid_argument);
-    T const c = cos(angle), s = sin(angle);
+    auto const [s, c] = sine_cosine(angle);
     T const rotation[4] = {c, -s, s, c};
     return form_of_axes(Vector<T, 2>{a, b}, rotation);
 }

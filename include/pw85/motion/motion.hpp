@@ -4,6 +4,7 @@
 #define PW85_MOTION_MOTION_HPP_INCLUDED
 
 #include <pw85/algebra/powers_of_two.hpp>
+#include <pw85/algebra/sine_cosine.hpp>
 
 namespace pw85 {
 
@@ -65,9 +66,8 @@ turning_form(Vector<T, rotation_axes<D>> const &axis, SymmetricMatrix<T, D> cons
 template <class T, int D>
 PW85_FUNCTION inline SymmetricMatrix<T, D> turned(TurningForm<T, D> const &x, T const &angle) noexcept
 {
-    using elementary::cos;
-    using elementary::sin;
-    T const half = T(0.5) * angle, s = sin(half), sine = T(2) * s * cos(half), less = T(-2) * s * s;
+    auto const [s, c] = sine_cosine(T(T(0.5) * angle));
+    T const sine = T(2) * s * c, less = T(-2) * s * s;
     T const sine2 = T(2) * sine * (T(1) + less), less2 = T(-2) * sine * sine;
     SymmetricMatrix<T, D> a = x.form;
     for (int k = 0; k < a.size; ++k)

@@ -1,11 +1,16 @@
 /// @file
-/// The sign of μ² - m for any number m. pw85.hpp and the C API use this file. The solver decides with a bound on its error
-/// (comparison.hpp). If it cannot, integers decide (exact.hpp).
+/// The sign of μ² - m for any number m. pw85.hpp and the C API use this file. Its tiers are those of the overlap test (overlap.hpp),
+/// for the ellipsoids of m Q1 and m Q2:
+///
+/// 1. compare_by_quartic(): the sign of the quartic at the points of a search;
+/// 2. compare_by_search(): μ² by the solver, with a bound on its error (comparison.hpp);
+/// 3. compare_last(): integers (exact.hpp).
 #ifndef PW85_OVERLAP_COMPARE_HPP_INCLUDED
 #define PW85_OVERLAP_COMPARE_HPP_INCLUDED
 
 #include <pw85/overlap/comparison.hpp>
 #include <pw85/overlap/exact.hpp>
+#include <pw85/overlap/quartic.hpp>
 
 namespace pw85 {
 
@@ -23,6 +28,53 @@ namespace pw85::detail {
 PW85_FUNCTION constexpr int to_sign(Decision decision) noexcept
 {
     return decision == Decision::apart ? 1 : decision == Decision::overlap ? -1 : 0;
+}
+
+/// The values of the quartic for r12/√m in place of r12: f and A and B are divided by m. The quotients have a rounding error each. In
+/// the units of the margins of quartic.hpp, both move the sides of shows_apart() by 1, of shows_inside1() by 2 and of shows_inside2()
+/// by 1 at most, because t b²B <= a b and b <= P. The larger P adds a sixteenth to each margin.
+template <class T>
+PW85_FUNCTION constexpr QuarticEvaluation<T> relative_to(QuarticEvaluation<T> const &e, T const &m) noexcept
+{
+    static_assert(apart_margin >= 16 && inside1_margin > 32 && inside2_margin >= 16);
+    return {e.b, e.a / m, e.form / m, T(T(1.0625) * e.diagonal)};
+}
+
+/// A search on the rational form that ends when the quartic decides. It is a task (contact/rational_search.hpp).
+template <class T> struct ComparisonSearch {
+    RationalSearch<T> rational;
+    T m;
+    Decision decision;
+    bool active;
+};
+
+template <class T, int D>
+PW85_FUNCTION inline Decision compare_at(Pair<T, D> const &pair, T const &t, T const &m) noexcept
+{
+    auto const certainty = test_quartic(relative_to(evaluate_quartic(pair, t), m), t);
+    return to_decision(certainty.apart, certainty.overlap);
+}
+
+template <class T, int D>
+PW85_FUNCTION inline void take_step(ComparisonSearch<T> &search, Pair<T, D> const &pair) noexcept
+{
+    take_step(search.rational, pair);
+    search.decision = compare_at(pair, search.rational.candidate.t, search.m);
+    search.active = search.rational.active && search.decision == Decision::none;
+}
+
+/// The first tier. The result is `none` for pairs that fail the fast checks, for m beyond 2^±30, and for μ² too near to m.
+template <class T, int D>
+[[gnu::noinline]] PW85_FUNCTION inline Decision compare_by_quartic(Pair<T, D> const &pair, T const &m) noexcept
+{
+    T const least = negative_power_of_two<T>(30);
+    if (!(m >= least && m * least <= T(1)) || !passes_fast_checks(pair)) return Decision::none;
+    T const t = initial_guess(pair);
+    Decision const first = compare_at(pair, t, m);
+    if (first != Decision::none) return first;
+    ComparisonSearch<T> search{start_search(pair, t), m, Decision::none, t == t};
+    run(search, pair, max_rational_steps);
+    return search.decision;
 }
 
 /// The last tier, for a valid pair and 0 < m < infinity. For multiprecision numbers the comparison is up to rounding.
@@ -54,6 +106,8 @@ template <class T, int D> PW85_FUNCTION inline Comparison
 compare(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, SymmetricMatrix<T, D> const &q2, T const &m) noexcept
 {
     using namespace detail;
+    Decision const first = compare_by_quartic(pair_of(r12, q1, q2), m);
+    if (first != Decision::none) return {to_sign(first), Status::success};
     ScaledPair<T, D> scaled;
     Status const status = m >= T(0) ? validate(pair_of(r12, q1, q2), scaled) : Status::invalid_argument;
     if (status != Status::success) return {2, status};
