@@ -3,9 +3,9 @@
 Usage: measure.py [--only TABLE] PROGRAM..., the programs of this folder. Have the machine to yourself.
 
 All tables come from one run, which is written to docs/measurements.json with its conditions. --only replaces a single table, which
-a program prints, and stores its conditions with it. Tables that this run does not produce are kept: instructions on another
-processor (instructions.py), and comparisons with libraries that are not available now. Times are nanoseconds per pair, the shortest
-of several repetitions in which the functions take turns.
+a program of this folder or of python/bench prints, and stores its conditions with it. Tables that this run does not produce are
+kept: instructions on another processor (instructions.py), comparisons with libraries that are not available now, and those of Python
+if its package is not built. Times are nanoseconds per pair, the shortest of several repetitions in which the functions take turns.
 """
 
 import csv
@@ -22,6 +22,12 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parent.parent
 RESULTS = ROOT / "docs" / "measurements.json"
 REPETITIONS = 31
+# Tables of Python's programs, which are in python/bench: the program, and the library that it gets, in the build directory
+PYTHON = {
+    "arrays": ("compare_batches.py", "src/libpw85.so"),
+    "calls": ("compare_calls.py", "python/bench/pypw85_c_loops.so"),
+    "files": ("measure_files.py", None),
+}
 COMPARED = {"pw85 2.0", "HOOMD-blue 2 (quaternions)"}  # libraries that are not in Debian
 DISPATCHED = "^(contact|overlap|contact_batch|overlap_batch)/[0-9e+]+$"
 
@@ -49,6 +55,27 @@ def environment(target, threads=1):
 def read_table(program, *arguments, target):
     text = subprocess.run([program, *arguments], check=True, stdout=subprocess.PIPE, text=True, env=environment(target))
     return list(csv.DictReader(text.stdout.splitlines()))
+
+
+def python_rows(name, build, target):
+    """The rows of a table that a program of python/bench prints, with one thread and with all. In a trial run the numbers are small."""
+    script, library = PYTHON[name]
+    numbers = ["1000"] if "PW85_MEASURE_ONCE" in os.environ and name != "calls" else []
+    arguments = [ROOT / "python" / "bench" / script, *([build / library] if library else []), *numbers]
+    rows = []
+    for threads in sorted({1, os.cpu_count()}) if name == "arrays" else [os.cpu_count()]:
+        variables = environment(target, threads) | {"PYTHONPATH": str(build / "python")}
+        done = subprocess.run([sys.executable, *arguments], check=True, stdout=subprocess.PIPE, text=True, env=variables)
+        rows += csv.DictReader(done.stdout.splitlines())
+    return rows
+
+
+def build_of(programs):
+    return Path(programs["speed"]).resolve().parent.parent
+
+
+def has_python(build):
+    return all((build / path).exists() for path in ("python/pypw85/__init__.py", *(library for _, library in PYTHON.values() if library)))
 
 
 def nanoseconds(program, name_filter, target, repetitions, threads=1):
@@ -166,6 +193,8 @@ def measure(programs):
     for name in ("closest_approach", "digits", "evaluations", "peers"):
         tables[name] = read_table(programs[name], target=best)
     tables["growth"] = growth_rows(programs["growth"], best)
+    if has_python(build_of(programs)):
+        tables |= {name: python_rows(name, build_of(programs), best) for name in PYTHON}
     side_by_side = read_table(programs["side_by_side"], target=best)
     if COMPARED <= {row["library"] for row in side_by_side}:
         tables["side_by_side"] = side_by_side
@@ -196,7 +225,8 @@ def put_apart(name, rows, conditions):
 def measure_only(name, programs):
     best = available_targets()[-1]
     context = nanoseconds(programs["speed"], "^overlap/2$", best, 1)[0]
-    put_apart(name, read_table(programs[name], target=best), conditions_of(context))
+    rows = python_rows(name, build_of(programs), best) if name in PYTHON else read_table(programs[name], target=best)
+    put_apart(name, rows, conditions_of(context))
 
 
 def to_json(results):
@@ -218,7 +248,7 @@ def main():
     arguments = sys.argv[1:]
     only = arguments[1] if arguments[0] == "--only" else None
     programs = {Path(path).stem: path for path in arguments[2 if only else 0 :]}
-    if "peers" not in programs:
+    if "peers" not in programs and not only:
         sys.exit("peers was not built: it needs libfcl-dev and libeigen3-dev")
     if only:
         measure_only(only, programs)

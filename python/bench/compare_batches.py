@@ -1,10 +1,12 @@
 """Functions of arrays in Python against the batches of the C library: python3 compare_batches.py LIBRARY [ROWS] [FUNCTION...]
 
-Prints CSV: nanoseconds for each row, and the ratio. Python and C take turns on the same inputs and outputs, and the shortest time of
-each counts. Functions that are slow get fewer rows, so that a call takes a quarter of a second at most.
+Prints CSV: the number of threads (OMP_NUM_THREADS) and of rows, nanoseconds for each row, and the ratio. Python and C take turns on
+the same inputs and outputs, and the shortest time of each counts. Functions that are slow get fewer rows, so that a call takes a tenth
+of a second at most.
 """
 
 import ctypes
+import os
 import sys
 import time
 
@@ -13,8 +15,8 @@ import numpy as np
 import pypw85
 from pypw85 import gufuncs
 
-ROUNDS = 9
-LONGEST = 0.25
+ROUNDS = 15
+LONGEST = 0.1
 
 
 def forms(rng, n):
@@ -112,10 +114,10 @@ def compare(library, name, rows):
     few = min(rows, 4000)
     n = int(min(rows, max(few, 1e9 * LONGEST / times(few, 2)[0])))
     c, python = times(n, ROUNDS)
-    print(f"{name},{n},{c:.2f},{python:.2f},{python / c:.3f}", flush=True)
+    print(f"{name},{os.environ.get('OMP_NUM_THREADS', os.cpu_count())},{n},{c:.4g},{python:.4g},{python / c:.2f}", flush=True)
 
 
 if __name__ == "__main__":
-    print("function,rows,ns in C,ns in Python,ratio")
+    print("function,threads,rows,c,python,ratio")
     for function_name in sys.argv[3:] or INPUTS:
         compare(ctypes.CDLL(sys.argv[1]), function_name, int(sys.argv[2]) if len(sys.argv) > 2 else 1_000_000)

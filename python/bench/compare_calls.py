@@ -1,6 +1,6 @@
 """Calls for one pair from Python against calls from C: python3 compare_calls.py LIBRARY_OF_C_LOOPS
 
-Prints what Python adds to a call. Python and C take turns, and the shortest time of each counts, which leaves out most of what
+Prints CSV: nanoseconds of a call, and what Python adds. Python and C take turns, and the shortest time of each counts, which leaves out most of what
 else the machine does. compare_batches.py does the same for arrays.
 """
 
@@ -51,11 +51,11 @@ def compare_single(library, name):
             from_python(*pair)
 
     c, python = shortest(lambda: from_c(CALLS, *pair, np.empty(2)), python_calls)
-    print(f"{name}, single call: C {1e9 * c / CALLS:.0f} ns, Python {1e9 * python / CALLS:.0f} ns, "
-          f"overhead {1e6 * (python - c) / CALLS:.3f} µs")
+    print(f"{name},{1e9 * c / CALLS:.0f},{1e9 * python / CALLS:.0f},{1e9 * (python - c) / CALLS:.0f}")
 
 
 if __name__ == "__main__":
     loops = ctypes.CDLL(sys.argv[1])
+    print("function,c,python,overhead")
     for function_name in ("contact", "contact_function"):
         compare_single(loops, function_name)

@@ -76,6 +76,28 @@ constexpr std::size_t num_parts = 64;
 /// The number of pairs by which particles are prefetched ahead. The particles of consecutive pairs may be anywhere in memory.
 constexpr std::size_t prefetch_distance = 16;
 
+/// The number of pairs that are listed at a time.
+constexpr std::size_t most_listed = 512;
+
+/// The pairs of a range that have a force. A branch on this could not be predicted, so they are listed beforehand.
+struct PairsWithForce {
+    std::size_t begin, size;
+    bool all; ///< all pairs from `begin` on; the list is then empty
+    std::uint16_t numbers[most_listed];
+};
+
+/// Lists the pairs of a range of at most most_listed pairs whose U' is not zero. There are `count`.
+inline void list_pairs(double const *d_u, Range range, std::size_t count, PairsWithForce &listed) noexcept
+{
+    listed.begin = range.begin;
+    listed.size = count;
+    listed.all = count == range.end - range.begin;
+    for (std::size_t k = range.begin, size = 0; size < count && !listed.all; ++k) {
+        listed.numbers[size] = static_cast<std::uint16_t>(k - range.begin);
+        size += d_u[k] != 0.0;
+    }
+}
+
 /// The number of the calling thread in its parallel region, and the number of threads.
 struct ThreadNumber {
     std::size_t thread, threads;
@@ -97,7 +119,46 @@ inline Range share(std::size_t n, std::size_t count, std::size_t k) noexcept
     return Range{std::min(n, k * size), std::min(n, (k + 1) * size)};
 }
 
-/// The sums of one thread: the forces and torques on its own particles, in the order of all pairs, and the virial of its own parts.
+/// Calls visit(pairs, pair, later) for the pairs of a list, where `later` is a pair some places behind. The compiler sees that no
+/// store of visit() changes the copy of `pairs`, so that its pointers stay in registers.
+template <class Visit> [[gnu::always_inline]] inline void
+for_pairs(PairGradients const &given, PairsWithForce const &listed, Visit const &visit) noexcept
+{
+    PairGradients const pairs = given;
+    std::size_t const begin = listed.begin, size = listed.size;
+    std::uint16_t const *const numbers = listed.numbers;
+    auto const later = [=](std::size_t k) { return std::min(k + prefetch_distance, size - 1); };
+    if (listed.all)
+        for (std::size_t k = 0; k < size; ++k) visit(pairs, begin + k, begin + later(k));
+    else
+        for (std::size_t k = 0; k < size; ++k) visit(pairs, begin + numbers[k], begin + numbers[later(k)]);
+}
+
+inline std::size_t particle(NeighborList const &list, std::size_t pair, int which) noexcept
+{
+    return static_cast<std::size_t>(list.pairs[2 * pair + static_cast<std::size_t>(which)]);
+}
+
+/// Adds the virial of the pairs of a list: r12 times the force on the second particle.
+inline void add_virial(PairGradients const &given, PairsWithForce const &listed, double *virial) noexcept
+{
+    Rows3 sum = {};
+    for_pairs(given, listed, [&](PairGradients const &pairs, std::size_t pair, std::size_t later) {
+        for (int const which : {0, 1})
+            if (pairs.r12 == nullptr)
+                __builtin_prefetch(row_of(pairs.list.centers, 3, particle(pairs.list, later, which)));
+        double const *const known = row_or_null(pairs.r12, 3, pair);
+        auto const r12 = known != nullptr ? Vector<double, 3>{known[0], known[1], known[2]}
+                                          : load_separations<double>(pairs.list, &pair);
+        Row const force = times(-pairs.d_u[pair], load_row(pairs.d_r12, pair));
+        sum = {plus(sum.x, times(r12[0], force)), plus(sum.y, times(r12[1], force)), plus(sum.z, times(r12[2], force))};
+    });
+    add_row(sum.x, virial, 0);
+    add_row(sum.y, virial, 1);
+    add_row(sum.z, virial, 2);
+}
+
+/// The sums of one thread: the forces and torques on its own particles, in the order of all pairs.
 class ForceSum {
   public:
     ForceSum(PairSums const &sums, Range own) noexcept : sums_(sums), begin_(own.begin), size_(own.end - own.begin)
@@ -106,80 +167,72 @@ class ForceSum {
             if (rows != nullptr) std::fill(rows + 3 * own.begin, rows + 3 * own.end, 0.0);
     }
 
-    /// Adds the forces and torques of a part of the pairs, and writes the virial of this part if `virial` is not null.
-    void add_part(PairGradients const &pairs, Range part, double *virial) const noexcept
+    /// Adds the forces and torques of the pairs of a list.
+    void add(PairGradients const &given, PairsWithForce const &listed) const noexcept
     {
-        Rows3 sum = {};
-        for (std::size_t k = part.begin; k < part.end; ++k) {
-            fetch(pairs, std::min(k + prefetch_distance, pairs.num_pairs - 1));
-            if (pairs.d_u[k] == 0.0) continue;
-            if (virial != nullptr) add_virial(pairs, k, sum);
-            add_pair(pairs, k);
-        }
-        if (virial == nullptr) return;
-        store_row(sum.x, virial, 0);
-        store_row(sum.y, virial, 1);
-        store_row(sum.z, virial, 2);
+        ForceSum const own = *this; // a copy, for the reason at for_pairs()
+        for_pairs(given, listed, [own](PairGradients const &pairs, std::size_t pair, std::size_t later) {
+            own.fetch(pairs.list, later);
+            own.add_pair(pairs, pair);
+        });
     }
 
   private:
-    static std::size_t particle(NeighborList const &list, std::size_t k, int which) noexcept
-    {
-        return static_cast<std::size_t>(list.pairs[2 * k + static_cast<std::size_t>(which)]);
-    }
-
     bool is_own(std::size_t particle) const noexcept { return particle - begin_ < size_; }
 
-    /// Prefetches what add_pair() and add_virial() read, except for the sums of other threads.
-    void fetch(PairGradients const &pairs, std::size_t k) const noexcept
+    /// Prefetches what add_pair() reads, except for the sums of other threads.
+    void fetch(NeighborList const &list, std::size_t pair) const noexcept
     {
         for (int const which : {0, 1}) {
-            std::size_t const i = particle(pairs.list, k, which), own = is_own(i) ? i : begin_;
-            if (pairs.r12 == nullptr) __builtin_prefetch(row_of(pairs.list.centers, 3, i));
+            std::size_t const i = particle(list, pair, which), own = is_own(i) ? i : begin_;
             if (sums_.forces != nullptr) __builtin_prefetch(row_of(sums_.forces, 3, own), 1);
             if (sums_.torques != nullptr) __builtin_prefetch(row_of(sums_.torques, 3, own), 1);
         }
     }
 
-    /// Adds pair k to the sums of its particles. The forces on the two particles are opposite.
-    void add_pair(PairGradients const &pairs, std::size_t k) const noexcept
+    /// Adds a pair to the sums of its particles. The forces on the two particles are opposite.
+    void add_pair(PairGradients const &pairs, std::size_t pair) const noexcept
     {
-        double const d_u = pairs.d_u[k];
-        std::size_t const i = particle(pairs.list, k, 0), j = particle(pairs.list, k, 1);
-        Row const force = sums_.forces != nullptr ? times(d_u, load_row(pairs.d_r12, k)) : Row{};
-        if (is_own(i)) add(i, force, -d_u, pairs.d_rot1, k);
-        if (is_own(j)) add(j, times(-1.0, force), -d_u, pairs.d_rot2, k);
+        double const d_u = pairs.d_u[pair];
+        std::size_t const i = particle(pairs.list, pair, 0), j = particle(pairs.list, pair, 1);
+        Row const force = sums_.forces != nullptr ? times(d_u, load_row(pairs.d_r12, pair)) : Row{};
+        if (is_own(i)) add(i, force, -d_u, pairs.d_rot1, pair);
+        if (is_own(j)) add(j, times(-1.0, force), -d_u, pairs.d_rot2, pair);
     }
 
-    /// Adds a force and a torque on a particle. The torque is `factor` times row k of d_rot.
-    void add(std::size_t particle, Row const &force, double factor, double const *d_rot, std::size_t k) const noexcept
+    /// Adds a force and a torque on a particle. The torque is `factor` times a row of d_rot.
+    void add(std::size_t particle, Row const &force, double factor, double const *d_rot,
+             std::size_t pair) const noexcept
     {
         if (sums_.forces != nullptr) add_row(force, sums_.forces, particle);
-        if (sums_.torques != nullptr) add_row(times(factor, load_row(d_rot, k)), sums_.torques, particle);
-    }
-
-    /// Adds the virial of pair k, r12 times the force on the second particle.
-    static void add_virial(PairGradients const &pairs, std::size_t k, Rows3 &sum) noexcept
-    {
-        double const *const given = row_or_null(pairs.r12, 3, k);
-        auto const r12 = given != nullptr ? Vector<double, 3>{given[0], given[1], given[2]}
-                                          : load_separations<double>(pairs.list, &k);
-        Row const force = times(-pairs.d_u[k], load_row(pairs.d_r12, k));
-        sum = {plus(sum.x, times(r12[0], force)), plus(sum.y, times(r12[1], force)), plus(sum.z, times(r12[2], force))};
+        if (sums_.torques != nullptr) add_row(times(factor, load_row(d_rot, pair)), sums_.torques, particle);
     }
 
     PairSums const sums_;
     std::size_t begin_, size_;
 };
 
+/// Lists the pairs of a range.
+inline void list_pairs(double const *d_u, Range range, PairsWithForce &listed) noexcept
+{
+    auto const count = std::count_if(d_u + range.begin, d_u + range.end, [](double x) { return x != 0.0; });
+    list_pairs(d_u, range, static_cast<std::size_t>(count), listed);
+}
+
 /// The work of one of `threads` threads: the sums for its share of the particles, and the virial of every `threads`-th part.
 inline void sum_forces(PairGradients const &pairs, std::size_t num_particles, PairSums const &sums, std::size_t thread,
                        std::size_t threads, double (&parts)[num_parts][9]) noexcept
 {
     ForceSum const own(sums, share(num_particles, threads, thread));
-    for (std::size_t part = 0; part < num_parts; ++part)
-        own.add_part(pairs, share(pairs.num_pairs, num_parts, part),
-                     sums.virial != nullptr && part % threads == thread ? parts[part] : nullptr);
+    PairsWithForce listed;
+    for (std::size_t part = 0; part < num_parts; ++part) {
+        auto const [first, end] = share(pairs.num_pairs, num_parts, part);
+        for (std::size_t begin = first; begin < end; begin += most_listed) {
+            list_pairs(pairs.d_u, {begin, std::min(end, begin + most_listed)}, listed);
+            own.add(pairs, listed);
+            if (sums.virial != nullptr && part % threads == thread) add_virial(pairs, listed, parts[part]);
+        }
+    }
 }
 
 /// Sums in parallel. Each thread goes through all pairs and adds only to its own particles, so that no thread waits for another.

@@ -5,6 +5,7 @@
 #define PW85_KERNELS_GATHER_HPP_INCLUDED
 
 #include <cstring>
+#include <type_traits>
 
 #include "pack.hpp"
 #include "rows.hpp"
@@ -138,10 +139,63 @@ PW85_INLINE void prefetch(kernels::NeighborList const &list, std::size_t begin, 
     }
 }
 
+#if defined(PW85_LANES_AVX512)
+/// Takes the numbers of z[0], of z[1] where `from1` has a bit, and of z[2] where `from2` has a bit.
+PW85_INLINE __m512d blend_three(__m512d const *z, unsigned from1, unsigned from2) noexcept
+{
+    __m512d const both = _mm512_mask_blend_pd(static_cast<__mmask8>(from1), z[0], z[1]);
+    return _mm512_mask_blend_pd(static_cast<__mmask8>(from2), both, z[2]);
+}
+
+/// Loads eight consecutive rows of three numbers. The numbers of a column have different places in the three registers that hold
+/// them, so that blends collect them. A permutation then brings them into the order of the rows.
+PW85_INLINE void load_eight_rows(double const *rows, Vector<Pack, 3> &columns) noexcept
+{
+    __m512d const z[3] = {_mm512_loadu_pd(rows), _mm512_loadu_pd(rows + 8), _mm512_loadu_pd(rows + 16)};
+    constexpr unsigned places0 = 0b01001001, places1 = 0b10010010, places2 = 0b00100100;
+    columns[0] = _mm512_permutexvar_pd(_mm512_setr_epi64(0, 3, 6, 1, 4, 7, 2, 5), blend_three(z, places1, places2));
+    columns[1] = _mm512_permutexvar_pd(_mm512_setr_epi64(1, 4, 7, 2, 5, 0, 3, 6), blend_three(z, places2, places0));
+    columns[2] = _mm512_permutexvar_pd(_mm512_setr_epi64(2, 5, 0, 3, 6, 1, 4, 7), blend_three(z, places0, places1));
+}
+
+/// Loads eight consecutive rows of six numbers. The same holds for two columns side by side, which share 128 bits, and for four
+/// rows, which take three registers.
+PW85_INLINE void load_eight_rows(double const *rows, SymmetricMatrix<Pack, 3> &columns) noexcept
+{
+    __m512d z[6];
+    for (int k = 0; k < 6; ++k) z[k] = _mm512_loadu_pd(rows + 8 * k);
+    constexpr unsigned part1 = 0b00001100, part2 = 0b00110000, ends = 0b11000011;
+    __m512d const low01 = blend_three(z, part2, part1), high01 = blend_three(z + 3, part2, part1);
+    __m512d const low23 = blend_three(z, ends, part2), high23 = blend_three(z + 3, ends, part2);
+    __m512d const low45 = blend_three(z, part1, ends), high45 = blend_three(z + 3, part1, ends);
+    columns[0] = _mm512_permutex2var_pd(low01, _mm512_setr_epi64(0, 6, 4, 2, 8, 14, 12, 10), high01);
+    columns[1] = _mm512_permutex2var_pd(low01, _mm512_setr_epi64(1, 7, 5, 3, 9, 15, 13, 11), high01);
+    columns[2] = _mm512_permutex2var_pd(low23, _mm512_setr_epi64(2, 0, 6, 4, 10, 8, 14, 12), high23);
+    columns[3] = _mm512_permutex2var_pd(low23, _mm512_setr_epi64(3, 1, 7, 5, 11, 9, 15, 13), high23);
+    columns[4] = _mm512_permutex2var_pd(low45, _mm512_setr_epi64(4, 2, 0, 6, 12, 10, 8, 14), high45);
+    columns[5] = _mm512_permutex2var_pd(low45, _mm512_setr_epi64(5, 3, 1, 7, 13, 11, 9, 15), high45);
+}
+
+/// Loads the first eight pairs. There are no loads but those of whole registers, and half as many shuffles as for pairs of a list.
+PW85_INLINE LanePair<3> load_eight(kernels::PairArrays<3> const &arrays) noexcept
+{
+    LanePair<3> pair;
+    load_eight_rows(arrays.r12, pair.r12);
+    load_eight_rows(arrays.q1, pair.q1);
+    load_eight_rows(arrays.q2, pair.q2);
+    pair.ratio = Pack(1.0);
+    return pair;
+}
+#endif
+
 /// Loads `count` consecutive pairs. Lanes beyond the last pair repeat it.
 template <class Rows>
 PW85_INLINE LanePairOf<Rows> load_consecutive(Rows const &rows, std::size_t begin, std::size_t count) noexcept
 {
+#if defined(PW85_LANES_AVX512)
+    if constexpr (std::is_same_v<Rows, kernels::PairArrays<3>>)
+        if (count >= lanes) return load_eight(rows.from(begin));
+#endif
     std::size_t indices[lanes];
     for (std::size_t i = 0; i < lanes; ++i) indices[i] = begin + (i < count ? i : count - 1);
     return load_pairs<Pack>(rows, indices);

@@ -178,9 +178,15 @@ struct LawTable {
     double const *points; ///< U and its derivative, two numbers per point
 };
 
-/// A function for the values of a law. It writes the derivatives of U at n numbers μ², and returns the sum of U.
+/// The sum of U over some pairs, and the number of pairs whose derivative is not zero.
+struct LawSums {
+    double energy;
+    std::size_t with_force;
+};
+
+/// A function for the values of a law. It writes the derivatives of U at n numbers μ².
 template <class Law> struct LawKernel {
-    double (*evaluate)(Law const &, std::size_t n, double const *mu2, double *d_u) noexcept;
+    LawSums (*evaluate)(Law const &, std::size_t n, double const *mu2, double *d_u) noexcept;
 };
 
 /// Functions for one pair, with the contracts of the C API for inputs that are not null.

@@ -39,28 +39,39 @@ PW85_INLINE LawValues evaluate(kernels::InversePowers const &law, Pack const &mu
     return {select(apart, Pack(0.0), u), select(apart || mu2 == Pack(0.0), Pack(0.0), d_u)};
 }
 
+/// The intervals in which positions >= 0 are, as whole numbers in lanes, and the rows of their first points. A position on a point
+/// may belong to either interval. The sum of a number and `bias` is rounded to a whole number, whose low bits count from `bias`.
+struct Intervals {
+    Pack begin;
+    double const *rows[lanes];
+
+    PW85_INLINE Intervals(Pack const &position, double const *points) noexcept
+    {
+        constexpr double bias = 0x1.8p52;
+        Pack const biased = (position - Pack(0.5)) + Pack(bias);
+        begin = biased - Pack(bias);
+        std::uint64_t bits[lanes];
+        std::memcpy(bits, &biased.v, sizeof bits);
+        for (std::size_t i = 0; i < lanes; ++i)
+            rows[i] = points + 2 * (bits[i] - __builtin_bit_cast(std::uint64_t, bias));
+    }
+};
+
 PW85_INLINE LawValues evaluate(kernels::LawTable const &law, Pack const &mu2) noexcept
 {
     auto const count = static_cast<double>(law.intervals);
-    double const per_interval = count / (law.mu2_max - law.mu2_min);
+    double const width = (law.mu2_max - law.mu2_min) / count, per_interval = 1.0 / width;
     Pack const position = Pack(per_interval) * (mu2 - Pack(law.mu2_min));
     // The nearest position that has an interval behind it; 0 for NaN.
-    Pack const nearest = minimum(Pack(count - 1.0), maximum(Pack(0.0), position));
-    double begin[lanes];
-    double const *rows[lanes];
-    for (std::size_t i = 0; i < lanes; ++i) {
-        auto const k = static_cast<std::ptrdiff_t>(nearest[i]);
-        begin[i] = static_cast<double>(k);
-        rows[i] = law.points + 2 * k;
-    }
+    Intervals const intervals(minimum(Pack(count - 1.0), maximum(Pack(0.0), position)), law.points);
     Pack p[4]; // value and derivative at both ends
-    ColumnLoader<Pack, 4>::load(rows, p);
-    Pack const x = position - load_lanes<Pack>(begin), chord = Pack(per_interval) * (p[2] - p[0]);
+    ColumnLoader<Pack, 4>::load(intervals.rows, p);
+    Pack const x = position - intervals.begin, chord = Pack(per_interval) * (p[2] - p[0]);
     Pack const square = Pack(3.0) * chord - Pack(2.0) * p[1] - p[3], cube = p[1] + p[3] - Pack(2.0) * chord;
     PackMask const before = x < Pack(0.0), apart = mu2 >= Pack(law.mu2_max);
     Pack const mean = select(before, p[1], p[1] + x * Pack(square + x * cube)); // the mean derivative up to x
     Pack const d_u = select(before, p[1], p[1] + x * Pack(Pack(2.0) * square + Pack(3.0 * x) * cube));
-    Pack const u = p[0] + Pack(x / Pack(per_interval)) * mean;
+    Pack const u = p[0] + Pack(x * Pack(width)) * mean;
     return {select(apart, Pack(0.0), u), select(apart, Pack(0.0), d_u)};
 }
 

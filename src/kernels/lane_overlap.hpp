@@ -2,10 +2,10 @@
 /// The kernel for the overlap test, one pair per lane. It drives the tests on the quartic (overlap/quartic.hpp). lanes.cpp puts it
 /// into its table.
 ///
-/// Each pair is first tested at the same t as in the function for one pair. Undecided pairs are collected, so that all lanes stay
-/// in use. They are tested again at the next two t of the fixed-point map, and then at the t to which the search on the rational
-/// form converges. Pairs are left over if they fail the fast checks, or if they remain undecided because they are tangent to within
-/// rounding.
+/// Each pair is first tested at about the same t as in the function for one pair. Undecided pairs are collected, so that all lanes
+/// stay in use. They are tested again at the next two t of the fixed-point map, and then at the t to which the search on the
+/// rational form converges. Pairs are left over if they fail the fast checks, or if they remain undecided because they are tangent
+/// to within rounding.
 #ifndef PW85_KERNELS_LANE_OVERLAP_HPP_INCLUDED
 #define PW85_KERNELS_LANE_OVERLAP_HPP_INCLUDED
 
@@ -48,13 +48,20 @@ struct LaneCertainty {
     Pack next;                 ///< square of the next t of the fixed-point map
 };
 
+/// The first t. It is that of the function for one pair, up to a few per cent.
+template <int D> PW85_INLINE Pack first_point(LanePair<D> const &pair) noexcept
+{
+    auto const weights = outer_weights(pair.r12);
+    return coarse_root_of_ratio(quadratic_form(pair.q1, weights), quadratic_form(pair.q2, weights));
+}
+
 /// Tests one pair per lane at t.
 template <int D> PW85_INLINE LaneCertainty test_lanes(LanePair<D> const &pair, Pack const &t) noexcept
 {
     auto const e = evaluate_quartic(pair, t);
     auto const certainty = test_quartic(e, t);
     unsigned const apart = certainty.apart.to_bits(), overlap = certainty.overlap.to_bits();
-    return {overlap, overlap | apart, fixed_point_square(e, t)};
+    return {overlap, overlap | apart, coarse_quotient(first_form(e, t), e.form)};
 }
 
 /// Stores the results of consecutive pairs, one byte for each.
@@ -79,7 +86,7 @@ template <class Rows> PW85_INLINE void test_consecutive(Rows const &rows, Chunk 
         if (k % prefetch_distance == 0) prefetch(rows, first + prefetch_distance, prefetch_distance, end);
         auto const pair = load_consecutive(rows, first, left);
         unsigned const passing = passes_fast_checks(pair).to_bits();
-        LaneCertainty const certainty = test_lanes(pair, initial_guess(pair));
+        LaneCertainty const certainty = test_lanes(pair, first_point(pair));
         store_answers(certainty.overlap, left, out + first);
         for_lanes(live_lanes(left) & passing & ~certainty.decided,
                   [&](unsigned i) { undecided.push(first + i, certainty.next[i]); });

@@ -33,18 +33,24 @@ template <class Rows, class Arrays>
 
 /// Computes the values of a law, pack by pack. Lanes beyond the last pair repeat that pair, and do not enter the sum.
 template <class Law>
-[[gnu::flatten]] double evaluate_law(Law const &law, std::size_t n, double const *mu2, double *d_u) noexcept
+[[gnu::flatten]] LawSums evaluate_law(Law const &given, std::size_t n, double const *mu2, double *d_u) noexcept
 {
-    Pack sums = Pack(0.0);
+    Law const law = given; // so that no store to d_u may change it
+    Pack energies = Pack(0.0), counts = Pack(0.0);
     for (std::size_t k = 0; k < n; k += lanes) {
         std::size_t const left = n - k;
         LawValues const values = evaluate(law, load_numbers(mu2 + k, left));
         store_lanes(values.d_u, left, d_u + k);
-        sums = sums + select(PackMask::from_bits(live_lanes(left)), values.u, Pack(0.0));
+        PackMask const live = PackMask::from_bits(live_lanes(left));
+        energies = energies + select(live, values.u, Pack(0.0));
+        counts = counts + select(live && !(values.d_u == Pack(0.0)), Pack(1.0), Pack(0.0));
     }
-    double sum = 0.0;
-    for (std::size_t i = 0; i < lanes; ++i) sum += sums[i];
-    return sum;
+    double energy = 0.0, count = 0.0;
+    for (std::size_t i = 0; i < lanes; ++i) {
+        energy += energies[i];
+        count += counts[i];
+    }
+    return {energy, static_cast<std::size_t>(count)};
 }
 
 template <class Rows, class Arrays> constexpr LaneKernel<Rows, Arrays> made(LaneKernel<Rows, Arrays> const &) noexcept

@@ -2,11 +2,13 @@
 /// Sums energy, forces, torques and virial of a law over the pairs of a neighbour list. pw85_law_forces_pairs() (many_pairs.cpp)
 /// calls sum_law().
 ///
-/// The pairs are divided into blocks of a fixed size, for any number of threads. In each round, every thread computes the
-/// derivatives of some blocks, which remain in the cache. Then it adds the terms of all blocks of the round to its own particles
+/// The pairs are divided into blocks of a fixed size, for any number of threads. In each round, the threads compute the derivatives
+/// of some blocks, which remain in the cache. Then each thread adds the terms of all blocks of the round to its own particles
 /// (forces.hpp). So the terms are added in the order of the pairs, and the bits of the sums do not depend on the number of threads.
 #ifndef PW85_KERNELS_LAW_FORCES_HPP_INCLUDED
 #define PW85_KERNELS_LAW_FORCES_HPP_INCLUDED
+
+#include <atomic>
 
 #include "../neighbors/array.hpp"
 #include "forces.hpp"
@@ -18,6 +20,7 @@ namespace {
 /// The number of pairs per block, a multiple of the chunks of all kernels for contact functions on x86. The derivatives of a block
 /// take 60 kB, so that those of all rounds in progress fit into a second-level cache.
 constexpr std::size_t law_block = 504;
+static_assert(law_block <= most_listed);
 
 /// The sums of a block.
 struct BlockSums {
@@ -32,6 +35,7 @@ struct LawBlock {
     double r12[3 * law_block], d_r12[3 * law_block], d_rot1[3 * law_block], d_rot2[3 * law_block];
     std::int32_t pairs[2 * law_block], images[3 * law_block];
     unsigned char overlap[law_block];
+    PairsWithForce with_force;
 
     PairGradients gradients() const noexcept { return {size, list, d_u, d_r12, d_rot1, d_rot2, r12}; }
 };
@@ -67,7 +71,9 @@ template <class Law> Failure compute_block(Kernels const &kernels, NeighborList 
                                                  torques ? made.d_rot1 : nullptr, torques ? made.d_rot2 : nullptr,
                                                  sums.virial != nullptr ? made.r12 : nullptr});
     LawKernel<Law> const &kernel = *kernels.lanes;
-    energy = kernel.evaluate(law, made.size, made.mu2, made.d_u);
+    LawSums const evaluated = kernel.evaluate(law, made.size, made.mu2, made.d_u);
+    energy = evaluated.energy;
+    list_pairs(made.d_u, {0, made.size}, evaluated.with_force, made.with_force);
     return bad;
 }
 
@@ -81,44 +87,55 @@ template <class Law> struct LawProblem {
     std::size_t num_blocks() const noexcept { return (num_pairs + law_block - 1) / law_block; }
 };
 
-/// The number of blocks that each of several threads computes in a round. Threads wait for each other once in a round. A round
-/// takes a tenth of a millisecond, so the waiting costs little.
+/// The number of blocks of a round for each of several threads. Threads wait for each other once in a round. A round takes a tenth
+/// of a millisecond, so the waiting costs little.
 constexpr std::size_t blocks_per_thread = 8;
 
-/// The blocks of a round, in their order.
-struct Round {
-    std::size_t depth, threads; ///< blocks of a thread, number of threads
+/// The blocks of a round. One thread takes block by block.
+constexpr std::size_t round_size(std::size_t threads) noexcept { return threads > 1 ? blocks_per_thread * threads : 1; }
 
-    std::size_t size() const noexcept { return depth * threads; }
+/// What the threads share: two rounds of blocks, the sums of all blocks, and the number of blocks that are taken.
+struct LawWork {
+    LawBlock *blocks;
+    BlockSums *sums;
+    std::atomic<std::size_t> taken = 0;
+
+    /// Takes the next block before `end`. Returns false if there is none.
+    bool take(std::size_t end, std::size_t &number) noexcept
+    {
+        number = taken.load(std::memory_order_relaxed);
+        while (number < end)
+            if (taken.compare_exchange_weak(number, number + 1, std::memory_order_relaxed)) return true;
+        return false;
+    }
 };
 
-/// The work of one thread. `all` has two rounds of blocks. While some threads still add the terms of a round, others compute the
-/// blocks of the next one.
-template <class Law> Failure sum_law(LawProblem<Law> const &problem, Round const &round, std::size_t thread,
-                                     LawBlock *all, BlockSums *block_sums) noexcept
+/// Computes block k of a problem, with its energy and virial.
+template <class Law>
+Failure compute_block(LawProblem<Law> const &problem, std::size_t k, LawBlock &made, BlockSums &sums) noexcept
 {
-    Kernels const &kernels = chosen();
-    ForceSum const own(problem.sums, share(problem.num_particles, round.threads, thread));
+    std::size_t const pair = k * law_block;
+    Failure const bad = compute_block(chosen(), problem.rows.from(pair), std::min(law_block, problem.num_pairs - pair),
+                                      problem.law, problem.sums, made, sums.energy);
+    std::fill_n(sums.virial, 9, 0.0);
+    if (problem.sums.virial != nullptr) add_virial(made.gradients(), made.with_force, sums.virial);
+    return {pair + bad.index, bad.status};
+}
+
+/// The work of one thread. In each round it adds the terms of the round before to its own particles, and then computes blocks as
+/// long as there are some. In a sorted list the particles of a round belong to one thread. While this thread adds their terms, the
+/// others compute.
+template <class Law> Failure sum_law(LawProblem<Law> const &problem, ThreadNumber const &team, LawWork &work) noexcept
+{
+    ForceSum const own(problem.sums, share(problem.num_particles, team.threads, team.thread));
+    std::size_t const size = round_size(team.threads), num_blocks = problem.num_blocks();
     Failure first{0, 0};
-    bool odd = false;
-    for (std::size_t begin = 0; begin < problem.num_blocks(); begin += round.size(), odd = !odd) {
-        LawBlock *const blocks = all + (odd ? round.size() : 0);
-        std::size_t const end = std::min(begin + round.size(), problem.num_blocks());
-        Range const mine = {std::min(end, begin + thread * round.depth),
-                            std::min(end, begin + (thread + 1) * round.depth)};
-        for (std::size_t k = mine.begin; k < mine.end; ++k) {
-            std::size_t const pair = k * law_block;
-            Failure const bad =
-                compute_block(kernels, problem.rows.from(pair), std::min(law_block, problem.num_pairs - pair),
-                              problem.law, problem.sums, blocks[k - begin], block_sums[k].energy);
-            first.update({pair + bad.index, bad.status});
-        }
+    for (std::size_t begin = 0; begin < num_blocks + size; begin += size) {
+        for (std::size_t k = std::max(begin, size) - size; k < std::min(begin, num_blocks); ++k)
+            own.add(work.blocks[k % (2 * size)].gradients(), work.blocks[k % (2 * size)].with_force);
+        for (std::size_t k = 0; work.take(std::min(begin + size, num_blocks), k);)
+            first.update(compute_block(problem, k, work.blocks[k % (2 * size)], work.sums[k]));
 #pragma omp barrier
-        for (std::size_t k = begin; k < end; ++k) {
-            PairGradients const pairs = blocks[k - begin].gradients();
-            bool const with_virial = problem.sums.virial != nullptr && k >= mine.begin && k < mine.end;
-            own.add_part(pairs, {0, pairs.num_pairs}, with_virial ? block_sums[k].virial : nullptr);
-        }
     }
     return first;
 }
@@ -149,16 +166,16 @@ inline std::size_t threads_for(std::size_t n) noexcept
 /// Sums in parallel, and returns the status of the first bad pair.
 template <class Law> int sum_law(LawProblem<Law> const &problem, double *energy) noexcept
 {
-    std::size_t const threads = threads_for(problem.num_pairs), depth = threads > 1 ? blocks_per_thread : 1;
+    std::size_t const threads = threads_for(problem.num_pairs);
     neighbors::Array<LawBlock> blocks;
     neighbors::Array<BlockSums> block_sums;
-    if (!blocks.resize(2 * depth * threads) || !block_sums.resize(problem.num_blocks())) return PW85_ENOMEM;
+    if (!blocks.resize(2 * round_size(threads)) || !block_sums.resize(problem.num_blocks())) return PW85_ENOMEM;
+    LawWork work{blocks.data(), block_sums.data()};
     Failure first{0, 0};
 #pragma omp parallel num_threads(static_cast <int>(threads)) if (threads > 1)
     {
         DefaultEnvironment const environment; // threads have their own
-        auto const team = this_thread();
-        Failure const own = sum_law(problem, {depth, team.threads}, team.thread, blocks.data(), block_sums.data());
+        Failure const own = sum_law(problem, this_thread(), work);
 #pragma omp critical(pw85_batch)
         first.update(own);
     }

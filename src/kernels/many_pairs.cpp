@@ -124,7 +124,7 @@ InversePowers shifted(InversePowers law) noexcept
     InversePowers everywhere = law;
     everywhere.mu2_max = HUGE_VAL;
     LawKernel<InversePowers> const &kernel = *chosen().lanes;
-    in_default_environment([&] { law.shift = kernel.evaluate(everywhere, 1, &law.mu2_max, &d_u); });
+    in_default_environment([&] { law.shift = kernel.evaluate(everywhere, 1, &law.mu2_max, &d_u).energy; });
     return law;
 }
 

@@ -250,9 +250,17 @@ PW85_INLINE Pack rough_root(Pack const &x) noexcept
     Pack const r = _mm512_rsqrt14_pd(x.v), half = Pack(0.5), root = x * r;
     return root + root * (half - half * root * r);
 }
+
+// To choose a point, the estimates themselves are enough. Their relative errors add up to less than 2^-13.
+PW85_INLINE Pack coarse_quotient(Pack const &x, Pack const &y) noexcept { return x * Pack(_mm512_rcp14_pd(y.v)); }
+PW85_INLINE Pack coarse_root_of_ratio(Pack const &x, Pack const &y) noexcept
+{
+    return _mm512_rsqrt14_pd(Pack(coarse_quotient(y, x)).v);
+}
 #else
 PW85_INLINE Pack rough_quotient(Pack const &x, Pack const &y) noexcept { return x / y; }
 PW85_INLINE Pack rough_root(Pack const &x) noexcept { return square_root(x); }
+PW85_INLINE Pack coarse_quotient(Pack const &x, Pack const &y) noexcept { return x / y; }
 #endif
 
 } // namespace

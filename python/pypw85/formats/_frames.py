@@ -85,20 +85,25 @@ class Frame:
         return FileError(self.path, reason, self.location.frame, line)
 
     def system(self, options: Options) -> System:
-        """The system of this frame, once nothing is found wrong with it."""
+        """The system of this frame, once nothing is found wrong with it. Then the frame has no particles any more: their table, of
+        which the arrays are views, would be as large as the system."""
         self._take(options)
         has_shape = self.check()
         scale = 0.5 if self.lengths == "diameters" else 1.0
         assert self.shapes is not None and self.quaternions is not None
         quaternions = self.quaternions if self.order == "wxyz" else self.quaternions[:, [3, 0, 1, 2]]
+        arrays = self.positions[has_shape], scale * self.shapes[has_shape], quaternions[has_shape]
+        types = None if self.types is None else numbers_if_all_are(self.types[has_shape])
+        ids = None if self.ids is None else self.ids[has_shape]
+        del quaternions
+        self.positions = arrays[0][:0]
+        self.shapes = self.quaternions = self.types = self.ids = None
         return System.from_axes(
-            self.positions[has_shape],
-            scale * self.shapes[has_shape],
-            quaternions[has_shape],
+            *arrays,
             cell=self.cell,
             periodic=self.periodic,
-            types=None if self.types is None else numbers_if_all_are(self.types[has_shape]),
-            ids=None if self.ids is None else self.ids[has_shape],
+            types=types,
+            ids=ids,
             origin=self.origin,
             step=self.step,
             shapeless=int((~has_shape).sum()),

@@ -69,6 +69,7 @@ def load(path: os.PathLike[str], location: Location, options: Options) -> System
         cell=header.cell, origin=header.origin, periodic=header.periodic, step=header.step,
         lines=range(table.line, table.line + table.count),
     )  # fmt: skip
+    del table, centers  # of which the frame holds what it needs
     return frame.system(options)
 
 
