@@ -169,19 +169,21 @@ void test_several_points()
 {
     using Form = pw85::SymmetricMatrix<double, 3>;
     Form const box{4, 0, 0, 9, 0, 16}, thin{4, 0, 0, 1, 0, 1};
-    auto const c = pw85::containment({0.0, 0.0, 0.0}, box, thin);
+    auto const c = pw85::containment(pw85::Vector{0.0, 0.0, 0.0}, box, thin);
     g_assert_cmpfloat_with_epsilon(c.mu2, 1.0, 1e-15);
     g_assert_cmpfloat_with_epsilon(std::abs(c.point[0]), 2.0, 1e-15);
     g_assert_cmpfloat(std::abs(c.point[1]) + std::abs(c.point[2]), <, 1e-7);
     // The disc x²/4 + ... at height 1 in a ball of radius 3: it touches on a rim of radius 2 or less, √(4 + 1) of 3.
-    auto const rim = pw85::containment({0.0, 0.0, 1.0}, Form{9, 0, 0, 9, 0, 9}, Form{4, 0, 0, 4, 0, 0x1p-40});
+    auto const rim =
+        pw85::containment(pw85::Vector{0.0, 0.0, 1.0}, Form{9, 0, 0, 9, 0, 9}, Form{4, 0, 0, 4, 0, 0x1p-40});
     g_assert_cmpfloat_with_epsilon(rim.mu2, 5.0 / 9.0, 1e-12);
     g_assert_cmpfloat_with_epsilon(std::hypot(rim.point[0], rim.point[1]), 2.0, 1e-9);
     for (double const size : {1.0, 0x1p-300, 0x1p300}) {
-        auto const self = pw85::containment({0.0, 0.0, 0.0}, size * box, size * box);
+        auto const self = pw85::containment(pw85::Vector{0.0, 0.0, 0.0}, size * box, size * box);
         g_assert_cmpfloat_with_epsilon(self.mu2, 1.0, 1e-15);
-        auto const in_c = pw85::containment({0.0, 0.0}, {size, 0.0, size}, {4 * size, 0.0, 4 * size});
-        g_assert_cmpfloat_with_epsilon(in_c.mu2, 4.0, 1e-14);
+        pw85::SymmetricMatrix<double, 2> const circle{size, 0, size};
+        auto const in_plane = pw85::containment(pw85::Vector{0.0, 0.0}, circle, 4.0 * circle);
+        g_assert_cmpfloat_with_epsilon(in_plane.mu2, 4.0, 1e-14);
     }
 }
 
@@ -220,13 +222,13 @@ void test_extremes()
 {
     auto const ball = [](double a) { return pw85::SymmetricMatrix<double, 3>{a * a, 0, 0, a * a, 0, a * a}; };
     auto const near = [](double x, double y) { g_assert_cmpfloat_with_epsilon(x / y, 1.0, 1e-14); };
-    near(pw85::containment({1e150, 0.0, 0.0}, ball(1e150), ball(1e-150)).mu2, 1.0);
-    near(pw85::containment({1e-150, 0.0, 0.0}, ball(1.0), ball(1.0)).mu2, 1.0);
-    near(pw85::containment({3e-100, 4e-100, 0.0}, ball(1.0), ball(1e-150)).mu2, 2.5e-199);
-    near(pw85::containment({1e100, 0.0, 0.0}, ball(1e-50), ball(1.0)).mu2, 1e300);
-    near(pw85::containment({0.0, 0.0, 0.0}, ball(1e-70), ball(1e80)).mu2, 1e300);
-    g_assert_true(std::isinf(pw85::containment({0.0, 0.0, 0.0}, ball(1e-150), ball(1e150)).mu2));
-    g_assert_true(pw85::containment({0.0, 0.0, 0.0}, ball(1e150), ball(1e-150)).mu2 == 0.0);
+    near(pw85::containment(pw85::Vector{1e150, 0.0, 0.0}, ball(1e150), ball(1e-150)).mu2, 1.0);
+    near(pw85::containment(pw85::Vector{1e-150, 0.0, 0.0}, ball(1.0), ball(1.0)).mu2, 1.0);
+    near(pw85::containment(pw85::Vector{3e-100, 4e-100, 0.0}, ball(1.0), ball(1e-150)).mu2, 2.5e-199);
+    near(pw85::containment(pw85::Vector{1e100, 0.0, 0.0}, ball(1e-50), ball(1.0)).mu2, 1e300);
+    near(pw85::containment(pw85::Vector{0.0, 0.0, 0.0}, ball(1e-70), ball(1e80)).mu2, 1e300);
+    g_assert_true(std::isinf(pw85::containment(pw85::Vector{0.0, 0.0, 0.0}, ball(1e-150), ball(1e150)).mu2));
+    g_assert_true(pw85::containment(pw85::Vector{0.0, 0.0, 0.0}, ball(1e150), ball(1e-150)).mu2 == 0.0);
 }
 
 // pw85_contains() and the factor agree, outside of the error of the factor. The C functions give the bits of the headers.

@@ -37,20 +37,22 @@ struct PassageSearch {
     PassageForms forms;
     RationalSearch<Pack> search;
     Pack place;
-    PackMask active;
+    PackMask active, valid; ///< valid: the pair, the velocity and the range pass the fast checks
 };
 
-PW85_INLINE Pack place_of(PassageForms const &forms, Pack const &t) noexcept
+/// The place of the time -rv/vv, with vv > 0.
+PW85_INLINE Pack place_of(PassageForms const &forms, Pack const &rv, Pack const &vv) noexcept
 {
-    return select(t > Pack(0.0), select(t < forms.end, Pack(0.0), Pack(1.0)), Pack(-1.0));
+    return select(rv < Pack(0.0), select(-rv < forms.end * vv, Pack(0.0), Pack(1.0)), Pack(-1.0));
 }
 
 PW85_INLINE PassageForms passage_forms(LanePair<3> const &pair, Vector<Pack, 3> const &v, Pack const &end) noexcept
 {
-    auto const rr = outer_weights(pair.r12), vv = outer_weights(v), ww = outer_weights(cross(pair.r12, v));
+    auto const vv = outer_weights(v), ww = outer_weights(cross(pair.r12, v));
     auto const adj1 = adjugate(pair.q1), mixed = mixed_adjugate(pair.q1, pair.q2), adj2 = adjugate(pair.q2);
-    return {{{quadratic_form(adj1, rr), quadratic_form(mixed, rr), quadratic_form(adj2, rr)}},
-            {{dot(pair.r12, product(adj1, v)), dot(pair.r12, product(mixed, v)), dot(pair.r12, product(adj2, v))}},
+    auto const r1 = product(adj1, pair.r12), rm = product(mixed, pair.r12), r2 = product(adj2, pair.r12);
+    return {{{dot(pair.r12, r1), dot(pair.r12, rm), dot(pair.r12, r2)}},
+            {{dot(v, r1), dot(v, rm), dot(v, r2)}},
             {{quadratic_form(adj1, vv), quadratic_form(mixed, vv), quadratic_form(adj2, vv)}},
             {determinant(pair.q1, adj1), contraction(adj1, pair.q2), contraction(adj2, pair.q1),
              determinant(pair.q2, adj2)},
@@ -90,15 +92,21 @@ PW85_INLINE void start(PassageSearch &state, LanePair<3> const &pair, Vector<Pac
     state.search.candidate = {tau, Pack(0.0), Pack(0.0)};
     state.search.active = tau == tau;
     state.active = state.search.active;
-    state.place = Pack(0.0);
+    state.valid =
+        passes_fast_checks(pair) && is_in_range(sum_of_magnitudes(v), Pack(1.0), Pack(1.0)) && end >= Pack(0.0);
+    state.place = place_of(state.forms, state.forms.rv.at(tau), state.forms.vv.at(tau));
+    state.search.form = form_for(state.forms, state.place);
 }
 
+/// Takes a step. The form is made anew only where a place changes, which few steps do.
 PW85_INLINE void take_passage_step(PassageSearch &state, LanePair<3> const &pair) noexcept
 {
     Pack const tau = state.search.candidate.t;
-    Pack const place = place_of(state.forms, rough_quotient(Pack(-state.forms.rv.at(tau)), state.forms.vv.at(tau)));
-    state.place = select(state.active, place, state.place);
-    state.search.form = form_for(state.forms, state.place);
+    Pack const place = place_of(state.forms, state.forms.rv.at(tau), state.forms.vv.at(tau));
+    if (any_of(state.active && !(place == state.place))) {
+        state.place = select(state.active, place, state.place);
+        state.search.form = form_for(state.forms, state.place);
+    }
     take_step(state.search, pair);
     state.active = state.search.active;
 }
@@ -109,19 +117,27 @@ struct LanePassage {
     PackMask certain;
 };
 
-/// Whether t is best for τ, and the rounding of r + tv harmless: the conditions of step_at() (motion/closest_passage.hpp), with S >= 3
-/// (r + tv)ᵀM⁻¹(r + tv) and everything times det M. `p` is adj v.
-PW85_INLINE PackMask is_best(LanePair<3> const &pair, Vector<Pack, 3> const &v, Pack const &t,
-                             SymmetricMatrix<Pack, 3> const &adj, Vector<Pack, 3> const &r, PackMask between) noexcept
+/// Whether the rounding of t, of t v and of r + tv is harmless: the condition of is_rounding_harmless() (motion/closest_passage.hpp), with
+/// everything times det M. `form` is (r + tv)ᵀadj(r + tv), of which S is at least three times. The factor 16 leaves room for the roundings
+/// of the two dot products that give t. So t is best for τ, up to an error of u S in μ².
+PW85_INLINE PackMask is_rounding_harmless(LanePair<3> const &pair, Vector<Pack, 3> const &v, Pack const &t,
+                                          SymmetricMatrix<Pack, 3> const &adj, Pack const &form) noexcept
 {
-    auto const p = product(adj, v);
-    Pack const u = Pack(unit_roundoff<Pack>()), form = quadratic_form(adj, r), along = dot(r, p);
     Pack second = Pack(0.0);
     for (int i = 0; i < 3; ++i) {
         Pack const x = absolute(pair.r12[i]) + Pack(t + t) * absolute(v[i]);
         second = second + Pack(x * x) * adj(i, i);
     }
-    return u * second <= form && (along * along <= Pack(u * form) * dot(v, p) || !between);
+    return Pack(16.0 * unit_roundoff<Pack>()) * second <= form;
+}
+
+/// How much later the best time is at τ' than at τ, from the divided differences of its numerator and denominator.
+PW85_INLINE Pack delay_of(PassageForms const &forms, Pack const &tau, Pack const &next) noexcept
+{
+    auto const &rv = forms.rv, &vv = forms.vv;
+    Pack const sum = tau + next, at = rv.at(tau), norm = vv.at(tau);
+    Pack const slope = at * (vv.c[2] * sum + vv.c[1]) - norm * (rv.c[2] * sum + rv.c[1]);
+    return Pack(Pack(next - tau) * slope) / Pack(norm * vv.at(next));
 }
 
 /// The value at the last τ, by the quadratic forms. The time includes the last step.
@@ -131,18 +147,16 @@ PW85_INLINE LanePassage finish(PassageSearch const &state, LanePair<3> const &pa
     Pack const tau = state.search.candidate.t;
     auto const adj = adjugate(blend(pair.q1, tau, pair.q2));
     auto const p = product(adj, v);
-    Pack const best = Pack(-dot(pair.r12, p)) / Pack(dot(v, p)), place = place_of(forms, best);
+    Pack const rv = dot(pair.r12, p), vv = dot(v, p), best = -rv / vv;
     Pack const t = minimum(maximum(best, Pack(0.0)), forms.end);
     auto const at_t = pair_of(add_scaled(pair.r12, t, v), pair.q1, pair.q2);
     auto const last = last_evaluation(at_t, state.search.candidate);
-    auto const between = place == Pack(0.0);
-    Pack const next = tau + tau * last.value.step;
-    Pack const delay = forms.rv.at(tau) / forms.vv.at(tau) - forms.rv.at(next) / forms.vv.at(next);
-    Pack const time = select(between, minimum(maximum(Pack(best + delay), Pack(0.0)), forms.end), t);
+    auto const between = state.place == Pack(0.0);
+    Pack const moved = best + delay_of(forms, tau, Pack(tau + tau * last.value.step));
+    Pack const time = select(between, minimum(maximum(moved, Pack(0.0)), forms.end), t);
     return {last.value.mu2, time,
-            last.certain && place == state.place && is_best(pair, v, t, adj, at_t.r12, between) &&
-                passes_fast_checks(pair) && is_in_range(sum_of_magnitudes(v), Pack(1.0), Pack(1.0)) &&
-                forms.end >= Pack(0.0)};
+            last.certain && place_of(forms, rv, vv) == state.place &&
+                is_rounding_harmless(pair, v, t, adj, dot(at_t.r12, product(adj, at_t.r12))) && state.valid};
 }
 
 /// Stores the closest passages of a chunk.
