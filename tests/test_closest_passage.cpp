@@ -91,15 +91,20 @@ Wide change(Passing const &p, Wide const &t)
     return sum;
 }
 
-struct Result {
-    double mu2, t;
+template <class T> struct Passage {
+    T mu2, t;
 };
+using Result = Passage<double>;
 
-Result by_one(Passing const &p)
+/// By the headers. The numbers must be in T.
+template <class T> Passage<T> by_type(Passing const &p)
 {
-    auto const c = pw85::closest_passage(p.pair.r12, p.pair.q1, p.pair.q2, p.velocity, p.t_max);
+    auto const s = convert<T>(p.pair);
+    auto const c = pw85::closest_passage(s.r12, s.q1, s.q2, convert<T>(p.velocity), static_cast<T>(p.t_max));
     return {c.mu2, c.time};
 }
+
+Result by_one(Passing const &p) { return by_type<double>(p); }
 
 Result by_batch(Passing const &p)
 {
@@ -110,23 +115,25 @@ Result by_batch(Passing const &p)
 }
 
 /// How much μ² may change by the rounding of the time t, by 2 u t: μ is a norm, so μ changes by 2 u t μ(v) at most.
-Wide change_by_rounding(Passing const &p, Least const &exact)
+Wide change_by_rounding(Passing const &p, Least const &exact, Wide const &u)
 {
     auto const s = convert<Wide>(p.pair);
     auto const v = convert<Wide>(p.velocity);
-    Wide const mu = sqrt(exact.mu2), change = Wide(0x1p-52) * exact.t * sqrt(pw85::contact(v, s.q1, s.q2).mu2);
+    Wide const mu = sqrt(exact.mu2), change = 2 * u * exact.t * sqrt(pw85::contact(v, s.q1, s.q2).mu2);
     return change * (2 * mu + change);
 }
 
 /// The bound of pw85.h, and that μ² at the time is the least one.
-void compare(Passing const &p, Least const &exact, Result const &result, char const *what, Failures &failures)
+template <class T>
+void compare(Passing const &p, Least const &exact, Passage<T> const &result, char const *what, Failures &failures)
 {
     auto const describe = [&] { return what + (": " + text(p)); };
-    failures.check(result.t >= 0.0 && result.t <= p.t_max, "range of t", result.t, p.t_max, describe);
-    Wide const unit = Wide(0x1p-53) * change(p, exact.t);
+    failures.check(result.t >= 0 && result.t <= static_cast<T>(p.t_max), "range of t", static_cast<double>(result.t),
+                   p.t_max, describe);
+    Wide const u = pw85::detail::unit_roundoff<T>(), unit = u * change(p, exact.t);
     double const error = static_cast<double>(Wide(abs(Wide(result.mu2) - exact.mu2) / unit));
     failures.check(error <= 8, "error in u S", error, 8, describe);
-    Wide const excess = mu2_at(p, result.t) - exact.mu2 - change_by_rounding(p, exact);
+    Wide const excess = mu2_at(p, result.t) - exact.mu2 - change_by_rounding(p, exact, u);
     failures.check(excess <= 8 * unit, "at the time, in u S", static_cast<double>(Wide(excess / unit)), 8, describe);
 }
 
@@ -151,7 +158,7 @@ void test_random()
 {
     Failures failures;
     Random random(700);
-    int between = 0, count = draws(1200);
+    int between = 0, count = draws(1000);
     for (int n = 0; n < count; ++n) {
         auto const p = random_passing(random, n, 1e6);
         if (std::isnan(by_one(p).mu2)) continue; // a form that is not definite when it is rounded
@@ -162,6 +169,23 @@ void test_random()
     }
     g_assert_cmpint(between, >, count / 4);
     g_assert_cmpint(between, <, 3 * count / 4);
+}
+
+/// The pair with numbers that are rounded to float.
+Passing in_float(Passing const &p)
+{
+    return {convert<double>(convert<float>(p.pair)), convert<double>(convert<float>(p.velocity)),
+            static_cast<double>(static_cast<float>(p.t_max))};
+}
+
+template <class T> void test_type()
+{
+    Failures failures;
+    Random random(705);
+    for (int n = 0; n < draws(200); ++n) {
+        auto const p = in_float(random_passing(random, n, 100.0));
+        compare(p, least(p), by_type<T>(p), "type", failures);
+    }
 }
 
 // Forms along the axes and a way that is not: their shadows lose the digits of the short axes.
@@ -356,7 +380,9 @@ void test_batch()
 int main(int argc, char **argv)
 {
     g_test_init(&argc, &argv, nullptr);
-    g_test_add_func("/closest_passage/random", test_random);
+    g_test_add_func("/closest_passage/random/double", test_random);
+    g_test_add_func("/closest_passage/random/float", test_type<float>);
+    g_test_add_func("/closest_passage/random/long_double", test_type<long double>);
     g_test_add_func("/closest_passage/shadows_that_cancel", test_shadows_that_cancel);
     g_test_add_func("/closest_passage/spheres", test_spheres);
     g_test_add_func("/closest_passage/center", test_center);
