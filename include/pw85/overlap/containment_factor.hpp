@@ -18,9 +18,9 @@
 ///    nᵀQ2n = ν². So relative errors u of the data, entry by entry, change κ² by u S with
 ///        S = Σ|n_i|(|Q1_ij| + |Q2_ij|/ν)|n_j| + 2 Σ|r_i n_i|.
 ///
-/// The search stops where the bounds of items 1 and 2 differ by 4 u S. If rounding errors prevent this, wider numbers repeat the search.
-/// The value of item 1 errs by 8 u S + 6 u κ² (items on shows_outside() in containment.hpp), where S >= 2 κ². So the result errs by less
-/// than 16 u S.
+/// The rounding of M is like relative errors u of the data, which S counts. The search stops where the bounds of items 1 and 2 differ by 4 u
+/// S. If rounding errors prevent this, wider numbers repeat the search. The value of item 1 errs by 8 u S + 6 u κ² (see shows_outside() in
+/// containment.hpp), where S >= 2 κ². So the result errs by less than 16 u S.
 #ifndef PW85_OVERLAP_CONTAINMENT_FACTOR_HPP_INCLUDED
 #define PW85_OVERLAP_CONTAINMENT_FACTOR_HPP_INCLUDED
 
@@ -32,9 +32,8 @@ namespace pw85 {
 
 /// How much ellipsoid 1 must be scaled to contain ellipsoid 2.
 template <class T, int D> struct Enclosure {
-    T mu2; ///< square of the factor of ellipsoid 1, about its centre
-    Vector<T, D>
-        point; ///< of ellipsoid 2, where the scaled ellipsoid 1 touches it; relative to the centre of ellipsoid 1
+    T mu2;              ///< square of the factor of ellipsoid 1, about its centre
+    Vector<T, D> point; ///< where they touch then, on ellipsoid 2; relative to the centre of ellipsoid 1
     Status status;
 };
 
@@ -76,6 +75,7 @@ template <class T, int D> struct Protrusion {
     Vector<T, D> n; ///< with n·r >= 0
     T mu2;          ///< 0 if n is not a direction
     T root2;        ///< √(nᵀQ2n)
+    T nu;           ///< the ν that belongs to n: κ√(nᵀQ2n)/√(nᵀQ1n)
 };
 
 /// Item 1.
@@ -83,9 +83,9 @@ template <class T, int D>
 PW85_FUNCTION inline Protrusion<T, D> reach_along(ContainedPair<T, D> const &pair, Vector<T, D> n) noexcept
 {
     T const along = dot(n, pair.r12), q1 = quadratic_form(pair.q1, n), q2 = quadratic_form(pair.q2, n);
-    if (!(q1 > T(0) && q2 > T(0) && q1 < largest_number<T>())) return {n, T(0), T(0)};
+    if (!(q1 > T(0) && q2 > T(0) && q1 < largest_number<T>())) return {n, T(0), T(0), T(0)};
     T const root2 = square_root(q2), sum = root2 + absolute(along);
-    return {along < T(0) ? -n : n, T(sum * sum) / q1, root2};
+    return {along < T(0) ? -n : n, T(sum * sum) / q1, root2, T(sum * root2) / q1};
 }
 
 /// S of item 5. The scale of n does not enter.
@@ -156,6 +156,7 @@ template <class T, int D> struct GaugeSearch {
     T lower, upper; ///< of ν
     Protrusion<T, D> best;
     T bound; ///< κ² from above
+    T width; ///< of the bracket when next_in_bracket() was last called
 };
 
 /// Whether the bounds on κ² differ by no more than `tolerance` S.
@@ -166,19 +167,20 @@ is_settled(ContainedPair<T, D> const &pair, GaugeSearch<T, D> const &search, T c
     return mu2 > T(0) && (gap <= tolerance * mu2 || gap <= T(tolerance * reach_condition_sum(pair, search.best)));
 }
 
-/// Whether the pivots of a matrix exceed their rounding errors. With the matrix scaled to a unit diagonal, the second pivot p errs by 8 u,
-/// and the third one, whose terms have p as a divisor, by 16 u/√p (scripts/rounding_bounds.py, `definite`).
+/// Whether a matrix is positive definite, if its factorisation is subject to rounding errors. The factors are exact for a matrix that
+/// differs from M by at most 6 u √(M_ii M_jj) in each entry (N. J. Higham, Accuracy and Stability of Numerical Algorithms, SIAM 2002,
+/// section 10.1, with one more rounding for the reciprocal pivots). With M scaled to a unit diagonal, its eigenvalues change by 18 u. The
+/// smallest one is at least 4/9 of the determinant, and at least 1/condition().
 template <class T, int D>
-PW85_FUNCTION inline bool has_clear_pivots(SymmetricMatrix<T, D> const &m, Factorization<T, D> const &factors) noexcept
+PW85_FUNCTION inline bool exceeds_rounding(SymmetricMatrix<T, D> const &m, Factorization<T, D> const &factors) noexcept
 {
     T const u = T(unit_roundoff<T>());
-    T share[D];
+    T determinant = T(1);
     for (int i = 0; i < D; ++i) {
         if (!(m(i, i) > T(0) && factors.pivots[i] > T(0))) return false;
-        share[i] = factors.pivots[i] / m(i, i);
+        determinant = determinant * T(factors.pivots[i] / m(i, i));
     }
-    if (!(share[1] > T(T(8) * u))) return false;
-    return D == 2 || T(share[D - 1] * square_root(share[1])) > T(T(16) * u);
+    return determinant > T(T(64) * u) || T(T(32) * u) * condition(factors, m) < T(1);
 }
 
 /// Evaluates at ν, and returns the ν that Newton's method suggests. It is no suggestion if M is not positive definite.
@@ -188,7 +190,7 @@ PW85_FUNCTION inline T evaluate_at(ContainedPair<T, D> const &pair, GaugeSearch<
     SymmetricMatrix<T, D> m = pair.q1;
     for (int k = 0; k < m.size; ++k) m[k] = m[k] - T(pair.q2[k] / nu);
     auto const factors = factorize(m, T(0));
-    if (!has_clear_pivots(m, factors)) {
+    if (!exceeds_rounding(m, factors)) {
         search.lower = nu;
         return nu;
     }
@@ -201,8 +203,22 @@ PW85_FUNCTION inline T evaluate_at(ContainedPair<T, D> const &pair, GaugeSearch<
     return step.next;
 }
 
-/// The number of steps: bisection of a factor of two to the last digit, and Newton's method before it.
-template <class T> PW85_FUNCTION constexpr int max_gauge_steps() noexcept { return mantissa_digits<T>() + 40; }
+/// The number of steps. Bisection of a factor of two to the last digit takes as many steps as there are digits. Between two of them there may
+/// be one of each other kind.
+template <class T> PW85_FUNCTION constexpr int max_gauge_steps() noexcept { return 3 * mantissa_digits<T>() + 40; }
+
+/// The next ν where Newton's method leaves the bracket, as it does for a minimum at ν1. Near the minimum the ν of the best reach errs by the
+/// square of the error of n. So the next one is above it by the square of its distance from the upper end, as long as this halves the
+/// bracket. Otherwise it is in the middle of the bracket.
+template <class T, int D> PW85_FUNCTION inline T next_in_bracket(GaugeSearch<T, D> &search) noexcept
+{
+    if (!(search.upper < largest_number<T>())) return T(2) * search.lower;
+    T const excess = search.upper - search.best.nu, next = search.best.nu + excess * T(excess / search.upper);
+    T const width = search.upper - search.lower;
+    bool const halves = width <= T(T(0.5) * search.width);
+    search.width = width;
+    return halves && next > search.lower && next < search.upper ? next : T(T(0.5) * (search.lower + search.upper));
+}
 
 /// Searches from ν on for bounds that differ by no more than `tolerance` S.
 template <class T, int D> PW85_FUNCTION inline bool
@@ -211,9 +227,7 @@ search_gauge(ContainedPair<T, D> const &pair, GaugeSearch<T, D> &search, T nu, T
     for (int step = 0; step < max_gauge_steps<T>(); ++step) {
         T next = evaluate_at(pair, search, nu);
         if (is_settled(pair, search, tolerance)) return true;
-        bool const open = !(search.upper < largest_number<T>());
-        if (!(next > search.lower && next < search.upper))
-            next = open ? T(T(2) * search.lower) : T(T(0.5) * (search.lower + search.upper));
+        if (!(next > search.lower && next < search.upper)) next = next_in_bracket(search);
         if (!(next > search.lower && next < search.upper)) return false;
         nu = next;
     }
@@ -249,7 +263,8 @@ template <class W, class T, int D> [[gnu::noinline]] PW85_FUNCTION inline GaugeM
 find_gauge(ContainedPair<T, D> const &pair, W const &tolerance) noexcept
 {
     ContainedPair<W, D> const wide{converted<W>(pair.r12), converted<W>(pair.q1), converted<W>(pair.q2)};
-    GaugeSearch<W, D> search{W(0), largest_number<W>(), {{}, W(0), W(0)}, largest_number<W>()};
+    GaugeSearch<W, D> search{
+        W(0), largest_number<W>(), {{}, W(0), W(0), W(0)}, largest_number<W>(), largest_number<W>()};
     for (int i = 0; i < D; ++i) search.lower = maximum(search.lower, W(wide.q2(i, i) / wide.q1(i, i)));
     search.lower = W(T(0.5)) * search.lower;
     bool const settled = search_gauge(wide, search, initial_nu(wide), tolerance);
