@@ -87,6 +87,7 @@ module pw85
   public :: pw85_compare
   public :: pw85_overlap_witness
   public :: pw85_contains
+  public :: pw85_containment
   public :: pw85_closest_approach
   public :: pw85_contact_2d
   public :: pw85_contact_geometry_2d
@@ -94,12 +95,15 @@ module pw85
   public :: pw85_contact_torque_2d
   public :: pw85_contact_hessian_2d
   public :: pw85_overlap_2d
+  public :: pw85_contains_2d
+  public :: pw85_containment_2d
   public :: pw85_closest_approach_2d
   public :: pw85_distance
   public :: pw85_distance_derivatives
   public :: pw85_penetration
   public :: pw85_distance_2d
   public :: pw85_first_contact
+  public :: pw85_closest_passage
   public :: pw85_distance_plane
   public :: pw85_distance_plane_derivatives
   public :: pw85_contact_plane
@@ -114,6 +118,8 @@ module pw85
   public :: pw85_compare_batch
   public :: pw85_overlap_witness_batch
   public :: pw85_contains_batch
+  public :: pw85_containment_batch
+  public :: pw85_closest_passage_batch
   public :: pw85_closest_approach_batch
   public :: pw85_contact_factored_batch
   public :: pw85_condition_batch
@@ -361,6 +367,16 @@ module pw85
       integer(c_int) :: status
     end function pw85_contains
 
+    !> The factor by which ellipsoid 1 must be scaled, its centre fixed, to contain ellipsoid 2, and the point where
+    !> they touch then.
+    function pw85_containment(r12, q1, q2, mu2, point) result(status) bind(C, name='pw85_containment')
+      import
+      real(c_double), intent(in) :: r12(3), q1(6), q2(6)
+      real(c_double), intent(out), optional :: mu2
+      real(c_double), intent(out) :: point(3)
+      integer(c_int) :: status
+    end function pw85_containment
+
     !> Distance of closest approach.
     function pw85_closest_approach(direction, q1, q2, distance) result(status) bind(C, name='pw85_closest_approach')
       import
@@ -425,6 +441,23 @@ module pw85
       integer(c_int) :: status
     end function pw85_overlap_2d
 
+    !> Whether ellipse 2 is inside ellipse 1.
+    function pw85_contains_2d(r12, q1, q2, contains) result(status) bind(C, name='pw85_contains_2d')
+      import
+      real(c_double), intent(in) :: r12(2), q1(3), q2(3)
+      integer(c_int), intent(out) :: contains
+      integer(c_int) :: status
+    end function pw85_contains_2d
+
+    !> The factor by which ellipse 1 must be scaled to contain ellipse 2.
+    function pw85_containment_2d(r12, q1, q2, mu2, point) result(status) bind(C, name='pw85_containment_2d')
+      import
+      real(c_double), intent(in) :: r12(2), q1(3), q2(3)
+      real(c_double), intent(out), optional :: mu2
+      real(c_double), intent(out) :: point(2)
+      integer(c_int) :: status
+    end function pw85_containment_2d
+
     !> Distance of closest approach of two ellipses.
     function pw85_closest_approach_2d(direction, q1, q2, distance) result(status) bind(C, &
       name='pw85_closest_approach_2d')
@@ -477,6 +510,16 @@ module pw85
       real(c_double), intent(out) :: t
       integer(c_int) :: status
     end function pw85_first_contact
+
+    !> The least μ² while ellipsoid 2 passes ellipsoid 1 on a straight way.
+    function pw85_closest_passage(r12, q1, q2, velocity, t_max, mu2, t) result(status) bind(C, &
+      name='pw85_closest_passage')
+      import
+      real(c_double), intent(in) :: r12(3), q1(6), q2(6), velocity(3)
+      real(c_double), value :: t_max
+      real(c_double), intent(out), optional :: mu2, t
+      integer(c_int) :: status
+    end function pw85_closest_passage
 
     !> Distance from an ellipsoid with its centre at 0 to the half-space normal·x >= offset.
     function pw85_distance_plane(normal, offset, q, distance, point) result(status) bind(C, name='pw85_distance_plane')
@@ -611,6 +654,27 @@ module pw85
       integer(c_int8_t), intent(out) :: contains(n)
       integer(c_int) :: status
     end function pw85_contains_batch
+
+    !> pw85_containment() for n pairs.
+    function pw85_containment_batch(n, r12, q1, q2, mu2, point) result(status) bind(C, name='pw85_containment_batch')
+      import
+      integer(c_size_t), value :: n
+      real(c_double), intent(in) :: r12(3, n), q1(6, n), q2(6, n)
+      real(c_double), intent(out), optional :: mu2(n), point(3, n)
+      integer(c_int) :: status
+    end function pw85_containment_batch
+
+    !> pw85_closest_passage() for n pairs.
+    function pw85_closest_passage_batch(n, r12, q1, q2, velocity, t_max, mu2, t) result(status) bind(C, &
+      name='pw85_closest_passage_batch')
+      import
+      integer(c_size_t), value :: n
+      real(c_double), intent(in) :: r12(3, n), q1(6, n), q2(6, n), velocity(3, n)
+      real(c_double), value :: t_max
+      real(c_double), intent(out) :: mu2(n)
+      real(c_double), intent(out), optional :: t(n)
+      integer(c_int) :: status
+    end function pw85_closest_passage_batch
 
     !> pw85_closest_approach() for n pairs.
     function pw85_closest_approach_batch(n, directions, q1, q2, distance) result(status) bind(C, &

@@ -325,6 +325,22 @@ PW85_API int pw85_overlap_witness(double const r12[PW85_DIM], double const q1[PW
 PW85_API int pw85_contains(double const r12[PW85_DIM], double const q1[PW85_SYM], double const q2[PW85_SYM],
                            int *contains);
 
+/** The factor by which ellipsoid 1 must be scaled, its centre fixed, to contain ellipsoid 2, and the point where they touch then.
+ *
+ * The square of the factor is the largest value of xᵀ q1⁻¹ x over the points x of ellipsoid 2. It is at most 1 if ellipsoid 2 is inside
+ * ellipsoid 1; pw85_contains() decides this without rounding errors. The relative error is below 16 u c, with u = 2⁻⁵³, where u c is the
+ * fraction by which the square can change if each entry of r12, q1 and q2 changes by a fraction u of itself. The search proves the result
+ * by bounds from both sides.
+ *
+ * @param r12,q1,q2 as for pw85_contact(); zero is valid for r12, too
+ * @param[out] mu2 square of the factor; may be null
+ * @param[out] point on the surface of ellipsoid 2, relative to the centre of ellipsoid 1. If they touch at several points, the result is
+ *        one of them: they do for r12 = 0, and wherever r12 has no part along the longest direction of ellipsoid 2, measured by q1, and
+ *        is short enough. May be null
+ * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD, #PW85_ECONVERGENCE (the bounds cannot be made to agree; this has never been seen) */
+PW85_API int pw85_containment(double const r12[PW85_DIM], double const q1[PW85_SYM], double const q2[PW85_SYM],
+                              double *mu2, double point[PW85_DIM]);
+
 /** Distance of closest approach: the distance of the centres at which two ellipsoids of fixed orientation touch from
  * outside, when their centres are on a line of given direction d. It is |d|/μ(d).
  *
@@ -364,6 +380,13 @@ PW85_API int pw85_contact_hessian_2d(double const r12[2], double const q1[3], do
 
 /** Whether two ellipses overlap; see pw85_overlap(). */
 PW85_API int pw85_overlap_2d(double const r12[2], double const q1[3], double const q2[3], int *overlap);
+
+/** Whether ellipse 2 is inside ellipse 1; see pw85_contains(). */
+PW85_API int pw85_contains_2d(double const r12[2], double const q1[3], double const q2[3], int *contains);
+
+/** The factor by which ellipse 1 must be scaled to contain ellipse 2; see pw85_containment(). */
+PW85_API int pw85_containment_2d(double const r12[2], double const q1[3], double const q2[3], double *mu2,
+                                 double point[2]);
 
 /** Distance of closest approach of two ellipses; see pw85_closest_approach(). */
 PW85_API int pw85_closest_approach_2d(double const direction[2], double const q1[3], double const q2[3],
@@ -469,6 +492,22 @@ typedef struct pw85_motion {
  *         range of double; or one turns by more than 2⁴³ radians, so that its orientation is unknown) */
 PW85_API int pw85_first_contact(double const r12[PW85_DIM], double const q1[PW85_SYM], double const q2[PW85_SYM],
                                 pw85_motion const *motion1, pw85_motion const *motion2, double t_max, double *t);
+
+/** The least μ² while ellipsoid 2 passes ellipsoid 1 on a straight way: the least contact function for the separations r12 + t velocity,
+ * 0 <= t <= t_max.
+ *
+ * μ² is a convex function of the time, so there is one such time unless the velocity is zero. The error of μ² is below 8 u S. Here S is
+ * the change of μ² for relative errors of one in the given numbers: S = μ² cond + 2 λ(1-λ) Σ|n_i| (|r12_i| + t |velocity_i|), with cond,
+ * λ and n of the pair at time t as in pw85_condition(). Two ellipsoids that only translate do not meet if and only if μ² >= 1.
+ *
+ * @param r12,q1,q2 as for pw85_contact(), at time 0
+ * @param velocity of ellipsoid 2 relative to ellipsoid 1; may be zero
+ * @param t_max the end of the time, >= 0; may be infinity
+ * @param[out] mu2 the least μ²; 0 if ellipsoid 2 passes through the centre of ellipsoid 1; may be null
+ * @param[out] t the time, in [0, t_max]; 0 for a zero velocity or r12 = 0; may be null
+ * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD, #PW85_ECONVERGENCE as for pw85_contact() */
+PW85_API int pw85_closest_passage(double const r12[PW85_DIM], double const q1[PW85_SYM], double const q2[PW85_SYM],
+                                  double const velocity[PW85_DIM], double t_max, double *mu2, double *t);
 
 /** @}
  * @name Walls, points and lines
@@ -650,6 +689,31 @@ PW85_API int pw85_overlap_witness_batch(size_t n, double const *r12, double cons
  * @return as for pw85_contact_batch() */
 PW85_API int pw85_contains_batch(size_t n, double const *r12, double const *q1, double const *q2,
                                  unsigned char *contains);
+
+/** pw85_containment() for n pairs; the bits are the same.
+ *
+ * @param n number of pairs
+ * @param r12 n×3
+ * @param q1,q2 n×6
+ * @param[out] mu2 n
+ * @param[out] point n×3; any output may be null
+ * @return as for pw85_contact_batch() */
+PW85_API int pw85_containment_batch(size_t n, double const *r12, double const *q1, double const *q2, double *mu2,
+                                    double *point);
+
+/** pw85_closest_passage() for n pairs. The error of μ² is below 8 u S, too; the last bits may differ from those of
+ * pw85_closest_passage().
+ *
+ * @param n number of pairs
+ * @param r12 n×3
+ * @param q1,q2 n×6
+ * @param velocity n×3
+ * @param t_max as for pw85_closest_passage(), for all pairs
+ * @param[out] mu2 n
+ * @param[out] t n, or null
+ * @return as for pw85_contact_batch() */
+PW85_API int pw85_closest_passage_batch(size_t n, double const *r12, double const *q1, double const *q2,
+                                        double const *velocity, double t_max, double *mu2, double *t);
 
 /** pw85_closest_approach() for n pairs. The relative error is below 2 u cond + 4 u; the last bits may differ from those of
  * pw85_closest_approach().

@@ -1,5 +1,7 @@
-// The C API of moving ellipsoids. The function checks for null pointers; the core checks everything else.
+// The C API of moving ellipsoids. The functions check for null pointers; the core checks everything else.
 #include <pw85.h>
+
+#include <pw85/motion/closest_passage.hpp>
 
 #include "c_arrays.hpp"
 #include "floating_point_environment.hpp"
@@ -14,4 +16,17 @@ int pw85_first_contact(double const r12[3], double const q1[6], double const q2[
 {
     if (any_null(r12, q1, q2, t) || any_null(motion1, motion2)) return null_pointer(t, 1);
     return in_default_environment(kernels::chosen().one_pair->first_contact, r12, q1, q2, motion1, motion2, t_max, t);
+}
+
+int pw85_closest_passage(double const r12[3], double const q1[6], double const q2[6], double const velocity[3],
+                         double t_max, double *mu2, double *t)
+{
+    if (any_null(r12, q1, q2, velocity)) return null_pointer(mu2, 1, t, 1);
+    return in_default_environment([&] {
+        auto const passage = closest_passage(load_vector<3>(r12), load_matrix<3>(q1), load_matrix<3>(q2),
+                                             load_vector<3>(velocity), t_max);
+        if (mu2 != nullptr) *mu2 = passage.mu2;
+        if (t != nullptr) *t = passage.time;
+        return static_cast<int>(passage.status);
+    });
 }

@@ -197,6 +197,17 @@ int pw85_contains(double const r12[3], double const q1[6], double const q2[6], i
     return static_cast<int>(answer.status);
 }
 
+int pw85_containment(double const r12[3], double const q1[6], double const q2[6], double *mu2, double point[3])
+{
+    if (any_null(r12, q1, q2)) return null_pointer(mu2, 1, point, PW85_DIM);
+    return in_default_environment([&] {
+        auto const c = pw85::containment(load_vector<3>(r12), load_matrix<3>(q1), load_matrix<3>(q2));
+        if (mu2 != nullptr) *mu2 = c.mu2;
+        store(c.point, point);
+        return static_cast<int>(c.status);
+    });
+}
+
 int pw85_closest_approach(double const direction[3], double const q1[6], double const q2[6], double *distance)
 {
     if (any_null(direction, q1, q2, distance)) return null_pointer(distance, 1);

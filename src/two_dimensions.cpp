@@ -105,6 +105,33 @@ int pw85_overlap_2d(double const r12[2], double const q1[3], double const q2[3],
         r12, q1, q2);
 }
 
+int pw85_contains_2d(double const r12[2], double const q1[3], double const q2[3], int *contains)
+{
+    if (any_null(contains)) return PW85_EINVAL;
+    *contains = -1;
+    if (any_null(r12, q1, q2)) return PW85_EINVAL;
+    return of_ellipses(
+        [&](auto const &...pair) {
+            auto const c = pw85::contains(pair...);
+            if (c.status == Status::success) *contains = c.contains;
+            return c.status;
+        },
+        r12, q1, q2);
+}
+
+int pw85_containment_2d(double const r12[2], double const q1[3], double const q2[3], double *mu2, double point[2])
+{
+    if (any_null(r12, q1, q2)) return null_pointer(mu2, 1, point, 2);
+    return of_ellipses(
+        [&](auto const &...pair) {
+            auto const c = pw85::containment(pair...);
+            if (mu2 != nullptr) *mu2 = c.mu2;
+            store(c.point, point);
+            return c.status;
+        },
+        r12, q1, q2);
+}
+
 int pw85_closest_approach_2d(double const direction[2], double const q1[3], double const q2[3], double *distance)
 {
     if (any_null(direction, q1, q2, distance)) return null_pointer(distance, 1);

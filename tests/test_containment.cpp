@@ -8,68 +8,16 @@
 #include <pw85.h>
 #include <pw85/pw85.hpp>
 
+#include "containment_truth.hpp"
 #include "draws.hpp"
 #include "failures.hpp"
 #include "random_pairs.hpp"
-#include "wide.hpp"
 
 using namespace pw85_tests;
 
 namespace {
 
-using Truth100 = Multiprecision<100>;
 using Form3 = pw85::SymmetricMatrix<double, 3>;
-
-/// ν + rᵀ(Q1 - Q2/ν)⁻¹r by elimination; infinity, as -1, where the matrix is not positive definite.
-template <int D> Truth100 gauge(Sample<Truth100, D> const &s, Truth100 const &nu)
-{
-    Truth100 m[D][D], x[D], sum = nu;
-    for (int i = 0; i < D; ++i) {
-        x[i] = s.r12[i];
-        for (int j = 0; j < D; ++j) m[i][j] = s.q1(i, j) - s.q2(i, j) / nu;
-    }
-    for (int k = 0; k < D; ++k) {
-        if (m[k][k] <= 0) return -1;
-        sum += x[k] * x[k] / m[k][k];
-        for (int i = k + 1; i < D; ++i) {
-            Truth100 const factor = m[i][k] / m[k][k];
-            x[i] -= factor * x[k];
-            for (int j = k + 1; j < D; ++j) m[i][j] -= factor * m[k][j];
-        }
-    }
-    return sum;
-}
-
-/// κ², the least of the gauge, by golden section: to some 1e-50.
-template <class T, int D> Truth100 kappa2(Sample<T, D> const &sample)
-{
-    auto const s = convert<Truth100>(sample);
-    Truth100 const golden = (sqrt(Truth100(5)) - 1) / 2;
-    Truth100 low = 0, high = 1;
-    while (gauge(s, high) < 0) high *= 2;
-    high = gauge(s, high);
-    Truth100 left = high - golden * (high - low), right = low + golden * (high - low);
-    Truth100 at_left = gauge(s, left), at_right = gauge(s, right);
-    for (int n = 0; n < 250; ++n) {
-        if (at_left < 0 || (at_right >= 0 && at_left > at_right)) {
-            low = left;
-            left = right;
-            at_left = at_right;
-            right = low + golden * (high - low);
-            at_right = gauge(s, right);
-        } else {
-            high = right;
-            right = left;
-            at_right = at_left;
-            left = high - golden * (high - low);
-            at_left = gauge(s, left);
-        }
-    }
-    return gauge(s, high);
-}
-
-/// κ² <= 1; what is nearer to 1 than 1e-40 touches.
-bool is_inside(Truth100 const &kappa2) { return kappa2 < 1 + Truth100("1e-40"); }
 
 /// 1 or 0 by the headers, or -1 - status.
 template <class T, int D> int contains(Sample<T, D> const &s)

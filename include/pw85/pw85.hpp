@@ -66,6 +66,7 @@ struct Overlap;                                   // overlap, tier, status
 struct OverlapDecision;                           // decision, tier, status
 template <class T, int D> struct OverlapWitness;  // overlap, lambda, direction, point, status
 struct Containment;                               // contains, status
+template <class T, int D> struct Enclosure;       // mu2, point, status
 struct Comparison;                                // sign, status
 template <class T, int D> struct Distance;        // distance, point1, point2, normal, status
 template <class T> struct DistanceDerivatives;    // r12, rotation1, rotation2, hessian, status
@@ -76,6 +77,7 @@ template <class T> struct Chord;                  // enter, leave, status
 template <class T, int D> struct Penetration;     // depth, direction, status
 template <class T, int D> struct Motion;          // velocity, angular_velocity, growth
 template <class T> struct FirstContact;           // time, status
+template <class T> struct ClosestPassage;         // mu2, time, status
 
 /// @name Quadratic forms
 /// @{
@@ -262,6 +264,17 @@ overlap_witness(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, Symmet
 template <class T, int D> PW85_FUNCTION inline Containment
 contains(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, SymmetricMatrix<T, D> const &q2) noexcept;
 
+/// The factor by which ellipsoid 1 must be scaled, its centre fixed, to contain ellipsoid 2: its square is the largest xᵀQ1⁻¹x over
+/// ellipsoid 2.
+///
+/// The relative error is below 16 u c, with c as said for pw85_containment() in pw85.h.
+///
+/// @param r12,q1,q2 as for contact(); zero is valid for r12
+/// @return the square of the factor, and the point of ellipsoid 2 where the scaled ellipsoid 1 touches it, relative to the centre of
+/// ellipsoid 1 (one of them if there are several); Status::invalid_argument, Status::not_positive_definite, Status::no_convergence
+template <class T, int D> PW85_FUNCTION inline Enclosure<T, D>
+containment(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, SymmetricMatrix<T, D> const &q2) noexcept;
+
 /// The sign of μ² - m.
 ///
 /// For float, double and long double the sign is that of exact arithmetic for the numbers given. For a multiprecision number it is right
@@ -336,6 +349,19 @@ template <class T, int D>
 PW85_FUNCTION inline FirstContact<T> first_contact(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
                                                    SymmetricMatrix<T, D> const &q2, Motion<T, D> const &motion1,
                                                    Motion<T, D> const &motion2, T const &end) noexcept;
+
+/// The least contact function of two ellipsoids on a straight way, for the separations r12 + t velocity, 0 <= t <= t_max.
+///
+/// The error of μ² is below 8 u S, with S as said for pw85_closest_passage() in pw85.h.
+///
+/// @param r12,q1,q2 as for contact(), at time 0
+/// @param velocity of ellipsoid 2 relative to ellipsoid 1; may be zero
+/// @param t_max the end of the time, >= 0; may be infinity
+/// @return the least μ² and its time; Status::invalid_argument, Status::not_positive_definite
+template <class T>
+PW85_FUNCTION inline ClosestPassage<T> closest_passage(Vector<T, 3> const &r12, SymmetricMatrix<T, 3> const &q1,
+                                                       SymmetricMatrix<T, 3> const &q2, Vector<T, 3> const &velocity,
+                                                       T const &t_max) noexcept;
 
 /// @}
 
@@ -443,10 +469,12 @@ intersect_line(Vector<T, D> const &origin, Vector<T, D> const &direction, Symmet
 #include <pw85/distance/nearest.hpp>
 #include <pw85/distance/penetration.hpp>
 #include <pw85/distance/walls.hpp>
+#include <pw85/motion/closest_passage.hpp>
 #include <pw85/motion/first_contact.hpp>
 #include <pw85/overlap/compare.hpp>
 #include <pw85/overlap/contact_rounded.hpp>
 #include <pw85/overlap/containment.hpp>
+#include <pw85/overlap/containment_factor.hpp>
 #include <pw85/overlap/overlap.hpp>
 #include <pw85/overlap/witness.hpp>
 

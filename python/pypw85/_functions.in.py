@@ -302,6 +302,18 @@ def contains():
 
 
 @declared
+def containment():
+    """
+    Examples
+    --------
+    >>> import pypw85
+    >>> q1, q2 = pypw85.spheroid(2, 2, [0, 0, 1]), pypw85.spheroid(0.5, 1, [0, 0, 1])
+    >>> pypw85.containment([0, 0, 2], q1, q2)
+    (2.25, array([0., 0., 3.]))
+    """
+
+
+@declared
 def contact_geometry():
     """
     Examples
@@ -551,6 +563,18 @@ def first_contact(r12, q1, q2, motion1, motion2, t_max=np.inf):
     6.0
     >>> pypw85.first_contact([5, 0, 0], q, q, still, coming, 1)
     inf
+    """
+
+
+@declared
+def closest_passage(r12, q1, q2, velocity, t_max=np.inf):
+    """
+    Examples
+    --------
+    >>> import pypw85
+    >>> q = pypw85.spheroid(1, 1, [0, 0, 1])
+    >>> pypw85.closest_passage([-6, 3, 0], q, q, [2, 0, 0])
+    (2.25, 3.0)
     """
 
 

@@ -8,7 +8,10 @@ import sys
 import pytest
 
 EXAMPLES = pathlib.Path(os.environ["PYPW85_SOURCE"]) / "examples"
-EXPECTED = [("pair", "c/pair.txt"), ("tutorial", "python/tutorial.out"), ("check_witness", "python/check_witness.out")]
+EXPECTED = [
+    ("pair", "c/pair.txt"),
+    *((name, f"python/{name}.out") for name in ("tutorial", "check_witness", "suspension")),
+]
 
 
 @pytest.mark.parametrize("name, expected", EXPECTED)

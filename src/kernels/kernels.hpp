@@ -143,6 +143,18 @@ struct DistanceArrays {
     }
 };
 
+/// Closest passages, and the ways: the velocities, three numbers per pair, and the end of the time are input. `t` may be null.
+struct PassageArrays {
+    double *mu2, *t;
+    double const *velocities;
+    double t_max;
+
+    [[gnu::always_inline]] PassageArrays from(std::size_t begin) const noexcept
+    {
+        return {mu2 + begin, row_or_null(t, 1, begin), row_of(velocities, 3, begin), t_max};
+    }
+};
+
 /// Contact functions and derivatives. Any pointer may be null, except that kernels need `lambda`: they set it to NaN for pairs that
 /// they leave over without a certain λ.
 struct DerivativeArrays {
@@ -232,7 +244,8 @@ using LaneKernels = KernelTable<LaneKernel<PairArrays<2>, ContactArrays>, LaneKe
                                 LaneKernel<OneToMany, OverlapArray>, LaneKernel<OneToIndexed, OverlapArray>,
                                 LaneKernel<PairArrays<3>, DerivativeArrays>, LaneKernel<NeighborList, DerivativeArrays>,
                                 LaneKernel<Directions, ApproachArray>, LaneKernel<PairArrays<3>, DistanceArrays>,
-                                LawKernel<SoftRepulsion>, LawKernel<InversePowers>, LawKernel<LawTable>>;
+                                LaneKernel<PairArrays<3>, PassageArrays>, LawKernel<SoftRepulsion>,
+                                LawKernel<InversePowers>, LawKernel<LawTable>>;
 
 /// All functions of one target.
 struct Kernels {

@@ -2,6 +2,7 @@
 // many_pairs.hpp calls its kernels.
 #include "kernels.hpp"
 #include "lane_closest_approach.hpp"
+#include "lane_closest_passage.hpp"
 #include "lane_contact.hpp"
 #include "lane_derivatives.hpp"
 #include "lane_distance.hpp"

@@ -195,6 +195,14 @@ int pw85_overlap_batch_2d(size_t n, double const *r12, double const *q1, double 
     return compute_all(n, PairArrays<2>{r12, q1, q2}, OverlapArray{overlap});
 }
 
+int pw85_closest_passage_batch(size_t n, double const *r12, double const *q1, double const *q2, double const *velocity,
+                               double t_max, double *mu2, double *t)
+{
+    if (n == 0) return PW85_SUCCESS;
+    if (n > max_rows || any_null(r12, q1, q2, velocity, mu2)) return PW85_EINVAL;
+    return compute_all(n, PairArrays<3>{r12, q1, q2}, PassageArrays{mu2, t, velocity, t_max});
+}
+
 int pw85_closest_approach_batch(size_t n, double const *directions, double const *q1, double const *q2,
                                 double *distance)
 {

@@ -44,6 +44,14 @@ inline int settle(OnePairKernels const &one, PairRow<3> const &pair, DistanceArr
     return one.distance(pair.r12, pair.q1, pair.q2, out.distance, out.point1, out.point2);
 }
 
+inline int settle(OnePairKernels const &, PairRow<3> const &pair, PassageArrays const &out) noexcept
+{
+    double t;
+    int const status = pw85_closest_passage(pair.r12, pair.q1, pair.q2, out.velocities, out.t_max, out.mu2, &t);
+    if (out.t != nullptr) *out.t = t;
+    return status;
+}
+
 /// Only the contact function decides the status: a concentric pair is valid, although it has no normal. If λ is NaN, the
 /// derivatives are NaN too.
 inline int settle(OnePairKernels const &one, PairRow<3> const &pair, DerivativeArrays const &out) noexcept

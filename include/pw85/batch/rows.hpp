@@ -81,6 +81,30 @@ static inline Status contains_batch(Vectors r12, Forms q1, Forms q2, std::span<u
     return detail::call_rows(pw85_contains_batch, r12, q1, q2, contains);
 }
 
+/// containment() for many pairs: see pw85_containment_batch().
+///
+/// @param r12,q1,q2 one for each pair
+/// @param[out] mu2,point one for each pair, or empty
+/// @return as for contact_batch()
+static inline Status containment_batch(Vectors r12, Forms q1, Forms q2, std::span<double> mu2,
+                                       std::span<Vector<double, 3>> point = {}) noexcept
+{
+    return detail::call_rows(pw85_containment_batch, r12, q1, q2, mu2, point);
+}
+
+/// closest_passage() for many pairs: see pw85_closest_passage_batch().
+///
+/// @param r12,q1,q2,velocity one for each pair
+/// @param t_max the end of the time, >= 0; may be infinity
+/// @param[out] mu2 one for each pair
+/// @param[out] t one for each pair, or empty
+/// @return as for contact_batch()
+static inline Status closest_passage_batch(Vectors r12, Forms q1, Forms q2, Vectors velocity, double t_max,
+                                           std::span<double> mu2, std::span<double> t = {}) noexcept
+{
+    return detail::call_rows(pw85_closest_passage_batch, r12, q1, q2, velocity, t_max, mu2, t);
+}
+
 /// closest_approach() for many pairs: see pw85_closest_approach_batch().
 ///
 /// @param directions one for each pair, of any lengths > 0

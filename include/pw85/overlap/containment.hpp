@@ -141,11 +141,11 @@ template <class T, int D> PW85_FUNCTION inline Nesting search_for_nesting(Nested
 {
     T low = T(0), high = infinity<T>();
     for (int step = 0; step < max_nesting_steps; ++step) {
+        if (shows_inside(pair, w)) return Nesting::inside;
         SymmetricMatrix<T, D> m = pair.difference;
         for (int k = 0; k < m.size; ++k) m[k] = m[k] - T(pair.q2[k] / w);
         T next = low;
         if (is_clearly_definite(m)) {
-            if (shows_inside(pair, w)) return Nesting::inside;
             auto const found = take_nesting_step(pair, m, w);
             if (shows_outside(pair, found.n)) return Nesting::outside;
             (found.excess > T(0) ? high : low) = w;

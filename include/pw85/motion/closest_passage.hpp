@@ -1,0 +1,230 @@
+/// @file
+/// The least contact function of two ellipsoids when one passes the other on a straight way: the least μ² of the separations r + t v, 0 <=
+/// t <= t_max. pw85.hpp and the C API use this file.
+///
+/// 1. For fixed forms μ is a norm of the separation. So μ² is a convex function of t, strictly so for v != 0: its least value has one t.
+///    If the least value on the whole line is not in the range, the nearer end of the range has it.
+/// 2. The least over t of the largest f over λ is the largest over λ of the least f over t, because f is convex in t and concave in λ. For
+///    fixed λ, with W = [(1-λ)Q1 + λQ2]⁻¹, the best t on the line is -rᵀWv/vᵀWv.
+/// 3. Let P be a projection along v to the plane across v. The least (r + tv)ᵀW(r + tv) is (Pr)ᵀ[(1-λ) PQ1Pᵀ + λ PQ2Pᵀ]⁻¹ Pr. So on the whole
+///    line the least μ² is the contact function of the shadows of the ellipsoids along v, in two dimensions, and has the same λ.
+/// 4. For any λ and t, let n = W(r + tv). The least f at λ is f(λ, t) - λ(1-λ)(v·n)²/(vᵀWv), because the best t differs from t by
+///    -v·n/(vᵀWv). So λ bounds the result from below, t bounds it from above, and the bounds differ by that term.
+///
+/// The shadows give λ and t, and the pair at t gives μ². If the bounds differ by more than rounding errors, new t and λ follow from each
+/// other. If they still differ, or if r + tv cancels so much that its rounding matters, the shadows are computed with wider numbers.
+///
+/// The error of μ² is 4 u S for the contact function at t, 2 u S for the rounding of r + tv, u S for the difference of the bounds, and u S/64
+/// for the terms of second order: less than 8 u S in all.
+#ifndef PW85_MOTION_CLOSEST_PASSAGE_HPP_INCLUDED
+#define PW85_MOTION_CLOSEST_PASSAGE_HPP_INCLUDED
+
+#include <pw85/contact/condition.hpp>
+
+namespace pw85 {
+
+/// The least contact function on a straight way, and when the ellipsoids are there.
+template <class T> struct ClosestPassage {
+    T mu2;
+    T time; ///< in [0, t_max]
+    Status status;
+};
+
+} // namespace pw85
+
+namespace pw85::detail {
+
+/// A pair in range, and a velocity and an end of the time in units in which the velocity is of order one.
+template <class T> struct Way {
+    Pair<T, 3> pair;
+    Vector<T, 3> velocity;
+    T end;
+};
+
+/// Rows of the projection P along v to the plane across v. With the largest coordinate v_k they are v_j e_k - v_k e_j for the other j.
+/// They are orthogonal to v without rounding.
+template <class T> struct Projection {
+    Vector<T, 3> rows[2];
+};
+
+template <class T> PW85_FUNCTION inline Projection<T> projection_along(Vector<T, 3> const &v) noexcept
+{
+    int largest = 0;
+    for (int i = 1; i < 3; ++i)
+        if (absolute(v[i]) > absolute(v[largest])) largest = i;
+    Projection<T> projection{};
+    for (int i = 0; i < 2; ++i) {
+        int const other = (largest + 1 + i) % 3;
+        projection.rows[i][largest] = v[other];
+        projection.rows[i][other] = -v[largest];
+    }
+    return projection;
+}
+
+/// PQPᵀ.
+template <class T>
+PW85_FUNCTION inline SymmetricMatrix<T, 2> project(Projection<T> const &p, SymmetricMatrix<T, 3> const &q) noexcept
+{
+    auto const first = product(q, p.rows[0]), second = product(q, p.rows[1]);
+    return {dot(p.rows[0], first), dot(p.rows[0], second), dot(p.rows[1], second)};
+}
+
+/// The shadows of the ellipsoids along v.
+template <class T> PW85_FUNCTION inline Pair<T, 2> shadows(Pair<T, 3> const &pair, Vector<T, 3> const &v) noexcept
+{
+    auto const p = projection_along(v);
+    return {{dot(p.rows[0], pair.r12), dot(p.rows[1], pair.r12)}, project(p, pair.q1), project(p, pair.q2), pair.ratio};
+}
+
+/// The pair at time t.
+template <class T> PW85_FUNCTION inline Pair<T, 3> pair_at(Way<T> const &way, T const &t) noexcept
+{
+    return {add_scaled(way.pair.r12, t, way.velocity), way.pair.q1, way.pair.q2, way.pair.ratio};
+}
+
+/// τ of a maximum in the units of a Pair: M = Q1 + τQ2.
+template <class Maximum, class T> PW85_FUNCTION inline T weight_of(Maximum const &m, T const &ratio) noexcept
+{
+    return m.lambda / ratio / m.complement / ratio;
+}
+
+/// The best time on the whole line at τ, by item 2. The correction removes the error that a large r causes.
+template <class T> PW85_FUNCTION inline T best_time(Way<T> const &way, T const &tau) noexcept
+{
+    auto const &[r12, q1, q2, ratio] = way.pair;
+    auto const wv = solve_blend(T(1), q1, tau, q2, way.velocity);
+    T const norm = dot(way.velocity, wv), t = -dot(r12, wv) / norm;
+    return t - dot(pair_at(way, t).r12, wv) / norm;
+}
+
+template <class T> PW85_FUNCTION inline T in_range(Way<T> const &way, T const &t) noexcept
+{
+    return minimum(maximum(t, T(0)), way.end);
+}
+
+/// The time by the shadows, or 0 if rounding errors are too large.
+template <class T> PW85_FUNCTION inline T time_by_shadows(Way<T> const &way) noexcept
+{
+    auto const m = maximize(shadows(way.pair, way.velocity));
+    return m.converged ? in_range(way, best_time(way, weight_of(m, way.pair.ratio))) : T(0);
+}
+
+/// The largest f of a pair with r12 != 0, by the factorised form.
+template <class T, int D> PW85_FUNCTION inline StationaryValue<T> largest_f(Pair<T, D> const &pair) noexcept
+{
+    Candidate<T> candidate{initial_guess(pair), T(1), T(0)};
+    int evaluations = 0;
+    search(pair, candidate, Precision::working, evaluations);
+    return last_evaluation(pair, candidate, Precision::working).value;
+}
+
+/// closest_passage() by wider numbers: on the whole line by the shadows, or at an end of the range by the pair there. If the way leads
+/// through the centre, the separation of the shadows is 0 without rounding.
+template <class W, class T>
+[[gnu::noinline, gnu::cold]] PW85_FUNCTION inline ClosestPassage<T> find_closest_passage_in(Way<T> const &way) noexcept
+{
+    Way<W> const wide{widened<W>(way.pair), converted<W>(way.velocity), W(minimum(way.end, largest_number<T>()))};
+    auto const pair = shadows(wide.pair, wide.velocity);
+    bool const central = largest_coordinate(pair.r12) == W(T(0));
+    auto const f = central ? StationaryValue<W>{W(T(0)), W(T(0.5)), W(T(0.5)), W(T(0))} : largest_f(pair);
+    W const best = best_time(wide, weight_of(f, pair.ratio)), t = in_range(wide, best);
+    if (t == best) return {rounded(f.mu2), rounded(t), Status::success};
+    auto const end = pair_at(wide, t);
+    W const mu2 = largest_coordinate(end.r12) == W(T(0)) ? W(T(0)) : largest_f(end).mu2;
+    return {rounded(mu2), rounded(t), Status::success};
+}
+
+/// μ² at one time, and the time that follows from its λ.
+template <class T> struct PassageStep {
+    T mu2, next;
+    bool best; ///< whether the bounds of item 4 agree to rounding, or the range of the time ends there
+};
+
+/// Whether the rounding of t, of t v and of r + t v is harmless at t. It changes a coordinate of the separation by δ_i <= u x_i with x_i =
+/// |r_i| + 2t |v_i|. To first order in δ, μ² changes by less than 2 u S. The term of second order is λ(1-λ) δᵀM⁻¹δ, where δᵀM⁻¹δ <= 3 u² Σ x_i²
+/// (M⁻¹)_ii. It must be less than u S/64, so that S, which is computed at the rounded separation, is right.
+template <class T> PW85_FUNCTION inline bool
+is_rounding_harmless(Way<T> const &way, T const &t, Factorization<T, 3> const &factors, T const &sum) noexcept
+{
+    T second = T(0);
+    for (int i = 0; i < 3; ++i) {
+        Vector<T, 3> unit{};
+        unit[i] = absolute(way.pair.r12[i]) + T(T(2) * t) * absolute(way.velocity[i]);
+        second = second + inverse_form(factors, unit);
+    }
+    return t == T(0) || T(T(192 * unit_roundoff<T>()) * second) <= sum;
+}
+
+/// Computes the step at t. With S, the sum of condition_sum() and the terms of r and of t v, the bounds of item 4 agree if they differ by u S.
+template <class T> PW85_FUNCTION inline PassageStep<T> step_at(Way<T> const &way, T const &t) noexcept
+{
+    auto const pair = pair_at(way, t);
+    auto const m = largest_coordinate(pair.r12) > T(0) ? maximize(pair) : Maximum<T>{};
+    if (!m.converged) return {quiet_nan<T>(), t, false};
+    T const tau = weight_of(m, pair.ratio), u = T(unit_roundoff<T>());
+    auto const n = solve_blend(T(1), pair.q1, tau, pair.q2, pair.r12);
+    auto const wv = solve_blend(T(1), pair.q1, tau, pair.q2, way.velocity);
+    T const along = dot(pair.r12, wv), delay = -along / dot(way.velocity, wv);
+    T const sum = condition_sum(pair, tau, n) + T(T(4) * t) * magnitude_of_dot(way.velocity, n);
+    bool const at_end = (t == T(0) && along >= T(0)) || (t == way.end && along <= T(0));
+    bool const best = at_end || T(-along * delay) <= u * sum;
+    return {m.mu2, in_range(way, T(t + delay)),
+            best && is_rounding_harmless(way, t, factorize_blend(T(1), pair.q1, tau, pair.q2), sum)};
+}
+
+/// How often t and λ follow from each other before wider numbers are used.
+inline constexpr int max_passage_steps = 3;
+
+/// closest_passage() in the units of a Way, with v != 0 and r12 != 0. Types without wider numbers use their own.
+template <class T>
+[[gnu::noinline]] PW85_FUNCTION inline ClosestPassage<T> find_closest_passage(Way<T> const &way) noexcept
+{
+    T t = time_by_shadows(way);
+    for (int i = 0; i < max_passage_steps; ++i) {
+        auto const step = step_at(way, t);
+        if (step.best) return {step.mu2, t, Status::success};
+        t = step.next;
+    }
+    return find_closest_passage_in<Widened<T>>(way);
+}
+
+/// closest_passage() for a valid pair that moves.
+template <class T> [[gnu::noinline]] PW85_FUNCTION inline ClosestPassage<T>
+pass_scaled(ScaledPair<T, 3> const &scaled, Vector<T, 3> const &velocity, T const &t_max) noexcept
+{
+    int const unit = binary_exponent(largest_coordinate(velocity)), exponent = scaled.length - unit;
+    auto const v = times_power_of_two(scaled.swapped ? -velocity : velocity, -unit);
+    Way<T> const way{scaled.pair, v, times_power_of_two(t_max, -exponent)};
+    auto passage = find_closest_passage(way);
+    passage.mu2 = times_power_of_two(passage.mu2, 2 * (scaled.length - scaled.form));
+    passage.time = passage.time == way.end ? t_max : minimum(times_power_of_two(passage.time, exponent), t_max);
+    return passage;
+}
+
+} // namespace pw85::detail
+
+namespace pw85 {
+
+template <class T>
+PW85_FUNCTION inline ClosestPassage<T> closest_passage(Vector<T, 3> const &r12, SymmetricMatrix<T, 3> const &q1,
+                                                       SymmetricMatrix<T, 3> const &q2, Vector<T, 3> const &velocity,
+                                                       T const &t_max) noexcept
+{
+    using namespace detail;
+    auto const pair = pair_of(r12, q1, q2);
+    ScaledPair<T, 3> scaled{pair, 0, 0, false};
+    bool const valid = is_finite(velocity) && t_max >= T(0);
+    Status const status = !valid                     ? Status::invalid_argument
+                          : passes_fast_checks(pair) ? Status::success
+                                                     : validate(pair, scaled);
+    if (status != Status::success) return all_nan<ClosestPassage<T>>(status);
+    if (largest_coordinate(r12) == T(0)) return {T(0), T(0), Status::success};
+    if (largest_coordinate(velocity) > T(0)) return pass_scaled(scaled, velocity, t_max);
+    auto const c = contact(r12, q1, q2);
+    if (c.status != Status::success) return all_nan<ClosestPassage<T>>(c.status);
+    return {c.mu2, T(0), Status::success};
+}
+
+} // namespace pw85
+
+#endif
