@@ -233,6 +233,27 @@ int pw85_intersect_line_batch(size_t n, double const *origin, double const *dire
                     OptionalRowsOf<1>{enter}, OptionalRowsOf<1>{leave});
 }
 
+int pw85_contact_segment_batch(size_t n, double const *end1, double const *end2, double const *q, double *mu2,
+                               double *point)
+{
+    return each_row(n, pw85_contact_segment, RowsOf<3>{end1}, RowsOf<3>{end2}, RowsOf<6>{q}, OptionalRowsOf<1>{mu2},
+                    OptionalRowsOf<3>{point});
+}
+
+int pw85_contact_triangle_batch(size_t n, double const *vertex1, double const *vertex2, double const *vertex3,
+                                double const *q, double *mu2, double *point)
+{
+    return each_row(n, pw85_contact_triangle, RowsOf<3>{vertex1}, RowsOf<3>{vertex2}, RowsOf<3>{vertex3}, RowsOf<6>{q},
+                    OptionalRowsOf<1>{mu2}, OptionalRowsOf<3>{point});
+}
+
+int pw85_contact_box_batch(size_t n, double const *lower, double const *upper, double const *q, double *mu2,
+                           double *point)
+{
+    return each_row(n, pw85_contact_box, RowsOf<3>{lower}, RowsOf<3>{upper}, RowsOf<6>{q}, OptionalRowsOf<1>{mu2},
+                    OptionalRowsOf<3>{point});
+}
+
 int pw85_first_contact_batch(size_t n, double const *r12, double const *q1, double const *q2,
                              pw85_motion const *motion1, pw85_motion const *motion2, double t_max, double *t)
 {
