@@ -577,6 +577,33 @@ PW85_API int pw85_contact_triangle(double const vertex1[PW85_DIM], double const 
 PW85_API int pw85_contact_box(double const lower[PW85_DIM], double const upper[PW85_DIM], double const q[PW85_SYM],
                               double *mu2, double point[PW85_DIM]);
 
+/** Whether an ellipsoid and a segment overlap, μ² < 1. If they only touch, they do not. The answer is that of exact arithmetic for the
+ * numbers given, as that of pw85_overlap().
+ *
+ * @param end1,end2,q as for pw85_contact_segment()
+ * @param[out] overlap 1 or 0; -1 on error
+ * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD */
+PW85_API int pw85_overlap_segment(double const end1[PW85_DIM], double const end2[PW85_DIM], double const q[PW85_SYM],
+                                  int *overlap);
+
+/** Whether an ellipsoid and a triangle overlap, μ² < 1. If they only touch, they do not. The answer is that of exact arithmetic for
+ * the numbers given, as that of pw85_overlap().
+ *
+ * @param vertex1,vertex2,vertex3,q as for pw85_contact_triangle()
+ * @param[out] overlap 1 or 0; -1 on error
+ * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD */
+PW85_API int pw85_overlap_triangle(double const vertex1[PW85_DIM], double const vertex2[PW85_DIM],
+                                   double const vertex3[PW85_DIM], double const q[PW85_SYM], int *overlap);
+
+/** Whether an ellipsoid and a solid box with sides along the axes overlap, μ² < 1. If they only touch, they do not. The answer is
+ * that of exact arithmetic for the numbers given, as that of pw85_overlap().
+ *
+ * @param lower,upper,q as for pw85_contact_box()
+ * @param[out] overlap 1 or 0; -1 on error
+ * @return #PW85_SUCCESS, #PW85_EINVAL (also for lower > upper), #PW85_ENOTPD */
+PW85_API int pw85_overlap_box(double const lower[PW85_DIM], double const upper[PW85_DIM], double const q[PW85_SYM],
+                              int *overlap);
+
 /** @}
  * @name Many pairs
  *
@@ -986,6 +1013,36 @@ PW85_API int pw85_contact_triangle_batch(size_t n, double const *vertex1, double
  * @return as for pw85_contact_batch(); lower > upper is #PW85_EINVAL */
 PW85_API int pw85_contact_box_batch(size_t n, double const *lower, double const *upper, double const *q, double *mu2,
                                     double *point);
+
+/** pw85_overlap_segment() for n ellipsoids and segments.
+ *
+ * @param n number of ellipsoids
+ * @param end1,end2 n×3 each
+ * @param q n×6
+ * @param[out] overlap n: 1 or 0, 255 for a bad row
+ * @return as for pw85_contact_batch() */
+PW85_API int pw85_overlap_segment_batch(size_t n, double const *end1, double const *end2, double const *q,
+                                        unsigned char *overlap);
+
+/** pw85_overlap_triangle() for n ellipsoids and triangles.
+ *
+ * @param n number of ellipsoids
+ * @param vertex1,vertex2,vertex3 n×3 each
+ * @param q n×6
+ * @param[out] overlap n: 1 or 0, 255 for a bad row
+ * @return as for pw85_contact_batch() */
+PW85_API int pw85_overlap_triangle_batch(size_t n, double const *vertex1, double const *vertex2, double const *vertex3,
+                                         double const *q, unsigned char *overlap);
+
+/** pw85_overlap_box() for n ellipsoids and boxes.
+ *
+ * @param n number of ellipsoids
+ * @param lower,upper n×3 each; lower <= upper
+ * @param q n×6
+ * @param[out] overlap n: 1 or 0, 255 for a bad row
+ * @return as for pw85_contact_batch(); lower > upper is #PW85_EINVAL */
+PW85_API int pw85_overlap_box_batch(size_t n, double const *lower, double const *upper, double const *q,
+                                    unsigned char *overlap);
 
 /** pw85_first_contact() for n pairs; the bits are the same.
  *

@@ -34,7 +34,7 @@ template <std::size_t N> std::string text(Case<N> const &c)
     return all;
 }
 
-template <class To, std::size_t N> Case<N, To> convert(Case<N> const &c)
+template <class To, std::size_t N, class From> Case<N, To> convert(Case<N, From> const &c)
 {
     Case<N, To> wide{};
     for (std::size_t k = 0; k < N; ++k) wide.points[k] = convert<To>(c.points[k]);
@@ -68,6 +68,22 @@ struct Segment {
     {
         return pw85_contact_segment_batch(n, points[0], points[1], q, mu2, point);
     }
+    template <class T> static pw85::ShapeOverlap overlap(Case<2, T> const &c)
+    {
+        return pw85::overlap_segment(c.points[0], c.points[1], c.q);
+    }
+    template <class T> static bool overlaps_exactly(Case<2, T> const &c)
+    {
+        return pw85::detail::overlaps_exactly(c.points, c.q);
+    }
+    static int overlap_in_c(Case<2> const &c, int *overlap)
+    {
+        return pw85_overlap_segment(c.points[0].coordinates, c.points[1].coordinates, c.q.entries, overlap);
+    }
+    static int overlap_batch(std::size_t n, double const *const *points, double const *q, unsigned char *overlap)
+    {
+        return pw85_overlap_segment_batch(n, points[0], points[1], q, overlap);
+    }
 };
 
 struct Triangle {
@@ -88,6 +104,23 @@ struct Triangle {
     {
         return pw85_contact_triangle_batch(n, points[0], points[1], points[2], q, mu2, point);
     }
+    template <class T> static pw85::ShapeOverlap overlap(Case<3, T> const &c)
+    {
+        return pw85::overlap_triangle(c.points[0], c.points[1], c.points[2], c.q);
+    }
+    template <class T> static bool overlaps_exactly(Case<3, T> const &c)
+    {
+        return pw85::detail::overlaps_exactly(c.points, c.q);
+    }
+    static int overlap_in_c(Case<3> const &c, int *overlap)
+    {
+        return pw85_overlap_triangle(c.points[0].coordinates, c.points[1].coordinates, c.points[2].coordinates,
+                                     c.q.entries, overlap);
+    }
+    static int overlap_batch(std::size_t n, double const *const *points, double const *q, unsigned char *overlap)
+    {
+        return pw85_overlap_triangle_batch(n, points[0], points[1], points[2], q, overlap);
+    }
 };
 
 struct Box {
@@ -106,6 +139,22 @@ struct Box {
     static int contact_batch(std::size_t n, double const *const *points, double const *q, double *mu2, double *point)
     {
         return pw85_contact_box_batch(n, points[0], points[1], q, mu2, point);
+    }
+    template <class T> static pw85::ShapeOverlap overlap(Case<2, T> const &c)
+    {
+        return pw85::overlap_box(c.points[0], c.points[1], c.q);
+    }
+    template <class T> static bool overlaps_exactly(Case<2, T> const &c)
+    {
+        return pw85::detail::box_overlaps_exactly(c.points[0], c.points[1], c.q);
+    }
+    static int overlap_in_c(Case<2> const &c, int *overlap)
+    {
+        return pw85_overlap_box(c.points[0].coordinates, c.points[1].coordinates, c.q.entries, overlap);
+    }
+    static int overlap_batch(std::size_t n, double const *const *points, double const *q, unsigned char *overlap)
+    {
+        return pw85_overlap_box_batch(n, points[0], points[1], q, overlap);
     }
 };
 
@@ -233,6 +282,138 @@ template <class Shape, class T> void test_scalar()
     }
 }
 
+/// Checks the answers of all functions for one case.
+template <class Shape, class T> void expect_overlap(Case<Shape::size, T> const &c, bool expected, Failures &failures)
+{
+    auto const describe = [&] { return std::string(Shape::name) + ": " + text(convert<double>(c)); };
+    auto const answer = Shape::overlap(c);
+    failures.check(answer.status == pw85::Status::success && answer.overlap == expected, "overlap", answer.overlap,
+                   expected, describe);
+    bool const exactly = Shape::overlaps_exactly(c);
+    failures.check(exactly == expected, "overlaps_exactly", exactly, expected, describe);
+    if constexpr (std::is_same_v<T, double>) {
+        int in_c = 7;
+        Shape::overlap_in_c(c, &in_c);
+        failures.check(in_c == expected, "pw85_overlap", in_c, expected, describe);
+    }
+}
+
+/// Sets at distances such that |μ² - 1| is from 1e-17 to 1/2, for numbers of type T. Returns false if they are closer than what 50
+/// digits can tell.
+template <class Shape, class T> bool draw_near_touch(Random &random, int n, Case<Shape::size, T> &c, bool &overlaps)
+{
+    auto drawn = random_case<Shape>(random, n);
+    auto const mu2 = static_cast<double>(Shape::truth(convert<Wide>(drawn)).mu2);
+    if (!(mu2 > 1e-12)) return false;
+    double const factor = std::sqrt((1 + random.sign() * random.log_uniform(1e-17, 0.5)) / mu2);
+    for (auto &x : drawn.points) x = factor * x;
+    c = convert<T>(drawn);
+    if (Shape::overlap(c).status != pw85::Status::success)
+        return false; // a form that is not definite when it is rounded
+    Wide const excess = Shape::truth(convert<Wide>(c)).mu2 - 1;
+    overlaps = excess < 0;
+    return abs(excess) > Wide("1e-30");
+}
+
+template <class Shape, class T> void test_near_touch()
+{
+    Failures failures;
+    Random random(660);
+    int overlapping = 0, count = 0;
+    for (int n = 0; n < draws(3000); ++n) {
+        Case<Shape::size, T> c{};
+        bool expected = false;
+        if (!draw_near_touch<Shape, T>(random, n, c, expected)) continue;
+        expect_overlap<Shape>(c, expected, failures);
+        overlapping += expected;
+        ++count;
+        if constexpr (std::is_same_v<T, double>)
+            for (int const exponent : {-400, -40, 40, 400})
+                expect_overlap<Shape>(scaled(c, exponent, exponent), expected, failures);
+    }
+    g_test_message("%d of %d overlap", overlapping, count);
+    g_assert_cmpint(overlapping, >, count / 4);
+    g_assert_cmpint(overlapping, <, 3 * count / 4);
+}
+
+double random_integer(Random &random, int limit) { return std::floor(random.uniform(-limit, limit + 1)); }
+
+// Small integers: the ellipsoid and the set touch exactly, at vertices, on edges and inside of faces.
+template <class Shape> void test_small_integers()
+{
+    Failures failures;
+    Random random(670);
+    int touching = 0, overlapping = 0;
+    for (int n = 0; n < draws(20000); ++n) {
+        Case<Shape::size> c{};
+        double const l[3][3] = {{1 + std::abs(random_integer(random, 2)), 0, 0},
+                                {random_integer(random, 1), 1 + std::abs(random_integer(random, 2)), 0},
+                                {random_integer(random, 1), random_integer(random, 1), 1}};
+        for (int i = 0; i < 3; ++i)
+            for (int j = i; j < 3; ++j)
+                for (int k = 0; k < 3; ++k) c.q(i, j) += l[i][k] * l[j][k];
+        for (auto &x : c.points) x = {random_integer(random, 3), random_integer(random, 3), random_integer(random, 3)};
+        for (int i = 0; i < 3; ++i)
+            if (std::is_same_v<Shape, Box> && c.points[0][i] > c.points[1][i])
+                std::swap(c.points[0][i], c.points[1][i]);
+        Wide const excess = Shape::truth(convert<Wide>(c)).mu2 - 1;
+        bool const touches = abs(excess) < Wide("1e-40"); // a ratio of integers below 1e7 is not closer to 1
+        expect_overlap<Shape>(scaled(c, n % 601 - 300, n % 601 - 300), !touches && excess < 0, failures);
+        touching += touches;
+        overlapping += !touches && excess < 0;
+    }
+    g_test_message("%d touch, %d overlap", touching, overlapping);
+    g_assert_cmpint(touching, >, draws(200));
+    g_assert_cmpint(overlapping, >, draws(2000));
+}
+
+// One unit in the last place on either side of an exact touch, for an ellipsoid that an integer map makes of a ball.
+void test_beside_touch()
+{
+    Failures failures;
+    Form3 const q{25, 0, 0, 25, 0, 25};
+    Vector3 const a{3, 4, 0};
+    for (int n = 0; n < 64; ++n) {
+        double const reach = std::ldexp(1.0, n - 20);
+        Vector3 const across{-4 * reach, 3 * reach, 0}, up{0, 0, reach};
+        Case<2> const edge{{a - across, a + across}, q};
+        Case<3> const face{{a - across - up, a + across - up, a + up}, q};
+        for (double const towards : {0.0, 1e300, 25.0}) {
+            auto e = edge;
+            auto f = face;
+            e.q[0] = f.q[0] = std::nextafter(25.0, towards);
+            bool const exact = (a - across)[0] + across[0] == 3 && (a - across)[1] + across[1] == 4;
+            if (!exact) continue; // the ends are rounded
+            expect_overlap<Segment>(e, towards == 1e300, failures);
+            expect_overlap<Triangle>(f, towards == 1e300, failures);
+        }
+    }
+    for (double const towards : {0.0, 1e300, 5.0}) {
+        Case<2> const box{{{-9, std::nextafter(5.0, towards), -9}, {9, 7, 9}}, q};
+        expect_overlap<Box>(box, towards == 0.0, failures);
+    }
+}
+
+// Every limb of the integers: numbers at both ends of the range.
+template <class T> void test_widest()
+{
+    using Limits = std::numeric_limits<T>;
+    Failures failures;
+    T const tiny = Limits::denorm_min(), large = Limits::max() / 2;
+    pw85::Vector<T, 3> const a{large, tiny, -tiny}, b{-large, tiny, large}, c{tiny, -large, tiny}, d{tiny, tiny, -tiny};
+    pw85::SymmetricMatrix<T, 3> const wide{large, tiny, -tiny, large, tiny, large}, ball{1, tiny, -tiny, 1, tiny, 1};
+    for (auto const &q : {wide, ball}) {
+        bool const is_wide = q[0] > T(1);
+        expect_overlap<Segment, T>({{a, b}, q}, false, failures);
+        expect_overlap<Segment, T>({{a, d}, q}, true, failures);
+        expect_overlap<Segment, T>({{d, d}, q}, true, failures);
+        expect_overlap<Triangle, T>({{a, b, c}, q}, false, failures);
+        expect_overlap<Triangle, T>({{a, {-large, -tiny, tiny}, c}, q}, true, failures);
+        expect_overlap<Box, T>({{{T(1) / 2, tiny, -large}, {large, large, large}}, q}, true, failures);
+        expect_overlap<Box, T>({{{T(1), tiny, -large}, {large, large, large}}, q}, is_wide, failures);
+    }
+}
+
 // The bits of many are those of one, and a bad row is marked.
 template <class Shape> void test_batch()
 {
@@ -259,7 +440,15 @@ template <class Shape> void test_batch()
         g_assert_cmpmem(where, sizeof where, &point[3 * n], sizeof where);
     }
     g_assert_cmpint(Shape::contact_batch(rows, first, q.data(), nullptr, nullptr), ==, PW85_ENOTPD);
+    std::vector<unsigned char> overlap(rows, 7);
+    g_assert_cmpint(Shape::overlap_batch(rows, first, q.data(), overlap.data()), ==, PW85_ENOTPD);
+    for (std::size_t n = 0; n < rows; ++n) {
+        int one = 7;
+        Shape::overlap_in_c(cases[n], &one);
+        g_assert_cmpint(overlap[n], ==, static_cast<unsigned char>(one));
+    }
     first[1] = nullptr;
+    g_assert_cmpint(Shape::overlap_batch(rows, first, q.data(), overlap.data()), ==, PW85_EINVAL);
     g_assert_cmpint(Shape::contact_batch(rows, first, q.data(), mu2.data(), point.data()), ==, PW85_EINVAL);
 }
 
@@ -307,6 +496,10 @@ template <class Shape> void refused(Case<Shape::size> const &c, int status)
     g_assert_cmpint(Shape::contact_in_c(c, &mu2, point), ==, status);
     g_assert_true(std::isnan(mu2) && std::isnan(point[0]) && std::isnan(point[1]) && std::isnan(point[2]));
     g_assert_cmpint(Shape::contact_in_c(c, nullptr, nullptr), ==, status);
+    int overlap = 7;
+    g_assert_cmpint(Shape::overlap_in_c(c, &overlap), ==, status);
+    g_assert_cmpint(overlap, ==, -1);
+    g_assert_cmpint(Shape::overlap_in_c(c, nullptr), ==, PW85_EINVAL);
 }
 
 template <class Shape> void test_status()
@@ -349,6 +542,9 @@ template <class Shape> void add_tests()
     g_test_add_func((prefix + "/orders").c_str(), test_orders<Shape>);
     g_test_add_func((prefix + "/float").c_str(), test_scalar<Shape, float>);
     g_test_add_func((prefix + "/long_double").c_str(), test_scalar<Shape, long double>);
+    g_test_add_func((prefix + "/near_touch/double").c_str(), test_near_touch<Shape, double>);
+    g_test_add_func((prefix + "/near_touch/float").c_str(), test_near_touch<Shape, float>);
+    g_test_add_func((prefix + "/small_integers").c_str(), test_small_integers<Shape>);
     g_test_add_func((prefix + "/batch").c_str(), test_batch<Shape>);
     g_test_add_func((prefix + "/status").c_str(), test_status<Shape>);
 }
@@ -362,5 +558,8 @@ int main(int argc, char **argv)
     add_tests<Triangle>();
     add_tests<Box>();
     g_test_add_func("/shapes/degenerate", test_degenerate);
+    g_test_add_func("/shapes/beside_touch", test_beside_touch);
+    g_test_add_func("/shapes/widest/float", test_widest<float>);
+    g_test_add_func("/shapes/widest/double", test_widest<double>);
     return g_test_run();
 }

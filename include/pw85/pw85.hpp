@@ -74,6 +74,7 @@ template <class T> struct PlaneDerivatives;       // center, rotation, status
 template <class T, int D> struct PlaneContact;    // mu2, point, status
 template <class T> struct Chord;                  // enter, leave, status
 template <class T> struct ShapeContact;           // mu2, point, status
+struct ShapeOverlap;                              // overlap, status
 template <class T, int D> struct Penetration;     // depth, direction, status
 template <class T, int D> struct Motion;          // velocity, angular_velocity, growth
 template <class T> struct FirstContact;           // time, status
@@ -449,6 +450,28 @@ contact_triangle(Vector<T, 3> const &vertex1, Vector<T, 3> const &vertex2, Vecto
 template <class T> PW85_FUNCTION inline ShapeContact<T>
 contact_box(Vector<T, 3> const &lower, Vector<T, 3> const &upper, SymmetricMatrix<T, 3> const &q) noexcept;
 
+/// Whether an ellipsoid and a segment overlap, μ² < 1. The answer is exact for native types.
+///
+/// @param end1,end2,q as for contact_segment()
+/// @return the answer; Status::invalid_argument, Status::not_positive_definite
+template <class T> PW85_FUNCTION inline ShapeOverlap
+overlap_segment(Vector<T, 3> const &end1, Vector<T, 3> const &end2, SymmetricMatrix<T, 3> const &q) noexcept;
+
+/// Whether an ellipsoid and a triangle overlap, μ² < 1. The answer is exact for native types.
+///
+/// @param vertex1,vertex2,vertex3,q as for contact_triangle()
+/// @return the answer; Status::invalid_argument, Status::not_positive_definite
+template <class T> PW85_FUNCTION inline ShapeOverlap
+overlap_triangle(Vector<T, 3> const &vertex1, Vector<T, 3> const &vertex2, Vector<T, 3> const &vertex3,
+                 SymmetricMatrix<T, 3> const &q) noexcept;
+
+/// Whether an ellipsoid and a solid box overlap, μ² < 1. The answer is exact for native types.
+///
+/// @param lower,upper,q as for contact_box()
+/// @return the answer; Status::invalid_argument (also for lower > upper), Status::not_positive_definite
+template <class T> PW85_FUNCTION inline ShapeOverlap
+overlap_box(Vector<T, 3> const &lower, Vector<T, 3> const &upper, SymmetricMatrix<T, 3> const &q) noexcept;
+
 /// @}
 
 } // namespace pw85
@@ -473,6 +496,7 @@ contact_box(Vector<T, 3> const &lower, Vector<T, 3> const &upper, SymmetricMatri
 #include <pw85/overlap/overlap.hpp>
 #include <pw85/overlap/witness.hpp>
 #include <pw85/shapes/box.hpp>
+#include <pw85/shapes/overlap_shapes.hpp>
 #include <pw85/shapes/segment.hpp>
 #include <pw85/shapes/triangle.hpp>
 

@@ -20,9 +20,10 @@ template <class T, int D> struct BoxProblem {
 };
 
 /// The least value of this function in the box, and where it is.
-template <class T, int D> struct BoxMinimum {
+template <class T, int D, bool with_normal> struct BoxMinimum {
     T value;
     Vector<T, D> point;
+    [[no_unique_address]] Normal<T, D, with_normal> normal; ///< Q⁻¹(point - center)
 };
 
 template <class T> PW85_FUNCTION constexpr T clamped(T const &x, T const &lower, T const &upper) noexcept
@@ -50,37 +51,58 @@ problem_on_face(BoxProblem<T, D> const &box, int i, T const &offset, T const &re
     return face;
 }
 
-template <class T>
-[[gnu::always_inline]] PW85_FUNCTION constexpr BoxMinimum<T, 1> minimum_in_box(BoxProblem<T, 1> const &box) noexcept
+template <bool with_normal, class T> [[gnu::always_inline]] PW85_FUNCTION constexpr BoxMinimum<T, 1, with_normal>
+minimum_in_box(BoxProblem<T, 1> const &box) noexcept
 {
     T const x = clamped(box.center[0], box.lower[0], box.upper[0]), offset = x - box.center[0];
-    return {T(offset * offset) / box.q[0], {x}};
+    T const normal = offset / box.q[0];
+    return {T(offset * normal), {x}, Normal<T, 1, with_normal>{Vector<T, 1>{normal}}};
 }
 
-template <class T, int D>
-[[gnu::always_inline]] PW85_FUNCTION constexpr BoxMinimum<T, D> minimum_in_box(BoxProblem<T, D> const &box) noexcept
+template <class Mask, class T, int D, bool with_normal> PW85_FUNCTION constexpr BoxMinimum<T, D, with_normal>
+choose(Mask const &mask, BoxMinimum<T, D, with_normal> const &yes, BoxMinimum<T, D, with_normal> const &no) noexcept
 {
-    BoxMinimum<T, D> best{T(0), box.center};
+    return {select(mask, yes.value, no.value), choose(mask, yes.point, no.point), choose(mask, yes.normal, no.normal)};
+}
+
+/// The minimum of the box from that of a face, where coordinate i is x.
+template <class T, int D, bool with_normal> [[gnu::always_inline]] PW85_FUNCTION constexpr BoxMinimum<T, D, with_normal>
+on_face(BoxMinimum<T, D - 1, with_normal> const &rest, SymmetricMatrix<T, D> const &q, int i, T const &x,
+        T const &offset, T const &reciprocal) noexcept
+{
+    BoxMinimum<T, D, with_normal> whole{};
+    whole.value = T(offset * offset) * reciprocal + rest.value;
+    whole.point[i] = x;
+    for (int k = 0; k < D - 1; ++k) whole.point[other_axis(i, k)] = rest.point[k];
+    if constexpr (with_normal) {
+        T normal = offset;
+        for (int k = 0; k < D - 1; ++k) {
+            whole.normal.direction[other_axis(i, k)] = rest.normal.direction[k];
+            normal = normal - q(i, other_axis(i, k)) * rest.normal.direction[k];
+        }
+        whole.normal.direction[i] = normal * reciprocal;
+    }
+    return whole;
+}
+
+template <bool with_normal, class T, int D> [[gnu::always_inline]] PW85_FUNCTION constexpr BoxMinimum<T, D, with_normal>
+minimum_in_box(BoxProblem<T, D> const &box) noexcept
+{
+    BoxMinimum<T, D, with_normal> best{};
+    best.point = box.center;
     auto found = T(0) != T(0);
     for (int i = 0; i < D; ++i) {
         T const x = clamped(box.center[i], box.lower[i], box.upper[i]), offset = x - box.center[i];
         auto const faces_center = !(offset == T(0));
         if (!any_of(faces_center)) continue;
         T const reciprocal = T(1) / box.q(i, i);
-        auto const rest = minimum_in_box(problem_on_face(box, i, offset, reciprocal));
-        T const value = T(offset * offset) * reciprocal + rest.value;
-        auto const better = faces_center && !(found && best.value <= value);
-        best.value = select(better, value, best.value);
-        for (int k = 0; k < D; ++k)
-            best.point[k] = select(better, k == i ? x : rest.point[k < i ? k : k == i ? 0 : k - 1], best.point[k]);
+        auto const rest = minimum_in_box<with_normal>(problem_on_face(box, i, offset, reciprocal));
+        auto const whole = on_face(rest, box.q, i, x, offset, reciprocal);
+        best = choose(faces_center && !(found && best.value <= whole.value), whole, best);
         found = found || faces_center;
     }
     return best;
 }
-
-} // namespace pw85::detail
-
-namespace pw85::detail {
 
 template <class T>
 PW85_FUNCTION constexpr Vector<T, 3> nearest_corner(Vector<T, 3> const &lower, Vector<T, 3> const &upper) noexcept
@@ -103,10 +125,10 @@ contact_box_scaled(Vector<T, 3> lower, Vector<T, 3> upper, SymmetricMatrix<T, 3>
     T const size = largest_coordinate(nearest_corner(lower, upper));
     if (!(size > T(0))) return {T(0), {T(0), T(0), T(0)}, Status::success};
     int const length = binary_exponent(size), form = half_exponent(largest_diagonal(q));
-    auto const found = minimum_in_box(BoxProblem<T, 3>{times_power_of_two(lower, -length),
-                                                       times_power_of_two(upper, -length),
-                                                       {T(0), T(0), T(0)},
-                                                       times_power_of_two(q, -2 * form)});
+    auto const found = minimum_in_box<false>(BoxProblem<T, 3>{times_power_of_two(lower, -length),
+                                                              times_power_of_two(upper, -length),
+                                                              {T(0), T(0), T(0)},
+                                                              times_power_of_two(q, -2 * form)});
     return {times_power_of_two(found.value, 2 * (length - form)), times_power_of_two(found.point, length),
             Status::success};
 }
@@ -121,7 +143,7 @@ contact_box(Vector<T, 3> const &lower, Vector<T, 3> const &upper, SymmetricMatri
     using namespace detail;
     T const largest = largest_diagonal(q), size = sum_of_magnitudes(nearest_corner(lower, upper));
     if (is_in_range(size, largest, largest) && is_box(lower, upper) && is_clearly_definite(q)) {
-        auto const found = minimum_in_box(BoxProblem<T, 3>{lower, upper, {T(0), T(0), T(0)}, q});
+        auto const found = minimum_in_box<false>(BoxProblem<T, 3>{lower, upper, {T(0), T(0), T(0)}, q});
         return {found.value, found.point, Status::success};
     }
     return contact_box_scaled(lower, upper, q);

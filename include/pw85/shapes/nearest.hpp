@@ -33,12 +33,23 @@ template <class T> struct ShapeContact {
 
 namespace pw85::detail {
 
+/// A multiple of s, if it is wanted; nothing otherwise.
+template <class T, int D, bool wanted> struct Normal {
+    Vector<T, D> direction;
+};
+
+template <class T, int D> struct Normal<T, D, false> {
+    Normal() = default;
+    PW85_MEMBER constexpr explicit Normal(Vector<T, D> const &) noexcept {}
+};
+
 /// The least xᵀQ⁻¹x of a set, and where it is.
-template <class T> struct Nearest {
+template <class T, bool with_normal> struct Nearest {
     using Mask = typename ScalarTraits<T>::Mask;
 
     T mu2;
     Vector<T, 3> point;
+    [[no_unique_address]] Normal<T, 3, with_normal> normal;
     Mask certain; ///< whether the digits of T suffice
 };
 
@@ -50,25 +61,30 @@ PW85_FUNCTION constexpr Vector<T, D> choose(Mask const &mask, Vector<T, D> const
     return x;
 }
 
-template <class T> PW85_FUNCTION constexpr Nearest<T> choose(typename Nearest<T>::Mask const &mask,
-                                                             Nearest<T> const &yes, Nearest<T> const &no) noexcept
+template <class Mask, class T, int D, bool wanted> PW85_FUNCTION constexpr Normal<T, D, wanted>
+choose(Mask const &mask, Normal<T, D, wanted> const &yes, Normal<T, D, wanted> const &no) noexcept
 {
-    return {select(mask, yes.mu2, no.mu2), choose(mask, yes.point, no.point),
+    if constexpr (wanted)
+        return {choose(mask, yes.direction, no.direction)};
+    else
+        return yes;
+}
+
+template <class Mask, class T, bool with_normal> PW85_FUNCTION constexpr Nearest<T, with_normal>
+choose(Mask const &mask, Nearest<T, with_normal> const &yes, Nearest<T, with_normal> const &no) noexcept
+{
+    return {select(mask, yes.mu2, no.mu2), choose(mask, yes.point, no.point), choose(mask, yes.normal, no.normal),
             (mask && yes.certain) || (!mask && no.certain)};
 }
 
-/// The nearer one of two points.
-template <class T> PW85_FUNCTION constexpr Nearest<T> minimum(Nearest<T> const &x, Nearest<T> const &y) noexcept
-{
-    return choose(y.mu2 < x.mu2, y, x);
-}
-
 /// Item 3, with the pivots of Q.
-template <class T>
-PW85_FUNCTION constexpr Nearest<T> nearest_on(Vector<T, 3> const &x, Factorization<T, 3> const &factors) noexcept
+template <bool with_normal, class T> PW85_FUNCTION constexpr Nearest<T, with_normal>
+nearest_on(Vector<T, 3> const &x, Factorization<T, 3> const &factors) noexcept
 {
-    T const mu2 = inverse_form(factors, x);
-    return {mu2, x, mu2 == mu2};
+    using WantedNormal = Normal<T, 3, with_normal>;
+    Vector<T, 3> const y = substitute_forward(factors, x);
+    T const mu2 = dot_over_pivots(factors, y, y);
+    return {mu2, x, WantedNormal{substitute_back(factors, y)}, mu2 == mu2};
 }
 
 template <class T, int N> PW85_FUNCTION constexpr bool is_finite(Vector<T, 3> const (&points)[N]) noexcept
@@ -78,9 +94,9 @@ template <class T, int N> PW85_FUNCTION constexpr bool is_finite(Vector<T, 3> co
     return finite;
 }
 
-/// Whether the coordinates of points and a form are near order one, and the form passes the fast checks.
+/// Whether the sizes of the points and of the form are between `limit` and its inverse, and the form passes the fast checks.
 template <class T, int N> [[gnu::always_inline]] PW85_FUNCTION inline typename ScalarTraits<T>::Mask
-passes_fast_checks(Vector<T, 3> const (&points)[N], SymmetricMatrix<T, 3> const &q) noexcept
+passes_fast_checks(Vector<T, 3> const (&points)[N], SymmetricMatrix<T, 3> const &q, T const &limit) noexcept
 {
     T smallest = sum_of_magnitudes(points[0]), total = smallest; // NaN if a number is NaN
     for (int k = 1; k < N; ++k) {
@@ -88,17 +104,18 @@ passes_fast_checks(Vector<T, 3> const (&points)[N], SymmetricMatrix<T, 3> const 
         smallest = minimum(smallest, size);
         total = total + size;
     }
-    return total == total && is_in_range(total, largest_diagonal(q), smallest) && is_clearly_definite(q);
+    T const form = largest_diagonal(q);
+    return total < limit && smallest * limit > T(1) && form < limit && form * limit > T(1) && is_clearly_definite(q);
 }
 
 /// Computes a contact with numbers of more digits and a wider range, where there are such numbers.
-template <class T, int N, class Find> [[gnu::noinline, gnu::cold]] PW85_FUNCTION inline ShapeContact<T>
-contact_extended(Vector<T, 3> const (&points)[N], SymmetricMatrix<T, 3> const &q, Find const &find) noexcept
+template <class T, int N, class Careful> [[gnu::noinline, gnu::cold]] PW85_FUNCTION inline ShapeContact<T>
+contact_extended(Vector<T, 3> const (&points)[N], SymmetricMatrix<T, 3> const &q, Careful const &careful) noexcept
 {
     using W = Widened<T>;
     Vector<W, 3> wide[N];
     for (int k = 0; k < N; ++k) wide[k] = converted<W>(points[k]);
-    auto const found = find(wide, converted<W>(q));
+    auto const found = careful(wide, converted<W>(q));
     if constexpr (std::is_same_v<T, W>)
         return {found.mu2, found.point, Status::success};
     else
@@ -107,9 +124,12 @@ contact_extended(Vector<T, 3> const (&points)[N], SymmetricMatrix<T, 3> const &q
                 Status::success};
 }
 
-/// Computes a contact in units in which the points and the form are of order one.
-template <class T, int N, class Find> [[gnu::noinline]] PW85_FUNCTION inline ShapeContact<T>
-contact_scaled(Vector<T, 3> const (&points)[N], SymmetricMatrix<T, 3> const &q, Find const &find) noexcept
+/// Computes a contact in units in which the points and the form are of order one. The scaling changes no bit of the results of
+/// contact_of(). The limit is wider than that of contact_of() in any units.
+template <class T, int N, class Fast, class Careful>
+[[gnu::noinline]] PW85_FUNCTION inline ShapeContact<T> contact_scaled(Vector<T, 3> const (&points)[N],
+                                                                      SymmetricMatrix<T, 3> const &q, Fast const &fast,
+                                                                      Careful const &careful) noexcept
 {
     Status const status = is_finite(points) ? validate(q) : Status::invalid_argument;
     if (status != Status::success) return all_nan<ShapeContact<T>>(status);
@@ -119,9 +139,12 @@ contact_scaled(Vector<T, 3> const (&points)[N], SymmetricMatrix<T, 3> const &q, 
     Vector<T, 3> scaled[N];
     for (int k = 0; k < N; ++k) scaled[k] = times_power_of_two(points[k], -length);
     auto const unit = times_power_of_two(q, -2 * form);
-    if (has_extended_numbers<T> && !passes_fast_checks(scaled, unit)) return contact_extended(points, q, find);
-    auto const found = find(scaled, unit);
-    if (!found.certain) return contact_extended(points, q, find);
+    T const limit = T(16) * T(unscaled_limit<T>() * unscaled_limit<T>());
+    if (has_extended_numbers<T> && !passes_fast_checks(scaled, unit, limit))
+        return contact_extended(points, q, careful);
+    auto found = fast(scaled, unit);
+    if (!found.certain) found = careful(scaled, unit);
+    if (!found.certain) return contact_extended(points, q, careful);
     return {times_power_of_two(found.mu2, 2 * (length - form)), times_power_of_two(found.point, length),
             Status::success};
 }
@@ -132,11 +155,11 @@ template <class T, int N, class Fast, class Careful>
                                                                        SymmetricMatrix<T, 3> const &q, Fast const &fast,
                                                                        Careful const &careful) noexcept
 {
-    if (passes_fast_checks(points, q)) {
+    if (passes_fast_checks(points, q, unscaled_limit<T>())) {
         auto const found = fast(points, q);
         if (found.certain) return {found.mu2, found.point, Status::success};
     }
-    return contact_scaled(points, q, careful);
+    return contact_scaled(points, q, fast, careful);
 }
 
 } // namespace pw85::detail

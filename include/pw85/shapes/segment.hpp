@@ -104,10 +104,9 @@ template <class T> PW85_FUNCTION constexpr T sum_of(Vector<T, 3> const &x) noexc
 
 /// The nearest point of a segment by careful formulas. `near` is the end that is nearer to the centre, roughly; `edge` leads from it
 /// to `far`.
-template <class T> PW85_FUNCTION constexpr Nearest<T> nearest_from(Vector<T, 3> const &near, Vector<T, 3> const &far,
-                                                                   Vector<T, 3> const &weights,
-                                                                   SymmetricMatrix<T, 3> const &q,
-                                                                   Factorization<T, 3> const &factors) noexcept
+template <bool with_normal, class T> PW85_FUNCTION constexpr Nearest<T, with_normal>
+nearest_from(Vector<T, 3> const &near, Vector<T, 3> const &far, Vector<T, 3> const &weights,
+             SymmetricMatrix<T, 3> const &q, Factorization<T, 3> const &factors) noexcept
 {
     Vector<T, 3> const edge = far - near;
     auto const axis = longest_axis(relative_squares(weights, edge));
@@ -123,7 +122,8 @@ template <class T> PW85_FUNCTION constexpr Nearest<T> nearest_from(Vector<T, 3> 
     auto const values = line_values(m, turned(axis, point));
     T const rest = T(values.second * values.second) * m.reciprocal_of_determinant;
     T const mu2 = T(values.first * values.first + rest) * m.reciprocal;
-    return choose(inside, Nearest<T>{mu2, point, mu2 == mu2}, nearest_on(end, factors));
+    Nearest<T, with_normal> const on_line{mu2, point, Normal<T, 3, with_normal>{solve(factors, point)}, mu2 == mu2};
+    return choose(inside, on_line, nearest_on<with_normal>(end, factors));
 }
 
 /// How many times u S the rounding errors of the fast formulas may be.
@@ -132,9 +132,8 @@ inline constexpr int fast_margin = 64;
 /// Whether the fast formulas err by less than `fast_margin` u S.
 template <class T> PW85_FUNCTION constexpr typename ScalarTraits<T>::Mask
 is_accurate(Vector<T, 3> const &a, Vector<T, 3> const &b, Vector<T, 3> const &e, T const &ef, Vector<T, 3> const &m,
-            Vector<T, 3> const &qm, T const &mqm, SymmetricMatrix<T, 3> const &q) noexcept
+            Vector<T, 3> const &qm, T const &mqm, Vector<T, 3> const &s, SymmetricMatrix<T, 3> const &q) noexcept
 {
-    Vector<T, 3> const s = cross(e, qm);
     T form = T(0), ends = T(0), terms = T(0), form_of_m = T(0), form_of_e = T(0);
     for (int i = 0; i < 3; ++i) {
         int const j = (i + 1) % 3, k = (i + 2) % 3;
@@ -149,7 +148,7 @@ is_accurate(Vector<T, 3> const &a, Vector<T, 3> const &b, Vector<T, 3> const &e,
 }
 
 /// The nearest point of a segment by fast formulas.
-template <class T> [[gnu::always_inline]] PW85_FUNCTION constexpr Nearest<T>
+template <bool with_normal, class T> [[gnu::always_inline]] PW85_FUNCTION constexpr Nearest<T, with_normal>
 nearest_on_segment(Vector<T, 3> const &a, Vector<T, 3> const &b, SymmetricMatrix<T, 3> const &q,
                    SymmetricMatrix<T, 3> const &adjugate, Factorization<T, 3> const &factors) noexcept
 {
@@ -158,13 +157,15 @@ nearest_on_segment(Vector<T, 3> const &a, Vector<T, 3> const &b, SymmetricMatrix
     auto const inside = from_a > T(0) && to_b > T(0), is_near = !(from_a > to_b);
     Vector<T, 3> const end = choose(is_near, a, b);
     T const t = T(select(is_near, from_a, T(-to_b))) * reciprocal;
-    Nearest<T> const on_line{mqm * reciprocal, add_scaled(end, t, e), is_accurate(a, b, e, ef, m, qm, mqm, q)};
+    Vector<T, 3> const normal = cross(e, qm);
+    Nearest<T, with_normal> const on_line{T(mqm * reciprocal), add_scaled(end, t, e), Normal<T, 3, with_normal>{normal},
+                                          is_accurate(a, b, e, ef, m, qm, mqm, normal, q)};
     if (all_of(inside)) return on_line;
-    return choose(inside, on_line, nearest_on(end, factors));
+    return choose(inside, on_line, nearest_on<with_normal>(end, factors));
 }
 
 /// The nearest points of segments with ends a and b, for one form.
-template <class T> struct FastSegments {
+template <class T, bool with_normal> struct FastSegments {
     SymmetricMatrix<T, 3> q, adjugate;
     Factorization<T, 3> factors;
 
@@ -173,14 +174,15 @@ template <class T> struct FastSegments {
     {
     }
 
-    PW85_MEMBER constexpr Nearest<T> operator()(Vector<T, 3> const &a, Vector<T, 3> const &b) const noexcept
+    PW85_MEMBER constexpr Nearest<T, with_normal> operator()(Vector<T, 3> const &a,
+                                                             Vector<T, 3> const &b) const noexcept
     {
-        return nearest_on_segment(a, b, q, adjugate, factors);
+        return nearest_on_segment<with_normal>(a, b, q, adjugate, factors);
     }
 };
 
 /// The same by careful formulas.
-template <class T> struct CarefulSegments {
+template <class T, bool with_normal> struct CarefulSegments {
     SymmetricMatrix<T, 3> q;
     Vector<T, 3> weights;
     Factorization<T, 3> factors;
@@ -190,19 +192,20 @@ template <class T> struct CarefulSegments {
     {
     }
 
-    PW85_MEMBER constexpr Nearest<T> operator()(Vector<T, 3> const &a, Vector<T, 3> const &b) const noexcept
+    PW85_MEMBER constexpr Nearest<T, with_normal> operator()(Vector<T, 3> const &a,
+                                                             Vector<T, 3> const &b) const noexcept
     {
         auto const swap = sum_of(relative_squares(weights, b)) < sum_of(relative_squares(weights, a));
-        return nearest_from(choose(swap, b, a), choose(swap, a, b), weights, q, factors);
+        return nearest_from<with_normal>(choose(swap, b, a), choose(swap, a, b), weights, q, factors);
     }
 };
 
 /// The nearest point of a segment in units of order one.
-template <template <class> class Segments> struct FindOnSegment {
-    template <class T> PW85_MEMBER constexpr Nearest<T> operator()(Vector<T, 3> const (&ends)[2],
-                                                                   SymmetricMatrix<T, 3> const &q) const noexcept
+template <template <class, bool> class Segments, bool with_normal = false> struct FindOnSegment {
+    template <class T> PW85_MEMBER constexpr Nearest<T, with_normal>
+    operator()(Vector<T, 3> const (&ends)[2], SymmetricMatrix<T, 3> const &q) const noexcept
     {
-        return Segments<T>(q)(ends[0], ends[1]);
+        return Segments<T, with_normal>(q)(ends[0], ends[1]);
     }
 };
 

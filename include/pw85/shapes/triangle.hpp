@@ -15,8 +15,8 @@
 namespace pw85::detail {
 
 /// The nearest point of the plane of a triangle, and its weights: those of b and c, and 1 minus their sum.
-template <class T> struct NearestOnPlane {
-    Nearest<T> nearest;
+template <class T, bool with_normal> struct NearestOnPlane {
+    Nearest<T, with_normal> nearest;
     Vector<T, 3> weights;
 };
 
@@ -40,7 +40,7 @@ PW85_FUNCTION constexpr typename ScalarTraits<T>::Mask is_accurate_normal(Vector
     return T(T(largest_cancellation * largest_cancellation) * size) > terms;
 }
 
-template <class T> [[gnu::always_inline]] PW85_FUNCTION constexpr NearestOnPlane<T>
+template <bool with_normal, class T> [[gnu::always_inline]] PW85_FUNCTION constexpr NearestOnPlane<T, with_normal>
 nearest_on_plane(Vector<T, 3> const (&vertices)[3], SymmetricMatrix<T, 3> const &q) noexcept
 {
     auto const &[a, b, c] = vertices;
@@ -50,16 +50,17 @@ nearest_on_plane(Vector<T, 3> const (&vertices)[3], SymmetricMatrix<T, 3> const 
     T const nn = dot(n, n), scale = T(1) / nn;
     T const wb = dot(n, cross(p, e2)) * scale, wc = dot(n, cross(e1, p)) * scale, wa = T(1) - wb - wc;
     T const d = wa * da + wb * dot(n, b) + wc * dot(n, c);
-    return {{T(d * d) * reciprocal, add_scaled(add_scaled(wa * a, wb, b), wc, c), is_accurate_normal(n, e1, e2, q)},
+    return {{T(d * d) * reciprocal, add_scaled(add_scaled(wa * a, wb, b), wc, c),
+             Normal<T, 3, with_normal>{choose(d < T(0), -n, n)}, is_accurate_normal(n, e1, e2, q)},
             {wa, wb, wc}};
 }
 
 /// The nearest point of a triangle in units of order one.
-template <template <class> class Segments> struct FindOnTriangle {
-    template <class T> PW85_MEMBER constexpr Nearest<T> operator()(Vector<T, 3> const (&vertices)[3],
-                                                                   SymmetricMatrix<T, 3> const &q) const noexcept
+template <template <class, bool> class Segments, bool with_normal = false> struct FindOnTriangle {
+    template <class T> PW85_MEMBER constexpr Nearest<T, with_normal>
+    operator()(Vector<T, 3> const (&vertices)[3], SymmetricMatrix<T, 3> const &q) const noexcept
     {
-        auto const plane = nearest_on_plane(vertices, q);
+        auto const plane = nearest_on_plane<with_normal>(vertices, q);
         auto const &w = plane.weights;
         auto const inside = w[0] >= T(0) && w[1] >= T(0) && w[2] >= T(0);
         if (all_of(inside)) return plane.nearest;
@@ -68,12 +69,12 @@ template <template <class> class Segments> struct FindOnTriangle {
 
     /// The nearest point of those edges that may have it: the edge opposite to vertex k, if its weight is negative. If the normal is
     /// not accurate, these are all edges.
-    template <class T> PW85_MEMBER static constexpr Nearest<T>
+    template <class T> PW85_MEMBER static constexpr Nearest<T, with_normal>
     nearest_on_edges(Vector<T, 3> const (&vertices)[3], Vector<T, 3> const &weights,
-                     typename Nearest<T>::Mask const &certain, SymmetricMatrix<T, 3> const &q) noexcept
+                     typename ScalarTraits<T>::Mask const &certain, SymmetricMatrix<T, 3> const &q) noexcept
     {
-        Segments<T> const nearest_on_edge(q);
-        Nearest<T> best{quiet_nan<T>(), vertices[0], certain};
+        Segments<T, with_normal> const nearest_on_edge(q);
+        Nearest<T, with_normal> best{quiet_nan<T>(), vertices[0], Normal<T, 3, with_normal>{vertices[0]}, certain};
         for (int k = 0; k < 3; ++k) {
             auto const away = certain && weights[k] >= T(0);
             if (all_of(away)) continue;
