@@ -112,6 +112,12 @@ module pw85
   public :: pw85_distance_cylinder
   public :: pw85_distance_point
   public :: pw85_intersect_line
+  public :: pw85_contact_segment
+  public :: pw85_contact_triangle
+  public :: pw85_contact_box
+  public :: pw85_overlap_segment
+  public :: pw85_overlap_triangle
+  public :: pw85_overlap_box
   public :: pw85_contact_batch
   public :: pw85_overlap_batch
   public :: pw85_contact_rounded_batch
@@ -148,6 +154,12 @@ module pw85
   public :: pw85_distance_cylinder_batch
   public :: pw85_distance_point_batch
   public :: pw85_intersect_line_batch
+  public :: pw85_contact_segment_batch
+  public :: pw85_contact_triangle_batch
+  public :: pw85_contact_box_batch
+  public :: pw85_overlap_segment_batch
+  public :: pw85_overlap_triangle_batch
+  public :: pw85_overlap_box_batch
   public :: pw85_first_contact_batch
   public :: pw85_overlap_any
   public :: pw85_overlap_any_indices
@@ -597,6 +609,56 @@ module pw85
       integer(c_int) :: status
     end function pw85_intersect_line
 
+    !> Contact function of an ellipsoid and a segment.
+    function pw85_contact_segment(end1, end2, q, mu2, point) result(status) bind(C, name='pw85_contact_segment')
+      import
+      real(c_double), intent(in) :: end1(3), end2(3), q(6)
+      real(c_double), intent(out), optional :: mu2, point(3)
+      integer(c_int) :: status
+    end function pw85_contact_segment
+
+    !> Contact function of an ellipsoid and a triangle.
+    function pw85_contact_triangle(vertex1, vertex2, vertex3, q, mu2, point) result(status) bind(C, &
+      name='pw85_contact_triangle')
+      import
+      real(c_double), intent(in) :: vertex1(3), vertex2(3), vertex3(3), q(6)
+      real(c_double), intent(out), optional :: mu2, point(3)
+      integer(c_int) :: status
+    end function pw85_contact_triangle
+
+    !> Contact function of an ellipsoid and a solid box with sides along the axes.
+    function pw85_contact_box(lower, upper, q, mu2, point) result(status) bind(C, name='pw85_contact_box')
+      import
+      real(c_double), intent(in) :: lower(3), upper(3), q(6)
+      real(c_double), intent(out), optional :: mu2, point(3)
+      integer(c_int) :: status
+    end function pw85_contact_box
+
+    !> Whether an ellipsoid and a segment overlap, μ² < 1.
+    function pw85_overlap_segment(end1, end2, q, overlap) result(status) bind(C, name='pw85_overlap_segment')
+      import
+      real(c_double), intent(in) :: end1(3), end2(3), q(6)
+      integer(c_int), intent(out) :: overlap
+      integer(c_int) :: status
+    end function pw85_overlap_segment
+
+    !> Whether an ellipsoid and a triangle overlap, μ² < 1.
+    function pw85_overlap_triangle(vertex1, vertex2, vertex3, q, overlap) result(status) bind(C, &
+      name='pw85_overlap_triangle')
+      import
+      real(c_double), intent(in) :: vertex1(3), vertex2(3), vertex3(3), q(6)
+      integer(c_int), intent(out) :: overlap
+      integer(c_int) :: status
+    end function pw85_overlap_triangle
+
+    !> Whether an ellipsoid and a solid box with sides along the axes overlap, μ² < 1.
+    function pw85_overlap_box(lower, upper, q, overlap) result(status) bind(C, name='pw85_overlap_box')
+      import
+      real(c_double), intent(in) :: lower(3), upper(3), q(6)
+      integer(c_int), intent(out) :: overlap
+      integer(c_int) :: status
+    end function pw85_overlap_box
+
     !> pw85_contact() for n pairs.
     function pw85_contact_batch(n, r12, q1, q2, mu2, lambda) result(status) bind(C, name='pw85_contact_batch')
       import
@@ -954,6 +1016,65 @@ module pw85
       real(c_double), intent(out), optional :: enter(n), leave(n)
       integer(c_int) :: status
     end function pw85_intersect_line_batch
+
+    !> pw85_contact_segment() for n ellipsoids and segments.
+    function pw85_contact_segment_batch(n, end1, end2, q, mu2, point) result(status) bind(C, &
+      name='pw85_contact_segment_batch')
+      import
+      integer(c_size_t), value :: n
+      real(c_double), intent(in) :: end1(3, n), end2(3, n), q(6, n)
+      real(c_double), intent(out), optional :: mu2(n), point(3, n)
+      integer(c_int) :: status
+    end function pw85_contact_segment_batch
+
+    !> pw85_contact_triangle() for n ellipsoids and triangles.
+    function pw85_contact_triangle_batch(n, vertex1, vertex2, vertex3, q, mu2, point) result(status) bind(C, &
+      name='pw85_contact_triangle_batch')
+      import
+      integer(c_size_t), value :: n
+      real(c_double), intent(in) :: vertex1(3, n), vertex2(3, n), vertex3(3, n), q(6, n)
+      real(c_double), intent(out), optional :: mu2(n), point(3, n)
+      integer(c_int) :: status
+    end function pw85_contact_triangle_batch
+
+    !> pw85_contact_box() for n ellipsoids and boxes.
+    function pw85_contact_box_batch(n, lower, upper, q, mu2, point) result(status) bind(C, &
+      name='pw85_contact_box_batch')
+      import
+      integer(c_size_t), value :: n
+      real(c_double), intent(in) :: lower(3, n), upper(3, n), q(6, n)
+      real(c_double), intent(out), optional :: mu2(n), point(3, n)
+      integer(c_int) :: status
+    end function pw85_contact_box_batch
+
+    !> pw85_overlap_segment() for n ellipsoids and segments.
+    function pw85_overlap_segment_batch(n, end1, end2, q, overlap) result(status) bind(C, &
+      name='pw85_overlap_segment_batch')
+      import
+      integer(c_size_t), value :: n
+      real(c_double), intent(in) :: end1(3, n), end2(3, n), q(6, n)
+      integer(c_int8_t), intent(out) :: overlap(n)
+      integer(c_int) :: status
+    end function pw85_overlap_segment_batch
+
+    !> pw85_overlap_triangle() for n ellipsoids and triangles.
+    function pw85_overlap_triangle_batch(n, vertex1, vertex2, vertex3, q, overlap) result(status) bind(C, &
+      name='pw85_overlap_triangle_batch')
+      import
+      integer(c_size_t), value :: n
+      real(c_double), intent(in) :: vertex1(3, n), vertex2(3, n), vertex3(3, n), q(6, n)
+      integer(c_int8_t), intent(out) :: overlap(n)
+      integer(c_int) :: status
+    end function pw85_overlap_triangle_batch
+
+    !> pw85_overlap_box() for n ellipsoids and boxes.
+    function pw85_overlap_box_batch(n, lower, upper, q, overlap) result(status) bind(C, name='pw85_overlap_box_batch')
+      import
+      integer(c_size_t), value :: n
+      real(c_double), intent(in) :: lower(3, n), upper(3, n), q(6, n)
+      integer(c_int8_t), intent(out) :: overlap(n)
+      integer(c_int) :: status
+    end function pw85_overlap_box_batch
 
     !> pw85_first_contact() for n pairs.
     function pw85_first_contact_batch(n, r12, q1, q2, motion1, motion2, t_max, t) result(status) bind(C, &

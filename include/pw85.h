@@ -608,6 +608,78 @@ PW85_API int pw85_intersect_line(double const origin[PW85_DIM], double const dir
                                  double const q[PW85_SYM], double t[2]);
 
 /** @}
+ * @name Shapes
+ *
+ * An ellipsoid with its centre at 0, and a convex set. μ² is the square of the factor by which the ellipsoid must be scaled about its
+ * centre to touch the set, and the point is where it then touches: the point x of the set where xᵀQ⁻¹x is least. If the centre is in
+ * the set, μ² is 0. The set overlaps the ellipsoid if μ² < 1.
+ *
+ * The error of μ² is below 80 u S, to first order. Here S = Σ|s_i q_ij s_j| + 2 Σ_k w_k Σ|s_i v_ki| over the points v_k of the set
+ * of which x = Σ w_k v_k is the mean with weights w_k > 0, and s = Q⁻¹x. Rounding the data entry by entry can change μ² by u S.
+ *
+ * For another position of the ellipsoid, subtract its centre from the points of the set.
+ * @{ */
+
+/** Contact function of an ellipsoid and a segment.
+ *
+ * @param end1,end2 of the segment, relative to the centre of the ellipsoid; equal ends are a point
+ * @param q form of the ellipsoid
+ * @param[out] mu2 square of the factor by which the ellipsoid must be scaled to touch; may be null
+ * @param[out] point of the segment, where the scaled ellipsoid touches; may be null
+ * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD */
+PW85_API int pw85_contact_segment(double const end1[PW85_DIM], double const end2[PW85_DIM], double const q[PW85_SYM],
+                                  double *mu2, double point[PW85_DIM]);
+
+/** Contact function of an ellipsoid and a triangle.
+ *
+ * @param vertex1,vertex2,vertex3 of the triangle, relative to the centre of the ellipsoid; a triangle without area is the segment
+ *        or the point that has all three vertices
+ * @param q form of the ellipsoid
+ * @param[out] mu2 square of the factor by which the ellipsoid must be scaled to touch; may be null
+ * @param[out] point of the triangle, where the scaled ellipsoid touches; may be null
+ * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD */
+PW85_API int pw85_contact_triangle(double const vertex1[PW85_DIM], double const vertex2[PW85_DIM],
+                                   double const vertex3[PW85_DIM], double const q[PW85_SYM], double *mu2,
+                                   double point[PW85_DIM]);
+
+/** Contact function of an ellipsoid and a solid box with sides along the axes.
+ *
+ * @param lower,upper corners of the box, relative to the centre of the ellipsoid; lower <= upper; a box may be flat
+ * @param q form of the ellipsoid
+ * @param[out] mu2 square of the factor by which the ellipsoid must be scaled to touch; 0 if its centre is in the box; may be null
+ * @param[out] point of the box, where the scaled ellipsoid touches; may be null
+ * @return #PW85_SUCCESS, #PW85_EINVAL (also for lower > upper), #PW85_ENOTPD */
+PW85_API int pw85_contact_box(double const lower[PW85_DIM], double const upper[PW85_DIM], double const q[PW85_SYM],
+                              double *mu2, double point[PW85_DIM]);
+
+/** Whether an ellipsoid and a segment overlap, μ² < 1. If they only touch, they do not. The answer is that of exact arithmetic for the
+ * numbers given, as that of pw85_overlap().
+ *
+ * @param end1,end2,q as for pw85_contact_segment()
+ * @param[out] overlap 1 or 0; -1 on error
+ * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD */
+PW85_API int pw85_overlap_segment(double const end1[PW85_DIM], double const end2[PW85_DIM], double const q[PW85_SYM],
+                                  int *overlap);
+
+/** Whether an ellipsoid and a triangle overlap, μ² < 1. If they only touch, they do not. The answer is that of exact arithmetic for
+ * the numbers given, as that of pw85_overlap().
+ *
+ * @param vertex1,vertex2,vertex3,q as for pw85_contact_triangle()
+ * @param[out] overlap 1 or 0; -1 on error
+ * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD */
+PW85_API int pw85_overlap_triangle(double const vertex1[PW85_DIM], double const vertex2[PW85_DIM],
+                                   double const vertex3[PW85_DIM], double const q[PW85_SYM], int *overlap);
+
+/** Whether an ellipsoid and a solid box with sides along the axes overlap, μ² < 1. If they only touch, they do not. The answer is
+ * that of exact arithmetic for the numbers given, as that of pw85_overlap().
+ *
+ * @param lower,upper,q as for pw85_contact_box()
+ * @param[out] overlap 1 or 0; -1 on error
+ * @return #PW85_SUCCESS, #PW85_EINVAL (also for lower > upper), #PW85_ENOTPD */
+PW85_API int pw85_overlap_box(double const lower[PW85_DIM], double const upper[PW85_DIM], double const q[PW85_SYM],
+                              int *overlap);
+
+/** @}
  * @name Many pairs
  *
  * Arrays are contiguous, and row i belongs to pair i. A bad pair (NaN, infinity, a form that is not positive definite) is
@@ -1020,6 +1092,69 @@ PW85_API int pw85_distance_point_batch(size_t n, double const *r, double const *
  * @return as for pw85_contact_batch(); a zero direction is #PW85_EINVAL */
 PW85_API int pw85_intersect_line_batch(size_t n, double const *origin, double const *directions, double const *q,
                                        double *enter, double *leave);
+
+/** pw85_contact_segment() for n ellipsoids and segments; the bits are the same.
+ *
+ * @param n number of ellipsoids
+ * @param end1,end2 n×3 each
+ * @param q n×6
+ * @param[out] mu2 n; any output may be null
+ * @param[out] point n×3
+ * @return as for pw85_contact_batch() */
+PW85_API int pw85_contact_segment_batch(size_t n, double const *end1, double const *end2, double const *q, double *mu2,
+                                        double *point);
+
+/** pw85_contact_triangle() for n ellipsoids and triangles; the bits are the same.
+ *
+ * @param n number of ellipsoids
+ * @param vertex1,vertex2,vertex3 n×3 each
+ * @param q n×6
+ * @param[out] mu2 n; any output may be null
+ * @param[out] point n×3
+ * @return as for pw85_contact_batch() */
+PW85_API int pw85_contact_triangle_batch(size_t n, double const *vertex1, double const *vertex2, double const *vertex3,
+                                         double const *q, double *mu2, double *point);
+
+/** pw85_contact_box() for n ellipsoids and boxes; the bits are the same.
+ *
+ * @param n number of ellipsoids
+ * @param lower,upper n×3 each; lower <= upper
+ * @param q n×6
+ * @param[out] mu2 n; any output may be null
+ * @param[out] point n×3
+ * @return as for pw85_contact_batch(); lower > upper is #PW85_EINVAL */
+PW85_API int pw85_contact_box_batch(size_t n, double const *lower, double const *upper, double const *q, double *mu2,
+                                    double *point);
+
+/** pw85_overlap_segment() for n ellipsoids and segments.
+ *
+ * @param n number of ellipsoids
+ * @param end1,end2 n×3 each
+ * @param q n×6
+ * @param[out] overlap n: 1 or 0, 255 for a bad row
+ * @return as for pw85_contact_batch() */
+PW85_API int pw85_overlap_segment_batch(size_t n, double const *end1, double const *end2, double const *q,
+                                        unsigned char *overlap);
+
+/** pw85_overlap_triangle() for n ellipsoids and triangles.
+ *
+ * @param n number of ellipsoids
+ * @param vertex1,vertex2,vertex3 n×3 each
+ * @param q n×6
+ * @param[out] overlap n: 1 or 0, 255 for a bad row
+ * @return as for pw85_contact_batch() */
+PW85_API int pw85_overlap_triangle_batch(size_t n, double const *vertex1, double const *vertex2, double const *vertex3,
+                                         double const *q, unsigned char *overlap);
+
+/** pw85_overlap_box() for n ellipsoids and boxes.
+ *
+ * @param n number of ellipsoids
+ * @param lower,upper n×3 each; lower <= upper
+ * @param q n×6
+ * @param[out] overlap n: 1 or 0, 255 for a bad row
+ * @return as for pw85_contact_batch(); lower > upper is #PW85_EINVAL */
+PW85_API int pw85_overlap_box_batch(size_t n, double const *lower, double const *upper, double const *q,
+                                    unsigned char *overlap);
 
 /** pw85_first_contact() for n pairs; the bits are the same.
  *

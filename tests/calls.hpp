@@ -264,6 +264,8 @@ class Call {
         if (name == "semi_axes" || name == "axis" || name == "offsets" || name == "d_u") return {1, 2, 3};
         if (name == "quaternion" || name == "quaternions") return {1, 2, 3, 4};
         if (name == "upper" || name == "lower") return box(r, name == "upper" ? 1.0 : -1.0);
+        if (name == "end2" || name == "vertex2") return {r[1], r[2], r[0]};
+        if (name == "vertex3") return {-r[2], r[0], r[1]};
         if (name == "params") {
             Numbers all = separation;
             all.insert(all.end(), pair.q1.entries, pair.q1.entries + 6);

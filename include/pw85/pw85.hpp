@@ -74,6 +74,8 @@ template <class T, int D> struct SurfaceDistance; // distance, point, normal, st
 template <class T> struct PlaneDerivatives;       // center, rotation, status
 template <class T, int D> struct PlaneContact;    // mu2, point, status
 template <class T> struct Chord;                  // enter, leave, status
+template <class T> struct ShapeContact;           // mu2, point, status
+struct ShapeOverlap;                              // overlap, status
 template <class T, int D> struct Penetration;     // depth, direction, status
 template <class T, int D> struct Motion;          // velocity, angular_velocity, growth
 template <class T> struct FirstContact;           // time, status
@@ -452,6 +454,61 @@ template <class T, int D> PW85_FUNCTION inline Chord<T>
 intersect_line(Vector<T, D> const &origin, Vector<T, D> const &direction, SymmetricMatrix<T, D> const &q) noexcept;
 
 /// @}
+/// @name Shapes: an ellipsoid with its centre at 0, scaled about it until it touches a convex set
+/// @{
+
+/// Contact function of an ellipsoid and a segment.
+///
+/// @param end1,end2 of the segment, relative to the centre; equal ends are a point
+/// @param q the form
+/// @return μ² and the point of the segment where the scaled ellipsoid touches; Status::invalid_argument,
+/// Status::not_positive_definite
+template <class T> PW85_FUNCTION inline ShapeContact<T>
+contact_segment(Vector<T, 3> const &end1, Vector<T, 3> const &end2, SymmetricMatrix<T, 3> const &q) noexcept;
+
+/// Contact function of an ellipsoid and a triangle.
+///
+/// @param vertex1,vertex2,vertex3 of the triangle, relative to the centre; a triangle without area is the segment or the point that
+/// has all three vertices
+/// @param q the form
+/// @return μ² and the point of the triangle where the scaled ellipsoid touches; Status::invalid_argument,
+/// Status::not_positive_definite
+template <class T> PW85_FUNCTION inline ShapeContact<T>
+contact_triangle(Vector<T, 3> const &vertex1, Vector<T, 3> const &vertex2, Vector<T, 3> const &vertex3,
+                 SymmetricMatrix<T, 3> const &q) noexcept;
+
+/// Contact function of an ellipsoid and the solid box lower <= x <= upper.
+///
+/// @param lower,upper corners of the box, relative to the centre; lower <= upper
+/// @param q the form
+/// @return μ², 0 if the centre is in the box, and the point of the box where the scaled ellipsoid touches;
+/// Status::invalid_argument (also for lower > upper), Status::not_positive_definite
+template <class T> PW85_FUNCTION inline ShapeContact<T>
+contact_box(Vector<T, 3> const &lower, Vector<T, 3> const &upper, SymmetricMatrix<T, 3> const &q) noexcept;
+
+/// Whether an ellipsoid and a segment overlap, μ² < 1. The answer is exact for native types.
+///
+/// @param end1,end2,q as for contact_segment()
+/// @return the answer; Status::invalid_argument, Status::not_positive_definite
+template <class T> PW85_FUNCTION inline ShapeOverlap
+overlap_segment(Vector<T, 3> const &end1, Vector<T, 3> const &end2, SymmetricMatrix<T, 3> const &q) noexcept;
+
+/// Whether an ellipsoid and a triangle overlap, μ² < 1. The answer is exact for native types.
+///
+/// @param vertex1,vertex2,vertex3,q as for contact_triangle()
+/// @return the answer; Status::invalid_argument, Status::not_positive_definite
+template <class T> PW85_FUNCTION inline ShapeOverlap
+overlap_triangle(Vector<T, 3> const &vertex1, Vector<T, 3> const &vertex2, Vector<T, 3> const &vertex3,
+                 SymmetricMatrix<T, 3> const &q) noexcept;
+
+/// Whether an ellipsoid and a solid box overlap, μ² < 1. The answer is exact for native types.
+///
+/// @param lower,upper,q as for contact_box()
+/// @return the answer; Status::invalid_argument (also for lower > upper), Status::not_positive_definite
+template <class T> PW85_FUNCTION inline ShapeOverlap
+overlap_box(Vector<T, 3> const &lower, Vector<T, 3> const &upper, SymmetricMatrix<T, 3> const &q) noexcept;
+
+/// @}
 
 } // namespace pw85
 
@@ -477,5 +534,9 @@ intersect_line(Vector<T, D> const &origin, Vector<T, D> const &direction, Symmet
 #include <pw85/overlap/containment_factor.hpp>
 #include <pw85/overlap/overlap.hpp>
 #include <pw85/overlap/witness.hpp>
+#include <pw85/shapes/box.hpp>
+#include <pw85/shapes/overlap_shapes.hpp>
+#include <pw85/shapes/segment.hpp>
+#include <pw85/shapes/triangle.hpp>
 
 #endif

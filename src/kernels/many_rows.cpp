@@ -41,6 +41,16 @@ int contains_as_byte(double const *r12, double const *q1, double const *q2, unsi
     return status;
 }
 
+/// Calls a function whose answer is an int, and stores the answer as one byte.
+template <auto function, class... Inputs>
+int with_byte(double const *first, Inputs... rest, unsigned char *byte) noexcept
+{
+    int answer = -1;
+    int const status = function(first, rest..., &answer);
+    *byte = static_cast<unsigned char>(answer); // -1 is 255
+    return status;
+}
+
 /// Whether ellipsoids overlap, as one byte, with a proof.
 int witness_with_byte(double const *r12, double const *q1, double const *q2, unsigned char *overlap, double *lambda,
                       double *point) noexcept
@@ -244,6 +254,48 @@ int pw85_intersect_line_batch(size_t n, double const *origin, double const *dire
 {
     return each_row(n, with_two_numbers<pw85_intersect_line>, RowsOf<3>{origin}, RowsOf<3>{directions}, RowsOf<6>{q},
                     OptionalRowsOf<1>{enter}, OptionalRowsOf<1>{leave});
+}
+
+int pw85_contact_segment_batch(size_t n, double const *end1, double const *end2, double const *q, double *mu2,
+                               double *point)
+{
+    return each_row(n, pw85_contact_segment, RowsOf<3>{end1}, RowsOf<3>{end2}, RowsOf<6>{q}, OptionalRowsOf<1>{mu2},
+                    OptionalRowsOf<3>{point});
+}
+
+int pw85_contact_triangle_batch(size_t n, double const *vertex1, double const *vertex2, double const *vertex3,
+                                double const *q, double *mu2, double *point)
+{
+    return each_row(n, pw85_contact_triangle, RowsOf<3>{vertex1}, RowsOf<3>{vertex2}, RowsOf<3>{vertex3}, RowsOf<6>{q},
+                    OptionalRowsOf<1>{mu2}, OptionalRowsOf<3>{point});
+}
+
+int pw85_contact_box_batch(size_t n, double const *lower, double const *upper, double const *q, double *mu2,
+                           double *point)
+{
+    return each_row(n, pw85_contact_box, RowsOf<3>{lower}, RowsOf<3>{upper}, RowsOf<6>{q}, OptionalRowsOf<1>{mu2},
+                    OptionalRowsOf<3>{point});
+}
+
+int pw85_overlap_segment_batch(size_t n, double const *end1, double const *end2, double const *q,
+                               unsigned char *overlap)
+{
+    return each_row(n, with_byte<pw85_overlap_segment, double const *, double const *>, RowsOf<3>{end1},
+                    RowsOf<3>{end2}, RowsOf<6>{q}, RowsOf<1, unsigned char>{overlap});
+}
+
+int pw85_overlap_triangle_batch(size_t n, double const *vertex1, double const *vertex2, double const *vertex3,
+                                double const *q, unsigned char *overlap)
+{
+    return each_row(n, with_byte<pw85_overlap_triangle, double const *, double const *, double const *>,
+                    RowsOf<3>{vertex1}, RowsOf<3>{vertex2}, RowsOf<3>{vertex3}, RowsOf<6>{q},
+                    RowsOf<1, unsigned char>{overlap});
+}
+
+int pw85_overlap_box_batch(size_t n, double const *lower, double const *upper, double const *q, unsigned char *overlap)
+{
+    return each_row(n, with_byte<pw85_overlap_box, double const *, double const *>, RowsOf<3>{lower}, RowsOf<3>{upper},
+                    RowsOf<6>{q}, RowsOf<1, unsigned char>{overlap});
 }
 
 int pw85_first_contact_batch(size_t n, double const *r12, double const *q1, double const *q2,

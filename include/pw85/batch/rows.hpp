@@ -445,6 +445,73 @@ static inline Status intersect_line_batch(Vectors origin, Vectors directions, Fo
     return detail::call_rows(pw85_intersect_line_batch, origin, directions, q, enter, leave);
 }
 
+/// contact_segment() for many ellipsoids and segments: see pw85_contact_segment_batch().
+///
+/// @param end1,end2,q one for each ellipsoid
+/// @param[out] mu2,point one for each ellipsoid, or empty
+/// @return as for contact_batch()
+static inline Status contact_segment_batch(Vectors end1, Vectors end2, Forms q, std::span<double> mu2,
+                                           std::span<Vector<double, 3>> point = {}) noexcept
+{
+    return detail::call_rows(pw85_contact_segment_batch, end1, end2, q, mu2, point);
+}
+
+/// contact_triangle() for many ellipsoids and triangles: see pw85_contact_triangle_batch().
+///
+/// @param vertex1,vertex2,vertex3,q one for each ellipsoid
+/// @param[out] mu2,point one for each ellipsoid, or empty
+/// @return as for contact_batch()
+static inline Status contact_triangle_batch(Vectors vertex1, Vectors vertex2, Vectors vertex3, Forms q,
+                                            std::span<double> mu2, std::span<Vector<double, 3>> point = {}) noexcept
+{
+    return detail::call_rows(pw85_contact_triangle_batch, vertex1, vertex2, vertex3, q, mu2, point);
+}
+
+/// contact_box() for many ellipsoids and boxes: see pw85_contact_box_batch().
+///
+/// @param lower,upper one for each ellipsoid; lower <= upper
+/// @param q one for each ellipsoid
+/// @param[out] mu2,point one for each ellipsoid, or empty
+/// @return as for contact_batch(); lower > upper is Status::invalid_argument
+static inline Status contact_box_batch(Vectors lower, Vectors upper, Forms q, std::span<double> mu2,
+                                       std::span<Vector<double, 3>> point = {}) noexcept
+{
+    return detail::call_rows(pw85_contact_box_batch, lower, upper, q, mu2, point);
+}
+
+/// overlap_segment() for many ellipsoids and segments: see pw85_overlap_segment_batch().
+///
+/// @param end1,end2,q one for each ellipsoid
+/// @param[out] overlap one for each ellipsoid: 1 or 0, 255 for a bad row
+/// @return as for contact_batch()
+static inline Status overlap_segment_batch(Vectors end1, Vectors end2, Forms q,
+                                           std::span<unsigned char> overlap) noexcept
+{
+    return detail::call_rows(pw85_overlap_segment_batch, end1, end2, q, overlap);
+}
+
+/// overlap_triangle() for many ellipsoids and triangles: see pw85_overlap_triangle_batch().
+///
+/// @param vertex1,vertex2,vertex3,q one for each ellipsoid
+/// @param[out] overlap one for each ellipsoid: 1 or 0, 255 for a bad row
+/// @return as for contact_batch()
+static inline Status overlap_triangle_batch(Vectors vertex1, Vectors vertex2, Vectors vertex3, Forms q,
+                                            std::span<unsigned char> overlap) noexcept
+{
+    return detail::call_rows(pw85_overlap_triangle_batch, vertex1, vertex2, vertex3, q, overlap);
+}
+
+/// overlap_box() for many ellipsoids and boxes: see pw85_overlap_box_batch().
+///
+/// @param lower,upper one for each ellipsoid; lower <= upper
+/// @param q one for each ellipsoid
+/// @param[out] overlap one for each ellipsoid: 1 or 0, 255 for a bad row
+/// @return as for contact_batch(); lower > upper is Status::invalid_argument
+static inline Status overlap_box_batch(Vectors lower, Vectors upper, Forms q, std::span<unsigned char> overlap) noexcept
+{
+    return detail::call_rows(pw85_overlap_box_batch, lower, upper, q, overlap);
+}
+
 /// first_contact() for many pairs: see pw85_first_contact_batch().
 ///
 /// @param r12,q1,q2,motion1,motion2 one for each pair

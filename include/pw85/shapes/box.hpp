@@ -1,0 +1,154 @@
+/// @file
+/// The contact function of an ellipsoid and a box with sides along the axes.
+///
+/// The nearest point of the box is on a face that faces the centre: otherwise the box would also have points between it and the
+/// centre. There are up to three such faces. On the face x_i = c, xᵀQ⁻¹x is c²/Q_ii plus a form of the same kind in the other two
+/// coordinates, with the centre at Q_ij c/Q_ii and with Schur's complement of Q_ii in the place of Q. So the problem for a rectangle
+/// is left, with up to two edges that face its centre, and then that of an interval. Every term is a square, and the complements
+/// have the rounding errors of pivots (nearest.hpp).
+#ifndef PW85_SHAPES_BOX_HPP_INCLUDED
+#define PW85_SHAPES_BOX_HPP_INCLUDED
+
+#include <pw85/shapes/nearest.hpp>
+
+namespace pw85::detail {
+
+/// A box in D dimensions, and the form and the centre of the function (x - center)ᵀQ⁻¹(x - center).
+template <class T, int D> struct BoxProblem {
+    Vector<T, D> lower, upper, center;
+    SymmetricMatrix<T, D> q;
+};
+
+/// The least value of this function in the box, and where it is.
+template <class T, int D, bool with_normal> struct BoxMinimum {
+    T value;
+    Vector<T, D> point;
+    [[no_unique_address]] Normal<T, D, with_normal> normal; ///< Q⁻¹(point - center)
+};
+
+template <class T> PW85_FUNCTION constexpr T clamped(T const &x, T const &lower, T const &upper) noexcept
+{
+    return minimum(maximum(x, lower), upper);
+}
+
+/// The index of the k-th coordinate besides i.
+PW85_FUNCTION constexpr int other_axis(int i, int k) noexcept { return k < i ? k : k + 1; }
+
+/// The problem that is left where coordinate i differs from that of the centre by `offset`. The reciprocal is that of Q_ii.
+template <class T, int D> [[gnu::always_inline]] PW85_FUNCTION constexpr BoxProblem<T, D - 1>
+problem_on_face(BoxProblem<T, D> const &box, int i, T const &offset, T const &reciprocal) noexcept
+{
+    BoxProblem<T, D - 1> face{};
+    for (int k = 0; k < D - 1; ++k) {
+        int const j = other_axis(i, k);
+        T const factor = box.q(i, j) * reciprocal;
+        face.lower[k] = box.lower[j];
+        face.upper[k] = box.upper[j];
+        face.center[k] = box.center[j] + factor * offset;
+        for (int l = k; l < D - 1; ++l) face.q(k, l) = box.q(j, other_axis(i, l)) - factor * box.q(i, other_axis(i, l));
+        face.q(k, k) = maximum(face.q(k, k), T(T(unit_roundoff<T>()) * box.q(j, j)));
+    }
+    return face;
+}
+
+template <bool with_normal, class T> [[gnu::always_inline]] PW85_FUNCTION constexpr BoxMinimum<T, 1, with_normal>
+minimum_in_box(BoxProblem<T, 1> const &box) noexcept
+{
+    T const x = clamped(box.center[0], box.lower[0], box.upper[0]), offset = x - box.center[0];
+    T const normal = offset / box.q[0];
+    return {T(offset * normal), {x}, Normal<T, 1, with_normal>{Vector<T, 1>{normal}}};
+}
+
+template <class Mask, class T, int D, bool with_normal> PW85_FUNCTION constexpr BoxMinimum<T, D, with_normal>
+choose(Mask const &mask, BoxMinimum<T, D, with_normal> const &yes, BoxMinimum<T, D, with_normal> const &no) noexcept
+{
+    return {select(mask, yes.value, no.value), choose(mask, yes.point, no.point), choose(mask, yes.normal, no.normal)};
+}
+
+/// The minimum of the box from that of a face, where coordinate i is x.
+template <class T, int D, bool with_normal> [[gnu::always_inline]] PW85_FUNCTION constexpr BoxMinimum<T, D, with_normal>
+on_face(BoxMinimum<T, D - 1, with_normal> const &rest, SymmetricMatrix<T, D> const &q, int i, T const &x,
+        T const &offset, T const &reciprocal) noexcept
+{
+    BoxMinimum<T, D, with_normal> whole{};
+    whole.value = T(offset * offset) * reciprocal + rest.value;
+    whole.point[i] = x;
+    for (int k = 0; k < D - 1; ++k) whole.point[other_axis(i, k)] = rest.point[k];
+    if constexpr (with_normal) {
+        T normal = offset;
+        for (int k = 0; k < D - 1; ++k) {
+            whole.normal.direction[other_axis(i, k)] = rest.normal.direction[k];
+            normal = normal - q(i, other_axis(i, k)) * rest.normal.direction[k];
+        }
+        whole.normal.direction[i] = normal * reciprocal;
+    }
+    return whole;
+}
+
+template <bool with_normal, class T, int D> [[gnu::always_inline]] PW85_FUNCTION constexpr BoxMinimum<T, D, with_normal>
+minimum_in_box(BoxProblem<T, D> const &box) noexcept
+{
+    BoxMinimum<T, D, with_normal> best{};
+    best.point = box.center;
+    auto found = T(0) != T(0);
+    for (int i = 0; i < D; ++i) {
+        T const x = clamped(box.center[i], box.lower[i], box.upper[i]), offset = x - box.center[i];
+        auto const faces_center = !(offset == T(0));
+        if (!any_of(faces_center)) continue;
+        T const reciprocal = T(1) / box.q(i, i);
+        auto const rest = minimum_in_box<with_normal>(problem_on_face(box, i, offset, reciprocal));
+        auto const whole = on_face(rest, box.q, i, x, offset, reciprocal);
+        best = choose(faces_center && !(found && best.value <= whole.value), whole, best);
+        found = found || faces_center;
+    }
+    return best;
+}
+
+template <class T>
+PW85_FUNCTION constexpr Vector<T, 3> nearest_corner(Vector<T, 3> const &lower, Vector<T, 3> const &upper) noexcept
+{
+    return {clamped(T(0), lower[0], upper[0]), clamped(T(0), lower[1], upper[1]), clamped(T(0), lower[2], upper[2])};
+}
+
+template <class T> PW85_FUNCTION constexpr typename ScalarTraits<T>::Mask is_box(Vector<T, 3> const &lower,
+                                                                                 Vector<T, 3> const &upper) noexcept
+{
+    return is_finite(lower) && is_finite(upper) && lower[0] <= upper[0] && lower[1] <= upper[1] && lower[2] <= upper[2];
+}
+
+/// contact_box() in units in which the form and the distance of the box are of order one.
+template <class T> [[gnu::noinline]] PW85_FUNCTION inline ShapeContact<T>
+contact_box_scaled(Vector<T, 3> lower, Vector<T, 3> upper, SymmetricMatrix<T, 3> q) noexcept
+{
+    Status const status = is_box(lower, upper) ? validate(q) : Status::invalid_argument;
+    if (status != Status::success) return all_nan<ShapeContact<T>>(status);
+    T const size = largest_coordinate(nearest_corner(lower, upper));
+    if (!(size > T(0))) return {T(0), {T(0), T(0), T(0)}, Status::success};
+    int const length = binary_exponent(size), form = half_exponent(largest_diagonal(q));
+    auto const found = minimum_in_box<false>(BoxProblem<T, 3>{times_power_of_two(lower, -length),
+                                                              times_power_of_two(upper, -length),
+                                                              {T(0), T(0), T(0)},
+                                                              times_power_of_two(q, -2 * form)});
+    return {times_power_of_two(found.value, 2 * (length - form)), times_power_of_two(found.point, length),
+            Status::success};
+}
+
+} // namespace pw85::detail
+
+namespace pw85 {
+
+template <class T> PW85_FUNCTION inline ShapeContact<T>
+contact_box(Vector<T, 3> const &lower, Vector<T, 3> const &upper, SymmetricMatrix<T, 3> const &q) noexcept
+{
+    using namespace detail;
+    T const largest = largest_diagonal(q), size = sum_of_magnitudes(nearest_corner(lower, upper));
+    if (is_in_range(size, largest, largest) && is_box(lower, upper) && is_clearly_definite(q)) {
+        auto const found = minimum_in_box<false>(BoxProblem<T, 3>{lower, upper, {T(0), T(0), T(0)}, q});
+        return {found.value, found.point, Status::success};
+    }
+    return contact_box_scaled(lower, upper, q);
+}
+
+} // namespace pw85
+
+#endif

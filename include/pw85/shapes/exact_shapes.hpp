@@ -1,0 +1,362 @@
+/// @file
+/// Whether a convex set overlaps an ellipsoid with its centre at 0, decided in integers. overlap_shapes.hpp calls these functions. A
+/// set that only touches the ellipsoid does not overlap it: the ellipsoid counts without its surface.
+///
+/// All coordinates are multiples of some 2^h and all entries of Q are multiples of 4^h. So the coordinates and entries are integers in
+/// the same unit of length, and terms of the same dimension can be compared.
+///
+/// 1. A point x overlaps if xᵀ adj(Q) x < det Q.
+/// 2. The nearest point of the line through a and b is between them if a·f < 0 < b·f with e = b - a and f = adj(Q) e. Then the segment
+///    overlaps if mᵀQm < e·f with m = a × b (segment.hpp). Otherwise the nearer end decides.
+/// 3. If no edge of a triangle overlaps, the ellipse in which its plane cuts the ellipsoid is inside the triangle or outside. Its
+///    centre has the weights (b × c)·Qn, (c × a)·Qn and (a × b)·Qn, up to a positive factor, with n = (b - a) × (c - a). It exists if
+///    (a·(b × c))² < nᵀQn.
+/// 4. If no edge of a box overlaps, the same holds for its faces. The ellipse in the plane x_i = c exists if c² < Q_ii, and its centre
+///    has the coordinates Q_ij c/Q_ii.
+#ifndef PW85_SHAPES_EXACT_SHAPES_HPP_INCLUDED
+#define PW85_SHAPES_EXACT_SHAPES_HPP_INCLUDED
+
+#include <pw85/overlap/exact.hpp>
+#include <pw85/shapes/box.hpp>
+
+namespace pw85::detail {
+
+namespace exact {
+
+/// Memory for integers, which is used from the front. What a function takes from a copy is free again when the function returns.
+struct Workspace {
+    Limb *next;
+
+    [[gnu::always_inline]] WideSum take(int limbs) noexcept
+    {
+        WideSum const sum = zero_sum(next, limbs);
+        next += limbs;
+        return sum;
+    }
+};
+
+/// sign·x y.
+struct WideProduct {
+    WideInteger x, y;
+    int sign;
+};
+
+struct WideVector {
+    WideInteger x[3];
+};
+
+/// The upper triangle of a symmetric matrix.
+struct WideForm {
+    WideInteger entries[6];
+
+    [[gnu::always_inline]] WideInteger operator()(int i, int j) const noexcept
+    {
+        return entries[SymmetricMatrix<double, 3>::index(i < j ? i : j, i < j ? j : i)];
+    }
+};
+
+template <int N> PW85_FUNCTION inline WideInteger sum_of(Workspace &space, WideProduct const (&terms)[N]) noexcept
+{
+    int limbs = 0;
+    for (auto const &[x, y, sign] : terms) limbs = maximum(limbs, x.size + y.size);
+    WideSum const sum = space.take(limbs + 1);
+    for (auto const &[x, y, sign] : terms) add_product(sum, sign, x, y);
+    return value(sum);
+}
+
+template <int N> PW85_FUNCTION inline int sign_of(Workspace space, WideProduct const (&terms)[N]) noexcept
+{
+    return sum_of(space, terms).sign;
+}
+
+PW85_FUNCTION inline int sign_of_dot(Workspace space, WideVector const &a, WideVector const &b) noexcept
+{
+    return sign_of(space, {{a.x[0], b.x[0], 1}, {a.x[1], b.x[1], 1}, {a.x[2], b.x[2], 1}});
+}
+
+PW85_FUNCTION inline WideVector cross(Workspace &space, WideVector const &a, WideVector const &b) noexcept
+{
+    WideVector c;
+    for (int i = 0; i < 3; ++i) {
+        int const j = (i + 1) % 3, k = (i + 2) % 3;
+        c.x[i] = sum_of(space, {{a.x[j], b.x[k], 1}, {a.x[k], b.x[j], -1}});
+    }
+    return c;
+}
+
+PW85_FUNCTION inline WideVector product(Workspace &space, WideForm const &q, WideVector const &v) noexcept
+{
+    WideVector y;
+    for (int i = 0; i < 3; ++i)
+        y.x[i] = sum_of(space, {{q(i, 0), v.x[0], 1}, {q(i, 1), v.x[1], 1}, {q(i, 2), v.x[2], 1}});
+    return y;
+}
+
+/// An entry of adj(Q).
+PW85_FUNCTION inline WideInteger cofactor(Workspace &space, WideForm const &q, int i, int j) noexcept
+{
+    int const i1 = (i + 1) % 3, i2 = (i + 2) % 3, j1 = (j + 1) % 3, j2 = (j + 2) % 3;
+    return sum_of(space, {{q(i1, j1), q(i2, j2), 1}, {q(i1, j2), q(i2, j1), -1}});
+}
+
+/// Row i of adj(Q).
+PW85_FUNCTION inline WideVector row_of_adjugate(Workspace &space, WideForm const &q, int i) noexcept
+{
+    WideVector row;
+    for (int j = 0; j < 3; ++j) row.x[j] = cofactor(space, q, i, j);
+    return row;
+}
+
+/// adj(Q) v.
+PW85_FUNCTION inline WideVector product_with_adjugate(Workspace &space, WideForm const &q, WideVector const &v) noexcept
+{
+    int form = 0, vector = 0;
+    for (auto const &x : q.entries) form = maximum(form, x.size);
+    for (auto const &x : v.x) vector = maximum(vector, x.size);
+    WideVector y;
+    for (int i = 0; i < 3; ++i) {
+        WideSum const sum = space.take(2 * form + vector + 2);
+        Workspace rest = space;
+        WideVector const row = row_of_adjugate(rest, q, i);
+        for (int j = 0; j < 3; ++j) add_product(sum, 1, row.x[j], v.x[j]);
+        y.x[i] = value(sum);
+    }
+    return y;
+}
+
+template <class T> struct Corner {
+    BinaryFraction<T> x[3];
+};
+
+/// x/2^unit, which is an integer.
+template <class T> PW85_FUNCTION inline void add(WideSum sum, BinaryFraction<T> const &x, int unit, int sign) noexcept
+{
+    if (x.sign == 0) return;
+    int const exponent = x.exponent - unit;
+    add(sum, times_power_of_two(x.magnitude, exponent % limb_bits), exponent / limb_bits, sign * x.sign);
+}
+
+/// A form and the corners of a set, with their common unit 2^unit of length.
+template <class T, int N> struct ShapeNumbers {
+    Corner<T> corners[N];
+    BinaryFraction<T> q[6];
+    int unit;
+    int coordinate_limbs, entry_limbs; ///< of a difference of coordinates, and of an entry of the form
+};
+
+template <class T, int N> PW85_FUNCTION inline ShapeNumbers<T, N>
+to_shape_numbers(Vector<T, 3> const (&points)[N], SymmetricMatrix<T, 3> const &q) noexcept
+{
+    ShapeNumbers<T, N> numbers;
+    BitRange lengths = no_digits(), squares = no_digits();
+    for (int k = 0; k < N; ++k)
+        for (int i = 0; i < 3; ++i) lengths.include(numbers.corners[k].x[i] = to_binary_fraction(points[k][i]));
+    for (int k = 0; k < 6; ++k) squares.include(numbers.q[k] = to_binary_fraction(q[k]));
+    int const half = squares.low >= 0 ? squares.low / 2 : -((1 - squares.low) / 2);
+    numbers.unit = minimum(lengths.low, half);
+    numbers.coordinate_limbs = limbs_for(maximum(lengths.high - numbers.unit, 0) + 2);
+    numbers.entry_limbs = limbs_for(squares.high - 2 * numbers.unit + 2);
+    return numbers;
+}
+
+template <class T, int N>
+PW85_FUNCTION inline WideForm integers_of_form(Workspace &space, ShapeNumbers<T, N> const &numbers) noexcept
+{
+    WideForm q;
+    for (int k = 0; k < 6; ++k) {
+        WideSum const sum = space.take(numbers.entry_limbs);
+        add(sum, numbers.q[k], 2 * numbers.unit, 1);
+        q.entries[k] = value(sum);
+    }
+    return q;
+}
+
+/// The coordinates of a corner.
+template <class T, int N> PW85_FUNCTION inline WideVector
+integers_of(Workspace &space, ShapeNumbers<T, N> const &numbers, Corner<T> const &a) noexcept
+{
+    WideVector v;
+    for (int i = 0; i < 3; ++i) {
+        WideSum const sum = space.take(numbers.coordinate_limbs);
+        add(sum, a.x[i], numbers.unit, 1);
+        v.x[i] = value(sum);
+    }
+    return v;
+}
+
+/// The differences b - a of the coordinates of two corners.
+template <class T, int N> PW85_FUNCTION inline WideVector
+difference(Workspace &space, ShapeNumbers<T, N> const &numbers, Corner<T> const &b, Corner<T> const &a) noexcept
+{
+    WideVector v;
+    for (int i = 0; i < 3; ++i) {
+        WideSum const sum = space.take(numbers.coordinate_limbs);
+        add(sum, b.x[i], numbers.unit, 1);
+        add(sum, a.x[i], numbers.unit, -1);
+        v.x[i] = value(sum);
+    }
+    return v;
+}
+
+/// The limbs of mᵀQm - e·f, for c limbs of a coordinate and f limbs of an entry of the form. m has up to 2 c + 1 limbs, f 2 f + c + 1.
+PW85_FUNCTION constexpr int limbs_of_line(int c, int f) noexcept { return 2 * c + 3 + f + maximum(f, 2 * c); }
+
+/// Item 1.
+template <class T, int N> PW85_FUNCTION inline bool point_overlaps(Workspace space, ShapeNumbers<T, N> const &numbers,
+                                                                   WideForm const &q, Corner<T> const &corner) noexcept
+{
+    WideVector const x = integers_of(space, numbers, corner), f = product_with_adjugate(space, q, x);
+    WideVector const row = row_of_adjugate(space, q, 0);
+    return sign_of(space, {{x.x[0], f.x[0], 1},
+                           {x.x[1], f.x[1], 1},
+                           {x.x[2], f.x[2], 1},
+                           {q(0, 0), row.x[0], -1},
+                           {q(0, 1), row.x[1], -1},
+                           {q(0, 2), row.x[2], -1}}) < 0;
+}
+
+/// Where the nearest point of the line through two corners is: before the first one (-1), between them, or after the second one (1).
+/// Subtracts e·f from the sum.
+template <class T, int N> PW85_FUNCTION inline int place_on_line(Workspace space, ShapeNumbers<T, N> const &numbers,
+                                                                 WideForm const &q, Corner<T> const &first,
+                                                                 Corner<T> const &second, WideSum sum) noexcept
+{
+    WideVector const e = difference(space, numbers, second, first), f = product_with_adjugate(space, q, e);
+    for (int i = 0; i < 3; ++i) add_product(sum, -1, e.x[i], f.x[i]);
+    if (sign_of_dot(space, integers_of(space, numbers, first), f) >= 0) return -1;
+    return sign_of_dot(space, integers_of(space, numbers, second), f) <= 0 ? 1 : 0;
+}
+
+/// Item 2.
+template <class T, int N> PW85_FUNCTION inline bool segment_overlaps(Workspace space, ShapeNumbers<T, N> const &numbers,
+                                                                     WideForm const &q, Corner<T> const &first,
+                                                                     Corner<T> const &second) noexcept
+{
+    Workspace rest = space;
+    WideSum const sum = rest.take(limbs_of_line(numbers.coordinate_limbs, numbers.entry_limbs));
+    int const place = place_on_line(rest, numbers, q, first, second, sum);
+    if (place != 0) return point_overlaps(space, numbers, q, place < 0 ? first : second);
+    WideVector const a = integers_of(rest, numbers, first), m = cross(rest, a, integers_of(rest, numbers, second));
+    WideVector const y = product(rest, q, m);
+    for (int i = 0; i < 3; ++i) add_product(sum, 1, m.x[i], y.x[i]);
+    return value(sum).sign < 0;
+}
+
+/// Item 3, for the inside of a triangle.
+template <class T, int N>
+PW85_FUNCTION inline bool plane_overlaps(Workspace space, ShapeNumbers<T, N> const &numbers, WideForm const &q) noexcept
+{
+    auto const &corners = numbers.corners;
+    WideVector y, n;
+    {
+        WideVector const e1 = difference(space, numbers, corners[1], corners[0]);
+        WideVector const e2 = difference(space, numbers, corners[2], corners[0]);
+        n = cross(space, e1, e2);
+    }
+    y = product(space, q, n);
+    for (int k = 0; k < 3; ++k) {
+        Workspace rest = space;
+        WideVector const b = integers_of(rest, numbers, corners[(k + 1) % 3]);
+        WideVector const c = integers_of(rest, numbers, corners[(k + 2) % 3]);
+        if (sign_of_dot(rest, cross(rest, b, c), y) < 0) return false;
+    }
+    WideVector const a = integers_of(space, numbers, corners[0]);
+    WideInteger const offset =
+        sum_of(space, {{a.x[0], n.x[0], 1}, {a.x[1], n.x[1], 1}, {a.x[2], n.x[2], 1}}); // a·n is a·(b × c)
+    return sign_of(space, {{offset, offset, 1}, {n.x[0], y.x[0], -1}, {n.x[1], y.x[1], -1}, {n.x[2], y.x[2], -1}}) < 0;
+}
+
+/// The limbs of all integers that are in use at one time, for any numbers: those of the form, and the largest of those of items 1
+/// to 3. A coordinate has up to c limbs, an entry of the form up to f.
+template <class T> PW85_FUNCTION constexpr int limbs_for_shapes() noexcept
+{
+    using Limits = std::numeric_limits<T>;
+    constexpr int digits = Limits::digits - Limits::min_exponent;
+    constexpr int c = limbs_for(Limits::max_exponent + digits + 2),
+                  f = limbs_for(Limits::max_exponent + 2 * digits + 2);
+    constexpr int point = 3 * c + 3 * (2 * f + c + 2) + 3 * (2 * f + 1) + 3 * f + 2 * c + 4;
+    constexpr int line = limbs_of_line(c, f) + maximum(9 * c + 3 * (2 * f + c + 2) + 2 * (2 * f + 2 * c + 3),
+                                                       6 * c + 3 * (2 * c + 1) + 3 * (f + 2 * c + 2));
+    constexpr int plane = 6 * c + 3 * (2 * c + 1) + 3 * (f + 2 * c + 2) + 6 * c + 3 * (2 * c + 1) + (f + 4 * c + 6);
+    return 6 * f + maximum(point, maximum(line, plane));
+}
+
+/// Whether the centre of the ellipse in the plane x_i = c is in the box, and the plane overlaps (item 4).
+template <class T> PW85_FUNCTION inline bool face_overlaps(Workspace space, ShapeNumbers<T, 2> const &numbers,
+                                                           WideForm const &q, int i, int side) noexcept
+{
+    WideVector const lower = integers_of(space, numbers, numbers.corners[0]),
+                     upper = integers_of(space, numbers, numbers.corners[1]);
+    WideInteger const c = side == 0 ? lower.x[i] : upper.x[i];
+    for (int j = 0; j < 3; ++j) {
+        if (j == i) continue;
+        if (sign_of(space, {{q(i, j), c, 1}, {q(i, i), lower.x[j], -1}}) < 0) return false;
+        if (sign_of(space, {{q(i, j), c, 1}, {q(i, i), upper.x[j], -1}}) > 0) return false;
+    }
+    Limb const unit[1] = {1};
+    return sign_of(space, {{c, c, 1}, {q(i, i), {unit, 1, 1}, -1}}) < 0;
+}
+
+/// The corner of a box with upper coordinates where the bits of `code` are set.
+template <class T> PW85_FUNCTION inline Corner<T> corner_of_box(ShapeNumbers<T, 2> const &numbers, int code) noexcept
+{
+    Corner<T> corner;
+    for (int i = 0; i < 3; ++i) corner.x[i] = numbers.corners[code >> i & 1].x[i];
+    return corner;
+}
+
+} // namespace exact
+
+/// Whether a set overlaps the ellipsoid, for the numbers exactly as given. The functions use a fixed array on the stack: 13 KiB for
+/// double.
+template <class T>
+requires exact::is_decidable<T>
+[[gnu::noinline]] static bool overlaps_exactly(Vector<T, 3> const (&ends)[2], SymmetricMatrix<T, 3> const &q) noexcept
+{
+    using namespace exact;
+    Limb memory[limbs_for_shapes<T>()];
+    Workspace space{memory};
+    auto const numbers = to_shape_numbers(ends, q);
+    auto const form = integers_of_form(space, numbers);
+    return segment_overlaps(space, numbers, form, numbers.corners[0], numbers.corners[1]);
+}
+
+template <class T>
+requires exact::is_decidable<T>
+[[gnu::noinline]] static bool overlaps_exactly(Vector<T, 3> const (&vertices)[3],
+                                               SymmetricMatrix<T, 3> const &q) noexcept
+{
+    using namespace exact;
+    Limb memory[limbs_for_shapes<T>()];
+    Workspace space{memory};
+    auto const numbers = to_shape_numbers(vertices, q);
+    auto const form = integers_of_form(space, numbers);
+    for (int k = 0; k < 3; ++k)
+        if (segment_overlaps(space, numbers, form, numbers.corners[k], numbers.corners[(k + 1) % 3])) return true;
+    return plane_overlaps(space, numbers, form);
+}
+
+template <class T>
+requires exact::is_decidable<T>
+[[gnu::noinline]] static bool box_overlaps_exactly(Vector<T, 3> const &lower, Vector<T, 3> const &upper,
+                                                   SymmetricMatrix<T, 3> const &q) noexcept
+{
+    using namespace exact;
+    if (largest_coordinate(nearest_corner(lower, upper)) == T(0)) return true;
+    Limb memory[limbs_for_shapes<T>()];
+    Workspace space{memory};
+    auto const numbers = to_shape_numbers<T, 2>({lower, upper}, q);
+    auto const form = integers_of_form(space, numbers);
+    for (int i = 0; i < 3; ++i)
+        for (int code = 0; code < 8; ++code)
+            if ((code >> i & 1) == 0 && segment_overlaps(space, numbers, form, corner_of_box(numbers, code),
+                                                         corner_of_box(numbers, code | 1 << i)))
+                return true;
+    for (int i = 0; i < 3; ++i)
+        if (face_overlaps(space, numbers, form, i, 0) || face_overlaps(space, numbers, form, i, 1)) return true;
+    return false;
+}
+
+} // namespace pw85::detail
+
+#endif

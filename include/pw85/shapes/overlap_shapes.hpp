@@ -1,0 +1,221 @@
+/// @file
+/// Whether a convex set overlaps an ellipsoid with its centre at 0: a segment, a triangle, a box. Floating-point numbers decide first,
+/// with margins for their rounding errors. Integers decide the remaining cases (exact_shapes.hpp).
+///
+/// - They are apart or touch if s·y >= √(sᵀQs) for some s and every point y of the set. The normal at the nearest point is tried.
+/// - They overlap if Q - x xᵀ is positive definite for some point x of the set, because then xᵀQ⁻¹x < 1. The nearest point is tried.
+///
+/// Whether the nearest point is accurate does not matter for these proofs.
+#ifndef PW85_SHAPES_OVERLAP_SHAPES_HPP_INCLUDED
+#define PW85_SHAPES_OVERLAP_SHAPES_HPP_INCLUDED
+
+#include <pw85/shapes/exact_shapes.hpp>
+#include <pw85/shapes/triangle.hpp>
+
+namespace pw85 {
+
+/// Whether an ellipsoid and a convex set overlap. It is false if the status is not success.
+struct ShapeOverlap {
+    bool overlap;
+    Status status;
+};
+
+} // namespace pw85
+
+namespace pw85::detail {
+
+/// A segment or a triangle: the hull of its ends or vertices.
+template <class T, int N> struct Hull {
+    Vector<T, 3> points[N];
+
+    PW85_MEMBER bool is_valid() const noexcept { return is_finite(points); }
+
+    /// The least s·y of the set.
+    PW85_MEMBER T least_projection(Vector<T, 3> const &s) const noexcept
+    {
+        T least = dot(s, points[0]);
+        for (int k = 1; k < N; ++k) least = minimum(least, dot(s, points[k]));
+        return least;
+    }
+
+    /// Magnitudes of the coordinates of which s·y and the nearest point are computed.
+    PW85_MEMBER Vector<T, 3> magnitudes(Vector<T, 3> const &) const noexcept
+    {
+        Vector<T, 3> m{};
+        for (int i = 0; i < 3; ++i) {
+            m[i] = absolute(points[0][i]);
+            for (int k = 1; k < N; ++k) m[i] = maximum(m[i], absolute(points[k][i]));
+        }
+        return m;
+    }
+
+    PW85_MEMBER Hull scaled(int exponent) const noexcept
+    {
+        Hull hull = *this;
+        for (auto &x : hull.points) x = times_power_of_two(x, exponent);
+        return hull;
+    }
+
+    template <template <class, bool> class Segments>
+    PW85_MEMBER Nearest<T, true> nearest(SymmetricMatrix<T, 3> const &q) const noexcept
+    {
+        if constexpr (N == 2)
+            return FindOnSegment<Segments, true>{}(points, q);
+        else
+            return FindOnTriangle<Segments, true>{}(points, q);
+    }
+
+    PW85_MEMBER bool passes_checks(SymmetricMatrix<T, 3> const &q) const noexcept
+    {
+        return passes_fast_checks(points, q, unscaled_limit<T>());
+    }
+
+    bool overlaps_exactly(SymmetricMatrix<T, 3> const &q) const noexcept { return detail::overlaps_exactly(points, q); }
+};
+
+/// A solid box.
+template <class T> struct SolidBox {
+    Vector<T, 3> lower, upper;
+
+    PW85_MEMBER bool is_valid() const noexcept { return is_box(lower, upper); }
+
+    PW85_MEMBER T least_projection(Vector<T, 3> const &s) const noexcept
+    {
+        Vector<T, 3> y{};
+        for (int i = 0; i < 3; ++i) y[i] = minimum(T(s[i] * lower[i]), T(s[i] * upper[i]));
+        return sum_of(y);
+    }
+
+    /// Where s is not zero, the nearest point is on a face, and the least s·y is reached at that face if s is accurate.
+    PW85_MEMBER Vector<T, 3> magnitudes(Vector<T, 3> const &s) const noexcept
+    {
+        Vector<T, 3> m{};
+        for (int i = 0; i < 3; ++i) m[i] = absolute(T(s[i] * lower[i]) < T(s[i] * upper[i]) ? lower[i] : upper[i]);
+        return m;
+    }
+
+    PW85_MEMBER SolidBox scaled(int exponent) const noexcept
+    {
+        return {times_power_of_two(lower, exponent), times_power_of_two(upper, exponent)};
+    }
+
+    template <template <class, bool> class>
+    PW85_MEMBER Nearest<T, true> nearest(SymmetricMatrix<T, 3> const &q) const noexcept
+    {
+        auto const found = minimum_in_box<true>(BoxProblem<T, 3>{lower, upper, {T(0), T(0), T(0)}, q});
+        return {found.value, found.point, found.normal, true};
+    }
+
+    PW85_MEMBER bool passes_checks(SymmetricMatrix<T, 3> const &q) const noexcept
+    {
+        T const form = largest_diagonal(q), size = sum_of_magnitudes(nearest_corner(lower, upper));
+        return is_in_range(size, form, form) && is_box(lower, upper) && is_clearly_definite(q);
+    }
+
+    bool overlaps_exactly(SymmetricMatrix<T, 3> const &q) const noexcept
+    {
+        return box_overlaps_exactly(lower, upper, q);
+    }
+};
+
+/// Whether the vector s, of any length > 0, proves that a set does not overlap.
+///
+/// s·y errs by at most 3 u times the sum of the magnitudes of its terms, and sᵀQs by 6 u Σ|s_i Q_ij s_j|, which is at most 18 u
+/// Σ s_i² Q_ii. The margins include the roundings of these bounds, of the square and of the sum.
+template <class T, class Shape> PW85_FUNCTION inline bool
+shows_apart(Shape const &shape, SymmetricMatrix<T, 3> const &q, Vector<T, 3> const &s) noexcept
+{
+    T const u = T(unit_roundoff<T>());
+    Vector<T, 3> const size = shape.magnitudes(s);
+    T terms = T(0), form = T(0);
+    for (int i = 0; i < 3; ++i) {
+        terms = terms + absolute(T(s[i] * size[i]));
+        form = form + T(s[i] * s[i]) * q(i, i);
+    }
+    T const least = shape.least_projection(s) - T(4) * u * terms;
+    return least > T(0) && T(T(T(1) - T(8) * u) * least) * least > T(quadratic_form(q, s) + T(24) * u * form);
+}
+
+/// Whether a point x that rounding moved by at most 16 u `size` from a point of the set proves that the set overlaps.
+///
+/// Rounding errors of an entry of Q - x xᵀ are at most 36 u size_i size_j + 2 u √(Q_ii Q_jj). A matrix of such errors is at most 3
+/// times its diagonal, which the margins remove.
+template <class T> PW85_FUNCTION inline bool shows_overlap(SymmetricMatrix<T, 3> k, Vector<T, 3> const &x,
+                                                           Vector<T, 3> const &size) noexcept
+{
+    T const u = T(unit_roundoff<T>());
+    for (int i = 0; i < 3; ++i) {
+        k(i, i) = T(T(1) - T(16) * u) * k(i, i) - T(T(128) * u * size[i]) * size[i];
+        for (int j = i; j < 3; ++j) k(i, j) = k(i, j) - x[i] * x[j];
+    }
+    return is_clearly_definite(k);
+}
+
+/// The decision by the point that is nearest, or nearly so.
+template <class T, class Shape> PW85_FUNCTION inline Decision
+decide_at(Shape const &shape, SymmetricMatrix<T, 3> const &q, Nearest<T, true> const &nearest) noexcept
+{
+    Vector<T, 3> const &s = nearest.normal.direction;
+    if (nearest.mu2 >= T(1)) return shows_apart(shape, q, s) ? Decision::apart : Decision::none;
+    Vector<T, 3> size = shape.magnitudes(s);
+    for (int i = 0; i < 3; ++i) size[i] = maximum(size[i], absolute(nearest.point[i]));
+    return shows_overlap(q, nearest.point, size) ? Decision::overlap : Decision::none;
+}
+
+/// Decides in the unit in which the largest diagonal entry of the form is in [1, 4).
+template <class T, class Shape> [[gnu::noinline]] PW85_FUNCTION inline ShapeOverlap
+overlap_of_any(Shape const &shape, SymmetricMatrix<T, 3> const &q) noexcept
+{
+    Status const status = shape.is_valid() ? validate(q) : Status::invalid_argument;
+    if (status != Status::success) return {false, status};
+    int const unit = half_exponent(largest_diagonal(q));
+    auto const form = times_power_of_two(q, -2 * unit);
+    auto const scaled = shape.scaled(-unit);
+    if (scaled.passes_checks(form)) {
+        auto decision = decide_at(scaled, form, scaled.template nearest<FastSegments>(form));
+        if (decision == Decision::none)
+            decision = decide_at(scaled, form, scaled.template nearest<CarefulSegments>(form));
+        if (decision != Decision::none) return {decision == Decision::overlap, status};
+    }
+    if constexpr (exact::is_decidable<T>)
+        return {shape.overlaps_exactly(q), status};
+    else
+        return {scaled.template nearest<CarefulSegments>(form).mu2 < T(1), status};
+}
+
+template <class T, class Shape>
+PW85_FUNCTION inline ShapeOverlap overlap_of(Shape const &shape, SymmetricMatrix<T, 3> const &q) noexcept
+{
+    if (shape.passes_checks(q)) {
+        Decision const decision = decide_at(shape, q, shape.template nearest<FastSegments>(q));
+        if (decision != Decision::none) return {decision == Decision::overlap, Status::success};
+    }
+    return overlap_of_any(shape, q);
+}
+
+} // namespace pw85::detail
+
+namespace pw85 {
+
+template <class T> PW85_FUNCTION inline ShapeOverlap overlap_segment(Vector<T, 3> const &end1, Vector<T, 3> const &end2,
+                                                                     SymmetricMatrix<T, 3> const &q) noexcept
+{
+    return detail::overlap_of(detail::Hull<T, 2>{{end1, end2}}, q);
+}
+
+template <class T>
+PW85_FUNCTION inline ShapeOverlap overlap_triangle(Vector<T, 3> const &vertex1, Vector<T, 3> const &vertex2,
+                                                   Vector<T, 3> const &vertex3, SymmetricMatrix<T, 3> const &q) noexcept
+{
+    return detail::overlap_of(detail::Hull<T, 3>{{vertex1, vertex2, vertex3}}, q);
+}
+
+template <class T> PW85_FUNCTION inline ShapeOverlap overlap_box(Vector<T, 3> const &lower, Vector<T, 3> const &upper,
+                                                                 SymmetricMatrix<T, 3> const &q) noexcept
+{
+    return detail::overlap_of(detail::SolidBox<T>{lower, upper}, q);
+}
+
+} // namespace pw85
+
+#endif

@@ -1,0 +1,109 @@
+// The contact function of an ellipsoid and convex sets by brute force in 50 digits: every face of the set, by Q⁻¹ for hulls of points
+// and by the equations of Karush, Kuhn and Tucker for sets of inequalities.
+#ifndef PW85_TESTS_SHAPES_TRUTH_HPP_INCLUDED
+#define PW85_TESTS_SHAPES_TRUTH_HPP_INCLUDED
+
+#include <vector>
+
+#include "wide.hpp"
+
+namespace pw85_tests {
+
+using WideVector = pw85::Vector<Wide, 3>;
+using WideForm = pw85::SymmetricMatrix<Wide, 3>;
+
+inline WideForm inverse(WideForm const &q)
+{
+    auto const adjugate = pw85::detail::adjugate(q);
+    return Wide(1 / pw85::detail::determinant(q, adjugate)) * adjugate;
+}
+
+/// The least xᵀQ⁻¹x, where it is, and what relative errors of one in the entries of Q and in the points change of it.
+struct NearestTruth {
+    Wide mu2 = -1;
+    WideVector point{};
+    Wide sensitivity = 0; ///< S of nearest.hpp
+    Wide square = 0;      ///< the change to second order: XᵀPX with X = Σ w_k |v_k| and P the magnitudes of Q⁻¹
+};
+
+/// Remembers the mean of points with these weights, if it is nearer.
+template <std::size_t N> void take(NearestTruth &best, WideForm const &q, WideForm const &inverse_of_q,
+                                   WideVector const (&points)[N], Wide const (&weights)[N])
+{
+    WideVector x{}, size{};
+    for (std::size_t k = 0; k < N; ++k)
+        for (int i = 0; i < 3; ++i) {
+            x[i] += weights[k] * points[k][i];
+            size[i] += weights[k] * abs(points[k][i]);
+        }
+    auto const s = pw85::product(inverse_of_q, x);
+    Wide const mu2 = pw85::dot(s, x);
+    if (best.mu2 >= 0 && best.mu2 <= mu2) return;
+    best = {mu2, x, absolute_form(q, s), 0};
+    for (int i = 0; i < 3; ++i) {
+        best.sensitivity += 2 * abs(s[i]) * size[i];
+        for (int j = 0; j < 3; ++j) best.square += abs(inverse_of_q(i, j)) * size[i] * size[j];
+    }
+}
+
+/// The hull of one to three points.
+template <std::size_t N> NearestTruth nearest_in_hull(WideVector const (&points)[N], WideForm const &q)
+{
+    NearestTruth best;
+    auto const p = inverse(q);
+    auto const form = [&](std::size_t i, std::size_t j) { return pw85::dot(points[i], pw85::product(p, points[j])); };
+    for (std::size_t i = 0; i < N; ++i) {
+        Wide vertex[N] = {};
+        vertex[i] = 1;
+        take(best, q, p, points, vertex);
+        for (std::size_t j = i + 1; j < N; ++j) {
+            Wide const length = form(i, i) - 2 * form(i, j) + form(j, j);
+            Wide const t = length > 0 ? Wide((form(i, i) - form(i, j)) / length) : Wide(-1);
+            Wide edge[N] = {};
+            edge[i] = 1 - t;
+            edge[j] = t;
+            if (t > 0 && t < 1) take(best, q, p, points, edge);
+        }
+    }
+    if constexpr (N == 3) {
+        auto const e1 = points[1] - points[0], e2 = points[2] - points[0];
+        auto const p1 = pw85::product(p, e1), p2 = pw85::product(p, e2);
+        Wide const a = pw85::dot(e1, p1), b = pw85::dot(e1, p2), c = pw85::dot(e2, p2);
+        Wide const f = -pw85::dot(points[0], p1), g = -pw85::dot(points[0], p2), d = a * c - b * b;
+        if (!(d > 0)) return best;
+        Wide const s = (f * c - g * b) / d, t = (g * a - f * b) / d, weights[3] = {1 - s - t, s, t};
+        if (s >= 0 && t >= 0 && s + t <= 1) take(best, q, p, points, weights);
+    }
+    return best;
+}
+
+/// The box lower <= x <= upper: every choice of faces, edges and vertices, with s on their normals and x = Qs.
+inline NearestTruth nearest_in_box(WideVector const &lower, WideVector const &upper, WideForm const &q)
+{
+    NearestTruth best;
+    auto const p = inverse(q);
+    for (int code = 0; code < 27; ++code) {
+        int const bound[3] = {code % 3, code / 3 % 3, code / 9}; // none, lower, upper
+        WideForm system{};
+        WideVector x{};
+        for (int i = 0; i < 3; ++i) {
+            if (bound[i] != 0) x[i] = bound[i] == 1 ? lower[i] : upper[i];
+            for (int j = i; j < 3; ++j) system(i, j) = bound[i] != 0 && bound[j] != 0 ? q(i, j) : Wide(i == j ? 1 : 0);
+        }
+        auto const s = pw85::product(inverse(system), x);
+        auto const free = pw85::product(q, s);
+        bool inside = true;
+        for (int i = 0; i < 3; ++i) {
+            if (bound[i] == 0) x[i] = free[i];
+            inside = inside && lower[i] <= x[i] && x[i] <= upper[i];
+        }
+        WideVector const points[1] = {x};
+        Wide const weights[1] = {1};
+        if (inside) take(best, q, p, points, weights);
+    }
+    return best;
+}
+
+} // namespace pw85_tests
+
+#endif
