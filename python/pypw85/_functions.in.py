@@ -529,6 +529,32 @@ def penetration():
 
 
 @declared
+def signed_distance():
+    """
+    Examples
+    --------
+    >>> import pypw85
+    >>> q = pypw85.spheroid(1, 1, [0, 0, 1])
+    >>> for x in (5, 1.5):
+    ...     print(pypw85.signed_distance([x, 0, 0], q, q))
+    (3.0, array([1., 0., 0.]), array([4., 0., 0.]))
+    (-0.5, array([1., 0., 0.]), array([0.5, 0. , 0. ]))
+    """
+
+
+@declared
+def signed_distance_derivatives():
+    """
+    Examples
+    --------
+    >>> import pypw85
+    >>> q = pypw85.spheroid(1, 1, [0, 0, 1])
+    >>> pypw85.signed_distance_derivatives([1.5, 0, 0], q, q)[0]
+    array([1., 0., 0.])
+    """
+
+
+@declared
 def first_contact(r12, q1, q2, motion1, motion2, t_max=np.inf):
     """The time of the first contact of two ellipsoids that move, turn and grow.
 
