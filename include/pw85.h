@@ -379,7 +379,8 @@ PW85_API int pw85_distance_derivatives(double const r12[PW85_DIM], double const 
  * function of n may have several local minima; the result is proved to be the global one. `depth` is the value for the returned
  * direction, with an error below 8 u Σ, with Σ as for pw85_distance(). No other direction has a value that is smaller by more than
  * 32 u Σ, where Σ is the larger one of the two directions. If several directions are equally good, the result is one of them. The
- * time is some hundred times that of pw85_contact(), and several hundred times if the best direction is not isolated.
+ * time is some hundred times that of pw85_contact(), and several hundred times if the best direction is not isolated. It is a third
+ * of that if the depth is below the least radii of curvature of both ellipsoids together.
  *
  * @param r12,q1,q2 as for pw85_contact()
  * @param[out] depth in the unit of r12; zero if the ellipsoids do not overlap, which is decided as in pw85_overlap(); may be null

@@ -13,6 +13,7 @@
 #include "failures.hpp"
 #include "random_pairs.hpp"
 #include "rotated.hpp"
+#include "stationary_width.hpp"
 #include "wide.hpp"
 
 using namespace pw85_tests;
@@ -39,12 +40,6 @@ Result signed_distance(Sample<double, 3> const &p)
                                                      d.rotation2.coordinates, *d.hessian),
                     ==, d.status);
     return d;
-}
-
-/// The width of the slab between the ellipsoids along n, times |n|.
-template <class T> T width(Sample<T, 3> const &p, pw85::Vector<T, 3> const &n)
-{
-    return pw85::dot(n, p.r12) - pw85::detail::support(p.q1, n).extent - pw85::detail::support(p.q2, n).extent;
 }
 
 /// Σ of pw85_distance().
@@ -98,7 +93,7 @@ void test_points()
         auto normal = convert<Wide>(d.normal);
         normal = Wide(1 / norm(normal)) * normal;
         double const size = norm(s.r12) + norm(d.point1) + norm(s.r12 - d.point2);
-        double const value = static_cast<double>(width(p, normal));
+        double const value = static_cast<double>(width_along(p, normal));
         double const bound = 8 * u * static_cast<double>(sensitivity(p, normal));
         failures.check(std::fabs(d.distance - value) <= bound, "width along the normal", d.distance, value, text);
         double const off = norm(d.point2 - d.point1 - d.distance * d.normal);
@@ -129,28 +124,10 @@ void test_convexity()
                        [&] { return hex_text(s) + ", " + hex_text(moved); });
         for (int k = 0; k < 20; ++k) {
             auto const direction = random.direction<3>();
-            failures.check(width(s, direction) <= d.distance + error, "wider", width(s, direction), d.distance,
-                           [&] { return hex_text(s); });
+            failures.check(width_along(s, direction) <= d.distance + error, "wider", width_along(s, direction),
+                           d.distance, [&] { return hex_text(s); });
         }
     }
-}
-
-/// The stationary value of the width near n, in a wider type, by Newton's method: a step that ends it leaves no more than 1e-40.
-Wide stationary_width(Sample<Wide, 3> const &p, pw85::Vector<Wide, 3> n)
-{
-    Wide residual = 1;
-    for (int i = 0; i < 30 && residual > Wide("1e-40"); ++i) {
-        n = Wide(1 / norm(n)) * n;
-        pw85::detail::SurfaceElement<Wide, 3> const elements[2] = {pw85::detail::surface_element(p.q1, Wide(1), n),
-                                                                   pw85::detail::surface_element(p.q2, Wide(1), n)};
-        auto const w = pw85::detail::project(p.r12 - (elements[0].point + elements[1].point), n);
-        auto const stiffness = pw85::detail::stiffness_across(elements, width(p, n), n);
-        n = n + pw85::detail::solve(pw85::detail::factorize(stiffness, Wide(0)), w);
-        residual = norm(w);
-    }
-    g_assert_true(residual <= Wide("1e-40"));
-    n = Wide(1 / norm(n)) * n;
-    return width(p, n);
 }
 
 Sample<Wide, 3> moved(Sample<Wide, 3> p, Wide const (&change)[9])
@@ -192,7 +169,9 @@ void test_derivatives()
             Wide change[9] = {};
             change[i] += si * h;
             change[j] += sj * h;
-            return stationary_width(moved(p, change), normal);
+            auto const found = stationary_width(moved(p, change), normal);
+            g_assert_true(found.residual <= Wide("1e-40"));
+            return found.width;
         };
         auto const check = [&](double actual, Wide const &expected, char const *what) {
             double const error = std::fabs(static_cast<double>(Wide(actual - expected)));
@@ -250,7 +229,7 @@ void test_not_isolated()
         auto const d = signed_distance(s);
         g_assert_cmpint(d.status, ==, PW85_SUCCESS);
         assert_close(norm(d.normal), 1.0, 4 * u);
-        assert_close(width(s, d.normal), d.distance, 16 * u);
+        assert_close(width_along(s, d.normal), d.distance, 16 * u);
         g_assert_cmpfloat(d.distance, <, 0.0);
         for (auto const &row : d.hessian)
             for (double const x : row) g_assert_true(std::isnan(x));

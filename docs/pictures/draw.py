@@ -9,7 +9,8 @@ from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
 PICTURES = (
-    "accuracy", "digits", "energy", "evaluations", "function_f", "packing", "plot", "scaled_pair", "throughput", "turning_plane"
+    "accuracy", "digits", "energy", "evaluations", "function_f", "packing", "plot", "scaled_pair", "signed_distance", "throughput",
+    "turning_plane",
 )  # fmt: skip
 
 for picture in PICTURES:

@@ -52,11 +52,13 @@ def ellipsoid():
     ----------
     rotation : (..., 3, 3) array_like
         R. Its columns are the principal directions: R takes the body frame to the space frame. RᵀR may differ from
-        the identity by at most 1e-6 in any entry; reflections are accepted.
+        the identity by at most 1e-6 in any entry; reflections are accepted. A ``scipy.spatial.transform.Rotation`` is
+        taken as its matrices.
 
     See Also
     --------
     principal_axes : the inverse
+    from_euler, from_rotation_vector, from_covariance : from angles, rotation vectors and covariance matrices
 
     Examples
     --------
