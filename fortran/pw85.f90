@@ -101,6 +101,8 @@ module pw85
   public :: pw85_distance
   public :: pw85_distance_derivatives
   public :: pw85_penetration
+  public :: pw85_signed_distance
+  public :: pw85_signed_distance_derivatives
   public :: pw85_distance_2d
   public :: pw85_first_contact
   public :: pw85_closest_passage
@@ -146,6 +148,8 @@ module pw85
   public :: pw85_distance_derivatives_batch
   public :: pw85_distance_batch_2d
   public :: pw85_penetration_batch
+  public :: pw85_signed_distance_batch
+  public :: pw85_signed_distance_derivatives_batch
   public :: pw85_distance_plane_batch
   public :: pw85_distance_plane_derivatives_batch
   public :: pw85_contact_plane_batch
@@ -503,6 +507,24 @@ module pw85
       real(c_double), intent(out), optional :: depth, direction(3)
       integer(c_int) :: status
     end function pw85_penetration
+
+    !> The signed distance of two ellipsoids.
+    function pw85_signed_distance(r12, q1, q2, distance, point1, point2) result(status) bind(C, &
+      name='pw85_signed_distance')
+      import
+      real(c_double), intent(in) :: r12(3), q1(6), q2(6)
+      real(c_double), intent(out), optional :: distance, point1(3), point2(3)
+      integer(c_int) :: status
+    end function pw85_signed_distance
+
+    !> Derivatives of the signed distance of two ellipsoids.
+    function pw85_signed_distance_derivatives(r12, q1, q2, d_r12, d_rot1, d_rot2, hessian) result(status) bind(C, &
+      name='pw85_signed_distance_derivatives')
+      import
+      real(c_double), intent(in) :: r12(3), q1(6), q2(6)
+      real(c_double), intent(out), optional :: d_r12(3), d_rot1(3), d_rot2(3), hessian(9, 9)
+      integer(c_int) :: status
+    end function pw85_signed_distance_derivatives
 
     !> Distance of two ellipses.
     function pw85_distance_2d(r12, q1, q2, distance, point1, point2) result(status) bind(C, name='pw85_distance_2d')
@@ -936,6 +958,26 @@ module pw85
       real(c_double), intent(out), optional :: depth(n), direction(3, n)
       integer(c_int) :: status
     end function pw85_penetration_batch
+
+    !> pw85_signed_distance() for n pairs.
+    function pw85_signed_distance_batch(n, r12, q1, q2, distance, point1, point2) result(status) bind(C, &
+      name='pw85_signed_distance_batch')
+      import
+      integer(c_size_t), value :: n
+      real(c_double), intent(in) :: r12(3, n), q1(6, n), q2(6, n)
+      real(c_double), intent(out), optional :: distance(n), point1(3, n), point2(3, n)
+      integer(c_int) :: status
+    end function pw85_signed_distance_batch
+
+    !> pw85_signed_distance_derivatives() for n pairs.
+    function pw85_signed_distance_derivatives_batch(n, r12, q1, q2, d_r12, d_rot1, d_rot2, hessian) result(status) &
+      bind(C, name='pw85_signed_distance_derivatives_batch')
+      import
+      integer(c_size_t), value :: n
+      real(c_double), intent(in) :: r12(3, n), q1(6, n), q2(6, n)
+      real(c_double), intent(out), optional :: d_r12(3, n), d_rot1(3, n), d_rot2(3, n), hessian(9, 9, n)
+      integer(c_int) :: status
+    end function pw85_signed_distance_derivatives_batch
 
     !> pw85_distance_plane() for n ellipsoids and half-spaces.
     function pw85_distance_plane_batch(n, normals, offsets, q, distance, point) result(status) bind(C, &

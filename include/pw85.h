@@ -438,7 +438,8 @@ PW85_API int pw85_distance_derivatives(double const r12[PW85_DIM], double const 
  * function of n may have several local minima; the result is proved to be the global one. `depth` is the value for the returned
  * direction, with an error below 8 u Σ, with Σ as for pw85_distance(). No other direction has a value that is smaller by more than
  * 32 u Σ, where Σ is the larger one of the two directions. If several directions are equally good, the result is one of them. The
- * time is some hundred times that of pw85_contact(), and several hundred times if the best direction is not isolated.
+ * time is some hundred times that of pw85_contact(), and several hundred times if the best direction is not isolated. It is a third
+ * of that if the depth is below the least radii of curvature of both ellipsoids together.
  *
  * @param r12,q1,q2 as for pw85_contact()
  * @param[out] depth in the unit of r12; zero if the ellipsoids do not overlap, which is decided as in pw85_overlap(); may be null
@@ -447,6 +448,43 @@ PW85_API int pw85_distance_derivatives(double const r12[PW85_DIM], double const 
  *         that are singular to working precision) */
 PW85_API int pw85_penetration(double const r12[PW85_DIM], double const q1[PW85_SYM], double const q2[PW85_SYM],
                               double *depth, double direction[PW85_DIM]);
+
+/** The signed distance of two ellipsoids: their distance if they are apart, minus the depth of their overlap otherwise.
+ *
+ * It is the largest value of n·r12 - α - β over unit vectors n, with the half-widths α and β of the ellipsoids along n, whether they
+ * overlap or not. So it is a convex function of r12 with slope 1, which is continuous at contact. It is positive only if the
+ * ellipsoids are apart and negative only if they overlap, which is decided as in pw85_overlap(). Its error is that of
+ * pw85_distance(), or that of the depth of pw85_penetration(), which also states the time that overlaps take.
+ *
+ * If they overlap, moving ellipsoid 2 by point1 - point2 separates them by the shortest way. If several directions are equally good,
+ * the result belongs to one of them. For a direction that is isolated, and aspect ratios up to 10³, point2 - point1 differs from
+ * `distance` times the unit normal by less than 2¹⁸ u (|r12| + |point1| + |r12 - point2|), with u = 2⁻⁵³.
+ *
+ * @param r12,q1,q2 as for pw85_contact()
+ * @param[out] distance in the unit of r12; may be null
+ * @param[out] point1,point2 the points of the surfaces of ellipsoids 1 and 2 where their normals are opposite and along point2 -
+ *        point1: the closest points, or the deepest ones; both relative to the centre of ellipsoid 1; may be null
+ * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD, #PW85_ECONVERGENCE as for pw85_distance() and pw85_penetration() */
+PW85_API int pw85_signed_distance(double const r12[PW85_DIM], double const q1[PW85_SYM], double const q2[PW85_SYM],
+                                  double *distance, double point1[PW85_DIM], double point2[PW85_DIM]);
+
+/** Derivatives of the signed distance of two ellipsoids.
+ *
+ * At contact they are the limits from both sides. The derivatives of the distance with respect to the entries of the forms are
+ * -n_i n_j/(2α) and -n_i n_j/(2β), twice that for entries off the diagonal, with the normal n = d_r12.
+ *
+ * @param r12,q1,q2 as for pw85_contact()
+ * @param[out] d_r12 with respect to r12: the unit vector normal to both surfaces at the points of pw85_signed_distance(), out of
+ *        ellipsoid 1. If several directions are equally good, the derivative does not exist, and this is one of the subgradients;
+ *        may be null
+ * @param[out] d_rot1,d_rot2 with respect to rotations of ellipsoids 1 and 2 by small vectors about their own centres, per
+ *        radian; may be null
+ * @param[out] hessian 9×9, symmetric: second derivatives as for pw85_distance_derivatives(); NaN where the best direction is not
+ *        isolated, up to half of the digits, also on success; may be null
+ * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD, #PW85_ECONVERGENCE as for pw85_signed_distance() */
+PW85_API int pw85_signed_distance_derivatives(double const r12[PW85_DIM], double const q1[PW85_SYM],
+                                              double const q2[PW85_SYM], double d_r12[PW85_DIM],
+                                              double d_rot1[PW85_DIM], double d_rot2[PW85_DIM], double hessian[81]);
 
 /** Distance of two ellipses; see pw85_distance(). */
 PW85_API int pw85_distance_2d(double const r12[2], double const q1[3], double const q2[3], double *distance,
@@ -1001,6 +1039,28 @@ PW85_API int pw85_distance_batch_2d(size_t n, double const *r12, double const *q
  * @return as for pw85_contact_batch(); #PW85_ECONVERGENCE, too */
 PW85_API int pw85_penetration_batch(size_t n, double const *r12, double const *q1, double const *q2, double *depth,
                                     double *direction);
+
+/** pw85_signed_distance() for n pairs; the bits are the same.
+ *
+ * @param n number of pairs
+ * @param r12 n×3
+ * @param q1,q2 n×6
+ * @param[out] distance n; any output may be null
+ * @param[out] point1,point2 n×3
+ * @return as for pw85_contact_batch(); #PW85_ECONVERGENCE, too */
+PW85_API int pw85_signed_distance_batch(size_t n, double const *r12, double const *q1, double const *q2,
+                                        double *distance, double *point1, double *point2);
+
+/** pw85_signed_distance_derivatives() for n pairs; the bits are the same.
+ *
+ * @param n number of pairs
+ * @param r12 n×3
+ * @param q1,q2 n×6
+ * @param[out] d_r12,d_rot1,d_rot2 n×3; any output may be null
+ * @param[out] hessian n×9×9
+ * @return as for pw85_contact_batch(); #PW85_ECONVERGENCE, too */
+PW85_API int pw85_signed_distance_derivatives_batch(size_t n, double const *r12, double const *q1, double const *q2,
+                                                    double *d_r12, double *d_rot1, double *d_rot2, double *hessian);
 
 /** pw85_distance_plane() for n ellipsoids and half-spaces; the bits are the same.
  *

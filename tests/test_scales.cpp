@@ -183,6 +183,23 @@ Table const functions_of_pairs = {
          out.add(&depth, 1, 1);
          out.add(direction, 3, 0);
      }},
+    {"signed_distance",
+     [](Problem const &p, Results &out) {
+         double distance, point1[3], point2[3];
+         out.add(pw85_signed_distance(r12(p), q1(p), q2(p), &distance, point1, point2));
+         out.add(&distance, 1, 1);
+         out.add(point1, 3, 1);
+         out.add(point2, 3, 1);
+     }},
+    {"signed_distance_derivatives",
+     [](Problem const &p, Results &out) {
+         double r[3], d1[3], d2[3], hessian[81];
+         out.add(pw85_signed_distance_derivatives(r12(p), q1(p), q2(p), r, d1, d2, hessian));
+         out.add(r, 3, 0);
+         out.add(d1, 3, 1);
+         out.add(d2, 3, 1);
+         add_hessian(out, hessian, 3, 3, 1);
+     }},
 };
 
 Table const functions_of_motion = {
@@ -418,6 +435,23 @@ Table const functions_of_batches = {
          out.add(pw85_penetration_batch(1, r12(p), q1(p), q2(p), &depth, direction));
          out.add(&depth, 1, 1);
          out.add(direction, 3, 0);
+     }},
+    {"signed_distance_batch",
+     [](Problem const &p, Results &out) {
+         double distance, point1[3], point2[3];
+         out.add(pw85_signed_distance_batch(1, r12(p), q1(p), q2(p), &distance, point1, point2));
+         out.add(&distance, 1, 1);
+         out.add(point1, 3, 1);
+         out.add(point2, 3, 1);
+     }},
+    {"signed_distance_derivatives_batch",
+     [](Problem const &p, Results &out) {
+         double r[3], d1[3], d2[3], hessian[81];
+         out.add(pw85_signed_distance_derivatives_batch(1, r12(p), q1(p), q2(p), r, d1, d2, hessian));
+         out.add(r, 3, 0);
+         out.add(d1, 3, 1);
+         out.add(d2, 3, 1);
+         add_hessian(out, hessian, 3, 3, 1);
      }},
     {"distance_plane_batch",
      [](Problem const &p, Results &out) {

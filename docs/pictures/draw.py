@@ -10,7 +10,7 @@ from pathlib import Path
 HERE = Path(__file__).resolve().parent
 PICTURES = (
     "accuracy", "closest_passage", "containment", "digits", "energy", "evaluations", "function_f", "packing", "plot", "scaled_pair",
-    "throughput", "turning_plane",
+    "signed_distance", "throughput", "turning_plane",
 )  # fmt: skip
 
 for picture in PICTURES:

@@ -335,6 +335,26 @@ PW85_FUNCTION inline DistanceDerivatives<T> distance_derivatives(Vector<T, 3> co
 template <class T, int D> PW85_FUNCTION inline Penetration<T, D>
 penetration(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, SymmetricMatrix<T, D> const &q2) noexcept;
 
+/// The signed distance of two ellipsoids: their distance if they are apart, minus the depth of their overlap otherwise; the largest
+/// value of n·r12 - α - β over unit vectors n, with the half-widths α and β of the ellipsoids along n.
+///
+/// @param r12,q1,q2 as for contact()
+/// @return the signed distance, positive only if they are apart and negative only if they overlap; the points of the surfaces with
+/// opposite normals that it belongs to, relative to the centre of ellipsoid 1; the unit normal out of ellipsoid 1;
+/// Status::invalid_argument, Status::not_positive_definite, Status::no_convergence as for distance() and penetration()
+template <class T, int D> PW85_FUNCTION inline Distance<T, D>
+signed_distance(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, SymmetricMatrix<T, D> const &q2) noexcept;
+
+/// First and second derivatives of the signed distance.
+///
+/// @param r12,q1,q2 as for contact()
+/// @return as for distance_derivatives(), on both sides of contact; the second derivatives are NaN where the normal of an overlap is
+/// not isolated, also on success
+template <class T>
+PW85_FUNCTION inline DistanceDerivatives<T> signed_distance_derivatives(Vector<T, 3> const &r12,
+                                                                        SymmetricMatrix<T, 3> const &q1,
+                                                                        SymmetricMatrix<T, 3> const &q2) noexcept;
+
 /// @}
 
 /// @name Time
@@ -525,6 +545,7 @@ overlap_box(Vector<T, 3> const &lower, Vector<T, 3> const &upper, SymmetricMatri
 #include <pw85/distance/line.hpp>
 #include <pw85/distance/nearest.hpp>
 #include <pw85/distance/penetration.hpp>
+#include <pw85/distance/signed_distance.hpp>
 #include <pw85/distance/walls.hpp>
 #include <pw85/motion/closest_passage.hpp>
 #include <pw85/motion/first_contact.hpp>

@@ -32,7 +32,7 @@ from . import (
     legacy,
     utils,
 )
-from ._conversions import from_gsd, from_lammps, from_ovito
+from ._conversions import from_covariance, from_euler, from_gsd, from_lammps, from_ovito, from_rotation_vector
 from ._core import LAMBDA_ATOL as lambda_atol
 from ._core import is_reproducible, set_reproducible, strerror, version
 from ._errors import PW85Error, Status, bad_rows

@@ -26,12 +26,14 @@ def plain(x: Any) -> Any:
     """Converts `x` to an array that ufuncs take: of NumPy, of dask, or of another library that implements ufuncs.
 
     Labelled arrays (pandas, xarray) are taken by position. Masked entries become NaN; long doubles and objects become
-    float64.
+    float64. Rotations of SciPy become matrices.
     """
     if _is_instance(x, "xarray", "DataArray", "Variable"):
         x = x.data
     elif _is_instance(x, "pandas", "DataFrame", "Series", "Index"):
         x = x.to_numpy(na_value=np.nan)
+    elif _is_instance(x, "scipy.spatial.transform", "Rotation"):
+        x = x.as_matrix()
     elif isinstance(x, (list, tuple)) and any(isinstance(row, np.ma.MaskedArray) for row in x):
         x = np.ma.asarray(x)
     if isinstance(x, np.ma.MaskedArray):

@@ -1,4 +1,4 @@
-"""Forms from the conventions of other programs: what each calls a shape, and how it orders a quaternion."""
+"""Forms from other descriptions: the conventions of other programs, angles, rotation vectors, covariance matrices."""
 
 from __future__ import annotations
 
@@ -9,7 +9,8 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ._arrays import plain
-from ._functions import ellipsoid_quaternion
+from ._forms import packed
+from ._functions import ellipsoid, ellipsoid_quaternion
 from ._typing import Floats
 
 
@@ -122,6 +123,117 @@ def from_gsd(
             raise IndexError(f"type {k}, but there are shapes for {len(type_shapes)} types")
         semi_axes[k] = _gsd_semi_axes(type_shapes[k])
     return ellipsoid_quaternion(semi_axes[types], orientations_wxyz)
+
+
+def from_euler(semi_axes: ArrayLike, seq: str, angles: ArrayLike, degrees: bool = False) -> Floats:
+    """Forms of ellipsoids whose orientations are Euler angles. This needs SciPy.
+
+    Parameters
+    ----------
+    semi_axes : (..., 3) array_like
+    seq : str
+        The axes of the rotations as for ``scipy.spatial.transform.Rotation.from_euler``: up to three letters, upper case
+        for axes that turn with the body (intrinsic), lower case for axes of space (extrinsic).
+    angles : (..., number of axes) array_like
+        In radians, or in degrees. A number or one-dimensional if `seq` is a single letter, as SciPy takes them.
+    degrees : bool
+        Whether the angles are in degrees.
+
+    Returns
+    -------
+    (..., 6) array
+
+    Raises
+    ------
+    ValueError
+        SciPy refuses `seq` or the angles.
+    PW85Error
+        For a single ellipsoid: a length is not positive. Rows of arrays become NaN.
+
+    Examples
+    --------
+    >>> import pypw85
+    >>> pypw85.from_euler([3, 2, 1], "ZYX", [90, 0, 0], degrees=True).round(12) + 0.0
+    array([4., 0., 0., 9., 0., 1.])
+    """
+    from scipy.spatial.transform import Rotation
+
+    angles = np.asarray(plain(angles), dtype=np.float64)
+    if len(seq) > 1 and angles.shape[-1:] != (len(seq),):
+        raise ValueError(f"from_euler: the last dimension must be {len(seq)}, but the shape is {angles.shape}")
+    leading = angles.shape[:-1] if len(seq) > 1 else angles.shape
+    rows = angles.reshape((-1, len(seq))) if len(seq) > 1 else angles.reshape(-1)
+    matrices = np.empty((0, 3, 3)) if rows.shape[0] == 0 else Rotation.from_euler(seq, rows, degrees).as_matrix()
+    return ellipsoid(semi_axes, matrices.reshape((*leading, 3, 3)))
+
+
+def from_rotation_vector(semi_axes: ArrayLike, rotation_vectors: ArrayLike) -> Floats:
+    """Forms of ellipsoids whose orientations are rotation vectors: ω turns the body frame by |ω| radians about ω.
+
+    Parameters
+    ----------
+    semi_axes, rotation_vectors : (..., 3) array_like
+
+    Returns
+    -------
+    (..., 6) array
+
+    Raises
+    ------
+    PW85Error
+        For a single ellipsoid: a length is not positive, or ω is not finite. Rows of arrays become NaN.
+
+    Examples
+    --------
+    >>> import numpy as np, pypw85
+    >>> pypw85.from_rotation_vector([3, 2, 1], [0, 0, np.pi / 2]).round(12) + 0.0
+    array([4., 0., 0., 9., 0., 1.])
+    """
+    omega = plain(rotation_vectors)
+    if omega.shape[-1:] != (3,):
+        raise ValueError(f"from_rotation_vector: the last dimension must be 3, but the shape is {omega.shape}")
+    half = 0.5 * np.sqrt((omega * omega).sum(axis=-1, keepdims=True))
+    quaternions = np.concatenate([np.cos(half), 0.5 * np.sinc(half / np.pi) * omega], axis=-1)
+    return ellipsoid_quaternion(semi_axes, quaternions)
+
+
+def from_covariance(covariance: ArrayLike, confidence: float) -> Floats:
+    """Forms of the ellipsoids of confidence of normal distributions in space. This needs SciPy.
+
+    The ellipsoid about the mean has the given probability. Its form is the covariance times the quantile of the χ²
+    distribution with three degrees of freedom.
+
+    Parameters
+    ----------
+    covariance : (..., 3, 3) array_like
+        Symmetric and positive definite.
+    confidence : float
+        The probability, between 0 and 1.
+
+    Returns
+    -------
+    (..., 6) array
+        In the unit of the covariance.
+
+    Raises
+    ------
+    ValueError
+        A matrix is not symmetric or not 3×3, or the probability is not between 0 and 1.
+
+    Examples
+    --------
+    Standard deviations of 1, 2 and 3. The semi-axes for 95 % are 2.8 times as long:
+
+    >>> import numpy as np, pypw85
+    >>> q = pypw85.from_covariance(np.diag([1, 4, 9]), 0.95)
+    >>> pypw85.principal_axes(q)[0].round(3)
+    array([2.795, 5.591, 8.386])
+    """
+    from scipy.special import gammaincinv
+
+    if not 0 < confidence < 1:
+        raise ValueError(f"from_covariance: the confidence must be between 0 and 1, not {confidence}")
+    return packed(covariance) * (2.0 * float(gammaincinv(1.5, confidence)))
 
 
 def _gsd_semi_axes(shape: Mapping[str, Any]) -> tuple[float, float, float]:

@@ -52,11 +52,13 @@ def ellipsoid():
     ----------
     rotation : (..., 3, 3) array_like
         R. Its columns are the principal directions: R takes the body frame to the space frame. RᵀR may differ from
-        the identity by at most 1e-6 in any entry; reflections are accepted.
+        the identity by at most 1e-6 in any entry; reflections are accepted. A ``scipy.spatial.transform.Rotation`` is
+        taken as its matrices.
 
     See Also
     --------
     principal_axes : the inverse
+    from_euler, from_rotation_vector, from_covariance : from angles, rotation vectors and covariance matrices
 
     Examples
     --------
@@ -537,6 +539,32 @@ def penetration():
     >>> q = pypw85.spheroid(1, 1, [0, 0, 1])
     >>> pypw85.penetration([1.5, 0, 0], q, q)
     (0.5, array([1., 0., 0.]))
+    """
+
+
+@declared
+def signed_distance():
+    """
+    Examples
+    --------
+    >>> import pypw85
+    >>> q = pypw85.spheroid(1, 1, [0, 0, 1])
+    >>> for x in (5, 1.5):
+    ...     print(pypw85.signed_distance([x, 0, 0], q, q))
+    (3.0, array([1., 0., 0.]), array([4., 0., 0.]))
+    (-0.5, array([1., 0., 0.]), array([0.5, 0. , 0. ]))
+    """
+
+
+@declared
+def signed_distance_derivatives():
+    """
+    Examples
+    --------
+    >>> import pypw85
+    >>> q = pypw85.spheroid(1, 1, [0, 0, 1])
+    >>> pypw85.signed_distance_derivatives([1.5, 0, 0], q, q)[0]
+    array([1., 0., 0.])
     """
 
 

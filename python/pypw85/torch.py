@@ -1,16 +1,17 @@
-"""The contact function of tensors of PyTorch, differentiable twice.
+"""The contact function and the signed distance of tensors of PyTorch, differentiable twice.
 
 Import it by name, ``import pypw85.torch``: `pypw85` itself does not need PyTorch.
 
 Tensors are on the CPU; they are broadcast against each other, and computed with in double precision, whatever their type. First
-derivatives are those of `pypw85.contact_gradient`. Second derivatives serve what PyTorch builds of them: Hessians, products
-of Hessians with vectors, gradients of functions of forces.
+derivatives are those of `pypw85.contact_gradient` and `pypw85.signed_distance_derivatives`. Second derivatives serve what PyTorch
+builds of them: Hessians, products of Hessians with vectors, gradients of functions of forces.
 """
 
 # mypy: allow-subclassing-any, allow-untyped-decorators, no-warn-unused-ignores
 
 from __future__ import annotations
 
+import functools
 from typing import Any
 
 import numpy as np
@@ -19,7 +20,7 @@ import torch
 from . import _core
 from ._typing import Floats
 
-__all__ = ["contact", "ellipsoid_quaternion"]
+__all__ = ["contact", "ellipsoid_quaternion", "signed_distance"]
 
 ROWS, COLUMNS = (0, 0, 0, 1, 1, 2), (0, 1, 2, 1, 2, 2)
 FULL = ((0, 1, 2), (1, 3, 4), (2, 4, 5))
@@ -61,12 +62,54 @@ def contact(r12: torch.Tensor, q1: torch.Tensor, q2: torch.Tensor) -> tuple[torc
     >>> r12.grad
     tensor([1.5000, 0.0000, 0.0000])
     """
-    tensors = [_double(x, size) for x, size in ((r12, 3), (q1, 6), (q2, 6))]
-    leading = torch.broadcast_shapes(*(x.shape[:-1] for x in tensors))
-    mu2, lambda_ = _Contact.apply(*(x.expand(*leading, x.shape[-1]) for x in tensors))
-    result = torch.promote_types(r12.dtype, torch.promote_types(q1.dtype, q2.dtype))
-    result = result if result.is_floating_point else torch.float64
+    mu2, lambda_ = _Contact.apply(*_pair(r12, q1, q2))
+    result = _result_type(r12, q1, q2)
     return mu2.to(result), lambda_.to(result)
+
+
+def signed_distance(r12: torch.Tensor, q1: torch.Tensor, q2: torch.Tensor) -> torch.Tensor:
+    """Signed distance of two ellipsoids; see `pypw85.signed_distance`.
+
+    Parameters
+    ----------
+    r12 : (..., 3) tensor
+        From the centre of ellipsoid 1 to that of ellipsoid 2.
+    q1, q2 : (..., 6) tensors
+        Forms of the ellipsoids, in the square of the unit of `r12`; for instance from `ellipsoid_quaternion`.
+
+    Returns
+    -------
+    (...) tensor
+        The distance of pairs that are apart, minus the depth of pairs that overlap. It is differentiable twice with
+        respect to all arguments, also at contact. Where several directions of a depth are equally good, the first
+        derivatives are those of one of them, and the second ones are NaN.
+
+    Raises
+    ------
+    PW85Error
+        For a single pair: invalid input, or a form that is not positive definite. Rows of several become NaN.
+    ValueError
+        The last dimensions are not 3, 6 and 6.
+    TypeError
+        A tensor is not on the CPU, or is complex.
+
+    Examples
+    --------
+    The gradient with respect to `r12` is the unit normal, on both sides of contact:
+
+    >>> import torch, pypw85.torch
+    >>> r12 = torch.tensor([[3.0, 0.0, 0.0], [1.5, 0.0, 0.0]], requires_grad=True)
+    >>> q = torch.tensor([1.0, 0.0, 0.0, 1.0, 0.0, 1.0])
+    >>> distance = pypw85.torch.signed_distance(r12, q, q)
+    >>> distance.detach()
+    tensor([ 1.0000, -0.5000])
+    >>> distance.sum().backward()
+    >>> r12.grad
+    tensor([[1., 0., 0.],
+            [1., 0., 0.]])
+    """
+    distance, _ = _SignedDistance.apply(*_pair(r12, q1, q2))
+    return distance.to(_result_type(r12, q1, q2))
 
 
 def ellipsoid_quaternion(semi_axes: torch.Tensor, quaternion: torch.Tensor) -> torch.Tensor:
@@ -100,6 +143,17 @@ def ellipsoid_quaternion(semi_axes: torch.Tensor, quaternion: torch.Tensor) -> t
     squares = (semi_axes * semi_axes).unbind(-1)
     parts = [s[..., None] * n[..., ROWS] * n[..., COLUMNS] for s, n in zip(squares, axes)]
     return parts[0] + parts[1] + parts[2]
+
+
+def _pair(r12: torch.Tensor, q1: torch.Tensor, q2: torch.Tensor) -> list[torch.Tensor]:
+    tensors = [_double(x, size) for x, size in ((r12, 3), (q1, 6), (q2, 6))]
+    leading = torch.broadcast_shapes(*(x.shape[:-1] for x in tensors))
+    return [x.expand(*leading, x.shape[-1]) for x in tensors]
+
+
+def _result_type(*tensors: torch.Tensor) -> torch.dtype:
+    result = functools.reduce(torch.promote_types, (x.dtype for x in tensors))
+    return result if result.is_floating_point else torch.float64
 
 
 def _double(x: torch.Tensor, size: int) -> torch.Tensor:
@@ -187,3 +241,68 @@ def _change_of_gradient(
         -a * ((a - 2 * b) * d_lambda * squares + a * b * products),
         -b * ((2 * a - b) * d_lambda * squares + a * b * products),
     )
+
+
+class _SignedDistance(torch.autograd.Function):
+    """The signed distance and the normal of r12, q1, q2."""
+
+    @staticmethod
+    def forward(ctx: Any, *pair: torch.Tensor) -> tuple[torch.Tensor, ...]:  # type: ignore[override]
+        arrays = _arrays(pair)
+        distance, normal = _tensors((_core.signed_distance(*arrays)[0], _core.signed_distance_derivatives(*arrays)[0]))
+        ctx.save_for_backward(*pair, distance, normal)
+        ctx.mark_non_differentiable(normal)
+        return distance, normal
+
+    @staticmethod
+    def backward(ctx: Any, d_distance: torch.Tensor, _: torch.Tensor) -> tuple[torch.Tensor, ...]:  # type: ignore[override]
+        return tuple(d_distance[..., None] * d for d in _GradientOfDistance.apply(*ctx.saved_tensors))
+
+
+class _GradientOfDistance(torch.autograd.Function):
+    """∂d/∂(r12, q1, q2), of r12, q1, q2, and the distance and the normal, which follow them."""
+
+    @staticmethod
+    def forward(ctx: Any, *pair: torch.Tensor) -> tuple[torch.Tensor, ...]:  # type: ignore[override]
+        ctx.save_for_backward(*pair)
+        _, q1, q2, _, n = _arrays(pair)
+        squares = _outer(n, n)
+        return _tensors((n, -squares / (2 * _half_width(q1, n)), -squares / (2 * _half_width(q2, n))))
+
+    @staticmethod
+    @torch.autograd.function.once_differentiable
+    def backward(ctx: Any, *change: torch.Tensor) -> tuple[Any, ...]:
+        with np.errstate(invalid="ignore", divide="ignore"):
+            return (*_tensors(_change_of_normal(*_arrays(ctx.saved_tensors)[1:], *_arrays(change))), None, None)
+
+
+def _half_width(q: Floats, n: Floats) -> Floats:
+    return np.asarray(np.sqrt(_dot(n, _product(q, n))))
+
+
+def _change_of_normal(
+    q1: Floats, q2: Floats, distance: Floats, n: Floats, d_r12: Floats, d_q1: Floats, d_q2: Floats
+) -> tuple[Floats, Floats, Floats]:
+    """The Hessian of the signed distance, which is symmetric, times a change of the arguments.
+
+    In the notation of the chapter on distances, r12 = p1 + p2 + d n holds on, where p is Q n/α and changes by A dn, with
+    A = (Q - p pᵀ)/α, and by the change of Q.
+    """
+    a = [_half_width(q, n) for q in (q1, q2)]
+    p = [_product(q, n) / x for q, x in zip((q1, q2), a)]
+    turn = sum((q - _outer(y, y) / _TWICE) / x for q, x, y in zip((q1, q2), a, p))
+    unit = np.equal(ROWS, COLUMNS)
+    stiffness = turn + distance[..., None] * unit + _dot(turn, unit) * _outer(n, n) / _TWICE
+    widths = [_dot(n, _product(d, n)) / (2 * x) for d, x in zip((d_q1, d_q2), a)]
+    points = [(_product(d, n) - w * y) / x for d, w, x, y in zip((d_q1, d_q2), widths, a, p)]
+    force = d_r12 - points[0] - points[1]
+    dn = _core.cholesky_solve(_core.cholesky_decomp(stiffness), force - _dot(force, n) * n)
+    dn = dn - _dot(dn, n) * n
+    squares, products = _outer(n, n), 2 * _outer(n, dn)
+    forms = [
+        -products / (2 * x) + squares * (w + _dot(y, dn)) / (2 * x * x) for w, x, y in zip(widths, a, p)
+    ]
+    return dn, forms[0], forms[1]
+
+
+_TWICE = np.where(np.equal(ROWS, COLUMNS), 1, 2)

@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+from scipy.spatial.transform import Rotation
 
 import pypw85
 
@@ -111,3 +112,54 @@ def test_principal_axes_of_bad_rows(bodies):
     assert len(caught) == 1
     np.testing.assert_array_equal(pypw85.bad_rows(semi_axes, core_ndim=1), [3, 5])
     np.testing.assert_array_equal(pypw85.bad_rows(axes, core_ndim=2), [3, 5])
+
+
+def test_rotations_of_scipy(rng):
+    """The same ellipsoids from SciPy's rotations, Euler angles and rotation vectors as from quaternions."""
+    rotation = Rotation.random(20, random_state=7)
+    axes = rng.uniform(0.5, 3, (20, 3))
+    expected = pypw85.ellipsoid_quaternion(axes, rotation.as_quat()[:, [3, 0, 1, 2]])
+    np.testing.assert_allclose(pypw85.ellipsoid(axes, rotation), expected, atol=1e-14)
+    np.testing.assert_allclose(pypw85.ellipsoid(axes[0], rotation[0]), expected[0], atol=1e-14)
+    np.testing.assert_allclose(pypw85.from_rotation_vector(axes, rotation.as_rotvec()), expected, atol=1e-13)
+    for seq in ("zxz", "ZYX", "xyz"):
+        degrees = rotation.as_euler(seq, degrees=True)
+        np.testing.assert_allclose(pypw85.from_euler(axes, seq, degrees, degrees=True), expected, atol=1e-13)
+        grid = np.radians(degrees).reshape(4, 5, 3)
+        np.testing.assert_allclose(pypw85.from_euler(axes.reshape(4, 5, 3), seq, grid).reshape(20, 6), expected, atol=1e-13)
+    np.testing.assert_allclose(pypw85.from_euler([1, 2, 3], "z", [[0.0, np.pi / 2]])[0, 1], [4, 0, 0, 1, 0, 9], atol=1e-14)
+    assert pypw85.from_euler([1, 2, 3], "xyz", np.empty((0, 3))).shape == (0, 6)
+
+
+def test_small_and_large_rotation_vectors():
+    np.testing.assert_array_equal(pypw85.from_rotation_vector([1, 2, 3], [0, 0, 0]), [1, 0, 0, 4, 0, 9])
+    np.testing.assert_allclose(pypw85.from_rotation_vector([1, 2, 3], [0, 0, 1e-200]), [1, 0, 0, 4, 0, 9], atol=1e-199)
+    np.testing.assert_allclose(pypw85.from_rotation_vector([1, 2, 3], [0, 0, 2 * np.pi]), [1, 0, 0, 4, 0, 9], atol=1e-14)
+
+
+def test_bad_rotations():
+    with pytest.raises(ValueError, match="last dimension must be 3"):
+        pypw85.from_rotation_vector([1, 2, 3], [1, 2])
+    with pytest.raises(pypw85.PW85Error):
+        pypw85.from_rotation_vector([1, 2, 3], [np.nan, 0, 0])
+    with pytest.raises(pypw85.PW85Error):
+        pypw85.from_euler([1, -2, 3], "zyx", [0, 0, 0])
+    for seq, angles in (("zYx", [0, 0, 0]), ("q", [0]), ("zyx", [0, 0])):
+        with pytest.raises(ValueError):
+            pypw85.from_euler([1, 2, 3], seq, angles)
+
+
+def test_covariance(rng):
+    """As many samples of a normal distribution are in the ellipsoid as its confidence says."""
+    root = rng.normal(size=(3, 3))
+    covariance = root @ root.T
+    points = rng.normal(size=(40000, 3)) @ root.T
+    for confidence in (0.1, 0.5, 0.95):
+        q = pypw85.from_covariance(covariance, confidence)
+        inside = (np.einsum("ni,ij,nj->n", points, np.linalg.inv(pypw85.full(q)), points) < 1).mean()
+        assert abs(inside - confidence) < 5 * np.sqrt(confidence * (1 - confidence) / len(points))
+    for confidence in (0, 1, -1, np.nan):
+        with pytest.raises(ValueError, match="between 0 and 1"):
+            pypw85.from_covariance(covariance, confidence)
+    with pytest.raises(ValueError, match="not symmetric"):
+        pypw85.from_covariance(root, 0.5)

@@ -1,4 +1,4 @@
-"""The contact function of PyTorch's tensors: derivatives against differences, and against the library's own."""
+"""The contact function and the signed distance of PyTorch's tensors: derivatives against differences, and against the library's own."""
 
 import subprocess
 import sys
@@ -116,3 +116,38 @@ def test_bad_input(pairs):
 
 def test_package_does_not_import_torch():
     subprocess.run([sys.executable, "-c", "import sys, pypw85; assert 'torch' not in sys.modules"], check=True)
+
+
+@pytest.fixture
+def both_sides(rng):
+    """Pairs that overlap by a little, and pairs that are apart."""
+    n = 8
+    q1, q2 = (pypw85.ellipsoid_quaternion(rng.uniform(0.7, 1.4, (n, 3)), rng.normal(size=(n, 4))) for _ in range(2))
+    r12 = rng.normal(size=(n, 3))
+    r12 *= (pypw85.closest_approach(r12, q1, q2) / np.linalg.norm(r12, axis=-1) * np.repeat([0.9, 1.3], n // 2))[:, None]
+    return [torch.tensor(x, requires_grad=True) for x in (r12, q1, q2)]
+
+
+def test_signed_distance(both_sides):
+    arrays = [x.detach().numpy() for x in both_sides]
+    distance = pypw85.torch.signed_distance(*both_sides)
+    np.testing.assert_array_equal(distance.detach().numpy(), pypw85.signed_distance(*arrays)[0])
+    assert (distance[:4] < 0).all() and (distance[4:] > 0).all()
+    assert torch.autograd.gradcheck(pypw85.torch.signed_distance, both_sides)
+    assert torch.autograd.gradgradcheck(pypw85.torch.signed_distance, both_sides)
+    r12, q1, q2 = both_sides
+    assert torch.autograd.gradgradcheck(pypw85.torch.signed_distance, (r12, q1[0], q2[:1] / 2))
+
+
+def test_signed_distance_at_contact():
+    """The derivatives are those of both sides; of pairs with no best direction the second ones are NaN."""
+    sphere = torch.tensor([1.0, 0, 0, 1, 0, 1], dtype=torch.float64)
+    r12 = torch.tensor([0.0, 2, 0], dtype=torch.float64)
+
+    def along(x):
+        return pypw85.torch.signed_distance(x, sphere, sphere)
+
+    assert along(r12) == 0
+    np.testing.assert_allclose(torch.autograd.functional.jacobian(along, r12), [0, 1, 0], atol=1e-15)
+    np.testing.assert_allclose(torch.autograd.functional.hessian(along, r12), np.diag([0.5, 0, 0.5]), atol=1e-15)
+    assert torch.isnan(torch.autograd.functional.hessian(along, 0 * r12)).all()

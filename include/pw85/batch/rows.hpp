@@ -347,6 +347,32 @@ static inline Status penetration_batch(Vectors r12, Forms q1, Forms q2, std::spa
     return detail::call_rows(pw85_penetration_batch, r12, q1, q2, depth, direction);
 }
 
+/// signed_distance() for many pairs: see pw85_signed_distance_batch().
+///
+/// @param r12,q1,q2 one for each pair
+/// @param[out] distance,point1,point2 one for each pair, or empty
+/// @return as for contact_batch(); Status::no_convergence, too
+static inline Status signed_distance_batch(Vectors r12, Forms q1, Forms q2, std::span<double> distance,
+                                           std::span<Vector<double, 3>> point1 = {},
+                                           std::span<Vector<double, 3>> point2 = {}) noexcept
+{
+    return detail::call_rows(pw85_signed_distance_batch, r12, q1, q2, distance, point1, point2);
+}
+
+/// signed_distance_derivatives() for many pairs: see pw85_signed_distance_derivatives_batch().
+///
+/// @param r12,q1,q2 one for each pair
+/// @param[out] d_r12,d_rot1,d_rot2,hessian one for each pair, or empty
+/// @return as for contact_batch(); Status::no_convergence, too
+static inline Status signed_distance_derivatives_batch(Vectors r12, Forms q1, Forms q2,
+                                                       std::span<Vector<double, 3>> d_r12,
+                                                       std::span<Vector<double, 3>> d_rot1 = {},
+                                                       std::span<Vector<double, 3>> d_rot2 = {},
+                                                       std::span<std::array<double, 81>> hessian = {}) noexcept
+{
+    return detail::call_rows(pw85_signed_distance_derivatives_batch, r12, q1, q2, d_r12, d_rot1, d_rot2, hessian);
+}
+
 /// distance_plane() for many ellipsoids and half-spaces: see pw85_distance_plane_batch().
 ///
 /// @param normals,offsets,q one for each ellipsoid

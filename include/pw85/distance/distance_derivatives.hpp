@@ -1,18 +1,20 @@
 /// @file
 /// First and second derivatives of the distance with respect to positions and rotations. src/kernels/one_pair.cpp calls
-/// distance_derivatives(), which takes the normal and the closest points from distance.hpp.
+/// distance_derivatives(), which takes the normal and the closest points from distance.hpp. signed_distance.hpp calls
+/// derivatives_across() for pairs that overlap, where d is negative.
 ///
 /// The notation is that of distance.hpp. p1 = Q1n/α and p2 = Q2n/β are the points of the surfaces, relative to their own centres.
 ///
 /// 1. By the envelope theorem n may be held fixed. So ∂d/∂r12 = n, and rotations about the own centres give ∂d/∂ωi = n × pi. The
 ///    sum of the two rotations plus r12 × n vanishes: there is no net torque.
-/// 2. Let Ai = ∂pi/∂n, so that A1 = (Q1 - p1p1ᵀ)/α, whose null space is n, and P = I - nnᵀ. If the condition of the normal is
-///    violated by a vector, the normal turns by G = P(A1 + A2 + d I)⁻¹P times this vector. Let Ci = ∂(n × pi)/∂n = [n]Ai - [pi],
+/// 2. Let Ai = ∂pi/∂n and P = I - nnᵀ. If the condition of the normal is violated by a vector, the normal turns by
+///    G = P(A1 + A2 + d I)⁻¹P times this vector (curvature.hpp). Let Ci = ∂(n × pi)/∂n = [n]Ai - [pi],
 ///    where [x]y = x × y. The Hessian is J G Jᵀ with J = (I; C1; C2), plus for each rotation its contribution at fixed n,
 ///    Ki = (n·pi) I - ½(pi nᵀ + n piᵀ) - [n]ᵀAi[n].
 #ifndef PW85_DISTANCE_DISTANCE_DERIVATIVES_HPP_INCLUDED
 #define PW85_DISTANCE_DISTANCE_DERIVATIVES_HPP_INCLUDED
 
+#include <pw85/distance/curvature.hpp>
 #include <pw85/distance/distance.hpp>
 
 namespace pw85 {
@@ -29,22 +31,6 @@ template <class T> struct DistanceDerivatives {
 
 namespace pw85::detail {
 
-/// One ellipsoid of a DistancePair at its closest point, in the unit of r12.
-template <class T> struct SurfaceElement {
-    Vector<T, 3> point;         ///< p of item 1
-    SymmetricMatrix<T, 3> turn; ///< A of item 2
-};
-
-template <class T> PW85_FUNCTION inline SurfaceElement<T>
-surface_element(SymmetricMatrix<T, 3> const &q, T const &scale, Vector<T, 3> const &n) noexcept
-{
-    Support<T, 3> const s = support(q, n);
-    SurfaceElement<T> element{scale * s.point, q};
-    for (int i = 0; i < 3; ++i)
-        for (int j = i; j < 3; ++j) element.turn(i, j) = scale * ((q(i, j) - s.point[i] * s.point[j]) / s.extent);
-    return element;
-}
-
 template <class T> PW85_FUNCTION constexpr Vector<T, 3> unit_vector(int i) noexcept
 {
     Vector<T, 3> e{};
@@ -52,28 +38,9 @@ template <class T> PW85_FUNCTION constexpr Vector<T, 3> unit_vector(int i) noexc
     return e;
 }
 
-/// x minus its part along the unit vector n.
-template <class T> PW85_FUNCTION constexpr Vector<T, 3> project(Vector<T, 3> const &x, Vector<T, 3> const &n) noexcept
-{
-    return add_scaled(x, T(-dot(x, n)), n);
-}
-
-/// Factorises A1 + A2 + d I. A1 and A2 are zero along n; there the trace of A1 + A2 is added to make the matrix stiff.
-template <class T> PW85_FUNCTION inline Factorization<T, 3>
-factorize_stiffness(SurfaceElement<T> const (&elements)[2], T const &distance, Vector<T, 3> const &n) noexcept
-{
-    SymmetricMatrix<T, 3> stiffness = blend(elements[0].turn, T(1), elements[1].turn);
-    T const along = stiffness(0, 0) + stiffness(1, 1) + stiffness(2, 2);
-    for (int i = 0; i < 3; ++i) {
-        stiffness(i, i) = stiffness(i, i) + distance;
-        for (int j = i; j < 3; ++j) stiffness(i, j) = stiffness(i, j) + along * n[i] * n[j];
-    }
-    return factorize(stiffness, T(unit_roundoff<T>()));
-}
-
 /// Computes K of item 2.
 template <class T>
-PW85_FUNCTION inline SymmetricMatrix<T, 3> bend(SurfaceElement<T> const &element, Vector<T, 3> const &n) noexcept
+PW85_FUNCTION inline SymmetricMatrix<T, 3> bend(SurfaceElement<T, 3> const &element, Vector<T, 3> const &n) noexcept
 {
     SymmetricMatrix<T, 3> k{};
     Vector<T, 3> const &p = element.point;
@@ -88,10 +55,11 @@ PW85_FUNCTION inline SymmetricMatrix<T, 3> bend(SurfaceElement<T> const &element
 }
 
 /// Computes the Hessian in the units of a DistancePair (item 2).
-template <class T> PW85_FUNCTION inline void distance_hessian(SurfaceElement<T> const (&elements)[2], T const &distance,
-                                                              Vector<T, 3> const &n, T (&hessian)[9][9]) noexcept
+template <class T> PW85_FUNCTION inline void distance_hessian(SurfaceElement<T, 3> const (&elements)[2],
+                                                              T const &distance, Vector<T, 3> const &n,
+                                                              T (&hessian)[9][9]) noexcept
 {
-    auto const factors = factorize_stiffness(elements, distance, n);
+    auto const factors = factorize(stiffness_across(elements, distance, n), T(unit_roundoff<T>()));
     Vector<T, 3> rows[9], turned[9]; // rows of J and of J G
     for (int k = 0; k < 3; ++k) {
         rows[k] = unit_vector<T>(k);
@@ -115,14 +83,13 @@ template <class T> PW85_FUNCTION inline void distance_hessian(SurfaceElement<T> 
 }
 
 /// Computes the derivatives in the units of a DistancePair. Only the derivatives with respect to rotations are in the units of the
-/// forms.
+/// forms. Both points of `d` are relative to their own centres.
 template <class T> PW85_FUNCTION inline DistanceDerivatives<T> derivatives_across(DistancePair<T, 3> const &pair,
-                                                                                  Slab<T, 3> const &slab) noexcept
+                                                                                  Distance<T, 3> const &d) noexcept
 {
-    Distance<T, 3> const d = distance_across(slab);
     DistanceDerivatives<T> result{d.normal, cross(d.normal, d.point1), cross(d.normal, d.point2), {}, Status::success};
-    SurfaceElement<T> const elements[2] = {surface_element(pair.q1, pair.scale1, d.normal),
-                                           surface_element(pair.q2, pair.scale2, d.normal)};
+    SurfaceElement<T, 3> const elements[2] = {surface_element(pair.q1, pair.scale1, d.normal),
+                                              surface_element(pair.q2, pair.scale2, d.normal)};
     distance_hessian(elements, d.distance, d.normal, result.hessian);
     return result;
 }
@@ -132,14 +99,28 @@ refined_derivatives(DistancePair<T, 3> const &pair, FoundSlab<T, 3> found) noexc
 {
     if (!found.found) found = search_slab(pair);
     if (!found.accurate) found = step_slab(pair, found.slab);
-    if (found.accurate) return derivatives_across(pair, found.slab);
+    if (found.accurate) return derivatives_across(pair, distance_across(found.slab));
     auto const polished = polish(pair, found.slab);
     if (!polished.accurate) return all_nan<DistanceDerivatives<T>>(Status::no_convergence);
-    auto const fine = derivatives_across(finer(pair), polished.slab);
+    auto const fine = derivatives_across(finer(pair), distance_across(polished.slab));
     DistanceDerivatives<T> result{
         rounded(fine.r12), rounded(fine.rotation1), rounded(fine.rotation2), {}, Status::success};
     for (int i = 0; i < 9; ++i)
         for (int j = 0; j < 9; ++j) result.hessian[i][j] = rounded(fine.hessian[i][j]);
+    return result;
+}
+
+/// Returns derivatives in the caller's units.
+template <class T>
+PW85_FUNCTION inline DistanceDerivatives<T> in_units(DistanceDerivatives<T> result, DistanceUnits const &units) noexcept
+{
+    result.rotation1 = times_power_of_two(result.rotation1, units.form1);
+    result.rotation2 = times_power_of_two(result.rotation2, units.form2);
+    for (int i = 0; i < 9; ++i)
+        for (int j = 0; j < 9; ++j) {
+            int const lengths = (i >= 3) + (j >= 3) - 1; // the dimension of this entry
+            result.hessian[i][j] = times_power_of_two(result.hessian[i][j], lengths * units.length);
+        }
     return result;
 }
 
@@ -152,16 +133,9 @@ PW85_FUNCTION inline DistanceDerivatives<T> distance_derivatives_apart(Vector<T,
     DistanceUnits units;
     DistancePair<T, 3> const pair = scale_distance(r12, q1, q2, units);
     auto const found = find_slab(pair, true);
-    DistanceDerivatives<T> result =
-        found.accurate ? derivatives_across(pair, found.slab) : refined_derivatives(pair, found);
-    result.rotation1 = times_power_of_two(result.rotation1, units.form1);
-    result.rotation2 = times_power_of_two(result.rotation2, units.form2);
-    for (int i = 0; i < 9; ++i)
-        for (int j = 0; j < 9; ++j) {
-            int const lengths = (i >= 3) + (j >= 3) - 1; // the dimension of this entry
-            result.hessian[i][j] = times_power_of_two(result.hessian[i][j], lengths * units.length);
-        }
-    return result;
+    return in_units(found.accurate ? derivatives_across(pair, distance_across(found.slab))
+                                   : refined_derivatives(pair, found),
+                    units);
 }
 
 } // namespace pw85::detail

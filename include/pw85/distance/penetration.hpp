@@ -22,9 +22,15 @@
 ///    So G is semidefinite where K = (α²/c, kᵀ; k, H) is.
 /// 5. K is affine in c and y = 1/c. So K is semidefinite on an interval if it is semidefinite at three points (c, y): at both ends,
 ///    and where the tangents of the hyperbola y = 1/c at the ends meet. The arc is in the triangle of these three points.
+/// 6. A shallow depth needs no proof over c. An ellipsoid with the longest semi-axis a and the shortest one b is a union of balls of
+///    the radius b²/a, its least radius of curvature (Blaschke's rolling theorem). So the sum of the ellipsoids is a union of balls
+///    of the radius R = R1 + R2. Let P = p1 + p2 be its boundary point with the normal n, r = P - d n + w with w across n, and
+///    d < R. The ball of radius R that touches the boundary at P is in the sum. So no direction needs less than the depth of r in
+///    this ball, R - |(R - d)n + w| >= d - |w|²/(2(R - d)).
 #ifndef PW85_DISTANCE_PENETRATION_HPP_INCLUDED
 #define PW85_DISTANCE_PENETRATION_HPP_INCLUDED
 
+#include <pw85/distance/curvature.hpp>
 #include <pw85/distance/nearest.hpp>
 #include <pw85/overlap/overlap.hpp>
 
@@ -84,7 +90,7 @@ template <class T, int D>
 PW85_FUNCTION inline Shift<T> try_direction(DepthSearch<T, D> &search, Vector<T, D> const &n) noexcept
 {
     Shift<T> const shift = shift_along(n, search.r12, search.q1, search.q2);
-    if (shift.length < search.best.length) {
+    if (shift.length < search.best.length - search.best.rounding) {
         search.best = shift;
         search.direction = n;
     }
@@ -122,26 +128,83 @@ template <class T, int D> PW85_FUNCTION inline void descend(DepthSearch<T, D> &s
     search.direction = n;
 }
 
+/// Takes Newton's steps for the normal (curvature.hpp). The value at the minimum is correct up to rounding when the direction has
+/// half of its digits; these steps make the direction as good as its isolation permits. A step is taken if it does not lengthen the
+/// shift by more than rounding.
+template <class T, int D> PW85_FUNCTION inline void polish_direction(DepthSearch<T, D> &search) noexcept
+{
+    auto const &[r12, q1, q2, n, best] = search;
+    for (int i = 0; i < 2; ++i) {
+        SurfaceElement<T, D> const elements[2] = {surface_element(q1, T(1), n), surface_element(q2, T(1), n)};
+        auto const stiffness = stiffness_across(elements, T(-best.length), n);
+        auto const factors = factorize(stiffness, T(0));
+        if (!is_isolated(stiffness, factors)) return;
+        Vector<T, D> const points =
+            support_from(accurate_product(q1, n), n).point + support_from(accurate_product(q2, n), n).point;
+        Vector<T, D> const next = n + solve(factors, project(r12 - points, n));
+        Vector<T, D> const unit = T(T(1) / square_root(dot(next, next))) * next;
+        Shift<T> const shift = shift_along(unit, r12, q1, q2);
+        if (!(shift.length <= best.length + best.rounding)) return;
+        search.best = shift;
+        search.direction = unit;
+    }
+}
+
+/// The squares of the shortest and of the longest semi-axis of an ellipsoid, up to some u times the latter.
+template <class T> struct AxisSquares {
+    T least, most;
+    int unit; ///< the squares are these numbers times 4^unit
+};
+
+template <class T, int D> PW85_FUNCTION inline AxisSquares<T> axis_squares(SymmetricMatrix<T, D> const &q) noexcept
+{
+    int const unit = half_exponent(largest_diagonal(q));
+    auto const axes = principal_axes(times_power_of_two(q, -2 * unit));
+    AxisSquares<T> squares{axes.squares[0], axes.squares[0], unit};
+    for (int i = 1; i < D; ++i) {
+        squares.least = minimum(squares.least, axes.squares[i]);
+        squares.most = maximum(squares.most, axes.squares[i]);
+    }
+    return squares;
+}
+
 /// The range of c = β/α over all directions, extended by a factor of two at both ends for rounding.
 template <class T> struct RatioRange {
     T lower, upper;
 };
 
-template <class T, int D> PW85_FUNCTION inline RatioRange<T> ratio_range(SymmetricMatrix<T, D> const &q1,
-                                                                         SymmetricMatrix<T, D> const &q2) noexcept
+template <class T>
+PW85_FUNCTION inline RatioRange<T> ratio_range(AxisSquares<T> const &axes1, AxisSquares<T> const &axes2) noexcept
 {
-    int const unit1 = half_exponent(largest_diagonal(q1)), unit2 = half_exponent(largest_diagonal(q2));
-    auto const p1 = principal_axes(times_power_of_two(q1, -2 * unit1)),
-               p2 = principal_axes(times_power_of_two(q2, -2 * unit2));
-    T least1 = p1.squares[0], most1 = least1, least2 = p2.squares[0], most2 = least2;
-    for (int i = 1; i < D; ++i) {
-        least1 = minimum(least1, p1.squares[i]);
-        most1 = maximum(most1, p1.squares[i]);
-        least2 = minimum(least2, p2.squares[i]);
-        most2 = maximum(most2, p2.squares[i]);
-    }
-    return {times_power_of_two(T(T(0.5) * square_root(T(least2 / most1))), unit2 - unit1),
-            times_power_of_two(T(T(2) * square_root(T(most2 / least1))), unit2 - unit1)};
+    int const unit = axes2.unit - axes1.unit;
+    return {times_power_of_two(T(T(0.5) * square_root(T(axes2.least / axes1.most))), unit),
+            times_power_of_two(T(T(2) * square_root(T(axes2.most / axes1.least))), unit)};
+}
+
+/// A lower bound of the radii of curvature of an ellipsoid (item 6); zero if rounding hides them.
+template <class T> PW85_FUNCTION inline T least_radius(AxisSquares<T> const &axes) noexcept
+{
+    T const rounding = T(64 * unit_roundoff<T>()) * axes.most;
+    return times_power_of_two(T(maximum(T(0), T(axes.least - rounding)) / square_root(T(axes.most + rounding))),
+                              axes.unit);
+}
+
+/// Whether item 6 proves the best depth to its rounding error, for the least radius of curvature `radius` of the sum. Half of the
+/// radius is left for R - d. The points are computed by accurate_product(), so that they err by less than (3 + 2√X)u times the
+/// longest semi-axis (support.hpp); the factor of 8 covers the sum and the projection.
+template <class T, int D>
+PW85_FUNCTION inline bool is_shallow(DepthSearch<T, D> const &search, T const &radius) noexcept
+{
+    auto const &[r12, q1, q2, n, best] = search;
+    if (!(T(2) * best.length <= radius)) return false;
+    auto const s1 = support_from(accurate_product(q1, n), n), s2 = support_from(accurate_product(q2, n), n);
+    T const size1 = square_root(trace(q1)), size2 = square_root(trace(q2));
+    T const x1 = size1 / s1.extent, x2 = size2 / s2.extent; // the roots of X
+    if (!(maximum(T(x1 * x1), T(x2 * x2)) <= largest_spread<T>())) return false;
+    T const size = sum_of_magnitudes(r12) + size1 * (T(1) + x1) + size2 * (T(1) + x2);
+    Vector<T, D> const off = project(r12 - (s1.point + s2.point), n);
+    T const across = square_root(dot(off, off)) + T(8 * unit_roundoff<T>()) * size;
+    return across * across <= radius * best.rounding;
 }
 
 /// Whether item 2 shows that D is not below the smallest value found, for c from `c` to ρ²c. The directions that this computes are
@@ -330,7 +393,7 @@ template <class T, int D>
 PW85_FUNCTION inline MinimumProof<T, D> prepare_proof(DepthSearch<T, D> const &search) noexcept
 {
     auto const &[r12, q1, q2, n, best] = search;
-    Support<T, D> const s1 = support(q1, n), s2 = support(q2, n);
+    Support<T, D> const s1 = support_from(accurate_product(q1, n), n), s2 = support_from(accurate_product(q2, n), n);
     T const a = s1.extent, b = s2.extent, c = b / a, y = T(1) / c, u = T(unit_roundoff<T>());
     T const trace1 = trace(q1), trace2 = trace(q2), slack = best.rounding * (a + b);
     T const d = best.length - T(2) * best.rounding, level = dot(n, r12) + d, sigma = d * level;
@@ -389,13 +452,21 @@ template <class T, int D> PW85_FUNCTION inline RatioRange<T> proved_range(DepthS
     return {proved_bound(proof, false), proved_bound(proof, true)};
 }
 
-/// Computes penetration() of a valid pair that overlaps and is in range.
-template <class T, int D> [[gnu::noinline]] PW85_FUNCTION inline Penetration<T, D>
-penetration_in_range(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, SymmetricMatrix<T, D> const &q2) noexcept
+/// Finds the minimum next to the direction in which the ellipsoids touch if they are scaled. It is nearly the best one if the depth
+/// is small.
+template <class T, int D> PW85_FUNCTION inline void descend_from_touching(DepthSearch<T, D> &search) noexcept
 {
-    RatioRange<T> const range = ratio_range(q1, q2);
-    DepthSearch<T, D> search{r12, q1, q2, {}, {largest_number<T>(), T(1), T(0)}};
-    constexpr int starts = 8; // with more starts, the proof finds a better minimum less often
+    if (largest_coordinate(search.r12) == T(0)) return;
+    Maximum<T> const touching = maximize(pair_of(search.r12, search.q1, search.q2));
+    descend(search, T(touching.complement / touching.lambda));
+    polish_direction(search);
+}
+
+/// Finds the best minimum of several. With more starts, the proof finds a better one less often.
+template <class T, int D>
+PW85_FUNCTION inline void descend_from_all(DepthSearch<T, D> &search, RatioRange<T> const &range) noexcept
+{
+    constexpr int starts = 8;
     T const factor = square_root(square_root(square_root(T(range.upper / range.lower))));
     T c = range.lower * square_root(factor);
     for (int i = 0; i < starts; ++i) {
@@ -403,10 +474,33 @@ penetration_in_range(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, S
         c = c * factor;
     }
     descend(search, search.best.ratio);
+    polish_direction(search);
+}
+
+/// Proves by items 2 to 5 that the best minimum is the global one, or finds a better one.
+template <class T, int D>
+PW85_FUNCTION inline bool prove_globally(DepthSearch<T, D> &search, RatioRange<T> const &range) noexcept
+{
     RatioRange<T> const around = proved_range(search);
     if (!(prove_depth(search, RatioRange<T>{range.lower, around.lower}) &&
           prove_depth(search, RatioRange<T>{around.upper, range.upper})))
-        return no_penetration<T, D>(Status::no_convergence);
+        return false;
+    polish_direction(search);
+    return true;
+}
+
+/// Computes penetration() of a valid pair that overlaps and is in range.
+template <class T, int D> [[gnu::noinline]] PW85_FUNCTION inline Penetration<T, D>
+penetration_in_range(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, SymmetricMatrix<T, D> const &q2) noexcept
+{
+    AxisSquares<T> const axes1 = axis_squares(q1), axes2 = axis_squares(q2);
+    DepthSearch<T, D> search{r12, q1, q2, {}, {largest_number<T>(), T(1), T(0)}};
+    descend_from_touching(search);
+    if (!is_shallow(search, T(least_radius(axes1) + least_radius(axes2)))) {
+        RatioRange<T> const range = ratio_range(axes1, axes2);
+        descend_from_all(search, range);
+        if (!prove_globally(search, range)) return no_penetration<T, D>(Status::no_convergence);
+    }
     return {maximum(T(0), search.best.length), search.direction, Status::success};
 }
 
