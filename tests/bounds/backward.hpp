@@ -74,20 +74,32 @@ template <int D> int products_in(RecordedSolution<D> const &found, int node)
     return below + (n.rounded ? 1 : 0);
 }
 
+/// Moves from a product to its first factor, down to a sum. Returns the roundings of the products and of the other factors.
+template <int D> int strip_factors(RecordedSolution<D> const &found, int &node)
+{
+    int count = 0;
+    while (found.graph[static_cast<std::size_t>(node)].operation == Operation::product) {
+        Node const &product = found.graph[static_cast<std::size_t>(node)];
+        count += (product.rounded ? 1 : 0) + products_in(found, product.right);
+        node = product.left;
+    }
+    return count;
+}
+
 /// Counts of term k of row j, column i >= j.
 template <int D> int factor_count(RecordedSolution<D> const &found, int j, int i, int k)
 {
-    Node const &node = found.graph[static_cast<std::size_t>(i == j ? found.pivots[j] : found.lower[i][j])];
-    int const product = i == j ? 0 : 1 + products_in(found, node.right); // with the reciprocal of the pivot
-    Chain const chain = chain_of(found.graph, i == j ? found.pivots[j] : node.left);
-    if (k == j) return static_cast<int>(chain.terms.size()) + product;
-    return k + products_in(found, chain.terms[static_cast<std::size_t>(k)]);
+    int node = i == j ? found.pivots[j] : found.lower[i][j];
+    int const factors = strip_factors(found, node);
+    Chain const chain = chain_of(found.graph, node);
+    if (k == j) return static_cast<int>(chain.terms.size()) + factors;
+    return k + products_in(found, chain.terms.at(static_cast<std::size_t>(k)));
 }
 
 template <int D> int forward_count(RecordedSolution<D> const &found, int i, int k)
 {
     Chain const chain = chain_of(found.graph, found.forward[i]);
-    return k == i ? i : k + products_in(found, chain.terms[static_cast<std::size_t>(k)]);
+    return k == i ? i : k + products_in(found, chain.terms.at(static_cast<std::size_t>(k)));
 }
 
 /// The quotient by the pivot counts for all terms, since it comes first.
@@ -96,7 +108,7 @@ template <int D> int back_count(RecordedSolution<D> const &found, int k, int j)
     Chain const chain = chain_of(found.graph, found.back[k]);
     int const place = j - k - 1, quotient = products_in(found, chain.first);
     if (j == k) return D - 1 - k + quotient;
-    return place + products_in(found, chain.terms[static_cast<std::size_t>(place)]) + quotient;
+    return place + products_in(found, chain.terms.at(static_cast<std::size_t>(place))) + quotient;
 }
 
 template <int D> Counts<D> count_roundings()

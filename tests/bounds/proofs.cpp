@@ -121,10 +121,28 @@ template <int D, int N> bool proved_below(char const *what, FormBound<D, N> erro
     return proof.proved;
 }
 
+int roundings_in(std::vector<int> (*run)())
+{
+    auto const graph = record(run).graph;
+    return static_cast<int>(std::count_if(graph.begin(), graph.end(), [](Node const &node) { return node.rounded; }));
+}
+
+/// Whether a test inside has no other roundings than the formulas that are bounded apart, and D - 1 of the product of the diagonal.
+template <int D> bool is_complete(std::vector<int> (*test)(), std::vector<int> (*last_steps)())
+{
+    int const parts = roundings_in(solution<D>) + roundings_in(product_with_separation<D>) +
+                      roundings_in(form_of_solution<D>) + roundings_in(last_steps);
+    bool const complete = roundings_in(test) == parts + D - 1;
+    if (!complete) std::printf("inside, D = %d: NOT PROVED; the parts do not make up the test\n", D);
+    return complete;
+}
+
 /// Both tests inside err by less than their margins u a P.
 template <int D, int N, int M> bool inside_holds()
 {
     using Bounds = InsideBounds;
+    bool const complete =
+        is_complete<D>(inside1<D>, last_steps_inside1) && is_complete<D>(inside2<D>, last_steps_inside2);
     bool const b = holds<D, M>("determinant", determinant_of_blend<D>, {0.0, 1.0}, Bounds::b);
     bool const form = proved_below("inside, form", FormBound<D, N>(Bounds::share), Bounds::form);
     double const b2 = Bounds::b * Bounds::b / least_conditioning, products = inside_products<D>() + b2;
@@ -136,7 +154,7 @@ template <int D, int N, int M> bool inside_holds()
         "inside, D = %d: %s %d u and %d u; rest below %.2f and %.2f, %ld boxes, largest value seen %.3f of it\n", D,
         proof.proved ? "proved" : "NOT PROVED", inside1_margin, inside2_margin, left1, left2, proof.boxes,
         proof.largest);
-    return b && form && proof.proved;
+    return complete && b && form && proof.proved;
 }
 
 bool prove_inside()
