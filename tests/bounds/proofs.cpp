@@ -172,7 +172,7 @@ bool prove_inside()
 }
 
 /// Prints whether the eigenvalues of a matrix, and `rest`, are below a constant. Where these bounds count, they are below 2^-10, and
-/// so is the error of κ. A share of 2^-6 covers terms of higher order.
+/// so is the error of κ. A share of 2^-6 covers terms of higher order. A pivot that factorize() raises makes κ at least 1/u.
 template <int D> bool eigenvalues_below(char const *what, Exact<D> const &c, double rest, int constant)
 {
     bool const proved = is_at_most(c, constant * (1.0 - 0x1p-6) - rest);
