@@ -157,7 +157,7 @@ template <int D, int N, int M> bool inside_holds()
     double const left1 = left_of(inside1_margin, products + Bounds::a * Bounds::b / Bounds::least);
     double const left2 = left_of(inside2_margin, products);
     SolutionErrors<D, N> errors({left1, left2}, Bounds::across, Bounds::share);
-    auto const proof = prove<N>(errors, UnitPair<D, N>::ranges, 1.0, 2500000);
+    auto const proof = prove<N>(errors, UnitPair<D, N>::ranges, 1.0, 2000000);
     std::printf(
         "inside, D = %d: %s %d u and %d u; rest below %.2f and %.2f, %ld boxes, largest value seen %.3f of it\n", D,
         proof.proved ? "proved" : "NOT PROVED", inside1_margin, inside2_margin, left1, left2, proof.boxes,
