@@ -247,15 +247,15 @@ class Margin:
         return maximise(ratio, d, arguments.starts, arguments.steps, rng), own[0].constant
 
 
-# The forms of the margins inside contain a, whose error is 5 %; terms of second order add 1 %. is_certain() admits an error of 2u,
-# and a comparison one of u, where cond >= 3. The theorem on factorisation counts roundings that the worst case shares.
+# The forms of the margins inside contain a, whose error is 5 %; terms of second order add 1 % at least. is_certain() admits an
+# error of 2u, and a comparison one of u, where cond >= 3. The theorem on factorisation counts roundings that the worst case shares.
 MARGINS = [
     Margin(apart),
-    Margin(inside1, needed=lambda found: 1.06 * found),
+    Margin(inside1, needed=lambda found: 1.06 * found, excess=1.4),
     Margin(inside2, needed=lambda found: 1.06 * found),
     Margin(separation, needed=lambda found: found / 0.05),
     Margin(adjugate_solution),
-    Margin(factorized_solution, excess=2.6),
+    Margin(factorized_solution, excess=2.8),
     Margin(correction, excess=1.5),
     Margin(value, needed=lambda found: found + 1.0),
     Margin(definite, pivots, dimensions=(2,)),

@@ -74,20 +74,32 @@ template <int D> int products_in(RecordedSolution<D> const &found, int node)
     return below + (n.rounded ? 1 : 0);
 }
 
+/// Moves from a product to its first factor, down to a sum. Returns the roundings of the products and of the other factors.
+template <int D> int strip_factors(RecordedSolution<D> const &found, int &node)
+{
+    int count = 0;
+    while (found.graph[static_cast<std::size_t>(node)].operation == Operation::product) {
+        Node const &product = found.graph[static_cast<std::size_t>(node)];
+        count += (product.rounded ? 1 : 0) + products_in(found, product.right);
+        node = product.left;
+    }
+    return count;
+}
+
 /// Counts of term k of row j, column i >= j.
 template <int D> int factor_count(RecordedSolution<D> const &found, int j, int i, int k)
 {
-    Node const &node = found.graph[static_cast<std::size_t>(i == j ? found.pivots[j] : found.lower[i][j])];
-    int const product = i == j ? 0 : 1 + products_in(found, node.right); // with the reciprocal of the pivot
-    Chain const chain = chain_of(found.graph, i == j ? found.pivots[j] : node.left);
-    if (k == j) return static_cast<int>(chain.terms.size()) + product;
-    return k + products_in(found, chain.terms[static_cast<std::size_t>(k)]);
+    int node = i == j ? found.pivots[j] : found.lower[i][j];
+    int const factors = strip_factors(found, node);
+    Chain const chain = chain_of(found.graph, node);
+    if (k == j) return static_cast<int>(chain.terms.size()) + factors;
+    return k + products_in(found, chain.terms.at(static_cast<std::size_t>(k)));
 }
 
 template <int D> int forward_count(RecordedSolution<D> const &found, int i, int k)
 {
     Chain const chain = chain_of(found.graph, found.forward[i]);
-    return k == i ? i : k + products_in(found, chain.terms[static_cast<std::size_t>(k)]);
+    return k == i ? i : k + products_in(found, chain.terms.at(static_cast<std::size_t>(k)));
 }
 
 /// The quotient by the pivot counts for all terms, since it comes first.
@@ -96,7 +108,7 @@ template <int D> int back_count(RecordedSolution<D> const &found, int k, int j)
     Chain const chain = chain_of(found.graph, found.back[k]);
     int const place = j - k - 1, quotient = products_in(found, chain.first);
     if (j == k) return D - 1 - k + quotient;
-    return place + products_in(found, chain.terms[static_cast<std::size_t>(place)]) + quotient;
+    return place + products_in(found, chain.terms.at(static_cast<std::size_t>(place))) + quotient;
 }
 
 template <int D> Counts<D> count_roundings()
@@ -114,31 +126,17 @@ template <int D> Counts<D> count_roundings()
     return counts;
 }
 
-/// The errors, over u P, of the determinant that is_clearly_definite() computes and of the product of the pivots of factorize(), for
-/// singular matrices. The product is the determinant of a changed matrix, so that it errs by Σ |adj(N)_ij K_ki K_kj| n_ijk to first
-/// order. v_0, v_1 and v_2 are in a plane.
-template <int D> class DefiniteErrors {
+/// The error, over u P, of the product of the pivots of factorize(), for singular N. The product is the determinant of a changed
+/// matrix, so that it errs by Σ |adj(N)_ij K_ki K_kj| n_ijk to first order. v_0, v_1 and v_2 are in a plane.
+template <int D> class PivotErrors {
   public:
     static constexpr int angles = D == 2 ? 1 : 3;
     using Number = Affine<angles>;
     static constexpr double ranges[] = {D == 2 ? 0.0 : pi / 2, pi, 0.0};
 
-    DefiniteErrors() : determinant_(record(definite<D>), 0.0) {}
-
     double bound(Box<angles> const &box, double, double (&variation)[angles])
     {
         UnitPair<D, angles> const pair(box);
-        determinant_.evaluate(pair);
-        determinant_.adjoint_of_result(0, 0) = Number(1.0);
-        determinant_.errors().propagate(0);
-        Number const sum = determinant_.errors().sum_errors(1.0, 0.0, variation) + error_of_pivots(pair);
-        for (int i = 0; i < angles; ++i) variation[i] = std::fabs(sum.slopes[i]) + box.width[i];
-        return sum.largest();
-    }
-
-  private:
-    Number error_of_pivots(UnitPair<D, angles> const &pair) const
-    {
         pw85::SymmetricMatrix<Number, D> m{};
         for (int i = 0; i < D; ++i)
             for (int j = i; j < D; ++j) m(i, j) = pair.entry(i, j);
@@ -148,10 +146,11 @@ template <int D> class DefiniteErrors {
             for (int j = 0; j < D; ++j)
                 for (int k = 0; k <= std::min(i, j); ++k)
                     sum = sum + magnitude(adj(i, j) * pair.v[i][k] * pair.v[j][k]) * counts_.factors[i][j][k];
-        return sum;
+        for (int i = 0; i < angles; ++i) variation[i] = std::fabs(sum.slopes[i]) + box.width[i];
+        return sum.largest();
     }
 
-    PairErrors<D, angles> determinant_;
+  private:
     Counts<D> counts_ = count_roundings<D>();
 };
 

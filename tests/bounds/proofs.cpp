@@ -3,11 +3,12 @@
 //     proofs apart
 //
 // Each proof is for all pairs, with and without fused operations, and for every type with u <= 2^-24, float included. The
-// hypothesis is that each rounded result errs by a fraction of at most u, so that nothing over- or underflows. For doubles the theorem
-// `range` shows it from the conditions of passes_fast_checks(). The bound on terms of first order comes from branch_and_bound.hpp, that on the others from
-// second_order.hpp. A share of 2^-10 of each constant is left for terms beyond first order. One quarter of it is for those of the
-// formula. The others are smaller: the rounding errors of the products with the constant, 25 u of it, and in `adjugate` the error
-// of d, at most 20 u where d > 13 √u (is_certain()).
+// hypothesis is that each rounded result errs by a fraction of at most u, so that nothing over- or underflows. For doubles the
+// theorem `range` shows it from the conditions of passes_fast_checks(). The bound on terms of first order comes from
+// branch_and_bound.hpp, that on the others from second_order.hpp. A share of 2^-10 of each constant is left for terms beyond first
+// order. One quarter of it is for those of the formula. The others are smaller: the rounding errors of the products with the
+// constant, 25 u of it, and in `adjugate` the error of d, at most 20 u where d > 13 √u (is_certain()). Where terms of second order
+// are divided by d, they are bounded apart.
 #include <cstdio>
 #include <cstring>
 
@@ -63,32 +64,39 @@ bool prove_adjugate()
            holds<3, 5>("adjugate", adjugate_solution<3>, {1.0, 1.0}, adjugate_error);
 }
 
-/// is_clearly_definite(): the errors of the determinant and of the pivots add up to less than definite_margin u P.
-template <int D> bool definite_holds()
+/// is_clearly_definite(): the determinant errs by less than `determinant` u P, and the product of the pivots by less than the rest of
+/// definite_margin u P.
+///
+/// Let M pass the test, with P = 1. Then det M exceeds that rest, c u. So does the leading minor L before the last, as no pivot
+/// exceeds 1. The pivots before the last are positive by the theorem for fewer dimensions. Suppose that the last computed pivot is
+/// -x <= 0. With x added to the last entry of M, the pivots are those of a singular matrix, and the product of its diagonal is 1 + x.
+/// Hence det M + x L <= c u (1 + x), which is a contradiction.
+template <int D, int N> bool definite_holds(double determinant)
 {
-    using Errors = DefiniteErrors<D>;
-    Errors errors;
-    double const limit = definite_margin<D> * (1.0 - share_beyond);
-    auto const proof = prove<Errors::angles>(errors, Errors::ranges, limit, 100000);
-    std::printf("definite, D = %d: %s %d u; %ld boxes, largest value seen %.2f\n", D,
-                proof.proved ? "proved" : "NOT PROVED", definite_margin<D>, proof.boxes, proof.largest);
-    return proof.proved;
+    bool const holds_for_determinant = holds<D, N>("definite, determinant", definite<D>, {0.0, 1.0}, determinant);
+    PivotErrors<D> errors;
+    double const limit = definite_margin<D> * (1.0 - share_beyond) - determinant;
+    auto const proof = prove<N>(errors, PivotErrors<D>::ranges, limit, 100000);
+    std::printf("definite, D = %d: %s %d u; pivots %.2f, largest value seen %.2f\n", D,
+                proof.proved ? "proved" : "NOT PROVED", definite_margin<D>, limit, proof.largest);
+    return holds_for_determinant && proof.proved;
 }
 
 bool prove_definite()
 {
-    bool const two = definite_holds<2>();
-    return definite_holds<3>() && two;
+    bool const two = definite_holds<2, 1>(2.05);
+    return definite_holds<3, 3>(7.1) && two;
 }
 
-/// Bounds for shows_inside1() and shows_inside2(), in units of u, where a errs by u/d times `a` of itself and d = least_conditioning
-/// u at least.
+/// Bounds for shows_inside1() and shows_inside2(), in units of u. a errs by u/d times `a` of itself. The computed d is above
+/// least_conditioning u, and the true one above `least` u.
 struct InsideBounds {
     static constexpr double a = 0.05 * least_conditioning; ///< theorem `separation`
     static constexpr double across = adjugate_error;       ///< of s; theorem `adjugate`
     static constexpr double b = 17.0;                      ///< of det M
     static constexpr double form = 16.9;                   ///< part 3 of inside.hpp
     static constexpr double share = 6.0;                   ///< of d, in part 3
+    static constexpr double least = least_conditioning - b;
 };
 
 /// The products of the errors of s with each other and with those of the form. A coordinate of s is at most √d, and errs by
@@ -103,15 +111,15 @@ template <int D> double inside_products()
         coordinates += m.magnitude * m.roundings * 1.01;
     }
     double const roundings = monomials(form.graph, 1.0)[static_cast<std::size_t>(form.results[0])].roundings;
-    double const c = coordinates * std::sqrt(largest_u / least_conditioning);
-    return (InsideBounds::a * InsideBounds::a + InsideBounds::across * InsideBounds::across) / least_conditioning +
-           roundings * c * (2.0 * D + c);
+    double const c = coordinates * std::sqrt(largest_u / InsideBounds::least);
+    double const square = InsideBounds::a * InsideBounds::a + InsideBounds::across * InsideBounds::across;
+    return square / InsideBounds::least + roundings * c * (2.0 * D + c);
 }
 
 /// What of a margin is left for parts 1 and 2 of inside.hpp. The margin is proportional to the computed a.
 double left_of(int margin, double products)
 {
-    return margin * (1.0 - InsideBounds::a / least_conditioning - share_beyond) - products - InsideBounds::form;
+    return margin * (1.0 - InsideBounds::a / InsideBounds::least - share_beyond) - products - InsideBounds::form;
 }
 
 template <int D, int N> bool proved_below(char const *what, FormBound<D, N> errors, double limit)
@@ -122,22 +130,40 @@ template <int D, int N> bool proved_below(char const *what, FormBound<D, N> erro
     return proof.proved;
 }
 
+int roundings_in(std::vector<int> (*run)())
+{
+    auto const graph = record(run).graph;
+    return static_cast<int>(std::count_if(graph.begin(), graph.end(), [](Node const &node) { return node.rounded; }));
+}
+
+/// Whether a test inside has no other roundings than the formulas that are bounded apart, and D - 1 of the product of the diagonal.
+template <int D> bool is_complete(std::vector<int> (*test)(), std::vector<int> (*last_steps)())
+{
+    int const parts = roundings_in(solution<D>) + roundings_in(product_with_separation<D>) +
+                      roundings_in(form_of_solution<D>) + roundings_in(last_steps);
+    bool const complete = roundings_in(test) == parts + D - 1;
+    if (!complete) std::printf("inside, D = %d: NOT PROVED; the parts do not make up the test\n", D);
+    return complete;
+}
+
 /// Both tests inside err by less than their margins u a P.
 template <int D, int N, int M> bool inside_holds()
 {
     using Bounds = InsideBounds;
+    bool const complete =
+        is_complete<D>(inside1<D>, last_steps_inside1) && is_complete<D>(inside2<D>, last_steps_inside2);
     bool const b = holds<D, M>("determinant", determinant_of_blend<D>, {0.0, 1.0}, Bounds::b);
     bool const form = proved_below("inside, form", FormBound<D, N>(Bounds::share), Bounds::form);
-    double const b2 = Bounds::b * Bounds::b / least_conditioning, products = inside_products<D>() + b2;
-    double const left1 = left_of(inside1_margin, products + Bounds::a * Bounds::b / least_conditioning);
+    double const b2 = Bounds::b * Bounds::b / Bounds::least, products = inside_products<D>() + b2;
+    double const left1 = left_of(inside1_margin, products + Bounds::a * Bounds::b / Bounds::least);
     double const left2 = left_of(inside2_margin, products);
     SolutionErrors<D, N> errors({left1, left2}, Bounds::across, Bounds::share);
-    auto const proof = prove<N>(errors, UnitPair<D, N>::ranges, 1.0, 8000000);
+    auto const proof = prove<N>(errors, UnitPair<D, N>::ranges, 1.0, 2000000);
     std::printf(
         "inside, D = %d: %s %d u and %d u; rest below %.2f and %.2f, %ld boxes, largest value seen %.3f of it\n", D,
         proof.proved ? "proved" : "NOT PROVED", inside1_margin, inside2_margin, left1, left2, proof.boxes,
         proof.largest);
-    return b && form && proof.proved;
+    return complete && b && form && proof.proved;
 }
 
 bool prove_inside()
@@ -147,7 +173,7 @@ bool prove_inside()
 }
 
 /// Prints whether the eigenvalues of a matrix, and `rest`, are below a constant. Where these bounds count, they are below 2^-10, and
-/// so is the error of κ. A share of 2^-6 covers terms of higher order.
+/// so is the error of κ. A share of 2^-6 covers terms of higher order. A pivot that factorize() raises makes κ at least 1/u.
 template <int D> bool eigenvalues_below(char const *what, Exact<D> const &c, double rest, int constant)
 {
     bool const proved = is_at_most(c, constant * (1.0 - 0x1p-6) - rest);
