@@ -388,8 +388,7 @@ module pw85
     function pw85_containment(r12, q1, q2, mu2, point) result(status) bind(C, name='pw85_containment')
       import
       real(c_double), intent(in) :: r12(3), q1(6), q2(6)
-      real(c_double), intent(out), optional :: mu2
-      real(c_double), intent(out) :: point(3)
+      real(c_double), intent(out), optional :: mu2, point(3)
       integer(c_int) :: status
     end function pw85_containment
 
@@ -469,8 +468,7 @@ module pw85
     function pw85_containment_2d(r12, q1, q2, mu2, point) result(status) bind(C, name='pw85_containment_2d')
       import
       real(c_double), intent(in) :: r12(2), q1(3), q2(3)
-      real(c_double), intent(out), optional :: mu2
-      real(c_double), intent(out) :: point(2)
+      real(c_double), intent(out), optional :: mu2, point(2)
       integer(c_int) :: status
     end function pw85_containment_2d
 

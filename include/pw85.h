@@ -335,8 +335,8 @@ PW85_API int pw85_contains(double const r12[PW85_DIM], double const q1[PW85_SYM]
  * @param r12,q1,q2 as for pw85_contact(); zero is valid for r12, too
  * @param[out] mu2 square of the factor; may be null
  * @param[out] point on the surface of ellipsoid 2, relative to the centre of ellipsoid 1. If they touch at several points, the result is
- *        one of them: they do for r12 = 0, and wherever r12 has no part along the longest direction of ellipsoid 2, measured by q1, and
- *        is short enough. May be null
+ *        one of them: they do for r12 = 0, and wherever r12 is short and has no part along the longest direction of ellipsoid 2,
+ *        measured by q1; may be null
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD, #PW85_ECONVERGENCE (the bounds cannot be made to agree; this has never been seen) */
 PW85_API int pw85_containment(double const r12[PW85_DIM], double const q1[PW85_SYM], double const q2[PW85_SYM],
                               double *mu2, double point[PW85_DIM]);
@@ -536,7 +536,7 @@ PW85_API int pw85_first_contact(double const r12[PW85_DIM], double const q1[PW85
  *
  * μ² is a convex function of the time, so there is one such time unless the velocity is zero. The error of μ² is below 8 u S. Here S is
  * the change of μ² for relative errors of one in the given numbers: S = μ² cond + 2 λ(1-λ) Σ|n_i| (|r12_i| + t |velocity_i|), with cond,
- * λ and n of the pair at time t as in pw85_condition(). Two ellipsoids that only translate do not meet if and only if μ² >= 1.
+ * λ and n of the pair at time t as in pw85_condition(). Ellipsoids that only translate overlap on their way if and only if μ² < 1.
  *
  * @param r12,q1,q2 as for pw85_contact(), at time 0
  * @param velocity of ellipsoid 2 relative to ellipsoid 1; may be zero

@@ -6,7 +6,11 @@ from style import BLUE, GREEN, ORANGE, figure, save
 
 Q1 = pypw85.ellipsoid_quaternion([2.0, 1.2, 0.7], [0.9, 0.2, -0.3, 0.2])
 Q2 = pypw85.ellipsoid_quaternion([0.7, 0.9, 1.9], [0.8, 0.4, 0.1, -0.3])
-WAYS = [([-5, 2, 1], [1, 0, 0], "passes"), ([-5, 0.5, 0], [1, 0.1, 0.1], "overlaps on its way"), ([-5, 3.5, 0], [0.45, 0, 0], "ends before")]
+WAYS = [
+    ([-5, 2.8, 1.4], [1, 0, 0], "passes"),
+    ([-5, 0.5, 0], [1, 0.1, 0.1], "overlaps on its way"),
+    ([-5, 3.5, 0], [0.45, 0, 0], "ends before"),
+]
 END = 8.0
 
 fig, ax = figure()

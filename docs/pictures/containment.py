@@ -6,7 +6,7 @@ from style import BLACK, BLUE, ORANGE, figure, save
 
 OUTER = pypw85.ellipse(2.0, 1.3, 0.3)
 INNER = pypw85.ellipse(0.9, 0.35, -0.6)
-PLACES = np.array([[-0.5, 0.1], [1.2, 0.6], [2.1, -1.0]])
+PLACES = np.array([[-0.5, 0.1], [1.5, 0.9], [3.0, -1.2]])
 
 
 def outline(center, q, scale=1.0):
@@ -24,6 +24,6 @@ for ax, place in zip(axes, PLACES):
     ax.plot(*outline([0, 0], OUTER, np.sqrt(mu2)), color=BLUE, linestyle="--")
     ax.plot(*point, "o", color=BLACK, markersize=5)
     ax.set_title(f"$\\kappa = {np.sqrt(mu2):.3f}$")
-    ax.set(xlim=(-4.3, 4.3), ylim=(-3.1, 3.1), aspect="equal")
+    ax.set(xlim=(-5.0, 5.0), ylim=(-3.6, 3.6), aspect="equal")
     ax.axis("off")
 save(fig, "containment.svg")

@@ -97,21 +97,33 @@ int call_batch(int (*function)(std::size_t, Pointers...), std::size_t n, Inputs 
 /// A function of many rows of the C API, whose arrays are in the order of the operands.
 template <auto function> int batch(std::size_t n, Inputs in, Outputs out) { return call_batch(function, n, in, out); }
 
-/// One call for each run of rows that have the same t_max.
-int first_contact_batch(std::size_t n, Inputs in, Outputs out)
+/// One call(begin, count) for each run of rows that have the same t_max. Returns the status of the first bad row.
+template <class Call> int for_runs(std::size_t n, double const *t_max, Call const &call)
 {
-    pw85_motion const *const motion1 = motion(in[3]), *const motion2 = motion(in[4]);
-    double const *const t_max = in[5];
     int first_bad = PW85_SUCCESS;
     for (std::size_t begin = 0, end; begin < n; begin = end) {
         end = begin + 1;
         while (end < n && t_max[end] == t_max[begin]) ++end;
-        int const status =
-            pw85_first_contact_batch(end - begin, in[0] + 3 * begin, in[1] + 6 * begin, in[2] + 6 * begin,
-                                     motion1 + begin, motion2 + begin, t_max[begin], out[0] + begin);
+        int const status = call(begin, end - begin);
         if (first_bad == PW85_SUCCESS) first_bad = status;
     }
     return first_bad;
+}
+
+int first_contact_batch(std::size_t n, Inputs in, Outputs out)
+{
+    return for_runs(n, in[5], [&](std::size_t begin, std::size_t count) {
+        return pw85_first_contact_batch(count, in[0] + 3 * begin, in[1] + 6 * begin, in[2] + 6 * begin,
+                                        motion(in[3]) + begin, motion(in[4]) + begin, in[5][begin], out[0] + begin);
+    });
+}
+
+int closest_passage_batch(std::size_t n, Inputs in, Outputs out)
+{
+    return for_runs(n, in[4], [&](std::size_t begin, std::size_t count) {
+        return pw85_closest_passage_batch(count, in[0] + 3 * begin, in[1] + 6 * begin, in[2] + 6 * begin,
+                                          in[3] + 3 * begin, in[4][begin], out[0] + begin, out[1] + begin);
+    });
 }
 
 } // namespace

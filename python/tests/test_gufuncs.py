@@ -94,7 +94,7 @@ def test_single_call_equals_rows_of_array(name, rng):
     rows = as_tuple(getattr(gufuncs, name)(*args))
     # The batches of these promise a bound, not the bits of the single call.
     same = np.testing.assert_array_equal
-    if name in ("contact", "contact_2d", "closest_approach", "distance"):
+    if name in ("contact", "contact_2d", "closest_approach", "closest_passage", "distance"):
         # Closest points err by 2¹⁸ u times lengths that add up to less than 18 here.
         atol = 18 * 2.0**-35 if name == "distance" else 0.0
 
