@@ -104,6 +104,92 @@ inline NearestTruth nearest_in_box(WideVector const &lower, WideVector const &up
     return best;
 }
 
+/// A polytope: normals·x <= offsets.
+struct Planes {
+    std::vector<double> normals, offsets;
+
+    WideVector inward(std::size_t k) const
+    {
+        return {-Wide(normals[3 * k]), -Wide(normals[3 * k + 1]), -Wide(normals[3 * k + 2])};
+    }
+};
+
+/// Whether a point is in a polytope, up to a part in 1e22.
+inline bool contains(Planes const &planes, WideVector const &x)
+{
+    using pw85::detail::sum_of_magnitudes;
+    for (std::size_t k = 0; k < planes.offsets.size(); ++k) {
+        auto const g = planes.inward(k);
+        Wide const d = -Wide(planes.offsets[k]), size = sum_of_magnitudes(g) * sum_of_magnitudes(x) + abs(d);
+        if (pw85::dot(g, x) < d - Wide("1e-22") * size) return false;
+    }
+    return true;
+}
+
+/// The multipliers of planes that the scaled ellipsoid touches, by elimination. Returns false if the planes do not intersect.
+template <std::size_t K>
+bool multipliers(Planes const &planes, WideForm const &q, std::size_t const (&chosen)[K], Wide (&lambda)[K])
+{
+    Wide m[K][K + 1];
+    for (std::size_t i = 0; i < K; ++i) {
+        for (std::size_t j = 0; j < K; ++j)
+            m[i][j] = pw85::dot(planes.inward(chosen[i]), pw85::product(q, planes.inward(chosen[j])));
+        m[i][K] = -Wide(planes.offsets[chosen[i]]);
+    }
+    for (std::size_t c = 0; c < K; ++c) {
+        if (!(m[c][c] > Wide("1e-40"))) return false;
+        for (std::size_t r = 0; r < K; ++r) {
+            Wide const factor = r == c ? Wide(0) : Wide(m[r][c] / m[c][c]);
+            for (std::size_t j = 0; j <= K; ++j) m[r][j] -= factor * m[c][j];
+        }
+    }
+    for (std::size_t i = 0; i < K; ++i) lambda[i] = m[i][K] / m[i][i];
+    return true;
+}
+
+/// Takes the point where the scaled ellipsoid touches some planes, if it is in the polytope and the multipliers are positive. The
+/// sensitivity is Σ λ_k (|g_k|·r + |d_k|), r = Σ λ_k |Q| |g_k|.
+template <std::size_t K>
+void touch(NearestTruth &best, Planes const &planes, WideForm const &q, std::size_t const (&chosen)[K])
+{
+    Wide lambda[K], sensitivity = 0;
+    if (!multipliers(planes, q, chosen, lambda)) return;
+    WideVector s{}, r{};
+    for (std::size_t k = 0; k < K; ++k) {
+        auto const g = planes.inward(chosen[k]);
+        if (lambda[k] < 0) return;
+        for (int i = 0; i < 3; ++i) {
+            s[i] += lambda[k] * g[i];
+            for (int j = 0; j < 3; ++j) r[i] += lambda[k] * abs(q(i, j) * g[j]);
+        }
+    }
+    auto const x = pw85::product(q, s);
+    if (!contains(planes, x)) return;
+    for (std::size_t k = 0; k < K; ++k) {
+        auto const g = planes.inward(chosen[k]);
+        sensitivity += lambda[k] * abs(Wide(planes.offsets[chosen[k]]));
+        for (int i = 0; i < 3; ++i) sensitivity += lambda[k] * abs(g[i]) * r[i];
+    }
+    Wide const mu2 = pw85::dot(x, s);
+    if (best.mu2 < 0 || mu2 < best.mu2) best = {mu2, x, sensitivity, 0};
+}
+
+/// The polytope: every set of up to three planes. μ² is negative if it is empty.
+inline NearestTruth nearest_in_polytope(Planes const &planes, WideForm const &q)
+{
+    NearestTruth best;
+    std::size_t const n = planes.offsets.size();
+    if (contains(planes, WideVector{})) best.mu2 = 0;
+    for (std::size_t i = 0; i < n && best.mu2 != 0; ++i) {
+        touch<1>(best, planes, q, {i});
+        for (std::size_t j = i + 1; j < n; ++j) {
+            touch<2>(best, planes, q, {i, j});
+            for (std::size_t k = j + 1; k < n; ++k) touch<3>(best, planes, q, {i, j, k});
+        }
+    }
+    return best;
+}
+
 } // namespace pw85_tests
 
 #endif

@@ -534,6 +534,132 @@ template <class Shape> void test_status()
     }
 }
 
+/// Up to eight half-spaces, in two of three cases around a point, with normals of any length; in the third one of small integers, so that
+/// planes are parallel, and more than three of them meet in a point.
+Planes random_planes(Random &random, int n)
+{
+    Planes planes;
+    Vector3 const place = random.log_uniform(0.1, 10.0) * random.direction<3>();
+    double const size = n % 3 == 1 ? random.log_uniform(1e-4, 10.0) : 1.0;
+    for (int k = 0; k <= n % 8; ++k) {
+        Vector3 g = random.log_uniform(1e-3, 1e3) * random.direction<3>();
+        double offset = pw85::dot(g, place) + size * std::sqrt(pw85::dot(g, g)) * random.uniform(-0.3, 1.0);
+        if (n % 3 == 2) {
+            for (int i = 0; i < 3; ++i) g[i] = random_integer(random, 3);
+            if (pw85::dot(g, g) == 0) g[k % 3] = 1;
+            offset = random_integer(random, 9);
+        }
+        planes.normals.insert(planes.normals.end(), g.coordinates, g.coordinates + 3);
+        planes.offsets.push_back(offset);
+    }
+    return planes;
+}
+
+std::string text(Planes const &planes, Form3 const &q)
+{
+    return "q = " + hex_text(q.entries, 6) + ", normals " +
+           hex_text(planes.normals.data(), static_cast<int>(planes.normals.size())) + ", offsets " +
+           hex_text(planes.offsets.data(), static_cast<int>(planes.offsets.size()));
+}
+
+void check_polytope(Planes const &planes, Form3 const &q, NearestTruth const &truth, int length, int form,
+                    Failures &failures)
+{
+    auto moved = planes;
+    for (double &offset : moved.offsets) offset = std::ldexp(offset, length);
+    auto const found = pw85::contact_polytope(moved.offsets.size(), moved.normals.data(), moved.offsets.data(),
+                                              pw85::detail::times_power_of_two(q, 2 * form));
+    auto const describe = [&] { return text(planes, q); };
+    failures.check(found.status == pw85::Status::success, "status", static_cast<double>(found.status), 0, describe);
+    bool const empty = !(found.mu2 <= std::numeric_limits<double>::max());
+    failures.check(empty == (truth.mu2 < 0), "empty", empty, truth.mu2 < 0, describe);
+    if (empty || truth.mu2 < 0) return;
+    Wide const mu2 = ldexp(Wide(found.mu2), 2 * (form - length)), bound = 32 * Wide(0x1p-53) * truth.sensitivity;
+    failures.check(abs(Wide(mu2 - truth.mu2)) <= bound, "mu2", static_cast<double>(mu2), static_cast<double>(truth.mu2),
+                   describe);
+    if (!(truth.mu2 > 0)) failures.check(found.mu2 == 0 && found.point[0] == 0, "inside", found.mu2, 0, describe);
+}
+
+// The point is not compared: of a needle, μ² is determined better than where it touches. Needles to aspect ratio 1e4, because whether
+// planes have a common point is decided up to rounding errors.
+void test_polytope()
+{
+    Failures failures;
+    Random random(680);
+    int empty = 0, inside = 0;
+    for (int n = 0; n < draws(6000); ++n) {
+        auto const q = random.form(1.0, random.log_uniform(1.0, n % 2 == 0 ? 10.0 : 1e4));
+        auto const planes = random_planes(random, n);
+        auto const truth = nearest_in_polytope(planes, convert<Wide>(q));
+        check_polytope(planes, q, truth, 0, 0, failures);
+        int const length = n % 2 == 0 ? 400 : -400;
+        check_polytope(planes, q, truth, length, length + 40 * (n % 3 - 1), failures);
+        empty += truth.mu2 < 0;
+        inside += truth.mu2 == 0;
+    }
+    g_test_message("%d empty, %d around the centre", empty, inside);
+    g_assert_cmpint(empty, >, draws(150));
+    g_assert_cmpint(inside, >, draws(600));
+}
+
+// A ball from thousands of tangent planes: the nearest point is near that of the ball, and in all half-spaces.
+void test_many_planes()
+{
+    Failures failures;
+    Random random(690);
+    Form3 const q{1, 0, 0, 1, 0, 1};
+    Vector3 const center{3, 4, 12};
+    for (std::size_t const count : {50, 500, 5000}) {
+        Planes planes;
+        for (std::size_t k = 0; k < count; ++k) {
+            auto const g = random.direction<3>();
+            planes.normals.insert(planes.normals.end(), g.coordinates, g.coordinates + 3);
+            planes.offsets.push_back(pw85::dot(g, center) + 1);
+        }
+        auto const found = pw85::contact_polytope(count, planes.normals.data(), planes.offsets.data(), q);
+        double const reach = 13 - std::sqrt(found.mu2), bound = 1 + 30.0 / static_cast<double>(count);
+        auto const describe = [&] { return text(planes, q); };
+        failures.check(found.status == pw85::Status::success && reach >= 1 && reach < bound, "ball", reach, bound,
+                       describe);
+        Planes active;
+        for (std::size_t k = 0; k < count; ++k) {
+            Vector3 const g{planes.normals[3 * k], planes.normals[3 * k + 1], planes.normals[3 * k + 2]};
+            double const slack = planes.offsets[k] - pw85::dot(g, found.point);
+            failures.check(slack > -1e-13, "slack", slack, -1e-13, describe);
+            if (slack > 1e-13) continue;
+            active.normals.insert(active.normals.end(), g.coordinates, g.coordinates + 3);
+            active.offsets.push_back(planes.offsets[k]);
+        }
+        auto const truth = nearest_in_polytope(active, convert<Wide>(q));
+        failures.check(abs(Wide(truth.mu2 - found.mu2)) <= 32 * Wide(0x1p-53) * truth.sensitivity, "mu2", found.mu2,
+                       static_cast<double>(truth.mu2), describe);
+    }
+}
+
+void test_polytope_status()
+{
+    Form3 const q{4, 0, 0, 1, 0, 16};
+    double const nan = std::numeric_limits<double>::quiet_NaN(), infinity = std::numeric_limits<double>::infinity();
+    double const slab[6] = {1, 0, 0, -1, 0, 0}, apart[2] = {-1, -1}, flat[2] = {2, -2}, one[1] = {-2};
+    expect("the whole space", pw85::contact_polytope<double>(0, nullptr, nullptr, q), 0, {0, 0, 0});
+    expect("half-space", pw85::contact_polytope(1, slab, one, q), 1, {-2, 0, 0});
+    expect("flat", pw85::contact_polytope(2, slab, flat, q), 1, {2, 0, 0});
+    auto const empty = pw85::contact_polytope(2, slab, apart, q);
+    g_assert_true(empty.status == pw85::Status::success && empty.mu2 == infinity && std::isnan(empty.point[0]));
+    auto const refused = [&](double const *normals, double const *offsets, Form3 const &form, pw85::Status status) {
+        auto const found = pw85::contact_polytope(1, normals, offsets, form);
+        g_assert_true(found.status == status && std::isnan(found.mu2) && std::isnan(found.point[2]));
+    };
+    double const zero[3] = {0, 0, 0};
+    refused(zero, one, q, pw85::Status::invalid_argument);
+    refused(slab, one, {1, 2, 0, 1, 0, 1}, pw85::Status::not_positive_definite);
+    for (double const bad : {nan, infinity, -infinity}) {
+        double const normal[3] = {1, bad, 0};
+        refused(normal, one, q, pw85::Status::invalid_argument);
+        refused(slab, &bad, q, pw85::Status::invalid_argument);
+    }
+}
+
 template <class Shape> void add_tests()
 {
     std::string const prefix = std::string("/shapes/") + Shape::name;
@@ -559,6 +685,9 @@ int main(int argc, char **argv)
     add_tests<Box>();
     g_test_add_func("/shapes/degenerate", test_degenerate);
     g_test_add_func("/shapes/beside_touch", test_beside_touch);
+    g_test_add_func("/shapes/polytope/random", test_polytope);
+    g_test_add_func("/shapes/polytope/many_planes", test_many_planes);
+    g_test_add_func("/shapes/polytope/status", test_polytope_status);
     g_test_add_func("/shapes/widest/float", test_widest<float>);
     g_test_add_func("/shapes/widest/double", test_widest<double>);
     return g_test_run();

@@ -506,6 +506,21 @@ contact_triangle(Vector<T, 3> const &vertex1, Vector<T, 3> const &vertex2, Vecto
 template <class T> PW85_FUNCTION inline ShapeContact<T>
 contact_box(Vector<T, 3> const &lower, Vector<T, 3> const &upper, SymmetricMatrix<T, 3> const &q) noexcept;
 
+/// Contact function of an ellipsoid and a polytope, the set of points x with normal·x <= offset for each of n half-spaces.
+///
+/// The time is proportional to n and to the number of steps, which is below 20 for most polytopes.
+///
+/// @param n number of half-spaces; without any, the polytope is the whole space
+/// @param normals n×3, out of the polytope, of any lengths > 0
+/// @param offsets n
+/// @param q the form
+/// @return μ², 0 if the centre is in the polytope, and the point of the polytope where the scaled ellipsoid touches. An empty polytope
+/// has μ² infinity, and a point of NaN; whether a polytope is empty is decided up to rounding errors. The error of μ² is below 32 u
+/// Σ λ_k (|g_k|·r + |d_k|): see shapes/polytope.hpp. Status::invalid_argument (also for a zero normal),
+/// Status::not_positive_definite, Status::no_convergence (this has never been seen)
+template <class T> PW85_FUNCTION inline ShapeContact<T>
+contact_polytope(std::size_t n, T const *normals, T const *offsets, SymmetricMatrix<T, 3> const &q) noexcept;
+
 /// Whether an ellipsoid and a segment overlap, μ² < 1. The answer is exact for native types.
 ///
 /// @param end1,end2,q as for contact_segment()
@@ -557,6 +572,7 @@ overlap_box(Vector<T, 3> const &lower, Vector<T, 3> const &upper, SymmetricMatri
 #include <pw85/overlap/witness.hpp>
 #include <pw85/shapes/box.hpp>
 #include <pw85/shapes/overlap_shapes.hpp>
+#include <pw85/shapes/polytope.hpp>
 #include <pw85/shapes/segment.hpp>
 #include <pw85/shapes/triangle.hpp>
 

@@ -85,7 +85,7 @@ template <class T, int D> struct NearMaximum {
 };
 
 /// Bounds on μ² and λ, in the units of a Pair: value - below <= μ² <= value + above.
-template <class T, int D> struct Enclosure {
+template <class T, int D> struct EnclosedMaximum {
     Doubled<T> value;
     T below, above;
     Doubled<T> lambda, complement; ///< λ and 1-λ at t
@@ -201,10 +201,9 @@ template <class T> PW85_FUNCTION inline T error_of_values(ErrorSums<T> const &su
 /// - z is that of s + w to first order. The terms of second order are below ρᵀM⁻¹ρ. The error of w, which is ηω + 1.7 ηu in units
 ///   of |s|, enters z twice, and rounding of the product with w adds less than ηω.
 /// - S errs by η/2 R, and by ω/2 R because s is not exact.
-template <class T, int D>
-[[gnu::noinline]] PW85_FUNCTION inline Enclosure<T, D> enclose(Pair<T, D> const &pair, NearMaximum<T, D> const &at,
-                                                               SymmetricMatrix<T, D> const &m,
-                                                               AdjugateInverse<T, D> const &inverse) noexcept
+template <class T, int D> [[gnu::noinline]] PW85_FUNCTION inline EnclosedMaximum<T, D>
+enclose(Pair<T, D> const &pair, NearMaximum<T, D> const &at, SymmetricMatrix<T, D> const &m,
+        AdjugateInverse<T, D> const &inverse) noexcept
 {
     auto const &[t, s] = at;
     T const tau = t * pair.ratio * pair.ratio, u = T(unit_roundoff<T>());

@@ -45,7 +45,7 @@ template <class T> PW85_FUNCTION constexpr T largest_lambda_error() noexcept
 
 /// λ at the maximum, rounded.
 template <class T, int D>
-PW85_FUNCTION inline T lambda_of(ScaledPair<T, D> const &scaled, Enclosure<T, D> const &e) noexcept
+PW85_FUNCTION inline T lambda_of(ScaledPair<T, D> const &scaled, EnclosedMaximum<T, D> const &e) noexcept
 {
     if (!(e.step.error <= largest_lambda_error<T>())) return quiet_nan<T>();
     T const change = e.lambda.high * e.complement.high * e.step.step;
@@ -54,7 +54,7 @@ PW85_FUNCTION inline T lambda_of(ScaledPair<T, D> const &scaled, Enclosure<T, D>
 }
 
 template <class T, int D> PW85_FUNCTION inline MaximumBounds<T>
-bounds_of(ScaledPair<T, D> const &scaled, Enclosure<T, D> const &e, int evaluations) noexcept
+bounds_of(ScaledPair<T, D> const &scaled, EnclosedMaximum<T, D> const &e, int evaluations) noexcept
 {
     int const exponent = 2 * (scaled.length - scaled.form);
     T const lower = e.value.high + (e.value.low - e.below), upper = e.value.high + (e.value.low + e.above);

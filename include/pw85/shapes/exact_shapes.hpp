@@ -215,6 +215,14 @@ template <class T, int N> PW85_FUNCTION inline bool point_overlaps(Workspace spa
                            {q(0, 2), row.x[2], -1}}) < 0;
 }
 
+/// The sign of a·f for a corner a.
+template <class T, int N> PW85_FUNCTION inline int sign_of_dot_with(Workspace space, ShapeNumbers<T, N> const &numbers,
+                                                                    Corner<T> const &a, WideVector const &f) noexcept
+{
+    WideVector const x = integers_of(space, numbers, a);
+    return sign_of_dot(space, x, f);
+}
+
 /// Where the nearest point of the line through two corners is: before the first one (-1), between them, or after the second one (1).
 /// Subtracts e·f from the sum.
 template <class T, int N> PW85_FUNCTION inline int place_on_line(Workspace space, ShapeNumbers<T, N> const &numbers,
@@ -223,8 +231,8 @@ template <class T, int N> PW85_FUNCTION inline int place_on_line(Workspace space
 {
     WideVector const e = difference(space, numbers, second, first), f = product_with_adjugate(space, q, e);
     for (int i = 0; i < 3; ++i) add_product(sum, -1, e.x[i], f.x[i]);
-    if (sign_of_dot(space, integers_of(space, numbers, first), f) >= 0) return -1;
-    return sign_of_dot(space, integers_of(space, numbers, second), f) <= 0 ? 1 : 0;
+    if (sign_of_dot_with(space, numbers, first, f) >= 0) return -1;
+    return sign_of_dot_with(space, numbers, second, f) <= 0 ? 1 : 0;
 }
 
 /// Item 2.
@@ -242,25 +250,37 @@ template <class T, int N> PW85_FUNCTION inline bool segment_overlaps(Workspace s
     return value(sum).sign < 0;
 }
 
-/// Item 3, for the inside of a triangle.
-template <class T, int N>
-PW85_FUNCTION inline bool plane_overlaps(Workspace space, ShapeNumbers<T, N> const &numbers, WideForm const &q) noexcept
+/// The normal (b - a) × (c - a) of a triangle.
+template <class T>
+PW85_FUNCTION inline WideVector normal_of(Workspace &space, ShapeNumbers<T, 3> const &numbers) noexcept
 {
-    auto const &corners = numbers.corners;
-    WideVector y, n;
-    {
-        WideVector const e1 = difference(space, numbers, corners[1], corners[0]);
-        WideVector const e2 = difference(space, numbers, corners[2], corners[0]);
-        n = cross(space, e1, e2);
+    WideSum sums[3];
+    for (auto &sum : sums) sum = space.take(2 * numbers.coordinate_limbs + 1);
+    Workspace rest = space;
+    WideVector const e1 = difference(rest, numbers, numbers.corners[1], numbers.corners[0]);
+    WideVector const e2 = difference(rest, numbers, numbers.corners[2], numbers.corners[0]);
+    WideVector n;
+    for (int i = 0; i < 3; ++i) {
+        int const j = (i + 1) % 3, k = (i + 2) % 3;
+        add_product(sums[i], 1, e1.x[j], e2.x[k]);
+        add_product(sums[i], -1, e1.x[k], e2.x[j]);
+        n.x[i] = value(sums[i]);
     }
-    y = product(space, q, n);
+    return n;
+}
+
+/// Item 3, for the inside of a triangle.
+template <class T>
+PW85_FUNCTION inline bool plane_overlaps(Workspace space, ShapeNumbers<T, 3> const &numbers, WideForm const &q) noexcept
+{
+    WideVector const n = normal_of(space, numbers), y = product(space, q, n);
     for (int k = 0; k < 3; ++k) {
         Workspace rest = space;
-        WideVector const b = integers_of(rest, numbers, corners[(k + 1) % 3]);
-        WideVector const c = integers_of(rest, numbers, corners[(k + 2) % 3]);
+        WideVector const b = integers_of(rest, numbers, numbers.corners[(k + 1) % 3]);
+        WideVector const c = integers_of(rest, numbers, numbers.corners[(k + 2) % 3]);
         if (sign_of_dot(rest, cross(rest, b, c), y) < 0) return false;
     }
-    WideVector const a = integers_of(space, numbers, corners[0]);
+    WideVector const a = integers_of(space, numbers, numbers.corners[0]);
     WideInteger const offset =
         sum_of(space, {{a.x[0], n.x[0], 1}, {a.x[1], n.x[1], 1}, {a.x[2], n.x[2], 1}}); // a·n is a·(b × c)
     return sign_of(space, {{offset, offset, 1}, {n.x[0], y.x[0], -1}, {n.x[1], y.x[1], -1}, {n.x[2], y.x[2], -1}}) < 0;
@@ -274,10 +294,13 @@ template <class T> PW85_FUNCTION constexpr int limbs_for_shapes() noexcept
     constexpr int digits = Limits::digits - Limits::min_exponent;
     constexpr int c = limbs_for(Limits::max_exponent + digits + 2),
                   f = limbs_for(Limits::max_exponent + 2 * digits + 2);
-    constexpr int point = 3 * c + 3 * (2 * f + c + 2) + 3 * (2 * f + 1) + 3 * f + 2 * c + 4;
-    constexpr int line = limbs_of_line(c, f) + maximum(9 * c + 3 * (2 * f + c + 2) + 2 * (2 * f + 2 * c + 3),
-                                                       6 * c + 3 * (2 * c + 1) + 3 * (f + 2 * c + 2));
-    constexpr int plane = 6 * c + 3 * (2 * c + 1) + 3 * (f + 2 * c + 2) + 6 * c + 3 * (2 * c + 1) + (f + 4 * c + 6);
+    constexpr int adjugate = 3 * c + 3 * (2 * f + c + 2) + 3 * (2 * f + 1); // x, adj(Q) x and a row of adj(Q)
+    constexpr int point = adjugate + maximum(3 * f + 1, 2 * f + 2 * c + 4);
+    constexpr int line =
+        limbs_of_line(c, f) + maximum(maximum(adjugate, 6 * c + 3 * (2 * f + c + 2) + (2 * f + 2 * c + 3)),
+                                      6 * c + 3 * (2 * c + 1) + 3 * (f + 2 * c + 2));
+    constexpr int plane =
+        3 * (2 * c + 1) + 3 * (f + 2 * c + 2) + maximum(6 * c + 3 * (2 * c + 1) + (f + 4 * c + 6), 12 * c + 9);
     return 6 * f + maximum(point, maximum(line, plane));
 }
 
@@ -307,7 +330,7 @@ template <class T> PW85_FUNCTION inline Corner<T> corner_of_box(ShapeNumbers<T, 
 
 } // namespace exact
 
-/// Whether a set overlaps the ellipsoid, for the numbers exactly as given. The functions use a fixed array on the stack: 13 KiB for
+/// Whether a set overlaps the ellipsoid, for the numbers exactly as given. The functions use a fixed array on the stack: 12 KiB for
 /// double.
 template <class T>
 requires exact::is_decidable<T>

@@ -162,25 +162,33 @@ decide_at(Shape const &shape, SymmetricMatrix<T, 3> const &q, Nearest<T, true> c
     return shows_overlap(q, nearest.point, size) ? Decision::overlap : Decision::none;
 }
 
-/// Decides in the unit in which the largest diagonal entry of the form is in [1, 4).
+/// The decision by floating-point numbers in the unit in which the largest diagonal entry of the form is in [1, 4). It does not leave
+/// its temporary numbers on the stack while the integers decide.
+template <class T, class Shape> [[gnu::noinline]] PW85_FUNCTION inline Decision
+decide_scaled(Shape const &shape, SymmetricMatrix<T, 3> const &q) noexcept
+{
+    int const unit = half_exponent(largest_diagonal(q));
+    auto const form = times_power_of_two(q, -2 * unit);
+    auto const scaled = shape.scaled(-unit);
+    auto decision = Decision::none;
+    if (!scaled.passes_checks(form)) return decision;
+    decision = decide_at(scaled, form, scaled.template nearest<FastSegments>(form));
+    if (decision != Decision::none) return decision;
+    return decide_at(scaled, form, scaled.template nearest<CarefulSegments>(form));
+}
+
+/// Decides for any numbers. Types without integers take the sign of μ² - 1, up to rounding errors.
 template <class T, class Shape> [[gnu::noinline]] PW85_FUNCTION inline ShapeOverlap
 overlap_of_any(Shape const &shape, SymmetricMatrix<T, 3> const &q) noexcept
 {
     Status const status = shape.is_valid() ? validate(q) : Status::invalid_argument;
     if (status != Status::success) return {false, status};
-    int const unit = half_exponent(largest_diagonal(q));
-    auto const form = times_power_of_two(q, -2 * unit);
-    auto const scaled = shape.scaled(-unit);
-    if (scaled.passes_checks(form)) {
-        auto decision = decide_at(scaled, form, scaled.template nearest<FastSegments>(form));
-        if (decision == Decision::none)
-            decision = decide_at(scaled, form, scaled.template nearest<CarefulSegments>(form));
-        if (decision != Decision::none) return {decision == Decision::overlap, status};
-    }
+    Decision const decision = decide_scaled(shape, q);
+    if (decision != Decision::none) return {decision == Decision::overlap, status};
     if constexpr (exact::is_decidable<T>)
         return {shape.overlaps_exactly(q), status};
     else
-        return {scaled.template nearest<CarefulSegments>(form).mu2 < T(1), status};
+        return {shape.template nearest<CarefulSegments>(q).mu2 < T(1), status};
 }
 
 template <class T, class Shape>

@@ -1,0 +1,231 @@
+/// @file
+/// The contact function of an ellipsoid and a polytope, the intersection of half-spaces normal·x <= offset.
+///
+/// Let g = -normal and d = -offset, so that the half-spaces are g·x >= d. For a set of at most three planes whose multipliers λ are
+/// positive, (GᵀQG) λ = d gives the point x = QGλ where the scaled ellipsoid touches their intersection, and μ² = λ·d
+/// (nearest.hpp). This is at most the μ² of the polytope.
+///
+/// 1. The search begins with x = 0. It adds the half-space that x violates most, in units of the half-width √(gᵀQg) of the
+///    ellipsoid. Of the subsets of the old planes with the new one, that with positive multipliers and the largest μ² has the
+///    nearest point for all of them. So μ² increases from step to step, and no set of planes comes twice.
+/// 2. If no subset has a point in the at most four half-spaces, they have no common point, and the polytope is empty.
+/// 3. The coordinates of x err by some u r, r = Σ λ_k |Q| |g_k|. So a violation of g·x >= d is no larger than rounding errors if it is
+///    below 8 u (|g|·r + |d|). To first order it changes μ² by 2 λ times as much. With up to three multipliers, and the errors of
+///    their equations, μ² errs by less than 32 u Σ λ_k (|g_k|·r + |d_k|), the sum over the planes that are touched.
+/// 4. Whether a polytope is empty, or flat, is decided up to these errors.
+#ifndef PW85_SHAPES_POLYTOPE_HPP_INCLUDED
+#define PW85_SHAPES_POLYTOPE_HPP_INCLUDED
+
+#include <cstddef>
+
+#include <pw85/shapes/nearest.hpp>
+
+namespace pw85::detail {
+
+/// A half-space g·x >= d, and Qg.
+template <class T> struct HalfSpace {
+    Vector<T, 3> g, qg;
+    T d;
+};
+
+/// At most three planes that a scaled ellipsoid touches at a point.
+template <class T> struct TouchedPlanes {
+    HalfSpace<T> planes[3];
+    int size;
+    T mu2;
+    Vector<T, 3> point, magnitudes; ///< x and r
+};
+
+/// The half-spaces in units in which normals and forms are of order one, and no d is larger.
+template <class T> struct Polytope {
+    std::size_t count;
+    T const *normals, *offsets;
+    SymmetricMatrix<T, 3> q;
+    int length; ///< d is in units of 2^length
+
+    PW85_MEMBER Vector<T, 3> normal(std::size_t k) const noexcept
+    {
+        return {normals[3 * k], normals[3 * k + 1], normals[3 * k + 2]};
+    }
+
+    PW85_MEMBER HalfSpace<T> half_space(std::size_t k) const noexcept
+    {
+        Vector<T, 3> const n = normal(k);
+        int const e = binary_exponent(largest_coordinate(n));
+        Vector<T, 3> const g = -times_power_of_two(n, -e);
+        return {g, product(q, g), -times_power_of_two(times_power_of_two(offsets[k], -e), -length)};
+    }
+};
+
+/// How far a half-space is from a point, less rounding errors, in units of the half-width of the ellipsoid; negative if it has the
+/// point.
+template <class T>
+PW85_FUNCTION inline T violation(HalfSpace<T> const &h, Vector<T, 3> const &x, Vector<T, 3> const &magnitudes) noexcept
+{
+    T const error = T(8) * T(unit_roundoff<T>()) * T(magnitude_of_dot(h.g, magnitudes) + absolute(h.d));
+    return T((h.d - dot(h.g, x)) - error) / square_root(dot(h.g, h.qg));
+}
+
+/// Whether the normals of planes are independent beyond rounding errors. A coordinate of a cross product is rounded twice, and a triple
+/// product five times.
+template <class T> PW85_FUNCTION inline bool are_independent(HalfSpace<T> const *const (&)[1]) noexcept { return true; }
+
+template <class T> PW85_FUNCTION inline bool are_independent(HalfSpace<T> const *const (&planes)[2]) noexcept
+{
+    Vector<T, 3> const &a = planes[0]->g, &b = planes[1]->g, n = cross(a, b);
+    bool independent = false;
+    for (int i = 0; i < 3; ++i) {
+        int const j = (i + 1) % 3, k = (i + 2) % 3;
+        T const terms = absolute(T(a[j] * b[k])) + absolute(T(a[k] * b[j]));
+        independent = independent || absolute(n[i]) > T(8 * unit_roundoff<T>()) * terms;
+    }
+    return independent;
+}
+
+template <class T> PW85_FUNCTION inline bool are_independent(HalfSpace<T> const *const (&planes)[3]) noexcept
+{
+    Vector<T, 3> const &a = planes[0]->g, &b = planes[1]->g, &c = planes[2]->g;
+    T terms = T(0);
+    for (int i = 0; i < 3; ++i) {
+        int const j = (i + 1) % 3, k = (i + 2) % 3;
+        terms = terms + absolute(c[i]) * T(absolute(T(a[j] * b[k])) + absolute(T(a[k] * b[j])));
+    }
+    return absolute(dot(cross(a, b), c)) > T(8 * unit_roundoff<T>()) * terms;
+}
+
+/// Finds where the ellipsoid touches the intersection of some planes. `size` is 0 if a multiplier is not positive, or if rounding
+/// errors decide whether the planes intersect.
+template <int K, class T> PW85_FUNCTION inline TouchedPlanes<T> touch(SymmetricMatrix<T, 3> const &q,
+                                                                      HalfSpace<T> const *const (&planes)[K]) noexcept
+{
+    SymmetricMatrix<T, K> gram{};
+    Vector<T, K> d{};
+    for (int i = 0; i < K; ++i) {
+        d[i] = planes[i]->d;
+        for (int j = i; j < K; ++j) gram(i, j) = dot(planes[i]->g, planes[j]->qg);
+    }
+    auto const factors = factorize(gram, T(unit_roundoff<T>()));
+    Vector<T, K> const lambda = solve(factors, d);
+    TouchedPlanes<T> touched{};
+    touched.size = are_independent(planes) ? K : 0;
+    touched.mu2 = inverse_form(factors, d);
+    for (int k = 0; k < K; ++k) {
+        if (!(lambda[k] > T(0))) touched.size = 0;
+        touched.planes[k] = *planes[k];
+        touched.point = add_scaled(touched.point, lambda[k], planes[k]->qg);
+        for (int i = 0; i < 3; ++i)
+            for (int j = 0; j < 3; ++j)
+                touched.magnitudes[i] =
+                    touched.magnitudes[i] + lambda[k] * T(absolute(q(i, j)) * absolute(planes[k]->g[j]));
+    }
+    return touched;
+}
+
+/// The better one of two sets of planes: that of the larger μ².
+template <class T> PW85_FUNCTION inline void improve(TouchedPlanes<T> &best, TouchedPlanes<T> const &other) noexcept
+{
+    if (other.size > 0 && !(best.size > 0 && best.mu2 >= other.mu2)) best = other;
+}
+
+/// Item 1: the planes that are touched after a half-space is added.
+template <class T> PW85_FUNCTION inline TouchedPlanes<T>
+touch_with(SymmetricMatrix<T, 3> const &q, TouchedPlanes<T> const &old, HalfSpace<T> const &added) noexcept
+{
+    TouchedPlanes<T> best{};
+    improve(best, touch<1>(q, {&added}));
+    for (int i = 0; i < old.size; ++i) {
+        improve(best, touch<2>(q, {&added, &old.planes[i]}));
+        for (int j = i + 1; j < old.size; ++j) improve(best, touch<3>(q, {&added, &old.planes[i], &old.planes[j]}));
+    }
+    return best;
+}
+
+/// Item 2.
+template <class T>
+PW85_FUNCTION inline bool satisfies(TouchedPlanes<T> const &found, TouchedPlanes<T> const &old) noexcept
+{
+    bool inside = found.size > 0;
+    for (int k = 0; k < old.size; ++k)
+        inside = inside && violation(old.planes[k], found.point, T(4) * found.magnitudes) <= T(0);
+    return inside;
+}
+
+/// The half-space that a point violates most; `count` if it is in all.
+template <class T>
+PW85_FUNCTION inline std::size_t most_violated(Polytope<T> const &polytope, TouchedPlanes<T> const &at) noexcept
+{
+    std::size_t index = polytope.count;
+    T largest = T(0);
+    for (std::size_t k = 0; k < polytope.count; ++k) {
+        T const distance = violation(polytope.half_space(k), at.point, at.magnitudes);
+        if (!(distance > largest)) continue;
+        largest = distance;
+        index = k;
+    }
+    return index;
+}
+
+/// The number of steps after which the search gives up. No polytope is known that needs as many.
+inline constexpr int max_polytope_steps = 1000;
+
+/// The search in the units of the polytope. Without a common point μ² is infinity.
+template <class T> PW85_FUNCTION inline ShapeContact<T> search_polytope(Polytope<T> const &polytope) noexcept
+{
+    TouchedPlanes<T> at{};
+    for (int step = 0; step < max_polytope_steps; ++step) {
+        std::size_t const next = most_violated(polytope, at);
+        if (next == polytope.count) return {at.mu2, at.point, Status::success};
+        auto const found = touch_with(polytope.q, at, polytope.half_space(next));
+        if (!satisfies(found, at)) {
+            auto nowhere = all_nan<ShapeContact<T>>(Status::success);
+            nowhere.mu2 = infinity<T>();
+            return nowhere;
+        }
+        at = found;
+    }
+    return all_nan<ShapeContact<T>>(Status::no_convergence);
+}
+
+/// Whether the planes are valid; if so, the largest d that is positive, in units of their normals, or 0.
+template <class T> struct PlanesCheck {
+    T largest;
+    Status status;
+};
+
+template <class T> PW85_FUNCTION inline PlanesCheck<T> check_planes(Polytope<T> const &polytope) noexcept
+{
+    T largest = T(0);
+    for (std::size_t k = 0; k < polytope.count; ++k) {
+        Vector<T, 3> const n = polytope.normal(k);
+        T const offset = polytope.offsets[k], size = largest_coordinate(n);
+        if (!(is_finite(n) && offset * T(0) == T(0) && size > T(0))) return {T(0), Status::invalid_argument};
+        if (offset < T(0)) largest = maximum(largest, times_power_of_two(T(-offset), -binary_exponent(size)));
+    }
+    return {largest, Status::success};
+}
+
+} // namespace pw85::detail
+
+namespace pw85 {
+
+template <class T> PW85_FUNCTION inline ShapeContact<T>
+contact_polytope(std::size_t n, T const *normals, T const *offsets, SymmetricMatrix<T, 3> const &q) noexcept
+{
+    using namespace detail;
+    Polytope<T> polytope{n, normals, offsets, q, 0};
+    auto const [largest, status] = check_planes(polytope);
+    Status const both = status == Status::success ? validate(q) : status;
+    if (both != Status::success) return all_nan<ShapeContact<T>>(both);
+    if (!(largest > T(0))) return {T(0), {T(0), T(0), T(0)}, Status::success};
+    int const form = half_exponent(largest_diagonal(q));
+    polytope.q = times_power_of_two(q, -2 * form);
+    polytope.length = binary_exponent(largest);
+    auto found = search_polytope(polytope);
+    found.mu2 = times_power_of_two(found.mu2, 2 * (polytope.length - form));
+    found.point = times_power_of_two(found.point, polytope.length);
+    return found;
+}
+
+} // namespace pw85
+
+#endif
