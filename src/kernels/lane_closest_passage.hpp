@@ -17,6 +17,10 @@
 namespace pw85::detail {
 namespace {
 
+/// The number of packs per chunk. A pack and its search take 3.1 kB with 8 lanes. Three packs would need more stack than a function may.
+inline constexpr std::size_t passage_packs = 2;
+inline constexpr std::size_t passage_chunk_size = passage_packs * lanes;
+
 /// A polynomial of degree two in τ.
 struct Parabola {
     Pack c[3];
@@ -163,12 +167,12 @@ PW85_INLINE LanePassage finish(PassageSearch const &state, LanePair<3> const &pa
 PW85_INLINE void compute_chunk(kernels::PairArrays<3> const &rows, Chunk const &chunk,
                                kernels::PassageArrays const &out, kernels::Worklist &left_over) noexcept
 {
-    LanePair<3> pairs[packs_per_chunk];
-    Vector<Pack, 3> velocities[packs_per_chunk];
-    PassageSearch searches[packs_per_chunk];
+    LanePair<3> pairs[passage_packs];
+    Vector<Pack, 3> velocities[passage_packs];
+    PassageSearch searches[passage_packs];
     auto const [begin, count, chunk_end] = chunk;
     std::size_t const packs = (count + lanes - 1) / lanes;
-    for (std::size_t k = 0; k < packs && k < packs_per_chunk; ++k) {
+    for (std::size_t k = 0; k < packs && k < passage_packs; ++k) {
         std::size_t const first = begin + k * lanes, left = count - k * lanes;
         double const *velocity[lanes];
         for (std::size_t i = 0; i < lanes; ++i)
@@ -179,7 +183,7 @@ PW85_INLINE void compute_chunk(kernels::PairArrays<3> const &rows, Chunk const &
     }
     run(searches, packs, max_rational_steps,
         [&](std::size_t k) { take_passage_step(searches[k], pair_of(pairs[k].r12, pairs[k].q1, pairs[k].q2)); });
-    for (std::size_t k = 0; k < packs && k < packs_per_chunk; ++k) {
+    for (std::size_t k = 0; k < packs && k < passage_packs; ++k) {
         std::size_t const first = begin + k * lanes, left = count - k * lanes;
         auto const passage = finish(searches[k], pairs[k], velocities[k]);
         store_lanes(passage.mu2, left, out.mu2 + first);
