@@ -17,10 +17,6 @@
 namespace pw85::detail {
 namespace {
 
-/// The number of packs per chunk. A pack and its search take 3.1 kB with 8 lanes. Three packs would need more stack than a function may.
-inline constexpr std::size_t passage_packs = 2;
-inline constexpr std::size_t passage_chunk_size = passage_packs * lanes;
-
 /// A polynomial of degree two in τ.
 struct Parabola {
     Pack c[3];
@@ -33,24 +29,24 @@ struct PassageForms {
     Parabola rr, rv, vv; ///< rᵀadj r, rᵀadj v, vᵀadj v
     Pack b[4];           ///< det M
     Pack w[2];           ///< wᵀQ1w, wᵀQ2w
-    Pack end;            ///< of the range of t
 };
 
-/// A search, and the form of its last step: -1 and 1 for the ends of the range, 0 between them.
+/// A search, and the place of its last step: -1 and 1 for the ends of the range of t, 0 between them. The forms are not kept, to save stack.
 struct PassageSearch {
-    PassageForms forms;
+    Parabola rv, vv; ///< of the forms
+    Pack end;        ///< of the range of t
     RationalSearch<Pack> search;
     Pack place;
     PackMask active, valid; ///< valid: the pair, the velocity and the range pass the fast checks
 };
 
 /// The place of the time -rv/vv, with vv > 0.
-PW85_INLINE Pack place_of(PassageForms const &forms, Pack const &rv, Pack const &vv) noexcept
+PW85_INLINE Pack place_of(Pack const &end, Pack const &rv, Pack const &vv) noexcept
 {
-    return select(rv < Pack(0.0), select(-rv < forms.end * vv, Pack(0.0), Pack(1.0)), Pack(-1.0));
+    return select(rv < Pack(0.0), select(-rv < end * vv, Pack(0.0), Pack(1.0)), Pack(-1.0));
 }
 
-PW85_INLINE PassageForms passage_forms(LanePair<3> const &pair, Vector<Pack, 3> const &v, Pack const &end) noexcept
+PW85_INLINE PassageForms passage_forms(LanePair<3> const &pair, Vector<Pack, 3> const &v) noexcept
 {
     auto const vv = outer_weights(v), ww = outer_weights(cross(pair.r12, v));
     auto const adj1 = adjugate(pair.q1), mixed = mixed_adjugate(pair.q1, pair.q2), adj2 = adjugate(pair.q2);
@@ -60,27 +56,26 @@ PW85_INLINE PassageForms passage_forms(LanePair<3> const &pair, Vector<Pack, 3> 
             {{quadratic_form(adj1, vv), quadratic_form(mixed, vv), quadratic_form(adj2, vv)}},
             {determinant(pair.q1, adj1), contraction(adj1, pair.q2), contraction(adj2, pair.q1),
              determinant(pair.q2, adj2)},
-            {quadratic_form(pair.q1, ww), quadratic_form(pair.q2, ww)},
-            end};
+            {quadratic_form(pair.q1, ww), quadratic_form(pair.q2, ww)}};
 }
 
 /// The form at the end of the range where a place is not 0.
-PW85_INLINE RationalForm<Pack> form_at_end(PassageForms const &forms, Pack const &place) noexcept
+PW85_INLINE RationalForm<Pack> form_at_end(PassageForms const &forms, Pack const &place, Pack const &end) noexcept
 {
     RationalForm<Pack> form{{}, {forms.b[0], forms.b[1], forms.b[2], forms.b[3]}};
-    Pack const t = select(place > Pack(0.0), forms.end, Pack(0.0)), twice = t + t, square = t * t;
+    Pack const t = select(place > Pack(0.0), end, Pack(0.0)), twice = t + t, square = t * t;
     for (int k = 0; k < 3; ++k) form.a[k] = forms.rr.c[k] + twice * forms.rv.c[k] + square * forms.vv.c[k];
     return form;
 }
 
 /// The form for τ.
-PW85_INLINE RationalForm<Pack> form_for(PassageForms const &forms, Pack const &place) noexcept
+PW85_INLINE RationalForm<Pack> form_for(PassageForms const &forms, Pack const &place, Pack const &end) noexcept
 {
     RationalForm<Pack> form{{forms.w[0], forms.w[1], Pack(0.0)},
                             {forms.vv.c[0], forms.vv.c[1], forms.vv.c[2], Pack(0.0)}};
     auto const between = place == Pack(0.0);
     if (all_of(between)) return form;
-    auto const other = form_at_end(forms, place);
+    auto const other = form_at_end(forms, place, end);
     for (int k = 0; k < 3; ++k) form.a[k] = select(between, form.a[k], other.a[k]);
     for (int k = 0; k < 4; ++k) form.b[k] = select(between, form.b[k], other.b[k]);
     return form;
@@ -92,24 +87,27 @@ PW85_INLINE void start(PassageSearch &state, LanePair<3> const &pair, Vector<Pac
 {
     Pack const t = minimum(maximum(rough_quotient(Pack(-dot(pair.r12, v)), Pack(dot(v, v))), Pack(0.0)), end);
     Pack const tau = initial_guess(pair_of(add_scaled(pair.r12, t, v), pair.q1, pair.q2));
-    state.forms = passage_forms(pair, v, end);
+    auto const forms = passage_forms(pair, v);
+    state.rv = forms.rv;
+    state.vv = forms.vv;
+    state.end = end;
     state.search.candidate = {tau, Pack(0.0), Pack(0.0)};
     state.search.active = tau == tau;
     state.active = state.search.active;
     state.valid =
         passes_fast_checks(pair) && is_in_range(sum_of_magnitudes(v), Pack(1.0), Pack(1.0)) && end >= Pack(0.0);
-    state.place = place_of(state.forms, state.forms.rv.at(tau), state.forms.vv.at(tau));
-    state.search.form = form_for(state.forms, state.place);
+    state.place = place_of(end, forms.rv.at(tau), forms.vv.at(tau));
+    state.search.form = form_for(forms, state.place, end);
 }
 
 /// Takes a step. The form is made anew only where a place changes, which few steps do.
-PW85_INLINE void take_passage_step(PassageSearch &state, LanePair<3> const &pair) noexcept
+PW85_INLINE void take_passage_step(PassageSearch &state, LanePair<3> const &pair, Vector<Pack, 3> const &v) noexcept
 {
     Pack const tau = state.search.candidate.t;
-    Pack const place = place_of(state.forms, state.forms.rv.at(tau), state.forms.vv.at(tau));
+    Pack const place = place_of(state.end, state.rv.at(tau), state.vv.at(tau));
     if (any_of(state.active && !(place == state.place))) {
         state.place = select(state.active, place, state.place);
-        state.search.form = form_for(state.forms, state.place);
+        state.search.form = form_for(passage_forms(pair, v), state.place, state.end);
     }
     take_step(state.search, pair);
     state.active = state.search.active;
@@ -136,9 +134,9 @@ PW85_INLINE PackMask is_rounding_harmless(LanePair<3> const &pair, Vector<Pack, 
 }
 
 /// How much later the best time is at τ' than at τ, from the divided differences of its numerator and denominator.
-PW85_INLINE Pack delay_of(PassageForms const &forms, Pack const &tau, Pack const &next) noexcept
+PW85_INLINE Pack delay_of(PassageSearch const &state, Pack const &tau, Pack const &next) noexcept
 {
-    auto const &rv = forms.rv, &vv = forms.vv;
+    auto const &rv = state.rv, &vv = state.vv;
     Pack const sum = tau + next, at = rv.at(tau), norm = vv.at(tau);
     Pack const slope = at * (vv.c[2] * sum + vv.c[1]) - norm * (rv.c[2] * sum + rv.c[1]);
     return Pack(Pack(next - tau) * slope) / Pack(norm * vv.at(next));
@@ -147,19 +145,18 @@ PW85_INLINE Pack delay_of(PassageForms const &forms, Pack const &tau, Pack const
 /// The value at the last τ, by the quadratic forms. The time includes the last step.
 PW85_INLINE LanePassage finish(PassageSearch const &state, LanePair<3> const &pair, Vector<Pack, 3> const &v) noexcept
 {
-    auto const &forms = state.forms;
     Pack const tau = state.search.candidate.t;
     auto const adj = adjugate(blend(pair.q1, tau, pair.q2));
     auto const p = product(adj, v);
     Pack const rv = dot(pair.r12, p), vv = dot(v, p), best = -rv / vv;
-    Pack const t = minimum(maximum(best, Pack(0.0)), forms.end);
+    Pack const t = minimum(maximum(best, Pack(0.0)), state.end);
     auto const at_t = pair_of(add_scaled(pair.r12, t, v), pair.q1, pair.q2);
     auto const last = last_evaluation(at_t, state.search.candidate);
     auto const between = state.place == Pack(0.0);
-    Pack const moved = best + delay_of(forms, tau, Pack(tau + tau * last.value.step));
-    Pack const time = select(between, minimum(maximum(moved, Pack(0.0)), forms.end), t);
+    Pack const moved = best + delay_of(state, tau, Pack(tau + tau * last.value.step));
+    Pack const time = select(between, minimum(maximum(moved, Pack(0.0)), state.end), t);
     return {last.value.mu2, time,
-            last.certain && place_of(forms, rv, vv) == state.place &&
+            last.certain && place_of(state.end, rv, vv) == state.place &&
                 is_rounding_harmless(pair, v, t, adj, dot(at_t.r12, product(adj, at_t.r12))) && state.valid};
 }
 
@@ -167,12 +164,12 @@ PW85_INLINE LanePassage finish(PassageSearch const &state, LanePair<3> const &pa
 PW85_INLINE void compute_chunk(kernels::PairArrays<3> const &rows, Chunk const &chunk,
                                kernels::PassageArrays const &out, kernels::Worklist &left_over) noexcept
 {
-    LanePair<3> pairs[passage_packs];
-    Vector<Pack, 3> velocities[passage_packs];
-    PassageSearch searches[passage_packs];
+    LanePair<3> pairs[packs_per_chunk];
+    Vector<Pack, 3> velocities[packs_per_chunk];
+    PassageSearch searches[packs_per_chunk];
     auto const [begin, count, chunk_end] = chunk;
     std::size_t const packs = (count + lanes - 1) / lanes;
-    for (std::size_t k = 0; k < packs && k < passage_packs; ++k) {
+    for (std::size_t k = 0; k < packs && k < packs_per_chunk; ++k) {
         std::size_t const first = begin + k * lanes, left = count - k * lanes;
         double const *velocity[lanes];
         for (std::size_t i = 0; i < lanes; ++i)
@@ -181,9 +178,10 @@ PW85_INLINE void compute_chunk(kernels::PairArrays<3> const &rows, Chunk const &
         velocities[k] = load_vectors<Pack, 3>(velocity);
         start(searches[k], pairs[k], velocities[k], Pack(out.t_max));
     }
-    run(searches, packs, max_rational_steps,
-        [&](std::size_t k) { take_passage_step(searches[k], pair_of(pairs[k].r12, pairs[k].q1, pairs[k].q2)); });
-    for (std::size_t k = 0; k < packs && k < passage_packs; ++k) {
+    run(searches, packs, max_rational_steps, [&](std::size_t k) {
+        take_passage_step(searches[k], pair_of(pairs[k].r12, pairs[k].q1, pairs[k].q2), velocities[k]);
+    });
+    for (std::size_t k = 0; k < packs && k < packs_per_chunk; ++k) {
         std::size_t const first = begin + k * lanes, left = count - k * lanes;
         auto const passage = finish(searches[k], pairs[k], velocities[k]);
         store_lanes(passage.mu2, left, out.mu2 + first);

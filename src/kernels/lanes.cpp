@@ -16,7 +16,6 @@ namespace {
 /// The number of pairs of a chunk.
 template <class Arrays> constexpr std::size_t chunk_size = contact_chunk_size;
 template <> constexpr std::size_t chunk_size<OverlapArray> = overlap_chunk_size;
-template <> constexpr std::size_t chunk_size<PassageArrays> = passage_chunk_size;
 
 /// Computes chunk after chunk. It stops when there may be no room for the pairs that the next chunk leaves over.
 template <class Rows, class Arrays>
