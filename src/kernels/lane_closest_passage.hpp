@@ -1,14 +1,14 @@
 /// @file
-/// The kernel for closest passages, one pair per lane: the search of the contact function (lane_contact.hpp) on the rational form of the
-/// least f over the range of t. lanes.cpp puts it into its table.
+/// The kernel for closest passages, one pair per lane: the search of the contact function (lane_contact.hpp) on the rational form
+/// of the least f over the range of t. lanes.cpp puts it into its table.
 ///
 /// With M = Q1 + τ Q2, adj its adjugate, b its determinant and w = r × v:
 ///
-/// 1. The best t on the whole line is -rᵀadj v/(vᵀadj v). There (r + tv)ᵀM⁻¹(r + tv) = wᵀMw/(vᵀadj v), because the minors of the adjugate
-///    are b times the entries of M.
+/// 1. The best t on the whole line is -rᵀadj v/(vᵀadj v). There (r + tv)ᵀM⁻¹(r + tv) = wᵀMw/(vᵀadj v), because the minors of the
+///    adjugate are b times the entries of M.
 /// 2. Where that t is not in the range, t is the nearer end, and the form is (r + tv)ᵀadj(r + tv)/b.
-/// 3. By the envelope theorem the derivative of f in τ is the same in both cases. So the search takes each step on the form that belongs to
-///    its τ. If the last evaluation is on another form than the step before, the pair is left over.
+/// 3. By the envelope theorem the derivative of f in τ is the same in both cases. So the search takes each step on the form that
+///    belongs to its τ. If the last evaluation is on another form than the step before, the pair is left over.
 #ifndef PW85_KERNELS_LANE_CLOSEST_PASSAGE_HPP_INCLUDED
 #define PW85_KERNELS_LANE_CLOSEST_PASSAGE_HPP_INCLUDED
 
@@ -31,7 +31,8 @@ struct PassageForms {
     Pack w[2];           ///< wᵀQ1w, wᵀQ2w
 };
 
-/// A search, and the place of its last step: -1 and 1 for the ends of the range of t, 0 between them. The forms are not kept, to save stack.
+/// A search, and the place of its last step: -1 and 1 for the ends of the range of t, 0 between them. The forms are not kept, to
+/// save stack.
 struct PassageSearch {
     Parabola rv, vv; ///< of the forms
     Pack end;        ///< of the range of t
@@ -119,9 +120,10 @@ struct LanePassage {
     PackMask certain;
 };
 
-/// Whether the rounding of t, of t v and of r + tv is harmless: the condition of is_rounding_harmless() (motion/closest_passage.hpp), with
-/// everything times det M. `form` is (r + tv)ᵀadj(r + tv), of which S is at least three times. The factor 16 leaves room for the roundings
-/// of the two dot products that give t. So t is best for τ, up to an error of u S in μ².
+/// Whether the rounding of t, of t v and of r + tv is harmless: the condition of is_rounding_harmless()
+/// (motion/closest_passage.hpp), with everything times det M. `form` is (r + tv)ᵀadj(r + tv), of which S is at least three times.
+/// The factor 16 leaves room for the roundings of the two dot products that give t. So t is best for τ, up to an error of u S in
+/// μ².
 PW85_INLINE PackMask is_rounding_harmless(LanePair<3> const &pair, Vector<Pack, 3> const &v, Pack const &t,
                                           SymmetricMatrix<Pack, 3> const &adj, Pack const &form) noexcept
 {
