@@ -81,8 +81,8 @@ template <class T, int D> Check<D> check_point(Sample<T, D> const &sample, pw85:
     return check;
 }
 
-/// The bound of the header, and that the point is on ellipsoid 2, where xᵀQ1⁻¹x is κ². The point errs by 8 u of each number, and its own
-/// rounding changes xᵀQ1⁻¹x by 2u Σ|n_i x_i|, which is below 2 u S.
+/// The bound of the header, and that the point is on ellipsoid 2, where xᵀQ1⁻¹x is κ². The point errs by 8 u of each number, and
+/// its own rounding changes xᵀQ1⁻¹x by 2u Σ|n_i x_i|, which is below 2 u S.
 template <class T, int D> void compare(Sample<T, D> const &s, Failures &failures)
 {
     auto const describe = [&] { return hex_text(s); };
@@ -100,8 +100,8 @@ template <class T, int D> void compare(Sample<T, D> const &s, Failures &failures
     failures.check(gauge <= 32, "value at the point", static_cast<double>(gauge), 32, describe);
 }
 
-/// Ellipsoids without off-diagonal entries, and with a separation that has no part, or a tiny one, along some axes. The forms may have equal
-/// axes, or be equal.
+/// Ellipsoids without off-diagonal entries, and with a separation that has no part, or a tiny one, along some axes. The forms may
+/// have equal axes, or be equal.
 template <int D> Sample<double, D> aligned(Random &random, Sample<double, D> s)
 {
     for (int i = 0; i < D; ++i)

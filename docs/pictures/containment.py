@@ -24,6 +24,6 @@ for ax, place in zip(axes, PLACES):
     ax.plot(*outline([0, 0], OUTER, np.sqrt(mu2)), color=BLUE, linestyle="--")
     ax.plot(*point, "o", color=BLACK, markersize=5)
     ax.set_title(f"$\\kappa = {np.sqrt(mu2):.3f}$")
-    ax.set(xlim=(-5.0, 5.0), ylim=(-3.6, 3.6), aspect="equal")
+    ax.set(xlim=(-5.6, 5.6), ylim=(-4.0, 4.0), aspect="equal")
     ax.axis("off")
 save(fig, "containment.svg")

@@ -1,21 +1,23 @@
 /// @file
-/// The least contact function of two ellipsoids when one passes the other on a straight way: the least μ² of the separations r + t v, 0 <=
-/// t <= t_max. pw85.hpp and the C API use this file.
+/// The least contact function of two ellipsoids when one passes the other on a straight way: the least μ² of the separations r + t
+/// v, 0 <= t <= t_max. pw85.hpp and the C API use this file.
 ///
-/// 1. For fixed forms μ is a norm of the separation. So μ² is a convex function of t, strictly so for v != 0: its least value has one t.
-///    If the least value on the whole line is not in the range, the nearer end of the range has it.
-/// 2. The least over t of the largest f over λ is the largest over λ of the least f over t, because f is convex in t and concave in λ. For
-///    fixed λ, with W = [(1-λ)Q1 + λQ2]⁻¹, the best t on the line is -rᵀWv/vᵀWv.
-/// 3. Let P be a projection along v to the plane across v. The least (r + tv)ᵀW(r + tv) is (Pr)ᵀ[(1-λ) PQ1Pᵀ + λ PQ2Pᵀ]⁻¹ Pr. So on the whole
-///    line the least μ² is the contact function of the shadows of the ellipsoids along v, in two dimensions, and has the same λ.
+/// 1. For fixed forms μ is a norm of the separation. So μ² is a convex function of t, strictly so for v != 0: its least value has
+///    one t. If the least value on the whole line is not in the range, the nearer end of the range has it.
+/// 2. The least over t of the largest f over λ is the largest over λ of the least f over t, because f is convex in t and concave in
+///    λ. For fixed λ, with W = [(1-λ)Q1 + λQ2]⁻¹, the best t on the line is -rᵀWv/vᵀWv.
+/// 3. Let P be a projection along v to the plane across v. The least (r + tv)ᵀW(r + tv) is (Pr)ᵀ[(1-λ) PQ1Pᵀ + λ PQ2Pᵀ]⁻¹ Pr. So on
+///    the whole line the least μ² is the contact function of the shadows of the ellipsoids along v, in two dimensions, and has the
+///    same λ.
 /// 4. For any λ and t, let n = W(r + tv). The least f at λ is f(λ, t) - λ(1-λ)(v·n)²/(vᵀWv), because the best t differs from t by
 ///    -v·n/(vᵀWv). So λ bounds the result from below, t bounds it from above, and the bounds differ by that term.
 ///
-/// The shadows give λ and t, and the pair at t gives μ². If the bounds differ by more than rounding errors, new t and λ follow from each
-/// other. If they still differ, or if r + tv cancels so much that its rounding matters, the shadows are computed with wider numbers.
+/// The shadows give λ and t, and the pair at t gives μ². If the bounds differ by more than rounding errors, new t and λ follow from
+/// each other. If they still differ, or if r + tv cancels so much that its rounding matters, the shadows are computed with wider
+/// numbers.
 ///
-/// The error of μ² is 4 u S for the contact function at t, 2 u S for the rounding of r + tv, u S for the difference of the bounds, and u S/64
-/// for the terms of second order: less than 8 u S in all.
+/// The error of μ² is 4 u S for the contact function at t, 2 u S for the rounding of r + tv, u S for the difference of the bounds,
+/// and u S/64 for the terms of second order: less than 8 u S in all.
 #ifndef PW85_MOTION_CLOSEST_PASSAGE_HPP_INCLUDED
 #define PW85_MOTION_CLOSEST_PASSAGE_HPP_INCLUDED
 
@@ -41,8 +43,8 @@ template <class T> struct Way {
     T end;
 };
 
-/// Rows of the projection P along v to the plane across v. With the largest coordinate v_k they are v_j e_k - v_k e_j for the other j.
-/// They are orthogonal to v without rounding.
+/// Rows of the projection P along v to the plane across v. With the largest coordinate v_k they are v_j e_k - v_k e_j for the other
+/// j. They are orthogonal to v without rounding.
 template <class T> struct Projection {
     Vector<T, 3> rows[2];
 };
@@ -118,8 +120,8 @@ template <class T, int D> PW85_FUNCTION inline StationaryValue<T> largest_f(Pair
     return last_evaluation(pair, candidate, Precision::working).value;
 }
 
-/// closest_passage() by wider numbers: on the whole line by the shadows, or at an end of the range by the pair there. If the way leads
-/// through the centre, the separation of the shadows is 0 without rounding.
+/// closest_passage() by wider numbers: on the whole line by the shadows, or at an end of the range by the pair there. If the way
+/// leads through the centre, the separation of the shadows is 0 without rounding.
 template <class W, class T>
 [[gnu::noinline, gnu::cold]] PW85_FUNCTION inline ClosestPassage<T> find_closest_passage_in(Way<T> const &way) noexcept
 {
@@ -140,9 +142,10 @@ template <class T> struct PassageStep {
     bool best; ///< whether the bounds of item 4 agree to rounding, or the range of the time ends there
 };
 
-/// Whether the rounding of t, of t v and of r + t v is harmless at t. It changes a coordinate of the separation by δ_i <= u x_i with x_i =
-/// |r_i| + 2t |v_i|. To first order in δ, μ² changes by less than 2 u S. The term of second order is λ(1-λ) δᵀM⁻¹δ, where δᵀM⁻¹δ <= 3 u² Σ x_i²
-/// (M⁻¹)_ii. It must be less than u S/64, so that S, which is computed at the rounded separation, is right.
+/// Whether the rounding of t, of t v and of r + t v is harmless at t. It changes a coordinate of the separation by δ_i <= u x_i
+/// with x_i = |r_i| + 2t |v_i|. To first order in δ, μ² changes by less than 2 u S. The term of second order is λ(1-λ) δᵀM⁻¹δ,
+/// where δᵀM⁻¹δ <= 3 u² Σ x_i² (M⁻¹)_ii. It must be less than u S/64, so that S, which is computed at the rounded separation, is
+/// right.
 template <class T> PW85_FUNCTION inline bool
 is_rounding_harmless(Way<T> const &way, T const &t, Factorization<T, 3> const &factors, T const &sum) noexcept
 {
@@ -155,7 +158,8 @@ is_rounding_harmless(Way<T> const &way, T const &t, Factorization<T, 3> const &f
     return t == T(0) || T(T(192 * unit_roundoff<T>()) * second) <= sum;
 }
 
-/// Computes the step at t. With S, the sum of condition_sum() and the terms of r and of t v, the bounds of item 4 agree if they differ by u S.
+/// Computes the step at t. With S, the sum of condition_sum() and the terms of r and of t v, the bounds of item 4 agree if they
+/// differ by u S.
 template <class T> PW85_FUNCTION inline PassageStep<T> step_at(Way<T> const &way, T const &t) noexcept
 {
     auto const pair = pair_at(way, t);

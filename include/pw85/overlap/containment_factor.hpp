@@ -4,23 +4,23 @@
 /// κ² is the largest xᵀQ1⁻¹x over ellipsoid 2. For ν > 0 let M = Q1 - Q2/ν and n = M⁻¹r.
 ///
 /// 1. For each n, κ is at least (√(nᵀQ2n) + |n·r|)/√(nᵀQ1n): ellipsoid 2 reaches that far along n. The best n has this value.
-/// 2. For each ν with M positive definite, κ² <= g(ν) = ν + rᵀM⁻¹r. For, if x - r = y with yᵀQ2⁻¹y <= 1, then xᵀQ1⁻¹x <= ν + rᵀM⁻¹r +
-///    (xᵀQ1⁻¹x - ν yᵀQ2⁻¹y - rᵀM⁻¹r), and the bracket is a concave function of x, whose largest value is 0. The S-lemma says that the
-///    least g is κ².
-/// 3. g is convex, with g' = 1 - e and e = nᵀQ2n/ν². In the eigenbasis of the pencil, √e is the norm of the vector of √ci/(ν - di), with
-///    the eigenvalues di of Q1⁻¹Q2 and the coordinates √ci of the separation. 1/√e is a concave function that increases, as a mean of
-///    order -2 of linear functions. So Newton's method on 1/√e = 1 increases monotonically after its first step, if M stays positive
-///    definite.
-/// 4. If r is orthogonal to the eigenvectors of the largest eigenvalue ν1, e may be below 1 for all ν > ν1. Then ν = ν1. M is singular
-///    there, and n is the limit of M⁻¹r plus an eigenvector z of such a length that e = 1. The ellipsoids touch at two points or more,
-///    which differ by the sign of z, or by its direction in the eigenspace. This is so for r = 0.
-/// 5. κ² is stationary in n and in ν. By the envelope theorem ∂κ²/∂r = 2n, ∂κ²/∂Q1 = -n nᵀ and ∂κ²/∂Q2 = n nᵀ/ν, with nᵀQ1n = κ² and
-///    nᵀQ2n = ν². So relative errors u of the data, entry by entry, change κ² by u S with
+/// 2. For each ν with M positive definite, κ² <= g(ν) = ν + rᵀM⁻¹r. For, if x - r = y with yᵀQ2⁻¹y <= 1, then xᵀQ1⁻¹x <= ν + rᵀM⁻¹r
+///    + (xᵀQ1⁻¹x - ν yᵀQ2⁻¹y - rᵀM⁻¹r), and the bracket is a concave function of x, whose largest value is 0. The S-lemma says that
+///    the least g is κ².
+/// 3. g is convex, with g' = 1 - e and e = nᵀQ2n/ν². In the eigenbasis of the pencil, √e is the norm of the vector of √ci/(ν - di),
+///    with the eigenvalues di of Q1⁻¹Q2 and the coordinates √ci of the separation. 1/√e is a concave function that increases, as a
+///    mean of order -2 of linear functions. So Newton's method on 1/√e = 1 increases monotonically after its first step, if M stays
+///    positive definite.
+/// 4. If r is orthogonal to the eigenvectors of the largest eigenvalue ν1, e may be below 1 for all ν > ν1. Then ν = ν1. M is
+///    singular there, and n is the limit of M⁻¹r plus an eigenvector z of such a length that e = 1. The ellipsoids touch at two
+///    points or more, which differ by the sign of z, or by its direction in the eigenspace. This is so for r = 0.
+/// 5. κ² is stationary in n and in ν. By the envelope theorem ∂κ²/∂r = 2n, ∂κ²/∂Q1 = -n nᵀ and ∂κ²/∂Q2 = n nᵀ/ν, with nᵀQ1n = κ²
+///    and nᵀQ2n = ν². So relative errors u of the data, entry by entry, change κ² by u S with
 ///        S = Σ|n_i|(|Q1_ij| + |Q2_ij|/ν)|n_j| + 2 Σ|r_i n_i|.
 ///
-/// The rounding of M is like relative errors u of the data, which S counts. The search stops where the bounds of items 1 and 2 differ by 4 u
-/// S. If rounding errors prevent this, wider numbers repeat the search. The value of item 1 errs by 8 u S + 6 u κ² (see shows_outside() in
-/// containment.hpp), where S >= 2 κ². So the result errs by less than 16 u S.
+/// The rounding of M is like relative errors u of the data, which S counts. The search stops where the bounds of items 1 and 2
+/// differ by 4 u S. If rounding errors prevent this, wider numbers repeat the search. The value of item 1 errs by 8 u S + 6 u κ²
+/// (see shows_outside() in containment.hpp), where S >= 2 κ². So the result errs by less than 16 u S.
 #ifndef PW85_OVERLAP_CONTAINMENT_FACTOR_HPP_INCLUDED
 #define PW85_OVERLAP_CONTAINMENT_FACTOR_HPP_INCLUDED
 
@@ -54,8 +54,8 @@ template <class T, int D> struct ScaledContainedPair {
     int form;   ///< Q1 is that of the pair times 4^form
 };
 
-/// Scales a valid pair by powers of two. A form Q2 that is much smaller than r is enlarged to a fixed small size. The forms that T can
-/// hold are flat by so little that this changes nothing in κ² beyond rounding.
+/// Scales a valid pair by powers of two. A form Q2 that is much smaller than r is enlarged to a fixed small size. The forms that T
+/// can hold are flat by so little that this changes nothing in κ² beyond rounding.
 template <class T, int D>
 PW85_FUNCTION inline ScaledContainedPair<T, D> scale_contained(Pair<T, D> const &pair) noexcept
 {
@@ -105,8 +105,8 @@ template <class T, int D> struct GaugeStep {
     T e, next;
 };
 
-/// n, and g from its residual ρ = r - Mn: rᵀM⁻¹r = 2rᵀn - nᵀMn + ρᵀM⁻¹ρ. Newton's step follows from e' = -2e (c/q + ν)/ν², where q = nᵀQ2n
-/// and c = nᵀQ2M⁻¹Q2n.
+/// n, and g from its residual ρ = r - Mn: rᵀM⁻¹r = 2rᵀn - nᵀMn + ρᵀM⁻¹ρ. Newton's step follows from e' = -2e (c/q + ν)/ν², where q
+/// = nᵀQ2n and c = nᵀQ2M⁻¹Q2n.
 template <class T, int D>
 PW85_FUNCTION inline GaugeStep<T, D> take_gauge_step(ContainedPair<T, D> const &pair, SymmetricMatrix<T, D> const &m,
                                                      Factorization<T, D> const &factors, T const &nu) noexcept
@@ -120,7 +120,8 @@ PW85_FUNCTION inline GaugeStep<T, D> take_gauge_step(ContainedPair<T, D> const &
     return {n, upper, root, T(nu + T(T(nu * (root - T(1))) / (T(1) + c / nu)))};
 }
 
-/// A vector z that makes zᵀMz small: inverse iteration on M z = x Q2 z, which begins with the pivot that is smallest relative to Q2.
+/// A vector z that makes zᵀMz small: inverse iteration on M z = x Q2 z, which begins with the pivot that is smallest relative to
+/// Q2.
 template <class T, int D> PW85_FUNCTION inline Vector<T, D>
 near_null_vector(SymmetricMatrix<T, D> const &q2, Factorization<T, D> const &factors) noexcept
 {
@@ -167,10 +168,10 @@ is_settled(ContainedPair<T, D> const &pair, GaugeSearch<T, D> const &search, T c
     return mu2 > T(0) && (gap <= tolerance * mu2 || gap <= T(tolerance * reach_condition_sum(pair, search.best)));
 }
 
-/// Whether a matrix is positive definite, if its factorisation is subject to rounding errors. The factors are exact for a matrix that
-/// differs from M by at most 6 u √(M_ii M_jj) in each entry (N. J. Higham, Accuracy and Stability of Numerical Algorithms, SIAM 2002,
-/// section 10.1, with one more rounding for the reciprocal pivots). With M scaled to a unit diagonal, its eigenvalues change by 18 u. The
-/// smallest one is at least 4/9 of the determinant, and at least 1/condition().
+/// Whether a matrix is positive definite, if its factorisation is subject to rounding errors. The factors are exact for a matrix
+/// that differs from M by at most 6 u √(M_ii M_jj) in each entry (N. J. Higham, Accuracy and Stability of Numerical Algorithms,
+/// SIAM 2002, section 10.1, with one more rounding for the reciprocal pivots). With M scaled to a unit diagonal, its eigenvalues
+/// change by 18 u. The smallest one is at least 4/9 of the determinant, and at least 1/condition().
 template <class T, int D>
 PW85_FUNCTION inline bool exceeds_rounding(SymmetricMatrix<T, D> const &m, Factorization<T, D> const &factors) noexcept
 {
@@ -203,13 +204,13 @@ PW85_FUNCTION inline T evaluate_at(ContainedPair<T, D> const &pair, GaugeSearch<
     return step.next;
 }
 
-/// The number of steps. Bisection of a factor of two to the last digit takes as many steps as there are digits. Between two of them there may
-/// be one of each other kind.
+/// The number of steps. Bisection of a factor of two to the last digit takes as many steps as there are digits. Between two of them
+/// there may be one of each other kind.
 template <class T> PW85_FUNCTION constexpr int max_gauge_steps() noexcept { return 3 * mantissa_digits<T>() + 40; }
 
-/// The next ν where Newton's method leaves the bracket, as it does for a minimum at ν1. Near the minimum the ν of the best reach errs by the
-/// square of the error of n. So the next one is above it by the square of its distance from the upper end, as long as this halves the
-/// bracket. Otherwise it is in the middle of the bracket.
+/// The next ν where Newton's method leaves the bracket, as it does for a minimum at ν1. Near the minimum the ν of the best reach
+/// errs by the square of the error of n. So the next one is above it by the square of its distance from the upper end, as long as
+/// this halves the bracket. Otherwise it is in the middle of the bracket.
 template <class T, int D> PW85_FUNCTION inline T next_in_bracket(GaugeSearch<T, D> &search) noexcept
 {
     if (!(search.upper < largest_number<T>())) return T(2) * search.lower;
@@ -234,7 +235,8 @@ search_gauge(ContainedPair<T, D> const &pair, GaugeSearch<T, D> &search, T nu, T
     return false;
 }
 
-/// A ν at which M is positive definite: the larger of the trace of Q1⁻¹Q2 and of the ν that balls with the extents along r would have.
+/// A ν at which M is positive definite: the larger of the trace of Q1⁻¹Q2 and of the ν that balls with the extents along r would
+/// have.
 template <class T, int D> PW85_FUNCTION inline T initial_nu(ContainedPair<T, D> const &pair) noexcept
 {
     auto const factors = factorize(pair.q1, T(unit_roundoff<T>()));
@@ -257,7 +259,8 @@ template <class T, int D> struct GaugeMinimum {
     bool settled;
 };
 
-/// Searches with numbers of type W, which may be wider than those of the pair. The point is r + Q2n/√(nᵀQ2n), on the surface of ellipsoid
+/// Searches with numbers of type W, which may be wider than those of the pair. The point is r + Q2n/√(nᵀQ2n), on the surface of
+/// ellipsoid
 /// 2. The largest Q2ii/Q1ii is a lower bound on λmax(Q1⁻¹Q2), and hence on ν.
 template <class W, class T, int D> [[gnu::noinline]] PW85_FUNCTION inline GaugeMinimum<T, D>
 find_gauge(ContainedPair<T, D> const &pair, W const &tolerance) noexcept
