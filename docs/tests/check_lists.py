@@ -15,6 +15,8 @@ SOURCE = Path(sys.argv[1])
 ELSEWHERE = {
     "version": "of the compiled library; in C++ it is headers only",
     "strerror": "in C++ in status.hpp",
+    "set_reproducible": "of the compiled library",
+    "is_reproducible": "of the compiled library",
     "contact_function": "Brent's method; in the compiled library only",
     "f_neg": "evaluate_f() of contact/evaluation.hpp",
     "_residual": "a building block of 1.0's programs",
