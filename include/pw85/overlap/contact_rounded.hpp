@@ -128,9 +128,9 @@ template <class W> struct BoundedEvaluation {
     RunningError<W> slope, curvature, lambda, complement, mu2;
 };
 
-/// Evaluates with the solution s of the adjugate.
-template <class W, int D>
-PW85_FUNCTION inline BoundedEvaluation<W> evaluate_with_bounds(Pair<W, D> const &exact, W const &t) noexcept
+/// Evaluates with the solution s of the adjugate. The function is not inlined, because its numbers need much stack.
+template <class W, int D> [[gnu::noinline, gnu::cold]] PW85_FUNCTION inline BoundedEvaluation<W>
+evaluate_with_bounds(Pair<W, D> const &exact, W const &t) noexcept
 {
     using B = RunningError<W>;
     auto const r12 = converted<B>(exact.r12);
