@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <cstring>
+#include <limits>
 #include <vector>
 
 #include "../src/gpu/work.hpp"
@@ -172,6 +173,22 @@ void check_comparison(Input const &in)
     int one = 7, row = 7;
     int const of_one = pw85_compare(in.r12, in.q1, in.q2, mu2, &one);
     if (pw85_compare_batch(1, in.r12, in.q1, in.q2, &mu2, &row) != of_one || row != one) fail("compare_batch", in);
+}
+
+// A rounded μ² is between its neighbours, and the same for both orders of the ellipsoids.
+void check_rounding(Input const &in)
+{
+    double const infinity = std::numeric_limits<double>::infinity(), back[3] = {-in.r12[0], -in.r12[1], -in.r12[2]};
+    double out[2], exchanged[2], contact[2];
+    int const status = pw85_contact_rounded(in.r12, in.q1, in.q2, out);
+    if (pw85_contact(in.r12, in.q1, in.q2, contact) != status) fail("contact_rounded: status", in);
+    if (status != PW85_SUCCESS) return;
+    pw85_contact_rounded(back, in.q2, in.q1, exchanged);
+    if (!(out[0] >= 0.0 && out[0] == exchanged[0])) fail("contact_rounded: exchanged", in);
+    int below = 1, above = -1;
+    if (out[0] > 0.0) pw85_compare(in.r12, in.q1, in.q2, std::nextafter(out[0], 0.0), &below);
+    if (out[0] < infinity) pw85_compare(in.r12, in.q1, in.q2, std::nextafter(out[0], infinity), &above);
+    if (below != 1 || above != -1) fail("contact_rounded", in);
 }
 
 // What is inside overlaps.
@@ -352,6 +369,7 @@ extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const *data, std::size_t size
     check_flat_pair(in);
     check_spheroid(in);
     check_comparison(in);
+    check_rounding(in);
     check_containment(in);
     check_distance(in);
     check_penetration(in);

@@ -9,6 +9,7 @@
 #ifndef PW85_OVERLAP_CONTACT_ROUNDED_HPP_INCLUDED
 #define PW85_OVERLAP_CONTACT_ROUNDED_HPP_INCLUDED
 
+#include <pw85/algebra/running_error.hpp>
 #include <pw85/contact/enclosure.hpp>
 #include <pw85/overlap/exact.hpp>
 #include <pw85/overlap/witness.hpp>
@@ -95,14 +96,26 @@ template <class T, int D> PW85_FUNCTION inline MaximumBounds<T> bound_maximum(Sc
     return bounds;
 }
 
-/// A pair in extended numbers. The ratio of the units is exact for sizes of any ratio.
-template <class T, int D>
-PW85_FUNCTION inline Pair<exact::Extended<T>, D> extended_pair(ScaledPair<T, D> const &scaled, int ratio) noexcept
+/// A pair in extended numbers, whose units differ by 2^ratio, and a guess of t. Half of the ratio is left to Q2. So t is of order
+/// one for sizes of any ratio.
+template <class T, int D> struct ExtendedStart {
+    Pair<exact::Extended<T>, D> pair;
+    exact::Extended<T> t;
+};
+
+template <class T, int D> PW85_FUNCTION inline ExtendedStart<T, D> extended_start(ScaledPair<T, D> const &scaled,
+                                                                                  int ratio, T const &guess) noexcept
 {
     using W = exact::Extended<T>;
-    auto pair = widened<W>(scaled.pair);
-    if (!(scaled.pair.ratio == T(1))) pair.ratio = scaled_by(W(1), ratio);
-    return pair;
+    ExtendedStart<T, D> start{widened<W>(scaled.pair), W(guess)};
+    if (!(scaled.pair.ratio == T(1))) {
+        int const half = ratio / 2;
+        for (int k = 0; k < start.pair.q2.size; ++k) start.pair.q2[k] = scaled_by(start.pair.q2[k], -2 * half);
+        start.pair.ratio = scaled_by(W(1), ratio - half);
+        start.t = scaled_by(start.t, 2 * half);
+    }
+    start.t = start_from(start.pair, start.t);
+    return start;
 }
 
 /// μ² and λ to all digits of extended numbers, rounded. λ is NaN if its last digit is not proved.
@@ -110,30 +123,25 @@ template <class T> struct ExtendedMaximum {
     T mu2, lambda;
 };
 
-/// A bound on the eigenvalues of Q relative to M, at most 1. With M scaled to a unit diagonal, it is the trace of Q over the
-/// smallest eigenvalue of M, which is at least 4d/9.
-template <class T, int D> PW85_FUNCTION inline T largest_share(SymmetricMatrix<T, D> const &q,
-                                                               SymmetricMatrix<T, D> const &m, T const &d) noexcept
-{
-    T sum = T(0);
-    for (int i = 0; i < D; ++i) sum = sum + q(i, i) / m(i, i);
-    return minimum(T(1), T(T(2.25) * sum / d));
-}
+/// z, S, λ, 1-λ and f at t (contact/enclosure.hpp), with bounds on their errors.
+template <class W> struct BoundedEvaluation {
+    RunningError<W> slope, curvature, lambda, complement, mu2;
+};
 
-/// Bounds on the errors of z and S that are computed from the solution s of the adjugate. s errs by η of itself in the norm of M.
-/// Let π1 and π2 be largest_share() of Q1 and of t Q2. Then A and tB are at most π1 R and π2 R. A errs by 2η π1 R to first order,
-/// and its rounding errors are below η π1 R; the same holds for tB. S is a form with eigenvalues p (1 - p), which are at most π1
-/// and π2. It errs by 2η of the smaller one times R, and by as much again from the solution v and from rounding.
-template <class W, int D>
-PW85_FUNCTION inline Stationarity<W> stationarity_of(Pair<W, D> const &pair, W const &t, SymmetricMatrix<W, D> const &m,
-                                                     W const &lambda, W const &complement, Vector<W, D> const &s,
-                                                     AdjugateInverse<W, D> const &inverse) noexcept
+/// Evaluates with the solution s of the adjugate. The function is not inlined, because its numbers need much stack.
+template <class W, int D> [[gnu::noinline, gnu::cold]] PW85_FUNCTION inline BoundedEvaluation<W>
+evaluate_with_bounds(Pair<W, D> const &exact, W const &t) noexcept
 {
-    auto const y1 = product(pair.q1, s), y2 = t * product(pair.q2, s);
-    W const d = W(1) / (inverse.reciprocal * diagonal_product(m)), noise = inverse.error * (dot(s, y1) + dot(s, y2));
-    W const share1 = largest_share(pair.q1, m, d), share2 = largest_share(t * pair.q2, m, d);
-    return {complement * dot(s, y1) - lambda * dot(s, y2), W(5) * noise * (complement * share1 + lambda * share2),
-            dot(solve(inverse, y2), y1), W(4) * noise * minimum(share1, share2)};
+    using B = RunningError<W>;
+    auto const r12 = converted<B>(exact.r12);
+    auto const q1 = converted<B>(exact.q1), q2 = B(t) * converted<B>(exact.q2);
+    auto const m = blend(q1, B(W(1)), q2);
+    auto const adj = adjugate(m);
+    B const reciprocal = reciprocal_of(determinant(m, adj));
+    auto const s = reciprocal * product(adj, r12), y1 = product(q1, s), y2 = product(q2, s);
+    B const tau(exact.ratio * exact.ratio * t), complement = reciprocal_of(B(W(1)) + tau), lambda = tau * complement;
+    return {complement * dot(s, y1) - lambda * dot(s, y2), dot(reciprocal * product(adj, y2), y1), lambda, complement,
+            lambda * dot(r12, s)};
 }
 
 /// Step 2, for a valid pair with r12 != 0 whose units differ by 2^ratio.
@@ -141,19 +149,13 @@ template <class T, int D> [[gnu::noinline, gnu::cold]] PW85_FUNCTION inline Exte
 maximize_to_all_digits(ScaledPair<T, D> const &scaled, int ratio, T const &guess) noexcept
 {
     using W = exact::Extended<T>;
-    auto const pair = extended_pair(scaled, ratio);
-    W const t = precise_maximiser(pair, start_from(pair, W(guess))), tau = pair.ratio * pair.ratio * t;
-    W const complement = W(1) / (W(1) + tau), lambda = tau * complement;
-    auto const m = blend(pair.q1, t, pair.q2);
-    auto const inverse = invert_by_adjugate(m);
-    auto const s = solve(inverse, pair.r12);
-    auto const step = prove_step(stationarity_of(pair, t, m, lambda, complement, s, inverse));
-    W const change = lambda * complement * step.step;
-    bool const proved =
-        inverse.error > W(0) && inverse.error <= W(0.0625) && step.proved && step.error <= W(largest_lambda_error<T>());
-    T const result = rounded(scaled.swapped ? complement - change : lambda + change);
-    return {rounded(scaled_by(lambda * dot(pair.r12, s), 2 * (scaled.length - scaled.form))),
-            proved ? result : quiet_nan<T>()};
+    auto const [pair, start] = extended_start(scaled, ratio, guess);
+    auto const [slope, curvature, lambda, complement, mu2] = evaluate_with_bounds(pair, precise_maximiser(pair, start));
+    auto const step = prove_step(Stationarity<W>{slope.value, slope.error, curvature.value, curvature.error});
+    W const change = lambda.value * complement.value * step.step;
+    bool const proved = step.proved && step.error <= W(largest_lambda_error<T>());
+    T const result = rounded(scaled.swapped ? complement.value - change : lambda.value + change);
+    return {rounded(scaled_by(mu2.value, 2 * (scaled.length - scaled.form))), proved ? result : quiet_nan<T>()};
 }
 
 /// The number next to x >= 0 and larger.
