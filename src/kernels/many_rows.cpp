@@ -41,6 +41,15 @@ int contains_as_byte(double const *r12, double const *q1, double const *q2, unsi
     return status;
 }
 
+/// Whether ellipsoids overlap, as one byte.
+int overlap_factored_as_byte(double const *r12, double const *s1, double const *s2, unsigned char *overlap) noexcept
+{
+    int answer = -1;
+    int const status = pw85_overlap_factored(r12, s1, s2, &answer);
+    *overlap = static_cast<unsigned char>(answer); // -1 is 255
+    return status;
+}
+
 /// Whether ellipsoids overlap, as one byte, with a proof.
 int witness_with_byte(double const *r12, double const *q1, double const *q2, unsigned char *overlap, double *lambda,
                       double *point) noexcept
@@ -76,6 +85,26 @@ int pw85_contact_factored_batch(size_t n, double const *r12, double const *s1, d
 {
     return each_row(n, with_two_numbers<pw85_contact_factored>, RowsOf<3>{r12}, RowsOf<9>{s1}, RowsOf<9>{s2},
                     OptionalRowsOf<1>{mu2}, OptionalRowsOf<1>{lambda});
+}
+
+int pw85_overlap_factored_batch(size_t n, double const *r12, double const *s1, double const *s2, unsigned char *overlap)
+{
+    return each_row(n, overlap_factored_as_byte, RowsOf<3>{r12}, RowsOf<9>{s1}, RowsOf<9>{s2},
+                    RowsOf<1, unsigned char>{overlap});
+}
+
+int pw85_contact_geometry_factored_batch(size_t n, double const *r12, double const *s1, double const *s2,
+                                         double const *lambda, double *point, double *normal)
+{
+    return each_row(n, pw85_contact_geometry_factored, RowsOf<3>{r12}, RowsOf<9>{s1}, RowsOf<9>{s2}, Numbers{lambda},
+                    OptionalRowsOf<3>{point}, OptionalRowsOf<3>{normal});
+}
+
+int pw85_contact_gradient_factored_batch(size_t n, double const *r12, double const *s1, double const *s2,
+                                         double const *lambda, double *d_r12, double *d_s1, double *d_s2)
+{
+    return each_row(n, pw85_contact_gradient_factored, RowsOf<3>{r12}, RowsOf<9>{s1}, RowsOf<9>{s2}, Numbers{lambda},
+                    OptionalRowsOf<3>{d_r12}, OptionalRowsOf<9>{d_s1}, OptionalRowsOf<9>{d_s2});
 }
 
 int pw85_condition_batch(size_t n, double const *r12, double const *q1, double const *q2, double const *lambda,
