@@ -163,7 +163,7 @@ def measure(programs):
     context, tables = speed_tables(programs["speed"], targets)
     tables["accuracy"] = read_table(programs["accuracy"], target=best)
     tables["worst"] = worst_rows(programs["accuracy"], targets)
-    for name in ("closest_approach", "digits", "evaluations", "peers"):
+    for name in ("closest_approach", "condition", "digits", "evaluations", "factored", "peers"):
         tables[name] = read_table(programs[name], target=best)
     tables["growth"] = growth_rows(programs["growth"], best)
     side_by_side = read_table(programs["side_by_side"], target=best)
