@@ -54,6 +54,7 @@ rst_epilog = f"""
 .. |conditions-of-instructions| replace:: {measurements.conditions("instructions")}
 .. |conditions-of-peers| replace:: {measurements.conditions("peers")}
 .. |conditions-of-growth| replace:: {measurements.conditions("growth")}
+.. |conditions-of-factored| replace:: {measurements.conditions("factored")}
 """
 
 breathe_default_project = "c"
