@@ -16,7 +16,7 @@
 
 namespace pw85::detail {
 
-/// A combination of columns of factors: a vector w with its images.
+/// A vector with its images.
 template <class T, int D> struct ImagedVector {
     Vector<T, D> w;
     Vector<T, D> first, second; ///< S1ᵀw and S2ᵀw
