@@ -284,7 +284,7 @@ PW85_API int pw85_overlap(double const r12[PW85_DIM], double const q1[PW85_SYM],
  * The answer is that of exact arithmetic for the exact products of the factors given. So it may differ from the answer of
  * pw85_overlap() for the rounded products. Separating planes and common points, with bounds that account for rounding, decide almost all
  * pairs. Integers decide the others, if their digits fit: the entries of s1 and s2, and r12, must be multiples of a power of two and
- * smaller than 2¹⁶⁰⁰ times that power.
+ * smaller than 2¹⁵⁰⁰ times that power.
  *
  * @param r12 as for pw85_contact_factored(); r12 = 0 is an overlap
  * @param s1,s2 as for pw85_contact_factored()

@@ -57,8 +57,8 @@ template <class T, int D> PW85_FUNCTION inline int bits(ExactColumns<T, D> const
 }
 
 /// The largest value of bits() for which there is memory. It suffices if all numbers of a pair that is not far are multiples of some
-/// power of two, and smaller than its product with 2^1600.
-inline constexpr int max_bits_of_columns = 6 * 1600 + 2 * 2 + 10;
+/// power of two, and smaller than its product with 2^1500.
+inline constexpr int max_bits_of_columns = 6 * 1500 + 2 * 2 + 10;
 
 /// The coordinates of D vectors as numbers of a monomial.
 template <class T, int D> struct SquareOfNumbers {
@@ -120,7 +120,7 @@ template <class T, int D>
 
 /// Decides whether two ellipsoids overlap, for the numbers exactly as given. The factors must be regular, and r12 not zero. The
 /// result is Decision::none only if there is no memory for the digits (max_bits_of_columns). It uses a fixed array on the stack, of
-/// 12.4 KiB.
+/// 11.6 KiB.
 template <class T, int D>
 requires exact::is_decidable<T>
 [[gnu::noinline]] static Decision decide_exactly(Vector<T, D> const &r12, Factor<T, D> const &s1,
