@@ -12,7 +12,7 @@ ROW = """\
 """
 
 # Truth values that are true of a bad row, so that a simulation refuses it.
-TRUE_IF_BAD = ("overlap", "overlap_2d")
+TRUE_IF_BAD = ("overlap", "overlap_2d", "overlap_factored")
 
 
 def argument(operand, number):

@@ -55,6 +55,7 @@ rst_epilog = f"""
 .. |conditions-of-peers| replace:: {measurements.conditions("peers")}
 .. |conditions-of-signed_distance| replace:: {measurements.conditions("signed_distance")}
 .. |conditions-of-growth| replace:: {measurements.conditions("growth")}
+.. |conditions-of-factored| replace:: {measurements.conditions("factored")}
 """
 
 breathe_default_project = "c"

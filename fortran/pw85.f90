@@ -80,10 +80,13 @@ module pw85
   public :: pw85_condition
   public :: pw85_contact_function
   public :: pw85_contact_geometry
+  public :: pw85_contact_geometry_factored
   public :: pw85_contact_gradient
+  public :: pw85_contact_gradient_factored
   public :: pw85_contact_torque
   public :: pw85_contact_hessian
   public :: pw85_overlap
+  public :: pw85_overlap_factored
   public :: pw85_compare
   public :: pw85_overlap_witness
   public :: pw85_contains
@@ -123,6 +126,7 @@ module pw85
   public :: pw85_contact_batch
   public :: pw85_overlap_batch
   public :: pw85_contact_rounded_batch
+  public :: pw85_overlap_factored_batch
   public :: pw85_compare_batch
   public :: pw85_overlap_witness_batch
   public :: pw85_contains_batch
@@ -134,6 +138,8 @@ module pw85
   public :: pw85_contact_function_batch
   public :: pw85_contact_geometry_batch
   public :: pw85_contact_gradient_batch
+  public :: pw85_contact_geometry_factored_batch
+  public :: pw85_contact_gradient_factored_batch
   public :: pw85_contact_torque_batch
   public :: pw85_contact_hessian_batch
   public :: pw85_contact_batch_2d
@@ -320,6 +326,16 @@ module pw85
       integer(c_int) :: status
     end function pw85_contact_geometry
 
+    !> pw85_contact_geometry() of ellipsoids that are given by factors of their forms.
+    function pw85_contact_geometry_factored(r12, s1, s2, lambda, point, normal) result(status) bind(C, &
+      name='pw85_contact_geometry_factored')
+      import
+      real(c_double), intent(in) :: r12(3), s1(3, 3), s2(3, 3)
+      real(c_double), value :: lambda
+      real(c_double), intent(out), optional :: point(3), normal(3)
+      integer(c_int) :: status
+    end function pw85_contact_geometry_factored
+
     !> Derivatives of μ².
     function pw85_contact_gradient(r12, q1, q2, lambda, d_r12, d_q1, d_q2) result(status) bind(C, &
       name='pw85_contact_gradient')
@@ -329,6 +345,16 @@ module pw85
       real(c_double), intent(out), optional :: d_r12(3), d_q1(6), d_q2(6)
       integer(c_int) :: status
     end function pw85_contact_gradient
+
+    !> Derivatives of μ² of ellipsoids that are given by factors of their forms.
+    function pw85_contact_gradient_factored(r12, s1, s2, lambda, d_r12, d_s1, d_s2) result(status) bind(C, &
+      name='pw85_contact_gradient_factored')
+      import
+      real(c_double), intent(in) :: r12(3), s1(3, 3), s2(3, 3)
+      real(c_double), value :: lambda
+      real(c_double), intent(out), optional :: d_r12(3), d_s1(3, 3), d_s2(3, 3)
+      integer(c_int) :: status
+    end function pw85_contact_gradient_factored
 
     !> Derivatives of μ² with respect to rotations.
     function pw85_contact_torque(r12, q1, q2, lambda, d_rot1, d_rot2) result(status) bind(C, name='pw85_contact_torque')
@@ -355,6 +381,14 @@ module pw85
       integer(c_int), intent(out) :: overlap
       integer(c_int) :: status
     end function pw85_overlap
+
+    !> Whether two ellipsoids overlap that are given by factors of their forms, Q1 = S1 S1ᵀ and Q2 = S2 S2ᵀ.
+    function pw85_overlap_factored(r12, s1, s2, overlap) result(status) bind(C, name='pw85_overlap_factored')
+      import
+      real(c_double), intent(in) :: r12(3), s1(3, 3), s2(3, 3)
+      integer(c_int), intent(out) :: overlap
+      integer(c_int) :: status
+    end function pw85_overlap_factored
 
     !> The sign of μ² - mu2, for any number mu2.
     function pw85_compare(r12, q1, q2, mu2, sign) result(status) bind(C, name='pw85_compare')
@@ -708,6 +742,16 @@ module pw85
       integer(c_int) :: status
     end function pw85_contact_rounded_batch
 
+    !> pw85_overlap_factored() for n pairs.
+    function pw85_overlap_factored_batch(n, r12, s1, s2, overlap) result(status) bind(C, &
+      name='pw85_overlap_factored_batch')
+      import
+      integer(c_size_t), value :: n
+      real(c_double), intent(in) :: r12(3, n), s1(3, 3, n), s2(3, 3, n)
+      integer(c_int8_t), intent(out) :: overlap(n)
+      integer(c_int) :: status
+    end function pw85_overlap_factored_batch
+
     !> pw85_compare() for n pairs.
     function pw85_compare_batch(n, r12, q1, q2, mu2, sign) result(status) bind(C, name='pw85_compare_batch')
       import
@@ -816,6 +860,26 @@ module pw85
       real(c_double), intent(out), optional :: d_r12(3, n), d_q1(6, n), d_q2(6, n)
       integer(c_int) :: status
     end function pw85_contact_gradient_batch
+
+    !> pw85_contact_geometry_factored() for n pairs.
+    function pw85_contact_geometry_factored_batch(n, r12, s1, s2, lambda, point, normal) result(status) bind(C, &
+      name='pw85_contact_geometry_factored_batch')
+      import
+      integer(c_size_t), value :: n
+      real(c_double), intent(in) :: r12(3, n), s1(3, 3, n), s2(3, 3, n), lambda(n)
+      real(c_double), intent(out), optional :: point(3, n), normal(3, n)
+      integer(c_int) :: status
+    end function pw85_contact_geometry_factored_batch
+
+    !> pw85_contact_gradient_factored() for n pairs.
+    function pw85_contact_gradient_factored_batch(n, r12, s1, s2, lambda, d_r12, d_s1, d_s2) result(status) bind(C, &
+      name='pw85_contact_gradient_factored_batch')
+      import
+      integer(c_size_t), value :: n
+      real(c_double), intent(in) :: r12(3, n), s1(3, 3, n), s2(3, 3, n), lambda(n)
+      real(c_double), intent(out), optional :: d_r12(3, n), d_s1(3, 3, n), d_s2(3, 3, n)
+      integer(c_int) :: status
+    end function pw85_contact_gradient_factored_batch
 
     !> pw85_contact_torque() for n pairs.
     function pw85_contact_torque_batch(n, r12, q1, q2, lambda, d_rot1, d_rot2) result(status) bind(C, &

@@ -241,6 +241,21 @@ PW85_API int pw85_contact_function(double const r12[PW85_DIM], double const q1[P
 PW85_API int pw85_contact_geometry(double const r12[PW85_DIM], double const q1[PW85_SYM], double const q2[PW85_SYM],
                                    double lambda, double point[PW85_DIM], double normal[PW85_DIM]);
 
+/** pw85_contact_geometry() of ellipsoids that are given by factors of their forms.
+ *
+ * The errors are below 4 u times the change that follows if each entry of a factor changes by the largest entry of its column, and each
+ * coordinate of r12 by itself. This holds for the lambda given.
+ *
+ * @param r12 as for pw85_contact_factored(), r12 != 0
+ * @param s1,s2 as for pw85_contact_factored()
+ * @param lambda from pw85_contact_factored()
+ * @param[out] point relative to the centre of ellipsoid 1; may be null
+ * @param[out] normal unit vector, outward from ellipsoid 1 and into ellipsoid 2; may be null
+ * @return #PW85_SUCCESS, #PW85_EINVAL (also for lambda outside [0, 1] and r12 = 0), #PW85_ENOTPD (a factor is singular, or nearly) */
+PW85_API int pw85_contact_geometry_factored(double const r12[PW85_DIM], double const s1[PW85_DIM * PW85_DIM],
+                                            double const s2[PW85_DIM * PW85_DIM], double lambda, double point[PW85_DIM],
+                                            double normal[PW85_DIM]);
+
 /** Derivatives of μ².
  *
  * @param r12,q1,q2 as for pw85_contact()
@@ -251,6 +266,20 @@ PW85_API int pw85_contact_geometry(double const r12[PW85_DIM], double const q1[P
  * @return #PW85_SUCCESS, #PW85_EINVAL (also for lambda outside [0, 1]), #PW85_ENOTPD */
 PW85_API int pw85_contact_gradient(double const r12[PW85_DIM], double const q1[PW85_SYM], double const q2[PW85_SYM],
                                    double lambda, double d_r12[PW85_DIM], double d_q1[PW85_SYM], double d_q2[PW85_SYM]);
+
+/** Derivatives of μ² of ellipsoids that are given by factors of their forms.
+ *
+ * The derivative with respect to a factor S is 2 (∂μ²/∂Q) S, with the symmetric matrix ∂μ²/∂Q. So a change dS of the factor changes μ²
+ * by Σ d_s_ij dS_ij. The errors are those of pw85_contact_geometry_factored().
+ *
+ * @param r12,s1,s2 as for pw85_contact_factored()
+ * @param lambda from pw85_contact_factored()
+ * @param[out] d_r12 ∂μ²/∂r12; its negative is the derivative with respect to the centre of ellipsoid 1; may be null
+ * @param[out] d_s1,d_s2 3×3, row-major: derivatives with respect to the entries of s1 and s2; may be null
+ * @return #PW85_SUCCESS, #PW85_EINVAL (also for lambda outside [0, 1]), #PW85_ENOTPD (a factor is singular, or nearly) */
+PW85_API int pw85_contact_gradient_factored(double const r12[PW85_DIM], double const s1[PW85_DIM * PW85_DIM],
+                                            double const s2[PW85_DIM * PW85_DIM], double lambda, double d_r12[PW85_DIM],
+                                            double d_s1[PW85_DIM * PW85_DIM], double d_s2[PW85_DIM * PW85_DIM]);
 
 /** Derivatives of μ² with respect to rotations: for a rotation of an ellipsoid about its own centre by the small vector
  * ω, dμ² = d_rot·ω. The torque of an energy U(μ²) is -U'(μ²) d_rot.
@@ -285,6 +314,21 @@ PW85_API int pw85_contact_hessian(double const r12[PW85_DIM], double const q1[PW
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD */
 PW85_API int pw85_overlap(double const r12[PW85_DIM], double const q1[PW85_SYM], double const q2[PW85_SYM],
                           int *overlap);
+
+/** Whether two ellipsoids overlap that are given by factors of their forms, Q1 = S1 S1ᵀ and Q2 = S2 S2ᵀ.
+ *
+ * The answer is that of exact arithmetic for the exact products of the factors given. So it may differ from the answer of
+ * pw85_overlap() for the rounded products. Separating planes and common points, with bounds that account for rounding, decide almost all
+ * pairs. Integers decide the others, if their digits fit: the entries of s1 and s2, and r12, must be multiples of a power of two and
+ * smaller than 2¹⁵⁰⁰ times that power.
+ *
+ * @param r12 as for pw85_contact_factored(); r12 = 0 is an overlap
+ * @param s1,s2 as for pw85_contact_factored()
+ * @param[out] overlap 1 or 0; -1 on error
+ * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD (a factor is singular, or nearly), #PW85_ECONVERGENCE (the pair is so near to
+ *         contact that only integers can decide, and their digits do not fit) */
+PW85_API int pw85_overlap_factored(double const r12[PW85_DIM], double const s1[PW85_DIM * PW85_DIM],
+                                   double const s2[PW85_DIM * PW85_DIM], int *overlap);
 
 /** The sign of μ² - mu2, for any number mu2.
  *
@@ -767,6 +811,16 @@ PW85_API int pw85_overlap_batch(size_t n, double const *r12, double const *q1, d
 PW85_API int pw85_contact_rounded_batch(size_t n, double const *r12, double const *q1, double const *q2, double *mu2,
                                         double *lambda);
 
+/** pw85_overlap_factored() for n pairs; the answers are the same.
+ *
+ * @param n number of pairs
+ * @param r12 n×3
+ * @param s1,s2 n×3×3
+ * @param[out] overlap n: 1, 0, or 255 for a bad pair
+ * @return as for pw85_contact_batch(), or #PW85_ECONVERGENCE as for pw85_overlap_factored() */
+PW85_API int pw85_overlap_factored_batch(size_t n, double const *r12, double const *s1, double const *s2,
+                                         unsigned char *overlap);
+
 /** pw85_compare() for n pairs; the signs are the same.
  *
  * @param n number of pairs
@@ -889,6 +943,29 @@ PW85_API int pw85_contact_geometry_batch(size_t n, double const *r12, double con
  * @return as for pw85_contact_batch(); lambda outside [0, 1] is #PW85_EINVAL */
 PW85_API int pw85_contact_gradient_batch(size_t n, double const *r12, double const *q1, double const *q2,
                                          double const *lambda, double *d_r12, double *d_q1, double *d_q2);
+
+/** pw85_contact_geometry_factored() for n pairs; the bits are the same.
+ *
+ * @param n number of pairs
+ * @param r12 n×3, r12 != 0
+ * @param s1,s2 n×3×3
+ * @param lambda n
+ * @param[out] point,normal n×3 each; any output may be null
+ * @return as for pw85_contact_batch(); r12 = 0 and lambda outside [0, 1] are #PW85_EINVAL */
+PW85_API int pw85_contact_geometry_factored_batch(size_t n, double const *r12, double const *s1, double const *s2,
+                                                  double const *lambda, double *point, double *normal);
+
+/** pw85_contact_gradient_factored() for n pairs; the bits are the same.
+ *
+ * @param n number of pairs
+ * @param r12 n×3
+ * @param s1,s2 n×3×3
+ * @param lambda n
+ * @param[out] d_r12 n×3; any output may be null
+ * @param[out] d_s1,d_s2 n×3×3 each
+ * @return as for pw85_contact_batch(); lambda outside [0, 1] is #PW85_EINVAL */
+PW85_API int pw85_contact_gradient_factored_batch(size_t n, double const *r12, double const *s1, double const *s2,
+                                                  double const *lambda, double *d_r12, double *d_s1, double *d_s2);
 
 /** pw85_contact_torque() for n pairs; the bits are the same.
  *

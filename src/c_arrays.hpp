@@ -58,6 +58,11 @@ template <int D> void store(SymmetricMatrix<double, D> const &m, double *a) noex
     for (int k = 0; a != nullptr && k < m.size; ++k) a[k] = m[k];
 }
 
+template <int D> void store(Factor<double, D> const &s, double *a) noexcept
+{
+    if (a != nullptr) std::memcpy(a, s.entries, sizeof s.entries);
+}
+
 /// Fills an array with NaN, unless it is null.
 inline void store_nan(double *x, int count) noexcept
 {

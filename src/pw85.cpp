@@ -73,7 +73,7 @@ int pw85_ellipsoid_factor(double const semi_axes[3], double const quaternion[4],
     if (any_null(semi_axes, quaternion, s)) return null_pointer(s, 9);
     return in_default_environment([&] {
         auto const factor = ellipsoid_factor(load_vector<3>(semi_axes), load_vector<4>(quaternion));
-        std::memcpy(s, factor.s.entries, sizeof factor.s.entries);
+        store(factor.s, s);
         return static_cast<int>(factor.status);
     });
 }
@@ -138,6 +138,22 @@ int pw85_contact_gradient(double const r12[3], double const q1[6], double const 
     return in_default_environment(kernels::chosen().one_pair->contact_gradient, r12, q1, q2, lambda, d_r12, d_q1, d_q2);
 }
 
+int pw85_contact_geometry_factored(double const r12[3], double const s1[9], double const s2[9], double lambda,
+                                   double point[3], double normal[3])
+{
+    if (any_null(r12, s1, s2)) return null_pointer(point, PW85_DIM, normal, PW85_DIM);
+    auto const function = kernels::chosen().one_pair->contact_geometry_factored;
+    return in_default_environment(function, r12, s1, s2, lambda, point, normal);
+}
+
+int pw85_contact_gradient_factored(double const r12[3], double const s1[9], double const s2[9], double lambda,
+                                   double d_r12[3], double d_s1[9], double d_s2[9])
+{
+    if (any_null(r12, s1, s2)) return null_pointer(d_r12, PW85_DIM, d_s1, 9, d_s2, 9);
+    auto const function = kernels::chosen().one_pair->contact_gradient_factored;
+    return in_default_environment(function, r12, s1, s2, lambda, d_r12, d_s1, d_s2);
+}
+
 int pw85_contact_torque(double const r12[3], double const q1[6], double const q2[6], double lambda, double d_rot1[3],
                         double d_rot2[3])
 {
@@ -157,6 +173,14 @@ int pw85_overlap(double const r12[3], double const q1[6], double const q2[6], in
     *overlap = -1;
     if (any_null(r12, q1, q2)) return PW85_EINVAL;
     return in_default_environment(kernels::chosen().one_pair->overlap, r12, q1, q2, overlap);
+}
+
+int pw85_overlap_factored(double const r12[3], double const s1[9], double const s2[9], int *overlap)
+{
+    if (any_null(overlap)) return PW85_EINVAL;
+    *overlap = -1;
+    if (any_null(r12, s1, s2)) return PW85_EINVAL;
+    return in_default_environment(kernels::chosen().one_pair->overlap_factored, r12, s1, s2, overlap);
 }
 
 int pw85_compare(double const r12[3], double const q1[6], double const q2[6], double mu2, int *sign)

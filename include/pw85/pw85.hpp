@@ -58,6 +58,7 @@ template <class T> struct Contact;                // mu2, lambda, status
 template <class T> struct Condition;              // condition, status
 template <class T, int D> struct ContactGeometry; // point, normal, status
 template <class T, int D> struct ContactGradient; // r12, q1, q2, status
+template <class T, int D> struct FactorGradient;  // r12, s1, s2, status
 template <class T, int D> struct ContactTorque;   // rotation1, rotation2, status
 template <class T, int D> struct ContactHessian;  // entries, status
 template <class T> struct ClosestApproach;        // distance, status
@@ -201,6 +202,25 @@ template <class T, int D>
 PW85_FUNCTION inline ContactGradient<T, D> contact_gradient(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
                                                             SymmetricMatrix<T, D> const &q2, T const &lambda) noexcept;
 
+/// contact_geometry() of ellipsoids that are given by factors.
+///
+/// @param r12 as for contact_factored(), r12 != 0
+/// @param s1,s2 as for contact_factored()
+/// @param lambda from contact_factored()
+/// @return as for contact_geometry()
+template <class T, int D>
+PW85_FUNCTION inline ContactGeometry<T, D> contact_geometry_factored(Vector<T, D> const &r12, Factor<T, D> const &s1,
+                                                                     Factor<T, D> const &s2, T const &lambda) noexcept;
+
+/// Derivatives of μ² of ellipsoids that are given by factors, with respect to the separation and the entries of both factors.
+///
+/// @param r12,s1,s2 as for contact_factored()
+/// @param lambda from contact_factored()
+/// @return ∂μ²/∂r12, ∂μ²/∂s1 and ∂μ²/∂s2; Status::invalid_argument (also for λ outside [0, 1]), Status::not_positive_definite
+template <class T, int D>
+PW85_FUNCTION inline FactorGradient<T, D> contact_gradient_factored(Vector<T, D> const &r12, Factor<T, D> const &s1,
+                                                                    Factor<T, D> const &s2, T const &lambda) noexcept;
+
 /// Derivatives of μ² with respect to rotations: turning an ellipsoid about its own centre by the small vector
 /// ω changes μ² by rotation·ω. The torque of an energy U(μ²) is -U'(μ²) rotation.
 ///
@@ -233,6 +253,16 @@ PW85_FUNCTION inline ContactHessian<T, D> contact_hessian(Vector<T, D> const &r1
 /// @return the answer, and the means that decided; Status::invalid_argument, Status::not_positive_definite
 template <class T, int D> PW85_FUNCTION inline Overlap overlap(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
                                                                SymmetricMatrix<T, D> const &q2) noexcept;
+
+/// Whether two ellipsoids overlap that are given by factors of their forms. For float, double and long double the answer is that of
+/// exact arithmetic for the exact products of the factors. For a multiprecision number it is right to its rounding.
+///
+/// @param r12 as for contact_factored(); r12 = 0 is an overlap
+/// @param s1,s2 as for contact_factored()
+/// @return the answer, and the means that decided; Status::invalid_argument, Status::not_positive_definite, Status::no_convergence
+/// (only integers can decide, and their digits do not fit: see pw85_overlap_factored() in pw85.h)
+template <class T, int D> PW85_FUNCTION inline Overlap overlap_factored(Vector<T, D> const &r12, Factor<T, D> const &s1,
+                                                                        Factor<T, D> const &s2) noexcept;
 
 /// overlap() without exact arithmetic: Decision::overlap or Decision::apart where floating-point numbers prove it, Decision::none for
 /// a pair so near to contact, |μ² - 1| of some u cond, that they cannot. A thread of a GPU can call this function, and leave the
@@ -554,6 +584,7 @@ overlap_box(Vector<T, 3> const &lower, Vector<T, 3> const &upper, SymmetricMatri
 #include <pw85/contact/contact_hessian.hpp>
 #include <pw85/contact/forms.hpp>
 #include <pw85/contact/geometry.hpp>
+#include <pw85/contact/geometry_factored.hpp>
 #include <pw85/distance/bounding_box.hpp>
 #include <pw85/distance/distance.hpp>
 #include <pw85/distance/distance_derivatives.hpp>
@@ -569,6 +600,7 @@ overlap_box(Vector<T, 3> const &lower, Vector<T, 3> const &upper, SymmetricMatri
 #include <pw85/overlap/containment.hpp>
 #include <pw85/overlap/containment_factor.hpp>
 #include <pw85/overlap/overlap.hpp>
+#include <pw85/overlap/overlap_factored.hpp>
 #include <pw85/overlap/witness.hpp>
 #include <pw85/shapes/box.hpp>
 #include <pw85/shapes/overlap_shapes.hpp>

@@ -110,6 +110,57 @@ def contact_factored():
 
 
 @declared
+def overlap_factored():
+    """
+    Parameters
+    ----------
+    **kwargs
+        As for any ufunc. With ``dtype=np.uint8`` the result is 1, 0, or 255 for a bad row, for `bad_rows`.
+
+    Returns
+    -------
+    (...) array of bool, or bool
+        A bad row counts as an overlap, so that a simulation refuses it.
+
+    Examples
+    --------
+    >>> import pypw85
+    >>> needle = pypw85.ellipsoid_factor([1, 1, 1e6], [1, 0, 0, 0])
+    >>> pypw85.overlap_factored([[1.9, 0, 1e5], [2, 0, 0]], needle, needle)
+    array([ True, False])
+    """
+
+
+@declared
+def contact_geometry_factored():
+    """
+    Examples
+    --------
+    >>> import pypw85
+    >>> needle = pypw85.ellipsoid_factor([1, 1, 1e6], [1, 0, 0, 0])
+    >>> pypw85.contact_geometry_factored([0, 0, 4e6], needle, needle, 0.5)
+    (array([      0.,       0., 2000000.]), array([0., 0., 1.]))
+    """
+
+
+@declared
+def contact_gradient_factored():
+    """
+    Examples
+    --------
+    >>> import numpy as np, pypw85
+    >>> sphere = np.eye(3)
+    >>> d_r12, d_s1, d_s2 = pypw85.contact_gradient_factored([4, 0, 0], sphere, sphere, 0.5)
+    >>> d_r12
+    array([2., 0., 0.])
+    >>> np.round(d_s1, 12) + 0.0
+    array([[-4.,  0.,  0.],
+           [ 0.,  0.,  0.],
+           [ 0.,  0.,  0.]])
+    """
+
+
+@declared
 def ellipse():
     """
     Examples

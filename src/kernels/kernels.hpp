@@ -222,6 +222,11 @@ struct OnePairKernels {
                          pw85_motion const *motion2, double end, double *time) noexcept;
     int (*contact_factored)(double const *r12, double const *s1, double const *s2, double *out) noexcept;
     int (*contact_rounded)(double const *r12, double const *q1, double const *q2, double *out) noexcept;
+    int (*overlap_factored)(double const *r12, double const *s1, double const *s2, int *overlap) noexcept;
+    int (*contact_geometry_factored)(double const *r12, double const *s1, double const *s2, double lambda,
+                                     double *point, double *normal) noexcept;
+    int (*contact_gradient_factored)(double const *r12, double const *s1, double const *s2, double lambda,
+                                     double *d_r12, double *d_s1, double *d_s2) noexcept;
 };
 
 /// A function for many pairs, one per lane.

@@ -32,15 +32,6 @@ int with_two_numbers(double const *a, double const *b, double const *c, double *
     return status;
 }
 
-/// Whether ellipsoid 2 is inside, as one byte.
-int contains_as_byte(double const *r12, double const *q1, double const *q2, unsigned char *contains) noexcept
-{
-    int answer = -1;
-    int const status = pw85_contains(r12, q1, q2, &answer);
-    *contains = static_cast<unsigned char>(answer); // -1 is 255
-    return status;
-}
-
 /// Calls a function whose answer is an int, and stores the answer as one byte.
 template <auto function, class... Inputs>
 int with_byte(double const *first, Inputs... rest, unsigned char *byte) noexcept
@@ -77,8 +68,8 @@ int pw85_compare_batch(size_t n, double const *r12, double const *q1, double con
 
 int pw85_contains_batch(size_t n, double const *r12, double const *q1, double const *q2, unsigned char *contains)
 {
-    return each_row(n, contains_as_byte, RowsOf<3>{r12}, RowsOf<6>{q1}, RowsOf<6>{q2},
-                    RowsOf<1, unsigned char>{contains});
+    return each_row(n, with_byte<pw85_contains, double const *, double const *>, RowsOf<3>{r12}, RowsOf<6>{q1},
+                    RowsOf<6>{q2}, RowsOf<1, unsigned char>{contains});
 }
 
 int pw85_contact_rounded_batch(size_t n, double const *r12, double const *q1, double const *q2, double *mu2,
@@ -99,6 +90,26 @@ int pw85_contact_factored_batch(size_t n, double const *r12, double const *s1, d
 {
     return each_row(n, with_two_numbers<pw85_contact_factored>, RowsOf<3>{r12}, RowsOf<9>{s1}, RowsOf<9>{s2},
                     OptionalRowsOf<1>{mu2}, OptionalRowsOf<1>{lambda});
+}
+
+int pw85_overlap_factored_batch(size_t n, double const *r12, double const *s1, double const *s2, unsigned char *overlap)
+{
+    return each_row(n, with_byte<pw85_overlap_factored, double const *, double const *>, RowsOf<3>{r12}, RowsOf<9>{s1},
+                    RowsOf<9>{s2}, RowsOf<1, unsigned char>{overlap});
+}
+
+int pw85_contact_geometry_factored_batch(size_t n, double const *r12, double const *s1, double const *s2,
+                                         double const *lambda, double *point, double *normal)
+{
+    return each_row(n, pw85_contact_geometry_factored, RowsOf<3>{r12}, RowsOf<9>{s1}, RowsOf<9>{s2}, Numbers{lambda},
+                    OptionalRowsOf<3>{point}, OptionalRowsOf<3>{normal});
+}
+
+int pw85_contact_gradient_factored_batch(size_t n, double const *r12, double const *s1, double const *s2,
+                                         double const *lambda, double *d_r12, double *d_s1, double *d_s2)
+{
+    return each_row(n, pw85_contact_gradient_factored, RowsOf<3>{r12}, RowsOf<9>{s1}, RowsOf<9>{s2}, Numbers{lambda},
+                    OptionalRowsOf<3>{d_r12}, OptionalRowsOf<9>{d_s1}, OptionalRowsOf<9>{d_s2});
 }
 
 int pw85_condition_batch(size_t n, double const *r12, double const *q1, double const *q2, double const *lambda,

@@ -6,10 +6,12 @@
 #include <pw85/contact/contact_factored.hpp>
 #include <pw85/contact/contact_hessian.hpp>
 #include <pw85/contact/geometry.hpp>
+#include <pw85/contact/geometry_factored.hpp>
 #include <pw85/distance/distance_derivatives.hpp>
 #include <pw85/motion/first_contact.hpp>
 #include <pw85/overlap/contact_rounded.hpp>
 #include <pw85/overlap/overlap.hpp>
+#include <pw85/overlap/overlap_factored.hpp>
 
 #include "../c_arrays.hpp"
 #include "kernels.hpp"
@@ -51,11 +53,43 @@ int contact_rounded(double const *r12, double const *q1, double const *q2, doubl
     return static_cast<int>(c.status);
 }
 
-int overlap(double const *r12, double const *q1, double const *q2, int *overlap) noexcept
+int store_overlap(Overlap const &o, int *overlap) noexcept
 {
-    auto const o = overlap_by_tiers(view_vector(r12), view_matrix(q1), view_matrix(q2));
     *overlap = o.status == Status::success ? static_cast<int>(o.overlap) : -1;
     return static_cast<int>(o.status);
+}
+
+int overlap(double const *r12, double const *q1, double const *q2, int *overlap) noexcept
+{
+    return store_overlap(overlap_by_tiers(view_vector(r12), view_matrix(q1), view_matrix(q2)), overlap);
+}
+
+int overlap_factored(double const *r12, double const *s1, double const *s2, int *overlap) noexcept
+{
+    return store_overlap(
+        pw85::overlap_factored(c_api::load_vector<3>(r12), c_api::load_factor<3>(s1), c_api::load_factor<3>(s2)),
+        overlap);
+}
+
+int contact_geometry_factored(double const *r12, double const *s1, double const *s2, double lambda, double *point,
+                              double *normal) noexcept
+{
+    auto const g = pw85::contact_geometry_factored(c_api::load_vector<3>(r12), c_api::load_factor<3>(s1),
+                                                   c_api::load_factor<3>(s2), lambda);
+    c_api::store(g.point, point);
+    c_api::store(g.normal, normal);
+    return static_cast<int>(g.status);
+}
+
+int contact_gradient_factored(double const *r12, double const *s1, double const *s2, double lambda, double *d_r12,
+                              double *d_s1, double *d_s2) noexcept
+{
+    auto const g = pw85::contact_gradient_factored(c_api::load_vector<3>(r12), c_api::load_factor<3>(s1),
+                                                   c_api::load_factor<3>(s2), lambda);
+    c_api::store(g.r12, d_r12);
+    c_api::store(g.s1, d_s1);
+    c_api::store(g.s2, d_s2);
+    return static_cast<int>(g.status);
 }
 
 int contact_geometry(double const *r12, double const *q1, double const *q2, double lambda, double *point,
@@ -145,7 +179,8 @@ int first_contact(double const *r12, double const *q1, double const *q2, pw85_mo
 
 extern OnePairKernels const PW85_ONE_PAIR_KERNELS;
 OnePairKernels const PW85_ONE_PAIR_KERNELS = {
-    contact,          overlap,  contact_geometry,     contact_gradient, contact_torque,   contact_hessian,
-    closest_approach, distance, distance_derivatives, first_contact,    contact_factored, contact_rounded};
+    contact,          overlap,          contact_geometry, contact_gradient,          contact_torque,
+    contact_hessian,  closest_approach, distance,         distance_derivatives,      first_contact,
+    contact_factored, contact_rounded,  overlap_factored, contact_geometry_factored, contact_gradient_factored};
 
 } // namespace pw85::detail::kernels

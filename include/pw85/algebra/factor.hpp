@@ -57,6 +57,26 @@ template <class T, int D> PW85_FUNCTION inline Factor<T, D> times_power_of_two(F
     return s;
 }
 
+/// S x.
+template <class T, int D>
+PW85_FUNCTION constexpr Vector<T, D> times(Factor<T, D> const &s, Vector<T, D> const &x) noexcept
+{
+    Vector<T, D> y{};
+    for (int i = 0; i < D; ++i)
+        for (int j = 0; j < D; ++j) y[i] = y[i] + s(i, j) * x[j];
+    return y;
+}
+
+/// Sᵀx.
+template <class T, int D>
+PW85_FUNCTION constexpr Vector<T, D> transposed_times(Factor<T, D> const &s, Vector<T, D> const &x) noexcept
+{
+    Vector<T, D> y{};
+    for (int i = 0; i < D; ++i)
+        for (int j = 0; j < D; ++j) y[j] = y[j] + s(i, j) * x[i];
+    return y;
+}
+
 /// S Sᵀ, with rounding errors.
 template <class T, int D>
 [[gnu::always_inline]] PW85_FUNCTION constexpr SymmetricMatrix<T, D> form_of_factor(Factor<T, D> const &s) noexcept

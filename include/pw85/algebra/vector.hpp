@@ -1,6 +1,5 @@
 /// @file
-/// Vectors of any scalar, with their operators and products. symmetric.hpp and gram_schmidt.hpp include this file; every algorithm
-/// calls it.
+/// Vectors of any scalar, with their operators and products. symmetric.hpp includes this file; every algorithm calls it.
 #ifndef PW85_ALGEBRA_VECTOR_HPP_INCLUDED
 #define PW85_ALGEBRA_VECTOR_HPP_INCLUDED
 

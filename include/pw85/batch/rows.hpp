@@ -45,6 +45,18 @@ static inline Status contact_rounded_batch(Vectors r12, Forms q1, Forms q2, std:
     return detail::call_rows(pw85_contact_rounded_batch, r12, q1, q2, mu2, lambda);
 }
 
+/// overlap_factored() for many pairs: see pw85_overlap_factored_batch().
+///
+/// @param r12,s1,s2 one for each pair
+/// @param[out] overlap one for each pair: 1, 0, or 255 for a bad pair
+/// @return as for contact_batch(), or Status::no_convergence as for overlap_factored()
+static inline Status overlap_factored_batch(Vectors r12, std::span<Factor<double, 3> const> s1,
+                                            std::span<Factor<double, 3> const> s2,
+                                            std::span<unsigned char> overlap) noexcept
+{
+    return detail::call_rows(pw85_overlap_factored_batch, r12, s1, s2, overlap);
+}
+
 /// compare() for many pairs: see pw85_compare_batch().
 ///
 /// @param r12,q1,q2 one for each pair
@@ -175,6 +187,34 @@ static inline Status contact_gradient_batch(Vectors r12, Forms q1, Forms q2, std
                                             std::span<SymmetricMatrix<double, 3>> d_q2 = {}) noexcept
 {
     return detail::call_rows(pw85_contact_gradient_batch, r12, q1, q2, lambda, d_r12, d_q1, d_q2);
+}
+
+/// contact_geometry_factored() for many pairs: see pw85_contact_geometry_factored_batch().
+///
+/// @param r12 one for each pair, r12 != 0
+/// @param s1,s2,lambda one for each pair
+/// @param[out] point,normal one for each pair, or empty
+/// @return as for contact_batch(); r12 = 0 and lambda outside [0, 1] are Status::invalid_argument
+static inline Status contact_geometry_factored_batch(Vectors r12, std::span<Factor<double, 3> const> s1,
+                                                     std::span<Factor<double, 3> const> s2,
+                                                     std::span<double const> lambda, std::span<Vector<double, 3>> point,
+                                                     std::span<Vector<double, 3>> normal = {}) noexcept
+{
+    return detail::call_rows(pw85_contact_geometry_factored_batch, r12, s1, s2, lambda, point, normal);
+}
+
+/// contact_gradient_factored() for many pairs: see pw85_contact_gradient_factored_batch().
+///
+/// @param r12,s1,s2,lambda one for each pair
+/// @param[out] d_r12,d_s1,d_s2 one for each pair, or empty
+/// @return as for contact_batch(); lambda outside [0, 1] is Status::invalid_argument
+static inline Status contact_gradient_factored_batch(Vectors r12, std::span<Factor<double, 3> const> s1,
+                                                     std::span<Factor<double, 3> const> s2,
+                                                     std::span<double const> lambda, std::span<Vector<double, 3>> d_r12,
+                                                     std::span<Factor<double, 3>> d_s1 = {},
+                                                     std::span<Factor<double, 3>> d_s2 = {}) noexcept
+{
+    return detail::call_rows(pw85_contact_gradient_factored_batch, r12, s1, s2, lambda, d_r12, d_s1, d_s2);
 }
 
 /// contact_torque() for many pairs: see pw85_contact_torque_batch().

@@ -59,8 +59,8 @@ template <class T> PW85_FUNCTION inline Contact<T> to_contact(Maximum<T> const &
 }
 
 /// Converts a maximum in scaled units to the contact function in the units of the caller.
-template <class T, int D>
-PW85_FUNCTION inline Contact<T> unscale(ScaledPair<T, D> const &scaled, Maximum<T> const &m) noexcept
+template <class T, int D, class Q>
+PW85_FUNCTION inline Contact<T> unscale(ScaledPair<T, D, Q> const &scaled, Maximum<T> const &m) noexcept
 {
     Contact<T> result = to_contact(m);
     result.mu2 = times_power_of_two(result.mu2, 2 * (scaled.length - scaled.form));
@@ -69,13 +69,20 @@ PW85_FUNCTION inline Contact<T> unscale(ScaledPair<T, D> const &scaled, Maximum<
 }
 
 /// contact() for any pair. It validates the pair and scales it to units in which all numbers stay in range.
-template <class T, int D> [[gnu::noinline]] PW85_FUNCTION inline Contact<T> contact_scaled(Pair<T, D> pair) noexcept
+template <class T, int D, class Q>
+[[gnu::noinline]] PW85_FUNCTION inline Contact<T> contact_scaled(Pair<T, D, Q> pair) noexcept
 {
-    ScaledPair<T, D> scaled;
+    ScaledPair<T, D, Q> scaled;
     Status const status = validate(pair, scaled);
     if (status != Status::success) return all_nan<Contact<T>>(status);
     if (largest_coordinate(pair.r12) == T(0)) return {T(0), T(0.5), Status::success};
     return unscale(scaled, maximize(scaled.pair));
+}
+
+/// contact() of a pair.
+template <class T, int D, class Q> PW85_FUNCTION inline Contact<T> contact_of(Pair<T, D, Q> const &pair) noexcept
+{
+    return passes_fast_checks(pair) ? to_contact(maximize(pair)) : contact_scaled(pair);
 }
 
 } // namespace pw85::detail

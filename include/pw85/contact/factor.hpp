@@ -1,10 +1,12 @@
 /// @file
-/// The test whether a matrix S is a valid factor of a form Q = S Sᵀ. contact_factored.hpp calls it.
+/// The test whether a matrix S is a valid factor of a form Q = S Sᵀ, and the status of a pair of factors. The functions of
+/// factors (contact_factored.hpp, geometry_factored.hpp, overlap/overlap_factored.hpp) call it.
 #ifndef PW85_CONTACT_FACTOR_HPP_INCLUDED
 #define PW85_CONTACT_FACTOR_HPP_INCLUDED
 
 #include <pw85/algebra/factor.hpp>
 #include <pw85/contact/scaling.hpp>
+#include <pw85/status.hpp>
 
 namespace pw85::detail {
 
@@ -65,6 +67,26 @@ template <class T, int D> PW85_FUNCTION inline bool is_clearly_regular(Factor<T,
     T const volume = determinant(columns);
     T const least = T(2) * least_volume<T>();
     return volume * volume > T(least * least) * product && product > least_product_of_squares<T>();
+}
+
+/// The status of a pair of factors. If it is success, `scaled` becomes the pair in range.
+template <class T, int D> [[gnu::noinline]] PW85_FUNCTION inline Status
+validate(FactoredPair<T, D> const &pair, ScaledPair<T, D, Factor<T, D>> &scaled) noexcept
+{
+    auto const &[r12, s1, s2, ratio] = pair;
+    if (!(is_finite(r12) && is_finite(s1) && is_finite(s2))) return Status::invalid_argument;
+    if (!(is_regular(s1) && is_regular(s2))) return Status::not_positive_definite;
+    scaled = scale(pair);
+    return Status::success;
+}
+
+/// Whether a pair of factors is valid and in range and has r12 != 0, tested with products only. The result is true for almost all
+/// such pairs.
+template <class T, int D>
+[[gnu::always_inline]] PW85_FUNCTION inline bool passes_fast_checks(FactoredPair<T, D> const &pair) noexcept
+{
+    return is_in_range(sum_of_magnitudes(pair.r12), squared_size(pair.q1), squared_size(pair.q2)) &&
+           is_clearly_regular(pair.q1) && is_clearly_regular(pair.q2);
 }
 
 } // namespace pw85::detail

@@ -11,6 +11,7 @@
 #ifndef PW85_CONTACT_GEOMETRY_HPP_INCLUDED
 #define PW85_CONTACT_GEOMETRY_HPP_INCLUDED
 
+#include <pw85/algebra/gram_schmidt.hpp>
 #include <pw85/contact/contact.hpp>
 
 namespace pw85 {
@@ -98,9 +99,10 @@ template <class T, int D> PW85_FUNCTION inline Vector<T, D> solve_blend(T const 
     return solve_ill_conditioned(w1, q1, w2, q2, x);
 }
 
-/// A pair at one λ, in units of its own. n is proportional to v = (w1 Q1 + w2 Q2)⁻¹ r12.
-template <class T, int D> struct Tangency {
-    Vector<T, D> v;
+/// A pair at one λ, in units of its own. n is proportional to v = (w1 Q1 + w2 Q2)⁻¹ r12. `V` is the type that solve_blend()
+/// returns.
+template <class T, int D, class V = Vector<T, D>> struct Tangency {
+    V v;
     T lambda1, lambda2;       ///< 1-λ, λ
     T weight1, weight2;       ///< w1 and w2, proportional to 1-λ and λ
     int lambda_exponent = 0;  ///< lambda2 is λ divided by 2 to this power
@@ -162,16 +164,23 @@ PW85_FUNCTION inline FastTangency<T, D> fast_tangency(Pair<T, D> const &pair, T 
 
 /// The exponents that lead from the units of a Tangency back to those of the caller.
 struct TangencyUnits {
-    int length; ///< of r12
-    int normal; ///< of n
-    int lambda; ///< of λ
+    int length;        ///< of r12
+    int normal;        ///< of n
+    int lambda;        ///< of λ
+    int first, second; ///< of the sizes of the ellipsoids
 };
+
+/// v of the pair in the order of the caller, from that of a scaled pair.
+template <class T, int D> PW85_FUNCTION constexpr Vector<T, D> reordered(Vector<T, D> const &v, bool swapped) noexcept
+{
+    return T(swapped ? -1 : 1) * v;
+}
 
 /// The pair at λ in units in which the forms, the larger of the weights and λ are of order one. So everything that is computed from
 /// them stays in range. `scaled` is the scaled pair, perhaps with the ellipsoids exchanged. The result is in the order of the
 /// caller.
-template <class T, int D> PW85_FUNCTION inline Tangency<T, D>
-scaled_tangency(ScaledPair<T, D> const &scaled, T const &lambda1, T const &lambda2, TangencyUnits &units) noexcept
+template <class T, int D, class Q> PW85_FUNCTION inline auto
+scaled_tangency(ScaledPair<T, D, Q> const &scaled, T const &lambda1, T const &lambda2, TangencyUnits &units) noexcept
 {
     T const &first = scaled.swapped ? lambda2 : lambda1, &second = scaled.swapped ? lambda1 : lambda2;
     int const small = -2 * binary_exponent(scaled.pair.ratio);
@@ -181,22 +190,25 @@ scaled_tangency(ScaledPair<T, D> const &scaled, T const &lambda1, T const &lambd
     T const w1 = times_power_of_two(first, -weight), w2 = times_power_of_two(second, small - weight);
     auto const v = solve_blend(w1, scaled.pair.q1, w2, scaled.pair.q2, scaled.pair.r12);
     int const lambda = lambda2 > T(0) ? binary_exponent(lambda2) : 0;
-    units = {scaled.length, scaled.length - 2 * scaled.form - weight, lambda};
-    return {T(scaled.swapped ? -1 : 1) * v, lambda1, times_power_of_two(lambda2, -lambda), scaled.swapped ? w2 : w1,
-            scaled.swapped ? w1 : w2,       lambda,  2 * weight - small - lambda};
+    units = {scaled.length, scaled.length - 2 * scaled.form - weight, lambda,
+             scaled.swapped ? scaled.second : scaled.form, scaled.swapped ? scaled.form : scaled.second};
+    return Tangency<T, D, std::remove_const_t<decltype(v)>>{
+        reordered(v, scaled.swapped), lambda1, times_power_of_two(lambda2, -lambda), scaled.swapped ? w2 : w1,
+        scaled.swapped ? w1 : w2,     lambda,  2 * weight - small - lambda};
 }
 
 /// Computes formula(tangency, q1, q2) for any pair at λ.
-template <class Formula, class T, int D> [[gnu::noinline]] PW85_FUNCTION inline auto
-at_tangency_scaled(Formula formula, Pair<T, D> pair, T const &lambda1, T const &lambda2) noexcept
+template <class Formula, class T, int D, class Q> [[gnu::noinline]] PW85_FUNCTION inline auto
+at_tangency_scaled(Formula formula, Pair<T, D, Q> pair, T const &lambda1, T const &lambda2) noexcept
 {
-    using Result = decltype(formula(Tangency<T, D>{}, pair.q1, pair.q2));
-    ScaledPair<T, D> scaled;
+    ScaledPair<T, D, Q> scaled;
+    TangencyUnits units;
+    using At = decltype(scaled_tangency(scaled, lambda1, lambda2, units));
+    using Result = decltype(formula(At{}, pair.q1, pair.q2));
     Status const status = lambda2 >= T(0) && lambda2 <= T(1) ? validate(pair, scaled) : Status::invalid_argument;
     if (status != Status::success) return all_nan<Result>(status);
-    if (!(largest_coordinate(pair.r12) > T(0))) return formula(Tangency<T, D>{}, pair.q1, pair.q2);
-    TangencyUnits units;
-    Tangency<T, D> const at = scaled_tangency(scaled, lambda1, lambda2, units);
+    if (!(largest_coordinate(pair.r12) > T(0))) return formula(At{}, pair.q1, pair.q2);
+    At const at = scaled_tangency(scaled, lambda1, lambda2, units);
     auto result =
         scaled.swapped ? formula(at, scaled.pair.q2, scaled.pair.q1) : formula(at, scaled.pair.q1, scaled.pair.q2);
     rescale(result, units);
@@ -204,14 +216,13 @@ at_tangency_scaled(Formula formula, Pair<T, D> pair, T const &lambda1, T const &
 }
 
 /// Computes formula(tangency, q1, q2) for a pair at λ. The arguments are references, because a Pair would be copied to memory.
-template <class Formula, class T, int D>
-PW85_FUNCTION inline auto at_tangency(Formula formula, Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
-                                      SymmetricMatrix<T, D> const &q2, T const &lambda) noexcept
+template <class Formula, class T, int D, class Q> PW85_FUNCTION inline auto
+at_tangency(Formula formula, Vector<T, D> const &r12, Q const &q1, Q const &q2, T const &lambda) noexcept
 {
     T const lambda1 = complement_of(lambda);
     if (lambda >= T(0) && lambda <= T(1) && passes_fast_checks(pair_of(r12, q1, q2))) {
-        Vector<T, D> const v = solve_blend(lambda1, q1, lambda, q2, r12);
-        return formula(Tangency<T, D>{v, lambda1, lambda, lambda1, lambda}, q1, q2);
+        auto const v = solve_blend(lambda1, q1, lambda, q2, r12);
+        return formula(Tangency<T, D, std::remove_const_t<decltype(v)>>{v, lambda1, lambda, lambda1, lambda}, q1, q2);
     }
     return at_tangency_scaled(formula, pair_of(r12, q1, q2), lambda1, lambda);
 }

@@ -4,33 +4,38 @@
 #ifndef PW85_CONTACT_SCALING_HPP_INCLUDED
 #define PW85_CONTACT_SCALING_HPP_INCLUDED
 
-#include <pw85/algebra/powers_of_two.hpp>
+#include <pw85/algebra/factor.hpp>
 
 namespace pw85::detail {
 
 /// A pair of ellipsoids in units of their own. The true forms and separation are Q1, Q2/ratio² and r12, each times a power of two.
+/// `Q` is the type of q1 and q2. They are the forms, or factors of the forms.
 ///
 /// With τ = λ/(1-λ), every formula of the solver uses t = τ/ratio². So the forms in M = Q1 + t Q2 have similar magnitudes for any
 /// ratio of sizes.
-template <class T, int D> struct Pair {
+template <class T, int D, class Q = SymmetricMatrix<T, D>> struct Pair {
     Vector<T, D> r12;
-    SymmetricMatrix<T, D> q1, q2;
+    Q q1, q2;
     T ratio; ///< the size of the units of ellipsoid 1 over that of ellipsoid 2; not small
 };
 
+/// A pair that is given by factors of the forms.
+template <class T, int D> using FactoredPair = Pair<T, D, Factor<T, D>>;
+
 /// A pair as the caller gives it: both ellipsoids are in the same units.
-template <class T, int D> [[gnu::always_inline]] PW85_FUNCTION constexpr Pair<T, D>
-pair_of(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, SymmetricMatrix<T, D> const &q2) noexcept
+template <class T, int D, class Q> [[gnu::always_inline]] PW85_FUNCTION constexpr Pair<T, D, Q>
+pair_of(Vector<T, D> const &r12, Q const &q1, Q const &q2) noexcept
 {
     return {r12, q1, q2, T(1)};
 }
 
 /// A pair in units that keep every intermediate result in range, and the exponents that lead back to the units of the caller.
-template <class T, int D> struct ScaledPair {
-    Pair<T, D> pair;
-    int length;   ///< r12 is that of the pair times 2^length
-    int form;     ///< Q1 is that of the pair times 4^form, and μ² that of the pair times 4^(length - form)
-    bool swapped; ///< whether the ellipsoids are exchanged and r12 is reversed
+template <class T, int D, class Q = SymmetricMatrix<T, D>> struct ScaledPair {
+    Pair<T, D, Q> pair;
+    int length;     ///< r12 is that of the pair times 2^length
+    int form;       ///< Q1 is that of the pair times 4^form, and μ² that of the pair times 4^(length - form)
+    bool swapped;   ///< whether the ellipsoids are exchanged and r12 is reversed
+    int second = 0; ///< Q2 is that of the pair times 4^second
 };
 
 /// A pair is not scaled if the magnitudes of r12 and of the diagonals are between this limit and its inverse. The largest numbers
@@ -61,27 +66,63 @@ template <class T> PW85_FUNCTION constexpr int ratio_exponent_limit() noexcept
     return std::numeric_limits<typename ScalarTraits<T>::Lane>::max_exponent - 24;
 }
 
-/// Brings a pair with finite entries and positive diagonals into range. The scaling is exact.
-template <class T, int D> PW85_FUNCTION inline ScaledPair<T, D> scale(Pair<T, D> const &pair) noexcept
+/// The square of a length that is similar to the longest semi-axis.
+template <class T, int D> PW85_FUNCTION constexpr T squared_size(SymmetricMatrix<T, D> const &q) noexcept
+{
+    return largest_diagonal(q);
+}
+
+template <class T, int D> PW85_FUNCTION constexpr T squared_size(Factor<T, D> const &s) noexcept
+{
+    T const largest = largest_entry(s);
+    return largest * largest;
+}
+
+/// The binary exponent of the root of squared_size().
+template <class T, int D> PW85_FUNCTION inline int exponent_of_size(SymmetricMatrix<T, D> const &q) noexcept
+{
+    return half_exponent(largest_diagonal(q));
+}
+
+template <class T, int D> PW85_FUNCTION inline int exponent_of_size(Factor<T, D> const &s) noexcept
+{
+    return binary_exponent(largest_entry(s));
+}
+
+/// The ellipsoid 2^exponent times as large.
+template <class T, int D>
+PW85_FUNCTION inline SymmetricMatrix<T, D> enlarged(SymmetricMatrix<T, D> const &q, int exponent) noexcept
+{
+    return times_power_of_two(q, 2 * exponent);
+}
+
+template <class T, int D> PW85_FUNCTION inline Factor<T, D> enlarged(Factor<T, D> const &s, int exponent) noexcept
+{
+    return times_power_of_two(s, exponent);
+}
+
+/// Brings a pair into range. Its entries must be finite and its sizes positive. The scaling is exact.
+template <class T, int D, class Q> PW85_FUNCTION inline ScaledPair<T, D, Q> scale(Pair<T, D, Q> const &pair) noexcept
 {
     auto const &[r12, q1, q2, ratio] = pair;
     T const r = largest_coordinate(r12);
-    if (is_in_range(r, largest_diagonal(q1), largest_diagonal(q2))) return {pair, 0, 0, false};
+    if (is_in_range(r, squared_size(q1), squared_size(q2))) return {pair, 0, 0, false};
     int const er = r > T(0) ? binary_exponent(r) : 0;
-    int const e1 = half_exponent(largest_diagonal(q1)), e2 = half_exponent(largest_diagonal(q2));
-    // The diagonals of a pair in range are between 2^-24 and 2^24, so half their exponents differ by at most 24. Such a pair is not
+    int const e1 = exponent_of_size(q1), e2 = exponent_of_size(q2);
+    // The squared sizes of a pair in range are between 2^-24 and 2^24, so the exponents differ by at most 24. Such a pair is not
     // exchanged. So scaling changes no bit of the result.
     bool const swapped = e1 < e2 - 24;
     int const difference = swapped ? e2 - e1 : e1 - e2, limit = ratio_exponent_limit<T>();
 
-    ScaledPair<T, D> scaled{};
+    ScaledPair<T, D, Q> scaled{};
     scaled.pair.r12 = times_power_of_two(swapped ? -r12 : r12, -er);
-    scaled.pair.q1 = swapped ? times_power_of_two(q2, -2 * e2) : times_power_of_two(q1, -2 * e1);
-    scaled.pair.q2 = swapped ? times_power_of_two(q1, -2 * e1) : times_power_of_two(q2, -2 * e2);
+    scaled.pair.q1 = swapped ? enlarged(q2, -e2) : enlarged(q1, -e1);
+    scaled.pair.q2 = swapped ? enlarged(q1, -e1) : enlarged(q2, -e2);
     scaled.pair.ratio = times_power_of_two(T(1), difference < limit ? difference : limit);
     scaled.length = er;
     scaled.form = swapped ? e2 : e1;
     scaled.swapped = swapped;
+    scaled.second = swapped ? e1 : e2;
     return scaled;
 }
 

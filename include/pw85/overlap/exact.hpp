@@ -240,9 +240,10 @@ struct Sizes {
     }
 };
 
-/// The magnitude of the product of `Count` consecutive factors of a monomial, beginning with the given one.
-template <int Count, class T, int D> PW85_FUNCTION inline auto
-magnitude_of_product(Numbers<T, D> const &numbers, Monomial const &monomial, int first = 0) noexcept
+/// The magnitude of the product of `Count` consecutive factors of a monomial, beginning with the given one. The factors are
+/// numbers.x.
+template <int Count, class N>
+PW85_FUNCTION inline auto magnitude_of_product(N const &numbers, Monomial const &monomial, int first = 0) noexcept
 {
     if constexpr (Count == 1)
         return numbers.x[monomial.factors[first]].magnitude;
@@ -258,8 +259,7 @@ template <int N> struct Term {
     int sign;
 };
 
-template <int Degree, class T, int D>
-PW85_FUNCTION inline auto evaluate(Numbers<T, D> const &numbers, Monomial const &monomial) noexcept
+template <int Degree, class N> PW85_FUNCTION inline auto evaluate(N const &numbers, Monomial const &monomial) noexcept
 {
     int sign = monomial.coefficient < 0 ? -1 : 1;
     int exponent = (monomial.coefficient % 2 == 0 ? 1 : 0) - unit(numbers); // the coefficient is ±1 or ±2
@@ -402,17 +402,22 @@ PW85_FUNCTION inline bool has_real_roots(Quartic const &p, Sizes const &sizes, L
     return sign_of_maximum(p, sizes, memory, make) >= 0;
 }
 
+/// The sign of the maximum over t > 0 of the quartic that make() computes, in memory of `total` limbs.
+template <class Make>
+PW85_FUNCTION inline int sign_of_quartic(Sizes const &sizes, Limb *memory, Make const &make) noexcept
+{
+    Quartic const p = make();
+    auto const &c = p.coefficients;
+    if (c[1].sign <= 0 && c[2].sign <= 0 && c[3].sign <= 0) return -1;
+    return sign_of_maximum(p, sizes, memory, make);
+}
+
 /// The sign of μ² - m, in memory of `total` limbs for bits(numbers).
 template <class T, int D>
 PW85_FUNCTION inline int sign_of_difference(Numbers<T, D> const &numbers, Limb *memory) noexcept
 {
     if (is_far(numbers)) return 1;
-    Sizes const sizes(bits(numbers));
-    auto const make = [&] { return make_quartic(numbers, memory); };
-    auto const p = make();
-    auto const &c = p.coefficients;
-    if (c[1].sign <= 0 && c[2].sign <= 0 && c[3].sign <= 0) return -1;
-    return sign_of_maximum(p, sizes, memory, make);
+    return sign_of_quartic(Sizes(bits(numbers)), memory, [&] { return make_quartic(numbers, memory); });
 }
 
 } // namespace exact
