@@ -32,8 +32,7 @@ int pw85_penetration(double const r12[3], double const q1[6], double const q2[6]
     return in_default_environment([&] {
         // From the same code as pw85_overlap(), so that both agree on forms that are barely positive definite.
         int overlapping = 0;
-        int const answer = kernels::chosen().one_pair->overlap(r12, q1, q2, &overlapping);
-        auto const status = answer == kernels::success_only_inexact ? Status::success : static_cast<Status>(answer);
+        auto const status = static_cast<Status>(kernels::chosen().one_pair->overlap(r12, q1, q2, &overlapping));
         auto const p = overlapping == 1
                            ? penetration_overlapping(load_vector<3>(r12), load_matrix<3>(q1), load_matrix<3>(q2))
                            : no_penetration<double, 3>(status);

@@ -35,21 +35,13 @@ class DefaultEnvironment {
     }
     [[gnu::always_inline]] ~DefaultEnvironment()
     {
-        if (!unchanged_ && _mm_getcsr() != caller_) _mm_setcsr(caller_);
-    }
-
-    /// Call this if nothing but inexact results can have been signalled. Mostly the caller has the default modes and that flag. Then
-    /// the register need not be read again, which would wait for all arithmetic before it.
-    [[gnu::always_inline]] void signalled_only_inexact() noexcept
-    {
-        unchanged_ = (caller_ & (~status_flags | inexact_flag)) == (default_modes | inexact_flag);
+        if (_mm_getcsr() != caller_) _mm_setcsr(caller_);
     }
 
   private:
-    static constexpr unsigned status_flags = 0x3f, inexact_flag = 0x20, default_modes = 0x1f80; // all traps off
+    static constexpr unsigned status_flags = 0x3f, default_modes = 0x1f80; // all traps off
 
     unsigned caller_;
-    bool unchanged_ = false;
 #else
     [[gnu::always_inline]] DefaultEnvironment() noexcept
     {
@@ -57,7 +49,6 @@ class DefaultEnvironment {
         std::fesetenv(FE_DFL_ENV);
     }
     [[gnu::always_inline]] ~DefaultEnvironment() { std::fesetenv(&caller_); }
-    [[gnu::always_inline]] void signalled_only_inexact() noexcept {}
 
   private:
     std::fenv_t caller_;

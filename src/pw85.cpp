@@ -134,11 +134,7 @@ int pw85_overlap(double const r12[3], double const q1[6], double const q2[6], in
     if (any_null(overlap)) return PW85_EINVAL;
     *overlap = -1;
     if (any_null(r12, q1, q2)) return PW85_EINVAL;
-    DefaultEnvironment environment;
-    int const status = kernels::chosen().one_pair->overlap(r12, q1, q2, overlap);
-    if (status != kernels::success_only_inexact) return status;
-    environment.signalled_only_inexact();
-    return PW85_SUCCESS;
+    return in_default_environment(kernels::chosen().one_pair->overlap, r12, q1, q2, overlap);
 }
 
 int pw85_compare(double const r12[3], double const q1[6], double const q2[6], double mu2, int *sign)

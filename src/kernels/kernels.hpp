@@ -183,10 +183,7 @@ template <class Law> struct LawKernel {
     double (*evaluate)(Law const &, std::size_t n, double const *mu2, double *d_u) noexcept;
 };
 
-/// The status of success where nothing but inexact results can have been signalled (floating_point_environment.hpp).
-inline constexpr int success_only_inexact = -1;
-
-/// Functions for one pair, with the contracts of the C API for inputs that are not null. overlap() also returns success_only_inexact.
+/// Functions for one pair, with the contracts of the C API for inputs that are not null.
 struct OnePairKernels {
     int (*contact)(double const *r12, double const *q1, double const *q2, double *out) noexcept;
     int (*overlap)(double const *r12, double const *q1, double const *q2, int *overlap) noexcept;

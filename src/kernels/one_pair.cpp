@@ -2,9 +2,6 @@
 // (meson.build). The functions of the C API call it by chosen() (dispatch.cpp).
 #include <pw85.h>
 
-#include <bit>
-#include <cstdint>
-
 #include <pw85/contact/closest_approach.hpp>
 #include <pw85/contact/contact_factored.hpp>
 #include <pw85/contact/contact_hessian.hpp>
@@ -44,35 +41,15 @@ int contact_factored(double const *r12, double const *s1, double const *s2, doub
     return static_cast<int>(c.status);
 }
 
-/// Whether all numbers are zero or at least 2^-64 in magnitude. Without the sign, the bits of small numbers are small integers, and
-/// those of zero become the largest one.
-template <std::size_t n> bool are_zero_or_moderate(double const *x) noexcept
-{
-    constexpr std::uint64_t limit = 2 * std::bit_cast<std::uint64_t>(0x1p-64) - 1;
-    bool moderate = true;
-    for (std::size_t i = 0; i < n; ++i) moderate &= 2 * std::bit_cast<std::uint64_t>(x[i]) - 1 >= limit;
-    return moderate;
-}
-
-/// Whether tier 1 of a pair, which it decides at t, can have signalled nothing but inexact results. The entries are then
-/// multiples of 2^-116, and t is one of 2^-23. All results are polynomials of at most degree 7 in the entries and 6 in t, times at
-/// most one margin, a multiple of 2^-53. So they are multiples of 2^-1003, and none is subnormal. None overflows, as the entries
-/// are below 2^24.
-bool signals_only_inexact(double const *r12, double const *q1, double const *q2, double t) noexcept
-{
-    return are_zero_or_moderate<3>(r12) & are_zero_or_moderate<6>(q1) & are_zero_or_moderate<6>(q2) & (t >= 0x1p-16) &
-           (t <= 0x1p16);
-}
-
 int overlap(double const *r12, double const *q1, double const *q2, int *overlap) noexcept
 {
     auto const &r = view_vector(r12);
     auto const &m1 = view_matrix(q1), &m2 = view_matrix(q2);
-    double first_point;
-    Decision const decision = decide_by_quartic(r, m1, m2, first_point);
+    // The common case returns at once: a structure of results would pass through memory.
+    Decision const decision = decide_by_quartic(r, m1, m2);
     if (decision != Decision::none) {
         *overlap = decision == Decision::overlap;
-        return signals_only_inexact(r12, q1, q2, first_point) ? success_only_inexact : PW85_SUCCESS;
+        return PW85_SUCCESS;
     }
     auto const o = overlap_near_contact(pair_of(r, m1, m2));
     *overlap = o.status == Status::success ? static_cast<int>(o.overlap) : -1;

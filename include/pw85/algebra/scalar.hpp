@@ -174,16 +174,13 @@ template <class T> PW85_FUNCTION inline T coarse_root_of_ratio(T const &x, T con
     return rough_root(rough_quotient(x, y));
 }
 
-/// The bits of the mantissa that coarse_root_of_ratio() does not use. So its result has eight binary digits.
-inline constexpr int unused_bits_of_root = 45;
-
 /// The bits of a positive double, read as an integer, approximate its logarithm.
 PW85_FUNCTION inline double coarse_root_of_ratio(double x, double y) noexcept
 {
     static_assert(std::numeric_limits<double>::is_iec559);
     constexpr auto one = __builtin_bit_cast(std::uint64_t, 1.0);
-    auto const root = (__builtin_bit_cast(std::uint64_t, x) - __builtin_bit_cast(std::uint64_t, y) + 2 * one) >> 1;
-    return __builtin_bit_cast(double, root >> unused_bits_of_root << unused_bits_of_root);
+    return __builtin_bit_cast(
+        double, (__builtin_bit_cast(std::uint64_t, x) - __builtin_bit_cast(std::uint64_t, y) + 2 * one) >> 1);
 }
 
 } // namespace pw85::detail

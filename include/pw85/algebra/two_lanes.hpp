@@ -151,8 +151,7 @@ PW85_FUNCTION inline double coarse_root_of_ratio(TwoLanes<double> const &x) noex
     typedef unsigned long long Bits __attribute__((vector_size(2 * sizeof(double))));
     constexpr auto one = __builtin_bit_cast(unsigned long long, 1.0);
     Bits const first = (Bits)x.lanes, second = {first[1], first[0]};
-    Bits const root = (first - second + 2 * one) >> (1 + unused_bits_of_root) << unused_bits_of_root;
-    return ((TwoLanes<double>::Register)root)[0];
+    return ((TwoLanes<double>::Register)((first - second + 2 * one) >> 1))[0];
 }
 
 #endif

@@ -41,10 +41,8 @@ struct Overlap {
 namespace pw85::detail {
 
 /// Tiers 1 and 2. The result is `none` for pairs that fail the fast checks, are ill-conditioned, or are tangent up to rounding.
-/// `first_point` becomes the first t if tier 1 decides, and 0 otherwise. Tier 1 computes sums and products only, except for t.
 template <class T, int D> [[gnu::always_inline]] PW85_FUNCTION inline Decision
-decide_by_quartic(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, SymmetricMatrix<T, D> const &q2,
-                  T &first_point) noexcept
+decide_by_quartic(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, SymmetricMatrix<T, D> const &q2) noexcept
 {
     // t comes first, because the points wait for it, and not for the coefficients.
     auto const q = side_by_side(q1, q2);
@@ -54,9 +52,7 @@ decide_by_quartic(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, Symm
     QuarticCoefficients<T> const quartic{rational_form(q, other, adj, weights), diagonal_coefficients(q, other)};
     Decision const decision = decide_by_points(quartic, t);
     bool const passes = passes_fast_checks(r12, q, adj);
-    first_point = t;
     if (passes && decision != Decision::none) return decision;
-    first_point = T(0);
     if (!passes) return Decision::none;
     if constexpr (is_for_device) { // a call would need local memory
         return search_for_decision(pair_of(r12, q1, q2), quartic, t);
@@ -64,13 +60,6 @@ decide_by_quartic(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, Symm
         auto const copy = quartic; // the address of `quartic` would keep it in memory
         return call_search_for_decision(r12, q1, q2, copy, t);
     }
-}
-
-template <class T, int D> [[gnu::always_inline]] PW85_FUNCTION inline Decision
-decide_by_quartic(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, SymmetricMatrix<T, D> const &q2) noexcept
-{
-    T first_point;
-    return decide_by_quartic(r12, q1, q2, first_point);
 }
 
 /// Tier 3, for any pair.
