@@ -41,7 +41,7 @@ NORMAL_CHOICES = [
     ("distance/normal_search.hpp", "max_last_steps = 6", "max_last_steps = {}", ["6", "0", "2"]),
 ]
 
-# The points of the test on the quartic. The first row is that of the header, the others are tried.
+# The points of the test on the quartic. The first two of the header are 1 and 2; these others are tried.
 POINTS = (
     [1, 2, 0.5, 1.4],
     [1, 0.6, 1.7, 0.36],
@@ -75,7 +75,7 @@ def run(build, compiler, header, old, new, *arguments):
 
 def print_tests(build, compiler):
     text = (ROOT / "include" / "pw85" / "overlap" / "quartic.hpp").read_text(encoding="utf-8")
-    own = re.findall(r"Lane\(([\d.]+)\)", re.search(r"points\[4\] = \{(.*?)\}", text, re.S)[1])
+    own = ["1", re.search(r"second_point = (\d+)", text)[1], "0.5", "0.25"]
     with tempfile.TemporaryDirectory() as folder:
         program = pathlib.Path(folder) / "choices"
         compile_program(build, compiler, ROOT / "include", program)

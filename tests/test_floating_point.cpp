@@ -120,6 +120,35 @@ void test_single(void const *data)
     }
 }
 
+#ifdef __SSE2_MATH__
+/// An ordinary pair, some of whose entries are tiny, so that products underflow and operands may be subnormal.
+Sample<double, 3> pair_with_tiny_entries(Random &random)
+{
+    auto pair = random_pair<3>(random, {.aspect = 3.0});
+    double *const entries[] = {&pair.q1[1], &pair.q1[2], &pair.q1[4],  &pair.q2[1],
+                               &pair.q2[2], &pair.q2[4], &pair.r12[0], &pair.r12[1]};
+    for (double *const entry : entries)
+        if (random.sign() > 0.0) *entry *= random.log_uniform(1e-310, 1e-10);
+    return pair;
+}
+
+// A caller with the default modes who has rounded a number sees no other flag, not even that of underflow or of a subnormal operand.
+void test_flags(void const *data)
+{
+    auto const &function = *static_cast<Function const *>(data);
+    constexpr unsigned usual = 0x1fa0;
+    Failures failures;
+    Random random(122);
+    for (int n = 0; n < draws(10000); ++n) {
+        Call call(function, {pair_with_tiny_entries(random)}, 0.5);
+        _mm_setcsr(usual);
+        call();
+        unsigned const after = _mm_getcsr();
+        failures.check(after == usual, "register", after, usual, [&] { return call.text(); });
+    }
+}
+#endif
+
 // Threads start with the environment of the one that starts them.
 void test_threads()
 {
@@ -151,8 +180,12 @@ int main(int argc, char **argv)
 {
     g_test_init(&argc, &argv, nullptr);
     std::signal(SIGFPE, on_trap);
-    for (auto const &function : declared_functions())
+    for (auto const &function : declared_functions()) {
         g_test_add_data_func((std::string("/floating_point/") + function.name).c_str(), &function, test_single);
+#ifdef __SSE2_MATH__
+        g_test_add_data_func((std::string("/floating_point/flags/") + function.name).c_str(), &function, test_flags);
+#endif
+    }
     g_test_add_func("/floating_point/threads", test_threads);
     return g_test_run();
 }

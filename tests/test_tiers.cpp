@@ -51,12 +51,20 @@ constexpr Recorded factorization_pair = {
      {0x1.083528p-4f, -0x1.b38018p-3f, -0x1.ed1fe6p-4f, 0x1.81c19ap-1f, 0x1.a3ee5p-2f, 0x1.ff8286p-3f}},
     0x1.5ad25ap+1f};
 constexpr Recorded value_pair = {
-    {{-0x1.72a0bcp-1f, -0x1.4db19p+0f, -0x1.a7aaf4p+0f},
-     {0x1.a2591ep+0f, 0x1.5e8c0ap-8f, -0x1.0c7bbcp+1f, 0x1.47406ep-11f, -0x1.0e98f8p-7f, 0x1.590ffep+1f},
-     {0x1.cd0668p+1f, 0x1.c3acbcp+0f, 0x1.157f2ep+0f, 0x1.d6d942p+0f, 0x1.f2df78p-2f, 0x1.8043d4p-2f}},
-    0x1.9ed882p-1f};
+    {{-0x1.c0a27p+0f, -0x1.971416p-2f, 0x1.75f39ap-2f},
+     {0x1.eddd82p-1f, -0x1.63e44ep-4f, 0x1.8d3d26p-3f, 0x1.2658ep-1f, 0x1.94f65p-8f, 0x1.2147eep-1f},
+     {0x1.957e0cp-1f, 0x1.d6a406p-4f, -0x1.d70cdep-5f, 0x1.024d9cp+0f, 0x1.7a422cp-4f, 0x1.24c696p+0f}},
+    0x1.d73438p-1f};
 
 template <class T, int D> pw85::detail::Pair<T, D> to_pair(Sample<T, D> const &s) { return {s.r12, s.q1, s.q2, T(1)}; }
+
+template <class T, int D> pw85::detail::QuarticCoefficients<T> coefficients(Sample<T, D> const &s)
+{
+    using namespace pw85::detail;
+    auto const q = side_by_side(s.q1, s.q2), other = side_by_side(s.q2, s.q1);
+    return {rational_form(q, other, adjugate(q), outer_weights(converted<TwoLanes<T>>(s.r12))),
+            diagonal_coefficients(q, other)};
+}
 
 template <class T, int D> Wide true_mu2(Sample<T, D> const &s)
 {
@@ -112,6 +120,11 @@ void test_conditioning()
     auto const inside = evaluate(near);
     g_assert_true(pw85::detail::shows_inside1(inside, near.t) && pw85::detail::shows_inside2(inside, near.t));
     g_assert_false(pw85::detail::test_quartic(inside, near.t).overlap);
+    auto const from_coefficients = pw85::detail::evaluate_quartic(coefficients(near.pair), near.t);
+    int const margin = pw85::detail::coefficients_inside_margin;
+    g_assert_true(pw85::detail::shows_inside1(from_coefficients, near.t, margin) &&
+                  pw85::detail::shows_inside2(from_coefficients, near.t, margin));
+    g_assert_false(pw85::detail::test_by_coefficients(from_coefficients, near.t).overlap);
 }
 
 // At a negative t, M may be indefinite, and t a - (1 + t) b positive for ellipsoids that overlap.
@@ -206,14 +219,6 @@ struct Tally {
         g_assert_cmpint(10 * decided, >, asked);
     }
 };
-
-template <class T, int D> pw85::detail::QuarticCoefficients<T> coefficients(Sample<T, D> const &s)
-{
-    using namespace pw85::detail;
-    auto const q = side_by_side(s.q1, s.q2), other = side_by_side(s.q2, s.q1);
-    return {rational_form(q, other, adjugate(q), outer_weights(converted<TwoLanes<T>>(s.r12))),
-            diagonal_coefficients(q, other)};
-}
 
 template <class T, int D> void test_alone()
 {

@@ -61,7 +61,15 @@ int store_overlap(Overlap const &o, int *overlap) noexcept
 
 int overlap(double const *r12, double const *q1, double const *q2, int *overlap) noexcept
 {
-    return store_overlap(overlap_by_tiers(view_vector(r12), view_matrix(q1), view_matrix(q2)), overlap);
+    auto const &r = view_vector(r12);
+    auto const &m1 = view_matrix(q1), &m2 = view_matrix(q2);
+    // The common case returns at once: a structure of results would pass through memory.
+    Decision const decision = decide_by_quartic(r, m1, m2);
+    if (decision != Decision::none) {
+        *overlap = decision == Decision::overlap;
+        return PW85_SUCCESS;
+    }
+    return store_overlap(overlap_near_contact(pair_of(r, m1, m2)), overlap);
 }
 
 int overlap_factored(double const *r12, double const *s1, double const *s2, int *overlap) noexcept

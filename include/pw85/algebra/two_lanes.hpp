@@ -82,7 +82,7 @@ template <class Mask> PW85_FUNCTION constexpr bool all_of(TwoMasks<Mask> const &
 #if (defined(__SSE2__) || defined(__aarch64__)) && !defined(__CUDA__) && !defined(__CUDACC__)
 
 /// The truth values of a comparison of two doubles: all bits of a lane are set, or none.
-struct MaskRegister {
+struct TwoLaneMask {
     typedef long long Bits __attribute__((vector_size(2 * sizeof(double))));
 
     Bits bits;
@@ -115,7 +115,7 @@ PW85_FUNCTION inline TwoLanes<double> operator*(TwoLanes<double> const &x, TwoLa
 {
     return x.lanes * y.lanes;
 }
-PW85_FUNCTION inline MaskRegister operator<(TwoLanes<double> const &x, TwoLanes<double> const &y) noexcept
+PW85_FUNCTION inline TwoLaneMask operator<(TwoLanes<double> const &x, TwoLanes<double> const &y) noexcept
 {
     return {x.lanes < y.lanes};
 }
@@ -128,21 +128,21 @@ PW85_FUNCTION inline TwoLanes<double> minimum(TwoLanes<double> const &x, TwoLane
     return y.lanes < x.lanes ? y.lanes : x.lanes;
 }
 
-PW85_FUNCTION inline MaskRegister operator&&(MaskRegister const &x, MaskRegister const &y) noexcept
+PW85_FUNCTION inline TwoLaneMask operator&&(TwoLaneMask const &x, TwoLaneMask const &y) noexcept
 {
     return {x.bits & y.bits};
 }
 #ifdef __SSE2__
 /// The truth values as the two lowest bits.
-PW85_FUNCTION inline int to_bits(MaskRegister const &mask) noexcept
+PW85_FUNCTION inline int to_bits(TwoLaneMask const &mask) noexcept
 {
     return __builtin_ia32_movmskpd((TwoLanes<double>::Register)mask.bits);
 }
-PW85_FUNCTION inline bool any_of(MaskRegister const &mask) noexcept { return to_bits(mask) != 0; }
-PW85_FUNCTION inline bool all_of(MaskRegister const &mask) noexcept { return to_bits(mask) == 3; }
+PW85_FUNCTION inline bool any_of(TwoLaneMask const &mask) noexcept { return to_bits(mask) != 0; }
+PW85_FUNCTION inline bool all_of(TwoLaneMask const &mask) noexcept { return to_bits(mask) == 3; }
 #else
-PW85_FUNCTION inline bool any_of(MaskRegister const &mask) noexcept { return (mask.bits[0] | mask.bits[1]) != 0; }
-PW85_FUNCTION inline bool all_of(MaskRegister const &mask) noexcept { return (mask.bits[0] & mask.bits[1]) != 0; }
+PW85_FUNCTION inline bool any_of(TwoLaneMask const &mask) noexcept { return (mask.bits[0] | mask.bits[1]) != 0; }
+PW85_FUNCTION inline bool all_of(TwoLaneMask const &mask) noexcept { return (mask.bits[0] & mask.bits[1]) != 0; }
 #endif
 
 /// The same bits as those of the function of two doubles, without a way through other registers.

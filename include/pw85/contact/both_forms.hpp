@@ -87,6 +87,18 @@ template <class T> PW85_FUNCTION constexpr Jet<T> evaluate_jet(QuarticForms<T> c
             rough_quotient(T(t * b_slope), b_value)};
 }
 
+/// The form on which a search of one pair takes its steps. On devices it is the one that needs fewer registers.
+template <class T>
+[[gnu::always_inline]] PW85_FUNCTION constexpr auto form_of_steps(RationalForm<T> const &form) noexcept
+{
+    if constexpr (is_for_device)
+        return form;
+    else
+        return quartic_forms(form);
+}
+
+template <class T> using FormOfSteps = std::conditional_t<is_for_device, RationalForm<T>, QuarticForms<T>>;
+
 } // namespace pw85::detail
 
 #endif

@@ -98,7 +98,7 @@ template <class T, int D> [[gnu::noinline]] PW85_FUNCTION inline Maximum<T> maxi
     auto const forms = quadratic_form(q, weights);
     T const guess = initial_guess(first_of(forms), second_of(forms), pair.ratio);
     auto const rational = rational_form(q, other, adj, weights);
-    RationalSearch<T, QuarticForms<T>> search{quartic_forms(rational), {guess, T(0), T(0)}, guess == guess};
+    RationalSearch<T, FormOfSteps<T>> search{form_of_steps(rational), {guess, T(0), T(0)}, guess == guess};
     int evaluations = 0;
     T const diagonal = diagonal_product(blend(pair.q1, guess, pair.q2));
     if (evaluate_b(rational, guess) >= rough_conditioning<T>() * diagonal) {

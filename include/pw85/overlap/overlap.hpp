@@ -92,15 +92,6 @@ template <class T, int D> [[gnu::noinline]] PW85_FUNCTION inline Overlap overlap
     return {decision == Decision::overlap, tier, status};
 }
 
-/// All tiers. Callers that make a function of their own of it inline it.
-template <class T, int D> [[gnu::always_inline]] PW85_FUNCTION inline Overlap
-overlap_by_tiers(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, SymmetricMatrix<T, D> const &q2) noexcept
-{
-    Decision const decision = decide_by_quartic(r12, q1, q2);
-    if (decision != Decision::none) return {decision == Decision::overlap, OverlapTier::quartic, Status::success};
-    return overlap_near_contact(pair_of(r12, q1, q2));
-}
-
 } // namespace pw85::detail
 
 namespace pw85 {
@@ -117,7 +108,10 @@ decide_overlap(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, Symmetr
 template <class T, int D> PW85_FUNCTION inline Overlap overlap(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
                                                                SymmetricMatrix<T, D> const &q2) noexcept
 {
-    return detail::overlap_by_tiers(r12, q1, q2);
+    using namespace detail;
+    Decision const decision = decide_by_quartic(r12, q1, q2);
+    if (decision != Decision::none) return {decision == Decision::overlap, OverlapTier::quartic, Status::success};
+    return overlap_near_contact(pair_of(r12, q1, q2));
 }
 
 } // namespace pw85

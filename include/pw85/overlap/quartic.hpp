@@ -179,7 +179,7 @@ decide_by_points(QuarticCoefficients<T> const &quartic, T const &t) noexcept
 /// A search on the rational form with a test at each of its points. It is a task (contact/rational_search.hpp) that ends when a
 /// test decides.
 template <class T> struct QuarticSearch {
-    RationalSearch<T, QuarticForms<T>> rational;
+    RationalSearch<T, FormOfSteps<T>> rational;
     QuarticCoefficients<T> quartic;
     Decision decision;
     bool active;
@@ -198,7 +198,7 @@ template <class T, int D> PW85_FUNCTION inline void take_step(QuarticSearch<T> &
 template <class T, int D> PW85_FUNCTION inline Decision
 search_for_decision(Pair<T, D> const &pair, QuarticCoefficients<T> const &quartic, T const &t) noexcept
 {
-    QuarticSearch<T> search{{quartic_forms(quartic.form), {t, T(0), T(0)}, t == t}, quartic, Decision::none, t == t};
+    QuarticSearch<T> search{{form_of_steps(quartic.form), {t, T(0), T(0)}, t == t}, quartic, Decision::none, t == t};
     run(search, pair, max_rational_steps);
     if (search.decision != Decision::none) return search.decision;
     T const &last = search.rational.candidate.t;
