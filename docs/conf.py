@@ -54,6 +54,9 @@ rst_epilog = f"""
 .. |conditions-of-instructions| replace:: {measurements.conditions("instructions")}
 .. |conditions-of-peers| replace:: {measurements.conditions("peers")}
 .. |conditions-of-growth| replace:: {measurements.conditions("growth")}
+.. |conditions-of-arrays| replace:: {measurements.conditions("arrays")}
+.. |conditions-of-calls| replace:: {measurements.conditions("calls")}
+.. |conditions-of-files| replace:: {measurements.conditions("files")}
 """
 
 breathe_default_project = "c"
