@@ -56,6 +56,9 @@ rst_epilog = f"""
 .. |conditions-of-signed_distance| replace:: {measurements.conditions("signed_distance")}
 .. |conditions-of-growth| replace:: {measurements.conditions("growth")}
 .. |conditions-of-factored| replace:: {measurements.conditions("factored")}
+.. |conditions-of-arrays| replace:: {measurements.conditions("arrays")}
+.. |conditions-of-calls| replace:: {measurements.conditions("calls")}
+.. |conditions-of-files| replace:: {measurements.conditions("files")}
 """
 
 breathe_default_project = "c"

@@ -1,7 +1,7 @@
 """Calls for one pair from Python against calls from C: python3 compare_calls.py LIBRARY_OF_C_LOOPS
 
-Prints CSV: nanoseconds of a call, and what Python adds. Python and C take turns, and the shortest time of each counts, which leaves out most of what
-else the machine does. compare_batches.py does the same for arrays.
+Prints CSV: nanoseconds of a call, and what Python adds. Python and C take turns, and the shortest time of each counts, which leaves
+out most of what else the machine does. compare_batches.py does the same for arrays.
 """
 
 import ctypes

@@ -2,7 +2,7 @@
 
 Prints CSV: what is done with a dump of LAMMPS, the number of particles, seconds, and bytes of memory for each particle. Each row is a
 process of its own. Its memory is its largest, less that of the same process for a file of 1000 particles. The last rows read the same
-lines by other means, into an array of numbers.
+lines into an array of numbers, by what `pypw85.read` uses and by other means.
 """
 
 import subprocess
@@ -24,6 +24,11 @@ PROGRAMS = {
     "pypw85.read": ("", "pypw85.read(path)"),
     "pw85 check": ("from pypw85 import cli; sys.stdout = open(os.devnull, 'w')", "cli.pw85.main(['check', path], standalone_mode=False)"),
     "pypw85.write": ("system = pypw85.read(path)", "pypw85.write(path + '.written', system, 'lammps-dump')"),
+    "lines of pypw85": (
+        "from pypw85.formats import _frames, _table",
+        f"lines = _table.Lines(path, _frames.Location(0)); head = [lines.next() for _ in range({HEAD})]; "
+        "lines.table(int(head[3]), head[-1].split()[2:])",
+    ),
     "numpy.loadtxt": ("", f"np.loadtxt(path, skiprows={HEAD})"),
     "pandas.read_csv": (
         "import pandas",

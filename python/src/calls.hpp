@@ -70,6 +70,11 @@ PyObject *contact_forces_pairs(PyObject *self, PyObject *const *args, Py_ssize_t
 /// unless all lines of the block, which is bytes, are plain. Kinds of columns, in bytes, are n (number), t (name), - (skipped).
 PyObject *parse_rows(PyObject *self, PyObject *args);
 
+/// format_rows(separator, columns...): the rows as text. A column is an array of int64 or float64 of two dimensions, or a tuple
+/// (codes of int32, list of names as bytes that the codes count). All columns have the same number of rows, and all arrays are
+/// contiguous.
+PyObject *format_rows(PyObject *self, PyObject *args);
+
 /// law_forces_pairs(pairs, centers, q, cell or None, images or None, kind, parameters, energy (one number), forces, torques, virial):
 /// status.
 PyObject *law_forces_pairs(PyObject *self, PyObject *const *args, Py_ssize_t nargs);

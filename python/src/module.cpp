@@ -152,6 +152,7 @@ PyMethodDef methods[] = {
     {"nearest_image_limit", as_method(nearest_image_limit), METH_FASTCALL,
      "Status and limit of pw85_nearest_image_limit()."},
     {"parse_rows", parse_rows, METH_VARARGS, "Rows of a table in a text file."},
+    {"format_rows", format_rows, METH_VARARGS, "Text of the rows of a table."},
     {nullptr, nullptr, 0, nullptr},
 };
 

@@ -1,9 +1,11 @@
-// Rows of tables in text files. Python reads the rows that are not plain, word by word, and says what is wrong with them.
+// Rows of tables in text files, read and written. Python reads the rows that are not plain, word by word, and says what is wrong
+// with them.
 #include <algorithm>
 #include <charconv>
 #include <cstdint>
 #include <cstring>
 #include <new>
+#include <string>
 #include <string_view>
 #include <unordered_map>
 #include <vector>
@@ -193,7 +195,81 @@ PyObject *parse(std::string_view block, char separator, std::string_view kinds)
     return lists ? PyTuple_Pack(3, numbers.get(), codes.get(), lists.get()) : nullptr;
 }
 
+/// A column of the rows that are written: whole numbers, numbers, or names, which codes count. The arrays of numbers may have
+/// several columns.
+class Column {
+  public:
+    /// Takes an array of int64 or float64 of two dimensions, or a tuple of an array of int32 and a list of bytes. All are
+    /// contiguous.
+    explicit Column(PyObject *given)
+    {
+        bool const is_coded = PyTuple_Check(given);
+        auto *const array = reinterpret_cast<PyArrayObject *>(is_coded ? PyTuple_GET_ITEM(given, 0) : given);
+        type_ = PyArray_TYPE(array);
+        data_ = static_cast<char const *>(PyArray_DATA(array));
+        rows_ = PyArray_DIM(array, 0);
+        width_ = is_coded ? 1 : PyArray_DIM(array, 1);
+        PyObject *const names = is_coded ? PyTuple_GET_ITEM(given, 1) : nullptr;
+        for (Py_ssize_t k = 0; is_coded && k < PyList_GET_SIZE(names); ++k) {
+            PyObject *const name = PyList_GET_ITEM(names, k);
+            names_.emplace_back(PyBytes_AS_STRING(name), static_cast<std::size_t>(PyBytes_GET_SIZE(name)));
+        }
+    }
+
+    npy_intp rows() const noexcept { return rows_; }
+
+    /// Appends the numbers of a row, or its name, each with the separator behind it. Numbers have the fewest digits that are read
+    /// as the same number.
+    void append(npy_intp row, char separator, std::string &text) const
+    {
+        for (npy_intp k = row * width_; k < (row + 1) * width_; ++k) {
+            if (type_ == NPY_DOUBLE)
+                append_number(reinterpret_cast<double const *>(data_)[k], text);
+            else if (type_ == NPY_INT64)
+                append_number(reinterpret_cast<std::int64_t const *>(data_)[k], text);
+            else
+                text += names_[static_cast<std::size_t>(reinterpret_cast<std::int32_t const *>(data_)[k])];
+            text += separator;
+        }
+    }
+
+  private:
+    template <class Number> static void append_number(Number x, std::string &text)
+    {
+        char digits[32];
+        text.append(digits, std::to_chars(digits, digits + sizeof digits, x).ptr);
+    }
+
+    int type_;
+    char const *data_;
+    npy_intp rows_, width_;
+    std::vector<std::string_view> names_;
+};
+
+std::string format(char separator, std::vector<Column> const &columns)
+{
+    std::string text;
+    for (npy_intp row = 0; row < columns.front().rows(); ++row) {
+        for (Column const &column : columns) column.append(row, separator, text);
+        text.back() = '\n';
+    }
+    return text;
+}
+
 } // namespace
+
+PyObject *format_rows(PyObject *, PyObject *args)
+{
+    try {
+        std::vector<Column> columns;
+        for (Py_ssize_t k = 1; k < PyTuple_GET_SIZE(args); ++k) columns.emplace_back(PyTuple_GET_ITEM(args, k));
+        long const separator = PyLong_AsLong(PyTuple_GET_ITEM(args, 0));
+        std::string const text = format(static_cast<char>(separator), columns);
+        return PyUnicode_DecodeUTF8(text.data(), static_cast<Py_ssize_t>(text.size()), nullptr);
+    } catch (std::bad_alloc const &) {
+        return PyErr_NoMemory();
+    }
+}
 
 PyObject *parse_rows(PyObject *, PyObject *args)
 {

@@ -2,6 +2,7 @@
 
 import decimal
 import gzip
+import io
 import itertools
 import os
 import pathlib
@@ -462,6 +463,26 @@ def test_plain_rows():
         assert _core.parse_rows(bad.encode(), ord(","), b"tn-n") is None, bad
         assert _core.parse_rows(bad.encode() + b"\n", ord(","), b"tn-n") is None, bad
     assert _core.parse_rows(b"a,1,2\n", ord(","), b"tn-n") is None
+
+
+@pytest.mark.parametrize("separator", [" ", ","])
+def test_rows_are_read_as_they_were_written(separator, monkeypatch):
+    """In blocks of three rows, the last of which is not full."""
+    monkeypatch.setattr(_table, "_WRITTEN", 3)
+    bits = np.random.default_rng(1).integers(0, 2**63, 1000, dtype=np.uint64)
+    numbers = np.concatenate([bits.view(np.float64), [0.0, -0.0, 0.1, 5e-324, 2.0**53, 1e23, np.finfo(float).max, 1.0]])
+    numbers = numbers[np.isfinite(numbers)]
+    numbers = numbers[: len(numbers) // 2 * 2].reshape(-1, 2)
+    names = np.array(["a", "Öl", "b"])[np.arange(len(numbers)) % 3]
+    ids = np.arange(len(numbers)) - 2**62
+    file = io.StringIO()
+    _table.write_rows(file, separator, ids, numbers[:, ::-1], _table.coded(names, str.upper))
+    rows = [line.split(separator) for line in file.getvalue().removesuffix("\n").split("\n")]
+    assert [int(row[0]) for row in rows] == ids.tolist()
+    read = np.array([[float(word) for word in row[1:3]] for row in rows])
+    assert read.tobytes() == np.ascontiguousarray(numbers[:, ::-1]).tobytes()
+    assert [row[3] for row in rows] == [name.upper() for name in names]
+    assert all(len(word) <= len(repr(float(word))) for row in rows for word in row[1:3])
 
 
 WORDS = ["1", "-2.5", "1e3", "a", "", '""', '"a"', '"1"', '"a,b"', " 1", 'a"b', '"', "\r", "\x1c", "é", "\u00a0", "nan",

@@ -1,4 +1,4 @@
-"""Tables of numbers in text files. Plain lines are read by compiled code; errors name the line and the column."""
+"""Tables of numbers in text files. Compiled code reads plain lines, and writes all; errors name the line and the column."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ import gzip
 import os
 import re
 import zlib
-from typing import Any, TypeAlias
+from typing import IO, Any, TypeAlias
 from collections.abc import Callable, Iterator, Sequence
 
 import numpy as np
@@ -21,6 +21,8 @@ from ._names import LONGEST
 
 # Bytes of the lines that are parsed at once: some hundredths of a second, after which an interruption is noticed.
 _BLOCK = 1 << 22
+# Rows that are written at once: some ten megabytes.
+_WRITTEN = 1 << 16
 # The longest line in bytes. A file that is no text may be one line of any length, and small if it is compressed.
 _LONGEST = READ_AHEAD
 _DIGITS = re.compile(r"[-+]?[0-9]+")
@@ -299,3 +301,34 @@ class Table:
                 self._lines.number = self.line + self._filled + int((codes == code).argmax())
                 check_lengths_of_names([name], self._lines.error)
                 raise self._lines.error("the name of a type is no text in UTF-8: convert the file")
+
+
+# Codes of names, one for each row, and the names in bytes that the codes count
+Coded: TypeAlias = tuple[NDArray[np.int32], list[bytes]]
+
+
+def coded(names: NDArray[Any], spelled: Callable[[str], str] = str) -> Coded:
+    """A column of names, for `write_rows`. Each name is written as `spelled` returns it."""
+    different, codes = np.unique(names, return_inverse=True)
+    return codes.astype(np.int32), [spelled(name).encode() for name in different.tolist()]
+
+
+def write_rows(file: IO[str], separator: str, *columns: NDArray[Any] | Coded) -> None:
+    """Writes the rows of columns: arrays (n) or (n, k) of whole numbers or of numbers in double precision, or names.
+
+    A number has the fewest digits that are read as the same number.
+    """
+    plain: list[NDArray[Any] | Coded] = [column if isinstance(column, tuple) else _plain(column) for column in columns]
+    count = len(plain[0][0] if isinstance(plain[0], tuple) else plain[0])
+    for begin in range(0, count, _WRITTEN):
+        file.write(_core.format_rows(ord(separator), *(_part(column, slice(begin, begin + _WRITTEN)) for column in plain)))
+
+
+def _plain(column: NDArray[Any]) -> NDArray[Any]:
+    """As compiled code takes it: contiguous, of two dimensions, of int64 or float64."""
+    kind = np.int64 if column.dtype.kind in "iu" else np.float64
+    return np.require(column.reshape(len(column), -1), kind, ["C", "A"])
+
+
+def _part(column: NDArray[Any] | Coded, rows: slice) -> NDArray[Any] | Coded:
+    return (column[0][rows], column[1]) if isinstance(column, tuple) else column[rows]

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import os
 import re
-from typing import IO, Any
+from typing import IO
 from collections.abc import Iterator
 
 import numpy as np
@@ -17,7 +17,7 @@ import numpy as np
 from .._system import System
 from ._frames import Frame, Location, Options
 from ._names import PRINTED, Rule, checked_names
-from ._table import Lines
+from ._table import Lines, coded, write_rows
 
 SUFFIXES = (".csv",)
 _NUMBER = re.compile(r"[-+]?[0-9.]+(?:[eE][-+]?[0-9]+)?")
@@ -97,9 +97,7 @@ def save(file: IO[str], system: System, frame: int) -> None:
             file.write(f"# {name} {' '.join(f'{value:.17g}' for value in np.ravel(values))}\n")
         file.write(f"# periodic {' '.join('FT'[flag] for flag in system.periodic)}\n")
     file.write(",".join(["id", "type", *_POSITION, *_SHAPE, *_QUATERNION]) + "\n")
-    rows: Any = np.column_stack([system.centers, system.semi_axes, system.quaternions])
-    for number, name, row in zip(system.ids, map(_quoted, names), rows):
-        file.write(f"{number},{name},{','.join(f'{value:.17g}' for value in row)}\n")
+    write_rows(file, ",", system.ids, coded(names, _quoted), system.centers, system.semi_axes, system.quaternions)
 
 
 def _quoted(name: str) -> str:

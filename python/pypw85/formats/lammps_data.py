@@ -15,7 +15,7 @@ from ._boxes import bounds, lost_periodicity, numbered_types
 from ._errors import FileError
 from ._frames import Frame, Location, Options
 from ._names import ONE_WORD, PRINTED, checked_names, numbers_if_all_are, type_names
-from ._table import Lines, Table
+from ._table import Lines, Table, write_rows
 
 SUFFIXES = (".data", ".lmp")
 _ATOMS = ["id", "type", "ellipsoid", "density", "x", "y", "z"]
@@ -156,11 +156,9 @@ def save(file: IO[Any], system: System, frame: int) -> None:
     if has_names and _has_labels(system):
         _write_labels(file, system)
     file.write("\nAtoms # ellipsoid\n\n")
-    ones = np.ones(len(system))
-    np.savetxt(file, np.column_stack([system.ids, types, ones, ones, system.centers]), fmt="%d %d %d %g" + 3 * " %.17g")
+    write_rows(file, " ", system.ids, types, np.ones((len(system), 2), np.int64), system.centers)
     file.write("\nEllipsoids\n\n")
-    rows: Any = np.column_stack([system.ids, 2 * system.semi_axes, system.quaternions])
-    np.savetxt(file, rows, fmt="%d" + 7 * " %.17g")
+    write_rows(file, " ", system.ids, 2 * system.semi_axes, system.quaternions)
 
 
 def _has_labels(system: System) -> bool:

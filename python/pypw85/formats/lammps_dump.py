@@ -14,7 +14,7 @@ from .._typing import Floats
 from ._boxes import bounds, numbered_types
 from ._frames import Frame, Location, Options
 from ._names import ONE_WORD, PRINTED, checked_names
-from ._table import Lines, Table, locate_frames
+from ._table import Lines, Table, coded, locate_frames, write_rows
 
 SUFFIXES = (".dump", ".lammpstrj")
 _POSITIONS = (("x", "y", "z"), ("xu", "yu", "zu"), ("xs", "ys", "zs"), ("xsu", "ysu", "zsu"))
@@ -156,9 +156,8 @@ def save(file: IO[Any], system: System, frame: int) -> None:
     tilted = " xy xz yz" if xy or xz or yz else ""
     flags = " ".join("pp" if flag else "ff" for flag in system.periodic)
     file.write(f"ITEM: TIMESTEP\n{system.step}\nITEM: NUMBER OF ATOMS\n{len(system)}\nITEM: BOX BOUNDS{tilted} {flags}\n")
-    np.savetxt(file, sides if tilted else sides[:, :2], fmt="%.17g")
+    write_rows(file, " ", sides if tilted else sides[:, :2])
     numbers, has_names = numbered_types(system)
-    labels = [checked_names(system, PRINTED, ONE_WORD).astype(object)] if has_names else []
+    labels = [coded(checked_names(system, PRINTED, ONE_WORD))] if has_names else []
     file.write(f"ITEM: ATOMS {' '.join(['id', 'type', *_POSITIONS[0], *_SHAPE, *_QUATERNION, *has_names * [_LABEL]])}\n")
-    rows: Any = np.column_stack([system.ids, numbers, system.centers, 2 * system.semi_axes, system.quaternions, *labels])
-    np.savetxt(file, rows, fmt="%d %d" + 10 * " %.17g" + has_names * " %s")
+    write_rows(file, " ", system.ids, numbers, system.centers, 2 * system.semi_axes, system.quaternions, *labels)

@@ -11,6 +11,7 @@ import numpy as np
 
 from .._functions import ellipsoid_quaternion
 from .._system import System
+from ._table import write_rows
 
 SUFFIXES = (".vtk",)
 
@@ -22,10 +23,10 @@ def save(file: IO[Any], system: System, frame: int) -> None:
     # The form of an ellipsoid with the square roots of the semi-axes is the square root of the form.
     roots = ellipsoid_quaternion(np.sqrt(system.semi_axes), system.quaternions)
     file.write(f"# vtk DataFile Version 3.0\nellipsoids of pw85\nASCII\nDATASET POLYDATA\nPOINTS {n} double\n")
-    np.savetxt(file, system.centers, fmt="%.17g")
+    write_rows(file, " ", system.centers)
     file.write(f"VERTICES {n} {2 * n}\n")
-    np.savetxt(file, np.column_stack([np.ones(n), np.arange(n)]), fmt="%d")
+    write_rows(file, " ", np.ones(n, np.int64), np.arange(n))
     file.write(f"POINT_DATA {n}\nTENSORS6 shape double\n")
-    np.savetxt(file, roots[:, [0, 3, 5, 1, 4, 2]], fmt="%.17g")
+    write_rows(file, " ", roots[:, [0, 3, 5, 1, 4, 2]])
     file.write("SCALARS id double 1\nLOOKUP_TABLE default\n")
-    np.savetxt(file, system.ids, fmt="%d")
+    write_rows(file, " ", system.ids)

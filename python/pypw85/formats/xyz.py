@@ -8,7 +8,7 @@ from __future__ import annotations
 import os
 import re
 import shlex
-from typing import IO, Any
+from typing import IO
 from collections.abc import Iterator
 
 import numpy as np
@@ -16,7 +16,7 @@ import numpy as np
 from .._system import System
 from ._frames import Frame, Location, Options
 from ._names import ONE_WORD, PRINTED, checked_names
-from ._table import Lines, locate_frames
+from ._table import Lines, coded, locate_frames, write_rows
 
 SUFFIXES = (".xyz", ".extxyz")
 _NUMBER = re.compile(rb"[-+]?[0-9]*\.?[0-9]*(?:[eE][-+]?[0-9]+)?")
@@ -134,9 +134,7 @@ def save(file: IO[str], system: System, frame: int) -> None:
         keys += [f'Lattice="{_numbers(system.cell)}"', f'Origin="{_numbers(system.origin)}"', f'pbc="{flags}"']
     keys += ["Properties=id:I:1:species:S:1:pos:R:3:aspherical_shape:R:3:orientation:R:4"]
     file.write(f"{len(system)}\n{' '.join(keys)}\n")
-    numbers: Any = np.column_stack([system.centers, system.semi_axes, system.quaternions[:, [1, 2, 3, 0]]])
-    for number, name, row in zip(system.ids, names, numbers):
-        file.write(f"{number} {name} {_numbers(row)}\n")
+    write_rows(file, " ", system.ids, coded(names), system.centers, system.semi_axes, system.quaternions[:, [1, 2, 3, 0]])
 
 
 def _numbers(values: np.ndarray) -> str:  # type: ignore[type-arg]
