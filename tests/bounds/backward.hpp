@@ -126,17 +126,31 @@ template <int D> Counts<D> count_roundings()
     return counts;
 }
 
-/// The error, over u P, of the product of the pivots of factorize(), for singular N. The product is the determinant of a changed
-/// matrix, so that it errs by Σ |adj(N)_ij K_ki K_kj| n_ijk to first order. v_0, v_1 and v_2 are in a plane.
-template <int D> class PivotErrors {
+/// The errors, over u P, of the determinant that is_clearly_definite() computes and of the product of the pivots of factorize(), for
+/// singular matrices in three dimensions. The product is the determinant of a changed matrix, so that it errs by Σ |adj(N)_ij K_ki
+/// K_kj| n_ijk to first order. v_0, v_1 and v_2 are in a plane.
+class DefiniteErrors {
   public:
-    static constexpr int angles = D == 2 ? 1 : 3;
+    static constexpr int D = 3, angles = 3;
     using Number = Affine<angles>;
-    static constexpr double ranges[] = {D == 2 ? 0.0 : pi / 2, pi, 0.0};
+    static constexpr double ranges[] = {pi / 2, pi, 0.0};
+
+    DefiniteErrors() : determinant_(record(definite<D>), 0.0) {}
 
     double bound(Box<angles> const &box, double, double (&variation)[angles])
     {
         UnitPair<D, angles> const pair(box);
+        determinant_.evaluate(pair);
+        determinant_.adjoint_of_result(0, 0) = Number(1.0);
+        determinant_.errors().propagate(0);
+        Number const sum = determinant_.errors().sum_errors(1.0, 0.0, variation) + error_of_pivots(pair);
+        for (int i = 0; i < angles; ++i) variation[i] = std::fabs(sum.slopes[i]) + box.width[i];
+        return sum.largest();
+    }
+
+  private:
+    Number error_of_pivots(UnitPair<D, angles> const &pair) const
+    {
         pw85::SymmetricMatrix<Number, D> m{};
         for (int i = 0; i < D; ++i)
             for (int j = i; j < D; ++j) m(i, j) = pair.entry(i, j);
@@ -146,11 +160,10 @@ template <int D> class PivotErrors {
             for (int j = 0; j < D; ++j)
                 for (int k = 0; k <= std::min(i, j); ++k)
                     sum = sum + magnitude(adj(i, j) * pair.v[i][k] * pair.v[j][k]) * counts_.factors[i][j][k];
-        for (int i = 0; i < angles; ++i) variation[i] = std::fabs(sum.slopes[i]) + box.width[i];
-        return sum.largest();
+        return sum;
     }
 
-  private:
+    PairErrors<D, angles> determinant_;
     Counts<D> counts_ = count_roundings<D>();
 };
 

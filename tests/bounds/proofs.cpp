@@ -64,28 +64,43 @@ bool prove_adjugate()
            holds<3, 5>("adjugate", adjugate_solution<3>, {1.0, 1.0}, adjugate_error);
 }
 
-/// is_clearly_definite(): the determinant errs by less than `determinant` u P, and the product of the pivots by less than the rest of
-/// definite_margin u P.
-///
-/// Let M pass the test, with P = 1. Then det M exceeds that rest, c u. So does the leading minor L before the last, as no pivot
-/// exceeds 1. The pivots before the last are positive by the theorem for fewer dimensions. Suppose that the last computed pivot is
-/// -x <= 0. With x added to the last entry of M, the pivots are those of a singular matrix, and the product of its diagonal is 1 + x.
-/// Hence det M + x L <= c u (1 + x), which is a contradiction.
-template <int D, int N> bool definite_holds(double determinant)
+/// is_clearly_definite() in two dimensions, with a unit diagonal and c = definite_margin: the second pivot is positive. With x the
+/// square of the other entry, the test shows that (1 + u - (1 - u) x)(1 + u) > c u (1 + u)(1 - u)². The pivot is positive if x times
+/// n roundings is below 1. To first order, x n < 1 - (c - 2 - n) u; for c = 2 + n the terms u² decide, and their sum is negative.
+bool definite_holds_in_a_plane()
 {
-    bool const holds_for_determinant = holds<D, N>("definite, determinant", definite<D>, {0.0, 1.0}, determinant);
-    PivotErrors<D> errors;
-    double const limit = definite_margin<D> * (1.0 - share_beyond) - determinant;
-    auto const proof = prove<N>(errors, PivotErrors<D>::ranges, limit, 100000);
-    std::printf("definite, D = %d: %s %d u; pivots %.2f, largest value seen %.2f\n", D,
-                proof.proved ? "proved" : "NOT PROVED", definite_margin<D>, limit, proof.largest);
-    return holds_for_determinant && proof.proved;
+    auto const counts = count_roundings<2>();
+    int const n = 2 * counts.factors[0][1][0] + counts.factors[1][1][0];
+    double const u = largest_u, c = definite_margin<2>;
+    double const x = ((1.0 + u) - c * u * (1.0 - u) * (1.0 - u)) / (1.0 - u), grown = x * std::pow(1.0 + u, n);
+    bool const proved = c >= 2 + n && grown < 1.0 - u * u;
+    std::printf("definite, D = 2: %s %g u; %d\n", proved ? "proved" : "NOT PROVED", c, 2 + n);
+    return proved;
+}
+
+/// The same in three dimensions, with P = 1. Let e u be the error of the determinant, L > det M > (c - e) u the leading minor, and
+/// suppose that the last computed pivot is -x <= 0.
+///
+/// With x added to the last entry of M, the pivots are those of a singular matrix M', whose P is 1 + x. Let p u be the error of the
+/// product of its pivots. Then c u - e u < det M <= p u (1 + x) - x L. The bound on e is larger by at most 10 x for M than for M',
+/// as it changes with the last entry by the roundings of two products. With e + p <= c for M' it follows that L < (c + 10) u.
+///
+/// But with such an L, and e <= 7.1, the pivot is positive: L errs by at most 6u, so that the pivot is at least (det M - 6u)/(L - 6u)
+/// > 1/8, less some 10 √u for the other errors.
+bool definite_holds_in_space()
+{
+    DefiniteErrors errors;
+    double const limit = definite_margin<3> * (1.0 - share_beyond);
+    auto const proof = prove<3>(errors, DefiniteErrors::ranges, limit, 100000);
+    std::printf("definite, D = 3: %s %d u; %ld boxes, largest value seen %.2f\n",
+                proof.proved ? "proved" : "NOT PROVED", definite_margin<3>, proof.boxes, proof.largest);
+    return holds<3, 3>("definite, determinant", definite<3>, {0.0, 1.0}, 7.1) && proof.proved;
 }
 
 bool prove_definite()
 {
-    bool const two = definite_holds<2, 1>(2.05);
-    return definite_holds<3, 3>(7.1) && two;
+    bool const two = definite_holds_in_a_plane();
+    return definite_holds_in_space() && two;
 }
 
 /// Bounds for shows_inside1() and shows_inside2(), in units of u. a errs by u/d times `a` of itself. The computed d is above

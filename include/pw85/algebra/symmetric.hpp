@@ -341,7 +341,7 @@ template <class T> PW85_FUNCTION constexpr T least_diagonal_product() noexcept
 
 /// A bound on the errors of a determinant near zero, in units of u times the product of the diagonal: the sum of those of the
 /// expanded determinant and of the product of the pivots (theorem `definite` of tests/bounds/proofs.cpp).
-template <int D> inline constexpr int definite_margin = D == 2 ? 9 : 18;
+template <int D> inline constexpr int definite_margin = D == 2 ? 8 : 16;
 
 /// Whether products alone (Sylvester's criterion) show that a symmetric matrix with entries near order one is positive definite. If
 /// they do, is_positive_definite() is true as well, and the pivots of factorize() are positive.
