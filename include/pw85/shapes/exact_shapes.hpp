@@ -335,7 +335,7 @@ template <class T> PW85_FUNCTION inline Corner<T> corner_of_box(ShapeNumbers<T, 
 
 } // namespace exact
 
-/// Whether a set overlaps the ellipsoid, for the numbers exactly as given. The functions use a fixed array on the stack: 11 KiB for
+/// Whether a set overlaps the ellipsoid, for the numbers exactly as given. The functions use a fixed array on the stack: 10 KiB for
 /// double.
 template <class T>
 requires exact::is_decidable<T>
