@@ -250,20 +250,19 @@ template <class T, int N> PW85_FUNCTION inline bool segment_overlaps(Workspace s
     return value(sum).sign < 0;
 }
 
-/// The normal (b - a) × (c - a) of a triangle.
-template <class T>
-PW85_FUNCTION inline WideVector normal_of(Workspace &space, ShapeNumbers<T, 3> const &numbers) noexcept
+/// The cross product of two vectors with coordinates of this many limbs. The vectors do not stay in memory.
+template <class First, class Second>
+PW85_FUNCTION inline WideVector cross_of(Workspace &space, int limbs, First const &first, Second const &second) noexcept
 {
     WideSum sums[3];
-    for (auto &sum : sums) sum = space.take(2 * numbers.coordinate_limbs + 1);
+    for (auto &sum : sums) sum = space.take(2 * limbs + 1);
     Workspace rest = space;
-    WideVector const e1 = difference(rest, numbers, numbers.corners[1], numbers.corners[0]);
-    WideVector const e2 = difference(rest, numbers, numbers.corners[2], numbers.corners[0]);
+    WideVector const a = first(rest), b = second(rest);
     WideVector n;
     for (int i = 0; i < 3; ++i) {
         int const j = (i + 1) % 3, k = (i + 2) % 3;
-        add_product(sums[i], 1, e1.x[j], e2.x[k]);
-        add_product(sums[i], -1, e1.x[k], e2.x[j]);
+        add_product(sums[i], 1, a.x[j], b.x[k]);
+        add_product(sums[i], -1, a.x[k], b.x[j]);
         n.x[i] = value(sums[i]);
     }
     return n;
@@ -273,12 +272,18 @@ PW85_FUNCTION inline WideVector normal_of(Workspace &space, ShapeNumbers<T, 3> c
 template <class T>
 PW85_FUNCTION inline bool plane_overlaps(Workspace space, ShapeNumbers<T, 3> const &numbers, WideForm const &q) noexcept
 {
-    WideVector const n = normal_of(space, numbers), y = product(space, q, n);
+    auto const from_first = [&](int k) {
+        return [&numbers, k](Workspace &w) { return difference(w, numbers, numbers.corners[k], numbers.corners[0]); };
+    };
+    auto const vertex = [&](int k) {
+        return [&numbers, k](Workspace &w) { return integers_of(w, numbers, numbers.corners[k]); };
+    };
+    int const limbs = numbers.coordinate_limbs;
+    WideVector const n = cross_of(space, limbs, from_first(1), from_first(2)), y = product(space, q, n);
     for (int k = 0; k < 3; ++k) {
         Workspace rest = space;
-        WideVector const b = integers_of(rest, numbers, numbers.corners[(k + 1) % 3]);
-        WideVector const c = integers_of(rest, numbers, numbers.corners[(k + 2) % 3]);
-        if (sign_of_dot(rest, cross(rest, b, c), y) < 0) return false;
+        WideVector const m = cross_of(rest, limbs, vertex((k + 1) % 3), vertex((k + 2) % 3));
+        if (sign_of_dot(rest, m, y) < 0) return false;
     }
     WideVector const a = integers_of(space, numbers, numbers.corners[0]);
     WideInteger const offset =
@@ -300,7 +305,7 @@ template <class T> PW85_FUNCTION constexpr int limbs_for_shapes() noexcept
         limbs_of_line(c, f) + maximum(maximum(adjugate, 6 * c + 3 * (2 * f + c + 2) + (2 * f + 2 * c + 3)),
                                       6 * c + 3 * (2 * c + 1) + 3 * (f + 2 * c + 2));
     constexpr int plane =
-        3 * (2 * c + 1) + 3 * (f + 2 * c + 2) + maximum(6 * c + 3 * (2 * c + 1) + (f + 4 * c + 6), 12 * c + 9);
+        3 * (2 * c + 1) + 3 * (f + 2 * c + 2) + maximum(3 * (2 * c + 1) + maximum(6 * c, f + 4 * c + 6), 12 * c + 12);
     return 6 * f + maximum(point, maximum(line, plane));
 }
 
@@ -330,7 +335,7 @@ template <class T> PW85_FUNCTION inline Corner<T> corner_of_box(ShapeNumbers<T, 
 
 } // namespace exact
 
-/// Whether a set overlaps the ellipsoid, for the numbers exactly as given. The functions use a fixed array on the stack: 12 KiB for
+/// Whether a set overlaps the ellipsoid, for the numbers exactly as given. The functions use a fixed array on the stack: 10 KiB for
 /// double.
 template <class T>
 requires exact::is_decidable<T>

@@ -70,7 +70,7 @@ choose(Mask const &mask, Normal<T, D, wanted> const &yes, Normal<T, D, wanted> c
         return yes;
 }
 
-template <class Mask, class T, bool with_normal> PW85_FUNCTION constexpr Nearest<T, with_normal>
+template <class Mask, class T, bool with_normal> [[gnu::always_inline]] PW85_FUNCTION constexpr Nearest<T, with_normal>
 choose(Mask const &mask, Nearest<T, with_normal> const &yes, Nearest<T, with_normal> const &no) noexcept
 {
     return {select(mask, yes.mu2, no.mu2), choose(mask, yes.point, no.point), choose(mask, yes.normal, no.normal),
@@ -78,13 +78,16 @@ choose(Mask const &mask, Nearest<T, with_normal> const &yes, Nearest<T, with_nor
 }
 
 /// Item 3, with the pivots of Q.
-template <bool with_normal, class T> PW85_FUNCTION constexpr Nearest<T, with_normal>
+template <bool with_normal, class T> [[gnu::always_inline]] PW85_FUNCTION constexpr Nearest<T, with_normal>
 nearest_on(Vector<T, 3> const &x, Factorization<T, 3> const &factors) noexcept
 {
     using WantedNormal = Normal<T, 3, with_normal>;
     Vector<T, 3> const y = substitute_forward(factors, x);
     T const mu2 = dot_over_pivots(factors, y, y);
-    return {mu2, x, WantedNormal{substitute_back(factors, y)}, mu2 == mu2};
+    if constexpr (with_normal)
+        return {mu2, x, WantedNormal{substitute_back(factors, y)}, mu2 == mu2};
+    else
+        return {mu2, x, {}, mu2 == mu2};
 }
 
 template <class T, int N> PW85_FUNCTION constexpr bool is_finite(Vector<T, 3> const (&points)[N]) noexcept
