@@ -65,7 +65,7 @@ template <int N, class Function> Proof prove(Function &function, double const *r
         open.pop_back();
         double variation[N] = {};
         if (function.bound(box, limit, variation) <= limit) continue;
-        if (proof.boxes % 16 == 0) proof.largest = std::max(proof.largest, value_at_center(function, box, limit));
+        if (proof.boxes % 64 == 0) proof.largest = std::max(proof.largest, value_at_center(function, box, limit));
         if (proof.largest > limit) return proof;
         open.push_back(halve(box, angle_to_halve(box, variation)));
         open.push_back(box);
