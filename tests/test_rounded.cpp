@@ -380,8 +380,11 @@ void test_ends()
     Random random(760);
     pw85::SymmetricMatrix<double, 3> const unit{0.25, 0, 0, 0.25, 0, 0.25};
     for (double const odd : {1.0, 3.0, 5.0, 7.0, 1001.0, 0x1p20 + 1.0})
-        for (double const tilt : {1.0, 1.0 - 0x1p-50, 1.0 + 0x1p-50}) // x = y: μ² = 2 x²
-            expect_rounded(Sample<double, 3>{{0x1p-538 * odd, 0x1p-538 * odd * tilt, 0}, unit, unit}, failures, steps);
+        for (double const tilt : {1.0, 1.0 - 0x1p-50, 1.0 + 0x1p-50})
+            for (double const z : {0.0, 0x1p-30}) { // x = y and z = 0: μ² = 2 x². With z, μ² rounds to it in 53 bits.
+                double const x = 0x1p-538 * odd;
+                expect_rounded(Sample<double, 3>{{x, tilt * x, z * x}, unit, unit}, failures, steps);
+            }
     for (int n = 0; n < draws(400); ++n) {
         auto s = random_pair<3>(random, {.aspect = 10.0});
         int const exponent = n % 2 == 0 ? -static_cast<int>(random.uniform(505.0, 545.0)) : 511;

@@ -70,7 +70,10 @@ template <class T, int N> struct Hull {
         return passes_fast_checks(points, q, unscaled_limit<T>());
     }
 
-    bool overlaps_exactly(SymmetricMatrix<T, 3> const &q) const noexcept { return detail::overlaps_exactly(points, q); }
+    [[gnu::always_inline]] bool overlaps_exactly(SymmetricMatrix<T, 3> const &q) const noexcept
+    {
+        return detail::overlaps_exactly(points, q);
+    }
 };
 
 /// A solid box.
@@ -112,7 +115,7 @@ template <class T> struct SolidBox {
         return is_in_range(size, form, form) && is_box(lower, upper) && is_clearly_definite(q);
     }
 
-    bool overlaps_exactly(SymmetricMatrix<T, 3> const &q) const noexcept
+    [[gnu::always_inline]] bool overlaps_exactly(SymmetricMatrix<T, 3> const &q) const noexcept
     {
         return box_overlaps_exactly(lower, upper, q);
     }
