@@ -53,6 +53,7 @@ rst_epilog = f"""
 .. |conditions-side-by-side| replace:: {measurements.conditions("side_by_side")}
 .. |conditions-of-instructions| replace:: {measurements.conditions("instructions")}
 .. |conditions-of-peers| replace:: {measurements.conditions("peers")}
+.. |conditions-of-rounded| replace:: {measurements.conditions("rounded")}
 .. |conditions-of-signed_distance| replace:: {measurements.conditions("signed_distance")}
 .. |conditions-of-growth| replace:: {measurements.conditions("growth")}
 .. |conditions-of-factored| replace:: {measurements.conditions("factored")}
