@@ -12,7 +12,7 @@ ROW = """\
 """
 
 # Truth values that are true of a bad row, so that a simulation refuses it.
-TRUE_IF_BAD = ("overlap", "overlap_2d", "overlap_factored")
+TRUE_IF_BAD = ("overlap", "overlap_2d", "overlap_factored", "overlap_segment", "overlap_triangle", "overlap_box", "overlap_polytope")
 
 
 def argument(operand, number):
@@ -89,7 +89,7 @@ def table(rows):
             signature=row.signature(),
             body=body(row),
             batch=batch(row),
-            codes=row.many.name if row.is_truth() else "nullptr",
+            codes=f"codes<{row.many.name}>" if row.is_truth() else "nullptr",
             if_bad=str(row.name in TRUE_IF_BAD).lower(),
         )
         for row in rows

@@ -97,6 +97,19 @@ int call_batch(int (*function)(std::size_t, Pointers...), std::size_t n, Inputs 
 /// A function of many rows of the C API, whose arrays are in the order of the operands.
 template <auto function> int batch(std::size_t n, Inputs in, Outputs out) { return call_batch(function, n, in, out); }
 
+template <class... Pointers>
+int call_codes(int (*function)(std::size_t, Pointers...), std::size_t n, Inputs in, unsigned char *codes)
+{
+    return [&]<std::size_t... k>(std::index_sequence<k...>) { return function(n, in[k]..., codes); }
+    (std::make_index_sequence<sizeof...(Pointers) - 1>{});
+}
+
+/// A function of many rows of the C API that answers by one byte for each row.
+template <auto function> int codes(std::size_t n, Inputs in, unsigned char *answers)
+{
+    return call_codes(function, n, in, answers);
+}
+
 /// One call(begin, count) for each run of rows that have the same t_max. Returns the status of the first bad row.
 template <class Call> int for_runs(std::size_t n, double const *t_max, Call const &call)
 {

@@ -31,8 +31,8 @@ using Evaluate = int (*)(Inputs in, Outputs out);
 /// The same for n rows.
 using Batch = int (*)(std::size_t n, Inputs in, Outputs out);
 
-/// A truth value of n pairs: 0, 1, or 255 for a bad one.
-using Codes = int (*)(std::size_t n, double const *r12, double const *q1, double const *q2, unsigned char *codes);
+/// The only output of a function of n rows if it is a truth value: 0, 1, or 255 for a bad row.
+using Codes = int (*)(std::size_t n, Inputs in, unsigned char *codes);
 
 struct Function {
     char const *name;

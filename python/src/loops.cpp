@@ -179,14 +179,18 @@ void truth_loop(char **args, std::ptrdiff_t const *dimensions, std::ptrdiff_t co
     Function const &function = *static_cast<Function const *>(data);
     find_rows(function, args, steps, rows);
     FloatingPointFlags flags;
-    bool const is_contiguous = rows[3].step == 1, if_bad = function.if_bad;
-    bool const good = for_blocks(dimensions[0], rows, 3, [&](Block &block, std::ptrdiff_t first, std::size_t n) {
+    int const nin = function.nin;
+    Rows const &answers = rows[nin];
+    bool const is_contiguous = answers.step == 1, if_bad = function.if_bad;
+    bool const good = for_blocks(dimensions[0], rows, nin, [&](Block &block, std::ptrdiff_t first, std::size_t n) {
         unsigned char buffer[max_block_rows];
-        unsigned char *const codes = is_contiguous ? &element<unsigned char>(rows[3], first) : buffer;
-        int const status = function.codes(n, block.gathered(0), block.gathered(1), block.gathered(2), codes);
+        unsigned char *const codes = is_contiguous ? &element<unsigned char>(answers, first) : buffer;
+        double const *in[max_operands];
+        for (int k = 0; k < nin; ++k) in[k] = block.gathered(k);
+        int const status = function.codes(n, in, codes);
         if (boolean) make_boolean(codes, n, if_bad);
         for (std::size_t i = 0; !is_contiguous && i < n; ++i)
-            element<unsigned char>(rows[3], first + static_cast<std::ptrdiff_t>(i)) = codes[i];
+            element<unsigned char>(answers, first + static_cast<std::ptrdiff_t>(i)) = codes[i];
         return status;
     });
     flags.note(!good);

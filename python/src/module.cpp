@@ -125,7 +125,8 @@ PyMethodDef methods[] = {
     {"set_reproducible", set_reproducible, METH_O,
      "set_reproducible(on, /)\n--\n\n"
      "Switch the reproducible mode on or off, for all threads of the process.\n\n"
-     "In this mode all functions of pairs give the same bits on every processor and with every number of threads; those\n"
+     "In this mode all functions of pairs give the same bits on every processor and with every number of threads; "
+     "those\n"
      "of arrays are slower. `contact_function` returns the numbers of `contact`. The functions of Zheng and those for\n"
      "arrays of a GPU do not follow the mode. The environment variable PW85_REPRODUCIBLE=1 starts a process in it."},
     {"is_reproducible", is_reproducible, METH_NOARGS,

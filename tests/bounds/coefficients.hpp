@@ -41,7 +41,7 @@ struct CoefficientRoundings {
     bool magnitudes;               ///< whether the sums of magnitudes are those of the comment above
 };
 
-template <int D> CoefficientRoundings count_roundings()
+template <int D> CoefficientRoundings count_coefficient_roundings()
 {
     Formula const formula = record(from_coefficients<D>);
     auto const found = monomials(formula.graph, 1.0);
@@ -64,7 +64,7 @@ template <int D> CoefficientRoundings count_roundings()
 /// computed a, and products of two errors: 6 % serve for both, where a errs by less than 3 %.
 template <int D> bool coefficients_hold()
 {
-    auto const n = count_roundings<D>();
+    auto const n = count_coefficient_roundings<D>();
     double const s = D == 2 ? 2.0 : 6.0;
     double const a = D * s * n.a, b = s * n.b, a_slope = (D - 1) * D * s * n.a_slope, b_slope = D * s * n.b_slope;
     double const apart = (a + b + 5.0) * (1.0 + 0x1p-10);
