@@ -5,11 +5,11 @@
 /// centre. There are up to three such faces. On the face x_i = c, xᵀQ⁻¹x is c²/Q_ii plus a form of the same kind in the other two
 /// coordinates, with the centre at Q_ij c/Q_ii and with Schur's complement of Q_ii in the place of Q. So the problem for a rectangle
 /// is left, with up to two edges that face its centre, and then that of an interval. Every term is a square, and the complements
-/// have the rounding errors of pivots (nearest.hpp).
+/// have the rounding errors of pivots (nearest_point.hpp).
 #ifndef PW85_SHAPES_BOX_HPP_INCLUDED
 #define PW85_SHAPES_BOX_HPP_INCLUDED
 
-#include <pw85/shapes/nearest.hpp>
+#include <pw85/shapes/nearest_point.hpp>
 
 namespace pw85::detail {
 

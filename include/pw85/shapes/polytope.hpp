@@ -3,7 +3,7 @@
 ///
 /// Let g = -normal and d = -offset, so that the half-spaces are g·x >= d. For a set of at most three planes whose multipliers λ are
 /// positive, (GᵀQG) λ = d gives the point x = QGλ where the scaled ellipsoid touches their intersection, and μ² = λ·d
-/// (nearest.hpp). This is at most the μ² of the polytope.
+/// (nearest_point.hpp). This is at most the μ² of the polytope.
 ///
 /// 1. The search begins with x = 0. It adds the half-space that x violates most, in units of the half-width √(gᵀQg) of the
 ///    ellipsoid. Of the subsets of the old planes with the new one, that with positive multipliers and the largest μ² has the
@@ -18,7 +18,7 @@
 
 #include <cstddef>
 
-#include <pw85/shapes/nearest.hpp>
+#include <pw85/shapes/nearest_point.hpp>
 
 namespace pw85::detail {
 

@@ -1,6 +1,6 @@
 /// @file
 /// The contact function of an ellipsoid and a segment. triangle.hpp uses it for the edges of a triangle. The items are those of
-/// nearest.hpp.
+/// nearest_point.hpp.
 ///
 /// The segment is a + t e, 0 <= t <= 1, with e = b - a. Let f = adj(Q) e and m = a × e. Then the nearest point of the line is at
 /// t = -a·f/(e·f), μ² = mᵀQm/(e·f), and s = e × Qm/(e·f). (The cross product of Q⁻¹a and Q⁻¹e is Qm/det Q.) These formulas need one
@@ -20,7 +20,7 @@
 #ifndef PW85_SHAPES_SEGMENT_HPP_INCLUDED
 #define PW85_SHAPES_SEGMENT_HPP_INCLUDED
 
-#include <pw85/shapes/nearest.hpp>
+#include <pw85/shapes/nearest_point.hpp>
 
 namespace pw85::detail {
 

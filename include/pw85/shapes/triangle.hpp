@@ -1,5 +1,5 @@
 /// @file
-/// The contact function of an ellipsoid and a triangle. The items are those of nearest.hpp.
+/// The contact function of an ellipsoid and a triangle. The items are those of nearest_point.hpp.
 ///
 /// Let a, b and c be the vertices, n = (b - a) × (c - a), and x the nearest point of the plane of the triangle (item 1). If x is in
 /// the triangle, it is the nearest point. Otherwise the nearest point is on an edge whose line separates x from the triangle: x -

@@ -14,8 +14,8 @@
 /// the points v_k of which x = Σ w_k v_k is the mean by at most 2 ε Σ w_k |s_i v_ki|. S is the sum of the two. Rounding errors of the
 /// pivots of a positive definite matrix act like such a change of the entries, for any aspect ratio. So each of the three formulas
 /// errs by some u S.
-#ifndef PW85_SHAPES_NEAREST_HPP_INCLUDED
-#define PW85_SHAPES_NEAREST_HPP_INCLUDED
+#ifndef PW85_SHAPES_NEAREST_POINT_HPP_INCLUDED
+#define PW85_SHAPES_NEAREST_POINT_HPP_INCLUDED
 
 #include <pw85/algebra/all_nan.hpp>
 #include <pw85/contact/validate.hpp>
