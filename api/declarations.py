@@ -31,6 +31,7 @@ CPP_HEADERS = (
     "pw85/pw85.hpp",
     *(f"pw85/batch/{name}.hpp" for name in ("rows", "pairs", "lists", "systems")),
     "pw85/neighbors.hpp",
+    "pw85/meshes.hpp",
 )
 
 SECTION = r"^(?:/\*\*| \*|///) @name (?P<title>[^\n]+)$"
@@ -51,6 +52,7 @@ PARAMETER = re.compile(
 EXTENT = r"(?:[a-z_]+|\d+)"
 SHAPE = re.compile(rf"({EXTENT}(?:×{EXTENT})*)(?= each\b| matrix\b| in\b| or null|[,;:.]|$)")
 STRUCTS = ("pw85_pair_list", "pw85_system", "pw85_law")  # structs that are arguments; other structs are elements of arrays
+OBJECTS = ("pw85_neighbors", "pw85_mesh")  # what the library owns
 STRUCT = re.compile(r"^typedef struct (?P<name>\w+) \{\n(?P<members>.*?)^\} (?P=name);", re.DOTALL | re.MULTILINE)
 MEMBER = re.compile(r"/\*\*(?P<comment>(?:(?!\*/).)*)\*/\s*(?P<declaration>[^;/]+);", re.DOTALL)
 NULLABLE = re.compile(r"\b(?:may be|or) null\b|\bnull (?:if|for) ")
@@ -72,7 +74,7 @@ class Parameter:
 
     def is_handle(self):
         """Whether it is a pointer to an object that the library owns."""
-        return self.pointer and self.type in ("void", "pw85_neighbors")
+        return self.pointer and self.type in ("void", *OBJECTS)
 
     def is_struct(self):
         """Whether it is a struct, whose members are arguments."""

@@ -8,7 +8,7 @@ writes the rows of the table that tests/calls.hpp includes.
 import sys
 from pathlib import Path
 
-from declarations import flattened, functions, members, members_read, parameters
+from declarations import OBJECTS, flattened, functions, members, members_read, parameters
 
 HEADERS = ("pw85.h", "pw85_legacy.h", "pw85_zheng.h")
 
@@ -20,7 +20,7 @@ TYPES = {
     "int64_t": "int64",
     "unsigned char": "byte",
     "pw85_motion": "motion",
-    "pw85_neighbors": "handle",
+    **dict.fromkeys(OBJECTS, "handle"),
 }
 RESULTS = {"void": "none", "int": "status", "double": "real"}  # results of other types are not used
 

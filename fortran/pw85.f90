@@ -187,6 +187,12 @@ module pw85
   public :: pw85_neighbors_holds
   public :: pw85_neighbors_list
   public :: pw85_neighbors_destroy
+  public :: pw85_mesh_create
+  public :: pw85_mesh_contact
+  public :: pw85_mesh_overlap
+  public :: pw85_mesh_contact_batch
+  public :: pw85_mesh_overlap_batch
+  public :: pw85_mesh_destroy
   public :: pw85_ellipsoid_factor_batch
   public :: pw85_ellipsoid_quaternion_batch
   public :: pw85_bounding_boxes
@@ -1353,6 +1359,65 @@ module pw85
       import
       type(c_ptr), value :: list
     end subroutine pw85_neighbors_destroy
+
+    !> Makes a mesh.
+    function pw85_mesh_create(num_vertices, vertices, num_triangles, triangles, mesh) result(status) bind(C, &
+      name='pw85_mesh_create')
+      import
+      integer(c_size_t), value :: num_vertices, num_triangles
+      real(c_double), intent(in) :: vertices(3, num_vertices)
+      integer(c_int32_t), intent(in) :: triangles(3, num_triangles)
+      type(c_ptr), intent(out) :: mesh
+      integer(c_int) :: status
+    end function pw85_mesh_create
+
+    !> Contact function of an ellipsoid and a mesh.
+    function pw85_mesh_contact(mesh, center, q, mu2, point, triangle) result(status) bind(C, name='pw85_mesh_contact')
+      import
+      type(c_ptr), value :: mesh
+      real(c_double), intent(in) :: center(3), q(6)
+      real(c_double), intent(out), optional :: mu2, point(3)
+      integer(c_int32_t), intent(out), optional :: triangle
+      integer(c_int) :: status
+    end function pw85_mesh_contact
+
+    !> Whether an ellipsoid and a mesh overlap, μ² < 1 for any triangle.
+    function pw85_mesh_overlap(mesh, center, q, overlap) result(status) bind(C, name='pw85_mesh_overlap')
+      import
+      type(c_ptr), value :: mesh
+      real(c_double), intent(in) :: center(3), q(6)
+      integer(c_int), intent(out), optional :: overlap
+      integer(c_int) :: status
+    end function pw85_mesh_overlap
+
+    !> pw85_mesh_contact() for n ellipsoids and one mesh.
+    function pw85_mesh_contact_batch(mesh, n, centers, q, mu2, point, triangle) result(status) bind(C, &
+      name='pw85_mesh_contact_batch')
+      import
+      integer(c_size_t), value :: n
+      type(c_ptr), value :: mesh
+      real(c_double), intent(in) :: centers(3, n), q(6, n)
+      real(c_double), intent(out), optional :: mu2(n), point(3, n)
+      integer(c_int32_t), intent(out), optional :: triangle(n)
+      integer(c_int) :: status
+    end function pw85_mesh_contact_batch
+
+    !> pw85_mesh_overlap() for n ellipsoids and one mesh.
+    function pw85_mesh_overlap_batch(mesh, n, centers, q, overlap) result(status) bind(C, &
+      name='pw85_mesh_overlap_batch')
+      import
+      integer(c_size_t), value :: n
+      type(c_ptr), value :: mesh
+      real(c_double), intent(in) :: centers(3, n), q(6, n)
+      integer(c_int8_t), intent(out) :: overlap(n)
+      integer(c_int) :: status
+    end function pw85_mesh_overlap_batch
+
+    !> Frees a mesh.
+    subroutine pw85_mesh_destroy(mesh) bind(C, name='pw85_mesh_destroy')
+      import
+      type(c_ptr), value :: mesh
+    end subroutine pw85_mesh_destroy
 
     !> pw85_ellipsoid_factor() for n ellipsoids.
     function pw85_ellipsoid_factor_batch(n, semi_axes, quaternions, s) result(status) bind(C, &

@@ -22,7 +22,7 @@
  * - #PW85_EINVAL has three causes, the same in every function: a pointer is null, and its description does not allow that; a
  *   number is NaN or infinite, and its description does not allow that; or an argument is outside of the range that its
  *   description states, as "> 0". #PW85_ENOTPD says that a form is not positive definite. The chapter on errors has a table.
- * - Only the functions of neighbour lists allocate memory. No function prints anything or ends the process. No
+ * - Only the functions of neighbour lists and pw85_mesh_create() allocate memory. No function prints anything or ends the process. No
  *   function shares state with another call, except that pw85_set_reproducible() sets a mode of the process: any number of threads may
  *   call any functions at the same time.
  * - No function needs more than 16 KiB of stack, besides what the dynamic linker takes to bind it at its first call. The
@@ -1589,6 +1589,85 @@ PW85_API pw85_pair_list pw85_neighbors_list(pw85_neighbors const *list);
  *
  * @param list a list, or null */
 PW85_API void pw85_neighbors_destroy(pw85_neighbors *list);
+
+/** @}
+ * @name Triangle meshes
+ *
+ * Ellipsoids and a mesh of triangles, such as a wall. The mesh is a surface: an ellipsoid inside of a closed mesh does not overlap it
+ * unless it meets a triangle. The coordinates of the vertices relative to the centre are rounded to doubles, and the results are those
+ * of pw85_contact_triangle() and pw85_overlap_triangle() for all triangles, bit by bit. A tree of boxes saves most of the work.
+ * @{ */
+
+/** A triangle mesh and its tree of boxes. The library owns it. Any number of threads may use it at the same time. */
+typedef struct pw85_mesh pw85_mesh;
+
+/** Makes a mesh. The arrays are copied.
+ *
+ * The memory is at most 300 bytes per triangle while the mesh is made, and 150 afterwards.
+ *
+ * @param num_vertices number of vertices, at most 2³¹ - 1
+ * @param vertices num_vertices×3
+ * @param num_triangles number of triangles, at most 2³¹ - 1
+ * @param triangles num_triangles×3: indices of vertices, from 0. A triangle without area is the segment or the point that has all three
+ *        vertices.
+ * @param[out] mesh null on error; to be destroyed by pw85_mesh_destroy()
+ * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOMEM */
+PW85_API int pw85_mesh_create(size_t num_vertices, double const *vertices, size_t num_triangles,
+                              int32_t const *triangles, pw85_mesh **mesh);
+
+/** Contact function of an ellipsoid and a mesh: the least μ² of all triangles.
+ *
+ * The time grows with the logarithm of the number of triangles, unless many of them are equally near. It is larger if the aspect ratio
+ * of the ellipsoid exceeds some thousands, or if semi-axes and distances differ by more than a factor of 1e30.
+ *
+ * @param mesh a mesh
+ * @param center of the ellipsoid
+ * @param q form of the ellipsoid
+ * @param[out] mu2 square of the factor by which the ellipsoid must be scaled to touch the mesh; infinity if the mesh has no triangles;
+ *             any output may be null
+ * @param[out] point where the scaled ellipsoid touches, relative to its centre; NaN if the mesh has no triangles
+ * @param[out] triangle index of the nearest triangle, the first of several; -1 if the mesh has none, and on error
+ * @return #PW85_SUCCESS; #PW85_EINVAL, also if the coordinates of a vertex relative to the centre overflow; #PW85_ENOTPD */
+PW85_API int pw85_mesh_contact(pw85_mesh const *mesh, double const center[PW85_DIM], double const q[PW85_SYM],
+                               double *mu2, double point[PW85_DIM], int32_t *triangle);
+
+/** Whether an ellipsoid and a mesh overlap, μ² < 1 for any triangle. If they only touch, they do not. The answer is that of exact
+ * arithmetic for the rounded coordinates relative to the centre.
+ *
+ * @param mesh,center,q as for pw85_mesh_contact()
+ * @param[out] overlap 1 or 0; -1 on error
+ * @return as for pw85_mesh_contact() */
+PW85_API int pw85_mesh_overlap(pw85_mesh const *mesh, double const center[PW85_DIM], double const q[PW85_SYM],
+                               int *overlap);
+
+/** pw85_mesh_contact() for n ellipsoids and one mesh; the bits are the same. Runs in parallel.
+ *
+ * @param mesh a mesh
+ * @param n number of ellipsoids
+ * @param centers n×3
+ * @param q n×6
+ * @param[out] mu2 n; any output may be null
+ * @param[out] point n×3
+ * @param[out] triangle n: -1 for a bad row, too
+ * @return as for pw85_contact_batch() */
+PW85_API int pw85_mesh_contact_batch(pw85_mesh const *mesh, size_t n, double const *centers, double const *q,
+                                     double *mu2, double *point, int32_t *triangle);
+
+/** pw85_mesh_overlap() for n ellipsoids and one mesh. Runs in parallel.
+ *
+ * @param mesh a mesh
+ * @param n number of ellipsoids
+ * @param centers n×3
+ * @param q n×6
+ * @param[out] overlap n: 1 or 0; 255 for a bad row
+ * @return as for pw85_contact_batch() */
+PW85_API int pw85_mesh_overlap_batch(pw85_mesh const *mesh, size_t n, double const *centers, double const *q,
+                                     unsigned char *overlap);
+
+/** Frees a mesh.
+ *
+ * @param mesh a mesh, or null */
+PW85_API void pw85_mesh_destroy(pw85_mesh *mesh);
 
 /** @}
  * @name Many forms

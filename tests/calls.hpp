@@ -93,7 +93,7 @@ class Call {
     }
     ~Call()
     {
-        for (pw85_neighbors *list : lists_) pw85_neighbors_destroy(list);
+        for (void *object : objects_) destroy(object);
         destroy_made();
     }
     Call(Call const &) = delete;
@@ -103,8 +103,8 @@ class Call {
     {
         destroy_made();
         Answer const answer = function_->call(arguments_.data());
-        if (std::string(function_->name) == "pw85_neighbors_destroy") {
-            std::erase(lists_, arguments_[0].pointer);
+        if (std::string(function_->name).ends_with("_destroy")) {
+            std::erase(objects_, arguments_[0].pointer);
             arguments_[0].pointer = nullptr;
         }
         return answer;
@@ -215,12 +215,12 @@ class Call {
     void *array(std::size_t k)
     {
         Parameter const &p = parameter(k);
-        if (p.type == Type::handle && !p.output) return make_list();
+        if (p.type == Type::handle && !p.output) return make_object();
         auto const bytes = size_of(p.type) * length(k);
         memory_[k].assign(bytes + 2 * margin, guard);
         if (p.output && p.type == Type::handle) {
-            *elements<pw85_neighbors *>(k) = nullptr;
-            made_ = elements<pw85_neighbors *>(k);
+            *elements<void *>(k) = nullptr;
+            made_ = elements<void *>(k);
         }
         if (!p.output) fill(k);
         return elements<void>(k);
@@ -232,7 +232,9 @@ class Call {
         std::string const name = p.name;
         for (std::size_t i = 0; i < length(k); ++i) {
             if (p.type == Type::int32)
-                elements<std::int32_t>(k)[i] = name == "images" ? 0 : static_cast<std::int32_t>(i);
+                elements<std::int32_t>(k)[i] = static_cast<std::int32_t>(name == "images"      ? 0
+                                                                         : name == "triangles" ? i % pairs_->size()
+                                                                                               : i);
             else if (p.type == Type::integer)
                 elements<int>(k)[i] = 1;
             else if (p.type == Type::motion)
@@ -304,23 +306,34 @@ class Call {
                 sign * pw85::detail::absolute(r[2])};
     }
 
-    /// A neighbour list of as many particles as the call has.
-    pw85_neighbors *make_list()
+    /// Whether the objects of the call are meshes, not neighbour lists.
+    bool has_meshes() const { return std::string(function_->name).starts_with("pw85_mesh"); }
+
+    void destroy(void *object) const
     {
+        if (has_meshes())
+            pw85_mesh_destroy(static_cast<pw85_mesh *>(object));
+        else
+            pw85_neighbors_destroy(static_cast<pw85_neighbors *>(object));
+    }
+
+    /// A neighbour list of as many particles as the call has, or a mesh.
+    void *make_object()
+    {
+        std::string const name = has_meshes() ? "pw85_mesh_create" : "pw85_neighbors_create";
         auto const &all = declared_functions();
-        auto const create = std::find_if(
-            all.begin(), all.end(), [](Function const &f) { return std::string(f.name) == "pw85_neighbors_create"; });
+        auto const create = std::find_if(all.begin(), all.end(), [&](Function const &f) { return f.name == name; });
         Call call(*create, *pairs_);
         call();
-        lists_.push_back(*call.made_);
+        objects_.push_back(*call.made_);
         *call.made_ = nullptr;
-        return lists_.back();
+        return objects_.back();
     }
 
     void destroy_made()
     {
         if (made_ == nullptr) return;
-        pw85_neighbors_destroy(*made_);
+        destroy(*made_);
         *made_ = nullptr;
     }
 
@@ -333,8 +346,8 @@ class Call {
     double lambda_;
     std::vector<Argument> arguments_;
     std::vector<std::vector<unsigned char>> memory_;
-    std::vector<pw85_neighbors *> lists_;
-    pw85_neighbors **made_ = nullptr;
+    std::vector<void *> objects_;
+    void **made_ = nullptr;
 };
 
 } // namespace pw85_tests

@@ -29,9 +29,10 @@ inline bool is_marked(Call &call, std::size_t k, std::size_t i)
     case Type::integer:
         return call.elements<int>(k)[i] == (is_one_of(call.parameter(k).name, {"sign"}) ? 2 : -1);
     case Type::int32:
-        return call.elements<std::int32_t>(k)[i] == std::numeric_limits<std::int32_t>::min();
+        return call.elements<std::int32_t>(k)[i] ==
+               (is_one_of(call.parameter(k).name, {"triangle"}) ? -1 : std::numeric_limits<std::int32_t>::min());
     case Type::handle:
-        return *call.elements<pw85_neighbors *>(k) == nullptr;
+        return *call.elements<void *>(k) == nullptr;
     default:
         return true; // the index of a bad particle
     }

@@ -14,7 +14,7 @@ import numpy as np
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "api"))
 from causes import CAUSES, FUNCTIONS, SUMS, is_named
-from declarations import flattened, members
+from declarations import OBJECTS, flattened, members
 from declarations import parameters as declared
 from extensions.status_table import status_codes
 
@@ -30,7 +30,7 @@ VALID = {
     **dict.fromkeys(("direction", "directions", "normal", "normals", "axis"), (0.0, 0, 1)),
     **dict.fromkeys(("motion1", "motion2", "motions"), (0.0,) * 7),
     **dict.fromkeys(("quaternion", "quaternions"), (1.0, 0, 0, 0)),
-    **dict.fromkeys(("n", "num_pairs", "num_particles"), ROWS),
+    **dict.fromkeys(("n", "num_pairs", "num_particles", "num_vertices", "num_triangles"), ROWS),
     "kind": 1,
     "on": 1,
     "num_parameters": 2,
@@ -48,6 +48,8 @@ VALID = {
     **dict.fromkeys(("end1", "vertex1"), (3.0, 2, 1)),
     **dict.fromkeys(("end2", "vertex2"), (3.0, -2, 1)),
     "vertex3": (3.0, 0, 4),
+    "vertices": (3.0, 2, 1),
+    "triangles": np.array([[0, 1, 0], [1, 0, 1]], dtype=np.int32),
     "pairs": np.array([[0, 1], [1, 0]], dtype=np.int32),
     "indices": np.array([0, 1], dtype=np.int32),
     "images": None,
@@ -62,7 +64,7 @@ class Parameter:
         self.is_pointer = one.pointer
         self.is_input = one.const or not self.is_pointer
         self.is_real = one.type in ("double", "pw85_motion")
-        self.is_list = one.type == "pw85_neighbors" and one.const
+        self.object = one.type if one.is_handle() and one.const else None
         self.rows = 1 if self.name in ("cell", "rotation") else ROWS
         self.type = ctypes.c_void_p if self.is_pointer else ctypes.c_double if self.is_real else ctypes.c_size_t
         self.flat = flat
@@ -150,18 +152,22 @@ STRUCTS = {"pw85_pair_list": PairList, "pw85_system": System, "pw85_law": Law}
 class Caller:
     def __init__(self, library):
         self.library = ctypes.CDLL(library)
-        self.neighbors = ctypes.c_void_p()
+        self.objects = {name: ctypes.c_void_p() for name in OBJECTS}
         centers, q, cell = np.array(VALID["centers"]), np.tile(SPHERE, (ROWS, 1)), VALID["cell"]
         system = System(ROWS, *(array.ctypes.data for array in (centers, q, cell)), (1, 1, 1))
         self.library.pw85_neighbors_create(
-            ctypes.byref(system), ctypes.c_double(1), ctypes.c_double(1), ctypes.byref(self.neighbors)
+            ctypes.byref(system), ctypes.c_double(1), ctypes.c_double(1), ctypes.byref(self.objects["pw85_neighbors"])
         )
+        arrays = np.tile(VALID["vertices"], (ROWS, 1)), VALID["triangles"]
+        vertices, triangles = (ctypes.c_void_p(array.ctypes.data) for array in arrays)
+        rows = ctypes.c_size_t(ROWS)
+        self.library.pw85_mesh_create(rows, vertices, rows, triangles, ctypes.byref(self.objects["pw85_mesh"]))
 
     def status(self, function, changes):
         """The status of a call with valid arguments but for the changes."""
         values, numbers = {}, {}
         for p in parameters(function):
-            value = values[p.name] = changes.get(p.name, self.neighbors.value if p.is_list else p.valid())
+            value = values[p.name] = changes.get(p.name, self.objects[p.object].value if p.object else p.valid())
             numbers[p.name] = p.type(value.ctypes.data if isinstance(value, np.ndarray) else value)
         arguments = []
         for one in declared(function):

@@ -27,7 +27,7 @@ ELSEWHERE = {
 }
 
 # The functions of an object are members of a class in C++ and Python, or parts of what makes it.
-CLASSES = {"pw85_neighbors_": "Neighbors"}
+CLASSES = {"pw85_neighbors_": "Neighbors", "pw85_mesh_": "Mesh"}
 
 
 def text(path):

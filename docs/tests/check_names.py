@@ -13,7 +13,10 @@ from pathlib import Path
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "api"))
 from declarations import functions, values
 
-HEADERS = ("pw85/pw85.hpp", "pw85/batch.hpp", "pw85/neighbors.hpp", "pw85/history/legacy.hpp", "pw85/history/zheng.hpp")
+HEADERS = (
+    *(f"pw85/{name}.hpp" for name in ("pw85", "batch", "neighbors", "meshes")),
+    *(f"pw85/history/{name}.hpp" for name in ("legacy", "zheng")),
+)
 NO_NAMES = {"detail", "operator"}  # what is not public; operators are found by the types of their operands
 
 

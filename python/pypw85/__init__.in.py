@@ -42,6 +42,7 @@ from ._functions import (
     f_neg,
     #@ functions
 )
+from ._meshes import Mesh
 from ._motion import Events, first_contact_pairs, motion
 from ._neighbors import Neighbors, neighbors
 from ._packing import OverlapsLeft, RelaxationInterrupted, pack, relax

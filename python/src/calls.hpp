@@ -57,6 +57,15 @@ PyObject *neighbors(PyObject *self, PyObject *const *args, Py_ssize_t nargs);
 /// neighbors_hold(list, centers, q, cell or None, periodic (three int32)): (status, whether).
 PyObject *neighbors_hold(PyObject *self, PyObject *const *args, Py_ssize_t nargs);
 
+/// mesh_create(vertices, triangles): (status, mesh), a capsule, or None if the status is not zero.
+PyObject *mesh_create(PyObject *self, PyObject *const *args, Py_ssize_t nargs);
+
+/// mesh_contact(mesh, centers, q, mu2, point, triangle): status. Arrays are contiguous and of the right type.
+PyObject *mesh_contact(PyObject *self, PyObject *const *args, Py_ssize_t nargs);
+
+/// mesh_overlap(mesh, centers, q, overlap): status. Arrays are contiguous and of the right type.
+PyObject *mesh_overlap(PyObject *self, PyObject *const *args, Py_ssize_t nargs);
+
 /// nearest_images(pairs, centers, cell, r12, images): status. Arrays are contiguous and of the right type.
 PyObject *nearest_images(PyObject *self, PyObject *const *args, Py_ssize_t nargs);
 

@@ -149,6 +149,9 @@ PyMethodDef methods[] = {
     {"law_forces_pairs", as_method(law_forces_pairs), METH_FASTCALL, "Status of pw85_law_forces_pairs()."},
     {"neighbors", as_method(neighbors), METH_FASTCALL, "Status and results of pw85_neighbors_create()."},
     {"neighbors_hold", as_method(neighbors_hold), METH_FASTCALL, "Status and answer of pw85_neighbors_holds()."},
+    {"mesh_create", as_method(mesh_create), METH_FASTCALL, "Status and mesh of pw85_mesh_create()."},
+    {"mesh_contact", as_method(mesh_contact), METH_FASTCALL, "Status of pw85_mesh_contact_batch()."},
+    {"mesh_overlap", as_method(mesh_overlap), METH_FASTCALL, "Status of pw85_mesh_overlap_batch()."},
     {"nearest_images", as_method(nearest_images), METH_FASTCALL, "Status of pw85_nearest_images()."},
     {"nearest_image_limit", as_method(nearest_image_limit), METH_FASTCALL,
      "Status and limit of pw85_nearest_image_limit()."},
@@ -197,7 +200,8 @@ PyObject *create_module()
                 add(module.get(), "LAMBDA_ATOL", Reference(PyFloat_FromDouble(PW85_LAMBDA_ATOL)));
     for (Function &function : functions()) good = good && register_function(module.get(), function);
     good = good && register_report(module.get(), "contact_pairs", "report_contact_pairs") &&
-           register_report(module.get(), "overlap_pairs", "report_overlap_pairs");
+           register_report(module.get(), "overlap_pairs", "report_overlap_pairs") &&
+           register_report(module.get(), "Mesh.contact", "report_mesh_contact");
     return good && limit_threads_after_fork() ? module.release() : nullptr;
 }
 

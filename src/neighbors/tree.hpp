@@ -1,5 +1,6 @@
 /// @file
-/// A tree of boxes. Each box encloses eight boxes of the level below. build_tree() fills the tree, and find_pairs() searches it.
+/// A tree of boxes. Each box encloses eight boxes of the level below. build_tree() fills the tree, and find_pairs() searches it. So do the
+/// functions of a mesh (../meshes/).
 #ifndef PW85_NEIGHBORS_TREE_HPP_INCLUDED
 #define PW85_NEIGHBORS_TREE_HPP_INCLUDED
 
@@ -39,6 +40,8 @@ class Tree {
     {
         return block(level, k / width)->get(static_cast<int>(k % width));
     }
+    /// The level of the block that has all boxes.
+    [[gnu::always_inline]] int top_level() const noexcept { return top_; }
     /// The smallest box around all boxes.
     [[gnu::always_inline]] Box root() const noexcept { return enclose(*block(top_, 0)); }
 

@@ -121,12 +121,22 @@ template <class T> struct SolidBox {
     }
 };
 
-/// Whether the vector s, of any length > 0, proves that a set does not overlap.
-///
+/// What a vector s, of any length > 0, proves of the least xᵀQ⁻¹x of a set: it is at least least²/form if least > 0.
+template <class T> struct Separation {
+    T least; ///< no more than s·y for any point y of the set
+    T form;  ///< no less than sᵀQs
+
+    /// Whether the set does not overlap.
+    PW85_MEMBER constexpr bool shows_apart() const noexcept
+    {
+        return least > T(0) && T(T(T(1) - T(8) * T(unit_roundoff<T>())) * least) * least > form;
+    }
+};
+
 /// s·y errs by at most 3 u times the sum of the magnitudes of its terms, and sᵀQs by 6 u Σ|s_i Q_ij s_j|, which is at most 18 u
-/// Σ s_i² Q_ii. The margins include the roundings of these bounds, of the square and of the sum.
-template <class T, class Shape> PW85_FUNCTION inline bool
-shows_apart(Shape const &shape, SymmetricMatrix<T, 3> const &q, Vector<T, 3> const &s) noexcept
+/// Σ s_i² Q_ii. The margins include the roundings of these bounds and of the sum.
+template <class T, class Shape> PW85_FUNCTION inline Separation<T>
+separation(Shape const &shape, SymmetricMatrix<T, 3> const &q, Vector<T, 3> const &s) noexcept
 {
     T const u = T(unit_roundoff<T>());
     Vector<T, 3> const size = shape.magnitudes(s);
@@ -135,8 +145,7 @@ shows_apart(Shape const &shape, SymmetricMatrix<T, 3> const &q, Vector<T, 3> con
         terms = terms + absolute(T(s[i] * size[i]));
         form = form + T(s[i] * s[i]) * q(i, i);
     }
-    T const least = shape.least_projection(s) - T(4) * u * terms;
-    return least > T(0) && T(T(T(1) - T(8) * u) * least) * least > T(quadratic_form(q, s) + T(24) * u * form);
+    return {T(shape.least_projection(s) - T(4) * u * terms), T(quadratic_form(q, s) + T(24) * u * form)};
 }
 
 /// Whether a point x that rounding moved by at most 16 u `size` from a point of the set proves that the set overlaps.
@@ -159,7 +168,7 @@ template <class T, class Shape> PW85_FUNCTION inline Decision
 decide_at(Shape const &shape, SymmetricMatrix<T, 3> const &q, Nearest<T, true> const &nearest) noexcept
 {
     Vector<T, 3> const &s = nearest.normal.direction;
-    if (nearest.mu2 >= T(1)) return shows_apart(shape, q, s) ? Decision::apart : Decision::none;
+    if (nearest.mu2 >= T(1)) return separation(shape, q, s).shows_apart() ? Decision::apart : Decision::none;
     Vector<T, 3> size = shape.magnitudes(s);
     for (int i = 0; i < 3; ++i) size[i] = maximum(size[i], absolute(nearest.point[i]));
     return shows_overlap(q, nearest.point, size) ? Decision::overlap : Decision::none;

@@ -1,0 +1,123 @@
+/// @file
+/// Triangle meshes for C++. They call the functions of the compiled library (link with pw85), and their contracts are those of
+/// pw85.h.
+#ifndef PW85_MESHES_HPP_INCLUDED
+#define PW85_MESHES_HPP_INCLUDED
+
+#include <memory>
+
+#include <pw85/batch.hpp>
+#include <pw85/pw85.hpp>
+
+namespace pw85 {
+
+/// A triangle mesh and its memory; it can be moved, not copied.
+class Mesh {
+  public:
+    /// Null: functions refuse it.
+    Mesh() noexcept = default;
+    /// Takes ownership of a mesh of the C API, which may be null.
+    [[gnu::always_inline]] explicit Mesh(pw85_mesh *mesh) noexcept : mesh_(mesh) {}
+
+    [[gnu::always_inline]] pw85_mesh const *get() const noexcept { return mesh_.get(); }
+
+  private:
+    struct Destroy {
+        [[gnu::always_inline]] void operator()(pw85_mesh *mesh) const noexcept { pw85_mesh_destroy(mesh); }
+    };
+    std::unique_ptr<pw85_mesh, Destroy> mesh_;
+};
+
+/// The contact of an ellipsoid and a mesh.
+struct MeshContact {
+    double mu2;              ///< infinity if the mesh has no triangles
+    Vector<double, 3> point; ///< where the scaled ellipsoid touches, relative to its centre
+    std::int32_t triangle;   ///< index of the nearest triangle; -1 if there is none
+    Status status;
+};
+
+/// Outputs of mesh_contact_batch(): one row for each ellipsoid, or none.
+struct MeshContactSpans {
+    std::span<double> mu2;
+    std::span<Vector<double, 3>> point;
+    std::span<std::int32_t> triangle;
+};
+
+/// Makes a mesh: see pw85_mesh_create().
+///
+/// @param vertices anywhere in space
+/// @param triangles indices of vertices, from 0
+/// @param[out] mesh null on error
+/// @return Status::success, Status::invalid_argument, Status::out_of_memory
+static inline Status mesh_create(std::span<Vector<double, 3> const> vertices,
+                                 std::span<std::array<std::int32_t, 3> const> triangles, Mesh &mesh) noexcept
+{
+    pw85_mesh *made = nullptr;
+    int const status =
+        pw85_mesh_create(vertices.size(), detail::in_c(vertices), triangles.size(), detail::in_c(triangles), &made);
+    mesh = Mesh(made);
+    return static_cast<Status>(status);
+}
+
+/// Contact function of an ellipsoid and a mesh: see pw85_mesh_contact().
+///
+/// @param mesh a mesh
+/// @param center of the ellipsoid
+/// @param q form of the ellipsoid
+/// @return the contact of the nearest triangle; Status::invalid_argument, Status::not_positive_definite
+static inline MeshContact mesh_contact(Mesh const &mesh, Vector<double, 3> const &center,
+                                       SymmetricMatrix<double, 3> const &q) noexcept
+{
+    MeshContact found{};
+    found.status = static_cast<Status>(pw85_mesh_contact(mesh.get(), center.coordinates, q.entries, &found.mu2,
+                                                         found.point.coordinates, &found.triangle));
+    return found;
+}
+
+/// Whether an ellipsoid and a mesh overlap, exactly: see pw85_mesh_overlap().
+///
+/// @param mesh,center,q as for mesh_contact()
+/// @return Status::success, Status::invalid_argument, Status::not_positive_definite
+static inline ShapeOverlap mesh_overlap(Mesh const &mesh, Vector<double, 3> const &center,
+                                        SymmetricMatrix<double, 3> const &q) noexcept
+{
+    int overlap = 0;
+    auto const status = static_cast<Status>(pw85_mesh_overlap(mesh.get(), center.coordinates, q.entries, &overlap));
+    return {overlap == 1, status};
+}
+
+/// mesh_contact() for many ellipsoids: see pw85_mesh_contact_batch().
+///
+/// @param mesh a mesh
+/// @param centers,q one for each ellipsoid
+/// @param[out] out one row for each ellipsoid, or none
+/// @return Status::success, Status::invalid_argument, or the status of the first bad ellipsoid
+static inline Status mesh_contact_batch(Mesh const &mesh, Vectors centers, Forms q,
+                                        MeshContactSpans const &out) noexcept
+{
+    std::size_t const n = centers.size();
+    if (q.size() != n || !detail::fits(n, out.mu2) || !detail::fits(n, out.point) || !detail::fits(n, out.triangle))
+        return Status::invalid_argument;
+    return static_cast<Status>(pw85_mesh_contact_batch(mesh.get(), n, detail::in_c(centers), detail::in_c(q),
+                                                       detail::in_c(out.mu2), detail::in_c(out.point),
+                                                       out.triangle.data()));
+}
+
+/// mesh_overlap() for many ellipsoids: see pw85_mesh_overlap_batch().
+///
+/// @param mesh a mesh
+/// @param centers,q one for each ellipsoid
+/// @param[out] overlap one for each ellipsoid: 1 or 0; 255 for a bad one
+/// @return as for mesh_contact_batch()
+static inline Status mesh_overlap_batch(Mesh const &mesh, Vectors centers, Forms q,
+                                        std::span<unsigned char> overlap) noexcept
+{
+    std::size_t const n = centers.size();
+    if (q.size() != n || overlap.size() != n) return Status::invalid_argument;
+    return static_cast<Status>(
+        pw85_mesh_overlap_batch(mesh.get(), n, detail::in_c(centers), detail::in_c(q), overlap.data()));
+}
+
+} // namespace pw85
+
+#endif

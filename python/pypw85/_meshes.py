@@ -1,0 +1,191 @@
+"""Triangle meshes."""
+
+from __future__ import annotations
+
+import os
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from . import _core
+from ._errors import PW85Error, Status
+from ._explanations import explain_values
+from ._pairs import _particles, _rows
+from ._typing import Floats
+
+
+class Mesh:
+    """A mesh of triangles, such as a wall.
+
+    The mesh is a surface: an ellipsoid inside of a closed mesh does not overlap it unless it meets a triangle. A triangle without
+    area is the segment or the point that has all three vertices.
+
+    Parameters
+    ----------
+    vertices : (n, 3) array_like
+        Finite.
+    triangles : (m, 3) array_like of int
+        Indices of vertices, from 0.
+
+    Attributes
+    ----------
+    vertices : (n, 3) array
+        Cannot be written to.
+    triangles : (m, 3) array of int32
+        Cannot be written to.
+
+    Raises
+    ------
+    PW85Error
+        A vertex is not finite, or an index is out of range.
+    MemoryError
+        There is not enough memory.
+
+    Examples
+    --------
+    >>> import numpy as np, pypw85
+    >>> floor = pypw85.Mesh([[-9, -9, 0], [9, -9, 0], [9, 9, 0], [-9, 9, 0]], [[0, 1, 2], [0, 2, 3]])
+    >>> q = pypw85.spheroid(1, 2, [0, 0, 1])
+    >>> mu2, point, triangle = floor.contact([[1, 0, 4], [0, 1, 1]], [q, q])
+    >>> mu2
+    array([4.  , 0.25])
+    >>> triangle
+    array([0, 1], dtype=int32)
+    >>> floor.overlap([[1, 0, 4], [0, 1, 1]], [q, q])
+    array([False,  True])
+    """
+
+    __slots__ = ("_mesh", "triangles", "vertices")
+
+    vertices: Floats
+    triangles: NDArray[np.int32]
+
+    def __init__(self, vertices: ArrayLike, triangles: ArrayLike) -> None:
+        self.vertices = _rows(vertices, 3, "vertices").copy()
+        self.triangles = _indices(triangles)
+        status, self._mesh = _core.mesh_create(self.vertices, self.triangles)
+        if status == Status.ENOMEM:
+            raise MemoryError("Mesh: " + _core.strerror(status))
+        if status:
+            raise PW85Error(status, "Mesh", _core.strerror(status), self._blame())
+        for array in (self.vertices, self.triangles):
+            array.setflags(write=False)
+
+    @classmethod
+    def read(cls, path: str | os.PathLike[str]) -> Mesh:
+        """The triangles of a file, by meshio: STL, OBJ, PLY and more.
+
+        Squares are divided into two triangles. Vertices of equal coordinates, which STL repeats for each triangle, stay as they are.
+
+        Parameters
+        ----------
+        path : path
+            Its ending says the format.
+
+        Returns
+        -------
+        Mesh
+
+        Raises
+        ------
+        ImportError
+            meshio is not installed.
+        ValueError
+            The file has no triangles.
+        """
+        try:
+            import meshio
+        except ImportError as error:
+            raise ImportError("Mesh.read needs meshio (Debian: python3-meshio)") from error
+        content = meshio.read(os.fspath(path))
+        cells = [np.asarray(block.data) for block in content.cells if block.type == "triangle"]
+        for block in content.cells:
+            if block.type == "quad":
+                cells += [np.asarray(block.data)[:, [0, 1, 2]], np.asarray(block.data)[:, [0, 2, 3]]]
+        if not cells:
+            raise ValueError(f"{os.fspath(path)} has no triangles")
+        return cls(content.points, np.concatenate(cells))
+
+    def __len__(self) -> int:
+        """Number of triangles."""
+        return len(self.triangles)
+
+    def __repr__(self) -> str:
+        return f"<pypw85.Mesh: {len(self)} triangles, {len(self.vertices)} vertices>"
+
+    def contact(self, centers: ArrayLike, q: ArrayLike) -> tuple[Floats, Floats, NDArray[np.int32]]:
+        """Contact function of ellipsoids and the mesh: the least μ² of all triangles.
+
+        Parameters
+        ----------
+        centers : (n, 3) array_like
+            Anywhere in space.
+        q : (n, 6) array_like
+            Forms.
+
+        Returns
+        -------
+        mu2 : (n,) array
+            Squares of the factors by which the ellipsoids must be scaled to touch; infinity if the mesh has no triangles; NaN for
+            a bad row.
+        point : (n, 3) array
+            Where the scaled ellipsoids touch, relative to their centres.
+        triangle : (n,) array of int32
+            Indices of the nearest triangles, the first of several; -1 if there is none.
+        """
+        arrays = _particles(centers, q)
+        n = len(arrays[0])
+        mu2, point, triangle = np.empty(n), np.empty((n, 3)), np.empty(n, np.int32)
+        status = _core.mesh_contact(self._mesh, *arrays, mu2, point, triangle)
+        if status:
+            _core.report_mesh_contact(status)  # as np.errstate says
+        return mu2, point, triangle
+
+    def overlap(self, centers: ArrayLike, q: ArrayLike) -> NDArray[np.bool_]:
+        """Whether ellipsoids and the mesh overlap, exactly: μ² < 1 for any triangle.
+
+        Parameters
+        ----------
+        centers : (n, 3) array_like
+            Anywhere in space.
+        q : (n, 6) array_like
+            Forms.
+
+        Returns
+        -------
+        (n,) array of bool
+
+        Raises
+        ------
+        PW85Error
+            A centre or a form is bad.
+        """
+        arrays = _particles(centers, q)
+        codes = np.empty(len(arrays[0]), np.uint8)
+        status = _core.mesh_overlap(self._mesh, *arrays, codes)
+        if status:
+            row = int(np.argmax(codes == 255))
+            detail = explain_values("bounding_boxes", (arrays[1][row],)) or f"centers is bad: {arrays[0][row].tolist()}"
+            raise PW85Error(status, "Mesh.overlap", _core.strerror(status), f"row {row}: {detail}")
+        return codes.view(np.bool_)
+
+    def _blame(self) -> str:
+        """Says what is wrong with the arrays."""
+        bad = ~np.isfinite(self.vertices).all(axis=1)
+        if bad.any():
+            return f"vertex {int(bad.argmax())} is not finite: {self.vertices[bad.argmax()].tolist()}"
+        bad = ((self.triangles < 0) | (self.triangles >= len(self.vertices))).any(axis=1)
+        row = int(bad.argmax())
+        return f"triangle {row} has an index that is no vertex: {self.triangles[row].tolist()}"
+
+
+def _indices(triangles: ArrayLike) -> NDArray[np.int32]:
+    """A copy of the indices. Numbers that int32 cannot hold become -1, which is no vertex."""
+    array = np.asarray(triangles)
+    if array.size == 0:
+        array = np.empty((0, 3), np.int32)
+    if array.ndim != 2 or array.shape[1] != 3 or array.dtype.kind not in "iu":
+        raise ValueError(f"triangles must be integers of the shape (m, 3), but they are {array.dtype} of the shape {array.shape}")
+    fits = (array >= 0) & (array <= np.iinfo(np.int32).max)
+    return np.where(fits, array, -1).astype(np.int32)
+

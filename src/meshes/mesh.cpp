@@ -1,0 +1,236 @@
+// The triangle meshes of the C API: how a mesh is made, and the functions that search it (search.hpp).
+#include <pw85.h>
+
+#include <cmath>
+#include <memory>
+#include <new>
+
+#include "../c_arrays.hpp"
+#include "../kernels/each_row.hpp"
+#include "../neighbors/order.hpp"
+#include "search.hpp"
+
+using namespace pw85;
+using namespace pw85::detail;
+using namespace pw85::detail::c_api;
+using namespace pw85::detail::meshes;
+using pw85::detail::neighbors::Array;
+using pw85::detail::neighbors::Box;
+
+namespace {
+
+Box box_of(Vector3 const &x) noexcept { return {{x[0], x[1], x[2]}, {x[0], x[1], x[2]}}; }
+
+Box box_of(Triangle const &triangle) noexcept
+{
+    auto const &[a, b, c] = triangle.vertices;
+    return enclose(enclose(box_of(a), box_of(b)), box_of(c));
+}
+
+Vector3 middle(Box const &box) noexcept
+{
+    Vector3 x;
+    for (int d = 0; d < 3; ++d) x[d] = 0.5 * box.lower[d] + 0.5 * box.upper[d];
+    return x;
+}
+
+/// Stores triangles in the order of the middles of their boxes on the curve, and builds the tree. Returns false if there is no memory.
+bool arrange(Array<Triangle> const &triangles, pw85_mesh &mesh) noexcept
+{
+    Array<neighbors::KeyedIndex> order;
+    if (!order.resize(triangles.size()) || !mesh.triangles.resize(triangles.size())) return false;
+    if (triangles.size() == 0) return true;
+    Box around = neighbors::empty_box;
+    for (std::size_t k = 0; k < triangles.size(); ++k) around = enclose(around, box_of(triangles[k]));
+    for (std::size_t k = 0; k < triangles.size(); ++k)
+        order[k] = {neighbors::key_of(middle(box_of(triangles[k])), around), static_cast<std::int32_t>(k)};
+    if (!neighbors::sort(order) || !mesh.tree.resize(triangles.size())) return false;
+    for (std::size_t k = 0; k < triangles.size(); ++k) {
+        mesh.triangles[k] = triangles[static_cast<std::size_t>(order[k].index)];
+        mesh.tree.set(k, box_of(mesh.triangles[k]));
+    }
+    mesh.tree.enclose_levels();
+    return true;
+}
+
+/// The arrays of a mesh, as the caller gives them.
+struct Given {
+    std::size_t num_vertices;
+    double const *vertices;
+    std::size_t num_triangles;
+    std::int32_t const *triangles;
+
+    bool has_arrays() const noexcept
+    {
+        return num_vertices <= INT32_MAX && num_triangles <= INT32_MAX && (num_vertices == 0 || vertices != nullptr) &&
+               (num_triangles == 0 || triangles != nullptr);
+    }
+
+    bool is_valid() const noexcept
+    {
+        for (std::size_t k = 0; k < 3 * num_vertices; ++k)
+            if (!std::isfinite(vertices[k])) return false;
+        for (std::size_t k = 0; k < 3 * num_triangles; ++k)
+            if (triangles[k] < 0 || static_cast<std::size_t>(triangles[k]) >= num_vertices) return false;
+        return true;
+    }
+
+    Triangle triangle(std::size_t k) const noexcept
+    {
+        auto const vertex = [&](std::size_t i) { return load_vector<3>(vertices + 3 * triangles[3 * k + i]); };
+        return {{vertex(0), vertex(1), vertex(2)}, static_cast<std::int32_t>(k)};
+    }
+};
+
+int create(Given const &given, pw85_mesh *&mesh) noexcept
+{
+    if (!given.is_valid()) return PW85_EINVAL;
+    std::unique_ptr<pw85_mesh> made(new (std::nothrow) pw85_mesh);
+    Array<Triangle> triangles;
+    if (made == nullptr || !triangles.resize(given.num_triangles)) return PW85_ENOMEM;
+    for (std::size_t k = 0; k < triangles.size(); ++k) triangles[k] = given.triangle(k);
+    if (!arrange(triangles, *made)) return PW85_ENOMEM;
+    mesh = made.release();
+    return PW85_SUCCESS;
+}
+
+/// The status of an ellipsoid. The coordinates of all vertices relative to its centre must be finite.
+Status validate(pw85_mesh const &mesh, Vector3 const &center, Form3 const &q) noexcept
+{
+    if (!is_finite(center)) return Status::invalid_argument;
+    if (mesh.triangles.size() > 0) {
+        Box const root = mesh.tree.root();
+        for (int d = 0; d < 3; ++d)
+            if (!std::isfinite(root.lower[d] - center[d]) || !std::isfinite(root.upper[d] - center[d]))
+                return Status::invalid_argument;
+    }
+    return detail::validate(q);
+}
+
+/// Searches a mesh for triangles; see Search.
+template <class Visit> void search(pw85_mesh const &mesh, Ellipsoid const &ellipsoid, Margin const &margin,
+                                   double limit, Visit const &visit) noexcept
+{
+    Search<Visit>(mesh, ellipsoid, margin, limit, visit).run();
+}
+
+/// The contact of a triangle, and its number.
+struct NearestTriangle {
+    ShapeContact<double> contact;
+    std::int32_t index;
+};
+
+/// The triangle with the least computed μ²; the first one of several.
+NearestTriangle find_nearest(pw85_mesh const &mesh, Vector3 const &center, Form3 const &q) noexcept
+{
+    Status const status = validate(mesh, center, q);
+    if (status != Status::success) return {all_nan<ShapeContact<double>>(status), -1};
+    NearestTriangle best{all_nan<ShapeContact<double>>(status), -1};
+    best.contact.mu2 = HUGE_VAL;
+    Ellipsoid const ellipsoid(center, q);
+    auto const visit = [&](Triangle const &triangle) {
+        auto const &[a, b, c] = ellipsoid.relative(triangle).points;
+        auto const contact = contact_triangle(a, b, c, q);
+        bool const is_first = best.index < 0 || triangle.index < best.index;
+        if (contact.mu2 < best.contact.mu2 || (contact.mu2 == best.contact.mu2 && is_first))
+            best = {contact, triangle.index};
+        return best.contact.mu2;
+    };
+    search(mesh, ellipsoid, margin_of_contact(ellipsoid.form()), HUGE_VAL, visit);
+    return best;
+}
+
+/// Whether any triangle overlaps. The bounds are proofs, and need no margin.
+ShapeOverlap find_overlap(pw85_mesh const &mesh, Vector3 const &center, Form3 const &q) noexcept
+{
+    Status const status = validate(mesh, center, q);
+    if (status != Status::success) return {false, status};
+    bool overlap = false;
+    Ellipsoid const ellipsoid(center, q);
+    auto const visit = [&](Triangle const &triangle) {
+        auto const &[a, b, c] = ellipsoid.relative(triangle).points;
+        overlap = overlap_triangle(a, b, c, q).overlap;
+        return overlap ? -1.0 : 1.0;
+    };
+    search(mesh, ellipsoid, {0.0, {0.0, 0.0, 0.0}}, 1.0, visit);
+    return {overlap, status};
+}
+
+int store(NearestTriangle const &found, double *mu2, double *point, std::int32_t *triangle) noexcept
+{
+    if (mu2 != nullptr) *mu2 = found.contact.mu2;
+    c_api::store(found.contact.point, point);
+    if (triangle != nullptr) *triangle = found.index;
+    return static_cast<int>(found.contact.status);
+}
+
+/// Ellipsoids per block of a thread: each takes some microseconds.
+constexpr std::size_t block_of_ellipsoids = 32;
+
+/// Calls row(i), which returns a status, for each of n ellipsoids, in parallel, and returns the status of the first bad one.
+template <class Row> int each_ellipsoid(std::size_t n, double const *centers, double const *q, Row const &row) noexcept
+{
+    if (n == 0) return PW85_SUCCESS;
+    if (n > kernels::max_rows || any_null(centers, q)) return PW85_EINVAL;
+    return kernels::for_all(
+        n, [&](kernels::Range range) { return kernels::for_rows(range, row); }, block_of_ellipsoids);
+}
+
+} // namespace
+
+int pw85_mesh_create(size_t num_vertices, double const *vertices, size_t num_triangles, int32_t const *triangles,
+                     pw85_mesh **mesh)
+{
+    if (any_null(mesh)) return PW85_EINVAL;
+    *mesh = nullptr;
+    Given const given{num_vertices, vertices, num_triangles, triangles};
+    if (!given.has_arrays()) return PW85_EINVAL;
+    return in_default_environment([&] { return create(given, *mesh); });
+}
+
+void pw85_mesh_destroy(pw85_mesh *mesh) { delete mesh; }
+
+int pw85_mesh_contact(pw85_mesh const *mesh, double const center[3], double const q[6], double *mu2, double point[3],
+                      int32_t *triangle)
+{
+    if (any_null(mesh, center, q)) {
+        NearestTriangle const none{all_nan<ShapeContact<double>>(Status::invalid_argument), -1};
+        return store(none, mu2, point, triangle);
+    }
+    return in_default_environment(
+        [&] { return store(find_nearest(*mesh, load_vector<3>(center), load_matrix<3>(q)), mu2, point, triangle); });
+}
+
+int pw85_mesh_contact_batch(pw85_mesh const *mesh, size_t n, double const *centers, double const *q, double *mu2,
+                            double *point, int32_t *triangle)
+{
+    if (any_null(mesh)) return PW85_EINVAL;
+    return each_ellipsoid(n, centers, q, [&](std::size_t i) {
+        auto const found = find_nearest(*mesh, load_vector<3>(centers + 3 * i), load_matrix<3>(q + 6 * i));
+        return store(found, mu2 != nullptr ? mu2 + i : nullptr, point != nullptr ? point + 3 * i : nullptr,
+                     triangle != nullptr ? triangle + i : nullptr);
+    });
+}
+
+int pw85_mesh_overlap(pw85_mesh const *mesh, double const center[3], double const q[6], int *overlap)
+{
+    if (any_null(overlap)) return PW85_EINVAL;
+    *overlap = -1;
+    if (any_null(mesh, center, q)) return PW85_EINVAL;
+    return in_default_environment([&] {
+        auto const answer = find_overlap(*mesh, load_vector<3>(center), load_matrix<3>(q));
+        if (answer.status == Status::success) *overlap = answer.overlap;
+        return static_cast<int>(answer.status);
+    });
+}
+
+int pw85_mesh_overlap_batch(pw85_mesh const *mesh, size_t n, double const *centers, double const *q,
+                            unsigned char *overlap)
+{
+    if (any_null(mesh) || (n > 0 && any_null(overlap))) return PW85_EINVAL;
+    return each_ellipsoid(n, centers, q, [&](std::size_t i) {
+        auto const answer = find_overlap(*mesh, load_vector<3>(centers + 3 * i), load_matrix<3>(q + 6 * i));
+        overlap[i] = answer.status != Status::success ? 255 : answer.overlap;
+        return static_cast<int>(answer.status);
+    });
+}

@@ -1,0 +1,376 @@
+// Tests of ellipsoids and triangle meshes against all triangles, one by one.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <vector>
+
+#include <glib.h>
+
+#include <pw85/meshes.hpp>
+
+#include "draws.hpp"
+#include "failures.hpp"
+#include "random_pairs.hpp"
+#include "shapes_truth.hpp"
+
+using namespace pw85_tests;
+
+namespace {
+
+using pw85::Status;
+using pw85_tests::convert;
+using Vector3 = pw85::Vector<double, 3>;
+using Form3 = pw85::SymmetricMatrix<double, 3>;
+using Indices = std::array<std::int32_t, 3>;
+
+constexpr double infinity = std::numeric_limits<double>::infinity(), nan = std::numeric_limits<double>::quiet_NaN();
+constexpr Form3 unit_sphere{1, 0, 0, 1, 0, 1};
+
+/// The arrays of a mesh.
+struct Soup {
+    std::vector<Vector3> vertices;
+    std::vector<Indices> triangles;
+
+    pw85::Mesh mesh() const
+    {
+        pw85::Mesh made;
+        g_assert_true(pw85::mesh_create(vertices, triangles, made) == Status::success);
+        return made;
+    }
+    Vector3 relative(std::size_t triangle, std::size_t corner, Vector3 const &center) const
+    {
+        return vertices[static_cast<std::size_t>(triangles[triangle][corner])] - center;
+    }
+    void scale(int exponent)
+    {
+        for (auto &x : vertices) x = pw85::detail::times_power_of_two(x, exponent);
+    }
+};
+
+/// A sphere of radius 1 or a plane, as a grid of n by n squares; in the plane many triangles are equally near.
+Soup grid(int n, bool sphere)
+{
+    Soup soup;
+    auto const index = [n](int i, int j) { return i * (n + 1) + j; };
+    for (int i = 0; i <= n; ++i)
+        for (int j = 0; j <= n; ++j) {
+            double const theta = std::numbers::pi * i / n, phi = 2 * std::numbers::pi * j / n;
+            Vector3 const on_sphere{std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta)};
+            Vector3 const on_plane{double(i) - n / 2, double(j) - n / 2, 0.0};
+            soup.vertices.push_back(sphere ? on_sphere : on_plane);
+        }
+    for (int i = 0; i < n; ++i)
+        for (int j = 0; j < n; ++j) {
+            soup.triangles.push_back({index(i, j), index(i + 1, j), index(i, j + 1)});
+            soup.triangles.push_back({index(i + 1, j), index(i + 1, j + 1), index(i, j + 1)});
+        }
+    return soup;
+}
+
+/// Triangles of all sizes anywhere, slivers, segments and points among them.
+Soup random_soup(Random &random, int n)
+{
+    Soup soup;
+    for (int k = 0; k < n; ++k) {
+        Vector3 const place = random.uniform(0.0, 2.0) * random.direction<3>();
+        double const size = random.log_uniform(1e-6, 1.0);
+        auto const first = static_cast<std::int32_t>(soup.vertices.size());
+        for (int corner = 0; corner < 3; ++corner)
+            soup.vertices.push_back(pw85::detail::add_scaled(place, size, random.direction<3>()));
+        soup.triangles.push_back({first, k % 7 == 1 ? first : first + 1, k % 5 == 1 ? first : first + 2});
+    }
+    return soup;
+}
+
+struct Case {
+    Vector3 center;
+    Form3 q;
+};
+
+/// Balls, needles and discs to aspect ratio 1e6, of any size.
+Case random_case(Random &random, int n)
+{
+    double const aspects[] = {1.0, 10.0, 1e3, 1e6};
+    double const size = n % 3 == 0 ? 0.1 : random.log_uniform(1e-4, 10.0);
+    return {random.uniform(0.0, 3.0) * random.direction<3>(),
+            random.form(size, random.log_uniform(1.0, aspects[n % 4]))};
+}
+
+std::string text(Case const &c)
+{
+    return "center = " + hex_text(c.center.coordinates, 3) + ", q = " + hex_text(c.q.entries, 6);
+}
+
+/// The least μ² of all triangles, one by one.
+pw85::MeshContact nearest_of_all(Soup const &soup, Case const &c)
+{
+    pw85::MeshContact best{infinity, {nan, nan, nan}, -1, Status::success};
+    for (std::size_t k = 0; k < soup.triangles.size(); ++k) {
+        Vector3 const a = soup.relative(k, 0, c.center), b = soup.relative(k, 1, c.center),
+                      d = soup.relative(k, 2, c.center);
+        double mu2 = 0;
+        Vector3 point{};
+        int const status =
+            pw85_contact_triangle(a.coordinates, b.coordinates, d.coordinates, c.q.entries, &mu2, point.coordinates);
+        g_assert_cmpint(status, ==, PW85_SUCCESS);
+        if (mu2 < best.mu2) best = {mu2, point, static_cast<std::int32_t>(k), Status::success};
+    }
+    return best;
+}
+
+/// Whether any triangle overlaps, in integers.
+bool overlaps_any(Soup const &soup, Case const &c)
+{
+    for (std::size_t k = 0; k < soup.triangles.size(); ++k) {
+        Vector3 const points[3] = {soup.relative(k, 0, c.center), soup.relative(k, 1, c.center),
+                                   soup.relative(k, 2, c.center)};
+        if (pw85::detail::overlaps_exactly(points, c.q)) return true;
+    }
+    return false;
+}
+
+void expect_nearest(Soup const &soup, pw85::Mesh const &mesh, Case const &c, Failures &failures)
+{
+    auto const found = pw85::mesh_contact(mesh, c.center, c.q), expected = nearest_of_all(soup, c);
+    auto const describe = [&] { return std::to_string(soup.triangles.size()) + " triangles, " + text(c); };
+    failures.check(found.status == Status::success, "status", static_cast<double>(found.status), 0, describe);
+    failures.check(found.triangle == expected.triangle, "triangle", found.triangle, expected.triangle, describe);
+    failures.check(found.mu2 == expected.mu2, "mu2", found.mu2, expected.mu2, describe);
+    for (int i = 0; i < 3; ++i)
+        failures.check(found.point[i] == expected.point[i], "point", found.point[i], expected.point[i], describe);
+}
+
+void expect_overlap(pw85::Mesh const &mesh, Case const &c, bool expected, Failures &failures)
+{
+    auto const found = pw85::mesh_overlap(mesh, c.center, c.q);
+    failures.check(found.status == Status::success && found.overlap == expected, "overlap", found.overlap, expected,
+                   [&] { return text(c); });
+}
+
+/// A soup and the same in other units.
+Soup soup_of(Random &random, int n, int exponent)
+{
+    Soup soup = n % 3 == 0 ? grid(8, true) : n % 3 == 1 ? grid(9, false) : random_soup(random, 1 + 7 * n % 600);
+    soup.scale(exponent);
+    return soup;
+}
+
+constexpr int exponents[] = {0, -40, 40, -300, 300};
+
+// The bits of the least of all triangles.
+void test_nearest()
+{
+    Failures failures;
+    Random random(700);
+    for (int n = 0; n < draws(240); ++n) {
+        int const exponent = exponents[n % 5];
+        Soup const soup = soup_of(random, n, exponent);
+        auto const mesh = soup.mesh();
+        for (int k = 0; k < 12; ++k) {
+            Case c = random_case(random, k);
+            c.center = pw85::detail::times_power_of_two(c.center, exponent);
+            c.q = pw85::detail::times_power_of_two(c.q, 2 * exponent);
+            if (k % 4 == 3) c.center[2] = 0.0; // in the plane of a grid
+            expect_nearest(soup, mesh, c, failures);
+        }
+    }
+}
+
+// The same where the ellipsoid touches many triangles at equal distances up to rounding errors: an ellipsoid that an integer map makes
+// of a ball above a grid, and centres on the axis of a sphere of triangles.
+void test_equally_near()
+{
+    Failures failures;
+    Random random(701);
+    for (int n = 0; n < draws(200); ++n) {
+        bool const sphere = n % 2 == 0;
+        Soup const soup = grid(10 + n % 7, sphere);
+        double const height = random.log_uniform(1e-8, 1e8);
+        Case c{{0, 0, height}, random.form(sphere ? 1.0 : height, random.log_uniform(1.0, n % 4 < 2 ? 10.0 : 1e4))};
+        if (sphere) c = {{0, 0, 0}, Form3{height, 0, 0, height, 0, height}};
+        expect_nearest(soup, soup.mesh(), c, failures);
+    }
+}
+
+// Ellipsoids of which the box that is in the way can only be skipped if no margin is kept: sizes that differ much.
+void test_far_and_small()
+{
+    Failures failures;
+    Random random(702);
+    for (int n = 0; n < draws(200); ++n) {
+        Soup const soup = grid(12, true);
+        double const size = std::pow(10.0, -(n % 120));
+        Case c = random_case(random, n);
+        c.q = size * size * c.q;
+        if (n % 2 == 0) c.center = soup.vertices[static_cast<std::size_t>(n) % soup.vertices.size()];
+        for (int i = 0; n % 4 == 0 && i < 3; ++i) c.center[i] += random.normal() * size;
+        expect_nearest(soup, soup.mesh(), c, failures);
+    }
+}
+
+// Against integers, and against 50 digits where these can tell.
+void test_overlap()
+{
+    Failures failures;
+    Random random(703);
+    int overlapping = 0, checked = 0;
+    for (int n = 0; n < draws(160); ++n) {
+        int const exponent = exponents[n % 5];
+        Soup const soup = soup_of(random, n, exponent);
+        auto const mesh = soup.mesh();
+        for (int k = 0; k < 8; ++k, ++checked) {
+            Case c = random_case(random, k);
+            c.center = pw85::detail::times_power_of_two(c.center, exponent);
+            c.q = pw85::detail::times_power_of_two(c.q, 2 * exponent);
+            auto const near = nearest_of_all(soup, c);
+            // The ellipsoid that touches, up to rounding errors.
+            if (k % 2 == 0 && near.mu2 > 1e-12 && near.mu2 < 1e12) c.q = near.mu2 * c.q;
+            bool const expected = overlaps_any(soup, c);
+            expect_overlap(mesh, c, expected, failures);
+            overlapping += expected;
+        }
+    }
+    g_test_message("%d of %d overlap", overlapping, checked);
+    g_assert_cmpint(overlapping, >, checked / 8);
+    g_assert_cmpint(overlapping, <, 7 * checked / 8);
+}
+
+// A sphere that touches the plane of a grid exactly, and its neighbours by one unit in the last place.
+void test_touching()
+{
+    Failures failures;
+    Soup const soup = grid(20, false);
+    auto const mesh = soup.mesh();
+    for (double const place : {0.0, 0.25, 0.5, 3.0, 7.75})
+        for (int exponent = -20; exponent < 5; ++exponent) {
+            double const height = std::ldexp(1.0, exponent), square = height * height;
+            Case c{{place, place / 2, height}, Form3{square, 0, 0, square, 0, square}};
+            expect_overlap(mesh, c, false, failures);
+            c.q[5] = std::nextafter(square, infinity);
+            expect_overlap(mesh, c, true, failures);
+            c.q[5] = std::nextafter(square, 0.0);
+            expect_overlap(mesh, c, false, failures);
+        }
+}
+
+// Against 50 digits: the distance of a ball from the corner, edges and faces of a cube.
+void test_wide()
+{
+    Failures failures;
+    Random random(704);
+    Soup const soup = random_soup(random, 200);
+    auto const mesh = soup.mesh();
+    for (int n = 0; n < draws(64); ++n) {
+        Case const c = random_case(random, n % 3);
+        NearestTruth best;
+        for (std::size_t k = 0; k < soup.triangles.size(); ++k) {
+            WideVector const points[3] = {convert<Wide>(soup.relative(k, 0, c.center)),
+                                          convert<Wide>(soup.relative(k, 1, c.center)),
+                                          convert<Wide>(soup.relative(k, 2, c.center))};
+            auto const one = nearest_in_hull(points, convert<Wide>(c.q));
+            if (best.mu2 < 0 || one.mu2 < best.mu2) best = one;
+        }
+        auto const found = pw85::mesh_contact(mesh, c.center, c.q);
+        Wide const bound = 80 * Wide(0x1p-53) * best.sensitivity, error = abs(Wide(found.mu2) - best.mu2);
+        failures.check(error <= bound, "mu2", double(error), double(bound), [&] { return text(c); });
+    }
+}
+
+// The bits of many are those of one, and bad rows are marked.
+void test_batch()
+{
+    constexpr std::size_t rows = 1000, bad = 600;
+    Random random(705);
+    Soup const soup = random_soup(random, 300);
+    auto const mesh = soup.mesh();
+    std::vector<Vector3> centers, point(rows);
+    std::vector<Form3> q;
+    std::vector<double> mu2(rows);
+    std::vector<std::int32_t> triangle(rows);
+    std::vector<unsigned char> overlap(rows);
+    for (std::size_t n = 0; n < rows; ++n) {
+        auto const c = random_case(random, static_cast<int>(n));
+        centers.push_back(c.center);
+        q.push_back(c.q);
+    }
+    q[bad][0] = -1;
+    centers[bad + 1][1] = nan;
+    g_assert_true(pw85::mesh_contact_batch(mesh, centers, q, {mu2, point, triangle}) == Status::not_positive_definite);
+    g_assert_true(pw85::mesh_overlap_batch(mesh, centers, q, overlap) == Status::not_positive_definite);
+    for (std::size_t n = 0; n < rows; ++n) {
+        auto const one = pw85::mesh_contact(mesh, centers[n], q[n]);
+        bool const is_bad = n == bad || n == bad + 1;
+        g_assert_true((one.status != Status::success) == is_bad && std::isnan(mu2[n]) == is_bad);
+        g_assert_cmpmem(&one.mu2, sizeof one.mu2, &mu2[n], sizeof mu2[n]);
+        g_assert_cmpmem(&one.point, sizeof one.point, &point[n], sizeof point[n]);
+        g_assert_cmpint(one.triangle, ==, triangle[n]);
+        g_assert_cmpint(overlap[n], ==, is_bad ? 255 : pw85::mesh_overlap(mesh, centers[n], q[n]).overlap);
+    }
+    std::vector<double> alone(rows);
+    pw85::mesh_contact_batch(mesh, centers, q, {alone, {}, {}});
+    g_assert_cmpmem(alone.data(), rows * sizeof(double), mu2.data(), rows * sizeof(double));
+    g_assert_true(pw85::mesh_contact_batch(mesh, centers, {}, {mu2, {}, {}}) == Status::invalid_argument);
+    g_assert_true(pw85::mesh_overlap_batch(mesh, centers, q, {}) == Status::invalid_argument);
+    g_assert_true(pw85::mesh_contact_batch(mesh, {}, {}, {}) == Status::success);
+    g_assert_true(pw85::mesh_contact_batch({}, centers, q, {mu2, {}, {}}) == Status::invalid_argument);
+}
+
+Status create(std::vector<Vector3> const &vertices, std::vector<Indices> const &triangles)
+{
+    pw85::Mesh mesh;
+    auto const status = pw85::mesh_create(vertices, triangles, mesh);
+    g_assert_true((mesh.get() != nullptr) == (status == Status::success));
+    return status;
+}
+
+void test_bad_input()
+{
+    std::vector<Vector3> const vertices{{0, 0, 1}, {1, 0, 1}, {0, 1, 1}};
+    g_assert_true(create(vertices, {{0, 1, 2}}) == Status::success);
+    g_assert_true(create(vertices, {{0, 1, 3}}) == Status::invalid_argument);
+    g_assert_true(create(vertices, {{0, 1, 2}, {-1, 1, 2}}) == Status::invalid_argument);
+    g_assert_true(create({}, {{0, 0, 0}}) == Status::invalid_argument);
+    for (double const x : {nan, infinity, -infinity})
+        g_assert_true(create({{0, 0, 1}, {0, x, 0}}, {{0, 0, 0}}) == Status::invalid_argument); // not used, but bad
+    pw85_mesh *mesh = nullptr;
+    g_assert_cmpint(pw85_mesh_create(std::size_t{1} << 31, &vertices[0][0], 0, nullptr, &mesh), ==, PW85_EINVAL);
+    g_assert_cmpint(pw85_mesh_create(1, nullptr, 0, nullptr, &mesh), ==, PW85_EINVAL);
+    g_assert_cmpint(pw85_mesh_create(0, nullptr, 0, nullptr, nullptr), ==, PW85_EINVAL);
+    pw85_mesh_destroy(nullptr);
+}
+
+// A mesh without triangles; vertices whose distance from the centre overflows; a μ² that overflows.
+void test_ends_of_range()
+{
+    pw85::Mesh const empty = Soup{}.mesh();
+    auto const none = pw85::mesh_contact(empty, {0, 0, 0}, unit_sphere);
+    g_assert_true(none.status == Status::success && none.mu2 == infinity && std::isnan(none.point[0]));
+    g_assert_cmpint(none.triangle, ==, -1);
+    g_assert_false(pw85::mesh_overlap(empty, {0, 0, 0}, unit_sphere).overlap);
+    double const large = 1.5e308;
+    auto const far = Soup{{{large, 0, 0}, {1, 0, 0}}, {{0, 0, 0}, {1, 1, 1}}}.mesh();
+    g_assert_true(pw85::mesh_contact(far, {-large, 0, 0}, unit_sphere).status == Status::invalid_argument);
+    g_assert_true(pw85::mesh_overlap(far, {-large, 0, 0}, unit_sphere).status == Status::invalid_argument);
+    g_assert_cmpint(pw85::mesh_contact(far, {0, 0, 0}, unit_sphere).triangle, ==, 1);
+    auto const farthest = Soup{{{large, 0, 0}}, {{0, 0, 0}, {0, 0, 0}}}.mesh();
+    auto const found = pw85::mesh_contact(farthest, {0, 0, 0}, unit_sphere);
+    g_assert_true(found.mu2 == infinity && found.triangle == 0 && found.point[0] == large);
+}
+
+} // namespace
+
+int main(int argc, char **argv)
+{
+    g_test_init(&argc, &argv, nullptr);
+    g_test_add_func("/mesh/nearest", test_nearest);
+    g_test_add_func("/mesh/equally_near", test_equally_near);
+    g_test_add_func("/mesh/far_and_small", test_far_and_small);
+    g_test_add_func("/mesh/overlap", test_overlap);
+    g_test_add_func("/mesh/touching", test_touching);
+    g_test_add_func("/mesh/wide", test_wide);
+    g_test_add_func("/mesh/batch", test_batch);
+    g_test_add_func("/mesh/bad_input", test_bad_input);
+    g_test_add_func("/mesh/ends_of_range", test_ends_of_range);
+    return g_test_run();
+}
