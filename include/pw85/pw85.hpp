@@ -523,9 +523,10 @@ contact_segment(Vector<T, 3> const &end1, Vector<T, 3> const &end2, SymmetricMat
 /// @param q the form
 /// @return μ² and the point of the triangle where the scaled ellipsoid touches; Status::invalid_argument,
 /// Status::not_positive_definite
-template <class T> PW85_FUNCTION inline ShapeContact<T>
-contact_triangle(Vector<T, 3> const &vertex1, Vector<T, 3> const &vertex2, Vector<T, 3> const &vertex3,
-                 SymmetricMatrix<T, 3> const &q) noexcept;
+template <class T> PW85_FUNCTION inline ShapeContact<T> contact_triangle(Vector<T, 3> const &vertex1,
+                                                                         Vector<T, 3> const &vertex2,
+                                                                         Vector<T, 3> const &vertex3,
+                                                                         SymmetricMatrix<T, 3> const &q) noexcept;
 
 /// Contact function of an ellipsoid and the solid box lower <= x <= upper.
 ///
@@ -555,23 +556,24 @@ contact_polytope(std::size_t n, T const *normals, T const *offsets, SymmetricMat
 ///
 /// @param end1,end2,q as for contact_segment()
 /// @return the answer; Status::invalid_argument, Status::not_positive_definite
-template <class T> PW85_FUNCTION inline ShapeOverlap
-overlap_segment(Vector<T, 3> const &end1, Vector<T, 3> const &end2, SymmetricMatrix<T, 3> const &q) noexcept;
+template <class T> PW85_FUNCTION inline ShapeOverlap overlap_segment(Vector<T, 3> const &end1, Vector<T, 3> const &end2,
+                                                                     SymmetricMatrix<T, 3> const &q) noexcept;
 
 /// Whether an ellipsoid and a triangle overlap, μ² < 1. The answer is exact for native types.
 ///
 /// @param vertex1,vertex2,vertex3,q as for contact_triangle()
 /// @return the answer; Status::invalid_argument, Status::not_positive_definite
-template <class T> PW85_FUNCTION inline ShapeOverlap
-overlap_triangle(Vector<T, 3> const &vertex1, Vector<T, 3> const &vertex2, Vector<T, 3> const &vertex3,
-                 SymmetricMatrix<T, 3> const &q) noexcept;
+template <class T> PW85_FUNCTION inline ShapeOverlap overlap_triangle(Vector<T, 3> const &vertex1,
+                                                                      Vector<T, 3> const &vertex2,
+                                                                      Vector<T, 3> const &vertex3,
+                                                                      SymmetricMatrix<T, 3> const &q) noexcept;
 
 /// Whether an ellipsoid and a solid box overlap, μ² < 1. The answer is exact for native types.
 ///
 /// @param lower,upper,q as for contact_box()
 /// @return the answer; Status::invalid_argument (also for lower > upper), Status::not_positive_definite
-template <class T> PW85_FUNCTION inline ShapeOverlap
-overlap_box(Vector<T, 3> const &lower, Vector<T, 3> const &upper, SymmetricMatrix<T, 3> const &q) noexcept;
+template <class T> PW85_FUNCTION inline ShapeOverlap overlap_box(Vector<T, 3> const &lower, Vector<T, 3> const &upper,
+                                                                 SymmetricMatrix<T, 3> const &q) noexcept;
 
 /// @}
 
