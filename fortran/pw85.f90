@@ -1386,7 +1386,7 @@ module pw85
       import
       type(c_ptr), value :: mesh
       real(c_double), intent(in) :: center(3), q(6)
-      integer(c_int), intent(out), optional :: overlap
+      integer(c_int), intent(out) :: overlap
       integer(c_int) :: status
     end function pw85_mesh_overlap
 

@@ -102,7 +102,7 @@ void check_outputs(Input const &in, Call &call, int status)
     bool const may_lack_memory = status == PW85_ENOMEM && contains(name, "neighbors");
     if (!may_lack_memory && (status < PW85_SUCCESS || status > PW85_ECONVERGENCE)) fail(name, in);
     // What is wrong with all rows is found before anything is written.
-    bool untouched = call.parameter(0).type == Type::size;
+    bool untouched = call.is_of_rows();
     for (std::size_t k = 0; k < call.size(); ++k)
         if (call.parameter(k).output && call.parameter(k).type != Type::handle)
             untouched = untouched && !call.all_written(k);

@@ -38,7 +38,7 @@ inline void expect_error(Failures &failures, Call &call, std::size_t k, std::str
     Parameter const &p = call.parameter(k);
     bool const of_first_row = !p.shape.empty() && p.shape[0].parameter >= 0 && call[k].pointer != nullptr &&
                               std::string(p.name) != "parameters";
-    bool const of_rows = call.parameter(0).type == Type::size;
+    bool const of_rows = call.is_of_rows();
     failures.check((of_rows && !of_first_row) || first_rows_marked(call), "outputs marked", 0.0, 1.0,
                    [&] { return what + ": " + call.text(); });
 }

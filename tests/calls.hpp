@@ -115,6 +115,13 @@ class Call {
     std::size_t size() const { return arguments_.size(); }
     Argument &operator[](std::size_t k) { return arguments_[k]; }
 
+    /// Whether the function takes rows. It finds what is wrong with all of them before it writes anything.
+    bool is_of_rows() const
+    {
+        return parameter(0).type == Type::size ||
+               (parameter(0).type == Type::handle && size() > 1 && std::string(parameter(1).name) == "n");
+    }
+
     /// How many elements an array has.
     std::size_t length(std::size_t k) const
     {

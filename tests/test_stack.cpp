@@ -114,7 +114,7 @@ constexpr std::size_t long_step = 16;
 bool takes_long(std::string const &name)
 {
     return name.rfind("pw85_penetration", 0) == 0 || name.rfind("pw85_signed_distance", 0) == 0 ||
-           name.rfind("pw85_first_contact", 0) == 0;
+           name.rfind("pw85_first_contact", 0) == 0 || name.rfind("pw85_mesh", 0) == 0;
 }
 
 /// One call with all pairs as rows; the threads that a batch starts have stacks of their own.

@@ -68,14 +68,14 @@ class Mesh:
             raise MemoryError("Mesh: " + _core.strerror(status))
         if status:
             raise PW85Error(status, "Mesh", _core.strerror(status), self._blame())
-        for array in (self.vertices, self.triangles):
-            array.setflags(write=False)
+        self.vertices.setflags(write=False)
+        self.triangles.setflags(write=False)
 
     @classmethod
     def read(cls, path: str | os.PathLike[str]) -> Mesh:
         """The triangles of a file, by meshio: STL, OBJ, PLY and more.
 
-        Squares are divided into two triangles. Vertices of equal coordinates, which STL repeats for each triangle, stay as they are.
+        Squares are divided into two triangles.
 
         Parameters
         ----------
