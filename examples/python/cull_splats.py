@@ -12,7 +12,7 @@ import numpy as np
 import pypw85
 
 PROPERTIES = ["x", "y", "z", *(f"scale_{k}" for k in range(3)), *(f"rot_{k}" for k in range(4))]
-CONFIDENCE = 0.99
+CONFIDENCE, QUANTILE = 0.99, 11.344866730144373  # of the χ² distribution with three degrees of freedom
 
 
 def write_splats(path, positions, semi_axes, quaternions):
@@ -80,22 +80,21 @@ if source.isdigit():
 else:
     centers, deviations, quaternions = read_splats(source)
 
-# A Gaussian has this share of its weight in the ellipsoid with semi-axes of `radius` standard deviations.
-radius = np.sqrt(-2 * np.log(1 - CONFIDENCE))  # of a splat on the screen, which has two dimensions
-semi_axes = radius * deviations
+# A splat is the ellipsoid that has the share CONFIDENCE of its Gaussian.
+semi_axes = np.sqrt(QUANTILE) * deviations
 planes = frustum(np.zeros(3), np.array([1.0, 2, 0.5]), np.array([0.0, 0, 1]), 0.5, 16 / 9, 0.1, 15.0)
 q, of_forms = timed(pypw85.ellipsoid_quaternion, semi_axes, quaternions)
 exact, of_exact = timed(pypw85.overlap_polytope, centers, q, *planes)
 by_centers, of_centers = timed(lambda: (centers @ planes[0].T <= planes[1]).all(axis=1))
 by_spheres, of_spheres = timed(are_seen_by_spheres, centers, semi_axes, *planes)
 
-print(f"{len(q)} splats, of which the camera sees")
+print(f"{len(q)} splats at {CONFIDENCE:.0%}, of which the camera sees")
 for name, seen, time in (
     ("exactly", exact, of_exact),
     ("by centres", by_centers, of_centers),
     ("by bounding spheres", by_spheres, of_spheres),
 ):
-    errors = f"{(exact & ~seen).sum()} missing, {(seen & ~exact).sum()} too many"
-    print(f"{name:20} {seen.sum():7}   {errors}", f"  {1e3 * time:.0f} ms" if "--times" in sys.argv else "", sep="")
+    line = f"{name:20} {seen.sum():7} {(exact & ~seen).sum():7} missing {(seen & ~exact).sum():7} too many"
+    print(line + (f" {1e3 * time:5.0f} ms" if "--times" in sys.argv else ""))
 if "--times" in sys.argv:
     print(f"forms of the splats: {1e3 * of_forms:.0f} ms")

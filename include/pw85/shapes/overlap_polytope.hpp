@@ -3,6 +3,7 @@
 /// decide the remaining cases (exact_polytope.hpp). The symbols are those of polytope.hpp.
 ///
 /// - They are apart or touch if Σ λ_k d_k >= √(sᵀQs), s = Σ λ_k g_k, for some λ >= 0: the multipliers of the touched planes are tried.
+///   The planes one by one come first: they decide most cases where many ellipsoids are culled.
 /// - They overlap if a point x is in all half-spaces, and Q - x xᵀ is positive definite. The nearest point of a polytope whose planes
 ///   are moved a little inwards is tried, so that rounding errors leave it in the half-spaces.
 #ifndef PW85_SHAPES_OVERLAP_POLYTOPE_HPP_INCLUDED
@@ -47,6 +48,30 @@ PW85_FUNCTION inline bool shows_apart(SymmetricMatrix<T, 3> const &q, TouchedPla
            T(T(T(1) - T(8) * u) * least) * least > T(quadratic_form(q, s) + T(48) * u * form);
 }
 
+/// The decision by the planes one by one, for numbers of ordinary sizes: a plane has the ellipsoid outside, or all have its centre
+/// inside. All planes are read, because one may be invalid.
+template <class T> PW85_FUNCTION inline Decision decide_by_planes(Polytope<T> const &polytope) noexcept
+{
+    T const limit = unscaled_limit<T>(), form = largest_diagonal(polytope.q);
+    T const small = times_power_of_two(T(1), -underflow_bits);
+    if (!(is_in_range(form, form, form) && is_clearly_definite(polytope.q) && is_finite(polytope.center)))
+        return Decision::none;
+    bool inside = true, apart = false;
+    for (std::size_t k = 0; k < polytope.count; ++k) {
+        Vector<T, 3> const g = -polytope.normal(k);
+        T const offset = polytope.offsets[k], length = sum_of_magnitudes(g), d = -offset - dot(g, polytope.center);
+        T const magnitude = absolute(offset) + magnitude_of_dot(g, polytope.center);
+        if (!(length * limit > T(1) && length < limit && magnitude < T(limit * limit))) return Decision::none;
+        inside = inside && d < -T(T(T(8) * T(unit_roundoff<T>())) * magnitude + small);
+        TouchedPlanes<T> plane{};
+        plane.size = 1;
+        plane.multipliers[0] = T(1);
+        plane.planes[0] = {g, g, d, magnitude};
+        apart = apart || shows_apart(polytope.q, plane);
+    }
+    return to_decision(apart, inside);
+}
+
 /// Whether a point x proves that the polytope overlaps. g·x - d is computed of terms that err by at most 4 u (|g|·|x| + m).
 template <class T> PW85_FUNCTION inline bool shows_overlap(Polytope<T> const &polytope, Vector<T, 3> const &x) noexcept
 {
@@ -85,6 +110,8 @@ template <class T> PW85_FUNCTION inline ShapeOverlap overlap_polytope(std::size_
 {
     using namespace detail;
     Polytope<T> const polytope{n, normals, offsets, q, center, 0, T(0)};
+    Decision const simple = decide_by_planes(polytope);
+    if (simple != Decision::none) return {simple == Decision::overlap, Status::success};
     Status const planes = check_planes(polytope).status, status = planes == Status::success ? validate(q) : planes;
     if (status != Status::success) return {false, status};
     Decision const decision = decide_polytope(polytope);
