@@ -120,9 +120,11 @@ module pw85
   public :: pw85_contact_segment
   public :: pw85_contact_triangle
   public :: pw85_contact_box
+  public :: pw85_contact_polytope
   public :: pw85_overlap_segment
   public :: pw85_overlap_triangle
   public :: pw85_overlap_box
+  public :: pw85_overlap_polytope
   public :: pw85_contact_batch
   public :: pw85_overlap_batch
   public :: pw85_contact_rounded_batch
@@ -170,6 +172,8 @@ module pw85
   public :: pw85_overlap_segment_batch
   public :: pw85_overlap_triangle_batch
   public :: pw85_overlap_box_batch
+  public :: pw85_contact_polytope_batch
+  public :: pw85_overlap_polytope_batch
   public :: pw85_first_contact_batch
   public :: pw85_overlap_any
   public :: pw85_overlap_any_indices
@@ -694,6 +698,16 @@ module pw85
       integer(c_int) :: status
     end function pw85_contact_box
 
+    !> Contact function of an ellipsoid and a polytope, the intersection of half-spaces.
+    function pw85_contact_polytope(n, normals, offsets, q, mu2, point) result(status) bind(C, &
+      name='pw85_contact_polytope')
+      import
+      integer(c_size_t), value :: n
+      real(c_double), intent(in) :: normals(3, n), offsets(n), q(6)
+      real(c_double), intent(out), optional :: mu2, point(3)
+      integer(c_int) :: status
+    end function pw85_contact_polytope
+
     !> Whether an ellipsoid and a segment overlap, μ² < 1.
     function pw85_overlap_segment(end1, end2, q, overlap) result(status) bind(C, name='pw85_overlap_segment')
       import
@@ -718,6 +732,15 @@ module pw85
       integer(c_int), intent(out) :: overlap
       integer(c_int) :: status
     end function pw85_overlap_box
+
+    !> Whether an ellipsoid and a polytope overlap, μ² < 1.
+    function pw85_overlap_polytope(n, normals, offsets, q, overlap) result(status) bind(C, name='pw85_overlap_polytope')
+      import
+      integer(c_size_t), value :: n
+      real(c_double), intent(in) :: normals(3, n), offsets(n), q(6)
+      integer(c_int), intent(out) :: overlap
+      integer(c_int) :: status
+    end function pw85_overlap_polytope
 
     !> pw85_contact() for n pairs.
     function pw85_contact_batch(n, r12, q1, q2, mu2, lambda) result(status) bind(C, name='pw85_contact_batch')
@@ -1185,6 +1208,28 @@ module pw85
       integer(c_int8_t), intent(out) :: overlap(n)
       integer(c_int) :: status
     end function pw85_overlap_box_batch
+
+    !> pw85_contact_polytope() for many ellipsoids and one polytope, which need not be at their centres.
+    function pw85_contact_polytope_batch(num_ellipsoids, centers, q, num_planes, normals, offsets, mu2, point) &
+      result(status) bind(C, name='pw85_contact_polytope_batch')
+      import
+      integer(c_size_t), value :: num_ellipsoids, num_planes
+      real(c_double), intent(in) :: centers(3, num_ellipsoids), q(6, num_ellipsoids), normals(3, num_planes), &
+        offsets(num_planes)
+      real(c_double), intent(out), optional :: mu2(num_ellipsoids), point(3, num_ellipsoids)
+      integer(c_int) :: status
+    end function pw85_contact_polytope_batch
+
+    !> pw85_overlap_polytope() for many ellipsoids and one polytope, as which of them a camera sees.
+    function pw85_overlap_polytope_batch(num_ellipsoids, centers, q, num_planes, normals, offsets, overlap) &
+      result(status) bind(C, name='pw85_overlap_polytope_batch')
+      import
+      integer(c_size_t), value :: num_ellipsoids, num_planes
+      real(c_double), intent(in) :: centers(3, num_ellipsoids), q(6, num_ellipsoids), normals(3, num_planes), &
+        offsets(num_planes)
+      integer(c_int8_t), intent(out) :: overlap(num_ellipsoids)
+      integer(c_int) :: status
+    end function pw85_overlap_polytope_batch
 
     !> pw85_first_contact() for n pairs.
     function pw85_first_contact_batch(n, r12, q1, q2, motion1, motion2, t_max, t) result(status) bind(C, &

@@ -734,6 +734,22 @@ PW85_API int pw85_contact_triangle(double const vertex1[PW85_DIM], double const 
 PW85_API int pw85_contact_box(double const lower[PW85_DIM], double const upper[PW85_DIM], double const q[PW85_SYM],
                               double *mu2, double point[PW85_DIM]);
 
+/** Contact function of an ellipsoid and a polytope, the intersection of half-spaces: all x with normal·x <= offset for each of n planes.
+ *
+ * The time is proportional to n. The error of μ² is below 32 u Σ λ_k (|normal_k|·r + |offset_k|), to first order: the sum is over the
+ * planes that the scaled ellipsoid touches, s = -Σ λ_k normal_k with λ_k > 0, and r = Σ λ_k |q| |normal_k|.
+ *
+ * @param n number of planes; 0 is fine: the polytope is the whole space
+ * @param normals n×3: out of the polytope, of any lengths > 0
+ * @param offsets n, for planes relative to the centre of the ellipsoid
+ * @param q form of the ellipsoid
+ * @param[out] mu2 square of the factor by which the ellipsoid must be scaled to touch; 0 if its centre is in the polytope, infinity if
+ *        the polytope is empty, which is decided up to rounding errors; may be null
+ * @param[out] point of the polytope, where the scaled ellipsoid touches; NaN if the polytope is empty; may be null
+ * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD, #PW85_ECONVERGENCE (this has never been seen) */
+PW85_API int pw85_contact_polytope(size_t n, double const *normals, double const *offsets, double const q[PW85_SYM],
+                                   double *mu2, double point[PW85_DIM]);
+
 /** Whether an ellipsoid and a segment overlap, μ² < 1. If they only touch, they do not. The answer is that of exact arithmetic for the
  * numbers given, as that of pw85_overlap().
  *
@@ -760,6 +776,15 @@ PW85_API int pw85_overlap_triangle(double const vertex1[PW85_DIM], double const 
  * @return #PW85_SUCCESS, #PW85_EINVAL (also for lower > upper), #PW85_ENOTPD */
 PW85_API int pw85_overlap_box(double const lower[PW85_DIM], double const upper[PW85_DIM], double const q[PW85_SYM],
                               int *overlap);
+
+/** Whether an ellipsoid and a polytope overlap, μ² < 1. If they only touch, they do not; an empty polytope does not overlap. The answer
+ * is that of exact arithmetic for the numbers given, as that of pw85_overlap().
+ *
+ * @param n,normals,offsets,q as for pw85_contact_polytope()
+ * @param[out] overlap 1 or 0; -1 on error
+ * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD */
+PW85_API int pw85_overlap_polytope(size_t n, double const *normals, double const *offsets, double const q[PW85_SYM],
+                                   int *overlap);
 
 /** @}
  * @name Many pairs
@@ -1292,6 +1317,34 @@ PW85_API int pw85_overlap_triangle_batch(size_t n, double const *vertex1, double
  * @return as for pw85_contact_batch(); lower > upper is #PW85_EINVAL */
 PW85_API int pw85_overlap_box_batch(size_t n, double const *lower, double const *upper, double const *q,
                                     unsigned char *overlap);
+
+/** pw85_contact_polytope() for many ellipsoids and one polytope, which need not be at their centres.
+ *
+ * The bound of the error has |offset_k| + |normal_k|·|center| in the place of |offset_k|, and 40 in the place of 32.
+ *
+ * @param num_ellipsoids number of ellipsoids; 0 is fine
+ * @param centers num_ellipsoids×3
+ * @param q num_ellipsoids×6
+ * @param num_planes number of planes; 0 is fine
+ * @param normals num_planes×3: out of the polytope, of any lengths > 0
+ * @param offsets num_planes
+ * @param[out] mu2 num_ellipsoids, or null
+ * @param[out] point num_ellipsoids×3, or null: where the scaled ellipsoid touches, relative to its centre
+ * @return as for pw85_contact_batch(); #PW85_ECONVERGENCE, too */
+PW85_API int pw85_contact_polytope_batch(size_t num_ellipsoids, double const *centers, double const *q,
+                                         size_t num_planes, double const *normals, double const *offsets, double *mu2,
+                                         double *point);
+
+/** pw85_overlap_polytope() for many ellipsoids and one polytope, as which of them a camera sees. The answers are exact for the centres
+ * and planes given.
+ *
+ * @param num_ellipsoids number of ellipsoids; 0 is fine
+ * @param centers,q,num_planes,normals,offsets as for pw85_contact_polytope_batch()
+ * @param[out] overlap num_ellipsoids: 1 or 0, 255 for a bad row
+ * @return as for pw85_contact_batch() */
+PW85_API int pw85_overlap_polytope_batch(size_t num_ellipsoids, double const *centers, double const *q,
+                                         size_t num_planes, double const *normals, double const *offsets,
+                                         unsigned char *overlap);
 
 /** pw85_first_contact() for n pairs; the bits are the same.
  *

@@ -1,7 +1,9 @@
 // The C API of an ellipsoid and convex sets. The functions check for null pointers; the core checks everything else.
 #include <pw85.h>
 
-#include <pw85/shapes/overlap_shapes.hpp>
+#include <pw85/shapes/overlap_polytope.hpp>
+
+#include <cstdint>
 
 #include "c_arrays.hpp"
 #include "floating_point_environment.hpp"
@@ -30,6 +32,12 @@ int store_overlap(ShapeOverlap const &answer, int *overlap) noexcept
 {
     *overlap = answer.status == Status::success ? static_cast<int>(answer.overlap) : -1;
     return static_cast<int>(answer.status);
+}
+
+/// Whether the arrays of planes can be read.
+bool are_planes(size_t n, double const *normals, double const *offsets) noexcept
+{
+    return n == 0 || (n <= PTRDIFF_MAX / (PW85_DIM * sizeof(double)) && !any_null(normals, offsets));
 }
 
 } // namespace
@@ -87,4 +95,19 @@ int pw85_overlap_box(double const lower[3], double const upper[3], double const 
     return in_default_environment([&] {
         return store_overlap(overlap_box(load_vector<3>(lower), load_vector<3>(upper), load_matrix<3>(q)), overlap);
     });
+}
+
+int pw85_contact_polytope(size_t n, double const *normals, double const *offsets, double const q[6], double *mu2,
+                          double point[3])
+{
+    if (any_null(q) || !are_planes(n, normals, offsets)) return null_pointer(mu2, 1, point, PW85_DIM);
+    return in_default_environment(
+        [&] { return store_contact(contact_polytope(n, normals, offsets, load_matrix<3>(q), {}), mu2, point); });
+}
+
+int pw85_overlap_polytope(size_t n, double const *normals, double const *offsets, double const q[6], int *overlap)
+{
+    if (any_null(q, overlap) || !are_planes(n, normals, offsets)) return null_overlap(overlap);
+    return in_default_environment(
+        [&] { return store_overlap(overlap_polytope(n, normals, offsets, load_matrix<3>(q), {}), overlap); });
 }

@@ -112,10 +112,34 @@ struct Planes {
     {
         return {-Wide(normals[3 * k]), -Wide(normals[3 * k + 1]), -Wide(normals[3 * k + 2])};
     }
+
+    /// m of polytope.hpp.
+    Wide magnitude(std::size_t k) const { return abs(Wide(offsets[k])); }
+};
+
+/// A polytope relative to the centre of an ellipsoid that is elsewhere.
+struct MovedPlanes {
+    Planes given;
+    WideVector center;
+    std::vector<Wide> offsets;
+
+    MovedPlanes(Planes const &planes, pw85::Vector<double, 3> const &c) : given(planes)
+    {
+        for (int i = 0; i < 3; ++i) center[i] = c[i];
+        for (std::size_t k = 0; k < given.offsets.size(); ++k)
+            offsets.push_back(given.offsets[k] + pw85::dot(inward(k), center));
+    }
+
+    WideVector inward(std::size_t k) const { return given.inward(k); }
+
+    Wide magnitude(std::size_t k) const
+    {
+        return given.magnitude(k) + pw85::detail::magnitude_of_dot(inward(k), center);
+    }
 };
 
 /// Whether a point is in a polytope, up to a part in 1e22.
-inline bool contains(Planes const &planes, WideVector const &x)
+inline bool contains(auto const &planes, WideVector const &x)
 {
     using pw85::detail::sum_of_magnitudes;
     for (std::size_t k = 0; k < planes.offsets.size(); ++k) {
@@ -128,7 +152,7 @@ inline bool contains(Planes const &planes, WideVector const &x)
 
 /// The multipliers of planes that the scaled ellipsoid touches, by elimination. Returns false if the planes do not intersect.
 template <std::size_t K>
-bool multipliers(Planes const &planes, WideForm const &q, std::size_t const (&chosen)[K], Wide (&lambda)[K])
+bool multipliers(auto const &planes, WideForm const &q, std::size_t const (&chosen)[K], Wide (&lambda)[K])
 {
     Wide m[K][K + 1];
     for (std::size_t i = 0; i < K; ++i) {
@@ -148,9 +172,9 @@ bool multipliers(Planes const &planes, WideForm const &q, std::size_t const (&ch
 }
 
 /// Takes the point where the scaled ellipsoid touches some planes, if it is in the polytope and the multipliers are positive. The
-/// sensitivity is Σ λ_k (|g_k|·r + |d_k|), r = Σ λ_k |Q| |g_k|.
+/// sensitivity is Σ λ_k (|g_k|·r + m_k), r = Σ λ_k |Q| |g_k|.
 template <std::size_t K>
-void touch(NearestTruth &best, Planes const &planes, WideForm const &q, std::size_t const (&chosen)[K])
+void touch(NearestTruth &best, auto const &planes, WideForm const &q, std::size_t const (&chosen)[K])
 {
     Wide lambda[K], sensitivity = 0;
     if (!multipliers(planes, q, chosen, lambda)) return;
@@ -167,7 +191,7 @@ void touch(NearestTruth &best, Planes const &planes, WideForm const &q, std::siz
     if (!contains(planes, x)) return;
     for (std::size_t k = 0; k < K; ++k) {
         auto const g = planes.inward(chosen[k]);
-        sensitivity += lambda[k] * abs(Wide(planes.offsets[chosen[k]]));
+        sensitivity += lambda[k] * planes.magnitude(chosen[k]);
         for (int i = 0; i < 3; ++i) sensitivity += lambda[k] * abs(g[i]) * r[i];
     }
     Wide const mu2 = pw85::dot(x, s);
@@ -175,7 +199,7 @@ void touch(NearestTruth &best, Planes const &planes, WideForm const &q, std::siz
 }
 
 /// The polytope: every set of up to three planes. μ² is negative if it is empty.
-inline NearestTruth nearest_in_polytope(Planes const &planes, WideForm const &q)
+inline NearestTruth nearest_in_polytope(auto const &planes, WideForm const &q)
 {
     NearestTruth best;
     std::size_t const n = planes.offsets.size();

@@ -189,7 +189,7 @@ template <class Shape> Case<Shape::size> random_case(Random &random, int n)
     return c;
 }
 
-/// What T may err by: 80 u S, and the same of second order (nearest.hpp).
+/// What T may err by: 80 u S, and the same of second order (nearest_point.hpp).
 template <class T> Wide bound_of(NearestTruth const &truth)
 {
     Wide const error = 80 * Wide(pw85::detail::unit_roundoff<T>());

@@ -30,7 +30,9 @@ VALID = {
     **dict.fromkeys(("direction", "directions", "normal", "normals", "axis"), (0.0, 0, 1)),
     **dict.fromkeys(("motion1", "motion2", "motions"), (0.0,) * 7),
     **dict.fromkeys(("quaternion", "quaternions"), (1.0, 0, 0, 0)),
-    **dict.fromkeys(("n", "num_pairs", "num_particles", "num_vertices", "num_triangles"), ROWS),
+    **dict.fromkeys(
+        ("n", "num_pairs", "num_particles", "num_ellipsoids", "num_planes", "num_vertices", "num_triangles"), ROWS
+    ),
     "kind": 1,
     "on": 1,
     "num_parameters": 2,

@@ -545,12 +545,15 @@ contact_box(Vector<T, 3> const &lower, Vector<T, 3> const &upper, SymmetricMatri
 /// @param normals n×3, out of the polytope, of any lengths > 0
 /// @param offsets n
 /// @param q the form
-/// @return μ², 0 if the centre is in the polytope, and the point of the polytope where the scaled ellipsoid touches. An empty polytope
-/// has μ² infinity, and a point of NaN; whether a polytope is empty is decided up to rounding errors. The error of μ² is below 32 u
-/// Σ λ_k (|g_k|·r + |d_k|): see shapes/polytope.hpp. Status::invalid_argument (also for a zero normal),
+/// @param center of the ellipsoid
+/// @return μ², 0 if the centre is in the polytope, and the point of the polytope where the scaled ellipsoid touches, relative to its
+/// centre. An empty polytope has μ² infinity, and a point of NaN; whether a polytope is empty is decided up to rounding errors. The
+/// error of μ² is below 40 u Σ λ_k (|g_k|·r + m_k): see shapes/polytope.hpp. Status::invalid_argument (also for a zero normal),
 /// Status::not_positive_definite, Status::no_convergence (this has never been seen)
-template <class T> PW85_FUNCTION inline ShapeContact<T>
-contact_polytope(std::size_t n, T const *normals, T const *offsets, SymmetricMatrix<T, 3> const &q) noexcept;
+template <class T>
+PW85_FUNCTION inline ShapeContact<T> contact_polytope(std::size_t n, T const *normals, T const *offsets,
+                                                      SymmetricMatrix<T, 3> const &q,
+                                                      Vector<T, 3> const &center = {T(0), T(0), T(0)}) noexcept;
 
 /// Whether an ellipsoid and a segment overlap, μ² < 1. The answer is exact for native types.
 ///
@@ -574,6 +577,15 @@ template <class T> PW85_FUNCTION inline ShapeOverlap overlap_triangle(Vector<T, 
 /// @return the answer; Status::invalid_argument (also for lower > upper), Status::not_positive_definite
 template <class T> PW85_FUNCTION inline ShapeOverlap overlap_box(Vector<T, 3> const &lower, Vector<T, 3> const &upper,
                                                                  SymmetricMatrix<T, 3> const &q) noexcept;
+
+/// Whether an ellipsoid and a polytope overlap, μ² < 1. The answer is exact for native types.
+///
+/// @param n,normals,offsets,q,center as for contact_polytope(); an empty polytope does not overlap
+/// @return the answer; Status::invalid_argument (also for a zero normal), Status::not_positive_definite
+template <class T>
+PW85_FUNCTION inline ShapeOverlap overlap_polytope(std::size_t n, T const *normals, T const *offsets,
+                                                   SymmetricMatrix<T, 3> const &q,
+                                                   Vector<T, 3> const &center = {T(0), T(0), T(0)}) noexcept;
 
 /// @}
 
@@ -605,6 +617,7 @@ template <class T> PW85_FUNCTION inline ShapeOverlap overlap_box(Vector<T, 3> co
 #include <pw85/overlap/overlap_factored.hpp>
 #include <pw85/overlap/witness.hpp>
 #include <pw85/shapes/box.hpp>
+#include <pw85/shapes/overlap_polytope.hpp>
 #include <pw85/shapes/overlap_shapes.hpp>
 #include <pw85/shapes/polytope.hpp>
 #include <pw85/shapes/segment.hpp>

@@ -145,6 +145,8 @@ PyMethodDef methods[] = {
     {"overlap_any", as_method(overlap_any), METH_FASTCALL, "Status and answer of pw85_overlap_any()."},
     {"overlap_any_indices", as_method(overlap_any_indices), METH_FASTCALL,
      "Status and answer of pw85_overlap_any_indices()."},
+    {"contact_polytope", as_method(contact_polytope), METH_FASTCALL, "Status of pw85_contact_polytope_batch()."},
+    {"overlap_polytope", as_method(overlap_polytope), METH_FASTCALL, "Status of pw85_overlap_polytope_batch()."},
     {"contact_forces_pairs", as_method(contact_forces_pairs), METH_FASTCALL, "Status of pw85_contact_forces_pairs()."},
     {"law_forces_pairs", as_method(law_forces_pairs), METH_FASTCALL, "Status of pw85_law_forces_pairs()."},
     {"neighbors", as_method(neighbors), METH_FASTCALL, "Status and results of pw85_neighbors_create()."},

@@ -10,7 +10,7 @@ import pytest
 EXAMPLES = pathlib.Path(os.environ["PYPW85_SOURCE"]) / "examples"
 EXPECTED = [
     ("pair", "c/pair.txt"),
-    *((name, f"python/{name}.out") for name in ("tutorial", "check_witness", "suspension")),
+    *((name, f"python/{name}.out") for name in ("tutorial", "check_witness", "suspension", "cull_splats")),
     ("hopper", "python/hopper.out"),
 ]
 NEEDS = {"hopper": "meshio"}

@@ -1,17 +1,18 @@
 /// @file
 /// The contact function of an ellipsoid and a polytope, the intersection of half-spaces normal·x <= offset.
 ///
-/// Let g = -normal and d = -offset, so that the half-spaces are g·x >= d. For a set of at most three planes whose multipliers λ are
-/// positive, (GᵀQG) λ = d gives the point x = QGλ where the scaled ellipsoid touches their intersection, and μ² = λ·d
-/// (nearest_point.hpp). This is at most the μ² of the polytope.
+/// Let c be the centre of the ellipsoid and x relative to it, g = -normal and d = -offset - g·c, so that the half-spaces are g·x >= d.
+/// For a set of at most three planes whose multipliers λ are positive, (GᵀQG) λ = d gives the point x = QGλ where the scaled ellipsoid
+/// touches their intersection, and μ² = λ·d (nearest_point.hpp). This is at most the μ² of the polytope.
 ///
 /// 1. The search begins with x = 0. It adds the half-space that x violates most, in units of the half-width √(gᵀQg) of the
 ///    ellipsoid. Of the subsets of the old planes with the new one, that with positive multipliers and the largest μ² has the
 ///    nearest point for all of them. So μ² increases from step to step, and no set of planes comes twice.
 /// 2. If no subset has a point in the at most four half-spaces, they have no common point, and the polytope is empty.
 /// 3. The coordinates of x err by some u r, r = Σ λ_k |Q| |g_k|. So a violation of g·x >= d is no larger than rounding errors if it is
-///    below 8 u (|g|·r + |d|). To first order it changes μ² by 2 λ times as much. With up to three multipliers, and the errors of
-///    their equations, μ² errs by less than 32 u Σ λ_k (|g_k|·r + |d_k|), the sum over the planes that are touched.
+///    below 8 u (|g|·r + m), where m = |offset| + |g|·|c| bounds the terms of d. To first order it changes μ² by 2 λ times as much.
+///    With up to three multipliers, and the errors of their equations, μ² errs by less than 32 u Σ λ_k (|g_k|·r + m_k), the sum over
+///    the planes that are touched. If c is not 0, the rounding of d adds 8 u Σ λ_k m_k.
 /// 4. Whether a polytope is empty, or flat, is decided up to these errors.
 #ifndef PW85_SHAPES_POLYTOPE_HPP_INCLUDED
 #define PW85_SHAPES_POLYTOPE_HPP_INCLUDED
@@ -25,7 +26,7 @@ namespace pw85::detail {
 /// A half-space g·x >= d, and Qg.
 template <class T> struct HalfSpace {
     Vector<T, 3> g, qg;
-    T d;
+    T d, magnitude; ///< d and m
 };
 
 /// At most three planes that a scaled ellipsoid touches at a point.
@@ -33,7 +34,7 @@ template <class T> struct TouchedPlanes {
     HalfSpace<T> planes[3];
     int size;
     T mu2;
-    Vector<T, 3> point, magnitudes; ///< x and r
+    Vector<T, 3> multipliers, point, magnitudes; ///< λ, x and r
 };
 
 /// The half-spaces in units in which normals and forms are of order one, and no d is larger.
@@ -41,7 +42,9 @@ template <class T> struct Polytope {
     std::size_t count;
     T const *normals, *offsets;
     SymmetricMatrix<T, 3> q;
-    int length; ///< d is in units of 2^length
+    Vector<T, 3> center; ///< in units of 2^length
+    int length;          ///< d is in units of 2^length
+    T inset;             ///< how far the planes are moved inwards, in half-widths √(gᵀQg) of the ellipsoid
 
     PW85_MEMBER Vector<T, 3> normal(std::size_t k) const noexcept
     {
@@ -52,8 +55,11 @@ template <class T> struct Polytope {
     {
         Vector<T, 3> const n = normal(k);
         int const e = binary_exponent(largest_coordinate(n));
-        Vector<T, 3> const g = -times_power_of_two(n, -e);
-        return {g, product(q, g), -times_power_of_two(times_power_of_two(offsets[k], -e), -length)};
+        Vector<T, 3> const g = -times_power_of_two(n, -e), qg = product(q, g);
+        T const offset = times_power_of_two(times_power_of_two(offsets[k], -e), -length);
+        T const d = -offset - dot(g, center), magnitude = absolute(offset) + magnitude_of_dot(g, center);
+        if (!(inset > T(0))) return {g, qg, d, magnitude};
+        return {g, qg, T(d + inset * square_root(dot(g, qg))), magnitude};
     }
 };
 
@@ -62,7 +68,7 @@ template <class T> struct Polytope {
 template <class T>
 PW85_FUNCTION inline T violation(HalfSpace<T> const &h, Vector<T, 3> const &x, Vector<T, 3> const &magnitudes) noexcept
 {
-    T const error = T(8) * T(unit_roundoff<T>()) * T(magnitude_of_dot(h.g, magnitudes) + absolute(h.d));
+    T const error = T(8) * T(unit_roundoff<T>()) * T(magnitude_of_dot(h.g, magnitudes) + h.magnitude);
     return T((h.d - dot(h.g, x)) - error) / square_root(dot(h.g, h.qg));
 }
 
@@ -112,6 +118,7 @@ template <int K, class T> PW85_FUNCTION inline TouchedPlanes<T> touch(SymmetricM
     for (int k = 0; k < K; ++k) {
         if (!(lambda[k] > T(0))) touched.size = 0;
         touched.planes[k] = *planes[k];
+        touched.multipliers[k] = lambda[k];
         touched.point = add_scaled(touched.point, lambda[k], planes[k]->qg);
         for (int i = 0; i < 3; ++i)
             for (int j = 0; j < 3; ++j)
@@ -168,22 +175,29 @@ PW85_FUNCTION inline std::size_t most_violated(Polytope<T> const &polytope, Touc
 /// The number of steps after which the search gives up. No polytope is known that needs as many.
 inline constexpr int max_polytope_steps = 1000;
 
-/// The search in the units of the polytope. Without a common point μ² is infinity.
-template <class T> PW85_FUNCTION inline ShapeContact<T> search_polytope(Polytope<T> const &polytope) noexcept
+/// What a search found: a point of the polytope, that there is none, or nothing.
+template <class T> struct PolytopeSearch {
+    enum class End { found, empty, none };
+
+    TouchedPlanes<T> at;
+    End end;
+};
+
+/// The search in the units of the polytope. It ends early where μ² is larger than `limit`.
+template <class T>
+PW85_FUNCTION inline PolytopeSearch<T> search_polytope(Polytope<T> const &polytope, T const &limit) noexcept
 {
+    using End = typename PolytopeSearch<T>::End;
     TouchedPlanes<T> at{};
     for (int step = 0; step < max_polytope_steps; ++step) {
         std::size_t const next = most_violated(polytope, at);
-        if (next == polytope.count) return {at.mu2, at.point, Status::success};
+        if (next == polytope.count) return {at, End::found};
         auto const found = touch_with(polytope.q, at, polytope.half_space(next));
-        if (!satisfies(found, at)) {
-            auto nowhere = all_nan<ShapeContact<T>>(Status::success);
-            nowhere.mu2 = infinity<T>();
-            return nowhere;
-        }
+        if (!satisfies(found, at)) return {at, End::empty};
         at = found;
+        if (at.mu2 > limit) return {at, End::none};
     }
-    return all_nan<ShapeContact<T>>(Status::no_convergence);
+    return {at, End::none};
 }
 
 /// Whether the planes are valid; if so, the largest d that is positive, in units of their normals, or 0.
@@ -195,35 +209,50 @@ template <class T> struct PlanesCheck {
 template <class T> PW85_FUNCTION inline PlanesCheck<T> check_planes(Polytope<T> const &polytope) noexcept
 {
     T largest = T(0);
+    if (!is_finite(polytope.center)) return {T(0), Status::invalid_argument};
     for (std::size_t k = 0; k < polytope.count; ++k) {
         Vector<T, 3> const n = polytope.normal(k);
-        T const offset = polytope.offsets[k], size = largest_coordinate(n);
-        if (!(is_finite(n) && offset * T(0) == T(0) && size > T(0))) return {T(0), Status::invalid_argument};
-        if (offset < T(0)) largest = maximum(largest, times_power_of_two(T(-offset), -binary_exponent(size)));
+        T const offset = polytope.offsets[k];
+        if (!(is_finite(n) && offset * T(0) == T(0) && largest_coordinate(n) > T(0)))
+            return {T(0), Status::invalid_argument};
+        largest = maximum(largest, polytope.half_space(k).d);
     }
     return {largest, Status::success};
+}
+
+/// The polytope in units of 2^length, with the form in units of 4^form.
+template <class T> PW85_FUNCTION inline Polytope<T> scaled(Polytope<T> polytope, int length, int form) noexcept
+{
+    polytope.q = times_power_of_two(polytope.q, -2 * form);
+    polytope.length = length;
+    polytope.center = times_power_of_two(polytope.center, -length);
+    return polytope;
 }
 
 } // namespace pw85::detail
 
 namespace pw85 {
 
-template <class T> PW85_FUNCTION inline ShapeContact<T>
-contact_polytope(std::size_t n, T const *normals, T const *offsets, SymmetricMatrix<T, 3> const &q) noexcept
+template <class T> PW85_FUNCTION inline ShapeContact<T> contact_polytope(std::size_t n, T const *normals,
+                                                                         T const *offsets,
+                                                                         SymmetricMatrix<T, 3> const &q,
+                                                                         Vector<T, 3> const &center) noexcept
 {
     using namespace detail;
-    Polytope<T> polytope{n, normals, offsets, q, 0};
+    using End = typename PolytopeSearch<T>::End;
+    Polytope<T> polytope{n, normals, offsets, q, center, 0, T(0)};
     auto const [largest, status] = check_planes(polytope);
     Status const both = status == Status::success ? validate(q) : status;
     if (both != Status::success) return all_nan<ShapeContact<T>>(both);
     if (!(largest > T(0))) return {T(0), {T(0), T(0), T(0)}, Status::success};
     int const form = half_exponent(largest_diagonal(q));
-    polytope.q = times_power_of_two(q, -2 * form);
-    polytope.length = binary_exponent(largest);
-    auto found = search_polytope(polytope);
-    found.mu2 = times_power_of_two(found.mu2, 2 * (polytope.length - form));
-    found.point = times_power_of_two(found.point, polytope.length);
-    return found;
+    polytope = scaled(polytope, binary_exponent(largest), form);
+    auto const [at, end] = search_polytope(polytope, infinity<T>());
+    auto nowhere = all_nan<ShapeContact<T>>(end == End::empty ? Status::success : Status::no_convergence);
+    if (end == End::empty) nowhere.mu2 = infinity<T>();
+    if (end != End::found) return nowhere;
+    return {times_power_of_two(at.mu2, 2 * (polytope.length - form)), times_power_of_two(at.point, polytope.length),
+            Status::success};
 }
 
 } // namespace pw85

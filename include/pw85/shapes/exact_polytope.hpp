@@ -1,0 +1,337 @@
+/// @file
+/// Whether a polytope overlaps an ellipsoid, decided in integers. overlap_polytope.hpp calls these functions. A polytope that only
+/// touches the ellipsoid does not overlap it: the ellipsoid counts without its surface.
+///
+/// A half-space is g·x >= d, with x relative to the centre c of the ellipsoid, and d = -offset - g·c. The search is that of
+/// polytope.hpp with exact signs. It ends where μ² of the touched planes is 1 or more, or where no half-space is violated. For touched
+/// planes 1 to K, M_ij = g_iᵀQg_j, and these signs decide:
+///
+/// 1. K <= 2: λ_i has the sign of N_i, with N_1 = d_1 for K = 1 and N_i = d_i M_jj - d_j M_ij for K = 2. Let D = det M > 0. μ² - 1 has
+///    the sign of Σ d_i N_i - D, and x violates a half-space h if d_h D > Σ N_i M_ih.
+/// 2. K = 3: let C = g_1·(g_2 × g_3), w_i = g_j × g_k in cyclic order, and p = Σ d_i w_i = C x. Then λ_i has the sign of w_iᵀ adj(Q) p.
+///    μ² - 1 has the sign of pᵀ adj(Q) p - C² det Q, and x violates a half-space h if (d_h C - g_h·p) C > 0.
+/// 3. If d <= 0 and d² >= gᵀQg, the half-space has the whole ellipsoid. It is not violated while μ² < 1.
+///
+/// All these numbers are sums of products of the given numbers. Each product is added to one wide sum, so that the memory is small
+/// for any exponents.
+#ifndef PW85_SHAPES_EXACT_POLYTOPE_HPP_INCLUDED
+#define PW85_SHAPES_EXACT_POLYTOPE_HPP_INCLUDED
+
+#include <cstddef>
+
+#include <pw85/overlap/exact.hpp>
+
+namespace pw85::detail {
+
+namespace exact {
+
+/// The product of given numbers: sign·magnitude·2^exponent, with a magnitude below 2^length.
+template <int N> struct Product {
+    Digits<N> magnitude;
+    int length, exponent, sign;
+};
+
+/// The product of no numbers.
+PW85_FUNCTION constexpr Product<1> unit_product() noexcept { return {{{1}}, 1, 0, 1}; }
+
+template <int N> PW85_FUNCTION constexpr Product<N> operator-(Product<N> x) noexcept
+{
+    x.sign = -x.sign;
+    return x;
+}
+
+template <int N, class T> PW85_FUNCTION inline auto operator*(Product<N> const &x, BinaryFraction<T> const &y) noexcept
+{
+    auto const magnitude = x.magnitude * y.magnitude;
+    return Product<magnitude.size>{magnitude, x.length + y.length, x.exponent + y.exponent, x.sign * y.sign};
+}
+
+/// Finds the range of the digits of products.
+struct RangeOfProducts {
+    BitRange range = no_digits();
+
+    template <int N> PW85_MEMBER void operator()(Product<N> const &x) noexcept
+    {
+        if (x.sign == 0) return;
+        range.low = minimum(range.low, x.exponent);
+        range.high = maximum(range.high, x.exponent + x.length);
+    }
+};
+
+/// Adds products to a sum in units of 2^unit.
+struct SumOfAllProducts {
+    WideSum sum;
+    int unit;
+
+    template <int N> PW85_MEMBER void operator()(Product<N> const &x) const noexcept
+    {
+        if (x.sign == 0) return;
+        int const exponent = x.exponent - unit;
+        add(sum, times_power_of_two(x.magnitude, exponent % limb_bits), exponent / limb_bits, x.sign);
+    }
+};
+
+/// A sum of items 1 and 2 has less than 2^15 terms. One more bit is for the sign.
+inline constexpr int bits_for_terms = 16;
+
+/// The limbs of the sums of items 1 and 2, for any numbers: a product has up to ten factors.
+template <class T> PW85_FUNCTION constexpr int limbs_for_polytopes() noexcept
+{
+    using Limits = std::numeric_limits<T>;
+    return limbs_for(10 * (Limits::max_exponent - Limits::min_exponent + Limits::digits) + bits_for_terms);
+}
+
+/// The sign of a sum of products. terms(f) calls f for each product.
+template <class T, class Terms> [[gnu::noinline]] PW85_FUNCTION inline int sign_of_terms(Terms const &terms) noexcept
+{
+    RangeOfProducts found;
+    terms(found);
+    BitRange const range = found.range;
+    if (range.low > range.high) return 0;
+    Limb memory[limbs_for_polytopes<T>()];
+    SumOfAllProducts const total{zero_sum(memory, limbs_for(range.high - range.low + bits_for_terms)), range.low};
+    terms(total);
+    return value(total.sum).sign;
+}
+
+/// A half-space g·x >= -offset.
+template <class T> struct GivenPlane {
+    BinaryFraction<T> g[3], offset;
+};
+
+/// At most three planes that the scaled ellipsoid touches at a point.
+template <class T> struct GivenPlanes {
+    GivenPlane<T> planes[3];
+    int size;
+};
+
+/// The form and the centre of the ellipsoid.
+template <class T> struct GivenEllipsoid {
+    BinaryFraction<T> entries[6], center[3];
+
+    [[gnu::always_inline]] BinaryFraction<T> const &q(int i, int j) const noexcept
+    {
+        return entries[SymmetricMatrix<T, 3>::index(i < j ? i : j, i < j ? j : i)];
+    }
+};
+
+// The functions times_...(e, x, ..., f) call f for the products of which x times a number is the sum.
+
+/// d.
+template <class T, int N, class F> PW85_FUNCTION inline void
+times_distance(GivenEllipsoid<T> const &e, Product<N> const &x, GivenPlane<T> const &a, F &&f) noexcept
+{
+    f(-(x * a.offset));
+    for (int i = 0; i < 3; ++i)
+        if (e.center[i].sign != 0 && a.g[i].sign != 0) f(-(x * a.g[i] * e.center[i]));
+}
+
+/// M, for two planes.
+template <class T, int N, class F> PW85_FUNCTION inline void times_gram(GivenEllipsoid<T> const &e, Product<N> const &x,
+                                                                        GivenPlane<T> const &a, GivenPlane<T> const &b,
+                                                                        F &&f) noexcept
+{
+    for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j)
+            if (a.g[i].sign * b.g[j].sign * e.q(i, j).sign != 0) f(x * a.g[i] * b.g[j] * e.q(i, j));
+}
+
+/// D, for one or two planes.
+template <class T, int N, class F> PW85_FUNCTION inline void
+times_determinant(GivenEllipsoid<T> const &e, Product<N> const &x, GivenPlanes<T> const &at, F &&f) noexcept
+{
+    auto const &[a, b, c] = at.planes;
+    if (at.size == 1) return times_gram(e, x, a, a, f);
+    times_gram(e, x, a, a, [&](auto const &y) { times_gram(e, y, b, b, f); });
+    times_gram(e, -x, a, b, [&](auto const &y) { times_gram(e, y, a, b, f); });
+}
+
+/// N_i, for one or two planes.
+template <class T, int N, class F> PW85_FUNCTION inline void
+times_multiplier(GivenEllipsoid<T> const &e, Product<N> const &x, GivenPlanes<T> const &at, int i, F &&f) noexcept
+{
+    GivenPlane<T> const &a = at.planes[i], &b = at.planes[1 - i];
+    if (at.size == 1) return times_distance(e, x, a, f);
+    times_distance(e, x, a, [&](auto const &y) { times_gram(e, y, b, b, f); });
+    times_distance(e, -x, b, [&](auto const &y) { times_gram(e, y, a, b, f); });
+}
+
+/// Coordinate i of a × b.
+template <class T, int N, class F> PW85_FUNCTION inline void times_cross(Product<N> const &x, GivenPlane<T> const &a,
+                                                                         GivenPlane<T> const &b, int i, F &&f) noexcept
+{
+    int const j = (i + 1) % 3, k = (i + 2) % 3;
+    f(x * a.g[j] * b.g[k]);
+    f(-(x * a.g[k] * b.g[j]));
+}
+
+/// Coordinate j of w_i, for three planes.
+template <class T, int N, class F>
+PW85_FUNCTION inline void times_w(Product<N> const &x, GivenPlanes<T> const &at, int i, int j, F &&f) noexcept
+{
+    times_cross(x, at.planes[(i + 1) % 3], at.planes[(i + 2) % 3], j, f);
+}
+
+/// C, for three planes.
+template <class T, int N, class F>
+PW85_FUNCTION inline void times_volume(Product<N> const &x, GivenPlanes<T> const &at, F &&f) noexcept
+{
+    for (int j = 0; j < 3; ++j) times_w(x * at.planes[0].g[j], at, 0, j, f);
+}
+
+/// An entry of adj(Q).
+template <class T, int N, class F>
+PW85_FUNCTION inline void times_cofactor(GivenEllipsoid<T> const &e, Product<N> const &x, int i, int j, F &&f) noexcept
+{
+    int const i1 = (i + 1) % 3, i2 = (i + 2) % 3, j1 = (j + 1) % 3, j2 = (j + 2) % 3;
+    f(x * e.q(i1, j1) * e.q(i2, j2));
+    f(-(x * e.q(i1, j2) * e.q(i2, j1)));
+}
+
+/// w_iᵀ adj(Q) w_j, for three planes.
+template <class T, int N, class F> PW85_FUNCTION inline void
+times_form_of_w(GivenEllipsoid<T> const &e, Product<N> const &x, GivenPlanes<T> const &at, int i, int j, F &&f) noexcept
+{
+    for (int k = 0; k < 3; ++k)
+        for (int l = 0; l < 3; ++l)
+            times_cofactor(e, x, k, l, [&](auto const &y) {
+                times_w(y, at, i, k, [&](auto const &z) { times_w(z, at, j, l, f); });
+            });
+}
+
+template <class T> PW85_FUNCTION inline bool are_independent(GivenPlanes<T> const &at) noexcept
+{
+    auto const unit = unit_product();
+    if (at.size == 1) return true;
+    if (at.size == 3) return sign_of_terms<T>([&](auto &f) { times_volume(unit, at, f); }) != 0;
+    for (int i = 0; i < 3; ++i)
+        if (sign_of_terms<T>([&](auto &f) { times_cross(unit, at.planes[0], at.planes[1], i, f); }) != 0) return true;
+    return false;
+}
+
+template <class T>
+PW85_FUNCTION inline int sign_of_multiplier(GivenEllipsoid<T> const &e, GivenPlanes<T> const &at, int i) noexcept
+{
+    auto const unit = unit_product();
+    if (at.size < 3) return sign_of_terms<T>([&](auto &f) { times_multiplier(e, unit, at, i, f); });
+    return sign_of_terms<T>([&](auto &f) {
+        for (int j = 0; j < 3; ++j)
+            times_distance(e, unit, at.planes[j], [&](auto const &x) { times_form_of_w(e, x, at, i, j, f); });
+    });
+}
+
+/// Whether μ² >= 1.
+template <class T> PW85_FUNCTION inline bool reaches(GivenEllipsoid<T> const &e, GivenPlanes<T> const &at) noexcept
+{
+    auto const unit = unit_product();
+    auto const &planes = at.planes;
+    if (at.size < 3)
+        return sign_of_terms<T>([&](auto &f) {
+                   for (int i = 0; i < at.size; ++i)
+                       times_distance(e, unit, planes[i], [&](auto const &x) { times_multiplier(e, x, at, i, f); });
+                   times_determinant(e, -unit, at, f);
+               }) >= 0;
+    return sign_of_terms<T>([&](auto &f) {
+               for (int i = 0; i < 3; ++i)
+                   for (int j = 0; j < 3; ++j)
+                       times_distance(e, unit, planes[i], [&](auto const &x) {
+                           times_distance(e, x, planes[j], [&](auto const &y) { times_form_of_w(e, y, at, i, j, f); });
+                       });
+               for (int k = 0; k < 3; ++k)
+                   times_cofactor(e, -unit * e.q(0, k), 0, k, [&](auto const &x) {
+                       times_volume(x, at, [&](auto const &y) { times_volume(y, at, f); });
+                   });
+           }) >= 0;
+}
+
+/// Whether the point where the planes are touched violates a half-space. μ² of the planes is below 1.
+template <class T> PW85_FUNCTION inline bool violates(GivenEllipsoid<T> const &e, GivenPlanes<T> const &at,
+                                                      GivenPlane<T> const &h) noexcept
+{
+    auto const unit = unit_product();
+    int const side = sign_of_terms<T>([&](auto &f) { times_distance(e, unit, h, f); });
+    if (at.size == 0) return side > 0;
+    if (side <= 0 && reaches(e, GivenPlanes<T>{{h, h, h}, 1})) return false;
+    if (at.size < 3)
+        return sign_of_terms<T>([&](auto &f) {
+                   times_distance(e, unit, h, [&](auto const &x) { times_determinant(e, x, at, f); });
+                   for (int i = 0; i < at.size; ++i)
+                       times_multiplier(e, -unit, at, i, [&](auto const &x) { times_gram(e, x, at.planes[i], h, f); });
+               }) > 0;
+    int const excess = sign_of_terms<T>([&](auto &f) {
+        times_distance(e, unit, h, [&](auto const &x) { times_volume(x, at, f); });
+        for (int i = 0; i < 3; ++i)
+            for (int j = 0; j < 3; ++j)
+                times_distance(e, -unit * h.g[j], at.planes[i], [&](auto const &x) { times_w(x, at, i, j, f); });
+    });
+    return excess * sign_of_terms<T>([&](auto &f) { times_volume(unit, at, f); }) > 0;
+}
+
+/// Whether the scaled ellipsoid first touches the intersection of `planes` and `others` at these planes. Then it touches all of
+/// `planes`, with positive multipliers. If μ² >= 1, `others` do not matter.
+template <class T> PW85_FUNCTION inline bool touches(GivenEllipsoid<T> const &e, GivenPlanes<T> const &planes,
+                                                     GivenPlanes<T> const &others) noexcept
+{
+    if (!are_independent(planes)) return false;
+    for (int i = 0; i < planes.size; ++i)
+        if (sign_of_multiplier(e, planes, i) <= 0) return false;
+    if (reaches(e, planes)) return true;
+    for (int k = 0; k < others.size; ++k)
+        if (violates(e, planes, others.planes[k])) return false;
+    return true;
+}
+
+/// The planes that are touched after a half-space is added; none if there is no common point.
+template <class T> PW85_FUNCTION inline GivenPlanes<T> touch_with(GivenEllipsoid<T> const &e, GivenPlanes<T> const &old,
+                                                                  GivenPlane<T> const &added) noexcept
+{
+    for (int subset = 0; subset < 1 << old.size; ++subset) {
+        GivenPlanes<T> tried{{added, added, added}, 1};
+        for (int k = 0; k < old.size; ++k)
+            if ((subset >> k & 1) != 0 && tried.size++ < 3) tried.planes[tried.size - 1] = old.planes[k];
+        if (tried.size <= 3 && touches(e, tried, old)) return tried;
+    }
+    return {{added, added, added}, 0};
+}
+
+template <class T> PW85_FUNCTION inline GivenEllipsoid<T> given_ellipsoid(SymmetricMatrix<T, 3> const &q,
+                                                                          Vector<T, 3> const &center) noexcept
+{
+    GivenEllipsoid<T> ellipsoid;
+    for (int k = 0; k < 6; ++k) ellipsoid.entries[k] = to_binary_fraction(q[k]);
+    for (int i = 0; i < 3; ++i) ellipsoid.center[i] = to_binary_fraction(center[i]);
+    return ellipsoid;
+}
+
+template <class T> PW85_FUNCTION inline GivenPlane<T> given_plane(T const *normal, T const &offset) noexcept
+{
+    return {{to_binary_fraction(T(-normal[0])), to_binary_fraction(T(-normal[1])), to_binary_fraction(T(-normal[2]))},
+            to_binary_fraction(offset)};
+}
+
+} // namespace exact
+
+/// Whether a polytope overlaps the ellipsoid, for the numbers exactly as given.
+template <class T>
+requires exact::is_decidable<T>
+[[gnu::noinline]] static bool polytope_overlaps_exactly(std::size_t n, T const *normals, T const *offsets,
+                                                        SymmetricMatrix<T, 3> const &q,
+                                                        Vector<T, 3> const &center) noexcept
+{
+    using namespace exact;
+    auto const ellipsoid = given_ellipsoid(q, center);
+    GivenPlanes<T> at{{}, 0};
+    for (std::size_t k = 0; k < n;) {
+        auto const plane = given_plane(normals + 3 * k, offsets[k]);
+        ++k;
+        if (!violates(ellipsoid, at, plane)) continue;
+        at = touch_with(ellipsoid, at, plane);
+        if (at.size == 0 || reaches(ellipsoid, at)) return false;
+        k = 0;
+    }
+    return true;
+}
+
+} // namespace pw85::detail
+
+#endif
