@@ -140,7 +140,7 @@ template <class T, int N, class F> PW85_FUNCTION inline void times_gram(GivenEll
 template <class T, int N, class F> PW85_FUNCTION inline void
 times_determinant(GivenEllipsoid<T> const &e, Product<N> const &x, GivenPlanes<T> const &at, F &&f) noexcept
 {
-    auto const &[a, b, c] = at.planes;
+    GivenPlane<T> const &a = at.planes[0], &b = at.planes[1];
     if (at.size == 1) return times_gram(e, x, a, a, f);
     times_gram(e, x, a, a, [&](auto const &y) { times_gram(e, y, b, b, f); });
     times_gram(e, -x, a, b, [&](auto const &y) { times_gram(e, y, a, b, f); });
