@@ -58,7 +58,7 @@ def ellipsoid():
     See Also
     --------
     principal_axes : the inverse
-    from_euler, from_rotation_vector, from_covariance : from angles, rotation vectors and covariance matrices
+    from_euler, from_rotation_vector, from_covariance : from other descriptions of an orientation
 
     Examples
     --------
