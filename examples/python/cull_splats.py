@@ -82,7 +82,8 @@ else:
 
 # A splat is the ellipsoid that has the share CONFIDENCE of its Gaussian.
 semi_axes = np.sqrt(QUANTILE) * deviations
-planes = frustum(np.zeros(3), np.array([1.0, 2, 0.5]), np.array([0.0, 0, 1]), 0.5, 16 / 9, 0.1, 15.0)
+eye, forward, upward = np.zeros(3), np.array([1.0, 2, 0.5]), np.array([0.0, 0, 1])
+planes = frustum(eye, forward, upward, 0.5, 16 / 9, 0.1, 15.0)
 q, of_forms = timed(pypw85.ellipsoid_quaternion, semi_axes, quaternions)
 exact, of_exact = timed(pypw85.overlap_polytope, centers, q, *planes)
 by_centers, of_centers = timed(lambda: (centers @ planes[0].T <= planes[1]).all(axis=1))

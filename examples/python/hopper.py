@@ -10,24 +10,31 @@ TRIALS = 24  # at a time
 
 
 def fill(mesh, count, seed=1):
-    """Centres and forms of particles that come to rest in turn. No particle ever overlaps the mesh or another particle."""
+    """Centres and forms of particles that come to rest in turn.
+
+    No particle ever overlaps the mesh or another particle.
+    """
     random = np.random.default_rng(seed)
     centers, q = np.empty((count, 3)), np.empty((count, 6))
     for n in range(count):
-        center, quaternion = np.append(random.uniform(-1.5, 1.5, 2), 11.0), random.normal(size=4)
-        # In steps below twice the shortest semi-axis no centre passes through the mesh unseen.
+        center = np.append(random.uniform(-1.5, 1.5, 2), 11.0)
+        quaternion = random.normal(size=4)
+        # In steps below twice the shortest semi-axis, no centre passes through the mesh.
         step = 0.9 * SEMI_AXES.min()
         while step > 1e-3:
             offset = step * random.uniform([-1, -1, -1], [1, 1, 0], (TRIALS, 3))
-            trial, turned = center + offset, quaternion + step * random.normal(size=(TRIALS, 4))
+            trial = center + offset
+            turned = quaternion + step * random.normal(size=(TRIALS, 4))
             form = pypw85.ellipsoid_quaternion(SEMI_AXES, turned)
-            blocked = pypw85.overlap(centers[:n] - trial[:, None], form[:, None], q[:n]).any(axis=1)
+            r12 = centers[:n] - trial[:, None]
+            blocked = pypw85.overlap(r12, form[:, None], q[:n]).any(axis=1)
             blocked |= mesh.overlap(trial, form)
             if blocked.all():
                 step /= 2
                 continue
             best = np.where(blocked, np.inf, trial[:, 2]).argmin()
-            center, quaternion = trial[best], turned[best] / np.linalg.norm(turned[best])
+            center = trial[best]
+            quaternion = turned[best] / np.linalg.norm(turned[best])
             centers[n], q[n] = center, form[best]
     return centers, q
 
@@ -39,5 +46,8 @@ if __name__ == "__main__":
     mu2, point, triangle = hopper.contact(centers, q)
     print(hopper)
     print(len(centers), "particles, the highest at", centers[:, 2].max().round(2))
-    print("overlaps:", pypw85.overlap_pairs(pairs, centers, q).sum(), "of particles,", hopper.overlap(centers, q).sum(), "with the hopper")
-    print((mu2 < 1.05).sum(), "particles lean on the hopper, on", len(np.unique(triangle[mu2 < 1.05])), "of its triangles")
+    between, with_mesh = pypw85.overlap_pairs(pairs, centers, q), hopper.overlap(centers, q)
+    print("overlaps:", between.sum(), "of particles,", with_mesh.sum(), "with the hopper")
+    lean = mu2 < 1.05
+    touched = len(np.unique(triangle[lean]))
+    print(lean.sum(), "particles lean on the hopper, on", touched, "of its triangles")

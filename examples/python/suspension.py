@@ -9,7 +9,8 @@ random = np.random.default_rng(1)
 count = 10_000
 directions = random.normal(size=(count, 3))
 directions /= np.linalg.norm(directions, axis=1, keepdims=True)
-centers = directions * np.array([30, 20, 20]) * 0.955 * np.cbrt(random.random((count, 1)))
+radii = 0.955 * np.cbrt(random.random((count, 1)))
+centers = radii * directions * np.array([30, 20, 20])
 q = pypw85.ellipsoid_quaternion([1, 0.5, 0.4], random.normal(size=(count, 4)))
 
 inside = pypw85.contains(centers, container, q)

@@ -44,7 +44,8 @@ class Mesh:
     Examples
     --------
     >>> import numpy as np, pypw85
-    >>> floor = pypw85.Mesh([[-9, -9, 0], [9, -9, 0], [9, 9, 0], [-9, 9, 0]], [[0, 1, 2], [0, 2, 3]])
+    >>> corners = [[-9, -9, 0], [9, -9, 0], [9, 9, 0], [-9, 9, 0]]
+    >>> floor = pypw85.Mesh(corners, [[0, 1, 2], [0, 2, 3]])
     >>> q = pypw85.spheroid(1, 2, [0, 0, 1])
     >>> mu2, point, triangle = floor.contact([[1, 0, 4], [0, 1, 1]], [q, q])
     >>> mu2

@@ -4,9 +4,9 @@
 ///
 /// With M = Q1 + τ Q2, adj its adjugate, b its determinant and w = r × v:
 ///
-/// 1. The best t on the whole line is -rᵀadj v/(vᵀadj v). There (r + tv)ᵀM⁻¹(r + tv) = wᵀMw/(vᵀadj v), because the minors of the
+/// 1. The best t on the whole line is -rᵀadj v/(vᵀadj v). There (r + t v)ᵀM⁻¹(r + t v) = wᵀMw/(vᵀadj v), because the minors of the
 ///    adjugate are b times the entries of M.
-/// 2. Where that t is not in the range, t is the nearer end, and the form is (r + tv)ᵀadj(r + tv)/b.
+/// 2. Where that t is not in the range, t is the nearer end, and the form is (r + t v)ᵀadj(r + t v)/b.
 /// 3. By the envelope theorem the derivative of f in τ is the same in both cases. So the search takes each step on the form that
 ///    belongs to its τ. If the last evaluation is on another form than the step before, the pair is left over.
 #ifndef PW85_KERNELS_LANE_CLOSEST_PASSAGE_HPP_INCLUDED
@@ -120,8 +120,8 @@ struct LanePassage {
     PackMask certain;
 };
 
-/// Whether the rounding of t, of t v and of r + tv is harmless: the condition of is_rounding_harmless()
-/// (motion/closest_passage.hpp), with everything times det M. `form` is (r + tv)ᵀadj(r + tv), of which S is at least three times.
+/// Whether the rounding of t, of t v and of r + t v is harmless: the condition of is_rounding_harmless()
+/// (motion/closest_passage.hpp), with everything times det M. `form` is (r + t v)ᵀadj(r + t v), of which S is at least three times.
 /// The factor 16 leaves room for the roundings of the two dot products that give t. So t is best for τ, up to an error of u S in
 /// μ².
 PW85_INLINE PackMask is_rounding_harmless(LanePair<3> const &pair, Vector<Pack, 3> const &v, Pack const &t,

@@ -6,17 +6,17 @@
 ///    one t. If the least value on the whole line is not in the range, the nearer end of the range has it.
 /// 2. The least over t of the largest f over λ is the largest over λ of the least f over t, because f is convex in t and concave in
 ///    λ. For fixed λ, with W = [(1-λ)Q1 + λQ2]⁻¹, the best t on the line is -rᵀWv/vᵀWv.
-/// 3. Let P be a projection along v to the plane across v. The least (r + tv)ᵀW(r + tv) is (Pr)ᵀ[(1-λ) PQ1Pᵀ + λ PQ2Pᵀ]⁻¹ Pr. So on
+/// 3. Let P be a projection along v to the plane across v. The least (r + t v)ᵀW(r + t v) is (Pr)ᵀ[(1-λ) PQ1Pᵀ + λ PQ2Pᵀ]⁻¹ Pr. So on
 ///    the whole line the least μ² is the contact function of the shadows of the ellipsoids along v, in two dimensions, and has the
 ///    same λ.
-/// 4. For any λ and t, let n = W(r + tv). The least f at λ is f(λ, t) - λ(1-λ)(v·n)²/(vᵀWv), because the best t differs from t by
+/// 4. For any λ and t, let n = W(r + t v). The least f at λ is f(λ, t) - λ(1-λ)(v·n)²/(vᵀWv), because the best t differs from t by
 ///    -v·n/(vᵀWv). So λ bounds the result from below, t bounds it from above, and the bounds differ by that term.
 ///
 /// The shadows give λ and t, and the pair at t gives μ². If the bounds differ by more than rounding errors, new t and λ follow from
-/// each other. If they still differ, or if r + tv cancels so much that its rounding matters, the shadows are computed with wider
+/// each other. If they still differ, or if r + t v cancels so much that its rounding matters, the shadows are computed with wider
 /// numbers.
 ///
-/// The error of μ² is 4 u S for the contact function at t, 2 u S for the rounding of r + tv, u S for the difference of the bounds,
+/// The error of μ² is 4 u S for the contact function at t, 2 u S for the rounding of r + t v, u S for the difference of the bounds,
 /// and u S/64 for the terms of second order: less than 8 u S in all.
 #ifndef PW85_MOTION_CLOSEST_PASSAGE_HPP_INCLUDED
 #define PW85_MOTION_CLOSEST_PASSAGE_HPP_INCLUDED
