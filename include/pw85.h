@@ -744,7 +744,8 @@ PW85_API int pw85_contact_box(double const lower[PW85_DIM], double const upper[P
  * @param offsets n, for planes relative to the centre of the ellipsoid
  * @param q form of the ellipsoid
  * @param[out] mu2 square of the factor by which the ellipsoid must be scaled to touch; 0 if its centre is in the polytope, infinity if
- *        the polytope is empty, which is decided up to rounding errors; may be null
+ *        the polytope is empty, which is decided up to rounding errors: one that begins beyond μ² = 10¹⁰ may count as empty; may
+ *        be null
  * @param[out] point of the polytope, where the scaled ellipsoid touches; NaN if the polytope is empty; may be null
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD, #PW85_ECONVERGENCE (this has never been seen) */
 PW85_API int pw85_contact_polytope(size_t n, double const *normals, double const *offsets, double const q[PW85_SYM],

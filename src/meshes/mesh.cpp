@@ -141,7 +141,7 @@ NearestTriangle find_nearest(pw85_mesh const &mesh, Vector3 const &center, Form3
 }
 
 /// Whether any triangle overlaps. The bounds are proofs, and need no margin.
-ShapeOverlap find_overlap(pw85_mesh const &mesh, Vector3 const &center, Form3 const &q) noexcept
+[[gnu::noinline]] ShapeOverlap find_overlap(pw85_mesh const &mesh, Vector3 const &center, Form3 const &q) noexcept
 {
     Status const status = validate(mesh, center, q);
     if (status != Status::success) return {false, status};

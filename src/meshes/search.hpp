@@ -155,7 +155,8 @@ template <class Visit> class Search {
         return {bound(hull, hull.magnitudes(normal), normal), number, normal};
     }
 
-    Candidate child(int level, std::size_t number, Vector3 const &normal) const noexcept
+    /// This is a function of its own, so that its numbers do not lie on the stack once for each level.
+    [[gnu::noinline]] Candidate child(int level, std::size_t number, Vector3 const &normal) const noexcept
     {
         if (level == 0) return candidate(mesh_.triangles[number], number, normal);
         return candidate(mesh_.tree.box(level, number), number, normal);
