@@ -155,7 +155,10 @@ template <class Visit> class Search {
         return {bound(hull, hull.magnitudes(normal), normal), number, normal};
     }
 
-    /// This is a function of its own, so that its numbers do not lie on the stack once for each level.
+    // child() and visit() are functions of their own, so that their numbers do not lie on the stack once for each level.
+
+    [[gnu::noinline]] void visit(Triangle const &triangle) noexcept { limit_ = visit_(triangle); }
+
     [[gnu::noinline]] Candidate child(int level, std::size_t number, Vector3 const &normal) const noexcept
     {
         if (level == 0) return candidate(mesh_.triangles[number], number, normal);
@@ -187,7 +190,7 @@ template <class Visit> class Search {
         }
         for (std::size_t k = 0; k < size && !skips(children[k].bound); ++k) {
             if (level == 0)
-                limit_ = visit_(mesh_.triangles[children[k].number]);
+                visit(mesh_.triangles[children[k].number]);
             else
                 descend(level - 1, children[k]);
         }
