@@ -23,7 +23,8 @@ template <class T> PW85_FUNCTION inline SineCosine<T> sine_cosine(T const &angle
 {
     using elementary::cos;
     using elementary::sin;
-    return {sin(angle), cos(angle)};
+    T const sine = sin(angle), cosine = cos(angle);
+    return {sine, cosine};
 }
 
 /// An angle less a multiple of π/2.

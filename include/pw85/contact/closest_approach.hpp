@@ -23,7 +23,7 @@ closest_approach(Vector<T, D> direction, SymmetricMatrix<T, D> const &q1, Symmet
     if (!is_finite(direction) || !(largest > T(0))) return all_nan<ClosestApproach<T>>(Status::invalid_argument);
     direction = direction / largest;
     auto const pair = pair_of(direction, q1, q2);
-    ScaledPair<T, D> scaled{pair, 0, 0, false};
+    ScaledPair<T, D> scaled{pair, 0, 0, false, 0};
     if (!passes_fast_checks(pair)) {
         Status const status = validate(pair, scaled);
         if (status != Status::success) return all_nan<ClosestApproach<T>>(status);

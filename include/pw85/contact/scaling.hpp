@@ -32,10 +32,10 @@ pair_of(Vector<T, D> const &r12, Q const &q1, Q const &q2) noexcept
 /// A pair in units that keep every intermediate result in range, and the exponents that lead back to the units of the caller.
 template <class T, int D, class Q = SymmetricMatrix<T, D>> struct ScaledPair {
     Pair<T, D, Q> pair;
-    int length;     ///< r12 is that of the pair times 2^length
-    int form;       ///< Q1 is that of the pair times 4^form, and μ² that of the pair times 4^(length - form)
-    bool swapped;   ///< whether the ellipsoids are exchanged and r12 is reversed
-    int second = 0; ///< Q2 is that of the pair times 4^second
+    int length;   ///< r12 is that of the pair times 2^length
+    int form;     ///< Q1 is that of the pair times 4^form, and μ² that of the pair times 4^(length - form)
+    bool swapped; ///< whether the ellipsoids are exchanged and r12 is reversed
+    int second;   ///< Q2 is that of the pair times 4^second
 };
 
 /// A pair is not scaled if the magnitudes of r12 and of the diagonals are between this limit and its inverse. The largest numbers
@@ -106,7 +106,7 @@ template <class T, int D, class Q> PW85_FUNCTION inline ScaledPair<T, D, Q> scal
 {
     auto const &[r12, q1, q2, ratio] = pair;
     T const r = largest_coordinate(r12);
-    if (is_in_range(r, squared_size(q1), squared_size(q2))) return {pair, 0, 0, false};
+    if (is_in_range(r, squared_size(q1), squared_size(q2))) return {pair, 0, 0, false, 0};
     int const er = r > T(0) ? binary_exponent(r) : 0;
     int const e1 = exponent_of_size(q1), e2 = exponent_of_size(q2);
     // The squared sizes of a pair in range are between 2^-24 and 2^24, so the exponents differ by at most 24. Such a pair is not

@@ -216,7 +216,7 @@ PW85_FUNCTION inline ClosestPassage<T> closest_passage(Vector<T, 3> const &r12, 
 {
     using namespace detail;
     auto const pair = pair_of(r12, q1, q2);
-    ScaledPair<T, 3> scaled{pair, 0, 0, false};
+    ScaledPair<T, 3> scaled{pair, 0, 0, false, 0};
     bool const valid = is_finite(velocity) && t_max >= T(0);
     Status const status = !valid                     ? Status::invalid_argument
                           : passes_fast_checks(pair) ? Status::success

@@ -114,7 +114,7 @@ PW85_FUNCTION inline FirstContact<T> first_contact(Vector<T, D> const &r12, Symm
     bool const valid = end >= T(0) && is_valid_motion(motion1, end) && is_valid_motion(motion2, end);
     if (!valid) return all_nan<FirstContact<T>>(Status::invalid_argument);
     auto const pair = pair_of(r12, q1, q2);
-    ScaledPair<T, D> scaled{pair, 0, 0, false};
+    ScaledPair<T, D> scaled{pair, 0, 0, false, 0};
     if (!passes_fast_checks(pair)) {
         Status const status = validate(pair, scaled);
         if (status != Status::success) return all_nan<FirstContact<T>>(status);

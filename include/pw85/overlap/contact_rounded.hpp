@@ -264,7 +264,7 @@ template <class T, int D>
 /// contact_rounded() with what it took.
 template <class T, int D> PW85_FUNCTION inline RoundedContact<T> round_contact(Pair<T, D> const &pair) noexcept
 {
-    return passes_fast_checks(pair) ? round_contact(pair, ScaledPair<T, D>{pair, 0, 0, false})
+    return passes_fast_checks(pair) ? round_contact(pair, ScaledPair<T, D>{pair, 0, 0, false, 0})
                                     : round_contact_scaled(pair);
 }
 
