@@ -35,7 +35,7 @@ PRINTED = {"highlight-none", "highlight-text"}  # what programs print
 SEARCHES = {
     "changelog": "changelog.html",
     "closest approach": "#c.pw85_closest_approach",
-    "euler": "api/python.html#pypw85.from_euler",
+    "euler": "tasks/euler.html",
     "euler angles": "tasks/euler.html",
     "minimum image": "glossary.html#term-minimum-image",
     "overlap": "#c.pw85_overlap",

@@ -19,7 +19,7 @@ def fill(mesh, count, seed=1):
     for n in range(count):
         center = np.append(random.uniform(-1.5, 1.5, 2), 11.0)
         quaternion = random.normal(size=4)
-        # In steps below twice the shortest semi-axis, no centre passes through the mesh.
+        # In steps below twice the shortest semi-axis no centre passes the mesh unseen.
         step = 0.9 * SEMI_AXES.min()
         while step > 1e-3:
             offset = step * random.uniform([-1, -1, -1], [1, 1, 0], (TRIALS, 3))
@@ -46,8 +46,9 @@ if __name__ == "__main__":
     mu2, point, triangle = hopper.contact(centers, q)
     print(hopper)
     print(len(centers), "particles, the highest at", centers[:, 2].max().round(2))
-    between, with_mesh = pypw85.overlap_pairs(pairs, centers, q), hopper.overlap(centers, q)
-    print("overlaps:", between.sum(), "of particles,", with_mesh.sum(), "with the hopper")
+    between = pypw85.overlap_pairs(pairs, centers, q).sum()
+    with_mesh = hopper.overlap(centers, q).sum()
+    print("overlaps:", between, "of particles,", with_mesh, "with the hopper")
     lean = mu2 < 1.05
     touched = len(np.unique(triangle[lean]))
     print(lean.sum(), "particles lean on the hopper, on", touched, "of its triangles")

@@ -19,6 +19,7 @@ print(f"{inside.sum()} of {count} particles are inside")
 # The particle that sticks out most, and the container that has all of them inside.
 mu2, points = pypw85.containment(centers, container, q)
 worst = mu2.argmax()
-print("one sticks out at", points[worst].round(3), f"by a factor of {np.sqrt(mu2[worst]):.6f}")
+factor = np.sqrt(mu2[worst])
+print("one sticks out at", points[worst].round(3), f"by a factor of {factor:.6f}")
 larger = mu2[worst] * (1 + 1e-12) * container
 print("all are inside of the larger container:", pypw85.contains(centers, larger, q).all())
