@@ -25,8 +25,8 @@
  * - Only the functions of neighbour lists and pw85_mesh_create() allocate memory. No function prints anything or ends the process. No
  *   function shares state with another call, except that pw85_set_reproducible() sets a mode of the process: any number of threads may
  *   call any functions at the same time.
- * - No function needs more than 16 KiB of stack, besides what the dynamic linker takes to bind it at its first call. The
- *   threads that a batch starts have stacks of their own, which OpenMP provides.
+ * - No function needs more than 16 KiB of stack, those of meshes no more than 24 KiB, besides what the dynamic linker takes to bind
+ *   it at its first call. The threads that a batch starts have stacks of their own, which OpenMP provides.
  * - Functions compute in the default floating-point environment. The rounding mode, status flags and traps of the caller do not
  *   change the results, and after the call they are as they were before.
  * - For semi-axes and distances from 1e-150 to 1e150 no intermediate result overflows or underflows; a result beyond the range of
