@@ -35,7 +35,6 @@ PRINTED = {"highlight-none", "highlight-text"}  # what programs print
 SEARCHES = {
     "changelog": "changelog.html",
     "closest approach": "#c.pw85_closest_approach",
-    "euler": "tasks/euler.html",
     "euler angles": "tasks/euler.html",
     "minimum image": "glossary.html#term-minimum-image",
     "overlap": "#c.pw85_overlap",

@@ -22,4 +22,5 @@ worst = mu2.argmax()
 factor = np.sqrt(mu2[worst])
 print("one sticks out at", points[worst].round(3), f"by a factor of {factor:.6f}")
 larger = mu2[worst] * (1 + 1e-12) * container
-print("all are inside of the larger container:", pypw85.contains(centers, larger, q).all())
+all_inside = pypw85.contains(centers, larger, q).all()
+print("all are inside of the larger container:", all_inside)
