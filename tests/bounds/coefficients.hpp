@@ -50,9 +50,9 @@ template <int D> CoefficientRoundings count_coefficient_roundings()
     auto const difference = node(formula.results[2]);
     auto const minuend = node(difference.left), subtrahend = node(difference.right);
     Monomials const a = count(formula.results[0]), b = count(formula.results[1]);
-    // Here |q1_ij| = |q2_ij| = |r_i| = 1: each entry of M counts twice, and (Σ|r_i|)² is D².
-    double const factorial = D == 2 ? 2.0 : 6.0, doubled = D == 2 ? 4.0 : 8.0;
-    bool const magnitudes = b.magnitude == factorial * doubled && a.magnitude == factorial * D * doubled / 2.0;
+    // monomials() counts entries of the forms half, so that those of M are 1. |r_i| is 1 here, so that (Σ|r_i|)² is D².
+    double const factorial = D == 2 ? 2.0 : 6.0;
+    bool const magnitudes = b.magnitude == factorial && a.magnitude == factorial * D;
     bool const product = difference.operation == Operation::difference && minuend.left == formula.results[0] &&
                          subtrahend.right == formula.results[1];
     return {double(a.roundings), double(b.roundings), double(count(subtrahend.left).roundings),
