@@ -1,6 +1,7 @@
 // Tests of an ellipsoid and convex sets (include/pw85/shapes/) against brute force in 50 digits.
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <limits>
 #include <vector>
 
@@ -436,8 +437,8 @@ template <class Shape> void test_batch()
         double one = 0, where[3] = {};
         int const status = Shape::contact_in_c(cases[n], &one, where);
         g_assert_cmpint(status, ==, n == bad ? PW85_ENOTPD : PW85_SUCCESS);
-        g_assert_cmpmem(&one, sizeof one, &mu2[n], sizeof one);
-        g_assert_cmpmem(where, sizeof where, &point[3 * n], sizeof where);
+        g_assert_cmpint(std::memcmp(&one, &mu2[n], sizeof one), ==, 0);
+        g_assert_cmpint(std::memcmp(where, &point[3 * n], sizeof where), ==, 0);
     }
     g_assert_cmpint(Shape::contact_batch(rows, first, q.data(), nullptr, nullptr), ==, PW85_ENOTPD);
     std::vector<unsigned char> overlap(rows, 7);
@@ -609,7 +610,7 @@ void test_many_planes()
     Random random(690);
     Form3 const q{1, 0, 0, 1, 0, 1};
     Vector3 const center{3, 4, 12};
-    for (std::size_t const count : {50, 500, 5000}) {
+    for (std::size_t const count : {std::size_t{50}, std::size_t{500}, std::size_t{5000}}) {
         Planes planes;
         for (std::size_t k = 0; k < count; ++k) {
             auto const g = random.direction<3>();

@@ -30,10 +30,10 @@ def contact_polytope(
 
     Returns
     -------
-    mu2 : (n) ndarray
+    mu2 : (n) array
         Squares of the factors by which the ellipsoids must be scaled about their centres to touch the polytope; 0 if the centre is in
         the polytope, infinity if the polytope is empty.
-    point : (n, 3) ndarray
+    point : (n, 3) array
         Where the scaled ellipsoids touch, relative to their centres.
 
     Raises
@@ -70,7 +70,7 @@ def overlap_polytope(
 
     Returns
     -------
-    (n) ndarray of bool
+    (n) array of bool
 
     Raises
     ------
