@@ -95,12 +95,15 @@ PW85_FUNCTION inline Extended<T> normalized(Digits<N> const &x, int exponent, in
     return result;
 }
 
-/// The mantissa divided by 2^exponent, with one limb below it and one above.
+/// The limbs of the guard below the mantissa. It has 64 bits for limbs of any width, so that the truncated bits are the same.
+inline constexpr int guard_limbs = limbs_for(64);
+
+/// The mantissa divided by 2^exponent, with a guard below it and one limb above.
 template <class T> PW85_FUNCTION inline auto with_guards(Extended<T> const &x, int exponent) noexcept
 {
-    constexpr int size = Extended<T>::size + 2;
+    constexpr int size = Extended<T>::size + guard_limbs + 1;
     Digits<size> result{};
-    for (int i = 0; i < x.size; ++i) result.limbs[i + 1] = x.mantissa.limbs[i];
+    for (int i = 0; i < x.size; ++i) result.limbs[i + guard_limbs] = x.mantissa.limbs[i];
     return exponent < size * limb_bits ? over_power_of_two(result, exponent) : Digits<size>{};
 }
 
@@ -112,12 +115,12 @@ template <int N> PW85_FUNCTION inline Digits<N> sum(Digits<N> x, Digits<N> const
 }
 
 /// The sum if |x| has the larger exponent. If y is shifted by more than one bit, |y| is smaller than half of |x|. Then the result
-/// loses at most one leading bit, and the bits that are truncated below the guard limb do not matter.
+/// loses at most one leading bit, and the bits that are truncated below the guard do not matter.
 template <class T> [[gnu::noinline, gnu::hot]] PW85_FUNCTION inline Extended<T>
 add_ordered(Extended<T> const &x, Extended<T> const &y) noexcept
 {
     auto result = sum(with_guards(x, 0), with_guards(y, x.exponent - y.exponent), x.sign * y.sign);
-    int const exponent = x.exponent + limb_bits; // includes the guard limb above
+    int const exponent = x.exponent + limb_bits; // includes the limb above
     if (result.limbs[result.size - 1] >> (limb_bits - 1) == 0) return normalized<T>(result, exponent, x.sign);
     return normalized<T>(sum(Digits<result.size>{}, result, -1), exponent, -x.sign);
 }
@@ -150,13 +153,19 @@ template <class T> [[gnu::noinline, gnu::hot]] PW85_FUNCTION inline Extended<T> 
     return normalized<T>(x.mantissa * y.mantissa, x.exponent + y.exponent, x.sign * y.sign);
 }
 
-/// The nearest native number, up to an error of 2^-10 ulp. Outside the range of `T` the result is infinity or zero.
+/// The nearest native number, up to an error of 2^-16 ulp. Outside the range of `T` the result is infinity or zero. The mantissa is
+/// read in pieces that `T` represents exactly and that divide limbs of any width, so that the result does not depend on this width.
 template <class T> PW85_FUNCTION inline T rounded(Extended<T> const &x) noexcept
 {
     if (!x.is_defined()) return quiet_nan<T>();
-    constexpr auto radix = T(2) * static_cast<T>(Limb{1} << (limb_bits - 1));
+    constexpr int piece_bits = std::numeric_limits<T>::digits < 32 ? 16 : 32, pieces = limb_bits / piece_bits;
+    constexpr Limb mask = (Limb{1} << (piece_bits - 1)) * 2 - 1;
+    constexpr T unit = T(1) / static_cast<T>(std::uint64_t{1} << piece_bits);
     T fraction = T(0);
-    for (int i = 0; i < x.size; ++i) fraction = (fraction + static_cast<T>(x.mantissa.limbs[i])) / radix;
+    for (int i = 0; i < x.size * pieces; ++i) {
+        Limb const piece = (x.mantissa.limbs[i / pieces] >> (i % pieces * piece_bits)) & mask;
+        fraction = (fraction + static_cast<T>(piece)) * unit;
+    }
     return pw85::detail::times_power_of_two(T(static_cast<T>(x.sign) * fraction), x.exponent);
 }
 
