@@ -184,7 +184,9 @@ template <class T, int D> void test_random()
     }
     report(steps);
     g_assert_cmpint(steps.bounds, >, steps.pairs / 3); // fewest for float
-    g_assert_cmpint(steps.bounds, <, steps.pairs);
+    // Bounds with the digits of long double decide all of these on some machines.
+    if (std::numeric_limits<T>::digits <= std::numeric_limits<double>::digits)
+        g_assert_cmpint(steps.bounds, <, steps.pairs);
 }
 
 // Needles, ribbons and discs whose forms are singular to working precision.

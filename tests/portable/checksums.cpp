@@ -1,6 +1,6 @@
 // Whether the reproducible mode gives the recorded bits on this machine. Each function of pw85.h that computes from numbers has a
-// line of 64-bit checksums of its outputs and statuses in checksums.txt: over 16,384, 131,072 and 1,007,616 pairs. Depths of
-// overlaps take a sixteenth of the pairs, and functions that have no rows take one in 128.
+// line of 64-bit checksums of its outputs and statuses in checksums.txt: over 16,384, 131,072 and 1,007,616 pairs. Functions that
+// compute depths of overlaps take a sixteenth of the pairs, and functions that have no rows take one in 128.
 //
 // Usage: checksums check TABLE PARTS     compares; PARTS, 1 to 3, is how many checksums of each line
 //        checksums record                prints the table
@@ -199,7 +199,8 @@ void add_pairs(Checksums &sums, std::vector<ExactPair> const &pairs, Integers co
             }
             continue;
         }
-        bool const slow = name == "pw85_penetration_batch"; // some hundred microseconds near tangency
+        bool const slow = is_one_of(name, {"pw85_penetration_batch", "pw85_signed_distance_batch",
+                                           "pw85_signed_distance_derivatives_batch"}); // some hundred microseconds
         Call call(function, slow ? few : pairs);
         vary(call, integers, known);
         if (only.empty() || name == only) add_call(sums[name], call);
