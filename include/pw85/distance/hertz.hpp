@@ -179,7 +179,8 @@ PW85_FUNCTION inline HertzContact<T> hertz_contact(Vector<T, 3> const &r12, Symm
                 all_nan<HertzEllipse<T>>(status), status};
     bool accurate;
     auto result = hertz_facing<T>(pair, normal, accurate);
-    if (!accurate) result = hertz_facing<Finer<T>>(pair, normal, accurate);
+    if constexpr (!std::is_same_v<Finer<T>, T>)
+        if (!accurate) result = hertz_facing<Finer<T>>(pair, normal, accurate);
     return in_units(result, pair);
 }
 
