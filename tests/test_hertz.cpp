@@ -38,10 +38,7 @@ struct Grains {
     Vector3 normal;
 };
 
-std::string text(Grains const &g)
-{
-    return hex_text(g.pair) + ", normal = " + hex_text(g.normal.coordinates, 3);
-}
+std::string text(Grains const &g) { return hex_text(g.pair) + ", normal = " + hex_text(g.normal.coordinates, 3); }
 
 WideVector unit(WideVector const &x) { return Wide(1 / norm(x)) * x; }
 
@@ -187,8 +184,9 @@ template <class T> void test_hertz()
         T const small = static_cast<T>(random.log_uniform(1e-10, 1e10));
         T const large = static_cast<T>(small * static_cast<T>(ratio));
         auto const h = pw85::hertz(pw85::Vector<T, 2>{small, large});
-        compare(h, small, large, 64 * pw85::detail::unit_roundoff<T>(), failures,
-                hex_text(pw85::Vector<double, 2>{static_cast<double>(small), static_cast<double>(large)}.coordinates, 2));
+        compare(
+            h, small, large, 64 * pw85::detail::unit_roundoff<T>(), failures,
+            hex_text(pw85::Vector<double, 2>{static_cast<double>(small), static_cast<double>(large)}.coordinates, 2));
         auto const swapped = pw85::hertz(pw85::Vector<T, 2>{large, small});
         g_assert_true(swapped.radius == h.radius && swapped.ellipse[0] == h.ellipse[1] &&
                       swapped.ellipse[1] == h.ellipse[0]);
@@ -217,9 +215,9 @@ struct Found {
 Found by_c(Grains const &g)
 {
     Found f{};
-    f.status = pw85_hertz_contact(g.pair.r12.coordinates, g.pair.q1.entries, g.pair.q2.entries, g.normal.coordinates,
-                                  &f.depth, f.point.coordinates, f.curvatures, f.directions[0].coordinates, &f.radius,
-                                  f.ellipse);
+    f.status =
+        pw85_hertz_contact(g.pair.r12.coordinates, g.pair.q1.entries, g.pair.q2.entries, g.normal.coordinates, &f.depth,
+                           f.point.coordinates, f.curvatures, f.directions[0].coordinates, &f.radius, f.ellipse);
     return f;
 }
 
@@ -247,8 +245,8 @@ void test_contact()
         auto const k = fundamental_form(p.q1, normal), k2 = fundamental_form(p.q2, normal);
         auto const gap = pw85::detail::blend(Wide(1), k, Wide(1), k2);
         compare({f.curvatures[0], f.curvatures[1]}, f.directions, gap, normal, accuracy<double>, failures, text(g));
-        compare(pw85::HertzEllipse<double>{f.radius, {f.ellipse[0], f.ellipse[1]}, pw85::Status::success}, f.curvatures[0],
-                f.curvatures[1], 64 * 0x1p-53, failures, text(g));
+        compare(pw85::HertzEllipse<double>{f.radius, {f.ellipse[0], f.ellipse[1]}, pw85::Status::success},
+                f.curvatures[0], f.curvatures[1], 64 * 0x1p-53, failures, text(g));
     }
 }
 
@@ -289,8 +287,7 @@ void test_depths()
         auto const normal = pw85::contact_geometry(p.r12, p.q1, p.q2, lambda).normal;
         auto const describe = [&] { return hex_text(s); };
         Wide const depth = pw85::hertz_contact(p.r12, p.q1, p.q2, normal).depth;
-        double const identity =
-            static_cast<double>(Wide(abs(depth / ((1 / mu - 1) * pw85::dot(normal, p.r12)) - 1)));
+        double const identity = static_cast<double>(Wide(abs(depth / ((1 / mu - 1) * pw85::dot(normal, p.r12)) - 1)));
         failures.check(identity <= 1e-30, "(1/μ - 1) n·r", identity, 1e-30, describe);
         Wide const least = pw85::penetration(p.r12, p.q1, p.q2).depth;
         Wide const second = depth * depth / 2 * turning(p, normal, slope(p.r12, normal));
@@ -379,7 +376,8 @@ void test_units_and_order()
             failures.check(s.directions[1][2] == f.directions[1][2], "direction", s.directions[1][2],
                            f.directions[1][2], describe);
             failures.check(s.radius == std::ldexp(f.radius, e), "radius", s.radius, f.radius, describe);
-            failures.check(s.ellipse[1] == std::ldexp(f.ellipse[1], e), "ellipse", s.ellipse[1], f.ellipse[1], describe);
+            failures.check(s.ellipse[1] == std::ldexp(f.ellipse[1], e), "ellipse", s.ellipse[1], f.ellipse[1],
+                           describe);
         }
         auto const other = by_c({{-g.pair.r12, g.pair.q2, g.pair.q1}, -g.normal});
         failures.check(std::abs(other.depth - f.depth) <= 1e-13, "depth", other.depth, f.depth, describe);

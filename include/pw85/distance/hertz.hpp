@@ -85,10 +85,10 @@ template <class T> PW85_FUNCTION inline HertzEllipse<T> hertz_ordered(T const &s
     T k = approximate_axis_ratio(q), mean = T(1), share = T(0.5), step = T(1);
     for (int i = 0; i < 40 && absolute(step) > last; ++i) {
         auto const at = elliptic_means(k);
-        T const rest = T(1) - at.share, rho = rest / T(at.share * (k * k * q));
-        T const slope = T(2) * at.sigma - at.share * at.share; // ds/dlog k
-        step = T(2) * (rho - T(1)) / T((rho + T(1)) * (T(2) + slope / T(at.share * rest)));
-        k = minimum(T(1), T(k * T((T(2) + step) / (T(2) - step))));
+        T const rest = T(1) - at.share, wanted = at.share * T(k * k * q), product = at.share * rest; // ρ = rest/wanted
+        T const slope = T(2) * at.sigma - at.share * at.share;                                       // ds/dlog k
+        step = T(T(2) * (rest - wanted)) * product / T((rest + wanted) * (T(2) * product + slope));
+        k = minimum(T(1), T(k * (T(1) + step * (T(1) + T(0.5) * step))));
         mean = at.mean + at.mean * (rest * step);
         share = at.share + slope * step;
     }
@@ -111,7 +111,7 @@ template <class T> PW85_FUNCTION inline Status scale_facing(Vector<T, 3> const &
     if (!is_finite(r12) || scale_normal(normal) != Status::success) return Status::invalid_argument;
     if (!(is_finite(q1) && is_finite(q2))) return Status::invalid_argument;
     if (validate(q1) != Status::success || validate(q2) != Status::success) return Status::not_positive_definite;
-    int const unit1 = half_exponent(largest_diagonal(q1)), unit2 = half_exponent(largest_diagonal(q2));
+    int const unit1 = unit_of(q1), unit2 = unit_of(q2);
     pair = {times_power_of_two(r12, -maximum(unit1, unit2)), times_power_of_two(q1, -2 * unit1),
             times_power_of_two(q2, -2 * unit2), unit1, unit2};
     return Status::success;

@@ -38,7 +38,7 @@ template <class T> struct TangentFrame {
 
 template <class T> PW85_FUNCTION inline TangentFrame<T> tangent_frame(Vector<T, 3> const &normal) noexcept
 {
-    TangentFrame<T> frame{normal / magnitude(normal), {}, {}};
+    TangentFrame<T> frame{T(T(1) / magnitude(normal)) * normal, {}, {}};
     complete_basis(frame.normal, frame.e1, frame.e2);
     return frame;
 }
@@ -53,16 +53,15 @@ template <class T> struct CurvedSurface {
 template <class T> PW85_FUNCTION inline CurvedSurface<T> curved_surface(SymmetricMatrix<T, 3> const &q,
                                                                         TangentFrame<T> const &frame) noexcept
 {
-    Vector<T, 3> const qn = product(q, frame.normal), q1 = product(q, frame.e1);
-    T const square = dot(frame.normal, qn), extent = square_root(square);
-    T const g1 = dot(frame.e1, qn), g2 = dot(frame.e2, qn);
-    SymmetricMatrix<T, 2> const s{dot(frame.e1, q1) - g1 * g1 / square, dot(frame.e2, q1) - g1 * g2 / square,
-                                  dot(frame.e2, product(q, frame.e2)) - g2 * g2 / square};
-    T const det = s[0] * s[2] - s[1] * s[1];
-    T const least = negative_power_of_two<T>(mantissa_digits<T>() / 6) * trace(q);
+    Vector<T, 3> const qn = product(q, frame.normal), q1 = product(q, frame.e1), q2 = product(q, frame.e2);
+    T const square = dot(frame.normal, qn), g1 = dot(frame.e1, qn), g2 = dot(frame.e2, qn);
+    SymmetricMatrix<T, 2> const s{square * dot(frame.e1, q1) - g1 * g1, square * dot(frame.e2, q1) - g1 * g2,
+                                  square * dot(frame.e2, q2) - g2 * g2}; // nᵀQn S
+    T const det = s[0] * s[2] - s[1] * s[1], extent = square_root(square), size = trace(q);
+    T const least = negative_power_of_two<T>(mantissa_digits<T>() / 6) * size;
     return {{T(T(1) / extent) * qn, extent},
-            T(extent / det) * adjugate(s),
-            square > least && s[0] > T(0) && det > least * (s[0] + s[2])};
+            T(T(square * extent) / det) * adjugate(s),
+            square > least && s[0] > T(0) && det > T(least * square) * (s[0] + s[2])};
 }
 
 /// The eigenvalues of K and their directions. The smaller eigenvalue is the determinant over the larger one, so that it does not
@@ -75,9 +74,10 @@ template <class T> PW85_FUNCTION inline Curvature<T> principal_curvatures(Symmet
     // The eigenvector of the larger one is (x, y).
     bool const first = half >= T(0);
     T const long_side = absolute(half) + root;
-    T const x = first ? long_side : k[1], y = first ? k[1] : long_side, length = square_root(T(x * x + y * y));
-    bool const umbilic = !(length > T(0));
-    T const c = umbilic ? T(0) : T(x / length), s = umbilic ? T(1) : T(y / length);
+    T const x = first ? long_side : k[1], y = first ? k[1] : long_side, square = x * x + y * y;
+    bool const umbilic = !(square > T(0));
+    T const reciprocal = T(1) / square_root(square);
+    T const c = umbilic ? T(0) : T(x * reciprocal), s = umbilic ? T(1) : T(y * reciprocal);
     return {{small, large},
             add_scaled(s * frame.e1, T(-c), frame.e2),
             add_scaled(c * frame.e1, s, frame.e2),
@@ -90,9 +90,18 @@ template <class T, class W> PW85_FUNCTION inline Curvature<T> rounded_curvature(
     return {rounded(c.curvatures), rounded(c.direction1), rounded(c.direction2), c.status};
 }
 
-/// The normal in a unit of its own, or Status::invalid_argument if it is zero or not finite.
+/// The exponent of a unit in which a valid form is in range: its half-widths along the axes are at most of order one, or the form is in
+/// range as it is.
+template <class T> PW85_FUNCTION inline int unit_of(SymmetricMatrix<T, 3> const &q) noexcept
+{
+    T const largest = largest_diagonal(q);
+    return is_in_range(largest, largest, largest) ? 0 : half_exponent(largest);
+}
+
+/// Brings a normal into range. Returns Status::invalid_argument if it is zero or not finite.
 template <class T> PW85_FUNCTION inline Status scale_normal(Vector<T, 3> &normal) noexcept
 {
+    if (is_in_range(sum_of_magnitudes(normal), T(1), T(1))) return Status::success;
     T const largest = largest_coordinate(normal);
     if (!(is_finite(normal) && largest > T(0))) return Status::invalid_argument;
     normal = times_power_of_two(normal, -binary_exponent(largest));
@@ -110,7 +119,7 @@ PW85_FUNCTION inline Curvature<T> curvature(Vector<T, 3> normal, SymmetricMatrix
     Status status = scale_normal(normal);
     if (status == Status::success) status = validate(q);
     if (status != Status::success) return all_nan<Curvature<T>>(status);
-    int const unit = half_exponent(largest_diagonal(q));
+    int const unit = unit_of(q);
     SymmetricMatrix<T, 3> const scaled = times_power_of_two(q, -2 * unit);
     auto const compute = [&]<class W>(CurvedSurface<W> const &surface, TangentFrame<W> const &frame) {
         return rounded_curvature<T>(principal_curvatures(surface.shape, frame));
