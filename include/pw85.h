@@ -600,8 +600,8 @@ PW85_API int pw85_closest_passage(double const r12[PW85_DIM], double const q1[PW
 
 /** Principal curvatures of an ellipsoid's surface at the point with a given normal, and their directions.
  *
- * The relative error of each curvature is below 2e-12 for the numbers as given, up to aspect ratio 10⁶. Up to aspect ratio 10 or so
- * they take some ten nanoseconds, beyond that a microsecond.
+ * The relative error of each curvature is below 1e-12 for the numbers as given, up to aspect ratio 10⁶. From aspect ratio 10 or so on the
+ * function computes with twice the digits, which takes some eight times as long.
  *
  * @param normal out of the ellipsoid, of any length > 0
  * @param q form of the ellipsoid
@@ -636,7 +636,8 @@ PW85_API int pw85_hertz(double const curvatures[2], double *radius, double ellip
  * pw85_penetration() if they overlap.
  *
  * The error of the depth is below 8 u Σ, with Σ as for pw85_distance() with this normal. The relative error of the other numbers is below
- * 4e-12 up to aspect ratio 10⁶, for the normal as given; directions err by that over the relative difference of the curvatures.
+ * 1e-12 up to aspect ratio 10⁶, for the normal as given. That of the point is relative to the lengths of which it is the sum, and
+ * directions err by that over the relative difference of the curvatures.
  *
  * @param r12 from the centre of ellipsoid 1 to that of ellipsoid 2
  * @param q1,q2 forms of the ellipsoids, in the square of the unit of r12
