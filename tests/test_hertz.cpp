@@ -1,5 +1,5 @@
-// Curvatures and the geometry of Hertzian contacts (include/pw85/distance/principal_curvatures.hpp, hertz.hpp), against closed forms in
-// 50 digits: the two invariants of the second fundamental form, and Hertz's equations in Carlson's integrals.
+// Curvatures and the geometry of Hertzian contacts (include/pw85/distance/principal_curvatures.hpp, hertz.hpp), against closed
+// forms in 50 digits: the two invariants of the second fundamental form, and Hertz's equations in Carlson's integrals.
 #include <cmath>
 #include <vector>
 
@@ -43,8 +43,8 @@ std::string text(Grains const &g) { return hex_text(g.pair) + ", normal = " + he
 
 WideVector unit(WideVector const &x) { return Wide(1 / norm(x)) * x; }
 
-/// The part across a unit vector n of α Q⁻¹, α = √(nᵀQn): the second fundamental form of the surface, as a matrix whose third eigenvalue
-/// is zero.
+/// The part across a unit vector n of α Q⁻¹, α = √(nᵀQn): the second fundamental form of the surface, as a matrix whose third
+/// eigenvalue is zero.
 WideForm fundamental_form(WideForm const &q, WideVector const &n)
 {
     auto const adjugate = pw85::detail::adjugate(q);
@@ -73,8 +73,8 @@ Eigenvalues eigenvalues(WideForm const &k)
 
 Wide along(WideForm const &k, WideVector const &x, WideVector const &y) { return pw85::dot(x, pw85::product(k, y)); }
 
-/// Curvatures and directions against the matrix of the second fundamental form. Directions of a part ε of the angle between them change
-/// the entries by ε times the difference of the curvatures.
+/// Curvatures and directions against the matrix of the second fundamental form. Directions of a part ε of the angle between them
+/// change the entries by ε times the difference of the curvatures.
 template <class T> void compare(pw85::Vector<T, 2> const &found, pw85::Vector<T, 3> const (&directions)[2],
                                 WideForm const &k, WideVector const &n, double bound, Failures &failures,
                                 std::string const &inputs)
@@ -135,8 +135,8 @@ template <class T> void test_curvature()
     g_test_message("largest error of a curvature: %g", worst);
 }
 
-/// hertz() by Carlson's integrals. The ratio k of the semi-axes is the root of κ2/κ1 = R_D(0, 1, k²)/R_D(0, k², 1), found by the secant
-/// method from an approximation.
+/// hertz() by Carlson's integrals. The ratio k of the semi-axes is the root of κ2/κ1 = R_D(0, 1, k²)/R_D(0, k², 1), found by the
+/// secant method from an approximation.
 struct Ellipse {
     Wide radius, a2, b2;
 };

@@ -2,16 +2,18 @@
 /// The principal curvatures of an ellipsoid's surface at the point with a given normal. hertz.hpp and the C API (src/hertz.cpp) use
 /// this file.
 ///
-/// Let n be the unit normal, e1 and e2 an orthonormal basis of the tangent plane, α = √(nᵀQn) and p = Qn/α the point of the surface.
+/// Let n be the unit normal, e1 and e2 an orthonormal basis of the tangent plane, α = √(nᵀQn) and p = Qn/α the point of the
+/// surface.
 ///
 /// 1. If the normal turns by e_j, the point moves by A e_j with A = (Q - ppᵀ)/α (curvature.hpp). So the matrix of the radii of
 ///    curvature in this basis is S/α, where S_ij = e_iᵀQ e_j - (e_iᵀQn)(e_jᵀQn)/(nᵀQn). S is what elimination of n leaves of Q (its
 ///    Schur complement). The matrix of the second fundamental form, K = α S⁻¹, is the inverse of the matrix of the radii.
 /// 2. Elimination is backward stable: with plain arithmetic each entry of S errs by less than 10 u tr Q, and det S by less than
-///    20 u tr Q tr S. If det S/tr S and nᵀQn exceed 2^-8 tr Q (in double), which holds up to aspect ratios of about ten, the relative
-///    errors of α, of the eigenvalues of S and of those of K are some 2^13 u, which is 2^-40.
-/// 3. Other forms take numbers with twice the digits. tr S/det S is at most some 2^42/tr Q at aspect 10⁶, so that errors of 2^-104 then
-///    grow to 2^-60, and the ratio of the two curvatures, at most the square of the aspect ratio, leaves the smaller one as accurate.
+///    20 u tr Q tr S. If det S/tr S and nᵀQn exceed 2^-8 tr Q (in double), which holds up to aspect ratios of about ten, the
+///    relative errors of α, of the eigenvalues of S and of those of K are some 2^13 u, which is 2^-40.
+/// 3. Other forms take numbers with twice the digits. tr S/det S is at most some 2^42/tr Q at aspect 10⁶, so that errors of 2^-104
+///    then grow to 2^-60, and the ratio of the two curvatures, at most the square of the aspect ratio, leaves the smaller one as
+///    accurate.
 #ifndef PW85_DISTANCE_PRINCIPAL_CURVATURES_HPP_INCLUDED
 #define PW85_DISTANCE_PRINCIPAL_CURVATURES_HPP_INCLUDED
 
@@ -90,8 +92,8 @@ template <class T, class W> PW85_FUNCTION inline Curvature<T> rounded_curvature(
     return {rounded(c.curvatures), rounded(c.direction1), rounded(c.direction2), c.status};
 }
 
-/// The exponent of a unit in which a valid form is in range: its half-widths along the axes are at most of order one, or the form is in
-/// range as it is.
+/// The exponent of a unit in which a valid form is in range: its half-widths along the axes are at most of order one, or the form
+/// is in range as it is.
 template <class T> PW85_FUNCTION inline int unit_of(SymmetricMatrix<T, 3> const &q) noexcept
 {
     T const largest = largest_diagonal(q);
