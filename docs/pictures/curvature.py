@@ -20,13 +20,13 @@ def main():
     ax.plot(angles, radius, color=BLUE, label="$R$")
     ax.plot(angles, 1 / np.sqrt(curvatures.prod(axis=-1)), "--", color=ORANGE, label="$1/\\sqrt{\\kappa_1\\kappa_2}$")
     ax.axhline(0.5 * ASPECT ** (1 / 3), color=BLACK, linestyle=":", linewidth=1, label="spheres of the same volume")
-    for k in (0, 40, 80, 120, 180):
+    for k in (20, 60, 100, 140, 176):
         (dx, dy), size = directions[k, 0, :2], 2 * np.sqrt(ellipse[k])
-        inset = ax.inset_axes([angles[k] / 96 - 0.002, 0.32, 0.11, 0.2])
+        inset = ax.inset_axes([angles[k] / 90 - 0.09, 0.0, 0.18, 0.26])
         inset.add_patch(Ellipse((0, 0), *size, angle=np.degrees(np.arctan2(dy, dx)), fill=False, color=GREEN))
-        inset.set(xlim=(-12, 12), ylim=(-12, 12), aspect="equal")
+        inset.set(xlim=(-5, 5), ylim=(-5, 5), aspect="equal")
         inset.axis("off")
-    ax.set(xlabel="angle between the axes (degrees)", ylabel="radius, in units of the equatorial one", xlim=(0, 90), ylim=(0, 3))
+    ax.set(xlabel="angle between the axes (degrees)", ylabel="radius, in units of the equatorial one", xlim=(0, 90), ylim=(0, 4))
     ax.legend()
     save(fig, "curvature.svg")
 
