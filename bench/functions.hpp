@@ -44,6 +44,11 @@ inline constexpr Function functions[] = {
     {"overlap", [](Pair const &x, double, Sink &s) { pw85_overlap(PW85_BENCH_PAIR(x), &s.overlap); }},
     {"contact_geometry",
      [](Pair const &x, double l, Sink &s) { pw85_contact_geometry(PW85_BENCH_PAIR(x), l, s.a, s.b); }},
+    {"curvature", [](Pair const &x, double, Sink &s) { pw85_curvature(x.r12.coordinates, x.q1.entries, s.a, s.b); }},
+    {"hertz_contact",
+     [](Pair const &x, double, Sink &s) {
+         pw85_hertz_contact(PW85_BENCH_PAIR(x), x.r12.coordinates, s.a, s.a + 1, s.b, s.c, s.b + 2, s.b + 3);
+     }},
     {"contact_gradient",
      [](Pair const &x, double l, Sink &s) { pw85_contact_gradient(PW85_BENCH_PAIR(x), l, s.a, s.b, s.c); }},
     {"contact_torque", [](Pair const &x, double l, Sink &s) { pw85_contact_torque(PW85_BENCH_PAIR(x), l, s.a, s.b); }},

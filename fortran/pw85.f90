@@ -109,6 +109,9 @@ module pw85
   public :: pw85_distance_2d
   public :: pw85_first_contact
   public :: pw85_closest_passage
+  public :: pw85_curvature
+  public :: pw85_hertz
+  public :: pw85_hertz_contact
   public :: pw85_distance_plane
   public :: pw85_distance_plane_derivatives
   public :: pw85_contact_plane
@@ -158,6 +161,9 @@ module pw85
   public :: pw85_penetration_batch
   public :: pw85_signed_distance_batch
   public :: pw85_signed_distance_derivatives_batch
+  public :: pw85_curvature_batch
+  public :: pw85_hertz_batch
+  public :: pw85_hertz_contact_batch
   public :: pw85_distance_plane_batch
   public :: pw85_distance_plane_derivatives_batch
   public :: pw85_contact_plane_batch
@@ -596,6 +602,31 @@ module pw85
       real(c_double), intent(out), optional :: mu2, t
       integer(c_int) :: status
     end function pw85_closest_passage
+
+    !> Principal curvatures of an ellipsoid's surface at the point with a given normal, and their directions.
+    function pw85_curvature(normal, q, curvatures, directions) result(status) bind(C, name='pw85_curvature')
+      import
+      real(c_double), intent(in) :: normal(3), q(6)
+      real(c_double), intent(out), optional :: curvatures(2), directions(3, 2)
+      integer(c_int) :: status
+    end function pw85_curvature
+
+    !> Hertz's theory of the contact of two elastic bodies.
+    function pw85_hertz(curvatures, radius, ellipse) result(status) bind(C, name='pw85_hertz')
+      import
+      real(c_double), intent(in) :: curvatures(2)
+      real(c_double), intent(out), optional :: radius, ellipse(2)
+      integer(c_int) :: status
+    end function pw85_hertz
+
+    !> Geometry of the contact of two grains along a common normal.
+    function pw85_hertz_contact(r12, q1, q2, normal, depth, point, curvatures, directions, radius, ellipse) &
+      result(status) bind(C, name='pw85_hertz_contact')
+      import
+      real(c_double), intent(in) :: r12(3), q1(6), q2(6), normal(3)
+      real(c_double), intent(out), optional :: depth, point(3), curvatures(2), directions(3, 2), radius, ellipse(2)
+      integer(c_int) :: status
+    end function pw85_hertz_contact
 
     !> Distance from an ellipsoid with its centre at 0 to the half-space normal·x >= offset.
     function pw85_distance_plane(normal, offset, q, distance, point) result(status) bind(C, name='pw85_distance_plane')
@@ -1069,6 +1100,36 @@ module pw85
       real(c_double), intent(out), optional :: d_r12(3, n), d_rot1(3, n), d_rot2(3, n), hessian(9, 9, n)
       integer(c_int) :: status
     end function pw85_signed_distance_derivatives_batch
+
+    !> pw85_curvature() for n ellipsoids.
+    function pw85_curvature_batch(n, normals, q, curvatures, directions) result(status) bind(C, &
+      name='pw85_curvature_batch')
+      import
+      integer(c_size_t), value :: n
+      real(c_double), intent(in) :: normals(3, n), q(6, n)
+      real(c_double), intent(out), optional :: curvatures(2, n), directions(3, 2, n)
+      integer(c_int) :: status
+    end function pw85_curvature_batch
+
+    !> pw85_hertz() for n contacts.
+    function pw85_hertz_batch(n, curvatures, radius, ellipse) result(status) bind(C, name='pw85_hertz_batch')
+      import
+      integer(c_size_t), value :: n
+      real(c_double), intent(in) :: curvatures(2, n)
+      real(c_double), intent(out), optional :: radius(n), ellipse(2, n)
+      integer(c_int) :: status
+    end function pw85_hertz_batch
+
+    !> pw85_hertz_contact() for n pairs.
+    function pw85_hertz_contact_batch(n, r12, q1, q2, normals, depth, point, curvatures, directions, radius, ellipse) &
+      result(status) bind(C, name='pw85_hertz_contact_batch')
+      import
+      integer(c_size_t), value :: n
+      real(c_double), intent(in) :: r12(3, n), q1(6, n), q2(6, n), normals(3, n)
+      real(c_double), intent(out), optional :: depth(n), point(3, n), curvatures(2, n), directions(3, 2, n), &
+        radius(n), ellipse(2, n)
+      integer(c_int) :: status
+    end function pw85_hertz_contact_batch
 
     !> pw85_distance_plane() for n ellipsoids and half-spaces.
     function pw85_distance_plane_batch(n, normals, offsets, q, distance, point) result(status) bind(C, &

@@ -592,6 +592,69 @@ PW85_API int pw85_closest_passage(double const r12[PW85_DIM], double const q1[PW
                                   double const velocity[PW85_DIM], double t_max, double *mu2, double *t);
 
 /** @}
+ * @name Curvature and contact of grains
+ *
+ * Hertz's theory of two elastic bodies that touch needs the curvatures of both surfaces. The chapter on curvature derives the formulas,
+ * and says which of these numbers are continuous.
+ * @{ */
+
+/** Principal curvatures of an ellipsoid's surface at the point with a given normal, and their directions.
+ *
+ * The relative error of each curvature is below 1e-12 for the numbers as given, up to aspect ratio 10⁶. From aspect ratio 10 or so on the
+ * function computes with twice the digits, which takes some eight times as long.
+ *
+ * @param normal out of the ellipsoid, of any length > 0
+ * @param q form of the ellipsoid
+ * @param[out] curvatures reciprocal radii of curvature, > 0, the smaller one first; may be null
+ * @param[out] directions 2×3: unit vectors along which the surface has these curvatures. Their cross product is the unit normal. If
+ *        both curvatures are equal, they are any such vectors; may be null
+ * @return #PW85_SUCCESS, #PW85_EINVAL (also for a zero normal), #PW85_ENOTPD */
+PW85_API int pw85_curvature(double const normal[PW85_DIM], double const q[PW85_SYM], double curvatures[2],
+                            double directions[6]);
+
+/** Hertz's theory of the contact of two elastic bodies: the force and the contact ellipse as functions of the depth.
+ *
+ * The gap between the undeformed surfaces is half of the sum of curvature times squared length along two perpendicular directions. For a
+ * depth δ the bodies repel each other by the force (4/3) E* √(radius δ³), with 1/E* = (1 - ν1²)/E1 + (1 - ν2²)/E2, Young's moduli E and
+ * Poisson's ratios ν. The energy is (8/15) E* √(radius δ⁵). The contact area is an ellipse with the semi-axes √(ellipse[0] δ) and
+ * √(ellipse[1] δ), the square of whose arithmetic-geometric mean is radius δ. Complete elliptic integrals are included. The relative
+ * errors are below 64 u, with u = 2⁻⁵³, for curvatures whose ratio is at most 10¹⁸.
+ *
+ * @param curvatures along both directions, the sums of those of both bodies, > 0. pw85_hertz_contact() returns them for two ellipsoids.
+ *        A plane has none, so that for an ellipsoid on a plane they are those of pw85_curvature()
+ * @param[out] radius the effective radius. For spheres it is R1 R2/(R1 + R2); may be null
+ * @param[out] ellipse squares of the semi-axes over the depth, along the direction of each curvature; may be null
+ * @return #PW85_SUCCESS, #PW85_EINVAL (also for a curvature that is not positive) */
+PW85_API int pw85_hertz(double const curvatures[2], double *radius, double ellipse[2]);
+
+/** Geometry of the contact of two grains along a common normal: what laws of contact such as Hertz's need.
+ *
+ * For the normal n of pw85_contact_geometry() the depth is α + β - n·r12 = (1/μ - 1) n·r12, with the half-widths α and β of the
+ * ellipsoids along n. This is the usual choice: it is a smooth function of positions and orientations for μ > 0. The depth of
+ * pw85_penetration() is smaller by a part of second order in the depth; its direction, as `normal`, gives it here, too. For every normal
+ * a negative depth proves that the ellipsoids are apart, by at least minus the depth, and the depth is at least that of
+ * pw85_penetration() if they overlap.
+ *
+ * The error of the depth is below 8 u Σ, with Σ as for pw85_distance() with this normal. The relative error of the other numbers is below
+ * 1e-12 up to aspect ratio 10⁶, for the normal as given. That of the point is relative to the lengths of which it is the sum, and
+ * directions err by that over the relative difference of the curvatures.
+ *
+ * @param r12 from the centre of ellipsoid 1 to that of ellipsoid 2
+ * @param q1,q2 forms of the ellipsoids, in the square of the unit of r12
+ * @param normal out of ellipsoid 1 and into ellipsoid 2, of any length > 0
+ * @param[out] depth in the unit of r12; negative if the slab between the ellipsoids has a width; may be null
+ * @param[out] point where the forces of contact act: the middle of the points of both surfaces that have the normals n and -n, relative
+ *        to the centre of ellipsoid 1; may be null
+ * @param[out] curvatures of the gap between both surfaces, > 0, the smaller one first: eigenvalues of the sum of their second
+ *        fundamental forms, as pw85_hertz() takes them; may be null
+ * @param[out] directions 2×3: the directions of these curvatures, and so of the contact ellipse; as for pw85_curvature(); may be null
+ * @param[out] radius,ellipse as for pw85_hertz(); may be null
+ * @return #PW85_SUCCESS, #PW85_EINVAL (also for a zero normal), #PW85_ENOTPD */
+PW85_API int pw85_hertz_contact(double const r12[PW85_DIM], double const q1[PW85_SYM], double const q2[PW85_SYM],
+                                double const normal[PW85_DIM], double *depth, double point[PW85_DIM],
+                                double curvatures[2], double directions[6], double *radius, double ellipse[2]);
+
+/** @}
  * @name Walls, points and lines
  *
  * These functions are for one ellipsoid. The distance is the largest or smallest value of n·x ∓ α over unit vectors n, where α is
@@ -1164,6 +1227,43 @@ PW85_API int pw85_signed_distance_batch(size_t n, double const *r12, double cons
  * @return as for pw85_contact_batch(); #PW85_ECONVERGENCE, too */
 PW85_API int pw85_signed_distance_derivatives_batch(size_t n, double const *r12, double const *q1, double const *q2,
                                                     double *d_r12, double *d_rot1, double *d_rot2, double *hessian);
+
+/** pw85_curvature() for n ellipsoids; the bits are the same.
+ *
+ * @param n number of ellipsoids
+ * @param normals n×3, of any lengths > 0
+ * @param q n×6
+ * @param[out] curvatures n×2; any output may be null
+ * @param[out] directions n×2×3
+ * @return as for pw85_contact_batch(); a zero normal is #PW85_EINVAL */
+PW85_API int pw85_curvature_batch(size_t n, double const *normals, double const *q, double *curvatures,
+                                  double *directions);
+
+/** pw85_hertz() for n contacts; the bits are the same.
+ *
+ * @param n number of contacts
+ * @param curvatures n×2, > 0
+ * @param[out] radius n; any output may be null
+ * @param[out] ellipse n×2
+ * @return as for pw85_contact_batch(); a curvature that is not positive is #PW85_EINVAL */
+PW85_API int pw85_hertz_batch(size_t n, double const *curvatures, double *radius, double *ellipse);
+
+/** pw85_hertz_contact() for n pairs; the bits are the same.
+ *
+ * @param n number of pairs
+ * @param r12 n×3
+ * @param q1,q2 n×6
+ * @param normals n×3, of any lengths > 0
+ * @param[out] depth n; any output may be null
+ * @param[out] point n×3
+ * @param[out] curvatures n×2
+ * @param[out] directions n×2×3
+ * @param[out] radius n
+ * @param[out] ellipse n×2
+ * @return as for pw85_contact_batch(); a zero normal is #PW85_EINVAL */
+PW85_API int pw85_hertz_contact_batch(size_t n, double const *r12, double const *q1, double const *q2,
+                                      double const *normals, double *depth, double *point, double *curvatures,
+                                      double *directions, double *radius, double *ellipse);
 
 /** pw85_distance_plane() for n ellipsoids and half-spaces; the bits are the same.
  *

@@ -271,6 +271,7 @@ class Call {
         if (name == "s1" || name == "s2") return {1, 0.5, 0, 0, 2, 0.25, 0, 0, 3}; // factors
         if (name == "rotation") return {1, 0, 0, 0, 1, 0, 0, 0, 1};
         if (name == "semi_axes" || name == "axis" || name == "offsets" || name == "d_u") return {1, 2, 3};
+        if (name == "curvatures") return {0.5, 2};
         if (name == "quaternion" || name == "quaternions") return {1, 2, 3, 4};
         if (name == "upper" || name == "lower") return box(r, name == "upper" ? 1.0 : -1.0);
         if (name == "end2" || name == "vertex2") return {r[1], r[2], r[0]};

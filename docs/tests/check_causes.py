@@ -38,6 +38,7 @@ VALID = {
     "num_parameters": 2,
     "parameters": [1.0, 2.0],
     "semi_axes": [3.0, 2, 1],
+    "curvatures": [1.0, 2.0],
     **dict.fromkeys(("rotation", "s1", "s2"), np.eye(3).ravel()),
     "lambda": 0.5,
     "offset": 5.0,
@@ -80,6 +81,9 @@ class Parameter:
             return value
         return np.array(value if np.ndim(value) > 1 else np.tile(value, (self.rows, 1)))
 
+    def columns(self):
+        return self.valid().size // self.rows
+
     def with_entry(self, entry, value):
         array = self.valid()
         array.reshape(-1)[entry] = value
@@ -94,7 +98,7 @@ def spoiled_by(value):
     def spoiled(p):
         if not (p.is_input and p.is_real):
             return []
-        return [p.with_entry(i, value) for i in range(p.valid().size // p.rows)] if p.is_pointer else [value]
+        return [p.with_entry(i, value) for i in range(p.columns())] if p.is_pointer else [value]
 
     return spoiled
 
@@ -116,7 +120,7 @@ SPOILED = {
     "NaN": spoiled_by(np.nan),
     "infinity": spoiled_by(np.inf),
     "not definite": lambda p: of_rows(p, *np.eye(len(p.valid()[0]))[[0, -1]], -p.valid()[0], 0 * p.valid()[0]),
-    "not positive": lambda p: of_rows(p, [0.0, 2, 1], [3, 2, -1.0]) if p.name == "semi_axes" else of_numbers(p, 0.0, -1.0),
+    "not positive": lambda p: [p.with_entry(0, 0.0), p.with_entry(p.columns() - 1, -1.0)] if p.is_pointer else [0.0, -1.0],
     "negative": lambda p: of_numbers(p, -1.0),
     "no rotation": lambda p: [1.00001 * p.valid(), 0 * p.valid()],
     "zero": lambda p: [0 * p.valid()],

@@ -75,6 +75,9 @@ template <class T, int D> struct SurfaceDistance; // distance, point, normal, st
 template <class T> struct PlaneDerivatives;       // center, rotation, status
 template <class T, int D> struct PlaneContact;    // mu2, point, status
 template <class T> struct Chord;                  // enter, leave, status
+template <class T> struct Curvature;              // curvatures, direction1, direction2, status
+template <class T> struct HertzEllipse;           // radius, ellipse, status
+template <class T> struct HertzContact;           // depth, point, relative, hertz, status
 template <class T> struct ShapeContact;           // mu2, point, status
 struct ShapeOverlap;                              // overlap, status
 template <class T, int D> struct Penetration;     // depth, direction, status
@@ -417,6 +420,36 @@ PW85_FUNCTION inline ClosestPassage<T> closest_passage(Vector<T, 3> const &r12, 
 
 /// @}
 
+/// @name Curvature and contact of grains
+/// @{
+
+/// Principal curvatures of an ellipsoid's surface at the point with a given normal.
+///
+/// @param normal out of the ellipsoid, of any length > 0
+/// @param q the form
+/// @return the curvatures, the smaller one first, and the unit vectors of their directions; Status::invalid_argument (also for a
+/// zero normal), Status::not_positive_definite
+template <class T>
+PW85_FUNCTION inline Curvature<T> curvature(Vector<T, 3> normal, SymmetricMatrix<T, 3> const &q) noexcept;
+
+/// Hertz's theory of the contact of two elastic bodies. For a depth δ the force is (4/3) E* √(radius δ³).
+///
+/// @param curvatures of the gap between the surfaces along two perpendicular directions, > 0
+/// @return the effective radius, and the squares of the semi-axes of the contact ellipse over the depth; Status::invalid_argument
+template <class T> PW85_FUNCTION inline HertzEllipse<T> hertz(Vector<T, 2> const &curvatures) noexcept;
+
+/// Geometry of the contact of two grains along a common normal.
+///
+/// @param r12,q1,q2 as for contact()
+/// @param normal out of ellipsoid 1 and into ellipsoid 2, of any length > 0; mostly that of contact_geometry()
+/// @return the depth, the point where forces act, the curvatures of the gap, and Hertz's numbers; Status::invalid_argument (also for a
+/// zero normal), Status::not_positive_definite
+template <class T>
+PW85_FUNCTION inline HertzContact<T> hertz_contact(Vector<T, 3> const &r12, SymmetricMatrix<T, 3> const &q1,
+                                                   SymmetricMatrix<T, 3> const &q2, Vector<T, 3> normal) noexcept;
+
+/// @}
+
 /// @name Walls, points and lines
 ///
 /// One ellipsoid with its centre at 0, unless said otherwise. The error of a distance is below 8 u Σ, with Σ as
@@ -602,6 +635,7 @@ PW85_FUNCTION inline ShapeOverlap overlap_polytope(std::size_t n, T const *norma
 #include <pw85/distance/bounding_box.hpp>
 #include <pw85/distance/distance.hpp>
 #include <pw85/distance/distance_derivatives.hpp>
+#include <pw85/distance/hertz.hpp>
 #include <pw85/distance/line.hpp>
 #include <pw85/distance/nearest.hpp>
 #include <pw85/distance/penetration.hpp>

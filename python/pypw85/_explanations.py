@@ -17,7 +17,7 @@ from ._errors import PW85Error
 
 _Rows = NDArray[np.float64]
 _FORM = re.compile(r"q\d?$")
-_POSITIVE = {"a", "b", "c", "radius", "semi_axes"}
+_POSITIVE = {"a", "b", "c", "curvatures", "radius", "semi_axes"}
 _NOT_ZERO = {"axis", "direction", "n", "normal", "quaternion_wxyz"}
 _FROM_ZERO = {"t_max", "mu2"}  # not negative; may be infinite
 # Functions for which ellipsoids must not have one centre.

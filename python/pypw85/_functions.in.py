@@ -658,6 +658,44 @@ def closest_passage(r12, q1, q2, velocity, t_max=np.inf):
 
 
 @declared
+def curvature():
+    """
+    Examples
+    --------
+    >>> import pypw85
+    >>> q = pypw85.spheroid(1, 2, [0, 0, 1])
+    >>> pypw85.curvature([1, 0, 0], q)[0]
+    array([0.25, 1.  ])
+    """
+
+
+@declared
+def hertz():
+    """
+    Examples
+    --------
+    >>> import pypw85
+    >>> pypw85.hertz([0.5, 0.5])  # a sphere of radius 2 on a plane
+    (2.0, array([2., 2.]))
+    """
+
+
+@declared
+def hertz_contact():
+    """
+    Examples
+    --------
+    >>> import pypw85
+    >>> q1, q2 = pypw85.spheroid(1, 1, [0, 0, 1]), pypw85.spheroid(3, 3, [0, 0, 1])
+    >>> depth, point, curvatures, directions, radius, ellipse = pypw85.hertz_contact(
+    ...     [0, 0, 3.5], q1, q2, [0, 0, 1]
+    ... )
+    >>> depth, point, radius
+    (0.5, array([0.  , 0.  , 0.75]), 0.75)
+    """
+
+
+@declared
 def distance_plane():
     """
     Examples

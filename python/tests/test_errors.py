@@ -187,11 +187,11 @@ def test_version():
 
 # A good row of each argument, by its name and shape; and what may be bad about one, with the words for it.
 GOOD = {"lambda_": 0.5, "semi_axes": [1, 2, 3], "rotation": np.eye(3), "cell": np.eye(3), "quaternion_wxyz": [1, 0, 0, 0],
-        "s1": np.eye(3), "s2": np.eye(3),
+        "s1": np.eye(3), "s2": np.eye(3), "curvatures": [1, 2],
         "lower": [-9.0] * 3, "upper": [9.0] * 3, "motion1": [0.0] * 7, "motion2": [0.0] * 7, "offset": 5.0, "t_max": 1.0}  # fmt: skip
 FORMS = {(6,): [1, 0, 0, 1, 0, 1], (3,): [1, 0, 1]}
 REASONS = {
-    **dict.fromkeys(["a", "b", "c", "radius", "semi_axes"], ((0, "not positive"), (-1, "not positive"))),
+    **dict.fromkeys(["a", "b", "c", "curvatures", "radius", "semi_axes"], ((0, "not positive"), (-1, "not positive"))),
     **dict.fromkeys(["motion1", "motion2"], ((-2.0, "shrinks to nothing before t_max"),)),
     **dict.fromkeys(["axis", "direction", "n", "normal", "quaternion_wxyz"], ((0, "is zero"),)),
     "lambda_": [(-0.5, "is not in [0, 1]"), (1.5, "is not in [0, 1]")],

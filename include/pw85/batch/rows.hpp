@@ -413,6 +413,46 @@ static inline Status signed_distance_derivatives_batch(Vectors r12, Forms q1, Fo
     return detail::call_rows(pw85_signed_distance_derivatives_batch, r12, q1, q2, d_r12, d_rot1, d_rot2, hessian);
 }
 
+/// curvature() for many ellipsoids: see pw85_curvature_batch().
+///
+/// @param normals one for each ellipsoid, of any lengths > 0
+/// @param q one for each ellipsoid
+/// @param[out] curvatures,directions one for each ellipsoid, or empty
+/// @return as for contact_batch(); a zero normal is Status::invalid_argument
+static inline Status curvature_batch(Vectors normals, Forms q, std::span<std::array<double, 2>> curvatures,
+                                     std::span<std::array<double, 6>> directions = {}) noexcept
+{
+    return detail::call_rows(pw85_curvature_batch, normals, q, curvatures, directions);
+}
+
+/// hertz() for many contacts: see pw85_hertz_batch().
+///
+/// @param curvatures one for each contact, > 0
+/// @param[out] radius,ellipse one for each contact, or empty
+/// @return as for contact_batch(); a curvature that is not positive is Status::invalid_argument
+static inline Status hertz_batch(std::span<std::array<double, 2> const> curvatures, std::span<double> radius,
+                                 std::span<std::array<double, 2>> ellipse = {}) noexcept
+{
+    return detail::call_rows(pw85_hertz_batch, curvatures, radius, ellipse);
+}
+
+/// hertz_contact() for many pairs: see pw85_hertz_contact_batch().
+///
+/// @param r12,q1,q2 one for each pair
+/// @param normals one for each pair, of any lengths > 0
+/// @param[out] depth,point,curvatures,directions,radius,ellipse one for each pair, or empty
+/// @return as for contact_batch(); a zero normal is Status::invalid_argument
+static inline Status hertz_contact_batch(Vectors r12, Forms q1, Forms q2, Vectors normals, std::span<double> depth,
+                                         std::span<Vector<double, 3>> point = {},
+                                         std::span<std::array<double, 2>> curvatures = {},
+                                         std::span<std::array<double, 6>> directions = {},
+                                         std::span<double> radius = {},
+                                         std::span<std::array<double, 2>> ellipse = {}) noexcept
+{
+    return detail::call_rows(pw85_hertz_contact_batch, r12, q1, q2, normals, depth, point, curvatures, directions,
+                             radius, ellipse);
+}
+
 /// distance_plane() for many ellipsoids and half-spaces: see pw85_distance_plane_batch().
 ///
 /// @param normals,offsets,q one for each ellipsoid

@@ -75,18 +75,15 @@ template <class T, int D> PW85_FUNCTION inline T wall_factor(Wall<T, D> const &w
     return minimum(largest_number<T>(), maximum(T(0), T(wall.offset / s.extent)));
 }
 
-/// Finds two unit vectors that make a right-handed basis with the unit vector `axis`.
+/// Finds two unit vectors that make a right-handed basis with the unit vector `axis` (T. Duff et al., J. Comput. Graph. Tech. 6, 1,
+/// 2017). The divisor is at least 1 in magnitude, so that nothing cancels.
 template <class T>
 PW85_FUNCTION inline void complete_basis(Vector<T, 3> const &axis, Vector<T, 3> &e1, Vector<T, 3> &e2) noexcept
 {
-    int least = 0;
-    for (int i = 1; i < 3; ++i)
-        if (absolute(axis[i]) < absolute(axis[least])) least = i;
-    Vector<T, 3> e{};
-    e[least] = T(1);
-    e1 = cross(e, axis);
-    e1 = T(T(1) / square_root(dot(e1, e1))) * e1;
-    e2 = cross(axis, e1);
+    T const sign = select(axis[2] < T(0), T(-1), T(1)), a = T(-1) / (sign + axis[2]);
+    T const ax = a * axis[0], mixed = ax * axis[1];
+    e1 = {T(1) + sign * T(ax * axis[0]), sign * mixed, -(sign * axis[0])};
+    e2 = {mixed, sign + T(a * axis[1]) * axis[1], -axis[1]};
 }
 
 } // namespace pw85::detail
