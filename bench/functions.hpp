@@ -3,6 +3,8 @@
 #ifndef PW85_BENCH_FUNCTIONS_HPP_INCLUDED
 #define PW85_BENCH_FUNCTIONS_HPP_INCLUDED
 
+#include <cmath>
+
 #include <pw85.h>
 #include <pw85_legacy.h>
 #include <pw85_zheng.h>
@@ -117,6 +119,11 @@ inline constexpr BatchFunction batch_functions[] = {
      [](Block &b) {
          pw85_distance_batch(b.size(), b.apart.data(), b.q1.data(), b.q2.data(), b.mu2.data(), b.point1.data(),
                              b.point2.data());
+     }},
+    {"closest_passage_batch",
+     [](Block &b) {
+         pw85_closest_passage_batch(b.size(), b.r12.data(), b.q1.data(), b.q2.data(), b.velocity.data(), HUGE_VAL,
+                                    b.mu2.data(), b.lambda.data());
      }},
 };
 

@@ -2,12 +2,14 @@
 //
 // The rows are `function,number,time,speed_up,limit`: number of pairs, or of particles for neighbours; nanoseconds per pair or
 // particle with one thread; the gain by a second thread of the library; and the gain of two independent threads with one problem
-// each, which is what the machine gives two programs. An argument is the largest number, 1e7 by default.
+// each, which is what the machine gives two programs. The arguments are the largest number, 1e7 by default, and the name of the only
+// function to measure.
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <functional>
 #include <memory>
+#include <string>
 #include <thread>
 
 #ifdef _OPENMP
@@ -143,7 +145,7 @@ struct Times {
     double one = HUGE_VAL, both = HUGE_VAL, two = HUGE_VAL;
 };
 
-/// Takes turns, for a fifth of a second and at least twice. Short calls are repeated, so that the start of a thread, which takes some
+/// Takes turns, for a fifth of a second and at least five times. Short calls are repeated, so that the start of a thread, which takes some
 /// ten microseconds, hardly counts.
 Times measure(Problem const &first, Problem const &second)
 {
@@ -154,7 +156,7 @@ Times measure(Problem const &first, Problem const &second)
     };
     Times least;
     double spent = 0.0;
-    for (int pass = 0; pass < 2 || (spent < 0.2 && pass < 200); ++pass) {
+    for (int pass = 0; pass < 5 || (spent < 0.2 && pass < 200); ++pass) {
         double const one = seconds(1, [&] { repeated(first); }),
                      both = seconds(1, [&] {
                          std::thread other([&] { seconds(1, [&] { repeated(second); }); });
@@ -188,7 +190,8 @@ int main(int argc, char **argv)
 {
     double const largest = argc > 1 ? std::atof(argv[1]) : 1e7;
     std::printf("function,number,time,speed_up,limit\n");
-    for (Function const &function : functions)
+    for (Function const &function : functions) {
+        if (argc > 2 && std::string(argv[2]) != function.name) continue;
         for (double number = 1e3; number <= std::min(largest, function.largest); number *= 10.0) {
             auto const n = static_cast<std::size_t>(number);
             Problem const first = function.make(n), second = function.make(n);
@@ -197,5 +200,6 @@ int main(int argc, char **argv)
                         1e9 * t.one / static_cast<double>(first.number), t.one / t.two, 2.0 * t.one / t.both);
             std::fflush(stdout);
         }
+    }
     return 0;
 }

@@ -5,7 +5,8 @@ Usage: measure.py [--only TABLE] PROGRAM..., the programs of this folder. Have t
 All tables come from one run, which is written to docs/measurements.json with its conditions. --only replaces a single table, which
 a program of this folder or of python/bench prints, and stores its conditions with it. Tables that this run does not produce are
 kept: instructions on another processor (instructions.py), comparisons with libraries that are not available now, and those of Python
-if its package is not built. Times are nanoseconds per pair, the shortest of several repetitions in which the functions take turns.
+if its package is not built. Times are nanoseconds per pair, the shortest of several repetitions in which the functions take turns, in
+several processes.
 """
 
 import csv
@@ -21,7 +22,10 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
 RESULTS = ROOT / "docs" / "measurements.json"
-REPETITIONS = 31
+# In each process, the parts of a program and its data have other addresses, which can make a short function slower by a third. So
+# times are the least of several processes.
+PROCESSES = 3
+REPETITIONS = 11  # in each of them
 # Tables of Python's programs, which are in python/bench: the program, and the library that it gets, in the build directory
 PYTHON = {
     "arrays": ("compare_batches.py", "src/libpw85.so"),
@@ -57,6 +61,25 @@ def read_table(program, *arguments, target):
     return list(csv.DictReader(text.stdout.splitlines()))
 
 
+def least_rows(program, target):
+    """The rows of a table with names and numbers, each number the least of several processes."""
+    runs = [read_table(program, target=target) for _ in range(1 if "PW85_MEASURE_ONCE" in os.environ else PROCESSES)]
+    return [{key: min((row[key] for row in rows), key=number) for key in rows[0]} for rows in zip(*runs)]
+
+
+def number(text):
+    """The number that a text is, or 0 for a name."""
+    try:
+        return float(text)
+    except ValueError:
+        return 0.0
+
+
+def program_rows(name, program, target):
+    """The rows of a program of this folder, from several processes if they are compared with the table of speed."""
+    return (least_rows if name == "side_by_side" else read_table)(program, target=target)
+
+
 def python_rows(name, build, target):
     """The rows of a table that a program of python/bench prints, with one thread and with all. In a trial run the numbers are small."""
     script, library = PYTHON[name]
@@ -80,19 +103,21 @@ def has_python(build):
 
 def nanoseconds(program, name_filter, target, repetitions, threads=1):
     """The context, and the least time of each benchmark that matches. In a trial run each benchmark runs once."""
+    processes = PROCESSES
     if "PW85_MEASURE_ONCE" in os.environ:
-        repetitions = 1
+        processes = repetitions = 1
     options = {"filter": name_filter, "format": "json", "repetitions": repetitions, "min_time": 0.003}
     if repetitions > 1:
         options["enable_random_interleaving"] = "true"
     command = [program, *(f"--benchmark_{option}={value}" for option, value in options.items())]
-    done = subprocess.run(command, check=True, stdout=subprocess.PIPE, env=environment(target, threads))
-    output = json.loads(done.stdout)
     times = {}
-    for run in sorted(output["benchmarks"], key=itemgetter("family_index")):
-        if run["run_type"] == "iteration":
-            time = 1e9 / run["items_per_second"]
-            times[run["run_name"]] = min(time, times.get(run["run_name"], time))
+    for _ in range(processes):
+        done = subprocess.run(command, check=True, stdout=subprocess.PIPE, env=environment(target, threads))
+        output = json.loads(done.stdout)
+        for run in sorted(output["benchmarks"], key=itemgetter("family_index")):
+            if run["run_type"] == "iteration":
+                time = 1e9 / run["items_per_second"]
+                times[run["run_name"]] = min(time, times.get(run["run_name"], time))
     return output["context"], times
 
 
@@ -133,7 +158,7 @@ def list_rows(times, target):
 def thread_rows(program, target):
     for threads in range(1, (os.cpu_count() or 1) + 1):
         if threads & (threads - 1) == 0:
-            for name, time in nanoseconds(program, "/million", target, 3, threads)[1].items():
+            for name, time in nanoseconds(program, "/million", target, 1, threads)[1].items():
                 yield {"function": name.split("/")[0], "target": target, "threads": threads, "time": significant(time)}
 
 
@@ -145,7 +170,7 @@ def speed_tables(program, targets):
     tables = {
         "speed": others + speed_rows(times, best),
         "near": near_rows(nanoseconds(program, "^overlap[a-z_]*/[0-9]+/[0-9]", best, REPETITIONS)[1], best),
-        "lists": list_rows(nanoseconds(program, "/list/", best, 3)[1], best),
+        "lists": list_rows(nanoseconds(program, "/list/", best, 1)[1], best),
         "threads": list(thread_rows(program, best)),
     }
     return context, tables
@@ -195,7 +220,7 @@ def measure(programs):
     tables["growth"] = growth_rows(programs["growth"], best)
     if has_python(build_of(programs)):
         tables |= {name: python_rows(name, build_of(programs), best) for name in PYTHON}
-    side_by_side = read_table(programs["side_by_side"], target=best)
+    side_by_side = program_rows("side_by_side", programs["side_by_side"], best)
     if COMPARED <= {row["library"] for row in side_by_side}:
         tables["side_by_side"] = side_by_side
     return with_last({"conditions": conditions_of(context), "tables": tables})
@@ -225,7 +250,7 @@ def put_apart(name, rows, conditions):
 def measure_only(name, programs):
     best = available_targets()[-1]
     context = nanoseconds(programs["speed"], "^overlap/2$", best, 1)[0]
-    rows = python_rows(name, build_of(programs), best) if name in PYTHON else read_table(programs[name], target=best)
+    rows = python_rows(name, build_of(programs), best) if name in PYTHON else program_rows(name, programs[name], best)
     put_apart(name, rows, conditions_of(context))
 
 

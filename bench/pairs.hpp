@@ -32,18 +32,25 @@ inline std::vector<Pair> random_block(double aspect, double excess = 0.0, int si
 struct Block {
     std::vector<Pair> pairs;
     std::vector<double> lambdas, r12, q1, q2, mu2, lambda, point1, point2;
-    std::vector<double> apart; ///< separations multiplied by two, at which no pair overlaps
+    std::vector<double> apart;    ///< separations multiplied by two, at which no pair overlaps
+    std::vector<double> velocity; ///< towards the other ellipsoid, and half as fast in a random direction
     std::vector<unsigned char> overlap;
 
     explicit Block(std::vector<Pair> const &block)
         : pairs(block), lambdas(size()), r12(3 * size()), q1(6 * size()), q2(6 * size()), mu2(size()), lambda(size()),
-          point1(3 * size()), point2(3 * size()), apart(3 * size()), overlap(size())
+          point1(3 * size()), point2(3 * size()), apart(3 * size()), velocity(3 * size()), overlap(size())
     {
+        pw85_tests::Random random(85);
         for (std::size_t i = 0; i < size(); ++i) {
             Pair const &p = pairs[i];
             lambdas[i] = pw85::contact(p.r12, p.q1, p.q2).lambda;
             std::memcpy(&r12[3 * i], p.r12.coordinates, sizeof p.r12);
-            for (std::size_t d = 0; d < 3; ++d) apart[3 * i + d] = 2.0 * r12[3 * i + d];
+            auto const aside = 0.5 * pw85::detail::magnitude(p.r12) * random.direction<3>();
+            for (int d = 0; d < 3; ++d) {
+                std::size_t const k = 3 * i + static_cast<std::size_t>(d);
+                apart[k] = 2.0 * p.r12[d];
+                velocity[k] = aside[d] - p.r12[d];
+            }
             std::memcpy(&q1[6 * i], p.q1.entries, sizeof p.q1);
             std::memcpy(&q2[6 * i], p.q2.entries, sizeof p.q2);
         }

@@ -167,6 +167,9 @@ class ForceSum {
             if (rows != nullptr) std::fill(rows + 3 * own.begin, rows + 3 * own.end, 0.0);
     }
 
+    /// Whether some particle of a range belongs to the thread.
+    bool meets(Range particles) const noexcept { return particles.begin < begin_ + size_ && begin_ < particles.end; }
+
     /// Adds the forces and torques of the pairs of a list.
     void add(PairGradients const &given, PairsWithForce const &listed) const noexcept
     {

@@ -2,13 +2,17 @@
 /// Sums energy, forces, torques and virial of a law over the pairs of a neighbour list. pw85_law_forces_pairs() (many_pairs.cpp)
 /// calls sum_law().
 ///
-/// The pairs are divided into blocks of a fixed size, for any number of threads. In each round, the threads compute the derivatives
-/// of some blocks, which remain in the cache. Then each thread adds the terms of all blocks of the round to its own particles
-/// (forces.hpp). So the terms are added in the order of the pairs, and the bits of the sums do not depend on the number of threads.
+/// The pairs are divided into blocks of a fixed size, for any number of threads. The threads take blocks in turn, and write their
+/// derivatives into a ring of slots, which remain in the cache. Each thread adds the terms of all blocks, one after the other, to its
+/// own particles (forces.hpp). So the terms are added in the order of the pairs, and the bits of the sums do not depend on the number
+/// of threads.
 #ifndef PW85_KERNELS_LAW_FORCES_HPP_INCLUDED
 #define PW85_KERNELS_LAW_FORCES_HPP_INCLUDED
 
 #include <atomic>
+#include <memory>
+#include <new>
+#include <thread>
 
 #include "../neighbors/array.hpp"
 #include "forces.hpp"
@@ -18,7 +22,7 @@ namespace pw85::detail::kernels {
 namespace {
 
 /// The number of pairs per block, a multiple of the chunks of all kernels for contact functions on x86. The derivatives of a block
-/// take 60 kB, so that those of all rounds in progress fit into a second-level cache.
+/// take 60 kB, so that some of them fit into a second-level cache.
 constexpr std::size_t law_block = 504;
 static_assert(law_block <= most_listed);
 
@@ -87,28 +91,52 @@ template <class Law> struct LawProblem {
     std::size_t num_blocks() const noexcept { return (num_pairs + law_block - 1) / law_block; }
 };
 
-/// The number of blocks of a round for each of several threads. Threads wait for each other once in a round. A round takes a tenth
-/// of a millisecond, so the waiting costs little.
-constexpr std::size_t blocks_per_thread = 8;
+/// A place for the derivatives of one block at a time.
+struct LawSlot {
+    LawBlock made;
+    Range particles;                       ///< a range that contains all particles of the block
+    std::atomic<std::size_t> computed = 0; ///< number of blocks that have been written into the slot
+    std::atomic<std::size_t> added = 0;    ///< how often a thread has added the terms of a block
+};
 
-/// The blocks of a round. One thread takes block by block.
-constexpr std::size_t round_size(std::size_t threads) noexcept { return threads > 1 ? blocks_per_thread * threads : 1; }
-
-/// What the threads share: two rounds of blocks, the sums of all blocks, and the number of blocks that are taken.
-struct LawWork {
-    LawBlock *blocks;
+/// The slots, which the blocks take in turn, and the sums of all blocks.
+struct LawRing {
+    LawSlot *slots;
+    std::size_t num_slots, threads;
     BlockSums *sums;
-    std::atomic<std::size_t> taken = 0;
+    std::atomic<std::size_t> taken = 0; ///< number of blocks that threads have taken
 
-    /// Takes the next block before `end`. Returns false if there is none.
+    LawSlot &slot(std::size_t number) const noexcept { return slots[number % num_slots]; }
+    std::size_t round(std::size_t number) const noexcept { return number / num_slots; }
+
+    bool is_computed(std::size_t number) const noexcept
+    {
+        return slot(number).computed.load(std::memory_order_acquire) > round(number);
+    }
+
+    /// Takes the next block before `end` if all threads have added the earlier blocks of its slot.
     bool take(std::size_t end, std::size_t &number) noexcept
     {
         number = taken.load(std::memory_order_relaxed);
-        while (number < end)
+        while (number < end && slot(number).added.load(std::memory_order_acquire) == threads * round(number))
             if (taken.compare_exchange_weak(number, number + 1, std::memory_order_relaxed)) return true;
         return false;
     }
 };
+
+/// The number of slots. A thread that is delayed holds the others up only when all slots are full.
+constexpr std::size_t num_slots(std::size_t threads) noexcept { return threads > 1 ? 8 * threads : 1; }
+
+/// The smallest range that contains all particles of a block.
+inline Range particles_of(LawBlock const &made) noexcept
+{
+    std::int32_t first = INT32_MAX, last = -1;
+    for (std::size_t k = 0; k < 2 * made.size; ++k) {
+        first = std::min(first, made.list.pairs[k]);
+        last = std::max(last, made.list.pairs[k]);
+    }
+    return {static_cast<std::size_t>(first), static_cast<std::size_t>(last + 1)};
+}
 
 /// Computes block k of a problem, with its energy and virial.
 template <class Law>
@@ -122,20 +150,26 @@ Failure compute_block(LawProblem<Law> const &problem, std::size_t k, LawBlock &m
     return {pair + bad.index, bad.status};
 }
 
-/// The work of one thread. In each round it adds the terms of the round before to its own particles, and then computes blocks as
-/// long as there are some. In a sorted list the particles of a round belong to one thread. While this thread adds their terms, the
-/// others compute.
-template <class Law> Failure sum_law(LawProblem<Law> const &problem, ThreadNumber const &team, LawWork &work) noexcept
+/// The work of one thread. It adds the terms of the next block as soon as this block is computed. Otherwise it takes a block, or waits
+/// for other threads if all slots are full. In a list that is sorted in space, the particles of a block belong to one thread. While
+/// this thread adds their terms, the others compute.
+template <class Law> Failure sum_law(LawProblem<Law> const &problem, std::size_t thread, LawRing &ring) noexcept
 {
-    ForceSum const own(problem.sums, share(problem.num_particles, team.threads, team.thread));
-    std::size_t const size = round_size(team.threads), num_blocks = problem.num_blocks();
+    ForceSum const own(problem.sums, share(problem.num_particles, ring.threads, thread));
     Failure first{0, 0};
-    for (std::size_t begin = 0; begin < num_blocks + size; begin += size) {
-        for (std::size_t k = std::max(begin, size) - size; k < std::min(begin, num_blocks); ++k)
-            own.add(work.blocks[k % (2 * size)].gradients(), work.blocks[k % (2 * size)].with_force);
-        for (std::size_t k = 0; work.take(std::min(begin + size, num_blocks), k);)
-            first.update(compute_block(problem, k, work.blocks[k % (2 * size)], work.sums[k]));
-#pragma omp barrier
+    for (std::size_t next = 0, taken = 0; next < problem.num_blocks();) {
+        if (ring.is_computed(next)) {
+            LawSlot &slot = ring.slot(next++);
+            if (own.meets(slot.particles)) own.add(slot.made.gradients(), slot.made.with_force);
+            slot.added.fetch_add(1, std::memory_order_release);
+        } else if (ring.take(problem.num_blocks(), taken)) {
+            LawSlot &slot = ring.slot(taken);
+            first.update(compute_block(problem, taken, slot.made, ring.sums[taken]));
+            slot.particles = ring.threads > 1 ? particles_of(slot.made) : Range{0, problem.num_particles};
+            slot.computed.fetch_add(1, std::memory_order_release);
+        } else {
+            std::this_thread::yield();
+        }
     }
     return first;
 }
@@ -166,16 +200,19 @@ inline std::size_t threads_for(std::size_t n) noexcept
 /// Sums in parallel, and returns the status of the first bad pair.
 template <class Law> int sum_law(LawProblem<Law> const &problem, double *energy) noexcept
 {
-    std::size_t const threads = threads_for(problem.num_pairs);
-    neighbors::Array<LawBlock> blocks;
+    std::size_t const threads = threads_for(problem.num_pairs), count = num_slots(threads);
+    std::unique_ptr<LawSlot[]> const slots(new (std::nothrow) LawSlot[count]);
     neighbors::Array<BlockSums> block_sums;
-    if (!blocks.resize(2 * round_size(threads)) || !block_sums.resize(problem.num_blocks())) return PW85_ENOMEM;
-    LawWork work{blocks.data(), block_sums.data()};
+    if (slots == nullptr || !block_sums.resize(problem.num_blocks())) return PW85_ENOMEM;
+    LawRing ring{slots.get(), count, 1, block_sums.data()};
     Failure first{0, 0};
 #pragma omp parallel num_threads(static_cast <int>(threads)) if (threads > 1)
     {
         DefaultEnvironment const environment; // threads have their own
-        Failure const own = sum_law(problem, this_thread(), work);
+        ThreadNumber const team = this_thread();
+#pragma omp single
+        ring.threads = team.threads; // may be fewer than were asked for
+        Failure const own = sum_law(problem, team.thread, ring);
 #pragma omp critical(pw85_batch)
         first.update(own);
     }
