@@ -90,7 +90,7 @@ minimum_in_box(BoxProblem<T, D> const &box) noexcept
 {
     BoxMinimum<T, D, with_normal> best{};
     best.point = box.center;
-    auto found = T(0) != T(0);
+    auto found = T(0) < T(0);
     for (int i = 0; i < D; ++i) {
         T const x = clamped(box.center[i], box.lower[i], box.upper[i]), offset = x - box.center[i];
         auto const faces_center = !(offset == T(0));
@@ -114,6 +114,14 @@ template <class T> PW85_FUNCTION constexpr typename ScalarTraits<T>::Mask is_box
                                                                                  Vector<T, 3> const &upper) noexcept
 {
     return is_finite(lower) && is_finite(upper) && lower[0] <= upper[0] && lower[1] <= upper[1] && lower[2] <= upper[2];
+}
+
+/// Whether a box is not around the centre, its distance and the form are of order one, and both are valid, tested with products only.
+template <class T> [[gnu::always_inline]] PW85_FUNCTION inline typename ScalarTraits<T>::Mask
+passes_fast_checks(Vector<T, 3> const &lower, Vector<T, 3> const &upper, SymmetricMatrix<T, 3> const &q) noexcept
+{
+    T const largest = largest_diagonal(q), size = sum_of_magnitudes(nearest_corner(lower, upper));
+    return is_in_range(size, largest, largest) && is_box(lower, upper) && is_clearly_definite(q);
 }
 
 /// contact_box() in units in which the form and the distance of the box are of order one.
@@ -141,8 +149,7 @@ template <class T> PW85_FUNCTION inline ShapeContact<T>
 contact_box(Vector<T, 3> const &lower, Vector<T, 3> const &upper, SymmetricMatrix<T, 3> const &q) noexcept
 {
     using namespace detail;
-    T const largest = largest_diagonal(q), size = sum_of_magnitudes(nearest_corner(lower, upper));
-    if (is_in_range(size, largest, largest) && is_box(lower, upper) && is_clearly_definite(q)) {
+    if (passes_fast_checks(lower, upper, q)) {
         auto const found = minimum_in_box<false>(BoxProblem<T, 3>{lower, upper, {T(0), T(0), T(0)}, q});
         return {found.value, found.point, Status::success};
     }

@@ -7,17 +7,24 @@
 /// of the set. Where x is inside a face, s is orthogonal to the face, so that Q alone gives μ² without Q⁻¹:
 ///
 /// 1. On a plane n·x = d, s is a multiple of n, μ² = d²/(nᵀQn) and x = Qn d/(nᵀQn).
-/// 2. On the line a + t e, s = N λ, where the two columns of N span the vectors orthogonal to e. (NᵀQN) λ = Nᵀa, and μ² = λ·Nᵀa.
-/// 3. At a point x, μ² = xᵀQ⁻¹x by the pivots of Q.
+/// 2. At a point x, μ² = xᵀQ⁻¹x by the pivots of Q.
+///
+/// Elimination without divisions has the errors of pivots, too. With p = Q_00, S_ij = p Q_ij - Q_0i Q_0j and d = S_11 S_22 - S_12²,
+/// the map
+///
+///     z_0 = x_0,   z_1 = p x_1 - Q_01 x_0,   z_2 = S_11 (p x_2 - Q_02 x_0) - S_12 z_1
+///
+/// gives xᵀQ⁻¹x = (S_11 d z_0² + d z_1² + z_2²)/(p S_11 d).
 ///
 /// A relative change of the entries of Q by ε changes μ² by at most ε Σ|s_i Q_ij s_j|, to first order, and one of the coordinates of
 /// the points v_k of which x = Σ w_k v_k is the mean by at most 2 ε Σ w_k |s_i v_ki|. S is the sum of the two. Rounding errors of the
-/// pivots of a positive definite matrix act like such a change of the entries, for any aspect ratio. So each of the three formulas
-/// errs by some u S.
+/// pivots of a positive definite matrix act like such a change of the entries, for any aspect ratio. So each formula errs by
+/// some u S.
 #ifndef PW85_SHAPES_NEAREST_POINT_HPP_INCLUDED
 #define PW85_SHAPES_NEAREST_POINT_HPP_INCLUDED
 
 #include <pw85/algebra/all_nan.hpp>
+#include <pw85/algebra/doubled.hpp>
 #include <pw85/contact/validate.hpp>
 
 namespace pw85 {
@@ -32,6 +39,8 @@ template <class T> struct ShapeContact {
 } // namespace pw85
 
 namespace pw85::detail {
+
+template <class T> PW85_FUNCTION constexpr T sum_of(Vector<T, 3> const &x) noexcept { return x[0] + x[1] + x[2]; }
 
 /// A multiple of s, if it is wanted; nothing otherwise.
 template <class T, int D, bool wanted> struct Normal {
@@ -77,18 +86,40 @@ choose(Mask const &mask, Nearest<T, with_normal> const &yes, Nearest<T, with_nor
             (mask && yes.certain) || (!mask && no.certain)};
 }
 
-/// Item 3, with the pivots of Q.
-template <bool with_normal, class T> [[gnu::always_inline]] PW85_FUNCTION constexpr Nearest<T, with_normal>
-nearest_on(Vector<T, 3> const &x, Factorization<T, 3> const &factors) noexcept
-{
-    using WantedNormal = Normal<T, 3, with_normal>;
-    Vector<T, 3> const y = substitute_forward(factors, x);
-    T const mu2 = dot_over_pivots(factors, y, y);
-    if constexpr (with_normal)
-        return {mu2, x, WantedNormal{substitute_back(factors, y)}, mu2 == mu2};
-    else
-        return {mu2, x, {}, mu2 == mu2};
-}
+/// The numbers of item 2.
+template <class T> struct Elimination {
+    T p, q01, q02, s11, s12;
+    T weight0, weight1; ///< of z_0² and z_1²
+    T reciprocal;       ///< 1/(p S_11 d)
+
+    PW85_MEMBER constexpr explicit Elimination(SymmetricMatrix<T, 3> const &q) noexcept
+        : p(q[0]), q01(q[1]), q02(q[2]), s11(q[0] * q[3] - q[1] * q[1]), s12(q[0] * q[4] - q[1] * q[2])
+    {
+        T const s22 = q[0] * q[5] - q[2] * q[2], product = s11 * s22;
+        weight1 = maximum(T(product - s12 * s12), T(T(unit_roundoff<T>()) * product));
+        weight0 = s11 * weight1;
+        reciprocal = T(1) / T(p * weight0);
+    }
+
+    PW85_MEMBER constexpr Vector<T, 3> map(Vector<T, 3> const &x) const noexcept
+    {
+        T const z1 = p * x[1] - q01 * x[0], rest = p * x[2] - q02 * x[0];
+        return {x[0], z1, s11 * rest - s12 * z1};
+    }
+
+    /// The coordinates of z times their weights.
+    PW85_MEMBER constexpr Vector<T, 3> weighted(Vector<T, 3> const &z) const noexcept
+    {
+        return {weight0 * z[0], weight1 * z[1], z[2]};
+    }
+
+    /// p S_11 d Q⁻¹x, from the weighted z of x.
+    PW85_MEMBER constexpr Vector<T, 3> normal(Vector<T, 3> const &weighted) const noexcept
+    {
+        T const second = weighted[1] - s12 * weighted[2], third = s11 * weighted[2];
+        return {weighted[0] - q01 * second - q02 * third, p * second, p * third};
+    }
+};
 
 template <class T, int N> PW85_FUNCTION constexpr bool is_finite(Vector<T, 3> const (&points)[N]) noexcept
 {
@@ -111,28 +142,27 @@ passes_fast_checks(Vector<T, 3> const (&points)[N], SymmetricMatrix<T, 3> const 
     return total < limit && smallest * limit > T(1) && form < limit && form * limit > T(1) && is_clearly_definite(q);
 }
 
-/// Computes a contact with numbers of more digits and a wider range, where there are such numbers.
-template <class T, int N, class Careful> [[gnu::noinline, gnu::cold]] PW85_FUNCTION inline ShapeContact<T>
-contact_extended(Vector<T, 3> const (&points)[N], SymmetricMatrix<T, 3> const &q, Careful const &careful) noexcept
+/// Finds the nearest point with numbers of type W, which have more digits.
+template <class W, class T, int N, class Find> PW85_FUNCTION inline auto
+find_with_digits(Vector<T, 3> const (&points)[N], SymmetricMatrix<T, 3> const &q, Find const &find) noexcept
 {
-    using W = Widened<T>;
     Vector<W, 3> wide[N];
     for (int k = 0; k < N; ++k) wide[k] = converted<W>(points[k]);
-    auto const found = careful(wide, converted<W>(q));
+    auto const found = find(wide, converted<W>(q));
     if constexpr (std::is_same_v<T, W>)
-        return {found.mu2, found.point, Status::success};
+        return found;
     else
-        return {rounded(found.mu2),
-                {rounded(found.point[0]), rounded(found.point[1]), rounded(found.point[2])},
-                Status::success};
+        return Nearest<T, false>{rounded(found.mu2),
+                                 {rounded(found.point[0]), rounded(found.point[1]), rounded(found.point[2])},
+                                 {},
+                                 found.certain};
 }
 
 /// Computes a contact in units in which the points and the form are of order one. The scaling changes no bit of the results of
-/// contact_of(). The limit is wider than that of contact_of() in any units.
-template <class T, int N, class Fast, class Careful>
-[[gnu::noinline]] PW85_FUNCTION inline ShapeContact<T> contact_scaled(Vector<T, 3> const (&points)[N],
-                                                                      SymmetricMatrix<T, 3> const &q, Fast const &fast,
-                                                                      Careful const &careful) noexcept
+/// contact_of(). The limit is wider than that of contact_of() in any units. Where digits are lost, numbers with twice the digits come
+/// first, then those with more digits and a wider range, where there are such numbers.
+template <class T, int N, class Find> [[gnu::noinline]] PW85_FUNCTION inline ShapeContact<T>
+contact_scaled(Vector<T, 3> const (&points)[N], SymmetricMatrix<T, 3> const &q, Find const &find) noexcept
 {
     Status const status = is_finite(points) ? validate(q) : Status::invalid_argument;
     if (status != Status::success) return all_nan<ShapeContact<T>>(status);
@@ -143,26 +173,26 @@ template <class T, int N, class Fast, class Careful>
     for (int k = 0; k < N; ++k) scaled[k] = times_power_of_two(points[k], -length);
     auto const unit = times_power_of_two(q, -2 * form);
     T const limit = T(16) * T(unscaled_limit<T>() * unscaled_limit<T>());
-    if (has_extended_numbers<T> && !passes_fast_checks(scaled, unit, limit))
-        return contact_extended(points, q, careful);
-    auto found = fast(scaled, unit);
-    if (!found.certain) found = careful(scaled, unit);
-    if (!found.certain) return contact_extended(points, q, careful);
-    return {times_power_of_two(found.mu2, 2 * (length - form)), times_power_of_two(found.point, length),
-            Status::success};
+    if (!has_extended_numbers<T> || passes_fast_checks(scaled, unit, limit)) {
+        auto found = find(scaled, unit);
+        if (!found.certain) found = find_with_digits<Finer<T>>(scaled, unit, find);
+        if (found.certain)
+            return {times_power_of_two(found.mu2, 2 * (length - form)), times_power_of_two(found.point, length),
+                    Status::success};
+    }
+    auto const found = find_with_digits<Widened<T>>(points, q, find);
+    return {found.mu2, found.point, Status::success};
 }
 
-/// The contact function of a set that is given by points. `fast` and `careful` find the nearest point in units of order one.
-template <class T, int N, class Fast, class Careful>
-[[gnu::always_inline]] PW85_FUNCTION inline ShapeContact<T> contact_of(Vector<T, 3> const (&points)[N],
-                                                                       SymmetricMatrix<T, 3> const &q, Fast const &fast,
-                                                                       Careful const &careful) noexcept
+/// The contact function of a set that is given by points. `find` finds the nearest point in units of order one.
+template <class T, int N, class Find> [[gnu::always_inline]] PW85_FUNCTION inline ShapeContact<T>
+contact_of(Vector<T, 3> const (&points)[N], SymmetricMatrix<T, 3> const &q, Find const &find) noexcept
 {
     if (passes_fast_checks(points, q, unscaled_limit<T>())) {
-        auto const found = fast(points, q);
+        auto const found = find(points, q);
         if (found.certain) return {found.mu2, found.point, Status::success};
     }
-    return contact_scaled(points, q, fast, careful);
+    return contact_scaled(points, q, find);
 }
 
 } // namespace pw85::detail

@@ -56,13 +56,12 @@ template <class T, int N> struct Hull {
         return hull;
     }
 
-    template <template <class, bool> class Segments>
     PW85_MEMBER Nearest<T, true> nearest(SymmetricMatrix<T, 3> const &q) const noexcept
     {
         if constexpr (N == 2)
-            return FindOnSegment<Segments, true>{}(points, q);
+            return FindOnSegment<true>{}(points, q);
         else
-            return FindOnTriangle<Segments, true>{}(points, q);
+            return FindOnTriangle<true>{}(points, q);
     }
 
     PW85_MEMBER bool passes_checks(SymmetricMatrix<T, 3> const &q) const noexcept
@@ -102,7 +101,6 @@ template <class T> struct SolidBox {
         return {times_power_of_two(lower, exponent), times_power_of_two(upper, exponent)};
     }
 
-    template <template <class, bool> class>
     PW85_MEMBER Nearest<T, true> nearest(SymmetricMatrix<T, 3> const &q) const noexcept
     {
         auto const found = minimum_in_box<true>(BoxProblem<T, 3>{lower, upper, {T(0), T(0), T(0)}, q});
@@ -111,8 +109,7 @@ template <class T> struct SolidBox {
 
     PW85_MEMBER bool passes_checks(SymmetricMatrix<T, 3> const &q) const noexcept
     {
-        T const form = largest_diagonal(q), size = sum_of_magnitudes(nearest_corner(lower, upper));
-        return is_in_range(size, form, form) && is_box(lower, upper) && is_clearly_definite(q);
+        return passes_fast_checks(lower, upper, q);
     }
 
     [[gnu::always_inline]] bool overlaps_exactly(SymmetricMatrix<T, 3> const &q) const noexcept
@@ -182,11 +179,7 @@ decide_scaled(Shape const &shape, SymmetricMatrix<T, 3> const &q) noexcept
     int const unit = half_exponent(largest_diagonal(q));
     auto const form = times_power_of_two(q, -2 * unit);
     auto const scaled = shape.scaled(-unit);
-    auto decision = Decision::none;
-    if (!scaled.passes_checks(form)) return decision;
-    decision = decide_at(scaled, form, scaled.template nearest<FastSegments>(form));
-    if (decision != Decision::none) return decision;
-    return decide_at(scaled, form, scaled.template nearest<CarefulSegments>(form));
+    return scaled.passes_checks(form) ? decide_at(scaled, form, scaled.nearest(form)) : Decision::none;
 }
 
 /// Decides for any numbers. Types without integers take the sign of μ² - 1, up to rounding errors.
@@ -200,14 +193,14 @@ overlap_of_any(Shape const &shape, SymmetricMatrix<T, 3> const &q) noexcept
     if constexpr (exact::is_decidable<T>)
         return {shape.overlaps_exactly(q), status};
     else
-        return {shape.template nearest<CarefulSegments>(q).mu2 < T(1), status};
+        return {shape.nearest(q).mu2 < T(1), status};
 }
 
 template <class T, class Shape>
 PW85_FUNCTION inline ShapeOverlap overlap_of(Shape const &shape, SymmetricMatrix<T, 3> const &q) noexcept
 {
     if (shape.passes_checks(q)) {
-        Decision const decision = decide_at(shape, q, shape.template nearest<FastSegments>(q));
+        Decision const decision = decide_at(shape, q, shape.nearest(q));
         if (decision != Decision::none) return {decision == Decision::overlap, Status::success};
     }
     return overlap_of_any(shape, q);

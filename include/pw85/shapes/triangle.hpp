@@ -2,9 +2,8 @@
 /// The contact function of an ellipsoid and a triangle. The items are those of nearest_point.hpp.
 ///
 /// Let a, b and c be the vertices, n = (b - a) × (c - a), and x the nearest point of the plane of the triangle (item 1). If x is in
-/// the triangle, it is the nearest point. Otherwise the nearest point is on an edge whose line separates x from the triangle: x -
-/// y has no obtuse angle with any other edge at a point y of it. There are one or two such edges. A triangle without area is the
-/// longest of its edges, and all three are tried.
+/// the triangle, it is the nearest point. Otherwise the nearest point is on an edge whose line separates x from the triangle. There
+/// are one or two such edges. If n has lost digits, as in a triangle without area, all three edges are tried.
 ///
 /// n·v is the same for the three vertices v. Its mean with the weights of x errs by u times the weighted magnitudes of the vertices.
 #ifndef PW85_SHAPES_TRIANGLE_HPP_INCLUDED
@@ -20,9 +19,12 @@ template <class T, bool with_normal> struct NearestOnPlane {
     Vector<T, 3> weights;
 };
 
-/// How many times smaller the normal of a triangle may be than the terms of its coordinates. The error of the normal is larger by
-/// this factor.
-inline constexpr int largest_cancellation = 8;
+/// The square of how many times smaller the normal of a triangle may be than the terms of its coordinates. The error of the normal is
+/// larger by this factor, which is 8 for a type without guard digits.
+template <class T> PW85_FUNCTION constexpr T square_of_largest_cancellation() noexcept
+{
+    return T(64) / negative_power_of_two<T>(2 * (mantissa_digits<T>() - result_digits<T>()));
+}
 
 /// Whether n is not much smaller than the terms of its coordinates, in units of the bounding box of the ellipsoid.
 template <class T>
@@ -37,7 +39,7 @@ PW85_FUNCTION constexpr typename ScalarTraits<T>::Mask is_accurate_normal(Vector
         size = size + T(n[i] * n[i]) * q(i, i);
         terms = terms + T(term * term) * q(i, i);
     }
-    return T(T(largest_cancellation * largest_cancellation) * size) > terms;
+    return T(square_of_largest_cancellation<T>() * size) > terms;
 }
 
 template <bool with_normal, class T> [[gnu::always_inline]] PW85_FUNCTION constexpr NearestOnPlane<T, with_normal>
@@ -55,33 +57,71 @@ nearest_on_plane(Vector<T, 3> const (&vertices)[3], SymmetricMatrix<T, 3> const 
             {wa, wb, wc}};
 }
 
-/// The nearest point of a triangle in units of order one.
-template <template <class, bool> class Segments, bool with_normal = false> struct FindOnTriangle {
-    template <class T> PW85_MEMBER constexpr Nearest<T, with_normal>
-    operator()(Vector<T, 3> const (&vertices)[3], SymmetricMatrix<T, 3> const &q) const noexcept
-    {
-        auto const plane = nearest_on_plane<with_normal>(vertices, q);
-        auto const &w = plane.weights;
-        auto const inside = w[0] >= T(0) && w[1] >= T(0) && w[2] >= T(0);
-        if (all_of(inside)) return plane.nearest;
-        return choose(inside, plane.nearest, nearest_on_edges(vertices, w, plane.nearest.certain, q));
-    }
+/// The ends of an edge.
+template <class T> struct Ends {
+    Vector<T, 3> first, second;
+};
 
-    /// The nearest point of those edges that may have it: the edge opposite to vertex k, if its weight is negative. If the normal is
-    /// not accurate, these are all edges.
-    template <class T> PW85_MEMBER static constexpr Nearest<T, with_normal>
-    nearest_on_edges(Vector<T, 3> const (&vertices)[3], Vector<T, 3> const &weights,
-                     typename ScalarTraits<T>::Mask const &certain, SymmetricMatrix<T, 3> const &q) noexcept
+/// The edge that has the nearest point, if the nearest point of the plane is not in the triangle. The vertex m with the largest weight
+/// is one of its ends; let i and j be the others. If the weight of i is not negative, the plane's point is beyond the edge from m to i
+/// only. If both weights are negative, it is beyond both edges of m. Then m·Q⁻¹e < 0 holds for at most one of the edges e that begin at
+/// m, by Cauchy's inequality, and that edge has the nearest point; if it holds for none, m is the nearest point.
+template <class T> [[gnu::always_inline]] PW85_FUNCTION constexpr Ends<T>
+nearest_edge(Vector<T, 3> const (&vertices)[3], Vector<T, 3> const &weights, Elimination<T> const &form) noexcept
+{
+    auto const &[a, b, c] = vertices;
+    auto const is_b = weights[1] > weights[0] && weights[1] >= weights[2];
+    auto const is_c = !is_b && weights[2] > weights[0];
+    auto const turned = [&](auto const &x, auto const &y, auto const &z) {
+        return choose(is_b, y, choose(is_c, z, x));
+    };
+    auto const m = turned(a, b, c), i = turned(b, c, a), j = turned(c, a, b);
+    T const wi = select(is_b, weights[2], select(is_c, weights[0], weights[1]));
+    T const wj = select(is_b, weights[0], select(is_c, weights[1], weights[2]));
+    auto const is_i = wi >= T(0) || (wj < T(0) && dot(form.weighted(form.map(m)), form.map(i - m)) < T(0));
+    return {m, choose(is_i, i, j)};
+}
+
+/// The nearest point of the edges.
+template <bool with_normal, class T> [[gnu::always_inline]] PW85_FUNCTION constexpr Nearest<T, with_normal>
+nearest_of_edges(Vector<T, 3> const (&vertices)[3], Elimination<T> const &form) noexcept
+{
+    auto best = nearest_on_edge<with_normal>(vertices[1], vertices[2], form);
+    for (int k = 1; k < 3; ++k) {
+        auto const found = nearest_on_edge<with_normal>(vertices[(k + 1) % 3], vertices[(k + 2) % 3], form);
+        best = choose(!(found.mu2 >= best.mu2), found, best);
+    }
+    return best;
+}
+
+/// The nearest point of a triangle.
+template <bool with_normal, class T> [[gnu::always_inline]] PW85_FUNCTION constexpr Nearest<T, with_normal>
+nearest_on_triangle(Vector<T, 3> const (&vertices)[3], SymmetricMatrix<T, 3> const &q) noexcept
+{
+    auto const plane = nearest_on_plane<with_normal>(vertices, q);
+    auto const &w = plane.weights;
+    auto const inside = both_true(w[0] >= T(0), both_true(w[1] >= T(0), w[2] >= T(0)));
+    if (all_of(inside)) return plane.nearest;
+    Elimination<T> const form(q);
+    auto const edge = nearest_edge(vertices, w, form);
+    auto nearest = nearest_on_edge<with_normal>(edge.first, edge.second, form);
+    auto const known = inside || plane.nearest.certain;
+    if (!all_of(known)) nearest = choose(known, nearest, nearest_of_edges<with_normal>(vertices, form));
+    return choose(inside, plane.nearest, nearest);
+}
+
+/// The same for one triangle. The function is not inlined: with the checks around it, compilers would keep its numbers in memory.
+template <bool with_normal, class T> [[gnu::noinline]] PW85_FUNCTION inline Nearest<T, with_normal>
+nearest_on_one_triangle(Vector<T, 3> const (&vertices)[3], SymmetricMatrix<T, 3> const &q) noexcept
+{
+    return nearest_on_triangle<with_normal>(vertices, q);
+}
+
+template <bool with_normal = false> struct FindOnTriangle {
+    template <class T> PW85_MEMBER Nearest<T, with_normal> operator()(Vector<T, 3> const (&vertices)[3],
+                                                                      SymmetricMatrix<T, 3> const &q) const noexcept
     {
-        Segments<T, with_normal> const nearest_on_edge(q);
-        Nearest<T, with_normal> best{quiet_nan<T>(), vertices[0], Normal<T, 3, with_normal>{vertices[0]}, certain};
-        for (int k = 0; k < 3; ++k) {
-            auto const away = certain && weights[k] >= T(0);
-            if (all_of(away)) continue;
-            auto const found = nearest_on_edge(vertices[(k + 1) % 3], vertices[(k + 2) % 3]);
-            best = choose(!away && !(found.mu2 >= best.mu2), found, best);
-        }
-        return best;
+        return nearest_on_one_triangle<with_normal>(vertices, q);
     }
 };
 
@@ -93,9 +133,8 @@ template <class T> PW85_FUNCTION inline ShapeContact<T> contact_triangle(Vector<
                                                                          Vector<T, 3> const &c,
                                                                          SymmetricMatrix<T, 3> const &q) noexcept
 {
-    Vector<T, 3> const vertices[3] = {a, b, c};
-    return detail::contact_of(vertices, q, detail::FindOnTriangle<detail::FastSegments>{},
-                              detail::FindOnTriangle<detail::CarefulSegments>{});
+    Vector<T, 3> const vertices[3] = {{a[0], a[1], a[2]}, {b[0], b[1], b[2]}, {c[0], c[1], c[2]}};
+    return detail::contact_of(vertices, q, detail::FindOnTriangle<>{});
 }
 
 } // namespace pw85
