@@ -22,9 +22,9 @@
  * - #PW85_EINVAL has three causes, the same in every function: a pointer is null, and its description does not allow that; a
  *   number is NaN or infinite, and its description does not allow that; or an argument is outside of the range that its
  *   description states, as "> 0". #PW85_ENOTPD says that a form is not positive definite. The chapter on errors has a table.
- * - Only the functions of neighbour lists and of simulations and pw85_mesh_create() allocate memory. No function prints anything or ends the process. No
- *   function shares state with another call, except that pw85_set_reproducible() sets a mode of the process: any number of threads may
- *   call any functions at the same time.
+ * - Only the functions of neighbour lists and of simulations and pw85_mesh_create() allocate memory. No function prints anything or
+ *   ends the process. No function shares state with another call, except that pw85_set_reproducible() sets a mode of the process, and
+ *   that a simulation changes: any number of threads may call any functions at the same time, for different simulations.
  * - No function needs more than 16 KiB of stack, those of meshes no more than 24 KiB, besides what the dynamic linker takes to bind
  *   it at its first call. The threads that a batch starts have stacks of their own, which OpenMP provides.
  * - Functions compute in the default floating-point environment. The rounding mode, status flags and traps of the caller do not
@@ -1846,7 +1846,7 @@ PW85_API int pw85_hard_ellipsoids_counts(pw85_hard_ellipsoids const *simulation,
  * @return #PW85_SUCCESS if there is no overlap, #PW85_EOVERLAP, #PW85_EINVAL, #PW85_ENOMEM */
 PW85_API int pw85_hard_ellipsoids_check(pw85_hard_ellipsoids const *simulation, int32_t pair[2]);
 
-/** Particles and cell: pointers to the arrays of the simulation. They are valid until the next call that changes the simulation. Centres
+/** Particles and cell: pointers to the arrays of the simulation. They are valid until it is destroyed, and show its present state. Centres
  * are not wrapped into the cell.
  *
  * @param simulation a simulation, or null
@@ -1875,9 +1875,10 @@ PW85_API size_t pw85_hard_ellipsoids_num_bytes(pw85_hard_ellipsoids const *simul
  * kind.
  *
  * @param simulation a simulation
- * @param[out] bytes pw85_hard_ellipsoids_num_bytes()
+ * @param num_bytes pw85_hard_ellipsoids_num_bytes()
+ * @param[out] bytes num_bytes
  * @return #PW85_SUCCESS, #PW85_EINVAL */
-PW85_API int pw85_hard_ellipsoids_save(pw85_hard_ellipsoids const *simulation, unsigned char *bytes);
+PW85_API int pw85_hard_ellipsoids_save(pw85_hard_ellipsoids const *simulation, size_t num_bytes, unsigned char *bytes);
 
 /** Makes a simulation from the bytes of another, which it continues bit by bit.
  *

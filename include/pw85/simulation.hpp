@@ -90,17 +90,17 @@ class HardEllipsoids {
         return static_cast<Status>(pw85_hard_ellipsoids_check(get(), pair.data()));
     }
 
-    /// Centres, forms and cell. They are valid until the next call that changes the simulation.
+    /// Centres, forms and cell. They show the present state, and are valid as long as this object lives.
     [[gnu::always_inline]] pw85_system system() const noexcept { return pw85_hard_ellipsoids_system(get()); }
 
-    /// Of length one; valid as system() is.
+    /// Of length one; valid as long as system() is.
     [[gnu::always_inline]] std::span<Vector<double, 4> const> quaternions() const noexcept
     {
         return {reinterpret_cast<Vector<double, 4> const *>(pw85_hard_ellipsoids_quaternions(get())),
                 system().num_particles};
     }
 
-    /// Valid as system() is.
+    /// Valid as long as system() is.
     [[gnu::always_inline]] Vectors semi_axes() const noexcept
     {
         return {reinterpret_cast<Vector<double, 3> const *>(pw85_hard_ellipsoids_semi_axes(get())),
@@ -112,8 +112,7 @@ class HardEllipsoids {
 
     [[gnu::always_inline]] Status save(std::span<unsigned char> bytes) const noexcept
     {
-        if (bytes.size() != num_bytes()) return Status::invalid_argument;
-        return static_cast<Status>(pw85_hard_ellipsoids_save(get(), bytes.data()));
+        return static_cast<Status>(pw85_hard_ellipsoids_save(get(), bytes.size(), bytes.data()));
     }
 
     [[gnu::always_inline]] pw85_hard_ellipsoids *get() const noexcept { return simulation_.get(); }

@@ -271,9 +271,10 @@ size_t pw85_hard_ellipsoids_num_bytes(pw85_hard_ellipsoids const *simulation)
     return simulation == nullptr ? 0 : num_bytes(simulation->engine.configuration.size());
 }
 
-int pw85_hard_ellipsoids_save(pw85_hard_ellipsoids const *simulation, unsigned char *bytes)
+int pw85_hard_ellipsoids_save(pw85_hard_ellipsoids const *simulation, size_t size, unsigned char *bytes)
 {
     if (any_null(simulation) || any_null(bytes)) return PW85_EINVAL;
+    if (size != pw85_hard_ellipsoids_num_bytes(simulation)) return PW85_EINVAL;
     Configuration const &configuration = simulation->engine.configuration;
     Header header;
     std::memset(static_cast<void *>(&header), 0, sizeof header); // no byte between members is left to chance

@@ -55,6 +55,7 @@ int Engine::try_volume(double pressure, ChangeKind kind) noexcept
     return PW85_SUCCESS;
 }
 
+/// The arrays stay where they are: the C API has views of them.
 void Engine::apply(Change const &change) noexcept
 {
     old_cell_ = configuration.cell;
@@ -63,7 +64,7 @@ void Engine::apply(Change const &change) noexcept
         Vector3 const changed = change.apply({row[0], row[1], row[2]});
         std::copy_n(changed.coordinates, 3, row);
     }
-    std::swap(old_centers_, configuration.centers);
+    std::copy_n(configuration.centers.data(), configuration.size(), old_centers_.data());
     kernels::for_all(configuration.size(), [&](kernels::Range range) {
         for (std::size_t i = range.begin; i < range.end; ++i) configuration.centers[i] = change.apply(old_centers_[i]);
         return kernels::Failure{0, PW85_SUCCESS};
@@ -74,7 +75,7 @@ void Engine::apply(Change const &change) noexcept
 int Engine::undo(bool rows_are_new) noexcept
 {
     configuration.cell = old_cell_;
-    std::swap(old_centers_, configuration.centers);
+    std::copy_n(old_centers_.data(), configuration.size(), configuration.centers.data());
     if (!neighborhood_.set_cell(old_cell_)) return PW85_EINVAL;
     return rows_are_new ? update_rows(0.0) : PW85_SUCCESS;
 }
