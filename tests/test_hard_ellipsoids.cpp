@@ -104,10 +104,7 @@ class Blocks {
     }
 
     double mean() const { return total_ / blocks(); }
-    double error() const
-    {
-        return std::sqrt(std::max(0.0, squares_ / blocks() - mean() * mean()) / (blocks() - 1.0));
-    }
+    double error() const { return std::sqrt(std::max(0.0, squares_ / blocks() - mean() * mean()) / (blocks() - 1.0)); }
 
     /// Checks that the mean differs from a value by at most four errors and a systematic error.
     void expect(char const *what, double expected, double systematic = 0.0) const
@@ -205,8 +202,8 @@ struct TwoEllipsoids {
     static constexpr double side = 2.0;
 
     /// The least μ² of all images that can be near, and the squared cosine between the third axes.
-    static std::array<double, 2> measure(Vector3 const &r, Quaternion const &a, Quaternion const &b, Vector3 const &axes_a,
-                                         Vector3 const &axes_b)
+    static std::array<double, 2> measure(Vector3 const &r, Quaternion const &a, Quaternion const &b,
+                                         Vector3 const &axes_a, Vector3 const &axes_b)
     {
         auto const qa = pw85::ellipsoid_quaternion(axes_a, a).q, qb = pw85::ellipsoid_quaternion(axes_b, b).q;
         double least = HUGE_VAL;

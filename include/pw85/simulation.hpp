@@ -34,7 +34,9 @@ class HardEllipsoids {
     /// Null: functions refuse it.
     HardEllipsoids() noexcept = default;
     /// Takes ownership of a simulation of the C API, which may be null.
-    [[gnu::always_inline]] explicit HardEllipsoids(pw85_hard_ellipsoids *simulation) noexcept : simulation_(simulation) {}
+    [[gnu::always_inline]] explicit HardEllipsoids(pw85_hard_ellipsoids *simulation) noexcept : simulation_(simulation)
+    {
+    }
 
     [[gnu::always_inline]] Status sweep(std::size_t num_sweeps) noexcept
     {
