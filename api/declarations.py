@@ -32,6 +32,7 @@ CPP_HEADERS = (
     *(f"pw85/batch/{name}.hpp" for name in ("rows", "pairs", "lists", "systems")),
     "pw85/neighbors.hpp",
     "pw85/meshes.hpp",
+    "pw85/simulation.hpp",
 )
 
 SECTION = r"^(?:/\*\*| \*|///) @name (?P<title>[^\n]+)$"
@@ -52,7 +53,7 @@ PARAMETER = re.compile(
 EXTENT = r"(?:[a-z_]+|\d+)"
 SHAPE = re.compile(rf"({EXTENT}(?:×{EXTENT})*)(?= each\b| matrix\b| in\b| or null|[,;:.]|$)")
 STRUCTS = ("pw85_pair_list", "pw85_system", "pw85_law")  # structs that are arguments; other structs are elements of arrays
-OBJECTS = ("pw85_neighbors", "pw85_mesh")  # what the library owns
+OBJECTS = ("pw85_neighbors", "pw85_mesh", "pw85_hard_ellipsoids")  # what the library owns
 STRUCT = re.compile(r"^typedef struct (?P<name>\w+) \{\n(?P<members>.*?)^\} (?P=name);", re.DOTALL | re.MULTILINE)
 MEMBER = re.compile(r"/\*\*(?P<comment>(?:(?!\*/).)*)\*/\s*(?P<declaration>[^;/]+);", re.DOTALL)
 NULLABLE = re.compile(r"\b(?:may be|or) null\b|\bnull (?:if|for) ")
@@ -106,6 +107,10 @@ class Function:
             for name in names.split(","):
                 found[name] = (" ".join(text.split()), bool(mark))
         return found
+
+    def is_of_simulations(self):
+        """Whether its results depend on the calls before, so that it has tests of its own: tests/test_hard_ellipsoids.cpp."""
+        return self.name.startswith("pw85_hard_ellipsoids_")
 
     def references(self):
         """The names of the functions to which the comment refers."""

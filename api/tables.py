@@ -1,4 +1,4 @@
-"""Writes a table of all functions of the C headers for the tests: the parameters of each function, and a call of it.
+"""Writes a table of the functions of the C headers for the tests: the parameters of each function, and a call of it.
 
 Usage: tables.py OUTPUT
 
@@ -73,7 +73,8 @@ def lines(function):
 
 
 def main(output):
-    rows = [line for header in HEADERS for function in functions(header) for line in lines(function)]
+    listed = [function for header in HEADERS for function in functions(header) if not function.is_of_simulations()]
+    rows = [line for function in listed for line in lines(function)]
     Path(output).write_text("\n".join(rows) + "\n", encoding="utf-8")
 
 

@@ -28,12 +28,16 @@ module pw85
   integer(c_int), parameter, public :: pw85_law_soft_repulsion = 1
   integer(c_int), parameter, public :: pw85_law_inverse_powers = 2
   integer(c_int), parameter, public :: pw85_law_table = 3
+  integer(c_int), parameter, public :: pw85_change_isotropic = 0
+  integer(c_int), parameter, public :: pw85_change_axis = 1
+  integer(c_int), parameter, public :: pw85_change_triclinic = 2
   integer(c_int), parameter, public :: pw85_success = 0
   integer(c_int), parameter, public :: pw85_einval = 1
   integer(c_int), parameter, public :: pw85_enotpd = 2
   integer(c_int), parameter, public :: pw85_econvergence = 3
   integer(c_int), parameter, public :: pw85_enomem = 4
   integer(c_int), parameter, public :: pw85_edevice = 5
+  integer(c_int), parameter, public :: pw85_eoverlap = 6
 
   !> How an ellipsoid moves: at time t its semi-axes are 1 + growth*t times those at time 0.
   type, bind(C), public :: pw85_motion
@@ -203,6 +207,22 @@ module pw85
   public :: pw85_mesh_contact_batch
   public :: pw85_mesh_overlap_batch
   public :: pw85_mesh_destroy
+  public :: pw85_hard_ellipsoids_create
+  public :: pw85_hard_ellipsoids_sweep
+  public :: pw85_hard_ellipsoids_volume_moves
+  public :: pw85_hard_ellipsoids_tune
+  public :: pw85_hard_ellipsoids_set_fractions
+  public :: pw85_hard_ellipsoids_set_steps
+  public :: pw85_hard_ellipsoids_steps
+  public :: pw85_hard_ellipsoids_counts
+  public :: pw85_hard_ellipsoids_check
+  public :: pw85_hard_ellipsoids_system
+  public :: pw85_hard_ellipsoids_quaternions
+  public :: pw85_hard_ellipsoids_semi_axes
+  public :: pw85_hard_ellipsoids_num_bytes
+  public :: pw85_hard_ellipsoids_save
+  public :: pw85_hard_ellipsoids_restore
+  public :: pw85_hard_ellipsoids_destroy
   public :: pw85_ellipsoid_factor_batch
   public :: pw85_ellipsoid_quaternion_batch
   public :: pw85_bounding_boxes
@@ -1524,6 +1544,146 @@ module pw85
       import
       type(c_ptr), value :: mesh
     end subroutine pw85_mesh_destroy
+
+    !> Makes a simulation.
+    function pw85_hard_ellipsoids_create(system, semi_axes, quaternions, seed, pair, simulation) result(status) &
+      bind(C, name='pw85_hard_ellipsoids_create')
+      import
+      type(pw85_system), intent(in) :: system
+      integer(c_size_t), value :: seed
+      real(c_double), intent(in) :: semi_axes(3, system%num_particles), quaternions(4, system%num_particles)
+      integer(c_int32_t), intent(out), optional :: pair(2)
+      type(c_ptr), intent(out) :: simulation
+      integer(c_int) :: status
+    end function pw85_hard_ellipsoids_create
+
+    !> Makes sweeps.
+    function pw85_hard_ellipsoids_sweep(simulation, num_sweeps) result(status) bind(C, &
+      name='pw85_hard_ellipsoids_sweep')
+      import
+      integer(c_size_t), value :: num_sweeps
+      type(c_ptr), value :: simulation
+      integer(c_int) :: status
+    end function pw85_hard_ellipsoids_sweep
+
+    !> Tries changes of the cell and of all centres with it, at constant pressure.
+    function pw85_hard_ellipsoids_volume_moves(simulation, num_moves, pressure, change) result(status) bind(C, &
+      name='pw85_hard_ellipsoids_volume_moves')
+      import
+      integer(c_size_t), value :: num_moves
+      type(c_ptr), value :: simulation
+      real(c_double), value :: pressure
+      integer(c_int), value :: change
+      integer(c_int) :: status
+    end function pw85_hard_ellipsoids_volume_moves
+
+    !> Makes sweeps, and changes the steps after each of them towards an acceptance.
+    function pw85_hard_ellipsoids_tune(simulation, num_sweeps, acceptance, pressure, change) result(status) bind(C, &
+      name='pw85_hard_ellipsoids_tune')
+      import
+      integer(c_size_t), value :: num_sweeps
+      type(c_ptr), value :: simulation
+      real(c_double), value :: acceptance, pressure
+      integer(c_int), value :: change
+      integer(c_int) :: status
+    end function pw85_hard_ellipsoids_tune
+
+    !> Sets the parts of the trials of a sweep that are translations, rotations, both at once, and exchanges.
+    function pw85_hard_ellipsoids_set_fractions(simulation, fractions) result(status) bind(C, &
+      name='pw85_hard_ellipsoids_set_fractions')
+      import
+      type(c_ptr), value :: simulation
+      real(c_double), intent(in) :: fractions(4)
+      integer(c_int) :: status
+    end function pw85_hard_ellipsoids_set_fractions
+
+    !> Sets the largest changes of a trial.
+    function pw85_hard_ellipsoids_set_steps(simulation, steps) result(status) bind(C, &
+      name='pw85_hard_ellipsoids_set_steps')
+      import
+      type(c_ptr), value :: simulation
+      real(c_double), intent(in) :: steps(3)
+      integer(c_int) :: status
+    end function pw85_hard_ellipsoids_set_steps
+
+    !> The largest changes of a trial.
+    function pw85_hard_ellipsoids_steps(simulation, steps) result(status) bind(C, name='pw85_hard_ellipsoids_steps')
+      import
+      type(c_ptr), value :: simulation
+      real(c_double), intent(out) :: steps(3)
+      integer(c_int) :: status
+    end function pw85_hard_ellipsoids_steps
+
+    !> The numbers of trials since the simulation was made or tuned.
+    function pw85_hard_ellipsoids_counts(simulation, trials, accepted) result(status) bind(C, &
+      name='pw85_hard_ellipsoids_counts')
+      import
+      type(c_ptr), value :: simulation
+      integer(c_int64_t), intent(out), optional :: trials(5), accepted(5)
+      integer(c_int) :: status
+    end function pw85_hard_ellipsoids_counts
+
+    !> Searches all particles for overlaps, by a neighbour list of its own.
+    function pw85_hard_ellipsoids_check(simulation, pair) result(status) bind(C, name='pw85_hard_ellipsoids_check')
+      import
+      type(c_ptr), value :: simulation
+      integer(c_int32_t), intent(out), optional :: pair(2)
+      integer(c_int) :: status
+    end function pw85_hard_ellipsoids_check
+
+    !> Particles and cell.
+    function pw85_hard_ellipsoids_system(simulation) result(value) bind(C, name='pw85_hard_ellipsoids_system')
+      import
+      type(c_ptr), value :: simulation
+      type(pw85_system) :: value
+    end function pw85_hard_ellipsoids_system
+
+    !> The orientations, num_particles×4, as pw85_hard_ellipsoids_system() gives the rest.
+    function pw85_hard_ellipsoids_quaternions(simulation) result(value) bind(C, name='pw85_hard_ellipsoids_quaternions')
+      import
+      type(c_ptr), value :: simulation
+      type(c_ptr) :: value
+    end function pw85_hard_ellipsoids_quaternions
+
+    !> The semi-axes, num_particles×3, as pw85_hard_ellipsoids_system() gives the rest.
+    function pw85_hard_ellipsoids_semi_axes(simulation) result(value) bind(C, name='pw85_hard_ellipsoids_semi_axes')
+      import
+      type(c_ptr), value :: simulation
+      type(c_ptr) :: value
+    end function pw85_hard_ellipsoids_semi_axes
+
+    !> The number of bytes that pw85_hard_ellipsoids_save() writes.
+    function pw85_hard_ellipsoids_num_bytes(simulation) result(value) bind(C, name='pw85_hard_ellipsoids_num_bytes')
+      import
+      type(c_ptr), value :: simulation
+      integer(c_size_t) :: value
+    end function pw85_hard_ellipsoids_num_bytes
+
+    !> Writes the whole state of a simulation as bytes.
+    function pw85_hard_ellipsoids_save(simulation, num_bytes, bytes) result(status) bind(C, &
+      name='pw85_hard_ellipsoids_save')
+      import
+      integer(c_size_t), value :: num_bytes
+      type(c_ptr), value :: simulation
+      integer(c_int8_t), intent(out) :: bytes(num_bytes)
+      integer(c_int) :: status
+    end function pw85_hard_ellipsoids_save
+
+    !> Makes a simulation from the bytes of another, which it continues bit by bit.
+    function pw85_hard_ellipsoids_restore(num_bytes, bytes, simulation) result(status) bind(C, &
+      name='pw85_hard_ellipsoids_restore')
+      import
+      integer(c_size_t), value :: num_bytes
+      integer(c_int8_t), intent(in) :: bytes(num_bytes)
+      type(c_ptr), intent(out) :: simulation
+      integer(c_int) :: status
+    end function pw85_hard_ellipsoids_restore
+
+    !> Frees a simulation.
+    subroutine pw85_hard_ellipsoids_destroy(simulation) bind(C, name='pw85_hard_ellipsoids_destroy')
+      import
+      type(c_ptr), value :: simulation
+    end subroutine pw85_hard_ellipsoids_destroy
 
     !> pw85_ellipsoid_factor() for n ellipsoids.
     function pw85_ellipsoid_factor_batch(n, semi_axes, quaternions, s) result(status) bind(C, &

@@ -179,6 +179,7 @@ void test_texts()
     g_assert_cmpint(PW85_ECONVERGENCE, ==, 3);
     g_assert_cmpint(PW85_ENOMEM, ==, 4);
     g_assert_cmpint(PW85_EDEVICE, ==, 5);
+    g_assert_cmpint(PW85_EOVERLAP, ==, 6);
 #define CHECK_TEXT(c_name, cpp_name, value, text)                                                                      \
     g_assert_cmpint(c_name, ==, value);                                                                                \
     g_assert_cmpint(static_cast<int>(pw85::Status::cpp_name), ==, value);                                              \

@@ -20,6 +20,7 @@ class Status(enum.IntEnum):
     ECONVERGENCE = _core.STATUSES["ECONVERGENCE"]
     ENOMEM = _core.STATUSES["ENOMEM"]
     EDEVICE = _core.STATUSES["EDEVICE"]
+    EOVERLAP = _core.STATUSES["EOVERLAP"]
 
 
 class PW85Error(ValueError, ArithmeticError):

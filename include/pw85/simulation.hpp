@@ -1,0 +1,171 @@
+/// @file
+/// Monte Carlo of hard ellipsoids for C++. The members call the functions of the compiled library (link with pw85), and their contracts
+/// are those of pw85.h.
+#ifndef PW85_SIMULATION_HPP_INCLUDED
+#define PW85_SIMULATION_HPP_INCLUDED
+
+#include <memory>
+
+#include <pw85/batch.hpp>
+
+namespace pw85 {
+
+/// What changes of the volume do to the cell: see pw85_hard_ellipsoids_volume_moves().
+enum class CellChange { isotropic = PW85_CHANGE_ISOTROPIC, axis = PW85_CHANGE_AXIS, triclinic = PW85_CHANGE_TRICLINIC };
+
+/// The largest changes of a trial: see pw85_hard_ellipsoids_set_steps().
+struct TrialSteps {
+    double translation, rotation, volume;
+};
+
+/// The parts of the trials of a sweep: see pw85_hard_ellipsoids_set_fractions().
+struct TrialFractions {
+    double translation, rotation, both, exchange;
+};
+
+/// Numbers of trials, and how many of them were accepted: translations, rotations, both at once, exchanges, volume.
+struct TrialCounts {
+    std::array<std::int64_t, 5> trials, accepted;
+};
+
+/// A simulation and its memory; it can be moved, not copied.
+class HardEllipsoids {
+  public:
+    /// Null: functions refuse it.
+    HardEllipsoids() noexcept = default;
+    /// Takes ownership of a simulation of the C API, which may be null.
+    [[gnu::always_inline]] explicit HardEllipsoids(pw85_hard_ellipsoids *simulation) noexcept : simulation_(simulation)
+    {
+    }
+
+    [[gnu::always_inline]] Status sweep(std::size_t num_sweeps) noexcept
+    {
+        return static_cast<Status>(pw85_hard_ellipsoids_sweep(get(), num_sweeps));
+    }
+
+    [[gnu::always_inline]] Status volume_moves(std::size_t num_moves, double pressure,
+                                               CellChange change = CellChange::isotropic) noexcept
+    {
+        return static_cast<Status>(
+            pw85_hard_ellipsoids_volume_moves(get(), num_moves, pressure, static_cast<int>(change)));
+    }
+
+    /// @param pressure 0 for no trials of the volume
+    [[gnu::always_inline]] Status tune(std::size_t num_sweeps, double acceptance, double pressure = 0.0,
+                                       CellChange change = CellChange::isotropic) noexcept
+    {
+        return static_cast<Status>(
+            pw85_hard_ellipsoids_tune(get(), num_sweeps, acceptance, pressure, static_cast<int>(change)));
+    }
+
+    [[gnu::always_inline]] Status set_fractions(TrialFractions const &fractions) noexcept
+    {
+        double const all[4] = {fractions.translation, fractions.rotation, fractions.both, fractions.exchange};
+        return static_cast<Status>(pw85_hard_ellipsoids_set_fractions(get(), all));
+    }
+
+    [[gnu::always_inline]] Status set_steps(TrialSteps const &steps) noexcept
+    {
+        double const all[3] = {steps.translation, steps.rotation, steps.volume};
+        return static_cast<Status>(pw85_hard_ellipsoids_set_steps(get(), all));
+    }
+
+    /// NaN for a null simulation.
+    [[gnu::always_inline]] TrialSteps steps() const noexcept
+    {
+        double all[3];
+        static_cast<void>(pw85_hard_ellipsoids_steps(get(), all));
+        return {all[0], all[1], all[2]};
+    }
+
+    /// -1 for a null simulation.
+    [[gnu::always_inline]] TrialCounts counts() const noexcept
+    {
+        TrialCounts counts;
+        static_cast<void>(pw85_hard_ellipsoids_counts(get(), counts.trials.data(), counts.accepted.data()));
+        return counts;
+    }
+
+    /// @param[out] pair the first overlap, or -1
+    [[gnu::always_inline]] Status check(IndexPair &pair) const noexcept
+    {
+        return static_cast<Status>(pw85_hard_ellipsoids_check(get(), pair.data()));
+    }
+
+    /// Centres, forms and cell. They show the present state, and are valid as long as this object lives.
+    [[gnu::always_inline]] pw85_system system() const noexcept { return pw85_hard_ellipsoids_system(get()); }
+
+    /// Of length one; valid as long as system() is.
+    [[gnu::always_inline]] std::span<Vector<double, 4> const> quaternions() const noexcept
+    {
+        return {reinterpret_cast<Vector<double, 4> const *>(pw85_hard_ellipsoids_quaternions(get())),
+                system().num_particles};
+    }
+
+    /// Valid as long as system() is.
+    [[gnu::always_inline]] Vectors semi_axes() const noexcept
+    {
+        return {reinterpret_cast<Vector<double, 3> const *>(pw85_hard_ellipsoids_semi_axes(get())),
+                system().num_particles};
+    }
+
+    /// The length of the array that save() fills.
+    [[gnu::always_inline]] std::size_t num_bytes() const noexcept { return pw85_hard_ellipsoids_num_bytes(get()); }
+
+    [[gnu::always_inline]] Status save(std::span<unsigned char> bytes) const noexcept
+    {
+        return static_cast<Status>(pw85_hard_ellipsoids_save(get(), bytes.size(), bytes.data()));
+    }
+
+    [[gnu::always_inline]] pw85_hard_ellipsoids *get() const noexcept { return simulation_.get(); }
+
+  private:
+    struct Destroy {
+        [[gnu::always_inline]] void operator()(pw85_hard_ellipsoids *simulation) const noexcept
+        {
+            pw85_hard_ellipsoids_destroy(simulation);
+        }
+    };
+    std::unique_ptr<pw85_hard_ellipsoids, Destroy> simulation_;
+};
+
+/// Makes a simulation: see pw85_hard_ellipsoids_create().
+///
+/// @param particles centres and cell; the forms are not read
+/// @param semi_axes,quaternions one for each particle
+/// @param seed selects the random numbers
+/// @param[out] simulation null on error
+/// @param[out] pair the first overlap, or -1
+/// @return Status::success, Status::overlap, Status::invalid_argument, Status::not_positive_definite, Status::out_of_memory
+static inline Status hard_ellipsoids_create(Particles const &particles, Vectors semi_axes,
+                                            std::span<Vector<double, 4> const> quaternions, std::size_t seed,
+                                            HardEllipsoids &simulation, IndexPair &pair) noexcept
+{
+    simulation = HardEllipsoids();
+    pair = {-1, -1};
+    std::size_t const n = particles.centers.size();
+    if (semi_axes.size() != n || quaternions.size() != n) return Status::invalid_argument;
+    pw85_hard_ellipsoids *made = nullptr;
+    pw85_system const system = detail::in_c(particles);
+    int const status = pw85_hard_ellipsoids_create(&system, detail::in_c(semi_axes), detail::in_c(quaternions), seed,
+                                                   pair.data(), &made);
+    simulation = HardEllipsoids(made);
+    return static_cast<Status>(status);
+}
+
+/// Makes a simulation from saved bytes: see pw85_hard_ellipsoids_restore().
+///
+/// @param bytes from HardEllipsoids::save()
+/// @param[out] simulation null on error
+/// @return Status::success, Status::invalid_argument, Status::overlap, Status::not_positive_definite, Status::out_of_memory
+static inline Status hard_ellipsoids_restore(std::span<unsigned char const> bytes, HardEllipsoids &simulation) noexcept
+{
+    pw85_hard_ellipsoids *made = nullptr;
+    int const status = pw85_hard_ellipsoids_restore(bytes.size(), bytes.data(), &made);
+    simulation = HardEllipsoids(made);
+    return static_cast<Status>(status);
+}
+
+} // namespace pw85
+
+#endif
