@@ -5,6 +5,7 @@
 #include "compute_overlap.hpp"
 #include "fix_fire.hpp"
 #include "pair_contact.hpp"
+#include "pair_granular.hpp"
 
 #include <pw85/version.h>
 
@@ -19,7 +20,7 @@ template <class Style> Compute *create_compute(LAMMPS *lammps, int narg, char **
 
 Fix *create_fix(LAMMPS *lammps, int narg, char **arg) { return new pw85_lammps::FixFire(lammps, narg, arg); }
 
-Pair *create_pair(LAMMPS *lammps) { return new pw85_lammps::PairContact(lammps); }
+template <class Style> Pair *create_pair(LAMMPS *lammps) { return new Style(lammps); }
 
 /// The C interface of plugins, as published in lammpsplugin.h (which LAMMPS does not install).
 struct Plugin {
@@ -40,7 +41,8 @@ PW85_LAMMPS_API void pw85_lammps_register(void *lammps)
     (*lmp->modify->compute_map)["pw85/overlap"] = create_compute<pw85_lammps::ComputeOverlap>;
     (*lmp->modify->compute_map)["pw85/contact"] = create_compute<pw85_lammps::ComputeContact>;
     (*lmp->modify->fix_map)["pw85/fire"] = create_fix;
-    (*lmp->force->pair_map)["pw85/contact"] = create_pair;
+    (*lmp->force->pair_map)["pw85/contact"] = create_pair<pw85_lammps::PairContact>;
+    (*lmp->force->pair_map)["pw85/granular"] = create_pair<pw85_lammps::PairGranular>;
 }
 
 /// The entry point of `plugin load`. It states no version of LAMMPS, because the installed headers do not contain it.
@@ -56,6 +58,11 @@ PW85_LAMMPS_API void lammpsplugin_init(void *lammps, void *handle, void *registe
                    info,    author,    reinterpret_cast<void *>(create_compute<pw85_lammps::ComputeContact>),
                    handle};
     Plugin fire{nullptr, "fix", "pw85/fire", info, author, reinterpret_cast<void *>(create_fix), handle};
-    Plugin pair{nullptr, "pair", "pw85/contact", info, author, reinterpret_cast<void *>(create_pair), handle};
-    for (Plugin *plugin : {&overlap, &contact, &fire, &pair}) add(plugin, lammps);
+    Plugin soft{nullptr, "pair", "pw85/contact",
+                info,    author, reinterpret_cast<void *>(create_pair<pw85_lammps::PairContact>),
+                handle};
+    Plugin granular{nullptr, "pair", "pw85/granular",
+                    info,    author, reinterpret_cast<void *>(create_pair<pw85_lammps::PairGranular>),
+                    handle};
+    for (Plugin *plugin : {&overlap, &contact, &fire, &soft, &granular}) add(plugin, lammps);
 }
