@@ -66,68 +66,231 @@ def lattice(kind, edge, spacing, semi_axes, seed, speed=1.0, jitter=0.02):
                 quaternions, types, velocities, spins)
 
 
-STATE = "id x y z vx vy vz fx fy fz tqx tqy tqz"
-
-MOVE = """
+SETTINGS = """
 comm_modify vel yes
 neighbor 0.1 bin
 neigh_modify delay 0
 {pair}
 fix move all nve/{integrator}
-timestep {timestep}
-thermo 10
-thermo_style custom step pe ke press
-thermo_modify norm no format float %.17g
-dump state all custom {steps} state.txt {state}
+timestep 0.0005
+"""
+
+RUN = """
+dump state all custom {steps} state.txt id x y z vx vy vz fx fy fz tqx tqy tqz
 dump_modify state sort id format float %.17g
 run {steps}
 """
 
+# What comes before a run: the first half of the steps, and for two of them a restart, from a file that is written at the end of that
+# half, or in the middle of a longer run.
+FIRST_HALVES = {"": "", "pause": "run {steps}\n", "end": "run {steps}\nwrite_restart half.restart\n",
+                "middle": "restart {steps} half.restart.*\nrun $(2*{steps}-1)\n"}
+RESTART_FILES = {"end": "half.restart", "middle": "half.restart.{steps}"}
 
-def move(grains, pair, steps, ranks=1, newton="on", timestep=0.0005):
+
+def script(grains, pair, steps, newton, first_half=""):
+    style, integrator = ("sphere",) * 2 if isinstance(grains, Spheres) else ("ellipsoid", "asphere")
+    start = preamble(grains, newton).replace("atom_style ellipsoid", f"atom_style {style}")
+    settings = SETTINGS.format(pair=pair, integrator=integrator)
+    commands = start + settings + FIRST_HALVES[first_half].format(steps=steps)
+    if first_half in RESTART_FILES:
+        commands += (f"clear\nnewton {newton}\ninclude {os.environ['PW85_LAMMPS_INCLUDE']}\n"
+                     f"read_restart {RESTART_FILES[first_half].format(steps=steps)}\n" + settings)
+    return commands + RUN.format(steps=steps)
+
+
+def move(grains, pair, steps, ranks=1, newton="on", first_half=""):
     """The state of all grains before and after a run."""
-    start = preamble(grains, newton)
-    if isinstance(grains, Spheres):
-        start = start.replace("atom_style ellipsoid", "atom_style sphere")
-    script = start + MOVE.format(pair=pair, integrator="sphere" if isinstance(grains, Spheres) else "asphere",
-                                 timestep=timestep, steps=steps, state=STATE)
-    return run(script, grains, ranks, ("state.txt",))[1][0]
+    return run(script(grains, pair, steps, newton, first_half), grains, ranks, ("state.txt",))[1][0]
 
 
-SIZES = [[0.5, 0.5, 0.5], [0.52, 0.52, 0.52]]
+def granular(law, style="", types="* *"):
+    return f"pair_style pw85/granular {style}\npair_coeff {types} {law}"
 
 
 class SpheresAsLammps(unittest.TestCase):
     """Each style of LAMMPS, and the same law here."""
 
-    LAWS = {
-        "gran/hooke/history 10000 4000 20 10 0.4 1\npair_coeff * *":
-            "arms surface\npair_coeff * * hooke 10000 20 damping mass_velocity tangential linear_history 4000 0.5 0.4",
-        "gran/hertz/history 100000 80000 200 100 0.5 1\npair_coeff * *":
-            "arms surface\npair_coeff * * hertz 100000 200 tangential mindlin 80000 0.5 0.5",
-    }
+    HOOKE = ("pair_style gran/hooke/history 10000 4000 20 10 0.4 1\npair_coeff * *",
+             granular("hooke 10000 20 damping mass_velocity tangential linear_history 4000 0.5 0.4", "arms surface"))
+    HERTZ = ("pair_style gran/hertz/history 100000 80000 200 100 0.5 1\npair_coeff * *",
+             granular("hertz 100000 200 tangential mindlin 80000 0.5 0.5", "arms surface"))
 
     # A depth has an error of some u = 1e-16 times the distance of the centres, 1. The stiffest force grows by less than 2e4 for each unit
-    # of depth and is some 200, so that it errs by some 1e-14. It grows along the trajectory.
+    # of depth and is some 200, so that it errs by some 1e-14. The errors grow along the trajectory.
     forces, trajectory = 1e-12, 1e-9
 
-    def check(self, theirs, ours, ranks, newton="on"):
-        spheres = lattice(Spheres, 4, 1.0, SIZES, 5)
-        grains = Grains(**vars(spheres))
-        expected = move(spheres, f"pair_style {theirs}", 200)
-        found = move(grains, f"pair_style pw85/granular {ours}", 200, ranks, newton)
-        self.assertGreater(np.count_nonzero(np.abs(expected[0][:, 7:10]).max(axis=1)), 40, "hardly any contacts")
-        for k, tolerance in ((0, self.forces), (-1, self.trajectory)):
-            for columns in (slice(1, 4), slice(4, 7), slice(7, 10), slice(10, 13)):
-                scale = np.abs(expected[k][:, columns]).max()
-                np.testing.assert_allclose(found[k][:, columns], expected[k][:, columns], rtol=0, atol=tolerance * scale,
-                                           err_msg=f"{theirs} {ranks} {newton} {k} {columns}")
+    def spheres(self, still=False):
+        """Spheres of two sizes that collide, and fly through the box together, so that they change their processor."""
+        spheres = lattice(Spheres, 4, 1.0, [[0.5, 0.5, 0.5], [0.52, 0.52, 0.52]], 5)
+        spins = 0.0 * spheres.spins if still else spheres.spins
+        return dataclasses.replace(spheres, velocities=spheres.velocities + [20.0, 13.0, -7.0], spins=spins)
 
-    def test_gran(self):
-        for theirs, ours in self.LAWS.items():
-            for ranks, newton in ((1, "on"), (2, "on"), (2, "off")):
-                with self.subTest(theirs=theirs, ranks=ranks, newton=newton):
-                    self.check(theirs, ours, ranks, newton)
+    def compare(self, found, expected, tolerance, name):
+        cell = np.diag(self.spheres().cell)
+        found, expected = found.copy(), expected.copy()
+        found[:, 1:4] -= cell * np.round((found[:, 1:4] - expected[:, 1:4]) / cell)
+        for columns in (slice(1, 4), slice(4, 7), slice(7, 10), slice(10, 13)):
+            scale = np.abs(expected[:, columns]).max()
+            np.testing.assert_allclose(found[:, columns], expected[:, columns], rtol=0, atol=tolerance * scale, err_msg=name)
+
+    def check(self, laws, *runs, first_half=""):
+        spheres = self.spheres()
+        expected = move(spheres, laws[0], 200, first_half="pause" if first_half else "")
+        self.assertGreater(np.count_nonzero(np.abs(expected[0][:, 7:10]).max(axis=1)), 40, "hardly any contacts")
+        for ranks, newton in runs:
+            found = move(Grains(**vars(spheres)), laws[1], 200, ranks, newton, first_half)
+            name = f"{laws[1]} {ranks} {newton} {first_half}"
+            self.compare(found[0], expected[0], self.trajectory if first_half else self.forces, name)
+            self.compare(found[-1], expected[-1], self.trajectory, name)
+
+    def test_hooke(self):
+        self.check(self.HOOKE, (1, "on"), (2, "off"))
+
+    def test_hertz(self):
+        self.check(self.HERTZ, (1, "on"), (2, "on"))
+
+    def test_restart(self):
+        """After a restart, spheres move as in a run of LAMMPS's own style that has only paused."""
+        self.check(self.HOOKE, (2, "on"), first_half="end")
+        self.check(self.HERTZ, (2, "on"), first_half="middle")
+
+    def test_materials(self):
+        """Forces without spin and without springs do not depend on the arms, which pair_style granular mixes."""
+        spheres = self.spheres(still=True)
+        for law in ("hertz/material 200000 0.7 0.3 damping tsuji tangential linear_history 1000 0.6 0.5",
+                    "hertz/material 200000 40 0.2 tangential mindlin NULL 0.6 0.5 damping velocity",
+                    "hooke 5000 0.5 damping tsuji tangential linear_history 1000 1.0 0.3 limit_damping"):
+            expected = move(spheres, f"pair_style granular\npair_coeff * * {law}", 1)[0]
+            self.compare(move(Grains(**vars(spheres)), granular(law), 1)[0], expected, self.forces, law)
+
+    def test_mixing(self):
+        """Moduli of unlike materials are those of Hertz's theory; other constants are geometric means."""
+        grains = Grains(**vars(self.spheres()))
+        materials = "hertz/material 200000 40 0.3", "hertz/material 600000 90 0.2"
+        modulus = 1.0 / ((1.0 - 0.3**2) / 200000 + (1.0 - 0.2**2) / 600000)
+        like = "".join(f"\npair_coeff {k} {k} {law}" for k, law in enumerate(materials, 1))
+        found = move(grains, "pair_style pw85/granular" + like, 1)[0]
+        unlike = f"\npair_coeff 1 2 hertz {4.0 / 3.0 * modulus:.17g} 60"
+        self.compare(found, move(grains, "pair_style pw85/granular" + like + unlike, 1)[0], self.forces, unlike)
+
+    def test_mindlin_by_material(self):
+        """8 G* of two equal bodies is 4 G/(2 - ν) = 2 E/((1 + ν)(2 - ν))."""
+        grains = Grains(**vars(self.spheres()))
+        law = "hertz/material 200000 40 0.3 damping velocity tangential mindlin {} 0.6 0.5"
+        found = move(grains, granular(law.format("NULL")), 20)[-1]
+        self.compare(found, move(grains, granular(law.format(2 * 200000 / (1.3 * 1.7))), 20)[-1], self.forces, law)
+
+
+# Ellipsoids with axis ratios up to 3, prolate, oblate and triaxial, of two sizes.
+SHAPES = [[0.5, 0.5, 0.75], [0.7, 0.65, 0.3], [0.25, 0.25, 0.4]]
+
+
+def cloud(seed=7, speed=1.0, edge=4, spacing=1.1):
+    """Ellipsoids in the middle of a box that is so large that none reaches its walls."""
+    grains = lattice(Grains, edge, spacing, SHAPES, seed, speed)
+    inward = -speed * (grains.centers / spacing - 0.5 * edge)  # so that they collide
+    return dataclasses.replace(grains, cell=3.0 * grains.cell, centers=grains.centers + grains.cell.sum(axis=0),
+                               velocities=grains.velocities + inward)
+
+
+ENERGY = """
+compute spin all erotate/asphere
+compute mass all property/atom mass
+compute momenta all property/atom angmomx angmomy angmomz
+variable px atom c_mass*vx
+variable py atom c_mass*vy
+variable pz atom c_mass*vz
+variable lx atom c_mass*(y*vz-z*vy)+c_momenta[1]
+variable ly atom c_mass*(z*vx-x*vz)+c_momenta[2]
+variable lz atom c_mass*(x*vy-y*vx)+c_momenta[3]
+compute sums all reduce sum v_px v_py v_pz v_lx v_ly v_lz
+variable total equal pe+ke+c_spin
+comm_modify vel yes
+neighbor 0.1 bin
+neigh_modify delay 0
+{pair}
+fix move all nve/asphere
+timestep {timestep:.17g}
+thermo {every}
+thermo_style custom step v_total pe ke c_sums[*]
+thermo_modify norm no format float %.17g
+run {steps}
+"""
+
+
+def energies(grains, law, timestep, steps, every, ranks=1, newton="on"):
+    """Rows of the total energy, the potential and the kinetic one, the momentum and the angular momentum."""
+    commands = ENERGY.format(pair=granular(law), timestep=timestep, steps=steps, every=every)
+    return thermo(run(preamble(grains, newton) + commands, grains, ranks)[0])[:, 1:]
+
+
+class Conservation(unittest.TestCase):
+    def test_energy_without_damping(self):
+        """The law hooke has an energy, which Verlet's method keeps up to the square of the time step."""
+        errors = []
+        for timestep in (0.001, 0.0005):
+            total, potential = energies(cloud(), "hooke 2000 0", timestep, round(0.5 / timestep), 10).T[:2]
+            self.assertGreater(np.ptp(potential), 0.1 * total[0], "hardly any contacts")
+            errors.append(np.abs(total - total[0]).max() / total[0])
+        print(f"relative error of the energy for time steps 0.001, 0.0005: {errors}")
+        self.assertLess(errors[1], 1e-3)
+        self.assertGreater(errors[0] / errors[1], 3.0, errors)
+
+    def test_momenta(self):
+        """Momentum and angular momentum are kept to rounding, whatever the law."""
+        for law, ranks in (("hooke 2000 30 damping mass_velocity tangential linear_history 1000 0.5 0.5", 1),
+                           ("hertz 20000 30 tangential mindlin 10000 0.5 0.5", 2)):
+            rows = energies(cloud(), law, 0.0005, 400, 40, ranks)
+            self.assertLess(rows[-1, 0], 0.8 * rows[0, 0], "hardly any damping")
+            # Each of 400 steps adds rounding errors of the sums of 64 terms, u 64 times their largest one, of some units of momentum and
+            # some tens of units of angular momentum: some 3e-12 and 3e-11.
+            np.testing.assert_allclose(rows[:, 3:6], rows[:1, 3:6].repeat(len(rows), axis=0), rtol=0, atol=3e-12, err_msg=law)
+            np.testing.assert_allclose(rows[:, 6:9], rows[:1, 6:9].repeat(len(rows), axis=0), rtol=0, atol=3e-11, err_msg=law)
+
+    def test_damping_takes_energy(self):
+        """Damping and friction without springs take energy in every step, up to the error of Verlet's method."""
+        total = energies(cloud(), "hooke 2000 10 tangential linear_nohistory 0.5 0.3 damping mass_velocity", 0.0002, 1000, 10)[:, 0]
+        self.assertLess(total[-1], 0.8 * total[0])
+        self.assertLess(np.diff(total).max(), 1e-5 * total[0])
+
+
+class Errors(unittest.TestCase):
+    START = "comm_modify vel yes\npair_style pw85/granular"
+    LAW = "\npair_coeff * * hooke 1000 0"
+
+    def check(self, commands, *words, grains=None):
+        grains = grains or lattice(Grains, 2, 2.0, SHAPES[:2], 3)
+        text = failure(preamble(grains) + commands + "\nrun 1\n", grains)
+        for word in words: self.assertIn(word, text)
+
+    def test_words(self):
+        for law, words in (("hooke 1000", ("lacks damping",)),
+                           ("hooke -1 0", ("bad stiffness: -1",)),
+                           ("jkr 1000 0", ("unknown normal law jkr", "hertz, hertz/material, hooke")),
+                           ("hertz/material 1000 0 0.6", ("bad Poisson's ratio: 0.6",)),
+                           ("hertz 1000 0 tangential mindlin NULL 1 0.5", ("needs hertz/material",)),
+                           ("hooke 1000 2 damping tsuji", ("coefficient of restitution above 1",)),
+                           ("hooke 1000 0 rolling sds", ("unknown keyword rolling",))):
+            self.check(f"{self.START}\npair_coeff * * {law}", *words)
+
+    def test_system(self):
+        self.check("pair_style pw85/granular" + self.LAW, "use comm_modify vel yes")
+        self.check(f"{self.START} 1.0{self.LAW}", "the pair cutoff 1 of types 1 and 1 misses contacts", "to 1.5 or more")
+        self.check(f"{self.START}{self.LAW}\nset atom 3 shape 0 0 0", "atom 3 has no shape", "set ... shape")
+        self.check(f"{self.START}\npair_coeff 1 1 hooke 1 0\npair_coeff 2 2 hertz 1 0", "add pair_coeff 1 2")
+
+    def test_depth(self):
+        deep = lattice(Grains, 2, 2.0, SHAPES[:2], 3)
+        deep.centers[1] = deep.centers[0] + [0.01, 0.0, 0.0]
+        self.check(self.START + self.LAW, "atom 1 and atom 2 overlap more than the law of force allows", "fix pw85/fire", grains=deep)
+
+    def test_time_step(self):
+        """The mass of two grains with semi-axes 0.5, 0.5 and 0.75 is half of their own; the limit is 0.2 √(m/k)."""
+        near = lattice(Grains, 2, 0.95, SHAPES[:1], 3, jitter=0.0)
+        text, _ = run(preamble(near) + f"{self.START}{self.LAW}\ntimestep 0.1\nfix move all nve/asphere\nrun 1\n", near)
+        limit = 0.2 * np.sqrt(0.5 * near.masses[0] / 1000.0)
+        self.assertIn(f"the time step is too long for the stiffest contact: use timestep {limit:.5f}"[:-1], text)
 
 
 if __name__ == "__main__":
