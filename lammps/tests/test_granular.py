@@ -91,6 +91,8 @@ RESTART_FILES = {"end": "half.restart", "middle": "half.restart.{steps}"}
 def script(grains, pair, steps, newton, first_half=""):
     style, integrator = ("sphere",) * 2 if isinstance(grains, Spheres) else ("ellipsoid", "asphere")
     start = preamble(grains, newton).replace("atom_style ellipsoid", f"atom_style {style}")
+    if "zplane" in pair:
+        start = start.replace("boundary p p p", "boundary p p f")
     settings = SETTINGS.format(pair=pair, integrator=integrator)
     commands = start + settings + FIRST_HALVES[first_half].format(steps=steps)
     if first_half in RESTART_FILES:
@@ -108,13 +110,8 @@ def granular(law, style="", types="* *"):
     return f"pair_style pw85/granular {style}\npair_coeff {types} {law}"
 
 
-class SpheresAsLammps(unittest.TestCase):
-    """Each style of LAMMPS, and the same law here."""
-
-    HOOKE = ("pair_style gran/hooke/history 10000 4000 20 10 0.4 1\npair_coeff * *",
-             granular("hooke 10000 20 damping mass_velocity tangential linear_history 4000 0.5 0.4", "arms surface"))
-    HERTZ = ("pair_style gran/hertz/history 100000 80000 200 100 0.5 1\npair_coeff * *",
-             granular("hertz 100000 200 tangential mindlin 80000 0.5 0.5", "arms surface"))
+class AgainstLammps:
+    """Spheres, by a style of LAMMPS and by the same law here."""
 
     # A depth has an error of some u = 1e-16 times the distance of the centres, 1. The stiffest force grows by less than 2e4 for each unit
     # of depth and is some 200, so that it errs by some 1e-14. The errors grow along the trajectory.
@@ -155,6 +152,13 @@ class SpheresAsLammps(unittest.TestCase):
         self.check(self.HOOKE, (2, "on"), first_half="end")
         self.check(self.HERTZ, (2, "on"), first_half="middle")
 
+
+class Pairs(AgainstLammps, unittest.TestCase):
+    HOOKE = ("pair_style gran/hooke/history 10000 4000 20 10 0.4 1\npair_coeff * *",
+             granular("hooke 10000 20 damping mass_velocity tangential linear_history 4000 0.5 0.4", "arms surface"))
+    HERTZ = ("pair_style gran/hertz/history 100000 80000 200 100 0.5 1\npair_coeff * *",
+             granular("hertz 100000 200 tangential mindlin 80000 0.5 0.5", "arms surface"))
+
     def test_materials(self):
         """Forces without spin and without springs do not depend on the arms, which pair_style granular mixes."""
         spheres = self.spheres(still=True)
@@ -180,6 +184,25 @@ class SpheresAsLammps(unittest.TestCase):
         law = "hertz/material 200000 40 0.3 damping velocity tangential mindlin {} 0.6 0.5"
         found = move(grains, granular(law.format("NULL")), 20)[-1]
         self.compare(found, move(grains, granular(law.format(2 * 200000 / (1.3 * 1.7))), 20)[-1], self.forces, law)
+
+
+class Walls(AgainstLammps, unittest.TestCase):
+    """Spheres between planes, as in LAMMPS's own fix wall/gran."""
+
+    HOOKE = tuple(pair + wall for pair, wall in zip(Pairs.HOOKE, (
+        "\nfix wall all wall/gran hooke/history 20000 8000 30 15 0.3 1 zplane 0.05 3.95 shear x 3.0",
+        "\nfix wall all wall/pw85 zplane 0.05 3.95 shear x 3.0 arms surface law "
+        "hooke 20000 30 damping mass_velocity tangential linear_history 8000 0.5 0.3"), strict=True))
+    HERTZ = tuple(pair + wall for pair, wall in zip(Pairs.HERTZ, (
+        "\nfix wall all wall/gran hertz/history 200000 80000 300 150 0.3 1 zplane 0.05 NULL wiggle z 0.02 0.13"
+        "\nfix top all wall/gran hertz/history 200000 80000 300 150 0.3 1 zplane NULL 3.95",
+        "\nfix wall all wall/pw85 zplane 0.05 NULL wiggle z 0.02 0.13 arms surface law "
+        "hertz 200000 300 tangential mindlin 80000 0.5 0.3"
+        "\nfix top all wall/pw85 zplane NULL 3.95 arms surface law hertz 200000 300 tangential mindlin 80000 0.5 0.3"), strict=True))
+
+    def spheres(self, still=False):
+        spheres = super().spheres(still)
+        return dataclasses.replace(spheres, velocities=spheres.velocities + [0.0, 0.0, 7.0])
 
 
 # Ellipsoids with axis ratios up to 3, prolate, oblate and triaxial, of two sizes.
