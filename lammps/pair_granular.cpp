@@ -154,6 +154,7 @@ void PairGranular::compute(int eflag, int vflag)
             ellipsoids_->require_cutoff(t, u, std::sqrt(cutsq[t][u]), reach);
     });
     forward_to_ghosts(*comm, this);
+    find_spins();
     timestep_ = update->setupflag ? 0.0 : update->dt;
     fastest_ = 0.0;
     history_->start_step();
@@ -209,8 +210,16 @@ Encounter PairGranular::meet(int i, int j, GrainGeometry const &g) const
 /// The velocity of the point of a grain that is at `arm` from its centre.
 Vector PairGranular::velocity(int i, Vector const &arm) const
 {
-    Vector const w = without_inertia(atom->rmass[i], ellipsoids_->form(i), vector(atom->angmom[i]));
-    return vector(atom->v[i]) + cross(w, arm);
+    return vector(atom->v[i]) + cross(spins_[static_cast<std::size_t>(i)], arm);
+}
+
+void PairGranular::find_spins()
+{
+    spins_.resize(static_cast<std::size_t>(atom->nlocal + atom->nghost));
+    for (int i = 0; i < atom->nlocal + atom->nghost; ++i)
+        if (ellipsoids_->selected(i))
+            spins_[static_cast<std::size_t>(i)] =
+                without_inertia(atom->rmass[i], ellipsoids_->form(i), vector(atom->angmom[i]));
 }
 
 void PairGranular::apply(int i, Vector const &push, Vector const &torque)

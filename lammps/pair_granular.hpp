@@ -49,6 +49,7 @@ class PairGranular final : public LAMMPS_NS::Pair {
     void add_pair(std::size_t k, int eflag);
     Encounter meet(int i, int j, GrainGeometry const &g) const;
     Vector velocity(int i, Vector const &arm) const;
+    void find_spins();
     void apply(int i, Vector const &push, Vector const &torque);
     bool is_frozen(int i) const { return (atom->mask[i] & frozen_) != 0; }
     void check_timestep();
@@ -64,6 +65,7 @@ class PairGranular final : public LAMMPS_NS::Pair {
     ContactHistory *history_ = nullptr;
     PairBatch batch_;
     std::vector<double> normals_; ///< of the pairs of a batch that overlap
+    std::vector<Vector> spins_;   ///< angular velocities of owned atoms and ghosts
     double timestep_ = 0.0;       ///< for springs: zero while a run is set up
     double fastest_ = 0.0;        ///< largest stiffness over mass of a contact in this step
     int frozen_ = 0;              ///< bit of the group of fix freeze

@@ -228,11 +228,12 @@ variable lx atom c_mass*(y*vz-z*vy)+c_momenta[1]
 variable ly atom c_mass*(z*vx-x*vz)+c_momenta[2]
 variable lz atom c_mass*(x*vy-y*vx)+c_momenta[3]
 compute sums all reduce sum v_px v_py v_pz v_lx v_ly v_lz
-variable total equal pe+ke+c_spin
 comm_modify vel yes
 neighbor 0.1 bin
 neigh_modify delay 0
 {pair}
+{walls}
+variable total equal pe+ke+c_spin{wall_energy}
 fix move all nve/asphere
 timestep {timestep:.17g}
 thermo {every}
@@ -242,10 +243,12 @@ run {steps}
 """
 
 
-def energies(grains, law, timestep, steps, every, ranks=1, newton="on"):
+def energies(grains, law, timestep, steps, every, ranks=1, walls=()):
     """Rows of the total energy, the potential and the kinetic one, the momentum and the angular momentum."""
-    commands = ENERGY.format(pair=granular(law), timestep=timestep, steps=steps, every=every)
-    return thermo(run(preamble(grains, newton) + commands, grains, ranks)[0])[:, 1:]
+    fixes = "\n".join(f"fix wall{k} all wall/pw85 {wall} law {law}" for k, wall in enumerate(walls))
+    commands = ENERGY.format(pair=granular(law), timestep=timestep, steps=steps, every=every, walls=fixes,
+                             wall_energy="".join(f"+f_wall{k}" for k in range(len(walls))))
+    return thermo(run(preamble(grains) + commands, grains, ranks)[0])[:, 1:]
 
 
 class Conservation(unittest.TestCase):
@@ -257,6 +260,19 @@ class Conservation(unittest.TestCase):
             self.assertGreater(np.ptp(potential), 0.1 * total[0], "hardly any contacts")
             errors.append(np.abs(total - total[0]).max() / total[0])
         print(f"relative error of the energy for time steps 0.001, 0.0005: {errors}")
+        self.assertLess(errors[1], 1e-3)
+        self.assertGreater(errors[0] / errors[1], 3.0, errors)
+
+    def test_energy_between_walls(self):
+        """Ellipsoids that bounce between planes, and hit each other."""
+        box = dataclasses.replace(lattice(Grains, 3, 1.5, SHAPES, 9, speed=3.0), periodic=False)
+        walls = [f"{axis}plane 0 4.5" for axis in "xyz"]
+        errors = []
+        for timestep in (0.0006, 0.0003):
+            rows = energies(box, "hooke 3000 0", timestep, round(1.2 / timestep), 20, ranks=2, walls=walls)
+            errors.append(np.abs(rows[:, 0] - rows[0, 0]).max() / rows[0, 0])
+        self.assertGreater(np.ptp(rows[:, 3:6]), 1.0, "the walls are hardly hit")
+        print(f"between walls, time steps 0.0006, 0.0003: {errors}")
         self.assertLess(errors[1], 1e-3)
         self.assertGreater(errors[0] / errors[1], 3.0, errors)
 
