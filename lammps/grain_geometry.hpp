@@ -33,10 +33,10 @@ struct PlaneMatrix {
 
 /// The common normal of two ellipsoids that overlap slightly.
 ///
-/// The overlap along a unit vector n is δ(n) = √(n·Q1n) + √(n·Q2n) - n·r12. The normal is the stationary point of δ near the normal of
-/// the contact function. There, the points p1 = Q1n/√(n·Q1n) and r12 - Q2n/√(n·Q2n) are on both surfaces and δ n apart. A translation
-/// or rotation of a body changes δ only by its explicit dependence on r12, Q1 and Q2, because δ is stationary in n. So the forces and
-/// torques of an energy U(δ) are those of the force U′(δ) n between these points, and the energy is conserved.
+/// The overlap along a unit vector n is δ(n) = √(n·Q1n) + √(n·Q2n) - n·r12. The normal is the stationary point of δ near the
+/// normal of the contact function. There, the points p1 = Q1n/√(n·Q1n) and r12 - Q2n/√(n·Q2n) are on both surfaces and δ n apart.
+/// A translation or rotation of a body changes δ only by its explicit dependence on r12, Q1 and Q2, because δ is stationary in n.
+/// So the forces and torques of an energy U(δ) are those of the force U′(δ) n between these points, and the energy is conserved.
 ///
 /// @param normal unit vector from which the search starts
 /// @return whether δ has a minimum there. It has one if the depth is below the least sum of radii of curvature.

@@ -24,7 +24,8 @@ def processor_time(include, style, edge, steps):
         command += ["-var", name, str(value)]
     process = subprocess.Popen(command, env={**os.environ, "OMP_NUM_THREADS": "1"}, stdout=subprocess.DEVNULL)
     _, status, usage = os.wait4(process.pid, 0)
-    if status: raise RuntimeError(f"LAMMPS failed: {' '.join(command)}")
+    if status:
+        raise RuntimeError(f"LAMMPS failed: {' '.join(command)}")
     return usage.ru_utime
 
 

@@ -301,7 +301,8 @@ class Errors(unittest.TestCase):
     def check(self, commands, *words, grains=None):
         grains = grains or lattice(Grains, 2, 2.0, SHAPES[:2], 3)
         text = failure(preamble(grains) + commands + "\nrun 1\n", grains)
-        for word in words: self.assertIn(word, text)
+        for word in words:
+            self.assertIn(word, text)
 
     def test_words(self):
         for law, words in (("hooke 1000", ("lacks damping",)),
