@@ -269,7 +269,7 @@ class Conservation(unittest.TestCase):
         walls = [f"{axis}plane 0 4.5" for axis in "xyz"]
         errors = []
         for timestep in (0.0006, 0.0003):
-            rows = energies(box, "hooke 3000 0", timestep, round(1.2 / timestep), 20, ranks=2, walls=walls)
+            rows = energies(box, "hooke 3000 0", timestep, round(0.6 / timestep), 20, walls=walls)
             errors.append(np.abs(rows[:, 0] - rows[0, 0]).max() / rows[0, 0])
         self.assertGreater(np.ptp(rows[:, 3:6]), 1.0, "the walls are hardly hit")
         print(f"between walls, time steps 0.0006, 0.0003: {errors}")
@@ -289,9 +289,34 @@ class Conservation(unittest.TestCase):
 
     def test_damping_takes_energy(self):
         """Damping and friction without springs take energy in every step, up to the error of Verlet's method."""
-        total = energies(cloud(), "hooke 2000 10 tangential linear_nohistory 0.5 0.3 damping mass_velocity", 0.0002, 1000, 10)[:, 0]
+        total = energies(cloud(), "hooke 2000 10 tangential linear_nohistory 0.5 0.3 damping mass_velocity", 0.0004, 400, 10)[:, 0]
         self.assertLess(total[-1], 0.8 * total[0])
         self.assertLess(np.diff(total).max(), 1e-5 * total[0])
+
+
+class Shapes(unittest.TestCase):
+    LAW = "hertz 50000 0"
+
+    def forces(self, places, walls=""):
+        """The forces on grains with semi-axes 0.4, 0.4 and 0.8, upright, at these heights."""
+        count = len(places)
+        centers = np.array([[2.0, 2.0, z] for z in places])
+        upright = np.tile([1.0, 0.0, 0.0, 0.0], (count, 1))
+        grains = Grains(np.diag([4.0, 4.0, 8.0]), True, centers, np.tile([0.4, 0.4, 0.8], (count, 1)), upright,
+                        np.ones(count, dtype=int), np.zeros((count, 3)), np.zeros((count, 3)))
+        return move(grains, granular(self.LAW) + walls, 1)[0][:, 7:10]
+
+    def test_closed_forms(self):
+        """The tip of a spheroid has the radius of curvature 0.4²/0.8; for two of them, R is half of that."""
+        depth, radius = 0.01, 0.2
+        pair = 50000 * np.sqrt(0.5 * radius * depth) * depth
+        wall = 50000 * np.sqrt(radius * depth) * depth
+        found = self.forces([3.0, 4.6 - depth])
+        # The depth has an error of some u 4.6, a fraction of 1e-13 of itself, and its power 3/2 half as much again.
+        np.testing.assert_allclose(found, [[0.0, 0.0, -pair], [0.0, 0.0, pair]], rtol=0, atol=1e-12 * pair)
+        for lower, height, sign in (("1.0 NULL", 1.8 - depth, 1.0), ("NULL 7.0", 6.2 + depth, -1.0)):
+            found = self.forces([height], f"\nfix wall all wall/pw85 zplane {lower} law {self.LAW}")
+            np.testing.assert_allclose(found, [[0.0, 0.0, sign * wall]], rtol=0, atol=1e-12 * wall)
 
 
 class Errors(unittest.TestCase):
@@ -319,6 +344,17 @@ class Errors(unittest.TestCase):
         self.check(f"{self.START} 1.0{self.LAW}", "the pair cutoff 1 of types 1 and 1 misses contacts", "to 1.5 or more")
         self.check(f"{self.START}{self.LAW}\nset atom 3 shape 0 0 0", "atom 3 has no shape", "set ... shape")
         self.check(f"{self.START}\npair_coeff 1 1 hooke 1 0\npair_coeff 2 2 hertz 1 0", "add pair_coeff 1 2")
+
+    def test_walls(self):
+        start = self.START + self.LAW + "\nfix wall all wall/pw85 "
+        law = "law hooke 1000 0"
+        for words, message in ((f"zcylinder 1.0 2.0 {law}", "unknown wall zcylinder"),
+                               (f"zplane 0.0 NULL shear z 1.0 {law}", "shear must be along the wall"),
+                               (f"zplane 0.0 NULL wiggle z 1.0 0.0 {law}", "the period must be positive"),
+                               ("zplane 0.0 NULL law hooke 1000 x", "Expected floating point parameter"),
+                               ("zplane 0.0 NULL law hertz 1000", "fix wall/pw85: the law of force lacks damping"),
+                               (f"zplane 0.0 NULL {law}", "the box is periodic across the wall")):
+            self.check(start + words, message)
 
     def test_depth(self):
         deep = lattice(Grains, 2, 2.0, SHAPES[:2], 3)
