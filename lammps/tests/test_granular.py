@@ -96,6 +96,8 @@ def script(grains, pair, steps, newton, first_half=""):
     settings = SETTINGS.format(pair=pair, integrator=integrator)
     commands = start + settings + FIRST_HALVES[first_half].format(steps=steps)
     if first_half in RESTART_FILES:
+        # With newton off, a contact is looked up by the other atom, too.
+        newton = "off" if first_half == "middle" else newton
         commands += (f"clear\nnewton {newton}\ninclude {os.environ['PW85_LAMMPS_INCLUDE']}\n"
                      f"read_restart {RESTART_FILES[first_half].format(steps=steps)}\n" + settings)
     return commands + RUN.format(steps=steps)
