@@ -265,6 +265,13 @@ class Conservation(unittest.TestCase):
         self.assertLess(errors[1], 1e-3)
         self.assertGreater(errors[0] / errors[1], 3.0, errors)
 
+    def test_energy_of_hertz(self):
+        """The force leaves out how R changes during a contact, a part of the order of the depth over R."""
+        total, potential = energies(cloud(spacing=1.35), "hertz 50000 0", 0.0005, 800, 20).T[:2]
+        error = np.abs(total - total[0]).max() / total[0]
+        print(f"hertz: the springs hold up to {potential.max() / total[0]} of the energy, which changes by {error}")
+        self.assertLess(error, 0.2 * potential.max() / total[0])
+
     def test_energy_between_walls(self):
         """Ellipsoids that bounce between planes, and hit each other."""
         box = dataclasses.replace(lattice(Grains, 3, 1.5, SHAPES, 9, speed=3.0), periodic=False)
