@@ -16,6 +16,13 @@ namespace {
 constexpr double last_step = 0x1p-20;
 constexpr int max_steps = 30;
 
+/// A symmetric matrix on the tangent plane.
+struct PlaneMatrix {
+    double xx, xy, yy;
+
+    double determinant() const { return xx * yy - xy * xy; }
+};
+
 /// The highest point of an ellipsoid along a unit vector, and its height h = √(n·Qn).
 struct Support {
     double height;

@@ -24,13 +24,6 @@ struct GrainGeometry {
     }
 };
 
-/// A symmetric matrix on the tangent plane.
-struct PlaneMatrix {
-    double xx, xy, yy;
-
-    double determinant() const { return xx * yy - xy * xy; }
-};
-
 /// The common normal of two ellipsoids that overlap slightly.
 ///
 /// The overlap along a unit vector n is δ(n) = √(n·Q1n) + √(n·Q2n) - n·r12. The normal is the stationary point of δ near the
