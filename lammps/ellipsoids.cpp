@@ -153,7 +153,12 @@ void Ellipsoids::refuse(int i, std::string const &reason) const
 
 void Ellipsoids::refuse_pair(int i, int j, int status) const
 {
-    refuse(i, "and atom " + std::to_string(atom->tag[j]) + " have no contact function: " + pw85_strerror(status));
+    refuse_pair(i, j, std::string("have no contact function: ") + pw85_strerror(status));
+}
+
+void Ellipsoids::refuse_pair(int i, int j, std::string const &reason) const
+{
+    refuse(i, "and atom " + std::to_string(atom->tag[j]) + " " + reason);
 }
 
 double Ellipsoids::bytes() const

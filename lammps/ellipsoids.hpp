@@ -100,6 +100,9 @@ class Ellipsoids : protected LAMMPS_NS::Pointers {
     /// Stops the run because of a pair for which the library returned an error.
     [[noreturn]] void refuse_pair(int i, int j, int status) const;
 
+    /// Stops the run because of a pair for the given reason, which follows the names of both atoms.
+    [[noreturn]] void refuse_pair(int i, int j, std::string const &reason) const;
+
     double bytes() const;
 
   private:

@@ -2,6 +2,8 @@
 // fix pw85/fire: it changes momenta and time step at the end of each step; fix nve/asphere moves the ellipsoids.
 #include "fix_fire.hpp"
 
+#include "vectors.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -23,19 +25,6 @@ constexpr double growth = 1.1, fall = 0.5, first_mixing = 0.1, mixing_fall = 0.9
 
 /// In one step no point of a surface moves by more than this fraction of the smallest semi-axis.
 constexpr double largest_share = 0.1;
-
-double dot(double const *a, double const *b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-
-/// I⁻¹x, for the inertia I = (m/5) ((tr Q) 1 - Q) of a solid ellipsoid.
-std::array<double, 3> without_inertia(double mass, double const *q, double const *x)
-{
-    double const a = q[3] + q[5], b = q[0] + q[5], c = q[0] + q[3], d = -q[4], e = -q[2], f = -q[1];
-    double const aa = b * c - d * d, bb = a * c - e * e, cc = a * b - f * f;
-    double const dd = e * f - a * d, ee = d * f - b * e, ff = d * e - c * f;
-    double const factor = 5.0 / (mass * (a * aa + f * ff + e * ee));
-    return {factor * (aa * x[0] + ff * x[1] + ee * x[2]), factor * (ff * x[0] + bb * x[1] + dd * x[2]),
-            factor * (ee * x[0] + dd * x[1] + cc * x[2])};
-}
 
 } // namespace
 
@@ -124,13 +113,14 @@ FixFire::Sums FixFire::sums() const
     std::array<double, 3> s{};
     for (int i = 0; i < atom->nlocal; ++i) {
         if (!moves(i)) continue;
-        double const mass = atom->rmass[i], *const v = atom->v[i], *const f = atom->f[i];
-        double const *const spin = atom->angmom[i], *const torque = atom->torque[i];
-        auto const w = without_inertia(mass, ellipsoids_->form(i), spin);
-        auto const turn = without_inertia(mass, ellipsoids_->form(i), torque);
-        s[0] += dot(f, v) + dot(torque, w.data());
-        s[1] += mass * dot(v, v) + dot(spin, w.data());
-        s[2] += dot(f, f) / mass + dot(torque, turn.data());
+        double const mass = atom->rmass[i];
+        Vector const v = vector(atom->v[i]), f = vector(atom->f[i]);
+        Vector const spin = vector(atom->angmom[i]), torque = vector(atom->torque[i]);
+        Vector const w = without_inertia(mass, ellipsoids_->form(i), spin);
+        Vector const turn = without_inertia(mass, ellipsoids_->form(i), torque);
+        s[0] += dot(f, v) + dot(torque, w);
+        s[1] += mass * dot(v, v) + dot(spin, w);
+        s[2] += dot(f, f) / mass + dot(torque, turn);
     }
     MPI_Allreduce(MPI_IN_PLACE, s.data(), 3, MPI_DOUBLE, MPI_SUM, world);
     return {s[0], s[1], s[2]};
@@ -154,9 +144,10 @@ double FixFire::fastest() const
     double speed = 0.0;
     for (int i = 0; i < atom->nlocal; ++i) {
         if (!moves(i)) continue;
-        auto const w = without_inertia(atom->rmass[i], ellipsoids_->form(i), atom->angmom[i]);
-        double const rim = ellipsoids_->largest_semi_axis(i) * std::sqrt(dot(w.data(), w.data()));
-        speed = std::max(speed, std::sqrt(dot(atom->v[i], atom->v[i])) + rim);
+        Vector const v = vector(atom->v[i]);
+        Vector const w = without_inertia(atom->rmass[i], ellipsoids_->form(i), vector(atom->angmom[i]));
+        double const rim = ellipsoids_->largest_semi_axis(i) * std::sqrt(dot(w, w));
+        speed = std::max(speed, std::sqrt(dot(v, v)) + rim);
     }
     MPI_Allreduce(MPI_IN_PLACE, &speed, 1, MPI_DOUBLE, MPI_MAX, world);
     return speed;

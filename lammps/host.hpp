@@ -75,6 +75,16 @@ template <class Communicator> void reverse_to_owners(Communicator &comm, LAMMPS_
     }
 }
 
+/// Sends rows of different lengths from ghosts back to their owners.
+template <class Communicator> void reverse_rows_to_owners(Communicator &comm, LAMMPS_NS::Fix *owner)
+{
+    if constexpr (requires { comm.reverse_comm_variable(owner); }) {
+        comm.reverse_comm_variable(owner);
+    } else {
+        comm.reverse_comm_fix_variable(owner);
+    }
+}
+
 } // namespace pw85_lammps
 
 #endif

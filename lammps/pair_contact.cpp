@@ -137,25 +137,14 @@ void PairContact::compute(int eflag, int vflag)
     if (vflag_fdotr) virial_fdotr_compute();
 }
 
-// Most pairs do not overlap. The overlap test shows this in a fifth of the time of the derivatives.
 void PairContact::add_batch(int eflag)
 {
-    pw85_pair_list pairs = batch_.list();
     pw85_system const system = ellipsoids_->system();
-    int const status = pw85_overlap_pairs(&pairs, &system, batch_.overlaps.data());
-    std::size_t count = 0;
-    for (std::size_t k = 0; k < batch_.size(); ++k) {
-        int const i = batch_.pairs[2 * k], j = batch_.pairs[2 * k + 1];
-        if (batch_.overlaps[k] > 1) ellipsoids_->refuse_pair(i, j, status);
-        batch_.pairs[2 * count] = i;
-        batch_.pairs[2 * count + 1] = j;
-        batch_.special[count] = batch_.special[k];
-        count += batch_.overlaps[k];
-    }
-    pairs.num_pairs = count;
+    auto const refuse = [this](int i, int j, int status) { ellipsoids_->refuse_pair(i, j, status); };
+    pw85_pair_list const pairs = batch_.keep_overlaps(system, refuse);
     pw85_contact_derivatives_pairs(&pairs, &system, batch_.mu2.data(), batch_.lambda.data(), nullptr, nullptr,
                                    d_r12_.data(), d_rot1_.data(), d_rot2_.data());
-    for (std::size_t k = 0; k < count; ++k) add_pair(k, eflag);
+    for (std::size_t k = 0; k < pairs.num_pairs; ++k) add_pair(k, eflag);
 }
 
 /// Adds the energy, forces and torques of pair k of the batch.

@@ -4,7 +4,9 @@
 #include "compute_contact.hpp"
 #include "compute_overlap.hpp"
 #include "fix_fire.hpp"
+#include "fix_wall.hpp"
 #include "pair_contact.hpp"
+#include "pair_granular.hpp"
 
 #include <pw85/version.h>
 
@@ -17,14 +19,19 @@ template <class Style> Compute *create_compute(LAMMPS *lammps, int narg, char **
     return new Style(lammps, narg, arg);
 }
 
-Fix *create_fix(LAMMPS *lammps, int narg, char **arg) { return new pw85_lammps::FixFire(lammps, narg, arg); }
+template <class Style> Fix *create_fix(LAMMPS *lammps, int narg, char **arg) { return new Style(lammps, narg, arg); }
 
-Pair *create_pair(LAMMPS *lammps) { return new pw85_lammps::PairContact(lammps); }
+template <class Style> Pair *create_pair(LAMMPS *lammps) { return new Style(lammps); }
 
 /// The C interface of plugins, as published in lammpsplugin.h (which LAMMPS does not install).
 struct Plugin {
     char const *version, *style, *name, *info, *author;
     void *creator, *handle;
+};
+
+struct Entry {
+    char const *style, *name;
+    void *creator;
 };
 
 using RegisterPlugin = void (*)(Plugin *, void *);
@@ -39,8 +46,10 @@ PW85_LAMMPS_API void pw85_lammps_register(void *lammps)
     auto *const lmp = static_cast<LAMMPS *>(lammps);
     (*lmp->modify->compute_map)["pw85/overlap"] = create_compute<pw85_lammps::ComputeOverlap>;
     (*lmp->modify->compute_map)["pw85/contact"] = create_compute<pw85_lammps::ComputeContact>;
-    (*lmp->modify->fix_map)["pw85/fire"] = create_fix;
-    (*lmp->force->pair_map)["pw85/contact"] = create_pair;
+    (*lmp->modify->fix_map)["pw85/fire"] = create_fix<pw85_lammps::FixFire>;
+    (*lmp->modify->fix_map)["wall/pw85"] = create_fix<pw85_lammps::FixWall>;
+    (*lmp->force->pair_map)["pw85/contact"] = create_pair<pw85_lammps::PairContact>;
+    (*lmp->force->pair_map)["pw85/granular"] = create_pair<pw85_lammps::PairGranular>;
 }
 
 /// The entry point of `plugin load`. It states no version of LAMMPS, because the installed headers do not contain it.
@@ -49,13 +58,17 @@ PW85_LAMMPS_API void lammpsplugin_init(void *lammps, void *handle, void *registe
     auto const add = reinterpret_cast<RegisterPlugin>(register_function);
     auto const info = "contact function of ellipsoids, pw85 " PW85_VERSION;
     auto const author = "the authors of pw85";
-    Plugin overlap{nullptr, "compute", "pw85/overlap",
-                   info,    author,    reinterpret_cast<void *>(create_compute<pw85_lammps::ComputeOverlap>),
-                   handle};
-    Plugin contact{nullptr, "compute", "pw85/contact",
-                   info,    author,    reinterpret_cast<void *>(create_compute<pw85_lammps::ComputeContact>),
-                   handle};
-    Plugin fire{nullptr, "fix", "pw85/fire", info, author, reinterpret_cast<void *>(create_fix), handle};
-    Plugin pair{nullptr, "pair", "pw85/contact", info, author, reinterpret_cast<void *>(create_pair), handle};
-    for (Plugin *plugin : {&overlap, &contact, &fire, &pair}) add(plugin, lammps);
+    using namespace pw85_lammps;
+    Entry const entries[] = {
+        {"compute", "pw85/overlap", reinterpret_cast<void *>(create_compute<ComputeOverlap>)},
+        {"compute", "pw85/contact", reinterpret_cast<void *>(create_compute<ComputeContact>)},
+        {"fix", "pw85/fire", reinterpret_cast<void *>(create_fix<FixFire>)},
+        {"fix", "wall/pw85", reinterpret_cast<void *>(create_fix<FixWall>)},
+        {"pair", "pw85/contact", reinterpret_cast<void *>(create_pair<PairContact>)},
+        {"pair", "pw85/granular", reinterpret_cast<void *>(create_pair<PairGranular>)},
+    };
+    for (auto const &[style, name, creator] : entries) {
+        Plugin plugin{nullptr, style, name, info, author, creator, handle};
+        add(&plugin, lammps);
+    }
 }

@@ -121,4 +121,5 @@ def thermo(text):
     lines = text.splitlines()
     start = max(i for i, line in enumerate(lines) if line.split()[:1] == ["Step"])
     stop = next(i for i, line in enumerate(lines[start:], start) if line.startswith("Loop time"))
-    return np.array([[float(word) for word in line.split()] for line in lines[start + 1:stop]])
+    rows = (line for line in lines[start + 1:stop] if not line.startswith("WARNING"))
+    return np.array([[float(word) for word in line.split()] for line in rows])

@@ -69,6 +69,13 @@ class Examples(unittest.TestCase):
         self.assertLess(np.ptp(total), 1e-4 * total[0])
         self.assertGreater(np.ptp(etotal), 0.05 * total[0])
 
+    def test_pour(self):
+        """Grains at rest under their own weight, with friction, have between four and six contacts."""
+        text = self.run_example("pour", steps=6000)
+        self.assertLess(self.number("kinetic energy of a grain: ", text), 1e-2)
+        self.assertGreater(self.number("contacts of a grain: ", text), 4.0)
+        self.assertLess(self.number("contacts of a grain: ", text), 6.0)
+
     def check_steps_printed_twice(self, text):
         """The last line of a run and the first of the next have the same step, and the same ellipsoids."""
         rows = [line.split() for line in text.splitlines() if re.fullmatch(r" *\d+( +\S+){6} *", line)]

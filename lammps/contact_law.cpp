@@ -1,0 +1,232 @@
+// SPDX-License-Identifier: GPL-2.0-only
+// Laws of force between grains: their words, their mixing, and their formulas.
+#include "contact_law.hpp"
+
+#include <cmath>
+#include <map>
+
+using namespace LAMMPS_NS;
+
+namespace pw85_lammps {
+
+/// Reads words one after the other, and says what is wrong with them.
+class ContactLaw::Parser : protected Pointers {
+  public:
+    Parser(LAMMPS *lammps, std::string style, int count, char **words)
+        : Pointers(lammps), style_(std::move(style)), count_(count), words_(words)
+    {
+    }
+
+    bool done() const { return position_ == count_; }
+
+    std::string word(std::string const &what)
+    {
+        if (done()) refuse("lacks " + what);
+        return words_[position_++];
+    }
+
+    double number(std::string const &what, double largest = HUGE_VAL)
+    {
+        std::string const text = word(what);
+        double const value = utils::numeric(FLERR, text.c_str(), false, lmp);
+        if (!(value >= 0.0 && std::isfinite(value) && value <= largest)) refuse("has a bad " + what + ": " + text);
+        return value;
+    }
+
+    /// The next word as a number, or nothing for the word NULL.
+    std::optional<double> number_or_null(std::string const &what)
+    {
+        if (done() || std::string(words_[position_]) != "NULL") return number(what);
+        ++position_;
+        return {};
+    }
+
+    template <class Choice> Choice choice(std::string const &what, std::map<std::string, Choice> const &choices)
+    {
+        std::string const text = word(what);
+        auto const found = choices.find(text);
+        if (found != choices.end()) return found->second;
+        std::string names;
+        for (auto const &[name, value] : choices) names += (names.empty() ? "" : ", ") + name;
+        refuse("has an unknown " + what + " " + text + ": use one of " + names);
+    }
+
+    [[noreturn]] void refuse(std::string const &reason) const
+    {
+        stop_all(*error, style_ + ": the law of force " + reason);
+    }
+
+  private:
+    std::string style_;
+    int count_, position_ = 0;
+    char **words_;
+};
+
+namespace {
+
+/// E* of two bodies.
+double young_of_contact(double e1, double nu1, double e2, double nu2)
+{
+    return 1.0 / ((1.0 - nu1 * nu1) / e1 + (1.0 - nu2 * nu2) / e2);
+}
+
+/// G* of two bodies, 1/((2-ν1)/G1 + (2-ν2)/G2) with G = E/(2(1+ν)).
+double shear_of_contact(double e1, double nu1, double e2, double nu2)
+{
+    return 1.0 / (2.0 * (2.0 - nu1) * (1.0 + nu1) / e1 + 2.0 * (2.0 - nu2) * (1.0 + nu2) / e2);
+}
+
+/// The factor of √(m k) for a coefficient of restitution: the polynomial of LAMMPS's `damping tsuji`, which fits Tsuji, Tanaka and
+/// Ishida (Powder Technology 71, 239, 1992).
+double tsuji_factor(double restitution)
+{
+    double sum = 0.0;
+    for (double const c : {4.8218, -18.022, 27.467, -22.348, 11.087, -4.2783, 1.2728}) sum = sum * restitution + c;
+    return sum;
+}
+
+} // namespace
+
+ContactLaw ContactLaw::parse(LAMMPS *lammps, std::string const &style, int count, char **words)
+{
+    Parser parser(lammps, style, count, words);
+    ContactLaw law;
+    law.parse_normal(parser);
+    while (!parser.done()) {
+        std::string const keyword = parser.word("a keyword");
+        if (keyword == "damping") {
+            law.damping_ = parser.choice<Damping>("damping", {{"velocity", Damping::velocity},
+                                                              {"mass_velocity", Damping::mass_velocity},
+                                                              {"viscoelastic", Damping::viscoelastic},
+                                                              {"tsuji", Damping::tsuji}});
+        } else if (keyword == "tangential") {
+            law.parse_tangential(parser);
+        } else if (keyword == "limit_damping") {
+            law.limits_damping_ = true;
+        } else {
+            parser.refuse("has an unknown keyword " + keyword + ": use damping, tangential or limit_damping");
+        }
+    }
+    if (law.damping_ == Damping::tsuji) {
+        if (law.damping_factor_ > 1.0) parser.refuse("has a coefficient of restitution above 1");
+        law.damping_factor_ = tsuji_factor(law.damping_factor_);
+    }
+    law.combine_materials(law, law);
+    return law;
+}
+
+void ContactLaw::parse_normal(Parser &parser)
+{
+    enum class Form { hooke, hertz, material };
+    auto const form = parser.choice<Form>(
+        "normal law", {{"hooke", Form::hooke}, {"hertz", Form::hertz}, {"hertz/material", Form::material}});
+    normal_ = form == Form::hooke ? Normal::hooke : Normal::hertz;
+    if (form == Form::material) {
+        young_ = parser.number("Young's modulus");
+        if (young_ == 0.0) parser.refuse("has a Young's modulus of zero");
+    } else {
+        stiffness_ = parser.number("stiffness");
+    }
+    damping_factor_ = parser.number("damping");
+    if (form == Form::material) poisson_ = parser.number("Poisson's ratio", 0.5);
+}
+
+void ContactLaw::parse_tangential(Parser &parser)
+{
+    tangential_ = parser.choice<Tangential>("tangential law", {{"none", Tangential::none},
+                                                               {"linear_nohistory", Tangential::linear_nohistory},
+                                                               {"linear_history", Tangential::linear_history},
+                                                               {"mindlin", Tangential::mindlin}});
+    if (tangential_ == Tangential::none) return;
+    if (tangential_ == Tangential::mindlin) {
+        auto const stiffness = parser.number_or_null("tangential stiffness");
+        if (!stiffness && young_ == 0.0)
+            parser.refuse("has tangential mindlin NULL, which needs hertz/material: give the tangential stiffness");
+        mindlin_by_material_ = !stiffness;
+        tangential_stiffness_ = stiffness.value_or(0.0);
+    } else if (tangential_ == Tangential::linear_history) {
+        tangential_stiffness_ = parser.number("tangential stiffness");
+    }
+    if (has_spring() && !mindlin_by_material_ && tangential_stiffness_ == 0.0)
+        parser.refuse("has a tangential stiffness of zero: use tangential linear_nohistory");
+    tangential_damping_ = parser.number("tangential damping");
+    friction_ = parser.number("coefficient of friction");
+}
+
+std::optional<ContactLaw> ContactLaw::mixed(ContactLaw const &a, ContactLaw const &b)
+{
+    if (a.normal_ != b.normal_ || a.damping_ != b.damping_ || a.tangential_ != b.tangential_ ||
+        (a.young_ > 0.0) != (b.young_ > 0.0) || a.mindlin_by_material_ != b.mindlin_by_material_ ||
+        a.limits_damping_ != b.limits_damping_)
+        return {};
+    ContactLaw law = a;
+    law.stiffness_ = std::sqrt(a.stiffness_ * b.stiffness_);
+    law.damping_factor_ = std::sqrt(a.damping_factor_ * b.damping_factor_);
+    law.tangential_stiffness_ = std::sqrt(a.tangential_stiffness_ * b.tangential_stiffness_);
+    law.tangential_damping_ = std::sqrt(a.tangential_damping_ * b.tangential_damping_);
+    law.friction_ = std::sqrt(a.friction_ * b.friction_);
+    law.combine_materials(a, b);
+    return law;
+}
+
+void ContactLaw::combine_materials(ContactLaw const &a, ContactLaw const &b)
+{
+    if (a.young_ == 0.0) return;
+    stiffness_ = 4.0 / 3.0 * young_of_contact(a.young_, a.poisson_, b.young_, b.poisson_);
+    if (mindlin_by_material_)
+        tangential_stiffness_ = 8.0 * shear_of_contact(a.young_, a.poisson_, b.young_, b.poisson_);
+}
+
+Reaction ContactLaw::react(Encounter const &e, Vector &spring) const
+{
+    double const contact_radius = std::sqrt(e.radius * e.depth);
+    bool const is_hertz = normal_ == Normal::hertz;
+    double const secant = is_hertz ? stiffness_ * contact_radius : stiffness_;
+    double const damped = damping(e, contact_radius, secant);
+    double const approach = dot(e.velocity, e.normal);
+    double pressure = secant * e.depth + damped * approach;
+    if (limits_damping_ && pressure < 0.0) pressure = 0.0;
+    Reaction result{-pressure * e.normal, (is_hertz ? 0.4 : 0.5) * secant * e.depth * e.depth,
+                    is_hertz ? 1.5 * secant : secant};
+    if (tangential_ == Tangential::none) return result;
+    double const stiffness = tangential_stiffness_ * (tangential_ == Tangential::mindlin ? contact_radius : 1.0);
+    result.force =
+        result.force + tangential_force(e, e.velocity - approach * e.normal, stiffness, tangential_damping_ * damped,
+                                        friction_ * std::abs(pressure), spring);
+    return result;
+}
+
+double ContactLaw::damping(Encounter const &e, double contact_radius, double stiffness) const
+{
+    switch (damping_) {
+    case Damping::velocity:
+        return damping_factor_;
+    case Damping::mass_velocity:
+        return damping_factor_ * e.mass;
+    case Damping::viscoelastic:
+        return damping_factor_ * e.mass * contact_radius;
+    case Damping::tsuji:
+        return damping_factor_ * std::sqrt(e.mass * stiffness);
+    }
+    return 0.0;
+}
+
+// The spring turns with the contact: its part along the new normal is removed. If it slides, it is as long as Coulomb's limit allows. A
+// spring of zero, which contacts have while a run is set up for the first time, gives no force above the limit, as in LAMMPS.
+Vector ContactLaw::tangential_force(Encounter const &e, Vector const &slip, double stiffness, double damping,
+                                    double limit, Vector &spring) const
+{
+    if (has_spring() && e.timestep > 0.0) {
+        spring = spring + e.timestep * slip;
+        spring = spring - dot(spring, e.normal) * e.normal;
+    }
+    Vector const force = -stiffness * spring - damping * slip;
+    double const size = std::sqrt(dot(force, force));
+    if (size <= limit) return force;
+    if (has_spring() && dot(spring, spring) == 0.0) return {};
+    Vector const limited = (limit / size) * force;
+    if (has_spring()) spring = (-1.0 / stiffness) * (limited + damping * slip);
+    return limited;
+}
+
+} // namespace pw85_lammps

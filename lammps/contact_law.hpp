@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-2.0-only
+/// @file
+/// The laws of force between grains. Words, units and formulas are those of LAMMPS's pair_style granular.
+#ifndef PW85_LAMMPS_CONTACT_LAW_HPP_INCLUDED
+#define PW85_LAMMPS_CONTACT_LAW_HPP_INCLUDED
+
+#include "host.hpp"
+#include "vectors.hpp"
+
+#include <optional>
+#include <string>
+
+namespace pw85_lammps {
+
+/// What a law needs to know of a contact. Velocities are those of the first body relative to the second, at the contact.
+struct Encounter {
+    Vector normal; ///< out of the first body
+    double depth, radius, mass;
+    Vector velocity;
+    double timestep; ///< time since the tangential spring was last updated; zero keeps the spring as it is
+};
+
+/// What a law says of a contact.
+struct Reaction {
+    Vector force;     ///< on the first body
+    double energy;    ///< of the normal spring
+    double stiffness; ///< dF/dδ of the normal spring
+};
+
+/// A normal and a tangential law with their constants.
+class ContactLaw {
+  public:
+    /// Reads `hooke K ETA | hertz K ETA | hertz/material E ETA NU [damping ...] [tangential ...] [limit_damping]`.
+    /// The first word is words[0].
+    static ContactLaw parse(LAMMPS_NS::LAMMPS *lammps, std::string const &style, int count, char **words);
+
+    /// The law of two materials, or nothing if their laws have different forms.
+    static std::optional<ContactLaw> mixed(ContactLaw const &a, ContactLaw const &b);
+
+    bool has_spring() const { return tangential_ == Tangential::linear_history || tangential_ == Tangential::mindlin; }
+
+    /// The reaction of a contact, and the new tangential spring.
+    Reaction react(Encounter const &e, Vector &spring) const;
+
+  private:
+    enum class Normal { hooke, hertz };
+    enum class Damping { velocity, mass_velocity, viscoelastic, tsuji };
+    enum class Tangential { none, linear_nohistory, linear_history, mindlin };
+
+    class Parser;
+
+    void parse_normal(Parser &parser);
+    void parse_tangential(Parser &parser);
+    void combine_materials(ContactLaw const &a, ContactLaw const &b);
+    double damping(Encounter const &e, double contact_radius, double stiffness) const;
+    Vector tangential_force(Encounter const &e, Vector const &slip, double stiffness, double damping, double limit,
+                            Vector &spring) const;
+
+    Normal normal_ = Normal::hooke;
+    Damping damping_ = Damping::viscoelastic;
+    Tangential tangential_ = Tangential::none;
+    double stiffness_ = 0.0, damping_factor_ = 0.0;
+    double tangential_stiffness_ = 0.0, tangential_damping_ = 0.0, friction_ = 0.0;
+    double young_ = 0.0, poisson_ = 0.0; ///< of hertz/material; zero for other laws
+    bool mindlin_by_material_ = false;   ///< whether the tangential stiffness follows from young_ and poisson_
+    bool limits_damping_ = false;
+};
+
+} // namespace pw85_lammps
+
+#endif

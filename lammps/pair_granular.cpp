@@ -1,0 +1,263 @@
+// SPDX-License-Identifier: GPL-2.0-only
+// pair_style pw85/granular: it finds the overlapping pairs, the geometry of their contacts, and the forces by the laws.
+#include "pair_granular.hpp"
+
+#include <pw85.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+using namespace LAMMPS_NS;
+
+namespace pw85_lammps {
+
+namespace {
+
+constexpr char style_name[] = "Pair pw85/granular";
+
+/// The largest time step times the frequency √(k/m) of a contact. Verlet's method makes a frequency ω too large by a fraction of
+/// (ω dt)²/24, here 0.2 %; it is unstable from ω dt = 2.
+constexpr double largest_phase = 0.2;
+
+} // namespace
+
+PairGranular::PairGranular(LAMMPS *lammps) : Pair(lammps), normals_(3 * PairBatch::capacity)
+{
+    restartinfo = 0;
+    single_enable = 0;
+    comm_forward = Ellipsoids::comm_size;
+}
+
+PairGranular::~PairGranular()
+{
+    if (!history_id_.empty() && modify->find_fix(history_id_) >= 0) modify->delete_fix(history_id_);
+    if (!allocated) return;
+    memory->destroy(setflag);
+    memory->destroy(cutsq);
+}
+
+void PairGranular::allocate()
+{
+    allocated = 1;
+    int const n = atom->ntypes + 1;
+    memory->create(setflag, n, n, "pair:setflag");
+    memory->create(cutsq, n, n, "pair:cutsq");
+    std::fill_n(setflag[0], n * n, 0);
+    std::fill_n(cutsq[0], n * n, 0.0);
+    materials_.assign(static_cast<std::size_t>(n * n), {});
+}
+
+PairGranular::Material &PairGranular::material(int t, int u)
+{
+    return materials_[static_cast<std::size_t>(t * (atom->ntypes + 1) + u)];
+}
+
+void PairGranular::settings(int narg, char **arg)
+{
+    cutoff_ = 0.0;
+    arms_ = Arms::contact;
+    int k = 0;
+    if (narg > 0 && std::strcmp(arg[0], "arms") != 0) {
+        cutoff_ = utils::numeric(FLERR, arg[k++], false, lmp);
+        if (!(cutoff_ > 0.0 && std::isfinite(cutoff_)))
+            stop_all(*error, std::string(style_name) + ": the cutoff must be positive and finite");
+    }
+    for (; k + 1 < narg && std::strcmp(arg[k], "arms") == 0; k += 2) {
+        std::string const where = arg[k + 1];
+        if (where != "contact" && where != "surface") break;
+        arms_ = where == "contact" ? Arms::contact : Arms::surface;
+    }
+    if (k != narg)
+        stop_all(*error, "Illegal pair_style command: use pair_style pw85/granular [cutoff] [arms contact|surface]");
+    if (!history_) add_history();
+}
+
+// The fix must exist before fixes that insert atoms, so that it stores the contacts before they do.
+void PairGranular::add_history()
+{
+    int k = 0;
+    do history_id_ = "PW85_HISTORY_" + std::to_string(k++);
+    while (modify->find_fix(history_id_) >= 0);
+    history_ = ContactHistory::add(*modify, history_id_);
+}
+
+void PairGranular::coeff(int narg, char **arg)
+{
+    if (narg < 3)
+        stop_all(*error, "Illegal pair_coeff command: pw85/granular takes a law: hooke K ETA, hertz K ETA, or "
+                         "hertz/material E ETA NU");
+    if (!allocated) allocate();
+    int ilo, ihi, jlo, jhi;
+    utils::bounds(FLERR, arg[0], 1, atom->ntypes, ilo, ihi, error);
+    utils::bounds(FLERR, arg[1], 1, atom->ntypes, jlo, jhi, error);
+    ContactLaw const law = ContactLaw::parse(lmp, style_name, narg - 2, arg + 2);
+    int count = 0;
+    for (int i = ilo; i <= ihi; ++i) {
+        for (int j = std::max(jlo, i); j <= jhi; ++j, ++count) {
+            material(i, j) = material(j, i) = {law, true};
+            setflag[i][j] = 1;
+        }
+    }
+    if (count == 0) stop_all(*error, "Incorrect args for pair coefficients");
+}
+
+void PairGranular::init_style()
+{
+    if (!comm->ghost_velocity)
+        stop_all(*error, std::string(style_name) + " needs velocities of ghosts: use comm_modify vel yes");
+    if (!atom->tag_enable) stop_all(*error, std::string(style_name) + " needs atom IDs: use atom_modify id yes");
+    ellipsoids_.emplace(lmp, style_name, "give its type to another style of pair_style hybrid");
+    std::fill_n(cutsq[0], (atom->ntypes + 1) * (atom->ntypes + 1), 0.0);
+    used_types_.assign(static_cast<std::size_t>(atom->ntypes) + 1, false);
+    if (cutoff_ == 0.0) read_reaches();
+    frozen_ = 0;
+    for (int k = 0; k < modify->nfix; ++k)
+        if (std::strcmp(modify->fix[k]->style, "freeze") == 0) frozen_ |= modify->fix[k]->groupbit;
+    warned_ = false;
+    Pair::init_style();
+}
+
+/// Finds the largest distances at which ellipsoids of two types can touch; zero for types without ellipsoids.
+void PairGranular::read_reaches()
+{
+    auto const n = static_cast<std::size_t>(atom->ntypes) + 1;
+    reaches_.assign(n * n, 0.0);
+    ellipsoids_->read([this](int i) { return atom->ellipsoid[i] >= 0; });
+    ellipsoids_->for_each_reach([this, n](int t, int u, double reach) {
+        reaches_[static_cast<std::size_t>(t) * n + static_cast<std::size_t>(u)] = reach;
+    });
+}
+
+// Within pair_style hybrid, LAMMPS calls this only for the types on which the style acts. Other types need no shapes.
+double PairGranular::init_one(int i, int j)
+{
+    used_types_[static_cast<std::size_t>(i)] = used_types_[static_cast<std::size_t>(j)] = true;
+    if (setflag[i][j] == 0) {
+        auto const law = ContactLaw::mixed(material(i, i).law, material(j, j).law);
+        if (!material(i, i).is_set || !material(j, j).is_set || !law)
+            stop_all(*error, std::string(style_name) + ": the laws of types " + std::to_string(i) + " and " +
+                                 std::to_string(j) + " cannot be mixed: add pair_coeff " + std::to_string(i) + " " +
+                                 std::to_string(j));
+        material(i, j) = material(j, i) = {*law, true};
+    }
+    if (cutoff_ > 0.0) return cutoff_;
+    return reaches_[static_cast<std::size_t>(i * (atom->ntypes + 1) + j)];
+}
+
+void PairGranular::compute(int eflag, int vflag)
+{
+    ev_init(eflag, vflag);
+    ellipsoids_->read([this](int i) { return used_types_[static_cast<std::size_t>(atom->type[i])]; });
+    ellipsoids_->for_each_reach([this](int t, int u, double reach) {
+        if (used_types_[static_cast<std::size_t>(t)] && used_types_[static_cast<std::size_t>(u)])
+            ellipsoids_->require_cutoff(t, u, std::sqrt(cutsq[t][u]), reach);
+    });
+    forward_to_ghosts(*comm, this);
+    find_spins();
+    timestep_ = update->setupflag ? 0.0 : update->dt;
+    fastest_ = 0.0;
+    history_->start_step();
+    batch_.run(*list, ellipsoids_->reach(1.0), [this, eflag] { add_batch(eflag); });
+    history_->finish_step();
+    check_timestep();
+    if (vflag_fdotr) virial_fdotr_compute();
+}
+
+void PairGranular::add_batch(int eflag)
+{
+    pw85_system const system = ellipsoids_->system();
+    auto const refuse = [this](int i, int j, int status) { ellipsoids_->refuse_pair(i, j, status); };
+    pw85_pair_list const pairs = batch_.keep_overlaps(system, refuse);
+    pw85_contact_derivatives_pairs(&pairs, &system, nullptr, nullptr, nullptr, normals_.data(), nullptr, nullptr,
+                                   nullptr);
+    for (std::size_t k = 0; k < pairs.num_pairs; ++k) add_pair(k, eflag);
+}
+
+/// Adds the force and torques of pair k of the batch.
+void PairGranular::add_pair(std::size_t k, int eflag)
+{
+    int const i = batch_.pairs[2 * k], j = batch_.pairs[2 * k + 1];
+    double const share = force->special_lj[batch_.special[k]];
+    if (share == 0.0) return;
+    Vector const r12 = vector(atom->x[j]) - vector(atom->x[i]);
+    GrainGeometry g;
+    if (!find_geometry(r12, ellipsoids_->form(i), ellipsoids_->form(j), vector(&normals_[3 * k]), g))
+        refuse_depth(i, j);
+    if (!(g.depth > 0.0)) return;
+    if (arms_ == Arms::contact) g.meet_in_the_middle();
+    Encounter const e = meet(i, j, g);
+    ContactLaw const &law = material(atom->type[i], atom->type[j]).law;
+    Vector spring = law.has_spring() ? history_->find(i, j) : Vector{};
+    Reaction const reaction = law.react(e, spring);
+    if (law.has_spring()) history_->store(i, j, spring);
+    fastest_ = std::max(fastest_, share * reaction.stiffness / e.mass);
+    Vector const f = share * reaction.force;
+    apply(i, f, cross(g.arm1, f));
+    if (force->newton_pair || j < atom->nlocal) apply(j, -1.0 * f, -1.0 * cross(g.arm2, f));
+    if (evflag)
+        ev_tally_xyz(i, j, atom->nlocal, force->newton_pair, eflag ? share * reaction.energy : 0.0, 0.0, f[0], f[1],
+                     f[2], -r12[0], -r12[1], -r12[2]);
+}
+
+Encounter PairGranular::meet(int i, int j, GrainGeometry const &g) const
+{
+    double const m1 = atom->rmass[i], m2 = atom->rmass[j];
+    double const mass = is_frozen(i) ? m2 : is_frozen(j) ? m1 : m1 * m2 / (m1 + m2);
+    return {g.normal, g.depth, g.radius, mass, velocity(i, g.arm1) - velocity(j, g.arm2), timestep_};
+}
+
+/// The velocity of the point of a grain that is at `arm` from its centre.
+Vector PairGranular::velocity(int i, Vector const &arm) const
+{
+    return vector(atom->v[i]) + cross(spins_[static_cast<std::size_t>(i)], arm);
+}
+
+void PairGranular::find_spins()
+{
+    spins_.resize(static_cast<std::size_t>(atom->nlocal + atom->nghost));
+    for (int i = 0; i < atom->nlocal + atom->nghost; ++i)
+        if (ellipsoids_->selected(i))
+            spins_[static_cast<std::size_t>(i)] =
+                without_inertia(atom->rmass[i], ellipsoids_->form(i), vector(atom->angmom[i]));
+}
+
+void PairGranular::apply(int i, Vector const &push, Vector const &torque)
+{
+    for (std::size_t k = 0; k < 3; ++k) {
+        atom->f[i][k] += push[k];
+        atom->torque[i][k] += torque[k];
+    }
+}
+
+void PairGranular::check_timestep()
+{
+    double const limit = largest_phase / std::sqrt(fastest_);
+    if (warned_ || timestep_ <= limit) return;
+    warned_ = true;
+    error->warning(FLERR, std::string(style_name) +
+                              ": the time step is too long for the stiffest contact: use timestep " +
+                              std::to_string(limit) + " or less");
+}
+
+void PairGranular::refuse_depth(int i, int j) const
+{
+    ellipsoids_->refuse_pair(
+        i, j,
+        "overlap more than the law of force allows, so that their common normal is not unique: use a "
+        "larger stiffness or a smaller time step, or remove overlaps before the run (fix pw85/fire)");
+}
+
+int PairGranular::pack_forward_comm(int count, int *atoms, double *buffer, int, int *)
+{
+    return ellipsoids_->pack(count, atoms, buffer);
+}
+
+void PairGranular::unpack_forward_comm(int count, int first, double *buffer)
+{
+    ellipsoids_->unpack(count, first, buffer);
+}
+
+double PairGranular::memory_usage() { return Pair::memory_usage() + (ellipsoids_ ? ellipsoids_->bytes() : 0.0); }
+
+} // namespace pw85_lammps

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-2.0-only
+/// @file
+/// The style `pair_style pw85/granular`: grains that are ellipsoids, with friction.
+#ifndef PW85_LAMMPS_PAIR_GRANULAR_HPP_INCLUDED
+#define PW85_LAMMPS_PAIR_GRANULAR_HPP_INCLUDED
+
+#include "contact_history.hpp"
+#include "contact_law.hpp"
+#include "ellipsoids.hpp"
+#include "grain_geometry.hpp"
+#include "neighbours.hpp"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace pw85_lammps {
+
+/// Springs, damping and friction at the contacts of ellipsoids that overlap.
+class PairGranular final : public LAMMPS_NS::Pair {
+  public:
+    explicit PairGranular(LAMMPS_NS::LAMMPS *lammps);
+    ~PairGranular() override;
+
+    void compute(int eflag, int vflag) override;
+    void settings(int narg, char **arg) override;
+    void coeff(int narg, char **arg) override;
+    void init_style() override;
+    double init_one(int i, int j) override;
+    int pack_forward_comm(int count, int *atoms, double *buffer, int pbc_flag, int *pbc) override;
+    void unpack_forward_comm(int count, int first, double *buffer) override;
+    double memory_usage() override;
+
+  private:
+    /// Where the force of a contact acts on each body: at the middle of the overlap, or at the deepest points of both surfaces, as in
+    /// LAMMPS's gran/hooke/history and gran/hertz/history. The second choice does not conserve angular momentum.
+    enum class Arms { contact, surface };
+
+    struct Material {
+        ContactLaw law;
+        bool is_set = false;
+    };
+
+    void allocate();
+    void add_history();
+    void read_reaches();
+    Material &material(int t, int u);
+    void add_batch(int eflag);
+    void add_pair(std::size_t k, int eflag);
+    Encounter meet(int i, int j, GrainGeometry const &g) const;
+    Vector velocity(int i, Vector const &arm) const;
+    void find_spins();
+    void apply(int i, Vector const &push, Vector const &torque);
+    bool is_frozen(int i) const { return (atom->mask[i] & frozen_) != 0; }
+    void check_timestep();
+    [[noreturn]] void refuse_depth(int i, int j) const;
+
+    double cutoff_ = 0.0; ///< of the command; 0: the cutoffs follow from the shapes
+    Arms arms_ = Arms::contact;
+    std::vector<Material> materials_;
+    std::vector<double> reaches_;
+    std::vector<bool> used_types_;
+    std::optional<Ellipsoids> ellipsoids_;
+    std::string history_id_;
+    ContactHistory *history_ = nullptr;
+    PairBatch batch_;
+    std::vector<double> normals_; ///< of the pairs of a batch that overlap
+    std::vector<Vector> spins_;   ///< angular velocities of owned atoms and ghosts
+    double timestep_ = 0.0;       ///< for springs: zero while a run is set up
+    double fastest_ = 0.0;        ///< largest stiffness over mass of a contact in this step
+    int frozen_ = 0;              ///< bit of the group of fix freeze
+    bool warned_ = false;
+};
+
+} // namespace pw85_lammps
+
+#endif

@@ -1,0 +1,382 @@
+# SPDX-License-Identifier: GPL-2.0-only
+"""Grains: spheres against LAMMPS's own styles, conservation laws, restart, and errors."""
+
+import dataclasses
+import itertools
+import os
+import unittest
+
+import numpy as np
+from lammps_runs import System, failure, numbers, preamble, run, thermo
+
+
+@dataclasses.dataclass
+class Grains(System):
+    """Ellipsoids of density 1 that move."""
+
+    velocities: np.ndarray
+    spins: np.ndarray  # angular velocities
+
+    @property
+    def masses(self):
+        return 4.0 / 3.0 * np.pi * self.semi_axes.prod(axis=1)
+
+    def with_velocities(self, second):
+        rows = (f"{i + 1} {numbers([*self.velocities[i], *second[i]])}" for i in range(len(self.centers)))
+        return "\nVelocities\n\n" + "\n".join(rows) + "\n"
+
+    def data_file(self):
+        return super().data_file() + self.with_velocities(self.angular_momenta())
+
+    def angular_momenta(self):
+        inertia = self.masses[:, None] / 5.0 * (np.square(self.semi_axes).sum(axis=1)[:, None] - np.square(self.semi_axes))
+        axes = np.array([rotation(q) for q in self.quaternions])
+        return np.einsum("nij,nj,nkj,nk->ni", axes, inertia, axes, self.spins)
+
+
+class Spheres(Grains):
+    """The same bodies as atoms of style sphere."""
+
+    def data_file(self):
+        edges = [f"0 {edge:.17g} {axis}lo {axis}hi" for axis, edge in zip("xyz", np.diag(self.cell), strict=True)]
+        head = ["spheres", "", f"{len(self.centers)} atoms", f"{self.types.max()} atom types", *edges, "", "Atoms # sphere", ""]
+        rows = [f"{i + 1} {self.types[i]} " + numbers([2.0 * self.semi_axes[i, 0], 1.0, *self.centers[i]])
+                for i in range(len(self.centers))]
+        return "\n".join(head + rows) + "\n" + self.with_velocities(self.spins)
+
+
+def rotation(quaternion):
+    """Rotation matrix of a quaternion (w, i, j, k)."""
+    w, v = quaternion[0], quaternion[1:]
+    skew = np.array([[0, -v[2], v[1]], [v[2], 0, -v[0]], [-v[1], v[0], 0]])
+    return (w * w - v @ v) * np.eye(3) + 2 * np.outer(v, v) + 2 * w * skew
+
+
+def lattice(kind, edge, spacing, semi_axes, seed, speed=1.0, jitter=0.02):
+    """Grains on a cubic lattice, somewhat displaced, with random orientations and velocities. `semi_axes`: a row for each type."""
+    random = np.random.default_rng(seed)
+    count = edge**3
+    places = np.array(list(itertools.product(range(edge), repeat=3)), dtype=float) + 0.5
+    types = 1 + (places.sum(axis=1) - 1.5).astype(int) % len(semi_axes)
+    quaternions = random.normal(size=(count, 4))
+    quaternions /= np.linalg.norm(quaternions, axis=1)[:, None]
+    centers = spacing * (places + random.uniform(-jitter, jitter, (count, 3)))
+    velocities, spins = speed * random.normal(size=(2, count, 3))
+    return kind(np.diag(np.full(3, edge * spacing)), True, centers, np.asarray(semi_axes, dtype=float)[types - 1],
+                quaternions, types, velocities, spins)
+
+
+SETTINGS = """
+comm_modify vel yes
+neighbor 0.1 bin
+neigh_modify delay 0
+{pair}
+fix move all nve/{integrator}
+timestep 0.0005
+"""
+
+RUN = """
+dump state all custom {steps} state.txt id x y z vx vy vz fx fy fz tqx tqy tqz
+dump_modify state sort id format float %.17g
+run {steps}
+"""
+
+# What comes before a run: the first half of the steps, and for two of them a restart, from a file that is written at the end of that
+# half, or in the middle of a longer run.
+FIRST_HALVES = {"": "", "pause": "run {steps}\n", "end": "run {steps}\nwrite_restart half.restart\n",
+                "middle": "restart {steps} half.restart.*\nrun $(2*{steps}-1)\n"}
+RESTART_FILES = {"end": "half.restart", "middle": "half.restart.{steps}"}
+
+
+def script(grains, pair, steps, newton, first_half=""):
+    style, integrator = ("sphere",) * 2 if isinstance(grains, Spheres) else ("ellipsoid", "asphere")
+    start = preamble(grains, newton).replace("atom_style ellipsoid", f"atom_style {style}")
+    if "zplane" in pair:
+        start = start.replace("boundary p p p", "boundary p p f")
+    settings = SETTINGS.format(pair=pair, integrator=integrator)
+    commands = start + settings + FIRST_HALVES[first_half].format(steps=steps)
+    if first_half in RESTART_FILES:
+        # With newton off, a contact is looked up by the other atom, too.
+        newton = "off" if first_half == "middle" else newton
+        commands += (f"clear\nnewton {newton}\ninclude {os.environ['PW85_LAMMPS_INCLUDE']}\n"
+                     f"read_restart {RESTART_FILES[first_half].format(steps=steps)}\n" + settings)
+    return commands + RUN.format(steps=steps)
+
+
+def move(grains, pair, steps, ranks=1, newton="on", first_half=""):
+    """The state of all grains before and after a run."""
+    return run(script(grains, pair, steps, newton, first_half), grains, ranks, ("state.txt",))[1][0]
+
+
+def granular(law, style="", types="* *"):
+    return f"pair_style pw85/granular {style}\npair_coeff {types} {law}"
+
+
+class AgainstLammps:
+    """Spheres, by a style of LAMMPS and by the same law here."""
+
+    # A depth has an error of some u = 1e-16 times the distance of the centres, 1. The stiffest force grows by less than 2e4 for each unit
+    # of depth and is some 200, so that it errs by some 1e-14. The errors grow along the trajectory.
+    forces, trajectory = 1e-12, 1e-9
+
+    def spheres(self, still=False):
+        """Spheres of two sizes that collide, and fly through the box together, so that they change their processor."""
+        spheres = lattice(Spheres, 4, 1.0, [[0.5, 0.5, 0.5], [0.52, 0.52, 0.52]], 5)
+        spins = 0.0 * spheres.spins if still else spheres.spins
+        return dataclasses.replace(spheres, velocities=spheres.velocities + [20.0, 13.0, -7.0], spins=spins)
+
+    def compare(self, found, expected, tolerance, name):
+        cell = np.diag(self.spheres().cell)
+        found, expected = found.copy(), expected.copy()
+        found[:, 1:4] -= cell * np.round((found[:, 1:4] - expected[:, 1:4]) / cell)
+        for columns in (slice(1, 4), slice(4, 7), slice(7, 10), slice(10, 13)):
+            scale = np.abs(expected[:, columns]).max()
+            np.testing.assert_allclose(found[:, columns], expected[:, columns], rtol=0, atol=tolerance * scale, err_msg=name)
+
+    def check(self, laws, *runs, first_half=""):
+        spheres = self.spheres()
+        expected = move(spheres, laws[0], 200, first_half="pause" if first_half else "")
+        self.assertGreater(np.count_nonzero(np.abs(expected[0][:, 7:10]).max(axis=1)), 40, "hardly any contacts")
+        for ranks, newton in runs:
+            found = move(Grains(**vars(spheres)), laws[1], 200, ranks, newton, first_half)
+            name = f"{laws[1]} {ranks} {newton} {first_half}"
+            self.compare(found[0], expected[0], self.trajectory if first_half else self.forces, name)
+            self.compare(found[-1], expected[-1], self.trajectory, name)
+
+    def test_hooke(self):
+        self.check(self.HOOKE, (1, "on"), (2, "off"))
+
+    def test_hertz(self):
+        self.check(self.HERTZ, (1, "on"), (2, "on"))
+
+    def test_restart(self):
+        """After a restart, spheres move as in a run of LAMMPS's own style that has only paused."""
+        self.check(self.HOOKE, (2, "on"), first_half="end")
+        self.check(self.HERTZ, (2, "on"), first_half="middle")
+
+
+class Pairs(AgainstLammps, unittest.TestCase):
+    HOOKE = ("pair_style gran/hooke/history 10000 4000 20 10 0.4 1\npair_coeff * *",
+             granular("hooke 10000 20 damping mass_velocity tangential linear_history 4000 0.5 0.4", "arms surface"))
+    HERTZ = ("pair_style gran/hertz/history 100000 80000 200 100 0.5 1\npair_coeff * *",
+             granular("hertz 100000 200 tangential mindlin 80000 0.5 0.5", "arms surface"))
+
+    def test_materials(self):
+        """Forces without spin and without springs do not depend on the arms, which pair_style granular mixes."""
+        spheres = self.spheres(still=True)
+        for law in ("hertz/material 200000 0.7 0.3 damping tsuji tangential linear_history 1000 0.6 0.5",
+                    "hertz/material 200000 40 0.2 tangential mindlin NULL 0.6 0.5 damping velocity",
+                    "hooke 5000 0.5 damping tsuji tangential linear_history 1000 1.0 0.3 limit_damping"):
+            expected = move(spheres, f"pair_style granular\npair_coeff * * {law}", 1)[0]
+            self.compare(move(Grains(**vars(spheres)), granular(law), 1)[0], expected, self.forces, law)
+
+    def test_mixing(self):
+        """Moduli of unlike materials are those of Hertz's theory; other constants are geometric means."""
+        grains = Grains(**vars(self.spheres()))
+        materials = "hertz/material 200000 40 0.3", "hertz/material 600000 90 0.2"
+        modulus = 1.0 / ((1.0 - 0.3**2) / 200000 + (1.0 - 0.2**2) / 600000)
+        like = "".join(f"\npair_coeff {k} {k} {law}" for k, law in enumerate(materials, 1))
+        found = move(grains, "pair_style pw85/granular" + like, 1)[0]
+        unlike = f"\npair_coeff 1 2 hertz {4.0 / 3.0 * modulus:.17g} 60"
+        self.compare(found, move(grains, "pair_style pw85/granular" + like + unlike, 1)[0], self.forces, unlike)
+
+    def test_mindlin_by_material(self):
+        """8 G* of two equal bodies is 4 G/(2 - ν) = 2 E/((1 + ν)(2 - ν))."""
+        grains = Grains(**vars(self.spheres()))
+        law = "hertz/material 200000 40 0.3 damping velocity tangential mindlin {} 0.6 0.5"
+        found = move(grains, granular(law.format("NULL")), 20)[-1]
+        self.compare(found, move(grains, granular(law.format(2 * 200000 / (1.3 * 1.7))), 20)[-1], self.forces, law)
+
+
+class Walls(AgainstLammps, unittest.TestCase):
+    """Spheres between planes, as in LAMMPS's own fix wall/gran."""
+
+    HOOKE = tuple(pair + wall for pair, wall in zip(Pairs.HOOKE, (
+        "\nfix wall all wall/gran hooke/history 20000 8000 30 15 0.3 1 zplane 0.05 3.95 shear x 3.0",
+        "\nfix wall all wall/pw85 zplane 0.05 3.95 shear x 3.0 arms surface law "
+        "hooke 20000 30 damping mass_velocity tangential linear_history 8000 0.5 0.3"), strict=True))
+    HERTZ = tuple(pair + wall for pair, wall in zip(Pairs.HERTZ, (
+        "\nfix wall all wall/gran hertz/history 200000 80000 300 150 0.3 1 zplane 0.05 NULL wiggle z 0.02 0.13"
+        "\nfix top all wall/gran hertz/history 200000 80000 300 150 0.3 1 zplane NULL 3.95",
+        "\nfix wall all wall/pw85 zplane 0.05 NULL wiggle z 0.02 0.13 arms surface law "
+        "hertz 200000 300 tangential mindlin 80000 0.5 0.3"
+        "\nfix top all wall/pw85 zplane NULL 3.95 arms surface law hertz 200000 300 tangential mindlin 80000 0.5 0.3"), strict=True))
+
+    def spheres(self, still=False):
+        spheres = super().spheres(still)
+        return dataclasses.replace(spheres, velocities=spheres.velocities + [0.0, 0.0, 7.0])
+
+
+# Ellipsoids with axis ratios up to 3, prolate, oblate and triaxial, of two sizes.
+SHAPES = [[0.5, 0.5, 0.75], [0.7, 0.65, 0.3], [0.25, 0.25, 0.4]]
+
+
+def cloud(seed=7, speed=1.0, edge=4, spacing=1.1):
+    """Ellipsoids in the middle of a box that is so large that none reaches its walls."""
+    grains = lattice(Grains, edge, spacing, SHAPES, seed, speed)
+    inward = -speed * (grains.centers / spacing - 0.5 * edge)  # so that they collide
+    return dataclasses.replace(grains, cell=3.0 * grains.cell, centers=grains.centers + grains.cell.sum(axis=0),
+                               velocities=grains.velocities + inward)
+
+
+ENERGY = """
+compute spin all erotate/asphere
+compute mass all property/atom mass
+compute momenta all property/atom angmomx angmomy angmomz
+variable px atom c_mass*vx
+variable py atom c_mass*vy
+variable pz atom c_mass*vz
+variable lx atom c_mass*(y*vz-z*vy)+c_momenta[1]
+variable ly atom c_mass*(z*vx-x*vz)+c_momenta[2]
+variable lz atom c_mass*(x*vy-y*vx)+c_momenta[3]
+compute sums all reduce sum v_px v_py v_pz v_lx v_ly v_lz
+comm_modify vel yes
+neighbor 0.1 bin
+neigh_modify delay 0
+{pair}
+{walls}
+variable total equal pe+ke+c_spin{wall_energy}
+fix move all nve/asphere
+timestep {timestep:.17g}
+thermo {every}
+thermo_style custom step v_total pe ke c_sums[*]
+thermo_modify norm no format float %.17g
+run {steps}
+"""
+
+
+def energies(grains, law, timestep, steps, every, ranks=1, walls=()):
+    """Rows of the total energy, the potential and the kinetic one, the momentum and the angular momentum."""
+    fixes = "\n".join(f"fix wall{k} all wall/pw85 {wall} law {law}" for k, wall in enumerate(walls))
+    commands = ENERGY.format(pair=granular(law), timestep=timestep, steps=steps, every=every, walls=fixes,
+                             wall_energy="".join(f"+f_wall{k}" for k in range(len(walls))))
+    return thermo(run(preamble(grains) + commands, grains, ranks)[0])[:, 1:]
+
+
+class Conservation(unittest.TestCase):
+    def test_energy_without_damping(self):
+        """The law hooke has an energy, which Verlet's method keeps up to the square of the time step."""
+        errors = []
+        for timestep in (0.001, 0.0005):
+            total, potential = energies(cloud(), "hooke 2000 0", timestep, round(0.5 / timestep), 10).T[:2]
+            self.assertGreater(np.ptp(potential), 0.1 * total[0], "hardly any contacts")
+            errors.append(np.abs(total - total[0]).max() / total[0])
+        print(f"relative error of the energy for time steps 0.001, 0.0005: {errors}")
+        self.assertLess(errors[1], 1e-3)
+        self.assertGreater(errors[0] / errors[1], 3.0, errors)
+
+    def test_energy_of_hertz(self):
+        """The force leaves out how R changes during a contact, a part of the order of the depth over R."""
+        total, potential = energies(cloud(spacing=1.35), "hertz 50000 0", 0.0005, 800, 20).T[:2]
+        error = np.abs(total - total[0]).max() / total[0]
+        print(f"hertz: the springs hold up to {potential.max() / total[0]} of the energy, which changes by {error}")
+        self.assertLess(error, 0.2 * potential.max() / total[0])
+
+    def test_energy_between_walls(self):
+        """Ellipsoids that bounce between planes, and hit each other."""
+        box = dataclasses.replace(lattice(Grains, 3, 1.5, SHAPES, 9, speed=3.0), periodic=False)
+        walls = [f"{axis}plane 0 4.5" for axis in "xyz"]
+        errors = []
+        for timestep in (0.0006, 0.0003):
+            rows = energies(box, "hooke 3000 0", timestep, round(0.6 / timestep), 20, walls=walls)
+            errors.append(np.abs(rows[:, 0] - rows[0, 0]).max() / rows[0, 0])
+        self.assertGreater(np.ptp(rows[:, 3:6]), 1.0, "the walls are hardly hit")
+        print(f"between walls, time steps 0.0006, 0.0003: {errors}")
+        self.assertLess(errors[1], 1e-3)
+        self.assertGreater(errors[0] / errors[1], 3.0, errors)
+
+    def test_momenta(self):
+        """Momentum and angular momentum are kept to rounding, whatever the law."""
+        for law, ranks in (("hooke 2000 30 damping mass_velocity tangential linear_history 1000 0.5 0.5", 1),
+                           ("hertz 20000 30 tangential mindlin 10000 0.5 0.5", 2)):
+            rows = energies(cloud(), law, 0.0005, 400, 40, ranks)
+            self.assertLess(rows[-1, 0], 0.8 * rows[0, 0], "hardly any damping")
+            # Each of 400 steps adds rounding errors of the sums of 64 terms, u 64 times their largest one, of some units of momentum and
+            # some tens of units of angular momentum: some 3e-12 and 3e-11.
+            np.testing.assert_allclose(rows[:, 3:6], rows[:1, 3:6].repeat(len(rows), axis=0), rtol=0, atol=3e-12, err_msg=law)
+            np.testing.assert_allclose(rows[:, 6:9], rows[:1, 6:9].repeat(len(rows), axis=0), rtol=0, atol=3e-11, err_msg=law)
+
+    def test_damping_takes_energy(self):
+        """Damping and friction without springs take energy in every step, up to the error of Verlet's method."""
+        total = energies(cloud(), "hooke 2000 10 tangential linear_nohistory 0.5 0.3 damping mass_velocity", 0.0004, 400, 10)[:, 0]
+        self.assertLess(total[-1], 0.8 * total[0])
+        self.assertLess(np.diff(total).max(), 1e-5 * total[0])
+
+
+class Shapes(unittest.TestCase):
+    LAW = "hertz 50000 0"
+
+    def forces(self, places, walls=""):
+        """The forces on grains with semi-axes 0.4, 0.4 and 0.8, upright, at these heights."""
+        count = len(places)
+        centers = np.array([[2.0, 2.0, z] for z in places])
+        upright = np.tile([1.0, 0.0, 0.0, 0.0], (count, 1))
+        grains = Grains(np.diag([4.0, 4.0, 8.0]), True, centers, np.tile([0.4, 0.4, 0.8], (count, 1)), upright,
+                        np.ones(count, dtype=int), np.zeros((count, 3)), np.zeros((count, 3)))
+        return move(grains, granular(self.LAW) + walls, 1)[0][:, 7:10]
+
+    def test_closed_forms(self):
+        """The tip of a spheroid has the radius of curvature 0.4²/0.8; for two of them, R is half of that."""
+        depth, radius = 0.01, 0.2
+        pair = 50000 * np.sqrt(0.5 * radius * depth) * depth
+        wall = 50000 * np.sqrt(radius * depth) * depth
+        found = self.forces([3.0, 4.6 - depth])
+        # The depth has an error of some u 4.6, a fraction of 1e-13 of itself, and its power 3/2 half as much again.
+        np.testing.assert_allclose(found, [[0.0, 0.0, -pair], [0.0, 0.0, pair]], rtol=0, atol=1e-12 * pair)
+        for lower, height, sign in (("1.0 NULL", 1.8 - depth, 1.0), ("NULL 7.0", 6.2 + depth, -1.0)):
+            found = self.forces([height], f"\nfix wall all wall/pw85 zplane {lower} law {self.LAW}")
+            np.testing.assert_allclose(found, [[0.0, 0.0, sign * wall]], rtol=0, atol=1e-12 * wall)
+
+
+class Errors(unittest.TestCase):
+    START = "comm_modify vel yes\npair_style pw85/granular"
+    LAW = "\npair_coeff * * hooke 1000 0"
+
+    def check(self, commands, *words, grains=None):
+        grains = grains or lattice(Grains, 2, 2.0, SHAPES[:2], 3)
+        text = failure(preamble(grains) + commands + "\nrun 1\n", grains)
+        for word in words:
+            self.assertIn(word, text)
+
+    def test_words(self):
+        for law, words in (("hooke 1000", ("lacks damping",)),
+                           ("hooke -1 0", ("bad stiffness: -1",)),
+                           ("jkr 1000 0", ("unknown normal law jkr", "hertz, hertz/material, hooke")),
+                           ("hertz/material 1000 0 0.6", ("bad Poisson's ratio: 0.6",)),
+                           ("hertz 1000 0 tangential mindlin NULL 1 0.5", ("needs hertz/material",)),
+                           ("hooke 1000 2 damping tsuji", ("coefficient of restitution above 1",)),
+                           ("hooke 1000 0 rolling sds", ("unknown keyword rolling",))):
+            self.check(f"{self.START}\npair_coeff * * {law}", *words)
+
+    def test_system(self):
+        self.check("pair_style pw85/granular" + self.LAW, "use comm_modify vel yes")
+        self.check(f"{self.START} 1.0{self.LAW}", "the pair cutoff 1 of types 1 and 1 misses contacts", "to 1.5 or more")
+        self.check(f"{self.START}{self.LAW}\nset atom 3 shape 0 0 0", "atom 3 has no shape", "set ... shape")
+        self.check(f"{self.START}\npair_coeff 1 1 hooke 1 0\npair_coeff 2 2 hertz 1 0", "add pair_coeff 1 2")
+
+    def test_walls(self):
+        start = self.START + self.LAW + "\nfix wall all wall/pw85 "
+        law = "law hooke 1000 0"
+        for words, message in ((f"zcylinder 1.0 2.0 {law}", "unknown wall zcylinder"),
+                               (f"zplane 0.0 NULL shear z 1.0 {law}", "shear must be along the wall"),
+                               (f"zplane 0.0 NULL wiggle z 1.0 0.0 {law}", "the period must be positive"),
+                               ("zplane 0.0 NULL law hooke 1000 x", "Expected floating point parameter"),
+                               ("zplane 0.0 NULL law hertz 1000", "fix wall/pw85: the law of force lacks damping"),
+                               (f"zplane 0.0 NULL {law}", "the box is periodic across the wall")):
+            self.check(start + words, message)
+
+    def test_depth(self):
+        deep = lattice(Grains, 2, 2.0, SHAPES[:2], 3)
+        deep.centers[1] = deep.centers[0] + [0.01, 0.0, 0.0]
+        self.check(self.START + self.LAW, "atom 1 and atom 2 overlap more than the law of force allows", "fix pw85/fire", grains=deep)
+
+    def test_time_step(self):
+        """The mass of two grains with semi-axes 0.5, 0.5 and 0.75 is half of their own; the limit is 0.2 √(m/k)."""
+        near = lattice(Grains, 2, 0.95, SHAPES[:1], 3, jitter=0.0)
+        text, _ = run(preamble(near) + f"{self.START}{self.LAW}\ntimestep 0.1\nfix move all nve/asphere\nrun 1\n", near)
+        limit = 0.2 * np.sqrt(0.5 * near.masses[0] / 1000.0)
+        self.assertIn(f"the time step is too long for the stiffest contact: use timestep {limit:.5f}"[:-1], text)
+
+
+if __name__ == "__main__":
+    unittest.main()
