@@ -2,13 +2,16 @@
 #ifndef PW85_TESTS_CONTAINMENT_TRUTH_HPP_INCLUDED
 #define PW85_TESTS_CONTAINMENT_TRUTH_HPP_INCLUDED
 
+#include <limits>
+
+#include "golden_section.hpp"
 #include "wide.hpp"
 
 namespace pw85_tests {
 
 using Truth100 = Multiprecision<100>;
 
-/// ν + rᵀ(Q1 - Q2/ν)⁻¹r by elimination; infinity, as -1, where the matrix is not positive definite.
+/// ν + rᵀ(Q1 - Q2/ν)⁻¹r by elimination; infinity where the matrix is not positive definite.
 template <int D> Truth100 gauge(Sample<Truth100, D> const &s, Truth100 const &nu)
 {
     Truth100 m[D][D], x[D], sum = nu;
@@ -17,7 +20,7 @@ template <int D> Truth100 gauge(Sample<Truth100, D> const &s, Truth100 const &nu
         for (int j = 0; j < D; ++j) m[i][j] = s.q1(i, j) - s.q2(i, j) / nu;
     }
     for (int k = 0; k < D; ++k) {
-        if (m[k][k] <= 0) return -1;
+        if (m[k][k] <= 0) return std::numeric_limits<Truth100>::infinity();
         sum += x[k] * x[k] / m[k][k];
         for (int i = k + 1; i < D; ++i) {
             Truth100 const factor = m[i][k] / m[k][k];
@@ -32,28 +35,10 @@ template <int D> Truth100 gauge(Sample<Truth100, D> const &s, Truth100 const &nu
 template <class T, int D> Truth100 kappa2(Sample<T, D> const &sample)
 {
     auto const s = convert<Truth100>(sample);
-    Truth100 const golden = (sqrt(Truth100(5)) - 1) / 2;
-    Truth100 low = 0, high = 1;
-    while (gauge(s, high) < 0) high *= 2;
-    high = gauge(s, high);
-    Truth100 left = high - golden * (high - low), right = low + golden * (high - low);
-    Truth100 at_left = gauge(s, left), at_right = gauge(s, right);
-    for (int n = 0; n < 250; ++n) {
-        if (at_left < 0 || (at_right >= 0 && at_left > at_right)) {
-            low = left;
-            left = right;
-            at_left = at_right;
-            right = low + golden * (high - low);
-            at_right = gauge(s, right);
-        } else {
-            high = right;
-            right = left;
-            at_right = at_left;
-            left = high - golden * (high - low);
-            at_left = gauge(s, left);
-        }
-    }
-    return gauge(s, high);
+    auto const value = [&s](Truth100 const &nu) { return gauge(s, nu); };
+    Truth100 high = 1;
+    while (isinf(value(high))) high *= 2;
+    return value(golden_section<Truth100>(value, {0, value(high)}, 250).high);
 }
 
 /// κ² <= 1; what is nearer to 1 than 1e-40 touches.

@@ -11,6 +11,7 @@
 #include "condition_number.hpp"
 #include "draws.hpp"
 #include "failures.hpp"
+#include "golden_section.hpp"
 #include "random_pairs.hpp"
 #include "wide.hpp"
 
@@ -55,26 +56,13 @@ struct Least {
 
 Least least(Passing const &p)
 {
-    Wide const golden = (sqrt(Wide(5)) - 1) / 2, start = mu2_at(p, 0);
-    Wide low = 0, high = std::isinf(p.t_max) ? Wide(1) : Wide(p.t_max);
-    while (std::isinf(p.t_max) && mu2_at(p, high) <= start) high *= 2;
-    Wide left = high - golden * (high - low), right = low + golden * (high - low);
-    Wide at_left = mu2_at(p, left), at_right = mu2_at(p, right);
-    for (int n = 0; n < 110; ++n)
-        if (at_left > at_right) {
-            low = left;
-            left = right;
-            at_left = at_right;
-            right = low + golden * (high - low);
-            at_right = mu2_at(p, right);
-        } else {
-            high = right;
-            right = left;
-            at_right = at_left;
-            left = high - golden * (high - low);
-            at_left = mu2_at(p, left);
-        }
-    Least result{mu2_at(p, (low + high) / 2), (low + high) / 2};
+    auto const value = [&p](Wide const &t) { return mu2_at(p, t); };
+    Wide const start = value(0);
+    Wide high = std::isinf(p.t_max) ? Wide(1) : Wide(p.t_max);
+    while (std::isinf(p.t_max) && value(high) <= start) high *= 2;
+    auto const found = golden_section<Wide>(value, {0, high}, 110);
+    Wide const t = (found.low + found.high) / 2;
+    Least result{value(t), t};
     if (start <= result.mu2) result = {start, 0};
     if (!std::isinf(p.t_max) && mu2_at(p, p.t_max) <= result.mu2) result = {mu2_at(p, p.t_max), p.t_max};
     return result;

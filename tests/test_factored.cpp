@@ -137,6 +137,36 @@ void test_crossed()
     }
 }
 
+/// The corrected evaluation alone: it errs by less than 4 u c wherever it is certain, however far t is from the maximum and whatever
+/// h'' the search found.
+void test_corrected()
+{
+    namespace d = pw85::detail;
+    Failures failures;
+    Random random(34);
+    int certain = 0;
+    int const count = draws(4000);
+    for (int n = 0; n < count; ++n) {
+        auto const p = random_factors(random, n % 4, random.log_uniform(1.0, n % 2 == 0 ? 1e3 : 1e5),
+                                      random.log_uniform(0x1p-10, 0x1p10));
+        auto const pair = d::pair_of(p.r12, p.s1, p.s2);
+        auto const exact = truth_of(p);
+        double const off = random.sign() * random.log_uniform(1e-12, 1e-4);
+        double const t = static_cast<double>(Truth100(exact.lambda / (1 - exact.lambda))) * (1.0 + off);
+        double const k2 = random.sign() * random.log_uniform(1e-3, 1e300);
+        auto const describe = [&] { return hex_text(p) + ", t = " + pw85_tests::hex_text(&t, 1); };
+        auto const last = d::last_evaluation(pair, d::rounded_forms(pair), {t, 0.0, k2});
+        double const error = error_in_units(last.value.mu2, exact);
+        bool const negative = d::last_evaluation(pair, d::rounded_forms(pair), {-t, 0.0, k2}).certain;
+        failures.check(!negative, "certain at -t", negative, 0.0, describe);
+        failures.check(!last.certain || error <= 4.0, "corrected evaluation", error, 4.0, describe);
+        certain += last.certain;
+    }
+    g_test_message("%d of %d evaluations certain", certain, count);
+    g_assert_cmpint(certain, >, count / 2);
+    g_assert_cmpint(certain, <, count);
+}
+
 template <class T, int D> void test_scalar()
 {
     Failures failures;
@@ -254,6 +284,7 @@ int main(int argc, char **argv)
 {
     g_test_init(&argc, &argv, nullptr);
     g_test_add_func("/factored/error", test_error);
+    g_test_add_func("/factored/corrected", test_corrected);
     g_test_add_func("/factored/digits", test_digits);
     g_test_add_func("/factored/crossed", test_crossed);
     g_test_add_func("/factored/scalars/float", test_scalar<float, 3>);

@@ -13,6 +13,7 @@
 #include "failures.hpp"
 #include "random_pairs.hpp"
 #include "rotated.hpp"
+#include "sensitivity.hpp"
 #include "wide.hpp"
 
 using namespace pw85_tests;
@@ -39,14 +40,6 @@ pw85::Penetration<double, 3> penetration(Sample<double, 3> const &p)
 template <class T, int D> T shift(Sample<T, D> const &p, pw85::Vector<T, D> const &n)
 {
     return pw85::detail::support(p.q1, n).extent + pw85::detail::support(p.q2, n).extent - pw85::dot(n, p.r12);
-}
-
-/// Σ of the contract.
-template <class T, int D> T sensitivity(Sample<T, D> const &p, pw85::Vector<T, D> const &n)
-{
-    return pw85::detail::magnitude_of_form(p.q1, n) / (2 * pw85::detail::support(p.q1, n).extent) +
-           pw85::detail::magnitude_of_form(p.q2, n) / (2 * pw85::detail::support(p.q2, n).extent) +
-           pw85::detail::magnitude_of_dot(n, p.r12);
 }
 
 template <int D> Sample<double, D> overlapping_pair(Random &random, double aspect)

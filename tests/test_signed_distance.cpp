@@ -13,6 +13,7 @@
 #include "failures.hpp"
 #include "random_pairs.hpp"
 #include "rotated.hpp"
+#include "sensitivity.hpp"
 #include "stationary_width.hpp"
 #include "wide.hpp"
 
@@ -40,14 +41,6 @@ Result signed_distance(Sample<double, 3> const &p)
                                                      d.rotation2.coordinates, *d.hessian),
                     ==, d.status);
     return d;
-}
-
-/// Σ of pw85_distance().
-template <class T> T sensitivity(Sample<T, 3> const &p, pw85::Vector<T, 3> const &n)
-{
-    return pw85::detail::magnitude_of_form(p.q1, n) / (2 * pw85::detail::support(p.q1, n).extent) +
-           pw85::detail::magnitude_of_form(p.q2, n) / (2 * pw85::detail::support(p.q2, n).extent) +
-           pw85::detail::magnitude_of_dot(n, p.r12);
 }
 
 /// Pairs that overlap and pairs that are apart, half of them each.

@@ -43,6 +43,13 @@ def from_lammps(diameters: ArrayLike, quaternions_wxyz: ArrayLike) -> Floats:
     return ellipsoid_quaternion(0.5 * plain(diameters), quaternions_wxyz)
 
 
+def _plain_rows(function: str, x: ArrayLike, size: int) -> Floats:
+    rows = plain(x)
+    if rows.shape[-1:] != (size,):
+        raise ValueError(f"{function}: the last dimension must be {size}, but the shape is {rows.shape}")
+    return rows
+
+
 def from_ovito(semi_axes: ArrayLike, quaternions_xyzw: ArrayLike) -> Floats:
     """Forms of the ellipsoids of OVITO.
 
@@ -70,9 +77,7 @@ def from_ovito(semi_axes: ArrayLike, quaternions_xyzw: ArrayLike) -> Floats:
     >>> pypw85.from_ovito([1, 2, 3], [0, 0, 1, 1]).round(12) + 0.0
     array([4., 0., 0., 1., 0., 9.])
     """
-    quaternions = plain(quaternions_xyzw)
-    if quaternions.shape[-1:] != (4,):
-        raise ValueError(f"from_ovito: the last dimension must be 4, but the shape is {quaternions.shape}")
+    quaternions = _plain_rows("from_ovito", quaternions_xyzw, 4)
     return ellipsoid_quaternion(semi_axes, quaternions[..., [3, 0, 1, 2]])
 
 
@@ -189,9 +194,7 @@ def from_rotation_vector(semi_axes: ArrayLike, rotation_vectors: ArrayLike) -> F
     >>> pypw85.from_rotation_vector([3, 2, 1], [0, 0, np.pi / 2]).round(12) + 0.0
     array([4., 0., 0., 9., 0., 1.])
     """
-    omega = plain(rotation_vectors)
-    if omega.shape[-1:] != (3,):
-        raise ValueError(f"from_rotation_vector: the last dimension must be 3, but the shape is {omega.shape}")
+    omega = _plain_rows("from_rotation_vector", rotation_vectors, 3)
     half = 0.5 * np.sqrt((omega * omega).sum(axis=-1, keepdims=True))
     quaternions = np.concatenate([np.cos(half), 0.5 * np.sinc(half / np.pi) * omega], axis=-1)
     return ellipsoid_quaternion(semi_axes, quaternions)

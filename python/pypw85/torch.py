@@ -172,7 +172,15 @@ def _tensors(arrays: Any) -> tuple[torch.Tensor, ...]:
     return tuple(torch.from_numpy(np.array(x, dtype=np.float64)) for x in arrays)
 
 
-class _Contact(torch.autograd.Function):
+class _Value(torch.autograd.Function):
+    """A value of r12, q1, q2, whose gradient is a function of the saved tensors, and what is found with it."""
+
+    @staticmethod
+    def backward(ctx: Any, d_value: torch.Tensor, _: torch.Tensor) -> tuple[torch.Tensor, ...]:  # type: ignore[override]
+        return tuple(d_value[..., None] * d for d in ctx.gradient.apply(*ctx.saved_tensors))
+
+
+class _Contact(_Value):
     """μ² and λ of r12, q1, q2."""
 
     @staticmethod
@@ -180,11 +188,8 @@ class _Contact(torch.autograd.Function):
         mu2, lambda_ = _tensors(_core.call_contact(*_arrays(pair), None, {}))
         ctx.save_for_backward(*pair, lambda_)
         ctx.mark_non_differentiable(lambda_)
+        ctx.gradient = _Gradient
         return mu2, lambda_
-
-    @staticmethod
-    def backward(ctx: Any, d_mu2: torch.Tensor, _: torch.Tensor) -> tuple[torch.Tensor, ...]:  # type: ignore[override]
-        return tuple(d_mu2[..., None] * d for d in _Gradient.apply(*ctx.saved_tensors))
 
 
 class _Gradient(torch.autograd.Function):
@@ -243,7 +248,7 @@ def _change_of_gradient(
     )
 
 
-class _SignedDistance(torch.autograd.Function):
+class _SignedDistance(_Value):
     """The signed distance and the normal of r12, q1, q2."""
 
     @staticmethod
@@ -252,11 +257,8 @@ class _SignedDistance(torch.autograd.Function):
         distance, normal = _tensors((_core.signed_distance(*arrays)[0], _core.signed_distance_derivatives(*arrays)[0]))
         ctx.save_for_backward(*pair, distance, normal)
         ctx.mark_non_differentiable(normal)
+        ctx.gradient = _GradientOfDistance
         return distance, normal
-
-    @staticmethod
-    def backward(ctx: Any, d_distance: torch.Tensor, _: torch.Tensor) -> tuple[torch.Tensor, ...]:  # type: ignore[override]
-        return tuple(d_distance[..., None] * d for d in _GradientOfDistance.apply(*ctx.saved_tensors))
 
 
 class _GradientOfDistance(torch.autograd.Function):

@@ -1,14 +1,29 @@
 /// @file
 /// The contact function of ellipsoids that are given by factors, Qi = Si Siᵀ. pw85.hpp and the C API (one_pair.cpp) use this file.
-/// It solves equations by conjugate directions (gram_schmidt.hpp), and iterates with the safeguarded search
-/// (safeguarded_search.hpp).
 ///
-/// The forms are never computed, so no condition number is squared. Let M = Q1 + t Q2 and s = M⁻¹r. With conjugate directions w_j
-/// for M and d_j = w_jᵀM w_j,
+/// The search on the rational form (solver.hpp) finds t from the forms, rounded. One evaluation at t with the factors follows (items 3
+/// to 5). It is certain for almost all pairs with aspect ratios below 10⁴. For the others a safeguarded search solves equations by
+/// conjugate directions (gram_schmidt.hpp; items 1 and 2), without forms, so that no condition number is squared.
+///
+/// Let M = Q1 + t Q2 and s = M⁻¹r. With conjugate directions w_j for M and d_j = w_jᵀM w_j,
 ///
 /// 1. s = Σ (rᵀw_j/d_j) w_j, A = |S1ᵀs|², B = |S2ᵀs|² and rᵀs = Σ (rᵀw_j)²/d_j.
 /// 2. Let z_j = (S2ᵀw_j)·(S2ᵀs), and v = Σ (z_j/d_j) w_j = M⁻¹Q2s. Then A' = -2 (S1ᵀs)·(S1ᵀv), B' = -2 Σ z_j²/d_j, A'' = 6 |S1ᵀv|²
 ///    and B'' = 6 |S2ᵀv|² (item 2 of evaluation.hpp).
+///
+/// Let C be the computed inverse of M by the adjugate, d the determinant of M over the product of its diagonal, and u the unit
+/// roundoff. All norms of errors are those of M, relative to s. Scale M to a unit diagonal; its largest eigenvalue is then at most 3,
+/// and its smallest at least 4d/9.
+///
+/// 3. I - C M is below 128 u/d, with the roundings of a product with C: 34 from M, whose entries err by 5u; 24 from the entries of the
+///    adjugate, and 17 from the determinant; 27 from the product. So s = C r errs by 128 u/d, and s + C (r - M s) by (128 u/d)². With
+///    M s = S1 (S1ᵀs) + t S2 (S2ᵀs), roundings add 8 u/√d by the images, 13 u/√d by the rest of the residual, and 3 u/√d by the sum.
+///    That is below 32 u/√d.
+/// 4. Let v = C Q2 s. h' = 1 + t (vᵀQ1s/A - vᵀQ2s/B) errs by 10 times the error of s and C, over λ(1-λ).
+/// 5. Let e be the error of the corrected s. If d >= 64 u^(2/3), then e < 64 u/√d. Let x be the last step in log t. The value errs by
+///    the three parts of is_certain() (iteration.hpp), and by the error of h'. If 4096 u/d < h' λ(1-λ), then h' errs by less than a
+///    third of itself, and e²/h' is below u. If 4096 x² < d, then e x is below u, and so is the share of h' in ½ f' x, which is at
+///    most 2560 u/d x².
 ///
 /// If the entries of S1, S2 and r change by fractions ε, then μ² changes by a fraction of at most ε c, where c = 2 λ (Σ|s_i S1_ij
 /// (S1ᵀs)_j| + t Σ|s_i S2_ij (S2ᵀs)_j| + Σ|s_i r_i|)/μ². The error of the result is a small multiple of u c.
@@ -121,32 +136,91 @@ template <class T, int D> PW85_FUNCTION inline Pair<T, D> rounded_forms(Factored
     return {pair.r12, form_of_factor(pair.q1), form_of_factor(pair.q2), pair.ratio};
 }
 
-/// The end of the search on the rational form, if that search converges. Otherwise it is the guess, or 1 if the guess is out of
-/// range.
-template <class T, int D> PW85_FUNCTION inline T end_of_search(Pair<T, D> const &pair, T const &guess) noexcept
+/// w with its images.
+template <class T, int D> [[gnu::always_inline]] PW85_FUNCTION constexpr ImagedVector<T, D>
+imaged(FactoredPair<T, D> const &pair, Vector<T, D> const &w) noexcept
 {
-    auto state = start_search(pair, guess);
-    run(state, pair, max_rational_steps);
-    T const t = state.active ? guess : state.candidate.t;
+    return {w, transposed_times(pair.q1, w), transposed_times(pair.q2, w)};
+}
+
+/// A and B, rᵀs and h' from a corrected solution (items 3 and 4).
+template <class T> struct CorrectedEvaluation {
+    T a, b, rs, k;
+    T determinant, diagonal; ///< d is their ratio
+};
+
+/// Solves with the adjugate of the rounded M, and corrects the solution once.
+template <class T, int D> [[gnu::always_inline]] PW85_FUNCTION inline CorrectedEvaluation<T>
+evaluate_corrected(FactoredPair<T, D> const &pair, Pair<T, D> const &rounded_pair, T const &t) noexcept
+{
+    auto const m = blend(rounded_pair.q1, t, rounded_pair.q2), adj = adjugate(m);
+    T const det = determinant(m, adj), unit = T(1) / det;
+    auto const first = imaged(pair, unit * product(adj, pair.r12));
+    auto const p = times(pair.q1, first.first), q = times(pair.q2, first.second), v = unit * product(adj, q);
+    T const a = dot(first.first, first.first), b = dot(first.second, first.second);
+    T const k = T(1) + t * (dot(p, v) * b - dot(q, v) * a) / (a * b);
+    auto const s = add_scaled(first, unit, imaged(pair, product(adj, (pair.r12 - p) - t * q)));
+    return {dot(s.first, s.first), dot(s.second, s.second), dot(pair.r12, s.w), k, det, diagonal_product(m)};
+}
+
+/// The smallest d for which a corrected evaluation can be certain: about 64 u^(2/3), so that (128 u/d)² is below 32 u/√d (item 3).
+template <class T> PW85_FUNCTION constexpr T least_correctable() noexcept
+{
+    return negative_power_of_two<T>(2 * mantissa_digits<T>() / 3 - 6);
+}
+
+/// Whether a corrected evaluation at t is correct to rounding (item 5).
+template <class T> PW85_FUNCTION inline bool is_certain(CorrectedEvaluation<T> const &e, T const &t,
+                                                        StationaryValue<T> const &value) noexcept
+{
+    T const x = absolute(value.step), least = maximum(least_correctable<T>(), T(T(4096) * (x * x)));
+    return t > T(0) && x <= final_step<T>() && e.determinant > least * e.diagonal &&
+           e.k * (value.lambda * value.complement) * e.determinant > T(4096 * unit_roundoff<T>()) * e.diagonal;
+}
+
+/// The last evaluation of a search on the rounded forms. Only h'' comes from the search. Beyond its bound it is rounding noise.
+template <class T, int D> [[gnu::always_inline]] PW85_FUNCTION inline LastEvaluation<T>
+last_evaluation(FactoredPair<T, D> const &pair, Pair<T, D> const &rounded_pair, Candidate<T> const &candidate) noexcept
+{
+    auto const e = evaluate_corrected(pair, rounded_pair, candidate.t);
+    T const bound = e.k + e.k;
+    Candidate<T> const exact{candidate.t, e.k, minimum(bound, maximum(T(-bound), candidate.k2))};
+    auto const value = stationary_value(exact, pair.ratio, e.a, e.b, e.rs);
+    return {{value.mu2, value.lambda, value.complement, value.step}, is_certain(e, candidate.t, value)};
+}
+
+/// t, or 1 if a search cannot start at t.
+template <class T> PW85_FUNCTION inline T start_near(T const &t) noexcept
+{
     return t > smallest_number<T>() && t < largest_number<T>() ? t : T(1);
 }
 
-/// The start of the search: the end of the search on the rounded forms.
-template <class T, int D> PW85_FUNCTION inline T initial_guess(FactoredPair<T, D> const &pair) noexcept
+/// The end of a search on the rounded forms if it converged, otherwise its start.
+template <class T, int D>
+PW85_FUNCTION inline T start_from(Pair<T, D> const &rounded_pair, Candidate<T> const &candidate) noexcept
 {
-    auto const rounded_pair = rounded_forms(pair);
-    return end_of_search(rounded_pair, initial_guess(rounded_pair));
+    return start_near(candidate.k > T(0) ? candidate.t : initial_guess(rounded_pair));
+}
+
+/// The maximum of f by conjugate directions, from t.
+template <class T, int D>
+[[gnu::noinline]] PW85_FUNCTION inline Maximum<T> maximize_by_directions(FactoredPair<T, D> const &pair, T t) noexcept
+{
+    auto const m = search(pair, t);
+    if constexpr (std::is_floating_point_v<T> && FLT_EVAL_METHOD == 0)
+        if (!m.certain) return search_doubled(pair, start_near(t));
+    return m;
 }
 
 /// The maximum of f for a pair in range. The function is not inlined, so that scaling a pair changes no bit of the result (solver.hpp).
 template <class T, int D>
 [[gnu::noinline]] PW85_FUNCTION inline Maximum<T> maximize(FactoredPair<T, D> const &pair) noexcept
 {
-    T t = initial_guess(pair);
-    auto const m = search(pair, t);
-    if constexpr (std::is_floating_point_v<T> && FLT_EVAL_METHOD == 0)
-        if (!m.certain) return search_doubled(pair, t > T(0) && t < largest_number<T>() ? t : T(1));
-    return m;
+    auto const rounded_pair = rounded_forms(pair);
+    auto const end = search_rational_form(rounded_pair);
+    auto const last = last_evaluation(pair, rounded_pair, end.candidate);
+    if (last.certain) return to_maximum(last, end.evaluations + 1, true);
+    return maximize_by_directions(pair, start_from(rounded_pair, end.candidate));
 }
 
 } // namespace pw85::detail

@@ -88,10 +88,16 @@ maximize_factorized(Pair<T, D> const &pair, Candidate<T> candidate, int evaluati
     return to_maximum(refined, evaluations, found_again);
 }
 
-/// Finds the maximum of f over λ in [0, 1], for a pair of positive definite forms in range with r12 != 0. The function is not
-/// inlined. So all callers share one instance, in which the same products are fused, and scaling a pair changes no bit of the
-/// result.
-template <class T, int D> [[gnu::noinline]] PW85_FUNCTION inline Maximum<T> maximize(Pair<T, D> const &pair) noexcept
+/// The end of the search on the rational form of one pair. `evaluations` is 0 if the rational form is too inaccurate to guide a search;
+/// the candidate is then the guess.
+template <class T> struct EndOfSearch {
+    Candidate<T> candidate;
+    int evaluations;
+};
+
+/// Searches on the rational form, from initial_guess().
+template <class T, int D>
+[[gnu::always_inline]] PW85_FUNCTION inline EndOfSearch<T> search_rational_form(Pair<T, D> const &pair) noexcept
 {
     auto const q = side_by_side(pair.q1, pair.q2), other = side_by_side(pair.q2, pair.q1), adj = adjugate(q);
     auto const weights = outer_weights(converted<TwoLanes<T>>(pair.r12));
@@ -101,12 +107,23 @@ template <class T, int D> [[gnu::noinline]] PW85_FUNCTION inline Maximum<T> maxi
     RationalSearch<T, FormOfSteps<T>> search{form_of_steps(rational), {guess, T(0), T(0)}, guess == guess};
     int evaluations = 0;
     T const diagonal = diagonal_product(blend(pair.q1, guess, pair.q2));
-    if (evaluate_b(rational, guess) >= rough_conditioning<T>() * diagonal) {
-        evaluations = run(search, pair, max_rational_steps) + 1;
-        auto const last = last_evaluation(pair, search.candidate);
+    if (evaluate_b(rational, guess) >= rough_conditioning<T>() * diagonal)
+        evaluations = run(search, pair, max_rational_steps);
+    return {search.candidate, evaluations};
+}
+
+/// Finds the maximum of f over λ in [0, 1], for a pair of positive definite forms in range with r12 != 0. The function is not
+/// inlined. So all callers share one instance, in which the same products are fused, and scaling a pair changes no bit of the
+/// result.
+template <class T, int D> [[gnu::noinline]] PW85_FUNCTION inline Maximum<T> maximize(Pair<T, D> const &pair) noexcept
+{
+    auto [candidate, evaluations] = search_rational_form(pair);
+    if (evaluations > 0) {
+        auto const last = last_evaluation(pair, candidate);
+        ++evaluations;
         if (last.certain) return to_maximum(last, evaluations, true);
     }
-    return maximize_factorized(pair, search.candidate, evaluations);
+    return maximize_factorized(pair, candidate, evaluations);
 }
 
 } // namespace pw85::detail

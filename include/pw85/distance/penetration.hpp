@@ -388,7 +388,6 @@ PW85_FUNCTION inline bool subtract_sigma(MinimumProof<T, D> &proof, T const &sig
 /// semidefinite if 16 |h|² < ρ (α + β) margin. c0 errs by less than e = 3u (X1 + X2) c0 (support.hpp). (c - c0)² from the true c0
 /// is at least 1 - 2^-10 of that from the given one, less 2^10 e². So 2^14 e² α²/c0 < ρ (α + β)/2 suffices for c down to c0/16. Row
 /// k errs by less than 8u (trace Q1 + trace Q2/(c c0)). For this another 2^-10 of α²/c and a quarter of the margin suffice.
-/// another 2^-10 of α²/c and a quarter of the margin suffice.
 template <class T, int D>
 PW85_FUNCTION inline MinimumProof<T, D> prepare_proof(DepthSearch<T, D> const &search) noexcept
 {

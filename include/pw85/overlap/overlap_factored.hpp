@@ -123,10 +123,9 @@ decide_by_rounded_forms(FactoredPair<T, D> const &pair, Pair<T, D> const &rounde
 template <class T, int D> PW85_FUNCTION inline Decision decide_by_rounded_forms(FactoredPair<T, D> const &pair) noexcept
 {
     auto const rounded_pair = rounded_forms(pair);
-    T const guess = initial_guess(rounded_pair);
-    Decision const decision = decide_by_rounded_forms(pair, rounded_pair, guess);
-    return decision != Decision::none ? decision
-                                      : decide_by_rounded_forms(pair, rounded_pair, end_of_search(rounded_pair, guess));
+    Decision const decision = decide_by_rounded_forms(pair, rounded_pair, initial_guess(rounded_pair));
+    if (decision != Decision::none) return decision;
+    return decide_by_rounded_forms(pair, rounded_pair, search_rational_form(rounded_pair).candidate.t);
 }
 
 /// The pair times a power of two that brings the entries of the larger factor to order one.
