@@ -109,6 +109,7 @@ module pw85
   public :: pw85_distance_2d
   public :: pw85_first_contact
   public :: pw85_closest_passage
+  public :: pw85_free_path
   public :: pw85_distance_plane
   public :: pw85_distance_plane_derivatives
   public :: pw85_contact_plane
@@ -134,6 +135,7 @@ module pw85
   public :: pw85_contains_batch
   public :: pw85_containment_batch
   public :: pw85_closest_passage_batch
+  public :: pw85_free_path_batch
   public :: pw85_closest_approach_batch
   public :: pw85_contact_factored_batch
   public :: pw85_condition_batch
@@ -597,6 +599,15 @@ module pw85
       integer(c_int) :: status
     end function pw85_closest_passage
 
+    !> How far ellipsoid 1 may move along a direction before it touches ellipsoid 2.
+    function pw85_free_path(r12, q1, q2, direction, t_max, t) result(status) bind(C, name='pw85_free_path')
+      import
+      real(c_double), intent(in) :: r12(3), q1(6), q2(6), direction(3)
+      real(c_double), value :: t_max
+      real(c_double), intent(out) :: t
+      integer(c_int) :: status
+    end function pw85_free_path
+
     !> Distance from an ellipsoid with its centre at 0 to the half-space normal·x >= offset.
     function pw85_distance_plane(normal, offset, q, distance, point) result(status) bind(C, name='pw85_distance_plane')
       import
@@ -830,6 +841,16 @@ module pw85
       real(c_double), intent(out), optional :: t(n)
       integer(c_int) :: status
     end function pw85_closest_passage_batch
+
+    !> pw85_free_path() for n pairs.
+    function pw85_free_path_batch(n, r12, q1, q2, direction, t_max, t) result(status) bind(C, &
+      name='pw85_free_path_batch')
+      import
+      integer(c_size_t), value :: n
+      real(c_double), intent(in) :: r12(3, n), q1(6, n), q2(6, n), direction(3, n), t_max(n)
+      real(c_double), intent(out) :: t(n)
+      integer(c_int) :: status
+    end function pw85_free_path_batch
 
     !> pw85_closest_approach() for n pairs.
     function pw85_closest_approach_batch(n, directions, q1, q2, distance) result(status) bind(C, &

@@ -591,6 +591,21 @@ PW85_API int pw85_first_contact(double const r12[PW85_DIM], double const q1[PW85
 PW85_API int pw85_closest_passage(double const r12[PW85_DIM], double const q1[PW85_SYM], double const q2[PW85_SYM],
                                   double const velocity[PW85_DIM], double t_max, double *mu2, double *t);
 
+/** How far ellipsoid 1 may move along a direction before it touches ellipsoid 2: it moves by t direction, so that the separation is
+ * r12 - t direction.
+ *
+ * At the t that is returned and before, the ellipsoids do not overlap, for certain, if they do not at t = 0; rounding errors make t
+ * smaller, never larger. The contact follows within them: μ² <= 1 + 80 u S at t, with S as for pw85_first_contact(). t is 0 if the
+ * ellipsoids overlap at t = 0 by more than rounding, or touch and approach.
+ *
+ * @param r12,q1,q2 as for pw85_contact()
+ * @param direction of any length > 0
+ * @param t_max the end of the path, >= 0; may be infinity
+ * @param[out] t in [0, t_max), or infinity if there is no contact on the path
+ * @return #PW85_SUCCESS, #PW85_EINVAL (also for a zero direction), #PW85_ENOTPD, #PW85_ECONVERGENCE as for pw85_first_contact() */
+PW85_API int pw85_free_path(double const r12[PW85_DIM], double const q1[PW85_SYM], double const q2[PW85_SYM],
+                            double const direction[PW85_DIM], double t_max, double *t);
+
 /** @}
  * @name Walls, points and lines
  *
@@ -904,6 +919,18 @@ PW85_API int pw85_containment_batch(size_t n, double const *r12, double const *q
  * @return as for pw85_contact_batch() */
 PW85_API int pw85_closest_passage_batch(size_t n, double const *r12, double const *q1, double const *q2,
                                         double const *velocity, double t_max, double *mu2, double *t);
+
+/** pw85_free_path() for n pairs; the bits are the same.
+ *
+ * @param n number of pairs
+ * @param r12 n×3
+ * @param q1,q2 n×6
+ * @param direction n×3
+ * @param t_max n
+ * @param[out] t n
+ * @return as for pw85_contact_batch(); the causes of pw85_free_path() */
+PW85_API int pw85_free_path_batch(size_t n, double const *r12, double const *q1, double const *q2,
+                                  double const *direction, double const *t_max, double *t);
 
 /** pw85_closest_approach() for n pairs. The relative error is below 2 u cond + 4 u; the last bits may differ from those of
  * pw85_closest_approach().

@@ -398,3 +398,10 @@ int pw85_bounding_boxes(size_t n, double const *q, double *half_widths)
 {
     return each_row(n, bounding_box_of, RowsOf<6>{q}, RowsOf<3, double>{half_widths});
 }
+
+int pw85_free_path_batch(size_t n, double const *r12, double const *q1, double const *q2, double const *direction,
+                         double const *t_max, double *t)
+{
+    return each_row(n, pw85_free_path, RowsOf<3>{r12}, RowsOf<6>{q1}, RowsOf<6>{q2}, RowsOf<3>{direction},
+                    Numbers{t_max}, RowsOf<1, double>{t});
+}
