@@ -128,28 +128,7 @@ InversePowers shifted(InversePowers law) noexcept
     return law;
 }
 
-/// The number of pairs that are tested at a time: slightly more than the neighbours of a particle in a dense system.
-constexpr std::size_t any_chunk_size = 32;
-
-/// Finds the first pair that overlaps or is bad, and sets `any` to 1, or 0 if there is none. For a bad pair it sets `any` to -1 and
-/// returns the status of the pair.
-template <class Rows> int find_overlap(Rows const &rows, std::size_t n, int &any) noexcept
-{
-    Kernels const &kernels = chosen();
-    unsigned char answers[any_chunk_size];
-    for (std::size_t begin = 0; begin < n; begin += any_chunk_size) {
-        std::size_t const count = std::min(any_chunk_size, n - begin);
-        Failure const bad = compute(kernels, rows.from(begin), count, OverlapArray{answers});
-        unsigned char const *const found = std::find_if(answers, answers + count, [](int x) { return x != 0; });
-        if (found == answers + count) continue;
-        any = *found == 1 ? 1 : -1;
-        return any == 1 ? PW85_SUCCESS : bad.status;
-    }
-    any = 0;
-    return PW85_SUCCESS;
-}
-
-/// Does the same for one ellipsoid and n others of a system, with the images that the caller gives, or else the nearest ones. If no
+/// find_overlap() for one ellipsoid and n others of a system, with the images that the caller gives, or else the nearest ones. If no
 /// nearest image overlaps but a farther one could, it returns an error.
 int overlap_any_images(OneToIndexed rows, pw85_system const &system, std::size_t n, int &any) noexcept
 {

@@ -1,6 +1,6 @@
 /// @file
 /// Drives the lane kernels: it divides the pairs among threads, and computes the pairs that lanes leave over by the function for
-/// one pair. many_pairs.cpp calls compute_all().
+/// one pair. many_pairs.cpp calls compute_all() and find_overlap(); simulation/engine.cpp calls find_overlap().
 #ifndef PW85_KERNELS_MANY_PAIRS_HPP_INCLUDED
 #define PW85_KERNELS_MANY_PAIRS_HPP_INCLUDED
 
@@ -133,6 +133,27 @@ template <class Rows, class Arrays> int compute_all(std::size_t n, Rows const &r
         Failure const bad = compute(kernels, rows.from(range.begin), range.end - range.begin, out.from(range.begin));
         return Failure{range.begin + bad.index, bad.status};
     });
+}
+
+/// The number of pairs that are tested at a time: slightly more than the neighbours of a particle in a dense system.
+constexpr std::size_t any_chunk_size = 32;
+
+/// Finds the first pair that overlaps or is bad, and sets `any` to 1, or 0 if there is none. For a bad pair it sets `any` to -1 and
+/// returns the status of the pair.
+template <class Rows> int find_overlap(Rows const &rows, std::size_t n, int &any) noexcept
+{
+    Kernels const &kernels = chosen();
+    unsigned char answers[any_chunk_size];
+    for (std::size_t begin = 0; begin < n; begin += any_chunk_size) {
+        std::size_t const count = std::min(any_chunk_size, n - begin);
+        Failure const bad = compute(kernels, rows.from(begin), count, OverlapArray{answers});
+        unsigned char const *const found = std::find_if(answers, answers + count, [](int x) { return x != 0; });
+        if (found == answers + count) continue;
+        any = *found == 1 ? 1 : -1;
+        return any == 1 ? PW85_SUCCESS : bad.status;
+    }
+    any = 0;
+    return PW85_SUCCESS;
 }
 
 } // namespace

@@ -1,0 +1,106 @@
+/// @file
+/// The particles of a simulation and their cell. neighborhood.hpp finds their neighbours, engine.hpp moves them.
+#ifndef PW85_SIMULATION_CONFIGURATION_HPP_INCLUDED
+#define PW85_SIMULATION_CONFIGURATION_HPP_INCLUDED
+
+#include <pw85.h>
+
+#include <pw85/contact/forms.hpp>
+#include <pw85/distance/bounding_box.hpp>
+
+#include "../neighbors/array.hpp"
+#include "../neighbors/periodicity.hpp"
+
+namespace pw85::detail::simulation {
+
+using neighbors::Array;
+using neighbors::Multiples;
+using Vector3 = Vector<double, 3>;
+using Quaternion = Vector<double, 4>;
+using Form3 = SymmetricMatrix<double, 3>;
+
+/// What a particle is and where. The form and the half-widths of its bounding box follow from the rest.
+struct Particle {
+    Vector3 center;
+    Quaternion quaternion;
+    Vector3 semi_axes;
+    Form3 q;
+    Vector3 half_widths;
+
+    /// Computes form and half-widths. Returns false if the rounded form is not positive definite.
+    [[gnu::always_inline]] bool shape() noexcept
+    {
+        auto const form = ellipsoid_quaternion(semi_axes, quaternion);
+        auto const box = bounding_box(form.q);
+        q = form.q;
+        half_widths = box.half_widths;
+        return box.status == Status::success;
+    }
+};
+
+struct Cell {
+    double vectors[9]; ///< rows are vectors; those that are not periodic are not read
+    int periodic[3];
+    bool exists;
+
+    /// Multiples of the periodic vectors. The translation of the negative multiples is the negative one, to the last bit.
+    [[gnu::always_inline]] Vector3 translation(Multiples const &image) const noexcept
+    {
+        Vector3 sum = {0.0, 0.0, 0.0};
+        for (int k = 0; k < 3 && exists; ++k)
+            for (int d = 0; d < 3 && image.n[k] != 0; ++d) sum[d] += image.n[k] * vectors[3 * k + d];
+        return sum;
+    }
+};
+
+/// The centres are never wrapped into the cell. So a separation of two particles is always rounded in the same way, and a pair
+/// without overlap stays one until one of its particles moves or the cell changes.
+struct Configuration {
+    Array<Vector3> centers, semi_axes, half_widths;
+    Array<Quaternion> quaternions;
+    Array<Form3> q;
+    Cell cell;
+
+    std::size_t size() const noexcept { return centers.size(); }
+
+    [[nodiscard]] bool resize(std::size_t n) noexcept
+    {
+        return centers.resize(n) && semi_axes.resize(n) && half_widths.resize(n) && quaternions.resize(n) &&
+               q.resize(n);
+    }
+
+    [[gnu::always_inline]] Particle get(std::size_t i) const noexcept
+    {
+        return {centers[i], quaternions[i], semi_axes[i], q[i], half_widths[i]};
+    }
+
+    [[gnu::always_inline]] void set(std::size_t i, Particle const &particle) noexcept
+    {
+        centers[i] = particle.center;
+        quaternions[i] = particle.quaternion;
+        semi_axes[i] = particle.semi_axes;
+        q[i] = particle.q;
+        half_widths[i] = particle.half_widths;
+    }
+
+    /// From the centre of particle i to that of an image of particle j. The separation from j to i is the negative one, to the last
+    /// bit.
+    [[gnu::always_inline]] Vector3 separation(std::size_t i, std::size_t j, Vector3 const &translation) const noexcept
+    {
+        return (centers[j] - centers[i]) + translation;
+    }
+
+    /// A view for the C API.
+    pw85_system system() const noexcept
+    {
+        return {size(),
+                reinterpret_cast<double const *>(centers.data()),
+                reinterpret_cast<double const *>(q.data()),
+                cell.exists ? cell.vectors : nullptr,
+                {cell.periodic[0], cell.periodic[1], cell.periodic[2]}};
+    }
+};
+
+} // namespace pw85::detail::simulation
+
+#endif

@@ -1,0 +1,238 @@
+// Sweeps: see engine.hpp.
+#include "engine.hpp"
+
+#include "../kernels/many_pairs.hpp"
+#include "../tasks.hpp"
+
+namespace pw85::detail::simulation {
+
+namespace {
+
+/// The task whose random numbers belong to a whole sweep. No domain has this number.
+constexpr std::uint32_t whole_sweep = UINT32_MAX;
+
+/// Rows are made anew before a sweep if a particle has less room in its fixed box than this part of the skin. Otherwise it would often
+/// stop a domain during the sweep, and the rows would be made anew for one particle.
+constexpr double least_room = 0.25;
+
+/// Boxes of half-widths h1 and h2 are apart if the centres differ by more than this factor times the rounded sum of h1 and h2 along an
+/// axis. The roots and the sum err by less than 3 u.
+constexpr double box_margin = 1.0 + 0x1p-50;
+
+/// The image of a particle whose box meets another one.
+struct Candidate {
+    double r12[3];
+    std::int32_t index;
+};
+
+/// Images that are tested together.
+constexpr std::size_t most_candidates = 64;
+
+/// Whether particle i overlaps any of some images.
+bool overlaps_any(Configuration const &configuration, std::size_t i, Candidate const *candidates,
+                  std::size_t count) noexcept
+{
+    double r12[3 * most_candidates], q2[6 * most_candidates];
+    for (std::size_t k = 0; k < count; ++k) {
+        std::copy_n(candidates[k].r12, 3, r12 + 3 * k);
+        std::copy_n(configuration.q[static_cast<std::size_t>(candidates[k].index)].entries, 6, q2 + 6 * k);
+    }
+    int any = 0;
+    kernels::find_overlap(kernels::OneToMany{configuration.q[i].entries, r12, q2}, count, any);
+    return any != 0;
+}
+
+/// A quaternion after a rotation by (1, v), of length one.
+Quaternion turned(Quaternion const &quaternion, Vector3 const &v) noexcept
+{
+    auto const [w, x, y, z] = quaternion.coordinates;
+    Quaternion const product = {w - v[0] * x - v[1] * y - v[2] * z, x + v[0] * w + v[1] * z - v[2] * y,
+                                y - v[0] * z + v[1] * w + v[2] * x, z + v[0] * y - v[1] * x + v[2] * w};
+    return product / magnitude(product);
+}
+
+} // namespace
+
+int Engine::start() noexcept
+{
+    longest_ = spread_ = 0.0;
+    for (int d = 0; d < 3; ++d) {
+        auto const length = [&](Vector3 const &semi_axes) { return semi_axes[d]; };
+        std::span const all(configuration.semi_axes.data(), configuration.size());
+        if (all.empty()) continue;
+        auto const [least, most] = std::ranges::minmax(all, {}, length);
+        longest_ = std::max(longest_, most[d]);
+        spread_ = std::max(spread_, most[d] - least[d]);
+    }
+    return neighborhood_.update(configuration, skin());
+}
+
+// The reach of the domains includes the skin, so the skin depends on the parameters alone. Half of the longest semi-axis is near the best
+// value in dense systems. One trial moves a side of a bounding box by at most `step` or `spread_`. Half of the skin is more, so that a
+// trial is within the fixed boxes of rows that have just been made. A rotation by (1, v) turns by less than 2 |v|.
+double Engine::skin() const noexcept
+{
+    double const step = parameters.translation + 2.0 * parameters.rotation * longest_;
+    return std::max({0.5 * longest_, 3.0 * step, parameters.fractions[exchange] > 0.0 ? 2.125 * spread_ : 0.0});
+}
+
+int Engine::update_rows(double room) noexcept
+{
+    kernels::Failure const left = kernels::for_blocks(configuration.size(), [&](kernels::Range range) {
+        std::size_t i = range.begin;
+        while (i < range.end && neighborhood_.holds(i, configuration.centers[i], configuration.half_widths[i], room))
+            ++i;
+        return kernels::Failure{i, i < range.end};
+    });
+    return left.status == 0 ? PW85_SUCCESS : neighborhood_.update(configuration, skin());
+}
+
+bool Engine::overlaps(std::size_t i) const noexcept
+{
+    Candidate candidates[most_candidates];
+    std::size_t count = 0;
+    Vector3 const own = configuration.half_widths[i];
+    for (Neighbor const neighbor : neighborhood_.row(i)) {
+        auto const j = static_cast<std::size_t>(neighbor.index);
+        Vector3 const r = configuration.separation(i, j, neighborhood_.translation(neighbor.image));
+        Vector3 const reach = box_margin * (own + configuration.half_widths[j]);
+        candidates[count] = {{r[0], r[1], r[2]}, neighbor.index};
+        count += (absolute(r[0]) <= reach[0]) & (absolute(r[1]) <= reach[1]) & (absolute(r[2]) <= reach[2]);
+        if (count == most_candidates) {
+            if (overlaps_any(configuration, i, candidates, count)) return true;
+            count = 0;
+        }
+    }
+    return count > 0 && overlaps_any(configuration, i, candidates, count);
+}
+
+int Engine::sweep() noexcept
+{
+    Stream stream(parameters.seed, parameters.step, whole_sweep);
+    double const reach = 4.0 * longest_ + 2.0 * skin();
+    if (int const status = domains_.prepare(configuration, reach, stream)) return status;
+    if (int const status = update_rows(least_room * skin())) return status;
+    if (!rows_fit_domains())
+        if (int const status = neighborhood_.update(configuration, skin())) return status;
+    std::uint32_t colors[8] = {0, 1, 2, 3, 4, 5, 6, 7};
+    for (std::uint32_t k = domains_.num_colors(); k > 1; --k) std::swap(colors[k - 1], colors[stream.below(k)]);
+    for (std::uint32_t k = 0; k < domains_.num_colors(); ++k)
+        if (int const status = run_color(colors[k])) return status;
+    ++parameters.step;
+    return PW85_SUCCESS;
+}
+
+/// Whether the domains are wide enough for the rows (item 3 of neighborhood.hpp). The cell may have changed since the rows were made.
+bool Engine::rows_fit_domains() const noexcept
+{
+    bool fit = true;
+    for (int k = 0; k < 3; ++k)
+        fit = fit && (domains_.num_parts(k) == 1 || neighborhood_.spacing(k) * domains_.num_parts(k) <= 1.0 - 0x1p-30);
+    return fit;
+}
+
+int Engine::run_color(std::uint32_t color) noexcept
+{
+    std::size_t num_runs = domains_.num_domains();
+    if (!runs_.resize(num_runs)) return PW85_ENOMEM;
+    for (std::size_t k = 0; k < num_runs; ++k) {
+        std::uint32_t const domain = domains_.domain(color, static_cast<std::uint32_t>(k));
+        runs_[k] = {Stream(parameters.seed, parameters.step, domain),
+                    domain,
+                    static_cast<std::uint32_t>(domains_.members(domain).size()),
+                    {}};
+    }
+    for (;;) {
+        for_tasks(num_runs, num_runs > 1, [&](std::size_t k) { run(runs_[k]); });
+        num_runs = collect(num_runs);
+        if (num_runs == 0) return PW85_SUCCESS;
+        if (int const status = neighborhood_.update(configuration, skin())) return status;
+    }
+}
+
+/// Adds the counts of the runs that are finished, and keeps the others. Returns their number.
+std::size_t Engine::collect(std::size_t num_runs) noexcept
+{
+    std::size_t num_stopped = 0;
+    for (std::size_t k = 0; k < num_runs; ++k) {
+        if (runs_[k].remaining == 0)
+            parameters.counts.add(runs_[k].counts);
+        else
+            runs_[num_stopped++] = runs_[k];
+    }
+    return num_stopped;
+}
+
+/// Makes the trials of a domain, until one of them leaves its fixed box.
+void Engine::run(DomainRun &run) noexcept
+{
+    auto const members = domains_.members(run.domain);
+    auto const count = static_cast<std::uint32_t>(members.size());
+    for (; run.remaining > 0; --run.remaining) {
+        Stream const before = run.stream;
+        Move const move = choose(run.stream);
+        auto const i = static_cast<std::size_t>(members[run.stream.below(count)]);
+        Outcome const outcome = move == exchange
+                                    ? try_exchange(i, static_cast<std::size_t>(members[run.stream.below(count)]))
+                                    : try_placement(move, i, run);
+        if (outcome == Outcome::unlisted) {
+            run.stream = before;
+            return;
+        }
+        ++run.counts.trials[move];
+        run.counts.accepted[move] += outcome == Outcome::accepted;
+    }
+}
+
+Move Engine::choose(Stream &stream) const noexcept
+{
+    double x = stream.uniform();
+    int move = 0;
+    while (move + 1 < num_particle_moves && x >= parameters.fractions[move]) x -= parameters.fractions[move++];
+    return static_cast<Move>(move);
+}
+
+Engine::Outcome Engine::try_placement(Move move, std::size_t i, DomainRun &run) noexcept
+{
+    Particle moved = configuration.get(i);
+    if (move != rotation) moved.center = add_scaled(moved.center, parameters.translation, run.stream.in_ball());
+    if (move != translation) {
+        moved.quaternion = turned(moved.quaternion, parameters.rotation * run.stream.in_ball());
+        if (!moved.shape()) return Outcome::rejected;
+    }
+    if (move != rotation && domains_.domain_of(moved.center) != run.domain) return Outcome::rejected;
+    return judge(&i, &moved, 1);
+}
+
+/// Two particles exchange their semi-axes.
+Engine::Outcome Engine::try_exchange(std::size_t i, std::size_t j) noexcept
+{
+    std::size_t const particles[2] = {i, j};
+    Particle moved[2] = {configuration.get(i), configuration.get(j)};
+    std::swap(moved[0].semi_axes, moved[1].semi_axes);
+    bool const alike = std::ranges::equal(moved[0].semi_axes.coordinates, moved[1].semi_axes.coordinates);
+    if (alike || !moved[0].shape() || !moved[1].shape()) return Outcome::rejected;
+    return judge(particles, moved, 2);
+}
+
+/// Puts particles to their new places, and back unless the trial is accepted. An overlap that is found is certain, wherever the fixed
+/// boxes are.
+Engine::Outcome Engine::judge(std::size_t const *particles, Particle const *moved, std::size_t count) noexcept
+{
+    Particle old[2];
+    for (std::size_t k = 0; k < count; ++k) {
+        old[k] = configuration.get(particles[k]);
+        configuration.set(particles[k], moved[k]);
+    }
+    Outcome outcome = Outcome::accepted;
+    for (std::size_t k = 0; k < count && outcome != Outcome::rejected; ++k) {
+        if (overlaps(particles[k]))
+            outcome = Outcome::rejected;
+        else if (!is_listed(particles[k]))
+            outcome = Outcome::unlisted;
+    }
+    for (std::size_t k = 0; k < count && outcome != Outcome::accepted; ++k) configuration.set(particles[k], old[k]);
+    return outcome;
+}
+
+} // namespace pw85::detail::simulation

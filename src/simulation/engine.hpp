@@ -1,0 +1,99 @@
+/// @file
+/// Monte Carlo of hard ellipsoids. hard_ellipsoids.cpp offers it in the C API.
+///
+/// 1. The target is the uniform distribution of all configurations without overlaps. A trial is accepted if it leads to no overlap. It
+///    is in detailed balance with this target, if the trial that leads back is equally probable.
+/// 2. Trials of particles: a translation by a point of a ball; a rotation by the quaternion (1, v), in which v is a point of a ball and
+///    its negative belongs to the way back; both; or an exchange of the semi-axes of two particles of a domain.
+/// 3. A sweep divides the cell at random (domains.hpp). For a given division, each domain gets as many trials as it has particles, each of
+///    a random particle, and a trial that leaves the domain is rejected. So trials are reversible: the particles of each domain stay the
+///    same. The order of the colours is random, and all orders are equally probable. So a sweep is in detailed balance, too.
+/// 4. Decisions are those of the exact overlap test for the rounded separations. The rows of neighbours only save work. If a trial that
+///    would be accepted leaves its fixed box, the domain stops before this trial. The rows are then made anew and the domain goes on with
+///    the same random numbers. So the rows do not influence what happens.
+#ifndef PW85_SIMULATION_ENGINE_HPP_INCLUDED
+#define PW85_SIMULATION_ENGINE_HPP_INCLUDED
+
+#include "domains.hpp"
+#include "neighborhood.hpp"
+
+namespace pw85::detail::simulation {
+
+/// The kinds of trials, in the order of the C API.
+enum Move { translation, rotation, both, exchange, num_particle_moves, volume = num_particle_moves, num_moves };
+
+/// Trials and how many of them were accepted, by kind.
+struct Counts {
+    std::int64_t trials[num_moves], accepted[num_moves];
+
+    void add(Counts const &other) noexcept
+    {
+        for (int k = 0; k < num_moves; ++k) {
+            trials[k] += other.trials[k];
+            accepted[k] += other.accepted[k];
+        }
+    }
+};
+
+/// What a simulation has besides its particles.
+struct Parameters {
+    std::uint64_t seed, step; ///< `step` counts sweeps and trials of the volume: it selects the random numbers
+    double translation, rotation, volume; ///< the largest changes of a trial
+    double fractions[num_particle_moves]; ///< of the kinds of trials in a sweep; their sum is 1
+    Counts counts;
+};
+
+/// The work on one domain.
+struct DomainRun {
+    Stream stream;
+    std::uint32_t domain, remaining; ///< trials that remain
+    Counts counts;
+};
+
+class Engine {
+  public:
+    Configuration configuration;
+    Parameters parameters{};
+
+    /// To be called after the configuration is set, or a parameter is changed. Returns a status.
+    int start() noexcept;
+
+    int sweep() noexcept;
+
+    /// Makes the rows anew unless they hold for all particles, even if each moves by `room` along any axis. Returns a status.
+    int update_rows(double room) noexcept;
+
+    /// Whether particle i, at its place, overlaps any image in its row.
+    bool overlaps(std::size_t i) const noexcept;
+
+    /// Whether particle i, at its place, is in its fixed box.
+    [[gnu::always_inline]] bool is_listed(std::size_t i) const noexcept
+    {
+        return neighborhood_.holds(i, configuration.centers[i], configuration.half_widths[i], 0.0);
+    }
+
+    Neighborhood const &neighborhood() const noexcept { return neighborhood_; }
+
+  private:
+    enum class Outcome { rejected, accepted, unlisted };
+
+    int run_color(std::uint32_t color) noexcept;
+    std::size_t collect(std::size_t num_runs) noexcept;
+    void run(DomainRun &run) noexcept;
+    Move choose(Stream &stream) const noexcept;
+    Outcome try_placement(Move move, std::size_t i, DomainRun &run) noexcept;
+    Outcome try_exchange(std::size_t i, std::size_t j) noexcept;
+    Outcome judge(std::size_t const *particles, Particle const *moved, std::size_t count) noexcept;
+    double skin() const noexcept;
+    bool rows_fit_domains() const noexcept;
+
+    Neighborhood neighborhood_;
+    Domains domains_;
+    Array<DomainRun> runs_;
+    double longest_ = 0.0; ///< of all semi-axes
+    double spread_ = 0.0;  ///< by how much the lengths of a semi-axis differ between particles, at most
+};
+
+} // namespace pw85::detail::simulation
+
+#endif

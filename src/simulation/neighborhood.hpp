@@ -1,0 +1,76 @@
+/// @file
+/// The neighbours of each particle of a simulation, as rows. engine.hpp asks them whether a particle overlaps any other.
+///
+/// 1. Particle i has a fixed box: the bounding box that it had when the rows were made, enlarged by half of the skin on each side.
+///    Its row has all images of particles whose fixed boxes intersect its own.
+/// 2. As long as all particles are within their fixed boxes, rows have all overlaps. If the cell has changed, the particles are first
+///    mapped back (neighbors/deformation.hpp).
+/// 3. If the particles of a row are within fixed boxes with half-widths H, their centres are at most 2 (H_i + H_j) apart along each
+///    axis, after they are mapped back. Their coordinate along vector k of the cell then differs by at most spacing(k).
+#ifndef PW85_SIMULATION_NEIGHBORHOOD_HPP_INCLUDED
+#define PW85_SIMULATION_NEIGHBORHOOD_HPP_INCLUDED
+
+#include <span>
+
+#include "../neighbors/deformation.hpp"
+#include "configuration.hpp"
+
+namespace pw85::detail::simulation {
+
+/// One image of a particle.
+struct Neighbor {
+    std::int32_t index, image;
+};
+
+class Neighborhood {
+  public:
+    /// Makes the rows for a configuration. Returns a status.
+    int update(Configuration const &configuration, double skin) noexcept;
+
+    /// Takes over a change of the cell. Returns false if the cell is singular.
+    [[nodiscard]] bool set_cell(Cell const &cell) noexcept;
+
+    /// Whether particle i, with this centre and these half-widths, is in its fixed box, and stays there if it moves by `room` along
+    /// any axis.
+    [[gnu::always_inline]] bool holds(std::size_t i, Vector3 const &center, Vector3 const &half_widths,
+                                      double room) const noexcept
+    {
+        auto const motions = deformation_.shared_motions({center, half_widths}, extents_[i]);
+        bool inside = true;
+        for (int d = 0; d < 3; ++d) inside = inside && motions.lower[d] <= -room && room <= motions.upper[d];
+        return inside;
+    }
+
+    [[gnu::always_inline]] std::span<Neighbor const> row(std::size_t i) const noexcept
+    {
+        return {rows_.data() + begin_[i], begin_[i + 1] - begin_[i]};
+    }
+
+    /// The translation of an image, in the present cell.
+    [[gnu::always_inline]] Vector3 const &translation(std::int32_t image) const noexcept
+    {
+        return translations_[static_cast<std::size_t>(image)];
+    }
+
+    /// See item 3.
+    double spacing(int k) const noexcept { return spacing_[k]; }
+
+  private:
+    bool count_rows(std::size_t n, pw85_pair_list const &list) noexcept;
+    bool fill_rows(pw85_pair_list const &list) noexcept;
+    bool store_extents(Configuration const &configuration, double skin) noexcept;
+    bool measure_spacing(Cell const &cell) noexcept;
+
+    Array<neighbors::Extent> extents_;
+    Array<std::size_t> begin_;
+    Array<Neighbor> rows_;
+    Array<Multiples> images_;
+    Array<Vector3> translations_;
+    double cell_[9] = {};
+    double spacing_[3] = {};
+    neighbors::Deformation deformation_{neighbors::Periodicity(), nullptr, nullptr};
+};
+
+} // namespace pw85::detail::simulation
+
+#endif
