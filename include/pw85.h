@@ -22,7 +22,7 @@
  * - #PW85_EINVAL has three causes, the same in every function: a pointer is null, and its description does not allow that; a
  *   number is NaN or infinite, and its description does not allow that; or an argument is outside of the range that its
  *   description states, as "> 0". #PW85_ENOTPD says that a form is not positive definite. The chapter on errors has a table.
- * - Only the functions of neighbour lists and pw85_mesh_create() allocate memory. No function prints anything or ends the process. No
+ * - Only the functions of neighbour lists and of simulations and pw85_mesh_create() allocate memory. No function prints anything or ends the process. No
  *   function shares state with another call, except that pw85_set_reproducible() sets a mode of the process: any number of threads may
  *   call any functions at the same time.
  * - No function needs more than 16 KiB of stack, those of meshes no more than 24 KiB, besides what the dynamic linker takes to bind
@@ -1749,6 +1749,177 @@ PW85_API int pw85_mesh_overlap_batch(pw85_mesh const *mesh, size_t n, double con
  *
  * @param mesh a mesh, or null */
 PW85_API void pw85_mesh_destroy(pw85_mesh *mesh);
+
+/** @}
+ * @name Monte Carlo of hard ellipsoids
+ *
+ * A simulation owns particles, cell, lists of neighbours, random numbers and counts. Particles never overlap: each trial is decided by the
+ * exact overlap test, for the separations of centres as rounded to doubles. The target is the uniform distribution of all configurations
+ * without overlaps, at constant volume or, with trials of the volume, at constant pressure.
+ *
+ * The random numbers are those of Philox4x32-10 (Salmon and others 2011), selected by the seed and the number of the step. So the same
+ * calls give the same trajectory, bit by bit, with any number of threads and after pw85_hard_ellipsoids_restore().
+ *
+ * One simulation may be used by one thread at a time; the functions themselves run in parallel.
+ * @{ */
+
+/** A simulation. The library owns it. */
+typedef struct pw85_hard_ellipsoids pw85_hard_ellipsoids;
+
+/** Scales the cell in all directions alike. */
+#define PW85_CHANGE_ISOTROPIC 0
+
+/** Scales the cell along x, y or z, chosen at random. */
+#define PW85_CHANGE_AXIS 1
+
+/** Scales the cell along x, y or z, or shears it, chosen at random. A shear adds a multiple of a later coordinate to an earlier one, so
+ * that a cell whose vectors are a lower triangular matrix stays one. */
+#define PW85_CHANGE_TRICLINIC 2
+
+/** Makes a simulation. The arrays are copied.
+ *
+ * In the beginning, half of the trials are translations and half are rotations. The memory is some 150 bytes per particle and 8 for each
+ * of its neighbours.
+ *
+ * @param system at most 2³¹ - 1 particles as for pw85_neighbors_create(); `q` may be null, it is not read. The cell may be smaller than
+ *        a particle, whose images must not overlap either.
+ * @param semi_axes num_particles×3: lengths of the principal semi-axes of each particle, > 0, whose squares are in the range of double
+ * @param quaternions num_particles×4: (w, x, y, z), of any lengths > 0
+ * @param seed selects the random numbers
+ * @param[out] pair the first two particles that overlap, the same for a particle and its own image; -1 if no particles overlap; may be null
+ * @param[out] simulation null on error; to be destroyed by pw85_hard_ellipsoids_destroy()
+ * @return #PW85_SUCCESS; #PW85_EOVERLAP if particles overlap; #PW85_EINVAL and #PW85_ENOTPD as for pw85_neighbors_create(); #PW85_ENOMEM */
+PW85_API int pw85_hard_ellipsoids_create(pw85_system const *system, double const *semi_axes, double const *quaternions,
+                                         size_t seed, int32_t pair[2], pw85_hard_ellipsoids **simulation);
+
+/** Makes sweeps. A sweep has as many trials as there are particles.
+ *
+ * For each sweep the cell is divided into domains with a random origin. Domains that are not neighbours are worked on at the same time.
+ * Each gets as many trials as it has particles, each of a random particle of the domain, and the domains of one colour come after those
+ * of another, in random order. A trial that leaves its domain is rejected. So the division does not change during a sweep, the way back of
+ * each trial is as probable as the trial, and a sweep is in detailed balance.
+ *
+ * A translation is by a point of a ball. A rotation multiplies the quaternion by (1, v) from the left, v a point of a ball. An exchange
+ * swaps the semi-axes of two particles of a domain.
+ *
+ * @param simulation a simulation
+ * @param num_sweeps how many
+ * @return #PW85_SUCCESS, #PW85_EINVAL; #PW85_ENOMEM, after which the last sweep is not complete */
+PW85_API int pw85_hard_ellipsoids_sweep(pw85_hard_ellipsoids *simulation, size_t num_sweeps);
+
+/** Tries changes of the cell and of all centres with it, at constant pressure.
+ *
+ * The coordinates are multiplied by a random matrix E. It is as probable as its inverse. The trial is accepted with the probability
+ * min(1, (det E)^(N+1) exp(-βP V (det E - 1))) if there is no overlap afterwards. So the density of volumes of N particles is that of
+ * V^N exp(-βPV) for each kind of change, and the kinds may be mixed. The logarithmic lengths and the shears of the cell are distributed
+ * uniformly otherwise; a fluid does not limit the shears.
+ *
+ * @param simulation a simulation with a cell that is periodic along its three vectors
+ * @param num_moves number of trials
+ * @param pressure βP, > 0, in the inverse cube of the unit of length
+ * @param change #PW85_CHANGE_ISOTROPIC, #PW85_CHANGE_AXIS or #PW85_CHANGE_TRICLINIC
+ * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOMEM */
+PW85_API int pw85_hard_ellipsoids_volume_moves(pw85_hard_ellipsoids *simulation, size_t num_moves, double pressure,
+                                               int change);
+
+/** Makes sweeps, and changes the steps after each of them towards an acceptance. Then it sets all counts to zero.
+ *
+ * Trials are not in detailed balance while the steps change: use this to equilibrate only.
+ *
+ * @param simulation a simulation
+ * @param num_sweeps how many
+ * @param acceptance the desired part of the trials that is accepted, > 0 and at most 1
+ * @param pressure βP as for pw85_hard_ellipsoids_volume_moves(), for one trial of the volume after each sweep; 0 for none
+ * @param change as for pw85_hard_ellipsoids_volume_moves()
+ * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOMEM */
+PW85_API int pw85_hard_ellipsoids_tune(pw85_hard_ellipsoids *simulation, size_t num_sweeps, double acceptance,
+                                       double pressure, int change);
+
+/** Sets the parts of the trials of a sweep that are translations, rotations, both at once, and exchanges.
+ *
+ * @param simulation a simulation
+ * @param fractions not negative; they are divided by their sum, which is positive
+ * @return #PW85_SUCCESS, #PW85_EINVAL */
+PW85_API int pw85_hard_ellipsoids_set_fractions(pw85_hard_ellipsoids *simulation, double const fractions[4]);
+
+/** Sets the largest changes of a trial.
+ *
+ * @param simulation a simulation
+ * @param steps positive: the length of a translation; the tangent of half of the angle of a rotation, at most 1; the relative change of a
+ *        length of the cell or the shear, at most 1
+ * @return #PW85_SUCCESS, #PW85_EINVAL */
+PW85_API int pw85_hard_ellipsoids_set_steps(pw85_hard_ellipsoids *simulation, double const steps[3]);
+
+/** The largest changes of a trial.
+ *
+ * @param simulation a simulation
+ * @param[out] steps as for pw85_hard_ellipsoids_set_steps()
+ * @return #PW85_SUCCESS, #PW85_EINVAL */
+PW85_API int pw85_hard_ellipsoids_steps(pw85_hard_ellipsoids const *simulation, double steps[3]);
+
+/** The numbers of trials since the simulation was made or tuned: translations, rotations, both at once, exchanges, volume.
+ *
+ * @param simulation a simulation
+ * @param[out] trials how many there were; -1 on error; may be null
+ * @param[out] accepted how many of them were accepted; -1 on error; may be null
+ * @return #PW85_SUCCESS, #PW85_EINVAL */
+PW85_API int pw85_hard_ellipsoids_counts(pw85_hard_ellipsoids const *simulation, int64_t trials[5],
+                                         int64_t accepted[5]);
+
+/** Searches all particles for overlaps, by a neighbour list of its own.
+ *
+ * @param simulation a simulation
+ * @param[out] pair as for pw85_hard_ellipsoids_create()
+ * @return #PW85_SUCCESS if there is no overlap, #PW85_EOVERLAP, #PW85_EINVAL, #PW85_ENOMEM */
+PW85_API int pw85_hard_ellipsoids_check(pw85_hard_ellipsoids const *simulation, int32_t pair[2]);
+
+/** Particles and cell: pointers to the arrays of the simulation. They are valid until the next call that changes the simulation. Centres
+ * are not wrapped into the cell.
+ *
+ * @param simulation a simulation, or null
+ * @return the system; without particles for null */
+PW85_API pw85_system pw85_hard_ellipsoids_system(pw85_hard_ellipsoids const *simulation);
+
+/** The orientations, num_particles×4, as pw85_hard_ellipsoids_system() gives the rest.
+ *
+ * @param simulation a simulation, or null
+ * @return quaternions (w, x, y, z) of length one; null for null */
+PW85_API double const *pw85_hard_ellipsoids_quaternions(pw85_hard_ellipsoids const *simulation);
+
+/** The semi-axes, num_particles×3, as pw85_hard_ellipsoids_system() gives the rest.
+ *
+ * @param simulation a simulation, or null
+ * @return the lengths; null for null */
+PW85_API double const *pw85_hard_ellipsoids_semi_axes(pw85_hard_ellipsoids const *simulation);
+
+/** The number of bytes that pw85_hard_ellipsoids_save() writes.
+ *
+ * @param simulation a simulation, or null
+ * @return the number; 0 for null */
+PW85_API size_t pw85_hard_ellipsoids_num_bytes(pw85_hard_ellipsoids const *simulation);
+
+/** Writes the whole state of a simulation as bytes: 80 for each particle and some hundreds. They can be read on machines of the same
+ * kind.
+ *
+ * @param simulation a simulation
+ * @param[out] bytes pw85_hard_ellipsoids_num_bytes()
+ * @return #PW85_SUCCESS, #PW85_EINVAL */
+PW85_API int pw85_hard_ellipsoids_save(pw85_hard_ellipsoids const *simulation, unsigned char *bytes);
+
+/** Makes a simulation from the bytes of another, which it continues bit by bit.
+ *
+ * @param num_bytes number of bytes
+ * @param bytes num_bytes
+ * @param[out] simulation null on error; to be destroyed by pw85_hard_ellipsoids_destroy()
+ * @return #PW85_SUCCESS; #PW85_EINVAL, also for bytes of another kind of machine or of another version; #PW85_EOVERLAP, #PW85_ENOTPD if
+ *         bytes have been changed; #PW85_ENOMEM */
+PW85_API int pw85_hard_ellipsoids_restore(size_t num_bytes, unsigned char const *bytes,
+                                          pw85_hard_ellipsoids **simulation);
+
+/** Frees a simulation.
+ *
+ * @param simulation a simulation, or null */
+PW85_API void pw85_hard_ellipsoids_destroy(pw85_hard_ellipsoids *simulation);
 
 /** @}
  * @name Many forms

@@ -15,6 +15,7 @@
     X(PW85_ENOTPD, not_positive_definite, 2, "a quadratic form is not positive definite")                              \
     X(PW85_ECONVERGENCE, no_convergence, 3, "the iterations did not converge")                                         \
     X(PW85_ENOMEM, out_of_memory, 4, "there is not enough memory")                                                     \
-    X(PW85_EDEVICE, no_device, 5, "no graphics processor that can be used, or not enough of its memory")
+    X(PW85_EDEVICE, no_device, 5, "no graphics processor that can be used, or not enough of its memory")               \
+    X(PW85_EOVERLAP, overlap, 6, "two particles overlap")
 
 #endif

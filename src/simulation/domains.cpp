@@ -38,7 +38,7 @@ bool Domains::assign(Configuration const &configuration) noexcept
 {
     std::size_t const n = configuration.size(), count = std::size_t{num_domains()} * num_colors();
     if (!domain_of_.resize(n) || !members_.resize(n) || !begin_.resize(count + 2)) return false;
-    kernels::for_blocks(n, [&](kernels::Range range) {
+    kernels::for_all(n, [&](kernels::Range range) {
         for (std::size_t i = range.begin; i < range.end; ++i) domain_of_[i] = domain_of(configuration.centers[i]);
         return kernels::Failure{0, PW85_SUCCESS};
     });

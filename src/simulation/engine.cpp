@@ -78,16 +78,19 @@ double Engine::skin() const noexcept
 
 int Engine::update_rows(double room) noexcept
 {
-    kernels::Failure const left = kernels::for_blocks(configuration.size(), [&](kernels::Range range) {
-        std::size_t i = range.begin;
-        while (i < range.end && neighborhood_.holds(i, configuration.centers[i], configuration.half_widths[i], room))
-            ++i;
-        return kernels::Failure{i, i < range.end};
-    });
-    return left.status == 0 ? PW85_SUCCESS : neighborhood_.update(configuration, skin());
+    return all_listed(room) ? PW85_SUCCESS : neighborhood_.update(configuration, skin());
 }
 
-bool Engine::overlaps(std::size_t i) const noexcept
+bool Engine::all_listed(double room) const noexcept
+{
+    return kernels::for_all(configuration.size(), [&](kernels::Range range) {
+               std::size_t i = range.begin;
+               while (i < range.end && is_listed(i, room)) ++i;
+               return kernels::Failure{i, i < range.end};
+           }) == 0;
+}
+
+bool Engine::overlaps(std::size_t i, std::int32_t first) const noexcept
 {
     Candidate candidates[most_candidates];
     std::size_t count = 0;
@@ -97,7 +100,8 @@ bool Engine::overlaps(std::size_t i) const noexcept
         Vector3 const r = configuration.separation(i, j, neighborhood_.translation(neighbor.image));
         Vector3 const reach = box_margin * (own + configuration.half_widths[j]);
         candidates[count] = {{r[0], r[1], r[2]}, neighbor.index};
-        count += (absolute(r[0]) <= reach[0]) & (absolute(r[1]) <= reach[1]) & (absolute(r[2]) <= reach[2]);
+        count += (neighbor.index >= first) & (absolute(r[0]) <= reach[0]) & (absolute(r[1]) <= reach[1]) &
+                 (absolute(r[2]) <= reach[2]);
         if (count == most_candidates) {
             if (overlaps_any(configuration, i, candidates, count)) return true;
             count = 0;

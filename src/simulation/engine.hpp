@@ -11,9 +11,14 @@
 /// 4. Decisions are those of the exact overlap test for the rounded separations. The rows of neighbours only save work. If a trial that
 ///    would be accepted leaves its fixed box, the domain stops before this trial. The rows are then made anew and the domain goes on with
 ///    the same random numbers. So the rows do not influence what happens.
+/// 5. A trial of the volume multiplies the vectors of the cell and all centres by a matrix E from the right (change.hpp). E and its inverse
+///    are equally probable. The volume V then changes to V det E, and the density of the states of N particles, V^N exp(-βPV) dV, gives
+///    the probability min(1, (det E)^(N+1) exp(-βP V (det E - 1))) of acceptance. One factor det E comes from the choice of a multiple of V
+///    instead of a difference. The overlap test is the last step.
 #ifndef PW85_SIMULATION_ENGINE_HPP_INCLUDED
 #define PW85_SIMULATION_ENGINE_HPP_INCLUDED
 
+#include "change.hpp"
 #include "domains.hpp"
 #include "neighborhood.hpp"
 
@@ -60,17 +65,28 @@ class Engine {
 
     int sweep() noexcept;
 
+    /// Tries one change of the volume. The pressure is that times β.
+    int try_volume(double pressure, ChangeKind kind) noexcept;
+
+    /// Finds an overlap by a list of neighbours of its own, and returns PW85_EOVERLAP and the first pair; PW85_SUCCESS if there is none.
+    int check(std::int32_t *pair) const noexcept;
+
+    /// Changes the largest changes of a trial towards an acceptance, by the counts since `before`.
+    void tune(Counts const &before, double acceptance) noexcept;
+
     /// Makes the rows anew unless they hold for all particles, even if each moves by `room` along any axis. Returns a status.
     int update_rows(double room) noexcept;
 
-    /// Whether particle i, at its place, overlaps any image in its row.
-    bool overlaps(std::size_t i) const noexcept;
+    /// Whether particle i, at its place, overlaps any image in its row of a particle with an index of at least `first`.
+    bool overlaps(std::size_t i, std::int32_t first = 0) const noexcept;
 
-    /// Whether particle i, at its place, is in its fixed box.
-    [[gnu::always_inline]] bool is_listed(std::size_t i) const noexcept
+    /// Whether particle i, at its place, is in its fixed box, and stays there if it moves by `room` along any axis.
+    [[gnu::always_inline]] bool is_listed(std::size_t i, double room = 0.0) const noexcept
     {
-        return neighborhood_.holds(i, configuration.centers[i], configuration.half_widths[i], 0.0);
+        return neighborhood_.holds(i, configuration.centers[i], configuration.half_widths[i], room);
     }
+
+    bool all_listed(double room) const noexcept;
 
     Neighborhood const &neighborhood() const noexcept { return neighborhood_; }
 
@@ -84,12 +100,18 @@ class Engine {
     Outcome try_placement(Move move, std::size_t i, DomainRun &run) noexcept;
     Outcome try_exchange(std::size_t i, std::size_t j) noexcept;
     Outcome judge(std::size_t const *particles, Particle const *moved, std::size_t count) noexcept;
+    bool any_overlaps() const noexcept;
+    void apply(Change const &change) noexcept;
+    int undo(bool rows_are_new) noexcept;
+    double longest_translation() const noexcept;
     double skin() const noexcept;
     bool rows_fit_domains() const noexcept;
 
     Neighborhood neighborhood_;
     Domains domains_;
     Array<DomainRun> runs_;
+    Array<Vector3> old_centers_; ///< before a trial of the volume
+    Cell old_cell_{};
     double longest_ = 0.0; ///< of all semi-axes
     double spread_ = 0.0;  ///< by how much the lengths of a semi-axis differ between particles, at most
 };

@@ -55,19 +55,6 @@ class ImageTable {
     std::size_t count_ = 0;
 };
 
-struct DestroyList {
-    void operator()(pw85_neighbors *list) const noexcept { pw85_neighbors_destroy(list); }
-};
-
-constexpr Multiples nowhere{{0, 0, 0}};
-
-Multiples image_of(pw85_pair_list const &list, std::size_t pair) noexcept
-{
-    if (list.images == nullptr) return nowhere;
-    std::int32_t const *const n = list.images + 3 * pair;
-    return {{n[0], n[1], n[2]}};
-}
-
 } // namespace
 
 int Neighborhood::update(Configuration const &configuration, double skin) noexcept

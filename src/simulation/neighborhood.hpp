@@ -17,6 +17,18 @@
 
 namespace pw85::detail::simulation {
 
+struct DestroyList {
+    void operator()(pw85_neighbors *list) const noexcept { pw85_neighbors_destroy(list); }
+};
+
+/// The image of a pair; zero in a list without cell.
+static inline Multiples image_of(pw85_pair_list const &list, std::size_t pair) noexcept
+{
+    if (list.images == nullptr) return {{0, 0, 0}};
+    std::int32_t const *const n = list.images + 3 * pair;
+    return {{n[0], n[1], n[2]}};
+}
+
 /// One image of a particle.
 struct Neighbor {
     std::int32_t index, image;

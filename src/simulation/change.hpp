@@ -1,0 +1,56 @@
+/// @file
+/// Random changes of the cell of a simulation. volume.cpp draws and applies them.
+#ifndef PW85_SIMULATION_CHANGE_HPP_INCLUDED
+#define PW85_SIMULATION_CHANGE_HPP_INCLUDED
+
+#include "configuration.hpp"
+#include "random.hpp"
+
+namespace pw85::detail::simulation {
+
+/// The kinds of changes, with the numbers of the C API.
+enum class ChangeKind { isotropic, axis, triclinic };
+
+/// The matrix by which row vectors are multiplied from the right: an isotropic scaling, a scaling along one axis, or a shear. It differs
+/// from the identity by its diagonal or by one entry.
+class Change {
+  public:
+    /// Draws a change. One and its inverse are equally probable, since (1 + x/2)/(1 - x/2) becomes its inverse for -x, and so does
+    /// a shear. The triclinic kind draws one of the three axes or one of the shears x_d += x x_e with e > d, each with probability
+    /// 1/6. These shears leave the vectors of a cell a lower triangular matrix if they are one.
+    Change(ChangeKind kind, double largest, Stream &stream) noexcept
+    {
+        constexpr int sheared[3][2] = {{0, 1}, {0, 2}, {1, 2}};
+        double const x = largest * stream.symmetric();
+        std::uint32_t const choice = kind == ChangeKind::isotropic ? 0 : stream.below(kind == ChangeKind::axis ? 3 : 6);
+        if (choice >= 3) {
+            to_ = sheared[choice - 3][0];
+            from_ = sheared[choice - 3][1];
+            shear_ = x;
+            return;
+        }
+        double const factor = (1.0 + 0.5 * x) / (1.0 - 0.5 * x);
+        for (int d = 0; d < 3; ++d) {
+            if (kind != ChangeKind::isotropic && static_cast<int>(choice) != d) continue;
+            scales_[d] = factor;
+            determinant_ *= factor;
+        }
+    }
+
+    double determinant() const noexcept { return determinant_; }
+
+    [[gnu::always_inline]] Vector3 apply(Vector3 x) const noexcept
+    {
+        for (int d = 0; d < 3; ++d) x[d] *= scales_[d];
+        x[to_] += shear_ * x[from_];
+        return x;
+    }
+
+  private:
+    double scales_[3] = {1.0, 1.0, 1.0}, determinant_ = 1.0, shear_ = 0.0;
+    int to_ = 0, from_ = 1;
+};
+
+} // namespace pw85::detail::simulation
+
+#endif

@@ -1,0 +1,299 @@
+// The C API of the simulations of hard ellipsoids.
+#include <cmath>
+#include <cstring>
+#include <memory>
+#include <new>
+
+#include "../c_arrays.hpp"
+#include "engine.hpp"
+
+using namespace pw85;
+using namespace pw85::detail;
+using namespace pw85::detail::simulation;
+using pw85::detail::c_api::any_null;
+
+struct pw85_hard_ellipsoids {
+    Engine engine;
+};
+
+namespace {
+
+/// What a saved simulation begins with. The mark tells the order of the bytes, too.
+struct Header {
+    std::uint64_t mark;
+    std::size_t num_particles;
+    Parameters parameters;
+    Cell cell;
+};
+
+constexpr std::uint64_t current_mark = 0x70773835'6d630001u;
+
+/// The numbers of a particle that are saved. The others follow from them.
+struct SavedParticle {
+    Vector3 center;
+    Quaternion quaternion;
+    Vector3 semi_axes;
+};
+
+constexpr Parameters first_parameters(std::size_t seed, double shortest) noexcept
+{
+    Parameters parameters{};
+    parameters.seed = seed;
+    parameters.translation = 0.2 * shortest;
+    parameters.rotation = 0.05;
+    parameters.volume = 0.01;
+    parameters.fractions[translation] = parameters.fractions[rotation] = 0.5;
+    return parameters;
+}
+
+Cell cell_of(pw85_system const &system) noexcept
+{
+    Cell cell{};
+    cell.exists = system.cell != nullptr;
+    for (int k = 0; k < 9 && cell.exists; ++k) cell.vectors[k] = system.cell[k];
+    for (int k = 0; k < 3 && cell.exists; ++k) cell.periodic[k] = system.periodic[k] != 0;
+    return cell;
+}
+
+/// A particle, its quaternion of length one. Returns a status.
+int place(SavedParticle const &saved, Configuration &configuration, std::size_t i) noexcept
+{
+    auto const &[center, quaternion, semi_axes] = saved;
+    if (!is_finite(center) || ellipsoid_quaternion(semi_axes, quaternion).status != Status::success) return PW85_EINVAL;
+    Particle particle{center, quaternion, semi_axes, {}, {}};
+    if (!particle.shape()) return PW85_ENOTPD;
+    configuration.set(i, particle);
+    return PW85_SUCCESS;
+}
+
+/// Makes a simulation of n particles. load(i) returns particle i, and set(engine) sets the parameters.
+template <class Load, class Set> int make(std::size_t n, Cell const &cell, Load const &load, Set const &set,
+                                          std::int32_t *pair, pw85_hard_ellipsoids *&simulation) noexcept
+{
+    if (n > INT32_MAX) return PW85_EINVAL;
+    std::unique_ptr<pw85_hard_ellipsoids> made(new (std::nothrow) pw85_hard_ellipsoids);
+    if (made == nullptr || !made->engine.configuration.resize(n)) return PW85_ENOMEM;
+    Engine &engine = made->engine;
+    engine.configuration.cell = cell;
+    for (std::size_t i = 0; i < n; ++i)
+        if (int const status = place(load(i), engine.configuration, i)) return status;
+    set(engine);
+    if (int const status = engine.start()) return status;
+    if (int const status = engine.check(pair)) return status;
+    simulation = made.release();
+    return PW85_SUCCESS;
+}
+
+int create(pw85_system const &system, double const *semi_axes, double const *quaternions, std::size_t seed,
+           std::int32_t *pair, pw85_hard_ellipsoids *&simulation) noexcept
+{
+    if (system.num_particles > 0 && any_null(system.centers, semi_axes, quaternions)) return PW85_EINVAL;
+    double shortest = HUGE_VAL;
+    auto const load = [&](std::size_t i) {
+        SavedParticle particle{c_api::load_vector<3>(system.centers + 3 * i),
+                               c_api::load_vector<4>(quaternions + 4 * i), c_api::load_vector<3>(semi_axes + 3 * i)};
+        Quaternion const scaled = particle.quaternion / largest_coordinate(particle.quaternion);
+        particle.quaternion = scaled / magnitude(scaled);
+        for (double const length : particle.semi_axes.coordinates) shortest = std::min(shortest, length);
+        return particle;
+    };
+    auto const set = [&](Engine &engine) {
+        engine.parameters = first_parameters(seed, system.num_particles > 0 ? shortest : 1.0);
+    };
+    return make(system.num_particles, cell_of(system), load, set, pair, simulation);
+}
+
+bool is_kind(int kind) noexcept { return kind >= 0 && kind <= static_cast<int>(ChangeKind::triclinic); }
+
+bool is_closed(Cell const &cell) noexcept { return cell.periodic[0] && cell.periodic[1] && cell.periodic[2]; }
+
+bool can_change(Engine const &engine, double pressure, int kind) noexcept
+{
+    return is_kind(kind) && pressure > 0.0 && std::isfinite(pressure) && is_closed(engine.configuration.cell);
+}
+
+/// One sweep after the other, each followed by a trial of the volume if there is a pressure.
+int tune(Engine &engine, std::size_t num_sweeps, double acceptance, double pressure, ChangeKind kind) noexcept
+{
+    for (std::size_t k = 0; k < num_sweeps; ++k) {
+        Counts const before = engine.parameters.counts;
+        if (int const status = engine.sweep()) return status;
+        if (pressure > 0.0)
+            if (int const status = engine.try_volume(pressure, kind)) return status;
+        engine.tune(before, acceptance);
+    }
+    engine.parameters.counts = {};
+    return PW85_SUCCESS;
+}
+
+std::size_t num_bytes(std::size_t num_particles) noexcept
+{
+    return sizeof(Header) + num_particles * sizeof(SavedParticle);
+}
+
+int restore(std::size_t size, unsigned char const *bytes, pw85_hard_ellipsoids *&simulation) noexcept
+{
+    Header header;
+    if (size < sizeof header) return PW85_EINVAL;
+    std::memcpy(&header, bytes, sizeof header);
+    if (header.mark != current_mark || header.num_particles > INT32_MAX || size != num_bytes(header.num_particles))
+        return PW85_EINVAL;
+    auto const load = [&](std::size_t i) {
+        SavedParticle particle;
+        std::memcpy(&particle, bytes + num_bytes(i), sizeof particle);
+        return particle;
+    };
+    return make(
+        header.num_particles, header.cell, load, [&](Engine &engine) { engine.parameters = header.parameters; },
+        nullptr, simulation);
+}
+
+} // namespace
+
+int pw85_hard_ellipsoids_create(pw85_system const *system, double const *semi_axes, double const *quaternions,
+                                size_t seed, int32_t pair[2], pw85_hard_ellipsoids **simulation)
+{
+    if (pair != nullptr) pair[0] = pair[1] = -1;
+    if (any_null(simulation)) return PW85_EINVAL;
+    *simulation = nullptr;
+    if (any_null(system)) return PW85_EINVAL;
+    return in_default_environment([&] { return create(*system, semi_axes, quaternions, seed, pair, *simulation); });
+}
+
+void pw85_hard_ellipsoids_destroy(pw85_hard_ellipsoids *simulation) { delete simulation; }
+
+int pw85_hard_ellipsoids_sweep(pw85_hard_ellipsoids *simulation, size_t num_sweeps)
+{
+    if (any_null(simulation)) return PW85_EINVAL;
+    return in_default_environment([&] {
+        int status = PW85_SUCCESS;
+        for (std::size_t k = 0; k < num_sweeps && status == PW85_SUCCESS; ++k) status = simulation->engine.sweep();
+        return status;
+    });
+}
+
+int pw85_hard_ellipsoids_volume_moves(pw85_hard_ellipsoids *simulation, size_t num_moves, double pressure, int change)
+{
+    if (any_null(simulation) || !can_change(simulation->engine, pressure, change)) return PW85_EINVAL;
+    return in_default_environment([&] {
+        int status = PW85_SUCCESS;
+        for (std::size_t k = 0; k < num_moves && status == PW85_SUCCESS; ++k)
+            status = simulation->engine.try_volume(pressure, static_cast<ChangeKind>(change));
+        return status;
+    });
+}
+
+int pw85_hard_ellipsoids_tune(pw85_hard_ellipsoids *simulation, size_t num_sweeps, double acceptance, double pressure,
+                              int change)
+{
+    if (any_null(simulation) || !(acceptance > 0.0 && acceptance <= 1.0) || !(pressure >= 0.0)) return PW85_EINVAL;
+    if (pressure > 0.0 && !can_change(simulation->engine, pressure, change)) return PW85_EINVAL;
+    return in_default_environment(
+        [&] { return tune(simulation->engine, num_sweeps, acceptance, pressure, static_cast<ChangeKind>(change)); });
+}
+
+int pw85_hard_ellipsoids_set_fractions(pw85_hard_ellipsoids *simulation, double const fractions[4])
+{
+    if (any_null(simulation) || any_null(fractions)) return PW85_EINVAL;
+    return in_default_environment([&] {
+        double sum = 0.0;
+        for (int k = 0; k < num_particle_moves; ++k) {
+            if (!(fractions[k] >= 0.0)) return int{PW85_EINVAL};
+            sum += fractions[k];
+        }
+        if (!(sum > 0.0) || !std::isfinite(sum)) return int{PW85_EINVAL};
+        for (int k = 0; k < num_particle_moves; ++k) simulation->engine.parameters.fractions[k] = fractions[k] / sum;
+        return int{PW85_SUCCESS};
+    });
+}
+
+int pw85_hard_ellipsoids_set_steps(pw85_hard_ellipsoids *simulation, double const steps[3])
+{
+    if (any_null(simulation) || any_null(steps)) return PW85_EINVAL;
+    for (int k = 0; k < 3; ++k)
+        if (!(steps[k] > 0.0 && std::isfinite(steps[k]))) return PW85_EINVAL;
+    if (steps[1] > 1.0 || steps[2] > 1.0) return PW85_EINVAL;
+    Parameters &parameters = simulation->engine.parameters;
+    parameters.translation = steps[0];
+    parameters.rotation = steps[1];
+    parameters.volume = steps[2];
+    return PW85_SUCCESS;
+}
+
+int pw85_hard_ellipsoids_steps(pw85_hard_ellipsoids const *simulation, double steps[3])
+{
+    if (any_null(simulation) || any_null(steps)) return c_api::null_pointer(steps, 3);
+    Parameters const &parameters = simulation->engine.parameters;
+    c_api::store(Vector3{parameters.translation, parameters.rotation, parameters.volume}, steps);
+    return PW85_SUCCESS;
+}
+
+int pw85_hard_ellipsoids_counts(pw85_hard_ellipsoids const *simulation, int64_t trials[5], int64_t accepted[5])
+{
+    if (any_null(simulation)) {
+        if (trials != nullptr) std::fill_n(trials, 5, -1);
+        if (accepted != nullptr) std::fill_n(accepted, 5, -1);
+        return PW85_EINVAL;
+    }
+    Counts const &counts = simulation->engine.parameters.counts;
+    if (trials != nullptr) std::copy_n(counts.trials, 5, trials);
+    if (accepted != nullptr) std::copy_n(counts.accepted, 5, accepted);
+    return PW85_SUCCESS;
+}
+
+int pw85_hard_ellipsoids_check(pw85_hard_ellipsoids const *simulation, int32_t pair[2])
+{
+    if (pair != nullptr) pair[0] = pair[1] = -1;
+    if (any_null(simulation)) return PW85_EINVAL;
+    return in_default_environment([&] { return simulation->engine.check(pair); });
+}
+
+pw85_system pw85_hard_ellipsoids_system(pw85_hard_ellipsoids const *simulation)
+{
+    if (simulation == nullptr) return {0, nullptr, nullptr, nullptr, {0, 0, 0}};
+    return simulation->engine.configuration.system();
+}
+
+double const *pw85_hard_ellipsoids_quaternions(pw85_hard_ellipsoids const *simulation)
+{
+    if (simulation == nullptr) return nullptr;
+    return reinterpret_cast<double const *>(simulation->engine.configuration.quaternions.data());
+}
+
+double const *pw85_hard_ellipsoids_semi_axes(pw85_hard_ellipsoids const *simulation)
+{
+    if (simulation == nullptr) return nullptr;
+    return reinterpret_cast<double const *>(simulation->engine.configuration.semi_axes.data());
+}
+
+size_t pw85_hard_ellipsoids_num_bytes(pw85_hard_ellipsoids const *simulation)
+{
+    return simulation == nullptr ? 0 : num_bytes(simulation->engine.configuration.size());
+}
+
+int pw85_hard_ellipsoids_save(pw85_hard_ellipsoids const *simulation, unsigned char *bytes)
+{
+    if (any_null(simulation) || any_null(bytes)) return PW85_EINVAL;
+    Configuration const &configuration = simulation->engine.configuration;
+    Header header;
+    std::memset(static_cast<void *>(&header), 0, sizeof header); // no byte between members is left to chance
+    header.mark = current_mark;
+    header.num_particles = configuration.size();
+    header.parameters = simulation->engine.parameters;
+    header.cell = configuration.cell;
+    std::memcpy(bytes, &header, sizeof header);
+    for (std::size_t i = 0; i < configuration.size(); ++i) {
+        SavedParticle const particle{configuration.centers[i], configuration.quaternions[i],
+                                     configuration.semi_axes[i]};
+        std::memcpy(bytes + num_bytes(i), &particle, sizeof particle);
+    }
+    return PW85_SUCCESS;
+}
+
+int pw85_hard_ellipsoids_restore(size_t num_bytes, unsigned char const *bytes, pw85_hard_ellipsoids **simulation)
+{
+    if (any_null(simulation)) return PW85_EINVAL;
+    *simulation = nullptr;
+    if (any_null(bytes)) return PW85_EINVAL;
+    return in_default_environment([&] { return restore(num_bytes, bytes, *simulation); });
+}

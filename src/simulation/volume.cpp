@@ -1,0 +1,151 @@
+// Trials of the volume, and the test of a whole configuration: see engine.hpp.
+#include <atomic>
+#include <cmath>
+#include <memory>
+
+#include "../kernels/many_pairs.hpp"
+#include "../kernels/power.hpp"
+#include "engine.hpp"
+
+namespace pw85::detail::simulation {
+
+namespace {
+
+/// Particles per block of a thread: each takes some hundred nanoseconds.
+constexpr std::size_t block_of_particles = 256;
+
+double volume_of(Cell const &cell) noexcept
+{
+    auto const row = [&](int k) {
+        return Vector3{cell.vectors[3 * k], cell.vectors[3 * k + 1], cell.vectors[3 * k + 2]};
+    };
+    return std::fabs(dot(row(0), cross(row(1), row(2))));
+}
+
+/// Accepts with probability min(1, determinant^exponent e^-cost), by a function of x^y and e^x that gives the same bits everywhere.
+bool accept(double determinant, double exponent, double cost, double uniform) noexcept
+{
+    double const log = logarithm(Pack(determinant)).high[0], sum = exponent * log - cost;
+    if (sum >= 0.0) return true;
+    return sum > -700.0 && uniform < exponential(Doubled<Pack>(Pack(sum)))[0];
+}
+
+} // namespace
+
+// A cell for which no rows can be made, because it is too small or too skewed, is rejected like an overlap.
+int Engine::try_volume(double pressure, ChangeKind kind) noexcept
+{
+    Stream stream(parameters.seed, parameters.step, 0);
+    ++parameters.step;
+    ++parameters.counts.trials[volume];
+    Change const change(kind, parameters.volume, stream);
+    double const cost = pressure * volume_of(configuration.cell) * (change.determinant() - 1.0);
+    double const exponent = static_cast<double>(configuration.size()) + 1.0;
+    if (!accept(change.determinant(), exponent, cost, stream.uniform())) return PW85_SUCCESS;
+    if (!old_centers_.resize(configuration.size())) return PW85_ENOMEM;
+    apply(change);
+    if (!neighborhood_.set_cell(configuration.cell)) return undo(false);
+    bool const rows_are_new = !all_listed(0.0);
+    int const status = rows_are_new ? neighborhood_.update(configuration, skin()) : PW85_SUCCESS;
+    if (status != PW85_SUCCESS || any_overlaps()) {
+        int const undone = undo(rows_are_new);
+        return status == PW85_ENOMEM ? status : undone;
+    }
+    ++parameters.counts.accepted[volume];
+    return PW85_SUCCESS;
+}
+
+void Engine::apply(Change const &change) noexcept
+{
+    old_cell_ = configuration.cell;
+    for (int k = 0; k < 3; ++k) {
+        double *const row = configuration.cell.vectors + 3 * k;
+        Vector3 const changed = change.apply({row[0], row[1], row[2]});
+        std::copy_n(changed.coordinates, 3, row);
+    }
+    std::swap(old_centers_, configuration.centers);
+    kernels::for_all(configuration.size(), [&](kernels::Range range) {
+        for (std::size_t i = range.begin; i < range.end; ++i) configuration.centers[i] = change.apply(old_centers_[i]);
+        return kernels::Failure{0, PW85_SUCCESS};
+    });
+}
+
+/// Takes back a change. Rows that were made for it may not hold for the configuration before.
+int Engine::undo(bool rows_are_new) noexcept
+{
+    configuration.cell = old_cell_;
+    std::swap(old_centers_, configuration.centers);
+    if (!neighborhood_.set_cell(old_cell_)) return PW85_EINVAL;
+    return rows_are_new ? update_rows(0.0) : PW85_SUCCESS;
+}
+
+/// Whether any particles overlap, by the rows.
+bool Engine::any_overlaps() const noexcept
+{
+    std::atomic<bool> found{false};
+    kernels::for_all(
+        configuration.size(),
+        [&](kernels::Range range) {
+            for (std::size_t i = range.begin; i < range.end && !found.load(std::memory_order_relaxed); ++i)
+                if (overlaps(i, static_cast<std::int32_t>(i))) found.store(true, std::memory_order_relaxed);
+            return kernels::Failure{0, PW85_SUCCESS};
+        },
+        block_of_particles);
+    return found.load();
+}
+
+int Engine::check(std::int32_t *pair) const noexcept
+{
+    pw85_system const system = configuration.system();
+    pw85_neighbors *made = nullptr;
+    if (int const status = pw85_neighbors_create(&system, 1.0, 0.0, &made)) return status;
+    std::unique_ptr<pw85_neighbors, DestroyList> const owner(made);
+    pw85_pair_list const list = pw85_neighbors_list(made);
+    auto const overlap = kernels::chosen().one_pair->overlap;
+    kernels::Failure const first = kernels::for_blocks(list.num_pairs, [&](kernels::Range range) {
+        for (std::size_t k = range.begin; k < range.end; ++k) {
+            auto const i = static_cast<std::size_t>(list.pairs[2 * k]),
+                       j = static_cast<std::size_t>(list.pairs[2 * k + 1]);
+            Vector3 const r = configuration.separation(i, j, configuration.cell.translation(image_of(list, k)));
+            int answer = 0;
+            if (int const status =
+                    overlap(r.coordinates, configuration.q[i].entries, configuration.q[j].entries, &answer))
+                return kernels::Failure{k, status};
+            if (answer == 1) return kernels::Failure{k, PW85_EOVERLAP};
+        }
+        return kernels::Failure{0, PW85_SUCCESS};
+    });
+    if (pair != nullptr && first.status == PW85_EOVERLAP) std::copy_n(list.pairs + 2 * first.index, 2, pair);
+    return first.status;
+}
+
+/// No trial needs to move a particle by more than half of the distance between neighbours.
+double Engine::longest_translation() const noexcept
+{
+    Cell const &cell = configuration.cell;
+    bool const is_closed = cell.exists && cell.periodic[0] && cell.periodic[1] && cell.periodic[2];
+    return is_closed
+               ? 0.5 * std::cbrt(volume_of(cell) / static_cast<double>(std::max<std::size_t>(1, configuration.size())))
+               : longest_;
+}
+
+void Engine::tune(Counts const &before, double acceptance) noexcept
+{
+    Counts const &now = parameters.counts;
+    auto const adapt = [&](double &step, Move first, Move second, double largest) {
+        std::int64_t trials = now.trials[first] - before.trials[first],
+                     accepted = now.accepted[first] - before.accepted[first];
+        if (second != first) {
+            trials += now.trials[second] - before.trials[second];
+            accepted += now.accepted[second] - before.accepted[second];
+        }
+        if (trials == 0) return;
+        double const ratio = static_cast<double>(accepted) / static_cast<double>(trials) / acceptance;
+        step = std::min(largest, step * std::clamp(ratio, 0.8, 1.25));
+    };
+    adapt(parameters.translation, Move::translation, both, longest_translation());
+    adapt(parameters.rotation, Move::rotation, both, 1.0);
+    adapt(parameters.volume, Move::volume, Move::volume, 0.5);
+}
+
+} // namespace pw85::detail::simulation
