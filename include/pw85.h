@@ -1813,8 +1813,8 @@ PW85_API int pw85_hard_ellipsoids_sweep(pw85_hard_ellipsoids *simulation, size_t
  * the sum of the ways is the length of the chain. No chain leads to an overlap (pw85_free_path(), and the exact overlap test of each
  * place). Chains do not rotate particles: use sweeps of rotations, too.
  *
- * Chains along one direction keep the uniform distribution, without detailed balance. Chains along random directions are in detailed
- * balance. βP/ρ, along the direction, is the mean of (x_last - x_first)/length over chains, where x is the coordinate along the direction
+ * Chains along one direction keep the uniform distribution, without detailed balance, but do not change the coordinates across it. Chains
+ * along random directions are in detailed balance. βP/ρ, along the direction, is the mean of (x_last - x_first)/length over chains, where x is the coordinate along the direction
  * of the particle that moves, which jumps at each contact (Michel, Kapfer and Krauth 2014). Make blocks of chains to see its error.
  *
  * @param simulation a simulation
