@@ -62,6 +62,7 @@ free_by_normal(ScaledPair<T, D> const &scaled, Vector<T, D> const &velocity, Vec
 template <class T, int D> struct SeparatingPlane {
     Vector<T, D> normal;
     T until;
+    bool overlaps; ///< at the start, or touches and approaches: then there is no plane
     Status status;
 };
 
@@ -73,10 +74,11 @@ plane_of_passage(ScaledPair<T, D> const &scaled, Vector<T, D> const &velocity, T
     auto const [v, exponent] = scale_flight(scaled, velocity);
     T const last = times_power_of_two(end, -exponent);
     auto const found = find_passage(Flight<T, D>{scaled.pair, v, tangent_in_units(scaled)}, last);
-    if (found.status != Status::success) return {r12, T(0), found.status};
+    if (found.status != Status::success) return {r12, T(0), false, found.status};
     auto const n = solve_blend(T(1), q1, found.t, q2, add_scaled(r12, found.shown, v));
     bool const to_end = found.time < infinity<T>() || !(found.shown < last);
-    return {scaled.swapped ? -n : n, to_end ? end : times_power_of_two(found.shown, exponent), Status::success};
+    return {scaled.swapped ? -n : n, to_end ? end : times_power_of_two(found.shown, exponent), !(found.time > T(0)),
+            Status::success};
 }
 
 /// The plane for a valid pair that is remote. It is found where the spheres around the ellipsoids meet. If they do not meet, the normal
@@ -88,7 +90,7 @@ plane_from_afar(Pair<T, D> const &pair, Vector<T, D> const &velocity, T const &e
     T waited = T(0);
     for (int i = 0; i < max_passages && is_remote(m.r12, m.q1, m.q2); ++i) {
         T const wait = come_near(m);
-        if (!(wait < infinity<T>())) return {{}, wait, wait > T(0) ? Status::success : Status::no_convergence};
+        if (!(wait < infinity<T>())) return {{}, wait, false, wait > T(0) ? Status::success : Status::no_convergence};
         waited = waited + wait;
     }
     auto plane = plane_of_passage(scale(pair_of(m.r12, m.q1, m.q2)), velocity, m.end);
@@ -104,6 +106,7 @@ PW85_FUNCTION inline FreePath<T> free_path_of(ScaledPair<T, D> const &scaled, Pa
     auto const plane = is_remote(pair.r12, pair.q1, pair.q2) ? plane_from_afar(pair, velocity, end)
                                                              : plane_of_passage(scaled, velocity, end);
     if (plane.status != Status::success) return all_nan<FreePath<T>>(plane.status);
+    if (plane.overlaps) return {T(0), Status::success};
     auto const [v, exponent] = scale_flight(scaled, velocity);
     T const free = free_by_normal(scaled, v, scaled.swapped ? -plane.normal : plane.normal);
     T const length = times_power_of_two(free, exponent);
