@@ -113,6 +113,7 @@ module pw85
   public :: pw85_distance_2d
   public :: pw85_first_contact
   public :: pw85_closest_passage
+  public :: pw85_free_path
   public :: pw85_curvature
   public :: pw85_hertz
   public :: pw85_hertz_contact
@@ -141,6 +142,7 @@ module pw85
   public :: pw85_contains_batch
   public :: pw85_containment_batch
   public :: pw85_closest_passage_batch
+  public :: pw85_free_path_batch
   public :: pw85_closest_approach_batch
   public :: pw85_contact_factored_batch
   public :: pw85_condition_batch
@@ -209,6 +211,7 @@ module pw85
   public :: pw85_mesh_destroy
   public :: pw85_hard_ellipsoids_create
   public :: pw85_hard_ellipsoids_sweep
+  public :: pw85_hard_ellipsoids_chain
   public :: pw85_hard_ellipsoids_volume_moves
   public :: pw85_hard_ellipsoids_tune
   public :: pw85_hard_ellipsoids_set_fractions
@@ -623,6 +626,15 @@ module pw85
       integer(c_int) :: status
     end function pw85_closest_passage
 
+    !> How far ellipsoid 1 may move along a direction before it touches ellipsoid 2.
+    function pw85_free_path(r12, q1, q2, direction, t_max, t) result(status) bind(C, name='pw85_free_path')
+      import
+      real(c_double), intent(in) :: r12(3), q1(6), q2(6), direction(3)
+      real(c_double), value :: t_max
+      real(c_double), intent(out) :: t
+      integer(c_int) :: status
+    end function pw85_free_path
+
     !> Principal curvatures of an ellipsoid's surface at the point with a given normal, and their directions.
     function pw85_curvature(normal, q, curvatures, directions) result(status) bind(C, name='pw85_curvature')
       import
@@ -881,6 +893,16 @@ module pw85
       real(c_double), intent(out), optional :: t(n)
       integer(c_int) :: status
     end function pw85_closest_passage_batch
+
+    !> pw85_free_path() for n pairs.
+    function pw85_free_path_batch(n, r12, q1, q2, direction, t_max, t) result(status) bind(C, &
+      name='pw85_free_path_batch')
+      import
+      integer(c_size_t), value :: n
+      real(c_double), intent(in) :: r12(3, n), q1(6, n), q2(6, n), direction(3, n), t_max(n)
+      real(c_double), intent(out) :: t(n)
+      integer(c_int) :: status
+    end function pw85_free_path_batch
 
     !> pw85_closest_approach() for n pairs.
     function pw85_closest_approach_batch(n, directions, q1, q2, distance) result(status) bind(C, &
@@ -1565,6 +1587,18 @@ module pw85
       type(c_ptr), value :: simulation
       integer(c_int) :: status
     end function pw85_hard_ellipsoids_sweep
+
+    !> Makes event chains, which translate many particles at once and give the pressure.
+    function pw85_hard_ellipsoids_chain(simulation, num_chains, length, direction, compressibility) result(status) &
+      bind(C, name='pw85_hard_ellipsoids_chain')
+      import
+      integer(c_size_t), value :: num_chains
+      type(c_ptr), value :: simulation
+      real(c_double), value :: length
+      real(c_double), intent(in), optional :: direction(3)
+      real(c_double), intent(out), optional :: compressibility
+      integer(c_int) :: status
+    end function pw85_hard_ellipsoids_chain
 
     !> Tries changes of the cell and of all centres with it, at constant pressure.
     function pw85_hard_ellipsoids_volume_moves(simulation, num_moves, pressure, change) result(status) bind(C, &

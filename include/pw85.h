@@ -591,6 +591,21 @@ PW85_API int pw85_first_contact(double const r12[PW85_DIM], double const q1[PW85
 PW85_API int pw85_closest_passage(double const r12[PW85_DIM], double const q1[PW85_SYM], double const q2[PW85_SYM],
                                   double const velocity[PW85_DIM], double t_max, double *mu2, double *t);
 
+/** How far ellipsoid 1 may move along a direction before it touches ellipsoid 2: it moves by t direction, so that the separation is
+ * r12 - t direction.
+ *
+ * At the t that is returned and before, the ellipsoids do not overlap, for certain, if they do not at t = 0; rounding errors make t
+ * smaller, never larger. The contact follows within them: μ² <= 1 + 80 u S at t, with S as for pw85_first_contact(). t is 0 if the
+ * ellipsoids overlap at t = 0 by more than rounding, or touch and approach.
+ *
+ * @param r12,q1,q2 as for pw85_contact()
+ * @param direction of any length > 0
+ * @param t_max the end of the path, >= 0; may be infinity
+ * @param[out] t in [0, t_max), or infinity if there is no contact on the path
+ * @return #PW85_SUCCESS, #PW85_EINVAL (also for a zero direction), #PW85_ENOTPD, #PW85_ECONVERGENCE as for pw85_first_contact() */
+PW85_API int pw85_free_path(double const r12[PW85_DIM], double const q1[PW85_SYM], double const q2[PW85_SYM],
+                            double const direction[PW85_DIM], double t_max, double *t);
+
 /** @}
  * @name Curvature and contact of grains
  *
@@ -967,6 +982,18 @@ PW85_API int pw85_containment_batch(size_t n, double const *r12, double const *q
  * @return as for pw85_contact_batch() */
 PW85_API int pw85_closest_passage_batch(size_t n, double const *r12, double const *q1, double const *q2,
                                         double const *velocity, double t_max, double *mu2, double *t);
+
+/** pw85_free_path() for n pairs; the bits are the same.
+ *
+ * @param n number of pairs
+ * @param r12 n×3
+ * @param q1,q2 n×6
+ * @param direction n×3
+ * @param t_max n
+ * @param[out] t n
+ * @return as for pw85_contact_batch(); the causes of pw85_free_path() */
+PW85_API int pw85_free_path_batch(size_t n, double const *r12, double const *q1, double const *q2,
+                                  double const *direction, double const *t_max, double *t);
 
 /** pw85_closest_approach() for n pairs. The relative error is below 2 u cond + 4 u; the last bits may differ from those of
  * pw85_closest_approach().
@@ -1879,6 +1906,26 @@ PW85_API int pw85_hard_ellipsoids_create(pw85_system const *system, double const
  * @param num_sweeps how many
  * @return #PW85_SUCCESS, #PW85_EINVAL; #PW85_ENOMEM, after which the last sweep is not complete */
 PW85_API int pw85_hard_ellipsoids_sweep(pw85_hard_ellipsoids *simulation, size_t num_sweeps);
+
+/** Makes event chains, which translate many particles at once and give the pressure.
+ *
+ * For each chain a random particle moves along a direction until it touches another one. This one moves on from there, and so on, until
+ * the sum of the ways is the length of the chain. No chain leads to an overlap (pw85_free_path(), and the exact overlap test of each
+ * place). Chains do not rotate particles: use sweeps of rotations, too.
+ *
+ * Chains along one direction keep the uniform distribution, without detailed balance, but do not change the coordinates across it. Chains
+ * along random directions are in detailed balance. βP/ρ, along the direction, is the mean of (x_last - x_first)/length over chains, where x is the coordinate along the direction
+ * of the particle that moves, which jumps at each contact (Michel, Kapfer and Krauth 2014). Make blocks of chains to see its error.
+ *
+ * @param simulation a simulation
+ * @param num_chains how many
+ * @param length of each chain, > 0, in the unit of length; the mean way between contacts times the number of particles is much
+ * @param direction of any length > 0; or null for a random direction of each chain, isotropic
+ * @param[out] compressibility βP/ρ along the directions, by these chains; 1 without chains or particles; NaN on error; may be null
+ * @return #PW85_SUCCESS; #PW85_EINVAL, also for a zero direction; #PW85_ENOMEM or #PW85_ECONVERGENCE (particles block each other within
+ *         rounding errors), after which the last chain is not complete */
+PW85_API int pw85_hard_ellipsoids_chain(pw85_hard_ellipsoids *simulation, size_t num_chains, double length,
+                                        double const direction[PW85_DIM], double *compressibility);
 
 /** Tries changes of the cell and of all centres with it, at constant pressure.
  *

@@ -2,6 +2,7 @@
 #include <pw85.h>
 
 #include <pw85/motion/closest_passage.hpp>
+#include <pw85/motion/free_path.hpp>
 
 #include "c_arrays.hpp"
 #include "floating_point_environment.hpp"
@@ -16,6 +17,18 @@ int pw85_first_contact(double const r12[3], double const q1[6], double const q2[
 {
     if (any_null(r12, q1, q2, t) || any_null(motion1, motion2)) return null_pointer(t, 1);
     return in_default_environment(kernels::chosen().one_pair->first_contact, r12, q1, q2, motion1, motion2, t_max, t);
+}
+
+int pw85_free_path(double const r12[3], double const q1[6], double const q2[6], double const direction[3], double t_max,
+                   double *t)
+{
+    if (any_null(r12, q1, q2, direction) || t == nullptr) return null_pointer(t, 1);
+    return in_default_environment([&] {
+        auto const path =
+            free_path(load_vector<3>(r12), load_matrix<3>(q1), load_matrix<3>(q2), load_vector<3>(direction), t_max);
+        *t = path.length;
+        return static_cast<int>(path.status);
+    });
 }
 
 int pw85_closest_passage(double const r12[3], double const q1[6], double const q2[6], double const velocity[3],

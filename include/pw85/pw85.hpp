@@ -84,6 +84,7 @@ template <class T, int D> struct Penetration;     // depth, direction, status
 template <class T, int D> struct Motion;          // velocity, angular_velocity, growth
 template <class T> struct FirstContact;           // time, status
 template <class T> struct ClosestPassage;         // mu2, time, status
+template <class T> struct FreePath;               // length, status
 
 /// @name Quadratic forms
 /// @{
@@ -418,6 +419,19 @@ PW85_FUNCTION inline ClosestPassage<T> closest_passage(Vector<T, 3> const &r12, 
                                                        SymmetricMatrix<T, 3> const &q2, Vector<T, 3> const &velocity,
                                                        T const &t_max) noexcept;
 
+/// How far ellipsoid 1 may move along a direction before it touches ellipsoid 2. Up to this length the ellipsoids do not overlap, for
+/// certain, if they do not at the start.
+///
+/// @param r12,q1,q2 as for contact()
+/// @param direction of any length > 0
+/// @param end of the path, in units of the direction, >= 0; may be infinity
+/// @return the length, in units of the direction: infinity if there is no contact before the end; Status::invalid_argument,
+/// Status::not_positive_definite, Status::no_convergence as said in pw85.h
+template <class T, int D>
+PW85_FUNCTION inline FreePath<T> free_path(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
+                                           SymmetricMatrix<T, D> const &q2, Vector<T, D> const &direction,
+                                           T const &end) noexcept;
+
 /// @}
 
 /// @name Curvature and contact of grains
@@ -643,6 +657,7 @@ PW85_FUNCTION inline ShapeOverlap overlap_polytope(std::size_t n, T const *norma
 #include <pw85/distance/walls.hpp>
 #include <pw85/motion/closest_passage.hpp>
 #include <pw85/motion/first_contact.hpp>
+#include <pw85/motion/free_path.hpp>
 #include <pw85/overlap/compare.hpp>
 #include <pw85/overlap/contact_rounded.hpp>
 #include <pw85/overlap/containment.hpp>

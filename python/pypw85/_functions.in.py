@@ -658,6 +658,19 @@ def closest_passage(r12, q1, q2, velocity, t_max=np.inf):
 
 
 @declared
+def free_path(r12, q1, q2, direction, t_max=np.inf):
+    """
+    Examples
+    --------
+    >>> import pypw85
+    >>> q = pypw85.spheroid(1, 1, [0, 0, 1])
+    >>> t = pypw85.free_path([5, 0, 0], q, q, [1, 0, 0])
+    >>> 3 - 1e-14 < t <= 3
+    True
+    """
+
+
+@declared
 def curvature():
     """
     Examples

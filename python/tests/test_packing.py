@@ -222,6 +222,38 @@ def test_correlation_of_an_ideal_gas(rng):
         _statistics.correlation(pypw85.System(system.centers, system.q))
 
 
+def test_compressibility_of_a_cubic_density():
+    """The estimate is the density at 0 itself if it is a cubic polynomial: here by the points of a quadrature, one pair for each."""
+    width, n = 0.3, 1000
+    points = (np.arange(n) + 0.5) / n * width
+    for power, expected in ((0, 1.0), (1, 0.0), (2, 0.0), (3, 0.0)):
+        weights = points**power * width / n  # a configuration for each point, which has this share of the pairs
+        sums = [_statistics.compressibility([[(1 + e) ** 2]] * 2, 1, width).value - 1 for e in points]
+        # The rule of midpoints errs by (width/n)²/24 of the second derivative, which is below 2000/width³ with the factor 1/(3 width).
+        assert 3 * np.dot(sums, weights) == pytest.approx(expected, abs=1e-4)
+
+
+def test_compressibility_of_rods_on_a_line(rng):
+    """Tonks: βP/ρ = 1/N + (1 - 1/N) L/(L - N) in one dimension, a third of whose excess over 1 is that in three."""
+    n, length = 20, 32.0
+    cuts = np.sort(rng.uniform(0, length - n, (10000, n)), axis=1)
+    gaps = np.diff(cuts, axis=1, append=cuts[:, :1] + length - n)
+    found = _statistics.compressibility((1 + gaps) ** 2, n, 0.3)
+    expected = 1 + (1 / n + (1 - 1 / n) * length / (length - n) - 1) / 3
+    assert found.error < 0.02
+    assert abs(found.value - expected) < 4 * found.error
+    # Half of the configurations, the error of which is √2 times as large
+    half = _statistics.compressibility((1 + gaps[::2]) ** 2, n, 0.3)
+    assert half.error == pytest.approx(np.sqrt(2) * found.error, rel=0.05)
+
+
+def test_compressibility_refuses(rng):
+    with pytest.raises(ValueError, match="configuration 1 overlaps"):
+        _statistics.compressibility([[1.1], [1.2, 0.9]], 10)
+    with pytest.raises(ValueError, match="not 1"):
+        _statistics.compressibility([[1.1]], 10)
+
+
 def random_quaternions(rng, n):
     quaternions = rng.normal(size=(n, 4))
     return quaternions / np.linalg.norm(quaternions, axis=1)[:, None]

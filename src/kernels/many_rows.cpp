@@ -418,3 +418,10 @@ int pw85_hertz_contact_batch(size_t n, double const *r12, double const *q1, doub
                     OptionalRowsOf<1>{depth}, OptionalRowsOf<3>{point}, OptionalRowsOf<2>{curvatures},
                     OptionalRowsOf<6>{directions}, OptionalRowsOf<1>{radius}, OptionalRowsOf<2>{ellipse});
 }
+
+int pw85_free_path_batch(size_t n, double const *r12, double const *q1, double const *q2, double const *direction,
+                         double const *t_max, double *t)
+{
+    return each_row(n, pw85_free_path, RowsOf<3>{r12}, RowsOf<6>{q1}, RowsOf<6>{q2}, RowsOf<3>{direction},
+                    Numbers{t_max}, RowsOf<1, double>{t});
+}

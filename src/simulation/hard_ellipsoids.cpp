@@ -5,6 +5,7 @@
 #include <new>
 
 #include "../c_arrays.hpp"
+#include "chains.hpp"
 #include "engine.hpp"
 
 using namespace pw85;
@@ -126,6 +127,30 @@ int tune(Engine &engine, std::size_t num_sweeps, double acceptance, double press
     return PW85_SUCCESS;
 }
 
+/// A direction of length one.
+Vector3 unit(Vector3 const &direction) noexcept
+{
+    Vector3 const scaled = direction / largest_coordinate(direction);
+    return scaled / magnitude(scaled);
+}
+
+/// Event chains along a direction, or along random ones if it is zero.
+int make_chains(Engine &engine, std::size_t num_chains, double length, Vector3 const &direction,
+                ChainSums &sums) noexcept
+{
+    auto const n = static_cast<std::uint32_t>(engine.configuration.size());
+    bool const random = largest_coordinate(direction) == 0.0;
+    Chains chains(engine.configuration);
+    if (int const status = chains.prepare()) return status;
+    for (std::size_t k = 0; k < num_chains && n > 0; ++k) {
+        Stream stream(engine.parameters.seed, engine.parameters.step++, UINT32_MAX);
+        std::size_t const first = stream.below(n);
+        Vector3 const along = unit(random ? stream.in_ball() : direction);
+        if (int const status = chains.run(first, along, length, sums)) return status;
+    }
+    return PW85_SUCCESS;
+}
+
 std::size_t num_bytes(std::size_t num_particles) noexcept
 {
     return sizeof(Header) + num_particles * sizeof(SavedParticle);
@@ -168,6 +193,22 @@ int pw85_hard_ellipsoids_sweep(pw85_hard_ellipsoids *simulation, size_t num_swee
     return in_default_environment([&] {
         int status = PW85_SUCCESS;
         for (std::size_t k = 0; k < num_sweeps && status == PW85_SUCCESS; ++k) status = simulation->engine.sweep();
+        return status;
+    });
+}
+
+int pw85_hard_ellipsoids_chain(pw85_hard_ellipsoids *simulation, size_t num_chains, double length,
+                               double const direction[3], double *compressibility)
+{
+    if (compressibility != nullptr) *compressibility = quiet_nan<double>();
+    if (any_null(simulation) || !(length > 0.0 && std::isfinite(length))) return PW85_EINVAL;
+    return in_default_environment([&] {
+        Vector3 const along = direction == nullptr ? Vector3{} : c_api::load_vector<3>(direction);
+        if (!is_finite(along) || (direction != nullptr && largest_coordinate(along) == 0.0)) return int{PW85_EINVAL};
+        ChainSums sums{};
+        int const status = make_chains(simulation->engine, num_chains, length, along, sums);
+        if (status == PW85_SUCCESS && compressibility != nullptr)
+            *compressibility = 1.0 + (sums.length > 0.0 ? sums.transfers / sums.length : 0.0);
         return status;
     });
 }

@@ -117,6 +117,17 @@ static inline Status closest_passage_batch(Vectors r12, Forms q1, Forms q2, Vect
     return detail::call_rows(pw85_closest_passage_batch, r12, q1, q2, velocity, t_max, mu2, t);
 }
 
+/// free_path() for many pairs: see pw85_free_path_batch().
+///
+/// @param r12,q1,q2,direction,t_max one for each pair
+/// @param[out] t one for each pair
+/// @return as for contact_batch(); the causes of free_path()
+static inline Status free_path_batch(Vectors r12, Forms q1, Forms q2, Vectors direction, std::span<double const> t_max,
+                                     std::span<double> t) noexcept
+{
+    return detail::call_rows(pw85_free_path_batch, r12, q1, q2, direction, t_max, t);
+}
+
 /// closest_approach() for many pairs: see pw85_closest_approach_batch().
 ///
 /// @param directions one for each pair, of any lengths > 0

@@ -40,15 +40,29 @@ template <class T, int D> PW85_FUNCTION inline T tangent_in_units(ScaledPair<T, 
     return times_power_of_two(T(1), 2 * (exponent < limit ? exponent : limit));
 }
 
-/// first_contact() of a valid pair that only translates, in the unit of time in which the speed is of order one.
+/// A valid pair that only translates, in the unit of time in which the speed is of order one. The unit of the caller is 2^-exponent
+/// of this one.
+template <class T, int D> struct ScaledFlight {
+    Vector<T, D> velocity;
+    int exponent;
+};
+
+template <class T, int D> PW85_FUNCTION inline ScaledFlight<T, D> scale_flight(ScaledPair<T, D> const &scaled,
+                                                                               Vector<T, D> const &velocity) noexcept
+{
+    T const largest = largest_coordinate(velocity);
+    int const unit = largest > T(0) ? binary_exponent(largest) : 0;
+    return {times_power_of_two(scaled.swapped ? -velocity : velocity, -unit), scaled.length - unit};
+}
+
+/// first_contact() of a valid pair that only translates.
 template <class T, int D> PW85_FUNCTION inline FirstContact<T>
 first_contact_of_translation(ScaledPair<T, D> const &scaled, Vector<T, D> const &velocity, T const &end) noexcept
 {
-    T const largest = largest_coordinate(velocity);
-    int const unit = largest > T(0) ? binary_exponent(largest) : 0, exponent = scaled.length - unit;
-    Vector<T, D> const v = times_power_of_two(scaled.swapped ? -velocity : velocity, -unit);
+    auto const [v, exponent] = scale_flight(scaled, velocity);
     Flight<T, D> const flight{scaled.pair, v, tangent_in_units(scaled)};
-    return in_unit_of_time(find_passage(flight, times_power_of_two(end, -exponent)), exponent);
+    auto const found = find_passage(flight, times_power_of_two(end, -exponent));
+    return in_unit_of_time(FirstContact<T>{found.time, found.status}, exponent);
 }
 
 /// first_contact() of a valid pair, in the unit of time in which the largest rate is of order one. The rate of the velocity is its

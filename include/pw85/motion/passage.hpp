@@ -209,14 +209,29 @@ template <class T, int D> PW85_FUNCTION constexpr bool tells_delay(Outlook<T, D>
            shift * shift * view.passage.speed * view.target < grazing * grazing;
 }
 
-/// A contact, if it is not after the end.
-template <class T> PW85_FUNCTION constexpr FirstContact<T> contact_until(T const &end, T const &time) noexcept
+/// Where a search for a passage ends: the time of the contact, or infinity; and the t and the time at which f tells so. These are
+/// those of the contact, those at which f exceeds one although the ellipsoids are nearest, or those at which f exceeds one at the end.
+template <class T> struct FoundPassage {
+    T time, t, shown;
+    Status status;
+};
+
+/// A contact at t, if it is not after the end.
+template <class T>
+PW85_FUNCTION constexpr FoundPassage<T> contact_until(T const &end, T const &time, T const &t) noexcept
 {
-    return {time > end ? infinity<T>() : time, Status::success};
+    return {time > end ? infinity<T>() : time, t, minimum(time, end), Status::success};
+}
+
+/// The time until the pair of an outlook is nearest, by its t.
+template <class T, int D> PW85_FUNCTION constexpr T wait_for_nearest(Outlook<T, D> const &view) noexcept
+{
+    auto const &[s, s_velocity, excess, slack, approach, speed] = view.passage;
+    return approach > T(0) ? T(approach / speed) : T(0);
 }
 
 /// The first contact of a flight, by items 1 and 2. A time before the root does not show on which side of t the maximum is.
-template <class T, int D> [[gnu::always_inline]] PW85_FUNCTION inline FirstContact<T>
+template <class T, int D> [[gnu::always_inline]] PW85_FUNCTION inline FoundPassage<T>
 find_passage(Flight<T, D> const &flight, T const &end) noexcept
 {
     T const &ratio = flight.pair.ratio;
@@ -227,24 +242,25 @@ find_passage(Flight<T, D> const &flight, T const &end) noexcept
         T const t = state.t;
         auto const view = outlook(flight, t, time);
         T const reached = time + view.wait;
-        if (view.outcome == PassageOutcome::none || reached > end) return contact_until(end, infinity<T>());
-        if (last) return contact_until(end, reached);
+        if (view.outcome == PassageOutcome::none)
+            return {infinity<T>(), t, minimum(end, T(time + wait_for_nearest(view))), Status::success};
+        if (last || reached > end) return contact_until(end, reached, t);
         bool const before = is_far(view.passage, view.target) && reached > time;
         Jet<T> const jet = jet_then(flight, view, t);
         Slope<T> const s = slope(jet, ratio, t);
         auto const trusted = trust(newton_step(s), s);
+        T const next = next_guess(jet, trusted, ratio, t, fixed_point_image(jet, ratio));
         if (!before) take_bound(state, s.difference < T(0), t);
         if (!before && tells_delay(view, trusted.size))
-            return contact_until(end, T(reached + delay(s, ratio, t, root_then(view), view.target)));
+            return contact_until(end, T(reached + delay(s, ratio, t, root_then(view), view.target)), next);
         time = reached;
         last = !before && (trusted.size <= last_passage_step<T>() || is_narrow(state, last_passage_step<T>()));
-        T const next = next_guess(jet, trusted, ratio, t, fixed_point_image(jet, ratio));
         if (before || last)
             go_to(state, next);
         else
             take_step(state, next, trusted.size);
     }
-    return all_nan<FirstContact<T>>(Status::no_convergence);
+    return all_nan<FoundPassage<T>>(Status::no_convergence);
 }
 
 } // namespace pw85::detail

@@ -1,0 +1,224 @@
+// Event chains of hard ellipsoids: their pressure against Carnahan and Starling, and what each chain keeps.
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <numbers>
+#include <vector>
+
+#include <glib.h>
+
+#include <pw85.h>
+
+#include "draws.hpp"
+
+using namespace pw85_tests;
+
+namespace {
+
+struct Destroy {
+    void operator()(pw85_hard_ellipsoids *simulation) const { pw85_hard_ellipsoids_destroy(simulation); }
+};
+using Simulation = std::unique_ptr<pw85_hard_ellipsoids, Destroy>;
+
+/// Ellipsoids of revolution about z on a lattice that is stretched as they are, in a sheared periodic cell.
+struct Lattice {
+    int per_side;
+    double aspect, fraction, size; ///< `size` is the unit of length
+
+    std::size_t count() const { return static_cast<std::size_t>(per_side * per_side * per_side); }
+
+    Simulation make(std::size_t seed) const
+    {
+        double const side = size * std::cbrt(std::numbers::pi / (6 * fraction)), length = side * per_side;
+        double const cell[9] = {length, 0, 0, length, length, 0, 0, 0, aspect * length};
+        std::vector<double> centers, semi_axes, quaternions;
+        for (int k = 0; k < per_side * per_side * per_side; ++k) {
+            centers.insert(centers.end(), {side * (k % per_side), side * (k / per_side % per_side),
+                                           aspect * side * (k / per_side / per_side)});
+            semi_axes.insert(semi_axes.end(), {0.5 * size, 0.5 * size, 0.5 * aspect * size});
+            quaternions.insert(quaternions.end(), {1, 0, 0, 0});
+        }
+        pw85_system const system{count(), centers.data(), nullptr, cell, {1, 1, 1}};
+        pw85_hard_ellipsoids *simulation = nullptr;
+        g_assert_cmpint(
+            pw85_hard_ellipsoids_create(&system, semi_axes.data(), quaternions.data(), seed, nullptr, &simulation), ==,
+            PW85_SUCCESS);
+        return Simulation(simulation);
+    }
+};
+
+std::vector<double> centers_of(Simulation const &simulation)
+{
+    pw85_system const system = pw85_hard_ellipsoids_system(simulation.get());
+    return {system.centers, system.centers + 3 * system.num_particles};
+}
+
+double chain(Simulation const &simulation, std::size_t num_chains, double length, double const *direction)
+{
+    double z = 7;
+    g_assert_cmpint(pw85_hard_ellipsoids_chain(simulation.get(), num_chains, length, direction, &z), ==, PW85_SUCCESS);
+    return z;
+}
+
+bool is_free(Simulation const &simulation)
+{
+    return pw85_hard_ellipsoids_check(simulation.get(), nullptr) == PW85_SUCCESS;
+}
+
+struct Mean {
+    double value, error;
+};
+
+/// βP/ρ by blocks of chains. Between them there are as many along random directions: chains along one direction leave the coordinates
+/// across it as they are.
+Mean mean_of_blocks(Simulation const &simulation, int num_blocks, std::size_t num_chains, double length,
+                    double const *direction)
+{
+    double sum = 0, squares = 0;
+    for (int k = 0; k < num_blocks; ++k) {
+        chain(simulation, num_chains, length, nullptr);
+        double const z = chain(simulation, num_chains, length, direction);
+        sum += z;
+        squares += z * z;
+    }
+    double const mean = sum / num_blocks;
+    return {mean, std::sqrt((squares / num_blocks - mean * mean) / (num_blocks - 1))};
+}
+
+double carnahan_starling(double f) { return (1 + f + f * f - f * f * f) / std::pow(1 - f, 3); }
+
+void check_pressure(Lattice const &lattice, double const *direction)
+{
+    auto const simulation = lattice.make(1);
+    double const length = 15 * lattice.size;
+    chain(simulation, lattice.count(), length, nullptr);
+    auto const z = mean_of_blocks(simulation, 20, 30, length, direction);
+    double const expected = carnahan_starling(lattice.fraction);
+    g_test_message("βP/ρ = %g ± %g, expected %g", z.value, z.error, expected);
+    g_assert_cmpfloat(z.error, <, 0.02 * expected);
+    g_assert_cmpfloat(std::abs(z.value - expected), <, 4 * z.error + 0.005 * expected); // of a few hundred particles
+    g_assert_true(is_free(simulation));
+}
+
+// Hard spheres; and parallel ellipsoids, which are spheres in other units along z, so that βP/ρ is the same along all directions.
+void test_pressure()
+{
+    double const oblique[3] = {1, 2, -2}, axis[3] = {0, 0, 3};
+    check_pressure({7, 1.0, 0.3, 1.0}, nullptr);
+    check_pressure({7, 1.0, 0.4, 0x1p40}, oblique);
+    check_pressure({7, 3.0, 0.3, 0x1p-40}, axis);
+    check_pressure({7, 0.25, 0.2, 1.0}, nullptr);
+}
+
+// The sum of all ways is the sum of the lengths: that of the centres along the direction, to rounding. The other coordinates keep theirs.
+void test_length()
+{
+    Lattice const lattice{6, 2.0, 0.4, 1.0};
+    auto const simulation = lattice.make(2);
+    double const direction[3] = {2, -1, 2};
+    for (double const length : {1e-3, 1.0, 0x1.23456789abcdep5, 1e3}) {
+        auto const before = centers_of(simulation);
+        chain(simulation, 10, length, direction);
+        auto const after = centers_of(simulation);
+        double sum = 0, across = 0;
+        for (std::size_t k = 0; k < before.size(); ++k) {
+            double const moved = after[k] - before[k];
+            sum += moved * direction[k % 3] / 3;
+            across += k % 3 == 0 ? moved : k % 3 == 1 ? 2 * moved : 0; // orthogonal to the direction
+        }
+        g_assert_cmpfloat(std::abs(sum - 10 * length), <, 1e-11 * (1 + length));
+        g_assert_cmpfloat(std::abs(across), <, 1e-11 * (1 + length));
+    }
+    g_assert_true(is_free(simulation));
+}
+
+// In a cell of one particle nothing is touched: its images move with it.
+void test_one_particle()
+{
+    auto const simulation = Lattice{1, 2.0, 0.5, 1.0}.make(3);
+    double const direction[3] = {0, 0, 2};
+    g_assert_cmpfloat(chain(simulation, 1, 100.0, direction), ==, 1.0);
+    g_assert_cmpfloat(std::abs(centers_of(simulation)[2] - 100.0), <, 1e-12);
+    g_assert_true(is_free(simulation));
+}
+
+// Two spheres of diameter 1 on a line, in a cell of length 5: after a contact the other one moves by 3 to the image of the first. So
+// βP/ρ = 1 + 1/3, that of two rods on a line (Tonks): 1/2 + 1/2 · 5/(5 - 2).
+void test_line()
+{
+    double const centers[6] = {0, 0, 0, 1.7, 0, 0}, semi_axes[6] = {0.5, 0.5, 0.5, 0.5, 0.5, 0.5},
+                 quaternions[8] = {1, 0, 0, 0, 1, 0, 0, 0}, cell[9] = {5, 0, 0, 0, 9, 0, 0, 0, 9},
+                 direction[3] = {1, 0, 0};
+    pw85_system const system{2, centers, nullptr, cell, {1, 0, 0}};
+    pw85_hard_ellipsoids *made = nullptr;
+    g_assert_cmpint(pw85_hard_ellipsoids_create(&system, semi_axes, quaternions, 4, nullptr, &made), ==, PW85_SUCCESS);
+    Simulation const simulation(made);
+    double const length = 3e5; // 1e5 ways
+    g_assert_cmpfloat(std::abs(chain(simulation, 1, length, direction) - 4.0 / 3), <, 2e-5);
+}
+
+// Chains, rotations and translations: long runs of slender ellipsoids in a dense system, never with an overlap.
+void test_never_overlaps()
+{
+    auto const simulation = Lattice{5, 8.0, 0.5, 1.0}.make(5);
+    for (int k = 0; k < draws(24); ++k) {
+        chain(simulation, 50, 10.0, nullptr);
+        g_assert_true(is_free(simulation));
+        g_assert_cmpint(pw85_hard_ellipsoids_sweep(simulation.get(), 2), ==, PW85_SUCCESS);
+    }
+}
+
+// The seed determines each bit, also after the simulation is saved and restored between chains. Another seed gives others.
+void test_reproducible()
+{
+    Lattice const lattice{5, 2.0, 0.4, 1.0};
+    auto const first = lattice.make(6), second = lattice.make(6), third = lattice.make(7);
+    double const z = chain(first, 20, 7.0, nullptr);
+    g_assert_cmpfloat(chain(second, 20, 7.0, nullptr), ==, z);
+    g_assert_true(centers_of(first) == centers_of(second));
+    g_assert_cmpfloat(chain(third, 20, 7.0, nullptr), !=, z);
+    std::vector<unsigned char> bytes(pw85_hard_ellipsoids_num_bytes(first.get()));
+    g_assert_cmpint(pw85_hard_ellipsoids_save(first.get(), bytes.data()), ==, PW85_SUCCESS);
+    pw85_hard_ellipsoids *restored = nullptr;
+    g_assert_cmpint(pw85_hard_ellipsoids_restore(bytes.size(), bytes.data(), &restored), ==, PW85_SUCCESS);
+    Simulation const resumed(restored);
+    chain(resumed, 5, 7.0, nullptr);
+    chain(second, 2, 7.0, nullptr);
+    chain(second, 3, 7.0, nullptr);
+    g_assert_true(centers_of(resumed) == centers_of(second));
+}
+
+void test_bad_input()
+{
+    auto const simulation = Lattice{2, 1.0, 0.3, 1.0}.make(8);
+    double const zero[3] = {0, 0, 0}, nan[3] = {1, NAN, 0}, good[3] = {1, 0, 0};
+    auto const before = centers_of(simulation);
+    auto const status = [&](double length, double const *direction) {
+        double z = 7;
+        int const result = pw85_hard_ellipsoids_chain(simulation.get(), 3, length, direction, &z);
+        g_assert_true(std::isnan(z));
+        return result;
+    };
+    for (double const length : {0.0, -1.0, static_cast<double>(NAN), HUGE_VAL})
+        g_assert_cmpint(status(length, good), ==, PW85_EINVAL);
+    g_assert_cmpint(status(1.0, zero), ==, PW85_EINVAL);
+    g_assert_cmpint(status(1.0, nan), ==, PW85_EINVAL);
+    g_assert_cmpint(pw85_hard_ellipsoids_chain(nullptr, 3, 1.0, good, nullptr), ==, PW85_EINVAL);
+    g_assert_true(centers_of(simulation) == before);
+    g_assert_cmpfloat(chain(simulation, 0, 1.0, good), ==, 1.0);
+}
+
+} // namespace
+
+int main(int argc, char **argv)
+{
+    g_test_init(&argc, &argv, nullptr);
+    g_test_add_func("/event_chains/pressure", test_pressure);
+    g_test_add_func("/event_chains/length", test_length);
+    g_test_add_func("/event_chains/one_particle", test_one_particle);
+    g_test_add_func("/event_chains/line", test_line);
+    g_test_add_func("/event_chains/never_overlaps", test_never_overlaps);
+    g_test_add_func("/event_chains/reproducible", test_reproducible);
+    g_test_add_func("/event_chains/bad_input", test_bad_input);
+    return g_test_run();
+}
