@@ -178,7 +178,7 @@ void test_reproducible()
     g_assert_true(centers_of(first) == centers_of(second));
     g_assert_cmpfloat(chain(third, 20, 7.0, nullptr), !=, z);
     std::vector<unsigned char> bytes(pw85_hard_ellipsoids_num_bytes(first.get()));
-    g_assert_cmpint(pw85_hard_ellipsoids_save(first.get(), bytes.data()), ==, PW85_SUCCESS);
+    g_assert_cmpint(pw85_hard_ellipsoids_save(first.get(), bytes.size(), bytes.data()), ==, PW85_SUCCESS);
     pw85_hard_ellipsoids *restored = nullptr;
     g_assert_cmpint(pw85_hard_ellipsoids_restore(bytes.size(), bytes.data(), &restored), ==, PW85_SUCCESS);
     Simulation const resumed(restored);
