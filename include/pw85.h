@@ -633,7 +633,7 @@ PW85_API int pw85_curvature(double const normal[PW85_DIM], double const q[PW85_S
  * depth δ the bodies repel each other by the force (4/3) E* √(radius δ³), with 1/E* = (1 - ν1²)/E1 + (1 - ν2²)/E2, Young's moduli E and
  * Poisson's ratios ν. The energy is (8/15) E* √(radius δ⁵). The contact area is an ellipse with the semi-axes √(ellipse[0] δ) and
  * √(ellipse[1] δ), the square of whose arithmetic-geometric mean is radius δ. Complete elliptic integrals are included. The relative
- * errors are below 64 u, with u = 2⁻⁵³, for curvatures whose ratio is at most 10¹⁸.
+ * errors are below 256 u, with u = 2⁻⁵³, for curvatures whose ratio is at most 10¹⁸.
  *
  * @param curvatures along both directions, the sums of those of both bodies, > 0. pw85_hertz_contact() returns them for two ellipsoids.
  *        A plane has none, so that for an ellipsoid on a plane they are those of pw85_curvature()

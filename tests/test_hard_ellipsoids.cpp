@@ -185,7 +185,7 @@ void test_hard_spheres()
     HardEllipsoids simulation = start.simulation();
     g_assert_true(simulation.set_fractions({1, 0, 0, 0}) == Status::success);
     g_assert_true(simulation.tune(300, 0.5, z * density) == Status::success);
-    int const sweeps = g_test_thorough() ? 20000 : 3000;
+    int const sweeps = g_test_perf() ? 20000 : 3000;
     Blocks densities(sweeps / 20);
     for (int k = 0; k < sweeps; ++k) {
         g_assert_true(simulation.sweep(1) == Status::success);
@@ -225,7 +225,7 @@ struct TwoEllipsoids {
 // All kinds of trials, against independent configurations of which those with overlaps are left out.
 void test_two_ellipsoids()
 {
-    int const samples = g_test_thorough() ? 200000 : 20000;
+    int const samples = g_test_perf() ? 200000 : 20000;
     std::mt19937_64 random(5);
     std::normal_distribution<double> normal;
     std::uniform_real_distribution<double> uniform(0.0, TwoEllipsoids::side);

@@ -186,7 +186,7 @@ template <class T> void test_hertz()
         T const large = static_cast<T>(small * static_cast<T>(ratio));
         auto const h = pw85::hertz(pw85::Vector<T, 2>{small, large});
         compare(
-            h, small, large, 64 * pw85::detail::unit_roundoff<T>(), failures,
+            h, small, large, 256 * pw85::detail::unit_roundoff<T>(), failures,
             hex_text(pw85::Vector<double, 2>{static_cast<double>(small), static_cast<double>(large)}.coordinates, 2));
         auto const swapped = pw85::hertz(pw85::Vector<T, 2>{large, small});
         g_assert_true(swapped.radius == h.radius && swapped.ellipse[0] == h.ellipse[1] &&
@@ -247,7 +247,7 @@ void test_contact()
         auto const gap = pw85::detail::blend(Wide(1), k, Wide(1), k2);
         compare({f.curvatures[0], f.curvatures[1]}, f.directions, gap, normal, accuracy<double>, failures, text(g));
         compare(pw85::HertzEllipse<double>{f.radius, {f.ellipse[0], f.ellipse[1]}, pw85::Status::success},
-                f.curvatures[0], f.curvatures[1], 64 * 0x1p-53, failures, text(g));
+                f.curvatures[0], f.curvatures[1], 256 * 0x1p-53, failures, text(g));
     }
 }
 

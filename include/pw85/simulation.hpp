@@ -50,6 +50,20 @@ class HardEllipsoids {
             pw85_hard_ellipsoids_volume_moves(get(), num_moves, pressure, static_cast<int>(change)));
     }
 
+    /// Event chains along random directions.
+    [[gnu::always_inline]] Status chain(std::size_t num_chains, double length, double &compressibility) noexcept
+    {
+        return static_cast<Status>(pw85_hard_ellipsoids_chain(get(), num_chains, length, nullptr, &compressibility));
+    }
+
+    /// Event chains along one direction.
+    [[gnu::always_inline]] Status chain(std::size_t num_chains, double length, Vector<double, 3> const &direction,
+                                        double &compressibility) noexcept
+    {
+        return static_cast<Status>(
+            pw85_hard_ellipsoids_chain(get(), num_chains, length, direction.coordinates, &compressibility));
+    }
+
     /// @param pressure 0 for no trials of the volume
     [[gnu::always_inline]] Status tune(std::size_t num_sweeps, double acceptance, double pressure = 0.0,
                                        CellChange change = CellChange::isotropic) noexcept
