@@ -1913,13 +1913,15 @@ PW85_API int pw85_hard_ellipsoids_sweep(pw85_hard_ellipsoids *simulation, size_t
  * the sum of the ways is the length of the chain. No chain leads to an overlap (pw85_free_path(), and the exact overlap test of each
  * place). Chains do not rotate particles: use sweeps of rotations, too.
  *
- * Chains along one direction keep the uniform distribution, without detailed balance, but do not change the coordinates across it. Chains
- * along random directions are in detailed balance. βP/ρ, along the direction, is the mean of (x_last - x_first)/length over chains, where x is the coordinate along the direction
- * of the particle that moves, which jumps at each contact (Michel, Kapfer and Krauth 2014). Make blocks of chains to see its error.
+ * Chains along one direction keep the uniform distribution, without detailed balance, but do not change the coordinates across it.
+ * Chains along random directions are in detailed balance. βP/ρ, along the direction, is the mean of (x_last - x_first)/length over
+ * chains, where x is the coordinate along the direction of the particle that moves, which jumps at each contact (Michel, Kapfer
+ * and Krauth 2014). Make blocks of chains to see its error.
  *
  * @param simulation a simulation
  * @param num_chains how many
- * @param length of each chain, > 0, in the unit of length; the mean way between contacts times the number of particles is much
+ * @param length of each chain, > 0, in the unit of length. It is long if it is the mean way between contacts times the number of
+ *        particles
  * @param direction of any length > 0; or null for a random direction of each chain, isotropic
  * @param[out] compressibility βP/ρ along the directions, by these chains; 1 without chains or particles; NaN on error; may be null
  * @return #PW85_SUCCESS; #PW85_EINVAL, also for a zero direction; #PW85_ENOMEM or #PW85_ECONVERGENCE (particles block each other within

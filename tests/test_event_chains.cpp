@@ -8,6 +8,7 @@
 #include <glib.h>
 
 #include <pw85.h>
+#include <pw85/simulation.hpp>
 
 #include "draws.hpp"
 
@@ -188,6 +189,20 @@ void test_reproducible()
     g_assert_true(centers_of(resumed) == centers_of(second));
 }
 
+// The members of C++ make the same chains.
+void test_members()
+{
+    Lattice const lattice{4, 1.5, 0.3, 1.0};
+    auto const in_c = lattice.make(9);
+    pw85::HardEllipsoids in_cpp(lattice.make(9).release());
+    double z = 7;
+    g_assert_true(in_cpp.chain(6, 3.0, z) == pw85::Status::success);
+    g_assert_cmpfloat(z, ==, chain(in_c, 6, 3.0, nullptr));
+    pw85::Vector<double, 3> const direction{1.0, 2.0, -0.5};
+    g_assert_true(in_cpp.chain(6, 3.0, direction, z) == pw85::Status::success);
+    g_assert_cmpfloat(z, ==, chain(in_c, 6, 3.0, direction.coordinates));
+}
+
 void test_bad_input()
 {
     auto const simulation = Lattice{2, 1.0, 0.3, 1.0}.make(8);
@@ -219,6 +234,7 @@ int main(int argc, char **argv)
     g_test_add_func("/event_chains/line", test_line);
     g_test_add_func("/event_chains/never_overlaps", test_never_overlaps);
     g_test_add_func("/event_chains/reproducible", test_reproducible);
+    g_test_add_func("/event_chains/members", test_members);
     g_test_add_func("/event_chains/bad_input", test_bad_input);
     return g_test_run();
 }
