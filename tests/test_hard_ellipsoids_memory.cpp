@@ -29,7 +29,7 @@ HardEllipsoids make_simulation()
     pw85::IndexPair pair;
     g_assert_true(hard_ellipsoids_create({centers, {}, &cell}, semi_axes, quaternions, 1, simulation, pair) ==
                   Status::success);
-    g_assert_true(simulation.set_steps({0.15, 0.1, 0.7}) == Status::success);
+    g_assert_true(simulation.set_steps({0.15, 0.1, 0.6}) == Status::success);
     g_assert_true(simulation.sweep(30) == Status::success);
     return simulation;
 }
@@ -63,7 +63,7 @@ template <class Call> void refuse_each(Call const &call)
         g_assert_true(status == (all_granted ? Status::success : Status::out_of_memory));
         expect_no_overlap(simulation);
         g_assert_true(simulation.sweep(4) == Status::success);
-        g_assert_true(simulation.volume_moves(4, pressure) == Status::success);
+        g_assert_true(simulation.volume_moves(1, pressure) == Status::success);
         expect_no_overlap(simulation);
         if (!all_granted) continue;
         g_test_message("%ld refusals", refused);
