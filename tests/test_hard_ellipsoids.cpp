@@ -266,6 +266,33 @@ void test_two_ellipsoids()
     for (std::size_t k = 0; k < 4; ++k) g_assert_true(0 < counts.accepted[k] && counts.accepted[k] < counts.trials[k]);
 }
 
+// A particle alone turns by (1, v), in which v and -v are equally probable: the mean of v is 0. The parts of the quaternion after a turn,
+// multiplied by the conjugate of the one before, are in the ratio 1 : v.
+void test_turns()
+{
+    constexpr double largest = 0.25;
+    Start start;
+    start.add({0, 0, 0}, {0.3, 0.5, 0.9});
+    start.cell = box(5, 5, 5);
+    HardEllipsoids simulation = start.simulation();
+    g_assert_true(simulation.set_fractions({0, 1, 0, 0}) == Status::success);
+    g_assert_true(simulation.set_steps({0.1, largest, 0.1}) == Status::success);
+    Blocks means[3] = {Blocks(200), Blocks(200), Blocks(200)}, square(200);
+    for (int k = 0; k < 10000; ++k) {
+        auto const [w, x, y, z] = simulation.quaternions()[0].coordinates;
+        g_assert_true(simulation.sweep(1) == Status::success);
+        auto const [a, b, c, d] = simulation.quaternions()[0].coordinates;
+        double const scalar = a * w + b * x + c * y + d * z;
+        Vector3 const v =
+            Vector3{b * w - a * x - c * z + d * y, c * w - a * y - d * x + b * z, d * w - a * z - b * y + c * x} /
+            (scalar * largest);
+        for (int i = 0; i < 3; ++i) means[i].add(v[i]);
+        square.add(dot(v, v));
+    }
+    for (Blocks const &mean : means) mean.expect("mean turn", 0.0);
+    square.expect("mean square of a point of a ball", 0.6);
+}
+
 /// Some of everything.
 void run(HardEllipsoids &simulation, int steps)
 {
@@ -363,6 +390,7 @@ int main(int argc, char **argv)
     g_test_add_func("/hard_ellipsoids/ideal_gas", test_ideal_gas);
     g_test_add_func("/hard_ellipsoids/hard_spheres", test_hard_spheres);
     g_test_add_func("/hard_ellipsoids/two_ellipsoids", test_two_ellipsoids);
+    g_test_add_func("/hard_ellipsoids/turns", test_turns);
     g_test_add_func("/hard_ellipsoids/threads_and_restart", test_threads_and_restart);
     g_test_add_func("/hard_ellipsoids/small_cell", test_small_cell);
     g_test_add_func("/hard_ellipsoids/bad_input", test_bad_input);

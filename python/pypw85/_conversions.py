@@ -44,7 +44,7 @@ def from_lammps(diameters: ArrayLike, quaternions_wxyz: ArrayLike) -> Floats:
 
 
 def _plain_rows(function: str, x: ArrayLike, size: int) -> Floats:
-    rows = plain(x)
+    rows: Floats = plain(x)
     if rows.shape[-1:] != (size,):
         raise ValueError(f"{function}: the last dimension must be {size}, but the shape is {rows.shape}")
     return rows

@@ -703,7 +703,7 @@ def hertz_contact():
     >>> depth, point, curvatures, directions, radius, ellipse = pypw85.hertz_contact(
     ...     [0, 0, 3.5], q1, q2, [0, 0, 1]
     ... )
-    >>> depth, point, radius
+    >>> depth, point, round(radius, 12)
     (0.5, array([0.  , 0.  , 0.75]), 0.75)
     """
 

@@ -72,6 +72,41 @@ PyObject *mesh_contact(PyObject *self, PyObject *const *args, Py_ssize_t nargs);
 /// mesh_overlap(mesh, centers, q, overlap): status. Arrays are contiguous and of the right type.
 PyObject *mesh_overlap(PyObject *self, PyObject *const *args, Py_ssize_t nargs);
 
+/// hard_ellipsoids_create(centers, semi_axes, quaternions, cell or None, periodic (three int32), seed): (status, (i, j), arrays). The
+/// arrays are (simulation, centers, q, semi_axes, quaternions, cell or None, periodic): a capsule and views of its memory. On error they
+/// are None, and i and j the first particles that overlap, or -1.
+PyObject *hard_ellipsoids_create(PyObject *self, PyObject *const *args, Py_ssize_t nargs);
+
+/// hard_ellipsoids_restore(bytes): as hard_ellipsoids_create().
+PyObject *hard_ellipsoids_restore(PyObject *self, PyObject *bytes);
+
+/// hard_ellipsoids_save(simulation): bytes.
+PyObject *hard_ellipsoids_save(PyObject *self, PyObject *capsule);
+
+/// hard_ellipsoids_sweep(simulation): the status of one sweep.
+PyObject *hard_ellipsoids_sweep(PyObject *self, PyObject *capsule);
+
+/// hard_ellipsoids_volume_move(simulation, pressure, change): the status of one trial.
+PyObject *hard_ellipsoids_volume_move(PyObject *self, PyObject *args);
+
+/// hard_ellipsoids_tune(simulation, acceptance, pressure, change): the status of one sweep.
+PyObject *hard_ellipsoids_tune(PyObject *self, PyObject *args);
+
+/// hard_ellipsoids_set_fractions(simulation, four numbers): status.
+PyObject *hard_ellipsoids_set_fractions(PyObject *self, PyObject *args);
+
+/// hard_ellipsoids_set_steps(simulation, three numbers): status.
+PyObject *hard_ellipsoids_set_steps(PyObject *self, PyObject *args);
+
+/// hard_ellipsoids_steps(simulation): three numbers.
+PyObject *hard_ellipsoids_steps(PyObject *self, PyObject *capsule);
+
+/// hard_ellipsoids_counts(simulation): five pairs of trials and accepted ones.
+PyObject *hard_ellipsoids_counts(PyObject *self, PyObject *capsule);
+
+/// hard_ellipsoids_check(simulation): (status, (i, j)).
+PyObject *hard_ellipsoids_check(PyObject *self, PyObject *capsule);
+
 /// nearest_images(pairs, centers, cell, r12, images): status. Arrays are contiguous and of the right type.
 PyObject *nearest_images(PyObject *self, PyObject *const *args, Py_ssize_t nargs);
 

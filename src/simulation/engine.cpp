@@ -85,7 +85,8 @@ int Engine::update_rows(double room) noexcept
 
 bool Engine::all_listed(double room) const noexcept
 {
-    return kernels::for_all(configuration.size(), [&](kernels::Range range) {
+    return neighborhood_.size() == configuration.size() &&
+           kernels::for_all(configuration.size(), [&](kernels::Range range) {
                std::size_t i = range.begin;
                while (i < range.end && is_listed(i, room)) ++i;
                return kernels::Failure{i, i < range.end};

@@ -41,10 +41,11 @@ class ImageTable {
         return slot;
     }
 
+    /// The slots are the last to be resized: number_of() may be called after an error, and looks at all of them.
     bool grow() noexcept
     {
         std::size_t const size = std::max<std::size_t>(64, 2 * slots_.size());
-        if (!slots_.resize(size) || !images_.resize(size)) return false;
+        if (!images_.resize(size) || !slots_.resize(size)) return false;
         std::fill_n(slots_.data(), size, -1);
         for (std::size_t k = 0; k < count_; ++k) slots_[find(images_[k])] = static_cast<std::int32_t>(k);
         return true;
@@ -58,6 +59,13 @@ class ImageTable {
 } // namespace
 
 int Neighborhood::update(Configuration const &configuration, double skin) noexcept
+{
+    int const status = make_rows(configuration, skin);
+    if (status != PW85_SUCCESS) *this = Neighborhood();
+    return status;
+}
+
+int Neighborhood::make_rows(Configuration const &configuration, double skin) noexcept
 {
     pw85_system const system = configuration.system();
     pw85_neighbors *made = nullptr;

@@ -36,8 +36,11 @@ struct Neighbor {
 
 class Neighborhood {
   public:
-    /// Makes the rows for a configuration. Returns a status.
+    /// Makes the rows for a configuration. Returns a status. On error there are no rows.
     int update(Configuration const &configuration, double skin) noexcept;
+
+    /// The number of rows: that of the particles, or 0 after an error.
+    std::size_t size() const noexcept { return extents_.size(); }
 
     /// Takes over a change of the cell. Returns false if the cell is singular.
     [[nodiscard]] bool set_cell(Cell const &cell) noexcept;
@@ -68,6 +71,7 @@ class Neighborhood {
     double spacing(int k) const noexcept { return spacing_[k]; }
 
   private:
+    int make_rows(Configuration const &configuration, double skin) noexcept;
     bool count_rows(std::size_t n, pw85_pair_list const &list) noexcept;
     bool fill_rows(pw85_pair_list const &list) noexcept;
     bool store_extents(Configuration const &configuration, double skin) noexcept;

@@ -1,6 +1,5 @@
 // Makes neighbour lists while each allocation in turn fails: there is an error, no list, and no leak (which the sanitizers would
 // find).
-#include <atomic>
 #include <cstddef>
 #include <vector>
 
@@ -9,23 +8,9 @@
 #include <pw85/neighbors.hpp>
 
 #include "../random_pairs.hpp"
+#include "../refused_memory.hpp"
 
-namespace {
-
-/// How many requests are granted before one is refused.
-std::atomic<long> granted{0};
-
-} // namespace
-
-extern "C" {
-
-void *__real_realloc(void *memory, std::size_t size);
-
-void *__wrap_realloc(void *memory, std::size_t size)
-{
-    return granted.fetch_sub(1) == 0 ? nullptr : __real_realloc(memory, size);
-}
-}
+using pw85_tests::granted;
 
 namespace {
 

@@ -1,0 +1,211 @@
+// Monte Carlo of hard ellipsoids. The Python layer converts and explains; what would read or write beyond an array is refused here.
+#include <cstdint>
+
+#include <pw85.h>
+
+#include "arguments.hpp"
+#include "calls.hpp"
+
+namespace pypw85 {
+namespace {
+
+constexpr char const *capsule_name = "pw85_hard_ellipsoids";
+
+pw85_hard_ellipsoids *simulation_of(PyObject *capsule)
+{
+    return static_cast<pw85_hard_ellipsoids *>(PyCapsule_GetPointer(capsule, capsule_name));
+}
+
+void destroy(PyObject *capsule) { pw85_hard_ellipsoids_destroy(simulation_of(capsule)); }
+
+/// The status of a function of the simulation, for which other threads of Python do not wait; null for another object.
+template <class Function> PyObject *status_of(PyObject *capsule, Function const &function)
+{
+    pw85_hard_ellipsoids *const simulation = simulation_of(capsule);
+    if (simulation == nullptr) return nullptr;
+    int status;
+    Py_BEGIN_ALLOW_THREADS;
+    status = function(simulation);
+    Py_END_ALLOW_THREADS;
+    return PyLong_FromLong(status);
+}
+
+/// The data of a contiguous array of doubles of the given shape, as data_of().
+double const *doubles(PyObject *array, npy_intp &rows, npy_intp columns)
+{
+    return static_cast<double const *>(data_of(array, NPY_DOUBLE, rows, columns, false));
+}
+
+/// An array of a simulation, which it keeps alive. It cannot be written to.
+Reference view_of(double const *data, std::size_t rows, npy_intp columns, PyObject *owner)
+{
+    npy_intp const shape[] = {static_cast<npy_intp>(rows), columns};
+    Reference array(PyArray_SimpleNewFromData(2, shape, NPY_DOUBLE, const_cast<double *>(data)));
+    if (!array) return nullptr;
+    auto *const object = reinterpret_cast<PyArrayObject *>(array.get());
+    PyArray_CLEARFLAGS(object, NPY_ARRAY_WRITEABLE);
+    if (PyArray_SetBaseObject(object, Py_NewRef(owner)) != 0) return nullptr;
+    return array;
+}
+
+/// What create and restore return.
+PyObject *made(int status, std::int32_t const *pair, pw85_hard_ellipsoids *simulation)
+{
+    if (status != PW85_SUCCESS) return Py_BuildValue("i(ii)O", status, pair[0], pair[1], Py_None);
+    Reference const capsule(PyCapsule_New(simulation, capsule_name, destroy));
+    if (!capsule) {
+        pw85_hard_ellipsoids_destroy(simulation);
+        return nullptr;
+    }
+    pw85_system const system = pw85_hard_ellipsoids_system(simulation);
+    std::size_t const n = system.num_particles;
+    Reference const centers = view_of(system.centers, n, 3, capsule.get());
+    Reference const q = view_of(system.q, n, 6, capsule.get());
+    Reference const semi_axes = view_of(pw85_hard_ellipsoids_semi_axes(simulation), n, 3, capsule.get());
+    Reference const quaternions = view_of(pw85_hard_ellipsoids_quaternions(simulation), n, 4, capsule.get());
+    Reference const cell =
+        system.cell == nullptr ? Reference(Py_NewRef(Py_None)) : view_of(system.cell, 3, 3, capsule.get());
+    if (!centers || !q || !semi_axes || !quaternions || !cell) return nullptr;
+    return Py_BuildValue("i(ii)(OOOOOO(iii))", status, pair[0], pair[1], capsule.get(), centers.get(), q.get(),
+                         semi_axes.get(), quaternions.get(), cell.get(), system.periodic[0], system.periodic[1],
+                         system.periodic[2]);
+}
+
+} // namespace
+
+PyObject *hard_ellipsoids_create(PyObject *, PyObject *const *args, Py_ssize_t nargs)
+{
+    npy_intp n = -1, three = 3;
+    if (!right_number(nargs, 6)) return nullptr;
+    double const *const centers = doubles(args[0], n, 3);
+    double const *const semi_axes = centers == nullptr ? nullptr : doubles(args[1], n, 3);
+    double const *const quaternions = semi_axes == nullptr ? nullptr : doubles(args[2], n, 4);
+    if (quaternions == nullptr) return nullptr;
+    pw85_system system{static_cast<std::size_t>(n), centers, nullptr, nullptr, {0, 0, 0}};
+    if (args[3] != Py_None) {
+        system.cell = doubles(args[3], three, 3);
+        if (system.cell == nullptr) return nullptr;
+    }
+    auto const *const periodic = static_cast<std::int32_t const *>(data_of(args[4], NPY_INT32, three, 0, false));
+    if (periodic == nullptr) return nullptr;
+    for (int k = 0; k < 3; ++k) system.periodic[k] = periodic[k];
+    std::size_t const seed = PyLong_AsSize_t(args[5]);
+    if (PyErr_Occurred()) return nullptr;
+    int status;
+    std::int32_t pair[2];
+    pw85_hard_ellipsoids *simulation;
+    Py_BEGIN_ALLOW_THREADS;
+    status = pw85_hard_ellipsoids_create(&system, semi_axes, quaternions, seed, pair, &simulation);
+    Py_END_ALLOW_THREADS;
+    return made(status, pair, simulation);
+}
+
+PyObject *hard_ellipsoids_restore(PyObject *, PyObject *bytes)
+{
+    char *data;
+    Py_ssize_t size;
+    if (PyBytes_AsStringAndSize(bytes, &data, &size) != 0) return nullptr;
+    int status;
+    std::int32_t const pair[2] = {-1, -1};
+    pw85_hard_ellipsoids *simulation;
+    Py_BEGIN_ALLOW_THREADS;
+    status = pw85_hard_ellipsoids_restore(static_cast<std::size_t>(size), reinterpret_cast<unsigned char const *>(data),
+                                          &simulation);
+    Py_END_ALLOW_THREADS;
+    return made(status, pair, simulation);
+}
+
+PyObject *hard_ellipsoids_save(PyObject *, PyObject *capsule)
+{
+    pw85_hard_ellipsoids const *const simulation = simulation_of(capsule);
+    if (simulation == nullptr) return nullptr;
+    std::size_t const size = pw85_hard_ellipsoids_num_bytes(simulation);
+    Reference bytes(PyBytes_FromStringAndSize(nullptr, static_cast<Py_ssize_t>(size)));
+    if (!bytes) return nullptr;
+    auto *const data = reinterpret_cast<unsigned char *>(PyBytes_AsString(bytes.get()));
+    pw85_hard_ellipsoids_save(simulation, size, data); // cannot fail: the size is the right one
+    return bytes.release();
+}
+
+PyObject *hard_ellipsoids_sweep(PyObject *, PyObject *capsule)
+{
+    return status_of(capsule, [](auto *simulation) { return pw85_hard_ellipsoids_sweep(simulation, 1); });
+}
+
+PyObject *hard_ellipsoids_volume_move(PyObject *, PyObject *args)
+{
+    PyObject *capsule;
+    double pressure;
+    int change;
+    if (!PyArg_ParseTuple(args, "Odi", &capsule, &pressure, &change)) return nullptr;
+    return status_of(
+        capsule, [&](auto *simulation) { return pw85_hard_ellipsoids_volume_moves(simulation, 1, pressure, change); });
+}
+
+PyObject *hard_ellipsoids_tune(PyObject *, PyObject *args)
+{
+    PyObject *capsule;
+    double acceptance, pressure;
+    int change;
+    if (!PyArg_ParseTuple(args, "Oddi", &capsule, &acceptance, &pressure, &change)) return nullptr;
+    return status_of(capsule, [&](auto *simulation) {
+        return pw85_hard_ellipsoids_tune(simulation, 1, acceptance, pressure, change);
+    });
+}
+
+PyObject *hard_ellipsoids_set_fractions(PyObject *, PyObject *args)
+{
+    PyObject *capsule;
+    double fractions[4];
+    if (!PyArg_ParseTuple(args, "Odddd", &capsule, fractions, fractions + 1, fractions + 2, fractions + 3))
+        return nullptr;
+    return status_of(capsule,
+                     [&](auto *simulation) { return pw85_hard_ellipsoids_set_fractions(simulation, fractions); });
+}
+
+PyObject *hard_ellipsoids_set_steps(PyObject *, PyObject *args)
+{
+    PyObject *capsule;
+    double steps[3];
+    if (!PyArg_ParseTuple(args, "Oddd", &capsule, steps, steps + 1, steps + 2)) return nullptr;
+    return status_of(capsule, [&](auto *simulation) { return pw85_hard_ellipsoids_set_steps(simulation, steps); });
+}
+
+PyObject *hard_ellipsoids_steps(PyObject *, PyObject *capsule)
+{
+    pw85_hard_ellipsoids const *const simulation = simulation_of(capsule);
+    if (simulation == nullptr) return nullptr;
+    double steps[3];
+    pw85_hard_ellipsoids_steps(simulation, steps);
+    return Py_BuildValue("ddd", steps[0], steps[1], steps[2]);
+}
+
+PyObject *hard_ellipsoids_counts(PyObject *, PyObject *capsule)
+{
+    pw85_hard_ellipsoids const *const simulation = simulation_of(capsule);
+    if (simulation == nullptr) return nullptr;
+    std::int64_t trials[5], accepted[5];
+    pw85_hard_ellipsoids_counts(simulation, trials, accepted);
+    Reference counts(PyTuple_New(5));
+    for (int k = 0; counts && k < 5; ++k) {
+        PyObject *const pair =
+            Py_BuildValue("LL", static_cast<long long>(trials[k]), static_cast<long long>(accepted[k]));
+        if (pair == nullptr) return nullptr;
+        PyTuple_SetItem(counts.get(), k, pair);
+    }
+    return counts.release();
+}
+
+PyObject *hard_ellipsoids_check(PyObject *, PyObject *capsule)
+{
+    pw85_hard_ellipsoids const *const simulation = simulation_of(capsule);
+    if (simulation == nullptr) return nullptr;
+    int status;
+    std::int32_t pair[2];
+    Py_BEGIN_ALLOW_THREADS;
+    status = pw85_hard_ellipsoids_check(simulation, pair);
+    Py_END_ALLOW_THREADS;
+    return Py_BuildValue("i(ii)", status, pair[0], pair[1]);
+}
+
+} // namespace pypw85

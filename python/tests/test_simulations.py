@@ -1,0 +1,200 @@
+"""Monte Carlo of hard ellipsoids in Python."""
+
+import gc
+import operator
+import threading
+
+import numpy as np
+import pytest
+
+import pypw85
+
+
+def lattice(side=4, spacing=(1.3, 1.3, 2.7), semi_axes=(0.5, 0.5, 1.2), **others):
+    """Upright ellipsoids."""
+    places = np.stack(np.meshgrid(*[np.arange(side)] * 3, indexing="ij"), axis=-1).reshape(-1, 3) * spacing
+    n = len(places)
+    others = {"cell": side * np.diag(spacing)} | others
+    return pypw85.System.from_axes(places, np.tile(semi_axes, (n, 1)), np.tile([2.0, 0, 0, 0], (n, 1)), **others)
+
+
+def test_distribution():
+    """Points in an ideal gas: the volume has the density V^N exp(-PV), with the mean (N + 1) / P."""
+    pressure = 5.0
+    simulation = pypw85.HardEllipsoids(lattice(2, 3 * [0.6], 3 * [1e-9]), seed=3)
+    simulation.set_steps(0.1, 0.1, 0.6)
+    volumes = []
+    for _ in range(4000):
+        simulation.volume_moves(2, pressure)
+        volumes.append(np.linalg.det(simulation.cell))
+    means = np.mean(np.reshape(volumes, (20, -1)), axis=1)
+    error = np.std(means) / np.sqrt(19)
+    assert abs(means.mean() - 9 / pressure) < 5 * error < 0.3, (means.mean(), error)
+
+
+def test_changes():
+    """Each kind of change has its effect on the cell."""
+    for change, number in (("isotropic", 3), ("axis", 3), ("triclinic", 6)):
+        simulation = pypw85.HardEllipsoids(lattice(), seed=3)
+        simulation.set_steps(0.1, 0.1, 1e-4)
+        simulation.volume_moves(40, 2.0, change)
+        assert np.count_nonzero(simulation.cell) == number
+        lengths = np.diag(simulation.cell) / (4 * np.array([1.3, 1.3, 2.7]))
+        assert (np.ptp(lengths) < 1e-14) == (change == "isotropic")
+
+
+def test_views():
+    """The arrays show the present state, cannot be written to, and outlive the object."""
+    simulation = pypw85.HardEllipsoids(lattice(), seed=5)
+    views = {name: getattr(simulation, name) for name in ("centers", "semi_axes", "quaternions", "q", "cell")}
+    before = {name: view.copy() for name, view in views.items()}
+    simulation.tune(10, 0.4, pressure=2.0)
+    changed = [name for name, view in views.items() if (view != before[name]).any()]
+    assert changed == ["centers", "quaternions", "q", "cell"]
+    assert np.allclose(np.linalg.norm(views["quaternions"], axis=1), 1, rtol=0, atol=1e-15)
+    form = pypw85.ellipsoid_quaternion(views["semi_axes"], views["quaternions"])
+    assert (form == views["q"]).all()
+    for view in views.values():
+        with pytest.raises(ValueError, match="read-only"):
+            view[0] = 1
+        with pytest.raises(ValueError, match="cannot set WRITEABLE"):
+            view.flags.writeable = True
+    after = {name: view.copy() for name, view in views.items()}
+    del simulation
+    gc.collect()
+    others = [pypw85.HardEllipsoids(lattice(), seed=6) for _ in range(4)]
+    assert all((view == after[name]).all() for name, view in views.items())
+    assert len(others[0]) == 64
+
+
+def test_saved():
+    """A saved simulation goes on bit by bit, and sweeps may be counted together or one by one."""
+    simulation = pypw85.HardEllipsoids(lattice(), 9)
+    simulation.set_fractions(1, 1, 2, 0)
+    simulation.tune(5, 0.5)
+    again = pypw85.HardEllipsoids.restore(simulation.save())
+    assert again.periodic == (True, True, True)
+    simulation.sweep(6)
+    for _ in range(6):
+        again.sweep()
+    assert simulation.save() == again.save()
+    assert (simulation.centers == again.centers).all()
+    other = pypw85.HardEllipsoids(lattice(), 10)
+    other.sweep(6)
+    assert other.save() != again.save()
+
+
+def test_counts():
+    simulation = pypw85.HardEllipsoids(lattice(), 1)
+    simulation.set_fractions(translation=1, both=3)
+    simulation.set_steps(0.125, 0.25, 0.5)
+    assert simulation.steps == (0.125, 0.25, 0.5)
+    simulation.sweep(50)
+    simulation.volume_moves(7, 1.0)
+    counts = simulation.counts
+    assert sum(counts[move].trials for move in ("translation", "both")) == 50 * 64
+    assert abs(counts["both"].trials - 2400) < 200
+    assert counts["rotation"] == counts["exchange"] == (0, 0)
+    assert counts["volume"].trials == 7
+    assert all(0 <= one.accepted <= one.trials for one in counts.values())
+    assert 0 < counts["translation"].accepted < counts["translation"].trials
+    simulation.tune(1)
+    assert all(one == (0, 0) for one in simulation.counts.values())
+    assert simulation.steps != (0.125, 0.25, 0.5)
+
+
+def test_mixture():
+    """Exchanges of semi-axes, and a copy of the state, which has no overlaps."""
+    start = lattice()
+    axes = start.semi_axes.copy()
+    axes[::2] = [0.4, 0.5, 0.9]
+    start = pypw85.System.from_axes(start.centers, axes, start.quaternions, cell=start.cell)
+    simulation = pypw85.HardEllipsoids(start, 2)
+    simulation.set_fractions(1, 1, 1, 1)
+    simulation.sweep(20)
+    assert simulation.counts["exchange"].accepted > 0
+    assert sorted(map(tuple, simulation.semi_axes)) == sorted(map(tuple, axes))
+    copy = simulation.system()
+    assert (copy.q == simulation.q).all() and (copy.centers == simulation.centers).all()
+    assert (copy.semi_axes == simulation.semi_axes).all() and (copy.quaternions == simulation.quaternions).all()
+    assert len(copy.overlaps().pairs) == 0
+    simulation.check()
+    simulation.sweep()
+    assert (copy.centers != simulation.centers).any()
+
+
+def test_overlapping_start():
+    start = lattice()
+    start.centers[5] = start.centers[2] + [0.1, 0, 0]
+    with pytest.raises(pypw85.PW85Error, match="^HardEllipsoids: particle 2 overlaps particle 5$") as raised:
+        pypw85.HardEllipsoids(start)
+    assert raised.value.status == pypw85.Status.EOVERLAP
+    with pytest.raises(pypw85.PW85Error, match="particle 0 overlaps its own image"):
+        pypw85.HardEllipsoids(lattice(1, (1, 1, 1)))
+
+
+def test_bad_input():
+    start = lattice()
+    start.centers[7, 1] = np.nan
+    with pytest.raises(pypw85.PW85Error, match="particle 7: centers is not finite: .*nan"):
+        pypw85.HardEllipsoids(start)
+    with pytest.raises(pypw85.PW85Error, match="cell"):
+        pypw85.HardEllipsoids(lattice(cell=np.zeros((3, 3))))
+    for seed in (-1, 2**64):
+        with pytest.raises(ValueError, match="seed is no integer from 0"):
+            pypw85.HardEllipsoids(lattice(), seed)
+    with pytest.raises(TypeError):
+        pypw85.HardEllipsoids(lattice(), 1.5)
+    simulation = pypw85.HardEllipsoids(lattice(), np.int64(3))
+    before = simulation.save()
+    for pressure in (0.0, -1.0, np.nan, np.inf):
+        with pytest.raises(pypw85.PW85Error, match=f"volume_moves: a number is out of range: {pressure}$"):
+            simulation.volume_moves(1, pressure)
+    with pytest.raises(pypw85.PW85Error, match=r"tune: a number is out of range: 1.5, 0.0$"):
+        simulation.tune(1, 1.5)
+    with pytest.raises(pypw85.PW85Error, match="set_steps"):
+        simulation.set_steps(0.1, np.nan, 0.1)
+    with pytest.raises(pypw85.PW85Error, match="set_fractions"):
+        simulation.set_fractions()
+    with pytest.raises(ValueError, match="change is none of isotropic, axis, triclinic: 'shear'"):
+        simulation.volume_moves(1, 1.0, "shear")
+    for call in (simulation.sweep, lambda n: simulation.tune(n, 0.4), lambda n: simulation.volume_moves(n, 1.0)):
+        with pytest.raises(ValueError, match="number is negative: -1"):
+            call(-1)
+        with pytest.raises(TypeError):
+            call(0.5)
+    assert simulation.save() == before
+    with pytest.raises(pypw85.PW85Error, match="restore: these are no bytes of save"):
+        pypw85.HardEllipsoids.restore(before[:-1])
+    with pytest.raises(TypeError):
+        pypw85.HardEllipsoids.restore("text")
+
+
+def test_cells():
+    """Without a cell, along two vectors, without particles."""
+    along_two, along_none = (True, True, False), (False, False, False)
+    for others, expected in (
+        ({"cell": None}, along_none),
+        ({"periodic": along_two}, along_two),
+        ({"periodic": False}, along_none),
+    ):
+        simulation = pypw85.HardEllipsoids(lattice(**others))
+        simulation.sweep(3)
+        simulation.check()
+        with pytest.raises(pypw85.PW85Error, match="the cell is not periodic along its three vectors"):
+            simulation.volume_moves(1, 1.0)
+        assert simulation.periodic == simulation.system().periodic == expected
+    empty = pypw85.HardEllipsoids(pypw85.System(np.empty((0, 3)), np.empty((0, 6)), np.eye(3)))
+    empty.sweep(3)
+    assert empty.centers.shape == (0, 3) and repr(empty) == "<pypw85.HardEllipsoids: 0 particles>"
+
+
+def test_threads():
+    """Calls from several threads wait for each other."""
+    simulation, expected = (pypw85.HardEllipsoids(lattice(), 4) for _ in range(2))
+    workers = [threading.Thread(target=simulation.sweep, args=(20,)) for _ in range(4)]
+    for step in (operator.methodcaller("start"), operator.methodcaller("join")):
+        for worker in workers:
+            step(worker)
+    expected.sweep(80)
+    assert simulation.save() == expected.save()

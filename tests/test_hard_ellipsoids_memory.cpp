@@ -1,0 +1,102 @@
+// Monte Carlo of hard ellipsoids while each allocation in turn fails: there is an error, and no overlap then or later.
+#include <vector>
+
+#include <glib.h>
+
+#include <pw85/simulation.hpp>
+
+#include "refused_memory.hpp"
+
+using pw85::HardEllipsoids;
+using pw85::Status;
+using pw85_tests::granted;
+
+namespace {
+
+constexpr double pressure = 3.0;
+
+/// Upright spheroids on a lattice. The steps are long, so that the lists of neighbours are soon made anew.
+HardEllipsoids make_simulation()
+{
+    constexpr int n = 4;
+    constexpr double a = 1.3, c = 2.7;
+    std::vector<pw85::Vector<double, 3>> centers;
+    for (int k = 0; k < n * n * n; ++k) centers.push_back({a * (k % n), a * (k / n % n), c * (k / n / n)});
+    std::vector<pw85::Vector<double, 3>> const semi_axes(centers.size(), {0.5, 0.5, 1.2});
+    std::vector<pw85::Vector<double, 4>> const quaternions(centers.size(), {1.0, 0.0, 0.0, 0.0});
+    pw85::Cell const cell{{{a * n, 0.0, 0.0}, {0.0, a * n, 0.0}, {0.0, 0.0, c * n}}};
+    HardEllipsoids simulation;
+    pw85::IndexPair pair;
+    g_assert_true(hard_ellipsoids_create({centers, {}, &cell}, semi_axes, quaternions, 1, simulation, pair) ==
+                  Status::success);
+    g_assert_true(simulation.set_steps({0.15, 0.1, 0.6}) == Status::success);
+    g_assert_true(simulation.sweep(30) == Status::success);
+    return simulation;
+}
+
+void expect_no_overlap(HardEllipsoids const &simulation)
+{
+    pw85::IndexPair pair;
+    g_assert_true(simulation.check(pair) == Status::success);
+}
+
+std::vector<double> centers_and_cell(HardEllipsoids const &simulation)
+{
+    pw85_system const system = simulation.system();
+    std::vector<double> numbers(system.centers, system.centers + 3 * system.num_particles);
+    numbers.insert(numbers.end(), system.cell, system.cell + 9);
+    return numbers;
+}
+
+/// Refuses each request of a call in turn, to the same simulation. The simulation goes on after each refusal.
+template <class Call> void refuse_each(Call const &call)
+{
+    HardEllipsoids simulation = make_simulation();
+    std::vector<unsigned char> bytes(simulation.num_bytes());
+    g_assert_true(simulation.save(bytes) == Status::success);
+    for (long refused = 0;; ++refused) {
+        g_assert_true(hard_ellipsoids_restore(bytes, simulation) == Status::success);
+        g_assert_true(simulation.sweep(3) == Status::success);
+        granted = refused;
+        Status const status = call(simulation);
+        bool const all_granted = granted.exchange(-1) >= 0;
+        g_assert_true(status == (all_granted ? Status::success : Status::out_of_memory));
+        expect_no_overlap(simulation);
+        g_assert_true(simulation.sweep(4) == Status::success);
+        g_assert_true(simulation.volume_moves(1, pressure) == Status::success);
+        expect_no_overlap(simulation);
+        if (!all_granted) continue;
+        g_test_message("%ld refusals", refused);
+        g_assert_cmpint(refused, >=, 13);
+        return;
+    }
+}
+
+void test_sweep()
+{
+    refuse_each([](HardEllipsoids &simulation) { return simulation.sweep(10); });
+}
+
+// The trial for which memory is refused changes nothing.
+void test_volume()
+{
+    refuse_each([](HardEllipsoids &simulation) {
+        Status status = Status::success;
+        for (int k = 0; k < 15 && status == Status::success; ++k) {
+            auto const before = centers_and_cell(simulation);
+            status = simulation.volume_moves(1, pressure);
+            if (status != Status::success) g_assert_true(centers_and_cell(simulation) == before);
+        }
+        return status;
+    });
+}
+
+} // namespace
+
+int main(int argc, char **argv)
+{
+    g_test_init(&argc, &argv, nullptr);
+    g_test_add_func("/hard_ellipsoids_memory/sweep", test_sweep);
+    g_test_add_func("/hard_ellipsoids_memory/volume", test_volume);
+    return g_test_run();
+}
