@@ -8,6 +8,7 @@ from typing import Any, Literal, NamedTuple, SupportsIndex
 from collections.abc import Callable
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from . import _core
 from ._errors import PW85Error, Status
@@ -158,6 +159,41 @@ class HardEllipsoids:
         """
         self._repeat("sweep", number, _core.hard_ellipsoids_sweep)
 
+    def chain(self, number: SupportsIndex, length: float, direction: ArrayLike | None = None) -> float:
+        """Makes event chains, which translate many particles without rejections, and gives the pressure.
+
+        Chains do not rotate particles: use `sweep`, too. They are interrupted only after all of them.
+
+        Parameters
+        ----------
+        number : int
+            How many chains.
+        length : float
+            Of each chain, > 0. A chain is long if its length is the mean way between contacts times the number of particles.
+        direction : (3,) array_like, optional
+            Of any length > 0. Without it, each chain has a random direction.
+
+        Returns
+        -------
+        float
+            βP/ρ along the directions, by these chains.
+
+        Raises
+        ------
+        PW85Error
+            The length is not positive, the direction is zero, or particles block each other within rounding errors.
+        MemoryError
+            There is not enough memory. The last chain is not complete.
+        """
+        times = _number("chain", number)
+        vector = None if direction is None else np.asarray(direction, float).reshape(3)
+        along = None if vector is None else (float(vector[0]), float(vector[1]), float(vector[2]))
+        with self._lock:
+            status, compressibility = _core.hard_ellipsoids_chain(self._simulation, times, float(length), along)
+        if status:
+            _fail(status, "HardEllipsoids.chain", f"length {float(length)}, direction {along}")
+        return compressibility
+
     def volume_moves(self, number: SupportsIndex, pressure: float, change: Change = "isotropic") -> None:
         """Tries changes of the cell and of all centres with it, at constant pressure. Volumes then have the density V^N exp(-βPV).
 
@@ -293,11 +329,8 @@ class HardEllipsoids:
 
     def _repeat(self, name: str, number: SupportsIndex, function: Callable[..., int], *arguments: float) -> None:
         """Calls a function of the core as often as wanted. Python sees to signals between the calls."""
-        times = operator.index(number)
-        if times < 0:
-            raise ValueError(f"HardEllipsoids.{name}: number is negative: {times}")
         with self._lock:
-            for _ in range(times):
+            for _ in range(_number(name, number)):
                 status = function(self._simulation, *arguments)
                 if status:
                     _fail(status, f"HardEllipsoids.{name}", self._complaint(name, arguments))
@@ -307,6 +340,14 @@ class HardEllipsoids:
         if name in {"tune", "volume_moves"} and not all(self.periodic) and arguments[-2] > 0:
             return "the cell is not periodic along its three vectors"
         return f"a number is out of range: {', '.join(str(x) for x in arguments if isinstance(x, float))}"
+
+
+def _number(name: str, number: SupportsIndex) -> int:
+    """How often a method shall do something."""
+    times = operator.index(number)
+    if times < 0:
+        raise ValueError(f"HardEllipsoids.{name}: number is negative: {times}")
+    return times
 
 
 def _change(change: Change) -> int:

@@ -104,6 +104,9 @@ PyObject *hard_ellipsoids_steps(PyObject *self, PyObject *capsule);
 /// hard_ellipsoids_counts(simulation): five pairs of trials and accepted ones.
 PyObject *hard_ellipsoids_counts(PyObject *self, PyObject *capsule);
 
+/// hard_ellipsoids_chain(simulation, number, length, direction or None): (status, βP/ρ).
+PyObject *hard_ellipsoids_chain(PyObject *self, PyObject *args);
+
 /// hard_ellipsoids_check(simulation): (status, (i, j)).
 PyObject *hard_ellipsoids_check(PyObject *self, PyObject *capsule);
 

@@ -169,6 +169,8 @@ PyMethodDef methods[] = {
      "Status of pw85_hard_ellipsoids_set_steps()."},
     {"hard_ellipsoids_steps", hard_ellipsoids_steps, METH_O, "Result of pw85_hard_ellipsoids_steps()."},
     {"hard_ellipsoids_counts", hard_ellipsoids_counts, METH_O, "Result of pw85_hard_ellipsoids_counts()."},
+    {"hard_ellipsoids_chain", hard_ellipsoids_chain, METH_VARARGS,
+     "Status and result of pw85_hard_ellipsoids_chain()."},
     {"hard_ellipsoids_check", hard_ellipsoids_check, METH_O, "Status and pair of pw85_hard_ellipsoids_check()."},
     {"nearest_images", as_method(nearest_images), METH_FASTCALL, "Status of pw85_nearest_images()."},
     {"nearest_image_limit", as_method(nearest_image_limit), METH_FASTCALL,

@@ -196,6 +196,23 @@ PyObject *hard_ellipsoids_counts(PyObject *, PyObject *capsule)
     return counts.release();
 }
 
+PyObject *hard_ellipsoids_chain(PyObject *, PyObject *args)
+{
+    PyObject *capsule, *vector;
+    Py_ssize_t number;
+    double length, direction[3], compressibility = 0;
+    if (!PyArg_ParseTuple(args, "OndO", &capsule, &number, &length, &vector)) return nullptr;
+    if (vector != Py_None && !PyArg_ParseTuple(vector, "ddd", direction, direction + 1, direction + 2)) return nullptr;
+    pw85_hard_ellipsoids *const simulation = simulation_of(capsule);
+    if (simulation == nullptr) return nullptr;
+    int status;
+    Py_BEGIN_ALLOW_THREADS;
+    status = pw85_hard_ellipsoids_chain(simulation, static_cast<std::size_t>(number), length,
+                                        vector == Py_None ? nullptr : direction, &compressibility);
+    Py_END_ALLOW_THREADS;
+    return Py_BuildValue("id", status, compressibility);
+}
+
 PyObject *hard_ellipsoids_check(PyObject *, PyObject *capsule)
 {
     pw85_hard_ellipsoids const *const simulation = simulation_of(capsule);

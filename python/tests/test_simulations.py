@@ -158,7 +158,17 @@ def test_bad_input():
         simulation.set_fractions()
     with pytest.raises(ValueError, match="change is none of isotropic, axis, triclinic: 'shear'"):
         simulation.volume_moves(1, 1.0, "shear")
-    for call in (simulation.sweep, lambda n: simulation.tune(n, 0.4), lambda n: simulation.volume_moves(n, 1.0)):
+    for length, direction in ((0.0, None), (np.nan, None), (1.0, [0, 0, 0]), (1.0, [np.inf, 0, 0])):
+        with pytest.raises(pypw85.PW85Error, match=r"HardEllipsoids\.chain.*length"):
+            simulation.chain(1, length, direction)
+    with pytest.raises(ValueError):
+        simulation.chain(1, 1.0, [1, 2])
+    for call in (
+        simulation.sweep,
+        lambda n: simulation.tune(n, 0.4),
+        lambda n: simulation.volume_moves(n, 1.0),
+        lambda n: simulation.chain(n, 1.0),
+    ):
         with pytest.raises(ValueError, match="number is negative: -1"):
             call(-1)
         with pytest.raises(TypeError):
@@ -187,6 +197,21 @@ def test_cells():
     empty = pypw85.HardEllipsoids(pypw85.System(np.empty((0, 3)), np.empty((0, 6)), np.eye(3)))
     empty.sweep(3)
     assert empty.centers.shape == (0, 3) and repr(empty) == "<pypw85.HardEllipsoids: 0 particles>"
+
+
+def test_chains():
+    """Chains along an axis move nothing across it, and give a pressure above that of the ideal gas."""
+    simulation, other = (pypw85.HardEllipsoids(lattice(), 2) for _ in range(2))
+    before = simulation.centers.copy()
+    along_x = simulation.chain(20, 5.0, [2, 0, 0])
+    simulation.check()
+    assert along_x > 1 and along_x == other.chain(20, 5.0, (1, 0, 0))
+    assert np.array_equal(simulation.centers[:, 1:], before[:, 1:])
+    assert not np.array_equal(simulation.centers[:, 0], before[:, 0])
+    assert simulation.chain(0, 5.0) == 1
+    assert simulation.chain(5, 5.0) == other.chain(5, 5.0)
+    assert not np.array_equal(simulation.centers[:, 1:], before[:, 1:])
+    simulation.check()
 
 
 def test_threads():
