@@ -61,7 +61,7 @@ class HardEllipsoids:
     q : (n, 6) array
         Forms.
     cell : (3, 3) array or None
-    periodic : three bools
+    periodic : tuple of bool
         Along which vectors of the cell the system is repeated.
 
     Raises
@@ -272,7 +272,10 @@ class HardEllipsoids:
 
     @property
     def counts(self) -> dict[str, TrialCounts]:
-        """Trials since the simulation was made or tuned, by kind: "translation", "rotation", "both", "exchange", "volume"."""
+        """The trials of each kind since the simulation was made or tuned.
+
+        The kinds are "translation", "rotation", "both", "exchange" and "volume".
+        """
         with self._lock:
             counts = _core.hard_ellipsoids_counts(self._simulation)
         return {move: TrialCounts(*pair) for move, pair in zip(_MOVES, counts)}

@@ -103,8 +103,9 @@ bool Engine::overlaps(std::size_t i, std::int32_t first) const noexcept
         Vector3 const r = configuration.separation(i, j, neighborhood_.translation(neighbor.image));
         Vector3 const reach = box_margin * (own + configuration.half_widths[j]);
         candidates[count] = {{r[0], r[1], r[2]}, neighbor.index};
-        count += (neighbor.index >= first) & (absolute(r[0]) <= reach[0]) & (absolute(r[1]) <= reach[1]) &
-                 (absolute(r[2]) <= reach[2]);
+        // Without branches, which would be unpredictable.
+        count += unsigned{neighbor.index >= first} & unsigned{absolute(r[0]) <= reach[0]} &
+                 unsigned{absolute(r[1]) <= reach[1]} & unsigned{absolute(r[2]) <= reach[2]};
         if (count == most_candidates) {
             if (overlaps_any(configuration, i, candidates, count)) return true;
             count = 0;
