@@ -31,7 +31,7 @@ using WideForm = pw85::SymmetricMatrix<Wide, 3>;
 
 /// The bound of principal_curvatures.hpp on relative errors: 2^13 u for double.
 template <class T>
-constexpr double accuracy = std::ldexp(1.0, 5 + std::numeric_limits<T>::digits / 6 - std::numeric_limits<T>::digits);
+double const accuracy = std::ldexp(1.0, 5 + std::numeric_limits<T>::digits / 6 - std::numeric_limits<T>::digits);
 
 /// A pair of grains that face each other along a normal of any length.
 struct Grains {
