@@ -90,7 +90,7 @@ def compressibility(mu2: Iterable[ArrayLike], num_particles: int, width: float =
     ValueError
         A pair overlaps, or there are fewer than two configurations.
     """
-    values = []
+    values: list[float] = []
     for one in mu2:
         excess = np.sqrt(np.asarray(one, dtype=np.float64)) - 1
         if (excess < 0).any():

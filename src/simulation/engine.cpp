@@ -58,12 +58,12 @@ int Engine::start() noexcept
 {
     longest_ = spread_ = 0.0;
     for (int d = 0; d < 3; ++d) {
-        auto const length = [&](Vector3 const &semi_axes) { return semi_axes[d]; };
+        auto const is_less = [&](Vector3 const &x, Vector3 const &y) { return x[d] < y[d]; };
         std::span const all(configuration.semi_axes.data(), configuration.size());
         if (all.empty()) continue;
-        auto const [least, most] = std::ranges::minmax(all, {}, length);
-        longest_ = std::max(longest_, most[d]);
-        spread_ = std::max(spread_, most[d] - least[d]);
+        auto const [least, most] = std::minmax_element(all.begin(), all.end(), is_less);
+        longest_ = std::max(longest_, (*most)[d]);
+        spread_ = std::max(spread_, (*most)[d] - (*least)[d]);
     }
     return neighborhood_.update(configuration, skin());
 }
@@ -218,7 +218,9 @@ Engine::Outcome Engine::try_exchange(std::size_t i, std::size_t j) noexcept
     std::size_t const particles[2] = {i, j};
     Particle moved[2] = {configuration.get(i), configuration.get(j)};
     std::swap(moved[0].semi_axes, moved[1].semi_axes);
-    bool const alike = std::ranges::equal(moved[0].semi_axes.coordinates, moved[1].semi_axes.coordinates);
+    auto const &[first, second] = moved;
+    bool const alike = std::equal(std::begin(first.semi_axes.coordinates), std::end(first.semi_axes.coordinates),
+                                  second.semi_axes.coordinates);
     if (alike || !moved[0].shape() || !moved[1].shape()) return Outcome::rejected;
     return judge(particles, moved, 2);
 }

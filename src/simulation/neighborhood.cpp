@@ -31,12 +31,17 @@ class ImageTable {
     bool finish() noexcept { return images_.resize(count_); }
 
   private:
+    static bool is_same(Multiples const &x, Multiples const &y) noexcept
+    {
+        return std::equal(std::begin(x.n), std::end(x.n), y.n);
+    }
+
     std::size_t find(Multiples const &image) const noexcept
     {
         auto const word = [&](int k) { return std::uint64_t{static_cast<std::uint32_t>(image.n[k])}; };
         std::uint64_t const mixed = (word(0) * 0x9e3779b97f4a7c15u ^ word(1)) * 0xbf58476d1ce4e5b9u ^ word(2);
         std::size_t slot = static_cast<std::size_t>(mixed * 0x94d049bb133111ebu >> 32) & (slots_.size() - 1);
-        while (slots_[slot] >= 0 && !std::ranges::equal(images_[static_cast<std::size_t>(slots_[slot])].n, image.n))
+        while (slots_[slot] >= 0 && !is_same(images_[static_cast<std::size_t>(slots_[slot])], image))
             slot = (slot + 1) & (slots_.size() - 1);
         return slot;
     }
