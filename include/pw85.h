@@ -989,7 +989,7 @@ PW85_API int pw85_closest_passage_batch(size_t n, double const *r12, double cons
  * @param r12 n×3
  * @param q1,q2 n×6
  * @param direction n×3
- * @param t_max n
+ * @param t_max n, each >= 0; may be infinity
  * @param[out] t n
  * @return as for pw85_contact_batch(); the causes of pw85_free_path() */
 PW85_API int pw85_free_path_batch(size_t n, double const *r12, double const *q1, double const *q2,

@@ -119,7 +119,8 @@ static inline Status closest_passage_batch(Vectors r12, Forms q1, Forms q2, Vect
 
 /// free_path() for many pairs: see pw85_free_path_batch().
 ///
-/// @param r12,q1,q2,direction,t_max one for each pair
+/// @param r12,q1,q2,direction one for each pair
+/// @param t_max one for each pair, each >= 0; may be infinity
 /// @param[out] t one for each pair
 /// @return as for contact_batch(); the causes of free_path()
 static inline Status free_path_batch(Vectors r12, Forms q1, Forms q2, Vectors direction, std::span<double const> t_max,
