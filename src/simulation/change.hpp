@@ -18,7 +18,7 @@ class Change {
     /// Draws a change. One and its inverse are equally probable, since (1 + x/2)/(1 - x/2) becomes its inverse for -x, and so does
     /// a shear. The triclinic kind draws one of the three axes or one of the shears x_d += x x_e with e > d, each with probability
     /// 1/6. These shears leave the vectors of a cell a lower triangular matrix if they are one.
-    Change(ChangeKind kind, double largest, Stream &stream) noexcept
+    [[gnu::always_inline]] Change(ChangeKind kind, double largest, Stream &stream) noexcept
     {
         constexpr int sheared[3][2] = {{0, 1}, {0, 2}, {1, 2}};
         double const x = largest * stream.symmetric();

@@ -63,7 +63,7 @@ struct Configuration {
 
     std::size_t size() const noexcept { return centers.size(); }
 
-    [[nodiscard]] bool resize(std::size_t n) noexcept
+    [[nodiscard, gnu::always_inline]] bool resize(std::size_t n) noexcept
     {
         return centers.resize(n) && semi_axes.resize(n) && half_widths.resize(n) && quaternions.resize(n) &&
                q.resize(n);

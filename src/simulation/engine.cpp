@@ -54,6 +54,8 @@ Quaternion turned(Quaternion const &quaternion, Vector3 const &v) noexcept
 
 } // namespace
 
+Engine::~Engine() = default;
+
 int Engine::start() noexcept
 {
     longest_ = spread_ = 0.0;

@@ -60,6 +60,9 @@ class Engine {
     Configuration configuration;
     Parameters parameters{};
 
+    Engine() noexcept = default;
+    ~Engine();
+
     /// To be called after the configuration is set, or a parameter is changed. Returns a status.
     int start() noexcept;
 
