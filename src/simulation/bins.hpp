@@ -72,7 +72,8 @@ class Bins {
 
     std::size_t bin_of(std::int32_t x, std::int32_t y, std::int32_t z) const noexcept
     {
-        return static_cast<std::size_t>((x * parts_[1] + y) * parts_[2] + z);
+        auto const size = [](std::int32_t number) { return static_cast<std::size_t>(number); };
+        return (size(x) * size(parts_[1]) + size(y)) * size(parts_[2]) + size(z);
     }
 
     [[gnu::always_inline]] void next(int k, Part &part) const noexcept
