@@ -25,6 +25,7 @@ using Simulation = std::unique_ptr<pw85_hard_ellipsoids, Destroy>;
 struct Lattice {
     int per_side;
     double aspect, fraction, size; ///< `size` is the unit of length
+    double offset = 0.0;           ///< of all coordinates
 
     std::size_t count() const { return static_cast<std::size_t>(per_side * per_side * per_side); }
 
@@ -34,8 +35,8 @@ struct Lattice {
         double const cell[9] = {length, 0, 0, length, length, 0, 0, 0, aspect * length};
         std::vector<double> centers, semi_axes, quaternions;
         for (int k = 0; k < per_side * per_side * per_side; ++k) {
-            centers.insert(centers.end(), {side * (k % per_side), side * (k / per_side % per_side),
-                                           aspect * side * (k / per_side / per_side)});
+            centers.insert(centers.end(), {offset + side * (k % per_side), offset + side * (k / per_side % per_side),
+                                           offset + aspect * side * (k / per_side / per_side)});
             semi_axes.insert(semi_axes.end(), {0.5 * size, 0.5 * size, 0.5 * aspect * size});
             quaternions.insert(quaternions.end(), {1, 0, 0, 0});
         }
@@ -169,6 +170,16 @@ void test_never_overlaps()
     }
 }
 
+// Far from the origin, places are rounded by much more than free paths are. Only the overlap test of each place keeps particles free.
+void test_far_away()
+{
+    auto const simulation = Lattice{4, 1.5, 0.4, 1.0, 0x1p30}.make(5);
+    for (int k = 0; k < 4; ++k) {
+        chain(simulation, 20, 10.0, nullptr);
+        g_assert_true(is_free(simulation));
+    }
+}
+
 // The seed determines each bit, also after the simulation is saved and restored between chains. Another seed gives others.
 void test_reproducible()
 {
@@ -233,6 +244,7 @@ int main(int argc, char **argv)
     g_test_add_func("/event_chains/one_particle", test_one_particle);
     g_test_add_func("/event_chains/line", test_line);
     g_test_add_func("/event_chains/never_overlaps", test_never_overlaps);
+    g_test_add_func("/event_chains/far_away", test_far_away);
     g_test_add_func("/event_chains/reproducible", test_reproducible);
     g_test_add_func("/event_chains/members", test_members);
     g_test_add_func("/event_chains/bad_input", test_bad_input);
