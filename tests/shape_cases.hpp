@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <vector>
 
 #include <pw85.h>
 
@@ -183,6 +184,28 @@ template <class Shape> Case<Shape::size> random_case(Random &random, int n)
             if (lower[i] > upper[i]) std::swap(lower[i], upper[i]);
         }
     return c;
+}
+
+/// Triangles whose normal is much smaller than the terms of its coordinates, with the nearest point of their plane in the middle. The
+/// edges are combinations of two vectors u and v. The coefficients are successive numbers of Fibonacci, whose determinant is 1 or -1,
+/// so that the normal is that of u and v, however long the edges are. The factor makes the products inexact.
+inline std::vector<Case<3>> slivers()
+{
+    std::vector<Case<3>> cases;
+    for (double const factor : {0x100007p0, 0x123457p0, 0xfedcbp0})
+        for (double const distance : {7.0, 1001.0}) {
+            Vector3 const u{2 * factor, -factor, 0}, v{2 * factor, 0, -factor};
+            Vector3 const middle{distance * factor, 2 * distance * factor, 2 * distance * factor};
+            double previous = 1, number = 1;
+            for (int k = 0; k < 34; ++k) {
+                double const next = previous + number;
+                auto const e1 = number * u + next * v, e2 = previous * u + number * v, a = middle - (e1 + e2);
+                cases.push_back({{a, a + 3.0 * e1, a + 3.0 * e2}, {1, 0, 0, 1, 0, 1}});
+                previous = number;
+                number = next;
+            }
+        }
+    return cases;
 }
 
 /// Sets at distances such that |μ² - 1| is from 1e-17 to 1/2, for numbers of type T. Returns false if they are closer than what 50

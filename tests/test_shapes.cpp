@@ -75,6 +75,13 @@ template <class Shape> void test_orders()
     }
 }
 
+// Without the test of the normal (triangle.hpp), its rounding error would count.
+void test_slivers()
+{
+    Failures failures;
+    for (auto const &c : slivers()) check<Triangle, double>(c, Triangle::truth(convert<Wide>(c)), 0, 0, failures);
+}
+
 // Other scalars. Points and forms are those of float, so that all types have the same truth.
 template <class Shape, class T> void test_scalar()
 {
@@ -435,6 +442,7 @@ int main(int argc, char **argv)
     add_tests<Triangle>();
     add_tests<Box>();
     g_test_add_func("/shapes/degenerate", test_degenerate);
+    g_test_add_func("/shapes/slivers", test_slivers);
     g_test_add_func("/shapes/beside_touch", test_beside_touch);
     g_test_add_func("/shapes/polytope/random", test_polytope);
     g_test_add_func("/shapes/polytope/many_planes", test_many_planes);

@@ -114,7 +114,7 @@ template <class Shape> Case<Shape::size> unusual(Case<Shape::size> c, int n)
     }
 }
 
-/// Hostile rows of any sizes: random ones, some near contact, some unusual and some bad.
+/// Hostile rows of any sizes: random ones, some near contact, some unusual and some bad, then slivers.
 template <class Shape> std::vector<Case<Shape::size>> mixed_cases(std::size_t count)
 {
     Random random(1200);
@@ -128,6 +128,8 @@ template <class Shape> std::vector<Case<Shape::size>> mixed_cases(std::size_t co
         int const exponent = n % 7 % 3 - 1;
         cases.push_back(scaled(c, 40 * exponent, 40 * exponent));
     }
+    if constexpr (std::is_same_v<Shape, Triangle>)
+        for (auto const &c : slivers()) cases.push_back(c);
     return cases;
 }
 
