@@ -106,8 +106,13 @@ template <class T> struct SolidBox {
     template <bool with_normal = true>
     PW85_MEMBER Nearest<T, with_normal> nearest(SymmetricMatrix<T, 3> const &q) const noexcept
     {
-        auto const found = minimum_in_box<with_normal>(BoxProblem<T, 3>{lower, upper, {T(0), T(0), T(0)}, q});
-        return {found.value, found.point, found.normal, found.value == found.value};
+        BoxProblem<T, 3> const box{lower, upper, {T(0), T(0), T(0)}, q};
+        auto const found = minimum_in_box(box);
+        auto const certain = found.value == found.value;
+        if constexpr (with_normal)
+            return {found.value, found.point, {normal_at(found.point, box)}, certain};
+        else
+            return {found.value, found.point, {}, certain};
     }
 
     PW85_MEMBER typename ScalarTraits<T>::Mask passes_checks(SymmetricMatrix<T, 3> const &q) const noexcept
