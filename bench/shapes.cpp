@@ -149,12 +149,12 @@ int main()
 {
     double const aspects[] = {2.0, 10.0, 100.0, 1000.0};
     std::puts("function,aspect_2,aspect_10,aspect_100,aspect_1000");
-    for (auto const &[name, count, call] : functions) {
-        std::printf("%s", name);
+    for (Function const &function : functions) {
+        std::printf("%s", function.name);
         for (double const aspect : aspects) {
-            Rows const rows = count < 0 ? random_contents(aspect) : random_sets(aspect, count);
-            std::printf(",%.3g",
-                        least_time(block_size, [&](std::size_t begin, std::size_t end) { call(rows, begin, end); }));
+            Rows const rows = function.count < 0 ? random_contents(aspect) : random_sets(aspect, function.count);
+            auto const call = [&](std::size_t begin, std::size_t end) { function.call(rows, begin, end); };
+            std::printf(",%.3g", least_time(block_size, call));
         }
         std::puts("");
     }
