@@ -75,11 +75,14 @@ template <class Shape> void test_orders()
     }
 }
 
-// Without the test of the normal (triangle.hpp), its rounding error would count.
+// Without the test of the normal (triangle.hpp), its rounding error would count. The smaller unit is one in which nothing is scaled.
 void test_slivers()
 {
     Failures failures;
-    for (auto const &c : slivers()) check<Triangle, double>(c, Triangle::truth(convert<Wide>(c)), 0, 0, failures);
+    for (auto const &c : slivers()) {
+        auto const truth = Triangle::truth(convert<Wide>(c));
+        for (int const length : {0, -32}) check<Triangle, double>(c, truth, length, 0, failures);
+    }
 }
 
 // Other scalars. Points and forms are those of float, so that all types have the same truth.
