@@ -215,7 +215,7 @@ def measure(programs):
     context, tables = speed_tables(programs["speed"], targets)
     tables["accuracy"] = read_table(programs["accuracy"], target=best)
     tables["worst"] = worst_rows(programs["accuracy"], targets)
-    for name in ("closest_approach", "condition", "digits", "evaluations", "factored", "peers", "rounded", "signed_distance"):
+    for name in ("closest_approach", "condition", "digits", "evaluations", "factored", "peers", "rounded", "shapes", "signed_distance"):
         tables[name] = read_table(programs[name], target=best)
     tables["growth"] = growth_rows(programs["growth"], best)
     if has_python(build_of(programs)):

@@ -1383,7 +1383,7 @@ PW85_API int pw85_distance_point_batch(size_t n, double const *r, double const *
 PW85_API int pw85_intersect_line_batch(size_t n, double const *origin, double const *directions, double const *q,
                                        double *enter, double *leave);
 
-/** pw85_contact_segment() for n ellipsoids and segments; the bits are the same.
+/** pw85_contact_segment() for n ellipsoids and segments. The bound of the error is the same; the last bits may differ.
  *
  * @param n number of ellipsoids
  * @param end1,end2 n×3 each
@@ -1394,7 +1394,7 @@ PW85_API int pw85_intersect_line_batch(size_t n, double const *origin, double co
 PW85_API int pw85_contact_segment_batch(size_t n, double const *end1, double const *end2, double const *q, double *mu2,
                                         double *point);
 
-/** pw85_contact_triangle() for n ellipsoids and triangles; the bits are the same.
+/** pw85_contact_triangle() for n ellipsoids and triangles. The bound of the error is the same; the last bits may differ.
  *
  * @param n number of ellipsoids
  * @param vertex1,vertex2,vertex3 n×3 each
@@ -1405,7 +1405,7 @@ PW85_API int pw85_contact_segment_batch(size_t n, double const *end1, double con
 PW85_API int pw85_contact_triangle_batch(size_t n, double const *vertex1, double const *vertex2, double const *vertex3,
                                          double const *q, double *mu2, double *point);
 
-/** pw85_contact_box() for n ellipsoids and boxes; the bits are the same.
+/** pw85_contact_box() for n ellipsoids and boxes. The bound of the error is the same; the last bits may differ.
  *
  * @param n number of ellipsoids
  * @param lower,upper n×3 each; lower <= upper

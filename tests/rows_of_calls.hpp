@@ -16,7 +16,8 @@ inline std::vector<std::string> const with_lanes = {
     "pw85_contains_batch",         "pw85_compare_batch",          "pw85_overlap_witness_batch",
     "pw85_overlap_segment_batch",  "pw85_overlap_triangle_batch", "pw85_overlap_box_batch",
     "pw85_overlap_factored_batch", "pw85_mesh_contact_batch",     "pw85_mesh_overlap_batch",
-    "pw85_contact_polytope_batch", "pw85_overlap_polytope_batch", "pw85_closest_passage_batch"};
+    "pw85_contact_polytope_batch", "pw85_overlap_polytope_batch", "pw85_closest_passage_batch",
+    "pw85_contact_segment_batch",  "pw85_contact_triangle_batch", "pw85_contact_box_batch"};
 
 /// The function of one row of a function of many, by its name; null if it has lanes or no such relative.
 inline Function const *of_one_row(Function const &many)

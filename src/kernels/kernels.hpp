@@ -107,6 +107,32 @@ template <int D> struct PairRow {
     double r12[D], q1[D * (D + 1) / 2], q2[D * (D + 1) / 2];
 };
 
+// Ellipsoids with their centres at 0, and convex sets.
+
+/// Kinds of sets, by the points that give one: the ends of a segment, the vertices of a triangle, two corners of a box.
+struct Segments {
+    static constexpr int num_points = 2;
+};
+struct Triangles {
+    static constexpr int num_points = 3;
+};
+struct Boxes {
+    static constexpr int num_points = 2;
+};
+
+/// Arrays of points (n×3 each) and of forms (n×6).
+template <class Set> struct SetRows {
+    double const *points[Set::num_points], *q;
+
+    [[gnu::always_inline]] SetRows from(std::size_t begin) const noexcept
+    {
+        SetRows rest = *this;
+        for (auto &x : rest.points) x = row_of(x, 3, begin);
+        rest.q = row_of(q, 6, begin);
+        return rest;
+    }
+};
+
 // Output arrays, one row per pair, with from() as above.
 
 /// Contact functions.
@@ -152,6 +178,16 @@ struct PassageArrays {
     [[gnu::always_inline]] PassageArrays from(std::size_t begin) const noexcept
     {
         return {mu2 + begin, row_or_null(t, 1, begin), row_of(velocities, 3, begin), t_max};
+    }
+};
+
+/// Contact functions with sets, and points of contact. Any pointer may be null.
+struct SetContactArrays {
+    double *mu2, *point;
+
+    [[gnu::always_inline]] SetContactArrays from(std::size_t begin) const noexcept
+    {
+        return {row_or_null(mu2, 1, begin), row_or_null(point, 3, begin)};
     }
 };
 
@@ -239,18 +275,27 @@ template <class Rows, class Arrays> struct LaneKernel {
                    PairRow<Rows::dimension> *pairs) noexcept;
 };
 
+/// The same for ellipsoids and sets. Nothing has to be gathered: consecutive rows are left over as they are.
+template <class Set, class Arrays> struct LaneKernel<SetRows<Set>, Arrays> {
+    std::size_t (*compute)(SetRows<Set> const &, std::size_t n, Arrays const &, Worklist &left_over) noexcept;
+};
+
 /// All lane kernels of a target. Each kernel is a base class, so that its types select it.
 template <class... Kernel> struct KernelTable : Kernel... {
 };
 
-using LaneKernels = KernelTable<LaneKernel<PairArrays<2>, ContactArrays>, LaneKernel<PairArrays<2>, OverlapArray>,
-                                LaneKernel<PairArrays<3>, ContactArrays>, LaneKernel<NeighborList, ContactArrays>,
-                                LaneKernel<PairArrays<3>, OverlapArray>, LaneKernel<NeighborList, OverlapArray>,
-                                LaneKernel<OneToMany, OverlapArray>, LaneKernel<OneToIndexed, OverlapArray>,
-                                LaneKernel<PairArrays<3>, DerivativeArrays>, LaneKernel<NeighborList, DerivativeArrays>,
-                                LaneKernel<Directions, ApproachArray>, LaneKernel<PairArrays<3>, DistanceArrays>,
-                                LaneKernel<PairArrays<3>, PassageArrays>, LawKernel<SoftRepulsion>,
-                                LawKernel<InversePowers>, LawKernel<LawTable>>;
+using LaneKernels =
+    KernelTable<LaneKernel<PairArrays<2>, ContactArrays>, LaneKernel<PairArrays<2>, OverlapArray>,
+                LaneKernel<PairArrays<3>, ContactArrays>, LaneKernel<NeighborList, ContactArrays>,
+                LaneKernel<PairArrays<3>, OverlapArray>, LaneKernel<NeighborList, OverlapArray>,
+                LaneKernel<OneToMany, OverlapArray>, LaneKernel<OneToIndexed, OverlapArray>,
+                LaneKernel<PairArrays<3>, DerivativeArrays>, LaneKernel<NeighborList, DerivativeArrays>,
+                LaneKernel<Directions, ApproachArray>, LaneKernel<PairArrays<3>, DistanceArrays>,
+                LaneKernel<PairArrays<3>, PassageArrays>, LaneKernel<SetRows<Segments>, SetContactArrays>,
+                LaneKernel<SetRows<Triangles>, SetContactArrays>, LaneKernel<SetRows<Boxes>, SetContactArrays>,
+                LaneKernel<SetRows<Segments>, OverlapArray>, LaneKernel<SetRows<Triangles>, OverlapArray>,
+                LaneKernel<SetRows<Boxes>, OverlapArray>, LawKernel<SoftRepulsion>, LawKernel<InversePowers>,
+                LawKernel<LawTable>>;
 
 /// All functions of one target.
 struct Kernels {

@@ -8,20 +8,23 @@
 #include "lane_distance.hpp"
 #include "lane_law.hpp"
 #include "lane_overlap.hpp"
+#include "lane_shapes.hpp"
 
 namespace pw85::detail::kernels {
 
 namespace {
 
 /// The number of pairs of a chunk.
-template <class Arrays> constexpr std::size_t chunk_size = contact_chunk_size;
-template <> constexpr std::size_t chunk_size<OverlapArray> = overlap_chunk_size;
+template <class Rows, class Arrays> constexpr std::size_t chunk_size = contact_chunk_size;
+template <class Rows> constexpr std::size_t chunk_size<Rows, OverlapArray> = overlap_chunk_size;
+template <class Set, class Arrays> constexpr std::size_t chunk_size<SetRows<Set>, Arrays> = lanes;
+template <class Set> constexpr std::size_t chunk_size<SetRows<Set>, OverlapArray> = lanes;
 
 /// Computes chunk after chunk. It stops when there may be no room for the pairs that the next chunk leaves over.
 template <class Rows, class Arrays>
 [[gnu::flatten]] std::size_t compute(Rows const &rows, std::size_t n, Arrays const &out, Worklist &left_over) noexcept
 {
-    constexpr std::size_t chunk = chunk_size<Arrays>, last_begin = Worklist::largest_index + 1 - chunk;
+    constexpr std::size_t chunk = chunk_size<Rows, Arrays>, last_begin = Worklist::largest_index + 1 - chunk;
     left_over.size = 0;
     std::size_t done = 0;
     while (done < n && done <= last_begin && left_over.size + chunk <= Worklist::capacity) {
@@ -57,6 +60,12 @@ template <class Law>
 template <class Rows, class Arrays> constexpr LaneKernel<Rows, Arrays> made(LaneKernel<Rows, Arrays> const &) noexcept
 {
     return {compute<Rows, Arrays>, gather<Rows>};
+}
+
+template <class Set, class Arrays>
+constexpr LaneKernel<SetRows<Set>, Arrays> made(LaneKernel<SetRows<Set>, Arrays> const &) noexcept
+{
+    return {compute<SetRows<Set>, Arrays>};
 }
 
 template <class Law> constexpr LawKernel<Law> made(LawKernel<Law> const &) noexcept { return {evaluate_law<Law>}; }

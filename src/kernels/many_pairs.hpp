@@ -1,6 +1,6 @@
 /// @file
 /// Drives the lane kernels: it divides the pairs among threads, and computes the pairs that lanes leave over by the function for
-/// one pair. many_pairs.cpp calls compute_all() and find_overlap(); simulation/engine.cpp calls find_overlap().
+/// one pair. many_pairs.cpp calls compute_all() and find_overlap(), many_sets.cpp compute_all(), and simulation/engine.cpp find_overlap().
 #ifndef PW85_KERNELS_MANY_PAIRS_HPP_INCLUDED
 #define PW85_KERNELS_MANY_PAIRS_HPP_INCLUDED
 
@@ -71,6 +71,44 @@ inline int settle(OnePairKernels const &one, PairRow<3> const &pair, DerivativeA
     return status;
 }
 
+inline int settle(SetRows<Segments> const &row, SetContactArrays const &out) noexcept
+{
+    return pw85_contact_segment(row.points[0], row.points[1], row.q, out.mu2, out.point);
+}
+
+inline int settle(SetRows<Triangles> const &row, SetContactArrays const &out) noexcept
+{
+    return pw85_contact_triangle(row.points[0], row.points[1], row.points[2], row.q, out.mu2, out.point);
+}
+
+inline int settle(SetRows<Boxes> const &row, SetContactArrays const &out) noexcept
+{
+    return pw85_contact_box(row.points[0], row.points[1], row.q, out.mu2, out.point);
+}
+
+inline int overlap_of_one(SetRows<Segments> const &row, int *overlap) noexcept
+{
+    return pw85_overlap_segment(row.points[0], row.points[1], row.q, overlap);
+}
+
+inline int overlap_of_one(SetRows<Triangles> const &row, int *overlap) noexcept
+{
+    return pw85_overlap_triangle(row.points[0], row.points[1], row.points[2], row.q, overlap);
+}
+
+inline int overlap_of_one(SetRows<Boxes> const &row, int *overlap) noexcept
+{
+    return pw85_overlap_box(row.points[0], row.points[1], row.q, overlap);
+}
+
+template <class Set> int settle(SetRows<Set> const &row, OverlapArray const &out) noexcept
+{
+    int overlap = -1;
+    int const status = overlap_of_one(row, &overlap);
+    *out.overlap = static_cast<unsigned char>(overlap); // -1, for a bad row, becomes 255
+    return status;
+}
+
 /// Computes the pairs that lanes left over.
 template <class Rows, class Arrays>
 Failure settle_all(Kernels const &kernels, Rows const &rows, Arrays const &out, Worklist const &left_over) noexcept
@@ -85,6 +123,18 @@ Failure settle_all(Kernels const &kernels, Rows const &rows, Arrays const &out, 
         kernel.gather(rows, indices, count, pairs);
         for (std::size_t i = 0; i < count; ++i)
             first.update({indices[i], settle(*kernels.one_pair, pairs[i], out.from(indices[i]))});
+    }
+    return first;
+}
+
+/// The same for sets.
+template <class Set, class Arrays>
+Failure settle_all(Kernels const &, SetRows<Set> const &rows, Arrays const &out, Worklist const &left_over) noexcept
+{
+    Failure first{0, 0};
+    for (std::size_t k = 0; k < left_over.size; ++k) {
+        std::size_t const i = left_over.indices[k];
+        first.update({i, settle(rows.from(i), out.from(i))});
     }
     return first;
 }

@@ -315,48 +315,6 @@ int pw85_intersect_line_batch(size_t n, double const *origin, double const *dire
                     OptionalRowsOf<1>{enter}, OptionalRowsOf<1>{leave});
 }
 
-int pw85_contact_segment_batch(size_t n, double const *end1, double const *end2, double const *q, double *mu2,
-                               double *point)
-{
-    return each_row(n, pw85_contact_segment, RowsOf<3>{end1}, RowsOf<3>{end2}, RowsOf<6>{q}, OptionalRowsOf<1>{mu2},
-                    OptionalRowsOf<3>{point});
-}
-
-int pw85_contact_triangle_batch(size_t n, double const *vertex1, double const *vertex2, double const *vertex3,
-                                double const *q, double *mu2, double *point)
-{
-    return each_row(n, pw85_contact_triangle, RowsOf<3>{vertex1}, RowsOf<3>{vertex2}, RowsOf<3>{vertex3}, RowsOf<6>{q},
-                    OptionalRowsOf<1>{mu2}, OptionalRowsOf<3>{point});
-}
-
-int pw85_contact_box_batch(size_t n, double const *lower, double const *upper, double const *q, double *mu2,
-                           double *point)
-{
-    return each_row(n, pw85_contact_box, RowsOf<3>{lower}, RowsOf<3>{upper}, RowsOf<6>{q}, OptionalRowsOf<1>{mu2},
-                    OptionalRowsOf<3>{point});
-}
-
-int pw85_overlap_segment_batch(size_t n, double const *end1, double const *end2, double const *q,
-                               unsigned char *overlap)
-{
-    return each_row(n, with_byte<pw85_overlap_segment, double const *, double const *>, RowsOf<3>{end1},
-                    RowsOf<3>{end2}, RowsOf<6>{q}, RowsOf<1, unsigned char>{overlap});
-}
-
-int pw85_overlap_triangle_batch(size_t n, double const *vertex1, double const *vertex2, double const *vertex3,
-                                double const *q, unsigned char *overlap)
-{
-    return each_row(n, with_byte<pw85_overlap_triangle, double const *, double const *, double const *>,
-                    RowsOf<3>{vertex1}, RowsOf<3>{vertex2}, RowsOf<3>{vertex3}, RowsOf<6>{q},
-                    RowsOf<1, unsigned char>{overlap});
-}
-
-int pw85_overlap_box_batch(size_t n, double const *lower, double const *upper, double const *q, unsigned char *overlap)
-{
-    return each_row(n, with_byte<pw85_overlap_box, double const *, double const *>, RowsOf<3>{lower}, RowsOf<3>{upper},
-                    RowsOf<6>{q}, RowsOf<1, unsigned char>{overlap});
-}
-
 int pw85_contact_polytope_batch(size_t num_ellipsoids, double const *centers, double const *q, size_t num_planes,
                                 double const *normals, double const *offsets, double *mu2, double *point)
 {

@@ -143,9 +143,7 @@ template <class Visit> class Search {
         Candidate const first{bound(relative, sizes, normal), number, normal};
         double const nearest = largest_coordinate(nearest_corner(relative.lower, relative.upper));
         if (skips(first.bound) || !(nearest * range > 1.0 && sum_of(sizes) < range)) return first;
-        auto const found = minimum_in_box<true>(
-            BoxProblem<double, 3>{relative.lower, relative.upper, {0.0, 0.0, 0.0}, ellipsoid_.form()});
-        Vector3 const &s = found.normal.direction;
+        auto const s = relative.nearest(ellipsoid_.form()).normal.direction;
         return {bound(relative, sizes, s), number, s};
     }
 

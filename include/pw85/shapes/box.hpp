@@ -20,10 +20,9 @@ template <class T, int D> struct BoxProblem {
 };
 
 /// The least value of this function in the box, and where it is.
-template <class T, int D, bool with_normal> struct BoxMinimum {
+template <class T, int D> struct BoxMinimum {
     T value;
     Vector<T, D> point;
-    [[no_unique_address]] Normal<T, D, with_normal> normal; ///< Q⁻¹(point - center)
 };
 
 template <class T> PW85_FUNCTION constexpr T clamped(T const &x, T const &lower, T const &upper) noexcept
@@ -51,44 +50,34 @@ problem_on_face(BoxProblem<T, D> const &box, int i, T const &offset, T const &re
     return face;
 }
 
-template <bool with_normal, class T> [[gnu::always_inline]] PW85_FUNCTION constexpr BoxMinimum<T, 1, with_normal>
-minimum_in_box(BoxProblem<T, 1> const &box) noexcept
+template <class T>
+[[gnu::always_inline]] PW85_FUNCTION constexpr BoxMinimum<T, 1> minimum_in_box(BoxProblem<T, 1> const &box) noexcept
 {
     T const x = clamped(box.center[0], box.lower[0], box.upper[0]), offset = x - box.center[0];
-    T const normal = offset / box.q[0];
-    return {T(offset * normal), {x}, Normal<T, 1, with_normal>{Vector<T, 1>{normal}}};
+    return {T(offset * T(offset / box.q[0])), {x}};
 }
 
-template <class Mask, class T, int D, bool with_normal> PW85_FUNCTION constexpr BoxMinimum<T, D, with_normal>
-choose(Mask const &mask, BoxMinimum<T, D, with_normal> const &yes, BoxMinimum<T, D, with_normal> const &no) noexcept
+template <class Mask, class T, int D> PW85_FUNCTION constexpr BoxMinimum<T, D>
+choose(Mask const &mask, BoxMinimum<T, D> const &yes, BoxMinimum<T, D> const &no) noexcept
 {
-    return {select(mask, yes.value, no.value), choose(mask, yes.point, no.point), choose(mask, yes.normal, no.normal)};
+    return {select(mask, yes.value, no.value), choose(mask, yes.point, no.point)};
 }
 
 /// The minimum of the box from that of a face, where coordinate i is x.
-template <class T, int D, bool with_normal> [[gnu::always_inline]] PW85_FUNCTION constexpr BoxMinimum<T, D, with_normal>
-on_face(BoxMinimum<T, D - 1, with_normal> const &rest, SymmetricMatrix<T, D> const &q, int i, T const &x,
-        T const &offset, T const &reciprocal) noexcept
+template <class T, int D> [[gnu::always_inline]] PW85_FUNCTION constexpr BoxMinimum<T, D>
+on_face(BoxMinimum<T, D - 1> const &rest, int i, T const &x, T const &offset, T const &reciprocal) noexcept
 {
-    BoxMinimum<T, D, with_normal> whole{};
+    BoxMinimum<T, D> whole{};
     whole.value = T(offset * offset) * reciprocal + rest.value;
     whole.point[i] = x;
     for (int k = 0; k < D - 1; ++k) whole.point[other_axis(i, k)] = rest.point[k];
-    if constexpr (with_normal) {
-        T normal = offset;
-        for (int k = 0; k < D - 1; ++k) {
-            whole.normal.direction[other_axis(i, k)] = rest.normal.direction[k];
-            normal = normal - q(i, other_axis(i, k)) * rest.normal.direction[k];
-        }
-        whole.normal.direction[i] = normal * reciprocal;
-    }
     return whole;
 }
 
-template <bool with_normal, class T, int D> [[gnu::always_inline]] PW85_FUNCTION constexpr BoxMinimum<T, D, with_normal>
-minimum_in_box(BoxProblem<T, D> const &box) noexcept
+template <class T, int D>
+[[gnu::always_inline]] PW85_FUNCTION constexpr BoxMinimum<T, D> minimum_in_box(BoxProblem<T, D> const &box) noexcept
 {
-    BoxMinimum<T, D, with_normal> best{};
+    BoxMinimum<T, D> best{};
     best.point = box.center;
     auto found = T(0) < T(0);
     for (int i = 0; i < D; ++i) {
@@ -96,12 +85,22 @@ minimum_in_box(BoxProblem<T, D> const &box) noexcept
         auto const faces_center = !(offset == T(0));
         if (!any_of(faces_center)) continue;
         T const reciprocal = T(1) / box.q(i, i);
-        auto const rest = minimum_in_box<with_normal>(problem_on_face(box, i, offset, reciprocal));
-        auto const whole = on_face(rest, box.q, i, x, offset, reciprocal);
+        auto const rest = minimum_in_box(problem_on_face(box, i, offset, reciprocal));
+        auto const whole = on_face<T, D>(rest, i, x, offset, reciprocal);
         best = choose(faces_center && !(found && best.value <= whole.value), whole, best);
         found = found || faces_center;
     }
     return best;
+}
+
+/// A multiple of Q⁻¹x at the nearest point x. Its component along an axis is zero if x is on no face that is orthogonal to the axis.
+template <class T>
+PW85_FUNCTION constexpr Vector<T, 3> normal_at(Vector<T, 3> const &x, BoxProblem<T, 3> const &box) noexcept
+{
+    Elimination<T> const form(box.q);
+    Vector<T, 3> s = form.normal(form.weighted(form.map(x)));
+    for (int i = 0; i < 3; ++i) s[i] = select(box.lower[i] < x[i] && x[i] < box.upper[i], T(0), s[i]);
+    return s;
 }
 
 template <class T>
@@ -133,10 +132,10 @@ contact_box_scaled(Vector<T, 3> lower, Vector<T, 3> upper, SymmetricMatrix<T, 3>
     T const size = largest_coordinate(nearest_corner(lower, upper));
     if (!(size > T(0))) return {T(0), {T(0), T(0), T(0)}, Status::success};
     int const length = binary_exponent(size), form = half_exponent(largest_diagonal(q));
-    auto const found = minimum_in_box<false>(BoxProblem<T, 3>{times_power_of_two(lower, -length),
-                                                              times_power_of_two(upper, -length),
-                                                              {T(0), T(0), T(0)},
-                                                              times_power_of_two(q, -2 * form)});
+    auto const found = minimum_in_box(BoxProblem<T, 3>{times_power_of_two(lower, -length),
+                                                       times_power_of_two(upper, -length),
+                                                       {T(0), T(0), T(0)},
+                                                       times_power_of_two(q, -2 * form)});
     return {times_power_of_two(found.value, 2 * (length - form)), times_power_of_two(found.point, length),
             Status::success};
 }
@@ -150,7 +149,7 @@ contact_box(Vector<T, 3> const &lower, Vector<T, 3> const &upper, SymmetricMatri
 {
     using namespace detail;
     if (passes_fast_checks(lower, upper, q)) {
-        auto const found = minimum_in_box<false>(BoxProblem<T, 3>{lower, upper, {T(0), T(0), T(0)}, q});
+        auto const found = minimum_in_box(BoxProblem<T, 3>{lower, upper, {T(0), T(0), T(0)}, q});
         return {found.value, found.point, Status::success};
     }
     return contact_box_scaled(lower, upper, q);

@@ -56,15 +56,16 @@ template <class T, int N> struct Hull {
         return hull;
     }
 
-    PW85_MEMBER Nearest<T, true> nearest(SymmetricMatrix<T, 3> const &q) const noexcept
+    template <bool with_normal = true>
+    PW85_MEMBER Nearest<T, with_normal> nearest(SymmetricMatrix<T, 3> const &q) const noexcept
     {
         if constexpr (N == 2)
-            return FindOnSegment<true>{}(points, q);
+            return FindOnSegment<with_normal>{}(points, q);
         else
-            return FindOnTriangle<true>{}(points, q);
+            return FindOnTriangle<with_normal>{}(points, q);
     }
 
-    PW85_MEMBER bool passes_checks(SymmetricMatrix<T, 3> const &q) const noexcept
+    PW85_MEMBER typename ScalarTraits<T>::Mask passes_checks(SymmetricMatrix<T, 3> const &q) const noexcept
     {
         return passes_fast_checks(points, q, unscaled_limit<T>());
     }
@@ -92,7 +93,8 @@ template <class T> struct SolidBox {
     PW85_MEMBER Vector<T, 3> magnitudes(Vector<T, 3> const &s) const noexcept
     {
         Vector<T, 3> m{};
-        for (int i = 0; i < 3; ++i) m[i] = absolute(T(s[i] * lower[i]) < T(s[i] * upper[i]) ? lower[i] : upper[i]);
+        for (int i = 0; i < 3; ++i)
+            m[i] = absolute(select(T(s[i] * lower[i]) < T(s[i] * upper[i]), lower[i], upper[i]));
         return m;
     }
 
@@ -101,13 +103,19 @@ template <class T> struct SolidBox {
         return {times_power_of_two(lower, exponent), times_power_of_two(upper, exponent)};
     }
 
-    PW85_MEMBER Nearest<T, true> nearest(SymmetricMatrix<T, 3> const &q) const noexcept
+    template <bool with_normal = true>
+    PW85_MEMBER Nearest<T, with_normal> nearest(SymmetricMatrix<T, 3> const &q) const noexcept
     {
-        auto const found = minimum_in_box<true>(BoxProblem<T, 3>{lower, upper, {T(0), T(0), T(0)}, q});
-        return {found.value, found.point, found.normal, true};
+        BoxProblem<T, 3> const box{lower, upper, {T(0), T(0), T(0)}, q};
+        auto const found = minimum_in_box(box);
+        auto const certain = found.value == found.value;
+        if constexpr (with_normal)
+            return {found.value, found.point, {normal_at(found.point, box)}, certain};
+        else
+            return {found.value, found.point, {}, certain};
     }
 
-    PW85_MEMBER bool passes_checks(SymmetricMatrix<T, 3> const &q) const noexcept
+    PW85_MEMBER typename ScalarTraits<T>::Mask passes_checks(SymmetricMatrix<T, 3> const &q) const noexcept
     {
         return passes_fast_checks(lower, upper, q);
     }
@@ -124,7 +132,7 @@ template <class T> struct Separation {
     T form;  ///< no less than sᵀQs
 
     /// Whether the set does not overlap.
-    PW85_MEMBER constexpr bool shows_apart() const noexcept
+    PW85_MEMBER constexpr typename ScalarTraits<T>::Mask shows_apart() const noexcept
     {
         return least > T(0) && T(T(T(1) - T(8) * T(unit_roundoff<T>())) * least) * least > form;
     }
@@ -149,8 +157,8 @@ separation(Shape const &shape, SymmetricMatrix<T, 3> const &q, Vector<T, 3> cons
 ///
 /// Rounding errors of an entry of Q - x xᵀ are at most 36 u size_i size_j + 2 u √(Q_ii Q_jj). A matrix of such errors is at most 3
 /// times its diagonal, which the margins remove.
-template <class T> PW85_FUNCTION inline bool shows_overlap(SymmetricMatrix<T, 3> k, Vector<T, 3> const &x,
-                                                           Vector<T, 3> const &size) noexcept
+template <class T> PW85_FUNCTION inline typename ScalarTraits<T>::Mask
+shows_overlap(SymmetricMatrix<T, 3> k, Vector<T, 3> const &x, Vector<T, 3> const &size) noexcept
 {
     T const u = T(unit_roundoff<T>());
     for (int i = 0; i < 3; ++i) {
@@ -160,15 +168,33 @@ template <class T> PW85_FUNCTION inline bool shows_overlap(SymmetricMatrix<T, 3>
     return is_clearly_definite(k);
 }
 
-/// The decision by the point that is nearest, or nearly so.
-template <class T, class Shape> PW85_FUNCTION inline Decision
+/// What a point that is nearest, or nearly so, proves.
+template <class T> struct ShapeCertainty {
+    typename ScalarTraits<T>::Mask apart, overlap;
+};
+
+template <class T, class Shape> PW85_FUNCTION inline ShapeCertainty<T>
 decide_at(Shape const &shape, SymmetricMatrix<T, 3> const &q, Nearest<T, true> const &nearest) noexcept
 {
     Vector<T, 3> const &s = nearest.normal.direction;
-    if (nearest.mu2 >= T(1)) return separation(shape, q, s).shows_apart() ? Decision::apart : Decision::none;
-    Vector<T, 3> size = shape.magnitudes(s);
-    for (int i = 0; i < 3; ++i) size[i] = maximum(size[i], absolute(nearest.point[i]));
-    return shows_overlap(q, nearest.point, size) ? Decision::overlap : Decision::none;
+    auto const outside = nearest.mu2 >= T(1);
+    ShapeCertainty<T> certainty{outside, !outside};
+    if (any_of(certainty.apart)) certainty.apart = certainty.apart && separation(shape, q, s).shows_apart();
+    if (any_of(certainty.overlap)) {
+        Vector<T, 3> size = shape.magnitudes(s);
+        for (int i = 0; i < 3; ++i) size[i] = maximum(size[i], absolute(nearest.point[i]));
+        certainty.overlap = certainty.overlap && shows_overlap(q, nearest.point, size);
+    }
+    return certainty;
+}
+
+/// The decision for one ellipsoid and set.
+template <class T, class Shape>
+PW85_FUNCTION inline Decision decide(Shape const &shape, SymmetricMatrix<T, 3> const &q) noexcept
+{
+    if (!shape.passes_checks(q)) return Decision::none;
+    auto const [apart, overlap] = decide_at(shape, q, shape.nearest(q));
+    return to_decision(apart, overlap);
 }
 
 /// The decision by floating-point numbers in the unit in which the largest diagonal entry of the form is in [1, 4). It does not leave
@@ -178,8 +204,7 @@ decide_scaled(Shape const &shape, SymmetricMatrix<T, 3> const &q) noexcept
 {
     int const unit = half_exponent(largest_diagonal(q));
     auto const form = times_power_of_two(q, -2 * unit);
-    auto const scaled = shape.scaled(-unit);
-    return scaled.passes_checks(form) ? decide_at(scaled, form, scaled.nearest(form)) : Decision::none;
+    return decide(shape.scaled(-unit), form);
 }
 
 /// Decides for any numbers. Types without integers take the sign of μ² - 1, up to rounding errors.
@@ -199,10 +224,8 @@ overlap_of_any(Shape const &shape, SymmetricMatrix<T, 3> const &q) noexcept
 template <class T, class Shape>
 PW85_FUNCTION inline ShapeOverlap overlap_of(Shape const &shape, SymmetricMatrix<T, 3> const &q) noexcept
 {
-    if (shape.passes_checks(q)) {
-        Decision const decision = decide_at(shape, q, shape.nearest(q));
-        if (decision != Decision::none) return {decision == Decision::overlap, Status::success};
-    }
+    Decision const decision = decide(shape, q);
+    if (decision != Decision::none) return {decision == Decision::overlap, Status::success};
     return overlap_of_any(shape, q);
 }
 

@@ -121,7 +121,10 @@ template <bool with_normal = false> struct FindOnTriangle {
     template <class T> PW85_MEMBER Nearest<T, with_normal> operator()(Vector<T, 3> const (&vertices)[3],
                                                                       SymmetricMatrix<T, 3> const &q) const noexcept
     {
-        return nearest_on_one_triangle<with_normal>(vertices, q);
+        if constexpr (ScalarTraits<T>::lanes == 1)
+            return nearest_on_one_triangle<with_normal>(vertices, q);
+        else
+            return nearest_on_triangle<with_normal>(vertices, q);
     }
 };
 
