@@ -1,4 +1,4 @@
-"""Directive ``percolation-table``: the tables of reference/percolation. Its argument is `thresholds`, or `checks` for those by another method.
+"""Directive ``percolation-table``: the tables of reference/percolation, `thresholds`, or `checks` for those by another method.
 
 .. percolation-table:: thresholds
 

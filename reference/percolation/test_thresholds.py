@@ -15,15 +15,14 @@ pytest.importorskip("scipy")
 HERE = Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE))
 
-import spanning
-import thresholds
+import spanning  # noqa: E402
+import thresholds  # noqa: E402
 
 PROGRAM = os.environ["PW85_WRAPPING"]
 
 
 def run(*arguments, **environment):
-    return subprocess.run([PROGRAM, *map(str, arguments)], env=os.environ | environment, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
-                          text=True, check=False)  # fmt: skip
+    return subprocess.run([PROGRAM, *map(str, arguments)], env=os.environ | environment, capture_output=True, text=True, check=False)
 
 
 def rows(name):
@@ -36,7 +35,7 @@ def test_small_systems(tmp_path, aspect, box, count):
     """Other random numbers than those of the table."""
     path = tmp_path / "numbers"
     path.write_text(run(float(Fraction(aspect)), box, 99, 0, count).stdout)
-    row = thresholds.size_row(path, Fraction(aspect), Fraction(box))
+    row = thresholds.size_row(path, Fraction(aspect), Fraction(box), count)
     (table,) = (row for row in rows("sizes.csv") if (row["aspect"], row["box"]) == (aspect, box))
     for name in thresholds.WRAPPING:
         eta, error = row[f"eta_{name}"], math.hypot(row[f"eta_{name}_error"], float(table[f"eta_{name}_error"]))

@@ -142,23 +142,27 @@ void test_insertion()
         }
 }
 
-/// Squares of the coordinates of uniformly distributed directions have the mean 1/3 and the variance 4/45.
+/// A coordinate of a uniformly distributed direction is uniform between -1 and 1: its square has the mean 1/3 and the variance 4/45, its
+/// fourth power has 1/5 and 16/225. The product of two coordinates has the mean 0 and the variance 1/15.
 void test_directions()
 {
-    constexpr int n = 4000;
+    constexpr int n = 40000;
     Draws draws({1.0, 1.0}, 3, 0);
-    double sum[3] = {}, mixed[3] = {};
+    double second[3] = {}, fourth[3] = {}, mixed[3] = {};
     for (int k = 0; k < n; ++k) {
         auto const x = draws.direction();
         for (int d = 0; d < 3; ++d) {
-            sum[d] += x[d] * x[d] / dot(x, x);
-            mixed[d] += x[d] * x[(d + 1) % 3] / dot(x, x);
+            double const square = x[d] * x[d] / dot(x, x);
+            second[d] += square / n;
+            fourth[d] += square * square / n;
+            mixed[d] += x[d] * x[(d + 1) % 3] / dot(x, x) / n;
         }
     }
-    double const five_errors = 5.0 * std::sqrt(4.0 / 45.0 / n), five_mixed = 5.0 * std::sqrt(1.0 / 15.0 / n);
+    double const five_errors = 5.0 / std::sqrt(n);
     for (int d = 0; d < 3; ++d) {
-        g_assert_cmpfloat(std::abs(sum[d] / n - 1.0 / 3.0), <, five_errors);
-        g_assert_cmpfloat(std::abs(mixed[d] / n), <, five_mixed);
+        g_assert_cmpfloat(std::abs(second[d] - 1.0 / 3.0), <, five_errors * std::sqrt(4.0 / 45.0));
+        g_assert_cmpfloat(std::abs(fourth[d] - 1.0 / 5.0), <, five_errors * std::sqrt(16.0 / 225.0));
+        g_assert_cmpfloat(std::abs(mixed[d]), <, five_errors * std::sqrt(1.0 / 15.0));
     }
 }
 

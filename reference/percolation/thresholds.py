@@ -4,7 +4,8 @@
 Usage: thresholds.py PROGRAM FOLDER [ROUNDS]
 
 PROGRAM is the built wrapping.cpp. Its numbers are kept in FOLDER, one file for each shape and cube, so the command may be stopped at any
-time and goes on where it was. Each round adds realisations for all shapes and cubes, and writes both tables anew.
+time and goes on where it was. Each round adds realisations for all shapes and cubes. The tables are those of the first ROUNDS rounds, even
+if the folder has more.
 """
 
 import csv
@@ -96,9 +97,9 @@ def threshold(numbers, probability):
     return mean, shares(mean).std(ddof=1) / math.sqrt(len(numbers)) / slope
 
 
-def size_row(path, aspect, box):
-    """A row of sizes.csv."""
-    numbers = np.loadtxt(path, ndmin=2)
+def size_row(path, aspect, box, count):
+    """A row of sizes.csv, from the first realisations of a file."""
+    numbers = np.loadtxt(path, ndmin=2, max_rows=count)
     row = {"aspect": aspect, "box": box, "realizations": len(numbers)}
     for name, columns in (("axis", numbers), ("any", numbers.min(axis=1, keepdims=True))):
         mean, error = threshold(columns, WRAPPING[name])
@@ -157,23 +158,22 @@ def write(path, rows, digits):
         writer.writerows(rows)
 
 
+def file_of(folder, aspect, box):
+    return folder / f"{str(aspect).replace('/', '_')}-{box}.txt"
+
+
 def main():
     program, folder = sys.argv[1], Path(sys.argv[2])
     rounds = int(sys.argv[3]) if len(sys.argv) > 3 else ROUNDS
     folder.mkdir(parents=True, exist_ok=True)
     for k in range(1, rounds + 1):
-        sizes, limits = [], []
         for aspect, boxes in PLAN:
-            own = []
             for box in boxes:
-                path = folder / f"{str(aspect).replace('/', '_')}-{box}.txt"
-                extend(program, path, aspect, box, k * block(aspect, box))
-                own.append(size_row(path, aspect, box))
-            sizes += own
-            limits.append(limit_row(aspect, own))
-        write(HERE / "sizes.csv", sizes, 4)
-        write(HERE / "percolation.csv", limits, 2)
+                extend(program, file_of(folder, aspect, box), aspect, box, k * block(aspect, box))
         print(f"round {k} of {rounds}", flush=True)
+    sizes = [[size_row(file_of(folder, aspect, box), aspect, box, rounds * block(aspect, box)) for box in boxes] for aspect, boxes in PLAN]
+    write(HERE / "sizes.csv", sum(sizes, []), 4)
+    write(HERE / "percolation.csv", [limit_row(aspect, own) for (aspect, _), own in zip(PLAN, sizes)], 2)
 
 
 if __name__ == "__main__":
