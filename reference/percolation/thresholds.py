@@ -171,9 +171,13 @@ def main():
             for box in boxes:
                 extend(program, file_of(folder, aspect, box), aspect, box, k * block(aspect, box))
         print(f"round {k} of {rounds}", flush=True)
-    sizes = [[size_row(file_of(folder, aspect, box), aspect, box, rounds * block(aspect, box)) for box in boxes] for aspect, boxes in PLAN]
-    write(HERE / "sizes.csv", sum(sizes, []), 4)
-    write(HERE / "percolation.csv", [limit_row(aspect, own) for (aspect, _), own in zip(PLAN, sizes)], 2)
+    sizes, limits = [], []
+    for aspect, boxes in PLAN:
+        own = [size_row(file_of(folder, aspect, box), aspect, box, rounds * block(aspect, box)) for box in boxes]
+        limits.append(limit_row(aspect, own))
+        sizes += own
+    write(HERE / "sizes.csv", sizes, 4)
+    write(HERE / "percolation.csv", limits, 2)
 
 
 if __name__ == "__main__":
