@@ -52,7 +52,7 @@ def spanning_number(centers, q, side):
 
 # By shape: the edges of two cubes in units of the longest axis, how many realisations of each, and a volume fraction far above the
 # threshold, up to which spheroids are inserted. It has no influence on the result.
-CHECKS = {"1/10": ((6, 2000), (12, 500), 0.16), "4": ((4, 2000), (8, 500), 0.28)}
+CHECKS = {"1/10": ((6, 1000), (12, 250), 0.16), "4": ((4, 1000), (8, 250), 0.28)}
 SEED = 2
 
 
