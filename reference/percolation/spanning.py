@@ -10,6 +10,7 @@ not depend on the size of large cubes, so the curves of two sizes cross there.
 
 import csv
 import math
+from fractions import Fraction
 from pathlib import Path
 
 import numpy as np
@@ -52,7 +53,7 @@ def spanning_number(centers, q, side):
 
 # By shape: the edges of two cubes in units of the longest axis, how many realisations of each, and a volume fraction far above the
 # threshold, up to which spheroids are inserted. It has no influence on the result.
-CHECKS = {"1/10": ((6, 1000), (12, 250), 0.16), "4": ((4, 1000), (8, 250), 0.28)}
+CHECKS = {"1/10": ((6, 4000), (12, 1000), 0.16), "4": ((4, 4000), (8, 1000), 0.28)}
 SEED = 2
 
 
@@ -91,16 +92,13 @@ def crossing(systems):
 
 
 def main():
+    rows = [["aspect", "box_small", "box_large", "realizations_small", "realizations_large", "eta", "eta_error"]]
+    for aspect, (*cubes, enough) in CHECKS.items():
+        eta, error = crossing([numbers_of(float(Fraction(aspect)), *cube, enough) for cube in cubes])
+        (small, few), (large, many) = cubes
+        rows.append([aspect, small, large, few, many, f"{eta:.5f}", f"{error:.5f}"])
     with (HERE / "check.csv").open("w", encoding="utf-8", newline="") as file:
-        writer = csv.writer(file, lineterminator="\n")
-        writer.writerow(["aspect", "box_small", "box_large", "realizations_small", "realizations_large", "eta", "eta_error"])
-        for aspect, (*cubes, enough) in CHECKS.items():
-            numerator, _, denominator = aspect.partition("/")
-            ratio = int(numerator) / int(denominator or 1)
-            eta, error = crossing([numbers_of(ratio, *cube, enough) for cube in cubes])
-            (small, few), (large, many) = cubes
-            writer.writerow([aspect, small, large, few, many, f"{eta:.5f}", f"{error:.5f}"])
-            file.flush()
+        csv.writer(file, lineterminator="\n").writerows(rows)
 
 
 if __name__ == "__main__":

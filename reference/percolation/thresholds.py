@@ -11,6 +11,7 @@ if the folder has more.
 import csv
 import math
 import os
+import re
 import subprocess
 import sys
 from fractions import Fraction
@@ -21,6 +22,7 @@ from scipy.optimize import brentq
 from scipy.special import gammainc
 
 HERE = Path(__file__).resolve().parent
+VERSION = re.search(r"version: '(\S+)'", (HERE.parent.parent / "meson.build").read_text(encoding="utf-8"))[1]
 ROUNDS = 20
 SEED = 1
 PARTICLES = 400_000  # about so many particles are inserted for each shape and cube in a round
@@ -132,6 +134,7 @@ def limit_row(aspect, sizes):
     return {
         "aspect": aspect, "phi": phi, "phi_error": (1 - phi) * error, "eta": eta, "eta_error": error,
         "eta_any": limits["any"][0], "eta_any_error": limits["any"][1], "chi2": chi2, "garboczi": GARBOCZI.get(str(aspect), ""),
+        "seed": SEED, "version": VERSION,
     }  # fmt: skip
 
 
