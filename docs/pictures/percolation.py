@@ -13,7 +13,8 @@ def main():
     with PATH.open(encoding="utf-8", newline="") as file:
         rows = list(csv.DictReader(file))
     fig, axes = figure()
-    for column, symbol, colour, label in (("phi", "o-", BLUE, "this table"), ("garboczi", "x", ORANGE, "Garboczi and others, 1995")):
+    curves = [("phi", "o-", BLUE, "this table"), ("garboczi", "x", ORANGE, "Garboczi and others, 1995")]
+    for column, symbol, colour, label in curves:
         own = [(float(Fraction(row["aspect"])), float(row[column])) for row in rows if row[column]]
         axes.plot(*zip(*own), symbol, color=colour, label=label, markersize=5)
     axes.set(xscale="log", yscale="log", xlabel="aspect ratio", ylabel="volume fraction at the threshold")

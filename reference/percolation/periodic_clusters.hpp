@@ -21,9 +21,9 @@ inline pw85::Image add_scaled(pw85::Image a, std::int32_t factor, pw85::Image co
 
 /// A union-find structure that knows in which image of the cell each particle of a cluster is, counted from the cluster's root.
 ///
-/// A bond (i, j, image) connects i with the image of j that is `image` cell vectors away. Within a cluster, a bond closes a loop. The
-/// cluster wraps around the cell along a vector of the cell if the loop leads to another image along this vector (Newman and Ziff, Phys.
-/// Rev. E 64, 016706, 2001). Images are integers, so the answer is exact.
+/// A bond (i, j, image) connects i with the image of j that is `image` cell vectors away. Within a cluster, a bond closes a loop.
+/// The cluster wraps around the cell along a vector of the cell if the loop leads to another image along this vector (Newman and
+/// Ziff, Phys. Rev. E 64, 016706, 2001). Images are integers, so the answer is exact.
 class PeriodicClusters {
   public:
     /// Each particle is a cluster of its own.

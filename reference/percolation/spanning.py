@@ -3,9 +3,9 @@
 
 Usage: spanning.py, with pypw85 on the path
 
-It shares no code, no random numbers and no constant of the literature with thresholds.py. Spheroids are in a cube that is periodic along x
-and y only; connected components of SciPy span it if they reach beyond both faces along z. The probability of spanning at the threshold does
-not depend on the size of large cubes, so the curves of two sizes cross there.
+It shares no code, no random numbers and no constant of the literature with thresholds.py. Spheroids are in a cube that is periodic
+along x and y only; connected components of SciPy span it if they reach beyond both faces along z. The probability of spanning at the
+threshold does not depend on the size of large cubes, so the curves of two sizes cross there.
 """
 
 import csv
@@ -53,7 +53,7 @@ def spanning_number(centers, q, side):
 
 # By shape: the edges of two cubes in units of the longest axis, how many realisations of each, and a volume fraction far above the
 # threshold, up to which spheroids are inserted. It has no influence on the result.
-CHECKS = {"1/10": ((6, 4000), (12, 1000), 0.16), "4": ((4, 4000), (8, 1000), 0.28)}
+CHECKS = {"1/10": ((6, 1000), (12, 250), 0.16), "4": ((4, 1000), (8, 250), 0.28)}
 SEED = 2
 
 

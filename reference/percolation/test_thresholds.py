@@ -22,7 +22,8 @@ PROGRAM = os.environ["PW85_WRAPPING"]
 
 
 def run(*arguments, **environment):
-    return subprocess.run([PROGRAM, *map(str, arguments)], env=os.environ | environment, capture_output=True, text=True, check=False)
+    command = [PROGRAM, *map(str, arguments)]
+    return subprocess.run(command, env=os.environ | environment, capture_output=True, text=True, check=False)
 
 
 def rows(name):
@@ -115,7 +116,8 @@ def test_table():
     """The table follows from the sizes, up to rounding; spheres have the known threshold (Torquato and Jiao, 2012)."""
     sizes = rows("sizes.csv")
     for row in rows("percolation.csv"):
-        own = [{name: float(x) for name, x in size.items() if name != "aspect"} for size in sizes if size["aspect"] == row["aspect"]]
+        cubes = [size for size in sizes if size["aspect"] == row["aspect"]]
+        own = [{name: float(x) for name, x in size.items() if name != "aspect"} for size in cubes]
         limit = thresholds.limit_row(Fraction(row["aspect"]), own)
         for name in ("phi", "eta", "eta_any"):
             error = float(row[f"{name}_error"])

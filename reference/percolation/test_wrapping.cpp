@@ -19,8 +19,8 @@ struct Bond {
     pw85::Image image;
 };
 
-/// Along which edges of the cell the first particles are connected with other images of themselves, by a search through the images of all
-/// particles up to `range` cells away.
+/// Along which edges of the cell the first particles are connected with other images of themselves, by a search through the
+/// images of all particles up to `range` cells away.
 std::array<bool, 3> wraps(std::vector<Bond> const &bonds, std::size_t num_particles, std::int32_t range)
 {
     using Vertex = std::pair<std::size_t, pw85::Image>;
@@ -60,8 +60,8 @@ std::string text(std::vector<Bond> const &bonds)
     return text;
 }
 
-/// Random bonds between few particles. Most lead to the same cell or to a next one, as overlaps do. A loop visits each particle once at
-/// most, so it leads no farther than there are particles.
+/// Random bonds between few particles. Most lead to the same cell or to a next one, as overlaps do. A loop visits each particle
+/// once at most, so it leads no farther than there are particles.
 void test_clusters()
 {
     constexpr int num_particles = 5;
@@ -142,8 +142,8 @@ void test_insertion()
         }
 }
 
-/// A coordinate of a uniformly distributed direction is uniform between -1 and 1: its square has the mean 1/3 and the variance 4/45, its
-/// fourth power has 1/5 and 16/225. The product of two coordinates has the mean 0 and the variance 1/15.
+/// A coordinate of a uniformly distributed direction is uniform between -1 and 1: its square has the mean 1/3 and the variance
+/// 4/45, its fourth power has 1/5 and 16/225. The product of two coordinates has the mean 0 and the variance 1/15.
 void test_directions()
 {
     constexpr int n = 40000;

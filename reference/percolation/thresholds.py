@@ -3,9 +3,9 @@
 
 Usage: thresholds.py PROGRAM FOLDER [ROUNDS]
 
-PROGRAM is the built wrapping.cpp. Its numbers are kept in FOLDER, one file for each shape and cube, so the command may be stopped at any
-time and goes on where it was. Each round adds realisations for all shapes and cubes. The tables are those of the first ROUNDS rounds, even
-if the folder has more.
+PROGRAM is the built wrapping.cpp. Its numbers are kept in FOLDER, one file for each shape and cube, so the command may be stopped at
+any time and goes on where it was. Each round adds realisations for all shapes and cubes. The tables are those of the first ROUNDS
+rounds, even if the folder has more.
 """
 
 import csv
@@ -23,7 +23,7 @@ from scipy.special import gammainc
 
 HERE = Path(__file__).resolve().parent
 VERSION = re.search(r"version: '(\S+)'", (HERE.parent.parent / "meson.build").read_text(encoding="utf-8"))[1]
-ROUNDS = 20
+ROUNDS = 4
 SEED = 1
 PARTICLES = 400_000  # about so many particles are inserted for each shape and cube in a round
 
@@ -38,9 +38,9 @@ PLAN = sorted(
     ((Fraction(aspect), boxes) for boxes, aspects in CUBES.items() for aspect in aspects.split()),
 )
 
-# Universal values of critical percolation in three dimensions (Wang and others, Phys. Rev. E 87, 052107, 2013): the probabilities that a
-# cluster wraps around a periodic cube along a given edge, or along any edge; 1/ν; and the exponents of corrections, the leading one and
-# the one that these probabilities show.
+# Universal values of critical percolation in three dimensions (Wang and others, Phys. Rev. E 87, 052107, 2013): the probabilities
+# that a cluster wraps around a periodic cube along a given edge, or along any edge; 1/ν; and the exponents of corrections, the
+# leading one and the one that these probabilities show.
 WRAPPING = {"axis": 0.2578, "any": 0.45997}
 INVERSE_NU = 1.141
 CORRECTIONS = (1.2, 2.0)
@@ -86,7 +86,7 @@ def extend(program, path, aspect, box, count):
 def threshold(numbers, probability):
     """The mean number of particles at which a share of the realisations wraps, and its standard error.
 
-    The number of particles is distributed as Poisson's, so P(n, m), the regularised incomplete gamma function, is the probability that
+    The number of particles has a Poisson distribution, so P(n, m), the regularised incomplete gamma function, is the probability that
     a realisation which wraps with n particles does so at the mean number m. A row of `numbers` is a realisation.
     """
 

@@ -2,9 +2,9 @@
 //
 // Usage: wrapping ASPECT BOX SEED FIRST COUNT
 //
-// The spheroids have the semi-axes 1, 1 and ASPECT; the edge of the cube is BOX times their longest axis. The program writes a line for
-// each of the COUNT realisations from number FIRST on: the numbers of particles for wrapping along x, y and z. A line depends on nothing
-// but ASPECT, BOX, SEED and its own number, so several processes may share the work.
+// The spheroids have the semi-axes 1, 1 and ASPECT; the edge of the cube is BOX times their longest axis. The program writes a
+// line for each of the COUNT realisations from number FIRST on: the numbers of particles for wrapping along x, y and z. A line
+// depends on nothing but ASPECT, BOX, SEED and its own number, so several processes may share the work.
 #include <charconv>
 #include <cmath>
 #include <cstdio>

@@ -24,7 +24,8 @@ struct Spheroids {
     double side;   ///< edge of the cube
 };
 
-/// The random numbers of one realisation. The C++ standard defines the generator and its seeding, so all compilers give the same numbers.
+/// The random numbers of one realisation. The C++ standard defines the generator and its seeding, so all compilers give the same
+/// numbers.
 class Draws {
   public:
     Draws(Spheroids const &spheroids, std::uint64_t seed, std::uint64_t realization)
@@ -93,8 +94,8 @@ class Realization {
     std::vector<pw85::SymmetricMatrix<double, 3>> q_;
 };
 
-/// The pairs of a list that overlap, sorted by the later particle of the pair: those of particle n are the entries from first[n] up to
-/// but not including first[n + 1] of `pairs`, which are indices in the list.
+/// The pairs of a list that overlap, sorted by the later particle of the pair: those of particle n are the entries from first[n]
+/// up to but not including first[n + 1] of `pairs`, which are indices in the list.
 struct SortedOverlaps {
     std::vector<std::size_t> first, pairs;
 
