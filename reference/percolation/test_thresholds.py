@@ -23,7 +23,8 @@ PROGRAM = os.environ["PW85_WRAPPING"]
 
 def run(*arguments, **environment):
     command = [PROGRAM, *map(str, arguments)]
-    return subprocess.run(command, env=os.environ | environment, capture_output=True, text=True, check=False)
+    environment = os.environ | {"OMP_NUM_THREADS": "1"} | environment
+    return subprocess.run(command, env=environment, capture_output=True, text=True, check=False)
 
 
 def rows(name):
