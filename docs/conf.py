@@ -28,6 +28,7 @@ extensions = [
     "cause_table",
     "furo_of_debian",
     "measured_table",
+    "percolation_table",
     "reference",
     "search",
     "status_table",

@@ -8,6 +8,7 @@ from pathlib import Path
 
 SOLVER, HEADER = "include/pw85/contact/solver.hpp", "include/pw85.h"
 BIBTEX = "docs/pw85.bib"
+PERCOLATION, THRESHOLDS = "docs/reference/percolation.rst", "reference/percolation/thresholds.py"
 EVALUATIONS = (SOLVER, r"max_evaluations = (\d+);")
 
 # (file, pattern of what is in it), (file, pattern of what it must be)
@@ -17,6 +18,9 @@ REPEATED = [
     (("docs/optimization.rst", r"``PW85_MAX_ITER`` \((\d+)\)"), (HEADER, r"define PW85_MAX_ITER (\d+)")),
     (("docs/optimization.rst", r"``PW85_NR_ITER`` \((\d+)\)"), (HEADER, r"define PW85_NR_ITER (\d+)")),
     (("docs/optimization.rst", r"``PW85_LAMBDA_ATOL`` \(10\\ :sup:`-(\d+)`\)"), (HEADER, r"LAMBDA_ATOL 1e-(\d+)")),
+    ((PERCOLATION, r"(0\.\d+) along a given edge"), (THRESHOLDS, r'"axis": (0\.\d+)')),
+    ((PERCOLATION, r"(0\.\d+) along any of"), (THRESHOLDS, r'"any": (0\.\d+)')),
+    ((PERCOLATION, r"1/\\nu = (\d\.\d+)`"), (THRESHOLDS, r"INVERSE_NU = (\d\.\d+)")),
     (("CITATION.cff", r"(?<!-)version: (\d\S+)"), ("meson.build", r"project\( *'pw85',.*? version: '(\S+)'")),
     ((BIBTEX, r"Version (\S+)}"), ("CITATION.cff", r"(?<!-)version: (\d\S+)")),
     ((BIBTEX, r"title = {(pw85.*?)},"), ("CITATION.cff", r'title: "(pw85.*?)"')),
