@@ -205,7 +205,7 @@ struct Times {
     double one = HUGE_VAL, both = HUGE_VAL, two = HUGE_VAL;
 };
 
-/// Takes turns for some seconds, at least three times. A sample is long enough to have its share of new lists of neighbours.
+/// Takes turns for three seconds, and at least three times. A sample is long enough to have its share of new lists of neighbours.
 Times measure(Problem &first, Problem &second)
 {
     double const trial = seconds(1, [&] { first.run(); });
@@ -215,12 +215,13 @@ Times measure(Problem &first, Problem &second)
     };
     Times least;
     double spent = 0.0;
-    for (int pass = 0; pass < 3 || spent < 6.0; ++pass) {
-        double const one = seconds(1, [&] { run(first); }), both = seconds(1, [&] {
-                                                                std::thread other([&] { seconds(1, [&] { run(second); }); });
-                                                                run(first);
-                                                                other.join();
-                                                            });
+    for (int pass = 0; pass < 3 || spent < 3.0; ++pass) {
+        double const one = seconds(1, [&] { run(first); }),
+                     both = seconds(1, [&] {
+                         std::thread other([&] { seconds(1, [&] { run(second); }); });
+                         run(first);
+                         other.join();
+                     });
         double const two = seconds(2, [&] { run(first); });
         least = {std::min(least.one, one), std::min(least.both, both), std::min(least.two, two)};
         spent += one + both + two;
@@ -234,9 +235,8 @@ struct Work {
     double least, most; ///< numbers of particles
 };
 
-constexpr Work all_work[] = {{"sweeps", sweeps, 1e3, 1e6},
-                             {"pressure", sweeps_and_volume, 1e4, 1e5},
-                             {"chains", chains, 1e4, 1e5}};
+constexpr Work all_work[] = {
+    {"sweeps", sweeps, 1e3, 1e6}, {"pressure", sweeps_and_volume, 1e4, 1e5}, {"chains", chains, 1e4, 1e5}};
 
 void measure_row(Work const &work, Equilibrated const &block, int x, int y, int z)
 {
@@ -266,7 +266,8 @@ int main(int argc, char **argv)
         if (argc > 3 && std::string(argv[3]) != work.name) continue;
         for (auto const &[x, y, z] : repetitions) {
             double const n = 1e3 * x * y * z;
-            if (n >= std::max(least, work.least) && n <= std::min(largest, work.most)) measure_row(work, block, x, y, z);
+            if (n >= std::max(least, work.least) && n <= std::min(largest, work.most))
+                measure_row(work, block, x, y, z);
         }
     }
     return 0;

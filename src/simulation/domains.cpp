@@ -16,8 +16,7 @@ constexpr double particles_per_domain = 32.0;
 /// @param reach the least width of a part, over that of the cell
 std::uint32_t parts_of(double reach, std::size_t num_particles) noexcept
 {
-    double const most =
-        std::max(2.0, std::floor(std::cbrt(static_cast<double>(num_particles) / particles_per_domain)));
+    double const most = std::max(2.0, std::floor(std::cbrt(static_cast<double>(num_particles) / particles_per_domain)));
     double const parts = std::min(most, std::floor(1.0 / reach));
     return parts >= 2.0 ? static_cast<std::uint32_t>(parts) & ~1u : 1;
 }
@@ -50,7 +49,8 @@ bool Domains::assign(Configuration const &configuration, std::span<std::int32_t 
     std::fill_n(begin_.data(), count + 2, 0);
     for (std::size_t i = 0; i < n; ++i) ++begin_[labels_[i] / 8 + 2];
     for (std::size_t k = 2; k < count + 2; ++k) begin_[k] += begin_[k - 1];
-    for (std::int32_t const place : places) members_[begin_[labels_[static_cast<std::size_t>(place)] / 8 + 1]++] = place;
+    for (std::int32_t const place : places)
+        members_[begin_[labels_[static_cast<std::size_t>(place)] / 8 + 1]++] = place;
     return true;
 }
 

@@ -95,10 +95,7 @@ int Engine::make_rows() noexcept
 }
 
 /// Between new rows a particle moves by at most twice the half-width of its fixed box along an axis.
-void Engine::refresh_boxes() noexcept
-{
-    boxes_.refresh(ordered_, neighborhood_, longest_, 2.0 * longest_ + skin());
-}
+void Engine::refresh_boxes() noexcept { boxes_.refresh(ordered_, neighborhood_, longest_, 2.0 * longest_ + skin()); }
 
 // Three quarters of the longest semi-axis take the fewest instructions at packing fraction 0.4 and aspect ratio 3. One trial moves a side
 // of a bounding box by at most `step` or `spread_`. Half of the skin is more, so that a trial is within the fixed boxes of rows that have
@@ -111,12 +108,11 @@ double Engine::skin() const noexcept
 
 bool Engine::all_listed(double room) const noexcept
 {
-    return neighborhood_.size() == ordered_.size() &&
-           kernels::for_all(ordered_.size(), [&](kernels::Range range) {
-               std::size_t i = range.begin;
-               while (i < range.end && is_listed(i, room)) ++i;
-               return kernels::Failure{i, i < range.end};
-           }) == 0;
+    return neighborhood_.size() == ordered_.size() && kernels::for_all(ordered_.size(), [&](kernels::Range range) {
+                                                          std::size_t i = range.begin;
+                                                          while (i < range.end && is_listed(i, room)) ++i;
+                                                          return kernels::Failure{i, i < range.end};
+                                                      }) == 0;
 }
 
 bool Engine::overlaps_any(std::size_t i, Neighbor const *images, std::size_t count) const noexcept
@@ -145,7 +141,8 @@ int Engine::sweep() noexcept
     Stream stream(parameters.seed, parameters.step, whole_sweep);
     if (!all_listed(least_room * skin()))
         if (int const status = ++num_rows_ % rows_per_order == 0 ? order() : make_rows()) return status;
-    if (int const status = domains_.prepare(ordered_, places_.all(), reach_of_domains * longest_, stream)) return status;
+    if (int const status = domains_.prepare(ordered_, places_.all(), reach_of_domains * longest_, stream))
+        return status;
     std::uint32_t colors[8] = {0, 1, 2, 3, 4, 5, 6, 7};
     for (std::uint32_t k = domains_.num_colors(); k > 1; --k) std::swap(colors[k - 1], colors[stream.below(k)]);
     for (std::uint32_t k = 0; k < domains_.num_colors(); ++k)

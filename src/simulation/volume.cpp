@@ -132,9 +132,8 @@ double Engine::longest_translation() const noexcept
 {
     Cell const &cell = ordered_.cell;
     bool const is_closed = cell.exists && cell.periodic[0] && cell.periodic[1] && cell.periodic[2];
-    return is_closed
-               ? 0.5 * std::cbrt(volume_of(cell) / static_cast<double>(std::max<std::size_t>(1, ordered_.size())))
-               : longest_;
+    return is_closed ? 0.5 * std::cbrt(volume_of(cell) / static_cast<double>(std::max<std::size_t>(1, ordered_.size())))
+                     : longest_;
 }
 
 void Engine::tune(Counts const &before, double acceptance) noexcept
