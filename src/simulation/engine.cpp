@@ -85,7 +85,8 @@ int Engine::order() noexcept
 
 int Engine::make_rows() noexcept
 {
-    int const status = neighborhood_.update(ordered_, skin());
+    skin_of_rows_ = skin();
+    int const status = neighborhood_.update(ordered_, skin_of_rows_);
     if (status == PW85_SUCCESS && boxes_.resize(ordered_.size(), neighborhood_.num_images())) {
         refresh_boxes();
         return PW85_SUCCESS;
@@ -95,7 +96,10 @@ int Engine::make_rows() noexcept
 }
 
 /// Between new rows a particle moves by at most twice the half-width of its fixed box along an axis.
-void Engine::refresh_boxes() noexcept { boxes_.refresh(ordered_, neighborhood_, longest_, 2.0 * longest_ + skin()); }
+void Engine::refresh_boxes() noexcept
+{
+    boxes_.refresh(ordered_, neighborhood_, longest_, 2.0 * longest_ + skin_of_rows_);
+}
 
 // Three quarters of the longest semi-axis take the fewest instructions at packing fraction 0.4 and aspect ratio 3. One trial moves a side
 // of a bounding box by at most `step` or `spread_`. Half of the skin is more, so that a trial is within the fixed boxes of rows that have
@@ -108,11 +112,12 @@ double Engine::skin() const noexcept
 
 bool Engine::all_listed(double room) const noexcept
 {
-    return neighborhood_.size() == ordered_.size() && kernels::for_all(ordered_.size(), [&](kernels::Range range) {
-                                                          std::size_t i = range.begin;
-                                                          while (i < range.end && is_listed(i, room)) ++i;
-                                                          return kernels::Failure{i, i < range.end};
-                                                      }) == 0;
+    if (neighborhood_.size() != ordered_.size()) return false;
+    return kernels::for_all(ordered_.size(), [&](kernels::Range range) {
+               std::size_t i = range.begin;
+               while (i < range.end && is_listed(i, room)) ++i;
+               return kernels::Failure{i, i < range.end};
+           }) == 0;
 }
 
 bool Engine::overlaps_any(std::size_t i, Neighbor const *images, std::size_t count) const noexcept

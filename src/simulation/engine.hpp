@@ -149,6 +149,7 @@ class Engine {
     Places places_;
     bool is_taken_ = false; ///< whether it is the configuration, or one that follows from it
     int num_rows_ = 0;      ///< how often sweeps made rows
+    double skin_of_rows_ = 0.0;
     Neighborhood neighborhood_;
     RoughBoxes boxes_;
     Domains domains_;

@@ -3,7 +3,8 @@
 ///
 /// Centres are differences from an origin. All numbers are divided by the longest semi-axis, so that they are in range. Let S bound the
 /// coordinates of centres and translations, and h the half-widths. The difference of two centres, moved by a translation, errs by less than
-/// 8 v S, with v = 2⁻²⁴, and the sum of two half-widths by less than 4 v h. The margin is 2⁻²⁰ (S + h), which is twice as much.
+/// 8 v S, with v = 2⁻²⁴, and the sum of two half-widths by less than 4 v h. The margin is 2⁻¹⁸ (S + h). That is eight times
+/// as much, because particles move farther than S says if the cell has grown since the rows were made.
 #ifndef PW85_SIMULATION_ROUGH_BOXES_HPP_INCLUDED
 #define PW85_SIMULATION_ROUGH_BOXES_HPP_INCLUDED
 
@@ -46,7 +47,7 @@ class RoughBoxes {
             translations_[k] = in_units(translation);
             farthest = std::max(farthest, largest_coordinate(translation));
         }
-        auto const margin = static_cast<float>(0x1p-20 * (farthest * per_unit_ + 1.0));
+        auto const margin = static_cast<float>(0x1p-18 * (farthest * per_unit_ + 1.0));
         margin_ = Float4{margin, margin, margin, 0.0F};
     }
 
