@@ -33,7 +33,7 @@ class ImageTable {
   private:
     static bool is_same(Multiples const &x, Multiples const &y) noexcept
     {
-        return std::equal(std::begin(x.n), std::end(x.n), y.n);
+        return x.n[0] == y.n[0] && x.n[1] == y.n[1] && x.n[2] == y.n[2]; // memcmp() would take 5 % of a sweep
     }
 
     std::size_t find(Multiples const &image) const noexcept
