@@ -176,10 +176,10 @@ def speed_tables(program, targets):
     return context, tables
 
 
-def growth_rows(program, target):
-    """In a trial run the numbers stay small."""
-    largest = ["1e3"] if "PW85_MEASURE_ONCE" in os.environ else []
-    return read_table(program, *largest, target=target)
+def rows_of_numbers(name, program, target):
+    """The rows of a program that goes from small to large numbers of pairs or particles. In a trial run the numbers stay small."""
+    arguments = {"growth": ["1e3"], "monte_carlo": ["1e3", "1e3"]}[name] if "PW85_MEASURE_ONCE" in os.environ else []
+    return read_table(program, *arguments, target=target)
 
 
 def worst_rows(program, targets):
@@ -217,7 +217,7 @@ def measure(programs):
     tables["worst"] = worst_rows(programs["accuracy"], targets)
     for name in ("closest_approach", "condition", "digits", "evaluations", "factored", "peers", "rounded", "shapes", "signed_distance"):
         tables[name] = read_table(programs[name], target=best)
-    tables["growth"] = growth_rows(programs["growth"], best)
+    tables |= {name: rows_of_numbers(name, programs[name], best) for name in ("growth", "monte_carlo")}
     if has_python(build_of(programs)):
         tables |= {name: python_rows(name, build_of(programs), best) for name in PYTHON}
     side_by_side = program_rows("side_by_side", programs["side_by_side"], best)

@@ -57,6 +57,7 @@ rst_epilog = f"""
 .. |conditions-of-rounded| replace:: {measurements.conditions("rounded")}
 .. |conditions-of-signed_distance| replace:: {measurements.conditions("signed_distance")}
 .. |conditions-of-growth| replace:: {measurements.conditions("growth")}
+.. |conditions-of-monte_carlo| replace:: {measurements.conditions("monte_carlo")}
 .. |conditions-of-factored| replace:: {measurements.conditions("factored")}
 .. |conditions-of-shapes| replace:: {measurements.conditions("shapes")}
 .. |conditions-of-arrays| replace:: {measurements.conditions("arrays")}

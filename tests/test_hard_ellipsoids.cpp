@@ -303,11 +303,28 @@ void run(HardEllipsoids &simulation, int steps)
     }
 }
 
+// Threads do not read particles in other domains of the colour that they work on. Here these are little more than a diameter apart along the
+// first axis, and trials are as long. Particles that left their domains would meet unseen, and overlap after a few sweeps.
+void test_long_trials()
+{
+    Start start;
+    constexpr int n = 27;
+    constexpr double a = 1.5, b = 1.2;
+    for (int k = 0; k < 3 * n * n; ++k) start.add({a * (k % 3), b * (k / 3 % n), b * (k / 3 / n)}, {0.5, 0.5, 0.5});
+    start.cell = box(3 * a, b * n, b * n);
+    HardEllipsoids simulation = start.simulation();
+    g_assert_true(simulation.set_fractions({1, 0, 0, 0}) == Status::success);
+    g_assert_true(simulation.set_steps({1.0, 0.1, 0.1}) == Status::success);
+    g_assert_true(simulation.sweep(20) == Status::success);
+    g_assert_cmpint(simulation.counts().accepted[0], >, 1000);
+    expect_no_overlap(simulation);
+}
+
 // There are many domains. The particles diffuse out of the boxes of their neighbour lists.
 void test_threads_and_restart()
 {
     auto const begin = [] {
-        HardEllipsoids simulation = mixture(10).simulation(42);
+        HardEllipsoids simulation = mixture(13).simulation(42);
         g_assert_true(simulation.set_fractions({3, 3, 2, 1}) == Status::success);
         g_assert_true(simulation.set_steps({0.2, 0.1, 0.002}) == Status::success);
         return simulation;
@@ -332,7 +349,7 @@ void test_threads_and_restart()
     run(parallel, 6);
     g_assert_true(bytes_of(parallel) == expected);
 #endif
-    HardEllipsoids other = mixture(10).simulation(43);
+    HardEllipsoids other = mixture(13).simulation(43);
     run(other, 1);
     g_assert_true(bytes_of(other) != middle);
 }
@@ -391,6 +408,7 @@ int main(int argc, char **argv)
     g_test_add_func("/hard_ellipsoids/hard_spheres", test_hard_spheres);
     g_test_add_func("/hard_ellipsoids/two_ellipsoids", test_two_ellipsoids);
     g_test_add_func("/hard_ellipsoids/turns", test_turns);
+    g_test_add_func("/hard_ellipsoids/long_trials", test_long_trials);
     g_test_add_func("/hard_ellipsoids/threads_and_restart", test_threads_and_restart);
     g_test_add_func("/hard_ellipsoids/small_cell", test_small_cell);
     g_test_add_func("/hard_ellipsoids/bad_input", test_bad_input);

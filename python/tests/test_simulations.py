@@ -32,6 +32,36 @@ def test_distribution():
     assert abs(means.mean() - 9 / pressure) < 5 * error < 0.3, (means.mean(), error)
 
 
+def mean_and_error(samples):
+    return np.mean(samples), np.std(samples, ddof=1) / np.sqrt(len(samples))
+
+
+@pytest.mark.parametrize("fraction", [0.1, 0.2, 0.3, 0.4, 0.45])
+def test_chains_against_trials(fraction):
+    """βP/ρ at five densities by chains, with trials that only rotate, and from the contacts of trials without chains."""
+    axes, blocks = np.array([0.5, 0.5, 1.0]), 24
+    spacing = 2 * axes * np.cbrt(np.pi / 6 / fraction)
+    trials, chains = (pypw85.HardEllipsoids(lattice(5, spacing, axes), seed) for seed in (3, 4))
+    for simulation in trials, chains:
+        simulation.tune(400, 0.4)
+    chains.set_fractions(rotation=1)
+    by_contacts, by_chains = [], []
+    for _ in range(blocks):
+        pairs = []
+        for _ in range(6):
+            trials.sweep(5)
+            pairs.append(trials.system().contacts(1.1).mu ** 2)
+        by_contacts.append(pypw85.compressibility(pairs, len(trials.centers)).value)
+        block = []
+        for _ in range(6):
+            chains.sweep(2)
+            block.append(chains.chain(20, 4.0))
+        by_chains.append(np.mean(block))
+    (first, first_error), (second, second_error) = mean_and_error(by_contacts), mean_and_error(by_chains)
+    error = np.hypot(first_error, second_error)
+    assert abs(first - second) < 4.5 * error < 0.3 * first, (first, first_error, second, second_error)
+
+
 def test_changes():
     """Each kind of change has its effect on the cell."""
     for change, number in (("isotropic", 3), ("axis", 3), ("triclinic", 6)):

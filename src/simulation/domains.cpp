@@ -7,19 +7,24 @@ namespace pw85::detail::simulation {
 
 namespace {
 
-/// The largest even number of parts of a vector, or 1. There are no more domains than particles or eight.
+/// The particles of a domain, unless there are fewer than eight domains. In larger domains fewer trials leave them, but the threads have
+/// less to share.
+constexpr double particles_per_domain = 32.0;
+
+/// The largest even number of parts of a vector, or 1.
 ///
-/// @param reach the most by which the coordinates of neighbours along the vector differ; the factor is for rounding errors
+/// @param reach the least width of a part, over that of the cell
 std::uint32_t parts_of(double reach, std::size_t num_particles) noexcept
 {
-    double const most = std::max(2.0, std::floor(std::cbrt(static_cast<double>(num_particles))));
-    double const parts = std::min(most, std::floor((1.0 - 0x1p-20) / reach));
+    double const most = std::max(2.0, std::floor(std::cbrt(static_cast<double>(num_particles) / particles_per_domain)));
+    double const parts = std::min(most, std::floor(1.0 / reach));
     return parts >= 2.0 ? static_cast<std::uint32_t>(parts) & ~1u : 1;
 }
 
 } // namespace
 
-int Domains::prepare(Configuration const &configuration, double reach, Stream &stream) noexcept
+int Domains::prepare(Configuration const &configuration, std::span<std::int32_t const> places, double reach,
+                     Stream &stream) noexcept
 {
     neighbors::Periodicity periodicity;
     Cell const &cell = configuration.cell;
@@ -28,24 +33,24 @@ int Domains::prepare(Configuration const &configuration, double reach, Stream &s
         origin_[k] = stream.uniform();
         bool const periodic = periodicity.is_periodic(k);
         dual_[k] = periodic ? periodicity.dual_of_cell(k) : Vector3{0.0, 0.0, 0.0};
-        double const along = magnitude_of_dot(dual_[k], Vector3{reach, reach, reach});
-        parts_[k] = periodic ? parts_of(along, configuration.size()) : 1;
+        parts_[k] = periodic ? parts_of(reach * magnitude(dual_[k]), configuration.size()) : 1;
     }
-    return assign(configuration) ? PW85_SUCCESS : PW85_ENOMEM;
+    return assign(configuration, places) ? PW85_SUCCESS : PW85_ENOMEM;
 }
 
-bool Domains::assign(Configuration const &configuration) noexcept
+bool Domains::assign(Configuration const &configuration, std::span<std::int32_t const> places) noexcept
 {
     std::size_t const n = configuration.size(), count = std::size_t{num_domains()} * num_colors();
-    if (!domain_of_.resize(n) || !members_.resize(n) || !begin_.resize(count + 2)) return false;
+    if (!labels_.resize(n) || !members_.resize(n) || !begin_.resize(count + 2)) return false;
     kernels::for_all(n, [&](kernels::Range range) {
-        for (std::size_t i = range.begin; i < range.end; ++i) domain_of_[i] = domain_of(configuration.centers[i]);
+        for (std::size_t i = range.begin; i < range.end; ++i) labels_[i] = label_of(configuration.centers[i]);
         return kernels::Failure{0, PW85_SUCCESS};
     });
     std::fill_n(begin_.data(), count + 2, 0);
-    for (std::size_t i = 0; i < n; ++i) ++begin_[domain_of_[i] + 2];
+    for (std::size_t i = 0; i < n; ++i) ++begin_[labels_[i] / 8 + 2];
     for (std::size_t k = 2; k < count + 2; ++k) begin_[k] += begin_[k - 1];
-    for (std::size_t i = 0; i < n; ++i) members_[begin_[domain_of_[i] + 1]++] = static_cast<std::int32_t>(i);
+    for (std::int32_t const place : places)
+        members_[begin_[labels_[static_cast<std::size_t>(place)] / 8 + 1]++] = place;
     return true;
 }
 

@@ -16,32 +16,12 @@ constexpr std::uint32_t whole_sweep = UINT32_MAX;
 /// values take more instructions for each trial: 0.1 some 7 %, and 0.25 nearly twice as many.
 constexpr double least_room = 0.05;
 
-/// Boxes of half-widths h1 and h2 are apart if the centres differ by more than this factor times the rounded sum of h1 and h2 along an
-/// axis. The roots and the sum err by less than 3 u.
-constexpr double box_margin = 1.0 + 0x1p-50;
+/// Places are chosen anew with every so many new rows. Particles diffuse slowly.
+constexpr int rows_per_order = 16;
 
-/// The image of a particle whose box meets another one.
-struct Candidate {
-    double r12[3];
-    std::int32_t index;
-};
-
-/// Images that are tested together.
-constexpr std::size_t most_candidates = 64;
-
-/// Whether particle i overlaps any of some images.
-bool overlaps_any(Configuration const &configuration, std::size_t i, Candidate const *candidates,
-                  std::size_t count) noexcept
-{
-    double r12[3 * most_candidates], q2[6 * most_candidates];
-    for (std::size_t k = 0; k < count; ++k) {
-        std::copy_n(candidates[k].r12, 3, r12 + 3 * k);
-        std::copy_n(configuration.q[static_cast<std::size_t>(candidates[k].index)].entries, 6, q2 + 6 * k);
-    }
-    int any = 0;
-    kernels::find_overlap(kernels::OneToMany{configuration.q[i].entries, r12, q2}, count, any);
-    return any != 0;
-}
+/// The least width of a domain, over the longest semi-axis. Particles whose centres are twice that semi-axis apart do not overlap. The rest is
+/// for the rounding errors of the borders. They are below 2⁻⁵⁰ times the coordinates.
+constexpr double reach_of_domains = 2.125;
 
 /// A quaternion after a rotation by (1, v), of length one.
 Quaternion turned(Quaternion const &quaternion, Vector3 const &v) noexcept
@@ -67,78 +47,113 @@ int Engine::start() noexcept
         longest_ = std::max(longest_, (*most)[d]);
         spread_ = std::max(spread_, (*most)[d] - (*least)[d]);
     }
-    return neighborhood_.update(configuration, skin());
+    if (!ordered_.resize(configuration.size())) return PW85_ENOMEM;
+    if (int const status = places_.prepare(configuration)) return status;
+    return begin();
 }
 
-// The reach of the domains includes the skin, so the skin depends on the parameters alone. Three quarters of the longest semi-axis
-// take the fewest instructions at packing fraction 0.4 and aspect ratio 3. One trial moves a side of a bounding box by at most `step` or
-// `spread_`. Half of the skin is more, so that a trial is within the fixed boxes of rows that have just been made. A rotation by (1, v)
-// turns by less than 2 |v|.
+int Engine::begin() noexcept
+{
+    if (is_taken_) return PW85_SUCCESS;
+    ordered_.cell = configuration.cell;
+    for (std::size_t i = 0; i < configuration.size(); ++i) ordered_.set(places_.of(i), configuration.get(i));
+    is_taken_ = true;
+    if (!all_listed(0.0)) return make_rows();
+    refresh_boxes();
+    return PW85_SUCCESS;
+}
+
+void Engine::end() noexcept
+{
+    if (!is_taken_) return;
+    configuration.cell = ordered_.cell;
+    kernels::for_all(configuration.size(), [&](kernels::Range range) {
+        for (std::size_t i = range.begin; i < range.end; ++i) configuration.set(i, ordered_.get(places_.of(i)));
+        return kernels::Failure{0, PW85_SUCCESS};
+    });
+}
+
+/// Orders the particles anew.
+int Engine::order() noexcept
+{
+    end();
+    if (int const status = places_.prepare(configuration)) return status;
+    neighborhood_ = Neighborhood();
+    is_taken_ = false;
+    return begin();
+}
+
+int Engine::make_rows() noexcept
+{
+    skin_of_rows_ = skin();
+    int const status = neighborhood_.update(ordered_, skin_of_rows_);
+    if (status == PW85_SUCCESS && boxes_.resize(ordered_.size(), neighborhood_.num_images())) {
+        refresh_boxes();
+        return PW85_SUCCESS;
+    }
+    neighborhood_ = Neighborhood();
+    return status == PW85_SUCCESS ? int{PW85_ENOMEM} : status;
+}
+
+/// Between new rows a particle moves by at most twice the half-width of its fixed box along an axis.
+void Engine::refresh_boxes() noexcept
+{
+    boxes_.refresh(ordered_, neighborhood_, longest_, 2.0 * longest_ + skin_of_rows_);
+}
+
+// Three quarters of the longest semi-axis take the fewest instructions at packing fraction 0.4 and aspect ratio 3. One trial moves a side
+// of a bounding box by at most `step` or `spread_`. Half of the skin is more, so that a trial is within the fixed boxes of rows that have
+// just been made. A rotation by (1, v) turns by less than 2 |v|.
 double Engine::skin() const noexcept
 {
     double const step = parameters.translation + 2.0 * parameters.rotation * longest_;
     return std::max({0.75 * longest_, 3.0 * step, parameters.fractions[exchange] > 0.0 ? 2.125 * spread_ : 0.0});
 }
 
-int Engine::update_rows(double room) noexcept
-{
-    return all_listed(room) ? PW85_SUCCESS : neighborhood_.update(configuration, skin());
-}
-
 bool Engine::all_listed(double room) const noexcept
 {
-    return neighborhood_.size() == configuration.size() &&
-           kernels::for_all(configuration.size(), [&](kernels::Range range) {
+    if (neighborhood_.size() != ordered_.size()) return false;
+    return kernels::for_all(ordered_.size(), [&](kernels::Range range) {
                std::size_t i = range.begin;
                while (i < range.end && is_listed(i, room)) ++i;
                return kernels::Failure{i, i < range.end};
            }) == 0;
 }
 
-bool Engine::overlaps(std::size_t i, std::int32_t first) const noexcept
+bool Engine::overlaps_any(std::size_t i, Neighbor const *images, std::size_t count) const noexcept
 {
-    Candidate candidates[most_candidates];
-    std::size_t count = 0;
-    Vector3 const own = configuration.half_widths[i];
-    for (Neighbor const neighbor : neighborhood_.row(i)) {
-        auto const j = static_cast<std::size_t>(neighbor.index);
-        Vector3 const r = configuration.separation(i, j, neighborhood_.translation(neighbor.image));
-        Vector3 const reach = box_margin * (own + configuration.half_widths[j]);
-        candidates[count] = {{r[0], r[1], r[2]}, neighbor.index};
-        // Without branches, which would be unpredictable.
-        count += unsigned{neighbor.index >= first} & unsigned{absolute(r[0]) <= reach[0]} &
-                 unsigned{absolute(r[1]) <= reach[1]} & unsigned{absolute(r[2]) <= reach[2]};
-        if (count == most_candidates) {
-            if (overlaps_any(configuration, i, candidates, count)) return true;
-            count = 0;
-        }
+    double r12[3 * most_candidates], q2[6 * most_candidates];
+    for (std::size_t k = 0; k < count; ++k) {
+        auto const j = static_cast<std::size_t>(images[k].index);
+        Vector3 const r = ordered_.separation(i, j, neighborhood_.translation(images[k].image));
+        std::copy_n(r.coordinates, 3, r12 + 3 * k);
+        std::copy_n(ordered_.q[j].entries, 6, q2 + 6 * k);
     }
-    return count > 0 && overlaps_any(configuration, i, candidates, count);
+    int any = 0;
+    kernels::find_overlap(kernels::OneToMany{ordered_.q[i].entries, r12, q2}, count, any);
+    return any != 0;
+}
+
+/// Whether particle i overlaps any other that threads may read while they work on its domain.
+bool Engine::overlaps(std::size_t i) const noexcept
+{
+    std::uint32_t const label = domains_.label(i);
+    return overlaps(i, [&](std::size_t j) { return !Domains::is_apart(label, domains_.label(j)); });
 }
 
 int Engine::sweep() noexcept
 {
     Stream stream(parameters.seed, parameters.step, whole_sweep);
-    double const reach = 4.0 * longest_ + 2.0 * skin();
-    if (int const status = domains_.prepare(configuration, reach, stream)) return status;
-    if (int const status = update_rows(least_room * skin())) return status;
-    if (!rows_fit_domains())
-        if (int const status = neighborhood_.update(configuration, skin())) return status;
+    if (!all_listed(least_room * skin()))
+        if (int const status = ++num_rows_ % rows_per_order == 0 ? order() : make_rows()) return status;
+    if (int const status = domains_.prepare(ordered_, places_.all(), reach_of_domains * longest_, stream))
+        return status;
     std::uint32_t colors[8] = {0, 1, 2, 3, 4, 5, 6, 7};
     for (std::uint32_t k = domains_.num_colors(); k > 1; --k) std::swap(colors[k - 1], colors[stream.below(k)]);
     for (std::uint32_t k = 0; k < domains_.num_colors(); ++k)
         if (int const status = run_color(colors[k])) return status;
     ++parameters.step;
     return PW85_SUCCESS;
-}
-
-/// Whether the domains are wide enough for the rows (item 3 of neighborhood.hpp). The cell may have changed since the rows were made.
-bool Engine::rows_fit_domains() const noexcept
-{
-    bool fit = true;
-    for (int k = 0; k < 3; ++k)
-        fit = fit && (domains_.num_parts(k) == 1 || neighborhood_.spacing(k) * domains_.num_parts(k) <= 1.0 - 0x1p-30);
-    return fit;
 }
 
 int Engine::run_color(std::uint32_t color) noexcept
@@ -156,7 +171,7 @@ int Engine::run_color(std::uint32_t color) noexcept
         for_tasks(num_runs, num_runs > 1, [&](std::size_t k) { run(runs_[k]); });
         num_runs = collect(num_runs);
         if (num_runs == 0) return PW85_SUCCESS;
-        if (int const status = neighborhood_.update(configuration, skin())) return status;
+        if (int const status = make_rows()) return status;
     }
 }
 
@@ -204,13 +219,13 @@ Move Engine::choose(Stream &stream) const noexcept
 
 Engine::Outcome Engine::try_placement(Move move, std::size_t i, DomainRun &run) noexcept
 {
-    Particle moved = configuration.get(i);
+    Particle moved = ordered_.get(i);
     if (move != rotation) moved.center = add_scaled(moved.center, parameters.translation, run.stream.in_ball());
     if (move != translation) {
         moved.quaternion = turned(moved.quaternion, parameters.rotation * run.stream.in_ball());
         if (!moved.shape()) return Outcome::rejected;
     }
-    if (move != rotation && domains_.domain_of(moved.center) != run.domain) return Outcome::rejected;
+    if (move != rotation && domains_.label_of(moved.center) / 8 != run.domain) return Outcome::rejected;
     return judge(&i, &moved, 1);
 }
 
@@ -218,7 +233,7 @@ Engine::Outcome Engine::try_placement(Move move, std::size_t i, DomainRun &run) 
 Engine::Outcome Engine::try_exchange(std::size_t i, std::size_t j) noexcept
 {
     std::size_t const particles[2] = {i, j};
-    Particle moved[2] = {configuration.get(i), configuration.get(j)};
+    Particle moved[2] = {ordered_.get(i), ordered_.get(j)};
     std::swap(moved[0].semi_axes, moved[1].semi_axes);
     auto const &[first, second] = moved;
     bool const alike = std::equal(std::begin(first.semi_axes.coordinates), std::end(first.semi_axes.coordinates),
@@ -233,8 +248,8 @@ Engine::Outcome Engine::judge(std::size_t const *particles, Particle const *move
 {
     Particle old[2];
     for (std::size_t k = 0; k < count; ++k) {
-        old[k] = configuration.get(particles[k]);
-        configuration.set(particles[k], moved[k]);
+        old[k] = ordered_.get(particles[k]);
+        put(particles[k], moved[k]);
     }
     Outcome outcome = Outcome::accepted;
     for (std::size_t k = 0; k < count && outcome != Outcome::rejected; ++k) {
@@ -243,7 +258,7 @@ Engine::Outcome Engine::judge(std::size_t const *particles, Particle const *move
         else if (!is_listed(particles[k]))
             outcome = Outcome::unlisted;
     }
-    for (std::size_t k = 0; k < count && outcome != Outcome::accepted; ++k) configuration.set(particles[k], old[k]);
+    for (std::size_t k = 0; k < count && outcome != Outcome::accepted; ++k) put(particles[k], old[k]);
     return outcome;
 }
 

@@ -20,7 +20,8 @@
 
 #include "change.hpp"
 #include "domains.hpp"
-#include "neighborhood.hpp"
+#include "places.hpp"
+#include "rough_boxes.hpp"
 
 namespace pw85::detail::simulation {
 
@@ -57,7 +58,7 @@ struct DomainRun {
 
 class Engine {
   public:
-    Configuration configuration;
+    Configuration configuration; ///< in the caller's order; as it was at the last end()
     Parameters parameters{};
 
     Engine() noexcept = default;
@@ -65,6 +66,15 @@ class Engine {
 
     /// To be called after the configuration is set, or a parameter is changed. Returns a status.
     int start() noexcept;
+
+    /// Takes over the configuration. To be called before sweeps and trials of the volume. Returns a status.
+    int begin() noexcept;
+
+    /// Gives back the configuration. To be called after sweeps and trials of the volume, whether or not they were successful.
+    void end() noexcept;
+
+    /// To be called after something else has moved particles of the configuration.
+    void forget() noexcept { is_taken_ = false; }
 
     int sweep() noexcept;
 
@@ -77,24 +87,50 @@ class Engine {
     /// Changes the largest changes of a trial towards an acceptance, by the counts since `before`.
     void tune(Counts const &before, double acceptance) noexcept;
 
-    /// Makes the rows anew unless they hold for all particles, even if each moves by `room` along any axis. Returns a status.
-    int update_rows(double room) noexcept;
-
-    /// Whether particle i, at its place, overlaps any image in its row of a particle with an index of at least `first`.
-    bool overlaps(std::size_t i, std::int32_t first = 0) const noexcept;
-
-    /// Whether particle i, at its place, is in its fixed box, and stays there if it moves by `room` along any axis.
-    [[gnu::always_inline]] bool is_listed(std::size_t i, double room = 0.0) const noexcept
-    {
-        return neighborhood_.holds(i, configuration.centers[i], configuration.half_widths[i], room);
-    }
-
-    bool all_listed(double room) const noexcept;
-
-    Neighborhood const &neighborhood() const noexcept { return neighborhood_; }
-
   private:
     enum class Outcome { rejected, accepted, unlisted };
+
+    /// Images that are tested together.
+    static constexpr std::size_t most_candidates = 64;
+
+    int make_rows() noexcept;
+    int order() noexcept;
+    void refresh_boxes() noexcept;
+    bool set_cell() noexcept;
+    bool all_listed(double room) const noexcept;
+
+    /// Whether particle i is in its fixed box, and stays there if it moves by `room` along any axis.
+    [[gnu::always_inline]] bool is_listed(std::size_t i, double room = 0.0) const noexcept
+    {
+        return neighborhood_.holds(i, ordered_.centers[i], ordered_.half_widths[i], room);
+    }
+
+    /// Whether particle i overlaps any image in its row of a particle j with is_read(j). Other particles are not read.
+    template <class IsRead> bool overlaps(std::size_t i, IsRead const &is_read) const noexcept
+    {
+        Neighbor near[most_candidates];
+        std::size_t count = 0;
+        auto const box = boxes_.with_margin(i);
+        for (Neighbor const neighbor : neighborhood_.row(i)) {
+            if (!is_read(static_cast<std::size_t>(neighbor.index))) continue;
+            near[count] = neighbor;
+            count += boxes_.may_meet(box, neighbor); // without a branch, which would be unpredictable
+            if (count == most_candidates) {
+                if (overlaps_any(i, near, count)) return true;
+                count = 0;
+            }
+        }
+        return count > 0 && overlaps_any(i, near, count);
+    }
+
+    bool overlaps(std::size_t i) const noexcept;
+    bool overlaps_any(std::size_t i, Neighbor const *images, std::size_t count) const noexcept;
+
+    void put(std::size_t i, Particle const &particle) noexcept
+    {
+        ordered_.set(i, particle);
+        boxes_.set(i, ordered_);
+    }
 
     int run_color(std::uint32_t color) noexcept;
     std::size_t collect(std::size_t num_runs) noexcept;
@@ -108,9 +144,14 @@ class Engine {
     int undo(bool rows_are_new) noexcept;
     double longest_translation() const noexcept;
     double skin() const noexcept;
-    bool rows_fit_domains() const noexcept;
 
+    Configuration ordered_; ///< in the order of places; rows, boxes and domains belong to it
+    Places places_;
+    bool is_taken_ = false; ///< whether it is the configuration, or one that follows from it
+    int num_rows_ = 0;      ///< how often sweeps made rows
+    double skin_of_rows_ = 0.0;
     Neighborhood neighborhood_;
+    RoughBoxes boxes_;
     Domains domains_;
     Array<DomainRun> runs_;
     Array<Vector3> old_centers_; ///< before a trial of the volume

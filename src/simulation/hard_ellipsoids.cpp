@@ -113,18 +113,28 @@ bool can_change(Engine const &engine, double pressure, int kind) noexcept
     return is_kind(kind) && pressure > 0.0 && std::isfinite(pressure) && is_closed(engine.configuration.cell);
 }
 
+/// Begins, calls work() until it fails or was called often enough, and ends.
+template <class Work> int repeat(Engine &engine, std::size_t times, Work const &work) noexcept
+{
+    int status = engine.begin();
+    for (std::size_t k = 0; k < times && status == PW85_SUCCESS; ++k) status = work();
+    engine.end();
+    return status;
+}
+
 /// One sweep after the other, each followed by a trial of the volume if there is a pressure.
 int tune(Engine &engine, std::size_t num_sweeps, double acceptance, double pressure, ChangeKind kind) noexcept
 {
-    for (std::size_t k = 0; k < num_sweeps; ++k) {
+    int const status = repeat(engine, num_sweeps, [&] {
         Counts const before = engine.parameters.counts;
-        if (int const status = engine.sweep()) return status;
+        if (int const bad = engine.sweep()) return bad;
         if (pressure > 0.0)
-            if (int const status = engine.try_volume(pressure, kind)) return status;
+            if (int const bad = engine.try_volume(pressure, kind)) return bad;
         engine.tune(before, acceptance);
-    }
-    engine.parameters.counts = {};
-    return PW85_SUCCESS;
+        return int{PW85_SUCCESS};
+    });
+    if (status == PW85_SUCCESS) engine.parameters.counts = {};
+    return status;
 }
 
 /// A direction of length one.
@@ -141,6 +151,7 @@ int make_chains(Engine &engine, std::size_t num_chains, double length, Vector3 c
     auto const n = static_cast<std::uint32_t>(engine.configuration.size());
     bool const random = largest_coordinate(direction) == 0.0;
     Chains chains(engine.configuration);
+    engine.forget();
     if (int const status = chains.prepare()) return status;
     for (std::size_t k = 0; k < num_chains && n > 0; ++k) {
         Stream stream(engine.parameters.seed, engine.parameters.step++, UINT32_MAX);
@@ -191,9 +202,8 @@ int pw85_hard_ellipsoids_sweep(pw85_hard_ellipsoids *simulation, size_t num_swee
 {
     if (any_null(simulation)) return PW85_EINVAL;
     return in_default_environment([&] {
-        int status = PW85_SUCCESS;
-        for (std::size_t k = 0; k < num_sweeps && status == PW85_SUCCESS; ++k) status = simulation->engine.sweep();
-        return status;
+        Engine &engine = simulation->engine;
+        return repeat(engine, num_sweeps, [&] { return engine.sweep(); });
     });
 }
 
@@ -217,10 +227,8 @@ int pw85_hard_ellipsoids_volume_moves(pw85_hard_ellipsoids *simulation, size_t n
 {
     if (any_null(simulation) || !can_change(simulation->engine, pressure, change)) return PW85_EINVAL;
     return in_default_environment([&] {
-        int status = PW85_SUCCESS;
-        for (std::size_t k = 0; k < num_moves && status == PW85_SUCCESS; ++k)
-            status = simulation->engine.try_volume(pressure, static_cast<ChangeKind>(change));
-        return status;
+        Engine &engine = simulation->engine;
+        return repeat(engine, num_moves, [&] { return engine.try_volume(pressure, static_cast<ChangeKind>(change)); });
     });
 }
 

@@ -33,7 +33,7 @@ class ImageTable {
   private:
     static bool is_same(Multiples const &x, Multiples const &y) noexcept
     {
-        return std::equal(std::begin(x.n), std::end(x.n), y.n);
+        return x.n[0] == y.n[0] && x.n[1] == y.n[1] && x.n[2] == y.n[2]; // memcmp() would take 5 % of a sweep
     }
 
     std::size_t find(Multiples const &image) const noexcept
@@ -82,19 +82,7 @@ int Neighborhood::make_rows(Configuration const &configuration, double skin) noe
     if (!store_extents(configuration, skin) || !count_rows(configuration.size(), pairs) || !fill_rows(pairs) ||
         !translations_.resize(images_.size()))
         return PW85_ENOMEM;
-    return set_cell(configuration.cell) && measure_spacing(configuration.cell) ? PW85_SUCCESS : PW85_EINVAL;
-}
-
-bool Neighborhood::measure_spacing(Cell const &cell) noexcept
-{
-    neighbors::Periodicity periodicity;
-    if (!periodicity.prepare(cell.exists ? cell.vectors : nullptr, cell.periodic)) return false;
-    Vector3 largest = {0.0, 0.0, 0.0};
-    for (std::size_t i = 0; i < extents_.size(); ++i)
-        for (int d = 0; d < 3; ++d) largest[d] = std::max(largest[d], extents_[i].half_widths[d]);
-    for (int k = 0; k < 3; ++k)
-        spacing_[k] = periodicity.is_periodic(k) ? 4.0 * magnitude_of_dot(periodicity.dual_of_cell(k), largest) : 0.0;
-    return true;
+    return set_cell(configuration.cell) ? PW85_SUCCESS : PW85_EINVAL;
 }
 
 bool Neighborhood::store_extents(Configuration const &configuration, double skin) noexcept

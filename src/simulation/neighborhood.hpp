@@ -5,8 +5,6 @@
 ///    Its row has all images of particles whose fixed boxes intersect its own.
 /// 2. As long as all particles are within their fixed boxes, rows have all overlaps. If the cell has changed, the particles are first
 ///    mapped back (neighbors/deformation.hpp).
-/// 3. If the particles of a row are within fixed boxes with half-widths H, their centres are at most 2 (H_i + H_j) apart along each
-///    axis, after they are mapped back. Their coordinate along vector k of the cell then differs by at most spacing(k).
 #ifndef PW85_SIMULATION_NEIGHBORHOOD_HPP_INCLUDED
 #define PW85_SIMULATION_NEIGHBORHOOD_HPP_INCLUDED
 
@@ -61,21 +59,19 @@ class Neighborhood {
         return {rows_.data() + begin_[i], begin_[i + 1] - begin_[i]};
     }
 
+    std::size_t num_images() const noexcept { return translations_.size(); }
+
     /// The translation of an image, in the present cell.
     [[gnu::always_inline]] Vector3 const &translation(std::int32_t image) const noexcept
     {
         return translations_[static_cast<std::size_t>(image)];
     }
 
-    /// See item 3.
-    double spacing(int k) const noexcept { return spacing_[k]; }
-
   private:
     int make_rows(Configuration const &configuration, double skin) noexcept;
     bool count_rows(std::size_t n, pw85_pair_list const &list) noexcept;
     bool fill_rows(pw85_pair_list const &list) noexcept;
     bool store_extents(Configuration const &configuration, double skin) noexcept;
-    bool measure_spacing(Cell const &cell) noexcept;
 
     Array<neighbors::Extent> extents_;
     Array<std::size_t> begin_;
@@ -83,7 +79,6 @@ class Neighborhood {
     Array<Multiples> images_;
     Array<Vector3> translations_;
     double cell_[9] = {};
-    double spacing_[3] = {};
     neighbors::Deformation deformation_{neighbors::Periodicity(), nullptr, nullptr};
 };
 

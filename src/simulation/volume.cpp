@@ -39,14 +39,14 @@ int Engine::try_volume(double pressure, ChangeKind kind) noexcept
     ++parameters.step;
     ++parameters.counts.trials[volume];
     Change const change(kind, parameters.volume, stream);
-    double const cost = pressure * volume_of(configuration.cell) * (change.determinant() - 1.0);
-    double const exponent = static_cast<double>(configuration.size()) + 1.0;
+    double const cost = pressure * volume_of(ordered_.cell) * (change.determinant() - 1.0);
+    double const exponent = static_cast<double>(ordered_.size()) + 1.0;
     if (!accept(change.determinant(), exponent, cost, stream.uniform())) return PW85_SUCCESS;
-    if (!old_centers_.resize(configuration.size())) return PW85_ENOMEM;
+    if (!old_centers_.resize(ordered_.size())) return PW85_ENOMEM;
     apply(change);
-    if (!neighborhood_.set_cell(configuration.cell)) return undo(false);
+    if (!set_cell()) return undo(false);
     bool const rows_are_new = !all_listed(0.0);
-    int const status = rows_are_new ? neighborhood_.update(configuration, skin()) : PW85_SUCCESS;
+    int const status = rows_are_new ? make_rows() : PW85_SUCCESS;
     if (status != PW85_SUCCESS || any_overlaps()) {
         int const undone = undo(rows_are_new);
         return status == PW85_ENOMEM ? status : undone;
@@ -55,18 +55,25 @@ int Engine::try_volume(double pressure, ChangeKind kind) noexcept
     return PW85_SUCCESS;
 }
 
-/// The arrays stay where they are: the C API has views of them.
+/// Tells rows and boxes that the cell has changed. Returns false if it is singular.
+bool Engine::set_cell() noexcept
+{
+    if (!neighborhood_.set_cell(ordered_.cell)) return false;
+    refresh_boxes();
+    return true;
+}
+
 void Engine::apply(Change const &change) noexcept
 {
-    old_cell_ = configuration.cell;
+    old_cell_ = ordered_.cell;
     for (int k = 0; k < 3; ++k) {
-        double *const row = configuration.cell.vectors + 3 * k;
+        double *const row = ordered_.cell.vectors + 3 * k;
         Vector3 const changed = change.apply({row[0], row[1], row[2]});
         std::copy_n(changed.coordinates, 3, row);
     }
-    std::copy_n(configuration.centers.data(), configuration.size(), old_centers_.data());
-    kernels::for_all(configuration.size(), [&](kernels::Range range) {
-        for (std::size_t i = range.begin; i < range.end; ++i) configuration.centers[i] = change.apply(old_centers_[i]);
+    std::copy_n(ordered_.centers.data(), ordered_.size(), old_centers_.data());
+    kernels::for_all(ordered_.size(), [&](kernels::Range range) {
+        for (std::size_t i = range.begin; i < range.end; ++i) ordered_.centers[i] = change.apply(old_centers_[i]);
         return kernels::Failure{0, PW85_SUCCESS};
     });
 }
@@ -74,10 +81,10 @@ void Engine::apply(Change const &change) noexcept
 /// Takes back a change. Rows that were made for it may not hold for the configuration before.
 int Engine::undo(bool rows_are_new) noexcept
 {
-    configuration.cell = old_cell_;
-    std::copy_n(old_centers_.data(), configuration.size(), configuration.centers.data());
-    if (!neighborhood_.set_cell(old_cell_)) return PW85_EINVAL;
-    return rows_are_new ? update_rows(0.0) : PW85_SUCCESS;
+    ordered_.cell = old_cell_;
+    std::copy_n(old_centers_.data(), ordered_.size(), ordered_.centers.data());
+    if (!set_cell()) return PW85_EINVAL;
+    return rows_are_new && !all_listed(0.0) ? make_rows() : PW85_SUCCESS;
 }
 
 /// Whether any particles overlap, by the rows.
@@ -85,10 +92,10 @@ bool Engine::any_overlaps() const noexcept
 {
     std::atomic<bool> found{false};
     kernels::for_all(
-        configuration.size(),
+        ordered_.size(),
         [&](kernels::Range range) {
             for (std::size_t i = range.begin; i < range.end && !found.load(std::memory_order_relaxed); ++i)
-                if (overlaps(i, static_cast<std::int32_t>(i))) found.store(true, std::memory_order_relaxed);
+                if (overlaps(i, [i](std::size_t j) { return j >= i; })) found.store(true, std::memory_order_relaxed);
             return kernels::Failure{0, PW85_SUCCESS};
         },
         block_of_particles);
@@ -123,11 +130,10 @@ int Engine::check(std::int32_t *pair) const noexcept
 /// No trial needs to move a particle by more than half of the distance between neighbours.
 double Engine::longest_translation() const noexcept
 {
-    Cell const &cell = configuration.cell;
+    Cell const &cell = ordered_.cell;
     bool const is_closed = cell.exists && cell.periodic[0] && cell.periodic[1] && cell.periodic[2];
-    return is_closed
-               ? 0.5 * std::cbrt(volume_of(cell) / static_cast<double>(std::max<std::size_t>(1, configuration.size())))
-               : longest_;
+    return is_closed ? 0.5 * std::cbrt(volume_of(cell) / static_cast<double>(std::max<std::size_t>(1, ordered_.size())))
+                     : longest_;
 }
 
 void Engine::tune(Counts const &before, double acceptance) noexcept
