@@ -47,8 +47,8 @@ class Clusters {
   public:
     explicit Clusters(Vector3 semi_axes) : semi_axes_(semi_axes), largest_(largest_determinant(semi_axes)) {}
 
-    /// The overlaps of a cluster, in which each branch of a tree is a uniformly distributed pair that overlaps. `trials` grows by the
-    /// number of ellipsoids that were tried.
+    /// The overlaps of a cluster, in which each branch of a tree is a uniformly distributed pair that overlaps. `trials` grows by
+    /// the number of ellipsoids that were tried.
     Graph overlaps(Branches const &tree, Stream &random, std::uint64_t &trials) const
     {
         Ellipsoid cluster[most_particles];
@@ -76,9 +76,9 @@ class Clusters {
         return pw85::overlap(second.center - first.center, first.form, second.form).overlap;
     }
 
-    /// An upper bound of det(2 Q1 + 2 Q2). det(A + B) is at most the product of the sums of eigenvalues, those of A in ascending and those
-    /// of B in descending order: M. Fiedler, Bounds for the determinant of the sum of Hermitian matrices,
-    /// Proceedings of the American Mathematical Society 30, 27 (1971).
+    /// An upper bound of det(2 Q1 + 2 Q2). det(A + B) is at most the product of the sums of eigenvalues, those of A in ascending
+    /// and those of B in descending order: M. Fiedler, Bounds for the determinant of the sum of Hermitian matrices, Proceedings of
+    /// the American Mathematical Society 30, 27 (1971).
     static double largest_determinant(Vector3 a)
     {
         std::sort(a.coordinates, a.coordinates + 3);
@@ -86,10 +86,17 @@ class Clusters {
         return outer * middle * outer;
     }
 
-    /// An ellipsoid that overlaps a given one, of uniform orientation and place. μ² >= f(1/2) = r12ᵀ (2 Q1 + 2 Q2)⁻¹ r12, so the centres of
-    /// all that overlap are in the ellipsoid with the form 2 Q1 + 2 Q2. The orientation of a trial is accepted with a probability
-    /// proportional to the volume of this ellipsoid, and its place is uniform there. So the probability of a neighbour is
-    /// 2 B2 / (4π/3 √largest_).
+    /// The point of the ellipsoid with the form L·diag(d)·Lᵀ that belongs to a point of the unit ball, L·diag(√d) x.
+    static Vector3 image_of_ball(pw85::detail::Factorization<double, 3> const &f, Vector3 x)
+    {
+        for (int i = 0; i < 3; ++i) x[i] = x[i] * pw85::detail::square_root(f.pivots[i]);
+        return {x[0], x[1] + f.lower[1][0] * x[0], x[2] + f.lower[2][0] * x[0] + f.lower[2][1] * x[1]};
+    }
+
+    /// An ellipsoid that overlaps a given one, of uniform orientation and place. μ² >= f(1/2) = r12ᵀ (2 Q1 + 2 Q2)⁻¹ r12, so the
+    /// centres of all that overlap are in the ellipsoid with the form 2 Q1 + 2 Q2. The orientation of a trial is accepted with a
+    /// probability proportional to the volume of this ellipsoid, and its place is uniform there. So the probability of a neighbour
+    /// is 2 B2 / (4π/3 √largest_).
     Ellipsoid neighbor(Ellipsoid const &given, Stream &random, std::uint64_t &trials) const
     {
         for (;;) {
@@ -98,13 +105,7 @@ class Clusters {
             auto const outer = pw85::detail::factorize(pw85::detail::blend(2.0, given.form, 2.0, form), 0.0);
             double const determinant = outer.pivots[0] * outer.pivots[1] * outer.pivots[2], chosen = random.uniform();
             if (chosen * chosen * largest_ > determinant) continue;
-            Vector3 const x = random.in_ball();
-            Vector3 const y = {x[0] * pw85::detail::square_root(outer.pivots[0]),
-                               x[1] * pw85::detail::square_root(outer.pivots[1]),
-                               x[2] * pw85::detail::square_root(outer.pivots[2])};
-            auto const &l = outer.lower;
-            Ellipsoid const trial = {
-                given.center + Vector3{y[0], y[1] + l[1][0] * y[0], y[2] + l[2][0] * y[0] + l[2][1] * y[1]}, form};
+            Ellipsoid const trial = {given.center + image_of_ball(outer, random.in_ball()), form};
             if (overlap(given, trial)) return trial;
         }
     }

@@ -59,8 +59,8 @@ template <class Number> std::vector<int> sums_over_subgraphs(int n, Number numbe
     return sums;
 }
 
-/// The sum of ∏ f over all biconnected graphs, for n hard particles whose overlaps are a graph: f is -1 for two particles that overlap
-/// and 0 for others. Ree and Hoover's diagrams are the graphs for which this is not 0.
+/// The sum of ∏ f over all biconnected graphs, for n hard particles whose overlaps are a graph: f is -1 for two particles that
+/// overlap and 0 for others. Ree and Hoover's diagrams are the graphs for which this is not 0.
 inline std::vector<int> mayer_sums(int n)
 {
     return sums_over_subgraphs(n, [n](Graph graph) {
@@ -69,9 +69,9 @@ inline std::vector<int> mayer_sums(int n)
     });
 }
 
-/// How often a graph is sampled, relative to other trees: 0 unless it is a tree. Most biconnected graphs contain chains, and samples of
-/// chains alone have half the variance for six particles. The other trees are there for the graphs without a chain: six particles have
-/// such a graph, in which each of two vertices has edges to the four others.
+/// How often a graph is sampled, relative to other trees: 0 unless it is a tree. Most biconnected graphs contain chains, and
+/// samples of chains alone have half the variance for six particles. The other trees are there for the graphs without a chain: six
+/// particles have such a graph, in which each of two vertices has edges to the four others.
 constexpr int weight_of_tree(Graph graph, int n)
 {
     if (!is_tree(graph, n)) return 0;

@@ -1,3 +1,4 @@
+#!/usr/bin/python3
 """Writes the table of virial coefficients of hard ellipsoids, virial.csv. docs/reference/virial.rst has the method.
 
 Usage: table.py PROGRAM [--rounds N] [--table FILE], with PROGRAM built from virial.cpp.
@@ -15,17 +16,17 @@ import re
 import subprocess
 from pathlib import Path
 
+import coefficients
 from scipy.special import elliprg
 
-HERE = Path(__file__).resolve().parent
 ASPECTS = ("1.1", "1.25", "1.5", "2", "2.5", "3", "4", "5", "7.5", "10", "15", "20")
 SHAPES = {
     "sphere": ("1", "1", "1"),
     **{f"prolate {aspect}": ("1", "1", aspect) for aspect in ASPECTS},
     **{f"oblate {aspect}": ("1", aspect, aspect) for aspect in ASPECTS},
-    **{":".join(axes): axes for axes in (("1", "1.25", "1.5625"), ("1", "1.5", "2"), ("0.8", "1", "1.25"), ("1", "2", "4"), ("1", "3", "9"))},
+    **{shape: tuple(shape.split(":")) for shape in ("1:1.25:1.5625", "1:1.5:2", "0.8:1:1.25", "1:2:4", "1:3:9")},
 }
-SAMPLES = {3: 1_000_000, 4: 1_000_000, 5: 1_500_000, 6: 2_000_000}  # about as many seconds for each order
+SAMPLES = dict(zip(coefficients.ORDERS, (1_000_000, 1_000_000, 1_500_000, 2_000_000)))  # more where the errors are larger
 COLUMNS = ["shape", "a", "b", "c", "alpha", "tau", "B2"]
 COLUMNS += [f"B{order}{suffix}" for order in SAMPLES for suffix in ("", "_error", "_samples")] + ["seed", "version"]
 
@@ -56,7 +57,7 @@ def second_coefficient(axes):
 
 
 def version():
-    return re.search(r"version: '(.*?)'", (HERE.parents[1] / "meson.build").read_text(encoding="utf-8"))[1]
+    return re.search(r"version: '(.*?)'", (coefficients.PATH.parents[2] / "meson.build").read_text(encoding="utf-8"))[1]
 
 
 def empty_row(shape, seed):
@@ -64,15 +65,14 @@ def empty_row(shape, seed):
     alpha, tau = shape_factors(axes)
     row = dict(zip("abc", SHAPES[shape]), shape=shape, alpha=text(alpha), tau=text(tau), B2=text(second_coefficient(axes)))
     samples = {f"B{order}_samples": "0" for order in SAMPLES}
-    return {column: "" for column in COLUMNS} | row | samples | {"seed": str(seed), "version": version()}
+    return dict.fromkeys(COLUMNS, "") | row | samples | {"seed": str(seed), "version": version()}
 
 
 def read_table(path):
     """The rows of the table, empty ones for the shapes that it lacks. Their seeds are their numbers."""
-    rows = {}
-    if path.exists():
-        with path.open(encoding="utf-8", newline="") as file:
-            rows = {row["shape"]: row for row in csv.DictReader(file)}
+    rows = {row.get("shape"): row for row in coefficients.rows(path)} if path.exists() else {}
+    if any(set(row) != set(COLUMNS) for row in rows.values()):
+        raise SystemExit(f"{path} is not a table of this program: its columns must be {', '.join(COLUMNS)}")
     return [rows.get(shape) or empty_row(shape, number) for number, shape in enumerate(SHAPES, 1)]
 
 
@@ -111,9 +111,12 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("program", type=Path)
     parser.add_argument("--rounds", type=int, default=1)
-    parser.add_argument("--table", type=Path, default=HERE / "virial.csv")
+    parser.add_argument("--table", type=Path, default=coefficients.PATH)
     arguments = parser.parse_args()
+    if not os.access(arguments.program, os.X_OK):
+        parser.error(f"{arguments.program} is not a program")
     rows = read_table(arguments.table)
+    write_table(arguments.table, rows)  # before any work, in case that it cannot be written
     for number in range(arguments.rounds):
         for row in rows:
             for order, samples in SAMPLES.items():

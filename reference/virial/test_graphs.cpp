@@ -1,5 +1,5 @@
-// The sums over graphs (graphs.hpp), against numbers of graphs, Ree and Hoover's diagrams of B4, and particles on a ring of sites, whose
-// virial series follows from the grand partition function.
+// The sums over graphs (graphs.hpp), against numbers of graphs, Ree and Hoover's diagrams of B4, and particles on a ring of sites,
+// whose virial series follows from the grand partition function.
 #include <cmath>
 #include <string>
 
@@ -16,7 +16,8 @@ using Series = std::vector<double>; // by powers from 0 to most_particles
 
 double factorial(int n) { return n == 0 ? 1.0 : n * factorial(n - 1); }
 
-// Cayley's formula; the numbers of labelled biconnected graphs are those of F. Harary and E. M. Palmer, Graphical Enumeration (1973).
+// Cayley's formula; the numbers of labelled biconnected graphs are those of F. Harary and E. M. Palmer, Graphical Enumeration
+// (1973).
 void test_numbers()
 {
     int const biconnected[] = {1, 1, 10, 238, 11368};
@@ -62,8 +63,8 @@ void test_coverage()
     }
 }
 
-// B4 = -3/24 (-2 [complete] + 3 [square]): F. H. Ree and W. G. Hoover, Fifth and sixth virial coefficients for hard spheres and hard disks,
-// Journal of Chemical Physics 40, 939 (1964).
+// B4 = -3/24 (-2 [complete] + 3 [square]): F. H. Ree and W. G. Hoover, Fifth and sixth virial coefficients for hard spheres and
+// hard disks, Journal of Chemical Physics 40, 939 (1964).
 void test_four()
 {
     auto const mayer = mayer_sums(4);
@@ -133,8 +134,8 @@ Series pressure(Ring const &ring)
     return logarithm;
 }
 
-// The pressure is Σ B_n ρ^n, with the density ρ = z dp/dz, since all sites are alike. Some hundred terms are summed, each with a relative
-// error of some 2⁻⁵³. A wrong sum of one graph changes a coefficient by at least 5/6!.
+// The pressure is Σ B_n ρ^n, with the density ρ = z dp/dz, since all sites are alike. Some hundred terms are summed, each with a
+// relative error of some 2⁻⁵³. A wrong sum of one graph changes a coefficient by at least 5/6!.
 void test_rings()
 {
     for (auto const &ring :

@@ -2,14 +2,15 @@
 //
 //     virial A B C ORDER SAMPLES SEED [FIRST]
 //
-// A, B and C are the semi-axes, ORDER is from 2 to 6. The samples have the numbers FIRST (0), FIRST + 1, ...; each of them has random
-// numbers of its own, so that runs with the same seed and other numbers are independent, and the number of threads does not matter.
-// Prints B_ORDER / B2^(ORDER-1) with its standard error, and B2 in units of the volume of an ellipsoid with its standard error.
+// A, B and C are the semi-axes, ORDER is from 2 to 6. The samples have the numbers FIRST (0), FIRST + 1, ...; each of them has
+// random numbers of its own, so that runs with the same seed and other numbers are independent, and the number of threads does not
+// matter. Prints B_ORDER / B2^(ORDER-1) with its standard error, and B2 in units of the volume of an ellipsoid with its standard
+// error.
 #include <charconv>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
-#include <numeric>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -36,12 +37,24 @@ struct Estimate {
     double value, error;
 };
 
-template <class T> T number(char const *text, char const *name)
+[[noreturn]] void refuse(char const *text, char const *name)
+{
+    throw std::invalid_argument(std::string(name) + " is not a valid number: " + text);
+}
+
+double real(char const *text, char const *name)
+{
+    char *end = nullptr;
+    double const value = std::strtod(text, &end);
+    if (end == text || *end != '\0') refuse(text, name);
+    return value;
+}
+
+template <class T> T integer(char const *text, char const *name)
 {
     T value{};
     auto const [end, error] = std::from_chars(text, text + std::strlen(text), value);
-    if (error != std::errc{} || *end != '\0')
-        throw std::invalid_argument(std::string(name) + " is not such a number: " + text);
+    if (error != std::errc{} || *end != '\0') refuse(text, name);
     return value;
 }
 
@@ -53,11 +66,11 @@ void require(bool condition, char const *text)
 Task read_task(int argc, char **argv)
 {
     require(argc == 7 || argc == 8, "usage: virial A B C ORDER SAMPLES SEED [FIRST]");
-    Task task{{number<double>(argv[1], "A"), number<double>(argv[2], "B"), number<double>(argv[3], "C")},
-              number<int>(argv[4], "ORDER"),
-              number<std::uint64_t>(argv[5], "SAMPLES"),
-              number<std::uint64_t>(argv[6], "SEED"),
-              argc == 8 ? number<std::uint64_t>(argv[7], "FIRST") : 0};
+    Task task{{real(argv[1], "A"), real(argv[2], "B"), real(argv[3], "C")},
+              integer<int>(argv[4], "ORDER"),
+              integer<std::uint64_t>(argv[5], "SAMPLES"),
+              integer<std::uint64_t>(argv[6], "SEED"),
+              argc == 8 ? integer<std::uint64_t>(argv[7], "FIRST") : 0};
     for (double const axis : task.semi_axes.coordinates)
         require(axis >= 1e-3 && axis <= 1e3, "the semi-axes must be from 0.001 to 1000");
     require(task.order >= 2 && task.order <= most_particles, "ORDER must be from 2 to 6");
@@ -89,8 +102,8 @@ Counts sample(Task const &task)
     return counts;
 }
 
-/// B_n / B2^(n-1) = (1-n)/n! 2^(n-1) t ⟨w/t'⟩: w is the sum of Mayer's diagrams of the overlaps, t' the weight of the trees in their graph, and
-/// t that of all trees.
+/// B_n / B2^(n-1) = (1-n)/n! 2^(n-1) t ⟨w/t'⟩: w is the sum of Mayer's diagrams of the overlaps, t' the weight of the trees in
+/// their graph, and t that of all trees.
 Estimate ratio(Task const &task, Counts const &counts)
 {
     int const n = task.order;
@@ -107,11 +120,12 @@ Estimate ratio(Task const &task, Counts const &counts)
     for (int k = 1; k <= n; ++k) factor /= k;
     factor *= trees.back() * std::ldexp(1.0, n - 1);
     auto const samples = static_cast<double>(task.samples);
-    double const mean = sum / samples, variance = (sum_of_squares / samples - mean * mean) / (samples - 1.0);
-    return {factor * mean, std::abs(factor) * std::sqrt(variance)};
+    double const mean = sum / samples, variance = sum_of_squares / samples - mean * mean;
+    return {factor * mean, std::abs(factor) * std::sqrt(std::fmax(variance, 0.0) / (samples - 1.0))};
 }
 
-/// Each neighbour is found with the same probability in each trial. The relative variance of the number of trials is 1 - probability.
+/// Each neighbour is found with the same probability in each trial. The relative variance of the number of trials is 1 -
+/// probability.
 Estimate b2(Task const &task, Counts const &counts)
 {
     double const found = static_cast<double>(task.samples) * (task.order - 1);
