@@ -23,9 +23,10 @@ from coefficients import FITS, ORDERS, PATH, fit, rows
 
 
 def with_error(value, error):
-    """The value with two digits of its error, as 18.365(12)."""
-    decimals = max(0, 1 - math.floor(math.log10(error)))
-    return f"{value:.{decimals}f}({round(error * 10**decimals)})".replace("-", "−")
+    """The value with two digits of its error, as 18.365(12) or −41900(2600)."""
+    decimals = 1 - math.floor(math.log10(error))
+    digits = round(error * 10**decimals) * 10 ** max(0, -decimals)
+    return f"{round(value, decimals):.{max(0, decimals)}f}({digits})".replace("-", "−")
 
 
 def coefficients():

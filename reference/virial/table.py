@@ -24,7 +24,7 @@ SHAPES = {
     "sphere": ("1", "1", "1"),
     **{f"prolate {aspect}": ("1", "1", aspect) for aspect in ASPECTS},
     **{f"oblate {aspect}": ("1", aspect, aspect) for aspect in ASPECTS},
-    **{shape: tuple(shape.split(":")) for shape in ("1:1.25:1.5625", "1:1.5:2", "0.8:1:1.25", "1:2:4", "1:3:9")},
+    **{shape: tuple(shape.split(":")) for shape in ("1:1.25:1.5625", "1:1.5:2", "1:2:3", "1:2:4", "1:3:9")},
 }
 SAMPLES = dict(zip(coefficients.ORDERS, (1_000_000, 1_000_000, 1_500_000, 2_000_000)))  # more where the errors are larger
 COLUMNS = ["shape", "a", "b", "c", "alpha", "tau", "B2"]
