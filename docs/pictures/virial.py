@@ -23,14 +23,14 @@ def draw(ax, order):
         if order in FITS:
             fits = [fit(row, order) * scale for row, scale in zip(chosen, scales)]
             ax.plot(aspects, fits, color=colour, linewidth=0.8, label=f"{kind}, fit of 1997")
-    ticks = [1, 2, 3, 5, 10, 20]
+    ticks = [1, 2, 5, 10, 20]
     ax.set(xscale="log", xlabel="aspect ratio", title=f"$B_{order}/B_2^{order - 1}$")
     ax.set_xticks(ticks, [str(tick) for tick in ticks])
     ax.minorticks_off()
 
 
 def main():
-    fig, axes = figure(4, width=14, height=3.8)
+    fig, axes = figure(len(ORDERS), width=12, height=3.4)
     for ax, order in zip(axes, ORDERS):
         draw(ax, order)
     axes[0].legend(fontsize=9)

@@ -100,7 +100,7 @@ def test_spheres(order):
     assert abs(float(row[f"B{order}"]) - SPHERES[order]) < 3 * float(row[f"B{order}_error"])
 
 
-@pytest.mark.parametrize("shape", ["prolate 3", "oblate 10", "1:2:4"])
+@pytest.mark.parametrize("shape", ["prolate 10", "oblate 10", "1:2:4"])
 @pytest.mark.parametrize("order", table.SAMPLES)
 def test_table_again(shape, order):
     """Other random numbers than those of the table give the same coefficients."""

@@ -1,17 +1,15 @@
 // The sums over graphs (graphs.hpp), against numbers of graphs, Ree and Hoover's diagrams of B4, and particles on a ring of sites,
-// whose virial series follows from the grand partition function.
+// whose virial series follows from the grand partition function. The moments of the random rotations (cluster.hpp).
 #include <cmath>
-#include <string>
 
 #include <glib.h>
 
-#include "graphs.hpp"
+#include "cluster.hpp"
 
 using namespace virial;
 
 namespace {
 
-constexpr int most_particles = 6;
 using Series = std::vector<double>; // by powers from 0 to most_particles
 
 double factorial(int n) { return n == 0 ? 1.0 : n * factorial(n - 1); }
@@ -162,15 +160,37 @@ void test_rings()
     }
 }
 
+// Each entry x of a uniform rotation is distributed as the coordinate of a uniform point of the unit sphere, uniformly from -1 to
+// 1: x² has the mean 1/3 and the variance 4/45, x⁴ has the mean 1/5 and the variance 16/225.
+void test_rotations()
+{
+    constexpr int samples = 100000;
+    double squares[9] = {}, fourths[9] = {};
+    Stream random(1, 2, 3);
+    for (int n = 0; n < samples; ++n) {
+        auto const rotation = pw85::detail::rotation_matrix(random_rotation(random));
+        for (int k = 0; k < 9; ++k) {
+            double const square = rotation.entries[k] * rotation.entries[k];
+            squares[k] += square / samples;
+            fourths[k] += square * square / samples;
+        }
+    }
+    for (int k = 0; k < 9; ++k) {
+        g_assert_cmpfloat_with_epsilon(squares[k], 1.0 / 3.0, 5.0 * std::sqrt(4.0 / 45.0 / samples));
+        g_assert_cmpfloat_with_epsilon(fourths[k], 1.0 / 5.0, 5.0 * std::sqrt(16.0 / 225.0 / samples));
+    }
+}
+
 } // namespace
 
 int main(int argc, char **argv)
 {
     g_test_init(&argc, &argv, nullptr);
-    g_test_add_func("/virial_graphs/numbers", test_numbers);
-    g_test_add_func("/virial_graphs/trees", test_trees);
-    g_test_add_func("/virial_graphs/coverage", test_coverage);
-    g_test_add_func("/virial_graphs/four", test_four);
-    g_test_add_func("/virial_graphs/rings", test_rings);
+    g_test_add_func("/virial_clusters/numbers", test_numbers);
+    g_test_add_func("/virial_clusters/trees", test_trees);
+    g_test_add_func("/virial_clusters/coverage", test_coverage);
+    g_test_add_func("/virial_clusters/four", test_four);
+    g_test_add_func("/virial_clusters/rings", test_rings);
+    g_test_add_func("/virial_clusters/rotations", test_rotations);
     return g_test_run();
 }
