@@ -92,7 +92,7 @@ def test_excluded_volume(axes):
 
 @pytest.mark.parametrize("order", SPHERES)
 def test_spheres(order):
-    value, error, b2, _ = estimate(1, 1, 1, order, 200_000, 1)
+    value, error, b2, _ = estimate(1, 1, 1, order, 100_000, 1)
     assert b2 == pytest.approx(4, rel=1e-14)
     exact = SPHERES[order] / 4 ** (order - 1)
     assert abs(value - exact) < 3 * error < 0.4 * exact
@@ -105,7 +105,7 @@ def test_spheres(order):
 def test_table_again(shape, order):
     """Other random numbers than those of the table give the same coefficients."""
     row = rows()[shape]
-    value, error, b2, b2_error = estimate(row["a"], row["b"], row["c"], order, 50_000, 1000)
+    value, error, b2, b2_error = estimate(row["a"], row["b"], row["c"], order, 20_000, 1000)
     exact = float(row["B2"])
     assert abs(b2 - exact) < 4 * b2_error
     difference = value * exact ** (order - 1) - float(row[f"B{order}"])
