@@ -126,7 +126,7 @@ def test_rows():
 
 def test_errors():
     """The values and B2 of independent runs scatter by their errors. The standard deviation of 64 values has a relative error of 1/√126."""
-    runs = np.array([estimate(1, 1, 2, 3, 1000, 9, 1000 * k) for k in range(64)])
+    runs = np.array([estimate(1, 1, 2, 3, 1000, 9, 1000 * k, OMP_NUM_THREADS="1") for k in range(64)])
     for values, errors in (runs[:, :2].T, runs[:, 2:].T):
         assert np.std(values, ddof=1) == pytest.approx(errors.mean(), rel=4 / math.sqrt(126))
 
@@ -248,11 +248,11 @@ def test_event_chains():
         spacing * places, np.tile(semi_axes, (n, 1)), np.tile([1, 0, 0, 0], (n, 1)), cell=9 * spacing * np.eye(3)
     )
     simulation = pypw85.HardEllipsoids(start, seed=1)
-    simulation.tune(200, acceptance=0.4)
+    simulation.tune(100, acceptance=0.4)
 
     def run_of_chains():
         pressures = []
-        for _ in range(10):
+        for _ in range(5):
             simulation.sweep()
             pressures.append(simulation.chain(20, length=5.0))
         return np.mean(pressures)
