@@ -32,6 +32,7 @@ extensions = [
     "reference",
     "search",
     "status_table",
+    "virial_table",
 ]
 highlight_language = "none"
 source_suffix = {".rst": "restructuredtext", ".md": "markdown"}

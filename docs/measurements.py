@@ -37,3 +37,8 @@ def source(table):
     """What a picture says of the table that it shows: it is out of date if the table says something else."""
     text = json.dumps(read_table(table), sort_keys=True)
     return f"{RESULTS.name}: {table}, SHA-256 {hashlib.sha256(text.encode()).hexdigest()}"
+
+
+def source_of_file(path):
+    """The same of a picture that shows a file."""
+    return f"{path.name}: SHA-256 {hashlib.sha256(path.read_bytes()).hexdigest()}"

@@ -10,7 +10,7 @@ from pathlib import Path
 HERE = Path(__file__).resolve().parent
 PICTURES = (
     "accuracy", "closest_passage", "containment", "curvature", "digits", "energy", "evaluations", "filled_hopper", "function_f", "packing",
-    "percolation", "plot", "scaled_pair", "signed_distance", "throughput", "turning_plane",
+    "percolation", "plot", "scaled_pair", "signed_distance", "throughput", "turning_plane", "virial",
 )  # fmt: skip
 
 for picture in PICTURES:

@@ -39,9 +39,11 @@ def figure(columns=1, width=7.0, height=4.2, **kwargs):
     return plt.subplots(1, columns, figsize=(width, height), constrained_layout=True, **kwargs)
 
 
-def save(fig, name, table=None):
-    """Writes the picture beside the scripts, the same bytes each time, with the source of the measured table it shows."""
+def save(fig, name, table=None, data=None):
+    """Writes the picture beside the scripts, the same bytes each time, with the source of the measured table or the file it shows."""
     metadata = {"Date": None} if name.endswith(".svg") else {}
     if table:
         metadata["Source"] = measurements.source(table)
+    if data:
+        metadata["Source"] = measurements.source_of_file(data)
     fig.savefig(HERE / name, metadata=metadata or None, dpi=160)
