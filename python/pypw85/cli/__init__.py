@@ -46,9 +46,9 @@ _EXAMPLES = {
         "packing.h5 -n 100 --axes 1,1,3 --spread 0.1 --fraction 0.5 --cell 2,1,1 --voxels grains.h5",
     ],
     mc: [
-        "grains.xyz --sweeps 100 --out run.h5",
-        "apart.xyz --sweeps 1e2 --pressure 0.5 --equilibrate 20 --out npt.csv --trajectory npt.dump",
-        "--resume run.h5 --sweeps 200",
+        "packing.xyz --sweeps 1e3 --out run.h5",
+        "packing.xyz --sweeps 1e2 --pressure 0.5 --equilibrate 20 --out npt.csv --trajectory npt.dump",
+        "--resume run.h5 --sweeps 2e3",
     ],
     relax: ["grains.xyz apart.data", "run.dump apart.gsd --frames -1"],
 }

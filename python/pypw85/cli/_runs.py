@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import contextlib
 import io
 import json
 import os
 from typing import IO, Any, NamedTuple
+from collections.abc import Iterator
 
 import numpy as np
 
@@ -13,7 +15,6 @@ from .._core import version
 from .._observables import Observables, Sample
 from .._simulations import Change, HardEllipsoids
 from .._system import System
-from .._typing import Floats
 from ..formats import FORMATS, FileError, read, replacing
 from ..formats._errors import guarded
 
@@ -99,28 +100,38 @@ class Run:
         self._trajectory = open(path, "a", encoding="utf-8", newline="\n")
         self._trajectory.truncate(self.length)
 
+    def close(self) -> None:
+        """Closes the trajectory. What is not written yet belongs to no checkpoint."""
+        if self._trajectory is not None:
+            with contextlib.suppress(OSError):
+                self._trajectory.close()
+
     def _write_frame(self, file: IO[str]) -> None:
-        try:
+        with self._explaining(file.name):
             FORMATS[self.settings.trajectory_format].save(file, self.system(), self.sweeps)
-        except OSError as error:
-            raise self._stopped(error, self._beside(self.settings.trajectory or "")) from None
 
     def save(self) -> None:
         """Writes a checkpoint. If that fails, the one before stays."""
-        try:
-            if self._trajectory is not None:
+        if self._trajectory is not None:
+            with self._explaining(self._trajectory.name):
                 self._trajectory.flush()
                 os.fsync(self._trajectory.fileno())
                 self.length = os.fstat(self._trajectory.fileno()).st_size
-            _write_durably(self.path, self._content())
-            if self.settings.has_table:
-                _write_durably(self.path.removesuffix(".h5"), self._table().encode())
-        except OSError as error:
-            raise self._stopped(error, error.filename or self.path) from None
+        files = {self.path: self._content()}
+        if self.settings.has_table:
+            files[self.path.removesuffix(".h5")] = self._table().encode()
+        for path, text in files.items():
+            with self._explaining(path):
+                _write_durably(path, text)
 
-    def _stopped(self, error: OSError, path: str) -> FileError:
-        cure = f"make room, and continue from the last checkpoint (--resume {self.path})" if os.path.exists(self.path) else "make room"
-        return FileError(path, f"{error.strerror}: {cure}")
+    @contextlib.contextmanager
+    def _explaining(self, path: str) -> Iterator[None]:
+        """Says what is left of a run if a file cannot be written."""
+        try:
+            yield
+        except OSError as error:
+            last = f", and continue from the last checkpoint (--resume {self.path})" if os.path.exists(self.path) else ""
+            raise FileError(path, f"{error.strerror}: make room{last}") from None
 
     def _beside(self, name: str) -> str:
         return os.path.join(os.path.dirname(self.path), name)
@@ -163,29 +174,20 @@ class Run:
 
 def _write_durably(path: str, content: bytes) -> None:
     """Writes a new file, waits until it is on the disk, and puts it in the place of the old one."""
-    with replacing(path) as temporary:
-        try:
-            with open(temporary, "wb") as file:
-                file.write(content)
-                file.flush()
-                os.fsync(file.fileno())
-        except OSError as error:
-            raise OSError(error.errno, error.strerror, path) from None
+    with replacing(path) as temporary, open(temporary, "wb") as file:
+        file.write(content)
+        file.flush()
+        os.fsync(file.fileno())
 
 
 def resume(path: str) -> Run:
     """The run of a file, at its last checkpoint."""
-    settings, state, progress, corner, rows, observables = _read(path)
     particles = read(path, format="hdf5")
-    particles.origin = corner
-    run = Run(path, settings, particles, HardEllipsoids.restore(state), observables)
-    run.equilibrated, run.sweeps, run.length = progress
-    run.rows = rows
-    return run
+    return _read(path, particles)
 
 
 @guarded
-def _read(path: str) -> tuple[Settings, bytes, list[int], Floats, list[tuple[float, ...]], Observables]:
+def _read(path: str, particles: System) -> Run:
     import h5py
 
     with h5py.File(path, "r") as file:
@@ -196,5 +198,8 @@ def _read(path: str) -> tuple[Settings, bytes, list[int], Floats, list[tuple[flo
             raise FileError(path, f"is a run of pypw85 {group.attrs['version']}, and this is {version()}: continue it with that version")
         settings = Settings(**json.loads(group.attrs["settings"]))
         observables = Observables.restore({name: data[()] for name, data in group["observables"].items()})
-        rows = [tuple(row) for row in group["samples"][()].tolist()]
-        return settings, group["state"][()].tobytes(), group["progress"][()].tolist(), group["corner"][()], rows, observables
+        particles.origin = group["corner"][()]
+        run = Run(path, settings, particles, HardEllipsoids.restore(group["state"][()].tobytes()), observables)
+        run.equilibrated, run.sweeps, run.length = group["progress"][()].tolist()
+        run.rows = group["samples"][()].tolist()
+        return run

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import os
 import sys
 import time
@@ -70,8 +71,8 @@ def mc(ctx: click.Context, given: Input | None, sweeps: int | None, checkpoint: 
     else:
         _refuse_others(ctx)
         run = _continued(resumed, sweeps)
-    run.open_trajectory()
-    with keeping_work(), progress() as stage:
+    with contextlib.closing(run), keeping_work(), progress() as stage:
+        run.open_trajectory()
         status = _go(run, checkpoint, stage)
     if status:
         say(f"pw85: interrupted after {_sweeps(run)}: continue with pw85 mc --resume {run.path}", sys.stderr)
