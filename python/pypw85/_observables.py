@@ -135,7 +135,7 @@ class Observables:
         )
         self._values.add([*sample, *tensor[_UPPER]])
         if self._reach > 0:
-            self._pairs.add(self._count_pairs(system, directions, volume))
+            self._pairs.add(self._count_pairs(system, system.cell, directions))
         return sample
 
     def _from_contacts(self, system: System) -> tuple[float, float]:
@@ -146,13 +146,13 @@ class Observables:
         wide, narrow = (compressibility_of(excess, len(system), width) for width in (self._width, self._width / 2))
         return wide, narrow
 
-    def _count_pairs(self, system: System, directions: Floats, volume: float) -> Floats:
+    def _count_pairs(self, system: System, cell: Floats, directions: Floats) -> Floats:
         """For each bin the pairs over those of an ideal gas, this times their mean 3/2 cos² - 1/2, and the sum of both."""
-        n = len(system)
+        n, volume = len(system), abs(np.linalg.det(cell))
         ball = np.array([1, 0, 0, 1, 0, 1]) * (self._reach / 2) ** 2  # two balls of this radius meet at this distance
-        found = neighbors(system.centers, np.tile(ball, (n, 1)), system.cell, system.periodic)
+        found = neighbors(system.centers, np.tile(ball, (n, 1)), cell, system.periodic)
         first, second = found.pairs.T
-        distance = np.linalg.norm(system.centers[second] + found.images @ system.cell - system.centers[first], axis=1)
+        distance = np.linalg.norm(system.centers[second] + found.images @ cell - system.centers[first], axis=1)
         p2 = 1.5 * np.einsum("ij,ij->i", directions[first], directions[second]) ** 2 - 0.5
         # The images of a particle itself are always there. They are not counted.
         chosen = np.flatnonzero((distance < self._reach) & (first != second))

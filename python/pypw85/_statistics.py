@@ -89,8 +89,9 @@ def nematic_tensor(directions: Floats) -> Floats:
 
 def main_direction(tensor: Floats) -> Floats:
     """The eigenvector for the largest eigenvalue, with the sign of `director`."""
-    found: Floats = np.linalg.eigh(tensor)[1][:, 2]
-    return found * np.sign(found[np.abs(found).argmax()])
+    found = np.linalg.eigh(tensor)[1][:, 2]
+    direction: Floats = found * np.sign(found[np.abs(found).argmax()])
+    return direction
 
 
 def compressibility(mu2: Iterable[ArrayLike], num_particles: int, width: float = 0.1) -> Compressibility:
@@ -124,7 +125,7 @@ def compressibility(mu2: Iterable[ArrayLike], num_particles: int, width: float =
     """
     values: list[float] = []
     for one in mu2:
-        excess = np.sqrt(np.asarray(one, dtype=np.float64)) - 1
+        excess: Floats = np.sqrt(np.asarray(one, dtype=np.float64)) - 1
         if (excess < 0).any():
             raise ValueError(f"a pair of configuration {len(values)} overlaps")
         values.append(compressibility_of(excess, num_particles, width))

@@ -210,9 +210,10 @@ BAD = [
     ([*GOOD, "--periodic", "ab"], "should be periodic along its three vectors: give it"),
     (["mc", "missing.xyz", *GOOD[2:]], "missing.xyz: there is no such file"),
     (["mc", "nan.xyz", *GOOD[2:]], "nan.xyz, frame 0, line 3: "),
-    *[([*GOOD, "--pressure", pressure], f"'{pressure}' is no finite number > 0") for pressure in ("0", "-1", "nan", "inf", "x")],
-    *[(["mc", "start.xyz", "--sweeps", sweeps, "--out", "new.h5"], f"'{sweeps}' is no whole number") for sweeps in ("0", "0.5", "nan", "inf", "x")],
+    *[([*GOOD, "--pressure", number], f"'{number}' is no finite number > 0") for number in ("0", "-1", "nan", "inf", "x")],
+    *[([*GOOD, "--sweeps", number], f"'{number}' is no whole number") for number in ("0", "0.5", "nan", "inf", "x")],
     ([*GOOD, "--chain-length", "0"], "'0' is no finite number > 0"),
+    ([*GOOD, "--reach", "nan"], "'nan' is no finite number >= 0"),
     ([*GOOD, "--seed", "-1"], "--seed"),
     ([*GOOD[:4]], "a run needs START, --sweeps and --out; or --resume"),
     (["mc"], "a run needs START, --sweeps and --out; or --resume"),
@@ -231,7 +232,7 @@ BAD = [
     (["mc", "--resume", "broken.h5"], "broken.h5: no readable HDF5 file"),
     (["mc", "--resume", "changed.h5"], "changed.h5: cannot be read.*no bytes of save"),
     (["mc", "--resume", "old.h5", "--sweeps", "10"], r"old.h5: has 20 sweeps already: ask for more \(--sweeps\)"),
-    (["mc", "--resume", "old.h5", "--seed", "2"], "leave out seed"),
+    (["mc", "--resume", "old.h5", "--seed", "2"], "leave out --seed"),
     (["mc", "start.xyz", "--resume", "old.h5"], "leave out file"),
     (["mc", "--resume", "alone.h5"], "old.xyz: is shorter than at the checkpoint"),
 ]  # fmt: skip
@@ -253,7 +254,6 @@ def bad_files(tmp_path_factory, whole):
     subprocess.run([*PW85, "mc", *arguments], check=True, cwd=folder, capture_output=True)
     for name in ("older", "broken", "changed"):
         shutil.copy(folder / "old.h5", folder / f"{name}.h5")
-    os.mkdir(folder / "apart")
     with h5py.File(folder / "older.h5", "r+") as file:
         file["pw85_mc"].attrs["version"] = "2.9.9"
     with h5py.File(folder / "changed.h5", "r+") as file:

@@ -86,7 +86,7 @@ def test_error_of_the_density_of_an_ideal_gas():
         simulation.set_steps(0.1, 0.1, 0.2)
         simulation.volume_moves(100, pressure)
         density = pypw85.Blocking()
-        for _ in range(1000):
+        for _ in range(2000):
             simulation.volume_moves(1, pressure)
             density.add(8 / simulation.cell[0, 0] ** 3)
         found = density.estimate()
@@ -95,7 +95,7 @@ def test_error_of_the_density_of_an_ideal_gas():
     # 50 trials of 0.66 to 0.683: the probability of what is refused is 0.2 %
     assert 23 <= within <= 43, within
     # These samples are correlated: the errors of as many independent ones would be half as large.
-    assert np.median(samples) < 250, samples
+    assert np.nanmedian(samples) < 500, samples
 
 
 def test_equation_of_state_of_hard_spheres():

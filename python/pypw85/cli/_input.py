@@ -63,18 +63,21 @@ class WholeNumber(click.ParamType):
         return int(number)
 
 
-class Positive(click.ParamType):
-    """A finite number > 0."""
+class Finite(click.ParamType):
+    """A finite number > 0, or one that may be 0."""
 
     name = "number"
+
+    def __init__(self, may_be_zero: bool = False) -> None:
+        self.may_be_zero = may_be_zero
 
     def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> float:
         try:
             number = float(value)
         except ValueError:
             number = np.nan
-        if not 0 < number < np.inf:
-            self.fail(f"'{value}' is no finite number > 0", param, ctx)
+        if not (0 < number < np.inf or (self.may_be_zero and number == 0)):
+            self.fail(f"'{value}' is no finite number {'>=' if self.may_be_zero else '>'} 0", param, ctx)
         return number
 
 
@@ -98,7 +101,7 @@ class Frames(click.ParamType):
         return chosen
 
 
-_FILE = click.argument("file")
+_FILE: Callable[..., Any] = click.argument("file")
 _OPTIONS = [
     click.option("--format", type=click.Choice(READABLE), help="Format; by what is in the file if absent."),
     click.option("--frames", type=Frames(), default=":", metavar="START:STOP:STEP",
@@ -134,9 +137,9 @@ def input_options(function: Callable[..., Any], argument: Callable[..., Any] = _
         given = None if file is None else Input(file, format or guess(file), frames, options)
         return function(given, **others)
 
-    for option in reversed([argument, *_OPTIONS]):
+    for option in reversed(_OPTIONS):
         command = option(command)
-    return command
+    return argument(command)
 
 
 def check_outputs(given: Input, *paths: str | None) -> None:

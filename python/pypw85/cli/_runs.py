@@ -83,8 +83,9 @@ class Run:
     def system(self) -> System:
         """The present state, with the types and ids of the start."""
         state = self.simulation.system()
-        others: dict[str, Any] = {"types": self.types, "ids": self.ids, "origin": self.corner @ state.cell, "step": self.sweeps}
-        return System.from_axes(state.centers, state.semi_axes, state.quaternions, cell=state.cell, **others)
+        cell: Any = state.cell
+        others = {"types": self.types, "ids": self.ids, "origin": self.corner @ cell, "step": self.sweeps}
+        return System.from_axes(state.centers, state.semi_axes, state.quaternions, cell=cell, **others)
 
     # Files
 
@@ -97,7 +98,7 @@ class Run:
         size = os.path.getsize(path) if os.path.exists(path) else 0
         if size < self.length:
             raise FileError(path, f"is shorter than at the checkpoint, {self.length} bytes: bring back the trajectory of this run")
-        self._trajectory = open(path, "a", encoding="utf-8", newline="\n")
+        self._trajectory = open(path, "a", encoding="utf-8", newline="\n")  # noqa: SIM115 close() closes it
         self._trajectory.truncate(self.length)
 
     def close(self) -> None:

@@ -18,22 +18,23 @@ from .._observables import Observables
 from .._simulations import HardEllipsoids
 from .._system import System
 from ..formats import FileError, check_output, check_storable, check_written_name
-from ._input import Input, Positive, WholeNumber, input_options, one_frame
+from ._input import Finite, Input, WholeNumber, input_options, one_frame
 from ._interruption import keeping_work
 from ._progress import progress, say
 from ._runs import Run, Settings, resume
 
-_GROWING = ("lammps-dump", "xyz")  # formats to which frames can be appended
 _START = partial(input_options, argument=click.argument("file", required=False, metavar="[START]"))
 # What may be given with --resume
-_OF_RESUMED = {"resume", "sweeps", "threads", "checkpoint"}
+_OF_RESUMED = {"resumed", "sweeps", "threads", "checkpoint"}
 
 
 @click.command()
 @_START
-@click.option("--sweeps", type=WholeNumber(), metavar="N", help="How many sweeps, of as many trials as there are particles: 1e5, for instance.")
-@click.option("--out", metavar="FILE", help="Averages, samples and checkpoint, .h5; or .csv: the samples as a table, the rest in FILE.h5.")
-@click.option("--pressure", type=Positive(), metavar="P",
+@click.option("--sweeps", type=WholeNumber(), metavar="N",
+              help="How many sweeps, of as many trials as there are particles: 1e5, for instance.")
+@click.option("--out", metavar="FILE",
+              help="Averages, samples and checkpoint, .h5; or .csv: the samples as a table, the rest in FILE.h5.")
+@click.option("--pressure", type=Finite(), metavar="P",
               help="βP in the inverse cube of the unit of length. Without it, the volume is constant.")
 @click.option("--volume", type=click.Choice(["isotropic", "axis", "triclinic"]), default="isotropic", show_default=True,
               help="What changes of the volume scale: all axes alike, one of them, or shear, too.")
@@ -41,17 +42,17 @@ _OF_RESUMED = {"resume", "sweeps", "threads", "checkpoint"}
               help="Sweeps before, in which steps are tuned: a tenth of the sweeps by default.")
 @click.option("--every", type=WholeNumber(), default="10", show_default=True, metavar="N", help="Sweeps between two samples.")
 @click.option("--chains", type=click.IntRange(0), default=10, show_default=True, help="Event chains at each sample.")
-@click.option("--chain-length", type=Positive(), metavar="L", help="Of each chain; the cube root of the first volume by default.")
+@click.option("--chain-length", type=Finite(), metavar="L", help="Of each chain; the cube root of the first volume by default.")
 @click.option("--seed", type=click.IntRange(0, 2**64 - 1), default=1, show_default=True, help="Another one, another run.")
-@click.option("--width", type=Positive(), default="0.1", show_default=True,
+@click.option("--width", type=Finite(), default="0.1", show_default=True,
               help="Of the interval of μ from which the pressure is extrapolated.")
-@click.option("--reach", type=click.FloatRange(0, 1e100), default=0.0, show_default=True,
+@click.option("--reach", type=Finite(may_be_zero=True), default="0", show_default=True,
               help="Largest distance of the pair correlation; 0: none.")
 @click.option("--bins", type=click.IntRange(1), default=50, show_default=True, help="Of the pair correlation.")
 @click.option("--trajectory", metavar="FILE", help="Configurations, .xyz or .dump.")
 @click.option("--trajectory-every", type=WholeNumber(), default="1000", show_default=True, metavar="N",
               help="Sweeps between two of these configurations.")
-@click.option("--checkpoint", type=click.FloatRange(0), default=60.0, show_default=True, metavar="SECONDS",
+@click.option("--checkpoint", type=Finite(may_be_zero=True), default="60", show_default=True, metavar="SECONDS",
               help="Time between two checkpoints.")
 @click.option("--threads", type=click.IntRange(1), help="Threads; they do not change the results.")
 @click.option("--resume", "resumed", metavar="FILE", help="Continue this run, to more sweeps if --sweeps says so.")
@@ -82,9 +83,11 @@ def mc(ctx: click.Context, given: Input | None, sweeps: int | None, checkpoint: 
 
 
 def _refuse_others(ctx: click.Context) -> None:
-    chosen = [name for name in ctx.params if ctx.get_parameter_source(name) is click.core.ParameterSource.COMMANDLINE]
-    if others := sorted(set(chosen) - _OF_RESUMED - {"resumed"}):
-        raise click.UsageError(f"with --resume, the file says everything but --sweeps, --threads and --checkpoint: leave out {', '.join(others)}")
+    others = [param.opts[0] for param in ctx.command.params if param.name not in _OF_RESUMED
+              and ctx.get_parameter_source(param.name or "") is click.core.ParameterSource.COMMANDLINE]  # fmt: skip
+    if others:
+        raise click.UsageError("with --resume, the file says everything but --sweeps, --threads and --checkpoint: "
+                               f"leave out {', '.join(others)}")  # fmt: skip
 
 
 def _continued(path: str, sweeps: int | None) -> Run:
@@ -101,8 +104,10 @@ def _start(given: Input | None, sweeps: int | None, *, out: str | None, trajecto
     """A run from the command line. Its files can be written, and its first checkpoint is."""
     if given is None or sweeps is None or out is None:
         raise click.UsageError("a run needs START, --sweeps and --out; or --resume")
-    path, has_table = _check_names(given, out, trajectory)
-    growing = None if trajectory is None else check_written_name(trajectory, None)
+    path, has_table = _run_file(out)
+    growing = "" if trajectory is None else _growing_format(trajectory)
+    for name in (path, out, trajectory):
+        _refuse_existing(name)
     system = _checked(given, one_frame(given))
     cell = system.cell
     assert cell is not None
@@ -113,12 +118,12 @@ def _start(given: Input | None, sweeps: int | None, *, out: str | None, trajecto
         change=volume,
         chain_length=chain_length or float(np.cbrt(abs(np.linalg.det(cell)))),
         trajectory=None if trajectory is None else os.path.relpath(trajectory, os.path.dirname(path) or "."),
-        trajectory_format=growing or "",
+        trajectory_format=growing,
         has_table=has_table,
         **others,
     )
     simulation = HardEllipsoids(system, seed)
-    if trajectory is not None and growing is not None:
+    if trajectory is not None:
         check_storable(trajectory, growing, system)
     system.origin = system.origin @ np.linalg.inv(cell)
     run = Run(path, settings, system, simulation, Observables(width, reach, bins))
@@ -126,18 +131,27 @@ def _start(given: Input | None, sweeps: int | None, *, out: str | None, trajecto
     return run
 
 
-def _check_names(given: Input, out: str, trajectory: str | None) -> tuple[str, bool]:
-    """The file of the run, and whether there is a table beside it. No file is replaced, for a run may have taken weeks."""
+def _run_file(out: str) -> tuple[str, bool]:
+    """The name of the file from which a run continues, and whether there is a table beside it."""
     if not out.endswith((".h5", ".hdf5", ".csv")):
         raise FileError(out, "is no name of a run: end it with .h5 or .csv")
     has_table = out.endswith(".csv")
-    path = out + ".h5" if has_table else out
-    if trajectory is not None and check_written_name(trajectory, None) not in _GROWING or str(trajectory).endswith(".gz"):
-        raise FileError(trajectory, "a trajectory grows while the run goes on: end its name with .xyz or .dump (pw85 convert makes others)")
-    for name in (path, *[out] * has_table, *[trajectory] * (trajectory is not None)):
-        if os.path.lexists(check_output(name).path):
-            raise FileError(name, "is there already: continue it (--resume), or name another file")
-    return path, has_table
+    return out + ".h5" if has_table else out, has_table
+
+
+def _growing_format(trajectory: str) -> str:
+    """The format of a trajectory, to which frames can be appended."""
+    name = check_written_name(trajectory, None)
+    if name not in ("lammps-dump", "xyz") or trajectory.lower().endswith(".gz"):
+        raise FileError(trajectory, "a trajectory grows while the run goes on: end its name with .xyz or .dump "
+                        "(pw85 convert makes others)")  # fmt: skip
+    return name
+
+
+def _refuse_existing(name: str | None) -> None:
+    """No file is replaced: a run may have taken weeks."""
+    if name is not None and os.path.lexists(check_output(name).path):
+        raise FileError(name, "is there already: continue it (--resume), or name another file")
 
 
 def _checked(given: Input, system: System) -> System:
