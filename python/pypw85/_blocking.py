@@ -31,9 +31,10 @@ class Blocking:
     The samples are averaged in pairs, these averages in pairs again, and so on. While blocks are short, their averages are correlated, and
     the error that they give for the mean is too small. It grows with the length of the blocks until they are independent (Flyvbjerg
     and Petersen, J. Chem. Phys. 91, 461, 1989). The error is that of the shortest blocks of B samples with B³ > 2 n (s_B/s_1)⁴,
-    where n is the number of samples and s_B is the error by blocks of B. The bias that correlations of blocks leave, and the statistical
-    error of s_B, are about equal there (Lee and others, Phys. Rev. E 83, 066706, 2011). There must be eight such blocks. The memory grows
-    with the logarithm of the number of samples.
+    where n is the number of samples and s_B is the error by blocks of B (Lee and others, Phys. Rev. E 83, 066706, 2011). There must be
+    eight such blocks. If correlations decay exponentially with a time t, then s_B² is too small by t/B of its value, and
+    (s_B/s_1)² = 2 t. So this bias is at most a quarter of the statistical error √(2 B/n) of s_B². The memory grows with the logarithm of
+    the number of samples.
 
     Parameters
     ----------

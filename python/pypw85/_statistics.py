@@ -125,7 +125,7 @@ def compressibility(mu2: Iterable[ArrayLike], num_particles: int, width: float =
     """
     values: list[float] = []
     for one in mu2:
-        excess: Floats = np.sqrt(np.asarray(one, dtype=np.float64)) - 1
+        excess = np.sqrt(np.asarray(one, dtype=np.float64)) - 1.0
         if (excess < 0).any():
             raise ValueError(f"a pair of configuration {len(values)} overlaps")
         values.append(compressibility_of(excess, num_particles, width))

@@ -139,7 +139,8 @@ def input_options(function: Callable[..., Any], argument: Callable[..., Any] = _
 
     for option in reversed(_OPTIONS):
         command = option(command)
-    return argument(command)
+    decorated: Callable[..., Any] = argument(command)
+    return decorated
 
 
 def check_outputs(given: Input, *paths: str | None) -> None:
