@@ -7,6 +7,7 @@ import re
 import shutil
 import signal
 import subprocess
+import sys
 import time
 
 import numpy as np
@@ -20,6 +21,7 @@ resource = pytest.importorskip("resource", reason="there are no limits of proces
 
 # Small and dense, at constant pressure, with everything that a run can do
 START = pypw85.pack(np.tile([[0.5, 0.5, 1.0], [0.7, 0.7, 0.4]], (12, 1)), 0.35, seed=1, types=np.tile(["rod", "plate"], 12))
+START.origin = np.array([-0.5, 0.25, 1.0])
 NPT = ["start.xyz", "--pressure", "1.5", "--volume", "triclinic", "--equilibrate", "5", "--every", "5", "--chains", "2", "--reach", "2",
        "--bins", "4", "--trajectory-every", "10"]  # fmt: skip
 SWEEPS = "400"
@@ -92,6 +94,8 @@ def test_results(whole):
     assert last.step == 400 and last.types.tolist() == frames[-1].types.tolist() == START.types.tolist()
     np.testing.assert_allclose(frames[-1].q, last.q, rtol=1e-9, atol=1e-12)
     assert all(len(frame.overlaps().mu) == 0 for frame in [*frames, last])
+    corner = START.origin @ np.linalg.inv(START.cell)
+    np.testing.assert_allclose([frame.origin @ np.linalg.inv(frame.cell) for frame in [*frames, last]], [corner] * 41, atol=1e-12)
     text = (whole / "out").read_text().splitlines()
     assert text[0] == "run.h5: 24 particles, βP = 1.5, seed 1" and text[-1] == "no overlaps after 400 sweeps"
     assert {line.split()[0] for line in text} >= {"density", "nematic_order", "compressibility_chains", "director"}
@@ -125,6 +129,21 @@ def test_interrupted(run, folder, whole, kind):
     assert same_as(whole)
     again = run("mc", "--resume", "run.h5")
     assert again.out == done.out and same_as(whole)
+
+
+THREADS = """
+import os, sys
+from pypw85 import cli
+sys.argv = ["pw85", "mc", "start.xyz", "--sweeps", "2", "--out", "run.h5", "--threads", "3"]
+assert cli._run() == 0
+print(len(os.listdir("/proc/self/task")))
+"""
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="the folder of threads is one of Linux")
+def test_threads(folder):
+    done = subprocess.run([sys.executable, "-c", THREADS], capture_output=True, text=True, env={**os.environ, "OMP_NUM_THREADS": "1"})
+    assert done.stdout.splitlines()[-1] == "3", done
 
 
 def test_more_sweeps(run, folder, whole):

@@ -179,6 +179,17 @@ def test_pair_correlation_of_an_ideal_gas(rng):
     np.testing.assert_allclose(found.p2_error[inner], (5 * pairs[inner]) ** -0.5, rtol=0.6)
 
 
+def test_error_of_p2_of_parallel_axes(rng):
+    """P2 is 1 without an error, however the numbers of pairs fluctuate."""
+    observables = pypw85.Observables(reach=0.6, bins=2)
+    for _ in range(70):
+        axes = np.tile([1e-9, 1e-9, 2e-9], (9, 1))
+        upright = pypw85.System.from_axes(rng.uniform(size=(9, 3)), axes, np.tile([1, 0, 0, 0], (9, 1)), cell=np.eye(3))
+        observables.add(pypw85.HardEllipsoids(upright))
+    found = observables.pair_correlation()
+    assert (found.p2 == 1).all() and (found.p2_error < 1e-7).all() and (found.g_error > 0.01).all()
+
+
 @pytest.mark.parametrize("axes, strength", [((0.1, 0.1, 0.3), 0.8), ((0.2, 0.2, 0.05), 0.8), ((0.1, 0.1, 0.3), 1e-3)])
 def test_director(rng, axes, strength):
     """Rods and plates near an axis; the sign is that of the largest coordinate."""
