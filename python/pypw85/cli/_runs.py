@@ -18,7 +18,7 @@ from .._system import System
 from ..formats import FORMATS, FileError, read, replacing
 from ..formats._errors import guarded
 
-# The acceptance to which steps are tuned: around it, diffusion by hard particles has a flat maximum.
+# The acceptance to which steps are tuned: the default of HardEllipsoids.tune().
 _ACCEPTANCE = 0.4
 _GROUP = "pw85_mc"
 
