@@ -48,16 +48,21 @@ class Numbers(click.ParamType):
         return numbers
 
 
+def _number(text: Any) -> float:
+    """NaN if it is none."""
+    try:
+        return float(text)
+    except ValueError:
+        return np.nan
+
+
 class WholeNumber(click.ParamType):
     """A whole number > 0, which may be written as 1e5."""
 
     name = "number"
 
     def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> int:
-        try:
-            number = float(value)
-        except ValueError:
-            number = np.nan
+        number = _number(value)
         if not (1 <= number < 2**53 and number == int(number)):
             self.fail(f"'{value}' is no whole number from 1 to 2**53 - 1", param, ctx)
         return int(number)
@@ -72,10 +77,7 @@ class Finite(click.ParamType):
         self.may_be_zero = may_be_zero
 
     def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> float:
-        try:
-            number = float(value)
-        except ValueError:
-            number = np.nan
+        number = _number(value)
         if not (0 < number < np.inf or (self.may_be_zero and number == 0)):
             self.fail(f"'{value}' is no finite number {'>=' if self.may_be_zero else '>'} 0", param, ctx)
         return number
