@@ -23,3 +23,8 @@ pw85 pack packing.data -n 40 --axes 1,1,2 --axes 1.5,1.5,0.5 --fraction 0.5 \
 pw85 check packing.data >/dev/null && echo "no overlaps"
 pw85 plot packing.data packing.png >/dev/null
 # end pack
+# start mc
+pw85 mc packing.data --pressure 0.05 --sweeps 200 --out run.h5 >/dev/null
+pw85 mc --resume run.h5 --sweeps 400 | tail -n 1
+pw85 draw run.h5 run.png
+# end mc

@@ -32,6 +32,7 @@ from . import (
     legacy,
     utils,
 )
+from ._blocking import Blocking, Estimate
 from ._conversions import from_covariance, from_euler, from_gsd, from_lammps, from_ovito, from_rotation_vector
 from ._core import LAMBDA_ATOL as lambda_atol
 from ._core import is_reproducible, set_reproducible, strerror, version
@@ -45,12 +46,13 @@ from ._functions import (
 from ._meshes import Mesh
 from ._motion import Events, first_contact_pairs, motion
 from ._neighbors import Neighbors, neighbors
+from ._observables import Observables, PairCorrelation, Sample
 from ._packing import OverlapsLeft, RelaxationInterrupted, pack, relax
 from ._pairs import contact_pairs, nearest_images, overlap_pairs
 from ._plotting import plot
 from ._polytopes import contact_polytope, overlap_polytope
 from ._simulations import HardEllipsoids, TrialCounts, TrialSteps
-from ._statistics import Compressibility, Correlation, compressibility, correlation, nematic_order
+from ._statistics import Compressibility, Correlation, compressibility, correlation, director, nematic_order
 from ._system import Contacts, Report, System
 from ._systems import (
     ContactForces,

@@ -8,8 +8,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ._forms import full
-from ._functions import closest_approach, ellipsoid_quaternion
+from ._functions import closest_approach
 from ._pairs import contact_pairs
 from ._system import System
 from ._typing import Floats
@@ -52,13 +51,47 @@ def nematic_order(system: System) -> float:
     -------
     float
     """
+    return float(np.linalg.eigvalsh(nematic_tensor(principal_directions(system)))[2])
+
+
+def director(system: System) -> Floats:
+    """The direction of the nematic order: the eigenvector for the eigenvalue that is `nematic_order`.
+
+    It is a unit vector. Since u and -u are the same direction, its coordinate of the largest magnitude is positive.
+
+    Parameters
+    ----------
+    system : System
+
+    Returns
+    -------
+    (3,) array
+    """
+    return main_direction(nematic_tensor(principal_directions(system)))
+
+
+def principal_directions(system: System) -> Floats:
+    """Unit vectors (n, 3) along the axes whose lengths differ most from the middle ones."""
     order = np.argsort(system.semi_axes, axis=1)
     short, middle, long = np.take_along_axis(system.semi_axes, order, axis=1).T
-    chosen = np.where(long * short >= middle**2, order[:, 2], order[:, 0])
-    axes = np.eye(3)[chosen]
-    # Q of an ellipsoid with semi-axes 2 along u and 1 across is 1 + 3 u uᵀ.
-    dyads = (full(ellipsoid_quaternion(1 + axes, system.quaternions)) - np.eye(3)) / 3
-    return float(np.linalg.eigvalsh(1.5 * dyads.mean(axis=0) - 0.5 * np.eye(3))[2])
+    axes = np.eye(3)[np.where(long * short >= middle**2, order[:, 2], order[:, 0])]
+    w, v = system.quaternions[:, :1], system.quaternions[:, 1:]
+    half = np.cross(v, axes)
+    directions: Floats = axes + 2 * (w * half + np.cross(v, half))
+    return directions
+
+
+def nematic_tensor(directions: Floats) -> Floats:
+    """3/2 <u uᵀ> - 1/2."""
+    tensor: Floats = 1.5 * directions.T @ directions / len(directions) - 0.5 * np.eye(3)
+    return tensor
+
+
+def main_direction(tensor: Floats) -> Floats:
+    """The eigenvector for the largest eigenvalue, with the sign of `director`."""
+    found = np.linalg.eigh(tensor)[1][:, 2]
+    direction: Floats = found * np.sign(found[np.abs(found).argmax()])
+    return direction
 
 
 def compressibility(mu2: Iterable[ArrayLike], num_particles: int, width: float = 0.1) -> Compressibility:
@@ -92,14 +125,19 @@ def compressibility(mu2: Iterable[ArrayLike], num_particles: int, width: float =
     """
     values: list[float] = []
     for one in mu2:
-        excess = np.sqrt(np.asarray(one, dtype=np.float64)) - 1
+        excess = np.sqrt(np.asarray(one, dtype=np.float64)) - 1.0
         if (excess < 0).any():
             raise ValueError(f"a pair of configuration {len(values)} overlaps")
-        near = excess[excess < width] / width
-        values.append(1 + _AT_ZERO(near).sum() / (3 * num_particles * width))
+        values.append(compressibility_of(excess, num_particles, width))
     if len(values) < 2:
         raise ValueError(f"an error needs two configurations or more, not {len(values)}")
     return Compressibility(float(np.mean(values)), float(np.std(values, ddof=1) / np.sqrt(len(values))))
+
+
+def compressibility_of(excess: Floats, num_particles: int, width: float) -> float:
+    """The estimate of `compressibility` from one configuration, whose pairs have μ - 1 = `excess`."""
+    near = excess[excess < width] / width
+    return float(1 + _AT_ZERO(near).sum() / (3 * num_particles * width))
 
 
 def correlation(system: System, reach: float = 2.0, bins: int = 100) -> Correlation:

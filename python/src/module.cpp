@@ -115,6 +115,17 @@ PyObject *is_reproducible(PyObject *, PyObject *)
     return PyBool_FromLong(on);
 }
 
+/// For this thread, and those that it starts. Without OpenMP there is one thread.
+PyObject *set_num_threads(PyObject *, PyObject *number)
+{
+    long const threads = PyLong_AsLong(number);
+    if (threads == -1 && PyErr_Occurred()) return nullptr;
+#ifdef _OPENMP
+    omp_set_num_threads(static_cast<int>(threads));
+#endif
+    Py_RETURN_NONE;
+}
+
 template <class Function> PyCFunction as_method(Function *function)
 {
     return reinterpret_cast<PyCFunction>(reinterpret_cast<void *>(function));
@@ -131,6 +142,7 @@ PyMethodDef methods[] = {
      "arrays of a GPU do not follow the mode. The environment variable PW85_REPRODUCIBLE=1 starts a process in it."},
     {"is_reproducible", is_reproducible, METH_NOARGS,
      "is_reproducible()\n--\n\nWhether the reproducible mode is on: see `set_reproducible`."},
+    {"set_num_threads", set_num_threads, METH_O, "Sets the number of threads of functions that this thread calls."},
     {"strerror", strerror, METH_O, "strerror(status, /)\n--\n\nSentence that says what a status means."},
     {"contact_pairs", as_method(contact_pairs), METH_FASTCALL, "Status of pw85_contact_pairs()."},
     {"overlap_pairs", as_method(overlap_pairs), METH_FASTCALL, "Status of pw85_overlap_pairs()."},

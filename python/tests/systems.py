@@ -1,7 +1,11 @@
 """Systems that several tests use, and the command as a function."""
 
+import contextlib
 import dataclasses
+import os
 import re
+import signal
+import subprocess
 import sys
 
 import numpy as np
@@ -9,6 +13,7 @@ import numpy as np
 import pypw85
 from pypw85 import cli
 
+PW85 = [sys.executable, "-m", "pypw85.cli"]
 SUFFIXES = {"lammps-dump": "dump", "lammps-data": "data", "gsd": "gsd", "xyz": "xyz", "hdf5": "h5", "csv": "csv"}
 CELL = np.array([[4, 0, 0], [0.5, 4, 0], [-0.25, 0.5, 4]])
 
@@ -41,3 +46,18 @@ def command(capsys, monkeypatch, *arguments):
     status = cli._run()
     out, err = capsys.readouterr()
     return Outcome(status, out, re.sub(r"\r[^\r\n]*\[[\d:]+\] *|\r *", "", err))
+
+
+def on_terminal(*arguments, until=None, program=PW85):
+    """What a program writes to a terminal; Ctrl-C there, for all its processes, once it has written `until`."""
+    controller, terminal = os.openpty()
+    running = subprocess.Popen([*program, *arguments], stdin=terminal, stdout=terminal, stderr=terminal, start_new_session=True)
+    os.close(terminal)
+    written = b""
+    with contextlib.suppress(OSError):  # the end of the file, on Linux
+        while chunk := os.read(controller, 65536):
+            written += chunk
+            if until is not None and re.search(until, written):
+                until = os.killpg(running.pid, signal.SIGINT)
+    os.close(controller)
+    return running.wait(timeout=60), written.decode().replace("\r\n", "\n")

@@ -1,6 +1,5 @@
 """The command pw85: what it prints and writes, its statuses, and one sentence for bad input."""
 
-import contextlib
 import errno
 import functools
 import json
@@ -8,7 +7,6 @@ import os
 import pathlib
 import re
 import shlex
-import signal
 import subprocess
 import sys
 
@@ -17,9 +15,7 @@ import pytest
 
 import pypw85
 from pypw85 import cli
-from systems import SUFFIXES, command, random_system
-
-PW85 = [sys.executable, "-m", "pypw85.cli"]
+from systems import PW85, SUFFIXES, command, on_terminal, random_system
 
 
 @pytest.fixture
@@ -298,21 +294,6 @@ def test_pipe_as_output(folder):
     assert done.returncode == 0 and done.stdout.count(b"\n") == 44, done
 
 
-def on_terminal(*arguments, until=None, program=PW85):
-    """What a program writes to a terminal; Ctrl-C there, for all its processes, once it has written `until`."""
-    controller, terminal = os.openpty()
-    running = subprocess.Popen([*program, *arguments], stdin=terminal, stdout=terminal, stderr=terminal, start_new_session=True)
-    os.close(terminal)
-    written = b""
-    with contextlib.suppress(OSError):  # the end of the file, on Linux
-        while chunk := os.read(controller, 65536):
-            written += chunk
-            if until is not None and re.search(until, written):
-                until = os.killpg(running.pid, signal.SIGINT)
-    os.close(controller)
-    return running.wait(timeout=60), written.decode().replace("\r\n", "\n")
-
-
 def test_interruption(folder):
     """Ctrl-C ends at once, and leaves no temporary files."""
     pypw85.write("a.dump", [random_system()] * 1000)
@@ -456,6 +437,7 @@ def test_examples_of_help(run, folder, name):
     systems = [random_system(seed, step=seed) for seed in range(2)]
     pypw85.write("run.dump", systems)
     pypw85.write("grains.xyz", systems[0])
+    pypw85.write("packing.xyz", pypw85.pack(np.tile([1, 1, 2], (20, 1)), 0.2, seed=1))
     (folder / "centers.csv").write_text("x,y,z\n1,2,3\n4,5,6\n")
     for line in lines:
         done = run(*shlex.split(line)[1:])

@@ -21,6 +21,7 @@ from ._progress import say
 from .check import check
 from .convert import convert
 from .draw import draw
+from .mc import mc
 from .pack import pack, relax
 from .plot import plot
 
@@ -43,6 +44,11 @@ _EXAMPLES = {
     pack: [
         "packing.data -n 100 --axes 1,1,2 --axes 1.5,1.5,0.5 --fraction 0.6",
         "packing.h5 -n 100 --axes 1,1,3 --spread 0.1 --fraction 0.5 --cell 2,1,1 --voxels grains.h5",
+    ],
+    mc: [
+        "packing.xyz --sweeps 1e3 --out run.h5",
+        "packing.xyz --sweeps 1e2 --pressure 0.5 --equilibrate 20 --out npt.csv --trajectory npt.dump",
+        "--resume run.h5 --sweeps 2e3",
     ],
     relax: ["grains.xyz apart.data", "run.dump apart.gsd --frames -1"],
 }
@@ -67,10 +73,12 @@ def main() -> None:
 
     threading.Thread(target=run, daemon=True).start()
     try:
+        signal.signal(signal.SIGTERM, signal.default_int_handler)  # as Ctrl-C
         finished.wait()  # join() of Python 3.11 takes an interrupted thread for one that has ended
     except KeyboardInterrupt:
         interrupt(finished)
-    signal.signal(signal.SIGINT, signal.SIG_IGN)  # what was to be said is said
+    for number in (signal.SIGINT, signal.SIGTERM):
+        signal.signal(number, signal.SIG_IGN)  # what was to be said is said
     sys.exit(outcome[0])
 
 

@@ -48,6 +48,41 @@ class Numbers(click.ParamType):
         return numbers
 
 
+def _number(text: Any) -> float:
+    """NaN if it is none."""
+    try:
+        return float(text)
+    except ValueError:
+        return np.nan
+
+
+class WholeNumber(click.ParamType):
+    """A whole number > 0, which may be written as 1e5."""
+
+    name = "number"
+
+    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> int:
+        number = _number(value)
+        if not (1 <= number < 2**53 and number == int(number)):
+            self.fail(f"'{value}' is no whole number from 1 to 2**53 - 1", param, ctx)
+        return int(number)
+
+
+class Finite(click.ParamType):
+    """A finite number > 0, or one that may be 0."""
+
+    name = "number"
+
+    def __init__(self, may_be_zero: bool = False) -> None:
+        self.may_be_zero = may_be_zero
+
+    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> float:
+        number = _number(value)
+        if not (0 < number < np.inf or (self.may_be_zero and number == 0)):
+            self.fail(f"'{value}' is no finite number {'>=' if self.may_be_zero else '>'} 0", param, ctx)
+        return number
+
+
 class Frames(click.ParamType):
     """A number, or start:stop:step as Python has it."""
 
@@ -68,8 +103,8 @@ class Frames(click.ParamType):
         return chosen
 
 
+_FILE: Callable[..., Any] = click.argument("file")
 _OPTIONS = [
-    click.argument("file"),
     click.option("--format", type=click.Choice(READABLE), help="Format; by what is in the file if absent."),
     click.option("--frames", type=Frames(), default=":", metavar="START:STOP:STEP",
                  help="A frame (-1: the last), or those from START to STOP, without it, by STEP; all by default."),
@@ -87,11 +122,11 @@ _OPTIONS = [
 ]  # fmt: skip
 
 
-def input_options(function: Callable[..., Any]) -> Callable[..., Any]:
-    """Decorator: the options above, handed to the command as one `Input`."""
+def input_options(function: Callable[..., Any], argument: Callable[..., Any] = _FILE) -> Callable[..., Any]:
+    """Decorator: the options above, handed to the command as one `Input`, or None if the argument is optional and absent."""
 
     @functools.wraps(function)
-    def command(file: str, format: str | None, frames: slice, lengths: str | None, quaternion: str | None,
+    def command(file: str | None, format: str | None, frames: slice, lengths: str | None, quaternion: str | None,
                 cell: Any, periodic: str | None, shape: Any, shape_columns: str | None,
                 quaternion_columns: str | None, **others: Any) -> Any:  # fmt: skip
         if cell is not None:
@@ -101,11 +136,13 @@ def input_options(function: Callable[..., Any]) -> Callable[..., Any]:
             lengths, quaternion, cell, flags, shape, _names(shape_columns, 3, "--shape-columns"),
             _names(quaternion_columns, 4, "--quaternion-columns"),
         )  # fmt: skip
-        return function(Input(file, format or guess(file), frames, options), **others)
+        given = None if file is None else Input(file, format or guess(file), frames, options)
+        return function(given, **others)
 
     for option in reversed(_OPTIONS):
         command = option(command)
-    return command
+    decorated: Callable[..., Any] = argument(command)
+    return decorated
 
 
 def check_outputs(given: Input, *paths: str | None) -> None:

@@ -29,6 +29,7 @@ __all__ = [
     "Location",
     "Options",
     "check_output",
+    "check_storable",
     "check_written_name",
     "discard_unfinished",
     "frames",
@@ -99,6 +100,17 @@ def check_written_name(path: Path, format: str | None) -> str:
         raise FileError(path, f"the format {name} is not written compressed: end the name without .gz")
     check_output(path)
     return name
+
+
+def check_storable(path: Path, format: str, system: System) -> None:
+    """Checks that a format can store a system, and warns of what is lost. Call it before the work that makes such systems.
+
+    Raises
+    ------
+    ValueError
+        As `write`.
+    """
+    list(_storable(path, FORMATS[format], [system]))
 
 
 def locate(path: Path, format: str, chosen: slice = slice(None)) -> Iterator[Location]:

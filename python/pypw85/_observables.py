@@ -1,0 +1,230 @@
+"""Averages over a simulation of hard ellipsoids, with errors."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from ._blocking import Blocking, Estimate
+from ._neighbors import neighbors
+from ._pairs import contact_pairs
+from ._simulations import HardEllipsoids
+from ._statistics import compressibility_of, main_direction, nematic_tensor, principal_directions
+from ._system import System
+from ._typing import Floats
+
+# Rows and columns of the upper triangle of a symmetric matrix
+_UPPER = np.triu_indices(3)
+# If a bias is proportional to the fourth power of a width, the values for a width and for half of it differ by 15/16 of the bias.
+_BIAS_BY_DIFFERENCE = 16 / 15
+
+
+class Sample(NamedTuple):
+    """What `Observables` finds in a configuration: see there."""
+
+    volume: float
+    density: float
+    packing_fraction: float
+    nematic_order: float
+    compressibility_chains: float
+    compressibility_contacts: float
+    contacts_bias: float
+
+
+class PairCorrelation(NamedTuple):
+    """The pair correlation by distance, a value for each bin, with standard errors.
+
+    `edges` (k + 1) are those of the bins. `g` (k) is the number of pairs over that of an ideal gas of as many particles. `p2` (k) is the
+    mean of 3/2 cos² - 1/2 of the angles between the axes of the particles of a pair; NaN without pairs.
+    """
+
+    edges: Floats
+    g: Floats
+    g_error: Floats
+    p2: Floats
+    p2_error: Floats
+
+
+class Observables:
+    """Averages over a simulation of hard ellipsoids, with errors by `Blocking`. The memory does not grow with the samples.
+
+    The averages are
+
+    - ``volume`` of the cell, ``density`` (particles per volume) and ``packing_fraction``,
+    - ``nematic_order`` as by `pypw85.nematic_order`. Without order it is not 0, but of the order of 1/√N,
+    - ``compressibility_chains``, βP/ρ from event chains,
+    - ``compressibility_contacts``, βP/ρ from the pairs that nearly touch, as by `pypw85.compressibility`. The error is statistical,
+    - ``contacts_bias``, what the extrapolation to contact adds to the latter. It is estimated from the extrapolation over half the
+      width. If it exceeds its error, choose a smaller width.
+
+    Parameters
+    ----------
+    width : float
+        Of the interval of μ that is extrapolated to contact.
+    reach : float
+        The largest distance of the pair correlation, in any relation to the cell: all images count. 0 for no pair correlation.
+    bins : int
+        Of the pair correlation.
+
+    Examples
+    --------
+    >>> import numpy as np, pypw85
+    >>> start = pypw85.pack(np.tile([0.5, 0.5, 1], (50, 1)), 0.3, seed=1)
+    >>> simulation = pypw85.HardEllipsoids(start, seed=1)
+    >>> simulation.tune(20)
+    >>> observables = pypw85.Observables(reach=2.0)
+    >>> for _ in range(200):
+    ...     simulation.sweep()
+    ...     sample = observables.add(simulation, simulation.chain(2, 3.0))
+    >>> found = observables.estimates()
+    >>> bool(abs(found["packing_fraction"].value - 0.3) < 1e-12)
+    True
+    >>> bool(3 < found["compressibility_chains"].value < 6)
+    True
+    >>> observables.pair_correlation().g.shape
+    (50,)
+    """
+
+    __slots__ = ("_bins", "_pairs", "_reach", "_values", "_width")
+
+    def __init__(self, width: float = 0.1, reach: float = 0.0, bins: int = 50) -> None:
+        if not 0 < width < np.inf or not 0 <= reach < np.inf or bins < 1:
+            raise ValueError(f"width {width}, reach {reach} or bins {bins} are out of range")
+        self._width, self._reach, self._bins = float(width), float(reach), int(bins)
+        self._values = Blocking(len(Sample._fields) + 6)
+        self._pairs = Blocking(3 * self._bins)
+
+    def __len__(self) -> int:
+        """How many samples there were."""
+        return len(self._values)
+
+    def add(self, simulation: HardEllipsoids, compressibility: float = np.nan) -> Sample:
+        """Takes a sample of the present state.
+
+        Parameters
+        ----------
+        simulation : HardEllipsoids
+            The cell is periodic along its three vectors.
+        compressibility : float
+            What `HardEllipsoids.chain` has returned. Without it, there is no ``compressibility_chains``.
+
+        Returns
+        -------
+        Sample
+
+        Raises
+        ------
+        ValueError
+            The cell is not periodic along its three vectors, or there are no particles.
+        """
+        system = simulation.system()
+        if system.cell is None or not all(system.periodic) or not len(system):
+            raise ValueError("averages need particles, and a cell that is periodic along its three vectors")
+        directions, volume = principal_directions(system), float(abs(np.linalg.det(system.cell)))
+        tensor = nematic_tensor(directions)
+        wide, narrow = self._from_contacts(system)
+        sample = Sample(
+            volume=volume,
+            density=len(system) / volume,
+            packing_fraction=4 / 3 * np.pi * float(system.semi_axes.prod(axis=1).sum()) / volume,
+            nematic_order=float(np.linalg.eigvalsh(tensor)[2]),
+            compressibility_chains=float(compressibility),
+            compressibility_contacts=wide,
+            contacts_bias=_BIAS_BY_DIFFERENCE * (wide - narrow),
+        )
+        self._values.add([*sample, *tensor[_UPPER]])
+        if self._reach > 0:
+            self._pairs.add(self._count_pairs(system, system.cell, directions))
+        return sample
+
+    def _from_contacts(self, system: System) -> tuple[float, float]:
+        """βP/ρ from the pairs that nearly touch, by extrapolation over the width and over half of it."""
+        found = system.neighbors(1 + self._width)
+        mu2 = contact_pairs(found.pairs, system.centers, system.q, system.cell, images=found.images)[0]
+        excess = np.maximum(np.sqrt(mu2) - 1, 0)  # rounding errors may take a pair that touches below 0
+        wide, narrow = (compressibility_of(excess, len(system), width) for width in (self._width, self._width / 2))
+        return wide, narrow
+
+    def _count_pairs(self, system: System, cell: Floats, directions: Floats) -> Floats:
+        """For each bin the pairs over those of an ideal gas, this times their mean 3/2 cos² - 1/2, and the sum of both."""
+        n, volume = len(system), abs(np.linalg.det(cell))
+        ball = np.array([1, 0, 0, 1, 0, 1]) * (self._reach / 2) ** 2  # two balls of this radius meet at this distance
+        found = neighbors(system.centers, np.tile(ball, (n, 1)), cell, system.periodic)
+        first, second = found.pairs.T
+        distance = np.linalg.norm(system.centers[second] + found.images @ cell - system.centers[first], axis=1)
+        p2 = 1.5 * np.einsum("ij,ij->i", directions[first], directions[second]) ** 2 - 0.5
+        # The images of a particle itself are always there. They are not counted.
+        chosen = np.flatnonzero((distance < self._reach) & (first != second))
+        bins = np.minimum(distance[chosen] * (self._bins / self._reach), self._bins - 1).astype(np.intp)
+        ideal = n * (n - 1) / 2 / volume * 4 / 3 * np.pi * np.diff(self._edges() ** 3)
+        with np.errstate(invalid="ignore"):  # for one particle, which has no others
+            counts, weighted = (np.bincount(bins, row, self._bins) / ideal for row in (np.ones(len(bins)), p2[chosen]))
+        return np.concatenate([counts, weighted, counts + weighted])
+
+    def _edges(self) -> Floats:
+        return np.linspace(0, self._reach, self._bins + 1, dtype=np.float64)
+
+    def estimates(self) -> dict[str, Estimate]:
+        """The averages by their names. A name is left out if it has no value.
+
+        Returns
+        -------
+        dict of Estimate
+        """
+        columns = zip(*(column.tolist() for column in self._values.estimate()))
+        return {name: Estimate(*row) for name, row in zip(Sample._fields, columns) if not np.isnan(row[0])}
+
+    def director(self) -> Floats:
+        """The director of the mean of 3/2 <u uᵀ> - 1/2 over all samples, with the sign of `pypw85.director`.
+
+        Returns
+        -------
+        (3,) array
+        """
+        tensor = np.empty((3, 3))
+        tensor[_UPPER] = tensor.T[_UPPER] = self._values.estimate().value[len(Sample._fields) :]
+        return main_direction(tensor) if len(self) else np.full(3, np.nan)
+
+    def pair_correlation(self) -> PairCorrelation | None:
+        """The pair correlation; None without reach or samples.
+
+        Returns
+        -------
+        PairCorrelation or None
+        """
+        if not len(self._pairs):
+            return None
+        mean, error, _ = (column.reshape(3, self._bins) for column in self._pairs.estimate())
+        p2 = np.divide(mean[1], mean[0], out=np.full(self._bins, np.nan), where=mean[0] != 0)
+
+        def squared_error_of_p2(level: int) -> Floats:
+            """That of the numbers weighted - p2 counts, whose mean is 0, over the mean of counts."""
+            counts, weighted, both = self._pairs.squared_error(level).reshape(3, self._bins)
+            squared = weighted + p2**2 * counts - p2 * (both - counts - weighted)
+            result: Floats = np.maximum(squared, 0) / np.where(mean[0] != 0, mean[0], np.nan) ** 2
+            return result
+
+        return PairCorrelation(self._edges(), mean[0], error[0], p2, self._pairs.errors(self._bins, squared_error_of_p2)[0])
+
+    def state(self) -> dict[str, Floats]:
+        """All numbers, for `restore`."""
+        settings = np.array([self._width, self._reach, self._bins])
+        return {"settings": settings, "values": self._values.state(), "pairs": self._pairs.state()}
+
+    @classmethod
+    def restore(cls, state: dict[str, Floats]) -> Observables:
+        """Averages that continue those whose `state` is given, bit by bit.
+
+        Parameters
+        ----------
+        state : dict of arrays
+
+        Returns
+        -------
+        Observables
+        """
+        width, reach, bins = state["settings"].tolist()
+        made = cls(width, reach, int(bins))
+        made._values, made._pairs = Blocking.restore(state["values"]), Blocking.restore(state["pairs"])
+        return made

@@ -1,0 +1,206 @@
+"""Runs of `pw85 mc`: what they are asked to do, their state, and the file from which they continue."""
+
+from __future__ import annotations
+
+import contextlib
+import io
+import json
+import os
+from typing import IO, Any, NamedTuple
+from collections.abc import Iterator
+
+import numpy as np
+
+from .._core import version
+from .._observables import Observables, Sample
+from .._simulations import Change, HardEllipsoids
+from .._system import System
+from ..formats import FORMATS, FileError, read, replacing
+from ..formats._errors import guarded
+
+# The acceptance to which steps are tuned: the default of HardEllipsoids.tune().
+_ACCEPTANCE = 0.4
+_GROUP = "pw85_mc"
+
+
+class Settings(NamedTuple):
+    """What a run is asked to do. Files are named relative to the folder of the run's file."""
+
+    sweeps: int
+    equilibrate: int
+    every: int
+    seed: int
+    pressure: float | None
+    change: Change
+    chains: int
+    chain_length: float
+    trajectory: str | None
+    trajectory_format: str
+    trajectory_every: int
+    has_table: bool
+
+
+class Run:
+    """A run: the simulation, averages, samples, and how far it is.
+
+    `particles` has types and ids, and the origin of the cell in units of its vectors.
+    """
+
+    def __init__(self, path: str, settings: Settings, particles: System, simulation: HardEllipsoids, observables: Observables) -> None:
+        self.path, self.settings, self.simulation, self.observables = path, settings, simulation, observables
+        self.types, self.ids, self.corner = particles.types, particles.ids, particles.origin
+        self.equilibrated = self.sweeps = 0
+        self.rows: list[tuple[float, ...]] = []
+        self.length = 0  # of the trajectory at the last checkpoint, in bytes
+        self._trajectory: IO[str] | None = None
+
+    @property
+    def is_finished(self) -> bool:
+        return self.sweeps >= self.settings.sweeps
+
+    def step(self) -> None:
+        """Makes the next sweep, and what follows it."""
+        settings, simulation = self.settings, self.simulation
+        if self.equilibrated < settings.equilibrate:
+            simulation.tune(1, _ACCEPTANCE, settings.pressure or 0.0, settings.change)
+            self.equilibrated += 1
+            return
+        simulation.sweep()
+        if settings.pressure is not None:
+            simulation.volume_moves(1, settings.pressure, settings.change)
+        self.sweeps += 1
+        if self.sweeps % settings.every == 0:
+            self._sample()
+        if self._trajectory is not None and self.sweeps % settings.trajectory_every == 0:
+            self._write_frame(self._trajectory)
+
+    def _sample(self) -> None:
+        chains = self.settings.chains
+        compressibility = self.simulation.chain(chains, self.settings.chain_length) if chains else np.nan
+        sample = self.observables.add(self.simulation, compressibility)
+        self.rows.append((self.sweeps, *sample))
+
+    def system(self) -> System:
+        """The present state, with the types and ids of the start."""
+        state = self.simulation.system()
+        cell: Any = state.cell
+        others = {"types": self.types, "ids": self.ids, "origin": self.corner @ cell, "step": self.sweeps}
+        return System.from_axes(state.centers, state.semi_axes, state.quaternions, cell=cell, **others)
+
+    # Files
+
+    def open_trajectory(self) -> None:
+        """Opens the trajectory at its length at the last checkpoint."""
+        name = self.settings.trajectory
+        if name is None:
+            return
+        path = self._beside(name)
+        size = os.path.getsize(path) if os.path.exists(path) else 0
+        if size < self.length:
+            raise FileError(path, f"is shorter than at the checkpoint, {self.length} bytes: bring back the trajectory of this run")
+        self._trajectory = open(path, "a", encoding="utf-8", newline="\n")  # noqa: SIM115 close() closes it
+        self._trajectory.truncate(self.length)
+
+    def close(self) -> None:
+        """Closes the trajectory. What is not written yet belongs to no checkpoint."""
+        if self._trajectory is not None:
+            with contextlib.suppress(OSError):
+                self._trajectory.close()
+
+    def _write_frame(self, file: IO[str]) -> None:
+        with self._explaining(file.name):
+            FORMATS[self.settings.trajectory_format].save(file, self.system(), self.sweeps)
+
+    def save(self) -> None:
+        """Writes a checkpoint. If that fails, the one before stays."""
+        if self._trajectory is not None:
+            with self._explaining(self._trajectory.name):
+                self._trajectory.flush()
+                os.fsync(self._trajectory.fileno())
+                self.length = os.fstat(self._trajectory.fileno()).st_size
+        files = {self.path: self._content()}
+        if self.settings.has_table:
+            files[self.path.removesuffix(".h5")] = self._table().encode()
+        for path, text in files.items():
+            with self._explaining(path):
+                _write_durably(path, text)
+
+    @contextlib.contextmanager
+    def _explaining(self, path: str) -> Iterator[None]:
+        """Says what is left of a run if a file cannot be written."""
+        try:
+            yield
+        except OSError as error:
+            last = f", and continue from the last checkpoint (--resume {self.path})" if os.path.exists(self.path) else ""
+            raise FileError(path, f"{error.strerror}: make room{last}") from None
+
+    def _beside(self, name: str) -> str:
+        return os.path.join(os.path.dirname(self.path), name)
+
+    def _content(self) -> bytes:
+        """A file of HDF5 with the last configuration as in H5MD, and everything else in a group of its own."""
+        import h5py
+
+        buffer = io.BytesIO()
+        FORMATS["hdf5"].save(buffer, iter([self.system()]))
+        with h5py.File(buffer, "r+") as file:
+            group = file.create_group(_GROUP)
+            group.attrs["version"] = version()
+            group.attrs["settings"] = json.dumps(self.settings._asdict())
+            group["state"] = np.frombuffer(self.simulation.save(), np.uint8)
+            group["progress"] = np.array([self.equilibrated, self.sweeps, self.length], np.int64)
+            group["corner"] = self.corner
+            group["samples"] = np.array(self.rows, np.dtype([(name, "f8") for name in ("sweep", *Sample._fields)]))
+            for name, numbers in self.observables.state().items():
+                group[f"observables/{name}"] = numbers
+            self._write_results(group)
+        return buffer.getvalue()
+
+    def _write_results(self, group: Any) -> None:
+        kinds = [("name", "S32"), ("value", "f8"), ("error", "f8"), ("samples", "f8")]
+        group["averages"] = np.array([(name, *one) for name, one in self.observables.estimates().items()], np.dtype(kinds))
+        group["director"] = self.observables.director()
+        for move, counts in self.simulation.counts.items():
+            group[f"counts/{move}"] = np.array(counts, np.int64)
+        pairs = self.observables.pair_correlation()
+        if pairs is not None:
+            for name, numbers in pairs._asdict().items():
+                group[f"pair_correlation/{name}"] = numbers
+
+    def _table(self) -> str:
+        lines = [",".join(("sweep", *Sample._fields))]
+        lines += [f"{row[0]:.0f}," + ",".join(f"{value:.17g}" for value in row[1:]) for row in self.rows]
+        return "\n".join(lines) + "\n"
+
+
+def _write_durably(path: str, content: bytes) -> None:
+    """Writes a new file, waits until it is on the disk, and puts it in the place of the old one."""
+    with replacing(path) as temporary, open(temporary, "wb") as file:
+        file.write(content)
+        file.flush()
+        os.fsync(file.fileno())
+
+
+def resume(path: str) -> Run:
+    """The run of a file, at its last checkpoint."""
+    particles = read(path, format="hdf5")
+    return _read(path, particles)
+
+
+@guarded
+def _read(path: str, particles: System) -> Run:
+    import h5py
+
+    with h5py.File(path, "r") as file:
+        if _GROUP not in file:
+            raise FileError(path, "is no run: name a file that pw85 mc has written (--out)")
+        group = file[_GROUP]
+        if group.attrs["version"] != version():
+            raise FileError(path, f"is a run of pypw85 {group.attrs['version']}, and this is {version()}: continue it with that version")
+        settings = Settings(**json.loads(group.attrs["settings"]))
+        observables = Observables.restore({name: data[()] for name, data in group["observables"].items()})
+        particles.origin = group["corner"][()]
+        run = Run(path, settings, particles, HardEllipsoids.restore(group["state"][()].tobytes()), observables)
+        run.equilibrated, run.sweeps, run.length = group["progress"][()].tolist()
+        run.rows = group["samples"][()].tolist()
+        return run

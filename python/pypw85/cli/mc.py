@@ -1,0 +1,232 @@
+"""``pw85 mc``: Monte Carlo of hard ellipsoids."""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import sys
+import time
+from functools import partial
+from typing import Any
+from collections.abc import Callable
+
+import click
+import numpy as np
+
+from .. import _core
+from .._observables import Observables
+from .._simulations import HardEllipsoids
+from .._system import System
+from ..formats import FileError, check_output, check_storable, check_written_name
+from ._input import Finite, Input, WholeNumber, input_options, one_frame
+from ._interruption import keeping_work
+from ._progress import progress, say
+from ._runs import Run, Settings, resume
+
+_START = partial(input_options, argument=click.argument("file", required=False, metavar="[START]"))
+# What may be given with --resume
+_OF_RESUMED = {"resumed", "sweeps", "threads", "checkpoint"}
+
+
+@click.command()
+@_START
+@click.option("--sweeps", type=WholeNumber(), metavar="N",
+              help="How many sweeps, of as many trials as there are particles: 1e5, for instance.")
+@click.option("--out", metavar="FILE",
+              help="Averages, samples and checkpoint, .h5; or .csv: the samples as a table, the rest in FILE.h5.")
+@click.option("--pressure", type=Finite(), metavar="P",
+              help="βP in the inverse cube of the unit of length. Without it, the volume is constant.")
+@click.option("--volume", type=click.Choice(["isotropic", "axis", "triclinic"]), default="isotropic", show_default=True,
+              help="What changes of the volume scale: all axes alike, one of them, or shear, too.")
+@click.option("--equilibrate", type=click.IntRange(0), metavar="N",
+              help="Sweeps before, in which steps are tuned: a tenth of the sweeps by default.")
+@click.option("--every", type=WholeNumber(), default="10", show_default=True, metavar="N", help="Sweeps between two samples.")
+@click.option("--chains", type=click.IntRange(0), default=10, show_default=True, help="Event chains at each sample.")
+@click.option("--chain-length", type=Finite(), metavar="L", help="Of each chain; the cube root of the first volume by default.")
+@click.option("--seed", type=click.IntRange(0, 2**64 - 1), default=1, show_default=True, help="Another one, another run.")
+@click.option("--width", type=Finite(), default="0.1", show_default=True,
+              help="Of the interval of μ from which the pressure is extrapolated.")
+@click.option("--reach", type=Finite(may_be_zero=True), default="0", show_default=True,
+              help="Largest distance of the pair correlation; 0: none.")
+@click.option("--bins", type=click.IntRange(1), default=50, show_default=True, help="Of the pair correlation.")
+@click.option("--trajectory", metavar="FILE", help="Configurations, .xyz or .dump.")
+@click.option("--trajectory-every", type=WholeNumber(), default="1000", show_default=True, metavar="N",
+              help="Sweeps between two of these configurations.")
+@click.option("--checkpoint", type=Finite(may_be_zero=True), default="60", show_default=True, metavar="SECONDS",
+              help="Time between two checkpoints.")
+@click.option("--threads", type=click.IntRange(1), help="Threads; they do not change the results.")
+@click.option("--resume", "resumed", metavar="FILE", help="Continue this run, to more sweeps if --sweeps says so.")
+@click.pass_context
+def mc(ctx: click.Context, given: Input | None, sweeps: int | None, checkpoint: float, threads: int | None,
+       resumed: str | None, **others: Any) -> int:  # fmt: skip
+    """Move hard ellipsoids by Monte Carlo, from the first chosen frame of START, which has no overlaps. Prints averages with
+    their errors.
+
+    Ctrl-C finishes the sweep, and leaves a checkpoint (status 130). A run that is continued by --resume has the same bits as one that
+    was never interrupted.
+    """
+    if threads is not None:
+        _core.set_num_threads(threads)
+    if resumed is None:
+        run = _start(given, sweeps, **others)
+    else:
+        _refuse_others(ctx)
+        run = _continued(resumed, sweeps)
+    with contextlib.closing(run), keeping_work(), progress() as stage:
+        run.open_trajectory()
+        status = _go(run, checkpoint, stage)
+    if status:
+        say(f"pw85: interrupted after {_sweeps(run)}: continue with pw85 mc --resume {run.path}", sys.stderr)
+    else:
+        _report(run)
+    return status
+
+
+def _refuse_others(ctx: click.Context) -> None:
+    others = [param.opts[0] for param in ctx.command.params if param.name not in _OF_RESUMED
+              and ctx.get_parameter_source(param.name or "") is click.core.ParameterSource.COMMANDLINE]  # fmt: skip
+    if others:
+        raise click.UsageError("with --resume, the file says everything but --sweeps, --threads and --checkpoint: "
+                               f"leave out {', '.join(others)}")  # fmt: skip
+
+
+def _continued(path: str, sweeps: int | None) -> Run:
+    check_output(path)
+    run = resume(path)
+    if sweeps is not None and sweeps < run.sweeps:
+        raise FileError(path, f"has {run.sweeps} sweeps already: ask for more (--sweeps)")
+    run.settings = run.settings._replace(sweeps=sweeps or run.settings.sweeps)
+    return run
+
+
+def _start(given: Input | None, sweeps: int | None, *, out: str | None, trajectory: str | None, seed: int, width: float,
+           reach: float, bins: int, volume: Any, equilibrate: int | None, chain_length: float | None, **others: Any) -> Run:  # fmt: skip
+    """A run from the command line. Its files can be written, and its first checkpoint is."""
+    if given is None or sweeps is None or out is None:
+        raise click.UsageError("a run needs START, --sweeps and --out; or --resume")
+    path, has_table = _run_file(out)
+    growing = "" if trajectory is None else _growing_format(trajectory)
+    for name in (path, out, trajectory):
+        _refuse_existing(name)
+    system = _checked(given, one_frame(given))
+    cell = system.cell
+    assert cell is not None
+    settings = Settings(
+        sweeps=sweeps,
+        equilibrate=sweeps // 10 if equilibrate is None else equilibrate,
+        seed=seed,
+        change=volume,
+        chain_length=chain_length or float(np.cbrt(abs(np.linalg.det(cell)))),
+        trajectory=None if trajectory is None else os.path.relpath(trajectory, os.path.dirname(path) or "."),
+        trajectory_format=growing,
+        has_table=has_table,
+        **others,
+    )
+    simulation = HardEllipsoids(system, seed)
+    if trajectory is not None:
+        check_storable(trajectory, growing, system)
+    system.origin = system.origin @ np.linalg.inv(cell)
+    run = Run(path, settings, system, simulation, Observables(width, reach, bins))
+    run.save()
+    return run
+
+
+def _run_file(out: str) -> tuple[str, bool]:
+    """The name of the file from which a run continues, and whether there is a table beside it."""
+    if not out.endswith((".h5", ".hdf5", ".csv")):
+        raise FileError(out, "is no name of a run: end it with .h5 or .csv")
+    has_table = out.endswith(".csv")
+    return out + ".h5" if has_table else out, has_table
+
+
+def _growing_format(trajectory: str) -> str:
+    """The format of a trajectory, to which frames can be appended."""
+    name = check_written_name(trajectory, None)
+    if name not in ("lammps-dump", "xyz") or trajectory.lower().endswith(".gz"):
+        raise FileError(trajectory, "a trajectory grows while the run goes on: end its name with .xyz or .dump "
+                        "(pw85 convert makes others)")  # fmt: skip
+    return name
+
+
+def _refuse_existing(name: str | None) -> None:
+    """No file is replaced: a run may have taken weeks."""
+    if name is not None and os.path.lexists(check_output(name).path):
+        raise FileError(name, "is there already: continue it (--resume), or name another file")
+
+
+def _checked(given: Input, system: System) -> System:
+    """Refuses a start that makes no simulation."""
+    if not len(system):
+        raise FileError(given.path, "there are no particles with a shape: give it (--shape)")
+    if not all(system.periodic):
+        raise FileError(given.path, "the cell should be periodic along its three vectors: give it (--cell, --periodic abc)")
+    if system.shapeless:
+        say(f"pw85: warning: {given.path}: {system.shapeless} particles without a shape are left out", sys.stderr)
+    found = system.overlaps()
+    if len(found.mu):
+        names = [f"{i} and {'its image' if i == j else j}" for i, j in system.ids[found.pairs[:3]].tolist()]
+        more = " and others" * (len(found.mu) > 3)
+        raise FileError(given.path, f"pairs that overlap: {len(found.mu)} (the particles {', '.join(names)}{more}): "
+                        "separate them (pw85 relax)")  # fmt: skip
+    return system
+
+
+def _go(run: Run, checkpoint: float, stage: Callable[[str], None]) -> int:
+    """Makes all sweeps, or those until Ctrl-C. Returns the status."""
+    status, clock, saved = 0, _Clock(run), time.monotonic()
+    try:
+        stage("starting")
+        while not run.is_finished:
+            run.step()
+            stage(clock.describe())
+            if time.monotonic() - saved >= checkpoint:
+                run.save()
+                saved = time.monotonic()
+    except KeyboardInterrupt:
+        status = 130
+    run.save()
+    return status
+
+
+class _Clock:
+    """Says how far a run is, and how long the rest will take if it goes on like this."""
+
+    def __init__(self, run: Run) -> None:
+        self._run, self._start, self._done = run, time.monotonic(), run.equilibrated + run.sweeps
+
+    def describe(self) -> str:
+        run = self._run
+        done = run.equilibrated + run.sweeps
+        left = run.settings.equilibrate + run.settings.sweeps - done
+        seconds = int((time.monotonic() - self._start) / (done - self._done) * left)
+        return f"{_sweeps(run)}, {seconds // 3600}:{seconds // 60 % 60:02}:{seconds % 60:02} left"
+
+
+def _sweeps(run: Run) -> str:
+    if run.equilibrated < run.settings.equilibrate:
+        return f"{run.equilibrated} of {run.settings.equilibrate} sweeps to equilibrate"
+    return f"{run.sweeps} of {run.settings.sweeps} sweeps"
+
+
+def _report(run: Run) -> None:
+    """Prints acceptance and averages, and whether there are overlaps."""
+    pressure = "constant volume" if run.settings.pressure is None else f"βP = {run.settings.pressure:g}"
+    say(f"{run.path}: {len(run.simulation)} particles, {pressure}, seed {run.settings.seed}")
+    for move, (trials, accepted) in run.simulation.counts.items():
+        if trials:
+            say(f"{accepted / trials:.3f} accepted of {trials} trials: {move}")
+    say(_LINE.format("", "value", "error", "independent samples"))
+    for name, (value, error, samples) in run.observables.estimates().items():
+        say(_LINE.format(name, f"{value:.8g}", _number(error, ".2g"), _number(samples, ".0f")))
+    if run.rows:
+        say("director {:.4f} {:.4f} {:.4f}".format(*run.observables.director()))
+    run.simulation.check()
+    say(f"no overlaps after {run.sweeps} sweeps")
+
+
+_LINE = "{:<24} {:>14} {:>10} {:>20}"
+
+
+def _number(value: float, digits: str) -> str:
+    """A minus sign alone for what cannot be known yet."""
+    return "-" if np.isnan(value) else format(value, digits)

@@ -1,0 +1,299 @@
+"""The command pw85 mc: its files, interruptions, full disks, and one sentence for bad input."""
+
+import functools
+import itertools
+import os
+import pathlib
+import re
+import shutil
+import signal
+import subprocess
+import sys
+import time
+
+import numpy as np
+import pytest
+
+import pypw85
+from systems import PW85, command, on_terminal, random_system
+
+h5py = pytest.importorskip("h5py")
+resource = pytest.importorskip("resource", reason="there are no limits of processes here")
+
+# Small and dense, at constant pressure, with everything that a run can do
+START = pypw85.pack(np.tile([[0.5, 0.5, 1.0], [0.7, 0.7, 0.4]], (12, 1)), 0.35, seed=1, types=np.tile(["rod", "plate"], 12))
+START.origin = np.array([-0.5, 0.25, 1.0])
+NPT = ["start.xyz", "--pressure", "1.5", "--volume", "triclinic", "--equilibrate", "5", "--every", "5", "--chains", "2", "--reach", "2",
+       "--bins", "4", "--trajectory-every", "10"]  # fmt: skip
+SWEEPS = "400"
+
+
+@pytest.fixture
+def run(capsys, monkeypatch):
+    return functools.partial(command, capsys, monkeypatch)
+
+
+@pytest.fixture
+def folder(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    pypw85.write("start.xyz", START)
+    return tmp_path
+
+
+def content(path):
+    """All data sets and attributes of a file of HDF5, as bytes."""
+    found = {}
+
+    def take(name, thing):
+        found.update({f"{name}@{key}": np.asarray(value).tobytes() for key, value in thing.attrs.items()})
+        if isinstance(thing, h5py.Dataset):
+            found[name] = thing.asstr()[()].tolist() if thing.dtype.kind == "O" else thing[()].tobytes()
+
+    with h5py.File(path) as file:
+        file.visititems(take)
+    return found
+
+
+@pytest.fixture(scope="module")
+def whole(tmp_path_factory):
+    """The folder of a run that was not interrupted."""
+    folder = tmp_path_factory.mktemp("whole")
+    pypw85.write(folder / "start.xyz", START)
+    arguments = [*NPT, "--sweeps", SWEEPS, "--out", "run.h5", "--trajectory", "run.dump"]
+    done = subprocess.run([*PW85, "mc", *arguments], capture_output=True, text=True, cwd=folder)
+    assert (done.returncode, done.stderr) == (0, ""), done
+    (folder / "out").write_text(done.stdout)
+    return folder
+
+
+def same_as(whole, folder="."):
+    """Whether the run in a folder has come to the same end."""
+    path = pathlib.Path(folder)
+    assert content(path / "run.h5") == content(whole / "run.h5")
+    return (path / "run.dump").read_bytes() == (whole / "run.dump").read_bytes()
+
+
+def test_results(whole):
+    """Averages, table, trajectory and last configuration belong to each other."""
+    with h5py.File(whole / "run.h5") as file:
+        group = file["pw85_mc"]
+        samples, averages = group["samples"][()], group["averages"][()]
+        g, edges = group["pair_correlation/g"][()], group["pair_correlation/edges"][()]
+        trials = {move: tuple(counts[()]) for move, counts in group["counts"].items()}
+    assert samples["sweep"].tolist() == list(range(5, 401, 5))
+    assert averages["name"].astype(str).tolist() == list(samples.dtype.names[1:])
+    for name, value, error, _ in averages.tolist():
+        np.testing.assert_allclose(value, samples[name.decode()].mean(), rtol=1e-13, err_msg=name.decode())
+        assert error > 0 or np.isnan(error)
+    np.testing.assert_allclose(samples["density"] * samples["volume"], 24, rtol=1e-14)
+    assert len(g) == 4 and edges[-1] == 2 and g[0] < 0.5 < g[-1] < 1.5
+    assert trials["volume"][0] == 400 and sum(trials[name][0] for name in ("translation", "rotation")) == 400 * 24
+    frames = list(pypw85.frames(whole / "run.dump"))
+    assert [frame.step for frame in frames] == list(range(10, 401, 10))
+    last = pypw85.read(whole / "run.h5")
+    assert last.step == 400 and last.types.tolist() == frames[-1].types.tolist() == START.types.tolist()
+    np.testing.assert_allclose(frames[-1].q, last.q, rtol=1e-9, atol=1e-12)
+    assert all(len(frame.overlaps().mu) == 0 for frame in [*frames, last])
+    corner = START.origin @ np.linalg.inv(START.cell)
+    np.testing.assert_allclose([frame.origin @ np.linalg.inv(frame.cell) for frame in [*frames, last]], [corner] * 41, atol=1e-12)
+    text = (whole / "out").read_text().splitlines()
+    assert text[0] == "run.h5: 24 particles, βP = 1.5, seed 1" and text[-1] == "no overlaps after 400 sweeps"
+    assert {line.split()[0] for line in text} >= {"density", "nematic_order", "compressibility_chains", "director"}
+
+
+@pytest.mark.parametrize("kind", ["SIGINT", "SIGTERM", "SIGKILL"])
+def test_interrupted(run, folder, whole, kind):
+    """A run that was interrupted comes to the same end, bit by bit, with another number of threads and in another folder."""
+    arguments = [*NPT, "--sweeps", SWEEPS, "--out", "run.h5", "--trajectory", "run.dump", "--checkpoint", "0", "--threads", "2"]
+    running = subprocess.Popen([*PW85, "mc", *arguments], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+    while running.poll() is None and not (os.path.exists("run.dump") and os.path.getsize("run.dump") > 0):
+        time.sleep(0.002)
+    running.send_signal(getattr(signal, kind))
+    out, err = running.communicate()
+    if kind == "SIGKILL":
+        assert running.returncode == -signal.SIGKILL
+    else:
+        assert running.returncode == 130, err
+        assert err.startswith("pw85: interrupted after ") and err.endswith(" of 400 sweeps: continue with pw85 mc --resume run.h5\n")
+    assert out == ""
+    assert 0 < pypw85.read("run.h5").step < 400
+    with open("run.dump", "a") as file:
+        file.write("what was written behind the checkpoint")
+    os.mkdir("other")
+    for name in ("run.h5", "run.dump"):
+        shutil.move(name, "other")
+    done = run("mc", "--resume", "other/run.h5")
+    assert (done.status, done.err) == (0, "")
+    assert done.out == "other/" + (whole / "out").read_text()
+    assert same_as(whole, "other")
+    again = run("mc", "--resume", "other/run.h5")
+    assert again.out == done.out and same_as(whole, "other")
+
+
+THREADS = """
+import os, sys
+from pypw85 import cli
+sys.argv = ["pw85", "mc", "start.xyz", "--sweeps", "2", "--out", "run.h5", "--threads", "3"]
+assert cli._run() == 0
+print(len(os.listdir("/proc/self/task")))
+"""
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="the folder of threads is one of Linux")
+def test_threads(folder):
+    done = subprocess.run([sys.executable, "-c", THREADS], capture_output=True, text=True, env={**os.environ, "OMP_NUM_THREADS": "1"})
+    assert done.stdout.splitlines()[-1] == "3", done
+
+
+def test_more_sweeps(run, folder, whole):
+    """A finished run goes on."""
+    assert run("mc", *NPT, "--sweeps", 150, "--out", "run.h5", "--trajectory", "run.dump").status == 0
+    assert pypw85.read("run.h5").step == 150
+    assert run("mc", "--resume", "run.h5", "--sweeps", SWEEPS).status == 0
+    assert same_as(whole)
+
+
+def limited(arguments, limit):
+    """The command, in a process whose files cannot grow beyond a limit in bytes."""
+    limits = functools.partial(resource.setrlimit, resource.RLIMIT_FSIZE, (limit, limit))
+    return subprocess.run([*PW85, "mc", *arguments], capture_output=True, text=True, preexec_fn=limits)
+
+
+@pytest.mark.parametrize("what", ["run.h5", "run.dump"])
+def test_full_disk(run, folder, what):
+    """The last checkpoint stays, and the run comes to its end once there is room. Samples or frames fill the disk."""
+    samples, frames = ("1", "100") if what == "run.h5" else ("100", "1")
+    arguments = [*NPT, "--every", samples, "--trajectory-every", frames, "--sweeps", "100"]
+    assert run("mc", *arguments, "--out", "whole.h5", "--trajectory", "whole.dump").status == 0
+    assert run("mc", *NPT, "--sweeps", "1", "--out", "begun.h5").status == 0
+    done = limited([*arguments, "--out", "run.h5", "--trajectory", "run.dump", "--checkpoint", "0"], os.path.getsize("begun.h5") + 6000)
+    assert (done.returncode, done.stdout) == (2, ""), done
+    assert done.stderr == f"pw85: {what}: File too large: make room, and continue from the last checkpoint (--resume run.h5)\n"
+    assert 0 < pypw85.read("run.h5").step < 100
+    assert run("mc", "--resume", "run.h5").status == 0
+    one, other = content("run.h5"), content("whole.h5")
+    assert all(one[f"pw85_mc/{name}"] == other[f"pw85_mc/{name}"] for name in ("state", "samples", "averages"))
+    assert (folder / "run.dump").read_bytes() == (folder / "whole.dump").read_bytes()
+    assert not [name for name in os.listdir() if name.startswith(".pw85")]
+
+
+def test_no_room_at_all(run, folder):
+    """Is said before the first sweep."""
+    done = limited([*NPT, "--sweeps", "1e9", "--out", "run.h5"], 1000)
+    assert (done.returncode, done.stderr) == (2, "pw85: run.h5: File too large: make room\n")
+    assert os.listdir() == ["start.xyz"]
+
+
+def test_table(run, folder, whole):
+    """A name that ends with .csv asks for a table, beside the file of the run."""
+    arguments = [*NPT, "--out", "run.csv", "--trajectory", "run.xyz"]
+    assert run("mc", *arguments, "--sweeps", 300).status == 0
+    assert run("mc", "--resume", "run.csv.h5", "--sweeps", SWEEPS).status == 0
+    with h5py.File(whole / "run.h5") as file:
+        samples = file["pw85_mc/samples"][()]
+    table = np.genfromtxt("run.csv", delimiter=",", names=True)
+    assert table.dtype.names == samples.dtype.names
+    for name in table.dtype.names:
+        np.testing.assert_array_equal(table[name], samples[name])
+    assert [frame.step for frame in pypw85.frames("run.xyz")] == list(range(10, 401, 10))
+
+
+def test_constant_volume(run, folder):
+    """In a cell that is smaller than its particle: the images count."""
+    rod = pypw85.System.from_axes([[0, 0, 0]], [[2.0, 0.3, 0.3]], [[1, 0, 0, 0]], cell=np.diag([5, 1.2, 1.2]))
+    pypw85.write("rod.csv", rod)
+    pypw85.write("rod.xyz", rod)
+    done = run("mc", "rod.xyz", "--sweeps", 300, "--chains", 0, "--out", "rod.h5")
+    assert (done.status, done.err) == (0, "") and "constant volume" in done.out and "compressibility_chains" not in done.out
+    last = pypw85.read("rod.h5")
+    assert (last.q != rod.q).any() and (last.cell == rod.cell).all()
+    images = [image for image in itertools.product(range(-1, 2), range(-4, 5), range(-4, 5)) if any(image)]
+    assert (pypw85.contact(np.array(images) @ last.cell, last.q[0], last.q[0])[0] >= 1).all()
+
+
+def test_progress(folder):
+    """The time left, on a terminal."""
+    status, text = on_terminal("mc", "start.xyz", "--sweeps", "1e8", "--out", "run.h5", "--equilibrate", "5", until=rb"\d:\d\d:\d\d left")
+    assert status == 130 and " of 100000000 sweeps, " in text, text
+    assert text.splitlines()[-1].endswith("of 100000000 sweeps: continue with pw85 mc --resume run.h5")
+    assert pypw85.read("run.h5").step > 0
+
+
+GOOD = ["mc", "start.xyz", "--sweeps", "10", "--out", "new.h5"]
+BAD = [
+    (["mc", "grains.xyz", *GOOD[2:]], r"grains\.xyz: pairs that overlap: \d+ \(the particles \d+ and \d+, .* and others\): "
+                                      r"separate them \(pw85 relax\)"),
+    (["mc", "big.xyz", *GOOD[2:]], r"pairs that overlap: 1 \(the particles 1 and its image\)"),
+    (["mc", "open.xyz", *GOOD[2:]], "should be periodic along its three vectors: give it"),
+    ([*GOOD, "--periodic", "ab"], "should be periodic along its three vectors: give it"),
+    (["mc", "missing.xyz", *GOOD[2:]], "missing.xyz: there is no such file"),
+    (["mc", "nan.xyz", *GOOD[2:]], "nan.xyz, frame 0, line 3: "),
+    *[([*GOOD, "--pressure", number], f"'{number}' is no finite number > 0") for number in ("0", "-1", "nan", "inf", "x")],
+    *[([*GOOD, "--sweeps", number], f"'{number}' is no whole number") for number in ("0", "0.5", "nan", "inf", "x")],
+    ([*GOOD, "--chain-length", "0"], "'0' is no finite number > 0"),
+    ([*GOOD, "--reach", "nan"], "'nan' is no finite number >= 0"),
+    ([*GOOD, "--seed", "-1"], "--seed"),
+    ([*GOOD[:4]], "a run needs START, --sweeps and --out; or --resume"),
+    (["mc"], "a run needs START, --sweeps and --out; or --resume"),
+    ([*GOOD[:5], "no/new.h5"], "no/new.h5: there is no such file or directory"),
+    ([*GOOD[:5], "new.txt"], "new.txt: is no name of a run: end it with .h5 or .csv"),
+    ([*GOOD[:5], "old.h5"], r"old.h5: is there already: continue it \(--resume\), or name another file"),
+    ([*GOOD[:5], "table.csv"], "table.csv: is there already"),
+    ([*GOOD, "--trajectory", "start.xyz"], "start.xyz: is there already"),
+    ([*GOOD, "--trajectory", "new.gsd"], "a trajectory grows while the run goes on: end its name with .xyz or .dump"),
+    ([*GOOD, "--trajectory", "new.xyz.gz"], "a trajectory grows while the run goes on: end its name with .xyz or .dump"),
+    ([*GOOD, "--trajectory", "no/new.xyz"], "no/new.xyz: there is no such file or directory"),
+    (["mc", "--resume", "missing.h5"], "missing.h5: there is no such file"),
+    (["mc", "--resume", "start.xyz"], "start.xyz: no readable HDF5 file"),
+    (["mc", "--resume", "other.h5"], r"other.h5: is no run: name a file that pw85 mc has written \(--out\)"),
+    (["mc", "--resume", "older.h5"], r"older.h5: is a run of pypw85 2.9.9, and this is .*: continue it with that version"),
+    (["mc", "--resume", "broken.h5"], "broken.h5: no readable HDF5 file"),
+    (["mc", "--resume", "changed.h5"], "changed.h5: cannot be read.*no bytes of save"),
+    (["mc", "--resume", "old.h5", "--sweeps", "10"], r"old.h5: has 20 sweeps already: ask for more \(--sweeps\)"),
+    (["mc", "--resume", "old.h5", "--seed", "2"], "leave out --seed"),
+    (["mc", "start.xyz", "--resume", "old.h5"], "leave out file"),
+    (["mc", "--resume", "alone.h5"], "old.xyz: is shorter than at the checkpoint"),
+]  # fmt: skip
+
+
+@pytest.fixture(scope="module")
+def bad_files(tmp_path_factory, whole):
+    """A finished run, and files that are no start or no run."""
+    folder = tmp_path_factory.mktemp("bad")
+    pypw85.write(folder / "start.xyz", START)
+    pypw85.write(folder / "grains.xyz", random_system())
+    big = pypw85.System.from_axes([[0, 0, 0]], [[1, 1, 1]], [[1, 0, 0, 0]], cell=np.diag([1.5, 9, 9]))
+    pypw85.write(folder / "big.xyz", big)
+    pypw85.write(folder / "open.xyz", pypw85.System(START.centers, START.q))
+    (folder / "nan.xyz").write_text((folder / "start.xyz").read_text().replace("\n1 rod ", "\n1 rod nan ", 1))
+    pypw85.write(folder / "other.h5", START)
+    (folder / "table.csv").write_text("precious")
+    arguments = ["start.xyz", "--sweeps", "20", "--out", "old.h5", "--trajectory", "old.xyz", "--trajectory-every", "10"]
+    subprocess.run([*PW85, "mc", *arguments], check=True, cwd=folder, capture_output=True)
+    for name in ("older", "broken", "changed"):
+        shutil.copy(folder / "old.h5", folder / f"{name}.h5")
+    with h5py.File(folder / "older.h5", "r+") as file:
+        file["pw85_mc"].attrs["version"] = "2.9.9"
+    with h5py.File(folder / "changed.h5", "r+") as file:
+        file["pw85_mc/state"][0] ^= 1
+    with open(folder / "broken.h5", "r+b") as file:
+        file.truncate(os.path.getsize(folder / "broken.h5") // 2)
+    with h5py.File(folder / "old.h5") as old, h5py.File(folder / "alone.h5", "w") as alone:
+        for name in old:
+            old.copy(name, alone)
+        alone["pw85_mc/progress"][2] += 1
+    return folder
+
+
+@pytest.mark.parametrize("arguments, reason", BAD, ids=[" ".join(arguments) for arguments, _ in BAD])
+def test_bad_input(run, monkeypatch, bad_files, arguments, reason):
+    """One sentence, before the first sweep; nothing is changed."""
+    monkeypatch.chdir(bad_files)
+    before = {path: path.read_bytes() for path in bad_files.iterdir() if path.is_file()}
+    monkeypatch.setattr(pypw85.HardEllipsoids, "sweep", lambda *_: pytest.fail("there was a sweep"))
+    monkeypatch.setattr(pypw85.HardEllipsoids, "tune", lambda *_: pytest.fail("there was a sweep"))
+    done = run(*arguments)
+    assert done.status == 2 and "Traceback" not in done.err, done
+    last = done.err.splitlines()[-1]
+    assert re.search(reason, last), last
+    assert {path: path.read_bytes() for path in bad_files.iterdir() if path.is_file()} == before

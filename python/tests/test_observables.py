@@ -1,0 +1,251 @@
+"""Averages of simulations: errors by blocking, the equation of state by two routes, pair correlations, directors."""
+
+import itertools
+
+import numpy as np
+import pytest
+
+import pypw85
+from pypw85 import _observables
+from systems import CELL
+
+
+def averages_of(samples):
+    averages = pypw85.Blocking(np.shape(samples)[1] if np.ndim(samples) > 1 else 1)  # numbers of a sample
+    for sample in samples:
+        averages.add(sample)
+    return averages
+
+
+@pytest.mark.parametrize("unit", [1.0, 2.0**40, 2.0**-40])
+def test_blocks(rng, unit):
+    """Each length of blocks, against averages of slices."""
+    samples = unit * (3 + rng.normal(size=(43, 2)))
+    averages = averages_of(samples)
+    assert len(averages) == 43
+    np.testing.assert_allclose(averages.estimate().value, samples.mean(axis=0), rtol=1e-14)
+    for level in range(4):
+        count = 43 >> level
+        blocks = samples[: count << level].reshape(count, -1, 2).mean(axis=1)
+        expected = blocks.var(axis=0, ddof=1) / count
+        np.testing.assert_allclose(averages.squared_error(level), expected, rtol=1e-12)
+
+
+def correlated(rng, time, shape):
+    """Gaussian numbers whose correlation falls by a factor e in this time: n (1 - a)/(1 + a) independent ones, a = exp(-1/time)."""
+    a = np.exp(-1 / time)
+    samples = rng.normal(size=shape)
+    samples[1:] *= np.sqrt(1 - a * a)
+    for before, after in itertools.pairwise(samples):
+        after += a * before
+    return samples, shape[0] * (1 - a) / (1 + a)
+
+
+@pytest.mark.parametrize("time", [0.1, 4.0, 16.0])
+def test_errors_of_correlated_samples(rng, time):
+    """The error is exceeded as often as a standard error is, and the number of independent samples is that of theory."""
+    samples, independent = correlated(rng, time, (4096, 400))
+    found = averages_of(samples).estimate()
+    known = np.isfinite(found.error)
+    assert known.mean() > 0.95
+    # 68.3 % within the error, 66 % where it comes from some ten blocks; and four standard deviations of a part of 380, 2.4 % each
+    within = (np.abs(found.value) < found.error)[known].mean()
+    assert 0.66 - 0.1 < within < 0.683 + 0.1
+    # For the longest time: 6 % by correlations that are left in blocks of 256, 4 % between median and mean of the variance of 16 blocks,
+    # and what the choice of shorter blocks adds where they seem independent
+    assert np.median(found.samples[known]) == pytest.approx(independent, rel=0.2)
+
+
+def test_few_samples(rng):
+    """Errors are unknown rather than too small; equal samples have none."""
+    assert np.isnan(pypw85.Blocking().estimate()).all()
+    averages = averages_of(rng.normal(size=7))
+    assert np.isfinite(averages.estimate().value) and np.isnan(averages.estimate()[1:]).all()
+    walk = averages_of(np.cumsum(rng.normal(size=200))).estimate()
+    assert np.isnan(walk.error) and np.isnan(walk.samples)
+    constant = averages_of(np.full(100, 0.1)).estimate()
+    assert (constant.value, constant.error, constant.samples) == (0.1, 0, 100)
+
+
+def test_restored_blocking(rng):
+    samples = rng.normal(size=(50, 3))
+    for count in (0, 1, 21):
+        averages = pypw85.Blocking.restore(averages_of(samples[:count]).state())
+        for sample in samples[count:]:
+            averages.add(sample)
+        assert np.array_equal(averages.state(), averages_of(samples).state())
+
+
+def test_error_of_the_density_of_an_ideal_gas():
+    """Points at constant pressure. With the density V^N exp(-βPV) of volumes, the mean of N/V is βP exactly."""
+    pressure, within, samples = 5.0, 0, []
+    places = 0.6 * np.stack(np.meshgrid(*[np.arange(2)] * 3), axis=-1).reshape(-1, 3)
+    upright = np.tile([1.0, 0, 0, 0], (8, 1))
+    start = pypw85.System.from_axes(places, np.full((8, 3), 1e-9), upright, cell=1.2 * np.eye(3))
+    for seed in range(50):
+        simulation = pypw85.HardEllipsoids(start, seed)
+        simulation.set_steps(0.1, 0.1, 0.2)
+        simulation.volume_moves(100, pressure)
+        density = pypw85.Blocking()
+        for _ in range(1000):
+            simulation.volume_moves(2, pressure)
+            density.add(8 / simulation.cell[0, 0] ** 3)
+        found = density.estimate()
+        within += int(abs(found.value[0] - pressure) < found.error[0])
+        samples.append(found.samples[0])
+    # 50 trials of 0.66 to 0.683: the probability of what is refused is 0.2 %
+    assert 23 <= within <= 43, within
+    # These samples are correlated: the errors of 1000 independent ones would be half as large.
+    assert np.median(samples) < 400, samples
+
+
+def test_equation_of_state_of_hard_spheres():
+    """βP/ρ by event chains and by contacts, beside that of Carnahan and Starling."""
+    phi, n = 0.3, 64
+    expected = (1 + phi + phi**2 - phi**3) / (1 - phi) ** 3
+    simulation = pypw85.HardEllipsoids(pypw85.pack(np.full((n, 3), 0.5), phi, seed=1), seed=1)
+    simulation.set_fractions(translation=1)
+    simulation.tune(50)
+    observables = pypw85.Observables()
+    for _ in range(300):
+        simulation.sweep(2)
+        sample = observables.add(simulation, simulation.chain(10, 4.0))
+    assert len(observables) == 300
+    found = observables.estimates()
+    assert found["volume"].error == found["density"].error == 0
+    assert found["packing_fraction"].value == pytest.approx(phi, rel=1e-14)
+    assert sample.density == pytest.approx(6 * phi / np.pi, rel=1e-14)
+    for name, largest_error in (("compressibility_chains", 0.04), ("compressibility_contacts", 0.2)):
+        value, error, samples = found[name]
+        assert 0 < error < largest_error and samples > 100
+        assert abs(value - expected) < 4 * error, (name, value, error, expected)
+    bias, error, _ = found["contacts_bias"]
+    assert abs(bias) < 4 * error < 1
+
+
+def test_bias_of_contacts():
+    """The estimate that the bias is the fourth power of the width: pairs whose density in μ - 1 = e is e⁴."""
+    width, n = 0.3, 4000
+    points = (np.arange(n) + 0.5) / n * width
+    weights = points**4 * width / n
+    wide, narrow = (
+        sum(w * (_observables.compressibility_of(np.array([e]), 1, part * width) - 1) for e, w in zip(points, weights)) for part in (1, 0.5)
+    )
+    # The density at contact is 0, so the whole value is the bias. The rule of midpoints errs by some 1e-6 of it.
+    assert _observables._BIAS_BY_DIFFERENCE * (wide - narrow) == pytest.approx(wide, rel=1e-3)
+
+
+def gas(rng, n, cell):
+    """Particles as small as points, with random axes."""
+    quaternions = rng.normal(size=(n, 4))
+    return pypw85.System.from_axes(rng.uniform(size=(n, 3)) @ cell, np.tile([1e-9, 1e-9, 2e-9], (n, 1)), quaternions, cell=cell)
+
+
+def test_pair_correlation_against_all_images(rng):
+    """In a skewed cell that is smaller than the reach, one image at a time."""
+    reach, bins, cell = 5.0, 7, CELL * 0.5
+    system = gas(rng, 5, cell)
+    observables = pypw85.Observables(reach=reach, bins=bins)
+    observables.add(pypw85.HardEllipsoids(system))
+    found = observables.pair_correlation()
+    axes = np.array([pypw85.principal_axes(q)[1][:, 2] for q in system.q * 2.0**60])
+    counts, weighted = np.zeros(bins), np.zeros(bins)
+    for i, j in itertools.combinations(range(5), 2):
+        for image in itertools.product(range(-5, 6), repeat=3):
+            r = np.linalg.norm(system.centers[j] + image @ cell - system.centers[i])
+            if r < reach:
+                counts[int(r / reach * bins)] += 1
+                weighted[int(r / reach * bins)] += 1.5 * (axes[i] @ axes[j]) ** 2 - 0.5
+    ideal = 5 * 4 / 2 / np.linalg.det(cell) * 4 / 3 * np.pi * np.diff(found.edges**3)
+    np.testing.assert_allclose(found.edges, np.linspace(0, reach, bins + 1), rtol=1e-15)
+    np.testing.assert_allclose(found.g, counts / ideal, rtol=1e-13)
+    np.testing.assert_allclose(found.p2[counts > 0], (weighted / counts)[counts > 0], rtol=0, atol=1e-7)
+    assert np.isnan(found.g_error).all() and np.isnan(found.p2_error).all()
+    assert counts[-1] > 100
+
+
+def test_pair_correlation_of_an_ideal_gas(rng):
+    """g is 1 and P2 is 0 at each distance, also beyond the cell, within four standard errors, which are those of counts."""
+    observables = pypw85.Observables(reach=1.2, bins=6)
+    for _ in range(200):
+        observables.add(pypw85.HardEllipsoids(gas(rng, 20, np.eye(3))))
+    found = observables.pair_correlation()
+    assert (np.abs(found.g - 1) < 4 * found.g_error).all() and (np.abs(found.p2) < 4 * found.p2_error).all()
+    pairs = 200 * 190 * 4 / 3 * np.pi * np.diff(found.edges**3)
+    # P2 of random axes has the variance 1/5. Beyond half of the cell, images of one pair count together. The errors come from 25
+    # blocks. So their relative standard deviation is 1/√48, of which 0.6 is four.
+    inner = slice(0, 2)
+    np.testing.assert_allclose(found.g_error[inner], pairs[inner] ** -0.5, rtol=0.6)
+    np.testing.assert_allclose(found.p2_error[inner], (5 * pairs[inner]) ** -0.5, rtol=0.6)
+
+
+def test_error_of_p2_of_parallel_axes(rng):
+    """P2 is 1 without an error, however the numbers of pairs fluctuate."""
+    observables = pypw85.Observables(reach=0.6, bins=2)
+    for _ in range(70):
+        axes = np.tile([1e-9, 1e-9, 2e-9], (9, 1))
+        upright = pypw85.System.from_axes(rng.uniform(size=(9, 3)), axes, np.tile([1, 0, 0, 0], (9, 1)), cell=np.eye(3))
+        observables.add(pypw85.HardEllipsoids(upright))
+    found = observables.pair_correlation()
+    assert (found.p2 == 1).all() and (found.p2_error < 1e-7).all() and (found.g_error > 0.01).all()
+
+
+@pytest.mark.parametrize("axes, strength", [((0.1, 0.1, 0.3), 0.8), ((0.2, 0.2, 0.05), 0.8), ((0.1, 0.1, 0.3), 1e-3)])
+def test_director(rng, axes, strength):
+    """Rods and plates near an axis; the sign is that of the largest coordinate."""
+    for along in ([0, 0, 1], [0.6, 0, -0.8], [-0.9, 0.1, 0.2], [0, -1, 0]):
+        along = along / np.linalg.norm(along)
+        # The half turn about the middle of z and the axis takes z there, and any turn about z does no harm.
+        half = np.concatenate([[0], along + [0, 0, 1]])
+        quaternions = np.tile(half, (200, 1)) + rng.normal(size=(200, 4)) * (1 - strength) * 0.2
+        quaternions *= rng.choice([-1, 1], (200, 1))
+        places = np.stack(np.unravel_index(np.arange(200), (6, 6, 6)), axis=-1)
+        system = pypw85.System.from_axes(places, np.tile(axes, (200, 1)), quaternions, cell=6 * np.eye(3))
+        found = pypw85.director(system)
+        assert np.linalg.norm(found) == pytest.approx(1, abs=1e-14)
+        assert found[np.abs(found).argmax()] > 0
+        assert abs(found @ along) > 0.99
+        dyads = 1.5 * np.mean([np.outer(u, u) for u in directions_of(system)], axis=0) - 0.5 * np.eye(3)
+        assert found @ dyads @ found == pytest.approx(pypw85.nematic_order(system), abs=1e-12)
+        observables = pypw85.Observables()
+        sample = observables.add(pypw85.HardEllipsoids(system))
+        assert sample.nematic_order == pytest.approx(pypw85.nematic_order(system), abs=1e-14)
+        np.testing.assert_allclose(observables.director(), found, rtol=0, atol=1e-12)
+        assert "compressibility_chains" not in observables.estimates()
+
+
+def directions_of(system):
+    """The axes that differ most from the others, from the forms."""
+    lengths, rotation = pypw85.principal_axes(system.q)
+    chosen = np.where(lengths[:, 1] ** 2 <= lengths[:, 0] * lengths[:, 2], 2, 0)
+    return rotation[np.arange(len(system)), :, chosen]
+
+
+def test_restored_observables(rng):
+    """Averages go on bit by bit."""
+    whole, first = (pypw85.Observables(0.2, 0.7, 3) for _ in range(2))
+    states = [pypw85.HardEllipsoids(gas(rng, 4, np.eye(3))) for _ in range(9)]
+    for state in states[:4]:
+        first.add(state, 1.5)
+    rest = pypw85.Observables.restore(first.state())
+    for state in states[4:]:
+        rest.add(state, 2.5)
+    for k, state in enumerate(states):
+        whole.add(state, 1.5 if k < 4 else 2.5)
+    assert len(rest) == 9
+    for name, numbers in whole.state().items():
+        assert np.array_equal(numbers, rest.state()[name]), name
+
+
+def test_refused(rng):
+    for arguments in ((0.0,), (np.nan,), (0.1, -1.0), (0.1, np.inf), (0.1, 1.0, 0)):
+        with pytest.raises(ValueError, match="out of range"):
+            pypw85.Observables(*arguments)
+    observables = pypw85.Observables()
+    assert observables.pair_correlation() is None and np.isnan(observables.director()).all() and observables.estimates() == {}
+    system = gas(rng, 3, np.eye(3))
+    for others in ({"cell": None}, {"cell": system.cell, "periodic": [True, True, False]}):
+        partly = pypw85.System.from_axes(system.centers, system.semi_axes, system.quaternions, **others)
+        with pytest.raises(ValueError, match="periodic along its three vectors"):
+            observables.add(pypw85.HardEllipsoids(partly))
+    assert len(observables) == 0
