@@ -1,8 +1,9 @@
-"""Directive ``measured-table``: chosen columns of a table in docs/measurements.json, with headings for readers; and chosen
-rows, those with one of the values in a column, or the last of those that are alike in a column (that of the best target).
+"""Directive ``measured-table``: chosen columns of a table in docs/measurements.json, or of a file like reference/crystals/crystals.csv,
+with headings for readers; and chosen rows, those with one of the values in a column, or the last of those that are alike in a column
+(that of the best target).
 
 .. measured-table:: table
-   :columns: column=heading; column=heading
+   :columns: column=heading; column:.3f=heading
    :where: column=value value
    :last-of: column
    :name: label
@@ -10,14 +11,26 @@ rows, those with one of the values in a column, or the last of those that are al
    Caption.
 """
 
+import csv
+
 import measurements
 from docutils import nodes
 from docutils.parsers.rst import Directive, directives
 from docutils.statemachine import StringList
 
 
-def text(cell):
+ROOT = measurements.RESULTS.parent.parent
+
+
+def text(cell, form=""):
+    if form:
+        return format(float(cell), form)
     return f"{cell:g}" if isinstance(cell, float) else str(cell)
+
+
+def read(path):
+    with path.open(newline="", encoding="utf-8") as file:
+        return list(csv.DictReader(file))
 
 
 class MeasuredTable(Directive):
@@ -30,8 +43,12 @@ class MeasuredTable(Directive):
         "name": directives.unchanged,
     }
 
+    def path(self):
+        return ROOT / self.arguments[0] if self.arguments[0].endswith(".csv") else measurements.RESULTS
+
     def rows(self):
-        rows = measurements.read_table(self.arguments[0])
+        path = self.path()
+        rows = measurements.read_table(self.arguments[0]) if path == measurements.RESULTS else read(path)
         if "where" in self.options:
             column, _, values = self.options["where"].partition("=")
             rows = [row for row in rows if row[column] in values.split()]
@@ -40,7 +57,7 @@ class MeasuredTable(Directive):
         return rows
 
     def run(self):
-        path = str(measurements.RESULTS)
+        path = str(self.path())
         self.state.document.settings.record_dependencies.add(path)
         columns = [entry.strip().split("=") for entry in self.options["columns"].split(";")]
         lines = [f".. list-table:: {' '.join(self.content)}", "   :header-rows: 1", "   :class: numbers"]
@@ -48,7 +65,8 @@ class MeasuredTable(Directive):
             lines.append(f"   :name: {self.options['name']}")
         lines.append("")
         table = [[heading for _, heading in columns]]
-        table += [[text(row.get(column, "")) for column, _ in columns] for row in self.rows()]
+        forms = [column.partition(":")[::2] for column, _ in columns]
+        table += [[text(row.get(column, ""), form) for column, form in forms] for row in self.rows()]
         for cells in table:
             lines += [("   * - " if i == 0 else "     - ") + cell for i, cell in enumerate(cells)]
         container = nodes.container()

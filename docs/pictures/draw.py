@@ -9,8 +9,8 @@ from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
 PICTURES = (
-    "accuracy", "closest_passage", "containment", "curvature", "digits", "energy", "evaluations", "filled_hopper", "function_f", "packing",
-    "plot", "scaled_pair", "signed_distance", "throughput", "turning_plane",
+    "accuracy", "closest_passage", "containment", "crystals", "curvature", "digits", "energy", "evaluations",
+    "filled_hopper", "function_f", "packing", "plot", "scaled_pair", "signed_distance", "throughput", "turning_plane",
 )  # fmt: skip
 
 for picture in PICTURES:

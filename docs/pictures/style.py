@@ -1,6 +1,7 @@
 """What all pictures share: a white background, fit for print and for a dark page, and colours that colour-blind readers
 can tell apart (M. Okabe and K. Ito, 2008)."""
 
+import csv
 import pathlib
 import sys
 
@@ -37,6 +38,15 @@ plt.rcParams.update(
 
 def figure(columns=1, width=7.0, height=4.2, **kwargs):
     return plt.subplots(1, columns, figsize=(width, height), constrained_layout=True, **kwargs)
+
+
+REFERENCE = HERE.parent.parent / "reference"
+
+
+def read_reference(name):
+    """Rows of reference/NAME/NAME.csv, as dictionaries of texts."""
+    with (REFERENCE / name / f"{name}.csv").open(newline="", encoding="utf-8") as file:
+        return list(csv.DictReader(file))
 
 
 def save(fig, name, table=None):
