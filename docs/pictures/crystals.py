@@ -1,4 +1,4 @@
-"""Volume fractions of the densest known crystals of ellipsoids, from reference/crystals/crystals.csv."""
+"""Volume fractions of dense crystals of ellipsoids, from reference/crystals/crystals.csv."""
 
 import numpy as np
 from style import BLUE, ORANGE, figure, read_reference, save

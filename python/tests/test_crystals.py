@@ -1,4 +1,4 @@
-"""The densest crystals: `reference/crystals`."""
+"""Dense crystals: `reference/crystals`."""
 
 import csv
 import itertools

@@ -1,4 +1,4 @@
-"""Builds the densest known crystals of ellipsoids, and writes crystals.csv.
+"""Builds dense crystals of ellipsoids with two orientations, and writes crystals.csv.
 
 Usage: crystals.py [TABLE], with pypw85 on the path.
 
