@@ -9,7 +9,7 @@ from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
 PICTURES = (
-    "accuracy", "closest_passage", "containment", "crystals", "curvature", "digits", "energy", "evaluations",
+    "accuracy", "closest_passage", "containment", "crystals", "curvature", "digits", "energy", "equation_of_state", "evaluations",
     "filled_hopper", "function_f", "packing", "plot", "scaled_pair", "signed_distance", "throughput", "turning_plane",
 )  # fmt: skip
 
