@@ -82,6 +82,10 @@ def out_of_date():
         path = HERE / "pictures" / f"{picture}.svg"
         if escape(measurements.source(table)) not in path.read_text(encoding="utf-8"):
             yield str(path)
+    for table in (HERE.parent / "reference").glob("*/*.csv"):
+        path = HERE / "pictures" / f"{table.stem}.svg"
+        if path.exists() and escape(measurements.source_of_file(table)) not in path.read_text(encoding="utf-8"):
+            yield str(path)
 
 
 def write():

@@ -1,8 +1,9 @@
-"""Directive ``measured-table``: chosen columns of a table in docs/measurements.json, with headings for readers; and chosen
-rows, those with one of the values in a column, or the last of those that are alike in a column (that of the best target).
+"""Directive ``measured-table``: chosen columns of a table in docs/measurements.json, or of a file like reference/crystals/crystals.csv,
+with headings for readers; and chosen rows, those with one of the values in a column, or the last of those that are alike in a column
+(that of the best target).
 
 .. measured-table:: table
-   :columns: column=heading; column=heading
+   :columns: column=heading; column:.3f=heading
    :where: column=value value
    :last-of: column
    :name: label
@@ -10,19 +11,27 @@ rows, those with one of the values in a column, or the last of those that are al
    Caption.
 """
 
+import csv
+
 import measurements
-from docutils import nodes
-from docutils.parsers.rst import Directive, directives
-from docutils.statemachine import StringList
+from docutils.parsers.rst import directives
+from number_table import NumberTable
+
+ROOT = measurements.RESULTS.parent.parent
 
 
-def text(cell):
+def text(cell, form=""):
+    if form:
+        return format(float(cell), form)
     return f"{cell:g}" if isinstance(cell, float) else str(cell)
 
 
-class MeasuredTable(Directive):
-    required_arguments = 1
-    has_content = True
+def read(path):
+    with path.open(newline="", encoding="utf-8") as file:
+        return list(csv.DictReader(file))
+
+
+class MeasuredTable(NumberTable):
     option_spec = {  # noqa: RUF012 (as docutils has it)
         "columns": directives.unchanged_required,
         "where": directives.unchanged,
@@ -30,8 +39,12 @@ class MeasuredTable(Directive):
         "name": directives.unchanged,
     }
 
+    def path(self):
+        return ROOT / self.arguments[0] if self.arguments[0].endswith(".csv") else measurements.RESULTS
+
     def rows(self):
-        rows = measurements.read_table(self.arguments[0])
+        path = self.path()
+        rows = measurements.read_table(self.arguments[0]) if path == measurements.RESULTS else read(path)
         if "where" in self.options:
             column, _, values = self.options["where"].partition("=")
             rows = [row for row in rows if row[column] in values.split()]
@@ -39,21 +52,18 @@ class MeasuredTable(Directive):
             rows = list({row[self.options["last-of"]]: row for row in rows}.values())
         return rows
 
-    def run(self):
-        path = str(measurements.RESULTS)
-        self.state.document.settings.record_dependencies.add(path)
+    def files(self):
+        return [self.path()]
+
+    def table(self):
         columns = [entry.strip().split("=") for entry in self.options["columns"].split(";")]
-        lines = [f".. list-table:: {' '.join(self.content)}", "   :header-rows: 1", "   :class: numbers"]
-        if "name" in self.options:
-            lines.append(f"   :name: {self.options['name']}")
-        lines.append("")
-        table = [[heading for _, heading in columns]]
-        table += [[text(row.get(column, "")) for column, _ in columns] for row in self.rows()]
-        for cells in table:
-            lines += [("   * - " if i == 0 else "     - ") + cell for i, cell in enumerate(cells)]
-        container = nodes.container()
-        self.state.nested_parse(StringList(lines, path), self.content_offset, container)
-        return container.children
+        yield [heading for _, heading in columns]
+        forms = [column.partition(":")[::2] for column, _ in columns]
+        for row in self.rows():
+            yield [text(row.get(column, ""), form) for column, form in forms]
+
+    def options_of_list(self):
+        return [f"   :name: {self.options['name']}"] if "name" in self.options else []
 
 
 def setup(app):

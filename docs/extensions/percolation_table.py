@@ -9,9 +9,7 @@ import csv
 import math
 from pathlib import Path
 
-from docutils import nodes
-from docutils.parsers.rst import Directive
-from docutils.statemachine import StringList
+from number_table import NumberTable
 
 FOLDER = Path(__file__).resolve().parents[2] / "reference" / "percolation"
 
@@ -43,19 +41,12 @@ def checks():
         yield [row["aspect"], with_error(row, "eta"), with_error(other, "eta"), f"{difference:+.1f} σ".replace("-", "−")]
 
 
-class PercolationTable(Directive):
-    required_arguments = 1
-    has_content = True
+class PercolationTable(NumberTable):
+    def files(self):
+        return [FOLDER / name for name in ("percolation.csv", "check.csv")]
 
-    def run(self):
-        for name in ("percolation.csv", "check.csv"):
-            self.state.document.settings.record_dependencies.add(str(FOLDER / name))
-        lines = [f".. list-table:: {' '.join(self.content)}", "   :header-rows: 1", "   :class: numbers", ""]
-        for cells in {"thresholds": thresholds, "checks": checks}[self.arguments[0]]():
-            lines += [("   * - " if i == 0 else "     - ") + cell for i, cell in enumerate(cells)]
-        container = nodes.container()
-        self.state.nested_parse(StringList(lines, str(FOLDER)), self.content_offset, container)
-        return container.children
+    def table(self):
+        return {"thresholds": thresholds, "checks": checks}[self.arguments[0]]()
 
 
 def setup(app):

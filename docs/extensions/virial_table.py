@@ -13,9 +13,7 @@ import math
 import sys
 from pathlib import Path
 
-from docutils import nodes
-from docutils.parsers.rst import Directive
-from docutils.statemachine import StringList
+from number_table import NumberTable
 
 sys.path.append(str(Path(__file__).resolve().parents[2] / "reference" / "virial"))
 
@@ -51,18 +49,12 @@ def fits():
         yield [row["shape"], *(deviation(row, order) for order in FITS)]
 
 
-class VirialTable(Directive):
-    required_arguments = 1
-    has_content = True
+class VirialTable(NumberTable):
+    def files(self):
+        return [PATH]
 
-    def run(self):
-        self.state.document.settings.record_dependencies.add(str(PATH))
-        lines = [f".. list-table:: {' '.join(self.content)}", "   :header-rows: 1", "   :class: numbers", ""]
-        for cells in {"coefficients": coefficients, "fits": fits}[self.arguments[0]]():
-            lines += [("   * - " if i == 0 else "     - ") + cell for i, cell in enumerate(cells)]
-        container = nodes.container()
-        self.state.nested_parse(StringList(lines, str(PATH)), self.content_offset, container)
-        return container.children
+    def table(self):
+        return {"coefficients": coefficients, "fits": fits}[self.arguments[0]]()
 
 
 def setup(app):

@@ -1,6 +1,7 @@
 """What all pictures share: a white background, fit for print and for a dark page, and colours that colour-blind readers
 can tell apart (M. Okabe and K. Ito, 2008)."""
 
+import csv
 import pathlib
 import sys
 
@@ -13,6 +14,7 @@ import matplotlib.pyplot as plt
 BLUE, ORANGE, GREEN, PURPLE = "#0072B2", "#D55E00", "#009E73", "#CC79A7"
 BLACK, SKY, YELLOW = "#000000", "#56B4E9", "#F0A830"
 HERE = pathlib.Path(__file__).resolve().parent
+REFERENCE = HERE.parent.parent / "reference"
 sys.path.append(str(HERE.parent))
 
 import measurements  # noqa: E402
@@ -37,6 +39,12 @@ plt.rcParams.update(
 
 def figure(columns=1, width=7.0, height=4.2, **kwargs):
     return plt.subplots(1, columns, figsize=(width, height), constrained_layout=True, **kwargs)
+
+
+def read_reference(name):
+    """Rows of reference/NAME/NAME.csv, as dictionaries of texts."""
+    with (REFERENCE / name / f"{name}.csv").open(newline="", encoding="utf-8") as file:
+        return list(csv.DictReader(file))
 
 
 def save(fig, name, table=None, data=None):

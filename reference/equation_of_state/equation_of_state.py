@@ -1,0 +1,232 @@
+"""Measures the equation of state of hard spheroids by Monte Carlo, and writes equation_of_state.csv.
+
+Usage: equation_of_state.py [TABLE], with pypw85 on the path. States that the table already has are not measured again. So a run
+that was interrupted goes on at the state where it was, and a state is measured anew if its row is deleted.
+
+All ellipsoids have the semi-axes (s, s, κ s), where κ is the aspect ratio and s³κ = 1. At constant volume, event chains measure
+Z = βP/ρ. The program can also measure the volume fraction φ at constant pressure, as the tests do for a check. Each row has the
+seed of its random numbers, and the same version of the library gives the same row again.
+"""
+
+from __future__ import annotations
+
+import csv
+import math
+import sys
+import zlib
+from fractions import Fraction
+from pathlib import Path
+from typing import NamedTuple
+
+import numpy as np
+
+import pypw85
+
+TABLE = Path(__file__).with_name("equation_of_state.csv")
+VOLUME = 4 / 3 * np.pi  # of each ellipsoid, because the product of its semi-axes is 1
+
+
+class State(NamedTuple):
+    """What is asked for. `start` is random, or aligned: a stretched fcc crystal of parallel ellipsoids."""
+
+    aspect: str  # of the axis of revolution to the others: 3 or 1/3
+    start: str
+    ensemble: str  # NVT or NPT
+    target: str  # volume fraction; in NPT that of the state whose pressure is applied
+
+    @property
+    def seed(self) -> int:
+        return zlib.crc32(" ".join(self).encode())
+
+    @property
+    def kappa(self) -> float:
+        return float(Fraction(self.aspect))
+
+    @property
+    def semi_axes(self) -> np.ndarray:
+        """Their product is 1."""
+        return np.array([1, 1, self.kappa]) / np.cbrt(self.kappa)
+
+
+def mean_width(kappa: float) -> float:
+    """Half the width of a spheroid with the semi-axes 1, 1 and κ, on average over all directions: the integral of √(1 + (κ² - 1) t²) over
+    [0, 1]."""
+    root = abs(kappa * kappa - 1) ** 0.5
+    return 0.5 * (kappa + (math.asinh(root) if kappa > 1 else math.asin(root)) / root) if root else 1.0
+
+
+def second_virial(kappa: float) -> float:
+    """B2 of spheroids in units of their volume, by Isihara (1950): 1 + R S / V. The mean half width is R, and the surface S is four times
+    the mean projection (Cauchy), which is that of widths of the spheroid with the aspect ratio 1/κ."""
+    return 1 + 3 * mean_width(kappa) * mean_width(1 / kappa)
+
+
+def parsons(kappa: float, phi: float) -> float:
+    """Z of the isotropic branch by Parsons (1979): that of hard spheres by Carnahan and Starling (1969), scaled to the right B2."""
+    return 1 + second_virial(kappa) * phi * (1 - phi / 2) / (1 - phi) ** 3
+
+
+class Effort(NamedTuple):
+    """Lengths of a run. A cycle is some sweeps of rotations and twice as many chains in NVT; in NPT, some sweeps of rotations and
+    translations, with a trial of the volume after each."""
+
+    particles: int = 1000
+    tuning: int = 500  # sweeps in which the steps change
+    equilibration: int = 128  # cycles before the samples
+    cycles: int = 256  # with one sample each
+    sweeps: int = 4
+
+
+class Estimate(NamedTuple):
+    value: float
+    error: float
+    drift: float  # of the mean from the first half to the second, in units of its error
+
+
+RANDOM = {
+    "1": ("0.1", "0.2", "0.3", "0.4", "0.45"),
+    "3": ("0.1", "0.2", "0.3", "0.4", "0.45"),
+    "1/3": ("0.1", "0.2", "0.3", "0.4", "0.45"),
+    "5": ("0.1", "0.2", "0.3", "0.35"),
+    "1/5": ("0.1", "0.2", "0.3"),
+    "2": ("0.1", "0.2", "0.3", "0.4", "0.5"),
+    "1/2": ("0.1", "0.2", "0.3", "0.4", "0.5"),
+}
+ALIGNED = {
+    "5": ("0.5",),
+    "1/5": ("0.5",),
+    "3": ("0.3",),
+    "1/3": ("0.3",),
+}
+# Cells of the stretched crystal, which have four particles each: the box is about as long as it is wide.
+CELLS = {"5": (11, 11, 2), "1/5": (4, 4, 20), "3": (9, 9, 3), "1/3": (4, 4, 12)}
+
+
+def states() -> list[State]:
+    """All states of the table, in the order in which they are measured."""
+    starts = {"random": RANDOM, "aligned": ALIGNED}
+    return [State(a, start, "NVT", f) for start, shapes in starts.items() for a, fractions in shapes.items() for f in fractions]
+
+
+def effort(state: State) -> Effort:
+    """Orientations of long and flat ellipsoids relax slowly, and parallel ones lose their order slowly."""
+    if state.start == "aligned" and state.target != "0.3":
+        return Effort(equilibration=640, sweeps=8)
+    return Effort(sweeps=8) if "5" in state.aspect else Effort()
+
+
+def random_start(state: State, number: int) -> pypw85.System:
+    return pypw85.pack(np.tile(state.semi_axes, (number, 1)), float(state.target), seed=state.seed)
+
+
+def aligned_start(state: State, cells: tuple[int, int, int]) -> pypw85.System:
+    """The fcc crystal of spheres, stretched along the axes of the cell. It exists up to a volume fraction of 0.74."""
+    edges = state.semi_axes * np.cbrt(4 * VOLUME / float(state.target))
+    corners = np.stack(np.meshgrid(*map(np.arange, cells), indexing="ij"), axis=-1).reshape(-1, 1, 3)
+    places = (corners + np.array([[0, 0, 0], [0, 0.5, 0.5], [0.5, 0, 0.5], [0.5, 0.5, 0]])).reshape(-1, 3) * edges
+    n = len(places)
+    upright = np.tile([1.0, 0, 0, 0], (n, 1))
+    return pypw85.System.from_axes(places, np.tile(state.semi_axes, (n, 1)), upright, cell=np.diag(edges * cells))
+
+
+def estimate(samples: list[float]) -> Estimate:
+    """Mean, with the largest of the errors from blocks of different lengths, of which there are 16 to 128: samples that follow each
+    other are correlated, and the errors grow until the blocks are independent."""
+    errors = []
+    for number in (16, 32, 64, 128):
+        means = np.mean(np.reshape(samples, (number, -1)), axis=1)
+        errors.append(means.std(ddof=1) / np.sqrt(number))
+    halves = np.mean(np.reshape(samples, (2, -1)), axis=1)
+    return Estimate(float(np.mean(samples)), max(errors), float((halves[1] - halves[0]) / (2 * max(errors))))
+
+
+def fraction(simulation: pypw85.HardEllipsoids) -> float:
+    return len(simulation) * VOLUME / abs(float(np.linalg.det(simulation.cell)))
+
+
+def one_cycle(simulation: pypw85.HardEllipsoids, sweeps: int, pressure: float) -> float:
+    """Z of a cycle at constant volume if `pressure` is 0, and the volume fraction after a cycle at this pressure otherwise."""
+    if not pressure:
+        simulation.sweep(sweeps)
+        return simulation.chain(2 * sweeps, float(simulation.cell.max()))
+    for _ in range(sweeps):
+        simulation.sweep()
+        simulation.volume_moves(1, pressure)
+    return fraction(simulation)
+
+
+def measure(state: State, how: Effort, pressure: float = 0.0) -> tuple[Estimate, Estimate]:
+    """Z, or the volume fraction at a pressure βPv > 0, and the nematic order. Nothing overlaps at the end."""
+    aligned = state.start == "aligned"
+    start = aligned_start(state, CELLS[state.aspect]) if aligned else random_start(state, how.particles)
+    simulation = pypw85.HardEllipsoids(start, state.seed)
+    beta_p = pressure / VOLUME
+    if not pressure:
+        simulation.set_fractions(rotation=1)  # the chains translate
+    simulation.tune(how.tuning, pressure=beta_p)
+    for _ in range(how.equilibration):
+        one_cycle(simulation, how.sweeps, beta_p)
+    samples, order = [], []
+    for _ in range(how.cycles):
+        samples.append(one_cycle(simulation, how.sweeps, beta_p))
+        order.append(pypw85.nematic_order(simulation.system()))
+    simulation.check()
+    return estimate(samples), estimate(order)
+
+
+def row_of(state: State, how: Effort, pressure: float = 0.0) -> dict[str, str]:
+    """Measures a state and makes its row."""
+    result, order = measure(state, how, pressure)
+    target = float(state.target)
+    z, z_error = (pressure / result.value, pressure * result.error / result.value**2) if pressure else result[:2]
+    phi, phi_error = result[:2] if pressure else (target, 0.0)
+    number = 4 * int(np.prod(CELLS[state.aspect])) if state.start == "aligned" else how.particles
+    return state._asdict() | {
+        "particles": str(number),
+        "sweeps": str(how.cycles * how.sweeps),
+        "fraction": f"{phi:.6f}",
+        "fraction_error": f"{phi_error:.2g}",
+        "pressure": repr(pressure) if pressure else f"{z * phi:.6g}",
+        "z": f"{z:.6g}",
+        "z_error": f"{z_error:.2g}",
+        "order": f"{order.value:.4f}",
+        "order_error": f"{order.error:.2g}",
+        "drift": f"{result.drift:.1f}",
+        "order_drift": f"{order.drift:.1f}",
+        "seed": str(state.seed),
+        "version": pypw85.__version__,
+    }
+
+
+def read_table(path: Path = TABLE) -> dict[State, dict[str, str]]:
+    """Rows by their states; empty if there is no such file."""
+    if not path.exists():
+        return {}
+    with path.open(newline="", encoding="utf-8") as file:
+        return {State(*(row[name] for name in State._fields)): row for row in csv.DictReader(file)}
+
+
+def write_table(rows: dict[State, dict[str, str]], path: Path) -> None:
+    """The file is replaced as a whole, so that an interrupted run leaves the one before."""
+    ordered = [rows[state] for state in states() if state in rows]
+    temporary = path.with_suffix(".part")
+    with temporary.open("w", newline="", encoding="utf-8") as file:
+        writer = csv.DictWriter(file, ordered[0].keys(), lineterminator="\n")
+        writer.writeheader()
+        writer.writerows(ordered)
+    temporary.replace(path)
+
+
+def main() -> None:
+    path = Path(sys.argv[1]) if len(sys.argv) > 1 else TABLE
+    rows = read_table(path)
+    for state in states():
+        if state in rows:
+            continue
+        rows[state] = row = row_of(state, effort(state))
+        write_table(rows, path)
+        print(*state, "Z", row["z"], row["z_error"], "S", row["order"], "drift", row["drift"], row["order_drift"], flush=True)
+
+
+if __name__ == "__main__":
+    main()
