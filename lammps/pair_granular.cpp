@@ -20,9 +20,13 @@ constexpr char style_name[] = "Pair pw85/granular";
 /// (ω dt)²/24, here 0.2 %; it is unstable from ω dt = 2.
 constexpr double largest_phase = 0.2;
 
+/// The cosine of the largest angle by which a normal may turn in a step of a run. A normal that turns further may belong to another
+/// minimum of the depth.
+constexpr double least_cosine = 0.97;
+
 } // namespace
 
-PairGranular::PairGranular(LAMMPS *lammps) : Pair(lammps), normals_(3 * PairBatch::capacity)
+PairGranular::PairGranular(LAMMPS *lammps) : Pair(lammps)
 {
     restartinfo = 0;
     single_enable = 0;
@@ -168,36 +172,94 @@ void PairGranular::add_batch(int eflag)
 {
     pw85_system const system = ellipsoids_->system();
     auto const refuse = [this](int i, int j, int status) { ellipsoids_->refuse_pair(i, j, status); };
-    pw85_pair_list const pairs = batch_.keep_overlaps(system, refuse);
+    std::size_t const count = batch_.keep_overlaps(system, refuse).num_pairs;
+    find_starts(count);
+    for (std::size_t first = 0; first < count; first += GrainSearch::capacity) {
+        std::size_t const end = std::min(first + GrainSearch::capacity, count);
+        search_.clear();
+        for (std::size_t k = first; k < end; ++k) add_to(search_, k);
+        search_.solve();
+        for (std::size_t k = first; k < end; ++k) add_pair(k, certain_contact(k, search_.contact(k - first)), eflag);
+    }
+}
+
+/// Finds the contacts that the pairs of the batch had in the step before, and where the searches for their normals start.
+void PairGranular::find_starts(std::size_t count)
+{
+    starts_.resize(count);
+    new_pairs_.clear();
+    new_rows_.clear();
+    for (std::size_t k = 0; k < count; ++k) {
+        int const i = batch_.pairs[2 * k], j = batch_.pairs[2 * k + 1];
+        ContactHistory::Contact const *const before = history_->find(i, j);
+        bool const is_known = before && before->index == j;
+        starts_[k] = {is_known ? before->normal : Vector{}, before, is_known};
+        if (is_known) continue;
+        new_pairs_.insert(new_pairs_.end(), {i, j});
+        new_rows_.push_back(k);
+    }
+    start_at_contact_function();
+}
+
+/// Replaces the starts of the new pairs by the normals of the contact function.
+void PairGranular::start_at_contact_function()
+{
+    std::size_t const count = new_rows_.size();
+    pw85_system const system = ellipsoids_->system();
+    pw85_pair_list const pairs{count, new_pairs_.data(), nullptr};
+    normals_.resize(3 * count);
     pw85_contact_derivatives_pairs(&pairs, &system, nullptr, nullptr, nullptr, normals_.data(), nullptr, nullptr,
                                    nullptr);
-    for (std::size_t k = 0; k < pairs.num_pairs; ++k) add_pair(k, eflag);
+    for (std::size_t k = 0; k < count; ++k) starts_[new_rows_[k]].normal = vector(&normals_[3 * k]);
+}
+
+Vector PairGranular::separation(std::size_t k) const
+{
+    return vector(atom->x[batch_.pairs[2 * k + 1]]) - vector(atom->x[batch_.pairs[2 * k]]);
+}
+
+void PairGranular::add_to(GrainSearch &search, std::size_t k) const
+{
+    search.add(separation(k), ellipsoids_->form(batch_.pairs[2 * k]), ellipsoids_->form(batch_.pairs[2 * k + 1]),
+               starts_[k].normal);
+}
+
+/// The contact of pair k, for which a search has found g. If the search has failed, or the normal has turned far since the step
+/// before, another search starts from the normal of the contact function.
+GrainGeometry PairGranular::certain_contact(std::size_t k, GrainGeometry const &g)
+{
+    if (!starts_[k].is_known || (g.depth > 0.0 && dot(g.normal, starts_[k].normal) >= least_cosine)) return g;
+    new_pairs_ = {batch_.pairs[2 * k], batch_.pairs[2 * k + 1]};
+    new_rows_ = {k};
+    start_at_contact_function();
+    single_search_.clear();
+    add_to(single_search_, k);
+    single_search_.solve();
+    return single_search_.contact(0);
 }
 
 /// Adds the force and torques of pair k of the batch.
-void PairGranular::add_pair(std::size_t k, int eflag)
+void PairGranular::add_pair(std::size_t k, GrainGeometry g, int eflag)
 {
     int const i = batch_.pairs[2 * k], j = batch_.pairs[2 * k + 1];
     double const share = force->special_lj[batch_.special[k]];
     if (share == 0.0) return;
-    Vector const r12 = vector(atom->x[j]) - vector(atom->x[i]);
-    GrainGeometry g;
-    if (!find_geometry(r12, ellipsoids_->form(i), ellipsoids_->form(j), vector(&normals_[3 * k]), g))
-        refuse_depth(i, j);
+    if (std::isnan(g.depth)) refuse_depth(i, j);
     if (!(g.depth > 0.0)) return;
     if (arms_ == Arms::contact) g.meet_in_the_middle();
     Encounter const e = meet(i, j, g);
     ContactLaw const &law = material(atom->type[i], atom->type[j]).law;
-    Vector spring = law.has_spring() ? history_->find(i, j) : Vector{};
+    Vector spring = starts_[k].before ? starts_[k].before->spring : Vector{};
     Reaction const reaction = law.react(e, spring);
-    if (law.has_spring()) history_->store(i, j, spring);
+    history_->store(i, j, spring, g.normal);
     fastest_ = std::max(fastest_, share * reaction.stiffness / e.mass);
     Vector const f = share * reaction.force;
     apply(i, f, cross(g.arm1, f));
     if (force->newton_pair || j < atom->nlocal) apply(j, -1.0 * f, -1.0 * cross(g.arm2, f));
-    if (evflag)
-        ev_tally_xyz(i, j, atom->nlocal, force->newton_pair, eflag ? share * reaction.energy : 0.0, 0.0, f[0], f[1],
-                     f[2], -r12[0], -r12[1], -r12[2]);
+    if (!evflag) return;
+    Vector const r12 = separation(k);
+    ev_tally_xyz(i, j, atom->nlocal, force->newton_pair, eflag ? share * reaction.energy : 0.0, 0.0, f[0], f[1], f[2],
+                 -r12[0], -r12[1], -r12[2]);
 }
 
 Encounter PairGranular::meet(int i, int j, GrainGeometry const &g) const

@@ -41,12 +41,24 @@ class PairGranular final : public LAMMPS_NS::Pair {
         bool is_set = false;
     };
 
+    /// Where the search for the normal of a pair starts, and what the pair was in the step before.
+    struct Start {
+        Vector normal;
+        ContactHistory::Contact const *before; ///< null for a new contact
+        bool is_known;                         ///< whether the normal is that of the step before
+    };
+
     void allocate();
     void add_history();
     void read_reaches();
     Material &material(int t, int u);
     void add_batch(int eflag);
-    void add_pair(std::size_t k, int eflag);
+    void find_starts(std::size_t count);
+    void start_at_contact_function();
+    Vector separation(std::size_t k) const;
+    void add_to(GrainSearch &search, std::size_t k) const;
+    GrainGeometry certain_contact(std::size_t k, GrainGeometry const &g);
+    void add_pair(std::size_t k, GrainGeometry g, int eflag);
     Encounter meet(int i, int j, GrainGeometry const &g) const;
     Vector velocity(int i, Vector const &arm) const;
     void find_spins();
@@ -64,11 +76,15 @@ class PairGranular final : public LAMMPS_NS::Pair {
     std::string history_id_;
     ContactHistory *history_ = nullptr;
     PairBatch batch_;
-    std::vector<double> normals_; ///< of the pairs of a batch that overlap
-    std::vector<Vector> spins_;   ///< angular velocities of owned atoms and ghosts
-    double timestep_ = 0.0;       ///< for springs: zero while a run is set up
-    double fastest_ = 0.0;        ///< largest stiffness over mass of a contact in this step
-    int frozen_ = 0;              ///< bit of the group of fix freeze
+    std::vector<Start> starts_;           ///< of the pairs of a batch that overlap
+    std::vector<std::int32_t> new_pairs_; ///< pairs of the batch whose normals are unknown
+    std::vector<std::size_t> new_rows_;   ///< their rows in starts_
+    std::vector<double> normals_;         ///< their normals of the contact function
+    GrainSearch search_, single_search_;
+    std::vector<Vector> spins_; ///< angular velocities of owned atoms and ghosts
+    double timestep_ = 0.0;     ///< for springs: zero while a run is set up
+    double fastest_ = 0.0;      ///< largest stiffness over mass of a contact in this step
+    int frozen_ = 0;            ///< bit of the group of fix freeze
     bool warned_ = false;
 };
 
