@@ -221,10 +221,10 @@ Vector ContactLaw::tangential_force(Encounter const &e, Vector const &slip, doub
         spring = spring - dot(spring, e.normal) * e.normal;
     }
     Vector const force = -stiffness * spring - damping * slip;
-    double const size = std::sqrt(dot(force, force));
-    if (size <= limit) return force;
+    double const square = dot(force, force);
+    if (square <= limit * limit) return force;
     if (has_spring() && dot(spring, spring) == 0.0) return {};
-    Vector const limited = (limit / size) * force;
+    Vector const limited = (limit / std::sqrt(square)) * force;
     if (has_spring()) spring = (-1.0 / stiffness) * (limited + damping * slip);
     return limited;
 }

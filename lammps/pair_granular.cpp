@@ -179,7 +179,11 @@ void PairGranular::add_batch(int eflag)
         search_.clear();
         for (std::size_t k = first; k < end; ++k) add_to(search_, k);
         search_.solve();
-        for (std::size_t k = first; k < end; ++k) add_pair(k, certain_contact(k, search_.contact(k - first)), eflag);
+        for (std::size_t k = first; k < end; ++k) {
+            GrainGeometry g = search_.contact(k - first);
+            if (!is_certain(k, g)) g = contact_from_anew(k);
+            add_pair(k, g, eflag);
+        }
     }
 }
 
@@ -224,11 +228,15 @@ void PairGranular::add_to(GrainSearch &search, std::size_t k) const
                starts_[k].normal);
 }
 
-/// The contact of pair k, for which a search has found g. If the search has failed, or the normal has turned far since the step
-/// before, another search starts from the normal of the contact function.
-GrainGeometry PairGranular::certain_contact(std::size_t k, GrainGeometry const &g)
+/// Whether a contact is that of pair k. If the normal has turned far since the step before, it may belong to another minimum.
+bool PairGranular::is_certain(std::size_t k, GrainGeometry const &g) const
 {
-    if (!starts_[k].is_known || (g.depth > 0.0 && dot(g.normal, starts_[k].normal) >= least_cosine)) return g;
+    return !starts_[k].is_known || (g.depth > 0.0 && dot(g.normal, starts_[k].normal) >= least_cosine);
+}
+
+/// The contact of pair k that is found from the normal of the contact function.
+GrainGeometry PairGranular::contact_from_anew(std::size_t k)
+{
     new_pairs_ = {batch_.pairs[2 * k], batch_.pairs[2 * k + 1]};
     new_rows_ = {k};
     start_at_contact_function();
@@ -239,7 +247,7 @@ GrainGeometry PairGranular::certain_contact(std::size_t k, GrainGeometry const &
 }
 
 /// Adds the force and torques of pair k of the batch.
-void PairGranular::add_pair(std::size_t k, GrainGeometry g, int eflag)
+void PairGranular::add_pair(std::size_t k, GrainGeometry &g, int eflag)
 {
     int const i = batch_.pairs[2 * k], j = batch_.pairs[2 * k + 1];
     double const share = force->special_lj[batch_.special[k]];
@@ -286,10 +294,14 @@ void PairGranular::find_spins()
 
 void PairGranular::apply(int i, Vector const &push, Vector const &torque)
 {
-    for (std::size_t k = 0; k < 3; ++k) {
-        atom->f[i][k] += push[k];
-        atom->torque[i][k] += torque[k];
-    }
+    double *const f = atom->f[i], *const t = atom->torque[i];
+    f[0] += push
+        [0]; // one by one: a loop would read pairs of numbers that have just been written one by one, which takes long
+    f[1] += push[1];
+    f[2] += push[2];
+    t[0] += torque[0];
+    t[1] += torque[1];
+    t[2] += torque[2];
 }
 
 void PairGranular::check_timestep()

@@ -57,8 +57,9 @@ class PairGranular final : public LAMMPS_NS::Pair {
     void start_at_contact_function();
     Vector separation(std::size_t k) const;
     void add_to(GrainSearch &search, std::size_t k) const;
-    GrainGeometry certain_contact(std::size_t k, GrainGeometry const &g);
-    void add_pair(std::size_t k, GrainGeometry g, int eflag);
+    bool is_certain(std::size_t k, GrainGeometry const &g) const;
+    GrainGeometry contact_from_anew(std::size_t k);
+    void add_pair(std::size_t k, GrainGeometry &g, int eflag);
     Encounter meet(int i, int j, GrainGeometry const &g) const;
     Vector velocity(int i, Vector const &arm) const;
     void find_spins();
