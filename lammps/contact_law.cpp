@@ -186,8 +186,9 @@ Reaction ContactLaw::react(Encounter const &e, Vector &spring) const
     double const approach = dot(e.velocity, e.normal);
     double pressure = secant * e.depth + damped * approach;
     if (limits_damping_ && pressure < 0.0) pressure = 0.0;
-    Reaction result{-pressure * e.normal, (is_hertz ? 0.4 : 0.5) * secant * e.depth * e.depth,
-                    is_hertz ? 1.5 * secant : secant};
+    double const energy = (is_hertz ? 0.4 : 0.5) * secant * e.depth * e.depth;
+    Reaction result{-pressure * e.normal, energy, is_hertz ? 1.5 * secant : secant,
+                    is_hertz ? 0.5 * energy / e.radius : 0.0};
     if (tangential_ == Tangential::none) return result;
     double const stiffness = tangential_stiffness_ * (tangential_ == Tangential::mindlin ? contact_radius : 1.0);
     result.force =

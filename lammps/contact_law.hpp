@@ -25,6 +25,7 @@ struct Reaction {
     Vector force;     ///< on the first body
     double energy;    ///< of the normal spring
     double stiffness; ///< dF/dδ of the normal spring
+    double by_radius; ///< derivative of the energy by the equivalent radius
 };
 
 /// A normal and a tangential law with their constants.

@@ -83,11 +83,21 @@ PlaneMatrix inverse(PlaneMatrix const &m)
     return {factor * m.yy, -factor * m.xy, factor * m.xx};
 }
 
-/// The motion of a point of support if the normal turns by (x, y) in the basis of the tangent plane.
-Vector moved(PlaneMatrix const &m, Tangents const &t, double x, double y)
-{
-    return t.along(m.xx * x + m.xy * y, m.xy * x + m.yy * y);
-}
+/// How a point of support p and the radii of curvature A there change if the normal turns by x in the tangent plane, to first order:
+/// by Ax and -(A (p·x) + Ax pᵀ + p (Ax)ᵀ)/h.
+struct Turn {
+    Turn(PlaneMatrix const &m, Support const &s, Tangents const &t, double x, double y)
+    {
+        double const ax = m.xx * x + m.xy * y, ay = m.xy * x + m.yy * y;
+        double const px = dot(t.first, s.point), py = dot(t.second, s.point), along = px * x + py * y;
+        point = t.along(ax, ay);
+        radii = {-s.scale * (m.xx * along + 2.0 * ax * px), -s.scale * (m.xy * along + ax * py + ay * px),
+                 -s.scale * (m.yy * along + 2.0 * ay * py)};
+    }
+
+    Vector point;
+    PlaneMatrix radii;
+};
 
 /// The eigenvalues of the sum of both surfaces' curvatures. The smaller one is the determinant over the larger one, so that it does
 /// not come from a difference.
@@ -162,7 +172,7 @@ void store(std::array<double, width> const &numbers, double (&row)[width][GrainS
 }
 
 /// Computes the contact of a pair for its present normal, and a step of Newton's method. Where the step is short, the depth is
-/// stationary, and the points move by their derivatives.
+/// stationary, and the points and curvatures change by their derivatives.
 void evaluate(GrainSearch::Rows &rows, std::size_t l)
 {
     auto const n = load(rows.normal, l);
@@ -175,10 +185,11 @@ void evaluate(GrainSearch::Rows &rows, std::size_t l)
     PlaneMatrix const m = m1 + m2 + PlaneMatrix{-depth, 0.0, -depth}, inverted = inverse(m);
     double const dx = -(inverted.xx * gx + inverted.xy * gy), dy = -(inverted.xy * gx + inverted.yy * gy);
     double const square = dx * dx + dy * dy, determinant = m.determinant();
-    PlaneMatrix const sum = inverse(m1) + inverse(m2);
+    Turn const turn1(m1, s1, t, dx, dy), turn2(m2, s2, t, dx, dy);
+    PlaneMatrix const sum = inverse(m1 + turn1.radii) + inverse(m2 + turn2.radii);
     store((1.0 / std::sqrt(1.0 + square)) * (n + t.along(dx, dy)), rows.turned, l);
-    store(s1.point + moved(m1, t, dx, dy), rows.arm1, l);
-    store(-1.0 * (s2.point + moved(m2, t, dx, dy)), rows.arm2, l);
+    store(s1.point + turn1.point, rows.arm1, l);
+    store(-1.0 * (s2.point + turn2.point), rows.arm2, l);
     store<3>({sum.xx, sum.xy, sum.yy}, rows.curvature, l);
     rows.depth[l] = depth;
     rows.step[l] = square;
@@ -267,12 +278,82 @@ GrainGeometry GrainSearch::contact(std::size_t k) const
     return {load(rows_.turned, k), rows_.depth[k], load(rows_.arm1, k), load(rows_.arm2, k), rows_.radius[k]};
 }
 
+namespace {
+
+/// The number (1, 2) of ab - ba.
+double commutator(PlaneMatrix const &a, PlaneMatrix const &b) { return a.xy * (b.yy - b.xx) + b.xy * (a.xx - a.yy); }
+
+/// The derivatives of R by the sum of curvatures W, as a symmetric matrix. Because R is the largest value of
+/// 2 agm(1, k)²/(κ1 + κ2 k²) over k, they are -R/(κ1 + κ2 k²) times 1 and k² along the directions of κ1 and κ2.
+PlaneMatrix radius_by_curvature(PlaneMatrix const &sum)
+{
+    Curvatures const c(sum);
+    double const curvatures[2] = {c.small, c.large}, gap = c.large - c.small;
+    double radius = 0.0, ellipse[2];
+    pw85_hertz(curvatures, &radius, ellipse);
+    double const k2 = ellipse[1] / ellipse[0], factor = -radius / (c.small + c.large * k2);
+    double const part = gap > 0.0 ? (k2 - 1.0) / gap : 0.0; // times W - κ1, which is κ2 - κ1 along the direction of κ2
+    return {factor * (1.0 + part * (sum.xx - c.small)), factor * part * sum.xy,
+            factor * (1.0 + part * (sum.yy - c.small))};
+}
+
+/// The part of an ellipsoid in the derivatives of R. Let A be its radii of curvature, K = 1/A, and G = -K R_W K, so that R changes by
+/// tr(G dA).
+struct RadiusPart {
+    RadiusPart(double const *q, Vector const &normal, Tangents const &t)
+        : end(support(q, normal)), radii(radii_of_curvature(q, end, t)), curvature(inverse(radii))
+    {
+    }
+
+    /// If the normal turns by x, A changes as in Turn. So R changes by D·x with
+    /// D = -(tr(GA) p + 2 AG p)/h, where GA = -K R_W.
+    void differentiate(PlaneMatrix const &by_curvature, Tangents const &t)
+    {
+        PlaneMatrix const &k = curvature, &w = by_curvature;
+        double const x = dot(t.first, end.point), y = dot(t.second, end.point);
+        double const kx = k.xx * x + k.xy * y, ky = k.xy * x + k.yy * y; // K p
+        double const trace = k.xx * w.xx + 2.0 * k.xy * w.xy + k.yy * w.yy;
+        by_normal_x = end.scale * (trace * x + 2.0 * (w.xx * kx + w.xy * ky));
+        by_normal_y = end.scale * (trace * y + 2.0 * (w.xy * kx + w.yy * ky));
+        by_spin = 2.0 * commutator(curvature, by_curvature);
+    }
+
+    /// The derivative by a rotation ω of the ellipsoid, n×(A y - D) + S n - p×y. Here y is the derivative of R by r12, S that by a
+    /// rotation about the normal, and a fixed normal turns by -ω×n as seen from the ellipsoid.
+    Vector by_rotation(Vector const &normal, Tangents const &t, double yx, double yy) const
+    {
+        Vector const in_plane =
+            t.along(radii.xx * yx + radii.xy * yy - by_normal_x, radii.xy * yx + radii.yy * yy - by_normal_y);
+        return cross(normal, in_plane) + by_spin * normal - cross(end.point, t.along(yx, yy));
+    }
+
+    Support end;
+    PlaneMatrix radii, curvature;
+    double by_normal_x = 0.0, by_normal_y = 0.0, by_spin = 0.0; ///< D and S
+};
+
+} // namespace
+
+RadiusGradient radius_gradient(double const *q1, double const *q2, Vector const &normal, double depth)
+{
+    Tangents const t(normal);
+    RadiusPart part1(q1, normal, t), part2(q2, normal, t);
+    PlaneMatrix const by_curvature = radius_by_curvature(part1.curvature + part2.curvature);
+    part1.differentiate(by_curvature, t);
+    part2.differentiate(by_curvature, t);
+    // A change of r12 turns the normal by H⁻¹ times its part across the normal, with the second derivatives H of the depth.
+    PlaneMatrix const turn = inverse(part1.radii + part2.radii + PlaneMatrix{-depth, 0.0, -depth});
+    double const dx = part1.by_normal_x + part2.by_normal_x, dy = part1.by_normal_y + part2.by_normal_y;
+    double const yx = turn.xx * dx + turn.xy * dy, yy = turn.xy * dx + turn.yy * dy;
+    return {t.along(yx, yy), part1.by_rotation(normal, t, yx, yy), part2.by_rotation(normal, t, yx, yy)};
+}
+
 GrainGeometry plane_geometry(double const *q, Vector const &normal, double distance)
 {
     Support const s = support(q, normal);
     double const depth = s.height - distance;
-    return {normal, depth, s.point, s.point - depth * normal,
-            equivalent_radius(Curvatures(inverse(radii_of_curvature(q, s, Tangents(normal)))))};
+    PlaneMatrix const curvature = inverse(radii_of_curvature(q, s, Tangents(normal)));
+    return {normal, depth, s.point, s.point - depth * normal, equivalent_radius(Curvatures(curvature))};
 }
 
 } // namespace pw85_lammps

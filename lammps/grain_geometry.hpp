@@ -70,6 +70,16 @@ class GrainSearch {
     std::size_t size_ = 0;
 };
 
+/// The derivatives of the equivalent radius of two ellipsoids, whose common normal follows each motion.
+struct RadiusGradient {
+    Vector r12;                  ///< by the separation
+    Vector rotation1, rotation2; ///< by rotations of each ellipsoid about its own centre
+};
+
+/// @param normal the common normal of the two ellipsoids
+/// @param depth of their overlap along it
+RadiusGradient radius_gradient(double const *q1, double const *q2, Vector const &normal, double depth);
+
 /// The geometry of an ellipsoid and a plane.
 ///
 /// @param normal unit vector out of the ellipsoid, into the material behind the plane

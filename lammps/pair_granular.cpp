@@ -95,11 +95,12 @@ void PairGranular::coeff(int narg, char **arg)
     int ilo, ihi, jlo, jhi;
     utils::bounds(FLERR, arg[0], 1, atom->ntypes, ilo, ihi, error);
     utils::bounds(FLERR, arg[1], 1, atom->ntypes, jlo, jhi, error);
-    ContactLaw const law = ContactLaw::parse(lmp, style_name, narg - 2, arg + 2);
+    bool const conserves = std::strcmp(arg[narg - 1], "conservative") == 0;
+    ContactLaw const law = ContactLaw::parse(lmp, style_name, narg - 2 - conserves, arg + 2);
     int count = 0;
     for (int i = ilo; i <= ihi; ++i) {
         for (int j = std::max(jlo, i); j <= jhi; ++j, ++count) {
-            material(i, j) = material(j, i) = {law, true};
+            material(i, j) = material(j, i) = {law, conserves, true};
             setflag[i][j] = 1;
         }
     }
@@ -143,7 +144,7 @@ double PairGranular::init_one(int i, int j)
             stop_all(*error, std::string(style_name) + ": the laws of types " + std::to_string(i) + " and " +
                                  std::to_string(j) + " cannot be mixed: add pair_coeff " + std::to_string(i) + " " +
                                  std::to_string(j));
-        material(i, j) = material(j, i) = {*law, true};
+        material(i, j) = material(j, i) = {*law, material(i, i).conserves && material(j, j).conserves, true};
     }
     if (cutoff_ > 0.0) return cutoff_;
     return reaches_[static_cast<std::size_t>(i * (atom->ntypes + 1) + j)];
@@ -256,18 +257,31 @@ void PairGranular::add_pair(std::size_t k, GrainGeometry &g, int eflag)
     if (!(g.depth > 0.0)) return;
     if (arms_ == Arms::contact) g.meet_in_the_middle();
     Encounter const e = meet(i, j, g);
-    ContactLaw const &law = material(atom->type[i], atom->type[j]).law;
+    Material const &pair = material(atom->type[i], atom->type[j]);
     Vector spring = starts_[k].before ? starts_[k].before->spring : Vector{};
-    Reaction const reaction = law.react(e, spring);
+    Reaction const reaction = pair.law.react(e, spring);
     history_->store(i, j, spring, g.normal);
     fastest_ = std::max(fastest_, share * reaction.stiffness / e.mass);
-    Vector const f = share * reaction.force;
-    apply(i, f, cross(g.arm1, f));
-    if (force->newton_pair || j < atom->nlocal) apply(j, -1.0 * f, -1.0 * cross(g.arm2, f));
+    Vector f = share * reaction.force, torque1 = cross(g.arm1, f), torque2 = -1.0 * cross(g.arm2, f);
+    if (pair.conserves) add_gradient(i, j, g, share * reaction.by_radius, f, torque1, torque2);
+    apply(i, f, torque1);
+    if (force->newton_pair || j < atom->nlocal) apply(j, -1.0 * f, torque2);
     if (!evflag) return;
     Vector const r12 = separation(k);
     ev_tally_xyz(i, j, atom->nlocal, force->newton_pair, eflag ? share * reaction.energy : 0.0, 0.0, f[0], f[1], f[2],
                  -r12[0], -r12[1], -r12[2]);
+}
+
+/// Adds the force and the torques that come from changes of the equivalent radius.
+///
+/// @param by_radius derivative of the energy by the radius
+void PairGranular::add_gradient(int i, int j, GrainGeometry const &g, double by_radius, Vector &f, Vector &torque1,
+                                Vector &torque2) const
+{
+    RadiusGradient const d = radius_gradient(ellipsoids_->form(i), ellipsoids_->form(j), g.normal, g.depth);
+    f = f + by_radius * d.r12;
+    torque1 = torque1 - by_radius * d.rotation1;
+    torque2 = torque2 - by_radius * d.rotation2;
 }
 
 Encounter PairGranular::meet(int i, int j, GrainGeometry const &g) const

@@ -38,6 +38,7 @@ class PairGranular final : public LAMMPS_NS::Pair {
 
     struct Material {
         ContactLaw law;
+        bool conserves = false; ///< whether the force is minus the gradient of the energy, of which R is a part
         bool is_set = false;
     };
 
@@ -60,6 +61,8 @@ class PairGranular final : public LAMMPS_NS::Pair {
     bool is_certain(std::size_t k, GrainGeometry const &g) const;
     GrainGeometry contact_from_anew(std::size_t k);
     void add_pair(std::size_t k, GrainGeometry &g, int eflag);
+    void add_gradient(int i, int j, GrainGeometry const &g, double by_radius, Vector &f, Vector &torque1,
+                      Vector &torque2) const;
     Encounter meet(int i, int j, GrainGeometry const &g) const;
     Vector velocity(int i, Vector const &arm) const;
     void find_spins();
