@@ -330,10 +330,12 @@ void PairGranular::check_timestep()
 
 void PairGranular::refuse_depth(int i, int j) const
 {
-    ellipsoids_->refuse_pair(
-        i, j,
-        "overlap more than the law of force allows, so that their common normal is not unique: use a "
-        "larger stiffness or a smaller time step, or remove overlaps before the run (fix pw85/fire)");
+    std::string const types = std::to_string(atom->type[i]) + " and " + std::to_string(atom->type[j]);
+    ellipsoids_->refuse_pair(i, j,
+                             "(types " + types +
+                                 ") overlap more than the law of force allows, so that their common normal is not "
+                                 "unique: use a larger stiffness or a smaller time step, or remove overlaps before the "
+                                 "run (fix pw85/fire)");
 }
 
 int PairGranular::pack_forward_comm(int count, int *atoms, double *buffer, int, int *)
