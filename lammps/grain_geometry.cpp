@@ -8,9 +8,9 @@
 #include <cmath>
 #include <limits>
 
-// A function with this attribute is compiled for several instruction sets, together with the functions that it calls. The compiler
-// works on several pairs at a time. All sets give the same bits, because arithmetic is not contracted.
-#if defined(__x86_64__) && defined(__GLIBC__)
+// GCC compiles a function with this attribute for several instruction sets, together with the functions that it calls. It works on
+// several pairs at a time. All sets give the same bits, because arithmetic is not contracted. Clang does not combine the attributes.
+#if defined(__x86_64__) && defined(__GLIBC__) && !defined(__clang__)
 #define PW85_GRAIN_LANES [[gnu::flatten, gnu::target_clones("default", "avx2", "avx512f")]]
 #else
 #define PW85_GRAIN_LANES [[gnu::flatten]]
@@ -198,7 +198,6 @@ void evaluate(GrainSearch::Rows &rows, std::size_t l)
 
 PW85_GRAIN_LANES void evaluate_all(GrainSearch::Rows &rows, std::size_t count)
 {
-#pragma GCC ivdep
     for (std::size_t l = 0; l < count; ++l) evaluate(rows, l);
 }
 
@@ -216,7 +215,6 @@ Curvatures curvatures(GrainSearch::Rows const &rows, std::size_t l)
 
 PW85_GRAIN_LANES void find_radii(GrainSearch::Rows &rows, std::size_t count)
 {
-#pragma GCC ivdep
     for (std::size_t l = 0; l < count; ++l) {
         Curvatures const c = curvatures(rows, l);
         rows.radius[l] = approximate_radius(c);
