@@ -11,7 +11,7 @@ from scipy.optimize import minimize_scalar
 from scipy.special import ellipk
 from test_granular import Grains, granular
 
-STIFFNESS, DAMPING, SLIDING, FRICTION = 50000.0, 1000.0, 0.5, 0.3
+STIFFNESS, DAMPING, SLIDING, FRICTION = 50000.0, 1000.0, 10.0, 0.1
 
 IMPACT = """
 comm_modify vel yes
@@ -115,7 +115,7 @@ class Impacts(unittest.TestCase):
         found = np.column_stack([final[:, 4], final[:, 6], final[:, 8] / plane.inertia])
         np.testing.assert_allclose(final[:, [5, 7, 9]], 0.0, atol=1e-9)  # they stay in the plane
         motion = solve_ivp(lambda _, y: plane.rates(y), (0.0, self.TIME), np.concatenate([places.ravel(), rates.ravel()]),
-                           method="RK45", rtol=1e-6, atol=1e-8, max_step=0.01)
+                           method="RK45", rtol=1e-8, atol=1e-10, max_step=0.001)
         self.assertLess(plane.contact(motion.y[:, -1])[0], 0.0, "the impact is not over")
         return found, motion.y[6:, -1].reshape(2, 3)
 
