@@ -3,64 +3,10 @@
 #include "contact_law.hpp"
 
 #include <cmath>
-#include <map>
 
 using namespace LAMMPS_NS;
 
 namespace pw85_lammps {
-
-/// Reads words one after the other, and says what is wrong with them.
-class ContactLaw::Parser : protected Pointers {
-  public:
-    Parser(LAMMPS *lammps, std::string style, int count, char **words)
-        : Pointers(lammps), style_(std::move(style)), count_(count), words_(words)
-    {
-    }
-
-    bool done() const { return position_ == count_; }
-
-    std::string word(std::string const &what)
-    {
-        if (done()) refuse("lacks " + what);
-        return words_[position_++];
-    }
-
-    double number(std::string const &what, double largest = HUGE_VAL)
-    {
-        std::string const text = word(what);
-        double const value = utils::numeric(FLERR, text.c_str(), false, lmp);
-        if (!(value >= 0.0 && std::isfinite(value) && value <= largest)) refuse("has a bad " + what + ": " + text);
-        return value;
-    }
-
-    /// The next word as a number, or nothing for the word NULL.
-    std::optional<double> number_or_null(std::string const &what)
-    {
-        if (done() || std::string(words_[position_]) != "NULL") return number(what);
-        ++position_;
-        return {};
-    }
-
-    template <class Choice> Choice choice(std::string const &what, std::map<std::string, Choice> const &choices)
-    {
-        std::string const text = word(what);
-        auto const found = choices.find(text);
-        if (found != choices.end()) return found->second;
-        std::string names;
-        for (auto const &[name, value] : choices) names += (names.empty() ? "" : ", ") + name;
-        refuse("has an unknown " + what + " " + text + ": use one of " + names);
-    }
-
-    [[noreturn]] void refuse(std::string const &reason) const
-    {
-        stop_all(*error, style_ + ": the law of force " + reason);
-    }
-
-  private:
-    std::string style_;
-    int count_, position_ = 0;
-    char **words_;
-};
 
 namespace {
 
@@ -89,7 +35,7 @@ double tsuji_factor(double restitution)
 
 ContactLaw ContactLaw::parse(LAMMPS *lammps, std::string const &style, int count, char **words)
 {
-    Parser parser(lammps, style, count, words);
+    Words parser(lammps, style + ": the law of force", count, words);
     ContactLaw law;
     law.parse_normal(parser);
     while (!parser.done()) {
@@ -115,23 +61,22 @@ ContactLaw ContactLaw::parse(LAMMPS *lammps, std::string const &style, int count
     return law;
 }
 
-void ContactLaw::parse_normal(Parser &parser)
+void ContactLaw::parse_normal(Words &parser)
 {
     enum class Form { hooke, hertz, material };
     auto const form = parser.choice<Form>(
         "normal law", {{"hooke", Form::hooke}, {"hertz", Form::hertz}, {"hertz/material", Form::material}});
     normal_ = form == Form::hooke ? Normal::hooke : Normal::hertz;
     if (form == Form::material) {
-        young_ = parser.number("Young's modulus");
-        if (young_ == 0.0) parser.refuse("has a Young's modulus of zero");
+        young_ = parser.positive("Young's modulus");
     } else {
         stiffness_ = parser.number("stiffness");
     }
     damping_factor_ = parser.number("damping");
-    if (form == Form::material) poisson_ = parser.number("Poisson's ratio", 0.5);
+    if (form == Form::material) poisson_ = parser.number("Poisson's ratio", 0.0, 0.5);
 }
 
-void ContactLaw::parse_tangential(Parser &parser)
+void ContactLaw::parse_tangential(Words &parser)
 {
     tangential_ = parser.choice<Tangential>("tangential law", {{"none", Tangential::none},
                                                                {"linear_nohistory", Tangential::linear_nohistory},

@@ -4,8 +4,8 @@
 #ifndef PW85_LAMMPS_CONTACT_LAW_HPP_INCLUDED
 #define PW85_LAMMPS_CONTACT_LAW_HPP_INCLUDED
 
-#include "host.hpp"
 #include "vectors.hpp"
+#include "words.hpp"
 
 #include <optional>
 #include <string>
@@ -47,10 +47,8 @@ class ContactLaw {
     enum class Damping { velocity, mass_velocity, viscoelastic, tsuji };
     enum class Tangential { none, linear_nohistory, linear_history, mindlin };
 
-    class Parser;
-
-    void parse_normal(Parser &parser);
-    void parse_tangential(Parser &parser);
+    void parse_normal(Words &parser);
+    void parse_tangential(Words &parser);
     void combine_materials(ContactLaw const &a, ContactLaw const &b);
     double damping(Encounter const &e, double contact_radius, double stiffness) const;
     Vector tangential_force(Encounter const &e, Vector const &slip, double stiffness, double damping, double limit,

@@ -71,12 +71,13 @@ Vector moved(PlaneMatrix const &m, Tangents const &t, double x, double y)
 
 PlaneMatrix operator+(PlaneMatrix const &a, PlaneMatrix const &b) { return {a.xx + b.xx, a.xy + b.xy, a.yy + b.yy}; }
 
-/// Hertz's equivalent radius for the sum of the curvatures of both surfaces.
+/// Hertz's equivalent radius for the sum of the curvatures of both surfaces. The smaller curvature is at least a fraction of 2⁻²⁰ of
+/// the larger one, because two surfaces with a common line have no such radius: a grain can fit to the curvature of a cylinder.
 double equivalent_radius(PlaneMatrix const &sum)
 {
     double const mean = 0.5 * (sum.xx + sum.yy), half = 0.5 * (sum.xx - sum.yy);
     double const largest = mean + std::sqrt(half * half + sum.xy * sum.xy);
-    double const curvatures[2] = {std::min(sum.determinant() / largest, largest), largest};
+    double const curvatures[2] = {std::clamp(sum.determinant() / largest, 0x1p-20 * largest, largest), largest};
     double radius = 0.0;
     pw85_hertz(curvatures, &radius, nullptr);
     return radius;
@@ -110,12 +111,15 @@ bool find_geometry(Vector const &r12, double const *q1, double const *q2, Vector
     return false;
 }
 
-GrainGeometry plane_geometry(double const *q, Vector const &normal, double distance)
+GrainGeometry wall_geometry(double const *q, Vector const &normal, double distance, Vector const &direction,
+                            double curvature)
 {
     Support const s = support(q, normal);
     Tangents const t(normal);
-    double const depth = s.height - distance;
-    return {normal, depth, s.point, s.point - depth * normal, equivalent_radius(inverse(radii_of_curvature(q, s, t)))};
+    double const depth = s.height - distance, x = dot(t.first, direction), y = dot(t.second, direction);
+    PlaneMatrix const wall{curvature * x * x, curvature * x * y, curvature * y * y};
+    return {normal, depth, s.point, s.point - depth * normal,
+            equivalent_radius(inverse(radii_of_curvature(q, s, t)) + wall)};
 }
 
 } // namespace pw85_lammps
