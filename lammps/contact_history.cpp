@@ -55,21 +55,21 @@ void ContactHistory::start_step()
     next_rows_.assign(rows_.size(), Row{});
 }
 
-Vector ContactHistory::find(int i, int j) const
+ContactHistory::Contact const *ContactHistory::find(int i, int j) const
 {
     Row const row = rows_[index(i)];
     tagint const partner = atom->tag[j];
     for (std::size_t k = row.first; k < row.first + row.count; ++k)
-        if (contacts_[k].partner == partner) return contacts_[k].spring;
-    return {};
+        if (contacts_[k].partner == partner) return &contacts_[k];
+    return nullptr;
 }
 
-void ContactHistory::store(int i, int j, Vector const &spring)
+void ContactHistory::store(int i, int j, Vector const &spring, Vector const &normal)
 {
     Row &row = next_rows_[index(i)];
     if (row.count == 0) row.first = next_.size();
     ++row.count;
-    next_.push_back({atom->tag[j], j, spring});
+    next_.push_back({atom->tag[j], j, spring, normal});
 }
 
 void ContactHistory::finish_step()
@@ -101,7 +101,7 @@ void ContactHistory::complete()
             for (std::size_t k = row.first; k < row.first + row.count; ++k) {
                 Contact const &c = contacts_[k];
                 if (c.index < atom->nlocal || shares)
-                    mirrored_[index(c.index)].push_back({atom->tag[i], i, -1.0 * c.spring});
+                    mirrored_[index(c.index)].push_back({atom->tag[i], -1, -1.0 * c.spring, {}});
             }
         }
         if (shares) reverse_rows_to_owners(*comm, this);
@@ -121,7 +121,10 @@ void ContactHistory::append(int i, std::vector<Contact> const &more, std::vector
 {
     Row &row = rows_[index(i)];
     std::size_t const first = all.size();
-    for (std::size_t k = row.first; k < row.first + row.count; ++k) all.push_back(contacts_[k]);
+    for (std::size_t k = row.first; k < row.first + row.count; ++k) {
+        all.push_back(contacts_[k]);
+        all.back().index = -1;
+    }
     all.insert(all.end(), more.begin(), more.end());
     row = {first, all.size() - first};
 }
@@ -143,7 +146,7 @@ double *ContactHistory::write(Contact const &contact, double *buffer)
 
 ContactHistory::Contact ContactHistory::read(double const *buffer)
 {
-    return {static_cast<tagint>(buffer[0]), -1, vector(buffer + 1)};
+    return {static_cast<tagint>(buffer[0]), -1, vector(buffer + 1), {}};
 }
 
 int ContactHistory::pack_exchange(int i, double *buffer)

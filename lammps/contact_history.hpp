@@ -17,7 +17,8 @@ namespace pw85_lammps {
 ///
 /// In a step of a run, a contact is stored with the atom for which the neighbour list has the pair. complete() stores it with both
 /// atoms, the second one with the opposite sign. So the contact is found again after a new list, whichever atom has the pair then.
-/// If an atom touches two periodic images of another one, the images share a spring.
+/// If an atom touches two periodic images of another one, the images share a spring. The normals are where the next search of the same
+/// pair starts. They are neither moved nor saved.
 class ContactHistory final : public LAMMPS_NS::Fix {
   public:
     ContactHistory(LAMMPS_NS::LAMMPS *lammps, int narg, char **arg);
@@ -29,11 +30,18 @@ class ContactHistory final : public LAMMPS_NS::Fix {
     /// Starts a new step. find() then gives springs of the step before, until finish_step() replaces them by those that store() got.
     void start_step();
 
-    /// The spring of a pair in the step before; zero for a new contact. Atom i is owned.
-    Vector find(int i, int j) const;
+    /// A contact of an atom.
+    struct Contact {
+        LAMMPS_NS::tagint partner;
+        int index; ///< of the partner while the neighbour list is that of the step, then -1
+        Vector spring, normal;
+    };
 
-    /// Stores the spring of a pair. The pairs of an atom i follow each other.
-    void store(int i, int j, Vector const &spring);
+    /// The contact of a pair in the step before, or null for a new one. Atom i is owned. The normal is valid if the index is j.
+    Contact const *find(int i, int j) const;
+
+    /// Stores the spring and the normal of a pair. The pairs of an atom i follow each other.
+    void store(int i, int j, Vector const &spring, Vector const &normal);
     void finish_step();
 
     int setmask() override;
@@ -58,12 +66,6 @@ class ContactHistory final : public LAMMPS_NS::Fix {
     double memory_usage() override;
 
   private:
-    struct Contact {
-        LAMMPS_NS::tagint partner;
-        int index; ///< of the partner, while the neighbour list is that of the step
-        Vector spring;
-    };
-
     /// A range of contacts_.
     struct Row {
         std::size_t first, count;

@@ -131,8 +131,9 @@ Reaction ContactLaw::react(Encounter const &e, Vector &spring) const
     double const approach = dot(e.velocity, e.normal);
     double pressure = secant * e.depth + damped * approach;
     if (limits_damping_ && pressure < 0.0) pressure = 0.0;
-    Reaction result{-pressure * e.normal, (is_hertz ? 0.4 : 0.5) * secant * e.depth * e.depth,
-                    is_hertz ? 1.5 * secant : secant};
+    double const energy = (is_hertz ? 0.4 : 0.5) * secant * e.depth * e.depth;
+    Reaction result{-pressure * e.normal, energy, is_hertz ? 1.5 * secant : secant,
+                    is_hertz ? 0.5 * energy / e.radius : 0.0};
     if (tangential_ == Tangential::none) return result;
     double const stiffness = tangential_stiffness_ * (tangential_ == Tangential::mindlin ? contact_radius : 1.0);
     result.force =
@@ -166,10 +167,10 @@ Vector ContactLaw::tangential_force(Encounter const &e, Vector const &slip, doub
         spring = spring - dot(spring, e.normal) * e.normal;
     }
     Vector const force = -stiffness * spring - damping * slip;
-    double const size = std::sqrt(dot(force, force));
-    if (size <= limit) return force;
+    double const square = dot(force, force);
+    if (square <= limit * limit) return force;
     if (has_spring() && dot(spring, spring) == 0.0) return {};
-    Vector const limited = (limit / size) * force;
+    Vector const limited = (limit / std::sqrt(square)) * force;
     if (has_spring()) spring = (-1.0 / stiffness) * (limited + damping * slip);
     return limited;
 }

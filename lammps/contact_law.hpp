@@ -14,7 +14,7 @@ namespace pw85_lammps {
 
 /// What a law needs to know of a contact. Velocities are those of the first body relative to the second, at the contact.
 struct Encounter {
-    Vector normal; ///< out of the first body
+    Vector const &normal; ///< out of the first body
     double depth, radius, mass;
     Vector velocity;
     double timestep; ///< time since the tangential spring was last updated; zero keeps the spring as it is
@@ -25,6 +25,7 @@ struct Reaction {
     Vector force;     ///< on the first body
     double energy;    ///< of the normal spring
     double stiffness; ///< dF/dδ of the normal spring
+    double by_radius; ///< derivative of the energy by the equivalent radius
 };
 
 /// A normal and a tangential law with their constants.

@@ -6,6 +6,8 @@
 
 #include "vectors.hpp"
 
+#include <cstddef>
+
 namespace pw85_lammps {
 
 /// A contact, seen from the first body.
@@ -24,16 +26,59 @@ struct GrainGeometry {
     }
 };
 
-/// The common normal of two ellipsoids that overlap slightly.
+/// The common normals of pairs of ellipsoids that overlap slightly, and the contacts there. It works on many pairs at a time.
 ///
-/// The overlap along a unit vector n is δ(n) = √(n·Q1n) + √(n·Q2n) - n·r12. The normal is the stationary point of δ near the
-/// normal of the contact function. There, the points p1 = Q1n/√(n·Q1n) and r12 - Q2n/√(n·Q2n) are on both surfaces and δ n apart.
-/// A translation or rotation of a body changes δ only by its explicit dependence on r12, Q1 and Q2, because δ is stationary in n.
-/// So the forces and torques of an energy U(δ) are those of the force U′(δ) n between these points, and the energy is conserved.
-///
-/// @param normal unit vector from which the search starts
-/// @return whether δ has a minimum there. It has one if the depth is below the least sum of radii of curvature.
-bool find_geometry(Vector const &r12, double const *q1, double const *q2, Vector const &normal, GrainGeometry &result);
+/// The overlap along a unit vector n is δ(n) = √(n·Q1n) + √(n·Q2n) - n·r12. The normal is the stationary point of δ near a given
+/// vector, such as the normal of the contact function. There, the points p1 = Q1n/√(n·Q1n) and r12 - Q2n/√(n·Q2n) are on both surfaces
+/// and δ n apart. A translation or rotation of a body changes δ only by its explicit dependence on r12, Q1 and Q2, because δ is
+/// stationary in n. So the forces and torques of an energy U(δ) are those of the force U′(δ) n between these points, and the energy is
+/// conserved.
+class GrainSearch {
+  public:
+    static constexpr std::size_t capacity = 64;
+
+    GrainSearch();
+
+    std::size_t size() const { return size_; }
+    void clear() { size_ = 0; }
+
+    /// Adds a pair. The search starts from the unit vector `normal`. There are less than `capacity` pairs.
+    void add(Vector const &r12, double const *q1, double const *q2, Vector const &normal);
+
+    /// Computes all contacts. A contact depends on its own pair alone.
+    void solve();
+
+    /// Contact k. Its depth is NaN if δ has no minimum there. It has one if the depth is below the least sum of radii of curvature.
+    GrainGeometry contact(std::size_t k) const;
+
+    /// Numbers of the pairs, each in a row of its own, so that a processor works on several pairs at a time.
+    struct Rows {
+        template <std::size_t width> using Row = double[width][capacity];
+
+        alignas(64) Row<3> r12, normal;
+        Row<6> q1, q2;
+        double depth[capacity], radius[capacity], excess[capacity]; ///< excess: positive if the radius needs pw85_hertz
+        Row<3> arm1, arm2, curvature;           ///< curvature: the sum of both second fundamental forms (xx, xy, yy)
+        Row<3> turned;                          ///< the normal after a step of Newton's method
+        double step[capacity], least[capacity]; ///< the square of the step; positive if δ has a minimum
+    };
+
+  private:
+    bool turn();
+
+    Rows rows_;
+    std::size_t size_ = 0;
+};
+
+/// The derivatives of the equivalent radius of two ellipsoids, whose common normal follows each motion.
+struct RadiusGradient {
+    Vector r12;                  ///< by the separation
+    Vector rotation1, rotation2; ///< by rotations of each ellipsoid about its own centre
+};
+
+/// @param normal the common normal of the two ellipsoids
+/// @param depth of their overlap along it
+RadiusGradient radius_gradient(double const *q1, double const *q2, Vector const &normal, double depth);
 
 /// The geometry of an ellipsoid and a wall, at a point of the wall with a given normal.
 ///

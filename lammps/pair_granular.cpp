@@ -20,9 +20,13 @@ constexpr char style_name[] = "Pair pw85/granular";
 /// (ω dt)²/24, here 0.2 %; it is unstable from ω dt = 2.
 constexpr double largest_phase = 0.2;
 
+/// The cosine of the largest angle by which a normal may turn in a step of a run. A normal that turns further may belong to another
+/// minimum of the depth.
+constexpr double least_cosine = 0.97;
+
 } // namespace
 
-PairGranular::PairGranular(LAMMPS *lammps) : Pair(lammps), normals_(3 * PairBatch::capacity)
+PairGranular::PairGranular(LAMMPS *lammps) : Pair(lammps)
 {
     restartinfo = 0;
     single_enable = 0;
@@ -91,11 +95,12 @@ void PairGranular::coeff(int narg, char **arg)
     int ilo, ihi, jlo, jhi;
     utils::bounds(FLERR, arg[0], 1, atom->ntypes, ilo, ihi, error);
     utils::bounds(FLERR, arg[1], 1, atom->ntypes, jlo, jhi, error);
-    ContactLaw const law = ContactLaw::parse(lmp, style_name, narg - 2, arg + 2);
+    bool const conserves = std::strcmp(arg[narg - 1], "conservative") == 0;
+    ContactLaw const law = ContactLaw::parse(lmp, style_name, narg - 2 - conserves, arg + 2);
     int count = 0;
     for (int i = ilo; i <= ihi; ++i) {
         for (int j = std::max(jlo, i); j <= jhi; ++j, ++count) {
-            material(i, j) = material(j, i) = {law, true};
+            material(i, j) = material(j, i) = {law, conserves, true};
             setflag[i][j] = 1;
         }
     }
@@ -139,7 +144,7 @@ double PairGranular::init_one(int i, int j)
             stop_all(*error, std::string(style_name) + ": the laws of types " + std::to_string(i) + " and " +
                                  std::to_string(j) + " cannot be mixed: add pair_coeff " + std::to_string(i) + " " +
                                  std::to_string(j));
-        material(i, j) = material(j, i) = {*law, true};
+        material(i, j) = material(j, i) = {*law, material(i, i).conserves && material(j, j).conserves, true};
     }
     if (cutoff_ > 0.0) return cutoff_;
     return reaches_[static_cast<std::size_t>(i * (atom->ntypes + 1) + j)];
@@ -168,36 +173,115 @@ void PairGranular::add_batch(int eflag)
 {
     pw85_system const system = ellipsoids_->system();
     auto const refuse = [this](int i, int j, int status) { ellipsoids_->refuse_pair(i, j, status); };
-    pw85_pair_list const pairs = batch_.keep_overlaps(system, refuse);
+    std::size_t const count = batch_.keep_overlaps(system, refuse).num_pairs;
+    find_starts(count);
+    for (std::size_t first = 0; first < count; first += GrainSearch::capacity) {
+        std::size_t const end = std::min(first + GrainSearch::capacity, count);
+        search_.clear();
+        for (std::size_t k = first; k < end; ++k) add_to(search_, k);
+        search_.solve();
+        for (std::size_t k = first; k < end; ++k) {
+            GrainGeometry g = search_.contact(k - first);
+            if (!is_certain(k, g)) g = contact_from_anew(k);
+            add_pair(k, g, eflag);
+        }
+    }
+}
+
+/// Finds the contacts that the pairs of the batch had in the step before, and where the searches for their normals start.
+void PairGranular::find_starts(std::size_t count)
+{
+    starts_.resize(count);
+    new_pairs_.clear();
+    new_rows_.clear();
+    for (std::size_t k = 0; k < count; ++k) {
+        int const i = batch_.pairs[2 * k], j = batch_.pairs[2 * k + 1];
+        ContactHistory::Contact const *const before = history_->find(i, j);
+        bool const is_known = before && before->index == j;
+        starts_[k] = {is_known ? before->normal : Vector{}, before, is_known};
+        if (is_known) continue;
+        new_pairs_.insert(new_pairs_.end(), {i, j});
+        new_rows_.push_back(k);
+    }
+    start_at_contact_function();
+}
+
+/// Replaces the starts of the new pairs by the normals of the contact function.
+void PairGranular::start_at_contact_function()
+{
+    std::size_t const count = new_rows_.size();
+    pw85_system const system = ellipsoids_->system();
+    pw85_pair_list const pairs{count, new_pairs_.data(), nullptr};
+    normals_.resize(3 * count);
     pw85_contact_derivatives_pairs(&pairs, &system, nullptr, nullptr, nullptr, normals_.data(), nullptr, nullptr,
                                    nullptr);
-    for (std::size_t k = 0; k < pairs.num_pairs; ++k) add_pair(k, eflag);
+    for (std::size_t k = 0; k < count; ++k) starts_[new_rows_[k]].normal = vector(&normals_[3 * k]);
+}
+
+Vector PairGranular::separation(std::size_t k) const
+{
+    return vector(atom->x[batch_.pairs[2 * k + 1]]) - vector(atom->x[batch_.pairs[2 * k]]);
+}
+
+void PairGranular::add_to(GrainSearch &search, std::size_t k) const
+{
+    search.add(separation(k), ellipsoids_->form(batch_.pairs[2 * k]), ellipsoids_->form(batch_.pairs[2 * k + 1]),
+               starts_[k].normal);
+}
+
+/// Whether a contact is that of pair k. If the normal has turned far since the step before, it may belong to another minimum.
+bool PairGranular::is_certain(std::size_t k, GrainGeometry const &g) const
+{
+    return !starts_[k].is_known || (g.depth > 0.0 && dot(g.normal, starts_[k].normal) >= least_cosine);
+}
+
+/// The contact of pair k that is found from the normal of the contact function.
+GrainGeometry PairGranular::contact_from_anew(std::size_t k)
+{
+    new_pairs_ = {batch_.pairs[2 * k], batch_.pairs[2 * k + 1]};
+    new_rows_ = {k};
+    start_at_contact_function();
+    single_search_.clear();
+    add_to(single_search_, k);
+    single_search_.solve();
+    return single_search_.contact(0);
 }
 
 /// Adds the force and torques of pair k of the batch.
-void PairGranular::add_pair(std::size_t k, int eflag)
+void PairGranular::add_pair(std::size_t k, GrainGeometry &g, int eflag)
 {
     int const i = batch_.pairs[2 * k], j = batch_.pairs[2 * k + 1];
     double const share = force->special_lj[batch_.special[k]];
     if (share == 0.0) return;
-    Vector const r12 = vector(atom->x[j]) - vector(atom->x[i]);
-    GrainGeometry g;
-    if (!find_geometry(r12, ellipsoids_->form(i), ellipsoids_->form(j), vector(&normals_[3 * k]), g))
-        refuse_depth(i, j);
+    if (std::isnan(g.depth)) refuse_depth(i, j);
     if (!(g.depth > 0.0)) return;
     if (arms_ == Arms::contact) g.meet_in_the_middle();
     Encounter const e = meet(i, j, g);
-    ContactLaw const &law = material(atom->type[i], atom->type[j]).law;
-    Vector spring = law.has_spring() ? history_->find(i, j) : Vector{};
-    Reaction const reaction = law.react(e, spring);
-    if (law.has_spring()) history_->store(i, j, spring);
+    Material const &pair = material(atom->type[i], atom->type[j]);
+    Vector spring = starts_[k].before ? starts_[k].before->spring : Vector{};
+    Reaction const reaction = pair.law.react(e, spring);
+    history_->store(i, j, spring, g.normal);
     fastest_ = std::max(fastest_, share * reaction.stiffness / e.mass);
-    Vector const f = share * reaction.force;
-    apply(i, f, cross(g.arm1, f));
-    if (force->newton_pair || j < atom->nlocal) apply(j, -1.0 * f, -1.0 * cross(g.arm2, f));
-    if (evflag)
-        ev_tally_xyz(i, j, atom->nlocal, force->newton_pair, eflag ? share * reaction.energy : 0.0, 0.0, f[0], f[1],
-                     f[2], -r12[0], -r12[1], -r12[2]);
+    Vector f = share * reaction.force, torque1 = cross(g.arm1, f), torque2 = -1.0 * cross(g.arm2, f);
+    if (pair.conserves) add_gradient(i, j, g, share * reaction.by_radius, f, torque1, torque2);
+    apply(i, f, torque1);
+    if (force->newton_pair || j < atom->nlocal) apply(j, -1.0 * f, torque2);
+    if (!evflag) return;
+    Vector const r12 = separation(k);
+    ev_tally_xyz(i, j, atom->nlocal, force->newton_pair, eflag ? share * reaction.energy : 0.0, 0.0, f[0], f[1], f[2],
+                 -r12[0], -r12[1], -r12[2]);
+}
+
+/// Adds the force and the torques that come from changes of the equivalent radius.
+///
+/// @param by_radius derivative of the energy by the radius
+void PairGranular::add_gradient(int i, int j, GrainGeometry const &g, double by_radius, Vector &f, Vector &torque1,
+                                Vector &torque2) const
+{
+    RadiusGradient const d = radius_gradient(ellipsoids_->form(i), ellipsoids_->form(j), g.normal, g.depth);
+    f = f + by_radius * d.r12;
+    torque1 = torque1 - by_radius * d.rotation1;
+    torque2 = torque2 - by_radius * d.rotation2;
 }
 
 Encounter PairGranular::meet(int i, int j, GrainGeometry const &g) const
@@ -224,10 +308,14 @@ void PairGranular::find_spins()
 
 void PairGranular::apply(int i, Vector const &push, Vector const &torque)
 {
-    for (std::size_t k = 0; k < 3; ++k) {
-        atom->f[i][k] += push[k];
-        atom->torque[i][k] += torque[k];
-    }
+    double *const f = atom->f[i], *const t = atom->torque[i];
+    f[0] += push
+        [0]; // one by one: a loop would read pairs of numbers that have just been written one by one, which takes long
+    f[1] += push[1];
+    f[2] += push[2];
+    t[0] += torque[0];
+    t[1] += torque[1];
+    t[2] += torque[2];
 }
 
 void PairGranular::check_timestep()

@@ -38,7 +38,15 @@ class PairGranular final : public LAMMPS_NS::Pair {
 
     struct Material {
         ContactLaw law;
+        bool conserves = false; ///< whether the force is minus the gradient of the energy, of which R is a part
         bool is_set = false;
+    };
+
+    /// Where the search for the normal of a pair starts, and what the pair was in the step before.
+    struct Start {
+        Vector normal;
+        ContactHistory::Contact const *before; ///< null for a new contact
+        bool is_known;                         ///< whether the normal is that of the step before
     };
 
     void allocate();
@@ -46,7 +54,15 @@ class PairGranular final : public LAMMPS_NS::Pair {
     void read_reaches();
     Material &material(int t, int u);
     void add_batch(int eflag);
-    void add_pair(std::size_t k, int eflag);
+    void find_starts(std::size_t count);
+    void start_at_contact_function();
+    Vector separation(std::size_t k) const;
+    void add_to(GrainSearch &search, std::size_t k) const;
+    bool is_certain(std::size_t k, GrainGeometry const &g) const;
+    GrainGeometry contact_from_anew(std::size_t k);
+    void add_pair(std::size_t k, GrainGeometry &g, int eflag);
+    void add_gradient(int i, int j, GrainGeometry const &g, double by_radius, Vector &f, Vector &torque1,
+                      Vector &torque2) const;
     Encounter meet(int i, int j, GrainGeometry const &g) const;
     Vector velocity(int i, Vector const &arm) const;
     void find_spins();
@@ -64,11 +80,15 @@ class PairGranular final : public LAMMPS_NS::Pair {
     std::string history_id_;
     ContactHistory *history_ = nullptr;
     PairBatch batch_;
-    std::vector<double> normals_; ///< of the pairs of a batch that overlap
-    std::vector<Vector> spins_;   ///< angular velocities of owned atoms and ghosts
-    double timestep_ = 0.0;       ///< for springs: zero while a run is set up
-    double fastest_ = 0.0;        ///< largest stiffness over mass of a contact in this step
-    int frozen_ = 0;              ///< bit of the group of fix freeze
+    std::vector<Start> starts_;           ///< of the pairs of a batch that overlap
+    std::vector<std::int32_t> new_pairs_; ///< pairs of the batch whose normals are unknown
+    std::vector<std::size_t> new_rows_;   ///< their rows in starts_
+    std::vector<double> normals_;         ///< their normals of the contact function
+    GrainSearch search_, single_search_;
+    std::vector<Vector> spins_; ///< angular velocities of owned atoms and ghosts
+    double timestep_ = 0.0;     ///< for springs: zero while a run is set up
+    double fastest_ = 0.0;      ///< largest stiffness over mass of a contact in this step
+    int frozen_ = 0;            ///< bit of the group of fix freeze
     bool warned_ = false;
 };
 

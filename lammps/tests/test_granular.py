@@ -266,11 +266,22 @@ class Conservation(unittest.TestCase):
         self.assertGreater(errors[0] / errors[1], 3.0, errors)
 
     def test_energy_of_hertz(self):
-        """The force leaves out how R changes during a contact, a part of the order of the depth over R."""
-        total, potential = energies(cloud(spacing=1.35), "hertz 50000 0", 0.0005, 800, 20).T[:2]
-        error = np.abs(total - total[0]).max() / total[0]
-        print(f"hertz: the springs hold up to {potential.max() / total[0]} of the energy, which changes by {error}")
-        self.assertLess(error, 0.2 * potential.max() / total[0])
+        """The force leaves out how R changes during a contact, a part of the order of the depth over R. The conservative law does not:
+        its error falls with the square of the time step. Momentum and angular momentum are kept to rounding, as in test_momenta."""
+        errors = {}
+        for law, timestep in (("", 0.0005), (" conservative", 0.0005), (" conservative", 0.00025)):
+            rows = energies(cloud(spacing=1.35), f"hertz 50000 0{law}", timestep, round(0.4 / timestep), 20)
+            total, potential = rows.T[:2]
+            self.assertGreater(potential.max(), 0.03 * total[0], "hardly any contacts")
+            errors[law, timestep] = np.abs(total - total[0]).max() / total[0]
+            np.testing.assert_allclose(rows[:, 3:6], rows[:1, 3:6].repeat(len(rows), axis=0), rtol=0, atol=3e-12, err_msg=law)
+            np.testing.assert_allclose(rows[:, 6:9], rows[:1, 6:9].repeat(len(rows), axis=0), rtol=0, atol=3e-11, err_msg=law)
+        print(f"hertz: the springs hold up to {potential.max() / total[0]} of the energy; relative errors {errors}")
+        plain, coarse, fine = errors.values()
+        self.assertLess(plain, 0.2 * potential.max() / total[0])
+        self.assertLess(fine, 1e-4)
+        self.assertGreater(coarse / fine, 3.0)
+        self.assertGreater(plain / fine, 20.0)
 
     def test_energy_between_walls(self):
         """Ellipsoids that bounce between planes, and hit each other."""

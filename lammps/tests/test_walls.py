@@ -3,6 +3,7 @@
 
 import ctypes
 import dataclasses
+import functools
 import os
 import struct
 import tempfile
@@ -34,13 +35,13 @@ class AgainstRegions(unittest.TestCase):
     forces, trajectory = AgainstLammps.forces, AgainstLammps.trajectory
     compare = AgainstLammps.compare
 
-    without_walls = {}
-
-    def alone(self, key, spheres):
-        """The motion of spheres without walls; it is computed once."""
-        if key not in self.without_walls:
-            self.without_walls[key] = move(spheres, Pairs.HOOKE[0], 200)
-        return self.without_walls[key]
+    @staticmethod
+    @functools.cache
+    def alone(places):
+        """How the spheres at these places move without walls."""
+        spheres = AgainstRegions().spheres()
+        keep = [tuple(place) in places for place in spheres.centers]
+        return move(in_large_box(spheres, keep), Pairs.HOOKE[0], 200)
 
     def spheres(self):
         spheres = lattice(Spheres, 4, 1.0, [[0.5, 0.5, 0.5], [0.52, 0.52, 0.52]], 5)
@@ -53,7 +54,7 @@ class AgainstRegions(unittest.TestCase):
     def check_wall(self, theirs, ours, keep=slice(None), first=True, ranks=(2,)):
         """`first`: whether spheres touch the wall at the start. LAMMPS's regions have no velocity then, even if they move."""
         spheres = in_large_box(self.spheres(), keep)
-        alone = self.alone(tuple(spheres.centers.ravel()), spheres)
+        alone = self.alone(frozenset(map(tuple, spheres.centers)))
         expected = move(spheres, f"{Pairs.HOOKE[0]}\n{theirs}", 200)
         touched = np.count_nonzero(np.abs(expected[-1] - alone[-1]).max(axis=1) > 1e-6)
         self.assertGreater(touched, 5, f"hardly any sphere touches {ours}")
