@@ -102,7 +102,7 @@ void FixWall::touch(int i)
         now.push_back({g.normal, {}});
     }
     inherit_springs(contacts(i), now);
-    for (std::size_t k = 0; k < now.size(); ++k) push(i, touching_[k], now[k].spring);
+    for (std::size_t k = 0; k < now.size(); ++k) push(i, touching_[k], now[k].springs);
     contacts(i) = std::move(now);
 }
 
@@ -123,21 +123,22 @@ void FixWall::inherit_springs(std::vector<Contact> &before, std::vector<Contact>
                 source = old;
             }
         if (source == before.end()) return;
-        now[heir].spring = source->spring;
+        now[heir].springs = source->springs;
         has_spring[heir] = true;
         before.erase(source);
     }
 }
 
 /// Adds the force of a contact.
-void FixWall::push(int i, GrainGeometry const &contact, Vector &spring)
+void FixWall::push(int i, GrainGeometry const &contact, Springs &springs)
 {
     GrainGeometry g = contact;
     if (!arms_at_surface_) g.meet_in_the_middle();
     Vector const spin = without_inertia(atom->rmass[i], ellipsoids_->form(i), vector(atom->angmom[i]));
     Vector const velocity = vector(atom->v[i]) + cross(spin, g.arm1) - motion_.velocity(vector(atom->x[i]) + g.arm2);
-    Reaction const reaction = law_.react({g.normal, g.depth, g.radius, atom->rmass[i], velocity, timestep_}, spring);
-    Vector const torque = cross(g.arm1, reaction.force);
+    Encounter const e{g.normal, g.depth, g.radius, atom->rmass[i], velocity, spin - motion_.spin(), timestep_};
+    Reaction const reaction = law_.react(e, springs);
+    Vector const torque = cross(g.arm1, reaction.force) + reaction.couple;
     for (std::size_t k = 0; k < 3; ++k) {
         atom->f[i][k] += reaction.force[k];
         atom->torque[i][k] += torque[k];
@@ -171,7 +172,7 @@ int FixWall::pack_exchange(int i, double *buffer)
     *end++ = static_cast<double>(contacts(i).size());
     for (Contact const &contact : contacts(i)) {
         end = std::copy(contact.normal.begin(), contact.normal.end(), end);
-        end = std::copy(contact.spring.begin(), contact.spring.end(), end);
+        end = contact.springs.write(end);
     }
     return static_cast<int>(end - buffer);
 }
@@ -181,7 +182,7 @@ int FixWall::unpack_exchange(int i, double *buffer)
     contacts(i).resize(static_cast<std::size_t>(buffer[0]));
     double const *next = buffer + 1;
     for (Contact &contact : contacts(i)) {
-        contact = {vector(next), vector(next + 3)};
+        contact = {vector(next), Springs::read(next + 3)};
         next += contact_size;
     }
     return static_cast<int>(next - buffer);

@@ -47,19 +47,20 @@ class FixWall final : public LAMMPS_NS::Fix {
     double memory_usage() override;
 
   private:
-    /// What a contact leaves for the next step. The contact of that step with the nearest normal gets the spring.
+    /// What a contact leaves for the next step. The contact of that step with the nearest normal gets the springs.
     struct Contact {
-        Vector normal, spring;
+        Vector normal;
+        Springs springs;
     };
 
-    static constexpr int contact_size = 6; ///< numbers of a contact in messages
+    static constexpr int contact_size = 3 + Springs::size; ///< numbers of a contact in messages
 
     std::vector<Contact> &contacts(int i) { return contacts_[static_cast<std::size_t>(i)]; }
     void parse(int narg, char **arg);
     double time() const { return static_cast<double>(update->ntimestep - first_step_) * update->dt; }
     void inherit_springs(std::vector<Contact> &before, std::vector<Contact> &now) const;
     void touch(int i);
-    void push(int i, GrainGeometry const &g, Vector &spring);
+    void push(int i, GrainGeometry const &contact, Springs &springs);
     void find_maxexchange();
 
     std::unique_ptr<WallSurface> surface_;

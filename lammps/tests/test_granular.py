@@ -356,7 +356,9 @@ class Errors(unittest.TestCase):
                            ("hertz/material 1000 0 0.6", ("bad Poisson's ratio: 0.6",)),
                            ("hertz 1000 0 tangential mindlin NULL 1 0.5", ("needs hertz/material",)),
                            ("hooke 1000 2 damping tsuji", ("coefficient of restitution above 1",)),
-                           ("hooke 1000 0 rolling sds", ("unknown keyword rolling",))):
+                           ("hooke 1000 0 rolling sds", ("lacks rolling stiffness",)),
+                           ("hooke 1000 0 rolling sds 0 1 1", ("has a rolling stiffness of zero",)),
+                           ("hooke 1000 0 twisting sds", ("unknown keyword twisting",))):
             self.check(f"{self.START}\npair_coeff * * {law}", *words)
 
     def test_system(self):
