@@ -8,9 +8,9 @@
 #include <cmath>
 #include <limits>
 
-// A function with this attribute is compiled for several instruction sets, together with the functions that it calls. The compiler
-// works on several pairs at a time. All sets give the same bits, because arithmetic is not contracted.
-#if defined(__x86_64__) && defined(__GLIBC__)
+// GCC compiles a function with this attribute for several instruction sets, together with the functions that it calls. It works on
+// several pairs at a time. All sets give the same bits, because arithmetic is not contracted. Clang does not combine the attributes.
+#if defined(__x86_64__) && defined(__GLIBC__) && !defined(__clang__)
 #define PW85_GRAIN_LANES [[gnu::flatten, gnu::target_clones("default", "avx2", "avx512f")]]
 #else
 #define PW85_GRAIN_LANES [[gnu::flatten]]
@@ -28,6 +28,14 @@ constexpr int max_steps = 30;
 /// Loops work on this many pairs at least. It is the number of lanes of the widest registers.
 constexpr std::size_t lanes = 8;
 
+/// A vector of the tangent plane.
+struct PlaneVector {
+    double x, y;
+
+    friend PlaneVector operator+(PlaneVector const &a, PlaneVector const &b) { return {a.x + b.x, a.y + b.y}; }
+    friend PlaneVector operator-(PlaneVector const &a, PlaneVector const &b) { return {a.x - b.x, a.y - b.y}; }
+};
+
 /// A symmetric matrix on the tangent plane.
 struct PlaneMatrix {
     double xx, xy, yy;
@@ -37,6 +45,11 @@ struct PlaneMatrix {
     friend PlaneMatrix operator+(PlaneMatrix const &a, PlaneMatrix const &b)
     {
         return {a.xx + b.xx, a.xy + b.xy, a.yy + b.yy};
+    }
+
+    friend PlaneVector operator*(PlaneMatrix const &m, PlaneVector const &v)
+    {
+        return {m.xx * v.x + m.xy * v.y, m.xy * v.x + m.yy * v.y};
     }
 };
 
@@ -63,7 +76,8 @@ struct Tangents {
         second = {b, sign + n[1] * n[1] * a, -n[1]};
     }
 
-    Vector along(double x, double y) const { return x * first + y * second; }
+    PlaneVector in_plane(Vector const &v) const { return {dot(first, v), dot(second, v)}; }
+    Vector in_space(PlaneVector const &v) const { return v.x * first + v.y * second; }
 
     Vector first, second;
 };
@@ -72,9 +86,9 @@ struct Tangents {
 PlaneMatrix radii_of_curvature(double const *q, Support const &s, Tangents const &t)
 {
     Vector const u = product(q, t.first), v = product(q, t.second);
-    double const x = dot(t.first, s.point), y = dot(t.second, s.point);
-    return {s.scale * (dot(t.first, u) - x * x), s.scale * (dot(t.first, v) - x * y),
-            s.scale * (dot(t.second, v) - y * y)};
+    PlaneVector const p = t.in_plane(s.point);
+    return {s.scale * (dot(t.first, u) - p.x * p.x), s.scale * (dot(t.first, v) - p.x * p.y),
+            s.scale * (dot(t.second, v) - p.y * p.y)};
 }
 
 PlaneMatrix inverse(PlaneMatrix const &m)
@@ -86,13 +100,13 @@ PlaneMatrix inverse(PlaneMatrix const &m)
 /// How a point of support p and the radii of curvature A there change if the normal turns by x in the tangent plane, to first order:
 /// by Ax and -(A (p·x) + Ax pᵀ + p (Ax)ᵀ)/h.
 struct Turn {
-    Turn(PlaneMatrix const &m, Support const &s, Tangents const &t, double x, double y)
+    Turn(PlaneMatrix const &m, Support const &s, Tangents const &t, PlaneVector const &x)
     {
-        double const ax = m.xx * x + m.xy * y, ay = m.xy * x + m.yy * y;
-        double const px = dot(t.first, s.point), py = dot(t.second, s.point), along = px * x + py * y;
-        point = t.along(ax, ay);
-        radii = {-s.scale * (m.xx * along + 2.0 * ax * px), -s.scale * (m.xy * along + ax * py + ay * px),
-                 -s.scale * (m.yy * along + 2.0 * ay * py)};
+        PlaneVector const a = m * x, p = t.in_plane(s.point);
+        double const along = p.x * x.x + p.y * x.y;
+        point = t.in_space(a);
+        radii = {-s.scale * (m.xx * along + 2.0 * a.x * p.x), -s.scale * (m.xy * along + a.x * p.y + a.y * p.x),
+                 -s.scale * (m.yy * along + 2.0 * a.y * p.y)};
     }
 
     Vector point;
@@ -181,13 +195,13 @@ void evaluate(GrainSearch::Rows &rows, std::size_t l)
     Tangents const t(n);
     PlaneMatrix const m1 = radii_of_curvature(q1.data(), s1, t), m2 = radii_of_curvature(q2.data(), s2, t);
     Vector const slope = s1.point + s2.point - load(rows.r12, l);
-    double const depth = dot(n, slope), gx = dot(t.first, slope), gy = dot(t.second, slope);
-    PlaneMatrix const m = m1 + m2 + PlaneMatrix{-depth, 0.0, -depth}, inverted = inverse(m);
-    double const dx = -(inverted.xx * gx + inverted.xy * gy), dy = -(inverted.xy * gx + inverted.yy * gy);
-    double const square = dx * dx + dy * dy, determinant = m.determinant();
-    Turn const turn1(m1, s1, t, dx, dy), turn2(m2, s2, t, dx, dy);
+    double const depth = dot(n, slope);
+    PlaneMatrix const m = m1 + m2 + PlaneMatrix{-depth, 0.0, -depth};
+    PlaneVector const step = inverse(m) * t.in_plane(-1.0 * slope);
+    double const square = step.x * step.x + step.y * step.y, determinant = m.determinant();
+    Turn const turn1(m1, s1, t, step), turn2(m2, s2, t, step);
     PlaneMatrix const sum = inverse(m1 + turn1.radii) + inverse(m2 + turn2.radii);
-    store((1.0 / std::sqrt(1.0 + square)) * (n + t.along(dx, dy)), rows.turned, l);
+    store((1.0 / std::sqrt(1.0 + square)) * (n + t.in_space(step)), rows.turned, l);
     store(s1.point + turn1.point, rows.arm1, l);
     store(-1.0 * (s2.point + turn2.point), rows.arm2, l);
     store<3>({sum.xx, sum.xy, sum.yy}, rows.curvature, l);
@@ -198,7 +212,6 @@ void evaluate(GrainSearch::Rows &rows, std::size_t l)
 
 PW85_GRAIN_LANES void evaluate_all(GrainSearch::Rows &rows, std::size_t count)
 {
-#pragma GCC ivdep
     for (std::size_t l = 0; l < count; ++l) evaluate(rows, l);
 }
 
@@ -216,7 +229,6 @@ Curvatures curvatures(GrainSearch::Rows const &rows, std::size_t l)
 
 PW85_GRAIN_LANES void find_radii(GrainSearch::Rows &rows, std::size_t count)
 {
-#pragma GCC ivdep
     for (std::size_t l = 0; l < count; ++l) {
         Curvatures const c = curvatures(rows, l);
         rows.radius[l] = approximate_radius(c);
@@ -310,26 +322,23 @@ struct RadiusPart {
     void differentiate(PlaneMatrix const &by_curvature, Tangents const &t)
     {
         PlaneMatrix const &k = curvature, &w = by_curvature;
-        double const x = dot(t.first, end.point), y = dot(t.second, end.point);
-        double const kx = k.xx * x + k.xy * y, ky = k.xy * x + k.yy * y; // K p
+        PlaneVector const p = t.in_plane(end.point), wkp = w * (k * p);
         double const trace = k.xx * w.xx + 2.0 * k.xy * w.xy + k.yy * w.yy;
-        by_normal_x = end.scale * (trace * x + 2.0 * (w.xx * kx + w.xy * ky));
-        by_normal_y = end.scale * (trace * y + 2.0 * (w.xy * kx + w.yy * ky));
+        by_normal = {end.scale * (trace * p.x + 2.0 * wkp.x), end.scale * (trace * p.y + 2.0 * wkp.y)};
         by_spin = 2.0 * commutator(curvature, by_curvature);
     }
 
     /// The derivative by a rotation ω of the ellipsoid, n×(A y - D) + S n - p×y. Here y is the derivative of R by r12, S that by a
     /// rotation about the normal, and a fixed normal turns by -ω×n as seen from the ellipsoid.
-    Vector by_rotation(Vector const &normal, Tangents const &t, double yx, double yy) const
+    Vector by_rotation(Vector const &normal, Tangents const &t, PlaneVector const &y) const
     {
-        Vector const in_plane =
-            t.along(radii.xx * yx + radii.xy * yy - by_normal_x, radii.xy * yx + radii.yy * yy - by_normal_y);
-        return cross(normal, in_plane) + by_spin * normal - cross(end.point, t.along(yx, yy));
+        return cross(normal, t.in_space(radii * y - by_normal)) + by_spin * normal - cross(end.point, t.in_space(y));
     }
 
     Support end;
     PlaneMatrix radii, curvature;
-    double by_normal_x = 0.0, by_normal_y = 0.0, by_spin = 0.0; ///< D and S
+    PlaneVector by_normal{}; ///< D
+    double by_spin = 0.0;    ///< S
 };
 
 } // namespace
@@ -343,9 +352,8 @@ RadiusGradient radius_gradient(double const *q1, double const *q2, Vector const 
     part2.differentiate(by_curvature, t);
     // A change of r12 turns the normal by H⁻¹ times its part across the normal, with the second derivatives H of the depth.
     PlaneMatrix const turn = inverse(part1.radii + part2.radii + PlaneMatrix{-depth, 0.0, -depth});
-    double const dx = part1.by_normal_x + part2.by_normal_x, dy = part1.by_normal_y + part2.by_normal_y;
-    double const yx = turn.xx * dx + turn.xy * dy, yy = turn.xy * dx + turn.yy * dy;
-    return {t.along(yx, yy), part1.by_rotation(normal, t, yx, yy), part2.by_rotation(normal, t, yx, yy)};
+    PlaneVector const y = turn * (part1.by_normal + part2.by_normal);
+    return {t.in_space(y), part1.by_rotation(normal, t, y), part2.by_rotation(normal, t, y)};
 }
 
 GrainGeometry wall_geometry(double const *q, Vector const &normal, double distance, Vector const &direction,

@@ -176,59 +176,63 @@ void PairGranular::add_batch(int eflag)
     pw85_system const system = ellipsoids_->system();
     auto const refuse = [this](int i, int j, int status) { ellipsoids_->refuse_pair(i, j, status); };
     std::size_t const count = batch_.keep_overlaps(system, refuse).num_pairs;
+    for (first_ = 0; first_ < count; first_ += GrainSearch::capacity)
+        add_pairs(std::min(GrainSearch::capacity, count - first_), eflag);
+}
+
+/// Adds the forces and torques of some pairs, from first_ on. They are so few that what is known of them stays in a cache.
+void PairGranular::add_pairs(std::size_t count, int eflag)
+{
     find_starts(count);
-    for (std::size_t first = 0; first < count; first += GrainSearch::capacity) {
-        std::size_t const end = std::min(first + GrainSearch::capacity, count);
-        search_.clear();
-        for (std::size_t k = first; k < end; ++k) add_to(search_, k);
-        search_.solve();
-        for (std::size_t k = first; k < end; ++k) {
-            GrainGeometry g = search_.contact(k - first);
-            if (!is_certain(k, g)) g = contact_from_anew(k);
-            add_pair(k, g, eflag);
-        }
+    search_.clear();
+    for (std::size_t k = 0; k < count; ++k) add_to(search_, k);
+    search_.solve();
+    for (std::size_t k = 0; k < count; ++k) {
+        GrainGeometry g = search_.contact(k);
+        if (!is_certain(k, g)) g = contact_from_anew(k);
+        add_pair(k, g, eflag);
     }
 }
 
-/// Finds the contacts that the pairs of the batch had in the step before, and where the searches for their normals start.
+/// Finds the contacts that the pairs had in the step before, and where the searches for their normals start.
 void PairGranular::find_starts(std::size_t count)
 {
-    starts_.resize(count);
-    new_pairs_.clear();
-    new_rows_.clear();
+    std::array<std::size_t, GrainSearch::capacity> unknown;
+    std::size_t num_unknown = 0;
     for (std::size_t k = 0; k < count; ++k) {
-        int const i = batch_.pairs[2 * k], j = batch_.pairs[2 * k + 1];
-        ContactHistory::Contact const *const before = history_->find(i, j);
-        bool const is_known = before && before->index == j;
-        starts_[k] = {is_known ? before->normal : Vector{}, before, is_known};
-        if (is_known) continue;
-        new_pairs_.insert(new_pairs_.end(), {i, j});
-        new_rows_.push_back(k);
+        int const i = pair(k)[0], j = pair(k)[1];
+        Start &start = starts_[k];
+        start.before = history_->find(i, j);
+        start.is_known = start.before && start.before->index == j;
+        if (start.is_known)
+            start.normal = start.before->normal;
+        else
+            unknown[num_unknown++] = k;
     }
-    start_at_contact_function();
+    if (num_unknown > 0) start_at_contact_function({unknown.data(), num_unknown});
 }
 
-/// Replaces the starts of the new pairs by the normals of the contact function.
-void PairGranular::start_at_contact_function()
+/// Lets searches start from the normals of the contact function.
+void PairGranular::start_at_contact_function(std::span<std::size_t const> rows)
 {
-    std::size_t const count = new_rows_.size();
+    std::array<std::int32_t, 2 * GrainSearch::capacity> indices;
+    std::array<double, 3 * GrainSearch::capacity> normals;
+    for (std::size_t n = 0; n < rows.size(); ++n) std::copy_n(pair(rows[n]), 2, &indices[2 * n]);
     pw85_system const system = ellipsoids_->system();
-    pw85_pair_list const pairs{count, new_pairs_.data(), nullptr};
-    normals_.resize(3 * count);
-    pw85_contact_derivatives_pairs(&pairs, &system, nullptr, nullptr, nullptr, normals_.data(), nullptr, nullptr,
+    pw85_pair_list const pairs{rows.size(), indices.data(), nullptr};
+    pw85_contact_derivatives_pairs(&pairs, &system, nullptr, nullptr, nullptr, normals.data(), nullptr, nullptr,
                                    nullptr);
-    for (std::size_t k = 0; k < count; ++k) starts_[new_rows_[k]].normal = vector(&normals_[3 * k]);
+    for (std::size_t n = 0; n < rows.size(); ++n) starts_[rows[n]].normal = vector(&normals[3 * n]);
 }
 
 Vector PairGranular::separation(std::size_t k) const
 {
-    return vector(atom->x[batch_.pairs[2 * k + 1]]) - vector(atom->x[batch_.pairs[2 * k]]);
+    return vector(atom->x[pair(k)[1]]) - vector(atom->x[pair(k)[0]]);
 }
 
 void PairGranular::add_to(GrainSearch &search, std::size_t k) const
 {
-    search.add(separation(k), ellipsoids_->form(batch_.pairs[2 * k]), ellipsoids_->form(batch_.pairs[2 * k + 1]),
-               starts_[k].normal);
+    search.add(separation(k), ellipsoids_->form(pair(k)[0]), ellipsoids_->form(pair(k)[1]), starts_[k].normal);
 }
 
 /// Whether a contact is that of pair k. If the normal has turned far since the step before, it may belong to another minimum.
@@ -240,33 +244,31 @@ bool PairGranular::is_certain(std::size_t k, GrainGeometry const &g) const
 /// The contact of pair k that is found from the normal of the contact function.
 GrainGeometry PairGranular::contact_from_anew(std::size_t k)
 {
-    new_pairs_ = {batch_.pairs[2 * k], batch_.pairs[2 * k + 1]};
-    new_rows_ = {k};
-    start_at_contact_function();
+    start_at_contact_function({&k, 1});
     single_search_.clear();
     add_to(single_search_, k);
     single_search_.solve();
     return single_search_.contact(0);
 }
 
-/// Adds the force and torques of pair k of the batch.
+/// Adds the force and torques of pair k.
 void PairGranular::add_pair(std::size_t k, GrainGeometry &g, int eflag)
 {
-    int const i = batch_.pairs[2 * k], j = batch_.pairs[2 * k + 1];
-    double const share = force->special_lj[batch_.special[k]];
+    int const i = pair(k)[0], j = pair(k)[1];
+    double const share = force->special_lj[batch_.special[first_ + k]];
     if (share == 0.0) return;
     if (std::isnan(g.depth)) refuse_depth(i, j);
     if (!(g.depth > 0.0)) return;
     if (arms_ == Arms::contact) g.meet_in_the_middle();
     Encounter const e = meet(i, j, g);
-    Material const &pair = material(atom->type[i], atom->type[j]);
+    Material const &both = material(atom->type[i], atom->type[j]);
     Springs springs = starts_[k].before ? starts_[k].before->springs : Springs{};
-    Reaction const reaction = pair.law.react(e, springs);
+    Reaction const reaction = both.law.react(e, springs);
     history_->store(i, j, springs, g.normal);
     fastest_ = std::max(fastest_, share * reaction.stiffness / e.mass);
     Vector const couple = share * reaction.couple;
     Vector f = share * reaction.force, torque1 = cross(g.arm1, f) + couple, torque2 = -1.0 * cross(g.arm2, f) - couple;
-    if (pair.conserves) add_gradient(i, j, g, share * reaction.by_radius, f, torque1, torque2);
+    if (both.conserves) add_gradient(i, j, g, share * reaction.by_radius, f, torque1, torque2);
     if (keeps_touches_) touches_.push_back({i, j, g.arm1, g.normal, f, g.depth});
     apply(i, f, torque1);
     if (force->newton_pair || j < atom->nlocal) apply(j, -1.0 * f, torque2);
@@ -335,10 +337,12 @@ void PairGranular::check_timestep()
 
 void PairGranular::refuse_depth(int i, int j) const
 {
-    ellipsoids_->refuse_pair(
-        i, j,
-        "overlap more than the law of force allows, so that their common normal is not unique: use a "
-        "larger stiffness or a smaller time step, or remove overlaps before the run (fix pw85/fire)");
+    std::string const types = std::to_string(atom->type[i]) + " and " + std::to_string(atom->type[j]);
+    ellipsoids_->refuse_pair(i, j,
+                             "(types " + types +
+                                 ") overlap more than the law of force allows, so that their common normal is not "
+                                 "unique: use a larger stiffness or a smaller time step, or remove overlaps before the "
+                                 "run (fix pw85/fire)");
 }
 
 int PairGranular::pack_forward_comm(int count, int *atoms, double *buffer, int, int *)

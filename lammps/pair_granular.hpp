@@ -10,7 +10,11 @@
 #include "grain_geometry.hpp"
 #include "neighbours.hpp"
 
+#include <array>
+#include <cstddef>
+#include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -66,8 +70,10 @@ class PairGranular final : public LAMMPS_NS::Pair {
     void read_reaches();
     Material &material(int t, int u);
     void add_batch(int eflag);
+    void add_pairs(std::size_t count, int eflag);
+    std::int32_t const *pair(std::size_t k) const { return &batch_.pairs[2 * (first_ + k)]; }
     void find_starts(std::size_t count);
-    void start_at_contact_function();
+    void start_at_contact_function(std::span<std::size_t const> rows);
     Vector separation(std::size_t k) const;
     void add_to(GrainSearch &search, std::size_t k) const;
     bool is_certain(std::size_t k, GrainGeometry const &g) const;
@@ -92,10 +98,8 @@ class PairGranular final : public LAMMPS_NS::Pair {
     std::string history_id_;
     ContactHistory *history_ = nullptr;
     PairBatch batch_;
-    std::vector<Start> starts_;           ///< of the pairs of a batch that overlap
-    std::vector<std::int32_t> new_pairs_; ///< pairs of the batch whose normals are unknown
-    std::vector<std::size_t> new_rows_;   ///< their rows in starts_
-    std::vector<double> normals_;         ///< their normals of the contact function
+    std::size_t first_ = 0; ///< the pair of the batch that is the first one of those in starts_
+    std::array<Start, GrainSearch::capacity> starts_{};
     GrainSearch search_, single_search_;
     std::vector<Vector> spins_; ///< angular velocities of owned atoms and ghosts
     double timestep_ = 0.0;     ///< for springs: zero while a run is set up

@@ -380,7 +380,8 @@ class Errors(unittest.TestCase):
     def test_depth(self):
         deep = lattice(Grains, 2, 2.0, SHAPES[:2], 3)
         deep.centers[1] = deep.centers[0] + [0.01, 0.0, 0.0]
-        self.check(self.START + self.LAW, "atom 1 and atom 2 overlap more than the law of force allows", "fix pw85/fire", grains=deep)
+        self.check(self.START + self.LAW, "atom 1 and atom 2 (types 1 and 2) overlap more than the law of force allows", "fix pw85/fire",
+                   grains=deep)
 
     def test_time_step(self):
         """The mass of two grains with semi-axes 0.5, 0.5 and 0.75 is half of their own; the limit is 0.2 √(m/k)."""

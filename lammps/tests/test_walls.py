@@ -24,7 +24,7 @@ def wall(shape, law=LAW):
 
 def in_large_box(grains, keep=slice(None)):
     """Some of the grains, in the middle of a box whose sides are far away."""
-    shifted = grains.centers + MIDDLE - 0.5 * np.diag(grains.cell)
+    shifted = grains.centers + (MIDDLE - 0.5 * np.diag(grains.cell))
     rows = {name: getattr(grains, name)[keep] for name in ("semi_axes", "quaternions", "types", "velocities", "spins")}
     return dataclasses.replace(grains, cell=np.diag(2.0 * MIDDLE), periodic=False, centers=shifted[keep], **rows)
 
