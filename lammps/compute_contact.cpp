@@ -101,7 +101,7 @@ void ComputeContact::add_batch(bool with_rows)
         if (!(mu2 < below_)) continue;
         value(i) = std::min(value(i), mu2);
         value(j) = std::min(value(j), mu2);
-        if (std::max(i, j) >= counted && !belongs_here(i, j)) continue;
+        if (std::max(i, j) >= counted && !belongs_here(*atom, i, j)) continue;
         count_ += 1;
         if (with_rows) add_row(i, j, mu2, batch.lambda[k]);
     }
@@ -117,21 +117,6 @@ void ComputeContact::add_row(int i, int j, double mu2, double lambda)
     if (status != PW85_SUCCESS) std::fill_n(point, 3, 0.0), std::fill_n(normal, 3, 0.0);
     rows_.push_back({static_cast<double>(atom->tag[i]), static_cast<double>(atom->tag[j]), mu2, a[0] + point[0],
                      a[1] + point[1], a[2] + point[2], normal[0], normal[1], normal[2]});
-}
-
-// With newton off, a pair of an owned atom and a ghost is in the lists of two processors, or twice in one list if the ghost is an
-// image of the atom itself. Only one of them reports the pair: the owner of the smaller tag if the sum of the tags is even,
-// otherwise the owner of the larger tag. An atom and its own image are reported from the side that sees the image at larger z, or
-// y, or x.
-bool ComputeContact::belongs_here(int i, int j) const
-{
-    int const ghost = std::max(i, j), owned = std::min(i, j);
-    tagint const a = atom->tag[owned], b = atom->tag[ghost];
-    if (a != b) return (a < b) == ((a % 2 + b % 2) % 2 == 0);
-    double const *x = atom->x[owned], *y = atom->x[ghost];
-    for (int k = 2; k >= 0; --k)
-        if (x[k] != y[k]) return x[k] < y[k];
-    return true;
 }
 
 void ComputeContact::publish_rows()

@@ -28,7 +28,6 @@ class ComputeContact final : public ComputePairs {
     void evaluate(bool with_rows);
     void add_batch(bool with_rows);
     void add_row(int i, int j, double mu2, double lambda);
-    bool belongs_here(int i, int j) const;
     void publish_rows();
 
     double below_;                ///< only contacts with a smaller μ² count

@@ -64,12 +64,12 @@ ContactHistory::Contact const *ContactHistory::find(int i, int j) const
     return nullptr;
 }
 
-void ContactHistory::store(int i, int j, Vector const &spring, Vector const &normal)
+void ContactHistory::store(int i, int j, Springs const &springs, Vector const &normal)
 {
     Row &row = next_rows_[index(i)];
     if (row.count == 0) row.first = next_.size();
     ++row.count;
-    next_.push_back({atom->tag[j], j, spring, normal});
+    next_.push_back({atom->tag[j], j, springs, normal});
 }
 
 void ContactHistory::finish_step()
@@ -101,7 +101,7 @@ void ContactHistory::complete()
             for (std::size_t k = row.first; k < row.first + row.count; ++k) {
                 Contact const &c = contacts_[k];
                 if (c.index < atom->nlocal || shares)
-                    mirrored_[index(c.index)].push_back({atom->tag[i], -1, -1.0 * c.spring, {}});
+                    mirrored_[index(c.index)].push_back({atom->tag[i], -1, c.springs.reversed(), {}});
             }
         }
         if (shares) reverse_rows_to_owners(*comm, this);
@@ -141,12 +141,12 @@ void ContactHistory::grow_arrays(int nmax) { rows_.resize(index(nmax)); }
 double *ContactHistory::write(Contact const &contact, double *buffer)
 {
     *buffer++ = static_cast<double>(contact.partner);
-    return std::copy(contact.spring.begin(), contact.spring.end(), buffer);
+    return contact.springs.write(buffer);
 }
 
 ContactHistory::Contact ContactHistory::read(double const *buffer)
 {
-    return {static_cast<tagint>(buffer[0]), -1, vector(buffer + 1), {}};
+    return {static_cast<tagint>(buffer[0]), -1, Springs::read(buffer + 1), {}};
 }
 
 int ContactHistory::pack_exchange(int i, double *buffer)

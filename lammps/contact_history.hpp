@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-only
 /// @file
-/// Stores the tangential springs of contacts. It keeps them when atoms move to other processors, and in restart files.
+/// Stores the springs of contacts. It keeps them when atoms move to other processors, and in restart files.
 #ifndef PW85_LAMMPS_CONTACT_HISTORY_HPP_INCLUDED
 #define PW85_LAMMPS_CONTACT_HISTORY_HPP_INCLUDED
 
+#include "contact_law.hpp"
 #include "host.hpp"
 #include "vectors.hpp"
 
@@ -16,8 +17,8 @@ namespace pw85_lammps {
 /// The springs of all contacts, by atom and the tag of its partner. It is a fix, because LAMMPS moves and saves only data of fixes.
 ///
 /// In a step of a run, a contact is stored with the atom for which the neighbour list has the pair. complete() stores it with both
-/// atoms, the second one with the opposite sign. So the contact is found again after a new list, whichever atom has the pair then.
-/// If an atom touches two periodic images of another one, the images share a spring. The normals are where the next search of the same
+/// atoms, as each of them sees it. So the contact is found again after a new list, whichever atom has the pair then.
+/// If an atom touches two periodic images of another one, the images share their springs. The normals are where the next search of the same
 /// pair starts. They are neither moved nor saved.
 class ContactHistory final : public LAMMPS_NS::Fix {
   public:
@@ -34,14 +35,15 @@ class ContactHistory final : public LAMMPS_NS::Fix {
     struct Contact {
         LAMMPS_NS::tagint partner;
         int index; ///< of the partner while the neighbour list is that of the step, then -1
-        Vector spring, normal;
+        Springs springs;
+        Vector normal;
     };
 
     /// The contact of a pair in the step before, or null for a new one. Atom i is owned. The normal is valid if the index is j.
     Contact const *find(int i, int j) const;
 
-    /// Stores the spring and the normal of a pair. The pairs of an atom i follow each other.
-    void store(int i, int j, Vector const &spring, Vector const &normal);
+    /// Stores the springs and the normal of a pair. The pairs of an atom i follow each other.
+    void store(int i, int j, Springs const &springs, Vector const &normal);
     void finish_step();
 
     int setmask() override;
@@ -71,7 +73,7 @@ class ContactHistory final : public LAMMPS_NS::Fix {
         std::size_t first, count;
     };
 
-    static constexpr int contact_size = 4; ///< numbers that a message has for each contact
+    static constexpr int contact_size = 1 + Springs::size; ///< numbers that a message has for each contact
 
     static std::size_t index(int i) { return static_cast<std::size_t>(i); }
     void complete();

@@ -3,64 +3,10 @@
 #include "contact_law.hpp"
 
 #include <cmath>
-#include <map>
 
 using namespace LAMMPS_NS;
 
 namespace pw85_lammps {
-
-/// Reads words one after the other, and says what is wrong with them.
-class ContactLaw::Parser : protected Pointers {
-  public:
-    Parser(LAMMPS *lammps, std::string style, int count, char **words)
-        : Pointers(lammps), style_(std::move(style)), count_(count), words_(words)
-    {
-    }
-
-    bool done() const { return position_ == count_; }
-
-    std::string word(std::string const &what)
-    {
-        if (done()) refuse("lacks " + what);
-        return words_[position_++];
-    }
-
-    double number(std::string const &what, double largest = HUGE_VAL)
-    {
-        std::string const text = word(what);
-        double const value = utils::numeric(FLERR, text.c_str(), false, lmp);
-        if (!(value >= 0.0 && std::isfinite(value) && value <= largest)) refuse("has a bad " + what + ": " + text);
-        return value;
-    }
-
-    /// The next word as a number, or nothing for the word NULL.
-    std::optional<double> number_or_null(std::string const &what)
-    {
-        if (done() || std::string(words_[position_]) != "NULL") return number(what);
-        ++position_;
-        return {};
-    }
-
-    template <class Choice> Choice choice(std::string const &what, std::map<std::string, Choice> const &choices)
-    {
-        std::string const text = word(what);
-        auto const found = choices.find(text);
-        if (found != choices.end()) return found->second;
-        std::string names;
-        for (auto const &[name, value] : choices) names += (names.empty() ? "" : ", ") + name;
-        refuse("has an unknown " + what + " " + text + ": use one of " + names);
-    }
-
-    [[noreturn]] void refuse(std::string const &reason) const
-    {
-        stop_all(*error, style_ + ": the law of force " + reason);
-    }
-
-  private:
-    std::string style_;
-    int count_, position_ = 0;
-    char **words_;
-};
 
 namespace {
 
@@ -85,11 +31,21 @@ double tsuji_factor(double restitution)
     return sum;
 }
 
+Vector without_part_along(Vector const &x, Vector const &normal) { return x - dot(x, normal) * normal; }
+
+/// A vector of the same length, along its part in the tangent plane.
+Vector turn_into_plane(Vector const &x, Vector const &normal)
+{
+    Vector const part = without_part_along(x, normal);
+    double const square = dot(part, part);
+    return square > 0.0 ? std::sqrt(dot(x, x) / square) * part : Vector{};
+}
+
 } // namespace
 
 ContactLaw ContactLaw::parse(LAMMPS *lammps, std::string const &style, int count, char **words)
 {
-    Parser parser(lammps, style, count, words);
+    Words parser(lammps, style + ": the law of force", count, words);
     ContactLaw law;
     law.parse_normal(parser);
     while (!parser.done()) {
@@ -101,10 +57,12 @@ ContactLaw ContactLaw::parse(LAMMPS *lammps, std::string const &style, int count
                                                               {"tsuji", Damping::tsuji}});
         } else if (keyword == "tangential") {
             law.parse_tangential(parser);
+        } else if (keyword == "rolling") {
+            law.parse_rolling(parser);
         } else if (keyword == "limit_damping") {
             law.limits_damping_ = true;
         } else {
-            parser.refuse("has an unknown keyword " + keyword + ": use damping, tangential or limit_damping");
+            parser.refuse("has an unknown keyword " + keyword + ": use damping, tangential, rolling or limit_damping");
         }
     }
     if (law.damping_ == Damping::tsuji) {
@@ -115,23 +73,22 @@ ContactLaw ContactLaw::parse(LAMMPS *lammps, std::string const &style, int count
     return law;
 }
 
-void ContactLaw::parse_normal(Parser &parser)
+void ContactLaw::parse_normal(Words &parser)
 {
     enum class Form { hooke, hertz, material };
     auto const form = parser.choice<Form>(
         "normal law", {{"hooke", Form::hooke}, {"hertz", Form::hertz}, {"hertz/material", Form::material}});
     normal_ = form == Form::hooke ? Normal::hooke : Normal::hertz;
     if (form == Form::material) {
-        young_ = parser.number("Young's modulus");
-        if (young_ == 0.0) parser.refuse("has a Young's modulus of zero");
+        young_ = parser.positive("Young's modulus");
     } else {
         stiffness_ = parser.number("stiffness");
     }
     damping_factor_ = parser.number("damping");
-    if (form == Form::material) poisson_ = parser.number("Poisson's ratio", 0.5);
+    if (form == Form::material) poisson_ = parser.number("Poisson's ratio", 0.0, 0.5);
 }
 
-void ContactLaw::parse_tangential(Parser &parser)
+void ContactLaw::parse_tangential(Words &parser)
 {
     tangential_ = parser.choice<Tangential>("tangential law", {{"none", Tangential::none},
                                                                {"linear_nohistory", Tangential::linear_nohistory},
@@ -153,11 +110,20 @@ void ContactLaw::parse_tangential(Parser &parser)
     friction_ = parser.number("coefficient of friction");
 }
 
+void ContactLaw::parse_rolling(Words &parser)
+{
+    resists_rolling_ = parser.choice<bool>("rolling law", {{"none", false}, {"sds", true}});
+    if (!resists_rolling_) return;
+    rolling_stiffness_ = parser.positive("rolling stiffness");
+    rolling_damping_ = parser.number("rolling damping");
+    rolling_friction_ = parser.number("coefficient of rolling friction");
+}
+
 std::optional<ContactLaw> ContactLaw::mixed(ContactLaw const &a, ContactLaw const &b)
 {
     if (a.normal_ != b.normal_ || a.damping_ != b.damping_ || a.tangential_ != b.tangential_ ||
         (a.young_ > 0.0) != (b.young_ > 0.0) || a.mindlin_by_material_ != b.mindlin_by_material_ ||
-        a.limits_damping_ != b.limits_damping_)
+        a.limits_damping_ != b.limits_damping_ || a.resists_rolling_ != b.resists_rolling_)
         return {};
     ContactLaw law = a;
     law.stiffness_ = std::sqrt(a.stiffness_ * b.stiffness_);
@@ -165,6 +131,9 @@ std::optional<ContactLaw> ContactLaw::mixed(ContactLaw const &a, ContactLaw cons
     law.tangential_stiffness_ = std::sqrt(a.tangential_stiffness_ * b.tangential_stiffness_);
     law.tangential_damping_ = std::sqrt(a.tangential_damping_ * b.tangential_damping_);
     law.friction_ = std::sqrt(a.friction_ * b.friction_);
+    law.rolling_stiffness_ = std::sqrt(a.rolling_stiffness_ * b.rolling_stiffness_);
+    law.rolling_damping_ = std::sqrt(a.rolling_damping_ * b.rolling_damping_);
+    law.rolling_friction_ = std::sqrt(a.rolling_friction_ * b.rolling_friction_);
     law.combine_materials(a, b);
     return law;
 }
@@ -177,7 +146,7 @@ void ContactLaw::combine_materials(ContactLaw const &a, ContactLaw const &b)
         tangential_stiffness_ = 8.0 * shear_of_contact(a.young_, a.poisson_, b.young_, b.poisson_);
 }
 
-Reaction ContactLaw::react(Encounter const &e, Vector &spring) const
+Reaction ContactLaw::react(Encounter const &e, Springs &springs) const
 {
     double const contact_radius = std::sqrt(e.radius * e.depth);
     bool const is_hertz = normal_ == Normal::hertz;
@@ -187,14 +156,21 @@ Reaction ContactLaw::react(Encounter const &e, Vector &spring) const
     double pressure = secant * e.depth + damped * approach;
     if (limits_damping_ && pressure < 0.0) pressure = 0.0;
     double const energy = (is_hertz ? 0.4 : 0.5) * secant * e.depth * e.depth;
-    Reaction result{-pressure * e.normal, energy, is_hertz ? 1.5 * secant : secant,
-                    is_hertz ? 0.5 * energy / e.radius : 0.0};
+    Reaction result{
+        -pressure * e.normal, energy, is_hertz ? 1.5 * secant : secant, is_hertz ? 0.5 * energy / e.radius : 0.0, {}};
+    if (resists_rolling_) result.couple = rolling_couple(e, pressure, springs.rolling);
     if (tangential_ == Tangential::none) return result;
     double const stiffness = tangential_stiffness_ * (tangential_ == Tangential::mindlin ? contact_radius : 1.0);
-    result.force =
-        result.force + tangential_force(e, e.velocity - approach * e.normal, stiffness, tangential_damping_ * damped,
-                                        friction_ * std::abs(pressure), spring);
+    Slider const slider{stiffness, tangential_damping_ * damped, friction_ * std::abs(pressure), has_spring(), false};
+    result.force = result.force + friction(e, slider, e.velocity - approach * e.normal, springs.sliding);
     return result;
+}
+
+// The velocity of rolling is that of Wang, Alonso-Marroquin, Xue and Xie (Particuology 23, 49, 2015), as in LAMMPS's `rolling sds`.
+Vector ContactLaw::rolling_couple(Encounter const &e, double pressure, Vector &spring) const
+{
+    Slider const slider{rolling_stiffness_, rolling_damping_, rolling_friction_ * std::abs(pressure), true, true};
+    return -e.radius * cross(e.normal, friction(e, slider, e.radius * cross(e.normal, e.spin), spring));
 }
 
 double ContactLaw::damping(Encounter const &e, double contact_radius, double stiffness) const
@@ -212,21 +188,21 @@ double ContactLaw::damping(Encounter const &e, double contact_radius, double sti
     return 0.0;
 }
 
-// The spring turns with the contact: its part along the new normal is removed. If it slides, it is as long as Coulomb's limit allows. A
-// spring of zero, which contacts have while a run is set up for the first time, gives no force above the limit, as in LAMMPS.
-Vector ContactLaw::tangential_force(Encounter const &e, Vector const &slip, double stiffness, double damping,
-                                    double limit, Vector &spring) const
+// The spring follows the contact. If it slides, it is as long as Coulomb's limit allows. A spring of zero, which contacts have while a
+// run is set up for the first time, gives no force above the limit, as in LAMMPS.
+Vector ContactLaw::friction(Encounter const &e, Slider const &slider, Vector const &slip, Vector &spring) const
 {
-    if (has_spring() && e.timestep > 0.0) {
+    if (slider.has_spring && e.timestep > 0.0) {
+        if (slider.keeps_length) spring = turn_into_plane(spring, e.normal);
         spring = spring + e.timestep * slip;
-        spring = spring - dot(spring, e.normal) * e.normal;
+        if (!slider.keeps_length) spring = without_part_along(spring, e.normal);
     }
-    Vector const force = -stiffness * spring - damping * slip;
+    Vector const force = -slider.stiffness * spring - slider.damping * slip;
     double const square = dot(force, force);
-    if (square <= limit * limit) return force;
-    if (has_spring() && dot(spring, spring) == 0.0) return {};
-    Vector const limited = (limit / std::sqrt(square)) * force;
-    if (has_spring()) spring = (-1.0 / stiffness) * (limited + damping * slip);
+    if (square <= slider.limit * slider.limit) return force;
+    if (slider.has_spring && dot(spring, spring) == 0.0) return {};
+    Vector const limited = (slider.limit / std::sqrt(square)) * force;
+    if (slider.has_spring) spring = (-1.0 / slider.stiffness) * (limited + slider.damping * slip);
     return limited;
 }
 

@@ -97,6 +97,9 @@ class Ellipsoids : protected LAMMPS_NS::Pointers {
     /// The same for an index that may be out of range.
     bool has(int i) const { return static_cast<std::size_t>(i) < radii_.size() && selected(i); }
 
+    /// Stops the run because of an atom for the given reason, which follows its name.
+    [[noreturn]] void refuse(int i, std::string const &reason) const;
+
     /// Stops the run because of a pair for which the library returned an error.
     [[noreturn]] void refuse_pair(int i, int j, int status) const;
 
@@ -111,7 +114,6 @@ class Ellipsoids : protected LAMMPS_NS::Pointers {
     void read_shapes();
     bool has_all_shapes() const;
     [[noreturn]] void refuse_shape(int i) const;
-    [[noreturn]] void refuse(int i, std::string const &reason) const;
     std::vector<double> largest_radii() const;
 
     std::string style_, otherwise_;

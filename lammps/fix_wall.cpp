@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-only
-// fix wall/pw85: the forces of planes on ellipsoids.
+// fix wall/pw85: the forces of walls on ellipsoids.
 #include "fix_wall.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <cstring>
-#include <numbers>
+#include <utility>
 
 using namespace LAMMPS_NS;
 
@@ -15,22 +15,21 @@ namespace pw85_lammps {
 namespace {
 
 constexpr char style_name[] = "fix wall/pw85";
-constexpr char usage[] =
-    "use fix ID group wall/pw85 xplane|yplane|zplane LO|NULL HI|NULL [wiggle DIM AMPLITUDE PERIOD | shear DIM SPEED] "
-    "[arms contact|surface] law LAW";
+
+/// Cosine of the largest angle by which the normal of a contact turns in a step: 60°. The faces of a box are further apart.
+constexpr double farthest_turn = 0.5;
 
 } // namespace
 
 FixWall::FixWall(LAMMPS *lammps, int narg, char **arg) : Fix(lammps, narg, arg), first_step_(update->ntimestep)
 {
-    if (narg < 8) stop_all(*error, std::string("Illegal fix command: ") + usage);
-    int const k = parse_motion(parse_planes(arg), narg, arg);
-    law_ = ContactLaw::parse(lmp, style_name, narg - k, arg + k);
+    parse(narg, arg);
     ellipsoids_.emplace(lmp, style_name, "leave it out of the group");
     restart_global = 1;
     restart_peratom = 1;
     create_attribute = 1;
-    maxexchange = exchange_size;
+    maxexchange = 1;
+    maxexchange_dynamic = 1;
     scalar_flag = 1;
     global_freq = 1;
     extscalar = 1;
@@ -45,121 +44,101 @@ FixWall::~FixWall()
     atom->delete_callback(id, Atom::RESTART);
 }
 
-/// Reads the planes; returns the number of the next word.
-int FixWall::parse_planes(char **arg)
+void FixWall::parse(int narg, char **arg)
 {
-    std::string const word = arg[3];
-    if (word.size() != 6 || word.substr(1) != "plane")
-        stop_all(*error, std::string(style_name) + ": unknown wall " + word + ": " + usage);
-    axis_ = axis_of(word.substr(0, 1).c_str());
-    planes_ = {Plane{place(arg[4]), -1.0, std::strcmp(arg[4], "NULL") != 0},
-               {place(arg[5]), 1.0, std::strcmp(arg[5], "NULL") != 0}};
-    return 6;
+    Words words(lmp, std::string(style_name) + ": the wall", narg - 3, arg + 3);
+    surface_ = WallSurface::parse(words);
+    motion_.parse(words, *surface_);
+    if (words.skip("arms"))
+        arms_at_surface_ = words.choice<bool>("place of its arms", {{"contact", false}, {"surface", true}});
+    if (!words.skip("law")) words.refuse("lacks the word law, which follows its shape, its motion and its arms");
+    law_ = ContactLaw::parse(lmp, style_name, words.num_left(), words.left());
 }
 
-double FixWall::place(char const *word) const
-{
-    return std::strcmp(word, "NULL") == 0 ? 0.0 : utils::numeric(FLERR, word, false, lmp);
-}
-
-int FixWall::axis_of(char const *word) const
-{
-    for (int k = 0; k < 3; ++k)
-        if (std::string(word) == std::string(1, "xyz"[k])) return k;
-    stop_all(*error, std::string(style_name) + ": " + word + " is no axis: " + usage);
-}
-
-/// Reads what is before the law; returns the number of its first word.
-int FixWall::parse_motion(int k, int narg, char **arg)
-{
-    bool moves = false;
-    while (k < narg && std::strcmp(arg[k], "law") != 0) {
-        std::string const word = arg[k];
-        if (word == "arms" && k + 1 < narg) {
-            std::string const where = arg[k + 1];
-            if (where != "contact" && where != "surface") break;
-            arms_at_surface_ = where == "surface";
-            k += 2;
-            continue;
-        }
-        bool const wiggles = word == "wiggle";
-        int const next = k + (wiggles ? 4 : 3);
-        if ((!wiggles && word != "shear") || moves || next > narg) break;
-        moves = true;
-        wiggles_ = wiggles;
-        moving_axis_ = axis_of(arg[k + 1]);
-        (wiggles ? amplitude_ : speed_) = utils::numeric(FLERR, arg[k + 2], false, lmp);
-        if (wiggles) period_ = utils::numeric(FLERR, arg[k + 3], false, lmp);
-        k = next;
-    }
-    if (k >= narg || std::strcmp(arg[k], "law") != 0) stop_all(*error, std::string("Illegal fix command: ") + usage);
-    if (!(period_ > 0.0)) stop_all(*error, std::string(style_name) + ": the period must be positive");
-    if (!wiggles_ && moves && moving_axis_ == axis_)
-        stop_all(*error, std::string(style_name) + ": shear must be along the wall: use wiggle to move it across");
-    return k + 1;
-}
-
-int FixWall::setmask() { return FixConst::POST_FORCE; }
+int FixWall::setmask() { return FixConst::PRE_EXCHANGE | FixConst::MIN_PRE_EXCHANGE | FixConst::POST_FORCE; }
 
 void FixWall::init()
 {
     if (std::string(update->integrate_style).rfind("respa", 0) == 0)
         stop_all(*error, std::string(style_name) + " does not work with run_style respa: use run_style verlet");
-    if (domain->periodicity[axis_])
-        stop_all(*error,
-                 std::string(style_name) + ": the box is periodic across the wall: use boundary f or s for this axis");
+    for (int axis = 0; axis < 3; ++axis)
+        if (surface_->crosses(axis) && domain->periodicity[axis])
+            stop_all(*error, std::string(style_name) +
+                                 ": the box is periodic across the wall: use boundary f or s for this axis");
     ellipsoids_->forget();
 }
 
-/// How far the planes are from their first place, along the axis that they move along.
-double FixWall::shift() const
-{
-    double const time = static_cast<double>(update->ntimestep - first_step_) * update->dt;
-    return wiggles_ ? amplitude_ * (1.0 - std::cos(2.0 * std::numbers::pi * time / period_)) : 0.0;
-}
+void FixWall::pre_exchange() { find_maxexchange(); }
 
-Vector FixWall::wall_velocity() const
+/// Finds the largest number of values of an atom on any processor.
+void FixWall::find_maxexchange()
 {
-    double const time = static_cast<double>(update->ntimestep - first_step_) * update->dt;
-    double const frequency = 2.0 * std::numbers::pi / period_;
-    Vector v{};
-    v[static_cast<std::size_t>(moving_axis_)] = wiggles_ ? amplitude_ * frequency * std::sin(frequency * time) : speed_;
-    return v;
+    std::size_t longest = 0;
+    for (int i = 0; i < atom->nlocal; ++i) longest = std::max(longest, contacts(i).size());
+    int const own = 1 + contact_size * static_cast<int>(longest);
+    MPI_Allreduce(&own, &maxexchange, 1, MPI_INT, MPI_MAX, world);
 }
 
 void FixWall::post_force(int)
 {
     timestep_ = update->setupflag ? 0.0 : update->dt;
     energy_ = 0.0;
+    motion_.move_to(time());
     ellipsoids_->read([this](int i) { return (atom->mask[i] & groupbit) != 0; });
-    for (int i = 0; i < atom->nlocal; ++i) {
-        if (!ellipsoids_->selected(i)) continue;
-        for (std::size_t k = 0; k < planes_.size(); ++k)
-            if (planes_[k].exists) push(i, planes_[k], springs(i)[k]);
+    for (int i = 0; i < atom->nlocal; ++i)
+        if (ellipsoids_->selected(i)) touch(i);
+}
+
+/// Adds the forces of the wall on a grain.
+void FixWall::touch(int i)
+{
+    touching_.clear();
+    Grain const grain = motion_.to_wall(vector(atom->x[i]), ellipsoids_->form(i), ellipsoids_->largest_semi_axis(i));
+    std::string const failure = surface_->touch(grain, touching_);
+    if (!failure.empty()) ellipsoids_->refuse(i, failure);
+    std::vector<Contact> now;
+    for (GrainGeometry &g : touching_) {
+        g = motion_.to_space(g);
+        now.push_back({g.normal, {}});
+    }
+    inherit_springs(contacts(i), now);
+    for (std::size_t k = 0; k < now.size(); ++k) push(i, touching_[k], now[k].springs);
+    contacts(i) = std::move(now);
+}
+
+/// Gives the springs of the step before to the contacts with the nearest normals, in the order of their distances.
+void FixWall::inherit_springs(std::vector<Contact> &before, std::vector<Contact> &now) const
+{
+    std::vector<bool> has_spring(now.size(), false);
+    while (!before.empty()) {
+        double nearest = farthest_turn;
+        std::size_t heir = now.size();
+        auto source = before.end();
+        for (auto old = before.begin(); old != before.end(); ++old)
+            for (std::size_t k = 0; k < now.size(); ++k) {
+                double const cosine = dot(old->normal, now[k].normal);
+                if (has_spring[k] || !(cosine > nearest)) continue;
+                nearest = cosine;
+                heir = k;
+                source = old;
+            }
+        if (source == before.end()) return;
+        now[heir].springs = source->springs;
+        has_spring[heir] = true;
+        before.erase(source);
     }
 }
 
-/// Adds the force of a plane on a grain. A grain that does not touch the plane loses its spring.
-void FixWall::push(int i, Plane const &plane, Vector &spring)
+/// Adds the force of a contact.
+void FixWall::push(int i, GrainGeometry const &contact, Springs &springs)
 {
-    double const moved = plane.place + (moving_axis_ == axis_ ? shift() : 0.0);
-    double const distance = plane.side * (moved - atom->x[i][axis_]);
-    if (distance >= ellipsoids_->largest_semi_axis(i)) {
-        spring = {};
-        return;
-    }
-    Vector normal{};
-    normal[static_cast<std::size_t>(axis_)] = plane.side;
-    GrainGeometry g = plane_geometry(ellipsoids_->form(i), normal, distance);
-    if (!(g.depth > 0.0)) {
-        spring = {};
-        return;
-    }
+    GrainGeometry g = contact;
     if (!arms_at_surface_) g.meet_in_the_middle();
     Vector const spin = without_inertia(atom->rmass[i], ellipsoids_->form(i), vector(atom->angmom[i]));
-    Vector const velocity = vector(atom->v[i]) + cross(spin, g.arm1) - wall_velocity();
-    Reaction const reaction = law_.react({normal, g.depth, g.radius, atom->rmass[i], velocity, timestep_}, spring);
-    Vector const torque = cross(g.arm1, reaction.force);
+    Vector const velocity = vector(atom->v[i]) + cross(spin, g.arm1) - motion_.velocity(vector(atom->x[i]) + g.arm2);
+    Encounter const e{g.normal, g.depth, g.radius, atom->rmass[i], velocity, spin - motion_.spin(), timestep_};
+    Reaction const reaction = law_.react(e, springs);
+    Vector const torque = cross(g.arm1, reaction.force) + reaction.couple;
     for (std::size_t k = 0; k < 3; ++k) {
         atom->f[i][k] += reaction.force[k];
         atom->torque[i][k] += torque[k];
@@ -174,9 +153,11 @@ double FixWall::compute_scalar()
     return sum;
 }
 
-// A restart file stores the step at which the motion of the wall began.
+// A restart file stores the step at which the motion of the wall began. All processors call this before LAMMPS asks for the sizes
+// of the atoms.
 void FixWall::write_restart(FILE *file)
 {
+    find_maxexchange();
     if (comm->me != 0) return;
     int const size = sizeof(first_step_);
     std::fwrite(&size, sizeof(size), 1, file);
@@ -187,19 +168,29 @@ void FixWall::restart(char *state) { std::memcpy(&first_step_, state, sizeof(fir
 
 int FixWall::pack_exchange(int i, double *buffer)
 {
-    for (Vector const &spring : springs(i)) buffer = std::copy(spring.begin(), spring.end(), buffer);
-    return exchange_size;
+    double *end = buffer;
+    *end++ = static_cast<double>(contacts(i).size());
+    for (Contact const &contact : contacts(i)) {
+        end = std::copy(contact.normal.begin(), contact.normal.end(), end);
+        end = contact.springs.write(end);
+    }
+    return static_cast<int>(end - buffer);
 }
 
 int FixWall::unpack_exchange(int i, double *buffer)
 {
-    springs(i) = {vector(buffer), vector(buffer + 3)};
-    return exchange_size;
+    contacts(i).resize(static_cast<std::size_t>(buffer[0]));
+    double const *next = buffer + 1;
+    for (Contact &contact : contacts(i)) {
+        contact = {vector(next), Springs::read(next + 3)};
+        next += contact_size;
+    }
+    return static_cast<int>(next - buffer);
 }
 
 int FixWall::pack_restart(int i, double *buffer)
 {
-    buffer[0] = restart_size;
+    buffer[0] = size_restart(i);
     return 1 + pack_exchange(i, buffer + 1);
 }
 
@@ -208,6 +199,13 @@ void FixWall::unpack_restart(int i, int which)
     double *numbers = atom->extra[i];
     for (int k = 0; k < which; ++k) numbers += static_cast<int>(numbers[0]);
     unpack_exchange(i, numbers + 1);
+}
+
+double FixWall::memory_usage()
+{
+    double sum = ellipsoids_->bytes() + static_cast<double>(contacts_.capacity() * sizeof(contacts_[0]));
+    for (auto const &row : contacts_) sum += static_cast<double>(row.capacity() * sizeof(Contact));
+    return sum;
 }
 
 } // namespace pw85_lammps

@@ -1,20 +1,22 @@
 // SPDX-License-Identifier: GPL-2.0-only
 /// @file
-/// The style `fix ID group wall/pw85`: planes with the laws of force of pair_style pw85/granular.
+/// The style `fix ID group wall/pw85`: walls with the laws of force of pair_style pw85/granular.
 #ifndef PW85_LAMMPS_FIX_WALL_HPP_INCLUDED
 #define PW85_LAMMPS_FIX_WALL_HPP_INCLUDED
 
 #include "contact_law.hpp"
 #include "ellipsoids.hpp"
 #include "grain_geometry.hpp"
+#include "wall_motion.hpp"
+#include "wall_surface.hpp"
 
-#include <array>
+#include <memory>
 #include <optional>
 #include <vector>
 
 namespace pw85_lammps {
 
-/// One or two planes across an axis of space, which may move.
+/// A wall of any shape, which may move.
 class FixWall final : public LAMMPS_NS::Fix {
   public:
     FixWall(LAMMPS_NS::LAMMPS *lammps, int narg, char **arg);
@@ -22,7 +24,9 @@ class FixWall final : public LAMMPS_NS::Fix {
 
     int setmask() override;
     void init() override;
+    void setup_pre_exchange() override { pre_exchange(); }
     void setup(int vflag) override { post_force(vflag); }
+    void pre_exchange() override;
     void post_force(int vflag) override;
     void reset_dt() override {}
 
@@ -31,49 +35,42 @@ class FixWall final : public LAMMPS_NS::Fix {
 
     void write_restart(FILE *file) override;
     void restart(char *state) override;
-    void grow_arrays(int nmax) override { springs_.resize(static_cast<std::size_t>(nmax)); }
-    void copy_arrays(int from, int to, int) override { springs(to) = springs(from); }
-    void set_arrays(int i) override { springs(i) = {}; }
+    void grow_arrays(int nmax) override { contacts_.resize(static_cast<std::size_t>(nmax)); }
+    void copy_arrays(int from, int to, int) override { contacts(to) = contacts(from); }
+    void set_arrays(int i) override { contacts(i).clear(); }
     int pack_exchange(int i, double *buffer) override;
     int unpack_exchange(int i, double *buffer) override;
     int pack_restart(int i, double *buffer) override;
     void unpack_restart(int i, int which) override;
-    int size_restart(int) override { return restart_size; }
-    int maxsize_restart() override { return restart_size; }
-    double memory_usage() override
-    {
-        return ellipsoids_->bytes() + static_cast<double>(springs_.capacity() * sizeof(Springs));
-    }
+    int size_restart(int i) override { return 2 + contact_size * static_cast<int>(contacts(i).size()); }
+    int maxsize_restart() override { return 1 + maxexchange; }
+    double memory_usage() override;
 
   private:
-    /// A plane; `side` is +1 if the material is behind it along the axis, and -1 if it is before it.
-    struct Plane {
-        double place, side;
-        bool exists;
+    /// What a contact leaves for the next step. The contact of that step with the nearest normal gets the springs.
+    struct Contact {
+        Vector normal;
+        Springs springs;
     };
 
-    using Springs = std::array<Vector, 2>; ///< for the lower and the upper plane
-    static constexpr int exchange_size = 6, restart_size = exchange_size + 1;
+    static constexpr int contact_size = 3 + Springs::size; ///< numbers of a contact in messages
 
-    Springs &springs(int i) { return springs_[static_cast<std::size_t>(i)]; }
-    int parse_planes(char **arg);
-    int parse_motion(int k, int narg, char **arg);
-    double place(char const *word) const;
-    int axis_of(char const *word) const;
-    double shift() const;
-    Vector wall_velocity() const;
-    void push(int i, Plane const &plane, Vector &spring);
+    std::vector<Contact> &contacts(int i) { return contacts_[static_cast<std::size_t>(i)]; }
+    void parse(int narg, char **arg);
+    double time() const { return static_cast<double>(update->ntimestep - first_step_) * update->dt; }
+    void inherit_springs(std::vector<Contact> &before, std::vector<Contact> &now) const;
+    void touch(int i);
+    void push(int i, GrainGeometry const &contact, Springs &springs);
+    void find_maxexchange();
 
-    int axis_ = 0;
-    std::array<Plane, 2> planes_{};
-    bool wiggles_ = false;
-    int moving_axis_ = 0;
-    double amplitude_ = 0.0, period_ = 1.0, speed_ = 0.0; ///< of a sine, or of a constant motion
+    std::unique_ptr<WallSurface> surface_;
+    WallMotion motion_;
     LAMMPS_NS::bigint first_step_;
     bool arms_at_surface_ = false;
     ContactLaw law_;
     std::optional<Ellipsoids> ellipsoids_;
-    std::vector<Springs> springs_; ///< by owned atom
+    std::vector<std::vector<Contact>> contacts_; ///< by owned atom
+    std::vector<GrainGeometry> touching_;        ///< memory for touch()
     double timestep_ = 0.0, energy_ = 0.0;
 };
 

@@ -356,12 +356,17 @@ RadiusGradient radius_gradient(double const *q1, double const *q2, Vector const 
     return {t.in_space(y), part1.by_rotation(normal, t, y), part2.by_rotation(normal, t, y)};
 }
 
-GrainGeometry plane_geometry(double const *q, Vector const &normal, double distance)
+GrainGeometry wall_geometry(double const *q, Vector const &normal, double distance, Vector const &direction,
+                            double curvature)
 {
     Support const s = support(q, normal);
-    double const depth = s.height - distance;
-    PlaneMatrix const curvature = inverse(radii_of_curvature(q, s, Tangents(normal)));
-    return {normal, depth, s.point, s.point - depth * normal, equivalent_radius(Curvatures(curvature))};
+    Tangents const t(normal);
+    double const depth = s.height - distance, x = dot(t.first, direction), y = dot(t.second, direction);
+    PlaneMatrix const wall{curvature * x * x, curvature * x * y, curvature * y * y};
+    Curvatures sum(inverse(radii_of_curvature(q, s, t)) + wall);
+    // Two surfaces with a common line have no radius of Hertz's theory: a grain can fit to the curvature of a cylinder.
+    sum.small = std::max(sum.small, 0x1p-20 * sum.large);
+    return {normal, depth, s.point, s.point - depth * normal, equivalent_radius(sum)};
 }
 
 } // namespace pw85_lammps

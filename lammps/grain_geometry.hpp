@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-only
 /// @file
-/// The geometry of a contact of two grains, or of a grain and a plane: common normal, depth, points and radius.
+/// The geometry of a contact of two grains, or of a grain and a wall: common normal, depth, points and radius.
 #ifndef PW85_LAMMPS_GRAIN_GEOMETRY_HPP_INCLUDED
 #define PW85_LAMMPS_GRAIN_GEOMETRY_HPP_INCLUDED
 
@@ -80,11 +80,14 @@ struct RadiusGradient {
 /// @param depth of their overlap along it
 RadiusGradient radius_gradient(double const *q1, double const *q2, Vector const &normal, double depth);
 
-/// The geometry of an ellipsoid and a plane.
+/// The geometry of an ellipsoid and a wall, at a point of the wall with a given normal.
 ///
-/// @param normal unit vector out of the ellipsoid, into the material behind the plane
-/// @param distance of the plane from the centre along the normal
-GrainGeometry plane_geometry(double const *q, Vector const &normal, double distance);
+/// @param normal unit vector out of the ellipsoid, into the wall
+/// @param distance of the wall's tangent plane from the centre along the normal
+/// @param direction a unit vector in that plane, along which the wall is curved; it is straight across
+/// @param curvature of the wall along `direction`; positive if the wall is convex
+GrainGeometry wall_geometry(double const *q, Vector const &normal, double distance, Vector const &direction,
+                            double curvature);
 
 } // namespace pw85_lammps
 

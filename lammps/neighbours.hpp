@@ -124,6 +124,22 @@ template <class Keep, class Use> void PairBatch::run(LAMMPS_NS::NeighList const 
     size_ = 0;
 }
 
+/// Whether this processor reports a pair of an owned atom and a ghost.
+///
+/// With newton off, the pair is in the lists of two processors, or twice in one list if the ghost is an image of the atom itself.
+/// Only one of them reports it: the owner of the smaller tag if the sum of the tags is even, otherwise the owner of the larger tag.
+/// An atom and its own image are reported from the side that sees the image at larger z, or y, or x.
+inline bool belongs_here(LAMMPS_NS::Atom const &atom, int i, int j)
+{
+    int const ghost = std::max(i, j), owned = std::min(i, j);
+    LAMMPS_NS::tagint const a = atom.tag[owned], b = atom.tag[ghost];
+    if (a != b) return (a < b) == ((a % 2 + b % 2) % 2 == 0);
+    double const *x = atom.x[owned], *y = atom.x[ghost];
+    for (int k = 2; k >= 0; --k)
+        if (x[k] != y[k]) return x[k] < y[k];
+    return true;
+}
+
 } // namespace pw85_lammps
 
 #endif

@@ -162,6 +162,8 @@ void PairGranular::compute(int eflag, int vflag)
     find_spins();
     timestep_ = update->setupflag ? 0.0 : update->dt;
     fastest_ = 0.0;
+    touches_.clear();
+    if (keeps_touches_) step_of_touches_ = update->ntimestep;
     history_->start_step();
     batch_.run(*list, ellipsoids_->reach(1.0), [this, eflag] { add_batch(eflag); });
     history_->finish_step();
@@ -260,12 +262,14 @@ void PairGranular::add_pair(std::size_t k, GrainGeometry &g, int eflag)
     if (arms_ == Arms::contact) g.meet_in_the_middle();
     Encounter const e = meet(i, j, g);
     Material const &both = material(atom->type[i], atom->type[j]);
-    Vector spring = starts_[k].before ? starts_[k].before->spring : Vector{};
-    Reaction const reaction = both.law.react(e, spring);
-    history_->store(i, j, spring, g.normal);
+    Springs springs = starts_[k].before ? starts_[k].before->springs : Springs{};
+    Reaction const reaction = both.law.react(e, springs);
+    history_->store(i, j, springs, g.normal);
     fastest_ = std::max(fastest_, share * reaction.stiffness / e.mass);
-    Vector f = share * reaction.force, torque1 = cross(g.arm1, f), torque2 = -1.0 * cross(g.arm2, f);
+    Vector const couple = share * reaction.couple;
+    Vector f = share * reaction.force, torque1 = cross(g.arm1, f) + couple, torque2 = -1.0 * cross(g.arm2, f) - couple;
     if (both.conserves) add_gradient(i, j, g, share * reaction.by_radius, f, torque1, torque2);
+    if (keeps_touches_) touches_.push_back({i, j, g.arm1, g.normal, f, g.depth});
     apply(i, f, torque1);
     if (force->newton_pair || j < atom->nlocal) apply(j, -1.0 * f, torque2);
     if (!evflag) return;
@@ -290,7 +294,8 @@ Encounter PairGranular::meet(int i, int j, GrainGeometry const &g) const
 {
     double const m1 = atom->rmass[i], m2 = atom->rmass[j];
     double const mass = is_frozen(i) ? m2 : is_frozen(j) ? m1 : m1 * m2 / (m1 + m2);
-    return {g.normal, g.depth, g.radius, mass, velocity(i, g.arm1) - velocity(j, g.arm2), timestep_};
+    Vector const spin = spins_[static_cast<std::size_t>(i)] - spins_[static_cast<std::size_t>(j)];
+    return {g.normal, g.depth, g.radius, mass, velocity(i, g.arm1) - velocity(j, g.arm2), spin, timestep_};
 }
 
 /// The velocity of the point of a grain that is at `arm` from its centre.

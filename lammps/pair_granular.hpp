@@ -35,6 +35,18 @@ class PairGranular final : public LAMMPS_NS::Pair {
     void unpack_forward_comm(int count, int first, double *buffer) override;
     double memory_usage() override;
 
+    /// A contact, seen from atom i.
+    struct Touch {
+        int i, j;
+        Vector arm, normal, force; ///< arm: from the centre to the place where the force acts
+        double depth;
+    };
+
+    /// From now on keeps the contacts of each step, for computes.
+    void keep_touches() { keeps_touches_ = true; }
+    LAMMPS_NS::bigint step_of_touches() const { return step_of_touches_; }
+    std::vector<Touch> const &touches() const { return touches_; }
+
   private:
     /// Where the force of a contact acts on each body: at the middle of the overlap, or at the deepest points of both surfaces, as in
     /// LAMMPS's gran/hooke/history and gran/hertz/history. The second choice does not conserve angular momentum.
@@ -92,7 +104,10 @@ class PairGranular final : public LAMMPS_NS::Pair {
     std::vector<Vector> spins_; ///< angular velocities of owned atoms and ghosts
     double timestep_ = 0.0;     ///< for springs: zero while a run is set up
     double fastest_ = 0.0;      ///< largest stiffness over mass of a contact in this step
-    int frozen_ = 0;            ///< bit of the group of fix freeze
+    bool keeps_touches_ = false;
+    LAMMPS_NS::bigint step_of_touches_ = -1;
+    std::vector<Touch> touches_;
+    int frozen_ = 0; ///< bit of the group of fix freeze
     bool warned_ = false;
 };
 

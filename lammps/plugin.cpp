@@ -2,6 +2,7 @@
 /// @file
 /// Registers the styles with LAMMPS: as a plugin, or by a call of pw85_lammps_register() if LAMMPS was built without plugins.
 #include "compute_contact.hpp"
+#include "compute_grains.hpp"
 #include "compute_overlap.hpp"
 #include "fix_fire.hpp"
 #include "fix_wall.hpp"
@@ -46,6 +47,7 @@ PW85_LAMMPS_API void pw85_lammps_register(void *lammps)
     auto *const lmp = static_cast<LAMMPS *>(lammps);
     (*lmp->modify->compute_map)["pw85/overlap"] = create_compute<pw85_lammps::ComputeOverlap>;
     (*lmp->modify->compute_map)["pw85/contact"] = create_compute<pw85_lammps::ComputeContact>;
+    (*lmp->modify->compute_map)["pw85/grains"] = create_compute<pw85_lammps::ComputeGrains>;
     (*lmp->modify->fix_map)["pw85/fire"] = create_fix<pw85_lammps::FixFire>;
     (*lmp->modify->fix_map)["wall/pw85"] = create_fix<pw85_lammps::FixWall>;
     (*lmp->force->pair_map)["pw85/contact"] = create_pair<pw85_lammps::PairContact>;
@@ -62,6 +64,7 @@ PW85_LAMMPS_API void lammpsplugin_init(void *lammps, void *handle, void *registe
     Entry const entries[] = {
         {"compute", "pw85/overlap", reinterpret_cast<void *>(create_compute<ComputeOverlap>)},
         {"compute", "pw85/contact", reinterpret_cast<void *>(create_compute<ComputeContact>)},
+        {"compute", "pw85/grains", reinterpret_cast<void *>(create_compute<ComputeGrains>)},
         {"fix", "pw85/fire", reinterpret_cast<void *>(create_fix<FixFire>)},
         {"fix", "wall/pw85", reinterpret_cast<void *>(create_fix<FixWall>)},
         {"pair", "pw85/contact", reinterpret_cast<void *>(create_pair<PairContact>)},

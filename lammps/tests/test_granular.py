@@ -356,7 +356,9 @@ class Errors(unittest.TestCase):
                            ("hertz/material 1000 0 0.6", ("bad Poisson's ratio: 0.6",)),
                            ("hertz 1000 0 tangential mindlin NULL 1 0.5", ("needs hertz/material",)),
                            ("hooke 1000 2 damping tsuji", ("coefficient of restitution above 1",)),
-                           ("hooke 1000 0 rolling sds", ("unknown keyword rolling",))):
+                           ("hooke 1000 0 rolling sds", ("lacks rolling stiffness",)),
+                           ("hooke 1000 0 rolling sds 0 1 1", ("has a rolling stiffness of zero",)),
+                           ("hooke 1000 0 twisting sds", ("unknown keyword twisting",))):
             self.check(f"{self.START}\npair_coeff * * {law}", *words)
 
     def test_system(self):
@@ -368,9 +370,8 @@ class Errors(unittest.TestCase):
     def test_walls(self):
         start = self.START + self.LAW + "\nfix wall all wall/pw85 "
         law = "law hooke 1000 0"
-        for words, message in ((f"zcylinder 1.0 2.0 {law}", "unknown wall zcylinder"),
-                               (f"zplane 0.0 NULL shear z 1.0 {law}", "shear must be along the wall"),
-                               (f"zplane 0.0 NULL wiggle z 1.0 0.0 {law}", "the period must be positive"),
+        for words, message in ((f"zplane 0.0 NULL shear z 1.0 {law}", "a shear that is not along the wall"),
+                               (f"zplane 0.0 NULL wiggle z 1.0 0.0 {law}", "has a period of zero"),
                                ("zplane 0.0 NULL law hooke 1000 x", "Expected floating point parameter"),
                                ("zplane 0.0 NULL law hertz 1000", "fix wall/pw85: the law of force lacks damping"),
                                (f"zplane 0.0 NULL {law}", "the box is periodic across the wall")):

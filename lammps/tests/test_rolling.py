@@ -1,0 +1,64 @@
+# SPDX-License-Identifier: GPL-2.0-only
+"""Rolling resistance: spheres against LAMMPS's own granular styles, and an ellipsoid that comes to rest."""
+
+import dataclasses
+import unittest
+
+import numpy as np
+from test_granular import AgainstLammps, Grains, Spheres, granular, lattice, move
+
+# The spring, the damper and the limit all act: the spheres start to roll, slide through the limit, and turn back.
+ROLLING = "rolling sds 3000 5 0.1"
+
+
+class AgainstGranular(unittest.TestCase):
+    """Without friction, because LAMMPS's pair_style granular has other arms for it."""
+
+    compare = AgainstLammps.compare
+    LAWS = (("hooke 10000 20 damping mass_velocity tangential linear_nohistory 0 0 ", "hooke 10000 20 damping mass_velocity "),
+            ("hertz/material 200000 40 0.3 damping velocity tangential linear_nohistory 0 0 ",
+             "hertz/material 200000 40 0.3 damping velocity "))
+
+    # Neighbour lists that hold for the whole run. When LAMMPS's style finds a pair in the other order in a new list, it reverses the
+    # rolling spring, which is the same from both sides.
+    LISTS = "\nneighbor 0.5 bin"
+
+    def spheres(self):
+        spheres = lattice(Spheres, 4, 1.0, [[0.5, 0.5, 0.5], [0.52, 0.52, 0.52]], 5)
+        return dataclasses.replace(spheres, spins=3.0 * spheres.spins)
+
+    def check(self, theirs, ours, steps, tolerance, ranks, least=20):
+        spheres = self.spheres()
+        expected = move(spheres, theirs, steps)[-1]
+        self.assertGreater(np.count_nonzero(np.abs(expected[:, 10:13]).max(axis=1) > 0.1), least, "hardly any torques")
+        self.compare(move(Grains(**vars(spheres)), ours, steps, ranks)[-1], expected, tolerance, ours)
+
+    def test_pairs(self):
+        for theirs, ours in self.LAWS:
+            laws = f"pair_style granular\npair_coeff * * {theirs}{ROLLING}{self.LISTS}", granular(ours + ROLLING) + self.LISTS
+            # Each step adds some u to positions, and the stiffness turns them into errors of forces: see AgainstLammps.
+            self.check(*laws, 10, 1e-12, 1)
+            self.check(*laws, 100, 1e-9, 2)
+
+    def test_walls(self):
+        theirs, ours = self.LAWS[0]
+        wall = "zplane 0.05 3.95"
+        self.check(f"pair_style granular\npair_coeff * * {theirs}\nfix wall all wall/gran granular {theirs}{ROLLING} {wall}",
+                   granular(ours) + f"\nfix wall all wall/pw85 {wall} law {ours}{ROLLING}", 200, 1e-9, 2, least=5)
+
+
+class Ellipsoids(unittest.TestCase):
+    def test_new_lists_and_restart(self):
+        """Springs follow their pairs through new lists, other processors and a restart file."""
+        grains = lattice(Grains, 4, 1.0, [[0.5, 0.5, 0.6], [0.55, 0.5, 0.45]], 5)
+        grains = dataclasses.replace(grains, velocities=grains.velocities + [20.0, 13.0, -7.0])
+        pair = granular(f"hooke 10000 20 damping mass_velocity tangential linear_history 4000 0.5 0.4 {ROLLING}")
+        expected = move(grains, pair, 150, first_half="pause")[-1]
+        found = move(grains, pair, 150, 2, "on", "middle")[-1]
+        cell = np.diag(grains.cell)
+        found[:, 1:4] -= cell * np.round((found[:, 1:4] - expected[:, 1:4]) / cell)
+        np.testing.assert_allclose(found[:, 1:7], expected[:, 1:7], rtol=0, atol=1e-9 * 30.0)
+
+
+if __name__ == "__main__":
+    unittest.main()

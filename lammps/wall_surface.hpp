@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-2.0-only
+/// @file
+/// The surfaces of walls: half-spaces, cylinders, triangle meshes. They find where a grain touches them.
+#ifndef PW85_LAMMPS_WALL_SURFACE_HPP_INCLUDED
+#define PW85_LAMMPS_WALL_SURFACE_HPP_INCLUDED
+
+#include "grain_geometry.hpp"
+#include "words.hpp"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace pw85_lammps {
+
+/// A grain in the coordinates of a wall.
+struct Grain {
+    Vector center;
+    double form[6];
+    double radius; ///< of a sphere around it
+};
+
+/// The material of a wall has no end. The first body of its contacts is the grain.
+class WallSurface {
+  public:
+    virtual ~WallSurface() = default;
+
+    /// Adds the contacts of a grain. Returns nothing, or why there is no answer, as a sentence about the grain.
+    virtual std::string touch(Grain const &grain, std::vector<GrainGeometry> &contacts) const = 0;
+
+    /// Whether the wall may slide along an axis of space, and stays where it is.
+    virtual bool slides_along(int axis) const = 0;
+
+    /// Whether the wall ends the space of the grains in the direction of an axis, so that this axis cannot be periodic.
+    virtual bool crosses(int axis) const = 0;
+
+    /// Reads the shape of a wall: `xplane LO HI | xcylinder RADIUS ... | box XLO XHI ... | mesh FILE ...`.
+    static std::unique_ptr<WallSurface> parse(Words &words);
+};
+
+} // namespace pw85_lammps
+
+#endif

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-2.0-only
+/// @file
+/// The words of a command of an input script.
+#ifndef PW85_LAMMPS_WORDS_HPP_INCLUDED
+#define PW85_LAMMPS_WORDS_HPP_INCLUDED
+
+#include "host.hpp"
+
+#include <cmath>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+
+namespace pw85_lammps {
+
+/// Reads words one after the other, and says what is wrong with them.
+class Words : protected LAMMPS_NS::Pointers {
+  public:
+    /// @param subject what the words describe: the subject of error messages
+    Words(LAMMPS_NS::LAMMPS *lammps, std::string subject, int count, char **words)
+        : Pointers(lammps), subject_(std::move(subject)), count_(count), words_(words)
+    {
+    }
+
+    bool done() const { return position_ == count_; }
+
+    /// The words that are left.
+    int num_left() const { return count_ - position_; }
+    char **left() const { return words_ + position_; }
+
+    bool next_is(std::string const &text) const { return !done() && text == words_[position_]; }
+
+    /// Skips the next word if it is this one, and says whether it was.
+    bool skip(std::string const &text)
+    {
+        bool const found = next_is(text);
+        position_ += found ? 1 : 0;
+        return found;
+    }
+
+    std::string word(std::string const &what)
+    {
+        if (done()) refuse("lacks " + what);
+        return words_[position_++];
+    }
+
+    double number(std::string const &what, double smallest = 0.0, double largest = HUGE_VAL)
+    {
+        std::string const text = word(what);
+        double const value = LAMMPS_NS::utils::numeric(FLERR, text.c_str(), false, lmp);
+        if (!(value >= smallest && std::isfinite(value) && value <= largest)) refuse("has a bad " + what + ": " + text);
+        return value;
+    }
+
+    /// Any finite number.
+    double coordinate(std::string const &what) { return number(what, -HUGE_VAL); }
+
+    double positive(std::string const &what)
+    {
+        double const value = number(what);
+        if (value == 0.0) refuse("has a " + what + " of zero");
+        return value;
+    }
+
+    /// The next word as a number, or nothing for the word NULL.
+    std::optional<double> number_or_null(std::string const &what, double smallest = 0.0)
+    {
+        if (skip("NULL")) return {};
+        return number(what, smallest);
+    }
+
+    template <class Choice> Choice choice(std::string const &what, std::map<std::string, Choice> const &choices)
+    {
+        std::string const text = word(what);
+        auto const found = choices.find(text);
+        if (found != choices.end()) return found->second;
+        std::string names;
+        for (auto const &[name, value] : choices) names += (names.empty() ? "" : ", ") + name;
+        refuse("has an unknown " + what + " " + text + ": use one of " + names);
+    }
+
+    [[noreturn]] void refuse(std::string const &reason) const { stop_all(*error, subject_ + " " + reason); }
+
+  private:
+    std::string subject_;
+    int count_, position_ = 0;
+    char **words_;
+};
+
+} // namespace pw85_lammps
+
+#endif
