@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-only
 /// @file
-/// How a wall moves: not at all, to and fro, along itself, or around an axis.
+/// How a wall moves: not at all, back and forth, along itself, or around an axis.
 #ifndef PW85_LAMMPS_WALL_MOTION_HPP_INCLUDED
 #define PW85_LAMMPS_WALL_MOTION_HPP_INCLUDED
 
