@@ -48,10 +48,16 @@ def command(capsys, monkeypatch, *arguments):
     return Outcome(status, out, re.sub(r"\r[^\r\n]*\[[\d:]+\] *|\r *", "", err))
 
 
+def heed_interrupts():
+    """For a child, before its program starts: a shell lets programs that it runs in the background ignore Ctrl-C."""
+    signal.signal(signal.SIGINT, signal.SIG_DFL)
+
+
 def on_terminal(*arguments, until=None, program=PW85):
     """What a program writes to a terminal; Ctrl-C there, for all its processes, once it has written `until`."""
     controller, terminal = os.openpty()
-    running = subprocess.Popen([*program, *arguments], stdin=terminal, stdout=terminal, stderr=terminal, start_new_session=True)
+    running = subprocess.Popen([*program, *arguments], stdin=terminal, stdout=terminal, stderr=terminal, start_new_session=True,
+                               preexec_fn=heed_interrupts)  # fmt: skip
     os.close(terminal)
     written = b""
     with contextlib.suppress(OSError):  # the end of the file, on Linux

@@ -15,7 +15,7 @@ import numpy as np
 import pytest
 
 import pypw85
-from systems import PW85, command, on_terminal, random_system
+from systems import PW85, command, heed_interrupts, on_terminal, random_system
 
 h5py = pytest.importorskip("h5py")
 resource = pytest.importorskip("resource", reason="there are no limits of processes here")
@@ -105,7 +105,8 @@ def test_results(whole):
 def test_interrupted(run, folder, whole, kind):
     """A run that was interrupted comes to the same end, bit by bit, with another number of threads and in another folder."""
     arguments = [*NPT, "--sweeps", SWEEPS, "--out", "run.h5", "--trajectory", "run.dump", "--checkpoint", "0", "--threads", "2"]
-    running = subprocess.Popen([*PW85, "mc", *arguments], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+    pipes = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE}
+    running = subprocess.Popen([*PW85, "mc", *arguments], **pipes, text=True, preexec_fn=heed_interrupts)
     while running.poll() is None and not (os.path.exists("run.dump") and os.path.getsize("run.dump") > 0):
         time.sleep(0.002)
     running.send_signal(getattr(signal, kind))
