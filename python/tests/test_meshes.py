@@ -25,13 +25,14 @@ def corners(mesh, centers):
 
 
 def test_all_triangles(ellipsoids, assert_rows):
-    """The least of all triangles, bit by bit."""
+    """The least of all triangles, bit by bit as by single calls."""
     centers, q = ellipsoids
     mesh = pypw85.Mesh(VERTICES, TRIANGLES)
     mu2, point, triangle = mesh.contact(centers, q)
     points = corners(mesh, centers)
-    each, where = pypw85.contact_triangle(points[:, :, 0], points[:, :, 1], points[:, :, 2], q[:, None])
     rows = np.arange(len(q))
+    calls = [[pypw85.contact_triangle(*one, form) for one in row] for row, form in zip(points, q)]
+    each, where = (np.array([[call[k] for call in row] for row in calls]) for k in range(2))
     assert_rows(mu2 == each.min(axis=1), centers, q)
     assert_rows(triangle == each.argmin(axis=1), centers, q)
     assert_rows((point == where[rows, triangle]).all(axis=1), centers, q)
