@@ -218,6 +218,9 @@ module pw85
   public :: pw85_hard_ellipsoids_set_steps
   public :: pw85_hard_ellipsoids_steps
   public :: pw85_hard_ellipsoids_counts
+  public :: pw85_hard_ellipsoids_neighbors
+  public :: pw85_hard_ellipsoids_try
+  public :: pw85_hard_ellipsoids_compress
   public :: pw85_hard_ellipsoids_check
   public :: pw85_hard_ellipsoids_system
   public :: pw85_hard_ellipsoids_quaternions
@@ -1656,6 +1659,42 @@ module pw85
       integer(c_int64_t), intent(out), optional :: trials(5), accepted(5)
       integer(c_int) :: status
     end function pw85_hard_ellipsoids_counts
+
+    !> The images of particles whose bounding boxes meet that of one particle, ordered by their indices, then by their
+    !> images.
+    function pw85_hard_ellipsoids_neighbors(simulation, particle, capacity, count, particles, images, separations) &
+      result(status) bind(C, name='pw85_hard_ellipsoids_neighbors')
+      import
+      integer(c_size_t), value :: particle, capacity
+      type(c_ptr), value :: simulation
+      integer(c_size_t), intent(out) :: count
+      integer(c_int32_t), intent(out) :: particles(capacity)
+      integer(c_int32_t), intent(out), optional :: images(3, capacity)
+      real(c_double), intent(out), optional :: separations(3, capacity)
+      integer(c_int) :: status
+    end function pw85_hard_ellipsoids_neighbors
+
+    !> Whether a particle would be free of overlaps at another place, by the exact test.
+    function pw85_hard_ellipsoids_try(simulation, particle, center, quaternion, take, is_free) result(status) bind(C, &
+      name='pw85_hard_ellipsoids_try')
+      import
+      integer(c_size_t), value :: particle
+      type(c_ptr), value :: simulation
+      real(c_double), intent(in), optional :: center(3), quaternion(4)
+      integer(c_int), value :: take
+      integer(c_int), intent(out) :: is_free
+      integer(c_int) :: status
+    end function pw85_hard_ellipsoids_try
+
+    !> How far cell and centres can be compressed before particles touch.
+    function pw85_hard_ellipsoids_compress(simulation, take, factor) result(status) bind(C, &
+      name='pw85_hard_ellipsoids_compress')
+      import
+      type(c_ptr), value :: simulation
+      integer(c_int), value :: take
+      real(c_double), intent(out) :: factor
+      integer(c_int) :: status
+    end function pw85_hard_ellipsoids_compress
 
     !> Searches all particles for overlaps, by a neighbour list of its own.
     function pw85_hard_ellipsoids_check(simulation, pair) result(status) bind(C, name='pw85_hard_ellipsoids_check')

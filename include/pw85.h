@@ -1988,6 +1988,46 @@ PW85_API int pw85_hard_ellipsoids_steps(pw85_hard_ellipsoids const *simulation, 
 PW85_API int pw85_hard_ellipsoids_counts(pw85_hard_ellipsoids const *simulation, int64_t trials[5],
                                          int64_t accepted[5]);
 
+/** The images of particles whose bounding boxes meet that of one particle, ordered by their indices, then by their images. Particles
+ * that the given one may touch or overlap are among them. The order and the numbers depend on the present state alone.
+ *
+ * @param simulation a simulation
+ * @param particle index, from 0
+ * @param capacity how many images the arrays can have; with 0 the function only counts
+ * @param[out] count how many images there are, which may be more than `capacity`; 0 on error
+ * @param[out] particles capacity: index of each; the first `count` are written, as of the next arrays, which may all be null
+ * @param[out] images capacity×3: multiples of the vectors of the cell, to be added to the centre of that particle, or null
+ * @param[out] separations capacity×3: from the centre of the given particle to that of the image, or null
+ * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOMEM */
+PW85_API int pw85_hard_ellipsoids_neighbors(pw85_hard_ellipsoids *simulation, size_t particle, size_t capacity,
+                                            size_t *count, int32_t *particles, int32_t *images, double *separations);
+
+/** Whether a particle would be free of overlaps at another place, by the exact test; and moves it there, if wanted. All images are tested,
+ * those of the particle itself, too. Counts and random numbers stay as they are.
+ *
+ * A place near the present one takes about as long as a trial of a sweep. For other places, a new list of all neighbours is made.
+ *
+ * @param simulation a simulation
+ * @param particle index, from 0
+ * @param center new centre, anywhere in the cell or its images, or null for the present one
+ * @param quaternion new orientation (w, x, y, z), of any length > 0, or null for the present one
+ * @param take whether the particle shall stay there if it is free
+ * @param[out] is_free 1 or 0; -1 on error
+ * @return #PW85_SUCCESS; #PW85_EINVAL, also for a free place that is too far away for pw85_neighbors_create(); #PW85_ENOTPD; #PW85_ENOMEM */
+PW85_API int pw85_hard_ellipsoids_try(pw85_hard_ellipsoids *simulation, size_t particle,
+                                      double const center[PW85_DIM], double const quaternion[4], int take,
+                                      int *is_free);
+
+/** How far cell and centres can be compressed before particles touch: the factor of all lengths, the same in all directions; and
+ * compresses, if wanted. Particles keep their sizes. The factor is that of the least μ of all pairs, 1/μ, enlarged by no more than rounding
+ * errors require: the exact test finds no overlap after the coordinates are multiplied by the factor and rounded.
+ *
+ * @param simulation a simulation
+ * @param take whether the cell and the centres shall be multiplied by the factor
+ * @param[out] factor at most 1; 0, and nothing is changed, if there are no pairs; NaN on error
+ * @return #PW85_SUCCESS; #PW85_EINVAL, also if particles are too far apart for a list of neighbours; #PW85_ENOMEM */
+PW85_API int pw85_hard_ellipsoids_compress(pw85_hard_ellipsoids *simulation, int take, double *factor);
+
 /** Searches all particles for overlaps, by a neighbour list of its own.
  *
  * @param simulation a simulation

@@ -376,6 +376,238 @@ void test_small_cell()
     g_assert_true(simulation.volume_moves(1, 1.0) == Status::invalid_argument);
 }
 
+/// All images that can be near, with the least |r_d| / (half-widths) and μ² of each.
+struct AllImages {
+    explicit AllImages(HardEllipsoids const &simulation)
+        : system(simulation.system()), half_widths(system.num_particles)
+    {
+        for (std::size_t i = 0; i < half_widths.size(); ++i)
+            for (int d = 0; d < 3; ++d) half_widths[i][d] = std::sqrt(system.q[6 * i + (d == 0 ? 0 : d == 1 ? 3 : 5)]);
+    }
+
+    Vector3 center(std::size_t i) const
+    {
+        return {system.centers[3 * i], system.centers[3 * i + 1], system.centers[3 * i + 2]};
+    }
+    pw85::SymmetricMatrix<double, 3> form(std::size_t i) const
+    {
+        pw85::SymmetricMatrix<double, 3> q;
+        std::copy_n(system.q + 6 * i, 6, q.entries);
+        return q;
+    }
+
+    /// Calls visit(j, image, translation) for the images at most four vectors away, but not for particle i itself.
+    template <class Visit> void visit(std::size_t i, Visit const &visit_one) const
+    {
+        int const reach = system.cell == nullptr ? 0 : 4;
+        for (std::size_t j = 0; j < system.num_particles; ++j)
+            for (int x = -reach; x <= reach; ++x)
+                for (int y = -reach; y <= reach; ++y)
+                    for (int z = -reach; z <= reach; ++z) {
+                        if (i == j && x == 0 && y == 0 && z == 0) continue;
+                        Vector3 translation{};
+                        for (int d = 0; d < 3 && reach > 0; ++d)
+                            translation[d] = x * system.cell[d] + y * system.cell[3 + d] + z * system.cell[6 + d];
+                        visit_one(j, std::array<std::int32_t, 3>{x, y, z}, translation);
+                    }
+    }
+
+    double least_mu2() const
+    {
+        double least = HUGE_VAL;
+        for (std::size_t i = 0; i < system.num_particles; ++i)
+            visit(i, [&](std::size_t j, auto const &, Vector3 const &translation) {
+                Vector3 const r = center(j) - center(i) + translation;
+                least = std::min(least, pw85::contact(r, form(i), form(j)).mu2);
+            });
+        return least;
+    }
+
+    pw85_system system;
+    std::vector<Vector3> half_widths;
+};
+
+/// A few particles of two kinds in a sheared cell, times a power of two, after some sweeps; or one in a cell smaller than itself.
+HardEllipsoids small_system(int size, bool is_single)
+{
+    double const unit = std::ldexp(1.0, size);
+    Start start = mixture(2);
+    if (is_single) {
+        start = Start();
+        start.add({0, 0, 0}, {0.2, 0.3, 2.0}, {0.8, 0.0, 0.6, 0.0});
+        start.cell = box(5, 1, 1);
+    }
+    for (Vector3 &center : start.centers) center = unit * center;
+    for (Vector3 &axes : start.semi_axes) axes = unit * axes;
+    for (Vector3 &vector : start.cell) vector = unit * vector;
+    HardEllipsoids simulation = start.simulation(static_cast<std::size_t>(size + 50));
+    g_assert_true(simulation.set_steps({0.2 * unit, 0.1, 0.02}) == Status::success);
+    g_assert_true(simulation.sweep(60) == Status::success);
+    g_assert_true(simulation.volume_moves(4, 0.5 / (unit * unit * unit), CellChange::triclinic) == Status::success);
+    return simulation;
+}
+
+constexpr int sizes[] = {-40, 0, 40};
+
+void expect_neighbors(HardEllipsoids &simulation, std::size_t i)
+{
+    AllImages const all(simulation);
+    std::size_t count = 0, k = 0;
+    g_assert_true(simulation.neighbors(i, count) == Status::success);
+    std::vector<std::int32_t> particles(count + 1);
+    std::vector<std::array<std::int32_t, 3>> images(count + 1);
+    std::vector<Vector3> separations(count + 1);
+    g_assert_true(simulation.neighbors(i, count, particles, images, separations) == Status::success);
+    all.visit(i, [&](std::size_t j, auto const &image, Vector3 const &translation) {
+        Vector3 const r = (all.center(j) - all.center(i)) + translation;
+        double gap = -1.0; // of the boxes, relative to their sizes
+        for (int d = 0; d < 3; ++d) {
+            double const reach = all.half_widths[i][d] + all.half_widths[j][d];
+            gap = std::max(gap, std::fabs(r[d]) / reach - 1.0);
+        }
+        bool const listed = k < count && particles[k] == static_cast<std::int32_t>(j) && images[k] == image;
+        if (std::fabs(gap) > 1e-12 && listed != (gap < 0.0))
+            g_test_fail_printf("particle %zu and %zu, gap %a, listed %d", i, j, gap, listed);
+        if (!listed) return;
+        Vector3 const error = separations[k++] - r;
+        g_assert_cmpfloat(dot(error, error), <=, 0x1p-96 * dot(r, r));
+    });
+    g_assert_cmpuint(k, ==, count);
+}
+
+void test_neighbors()
+{
+    for (int const size : sizes) {
+        HardEllipsoids simulation = small_system(size, false);
+        for (std::size_t i = 0; i < 8; ++i) expect_neighbors(simulation, i);
+        double z;
+        g_assert_true(simulation.chain(20, std::ldexp(8.0, size), z) == Status::success);
+        for (std::size_t i = 0; i < 8; ++i) expect_neighbors(simulation, i);
+        simulation = small_system(size, true);
+        expect_neighbors(simulation, 0);
+        std::size_t count = 7;
+        g_assert_true(simulation.neighbors(0, count) == Status::success && count > 0);
+        g_assert_true(simulation.neighbors(1, count) == Status::invalid_argument && count == 0);
+    }
+}
+
+/// Whether a particle would be free, by the contact function.
+bool is_free(AllImages const &all, std::size_t i, Vector3 const &center, pw85::SymmetricMatrix<double, 3> const &q)
+{
+    bool free = true;
+    all.visit(i, [&](std::size_t j, auto const &, Vector3 const &translation) {
+        Vector3 const from = i == j ? center : all.center(j);
+        free = free && pw85::contact((from - center) + translation, q, i == j ? q : all.form(j)).mu2 >= 1.0;
+    });
+    return free;
+}
+
+// Small, large and very large motions, of which only some are taken.
+void test_try()
+{
+    std::mt19937_64 random(3);
+    std::normal_distribution<double> normal;
+    for (int const size : sizes)
+        for (bool const is_single : {false, true}) {
+            HardEllipsoids simulation = small_system(size, is_single);
+            int num_free = 0;
+            for (int trial = 0; trial < 60; ++trial) {
+                AllImages const all(simulation);
+                std::size_t const i = random() % all.system.num_particles;
+                double const step = std::ldexp(trial % 3 == 0 ? 0.2 : trial % 3 == 1 ? 1.0 : 3.0, size);
+                Vector3 const center = all.center(i) + step * Vector3{normal(random), normal(random), normal(random)};
+                Quaternion turned = simulation.quaternions()[i];
+                for (int d = 0; d < 4; ++d) turned[d] += 0.2 * normal(random);
+                turned = turned / std::sqrt(dot(turned, turned));
+                auto const q = pw85::ellipsoid_quaternion(simulation.semi_axes()[i], turned).q;
+                bool const expected = is_free(all, i, center, q), take = trial % 2 == 0;
+                auto const before = bytes_of(simulation);
+                bool found = !expected;
+                g_assert_true(simulation.try_placement(i, center, 3.0 * turned, take, found) == Status::success);
+                if (found != expected)
+                    g_test_fail_printf("size %d, trial %d, particle %zu at %a %a %a: free %d", size, trial, i,
+                                       center[0], center[1], center[2], found);
+                bool const moved = found && take;
+                g_assert_true((bytes_of(simulation) == before) == !moved);
+                if (moved) g_assert_true(AllImages(simulation).center(i)[1] == center[1]);
+                if (trial % 10 == 9) g_assert_true(simulation.sweep(1) == Status::success);
+                num_free += found;
+            }
+            expect_no_overlap(simulation);
+            g_assert_true(0 < num_free && num_free < 60);
+        }
+    HardEllipsoids simulation = small_system(0, true);
+    bool found;
+    Quaternion const upright = {1, 0, 0, 0};
+    g_assert_true(simulation.try_placement(0, {NAN, 0, 0}, upright, true, found) == Status::invalid_argument);
+    g_assert_true(simulation.try_placement(0, {0, 0, 0}, {0, 0, 0, 0}, true, found) == Status::invalid_argument);
+    g_assert_true(simulation.try_placement(1, {0, 0, 0}, upright, true, found) == Status::invalid_argument);
+    Quaternion const lying = simulation.quaternions()[0];
+    g_assert_true(simulation.try_placement(0, {1e15, 0, 0}, lying, true, found) == Status::invalid_argument && !found);
+    g_assert_true(simulation.sweep(1) == Status::success);
+}
+
+/// The particles and the cell of a simulation, its lengths times a factor.
+Start scaled(HardEllipsoids const &simulation, double factor)
+{
+    AllImages const all(simulation);
+    Start start;
+    for (std::size_t i = 0; i < all.system.num_particles; ++i)
+        start.add(factor * all.center(i), simulation.semi_axes()[i], simulation.quaternions()[i]);
+    for (std::size_t k = 0; k < 3; ++k)
+        for (int d = 0; d < 3; ++d) start.cell[k][d] = factor * all.system.cell[3 * k + static_cast<std::size_t>(d)];
+    return start;
+}
+
+// The least μ of pairs of a few semi-axes has a relative rounding error of some 2⁻⁵⁰. The quaternions of `scaled` are rounded again.
+void expect_compression(HardEllipsoids simulation)
+{
+    double const expected = 1.0 / std::sqrt(AllImages(simulation).least_mu2());
+    auto const before = bytes_of(simulation);
+    double factor;
+    g_assert_true(simulation.compress(false, factor) == Status::success);
+    if (!(std::fabs(factor / expected - 1.0) <= 0x1p-40)) g_test_fail_printf("%a instead of %a", factor, expected);
+    g_assert_true(bytes_of(simulation) == before);
+    HardEllipsoids other;
+    pw85::IndexPair pair;
+    g_assert_true(scaled(simulation, factor * (1.0 + 0x1p-38)).create(other, pair) == Status::success);
+    g_assert_true(scaled(simulation, factor * (1.0 - 0x1p-38)).create(other, pair) == Status::overlap);
+    double taken, again;
+    g_assert_true(simulation.compress(true, taken) == Status::success && taken == factor);
+    expect_no_overlap(simulation);
+    g_assert_true(simulation.compress(true, again) == Status::success);
+    g_assert_true(1.0 - 0x1p-38 < again && again <= 1.0);
+    expect_no_overlap(simulation);
+    g_assert_true(simulation.sweep(2) == Status::success);
+    expect_no_overlap(simulation);
+}
+
+void test_compress()
+{
+    for (int const size : sizes)
+        for (bool const is_single : {false, true}) expect_compression(small_system(size, is_single));
+    Start dilute;
+    dilute.add({1, 2, 3}, {1e-6, 2e-6, 3e-6});
+    double factor;
+    dilute.cell = box(7, 8, 9);
+    expect_compression(dilute.simulation());
+    auto const without_cell = [&] {
+        HardEllipsoids simulation;
+        pw85::IndexPair pair;
+        pw85::Particles const particles{dilute.centers, {}, nullptr};
+        g_assert_true(hard_ellipsoids_create(particles, dilute.semi_axes, dilute.quaternions, 1, simulation, pair) ==
+                      Status::success);
+        return simulation;
+    };
+    g_assert_true(without_cell().compress(true, factor) == Status::success && factor == 0.0);
+    dilute.add({2, 2, 3}, {0.001, 0.002, 0.003});
+    HardEllipsoids pair_alone = without_cell();
+    g_assert_true(pair_alone.compress(true, factor) == Status::success);
+    g_assert_cmpfloat(std::fabs(factor - 0.001001), <, 1e-15);
+    expect_no_overlap(pair_alone);
+    g_assert_true(HardEllipsoids().compress(true, factor) == Status::invalid_argument && std::isnan(factor));
+}
+
 void test_bad_input()
 {
     Start start = mixture(2);
@@ -411,6 +643,9 @@ int main(int argc, char **argv)
     g_test_add_func("/hard_ellipsoids/long_trials", test_long_trials);
     g_test_add_func("/hard_ellipsoids/threads_and_restart", test_threads_and_restart);
     g_test_add_func("/hard_ellipsoids/small_cell", test_small_cell);
+    g_test_add_func("/hard_ellipsoids/neighbors", test_neighbors);
+    g_test_add_func("/hard_ellipsoids/try", test_try);
+    g_test_add_func("/hard_ellipsoids/compress", test_compress);
     g_test_add_func("/hard_ellipsoids/bad_input", test_bad_input);
     return g_test_run();
 }

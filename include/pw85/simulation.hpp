@@ -100,6 +100,40 @@ class HardEllipsoids {
         return counts;
     }
 
+    /// Images near a particle. Arrays without elements are not written.
+    ///
+    /// @param[out] count of all images; the arrays get as many of them as the shortest one can have
+    [[gnu::always_inline]] Status neighbors(std::size_t particle, std::size_t &count,
+                                            std::span<std::int32_t> particles = {},
+                                            std::span<std::array<std::int32_t, 3>> images = {},
+                                            std::span<Vector<double, 3>> separations = {}) noexcept
+    {
+        std::size_t capacity = SIZE_MAX;
+        for (std::size_t const size : {particles.size(), images.size(), separations.size()})
+            if (size > 0 && size < capacity) capacity = size;
+        return static_cast<Status>(pw85_hard_ellipsoids_neighbors(
+            get(), particle, capacity, &count, particles.empty() ? nullptr : particles.data(),
+            images.empty() ? nullptr : images.front().data(),
+            separations.empty() ? nullptr : separations.front().coordinates));
+    }
+
+    /// Tries a place of a particle, and takes it if it is free and `take`.
+    [[gnu::always_inline]] Status try_placement(std::size_t particle, Vector<double, 3> const &center,
+                                                Vector<double, 4> const &quaternion, bool take, bool &is_free) noexcept
+    {
+        int found;
+        int const status = pw85_hard_ellipsoids_try(get(), particle, center.coordinates, quaternion.coordinates,
+                                                    static_cast<int>(take), &found);
+        is_free = found == 1;
+        return static_cast<Status>(status);
+    }
+
+    /// @param[out] factor of all lengths, with which particles nearly touch
+    [[gnu::always_inline]] Status compress(bool take, double &factor) noexcept
+    {
+        return static_cast<Status>(pw85_hard_ellipsoids_compress(get(), static_cast<int>(take), &factor));
+    }
+
     /// @param[out] pair the first overlap, or -1
     [[gnu::always_inline]] Status check(IndexPair &pair) const noexcept
     {

@@ -51,7 +51,7 @@ from ._packing import OverlapsLeft, RelaxationInterrupted, pack, relax
 from ._pairs import contact_pairs, nearest_images, overlap_pairs
 from ._plotting import plot
 from ._polytopes import contact_polytope, overlap_polytope
-from ._simulations import HardEllipsoids, TrialCounts, TrialSteps
+from ._simulations import HardEllipsoids, NearImages, TrialCounts, TrialSteps
 from ._statistics import Compressibility, Correlation, compressibility, correlation, director, nematic_order
 from ._system import Contacts, Report, System
 from ._systems import (

@@ -38,6 +38,14 @@ class TrialSteps(NamedTuple):
     volume: float
 
 
+class NearImages(NamedTuple):
+    """Images of particles near one particle, of `HardEllipsoids.neighbors`."""
+
+    particles: Any
+    images: Any
+    separations: Any
+
+
 class HardEllipsoids:
     """Monte Carlo of hard ellipsoids, which never overlap.
 
@@ -242,6 +250,100 @@ class HardEllipsoids:
         """
         self._repeat("tune", number, _core.hard_ellipsoids_tune, float(acceptance), float(pressure), _change(change))
 
+    def neighbors(self, particle: SupportsIndex) -> NearImages:
+        """The images of particles whose bounding boxes meet that of one particle, ordered by their indices, then by their images.
+
+        Parameters
+        ----------
+        particle : int
+
+        Returns
+        -------
+        NearImages
+            `particles` are the indices, `images`, (n, 3), the multiples of the vectors of the cell to be added to the centres, and
+            `separations`, (n, 3), from the centre of the given particle to those of the images.
+
+        Raises
+        ------
+        IndexError
+            There is no such particle.
+        MemoryError
+            There is not enough memory.
+        """
+        with self._lock:
+            status, found = _core.hard_ellipsoids_neighbors(self._simulation, self._index("neighbors", particle))
+        if status:
+            _fail(status, "HardEllipsoids.neighbors", "")
+        return NearImages(*found)
+
+    def try_placement(
+        self,
+        particle: SupportsIndex,
+        center: ArrayLike | None = None,
+        quaternion: ArrayLike | None = None,
+        take: bool = False,
+    ) -> bool:
+        """Whether a particle would be free of overlaps at another place, by the exact test; and moves it there, if wanted.
+
+        Parameters
+        ----------
+        particle : int
+        center : (3,) array_like, optional
+            New centre; without it, the present one.
+        quaternion : (4,) array_like, optional
+            New orientation (w, x, y, z), of any length > 0; without it, the present one.
+        take : bool
+            Whether the particle shall stay there if it is free.
+
+        Returns
+        -------
+        bool
+
+        Raises
+        ------
+        IndexError
+            There is no such particle.
+        PW85Error
+            A number is not finite, the quaternion is zero, or the centre is too far away.
+        MemoryError
+            There is not enough memory.
+        """
+        index = self._index("try_placement", particle)
+        place = None if center is None else tuple(np.asarray(center, float).reshape(3).tolist())
+        turn = None if quaternion is None else tuple(np.asarray(quaternion, float).reshape(4).tolist())
+        with self._lock:
+            status, is_free = _core.hard_ellipsoids_try(self._simulation, index, place, turn, bool(take))
+        if status:
+            _fail(status, "HardEllipsoids.try_placement", f"center {place}, quaternion {turn}")
+        return bool(is_free)
+
+    def compress(self, take: bool = False) -> float:
+        """How far cell and centres can be compressed before particles touch; and compresses them, if wanted.
+
+        Parameters
+        ----------
+        take : bool
+            Whether the cell and the centres shall be multiplied by the factor.
+
+        Returns
+        -------
+        float
+            The factor of all lengths, at most 1. The exact test finds no overlap after a compression by it. It is 0, and nothing is
+            changed, if there are no pairs of particles or images.
+
+        Raises
+        ------
+        PW85Error
+            Particles are too far apart for a list of neighbours.
+        MemoryError
+            There is not enough memory.
+        """
+        with self._lock:
+            status, factor = _core.hard_ellipsoids_compress(self._simulation, bool(take))
+        if status:
+            _fail(status, "HardEllipsoids.compress", "")
+        return factor
+
     def check(self) -> None:
         """Searches all particles for overlaps, by a neighbour list of its own.
 
@@ -329,6 +431,13 @@ class HardEllipsoids:
         self._lock = threading.Lock()
         self._simulation, self.centers, self.q, self.semi_axes, self.quaternions, self.cell, periodic = made
         self.periodic = (bool(periodic[0]), bool(periodic[1]), bool(periodic[2]))
+
+    def _index(self, name: str, particle: SupportsIndex) -> int:
+        """The index of a particle."""
+        index = operator.index(particle)
+        if not 0 <= index < len(self):
+            raise IndexError(f"HardEllipsoids.{name}: there is no particle {index} among {len(self)}")
+        return index
 
     def _repeat(self, name: str, number: SupportsIndex, function: Callable[..., int], *arguments: float) -> None:
         """Calls a function of the core as often as wanted. Python sees to signals between the calls."""

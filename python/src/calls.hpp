@@ -107,6 +107,15 @@ PyObject *hard_ellipsoids_counts(PyObject *self, PyObject *capsule);
 /// hard_ellipsoids_chain(simulation, number, length, direction or None): (status, βP/ρ).
 PyObject *hard_ellipsoids_chain(PyObject *self, PyObject *args);
 
+/// hard_ellipsoids_neighbors(simulation, particle): (status, (particles, images, separations)).
+PyObject *hard_ellipsoids_neighbors(PyObject *self, PyObject *args);
+
+/// hard_ellipsoids_try(simulation, particle, center or None, quaternion or None, take): (status, is_free). The tuples have numbers.
+PyObject *hard_ellipsoids_try(PyObject *self, PyObject *args);
+
+/// hard_ellipsoids_compress(simulation, take): (status, factor).
+PyObject *hard_ellipsoids_compress(PyObject *self, PyObject *args);
+
 /// hard_ellipsoids_check(simulation): (status, (i, j)).
 PyObject *hard_ellipsoids_check(PyObject *self, PyObject *capsule);
 

@@ -213,6 +213,64 @@ PyObject *hard_ellipsoids_chain(PyObject *, PyObject *args)
     return Py_BuildValue("id", status, compressibility);
 }
 
+PyObject *hard_ellipsoids_neighbors(PyObject *, PyObject *args)
+{
+    PyObject *capsule;
+    Py_ssize_t particle;
+    if (!PyArg_ParseTuple(args, "On", &capsule, &particle)) return nullptr;
+    pw85_hard_ellipsoids *const simulation = simulation_of(capsule);
+    if (simulation == nullptr) return nullptr;
+    auto const index = static_cast<std::size_t>(particle);
+    std::size_t count;
+    int status = pw85_hard_ellipsoids_neighbors(simulation, index, 0, &count, nullptr, nullptr, nullptr);
+    npy_intp const shape[] = {static_cast<npy_intp>(count), 3};
+    Reference const particles(PyArray_SimpleNew(1, shape, NPY_INT32)), images(PyArray_SimpleNew(2, shape, NPY_INT32)),
+        separations(PyArray_SimpleNew(2, shape, NPY_DOUBLE));
+    if (!particles || !images || !separations) return nullptr;
+    auto const data = [](Reference const &array) {
+        return PyArray_DATA(reinterpret_cast<PyArrayObject *>(array.get()));
+    };
+    if (status == PW85_SUCCESS)
+        status = pw85_hard_ellipsoids_neighbors(
+            simulation, index, count, &count, static_cast<std::int32_t *>(data(particles)),
+            static_cast<std::int32_t *>(data(images)), static_cast<double *>(data(separations)));
+    return Py_BuildValue("i(OOO)", status, particles.get(), images.get(), separations.get());
+}
+
+PyObject *hard_ellipsoids_try(PyObject *, PyObject *args)
+{
+    PyObject *capsule, *place, *turn;
+    Py_ssize_t particle;
+    int take, is_free = -1, status;
+    double center[3], quaternion[4];
+    if (!PyArg_ParseTuple(args, "OnOOp", &capsule, &particle, &place, &turn, &take)) return nullptr;
+    if (place != Py_None && !PyArg_ParseTuple(place, "ddd", center, center + 1, center + 2)) return nullptr;
+    if (turn != Py_None && !PyArg_ParseTuple(turn, "dddd", quaternion, quaternion + 1, quaternion + 2, quaternion + 3))
+        return nullptr;
+    pw85_hard_ellipsoids *const simulation = simulation_of(capsule);
+    if (simulation == nullptr) return nullptr;
+    Py_BEGIN_ALLOW_THREADS;
+    status =
+        pw85_hard_ellipsoids_try(simulation, static_cast<std::size_t>(particle), place == Py_None ? nullptr : center,
+                                 turn == Py_None ? nullptr : quaternion, take, &is_free);
+    Py_END_ALLOW_THREADS;
+    return Py_BuildValue("ii", status, is_free);
+}
+
+PyObject *hard_ellipsoids_compress(PyObject *, PyObject *args)
+{
+    PyObject *capsule;
+    int take, status;
+    double factor = 0;
+    if (!PyArg_ParseTuple(args, "Op", &capsule, &take)) return nullptr;
+    pw85_hard_ellipsoids *const simulation = simulation_of(capsule);
+    if (simulation == nullptr) return nullptr;
+    Py_BEGIN_ALLOW_THREADS;
+    status = pw85_hard_ellipsoids_compress(simulation, take, &factor);
+    Py_END_ALLOW_THREADS;
+    return Py_BuildValue("id", status, factor);
+}
+
 PyObject *hard_ellipsoids_check(PyObject *, PyObject *capsule)
 {
     pw85_hard_ellipsoids const *const simulation = simulation_of(capsule);

@@ -73,6 +73,32 @@ def test_changes():
         assert (np.ptp(lengths) < 1e-14) == (change == "isotropic")
 
 
+def test_calls_of_one_particle():
+    """Neighbours, placements and a compression, against the pairs of all particles."""
+    simulation = pypw85.HardEllipsoids(lattice(), seed=8)
+    simulation.sweep(30)
+    found = simulation.neighbors(5)
+    ends = simulation.centers[found.particles] + found.images @ simulation.cell
+    assert len(found.particles) and np.allclose(found.separations, ends - simulation.centers[5], atol=1e-12)
+    before = simulation.save()
+    assert not simulation.try_placement(5, simulation.centers[6])
+    assert simulation.try_placement(5, quaternion=simulation.quaternions[5])
+    factor = simulation.compress()
+    assert simulation.save() == before
+    assert simulation.try_placement(5, simulation.centers[5] + 1e-9, take=True)
+    assert simulation.save() != before
+    least = simulation.system().contacts(2.0).mu.min()
+    assert abs(factor * least - 1) < 1e-7
+    assert abs(simulation.compress(take=True) * least - 1) < 1e-12
+    simulation.check()
+    assert simulation.system().contacts(1.1).mu.min() < 1 + 1e-12
+    for particle in -1, 64:
+        with pytest.raises(IndexError, match=f"no particle {particle}"):
+            simulation.neighbors(particle)
+    with pytest.raises(pypw85.PW85Error, match="nan"):
+        simulation.try_placement(0, [0, 0, np.nan])
+
+
 def test_views():
     """The arrays show the present state, cannot be written to, and outlive the object."""
     simulation = pypw85.HardEllipsoids(lattice(), seed=5)

@@ -37,6 +37,12 @@ class Change {
         }
     }
 
+    /// An isotropic scaling.
+    [[gnu::always_inline]] explicit Change(double factor) noexcept
+        : scales_{factor, factor, factor}, determinant_(factor * factor * factor)
+    {
+    }
+
     double determinant() const noexcept { return determinant_; }
 
     [[gnu::always_inline]] Vector3 apply(Vector3 x) const noexcept

@@ -1,6 +1,9 @@
 // Sweeps: see engine.hpp.
 #include "engine.hpp"
 
+#include <algorithm>
+#include <tuple>
+
 #include "../kernels/many_pairs.hpp"
 #include "../tasks.hpp"
 
@@ -199,7 +202,7 @@ void Engine::run(DomainRun &run) noexcept
         auto const i = static_cast<std::size_t>(members[run.stream.below(count)]);
         Outcome const outcome = move == exchange
                                     ? try_exchange(i, static_cast<std::size_t>(members[run.stream.below(count)]))
-                                    : try_placement(move, i, run);
+                                    : try_move(move, i, run);
         if (outcome == Outcome::unlisted) {
             run.stream = before;
             return;
@@ -217,7 +220,28 @@ Move Engine::choose(Stream &stream) const noexcept
     return static_cast<Move>(move);
 }
 
-Engine::Outcome Engine::try_placement(Move move, std::size_t i, DomainRun &run) noexcept
+/// Puts particles to their new places, and back unless the trial is accepted. An overlap that is found is certain, wherever the fixed
+/// boxes are.
+template <class Overlaps> Engine::Outcome Engine::judge(std::size_t const *particles, Particle const *moved,
+                                                        std::size_t count, Overlaps const &overlaps_others) noexcept
+{
+    Particle old[2];
+    for (std::size_t k = 0; k < count; ++k) {
+        old[k] = ordered_.get(particles[k]);
+        put(particles[k], moved[k]);
+    }
+    Outcome outcome = Outcome::accepted;
+    for (std::size_t k = 0; k < count && outcome != Outcome::rejected; ++k) {
+        if (overlaps_others(particles[k]))
+            outcome = Outcome::rejected;
+        else if (!is_listed(particles[k]))
+            outcome = Outcome::unlisted;
+    }
+    for (std::size_t k = 0; k < count && outcome != Outcome::accepted; ++k) put(particles[k], old[k]);
+    return outcome;
+}
+
+Engine::Outcome Engine::try_move(Move move, std::size_t i, DomainRun &run) noexcept
 {
     Particle moved = ordered_.get(i);
     if (move != rotation) moved.center = add_scaled(moved.center, parameters.translation, run.stream.in_ball());
@@ -226,7 +250,7 @@ Engine::Outcome Engine::try_placement(Move move, std::size_t i, DomainRun &run) 
         if (!moved.shape()) return Outcome::rejected;
     }
     if (move != rotation && domains_.label_of(moved.center) / 8 != run.domain) return Outcome::rejected;
-    return judge(&i, &moved, 1);
+    return judge(&i, &moved, 1, [this](std::size_t k) { return overlaps(k); });
 }
 
 /// Two particles exchange their semi-axes.
@@ -239,27 +263,63 @@ Engine::Outcome Engine::try_exchange(std::size_t i, std::size_t j) noexcept
     bool const alike = std::equal(std::begin(first.semi_axes.coordinates), std::end(first.semi_axes.coordinates),
                                   second.semi_axes.coordinates);
     if (alike || !moved[0].shape() || !moved[1].shape()) return Outcome::rejected;
-    return judge(particles, moved, 2);
+    return judge(particles, moved, 2, [this](std::size_t k) { return overlaps(k); });
 }
 
-/// Puts particles to their new places, and back unless the trial is accepted. An overlap that is found is certain, wherever the fixed
-/// boxes are.
-Engine::Outcome Engine::judge(std::size_t const *particles, Particle const *moved, std::size_t count) noexcept
+int Engine::begin_with_rows() noexcept
 {
-    Particle old[2];
-    for (std::size_t k = 0; k < count; ++k) {
-        old[k] = ordered_.get(particles[k]);
-        put(particles[k], moved[k]);
+    if (int const status = begin()) return status;
+    return neighborhood_.size() == ordered_.size() ? int{PW85_SUCCESS} : make_rows();
+}
+
+// If the new place is beyond the fixed box, it is tested by rows that are made for it. A particle that goes back may be beyond its new
+// fixed box. Then the engine starts again from the configuration.
+int Engine::try_placement(std::size_t particle, Particle const &moved, bool take, bool &is_free) noexcept
+{
+    if (int const status = begin_with_rows()) return status;
+    std::size_t const i = places_.of(particle);
+    Particle const old = ordered_.get(i);
+    auto const test = [&] {
+        return judge(&i, &moved, 1, [&](std::size_t k) { return overlaps(k, [](std::size_t) { return true; }); });
+    };
+    Outcome outcome = test();
+    int status = PW85_SUCCESS;
+    if (outcome == Outcome::unlisted) {
+        put(i, moved);
+        status = make_rows();
+        outcome = status == PW85_SUCCESS ? test() : Outcome::rejected;
     }
-    Outcome outcome = Outcome::accepted;
-    for (std::size_t k = 0; k < count && outcome != Outcome::rejected; ++k) {
-        if (overlaps(particles[k]))
-            outcome = Outcome::rejected;
-        else if (!is_listed(particles[k]))
-            outcome = Outcome::unlisted;
+    is_free = outcome == Outcome::accepted;
+    if (is_free && take) {
+        configuration.set(particle, moved);
+        return status;
     }
-    for (std::size_t k = 0; k < count && outcome != Outcome::accepted; ++k) put(particles[k], old[k]);
-    return outcome;
+    put(i, old);
+    if (neighborhood_.size() != ordered_.size() || !is_listed(i)) forget();
+    return status;
+}
+
+int Engine::find_neighbors(std::size_t particle, Array<NearImage> &found) noexcept
+{
+    if (int const status = begin_with_rows()) return status;
+    std::size_t const i = places_.of(particle);
+    auto const row = neighborhood_.row(i);
+    if (!found.resize(row.size())) return PW85_ENOMEM;
+    std::size_t count = 0;
+    for (Neighbor const &near : row) {
+        auto const j = static_cast<std::size_t>(near.index);
+        Vector3 const r12 = ordered_.separation(i, j, neighborhood_.translation(near.image));
+        Vector3 const reach = ordered_.half_widths[i] + ordered_.half_widths[j];
+        bool meets = true;
+        for (int d = 0; d < 3; ++d) meets &= absolute(r12[d]) <= reach[d];
+        if (meets) found[count++] = {places_.particle(j), neighborhood_.multiples(near.image), r12};
+    }
+    std::sort(found.data(), found.data() + count, [](NearImage const &a, NearImage const &b) {
+        auto const &[x, y, z] = a.image.n;
+        auto const &[u, v, w] = b.image.n;
+        return std::tie(a.particle, x, y, z) < std::tie(b.particle, u, v, w);
+    });
+    return found.resize(count) ? PW85_SUCCESS : PW85_ENOMEM;
 }
 
 } // namespace pw85::detail::simulation

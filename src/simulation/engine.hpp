@@ -49,6 +49,13 @@ struct Parameters {
     Counts counts;
 };
 
+/// An image of a particle near another one, and the separation from the centre of that one.
+struct NearImage {
+    std::int32_t particle;
+    Multiples image;
+    Vector3 r12;
+};
+
 /// The work on one domain.
 struct DomainRun {
     Stream stream;
@@ -81,6 +88,16 @@ class Engine {
     /// Tries one change of the volume. The pressure is that times β.
     int try_volume(double pressure, ChangeKind kind) noexcept;
 
+    /// Finds the images whose bounding boxes meet that of a particle, ordered by particles and multiples. Returns a status.
+    int find_neighbors(std::size_t particle, Array<NearImage> &found) noexcept;
+
+    /// Whether a particle is free at another place. If so and if `take`, it stays there. Returns a status.
+    int try_placement(std::size_t particle, Particle const &moved, bool take, bool &is_free) noexcept;
+
+    /// The least isotropic factor of cell and centres without overlap, at most 1; 0 if there is nothing to overlap. If `take`, it is
+    /// applied. To be called between begin() and end(). Returns a status.
+    int compress(bool take, double &factor) noexcept;
+
     /// Finds an overlap by a list of neighbours of its own, and returns PW85_EOVERLAP and the first pair; PW85_SUCCESS if there is none.
     int check(std::int32_t *pair) const noexcept;
 
@@ -94,6 +111,7 @@ class Engine {
     static constexpr std::size_t most_candidates = 64;
 
     int make_rows() noexcept;
+    int begin_with_rows() noexcept;
     int order() noexcept;
     void refresh_boxes() noexcept;
     bool set_cell() noexcept;
@@ -136,10 +154,12 @@ class Engine {
     std::size_t collect(std::size_t num_runs) noexcept;
     void run(DomainRun &run) noexcept;
     Move choose(Stream &stream) const noexcept;
-    Outcome try_placement(Move move, std::size_t i, DomainRun &run) noexcept;
+    Outcome try_move(Move move, std::size_t i, DomainRun &run) noexcept;
     Outcome try_exchange(std::size_t i, std::size_t j) noexcept;
-    Outcome judge(std::size_t const *particles, Particle const *moved, std::size_t count) noexcept;
+    template <class Overlaps> Outcome judge(std::size_t const *particles, Particle const *moved, std::size_t count,
+                                            Overlaps const &overlaps_others) noexcept;
     bool any_overlaps() const noexcept;
+    int change_cell(Change const &change, bool &done) noexcept;
     void apply(Change const &change) noexcept;
     int undo(bool rows_are_new) noexcept;
     double longest_translation() const noexcept;

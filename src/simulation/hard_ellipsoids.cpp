@@ -67,6 +67,13 @@ int place(SavedParticle const &saved, Configuration &configuration, std::size_t 
     return PW85_SUCCESS;
 }
 
+/// A vector or quaternion divided by its length.
+template <class Coordinates> Coordinates unit(Coordinates const &x) noexcept
+{
+    Coordinates const scaled = x / largest_coordinate(x);
+    return scaled / magnitude(scaled);
+}
+
 /// Makes a simulation of n particles. load(i) returns particle i, and set(engine) sets the parameters.
 template <class Load, class Set> int make(std::size_t n, Cell const &cell, Load const &load, Set const &set,
                                           std::int32_t *pair, pw85_hard_ellipsoids *&simulation) noexcept
@@ -93,8 +100,7 @@ int create(pw85_system const &system, double const *semi_axes, double const *qua
     auto const load = [&](std::size_t i) {
         SavedParticle particle{c_api::load_vector<3>(system.centers + 3 * i),
                                c_api::load_vector<4>(quaternions + 4 * i), c_api::load_vector<3>(semi_axes + 3 * i)};
-        Quaternion const scaled = particle.quaternion / largest_coordinate(particle.quaternion);
-        particle.quaternion = scaled / magnitude(scaled);
+        particle.quaternion = unit(particle.quaternion);
         for (double const length : particle.semi_axes.coordinates) shortest = std::min(shortest, length);
         return particle;
     };
@@ -137,13 +143,6 @@ int tune(Engine &engine, std::size_t num_sweeps, double acceptance, double press
     return status;
 }
 
-/// A direction of length one.
-Vector3 unit(Vector3 const &direction) noexcept
-{
-    Vector3 const scaled = direction / largest_coordinate(direction);
-    return scaled / magnitude(scaled);
-}
-
 /// Event chains along a direction, or along random ones if it is zero.
 int make_chains(Engine &engine, std::size_t num_chains, double length, Vector3 const &direction,
                 ChainSums &sums) noexcept
@@ -160,6 +159,36 @@ int make_chains(Engine &engine, std::size_t num_chains, double length, Vector3 c
         if (int const status = chains.run(first, along, length, sums)) return status;
     }
     return PW85_SUCCESS;
+}
+
+/// Tries another centre or quaternion of a particle. Null keeps what there is.
+int try_placement(Engine &engine, std::size_t particle, double const *center, double const *quaternion, bool take,
+                  int &is_free) noexcept
+{
+    Particle moved = engine.configuration.get(particle);
+    if (center != nullptr) moved.center = c_api::load_vector<3>(center);
+    if (!is_finite(moved.center)) return PW85_EINVAL;
+    if (quaternion != nullptr) {
+        moved.quaternion = unit(c_api::load_vector<4>(quaternion));
+        if (ellipsoid_quaternion(moved.semi_axes, moved.quaternion).status != Status::success) return PW85_EINVAL;
+        if (!moved.shape()) return PW85_ENOTPD;
+    }
+    bool found = false;
+    int const status = engine.try_placement(particle, moved, take, found);
+    if (status == PW85_SUCCESS) is_free = found;
+    return status;
+}
+
+/// Copies the first images to arrays of some capacity.
+void store(Array<NearImage> const &found, std::size_t capacity, std::int32_t *particles, std::int32_t *images,
+           double *separations) noexcept
+{
+    for (std::size_t k = 0; k < std::min(capacity, found.size()); ++k) {
+        NearImage const &near = found[k];
+        if (particles != nullptr) particles[k] = near.particle;
+        if (images != nullptr) std::copy_n(near.image.n, 3, images + 3 * k);
+        if (separations != nullptr) c_api::store(near.r12, separations + 3 * k);
+    }
 }
 
 std::size_t num_bytes(std::size_t num_particles) noexcept
@@ -288,6 +317,42 @@ int pw85_hard_ellipsoids_counts(pw85_hard_ellipsoids const *simulation, int64_t 
     if (trials != nullptr) std::copy_n(counts.trials, 5, trials);
     if (accepted != nullptr) std::copy_n(counts.accepted, 5, accepted);
     return PW85_SUCCESS;
+}
+
+int pw85_hard_ellipsoids_neighbors(pw85_hard_ellipsoids *simulation, size_t particle, size_t capacity, size_t *count,
+                                   int32_t *particles, int32_t *images, double *separations)
+{
+    if (count != nullptr) *count = 0;
+    if (any_null(simulation, count) || particle >= simulation->engine.configuration.size()) return PW85_EINVAL;
+    return in_default_environment([&] {
+        Array<NearImage> found;
+        if (int const status = simulation->engine.find_neighbors(particle, found)) return status;
+        *count = found.size();
+        store(found, capacity, particles, images, separations);
+        return int{PW85_SUCCESS};
+    });
+}
+
+int pw85_hard_ellipsoids_try(pw85_hard_ellipsoids *simulation, size_t particle, double const center[3],
+                             double const quaternion[4], int take, int *is_free)
+{
+    if (is_free != nullptr) *is_free = -1;
+    if (any_null(simulation, is_free) || particle >= simulation->engine.configuration.size()) return PW85_EINVAL;
+    return in_default_environment(
+        [&] { return try_placement(simulation->engine, particle, center, quaternion, take != 0, *is_free); });
+}
+
+int pw85_hard_ellipsoids_compress(pw85_hard_ellipsoids *simulation, int take, double *factor)
+{
+    if (factor != nullptr) *factor = quiet_nan<double>();
+    if (any_null(simulation, factor)) return PW85_EINVAL;
+    return in_default_environment([&] {
+        double found = 0.0;
+        Engine &engine = simulation->engine;
+        int const status = repeat(engine, 1, [&] { return engine.compress(take != 0, found); });
+        if (status == PW85_SUCCESS) *factor = found;
+        return status;
+    });
 }
 
 int pw85_hard_ellipsoids_check(pw85_hard_ellipsoids const *simulation, int32_t pair[2])

@@ -61,6 +61,8 @@ class Neighborhood {
 
     std::size_t num_images() const noexcept { return translations_.size(); }
 
+    Multiples const &multiples(std::int32_t image) const noexcept { return images_[static_cast<std::size_t>(image)]; }
+
     /// The translation of an image, in the present cell.
     [[gnu::always_inline]] Vector3 const &translation(std::int32_t image) const noexcept
     {

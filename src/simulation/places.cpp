@@ -14,7 +14,7 @@ int Places::prepare(Configuration const &configuration) noexcept
     neighbors::Periodicity periodicity;
     if (!periodicity.prepare(cell.exists ? cell.vectors : nullptr, cell.periodic)) return PW85_EINVAL;
     Array<neighbors::KeyedIndex> keys;
-    if (!keys.resize(n) || !places_.resize(n)) return PW85_ENOMEM;
+    if (!keys.resize(n) || !places_.resize(n) || !particles_.resize(n)) return PW85_ENOMEM;
     neighbors::Box around = neighbors::empty_box;
     for (std::size_t i = 0; i < n; ++i) {
         auto const [x, y, z] = periodicity.wrapped(configuration.centers[i]).coordinates;
@@ -23,7 +23,10 @@ int Places::prepare(Configuration const &configuration) noexcept
     for (std::size_t i = 0; i < n; ++i)
         keys[i] = {key_of(periodicity.wrapped(configuration.centers[i]), around), static_cast<std::int32_t>(i)};
     std::sort(keys.data(), keys.data() + n, [](auto const &a, auto const &b) { return a.key < b.key; });
-    for (std::size_t k = 0; k < n; ++k) places_[static_cast<std::size_t>(keys[k].index)] = static_cast<std::int32_t>(k);
+    for (std::size_t k = 0; k < n; ++k) {
+        particles_[k] = keys[k].index;
+        places_[static_cast<std::size_t>(keys[k].index)] = static_cast<std::int32_t>(k);
+    }
     return PW85_SUCCESS;
 }
 

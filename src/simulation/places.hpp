@@ -20,8 +20,10 @@ class Places {
 
     std::size_t of(std::size_t particle) const noexcept { return static_cast<std::size_t>(places_[particle]); }
 
+    std::int32_t particle(std::size_t place) const noexcept { return particles_[place]; }
+
   private:
-    Array<std::int32_t> places_;
+    Array<std::int32_t> places_, particles_;
 };
 
 } // namespace pw85::detail::simulation

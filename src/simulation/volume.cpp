@@ -1,4 +1,5 @@
 // Trials of the volume, and the test of a whole configuration: see engine.hpp.
+#include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <memory>
@@ -30,9 +31,32 @@ bool accept(double determinant, double exponent, double cost, double uniform) no
     return sum > -700.0 && uniform < exponential(Doubled<Pack>(Pack(sum)))[0];
 }
 
+/// The least μ² of all pairs whose bounding boxes meet, the ellipsoids scaled; infinity without pairs. Returns a status.
+int least_mu2_of_list(pw85_system const &system, double scale, double &mu2) noexcept
+{
+    mu2 = HUGE_VAL;
+    pw85_neighbors *made = nullptr;
+    if (int const status = pw85_neighbors_create(&system, scale, 0.0, &made)) return status;
+    std::unique_ptr<pw85_neighbors, DestroyList> const owner(made);
+    pw85_pair_list const list = pw85_neighbors_list(made);
+    if (list.num_pairs == 0) return PW85_SUCCESS;
+    Array<double> all;
+    if (!all.resize(list.num_pairs)) return PW85_ENOMEM;
+    int const status = pw85_contact_pairs(&list, &system, all.data(), nullptr);
+    mu2 = *std::min_element(all.data(), all.data() + list.num_pairs);
+    return status;
+}
+
+/// The least μ² of all pairs, of which there is at least one. A list that is scaled by s has all pairs with μ <= s.
+int find_least_mu2(pw85_system const &system, double &mu2) noexcept
+{
+    for (double scale = 1.25;; scale = std::isfinite(mu2) ? (1.0 + 0x1p-50) * std::sqrt(mu2) : 2.0 * scale)
+        if (int const status = least_mu2_of_list(system, scale, mu2); status != PW85_SUCCESS || mu2 <= scale * scale)
+            return status;
+}
+
 } // namespace
 
-// A cell for which no rows can be made, because it is too small or too skewed, is rejected like an overlap.
 int Engine::try_volume(double pressure, ChangeKind kind) noexcept
 {
     Stream stream(parameters.seed, parameters.step, 0);
@@ -42,6 +66,16 @@ int Engine::try_volume(double pressure, ChangeKind kind) noexcept
     double const cost = pressure * volume_of(ordered_.cell) * (change.determinant() - 1.0);
     double const exponent = static_cast<double>(ordered_.size()) + 1.0;
     if (!accept(change.determinant(), exponent, cost, stream.uniform())) return PW85_SUCCESS;
+    bool done = false;
+    int const status = change_cell(change, done);
+    parameters.counts.accepted[volume] += done;
+    return status;
+}
+
+/// Changes the cell and the centres unless particles overlap afterwards. A cell for which no rows can be made, because it is too small or
+/// too skewed, is rejected like an overlap.
+int Engine::change_cell(Change const &change, bool &done) noexcept
+{
     if (!old_centers_.resize(ordered_.size())) return PW85_ENOMEM;
     apply(change);
     if (!set_cell()) return undo(false);
@@ -51,8 +85,27 @@ int Engine::try_volume(double pressure, ChangeKind kind) noexcept
         int const undone = undo(rows_are_new);
         return status == PW85_ENOMEM ? status : undone;
     }
-    ++parameters.counts.accepted[volume];
+    done = true;
     return PW85_SUCCESS;
+}
+
+// The factor 1/μ is rounded, and so are the centres, which may lead to overlaps. So the factor is enlarged by small steps until the
+// exact test finds none. The factor 1 changes nothing.
+int Engine::compress(bool take, double &factor) noexcept
+{
+    Cell const &cell = ordered_.cell;
+    bool const is_repeated = cell.exists && (cell.periodic[0] || cell.periodic[1] || cell.periodic[2]);
+    factor = 0.0;
+    if (ordered_.size() < (is_repeated ? 1 : 2)) return PW85_SUCCESS;
+    double mu2;
+    if (int const status = find_least_mu2(ordered_.system(), mu2)) return status;
+    bool done = false;
+    for (double margin = 0x1p-52; !done; margin *= 4.0) {
+        factor = std::min(1.0, (1.0 + margin) / std::sqrt(mu2));
+        if (factor == 1.0) return PW85_SUCCESS;
+        if (int const status = change_cell(Change(factor), done)) return status;
+    }
+    return take ? int{PW85_SUCCESS} : undo(true);
 }
 
 /// Tells rows and boxes that the cell has changed. Returns false if it is singular.
