@@ -16,6 +16,7 @@ from lammps_runs import launch, thermo
 EXAMPLES = Path(os.environ["PW85_LAMMPS_EXAMPLES"])
 sys.path.append(str(EXAMPLES))
 from draw import forms, read_last_snapshot  # noqa: E402
+from heap_angle import slope  # noqa: E402
 
 
 class Examples(unittest.TestCase):
@@ -77,6 +78,27 @@ class Examples(unittest.TestCase):
         self.assertLess(self.number("kinetic energy of a grain: ", text), 1e-2)
         self.assertGreater(self.number("contacts of a grain: ", text), 4.0)
         self.assertLess(self.number("contacts of a grain: ", text), 6.0)
+
+    def test_heap(self):
+        """Prolate grains with friction make a slope; without friction they would flow away.
+
+        The slope of so few grains is uncertain by some degrees: five sets of random orientations gave 18 to 27.
+        """
+        text = self.run_example("heap", axis="y", ranks=1)
+        columns = read_last_snapshot(Path(self.directory, "heap.dump"))[2]
+        self.assertGreater(slope(columns), 12)
+        self.assertLess(slope(columns), 34)
+        self.assertLess(self.number("kinetic energy of a grain: ", text), 0.1)
+
+    def test_slope(self):
+        """Layers of spheres below two planes that fall to both sides by 25 degrees, and a sphere that falls beside them."""
+        tangent = np.tan(np.radians(25))
+        x, y = (grid.ravel() for grid in np.meshgrid(np.arange(-15, 15.1, 0.5), np.arange(0.25, 4, 0.5)))
+        x, y, z = np.tile(x, 2), np.tile(y, 2), np.concatenate([8 - tangent * np.abs(x), 7 - tangent * np.abs(x)])
+        x, y, z = np.append(x, 20.0), np.append(y, 2.0), np.append(z, 7.0)
+        columns = {"x": x, "y": y, "z": z, "c_overlap": np.append(np.ones(x.size - 1), 0)}
+        columns |= {f"c_shape[{k}]": np.full(x.size, 1.0 if k < 5 else 0.0) for k in range(1, 8)}
+        self.assertAlmostEqual(slope(columns), 25, delta=1e-9)
 
     def test_drum(self):
         """The wall lifts the grains on one side, and none leaves the drum.
