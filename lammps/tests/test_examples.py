@@ -17,6 +17,7 @@ EXAMPLES = Path(os.environ["PW85_LAMMPS_EXAMPLES"])
 sys.path.append(str(EXAMPLES))
 from draw import forms, read_last_snapshot  # noqa: E402
 from heap_angle import slope  # noqa: E402
+from orifice import write_ring  # noqa: E402
 
 
 class Examples(unittest.TestCase):
@@ -99,6 +100,18 @@ class Examples(unittest.TestCase):
         columns = {"x": x, "y": y, "z": z, "c_overlap": np.append(np.ones(x.size - 1), 0)}
         columns |= {f"c_shape[{k}]": np.full(x.size, 1.0 if k < 5 else 0.0) for k in range(1, 8)}
         self.assertAlmostEqual(slope(columns), 25, delta=1e-9)
+
+    def test_hopper(self):
+        """Flows through two holes are those of Beverloo's law, roughly.
+
+        A hundred grains leave, and the filling is only as high as the hole is wide: the flows are 0.7 and 0.8 of those of the law.
+        """
+        for hole in (4, 5):
+            write_ring(hole, 9, Path(self.directory, "orifice.stl"))
+            text = self.run_example("hopper", axis="y", ranks=1, hole=hole, fill=3000, steps=3000)
+            ratio = self.number("flow of grains: ", text) / self.number("flow by the law: ", text)
+            self.assertGreater(ratio, 0.5, hole)
+            self.assertLess(ratio, 1.1, hole)
 
     def test_drum(self):
         """The wall lifts the grains on one side, and none leaves the drum.
