@@ -1,6 +1,8 @@
-"""Draws the ellipsoids of a dump file (box with right angles): seen from above, and cut at half height. Overlapping ones are red.
+"""Draws the ellipsoids of a dump file (box with right angles): seen along an axis, and cut in the middle. Overlapping ones are red.
 
-    python3 draw.py file.dump picture.png
+    python3 draw.py file.dump picture.png [x|y|z]
+
+Without an axis they are seen from above.
 """
 
 import sys
@@ -12,6 +14,9 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.collections import EllipseCollection
+
+# The coordinates to the right, upwards, and along the view, by its axis. The eye is where z or x is large, or y is small.
+VIEWS = {"x": [1, 2, 0], "y": [0, 2, 1], "z": [0, 1, 2]}
 
 
 def read_last_snapshot(path):
@@ -55,22 +60,27 @@ def ellipses(axes, centers, q, colors, **style):
                                           offset_transform=axes.transData, **style))
 
 
-def draw(path, picture):
+def draw(path, picture, axis="z"):
     bounds, periodic, columns = read_last_snapshot(path)
+    axes_of_picture = VIEWS[axis]
+    bounds, periodic = bounds[axes_of_picture], [periodic[k] for k in axes_of_picture]
     base = np.where(columns["c_overlap"][:, None] > 0, [0.85, 0.25, 0.2], [0.45, 0.6, 0.8])
-    centers, q, base = with_images(np.stack([columns[axis] for axis in "xyz"], axis=1), bounds, periodic,
-                                   forms(columns), base)
-    figure, (above, cut) = plt.subplots(1, 2, figsize=(12, 6.5), constrained_layout=True)
+    centers = np.stack([columns["xyz"[k]] for k in axes_of_picture], axis=1)
+    q = forms(columns)[:, axes_of_picture][:, :, axes_of_picture]
+    centers, q, base = with_images(centers, bounds, periodic, q, base)
+    figure, (whole, cut) = plt.subplots(1, 2, figsize=(12, 6.5), constrained_layout=True)
 
-    # Seen along z an ellipsoid is the ellipse of the upper left block of its form; the lower, the darker.
-    order = np.argsort(centers[:, 2])
-    height = (centers[:, 2] - bounds[2, 0]) / (bounds[2, 1] - bounds[2, 0])
-    shade = base * (0.35 + 0.65 * np.clip(height, 0, 1))[:, None]
-    ellipses(above, centers[order, :2], q[order, :2, :2], shade[order], edgecolors="black", linewidths=0.3)
+    # The projection of an ellipsoid is the ellipse of the upper left block of its form; the farther, the darker.
+    near = (centers[:, 2] - bounds[2, 0]) / (bounds[2, 1] - bounds[2, 0])
+    if axis == "y":
+        near = 1 - near
+    order = np.argsort(near)
+    shade = base * (0.35 + 0.65 * np.clip(near, 0, 1))[:, None]
+    ellipses(whole, centers[order, :2], q[order, :2, :2], shade[order], edgecolors="black", linewidths=0.3)
     overlapping = np.count_nonzero(columns["c_overlap"])
-    above.set_title(f"seen from above: {len(columns['id'])} ellipsoids, {overlapping} of them overlap")
+    whole.set_title(f"seen along {axis}: {len(columns['id'])} ellipsoids, {overlapping} of them overlap")
 
-    # Cut by the plane z = c3 + h: centre and form of the ellipse by completing the square.
+    # Cut by the plane where the third coordinate is c3 + h: centre and form of the ellipse by completing the square.
     h = bounds[2].mean() - centers[:, 2]
     met = h ** 2 < q[:, 2, 2]
     h, q, centers = h[met], q[met], centers[met]
@@ -78,10 +88,11 @@ def draw(path, picture):
     scale = 1 - h ** 2 / q[:, 2, 2]
     ellipses(cut, centers[:, :2] + q[:, :2, 2] * (h / q[:, 2, 2])[:, None], rest * scale[:, None, None], base[met],
              edgecolors="black", linewidths=0.6, alpha=0.7)
-    cut.set_title("cut at half height")
+    cut.set_title("cut in the middle")
 
-    for axes in (above, cut):
-        axes.set(xlim=bounds[0], ylim=bounds[1], aspect="equal", xlabel="x", ylabel="y")
+    names = ["xyz"[k] for k in axes_of_picture]
+    for axes in (whole, cut):
+        axes.set(xlim=bounds[0], ylim=bounds[1], aspect="equal", xlabel=names[0], ylabel=names[1])
     figure.savefig(picture, dpi=110)
 
 
