@@ -215,10 +215,7 @@ int pw85_contains(double const r12[3], double const q1[6], double const q2[6], i
     if (any_null(contains)) return PW85_EINVAL;
     *contains = -1;
     if (any_null(r12, q1, q2)) return PW85_EINVAL;
-    DefaultEnvironment const environment;
-    auto const answer = pw85::contains(load_vector<3>(r12), load_matrix<3>(q1), load_matrix<3>(q2));
-    if (answer.status == Status::success) *contains = answer.contains;
-    return static_cast<int>(answer.status);
+    return in_default_environment(kernels::chosen().one_pair->contains, r12, q1, q2, contains);
 }
 
 int pw85_containment(double const r12[3], double const q1[6], double const q2[6], double *mu2, double point[3])

@@ -263,6 +263,7 @@ struct OnePairKernels {
                                      double *point, double *normal) noexcept;
     int (*contact_gradient_factored)(double const *r12, double const *s1, double const *s2, double lambda,
                                      double *d_r12, double *d_s1, double *d_s2) noexcept;
+    int (*contains)(double const *r12, double const *q1, double const *q2, int *contains) noexcept;
 };
 
 /// A function for many pairs, one per lane.

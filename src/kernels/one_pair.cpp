@@ -10,6 +10,7 @@
 #include <pw85/distance/distance_derivatives.hpp>
 #include <pw85/motion/first_contact.hpp>
 #include <pw85/overlap/contact_rounded.hpp>
+#include <pw85/overlap/containment.hpp>
 #include <pw85/overlap/overlap.hpp>
 #include <pw85/overlap/overlap_factored.hpp>
 
@@ -77,6 +78,13 @@ int overlap_factored(double const *r12, double const *s1, double const *s2, int 
     return store_overlap(
         pw85::overlap_factored(c_api::load_vector<3>(r12), c_api::load_factor<3>(s1), c_api::load_factor<3>(s2)),
         overlap);
+}
+
+int contains(double const *r12, double const *q1, double const *q2, int *contains) noexcept
+{
+    auto const answer = pw85::contains(view_vector(r12), view_matrix(q1), view_matrix(q2));
+    if (answer.status == Status::success) *contains = answer.contains;
+    return static_cast<int>(answer.status);
 }
 
 int contact_geometry_factored(double const *r12, double const *s1, double const *s2, double lambda, double *point,
@@ -189,6 +197,7 @@ extern OnePairKernels const PW85_ONE_PAIR_KERNELS;
 OnePairKernels const PW85_ONE_PAIR_KERNELS = {
     contact,          overlap,          contact_geometry, contact_gradient,          contact_torque,
     contact_hessian,  closest_approach, distance,         distance_derivatives,      first_contact,
-    contact_factored, contact_rounded,  overlap_factored, contact_geometry_factored, contact_gradient_factored};
+    contact_factored, contact_rounded,  overlap_factored, contact_geometry_factored, contact_gradient_factored,
+    contains};
 
 } // namespace pw85::detail::kernels
