@@ -11,7 +11,6 @@ seed of its random numbers, and the same version of the library gives the same r
 from __future__ import annotations
 
 import csv
-import math
 import sys
 import zlib
 from fractions import Fraction
@@ -21,6 +20,9 @@ from typing import NamedTuple
 import numpy as np
 
 import pypw85
+
+sys.path.append(str(Path(__file__).resolve().parents[1] / "virial"))
+from table import second_coefficient
 
 TABLE = Path(__file__).with_name("equation_of_state.csv")
 VOLUME = 4 / 3 * np.pi  # of each ellipsoid, because the product of its semi-axes is 1
@@ -48,22 +50,9 @@ class State(NamedTuple):
         return np.array([1, 1, self.kappa]) / np.cbrt(self.kappa)
 
 
-def mean_width(kappa: float) -> float:
-    """Half the width of a spheroid with the semi-axes 1, 1 and κ, on average over all directions: the integral of √(1 + (κ² - 1) t²) over
-    [0, 1]."""
-    root = abs(kappa * kappa - 1) ** 0.5
-    return 0.5 * (kappa + (math.asinh(root) if kappa > 1 else math.asin(root)) / root) if root else 1.0
-
-
-def second_virial(kappa: float) -> float:
-    """B2 of spheroids in units of their volume, by Isihara (1950): 1 + R S / V. The mean half width is R, and the surface S is four times
-    the mean projection (Cauchy), which is that of widths of the spheroid with the aspect ratio 1/κ."""
-    return 1 + 3 * mean_width(kappa) * mean_width(1 / kappa)
-
-
 def parsons(kappa: float, phi: float) -> float:
     """Z of the isotropic branch by Parsons (1979): that of hard spheres by Carnahan and Starling (1969), scaled to the right B2."""
-    return 1 + second_virial(kappa) * phi * (1 - phi / 2) / (1 - phi) ** 3
+    return 1 + second_coefficient((1, 1, kappa)) * phi * (1 - phi / 2) / (1 - phi) ** 3
 
 
 class Effort(NamedTuple):
