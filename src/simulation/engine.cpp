@@ -2,7 +2,6 @@
 #include "engine.hpp"
 
 #include <algorithm>
-#include <tuple>
 
 #include "../kernels/many_pairs.hpp"
 #include "../tasks.hpp"
@@ -315,9 +314,8 @@ int Engine::find_neighbors(std::size_t particle, Array<NearImage> &found) noexce
         if (meets) found[count++] = {places_.particle(j), neighborhood_.multiples(near.image), r12};
     }
     std::sort(found.data(), found.data() + count, [](NearImage const &a, NearImage const &b) {
-        auto const &[x, y, z] = a.image.n;
-        auto const &[u, v, w] = b.image.n;
-        return std::tie(a.particle, x, y, z) < std::tie(b.particle, u, v, w);
+        if (a.particle != b.particle) return a.particle < b.particle;
+        return std::lexicographical_compare(a.image.n, a.image.n + 3, b.image.n, b.image.n + 3);
     });
     return found.resize(count) ? PW85_SUCCESS : PW85_ENOMEM;
 }
