@@ -49,8 +49,10 @@ def command(capsys, monkeypatch, *arguments):
 
 
 def heed_interrupts():
-    """For a child, before its program starts: a shell lets programs that it runs in the background ignore Ctrl-C."""
+    """For a child, before its program starts: a shell lets programs that it runs in the background ignore Ctrl-C, and `pw85 check` with
+    several processes, which other tests call here, blocks it."""
     signal.signal(signal.SIGINT, signal.SIG_DFL)
+    signal.pthread_sigmask(signal.SIG_UNBLOCK, {signal.SIGINT})
 
 
 def on_terminal(*arguments, until=None, program=PW85):
