@@ -249,6 +249,7 @@ def test_event_chains():
     )
     simulation = pypw85.HardEllipsoids(start, seed=1)
     simulation.tune(100, acceptance=0.4)
+    simulation.sweep(300)  # the start is a crystal of parallel ellipsoids
 
     def run_of_chains():
         pressures = []
