@@ -238,7 +238,7 @@ def test_fits():
 
 
 def test_event_chains():
-    """The pressure of event chains at φ = 0.1, by the mean and the standard error of 15 runs, is that of the series. The next term of the
+    """The pressure of event chains at φ = 0.1, by the mean and the standard error of 45 runs, is that of the series. The next term of the
     series is some 1e-4."""
     row, fraction = rows()["prolate 3"], 0.1
     places = np.stack(np.meshgrid(np.arange(9), np.arange(9), 3 * np.arange(3), indexing="ij"), axis=-1).reshape(-1, 3)
@@ -258,7 +258,7 @@ def test_event_chains():
             pressures.append(simulation.chain(20, length=5.0))
         return np.mean(pressures)
 
-    pressures = [run_of_chains() for _ in range(15)]
+    pressures = [run_of_chains() for _ in range(45)]
     series = 1 + sum(float(row[f"B{order}"]) * fraction ** (order - 1) for order in (2, *coefficients.ORDERS))
     error = np.std(pressures, ddof=1) / math.sqrt(len(pressures))
     assert error < 0.01
