@@ -31,8 +31,8 @@ class RoughBoxes {
 
     /// Stores the boxes of all particles, and the translations of the rows. They hold until the rows or the cell change, for particles
     /// that move by at most `room` along any axis.
-    void refresh(Configuration const &configuration, Neighborhood const &neighborhood, double longest,
-                 double room) noexcept
+    [[gnu::always_inline]] void refresh(Configuration const &configuration, Neighborhood const &neighborhood,
+                                        double longest, double room) noexcept
     {
         std::size_t const n = boxes_.size();
         per_unit_ = 1.0 / longest;
