@@ -1,0 +1,100 @@
+"""Jammed random packings: `reference/packings`."""
+
+import os
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import pypw85
+
+sys.path.insert(0, str(Path(os.environ["PYPW85_SOURCE"]) / "reference" / "packings"))
+import packings
+
+RUNS = packings.read(packings.FOLDER / "runs.csv")
+ROWS = {row["shape"]: row for row in packings.read(packings.FOLDER / "packings.csv")}
+NUMBER = 48
+
+
+@pytest.fixture(scope="module")
+def small():
+    """A packing of few ellipsoids."""
+    return packings.make(packings.semi_axes("1.5"), NUMBER, 1)
+
+
+def test_complete():
+    """All runs are there, and the table has their means."""
+    assert [(run["shape"], int(run["seed"])) for run in RUNS] == [(s, seed) for seed in packings.SEEDS for s in packings.SHAPES]
+    assert list(ROWS.values()) == packings.table(RUNS)
+
+
+def test_published():
+    """Spheres jam at 0.64, with six contacts, and spheroids near 1.5 at 0.705. No packing is ordered, and none has more contacts than the
+    isostatic number: twice the degrees of freedom, 6 for spheres, 10 for spheroids and 12 for others."""
+    for shape, row in ROWS.items():
+        most = 6 if shape == "1" else 12 if ":" in shape else 10
+        assert 5.7 < float(row["contacts"]) < most, shape
+        assert float(row["order"]) < 0.2, shape
+    assert abs(float(ROWS["1"]["fraction"]) - 0.64) < 0.01
+    assert abs(float(ROWS["1.5"]["fraction"]) - 0.705) < 0.01
+
+
+def test_remade(small):
+    """Few ellipsoids jam where the table says. The standard deviation of a run is that of the table's runs times the root of the ratio of
+    numbers, and four of them are allowed, with 0.005 more because small cubes jam earlier."""
+    row = ROWS["1.5"]
+    root = np.sqrt(int(row["runs"]) * int(row["particles"]) / NUMBER)
+    assert abs(small.loose.packing_fraction - float(row["fraction"])) < 4 * root * float(row["fraction_error"]) + 0.005
+    assert abs(packings.contacts(small.jammed).mean - float(row["contacts"])) < 4 * root * float(row["contacts_error"])
+
+
+def test_exact(small):
+    """No overlap after the last scale, and there is one again at a volume fraction that is larger by the accuracy."""
+    assert len(small.loose.overlaps().mu) == 0
+    tighter = packings.scaled(small.loose, (1 + packings.ACCURACY) ** (-1 / 3))
+    assert len(tighter.overlaps().mu) > 0
+    assert 0 < small.jammed.packing_fraction / small.loose.packing_fraction - 1 < 2 * packings.ACCURACY
+    assert small.loose.packing_fraction == pytest.approx(NUMBER * 4 / 3 * np.pi / np.linalg.det(small.loose.cell), rel=1e-12)
+
+
+def test_without_overlaps():
+    """The least expansion: one that is smaller by some rounding errors leaves an overlap."""
+    start = packings.random_start(packings.semi_axes("1.25:1:0.8"), 20, 5)
+    free = packings.without_overlaps(start)
+    assert len(start.overlaps().mu) > 0
+    assert len(free.overlaps().mu) == 0
+    assert len(packings.scaled(free, 1 - 2.0**-40).overlaps().mu) > 0
+
+
+def test_contacts():
+    """Of five spheres in a row of overlaps, and of a crystal: rattlers leave one after the other."""
+    row = pypw85.System.from_axes(1.9 * np.arange(5)[:, None] * [1, 0, 0], np.ones((5, 3)), np.tile([1.0, 0, 0, 0], (5, 1)))
+    assert packings.contacts(row) == (0, 1)
+    edge = 2 * np.arange(3)
+    places = np.stack(np.meshgrid(edge, edge, edge, indexing="ij"), axis=-1).reshape(-1, 3)
+    # One sphere in a hole of the cubic lattice, which is too small for it: it overlaps the eight around it, but they stay in place.
+    for extra, expected in (([], (6, 0)), ([[1.0, 1.0, 1.0]], ((27 * 6 + 16) / 28, 0))):
+        centers = np.concatenate([places, np.reshape(extra, (-1, 3))])
+        n = len(centers)
+        crystal = pypw85.System.from_axes(centers, np.full((n, 3), 1.001), np.tile([1.0, 0, 0, 0], (n, 1)), cell=6 * np.eye(3))
+        assert packings.contacts(crystal) == pytest.approx(expected, abs=1e-15)
+
+
+def test_resumed(tmp_path, monkeypatch, capsys):
+    """Runs that are there stay; what is missing is made, and written in order."""
+    monkeypatch.setattr(packings, "SHAPES", ("1", "1.5"))
+    monkeypatch.setattr(packings, "SEEDS", range(1, 3))
+    monkeypatch.setattr(packings, "PARTICLES", 6)
+    monkeypatch.setattr(packings, "make", lambda *arguments: packings.Packing(*[packings.random_start(*arguments)] * 2))
+    monkeypatch.setattr(sys, "argv", ["packings.py", str(tmp_path)])
+    packings.main()
+    whole = [(tmp_path / name).read_text() for name in ("runs.csv", "packings.csv")]
+    lines = whole[0].splitlines(keepends=True)
+    (tmp_path / "runs.csv").write_text("".join([*lines[:2], *lines[3:]]))
+    capsys.readouterr()
+    packings.main()
+    assert [(tmp_path / name).read_text() for name in ("runs.csv", "packings.csv")] == whole
+    assert capsys.readouterr().out.startswith("1.5 6 1 ")
+    packings.main()
+    assert capsys.readouterr().out == ""
