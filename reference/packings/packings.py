@@ -59,9 +59,10 @@ class Contacts(NamedTuple):
 
 
 def semi_axes(shape: str) -> np.ndarray:
-    """Of a triaxial ellipsoid a:b:c, or of a spheroid with the ratio of its axis of revolution to the others. Their product is 1."""
-    axes = [float(Fraction(axis)) for axis in shape.split(":")] if ":" in shape else [1.0, 1.0, float(Fraction(shape))]
-    return np.array(axes) / np.cbrt(np.prod(axes))
+    """Of a triaxial ellipsoid a:b:c, or of a spheroid with the ratio of its axis of revolution to the others. The product is 1."""
+    ratios = shape.split(":") if ":" in shape else ["1", "1", shape]
+    axes = np.array([float(Fraction(ratio)) for ratio in ratios])
+    return axes / np.cbrt(np.prod(axes))
 
 
 def random_start(axes: np.ndarray, number: int, seed: int) -> pypw85.System:
@@ -88,8 +89,8 @@ def quenched(system: pypw85.System) -> tuple[pypw85.System, bool]:
 
 
 def excess(system: pypw85.System) -> float:
-    """By about which share the volume fraction of a jammed packing is too large. If it is by ε, all 1 - μ² of contacts are some 2ε/3,
-    and with nine contacts at each ellipsoid the energy per ellipsoid is ε²."""
+    """By about which share the volume fraction of a jammed packing is too large. If it is by ε, all 1 - μ² of contacts are some
+    2ε/3, and with nine contacts at each ellipsoid the energy per ellipsoid is ε²."""
     overlaps = 1 - system.overlaps().mu ** 2
     return float(np.sqrt(overlaps @ overlaps / 2 / len(system)))
 
@@ -151,8 +152,8 @@ def run(shape: str, number: int, seed: int) -> dict[str, str]:
 
 
 def table(runs: list[dict[str, str]]) -> list[dict[str, str]]:
-    """Means over the runs of each shape, and their standard errors. The variance of a run is the mean over all shapes of their variances,
-    because those of few runs say little."""
+    """Means over the runs of each shape, and their standard errors. The variance of a run is the mean over all shapes of their
+    variances, because those of few runs say little."""
     values = np.array([[[float(run[name]) for name in MEANS] for run in runs if run["shape"] == shape] for shape in SHAPES])
     means, number = values.mean(axis=1), values.shape[1]
     errors = np.sqrt(values.var(axis=1, ddof=1).mean(axis=0) / number)
