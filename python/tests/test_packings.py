@@ -68,18 +68,29 @@ def test_without_overlaps():
     assert len(packings.scaled(free, 1 - 2.0**-40).overlaps().mu) > 0
 
 
+def test_last_overlaps(monkeypatch):
+    """A run removes the overlaps that its last quench leaves. The jammed packing keeps them."""
+    axes = packings.semi_axes("1.25:1:0.8")
+    start = packings.random_start(axes, 20, 5)
+    monkeypatch.setattr(packings, "first_jammed", lambda *_: start)
+    monkeypatch.setattr(packings, "quenched", lambda system: (system, False))
+    packing = packings.make(axes, 20, 5)
+    assert packing.jammed is start
+    assert len(packing.loose.overlaps().mu) == 0
+
+
 def test_contacts():
-    """Of five spheres in a row of overlaps, and of a crystal: rattlers leave one after the other."""
-    row = pypw85.System.from_axes(1.9 * np.arange(5)[:, None] * [1, 0, 0], np.ones((5, 3)), np.tile([1.0, 0, 0, 0], (5, 1)))
-    assert packings.contacts(row) == (0, 1)
-    edge = 2 * np.arange(3)
+    """Of the simple cubic lattice of spheres, where each touches six. Of 27 without a periodic cell all are rattlers, one after the
+    other: the corners have three contacts, then the edges have two, then the faces have one."""
+    edge = 2.0 * np.arange(3)
     places = np.stack(np.meshgrid(edge, edge, edge, indexing="ij"), axis=-1).reshape(-1, 3)
-    # One sphere in a hole of the cubic lattice, which is too small for it: it overlaps the eight around it, but they stay in place.
-    for extra, expected in (([], (6, 0)), ([[1.0, 1.0, 1.0]], ((27 * 6 + 16) / 28, 0))):
-        centers = np.concatenate([places, np.reshape(extra, (-1, 3))])
+    # A sphere in a hole of the lattice, which is too small for it, overlaps the eight around it, but they stay in place.
+    filled = np.concatenate([places, [[1.0, 1.0, 1.0]]])
+    cell = 6 * np.eye(3)
+    for centers, box, expected in ((places, cell, (6, 0)), (filled, cell, ((27 * 6 + 16) / 28, 0)), (places, None, (0, 1))):
         n = len(centers)
-        crystal = pypw85.System.from_axes(centers, np.full((n, 3), 1.001), np.tile([1.0, 0, 0, 0], (n, 1)), cell=6 * np.eye(3))
-        assert packings.contacts(crystal) == pytest.approx(expected, abs=1e-15)
+        spheres = pypw85.System.from_axes(centers, np.full((n, 3), 1.001), np.tile([1.0, 0, 0, 0], (n, 1)), cell=box)
+        assert packings.contacts(spheres) == pytest.approx(expected, abs=1e-15)
 
 
 def test_resumed(tmp_path, monkeypatch, capsys):
