@@ -23,7 +23,7 @@ from scipy.special import gammainc
 
 HERE = Path(__file__).resolve().parent
 VERSION = re.search(r"version: '(\S+)'", (HERE.parent.parent / "meson.build").read_text(encoding="utf-8"))[1]
-ROUNDS = 6
+ROUNDS = 17
 SEED = 1
 PARTICLES = 400_000  # about so many particles are inserted for each shape and cube in a round
 
