@@ -5,8 +5,9 @@ namespace pw85::detail::simulation {
 
 namespace {
 
-/// There are at most so many times as many bins as particles.
-constexpr double most_bins = 4.0;
+/// There are at most so many times as many bins as particles. With two particles in a bin, few blocks are empty, and few bins have more
+/// than one block.
+constexpr double most_bins = 0.5;
 
 } // namespace
 
@@ -29,40 +30,58 @@ int Bins::prepare(Configuration const &configuration, double side) noexcept
         parts_[k] = static_cast<std::int32_t>(std::max(1.0, fewer * fit[k]));
         num_bins *= static_cast<std::size_t>(parts_[k]);
     }
-    if (!first_.resize(num_bins) || !entries_.resize(n)) return PW85_ENOMEM;
-    std::fill_n(first_.data(), num_bins, -1);
+    if (!blocks_.resize(num_bins + n / 4) || !places_.resize(n)) return PW85_ENOMEM;
+    clear(num_bins);
     return fill(configuration) ? PW85_SUCCESS : PW85_EINVAL;
+}
+
+Bins::Block Bins::empty_block(std::int32_t next) noexcept
+{
+    Block block{};
+    for (Float4 &half_widths : block.half_widths) half_widths -= std::numeric_limits<float>::infinity();
+    block.next = next;
+    return block;
+}
+
+/// Empties all bins. The blocks beside the first ones of bins are full, so that n/4 of them are enough.
+void Bins::clear(std::size_t num_bins) noexcept
+{
+    std::fill_n(blocks_.data(), blocks_.size(), empty_block(-1));
+    unused_ = -1;
+    for (std::size_t k = num_bins; k < blocks_.size(); ++k)
+        blocks_[k].next = std::exchange(unused_, static_cast<std::int32_t>(k));
 }
 
 bool Bins::fill(Configuration const &configuration) noexcept
 {
     largest_ = {0.0, 0.0, 0.0};
     double farthest = 0.0;
-    for (std::size_t i = 0; i < entries_.size(); ++i) {
-        Entry &entry = entries_[i];
-        insert(i, locate(configuration.centers[i], entry));
+    for (std::size_t i = 0; i < places_.size(); ++i) {
+        Box box;
+        std::int32_t const bin = locate(configuration.centers[i], places_[i].cell, box);
         for (int d = 0; d < 3; ++d) {
             double const half_width = configuration.half_widths[i][d];
-            entry.half_widths[d] = static_cast<float>(half_width);
+            box.half_widths[d] = static_cast<float>(half_width);
             largest_[d] = std::max(largest_[d], half_width);
-            farthest = std::max(farthest, std::abs(double{entry.center[d]}));
+            farthest = std::max(farthest, std::abs(double{box.center[d]}));
         }
+        insert(i, bin, box);
     }
     for (double const x : cell_.vectors) farthest = std::max(farthest, cell_.exists ? 2.0 * std::abs(x) : 0.0);
     margin_ = static_cast<float>(0x1p-20 * (farthest + largest_coordinate(largest_)));
     return margin_ < std::numeric_limits<float>::infinity();
 }
 
-std::int32_t Bins::locate(Vector3 const &center, Entry &entry) const noexcept
+std::int32_t Bins::locate(Vector3 const &center, Multiples &home, Box &box) const noexcept
 {
     std::int32_t part[3];
     for (int k = 0; k < 3; ++k) {
         double const x = dot(dual_[k], center), cell = std::floor(x);
-        entry.cell.n[k] = static_cast<std::int32_t>(cell);
+        home.n[k] = static_cast<std::int32_t>(cell);
         part[k] = std::min(parts_[k] - 1, static_cast<std::int32_t>((x - cell) * parts_[k]));
     }
-    Vector3 const inside = center - cell_.translation(entry.cell);
-    for (int d = 0; d < 3; ++d) entry.center[d] = static_cast<float>(inside[d]);
+    Vector3 const inside = center - cell_.translation(home);
+    for (int d = 0; d < 3; ++d) box.center[d] = static_cast<float>(inside[d]);
     return static_cast<std::int32_t>(bin_of(part[0], part[1], part[2]));
 }
 
@@ -78,33 +97,70 @@ std::int32_t Bins::find_range(int k, Vector3 const &center, Vector3 const &half_
     return static_cast<std::int32_t>(home);
 }
 
-void Bins::insert(std::size_t i, std::int32_t bin) noexcept
+void Bins::set(Place const &place, std::int32_t particle, Box const &box) noexcept
 {
-    std::int32_t &first = first_[static_cast<std::size_t>(bin)];
-    Entry &entry = entries_[i];
-    entry.next = first;
-    entry.previous = -1;
-    entry.bin = bin;
-    if (first >= 0) entries_[static_cast<std::size_t>(first)].previous = static_cast<std::int32_t>(i);
-    first = static_cast<std::int32_t>(i);
+    Block &own = block(place.block);
+    own.particle[place.lane] = particle;
+    for (int d = 0; d < 3; ++d) own.center[d][place.lane] = box.center[d];
+    for (int d = 0; d < 3; ++d) own.half_widths[d][place.lane] = box.half_widths[d];
 }
 
+Bins::Box Bins::get(Place const &place) const noexcept
+{
+    Block const &own = blocks_[static_cast<std::size_t>(place.block)];
+    Box box;
+    for (int d = 0; d < 3; ++d) box.center[d] = own.center[d][place.lane];
+    for (int d = 0; d < 3; ++d) box.half_widths[d] = own.half_widths[d][place.lane];
+    return box;
+}
+
+void Bins::copy_full_block(std::int32_t from, std::int32_t to) noexcept
+{
+    block(to) = block(from);
+    for (std::int32_t const j : block(to).particle) places_[static_cast<std::size_t>(j)].block = to;
+}
+
+void Bins::insert(std::size_t i, std::int32_t bin, Box const &box) noexcept
+{
+    if (block(bin).count == 4) {
+        std::int32_t const other = std::exchange(unused_, block(unused_).next);
+        copy_full_block(bin, other);
+        block(bin) = empty_block(other);
+    }
+    Place &place = places_[i];
+    place.block = place.bin = bin;
+    place.lane = block(bin).count++;
+    set(place, static_cast<std::int32_t>(i), box);
+}
+
+/// Fills the gap with the last particle of the bin's first block.
 void Bins::remove(std::size_t i) noexcept
 {
-    Entry const &entry = entries_[i];
-    if (entry.next >= 0) entries_[static_cast<std::size_t>(entry.next)].previous = entry.previous;
-    if (entry.previous >= 0)
-        entries_[static_cast<std::size_t>(entry.previous)].next = entry.next;
-    else
-        first_[static_cast<std::size_t>(entry.bin)] = entry.next;
+    std::int32_t const bin = places_[i].bin;
+    if (block(bin).count == 0) {
+        std::int32_t const other = block(bin).next;
+        copy_full_block(other, bin);
+        block(other).next = std::exchange(unused_, other);
+    }
+    Place const gap = places_[i], end{bin, --block(bin).count, bin, {}};
+    std::int32_t const moved = block(bin).particle[end.lane];
+    set(gap, moved, get(end));
+    places_[static_cast<std::size_t>(moved)].block = gap.block;
+    places_[static_cast<std::size_t>(moved)].lane = gap.lane;
+    for (Float4 &half_widths : block(bin).half_widths) half_widths[end.lane] = -std::numeric_limits<float>::infinity();
 }
 
 void Bins::move(std::size_t i, Vector3 const &center) noexcept
 {
-    std::int32_t const bin = locate(center, entries_[i]);
-    if (bin == entries_[i].bin) return;
-    remove(i);
-    insert(i, bin);
+    Place &place = places_[i];
+    Box box = get(place);
+    std::int32_t const bin = locate(center, place.cell, box);
+    if (bin == place.bin) {
+        set(place, static_cast<std::int32_t>(i), box);
+    } else {
+        remove(i);
+        insert(i, bin, box);
+    }
 }
 
 } // namespace pw85::detail::simulation

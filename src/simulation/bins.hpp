@@ -1,17 +1,20 @@
 /// @file
 /// The particles of a simulation by their places. The event chains (chains.cpp) ask for the neighbours of a particle, and move it.
 ///
-/// 1. Vector k of the cell is divided into equal parts if it is periodic. A bin is a parallelepiped of parts. It has a list of the
-///    particles whose centres are in it, after they are moved into the cell.
+/// 1. Vector k of the cell is divided into equal parts if it is periodic. A bin is a parallelepiped of parts. It has the particles whose
+///    centres are in it, after they are moved into the cell, in blocks of four. All its blocks but the first one are full.
 /// 2. A box intersects some consecutive parts of each vector, maybe more than there are. Part number p + m parts is that of the image m
 ///    cells on. So the search also finds several images of a particle in a small cell.
-/// 3. Boxes are stored in single precision, one cache line for a particle. The margin, 2⁻²⁰ times the largest sum of the magnitudes in a
-///    coordinate, is 16 times the unit roundoff, which bounds the rounding errors of the eight operations from the centres on.
+/// 3. A box is compared with the four boxes of a block at once, in single precision. The margin, 2⁻²⁰ times the largest sum of the
+///    magnitudes in a coordinate, is 16 times the unit roundoff, which bounds the rounding errors of the eight operations from the centres
+///    on.
 #ifndef PW85_SIMULATION_BINS_HPP_INCLUDED
 #define PW85_SIMULATION_BINS_HPP_INCLUDED
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <utility>
 
 #include "configuration.hpp"
 
@@ -34,29 +37,46 @@ class Bins {
         Multiples home;
         for (int k = 0; k < 3; ++k) home.n[k] = find_range(k, center, half_widths, first[k]);
         Query query{{}, {}, {}};
-        for (int d = 0; d < 3; ++d) query.reach[d] = static_cast<float>(half_widths[d]) + margin_;
+        for (int d = 0; d < 3; ++d) query.reach[d] += static_cast<float>(half_widths[d]) + margin_;
         Vector3 const from = center - cell_.translation(home);
         auto const &[x, y, z] = first;
-        for (Part a = x; a.left > 0; next(0, a))
-            for (Part b = y; b.left > 0; next(1, b))
-                for (Part c = z; c.left > 0; next(2, c)) {
-                    std::int32_t const j = first_[bin_of(a.number, b.number, c.number)];
-                    if (j < 0) continue;
+        for (Part a = x; a.left > 0; next(0, a, 1))
+            for (Part b = y; b.left > 0; next(1, b, 1))
+                for (Part c = z; c.left > 0;) {
                     Multiples const cell{{a.cell, b.cell, c.cell}};
                     Vector3 const shift = cell_.translation(cell) - from;
-                    for (int d = 0; d < 3; ++d) query.shift[d] = static_cast<float>(shift[d]);
+                    for (int d = 0; d < 3; ++d) query.shift[d] = Float4{} + static_cast<float>(shift[d]);
                     for (int k = 0; k < 3; ++k) query.cell.n[k] = cell.n[k] + home.n[k];
-                    visit_bin(j, query, visit_one);
+                    std::int32_t const count = std::min(c.left, parts_[2] - c.number);
+                    std::size_t const bin = bin_of(a.number, b.number, c.number);
+                    for (std::int32_t k = 0; k < count; ++k)
+                        visit_bin(bin + static_cast<std::size_t>(k), query, visit_one);
+                    next(2, c, count);
                 }
     }
 
   private:
-    /// A particle in the list of its bin.
-    struct Entry {
-        std::int32_t next, previous; ///< particles; -1 at the ends
-        std::int32_t bin;
-        Multiples cell;                  ///< the cell of its centre
-        float center[3], half_widths[3]; ///< of its box, moved into the cell
+    typedef float Float4 __attribute__((vector_size(16)));
+    typedef std::int32_t Int4 __attribute__((vector_size(16)));
+    typedef std::int64_t Int2 __attribute__((vector_size(16)));
+
+    /// The box of a particle, moved into the cell.
+    struct Box {
+        float center[3], half_widths[3];
+    };
+
+    /// Up to four particles of a bin. Empty lanes have negative infinite half-widths, so that their boxes intersect none.
+    struct Block {
+        Float4 center[3], half_widths[3];
+        std::int32_t particle[4];
+        std::int32_t next; ///< block of the bin, or of those that are not in use; -1 at the end
+        std::int32_t count;
+    };
+
+    /// Where a particle is.
+    struct Place {
+        std::int32_t block, lane, bin;
+        Multiples cell; ///< the cell of its centre
     };
 
     /// One of consecutive parts of a vector: its number within the cell, the cell that it is in, and how many are left.
@@ -64,9 +84,9 @@ class Bins {
         std::int32_t number, cell, left;
     };
 
-    /// What is compared with the boxes of a bin.
+    /// What is compared with the boxes of a bin, the same in each lane.
     struct Query {
-        float shift[3], reach[3]; ///< from the centre of the box to the cell of the bin, and its half-widths
+        Float4 shift[3], reach[3]; ///< from the centre of the box to the cell of the bin, and its half-widths
         Multiples cell;
     };
 
@@ -76,25 +96,41 @@ class Bins {
         return (size(x) * size(parts_[1]) + size(y)) * size(parts_[2]) + size(z);
     }
 
-    [[gnu::always_inline]] void next(int k, Part &part) const noexcept
+    /// Goes on by some parts, which are not beyond the first part of the next cell.
+    [[gnu::always_inline]] void next(int k, Part &part, std::int32_t count) const noexcept
     {
-        --part.left;
-        if (++part.number < parts_[k]) return;
+        part.left -= count;
+        part.number += count;
+        if (part.number < parts_[k]) return;
         part.number = 0;
         ++part.cell;
     }
 
+    /// Blocks 0, 1, ... are the first ones of bins 0, 1, ...
     template <class Visit>
-    [[gnu::always_inline]] void visit_bin(std::int32_t j, Query const &query, Visit const &visit_one) const noexcept
+    [[gnu::always_inline]] void visit_bin(std::size_t bin, Query const &query, Visit const &visit_one) const noexcept
     {
-        for (; j >= 0; j = entries_[static_cast<std::size_t>(j)].next) {
-            Entry const &entry = entries_[static_cast<std::size_t>(j)];
-            bool meets = true;
-            for (int d = 0; d < 3; ++d)
-                meets &= absolute(entry.center[d] + query.shift[d]) <= entry.half_widths[d] + query.reach[d];
-            auto const &[x, y, z] = entry.cell.n;
-            auto const &[a, b, c] = query.cell.n;
-            if (meets) visit_one(static_cast<std::size_t>(j), Multiples{{a - x, b - y, c - z}});
+        Block const *block = &blocks_[bin];
+        for (;; block = &blocks_[static_cast<std::size_t>(block->next)]) {
+            Int4 meets = {-1, -1, -1, -1};
+            for (int d = 0; d < 3; ++d) {
+                auto const bits = reinterpret_cast<Int4>(block->center[d] + query.shift[d]);
+                meets &= reinterpret_cast<Float4>(bits & 0x7fffffff) <= block->half_widths[d] + query.reach[d];
+            }
+            auto const pairs = reinterpret_cast<Int2>(meets);
+            if ((pairs[0] | pairs[1]) != 0) visit_lanes(*block, meets, query.cell, visit_one);
+            if (block->next < 0) return;
+        }
+    }
+
+    template <class Visit> [[gnu::always_inline]] void
+    visit_lanes(Block const &block, Int4 const &meets, Multiples const &cell, Visit const &visit_one) const noexcept
+    {
+        for (int lane = 0; lane < 4; ++lane) {
+            if (meets[lane] == 0) continue;
+            auto const j = static_cast<std::size_t>(block.particle[lane]);
+            auto const &[x, y, z] = places_[j].cell.n;
+            visit_one(j, Multiples{{cell.n[0] - x, cell.n[1] - y, cell.n[2] - z}});
         }
     }
 
@@ -102,18 +138,26 @@ class Bins {
     /// the cell of the centre.
     std::int32_t find_range(int k, Vector3 const &center, Vector3 const &half_widths, Part &first) const noexcept;
 
+    static Block empty_block(std::int32_t next) noexcept;
+    void copy_full_block(std::int32_t from, std::int32_t to) noexcept;
+    void clear(std::size_t num_bins) noexcept;
     bool fill(Configuration const &configuration) noexcept;
-    void insert(std::size_t i, std::int32_t bin) noexcept;
+    void set(Place const &place, std::int32_t particle, Box const &box) noexcept;
+    Box get(Place const &place) const noexcept;
+    void insert(std::size_t i, std::int32_t bin, Box const &box) noexcept;
     void remove(std::size_t i) noexcept;
-    std::int32_t locate(Vector3 const &center, Entry &entry) const noexcept;
+    std::int32_t locate(Vector3 const &center, Multiples &cell, Box &box) const noexcept;
+
+    Block &block(std::int32_t number) noexcept { return blocks_[static_cast<std::size_t>(number)]; }
 
     Cell cell_{};
     std::int32_t parts_[3] = {1, 1, 1};
     Vector3 dual_[3] = {};
     Vector3 largest_ = {}; ///< of the half-widths of all boxes
     float margin_ = 0.0F;
-    Array<std::int32_t> first_;
-    Array<Entry> entries_;
+    std::int32_t unused_ = -1; ///< the first block that is not in use
+    Array<Block> blocks_;
+    Array<Place> places_;
 };
 
 } // namespace pw85::detail::simulation
