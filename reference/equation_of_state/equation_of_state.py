@@ -5,7 +5,7 @@ that was interrupted goes on at the state where it was, and a state is measured 
 
 All ellipsoids have the semi-axes (s, s, κ s), where κ is the aspect ratio and s³κ = 1. At constant volume, event chains measure
 Z = βP/ρ. The program can also measure the volume fraction φ at constant pressure, as the tests do for a check. Each row has the
-seed of its random numbers, and the same version of the library gives the same row again.
+seed of its random numbers and the version of the library. Another version may give other random walks with the same averages.
 """
 
 from __future__ import annotations
