@@ -2013,10 +2013,10 @@ PW85_API int pw85_hard_ellipsoids_neighbors(pw85_hard_ellipsoids *simulation, si
  * @param quaternion new orientation (w, x, y, z), of any length > 0, or null for the present one
  * @param take whether the particle shall stay there if it is free
  * @param[out] is_free 1 or 0; -1 on error
- * @return #PW85_SUCCESS; #PW85_EINVAL, also for a free place that is too far away for pw85_neighbors_create(); #PW85_ENOTPD; #PW85_ENOMEM */
-PW85_API int pw85_hard_ellipsoids_try(pw85_hard_ellipsoids *simulation, size_t particle,
-                                      double const center[PW85_DIM], double const quaternion[4], int take,
-                                      int *is_free);
+ * @return #PW85_SUCCESS; #PW85_EINVAL, also for a free place that is too far away for pw85_neighbors_create(); #PW85_ENOTPD;
+ *         #PW85_ENOMEM */
+PW85_API int pw85_hard_ellipsoids_try(pw85_hard_ellipsoids *simulation, size_t particle, double const center[PW85_DIM],
+                                      double const quaternion[4], int take, int *is_free);
 
 /** How far cell and centres can be compressed before particles touch: the factor of all lengths, the same in all directions; and
  * compresses, if wanted. Particles keep their sizes. The factor is that of the least μ of all pairs, 1/μ, enlarged by no more than rounding
