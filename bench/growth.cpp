@@ -4,20 +4,15 @@
 // particle with one thread; the gain by a second thread of the library; and the gain of two independent threads with one problem
 // each, which is what the machine gives two programs. The arguments are the largest number, 1e7 by default, and the name of the only
 // function to measure.
-#include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <functional>
 #include <memory>
 #include <string>
-#include <thread>
-
-#ifdef _OPENMP
-#include <omp.h>
-#endif
 
 #include "pairs.hpp"
 #include "spheroids.hpp"
+#include "thread_gain.hpp"
 
 using namespace pw85_bench;
 
@@ -127,49 +122,6 @@ Problem law_forces_pairs(std::size_t n)
             }};
 }
 
-/// Seconds of some work in which the calls of this thread have a number of threads of the library.
-template <class Work> double seconds(int threads, Work const &work)
-{
-#ifdef _OPENMP
-    omp_set_num_threads(threads);
-#else
-    static_cast<void>(threads);
-#endif
-    auto const start = std::chrono::steady_clock::now();
-    work();
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
-
-/// The least times of one thread, of two threads with a problem each, and of two threads of the library.
-struct Times {
-    double one = HUGE_VAL, both = HUGE_VAL, two = HUGE_VAL;
-};
-
-/// Takes turns, for a fifth of a second and at least five times. Short calls are repeated, so that the start of a thread, which takes some
-/// ten microseconds, hardly counts.
-Times measure(Problem const &first, Problem const &second)
-{
-    constexpr double shortest = 2e-3;
-    auto const repeats = static_cast<int>(std::ceil(shortest / std::max(seconds(1, first.run), 1e-9)));
-    auto const repeated = [=](Problem const &problem) {
-        for (int k = 0; k < repeats; ++k) problem.run();
-    };
-    Times least;
-    double spent = 0.0;
-    for (int pass = 0; pass < 5 || (spent < 0.2 && pass < 200); ++pass) {
-        double const one = seconds(1, [&] { repeated(first); }),
-                     both = seconds(1, [&] {
-                         std::thread other([&] { seconds(1, [&] { repeated(second); }); });
-                         repeated(first);
-                         other.join();
-                     });
-        double const two = seconds(2, [&] { repeated(first); });
-        least = {std::min(least.one, one), std::min(least.both, both), std::min(least.two, two)};
-        spent += one + both + two;
-    }
-    return {least.one / repeats, least.both / repeats, least.two / repeats};
-}
-
 struct Function {
     char const *name;
     Problem (*make)(std::size_t);
@@ -195,7 +147,7 @@ int main(int argc, char **argv)
         for (double number = 1e3; number <= std::min(largest, function.largest); number *= 10.0) {
             auto const n = static_cast<std::size_t>(number);
             Problem const first = function.make(n), second = function.make(n);
-            Times const t = measure(first, second);
+            Times const t = measure_threads({2e-3, 0.2, 5, 200}, first.run, second.run);
             std::printf("%s,%zu,%.3g,%.2f,%.2f\n", function.name, first.number,
                         1e9 * t.one / static_cast<double>(first.number), t.one / t.two, 2.0 * t.one / t.both);
             std::fflush(stdout);

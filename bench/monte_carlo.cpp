@@ -12,7 +12,6 @@
 // in random order. The arguments are the least and the largest number of particles, 1e3 and 1e6 by default, and the name of the only work to
 // measure.
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -20,15 +19,13 @@
 #include <numeric>
 #include <random>
 #include <string>
-#include <thread>
 #include <vector>
 
 #include <malloc.h>
-#ifdef _OPENMP
-#include <omp.h>
-#endif
 
 #include <pw85/simulation.hpp>
+
+#include "thread_gain.hpp"
 
 namespace {
 
@@ -124,19 +121,6 @@ struct Equilibrated {
     }
 };
 
-/// Seconds of some work in which the calls of this thread have a number of threads of the library.
-template <class Work> double seconds(int threads, Work const &work)
-{
-#ifdef _OPENMP
-    omp_set_num_threads(threads);
-#else
-    static_cast<void>(threads);
-#endif
-    auto const start = std::chrono::steady_clock::now();
-    work();
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
-
 /// Allocated bytes, or NaN if the library of C does not tell.
 double bytes_in_use()
 {
@@ -200,35 +184,6 @@ Problem chains(HardEllipsoids simulation, std::size_t n)
     return {std::move(simulation), work, static_cast<double>(n) * static_cast<double>(contacts) / samples};
 }
 
-/// The least times of one thread, of two threads with a problem each, and of two threads of the library.
-struct Times {
-    double one = HUGE_VAL, both = HUGE_VAL, two = HUGE_VAL;
-};
-
-/// Takes turns for three seconds, and at least three times. A sample is long enough to have its share of new lists of neighbours.
-Times measure(Problem &first, Problem &second)
-{
-    double const trial = seconds(1, [&] { first.run(); });
-    int const repeats = std::max(1, static_cast<int>(0.25 / trial));
-    auto const run = [repeats](Problem &problem) {
-        for (int k = 0; k < repeats; ++k) problem.run();
-    };
-    Times least;
-    double spent = 0.0;
-    for (int pass = 0; pass < 3 || spent < 3.0; ++pass) {
-        double const one = seconds(1, [&] { run(first); }),
-                     both = seconds(1, [&] {
-                         std::thread other([&] { seconds(1, [&] { run(second); }); });
-                         run(first);
-                         other.join();
-                     });
-        double const two = seconds(2, [&] { run(first); });
-        least = {std::min(least.one, one), std::min(least.both, both), std::min(least.two, two)};
-        spent += one + both + two;
-    }
-    return {least.one / repeats, least.both / repeats, least.two / repeats};
-}
-
 struct Work {
     char const *name;
     Problem (*make)(HardEllipsoids, std::size_t);
@@ -248,7 +203,9 @@ void measure_row(Work const &work, Equilibrated const &block, int x, int y, int 
     first.run();
     double const bytes = (bytes_in_use() - before) / static_cast<double>(n);
     Problem second = work.make(system.simulate(block.steps), n);
-    Times const t = measure(first, second);
+    // A sample is long enough to have its share of new lists of neighbours.
+    pw85_bench::Times const t = pw85_bench::measure_threads(
+        {0.25, 3.0, 3, 1000}, [&] { first.run(); }, [&] { second.run(); });
     std::printf("%s,%zu,%.3g,%.2f,%.2f,%.0f\n", work.name, n, 1e-6 * first.number / t.one, t.one / t.two,
                 2.0 * t.one / t.both, bytes);
     std::fflush(stdout);
