@@ -10,7 +10,6 @@ seed of its random numbers and the version of the library. Another version may g
 
 from __future__ import annotations
 
-import csv
 import sys
 import zlib
 from fractions import Fraction
@@ -21,7 +20,8 @@ import numpy as np
 
 import pypw85
 
-sys.path.append(str(Path(__file__).resolve().parents[1] / "virial"))
+sys.path += [str(Path(__file__).resolve().parents[1] / folder) for folder in ("", "virial")]
+import csv_rows
 from table import second_coefficient
 
 TABLE = Path(__file__).with_name("equation_of_state.csv")
@@ -189,21 +189,7 @@ def row_of(state: State, how: Effort, pressure: float = 0.0) -> dict[str, str]:
 
 def read_table(path: Path = TABLE) -> dict[State, dict[str, str]]:
     """Rows by their states; empty if there is no such file."""
-    if not path.exists():
-        return {}
-    with path.open(newline="", encoding="utf-8") as file:
-        return {State(*(row[name] for name in State._fields)): row for row in csv.DictReader(file)}
-
-
-def write_table(rows: dict[State, dict[str, str]], path: Path) -> None:
-    """The file is replaced as a whole, so that an interrupted run leaves the one before."""
-    ordered = [rows[state] for state in states() if state in rows]
-    temporary = path.with_suffix(".part")
-    with temporary.open("w", newline="", encoding="utf-8") as file:
-        writer = csv.DictWriter(file, ordered[0].keys(), lineterminator="\n")
-        writer.writeheader()
-        writer.writerows(ordered)
-    temporary.replace(path)
+    return {State(*(row[name] for name in State._fields)): row for row in csv_rows.read(path)}
 
 
 def main() -> None:
@@ -213,7 +199,7 @@ def main() -> None:
         if state in rows:
             continue
         rows[state] = row = row_of(state, effort(state))
-        write_table(rows, path)
+        csv_rows.write(path, (rows[one] for one in states() if one in rows))
         print(*state, "Z", row["z"], row["z_error"], "S", row["order"], "drift", row["drift"], row["order_drift"], flush=True)
 
 

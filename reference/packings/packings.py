@@ -19,9 +19,7 @@ about ACCURACY. Rattlers and their contacts do not count.
 
 from __future__ import annotations
 
-import csv
 import sys
-from collections.abc import Iterable
 from fractions import Fraction
 from pathlib import Path
 from typing import NamedTuple
@@ -30,6 +28,9 @@ import numpy as np
 
 import pypw85
 from pypw85 import _packing
+
+sys.path.append(str(Path(__file__).resolve().parents[1]))
+from csv_rows import read, write
 
 FOLDER = Path(__file__).parent
 SHAPES = ("1/3", "1/2", "2/3", "0.8", "1", "1.25", "1.5", "2", "3", "1.25:1:0.8")
@@ -163,24 +164,6 @@ def table(runs: list[dict[str, str]]) -> list[dict[str, str]]:
         | {f"{name}_error": f"{error:.2g}" for name, error in zip(MEANS, errors)}
         for shape, row in zip(SHAPES, means)
     ]
-
-
-def read(path: Path) -> list[dict[str, str]]:
-    """Empty if there is no such file."""
-    if not path.exists():
-        return []
-    with path.open(newline="", encoding="utf-8") as file:
-        return list(csv.DictReader(file))
-
-
-def write(path: Path, rows: Iterable[dict[str, str]]) -> None:
-    """The file is replaced as a whole, so that an interrupted program leaves the one before."""
-    rows, temporary = list(rows), path.with_suffix(".part")
-    with temporary.open("w", newline="", encoding="utf-8") as file:
-        writer = csv.DictWriter(file, rows[0].keys(), lineterminator="\n")
-        writer.writeheader()
-        writer.writerows(rows)
-    temporary.replace(path)
 
 
 def main() -> None:

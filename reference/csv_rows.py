@@ -1,0 +1,25 @@
+"""Tables of reference data as files: rows are dictionaries of texts by the names of the columns."""
+
+from __future__ import annotations
+
+import csv
+from collections.abc import Iterable
+from pathlib import Path
+
+
+def read(path: Path) -> list[dict[str, str]]:
+    """Empty if there is no such file."""
+    if not path.exists():
+        return []
+    with path.open(newline="", encoding="utf-8") as file:
+        return list(csv.DictReader(file))
+
+
+def write(path: Path, rows: Iterable[dict[str, str]]) -> None:
+    """The file is replaced as a whole, so that an interrupted program leaves the one before."""
+    rows, temporary = list(rows), path.with_suffix(".part")
+    with temporary.open("w", newline="", encoding="utf-8") as file:
+        writer = csv.DictWriter(file, rows[0].keys(), lineterminator="\n")
+        writer.writeheader()
+        writer.writerows(rows)
+    temporary.replace(path)
