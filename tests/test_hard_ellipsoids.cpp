@@ -293,6 +293,56 @@ void test_turns()
     square.expect("mean square of a point of a ball", 0.6);
 }
 
+/// Which of 54 states a particle is in: its third of the cell along two axes, the third of a turn about the third axis, and its kind.
+/// A drift or a preferred sense of rotation makes a current around a cycle of three states.
+std::vector<std::size_t> states_of(HardEllipsoids const &simulation)
+{
+    auto const system = simulation.system();
+    auto const third = [](double x) { return static_cast<std::size_t>(std::floor(3.0 * (x - std::floor(x)))) % 3; };
+    std::vector<std::size_t> states(simulation.quaternions().size());
+    for (std::size_t k = 0; k < states.size(); ++k) {
+        auto const [w, x, y, z] = simulation.quaternions()[k].coordinates;
+        double const angle = std::atan2(2 * (x * y + w * z), 1 - 2 * (y * y + z * z));
+        std::size_t const kind = simulation.semi_axes()[k][2] > 1.0;
+        states[k] = third(system.centers[3 * k + 1] / system.cell[4]) +
+                    3 * third(system.centers[3 * k + 2] / system.cell[8]) + 9 * third(angle / (2 * pi)) + 27 * kind;
+    }
+    return states;
+}
+
+// Counts the changes of particles from one state to another in sweeps of all kinds of trials. In detailed balance the change back is as
+// frequent. Changes that follow each other tend to cancel, so that the variance of a difference is at most the number of changes.
+void test_detailed_balance()
+{
+    constexpr std::size_t n = 54;
+    Start start = mixture(3);
+    for (auto &center : start.centers) center = 1.3 * center;
+    for (auto &vector : start.cell) vector = 1.3 * vector;
+    HardEllipsoids simulation = start.simulation();
+    g_assert_true(simulation.set_fractions({0.3, 0.3, 0.2, 0.2}) == Status::success);
+    g_assert_true(simulation.set_steps({0.7, 0.7, 0.1}) == Status::success);
+    g_assert_true(simulation.sweep(300) == Status::success);
+    std::vector<double> changes(n * n);
+    auto before = states_of(simulation);
+    for (int k = 0; k < (g_test_perf() ? 100000 : 8000); ++k) {
+        g_assert_true(simulation.sweep(1) == Status::success);
+        auto const after = states_of(simulation);
+        for (std::size_t i = 0; i < after.size(); ++i) changes[n * before[i] + after[i]] += 1.0;
+        before = after;
+    }
+    double sum = 0.0, expected = 0.0;
+    for (std::size_t i = 0; i < n; ++i)
+        for (std::size_t j = 0; j < i; ++j) {
+            double const there = changes[n * i + j], back = changes[n * j + i];
+            if (there + back < 10.0) continue;
+            sum += (there - back) * (there - back) / (there + back);
+            expected += 1.0;
+        }
+    g_test_message("chi^2 %.1f of %.0f pairs of states", sum, expected);
+    g_assert_cmpfloat(expected, >, 200.0);
+    if (!(sum < expected + 4.0 * std::sqrt(2.0 * expected))) g_test_fail_printf("chi^2 %a of %a", sum, expected);
+}
+
 /// Some of everything.
 void run(HardEllipsoids &simulation, int steps)
 {
@@ -640,6 +690,7 @@ int main(int argc, char **argv)
     g_test_add_func("/hard_ellipsoids/hard_spheres", test_hard_spheres);
     g_test_add_func("/hard_ellipsoids/two_ellipsoids", test_two_ellipsoids);
     g_test_add_func("/hard_ellipsoids/turns", test_turns);
+    g_test_add_func("/hard_ellipsoids/detailed_balance", test_detailed_balance);
     g_test_add_func("/hard_ellipsoids/long_trials", test_long_trials);
     g_test_add_func("/hard_ellipsoids/threads_and_restart", test_threads_and_restart);
     g_test_add_func("/hard_ellipsoids/small_cell", test_small_cell);
