@@ -48,8 +48,9 @@ template <class T, int D> void compare(Sample<T, D> const &s, bool expected, Fai
 /// Whether floating-point numbers decide.
 template <class T, int D> bool is_decided(Sample<T, D> const &s)
 {
-    return pw85::detail::decide_nesting(pw85::detail::nested_pair(pw85::detail::pair_of(s.r12, s.q1, s.q2))) !=
-           pw85::detail::Nesting::none;
+    using namespace pw85::detail;
+    int const unit = half_exponent(largest_diagonal(s.q1));
+    return decide_nesting(nested_pair(pair_of(s.r12, s.q1, s.q2), unit)) != Nesting::none;
 }
 
 /// The factor of ellipsoid 1 that makes κ² what is wanted, to rounding.

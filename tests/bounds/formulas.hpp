@@ -180,6 +180,35 @@ template <int D> std::vector<int> pivots()
     return nodes_of(f.pivots);
 }
 
+/// The difference g, and both sides of the other comparison of exceeds().
+inline std::vector<int> exceeded()
+{
+    auto const input = [](char const *name) { return Recorded::input(name, 1.0); };
+    auto const sides = exceeds(input("q1"), input("q2"), input("r")).sides;
+    return {sides[0].second, sides[1].first, sides[1].second};
+}
+
+template <int D> NestedPair<Recorded, D> nested_inputs(Inputs<D> const &in)
+{
+    return {in.pair.r12, in.pair.q1, in.pair.q2, in.pair.q1};
+}
+
+/// The bounds on nᵀQ1n, nᵀQ2n and n·r that shows_outside() gives to exceeds(). Each is a value with its margin.
+template <int D> std::vector<int> bounds_of_outside()
+{
+    auto const sides = shows_outside(nested_inputs(Inputs<D>()), Inputs<D>::vector("n")).sides;
+    auto const node = [](int k) -> Node const & { return (*recording)[static_cast<std::size_t>(k)]; };
+    Node const &g = node(sides[0].second), &reach = node(g.right);
+    return {node(g.left).right, reach.left, node(reach.right).left};
+}
+
+/// An entry of K(w) on the diagonal, and another one.
+template <int D> std::vector<int> inner_entries()
+{
+    auto const k = inner_matrices(nested_inputs(Inputs<D>()), Recorded::input("w", 0.75));
+    return {first_of(k(0, 0)).node(), first_of(k(0, 1)).node()};
+}
+
 /// A formula, and the nodes of its results.
 struct Formula {
     Graph graph;

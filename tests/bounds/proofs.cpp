@@ -288,7 +288,7 @@ bool counts_at_most(char const *what, int dimensions, std::vector<int> (*run)(),
     return proved;
 }
 
-/// Forms and products of vectors (containment.hpp, noise_of_slope()), and the rational form (rough_conditioning()) for r with
+/// Forms and products of vectors (noise_of_slope()), and the rational form (rough_conditioning()) for r with
 /// coordinates of 1.
 template <int D> bool counts_hold()
 {
@@ -304,6 +304,67 @@ bool prove_counts()
 {
     bool const two = counts_hold<2>();
     return counts_hold<3>() && two;
+}
+
+/// Whether a count of roundings, each with an error of at most u, is below a margin. One is left for terms of second order: with a
+/// and b roundings, (1 + c u)(1 - u)^a >= (1 + u)^b for c > a + b and u <= 2^-24.
+bool below_margin(char const *what, int dimensions, int count, int margin)
+{
+    bool const proved = count < margin;
+    std::printf("nesting, %s, D = %d: %s %d u; %d\n", what, dimensions, proved ? "proved" : "NOT PROVED", margin,
+                count);
+    return proved;
+}
+
+/// exceeds(): all roundings, those of `grow` included.
+bool exceeds_holds()
+{
+    Formula const formula = record(exceeded);
+    auto const count = [&](int from, std::vector<int> const &stops) {
+        return roundings_from(formula.graph, formula.results[static_cast<std::size_t>(from)], stops);
+    };
+    bool const difference = below_margin("difference", 1, count(0, {}), exceeds_margin);
+    return below_margin("squares", 1, count(1, {}) + count(2, {formula.results[0]}), exceeds_margin) && difference;
+}
+
+/// shows_outside(): a margin, at the sample, covers the roundings of a term and the one of the sum with the margin. All diagonal
+/// entries of the sample are 1, so that the magnitudes of the terms of nᵀQn may add up to (Σ ni)².
+template <int D> bool outside_holds()
+{
+    Formula const formula = record(bounds_of_outside<D>);
+    auto const counts = monomials(formula.graph, 1.0);
+    double sum = 0.0, product = 0.0;
+    for (auto const &node : formula.graph)
+        if (node.name[0] == 'n') sum += node.value, product += node.value * node.value; // n and r are equal
+    bool all = true;
+    for (int const result : formula.results) {
+        Node const &bound = formula.graph[static_cast<std::size_t>(result)];
+        bool const form = result != formula.results[2];
+        double const margin = formula.graph[static_cast<std::size_t>(bound.right)].value;
+        double const unit = unit_roundoff<double>() * (form ? sum * sum : product);
+        int const count = counts[static_cast<std::size_t>(bound.left)].roundings + 1;
+        all = below_margin(form ? "form" : "product", D, count, static_cast<int>(margin / unit)) && all;
+    }
+    return all;
+}
+
+/// inner_matrices(): an entry of K errs by the roundings of a term of C and of Q1, and by one more for the difference, or two off the
+/// diagonal, where the difference is up to twice √(Q1ii Q1jj). A matrix of such errors is at most D times their bound.
+template <int D> bool inner_holds()
+{
+    Formula const formula = record(inner_entries<D>);
+    auto const counts = monomials(formula.graph, 1.0);
+    auto const count = [&](int node) { return counts[static_cast<std::size_t>(node)].roundings; };
+    Node const &diagonal = formula.graph[static_cast<std::size_t>(formula.results[0])];
+    Node const &other = formula.graph[static_cast<std::size_t>(formula.results[1])];
+    int const worst = std::max(count(diagonal.left) + count(diagonal.right) + 1, count(other.right) + 2);
+    return below_margin("inside", D, D * worst, inside_margin);
+}
+
+bool prove_nesting()
+{
+    bool const exceeds = exceeds_holds(), two = outside_holds<2>() && inner_holds<2>();
+    return outside_holds<3>() && inner_holds<3>() && exceeds && two;
 }
 
 /// The hypothesis of the other theorems, for doubles that passes_fast_checks() accepts and t up to 2^128: nothing overflows, and
@@ -352,6 +413,7 @@ constexpr Theorem theorems[] = {
     {"factorization", prove_factorization},
     {"correction", prove_correction},
     {"counts", prove_counts},
+    {"nesting", prove_nesting},
     {"range", prove_range},
     {"coefficients", prove_coefficients},
 };

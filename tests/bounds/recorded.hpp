@@ -103,6 +103,7 @@ class Recorded {
     friend Comparison operator<(Recorded x, Recorded y) { return y > x; }
     friend Comparison operator>=(Recorded x, Recorded y) { return {x.value() >= y.value(), {{x.node_, y.node_}}}; }
     friend Comparison operator<=(Recorded x, Recorded y) { return y >= x; }
+    friend Recorded abs(Recorded x) { return x.value() < 0.0 ? -x : x; }
     friend Recorded select(Comparison const &c, Recorded yes, Recorded no) { return c.value ? yes : no; }
 
   private:

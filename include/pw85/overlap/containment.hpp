@@ -30,70 +30,101 @@ namespace pw85::detail {
 /// What floating-point numbers prove about a pair.
 enum class Nesting { none, outside, inside };
 
-/// A pair with the difference Q1 - Q2. The unit is such that the largest diagonal entry of Q1 is in [1, 4).
+/// A pair with the difference Q1 - Q2. The unit is such that passes_fast_checks() is true, or that the largest diagonal entry of Q1
+/// is in [1, 4).
 template <class T, int D> struct NestedPair {
     Vector<T, D> r12;
     SymmetricMatrix<T, D> q1, q2, difference;
 };
 
-/// Scales a pair by a power of two. A number that becomes subnormal errs by 2^-53 of the smallest number, for double.
-template <class T, int D> PW85_FUNCTION inline NestedPair<T, D> nested_pair(Pair<T, D> const &pair) noexcept
+/// Divides lengths by 2^e. A number that becomes subnormal errs by 2^-53 of the smallest number, for double.
+template <class T, int D> PW85_FUNCTION inline NestedPair<T, D> nested_pair(Pair<T, D> const &pair, int e) noexcept
 {
-    int const e = half_exponent(largest_diagonal(pair.q1));
     NestedPair<T, D> nested{
         times_power_of_two(pair.r12, -e), times_power_of_two(pair.q1, -2 * e), times_power_of_two(pair.q2, -2 * e), {}};
     for (int k = 0; k < pair.q1.size; ++k) nested.difference[k] = nested.q1[k] - nested.q2[k];
     return nested;
 }
 
-/// Whether ellipsoid 2 reaches beyond the bounding box of ellipsoid 1. The five roundings, and those of the comparison, are below 8
-/// u in all.
-template <class T, int D> PW85_FUNCTION inline bool exceeds_bounding_box(Pair<T, D> const &pair) noexcept
-{
-    T const shrink = T(1) - T(8) * T(unit_roundoff<T>());
-    bool exceeds = false;
-    for (int i = 0; i < D; ++i) {
-        T const reach = square_root(pair.q2(i, i)) + absolute(pair.r12[i]);
-        exceeds = exceeds || T(shrink * reach) > square_root(pair.q1(i, i));
-    }
-    return exceeds;
-}
+/// A bound on the errors of exceeds(), in units of u: the roundings of both sides of each comparison, and one for terms of second
+/// order. Theorem `nesting` of tests/bounds/proofs.cpp takes the counts for this margin and the next three from the code.
+inline constexpr int exceeds_margin = 8;
 
-/// Whether a direction n, of any length > 0, proves that ellipsoid 2 is not inside.
+/// Whether √q2 + r > √q1, for an upper bound q1, a normal number, and lower bounds q2, r >= 0. It needs no root: with
+/// g = q1 - q2 - r² the condition is g < 0 or 4 r² q2 > g².
 ///
-/// A term of a form is rounded five times at most, and a term of n·r three times (theorem `counts` of tests/bounds/proofs.cpp). The
-/// sums with the margins are rounded once more.
-/// So the margins 8 u and 6 u, times the sums of magnitudes, bound these errors. A further 8 u bounds those of the two roots, their
-/// sum and the product. The smallest number is far above the errors of underflow, because n has coordinates below 2 and the forms
-/// have entries of 4 at most.
-template <class T, int D> PW85_FUNCTION inline bool shows_outside(NestedPair<T, D> const &pair, Vector<T, D> n) noexcept
+/// 1. The computed g exceeds the exact one by u q1 or more if the exact one is not negative. Then q2 + r² <= q1. The roundings take
+///    less than 6 u q1 of the 8 u q1 that `grow` adds, and underflow of r² takes less than u q1.
+/// 2. The other comparison has as few roundings, and `grow` exceeds them, too.
+/// 3. Let m be the smallest normal number. Underflow of r² changes 4 r² q2 by less than 5 u m q1. This is below the u² q1² by which
+///    the computed g² exceeds the exact one if q1 > 8 m/u. If not, the computed 4 r² q2 is zero.
+template <class T> [[gnu::always_inline]] PW85_FUNCTION inline typename ScalarTraits<T>::Mask
+exceeds(T const &q1, T const &q2, T const &r) noexcept
 {
-    T const u = T(unit_roundoff<T>()), tiny = smallest_number<T>(), length = largest_coordinate(n);
-    if (!(length > T(0) && length < largest_number<T>())) return false;
-    n = times_power_of_two(n, -binary_exponent(length));
-    T const r = absolute(dot(n, pair.r12)) - T(T(6) * u * magnitude_of_dot(n, pair.r12) + tiny);
-    T const q1 = quadratic_form(pair.q1, n) + T(T(8) * u * magnitude_of_form(pair.q1, n) + tiny);
-    T const q2 = quadratic_form(pair.q2, n) - T(T(8) * u * magnitude_of_form(pair.q2, n) + tiny);
-    T const reach = square_root(maximum(q2, T(0))) + maximum(r, T(0));
-    return T(T(T(1) - T(8) * u) * reach) > square_root(q1);
+    T const grow = T(1) + T(exceeds_margin * unit_roundoff<T>()), square = T(r * r);
+    T const g = T(grow * q1) - T(q2 + square);
+    return g < T(0) || T(T(T(4) * square) * q2) > T(T(grow * g) * g);
 }
 
-/// Whether w proves that ellipsoid 2 is inside. Errors of underflow do not matter, because u <= w <= 1/u.
+/// Whether ellipsoid 2 reaches beyond the bounding box of ellipsoid 1.
+template <class T, int D> PW85_FUNCTION inline bool exceeds_bounding_box(NestedPair<T, D> const &pair) noexcept
+{
+    bool exceeded = false;
+    for (int i = 0; i < D; ++i) exceeded |= exceeds(pair.q1(i, i), pair.q2(i, i), absolute(pair.r12[i]));
+    return exceeded;
+}
+
+/// Bounds on the errors of nᵀQn and of n·r, in units of u times the sum of the magnitudes of their terms.
+inline constexpr int nested_form_margin = 8, nested_product_margin = 6;
+
+/// Whether a direction n proves that ellipsoid 2 is not inside.
+///
+/// The margins bound the roundings of the terms, and that of the sum with the margin. The magnitudes of the terms of nᵀQn add up to
+/// (Σ |ni| √Qii)² at most, which is at most D Σ Qii ni². `tiny` is far above the errors of underflow, because the entries of the
+/// forms are at most 2^24. Nothing overflows: as ellipsoid 2 is in the bounding box, the directions of decide_nesting() are below
+/// 2^64.
+template <class T, int D> PW85_FUNCTION inline typename ScalarTraits<T>::Mask
+shows_outside(NestedPair<T, D> const &pair, Vector<T, D> const &n) noexcept
+{
+    T const tiny = T(smallest_number<T>() * T(T(1) + largest_coordinate(n)));
+    T const form_error = T(nested_form_margin * D * unit_roundoff<T>());
+    T const product_error = T(nested_product_margin * unit_roundoff<T>());
+    T sum1 = T(0), sum2 = T(0);
+    for (int i = 0; i < D; ++i) {
+        T const square = T(n[i] * n[i]);
+        sum1 = sum1 + T(square * pair.q1(i, i));
+        sum2 = sum2 + T(square * pair.q2(i, i));
+    }
+    T const r = absolute(dot(n, pair.r12)) - T(T(product_error * magnitude_of_dot(n, pair.r12)) + tiny);
+    T const q1 = quadratic_form(pair.q1, n) + T(T(form_error * sum1) + tiny);
+    T const q2 = quadratic_form(pair.q2, n) - T(T(form_error * sum2) + tiny);
+    return exceeds(q1, maximum(q2, T(0)), maximum(r, T(0)));
+}
+
+/// The share of the diagonal of Q1 that bounds the errors of K(w), in units of u.
+inline constexpr int inside_margin = 32;
+
+/// K(w) in the first lanes, with a smaller diagonal, and M in the second lanes. If K(w) is clearly definite and u <= w <= 1/u,
+/// ellipsoid 2 is inside. Errors of underflow do not matter then.
 ///
 /// Let C = (1 + 1/w) Q2 + (1 + w) r rᵀ, with non-negative terms. The magnitudes of the terms of an entry of C add up to √(Cii Cjj)
-/// at most. If the diagonal of K is positive, Cii <= Q1ii. So no entry of K errs by more than 7 u √(Q1ii Q1jj): 4 u for C, u for
-/// the difference, and on the diagonal u for the product. A matrix of such errors is at most 21 u diag(Q1). This is less than the
-/// part of the diagonal that `shrink` removes.
-template <class T, int D> PW85_FUNCTION inline bool shows_inside(NestedPair<T, D> const &pair, T const &w) noexcept
+/// at most. If the diagonal of K is positive, Cii <= Q1ii. So no entry of K errs by more than 7 u √(Q1ii Q1jj): 4 u for C, up to
+/// 2 u for the difference, and on the diagonal u or 2 u for the product with `shrink`. A matrix of such errors is at most
+/// 7 D u diag(Q1). This is less than the part of the diagonal that `shrink` removes.
+template <class T, int D> [[gnu::always_inline]] PW85_FUNCTION inline SymmetricMatrix<TwoLanes<T>, D>
+inner_matrices(NestedPair<T, D> const &pair, T const &w) noexcept
 {
-    T const u = T(unit_roundoff<T>()), share2 = T(1) + T(1) / w, share_r = T(1) + w, shrink = T(1) - T(32) * u;
-    SymmetricMatrix<T, D> k{};
+    using Two = TwoLanes<T>;
+    T const share2 = T(1) + T(1) / w;
+    Two const share_r(T(1) + w, T(0)), shrink(T(1) - T(inside_margin * unit_roundoff<T>()), T(1));
+    SymmetricMatrix<Two, D> k{};
     for (int i = 0; i < D; ++i)
         for (int j = i; j < D; ++j) {
-            T const cover = T(share2 * pair.q2(i, j)) + T(T(share_r * pair.r12[i]) * pair.r12[j]);
-            k(i, j) = (i == j ? T(shrink * pair.q1(i, j)) : pair.q1(i, j)) - cover;
+            Two const q1(pair.q1(i, j));
+            k(i, j) = (i == j ? shrink * q1 : q1) -
+                      (Two(T(share2 * pair.q2(i, j))) + (share_r * Two(pair.r12[i])) * Two(pair.r12[j]));
         }
-    return w >= u && T(w * u) <= T(1) && is_clearly_definite(k);
+    return k;
 }
 
 /// A direction n in which nᵀAn is not positive. The first entry of A is positive, and one of its leading minors is not positive. Up
@@ -110,25 +141,22 @@ template <class T> PW85_FUNCTION inline Vector<T, 3> negative_direction(Symmetri
     return {adj(0, 2), adj(1, 2), adj(2, 2)};
 }
 
-/// The values that the search computes at w.
-template <class T, int D> struct NestingStep {
-    Vector<T, D> n;
+/// What the search learns at w.
+template <class T> struct NestingStep {
     T excess; ///< 1 - 1/F; positive if w is above the best one
     T next;   ///< the next w by Newton's method
 };
 
-/// Computes the values at w, by M' = Q2/w², d' = -e/w² and e' = -2 nᵀQ2M⁻¹Q2n/w². So w F'/F = 1 + 1/(1 + w) - e/(w d) + 2
-/// nᵀQ2M⁻¹Q2n/(w e).
-template <class T, int D> PW85_FUNCTION inline NestingStep<T, D>
-take_nesting_step(NestedPair<T, D> const &pair, SymmetricMatrix<T, D> const &m, T const &w) noexcept
+/// Computes the values at w from the adjugate of M and factor = 1/det M, by M' = Q2/w², d' = -e/w² and e' = -2 nᵀQ2M⁻¹Q2n/w². So
+/// w F'/F = 1 + 1/(1 + w) - e/(w d) + 2 nᵀQ2M⁻¹Q2n/(w e).
+template <class T, int D> PW85_FUNCTION inline NestingStep<T>
+take_nesting_step(NestedPair<T, D> const &pair, SymmetricMatrix<T, D> const &adj, T const &factor, T const &w) noexcept
 {
-    auto const adj = adjugate(m);
-    T const factor = T(1) / determinant(m, adj);
     Vector<T, D> const n = factor * product(adj, pair.r12), q2n = product(pair.q2, n);
     T const d = dot(pair.r12, n), e = dot(n, q2n), curvature = T(factor * quadratic_form(adj, q2n));
     T const excess = T(1) - T(T(T(1) + w) * e) / T(T(w * w) * d);
     T const slope = T(1) + T(1) / T(T(1) + w) - e / T(w * d) + T(T(2) * curvature) / T(w * e);
-    return {n, excess, T(w - T(w * excess) / slope)};
+    return {excess, T(w - T(w * excess) / slope)};
 }
 
 /// The number of steps after which the search gives up. Let κ be the factor by which ellipsoid 1 must be scaled to touch ellipsoid
@@ -136,18 +164,29 @@ take_nesting_step(NestedPair<T, D> const &pair, SymmetricMatrix<T, D> const &m, 
 /// steps.
 inline constexpr int max_nesting_steps = 16;
 
+/// The matrix in the second lanes.
+template <class T, int D> [[gnu::always_inline]] PW85_FUNCTION inline SymmetricMatrix<T, D>
+second_lanes(SymmetricMatrix<TwoLanes<T>, D> const &a) noexcept
+{
+    SymmetricMatrix<T, D> second{};
+    for (int k = 0; k < a.size; ++k) second[k] = second_of(a[k]);
+    return second;
+}
+
 /// The search for a proof. It uses Newton's method on F(w) = 1, in a bracket.
 template <class T, int D> PW85_FUNCTION inline Nesting search_for_nesting(NestedPair<T, D> const &pair, T w) noexcept
 {
     T low = T(0), high = infinity<T>();
     for (int step = 0; step < max_nesting_steps; ++step) {
-        if (shows_inside(pair, w)) return Nesting::inside;
-        SymmetricMatrix<T, D> m = pair.difference;
-        for (int k = 0; k < m.size; ++k) m[k] = m[k] - T(pair.q2[k] / w);
+        auto const matrices = inner_matrices(pair, w), adjugates = adjugate(matrices);
+        auto const definite = is_clearly_definite(matrices, adjugates);
+        if (all_of(definite) && w >= T(unit_roundoff<T>()) && T(w * T(unit_roundoff<T>())) <= T(1))
+            return Nesting::inside;
         T next = low;
-        if (is_clearly_definite(m)) {
-            auto const found = take_nesting_step(pair, m, w);
-            if (shows_outside(pair, found.n)) return Nesting::outside;
+        if (any_of(definite)) {
+            auto const adj = second_lanes(adjugates);
+            if (shows_outside(pair, product(adj, pair.r12))) return Nesting::outside;
+            auto const found = take_nesting_step(pair, adj, T(T(1) / second_of(determinant(matrices, adjugates))), w);
             (found.excess > T(0) ? high : low) = w;
             next = found.next;
         } else
@@ -159,8 +198,8 @@ template <class T, int D> PW85_FUNCTION inline Nesting search_for_nesting(Nested
     return Nesting::none;
 }
 
-/// The decision by floating-point numbers. The search starts at the larger of two values: the w at which two balls with the extents
-/// along r would touch, and the trace of (Q1 - Q2)⁻¹Q2. M is positive definite there.
+/// The decision by floating-point numbers, for an ellipsoid 2 in the bounding box. The search starts at the larger of two values: the
+/// w at which two balls with the extents along r would touch, to 10 %, and the trace of (Q1 - Q2)⁻¹Q2. M is positive definite there.
 template <class T, int D> PW85_FUNCTION inline Nesting decide_nesting(NestedPair<T, D> const &pair) noexcept
 {
     T const u = T(unit_roundoff<T>());
@@ -170,10 +209,11 @@ template <class T, int D> PW85_FUNCTION inline Nesting decide_nesting(NestedPair
     }
     auto const adj = adjugate(pair.difference);
     T const r2 = dot(pair.r12, pair.r12), trace = contraction(adj, pair.q2) / determinant(pair.difference, adj);
-    T const extent = square_root(quadratic_form(pair.q2, pair.r12)) / r2;
+    T const extent = coarse_root_of_ratio(quadratic_form(pair.q2, pair.r12), T(r2 * r2));
     T const largest = T(1) / u, start = maximum(u, maximum(trace, extent));
     if (r2 > T(0) && start < largest) return search_for_nesting(pair, start);
-    return shows_inside(pair, largest) ? Nesting::inside : Nesting::none;
+    auto const matrices = inner_matrices(pair, largest);
+    return all_of(is_clearly_definite(matrices, adjugate(matrices))) ? Nesting::inside : Nesting::none;
 }
 
 template <class T, int D> [[gnu::noinline]] PW85_FUNCTION inline Status validate_apart(Pair<T, D> pair) noexcept
@@ -191,10 +231,12 @@ contains(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, SymmetricMatr
 {
     using namespace detail;
     auto const pair = pair_of(r12, q1, q2);
-    Status const status = passes_fast_checks(pair) ? Status::success : validate_apart(pair);
+    bool const in_range = passes_fast_checks(pair);
+    Status const status = in_range ? Status::success : validate_apart(pair);
     if (status != Status::success) return {false, status};
-    if (exceeds_bounding_box(pair)) return {false, status};
-    Nesting const nesting = decide_nesting(nested_pair(pair));
+    auto const nested = nested_pair(pair, in_range ? 0 : half_exponent(largest_diagonal(q1)));
+    if (exceeds_bounding_box(nested)) return {false, status};
+    Nesting const nesting = decide_nesting(nested);
     if (nesting != Nesting::none) return {nesting == Nesting::inside, status};
     if constexpr (exact::is_decidable<T>)
         return {contains_exactly(r12, q1, q2), status};
