@@ -23,6 +23,16 @@ double check(Case<Shape::size> const &c, NearestTruth const &truth, int length, 
                                    failures);
 }
 
+/// The same for the function in C, which is compiled per instruction set.
+template <class Shape>
+void check_in_c(Case<Shape::size> const &c, NearestTruth const &truth, int exponent, Failures &failures)
+{
+    pw85::ShapeContact<double> found{};
+    int const status = Shape::contact_in_c(scaled(c, exponent, exponent), &found.mu2, found.point.coordinates);
+    found.status = static_cast<pw85::Status>(status);
+    check_contact<Shape, double>(c, found, truth, exponent, exponent, failures);
+}
+
 template <class Shape> void test_random()
 {
     Failures failures;
@@ -31,8 +41,10 @@ template <class Shape> void test_random()
     for (int n = 0; n < draws(8000); ++n) {
         auto const c = random_case<Shape>(random, n);
         auto const truth = Shape::truth(convert<Wide>(c));
-        for (int const exponent : {0, n % 2 == 0 ? 40 : -40})
+        for (int const exponent : {0, n % 2 == 0 ? 40 : -40}) {
             worst = std::max(worst, check<Shape, double>(c, truth, exponent, exponent, failures));
+            check_in_c<Shape>(c, truth, exponent, failures);
+        }
     }
     g_test_message("largest error %.3g u S", worst);
 }
