@@ -1,5 +1,5 @@
-// The C API of an ellipsoid and convex sets. The functions check for null pointers; the core checks everything else. Kernels compute
-// ordinary segments, triangles and boxes.
+// The C API of an ellipsoid and convex sets. The functions check for null pointers. Kernels compute ordinary segments, triangles and
+// boxes; the core checks and computes everything else.
 #include <pw85.h>
 
 #include <pw85/shapes/overlap_polytope.hpp>
@@ -36,7 +36,8 @@ int store_overlap(ShapeOverlap const &answer, int *overlap) noexcept
     return static_cast<int>(answer.status);
 }
 
-/// The answer of the core where the kernel has none. The functions are not inlined: each call would save registers that only they need.
+/// The answer of the core where the kernel has none. The functions are not inlined, because each call would save registers that only
+/// they need.
 template <class Core, class... Points>
 [[gnu::noinline]] int settle_contact(Core core, double *mu2, double *point, double const *q, Points... points) noexcept
 {

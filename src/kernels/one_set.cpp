@@ -1,8 +1,8 @@
 // The table of the functions for one ellipsoid and a convex set. It is compiled for the instruction sets of one_pair.cpp. The
 // functions of the C API call it by chosen() (dispatch.cpp).
 //
-// The formulas are those of many rows (lane_shapes.hpp), with the same numbers in both lanes. So select() is an instruction and not a
-// branch, which the processor could not predict. Of a box, two faces are computed side by side.
+// The formulas are those of many rows (lane_shapes.hpp), with the same numbers in both lanes. So select() is an instruction. It is not
+// a branch, which the processor could not predict. Two faces of a box are computed side by side.
 #if defined(PW85_LANES_AVX2)
 #undef PW85_LANES_AVX2
 #define PW85_LANES_FMA // One row has no use for more than two lanes.

@@ -5,8 +5,8 @@
 /// - They are apart or touch if s·y >= √(sᵀQs) for some s and every point y of the set. The normal at the nearest point is tried.
 /// - They overlap if Q - x xᵀ is positive definite for some point x of the set, because then xᵀQ⁻¹x < 1. The nearest point is tried.
 ///
-/// Whether the nearest point is accurate does not matter for these proofs. So edges are tried with their first t (segment.hpp), and only
-/// then with the second one.
+/// Whether the nearest point is accurate does not matter for these proofs. So edges are tried with their first t (segment.hpp), and
+/// only then with the second one.
 #ifndef PW85_SHAPES_OVERLAP_SHAPES_HPP_INCLUDED
 #define PW85_SHAPES_OVERLAP_SHAPES_HPP_INCLUDED
 
