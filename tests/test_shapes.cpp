@@ -15,22 +15,22 @@ using namespace pw85_tests;
 
 namespace {
 
-/// Checks the contact function of one case in other units.
+/// The contact function in C, which is compiled per instruction set.
+template <class Shape> pw85::ShapeContact<double> contact_in_c(Case<Shape::size> const &c)
+{
+    pw85::ShapeContact<double> found{};
+    found.status = static_cast<pw85::Status>(Shape::contact_in_c(c, &found.mu2, found.point.coordinates));
+    return found;
+}
+
+/// Checks the contact functions of one case in other units.
 template <class Shape, class T>
 double check(Case<Shape::size> const &c, NearestTruth const &truth, int length, int form, Failures &failures)
 {
-    return check_contact<Shape, T>(c, Shape::contact(convert<T>(scaled(c, length, form))), truth, length, form,
-                                   failures);
-}
-
-/// The same for the function in C, which is compiled per instruction set.
-template <class Shape>
-void check_in_c(Case<Shape::size> const &c, NearestTruth const &truth, int exponent, Failures &failures)
-{
-    pw85::ShapeContact<double> found{};
-    int const status = Shape::contact_in_c(scaled(c, exponent, exponent), &found.mu2, found.point.coordinates);
-    found.status = static_cast<pw85::Status>(status);
-    check_contact<Shape, double>(c, found, truth, exponent, exponent, failures);
+    auto const in_units = scaled(c, length, form);
+    if constexpr (std::is_same_v<T, double>)
+        check_contact<Shape, double>(c, contact_in_c<Shape>(in_units), truth, length, form, failures);
+    return check_contact<Shape, T>(c, Shape::contact(convert<T>(in_units)), truth, length, form, failures);
 }
 
 template <class Shape> void test_random()
@@ -41,10 +41,8 @@ template <class Shape> void test_random()
     for (int n = 0; n < draws(8000); ++n) {
         auto const c = random_case<Shape>(random, n);
         auto const truth = Shape::truth(convert<Wide>(c));
-        for (int const exponent : {0, n % 2 == 0 ? 40 : -40}) {
+        for (int const exponent : {0, n % 2 == 0 ? 40 : -40})
             worst = std::max(worst, check<Shape, double>(c, truth, exponent, exponent, failures));
-            check_in_c<Shape>(c, truth, exponent, failures);
-        }
     }
     g_test_message("largest error %.3g u S", worst);
 }
