@@ -1,5 +1,5 @@
-// Chooses the instruction set at run time. The functions of the C API call chosen(). The tables of functions are in one_pair.cpp
-// and lanes.cpp.
+// Chooses the instruction set at run time. The functions of the C API call chosen(). The tables of functions are in one_pair.cpp,
+// one_set.cpp and lanes.cpp.
 #include "kernels.hpp"
 
 #include <atomic>
@@ -11,9 +11,10 @@
 
 namespace pw85::detail::kernels {
 
-// one_pair.cpp and lanes.cpp define these.
+// one_pair.cpp, one_set.cpp and lanes.cpp define these. one_set.cpp is compiled for the targets of one_pair.cpp.
 #define PW85_DECLARE(target, one_pair, available)                                                                      \
     extern OnePairKernels const one_pair_##one_pair;                                                                   \
+    extern OneSetKernels const one_set_##one_pair;                                                                     \
     extern LaneKernels const lanes_##target;
 PW85_INSTRUCTION_SETS(PW85_DECLARE)
 PW85_DECLARE(baseline, baseline, true)
@@ -22,12 +23,12 @@ PW85_DECLARE(baseline, baseline, true)
 namespace {
 
 /// All targets, from the newest to the oldest.
-#define PW85_TARGET(target, one_pair, available) {#target, &one_pair_##one_pair, &lanes_##target},
+#define PW85_TARGET(target, one_pair, available) {#target, &one_pair_##one_pair, &one_set_##one_pair, &lanes_##target},
 constexpr Kernels targets[] = {PW85_INSTRUCTION_SETS(PW85_TARGET) PW85_TARGET(baseline, baseline, true)};
 #undef PW85_TARGET
 
 /// The target of the reproducible mode: the functions of the baseline, whose arithmetic is the same on every processor.
-constexpr Kernels reproducible = {"reproducible", &one_pair_baseline, &lanes_baseline};
+constexpr Kernels reproducible = {"reproducible", &one_pair_baseline, &one_set_baseline, &lanes_baseline};
 
 /// The newest available target that is not newer than the one that PW85_TARGET names.
 Kernels const &newest() noexcept

@@ -1,6 +1,6 @@
 /// @file
-/// The interface to the functions that are compiled once per instruction set. one_pair.cpp and lanes.cpp implement it, dispatch.cpp
-/// chooses the instruction set, and the C API calls chosen().
+/// The interface to the functions that are compiled once per instruction set. one_pair.cpp, one_set.cpp and lanes.cpp implement it,
+/// dispatch.cpp chooses the instruction set, and the C API calls chosen().
 ///
 /// The types here are plain data and the same for every target, because units that are compiled for different processors exchange
 /// them. A kernel has two types: the rows that it reads, and the arrays that it writes, by the same index. To add a kernel:
@@ -266,6 +266,20 @@ struct OnePairKernels {
     int (*contains)(double const *r12, double const *q1, double const *q2, int *contains) noexcept;
 };
 
+/// Functions for one ellipsoid and a convex set, given by the points of Segments, Triangles or Boxes. They return false, and write
+/// nothing, if the input fails the fast checks or the digits do not suffice. `mu2` and `point` may be null.
+struct OneSetKernels {
+    bool (*contact_segment)(double const *end1, double const *end2, double const *q, double *mu2,
+                            double *point) noexcept;
+    bool (*contact_triangle)(double const *vertex1, double const *vertex2, double const *vertex3, double const *q,
+                             double *mu2, double *point) noexcept;
+    bool (*contact_box)(double const *lower, double const *upper, double const *q, double *mu2, double *point) noexcept;
+    bool (*overlap_segment)(double const *end1, double const *end2, double const *q, int *overlap) noexcept;
+    bool (*overlap_triangle)(double const *vertex1, double const *vertex2, double const *vertex3, double const *q,
+                             int *overlap) noexcept;
+    bool (*overlap_box)(double const *lower, double const *upper, double const *q, int *overlap) noexcept;
+};
+
 /// A function for many pairs, one per lane.
 template <class Rows, class Arrays> struct LaneKernel {
     /// Computes pairs from the first of n on, and returns their number. It writes to `left_over` the indices of the computed pairs
@@ -302,6 +316,7 @@ using LaneKernels =
 struct Kernels {
     char const *name;
     OnePairKernels const *one_pair;
+    OneSetKernels const *one_set;
     LaneKernels const *lanes;
 };
 

@@ -75,7 +75,7 @@ template <class Set> PW85_INLINE void compute_chunk(kernels::SetRows<Set> const 
                                                     kernels::Worklist &left_over) noexcept
 {
     set_chunk(rows, chunk, left_over, [&](auto const &set, SymmetricMatrix<Pack, 3> const &q) {
-        auto const certainty = decide_at(set, q, set.nearest(q));
+        auto const certainty = decide_at(set, q, set.template nearest<true>(q));
         store_answers(certainty.overlap.to_bits(), chunk.count, out.overlap + chunk.begin);
         return (certainty.apart || certainty.overlap) && set.passes_checks(q);
     });

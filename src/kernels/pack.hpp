@@ -1,6 +1,6 @@
 /// @file
 /// The scalar of the lane kernels: a pack of as many doubles as a register of the target holds, with the arithmetic that
-/// algebra/scalar.hpp asks for. The lane kernels use it, and one_pair.cpp uses it to test several points of one pair at once.
+/// algebra/scalar.hpp asks for. The lane kernels use it, and one_set.cpp computes a single row with it.
 ///
 /// A product has a type of its own. If something is added to it or subtracted from it, and the target has fused multiply-add, the
 /// product becomes part of that instruction. So the source decides what is fused, not the compiler, and a lane gives the same bits
@@ -15,13 +15,19 @@
 #include <pw85/algebra/scalar.hpp>
 
 // The build defines at most one of PW85_LANES_AVX512, PW85_LANES_AVX2, PW85_LANES_SVE512, PW85_LANES_SVE256 and PW85_LANES_NEON.
-#if defined(PW85_LANES_AVX512) || defined(PW85_LANES_AVX2)
+// one_set.cpp defines PW85_LANES_FMA instead of PW85_LANES_AVX2: registers of two doubles, with fused multiply-add.
+#if defined(PW85_LANES_AVX512) || defined(PW85_LANES_AVX2) || defined(PW85_LANES_FMA)
 #include <immintrin.h>
 #elif defined(PW85_LANES_SVE512) || defined(PW85_LANES_SVE256)
 #define PW85_LANES_SVE
 #include <arm_sve.h>
 #elif defined(PW85_LANES_NEON)
 #include <arm_neon.h>
+#elif defined(__SSE2__)
+#include <emmintrin.h>
+#endif
+#if !defined(PW85_LANES_AVX512) && !defined(PW85_LANES_AVX2) && defined(__SSE2__)
+#define PW85_LANES_SSE2 // registers of two doubles
 #endif
 
 /// Each kernel is compiled into one function, so the compiler's limits on inlining must not apply.
@@ -74,6 +80,8 @@ struct PackMask {
         return static_cast<unsigned>(_mm256_movemask_pd(reinterpret_cast<__m256d>(bits)));
 #elif defined(PW85_LANES_SVE)
         return static_cast<unsigned>(svorv(bits, bit_of_lane()));
+#elif defined(PW85_LANES_SSE2)
+        return static_cast<unsigned>(_mm_movemask_pd(reinterpret_cast<__m128d>(bits)));
 #else
         unsigned all = 0;
         for (std::size_t i = 0; i < lanes; ++i) all |= static_cast<unsigned>(bits[i] & 1) << i;
@@ -153,6 +161,10 @@ PW85_INLINE Pack operator-(Pack const &z, Product const &p) noexcept { return _m
 PW85_INLINE Pack operator+(Product const &p, Pack const &z) noexcept { return _mm256_fmadd_pd(p.x, p.y, z.v); }
 PW85_INLINE Pack operator-(Product const &p, Pack const &z) noexcept { return _mm256_fmsub_pd(p.x, p.y, z.v); }
 PW85_INLINE Pack operator-(Pack const &z, Product const &p) noexcept { return _mm256_fnmadd_pd(p.x, p.y, z.v); }
+#elif defined(PW85_LANES_FMA)
+PW85_INLINE Pack operator+(Product const &p, Pack const &z) noexcept { return _mm_fmadd_pd(p.x, p.y, z.v); }
+PW85_INLINE Pack operator-(Product const &p, Pack const &z) noexcept { return _mm_fmsub_pd(p.x, p.y, z.v); }
+PW85_INLINE Pack operator-(Pack const &z, Product const &p) noexcept { return _mm_fnmadd_pd(p.x, p.y, z.v); }
 #elif defined(PW85_LANES_SVE)
 PW85_INLINE Pack operator+(Product const &p, Pack const &z) noexcept { return svmla_x(svptrue_b64(), z.v, p.x, p.y); }
 PW85_INLINE Pack operator-(Product const &p, Pack const &z) noexcept { return svnmls_x(svptrue_b64(), z.v, p.x, p.y); }
@@ -211,6 +223,9 @@ PW85_INLINE Pack minimum(Pack const &x, Pack const &y) noexcept { return _mm512_
 #elif defined(PW85_LANES_AVX2)
 PW85_INLINE Pack maximum(Pack const &x, Pack const &y) noexcept { return _mm256_max_pd(y.v, x.v); }
 PW85_INLINE Pack minimum(Pack const &x, Pack const &y) noexcept { return _mm256_min_pd(y.v, x.v); }
+#elif defined(PW85_LANES_SSE2)
+PW85_INLINE Pack maximum(Pack const &x, Pack const &y) noexcept { return _mm_max_pd(y.v, x.v); }
+PW85_INLINE Pack minimum(Pack const &x, Pack const &y) noexcept { return _mm_min_pd(y.v, x.v); }
 #else
 PW85_INLINE Pack maximum(Pack const &x, Pack const &y) noexcept { return select(y > x, y, x); }
 PW85_INLINE Pack minimum(Pack const &x, Pack const &y) noexcept { return select(y < x, y, x); }
@@ -231,6 +246,8 @@ PW85_INLINE Pack square_root(Pack const &x) noexcept
     return svsqrt_x(svptrue_b64(), x.v);
 #elif defined(PW85_LANES_NEON)
     return vsqrtq_f64(x.v);
+#elif defined(PW85_LANES_SSE2)
+    return _mm_sqrt_pd(x.v);
 #else
     Register root;
     for (std::size_t i = 0; i < lanes; ++i) root[i] = __builtin_sqrt(x.v[i]);

@@ -130,7 +130,9 @@ NearestTriangle find_nearest(pw85_mesh const &mesh, Vector3 const &center, Form3
     Ellipsoid const ellipsoid(center, q);
     auto const visit = [&](Triangle const &triangle) {
         auto const &[a, b, c] = ellipsoid.relative(triangle).points;
-        auto const contact = contact_triangle(a, b, c, q);
+        ShapeContact<double> contact{};
+        contact.status = static_cast<Status>(pw85_contact_triangle(a.coordinates, b.coordinates, c.coordinates,
+                                                                   q.entries, &contact.mu2, contact.point.coordinates));
         bool const is_first = best.index < 0 || triangle.index < best.index;
         if (contact.mu2 < best.contact.mu2 || (contact.mu2 == best.contact.mu2 && is_first))
             best = {contact, triangle.index};

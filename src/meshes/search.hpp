@@ -143,7 +143,7 @@ template <class Visit> class Search {
         Candidate const first{bound(relative, sizes, normal), number, normal};
         double const nearest = largest_coordinate(nearest_corner(relative.lower, relative.upper));
         if (skips(first.bound) || !(nearest * range > 1.0 && sum_of(sizes) < range)) return first;
-        auto const s = relative.nearest(ellipsoid_.form()).normal.direction;
+        auto const s = relative.template nearest<true, true>(ellipsoid_.form()).normal.direction;
         return {bound(relative, sizes, s), number, s};
     }
 

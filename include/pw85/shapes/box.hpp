@@ -75,6 +75,18 @@ on_face(BoxMinimum<T, D - 1> const &rest, int i, T const &x, T const &offset, T 
 }
 
 template <class T, int D>
+[[gnu::always_inline]] PW85_FUNCTION constexpr BoxMinimum<T, D> minimum_in_box(BoxProblem<T, D> const &box) noexcept;
+
+/// The minimum on the face where coordinate i is x, which differs from that of the centre by `offset`.
+template <class T, int D> [[gnu::always_inline]] PW85_FUNCTION constexpr BoxMinimum<T, D>
+minimum_on_face(BoxProblem<T, D> const &box, int i, T const &x, T const &offset) noexcept
+{
+    T const reciprocal = T(1) / box.q(i, i);
+    auto const rest = minimum_in_box(problem_on_face(box, i, offset, reciprocal));
+    return on_face<T, D>(rest, i, x, offset, reciprocal);
+}
+
+template <class T, int D>
 [[gnu::always_inline]] PW85_FUNCTION constexpr BoxMinimum<T, D> minimum_in_box(BoxProblem<T, D> const &box) noexcept
 {
     BoxMinimum<T, D> best{};
@@ -83,10 +95,9 @@ template <class T, int D>
     for (int i = 0; i < D; ++i) {
         T const x = clamped(box.center[i], box.lower[i], box.upper[i]), offset = x - box.center[i];
         auto const faces_center = !(offset == T(0));
-        if (!any_of(faces_center)) continue;
-        T const reciprocal = T(1) / box.q(i, i);
-        auto const rest = minimum_in_box(problem_on_face(box, i, offset, reciprocal));
-        auto const whole = on_face<T, D>(rest, i, x, offset, reciprocal);
+        // One of several lanes mostly needs the face, and the processor could not predict the branch.
+        if (ScalarTraits<T>::lanes == 1 && !any_of(faces_center)) continue;
+        auto const whole = minimum_on_face(box, i, x, offset);
         best = choose(faces_center && !(found && best.value <= whole.value), whole, best);
         found = found || faces_center;
     }

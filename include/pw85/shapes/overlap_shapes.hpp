@@ -5,7 +5,8 @@
 /// - They are apart or touch if s·y >= √(sᵀQs) for some s and every point y of the set. The normal at the nearest point is tried.
 /// - They overlap if Q - x xᵀ is positive definite for some point x of the set, because then xᵀQ⁻¹x < 1. The nearest point is tried.
 ///
-/// Whether the nearest point is accurate does not matter for these proofs.
+/// Whether the nearest point is accurate does not matter for these proofs. So edges are tried with their first t (segment.hpp), and
+/// only then with the second one.
 #ifndef PW85_SHAPES_OVERLAP_SHAPES_HPP_INCLUDED
 #define PW85_SHAPES_OVERLAP_SHAPES_HPP_INCLUDED
 
@@ -56,13 +57,13 @@ template <class T, int N> struct Hull {
         return hull;
     }
 
-    template <bool with_normal = true>
+    template <bool with_normal, bool refined = !with_normal>
     PW85_MEMBER Nearest<T, with_normal> nearest(SymmetricMatrix<T, 3> const &q) const noexcept
     {
         if constexpr (N == 2)
-            return FindOnSegment<with_normal>{}(points, q);
+            return FindOnSegment<with_normal, refined>{}(points, q);
         else
-            return FindOnTriangle<with_normal>{}(points, q);
+            return FindOnTriangle<with_normal, refined>{}(points, q);
     }
 
     PW85_MEMBER typename ScalarTraits<T>::Mask passes_checks(SymmetricMatrix<T, 3> const &q) const noexcept
@@ -75,6 +76,17 @@ template <class T, int N> struct Hull {
         return detail::overlaps_exactly(points, q);
     }
 };
+
+/// The nearest point of a box from the minimum in it.
+template <bool with_normal, class T> [[gnu::always_inline]] PW85_FUNCTION constexpr Nearest<T, with_normal>
+nearest_at(BoxMinimum<T, 3> const &found, BoxProblem<T, 3> const &box) noexcept
+{
+    auto const certain = found.value == found.value;
+    if constexpr (with_normal)
+        return {found.value, found.point, {normal_at(found.point, box)}, certain};
+    else
+        return {found.value, found.point, {}, certain};
+}
 
 /// A solid box.
 template <class T> struct SolidBox {
@@ -103,16 +115,12 @@ template <class T> struct SolidBox {
         return {times_power_of_two(lower, exponent), times_power_of_two(upper, exponent)};
     }
 
-    template <bool with_normal = true>
+    /// The point is always refined.
+    template <bool with_normal, bool = true>
     PW85_MEMBER Nearest<T, with_normal> nearest(SymmetricMatrix<T, 3> const &q) const noexcept
     {
         BoxProblem<T, 3> const box{lower, upper, {T(0), T(0), T(0)}, q};
-        auto const found = minimum_in_box(box);
-        auto const certain = found.value == found.value;
-        if constexpr (with_normal)
-            return {found.value, found.point, {normal_at(found.point, box)}, certain};
-        else
-            return {found.value, found.point, {}, certain};
+        return nearest_at<with_normal>(minimum_in_box(box), box);
     }
 
     PW85_MEMBER typename ScalarTraits<T>::Mask passes_checks(SymmetricMatrix<T, 3> const &q) const noexcept
@@ -188,12 +196,12 @@ decide_at(Shape const &shape, SymmetricMatrix<T, 3> const &q, Nearest<T, true> c
     return certainty;
 }
 
-/// The decision for one ellipsoid and set.
-template <class T, class Shape>
+/// The decision for one ellipsoid and set, by the refined or the first nearest point.
+template <bool refined, class T, class Shape>
 PW85_FUNCTION inline Decision decide(Shape const &shape, SymmetricMatrix<T, 3> const &q) noexcept
 {
     if (!shape.passes_checks(q)) return Decision::none;
-    auto const [apart, overlap] = decide_at(shape, q, shape.nearest(q));
+    auto const [apart, overlap] = decide_at(shape, q, shape.template nearest<true, refined>(q));
     return to_decision(apart, overlap);
 }
 
@@ -204,7 +212,7 @@ decide_scaled(Shape const &shape, SymmetricMatrix<T, 3> const &q) noexcept
 {
     int const unit = half_exponent(largest_diagonal(q));
     auto const form = times_power_of_two(q, -2 * unit);
-    return decide(shape.scaled(-unit), form);
+    return decide<true>(shape.scaled(-unit), form);
 }
 
 /// Decides for any numbers. Types without integers take the sign of μ² - 1, up to rounding errors.
@@ -218,13 +226,13 @@ overlap_of_any(Shape const &shape, SymmetricMatrix<T, 3> const &q) noexcept
     if constexpr (exact::is_decidable<T>)
         return {shape.overlaps_exactly(q), status};
     else
-        return {shape.nearest(q).mu2 < T(1), status};
+        return {shape.template nearest<false>(q).mu2 < T(1), status};
 }
 
 template <class T, class Shape>
 PW85_FUNCTION inline ShapeOverlap overlap_of(Shape const &shape, SymmetricMatrix<T, 3> const &q) noexcept
 {
-    Decision const decision = decide(shape, q);
+    Decision const decision = decide<false>(shape, q);
     if (decision != Decision::none) return {decision == Decision::overlap, Status::success};
     return overlap_of_any(shape, q);
 }

@@ -83,19 +83,21 @@ nearest_edge(Vector<T, 3> const (&vertices)[3], Vector<T, 3> const &weights, Eli
 }
 
 /// The nearest point of the edges.
-template <bool with_normal, class T> [[gnu::always_inline]] PW85_FUNCTION constexpr Nearest<T, with_normal>
+template <bool with_normal, bool refined, class T>
+[[gnu::always_inline]] PW85_FUNCTION constexpr Nearest<T, with_normal>
 nearest_of_edges(Vector<T, 3> const (&vertices)[3], Elimination<T> const &form) noexcept
 {
-    auto best = nearest_on_edge<with_normal>(vertices[1], vertices[2], form);
+    auto best = nearest_on_edge<with_normal, refined>(vertices[1], vertices[2], form);
     for (int k = 1; k < 3; ++k) {
-        auto const found = nearest_on_edge<with_normal>(vertices[(k + 1) % 3], vertices[(k + 2) % 3], form);
+        auto const found = nearest_on_edge<with_normal, refined>(vertices[(k + 1) % 3], vertices[(k + 2) % 3], form);
         best = choose(!(found.mu2 >= best.mu2), found, best);
     }
     return best;
 }
 
 /// The nearest point of a triangle.
-template <bool with_normal, class T> [[gnu::always_inline]] PW85_FUNCTION constexpr Nearest<T, with_normal>
+template <bool with_normal, bool refined, class T>
+[[gnu::always_inline]] PW85_FUNCTION constexpr Nearest<T, with_normal>
 nearest_on_triangle(Vector<T, 3> const (&vertices)[3], SymmetricMatrix<T, 3> const &q) noexcept
 {
     auto const plane = nearest_on_plane<with_normal>(vertices, q);
@@ -104,27 +106,27 @@ nearest_on_triangle(Vector<T, 3> const (&vertices)[3], SymmetricMatrix<T, 3> con
     if (all_of(inside)) return plane.nearest;
     Elimination<T> const form(q);
     auto const edge = nearest_edge(vertices, w, form);
-    auto nearest = nearest_on_edge<with_normal>(edge.first, edge.second, form);
+    auto nearest = nearest_on_edge<with_normal, refined>(edge.first, edge.second, form);
     auto const known = inside || plane.nearest.certain;
-    if (!all_of(known)) nearest = choose(known, nearest, nearest_of_edges<with_normal>(vertices, form));
+    if (!all_of(known)) nearest = choose(known, nearest, nearest_of_edges<with_normal, refined>(vertices, form));
     return choose(inside, plane.nearest, nearest);
 }
 
 /// The same for one triangle. The function is not inlined: with the checks around it, compilers would keep its numbers in memory.
-template <bool with_normal, class T> [[gnu::noinline]] PW85_FUNCTION inline Nearest<T, with_normal>
+template <bool with_normal, bool refined, class T> [[gnu::noinline]] PW85_FUNCTION inline Nearest<T, with_normal>
 nearest_on_one_triangle(Vector<T, 3> const (&vertices)[3], SymmetricMatrix<T, 3> const &q) noexcept
 {
-    return nearest_on_triangle<with_normal>(vertices, q);
+    return nearest_on_triangle<with_normal, refined>(vertices, q);
 }
 
-template <bool with_normal = false> struct FindOnTriangle {
+template <bool with_normal = false, bool refined = true> struct FindOnTriangle {
     template <class T> PW85_MEMBER Nearest<T, with_normal> operator()(Vector<T, 3> const (&vertices)[3],
                                                                       SymmetricMatrix<T, 3> const &q) const noexcept
     {
         if constexpr (ScalarTraits<T>::lanes == 1)
-            return nearest_on_one_triangle<with_normal>(vertices, q);
+            return nearest_on_one_triangle<with_normal, refined>(vertices, q);
         else
-            return nearest_on_triangle<with_normal>(vertices, q);
+            return nearest_on_triangle<with_normal, refined>(vertices, q);
     }
 };
 
