@@ -383,12 +383,31 @@ class Errors(unittest.TestCase):
         self.check(self.START + self.LAW, "atom 1 and atom 2 (types 1 and 2) overlap more than the law of force allows", "fix pw85/fire",
                    grains=deep)
 
+    def check_time_step(self, grains, commands, style, mass):
+        """The limit of a contact with this mass is 0.2 √(m/k). It is printed with three digits, rounded down by at most 1 %."""
+        commands = f"comm_modify vel yes\nneighbor 0.1 bin\n{commands}\nfix move all nve/asphere"
+        warning = f"{style}: the time step is too long for the stiffest contact: use timestep "
+        limit = 0.2 * np.sqrt(mass / 1000.0)
+        text, _ = run(preamble(grains) + f"{commands}\ntimestep {1.01 * limit}\nrun 2\nrun 2\n"
+                      f"timestep {0.99 * limit}\nrun 2\n", grains)
+        found = [float(part.split()[0]) for part in text.split(warning)[1:]]
+        self.assertEqual(len(found), 2, text)  # once in each of the first two runs
+        for value in found:
+            self.assertLessEqual(value, limit)
+            self.assertGreater(value, 0.99 * limit)
+
     def test_time_step(self):
-        """The mass of two grains with semi-axes 0.5, 0.5 and 0.75 is half of their own; the limit is 0.2 √(m/k)."""
+        """The mass of a contact of two equal grains is half of their own."""
         near = lattice(Grains, 2, 0.95, SHAPES[:1], 3, jitter=0.0)
-        text, _ = run(preamble(near) + f"{self.START}{self.LAW}\ntimestep 0.1\nfix move all nve/asphere\nrun 1\n", near)
-        limit = 0.2 * np.sqrt(0.5 * near.masses[0] / 1000.0)
-        self.assertIn(f"the time step is too long for the stiffest contact: use timestep {limit:.5f}"[:-1], text)
+        self.check_time_step(near, f"pair_style pw85/granular{self.LAW}", "Pair pw85/granular", 0.5 * near.masses[0])
+
+    def test_time_step_of_walls(self):
+        """The lightest grain that touches the wall counts; the third grain, which is lighter, does not touch it."""
+        shapes = np.array([[0.5, 0.5, 0.75], [0.25, 0.25, 0.4], [0.2, 0.2, 0.2]])
+        grains = Grains(np.diag([4.0, 4.0, 4.0]), False, np.array([[1.0, 1.0, 0.74], [3.0, 1.0, 0.39], [2.0, 3.0, 2.0]]), shapes,
+                        np.tile([1.0, 0.0, 0.0, 0.0], (3, 1)), np.ones(3, dtype=int), *np.zeros((2, 3, 3)))
+        wall = "pair_style zero 2.0\npair_coeff * *\nfix wall all wall/pw85 zplane 0.0 NULL law hooke 1000 0"
+        self.check_time_step(grains, wall, "fix wall/pw85", grains.masses[1])
 
 
 if __name__ == "__main__":
