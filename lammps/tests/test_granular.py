@@ -339,6 +339,65 @@ class Shapes(unittest.TestCase):
             np.testing.assert_allclose(found, [[0.0, 0.0, sign * wall]], rtol=0, atol=1e-12 * wall)
 
 
+class Mixtures(unittest.TestCase):
+    """Pairs of oblate, prolate and triaxial grains with axis ratios of 1 to 10 and sizes of 1 to 20, each with a contact that is known:
+    the points with the normals n and -n are at the depth of the contact behind each other."""
+
+    STIFFNESS, SPACING, EDGE = 100.0, 4.4, 4
+
+    def pairs(self):
+        """Grains 2k and 2k + 1 are a pair. Returns the grains, and the normals and depths of the pairs."""
+        random = np.random.default_rng(17)
+        count = self.EDGE**3
+        ratios = 10.0 ** -np.concatenate([[0.0, 1.0], random.uniform(size=2 * count - 2)])
+        middle = np.choose(np.arange(2 * count) % 3, [np.ones(2 * count), ratios, ratios**0.5])
+        sizes = 20.0 ** -np.concatenate([[0.0, 1.0, 1.0, 0.0], random.uniform(size=2 * count - 4)])
+        semi_axes = sizes[:, None] * np.stack([np.ones(2 * count), middle, ratios], axis=1)
+        quaternions, normals = random.normal(size=(2 * count, 4)), random.normal(size=(count, 3))
+        quaternions /= np.linalg.norm(quaternions, axis=1)[:, None]
+        normals /= np.linalg.norm(normals, axis=1)[:, None]
+        depths = 0.02 * (semi_axes.min(axis=1)**2 / semi_axes.max(axis=1)).reshape(count, 2).min(axis=1)
+        axes = np.array([rotation(q) for q in quaternions])
+        images = np.einsum("nij,nj,nkj,nk->ni", axes, semi_axes**2, axes, np.repeat(normals, 2, axis=0))
+        points = images / np.sqrt(np.einsum("ni,ni->n", images, np.repeat(normals, 2, axis=0)))[:, None]
+        places = self.SPACING * (np.array(list(itertools.product(range(self.EDGE), repeat=3))) + 0.5)
+        half = 0.5 * depths[:, None] * normals
+        arms = points.reshape(count, 2, 3) * [[[1.0], [-1.0]]] + np.stack([-half, half], axis=1)
+        centers = (places[:, None] - arms).reshape(2 * count, 3)
+        cell = np.diag(np.full(3, self.EDGE * self.SPACING))
+        grains = Grains(cell, True, centers, semi_axes, quaternions, 1 + np.arange(2 * count) % 2, *np.zeros((2, 2 * count, 3)))
+        return grains, normals, depths, arms
+
+    def states(self, grains, law, steps, every, ranks):
+        """Every so many steps, the rows of move()."""
+        commands = script(grains, granular(law), steps, "on").replace("timestep 0.0005", "timestep 2e-5")
+        return np.array(run(commands.replace(f"all custom {steps}", f"all custom {every}"), grains, ranks, ("state.txt",))[1][0])
+
+    def test_forces(self):
+        grains, normals, depths, arms = self.pairs()
+        self.assertGreater((grains.semi_axes.max(axis=1) / grains.semi_axes.min(axis=1)).max(), 9.9)
+        found = self.states(grains, f"hooke {self.STIFFNESS} 0", 1, 1, 1)[0]
+        forces = (self.STIFFNESS * depths[:, None] * normals)[:, None] * [[[-1.0], [1.0]]]
+        # Depths have errors of some u times the largest coordinate, 18, and so have the arms, over the curvatures.
+        tolerance = 1e-13 * self.STIFFNESS
+        np.testing.assert_allclose(found[:, 7:10], forces.reshape(-1, 3), rtol=0, atol=tolerance)
+        np.testing.assert_allclose(found[:, 10:13], np.cross(arms, forces).reshape(-1, 3), rtol=0, atol=tolerance)
+
+    def test_ranks(self):
+        """On four ranks, which the pairs cross as they fly through the box, forces are those of one rank at all times."""
+        grains, normals, depths, _ = self.pairs()
+        approach = np.stack([normals, -normals], axis=1).reshape(-1, 3) * np.repeat(200.0 * depths, 2)[:, None]
+        flight = np.array([2000.0, 1500.0, -1300.0])
+        grains = dataclasses.replace(grains, velocities=approach + flight, spins=100.0 * approach[:, [1, 2, 0]])
+        law = f"hooke {self.STIFFNESS} 2 damping mass_velocity tangential linear_history 80 0.5 0.4"
+        expected, found = (self.states(grains, law, 200, 20, ranks) for ranks in (1, 4))
+        self.assertGreater(np.count_nonzero(expected[-1, :, 7]), 20, "hardly any contacts are left")
+        # The order of ghosts changes sums by some u of their largest term, and positions by u times 18 in each of 200 steps, which the
+        # stiffness turns into forces.
+        np.testing.assert_allclose(found[:, :, 7:13], expected[:, :, 7:13], rtol=0, atol=1e-11)
+        np.testing.assert_allclose(found[:, :, 4:7], expected[:, :, 4:7], rtol=0, atol=1e-12 * np.linalg.norm(flight))
+
+
 class Errors(unittest.TestCase):
     START = "comm_modify vel yes\npair_style pw85/granular"
     LAW = "\npair_coeff * * hooke 1000 0"

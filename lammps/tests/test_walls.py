@@ -12,6 +12,7 @@ from pathlib import Path
 
 import numpy as np
 from lammps_runs import failure, preamble
+from scipy.optimize import brentq
 from test_granular import SHAPES, AgainstLammps, Grains, Pairs, Spheres, energies, granular, lattice, move, rotation
 
 LAW = "hooke 20000 30 damping mass_velocity tangential linear_history 8000 0.5 0.3"
@@ -51,7 +52,7 @@ class AgainstRegions(unittest.TestCase):
         theirs = f"{region}\nfix wall all wall/gran/region hooke/history 20000 8000 30 15 0.3 1 region wall"
         self.check_wall(theirs, ours, *others, **more)
 
-    def check_wall(self, theirs, ours, keep=slice(None), first=True, ranks=(2,)):
+    def check_wall(self, theirs, ours, keep=slice(None), first=True, ranks=(1,)):
         """`first`: whether spheres touch the wall at the start. LAMMPS's regions have no velocity then, even if they move."""
         spheres = in_large_box(self.spheres(), keep)
         alone = self.alone(frozenset(map(tuple, spheres.centers)))
@@ -66,7 +67,8 @@ class AgainstRegions(unittest.TestCase):
 
     def test_cylinders(self):
         for axis in "xyz":
-            self.check_region(f"region wall cylinder {axis} 6.1 5.9 2.3 INF INF side in", f"{axis}cylinder 2.3 at 6.1 5.9")
+            self.check_region(f"region wall cylinder {axis} 6.1 5.9 2.3 INF INF side in", f"{axis}cylinder 2.3 at 6.1 5.9",
+                              ranks=(2,) if axis == "z" else (1,))
 
     def test_outside_of_a_cylinder(self):
         keep = np.hypot(*(self.spheres().centers - MIDDLE)[:, :2].T) > 0.8
@@ -76,7 +78,7 @@ class AgainstRegions(unittest.TestCase):
         # Three fixes with planes: LAMMPS's region of a box moves a sphere that touches two faces in another way.
         planes = "".join(f"\nfix {axis} all wall/gran hooke/history 20000 8000 30 15 0.3 1 {axis}plane {place}"
                          for axis, place in (("x", "4.1 7.9"), ("y", "4.05 8.1"), ("z", "3.9 8.0")))
-        self.check_wall(planes, "box 4.1 7.9 4.05 8.1 3.9 8.0", ranks=(1, 2))
+        self.check_wall(planes, "box 4.1 7.9 4.05 8.1 3.9 8.0", ranks=(2,))
         keep = np.abs(self.spheres().centers - MIDDLE).max(axis=1) > 0.8
         self.check_region("region wall block 5.0 6.9 5.1 7.0 5.0 7.1 side out", "box 5.0 6.9 5.1 7.0 5.0 7.1 side out", keep)
 
@@ -112,15 +114,12 @@ def forms(grains):
 
 
 def maxima(f, derivative):
-    """Angles of the local maxima of a smooth function, by bisection of its derivative."""
+    """Angles of the local maxima of a smooth function, from the changes of sign of its derivative."""
     angles = np.linspace(0.0, 2.0 * np.pi, 721)
     slopes = derivative(angles)
-    for a, b in zip(angles[:-1][(slopes[:-1] > 0.0) & (slopes[1:] <= 0.0)], angles[1:][(slopes[:-1] > 0.0) & (slopes[1:] <= 0.0)],
-                    strict=True):
-        for _ in range(60):
-            middle = 0.5 * (a + b)
-            a, b = (middle, b) if derivative(middle) > 0.0 else (a, middle)
-        yield a, f(a)
+    for k in np.flatnonzero((slopes[:-1] > 0.0) & (slopes[1:] <= 0.0)):
+        angle = brentq(derivative, angles[k], angles[k + 1], xtol=1e-15)
+        yield angle, f(angle)
 
 
 class Cylinders(unittest.TestCase):
@@ -151,7 +150,7 @@ class Cylinders(unittest.TestCase):
         for i, q in enumerate(forms(grains)):
             across = (grains.centers[i] - MIDDLE) * [1, 1, 0]
             across /= np.linalg.norm(across)
-            t = np.linspace(0.0, 2.0 * np.pi, 20001)
+            t = np.linspace(0.0, 2.0 * np.pi, 2001)
             n = np.array([np.cos(t), np.sin(t), 0.0 * t])
             rooms = self.RADIUS + depth - np.sqrt(np.einsum("it,ij,jt->t", n, q, n))
             with np.errstate(divide="ignore"):
