@@ -98,7 +98,7 @@ void FixWall::touch(int i)
     touching_.clear();
     Grain const grain = motion_.to_wall(vector(atom->x[i]), ellipsoids_->form(i), ellipsoids_->largest_semi_axis(i));
     std::string const failure = surface_->touch(grain, touching_);
-    if (!failure.empty()) ellipsoids_->refuse(i, failure);
+    if (!failure.empty()) ellipsoids_->refuse(i, "(type " + std::to_string(atom->type[i]) + ") " + failure);
     std::vector<Contact> now;
     for (GrainGeometry &g : touching_) {
         g = motion_.to_space(g);

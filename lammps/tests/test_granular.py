@@ -423,7 +423,7 @@ class Errors(unittest.TestCase):
     def test_system(self):
         self.check("pair_style pw85/granular" + self.LAW, "use comm_modify vel yes")
         self.check(f"{self.START} 1.0{self.LAW}", "the pair cutoff 1 of types 1 and 1 misses contacts", "to 1.5 or more")
-        self.check(f"{self.START}{self.LAW}\nset atom 3 shape 0 0 0", "atom 3 has no shape", "set ... shape")
+        self.check(f"{self.START}{self.LAW}\nset atom 3 shape 0 0 0", "atom 3 has no shape (type 2)", "set ... shape")
         self.check(f"{self.START}\npair_coeff 1 1 hooke 1 0\npair_coeff 2 2 hertz 1 0", "add pair_coeff 1 2")
 
     def test_walls(self):
