@@ -106,7 +106,7 @@ class Examples(unittest.TestCase):
     def test_hopper(self):
         """Flows through two holes are those of Beverloo's law, roughly.
 
-        A hundred grains leave, and the filling is only as high as the hole is wide: the flows are 0.7 and 0.8 of those of the law.
+        A hundred grains leave, and the filling is only as high as the hole is wide: the flows are some 0.8 of those of the law.
         """
         for hole in (4, 5):
             write_ring(hole, 9, Path(self.directory, "orifice.stl"))

@@ -365,8 +365,8 @@ class Errors(unittest.TestCase):
         write_text(self.file, divided_box(MIDDLE - 3.0, MIDDLE + 3.0, 1))
         for shape, x in (("zcylinder 1.0 at 6 6", 1.1), ("zcylinder 1.0 at 6 6 side out", 0.9), (f"mesh {self.file}", 2.95)):
             placed = dataclasses.replace(one, centers=MIDDLE[None, :] + [[x, 0.0, 0.0]])
-            self.check(f"{shape} {law}", "atom 1 (type 1) is so" if "mesh" in shape else "atom 1 (type 1) is too deep in the wall", "smaller time step",
-                       grains=placed)
+            depth = "is so" if "mesh" in shape else "is too deep in the wall"
+            self.check(f"{shape} {law}", f"atom 1 (type 1) {depth}", "smaller time step", grains=placed)
 
     def test_periodic(self):
         grains = dataclasses.replace(in_large_box(lattice(Grains, 2, 2.0, SHAPES[:2], 3)), periodic=True)
