@@ -155,9 +155,13 @@ class AgainstLammps:
         self.check(self.HERTZ, (2, "on"), first_half="middle")
 
 
+# LAMMPS's own law, and the same one here.
+HOOKE = ("pair_style gran/hooke/history 10000 4000 20 10 0.4 1\npair_coeff * *",
+         granular("hooke 10000 20 damping mass_velocity tangential linear_history 4000 0.5 0.4", "arms surface"))
+
+
 class Pairs(AgainstLammps, unittest.TestCase):
-    HOOKE = ("pair_style gran/hooke/history 10000 4000 20 10 0.4 1\npair_coeff * *",
-             granular("hooke 10000 20 damping mass_velocity tangential linear_history 4000 0.5 0.4", "arms surface"))
+    HOOKE = HOOKE
     HERTZ = ("pair_style gran/hertz/history 100000 80000 200 100 0.5 1\npair_coeff * *",
              granular("hertz 100000 200 tangential mindlin 80000 0.5 0.5", "arms surface"))
 

@@ -13,7 +13,7 @@ from pathlib import Path
 import numpy as np
 from lammps_runs import failure, preamble
 from scipy.optimize import brentq
-from test_granular import SHAPES, AgainstLammps, Grains, Pairs, Spheres, energies, granular, lattice, move, rotation
+from test_granular import HOOKE, SHAPES, AgainstLammps, Grains, Spheres, energies, granular, lattice, move, rotation
 
 LAW = "hooke 20000 30 damping mass_velocity tangential linear_history 8000 0.5 0.3"
 MIDDLE = np.array([6.0, 6.0, 6.0])  # of the box of 12³ in which all tests take place
@@ -42,7 +42,7 @@ class AgainstRegions(unittest.TestCase):
         """How the spheres at these places move without walls."""
         spheres = AgainstRegions().spheres()
         keep = [tuple(place) in places for place in spheres.centers]
-        return move(in_large_box(spheres, keep), Pairs.HOOKE[0], 200)
+        return move(in_large_box(spheres, keep), HOOKE[0], 200)
 
     def spheres(self):
         spheres = lattice(Spheres, 4, 1.0, [[0.5, 0.5, 0.5], [0.52, 0.52, 0.52]], 5)
@@ -56,11 +56,11 @@ class AgainstRegions(unittest.TestCase):
         """`first`: whether spheres touch the wall at the start. LAMMPS's regions have no velocity then, even if they move."""
         spheres = in_large_box(self.spheres(), keep)
         alone = self.alone(frozenset(map(tuple, spheres.centers)))
-        expected = move(spheres, f"{Pairs.HOOKE[0]}\n{theirs}", 200)
+        expected = move(spheres, f"{HOOKE[0]}\n{theirs}", 200)
         touched = np.count_nonzero(np.abs(expected[-1] - alone[-1]).max(axis=1) > 1e-6)
         self.assertGreater(touched, 5, f"hardly any sphere touches {ours}")
         for count in ranks:
-            found = move(Grains(**vars(spheres)), Pairs.HOOKE[1] + wall(ours), 200, count)
+            found = move(Grains(**vars(spheres)), HOOKE[1] + wall(ours), 200, count)
             self.assertEqual(first, np.abs(expected[0][:, 7:10] - alone[0][:, 7:10]).max() > 0.0)
             self.compare(found[0], expected[0], self.forces, ours)
             self.compare(found[-1], expected[-1], self.trajectory, ours)
