@@ -88,11 +88,13 @@ void Ellipsoids::read_shapes()
 
 void Ellipsoids::refuse_shape(int i) const
 {
+    std::string const type = " (type " + std::to_string(atom->type[i]) + "): ";
     if (atom->ellipsoid[i] < 0)
-        refuse(i, "has no shape: give it one with the set command (set ... shape Sx Sy Sz) or in the Ellipsoids "
-                  "section of the data file, or " +
+        refuse(i, "has no shape" + type +
+                      "give it one with the set command (set ... shape Sx Sy Sz) or in the Ellipsoids section of the "
+                      "data file, or " +
                       otherwise_);
-    refuse(i, "has a bad shape or quaternion: correct it with the set command (set ... shape, set ... quat)");
+    refuse(i, "has a bad shape or quaternion" + type + "correct it with the set command (set ... shape, set ... quat)");
 }
 
 int Ellipsoids::pack(int count, int const *atoms, double *buffer) const

@@ -66,6 +66,7 @@ void FixWall::init()
             stop_all(*error, std::string(style_name) +
                                  ": the box is periodic across the wall: use boundary f or s for this axis");
     ellipsoids_->forget();
+    time_step_check_.start_run();
 }
 
 void FixWall::pre_exchange() { find_maxexchange(); }
@@ -83,10 +84,12 @@ void FixWall::post_force(int)
 {
     timestep_ = update->setupflag ? 0.0 : update->dt;
     energy_ = 0.0;
+    time_step_check_.start_step();
     motion_.move_to(time());
     ellipsoids_->read([this](int i) { return (atom->mask[i] & groupbit) != 0; });
     for (int i = 0; i < atom->nlocal; ++i)
         if (ellipsoids_->selected(i)) touch(i);
+    time_step_check_.finish_step(*error, style_name, timestep_);
 }
 
 /// Adds the forces of the wall on a grain.
@@ -95,7 +98,7 @@ void FixWall::touch(int i)
     touching_.clear();
     Grain const grain = motion_.to_wall(vector(atom->x[i]), ellipsoids_->form(i), ellipsoids_->largest_semi_axis(i));
     std::string const failure = surface_->touch(grain, touching_);
-    if (!failure.empty()) ellipsoids_->refuse(i, failure);
+    if (!failure.empty()) ellipsoids_->refuse(i, "(type " + std::to_string(atom->type[i]) + ") " + failure);
     std::vector<Contact> now;
     for (GrainGeometry &g : touching_) {
         g = motion_.to_space(g);
@@ -138,6 +141,7 @@ void FixWall::push(int i, GrainGeometry const &contact, Springs &springs)
     Vector const velocity = vector(atom->v[i]) + cross(spin, g.arm1) - motion_.velocity(vector(atom->x[i]) + g.arm2);
     Encounter const e{g.normal, g.depth, g.radius, atom->rmass[i], velocity, spin - motion_.spin(), timestep_};
     Reaction const reaction = law_.react(e, springs);
+    time_step_check_.add(reaction.stiffness, e.mass);
     Vector const torque = cross(g.arm1, reaction.force) + reaction.couple;
     for (std::size_t k = 0; k < 3; ++k) {
         atom->f[i][k] += reaction.force[k];

@@ -7,6 +7,7 @@
 #include "contact_law.hpp"
 #include "ellipsoids.hpp"
 #include "grain_geometry.hpp"
+#include "time_step_check.hpp"
 #include "wall_motion.hpp"
 #include "wall_surface.hpp"
 
@@ -72,6 +73,7 @@ class FixWall final : public LAMMPS_NS::Fix {
     std::vector<std::vector<Contact>> contacts_; ///< by owned atom
     std::vector<GrainGeometry> touching_;        ///< memory for touch()
     double timestep_ = 0.0, energy_ = 0.0;
+    TimeStepCheck time_step_check_;
 };
 
 } // namespace pw85_lammps

@@ -16,10 +16,6 @@ namespace {
 
 constexpr char style_name[] = "Pair pw85/granular";
 
-/// The largest time step times the frequency √(k/m) of a contact. Verlet's method makes a frequency ω too large by a fraction of
-/// (ω dt)²/24, here 0.2 %; it is unstable from ω dt = 2.
-constexpr double largest_phase = 0.2;
-
 /// The cosine of the largest angle by which a normal may turn in a step of a run. A normal that turns further may belong to another
 /// minimum of the depth.
 constexpr double least_cosine = 0.97;
@@ -119,7 +115,7 @@ void PairGranular::init_style()
     frozen_ = 0;
     for (int k = 0; k < modify->nfix; ++k)
         if (std::strcmp(modify->fix[k]->style, "freeze") == 0) frozen_ |= modify->fix[k]->groupbit;
-    warned_ = false;
+    time_step_check_.start_run();
     Pair::init_style();
 }
 
@@ -161,13 +157,13 @@ void PairGranular::compute(int eflag, int vflag)
     forward_to_ghosts(*comm, this);
     find_spins();
     timestep_ = update->setupflag ? 0.0 : update->dt;
-    fastest_ = 0.0;
+    time_step_check_.start_step();
     touches_.clear();
     if (keeps_touches_) step_of_touches_ = update->ntimestep;
     history_->start_step();
     batch_.run(*list, ellipsoids_->reach(1.0), [this, eflag] { add_batch(eflag); });
     history_->finish_step();
-    check_timestep();
+    time_step_check_.finish_step(*error, style_name, timestep_);
     if (vflag_fdotr) virial_fdotr_compute();
 }
 
@@ -265,7 +261,7 @@ void PairGranular::add_pair(std::size_t k, GrainGeometry &g, int eflag)
     Springs springs = starts_[k].before ? starts_[k].before->springs : Springs{};
     Reaction const reaction = both.law.react(e, springs);
     history_->store(i, j, springs, g.normal);
-    fastest_ = std::max(fastest_, share * reaction.stiffness / e.mass);
+    time_step_check_.add(share * reaction.stiffness, e.mass);
     Vector const couple = share * reaction.couple;
     Vector f = share * reaction.force, torque1 = cross(g.arm1, f) + couple, torque2 = -1.0 * cross(g.arm2, f) - couple;
     if (both.conserves) add_gradient(i, j, g, share * reaction.by_radius, f, torque1, torque2);
@@ -323,16 +319,6 @@ void PairGranular::apply(int i, Vector const &push, Vector const &torque)
     t[0] += torque[0];
     t[1] += torque[1];
     t[2] += torque[2];
-}
-
-void PairGranular::check_timestep()
-{
-    double const limit = largest_phase / std::sqrt(fastest_);
-    if (warned_ || timestep_ <= limit) return;
-    warned_ = true;
-    error->warning(FLERR, std::string(style_name) +
-                              ": the time step is too long for the stiffest contact: use timestep " +
-                              std::to_string(limit) + " or less");
 }
 
 void PairGranular::refuse_depth(int i, int j) const

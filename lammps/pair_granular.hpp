@@ -9,6 +9,7 @@
 #include "ellipsoids.hpp"
 #include "grain_geometry.hpp"
 #include "neighbours.hpp"
+#include "time_step_check.hpp"
 
 #include <array>
 #include <cstddef>
@@ -86,7 +87,6 @@ class PairGranular final : public LAMMPS_NS::Pair {
     void find_spins();
     void apply(int i, Vector const &push, Vector const &torque);
     bool is_frozen(int i) const { return (atom->mask[i] & frozen_) != 0; }
-    void check_timestep();
     [[noreturn]] void refuse_depth(int i, int j) const;
 
     double cutoff_ = 0.0; ///< of the command; 0: the cutoffs follow from the shapes
@@ -103,12 +103,11 @@ class PairGranular final : public LAMMPS_NS::Pair {
     GrainSearch search_, single_search_;
     std::vector<Vector> spins_; ///< angular velocities of owned atoms and ghosts
     double timestep_ = 0.0;     ///< for springs: zero while a run is set up
-    double fastest_ = 0.0;      ///< largest stiffness over mass of a contact in this step
+    TimeStepCheck time_step_check_;
     bool keeps_touches_ = false;
     LAMMPS_NS::bigint step_of_touches_ = -1;
     std::vector<Touch> touches_;
     int frozen_ = 0; ///< bit of the group of fix freeze
-    bool warned_ = false;
 };
 
 } // namespace pw85_lammps

@@ -26,13 +26,15 @@ class Examples(unittest.TestCase):
         self.addCleanup(directory.cleanup)
         self.directory = directory.name
 
-    def run_example(self, name, end="", axis="z", ranks=2, **variables):
-        """Runs a script, with more commands at its end, and draws its dump file; returns what LAMMPS printed."""
+    def run_example(self, name, end="", axis="z", ranks=2, draws=True, **variables):
+        """Runs a script, with more commands at its end, and draws its dump file if asked; returns what LAMMPS printed."""
         variables["pw85"] = os.environ["PW85_LAMMPS_INCLUDE"]
         start = "".join(f"variable {name} index {value}\n" for name, value in variables.items())
         Path(self.directory, "in.lammps").write_text(start + (EXAMPLES / f"{name}.in").read_text() + end)
         result = launch(self.directory, ranks)
         self.assertEqual(result.returncode, 0, result.stdout[-4000:])
+        if not draws:
+            return result.stdout
         draw = [sys.executable, EXAMPLES / "draw.py", f"{name}.dump", f"{name}.png", axis]
         subprocess.run(draw, cwd=self.directory, check=True, env={**os.environ, "MPLCONFIGDIR": self.directory})
         self.assertTrue(Path(self.directory, f"{name}.png").read_bytes().startswith(b"\x89PNG"))
@@ -104,12 +106,13 @@ class Examples(unittest.TestCase):
     def test_hopper(self):
         """Flows through two holes are those of Beverloo's law, roughly.
 
-        A hundred grains leave, and the filling is only as high as the hole is wide: the flows are 0.7 and 0.8 of those of the law.
+        A hundred grains leave, and the filling is only as high as the hole is wide: the flows are some 0.8 of those of the law.
         """
         for hole in (4, 5):
             write_ring(hole, 9, Path(self.directory, "orifice.stl"))
-            text = self.run_example("hopper", axis="y", ranks=1, hole=hole, fill=3000, steps=3000)
+            text = self.run_example("hopper", axis="y", ranks=1, draws=hole == 4, hole=hole, fill=2000, steps=1600)
             ratio = self.number("flow of grains: ", text) / self.number("flow by the law: ", text)
+            print(f"hole {hole}: {ratio} of the flow by the law")
             self.assertGreater(ratio, 0.5, hole)
             self.assertLess(ratio, 1.1, hole)
 

@@ -155,9 +155,13 @@ class AgainstLammps:
         self.check(self.HERTZ, (2, "on"), first_half="middle")
 
 
+# LAMMPS's own law, and the same one here.
+HOOKE = ("pair_style gran/hooke/history 10000 4000 20 10 0.4 1\npair_coeff * *",
+         granular("hooke 10000 20 damping mass_velocity tangential linear_history 4000 0.5 0.4", "arms surface"))
+
+
 class Pairs(AgainstLammps, unittest.TestCase):
-    HOOKE = ("pair_style gran/hooke/history 10000 4000 20 10 0.4 1\npair_coeff * *",
-             granular("hooke 10000 20 damping mass_velocity tangential linear_history 4000 0.5 0.4", "arms surface"))
+    HOOKE = HOOKE
     HERTZ = ("pair_style gran/hertz/history 100000 80000 200 100 0.5 1\npair_coeff * *",
              granular("hertz 100000 200 tangential mindlin 80000 0.5 0.5", "arms surface"))
 
@@ -339,6 +343,65 @@ class Shapes(unittest.TestCase):
             np.testing.assert_allclose(found, [[0.0, 0.0, sign * wall]], rtol=0, atol=1e-12 * wall)
 
 
+class Mixtures(unittest.TestCase):
+    """Pairs of oblate, prolate and triaxial grains with axis ratios of 1 to 10 and sizes of 1 to 20, each with a contact that is known:
+    the points with the normals n and -n are at the depth of the contact behind each other."""
+
+    STIFFNESS, SPACING, EDGE = 100.0, 4.4, 4
+
+    def pairs(self):
+        """Grains 2k and 2k + 1 are a pair. Returns the grains, and the normals and depths of the pairs."""
+        random = np.random.default_rng(17)
+        count = self.EDGE**3
+        ratios = 10.0 ** -np.concatenate([[0.0, 1.0], random.uniform(size=2 * count - 2)])
+        middle = np.choose(np.arange(2 * count) % 3, [np.ones(2 * count), ratios, ratios**0.5])
+        sizes = 20.0 ** -np.concatenate([[0.0, 1.0, 1.0, 0.0], random.uniform(size=2 * count - 4)])
+        semi_axes = sizes[:, None] * np.stack([np.ones(2 * count), middle, ratios], axis=1)
+        quaternions, normals = random.normal(size=(2 * count, 4)), random.normal(size=(count, 3))
+        quaternions /= np.linalg.norm(quaternions, axis=1)[:, None]
+        normals /= np.linalg.norm(normals, axis=1)[:, None]
+        depths = 0.02 * (semi_axes.min(axis=1)**2 / semi_axes.max(axis=1)).reshape(count, 2).min(axis=1)
+        axes = np.array([rotation(q) for q in quaternions])
+        images = np.einsum("nij,nj,nkj,nk->ni", axes, semi_axes**2, axes, np.repeat(normals, 2, axis=0))
+        points = images / np.sqrt(np.einsum("ni,ni->n", images, np.repeat(normals, 2, axis=0)))[:, None]
+        places = self.SPACING * (np.array(list(itertools.product(range(self.EDGE), repeat=3))) + 0.5)
+        half = 0.5 * depths[:, None] * normals
+        arms = points.reshape(count, 2, 3) * [[[1.0], [-1.0]]] + np.stack([-half, half], axis=1)
+        centers = (places[:, None] - arms).reshape(2 * count, 3)
+        cell = np.diag(np.full(3, self.EDGE * self.SPACING))
+        grains = Grains(cell, True, centers, semi_axes, quaternions, 1 + np.arange(2 * count) % 2, *np.zeros((2, 2 * count, 3)))
+        return grains, normals, depths, arms
+
+    def states(self, grains, law, steps, every, ranks):
+        """Every so many steps, the rows of move()."""
+        commands = script(grains, granular(law), steps, "on").replace("timestep 0.0005", "timestep 2e-5")
+        return np.array(run(commands.replace(f"all custom {steps}", f"all custom {every}"), grains, ranks, ("state.txt",))[1][0])
+
+    def test_forces(self):
+        grains, normals, depths, arms = self.pairs()
+        self.assertGreater((grains.semi_axes.max(axis=1) / grains.semi_axes.min(axis=1)).max(), 9.9)
+        found = self.states(grains, f"hooke {self.STIFFNESS} 0", 1, 1, 1)[0]
+        forces = (self.STIFFNESS * depths[:, None] * normals)[:, None] * [[[-1.0], [1.0]]]
+        # Depths have errors of some u times the largest coordinate, 18, and so have the arms, over the curvatures.
+        tolerance = 1e-13 * self.STIFFNESS
+        np.testing.assert_allclose(found[:, 7:10], forces.reshape(-1, 3), rtol=0, atol=tolerance)
+        np.testing.assert_allclose(found[:, 10:13], np.cross(arms, forces).reshape(-1, 3), rtol=0, atol=tolerance)
+
+    def test_ranks(self):
+        """On four ranks, which the pairs cross as they fly through the box, forces are those of one rank at all times."""
+        grains, normals, depths, _ = self.pairs()
+        approach = np.stack([normals, -normals], axis=1).reshape(-1, 3) * np.repeat(200.0 * depths, 2)[:, None]
+        flight = np.array([2000.0, 1500.0, -1300.0])
+        grains = dataclasses.replace(grains, velocities=approach + flight, spins=100.0 * approach[:, [1, 2, 0]])
+        law = f"hooke {self.STIFFNESS} 2 damping mass_velocity tangential linear_history 80 0.5 0.4"
+        expected, found = (self.states(grains, law, 200, 20, ranks) for ranks in (1, 4))
+        self.assertGreater(np.count_nonzero(expected[-1, :, 7]), 20, "hardly any contacts are left")
+        # The order of ghosts changes sums by some u of their largest term, and positions by u times 18 in each of 200 steps, which the
+        # stiffness turns into forces.
+        np.testing.assert_allclose(found[:, :, 7:13], expected[:, :, 7:13], rtol=0, atol=1e-11)
+        np.testing.assert_allclose(found[:, :, 4:7], expected[:, :, 4:7], rtol=0, atol=1e-12 * np.linalg.norm(flight))
+
+
 class Errors(unittest.TestCase):
     START = "comm_modify vel yes\npair_style pw85/granular"
     LAW = "\npair_coeff * * hooke 1000 0"
@@ -364,7 +427,7 @@ class Errors(unittest.TestCase):
     def test_system(self):
         self.check("pair_style pw85/granular" + self.LAW, "use comm_modify vel yes")
         self.check(f"{self.START} 1.0{self.LAW}", "the pair cutoff 1 of types 1 and 1 misses contacts", "to 1.5 or more")
-        self.check(f"{self.START}{self.LAW}\nset atom 3 shape 0 0 0", "atom 3 has no shape", "set ... shape")
+        self.check(f"{self.START}{self.LAW}\nset atom 3 shape 0 0 0", "atom 3 has no shape (type 2)", "set ... shape")
         self.check(f"{self.START}\npair_coeff 1 1 hooke 1 0\npair_coeff 2 2 hertz 1 0", "add pair_coeff 1 2")
 
     def test_walls(self):
@@ -383,12 +446,31 @@ class Errors(unittest.TestCase):
         self.check(self.START + self.LAW, "atom 1 and atom 2 (types 1 and 2) overlap more than the law of force allows", "fix pw85/fire",
                    grains=deep)
 
+    def check_time_step(self, grains, commands, style, mass):
+        """The limit of a contact with this mass is 0.2 √(m/k). It is printed with three digits, rounded down by at most 1 %."""
+        commands = f"comm_modify vel yes\nneighbor 0.1 bin\n{commands}\nfix move all nve/asphere"
+        warning = f"{style}: the time step is too long for the stiffest contact: use timestep "
+        limit = 0.2 * np.sqrt(mass / 1000.0)
+        text, _ = run(preamble(grains) + f"{commands}\ntimestep {1.01 * limit}\nrun 2\nrun 2\n"
+                      f"timestep {0.99 * limit}\nrun 2\n", grains)
+        found = [float(part.split()[0]) for part in text.split(warning)[1:]]
+        self.assertEqual(len(found), 2, text)  # once in each of the first two runs
+        for value in found:
+            self.assertLessEqual(value, limit)
+            self.assertGreater(value, 0.99 * limit)
+
     def test_time_step(self):
-        """The mass of two grains with semi-axes 0.5, 0.5 and 0.75 is half of their own; the limit is 0.2 √(m/k)."""
+        """The mass of a contact of two equal grains is half of their own."""
         near = lattice(Grains, 2, 0.95, SHAPES[:1], 3, jitter=0.0)
-        text, _ = run(preamble(near) + f"{self.START}{self.LAW}\ntimestep 0.1\nfix move all nve/asphere\nrun 1\n", near)
-        limit = 0.2 * np.sqrt(0.5 * near.masses[0] / 1000.0)
-        self.assertIn(f"the time step is too long for the stiffest contact: use timestep {limit:.5f}"[:-1], text)
+        self.check_time_step(near, f"pair_style pw85/granular{self.LAW}", "Pair pw85/granular", 0.5 * near.masses[0])
+
+    def test_time_step_of_walls(self):
+        """The lightest grain that touches the wall counts; the third grain, which is lighter, does not touch it."""
+        shapes = np.array([[0.5, 0.5, 0.75], [0.25, 0.25, 0.4], [0.2, 0.2, 0.2]])
+        grains = Grains(np.diag([4.0, 4.0, 4.0]), False, np.array([[1.0, 1.0, 0.74], [3.0, 1.0, 0.39], [2.0, 3.0, 2.0]]), shapes,
+                        np.tile([1.0, 0.0, 0.0, 0.0], (3, 1)), np.ones(3, dtype=int), *np.zeros((2, 3, 3)))
+        wall = "pair_style zero 2.0\npair_coeff * *\nfix wall all wall/pw85 zplane 0.0 NULL law hooke 1000 0"
+        self.check_time_step(grains, wall, "fix wall/pw85", grains.masses[1])
 
 
 if __name__ == "__main__":

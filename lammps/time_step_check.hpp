@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-2.0-only
+/// @file
+/// The warning of a time step that is too long for the stiffness of a contact.
+#ifndef PW85_LAMMPS_TIME_STEP_CHECK_HPP_INCLUDED
+#define PW85_LAMMPS_TIME_STEP_CHECK_HPP_INCLUDED
+
+#include "host.hpp"
+
+#include <algorithm>
+#include <string>
+
+namespace pw85_lammps {
+
+/// Compares the time step with the fastest oscillation √(k/m) of the contacts of a step. It warns once a run.
+class TimeStepCheck {
+  public:
+    void start_run() { warned_ = false; }
+    void start_step() { fastest_ = 0.0; }
+    void add(double stiffness, double mass) { fastest_ = std::max(fastest_, stiffness / mass); }
+
+    /// @param timestep zero while a run is set up
+    void finish_step(LAMMPS_NS::Error &error, std::string const &style, double timestep);
+
+  private:
+    double fastest_ = 0.0; ///< largest stiffness over mass
+    bool warned_ = false;
+};
+
+} // namespace pw85_lammps
+
+#endif
