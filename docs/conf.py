@@ -27,6 +27,7 @@ extensions = [
     "sphinx_inline_tabs",
     "cause_table",
     "furo_of_debian",
+    "equation_of_state_table",
     "measured_table",
     "percolation_table",
     "reference",

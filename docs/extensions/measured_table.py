@@ -1,10 +1,10 @@
 """Directive ``measured-table``: chosen columns of a table in docs/measurements.json, or of a file like reference/crystals/crystals.csv,
-with headings for readers; and chosen rows, those with one of the values in a column, or the last of those that are alike in a column
-(that of the best target).
+with headings for readers; and chosen rows, those with one of the values in a column, or in each of several columns, or the last of
+those that are alike in a column (that of the best target).
 
 .. measured-table:: table
    :columns: column=heading; column:.3f=heading
-   :where: column=value value
+   :where: column=value value; column=value
    :last-of: column
    :name: label
 
@@ -45,8 +45,8 @@ class MeasuredTable(NumberTable):
     def rows(self):
         path = self.path()
         rows = measurements.read_table(self.arguments[0]) if path == measurements.RESULTS else read(path)
-        if "where" in self.options:
-            column, _, values = self.options["where"].partition("=")
+        for condition in filter(None, self.options.get("where", "").split(";")):
+            column, _, values = condition.strip().partition("=")
             rows = [row for row in rows if row[column] in values.split()]
         if "last-of" in self.options:
             rows = list({row[self.options["last-of"]]: row for row in rows}.values())

@@ -6,7 +6,7 @@ import numpy as np
 from style import BLACK, BLUE, GREEN, ORANGE, REFERENCE, figure, read_reference, save
 
 sys.path.insert(0, str(REFERENCE / "equation_of_state"))
-from equation_of_state import parsons
+from formulas import parsons, series, virial_row
 
 COLOURS = {"1": BLACK, "2": GREEN, "3": ORANGE, "5": BLUE}
 MARKERS = {"random": "o", "aligned": "^"}
@@ -18,8 +18,9 @@ def main():
     for ax, title in zip(panels, ("prolate", "oblate")):
         for aspect, colour in COLOURS.items():
             name = aspect if title == "prolate" or aspect == "1" else f"1/{aspect}"
-            phi = np.linspace(0.05, 0.5 if aspect in "12" else 0.55, 100)
-            ax.plot(phi, parsons(float(aspect), phi), color=colour, linewidth=1)
+            phi, virial = np.linspace(0.05, 0.5 if aspect in "12" else 0.55, 100), virial_row(name)
+            ax.plot(phi, parsons(float(virial["B2"]), phi), color=colour, linewidth=1)
+            ax.plot(phi, series(virial, phi)[0], "--", color=colour, linewidth=1)
             ax.plot([], [], "o-", color=colour, markersize=4, label=name)
             for start, marker in MARKERS.items():
                 here = [row for row in rows if row["aspect"] == name and row["start"] == start and row["ensemble"] == "NVT"]

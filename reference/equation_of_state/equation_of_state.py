@@ -4,8 +4,8 @@ Usage: equation_of_state.py [TABLE], with pypw85 on the path. States that the ta
 that was interrupted goes on at the state where it was, and a state is measured anew if its row is deleted.
 
 All ellipsoids have the semi-axes (s, s, κ s), where κ is the aspect ratio and s³κ = 1. At constant volume, event chains measure
-Z = βP/ρ. The program can also measure the volume fraction φ at constant pressure, as the tests do for a check. Each row has the
-seed of its random numbers and the version of the library. Another version may give other random walks with the same averages.
+Z = βP/ρ. The pressure of some of these states is then applied, and the volume fraction φ is measured. Each row has the seed of
+its random numbers and the version of the library. Another version may give other random walks with the same averages.
 """
 
 from __future__ import annotations
@@ -20,11 +20,10 @@ import numpy as np
 
 import pypw85
 
-sys.path += [str(Path(__file__).resolve().parents[1] / folder) for folder in ("", "virial")]
+sys.path += [str(Path(__file__).resolve().parents[1])]
 import csv_rows
-from table import second_coefficient
+from formulas import TABLE
 
-TABLE = Path(__file__).with_name("equation_of_state.csv")
 VOLUME = 4 / 3 * np.pi  # of each ellipsoid, because the product of its semi-axes is 1
 
 
@@ -50,14 +49,9 @@ class State(NamedTuple):
         return np.array([1, 1, self.kappa]) / np.cbrt(self.kappa)
 
 
-def parsons(kappa: float, phi: float) -> float:
-    """Z of the isotropic branch by Parsons (1979): that of hard spheres by Carnahan and Starling (1969), scaled to the right B2."""
-    return 1 + second_coefficient((1, 1, kappa)) * phi * (1 - phi / 2) / (1 - phi) ** 3
-
-
 class Effort(NamedTuple):
     """Lengths of a run. A cycle is some sweeps of rotations and twice as many chains in NVT; in NPT, some sweeps of rotations and
-    translations, with a trial of the volume after each."""
+    translations, with four trials of the volume after each."""
 
     particles: int = 1000
     tuning: int = 500  # sweeps in which the steps change
@@ -82,10 +76,20 @@ RANDOM = {
     "1/2": ("0.1", "0.2", "0.3", "0.4", "0.5"),
 }
 ALIGNED = {
-    "5": ("0.5",),
-    "1/5": ("0.5",),
+    "5": ("0.45", "0.475", "0.5", "0.55"),
+    "1/5": ("0.425", "0.45", "0.5"),
     "3": ("0.3",),
     "1/3": ("0.3",),
+}
+# Volume fractions whose pressures, by chains, are applied.
+COMPRESSED = {
+    "1": ("0.3", "0.4"),
+    "3": ("0.3",),
+    "1/3": ("0.3",),
+    "5": ("0.3",),
+    "1/5": ("0.2",),
+    "2": ("0.4",),
+    "1/2": ("0.4",),
 }
 # Cells of the stretched crystal, which have four particles each: the box is about as long as it is wide.
 CELLS = {"5": (11, 11, 2), "1/5": (4, 4, 20), "3": (9, 9, 3), "1/3": (4, 4, 12)}
@@ -93,14 +97,16 @@ CELLS = {"5": (11, 11, 2), "1/5": (4, 4, 20), "3": (9, 9, 3), "1/3": (4, 4, 12)}
 
 def states() -> list[State]:
     """All states of the table, in the order in which they are measured."""
-    starts = {"random": RANDOM, "aligned": ALIGNED}
-    return [State(a, start, "NVT", f) for start, shapes in starts.items() for a, fractions in shapes.items() for f in fractions]
+    branches = {("random", "NVT"): RANDOM, ("random", "NPT"): COMPRESSED, ("aligned", "NVT"): ALIGNED}
+    return [State(a, *branch, f) for branch, shapes in branches.items() for a, fractions in shapes.items() for f in fractions]
 
 
 def effort(state: State) -> Effort:
-    """Orientations of long and flat ellipsoids relax slowly, and parallel ones lose their order slowly."""
+    """Orientations of long and flat ellipsoids relax slowly, parallel ones lose their order slowly, and volumes change slowly."""
+    if state.ensemble == "NPT":
+        return Effort(particles=128, equilibration=40, cycles=512, sweeps=64)
     if state.start == "aligned" and state.target != "0.3":
-        return Effort(equilibration=640, sweeps=8)
+        return Effort(equilibration=512, cycles=512, sweeps=8)
     return Effort(sweeps=8) if "5" in state.aspect else Effort()
 
 
@@ -129,6 +135,14 @@ def estimate(samples: list[float]) -> Estimate:
     return Estimate(float(np.mean(samples)), max(errors), float((halves[1] - halves[0]) / (2 * max(errors))))
 
 
+def crystal_order(simulation: pypw85.HardEllipsoids, cells: tuple[int, int, int]) -> float:
+    """The largest |Σ exp(ik·x)|²/N² over the shortest reciprocal vectors k of the crystal of the start. It is 1 in this crystal,
+    and some 1/N if it has melted."""
+    vectors = np.array([[1, 1, 1], [-1, 1, 1], [1, -1, 1], [1, 1, -1]]) * 2 * np.pi * cells / np.diag(simulation.cell)
+    waves = np.exp(1j * simulation.system().centers @ vectors.T)
+    return float((abs(waves.mean(axis=0)) ** 2).max())
+
+
 def fraction(simulation: pypw85.HardEllipsoids) -> float:
     return len(simulation) * VOLUME / abs(float(np.linalg.det(simulation.cell)))
 
@@ -140,12 +154,19 @@ def one_cycle(simulation: pypw85.HardEllipsoids, sweeps: int, pressure: float) -
         return simulation.chain(2 * sweeps, float(simulation.cell.max()))
     for _ in range(sweeps):
         simulation.sweep()
-        simulation.volume_moves(1, pressure)
+        simulation.volume_moves(4, pressure)
     return fraction(simulation)
 
 
+def volume_step(number: int, z: float) -> float:
+    """The largest change of the logarithm of the edge, for the volume to change fast. With δ the change of the logarithm of the
+    volume, a compression of N ellipsoids makes no overlap with the probability exp(-N(Z - 1)δ), and an expansion is accepted with
+    the same one. The mean square of the change is largest if δ is drawn up to some 3/(N(Z - 1))."""
+    return 1 / (number * (z - 1))
+
+
 def measure(state: State, how: Effort, pressure: float = 0.0) -> tuple[Estimate, Estimate]:
-    """Z, or the volume fraction at a pressure βPv > 0, and the nematic order. Nothing overlaps at the end."""
+    """Z, or the volume fraction at a pressure βPv > 0, and the nematic order. No overlap and no crystal is there at the end."""
     aligned = state.start == "aligned"
     start = aligned_start(state, CELLS[state.aspect]) if aligned else random_start(state, how.particles)
     simulation = pypw85.HardEllipsoids(start, state.seed)
@@ -153,6 +174,9 @@ def measure(state: State, how: Effort, pressure: float = 0.0) -> tuple[Estimate,
     if not pressure:
         simulation.set_fractions(rotation=1)  # the chains translate
     simulation.tune(how.tuning, pressure=beta_p)
+    if pressure:
+        steps = simulation.steps
+        simulation.set_steps(steps.translation, steps.rotation, volume_step(len(start), pressure / float(state.target)))
     for _ in range(how.equilibration):
         one_cycle(simulation, how.sweeps, beta_p)
     samples, order = [], []
@@ -160,6 +184,8 @@ def measure(state: State, how: Effort, pressure: float = 0.0) -> tuple[Estimate,
         samples.append(one_cycle(simulation, how.sweeps, beta_p))
         order.append(pypw85.nematic_order(simulation.system()))
     simulation.check()
+    if aligned and crystal_order(simulation, CELLS[state.aspect]) > 0.1:
+        raise RuntimeError(f"{' '.join(state)} is still a crystal")
     return estimate(samples), estimate(order)
 
 
@@ -198,9 +224,11 @@ def main() -> None:
     for state in states():
         if state in rows:
             continue
-        rows[state] = row = row_of(state, effort(state))
+        pressure = 0.0 if state.ensemble == "NVT" else float(rows[state._replace(ensemble="NVT")]["pressure"])
+        rows[state] = row = row_of(state, effort(state), pressure)
         csv_rows.write(path, (rows[one] for one in states() if one in rows))
-        print(*state, "Z", row["z"], row["z_error"], "S", row["order"], "drift", row["drift"], row["order_drift"], flush=True)
+        shown = ("fraction", "z", "z_error", "order", "drift", "order_drift")
+        print(*state, *(f"{name} {row[name]}" for name in shown), flush=True)
 
 
 if __name__ == "__main__":
