@@ -23,6 +23,7 @@ def main():
         ax.set(xscale="log", xlabel="aspect ratio", ylabel=title)
         ax.set_xticks([1 / 3, 1 / 2, 1, 2, 3], ["1/3", "1/2", "1", "2", "3"])
         ax.minorticks_off()
+    panels[1].set_ylim(bottom=3.5)  # for the legend
     panels[1].legend(loc="lower right")
     save(fig, "packings.svg", data=REFERENCE / "packings" / "packings.csv")
 

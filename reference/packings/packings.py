@@ -5,7 +5,7 @@ interrupted goes on where it was, and a run is made anew if its row is deleted. 
 
 Ellipsoids are thrown into a periodic cube at random, at a low volume fraction. There are two ways from there to jamming.
 
-With sweeps, `pypw85.relax` removes the overlaps, and ellipsoids grow as those of Lubachevsky and Stillinger (J. Stat. Phys. 60, 561,
+With sweeps, `pypw85.relax` removes the overlaps. Ellipsoids grow as those of Lubachevsky and Stillinger (J. Stat. Phys. 60, 561,
 1990) do, but they move by Monte Carlo: after some sweeps of trial moves, the cube is compressed until two ellipsoids touch, again
 and again, until the pressure is high. Then the volume fraction grows in small shares as in the other way.
 
@@ -43,7 +43,7 @@ PARTICLES = 250
 # Sweeps before each compression, and how many seeds the shapes have; without sweeps there is no growth by Monte Carlo.
 SWEEPS = 30
 SEEDS = {
-    SWEEPS: {"1.25:1:0.8": 2, "1": 1, "1.5": 1, "2/3": 1, "1/3": 1, "1/2": 1},
+    SWEEPS: dict.fromkeys(SHAPES, 1) | dict.fromkeys(("1.25:1:0.8", "1", "1.5", "2/3"), 4),
     0: dict.fromkeys(SHAPES, 2),
 }
 MEANS = ("fraction", "contacts", "rattlers", "order")  # columns of runs whose means the table has
