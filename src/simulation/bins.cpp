@@ -1,6 +1,8 @@
 // Sorts the particles of a simulation into bins.
 #include "bins.hpp"
 
+#include <numeric>
+
 namespace pw85::detail::simulation {
 
 namespace {
@@ -30,7 +32,7 @@ int Bins::prepare(Configuration const &configuration, double side) noexcept
         parts_[k] = static_cast<std::int32_t>(std::max(1.0, fewer * fit[k]));
         num_bins *= static_cast<std::size_t>(parts_[k]);
     }
-    if (!blocks_.resize(num_bins + n / 4) || !places_.resize(n)) return PW85_ENOMEM;
+    if (!blocks_.resize(num_bins + n / 4) || !places_.resize(n) || !sort(configuration, num_bins)) return PW85_ENOMEM;
     clear(num_bins);
     return fill(configuration) ? PW85_SUCCESS : PW85_EINVAL;
 }
@@ -52,15 +54,35 @@ void Bins::clear(std::size_t num_bins) noexcept
         blocks_[k].next = std::exchange(unused_, static_cast<std::int32_t>(k));
 }
 
+/// Orders the particles by their bins.
+bool Bins::sort(Configuration const &configuration, std::size_t num_bins) noexcept
+{
+    std::size_t const n = configuration.size();
+    Array<std::int32_t> bins, ends;
+    if (!bins.resize(n) || !ends.resize(num_bins) || !order_.resize(n)) return false;
+    std::fill_n(ends.data(), num_bins, 0);
+    for (std::size_t i = 0; i < n; ++i) {
+        Multiples home;
+        Box box;
+        bins[i] = locate(configuration.centers[i], home, box);
+        ++ends[static_cast<std::size_t>(bins[i])];
+    }
+    std::partial_sum(ends.data(), ends.data() + num_bins, ends.data());
+    for (std::size_t i = n; i-- > 0;)
+        order_[static_cast<std::size_t>(--ends[static_cast<std::size_t>(bins[i])])] = static_cast<std::int32_t>(i);
+    return true;
+}
+
 bool Bins::fill(Configuration const &configuration) noexcept
 {
     largest_ = {0.0, 0.0, 0.0};
     double farthest = 0.0;
     for (std::size_t i = 0; i < places_.size(); ++i) {
         Box box;
-        std::int32_t const bin = locate(configuration.centers[i], places_[i].cell, box);
+        std::size_t const number = number_in_configuration(i);
+        std::int32_t const bin = locate(configuration.centers[number], places_[i].cell, box);
         for (int d = 0; d < 3; ++d) {
-            double const half_width = configuration.half_widths[i][d];
+            double const half_width = configuration.half_widths[number][d];
             box.half_widths[d] = static_cast<float>(half_width);
             largest_[d] = std::max(largest_[d], half_width);
             farthest = std::max(farthest, std::abs(double{box.center[d]}));

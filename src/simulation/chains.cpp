@@ -39,20 +39,23 @@ int Chains::prepare() noexcept
     for (std::size_t i = 0; i < n; ++i)
         for (double const length : configuration_.semi_axes[i].coordinates) longest_ = std::max(longest_, length);
     unit_ = n > 0 ? binary_exponent(longest_) : 0;
-    if (!extents_.resize(n)) return PW85_ENOMEM;
-    for (std::size_t i = 0; i < n; ++i) {
+    if (!bodies_.resize(n) || !numbers_.resize(n)) return PW85_ENOMEM;
+    if (int const status = bins_.prepare(configuration_, bin_size * longest_)) return status;
+    for (std::size_t k = 0; k < n; ++k) {
+        std::size_t const i = bins_.number_in_configuration(k);
         Form3 const q = times_power_of_two(configuration_.q[i], -2 * unit_);
         double const root = std::sqrt(trace(q));
-        extents_[i] = {q, root, 1.0 / root};
+        bodies_[k] = {configuration_.centers[i], configuration_.half_widths[i], q, root, 1.0 / root};
+        numbers_[i] = static_cast<std::int32_t>(k);
     }
-    return bins_.prepare(configuration_, bin_size * longest_);
+    return PW85_SUCCESS;
 }
 
 /// Finds the images whose boxes meet that of particle i on a way, without the one that touched it.
 bool Chains::find_candidates(std::size_t i, Vector3 const &direction, double stage) noexcept
 {
-    Vector3 const half = 0.5 * stage * direction, center = configuration_.centers[i];
-    Vector3 own = configuration_.half_widths[i];
+    Vector3 const half = 0.5 * stage * direction, center = bodies_[i].center;
+    Vector3 own = bodies_[i].half_widths;
     for (int d = 0; d < 3; ++d) own[d] += absolute(half[d]);
     double const scale = times_power_of_two(1.0, -unit_), far = scale * (stage + 0x1p-16 * sum_of_magnitudes(center));
     num_candidates_ = 0;
@@ -65,7 +68,7 @@ bool Chains::find_candidates(std::size_t i, Vector3 const &direction, double sta
         if (last_plane_.exists && j == last_plane_.image.index &&
             largest_coordinate(translation - last_plane_.image.translation) == 0.0)
             return;
-        Vector3 const r12 = scale * configuration_.separation(i, j, translation);
+        Vector3 const r12 = scale * separation(center, bodies_[j].center, translation);
         double const size = sum_of_magnitudes(r12) + far + 0x1p-16 * scale * sum_of_magnitudes(translation);
         candidates_[num_candidates_++] = {{translation, j}, r12, size};
     });
@@ -76,11 +79,11 @@ bool Chains::find_candidates(std::size_t i, Vector3 const &direction, double sta
 Encounter<Pack> Chains::encounter_of(std::size_t i, Vector3 const &direction,
                                      Candidate const *const (&pair)[2]) const noexcept
 {
-    Form3 const &first = extents_[pair[0]->image.index].q, &second = extents_[pair[1]->image.index].q;
+    Form3 const &first = bodies_[pair[0]->image.index].q, &second = bodies_[pair[1]->image.index].q;
     Encounter<Pack> e;
     for (int d = 0; d < 3; ++d) e.r12[d] = Register{pair[0]->r12[d], pair[1]->r12[d]};
     for (int d = 0; d < 3; ++d) e.direction[d] = Pack(direction[d]);
-    for (int k = 0; k < Form3::size; ++k) e.q1[k] = Pack(extents_[i].q[k]);
+    for (int k = 0; k < Form3::size; ++k) e.q1[k] = Pack(bodies_[i].q[k]);
     for (int k = 0; k < Form3::size; ++k) e.q2[k] = Register{first[k], second[k]};
     e.size = Register{pair[0]->size, pair[1]->size};
     return e;
@@ -90,10 +93,10 @@ Encounter<Pack> Chains::encounter_of(std::size_t i, Vector3 const &direction,
 void Chains::find_obstacles(std::size_t i, Vector3 const &direction, double stage) noexcept
 {
     num_obstacles_ = 0;
-    auto const &[q, root, inverse_root] = extents_[i];
+    auto const &[center, half_widths, q, root, inverse_root] = bodies_[i];
     for (std::size_t k = 0; k < num_candidates_; k += 2) {
         Candidate const *const pair[2] = {&candidates_[k], &candidates_[std::min(k + 1, num_candidates_ - 1)]};
-        Extent const &first = extents_[pair[0]->image.index], &second = extents_[pair[1]->image.index];
+        Body const &first = bodies_[pair[0]->image.index], &second = bodies_[pair[1]->image.index];
         Pack const t = Pack(root) * Pack(Register{first.inverse_root, second.inverse_root});
         Pack const level = Pack(1.0) + Pack(inverse_root) * Pack(Register{first.root, second.root});
         auto const polynomial = view_way(encounter_of(i, direction, pair), t, level).polynomial;
@@ -139,7 +142,7 @@ void Chains::find_contact(std::size_t i, Vector3 const &direction, double stage)
     Obstacle obstacle = obstacles_[0];
     std::copy_n(obstacles_.data() + 1, --num_obstacles_, obstacles_.data());
     auto const &[image, r12, size] = obstacle.candidate;
-    Form3 const &q1 = extents_[i].q, &q2 = extents_[image.index].q;
+    Form3 const &q1 = bodies_[i].q, &q2 = bodies_[image.index].q;
     auto const view = view_way<double>({r12, direction, q1, q2, size}, obstacle.t, 1.0 + 1.0 / obstacle.t);
     double const place = view.polynomial.place(view.polynomial.root_of_discriminant());
     obstacle.is_exact = obstacle.has_plane = true;
@@ -169,8 +172,8 @@ double Chains::find_way(std::size_t i, Vector3 const &direction, double stage) n
 bool Chains::plane_separates(std::size_t i, Image const &image, Vector3 const &normal) const noexcept
 {
     double const scale = times_power_of_two(1.0, -unit_);
-    Vector3 const r12 = scale * configuration_.separation(i, image.index, image.translation);
-    auto const pair = pair_of(r12, extents_[i].q, extents_[image.index].q);
+    Vector3 const r12 = scale * separation(bodies_[i].center, bodies_[image.index].center, image.translation);
+    auto const pair = pair_of(r12, bodies_[i].q, bodies_[image.index].q);
     return free_by_normal({pair, 0, 0, false, 0}, -normal, normal) > 0.0;
 }
 
@@ -179,8 +182,10 @@ bool Chains::is_free_of(std::size_t i, Image const &image, Vector3 const &normal
 {
     has_plane = has_plane && plane_separates(i, image, normal);
     if (has_plane) return true;
-    Vector3 const r12 = configuration_.separation(i, image.index, image.translation);
-    return !overlap(r12, configuration_.q[i], configuration_.q[image.index]).overlap;
+    Vector3 const r12 = separation(bodies_[i].center, bodies_[image.index].center, image.translation);
+    Form3 const &q1 = configuration_.q[bins_.number_in_configuration(i)],
+                &q2 = configuration_.q[bins_.number_in_configuration(image.index)];
+    return !overlap(r12, q1, q2).overlap;
 }
 
 /// Whether particle i is free at its place on the way. The bounds of all other images are longer than the way.
@@ -198,13 +203,14 @@ bool Chains::is_free(std::size_t i) noexcept
 /// coordinates, which may cost more where a contact grazes. So the way to a contact ends some u before it.
 double Chains::advance(std::size_t i, Vector3 const &direction, double way, bool touches, double digit) noexcept
 {
-    Vector3 &center = configuration_.centers[i];
+    Vector3 &center = bodies_[i].center;
     Vector3 const start = center;
     double back = std::max(digit, 0x1p-50 * (largest_coordinate(start) + longest_));
     for (double moved = rounded_down(touches ? way - back : way, digit); moved > 0.0; back *= 4.0) {
         center = start + moved * direction;
         if (is_free(i)) {
             bins_.move(i, center);
+            configuration_.centers[bins_.number_in_configuration(i)] = center;
             return moved;
         }
         moved = rounded_down(moved - back, digit);
@@ -220,7 +226,7 @@ int Chains::run(std::size_t first, Vector3 const &direction, double length, Chai
     int idle = 0;
     sums.length += length;
     last_plane_.exists = false;
-    for (std::size_t i = first; remaining > 0.0;) {
+    for (auto i = static_cast<std::size_t>(numbers_[first]); remaining > 0.0;) {
         double const stage = std::min(remaining, stage_size * longest_);
         if (!find_candidates(i, direction, stage)) return PW85_ENOMEM;
         double const way = times_power_of_two(find_way(i, direction, times_power_of_two(stage, -unit_)), unit_);

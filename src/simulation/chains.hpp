@@ -46,6 +46,13 @@ class Chains {
     int run(std::size_t first, Vector3 const &direction, double length, ChainSums &sums) noexcept;
 
   private:
+    /// What the search reads of a particle. The root of the trace of its form, and the inverse, stand for its size.
+    struct Body {
+        Vector3 center, half_widths;
+        Form3 q; ///< in the unit
+        double root, inverse_root;
+    };
+
     /// An image of a particle that is near the way of another one.
     struct Image {
         Vector3 translation;
@@ -91,7 +98,8 @@ class Chains {
 
     Configuration &configuration_;
     Bins bins_;
-    Array<Extent> extents_; ///< in the unit
+    Array<Body> bodies_;          ///< in the order of the bins
+    Array<std::int32_t> numbers_; ///< of the particles of the configuration in that order
     Array<Candidate> candidates_;
     Array<Obstacle> obstacles_; ///< those with the least bounds first
     std::size_t num_candidates_ = 0, num_obstacles_ = 0;

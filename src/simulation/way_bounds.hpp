@@ -26,12 +26,6 @@
 
 namespace pw85::detail::simulation {
 
-/// What the bounds read of a particle: its form, the root of the trace of the form, and the inverse of this root.
-struct Extent {
-    Form3 q;
-    double root, inverse_root;
-};
-
 /// A particle that moves, or two of them in lanes, and something in its way.
 template <class T> struct Encounter {
     Vector<T, 3> r12, direction;
