@@ -76,7 +76,7 @@ bool Bins::sort(Configuration const &configuration, std::size_t num_bins) noexce
 bool Bins::fill(Configuration const &configuration) noexcept
 {
     largest_ = {0.0, 0.0, 0.0};
-    double farthest = 0.0;
+    farthest_ = 0.0;
     for (std::size_t i = 0; i < places_.size(); ++i) {
         Box box;
         std::size_t const number = number_in_configuration(i);
@@ -85,13 +85,26 @@ bool Bins::fill(Configuration const &configuration) noexcept
             double const half_width = configuration.half_widths[number][d];
             box.half_widths[d] = static_cast<float>(half_width);
             largest_[d] = std::max(largest_[d], half_width);
-            farthest = std::max(farthest, std::abs(double{box.center[d]}));
         }
         insert(i, bin, box);
+        widen_margin(magnitude_of(configuration.centers[number], box));
     }
-    for (double const x : cell_.vectors) farthest = std::max(farthest, cell_.exists ? 2.0 * std::abs(x) : 0.0);
-    margin_ = static_cast<float>(0x1p-20 * (farthest + largest_coordinate(largest_)));
+    for (double const x : cell_.vectors) widen_margin(cell_.exists ? 2.0 * std::abs(x) : 0.0);
     return margin_ < std::numeric_limits<float>::infinity();
+}
+
+void Bins::widen_margin(double magnitude) noexcept
+{
+    farthest_ = std::max(farthest_, magnitude);
+    margin_ = static_cast<float>(0x1p-20 * (farthest_ + largest_coordinate(largest_)));
+}
+
+/// The largest magnitude that the margin must cover for a particle at a place.
+double Bins::magnitude_of(Vector3 const &center, Box const &box) noexcept
+{
+    double largest = 0x1p-28 * largest_coordinate(center);
+    for (float const x : box.center) largest = std::max(largest, std::abs(double{x}));
+    return largest;
 }
 
 std::int32_t Bins::locate(Vector3 const &center, Multiples &home, Box &box) const noexcept
@@ -177,6 +190,7 @@ void Bins::move(std::size_t i, Vector3 const &center) noexcept
     Place &place = places_[i];
     Box box = get(place);
     std::int32_t const bin = locate(center, place.cell, box);
+    if (double const magnitude = magnitude_of(center, box); magnitude > farthest_) widen_margin(magnitude);
     if (bin == place.bin) {
         set(place, static_cast<std::int32_t>(i), box);
     } else {

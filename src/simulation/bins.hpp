@@ -8,7 +8,8 @@
 ///    cells on. So the search also finds several images of a particle in a small cell.
 /// 3. A box is compared with the four boxes of a block at once, in single precision. The margin, 2⁻²⁰ times the largest sum of the
 ///    magnitudes in a coordinate, is 16 times the unit roundoff, which bounds the rounding errors of the eight operations from the centres
-///    on.
+///    on. The margin grows with a particle that moves farther away, along a vector that is not periodic. 2⁻²⁸ times a centre that is not
+///    moved into the cell is one of these magnitudes, because its coordinates are rounded as doubles.
 #ifndef PW85_SIMULATION_BINS_HPP_INCLUDED
 #define PW85_SIMULATION_BINS_HPP_INCLUDED
 
@@ -28,7 +29,10 @@ class Bins {
     int prepare(Configuration const &configuration, double side) noexcept;
 
     /// The number of a particle in the configuration.
-    std::size_t number_in_configuration(std::size_t i) const noexcept { return static_cast<std::size_t>(order_[i]); }
+    [[gnu::always_inline]] std::size_t number_in_configuration(std::size_t i) const noexcept
+    {
+        return static_cast<std::size_t>(order_[i]);
+    }
 
     /// Takes note of the new centre of particle i.
     void move(std::size_t i, Vector3 const &center) noexcept;
@@ -156,6 +160,8 @@ class Bins {
     void clear(std::size_t num_bins) noexcept;
     bool sort(Configuration const &configuration, std::size_t num_bins) noexcept;
     bool fill(Configuration const &configuration) noexcept;
+    static double magnitude_of(Vector3 const &center, Box const &box) noexcept;
+    void widen_margin(double magnitude) noexcept;
     void set(Place const &place, std::int32_t particle, Box const &box) noexcept;
     Box get(Place const &place) const noexcept;
     void insert(std::size_t i, std::int32_t bin, Box const &box) noexcept;
@@ -167,7 +173,8 @@ class Bins {
     Cell cell_{};
     std::int32_t parts_[3] = {1, 1, 1};
     Vector3 dual_[3] = {};
-    Vector3 largest_ = {}; ///< of the half-widths of all boxes
+    Vector3 largest_ = {};  ///< of the half-widths of all boxes
+    double farthest_ = 0.0; ///< the magnitudes that the margin covers
     float margin_ = 0.0F;
     std::int32_t unused_ = -1; ///< the first block that is not in use
     Array<Block> blocks_;

@@ -4,6 +4,8 @@
 #include <pw85/motion/free_path.hpp>
 #include <pw85/overlap/overlap.hpp>
 
+#include "way_bounds.hpp"
+
 namespace pw85::detail::simulation {
 
 namespace {
@@ -29,6 +31,23 @@ constexpr double tolerance = 0x1p-40;
 
 /// The multiple of `digit`, a power of two, below a way that is less than 2⁵³ times as long.
 double rounded_down(double way, double digit) noexcept { return std::floor(way / digit) * digit; }
+
+static_assert(lanes == 2);
+
+/// Two candidates in lanes. The first body moves.
+template <class Body, class Candidate>
+[[gnu::always_inline]] inline Encounter<Pack> encounter_of(Body const &moving, Vector3 const &direction,
+                                                           Candidate const &candidate1, Body const &body1,
+                                                           Candidate const &candidate2, Body const &body2) noexcept
+{
+    Encounter<Pack> e;
+    for (int d = 0; d < 3; ++d) e.r12[d] = Register{candidate1.r12[d], candidate2.r12[d]};
+    for (int d = 0; d < 3; ++d) e.direction[d] = Pack(direction[d]);
+    for (int k = 0; k < Form3::size; ++k) e.q1[k] = Pack(moving.q[k]);
+    for (int k = 0; k < Form3::size; ++k) e.q2[k] = Register{body1.q[k], body2.q[k]};
+    e.size = Register{candidate1.size, candidate2.size};
+    return e;
+}
 
 } // namespace
 
@@ -75,31 +94,18 @@ bool Chains::find_candidates(std::size_t i, Vector3 const &direction, double sta
     return has_room;
 }
 
-/// Two candidates in lanes.
-Encounter<Pack> Chains::encounter_of(std::size_t i, Vector3 const &direction,
-                                     Candidate const *const (&pair)[2]) const noexcept
-{
-    Form3 const &first = bodies_[pair[0]->image.index].q, &second = bodies_[pair[1]->image.index].q;
-    Encounter<Pack> e;
-    for (int d = 0; d < 3; ++d) e.r12[d] = Register{pair[0]->r12[d], pair[1]->r12[d]};
-    for (int d = 0; d < 3; ++d) e.direction[d] = Pack(direction[d]);
-    for (int k = 0; k < Form3::size; ++k) e.q1[k] = Pack(bodies_[i].q[k]);
-    for (int k = 0; k < Form3::size; ++k) e.q2[k] = Register{first[k], second[k]};
-    e.size = Register{pair[0]->size, pair[1]->size};
-    return e;
-}
-
 /// Keeps the candidates that may be touched, by the bounds at the t of spheres with these traces.
 void Chains::find_obstacles(std::size_t i, Vector3 const &direction, double stage) noexcept
 {
     num_obstacles_ = 0;
-    auto const &[center, half_widths, q, root, inverse_root] = bodies_[i];
+    Body const &moving = bodies_[i];
     for (std::size_t k = 0; k < num_candidates_; k += 2) {
         Candidate const *const pair[2] = {&candidates_[k], &candidates_[std::min(k + 1, num_candidates_ - 1)]};
         Body const &first = bodies_[pair[0]->image.index], &second = bodies_[pair[1]->image.index];
-        Pack const t = Pack(root) * Pack(Register{first.inverse_root, second.inverse_root});
-        Pack const level = Pack(1.0) + Pack(inverse_root) * Pack(Register{first.root, second.root});
-        auto const polynomial = view_way(encounter_of(i, direction, pair), t, level).polynomial;
+        Pack const t = Pack(moving.root) * Pack(Register{first.inverse_root, second.inverse_root});
+        Pack const level = Pack(1.0) + Pack(moving.inverse_root) * Pack(Register{first.root, second.root});
+        auto const e = encounter_of(moving, direction, *pair[0], first, *pair[1], second);
+        auto const polynomial = view_way(e, t, level).polynomial;
         Pack const discriminant = polynomial.root_of_discriminant();
         Pack const bound = polynomial.bound(polynomial.place(discriminant), discriminant, stage);
         for (std::size_t lane = 0; lane < 2 && k + lane < num_candidates_; ++lane)
@@ -120,9 +126,10 @@ void Chains::improve(std::size_t i, Vector3 const &direction, double stage) noex
 {
     std::size_t const count = std::min(num_obstacles_, std::size_t{2});
     Obstacle changed[2] = {obstacles_[0], obstacles_[count - 1]};
-    Candidate const *const pair[2] = {&changed[0].candidate, &changed[1].candidate};
-    auto const better =
-        improve_bound(encounter_of(i, direction, pair), Pack(Register{changed[0].t, changed[1].t}), Pack(stage));
+    Candidate const &first = changed[0].candidate, &second = changed[1].candidate;
+    auto const e =
+        encounter_of(bodies_[i], direction, first, bodies_[first.image.index], second, bodies_[second.image.index]);
+    auto const better = improve_bound(e, Pack(Register{changed[0].t, changed[1].t}), Pack(stage));
     num_obstacles_ -= count;
     std::copy_n(obstacles_.data() + count, num_obstacles_, obstacles_.data());
     for (std::size_t lane = 0; lane < count; ++lane) {

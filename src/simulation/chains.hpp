@@ -23,7 +23,6 @@
 
 #include "bins.hpp"
 #include "random.hpp"
-#include "way_bounds.hpp"
 
 namespace pw85::detail::simulation {
 
@@ -84,8 +83,6 @@ class Chains {
     };
 
     bool find_candidates(std::size_t i, Vector3 const &direction, double stage) noexcept;
-    Encounter<Pack> encounter_of(std::size_t i, Vector3 const &direction,
-                                 Candidate const *const (&pair)[2]) const noexcept;
     void find_obstacles(std::size_t i, Vector3 const &direction, double stage) noexcept;
     void insert(Obstacle const &obstacle) noexcept;
     void improve(std::size_t i, Vector3 const &direction, double stage) noexcept;
