@@ -181,7 +181,8 @@ bool Chains::plane_separates(std::size_t i, Image const &image, Vector3 const &n
     double const scale = times_power_of_two(1.0, -unit_);
     Vector3 const r12 = scale * separation(bodies_[i].center, bodies_[image.index].center, image.translation);
     auto const pair = pair_of(r12, bodies_[i].q, bodies_[image.index].q);
-    return free_by_normal({pair, 0, 0, false, 0}, -normal, normal) > 0.0;
+    double const gap = free_by_normal({pair, 0, 0, false, 0}, -normal, normal);
+    return gap > 0.0 && gap < infinity<double>(); // infinity if the square of the normal vanishes
 }
 
 /// Whether particle i does not overlap an image, by a plane if there is one, or else by the exact test.
