@@ -159,6 +159,27 @@ void test_line()
     g_assert_cmpfloat(std::abs(chain(simulation, 1, length, direction) - 4.0 / 3), <, 2e-5);
 }
 
+// Without a cell, particles move a million times farther away than they are at the start, and small ones still do not pass each other. The
+// large third one makes stages long.
+void test_unbounded()
+{
+    double const centers[9] = {0, 0, 0, 1.7, 0, 0, 0, 0, 1e4},
+                 semi_axes[9] = {0.5, 0.5, 0.5, 0.5, 0.5, 0.5, 1e3, 1e3, 1e3},
+                 quaternions[12] = {1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0}, direction[3] = {1, 0, 0};
+    pw85_system const system{3, centers, nullptr, nullptr, {0, 0, 0}};
+    for (std::size_t seed = 1; seed <= 4; ++seed) {
+        pw85_hard_ellipsoids *made = nullptr;
+        g_assert_cmpint(pw85_hard_ellipsoids_create(&system, semi_axes, quaternions, seed, nullptr, &made), ==,
+                        PW85_SUCCESS);
+        Simulation const simulation(made);
+        chain(simulation, 30, 1e7, direction);
+        auto const after = centers_of(simulation);
+        g_test_message("seed %zu: from %a to %a", seed, after[0], after[3]);
+        g_assert_cmpfloat(after[3] - after[0], >=, 1.0);
+        g_assert_true(is_free(simulation));
+    }
+}
+
 // Chains, rotations and translations: long runs of slender ellipsoids in a dense system, never with an overlap.
 void test_never_overlaps()
 {
@@ -174,8 +195,8 @@ void test_never_overlaps()
 void test_far_away()
 {
     auto const simulation = Lattice{4, 1.5, 0.4, 1.0, 0x1p30}.make(5);
-    for (int k = 0; k < 4; ++k) {
-        chain(simulation, 20, 10.0, nullptr);
+    for (int k = 0; k < 500; ++k) {
+        chain(simulation, 1, 1.0, nullptr);
         g_assert_true(is_free(simulation));
     }
 }
@@ -243,6 +264,7 @@ int main(int argc, char **argv)
     g_test_add_func("/event_chains/length", test_length);
     g_test_add_func("/event_chains/one_particle", test_one_particle);
     g_test_add_func("/event_chains/line", test_line);
+    g_test_add_func("/event_chains/unbounded", test_unbounded);
     g_test_add_func("/event_chains/never_overlaps", test_never_overlaps);
     g_test_add_func("/event_chains/far_away", test_far_away);
     g_test_add_func("/event_chains/reproducible", test_reproducible);

@@ -1,6 +1,8 @@
 // Sorts the particles of a simulation into bins.
 #include "bins.hpp"
 
+#include <numeric>
+
 namespace pw85::detail::simulation {
 
 namespace {
@@ -30,7 +32,7 @@ int Bins::prepare(Configuration const &configuration, double side) noexcept
         parts_[k] = static_cast<std::int32_t>(std::max(1.0, fewer * fit[k]));
         num_bins *= static_cast<std::size_t>(parts_[k]);
     }
-    if (!blocks_.resize(num_bins + n / 4) || !places_.resize(n)) return PW85_ENOMEM;
+    if (!blocks_.resize(num_bins + n / 4) || !places_.resize(n) || !sort(configuration, num_bins)) return PW85_ENOMEM;
     clear(num_bins);
     return fill(configuration) ? PW85_SUCCESS : PW85_EINVAL;
 }
@@ -52,24 +54,57 @@ void Bins::clear(std::size_t num_bins) noexcept
         blocks_[k].next = std::exchange(unused_, static_cast<std::int32_t>(k));
 }
 
+/// Orders the particles by their bins.
+bool Bins::sort(Configuration const &configuration, std::size_t num_bins) noexcept
+{
+    std::size_t const n = configuration.size();
+    Array<std::int32_t> bins, ends;
+    if (!bins.resize(n) || !ends.resize(num_bins) || !order_.resize(n)) return false;
+    std::fill_n(ends.data(), num_bins, 0);
+    for (std::size_t i = 0; i < n; ++i) {
+        Multiples home;
+        Box box;
+        bins[i] = locate(configuration.centers[i], home, box);
+        ++ends[static_cast<std::size_t>(bins[i])];
+    }
+    std::partial_sum(ends.data(), ends.data() + num_bins, ends.data());
+    for (std::size_t i = n; i-- > 0;)
+        order_[static_cast<std::size_t>(--ends[static_cast<std::size_t>(bins[i])])] = static_cast<std::int32_t>(i);
+    return true;
+}
+
 bool Bins::fill(Configuration const &configuration) noexcept
 {
     largest_ = {0.0, 0.0, 0.0};
-    double farthest = 0.0;
+    farthest_ = 0.0;
     for (std::size_t i = 0; i < places_.size(); ++i) {
         Box box;
-        std::int32_t const bin = locate(configuration.centers[i], places_[i].cell, box);
+        std::size_t const number = number_in_configuration(i);
+        std::int32_t const bin = locate(configuration.centers[number], places_[i].cell, box);
         for (int d = 0; d < 3; ++d) {
-            double const half_width = configuration.half_widths[i][d];
+            double const half_width = configuration.half_widths[number][d];
             box.half_widths[d] = static_cast<float>(half_width);
             largest_[d] = std::max(largest_[d], half_width);
-            farthest = std::max(farthest, std::abs(double{box.center[d]}));
         }
         insert(i, bin, box);
+        widen_margin(magnitude_of(configuration.centers[number], box));
     }
-    for (double const x : cell_.vectors) farthest = std::max(farthest, cell_.exists ? 2.0 * std::abs(x) : 0.0);
-    margin_ = static_cast<float>(0x1p-20 * (farthest + largest_coordinate(largest_)));
+    for (double const x : cell_.vectors) widen_margin(cell_.exists ? 2.0 * std::abs(x) : 0.0);
     return margin_ < std::numeric_limits<float>::infinity();
+}
+
+void Bins::widen_margin(double magnitude) noexcept
+{
+    farthest_ = std::max(farthest_, magnitude);
+    margin_ = static_cast<float>(0x1p-20 * (farthest_ + largest_coordinate(largest_)));
+}
+
+/// The largest magnitude that the margin must cover for a particle at a place.
+double Bins::magnitude_of(Vector3 const &center, Box const &box) noexcept
+{
+    double largest = 0x1p-28 * largest_coordinate(center);
+    for (float const x : box.center) largest = std::max(largest, std::abs(double{x}));
+    return largest;
 }
 
 std::int32_t Bins::locate(Vector3 const &center, Multiples &home, Box &box) const noexcept
@@ -155,6 +190,7 @@ void Bins::move(std::size_t i, Vector3 const &center) noexcept
     Place &place = places_[i];
     Box box = get(place);
     std::int32_t const bin = locate(center, place.cell, box);
+    if (double const magnitude = magnitude_of(center, box); magnitude > farthest_) widen_margin(magnitude);
     if (bin == place.bin) {
         set(place, static_cast<std::int32_t>(i), box);
     } else {

@@ -1,5 +1,6 @@
 /// @file
 /// The particles of a simulation by their places. The event chains (chains.cpp) ask for the neighbours of a particle, and move it.
+/// Particles have numbers here in the order of the bins at the start, so that those that are near each other are near in memory.
 ///
 /// 1. Vector k of the cell is divided into equal parts if it is periodic. A bin is a parallelepiped of parts. It has the particles whose
 ///    centres are in it, after they are moved into the cell, in blocks of four. All its blocks but the first one are full.
@@ -7,11 +8,13 @@
 ///    cells on. So the search also finds several images of a particle in a small cell.
 /// 3. A box is compared with the four boxes of a block at once, in single precision. The margin, 2⁻²⁰ times the largest sum of the
 ///    magnitudes in a coordinate, is 16 times the unit roundoff, which bounds the rounding errors of the eight operations from the centres
-///    on.
+///    on. The margin grows with a particle that moves farther away, along a vector that is not periodic. 2⁻²⁸ times a centre that is not
+///    moved into the cell is one of these magnitudes, because its coordinates are rounded as doubles.
 #ifndef PW85_SIMULATION_BINS_HPP_INCLUDED
 #define PW85_SIMULATION_BINS_HPP_INCLUDED
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -24,6 +27,12 @@ class Bins {
   public:
     /// Divides the cell into parts not much smaller than `side`, but not into many more bins than particles. Returns a status.
     int prepare(Configuration const &configuration, double side) noexcept;
+
+    /// The number of a particle in the configuration.
+    [[gnu::always_inline]] std::size_t number_in_configuration(std::size_t i) const noexcept
+    {
+        return static_cast<std::size_t>(order_[i]);
+    }
 
     /// Takes note of the new centre of particle i.
     void move(std::size_t i, Vector3 const &center) noexcept;
@@ -58,7 +67,6 @@ class Bins {
   private:
     typedef float Float4 __attribute__((vector_size(16)));
     typedef std::int32_t Int4 __attribute__((vector_size(16)));
-    typedef std::int64_t Int2 __attribute__((vector_size(16)));
 
     /// The box of a particle, moved into the cell.
     struct Box {
@@ -117,18 +125,27 @@ class Bins {
                 auto const bits = reinterpret_cast<Int4>(block->center[d] + query.shift[d]);
                 meets &= reinterpret_cast<Float4>(bits & 0x7fffffff) <= block->half_widths[d] + query.reach[d];
             }
-            auto const pairs = reinterpret_cast<Int2>(meets);
-            if ((pairs[0] | pairs[1]) != 0) visit_lanes(*block, meets, query.cell, visit_one);
+            unsigned const bits = to_bits(meets);
+            if (bits != 0) visit_lanes(*block, bits, query.cell, visit_one);
             if (block->next < 0) return;
         }
     }
 
-    template <class Visit> [[gnu::always_inline]] void
-    visit_lanes(Block const &block, Int4 const &meets, Multiples const &cell, Visit const &visit_one) const noexcept
+    /// Bit k is that of lane k.
+    [[gnu::always_inline]] static unsigned to_bits(Int4 const &mask) noexcept
     {
-        for (int lane = 0; lane < 4; ++lane) {
-            if (meets[lane] == 0) continue;
-            auto const j = static_cast<std::size_t>(block.particle[lane]);
+#ifdef __SSE2__
+        return static_cast<unsigned>(__builtin_ia32_movmskps(reinterpret_cast<Float4>(mask)));
+#else
+        return (mask[0] & 1U) | (mask[1] & 2U) | (mask[2] & 4U) | (mask[3] & 8U);
+#endif
+    }
+
+    template <class Visit> [[gnu::always_inline]] void
+    visit_lanes(Block const &block, unsigned bits, Multiples const &cell, Visit const &visit_one) const noexcept
+    {
+        for (; bits != 0; bits &= bits - 1) {
+            auto const j = static_cast<std::size_t>(block.particle[std::countr_zero(bits)]);
             auto const &[x, y, z] = places_[j].cell.n;
             visit_one(j, Multiples{{cell.n[0] - x, cell.n[1] - y, cell.n[2] - z}});
         }
@@ -141,7 +158,10 @@ class Bins {
     static Block empty_block(std::int32_t next) noexcept;
     void copy_full_block(std::int32_t from, std::int32_t to) noexcept;
     void clear(std::size_t num_bins) noexcept;
+    bool sort(Configuration const &configuration, std::size_t num_bins) noexcept;
     bool fill(Configuration const &configuration) noexcept;
+    static double magnitude_of(Vector3 const &center, Box const &box) noexcept;
+    void widen_margin(double magnitude) noexcept;
     void set(Place const &place, std::int32_t particle, Box const &box) noexcept;
     Box get(Place const &place) const noexcept;
     void insert(std::size_t i, std::int32_t bin, Box const &box) noexcept;
@@ -153,11 +173,13 @@ class Bins {
     Cell cell_{};
     std::int32_t parts_[3] = {1, 1, 1};
     Vector3 dual_[3] = {};
-    Vector3 largest_ = {}; ///< of the half-widths of all boxes
+    Vector3 largest_ = {};  ///< of the half-widths of all boxes
+    double farthest_ = 0.0; ///< the magnitudes that the margin covers
     float margin_ = 0.0F;
     std::int32_t unused_ = -1; ///< the first block that is not in use
     Array<Block> blocks_;
     Array<Place> places_;
+    Array<std::int32_t> order_; ///< the numbers of particles in the configuration
 };
 
 } // namespace pw85::detail::simulation

@@ -4,6 +4,8 @@
 #include <pw85/motion/free_path.hpp>
 #include <pw85/overlap/overlap.hpp>
 
+#include "way_bounds.hpp"
+
 namespace pw85::detail::simulation {
 
 namespace {
@@ -18,131 +20,205 @@ constexpr double bin_size = 1.0;
 /// So many ways of no length follow each other only if particles block each other.
 constexpr int most_idle_ways = 1000;
 
-/// rᵀadj(M)r - (1 + 1/t) det M on a way, as a polynomial of its length x. It is positive where f > 1 at the t of spheres with these traces
-/// (item 1 of motion/passage.hpp).
-struct WayPolynomial {
-    double excess, approach, speed; ///< excess - 2 approach x + speed x²
+/// A step in log t after which the way to the contact is right to rounding: its relative error is about the fourth power of the step.
+constexpr double last_step = 0x1p-13;
 
-    /// The least value up to a length.
-    double least(double length) const noexcept
-    {
-        if (!(approach > 0.0)) return excess;
-        if (approach >= speed * length) return excess - (2.0 * approach - speed * length) * length;
-        return excess - approach * approach / speed;
-    }
+/// The search for a contact ends after so many steps even if they do not become small.
+constexpr int most_steps = 60;
 
-    /// The first root, which is known to exist unless the polynomial begins at zero or below.
-    double root() const noexcept
-    {
-        if (!(excess > 0.0)) return 0.0;
-        return excess / (approach + std::sqrt(std::max(0.0, approach * approach - excess * speed)));
-    }
-};
-
-/// The polynomial for some candidate, and its rounding error: the sum of the magnitudes of all terms is below 8 (Σ|r_i| + x)² (tr M)² + 16
-/// (1 + 1/t) (tr M)³. The margin, 2⁻³² times that, is above the rounding errors by far, so that `size`, which stands for Σ|r_i| + x, may be
-/// small compared with the coordinates of the centres.
-struct RoughPath {
-    WayPolynomial polynomial;
-    double margin;
-};
-
-RoughPath rough_path(Vector3 const &r12, Form3 const &q1, Form3 const &q2, Vector3 const &direction,
-                     double size) noexcept
-{
-    double const trace1 = q1[0] + q1[3] + q1[5], trace2 = q2[0] + q2[3] + q2[5];
-    double const t = std::sqrt(trace1 / trace2), trace = trace1 + t * trace2, level = 1.0 + 1.0 / t;
-    auto const m = blend(q1, t, q2), adj = adjugate(m);
-    Vector3 const s = product(adj, r12);
-    return {{dot(r12, s) - level * determinant(m, adj), dot(direction, s), dot(direction, product(adj, direction))},
-            0x1p-32 * trace * trace * (8.0 * size * size + 16.0 * level * trace)};
-}
+/// The error of a way, over the size of the pair, beyond which the plane that gives it is not that of the contact.
+constexpr double tolerance = 0x1p-40;
 
 /// The multiple of `digit`, a power of two, below a way that is less than 2⁵³ times as long.
 double rounded_down(double way, double digit) noexcept { return std::floor(way / digit) * digit; }
+
+static_assert(lanes == 2);
+
+/// Two candidates in lanes. The first body moves.
+template <class Body, class Candidate>
+[[gnu::always_inline]] inline Encounter<Pack> encounter_of(Body const &moving, Vector3 const &direction,
+                                                           Candidate const &candidate1, Body const &body1,
+                                                           Candidate const &candidate2, Body const &body2) noexcept
+{
+    Encounter<Pack> e;
+    for (int d = 0; d < 3; ++d) e.r12[d] = Register{candidate1.r12[d], candidate2.r12[d]};
+    for (int d = 0; d < 3; ++d) e.direction[d] = Pack(direction[d]);
+    for (int k = 0; k < Form3::size; ++k) e.q1[k] = Pack(moving.q[k]);
+    for (int k = 0; k < Form3::size; ++k) e.q2[k] = Register{body1.q[k], body2.q[k]};
+    e.size = Register{candidate1.size, candidate2.size};
+    return e;
+}
 
 } // namespace
 
 int Chains::prepare() noexcept
 {
+    std::size_t const n = configuration_.size();
     longest_ = 0.0;
-    for (std::size_t i = 0; i < configuration_.size(); ++i)
+    for (std::size_t i = 0; i < n; ++i)
         for (double const length : configuration_.semi_axes[i].coordinates) longest_ = std::max(longest_, length);
-    return bins_.prepare(configuration_, bin_size * longest_);
+    unit_ = n > 0 ? binary_exponent(longest_) : 0;
+    if (!bodies_.resize(n) || !numbers_.resize(n)) return PW85_ENOMEM;
+    if (int const status = bins_.prepare(configuration_, bin_size * longest_)) return status;
+    for (std::size_t k = 0; k < n; ++k) {
+        std::size_t const i = bins_.number_in_configuration(k);
+        Form3 const q = times_power_of_two(configuration_.q[i], -2 * unit_);
+        double const root = std::sqrt(trace(q));
+        bodies_[k] = {configuration_.centers[i], configuration_.half_widths[i], q, root, 1.0 / root};
+        numbers_[i] = static_cast<std::int32_t>(k);
+    }
+    return PW85_SUCCESS;
 }
 
-/// Finds the images whose boxes meet that of particle i on a way. The box of the way has the boxes of its ends.
+/// Finds the images whose boxes meet that of particle i on a way, without the one that touched it.
 bool Chains::find_candidates(std::size_t i, Vector3 const &direction, double stage) noexcept
 {
-    Vector3 const half = 0.5 * stage * direction;
-    Vector3 own = configuration_.half_widths[i];
+    Vector3 const half = 0.5 * stage * direction, center = bodies_[i].center;
+    Vector3 own = bodies_[i].half_widths;
     for (int d = 0; d < 3; ++d) own[d] += absolute(half[d]);
+    double const scale = times_power_of_two(1.0, -unit_), far = scale * (stage + 0x1p-16 * sum_of_magnitudes(center));
     num_candidates_ = 0;
     bool has_room = true;
-    bins_.visit(configuration_.centers[i] + half, own, [&](std::size_t j, Multiples const &image) {
-        if (num_candidates_ == candidates_.size()) has_room = candidates_.resize(2 * num_candidates_ + 64);
+    bins_.visit(center + half, own, [&](std::size_t j, Multiples const &image) {
+        if (num_candidates_ == candidates_.size())
+            has_room = candidates_.resize(2 * num_candidates_ + 64) && obstacles_.resize(candidates_.size());
         if (!has_room || j == i) return;
         Vector3 const translation = configuration_.cell.translation(image);
-        candidates_[num_candidates_++] = {configuration_.separation(i, j, translation), translation, j, 0.0};
+        if (last_plane_.exists && j == last_plane_.image.index &&
+            largest_coordinate(translation - last_plane_.image.translation) == 0.0)
+            return;
+        Vector3 const r12 = scale * separation(center, bodies_[j].center, translation);
+        double const size = sum_of_magnitudes(r12) + far + 0x1p-16 * scale * sum_of_magnitudes(translation);
+        candidates_[num_candidates_++] = {{translation, j}, r12, size};
     });
     return has_room;
 }
 
-/// Keeps the candidates that may be touched, the nearest first. The others are free at each place on the way, however it is rounded.
-void Chains::sort_by_bounds(std::size_t i, Vector3 const &direction, double stage) noexcept
+/// Keeps the candidates that may be touched, by the bounds at the t of spheres with these traces.
+void Chains::find_obstacles(std::size_t i, Vector3 const &direction, double stage) noexcept
 {
-    double const far = stage + 0x1p-16 * sum_of_magnitudes(configuration_.centers[i]);
-    std::size_t count = 0;
-    for (std::size_t k = 0; k < num_candidates_; ++k) {
-        Candidate candidate = candidates_[k];
-        auto const [polynomial, margin] =
-            rough_path(candidate.r12, configuration_.q[i], configuration_.q[candidate.index], direction,
-                       sum_of_magnitudes(candidate.r12) + far);
-        if (polynomial.least(stage) > margin) continue;
-        candidate.bound = polynomial.root();
-        std::size_t place = count++;
-        for (; place > 0 && candidates_[place - 1].bound > candidate.bound; --place)
-            candidates_[place] = candidates_[place - 1];
-        candidates_[place] = candidate;
+    num_obstacles_ = 0;
+    Body const &moving = bodies_[i];
+    for (std::size_t k = 0; k < num_candidates_; k += 2) {
+        Candidate const *const pair[2] = {&candidates_[k], &candidates_[std::min(k + 1, num_candidates_ - 1)]};
+        Body const &first = bodies_[pair[0]->image.index], &second = bodies_[pair[1]->image.index];
+        Pack const t = Pack(moving.root) * Pack(Register{first.inverse_root, second.inverse_root});
+        Pack const level = Pack(1.0) + Pack(moving.inverse_root) * Pack(Register{first.root, second.root});
+        auto const e = encounter_of(moving, direction, *pair[0], first, *pair[1], second);
+        auto const polynomial = view_way(e, t, level).polynomial;
+        Pack const discriminant = polynomial.root_of_discriminant();
+        Pack const bound = polynomial.bound(polynomial.place(discriminant), discriminant, stage);
+        for (std::size_t lane = 0; lane < 2 && k + lane < num_candidates_; ++lane)
+            if (bound[lane] < stage) insert({*pair[lane], bound[lane], t[lane], infinity<double>(), false, false, {}});
     }
-    num_candidates_ = count;
 }
 
-Chains::Way Chains::find_way(std::size_t i, Vector3 const &direction, double stage) noexcept
+/// Inserts an obstacle in the order of bounds.
+void Chains::insert(Obstacle const &obstacle) noexcept
 {
-    sort_by_bounds(i, direction, stage);
-    Way way{stage, nullptr};
-    for (std::size_t k = 0; k < num_candidates_ && candidates_[k].bound < way.length; ++k) {
-        Candidate const &candidate = candidates_[k];
-        auto const &q = configuration_.q;
-        auto const path = free_path(candidate.r12, q[i], q[candidate.index], direction, way.length);
-        if (path.length < way.length) way = {path.length, &candidate};
+    std::size_t place = num_obstacles_++;
+    for (; place > 0 && obstacles_[place - 1].bound > obstacle.bound; --place)
+        obstacles_[place] = obstacles_[place - 1];
+    obstacles_[place] = obstacle;
+}
+/// Improves the two least bounds. Obstacles that are not on the way leave.
+void Chains::improve(std::size_t i, Vector3 const &direction, double stage) noexcept
+{
+    std::size_t const count = std::min(num_obstacles_, std::size_t{2});
+    Obstacle changed[2] = {obstacles_[0], obstacles_[count - 1]};
+    Candidate const &first = changed[0].candidate, &second = changed[1].candidate;
+    auto const e =
+        encounter_of(bodies_[i], direction, first, bodies_[first.image.index], second, bodies_[second.image.index]);
+    auto const better = improve_bound(e, Pack(Register{changed[0].t, changed[1].t}), Pack(stage));
+    num_obstacles_ -= count;
+    std::copy_n(obstacles_.data() + count, num_obstacles_, obstacles_.data());
+    for (std::size_t lane = 0; lane < count; ++lane) {
+        Obstacle &obstacle = changed[lane];
+        if (!obstacle.is_exact) {
+            obstacle.bound = std::max(obstacle.bound, better.bound[lane]);
+            obstacle.t = better.t[lane];
+            obstacle.step = better.step[lane];
+        }
+        if (obstacle.is_exact || obstacle.bound < stage) insert(obstacle);
     }
-    return way;
 }
 
-/// Whether particle i, at its place on the way, overlaps any candidate, by the exact test.
-bool Chains::overlaps(std::size_t i) const noexcept
+/// Finds the way to the contact with the first obstacle. The plane at the last t gives it, or else free_path().
+void Chains::find_contact(std::size_t i, Vector3 const &direction, double stage) noexcept
 {
-    for (std::size_t k = 0; k < num_candidates_; ++k) {
-        auto const &[r12, translation, j, bound] = candidates_[k];
-        Vector3 const r = configuration_.separation(i, j, translation);
-        if (overlap(r, configuration_.q[i], configuration_.q[j]).overlap) return true;
+    Obstacle obstacle = obstacles_[0];
+    std::copy_n(obstacles_.data() + 1, --num_obstacles_, obstacles_.data());
+    auto const &[image, r12, size] = obstacle.candidate;
+    Form3 const &q1 = bodies_[i].q, &q2 = bodies_[image.index].q;
+    auto const view = view_way<double>({r12, direction, q1, q2, size}, obstacle.t, 1.0 + 1.0 / obstacle.t);
+    double const place = view.polynomial.place(view.polynomial.root_of_discriminant());
+    obstacle.is_exact = obstacle.has_plane = true;
+    obstacle.normal = add_scaled(view.s, -place, view.s_direction);
+    obstacle.bound = free_by_normal({pair_of(r12, q1, q2), 0, 0, false, 0}, -direction, obstacle.normal);
+    if (!(obstacle.bound >= place - tolerance * size && obstacle.bound < infinity<double>())) {
+        auto const path = free_path(r12, q1, q2, direction, stage);
+        obstacle.bound = path.status == Status::success ? path.length : infinity<double>();
+        obstacle.has_plane = false;
     }
-    return false;
+    insert(obstacle);
+}
+
+/// Returns the longest way without contact. The first obstacle is then the one at its end, if it is less than the stage.
+double Chains::find_way(std::size_t i, Vector3 const &direction, double stage) noexcept
+{
+    find_obstacles(i, direction, stage);
+    for (int steps = 0; num_obstacles_ > 0 && !obstacles_[0].is_exact; ++steps)
+        if (obstacles_[0].step > last_step && steps < most_steps)
+            improve(i, direction, stage);
+        else
+            find_contact(i, direction, stage);
+    return num_obstacles_ > 0 ? std::min(stage, obstacles_[0].bound) : stage;
+}
+
+/// Whether particle i and an image are on different sides of a plane for certain.
+bool Chains::plane_separates(std::size_t i, Image const &image, Vector3 const &normal) const noexcept
+{
+    double const scale = times_power_of_two(1.0, -unit_);
+    Vector3 const r12 = scale * separation(bodies_[i].center, bodies_[image.index].center, image.translation);
+    auto const pair = pair_of(r12, bodies_[i].q, bodies_[image.index].q);
+    double const gap = free_by_normal({pair, 0, 0, false, 0}, -normal, normal);
+    return gap > 0.0 && gap < infinity<double>(); // infinity if the square of the normal vanishes
+}
+
+/// Whether particle i does not overlap an image, by a plane if there is one, or else by the exact test.
+bool Chains::is_free_of(std::size_t i, Image const &image, Vector3 const &normal, bool &has_plane) const noexcept
+{
+    has_plane = has_plane && plane_separates(i, image, normal);
+    if (has_plane) return true;
+    Vector3 const r12 = separation(bodies_[i].center, bodies_[image.index].center, image.translation);
+    Form3 const &q1 = configuration_.q[bins_.number_in_configuration(i)],
+                &q2 = configuration_.q[bins_.number_in_configuration(image.index)];
+    return !overlap(r12, q1, q2).overlap;
+}
+
+/// Whether particle i is free at its place on the way. The bounds of all other images are longer than the way.
+bool Chains::is_free(std::size_t i) noexcept
+{
+    if (last_plane_.exists && !is_free_of(i, last_plane_.image, last_plane_.normal, last_plane_.holds)) return false;
+    for (std::size_t k = 0; k < num_obstacles_; ++k) {
+        Obstacle &o = obstacles_[k];
+        if (o.is_exact && !is_free_of(i, o.candidate.image, o.normal, o.has_plane)) return false;
+    }
+    return true;
 }
 
 /// Moves particle i along its way, as far as rounding allows, and returns how far. The separations are rounded by some u of the
-/// coordinates, which may cost more where a contact grazes.
-double Chains::advance(std::size_t i, Vector3 const &direction, double way, double digit) noexcept
+/// coordinates, which may cost more where a contact grazes. So the way to a contact ends some u before it.
+double Chains::advance(std::size_t i, Vector3 const &direction, double way, bool touches, double digit) noexcept
 {
-    Vector3 &center = configuration_.centers[i];
+    Vector3 &center = bodies_[i].center;
     Vector3 const start = center;
-    double back = std::max(digit, 0x1p-52 * (largest_coordinate(start) + longest_));
-    for (double moved = rounded_down(way, digit); moved > 0.0; back *= 4.0) {
+    double back = std::max(digit, 0x1p-50 * (largest_coordinate(start) + longest_));
+    for (double moved = rounded_down(touches ? way - back : way, digit); moved > 0.0; back *= 4.0) {
         center = start + moved * direction;
-        if (!overlaps(i)) {
+        if (is_free(i)) {
             bins_.move(i, center);
+            configuration_.centers[bins_.number_in_configuration(i)] = center;
             return moved;
         }
         moved = rounded_down(moved - back, digit);
@@ -157,18 +233,23 @@ int Chains::run(std::size_t first, Vector3 const &direction, double length, Chai
     double remaining = length;
     int idle = 0;
     sums.length += length;
-    for (std::size_t i = first; remaining > 0.0;) {
+    last_plane_.exists = false;
+    for (auto i = static_cast<std::size_t>(numbers_[first]); remaining > 0.0;) {
         double const stage = std::min(remaining, stage_size * longest_);
         if (!find_candidates(i, direction, stage)) return PW85_ENOMEM;
-        Way const way = find_way(i, direction, stage);
-        double const moved = advance(i, direction, way.length, digit);
+        double const way = times_power_of_two(find_way(i, direction, times_power_of_two(stage, -unit_)), unit_);
+        bool const touches = way < stage;
+        double const moved = advance(i, direction, way, touches, digit);
         remaining -= moved;
         idle = moved > 0.0 ? 0 : idle + 1;
         if (idle > most_idle_ways) return PW85_ECONVERGENCE;
-        if (way.touched == nullptr) continue;
-        sums.transfers += dot(way.touched->r12, direction) - moved;
+        if (!touches) continue;
+        Obstacle const &touched = obstacles_[0];
+        auto const &[translation, j] = touched.candidate.image;
+        sums.transfers += times_power_of_two(dot(touched.candidate.r12, direction), unit_) - moved;
         ++sums.contacts;
-        i = way.touched->index;
+        last_plane_ = {{-translation, i}, -touched.normal, touched.has_plane && moved > 0.0, true};
+        i = j;
     }
     return PW85_SUCCESS;
 }

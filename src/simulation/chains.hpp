@@ -10,9 +10,13 @@
 /// 3. Michel, Kapfer and Krauth, Generalized event-chain Monte Carlo (2014), doi:10.1063/1.4863991: βP/ρ, along d, is the mean of
 ///    (x_last - x_first)/length. Here x is the coordinate along d of the particle that moves, which jumps by that of the separation at each
 ///    contact.
-/// 4. A way is bounded by free_path(), and the place to which it leads is tested by the exact overlap test, for separations that are
-///    rounded as in the engine. If rounding leads to an overlap, the way becomes shorter. So no chain leads to an overlap.
-/// 5. All ways are multiples of the last digit of the length, so that their sum is the length without rounding. They are not longer than a
+/// 4. way_bounds.hpp gives lower bounds of the ways to all particles that are near. The search improves the least bound until it is that of
+///    the contact. There a tangent plane between the two ellipsoids gives a free way with bounds on the rounding errors
+///    (motion/free_path.hpp).
+/// 5. The place to which a way leads is free for separations that are rounded as in the engine: by a plane between the ellipsoids, or by the
+///    exact overlap test. If rounding leads to an overlap, the way becomes shorter. So no chain leads to an overlap.
+/// 6. A particle that has been touched moves away from the plane between the two. So it cannot touch the other one again.
+/// 7. All ways are multiples of the last digit of the length, so that their sum is the length without rounding. They are not longer than a
 ///    stage, which depends on the largest particle alone; a particle that touches nothing on a stage goes on with the next.
 #ifndef PW85_SIMULATION_CHAINS_HPP_INCLUDED
 #define PW85_SIMULATION_CHAINS_HPP_INCLUDED
@@ -41,31 +45,64 @@ class Chains {
     int run(std::size_t first, Vector3 const &direction, double length, ChainSums &sums) noexcept;
 
   private:
-    /// An image of a particle that is near the way of another one.
-    struct Candidate {
-        Vector3 r12; ///< from the centre of the particle that moves, at its start
-        Vector3 translation;
-        std::size_t index;
-        double bound; ///< no contact before this way
+    /// What the search reads of a particle. The root of the trace of its form, and the inverse, stand for its size.
+    struct Body {
+        Vector3 center, half_widths;
+        Form3 q; ///< in the unit
+        double root, inverse_root;
     };
 
-    /// The longest way of a particle without contact, and the candidate that it touches then; null if there is none.
-    struct Way {
-        double length;
-        Candidate const *touched;
+    /// An image of a particle that is near the way of another one.
+    struct Image {
+        Vector3 translation;
+        std::size_t index;
+    };
+
+    struct Candidate {
+        Image image;
+        Vector3 r12; ///< from the centre of the particle that moves, at its start, in the unit
+        double size; ///< item 3 of way_bounds.hpp
+    };
+
+    /// An image that may be touched on the way. All lengths are in the unit.
+    struct Obstacle {
+        Candidate candidate;
+        double bound; ///< no contact before this way
+        double t, step;
+        bool is_exact;  ///< the bound is the way to the contact
+        bool has_plane; ///< which is between the two until they touch
+        Vector3 normal; ///< of the plane
+    };
+
+    /// A plane between the particle that moves and an image.
+    struct Plane {
+        Image image;
+        Vector3 normal; ///< points to the image
+        bool exists;
+        bool holds; ///< it has separated the two wherever that was tested
     };
 
     bool find_candidates(std::size_t i, Vector3 const &direction, double stage) noexcept;
-    void sort_by_bounds(std::size_t i, Vector3 const &direction, double stage) noexcept;
-    Way find_way(std::size_t i, Vector3 const &direction, double stage) noexcept;
-    double advance(std::size_t i, Vector3 const &direction, double way, double digit) noexcept;
-    bool overlaps(std::size_t i) const noexcept;
+    void find_obstacles(std::size_t i, Vector3 const &direction, double stage) noexcept;
+    void insert(Obstacle const &obstacle) noexcept;
+    void improve(std::size_t i, Vector3 const &direction, double stage) noexcept;
+    void find_contact(std::size_t i, Vector3 const &direction, double stage) noexcept;
+    double find_way(std::size_t i, Vector3 const &direction, double stage) noexcept;
+    bool plane_separates(std::size_t i, Image const &image, Vector3 const &normal) const noexcept;
+    bool is_free_of(std::size_t i, Image const &image, Vector3 const &normal, bool &has_plane) const noexcept;
+    bool is_free(std::size_t i) noexcept;
+    double advance(std::size_t i, Vector3 const &direction, double way, bool touches, double digit) noexcept;
 
     Configuration &configuration_;
     Bins bins_;
+    Array<Body> bodies_;          ///< in the order of the bins
+    Array<std::int32_t> numbers_; ///< of the particles of the configuration in that order
     Array<Candidate> candidates_;
-    std::size_t num_candidates_ = 0;
+    Array<Obstacle> obstacles_; ///< those with the least bounds first
+    std::size_t num_candidates_ = 0, num_obstacles_ = 0;
+    Plane last_plane_{};   ///< between the particle that moves and the one that touched it
     double longest_ = 0.0; ///< of all semi-axes
+    int unit_ = 0;         ///< the unit is 2 to this power
 };
 
 } // namespace pw85::detail::simulation

@@ -53,6 +53,14 @@ struct Cell {
     }
 };
 
+/// From a centre to that of an image of another particle, which is moved by a translation. The engine and the chains decide about these
+/// rounded separations.
+[[gnu::always_inline]] inline Vector3 separation(Vector3 const &from, Vector3 const &to,
+                                                 Vector3 const &translation) noexcept
+{
+    return (to - from) + translation;
+}
+
 /// The centres are never wrapped into the cell. So a separation of two particles is always rounded in the same way, and a pair
 /// without overlap stays one until one of its particles moves or the cell changes.
 struct Configuration {
@@ -87,7 +95,7 @@ struct Configuration {
     /// bit.
     [[gnu::always_inline]] Vector3 separation(std::size_t i, std::size_t j, Vector3 const &translation) const noexcept
     {
-        return (centers[j] - centers[i]) + translation;
+        return simulation::separation(centers[i], centers[j], translation);
     }
 
     /// A view for the C API.
