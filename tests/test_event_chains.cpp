@@ -3,6 +3,7 @@
 #include <cmath>
 #include <memory>
 #include <numbers>
+#include <random>
 #include <vector>
 
 #include <glib.h>
@@ -191,7 +192,73 @@ void test_never_overlaps()
     }
 }
 
-// Far from the origin, places are rounded by much more than free paths are. Only the overlap test of each place keeps particles free.
+/// Two ellipsoids of which the first would touch the second on a way that is long enough, or nearly so.
+struct Approach {
+    double centers[6], semi_axes[6], quaternions[8], direction[3], q[2][6], length;
+
+    explicit Approach(std::mt19937_64 &random)
+    {
+        std::normal_distribution<double> normal;
+        std::uniform_real_distribution<double> uniform(-1.0, 1.0);
+        double const unit = std::exp2(std::round(40.0 * uniform(random)));
+        for (double &x : semi_axes) x = unit * std::pow(8.0, uniform(random));
+        for (double &x : quaternions) x = normal(random);
+        double const gap = 2.0 * *std::max_element(semi_axes, semi_axes + 6);
+        for (int d = 0; d < 3; ++d) {
+            centers[d] = unit * normal(random);
+            double const way = gap * normal(random);
+            centers[3 + d] = centers[d] + way * (1.0 + 4.0 / 3.0);
+            direction[d] = way + 0.2 * gap * normal(random);
+        }
+        double const size = std::hypot(direction[0], direction[1], direction[2]);
+        for (double &x : direction) x /= size;
+        length = 20.0 * gap;
+        for (int k = 0; k < 2; ++k) pw85_ellipsoid_quaternion(semi_axes + 3 * k, quaternions + 4 * k, q[k]);
+    }
+
+    /// After the first has moved.
+    double mu2(double way) const
+    {
+        double r12[3], mu2 = 0;
+        for (int d = 0; d < 3; ++d) r12[d] = centers[3 + d] - centers[d] - way * direction[d];
+        pw85_contact(r12, q[0], q[1], &mu2);
+        return mu2;
+    }
+};
+
+// The way of a particle ends at the contact, as pw85_free_path() and the contact function say: not later, and not before.
+void test_ways()
+{
+    std::mt19937_64 random(11);
+    int touched = 0;
+    for (int k = 0; k < draws(4000); ++k) {
+        Approach const a(random);
+        pw85_system const system{2, a.centers, nullptr, nullptr, {0, 0, 0}};
+        pw85_hard_ellipsoids *made = nullptr;
+        if (pw85_hard_ellipsoids_create(&system, a.semi_axes, a.quaternions, 1 + static_cast<std::size_t>(k), nullptr,
+                                        &made) != PW85_SUCCESS)
+            continue; // they overlap
+        Simulation const simulation(made);
+        chain(simulation, 1, a.length, a.direction);
+        auto const after = centers_of(simulation);
+        double way = 0, r12[3], path = 0;
+        for (int d = 0; d < 3; ++d) {
+            way += (after[static_cast<std::size_t>(d)] - a.centers[d]) * a.direction[d];
+            r12[d] = a.centers[3 + d] - a.centers[d];
+        }
+        if (!(way > 0)) continue; // the second particle has moved
+        g_assert_cmpint(pw85_free_path(r12, a.q[0], a.q[1], a.direction, a.length, &path), ==, PW85_SUCCESS);
+        bool const touches = path < a.length;
+        touched += touches;
+        double const mu2 = a.mu2(way);
+        if (touches ? !(way <= path * (1 + 0x1p-40) && std::abs(mu2 - 1) < 0x1p-32) : !(way > a.length * (1 - 0x1p-40)))
+            g_test_fail_printf("%d: way %a, free path %a, mu2 %a", k, way, path, mu2);
+    }
+    g_assert_cmpint(touched, >, draws(4000) / 10);
+}
+
+// Far from the origin, places are rounded by much more than free paths are. Ways end so many roundings before a contact that particles stay
+// free.
 void test_far_away()
 {
     auto const simulation = Lattice{4, 1.5, 0.4, 1.0, 0x1p30}.make(5);
@@ -266,6 +333,7 @@ int main(int argc, char **argv)
     g_test_add_func("/event_chains/line", test_line);
     g_test_add_func("/event_chains/unbounded", test_unbounded);
     g_test_add_func("/event_chains/never_overlaps", test_never_overlaps);
+    g_test_add_func("/event_chains/ways", test_ways);
     g_test_add_func("/event_chains/far_away", test_far_away);
     g_test_add_func("/event_chains/reproducible", test_reproducible);
     g_test_add_func("/event_chains/members", test_members);

@@ -196,6 +196,37 @@ void test_hard_spheres()
     expect_no_overlap(simulation);
 }
 
+// Trials of particles and the single trial of the volume of a sweep reach the acceptance that is asked for, from steps far too long or
+// too short. Steps scatter, so the mean over several is compared.
+void test_tune()
+{
+    for (double const wanted : {0.2, 0.6})
+        for (double const factor : {0.1, 10.0}) {
+            HardEllipsoids simulation = mixture(4).simulation();
+            g_assert_true(simulation.set_steps({0.05 * factor, 0.05 * factor, 0.002 * factor}) == Status::success);
+            double accepted[3] = {}, trials[3] = {};
+            for (int k = 0; k < 12; ++k) {
+                g_assert_true(simulation.tune(k == 0 ? 300 : 50, wanted, 2.0) == Status::success);
+                for (int i = 0; i < 50; ++i) {
+                    g_assert_true(simulation.sweep(1) == Status::success);
+                    g_assert_true(simulation.volume_moves(1, 2.0) == Status::success);
+                }
+                auto const counts = simulation.counts();
+                for (std::size_t move : {0, 1, 4}) {
+                    std::size_t const kind = std::min(move, std::size_t{2});
+                    accepted[kind] += static_cast<double>(counts.accepted[move]);
+                    trials[kind] += static_cast<double>(counts.trials[move]);
+                }
+            }
+            for (int kind = 0; kind < 3; ++kind) {
+                double const acceptance = accepted[kind] / trials[kind];
+                g_test_message("kind %d: %.3f, wanted %.3f", kind, acceptance, wanted);
+                if (std::fabs(acceptance - wanted) > 0.08)
+                    g_test_fail_printf("kind %d: %a instead of %a", kind, acceptance, wanted);
+            }
+        }
+}
+
 /// Two unlike ellipsoids in a cell.
 struct TwoEllipsoids {
     static constexpr Vector3 axes[2] = {{0.3, 0.5, 0.9}, {0.6, 0.4, 0.2}};
@@ -688,6 +719,7 @@ int main(int argc, char **argv)
     g_test_add_func("/hard_ellipsoids/philox", test_philox);
     g_test_add_func("/hard_ellipsoids/ideal_gas", test_ideal_gas);
     g_test_add_func("/hard_ellipsoids/hard_spheres", test_hard_spheres);
+    g_test_add_func("/hard_ellipsoids/tune", test_tune);
     g_test_add_func("/hard_ellipsoids/two_ellipsoids", test_two_ellipsoids);
     g_test_add_func("/hard_ellipsoids/turns", test_turns);
     g_test_add_func("/hard_ellipsoids/detailed_balance", test_detailed_balance);

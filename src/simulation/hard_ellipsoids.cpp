@@ -36,13 +36,15 @@ struct SavedParticle {
     Vector3 semi_axes;
 };
 
-constexpr Parameters first_parameters(std::size_t seed, double shortest) noexcept
+/// A compression of n ellipsoids by the relative volume δ makes no overlap with the probability exp(-n (Z - 1) δ). The first step of the
+/// volume suits Z = 11.
+constexpr Parameters first_parameters(std::size_t seed, double shortest, std::size_t n) noexcept
 {
     Parameters parameters{};
     parameters.seed = seed;
     parameters.translation = 0.2 * shortest;
     parameters.rotation = 0.05;
-    parameters.volume = 0.01;
+    parameters.volume = 0.1 / static_cast<double>(n + 1);
     parameters.fractions[translation] = parameters.fractions[rotation] = 0.5;
     return parameters;
 }
@@ -105,7 +107,7 @@ int create(pw85_system const &system, double const *semi_axes, double const *qua
         return particle;
     };
     auto const set = [&](Engine &engine) {
-        engine.parameters = first_parameters(seed, system.num_particles > 0 ? shortest : 1.0);
+        engine.parameters = first_parameters(seed, system.num_particles > 0 ? shortest : 1.0, system.num_particles);
     };
     return make(system.num_particles, cell_of(system), load, set, pair, simulation);
 }
