@@ -40,8 +40,8 @@ class Label {
     std::uint32_t bits_;
 };
 
-/// A domain and the domains next to it. For each vector, there is a bit for each part, which is set for the part of the domain and the parts
-/// next to it.
+/// A domain and the domains next to it. For each vector, each part has a bit. It is set for the part of the domain and the parts next
+/// to it.
 struct Surroundings {
     std::uint64_t parts[3];
 

@@ -135,6 +135,12 @@ bool Engine::overlaps_any(std::size_t i, Neighbor const *images, std::size_t cou
     return any != 0;
 }
 
+/// Whether particle i overlaps any other that a thread may read while it works on its domain.
+bool Engine::overlaps(std::size_t i, Surroundings const &surroundings) const noexcept
+{
+    return overlaps(i, [&](std::size_t j) { return surroundings.contain(domains_.label(j)); });
+}
+
 int Engine::sweep() noexcept
 {
     Stream stream(parameters.seed, parameters.step, whole_sweep);
@@ -171,9 +177,9 @@ void Engine::run(DomainRun &run) noexcept
 {
     auto const members = domains_.members(run.domain);
     auto const count = static_cast<std::uint32_t>(members.size());
-    auto &[stream, remaining] = run.progress;
+    Stream &stream = run.progress.stream;
     auto const draw = [&] { return static_cast<std::size_t>(members[stream.below(count)]); };
-    for (; remaining > 0; --remaining) {
+    for (; run.progress.remaining > 0; --run.progress.remaining) {
         Stream const before = stream;
         Move const move = choose(stream);
         std::size_t const i = draw();

@@ -149,12 +149,7 @@ class Engine {
         return count > 0 && overlaps_any(i, near, count);
     }
 
-    /// Whether particle i overlaps any other that a thread may read while it works on its domain.
-    bool overlaps(std::size_t i, Surroundings const &surroundings) const noexcept
-    {
-        return overlaps(i, [&](std::size_t j) { return surroundings.contain(domains_.label(j)); });
-    }
-
+    bool overlaps(std::size_t i, Surroundings const &surroundings) const noexcept;
     bool overlaps_any(std::size_t i, Neighbor const *images, std::size_t count) const noexcept;
 
     void put(std::size_t i, Particle const &particle) noexcept

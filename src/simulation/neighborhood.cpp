@@ -120,8 +120,8 @@ bool Neighborhood::store_extents(Configuration const &configuration, double skin
     return true;
 }
 
-// The pairs are divided into shares. In its row, a particle has first the partners of the first share, and so on. So the rows do not depend on
-// the number of shares.
+// The pairs are divided into shares. In its row, a particle has first the partners of the first share, and so on. So the rows do not
+// depend on the number of shares.
 bool Neighborhood::fill_rows(std::size_t n, pw85_pair_list const &list) noexcept
 {
     std::size_t const num_shares = list.num_pairs < pairs_per_share ? 1 : std::min(most_threads(), most_shares);

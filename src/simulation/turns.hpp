@@ -1,9 +1,9 @@
 /// @file
 /// The order in which threads work on the domains of a sweep (domains.hpp). engine.cpp calls this.
 ///
-/// 1. The colours have a random order. A domain comes after those domains next to it whose colours come before its own. Two domains that are
-///    not next to each other may be worked on at the same time, whatever their colours are. So the result is that of one domain after the
-///    other, colour by colour.
+/// 1. The colours have a random order. A domain comes after those domains next to it whose colours come before its own. Two domains
+///    that are not next to each other may be worked on at the same time, whatever their colours are. So the result is that of one
+///    domain after the other, colour by colour.
 /// 2. A thread takes the first domain that is ready. If there is none, it waits a little. So no thread waits for the end of a colour.
 /// 3. Work that stops leaves its domain to be taken up again by the next call of for_all(). Until then, the domains after it wait.
 #ifndef PW85_SIMULATION_TURNS_HPP_INCLUDED
@@ -49,9 +49,12 @@ class Turns {
     void leave(Domains const &domains, std::size_t position, bool is_finished) noexcept;
     bool is_ready(Domains const &domains, Label label) const noexcept;
 
-    std::uint8_t &state(Domains const &domains, Label label) noexcept { return states_[domains.number(label)]; }
+    [[gnu::always_inline]] std::uint8_t &state(Domains const &domains, Label label) noexcept
+    {
+        return states_[domains.number(label)];
+    }
 
-    static unsigned color_of(Label label) noexcept
+    [[gnu::always_inline]] static unsigned color_of(Label label) noexcept
     {
         return (label.part(0) & 1) << 2 | (label.part(1) & 1) << 1 | (label.part(2) & 1);
     }
