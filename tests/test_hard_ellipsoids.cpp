@@ -425,10 +425,13 @@ void test_threads_and_restart()
     run(resumed, 3);
     g_assert_true(bytes_of(resumed) == expected);
 #ifdef _OPENMP
-    omp_set_num_threads(3);
-    HardEllipsoids parallel = begin();
-    run(parallel, 6);
-    g_assert_true(bytes_of(parallel) == expected);
+    // A domain that is taken too early changes the result in some runs only.
+    for (int k = 0; k < 24; ++k) {
+        omp_set_num_threads(2 + k % 2);
+        HardEllipsoids parallel = begin();
+        run(parallel, 6);
+        g_assert_true(bytes_of(parallel) == expected);
+    }
 #endif
     HardEllipsoids other = mixture(13).simulation(43);
     run(other, 1);

@@ -199,6 +199,31 @@ def test_table(run, folder, whole):
     assert [frame.step for frame in pypw85.frames("run.xyz")] == list(range(10, 401, 10))
 
 
+def kinds_of(system):
+    """Types and semi-axes of all particles, sorted."""
+    return sorted(zip(system.types.tolist(), np.sort(system.semi_axes.round(6)).tolist(), strict=True))
+
+
+def test_exchange(run, folder):
+    """Types go with the semi-axes that particles exchange, and a run that continues has the same bits."""
+    mixture = [*NPT, "--exchange", "0.5", "--trajectory", "run.xyz"]
+    assert run("mc", *mixture, "--sweeps", 60, "--out", "whole.h5").status == 0
+    os.rename("run.xyz", "whole.xyz")
+    assert run("mc", *mixture, "--sweeps", 30, "--out", "run.h5").status == 0
+    done = run("mc", "--resume", "run.h5", "--sweeps", 60)
+    assert done.status == 0 and "trials: exchange\n" in done.out
+    one, other = content("run.h5"), content("whole.h5")
+    assert all(one[name] == other[name] for name in one if not name.endswith("@version"))
+    assert pathlib.Path("run.xyz").read_bytes() == pathlib.Path("whole.xyz").read_bytes()
+    with h5py.File("run.h5") as file:
+        counts = {move: tuple(numbers[()]) for move, numbers in file["pw85_mc/counts"].items()}
+    assert counts["exchange"][1] > 0 and abs(counts["exchange"][0] / (60 * 24) - 0.5) < 0.1, counts
+    assert counts["translation"][0] + counts["rotation"][0] + counts["exchange"][0] == 60 * 24
+    frames = [*pypw85.frames("run.xyz"), pypw85.read("run.h5")]
+    assert any((frame.types != START.types).any() for frame in frames)
+    assert all(kinds_of(frame) == kinds_of(START) for frame in frames)
+
+
 def test_constant_volume(run, folder):
     """In a cell that is smaller than its particle: the images count."""
     rod = pypw85.System.from_axes([[0, 0, 0]], [[2.0, 0.3, 0.3]], [[1, 0, 0, 0]], cell=np.diag([5, 1.2, 1.2]))
@@ -233,6 +258,9 @@ BAD = [
     *[([*GOOD, "--sweeps", number], f"'{number}' is no whole number") for number in ("0", "0.5", "nan", "inf", "x")],
     ([*GOOD, "--chain-length", "0"], "'0' is no finite number > 0"),
     ([*GOOD, "--reach", "nan"], "'nan' is no finite number >= 0"),
+    *[([*GOOD, "--exchange", number], f"'{number}' is no finite number >= 0 and < 1") for number in ("1", "-0.1", "nan", "x")],
+    (["mc", "alike.xyz", *GOOD[2:], "--exchange", "0.1"], "alike.xyz: all particles have the same semi-axes: there is nothing to exchange"),
+    (["mc", "renamed.xyz", *GOOD[2:], "--exchange", "0.1"], "renamed.xyz: particles of the types .* and .* have the same semi-axes"),
     ([*GOOD, "--seed", "-1"], "--seed"),
     ([*GOOD[:4]], "a run needs START, --sweeps and --out; or --resume"),
     (["mc"], "a run needs START, --sweeps and --out; or --resume"),
@@ -266,6 +294,11 @@ def bad_files(tmp_path_factory, whole):
     big = pypw85.System.from_axes([[0, 0, 0]], [[1, 1, 1]], [[1, 0, 0, 0]], cell=np.diag([1.5, 9, 9]))
     pypw85.write(folder / "big.xyz", big)
     pypw85.write(folder / "open.xyz", pypw85.System(START.centers, START.q))
+    cube = pypw85.System.from_axes(2 * np.eye(3), [[0.5] * 3] * 3, [[1, 0, 0, 0]] * 3, cell=4 * np.eye(3))
+    pypw85.write(folder / "alike.xyz", cube)
+    types = ["other", *START.types.tolist()[1:]]
+    renamed = pypw85.System.from_axes(START.centers, START.semi_axes, START.quaternions, cell=START.cell, types=types)
+    pypw85.write(folder / "renamed.xyz", renamed)
     (folder / "nan.xyz").write_text((folder / "start.xyz").read_text().replace("\n1 rod ", "\n1 rod nan ", 1))
     pypw85.write(folder / "other.h5", START)
     (folder / "table.csv").write_text("precious")

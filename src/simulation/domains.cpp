@@ -17,7 +17,7 @@ constexpr double particles_per_domain = 32.0;
 std::uint32_t parts_of(double reach, std::size_t num_particles) noexcept
 {
     double const most = std::max(2.0, std::floor(std::cbrt(static_cast<double>(num_particles) / particles_per_domain)));
-    double const parts = std::min(most, std::floor(1.0 / reach));
+    double const parts = std::min({most, std::floor(1.0 / reach), double{Label::most_parts}});
     return parts >= 2.0 ? static_cast<std::uint32_t>(parts) & ~1u : 1;
 }
 
@@ -47,14 +47,14 @@ bool Domains::assign(Configuration const &configuration, std::span<std::int32_t 
         return kernels::Failure{0, PW85_SUCCESS};
     });
     std::fill_n(begin_.data(), count + 2, 0);
-    for (std::size_t i = 0; i < n; ++i) ++begin_[labels_[i] / 8 + 2];
+    for (std::size_t i = 0; i < n; ++i) ++begin_[number(labels_[i]) + 2];
     for (std::size_t k = 2; k < count + 2; ++k) begin_[k] += begin_[k - 1];
     for (std::int32_t const place : places)
-        members_[begin_[labels_[static_cast<std::size_t>(place)] / 8 + 1]++] = place;
+        members_[begin_[number(labels_[static_cast<std::size_t>(place)]) + 1]++] = place;
     return true;
 }
 
-std::uint32_t Domains::domain(std::uint32_t color, std::uint32_t place) const noexcept
+Label Domains::domain(std::uint32_t color, std::uint32_t place) const noexcept
 {
     std::uint32_t part[3];
     for (int k = 2; k >= 0; --k) {
@@ -63,7 +63,16 @@ std::uint32_t Domains::domain(std::uint32_t color, std::uint32_t place) const no
         place /= count;
         if (is_divided(k)) color >>= 1;
     }
-    return (part[0] * parts_[1] + part[1]) * parts_[2] + part[2];
+    return Label(part);
+}
+
+Surroundings Domains::surroundings(Label label) const noexcept
+{
+    Surroundings around{};
+    for (int k = 0; k < 3; ++k)
+        for (std::uint32_t const step : {parts_[k] - 1, 0u, 1u})
+            around.parts[k] |= std::uint64_t{1} << (label.part(k) + step) % parts_[k];
+    return around;
 }
 
 } // namespace pw85::detail::simulation

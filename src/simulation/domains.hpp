@@ -6,19 +6,50 @@
 /// 2. Between two domains of a colour there is a part of some vector. A part is wider than the reach of the particles, so that no
 ///    particle of one domain can touch a particle of the other.
 /// 3. A particle belongs to the domain of its centre. While a domain is worked on, its particles do not leave it. So the division
-///    stays as it is. No thread reads a particle of another domain of its colour (is_apart()). So neither the order of domains of a
-///    colour nor the number of threads matters.
+///    stays as it is. A thread reads only particles of its domain and of the domains next to it (Surroundings). So the order of two
+///    domains matters only if they are next to each other. turns.hpp keeps this order for any number of threads.
 #ifndef PW85_SIMULATION_DOMAINS_HPP_INCLUDED
 #define PW85_SIMULATION_DOMAINS_HPP_INCLUDED
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <span>
 
 #include "configuration.hpp"
 #include "random.hpp"
 
 namespace pw85::detail::simulation {
+
+/// A domain: the numbers of its parts, six bits for each vector.
+class Label {
+  public:
+    static constexpr std::uint32_t most_parts = 64;
+
+    Label() noexcept = default;
+    [[gnu::always_inline]] explicit Label(std::uint32_t const *parts) noexcept
+        : bits_(parts[0] << 12 | parts[1] << 6 | parts[2])
+    {
+    }
+
+    [[gnu::always_inline]] std::uint32_t part(int k) const noexcept { return bits_ >> (12 - 6 * k) & 63u; }
+
+    [[gnu::always_inline]] bool operator==(Label const &) const noexcept = default;
+
+  private:
+    std::uint32_t bits_;
+};
+
+/// A domain and the domains next to it. For each vector, each part has a bit. It is set for the part of the domain and the parts next
+/// to it.
+struct Surroundings {
+    std::uint64_t parts[3];
+
+    [[gnu::always_inline]] bool contain(Label label) const noexcept
+    {
+        return (parts[0] >> label.part(0) & parts[1] >> label.part(1) & parts[2] >> label.part(2) & 1) != 0;
+    }
+};
 
 class Domains {
   public:
@@ -39,34 +70,35 @@ class Domains {
     std::uint32_t num_domains() const noexcept { return parts_[0] * parts_[1] * parts_[2] / num_colors(); }
 
     /// The domain with number `place` of a colour.
-    std::uint32_t domain(std::uint32_t color, std::uint32_t place) const noexcept;
+    Label domain(std::uint32_t color, std::uint32_t place) const noexcept;
 
-    std::span<std::int32_t const> members(std::uint32_t domain) const noexcept
+    /// A number for each domain, from 0 on.
+    [[gnu::always_inline]] std::uint32_t number(Label label) const noexcept
     {
-        return {members_.data() + begin_[domain], begin_[domain + 1] - begin_[domain]};
+        return (label.part(0) * parts_[1] + label.part(1)) * parts_[2] + label.part(2);
     }
 
-    /// The label of the domain of a centre: its number and the parity of its parts.
-    [[gnu::always_inline]] std::uint32_t label_of(Vector3 const &center) const noexcept
+    std::span<std::int32_t const> members(Label label) const noexcept
     {
-        std::uint32_t domain = 0, parity = 0;
+        std::size_t const begin = begin_[number(label)];
+        return {members_.data() + begin, begin_[number(label) + 1] - begin};
+    }
+
+    Surroundings surroundings(Label label) const noexcept;
+
+    /// The domain of a centre.
+    [[gnu::always_inline]] Label label_of(Vector3 const &center) const noexcept
+    {
+        std::uint32_t part[3];
         for (int k = 0; k < 3; ++k) {
             double const x = dot(dual_[k], center) + origin_[k];
-            auto const part = std::min(static_cast<std::uint32_t>((x - std::floor(x)) * parts_[k]), parts_[k] - 1);
-            domain = domain * parts_[k] + part;
-            parity = 2 * parity + (part & 1);
+            part[k] = std::min(static_cast<std::uint32_t>((x - std::floor(x)) * parts_[k]), parts_[k] - 1);
         }
-        return 8 * domain + parity;
+        return Label(part);
     }
 
-    /// The label of the domain of a particle in its place.
-    std::uint32_t label(std::size_t place) const noexcept { return labels_[place]; }
-
-    /// Whether two labels are those of different domains of a colour.
-    [[gnu::always_inline]] static bool is_apart(std::uint32_t label1, std::uint32_t label2) noexcept
-    {
-        return label1 != label2 && ((label1 ^ label2) & 7) == 0;
-    }
+    /// The domain of a particle in its place.
+    [[gnu::always_inline]] Label label(std::size_t place) const noexcept { return labels_[place]; }
 
   private:
     bool is_divided(int k) const noexcept { return parts_[k] > 1; }
@@ -75,7 +107,7 @@ class Domains {
     std::uint32_t parts_[3] = {1, 1, 1};
     Vector3 dual_[3] = {};
     double origin_[3] = {};
-    Array<std::uint32_t> labels_;
+    Array<Label> labels_;
     Array<std::size_t> begin_;
     Array<std::int32_t> members_;
 };

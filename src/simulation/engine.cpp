@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include "../kernels/many_pairs.hpp"
-#include "../tasks.hpp"
 
 namespace pw85::detail::simulation {
 
@@ -136,11 +135,10 @@ bool Engine::overlaps_any(std::size_t i, Neighbor const *images, std::size_t cou
     return any != 0;
 }
 
-/// Whether particle i overlaps any other that threads may read while they work on its domain.
-bool Engine::overlaps(std::size_t i) const noexcept
+/// Whether particle i overlaps any other that a thread may read while it works on its domain.
+bool Engine::overlaps(std::size_t i, Surroundings const &surroundings) const noexcept
 {
-    std::uint32_t const label = domains_.label(i);
-    return overlaps(i, [&](std::size_t j) { return !Domains::is_apart(label, domains_.label(j)); });
+    return overlaps(i, [&](std::size_t j) { return surroundings.contain(domains_.label(j)); });
 }
 
 int Engine::sweep() noexcept
@@ -150,44 +148,28 @@ int Engine::sweep() noexcept
         if (int const status = ++num_rows_ % rows_per_order == 0 ? order() : make_rows()) return status;
     if (int const status = domains_.prepare(ordered_, places_.all(), reach_of_domains * longest_, stream))
         return status;
-    std::uint32_t colors[8] = {0, 1, 2, 3, 4, 5, 6, 7};
-    for (std::uint32_t k = domains_.num_colors(); k > 1; --k) std::swap(colors[k - 1], colors[stream.below(k)]);
-    for (std::uint32_t k = 0; k < domains_.num_colors(); ++k)
-        if (int const status = run_color(colors[k])) return status;
+    if (!turns_.prepare(domains_, stream) || !progress_.resize(turns_.size())) return PW85_ENOMEM;
+    for (std::size_t k = 0; k < turns_.size(); ++k) {
+        Label const domain = turns_.domain(k);
+        progress_[k] = {Stream(parameters.seed, parameters.step, domains_.number(domain)),
+                        static_cast<std::uint32_t>(domains_.members(domain).size())};
+    }
+    while (!turns_.for_all(domains_, [&](std::size_t k) { return run(k); }))
+        if (int const status = make_rows()) return status;
     ++parameters.step;
     return PW85_SUCCESS;
 }
 
-int Engine::run_color(std::uint32_t color) noexcept
+/// Works on the domain with some position in the order. Returns whether it is finished.
+bool Engine::run(std::size_t position) noexcept
 {
-    std::size_t num_runs = domains_.num_domains();
-    if (!runs_.resize(num_runs)) return PW85_ENOMEM;
-    for (std::size_t k = 0; k < num_runs; ++k) {
-        std::uint32_t const domain = domains_.domain(color, static_cast<std::uint32_t>(k));
-        runs_[k] = {Stream(parameters.seed, parameters.step, domain),
-                    domain,
-                    static_cast<std::uint32_t>(domains_.members(domain).size()),
-                    {}};
-    }
-    for (;;) {
-        for_tasks(num_runs, num_runs > 1, [&](std::size_t k) { run(runs_[k]); });
-        num_runs = collect(num_runs);
-        if (num_runs == 0) return PW85_SUCCESS;
-        if (int const status = make_rows()) return status;
-    }
-}
-
-/// Adds the counts of the runs that are finished, and keeps the others. Returns their number.
-std::size_t Engine::collect(std::size_t num_runs) noexcept
-{
-    std::size_t num_stopped = 0;
-    for (std::size_t k = 0; k < num_runs; ++k) {
-        if (runs_[k].remaining == 0)
-            parameters.counts.add(runs_[k].counts);
-        else
-            runs_[num_stopped++] = runs_[k];
-    }
-    return num_stopped;
+    Label const domain = turns_.domain(position);
+    DomainRun own{progress_[position], domain, domains_.surroundings(domain), {}};
+    run(own);
+    progress_[position] = own.progress;
+#pragma omp critical(pw85_counts)
+    parameters.counts.add(own.counts);
+    return own.progress.remaining == 0;
 }
 
 /// Makes the trials of a domain, until one of them leaves its fixed box.
@@ -195,15 +177,15 @@ void Engine::run(DomainRun &run) noexcept
 {
     auto const members = domains_.members(run.domain);
     auto const count = static_cast<std::uint32_t>(members.size());
-    for (; run.remaining > 0; --run.remaining) {
-        Stream const before = run.stream;
-        Move const move = choose(run.stream);
-        auto const i = static_cast<std::size_t>(members[run.stream.below(count)]);
-        Outcome const outcome = move == exchange
-                                    ? try_exchange(i, static_cast<std::size_t>(members[run.stream.below(count)]))
-                                    : try_move(move, i, run);
+    Stream &stream = run.progress.stream;
+    auto const draw = [&] { return static_cast<std::size_t>(members[stream.below(count)]); };
+    for (; run.progress.remaining > 0; --run.progress.remaining) {
+        Stream const before = stream;
+        Move const move = choose(stream);
+        std::size_t const i = draw();
+        Outcome const outcome = move == exchange ? try_exchange(i, draw(), run.surroundings) : try_move(move, i, run);
         if (outcome == Outcome::unlisted) {
-            run.stream = before;
+            stream = before;
             return;
         }
         ++run.counts.trials[move];
@@ -243,17 +225,18 @@ template <class Overlaps> Engine::Outcome Engine::judge(std::size_t const *parti
 Engine::Outcome Engine::try_move(Move move, std::size_t i, DomainRun &run) noexcept
 {
     Particle moved = ordered_.get(i);
-    if (move != rotation) moved.center = add_scaled(moved.center, parameters.translation, run.stream.in_ball());
+    if (move != rotation)
+        moved.center = add_scaled(moved.center, parameters.translation, run.progress.stream.in_ball());
     if (move != translation) {
-        moved.quaternion = turned(moved.quaternion, parameters.rotation * run.stream.in_ball());
+        moved.quaternion = turned(moved.quaternion, parameters.rotation * run.progress.stream.in_ball());
         if (!moved.shape()) return Outcome::rejected;
     }
-    if (move != rotation && domains_.label_of(moved.center) / 8 != run.domain) return Outcome::rejected;
-    return judge(&i, &moved, 1, [this](std::size_t k) { return overlaps(k); });
+    if (move != rotation && domains_.label_of(moved.center) != run.domain) return Outcome::rejected;
+    return judge(&i, &moved, 1, [&](std::size_t k) { return overlaps(k, run.surroundings); });
 }
 
 /// Two particles exchange their semi-axes.
-Engine::Outcome Engine::try_exchange(std::size_t i, std::size_t j) noexcept
+Engine::Outcome Engine::try_exchange(std::size_t i, std::size_t j, Surroundings const &surroundings) noexcept
 {
     std::size_t const particles[2] = {i, j};
     Particle moved[2] = {ordered_.get(i), ordered_.get(j)};
@@ -262,7 +245,7 @@ Engine::Outcome Engine::try_exchange(std::size_t i, std::size_t j) noexcept
     bool const alike = std::equal(std::begin(first.semi_axes.coordinates), std::end(first.semi_axes.coordinates),
                                   second.semi_axes.coordinates);
     if (alike || !moved[0].shape() || !moved[1].shape()) return Outcome::rejected;
-    return judge(particles, moved, 2, [this](std::size_t k) { return overlaps(k); });
+    return judge(particles, moved, 2, [&](std::size_t k) { return overlaps(k, surroundings); });
 }
 
 int Engine::begin_with_rows() noexcept

@@ -22,6 +22,7 @@
 #include "domains.hpp"
 #include "places.hpp"
 #include "rough_boxes.hpp"
+#include "turns.hpp"
 
 namespace pw85::detail::simulation {
 
@@ -56,10 +57,17 @@ struct NearImage {
     Vector3 r12;
 };
 
-/// The work on one domain.
-struct DomainRun {
+/// How far the work on a domain is.
+struct Progress {
     Stream stream;
-    std::uint32_t domain, remaining; ///< trials that remain
+    std::uint32_t remaining; ///< trials that remain
+};
+
+/// The work on a domain. Each thread has one, so that threads do not write to the same cache lines.
+struct DomainRun {
+    Progress progress;
+    Label domain;
+    Surroundings surroundings;
     Counts counts;
 };
 
@@ -141,7 +149,7 @@ class Engine {
         return count > 0 && overlaps_any(i, near, count);
     }
 
-    bool overlaps(std::size_t i) const noexcept;
+    bool overlaps(std::size_t i, Surroundings const &surroundings) const noexcept;
     bool overlaps_any(std::size_t i, Neighbor const *images, std::size_t count) const noexcept;
 
     void put(std::size_t i, Particle const &particle) noexcept
@@ -150,12 +158,11 @@ class Engine {
         boxes_.set(i, ordered_);
     }
 
-    int run_color(std::uint32_t color) noexcept;
-    std::size_t collect(std::size_t num_runs) noexcept;
+    bool run(std::size_t position) noexcept;
     void run(DomainRun &run) noexcept;
     Move choose(Stream &stream) const noexcept;
     Outcome try_move(Move move, std::size_t i, DomainRun &run) noexcept;
-    Outcome try_exchange(std::size_t i, std::size_t j) noexcept;
+    Outcome try_exchange(std::size_t i, std::size_t j, Surroundings const &surroundings) noexcept;
     template <class Overlaps> Outcome judge(std::size_t const *particles, Particle const *moved, std::size_t count,
                                             Overlaps const &overlaps_others) noexcept;
     bool any_overlaps() const noexcept;
@@ -173,7 +180,8 @@ class Engine {
     Neighborhood neighborhood_;
     RoughBoxes boxes_;
     Domains domains_;
-    Array<DomainRun> runs_;
+    Turns turns_;
+    Array<Progress> progress_;   ///< in the order of turns
     Array<Vector3> old_centers_; ///< before a trial of the volume
     Cell old_cell_{};
     double longest_ = 0.0; ///< of all semi-axes

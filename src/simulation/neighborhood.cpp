@@ -6,9 +6,21 @@
 #include <cmath>
 #include <memory>
 
+#include "../tasks.hpp"
+
 namespace pw85::detail::simulation {
 
 namespace {
+
+/// Lists with fewer pairs are not worth the start of threads, and more shares not the memory.
+constexpr std::size_t pairs_per_share = 16384, most_shares = 16;
+
+bool is_same(Multiples const &x, Multiples const &y) noexcept
+{
+    return x.n[0] == y.n[0] && x.n[1] == y.n[1] && x.n[2] == y.n[2]; // memcmp() would take 5 % of a sweep
+}
+
+Multiples negative(Multiples const &image) noexcept { return {{-image.n[0], -image.n[1], -image.n[2]}}; }
 
 /// Numbers different multiples from 0 on, by a hash table with open addressing.
 class ImageTable {
@@ -30,12 +42,10 @@ class ImageTable {
     /// Gives back memory that is not used.
     bool finish() noexcept { return images_.resize(count_); }
 
-  private:
-    static bool is_same(Multiples const &x, Multiples const &y) noexcept
-    {
-        return x.n[0] == y.n[0] && x.n[1] == y.n[1] && x.n[2] == y.n[2]; // memcmp() would take 5 % of a sweep
-    }
+    /// The number of an image that has one.
+    std::int32_t known(Multiples const &image) const noexcept { return slots_[find(image)]; }
 
+  private:
     std::size_t find(Multiples const &image) const noexcept
     {
         auto const word = [&](int k) { return std::uint64_t{static_cast<std::uint32_t>(image.n[k])}; };
@@ -61,6 +71,19 @@ class ImageTable {
     std::size_t count_ = 0;
 };
 
+/// Numbers all images of the list and their negatives.
+bool number_images(pw85_pair_list const &list, ImageTable &table) noexcept
+{
+    Multiples const none{{0, 0, 0}};
+    if (table.number_of(none) < 0) return false;
+    for (std::size_t k = 0; k < list.num_pairs; ++k) {
+        Multiples const image = image_of(list, k);
+        if (is_same(image, none)) continue;
+        if (table.number_of(image) < 0 || table.number_of(negative(image)) < 0) return false;
+    }
+    return table.finish();
+}
+
 } // namespace
 
 int Neighborhood::update(Configuration const &configuration, double skin) noexcept
@@ -79,7 +102,7 @@ int Neighborhood::make_rows(Configuration const &configuration, double skin) noe
     if (status != PW85_SUCCESS) return status;
     std::copy_n(configuration.cell.vectors, 9, cell_);
     pw85_pair_list const pairs = pw85_neighbors_list(list.get());
-    if (!store_extents(configuration, skin) || !count_rows(configuration.size(), pairs) || !fill_rows(pairs) ||
+    if (!store_extents(configuration, skin) || !fill_rows(configuration.size(), pairs) ||
         !translations_.resize(images_.size()))
         return PW85_ENOMEM;
     return set_cell(configuration.cell) ? PW85_SUCCESS : PW85_EINVAL;
@@ -97,28 +120,37 @@ bool Neighborhood::store_extents(Configuration const &configuration, double skin
     return true;
 }
 
-// The row of particle i begins at begin_[i + 1] until fill_rows() has filled it, and at begin_[i] afterwards.
-bool Neighborhood::count_rows(std::size_t n, pw85_pair_list const &list) noexcept
+// The pairs are divided into shares. In its row, a particle has first the partners of the first share, and so on. So the rows do not
+// depend on the number of shares.
+bool Neighborhood::fill_rows(std::size_t n, pw85_pair_list const &list) noexcept
 {
-    if (!begin_.resize(n + 2) || !rows_.resize(2 * list.num_pairs)) return false;
-    std::fill_n(begin_.data(), n + 2, 0);
-    for (std::size_t k = 0; k < 2 * list.num_pairs; ++k) ++begin_[static_cast<std::size_t>(list.pairs[k]) + 2];
-    for (std::size_t i = 2; i < n + 2; ++i) begin_[i] += begin_[i - 1];
-    return true;
-}
-
-bool Neighborhood::fill_rows(pw85_pair_list const &list) noexcept
-{
+    std::size_t const num_shares = list.num_pairs < pairs_per_share ? 1 : std::min(most_threads(), most_shares);
     ImageTable table(images_);
-    for (std::size_t k = 0; k < list.num_pairs; ++k) {
-        std::int32_t const i = list.pairs[2 * k], j = list.pairs[2 * k + 1];
-        Multiples const image = image_of(list, k), back = {{-image.n[0], -image.n[1], -image.n[2]}};
-        std::int32_t const number = table.number_of(image), number_back = table.number_of(back);
-        if (number < 0 || number_back < 0) return false;
-        rows_[begin_[static_cast<std::size_t>(i) + 1]++] = {j, number};
-        rows_[begin_[static_cast<std::size_t>(j) + 1]++] = {i, number_back};
+    Array<std::size_t> next; // places in rows_ by share and particle
+    if (!number_images(list, table) || !next.resize(num_shares * n) || !begin_.resize(n + 1) ||
+        !rows_.resize(2 * list.num_pairs))
+        return false;
+    auto const for_shares = [&](auto const &visit) {
+        for_tasks(num_shares, num_shares > 1, [&](std::size_t share) {
+            std::size_t const end = list.num_pairs * (share + 1) / num_shares;
+            for (std::size_t k = list.num_pairs * share / num_shares; k < end; ++k)
+                visit(next.data() + share * n, k, list.pairs[2 * k], list.pairs[2 * k + 1]);
+        });
+    };
+    std::fill_n(next.data(), next.size(), std::size_t{0});
+    for_shares([](std::size_t *counts, std::size_t, std::int32_t i, std::int32_t j) { ++counts[i], ++counts[j]; });
+    std::size_t sum = 0;
+    for (std::size_t i = 0; i < n; ++i) {
+        begin_[i] = sum;
+        for (std::size_t share = 0; share < num_shares; ++share) sum += std::exchange(next[share * n + i], sum);
     }
-    return table.finish();
+    begin_[n] = sum;
+    for_shares([&](std::size_t *places, std::size_t k, std::int32_t i, std::int32_t j) {
+        Multiples const image = image_of(list, k);
+        rows_[places[i]++] = {j, table.known(image)};
+        rows_[places[j]++] = {i, table.known(negative(image))};
+    });
+    return true;
 }
 
 bool Neighborhood::set_cell(Cell const &cell) noexcept

@@ -71,8 +71,7 @@ class Neighborhood {
 
   private:
     int make_rows(Configuration const &configuration, double skin) noexcept;
-    bool count_rows(std::size_t n, pw85_pair_list const &list) noexcept;
-    bool fill_rows(pw85_pair_list const &list) noexcept;
+    bool fill_rows(std::size_t n, pw85_pair_list const &list) noexcept;
     bool store_extents(Configuration const &configuration, double skin) noexcept;
 
     Array<neighbors::Extent> extents_;

@@ -69,17 +69,18 @@ class WholeNumber(click.ParamType):
 
 
 class Finite(click.ParamType):
-    """A finite number > 0, or one that may be 0."""
+    """A finite number > 0, or one that may be 0; below a limit if there is one."""
 
     name = "number"
 
-    def __init__(self, may_be_zero: bool = False) -> None:
-        self.may_be_zero = may_be_zero
+    def __init__(self, may_be_zero: bool = False, below: float = np.inf) -> None:
+        self.may_be_zero, self.below = may_be_zero, below
 
     def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> float:
         number = _number(value)
-        if not (0 < number < np.inf or (self.may_be_zero and number == 0)):
-            self.fail(f"'{value}' is no finite number {'>=' if self.may_be_zero else '>'} 0", param, ctx)
+        if not (0 < number < self.below or (self.may_be_zero and number == 0)):
+            limit = f" and < {self.below:g}" * (self.below < np.inf)
+            self.fail(f"'{value}' is no finite number {'>=' if self.may_be_zero else '>'} 0{limit}", param, ctx)
         return number
 
 

@@ -38,6 +38,7 @@ class Settings(NamedTuple):
     trajectory_format: str
     trajectory_every: int
     has_table: bool
+    exchange: float = 0.0
 
 
 class Run:
@@ -48,7 +49,9 @@ class Run:
 
     def __init__(self, path: str, settings: Settings, particles: System, simulation: HardEllipsoids, observables: Observables) -> None:
         self.path, self.settings, self.simulation, self.observables = path, settings, simulation, observables
-        self.types, self.ids, self.corner = particles.types, particles.ids, particles.origin
+        self.ids, self.corner = particles.ids, particles.origin
+        self._type_of = dict(zip(_kinds(simulation), particles.types, strict=True)) if settings.exchange else {}
+        self._types = particles.types
         self.equilibrated = self.sweeps = 0
         self.rows: list[tuple[float, ...]] = []
         self.length = 0  # of the trajectory at the last checkpoint, in bytes
@@ -80,8 +83,13 @@ class Run:
         sample = self.observables.add(self.simulation, compressibility)
         self.rows.append((self.sweeps, *sample))
 
+    @property
+    def types(self) -> Any:
+        """The types of the start, which go with the semi-axes."""
+        return np.array([self._type_of[kind] for kind in _kinds(self.simulation)]) if self._type_of else self._types
+
     def system(self) -> System:
-        """The present state, with the types and ids of the start."""
+        """The present state, with the types of the semi-axes and the ids of the start."""
         state = self.simulation.system()
         cell: Any = state.cell
         others = {"types": self.types, "ids": self.ids, "origin": self.corner @ cell, "step": self.sweeps}
@@ -171,6 +179,11 @@ class Run:
         lines = [",".join(("sweep", *Sample._fields))]
         lines += [f"{row[0]:.0f}," + ",".join(f"{value:.17g}" for value in row[1:]) for row in self.rows]
         return "\n".join(lines) + "\n"
+
+
+def _kinds(simulation: HardEllipsoids) -> list[bytes]:
+    """The semi-axes of each particle, as something to compare and to look up."""
+    return [axes.tobytes() for axes in simulation.semi_axes]
 
 
 def _write_durably(path: str, content: bytes) -> None:

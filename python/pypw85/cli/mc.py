@@ -38,6 +38,8 @@ _OF_RESUMED = {"resumed", "sweeps", "threads", "checkpoint"}
               help="βP in the inverse cube of the unit of length. Without it, the volume is constant.")
 @click.option("--volume", type=click.Choice(["isotropic", "axis", "triclinic"]), default="isotropic", show_default=True,
               help="What changes of the volume scale: all axes alike, one of them, or shear, too.")
+@click.option("--exchange", type=Finite(may_be_zero=True, below=1), default="0", show_default=True, metavar="PART",
+              help="The part of the trials that exchange the semi-axes of two unlike particles.")
 @click.option("--equilibrate", type=click.IntRange(0), metavar="N",
               help="Sweeps before, in which steps are tuned: a tenth of the sweeps by default.")
 @click.option("--every", type=WholeNumber(), default="10", show_default=True, metavar="N", help="Sweeps between two samples.")
@@ -100,7 +102,8 @@ def _continued(path: str, sweeps: int | None) -> Run:
 
 
 def _start(given: Input | None, sweeps: int | None, *, out: str | None, trajectory: str | None, seed: int, width: float,
-           reach: float, bins: int, volume: Any, equilibrate: int | None, chain_length: float | None, **others: Any) -> Run:  # fmt: skip
+           reach: float, bins: int, volume: Any, exchange: float, equilibrate: int | None, chain_length: float | None,
+           **others: Any) -> Run:  # fmt: skip
     """A run from the command line. Its files can be written, and its first checkpoint is."""
     if given is None or sweeps is None or out is None:
         raise click.UsageError("a run needs START, --sweeps and --out; or --resume")
@@ -109,6 +112,8 @@ def _start(given: Input | None, sweeps: int | None, *, out: str | None, trajecto
     for name in (path, out, trajectory):
         _refuse_existing(name)
     system = _checked(given, one_frame(given))
+    if exchange:
+        _check_exchange(given, system)
     cell = system.cell
     assert cell is not None
     settings = Settings(
@@ -120,9 +125,12 @@ def _start(given: Input | None, sweeps: int | None, *, out: str | None, trajecto
         trajectory=None if trajectory is None else os.path.relpath(trajectory, os.path.dirname(path) or "."),
         trajectory_format=growing,
         has_table=has_table,
+        exchange=exchange,
         **others,
     )
     simulation = HardEllipsoids(system, seed)
+    if exchange:
+        simulation.set_fractions(translation=1 - exchange, rotation=1 - exchange, exchange=2 * exchange)
     if trajectory is not None:
         check_storable(trajectory, growing, system)
     system.origin = system.origin @ np.linalg.inv(cell)
@@ -169,6 +177,20 @@ def _checked(given: Input, system: System) -> System:
         raise FileError(given.path, f"pairs that overlap: {len(found.mu)} (the particles {', '.join(names)}{more}): "
                         "separate them (pw85 relax)")  # fmt: skip
     return system
+
+
+def _check_exchange(given: Input, system: System) -> None:
+    """Exchanges need particles with different semi-axes. Types go with the semi-axes, so each kind of particle has one type."""
+    _, kinds = np.unique(system.semi_axes, axis=0, return_inverse=True)
+    names, types = np.unique(system.types, return_inverse=True)
+    pairs = np.unique(np.stack([kinds.ravel(), types.ravel()]), axis=1)
+    if kinds.max() == 0:
+        raise FileError(given.path, "all particles have the same semi-axes: there is nothing to exchange (leave out --exchange)")
+    twice = np.flatnonzero(np.diff(pairs[0]) == 0)
+    if len(twice):
+        one, other = names[pairs[1, twice[0] : twice[0] + 2]].tolist()
+        raise FileError(given.path, f"particles of the types {one} and {other} have the same semi-axes: "
+                        "give them one type, or leave out --exchange")  # fmt: skip
 
 
 def _go(run: Run, checkpoint: float, stage: Callable[[str], None]) -> int:
