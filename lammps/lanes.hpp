@@ -18,7 +18,7 @@
 namespace pw85_lammps {
 
 /// How many pairs there are at most in arrays of rows. They are so few that what is known of them stays in a cache.
-inline constexpr std::size_t row_capacity = 64;
+inline constexpr std::size_t row_capacity = 32;
 
 /// Vectors of `width` numbers, for each pair. Each component of all of them is a row.
 template <std::size_t width> using Row = double[width][row_capacity];
