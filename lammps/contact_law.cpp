@@ -3,6 +3,7 @@
 #include "contact_law.hpp"
 
 #include <cmath>
+#include <limits>
 
 using namespace LAMMPS_NS;
 
@@ -33,12 +34,114 @@ double tsuji_factor(double restitution)
 
 Vector without_part_along(Vector const &x, Vector const &normal) { return x - dot(x, normal) * normal; }
 
+/// A compiler chooses between two numbers for several contacts at a time, but it does not choose between two computations.
+double larger(double a, double b) { return a > b ? a : b; }
+
+constexpr double tiny = std::numeric_limits<double>::min();
+
+/// 1 for positive numbers, 0 for zero.
+double one_if_positive(double x) { return x / larger(x, tiny); }
+
 /// A vector of the same length, along its part in the tangent plane.
 Vector turn_into_plane(Vector const &x, Vector const &normal)
 {
     Vector const part = without_part_along(x, normal);
-    double const square = dot(part, part);
-    return square > 0.0 ? std::sqrt(dot(x, x) / square) * part : Vector{};
+    return std::sqrt(dot(x, x) / larger(dot(part, part), tiny)) * part;
+}
+
+/// The spring and the damper of a contact, and the largest force that they can have.
+struct Slider {
+    double stiffness, damping, limit, spring;
+};
+
+/// The force of a slider with a spring that has been turned with the contact. If it slides, the spring becomes as long as Coulomb's limit
+/// allows. A spring of zero, which contacts have while a run is set up for the first time, gives no force above the limit, as in LAMMPS.
+Vector friction(Slider const &slider, Vector const &slip, Vector &spring)
+{
+    Vector const force = -slider.stiffness * spring - slider.damping * slip;
+    double const ratio = slider.limit / larger(std::sqrt(dot(force, force)), slider.limit + tiny);
+    double const known = one_if_positive(dot(spring, spring)), slides = one_if_positive(1.0 - ratio);
+    Vector const limited = (1.0 - slides * (1.0 - known) * slider.spring) * ratio * force;
+    double const compliance = known * slider.spring / (slider.stiffness + (1.0 - slider.spring));
+    spring = spring + compliance * (force - limited);
+    return limited;
+}
+
+/// The couple that resists rolling. The velocity of rolling is that of Wang, Alonso-Marroquin, Xue and Xie (Particuology 23, 49, 2015), as
+/// in LAMMPS's `rolling sds`.
+Vector rolling_couple(LawConstants::Slider const &c, Encounter const &e, double pressure, Vector &spring)
+{
+    Vector const slip = e.radius * cross(e.normal, e.spin);
+    spring = turn_into_plane(spring, e.normal) + e.timestep * slip;
+    return -e.radius * cross(e.normal, friction({c.stiffness, c.damping, c.friction * pressure, 1.0}, slip, spring));
+}
+
+double damping(LawConstants const &c, double mass, double size, double stiffness)
+{
+    return c.damping + c.damping_by_mass * mass + c.damping_by_size * mass * size +
+           c.damping_by_root * std::sqrt(mass * stiffness);
+}
+
+/// @tparam rolls whether the law resists rolling
+template <bool rolls> Reaction reaction(LawConstants const &c, Encounter const &e, Springs &springs)
+{
+    double const size = std::sqrt(e.radius * e.depth);
+    double const secant = c.stiffness + c.stiffness_by_size * size, damped = damping(c, e.mass, size, secant);
+    double const approach = dot(e.velocity, e.normal);
+    double const pressure = larger(secant * e.depth + damped * approach, c.least_pressure);
+    double const energy = c.energy * secant * e.depth * e.depth;
+    Reaction result{-pressure * e.normal, energy, c.tangent * secant, c.by_radius * energy / e.radius, {}};
+    if constexpr (rolls) result.couple = rolling_couple(c.rolling, e, std::abs(pressure), springs.rolling);
+    LawConstants::Slider const &s = c.sliding;
+    Slider const slider{s.stiffness + s.stiffness_by_size * size, s.damping * damped, s.friction * std::abs(pressure),
+                        s.spring};
+    Vector const slip = e.velocity - approach * e.normal;
+    springs.sliding = without_part_along(springs.sliding + s.spring * e.timestep * slip, e.normal);
+    result.force = result.force + friction(slider, slip, springs.sliding);
+    return result;
+}
+
+/// A law at some contacts.
+struct RowLaw {
+    LawConstants constants;
+    double arms, timestep;
+    std::size_t begin, end;
+
+    template <bool rolls> void react(GrainSearch::Rows const &geometry, ContactRows &rows, std::size_t l) const
+    {
+        Vector const normal = load(geometry.turned, l), inward = arms * geometry.depth[l] * normal;
+        Vector const arm1 = load(geometry.arm1, l) - inward, arm2 = load(geometry.arm2, l) + inward;
+        Vector const spin1 = load(rows.spin1, l), spin2 = load(rows.spin2, l);
+        Vector const velocity = load(rows.velocity, l) + cross(spin1, arm1) - cross(spin2, arm2);
+        Springs springs{load(rows.sliding, l), rolls ? load(rows.rolling, l) : Vector{}};
+        Encounter const e{normal,        geometry.depth[l], geometry.radius[l], rows.mass[l], velocity,
+                          spin1 - spin2, timestep};
+        Reaction const r = reaction<rolls>(constants, e, springs);
+        double const share = rows.share[l];
+        Vector const force = share * r.force, couple = share * r.couple;
+        store(force, rows.force, l);
+        store(cross(arm1, force) + couple, rows.torque1, l);
+        store(cross(force, arm2) - couple, rows.torque2, l);
+        store(springs.sliding, rows.sliding, l);
+        if constexpr (rolls) store(springs.rolling, rows.rolling, l);
+        rows.energy[l] = share * r.energy;
+        rows.rate[l] = share * r.stiffness / rows.mass[l];
+        rows.by_radius[l] = share * r.by_radius;
+    }
+};
+
+PW85_GRAIN_LANES void react_sliding(RowLaw const &law, GrainSearch::Rows const &__restrict geometry,
+                                    ContactRows &__restrict rows)
+{
+    RowLaw const copy = law; // the compiler knows that the rows do not overlap it
+    for (std::size_t l = copy.begin; l < copy.end; ++l) copy.react<false>(geometry, rows, l);
+}
+
+PW85_GRAIN_LANES void react_rolling(RowLaw const &law, GrainSearch::Rows const &__restrict geometry,
+                                    ContactRows &__restrict rows)
+{
+    RowLaw const copy = law;
+    for (std::size_t l = copy.begin; l < copy.end; ++l) copy.react<true>(geometry, rows, l);
 }
 
 } // namespace
@@ -70,6 +173,7 @@ ContactLaw ContactLaw::parse(LAMMPS *lammps, std::string const &style, int count
         law.damping_factor_ = tsuji_factor(law.damping_factor_);
     }
     law.combine_materials(law, law);
+    law.find_constants();
     return law;
 }
 
@@ -135,6 +239,7 @@ std::optional<ContactLaw> ContactLaw::mixed(ContactLaw const &a, ContactLaw cons
     law.rolling_damping_ = std::sqrt(a.rolling_damping_ * b.rolling_damping_);
     law.rolling_friction_ = std::sqrt(a.rolling_friction_ * b.rolling_friction_);
     law.combine_materials(a, b);
+    law.find_constants();
     return law;
 }
 
@@ -146,64 +251,34 @@ void ContactLaw::combine_materials(ContactLaw const &a, ContactLaw const &b)
         tangential_stiffness_ = 8.0 * shear_of_contact(a.young_, a.poisson_, b.young_, b.poisson_);
 }
 
+void ContactLaw::find_constants()
+{
+    LawConstants &c = constants_ = {};
+    bool const is_hertz = normal_ == Normal::hertz, is_mindlin = tangential_ == Tangential::mindlin;
+    (is_hertz ? c.stiffness_by_size : c.stiffness) = stiffness_;
+    c.energy = is_hertz ? 0.4 : 0.5;
+    c.tangent = is_hertz ? 1.5 : 1.0;
+    c.by_radius = is_hertz ? 0.5 : 0.0;
+    double *const dampings[] = {&c.damping, &c.damping_by_mass, &c.damping_by_size, &c.damping_by_root};
+    *dampings[static_cast<std::size_t>(damping_)] = damping_factor_;
+    c.least_pressure = limits_damping_ ? 0.0 : -std::numeric_limits<double>::infinity();
+    (is_mindlin ? c.sliding.stiffness_by_size : c.sliding.stiffness) = tangential_stiffness_;
+    c.sliding.damping = tangential_damping_;
+    c.sliding.friction = friction_;
+    c.sliding.spring = has_spring() ? 1.0 : 0.0;
+    c.rolling = {rolling_stiffness_, 0.0, rolling_damping_, rolling_friction_, 1.0};
+}
+
 Reaction ContactLaw::react(Encounter const &e, Springs &springs) const
 {
-    double const contact_radius = std::sqrt(e.radius * e.depth);
-    bool const is_hertz = normal_ == Normal::hertz;
-    double const secant = is_hertz ? stiffness_ * contact_radius : stiffness_;
-    double const damped = damping(e, contact_radius, secant);
-    double const approach = dot(e.velocity, e.normal);
-    double pressure = secant * e.depth + damped * approach;
-    if (limits_damping_ && pressure < 0.0) pressure = 0.0;
-    double const energy = (is_hertz ? 0.4 : 0.5) * secant * e.depth * e.depth;
-    Reaction result{
-        -pressure * e.normal, energy, is_hertz ? 1.5 * secant : secant, is_hertz ? 0.5 * energy / e.radius : 0.0, {}};
-    if (resists_rolling_) result.couple = rolling_couple(e, pressure, springs.rolling);
-    if (tangential_ == Tangential::none) return result;
-    double const stiffness = tangential_stiffness_ * (tangential_ == Tangential::mindlin ? contact_radius : 1.0);
-    Slider const slider{stiffness, tangential_damping_ * damped, friction_ * std::abs(pressure), has_spring(), false};
-    result.force = result.force + friction(e, slider, e.velocity - approach * e.normal, springs.sliding);
-    return result;
+    return resists_rolling_ ? reaction<true>(constants_, e, springs) : reaction<false>(constants_, e, springs);
 }
 
-// The velocity of rolling is that of Wang, Alonso-Marroquin, Xue and Xie (Particuology 23, 49, 2015), as in LAMMPS's `rolling sds`.
-Vector ContactLaw::rolling_couple(Encounter const &e, double pressure, Vector &spring) const
+void ContactLaw::react(GrainSearch::Rows const &geometry, ContactRows &rows, std::size_t first, std::size_t count,
+                       double arms, double timestep) const
 {
-    Slider const slider{rolling_stiffness_, rolling_damping_, rolling_friction_ * std::abs(pressure), true, true};
-    return -e.radius * cross(e.normal, friction(e, slider, e.radius * cross(e.normal, e.spin), spring));
-}
-
-double ContactLaw::damping(Encounter const &e, double contact_radius, double stiffness) const
-{
-    switch (damping_) {
-    case Damping::velocity:
-        return damping_factor_;
-    case Damping::mass_velocity:
-        return damping_factor_ * e.mass;
-    case Damping::viscoelastic:
-        return damping_factor_ * e.mass * contact_radius;
-    case Damping::tsuji:
-        return damping_factor_ * std::sqrt(e.mass * stiffness);
-    }
-    return 0.0;
-}
-
-// The spring follows the contact. If it slides, it is as long as Coulomb's limit allows. A spring of zero, which contacts have while a
-// run is set up for the first time, gives no force above the limit, as in LAMMPS.
-Vector ContactLaw::friction(Encounter const &e, Slider const &slider, Vector const &slip, Vector &spring) const
-{
-    if (slider.has_spring && e.timestep > 0.0) {
-        if (slider.keeps_length) spring = turn_into_plane(spring, e.normal);
-        spring = spring + e.timestep * slip;
-        if (!slider.keeps_length) spring = without_part_along(spring, e.normal);
-    }
-    Vector const force = -slider.stiffness * spring - slider.damping * slip;
-    double const square = dot(force, force);
-    if (square <= slider.limit * slider.limit) return force;
-    if (slider.has_spring && dot(spring, spring) == 0.0) return {};
-    Vector const limited = (slider.limit / std::sqrt(square)) * force;
-    if (slider.has_spring) spring = (-1.0 / slider.stiffness) * (limited + slider.damping * slip);
-    return limited;
+    RowLaw const law{constants_, arms, timestep, first, first + count};
+    resists_rolling_ ? react_rolling(law, geometry, rows) : react_sliding(law, geometry, rows);
 }
 
 } // namespace pw85_lammps

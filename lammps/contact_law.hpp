@@ -4,10 +4,13 @@
 #ifndef PW85_LAMMPS_CONTACT_LAW_HPP_INCLUDED
 #define PW85_LAMMPS_CONTACT_LAW_HPP_INCLUDED
 
+#include "grain_geometry.hpp"
+#include "lanes.hpp"
 #include "vectors.hpp"
 #include "words.hpp"
 
 #include <algorithm>
+#include <cstddef>
 #include <optional>
 #include <string>
 
@@ -15,10 +18,10 @@ namespace pw85_lammps {
 
 /// What a law needs to know of a contact. Velocities are those of the first body relative to the second, at the contact.
 struct Encounter {
-    Vector const &normal; ///< out of the first body
+    Vector normal; ///< unit vector, out of the first body
     double depth, radius, mass;
     Vector velocity, spin; ///< spin: angular velocity of the first body relative to the second
-    double timestep;       ///< time since the springs were last updated; zero keeps them as they are
+    double timestep;       ///< time since the springs were last updated; zero does not stretch them
 };
 
 /// What a contact keeps from step to step: how far the first body has slid and rolled since it began. Seen from the second body, the
@@ -47,6 +50,38 @@ struct Reaction {
     Vector couple;    ///< torque on the first body besides that of the force; the second body has the opposite one
 };
 
+/// What laws need of the bodies of some pairs, and what follows for the pairs.
+struct ContactRows {
+    alignas(64) Row<3> velocity;    ///< of the first centre relative to the second
+    Row<3> spin1, spin2;            ///< angular velocities
+    Row<3> sliding, rolling;        ///< the springs of the step before, then those of this step
+    double mass[row_capacity];      ///< as in Encounter
+    double share[row_capacity];     ///< factor of all forces and of the energy
+    Row<3> force, torque1, torque2; ///< force: on the first body
+    double energy[row_capacity];    ///< of the normal spring
+    double rate[row_capacity];      ///< stiffness over mass
+    double by_radius[row_capacity]; ///< derivative of the energy by the equivalent radius
+};
+
+/// The constants of a law. Its formulas have no cases: constants of parts that it does not have are zero. So a processor works on several
+/// contacts at a time.
+struct LawConstants {
+    /// A spring and a damper in the tangent plane, up to a part of the pressure.
+    struct Slider {
+        double stiffness = 0.0, stiffness_by_size = 0.0; ///< the second one times the contact's radius a
+        double damping = 0.0, friction = 0.0;
+        double spring = 0.0; ///< 1 if there is a spring
+    };
+
+    double stiffness = 0.0, stiffness_by_size = 0.0;
+    double energy = 0.0, tangent = 0.0; ///< the energy over the force times the depth, and dF/dδ over F/δ
+    double by_radius = 0.0;             ///< times the energy over the radius
+    double damping = 0.0, damping_by_mass = 0.0, damping_by_size = 0.0,
+           damping_by_root = 0.0; ///< times 1, m, m a, √(m k)
+    double least_pressure = 0.0;
+    Slider sliding, rolling;
+};
+
 /// A normal and a tangential law with their constants.
 class ContactLaw {
   public:
@@ -63,26 +98,24 @@ class ContactLaw {
     /// The reaction of a contact, and its new springs.
     Reaction react(Encounter const &e, Springs &springs) const;
 
+    /// Computes the forces of contacts from their geometry. Results are meaningless for pairs that do not overlap.
+    ///
+    /// @param arms how far from the surfaces the forces act, as a part of the depth
+    void react(GrainSearch::Rows const &geometry, ContactRows &rows, std::size_t first, std::size_t count, double arms,
+               double timestep) const;
+
   private:
     enum class Normal { hooke, hertz };
     enum class Damping { velocity, mass_velocity, viscoelastic, tsuji };
     enum class Tangential { none, linear_nohistory, linear_history, mindlin };
 
-    /// A spring and a damper in the tangent plane, and the largest force that they can have.
-    struct Slider {
-        double stiffness, damping, limit;
-        bool has_spring;
-        bool keeps_length; ///< whether the spring turns with the contact, or loses its part along the normal
-    };
-
     void parse_normal(Words &parser);
     void parse_tangential(Words &parser);
     void parse_rolling(Words &parser);
     void combine_materials(ContactLaw const &a, ContactLaw const &b);
-    double damping(Encounter const &e, double contact_radius, double stiffness) const;
-    Vector friction(Encounter const &e, Slider const &slider, Vector const &slip, Vector &spring) const;
-    Vector rolling_couple(Encounter const &e, double pressure, Vector &spring) const;
+    void find_constants();
 
+    LawConstants constants_;
     Normal normal_ = Normal::hooke;
     Damping damping_ = Damping::viscoelastic;
     Tangential tangential_ = Tangential::none;

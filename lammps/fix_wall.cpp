@@ -141,7 +141,7 @@ void FixWall::push(int i, GrainGeometry const &contact, Springs &springs)
     Vector const velocity = vector(atom->v[i]) + cross(spin, g.arm1) - motion_.velocity(vector(atom->x[i]) + g.arm2);
     Encounter const e{g.normal, g.depth, g.radius, atom->rmass[i], velocity, spin - motion_.spin(), timestep_};
     Reaction const reaction = law_.react(e, springs);
-    time_step_check_.add(reaction.stiffness, e.mass);
+    time_step_check_.add(reaction.stiffness / e.mass);
     Vector const torque = cross(g.arm1, reaction.force) + reaction.couple;
     for (std::size_t k = 0; k < 3; ++k) {
         atom->f[i][k] += reaction.force[k];

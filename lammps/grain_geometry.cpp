@@ -8,14 +8,6 @@
 #include <cmath>
 #include <limits>
 
-// GCC compiles a function with this attribute for several instruction sets, together with the functions that it calls. It works on
-// several pairs at a time. All sets give the same bits, because arithmetic is not contracted. Clang does not combine the attributes.
-#if defined(__x86_64__) && defined(__GLIBC__) && !defined(__clang__)
-#define PW85_GRAIN_LANES [[gnu::flatten, gnu::target_clones("default", "avx2", "avx512f")]]
-#else
-#define PW85_GRAIN_LANES [[gnu::flatten]]
-#endif
-
 namespace pw85_lammps {
 
 namespace {
@@ -24,9 +16,6 @@ namespace {
 /// depth, which is stationary, is its square.
 constexpr double last_step = 0x1p-22;
 constexpr int max_steps = 30;
-
-/// Loops work on this many pairs at least. It is the number of lanes of the widest registers.
-constexpr std::size_t lanes = 8;
 
 /// A vector of the tangent plane.
 struct PlaneVector {
@@ -170,21 +159,6 @@ double equivalent_radius(Curvatures const &c)
     return radius;
 }
 
-/// Number l of each row.
-template <std::size_t width>
-std::array<double, width> load(double const (&row)[width][GrainSearch::capacity], std::size_t l)
-{
-    std::array<double, width> numbers;
-    for (std::size_t k = 0; k < width; ++k) numbers[k] = row[k][l];
-    return numbers;
-}
-
-template <std::size_t width>
-void store(std::array<double, width> const &numbers, double (&row)[width][GrainSearch::capacity], std::size_t l)
-{
-    for (std::size_t k = 0; k < width; ++k) row[k][l] = numbers[k];
-}
-
 /// Computes the contact of a pair for its present normal, and a step of Newton's method. Where the step is short, the depth is
 /// stationary, and the points and curvatures change by their derivatives.
 void evaluate(GrainSearch::Rows &rows, std::size_t l)
@@ -273,7 +247,7 @@ bool GrainSearch::turn()
 
 void GrainSearch::solve()
 {
-    std::size_t const count = (size_ + lanes - 1) / lanes * lanes;
+    std::size_t const count = whole_registers(size_);
     int step = 0;
     do evaluate_all(rows_, count);
     while (++step < max_steps && turn());
@@ -288,6 +262,15 @@ void GrainSearch::solve()
 GrainGeometry GrainSearch::contact(std::size_t k) const
 {
     return {load(rows_.turned, k), rows_.depth[k], load(rows_.arm1, k), load(rows_.arm2, k), rows_.radius[k]};
+}
+
+void GrainSearch::replace(std::size_t k, GrainGeometry const &contact)
+{
+    store(contact.normal, rows_.turned, k);
+    store(contact.arm1, rows_.arm1, k);
+    store(contact.arm2, rows_.arm2, k);
+    rows_.depth[k] = contact.depth;
+    rows_.radius[k] = contact.radius;
 }
 
 namespace {

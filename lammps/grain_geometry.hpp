@@ -4,6 +4,7 @@
 #ifndef PW85_LAMMPS_GRAIN_GEOMETRY_HPP_INCLUDED
 #define PW85_LAMMPS_GRAIN_GEOMETRY_HPP_INCLUDED
 
+#include "lanes.hpp"
 #include "vectors.hpp"
 
 #include <cstddef>
@@ -35,7 +36,7 @@ struct GrainGeometry {
 /// conserved.
 class GrainSearch {
   public:
-    static constexpr std::size_t capacity = 64;
+    static constexpr std::size_t capacity = row_capacity;
 
     GrainSearch();
 
@@ -51,10 +52,11 @@ class GrainSearch {
     /// Contact k. Its depth is NaN if δ has no minimum there. It has one if the depth is below the least sum of radii of curvature.
     GrainGeometry contact(std::size_t k) const;
 
+    /// Replaces contact k.
+    void replace(std::size_t k, GrainGeometry const &contact);
+
     /// Numbers of the pairs, each in a row of its own, so that a processor works on several pairs at a time.
     struct Rows {
-        template <std::size_t width> using Row = double[width][capacity];
-
         alignas(64) Row<3> r12, normal;
         Row<6> q1, q2;
         double depth[capacity], radius[capacity], excess[capacity]; ///< excess: positive if the radius needs pw85_hertz
@@ -62,6 +64,8 @@ class GrainSearch {
         Row<3> turned;                          ///< the normal after a step of Newton's method
         double step[capacity], least[capacity]; ///< the square of the step; positive if δ has a minimum
     };
+
+    Rows const &rows() const { return rows_; }
 
   private:
     bool turn();

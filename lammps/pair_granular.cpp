@@ -48,9 +48,9 @@ void PairGranular::allocate()
     materials_.assign(static_cast<std::size_t>(n * n), {});
 }
 
-PairGranular::Material &PairGranular::material(int t, int u)
+std::size_t PairGranular::material_index(int t, int u) const
 {
-    return materials_[static_cast<std::size_t>(t * (atom->ntypes + 1) + u)];
+    return static_cast<std::size_t>(t * (atom->ntypes + 1) + u);
 }
 
 void PairGranular::settings(int narg, char **arg)
@@ -172,38 +172,60 @@ void PairGranular::add_batch(int eflag)
     pw85_system const system = ellipsoids_->system();
     auto const refuse = [this](int i, int j, int status) { ellipsoids_->refuse_pair(i, j, status); };
     std::size_t const count = batch_.keep_overlaps(system, refuse).num_pairs;
-    for (first_ = 0; first_ < count; first_ += GrainSearch::capacity)
-        add_pairs(std::min(GrainSearch::capacity, count - first_), eflag);
+    for (first_ = 0; first_ < count; first_ += row_capacity) add_pairs(std::min(row_capacity, count - first_), eflag);
 }
 
-/// Adds the forces and torques of some pairs, from first_ on. They are so few that what is known of them stays in a cache.
+/// Adds the forces and torques of some pairs, from first_ on.
 void PairGranular::add_pairs(std::size_t count, int eflag)
 {
+    sort_by_law(count);
     find_starts(count);
     search_.clear();
-    for (std::size_t k = 0; k < count; ++k) add_to(search_, k);
+    for (std::size_t l = 0; l < count; ++l) {
+        add_to(search_, l);
+        read_bodies(l);
+    }
     search_.solve();
+    for (std::size_t l = 0; l < count; ++l)
+        if (!is_certain(l)) search_.replace(l, contact_from_anew(l));
+    react(count);
+    for (std::size_t k = 0; k < count; ++k) add_pair(rows_of_pairs_[k], eflag);
+}
+
+/// Gives rows to the pairs, so that those with the same law follow each other.
+void PairGranular::sort_by_law(std::size_t count)
+{
+    std::array<std::size_t, row_capacity> keys; // the law, and the pair
     for (std::size_t k = 0; k < count; ++k) {
-        GrainGeometry g = search_.contact(k);
-        if (!is_certain(k, g)) g = contact_from_anew(k);
-        add_pair(k, g, eflag);
+        auto const [t, u] = std::minmax(atom->type[pair(k)[0]], atom->type[pair(k)[1]]);
+        keys[k] = material_index(t, u) * row_capacity + k;
+    }
+    auto const end = keys.begin() + static_cast<std::ptrdiff_t>(count);
+    if (!std::is_sorted(keys.begin(), end)) std::sort(keys.begin(), end);
+    for (std::size_t l = 0; l < count; ++l) {
+        laws_[l] = keys[l] / row_capacity;
+        order_[l] = keys[l] % row_capacity;
+        rows_of_pairs_[order_[l]] = l;
     }
 }
 
-/// Finds the contacts that the pairs had in the step before, and where the searches for their normals start.
+/// Finds the springs that the pairs had in the step before, and where the searches for their normals start.
 void PairGranular::find_starts(std::size_t count)
 {
-    std::array<std::size_t, GrainSearch::capacity> unknown;
+    std::array<std::size_t, row_capacity> unknown;
     std::size_t num_unknown = 0;
-    for (std::size_t k = 0; k < count; ++k) {
-        int const i = pair(k)[0], j = pair(k)[1];
-        Start &start = starts_[k];
-        start.before = history_->find(i, j);
-        start.is_known = start.before && start.before->index == j;
+    for (std::size_t l = 0; l < count; ++l) {
+        int const i = pair(order_[l])[0], j = pair(order_[l])[1];
+        ContactHistory::Contact const *const before = history_->find(i, j);
+        Springs const springs = before ? before->springs : Springs{};
+        store(springs.sliding, rows_.sliding, l);
+        store(springs.rolling, rows_.rolling, l);
+        Start &start = starts_[l];
+        start.is_known = before && before->index == j;
         if (start.is_known)
-            start.normal = start.before->normal;
+            start.normal = before->normal;
         else
-            unknown[num_unknown++] = k;
+            unknown[num_unknown++] = l;
     }
     if (num_unknown > 0) start_at_contact_function({unknown.data(), num_unknown});
 }
@@ -211,9 +233,9 @@ void PairGranular::find_starts(std::size_t count)
 /// Lets searches start from the normals of the contact function.
 void PairGranular::start_at_contact_function(std::span<std::size_t const> rows)
 {
-    std::array<std::int32_t, 2 * GrainSearch::capacity> indices;
-    std::array<double, 3 * GrainSearch::capacity> normals;
-    for (std::size_t n = 0; n < rows.size(); ++n) std::copy_n(pair(rows[n]), 2, &indices[2 * n]);
+    std::array<std::int32_t, 2 * row_capacity> indices;
+    std::array<double, 3 * row_capacity> normals;
+    for (std::size_t n = 0; n < rows.size(); ++n) std::copy_n(pair(order_[rows[n]]), 2, &indices[2 * n]);
     pw85_system const system = ellipsoids_->system();
     pw85_pair_list const pairs{rows.size(), indices.data(), nullptr};
     pw85_contact_derivatives_pairs(&pairs, &system, nullptr, nullptr, nullptr, normals.data(), nullptr, nullptr,
@@ -226,78 +248,96 @@ Vector PairGranular::separation(std::size_t k) const
     return vector(atom->x[pair(k)[1]]) - vector(atom->x[pair(k)[0]]);
 }
 
-void PairGranular::add_to(GrainSearch &search, std::size_t k) const
+void PairGranular::add_to(GrainSearch &search, std::size_t l) const
 {
-    search.add(separation(k), ellipsoids_->form(pair(k)[0]), ellipsoids_->form(pair(k)[1]), starts_[k].normal);
+    std::size_t const k = order_[l];
+    search.add(separation(k), ellipsoids_->form(pair(k)[0]), ellipsoids_->form(pair(k)[1]), starts_[l].normal);
 }
 
-/// Whether a contact is that of pair k. If the normal has turned far since the step before, it may belong to another minimum.
-bool PairGranular::is_certain(std::size_t k, GrainGeometry const &g) const
+/// Reads what the law needs of the bodies of the pair in row l.
+void PairGranular::read_bodies(std::size_t l)
 {
-    return !starts_[k].is_known || (g.depth > 0.0 && dot(g.normal, starts_[k].normal) >= least_cosine);
+    int const i = pair(order_[l])[0], j = pair(order_[l])[1];
+    store(vector(atom->v[i]) - vector(atom->v[j]), rows_.velocity, l);
+    store(spins_[static_cast<std::size_t>(i)], rows_.spin1, l);
+    store(spins_[static_cast<std::size_t>(j)], rows_.spin2, l);
+    rows_.mass[l] = mass(i, j);
+    rows_.share[l] = force->special_lj[batch_.special[first_ + order_[l]]];
 }
 
-/// The contact of pair k that is found from the normal of the contact function.
-GrainGeometry PairGranular::contact_from_anew(std::size_t k)
+double PairGranular::mass(int i, int j) const
 {
-    start_at_contact_function({&k, 1});
+    double const m1 = atom->rmass[i], m2 = atom->rmass[j];
+    return is_frozen(i) ? m2 : is_frozen(j) ? m1 : m1 * m2 / (m1 + m2);
+}
+
+/// Whether a contact is that of its pair. If the normal has turned far since the step before, it may belong to another minimum.
+bool PairGranular::is_certain(std::size_t l) const
+{
+    if (!starts_[l].is_known) return true;
+    GrainSearch::Rows const &rows = search_.rows();
+    return rows.depth[l] > 0.0 && dot(load(rows.turned, l), starts_[l].normal) >= least_cosine;
+}
+
+/// The contact in row l that is found from the normal of the contact function.
+GrainGeometry PairGranular::contact_from_anew(std::size_t l)
+{
+    start_at_contact_function({&l, 1});
     single_search_.clear();
-    add_to(single_search_, k);
+    add_to(single_search_, l);
     single_search_.solve();
     return single_search_.contact(0);
 }
 
-/// Adds the force and torques of pair k.
-void PairGranular::add_pair(std::size_t k, GrainGeometry &g, int eflag)
+/// Computes the forces and torques of all rows, law by law.
+void PairGranular::react(std::size_t count)
 {
-    int const i = pair(k)[0], j = pair(k)[1];
-    double const share = force->special_lj[batch_.special[first_ + k]];
-    if (share == 0.0) return;
-    if (std::isnan(g.depth)) refuse_depth(i, j);
-    if (!(g.depth > 0.0)) return;
-    if (arms_ == Arms::contact) g.meet_in_the_middle();
-    Encounter const e = meet(i, j, g);
-    Material const &both = material(atom->type[i], atom->type[j]);
-    Springs springs = starts_[k].before ? starts_[k].before->springs : Springs{};
-    Reaction const reaction = both.law.react(e, springs);
-    history_->store(i, j, springs, g.normal);
-    time_step_check_.add(share * reaction.stiffness, e.mass);
-    Vector const couple = share * reaction.couple;
-    Vector f = share * reaction.force, torque1 = cross(g.arm1, f) + couple, torque2 = -1.0 * cross(g.arm2, f) - couple;
-    if (both.conserves) add_gradient(i, j, g, share * reaction.by_radius, f, torque1, torque2);
-    if (keeps_touches_) touches_.push_back({i, j, g.arm1, g.normal, f, g.depth});
+    double const arms = arms_ == Arms::contact ? 0.5 : 0.0;
+    for (std::size_t l = 0, end = 0; l < count; l = end) {
+        while (end < count && laws_[end] == laws_[l]) ++end;
+        materials_[laws_[l]].law.react(search_.rows(), rows_, l, end - l, arms, timestep_);
+    }
+}
+
+/// Adds the force and torques of the pair in row l.
+void PairGranular::add_pair(std::size_t l, int eflag)
+{
+    int const i = pair(order_[l])[0], j = pair(order_[l])[1];
+    double const depth = search_.rows().depth[l];
+    if (rows_.share[l] == 0.0) return;
+    if (std::isnan(depth)) refuse_depth(i, j);
+    if (!(depth > 0.0)) return;
+    history_->store(i, j, {load(rows_.sliding, l), load(rows_.rolling, l)}, load(search_.rows().turned, l));
+    time_step_check_.add(rows_.rate[l]);
+    Vector f = load(rows_.force, l), torque1 = load(rows_.torque1, l), torque2 = load(rows_.torque2, l);
+    if (materials_[laws_[l]].conserves) add_gradient(l, f, torque1, torque2);
+    if (keeps_touches_) keep_touch(l, f);
     apply(i, f, torque1);
     if (force->newton_pair || j < atom->nlocal) apply(j, -1.0 * f, torque2);
     if (!evflag) return;
-    Vector const r12 = separation(k);
-    ev_tally_xyz(i, j, atom->nlocal, force->newton_pair, eflag ? share * reaction.energy : 0.0, 0.0, f[0], f[1], f[2],
-                 -r12[0], -r12[1], -r12[2]);
+    Vector const r12 = separation(order_[l]);
+    ev_tally_xyz(i, j, atom->nlocal, force->newton_pair, eflag ? rows_.energy[l] : 0.0, 0.0, f[0], f[1], f[2], -r12[0],
+                 -r12[1], -r12[2]);
 }
 
 /// Adds the force and the torques that come from changes of the equivalent radius.
-///
-/// @param by_radius derivative of the energy by the radius
-void PairGranular::add_gradient(int i, int j, GrainGeometry const &g, double by_radius, Vector &f, Vector &torque1,
-                                Vector &torque2) const
+void PairGranular::add_gradient(std::size_t l, Vector &f, Vector &torque1, Vector &torque2) const
 {
-    RadiusGradient const d = radius_gradient(ellipsoids_->form(i), ellipsoids_->form(j), g.normal, g.depth);
+    std::int32_t const *const atoms = pair(order_[l]);
+    GrainSearch::Rows const &rows = search_.rows();
+    RadiusGradient const d =
+        radius_gradient(ellipsoids_->form(atoms[0]), ellipsoids_->form(atoms[1]), load(rows.turned, l), rows.depth[l]);
+    double const by_radius = rows_.by_radius[l];
     f = f + by_radius * d.r12;
     torque1 = torque1 - by_radius * d.rotation1;
     torque2 = torque2 - by_radius * d.rotation2;
 }
 
-Encounter PairGranular::meet(int i, int j, GrainGeometry const &g) const
+void PairGranular::keep_touch(std::size_t l, Vector const &f)
 {
-    double const m1 = atom->rmass[i], m2 = atom->rmass[j];
-    double const mass = is_frozen(i) ? m2 : is_frozen(j) ? m1 : m1 * m2 / (m1 + m2);
-    Vector const spin = spins_[static_cast<std::size_t>(i)] - spins_[static_cast<std::size_t>(j)];
-    return {g.normal, g.depth, g.radius, mass, velocity(i, g.arm1) - velocity(j, g.arm2), spin, timestep_};
-}
-
-/// The velocity of the point of a grain that is at `arm` from its centre.
-Vector PairGranular::velocity(int i, Vector const &arm) const
-{
-    return vector(atom->v[i]) + cross(spins_[static_cast<std::size_t>(i)], arm);
+    GrainGeometry g = search_.contact(l);
+    if (arms_ == Arms::contact) g.meet_in_the_middle();
+    touches_.push_back({pair(order_[l])[0], pair(order_[l])[1], g.arm1, g.normal, f, g.depth});
 }
 
 void PairGranular::find_spins()

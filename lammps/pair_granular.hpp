@@ -59,31 +59,33 @@ class PairGranular final : public LAMMPS_NS::Pair {
         bool is_set = false;
     };
 
-    /// Where the search for the normal of a pair starts, and what the pair was in the step before.
+    /// Where the search for the normal of a pair starts.
     struct Start {
         Vector normal;
-        ContactHistory::Contact const *before; ///< null for a new contact
-        bool is_known;                         ///< whether the normal is that of the step before
+        bool is_known; ///< whether the normal is that of the step before
     };
 
     void allocate();
     void add_history();
     void read_reaches();
-    Material &material(int t, int u);
+    std::size_t material_index(int t, int u) const;
+    Material &material(int t, int u) { return materials_[material_index(t, u)]; }
     void add_batch(int eflag);
     void add_pairs(std::size_t count, int eflag);
     std::int32_t const *pair(std::size_t k) const { return &batch_.pairs[2 * (first_ + k)]; }
+    void sort_by_law(std::size_t count);
     void find_starts(std::size_t count);
     void start_at_contact_function(std::span<std::size_t const> rows);
     Vector separation(std::size_t k) const;
-    void add_to(GrainSearch &search, std::size_t k) const;
-    bool is_certain(std::size_t k, GrainGeometry const &g) const;
-    GrainGeometry contact_from_anew(std::size_t k);
-    void add_pair(std::size_t k, GrainGeometry &g, int eflag);
-    void add_gradient(int i, int j, GrainGeometry const &g, double by_radius, Vector &f, Vector &torque1,
-                      Vector &torque2) const;
-    Encounter meet(int i, int j, GrainGeometry const &g) const;
-    Vector velocity(int i, Vector const &arm) const;
+    void add_to(GrainSearch &search, std::size_t l) const;
+    void read_bodies(std::size_t l);
+    double mass(int i, int j) const;
+    bool is_certain(std::size_t l) const;
+    GrainGeometry contact_from_anew(std::size_t l);
+    void react(std::size_t count);
+    void add_pair(std::size_t l, int eflag);
+    void add_gradient(std::size_t l, Vector &f, Vector &torque1, Vector &torque2) const;
+    void keep_touch(std::size_t l, Vector const &f);
     void find_spins();
     void apply(int i, Vector const &push, Vector const &torque);
     bool is_frozen(int i) const { return (atom->mask[i] & frozen_) != 0; }
@@ -98,9 +100,14 @@ class PairGranular final : public LAMMPS_NS::Pair {
     std::string history_id_;
     ContactHistory *history_ = nullptr;
     PairBatch batch_;
-    std::size_t first_ = 0; ///< the pair of the batch that is the first one of those in starts_
-    std::array<Start, GrainSearch::capacity> starts_{};
+    std::size_t first_ = 0; ///< the pair of the batch that is the first one of those that have rows
+
+    // The pairs have rows, in which those with the same law follow each other.
+    std::array<std::size_t, row_capacity> order_{}, rows_of_pairs_{}; ///< pair of each row, row of each pair
+    std::array<std::size_t, row_capacity> laws_{};                    ///< by row: index in materials_
+    std::array<Start, row_capacity> starts_{};                        ///< by row
     GrainSearch search_, single_search_;
+    ContactRows rows_{};
     std::vector<Vector> spins_; ///< angular velocities of owned atoms and ghosts
     double timestep_ = 0.0;     ///< for springs: zero while a run is set up
     TimeStepCheck time_step_check_;

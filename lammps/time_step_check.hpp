@@ -16,13 +16,14 @@ class TimeStepCheck {
   public:
     void start_run() { warned_ = false; }
     void start_step() { fastest_ = 0.0; }
-    void add(double stiffness, double mass) { fastest_ = std::max(fastest_, stiffness / mass); }
+    /// @param rate stiffness over mass of a contact
+    void add(double rate) { fastest_ = std::max(fastest_, rate); }
 
     /// @param timestep zero while a run is set up
     void finish_step(LAMMPS_NS::Error &error, std::string const &style, double timestep);
 
   private:
-    double fastest_ = 0.0; ///< largest stiffness over mass
+    double fastest_ = 0.0; ///< largest rate
     bool warned_ = false;
 };
 

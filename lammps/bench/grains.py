@@ -1,32 +1,76 @@
 # SPDX-License-Identifier: GPL-2.0-only
 """Measures the time per contact of pair_style pw85/granular beside that of LAMMPS's gran/hertz/history for spheres.
 
-    python3 grains.py path/to/pw85.in [--edge 12]
+    python3 grains.py path/to/pw85.in [--edge 12] [--repeat 3] [--ranks]
 
 Runs grains.in through lmp, in which each grain has twelve contacts. The time is the processor time of a step, all of LAMMPS
 included, from runs of two lengths, of which each is the fastest of several.
+
+With --ranks, 1e5 ellipsoids run on one rank and on two ranks (mpirun), and beside them two independent runs on one rank with half of
+the ellipsoids each, at the same time: the machine does not allow more than these. The times are those of LAMMPS's loop. The memory of a
+grain is the difference of the largest resident sizes of the one-rank runs over that of their numbers of grains.
 """
 
 import argparse
 import os
+import re
 import subprocess
 from pathlib import Path
 
 STYLES = {"lammps": "spheres, gran/hertz/history", "spheres": "spheres, pw85/granular",
           "ellipsoids": "ellipsoids, pw85/granular"}
 STEPS = 20, 120
+LARGE_EDGE, LARGE_HEIGHT, LARGE_STEPS = 29, 30, 40
+SETTINGS = {"OMP_NUM_THREADS": "1", "OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1"}
 
 
-def processor_time(include, style, edge, steps):
-    """Seconds that a run takes."""
-    command = ["lmp", "-log", "none", "-in", str(Path(__file__).parent / "grains.in")]
-    for name, value in {"pw85": include, "style": style, "edge": edge, "steps": steps}.items():
+def start(include, style, edge, height, steps, ranks=1):
+    """A run that has begun."""
+    launcher = ["mpirun", "--oversubscribe", "-n", str(ranks)] if ranks > 1 else []
+    command = [*launcher, "lmp", "-log", "none", "-in", str(Path(__file__).parent / "grains.in")]
+    for name, value in {"pw85": include, "style": style, "edge": edge, "height": height, "steps": steps}.items():
         command += ["-var", name, str(value)]
-    process = subprocess.Popen(command, env={**os.environ, "OMP_NUM_THREADS": "1"}, stdout=subprocess.DEVNULL)
+    return subprocess.Popen(command, env={**os.environ, **SETTINGS}, stdout=subprocess.PIPE, text=True)
+
+
+def finish(process):
+    """Seconds per step of LAMMPS's last loop, and the resources that the run has used."""
+    text = process.stdout.read()
     _, status, usage = os.wait4(process.pid, 0)
     if status:
-        raise RuntimeError(f"LAMMPS failed: {' '.join(command)}")
-    return usage.ru_utime
+        raise RuntimeError(f"LAMMPS failed: {' '.join(process.args)}\n{text[-2000:]}")
+    seconds, steps = re.findall(r"Loop time of (\S+) on \d+ procs for (\d+) steps", text)[-1]
+    return float(seconds) / int(steps), usage
+
+
+def measure_ranks(include, repeat):
+    cells = LARGE_EDGE**2 * LARGE_HEIGHT
+    grains, half = 4 * cells, LARGE_HEIGHT // 2
+    seconds = {"one rank": [], "two ranks": [], "two independent runs with half of the grains each": []}
+    for _ in range(repeat):
+        one, whole_usage = finish(start(include, "ellipsoids", LARGE_EDGE, LARGE_HEIGHT, LARGE_STEPS))
+        two, _ = finish(start(include, "ellipsoids", LARGE_EDGE, LARGE_HEIGHT, LARGE_STEPS, ranks=2))
+        copies = [start(include, "ellipsoids", LARGE_EDGE, half, LARGE_STEPS) for _ in range(2)]
+        results = [finish(copy) for copy in copies]
+        for times, time in zip(seconds.values(), (one, two, max(time for time, _ in results)), strict=True):
+            times.append(time)
+    best = {name: min(times) for name, times in seconds.items()}
+    for name, time in best.items():
+        print(f"{name:50} {1e3 * time:7.1f} ms per step, {best['one rank'] / time:5.2f} times one rank", flush=True)
+    memory = 1024 * (whole_usage.ru_maxrss - results[0][1].ru_maxrss) / (grains / 2)
+    print(f"{grains} grains; {memory:.0f} bytes per grain")
+
+
+def measure_contacts(include, edge, repeat):
+    contacts = 4 * edge**3 * 6
+    times = {(style, steps): [] for style in STYLES for steps in STEPS}
+    for _ in range(repeat):
+        for style, steps in times:
+            _, usage = finish(start(include, style, edge, edge, steps))
+            times[style, steps].append(usage.ru_utime)
+    for style, text in STYLES.items():
+        seconds = (min(times[style, STEPS[1]]) - min(times[style, STEPS[0]])) / (STEPS[1] - STEPS[0])
+        print(f"{text:30} {1e9 * seconds / contacts:6.0f} ns per contact and step", flush=True)
 
 
 def main():
@@ -34,16 +78,13 @@ def main():
     parser.add_argument("include")
     parser.add_argument("--edge", type=int, default=12)
     parser.add_argument("--repeat", type=int, default=3)
+    parser.add_argument("--ranks", action="store_true", help="one and two ranks instead of the styles")
     arguments = parser.parse_args()
     include = Path(arguments.include).resolve()
-    contacts = 4 * arguments.edge**3 * 6
-    times = {(style, steps): [] for style in STYLES for steps in STEPS}
-    for _ in range(arguments.repeat):
-        for style, steps in times:
-            times[style, steps].append(processor_time(include, style, arguments.edge, steps))
-    for style, text in STYLES.items():
-        seconds = (min(times[style, STEPS[1]]) - min(times[style, STEPS[0]])) / (STEPS[1] - STEPS[0])
-        print(f"{text:30} {1e9 * seconds / contacts:6.0f} ns per contact and step", flush=True)
+    if arguments.ranks:
+        measure_ranks(include, arguments.repeat)
+    else:
+        measure_contacts(include, arguments.edge, arguments.repeat)
 
 
 if __name__ == "__main__":

@@ -174,6 +174,17 @@ class Pairs(AgainstLammps, unittest.TestCase):
             expected = move(spheres, f"pair_style granular\npair_coeff * * {law}", 1)[0]
             self.compare(move(Grains(**vars(spheres)), granular(law), 1)[0], expected, self.forces, law)
 
+    def test_laws_of_types(self):
+        """Pairs of types that have different laws, in any order in the list of neighbours."""
+        spheres = self.spheres(still=True)
+        spheres = dataclasses.replace(spheres, types=np.random.default_rng(3).integers(1, 3, len(spheres.types)))
+        laws = {"1 1": "hooke 5000 20", "1 2": "hertz 90000 40", "2 2": "hooke 9000 30"}
+        coefficients = "".join(f"\npair_coeff {types} {law} damping mass_velocity tangential linear_nohistory 0.6 0.5"
+                               for types, law in laws.items())
+        expected = move(spheres, "pair_style granular" + coefficients, 1)[0]
+        found = move(Grains(**vars(spheres)), "pair_style pw85/granular" + coefficients, 1)[0]
+        self.compare(found, expected, self.forces, coefficients)
+
     def test_mixing(self):
         """Moduli of unlike materials are those of Hertz's theory; other constants are geometric means."""
         grains = Grains(**vars(self.spheres()))
