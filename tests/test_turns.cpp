@@ -1,0 +1,156 @@
+// The order in which threads work on the domains of a sweep: each is finished once, none while one next to it is worked on, and all that are
+// next to it and come first are finished before.
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <memory>
+#include <numeric>
+#include <vector>
+
+#include <glib.h>
+
+#include "../src/simulation/turns.hpp"
+
+#ifdef _OPENMP
+#include <omp.h>
+#endif
+
+using namespace pw85::detail;
+using namespace pw85::detail::simulation;
+
+namespace {
+
+/// What threads have seen. A domain is known by its position in the order.
+class Log {
+  public:
+    Log(Domains const &domains, Turns const &turns)
+        : num_domains_(domains.num_domains()), size_(turns.size()), states_(new std::atomic<int>[turns.size()]),
+          near_(turns.size())
+    {
+        for (std::size_t p = 0; p < size_; ++p) {
+            states_[p] = waiting;
+            for (std::size_t q = 0; q < size_; ++q)
+                if (q != p && are_near(domains, turns.domain(p), turns.domain(q))) near_[p].push_back(q);
+        }
+    }
+
+    /// Works on a domain for some time, and finishes it or not.
+    bool work(std::size_t p, bool finish)
+    {
+        if (states_[p].exchange(running) != waiting) fail("worked on twice", p, p);
+        check(p);
+        for (int k = 0; k < static_cast<int>(p * 2654435761u % 4096u); ++k) states_[p].load();
+        check(p);
+        states_[p] = finish ? finished : stopped;
+        return finish;
+    }
+
+    /// Before the work goes on.
+    void restart()
+    {
+        for (std::size_t p = 0; p < size_; ++p)
+            if (states_[p] == stopped) states_[p] = waiting;
+    }
+
+    std::size_t count_finished() const
+    {
+        std::size_t count = 0;
+        for (std::size_t p = 0; p < size_; ++p) count += states_[p] == finished;
+        return count;
+    }
+
+    bool failed() const { return failed_; }
+
+  private:
+    enum State { waiting, running, stopped, finished };
+
+    static bool are_near(Domains const &domains, Label a, Label b)
+    {
+        bool near = true;
+        for (int k = 0; k < 3; ++k) {
+            int const n = static_cast<int>(domains.num_parts(k));
+            int const apart = std::abs(static_cast<int>(a.part(k)) - static_cast<int>(b.part(k)));
+            near = near && std::min(apart, n - apart) <= 1;
+        }
+        return near;
+    }
+
+    void check(std::size_t p)
+    {
+        for (std::size_t const q : near_[p]) {
+            bool const is_first = q / num_domains_ < p / num_domains_; // its colour comes first
+            int const state = states_[q];
+            if (is_first ? state != finished : state != waiting) fail("out of turn", p, q);
+        }
+    }
+
+    void fail(char const *what, std::size_t p, std::size_t q)
+    {
+        if (!failed_.exchange(true)) g_test_message("%s: %zu beside %zu", what, p, q);
+    }
+
+    std::size_t num_domains_, size_;
+    std::unique_ptr<std::atomic<int>[]> states_;
+    std::vector<std::vector<std::size_t>> near_;
+    std::atomic<bool> failed_{false};
+};
+
+/// Particles at random in a cell that is periodic along some directions.
+Configuration particles_in(double x, double y, double z, std::array<int, 3> periodic)
+{
+    Configuration configuration;
+    constexpr std::size_t n = 20000;
+    g_assert_true(configuration.resize(n));
+    configuration.cell = {{x, 0, 0, 0, y, 0, 0, 0, z}, {periodic[0], periodic[1], periodic[2]}, true};
+    Stream stream(3, 0, 0);
+    for (std::size_t k = 0; k < n; ++k)
+        configuration.centers[k] = {x * stream.uniform(), y * stream.uniform(), z * stream.uniform()};
+    return configuration;
+}
+
+void run(Configuration const &configuration, std::size_t least_domains, std::uint64_t seed)
+{
+    std::vector<std::int32_t> places(configuration.size());
+    std::iota(places.begin(), places.end(), 0);
+    Stream stream(seed, 0, 0);
+    Domains domains;
+    Turns turns;
+    g_assert_cmpint(domains.prepare(configuration, places, 1.0, stream), ==, PW85_SUCCESS);
+    g_assert_true(turns.prepare(domains, stream));
+    g_assert_cmpuint(turns.size(), >=, least_domains);
+    Log log(domains, turns);
+    std::vector<int> stops(turns.size());
+    for (std::size_t p = 0; p < turns.size(); ++p) stops[p] = p * 40503u % 16u == 0 ? 2 : 0;
+    int calls = 1;
+    for (; !turns.for_all(domains, [&](std::size_t p) { return log.work(p, stops[p]-- <= 0); }); ++calls) log.restart();
+    if (log.failed()) g_test_fail_printf("%zu domains, seed %d", turns.size(), static_cast<int>(seed));
+    g_assert_cmpuint(log.count_finished(), ==, turns.size());
+    g_assert_cmpint(calls, >=, 3); // some stopped twice
+}
+
+void test_order()
+{
+#ifdef _OPENMP
+    int const threads = omp_get_max_threads();
+    for (int n = 1; n <= 4; ++n) {
+        omp_set_num_threads(n);
+#endif
+        for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+            run(particles_in(8.5, 6.5, 10.5, {1, 1, 1}), 8 * 6 * 8, seed);
+            run(particles_in(8.5, 2.5, 3.0, {1, 1, 0}), 8 * 2, seed);
+            run(particles_in(1.5, 1.5, 1.5, {1, 1, 1}), 1, seed);
+        }
+#ifdef _OPENMP
+    }
+    omp_set_num_threads(threads);
+#endif
+}
+
+} // namespace
+
+int main(int argc, char **argv)
+{
+    g_test_init(&argc, &argv, nullptr);
+    g_test_add_func("/turns/order", test_order);
+    return g_test_run();
+}
