@@ -147,7 +147,7 @@ class AgainstLammps:
         self.check(self.HOOKE, (1, "on"), (2, "off"))
 
     def test_hertz(self):
-        self.check(self.HERTZ, (1, "on"), (2, "on"))
+        self.check(self.HERTZ, (1, "on"), (4, "on"))
 
     def test_restart(self):
         """After a restart, spheres move as in a run of LAMMPS's own style that has only paused."""
