@@ -206,7 +206,7 @@ def kinds_of(system):
 
 def test_exchange(run, folder):
     """Types go with the semi-axes that particles exchange, and a run that continues has the same bits."""
-    mixture = [*NPT, "--exchange", "0.5", "--trajectory", "run.xyz"]
+    mixture = [*NPT, "--pressure", "0.2", "--equilibrate", "50", "--exchange", "0.5", "--trajectory", "run.xyz"]
     assert run("mc", *mixture, "--sweeps", 60, "--out", "whole.h5").status == 0
     os.rename("run.xyz", "whole.xyz")
     assert run("mc", *mixture, "--sweeps", 30, "--out", "run.h5").status == 0
