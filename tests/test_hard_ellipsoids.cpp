@@ -184,12 +184,12 @@ void test_hard_spheres()
     start.cell = box(5.2, 5.2, 5.2);
     HardEllipsoids simulation = start.simulation();
     g_assert_true(simulation.set_fractions({1, 0, 0, 0}) == Status::success);
-    g_assert_true(simulation.tune(300, 0.5, z * density) == Status::success);
-    int const sweeps = g_test_perf() ? 20000 : 3000;
+    g_assert_true(simulation.tune(300, 0.3, z * density) == Status::success);
+    int const sweeps = g_test_perf() ? 100000 : 12000;
     Blocks densities(sweeps / 20);
     for (int k = 0; k < sweeps; ++k) {
         g_assert_true(simulation.sweep(1) == Status::success);
-        g_assert_true(simulation.volume_moves(1, z * density) == Status::success);
+        g_assert_true(simulation.volume_moves(4, z * density) == Status::success);
         densities.add(64.0 / volume_of(simulation));
     }
     densities.expect("density", density, 0.005 * density);
