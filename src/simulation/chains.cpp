@@ -121,6 +121,7 @@ void Chains::insert(Obstacle const &obstacle) noexcept
         obstacles_[place] = obstacles_[place - 1];
     obstacles_[place] = obstacle;
 }
+
 /// Improves the two least bounds. Obstacles that are not on the way leave.
 void Chains::improve(std::size_t i, Vector3 const &direction, double stage) noexcept
 {
