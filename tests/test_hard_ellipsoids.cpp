@@ -200,6 +200,7 @@ void test_hard_spheres()
 // too short. Steps scatter, so the mean over several is compared.
 void test_tune()
 {
+    constexpr std::size_t moves[3] = {0, 1, 4}; // translations, rotations, volume
     for (double const wanted : {0.2, 0.6})
         for (double const factor : {0.1, 10.0}) {
             HardEllipsoids simulation = mixture(4).simulation();
@@ -212,7 +213,7 @@ void test_tune()
                     g_assert_true(simulation.volume_moves(1, 2.0) == Status::success);
                 }
                 auto const counts = simulation.counts();
-                for (std::size_t move : {0, 1, 4}) {
+                for (std::size_t const move : moves) {
                     std::size_t const kind = std::min(move, std::size_t{2});
                     accepted[kind] += static_cast<double>(counts.accepted[move]);
                     trials[kind] += static_cast<double>(counts.trials[move]);
