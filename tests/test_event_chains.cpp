@@ -219,10 +219,10 @@ struct Approach {
     /// After the first has moved.
     double mu2(double way) const
     {
-        double r12[3], mu2 = 0;
+        double r12[3], out[2] = {0, 0}; // μ² and λ
         for (int d = 0; d < 3; ++d) r12[d] = centers[3 + d] - centers[d] - way * direction[d];
-        pw85_contact(r12, q[0], q[1], &mu2);
-        return mu2;
+        pw85_contact(r12, q[0], q[1], out);
+        return out[0];
     }
 };
 
