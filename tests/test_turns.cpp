@@ -1,6 +1,7 @@
 // The order in which threads work on the domains of a sweep: each is finished once, none while one next to it is worked on, and all that are
-// next to it and come first are finished before.
+// next to it and come first are finished before. Of domains that are next to each other, the order is that of their colours.
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cmath>
 #include <memory>
@@ -24,8 +25,7 @@ namespace {
 class Log {
   public:
     Log(Domains const &domains, Turns const &turns)
-        : num_domains_(domains.num_domains()), size_(turns.size()), states_(new std::atomic<int>[turns.size()]),
-          near_(turns.size())
+        : size_(turns.size()), states_(new std::atomic<int>[turns.size()]), near_(turns.size())
     {
         for (std::size_t p = 0; p < size_; ++p) {
             states_[p] = waiting;
@@ -61,6 +61,8 @@ class Log {
 
     bool failed() const { return failed_; }
 
+    std::vector<std::size_t> const &near(std::size_t p) const { return near_[p]; }
+
   private:
     enum State { waiting, running, stopped, finished };
 
@@ -78,9 +80,8 @@ class Log {
     void check(std::size_t p)
     {
         for (std::size_t const q : near_[p]) {
-            bool const is_first = q / num_domains_ < p / num_domains_; // its colour comes first
             int const state = states_[q];
-            if (is_first ? state != finished : state != waiting) fail("out of turn", p, q);
+            if (q < p ? state != finished : state != waiting) fail("out of turn", p, q);
         }
     }
 
@@ -89,11 +90,35 @@ class Log {
         if (!failed_.exchange(true)) g_test_message("%s: %zu beside %zu", what, p, q);
     }
 
-    std::size_t num_domains_, size_;
+    std::size_t size_;
     std::unique_ptr<std::atomic<int>[]> states_;
     std::vector<std::vector<std::size_t>> near_;
     std::atomic<bool> failed_{false};
 };
+
+/// By the parities of its parts.
+unsigned color_of(Label label)
+{
+    unsigned color = 0;
+    for (int k = 0; k < 3; ++k) color = 2 * color + label.part(k) % 2;
+    return color;
+}
+
+/// All domains of a colour come before, or after, those of another colour that are next to them. No colours go round in a circle.
+void check_colors(Turns const &turns, Log const &log)
+{
+    std::array<std::array<bool, 8>, 8> before{};
+    for (std::size_t p = 0; p < turns.size(); ++p)
+        for (std::size_t const q : log.near(p))
+            before[color_of(turns.domain(std::min(p, q)))][color_of(turns.domain(std::max(p, q)))] = true;
+    std::array<std::ptrdiff_t, 8> ranks;
+    for (int a = 0; a < 8; ++a) {
+        ranks[a] = std::count(before[a].begin(), before[a].end(), true);
+        for (int b = 0; b < 8; ++b) g_assert_false(before[a][b] && before[b][a]);
+    }
+    for (int a = 0; a < 8; ++a)
+        for (int b = 0; b < 8; ++b) g_assert_true(!before[a][b] || ranks[a] > ranks[b]);
+}
 
 /// Particles at random in a cell that is periodic along some directions.
 Configuration particles_in(double x, double y, double z, std::array<int, 3> periodic)
@@ -119,6 +144,7 @@ void run(Configuration const &configuration, std::size_t least_domains, std::uin
     g_assert_true(turns.prepare(domains, stream));
     g_assert_cmpuint(turns.size(), >=, least_domains);
     Log log(domains, turns);
+    check_colors(turns, log);
     std::vector<int> stops(turns.size());
     for (std::size_t p = 0; p < turns.size(); ++p) stops[p] = p * 40503u % 16u == 0 ? 2 : 0;
     int calls = 1;
