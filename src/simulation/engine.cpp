@@ -164,7 +164,9 @@ int Engine::sweep() noexcept
 bool Engine::run(std::size_t position) noexcept
 {
     Label const domain = turns_.domain(position);
-    DomainRun own{progress_[position], domain, domains_.surroundings(domain), {}};
+    std::span<std::int32_t const> next;
+    if (position + 1 < turns_.size()) next = domains_.members(turns_.domain(position + 1));
+    DomainRun own{progress_[position], domain, domains_.surroundings(domain), next, {}};
     run(own);
     progress_[position] = own.progress;
 #pragma omp critical(pw85_counts)
@@ -172,7 +174,8 @@ bool Engine::run(std::size_t position) noexcept
     return own.progress.remaining == 0;
 }
 
-/// Makes the trials of a domain, until one of them leaves its fixed box.
+/// Makes the trials of a domain, until one of them leaves its fixed box. Meanwhile the next domain comes into the cache, a particle with
+/// each trial, since the memory answers in the time of a trial.
 void Engine::run(DomainRun &run) noexcept
 {
     auto const members = domains_.members(run.domain);
@@ -180,6 +183,8 @@ void Engine::run(DomainRun &run) noexcept
     Stream &stream = run.progress.stream;
     auto const draw = [&] { return static_cast<std::size_t>(members[stream.below(count)]); };
     for (; run.progress.remaining > 0; --run.progress.remaining) {
+        if (run.progress.remaining <= run.next.size())
+            prefetch(static_cast<std::size_t>(run.next[run.progress.remaining - 1]));
         Stream const before = stream;
         Move const move = choose(stream);
         std::size_t const i = draw();

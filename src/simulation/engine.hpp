@@ -68,6 +68,7 @@ struct DomainRun {
     Progress progress;
     Label domain;
     Surroundings surroundings;
+    std::span<std::int32_t const> next; ///< members of the domain that follows in the order
     Counts counts;
 };
 
@@ -156,6 +157,14 @@ class Engine {
     {
         ordered_.set(i, particle);
         boxes_.set(i, ordered_);
+    }
+
+    /// Asks for what a trial of particle i reads.
+    [[gnu::always_inline]] void prefetch(std::size_t i) const noexcept
+    {
+        ordered_.prefetch(i);
+        boxes_.prefetch(i);
+        neighborhood_.prefetch(i);
     }
 
     bool run(std::size_t position) noexcept;
