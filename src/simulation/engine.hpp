@@ -183,8 +183,9 @@ class Engine {
 
     Configuration ordered_; ///< in the order of places; rows, boxes and domains belong to it
     Places places_;
-    bool is_taken_ = false; ///< whether it is the configuration, or one that follows from it
-    int num_rows_ = 0;      ///< how often sweeps made rows
+    Array<std::uint8_t> moved_; ///< by places: whether a particle may differ from that of the configuration
+    bool is_taken_ = false;     ///< whether it is the configuration, or one that follows from it
+    int num_rows_ = 0;          ///< how often sweeps made rows
     double skin_of_rows_ = 0.0;
     Neighborhood neighborhood_;
     RoughBoxes boxes_;
