@@ -21,6 +21,18 @@ using namespace pw85::detail::simulation;
 
 namespace {
 
+/// By how many parts two domains are apart, along the vector along which they are farthest apart.
+int distance(Domains const &domains, Label a, Label b)
+{
+    int farthest = 0;
+    for (int k = 0; k < 3; ++k) {
+        int const n = static_cast<int>(domains.num_parts(k));
+        int const apart = std::abs(static_cast<int>(a.part(k)) - static_cast<int>(b.part(k)));
+        farthest = std::max(farthest, std::min(apart, n - apart));
+    }
+    return farthest;
+}
+
 /// What threads have seen. A domain is known by its position in the order.
 class Log {
   public:
@@ -30,7 +42,7 @@ class Log {
         for (std::size_t p = 0; p < size_; ++p) {
             states_[p] = waiting;
             for (std::size_t q = 0; q < size_; ++q)
-                if (q != p && are_near(domains, turns.domain(p), turns.domain(q))) near_[p].push_back(q);
+                if (q != p && distance(domains, turns.domain(p), turns.domain(q)) <= 1) near_[p].push_back(q);
         }
     }
 
@@ -65,17 +77,6 @@ class Log {
 
   private:
     enum State { waiting, running, stopped, finished };
-
-    static bool are_near(Domains const &domains, Label a, Label b)
-    {
-        bool near = true;
-        for (int k = 0; k < 3; ++k) {
-            int const n = static_cast<int>(domains.num_parts(k));
-            int const apart = std::abs(static_cast<int>(a.part(k)) - static_cast<int>(b.part(k)));
-            near = near && std::min(apart, n - apart) <= 1;
-        }
-        return near;
-    }
 
     void check(std::size_t p)
     {
@@ -133,6 +134,20 @@ Configuration particles_in(double x, double y, double z, std::array<int, 3> peri
     return configuration;
 }
 
+/// A domain is often next to the one before it in the order, and mostly next but one. Colour by colour none would be next to it.
+void check_distances(Domains const &domains, Turns const &turns)
+{
+    std::size_t next = 0, near = 0;
+    for (std::size_t p = 1; p < turns.size(); ++p) {
+        int const apart = distance(domains, turns.domain(p - 1), turns.domain(p));
+        next += apart <= 1;
+        near += apart <= 2;
+    }
+    g_test_message("%zu domains: %zu are next to the one before, %zu near it", turns.size(), next, near);
+    g_assert_cmpuint(5 * next, >, 2 * turns.size());
+    g_assert_cmpuint(3 * near, >, 2 * turns.size());
+}
+
 void run(Configuration const &configuration, std::size_t least_domains, std::uint64_t seed)
 {
     std::vector<std::int32_t> places(configuration.size());
@@ -145,6 +160,7 @@ void run(Configuration const &configuration, std::size_t least_domains, std::uin
     g_assert_cmpuint(turns.size(), >=, least_domains);
     Log log(domains, turns);
     check_colors(turns, log);
+    if (turns.size() >= 64) check_distances(domains, turns);
     std::vector<int> stops(turns.size());
     for (std::size_t p = 0; p < turns.size(); ++p) stops[p] = p * 40503u % 16u == 0 ? 2 : 0;
     int calls = 1;
@@ -172,11 +188,40 @@ void test_order()
 #endif
 }
 
+// Particles do not leave their domains in a sweep. So they could never pass a border that is always at the same place. Each tenth of a part
+// has the border for a tenth of the seeds.
+void test_borders()
+{
+    constexpr int seeds = 200, tenths = 10;
+    Configuration const configuration = particles_in(8.5, 6.5, 10.5, {1, 1, 1});
+    std::vector<std::int32_t> places(configuration.size());
+    std::iota(places.begin(), places.end(), 0);
+    std::array<std::array<int, tenths>, 3> counts{};
+    for (std::uint64_t seed = 0; seed < seeds; ++seed) {
+        Stream stream(seed, 0, 0);
+        Domains domains;
+        g_assert_cmpint(domains.prepare(configuration, places, 1.0, stream), ==, PW85_SUCCESS);
+        for (int d = 0; d < 3; ++d)
+            for (int k = 0; k < tenths; ++k) {
+                Vector3 from{}, to{};
+                double const tenth = configuration.cell.vectors[4 * d] / (tenths * domains.num_parts(d));
+                from[d] = k * tenth;
+                to[d] = (k + 1) * tenth;
+                counts[d][k] += domains.label_of(from) != domains.label_of(to);
+            }
+    }
+    double const mean = seeds / tenths;
+    for (auto const &of_vector : counts)
+        for (int const count : of_vector)
+            if (std::abs(count - mean) > 5.0 * std::sqrt(mean)) g_test_fail_printf("%d borders", count);
+}
+
 } // namespace
 
 int main(int argc, char **argv)
 {
     g_test_init(&argc, &argv, nullptr);
     g_test_add_func("/turns/order", test_order);
+    g_test_add_func("/turns/borders", test_borders);
     return g_test_run();
 }
