@@ -113,12 +113,12 @@ void check_colors(Turns const &turns, Log const &log)
         for (std::size_t const q : log.near(p))
             before[color_of(turns.domain(std::min(p, q)))][color_of(turns.domain(std::max(p, q)))] = true;
     std::array<std::ptrdiff_t, 8> ranks;
-    for (int a = 0; a < 8; ++a) {
+    for (std::size_t a = 0; a < 8; ++a) {
         ranks[a] = std::count(before[a].begin(), before[a].end(), true);
-        for (int b = 0; b < 8; ++b) g_assert_false(before[a][b] && before[b][a]);
+        for (std::size_t b = 0; b < 8; ++b) g_assert_false(before[a][b] && before[b][a]);
     }
-    for (int a = 0; a < 8; ++a)
-        for (int b = 0; b < 8; ++b) g_assert_true(!before[a][b] || ranks[a] > ranks[b]);
+    for (std::size_t a = 0; a < 8; ++a)
+        for (std::size_t b = 0; b < 8; ++b) g_assert_true(!before[a][b] || ranks[a] > ranks[b]);
 }
 
 /// Particles at random in a cell that is periodic along some directions.
@@ -192,7 +192,8 @@ void test_order()
 // has the border for a tenth of the seeds.
 void test_borders()
 {
-    constexpr int seeds = 200, tenths = 10;
+    constexpr int seeds = 200;
+    constexpr std::size_t tenths = 10;
     Configuration const configuration = particles_in(8.5, 6.5, 10.5, {1, 1, 1});
     std::vector<std::int32_t> places(configuration.size());
     std::iota(places.begin(), places.end(), 0);
@@ -202,15 +203,15 @@ void test_borders()
         Domains domains;
         g_assert_cmpint(domains.prepare(configuration, places, 1.0, stream), ==, PW85_SUCCESS);
         for (int d = 0; d < 3; ++d)
-            for (int k = 0; k < tenths; ++k) {
+            for (std::size_t k = 0; k < tenths; ++k) {
                 Vector3 from{}, to{};
-                double const tenth = configuration.cell.vectors[4 * d] / (tenths * domains.num_parts(d));
-                from[d] = k * tenth;
-                to[d] = (k + 1) * tenth;
-                counts[d][k] += domains.label_of(from) != domains.label_of(to);
+                double const tenth = configuration.cell.vectors[4 * d] / (10.0 * domains.num_parts(d));
+                from[d] = static_cast<double>(k) * tenth;
+                to[d] = static_cast<double>(k + 1) * tenth;
+                counts[static_cast<std::size_t>(d)][k] += domains.label_of(from) != domains.label_of(to);
             }
     }
-    double const mean = seeds / tenths;
+    double const mean = seeds / 10.0;
     for (auto const &of_vector : counts)
         for (int const count : of_vector)
             if (std::abs(count - mean) > 5.0 * std::sqrt(mean)) g_test_fail_printf("%d borders", count);

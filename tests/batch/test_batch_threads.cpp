@@ -23,6 +23,7 @@ bool equal(BatchResult const &x, BatchResult const &y)
     return same;
 }
 
+#ifdef _OPENMP
 /// The number of threads of this program. OpenMP keeps those that it has started.
 std::ptrdiff_t count_threads() { return std::distance(std::filesystem::directory_iterator("/proc/self/task"), {}); }
 
@@ -45,6 +46,7 @@ void simulate_few()
     g_assert_true(simulation.compress(false, factor) == pw85::Status::success);
     g_assert_true(simulation.check(pair) == pw85::Status::success);
 }
+#endif
 
 // A parallel region costs a microsecond, or a time slice of the system if the other threads have to wait for a processor. To be called
 // before any other test has started the threads of OpenMP.
