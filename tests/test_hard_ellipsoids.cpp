@@ -425,6 +425,12 @@ void test_threads_and_restart()
     g_assert_true(hard_ellipsoids_restore(middle, resumed) == Status::success);
     run(resumed, 3);
     g_assert_true(bytes_of(resumed) == expected);
+    auto const steps = resumed.steps(), expected_steps = simulation.steps();
+    g_assert_cmpfloat(steps.translation, ==, expected_steps.translation);
+    g_assert_cmpfloat(steps.rotation, ==, expected_steps.rotation);
+    g_assert_cmpfloat(steps.volume, ==, expected_steps.volume);
+    auto const counts = resumed.counts(), expected_counts = simulation.counts();
+    g_assert_true(counts.trials == expected_counts.trials && counts.accepted == expected_counts.accepted);
 #ifdef _OPENMP
     // A domain that is taken too early changes the result in some runs only.
     for (int k = 0; k < 24; ++k) {
@@ -437,6 +443,33 @@ void test_threads_and_restart()
     HardEllipsoids other = mixture(13).simulation(43);
     run(other, 1);
     g_assert_true(bytes_of(other) != middle);
+}
+
+// An exchange leaves the semi-axes of all particles together as they are, and does not move or turn any particle.
+void test_exchange()
+{
+    Start start = mixture(6);
+    for (std::size_t i = 0; i < start.quaternions.size(); ++i)
+        start.quaternions[i] = {1.0, 0.0, 0.0, 0x1p-12 * static_cast<double>(i)};
+    HardEllipsoids simulation = start.simulation();
+    std::vector<Quaternion> const before(simulation.quaternions().begin(), simulation.quaternions().end());
+    g_assert_true(simulation.set_fractions({0, 0, 0, 1}) == Status::success);
+    g_assert_true(simulation.sweep(5) == Status::success);
+    g_assert_cmpint(simulation.counts().accepted[3], >, 0);
+    std::ptrdiff_t moved = 0, turned = 0, exchanged = 0, slender = 0;
+    double const *const centers = simulation.system().centers;
+    for (std::size_t i = 0; i < start.centers.size(); ++i) {
+        auto const equal = [](double const *x, auto const &y) { return std::equal(x, x + 3, y.coordinates); };
+        moved += !equal(centers + 3 * i, start.centers[i]);
+        turned +=
+            !std::equal(before[i].coordinates, before[i].coordinates + 4, simulation.quaternions()[i].coordinates);
+        exchanged += !equal(simulation.semi_axes()[i].coordinates, start.semi_axes[i]);
+        slender += (simulation.semi_axes()[i][2] == 1.2) - (start.semi_axes[i][2] == 1.2);
+    }
+    g_assert_cmpint(moved, ==, 0);
+    g_assert_cmpint(turned, ==, 0);
+    g_assert_cmpint(slender, ==, 0);
+    g_assert_cmpint(exchanged, >, 0);
 }
 
 // A rod that is longer than two sides of its cell meets its own images. Periodic along two vectors, it is on its own along the third.
@@ -729,6 +762,7 @@ int main(int argc, char **argv)
     g_test_add_func("/hard_ellipsoids/detailed_balance", test_detailed_balance);
     g_test_add_func("/hard_ellipsoids/long_trials", test_long_trials);
     g_test_add_func("/hard_ellipsoids/threads_and_restart", test_threads_and_restart);
+    g_test_add_func("/hard_ellipsoids/exchange", test_exchange);
     g_test_add_func("/hard_ellipsoids/small_cell", test_small_cell);
     g_test_add_func("/hard_ellipsoids/neighbors", test_neighbors);
     g_test_add_func("/hard_ellipsoids/try", test_try);

@@ -36,9 +36,9 @@ constexpr std::size_t max_rows = PTRDIFF_MAX / (6 * sizeof(double));
 /// parallel region, which costs some hundred nanoseconds even with one thread.
 constexpr std::size_t block = 4096;
 
-/// Divides n rows into blocks of `rows`, calls kernel(range) for each block in parallel, and returns the earliest failure.
+/// Calls kernel(range) for blocks of n rows in parallel, and returns the earliest failure.
 template <class Kernel>
-[[gnu::noinline]] Failure for_blocks(std::size_t n, Kernel const &kernel, std::size_t rows = block) noexcept
+[[gnu::noinline]] Failure for_many_blocks(std::size_t n, Kernel const &kernel, std::size_t rows) noexcept
 {
     Failure first{0, 0};
     auto const blocks = static_cast<std::ptrdiff_t>((n + rows - 1) / rows);
@@ -57,11 +57,18 @@ template <class Kernel>
     return first;
 }
 
-/// Calls kernel(range) for parts of n rows, in parallel if there are many, and returns the status of the first bad row.
+/// Divides n rows into blocks of `rows`, calls kernel(range) for each, in parallel if there are several, and returns the earliest
+/// failure.
+template <class Kernel> Failure for_blocks(std::size_t n, Kernel const &kernel, std::size_t rows = block) noexcept
+{
+    if (n > rows) return for_many_blocks(n, kernel, rows);
+    return in_default_environment([&] { return kernel(Range{0, n}); });
+}
+
+/// The same for callers that need only the status.
 template <class Kernel> int for_all(std::size_t n, Kernel const &kernel, std::size_t rows = block) noexcept
 {
-    if (n > rows) return for_blocks(n, kernel, rows).status;
-    return in_default_environment([&] { return kernel(Range{0, n}).status; });
+    return for_blocks(n, kernel, rows).status;
 }
 
 } // namespace

@@ -144,7 +144,9 @@ void Chains::improve(std::size_t i, Vector3 const &direction, double stage) noex
     }
 }
 
-/// Finds the way to the contact with the first obstacle. The plane at the last t gives it, or else free_path().
+/// Finds the way to the contact with the first obstacle. The plane at the last t gives it, or else free_path(). If that fails, too, the
+/// obstacle is no longer in the way. It stays among the obstacles, without a plane, so that the exact test decides about it at the end of
+/// the way. So a failure cannot lead to an overlap.
 void Chains::find_contact(std::size_t i, Vector3 const &direction, double stage) noexcept
 {
     Obstacle obstacle = obstacles_[0];

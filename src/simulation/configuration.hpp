@@ -19,6 +19,16 @@ using Vector3 = Vector<double, 3>;
 using Quaternion = Vector<double, 4>;
 using Form3 = SymmetricMatrix<double, 3>;
 
+/// Asks for the lines of the cache that have some objects. They come while other work goes on.
+template <class T> [[gnu::always_inline]] inline void prefetch(T const *first, std::size_t count) noexcept
+{
+    constexpr std::size_t line = 64;
+    auto const *const bytes = reinterpret_cast<char const *>(first);
+    std::size_t const size = count * sizeof(T);
+    for (std::size_t k = 0; k < size; k += line) __builtin_prefetch(bytes + k);
+    if (size > 0) __builtin_prefetch(bytes + size - 1);
+}
+
 /// What a particle is and where. The form and the half-widths of its bounding box follow from the rest.
 struct Particle {
     Vector3 center;
@@ -89,6 +99,16 @@ struct Configuration {
         semi_axes[i] = particle.semi_axes;
         q[i] = particle.q;
         half_widths[i] = particle.half_widths;
+    }
+
+    /// Brings a particle into the cache.
+    [[gnu::always_inline]] void prefetch(std::size_t i) const noexcept
+    {
+        simulation::prefetch(&centers[i], 1);
+        simulation::prefetch(&semi_axes[i], 1);
+        simulation::prefetch(&half_widths[i], 1);
+        simulation::prefetch(&quaternions[i], 1);
+        simulation::prefetch(&q[i], 1);
     }
 
     /// From the centre of particle i to that of an image of particle j. The separation from j to i is the negative one, to the last

@@ -48,7 +48,7 @@ int Engine::start() noexcept
         longest_ = std::max(longest_, (*most)[d]);
         spread_ = std::max(spread_, (*most)[d] - (*least)[d]);
     }
-    if (!ordered_.resize(configuration.size())) return PW85_ENOMEM;
+    if (!ordered_.resize(configuration.size()) || !moved_.resize(configuration.size())) return PW85_ENOMEM;
     if (int const status = places_.prepare(configuration)) return status;
     return begin();
 }
@@ -58,18 +58,23 @@ int Engine::begin() noexcept
     if (is_taken_) return PW85_SUCCESS;
     ordered_.cell = configuration.cell;
     for (std::size_t i = 0; i < configuration.size(); ++i) ordered_.set(places_.of(i), configuration.get(i));
+    std::fill_n(moved_.data(), moved_.size(), std::uint8_t{false});
     is_taken_ = true;
     if (!all_listed(0.0)) return make_rows();
     refresh_boxes();
     return PW85_SUCCESS;
 }
 
+/// A sweep moves a third of the particles, and their places are in random order. So the others are not copied.
 void Engine::end() noexcept
 {
     if (!is_taken_) return;
     configuration.cell = ordered_.cell;
     kernels::for_all(configuration.size(), [&](kernels::Range range) {
-        for (std::size_t i = range.begin; i < range.end; ++i) configuration.set(i, ordered_.get(places_.of(i)));
+        for (std::size_t i = range.begin; i < range.end; ++i) {
+            std::size_t const place = places_.of(i);
+            if (std::exchange(moved_[place], std::uint8_t{false})) configuration.set(i, ordered_.get(place));
+        }
         return kernels::Failure{0, PW85_SUCCESS};
     });
 }
@@ -164,7 +169,9 @@ int Engine::sweep() noexcept
 bool Engine::run(std::size_t position) noexcept
 {
     Label const domain = turns_.domain(position);
-    DomainRun own{progress_[position], domain, domains_.surroundings(domain), {}};
+    std::span<std::int32_t const> next;
+    if (position + 1 < turns_.size()) next = domains_.members(turns_.domain(position + 1));
+    DomainRun own{progress_[position], domain, domains_.surroundings(domain), next, {}};
     run(own);
     progress_[position] = own.progress;
 #pragma omp critical(pw85_counts)
@@ -172,7 +179,8 @@ bool Engine::run(std::size_t position) noexcept
     return own.progress.remaining == 0;
 }
 
-/// Makes the trials of a domain, until one of them leaves its fixed box.
+/// Makes the trials of a domain, until one of them leaves its fixed box. Meanwhile the next domain comes into the cache, a particle with
+/// each trial, since the memory answers in the time of a trial.
 void Engine::run(DomainRun &run) noexcept
 {
     auto const members = domains_.members(run.domain);
@@ -180,6 +188,8 @@ void Engine::run(DomainRun &run) noexcept
     Stream &stream = run.progress.stream;
     auto const draw = [&] { return static_cast<std::size_t>(members[stream.below(count)]); };
     for (; run.progress.remaining > 0; --run.progress.remaining) {
+        if (run.progress.remaining <= run.next.size())
+            prefetch(static_cast<std::size_t>(run.next[run.progress.remaining - 1]));
         Stream const before = stream;
         Move const move = choose(stream);
         std::size_t const i = draw();
@@ -218,7 +228,12 @@ template <class Overlaps> Engine::Outcome Engine::judge(std::size_t const *parti
         else if (!is_listed(particles[k]))
             outcome = Outcome::unlisted;
     }
-    for (std::size_t k = 0; k < count && outcome != Outcome::accepted; ++k) put(particles[k], old[k]);
+    for (std::size_t k = 0; k < count; ++k) {
+        if (outcome == Outcome::accepted)
+            moved_[particles[k]] = true;
+        else
+            put(particles[k], old[k]);
+    }
     return outcome;
 }
 

@@ -68,6 +68,7 @@ struct DomainRun {
     Progress progress;
     Label domain;
     Surroundings surroundings;
+    std::span<std::int32_t const> next; ///< members of the domain that follows in the order
     Counts counts;
 };
 
@@ -158,6 +159,14 @@ class Engine {
         boxes_.set(i, ordered_);
     }
 
+    /// Asks for what a trial of particle i reads.
+    [[gnu::always_inline]] void prefetch(std::size_t i) const noexcept
+    {
+        ordered_.prefetch(i);
+        boxes_.prefetch(i);
+        neighborhood_.prefetch(i);
+    }
+
     bool run(std::size_t position) noexcept;
     void run(DomainRun &run) noexcept;
     Move choose(Stream &stream) const noexcept;
@@ -174,8 +183,9 @@ class Engine {
 
     Configuration ordered_; ///< in the order of places; rows, boxes and domains belong to it
     Places places_;
-    bool is_taken_ = false; ///< whether it is the configuration, or one that follows from it
-    int num_rows_ = 0;      ///< how often sweeps made rows
+    Array<std::uint8_t> moved_; ///< by places: whether a particle may differ from that of the configuration
+    bool is_taken_ = false;     ///< whether it is the configuration, or one that follows from it
+    int num_rows_ = 0;          ///< how often sweeps made rows
     double skin_of_rows_ = 0.0;
     Neighborhood neighborhood_;
     RoughBoxes boxes_;

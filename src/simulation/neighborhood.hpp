@@ -59,6 +59,13 @@ class Neighborhood {
         return {rows_.data() + begin_[i], begin_[i + 1] - begin_[i]};
     }
 
+    /// Brings the fixed box and the row of a particle into the cache.
+    [[gnu::always_inline]] void prefetch(std::size_t i) const noexcept
+    {
+        simulation::prefetch(&extents_[i], 1);
+        simulation::prefetch(row(i).data(), row(i).size());
+    }
+
     std::size_t num_images() const noexcept { return translations_.size(); }
 
     Multiples const &multiples(std::int32_t image) const noexcept { return images_[static_cast<std::size_t>(image)]; }

@@ -57,6 +57,9 @@ class RoughBoxes {
         boxes_[i] = {in_units(configuration.centers[i] - origin_), in_units(configuration.half_widths[i])};
     }
 
+    /// Brings the box of a particle into the cache.
+    [[gnu::always_inline]] void prefetch(std::size_t i) const noexcept { simulation::prefetch(&boxes_[i], 1); }
+
     /// The box of a particle with the margin.
     [[gnu::always_inline]] RoughBox with_margin(std::size_t i) const noexcept
     {

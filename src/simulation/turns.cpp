@@ -4,6 +4,10 @@
 #include <algorithm>
 #include <thread>
 
+#ifdef _OPENMP
+#include <omp.h>
+#endif
+
 namespace pw85::detail::simulation {
 
 namespace {
@@ -19,48 +23,94 @@ bool Turns::prepare(Domains const &domains, Stream &stream) noexcept
     if (!order_.resize(std::size_t{num_colors} * num_domains) || !states_.resize(order_.size())) return false;
     std::uint32_t colors[8] = {0, 1, 2, 3, 4, 5, 6, 7};
     for (std::uint32_t k = num_colors; k > 1; --k) std::swap(colors[k - 1], colors[stream.below(k)]);
-    for (std::uint32_t k = 0; k < num_colors; ++k) {
-        for (std::uint32_t place = 0; place < num_domains; ++place)
-            order_[k * num_domains + place] = domains.domain(colors[k], place);
-        ranks_[color_of(order_[k * num_domains])] = k;
-    }
-    std::fill_n(states_.data(), states_.size(), std::uint8_t{waiting});
+    for (std::uint32_t k = 0; k < num_colors; ++k) ranks_[color_of(domains.domain(colors[k], 0))] = k;
+    std::fill_n(states_.data(), states_.size(), std::uint8_t{not_in_order});
+    length_ = 0;
+    append_region(domains, {{0, 0, 0}, {domains.num_parts(0), domains.num_parts(1), domains.num_parts(2)}});
     unfinished_ = order_.size();
     return true;
 }
 
+/// Calls visit(other) for the domains next to one that come before it, as long as it returns true. Returns whether it always did.
+template <class Visit>
+bool Turns::for_those_before(Domains const &domains, Label label, Visit const &visit) const noexcept
+{
+    std::uint32_t around[3][3];
+    for (int d = 0; d < 3; ++d) {
+        std::uint32_t const part = label.part(d), last = domains.num_parts(d) - 1;
+        around[d][0] = part > 0 ? part - 1 : last;
+        around[d][1] = part;
+        around[d][2] = part < last ? part + 1 : 0;
+    }
+    std::uint32_t const rank = ranks_[color_of(label)];
+    for (std::uint32_t const x : around[0])
+        for (std::uint32_t const y : around[1])
+            for (std::uint32_t const z : around[2]) {
+                std::uint32_t const parts[3] = {x, y, z};
+                Label const other(parts);
+                if (ranks_[color_of(other)] < rank && !visit(other)) return false;
+            }
+    return true;
+}
+
+/// Appends a domain to the order, after those that come before it. The ranks fall, so that at most eight calls are open.
+void Turns::append(Domains const &domains, Label label) noexcept
+{
+    if (state(domains, label) == waiting) return;
+    for_those_before(domains, label, [&](Label other) {
+        append(domains, other);
+        return true;
+    });
+    state(domains, label) = waiting;
+    order_[length_++] = label;
+}
+
+/// Appends the domains of a region, first those of one half. So successive domains are near each other, along all vectors.
+void Turns::append_region(Domains const &domains, Region const &region) noexcept
+{
+    auto const &[first, count] = region;
+    auto const k = std::max_element(count, count + 3) - count;
+    if (count[k] == 1) return append(domains, Label(first));
+    Region lower = region, upper = region;
+    lower.count[k] = count[k] / 2;
+    upper.first[k] += lower.count[k];
+    upper.count[k] -= lower.count[k];
+    append_region(domains, lower);
+    append_region(domains, upper);
+}
+
 void Turns::restart(Domains const &domains) noexcept
 {
-    first_ = stopped_ = 0;
+    stopped_ = 0;
     for (Label const label : std::span(order_.data(), order_.size()))
         if (state(domains, label) == stopped) state(domains, label) = waiting;
+}
+
+/// The threads begin in equal distances.
+std::size_t Turns::first_of_thread() const noexcept
+{
+#ifdef _OPENMP
+    return size() * static_cast<std::size_t>(omp_get_thread_num()) / static_cast<std::size_t>(omp_get_num_threads());
+#else
+    return 0;
+#endif
 }
 
 /// Whether all domains are finished that come before one and are next to it.
 bool Turns::is_ready(Domains const &domains, Label label) const noexcept
 {
-    std::uint32_t const rank = ranks_[color_of(label)];
-    for (unsigned k = 0; k < 27; ++k) {
-        unsigned const steps[3] = {k / 9, k / 3 % 3, k % 3};
-        std::uint32_t parts[3];
-        for (int d = 0; d < 3; ++d)
-            parts[d] = (label.part(d) + domains.num_parts(d) + steps[d] - 1) % domains.num_parts(d);
-        Label const other(parts);
-        if (ranks_[color_of(other)] >= rank) continue;
-        if (__atomic_load_n(&states_[domains.number(other)], __ATOMIC_ACQUIRE) != finished) return false;
-    }
-    return true;
+    return for_those_before(domains, label, [&](Label other) {
+        return __atomic_load_n(&states_[domains.number(other)], __ATOMIC_ACQUIRE) == finished;
+    });
 }
 
-bool Turns::take_first(Domains const &domains, std::size_t &position) noexcept
+/// Takes the first domain that is ready, from a position on or from the first one on.
+bool Turns::take_next(Domains const &domains, std::size_t &position) noexcept
 {
-    bool is_first = true;
-    for (position = first_.load(std::memory_order_relaxed); position < size(); ++position) {
+    for (std::size_t k = 0; k < size(); ++k, ++position) {
+        if (position >= size()) position = 0;
         std::uint8_t &state = this->state(domains, order_[position]), expected = waiting;
-        if (__atomic_load_n(&state, __ATOMIC_RELAXED) != waiting) continue;
-        if (is_first) first_.store(position, std::memory_order_relaxed);
-        is_first = false;
-        if (is_ready(domains, order_[position]) &&
+        if (__atomic_load_n(&state, __ATOMIC_RELAXED) == waiting && is_ready(domains, order_[position]) &&
             __atomic_compare_exchange_n(&state, &expected, taken, false, __ATOMIC_RELAXED, __ATOMIC_RELAXED))
             return true;
     }
@@ -71,7 +121,7 @@ bool Turns::take_first(Domains const &domains, std::size_t &position) noexcept
 bool Turns::take(Domains const &domains, std::size_t &position) noexcept
 {
     for (int looks = 1;; ++looks) {
-        if (take_first(domains, position)) return true;
+        if (take_next(domains, position)) return true;
         if (unfinished_.load(std::memory_order_acquire) == 0 || stopped_.load(std::memory_order_relaxed) > 0)
             return false;
         if (looks % most_looks == 0) std::this_thread::yield();

@@ -125,6 +125,7 @@ void Engine::apply(Change const &change) noexcept
         std::copy_n(changed.coordinates, 3, row);
     }
     std::copy_n(ordered_.centers.data(), ordered_.size(), old_centers_.data());
+    std::fill_n(moved_.data(), moved_.size(), std::uint8_t{true});
     kernels::for_all(ordered_.size(), [&](kernels::Range range) {
         for (std::size_t i = range.begin; i < range.end; ++i) ordered_.centers[i] = change.apply(old_centers_[i]);
         return kernels::Failure{0, PW85_SUCCESS};

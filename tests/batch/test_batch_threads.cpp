@@ -1,7 +1,10 @@
-// Batches give the same bits with any number of threads, and from several threads at once.
+// Batches give the same bits with any number of threads, and from several threads at once. Small work starts no threads.
+#include <filesystem>
 #include <thread>
 
 #include <glib.h>
+
+#include <pw85/simulation.hpp>
 
 #include "batch_data.hpp"
 
@@ -18,6 +21,50 @@ bool equal(BatchResult const &x, BatchResult const &y)
     bool same = x.contact_status == y.contact_status && x.overlap_status == y.overlap_status;
     for (std::size_t i = 0; i < x.mu2.size(); ++i) same = same && x.same_row(i, y, i);
     return same;
+}
+
+#ifdef _OPENMP
+/// The number of threads of this program. OpenMP keeps those that it has started.
+std::ptrdiff_t count_threads() { return std::distance(std::filesystem::directory_iterator("/proc/self/task"), {}); }
+
+/// Makes 64 spheres on a lattice, moves them, and searches them for pairs.
+void simulate_few()
+{
+    std::vector<pw85::Vector<double, 3>> centers;
+    for (int k = 0; k < 64; ++k) centers.push_back({1.5 * (k % 4), 1.5 * (k / 4 % 4), 1.5 * (k / 16)});
+    pw85::Cell const cell{{{6.0, 0.0, 0.0}, {0.0, 6.0, 0.0}, {0.0, 0.0, 6.0}}};
+    std::vector<pw85::Vector<double, 3>> const semi_axes(64, {0.5, 0.5, 0.5});
+    std::vector<pw85::Vector<double, 4>> const upright(64, {1.0, 0.0, 0.0, 0.0});
+    pw85::HardEllipsoids simulation;
+    pw85::IndexPair pair;
+    double factor, z;
+    g_assert_true(hard_ellipsoids_create({centers, {}, &cell}, semi_axes, upright, 1, simulation, pair) ==
+                  pw85::Status::success);
+    g_assert_true(simulation.sweep(2) == pw85::Status::success);
+    g_assert_true(simulation.volume_moves(2, 1.0) == pw85::Status::success);
+    g_assert_true(simulation.chain(2, 1.0, z) == pw85::Status::success);
+    g_assert_true(simulation.compress(false, factor) == pw85::Status::success);
+    g_assert_true(simulation.check(pair) == pw85::Status::success);
+}
+#endif
+
+// A parallel region costs a microsecond, or a time slice of the system if the other threads have to wait for a processor. To be called
+// before any other test has started the threads of OpenMP.
+void test_small_work()
+{
+#ifdef _OPENMP
+    if (!std::filesystem::exists("/proc/self/task")) return g_test_skip("no list of threads");
+    omp_set_num_threads(4);
+    Random random(23);
+    auto const before = count_threads();
+    run_batch(mixed_pairs(random, 4096));
+    simulate_few();
+    g_assert_cmpint(count_threads(), ==, before);
+    run_batch(mixed_pairs(random, 50000));
+    g_assert_cmpint(count_threads(), >, before);
+#else
+    g_test_skip("built without OpenMP");
+#endif
 }
 
 void test_number_of_threads()
@@ -57,6 +104,7 @@ void test_concurrent_calls()
 int main(int argc, char **argv)
 {
     g_test_init(&argc, &argv, nullptr);
+    g_test_add_func("/batch_threads/small_work", test_small_work);
     g_test_add_func("/batch_threads/concurrent_calls", test_concurrent_calls);
     g_test_add_func("/batch_threads/number_of_threads", test_number_of_threads);
     return g_test_run();
