@@ -15,7 +15,7 @@ import numpy as np
 
 from .. import _core
 from .._observables import Observables
-from .._simulations import HardEllipsoids
+from .._simulations import HardEllipsoids, name_pairs
 from .._system import System
 from ..formats import FileError, check_output, check_storable, check_written_name
 from ._input import Finite, Input, WholeNumber, input_options, one_frame
@@ -172,10 +172,7 @@ def _checked(given: Input, system: System) -> System:
         say(f"pw85: warning: {given.path}: {system.shapeless} particles without a shape are left out", sys.stderr)
     found = system.overlaps()
     if len(found.mu):
-        names = [f"{i} and {'its image' if i == j else j}" for i, j in system.ids[found.pairs[:3]].tolist()]
-        more = " and others" * (len(found.mu) > 3)
-        raise FileError(given.path, f"pairs that overlap: {len(found.mu)} (the particles {', '.join(names)}{more}): "
-                        "separate them (pw85 relax)")  # fmt: skip
+        raise FileError(given.path, f"{name_pairs(system.ids[found.pairs].tolist())}: separate them (pw85 relax), or enlarge the cell")
     return system
 
 
