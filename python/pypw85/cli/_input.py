@@ -35,16 +35,17 @@ class Numbers(click.ParamType):
 
     name = "numbers"
 
-    def __init__(self, *counts: int) -> None:
-        self.counts = counts
+    def __init__(self, *counts: int, positive: bool = False) -> None:
+        self.counts, self.positive = counts, positive
 
     def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Any:
         try:
             numbers = np.array(value.replace(",", " ").split(), dtype=np.float64)
         except ValueError:
             self.fail(f"'{value}' is not a list of numbers", param, ctx)
-        if len(numbers) not in self.counts or not np.isfinite(numbers).all():
-            self.fail(f"'{value}' should be {' or '.join(map(str, self.counts))} numbers", param, ctx)
+        if len(numbers) not in self.counts or not np.isfinite(numbers).all() or (self.positive and not (numbers > 0).all()):
+            kind = "finite and > 0" if self.positive else "finite"
+            self.fail(f"'{value}' should be {' or '.join(map(str, self.counts))} numbers, all {kind}", param, ctx)
         return numbers
 
 

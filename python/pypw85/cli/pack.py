@@ -16,7 +16,7 @@ from .._packing import relax as relax_system
 from .._system import System
 from .._voxels import check_voxels_name, save_voxels
 from ..formats import FORMATS, check_written_name, write
-from ._input import Input, Numbers, WholeNumber, input_options
+from ._input import Finite, Input, Numbers, WholeNumber, input_options
 from ._interruption import is_interrupted, keeping_work
 from ._progress import progress, say
 
@@ -27,9 +27,9 @@ _to = click.option("--to", type=click.Choice(list(FORMATS)), help="Format of OUT
 @click.command()
 @click.argument("output")
 @click.option("-n", "--number", type=WholeNumber(), required=True, help="How many ellipsoids.")
-@click.option("--axes", "kinds", type=Numbers(3), multiple=True, required=True, metavar="A,B,C",
+@click.option("--axes", "kinds", type=Numbers(3, positive=True), multiple=True, required=True, metavar="A,B,C",
               help="Semi-axes; if given several times, there are as many of each kind.")
-@click.option("--spread", type=click.FloatRange(0), default=0.0, show_default=True,
+@click.option("--spread", type=Finite(may_be_zero=True), default="0", show_default=True,
               help="Standard deviation of the natural logarithm of sizes.")
 @click.option("--fraction", type=click.FloatRange(0, 1, min_open=True, max_open=True), required=True, help="Packing fraction.")
 @click.option("--cell", type=Numbers(3, 9), metavar="NUMBER,...",
