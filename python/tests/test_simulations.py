@@ -2,6 +2,7 @@
 
 import copy
 import gc
+import itertools
 import operator
 import pickle
 import threading
@@ -32,6 +33,54 @@ def test_distribution():
     means = np.mean(np.reshape(volumes, (20, -1)), axis=1)
     error = np.std(means) / np.sqrt(19)
     assert abs(means.mean() - 9 / pressure) < 5 * error < 0.3, (means.mean(), error)
+
+
+def free_share(cells, separations, radii):
+    """For each cell 1 if two spheres with these radii and their images are apart, by the distances of centres; 0 otherwise."""
+    images = np.array(list(itertools.product(range(-2, 3), repeat=3)))
+    others = images[images.any(axis=1)]
+    apart = np.linalg.norm(others @ cells, axis=2).min(axis=1) >= 2 * max(radii)
+    return apart & (np.linalg.norm(images @ cells + separations[:, None], axis=2).min(axis=1) >= sum(radii))
+
+
+def weighed_cells(rng, n, shears, pressure, bounds, radii):
+    """Means, with errors, of volume and lengths: each cell counts as V^(N+1) exp(-PV) times the part of the places that is free. The logarithms
+    of the lengths are uniform between bounds, and the shears over a period of the lattice."""
+    lengths = np.exp(rng.uniform(*np.log(bounds), (n, 3)))
+    cells = lengths[:, None] * np.eye(3)
+    if shears:
+        cells[:, [1, 2, 2], [0, 0, 1]] = rng.uniform(size=(n, 3)) * lengths[:, [0, 0, 1]]
+    volume = lengths.prod(axis=1)
+    separations = np.einsum("ni,nij->nj", rng.uniform(size=(n, 3)), cells)
+    weight = volume**3 * np.exp(-pressure * volume) * free_share(cells, separations, radii)
+    values = np.column_stack([volume, lengths])
+    mean = weight @ values / weight.sum()
+    return mean, np.sqrt(weight**2 @ (values - mean) ** 2) / weight.sum()
+
+
+@pytest.mark.parametrize("change, seed", [("axis", 3), ("triclinic", 4)])
+def test_two_particles_at_constant_pressure(rng, change, seed):
+    """Volume and lengths of the cell against an integral over cells. A cell with a length beyond the bounds is rejected here."""
+    pressure, bounds, radii = 3.0, (1.0, 2.2), (0.5, 0.3)
+    expected, error = weighed_cells(rng, 12000, change == "triclinic", pressure, bounds, radii)
+    start = pypw85.System.from_axes([3 * [0], 3 * [0.8]], np.outer(radii, [1, 1, 1]), [[1, 0, 0, 0]] * 2, cell=1.6 * np.eye(3))
+    simulation = pypw85.HardEllipsoids(start, seed)
+    simulation.set_fractions(translation=1)
+    simulation.set_steps(0.7, 0.1, 0.3)
+    samples = []
+    for _ in range(12000):
+        simulation.sweep()
+        before = simulation.save()
+        simulation.volume_moves(1, pressure, change)
+        if not bounds[0] < simulation.cell.diagonal().min() <= simulation.cell.diagonal().max() < bounds[1]:
+            simulation = pypw85.HardEllipsoids.restore(before)
+            simulation.sweep()  # with the random numbers of the trial, which would be the same again
+        lengths = simulation.cell.diagonal()
+        samples.append([lengths.prod(), *lengths])
+    blocks = np.reshape(samples, (30, -1, 4)).mean(axis=1)
+    errors = np.hypot(error, blocks.std(axis=0, ddof=1) / np.sqrt(len(blocks)))
+    found = blocks.mean(axis=0)
+    assert (np.abs(found - expected) < 4 * errors).all() and (errors < 0.03 * expected).all(), (found, expected, errors)
 
 
 def mean_and_error(samples):
