@@ -44,8 +44,8 @@ def free_share(cells, separations, radii):
 
 
 def weighed_cells(rng, n, shears, pressure, bounds, radii):
-    """Means, with errors, of volume and lengths: each cell counts as V^(N+1) exp(-PV) times the part of the places that is free. The logarithms
-    of the lengths are uniform between bounds, and the shears over a period of the lattice."""
+    """Means, with errors, of volume and lengths: each cell counts as V^(N+1) exp(-PV) times the part of the places that is free. The
+    logarithms of the lengths are uniform between bounds, and the shears over a period of the lattice."""
     lengths = np.exp(rng.uniform(*np.log(bounds), (n, 3)))
     cells = lengths[:, None] * np.eye(3)
     if shears:
