@@ -469,8 +469,8 @@ class HardEllipsoids:
         """Takes what the core has made."""
         assert made is not None
         self._lock = threading.Lock()
-        self._simulation, *arrays, periodic = made
-        self._views = _Views(*arrays, (bool(periodic[0]), bool(periodic[1]), bool(periodic[2])))
+        self._simulation, centers, q, semi_axes, quaternions, cell, (a, b, c) = made
+        self._views = _Views(centers, q, semi_axes, quaternions, cell, (bool(a), bool(b), bool(c)))
 
     def _index(self, name: str, particle: SupportsIndex) -> int:
         """The index of a particle."""
