@@ -114,11 +114,9 @@ int create(pw85_system const &system, double const *semi_axes, double const *qua
 
 bool is_kind(int kind) noexcept { return kind >= 0 && kind <= static_cast<int>(ChangeKind::triclinic); }
 
-bool is_closed(Cell const &cell) noexcept { return cell.periodic[0] && cell.periodic[1] && cell.periodic[2]; }
-
 bool can_change(Engine const &engine, double pressure, int kind) noexcept
 {
-    return is_kind(kind) && pressure > 0.0 && std::isfinite(pressure) && is_closed(engine.configuration.cell);
+    return is_kind(kind) && pressure > 0.0 && std::isfinite(pressure) && engine.configuration.cell.is_closed();
 }
 
 /// Begins, calls work() until it fails or was called often enough, and ends.
@@ -193,7 +191,7 @@ void store(Array<NearImage> const &found, std::size_t capacity, std::int32_t *pa
     }
 }
 
-/// Whether these are the largest changes of trials. Rows for steps that are not would never hold.
+/// Whether these can be the largest changes of trials. For negative steps, no list of neighbours would ever hold.
 bool are_steps(double translation, double rotation, double volume) noexcept
 {
     return translation > 0.0 && std::isfinite(translation) && rotation > 0.0 && rotation <= 1.0 && volume > 0.0 &&
@@ -211,13 +209,11 @@ bool are_parameters(Parameters const &parameters) noexcept
     return absolute(sum - 1.0) <= 0x1p-48 && are_steps(parameters.translation, parameters.rotation, parameters.volume);
 }
 
-/// The longest useful translation: a longer one leads to places that shorter ones reach, too.
-double longest_translation(Cell const &cell) noexcept
+/// The longest translation that is of use: a longer one leads to places that shorter ones reach, too.
+double most_useful_translation(Cell const &cell) noexcept
 {
-    if (!is_closed(cell)) return HUGE_VAL;
-    double longest = 0.0;
-    for (int k = 0; k < 3; ++k) longest = std::max(longest, magnitude(c_api::load_vector<3>(cell.vectors + 3 * k)));
-    return longest;
+    if (!cell.is_closed()) return HUGE_VAL;
+    return std::max({magnitude(cell.vector(0)), magnitude(cell.vector(1)), magnitude(cell.vector(2))});
 }
 
 std::size_t num_bytes(std::size_t num_particles) noexcept
@@ -320,7 +316,7 @@ int pw85_hard_ellipsoids_set_steps(pw85_hard_ellipsoids *simulation, double cons
     if (any_null(simulation) || any_null(steps)) return PW85_EINVAL;
     return in_default_environment([&] {
         Engine &engine = simulation->engine;
-        if (!are_steps(steps[0], steps[1], steps[2]) || steps[0] > longest_translation(engine.configuration.cell))
+        if (!are_steps(steps[0], steps[1], steps[2]) || steps[0] > most_useful_translation(engine.configuration.cell))
             return int{PW85_EINVAL};
         engine.parameters.translation = steps[0];
         engine.parameters.rotation = steps[1];
