@@ -393,7 +393,7 @@ class HardEllipsoids:
 
     @property
     def quaternions(self) -> Floats:
-        """Orientations (n, 4): quaternions (w, x, y, z) of length one."""
+        """Orientations (n, 4), as quaternions (w, x, y, z) of length one."""
         return self._views.quaternions
 
     @property
