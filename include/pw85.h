@@ -1925,7 +1925,7 @@ PW85_API int pw85_hard_ellipsoids_sweep(pw85_hard_ellipsoids *simulation, size_t
  * @param direction of any length > 0; or null for a random direction of each chain, isotropic
  * @param[out] compressibility βP/ρ along the directions, by these chains; 1 without chains or particles; NaN on error; may be null
  * @return #PW85_SUCCESS; #PW85_EINVAL, also for a zero direction; #PW85_ENOMEM or #PW85_ECONVERGENCE (particles block each other within
- *         rounding errors), after which the last chain is not complete */
+ *         rounding errors, or the length is more than some 10¹⁵ ways), after which the last chain is not complete */
 PW85_API int pw85_hard_ellipsoids_chain(pw85_hard_ellipsoids *simulation, size_t num_chains, double length,
                                         double const direction[PW85_DIM], double *compressibility);
 
@@ -1966,9 +1966,11 @@ PW85_API int pw85_hard_ellipsoids_set_fractions(pw85_hard_ellipsoids *simulation
 
 /** Sets the largest changes of a trial.
  *
+ * The lists of neighbours reach three times as far as a translation. So their memory grows with its third power.
+ *
  * @param simulation a simulation
- * @param steps positive: the length of a translation; the tangent of half of the angle of a rotation, at most 1; the relative change of a
- *        length of the cell or the shear, at most 1
+ * @param steps positive: the length of a translation, in a cell that is periodic along its three vectors at most that of the longest one;
+ *        the tangent of half of the angle of a rotation, at most 1; the relative change of a length of the cell or the shear, at most 1
  * @return #PW85_SUCCESS, #PW85_EINVAL */
 PW85_API int pw85_hard_ellipsoids_set_steps(pw85_hard_ellipsoids *simulation, double const steps[3]);
 
@@ -2074,8 +2076,8 @@ PW85_API int pw85_hard_ellipsoids_save(pw85_hard_ellipsoids const *simulation, s
  * @param num_bytes number of bytes
  * @param bytes num_bytes
  * @param[out] simulation null on error; to be destroyed by pw85_hard_ellipsoids_destroy()
- * @return #PW85_SUCCESS; #PW85_EINVAL, also for bytes of another kind of machine or of another version; #PW85_EOVERLAP, #PW85_ENOTPD if
- *         bytes have been changed; #PW85_ENOMEM */
+ * @return #PW85_SUCCESS; #PW85_EINVAL, also for bytes of another kind of machine or of another version; #PW85_EINVAL, #PW85_EOVERLAP,
+ *         #PW85_ENOTPD if bytes have been changed to a state that is not possible; #PW85_ENOMEM */
 PW85_API int pw85_hard_ellipsoids_restore(size_t num_bytes, unsigned char const *bytes,
                                           pw85_hard_ellipsoids **simulation);
 

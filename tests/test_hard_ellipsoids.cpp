@@ -1,5 +1,7 @@
 // Monte Carlo of hard ellipsoids against exact distributions, counting, and itself: other numbers of threads, and saved states.
+#include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <random>
 
 #include <glib.h>
@@ -748,6 +750,64 @@ void test_bad_input()
     g_assert_true(hard_ellipsoids_restore(bytes, simulation) == Status::invalid_argument);
 }
 
+// Lists for a translation that is longer than the cell would need gigabytes for a few particles.
+void test_bad_steps()
+{
+    for (int const size : {0, 40, -40}) {
+        double const unit = std::ldexp(1.0, size);
+        Start start;
+        start.add({0, 0, 0}, unit * Vector3{0.5, 0.5, 0.5});
+        start.cell = box(2 * unit, 3 * unit, 2 * unit);
+        HardEllipsoids simulation = start.simulation();
+        g_assert_true(simulation.set_steps({3.0 * unit, 1.0, 1.0}) == Status::success);
+        auto const before = bytes_of(simulation);
+        double const beyond = 1.0 + 0x1p-52;
+        for (pw85::TrialSteps const &steps : {pw85::TrialSteps{3.0 * unit * beyond, 0.1, 0.1},
+                                              {0.0, 0.1, 0.1},
+                                              {-unit, 0.1, 0.1},
+                                              {HUGE_VAL, 0.1, 0.1},
+                                              {unit, beyond, 0.1},
+                                              {unit, 0.1, beyond},
+                                              {unit, 0.1, 0.0}})
+            if (simulation.set_steps(steps) != Status::invalid_argument)
+                g_test_fail_printf("size %d: %a %a %a", size, steps.translation, steps.rotation, steps.volume);
+        g_assert_true(bytes_of(simulation) == before);
+        start.periodic = {1, 1, 0};
+        g_assert_true(start.simulation().set_steps({4.0 * unit, 0.1, 0.1}) == Status::success);
+    }
+}
+
+/// Replaces the only place where an array has the bytes of a number.
+void replace(std::vector<unsigned char> &bytes, double old, double number)
+{
+    auto const *const first = reinterpret_cast<unsigned char const *>(&old);
+    auto const place = std::search(bytes.begin(), bytes.end(), first, first + sizeof old);
+    g_assert_true(place != bytes.end());
+    std::memcpy(&*place, &number, sizeof number);
+}
+
+// Sweeps with these numbers would never end, or would make no trials.
+void test_changed_bytes()
+{
+    constexpr double steps[3] = {0.0123, 0.0456, 0.0789}, fraction = 0.25, other = 0.75;
+    HardEllipsoids simulation = mixture(2).simulation();
+    g_assert_true(simulation.set_steps({steps[0], steps[1], steps[2]}) == Status::success);
+    g_assert_true(simulation.set_fractions({fraction, other, 0.0, 0.0}) == Status::success);
+    auto const bytes = bytes_of(simulation);
+    auto const restored = [&](double old, double number) {
+        auto changed = bytes;
+        replace(changed, old, number);
+        HardEllipsoids made;
+        return hard_ellipsoids_restore(changed, made);
+    };
+    for (double const old : {steps[0], steps[1], steps[2], fraction, other})
+        for (double const number : {-1.0, double{NAN}, HUGE_VAL, -HUGE_VAL})
+            if (restored(old, number) != Status::invalid_argument) g_test_fail_printf("%a for %a", number, old);
+    for (double const old : {steps[0], steps[1], steps[2]}) g_assert_true(restored(old, 0.5) == Status::success);
+    g_assert_true(restored(steps[0], 0.0) == Status::invalid_argument);
+    g_assert_true(restored(fraction, 0.5) == Status::invalid_argument);
+}
+
 } // namespace
 
 int main(int argc, char **argv)
@@ -768,5 +828,7 @@ int main(int argc, char **argv)
     g_test_add_func("/hard_ellipsoids/try", test_try);
     g_test_add_func("/hard_ellipsoids/compress", test_compress);
     g_test_add_func("/hard_ellipsoids/bad_input", test_bad_input);
+    g_test_add_func("/hard_ellipsoids/bad_steps", test_bad_steps);
+    g_test_add_func("/hard_ellipsoids/changed_bytes", test_changed_bytes);
     return g_test_run();
 }

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import operator
 from typing import Any, NamedTuple
 from collections.abc import Callable
 
@@ -57,7 +58,9 @@ class Blocking:
     __slots__ = ("_counts", "_means", "_pending", "_squares", "size")
 
     def __init__(self, size: int = 1) -> None:
-        self.size = size
+        self.size = operator.index(size)
+        if self.size < 1:
+            raise ValueError(f"Blocking: size is {size}: it must be at least 1")
         # By the logarithm of the length of blocks: how many there were, their mean, the sum of squares of deviations from it, and
         # the last block if it has no partner yet.
         self._counts: list[int] = []
@@ -76,7 +79,10 @@ class Blocking:
         ----------
         sample : (size) array_like
         """
-        block, level = np.array(sample, dtype=np.float64).reshape(self.size), 0
+        block, level = np.array(sample, dtype=np.float64), 0
+        if block.size != self.size:
+            raise ValueError(f"Blocking.add: the sample has the shape {block.shape}, which should be ({self.size},)")
+        block = block.reshape(self.size)
         while True:
             self._count(level, block)
             if self._counts[level] % 2:
@@ -141,9 +147,17 @@ class Blocking:
         -------
         Blocking
         """
-        rows = np.array(state, dtype=np.float64)
-        made = cls((rows.shape[1] - 1) // 3)
-        made._counts = [int(count) for count in rows[:, 0]]
-        for k, parts in enumerate((made._means, made._squares, made._pending)):
-            parts.extend(rows[:, 1 + k * made.size : 1 + (k + 1) * made.size].copy())
+        made = cls((np.shape(state)[-1] - 1) // 3 if np.ndim(state) == 2 else 1)
+        made._take(state)
         return made
+
+    def _take(self, state: ArrayLike) -> None:
+        """Continues what has a state of this size."""
+        rows = np.array(state, dtype=np.float64)
+        counts = rows[:, 0] if rows.ndim == 2 and rows.shape[1] == 1 + 3 * self.size else np.array([np.nan])
+        first = counts[0] if len(counts) else 0
+        if not (len(counts) < 64 and all(count >= 1 and count == first // 2**k for k, count in enumerate(counts))):
+            raise ValueError(f"Blocking.restore: this is no state() of samples of {self.size} numbers")
+        self._counts = [int(count) for count in counts]
+        for k, parts in enumerate((self._means, self._squares, self._pending)):
+            parts[:] = rows[:, 1 + k * self.size : 1 + (k + 1) * self.size].copy()

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import operator
 from typing import NamedTuple
 
 import numpy as np
@@ -89,9 +90,13 @@ class Observables:
     __slots__ = ("_bins", "_pairs", "_reach", "_values", "_width")
 
     def __init__(self, width: float = 0.1, reach: float = 0.0, bins: int = 50) -> None:
-        if not 0 < width < np.inf or not 0 <= reach < np.inf or bins < 1:
-            raise ValueError(f"width {width}, reach {reach} or bins {bins} are out of range")
-        self._width, self._reach, self._bins = float(width), float(reach), int(bins)
+        self._width, self._reach, self._bins = float(width), float(reach), operator.index(bins)
+        if not 0 < self._width < np.inf:
+            raise ValueError(f"Observables: width is {width}: it must be > 0 and finite")
+        if not 0 <= self._reach < np.inf:
+            raise ValueError(f"Observables: reach is {reach}: it must be >= 0 and finite")
+        if self._bins < 1:
+            raise ValueError(f"Observables: bins is {bins}: it must be at least 1")
         self._values = Blocking(len(Sample._fields) + 6)
         self._pairs = Blocking(3 * self._bins)
 
@@ -118,6 +123,8 @@ class Observables:
         ValueError
             The cell is not periodic along its three vectors, or there are no particles.
         """
+        if not isinstance(simulation, HardEllipsoids):
+            raise TypeError(f"Observables.add: simulation is no pypw85.HardEllipsoids: {type(simulation).__name__}")
         system = simulation.system()
         if system.cell is None or not all(system.periodic) or not len(system):
             raise ValueError("averages need particles, and a cell that is periodic along its three vectors")
@@ -224,7 +231,12 @@ class Observables:
         -------
         Observables
         """
-        width, reach, bins = state["settings"].tolist()
+        try:
+            width, reach, bins = np.asarray(state["settings"]).tolist()
+            values, pairs = state["values"], state["pairs"]
+        except (LookupError, TypeError, ValueError):
+            raise ValueError("Observables.restore: this is no state() of Observables") from None
         made = cls(width, reach, int(bins))
-        made._values, made._pairs = Blocking.restore(state["values"]), Blocking.restore(state["pairs"])
+        for blocking, rows in ((made._values, values), (made._pairs, pairs)):
+            blocking._take(rows)
         return made

@@ -32,6 +32,8 @@ _MELTING, _ANNEALING_STEPS = 0.01, 2000
 # A contact is as stiff as (2 / shortest semi-axis)²/4, in these units, and an ellipsoid has some ten: Verlet's method is stable for
 # steps up to 2/√(10 stiffness) = 0.63 shortest semi-axis.
 _VERLET_STEP = 0.4
+# The volume of a cell with vectors of length one has rounding errors of some 1e-16. This one is a plane.
+_FLAT = 1e-12
 # Skin of the neighbour lists, in units of the shortest semi-axis. A list is made anew when a surface has moved by half of it.
 _SKIN = 0.2
 
@@ -288,19 +290,35 @@ def pack(
     (0, 0.4)
     """
     axes, shape = np.asarray(semi_axes, dtype=np.float64), np.eye(3) if cell is None else np.asarray(cell, dtype=np.float64)
-    if axes.ndim != 2 or axes.shape[1] != 3 or not len(axes) or not (axes > 0).all():
-        raise ValueError("semi_axes must be rows of three positive numbers")
+    occupied = _check_axes(axes)
     if not 0 < fraction < 1:
         raise ValueError(f"the fraction must be between 0 and 1, but it is {fraction}")
+    if shape.shape != (3, 3) or not np.isfinite(shape).all():
+        raise ValueError(f"the cell must be three vectors of finite numbers, but it is {shape.tolist()}")
     volume = abs(np.linalg.det(shape))
-    if not volume > 0:
-        raise ValueError("the vectors of the cell lie in a plane")
-    shape = shape * (4 / 3 * np.pi * axes.prod(axis=1).sum() / fraction / volume) ** (1 / 3)
+    if not volume > _FLAT * np.linalg.norm(shape, axis=1).prod():
+        raise ValueError(f"the vectors of the cell lie in a plane: {shape.tolist()}")
+    shape = shape * (occupied / fraction / volume) ** (1 / 3)
     random = np.random.default_rng(seed)
     quaternions = random.normal(size=(len(axes), 4))
     quaternions /= np.linalg.norm(quaternions, axis=1, keepdims=True)
     system = System.from_axes(random.uniform(size=(len(axes), 3)) @ shape, axes, quaternions, cell=shape, types=types)
     return relax(system, steps, stage)
+
+
+def _check_axes(axes: Floats) -> float:
+    """Refuses what are no semi-axes. Returns the volume of the ellipsoids."""
+    if axes.ndim != 2 or axes.shape[1] != 3 or not len(axes):
+        raise ValueError(f"semi_axes must be rows of three numbers, but the shape is {axes.shape}")
+    bad = ~((axes > 0) & np.isfinite(axes)).all(axis=1)
+    if bad.any():
+        row = int(bad.argmax())
+        raise ValueError(f"semi_axes must be finite and > 0, but those of ellipsoid {row} are {axes[row].tolist()}")
+    with np.errstate(over="ignore", under="ignore"):
+        volume = 4 / 3 * np.pi * float(axes.prod(axis=1).sum())
+        if not (np.isfinite(axes**2).all() and (axes**2).all() and 0 < volume < np.inf):
+            raise ValueError("the squares of the semi-axes or their product are beyond double precision: choose another unit of length")
+    return volume
 
 
 OverlapsLeft.__module__ = RelaxationInterrupted.__module__ = "pypw85"

@@ -5,7 +5,7 @@ from __future__ import annotations
 import operator
 import threading
 from typing import Any, Literal, NamedTuple, SupportsIndex
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -21,6 +21,20 @@ Change = Literal["isotropic", "axis", "triclinic"]
 
 _CHANGES = {"isotropic": 0, "axis": 1, "triclinic": 2}
 _MOVES = ("translation", "rotation", "both", "exchange", "volume")
+
+# What the numbers of the methods must be. One that is 0 where it must not be is no cause where the method allows it.
+_POSITIVE, _SHARE, _PART = (
+    ("> 0 and finite", lambda x: 0 < x < np.inf),
+    ("> 0 and at most 1", lambda x: 0 < x <= 1),
+    (">= 0 and finite", lambda x: 0 <= x < np.inf),
+)
+_RANGES: dict[str, dict[str, tuple[str, Callable[[float], bool]]]] = {
+    "chain": {"length": _POSITIVE},
+    "volume_moves": {"pressure": _POSITIVE},
+    "tune": {"acceptance": _SHARE, "pressure": _PART},
+    "set_steps": {"translation": _POSITIVE, "rotation": _SHARE, "volume": _SHARE},
+    "set_fractions": {"translation": _PART, "rotation": _PART, "both": _PART, "exchange": _PART},
+}
 
 
 class TrialCounts(NamedTuple):
@@ -59,25 +73,17 @@ class HardEllipsoids:
     seed : int
         Selects the random numbers; from 0 to 2**64 - 1.
 
-    Attributes
-    ----------
-    centers : (n, 3) array
-        Not wrapped into the cell. This array and the following ones are views of the present state, and cannot be written to.
-    semi_axes : (n, 3) array
-    quaternions : (n, 4) array
-        Of length one: (w, x, y, z).
-    q : (n, 6) array
-        Forms.
-    cell : (3, 3) array or None
-    periodic : tuple of bool
-        Along which vectors of the cell the system is repeated.
-
     Raises
     ------
     PW85Error
-        Two ellipsoids overlap, or a number is bad. The text says which.
+        Ellipsoids overlap, or a number is bad. The text says which.
     MemoryError
         There is not enough memory.
+
+    Notes
+    -----
+    The arrays ``centers``, ``semi_axes``, ``quaternions``, ``q`` and ``cell`` are views of the present state, and cannot be written to.
+    A copy of the object (`copy.copy`), also one by `pickle`, is a simulation of its own that continues bit by bit.
 
     Examples
     --------
@@ -94,16 +100,11 @@ class HardEllipsoids:
     3200
     """
 
-    __slots__ = ("_lock", "_simulation", "cell", "centers", "periodic", "q", "quaternions", "semi_axes")
-
-    centers: Floats
-    semi_axes: Floats
-    quaternions: Floats
-    q: Floats
-    cell: Floats | None
-    periodic: tuple[bool, bool, bool]
+    __slots__ = ("_lock", "_simulation", "_views")
 
     def __init__(self, system: System, seed: SupportsIndex = 1) -> None:
+        if not isinstance(system, System):
+            raise TypeError(f"HardEllipsoids: system is no pypw85.System: {type(system).__name__}")
         number = operator.index(seed)
         if not 0 <= number < 2**64:
             raise ValueError(f"seed is no integer from 0 to 2**64 - 1: {number}")
@@ -115,7 +116,7 @@ class HardEllipsoids:
         cell, periodic = _periodic_cell(system.cell, np.array(system.periodic, np.int32))
         status, pair, made = _core.hard_ellipsoids_create(*arrays, cell, periodic, number)
         if status:
-            _fail(status, "HardEllipsoids", _overlap(pair) or _blame(*arrays, cell))
+            _fail(status, "HardEllipsoids", _overlaps(system, pair) if pair[0] >= 0 else _blame(*arrays, cell))
         self._take(made)
 
     @classmethod
@@ -144,6 +145,9 @@ class HardEllipsoids:
             _fail(status, "HardEllipsoids.restore", "these are no bytes of save() of this version on this kind of machine")
         simulation._take(made)
         return simulation
+
+    def __reduce__(self) -> tuple[Callable[[bytes], HardEllipsoids], tuple[bytes]]:
+        return type(self).restore, (self.save(),)
 
     def __len__(self) -> int:
         """Number of particles."""
@@ -194,12 +198,15 @@ class HardEllipsoids:
             There is not enough memory. The last chain is not complete.
         """
         times = _number("chain", number)
-        vector = None if direction is None else np.asarray(direction, float).reshape(3)
-        along = None if vector is None else (float(vector[0]), float(vector[1]), float(vector[2]))
+        along = None if direction is None else _vector("chain", "direction", direction, 3)
         with self._lock:
             status, compressibility = _core.hard_ellipsoids_chain(self._simulation, times, float(length), along)
+        if status == Status.ECONVERGENCE:
+            _fail(status, "HardEllipsoids.chain", f"a chain does not advance: particles block each other within rounding errors, or the "
+                  f"length is too long: {float(length)}")  # fmt: skip
         if status:
-            _fail(status, "HardEllipsoids.chain", f"length {float(length)}, direction {along}")
+            bad = _out_of_range("chain", (float(length),))
+            _fail(status, "HardEllipsoids.chain", bad or f"direction is zero or not finite: {along}")
         return compressibility
 
     def volume_moves(self, number: SupportsIndex, pressure: float, change: Change = "isotropic") -> None:
@@ -309,12 +316,14 @@ class HardEllipsoids:
             There is not enough memory.
         """
         index = self._index("try_placement", particle)
-        place = None if center is None else tuple(np.asarray(center, float).reshape(3).tolist())
-        turn = None if quaternion is None else tuple(np.asarray(quaternion, float).reshape(4).tolist())
+        place = None if center is None else _vector("try_placement", "center", center, 3)
+        turn = None if quaternion is None else _vector("try_placement", "quaternion", quaternion, 4)
         with self._lock:
             status, is_free = _core.hard_ellipsoids_try(self._simulation, index, place, turn, bool(take))
         if status:
-            _fail(status, "HardEllipsoids.try_placement", f"center {place}, quaternion {turn}")
+            bad_turn = turn is not None and not (np.isfinite(turn).all() and np.any(turn))
+            bad = f"quaternion is zero or not finite: {turn}" if bad_turn else f"center is not finite, or too far away: {place}"
+            _fail(status, "HardEllipsoids.try_placement", bad)
         return bool(is_free)
 
     def compress(self, take: bool = False) -> float:
@@ -357,7 +366,7 @@ class HardEllipsoids:
         with self._lock:
             status, pair = _core.hard_ellipsoids_check(self._simulation)
         if status:
-            _fail(status, "HardEllipsoids.check", _overlap(pair))
+            _fail(status, "HardEllipsoids.check", name_pairs([pair]) if pair[0] >= 0 else "")
 
     def save(self) -> bytes:
         """The whole state as bytes, for `restore`: 80 for each particle and some hundreds."""
@@ -371,6 +380,36 @@ class HardEllipsoids:
             system = System(self.centers.copy(), self.q.copy(), cell, self.periodic)
             system._axes = self.semi_axes.copy(), self.quaternions.copy()
         return system
+
+    @property
+    def centers(self) -> Floats:
+        """Centres (n, 3), not wrapped into the cell."""
+        return self._views.centers
+
+    @property
+    def semi_axes(self) -> Floats:
+        """Semi-axes (n, 3)."""
+        return self._views.semi_axes
+
+    @property
+    def quaternions(self) -> Floats:
+        """Orientations (n, 4), as quaternions (w, x, y, z) of length one."""
+        return self._views.quaternions
+
+    @property
+    def q(self) -> Floats:
+        """Forms (n, 6)."""
+        return self._views.q
+
+    @property
+    def cell(self) -> Floats | None:
+        """The vectors of the cell, (3, 3), one in each row; or None."""
+        return self._views.cell
+
+    @property
+    def periodic(self) -> tuple[bool, bool, bool]:
+        """Along which vectors of the cell the system is repeated."""
+        return self._views.periodic
 
     @property
     def counts(self) -> dict[str, TrialCounts]:
@@ -394,7 +433,8 @@ class HardEllipsoids:
         Parameters
         ----------
         translation : float
-            The length of a translation, > 0.
+            The length of a translation, > 0, and in a periodic cell at most that of its longest vector. The memory for lists of
+            neighbours grows with its third power.
         rotation : float
             The tangent of half of the angle of a rotation, > 0 and at most 1.
         volume : float
@@ -429,8 +469,8 @@ class HardEllipsoids:
         """Takes what the core has made."""
         assert made is not None
         self._lock = threading.Lock()
-        self._simulation, self.centers, self.q, self.semi_axes, self.quaternions, self.cell, periodic = made
-        self.periodic = (bool(periodic[0]), bool(periodic[1]), bool(periodic[2]))
+        self._simulation, centers, q, semi_axes, quaternions, cell, (a, b, c) = made
+        self._views = _Views(centers, q, semi_axes, quaternions, cell, (bool(a), bool(b), bool(c)))
 
     def _index(self, name: str, particle: SupportsIndex) -> int:
         """The index of a particle."""
@@ -444,22 +484,61 @@ class HardEllipsoids:
         with self._lock:
             for _ in range(_number(name, number)):
                 status = function(self._simulation, *arguments)
+                if status == Status.ENOMEM:
+                    step = _core.hard_ellipsoids_steps(self._simulation)[0]
+                    raise MemoryError(f"HardEllipsoids.{name}: there is not enough memory. That of the lists of neighbours grows with the "
+                                      f"third power of the largest translation, {step:g}: set_steps() makes it shorter")  # fmt: skip
                 if status:
                     _fail(status, f"HardEllipsoids.{name}", self._complaint(name, arguments))
 
     def _complaint(self, name: str, arguments: tuple[float, ...]) -> str:
-        """Says what is wrong with the arguments of _repeat()."""
-        if name in {"tune", "volume_moves"} and not all(self.periodic) and arguments[-2] > 0:
-            return "the cell is not periodic along its three vectors"
-        return f"a number is out of range: {', '.join(str(x) for x in arguments if isinstance(x, float))}"
+        """Says why a call of _repeat() has failed, and what helps."""
+        found = _out_of_range(name, arguments)
+        if not found and name == "set_steps":
+            longest = np.linalg.norm(np.asarray(self.cell), axis=1).max()
+            return f"translation is {arguments[0]}: it must be at most the longest vector of the cell, {longest:g}"
+        if not found and name == "set_fractions":
+            return "the sum of the fractions is 0 or not finite: at least one must be > 0"
+        return found or "the cell is not periodic along its three vectors: its volume cannot change"
+
+
+class _Views(NamedTuple):
+    """The arrays of a simulation, and its periodic directions."""
+
+    centers: Floats
+    q: Floats
+    semi_axes: Floats
+    quaternions: Floats
+    cell: Floats | None
+    periodic: tuple[bool, bool, bool]
 
 
 def _number(name: str, number: SupportsIndex) -> int:
     """How often a method shall do something."""
-    times = operator.index(number)
+    try:
+        times = operator.index(number)
+    except TypeError:
+        raise TypeError(f"HardEllipsoids.{name}: number is no integer: {number!r}") from None
     if times < 0:
         raise ValueError(f"HardEllipsoids.{name}: number is negative: {times}")
     return times
+
+
+def _vector(name: str, argument: str, value: ArrayLike, size: int) -> tuple[float, ...]:
+    """The numbers of an argument of a method."""
+    array = np.asarray(value, np.float64)
+    if array.size != size:
+        raise ValueError(f"HardEllipsoids.{name}: {argument} has the shape {array.shape}, which should be ({size},)")
+    numbers: list[float] = array.ravel().tolist()
+    return tuple(numbers)
+
+
+def _out_of_range(name: str, numbers: tuple[float, ...]) -> str:
+    """Says which number of a method is out of its range; nothing if none is."""
+    for (argument, (text, is_allowed)), number in zip(_RANGES[name].items(), numbers):
+        if not is_allowed(number):
+            return f"{argument} is {number}: it must be {text}"
+    return ""
 
 
 def _change(change: Change) -> int:
@@ -474,11 +553,16 @@ def _fail(status: int, function: str, detail: str) -> None:
     raise PW85Error(status, function, _core.strerror(status), detail)
 
 
-def _overlap(pair: tuple[int, int]) -> str:
-    """Says which particles overlap; nothing for the pair of no overlap."""
-    if pair[0] < 0:
-        return ""
-    return f"particle {pair[0]} overlaps " + ("its own image" if pair[0] == pair[1] else f"particle {pair[1]}")
+def name_pairs(pairs: Sequence[tuple[int, int]]) -> str:
+    """Says how many pairs overlap, and names the first of them."""
+    names = ", ".join(f"{i} and {'its image' if i == j else j}" for i, j in pairs[:3])
+    return f"pairs that overlap: {len(pairs)} (the particles {names}{' and others' * (len(pairs) > 3)})"
+
+
+def _overlaps(system: System, first: tuple[int, int]) -> str:
+    """Names the pairs of a system that overlap, of which the first is known, and the cure."""
+    found = system.overlaps().pairs.tolist() or [first]
+    return f"{name_pairs(found)}: separate them (pypw85.relax), or enlarge the cell"
 
 
 def _blame(centers: Floats, semi_axes: Floats, quaternions: Floats, cell: Floats | None) -> str:

@@ -83,6 +83,8 @@ def principal_directions(system: System) -> Floats:
 
 def nematic_tensor(directions: Floats) -> Floats:
     """3/2 <u uᵀ> - 1/2."""
+    if not len(directions):
+        raise ValueError("nematic order needs particles: there are none")
     tensor: Floats = 1.5 * directions.T @ directions / len(directions) - 0.5 * np.eye(3)
     return tensor
 
@@ -121,13 +123,17 @@ def compressibility(mu2: Iterable[ArrayLike], num_particles: int, width: float =
     Raises
     ------
     ValueError
-        A pair overlaps, or there are fewer than two configurations.
+        A pair overlaps, or its μ² is NaN; there are fewer than two configurations or no particles; or the width is not > 0 and finite.
     """
+    if num_particles < 1:
+        raise ValueError(f"compressibility: num_particles is {num_particles}: it must be at least 1")
+    if not 0 < width < np.inf:
+        raise ValueError(f"compressibility: width is {width}: it must be > 0 and finite")
     values: list[float] = []
     for one in mu2:
         excess = np.sqrt(np.asarray(one, dtype=np.float64)) - 1.0
-        if (excess < 0).any():
-            raise ValueError(f"a pair of configuration {len(values)} overlaps")
+        if not (excess >= 0).all():
+            raise ValueError(f"a pair of configuration {len(values)} overlaps, or its μ² is NaN")
         values.append(compressibility_of(excess, num_particles, width))
     if len(values) < 2:
         raise ValueError(f"an error needs two configurations or more, not {len(values)}")

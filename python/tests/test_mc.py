@@ -1,5 +1,6 @@
 """The command pw85 mc: its files, interruptions, full disks, and one sentence for bad input."""
 
+import errno
 import functools
 import itertools
 import os
@@ -166,7 +167,7 @@ def test_full_disk(run, folder, what):
     samples, frames = ("1", "100") if what == "run.h5" else ("100", "1")
     arguments = [*NPT, "--every", samples, "--trajectory-every", frames, "--sweeps", "100"]
     assert run("mc", *arguments, "--out", "whole.h5", "--trajectory", "whole.dump").status == 0
-    assert run("mc", *NPT, "--sweeps", "1", "--out", "begun.h5").status == 0
+    assert run("mc", *NPT, "--sweeps", "1", "--out", "begun.h5", "--trajectory", "begun.dump").status == 0
     done = limited([*arguments, "--out", "run.h5", "--trajectory", "run.dump", "--checkpoint", "0"], os.path.getsize("begun.h5") + 6000)
     assert (done.returncode, done.stdout) == (2, ""), done
     assert done.stderr == f"pw85: {what}: File too large: make room, and continue from the last checkpoint (--resume run.h5)\n"
@@ -180,7 +181,7 @@ def test_full_disk(run, folder, what):
 
 def test_no_room_at_all(run, folder):
     """Is said before the first sweep."""
-    done = limited([*NPT, "--sweeps", "1e9", "--out", "run.h5"], 1000)
+    done = limited([*NPT, "--sweeps", "1e9", "--out", "run.h5", "--trajectory", "run.dump"], 1000)
     assert (done.returncode, done.stderr) == (2, "pw85: run.h5: File too large: make room\n")
     assert os.listdir() == ["start.xyz"]
 
@@ -189,7 +190,7 @@ def test_table(run, folder, whole):
     """A name that ends with .csv asks for a table, beside the file of the run."""
     arguments = [*NPT, "--out", "run.csv", "--trajectory", "run.xyz"]
     assert run("mc", *arguments, "--sweeps", 300).status == 0
-    assert run("mc", "--resume", "run.csv.h5", "--sweeps", SWEEPS).status == 0
+    assert run("mc", "--resume", "run.csv", "--sweeps", SWEEPS).status == 0
     with h5py.File(whole / "run.h5") as file:
         samples = file["pw85_mc/samples"][()]
     table = np.genfromtxt("run.csv", delimiter=",", names=True)
@@ -237,6 +238,41 @@ def test_constant_volume(run, folder):
     assert (pypw85.contact(np.array(images) @ last.cell, last.q[0], last.q[0])[0] >= 1).all()
 
 
+def test_numbers(run, folder):
+    """Numbers of sweeps, chains and so on can be written as 1e1; a run without samples says so."""
+    done = run("mc", "start.xyz", "--sweeps", "1e1", "--every", "2e1", "--equilibrate", "1e1", "--seed", 2**64 - 1, "--out", "run.h5")
+    assert (done.status, done.err) == (0, "")
+    assert done.out.splitlines()[0].endswith(f"seed {2**64 - 1}")
+    assert done.out.splitlines()[-2:] == ["no averages: a sample is taken every 20 sweeps (--every)", "no overlaps after 10 sweeps"]
+    assert run("pack", "new.xyz", "-n", "1e1", "--axes", "1,1,2", "--fraction", "0.1", "--steps", "1e3").status == 0
+    assert "'1.5' is no whole number from 1 to" in run("pack", "new.xyz", "-n", "1.5", "--axes", "1,1,2", "--fraction", "0.1").err
+
+
+def test_signals_together(folder):
+    """timeout(1) sends a signal to the process and one to its group. The sample is finished and the checkpoint is written."""
+    arguments = ["start.xyz", "--sweeps", "1e3", "--every", "1", "--equilibrate", "0", "--chains", "1", "--chain-length", "1e5"]
+    running = subprocess.Popen([*PW85, "mc", *arguments, "--out", "run.h5"], stderr=subprocess.PIPE, text=True, preexec_fn=heed_interrupts)
+    while not os.path.exists("run.h5"):
+        time.sleep(0.01)
+    time.sleep(0.1)
+    for _ in range(2):
+        running.send_signal(signal.SIGTERM)
+        time.sleep(0.01)
+    assert running.communicate()[1].startswith("pw85: interrupted after ") and running.returncode == 130
+    assert pypw85.read("run.h5").step > 0
+
+
+def test_unwritable_later(run, folder, monkeypatch):
+    """The cure suits the cause."""
+
+    def fail(*_):
+        raise PermissionError(errno.EACCES, "Permission denied")
+
+    monkeypatch.setattr("pypw85.cli._runs._write_durably", fail)
+    done = run("mc", *NPT, "--sweeps", "1", "--out", "run.h5", "--trajectory", "run.dump")
+    assert (done.status, done.err) == (2, "pw85: run.h5: Permission denied: name a file in another folder\n")
+
+
 def test_progress(folder):
     """The time left, on a terminal."""
     status, text = on_terminal("mc", "start.xyz", "--sweeps", "1e8", "--out", "run.h5", "--equilibrate", "5", until=rb"\d:\d\d:\d\d left")
@@ -245,6 +281,13 @@ def test_progress(folder):
     assert pypw85.read("run.h5").step > 0
 
 
+# Where bits of a checkpoint change
+CHANGED = {
+    "state": "pw85_mc/state",
+    "progress": "pw85_mc/progress",
+    "averages": "pw85_mc/observables/values",
+    "ids": "particles/all/id/value",
+}
 GOOD = ["mc", "start.xyz", "--sweeps", "10", "--out", "new.h5"]
 BAD = [
     (["mc", "grains.xyz", *GOOD[2:]], r"grains\.xyz: pairs that overlap: \d+ \(the particles \d+ and \d+, .* and others\): "
@@ -277,11 +320,20 @@ BAD = [
     (["mc", "--resume", "other.h5"], r"other.h5: is no run: name a file that pw85 mc has written \(--out\)"),
     (["mc", "--resume", "older.h5"], r"older.h5: is a run of pypw85 2.9.9, and this is .*: continue it with that version"),
     (["mc", "--resume", "broken.h5"], "broken.h5: no readable HDF5 file"),
-    (["mc", "--resume", "changed.h5"], "changed.h5: cannot be read.*no bytes of save"),
+    *[(["mc", "--resume", f"{name}.h5"], f"{name}.h5: was changed after pw85 mc had written it: bring back a copy") for name in CHANGED],
     (["mc", "--resume", "old.h5", "--sweeps", "10"], r"old.h5: has 20 sweeps already: ask for more \(--sweeps\)"),
     (["mc", "--resume", "old.h5", "--seed", "2"], "leave out --seed"),
-    (["mc", "start.xyz", "--resume", "old.h5"], "leave out file"),
-    (["mc", "--resume", "alone.h5"], "old.xyz: is shorter than at the checkpoint"),
+    (["mc", "start.xyz", "--resume", "old.h5"], "leave out START"),
+    (["mc", "--resume", "table.csv"], "table.csv.h5: there is no such file"),
+    ([*GOOD, "--volume", "axis"], "--volume has no effect without --pressure: give it, or leave out --volume"),
+    ([*GOOD, "--bins", "5"], "--bins has no effect without --reach: "),
+    ([*GOOD, "--trajectory-every", "5"], "--trajectory-every has no effect without --trajectory: "),
+    ([*GOOD, "--chains", "0", "--chain-length", "5"], "--chain-length has no effect without --chains: "),
+    ([*GOOD, "--threads", "100000"], "'100000' is no whole number from 1 to 1024"),
+    *[([*GOOD, "--equilibrate", number], f"'{number}' is no whole number from 0 to") for number in ("-1", "0.5", "nan", "inf", "x")],
+    *[([*GOOD, "--seed", number], rf"'{number}' is no whole number from 0 to 2\*\*64 - 1") for number in ("1.5", "18446744073709551616")],
+    ([*GOOD, "--trajectory", "/dev/full"], "/dev/full: a trajectory grows while the run goes on: end its name with .xyz or .dump"),
+    (["mc", "--resume", "elsewhere/old.h5"], "elsewhere/old.xyz: is shorter than at the checkpoint"),
 ]  # fmt: skip
 
 
@@ -304,19 +356,30 @@ def bad_files(tmp_path_factory, whole):
     (folder / "table.csv").write_text("precious")
     arguments = ["start.xyz", "--sweeps", "20", "--out", "old.h5", "--trajectory", "old.xyz", "--trajectory-every", "10"]
     subprocess.run([*PW85, "mc", *arguments], check=True, cwd=folder, capture_output=True)
-    for name in ("older", "broken", "changed"):
+    for name in ("older", "broken", *CHANGED):
         shutil.copy(folder / "old.h5", folder / f"{name}.h5")
     with h5py.File(folder / "older.h5", "r+") as file:
         file["pw85_mc"].attrs["version"] = "2.9.9"
-    with h5py.File(folder / "changed.h5", "r+") as file:
-        file["pw85_mc/state"][0] ^= 1
+    for name, path in CHANGED.items():
+        change_a_bit(folder / f"{name}.h5", path)
     with open(folder / "broken.h5", "r+b") as file:
         file.truncate(os.path.getsize(folder / "broken.h5") // 2)
-    with h5py.File(folder / "old.h5") as old, h5py.File(folder / "alone.h5", "w") as alone:
-        for name in old:
-            old.copy(name, alone)
-        alone["pw85_mc/progress"][2] += 1
+    (folder / "elsewhere").mkdir()
+    shutil.copy(folder / "old.h5", folder / "elsewhere/old.h5")
+    (folder / "elsewhere/old.xyz").write_text("short")
     return folder
+
+
+def change_a_bit(path, name):
+    """As a disk may do it."""
+    with h5py.File(path) as file:
+        place = file[name].id.get_offset()
+        place = place if place is not None else file[name].id.get_chunk_info(0).byte_offset
+    with open(path, "r+b") as file:
+        file.seek(place)
+        byte = file.read(1)[0]
+        file.seek(place)
+        file.write(bytes([byte ^ 1]))
 
 
 @pytest.mark.parametrize("arguments, reason", BAD, ids=[" ".join(arguments) for arguments, _ in BAD])

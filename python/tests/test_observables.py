@@ -221,6 +221,31 @@ def directions_of(system):
     return rotation[np.arange(len(system)), :, chosen]
 
 
+def test_refused_blocking(rng):
+    """Sizes, samples and states that are none."""
+    for size in (0, -1):
+        with pytest.raises(ValueError, match=f"^Blocking: size is {size}: it must be at least 1$"):
+            pypw85.Blocking(size)
+    for size in (None, 1.5):
+        with pytest.raises(TypeError):
+            pypw85.Blocking(size)
+    averages = averages_of(rng.normal(size=(13, 2)))
+    with pytest.raises(ValueError, match=r"the sample has the shape \(3,\), which should be \(2,\)"):
+        averages.add([1, 2, 3])
+    state = averages.state()
+    changed = state.copy()
+    changed[1, 0] += 1
+    for bad in ([1, 2], state[:, :-1], state[1:, :-2], changed, np.full((1, 4), np.nan), np.full((1, 4), 0.5)):
+        with pytest.raises(ValueError, match=r"^Blocking\.restore: this is no state\(\)"):
+            pypw85.Blocking.restore(bad)
+    whole = pypw85.Observables().state()
+    for bad in ({}, {**whole, "settings": np.ones(2)}, {"settings": whole["settings"]}, None):
+        with pytest.raises(ValueError, match=r"^Observables\.restore: this is no state\(\)"):
+            pypw85.Observables.restore(bad)
+    with pytest.raises(ValueError, match=r"^Blocking\.restore: this is no state\(\) of samples of 13 numbers"):
+        pypw85.Observables.restore({**whole, "values": state})
+
+
 def test_restored_observables(rng):
     """Averages go on bit by bit."""
     whole, first = (pypw85.Observables(0.2, 0.7, 3) for _ in range(2))
@@ -238,9 +263,13 @@ def test_restored_observables(rng):
 
 
 def test_refused(rng):
-    for arguments in ((0.0,), (np.nan,), (0.1, -1.0), (0.1, np.inf), (0.1, 1.0, 0)):
-        with pytest.raises(ValueError, match="out of range"):
-            pypw85.Observables(*arguments)
+    for name, number in (("width", 0.0), ("width", np.nan), ("width", np.inf), ("reach", -1.0), ("reach", np.inf), ("bins", 0)):
+        with pytest.raises(ValueError, match=f"^Observables: {name} is {number}: it must be "):
+            pypw85.Observables(**{name: number})
+    with pytest.raises(TypeError):
+        pypw85.Observables(bins=2.5)
+    with pytest.raises(TypeError, match=r"^Observables\.add: simulation is no pypw85\.HardEllipsoids: System$"):
+        pypw85.Observables().add(gas(rng, 3, np.eye(3)))
     observables = pypw85.Observables()
     assert observables.pair_correlation() is None and np.isnan(observables.director()).all() and observables.estimates() == {}
     system = gas(rng, 3, np.eye(3))

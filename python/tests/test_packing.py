@@ -247,11 +247,47 @@ def test_compressibility_of_rods_on_a_line(rng):
     assert half.error == pytest.approx(np.sqrt(2) * found.error, rel=0.05)
 
 
+def test_pack_refuses():
+    """The text says which number is bad."""
+    good = np.ones((3, 3))
+    for bad in (0, -1, np.nan, np.inf):
+        axes = good.copy()
+        axes[2, 1] = bad
+        with pytest.raises(ValueError, match=f"must be finite and > 0, but those of ellipsoid 2 are .1.0, {float(bad)}, 1.0.$"):
+            pypw85.pack(axes, 0.3)
+    for axes in (np.ones(3), np.ones((3, 2)), np.ones((0, 3))):
+        with pytest.raises(ValueError, match=r"rows of three numbers, but the shape is \("):
+            pypw85.pack(axes, 0.3)
+    for size in (1e160, 1e-170, 1e110):
+        with pytest.raises(ValueError, match="choose another unit of length"):
+            pypw85.pack(size * good, 0.3)
+    for cell in (np.arange(1, 10).reshape(3, 3), np.diag([1, 1, 0]), 1e-40 * np.arange(9).reshape(3, 3)):
+        with pytest.raises(ValueError, match="the vectors of the cell lie in a plane"):
+            pypw85.pack(good, 0.3, cell)
+    for cell in (np.eye(2), np.diag([1, np.nan, 1])):
+        with pytest.raises(ValueError, match="three vectors of finite numbers"):
+            pypw85.pack(good, 0.3, cell)
+    for fraction in (0, 1, np.nan):
+        with pytest.raises(ValueError, match=f"between 0 and 1, but it is {fraction}"):
+            pypw85.pack(good, fraction)
+
+
 def test_compressibility_refuses(rng):
     with pytest.raises(ValueError, match="configuration 1 overlaps"):
         _statistics.compressibility([[1.1], [1.2, 0.9]], 10)
     with pytest.raises(ValueError, match="not 1"):
         _statistics.compressibility([[1.1]], 10)
+    with pytest.raises(ValueError, match="configuration 1 overlaps, or its μ² is NaN"):
+        _statistics.compressibility([[1.1], [1.2, np.nan]], 10)
+    with pytest.raises(ValueError, match="compressibility: num_particles is 0: it must be at least 1"):
+        _statistics.compressibility([[1.1], [1.2]], 0)
+    for width in (0.0, -1.0, np.nan, np.inf):
+        with pytest.raises(ValueError, match=f"compressibility: width is {width}: it must be > 0 and finite"):
+            _statistics.compressibility([[1.1], [1.2]], 10, width)
+    empty = pypw85.System(np.empty((0, 3)), np.empty((0, 6)))
+    for function in (pypw85.nematic_order, pypw85.director):
+        with pytest.raises(ValueError, match="there are none"):
+            function(empty)
 
 
 def random_quaternions(rng, n):

@@ -1,7 +1,10 @@
 """Monte Carlo of hard ellipsoids in Python."""
 
+import copy
 import gc
+import itertools
 import operator
+import pickle
 import threading
 
 import numpy as np
@@ -30,6 +33,54 @@ def test_distribution():
     means = np.mean(np.reshape(volumes, (20, -1)), axis=1)
     error = np.std(means) / np.sqrt(19)
     assert abs(means.mean() - 9 / pressure) < 5 * error < 0.3, (means.mean(), error)
+
+
+def free_share(cells, separations, radii):
+    """For each cell 1 if two spheres with these radii and their images are apart, by the distances of centres; 0 otherwise."""
+    images = np.array(list(itertools.product(range(-2, 3), repeat=3)))
+    others = images[images.any(axis=1)]
+    apart = np.linalg.norm(others @ cells, axis=2).min(axis=1) >= 2 * max(radii)
+    return apart & (np.linalg.norm(images @ cells + separations[:, None], axis=2).min(axis=1) >= sum(radii))
+
+
+def weighed_cells(rng, n, shears, pressure, bounds, radii):
+    """Means, with errors, of volume and lengths: each cell counts as V^(N+1) exp(-PV) times the part of the places that is free. The
+    logarithms of the lengths are uniform between bounds, and the shears over a period of the lattice."""
+    lengths = np.exp(rng.uniform(*np.log(bounds), (n, 3)))
+    cells = lengths[:, None] * np.eye(3)
+    if shears:
+        cells[:, [1, 2, 2], [0, 0, 1]] = rng.uniform(size=(n, 3)) * lengths[:, [0, 0, 1]]
+    volume = lengths.prod(axis=1)
+    separations = np.einsum("ni,nij->nj", rng.uniform(size=(n, 3)), cells)
+    weight = volume**3 * np.exp(-pressure * volume) * free_share(cells, separations, radii)
+    values = np.column_stack([volume, lengths])
+    mean = weight @ values / weight.sum()
+    return mean, np.sqrt(weight**2 @ (values - mean) ** 2) / weight.sum()
+
+
+@pytest.mark.parametrize("change, seed", [("axis", 3), ("triclinic", 4)])
+def test_two_particles_at_constant_pressure(rng, change, seed):
+    """Volume and lengths of the cell against an integral over cells. A cell with a length beyond the bounds is rejected here."""
+    pressure, bounds, radii = 3.0, (1.0, 2.2), (0.5, 0.3)
+    expected, error = weighed_cells(rng, 12000, change == "triclinic", pressure, bounds, radii)
+    start = pypw85.System.from_axes([3 * [0], 3 * [0.8]], np.outer(radii, [1, 1, 1]), [[1, 0, 0, 0]] * 2, cell=1.6 * np.eye(3))
+    simulation = pypw85.HardEllipsoids(start, seed)
+    simulation.set_fractions(translation=1)
+    simulation.set_steps(0.7, 0.1, 0.3)
+    samples = []
+    for _ in range(12000):
+        simulation.sweep()
+        before = simulation.save()
+        simulation.volume_moves(1, pressure, change)
+        if not bounds[0] < simulation.cell.diagonal().min() <= simulation.cell.diagonal().max() < bounds[1]:
+            simulation = pypw85.HardEllipsoids.restore(before)
+            simulation.sweep()  # with the random numbers of the trial, which would be the same again
+        lengths = simulation.cell.diagonal()
+        samples.append([lengths.prod(), *lengths])
+    blocks = np.reshape(samples, (30, -1, 4)).mean(axis=1)
+    errors = np.hypot(error, blocks.std(axis=0, ddof=1) / np.sqrt(len(blocks)))
+    found = blocks.mean(axis=0)
+    assert (np.abs(found - expected) < 4 * errors).all() and (errors < 0.03 * expected).all(), (found, expected, errors)
 
 
 def mean_and_error(samples):
@@ -123,6 +174,35 @@ def test_views():
     assert len(others[0]) == 64
 
 
+def test_copies():
+    """Copies are simulations of their own, which continue bit by bit."""
+    simulation = pypw85.HardEllipsoids(lattice(), 5)
+    simulation.sweep(3)
+    copies = [copy.copy(simulation), copy.deepcopy(simulation), pickle.loads(pickle.dumps(simulation))]
+    simulation.sweep(2)
+    for one in copies:
+        assert one.save() != simulation.save()
+        one.sweep(2)
+        assert one.save() == simulation.save()
+
+
+def test_read_only():
+    """What would have no effect is refused."""
+    simulation = pypw85.HardEllipsoids(lattice(), 5)
+    for name in ("centers", "semi_axes", "quaternions", "q", "cell", "periodic", "counts", "steps", "other"):
+        with pytest.raises(AttributeError):
+            setattr(simulation, name, None)
+
+
+def test_short_memory(monkeypatch):
+    """The cure is in the text."""
+    simulation = pypw85.HardEllipsoids(lattice(), 5)
+    monkeypatch.setattr("pypw85._core.hard_ellipsoids_sweep", lambda _: int(pypw85.Status.ENOMEM))
+    simulation.set_steps(2.5, 0.1, 0.1)
+    with pytest.raises(MemoryError, match=r"sweep: there is not enough memory.* translation, 2\.5: set_steps\(\) makes it shorter$"):
+        simulation.sweep()
+
+
 def test_saved():
     """A saved simulation goes on bit by bit, and sweeps may be counted together or one by one."""
     simulation = pypw85.HardEllipsoids(lattice(), 9)
@@ -170,22 +250,26 @@ def test_mixture():
     simulation.sweep(20)
     assert simulation.counts["exchange"].accepted > 0
     assert sorted(map(tuple, simulation.semi_axes)) == sorted(map(tuple, axes))
-    copy = simulation.system()
-    assert (copy.q == simulation.q).all() and (copy.centers == simulation.centers).all()
-    assert (copy.semi_axes == simulation.semi_axes).all() and (copy.quaternions == simulation.quaternions).all()
-    assert len(copy.overlaps().pairs) == 0
+    state = simulation.system()
+    assert (state.q == simulation.q).all() and (state.centers == simulation.centers).all()
+    assert (state.semi_axes == simulation.semi_axes).all() and (state.quaternions == simulation.quaternions).all()
+    assert len(state.overlaps().pairs) == 0
     simulation.check()
     simulation.sweep()
-    assert (copy.centers != simulation.centers).any()
+    assert (state.centers != simulation.centers).any()
 
 
 def test_overlapping_start():
     start = lattice()
     start.centers[5] = start.centers[2] + [0.1, 0, 0]
-    with pytest.raises(pypw85.PW85Error, match="^HardEllipsoids: particle 2 overlaps particle 5$") as raised:
+    start.centers[20] = start.centers[30]
+    cure = r"separate them \(pypw85\.relax\), or enlarge the cell$"
+    two = r"^HardEllipsoids: pairs that overlap: 2 \(the particles (2 and 5, 20 and 30|20 and 30, 2 and 5)\): "
+    with pytest.raises(pypw85.PW85Error, match=two + cure) as raised:
         pypw85.HardEllipsoids(start)
     assert raised.value.status == pypw85.Status.EOVERLAP
-    with pytest.raises(pypw85.PW85Error, match="particle 0 overlaps its own image"):
+    pypw85.HardEllipsoids(pypw85.relax(start)).check()
+    with pytest.raises(pypw85.PW85Error, match=r"pairs that overlap: 2 \(the particles 0 and its image, 0 and its image\): " + cure):
         pypw85.HardEllipsoids(lattice(1, (1, 1, 1)))
 
 
@@ -203,21 +287,40 @@ def test_bad_input():
         pypw85.HardEllipsoids(lattice(), 1.5)
     simulation = pypw85.HardEllipsoids(lattice(), np.int64(3))
     before = simulation.save()
-    for pressure in (0.0, -1.0, np.nan, np.inf):
-        with pytest.raises(pypw85.PW85Error, match=f"volume_moves: a number is out of range: {pressure}$"):
-            simulation.volume_moves(1, pressure)
-    with pytest.raises(pypw85.PW85Error, match=r"tune: a number is out of range: 1.5, 0.0$"):
-        simulation.tune(1, 1.5)
-    with pytest.raises(pypw85.PW85Error, match="set_steps"):
-        simulation.set_steps(0.1, np.nan, 0.1)
-    with pytest.raises(pypw85.PW85Error, match="set_fractions"):
+    above, share, part = "> 0 and finite", "> 0 and at most 1", ">= 0 and finite"
+    for call, argument, numbers, range_ in (
+        (lambda x: simulation.volume_moves(1, x), "pressure", (0.0, -1.0, np.nan, np.inf), above),
+        (lambda x: simulation.tune(1, x), "acceptance", (0.0, 1.5, np.nan), share),
+        (lambda x: simulation.tune(1, 0.4, x), "pressure", (-1.0, np.nan, np.inf), part),
+        (lambda x: simulation.set_steps(x, 0.1, 0.1), "translation", (0.0, -1.0, np.nan, np.inf), above),
+        (lambda x: simulation.set_steps(0.1, x, 0.1), "rotation", (0.0, 1.5, np.nan), share),
+        (lambda x: simulation.set_steps(0.1, 0.1, x), "volume", (0.0, 1.5, np.nan), share),
+        (lambda x: simulation.set_fractions(1, x), "rotation", (-1.0, np.nan, np.inf), part),
+        (lambda x: simulation.chain(1, x), "length", (0.0, -1.0, np.nan, np.inf), above),
+    ):
+        for number in numbers:
+            with pytest.raises(pypw85.PW85Error, match=rf"^HardEllipsoids\.\w+: {argument} is {number}: it must be {range_}$"):
+                call(number)
+    with pytest.raises(pypw85.PW85Error, match="translation is 11.0: it must be at most the longest vector of the cell, 10.8$"):
+        simulation.set_steps(11, 0.1, 0.1)
+    with pytest.raises(pypw85.PW85Error, match="set_fractions: the sum of the fractions is 0 or not finite: at least one must be > 0"):
         simulation.set_fractions()
+    with pytest.raises(pypw85.PW85Error, match=r"chain: a chain does not advance: .* the length is too long: 1e\+17$"):
+        pypw85.HardEllipsoids(lattice()).chain(1, 1e17)
+    for quaternion in ([0, 0, 0, 0], [1, np.nan, 0, 0]):
+        with pytest.raises(pypw85.PW85Error, match="try_placement: quaternion is zero or not finite"):
+            simulation.try_placement(0, None, quaternion)
+    with pytest.raises(pypw85.PW85Error, match="try_placement: center is not finite, or too far away"):
+        simulation.try_placement(0, [1e18, 1, 2])
+    for start in (None, lattice().centers, "start.xyz"):
+        with pytest.raises(TypeError, match=r"system is no pypw85\.System: \w+$"):
+            pypw85.HardEllipsoids(start)
     with pytest.raises(ValueError, match="change is none of isotropic, axis, triclinic: 'shear'"):
         simulation.volume_moves(1, 1.0, "shear")
-    for length, direction in ((0.0, None), (np.nan, None), (1.0, [0, 0, 0]), (1.0, [np.inf, 0, 0])):
-        with pytest.raises(pypw85.PW85Error, match=r"HardEllipsoids\.chain.*length"):
-            simulation.chain(1, length, direction)
-    with pytest.raises(ValueError):
+    for direction in ([0, 0, 0], [np.inf, 0, 0]):
+        with pytest.raises(pypw85.PW85Error, match=r"^HardEllipsoids\.chain: direction is zero or not finite: "):
+            simulation.chain(1, 1.0, direction)
+    with pytest.raises(ValueError, match=r"chain: direction has the shape \(2,\), which should be \(3,\)$"):
         simulation.chain(1, 1.0, [1, 2])
     for call in (
         simulation.sweep,
@@ -227,7 +330,7 @@ def test_bad_input():
     ):
         with pytest.raises(ValueError, match="number is negative: -1"):
             call(-1)
-        with pytest.raises(TypeError):
+        with pytest.raises(TypeError, match="number is no integer: 0.5"):
             call(0.5)
     assert simulation.save() == before
     with pytest.raises(pypw85.PW85Error, match="restore: these are no bytes of save"):

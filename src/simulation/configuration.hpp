@@ -53,6 +53,17 @@ struct Cell {
     int periodic[3];
     bool exists;
 
+    [[gnu::always_inline]] Vector3 vector(int k) const noexcept
+    {
+        return {vectors[3 * k], vectors[3 * k + 1], vectors[3 * k + 2]};
+    }
+
+    /// Whether the system is repeated along all vectors, so that it has a volume.
+    [[gnu::always_inline]] bool is_closed() const noexcept
+    {
+        return exists && periodic[0] && periodic[1] && periodic[2];
+    }
+
     /// Multiples of the periodic vectors. The translation of the negative multiples is the negative one, to the last bit.
     [[gnu::always_inline]] Vector3 translation(Multiples const &image) const noexcept
     {

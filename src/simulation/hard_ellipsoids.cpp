@@ -114,11 +114,9 @@ int create(pw85_system const &system, double const *semi_axes, double const *qua
 
 bool is_kind(int kind) noexcept { return kind >= 0 && kind <= static_cast<int>(ChangeKind::triclinic); }
 
-bool is_closed(Cell const &cell) noexcept { return cell.periodic[0] && cell.periodic[1] && cell.periodic[2]; }
-
 bool can_change(Engine const &engine, double pressure, int kind) noexcept
 {
-    return is_kind(kind) && pressure > 0.0 && std::isfinite(pressure) && is_closed(engine.configuration.cell);
+    return is_kind(kind) && pressure > 0.0 && std::isfinite(pressure) && engine.configuration.cell.is_closed();
 }
 
 /// Begins, calls work() until it fails or was called often enough, and ends.
@@ -193,6 +191,31 @@ void store(Array<NearImage> const &found, std::size_t capacity, std::int32_t *pa
     }
 }
 
+/// Whether these can be the largest changes of trials. For negative steps, no list of neighbours would ever hold.
+bool are_steps(double translation, double rotation, double volume) noexcept
+{
+    return translation > 0.0 && std::isfinite(translation) && rotation > 0.0 && rotation <= 1.0 && volume > 0.0 &&
+           volume <= 1.0;
+}
+
+/// Whether a simulation can have these parameters. The sum of the fractions is 1 up to rounding errors.
+bool are_parameters(Parameters const &parameters) noexcept
+{
+    double sum = 0.0;
+    for (double const fraction : parameters.fractions) {
+        if (!(fraction >= 0.0)) return false;
+        sum += fraction;
+    }
+    return absolute(sum - 1.0) <= 0x1p-48 && are_steps(parameters.translation, parameters.rotation, parameters.volume);
+}
+
+/// The longest translation that is of use: a longer one leads to places that shorter ones reach, too.
+double most_useful_translation(Cell const &cell) noexcept
+{
+    if (!cell.is_closed()) return HUGE_VAL;
+    return std::max({magnitude(cell.vector(0)), magnitude(cell.vector(1)), magnitude(cell.vector(2))});
+}
+
 std::size_t num_bytes(std::size_t num_particles) noexcept
 {
     return sizeof(Header) + num_particles * sizeof(SavedParticle);
@@ -205,6 +228,7 @@ int restore(std::size_t size, unsigned char const *bytes, pw85_hard_ellipsoids *
     std::memcpy(&header, bytes, sizeof header);
     if (header.mark != current_mark || header.num_particles > INT32_MAX || size != num_bytes(header.num_particles))
         return PW85_EINVAL;
+    if (!are_parameters(header.parameters)) return PW85_EINVAL;
     auto const load = [&](std::size_t i) {
         SavedParticle particle;
         std::memcpy(&particle, bytes + num_bytes(i), sizeof particle);
@@ -290,14 +314,15 @@ int pw85_hard_ellipsoids_set_fractions(pw85_hard_ellipsoids *simulation, double 
 int pw85_hard_ellipsoids_set_steps(pw85_hard_ellipsoids *simulation, double const steps[3])
 {
     if (any_null(simulation) || any_null(steps)) return PW85_EINVAL;
-    for (int k = 0; k < 3; ++k)
-        if (!(steps[k] > 0.0 && std::isfinite(steps[k]))) return PW85_EINVAL;
-    if (steps[1] > 1.0 || steps[2] > 1.0) return PW85_EINVAL;
-    Parameters &parameters = simulation->engine.parameters;
-    parameters.translation = steps[0];
-    parameters.rotation = steps[1];
-    parameters.volume = steps[2];
-    return PW85_SUCCESS;
+    return in_default_environment([&] {
+        Engine &engine = simulation->engine;
+        if (!are_steps(steps[0], steps[1], steps[2]) || steps[0] > most_useful_translation(engine.configuration.cell))
+            return int{PW85_EINVAL};
+        engine.parameters.translation = steps[0];
+        engine.parameters.rotation = steps[1];
+        engine.parameters.volume = steps[2];
+        return int{PW85_SUCCESS};
+    });
 }
 
 int pw85_hard_ellipsoids_steps(pw85_hard_ellipsoids const *simulation, double steps[3])

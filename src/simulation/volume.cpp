@@ -17,10 +17,7 @@ constexpr std::size_t block_of_particles = 256;
 
 double volume_of(Cell const &cell) noexcept
 {
-    auto const row = [&](int k) {
-        return Vector3{cell.vectors[3 * k], cell.vectors[3 * k + 1], cell.vectors[3 * k + 2]};
-    };
-    return std::fabs(dot(row(0), cross(row(1), row(2))));
+    return std::fabs(dot(cell.vector(0), cross(cell.vector(1), cell.vector(2))));
 }
 
 /// Accepts with probability min(1, determinant^exponent e^-cost), by a function of x^y and e^x that gives the same bits everywhere.
@@ -185,9 +182,8 @@ int Engine::check(std::int32_t *pair) const noexcept
 double Engine::longest_translation() const noexcept
 {
     Cell const &cell = ordered_.cell;
-    bool const is_closed = cell.exists && cell.periodic[0] && cell.periodic[1] && cell.periodic[2];
-    return is_closed ? 0.5 * std::cbrt(volume_of(cell) / static_cast<double>(std::max<std::size_t>(1, ordered_.size())))
-                     : longest_;
+    if (!cell.is_closed()) return longest_;
+    return 0.5 * std::cbrt(volume_of(cell) / static_cast<double>(std::max<std::size_t>(1, ordered_.size())));
 }
 
 /// Let p be the share of n trials that was accepted. The logarithm of the step changes by g (p - acceptance). If p falls by s where the

@@ -35,16 +35,17 @@ class Numbers(click.ParamType):
 
     name = "numbers"
 
-    def __init__(self, *counts: int) -> None:
-        self.counts = counts
+    def __init__(self, *counts: int, positive: bool = False) -> None:
+        self.counts, self.positive = counts, positive
 
     def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Any:
         try:
             numbers = np.array(value.replace(",", " ").split(), dtype=np.float64)
         except ValueError:
             self.fail(f"'{value}' is not a list of numbers", param, ctx)
-        if len(numbers) not in self.counts or not np.isfinite(numbers).all():
-            self.fail(f"'{value}' should be {' or '.join(map(str, self.counts))} numbers", param, ctx)
+        if len(numbers) not in self.counts or not np.isfinite(numbers).all() or (self.positive and not (numbers > 0).all()):
+            kind = "finite and > 0" if self.positive else "finite"
+            self.fail(f"'{value}' should be {' or '.join(map(str, self.counts))} numbers, all {kind}", param, ctx)
         return numbers
 
 
@@ -56,16 +57,30 @@ def _number(text: Any) -> float:
         return np.nan
 
 
+def _whole_number(text: Any) -> int | None:
+    """The number of 5, 1e5 or 18446744073709551615; None if the text is no whole number."""
+    try:
+        return int(text)
+    except ValueError:
+        number = _number(text)
+        return int(number) if abs(number) < 2**53 and number == int(number) else None
+
+
 class WholeNumber(click.ParamType):
-    """A whole number > 0, which may be written as 1e5."""
+    """A whole number within limits, > 0 by default, which may be written as 1e5."""
 
     name = "number"
 
+    def __init__(self, least: int = 1, most: int = 2**53 - 1) -> None:
+        self.least, self.most = least, most
+
     def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> int:
-        number = _number(value)
-        if not (1 <= number < 2**53 and number == int(number)):
-            self.fail(f"'{value}' is no whole number from 1 to 2**53 - 1", param, ctx)
-        return int(number)
+        number = _whole_number(value)
+        if number is None or not self.least <= number <= self.most:
+            bits = self.most.bit_length()
+            most = f"2**{bits} - 1" if self.most == 2**bits - 1 else str(self.most)
+            self.fail(f"'{value}' is no whole number from {self.least} to {most}", param, ctx)
+        return number
 
 
 class Finite(click.ParamType):

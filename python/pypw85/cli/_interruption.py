@@ -8,6 +8,7 @@ import os
 import signal
 import sys
 import threading
+import time
 from collections.abc import Iterator
 
 from ..formats import discard_unfinished
@@ -15,6 +16,8 @@ from ..formats import discard_unfinished
 _asked, _keeping = threading.Event(), threading.Event()
 # Seconds for the thread that works to end by itself, and to clear up where it has ended processes that shared the work.
 _SHORT, _LONG = 0.5, 5.0
+# Seconds within which signals belong together: timeout(1) sends one to the process, and one more to its group.
+_TOGETHER = 0.2
 
 
 def is_interrupted() -> bool:
@@ -43,14 +46,18 @@ def shield_processes() -> None:
 
 def interrupt(finished: threading.Event) -> None:
     """Lets the thread that works come to its end; if that takes too long, or Ctrl-C comes once more, ends the process."""
+    since = time.monotonic()
     _asked.set()
     processes = multiprocessing.active_children()
-    try:
-        for process in processes:
-            process.kill()
-        finished.wait(None if _keeping.is_set() else _LONG if processes else _SHORT)
-    except KeyboardInterrupt:
-        pass
+    again = True
+    while again:
+        try:
+            for process in processes:
+                process.kill()
+            finished.wait(None if _keeping.is_set() else _LONG if processes else _SHORT)
+            again = False
+        except KeyboardInterrupt:
+            again = time.monotonic() - since < _TOGETHER
     if not finished.is_set():
         discard_unfinished()
         sentence = "\n" * sys.stderr.isatty() + "pw85: interrupted\n"

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import contextlib
+import errno
+import hashlib
 import io
 import json
 import os
@@ -21,6 +23,8 @@ from ..formats._errors import guarded
 # The acceptance to which steps are tuned: the default of HardEllipsoids.tune().
 _ACCEPTANCE = 0.4
 _GROUP = "pw85_mc"
+# The disk, the share of a user, or the size of a file has come to its limit.
+_NO_ROOM = {getattr(errno, name) for name in ("ENOSPC", "EDQUOT", "EFBIG") if hasattr(errno, name)}
 
 
 class Settings(NamedTuple):
@@ -139,8 +143,9 @@ class Run:
         try:
             yield
         except OSError as error:
-            last = f", and continue from the last checkpoint (--resume {self.path})" if os.path.exists(self.path) else ""
-            raise FileError(path, f"{error.strerror}: make room{last}") from None
+            last = [f"continue from the last checkpoint (--resume {self.path})"] if os.path.exists(self.path) else []
+            cure = ["make room"] if error.errno in _NO_ROOM else ["name a file in another folder"] if not last else []
+            raise FileError(path, f"{error.strerror}: {', and '.join(cure + last)}") from None
 
     def _beside(self, name: str) -> str:
         return os.path.join(os.path.dirname(self.path), name)
@@ -162,6 +167,7 @@ class Run:
             for name, numbers in self.observables.state().items():
                 group[f"observables/{name}"] = numbers
             self._write_results(group)
+            group.attrs["digest"] = _digest(file)
         return buffer.getvalue()
 
     def _write_results(self, group: Any) -> None:
@@ -179,6 +185,20 @@ class Run:
         lines = [",".join(("sweep", *Sample._fields))]
         lines += [f"{row[0]:.0f}," + ",".join(f"{value:.17g}" for value in row[1:]) for row in self.rows]
         return "\n".join(lines) + "\n"
+
+
+def _digest(file: Any) -> str:
+    """SHA-256 of all numbers and names in a file of a run. Bits that have changed on a disk would make another trajectory."""
+    digest = hashlib.sha256(file[_GROUP].attrs["settings"].encode())
+
+    def add(name: str, thing: Any) -> None:
+        if hasattr(thing, "shape"):  # no group
+            content = np.asarray(thing[()])
+            text = repr(content.tolist()).encode() if content.dtype.hasobject else content.tobytes()
+            digest.update(f"{name} {content.shape} {len(text)} ".encode() + text)
+
+    file.visititems(add)
+    return digest.hexdigest()
 
 
 def _kinds(simulation: HardEllipsoids) -> list[bytes]:
@@ -210,6 +230,8 @@ def _read(path: str, particles: System) -> Run:
         group = file[_GROUP]
         if group.attrs["version"] != version():
             raise FileError(path, f"is a run of pypw85 {group.attrs['version']}, and this is {version()}: continue it with that version")
+        if group.attrs["digest"] != _digest(file):
+            raise FileError(path, "was changed after pw85 mc had written it: bring back a copy of it, or begin a new run")
         settings = Settings(**json.loads(group.attrs["settings"]))
         observables = Observables.restore({name: data[()] for name, data in group["observables"].items()})
         particles.origin = group["corner"][()]

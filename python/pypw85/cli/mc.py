@@ -15,9 +15,9 @@ import numpy as np
 
 from .. import _core
 from .._observables import Observables
-from .._simulations import HardEllipsoids
+from .._simulations import HardEllipsoids, name_pairs
 from .._system import System
-from ..formats import FileError, check_output, check_storable, check_written_name
+from ..formats import FORMATS, FileError, check_output, check_storable
 from ._input import Finite, Input, WholeNumber, input_options, one_frame
 from ._interruption import keeping_work
 from ._progress import progress, say
@@ -26,6 +26,10 @@ from ._runs import Run, Settings, resume
 _START = partial(input_options, argument=click.argument("file", required=False, metavar="[START]"))
 # What may be given with --resume
 _OF_RESUMED = {"resumed", "sweeps", "threads", "checkpoint"}
+# Options that have no effect without others
+_NEEDED = {"volume": "pressure", "trajectory_every": "trajectory", "bins": "reach", "chain_length": "chains"}
+# Each thread needs a stack. OpenMP ends the process if it cannot start one.
+MOST_THREADS = 1024
 
 
 @click.command()
@@ -40,23 +44,23 @@ _OF_RESUMED = {"resumed", "sweeps", "threads", "checkpoint"}
               help="What changes of the volume scale: all axes alike, one of them, or shear, too.")
 @click.option("--exchange", type=Finite(may_be_zero=True, below=1), default="0", show_default=True, metavar="PART",
               help="The part of the trials that exchange the semi-axes of two unlike particles.")
-@click.option("--equilibrate", type=click.IntRange(0), metavar="N",
+@click.option("--equilibrate", type=WholeNumber(0), metavar="N",
               help="Sweeps before, in which steps are tuned: a tenth of the sweeps by default.")
 @click.option("--every", type=WholeNumber(), default="10", show_default=True, metavar="N", help="Sweeps between two samples.")
-@click.option("--chains", type=click.IntRange(0), default=10, show_default=True, help="Event chains at each sample.")
+@click.option("--chains", type=WholeNumber(0), default=10, show_default=True, help="Event chains at each sample.")
 @click.option("--chain-length", type=Finite(), metavar="L", help="Of each chain; the cube root of the first volume by default.")
-@click.option("--seed", type=click.IntRange(0, 2**64 - 1), default=1, show_default=True, help="Another one, another run.")
+@click.option("--seed", type=WholeNumber(0, 2**64 - 1), default=1, show_default=True, help="Another one, another run.")
 @click.option("--width", type=Finite(), default="0.1", show_default=True,
               help="Of the interval of μ from which the pressure is extrapolated.")
 @click.option("--reach", type=Finite(may_be_zero=True), default="0", show_default=True,
               help="Largest distance of the pair correlation; 0: none.")
-@click.option("--bins", type=click.IntRange(1), default=50, show_default=True, help="Of the pair correlation.")
+@click.option("--bins", type=WholeNumber(), default=50, show_default=True, help="Of the pair correlation.")
 @click.option("--trajectory", metavar="FILE", help="Configurations, .xyz or .dump.")
 @click.option("--trajectory-every", type=WholeNumber(), default="1000", show_default=True, metavar="N",
               help="Sweeps between two of these configurations.")
 @click.option("--checkpoint", type=Finite(may_be_zero=True), default="60", show_default=True, metavar="SECONDS",
               help="Time between two checkpoints.")
-@click.option("--threads", type=click.IntRange(1), help="Threads; they do not change the results.")
+@click.option("--threads", type=WholeNumber(most=MOST_THREADS), help="Threads; they do not change the results.")
 @click.option("--resume", "resumed", metavar="FILE", help="Continue this run, to more sweeps if --sweeps says so.")
 @click.pass_context
 def mc(ctx: click.Context, given: Input | None, sweeps: int | None, checkpoint: float, threads: int | None,
@@ -70,6 +74,7 @@ def mc(ctx: click.Context, given: Input | None, sweeps: int | None, checkpoint: 
     if threads is not None:
         _core.set_num_threads(threads)
     if resumed is None:
+        _refuse_idle(ctx)
         run = _start(given, sweeps, **others)
     else:
         _refuse_others(ctx)
@@ -84,15 +89,32 @@ def mc(ctx: click.Context, given: Input | None, sweeps: int | None, checkpoint: 
     return status
 
 
+def _given(ctx: click.Context) -> dict[str, str]:
+    """What the command line says: the names of parameters, and what users call them."""
+    return {
+        param.name: param.opts[0] if isinstance(param, click.Option) else "START"
+        for param in ctx.command.params
+        if param.name and ctx.get_parameter_source(param.name) is click.core.ParameterSource.COMMANDLINE
+    }
+
+
 def _refuse_others(ctx: click.Context) -> None:
-    others = [param.opts[0] for param in ctx.command.params if param.name not in _OF_RESUMED
-              and ctx.get_parameter_source(param.name or "") is click.core.ParameterSource.COMMANDLINE]  # fmt: skip
+    others = [text for name, text in _given(ctx).items() if name not in _OF_RESUMED]
     if others:
         raise click.UsageError("with --resume, the file says everything but --sweeps, --threads and --checkpoint: "
                                f"leave out {', '.join(others)}")  # fmt: skip
 
 
-def _continued(path: str, sweeps: int | None) -> Run:
+def _refuse_idle(ctx: click.Context) -> None:
+    """Refuses options that would have no effect."""
+    for name, text in _given(ctx).items():
+        needed = _NEEDED.get(name)
+        if needed is not None and not ctx.params[needed]:
+            raise click.UsageError(f"{text} has no effect without --{needed}: give it, or leave out {text}")
+
+
+def _continued(name: str, sweeps: int | None) -> Run:
+    path = _run_file(name)[0] if name.endswith(".csv") else name
     check_output(path)
     run = resume(path)
     if sweeps is not None and sweeps < run.sweeps:
@@ -149,11 +171,11 @@ def _run_file(out: str) -> tuple[str, bool]:
 
 def _growing_format(trajectory: str) -> str:
     """The format of a trajectory, to which frames can be appended."""
-    name = check_written_name(trajectory, None)
-    if name not in ("lammps-dump", "xyz") or trajectory.lower().endswith(".gz"):
-        raise FileError(trajectory, "a trajectory grows while the run goes on: end its name with .xyz or .dump "
-                        "(pw85 convert makes others)")  # fmt: skip
-    return name
+    for name in ("lammps-dump", "xyz"):
+        if trajectory.lower().endswith(FORMATS[name].SUFFIXES):
+            check_output(trajectory)
+            return name
+    raise FileError(trajectory, "a trajectory grows while the run goes on: end its name with .xyz or .dump (pw85 convert makes others)")
 
 
 def _refuse_existing(name: str | None) -> None:
@@ -167,15 +189,13 @@ def _checked(given: Input, system: System) -> System:
     if not len(system):
         raise FileError(given.path, "there are no particles with a shape: give it (--shape)")
     if not all(system.periodic):
-        raise FileError(given.path, "the cell should be periodic along its three vectors: give it (--cell, --periodic abc)")
+        raise FileError(given.path, "the cell should be periodic along its three vectors: give it (--cell, --periodic abc), or use "
+                        "pypw85.HardEllipsoids, which needs no such cell")  # fmt: skip
     if system.shapeless:
         say(f"pw85: warning: {given.path}: {system.shapeless} particles without a shape are left out", sys.stderr)
     found = system.overlaps()
     if len(found.mu):
-        names = [f"{i} and {'its image' if i == j else j}" for i, j in system.ids[found.pairs[:3]].tolist()]
-        more = " and others" * (len(found.mu) > 3)
-        raise FileError(given.path, f"pairs that overlap: {len(found.mu)} (the particles {', '.join(names)}{more}): "
-                        "separate them (pw85 relax)")  # fmt: skip
+        raise FileError(given.path, f"{name_pairs(system.ids[found.pairs].tolist())}: separate them (pw85 relax), or enlarge the cell")
     return system
 
 
@@ -237,7 +257,10 @@ def _report(run: Run) -> None:
     for move, (trials, accepted) in run.simulation.counts.items():
         if trials:
             say(f"{accepted / trials:.3f} accepted of {trials} trials: {move}")
-    say(_LINE.format("", "value", "error", "independent samples"))
+    if run.rows:
+        say(_LINE.format("", "value", "error", "independent samples"))
+    else:
+        say(f"no averages: a sample is taken every {run.settings.every} sweeps (--every)")
     for name, (value, error, samples) in run.observables.estimates().items():
         say(_LINE.format(name, f"{value:.8g}", _number(error, ".2g"), _number(samples, ".0f")))
     if run.rows:

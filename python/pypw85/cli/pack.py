@@ -16,27 +16,27 @@ from .._packing import relax as relax_system
 from .._system import System
 from .._voxels import check_voxels_name, save_voxels
 from ..formats import FORMATS, check_written_name, write
-from ._input import Input, Numbers, input_options
+from ._input import Finite, Input, Numbers, WholeNumber, input_options
 from ._interruption import is_interrupted, keeping_work
 from ._progress import progress, say
 
-_steps = click.option("--steps", type=click.IntRange(1), default=20000, show_default=True, help="How many steps to try.")
+_steps = click.option("--steps", type=WholeNumber(), default=20000, show_default=True, help="How many steps to try.")
 _to = click.option("--to", type=click.Choice(list(FORMATS)), help="Format of OUTPUT; by the end of its name if absent.")
 
 
 @click.command()
 @click.argument("output")
-@click.option("-n", "--number", type=click.IntRange(1), required=True, help="How many ellipsoids.")
-@click.option("--axes", "kinds", type=Numbers(3), multiple=True, required=True, metavar="A,B,C",
+@click.option("-n", "--number", type=WholeNumber(), required=True, help="How many ellipsoids.")
+@click.option("--axes", "kinds", type=Numbers(3, positive=True), multiple=True, required=True, metavar="A,B,C",
               help="Semi-axes; if given several times, there are as many of each kind.")
-@click.option("--spread", type=click.FloatRange(0), default=0.0, show_default=True,
+@click.option("--spread", type=Finite(may_be_zero=True), default="0", show_default=True,
               help="Standard deviation of the natural logarithm of sizes.")
 @click.option("--fraction", type=click.FloatRange(0, 1, min_open=True, max_open=True), required=True, help="Packing fraction.")
 @click.option("--cell", type=Numbers(3, 9), metavar="NUMBER,...",
               help="Shape of the cell, A,B,C or three vectors, which is scaled to the fraction: a cube if absent.")
-@click.option("--seed", type=click.IntRange(0), default=0, show_default=True, help="Another one, another packing.")
+@click.option("--seed", type=WholeNumber(0), default=0, show_default=True, help="Another one, another packing.")
 @click.option("--voxels", metavar="FILE", help="Write a voxel image, too (.vtk or .h5): 0, or the number of the ellipsoid.")
-@click.option("--resolution", type=click.IntRange(1), default=64, show_default=True, help="Voxels along each vector of the cell.")
+@click.option("--resolution", type=WholeNumber(), default=64, show_default=True, help="Voxels along each vector of the cell.")
 @_to
 @_steps
 def pack(output: str, number: int, kinds: Any, spread: float, fraction: float, cell: Any, seed: int, voxels: str | None,
