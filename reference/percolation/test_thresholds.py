@@ -114,7 +114,8 @@ def test_extrapolation():
 
 
 def test_table():
-    """The table follows from the sizes, up to rounding, and all errors are within 0.1 %; spheres have the known threshold (Torquato and Jiao, 2012)."""
+    """The table follows from the sizes, up to rounding. All errors are within 0.1 %. Spheres have the known threshold (Torquato and
+    Jiao, 2012)."""
     sizes = rows("sizes.csv")
     for row in rows("percolation.csv"):
         cubes = [size for size in sizes if size["aspect"] == row["aspect"]]
