@@ -6,7 +6,7 @@ import numpy as np
 from style import BLACK, BLUE, GREEN, ORANGE, REFERENCE, figure, read_reference, save
 
 sys.path.insert(0, str(REFERENCE / "equation_of_state"))
-from formulas import parsons, series, virial_row
+from formulas import parsons, series, virial_row, with_rest
 
 COLOURS = {"1": BLACK, "2": GREEN, "3": ORANGE, "5": BLUE}
 MARKERS = {"random": "o", "aligned": "^"}
@@ -21,6 +21,7 @@ def main():
             phi, virial = np.linspace(0.05, 0.5 if aspect in "12" else 0.55, 100), virial_row(name)
             ax.plot(phi, parsons(float(virial["B2"]), phi), color=colour, linewidth=1)
             ax.plot(phi, series(virial, phi)[0], "--", color=colour, linewidth=1)
+            ax.plot(phi, with_rest(virial, phi)[0], ":", color=colour, linewidth=1)
             ax.plot([], [], "o-", color=colour, markersize=4, label=name)
             for start, marker in MARKERS.items():
                 here = [row for row in rows if row["aspect"] == name and row["start"] == start and row["ensemble"] == "NVT"]

@@ -44,20 +44,26 @@ class State(NamedTuple):
         return float(Fraction(self.aspect))
 
     @property
+    def cells(self) -> tuple[int, int, int]:
+        """Of the crystal of the start, if it is aligned."""
+        return CELLS[self.ensemble][self.aspect]
+
+    @property
     def semi_axes(self) -> np.ndarray:
         """Their product is 1."""
         return np.array([1, 1, self.kappa]) / np.cbrt(self.kappa)
 
 
 class Effort(NamedTuple):
-    """Lengths of a run. A cycle is some sweeps of rotations and twice as many chains in NVT; in NPT, some sweeps of rotations and
-    translations, with four trials of the volume after each."""
+    """Lengths of a run. A cycle is some sweeps, and some chains in NVT. In NPT, four trials of the volume follow each sweep."""
 
     particles: int = 1000
     tuning: int = 500  # sweeps in which the steps change
     equilibration: int = 128  # cycles before the samples
     cycles: int = 256  # with one sample each
     sweeps: int = 4
+    chains: int = 8
+    translation: float = 0.0  # the part of the trials of a sweep that translate; the others rotate
 
 
 class Estimate(NamedTuple):
@@ -78,50 +84,61 @@ RANDOM = {
 ALIGNED = {
     "5": ("0.45", "0.475", "0.5", "0.55"),
     "1/5": ("0.425", "0.45", "0.5"),
-    "3": ("0.3",),
-    "1/3": ("0.3",),
+    "3": ("0.3", "0.55", "0.56"),
+    "1/3": ("0.3", "0.55"),
 }
 # Volume fractions whose pressures, by chains, are applied.
 COMPRESSED = {
-    "1": ("0.3", "0.4"),
-    "3": ("0.3",),
-    "1/3": ("0.3",),
-    "5": ("0.3",),
-    "1/5": ("0.2",),
-    "2": ("0.4",),
-    "1/2": ("0.4",),
+    "random": {
+        "1": ("0.3", "0.4"),
+        "3": ("0.3",),
+        "1/3": ("0.3",),
+        "5": ("0.3",),
+        "1/5": ("0.2",),
+        "2": ("0.4",),
+        "1/2": ("0.4",),
+    },
+    "aligned": {"5": ("0.5",), "1/5": ("0.45",)},
 }
 # Cells of the stretched crystal, which have four particles each: the box is about as long as it is wide.
-CELLS = {"5": (11, 11, 2), "1/5": (4, 4, 20), "3": (9, 9, 3), "1/3": (4, 4, 12)}
+CELLS = {
+    "NVT": {"5": (11, 11, 2), "1/5": (4, 4, 20), "3": (9, 9, 3), "1/3": (4, 4, 12)},
+    "NPT": {"5": (8, 8, 2), "1/5": (3, 3, 15)},
+}
 
 
 def states() -> list[State]:
     """All states of the table, in the order in which they are measured."""
-    branches = {("random", "NVT"): RANDOM, ("random", "NPT"): COMPRESSED, ("aligned", "NVT"): ALIGNED}
+    branches = {
+        ("random", "NVT"): RANDOM,
+        ("random", "NPT"): COMPRESSED["random"],
+        ("aligned", "NVT"): ALIGNED,
+        ("aligned", "NPT"): COMPRESSED["aligned"],
+    }
     return [State(a, *branch, f) for branch, shapes in branches.items() for a, fractions in shapes.items() for f in fractions]
 
 
 def effort(state: State) -> Effort:
     """Orientations of long and flat ellipsoids relax slowly, parallel ones lose their order slowly, and volumes change slowly."""
-    if state.ensemble == "NPT":
-        return Effort(particles=128, equilibration=40, cycles=512, sweeps=64)
     if state.start == "aligned" and state.target != "0.3":
-        return Effort(equilibration=512, cycles=512, sweeps=8)
-    return Effort(sweeps=8) if "5" in state.aspect else Effort()
+        return Effort(cycles=512, sweeps=1600 if "3" in state.aspect else 512, chains=64, translation=0.5)
+    if state.ensemble == "NPT":
+        return Effort(particles=128, equilibration=40, cycles=512, sweeps=64, translation=0.5)
+    return Effort(sweeps=8, chains=16) if "5" in state.aspect else Effort()
 
 
 def random_start(state: State, number: int) -> pypw85.System:
     return pypw85.pack(np.tile(state.semi_axes, (number, 1)), float(state.target), seed=state.seed)
 
 
-def aligned_start(state: State, cells: tuple[int, int, int]) -> pypw85.System:
+def aligned_start(state: State) -> pypw85.System:
     """The fcc crystal of spheres, stretched along the axes of the cell. It exists up to a volume fraction of 0.74."""
     edges = state.semi_axes * np.cbrt(4 * VOLUME / float(state.target))
-    corners = np.stack(np.meshgrid(*map(np.arange, cells), indexing="ij"), axis=-1).reshape(-1, 1, 3)
+    corners = np.stack(np.meshgrid(*map(np.arange, state.cells), indexing="ij"), axis=-1).reshape(-1, 1, 3)
     places = (corners + np.array([[0, 0, 0], [0, 0.5, 0.5], [0.5, 0, 0.5], [0.5, 0.5, 0]])).reshape(-1, 3) * edges
     n = len(places)
     upright = np.tile([1.0, 0, 0, 0], (n, 1))
-    return pypw85.System.from_axes(places, np.tile(state.semi_axes, (n, 1)), upright, cell=np.diag(edges * cells))
+    return pypw85.System.from_axes(places, np.tile(state.semi_axes, (n, 1)), upright, cell=np.diag(edges * state.cells))
 
 
 def estimate(samples: list[float]) -> Estimate:
@@ -147,12 +164,12 @@ def fraction(simulation: pypw85.HardEllipsoids) -> float:
     return len(simulation) * VOLUME / abs(float(np.linalg.det(simulation.cell)))
 
 
-def one_cycle(simulation: pypw85.HardEllipsoids, sweeps: int, pressure: float) -> float:
+def one_cycle(simulation: pypw85.HardEllipsoids, how: Effort, pressure: float) -> float:
     """Z of a cycle at constant volume if `pressure` is 0, and the volume fraction after a cycle at this pressure otherwise."""
     if not pressure:
-        simulation.sweep(sweeps)
-        return simulation.chain(2 * sweeps, float(simulation.cell.max()))
-    for _ in range(sweeps):
+        simulation.sweep(how.sweeps)
+        return simulation.chain(how.chains, float(simulation.cell.max()))
+    for _ in range(how.sweeps):
         simulation.sweep()
         simulation.volume_moves(4, pressure)
     return fraction(simulation)
@@ -168,23 +185,22 @@ def volume_step(number: int, z: float) -> float:
 def measure(state: State, how: Effort, pressure: float = 0.0) -> tuple[Estimate, Estimate]:
     """Z, or the volume fraction at a pressure βPv > 0, and the nematic order. No overlap and no crystal is there at the end."""
     aligned = state.start == "aligned"
-    start = aligned_start(state, CELLS[state.aspect]) if aligned else random_start(state, how.particles)
+    start = aligned_start(state) if aligned else random_start(state, how.particles)
     simulation = pypw85.HardEllipsoids(start, state.seed)
     beta_p = pressure / VOLUME
-    if not pressure:
-        simulation.set_fractions(rotation=1)  # the chains translate
+    simulation.set_fractions(translation=how.translation, rotation=1 - how.translation)
     simulation.tune(how.tuning, pressure=beta_p)
     if pressure:
         steps = simulation.steps
         simulation.set_steps(steps.translation, steps.rotation, volume_step(len(start), pressure / float(state.target)))
     for _ in range(how.equilibration):
-        one_cycle(simulation, how.sweeps, beta_p)
+        one_cycle(simulation, how, beta_p)
     samples, order = [], []
     for _ in range(how.cycles):
-        samples.append(one_cycle(simulation, how.sweeps, beta_p))
+        samples.append(one_cycle(simulation, how, beta_p))
         order.append(pypw85.nematic_order(simulation.system()))
     simulation.check()
-    if aligned and crystal_order(simulation, CELLS[state.aspect]) > 0.1:
+    if aligned and crystal_order(simulation, state.cells) > 0.1:
         raise RuntimeError(f"{' '.join(state)} is still a crystal")
     return estimate(samples), estimate(order)
 
@@ -195,7 +211,7 @@ def row_of(state: State, how: Effort, pressure: float = 0.0) -> dict[str, str]:
     target = float(state.target)
     z, z_error = (pressure / result.value, pressure * result.error / result.value**2) if pressure else result[:2]
     phi, phi_error = result[:2] if pressure else (target, 0.0)
-    number = 4 * int(np.prod(CELLS[state.aspect])) if state.start == "aligned" else how.particles
+    number = 4 * int(np.prod(state.cells)) if state.start == "aligned" else how.particles
     return state._asdict() | {
         "particles": str(number),
         "sweeps": str(how.cycles * how.sweeps),

@@ -1,5 +1,6 @@
-"""Formulas beside equation_of_state.csv: that of Parsons, the virial series from reference/virial/virial.csv, and how far they are
-from the table; and the pressures of event chains beside the volume fractions at these pressures.
+"""Formulas beside equation_of_state.csv: that of Parsons, the virial series from reference/virial/virial.csv alone and with the rest
+of that of spheres, and how far they are from the table; and the pressures of event chains beside the volume fractions at these
+pressures.
 
 Volumes are in units of that of an ellipsoid, and rows are dictionaries of texts by the names of the columns.
 """
@@ -14,7 +15,7 @@ from typing import NamedTuple
 
 sys.path += [str(Path(__file__).resolve().parents[1] / folder) for folder in ("", "virial")]
 import csv_rows
-from coefficients import ORDERS, PATH
+from coefficients import FITS, ORDERS, PATH
 
 TABLE = Path(__file__).with_name("equation_of_state.csv")
 Row = dict[str, str]
@@ -32,16 +33,31 @@ def parsons(b2, phi):
     return 1 + b2 * phi * (1 - phi / 2) / (1 - phi) ** 3
 
 
-def parsons_slope(b2, phi):
-    """The derivative of βPv = φZ by φ."""
-    return 1 + b2 * phi * (2 - phi / 2) / (1 - phi) ** 4
+def powers(coefficients: dict[int, float], phi):
+    """The terms of the virial series with some coefficients, by their orders."""
+    return sum(b * phi ** (order - 1) for order, b in coefficients.items())
+
+
+def partial_sum(row: Row, orders: Iterable[int], phi):
+    """Z by the virial series with B2 and other coefficients of a row, and its standard error from those of these coefficients."""
+    orders = tuple(orders)
+    terms = powers({order: float(row[f"B{order}"]) for order in (2, *orders)}, phi)
+    variances = [(float(row[f"B{order}_error"]) * phi ** (order - 1)) ** 2 for order in orders]
+    return 1 + terms, sum(variances) ** 0.5
 
 
 def series(row: Row, phi):
     """Z by the virial series with B2 to B6, and its standard error from those of B3 to B6."""
-    terms = [float(row[f"B{order}"]) * phi ** (order - 1) for order in (2, *ORDERS)]
-    variances = [(float(row[f"B{order}_error"]) * phi ** (order - 1)) ** 2 for order in ORDERS]
-    return 1 + sum(terms), sum(variances) ** 0.5
+    return partial_sum(row, ORDERS, phi)
+
+
+def with_rest(row: Row, phi):
+    """Z by the virial series with B2 to B5, and what Carnahan and Starling's Z of spheres has beyond these terms, scaled to B2; with
+    its standard error. Vega's equation (1997) has this form, with his fits as coefficients. Those of spheres are here the fits at
+    α' = τ' = 0."""
+    z, error = partial_sum(row, FITS, phi)
+    spheres = {2: 4.0} | {order: fit[0, 0] for order, fit in FITS.items()}
+    return z + float(row["B2"]) / 4 * (parsons(4, phi) - 1 - powers(spheres, phi)), error
 
 
 class Deviation(NamedTuple):
@@ -62,18 +78,26 @@ def deviation(row: Row, z: float, error: float = 0.0) -> Deviation:
     return Deviation(float(row["fraction"]), z / measured - 1, math.hypot(error, float(row["z_error"])) / measured)
 
 
-def deviations(rows: Iterable[Row], aspect: str) -> tuple[list[Deviation], list[Deviation]]:
-    """Those of the virial series, and those of Parsons' formula, in the isotropic fluid of a shape."""
+class Deviations(NamedTuple):
+    """Of three formulas in the isotropic fluid of a shape."""
+
+    series: list[Deviation]
+    with_rest: list[Deviation]
+    parsons: list[Deviation]
+
+
+def deviations(rows: Iterable[Row], aspect: str) -> Deviations:
     virial = virial_row(aspect)
     chosen = [(row, float(row["fraction"])) for row in isotropic(rows, aspect)]
-    by_series = [deviation(row, *series(virial, phi)) for row, phi in chosen]
-    return by_series, [deviation(row, parsons(float(virial["B2"]), phi)) for row, phi in chosen]
+    by_series, by_both = ([deviation(row, *formula(virial, phi)) for row, phi in chosen] for formula in (series, with_rest))
+    return Deviations(by_series, by_both, [deviation(row, parsons(float(virial["B2"]), phi)) for row, phi in chosen])
 
 
 class Comparison(NamedTuple):
     """The volume fraction at which chains found a pressure, and that at this pressure. `error` is that of their difference."""
 
     aspect: str
+    start: str
     pressure: float
     chains: float
     applied: float
@@ -85,16 +109,35 @@ class Comparison(NamedTuple):
         return (self.applied - self.chains) / self.error
 
 
+def branch_of(row: Row, rows: Iterable[Row]) -> list[Row]:
+    """Rows at constant volume of the same shape and phase, from the same start. A fluid with an order above 0.4 is nematic."""
+
+    def phase(one: Row):
+        return one["aspect"], one["start"], float(one["order"]) > 0.4
+
+    return [one for one in rows if one["ensemble"] == "NVT" and phase(one) == phase(row)]
+
+
+def slope(row: Row, branch: list[Row]) -> float:
+    """The derivative of the pressure by the volume fraction at a row, by the power of φ that the pressures of the next rows of its
+    branch follow. In the isotropic fluid it is that of Parsons' formula to a tenth."""
+    ordered = sorted(branch, key=lambda one: float(one["fraction"]))
+    place = ordered.index(row)
+    low, here, high = (
+        [float(one[name]) for name in ("fraction", "pressure")]
+        for one in (ordered[max(place - 1, 0)], row, ordered[min(place + 1, len(ordered) - 1)])
+    )
+    return math.log(high[1] / low[1]) / math.log(high[0] / low[0]) * here[1] / here[0]
+
+
 def comparisons(rows: Iterable[Row]) -> Iterator[Comparison]:
-    """One for each state at constant pressure. The error of the pressure is one of the volume fraction by the slope of Parsons'
-    formula. It is right to a tenth in the isotropic fluid, and so is the error."""
+    """One for each state at constant pressure. The error of the pressure is one of the volume fraction by the slope of the branch."""
     rows = list(rows)
-    chains = {(row["aspect"], row["target"]): row for row in rows if (row["start"], row["ensemble"]) == ("random", "NVT")}
     for row in rows:
         if row["ensemble"] == "NPT":
-            other = chains[row["aspect"], row["target"]]
+            branch = branch_of(row, rows)
+            other = next(one for one in branch if one["target"] == row["target"])
             phi = float(other["fraction"])
-            slope = parsons_slope(float(virial_row(row["aspect"])["B2"]), phi)
             applied, applied_error = float(row["fraction"]), float(row["fraction_error"])
-            error = math.hypot(applied_error, phi * float(other["z_error"]) / slope)
-            yield Comparison(row["aspect"], float(row["pressure"]), phi, applied, applied_error, error)
+            error = math.hypot(applied_error, phi * float(other["z_error"]) / slope(other, branch))
+            yield Comparison(row["aspect"], row["start"], float(row["pressure"]), phi, applied, applied_error, error)

@@ -1,7 +1,7 @@
 """Makes jammed random packings of ellipsoids, and writes runs.csv with one row for each and packings.csv with their means.
 
 Usage: packings.py [FOLDER], with pypw85 on the path. Runs that the folder already has are not made again. So a program that was
-interrupted goes on where it was, and a run is made anew if its row is deleted. SEEDS has the numbers of seeds: more add runs.
+interrupted goes on where it was, and a run is made anew if its row is deleted. More SEEDS add runs.
 
 Ellipsoids are thrown into a periodic cube at random, at a low volume fraction. There are two ways from there to jamming.
 
@@ -40,12 +40,8 @@ from csv_rows import read, write
 FOLDER = Path(__file__).parent
 SHAPES = ("1/3", "1/2", "2/3", "0.8", "1", "1.25", "1.5", "2", "3", "1.25:1:0.8")
 PARTICLES = 250
-# Sweeps before each compression, and how many seeds the shapes have; without sweeps there is no growth by Monte Carlo.
-SWEEPS = 30
-SEEDS = {
-    SWEEPS: dict.fromkeys(SHAPES, 1) | dict.fromkeys(("1.25:1:0.8", "1", "1.5", "2/3"), 4),
-    0: dict.fromkeys(SHAPES, 2),
-}
+SWEEPS = (30, 0)  # before each compression; without sweeps there is no growth by Monte Carlo
+SEEDS = 3  # of each shape, with and without sweeps
 MEANS = ("fraction", "contacts", "rattlers", "order")  # columns of runs whose means the table has
 # Volume fraction at the start, and the last step of the search.
 START, ACCURACY = 0.5, 1e-4
@@ -200,19 +196,13 @@ def run(shape: str, sweeps: int, number: int, seed: int) -> dict[str, str]:
 
 def wanted() -> list[tuple[str, str, str]]:
     """Shapes, sweeps and seeds of all runs, in the order in which they are made."""
-    return [
-        (shape, str(sweeps), str(seed))
-        for sweeps, numbers in SEEDS.items()
-        for seed in range(1, max(numbers.values()) + 1)
-        for shape, number in numbers.items()
-        if seed <= number
-    ]
+    return [(shape, str(sweeps), str(seed)) for sweeps in SWEEPS for seed in range(1, SEEDS + 1) for shape in SHAPES]
 
 
 def table(runs: list[dict[str, str]]) -> list[dict[str, str]]:
     """Means over the runs that differ in their seeds only, and their standard errors. The variance of a run is taken as the same
     for all, because those of few runs say little."""
-    groups = {(shape, str(sweeps)): [] for sweeps in SEEDS for shape in SHAPES}
+    groups = {(shape, str(sweeps)): [] for sweeps in SWEEPS for shape in SHAPES}
     for one in runs:
         groups[one["shape"], one["sweeps"]].append([float(one[name]) for name in MEANS])
     values = {key: np.array(group) for key, group in groups.items() if group}

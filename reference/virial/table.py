@@ -1,11 +1,11 @@
 #!/usr/bin/python3
 """Writes the table of virial coefficients of hard ellipsoids, virial.csv. docs/reference/virial.rst has the method.
 
-Usage: table.py PROGRAM [--rounds N] [--table FILE], with PROGRAM built from virial.cpp.
+Usage: table.py PROGRAM [--rounds N] [--shapes SHAPE...] [--table FILE], with PROGRAM built from virial.cpp.
 
-The second coefficient is exact; the others are by Monte Carlo. Each round adds SAMPLES to each row that has fewer than N rounds. The file
-is written whenever there are new samples, and has all that is needed to continue: to stop loses nothing, and a file that was
-continued is the same as one that was made at once.
+The second coefficient is exact; the others are by Monte Carlo. Each round adds SAMPLES to each row that has fewer than N rounds, or to
+each of some shapes, such as "prolate 20". The file is written whenever there are new samples, and has all that is needed to
+continue: to stop loses nothing, and a file that was continued is the same as one that was made at once.
 """
 
 import argparse
@@ -111,6 +111,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("program", type=Path)
     parser.add_argument("--rounds", type=int, default=1)
+    parser.add_argument("--shapes", nargs="+", choices=SHAPES, default=SHAPES, metavar="SHAPE", help="as in the table; all without")
     parser.add_argument("--table", type=Path, default=coefficients.PATH)
     arguments = parser.parse_args()
     if not os.access(arguments.program, os.X_OK):
@@ -118,7 +119,7 @@ def main():
     rows = read_table(arguments.table)
     write_table(arguments.table, rows)  # before any work, in case that it cannot be written
     for number in range(arguments.rounds):
-        for row in rows:
+        for row in (row for row in rows if row["shape"] in arguments.shapes):
             for order, samples in SAMPLES.items():
                 if int(row[f"B{order}_samples"]) <= number * samples:
                     add(row, order, *sample(arguments.program.resolve(), row, order))

@@ -179,9 +179,10 @@ def test_bad_input(arguments, words):
     assert done.returncode == 2 and done.stdout == "" and words in done.stderr
 
 
-def make_table(path, program=PROGRAM, rounds=1):
+def make_table(path, program=PROGRAM, rounds=1, shapes=()):
+    options = ["--rounds", str(rounds), "--table", str(path), *(["--shapes", *shapes] if shapes else [])]
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(sys, "argv", ["table.py", str(program), "--rounds", str(rounds), "--table", str(path)])
+        patch.setattr(sys, "argv", ["table.py", str(program), *options])
         table.main()
 
 
@@ -194,6 +195,9 @@ def test_continued_table(tmp_path, monkeypatch):
     make_table(paths[1], rounds=1)
     lines = paths[1].read_text().splitlines(keepends=True)
     paths[1].write_text("".join(lines[:2]))  # as if it had been stopped in the first round
+    make_table(paths[1], rounds=2, shapes=["1:2:4"])
+    first, second = table.read_table(paths[1])
+    assert first["B3_samples"] == "2000" and second["B3_samples"] == "4000", "only the shapes that were asked for"
     make_table(paths[1], rounds=2)
     assert paths[0].read_text() == paths[1].read_text()
     row = table.read_table(paths[0])[1]
