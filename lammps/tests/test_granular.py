@@ -5,6 +5,7 @@ import dataclasses
 import itertools
 import os
 import unittest
+import unittest.mock
 
 import numpy as np
 from lammps_runs import System, failure, numbers, preamble, run, thermo
@@ -133,8 +134,8 @@ class AgainstLammps:
             scale = np.abs(expected[:, columns]).max()
             np.testing.assert_allclose(found[:, columns], expected[:, columns], rtol=0, atol=tolerance * scale, err_msg=name)
 
-    def check(self, laws, *runs, first_half=""):
-        spheres = self.spheres()
+    def check(self, laws, *runs, first_half="", spheres=None):
+        spheres = spheres or self.spheres()
         expected = move(spheres, laws[0], 200, first_half="pause" if first_half else "")
         self.assertGreater(np.count_nonzero(np.abs(expected[0][:, 7:10]).max(axis=1)), 40, "hardly any contacts")
         for ranks, newton in runs:
@@ -174,10 +175,28 @@ class Pairs(AgainstLammps, unittest.TestCase):
             expected = move(spheres, f"pair_style granular\npair_coeff * * {law}", 1)[0]
             self.compare(move(Grains(**vars(spheres)), granular(law), 1)[0], expected, self.forces, law)
 
+    def spheres_of_types(self, still=False):
+        """Each of two types at random, so that there are contacts of all pairs of types."""
+        spheres = self.spheres(still)
+        return dataclasses.replace(spheres, types=np.random.default_rng(3).integers(1, 3, len(spheres.types)))
+
+    def test_forms(self):
+        """Types with laws of different forms, of which one has no springs. LAMMPS has each of them in a style of its own: the one style
+        granular of the release of September 2021 gives contacts without springs a wrong friction if other contacts have springs."""
+        names = "gran/hooke/history 9000 4000 30 15 0.3 1", "gran/hertz/history 90000 80000 200 100 0.5 1", "gran/hooke 7000 0 20 10 0.4 1"
+        laws = ("hooke 9000 30 damping mass_velocity tangential linear_history 4000 0.5 0.3",
+                "hertz 90000 200 tangential mindlin 80000 0.5 0.5",
+                "hooke 7000 20 damping mass_velocity tangential linear_nohistory 0.5 0.4")
+        types = "1 1", "2 2", "1 2"
+        lammps = f"pair_style hybrid {' '.join(names)}" + "".join(
+            f"\npair_coeff {pair} {name.split()[0]}" for pair, name in zip(types, names, strict=True))
+        ours = "pair_style pw85/granular arms surface" + "".join(
+            f"\npair_coeff {pair} {law}" for pair, law in zip(types, laws, strict=True))
+        self.check((lammps, ours), (1, "on"), (4, "off"), spheres=self.spheres_of_types())
+
     def test_laws_of_types(self):
         """Pairs of types that have different laws, in any order in the list of neighbours."""
-        spheres = self.spheres(still=True)
-        spheres = dataclasses.replace(spheres, types=np.random.default_rng(3).integers(1, 3, len(spheres.types)))
+        spheres = self.spheres_of_types(still=True)
         laws = {"1 1": "hooke 5000 20", "1 2": "hertz 90000 40", "2 2": "hooke 9000 30"}
         coefficients = "".join(f"\npair_coeff {types} {law} damping mass_velocity tangential linear_nohistory 0.6 0.5"
                                for types, law in laws.items())
@@ -194,6 +213,16 @@ class Pairs(AgainstLammps, unittest.TestCase):
         found = move(grains, "pair_style pw85/granular" + like, 1)[0]
         unlike = f"\npair_coeff 1 2 hertz {4.0 / 3.0 * modulus:.17g} 60"
         self.compare(found, move(grains, "pair_style pw85/granular" + like + unlike, 1)[0], self.forces, unlike)
+
+    def test_mixing_as_lammps(self):
+        """LAMMPS's release of September 2021 mixes constants, but leaves the words of the mixed law as they are in its memory. If memory
+        is zero, these are the first ones of each kind."""
+        spheres = self.spheres(still=True)
+        words = "hooke {} {} damping velocity tangential linear_nohistory {} {}"
+        laws = "\npair_coeff 1 1 " + words.format(9000, 30, 0.5, 0.2) + "\npair_coeff 2 2 " + words.format(5000, 20, 0.8, 0.5)
+        with unittest.mock.patch.dict(os.environ, MALLOC_PERTURB_="255"):
+            expected = move(spheres, "pair_style granular" + laws, 1)[0]
+        self.compare(move(Grains(**vars(spheres)), "pair_style pw85/granular" + laws, 1)[0], expected, self.forces, laws)
 
     def test_mindlin_by_material(self):
         """8 G* of two equal bodies is 4 G/(2 - ν) = 2 E/((1 + ν)(2 - ν))."""
@@ -439,7 +468,23 @@ class Errors(unittest.TestCase):
         self.check("pair_style pw85/granular" + self.LAW, "use comm_modify vel yes")
         self.check(f"{self.START} 1.0{self.LAW}", "the pair cutoff 1 of types 1 and 1 misses contacts", "to 1.5 or more")
         self.check(f"{self.START}{self.LAW}\nset atom 3 shape 0 0 0", "atom 3 has no shape (type 2)", "set ... shape")
-        self.check(f"{self.START}\npair_coeff 1 1 hooke 1 0\npair_coeff 2 2 hertz 1 0", "add pair_coeff 1 2")
+
+    def test_axes(self):
+        """One axis that is zero (LAMMPS accepts this diameter, but its half rounds to zero), and axes that are no numbers."""
+        start = f"variable bad atom exp(1000)-exp(1000)\n{self.START}{self.LAW}\nset atom 3 "
+        for words in ("shape 1 5e-324 1", "shape 1 1 v_bad", "quat v_bad 0 1 90"):
+            self.check(start + words, "Pair pw85/granular: atom 3 has a bad shape or quaternion (type 2): correct it with the set "
+                       "command (set ... shape, set ... quat)")
+
+    def test_missing_laws(self):
+        one = "\npair_coeff {0} {0} {1}"
+        for law in ("", one.format(1, "hooke 1 0"), one.format(1, "hooke 1 0") + "\npair_coeff 1 2 hooke 1 0"):
+            missing = 2 if law else 1
+            self.check(self.START + law, f"Pair pw85/granular: type {missing} has no law of force: add pair_coeff {missing} {missing}")
+        for law in ("hertz 1 0", "hooke 1 0 damping tsuji", "hooke 1 0 tangential linear_nohistory 1 1", "hooke 1 0 limit_damping",
+                    "hooke 1 0 rolling sds 1 1 1"):
+            self.check(self.START + one.format(1, "hooke 1 0") + one.format(2, law),
+                       "the laws of types 1 and 2 cannot be mixed, because their words differ: add pair_coeff 1 2")
 
     def test_walls(self):
         start = self.START + self.LAW + "\nfix wall all wall/pw85 "
