@@ -84,8 +84,8 @@ def estimate():
     part = 100 * work / (work + messages)
     yield ""
     yield f"That is {1e-3 * (work + messages):.2f} s for an answer about 1e9 ellipsoids, with an efficiency of {part:.0f} %. A step of"
-    yield f"dynamics takes 1e6 × {times['soft']:g} ns = {step:.2f} s, to which the messages for positions and quaternions, forms, forces and"
-    yield f"torques (20 values for each ghost, 15 MB) add 15 ms: a million steps in {1e6 * (step + 0.015) / 86400:.0f} days."
+    yield f"dynamics takes 1e6 × {times['soft']:g} ns = {step:.2f} s, to which the messages for positions and quaternions, forms, forces"
+    yield f"and torques (20 values for each ghost, 15 MB) add 15 ms: a million steps in {1e6 * (step + 0.015) / 86400:.0f} days."
 
 
 SECTIONS = {section.__name__: section for section in (grains, grain_ranks, grains_beside_yade, cost, efficiency, estimate)}

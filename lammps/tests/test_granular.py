@@ -206,13 +206,30 @@ class Pairs(AgainstLammps, unittest.TestCase):
 
     def test_mixing(self):
         """Moduli of unlike materials are those of Hertz's theory; other constants are geometric means."""
-        grains = Grains(**vars(self.spheres()))
-        materials = "hertz/material 200000 40 0.3", "hertz/material 600000 90 0.2"
-        modulus = 1.0 / ((1.0 - 0.3**2) / 200000 + (1.0 - 0.2**2) / 600000)
-        like = "".join(f"\npair_coeff {k} {k} {law}" for k, law in enumerate(materials, 1))
-        found = move(grains, "pair_style pw85/granular" + like, 1)[0]
-        unlike = f"\npair_coeff 1 2 hertz {4.0 / 3.0 * modulus:.17g} 60"
-        self.compare(found, move(grains, "pair_style pw85/granular" + like + unlike, 1)[0], self.forces, unlike)
+        grains = lattice(Grains, 4, 1.0, [[0.5, 0.5, 0.6], [0.55, 0.5, 0.45]], 5)
+        modulus, ratio = np.array([[200000, 600000], [0.3, 0.2]])
+        hertz = 4.0 / 3.0 / np.sum((1.0 - ratio**2) / modulus)
+        mindlin = 8.0 / np.sum(2.0 * (2.0 - ratio) * (1.0 + ratio) / modulus)
+        words = "{} {:.17g} {:.17g} {} tangential {} {} {:.17g} {:.17g} rolling sds {:.17g} {:.17g} {:.17g} {}"
+        numbers = np.array([[40, 0.6, 0.5, 3000, 5, 0.1], [90, 0.9, 0.3, 1000, 8, 0.4]])
+        mean = np.sqrt(numbers.prod(axis=0))
+
+        def law(form, stiffness, ratio, spring, size, constants, *last):
+            return words.format(form, stiffness, constants[0], ratio, spring, size, *constants[1:], *last)
+
+        materials = [law("hertz/material", e, nu, "mindlin", "NULL", n, "conservative")
+                     for e, nu, n in zip(modulus, ratio, numbers, strict=True)]
+        springs = [law("hooke", 5000 * k, "", "linear_history", 1000 * k * k, n, "") for k, n in zip((1, 2), numbers, strict=True)]
+        for (first, second), mixed in (
+                (materials, law("hertz", hertz, "", "mindlin", f"{mindlin:.17g}", mean, "conservative")),
+                (springs, law("hooke", 5000 * np.sqrt(2.0), "", "linear_history", 2000, mean, ""))):
+            like = f"pair_style pw85/granular\npair_coeff 1 1 {first}\npair_coeff 2 2 {second}"
+            expected = move(grains, f"{like}\npair_coeff 1 2 {mixed}", 20)[-1]
+            self.compare(move(grains, like, 20)[-1], expected, self.trajectory, mixed)
+
+    def test_freeze(self):
+        """A contact with a grain of fix freeze has the mass of the other one, as in LAMMPS."""
+        self.check([law + "\ngroup still id <= 20\nfix still still freeze" for law in self.HOOKE], (2, "on"))
 
     def test_mixing_as_lammps(self):
         """LAMMPS's release of September 2021 mixes constants, but leaves the words of the mixed law as they are in its memory. If memory
