@@ -227,6 +227,16 @@ class Pairs(AgainstLammps, unittest.TestCase):
             expected = move(grains, f"{like}\npair_coeff 1 2 {mixed}", 20)[-1]
             self.compare(move(grains, like, 20)[-1], expected, self.trajectory, mixed)
 
+    def test_contacts_begin_anew(self):
+        """Three spheres in a row that hit each other again and again: the spring of a contact that has ended is forgotten."""
+        spheres = dataclasses.replace(
+            self.spheres(), centers=np.array([[0.5, 2.0, 2.0], [1.8, 2.02, 2.0], [3.1, 2.0, 1.99]]), semi_axes=np.full((3, 3), 0.5),
+            quaternions=np.tile([1.0, 0.0, 0.0, 0.0], (3, 1)), types=np.ones(3, dtype=int),
+            velocities=np.array([[15.0, 0.0, 1.0], [-9.0, 2.0, 0.0], [-3.0, -1.0, 0.0]]), spins=np.array([[0.0, 1.0, 2.0]] * 3))
+        expected, found = (move(kind(**vars(spheres)), law, 400)[-1]
+                           for kind, law in zip((Spheres, Grains), self.HOOKE, strict=True))
+        self.compare(found, expected, self.trajectory, self.HOOKE[1])
+
     def test_freeze(self):
         """A contact with a grain of fix freeze has the mass of the other one, as in LAMMPS."""
         self.check([law + "\ngroup still id <= 20\nfix still still freeze" for law in self.HOOKE], (2, "on"))
@@ -495,7 +505,7 @@ class Errors(unittest.TestCase):
 
     def test_missing_laws(self):
         one = "\npair_coeff {0} {0} {1}"
-        for law in ("", one.format(1, "hooke 1 0"), one.format(1, "hooke 1 0") + "\npair_coeff 1 2 hooke 1 0"):
+        for law in ("", one.format(1, "hertz 1 0"), one.format(1, "hooke 1 0") + "\npair_coeff 1 2 hooke 1 0"):
             missing = 2 if law else 1
             self.check(self.START + law, f"Pair pw85/granular: type {missing} has no law of force: add pair_coeff {missing} {missing}")
         for law in ("hertz 1 0", "hooke 1 0 damping tsuji", "hooke 1 0 tangential linear_nohistory 1 1", "hooke 1 0 limit_damping",
