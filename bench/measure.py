@@ -1,12 +1,13 @@
 """Measures everything that README and manual show, and makes their tables and pictures from the results.
 
-Usage: measure.py [--only TABLE] PROGRAM..., the programs of this folder. Have the machine to yourself.
+Usage: measure.py [--only TABLE] PROGRAM..., the programs of this folder, and pw85_uninstalled.in of a build with -Dlammps=enabled.
+Have the machine to yourself.
 
 All tables come from one run, which is written to docs/measurements.json with its conditions. --only replaces a single table, which
-a program of this folder or of python/bench prints, and stores its conditions with it. Tables that this run does not produce are
-kept: instructions on another processor (instructions.py), comparisons with libraries that are not available now, and those of Python
-if its package is not built. Times are nanoseconds per pair, the shortest of several repetitions in which the functions take turns, in
-several processes.
+a program of this folder, of python/bench or of lammps/bench prints, or all tables of lammps/bench (--only lammps), and stores its
+conditions with it. Tables that this run does not produce are kept: instructions on another processor (instructions.py), comparisons
+with libraries that are not available now, and those of Python and of LAMMPS if these are not built. Times are nanoseconds per pair,
+the shortest of several repetitions in which the functions take turns, in several processes.
 """
 
 import csv
@@ -31,6 +32,14 @@ PYTHON = {
     "arrays": ("compare_batches.py", "src/libpw85.so"),
     "calls": ("compare_calls.py", "python/bench/pypw85_c_loops.so"),
     "files": ("measure_files.py", None),
+}
+# Tables of the programs of lammps/bench: the program, and its words after pw85_uninstalled.in
+LAMMPS = {
+    "grains": ("grains.py", "--repeat", "6"),
+    "grain_ranks": ("grains.py", "--ranks"),
+    "grains_beside_yade": ("beside_yade.py", "--timesteps", "0.004", "0.008", "0.016", "0.032"),
+    "lammps_styles": ("scaling.py",),
+    "lammps_batch": ("against_batch.py", "src/libpw85.so"),
 }
 COMPARED = {"pw85 2.0", "HOOMD-blue 2 (quaternions)"}  # libraries that are not in Debian
 DISPATCHED = "^(contact|overlap|contact_batch|overlap_batch)/[0-9e+]+$"
@@ -91,6 +100,14 @@ def python_rows(name, build, target):
         done = subprocess.run([sys.executable, *arguments], check=True, stdout=subprocess.PIPE, text=True, env=variables)
         rows += csv.DictReader(done.stdout.splitlines())
     return rows
+
+
+def lammps_rows(name, include, target):
+    """The rows of a table that a program of lammps/bench prints."""
+    build = Path(include).resolve().parent.parent
+    script, *words = LAMMPS[name]
+    arguments = [str(build / word) if word.startswith("src/") else word for word in words]
+    return read_table(sys.executable, ROOT / "lammps" / "bench" / script, include, *arguments, target=target)
 
 
 def build_of(programs):
@@ -220,6 +237,8 @@ def measure(programs):
     tables |= {name: rows_of_numbers(name, programs[name], best) for name in ("growth", "monte_carlo")}
     if has_python(build_of(programs)):
         tables |= {name: python_rows(name, build_of(programs), best) for name in PYTHON}
+    if "pw85_uninstalled" in programs:
+        tables |= {name: lammps_rows(name, programs["pw85_uninstalled"], best) for name in LAMMPS}
     side_by_side = program_rows("side_by_side", programs["side_by_side"], best)
     if COMPARED <= {row["library"] for row in side_by_side}:
         tables["side_by_side"] = side_by_side
@@ -250,8 +269,16 @@ def put_apart(name, rows, conditions):
 def measure_only(name, programs):
     best = available_targets()[-1]
     context = nanoseconds(programs["speed"], "^overlap/2$", best, 1)[0]
-    rows = python_rows(name, build_of(programs), best) if name in PYTHON else program_rows(name, programs[name], best)
-    put_apart(name, rows, conditions_of(context))
+    for table in LAMMPS if name == "lammps" else [name]:
+        put_apart(table, rows_alone(table, programs, best), conditions_of(context))
+
+
+def rows_alone(name, programs, target):
+    if name in PYTHON:
+        return python_rows(name, build_of(programs), target)
+    if name in LAMMPS:
+        return lammps_rows(name, programs["pw85_uninstalled"], target)
+    return program_rows(name, programs[name], target)
 
 
 def to_json(results):

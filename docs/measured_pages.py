@@ -1,4 +1,4 @@
-"""Writes the measured section of README.md and the pictures of measurements anew from docs/measurements.json.
+"""Writes the measured sections of README.md and of lammps/README.md, and the pictures of measurements anew from docs/measurements.json.
 
 Usage: measured_pages.py [--check]; with --check nothing is written: it fails, and says why, if any of them is out of date.
 The measured tables of the manual are made with its pages (extensions/measured_table.py).
@@ -10,11 +10,12 @@ import sys
 from html import escape
 from pathlib import Path
 
+import measured_lammps
 import measurements
 
 HERE = Path(__file__).resolve().parent
-README = HERE.parent / "README.md"
-SECTION = re.compile(r"(?<=<!-- measured -->\n).*(?=\n<!-- end of measured -->)", re.DOTALL)
+README, LAMMPS_README = HERE.parent / "README.md", HERE.parent / "lammps" / "README.md"
+SECTION = re.compile(r"<!-- measured (\w+) -->\n.*?<!-- end of measured -->", re.DOTALL)
 PICTURES = {"accuracy": "accuracy", "digits": "digits", "evaluations": "evaluations", "growth": "growth", "throughput": "speed"}
 ASPECTS = ("2", "10", "100", "1000")
 FUNCTIONS = {
@@ -39,6 +40,7 @@ def accuracy_of(function, row):
 
 
 def readme_section():
+    """The section of README.md."""
     every = measurements.accuracy_of_all_problems()
     times = {row["function"]: row for row in measurements.read_table("speed")}  # the last is the best target
     lines = [
@@ -75,9 +77,22 @@ def side_by_side():
     yield f"({measurements.conditions('side_by_side')}; one program, `bench/side_by_side`.)"
 
 
+SECTIONS = {"speed": readme_section, **{name: lambda lines=lines: "\n".join(lines()) for name, lines in measured_lammps.SECTIONS.items()}}
+
+
+def with_sections(page):
+    """The text of a page with its sections made anew."""
+
+    def section(found):
+        return f"<!-- measured {found[1]} -->\n{SECTIONS[found[1]]()}\n<!-- end of measured -->"
+
+    return SECTION.sub(section, page.read_text(encoding="utf-8"))
+
+
 def out_of_date():
-    if SECTION.search(README.read_text(encoding="utf-8"))[0] != readme_section():
-        yield "README.md"
+    for page in (README, LAMMPS_README):
+        if page.read_text(encoding="utf-8") != with_sections(page):
+            yield str(page)
     for picture, table in PICTURES.items():
         path = HERE / "pictures" / f"{picture}.svg"
         if escape(measurements.source(table)) not in path.read_text(encoding="utf-8"):
@@ -89,8 +104,8 @@ def out_of_date():
 
 
 def write():
-    text = README.read_text(encoding="utf-8")
-    README.write_text(SECTION.sub(lambda _: readme_section(), text), encoding="utf-8")
+    for page in (README, LAMMPS_README):
+        page.write_text(with_sections(page), encoding="utf-8")
     for picture in PICTURES:
         subprocess.run([sys.executable, HERE / "pictures" / f"{picture}.py"], check=True)
 

@@ -44,6 +44,8 @@ void PairGranular::allocate()
     memory->create(setflag, n, n, "pair:setflag");
     memory->create(cutsq, n, n, "pair:cutsq");
     std::fill_n(setflag[0], n * n, 0);
+    for (int i = 1; i < n; ++i)
+        setflag[i][i] = 1; // LAMMPS's error would not name the type: init_one() looks for the law
     std::fill_n(cutsq[0], n * n, 0.0);
     materials_.assign(static_cast<std::size_t>(n * n), {});
 }
@@ -71,6 +73,7 @@ void PairGranular::settings(int narg, char **arg)
     if (k != narg)
         stop_all(*error, "Illegal pair_style command: use pair_style pw85/granular [cutoff] [arms contact|surface]");
     if (!history_) add_history();
+    if (!allocated && domain->box_exist) allocate();
 }
 
 // The fix must exist before fixes that insert atoms, so that it stores the contacts before they do.
@@ -130,20 +133,34 @@ void PairGranular::read_reaches()
     });
 }
 
-// Within pair_style hybrid, LAMMPS calls this only for the types on which the style acts. Other types need no shapes.
+// Within pair_style hybrid, LAMMPS calls this only for the types on which the style acts. Other types need no shapes and no laws.
 double PairGranular::init_one(int i, int j)
 {
     used_types_[static_cast<std::size_t>(i)] = used_types_[static_cast<std::size_t>(j)] = true;
-    if (setflag[i][j] == 0) {
-        auto const law = ContactLaw::mixed(material(i, i).law, material(j, j).law);
-        if (!material(i, i).is_set || !material(j, j).is_set || !law)
-            stop_all(*error, std::string(style_name) + ": the laws of types " + std::to_string(i) + " and " +
-                                 std::to_string(j) + " cannot be mixed: add pair_coeff " + std::to_string(i) + " " +
-                                 std::to_string(j));
-        material(i, j) = material(j, i) = {*law, material(i, i).conserves && material(j, j).conserves, true};
-    }
+    if (setflag[i][j] == 0) mix(i, j);
+    if (!material(i, j).is_set) refuse_type(i);
     if (cutoff_ > 0.0) return cutoff_;
     return reaches_[static_cast<std::size_t>(i * (atom->ntypes + 1) + j)];
+}
+
+/// Finds the law of two types from those of each.
+void PairGranular::mix(int i, int j)
+{
+    for (int const t : {i, j})
+        if (!material(t, t).is_set) refuse_type(t);
+    auto const law = ContactLaw::mixed(material(i, i).law, material(j, j).law);
+    if (!law)
+        stop_all(*error, std::string(style_name) + ": the laws of types " + std::to_string(i) + " and " +
+                             std::to_string(j) + " cannot be mixed, because their words differ: add pair_coeff " +
+                             std::to_string(i) + " " + std::to_string(j));
+    material(i, j) = material(j, i) = {*law, material(i, i).conserves && material(j, j).conserves, true};
+}
+
+void PairGranular::refuse_type(int t) const
+{
+    std::string const name = std::to_string(t);
+    stop_all(*error, std::string(style_name) + ": type " + name + " has no law of force: add pair_coeff " + name + " " +
+                         name + ", or pair_coeff * *");
 }
 
 void PairGranular::compute(int eflag, int vflag)

@@ -68,6 +68,8 @@ class PairGranular final : public LAMMPS_NS::Pair {
     void allocate();
     void add_history();
     void read_reaches();
+    void mix(int i, int j);
+    [[noreturn]] void refuse_type(int t) const;
     std::size_t material_index(int t, int u) const;
     Material &material(int t, int u) { return materials_[material_index(t, u)]; }
     void add_batch(int eflag);

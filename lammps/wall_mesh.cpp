@@ -65,6 +65,12 @@ Soup read_binary(std::string const &bytes)
     return soup;
 }
 
+/// @param index counts vertices from zero
+[[noreturn]] void refuse_vertex(Words const &words, std::size_t index)
+{
+    words.refuse("has a bad vertex " + std::to_string(index + 1) + " in its mesh: export the file anew, as STL");
+}
+
 Soup read_text(std::string const &bytes, Words const &words)
 {
     Soup soup;
@@ -73,15 +79,21 @@ Soup read_text(std::string const &bytes, Words const &words)
     for (std::string word; stream >> word;) {
         if (word != "vertex") continue;
         Vector x{};
-        if (!(stream >> x[0] >> x[1] >> x[2]))
-            words.refuse("has a bad vertex " + std::to_string(count + 1) +
-                         " in its mesh: export the file anew, as STL");
+        if (!(stream >> x[0] >> x[1] >> x[2])) refuse_vertex(words, count);
         if (count % 3 == 0) soup.emplace_back();
         soup.back()[count++ % 3] = x;
     }
     if (count == 0 || count % 3 != 0)
         words.refuse("has a mesh without triangles, or with an incomplete one: export the file anew, as STL");
     return soup;
+}
+
+/// A corner that is not finite could not be told from others.
+void check_corners(Soup const &soup, Words const &words)
+{
+    for (std::size_t t = 0; t < soup.size(); ++t)
+        for (std::size_t k = 0; k < 3; ++k)
+            if (!std::isfinite(dot(soup[t][k], soup[t][k]))) refuse_vertex(words, 3 * t + k);
 }
 
 /// The triangles of a file, with corners that neighbours share. Triangles of which two corners are the same point are left out.
@@ -173,7 +185,9 @@ std::unique_ptr<WallMesh> WallMesh::parse(Words &words)
     std::ifstream stream(file, std::ios::binary);
     if (!stream) words.refuse("has a mesh that cannot be read: " + file);
     std::string const bytes{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
-    Welded mesh(is_binary(bytes) ? read_binary(bytes) : read_text(bytes, words));
+    Soup const soup = is_binary(bytes) ? read_binary(bytes) : read_text(bytes, words);
+    check_corners(soup, words);
+    Welded mesh(soup);
     double const scale = words.skip("scale") ? words.positive("scale") : 1.0;
     Vector shift{};
     if (words.skip("shift"))

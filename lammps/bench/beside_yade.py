@@ -5,8 +5,9 @@
 
 YADE's ellipsoids are bodies of its shape LevelSet: distances on a grid, with so many cells along the shortest axis, and nodes on the
 surface. Both programs have the same shapes, springs and walls, and starts of the same kind. There is neither damping nor friction,
-so that the energy does not change. Its largest error is printed in units of the work of gravity. The time is
-that of a step on one core, after the start: YADE's is processor time, LAMMPS's is its loop time, so that the machine must be quiet.
+so that the energy does not change. Prints a table with commas. Its largest errors of the energy are in units of the work of gravity.
+Its times are those of a step for each grain, in microseconds on one core, after the start: YADE's is processor time, LAMMPS's is its
+loop time, so that the machine must be quiet.
 """
 
 import argparse
@@ -15,6 +16,8 @@ import re
 import subprocess
 import tempfile
 from pathlib import Path
+
+COLUMNS = ("timestep", "pw85_us", "pw85_error", "yade_us", "yade_error")
 
 ELLIPSOIDS = """
 variable pw85 index pw85.in
@@ -97,13 +100,14 @@ def run(command, script, name):
                               stdout=subprocess.PIPE, stderr=subprocess.STDOUT, check=False).stdout
 
 
-def report(name, timestep, rows, seconds, count, steps, every):
-    """Rows: the energy and the work of gravity at equidistant steps."""
+def cells(rows, seconds, count, steps, every):
+    """The time of a step and grain in microseconds, and the error of the energy, or why there are none.
+
+    rows: the energy and the work of gravity at equidistant steps"""
     if len(rows) < steps // every:
-        print(f"{name:6} {timestep:8} stops after {len(rows) * every} of {steps} steps", flush=True)
-        return
+        return "", f"stops after {len(rows) * every} of {steps} steps"
     error = max(abs(energy - rows[0][0]) for energy, _ in rows) / max(abs(work - rows[0][1]) for _, work in rows)
-    print(f"{name:6} {timestep:8} {1e6 * seconds / count / steps:8.2f} us per grain and step, error of the energy {error:.1e}", flush=True)
+    return f"{1e6 * seconds / count / steps:.3g}", f"{error:.1g}"
 
 
 def main():
@@ -117,6 +121,7 @@ def main():
     parser.add_argument("--timesteps", type=float, nargs="+", default=[0.002, 0.004])
     arguments = parser.parse_args()
     include = str(Path(arguments.include).resolve())
+    print(*COLUMNS, sep=",", flush=True)
     for timestep in arguments.timesteps:
         every = 10
         steps = round(arguments.time / timestep / every) * every
@@ -124,11 +129,12 @@ def main():
         text = run(["lmp", "-log", "none", "-var", "pw85", include, "-in"], ELLIPSOIDS.format(**values), "in.lammps")
         rows = [[float(word) for word in row.split()[1:3]] for row in re.findall(r"^ +\d+(?: +[-+.e\d]+){4} *$", text, re.MULTILINE)]
         loop = re.search(r"Loop time of (\S+)", text)
-        report("pw85", timestep, rows, float(loop.group(1)) if loop else 0.0, arguments.edge**3, steps, every)
+        here = cells(rows, float(loop.group(1)) if loop else 0.0, arguments.edge**3, steps, every)
         text = run(["yade", "-j1", "-n", "-x"], YADE.format(**values), "drop.py")
         rows = [[float(word) for word in row.split()] for row in re.findall(r"^row (.*)$", text, re.MULTILINE)]
         seconds = re.search(r"^seconds (\S+)", text, re.MULTILINE)
-        report("YADE", timestep, rows, float(seconds.group(1)) if seconds else 0.0, arguments.edge**3, steps, every)
+        there = cells(rows, float(seconds.group(1)) if seconds else 0.0, arguments.edge**3, steps, every)
+        print(timestep, *here, *there, sep=",", flush=True)
 
 
 if __name__ == "__main__":

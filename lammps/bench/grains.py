@@ -3,12 +3,13 @@
 
     python3 grains.py path/to/pw85.in [--edge 12] [--repeat 3] [--ranks]
 
-Runs grains.in through lmp, in which each grain has twelve contacts. The time is the processor time of a step, all of LAMMPS
-included, from runs of two lengths, of which each is the fastest of several.
+Runs grains.in through lmp, in which each grain has twelve contacts. The time is the processor time of a step and contact in nanoseconds,
+all of LAMMPS included, from runs of two lengths, of which each is the fastest of several. Prints a table with commas.
 
 With --ranks, 1e5 ellipsoids run on one rank and on two ranks (mpirun), and beside them two independent runs on one rank with half of
-the ellipsoids each, at the same time: the machine does not allow more than these. The times are those of LAMMPS's loop. The memory of a
-grain is the difference of the largest resident sizes of the one-rank runs over that of their numbers of grains.
+the ellipsoids each, at the same time: the machine does not allow more than these. The times are those of LAMMPS's loop, in milliseconds
+for a step. The bytes of a grain are the difference of the largest resident sizes of the one-rank runs over that of their numbers of
+grains.
 """
 
 import argparse
@@ -17,8 +18,8 @@ import re
 import subprocess
 from pathlib import Path
 
-STYLES = {"lammps": "spheres, gran/hertz/history", "spheres": "spheres, pw85/granular",
-          "ellipsoids": "ellipsoids, pw85/granular"}
+STYLES = {"lammps": ("spheres", "gran/hertz/history"), "spheres": ("spheres", "pw85/granular"),
+          "ellipsoids": ("ellipsoids", "pw85/granular")}
 STEPS = 20, 120
 LARGE_EDGE, LARGE_HEIGHT, LARGE_STEPS = 29, 30, 40
 SETTINGS = {"OMP_NUM_THREADS": "1", "OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1"}
@@ -54,11 +55,10 @@ def measure_ranks(include, repeat):
         results = [finish(copy) for copy in copies]
         for times, time in zip(seconds.values(), (one, two, max(time for time, _ in results)), strict=True):
             times.append(time)
-    best = {name: min(times) for name, times in seconds.items()}
-    for name, time in best.items():
-        print(f"{name:50} {1e3 * time:7.1f} ms per step, {best['one rank'] / time:5.2f} times one rank", flush=True)
     memory = 1024 * (whole_usage.ru_maxrss - results[0][1].ru_maxrss) / (grains / 2)
-    print(f"{grains} grains; {memory:.0f} bytes per grain")
+    print("run,grains,ms,speedup,bytes")
+    for name, times in seconds.items():
+        print(f"{name},{grains},{1e3 * min(times):.3g},{min(seconds['one rank']) / min(times):.2f},{memory:.2g}")
 
 
 def measure_contacts(include, edge, repeat):
@@ -68,9 +68,10 @@ def measure_contacts(include, edge, repeat):
         for style, steps in times:
             _, usage = finish(start(include, style, edge, edge, steps))
             times[style, steps].append(usage.ru_utime)
-    for style, text in STYLES.items():
+    print("grains,style,ns")
+    for style, names in STYLES.items():
         seconds = (min(times[style, STEPS[1]]) - min(times[style, STEPS[0]])) / (STEPS[1] - STEPS[0])
-        print(f"{text:30} {1e9 * seconds / contacts:6.0f} ns per contact and step", flush=True)
+        print(*names, f"{1e9 * seconds / contacts:.3g}", sep=",")
 
 
 def main():

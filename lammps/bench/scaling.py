@@ -4,7 +4,8 @@
     python3 scaling.py path/to/pw85.in [--ranks 1 2] [--largest 256000]
 
 Runs ellipsoids.in through lmp and mpirun. The time is that of a step in which LAMMPS does nothing but run the compute
-(overlap, contact), or a step of molecular dynamics with the soft potential (soft).
+(overlap, contact), or a step of molecular dynamics with the soft potential (soft). Prints a table with commas: pairs of the neighbour list
+and nanoseconds of a step for each ellipsoid, and the time of the first number of ranks times this number, over that of all ranks together.
 """
 
 import argparse
@@ -35,7 +36,7 @@ def main():
     parser.add_argument("--largest", type=int, default=256_000)
     arguments = parser.parse_args()
     include = Path(arguments.include).resolve()
-    print("style    ellipsoids  ranks  pairs/ellipsoid  ms/step  ns/ellipsoid  ns/pair  efficiency")
+    print("style,ellipsoids,ranks,pairs,ns,efficiency")
     for style in ("overlap", "contact", "soft"):
         for count in (n for n in EDGES if n <= arguments.largest):
             steps = max(5, 1_000_000 // count)
@@ -44,9 +45,7 @@ def main():
                 seconds, pairs = min(measure(include, style, count, ranks, steps) for _ in range(3))
                 if ranks == arguments.ranks[0]:
                     work = ranks * seconds
-                print(f"{style:8} {count:10}  {ranks:5}  {pairs / count:15.2f}  {1e3 * seconds:7.2f}"
-                      f"  {1e9 * seconds / count:12.0f}  {1e9 * seconds / pairs:7.1f}"
-                      f"  {work / (ranks * seconds):10.2f}", flush=True)
+                print(f"{style},{count},{ranks},{pairs / count:.3g},{1e9 * seconds / count:.3g},{work / (ranks * seconds):.2f}", flush=True)
 
 
 if __name__ == "__main__":

@@ -5,6 +5,7 @@ import dataclasses
 import itertools
 import os
 import unittest
+import unittest.mock
 
 import numpy as np
 from lammps_runs import System, failure, numbers, preamble, run, thermo
@@ -133,8 +134,8 @@ class AgainstLammps:
             scale = np.abs(expected[:, columns]).max()
             np.testing.assert_allclose(found[:, columns], expected[:, columns], rtol=0, atol=tolerance * scale, err_msg=name)
 
-    def check(self, laws, *runs, first_half=""):
-        spheres = self.spheres()
+    def check(self, laws, *runs, first_half="", spheres=None):
+        spheres = spheres or self.spheres()
         expected = move(spheres, laws[0], 200, first_half="pause" if first_half else "")
         self.assertGreater(np.count_nonzero(np.abs(expected[0][:, 7:10]).max(axis=1)), 40, "hardly any contacts")
         for ranks, newton in runs:
@@ -174,10 +175,28 @@ class Pairs(AgainstLammps, unittest.TestCase):
             expected = move(spheres, f"pair_style granular\npair_coeff * * {law}", 1)[0]
             self.compare(move(Grains(**vars(spheres)), granular(law), 1)[0], expected, self.forces, law)
 
+    def spheres_of_types(self, still=False):
+        """Each of two types at random, so that there are contacts of all pairs of types."""
+        spheres = self.spheres(still)
+        return dataclasses.replace(spheres, types=np.random.default_rng(3).integers(1, 3, len(spheres.types)))
+
+    def test_forms(self):
+        """Types with laws of different forms, of which one has no springs. LAMMPS has each of them in a style of its own: the one style
+        granular of the release of September 2021 gives contacts without springs a wrong friction if other contacts have springs."""
+        names = "gran/hooke/history 9000 4000 30 15 0.3 1", "gran/hertz/history 90000 80000 200 100 0.5 1", "gran/hooke 7000 0 20 10 0.4 1"
+        laws = ("hooke 9000 30 damping mass_velocity tangential linear_history 4000 0.5 0.3",
+                "hertz 90000 200 tangential mindlin 80000 0.5 0.5",
+                "hooke 7000 20 damping mass_velocity tangential linear_nohistory 0.5 0.4")
+        types = "1 1", "2 2", "1 2"
+        lammps = f"pair_style hybrid {' '.join(names)}" + "".join(
+            f"\npair_coeff {pair} {name.split()[0]}" for pair, name in zip(types, names, strict=True))
+        ours = "pair_style pw85/granular arms surface" + "".join(
+            f"\npair_coeff {pair} {law}" for pair, law in zip(types, laws, strict=True))
+        self.check((lammps, ours), (1, "on"), (4, "off"), spheres=self.spheres_of_types())
+
     def test_laws_of_types(self):
         """Pairs of types that have different laws, in any order in the list of neighbours."""
-        spheres = self.spheres(still=True)
-        spheres = dataclasses.replace(spheres, types=np.random.default_rng(3).integers(1, 3, len(spheres.types)))
+        spheres = self.spheres_of_types(still=True)
         laws = {"1 1": "hooke 5000 20", "1 2": "hertz 90000 40", "2 2": "hooke 9000 30"}
         coefficients = "".join(f"\npair_coeff {types} {law} damping mass_velocity tangential linear_nohistory 0.6 0.5"
                                for types, law in laws.items())
@@ -187,13 +206,50 @@ class Pairs(AgainstLammps, unittest.TestCase):
 
     def test_mixing(self):
         """Moduli of unlike materials are those of Hertz's theory; other constants are geometric means."""
-        grains = Grains(**vars(self.spheres()))
-        materials = "hertz/material 200000 40 0.3", "hertz/material 600000 90 0.2"
-        modulus = 1.0 / ((1.0 - 0.3**2) / 200000 + (1.0 - 0.2**2) / 600000)
-        like = "".join(f"\npair_coeff {k} {k} {law}" for k, law in enumerate(materials, 1))
-        found = move(grains, "pair_style pw85/granular" + like, 1)[0]
-        unlike = f"\npair_coeff 1 2 hertz {4.0 / 3.0 * modulus:.17g} 60"
-        self.compare(found, move(grains, "pair_style pw85/granular" + like + unlike, 1)[0], self.forces, unlike)
+        grains = lattice(Grains, 4, 1.0, [[0.5, 0.5, 0.6], [0.55, 0.5, 0.45]], 5)
+        modulus, ratio = np.array([[200000, 600000], [0.3, 0.2]])
+        hertz = 4.0 / 3.0 / np.sum((1.0 - ratio**2) / modulus)
+        mindlin = 8.0 / np.sum(2.0 * (2.0 - ratio) * (1.0 + ratio) / modulus)
+        words = "{} {:.17g} {:.17g} {} tangential {} {} {:.17g} {:.17g} rolling sds {:.17g} {:.17g} {:.17g} {}"
+        numbers = np.array([[40, 0.6, 0.5, 3000, 5, 0.1], [90, 0.9, 0.3, 1000, 8, 0.4]])
+        mean = np.sqrt(numbers.prod(axis=0))
+
+        def law(form, stiffness, ratio, spring, size, constants, *last):
+            return words.format(form, stiffness, constants[0], ratio, spring, size, *constants[1:], *last)
+
+        materials = [law("hertz/material", e, nu, "mindlin", "NULL", n, "conservative")
+                     for e, nu, n in zip(modulus, ratio, numbers, strict=True)]
+        springs = [law("hooke", 5000 * k, "", "linear_history", 1000 * k * k, n, "") for k, n in zip((1, 2), numbers, strict=True)]
+        for (first, second), mixed in (
+                (materials, law("hertz", hertz, "", "mindlin", f"{mindlin:.17g}", mean, "conservative")),
+                (springs, law("hooke", 5000 * np.sqrt(2.0), "", "linear_history", 2000, mean, ""))):
+            like = f"pair_style pw85/granular\npair_coeff 1 1 {first}\npair_coeff 2 2 {second}"
+            expected = move(grains, f"{like}\npair_coeff 1 2 {mixed}", 20)[-1]
+            self.compare(move(grains, like, 20)[-1], expected, self.trajectory, mixed)
+
+    def test_contacts_begin_anew(self):
+        """Three spheres in a row that hit each other again and again: the spring of a contact that has ended is forgotten."""
+        spheres = dataclasses.replace(
+            self.spheres(), centers=np.array([[0.5, 2.0, 2.0], [1.8, 2.02, 2.0], [3.1, 2.0, 1.99]]), semi_axes=np.full((3, 3), 0.5),
+            quaternions=np.tile([1.0, 0.0, 0.0, 0.0], (3, 1)), types=np.ones(3, dtype=int),
+            velocities=np.array([[15.0, 0.0, 1.0], [-9.0, 2.0, 0.0], [-3.0, -1.0, 0.0]]), spins=np.array([[0.0, 1.0, 2.0]] * 3))
+        expected, found = (move(kind(**vars(spheres)), law, 400)[-1]
+                           for kind, law in zip((Spheres, Grains), self.HOOKE, strict=True))
+        self.compare(found, expected, self.trajectory, self.HOOKE[1])
+
+    def test_freeze(self):
+        """A contact with a grain of fix freeze has the mass of the other one, as in LAMMPS."""
+        self.check([law + "\ngroup still id <= 20\nfix still still freeze" for law in self.HOOKE], (2, "on"))
+
+    def test_mixing_as_lammps(self):
+        """LAMMPS's release of September 2021 mixes constants, but leaves the words of the mixed law as they are in its memory. If memory
+        is zero, these are the first ones of each kind."""
+        spheres = self.spheres(still=True)
+        words = "hooke {} {} damping velocity tangential linear_nohistory {} {}"
+        laws = "\npair_coeff 1 1 " + words.format(9000, 30, 0.5, 0.2) + "\npair_coeff 2 2 " + words.format(5000, 20, 0.8, 0.5)
+        with unittest.mock.patch.dict(os.environ, MALLOC_PERTURB_="255"):
+            expected = move(spheres, "pair_style granular" + laws, 1)[0]
+        self.compare(move(Grains(**vars(spheres)), "pair_style pw85/granular" + laws, 1)[0], expected, self.forces, laws)
 
     def test_mindlin_by_material(self):
         """8 G* of two equal bodies is 4 G/(2 - ν) = 2 E/((1 + ν)(2 - ν))."""
@@ -439,7 +495,23 @@ class Errors(unittest.TestCase):
         self.check("pair_style pw85/granular" + self.LAW, "use comm_modify vel yes")
         self.check(f"{self.START} 1.0{self.LAW}", "the pair cutoff 1 of types 1 and 1 misses contacts", "to 1.5 or more")
         self.check(f"{self.START}{self.LAW}\nset atom 3 shape 0 0 0", "atom 3 has no shape (type 2)", "set ... shape")
-        self.check(f"{self.START}\npair_coeff 1 1 hooke 1 0\npair_coeff 2 2 hertz 1 0", "add pair_coeff 1 2")
+
+    def test_axes(self):
+        """One axis that is zero (LAMMPS accepts this diameter, but its half rounds to zero), and axes that are no numbers."""
+        start = f"variable bad atom exp(1000)-exp(1000)\n{self.START}{self.LAW}\nset atom 3 "
+        for words in ("shape 1 5e-324 1", "shape 1 1 v_bad", "quat v_bad 0 1 90"):
+            self.check(start + words, "Pair pw85/granular: atom 3 has a bad shape or quaternion (type 2): correct it with the set "
+                       "command (set ... shape, set ... quat)")
+
+    def test_missing_laws(self):
+        one = "\npair_coeff {0} {0} {1}"
+        for law in ("", one.format(1, "hertz 1 0"), one.format(1, "hooke 1 0") + "\npair_coeff 1 2 hooke 1 0"):
+            missing = 2 if law else 1
+            self.check(self.START + law, f"Pair pw85/granular: type {missing} has no law of force: add pair_coeff {missing} {missing}")
+        for law in ("hertz 1 0", "hooke 1 0 damping tsuji", "hooke 1 0 tangential linear_nohistory 1 1", "hooke 1 0 limit_damping",
+                    "hooke 1 0 rolling sds 1 1 1"):
+            self.check(self.START + one.format(1, "hooke 1 0") + one.format(2, law),
+                       "the laws of types 1 and 2 cannot be mixed, because their words differ: add pair_coeff 1 2")
 
     def test_walls(self):
         start = self.START + self.LAW + "\nfix wall all wall/pw85 "

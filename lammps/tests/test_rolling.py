@@ -47,6 +47,20 @@ class AgainstGranular(unittest.TestCase):
                    granular(ours) + f"\nfix wall all wall/pw85 {wall} law {ours}{ROLLING}", 200, 1e-9, 2, least=5)
 
 
+class Walls(unittest.TestCase):
+    def test_spin_of_the_wall(self):
+        """A sphere at rest on a plane that turns about a horizontal axis through the contact: ω is minus the spin of the wall, so that the
+        damper gives the couple R² GR Ω."""
+        radius, damper, period = 0.5, 0.3, 4.0
+        sphere = Grains(np.diag([4.0, 4.0, 4.0]), False, np.array([[2.0, 2.0, 0.49]]), np.full((1, 3), radius),
+                        np.array([[1.0, 0.0, 0.0, 0.0]]), np.ones(1, dtype=int), *np.zeros((2, 1, 3)))
+        wall = f"zplane 0.0 NULL rotate 2 2 0 0 1 0 {period} law hooke 1000 0 rolling sds 100 {damper} 0.5"
+        found = move(sphere, f"pair_style zero 2.0\npair_coeff * *\nfix wall all wall/pw85 {wall}", 1)[0][0, 7:13]
+        couple = radius**2 * damper * 2.0 * np.pi / period
+        # The depth has an error of some u, and the stiffness is 1000.
+        np.testing.assert_allclose(found, [0.0, 0.0, 10.0, 0.0, couple, 0.0], rtol=0, atol=1e-12)
+
+
 class Ellipsoids(unittest.TestCase):
     def test_new_lists_and_restart(self):
         """Springs follow their pairs through new lists, other processors and a restart file."""

@@ -327,9 +327,9 @@ class Errors(unittest.TestCase):
         self.addCleanup(directory.cleanup)
         self.file = str(Path(directory.name, "wall.stl"))
 
-    def check(self, shape, *words, grains=None):
+    def check(self, shape, *words, grains=None, settings=""):
         grains = grains or in_large_box(lattice(Grains, 2, 2.0, SHAPES[:2], 3))
-        text = failure(preamble(grains) + "pair_style zero 4.0\npair_coeff * *\nneighbor 0.3 bin\n"
+        text = failure(preamble(grains) + f"{settings}\npair_style zero 4.0\npair_coeff * *\nneighbor 0.3 bin\n"
                        f"fix wall all wall/pw85 {shape}\nrun 1\n", grains)
         for word in words:
             self.assertIn(word, text)
@@ -353,6 +353,11 @@ class Errors(unittest.TestCase):
         self.check(f"mesh {self.file} {law}", "a mesh that is not closed", "the edge from (", "add the word open")
         write_text(self.file, soup[:, :, [0, 0, 0]])
         self.check(f"mesh {self.file} {law}", "a mesh whose triangles are all lines or points")
+        write_binary(self.file, soup)
+        self.check(f"mesh {self.file} scale 1e308 {law}", "a mesh with a vertex that is not finite")
+        soup[2, 1, 0] = np.nan
+        write_binary(self.file, soup)
+        self.check(f"mesh {self.file} open {law}", "has a bad vertex 8 in its mesh")
         Path(self.file).write_text("solid\nvertex 1 2 three\n")
         self.check(f"mesh {self.file} {law}", "has a bad vertex 1 in its mesh")
         Path(self.file).write_text("ply\n")
@@ -367,6 +372,13 @@ class Errors(unittest.TestCase):
             placed = dataclasses.replace(one, centers=MIDDLE[None, :] + [[x, 0.0, 0.0]])
             depth = "is so" if "mesh" in shape else "is too deep in the wall"
             self.check(f"{shape} {law}", f"atom 1 (type 1) {depth}", "smaller time step", grains=placed)
+
+    def test_shapes(self):
+        wall = "zplane 0 NULL law hooke 1000 0"
+        self.check(wall, "fix wall/pw85: atom 3 has no shape (type 2): give it one", settings="set atom 3 shape 0 0 0")
+        for shape in ("5e-324 1 1", "v_bad 1 1"):
+            self.check(wall, "fix wall/pw85: atom 3 has a bad shape or quaternion (type 2): correct it with the set command",
+                       settings=f"variable bad atom exp(1000)-exp(1000)\nset atom 3 shape {shape}")
 
     def test_periodic(self):
         grains = dataclasses.replace(in_large_box(lattice(Grains, 2, 2.0, SHAPES[:2], 3)), periodic=True)

@@ -1,0 +1,91 @@
+"""The measured sections of lammps/README.md."""
+
+import measurements
+
+COUNTS = ("1000", "10000", "100000", "256000")
+STYLES = {
+    "overlap": "`compute pw85/overlap`",
+    "contact": "`compute pw85/contact`, per atom",
+    "soft": "step of dynamics with `pair_style pw85/contact`, all of LAMMPS included",
+}
+
+
+def table(heads, rows):
+    return ["| " + " | ".join(heads) + " |", "|---|" + "---:|" * (len(heads) - 1), *("| " + " | ".join(row) + " |" for row in rows)]
+
+
+def grains():
+    rows = measurements.read_table("grains")
+    spheres = float(rows[0]["ns"])
+    yield from table(
+        ["twelve contacts for each grain", "ns per contact and step", "times the first row"],
+        ([f"{row['grains']}, `{row['style']}`", row["ns"], f"{float(row['ns']) / spheres:.1f}"] for row in rows),
+    )
+    yield from ["", f"({measurements.conditions('grains')}; `bench/grains.py`, one core, all of LAMMPS included.)"]
+
+
+def grain_ranks():
+    rows = measurements.read_table("grain_ranks")
+    heads = [f"{int(rows[0]['grains']):,} ellipsoids", "ms per step", "speedup"]
+    yield from table(heads, ([row["run"], row["ms"], row["speedup"]] for row in rows))
+    yield ""
+    yield f"({measurements.conditions('grain_ranks')}; `bench/grains.py --ranks`. A grain takes {float(rows[0]['bytes']):g} bytes, all of"
+    yield "LAMMPS included.)"
+
+
+def grains_beside_yade():
+    columns = ("timestep", "pw85_us", "yade_us", "pw85_error", "yade_error")
+    heads = ["time step", "µs per grain and step, here", "YADE", "largest error of the energy, here", "YADE"]
+    yield from table(heads, ([row[column] for column in columns] for row in measurements.read_table("grains_beside_yade")))
+    yield from ["", f"({measurements.conditions('grains_beside_yade')}; `bench/beside_yade.py`, one core.)"]
+
+
+def styles(column, ranks):
+    """A row for each style, with a column for each number of ellipsoids."""
+    rows = measurements.read_table("lammps_styles")
+    cells = {(row["style"], row["ellipsoids"]): row[column] for row in rows if row["ranks"] == ranks}
+    counts = [count for count in COUNTS if any(count == found for _, found in cells)]
+    return [f"{int(count):,}" for count in counts], ([STYLES[style], *(cells[style, count] for count in counts)] for style in STYLES)
+
+
+def cost():
+    counts, rows = styles("ns", "1")
+    yield from table(["ns for each ellipsoid", *counts], rows)
+    yield from ["", f"({measurements.conditions('lammps_styles')}; `bench/scaling.py`, one core.)", ""]
+    for row in measurements.read_table("lammps_batch"):
+        ratio = float(row["compute"]) / float(row["batch"])
+        yield f"For {int(row['ellipsoids']):,} ellipsoids, `compute pw85/{row['function']}` takes {row['compute']} ns for each pair of the"
+        yield f"neighbour list, and the batch function takes {row['batch']} ns for the same list, a ratio of {ratio:.1f}."
+    yield f"({measurements.conditions('lammps_batch')}; `bench/against_batch.py`.)"
+
+
+def efficiency():
+    counts, rows = styles("efficiency", "2")
+    yield from table(["ellipsoids", *counts], rows)
+    yield from ["", f"({measurements.conditions('lammps_styles')}; `bench/scaling.py`.)"]
+
+
+def estimate():
+    """What 1e9 ellipsoids on 1000 ranks would cost, from the times of 1e5 ellipsoids on one rank."""
+    times = {row["style"]: float(row["ns"]) for row in measurements.read_table("lammps_styles")
+             if (row["ellipsoids"], row["ranks"]) == ("100000", "1")}
+    work = 1.1 * times["overlap"]  # ms for 1e6 ellipsoids and a tenth as many ghosts
+    messages = 5 + 1 + 0.2
+    yield from table(
+        ["per rank and evaluation", ""],
+        [
+            [f"work of `pw85/overlap`: 1e6 × {times['overlap']:g} ns, and 10 % for ghosts", f"{work:.0f} ms"],
+            ["forms to ghosts: 96,000 × 56 bytes = 5.4 MB, at 1 GB/s for each rank", "5 ms"],
+            ["values back: 96,000 × 8 bytes = 0.8 MB", "1 ms"],
+            ["latencies: 12 messages and two reductions over 1000 ranks", "< 0.2 ms"],
+        ],
+    )
+    step = 1e-3 * times["soft"]
+    part = 100 * work / (work + messages)
+    yield ""
+    yield f"That is {1e-3 * (work + messages):.2f} s for an answer about 1e9 ellipsoids, with an efficiency of {part:.0f} %. A step of"
+    yield f"dynamics takes 1e6 × {times['soft']:g} ns = {step:.2f} s, to which the messages for positions and quaternions, forms, forces"
+    yield f"and torques (20 values for each ghost, 15 MB) add 15 ms: a million steps in {1e6 * (step + 0.015) / 86400:.0f} days."
+
+
+SECTIONS = {section.__name__: section for section in (grains, grain_ranks, grains_beside_yade, cost, efficiency, estimate)}
