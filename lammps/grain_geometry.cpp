@@ -215,22 +215,9 @@ PW85_GRAIN_LANES void find_radii(GrainSearch::Rows &rows, std::size_t count)
 /// Unused rows have unit spheres, so that loops over whole registers work on valid numbers.
 GrainSearch::GrainSearch() : rows_{}
 {
-    double const sphere[6] = {1.0, 0.0, 0.0, 1.0, 0.0, 1.0};
+    EllipsoidForm const sphere{1.0, 0.0, 0.0, 1.0, 0.0, 1.0};
     while (size_ < capacity) add({1.0, 0.0, 0.0}, sphere, sphere, {1.0, 0.0, 0.0});
     clear();
-}
-
-void GrainSearch::add(Vector const &r12, double const *q1, double const *q2, Vector const &normal)
-{
-    std::size_t const l = size_++;
-    for (std::size_t k = 0; k < 3; ++k) {
-        rows_.r12[k][l] = r12[k];
-        rows_.normal[k][l] = normal[k];
-    }
-    for (std::size_t k = 0; k < 6; ++k) {
-        rows_.q1[k][l] = q1[k];
-        rows_.q2[k][l] = q2[k];
-    }
 }
 
 /// Turns the normals of the pairs that need another step; returns whether there are any.
