@@ -215,7 +215,7 @@ PW85_GRAIN_LANES void find_radii(GrainSearch::Rows &rows, std::size_t count)
 /// Unused rows have unit spheres, so that loops over whole registers work on valid numbers.
 GrainSearch::GrainSearch() : rows_{}
 {
-    EllipsoidForm const sphere{1.0, 0.0, 0.0, 1.0, 0.0, 1.0};
+    double const sphere[6] = {1.0, 0.0, 0.0, 1.0, 0.0, 1.0};
     while (size_ < capacity) add({1.0, 0.0, 0.0}, sphere, sphere, {1.0, 0.0, 0.0});
     clear();
 }

@@ -7,13 +7,9 @@
 #include "lanes.hpp"
 #include "vectors.hpp"
 
-#include <array>
 #include <cstddef>
 
 namespace pw85_lammps {
-
-/// The form of an ellipsoid, (xx, xy, xz, yy, yz, zz).
-using EllipsoidForm = std::array<double, 6>;
 
 /// A contact, seen from the first body.
 struct GrainGeometry {
@@ -48,12 +44,15 @@ class GrainSearch {
     void clear() { size_ = 0; }
 
     /// Adds a pair. The search starts from the unit vector `normal`. There are less than `capacity` pairs.
-    void add(Vector const &r12, EllipsoidForm const &q1, EllipsoidForm const &q2, Vector const &normal)
+    void add(Vector const &r12, double const *q1, double const *q2, Vector const &normal)
     {
         store(r12, rows_.r12, size_);
-        store(q1, rows_.q1, size_);
-        store(q2, rows_.q2, size_);
-        store(normal, rows_.normal, size_++);
+        store(normal, rows_.normal, size_);
+        for (std::size_t k = 0; k < 6; ++k) {
+            rows_.q1[k][size_] = q1[k];
+            rows_.q2[k][size_] = q2[k];
+        }
+        ++size_;
     }
 
     /// Lets the search of pair k start from another normal.

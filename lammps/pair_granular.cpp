@@ -247,7 +247,7 @@ void PairGranular::add_row(std::size_t l)
     pair.is_known = before && before->step > 0;
     if (pair.is_known) pair.start = before->normal;
     Body const &a = body(pair.i), &b = body(pair.j);
-    search_.add(b.x - a.x, a.form, b.form, pair.start);
+    search_.add(b.x - a.x, a.form.data(), b.form.data(), pair.start);
     store(a.v - b.v, rows_.velocity, l);
     store(a.spin, rows_.spin1, l);
     store(b.spin, rows_.spin2, l);
@@ -269,7 +269,7 @@ GrainGeometry PairGranular::contact_from_anew(std::size_t l)
     start_at_contact_function({&l, 1});
     single_search_.clear();
     GrainSearch::Rows const &rows = search_.rows();
-    single_search_.add(load(rows.r12, l), load(rows.q1, l), load(rows.q2, l), overlaps_[l].start);
+    single_search_.add(load(rows.r12, l), load(rows.q1, l).data(), load(rows.q2, l).data(), overlaps_[l].start);
     single_search_.solve();
     return single_search_.contact(0);
 }

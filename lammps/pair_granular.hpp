@@ -62,7 +62,7 @@ class PairGranular final : public LAMMPS_NS::Pair {
     /// What is known of an atom in a step, in two cache lines.
     struct alignas(64) Body {
         Vector x, v, spin; ///< spin: angular velocity
-        EllipsoidForm form;
+        std::array<double, PW85_SYM> form;
         double mass; ///< of a frozen atom: negative
     };
 
