@@ -5,7 +5,6 @@
 #include <lammps/output.h>
 
 #include <algorithm>
-#include <utility>
 
 using namespace LAMMPS_NS;
 
@@ -49,33 +48,52 @@ int ContactHistory::setmask()
     return FixConst::PRE_EXCHANGE | FixConst::MIN_PRE_EXCHANGE | FixConst::END_OF_STEP | FixConst::POST_RUN;
 }
 
-void ContactHistory::start_step()
+void ContactHistory::start_step(NeighList const &list, bool rolls)
 {
-    next_.clear();
-    next_rows_.assign(rows_.size(), Row{});
+    // A list that is made without pre_exchange() gets the contacts that were stored last.
+    if (!is_complete_ && neighbor->ncalls == num_lists_) return;
+    num_lists_ = neighbor->ncalls;
+    rolls_ = rolls;
+    step_ = 0;
+    places_.clear();
+    contacts_.clear();
+    rolling_.clear();
+    place_contacts(list);
 }
 
-ContactHistory::Contact const *ContactHistory::find(int i, int j) const
+/// Gives places to the contacts that are stored by atom. Atoms keep their order in the list, so that memory is read in order.
+void ContactHistory::place_contacts(NeighList const &list)
 {
-    Row const row = rows_[index(i)];
+    for (int row = 0; row < list.inum; ++row) {
+        int const i = list.ilist[row];
+        for (int k = 0; k < list.numneigh[i]; ++k) place_contact(i, list.firstneigh[i][k] & NEIGHMASK);
+    }
+}
+
+/// Gives a place to the contact of the next entry of the list, if it has one.
+void ContactHistory::place_contact(int i, int j)
+{
+    places_.push_back(nowhere);
+    auto const first = stored_.begin() + static_cast<std::ptrdiff_t>(rows_[index(i)].first);
+    auto const last = first + static_cast<std::ptrdiff_t>(rows_[index(i)].count);
     tagint const partner = atom->tag[j];
-    for (std::size_t k = row.first; k < row.first + row.count; ++k)
-        if (contacts_[k].partner == partner) return &contacts_[k];
-    return nullptr;
+    auto const found = std::find_if(first, last, [partner](Stored const &s) { return s.partner == partner; });
+    if (found == last) return;
+    places_.back() = add_contact();
+    contacts_.back() = {i, j, 0, found->springs.sliding, {}};
+    if (rolls_) rolling_.back() = found->springs.rolling;
 }
 
-void ContactHistory::store(int i, int j, Springs const &springs, Vector const &normal)
+std::uint32_t ContactHistory::add_contact()
 {
-    Row &row = next_rows_[index(i)];
-    if (row.count == 0) row.first = next_.size();
-    ++row.count;
-    next_.push_back({atom->tag[j], j, springs, normal});
+    contacts_.emplace_back();
+    if (rolls_) rolling_.emplace_back();
+    return static_cast<std::uint32_t>(contacts_.size() - 1);
 }
 
 void ContactHistory::finish_step()
 {
-    std::swap(contacts_, next_);
-    std::swap(rows_, next_rows_);
+    ++step_;
     is_complete_ = false;
     num_atoms_ = atom->nlocal + atom->nghost;
 }
@@ -94,39 +112,32 @@ void ContactHistory::complete()
                 *error,
                 "Contacts of pair pw85/granular are lost, because a fix has inserted or removed atoms before they were "
                 "stored: put the pair_style command before the fix command");
-        mirrored_.assign(index(atom->nlocal + atom->nghost), {});
-        bool const shares = force->newton_pair;
+        share_contacts();
+        stored_.clear();
         for (int i = 0; i < atom->nlocal; ++i) {
-            Row const row = rows_[index(i)];
-            for (std::size_t k = row.first; k < row.first + row.count; ++k) {
-                Contact const &c = contacts_[k];
-                if (c.index < atom->nlocal || shares)
-                    mirrored_[index(c.index)].push_back({atom->tag[i], -1, c.springs.reversed(), {}});
-            }
+            std::vector<Stored> const &all = shared_[index(i)];
+            rows_[index(i)] = {stored_.size(), all.size()};
+            stored_.insert(stored_.end(), all.begin(), all.end());
         }
-        if (shares) reverse_rows_to_owners(*comm, this);
-        std::vector<Contact> all;
-        all.reserve(2 * contacts_.size());
-        for (int i = 0; i < atom->nlocal; ++i) append(i, mirrored_[index(i)], all);
-        contacts_ = std::move(all);
-        mirrored_.clear();
+        shared_.clear();
         is_complete_ = true;
     }
-    int const own = 1 + contact_size * longest_row();
+    int const own = 1 + stored_size * longest_row();
     MPI_Allreduce(&own, &maxexchange, 1, MPI_INT, MPI_MAX, world);
 }
 
-/// Moves the contacts of an atom, and more of them, to the end of a new vector.
-void ContactHistory::append(int i, std::vector<Contact> const &more, std::vector<Contact> &all)
+/// Gives all contacts to both atoms.
+void ContactHistory::share_contacts()
 {
-    Row &row = rows_[index(i)];
-    std::size_t const first = all.size();
-    for (std::size_t k = row.first; k < row.first + row.count; ++k) {
-        all.push_back(contacts_[k]);
-        all.back().index = -1;
+    shared_.assign(index(atom->nlocal + atom->nghost), {});
+    bool const shares = force->newton_pair;
+    for (Contact const &c : contacts_) {
+        if (c.step < step_) continue;
+        Springs const springs{c.sliding, rolling(c)};
+        shared_[index(c.i)].push_back({atom->tag[c.j], springs});
+        if (c.j < atom->nlocal || shares) shared_[index(c.j)].push_back({atom->tag[c.i], springs.reversed()});
     }
-    all.insert(all.end(), more.begin(), more.end());
-    row = {first, all.size() - first};
+    if (shares) reverse_rows_to_owners(*comm, this);
 }
 
 int ContactHistory::longest_row() const
@@ -138,15 +149,15 @@ int ContactHistory::longest_row() const
 
 void ContactHistory::grow_arrays(int nmax) { rows_.resize(index(nmax)); }
 
-double *ContactHistory::write(Contact const &contact, double *buffer)
+double *ContactHistory::write(Stored const &contact, double *buffer)
 {
     *buffer++ = static_cast<double>(contact.partner);
     return contact.springs.write(buffer);
 }
 
-ContactHistory::Contact ContactHistory::read(double const *buffer)
+ContactHistory::Stored ContactHistory::read(double const *buffer)
 {
-    return {static_cast<tagint>(buffer[0]), -1, Springs::read(buffer + 1), {}};
+    return {static_cast<tagint>(buffer[0]), Springs::read(buffer + 1)};
 }
 
 int ContactHistory::pack_exchange(int i, double *buffer)
@@ -154,16 +165,16 @@ int ContactHistory::pack_exchange(int i, double *buffer)
     Row const row = rows_[index(i)];
     double *end = buffer;
     *end++ = static_cast<double>(row.count);
-    for (std::size_t k = row.first; k < row.first + row.count; ++k) end = write(contacts_[k], end);
+    for (std::size_t k = row.first; k < row.first + row.count; ++k) end = write(stored_[k], end);
     return static_cast<int>(end - buffer);
 }
 
 int ContactHistory::unpack_exchange(int i, double *buffer)
 {
     auto const count = static_cast<std::size_t>(buffer[0]);
-    rows_[index(i)] = {contacts_.size(), count};
-    for (std::size_t k = 0; k < count; ++k) contacts_.push_back(read(buffer + 1 + contact_size * k));
-    return 1 + contact_size * static_cast<int>(count);
+    rows_[index(i)] = {stored_.size(), count};
+    for (std::size_t k = 0; k < count; ++k) stored_.push_back(read(buffer + 1 + stored_size * k));
+    return 1 + stored_size * static_cast<int>(count);
 }
 
 // In a restart file, the first number of an atom is how many there are.
@@ -180,14 +191,14 @@ void ContactHistory::unpack_restart(int i, int which)
     unpack_exchange(i, numbers + 1);
 }
 
-int ContactHistory::size_restart(int i) { return 2 + contact_size * static_cast<int>(rows_[index(i)].count); }
+int ContactHistory::size_restart(int i) { return 2 + stored_size * static_cast<int>(rows_[index(i)].count); }
 
 int ContactHistory::maxsize_restart() { return 1 + maxexchange; }
 
 int ContactHistory::pack_reverse_comm_size(int count, int first)
 {
     std::size_t size = 0;
-    for (int i = first; i < first + count; ++i) size += 1 + contact_size * mirrored_[index(i)].size();
+    for (int i = first; i < first + count; ++i) size += 1 + stored_size * shared_[index(i)].size();
     return static_cast<int>(size);
 }
 
@@ -195,8 +206,8 @@ int ContactHistory::pack_reverse_comm(int count, int first, double *buffer)
 {
     double *end = buffer;
     for (int i = first; i < first + count; ++i) {
-        *end++ = static_cast<double>(mirrored_[index(i)].size());
-        for (Contact const &contact : mirrored_[index(i)]) end = write(contact, end);
+        *end++ = static_cast<double>(shared_[index(i)].size());
+        for (Stored const &contact : shared_[index(i)]) end = write(contact, end);
     }
     return static_cast<int>(end - buffer);
 }
@@ -205,15 +216,15 @@ void ContactHistory::unpack_reverse_comm(int count, int *atoms, double *buffer)
 {
     for (int k = 0; k < count; ++k) {
         auto const size = static_cast<std::size_t>(*buffer++);
-        for (std::size_t c = 0; c < size; ++c, buffer += contact_size)
-            mirrored_[index(atoms[k])].push_back(read(buffer));
+        for (std::size_t c = 0; c < size; ++c, buffer += stored_size) shared_[index(atoms[k])].push_back(read(buffer));
     }
 }
 
 double ContactHistory::memory_usage()
 {
-    return static_cast<double>((contacts_.capacity() + next_.capacity()) * sizeof(Contact) +
-                               (rows_.capacity() + next_rows_.capacity()) * sizeof(Row));
+    return static_cast<double>(places_.capacity() * sizeof(std::uint32_t) + contacts_.capacity() * sizeof(Contact) +
+                               rolling_.capacity() * sizeof(Vector) + stored_.capacity() * sizeof(Stored) +
+                               rows_.capacity() * sizeof(Row));
 }
 
 } // namespace pw85_lammps

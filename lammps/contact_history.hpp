@@ -9,17 +9,19 @@
 #include "vectors.hpp"
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <vector>
 
 namespace pw85_lammps {
 
-/// The springs of all contacts, by atom and the tag of its partner. It is a fix, because LAMMPS moves and saves only data of fixes.
+/// The springs of all contacts. It is a fix, because LAMMPS moves and saves only data of fixes.
 ///
-/// In a step of a run, a contact is stored with the atom for which the neighbour list has the pair. complete() stores it with both
-/// atoms, as each of them sees it. So the contact is found again after a new list, whichever atom has the pair then.
-/// If an atom touches two periodic images of another one, the images share their springs. The normals are where the next search of the same
-/// pair starts. They are neither moved nor saved.
+/// In a step of a run, each entry of the neighbour list can have a contact, which stays at its place in memory while the list is the
+/// same. complete() stores the contacts by atom and the tag of the partner, with both atoms, as each of them sees it. So a contact is
+/// found again after a new list, whichever atom has the pair then. If an atom touches two periodic images of another one, a new list
+/// gives both the springs of one of them. The normals are where the next search of the same pair starts. They are neither moved nor
+/// saved.
 class ContactHistory final : public LAMMPS_NS::Fix {
   public:
     ContactHistory(LAMMPS_NS::LAMMPS *lammps, int narg, char **arg);
@@ -28,22 +30,37 @@ class ContactHistory final : public LAMMPS_NS::Fix {
     /// Adds a history to the fixes of a running LAMMPS; its owner removes it.
     static ContactHistory *add(LAMMPS_NS::Modify &modify, std::string const &id);
 
-    /// Starts a new step. find() then gives springs of the step before, until finish_step() replaces them by those that store() got.
-    void start_step();
+    /// Starts a new step. find() gives springs of the step before.
+    ///
+    /// @param rolls whether a law has springs that roll; others are not stored
+    void start_step(LAMMPS_NS::NeighList const &list, bool rolls);
 
-    /// A contact of an atom.
-    struct Contact {
-        LAMMPS_NS::tagint partner;
-        int index; ///< of the partner while the neighbour list is that of the step, then -1
-        Springs springs;
-        Vector normal;
+    /// A contact of two atoms, in a cache line.
+    struct alignas(64) Contact {
+        int i, j;
+        LAMMPS_NS::bigint
+            step; ///< the last step of the contact, counted from a new list; 0: it comes from before the list
+        Vector sliding, normal; ///< the normal is unknown in step 0
     };
 
-    /// The contact of a pair in the step before, or null for a new one. Atom i is owned. The normal is valid if the index is j.
-    Contact const *find(int i, int j) const;
+    /// The contact of an entry of the list in the step before, or null for a new one.
+    Contact const *find(std::uint32_t entry) const
+    {
+        std::uint32_t const place = places_[entry];
+        return place < contacts_.size() && contacts_[place].step >= step_ ? &contacts_[place] : nullptr;
+    }
 
-    /// Stores the springs and the normal of a pair. The pairs of an atom i follow each other.
-    void store(int i, int j, Springs const &springs, Vector const &normal);
+    Vector rolling(Contact const &contact) const { return rolls_ ? rolling_[place(contact)] : Vector{}; }
+
+    /// Stores the contact of an entry of the list, which has atoms i and j.
+    void store(std::uint32_t entry, int i, int j, Springs const &springs, Vector const &normal)
+    {
+        if (places_[entry] == nowhere) places_[entry] = add_contact();
+        std::uint32_t const place = places_[entry];
+        contacts_[place] = {i, j, step_ + 1, springs.sliding, normal};
+        if (rolls_) rolling_[place] = springs.rolling;
+    }
+
     void finish_step();
 
     int setmask() override;
@@ -68,23 +85,40 @@ class ContactHistory final : public LAMMPS_NS::Fix {
     double memory_usage() override;
 
   private:
-    /// A range of contacts_.
+    /// A contact as messages have it.
+    struct Stored {
+        LAMMPS_NS::tagint partner;
+        Springs springs;
+    };
+
+    /// A range of stored_.
     struct Row {
         std::size_t first, count;
     };
 
-    static constexpr int contact_size = 1 + Springs::size; ///< numbers that a message has for each contact
+    static constexpr int stored_size = 1 + Springs::size; ///< numbers that a message has for each contact
+    static constexpr std::uint32_t nowhere = 0xffffffff;
 
     static std::size_t index(int i) { return static_cast<std::size_t>(i); }
+    std::size_t place(Contact const &contact) const { return static_cast<std::size_t>(&contact - contacts_.data()); }
+    std::uint32_t add_contact();
+    void place_contacts(LAMMPS_NS::NeighList const &list);
+    void place_contact(int i, int j);
     void complete();
-    void append(int i, std::vector<Contact> const &more, std::vector<Contact> &all);
+    void share_contacts();
     int longest_row() const;
-    static double *write(Contact const &contact, double *buffer);
-    static Contact read(double const *buffer);
+    static double *write(Stored const &contact, double *buffer);
+    static Stored read(double const *buffer);
 
-    std::vector<Contact> contacts_, next_;
-    std::vector<Row> rows_, next_rows_;          ///< by owned atom
-    std::vector<std::vector<Contact>> mirrored_; ///< by owned atom and ghost, while complete() works
+    std::vector<std::uint32_t> places_; ///< by entry of the list: where its contact is, if it has had one
+    std::vector<Contact> contacts_;     ///< with those that have ended since the list was made
+    std::vector<Vector> rolling_;       ///< by contact, if rolls_
+    bool rolls_ = false;
+    LAMMPS_NS::bigint step_ = 0;              ///< the last finished step, counted from a new list
+    std::vector<Stored> stored_;              ///< valid if is_complete_
+    std::vector<Row> rows_;                   ///< by owned atom
+    std::vector<std::vector<Stored>> shared_; ///< by owned atom and ghost, while complete() works
+    LAMMPS_NS::bigint num_lists_ = 0;         ///< how many lists LAMMPS had made when the places were given
     bool is_complete_ = true;
     int num_atoms_ = 0; ///< owned atoms and ghosts of the step
 };

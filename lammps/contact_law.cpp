@@ -101,6 +101,13 @@ template <bool rolls> Reaction reaction(LawConstants const &c, Encounter const &
     return result;
 }
 
+/// The mass m1 m2/(m1 + m2) of a contact. A frozen body moves as if its mass were infinite.
+double mass_of_contact(double m1, double m2)
+{
+    double const both = m1 * m2 / (m1 + m2);
+    return m1 < 0.0 ? std::abs(m2) : m2 < 0.0 ? m1 : both;
+}
+
 /// A law at some contacts.
 struct RowLaw {
     LawConstants constants;
@@ -113,11 +120,10 @@ struct RowLaw {
         Vector const arm1 = load(geometry.arm1, l) - inward, arm2 = load(geometry.arm2, l) + inward;
         Vector const spin1 = load(rows.spin1, l), spin2 = load(rows.spin2, l);
         Vector const velocity = load(rows.velocity, l) + cross(spin1, arm1) - cross(spin2, arm2);
+        double const mass = mass_of_contact(rows.mass1[l], rows.mass2[l]), share = rows.share[l];
         Springs springs{load(rows.sliding, l), rolls ? load(rows.rolling, l) : Vector{}};
-        Encounter const e{normal,        geometry.depth[l], geometry.radius[l], rows.mass[l], velocity,
-                          spin1 - spin2, timestep};
+        Encounter const e{normal, geometry.depth[l], geometry.radius[l], mass, velocity, spin1 - spin2, timestep};
         Reaction const r = reaction<rolls>(constants, e, springs);
-        double const share = rows.share[l];
         Vector const force = share * r.force, couple = share * r.couple;
         store(force, rows.force, l);
         store(cross(arm1, force) + couple, rows.torque1, l);
@@ -125,7 +131,7 @@ struct RowLaw {
         store(springs.sliding, rows.sliding, l);
         if constexpr (rolls) store(springs.rolling, rows.rolling, l);
         rows.energy[l] = share * r.energy;
-        rows.rate[l] = share * r.stiffness / rows.mass[l];
+        rows.rate[l] = share * r.stiffness / mass;
         rows.by_radius[l] = share * r.by_radius;
     }
 };

@@ -52,15 +52,15 @@ struct Reaction {
 
 /// What laws need of the bodies of some pairs, and what follows for the pairs.
 struct ContactRows {
-    alignas(64) Row<3> velocity;    ///< of the first centre relative to the second
-    Row<3> spin1, spin2;            ///< angular velocities
-    Row<3> sliding, rolling;        ///< the springs of the step before, then those of this step
-    double mass[row_capacity];      ///< as in Encounter
-    double share[row_capacity];     ///< factor of all forces and of the energy
-    Row<3> force, torque1, torque2; ///< force: on the first body
-    double energy[row_capacity];    ///< of the normal spring
-    double rate[row_capacity];      ///< stiffness over mass
-    double by_radius[row_capacity]; ///< derivative of the energy by the equivalent radius
+    alignas(64) Row<3> velocity;                     ///< of the first centre relative to the second
+    Row<3> spin1, spin2;                             ///< angular velocities
+    Row<3> sliding, rolling;                         ///< the springs of the step before, then those of this step
+    double mass1[row_capacity], mass2[row_capacity]; ///< negative for a body that is frozen
+    double share[row_capacity];                      ///< factor of all forces and of the energy
+    Row<3> force, torque1, torque2;                  ///< force: on the first body
+    double energy[row_capacity];                     ///< of the normal spring
+    double rate[row_capacity];                       ///< stiffness over mass
+    double by_radius[row_capacity];                  ///< derivative of the energy by the equivalent radius
 };
 
 /// The constants of a law. Its formulas have no cases: constants of parts that it does not have are zero. So a processor works on several
@@ -94,6 +94,8 @@ class ContactLaw {
     static std::optional<ContactLaw> mixed(ContactLaw const &a, ContactLaw const &b);
 
     bool has_spring() const { return tangential_ == Tangential::linear_history || tangential_ == Tangential::mindlin; }
+
+    bool resists_rolling() const { return resists_rolling_; }
 
     /// The reaction of a contact, and its new springs.
     Reaction react(Encounter const &e, Springs &springs) const;

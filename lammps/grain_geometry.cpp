@@ -220,19 +220,6 @@ GrainSearch::GrainSearch() : rows_{}
     clear();
 }
 
-void GrainSearch::add(Vector const &r12, double const *q1, double const *q2, Vector const &normal)
-{
-    std::size_t const l = size_++;
-    for (std::size_t k = 0; k < 3; ++k) {
-        rows_.r12[k][l] = r12[k];
-        rows_.normal[k][l] = normal[k];
-    }
-    for (std::size_t k = 0; k < 6; ++k) {
-        rows_.q1[k][l] = q1[k];
-        rows_.q2[k][l] = q2[k];
-    }
-}
-
 /// Turns the normals of the pairs that need another step; returns whether there are any.
 bool GrainSearch::turn()
 {

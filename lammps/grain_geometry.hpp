@@ -44,7 +44,19 @@ class GrainSearch {
     void clear() { size_ = 0; }
 
     /// Adds a pair. The search starts from the unit vector `normal`. There are less than `capacity` pairs.
-    void add(Vector const &r12, double const *q1, double const *q2, Vector const &normal);
+    void add(Vector const &r12, double const *q1, double const *q2, Vector const &normal)
+    {
+        store(r12, rows_.r12, size_);
+        store(normal, rows_.normal, size_);
+        for (std::size_t k = 0; k < 6; ++k) {
+            rows_.q1[k][size_] = q1[k];
+            rows_.q2[k][size_] = q2[k];
+        }
+        ++size_;
+    }
+
+    /// Lets the search of pair k start from another normal.
+    void start(std::size_t k, Vector const &normal) { store(normal, rows_.normal, k); }
 
     /// Computes all contacts. A contact depends on its own pair alone.
     void solve();

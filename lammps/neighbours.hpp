@@ -62,7 +62,10 @@ class PairBatch {
   public:
     static constexpr std::size_t capacity = 32768;
 
-    PairBatch() : pairs(2 * capacity), special(capacity), mu2(capacity), lambda(capacity), overlaps(capacity) {}
+    PairBatch()
+        : pairs(2 * capacity), entries(capacity), special(capacity), mu2(capacity), lambda(capacity), overlaps(capacity)
+    {
+    }
 
     /// Fills batches with the pairs of the list for which keep(i, j) is true, where i is owned, and calls use() for each batch.
     template <class Keep, class Use> void run(LAMMPS_NS::NeighList const &list, Keep keep, Use use);
@@ -77,6 +80,7 @@ class PairBatch {
     pw85_pair_list list() const { return {size_, pairs.data(), nullptr}; }
 
     std::vector<std::int32_t> pairs;     ///< (i, j) by local index
+    std::vector<std::uint32_t> entries;  ///< the number of each pair among all pairs of the neighbour list
     std::vector<unsigned char> special;  ///< 0, or the number of the weight of special_bonds
     std::vector<double> mu2, lambda;     ///< memory for results
     std::vector<unsigned char> overlaps; ///< memory for results
@@ -96,6 +100,7 @@ template <class Refuse> pw85_pair_list PairBatch::keep_overlaps(pw85_system cons
         if (overlaps[k] > 1) refuse(i, j, status);
         pairs[2 * count] = i;
         pairs[2 * count + 1] = j;
+        entries[count] = entries[k];
         special[count] = special[k];
         count += overlaps[k];
     }
@@ -105,6 +110,7 @@ template <class Refuse> pw85_pair_list PairBatch::keep_overlaps(pw85_system cons
 template <class Keep, class Use> void PairBatch::run(LAMMPS_NS::NeighList const &list, Keep keep, Use use)
 {
     size_ = 0;
+    std::uint32_t entry = 0;
     for (int row = 0; row < list.inum; ++row) {
         int const i = list.ilist[row], count = list.numneigh[i];
         int const *const neighbours = list.firstneigh[i];
@@ -112,6 +118,7 @@ template <class Keep, class Use> void PairBatch::run(LAMMPS_NS::NeighList const 
             int const j = neighbours[k] & NEIGHMASK;
             pairs[2 * size_] = i;
             pairs[2 * size_ + 1] = j;
+            entries[size_] = entry++;
             special[size_] = static_cast<unsigned char>(neighbours[k] >> SBBITS & 3);
             // There is no branch here, because a processor cannot predict which pairs are kept.
             size_ += keep(i, j) ? 1 : 0;

@@ -115,6 +115,7 @@ void PairGranular::init_style()
     std::fill_n(cutsq[0], (atom->ntypes + 1) * (atom->ntypes + 1), 0.0);
     used_types_.assign(static_cast<std::size_t>(atom->ntypes) + 1, false);
     if (cutoff_ == 0.0) read_reaches();
+    rolls_ = false;
     frozen_ = 0;
     for (int k = 0; k < modify->nfix; ++k)
         if (std::strcmp(modify->fix[k]->style, "freeze") == 0) frozen_ |= modify->fix[k]->groupbit;
@@ -139,6 +140,7 @@ double PairGranular::init_one(int i, int j)
     used_types_[static_cast<std::size_t>(i)] = used_types_[static_cast<std::size_t>(j)] = true;
     if (setflag[i][j] == 0) mix(i, j);
     if (!material(i, j).is_set) refuse_type(i);
+    rolls_ = rolls_ || material(i, j).law.resists_rolling();
     if (cutoff_ > 0.0) return cutoff_;
     return reaches_[static_cast<std::size_t>(i * (atom->ntypes + 1) + j)];
 }
@@ -172,12 +174,12 @@ void PairGranular::compute(int eflag, int vflag)
             ellipsoids_->require_cutoff(t, u, std::sqrt(cutsq[t][u]), reach);
     });
     forward_to_ghosts(*comm, this);
-    find_spins();
+    read_bodies();
     timestep_ = update->setupflag ? 0.0 : update->dt;
     time_step_check_.start_step();
     touches_.clear();
     if (keeps_touches_) step_of_touches_ = update->ntimestep;
-    history_->start_step();
+    history_->start_step(*list, rolls_);
     batch_.run(*list, ellipsoids_->reach(1.0), [this, eflag] { add_batch(eflag); });
     history_->finish_step();
     time_step_check_.finish_step(*error, style_name, timestep_);
@@ -196,12 +198,14 @@ void PairGranular::add_batch(int eflag)
 void PairGranular::add_pairs(std::size_t count, int eflag)
 {
     sort_by_law(count);
-    find_starts(count);
     search_.clear();
+    std::array<std::size_t, row_capacity> unknown;
+    std::size_t num_unknown = 0;
     for (std::size_t l = 0; l < count; ++l) {
-        add_to(search_, l);
-        read_bodies(l);
+        add_row(l);
+        if (!overlaps_[l].is_known) unknown[num_unknown++] = l;
     }
+    if (num_unknown > 0) start_at_contact_function({unknown.data(), num_unknown});
     search_.solve();
     for (std::size_t l = 0; l < count; ++l)
         if (!is_certain(l)) search_.replace(l, contact_from_anew(l));
@@ -213,38 +217,22 @@ void PairGranular::add_pairs(std::size_t count, int eflag)
 void PairGranular::sort_by_law(std::size_t count)
 {
     std::array<std::size_t, row_capacity> keys; // the law, and the pair
+    std::int32_t const *const pairs = &batch_.pairs[2 * first_];
     for (std::size_t k = 0; k < count; ++k) {
-        auto const [t, u] = std::minmax(atom->type[pair(k)[0]], atom->type[pair(k)[1]]);
+        auto const [t, u] = std::minmax(atom->type[pairs[2 * k]], atom->type[pairs[2 * k + 1]]);
         keys[k] = material_index(t, u) * row_capacity + k;
     }
     auto const end = keys.begin() + static_cast<std::ptrdiff_t>(count);
     if (!std::is_sorted(keys.begin(), end)) std::sort(keys.begin(), end);
     for (std::size_t l = 0; l < count; ++l) {
-        laws_[l] = keys[l] / row_capacity;
-        order_[l] = keys[l] % row_capacity;
-        rows_of_pairs_[order_[l]] = l;
+        std::size_t const k = keys[l] % row_capacity;
+        overlaps_[l].i = pairs[2 * k];
+        overlaps_[l].j = pairs[2 * k + 1];
+        overlaps_[l].entry = batch_.entries[first_ + k];
+        overlaps_[l].law = keys[l] / row_capacity;
+        rows_.share[l] = force->special_lj[batch_.special[first_ + k]];
+        rows_of_pairs_[k] = l;
     }
-}
-
-/// Finds the springs that the pairs had in the step before, and where the searches for their normals start.
-void PairGranular::find_starts(std::size_t count)
-{
-    std::array<std::size_t, row_capacity> unknown;
-    std::size_t num_unknown = 0;
-    for (std::size_t l = 0; l < count; ++l) {
-        int const i = pair(order_[l])[0], j = pair(order_[l])[1];
-        ContactHistory::Contact const *const before = history_->find(i, j);
-        Springs const springs = before ? before->springs : Springs{};
-        store(springs.sliding, rows_.sliding, l);
-        store(springs.rolling, rows_.rolling, l);
-        Start &start = starts_[l];
-        start.is_known = before && before->index == j;
-        if (start.is_known)
-            start.normal = before->normal;
-        else
-            unknown[num_unknown++] = l;
-    }
-    if (num_unknown > 0) start_at_contact_function({unknown.data(), num_unknown});
 }
 
 /// Lets searches start from the normals of the contact function.
@@ -252,48 +240,44 @@ void PairGranular::start_at_contact_function(std::span<std::size_t const> rows)
 {
     std::array<std::int32_t, 2 * row_capacity> indices;
     std::array<double, 3 * row_capacity> normals;
-    for (std::size_t n = 0; n < rows.size(); ++n) std::copy_n(pair(order_[rows[n]]), 2, &indices[2 * n]);
+    for (std::size_t n = 0; n < rows.size(); ++n) {
+        indices[2 * n] = overlaps_[rows[n]].i;
+        indices[2 * n + 1] = overlaps_[rows[n]].j;
+    }
     pw85_system const system = ellipsoids_->system();
     pw85_pair_list const pairs{rows.size(), indices.data(), nullptr};
     pw85_contact_derivatives_pairs(&pairs, &system, nullptr, nullptr, nullptr, normals.data(), nullptr, nullptr,
                                    nullptr);
-    for (std::size_t n = 0; n < rows.size(); ++n) starts_[rows[n]].normal = vector(&normals[3 * n]);
+    for (std::size_t n = 0; n < rows.size(); ++n) {
+        overlaps_[rows[n]].start = vector(&normals[3 * n]);
+        search_.start(rows[n], overlaps_[rows[n]].start);
+    }
 }
 
-Vector PairGranular::separation(std::size_t k) const
+/// Adds the geometry of the pair in row l, its springs in the step before, and what the law needs of its bodies.
+void PairGranular::add_row(std::size_t l)
 {
-    return vector(atom->x[pair(k)[1]]) - vector(atom->x[pair(k)[0]]);
-}
-
-void PairGranular::add_to(GrainSearch &search, std::size_t l) const
-{
-    std::size_t const k = order_[l];
-    search.add(separation(k), ellipsoids_->form(pair(k)[0]), ellipsoids_->form(pair(k)[1]), starts_[l].normal);
-}
-
-/// Reads what the law needs of the bodies of the pair in row l.
-void PairGranular::read_bodies(std::size_t l)
-{
-    int const i = pair(order_[l])[0], j = pair(order_[l])[1];
-    store(vector(atom->v[i]) - vector(atom->v[j]), rows_.velocity, l);
-    store(spins_[static_cast<std::size_t>(i)], rows_.spin1, l);
-    store(spins_[static_cast<std::size_t>(j)], rows_.spin2, l);
-    rows_.mass[l] = mass(i, j);
-    rows_.share[l] = force->special_lj[batch_.special[first_ + order_[l]]];
-}
-
-double PairGranular::mass(int i, int j) const
-{
-    double const m1 = atom->rmass[i], m2 = atom->rmass[j];
-    return is_frozen(i) ? m2 : is_frozen(j) ? m1 : m1 * m2 / (m1 + m2);
+    Overlap &pair = overlaps_[l];
+    ContactHistory::Contact const *const before = history_->find(pair.entry);
+    store(before ? before->sliding : Vector{}, rows_.sliding, l);
+    if (rolls_) store(before ? history_->rolling(*before) : Vector{}, rows_.rolling, l);
+    pair.is_known = before && before->step > 0;
+    if (pair.is_known) pair.start = before->normal;
+    Body const &a = body(pair.i), &b = body(pair.j);
+    search_.add(b.x - a.x, a.form.data(), b.form.data(), pair.start);
+    store(a.v - b.v, rows_.velocity, l);
+    store(a.spin, rows_.spin1, l);
+    store(b.spin, rows_.spin2, l);
+    rows_.mass1[l] = a.mass;
+    rows_.mass2[l] = b.mass;
 }
 
 /// Whether a contact is that of its pair. If the normal has turned far since the step before, it may belong to another minimum.
 bool PairGranular::is_certain(std::size_t l) const
 {
-    if (!starts_[l].is_known) return true;
+    if (!overlaps_[l].is_known) return true;
     GrainSearch::Rows const &rows = search_.rows();
-    return rows.depth[l] > 0.0 && dot(load(rows.turned, l), starts_[l].normal) >= least_cosine;
+    return rows.depth[l] > 0.0 && dot(load(rows.turned, l), overlaps_[l].start) >= least_cosine;
 }
 
 /// The contact in row l that is found from the normal of the contact function.
@@ -301,7 +285,8 @@ GrainGeometry PairGranular::contact_from_anew(std::size_t l)
 {
     start_at_contact_function({&l, 1});
     single_search_.clear();
-    add_to(single_search_, l);
+    GrainSearch::Rows const &rows = search_.rows();
+    single_search_.add(load(rows.r12, l), load(rows.q1, l).data(), load(rows.q2, l).data(), overlaps_[l].start);
     single_search_.solve();
     return single_search_.contact(0);
 }
@@ -311,39 +296,40 @@ void PairGranular::react(std::size_t count)
 {
     double const arms = arms_ == Arms::contact ? 0.5 : 0.0;
     for (std::size_t l = 0, end = 0; l < count; l = end) {
-        while (end < count && laws_[end] == laws_[l]) ++end;
-        materials_[laws_[l]].law.react(search_.rows(), rows_, l, end - l, arms, timestep_);
+        while (end < count && overlaps_[end].law == overlaps_[l].law) ++end;
+        materials_[overlaps_[l].law].law.react(search_.rows(), rows_, l, end - l, arms, timestep_);
     }
 }
 
 /// Adds the force and torques of the pair in row l.
 void PairGranular::add_pair(std::size_t l, int eflag)
 {
-    int const i = pair(order_[l])[0], j = pair(order_[l])[1];
+    Overlap const &pair = overlaps_[l];
     double const depth = search_.rows().depth[l];
     if (rows_.share[l] == 0.0) return;
-    if (std::isnan(depth)) refuse_depth(i, j);
+    if (std::isnan(depth)) refuse_depth(pair.i, pair.j);
     if (!(depth > 0.0)) return;
-    history_->store(i, j, {load(rows_.sliding, l), load(rows_.rolling, l)}, load(search_.rows().turned, l));
+    history_->store(pair.entry, pair.i, pair.j, {load(rows_.sliding, l), load(rows_.rolling, l)},
+                    load(search_.rows().turned, l));
     time_step_check_.add(rows_.rate[l]);
     Vector f = load(rows_.force, l), torque1 = load(rows_.torque1, l), torque2 = load(rows_.torque2, l);
-    if (materials_[laws_[l]].conserves) add_gradient(l, f, torque1, torque2);
+    if (materials_[pair.law].conserves) add_gradient(l, f, torque1, torque2);
     if (keeps_touches_) keep_touch(l, f);
-    apply(i, f, torque1);
-    if (force->newton_pair || j < atom->nlocal) apply(j, -1.0 * f, torque2);
+    apply(pair.i, f, torque1);
+    if (force->newton_pair || pair.j < atom->nlocal) apply(pair.j, -1.0 * f, torque2);
     if (!evflag) return;
-    Vector const r12 = separation(order_[l]);
-    ev_tally_xyz(i, j, atom->nlocal, force->newton_pair, eflag ? rows_.energy[l] : 0.0, 0.0, f[0], f[1], f[2], -r12[0],
-                 -r12[1], -r12[2]);
+    Vector const r12 = load(search_.rows().r12, l);
+    ev_tally_xyz(pair.i, pair.j, atom->nlocal, force->newton_pair, eflag ? rows_.energy[l] : 0.0, 0.0, f[0], f[1], f[2],
+                 -r12[0], -r12[1], -r12[2]);
 }
 
 /// Adds the force and the torques that come from changes of the equivalent radius.
 void PairGranular::add_gradient(std::size_t l, Vector &f, Vector &torque1, Vector &torque2) const
 {
-    std::int32_t const *const atoms = pair(order_[l]);
+    Overlap const &pair = overlaps_[l];
     GrainSearch::Rows const &rows = search_.rows();
     RadiusGradient const d =
-        radius_gradient(ellipsoids_->form(atoms[0]), ellipsoids_->form(atoms[1]), load(rows.turned, l), rows.depth[l]);
+        radius_gradient(body(pair.i).form.data(), body(pair.j).form.data(), load(rows.turned, l), rows.depth[l]);
     double const by_radius = rows_.by_radius[l];
     f = f + by_radius * d.r12;
     torque1 = torque1 - by_radius * d.rotation1;
@@ -354,21 +340,28 @@ void PairGranular::keep_touch(std::size_t l, Vector const &f)
 {
     GrainGeometry g = search_.contact(l);
     if (arms_ == Arms::contact) g.meet_in_the_middle();
-    touches_.push_back({pair(order_[l])[0], pair(order_[l])[1], g.arm1, g.normal, f, g.depth});
+    touches_.push_back({overlaps_[l].i, overlaps_[l].j, g.arm1, g.normal, f, g.depth});
 }
 
-void PairGranular::find_spins()
+void PairGranular::read_bodies()
 {
-    spins_.resize(static_cast<std::size_t>(atom->nlocal + atom->nghost));
-    for (int i = 0; i < atom->nlocal + atom->nghost; ++i)
-        if (ellipsoids_->selected(i))
-            spins_[static_cast<std::size_t>(i)] =
-                without_inertia(atom->rmass[i], ellipsoids_->form(i), vector(atom->angmom[i]));
+    bodies_.resize(static_cast<std::size_t>(atom->nlocal + atom->nghost));
+    for (int i = 0; i < atom->nlocal + atom->nghost; ++i) {
+        if (!ellipsoids_->selected(i)) continue;
+        Body &body = bodies_[static_cast<std::size_t>(i)];
+        double const *const q = ellipsoids_->form(i), mass = atom->rmass[i];
+        body.x = vector(atom->x[i]);
+        body.v = vector(atom->v[i]);
+        body.spin = without_inertia(mass, q, vector(atom->angmom[i]));
+        std::copy_n(q, PW85_SYM, body.form.begin());
+        body.mass = (atom->mask[i] & frozen_) != 0 ? -mass : mass;
+    }
 }
 
 void PairGranular::apply(int i, Vector const &push, Vector const &torque)
 {
-    double *const f = atom->f[i], *const t = atom->torque[i];
+    auto const at = 3 * static_cast<std::ptrdiff_t>(i);
+    double *const f = atom->f[0] + at, *const t = atom->torque[0] + at;
     f[0] += push
         [0]; // one by one: a loop would read pairs of numbers that have just been written one by one, which takes long
     f[1] += push[1];

@@ -59,10 +59,20 @@ class PairGranular final : public LAMMPS_NS::Pair {
         bool is_set = false;
     };
 
-    /// Where the search for the normal of a pair starts.
-    struct Start {
-        Vector normal;
-        bool is_known; ///< whether the normal is that of the step before
+    /// What is known of an atom in a step, in two cache lines.
+    struct alignas(64) Body {
+        Vector x, v, spin; ///< spin: angular velocity
+        std::array<double, PW85_SYM> form;
+        double mass; ///< of a frozen atom: negative
+    };
+
+    /// A pair of ellipsoids that overlap.
+    struct Overlap {
+        int i, j;
+        std::uint32_t entry; ///< of the neighbour list
+        std::size_t law;     ///< index in materials_
+        Vector start;        ///< where the search for the normal starts
+        bool is_known;       ///< whether that is the normal of the step before
     };
 
     void allocate();
@@ -74,23 +84,18 @@ class PairGranular final : public LAMMPS_NS::Pair {
     Material &material(int t, int u) { return materials_[material_index(t, u)]; }
     void add_batch(int eflag);
     void add_pairs(std::size_t count, int eflag);
-    std::int32_t const *pair(std::size_t k) const { return &batch_.pairs[2 * (first_ + k)]; }
     void sort_by_law(std::size_t count);
-    void find_starts(std::size_t count);
     void start_at_contact_function(std::span<std::size_t const> rows);
-    Vector separation(std::size_t k) const;
-    void add_to(GrainSearch &search, std::size_t l) const;
-    void read_bodies(std::size_t l);
-    double mass(int i, int j) const;
+    void read_bodies();
+    Body const &body(int i) const { return bodies_[static_cast<std::size_t>(i)]; }
+    void add_row(std::size_t l);
     bool is_certain(std::size_t l) const;
     GrainGeometry contact_from_anew(std::size_t l);
     void react(std::size_t count);
     void add_pair(std::size_t l, int eflag);
     void add_gradient(std::size_t l, Vector &f, Vector &torque1, Vector &torque2) const;
     void keep_touch(std::size_t l, Vector const &f);
-    void find_spins();
     void apply(int i, Vector const &push, Vector const &torque);
-    bool is_frozen(int i) const { return (atom->mask[i] & frozen_) != 0; }
     [[noreturn]] void refuse_depth(int i, int j) const;
 
     double cutoff_ = 0.0; ///< of the command; 0: the cutoffs follow from the shapes
@@ -101,17 +106,17 @@ class PairGranular final : public LAMMPS_NS::Pair {
     std::optional<Ellipsoids> ellipsoids_;
     std::string history_id_;
     ContactHistory *history_ = nullptr;
+    bool rolls_ = false; ///< whether a law resists rolling
     PairBatch batch_;
     std::size_t first_ = 0; ///< the pair of the batch that is the first one of those that have rows
 
     // The pairs have rows, in which those with the same law follow each other.
-    std::array<std::size_t, row_capacity> order_{}, rows_of_pairs_{}; ///< pair of each row, row of each pair
-    std::array<std::size_t, row_capacity> laws_{};                    ///< by row: index in materials_
-    std::array<Start, row_capacity> starts_{};                        ///< by row
+    std::array<Overlap, row_capacity> overlaps_{};
+    std::array<std::size_t, row_capacity> rows_of_pairs_{}; ///< in the order of the batch
     GrainSearch search_, single_search_;
     ContactRows rows_{};
-    std::vector<Vector> spins_; ///< angular velocities of owned atoms and ghosts
-    double timestep_ = 0.0;     ///< for springs: zero while a run is set up
+    std::vector<Body> bodies_; ///< owned atoms and ghosts; of those without ellipsoids nothing is known
+    double timestep_ = 0.0;    ///< for springs: zero while a run is set up
     TimeStepCheck time_step_check_;
     bool keeps_touches_ = false;
     LAMMPS_NS::bigint step_of_touches_ = -1;

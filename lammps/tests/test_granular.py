@@ -166,6 +166,10 @@ class Pairs(AgainstLammps, unittest.TestCase):
     HERTZ = ("pair_style gran/hertz/history 100000 80000 200 100 0.5 1\npair_coeff * *",
              granular("hertz 100000 200 tangential mindlin 80000 0.5 0.5", "arms surface"))
 
+    def test_frozen(self):
+        """A sphere in the group of fix freeze is as heavy as an infinite mass, which damping depends on."""
+        self.check([law + "\ngroup ice id 1:64:3\nfix ice ice freeze" for law in self.HOOKE], (2, "on"))
+
     def test_materials(self):
         """Forces without spin and without springs do not depend on the arms, which pair_style granular mixes."""
         spheres = self.spheres(still=True)
