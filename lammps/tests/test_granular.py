@@ -232,12 +232,13 @@ class Pairs(AgainstLammps, unittest.TestCase):
             self.compare(move(grains, like, 20)[-1], expected, self.trajectory, mixed)
 
     def test_contacts_begin_anew(self):
-        """Three spheres in a row that hit each other again and again: the spring of a contact that has ended is forgotten."""
+        """Three spheres in a row that hit each other again and again, with the same neighbour list for some time: the spring of a contact
+        that has ended is forgotten."""
         spheres = dataclasses.replace(
-            self.spheres(), centers=np.array([[0.5, 2.0, 2.0], [1.8, 2.02, 2.0], [3.1, 2.0, 1.99]]), semi_axes=np.full((3, 3), 0.5),
+            self.spheres(), centers=np.array([[0.5, 2.0, 2.0], [1.8, 2.02, 2.0], [3.1, 2.0, 1.99]]), semi_axes=np.full((3, 3), 0.64),
             quaternions=np.tile([1.0, 0.0, 0.0, 0.0], (3, 1)), types=np.ones(3, dtype=int),
             velocities=np.array([[15.0, 0.0, 1.0], [-9.0, 2.0, 0.0], [-3.0, -1.0, 0.0]]), spins=np.array([[0.0, 1.0, 2.0]] * 3))
-        expected, found = (move(kind(**vars(spheres)), law, 400)[-1]
+        expected, found = (move(kind(**vars(spheres)), law + "\nneighbor 0.9 bin", 400)[-1]
                            for kind, law in zip((Spheres, Grains), self.HOOKE, strict=True))
         self.compare(found, expected, self.trajectory, self.HOOKE[1])
 
