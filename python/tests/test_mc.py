@@ -135,7 +135,7 @@ def test_interrupted(run, folder, whole, kind):
 THREADS = """
 import os, sys
 from pypw85 import cli
-sys.argv = ["pw85", "mc", "start.xyz", "--sweeps", "2", "--out", "run.h5", "--threads", "3"]
+sys.argv = ["pw85", "mc", "large.xyz", "--sweeps", "2", "--out", "run.h5", "--threads", "3"]
 assert cli._run() == 0
 print(len(os.listdir("/proc/self/task")))
 """
@@ -143,6 +143,12 @@ print(len(os.listdir("/proc/self/task")))
 
 @pytest.mark.skipif(sys.platform != "linux", reason="the folder of threads is one of Linux")
 def test_threads(folder):
+    """The threads that are asked for work on a system that is large enough to share."""
+    edge = 18
+    places = np.stack(np.meshgrid(*[np.arange(float(edge))] * 3, indexing="ij"), axis=-1).reshape(-1, 3)
+    n = len(places)
+    upright = np.tile([1.0, 0, 0, 0], (n, 1))
+    pypw85.write("large.xyz", pypw85.System.from_axes(places, np.full((n, 3), 0.4), upright, cell=edge * np.eye(3)))
     done = subprocess.run([sys.executable, "-c", THREADS], capture_output=True, text=True, env={**os.environ, "OMP_NUM_THREADS": "1"})
     assert done.stdout.splitlines()[-1] == "3", done
 
