@@ -26,7 +26,7 @@ def grains():
 
 def grain_ranks():
     rows = measurements.read_table("grain_ranks")
-    heads = [f"{int(rows[0]['grains']):,} ellipsoids", "ms per step", "speedup"]
+    heads = [f"{int(rows[0]['grains']):,} ellipsoids", "ms per step", "times as fast"]
     yield from table(heads, ([row["run"], row["ms"], row["speedup"]] for row in rows))
     yield ""
     yield f"({measurements.conditions('grain_ranks')}; `bench/grains.py --ranks`. A grain takes {float(rows[0]['bytes']):g} bytes, all of"
