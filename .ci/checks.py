@@ -154,10 +154,10 @@ def test(results, folder, arguments=(), **environment):
     report(results, folder, ok)
 
 
-def test_suites(results, name, suites, options, compilers, **environment):
-    """Runs some suites in a fresh folder, without warnings. Only their programs are built."""
+def test_some(results, name, selection, options, compilers, **environment):
+    """Runs the tests that the words of `selection` select, in a fresh folder, without warnings. Only their programs are built."""
     results.add(f"{name}: set up", set_up(name, options, compilers))
-    test(results, folder_of(name), [*(f"--suite={suite}" for suite in suites), "--timeout-multiplier=10"], **environment)
+    test(results, folder_of(name), [*selection, "--timeout-multiplier=10"], **environment)
 
 
 def report(results, folder, ok):
@@ -287,22 +287,23 @@ def check_valgrind(results):
 
 
 def check_lammps(results):
-    test_suites(results, "lammps", ["lammps"], [*ONLY_TESTS, ONE_LIBRARY, "-Dlammps=enabled", "-Dpython=enabled"], {})
+    test_some(results, "lammps", ["--suite=lammps"], [*ONLY_TESTS, ONE_LIBRARY, "-Dlammps=enabled", "-Dpython=enabled"], {})
 
 
 def check_clang(results):
     """Runs the tests that depend on the optimisation of a compiler, with clang. The sanitizers run all tests with clang."""
-    test_suites(results, "clang", ["quick", "portable", "flags"], [*ONLY_TESTS, "-Dgsl=disabled"], CLANG)
+    suites = ["--suite=quick", "--suite=portable", "--suite=flags"]
+    test_some(results, "clang", suites, [*ONLY_TESTS, "-Dgsl=disabled"], CLANG)
 
 
 def check_sanitizers(results):
     """Runs the tests with sanitizers, by clang, which compiles instrumented code ten times as fast as GCC."""
     options = [*ONLY_TESTS, ONE_LIBRARY, "-Dgsl=disabled", "-Db_lundef=false", "-Doptimization=1", "-Doptimized=false"]
-    if build(results, "address-undefined", [*options, "-Db_sanitize=address,undefined"], CLANG):
-        test(results, folder_of("address-undefined"), ["--no-suite=install", "--no-suite=flags", "--timeout-multiplier=10"],
-             UBSAN_OPTIONS="halt_on_error=1:print_stacktrace=1", ASAN_OPTIONS="detect_leaks=1")
-    test_suites(results, "thread", ["threads"], [*options, "-Db_sanitize=thread", "-Dopenmp=disabled"], CLANG,
-                TSAN_OPTIONS="halt_on_error=1")
+    test_some(results, "address-undefined", ["--no-suite=install", "--no-suite=flags"],
+              [*options, "-Db_sanitize=address,undefined"], CLANG, UBSAN_OPTIONS="halt_on_error=1:print_stacktrace=1",
+              ASAN_OPTIONS="detect_leaks=1")
+    test_some(results, "thread", ["--suite=threads"], [*options, "-Db_sanitize=thread", "-Dopenmp=disabled"], CLANG,
+              TSAN_OPTIONS="halt_on_error=1")
 
 
 def check_all(results):
@@ -330,10 +331,10 @@ def main():
     start = time.monotonic()
     results = Results()
     # The parts share a cache of compiled objects. What it ignores does not change an object: warnings are errors in the first part,
-    # so that what it compiled has none, and the other is about automatic linking on Windows.
+    # so that what it compiled has none, and the other is about automatic linking on Windows. Meson's paths of sources are relative.
     os.environ.setdefault("CCACHE_DIR", str(BUILDS / "ccache"))
     os.environ["CCACHE_IGNOREOPTIONS"] = "-Werror -DBOOST_ALL_NO_LIB"
-    os.environ.update(CCACHE_BASEDIR="/", CCACHE_NOHASHDIR="1", CCACHE_SLOPPINESS="include_file_mtime,include_file_ctime",
+    os.environ.update(CCACHE_NOHASHDIR="1", CCACHE_SLOPPINESS="include_file_mtime,include_file_ctime",
                       CMAKE_C_COMPILER_LAUNCHER="ccache", CMAKE_CXX_COMPILER_LAUNCHER="ccache")  # Meson finds it by itself
     check_all(results)
     print(f"\n{(time.monotonic() - start) / 60:.0f} minutes: " +
