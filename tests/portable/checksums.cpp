@@ -1,5 +1,5 @@
 // Whether the reproducible mode gives the recorded bits on this machine. Each function of pw85.h that computes from numbers has a
-// line of 64-bit checksums of its outputs and statuses in checksums.txt: over 16,384, 131,072 and 1,007,616 pairs. Functions that
+// line of 64-bit checksums of its outputs and statuses in checksums.txt: over 8,192, 131,072 and 1,007,616 pairs. Functions that
 // compute depths of overlaps take a sixteenth of the pairs, and functions that have no rows take one in 128.
 //
 // Usage: checksums check TABLE PARTS     compares; PARTS, 1 to 3, is how many checksums of each line
@@ -23,7 +23,7 @@ namespace {
 constexpr std::size_t chunk = 8192;
 
 /// The number of chunks of each part.
-constexpr int parts = 3, chunks_of_part[parts] = {2, 16, 123};
+constexpr int parts = 3, chunks_of_part[parts] = {1, 16, 123};
 
 /// A checksum of numbers by their values, whatever the order of their bytes. All NaN count as one, because their signs and payloads
 /// are not specified.
