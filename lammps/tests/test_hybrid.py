@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-only
 """The soft potential beside others: in hybrid styles, with mixed coefficients, under fix adapt, pair by pair."""
 
+import os
 import unittest
 
 import brute_force
@@ -13,6 +14,31 @@ CUTOFF = SYSTEM.cutoff
 CUTOFFS = [2.0 * SYSTEM.semi_axes[SYSTEM.types == t].max() for t in (1, 2)]
 
 ENERGY = "thermo_style custom step pe\nthermo_modify norm no format float %.17g\nrun 0\n"
+
+BONDED = """
+units lj
+atom_style hybrid ellipsoid bond
+include {include}
+comm_modify vel yes
+region box block 0 4 0 4 0 4
+create_box 1 box bond/types 1 extra/bond/per/atom 1 extra/special/per/atom 2
+create_atoms 1 single 1.0 2.0 2.0
+create_atoms 1 single 1.8 2.1 2.0
+set type 1 shape 1.0 1.2 0.9
+set type 1 quat/random 1234
+set type 1 density 1.0
+bond_style zero
+bond_coeff *
+special_bonds lj {weight} 1 1
+create_bonds single/bond 1 1 2
+{pair}
+neighbor 0.3 bin
+thermo_style custom step pe
+thermo_modify norm no format float %.17g
+dump forces all custom 1 forces.txt id fx fy fz tqx tqy tqz
+dump_modify forces sort id format float %.17g
+run 0
+"""
 
 
 class Hybrid(unittest.TestCase):
@@ -58,6 +84,18 @@ class Hybrid(unittest.TestCase):
         text = failure(preamble(SYSTEM) + "pair_style hybrid lj/cut 9.0 pw85/contact 0.5\npair_coeff 1 * lj/cut 0.0 1.0\n"
                        "pair_coeff 2 2 pw85/contact 50.0\nrun 0\n", SYSTEM)
         self.assertIn("of types 2 and 2 misses contacts", text)
+
+    def test_weights_of_special_bonds(self):
+        """The weight of a pair is a power of two, so that its energy, forces and torques are multiplied without rounding."""
+        grains = "pair_style pw85/granular\npair_coeff * * hertz 1000 10 tangential mindlin 500 0.5 0.5"
+        for pair in ("pair_style pw85/contact 1.2\npair_coeff * * 50.0", grains, grains + " conservative"):
+            found = []
+            for weight in (1.0, 0.25):
+                script = BONDED.format(include=os.environ["PW85_LAMMPS_INCLUDE"], weight=weight, pair=pair)
+                text, ((forces,),) = run(script, outputs=("forces.txt",))
+                found.append(np.append(forces[:, 1:], thermo(text)[0, 1]))
+            self.assertGreater(np.abs(found[0]).min(), 0.0)
+            np.testing.assert_array_equal(found[1], 0.25 * found[0], err_msg=pair)
 
     def test_computes_beside_other_styles(self):
         computes = ("compute overlap all pw85/overlap\ncompute contact all pw85/contact below 1.0\n"
