@@ -38,8 +38,8 @@ class ContactHistory final : public LAMMPS_NS::Fix {
     /// A contact of two atoms, in a cache line.
     struct alignas(64) Contact {
         int i, j;
-        LAMMPS_NS::bigint
-            step; ///< the last step of the contact, counted from a new list; 0: it comes from before the list
+        /// The last step of the contact, counted from a new list. In step 0 it comes from before the list.
+        LAMMPS_NS::bigint step;
         Vector sliding, normal; ///< the normal is unknown in step 0
     };
 

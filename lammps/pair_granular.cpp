@@ -362,8 +362,8 @@ void PairGranular::apply(int i, Vector const &push, Vector const &torque)
 {
     auto const at = 3 * static_cast<std::ptrdiff_t>(i);
     double *const f = atom->f[0] + at, *const t = atom->torque[0] + at;
-    f[0] += push
-        [0]; // one by one: a loop would read pairs of numbers that have just been written one by one, which takes long
+    // One by one: a loop would read pairs of numbers that have just been written one by one, which takes long.
+    f[0] += push[0];
     f[1] += push[1];
     f[2] += push[2];
     t[0] += torque[0];

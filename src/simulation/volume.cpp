@@ -202,8 +202,8 @@ void Engine::tune(Counts const &before, double acceptance) noexcept
         if (trials == 0) return;
         double const n = static_cast<double>(trials), gain = std::min(1.0, 0.1 * std::sqrt(n));
         double const change = gain * (static_cast<double>(accepted) / n - acceptance);
-        step = std::min(
-            largest, step * ((2.0 + change) / (2.0 - change))); // nearly the exponential, with the same bits everywhere
+        // Nearly the exponential, with the same bits everywhere.
+        step = std::min(largest, step * ((2.0 + change) / (2.0 - change)));
     };
     adapt(parameters.translation, Move::translation, both, longest_translation());
     adapt(parameters.rotation, Move::rotation, both, 1.0);
