@@ -37,10 +37,12 @@ struct Turns {
     int least, most;
 };
 
-/// Takes turns. Short calls are repeated, so that the start of a thread, which takes some ten microseconds, hardly counts.
+/// Takes turns. Short calls are repeated, so that the start of a thread, which takes some ten microseconds, hardly counts. How often is
+/// found from the shorter of two calls, because some work, as new lists of neighbours, is not done in each.
 template <class First, class Second> Times measure_threads(Turns const &turns, First const &first, Second const &second)
 {
-    auto const repeats = static_cast<int>(std::ceil(turns.sample / std::max(seconds(1, first), 1e-9)));
+    auto const repeats =
+        static_cast<int>(std::ceil(turns.sample / std::max(std::min(seconds(1, first), seconds(1, first)), 1e-9)));
     auto const repeated = [repeats](auto const &problem) {
         for (int k = 0; k < repeats; ++k) problem();
     };

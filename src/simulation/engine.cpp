@@ -2,6 +2,7 @@
 #include "engine.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "../kernels/many_pairs.hpp"
 
@@ -13,9 +14,14 @@ namespace {
 constexpr std::uint32_t whole_sweep = UINT32_MAX;
 
 /// Rows are made anew before a sweep if a particle has less room in its fixed box than this part of the skin. Otherwise it would often
-/// stop a domain during the sweep, and the rows would be made anew for one particle. At packing fraction 0.4 and aspect ratio 3, larger
-/// values take more instructions for each trial: 0.1 some 7 %, and 0.25 nearly twice as many.
+/// stop a domain during the sweep, and other threads would wait for the new rows. At packing fraction 0.4, aspect ratio 3 and with 1e4
+/// particles, 0.02 takes a twentieth less time with one thread, but a fifth more with two. Larger values make rows more often: 0.1 takes
+/// some 7 % more instructions for each trial, and 0.25 nearly twice as many.
 constexpr double least_room = 0.05;
+
+/// The skin over the longest semi-axis takes the least time at packing fraction 0.4 and aspect ratio 3 if it is this up to 1e4 particles
+/// and grows with the logarithm of their number beyond: the more particles, the sooner one of them has left its fixed box.
+constexpr double relative_skin = 0.75, growth_of_skin = 0.12, few_particles = 1e4;
 
 /// Places are chosen anew with every so many new rows. Particles diffuse slowly.
 constexpr int rows_per_order = 16;
@@ -107,13 +113,14 @@ void Engine::refresh_boxes() noexcept
     boxes_.refresh(ordered_, neighborhood_, longest_, 2.0 * longest_ + skin_of_rows_);
 }
 
-// Three quarters of the longest semi-axis take the fewest instructions at packing fraction 0.4 and aspect ratio 3. One trial moves a side
-// of a bounding box by at most `step` or `spread_`. Half of the skin is more, so that a trial is within the fixed boxes of rows that have
-// just been made. A rotation by (1, v) turns by less than 2 |v|.
+// One trial moves a side of a bounding box by at most `step` or `spread_`. Half of the skin is more, so that a trial is within the fixed
+// boxes of rows that have just been made. A rotation by (1, v) turns by less than 2 |v|.
 double Engine::skin() const noexcept
 {
     double const step = parameters.translation + 2.0 * parameters.rotation * longest_;
-    return std::max({0.75 * longest_, 3.0 * step, parameters.fractions[exchange] > 0.0 ? 2.125 * spread_ : 0.0});
+    double const many = std::max(1.0, static_cast<double>(ordered_.size()) / few_particles);
+    double const usual = (relative_skin + growth_of_skin * std::log(many)) * longest_;
+    return std::max({usual, 3.0 * step, parameters.fractions[exchange] > 0.0 ? 2.125 * spread_ : 0.0});
 }
 
 bool Engine::all_listed(double room) const noexcept
