@@ -88,4 +88,42 @@ def estimate():
     yield f"and torques (20 values for each ghost, 15 MB) add 15 ms: a million steps in {1e6 * (step + 0.015) / 86400:.0f} days."
 
 
-SECTIONS = {section.__name__: section for section in (grains, grain_ranks, grains_beside_yade, cost, efficiency, estimate)}
+def example(name):
+    """What an example of examples/lammps found: the values by form and quantity."""
+    return {(row["form"], row["quantity"]): row["value"] for row in measurements.read_table("lammps_examples") if row["example"] == name}
+
+
+def relax():
+    found = example("relax")
+    yield f"After {found['', 'steps']} steps ({found['', 'seconds']} s on one core), {found['', 'overlapping pairs']} pairs overlap."
+
+
+def drum():
+    found = example("drum")
+    angles = [f"{found[form, 'angle']}° for {found[form, 'grains']} grains" for form in ("long", "short")]
+    yield f"The angle is {angles[0]}, and {angles[1]} in the short form."
+
+
+def heap():
+    found = example("heap")
+    stay, grains = found["long", "grains that stay"], found["long", "grains"]
+    slopes = sorted(float(value) for (form, quantity), value in found.items() if form.startswith("seed") and quantity == "slope")
+    few, many, spheres = (f"{degrees:.0f}°" for degrees in (slopes[0], slopes[-1], float(found["spheres", "slope"])))
+    yield f"The slope is {found['long', 'slope']}° for the {stay} grains that stay of {grains}. The short form has {few} to {many} with"
+    yield f"{len(slopes)} sets of random orientations (`-var seed`), and {spheres} with spheres (`-var aspect 1`): they roll, because"
+    yield "the laws of this example have no rolling resistance."
+
+
+def hopper():
+    found = example("hopper")
+    columns = "density", "flow", "law", "grains that leave"
+    rows = ([hole, *(found[hole, column] for column in columns)] for hole in ("3", "4", "5"))
+    yield from table(["D", "n", "flow", "flow by the law", "grains that leave"], rows)
+    yield ""
+    yield f"({measurements.conditions('lammps_examples')}; `bench/examples.py`, for this and the examples above.)"
+
+
+SECTIONS = {
+    section.__name__: section
+    for section in (grains, grain_ranks, grains_beside_yade, cost, efficiency, estimate, relax, drum, heap, hopper)
+}

@@ -146,7 +146,7 @@ class Motion(unittest.TestCase):
                 errors.append(np.abs(total - total[0]).max() / total[0])
             print(f"exponent {exponent}: relative error of the energy for time steps 0.004, 0.002, 0.001: {errors}")
             self.assertGreater(errors[0] / errors[2], 8.0, errors)
-            self.assertLess(errors[2], 1e-3)
+            self.assertLess(errors[2], 1e-5)
 
     def test_same_counts_on_one_and_two_ranks(self):
         reference = self.run_nve(0.002)
