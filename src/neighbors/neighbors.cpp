@@ -61,19 +61,29 @@ Failure measure(Particles const &particles, Periodicity const &lattice, std::siz
     return {i, static_cast<int>(status)};
 }
 
-/// Calls visit(i) for a range of rows. visit(i) returns a Failure, and the function returns the first one.
-template <class Visit> Failure first_failure(Range range, Visit const &visit) noexcept
+/// Calls part(range) for ranges of n rows, in parallel, and returns the sum of the results. These are on the stack, so that nothing is
+/// allocated.
+template <class Sum, class Part> Sum of_all_parts(std::size_t n, Part const &part) noexcept
 {
-    Failure first{0, 0};
-    for (std::size_t i = range.begin; i < range.end; ++i) first.update(visit(i));
-    return first;
+    constexpr std::size_t most_parts = 64;
+    Sum parts[most_parts];
+    std::size_t const count = std::min(most_parts, n / rows_per_task + 1);
+    for_tasks(count, count > 1, [&](std::size_t k) { parts[k] = part(Range{n * k / count, n * (k + 1) / count}); });
+    for (std::size_t k = 1; k < count; ++k) parts[0].add(parts[k]);
+    return parts[0];
 }
 
-/// The same for n rows, in parallel.
-template <class Visit> Failure first_failure(std::size_t n, Visit const &visit) noexcept
-{
-    return kernels::for_blocks(n, [&](Range range) { return first_failure(range, visit); });
-}
+/// The first failure to measure particles, and the smallest box around their centres.
+struct Measured {
+    Failure bad{0, PW85_SUCCESS};
+    Box around = empty_box;
+
+    void add(Measured const &other) noexcept
+    {
+        bad.update(other.bad);
+        around = enclose(around, other.around);
+    }
+};
 
 /// The number of tasks per thread that run before their pairs are added to the list. It is large enough to balance the work of the
 /// threads.
@@ -122,28 +132,24 @@ class ListBuilder {
     /// Measures the particles and finds the smallest box around their centres, after they are moved near the origin.
     int measure_all(Box &around) noexcept
     {
-        Array<Box> parts;
-        if (!list_.extents.resize(particles_.system.num_particles) ||
-            !parts.resize(particles_.system.num_particles / kernels::block + 1))
-            return PW85_ENOMEM;
-        std::fill_n(parts.data(), parts.size(), empty_box);
-        int const status = kernels::for_blocks(particles_.system.num_particles, [&](Range range) {
-                               return measure_range(range, parts[range.begin / kernels::block]);
-                           }).status;
-        for (std::size_t k = 0; k < parts.size(); ++k) around = enclose(around, parts[k]);
-        return status;
+        if (!list_.extents.resize(particles_.system.num_particles)) return PW85_ENOMEM;
+        Measured const all =
+            of_all_parts<Measured>(particles_.system.num_particles, [&](Range range) { return measure_range(range); });
+        around = all.around;
+        return all.bad.status;
     }
 
-    Failure measure_range(Range range, Box &around) noexcept
+    Measured measure_range(Range range) noexcept
     {
-        return first_failure(range, [&](std::size_t i) {
+        Measured all;
+        for (std::size_t i = range.begin; i < range.end; ++i) {
             Extent &extent = list_.extents[i];
             LatticeVector vector;
             Failure const failure = measure(particles_, lattice_, i, extent, vector);
             Vector<double, 3> const point = lattice_.wrapped(extent.center);
-            around = enclose(around, {{point[0], point[1], point[2]}, {point[0], point[1], point[2]}});
-            return failure;
-        });
+            all.add({failure, {{point[0], point[1], point[2]}, {point[0], point[1], point[2]}}});
+        }
+        return all;
     }
 
     /// Runs the tasks in groups, so that each group reuses the memory of the one before.
@@ -252,21 +258,6 @@ SharedMotions shared_motions(pw85_neighbors const &list, Particles const &partic
     return shared;
 }
 
-/// The same for all particles, in parallel. The results of the parts are on the stack, so that nothing is allocated.
-SharedMotions shared_motions(pw85_neighbors const &list, Particles const &particles,
-                             Deformation const &deformation) noexcept
-{
-    constexpr std::size_t most_parts = 64;
-    SharedMotions parts[most_parts];
-    std::size_t const n = particles.system.num_particles, count = std::min(most_parts, n / rows_per_task + 1);
-    for_tasks(count, count > 1, [&](std::size_t k) {
-        parts[k] =
-            shared_motions(list, particles, deformation, {n / count * k, k + 1 < count ? n / count * (k + 1) : n});
-    });
-    for (std::size_t k = 1; k < count; ++k) parts[0].add(parts[k]);
-    return parts[0];
-}
-
 int create(pw85_system const &system, double scale, double skin, pw85_neighbors *&list) noexcept
 {
     Particles const particles{system, scale, skin};
@@ -289,10 +280,14 @@ int check(pw85_system const &system, double scale, double skin, std::size_t &par
     Particles const particles{system, scale, skin};
     Periodicity lattice;
     if (!particles.are_valid() || !lattice.prepare(system.cell, system.periodic)) return PW85_EINVAL;
-    Failure const first = first_failure(system.num_particles, [&](std::size_t i) {
-        Extent extent;
-        LatticeVector vector;
-        return measure(particles, lattice, i, extent, vector);
+    Failure const first = kernels::for_blocks(system.num_particles, [&](Range range) {
+        Failure failure{0, PW85_SUCCESS};
+        for (std::size_t i = range.begin; i < range.end && failure.status == PW85_SUCCESS; ++i) {
+            Extent extent;
+            LatticeVector vector;
+            failure = measure(particles, lattice, i, extent, vector);
+        }
+        return failure;
     });
     if (first.status != PW85_SUCCESS) particle = first.index;
     return first.status;
@@ -303,7 +298,9 @@ int compare(pw85_neighbors const &list, pw85_system const &system, int &holds) n
     Particles const particles{system, list.scale, list.skin};
     Periodicity lattice;
     if (!particles.are_valid() || !lattice.prepare(system.cell, system.periodic)) return PW85_EINVAL;
-    SharedMotions const shared = shared_motions(list, particles, Deformation(lattice, system.cell, list.cell));
+    Deformation const deformation(lattice, system.cell, list.cell);
+    auto const shared = of_all_parts<SharedMotions>(
+        system.num_particles, [&](Range range) { return shared_motions(list, particles, deformation, range); });
     if (shared.bad.status != PW85_SUCCESS) return shared.bad.status;
     holds = shared.exist();
     return PW85_SUCCESS;

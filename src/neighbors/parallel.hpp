@@ -12,7 +12,7 @@ namespace pw85::detail::neighbors {
 namespace {
 
 /// The number of rows of each task.
-inline constexpr std::size_t rows_per_task = 4096;
+inline constexpr std::size_t rows_per_task = 1024;
 
 /// Calls visit(begin, end) for parts of n rows, in parallel.
 template <class Visit> void for_parts(std::size_t n, Visit const &visit) noexcept

@@ -5,7 +5,9 @@
 #include <bit>
 #include <cmath>
 #include <memory>
+#include <span>
 
+#include "../kernels/parallel.hpp"
 #include "../tasks.hpp"
 
 namespace pw85::detail::simulation {
@@ -39,6 +41,8 @@ class ImageTable {
         return slot;
     }
 
+    std::size_t size() const noexcept { return count_; }
+
     /// Gives back memory that is not used.
     bool finish() noexcept { return images_.resize(count_); }
 
@@ -71,15 +75,28 @@ class ImageTable {
     std::size_t count_ = 0;
 };
 
-/// Numbers all images of the list and their negatives.
-bool number_images(pw85_pair_list const &list, ImageTable &table) noexcept
+constexpr Multiples no_image{{0, 0, 0}};
+
+/// The images of some pairs.
+struct ImagesOfShare {
+    Array<Multiples> images;
+    ImageTable table{images};
+    bool complete = true; ///< false if there was no memory
+
+    void add(Multiples const &image) noexcept
+    {
+        if (!is_same(image, no_image) && table.number_of(image) < 0) complete = false;
+    }
+};
+
+/// Numbers the images of all shares and their negatives.
+bool number_images(std::span<ImagesOfShare const> shares, ImageTable &table) noexcept
 {
-    Multiples const none{{0, 0, 0}};
-    if (table.number_of(none) < 0) return false;
-    for (std::size_t k = 0; k < list.num_pairs; ++k) {
-        Multiples const image = image_of(list, k);
-        if (is_same(image, none)) continue;
-        if (table.number_of(image) < 0 || table.number_of(negative(image)) < 0) return false;
+    if (table.number_of(no_image) < 0) return false;
+    for (ImagesOfShare const &share : shares) {
+        if (!share.complete) return false;
+        for (std::size_t k = 0; k < share.table.size(); ++k)
+            if (table.number_of(share.images[k]) < 0 || table.number_of(negative(share.images[k])) < 0) return false;
     }
     return table.finish();
 }
@@ -112,12 +129,14 @@ bool Neighborhood::store_extents(Configuration const &configuration, double skin
 {
     std::size_t const n = configuration.size();
     if (!extents_.resize(n)) return false;
-    for (std::size_t i = 0; i < n; ++i) {
-        Vector3 half_widths = configuration.half_widths[i];
-        for (int d = 0; d < 3; ++d) half_widths[d] += 0.5 * skin;
-        extents_[i] = {configuration.centers[i], half_widths};
-    }
-    return true;
+    return kernels::for_all(n, [&](kernels::Range range) {
+               for (std::size_t i = range.begin; i < range.end; ++i) {
+                   Vector3 half_widths = configuration.half_widths[i];
+                   for (int d = 0; d < 3; ++d) half_widths[d] += 0.5 * skin;
+                   extents_[i] = {configuration.centers[i], half_widths};
+               }
+               return kernels::Failure{0, PW85_SUCCESS};
+           }) == PW85_SUCCESS;
 }
 
 // The pairs are divided into shares. In its row, a particle has first the partners of the first share, and so on. So the rows do not
@@ -125,27 +144,32 @@ bool Neighborhood::store_extents(Configuration const &configuration, double skin
 bool Neighborhood::fill_rows(std::size_t n, pw85_pair_list const &list) noexcept
 {
     std::size_t const num_shares = list.num_pairs < pairs_per_share ? 1 : std::min(most_threads(), most_shares);
-    ImageTable table(images_);
     Array<std::size_t> next; // places in rows_ by share and particle
-    if (!number_images(list, table) || !next.resize(num_shares * n) || !begin_.resize(n + 1) ||
-        !rows_.resize(2 * list.num_pairs))
-        return false;
+    if (!next.resize(num_shares * n) || !begin_.resize(n + 1) || !rows_.resize(2 * list.num_pairs)) return false;
     auto const for_shares = [&](auto const &visit) {
         for_tasks(num_shares, num_shares > 1, [&](std::size_t share) {
             std::size_t const end = list.num_pairs * (share + 1) / num_shares;
             for (std::size_t k = list.num_pairs * share / num_shares; k < end; ++k)
-                visit(next.data() + share * n, k, list.pairs[2 * k], list.pairs[2 * k + 1]);
+                visit(share, k, list.pairs[2 * k], list.pairs[2 * k + 1]);
         });
     };
     std::fill_n(next.data(), next.size(), std::size_t{0});
-    for_shares([](std::size_t *counts, std::size_t, std::int32_t i, std::int32_t j) { ++counts[i], ++counts[j]; });
+    ImagesOfShare of_shares[most_shares];
+    for_shares([&](std::size_t share, std::size_t k, std::int32_t i, std::int32_t j) {
+        std::size_t *const counts = next.data() + share * n;
+        ++counts[i], ++counts[j];
+        of_shares[share].add(image_of(list, k));
+    });
+    ImageTable table(images_);
+    if (!number_images({of_shares, num_shares}, table)) return false;
     std::size_t sum = 0;
     for (std::size_t i = 0; i < n; ++i) {
         begin_[i] = sum;
         for (std::size_t share = 0; share < num_shares; ++share) sum += std::exchange(next[share * n + i], sum);
     }
     begin_[n] = sum;
-    for_shares([&](std::size_t *places, std::size_t k, std::int32_t i, std::int32_t j) {
+    for_shares([&](std::size_t share, std::size_t k, std::int32_t i, std::int32_t j) {
+        std::size_t *const places = next.data() + share * n;
         Multiples const image = image_of(list, k);
         rows_[places[i]++] = {j, table.known(image)};
         rows_[places[j]++] = {i, table.known(negative(image))};

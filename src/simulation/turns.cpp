@@ -111,18 +111,23 @@ bool Turns::take_next(Domains const &domains, std::size_t &position) noexcept
         if (position >= size()) position = 0;
         std::uint8_t &state = this->state(domains, order_[position]), expected = waiting;
         if (__atomic_load_n(&state, __ATOMIC_RELAXED) == waiting && is_ready(domains, order_[position]) &&
-            __atomic_compare_exchange_n(&state, &expected, taken, false, __ATOMIC_RELAXED, __ATOMIC_RELAXED))
+            __atomic_compare_exchange_n(&state, &expected, taken, false, __ATOMIC_RELAXED, __ATOMIC_RELAXED)) {
+            working_.fetch_add(1, std::memory_order_relaxed);
             return true;
+        }
     }
     return false;
 }
 
-/// Finds the next domain, and waits for it. Returns false if there is none, or if the rest may wait for a domain that is stopped.
+/// Finds the next domain, and waits for it. Returns false if there is none, or if one is stopped and no thread works on another, after
+/// which a domain could be ready. So as few domains as possible remain for the next call of for_all().
 bool Turns::take(Domains const &domains, std::size_t &position) noexcept
 {
     for (int looks = 1;; ++looks) {
         if (take_next(domains, position)) return true;
-        if (unfinished_.load(std::memory_order_acquire) == 0 || stopped_.load(std::memory_order_relaxed) > 0)
+        bool const none_is_left = unfinished_.load(std::memory_order_acquire) == 0;
+        if (none_is_left ||
+            (stopped_.load(std::memory_order_relaxed) > 0 && working_.load(std::memory_order_acquire) == 0))
             return false;
         if (looks % most_looks == 0) std::this_thread::yield();
     }
@@ -135,6 +140,7 @@ void Turns::leave(Domains const &domains, std::size_t position, bool is_finished
         unfinished_.fetch_sub(1, std::memory_order_release);
     else
         stopped_.fetch_add(1, std::memory_order_relaxed);
+    working_.fetch_sub(1, std::memory_order_release);
 }
 
 } // namespace pw85::detail::simulation

@@ -78,7 +78,7 @@ class Turns {
     std::size_t length_ = 0;      ///< of the order while it is made
     Array<std::uint8_t> states_;  ///< by numbers of domains; read and written as atomic variables
     std::uint32_t ranks_[8] = {}; ///< of the colours in the order
-    std::atomic<std::size_t> unfinished_{0}, stopped_{0};
+    std::atomic<std::size_t> unfinished_{0}, stopped_{0}, working_{0}; ///< numbers of domains
 };
 
 } // namespace pw85::detail::simulation
