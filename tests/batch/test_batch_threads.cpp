@@ -1,11 +1,14 @@
-// Batches give the same bits with any number of threads, and from several threads at once. Small work starts no threads.
+// Batches give the same bits with any number of threads, and from several threads at once. Small work starts no threads, and threads
+// share rows evenly.
 #include <filesystem>
+#include <numeric>
 #include <thread>
 
 #include <glib.h>
 
 #include <pw85/simulation.hpp>
 
+#include "../../src/kernels/parallel.hpp"
 #include "batch_data.hpp"
 
 #ifdef _OPENMP
@@ -71,13 +74,39 @@ void test_number_of_threads()
 {
 #ifdef _OPENMP
     Random random(21);
-    auto const pairs = mixed_pairs(random, 50000);
-    omp_set_num_threads(1);
-    BatchResult const expected = run_batch(pairs);
-    for (int const threads : {2, 3, 4, 7, 16}) {
-        omp_set_num_threads(threads);
-        g_assert_true(equal(run_batch(pairs), expected));
+    for (std::size_t const n : {4097, 10007, 50000}) {
+        auto const pairs = mixed_pairs(random, n);
+        omp_set_num_threads(1);
+        BatchResult const expected = run_batch(pairs);
+        for (int const threads : {2, 3, 4, 7, 16}) {
+            omp_set_num_threads(threads);
+            g_assert_true(equal(run_batch(pairs), expected));
+        }
     }
+#else
+    g_test_skip("built without OpenMP");
+#endif
+}
+
+// Each block may have a 64th part of the largest block too many, since its rows are rounded up. Blocks are not shorter than an eighth of the
+// largest.
+void test_even_shares()
+{
+#ifdef _OPENMP
+    namespace kernels = pw85::detail::kernels;
+    for (std::size_t const threads : {1, 2, 3, 8, 16})
+        for (std::size_t const n : {4097, 5000, 10000, 12289, 33333, 1000000}) {
+            omp_set_num_threads(static_cast<int>(threads));
+            std::vector<std::size_t> shares(threads, 0);
+            kernels::for_blocks(n, [&](kernels::Range range) {
+                shares[static_cast<std::size_t>(omp_get_thread_num())] += range.end - range.begin;
+                return kernels::Failure{0, 0};
+            });
+            g_assert_cmpuint(std::accumulate(shares.begin(), shares.end(), std::size_t{0}), ==, n);
+            std::size_t const blocks = n / (kernels::block * threads) + 1;
+            std::size_t const most = std::max(kernels::block / 8, n / threads + 1 + blocks * kernels::block / 64);
+            g_assert_cmpuint(*std::max_element(shares.begin(), shares.end()), <=, most);
+        }
 #else
     g_test_skip("built without OpenMP");
 #endif
@@ -107,5 +136,6 @@ int main(int argc, char **argv)
     g_test_add_func("/batch_threads/small_work", test_small_work);
     g_test_add_func("/batch_threads/concurrent_calls", test_concurrent_calls);
     g_test_add_func("/batch_threads/number_of_threads", test_number_of_threads);
+    g_test_add_func("/batch_threads/even_shares", test_even_shares);
     return g_test_run();
 }
