@@ -61,18 +61,6 @@ Failure measure(Particles const &particles, Periodicity const &lattice, std::siz
     return {i, static_cast<int>(status)};
 }
 
-/// Calls part(range) for ranges of n rows, in parallel, and returns the sum of the results. These are on the stack, so that nothing is
-/// allocated.
-template <class Sum, class Part> Sum of_all_parts(std::size_t n, Part const &part) noexcept
-{
-    constexpr std::size_t most_parts = 64;
-    Sum parts[most_parts];
-    std::size_t const count = std::min(most_parts, n / rows_per_task + 1);
-    for_tasks(count, count > 1, [&](std::size_t k) { parts[k] = part(Range{n * k / count, n * (k + 1) / count}); });
-    for (std::size_t k = 1; k < count; ++k) parts[0].add(parts[k]);
-    return parts[0];
-}
-
 /// The first failure to measure particles, and the smallest box around their centres.
 struct Measured {
     Failure bad{0, PW85_SUCCESS};
@@ -134,7 +122,9 @@ class ListBuilder {
     {
         if (!list_.extents.resize(particles_.system.num_particles)) return PW85_ENOMEM;
         Measured const all =
-            of_all_parts<Measured>(particles_.system.num_particles, [&](Range range) { return measure_range(range); });
+            of_all_parts<Measured>(particles_.system.num_particles, [&](std::size_t begin, std::size_t end) {
+                return measure_range({begin, end});
+            });
         around = all.around;
         return all.bad.status;
     }
@@ -299,8 +289,9 @@ int compare(pw85_neighbors const &list, pw85_system const &system, int &holds) n
     Periodicity lattice;
     if (!particles.are_valid() || !lattice.prepare(system.cell, system.periodic)) return PW85_EINVAL;
     Deformation const deformation(lattice, system.cell, list.cell);
-    auto const shared = of_all_parts<SharedMotions>(
-        system.num_particles, [&](Range range) { return shared_motions(list, particles, deformation, range); });
+    auto const shared = of_all_parts<SharedMotions>(system.num_particles, [&](std::size_t begin, std::size_t end) {
+        return shared_motions(list, particles, deformation, {begin, end});
+    });
     if (shared.bad.status != PW85_SUCCESS) return shared.bad.status;
     holds = shared.exist();
     return PW85_SUCCESS;

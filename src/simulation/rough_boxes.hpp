@@ -10,6 +10,8 @@
 
 #include <algorithm>
 
+#include "../kernels/parallel.hpp"
+#include "../neighbors/parallel.hpp"
 #include "neighborhood.hpp"
 
 namespace pw85::detail::simulation {
@@ -34,14 +36,9 @@ class RoughBoxes {
     [[gnu::always_inline]] void refresh(Configuration const &configuration, Neighborhood const &neighborhood,
                                         double longest, double room) noexcept
     {
-        std::size_t const n = boxes_.size();
         per_unit_ = 1.0 / longest;
-        if (n > 0) origin_ = configuration.centers[0];
-        double farthest = room;
-        for (std::size_t i = 0; i < n; ++i) {
-            set(i, configuration);
-            farthest = std::max(farthest, room + largest_coordinate(configuration.centers[i] - origin_));
-        }
+        if (boxes_.size() > 0) origin_ = configuration.centers[0];
+        double farthest = room + set_all(configuration).distance;
         for (std::size_t k = 0; k < neighborhood.num_images(); ++k) {
             Vector3 const &translation = neighborhood.translation(static_cast<std::int32_t>(k));
             translations_[k] = in_units(translation);
@@ -77,6 +74,26 @@ class RoughBoxes {
     }
 
   private:
+    /// The largest coordinate of some centres, from the origin on.
+    struct Farthest {
+        double distance = 0.0;
+
+        void add(Farthest const &other) noexcept { distance = std::max(distance, other.distance); }
+    };
+
+    Farthest set_all(Configuration const &configuration) noexcept
+    {
+        auto const part = [&](std::size_t begin, std::size_t end) {
+            Farthest farthest;
+            for (std::size_t i = begin; i < end; ++i) {
+                set(i, configuration);
+                farthest.add({largest_coordinate(configuration.centers[i] - origin_)});
+            }
+            return farthest;
+        };
+        return neighbors::of_all_parts<Farthest>(boxes_.size(), part, kernels::block);
+    }
+
     [[gnu::always_inline]] Float4 in_units(Vector3 const &x) const noexcept
     {
         return Float4{static_cast<float>(per_unit_ * x[0]), static_cast<float>(per_unit_ * x[1]),

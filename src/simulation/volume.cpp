@@ -82,6 +82,7 @@ int Engine::change_cell(Change const &change, bool &done) noexcept
         int const undone = undo(rows_are_new);
         return status == PW85_ENOMEM ? status : undone;
     }
+    std::fill_n(moved_.data(), moved_.size(), std::uint8_t{true});
     done = true;
     return PW85_SUCCESS;
 }
@@ -121,8 +122,7 @@ void Engine::apply(Change const &change) noexcept
         Vector3 const changed = change.apply({row[0], row[1], row[2]});
         std::copy_n(changed.coordinates, 3, row);
     }
-    std::copy_n(ordered_.centers.data(), ordered_.size(), old_centers_.data());
-    std::fill_n(moved_.data(), moved_.size(), std::uint8_t{true});
+    std::swap(ordered_.centers, old_centers_);
     kernels::for_all(ordered_.size(), [&](kernels::Range range) {
         for (std::size_t i = range.begin; i < range.end; ++i) ordered_.centers[i] = change.apply(old_centers_[i]);
         return kernels::Failure{0, PW85_SUCCESS};
@@ -133,7 +133,7 @@ void Engine::apply(Change const &change) noexcept
 int Engine::undo(bool rows_are_new) noexcept
 {
     ordered_.cell = old_cell_;
-    std::copy_n(old_centers_.data(), ordered_.size(), ordered_.centers.data());
+    std::swap(ordered_.centers, old_centers_);
     if (!set_cell()) return PW85_EINVAL;
     return rows_are_new && !all_listed(0.0) ? make_rows() : PW85_SUCCESS;
 }
