@@ -147,9 +147,9 @@ int main(int argc, char **argv)
         for (double number = 1e3; number <= std::min(largest, function.largest); number *= 10.0) {
             auto const n = static_cast<std::size_t>(number);
             Problem const first = function.make(n), second = function.make(n);
-            Times const t = measure_threads({2e-3, 0.2, 5, 200}, first.run, second.run);
+            Gain const gain = measure_threads({2e-3, 0.2, 5, 200}, first.run, second.run);
             std::printf("%s,%zu,%.3g,%.2f,%.2f\n", function.name, first.number,
-                        1e9 * t.one / static_cast<double>(first.number), t.one / t.two, 2.0 * t.one / t.both);
+                        1e9 * gain.seconds / static_cast<double>(first.number), gain.speed_up, gain.limit);
             std::fflush(stdout);
         }
     }

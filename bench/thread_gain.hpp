@@ -6,6 +6,7 @@
 #include <chrono>
 #include <cmath>
 #include <thread>
+#include <vector>
 
 #ifdef _OPENMP
 #include <omp.h>
@@ -26,9 +27,9 @@ template <class Work> double seconds(int threads, Work const &work)
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-/// The least times of one thread, of two threads with a problem each, and of two threads of the library.
-struct Times {
-    double one = HUGE_VAL, both = HUGE_VAL, two = HUGE_VAL;
+/// Seconds of a call with one thread, and what a second thread gains: one of the library, and one with a problem of its own.
+struct Gain {
+    double seconds, speed_up, limit;
 };
 
 /// How often something is measured: in samples of at least `sample` seconds, for `total` seconds, `least` to `most` times.
@@ -37,18 +38,26 @@ struct Turns {
     int least, most;
 };
 
+inline double median(std::vector<double> x)
+{
+    auto const middle = x.begin() + static_cast<std::ptrdiff_t>(x.size() / 2);
+    std::nth_element(x.begin(), middle, x.end());
+    return *middle;
+}
+
 /// Takes turns. Short calls are repeated, so that the start of a thread, which takes some ten microseconds, hardly counts. How often is
-/// found from the shorter of two calls, because some work, as new lists of neighbours, is not done in each.
-template <class First, class Second> Times measure_threads(Turns const &turns, First const &first, Second const &second)
+/// found from the shorter of two calls, because some work, as new lists of neighbours, is not done in each. The least time counts, but of
+/// the gains the median: other programs slow down the three samples of a turn alike, and not those of all turns.
+template <class First, class Second> Gain measure_threads(Turns const &turns, First const &first, Second const &second)
 {
     auto const repeats =
         static_cast<int>(std::ceil(turns.sample / std::max(std::min(seconds(1, first), seconds(1, first)), 1e-9)));
     auto const repeated = [repeats](auto const &problem) {
         for (int k = 0; k < repeats; ++k) problem();
     };
-    Times least;
-    double spent = 0.0;
-    for (int pass = 0; pass < turns.least || (spent < turns.total && pass < turns.most); ++pass) {
+    double least = HUGE_VAL, spent = 0.0;
+    std::vector<double> speed_ups, limits;
+    for (int turn = 0; turn < turns.least || (spent < turns.total && turn < turns.most); ++turn) {
         double const one = seconds(1, [&] { repeated(first); }),
                      both = seconds(1, [&] {
                          std::thread other([&] { seconds(1, [&] { repeated(second); }); });
@@ -56,10 +65,12 @@ template <class First, class Second> Times measure_threads(Turns const &turns, F
                          other.join();
                      });
         double const two = seconds(2, [&] { repeated(first); });
-        least = {std::min(least.one, one), std::min(least.both, both), std::min(least.two, two)};
+        least = std::min(least, one);
+        speed_ups.push_back(one / two);
+        limits.push_back(2.0 * one / both);
         spent += one + both + two;
     }
-    return {least.one / repeats, least.both / repeats, least.two / repeats};
+    return {least / repeats, median(speed_ups), median(limits)};
 }
 
 } // namespace pw85_bench
