@@ -1,6 +1,6 @@
 """Builds dense crystals of ellipsoids with two orientations, and writes crystals.csv.
 
-Usage: crystals.py [TABLE], with pypw85 on the path.
+It needs pypw85 on the path.
 
 A. Donev, F. H. Stillinger, P. M. Chaikin and S. Torquato, Unusually dense crystal packings of ellipsoids, Phys. Rev. Lett. 92,
 255506 (2004). The construction, in equations that the table solves to 50 digits:
@@ -42,8 +42,8 @@ shortest semi-axis lie in the layers, and the middle one across them: then φ de
 
 from __future__ import annotations
 
+import argparse
 import csv
-import sys
 from decimal import ROUND_FLOOR, Decimal, localcontext
 from pathlib import Path
 from typing import NamedTuple
@@ -158,7 +158,9 @@ def row_of(aspect: Decimal) -> dict[str, str]:
 
 
 def main() -> None:
-    path = Path(sys.argv[1]) if len(sys.argv) > 1 else TABLE
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("table", nargs="?", type=Path, default=TABLE)
+    path = parser.parse_args().table
     rows = [row_of(aspect) for aspect in aspects()]
     with path.open("w", newline="", encoding="utf-8") as file:
         writer = csv.DictWriter(file, rows[0].keys(), lineterminator="\n")

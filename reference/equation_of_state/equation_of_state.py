@@ -1,6 +1,6 @@
 """Measures the equation of state of hard spheroids by Monte Carlo, and writes equation_of_state.csv.
 
-Usage: equation_of_state.py [TABLE], with pypw85 on the path. States that the table already has are not measured again. So a run
+It needs pypw85 on the path. States that the table already has are not measured again. So a run
 that was interrupted goes on at the state where it was, and a state is measured anew if its row is deleted.
 
 All ellipsoids have the semi-axes (s, s, κ s), where κ is the aspect ratio and s³κ = 1. At constant volume, event chains measure
@@ -10,6 +10,7 @@ its random numbers and the version of the library. Another version may give othe
 
 from __future__ import annotations
 
+import argparse
 import sys
 import zlib
 from fractions import Fraction
@@ -235,7 +236,9 @@ def read_table(path: Path = TABLE) -> dict[State, dict[str, str]]:
 
 
 def main() -> None:
-    path = Path(sys.argv[1]) if len(sys.argv) > 1 else TABLE
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("table", nargs="?", type=Path, default=TABLE)
+    path = parser.parse_args().table
     rows = read_table(path)
     for state in states():
         if state in rows:

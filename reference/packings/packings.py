@@ -1,6 +1,6 @@
 """Makes jammed random packings of ellipsoids, and writes runs.csv with one row for each and packings.csv with their means.
 
-Usage: packings.py [FOLDER], with pypw85 on the path. Runs that the folder already has are not made again. So a program that was
+It needs pypw85 on the path. Runs that the folder already has are not made again. So a program that was
 interrupted goes on where it was, and a run is made anew if its row is deleted. More SEEDS add runs.
 
 Ellipsoids are thrown into a periodic cube at random, at a low volume fraction. There are two ways from there to jamming.
@@ -24,6 +24,7 @@ about ACCURACY. Rattlers and their contacts do not count.
 
 from __future__ import annotations
 
+import argparse
 import sys
 from fractions import Fraction
 from pathlib import Path
@@ -217,7 +218,9 @@ def table(runs: list[dict[str, str]]) -> list[dict[str, str]]:
 
 
 def main() -> None:
-    folder = Path(sys.argv[1]) if len(sys.argv) > 1 else FOLDER
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("folder", nargs="?", type=Path, default=FOLDER)
+    folder = parser.parse_args().folder
     runs = {(row["shape"], row["sweeps"], row["seed"]): row for row in read(folder / "runs.csv")}
     for key in wanted():
         if key not in runs:

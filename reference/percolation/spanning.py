@@ -1,13 +1,14 @@
 #!/usr/bin/env python3
 """An independent check of two thresholds: makes check.csv.
 
-Usage: spanning.py, with pypw85 on the path
+It needs pypw85 on the path.
 
 It shares no code, no random numbers and no constant of the literature with thresholds.py. Spheroids are in a cube that is periodic
 along x and y only; connected components of SciPy span it if they reach beyond both faces along z. The probability of spanning at the
 threshold does not depend on the size of large cubes, so the curves of two sizes cross there.
 """
 
+import argparse
 import csv
 import math
 from fractions import Fraction
@@ -92,6 +93,7 @@ def crossing(systems):
 
 
 def main():
+    argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter).parse_args()
     rows = [["aspect", "box_small", "box_large", "realizations_small", "realizations_large", "eta", "eta_error"]]
     for aspect, (*cubes, enough) in CHECKS.items():
         eta, error = crossing([numbers_of(float(Fraction(aspect)), *cube, enough) for cube in cubes])

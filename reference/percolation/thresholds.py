@@ -1,19 +1,16 @@
 #!/usr/bin/env python3
 """Percolation thresholds of overlapping spheroids: makes percolation.csv and sizes.csv.
 
-Usage: thresholds.py PROGRAM FOLDER [ROUNDS]
-
-PROGRAM is the built wrapping.cpp. Its numbers are kept in FOLDER, one file for each shape and cube, so the command may be stopped at
-any time and goes on where it was. Each round adds realisations for all shapes and cubes. The tables are those of the first ROUNDS
-rounds, even if the folder has more.
+The command may be stopped at any time and goes on where it was, by the numbers in the folder. Each round adds realisations for all
+shapes and cubes. The tables are those of the first rounds, even if the folder has more.
 """
 
+import argparse
 import csv
 import math
 import os
 import re
 import subprocess
-import sys
 from fractions import Fraction
 from pathlib import Path
 
@@ -169,8 +166,11 @@ def file_of(folder, aspect, box):
 
 
 def main():
-    program, folder = sys.argv[1], Path(sys.argv[2])
-    rounds = int(sys.argv[3]) if len(sys.argv) > 3 else ROUNDS
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("program", help="the built wrapping.cpp")
+    parser.add_argument("folder", type=Path, help="for its numbers: one file for each shape and cube")
+    parser.add_argument("rounds", nargs="?", type=int, default=ROUNDS)
+    program, folder, rounds = vars(parser.parse_args()).values()
     folder.mkdir(parents=True, exist_ok=True)
     for k in range(1, rounds + 1):
         for aspect, boxes in PLAN:
