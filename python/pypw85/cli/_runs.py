@@ -23,6 +23,7 @@ from ..formats._errors import guarded
 # The acceptance to which steps are tuned: the default of HardEllipsoids.tune().
 _ACCEPTANCE = 0.4
 _GROUP = "pw85_mc"
+_CURE = "bring back a copy of it, or begin a new run"
 # The disk, the share of a user, or the size of a file has come to its limit.
 _NO_ROOM = {getattr(errno, name) for name in ("ENOSPC", "EDQUOT", "EFBIG") if hasattr(errno, name)}
 
@@ -215,9 +216,11 @@ def _write_durably(path: str, content: bytes) -> None:
 
 
 def resume(path: str) -> Run:
-    """The run of a file, at its last checkpoint."""
-    particles = read(path, format="hdf5")
-    return _read(path, particles)
+    """The run of a file, at its last checkpoint. A file that is broken cannot be written again, as the readers of formats advise."""
+    try:
+        return _read(path, read(path, format="hdf5"))
+    except FileError as error:
+        raise FileError(path, error.reason.replace("write it again", _CURE)) from None
 
 
 @guarded
@@ -231,7 +234,7 @@ def _read(path: str, particles: System) -> Run:
         if group.attrs["version"] != version():
             raise FileError(path, f"is a run of pypw85 {group.attrs['version']}, and this is {version()}: continue it with that version")
         if group.attrs["digest"] != _digest(file):
-            raise FileError(path, "was changed after pw85 mc had written it: bring back a copy of it, or begin a new run")
+            raise FileError(path, f"was changed after pw85 mc had written it: {_CURE}")
         settings = Settings(**json.loads(group.attrs["settings"]))
         observables = Observables.restore({name: data[()] for name, data in group["observables"].items()})
         particles.origin = group["corner"][()]
