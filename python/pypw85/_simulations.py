@@ -171,7 +171,7 @@ class HardEllipsoids:
         """
         self._repeat("sweep", number, _core.hard_ellipsoids_sweep)
 
-    def chain(self, number: SupportsIndex, length: float, direction: ArrayLike | None = None) -> float:
+    def chain(self, number: SupportsIndex, length: float | None = None, direction: ArrayLike | None = None) -> float:
         """Makes event chains, which translate many particles without rejections, and gives the pressure.
 
         Chains do not rotate particles: use `sweep`, too. They are interrupted only after all of them.
@@ -180,8 +180,9 @@ class HardEllipsoids:
         ----------
         number : int
             How many chains.
-        length : float
-            Of each chain, > 0. A chain is long if its length is the mean way between contacts times the number of particles.
+        length : float, optional
+            Of each chain, > 0. A chain is long if its length is the mean way between contacts times the number of particles. Without
+            it, the cube root of the present volume of the cell, which is periodic along its three vectors.
         direction : (3,) array_like, optional
             Of any length > 0. Without it, each chain has a random direction.
 
@@ -194,11 +195,15 @@ class HardEllipsoids:
         ------
         PW85Error
             The length is not positive, the direction is zero, or particles block each other within rounding errors.
+        ValueError
+            The length is missing, and the cell has no volume.
         MemoryError
             There is not enough memory. The last chain is not complete.
         """
         times = _number("chain", number)
         along = None if direction is None else _vector("chain", "direction", direction, 3)
+        if length is None:
+            length = self._usual_length()
         with self._lock:
             status, compressibility = _core.hard_ellipsoids_chain(self._simulation, times, float(length), along)
         if status == Status.ECONVERGENCE:
@@ -471,6 +476,12 @@ class HardEllipsoids:
         self._lock = threading.Lock()
         self._simulation, centers, q, semi_axes, quaternions, cell, (a, b, c) = made
         self._views = _Views(centers, q, semi_axes, quaternions, cell, (bool(a), bool(b), bool(c)))
+
+    def _usual_length(self) -> float:
+        """Of chains."""
+        if self.cell is None or not all(self.periodic):
+            raise ValueError("HardEllipsoids.chain: length is missing, and the cell is not periodic along its three vectors: give a length")
+        return float(np.cbrt(abs(np.linalg.det(self.cell))))
 
     def _index(self, name: str, particle: SupportsIndex) -> int:
         """The index of a particle."""

@@ -352,6 +352,9 @@ def test_cells():
         simulation.check()
         with pytest.raises(pypw85.PW85Error, match="the cell is not periodic along its three vectors"):
             simulation.volume_moves(1, 1.0)
+        with pytest.raises(ValueError, match="length is missing, and the cell is not periodic along its three vectors: give a length"):
+            simulation.chain(1)
+        assert simulation.chain(1, 2.0) >= 1
         assert simulation.periodic == simulation.system().periodic == expected
     empty = pypw85.HardEllipsoids(pypw85.System(np.empty((0, 3)), np.empty((0, 6)), np.eye(3)))
     empty.sweep(3)
@@ -369,6 +372,9 @@ def test_chains():
     assert not np.array_equal(simulation.centers[:, 0], before[:, 0])
     assert simulation.chain(0, 5.0) == 1
     assert simulation.chain(5, 5.0) == other.chain(5, 5.0)
+    edge = float(np.cbrt(np.linalg.det(simulation.cell)))
+    assert simulation.chain(5) == other.chain(5, edge)
+    assert simulation.chain(5, direction=[0, 1, 0]) == other.chain(5, edge, [0, 1, 0]) and simulation.save() == other.save()
     assert not np.array_equal(simulation.centers[:, 1:], before[:, 1:])
     simulation.check()
 
