@@ -73,18 +73,20 @@ class Estimate(NamedTuple):
     drift: float  # of the mean from the first half to the second, in units of its error
 
 
+# From both starts, on both sides of a transition and next to it
+TRANSITION = {"1/5": ("0.32", "0.34", "0.36")}
 RANDOM = {
     "1": ("0.1", "0.2", "0.3", "0.4", "0.45"),
     "3": ("0.1", "0.2", "0.3", "0.4", "0.45"),
     "1/3": ("0.1", "0.2", "0.3", "0.4", "0.45"),
     "5": ("0.1", "0.2", "0.3", "0.35"),
-    "1/5": ("0.1", "0.2", "0.3"),
+    "1/5": ("0.1", "0.2", "0.3", *TRANSITION["1/5"]),
     "2": ("0.1", "0.2", "0.3", "0.4", "0.5"),
     "1/2": ("0.1", "0.2", "0.3", "0.4", "0.5"),
 }
 ALIGNED = {
     "5": ("0.45", "0.475", "0.5", "0.55"),
-    "1/5": ("0.425", "0.45", "0.5"),
+    "1/5": (*TRANSITION["1/5"], "0.425", "0.45", "0.5"),
     "3": ("0.3", "0.55", "0.56"),
     "1/3": ("0.3", "0.53", "0.55"),
 }
@@ -120,9 +122,12 @@ def states() -> list[State]:
 
 
 def effort(state: State) -> Effort:
-    """Orientations of long and flat ellipsoids relax slowly, parallel ones lose their order slowly, and volumes change slowly."""
-    if state.start == "aligned" and state.target != "0.3":
-        return Effort(cycles=512, sweeps=1600 if "3" in state.aspect else 512, chains=64, translation=0.5)
+    """Orientations of long and flat ellipsoids relax slowly, parallel ones lose their order slowly, and volumes change slowly. Next to a
+    transition the order takes longest."""
+    near = state.ensemble == "NVT" and state.target in TRANSITION.get(state.aspect, ())
+    if near or (state.start == "aligned" and state.target != "0.3"):
+        slow = "3" in state.aspect or (near and state.target == "0.34")
+        return Effort(cycles=512, sweeps=1600 if slow else 512, chains=64, translation=0.5)
     if state.ensemble == "NPT":
         return Effort(particles=128, equilibration=40, cycles=512, sweeps=64, translation=0.5)
     return Effort(sweeps=8, chains=16) if "5" in state.aspect else Effort()
