@@ -89,7 +89,8 @@ def test_transition(aspect):
         random, aligned = (State(aspect, start, "NVT", target) for start in ("random", "aligned"))
         for names in (("z", "z_error"), ("order", "order_error")):
             assert agree(numbers(random, *names), numbers(aligned, *names)), (target, names)
-        for (order,) in (numbers(state, "order") for state in (random, aligned)):
+        for order, *drifts in (numbers(state, "order", "drift", "order_drift") for state in (random, aligned)):
+            assert all(abs(drift) <= 2.5 for drift in drifts)
             assert (order < 0.15) == (target == below) and (order > 0.4) == (target == above)
 
 
