@@ -81,7 +81,7 @@ class RoughBoxes {
         void add(Farthest const &other) noexcept { distance = std::max(distance, other.distance); }
     };
 
-    Farthest set_all(Configuration const &configuration) noexcept
+    [[gnu::always_inline]] Farthest set_all(Configuration const &configuration) noexcept
     {
         auto const part = [&](std::size_t begin, std::size_t end) {
             Farthest farthest;
