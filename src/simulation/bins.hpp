@@ -37,8 +37,8 @@ class Bins {
     /// Takes note of the new centre of particle i.
     void move(std::size_t i, Vector3 const &center) noexcept;
 
-    /// Calls visit_one(j, image) for each image of a particle whose box intersects a box, and for some that are very near. The image is
-    /// that of the configuration, whose centres are not moved into the cell.
+    /// Calls visit_one(j, cell) for each image of a particle whose box intersects a box, and for some that are very near. The centre of
+    /// the image is in that cell.
     template <class Visit> [[gnu::always_inline]] void visit(Vector3 const &center, Vector3 const &half_widths,
                                                              Visit const &visit_one) const noexcept
     {
@@ -63,6 +63,16 @@ class Bins {
                     next(2, c, count);
                 }
     }
+
+    /// The image of particle j whose centre is in a cell, as that of the configuration, whose centres are not moved into the cell.
+    [[gnu::always_inline]] Multiples image_in(Multiples const &cell, std::size_t j) const noexcept
+    {
+        auto const &home = places_[j].cell;
+        return {{cell.n[0] - home.n[0], cell.n[1] - home.n[1], cell.n[2] - home.n[2]}};
+    }
+
+    /// Brings the place of a particle into the cache.
+    [[gnu::always_inline]] void prefetch(std::size_t j) const noexcept { simulation::prefetch(&places_[j], 1); }
 
   private:
     typedef float Float4 __attribute__((vector_size(16)));
@@ -125,8 +135,8 @@ class Bins {
                 auto const bits = reinterpret_cast<Int4>(block->center[d] + query.shift[d]);
                 meets &= reinterpret_cast<Float4>(bits & 0x7fffffff) <= block->half_widths[d] + query.reach[d];
             }
-            unsigned const bits = to_bits(meets);
-            if (bits != 0) visit_lanes(*block, bits, query.cell, visit_one);
+            for (unsigned bits = to_bits(meets); bits != 0; bits &= bits - 1)
+                visit_one(static_cast<std::size_t>(block->particle[std::countr_zero(bits)]), query.cell);
             if (block->next < 0) return;
         }
     }
@@ -139,16 +149,6 @@ class Bins {
 #else
         return static_cast<unsigned>((mask[0] & 1) | (mask[1] & 2) | (mask[2] & 4) | (mask[3] & 8));
 #endif
-    }
-
-    template <class Visit> [[gnu::always_inline]] void
-    visit_lanes(Block const &block, unsigned bits, Multiples const &cell, Visit const &visit_one) const noexcept
-    {
-        for (; bits != 0; bits &= bits - 1) {
-            auto const j = static_cast<std::size_t>(block.particle[std::countr_zero(bits)]);
-            auto const &[x, y, z] = places_[j].cell.n;
-            visit_one(j, Multiples{{cell.n[0] - x, cell.n[1] - y, cell.n[2] - z}});
-        }
     }
 
     /// Finds the parts of vector k in which centres of boxes that intersect a box may be, in cells relative to that of the centre. Returns

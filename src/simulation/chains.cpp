@@ -70,28 +70,43 @@ int Chains::prepare() noexcept
     return PW85_SUCCESS;
 }
 
-/// Finds the images whose boxes meet that of particle i on a way, without the one that touched it.
-bool Chains::find_candidates(std::size_t i, Vector3 const &direction, double stage) noexcept
+/// Finds the images whose boxes meet that of particle i on a way. They may be anywhere in memory, so they are prefetched.
+bool Chains::find_near(std::size_t i, Vector3 const &direction, double stage) noexcept
 {
-    Vector3 const half = 0.5 * stage * direction, center = bodies_[i].center;
+    Vector3 const half = 0.5 * stage * direction;
     Vector3 own = bodies_[i].half_widths;
     for (int d = 0; d < 3; ++d) own[d] += absolute(half[d]);
+    num_near_ = 0;
+    bool has_room = true;
+    bins_.visit(bodies_[i].center + half, own, [&](std::size_t j, Multiples const &cell) {
+        if (num_near_ == near_.size()) {
+            std::size_t const more = 2 * num_near_ + 64;
+            has_room = candidates_.resize(more) && obstacles_.resize(more) && near_.resize(more);
+        }
+        if (!has_room || j == i) return;
+        prefetch(&bodies_[j], 1);
+        bins_.prefetch(j);
+        near_[num_near_++] = {cell, j};
+    });
+    return has_room;
+}
+
+/// Makes candidates of the images that are near, without the one that touched particle i.
+void Chains::find_candidates(std::size_t i, double stage) noexcept
+{
+    Vector3 const center = bodies_[i].center;
     double const scale = times_power_of_two(1.0, -unit_), far = scale * (stage + 0x1p-16 * sum_of_magnitudes(center));
     num_candidates_ = 0;
-    bool has_room = true;
-    bins_.visit(center + half, own, [&](std::size_t j, Multiples const &image) {
-        if (num_candidates_ == candidates_.size())
-            has_room = candidates_.resize(2 * num_candidates_ + 64) && obstacles_.resize(candidates_.size());
-        if (!has_room || j == i) return;
-        Vector3 const translation = configuration_.cell.translation(image);
+    for (std::size_t k = 0; k < num_near_; ++k) {
+        std::size_t const j = near_[k].index;
+        Vector3 const translation = configuration_.cell.translation(bins_.image_in(near_[k].cell, j));
         if (last_plane_.exists && j == last_plane_.image.index &&
             largest_coordinate(translation - last_plane_.image.translation) == 0.0)
-            return;
+            continue;
         Vector3 const r12 = scale * separation(center, bodies_[j].center, translation);
         double const size = sum_of_magnitudes(r12) + far + 0x1p-16 * scale * sum_of_magnitudes(translation);
         candidates_[num_candidates_++] = {{translation, j}, r12, size};
-    });
-    return has_room;
+    }
 }
 
 /// Keeps the candidates that may be touched, by the bounds at the t of spheres with these traces.
@@ -239,7 +254,8 @@ int Chains::run(std::size_t first, Vector3 const &direction, double length, Chai
     last_plane_.exists = false;
     for (auto i = static_cast<std::size_t>(numbers_[first]); remaining > 0.0;) {
         double const stage = std::min(remaining, stage_size * longest_);
-        if (!find_candidates(i, direction, stage)) return PW85_ENOMEM;
+        if (!find_near(i, direction, stage)) return PW85_ENOMEM;
+        find_candidates(i, stage);
         double const way = times_power_of_two(find_way(i, direction, times_power_of_two(stage, -unit_)), unit_);
         bool const touches = way < stage;
         double const moved = advance(i, direction, way, touches, digit);

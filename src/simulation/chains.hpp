@@ -52,6 +52,12 @@ class Chains {
         double root, inverse_root;
     };
 
+    /// A particle and the cell of the centre of its image.
+    struct Near {
+        Multiples cell;
+        std::size_t index;
+    };
+
     /// An image of a particle that is near the way of another one.
     struct Image {
         Vector3 translation;
@@ -82,7 +88,8 @@ class Chains {
         bool holds; ///< it has separated the two wherever that was tested
     };
 
-    bool find_candidates(std::size_t i, Vector3 const &direction, double stage) noexcept;
+    bool find_near(std::size_t i, Vector3 const &direction, double stage) noexcept;
+    void find_candidates(std::size_t i, double stage) noexcept;
     void find_obstacles(std::size_t i, Vector3 const &direction, double stage) noexcept;
     void insert(Obstacle const &obstacle) noexcept;
     void improve(std::size_t i, Vector3 const &direction, double stage) noexcept;
@@ -97,9 +104,10 @@ class Chains {
     Bins bins_;
     Array<Body> bodies_;          ///< in the order of the bins
     Array<std::int32_t> numbers_; ///< of the particles of the configuration in that order
+    Array<Near> near_;
     Array<Candidate> candidates_;
     Array<Obstacle> obstacles_; ///< those with the least bounds first
-    std::size_t num_candidates_ = 0, num_obstacles_ = 0;
+    std::size_t num_near_ = 0, num_candidates_ = 0, num_obstacles_ = 0;
     Plane last_plane_{};   ///< between the particle that moves and the one that touched it
     double longest_ = 0.0; ///< of all semi-axes
     int unit_ = 0;         ///< the unit is 2 to this power
