@@ -24,6 +24,8 @@ template <int N> struct Affine {
         for (double const slope : slopes) sum += std::fabs(slope);
         return sum * (1.0 + (N + 2) * 0x1p-52);
     }
+    /// The largest magnitude.
+    double most() const { return std::fabs(center) + radius(); }
     /// Bounds, rounded outwards.
     double largest() const { return center + radius() + std::fabs(center) * 0x1p-52; }
     double smallest() const { return center - radius() - std::fabs(center) * 0x1p-52; }
@@ -36,13 +38,29 @@ template <int N> struct Affine {
         return *this;
     }
 
-    friend Affine operator+(Affine x, Affine const &y)
+    Affine &operator+=(Affine const &y)
     {
-        double const magnitude = std::fabs(x.center) + x.radius() + std::fabs(y.center) + y.radius();
-        x.center += y.center;
-        for (int i = 0; i < N; ++i) x.slopes[i] += y.slopes[i];
-        x.rest += y.rest;
-        return x.roundings(magnitude);
+        double const magnitude = most() + y.most();
+        add(y);
+        return roundings(magnitude);
+    }
+    friend Affine operator+(Affine x, Affine const &y) { return x += y; }
+
+    /// Adds y without the roundings, which are for the caller to add: those of a long sum all at once.
+    void add(Affine const &y)
+    {
+        center += y.center;
+        for (int i = 0; i < N; ++i) slopes[i] += y.slopes[i];
+        rest += y.rest;
+    }
+
+    /// a x + b y, by three operations for each of its numbers.
+    friend Affine combination(Affine const &x, double a, Affine const &y, double b)
+    {
+        Affine z(x.center * a + y.center * b);
+        for (int i = 0; i < N; ++i) z.slopes[i] = x.slopes[i] * a + y.slopes[i] * b;
+        z.rest = x.rest * std::fabs(a) + y.rest * std::fabs(b);
+        return z.roundings(x.most() * std::fabs(a) + y.most() * std::fabs(b));
     }
 
     friend Affine operator-(Affine x)
@@ -57,7 +75,7 @@ template <int N> struct Affine {
     /// Products of two slopes are c ε_i², which is in c/2 ± c/2, or c ε_i ε_j, which is in ± c.
     friend Affine operator*(Affine const &x, Affine const &y)
     {
-        double const rx = x.radius(), ry = y.radius();
+        double const mx = x.most(), my = y.most();
         Affine z(x.center * y.center);
         for (int i = 0; i < N; ++i) {
             z.slopes[i] = x.center * y.slopes[i] + y.center * x.slopes[i];
@@ -66,13 +84,13 @@ template <int N> struct Affine {
             z.rest += std::fabs(half);
             for (int j = 0; j < i; ++j) z.rest += std::fabs(x.slopes[i] * y.slopes[j] + x.slopes[j] * y.slopes[i]);
         }
-        z.rest += (std::fabs(x.center) + rx) * y.rest + (std::fabs(y.center) + ry) * x.rest;
-        return z.roundings((std::fabs(x.center) + rx) * (std::fabs(y.center) + ry));
+        z.rest += mx * y.rest + my * x.rest;
+        return z.roundings(mx * my);
     }
 
     friend Affine operator*(Affine x, double factor)
     {
-        double const magnitude = (std::fabs(x.center) + x.radius()) * std::fabs(factor);
+        double const magnitude = x.most() * std::fabs(factor);
         x.center *= factor;
         for (double &slope : x.slopes) slope *= factor;
         x.rest *= std::fabs(factor);

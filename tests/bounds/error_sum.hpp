@@ -53,15 +53,17 @@ template <int N> class ErrorSum {
     Number sum_errors(double x, double y, double (&variation)[N]) const
     {
         Number sum(0.0);
+        double magnitudes = 0.0;
         for (double &v : variation) v = 0.0;
         for (std::size_t k = 0; k < size(); ++k) {
             if (!formula_.graph[k].rounded) continue;
-            Number const slope = y == 0.0 ? adjoints_[0][k] : adjoints_[0][k] * x + adjoints_[1][k] * y;
+            Number const slope = y == 0.0 ? adjoints_[0][k] : combination(adjoints_[0][k], x, adjoints_[1][k], y);
             Number const term = bounds_[k].center < 0.0 ? magnitude(slope) : magnitude(slope) * bounds_[k];
             for (int i = 0; i < N; ++i) variation[i] += std::fabs(term.slopes[i]);
-            sum = sum + term;
+            sum.add(term);
+            magnitudes += term.most();
         }
-        return sum;
+        return sum.roundings(static_cast<double>(size()) * magnitudes);
     }
 
   private:
@@ -101,23 +103,21 @@ template <int N> class ErrorSum {
     {
         switch (node.operation) {
         case Operation::sum:
-            add(left(adjoints, node), adjoint);
-            add(right(adjoints, node), adjoint);
+            left(adjoints, node) += adjoint;
+            right(adjoints, node) += adjoint;
             break;
         case Operation::difference:
-            add(left(adjoints, node), adjoint);
-            add(right(adjoints, node), -adjoint);
+            left(adjoints, node) += adjoint;
+            right(adjoints, node) += -adjoint;
             break;
         case Operation::product:
-            add(left(adjoints, node), adjoint * right(values_, node));
-            add(right(adjoints, node), adjoint * left(values_, node));
+            left(adjoints, node) += adjoint * right(values_, node);
+            right(adjoints, node) += adjoint * left(values_, node);
             break;
         default:
-            add(left(adjoints, node), -adjoint);
+            left(adjoints, node) += -adjoint;
         }
     }
-
-    static void add(Number &sum, Number const &x) { sum = sum + x; }
 
     Formula formula_;
     std::vector<Number> values_, bounds_;
