@@ -2,8 +2,8 @@
 
 Usage: check_installation.py SOURCE [--docs]
 
-In a copy of the source, with a home directory of its own and no more of the environment than a login shell has (and ccache's
-variables): builds and installs the library, then builds and runs programs against it, and installs the Python package into a fresh
+In a copy of the source, with a home directory of its own and no more of the environment than a login shell has (and the variables of
+ccache and pip): builds and installs the library, then builds and runs programs against it, and installs the Python package into a fresh
 virtual environment. --docs makes the pictures as well. Commands that install packages get an `apt-get` that looks
 whether the packages are there; those of other systems are checked for syntax.
 """
@@ -57,7 +57,7 @@ def run(script, source, home, tools):
             "PATH": f"{tools}:/usr/local/bin:/usr/bin:/bin",
             "LANG": "C.UTF-8",
             "PW85_MEASURE_ONCE": "",
-            **{name: value for name, value in os.environ.items() if name.startswith("CCACHE_")},
+            **{name: value for name, value in os.environ.items() if name.startswith(("CCACHE_", "PIP_"))},
         },
         stdout=subprocess.PIPE,
         stderr=subprocess.STDOUT,
