@@ -79,7 +79,7 @@ bool Chains::find_near(std::size_t i, Vector3 const &direction, double stage) no
     num_near_ = 0;
     bool has_room = true;
     bins_.visit(bodies_[i].center + half, own, [&](std::size_t j, Multiples const &cell) {
-        if (num_near_ == near_.size()) {
+        if (has_room && num_near_ == near_.size()) {
             std::size_t const more = 2 * num_near_ + 64;
             has_room = candidates_.resize(more) && obstacles_.resize(more) && near_.resize(more);
         }
