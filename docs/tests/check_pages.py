@@ -190,10 +190,11 @@ def states_of_pairs():
 
 
 def searches():
-    """Functions of C are found by their names, with and without prefix: each search takes some tenths of a second, so one of both."""
+    """Functions of C are found by their names, with and without prefix."""
     names = [function.name for header in C_HEADERS for function in functions(header)]
-    queries = [name if k % 2 else re.sub("^pw85_", "", name) for k, name in enumerate(names)]
-    return {**{query: f"api/c.html#c.{name}" for query, name in zip(queries, names, strict=True)}, **SEARCHES}
+    by_name = {name: f"api/c.html#c.{name}" for name in names}
+    by_plain_name = {re.sub("^pw85_", "", name): address for name, address in by_name.items()}
+    return {**by_plain_name, **by_name, **SEARCHES}
 
 
 def check_in_browser(pages, root):
