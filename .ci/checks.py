@@ -195,6 +195,21 @@ def check_with_libraries(results, machine):
     return True
 
 
+@contextlib.contextmanager
+def wine():
+    """Starts Wine, keeps it running, and yields the environment of its programs. When two programs start it at the same time, one
+    of them may fail."""
+    environment = {"WINEPREFIX": str(BUILDS / "wine"), "WINEDEBUG": "-all"}
+    Path(environment["WINEPREFIX"]).mkdir(parents=True, exist_ok=True)
+    server = "/usr/lib/wine/wineserver"
+    run([server, "--persistent"], **environment)
+    run(["/usr/lib/wine/wine64", "wineboot", "--init"], **environment)
+    try:
+        yield environment
+    finally:
+        run([server, "--kill"], **environment)
+
+
 def check_platforms(results):
     """Tests the core and the library on the platforms for which Debian has a compiler and an emulator. All platforms run the
     contact problems; those for which Debian has the libraries that tests need run more tests."""
@@ -203,14 +218,14 @@ def check_platforms(results):
     if not (boost / "include/boost").exists():
         (boost / "include/boost").symlink_to("/usr/include/boost")
     options = ["-Dgsl=disabled", *(f"-D{name}=disabled" for name in ("bench", "python", "fortran"))]
-    for machine in sorted((ROOT / "scripts/cross").glob("*.ini")):
-        if machine.stem in NOT_IN_CI:
-            continue
-        if machine.stem in WITH_LIBRARIES and check_with_libraries(results, machine.stem):
-            continue
-        if build(results, machine.stem, [f"--cross-file={machine}", *options], {"BOOST_ROOT": str(boost)},
-                 ["contact_problems", "portable_headers", "portable_library", "portable_c"]):
-            test(results, folder_of(machine.stem), ["--suite", "portable"], WINEPREFIX=str(BUILDS / "wine"), WINEDEBUG="-all")
+    machines = [machine for machine in sorted((ROOT / "scripts/cross").glob("*.ini")) if machine.stem not in NOT_IN_CI]
+    with wine() as environment:
+        for machine in machines:
+            if machine.stem in WITH_LIBRARIES and check_with_libraries(results, machine.stem):
+                continue
+            if build(results, machine.stem, [f"--cross-file={machine}", *options], {"BOOST_ROOT": str(boost)},
+                     ["contact_problems", "portable_headers", "portable_library", "portable_c"]):
+                test(results, folder_of(machine.stem), ["--suite", "portable"], **environment)
 
 
 def tracked(*patterns):
