@@ -23,20 +23,20 @@ struct Results {
     int refused = 0;
 };
 
-Truth100 exact_mu2(pw85::Vector<double, 3> const &r12, pw85::Vector<double, 3> const (&axes)[2],
-                   pw85::Vector<double, 4> const (&turns)[2])
+TruthOfFactors exact_mu2(pw85::Vector<double, 3> const &r12, pw85::Vector<double, 3> const (&axes)[2],
+                         pw85::Vector<double, 4> const (&turns)[2])
 {
     using pw85::detail::converted;
     auto const form = [&](int i) {
-        return pw85::ellipsoid_quaternion(converted<Truth100>(axes[i]), converted<Truth100>(turns[i])).q;
+        return pw85::ellipsoid_quaternion(converted<TruthOfFactors>(axes[i]), converted<TruthOfFactors>(turns[i])).q;
     };
-    return pw85::contact(converted<Truth100>(r12), form(0), form(1)).mu2;
+    return pw85::contact(converted<TruthOfFactors>(r12), form(0), form(1)).mu2;
 }
 
 /// The correct digits of a result. A result without error has those of a double.
-double digits(double mu2, Truth100 const &exact)
+double digits(double mu2, TruthOfFactors const &exact)
 {
-    double const error = std::fabs(static_cast<double>(Truth100(mu2 / exact - 1)));
+    double const error = std::fabs(static_cast<double>(TruthOfFactors(mu2 / exact - 1)));
     return -std::log10(std::max(error, 0x1p-53));
 }
 

@@ -12,7 +12,8 @@
 
 namespace pw85_tests {
 
-using Truth100 = Multiprecision<100>;
+/// The digits of 1 - λ, too, where one ellipsoid is 2⁵⁰⁰ times as large as the other.
+using TruthOfFactors = Multiprecision<200>;
 
 template <class T, int D> struct Factors {
     pw85::Vector<T, D> r12;
@@ -27,16 +28,16 @@ template <class T, int D> std::string hex_text(Factors<T, D> const &p)
 }
 
 /// Q = S Sᵀ for the factors as given.
-template <class T, int D> Sample<Truth100, D> squared(Factors<T, D> const &p)
+template <class T, int D> Sample<TruthOfFactors, D> squared(Factors<T, D> const &p)
 {
     auto const form = [](pw85::Factor<T, D> const &s) {
-        pw85::SymmetricMatrix<Truth100, D> q{};
+        pw85::SymmetricMatrix<TruthOfFactors, D> q{};
         for (int i = 0; i < D; ++i)
             for (int j = i; j < D; ++j)
-                for (int k = 0; k < D; ++k) q(i, j) += Truth100(s(i, k)) * Truth100(s(j, k));
+                for (int k = 0; k < D; ++k) q(i, j) += TruthOfFactors(s(i, k)) * TruthOfFactors(s(j, k));
         return q;
     };
-    return {pw85::detail::converted<Truth100>(p.r12), form(p.s1), form(p.s2)};
+    return {pw85::detail::converted<TruthOfFactors>(p.r12), form(p.s1), form(p.s2)};
 }
 
 template <int D> pw85::Factor<double, D> product(pw85::Factor<double, D> const &a, pw85::Factor<double, D> const &b)

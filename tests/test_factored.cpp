@@ -18,28 +18,28 @@ using namespace pw85_tests;
 namespace {
 
 /// μ², λ and the fraction c by which μ² changes at most, for fractions of the entries.
-template <class T, int D> Truth<Truth100> truth_of(Factors<T, D> const &p)
+template <class T, int D> Truth<TruthOfFactors> truth_of(Factors<T, D> const &p)
 {
     auto const w = squared(p);
     auto const c = pw85::contact(w.r12, w.q1, w.q2);
-    Truth100 const complement = 1 - c.lambda;
-    pw85::SymmetricMatrix<Truth100, D> m{};
+    TruthOfFactors const complement = 1 - c.lambda;
+    pw85::SymmetricMatrix<TruthOfFactors, D> m{};
     for (int k = 0; k < m.size; ++k) m[k] = complement * w.q1[k] + c.lambda * w.q2[k];
-    auto const n = pw85::detail::solve(pw85::detail::factorize(m, Truth100(0)), w.r12);
-    Truth100 sum = 0;
-    auto const add = [&](pw85::Factor<T, D> const &s, Truth100 const &weight) {
+    auto const n = pw85::detail::solve(pw85::detail::factorize(m, TruthOfFactors(0)), w.r12);
+    TruthOfFactors sum = 0;
+    auto const add = [&](pw85::Factor<T, D> const &s, TruthOfFactors const &weight) {
         for (int j = 0; j < D; ++j) {
-            Truth100 along = 0, magnitudes = 0;
+            TruthOfFactors along = 0, magnitudes = 0;
             for (int i = 0; i < D; ++i) {
-                along += n[i] * Truth100(s(i, j));
-                magnitudes += abs(Truth100(n[i] * Truth100(s(i, j))));
+                along += n[i] * TruthOfFactors(s(i, j));
+                magnitudes += abs(TruthOfFactors(n[i] * TruthOfFactors(s(i, j))));
             }
             sum += weight * abs(along) * magnitudes;
         }
     };
     add(p.s1, complement);
     add(p.s2, c.lambda);
-    for (int i = 0; i < D; ++i) sum += abs(Truth100(n[i] * w.r12[i]));
+    for (int i = 0; i < D; ++i) sum += abs(TruthOfFactors(n[i] * w.r12[i]));
     return {c.mu2, c.lambda, 2 * c.lambda * complement * sum / c.mu2};
 }
 
@@ -71,13 +71,13 @@ void test_error()
 }
 
 /// The semi-axes and rotations as given, in 100 digits.
-Sample<Truth100, 3> exact_pair(pw85::Vector<double, 3> const &r12, pw85::Vector<double, 3> const (&axes)[2],
-                               pw85::Vector<double, 4> const (&turns)[2])
+Sample<TruthOfFactors, 3> exact_pair(pw85::Vector<double, 3> const &r12, pw85::Vector<double, 3> const (&axes)[2],
+                                     pw85::Vector<double, 4> const (&turns)[2])
 {
     using pw85::detail::converted;
-    return {converted<Truth100>(r12),
-            pw85::ellipsoid_quaternion(converted<Truth100>(axes[0]), converted<Truth100>(turns[0])).q,
-            pw85::ellipsoid_quaternion(converted<Truth100>(axes[1]), converted<Truth100>(turns[1])).q};
+    return {converted<TruthOfFactors>(r12),
+            pw85::ellipsoid_quaternion(converted<TruthOfFactors>(axes[0]), converted<TruthOfFactors>(turns[0])).q,
+            pw85::ellipsoid_quaternion(converted<TruthOfFactors>(axes[1]), converted<TruthOfFactors>(turns[1])).q};
 }
 
 /// The digits of slender ellipsoids: at aspect ratio 100, 1e4 and 1e6 the relative error against the truth for the semi-axes and
@@ -97,7 +97,7 @@ void test_digits()
             pw85::Vector<double, 4> const turns[2] = {random.direction<4>(), random.direction<4>()};
             auto const r12 = random.direction<3>();
             auto const exact = exact_pair(r12, axes, turns);
-            Truth100 const mu2 = pw85::contact(exact.r12, exact.q1, exact.q2).mu2;
+            TruthOfFactors const mu2 = pw85::contact(exact.r12, exact.q1, exact.q2).mu2;
             double s1[9], s2[9], q1[6], q2[6], out[2], packed[2];
             pw85_ellipsoid_factor(axes[0].coordinates, turns[0].coordinates, s1);
             pw85_ellipsoid_factor(axes[1].coordinates, turns[1].coordinates, s2);
@@ -105,9 +105,9 @@ void test_digits()
             pw85_ellipsoid_quaternion(axes[0].coordinates, turns[0].coordinates, q1);
             pw85_ellipsoid_quaternion(axes[1].coordinates, turns[1].coordinates, q2);
             pw85_contact(r12.coordinates, q1, q2, packed);
-            double const error = std::fabs(static_cast<double>(Truth100(out[0] / mu2 - 1)));
+            double const error = std::fabs(static_cast<double>(TruthOfFactors(out[0] / mu2 - 1)));
             worst = std::max(worst, error);
-            worst_packed = std::max(worst_packed, std::fabs(static_cast<double>(Truth100(packed[0] / mu2 - 1))));
+            worst_packed = std::max(worst_packed, std::fabs(static_cast<double>(TruthOfFactors(packed[0] / mu2 - 1))));
             failures.check(error <= bound, "relative error", error, bound, [&] {
                 return pw85_tests::hex_text(r12.coordinates, 3) + pw85_tests::hex_text(s1, 9) +
                        pw85_tests::hex_text(s2, 9);
@@ -152,7 +152,7 @@ void test_corrected()
         auto const pair = d::pair_of(p.r12, p.s1, p.s2);
         auto const exact = truth_of(p);
         double const off = random.sign() * random.log_uniform(1e-12, 1e-4);
-        double const t = static_cast<double>(Truth100(exact.lambda / (1 - exact.lambda))) * (1.0 + off);
+        double const t = static_cast<double>(TruthOfFactors(exact.lambda / (1 - exact.lambda))) * (1.0 + off);
         double const k2 = random.sign() * random.log_uniform(1e-3, 1e300);
         auto const describe = [&] { return hex_text(p) + ", t = " + pw85_tests::hex_text(&t, 1); };
         auto const last = d::last_evaluation(pair, d::rounded_forms(pair), {t, 0.0, k2});
@@ -270,7 +270,7 @@ void test_condition()
         double const lambda = pw85::contact(s.r12, s.q1, s.q2).lambda;
         double cond = 0.0;
         int const status = pw85_condition(s.r12.coordinates, s.q1.entries, s.q2.entries, lambda, &cond);
-        double const exact = static_cast<double>(condition_number(convert<Truth100>(s), Truth100(lambda)));
+        double const exact = static_cast<double>(condition_number(convert<TruthOfFactors>(s), TruthOfFactors(lambda)));
         failures.check(status == PW85_SUCCESS && std::fabs(cond / exact - 1.0) <= 1e-2, "condition number", cond, exact,
                        [&] { return pw85_tests::hex_text(s); });
         failures.check(cond >= 3.0 - 1e-12, "least condition number", cond, 3.0,

@@ -18,18 +18,18 @@ using pw85::detail::times_power_of_two;
 namespace {
 
 /// The numbers of a pair: r12, S1 and S2.
-std::vector<Truth100> numbers_of(Factors<double, 3> const &p)
+std::vector<TruthOfFactors> numbers_of(Factors<double, 3> const &p)
 {
-    std::vector<Truth100> all(p.r12.coordinates, p.r12.coordinates + 3);
+    std::vector<TruthOfFactors> all(p.r12.coordinates, p.r12.coordinates + 3);
     all.insert(all.end(), p.s1.entries, p.s1.entries + 9);
     all.insert(all.end(), p.s2.entries, p.s2.entries + 9);
     return all;
 }
 
 /// The pair of the exact products.
-Sample<Truth100, 3> forms_of(std::vector<Truth100> const &numbers)
+Sample<TruthOfFactors, 3> forms_of(std::vector<TruthOfFactors> const &numbers)
 {
-    Sample<Truth100, 3> w{};
+    Sample<TruthOfFactors, 3> w{};
     for (int i = 0; i < 3; ++i) {
         w.r12[i] = numbers[static_cast<std::size_t>(i)];
         for (int j = i; j < 3; ++j)
@@ -49,22 +49,22 @@ constexpr int starts[] = {0, 3, 6, 9, 18, 27};
 char const *const names[] = {"point", "normal", "d_r12", "d_s1", "d_s2"};
 
 /// The results by the definitions, from n = [(1-λ) Q1 + λ Q2]⁻¹ r12.
-std::vector<Truth100> exact_results(std::vector<Truth100> const &numbers, Truth100 const &lambda)
+std::vector<TruthOfFactors> exact_results(std::vector<TruthOfFactors> const &numbers, TruthOfFactors const &lambda)
 {
     auto const w = forms_of(numbers);
-    Truth100 const complement = 1 - lambda;
-    pw85::SymmetricMatrix<Truth100, 3> m{};
+    TruthOfFactors const complement = 1 - lambda;
+    pw85::SymmetricMatrix<TruthOfFactors, 3> m{};
     for (int k = 0; k < m.size; ++k) m[k] = complement * w.q1[k] + lambda * w.q2[k];
-    auto const n = pw85::detail::solve(pw85::detail::factorize(m, Truth100(0)), w.r12);
+    auto const n = pw85::detail::solve(pw85::detail::factorize(m, TruthOfFactors(0)), w.r12);
     auto const point = pw85::product(w.q1, n);
-    std::vector<Truth100> all;
+    std::vector<TruthOfFactors> all;
     for (int i = 0; i < 3; ++i) all.push_back(complement * point[i]);
     for (int i = 0; i < 3; ++i) all.push_back(n[i] / sqrt(pw85::dot(n, n)));
     for (int i = 0; i < 3; ++i) all.push_back(2 * lambda * complement * n[i]);
     for (int const offset : {3, 12})
         for (int i = 0; i < 3; ++i)
             for (int j = 0; j < 3; ++j) {
-                Truth100 along = 0;
+                TruthOfFactors along = 0;
                 for (int k = 0; k < 3; ++k) along += n[k] * numbers[static_cast<std::size_t>(offset + 3 * k + j)];
                 all.push_back(-2 * lambda * complement * (offset == 3 ? complement : lambda) * n[i] * along);
             }
@@ -73,26 +73,26 @@ std::vector<Truth100> exact_results(std::vector<Truth100> const &numbers, Truth1
 
 /// The largest magnitude in the column of a number, if it belongs to a factor; the magnitude of the number itself, if it belongs to
 /// r12.
-Truth100 unit_of(std::vector<Truth100> const &numbers, std::size_t k)
+TruthOfFactors unit_of(std::vector<TruthOfFactors> const &numbers, std::size_t k)
 {
     if (k < 3) return abs(numbers[k]);
     std::size_t const first = k < 12 ? 3 : 12, column = first + (k - first) % 3;
-    Truth100 largest = 0;
-    for (std::size_t i = column; i < first + 9; i += 3) largest = std::max(largest, Truth100(abs(numbers[i])));
+    TruthOfFactors largest = 0;
+    for (std::size_t i = column; i < first + 9; i += 3) largest = std::max(largest, TruthOfFactors(abs(numbers[i])));
     return largest;
 }
 
 /// By how much each result changes at most if each number changes by its unit, to first order.
-std::vector<Truth100> sensitivities(std::vector<Truth100> const &numbers, Truth100 const &lambda)
+std::vector<TruthOfFactors> sensitivities(std::vector<TruthOfFactors> const &numbers, TruthOfFactors const &lambda)
 {
     auto const at = exact_results(numbers, lambda);
-    Truth100 const fraction("1e-40");
-    std::vector<Truth100> sum(at.size(), Truth100(0));
+    TruthOfFactors const fraction("1e-40");
+    std::vector<TruthOfFactors> sum(at.size(), TruthOfFactors(0));
     for (std::size_t k = 0; k < numbers.size(); ++k) {
         auto changed = numbers;
         changed[k] += fraction * unit_of(numbers, k);
         auto const other = exact_results(changed, lambda);
-        for (std::size_t i = 0; i < at.size(); ++i) sum[i] += abs(Truth100(other[i] - at[i])) / fraction;
+        for (std::size_t i = 0; i < at.size(); ++i) sum[i] += abs(TruthOfFactors(other[i] - at[i])) / fraction;
     }
     return sum;
 }
@@ -122,16 +122,16 @@ std::vector<double> list(Results const &r)
 }
 
 /// The largest error of a result among its numbers, in units of u times the largest sensitivity.
-double error_of(int result, std::vector<double> const &actual, std::vector<Truth100> const &exact,
-                std::vector<Truth100> const &change)
+double error_of(int result, std::vector<double> const &actual, std::vector<TruthOfFactors> const &exact,
+                std::vector<TruthOfFactors> const &change)
 {
-    Truth100 error = 0, largest = 0;
+    TruthOfFactors error = 0, largest = 0;
     for (int i = starts[result]; i < starts[result + 1]; ++i) {
         auto const k = static_cast<std::size_t>(i);
-        error = std::max(error, Truth100(abs(Truth100(actual[k] - exact[k]))));
+        error = std::max(error, TruthOfFactors(abs(TruthOfFactors(actual[k] - exact[k]))));
         largest = std::max(largest, change[k]);
     }
-    return static_cast<double>(Truth100(error / largest)) * 0x1p53;
+    return static_cast<double>(TruthOfFactors(error / largest)) * 0x1p53;
 }
 
 void check(Factors<double, 3> const &p, double lambda, double bound, Failures &failures, double (&worst)[5])
@@ -172,22 +172,22 @@ void test_differences()
         auto const p = random_factors(random, n % 4, random.log_uniform(1.0, 100.0), random.log_uniform(0.1, 10.0));
         auto const actual = list(compute(p, pw85::contact_factored(p.r12, p.s1, p.s2).lambda));
         auto const numbers = numbers_of(p);
-        Truth100 const h("1e-30");
-        Truth100 expected = 0, sum = 0, magnitudes = 0;
+        TruthOfFactors const h("1e-30");
+        TruthOfFactors expected = 0, sum = 0, magnitudes = 0;
         auto up = numbers, down = numbers;
         for (std::size_t k = 0; k < numbers.size(); ++k) {
-            Truth100 const change = random.normal() * numbers[k], term = change * actual[6 + k];
+            TruthOfFactors const change = random.normal() * numbers[k], term = change * actual[6 + k];
             up[k] += h * change;
             down[k] -= h * change;
             sum += term;
             magnitudes += abs(term);
         }
-        auto const mu2 = [](std::vector<Truth100> const &x) {
+        auto const mu2 = [](std::vector<TruthOfFactors> const &x) {
             auto const w = forms_of(x);
             return pw85::contact(w.r12, w.q1, w.q2).mu2;
         };
         expected = (mu2(up) - mu2(down)) / (2 * h);
-        double const error = static_cast<double>(Truth100(abs(Truth100(sum - expected)) / magnitudes));
+        double const error = static_cast<double>(TruthOfFactors(abs(TruthOfFactors(sum - expected)) / magnitudes));
         failures.check(error <= 1e-9, "derivative along a direction", error, 1e-9, [&] { return hex_text(p); });
     }
 }

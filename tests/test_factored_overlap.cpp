@@ -23,8 +23,8 @@ namespace {
 template <class T, int D> int sign_of_excess(Factors<T, D> const &p)
 {
     auto const w = squared(p);
-    Truth100 const excess = pw85::contact(w.r12, w.q1, w.q2).mu2 - 1;
-    g_assert_true(abs(excess) > Truth100("1e-75"));
+    TruthOfFactors const excess = pw85::contact(w.r12, w.q1, w.q2).mu2 - 1;
+    g_assert_true(abs(excess) > TruthOfFactors("1e-75"));
     return excess > 0 ? 1 : -1;
 }
 
@@ -129,18 +129,18 @@ void test_bounds()
         auto const v = pw85::detail::solve_blend(0.5, p.s1, 0.5, p.s2, p.r12);
         auto const w1 = 0.5 * v.first, w2 = 0.5 * v.second;
         auto const s = n % 2 == 0 ? v.w : direction;
-        Truth100 residual = 0, inverse2 = 0, gap = 0, squares[2] = {};
+        TruthOfFactors residual = 0, inverse2 = 0, gap = 0, squares[2] = {};
         for (int i = 0; i < 3; ++i) {
-            Truth100 e = p.r12[i];
-            gap += Truth100(p.r12[i]) * s[i];
-            for (int j = 0; j < 3; ++j) e -= Truth100(p.s1(i, j)) * w1[j] + Truth100(p.s2(i, j)) * w2[j];
+            TruthOfFactors e = p.r12[i];
+            gap += TruthOfFactors(p.r12[i]) * s[i];
+            for (int j = 0; j < 3; ++j) e -= TruthOfFactors(p.s1(i, j)) * w1[j] + TruthOfFactors(p.s2(i, j)) * w2[j];
             residual += abs(e);
         }
         for (int j = 0; j < 3; ++j) {
-            Truth100 along[2] = {};
+            TruthOfFactors along[2] = {};
             for (int i = 0; i < 3; ++i) {
-                along[0] += Truth100(p.s1(i, j)) * s[i];
-                along[1] += Truth100(p.s2(i, j)) * s[i];
+                along[0] += TruthOfFactors(p.s1(i, j)) * s[i];
+                along[1] += TruthOfFactors(p.s2(i, j)) * s[i];
             }
             for (int k = 0; k < 2; ++k) squares[k] += along[k] * along[k];
         }
@@ -151,8 +151,8 @@ void test_bounds()
         double const bound = pw85::detail::bound_on_residual(pair, w1, w2);
         failures.check(residual <= bound, "residual", static_cast<double>(residual), bound, describe);
         double const inverse = pw85::detail::bound_on_inverse(p.s1);
-        failures.check(inverse2 <= Truth100(inverse) * inverse, "inverse", std::sqrt(static_cast<double>(inverse2)),
-                       inverse, describe);
+        failures.check(inverse2 <= TruthOfFactors(inverse) * inverse, "inverse",
+                       std::sqrt(static_cast<double>(inverse2)), inverse, describe);
         bool const apart = pw85::detail::separates(pair, s, pw85::detail::transposed_times(p.s1, s),
                                                    pw85::detail::transposed_times(p.s2, s));
         failures.check(!apart || gap > 0, "gap", static_cast<double>(gap), 0.0, describe);
