@@ -1,5 +1,5 @@
 // Prints how many digits of the contact function random pairs have by their aspect ratio, as CSV. The truth is the contact function
-// for the semi-axes and quaternions exactly as given, in 100 digits. A row has the median and the largest condition number
+// for the semi-axes and quaternions exactly as given, in 200 digits. A row has the median and the largest condition number
 // (pw85_condition); the digits of the result from forms and from factors, -log10(relative error), the median and the least; and the
 // per cent of pairs whose rounded forms are not positive definite, which the other numbers of forms leave out.
 #include <algorithm>

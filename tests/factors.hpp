@@ -12,7 +12,7 @@
 
 namespace pw85_tests {
 
-/// The digits of 1 - λ, too, where one ellipsoid is 2⁵⁰⁰ times as large as the other.
+/// The digits of 1 - λ, too, where one ellipsoid is 2⁴⁹⁰ times as large as the other.
 using TruthOfFactors = Multiprecision<200>;
 
 template <class T, int D> struct Factors {

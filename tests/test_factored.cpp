@@ -1,4 +1,4 @@
-// The contact function of ellipsoids that are given by factors of their forms, against 100 digits: for the factors as given, and for
+// The contact function of ellipsoids that are given by factors of their forms, against 200 digits: for the factors as given, and for
 // semi-axes and quaternions as given. And the condition number.
 #include <algorithm>
 #include <cmath>
@@ -70,7 +70,7 @@ void test_error()
     }
 }
 
-/// The semi-axes and rotations as given, in 100 digits.
+/// The semi-axes and rotations as given, in 200 digits.
 Sample<TruthOfFactors, 3> exact_pair(pw85::Vector<double, 3> const &r12, pw85::Vector<double, 3> const (&axes)[2],
                                      pw85::Vector<double, 4> const (&turns)[2])
 {
@@ -260,7 +260,7 @@ void test_status()
         }
 }
 
-/// The condition number against its definition in 100 digits, also for ellipsoids of unlike sizes in either order.
+/// The condition number against its definition in 200 digits, also for ellipsoids of unlike sizes in either order.
 void test_condition()
 {
     Failures failures;

@@ -1,4 +1,4 @@
-// The contact point, the normal and the derivatives of ellipsoids that are given by factors of their forms, against 100 digits.
+// The contact point, the normal and the derivatives of ellipsoids that are given by factors of their forms, against 200 digits.
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -163,7 +163,7 @@ void test_error()
     for (int i = 0; i < 5; ++i) g_test_message("%s: largest error %.2f", names[i], worst[i]);
 }
 
-/// The derivatives against differences of μ² in 100 digits.
+/// The derivatives against differences of μ² in 200 digits.
 void test_differences()
 {
     Failures failures;
@@ -231,7 +231,7 @@ void test_symmetry()
     }
 }
 
-/// Ellipsoids of very different sizes, in either order, so that the library exchanges them: against 100 digits.
+/// Ellipsoids of very different sizes, in either order, so that the library exchanges them: against 200 digits.
 void test_unlike()
 {
     Failures failures;

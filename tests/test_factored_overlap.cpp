@@ -1,4 +1,4 @@
-// The overlap test of ellipsoids that are given by factors of their forms, against 100 digits and against pairs that are tangent by
+// The overlap test of ellipsoids that are given by factors of their forms, against 200 digits and against pairs that are tangent by
 // construction. The tiers are also tested alone.
 #include <cmath>
 #include <limits>
@@ -19,7 +19,7 @@ using pw85::detail::times_power_of_two;
 
 namespace {
 
-/// The sign of μ² - 1 in 100 digits, for a pair that is not tangent.
+/// The sign of μ² - 1 in 200 digits, for a pair that is not tangent.
 template <class T, int D> int sign_of_excess(Factors<T, D> const &p)
 {
     auto const w = squared(p);
@@ -116,7 +116,7 @@ void test_bounds_suffice()
     }
 }
 
-/// The bounds of the proofs hold in 100 digits: those on the residual, on the inverse of a factor, and on the gap along a direction.
+/// The bounds of the proofs hold in 200 digits: those on the residual, on the inverse of a factor, and on the gap along a direction.
 void test_bounds()
 {
     Failures failures;
