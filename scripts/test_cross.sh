@@ -39,7 +39,7 @@ if [ ! -f "$root/complete" ]; then
   open_packages "$root" "$architecture" || true # one of several sources may be unavailable
   mkdir -p "$root/boost/include"
   ln -s /usr/include/boost "$root/boost/include/boost" # the headers, which are the same on all machines
-  packages=$(apt_in "$root" "$architecture" install -s libglib2.0-dev libhdf5-dev libgsl-dev libgomp1 libstdc++6 |
+  packages=$(apt_in "$root" "$architecture" install -s libglib2.0-dev libhdf5-dev libmpfr-dev libgsl-dev libgomp1 libstdc++6 |
     sed -n 's/^Inst \([^ ]*\).*/\1/p' | grep -E '^(lib|zlib)' | grep -v -E 'python|^libc6-dev|^libc-dev|^libperl')
   # shellcheck disable=SC2086 # a list of words
   unpack_packages "$root" "$architecture" $packages

@@ -2,12 +2,12 @@
 #include <cmath>
 #include <limits>
 
-#include <boost/multiprecision/cpp_bin_float.hpp>
 #include <glib.h>
 
 #include "../src/kernels/power.hpp"
 #include "draws.hpp"
 #include "failures.hpp"
+#include "oracle/multiprecision.hpp"
 #include "random_pairs.hpp"
 
 using namespace pw85_tests;
@@ -15,9 +15,7 @@ using namespace pw85_tests;
 namespace {
 
 // Enough digits for angles up to 2^1000.
-using Wide =
-    boost::multiprecision::number<boost::multiprecision::cpp_bin_float<1200, boost::multiprecision::digit_base_2>,
-                                  boost::multiprecision::et_off>;
+using Wide = Multiprecision<360>;
 
 double ulp(double x) { return std::nextafter(std::fabs(x), HUGE_VAL) - std::fabs(x); }
 

@@ -13,7 +13,7 @@ using namespace pw85_tests;
 
 namespace {
 
-using Oracle = Multiprecision<110>;
+using Oracle = Multiprecision<100>;
 
 /// Largest aspect ratio for which the rounded form surely is positive definite: its smallest eigenvalue exceeds the
 /// rounding errors of its entries when aspect² u << 1.

@@ -2,18 +2,10 @@
 #ifndef PW85_TESTS_WIDE_HPP_INCLUDED
 #define PW85_TESTS_WIDE_HPP_INCLUDED
 
-// GCC 14 takes a shift of Boost's for one beyond the limbs of a number.
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Warray-bounds"
-#include <boost/multiprecision/cpp_bin_float.hpp>
-#pragma GCC diagnostic pop
-
 #include "condition_number.hpp"
+#include "oracle/multiprecision.hpp"
 
 namespace pw85_tests {
-
-template <unsigned Digits> using Multiprecision =
-    boost::multiprecision::number<boost::multiprecision::cpp_bin_float<Digits>, boost::multiprecision::et_off>;
 
 using Wide = Multiprecision<50>;
 
