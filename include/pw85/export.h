@@ -1,10 +1,8 @@
-/* Visibility of the symbols of the shared libraries; those of static ones (PW85_HIDDEN) go no further than what they become part of. */
+/* Visibility of the symbols of the libraries. */
 #ifndef PW85_EXPORT_H_INCLUDED
 #define PW85_EXPORT_H_INCLUDED
 
-#if defined(PW85_HIDDEN)
-#define PW85_API
-#elif defined(_WIN32) && defined(PW85_BUILDING)
+#if defined(_WIN32) && defined(PW85_BUILDING)
 #define PW85_API __declspec(dllexport)
 #elif defined(__GNUC__)
 #define PW85_API __attribute__((visibility("default")))
