@@ -1,6 +1,7 @@
-// Proves bounds on rounding errors that the comments of the headers name as theorems. An argument names one of them:
+// Proves bounds on rounding errors that the comments of the headers name as theorems. Arguments may name some of them:
 //
-//     proofs apart
+//     proofs prove [apart ...]      proves them
+//     proofs recall [apart ...]     the same, but looks up long proofs in PW85_PROOFS, the record of what was proved
 //
 // Each proof is for all pairs, with and without fused operations, and for every type with u <= 2^-24, float included. The
 // hypothesis is that each rounded result errs by a fraction of at most u, so that nothing over- or underflows. For doubles the
@@ -17,12 +18,22 @@
 #include "coefficients.hpp"
 #include "inside.hpp"
 #include "range.hpp"
+#include "record.hpp"
 
 namespace {
 
 using namespace pw85_bounds;
 
 constexpr double largest_u = 0x1p-24, share_beyond = 0x1p-10;
+
+/// The record of the proofs, and how main() is asked to use it.
+Record &on_record(Record::Use use = Record::Use::recall)
+{
+    static Record record(use, PW85_PROOFS);
+    return record;
+}
+
+std::string name_of(char const *what, int dimensions) { return what + (", D = " + std::to_string(dimensions)); }
 
 /// Whether a formula errs by less than constant·u.
 template <int D, int N>
@@ -31,7 +42,8 @@ bool holds(char const *what, std::vector<int> (*run)(), Question const &question
     Formula const formula = record(run);
     double const beyond = question.factor * beyond_first_order(formula, std::sqrt(question.square), largest_u);
     WorstCase<D, N> worst(formula, question);
-    auto const proof = prove<N>(worst, UnitPair<D, N>::ranges, constant * (1.0 - share_beyond), 40000000);
+    auto const proof = on_record().settle<N>(name_of(what, D), worst, UnitPair<D, N>::ranges,
+                                             constant * (1.0 - share_beyond), 40000000);
     bool const small = beyond <= 0.25 * share_beyond * constant;
     std::printf("%s, D = %d: %s %g u; %ld boxes, largest value seen %.2f; beyond first order %.1e\n", what, D,
                 proof.proved && small ? "proved" : "NOT PROVED", constant, proof.boxes, proof.largest, beyond);
@@ -91,7 +103,7 @@ bool definite_holds_in_space()
 {
     DefiniteErrors errors;
     double const limit = definite_margin<3> * (1.0 - share_beyond);
-    auto const proof = prove<3>(errors, DefiniteErrors::ranges, limit, 100000);
+    auto const proof = on_record().settle<3>(name_of("definite", 3), errors, DefiniteErrors::ranges, limit, 100000);
     std::printf("definite, D = 3: %s %d u; %ld boxes, largest value seen %.2f\n",
                 proof.proved ? "proved" : "NOT PROVED", definite_margin<3>, proof.boxes, proof.largest);
     return holds<3, 3>("definite, determinant", definite<3>, {0.0, 1.0}, 7.1) && proof.proved;
@@ -139,7 +151,7 @@ double left_of(int margin, double products)
 
 template <int D, int N> bool proved_below(char const *what, FormBound<D, N> errors, double limit)
 {
-    auto const proof = prove<N>(errors, UnitPair<D, N>::ranges, limit, 4000000);
+    auto const proof = on_record().settle<N>(name_of(what, D), errors, UnitPair<D, N>::ranges, limit, 4000000);
     std::printf("%s, D = %d: %s %g u; %ld boxes, largest value seen %.2f\n", what, D,
                 proof.proved ? "proved" : "NOT PROVED", limit, proof.boxes, proof.largest);
     return proof.proved;
@@ -173,7 +185,7 @@ template <int D, int N, int M> bool inside_holds()
     double const left1 = left_of(inside1_margin, products + Bounds::a * Bounds::b / Bounds::least);
     double const left2 = left_of(inside2_margin, products);
     SolutionErrors<D, N> errors({left1, left2}, Bounds::across, Bounds::share);
-    auto const proof = prove<N>(errors, UnitPair<D, N>::ranges, 1.0, 2000000);
+    auto const proof = on_record().settle<N>(name_of("inside", D), errors, UnitPair<D, N>::ranges, 1.0, 2000000);
     std::printf(
         "inside, D = %d: %s %d u and %d u; rest below %.2f and %.2f, %ld boxes, largest value seen %.3f of it\n", D,
         proof.proved ? "proved" : "NOT PROVED", inside1_margin, inside2_margin, left1, left2, proof.boxes,
@@ -422,12 +434,17 @@ constexpr Theorem theorems[] = {
 
 int main(int argc, char **argv)
 {
+    bool const proves = argc > 1 && std::strcmp(argv[1], "prove") == 0;
+    if (!proves && (argc < 2 || std::strcmp(argv[1], "recall") != 0)) return 2;
+    on_record(proves ? Record::Use::prove : Record::Use::recall);
     bool all = true;
-    int tried = 0;
-    for (auto const &theorem : theorems)
-        if (argc < 2 || std::strcmp(argv[1], theorem.name) == 0) {
-            all = theorem.prove() && all;
-            ++tried;
-        }
-    return all && tried > 0 ? 0 : 1;
+    int proved = 0;
+    for (auto const &theorem : theorems) {
+        bool const wanted =
+            std::any_of(argv + 2, argv + argc, [&](char const *a) { return std::strcmp(a, theorem.name) == 0; });
+        if (argc > 2 && !wanted) continue;
+        all = theorem.prove() && all;
+        ++proved;
+    }
+    return all && proved > 0 && on_record().is_complete() ? 0 : 1;
 }
