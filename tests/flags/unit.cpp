@@ -1,4 +1,5 @@
-// A user's unit with all of the C++ API, to be compiled with any flags; UNIT is the name of its one function.
+// A user's unit with all of the C++ API, to be compiled with any flags; UNIT is the name of its one function. UNIT_OF_DOUBLES leaves
+// out the other types.
 #include <pw85/history/legacy.hpp>
 #include <pw85/history/zheng.hpp>
 #include <pw85/pw85.hpp>
@@ -70,6 +71,10 @@ double of_batches(double x)
 
 double UNIT(double x)
 {
+#ifdef UNIT_OF_DOUBLES
+    return everything(x) + of_batches(x);
+#else
     return everything(x) + static_cast<double>(everything(static_cast<float>(x))) +
            static_cast<double>(everything(static_cast<long double>(x))) + of_batches(x);
+#endif
 }

@@ -19,8 +19,10 @@ from pathlib import Path
 HERE = Path(__file__).resolve().parent
 EXPECTED = "mu^2 = 3.36271\nlambda = 0.166859\n"
 LIBRARIES_ONLY = [f"-D{name}=disabled" for name in ("tests", "bench", "python", "fortran")]
-# How fast the library is does not matter here; unoptimised it takes less time to build.
-OPTIONS = [*LIBRARIES_ONLY, "-Doptimization=0", "-Doptimized=false"]
+# How fast the library is does not matter here. With ccache the objects are those of the build of the tests; otherwise it takes less
+# time to compile unoptimised ones.
+UNOPTIMIZED = [] if shutil.which("ccache") else ["-Doptimization=0", "-Doptimized=false"]
+OPTIONS = [*LIBRARIES_ONLY, "-Dgpu=disabled", *UNOPTIMIZED]
 LANGUAGES = {"c": ("CC", "cc", "c99"), "cpp": ("CXX", "c++", "c++20")}
 
 
@@ -189,7 +191,7 @@ class Installation:
                 (folder / "subprojects").mkdir()
                 (folder / "subprojects/pw85").symlink_to(self.source)
             environment = {} if subproject else self.environment()
-            fast_to_build = ["-Dpw85:optimized=false"] if subproject else []
+            fast_to_build = [f"-Dpw85:{option}" for option in ("optimized=false", "simd=disabled", "gpu=disabled")] if subproject else []
             run("meson", "setup", folder / "build", folder, f"-Ddefault_library={kind}",
                 f"-Dsubproject={'true' if subproject else 'false'}", "-Doptimization=0", *fast_to_build, **environment)
             run("meson", "compile", "-C", folder / "build")
@@ -202,7 +204,8 @@ class Installation:
         shutil.copy(HERE / "within_CMakeLists.txt", folder / "CMakeLists.txt")
         (folder / "pw85").symlink_to(self.source)
         build = folder / "build"
-        run("cmake", "-G", "Ninja", "-S", folder, "-B", build, "-DPW85_OPTIMIZED=OFF", f"-DFETCH={way == 'fetch'}",
+        fast_to_build = ["-DPW85_OPTIMIZED=OFF", "-DPW85_GPU=OFF", f"-DPW85_SIMD={kind == 'shared'}"]
+        run("cmake", "-G", "Ninja", "-S", folder, "-B", build, *fast_to_build, f"-DFETCH={way == 'fetch'}",
             f"-DBUILD_SHARED_LIBS={kind == 'shared'}")
         run("cmake", "--build", build)
         for language in LANGUAGES:
