@@ -1,24 +1,32 @@
-"""The checks of .ci/run: README's two commands, all tests with gcc and clang without warnings, the styles for LAMMPS, sanitizers,
-valgrind, format, static analysis, other platforms, Debian packages, the ABI.
+"""The checks of .ci/run, in parts that can be run alone: README's two commands, the tests with gcc and clang without warnings, the
+styles for LAMMPS, sanitizers, valgrind, format, static analysis, other platforms, Debian packages, the ABI.
 
-The results are counted from the logs of `meson test`, so that no list of tests is needed here. A step that is not a test counts as
-one result. The last lines of the output are "N skipped" and "N passed, N failed".
+Usage: checks.py [--record] [all | list | PART...]
+
+Without a name, the parts run that a change can break; `all` adds the other ones, and `list` names them. Two parts run at a time,
+where one needs no result of the other. The last lines of the output are "N skipped" and "N passed, N failed".
 """
 
+import argparse
 import contextlib
-import fnmatch
+import dataclasses
 import json
 import os
 import shutil
 import subprocess
 import sys
+import threading
 import time
-import xml.etree.ElementTree as ElementTree
+import typing
 from pathlib import Path
+
+import times
+from results import Results
 
 ROOT = Path(__file__).resolve().parent.parent
 BUILDS = ROOT / "build-ci"
 TEST_COMMAND_BUILD = ROOT / "build-test"  # the build folder of scripts/test.sh
+TIMES = BUILDS / "times.jsonl"  # processor seconds, see times.py
 CLANG = {"CC": "clang", "CXX": "clang++"}
 # For machines of scripts/test_cross.sh, the tests to run and their environment. Only tests run that can find an error of that
 # machine: on 64-bit ARM those of code that is compiled per instruction set. In emulation SVE is ten times as slow as NEON, and the
@@ -33,93 +41,21 @@ ONE_LIBRARY = "-Ddefault_library=shared"  # half the time to compile; the other 
 ONLY_TESTS = ["-Dtests=enabled", "-Dgpu=enabled", "-Dbench=disabled", "-Dpython=disabled", "-Dfortran=disabled"]
 
 
-# Checks that may be skipped, by patterns of their names, with the reason. The list of skipped checks marks all others.
-MAY_BE_SKIPPED = {
-    "ruff": "Debian's sid may be out of order, or have another minor version",
-    "scripts/test_wheel.sh": "Debian's sid may be out of order",
-    "*: tests with libraries": "Debian may not have the packages for another machine",
-    "build-ci-address-undefined: * / stack *": "instrumented code takes more stack than the library does",
-    "build-ci-clang: * -fopenmp is safe": "Clang 14 finds no OpenMP run-time library in Debian 12",
-    "build-ci-*threads*": "Clang 14 finds no OpenMP run-time library in Debian 12",
-}
-
-
-class Results:
-    def __init__(self):
-        self.passed, self.failed, self.failures, self.skipped, self.times = 0, 0, [], [], []
-
-    @contextlib.contextmanager
-    def part(self, name):
-        """Measures the time of a part."""
-        start = time.monotonic()
-        yield
-        self.times.append((name, time.monotonic() - start))
-        print(f"== {name}: {self.times[-1][1] / 60:.1f} minutes", flush=True)
-
-    def add(self, name, ok):
-        if ok:
-            self.passed += 1
-        else:
-            self.failed += 1
-            self.failures.append(name)
-            print(f"FAILED: {name}", flush=True)
-
-    def skip(self, name):
-        """Notes a check that was not run."""
-        allowed = any(fnmatch.fnmatchcase(name, pattern) for pattern in MAY_BE_SKIPPED)
-        self.skipped.append(name if allowed else f"{name} (not in MAY_BE_SKIPPED)")
-
-    def add_report(self, step, log):
-        """Adds the results of `meson test`. The log, with a JSON object per line, has the result of each program; the JUnit report
-        next to it has the results of its cases, if the program reports cases. A program that fails without a failing case (it
-        crashes, exceeds its time, or leaks memory) counts as one more failure."""
-        cases = read_cases(log.with_suffix(".junit.xml"))
-        for line in log.read_text().splitlines():
-            program = json.loads(line)
-            name, result = program["name"], program["result"]
-            own = cases.get(name, [])
-            for case, ended in own:
-                if ended == "skipped":
-                    self.skip(f"{step}: {name} {case}")
-                else:
-                    self.add(f"{step}: {name} {case}", ended == "passed")
-            if result not in ("OK", "EXPECTEDFAIL", "SKIP") and all(ended != "failed" for _, ended in own):
-                self.add(f"{step}: {name}: {result}", False)
-            elif not own and result == "SKIP":
-                self.skip(f"{step}: {name}")
-            elif not own:
-                self.add(f"{step}: {name}", True)
-
-
-def read_cases(report):
-    """The cases of each program that reports them: name of the program -> [(name of the case, its outcome)]."""
-    cases = {}
-    if not report.exists():
-        return cases
-    for suite in ElementTree.parse(report).getroot().iter("testsuite"):
-        # Suites of programs with cases are named after the project and the program; the others have no colon.
-        program = suite.get("name").split(".", 1)[-1]
-        if ":" in program:
-            cases[program] = [(case.get("name"), outcome(case)) for case in suite.iter("testcase")]
-    return cases
-
-
-def outcome(case):
-    """The outcome of one case of a JUnit report."""
-    if case.find("failure") is not None or case.find("error") is not None:
-        return "failed"
-    return "passed" if case.find("skipped") is None else "skipped"
-
-
 def folder_of(name):
     """The build folder of a part. It is next to that of the test command, so that paths are the same and ccache finds its
     results."""
     return ROOT / f"build-ci-{name}"
 
 
+steps = []  # the commands of this part, with their seconds
+
+
 def status(command, **environment):
     print("+", *command, flush=True)
-    return subprocess.run(command, cwd=ROOT, env={**os.environ, **environment}).returncode
+    start = time.monotonic()
+    code = subprocess.run(command, cwd=ROOT, env={**os.environ, **environment}).returncode
+    steps.append((" ".join(Path(word).name for word in command[:4]), time.monotonic() - start))
+    return code
 
 
 def run(command, **environment):
@@ -163,19 +99,29 @@ def test_some(results, name, selection, options, compilers, **environment):
 
 def report(results, folder, ok):
     """Adds the results of the last `meson test` in a folder; `ok` is whether it exited with 0."""
-    before = results.failed
+    before = len(results.failures)
     logs = sorted((folder / "meson-logs").glob("testlog*.json"), key=lambda path: path.stat().st_mtime)
     if logs:
         results.add_report(folder.name, logs[-1])
-    if not logs or (not ok and results.failed == before):
+    if not logs or (not ok and len(results.failures) == before):
         results.add(f"{folder.name}: meson test", False)
 
 
 def test_command(results):
-    """Runs README's test command in a fresh folder, with benchmarks and pages, and with warnings as errors."""
+    """Runs README's test command in a fresh folder, with warnings as errors."""
     shutil.rmtree(TEST_COMMAND_BUILD, ignore_errors=True)
-    ok = run(["scripts/test.sh"], PW85_SETUP_OPTIONS="--werror -Dbench=enabled -Ddocs=enabled")
+    recorder = str(ROOT / ".ci" / "processor_time.py")
+    ok = run(["scripts/test.sh", "--wrap", recorder], PW85_SETUP_OPTIONS="--werror", CCACHE_PREFIX=recorder,
+             PW85_PROCESSOR_TIMES=str(TIMES))
     report(results, TEST_COMMAND_BUILD, ok)
+
+
+def check_pages(results):
+    """Adds the benchmarks and the pages to the build of the test command, and tests the pages."""
+    ok = run(["meson", "configure", str(TEST_COMMAND_BUILD), "-Dbench=enabled", "-Ddocs=enabled"]) and run(
+        ["meson", "compile", "-C", str(TEST_COMMAND_BUILD)])
+    results.add("pages: build without warnings", ok)
+    test(results, TEST_COMMAND_BUILD, ["--suite", "docs"])
 
 
 def check_format(results):
@@ -210,21 +156,26 @@ def wine():
         run([server, "--kill"], **environment)
 
 
-def check_platforms(results):
-    """Tests the core and the library on the platforms for which Debian has a compiler and an emulator. All platforms run the
-    contact problems; those for which Debian has the libraries that tests need run more tests."""
+def build_for(results, machine):
+    """Builds what runs wherever there is a compiler and an emulator, for the machine of a file of scripts/cross/."""
     boost = BUILDS / "boost"  # the headers of Boost, without those of other libraries of this system
     (boost / "include").mkdir(parents=True, exist_ok=True)
     if not (boost / "include/boost").exists():
         (boost / "include/boost").symlink_to("/usr/include/boost")
     options = ["-Dgsl=disabled", *(f"-D{name}=disabled" for name in ("bench", "python", "fortran"))]
+    return build(results, machine.stem, [f"--cross-file={machine}", *options], {"BOOST_ROOT": str(boost)},
+                 ["contact_problems", "portable_headers", "portable_library", "portable_c"])
+
+
+def check_platforms(results):
+    """Tests the core and the library on the platforms for which Debian has a compiler and an emulator. All platforms run the
+    contact problems; those for which Debian has the libraries that tests need run more tests."""
     machines = [machine for machine in sorted((ROOT / "scripts/cross").glob("*.ini")) if machine.stem not in NOT_IN_CI]
     with wine() as environment:
         for machine in machines:
             if machine.stem in WITH_LIBRARIES and check_with_libraries(results, machine.stem):
                 continue
-            if build(results, machine.stem, [f"--cross-file={machine}", *options], {"BOOST_ROOT": str(boost)},
-                     ["contact_problems", "portable_headers", "portable_library", "portable_c"]):
+            if build_for(results, machine):
                 test(results, folder_of(machine.stem), ["--suite", "portable"], **environment)
 
 
@@ -312,56 +263,234 @@ def check_clang(results):
     test_some(results, "clang", suites, [*ONLY_TESTS, "-Dgsl=disabled"], CLANG)
 
 
+SANITIZED = [*ONLY_TESTS, ONE_LIBRARY, "-Dgsl=disabled", "-Db_lundef=false", "-Doptimization=1", "-Doptimized=false"]
+
+
+def check_addresses(results, selection):
+    """Runs tests with sanitizers, by clang, which compiles instrumented code ten times as fast as GCC."""
+    test_some(results, "address-undefined", selection, [*SANITIZED, "-Db_sanitize=address,undefined"], CLANG,
+              UBSAN_OPTIONS="halt_on_error=1:print_stacktrace=1", ASAN_OPTIONS="detect_leaks=1")
+
+
 def check_sanitizers(results):
-    """Runs the tests with sanitizers, by clang, which compiles instrumented code ten times as fast as GCC."""
-    options = [*ONLY_TESTS, ONE_LIBRARY, "-Dgsl=disabled", "-Db_lundef=false", "-Doptimization=1", "-Doptimized=false"]
-    test_some(results, "address-undefined", ["--no-suite=install", "--no-suite=flags"],
-              [*options, "-Db_sanitize=address,undefined"], CLANG, UBSAN_OPTIONS="halt_on_error=1:print_stacktrace=1",
-              ASAN_OPTIONS="detect_leaks=1")
-    test_some(results, "thread", ["--suite=threads"], [*options, "-Db_sanitize=thread", "-Dopenmp=disabled"], CLANG,
+    """The tests of memory, threads and bad input, and those that go through all functions."""
+    check_addresses(results, SANITIZED_TESTS)
+    test_some(results, "thread", ["--suite=threads"], [*SANITIZED, "-Db_sanitize=thread", "-Dopenmp=disabled"], CLANG,
               TSAN_OPTIONS="halt_on_error=1")
 
 
-def check_all(results):
-    parts = {
-        "format": check_format,
-        "tests": test_command,
-        "tutorial": lambda results: results.add("scripts/tutorial.sh", run(["scripts/tutorial.sh"])),
-        "wheel": lambda results: add_unless_missing(results, "scripts/test_wheel.sh", ["scripts/test_wheel.sh"]),
-        "static": check_static,
-        "valgrind": check_valgrind,
-        "lammps": check_lammps,
-        "clang": check_clang,
-        "clang-tidy": check_tidy,
-        "platforms": check_platforms,
-        "debian": check_debian,
-        "abi": check_abi,
-        "sanitizers": check_sanitizers,
-    }
-    for name, check in parts.items():
-        with results.part(name):
-            check(results)
+def check_all_sanitizers(results):
+    check_addresses(results, ["--no-suite=install", "--no-suite=flags", "--no-suite=whole"])
 
 
-def main():
-    start = time.monotonic()
+def check_tutorial(results):
+    for folder in ("build-install", "build-tutorial", "install"):
+        shutil.rmtree(ROOT / folder, ignore_errors=True)
+    cold = {"CCACHE_DISABLE": "1"} if "PW85_RECORD" in os.environ else {}
+    results.add("scripts/tutorial.sh", run(["scripts/tutorial.sh"], **cold))
+
+
+def check_wheel(results):
+    add_unless_missing(results, "scripts/test_wheel.sh", ["scripts/test_wheel.sh"])
+
+
+def check_foreign(results):
+    """The library by a compiler and an emulator for 64-bit ARM."""
+    machine = ROOT / "scripts/cross/aarch64-linux-gnu.ini"
+    if build_for(results, machine):
+        test(results, folder_of(machine.stem), ["--suite", "portable"])
+
+
+def check_whole(results):
+    """Whole proofs and long sweeps, in the folder of the test command."""
+    ok = run(["meson", "test", "-C", str(TEST_COMMAND_BUILD), "--print-errorlogs", "--suite", "whole"])
+    report(results, TEST_COMMAND_BUILD, ok)
+
+
+TEST = "$test_packages"
+LAMMPS = "lammps liblammps-dev libfmt-dev python3-lammps openmpi-bin libopenmpi-dev"
+PAGES = ("doxygen python3-breathe furo python3-sphinx-inline-tabs python3-sphinx-copybutton python3-myst-parser libjs-katex nodejs hunspell "
+         "hunspell-en-gb chromium clang lld")
+MACHINES = "qemu-user g++-aarch64-linux-gnu g++-i686-linux-gnu g++-s390x-linux-gnu g++-mingw-w64-x86-64-posix wine64 emscripten"
+
+
+@dataclasses.dataclass
+class Part:
+    check: typing.Callable
+    packages: str  # that it needs, as words of scripts/packages.sh
+    after: tuple = ()  # parts that must have ended before, if they run at all
+    by_default: bool = True
+
+
+PARTS = {
+    "tests": Part(test_command, f"{TEST} qemu-user clang-19 clang-tools-19 libomp-19-dev"),
+    "pages": Part(check_pages, f"{TEST} libbenchmark-dev libfcl-dev {PAGES}", after=("tests",)),
+    "format": Part(check_format, "git clang-format"),
+    "tutorial": Part(check_tutorial, "$build_packages", after=("tests", "pages")),
+    "wheel": Part(check_wheel, TEST, after=("tests", "pages")),
+    "static": Part(check_static, f"{TEST} git shellcheck codespell", after=("tests", "pages")),
+    "clang": Part(check_clang, f"{TEST} clang", after=("tests", "pages")),
+    "lammps": Part(check_lammps, f"{TEST} {LAMMPS}", after=("tests", "pages")),
+    "sanitizers": Part(check_sanitizers, f"{TEST} clang libclang-rt-14-dev", after=("tests", "pages")),
+    "clang-tidy": Part(check_tidy, f"{TEST} clang clang-tidy", after=("clang",)),
+    "foreign": Part(check_foreign, f"{TEST} qemu-user g++-aarch64-linux-gnu", after=("tests", "pages")),
+    "whole": Part(check_whole, TEST, after=("tests", "pages"), by_default=False),
+    "all-sanitizers": Part(check_all_sanitizers, f"{TEST} clang libclang-rt-14-dev", after=("tests", "pages", "sanitizers"), by_default=False),
+    "valgrind": Part(check_valgrind, f"{TEST} valgrind", after=("tests", "pages"), by_default=False),
+    "platforms": Part(check_platforms, f"{TEST} {MACHINES}", after=("tests", "pages", "foreign"), by_default=False),
+    "debian": Part(check_debian, f"{TEST} {PAGES} git lintian debhelper dpkg-dev fakeroot dh-python", after=("tests", "pages"), by_default=False),
+    "abi": Part(check_abi, f"{TEST} abigail-tools", after=("tests", "pages"), by_default=False),
+}
+# A part needs the build folder that another one leaves.
+NEEDS = {"pages": "tests", "static": "tests", "whole": "tests", "valgrind": "tests", "clang-tidy": "clang"}
+
+
+# The tests of memory, of threads and of bad input, and those of code that differs per instruction set.
+SANITIZED_TESTS = ["--suite=quick", "--suite=kernels", "--suite=threads", "--no-suite=targets", "--no-suite=flags"]
+
+
+def install_packages(parts):
+    """Installs what the parts need, at once."""
+    words = " ".join(sorted({word for part in parts for word in PARTS[part].packages.split()} | {"ccache", "$test_packages"}))
+    return subprocess.run(["sh", "-c", f". scripts/packages.sh; install_packages {words}"], cwd=ROOT).returncode == 0
+
+
+def run_part(name, report_file):
+    """Runs one part in this process, and writes its results."""
     results = Results()
-    # The parts share a cache of compiled objects. What it ignores does not change an object: warnings are errors in the first part,
-    # so that what it compiled has none, and the other is about automatic linking on Windows. Meson's paths of sources are relative.
+    PARTS[name].check(results)
+    report_file.write_text(json.dumps({**vars(results), "steps": [*results.steps, *steps]}))
+
+
+class Scheduler:
+    """Runs parts as processes of their own, some at a time."""
+
+    def __init__(self, names, at_a_time):
+        self.at_a_time = at_a_time
+        self.waiting, self.running, self.ended = list(names), set(), set()
+        self.changed, self.results, self.times = threading.Condition(), Results(), {}
+
+    def next_part(self):
+        """A part that can start now; None if all have started."""
+        with self.changed:
+            while self.waiting:
+                for name in self.waiting:
+                    if not any(other in self.waiting or other in self.running for other in PARTS[name].after):
+                        self.waiting.remove(name)
+                        self.running.add(name)
+                        return name
+                self.changed.wait()
+        return None
+
+    def work(self):
+        while name := self.next_part():
+            print(f"== {name}: started", flush=True)
+            log, report_file = BUILDS / f"{name}.log", BUILDS / f"{name}.json"
+            report_file.unlink(missing_ok=True)
+            start = time.monotonic()
+            with log.open("w") as output:
+                process = subprocess.Popen([sys.executable, __file__, "--one", name, str(report_file)], stdout=output,
+                                           stderr=subprocess.STDOUT, stdin=subprocess.DEVNULL)
+                _, _, usage = os.wait4(process.pid, 0)
+            self.end(name, log, report_file, time.monotonic() - start, usage.ru_utime + usage.ru_stime)
+
+    def end(self, name, log, report_file, seconds, processor_seconds):
+        found = Results(failures=[f"{name}: it ended without a result"])
+        if report_file.exists():
+            found = Results(**json.loads(report_file.read_text()))
+        with self.changed:
+            sys.stdout.write(log.read_text(errors="replace"))
+            print(f"== {name}: {seconds / 60:.1f} minutes, {processor_seconds / 60:.1f} of processors", flush=True)
+            self.results.add_all(found)
+            self.times[name] = {"minutes": round(seconds / 60, 1), "processor_minutes": round(processor_seconds / 60, 1)}
+            self.running.remove(name)
+            self.changed.notify_all()
+
+    def run(self):
+        workers = [threading.Thread(target=self.work) for _ in range(self.at_a_time)]
+        for worker in workers:
+            worker.start()
+        for worker in workers:
+            worker.join()
+
+
+def environment():
+    """The parts share a cache of compiled objects. What it ignores does not change an object: warnings are errors in the first part,
+    so that what it compiled has none, and the other is about automatic linking on Windows. Meson's paths of sources are relative."""
     os.environ.setdefault("CCACHE_DIR", str(BUILDS / "ccache"))
     os.environ["CCACHE_IGNOREOPTIONS"] = "-Werror -DBOOST_ALL_NO_LIB"
     os.environ.update(CCACHE_NOHASHDIR="1", CCACHE_SLOPPINESS="include_file_mtime,include_file_ctime",
                       CMAKE_C_COMPILER_LAUNCHER="ccache", CMAKE_CXX_COMPILER_LAUNCHER="ccache")  # Meson finds it by itself
     os.environ["PIP_CONFIG_SETTINGS"] = "builddir=build-ci-wheel"  # wheels are built where the relative paths are the same, too
-    check_all(results)
+
+
+def report_times(scheduler, record):
+    """The longest steps, and what takes longer than on record; or makes the record."""
+    print("\nThe longest steps, in seconds:")
+    for name, seconds in sorted(scheduler.results.steps, key=lambda step: -step[1])[:20]:
+        print(f"{seconds:8.0f}  {name}")
+    if "tests" not in scheduler.times or not TIMES.exists():
+        return
+    listed = subprocess.run(["meson", "introspect", "--tests", str(TEST_COMMAND_BUILD)], check=True, stdout=subprocess.PIPE).stdout
+    now = times.read(TIMES, json.loads(listed))
+    if record:
+        times.store(now, scheduler.times)
+    for sentence in times.grown(now, times.load()):
+        print(f"LONGER: {sentence}")
+
+
+def list_parts():
+    recorded = times.load().get("parts", {})
+    for name, part in PARTS.items():
+        took = recorded.get(name)
+        minutes = f"{took['minutes']:5.1f} min, {took['processor_minutes']:5.1f} of processors" if took else "not on record"
+        print(f"{name:16}{minutes:32}{'' if part.by_default else 'only by name or with `all`'}")
+
+
+def chosen_parts(words):
+    if not words:
+        return [name for name, part in PARTS.items() if part.by_default]
+    if words == ["all"]:
+        return list(PARTS)
+    unknown = [word for word in words if word not in PARTS]
+    if unknown:
+        sys.exit(f"no such part: {' '.join(unknown)}. `.ci/run list` names them.")
+    wanted = {*words, *(NEEDS[word] for word in words if word in NEEDS)}
+    return [name for name in PARTS if name in wanted]
+
+
+def main():
+    parser = argparse.ArgumentParser(description="Runs checks.")
+    parser.add_argument("--record", action="store_true", help="make the record of times anew (.ci/times.json), one part after the other")
+    parser.add_argument("--one", nargs=2, metavar=("PART", "FILE"), help=argparse.SUPPRESS)
+    parser.add_argument("words", nargs="*", help="parts, `all` or `list`")
+    arguments = parser.parse_args()
+    if arguments.one:
+        return run_part(arguments.one[0], Path(arguments.one[1]))
+    if arguments.words == ["list"]:
+        return list_parts()
+    start = time.monotonic()
+    names = chosen_parts(arguments.words)
+    BUILDS.mkdir(exist_ok=True)
+    TIMES.unlink(missing_ok=True)
+    environment()
+    if arguments.record:  # alone, and as on a new machine
+        shutil.rmtree(os.environ["CCACHE_DIR"], ignore_errors=True)
+        os.environ["PW85_RECORD"] = "1"
+    if not install_packages(names):
+        sys.exit("packages cannot be installed")
+    scheduler = Scheduler(names, 1 if arguments.record else min(2, os.cpu_count() or 1))
+    scheduler.run()
+    report_times(scheduler, arguments.record)
+    results = scheduler.results
     print(f"\n{(time.monotonic() - start) / 60:.0f} minutes: " +
-          ", ".join(f"{name} {seconds / 60:.1f}" for name, seconds in results.times))
+          ", ".join(f"{name} {took['minutes']}" for name, took in scheduler.times.items()))
     for name in results.skipped:
         print(f"SKIPPED: {name}")
     for name in results.failures:
         print(f"FAILED: {name}")
-    print(f"{len(results.skipped)} skipped\n{results.passed} passed, {results.failed} failed")
-    return 1 if results.failed else 0
+    print(f"{len(results.skipped)} skipped\n{results.passed} passed, {len(results.failures)} failed")
+    return 1 if results.failures else 0
 
 
 if __name__ == "__main__":

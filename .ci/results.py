@@ -1,0 +1,81 @@
+"""The results of checks: what passed, failed and was skipped, and how long each step took. Results of tests are counted from the
+logs of `meson test`, so that no list of tests is needed here. A step that is not a test counts as one result."""
+
+import fnmatch
+import json
+import xml.etree.ElementTree as ElementTree
+
+# Checks that may be skipped, by patterns of their names, with the reason. The list of skipped checks marks all others.
+MAY_BE_SKIPPED = {
+    "ruff": "Debian's sid may be out of order, or have another minor version",
+    "scripts/test_wheel.sh": "Debian's sid may be out of order",
+    "*: tests with libraries": "Debian may not have the packages for another machine",
+    "build-ci-address-undefined: * / stack *": "instrumented code takes more stack than the library does",
+    "build-ci-clang: * -fopenmp is safe": "Clang 14 finds no OpenMP run-time library in Debian 12",
+    "build-ci-*threads*": "Clang 14 finds no OpenMP run-time library in Debian 12",
+}
+
+
+class Results:
+    def __init__(self, passed=0, failures=(), skipped=(), steps=()):
+        self.passed, self.failures, self.skipped, self.steps = passed, list(failures), list(skipped), list(steps)
+
+    def add(self, name, ok):
+        if ok:
+            self.passed += 1
+        else:
+            self.failures.append(name)
+            print(f"FAILED: {name}", flush=True)
+
+    def skip(self, name):
+        """Notes a check that was not run."""
+        allowed = any(fnmatch.fnmatchcase(name, pattern) for pattern in MAY_BE_SKIPPED)
+        self.skipped.append(name if allowed else f"{name} (not in MAY_BE_SKIPPED)")
+
+    def add_all(self, other):
+        self.passed += other.passed
+        self.failures += other.failures
+        self.skipped += other.skipped
+        self.steps += other.steps
+
+    def add_report(self, step, log):
+        """Adds the results of `meson test`. The log, with a JSON object per line, has the result of each program; the JUnit report
+        next to it has the results of its cases, if the program reports cases. A program that fails without a failing case (it
+        crashes, exceeds its time, or leaks memory) counts as one more failure."""
+        cases = read_cases(log.with_suffix(".junit.xml"))
+        for line in log.read_text().splitlines():
+            program = json.loads(line)
+            name, result = program["name"], program["result"]
+            self.steps.append((f"{step}: {name}", program["duration"]))
+            own = cases.get(name, [])
+            for case, ended in own:
+                if ended == "skipped":
+                    self.skip(f"{step}: {name} {case}")
+                else:
+                    self.add(f"{step}: {name} {case}", ended == "passed")
+            if result not in ("OK", "EXPECTEDFAIL", "SKIP") and all(ended != "failed" for _, ended in own):
+                self.add(f"{step}: {name}: {result}", False)
+            elif not own and result == "SKIP":
+                self.skip(f"{step}: {name}")
+            elif not own:
+                self.add(f"{step}: {name}", True)
+
+
+def read_cases(report):
+    """The cases of each program that reports them: name of the program -> [(name of the case, its outcome)]."""
+    cases = {}
+    if not report.exists():
+        return cases
+    for suite in ElementTree.parse(report).getroot().iter("testsuite"):
+        # Suites of programs with cases are named after the project and the program; the others have no colon.
+        program = suite.get("name").split(".", 1)[-1]
+        if ":" in program:
+            cases[program] = [(case.get("name"), outcome(case)) for case in suite.iter("testcase")]
+    return cases
+
+
+def outcome(case):
+    """The outcome of one case of a JUnit report."""
+    if case.find("failure") is not None or case.find("error") is not None:
+        return "failed"
+    return "passed" if case.find("skipped") is None else "skipped"
