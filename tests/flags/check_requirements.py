@@ -50,7 +50,7 @@ class Compiler:
     def compile(self, text, *flags):
         source = self.work / "unit.cpp"
         source.write_text(text)
-        return self.run(*flags, "-c", str(source), "-o", str(self.work / "unit.o"))
+        return self.run(*flags, "-fsyntax-only", str(source))
 
 
 def errors(done):
