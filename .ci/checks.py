@@ -51,7 +51,7 @@ steps = []  # the commands of this part, with their seconds
 
 
 def status(command, **environment):
-    print("+", *command, flush=True)
+    print("+", *command[:16], *(["..."] if len(command) > 16 else []), flush=True)
     start = time.monotonic()
     code = subprocess.run(command, cwd=ROOT, env={**os.environ, **environment}).returncode
     steps.append((" ".join(Path(word).name for word in command[:4]), time.monotonic() - start))

@@ -4,6 +4,7 @@ Usage: measured_pages.py [--check]; with --check nothing is written: it fails, a
 The measured tables of the manual are made with its pages (extensions/measured_table.py).
 """
 
+import json
 import re
 import subprocess
 import sys
@@ -16,6 +17,8 @@ import measurements
 HERE = Path(__file__).resolve().parent
 README, LAMMPS_README = HERE.parent / "README.md", HERE.parent / "lammps" / "README.md"
 SECTION = re.compile(r"<!-- measured (\w+) -->\n.*?<!-- end of measured -->", re.DOTALL)
+TIMES = HERE.parent / ".ci" / "times.json"  # of README's commands, by `.ci/run --record tests tutorial`
+COMMANDS = {"tutorial": "tutorial", "test": "tests"}  # README's scripts, and the parts of .ci/run that run them
 PICTURES = {"accuracy": "accuracy", "digits": "digits", "evaluations": "evaluations", "growth": "growth", "throughput": "speed"}
 ASPECTS = ("2", "10", "100", "1000")
 FUNCTIONS = {
@@ -80,13 +83,20 @@ def side_by_side():
 SECTIONS = {"speed": readme_section, **{name: lambda lines=lines: "\n".join(lines()) for name, lines in measured_lammps.SECTIONS.items()}}
 
 
+def minutes(script):
+    """How long one of README's commands takes, in words."""
+    took = round(json.loads(TIMES.read_text(encoding="utf-8"))["parts"][COMMANDS[script]]["minutes"])
+    return "about a minute" if took <= 1 else f"about {took} minutes"
+
+
 def with_sections(page):
-    """The text of a page with its sections made anew."""
+    """The text of a page with its sections, and the minutes of its commands, made anew."""
 
     def section(found):
         return f"<!-- measured {found[1]} -->\n{SECTIONS[found[1]]()}\n<!-- end of measured -->"
 
-    return SECTION.sub(section, page.read_text(encoding="utf-8"))
+    text = SECTION.sub(section, page.read_text(encoding="utf-8"))
+    return re.sub(r"(scripts/(tutorial|test)\.sh +# )about .* (?=on two cores)", lambda found: f"{found[1]}{minutes(found[2])} ", text)
 
 
 def out_of_date():
