@@ -370,13 +370,46 @@ def test_chains():
     assert along_x > 1 and along_x == other.chain(20, 5.0, (1, 0, 0))
     assert np.array_equal(simulation.centers[:, 1:], before[:, 1:])
     assert not np.array_equal(simulation.centers[:, 0], before[:, 0])
-    assert simulation.chain(0, 5.0) == 1
+    assert np.isnan(simulation.chain(0, 5.0))
     assert simulation.chain(5, 5.0) == other.chain(5, 5.0)
     edge = float(np.cbrt(np.linalg.det(simulation.cell)))
     assert simulation.chain(5) == other.chain(5, edge)
     assert simulation.chain(5, direction=[0, 1, 0]) == other.chain(5, edge, [0, 1, 0]) and simulation.save() == other.save()
     assert not np.array_equal(simulation.centers[:, 1:], before[:, 1:])
     simulation.check()
+
+
+def test_own_images():
+    """One spheroid in a cell that is shorter than it: its contacts are with its own images. Chains do not know the pressure, and the
+    pairs that nearly touch do. βP/ρ = βPV is by <V> of the free orientations at random volumes, V^N exp(-βPV) each, within four
+    standard errors."""
+    pressure, axes = 8.0, np.array([0.3, 0.3, 0.5])
+    start = pypw85.System.from_axes([[0, 0, 0]], [axes], [[1, 0, 0, 0]], cell=1.05 * np.eye(3))
+    simulation = pypw85.HardEllipsoids(start, 1)
+    simulation.set_steps(0.1, 0.5, 0.3)
+    observables = pypw85.Observables()
+    for _ in range(1500):
+        simulation.sweep()
+        simulation.volume_moves(4, pressure)
+        simulation.sweep()
+        sample = observables.add(simulation, simulation.chain(1))
+        assert np.isnan(sample.compressibility_chains) == (simulation.cell[0, 0] <= 1)
+    found = observables.estimates()
+    assert "compressibility_chains" not in found
+    rng = np.random.default_rng(1)
+    edges, axis = np.linspace(0.6, 1.6, 400), rng.normal(size=(400, 3))
+    axis /= np.linalg.norm(axis, axis=1)[:, None]
+    images = np.array([image for image in itertools.product(range(-1, 2), repeat=3) if any(image)])
+    # Of a spheroid and its image at r, μ² is (r² sin²)/(2 a)² + (r² cos²)/(2 c)².
+    cosines, lengths = images @ axis.T, (images**2).sum(axis=1)[:, None]
+    least = np.sqrt(((lengths - cosines**2) / 0.6**2 + cosines**2 / 1.0**2).min(axis=0))  # μ in a cell of edge one
+    free = (edges[:, None] * least >= 1).mean(axis=1)
+    weights = free * edges**5 * np.exp(-pressure * edges**3)  # V dV is edge⁵ d(edge)
+    expected = pressure * (weights @ edges**3) / weights.sum()
+    volume = found["volume"]
+    assert abs(pressure * volume.value - expected) < 4 * pressure * volume.error + 0.02 * expected
+    z = found["compressibility_contacts"]
+    assert abs(z.value - expected) < 4 * z.error < 0.4 * expected
 
 
 def test_threads():

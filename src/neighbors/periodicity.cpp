@@ -40,6 +40,16 @@ bool Periodicity::prepare(double const *cell, int const *periodic) noexcept
     return true;
 }
 
+double Periodicity::shortest() const noexcept
+{
+    double least = HUGE_VAL;
+    for (int k = 0; k < 3; ++k)
+        if (periodic_[k])
+            least = std::min(least, std::sqrt(basis_[k][0] * basis_[k][0] + basis_[k][1] * basis_[k][1] +
+                                              basis_[k][2] * basis_[k][2]));
+    return least;
+}
+
 double Periodicity::multiples_in(Vector<double, 3> const &point, int k) const noexcept
 {
     return nearest_integer(dual_[k][0] * point[0] + dual_[k][1] * point[1] + dual_[k][2] * point[2]);

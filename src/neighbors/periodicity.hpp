@@ -64,6 +64,9 @@ class Periodicity {
     /// Computes `of_cell` from `of_reduced`. Returns false if the multiples are too large.
     bool set_multiples_of_cell(LatticeVector &vector) const noexcept;
 
+    /// The length of the shortest vector of the lattice; infinity if nothing is periodic.
+    double shortest() const noexcept;
+
     /// Whether there are images along vector l of the cell.
     bool is_periodic(int l) const noexcept { return periodic_[l]; }
 

@@ -58,6 +58,10 @@ int Chains::prepare() noexcept
     for (std::size_t i = 0; i < n; ++i)
         for (double const length : configuration_.semi_axes[i].coordinates) longest_ = std::max(longest_, length);
     unit_ = n > 0 ? binary_exponent(longest_) : 0;
+    Cell const &cell = configuration_.cell;
+    neighbors::Periodicity periodicity;
+    own_images_may_touch_ = cell.exists && periodicity.prepare(cell.vectors, cell.periodic) &&
+                            periodicity.shortest() <= (1.0 + 0x1p-40) * 2.0 * longest_;
     if (!bodies_.resize(n) || !numbers_.resize(n)) return PW85_ENOMEM;
     if (int const status = bins_.prepare(configuration_, bin_size * longest_)) return status;
     for (std::size_t k = 0; k < n; ++k) {

@@ -26,7 +26,7 @@
 
 namespace pw85::detail::simulation {
 
-/// What some chains did. Their βP/ρ is 1 + transfers/length.
+/// What some chains did. Their βP/ρ is 1 + transfers/length, if no particle can touch its own images.
 struct ChainSums {
     double length;    ///< the sum of the ways
     double transfers; ///< the sum of the coordinates along d of the separations at contacts
@@ -39,6 +39,10 @@ class Chains {
 
     /// To be called after anything else has changed the configuration. Returns a status.
     int prepare() noexcept;
+
+    /// Whether a particle could touch its own image if it turned. Chains do not find such contacts: the images of a particle move with it.
+    /// But they are a part of the pressure.
+    bool own_images_may_touch() const noexcept { return own_images_may_touch_; }
 
     /// Makes one chain and adds to the sums. The direction has length one. Returns a status: PW85_ECONVERGENCE if particles block each other
     /// within rounding errors, so that the chain does not advance.
@@ -110,7 +114,8 @@ class Chains {
     std::size_t num_near_ = 0, num_candidates_ = 0, num_obstacles_ = 0;
     Plane last_plane_{};   ///< between the particle that moves and the one that touched it
     double longest_ = 0.0; ///< of all semi-axes
-    int unit_ = 0;         ///< the unit is 2 to this power
+    bool own_images_may_touch_ = false;
+    int unit_ = 0; ///< the unit is 2 to this power
 };
 
 } // namespace pw85::detail::simulation

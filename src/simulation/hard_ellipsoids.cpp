@@ -158,6 +158,7 @@ int make_chains(Engine &engine, std::size_t num_chains, double length, Vector3 c
         Vector3 const along = unit(random ? stream.in_ball() : direction);
         if (int const status = chains.run(first, along, length, sums)) return status;
     }
+    if (chains.own_images_may_touch()) sums.transfers = quiet_nan<double>();
     return PW85_SUCCESS;
 }
 
@@ -273,7 +274,7 @@ int pw85_hard_ellipsoids_chain(pw85_hard_ellipsoids *simulation, size_t num_chai
         ChainSums sums{};
         int const status = make_chains(simulation->engine, num_chains, length, along, sums);
         if (status == PW85_SUCCESS && compressibility != nullptr)
-            *compressibility = 1.0 + (sums.length > 0.0 ? sums.transfers / sums.length : 0.0);
+            *compressibility = sums.length > 0.0 ? 1.0 + sums.transfers / sums.length : quiet_nan<double>();
         return status;
     });
 }
