@@ -1923,7 +1923,9 @@ PW85_API int pw85_hard_ellipsoids_sweep(pw85_hard_ellipsoids *simulation, size_t
  * @param length of each chain, > 0, in the unit of length. It is long if it is the mean way between contacts times the number of
  *        particles
  * @param direction of any length > 0; or null for a random direction of each chain, isotropic
- * @param[out] compressibility βP/ρ along the directions, by these chains; 1 without chains or particles; NaN on error; may be null
+ * @param[out] compressibility βP/ρ along the directions, by these chains; may be null. NaN on error, without chains or particles, and where
+ *        a particle could touch its own image if it turned: where the shortest vector of the lattice is not longer than twice the
+ *        longest semi-axis. Such contacts are a part of the pressure that chains do not find, because images move with their particle.
  * @return #PW85_SUCCESS; #PW85_EINVAL, also for a zero direction; #PW85_ENOMEM or #PW85_ECONVERGENCE (particles block each other within
  *         rounding errors, or the length is more than some 10¹⁵ ways), after which the last chain is not complete */
 PW85_API int pw85_hard_ellipsoids_chain(pw85_hard_ellipsoids *simulation, size_t num_chains, double length,
@@ -1946,7 +1948,8 @@ PW85_API int pw85_hard_ellipsoids_volume_moves(pw85_hard_ellipsoids *simulation,
 
 /** Makes sweeps, and changes the steps after each of them towards an acceptance. Then it sets all counts to zero.
  *
- * Trials are not in detailed balance while the steps change: use this to equilibrate only.
+ * Trials are not in detailed balance while the steps change: use this to equilibrate only. Translations become at most half as long as the
+ * longest semi-axis. Only where particles are far apart may they become longer, so that the lists of neighbours stay short.
  *
  * @param simulation a simulation
  * @param num_sweeps how many

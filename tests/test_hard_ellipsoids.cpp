@@ -230,6 +230,25 @@ void test_tune()
         }
 }
 
+// At low density nearly every translation is accepted. Tuned ones stay short beside the particles, or beside their distance, so that
+// lists of neighbours do. A rotation that is as large as possible adds nothing to the lists of spheres.
+void test_tuned_translations()
+{
+    for (double const unit : {1.0, 0x1p40, 0x1p-40})
+        for (double const spacing : {1.6, 3.0, 20.0}) {
+            Start start;
+            double const a = spacing * unit;
+            for (int k = 0; k < 125; ++k)
+                start.add({a * (k % 5), a * (k / 5 % 5), a * (k / 25)}, {0.5 * unit, 0.5 * unit, 0.4 * unit});
+            start.cell = box(5 * a, 5 * a, 5 * a);
+            HardEllipsoids simulation = start.simulation();
+            g_assert_true(simulation.tune(100, 0.4, 0.0) == Status::success);
+            double const translation = simulation.steps().translation / unit;
+            if (spacing > 2.0) g_assert_cmpfloat(translation, >=, 0.25);
+            g_assert_cmpfloat(translation, <=, std::max(0.25, spacing / 4 - 1.0 / 3) * (1 + 1e-12));
+        }
+}
+
 /// Two unlike ellipsoids in a cell.
 struct TwoEllipsoids {
     static constexpr Vector3 axes[2] = {{0.3, 0.5, 0.9}, {0.6, 0.4, 0.2}};
@@ -817,6 +836,7 @@ int main(int argc, char **argv)
     g_test_add_func("/hard_ellipsoids/ideal_gas", test_ideal_gas);
     g_test_add_func("/hard_ellipsoids/hard_spheres", test_hard_spheres);
     g_test_add_func("/hard_ellipsoids/tune", test_tune);
+    g_test_add_func("/hard_ellipsoids/tuned_translations", test_tuned_translations);
     g_test_add_func("/hard_ellipsoids/two_ellipsoids", test_two_ellipsoids);
     g_test_add_func("/hard_ellipsoids/turns", test_turns);
     g_test_add_func("/hard_ellipsoids/detailed_balance", test_detailed_balance);

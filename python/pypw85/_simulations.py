@@ -189,7 +189,9 @@ class HardEllipsoids:
         Returns
         -------
         float
-            βP/ρ along the directions, by these chains.
+            βP/ρ along the directions, by these chains. NaN without chains or particles, and where a particle could touch its own
+            image if it turned: where the shortest vector of the lattice is not longer than twice the longest semi-axis. Such contacts
+            are a part of the pressure that chains do not find (`Observables` has the pressure from contacts).
 
         Raises
         ------
@@ -240,7 +242,8 @@ class HardEllipsoids:
     ) -> None:
         """Makes sweeps to equilibrate, and changes the steps after each of them towards an acceptance. Then all counts are zero.
 
-        Trials are not in detailed balance while the steps change.
+        Trials are not in detailed balance while the steps change. Translations become at most half as long as the longest semi-axis,
+        unless particles are far apart.
 
         Parameters
         ----------

@@ -45,7 +45,11 @@ Engine::~Engine() = default;
 
 int Engine::start() noexcept
 {
-    longest_ = spread_ = 0.0;
+    longest_ = spread_ = anisotropy_ = 0.0;
+    for (Vector3 const &axes : std::span(configuration.semi_axes.data(), configuration.size())) {
+        auto const [least, most] = std::minmax({axes[0], axes[1], axes[2]});
+        anisotropy_ = std::max(anisotropy_, most - least);
+    }
     for (int d = 0; d < 3; ++d) {
         auto const is_less = [&](Vector3 const &x, Vector3 const &y) { return x[d] < y[d]; };
         std::span const all(configuration.semi_axes.data(), configuration.size());
@@ -114,10 +118,11 @@ void Engine::refresh_boxes() noexcept
 }
 
 // One trial moves a side of a bounding box by at most `step` or `spread_`. Half of the skin is more, so that a trial is within the fixed
-// boxes of rows that have just been made. A rotation by (1, v) turns by less than 2 |v|.
+// boxes of rows that have just been made. A rotation by (1, v) turns by less than 2 |v|. The half-widths of a bounding box are between
+// the shortest semi-axis and the longest one, so a rotation changes them by no more than the difference.
 double Engine::skin() const noexcept
 {
-    double const step = parameters.translation + 2.0 * parameters.rotation * longest_;
+    double const step = parameters.translation + std::min(2.0 * parameters.rotation * longest_, anisotropy_);
     double const many = std::max(1.0, static_cast<double>(ordered_.size()) / few_particles);
     double const usual = (relative_skin + growth_of_skin * std::log(many)) * longest_;
     return std::max({usual, 3.0 * step, parameters.fractions[exchange] > 0.0 ? 2.125 * spread_ : 0.0});

@@ -194,8 +194,9 @@ class Engine {
     Array<Progress> progress_;   ///< in the order of turns
     Array<Vector3> old_centers_; ///< before a trial of the volume
     Cell old_cell_{};
-    double longest_ = 0.0; ///< of all semi-axes
-    double spread_ = 0.0;  ///< by how much the lengths of a semi-axis differ between particles, at most
+    double longest_ = 0.0;    ///< of all semi-axes
+    double anisotropy_ = 0.0; ///< by how much the semi-axes of a particle differ, at most
+    double spread_ = 0.0;     ///< by how much the lengths of a semi-axis differ between particles, at most
 };
 
 } // namespace pw85::detail::simulation

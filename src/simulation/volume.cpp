@@ -178,12 +178,15 @@ int Engine::check(std::int32_t *pair) const noexcept
     return first.status;
 }
 
-/// No trial needs to move a particle by more than half of the distance between neighbours.
+/// Rows reach three translations t beyond two semi-axes l, and are made anew the sooner, the longer t is. So t is at most l/2. There are
+/// fewer than four particles in a cube of the edge 3 a/2, where a³ is the volume for each particle. So at low density, t may be such that
+/// rows are within this cube: 2 (2 l + 3 t) <= 3 a/2.
 double Engine::longest_translation() const noexcept
 {
     Cell const &cell = ordered_.cell;
-    if (!cell.is_closed()) return longest_;
-    return 0.5 * std::cbrt(volume_of(cell) / static_cast<double>(std::max<std::size_t>(1, ordered_.size())));
+    if (!cell.is_closed()) return 0.5 * longest_;
+    double const a = std::cbrt(volume_of(cell) / static_cast<double>(std::max<std::size_t>(1, ordered_.size())));
+    return std::max(0.5 * longest_, (0.75 * a - 2.0 * longest_) / 3.0);
 }
 
 /// Let p be the share of n trials that was accepted. The logarithm of the step changes by g (p - acceptance). If p falls by s where the
