@@ -2,23 +2,31 @@
 
 from __future__ import annotations
 
+import itertools
 import operator
 from typing import Any, NamedTuple
 from collections.abc import Callable
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from ._typing import Floats
 
-# The least number of blocks for an error. With so many, the error itself has a relative standard error of 1/√14 = 27 %.
-_LEAST_BLOCKS = 8
+# The three longest lengths of blocks are used of which there are so many: 8 to 15, 16 to 31, and 32 to 63 blocks.
+_LEAST_BLOCKS, _LENGTHS = 8, 3
+# The largest of five estimates is too large for independent samples: the mean of z², the squared deviation of an average over its
+# squared error, would be 0.74. With this factor it is 0.87, and 0.9 to 1.1 for samples that are correlated over 0.5 to 5 % of a run.
+_FACTOR = 0.85
+# A run is too short if its samples are correlated over more than this part of it.
+_LONGEST_TIME = 1 / 8
+# The extrapolation of a correlation that is nearly one has no end.
+_LARGEST_CORRELATION = 0.95
 
 
 class Estimate(NamedTuple):
     """An average, its standard error, and to how many independent samples it corresponds.
 
-    Error and samples are NaN if the samples are too few for the time over which they are correlated.
+    Error and samples are NaN if the samples are too few for the time over which they, or others of the same run, are correlated.
     """
 
     value: Any
@@ -31,11 +39,11 @@ class Blocking:
 
     The samples are averaged in pairs, these averages in pairs again, and so on. While blocks are short, their averages are correlated, and
     the error that they give for the mean is too small. It grows with the length of the blocks until they are independent (Flyvbjerg
-    and Petersen, J. Chem. Phys. 91, 461, 1989). The error is that of the shortest blocks of B samples with B³ > 2 n (s_B/s_1)⁴,
-    where n is the number of samples and s_B is the error by blocks of B (Lee and others, Phys. Rev. E 83, 066706, 2011). There must be
-    eight such blocks. If correlations decay exponentially with a time t, then s_B² is too small by t/B of its value, and
-    (s_B/s_1)² = 2 t. So this bias is at most a quarter of the statistical error √(2 B/n) of s_B². The memory grows with the logarithm of
-    the number of samples.
+    and Petersen, J. Chem. Phys. 91, 461, 1989). The error is taken from the three longest lengths of which there are eight blocks or
+    more: the largest of their errors, and of what these become if the correlation of successive blocks decays exponentially. All numbers
+    of a sample have the same blocks. If one of them is correlated over more than an eighth of the run, the run is too short for all of
+    them, and the errors are NaN, as for fewer than 32 samples. The manual has the derivation (Monte Carlo, "Averages and their errors").
+    The memory grows with the logarithm of the number of samples.
 
     Parameters
     ----------
@@ -55,17 +63,18 @@ class Blocking:
     True
     """
 
-    __slots__ = ("_counts", "_means", "_pending", "_squares", "size")
+    __slots__ = ("_counts", "_means", "_pending", "_squares", "_tilts", "size")
 
     def __init__(self, size: int = 1) -> None:
         self.size = operator.index(size)
         if self.size < 1:
             raise ValueError(f"Blocking: size is {size}: it must be at least 1")
-        # By the logarithm of the length of blocks: how many there were, their mean, the sum of squares of deviations from it, and
-        # the last block if it has no partner yet.
+        # By the logarithm of the length of blocks: how many there were, their mean, the sum of squares of deviations from it, that of
+        # products of these and the numbers of the blocks, and the last block if it has no partner yet.
         self._counts: list[int] = []
         self._means: list[Floats] = []
         self._squares: list[Floats] = []
+        self._tilts: list[Floats] = []
         self._pending: list[Floats] = []
 
     def __len__(self) -> int:
@@ -90,13 +99,17 @@ class Blocking:
                 return
             block, level = (self._pending[level] + block) / 2, level + 1
 
+    def _rows(self) -> tuple[list[Floats], ...]:
+        return self._means, self._squares, self._tilts, self._pending
+
     def _count(self, level: int, block: Floats) -> None:
         if level == len(self._counts):
             self._counts.append(0)
-            for rows in (self._means, self._squares, self._pending):
+            for rows in self._rows():
                 rows.append(np.zeros(self.size))
         self._counts[level] += 1
         deviation = block - self._means[level]
+        self._tilts[level] = self._tilts[level] + (self._counts[level] - 1) / 2 * deviation
         self._means[level] = self._means[level] + deviation / self._counts[level]
         self._squares[level] = self._squares[level] + deviation * (block - self._means[level])
 
@@ -109,7 +122,27 @@ class Blocking:
             Of arrays (size).
         """
         mean = self._means[0].copy() if len(self) else np.full(self.size, np.nan)
-        return Estimate(mean, *self.errors(self.size, self.squared_error))
+        error, samples = self.errors(self.squared_error)
+        if self.too_slow().any():
+            error, samples = np.full((2, self.size), np.nan)
+        return Estimate(mean, error, samples)
+
+    def drifts(self) -> Floats:
+        """How far the numbers drift from the first sample to the last, by a straight line, over the standard error of this difference.
+
+        Returns
+        -------
+        (size) array
+            Of the order of one if there is no drift; NaN if there is no error.
+        """
+        error, n = self.estimate().error, len(self)
+        if not n:
+            return error
+        # The slope is the sum of products over n³/12. With independent blocks, that of a run of length one has the error √12 times that of
+        # the mean.
+        difference = 12 * self._tilts[0] / n**2
+        result: Floats = np.divide(difference, np.sqrt(12) * error, out=np.zeros(self.size), where=error != 0)
+        return result
 
     def squared_error(self, level: int) -> Floats:
         """The squared standard error of the mean if blocks of 2**level samples were independent."""
@@ -117,23 +150,40 @@ class Blocking:
         result: Floats = self._squares[level] / (count * (count - 1))
         return result
 
-    def errors(self, size: int, squared_error: Callable[[int], Floats]) -> tuple[Floats, Floats]:
-        """Standard errors and numbers of independent samples of `size` averages, whose squared errors are given as by `squared_error`."""
-        levels = [level for level, count in enumerate(self._counts) if count >= _LEAST_BLOCKS]
-        by_level = np.array([squared_error(level) for level in levels] or [np.full(size, np.nan)])
-        squared, ratio = np.full((2, size), np.nan)
-        # If all samples are equal, the errors are 0 for each length of blocks, as for independent samples.
-        growth = np.divide(by_level, by_level[0], out=np.ones_like(by_level), where=by_level[0] != 0)
-        for level in reversed(levels):
-            chosen = 8.0**level > 2 * len(self) * growth[level] ** 2
-            squared, ratio = np.where(chosen, by_level[level], squared), np.where(chosen, growth[level], ratio)
-        with np.errstate(divide="ignore"):
-            return np.sqrt(squared), len(self) / ratio
+    def _levels(self) -> list[int]:
+        """The lengths of blocks that give the error; none if there are too few samples."""
+        enough = [level for level, count in enumerate(self._counts) if count >= _LEAST_BLOCKS]
+        return enough[-_LENGTHS:] if len(enough) >= _LENGTHS else []
+
+    def errors(self, squared_error: Callable[[int], Floats]) -> tuple[Floats, Floats]:
+        """Standard errors and numbers of independent samples of averages, whose squared errors are given as by `squared_error`."""
+        squares = [squared_error(level) for level in self._levels()]
+        if not squares:
+            unknown = np.full_like(self._means[0] if len(self) else np.empty(self.size), np.nan)
+            return unknown, unknown
+        extrapolated = []
+        for square, r in zip(squares, _correlations(squares)):
+            r = np.clip(r, 0, _LARGEST_CORRELATION)
+            extrapolated.append(square * (1 + r) / (1 - r))
+        largest = _FACTOR * np.max([*squares, *extrapolated], axis=0)
+        # If all samples are equal, the errors are 0, as for independent samples.
+        independent = squared_error(0)
+        growth = np.divide(largest, independent, out=np.ones_like(largest), where=independent != 0)
+        return np.sqrt(largest), len(self) / growth
+
+    def too_slow(self) -> NDArray[np.bool_]:
+        """Which of the numbers are correlated over so long a part of the run that the errors are unknown; all if there are few samples."""
+        levels = self._levels()
+        if not levels:
+            return np.ones(self.size, dtype=bool)
+        r = _correlations([self.squared_error(level) for level in levels])[0]
+        slow: NDArray[np.bool_] = r > _block_correlation(1 / (_LONGEST_TIME * self._counts[levels[0]]))
+        return slow
 
     def state(self) -> Floats:
         """All numbers, for `restore`: a row for each length of blocks."""
-        rows = [np.concatenate([[count], *parts]) for count, *parts in zip(self._counts, self._means, self._squares, self._pending)]
-        return np.array(rows).reshape(len(rows), 1 + 3 * self.size)
+        rows = [np.concatenate([[count], *parts]) for count, *parts in zip(self._counts, *self._rows())]
+        return np.array(rows).reshape(len(rows), 1 + 4 * self.size)
 
     @classmethod
     def restore(cls, state: ArrayLike) -> Blocking:
@@ -147,17 +197,28 @@ class Blocking:
         -------
         Blocking
         """
-        made = cls((np.shape(state)[-1] - 1) // 3 if np.ndim(state) == 2 else 1)
+        made = cls(max(1, (np.shape(state)[-1] - 1) // 4) if np.ndim(state) == 2 else 1)
         made._take(state)
         return made
 
     def _take(self, state: ArrayLike) -> None:
         """Continues what has a state of this size."""
         rows = np.array(state, dtype=np.float64)
-        counts = rows[:, 0] if rows.ndim == 2 and rows.shape[1] == 1 + 3 * self.size else np.array([np.nan])
+        counts = rows[:, 0] if rows.ndim == 2 and rows.shape[1] == 1 + 4 * self.size else np.array([np.nan])
         first = counts[0] if len(counts) else 0
         if not (len(counts) < 64 and all(count >= 1 and count == first // 2**k for k, count in enumerate(counts))):
             raise ValueError(f"Blocking.restore: this is no state() of samples of {self.size} numbers")
         self._counts = [int(count) for count in counts]
-        for k, parts in enumerate((self._means, self._squares, self._pending)):
+        for k, parts in enumerate(self._rows()):
             parts[:] = rows[:, 1 + k * self.size : 1 + (k + 1) * self.size].copy()
+
+
+def _correlations(squares: list[Floats]) -> list[Floats]:
+    """Those of successive blocks, for squared errors by blocks each of which are twice as long as those before."""
+    return [np.divide(twice, square, out=np.ones_like(twice), where=square != 0) - 1 for square, twice in itertools.pairwise(squares)]
+
+
+def _block_correlation(length: float) -> float:
+    """The correlation of the averages of successive blocks of this length if correlations decay by e over the length 1."""
+    decay = -np.expm1(-length)
+    return float(decay**2 / (2 * (length - decay)))

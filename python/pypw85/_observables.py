@@ -19,6 +19,8 @@ from ._typing import Floats
 _UPPER = np.triu_indices(3)
 # If a bias is proportional to the fourth power of a width, the values for a width and for half of it differ by 15/16 of the bias.
 _BIAS_BY_DIFFERENCE = 16 / 15
+# What `Observables` averages, apart from each other: directors turn slowly where nothing holds them, which says nothing of pressures.
+_BLOCKINGS = ("values", "tensors", "pairs")
 
 
 class Sample(NamedTuple):
@@ -87,7 +89,7 @@ class Observables:
     (50,)
     """
 
-    __slots__ = ("_bins", "_pairs", "_reach", "_values", "_width")
+    __slots__ = ("_bins", "_pairs", "_reach", "_tensors", "_values", "_width")
 
     def __init__(self, width: float = 0.1, reach: float = 0.0, bins: int = 50) -> None:
         self._width, self._reach, self._bins = float(width), float(reach), operator.index(bins)
@@ -97,7 +99,7 @@ class Observables:
             raise ValueError(f"Observables: reach is {reach}: it must be >= 0 and finite")
         if self._bins < 1:
             raise ValueError(f"Observables: bins is {bins}: it must be at least 1")
-        self._values = Blocking(len(Sample._fields) + 6)
+        self._values, self._tensors = Blocking(len(Sample._fields)), Blocking(len(_UPPER[0]))
         self._pairs = Blocking(3 * self._bins)
 
     def __len__(self) -> int:
@@ -140,7 +142,8 @@ class Observables:
             compressibility_contacts=wide,
             contacts_bias=_BIAS_BY_DIFFERENCE * (wide - narrow),
         )
-        self._values.add([*sample, *tensor[_UPPER]])
+        self._values.add(sample)
+        self._tensors.add(tensor[_UPPER])
         if self._reach > 0:
             self._pairs.add(self._count_pairs(system, system.cell, directions))
         return sample
@@ -182,6 +185,15 @@ class Observables:
         columns = zip(*(column.tolist() for column in self._values.estimate()))
         return {name: Estimate(*row) for name, row in zip(Sample._fields, columns) if not np.isnan(row[0])}
 
+    def drifts(self) -> dict[str, float]:
+        """How far the averages drift, by `Blocking.drifts`, by their names. A name is left out if it has no error.
+
+        Returns
+        -------
+        dict of float
+        """
+        return {name: drift for name, drift in zip(Sample._fields, self._values.drifts().tolist()) if not np.isnan(drift)}
+
     def director(self) -> Floats:
         """The director of the mean of 3/2 <u uᵀ> - 1/2 over all samples, with the sign of `pypw85.director`.
 
@@ -190,7 +202,7 @@ class Observables:
         (3,) array
         """
         tensor = np.empty((3, 3))
-        tensor[_UPPER] = tensor.T[_UPPER] = self._values.estimate().value[len(Sample._fields) :]
+        tensor[_UPPER] = tensor.T[_UPPER] = self._tensors.estimate().value
         return main_direction(tensor) if len(self) else np.full(3, np.nan)
 
     def pair_correlation(self) -> PairCorrelation | None:
@@ -202,7 +214,7 @@ class Observables:
         """
         if not len(self._pairs):
             return None
-        mean, error, _ = (column.reshape(3, self._bins) for column in self._pairs.estimate())
+        mean = self._pairs.estimate().value.reshape(3, self._bins)
         p2 = np.divide(mean[1], mean[0], out=np.full(self._bins, np.nan), where=mean[0] != 0)
 
         def squared_error_of_p2(level: int) -> Floats:
@@ -212,12 +224,15 @@ class Observables:
             result: Floats = np.maximum(squared, 0) / np.where(mean[0] != 0, mean[0], np.nan) ** 2
             return result
 
-        return PairCorrelation(self._edges(), mean[0], error[0], p2, self._pairs.errors(self._bins, squared_error_of_p2)[0])
+        errors = [self._pairs.errors(one)[0][: self._bins] for one in (self._pairs.squared_error, squared_error_of_p2)]
+        if self._values.too_slow().any():  # a pair of few particles may be there hardly ever, and does not tell
+            errors = [np.full(self._bins, np.nan)] * 2
+        return PairCorrelation(self._edges(), mean[0], errors[0], p2, errors[1])
 
     def state(self) -> dict[str, Floats]:
         """All numbers, for `restore`."""
         settings = np.array([self._width, self._reach, self._bins])
-        return {"settings": settings, "values": self._values.state(), "pairs": self._pairs.state()}
+        return {"settings": settings} | {name: getattr(self, f"_{name}").state() for name in _BLOCKINGS}
 
     @classmethod
     def restore(cls, state: dict[str, Floats]) -> Observables:
@@ -233,10 +248,10 @@ class Observables:
         """
         try:
             width, reach, bins = np.asarray(state["settings"]).tolist()
-            values, pairs = state["values"], state["pairs"]
+            rows = [state[name] for name in _BLOCKINGS]
         except (LookupError, TypeError, ValueError):
             raise ValueError("Observables.restore: this is no state() of Observables") from None
         made = cls(width, reach, int(bins))
-        for blocking, rows in ((made._values, values), (made._pairs, pairs)):
-            blocking._take(rows)
+        for name, numbers in zip(_BLOCKINGS, rows):
+            getattr(made, f"_{name}")._take(numbers)
         return made
