@@ -133,15 +133,22 @@ class Blocking:
         Returns
         -------
         (size) array
-            Of the order of one if there is no drift; NaN if there is no error.
+            Of the order of one if there is no drift; NaN if there are fewer than 32 samples.
         """
-        error, n = self.estimate().error, len(self)
+        error, n = self.errors(self._squared_error_about_line)[0], len(self)
         if not n:
             return error
-        # The slope is the sum of products over n³/12. With independent blocks, that of a run of length one has the error √12 times that of
-        # the mean.
+        # The slope is the sum of products over n³/12. Its error over the run is √12 times that of the mean.
         difference = 12 * self._tilts[0] / n**2
-        result: Floats = np.divide(difference, np.sqrt(12) * error, out=np.zeros(self.size), where=error != 0)
+        with np.errstate(divide="ignore"):
+            result: Floats = np.divide(difference, np.sqrt(12) * error, out=np.zeros(self.size), where=difference != 0)
+        return result
+
+    def _squared_error_about_line(self, level: int) -> Floats:
+        """As `squared_error`, with deviations from a straight line instead of the mean."""
+        m = self._counts[level]
+        squares = self._squares[level] - 12 * self._tilts[level] ** 2 / (m * (m * m - 1))
+        result: Floats = np.maximum(squares, 0) / (m * (m - 2))
         return result
 
     def squared_error(self, level: int) -> Floats:

@@ -11,7 +11,7 @@ from ._blocking import Blocking, Estimate
 from ._neighbors import neighbors
 from ._pairs import contact_pairs
 from ._simulations import HardEllipsoids
-from ._statistics import compressibility_of, main_direction, nematic_tensor, principal_directions
+from ._statistics import check_width, compressibility_of, largest_order, main_direction, nematic_tensor, principal_directions
 from ._system import System
 from ._typing import Floats
 
@@ -39,7 +39,7 @@ class PairCorrelation(NamedTuple):
     """The pair correlation by distance, a value for each bin, with standard errors.
 
     `edges` (k + 1) are those of the bins. `g` (k) is the number of pairs over that of an ideal gas of as many particles. `p2` (k) is the
-    mean of 3/2 cos² - 1/2 of the angles between the axes of the particles of a pair; NaN without pairs.
+    mean of 3/2 cos² - 1/2 of the angles between the axes of the particles of a pair; NaN without pairs. Spheres have no axes.
     """
 
     edges: Floats
@@ -55,16 +55,16 @@ class Observables:
     The averages are
 
     - ``volume`` of the cell, ``density`` (particles per volume) and ``packing_fraction``,
-    - ``nematic_order`` as by `pypw85.nematic_order`. Without order it is not 0, but of the order of 1/√N,
+    - ``nematic_order`` as by `pypw85.nematic_order`, without spheres. Without order it is not 0, but of the order of 1/√N,
     - ``compressibility_chains``, βP/ρ from event chains,
     - ``compressibility_contacts``, βP/ρ from the pairs that nearly touch, as by `pypw85.compressibility`. The error is statistical,
     - ``contacts_bias``, what the extrapolation to contact adds to the latter. It is estimated from the extrapolation over half the
-      width. If it exceeds its error, choose a smaller width.
+      width. If it exceeds its error, choose a smaller width. If no pair was within the width, both have no error: choose a larger one.
 
     Parameters
     ----------
     width : float
-        Of the interval of μ that is extrapolated to contact.
+        Of the interval of μ that is extrapolated to contact, > 0 and at most 1.
     reach : float
         The largest distance of the pair correlation, in any relation to the cell: all images count. 0 for no pair correlation.
     bins : int
@@ -93,14 +93,13 @@ class Observables:
 
     def __init__(self, width: float = 0.1, reach: float = 0.0, bins: int = 50) -> None:
         self._width, self._reach, self._bins = float(width), float(reach), operator.index(bins)
-        if not 0 < self._width < np.inf:
-            raise ValueError(f"Observables: width is {width}: it must be > 0 and finite")
+        check_width("Observables", self._width)
         if not 0 <= self._reach < np.inf:
             raise ValueError(f"Observables: reach is {reach}: it must be >= 0 and finite")
         if self._bins < 1:
             raise ValueError(f"Observables: bins is {bins}: it must be at least 1")
         self._values, self._tensors = Blocking(len(Sample._fields)), Blocking(len(_UPPER[0]))
-        self._pairs = Blocking(3 * self._bins)
+        self._pairs = Blocking(4 * self._bins)
 
     def __len__(self) -> int:
         """How many samples there were."""
@@ -137,7 +136,7 @@ class Observables:
             volume=volume,
             density=len(system) / volume,
             packing_fraction=4 / 3 * np.pi * float(system.semi_axes.prod(axis=1).sum()) / volume,
-            nematic_order=float(np.linalg.eigvalsh(tensor)[2]),
+            nematic_order=largest_order(tensor),
             compressibility_chains=float(compressibility),
             compressibility_contacts=wide,
             contacts_bias=_BIAS_BY_DIFFERENCE * (wide - narrow),
@@ -157,7 +156,8 @@ class Observables:
         return wide, narrow
 
     def _count_pairs(self, system: System, cell: Floats, directions: Floats) -> Floats:
-        """For each bin the pairs over those of an ideal gas, this times their mean 3/2 cos² - 1/2, and the sum of both."""
+        """For each bin the pairs over those of an ideal gas, the same of pairs with axes, this times their mean 3/2 cos² - 1/2, and the sum
+        of the last two."""
         n, volume = len(system), abs(np.linalg.det(cell))
         ball = np.array([1, 0, 0, 1, 0, 1]) * (self._reach / 2) ** 2  # two balls of this radius meet at this distance
         found = neighbors(system.centers, np.tile(ball, (n, 1)), cell, system.periodic)
@@ -169,8 +169,10 @@ class Observables:
         bins = np.minimum(distance[chosen] * (self._bins / self._reach), self._bins - 1).astype(np.intp)
         ideal = n * (n - 1) / 2 / volume * 4 / 3 * np.pi * np.diff(self._edges() ** 3)
         with np.errstate(invalid="ignore"):  # for one particle, which has no others
-            counts, weighted = (np.bincount(bins, row, self._bins) / ideal for row in (np.ones(len(bins)), p2[chosen]))
-        return np.concatenate([counts, weighted, counts + weighted])
+            have_axes = ~np.isnan(p2[chosen])
+            rows = np.ones(len(bins)), have_axes, np.where(have_axes, p2[chosen], 0)
+            counts, axial, weighted = (np.bincount(bins, row, self._bins) / ideal for row in rows)
+        return np.concatenate([counts, axial, weighted, axial + weighted])
 
     def _edges(self) -> Floats:
         return np.linspace(0, self._reach, self._bins + 1, dtype=np.float64)
@@ -182,7 +184,11 @@ class Observables:
         -------
         dict of Estimate
         """
-        columns = zip(*(column.tolist() for column in self._values.estimate()))
+        value, error, samples = self._values.estimate()
+        contacts = [Sample._fields.index(name) for name in ("compressibility_contacts", "contacts_bias")]
+        if error[contacts[0]] == 0:  # no pair was ever within the width
+            error[contacts] = samples[contacts] = np.nan
+        columns = zip(value.tolist(), error.tolist(), samples.tolist())
         return {name: Estimate(*row) for name, row in zip(Sample._fields, columns) if not np.isnan(row[0])}
 
     def drifts(self) -> dict[str, float]:
@@ -214,20 +220,20 @@ class Observables:
         """
         if not len(self._pairs):
             return None
-        mean = self._pairs.estimate().value.reshape(3, self._bins)
-        p2 = np.divide(mean[1], mean[0], out=np.full(self._bins, np.nan), where=mean[0] != 0)
+        mean, axial, weighted_mean, _ = self._pairs.estimate().value.reshape(4, self._bins)
+        p2 = np.divide(weighted_mean, axial, out=np.full(self._bins, np.nan), where=axial != 0)
 
         def squared_error_of_p2(level: int) -> Floats:
-            """That of the numbers weighted - p2 counts, whose mean is 0, over the mean of counts."""
-            counts, weighted, both = self._pairs.squared_error(level).reshape(3, self._bins)
+            """That of the numbers weighted - p2 counts, whose mean is 0, over the mean of counts, both of pairs with axes."""
+            _, counts, weighted, both = self._pairs.squared_error(level).reshape(4, self._bins)
             squared = weighted + p2**2 * counts - p2 * (both - counts - weighted)
-            result: Floats = np.maximum(squared, 0) / np.where(mean[0] != 0, mean[0], np.nan) ** 2
+            result: Floats = np.maximum(squared, 0) / np.where(axial != 0, axial, np.nan) ** 2
             return result
 
         errors = [self._pairs.errors(one)[0][: self._bins] for one in (self._pairs.squared_error, squared_error_of_p2)]
         if self._values.too_slow().any():  # a pair of few particles may be there hardly ever, and does not tell
             errors = [np.full(self._bins, np.nan)] * 2
-        return PairCorrelation(self._edges(), mean[0], errors[0], p2, errors[1])
+        return PairCorrelation(self._edges(), mean, errors[0], p2, errors[1])
 
     def state(self) -> dict[str, Floats]:
         """All numbers, for `restore`."""

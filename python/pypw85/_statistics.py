@@ -23,6 +23,14 @@ _SAMPLES = 20_000
 _AT_ZERO = np.polynomial.Polynomial([16, -120, 240, -140])
 
 
+# A particle is a sphere if its semi-axes differ by no more than this, relatively: 16 units of rounding of single precision, in which
+# some files have forms and quaternions.
+_ROUND = 2.0**-20
+
+# The density of μ - 1 is taken for a cubic up to this width at most: beyond it, the second particles around each come in.
+_LARGEST_WIDTH = 1.0
+
+
 class Compressibility(NamedTuple):
     """βP/ρ and its standard error."""
 
@@ -41,7 +49,8 @@ class Correlation(NamedTuple):
 def nematic_order(system: System) -> float:
     """The largest eigenvalue of 3/2 <u uᵀ> - 1/2: 1 if all axes u are parallel, 0 on average if they have no order.
 
-    u is the axis whose length differs most from the middle one: the long axis of rods, the short one of plates.
+    u is the axis whose length differs most from the middle one: the long axis of rods, the short one of plates. Spheres have none, and do
+    not count.
 
     Parameters
     ----------
@@ -50,8 +59,9 @@ def nematic_order(system: System) -> float:
     Returns
     -------
     float
+        NaN if all particles are spheres.
     """
-    return float(np.linalg.eigvalsh(nematic_tensor(principal_directions(system)))[2])
+    return largest_order(nematic_tensor(principal_directions(system)))
 
 
 def director(system: System) -> Floats:
@@ -66,31 +76,43 @@ def director(system: System) -> Floats:
     Returns
     -------
     (3,) array
+        NaN if all particles are spheres.
     """
     return main_direction(nematic_tensor(principal_directions(system)))
 
 
 def principal_directions(system: System) -> Floats:
-    """Unit vectors (n, 3) along the axes whose lengths differ most from the middle ones."""
+    """Unit vectors (n, 3) along the axes whose lengths differ most from the middle ones; NaN for spheres, which have no such axes."""
     order = np.argsort(system.semi_axes, axis=1)
     short, middle, long = np.take_along_axis(system.semi_axes, order, axis=1).T
     axes = np.eye(3)[np.where(long * short >= middle**2, order[:, 2], order[:, 0])]
     w, v = system.quaternions[:, :1], system.quaternions[:, 1:]
     half = np.cross(v, axes)
     directions: Floats = axes + 2 * (w * half + np.cross(v, half))
+    directions[long - short <= _ROUND * long] = np.nan
     return directions
 
 
 def nematic_tensor(directions: Floats) -> Floats:
-    """3/2 <u uᵀ> - 1/2."""
+    """3/2 <u uᵀ> - 1/2 of the directions that are not NaN; NaN if all are."""
     if not len(directions):
         raise ValueError("nematic order needs particles: there are none")
-    tensor: Floats = 1.5 * directions.T @ directions / len(directions) - 0.5 * np.eye(3)
+    known = directions[~np.isnan(directions[:, 0])]
+    if not len(known):
+        return np.full((3, 3), np.nan)
+    tensor: Floats = 1.5 * known.T @ known / len(known) - 0.5 * np.eye(3)
     return tensor
+
+
+def largest_order(tensor: Floats) -> float:
+    """The largest eigenvalue."""
+    return float(np.linalg.eigvalsh(tensor)[2]) if np.isfinite(tensor).all() else np.nan
 
 
 def main_direction(tensor: Floats) -> Floats:
     """The eigenvector for the largest eigenvalue, with the sign of `director`."""
+    if not np.isfinite(tensor).all():
+        return np.full(3, np.nan)
     found = np.linalg.eigh(tensor)[1][:, 2]
     direction: Floats = found * np.sign(found[np.abs(found).argmax()])
     return direction
@@ -118,26 +140,35 @@ def compressibility(mu2: Iterable[ArrayLike], num_particles: int, width: float =
     Returns
     -------
     Compressibility
-        The error is right for independent configurations. Otherwise estimate it from blocks, with one call for each block.
+        The error is right for independent configurations. Otherwise estimate it from blocks, with one call for each block. If no pair is
+        within the width, it is NaN: the width is too small.
 
     Raises
     ------
     ValueError
-        A pair overlaps, or its μ² is NaN; there are fewer than two configurations or no particles; or the width is not > 0 and finite.
+        A pair overlaps, or its μ² is NaN; there are fewer than two configurations or no particles; or the width is not > 0 and at most 1.
     """
     if num_particles < 1:
         raise ValueError(f"compressibility: num_particles is {num_particles}: it must be at least 1")
-    if not 0 < width < np.inf:
-        raise ValueError(f"compressibility: width is {width}: it must be > 0 and finite")
+    check_width("compressibility", width)
     values: list[float] = []
+    near = 0
     for one in mu2:
         excess = np.sqrt(np.asarray(one, dtype=np.float64)) - 1.0
         if not (excess >= 0).all():
             raise ValueError(f"a pair of configuration {len(values)} overlaps, or its μ² is NaN")
         values.append(compressibility_of(excess, num_particles, width))
+        near += int((excess < width).sum())
     if len(values) < 2:
         raise ValueError(f"an error needs two configurations or more, not {len(values)}")
-    return Compressibility(float(np.mean(values)), float(np.std(values, ddof=1) / np.sqrt(len(values))))
+    error = np.std(values, ddof=1) / np.sqrt(len(values)) if near else np.nan
+    return Compressibility(float(np.mean(values)), float(error))
+
+
+def check_width(name: str, width: float) -> None:
+    """Refuses a width for which no extrapolation makes sense."""
+    if not 0 < width <= _LARGEST_WIDTH:
+        raise ValueError(f"{name}: width is {width}: it must be > 0 and at most {_LARGEST_WIDTH:g}")
 
 
 def compressibility_of(excess: Floats, num_particles: int, width: float) -> float:

@@ -88,16 +88,16 @@ def test_block_correlation():
 
 
 def test_drifts(rng):
-    """Of the order of one without a drift, and the difference from the start to the end over its error with one."""
+    """Of the order of one without a drift, and the difference from the start to the end over its error with one, also if the drift is so
+    large that the run is too short for other errors."""
     for time in (0.1, 5.0):
         samples = correlated(rng, time, (1000, 400))[0]
-        averages = averages_of(samples)
-        error = averages.errors(averages.squared_error)[0]
-        drifts = 12 * averages._tilts[0] / 1000**2 / (np.sqrt(12) * error)
-        assert 0.85 < rms(drifts) < 1.15
-    one = averages_of(samples[:, 0] + np.linspace(-2, 2, 1000))
-    difference = np.polyfit(np.arange(1000), samples[:, 0], 1)[0] * 1000 + 4
-    assert one.drifts()[0] == pytest.approx(difference / (np.sqrt(12) * one.estimate().error[0]), rel=3e-3)
+        assert 0.85 < rms(averages_of(samples).drifts()) < 1.15
+        slope = np.polyfit(np.arange(1000), samples, 1)[0] * 1000
+        error = np.sqrt((1 + np.exp(-1 / time)) / (1 - np.exp(-1 / time)) / 1000)
+        for added in (1.0, 100.0):
+            line = np.linspace(0, added, 1000)[:, None]
+            assert np.median(averages_of(samples + line).drifts() / (slope + added)) == pytest.approx(1 / (np.sqrt(12) * error), rel=0.2)
     assert np.isnan(averages_of(samples[:20]).drifts()).all() and np.isnan(pypw85.Blocking(2).drifts()).all()
     assert (averages_of(np.full(100, 0.1)).drifts() == 0).all()
 
@@ -285,6 +285,34 @@ def test_director(rng, axes, strength):
         assert "compressibility_chains" not in observables.estimates()
 
 
+def test_spheres_have_no_axes(rng):
+    """Three parallel rods among spheres, which are turned at random: order, director and P2 are those of the rods."""
+    for unit, small in itertools.product((1.0, 2.0**40, 2.0**-40), (0, 1e-8)):
+        axes = unit * np.array(3 * [[0.1, 0.1, 0.3]] + 3 * [[0.2, 0.2, 0.2 * (1 + small)]])
+        quaternions = np.concatenate([np.tile([1, 1, 0, 0], (3, 1)), rng.normal(size=(3, 4))])
+        places = unit * np.array([[0.7, 0, 0], [0, 0.0, 0], [1.4, 0, 0], [0, 0, 1.2], [0, 1.2, 0], [0.7, 0.7, 1.4]])
+        mixed = pypw85.System.from_axes(places, axes, quaternions, cell=2.5 * unit * np.eye(3))
+        assert pypw85.nematic_order(mixed) == pytest.approx(1, abs=1e-14)
+        assert pypw85.director(mixed) == pytest.approx([0, 1, 0], abs=1e-14)
+        observables = pypw85.Observables(reach=0.8 * unit, bins=1)
+        assert observables.add(pypw85.HardEllipsoids(mixed)).nematic_order == pytest.approx(1, abs=1e-14)
+        found = observables.pair_correlation()
+        assert found.p2 == pytest.approx([1], abs=1e-14) and found.g > 0
+        spheres = pypw85.System.from_axes(places[3:], axes[3:], quaternions[3:], cell=mixed.cell)
+        assert np.isnan(pypw85.nematic_order(spheres)) and np.isnan(pypw85.director(spheres)).all()
+        observables = pypw85.Observables()
+        for _ in range(40):
+            observables.add(pypw85.HardEllipsoids(spheres))
+        found = observables.estimates()
+        assert "nematic_order" not in found and found["volume"].error == 0 and np.isnan(observables.director()).all()
+        # No pair is within the width, which says nothing of the error.
+        assert np.isnan(found["compressibility_contacts"].error) and found["compressibility_contacts"].value == 1
+    assert np.isnan(pypw85.compressibility([[4.0], [9.0]], 3).error)
+    for width in (1.5, 5):
+        with pytest.raises(ValueError, match=f"^compressibility: width is {width}: it must be > 0 and at most 1$"):
+            pypw85.compressibility([[4.0], [9.0]], 3, width)
+
+
 def directions_of(system):
     """The axes that differ most from the others, from the forms."""
     lengths, rotation = pypw85.principal_axes(system.q)
@@ -334,7 +362,7 @@ def test_restored_observables(rng):
 
 
 def test_refused(rng):
-    for name, number in (("width", 0.0), ("width", np.nan), ("width", np.inf), ("reach", -1.0), ("reach", np.inf), ("bins", 0)):
+    for name, number in (("width", 0.0), ("width", np.nan), ("width", np.inf), ("width", 1.5), ("reach", -1.0), ("reach", np.inf), ("bins", 0)):
         with pytest.raises(ValueError, match=f"^Observables: {name} is {number}: it must be "):
             pypw85.Observables(**{name: number})
     with pytest.raises(TypeError):
