@@ -244,6 +244,56 @@ def test_constant_volume(run, folder):
     assert (pypw85.contact(np.array(images) @ last.cell, last.q[0], last.q[0])[0] >= 1).all()
 
 
+def test_needle(run, folder):
+    """A fluid whose cell changes its shape: the run ends before images touch. Other kinds go on, and a start that is too narrow is refused."""
+    fluid = pypw85.pack(np.full((20, 3), 0.5), 0.2, seed=1)
+    pypw85.write("fluid.xyz", fluid)
+    arguments = ["mc", "fluid.xyz", "--pressure", "0.5", "--volume-trials", 20, "--sweeps", "1e4", "--every", "1e4", "--chains", 0]
+    done = run(*arguments, "--volume", "axis", "--out", "axis.h5")
+    cure = r"in which images of particles nearly touch: use --volume isotropic for fluids, or more particles \(--volume axis is for crystals\)"
+    assert done.status == 2 and re.search(rf"axis\.h5: the cell has the edges [\d.]+ × [\d.]+ × [\d.]+, {cure}$", done.err), done
+    assert run("mc", "--resume", "axis.h5").status == 2
+    short = ["--sweeps", 300, "--every", 1, "--volume-trials", 3]
+    done = run(*arguments, *short, "--volume", "isotropic", "--out", "isotropic.h5")
+    assert done.status == 0 and re.search(r"^\d\.\d+ accepted of 900 trials: volume$", done.out, re.M)
+    edges = [float(x) for x in re.search(r"^cell edges (.*)$", done.out, re.M)[1].split()]
+    assert edges == pytest.approx(3 * [edges[0]]) and "shape" not in done.out
+    pypw85.write("narrow.xyz", pypw85.System.from_axes([[0, 0, 0]], [3 * [0.5]], [[1, 0, 0, 0]], cell=np.diag([1.2, 9, 9])))
+    for change, status in (("triclinic", 2), ("isotropic", 0)):
+        narrow = ["mc", "narrow.xyz", "--pressure", 1, "--sweeps", 1, "--volume", change, "--out", f"narrow-{change}.h5"]
+        assert run(*narrow).status == status and os.path.exists(f"narrow-{change}.h5") == (status == 0)
+
+
+def test_stretched(run, folder):
+    """A warning, once one edge is twice as long beside another one."""
+    pypw85.write("gas.xyz", pypw85.System.from_axes([[0, 0, 0]], [3 * [1e-9]], [[1, 0, 0, 0]], cell=np.eye(3)))
+    done = run("mc", "gas.xyz", "--pressure", 2, "--volume", "axis", "--volume-trials", 30, "--sweeps", 200, "--every", 1, "--chains", 0,
+               "--out", "gas.h5")  # fmt: skip
+    assert done.status == 0 and "warning: the shape of the cell has changed much: use --volume axis and triclinic for crystals" in done.out
+
+
+def test_doubts(run, folder, monkeypatch):
+    """Warnings of a drift, of widths that are too large or too small, of chains without a pressure, and of a short run."""
+    crystal = 2 * np.stack(np.meshgrid(*[np.arange(3)] * 3, indexing="ij"), axis=-1).reshape(-1, 3)
+    upright = pypw85.System.from_axes(crystal, np.tile([0.3, 0.3, 0.9], (27, 1)), [[1, 0, 0, 0]] * 27, cell=6 * np.eye(3))
+    pypw85.write("upright.xyz", upright)
+    common = ["mc", "upright.xyz", "--every", 1, "--chains", 0]
+    done = run(*common, "--sweeps", 400, "--equilibrate", 0, "--out", "begun.h5")
+    assert "warning: the run is too short for errors, or began before it was in equilibrium: continue it (--resume" in done.out
+    with monkeypatch.context() as changed:
+        changed.setattr(pypw85.Observables, "drifts", lambda _: {"density": 2.9, "volume": -3.14})
+        done = run(*common, "--sweeps", 400, "--equilibrate", 200, "--out", "narrow.h5", "--width", "1e-9")
+    assert "warning: volume drifts from the start to the end, -3.1 times the error: begin again, equilibrate for longer" in done.out
+    assert "density drifts" not in done.out and "warning: no pair was within the width: choose a larger one (--width)" in done.out
+    pypw85.write("dense.xyz", pypw85.pack(np.full((32, 3), 0.5), 0.45, seed=1))
+    done = run("mc", "dense.xyz", "--sweeps", 400, "--every", 2, "--chains", 0, "--out", "wide.h5", "--width", 1)
+    assert re.search(r"warning: the width biases compressibility_contacts by some \S+: choose a smaller one \(--width\)", done.out), done
+    assert run("mc", "start.xyz", "--sweeps", 3, "--out", "new.h5", "--width", 5).err.endswith("width is 5.0: it must be > 0 and at most 1\n")
+    pypw85.write("one.xyz", pypw85.System.from_axes([[0, 0, 0]], [[0.3, 0.3, 0.5]], [[1, 0, 0, 0]], cell=np.eye(3)))
+    done = run("mc", "one.xyz", "--sweeps", 40, "--every", 1, "--out", "one.h5")
+    assert "warning: there is no pressure from chains: a particle could touch its own image" in done.out
+
+
 def test_numbers(run, folder):
     """Numbers of sweeps, chains and so on can be written as 1e1; a run without samples says so."""
     done = run("mc", "start.xyz", "--sweeps", "1e1", "--every", "2e1", "--equilibrate", "1e1", "--seed", 2**64 - 1, "--out", "run.h5")

@@ -14,6 +14,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from .._core import version
+from .._functions import cell_reduce
 from .._observables import Observables, Sample
 from .._simulations import Change, HardEllipsoids
 from .._system import System
@@ -23,6 +24,8 @@ from ..formats._errors import guarded
 # The acceptance to which steps are tuned: the default of HardEllipsoids.tune().
 _ACCEPTANCE = 0.4
 _GROUP = "pw85_mc"
+# The shortest vector of the lattice over the longest diameter of the particles, below which cells do not change their shape
+_LEAST_WIDTH = 1.25
 _CURE = "bring back a copy of it, or begin a new run"
 # The disk, the share of a user, or the size of a file has come to its limit.
 _NO_ROOM = {getattr(errno, name) for name in ("ENOSPC", "EDQUOT", "EFBIG") if hasattr(errno, name)}
@@ -44,6 +47,8 @@ class Settings(NamedTuple):
     trajectory_every: int
     has_table: bool
     exchange: float = 0.0
+    volume_trials: int = 1
+    edges: tuple[float, ...] = ()  # of the cell of the start
 
 
 class Run:
@@ -70,17 +75,42 @@ class Run:
         """Makes the next sweep, and what follows it."""
         settings, simulation = self.settings, self.simulation
         if self.equilibrated < settings.equilibrate:
+            if settings.pressure is not None:  # tune() makes one more, and begins to count again
+                simulation.volume_moves(settings.volume_trials - 1, settings.pressure, settings.change)
             simulation.tune(1, _ACCEPTANCE, settings.pressure or 0.0, settings.change)
+            self.check_cell()
             self.equilibrated += 1
             return
         simulation.sweep()
         if settings.pressure is not None:
-            simulation.volume_moves(1, settings.pressure, settings.change)
+            simulation.volume_moves(settings.volume_trials, settings.pressure, settings.change)
+            self.check_cell()
         self.sweeps += 1
         if self.sweeps % settings.every == 0:
             self._sample()
         if self._trajectory is not None and self.sweeps % settings.trajectory_every == 0:
             self._write_frame(self._trajectory)
+
+    def check_cell(self) -> None:
+        """Refuses a cell that changes its shape, and is so narrow that the images of a particle are next to each other."""
+        if self.settings.change == "isotropic":
+            return
+        shortest = float(np.linalg.norm(cell_reduce(self.simulation.cell), axis=1).min())
+        if shortest < _LEAST_WIDTH * 2 * float(self.simulation.semi_axes.max()):
+            edges = " × ".join(f"{edge:.4g}" for edge in self.edges())
+            raise FileError(self.path, f"the cell has the edges {edges}, in which images of particles nearly touch: use --volume isotropic "
+                            f"for fluids, or more particles (--volume {self.settings.change} is for crystals)")  # fmt: skip
+
+    def edges(self) -> list[float]:
+        """The lengths of the vectors of the cell."""
+        lengths: list[float] = np.linalg.norm(np.asarray(self.simulation.cell), axis=1).tolist()
+        return lengths
+
+    @property
+    def is_stretched(self) -> bool:
+        """Whether one edge of the cell has become twice as long or more, beside another one."""
+        change = np.array(self.edges()) / (self.settings.edges or self.edges())
+        return bool(change.max() >= 2 * change.min())
 
     def _sample(self) -> None:
         chains = self.settings.chains

@@ -8,7 +8,7 @@ import sys
 import time
 from functools import partial
 from typing import Any
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 
 import click
 import numpy as np
@@ -27,7 +27,7 @@ _START = partial(input_options, argument=click.argument("file", required=False, 
 # What may be given with --resume
 _OF_RESUMED = {"resumed", "sweeps", "threads", "checkpoint"}
 # Options that have no effect without others
-_NEEDED = {"volume": "pressure", "trajectory_every": "trajectory", "bins": "reach", "chain_length": "chains"}
+_NEEDED = {"volume": "pressure", "volume_trials": "pressure", "trajectory_every": "trajectory", "bins": "reach", "chain_length": "chains"}
 # Each thread needs a stack. OpenMP ends the process if it cannot start one.
 MOST_THREADS = 1024
 
@@ -41,7 +41,10 @@ MOST_THREADS = 1024
 @click.option("--pressure", type=Finite(), metavar="P",
               help="βP in the inverse cube of the unit of length. Without it, the volume is constant.")
 @click.option("--volume", type=click.Choice(["isotropic", "axis", "triclinic"]), default="isotropic", show_default=True,
-              help="What changes of the volume scale: all axes alike, one of them, or shear, too.")
+              help="What changes of the volume scale: all axes alike, one of them, or shear, too. The latter two are for crystals: "
+                   "a fluid lets its cell become a needle.")
+@click.option("--volume-trials", type=WholeNumber(), default=1, show_default=True, metavar="N",
+              help="Trials of the volume after each sweep.")
 @click.option("--exchange", type=Finite(may_be_zero=True, below=1), default="0", show_default=True, metavar="PART",
               help="The part of the trials that exchange the semi-axes of two unlike particles.")
 @click.option("--equilibrate", type=WholeNumber(0), metavar="N",
@@ -51,7 +54,7 @@ MOST_THREADS = 1024
 @click.option("--chain-length", type=Finite(), metavar="L", help="Of each chain; the cube root of the first volume by default.")
 @click.option("--seed", type=WholeNumber(0, 2**64 - 1), default=1, show_default=True, help="Another one, another run.")
 @click.option("--width", type=Finite(), default="0.1", show_default=True,
-              help="Of the interval of μ from which the pressure is extrapolated.")
+              help="Of the interval of μ from which the pressure is extrapolated; at most 1.")
 @click.option("--reach", type=Finite(may_be_zero=True), default="0", show_default=True,
               help="Largest distance of the pair correlation; 0: none.")
 @click.option("--bins", type=WholeNumber(), default=50, show_default=True, help="Of the pair correlation.")
@@ -148,15 +151,22 @@ def _start(given: Input | None, sweeps: int | None, *, out: str | None, trajecto
         trajectory_format=growing,
         has_table=has_table,
         exchange=exchange,
+        edges=tuple(np.linalg.norm(cell, axis=1).tolist()),
         **others,
     )
+    try:
+        observables = Observables(width, reach, bins)
+    except ValueError as error:
+        raise click.UsageError(str(error).partition(": ")[2]) from None
     simulation = HardEllipsoids(system, seed)
     if exchange:
         simulation.set_fractions(translation=1 - exchange, rotation=1 - exchange, exchange=2 * exchange)
     if trajectory is not None:
         check_storable(trajectory, growing, system)
     system.origin = system.origin @ np.linalg.inv(cell)
-    run = Run(path, settings, system, simulation, Observables(width, reach, bins))
+    run = Run(path, settings, system, simulation, observables)
+    if settings.pressure is not None:
+        run.check_cell()
     run.save()
     return run
 
@@ -263,10 +273,38 @@ def _report(run: Run) -> None:
         say(f"no averages: a sample is taken every {run.settings.every} sweeps (--every)")
     for name, (value, error, samples) in run.observables.estimates().items():
         say(_LINE.format(name, f"{value:.8g}", _number(error, ".2g"), _number(samples, ".0f")))
-    if run.rows:
-        say("director {:.4f} {:.4f} {:.4f}".format(*run.observables.director()))
+    director = run.observables.director()
+    if not np.isnan(director).any():
+        say("director {:.4f} {:.4f} {:.4f}".format(*director))
+    if run.settings.pressure is not None:
+        say("cell edges {:.6g} {:.6g} {:.6g}".format(*run.edges()))
+    for text in _doubts(run):
+        say(f"warning: {text}")
     run.simulation.check()
     say(f"no overlaps after {run.sweeps} sweeps")
+
+
+# A straight line through independent samples exceeds so many of its errors once in some 400 numbers.
+_LARGEST_DRIFT = 3.0
+
+
+def _doubts(run: Run) -> Iterator[str]:
+    """Says what makes the averages of a run doubtful."""
+    averages = run.observables.estimates()
+    if run.rows and np.isnan(averages["density"].error):
+        yield "the run is too short for errors, or began before it was in equilibrium: continue it (--resume, --sweeps)"
+    for name, drift in run.observables.drifts().items():
+        if abs(drift) > _LARGEST_DRIFT:
+            yield f"{name} drifts from the start to the end, {drift:.1f} times the error: begin again, equilibrate for longer (--equilibrate)"
+    if run.settings.chains and run.rows and "compressibility_chains" not in averages:
+        yield "there is no pressure from chains: a particle could touch its own image, which chains do not see"
+    bias = averages.get("contacts_bias")
+    if bias is not None and abs(bias.value) > max(_LARGEST_DRIFT * bias.error, averages["compressibility_contacts"].error):
+        yield f"the width biases compressibility_contacts by some {bias.value:.2g}: choose a smaller one (--width)"
+    elif bias is not None and np.isnan(bias.error) and not np.isnan(averages["density"].error):
+        yield "no pair was within the width: choose a larger one (--width)"
+    if run.is_stretched:
+        yield "the shape of the cell has changed much: use --volume axis and triclinic for crystals, and isotropic for fluids"
 
 
 _LINE = "{:<24} {:>14} {:>10} {:>20}"
