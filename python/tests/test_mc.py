@@ -329,6 +329,44 @@ def test_unwritable_later(run, folder, monkeypatch):
     assert (done.status, done.err) == (2, "pw85: run.h5: Permission denied: name a file in another folder\n")
 
 
+def test_two_at_once(run, folder, whole):
+    """Only one process continues a run, under whatever name; the other one says so and changes nothing."""
+    assert run("mc", *NPT, "--sweeps", 10, "--out", "run.h5", "--trajectory", "run.dump").status == 0
+    os.symlink("run.h5", "link.h5")
+    held = subprocess.Popen([*PW85, "mc", "--resume", "run.h5", "--sweeps", "1e9"], stderr=subprocess.PIPE, text=True, preexec_fn=heed_interrupts)
+    length = os.path.getsize("run.dump")
+    while os.path.getsize("run.dump") == length:
+        time.sleep(0.01)
+    for name in ("run.h5", "link.h5"):
+        done = run("mc", "--resume", name, "--sweeps", "2e9")
+        assert done.status == 2 and re.search(r"another process is at work on this run: wait for its end, or interrupt it$", done.err), done
+    held.send_signal(signal.SIGKILL)
+    held.communicate()
+    assert run("mc", "--resume", "run.h5", "--sweeps", SWEEPS).status == 0
+    assert same_as(whole)
+    assert not [name for name in os.listdir() if name.startswith(".")]
+
+
+def test_abandoned_folders(folder):
+    """What a killed process has left goes away at the next writing: not what is new, what a process locks, or what is none of it."""
+    import fcntl
+
+    for name in (".pw85-old", ".pw85-new", ".pw85-held", "pw85-other"):
+        os.mkdir(name)
+        pathlib.Path(name, "part").write_text("unfinished")
+        if name != ".pw85-new":
+            os.utime(name, (0, 0))
+    held = os.open(".pw85-held", os.O_RDONLY)
+    fcntl.flock(held, fcntl.LOCK_EX)
+    pypw85.formats._files._searched.clear()
+    pypw85.write("again.xyz", START)
+    assert {name for name in os.listdir() if "pw85" in name} == {".pw85-new", ".pw85-held", "pw85-other"}
+    os.close(held)
+    done = subprocess.run([*PW85, "convert", "start.xyz", "start.csv"], capture_output=True, text=True)
+    assert done.returncode == 0, done
+    assert {name for name in os.listdir() if "pw85" in name} == {".pw85-new", "pw85-other"}
+
+
 def test_progress(folder):
     """The time left, on a terminal."""
     status, text = on_terminal("mc", "start.xyz", "--sweeps", "1e8", "--out", "run.h5", "--equilibrate", "5", until=rb"\d:\d\d:\d\d left")

@@ -13,6 +13,11 @@ from collections.abc import Iterator
 
 import numpy as np
 
+try:
+    import fcntl
+except ImportError:  # Windows
+    fcntl = None  # type: ignore[assignment]
+
 from .._core import version
 from .._functions import cell_reduce
 from .._observables import Observables, Sample
@@ -243,6 +248,42 @@ def _write_durably(path: str, content: bytes) -> None:
         file.write(content)
         file.flush()
         os.fsync(file.fileno())
+
+
+@contextlib.contextmanager
+def locked(path: str) -> Iterator[None]:
+    """Holds the file of a run, so that no other process continues it at the same time. The file itself is replaced at each checkpoint, so
+    the lock is on another one, which is removed at the end. If the process is killed, the system takes the lock away."""
+    if fcntl is None:
+        yield
+        return
+    path = os.path.realpath(path)
+    name = os.path.join(os.path.dirname(path), f".{os.path.basename(path)}.lock")
+    file = _open_locked(path, name)
+    try:
+        yield
+    finally:
+        with contextlib.suppress(OSError):
+            os.unlink(name)
+        os.close(file)
+
+
+def _open_locked(path: str, name: str) -> int:
+    while True:
+        try:
+            file = os.open(name, os.O_RDWR | os.O_CREAT, 0o666)
+        except OSError as error:
+            raise FileError(path, f"{error.strerror}: name a file in another folder") from None
+        try:
+            fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
+            if os.path.exists(name) and os.path.samestat(os.fstat(file), os.stat(name)):
+                return file
+        except BlockingIOError:
+            os.close(file)
+            raise FileError(path, "another process is at work on this run: wait for its end, or interrupt it") from None
+        except OSError:  # a disk without locks
+            return file
+        os.close(file)  # the process that had the lock has just removed the file
 
 
 def resume(path: str) -> Run:

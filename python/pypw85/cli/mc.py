@@ -21,7 +21,7 @@ from ..formats import FORMATS, FileError, check_output, check_storable
 from ._input import Finite, Input, WholeNumber, input_options, one_frame
 from ._interruption import keeping_work
 from ._progress import progress, say
-from ._runs import Run, Settings, resume
+from ._runs import Run, Settings, locked, resume
 
 _START = partial(input_options, argument=click.argument("file", required=False, metavar="[START]"))
 # What may be given with --resume
@@ -76,15 +76,17 @@ def mc(ctx: click.Context, given: Input | None, sweeps: int | None, checkpoint: 
     """
     if threads is not None:
         _core.set_num_threads(threads)
-    if resumed is None:
-        _refuse_idle(ctx)
-        run = _start(given, sweeps, **others)
-    else:
-        _refuse_others(ctx)
-        run = _continued(resumed, sweeps)
-    with contextlib.closing(run), keeping_work(), progress() as stage:
-        run.open_trajectory()
-        status = _go(run, checkpoint, stage)
+    with contextlib.ExitStack() as held:
+        if resumed is None:
+            _refuse_idle(ctx)
+            run = _start(held, given, sweeps, **others)
+        else:
+            _refuse_others(ctx)
+            run = _continued(held, resumed, sweeps)
+        held.enter_context(contextlib.closing(run))
+        with keeping_work(), progress() as stage:
+            run.open_trajectory()
+            status = _go(run, checkpoint, stage)
     if status:
         say(f"pw85: interrupted after {_sweeps(run)}: continue with pw85 mc --resume {run.path}", sys.stderr)
     else:
@@ -116,9 +118,12 @@ def _refuse_idle(ctx: click.Context) -> None:
             raise click.UsageError(f"{text} has no effect without --{needed}: give it, or leave out {text}")
 
 
-def _continued(name: str, sweeps: int | None) -> Run:
+def _continued(held: contextlib.ExitStack, name: str, sweeps: int | None) -> Run:
+    """The run of a file, which no other process continues as long as the stack holds it."""
     path = _run_file(name)[0] if name.endswith(".csv") else name
     check_output(path)
+    if os.path.exists(path):
+        held.enter_context(locked(path))
     run = resume(path)
     if sweeps is not None and sweeps < run.sweeps:
         raise FileError(path, f"has {run.sweeps} sweeps already: ask for more (--sweeps)")
@@ -126,10 +131,10 @@ def _continued(name: str, sweeps: int | None) -> Run:
     return run
 
 
-def _start(given: Input | None, sweeps: int | None, *, out: str | None, trajectory: str | None, seed: int, width: float,
+def _start(held: contextlib.ExitStack, given: Input | None, sweeps: int | None, *, out: str | None, trajectory: str | None, seed: int, width: float,
            reach: float, bins: int, volume: Any, exchange: float, equilibrate: int | None, chain_length: float | None,
            **others: Any) -> Run:  # fmt: skip
-    """A run from the command line. Its files can be written, and its first checkpoint is."""
+    """A run from the command line, held as by _continued(). Its files can be written, and its first checkpoint is."""
     if given is None or sweeps is None or out is None:
         raise click.UsageError("a run needs START, --sweeps and --out; or --resume")
     path, has_table = _run_file(out)
@@ -158,6 +163,8 @@ def _start(given: Input | None, sweeps: int | None, *, out: str | None, trajecto
         observables = Observables(width, reach, bins)
     except ValueError as error:
         raise click.UsageError(str(error).partition(": ")[2]) from None
+    held.enter_context(locked(path))
+    _refuse_existing(path)
     simulation = HardEllipsoids(system, seed)
     if exchange:
         simulation.set_fractions(translation=1 - exchange, rotation=1 - exchange, exchange=2 * exchange)

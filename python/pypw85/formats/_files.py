@@ -10,16 +10,24 @@ import os
 import shutil
 import stat
 import tempfile
+import time
 from typing import IO, Any, NamedTuple, TypeAlias, Union, cast
 from collections.abc import Iterator
 
 from ._errors import FileError
+
+try:
+    import fcntl
+except ImportError:  # Windows
+    fcntl = None  # type: ignore[assignment]
 
 Path = Union[str, "os.PathLike[str]"]
 
 _GZIP = b"\x1f\x8b"
 # Bytes that are read from a text file at once.
 READ_AHEAD = 1 << 20
+# Of the folders in which files are written. A process has locked its own after a moment, far less than this.
+_PREFIX, _SECONDS_TO_LOCK = ".pw85-", 60.0
 
 
 class Target(NamedTuple):
@@ -85,11 +93,12 @@ def replacing(path: Path) -> Iterator[str]:
     target = check_output(path)
     try:
         directory = tempfile.TemporaryDirectory(
-            dir=os.path.dirname(target.path) if target.is_replaced else None, prefix=".pw85-"
+            dir=os.path.dirname(target.path) if target.is_replaced else None, prefix=_PREFIX
         )
     except OSError as error:
         raise OSError(error.errno, error.strerror, os.fspath(path)) from None
-    with directory as work:
+    with directory as work, _held(work):
+        _remove_abandoned(os.path.dirname(os.path.abspath(work)))
         _unfinished.add(work)
         try:
             temporary = os.path.join(work, os.path.basename(os.fspath(path)))
@@ -97,6 +106,37 @@ def replacing(path: Path) -> Iterator[str]:
             _finish(temporary, target)
         finally:
             _unfinished.discard(work)
+
+
+@contextlib.contextmanager
+def _held(work: str) -> Iterator[None]:
+    """Locks a folder as long as a process works in it. The system takes the lock of a process that is killed away."""
+    file = os.open(work, os.O_RDONLY) if fcntl is not None else -1
+    try:
+        if fcntl is not None:
+            with contextlib.suppress(OSError):  # of a disk without locks
+                fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        yield
+    finally:
+        if fcntl is not None:
+            os.close(file)
+
+
+def _remove_abandoned(folder: str) -> None:
+    """Removes the folders that processes have left which were killed: those that nobody locks. One that is new may not be locked yet."""
+    if fcntl is None or folder in _searched:
+        return
+    _searched.add(folder)
+    for name in os.listdir(folder):
+        work = os.path.join(folder, name)
+        if name.startswith(_PREFIX) and os.path.isdir(work) and time.time() - os.path.getmtime(work) > _SECONDS_TO_LOCK:
+            with contextlib.suppress(OSError):
+                file = os.open(work, os.O_RDONLY)
+                try:
+                    fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
+                    shutil.rmtree(work, ignore_errors=True)
+                finally:
+                    os.close(file)
 
 
 def _finish(temporary: str, target: Target) -> None:
@@ -121,6 +161,8 @@ def _take_over(status: os.stat_result, path: str) -> None:
 
 
 _unfinished: set[str] = set()
+# Folders in which this process has looked for what others have left
+_searched: set[str] = set()
 
 
 def discard_unfinished() -> None:
