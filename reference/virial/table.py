@@ -4,7 +4,7 @@
 Usage: table.py PROGRAM [--rounds N] [--shapes SHAPE...] [--table FILE], with PROGRAM built from virial.cpp.
 
 The second coefficient is exact; the others are by Monte Carlo. Each round adds SAMPLES to each row that has fewer than N rounds, or to
-each of some shapes, such as "prolate 20". The file is written whenever there are new samples, and has all that is needed to
+each of some shapes, such as "prolate 20". Without N, each shape gets the rounds that it has in virial.csv, one to four (ROUNDS). The file is written whenever there are new samples, and has all that is needed to
 continue: to stop loses nothing, and a file that was continued is the same as one that was made at once.
 """
 
@@ -27,6 +27,8 @@ SHAPES = {
     **{shape: tuple(shape.split(":")) for shape in ("1:1.25:1.5625", "1:1.5:2", "1:2:3", "1:2:4", "1:3:9")},
 }
 SAMPLES = dict(zip(coefficients.ORDERS, (1_000_000, 1_000_000, 1_500_000, 2_000_000)))  # more where the errors are larger
+ROUNDS = dict.fromkeys(SHAPES, 1) | dict.fromkeys(("sphere", *(f"prolate {aspect}" for aspect in ASPECTS[:8])), 2)
+ROUNDS |= dict.fromkeys((*(f"{kind} {aspect}" for kind in ("prolate", "oblate") for aspect in ASPECTS[8:]), "1:3:9"), 4)
 COLUMNS = ["shape", "a", "b", "c", "alpha", "tau", "B2"]
 COLUMNS += [f"B{order}{suffix}" for order in SAMPLES for suffix in ("", "_error", "_samples")] + ["seed", "version"]
 
@@ -110,7 +112,7 @@ def add(row, order, value, error):
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("program", type=Path)
-    parser.add_argument("--rounds", type=int, default=1)
+    parser.add_argument("--rounds", type=int, help="for each shape; those of virial.csv without")
     parser.add_argument("--shapes", nargs="+", choices=SHAPES, default=SHAPES, metavar="SHAPE", help="as in the table; all without")
     parser.add_argument("--table", type=Path, default=coefficients.PATH)
     arguments = parser.parse_args()
@@ -118,8 +120,9 @@ def main():
         parser.error(f"{arguments.program} is not a program")
     rows = read_table(arguments.table)
     write_table(arguments.table, rows)  # before any work, in case that it cannot be written
-    for number in range(arguments.rounds):
-        for row in (row for row in rows if row["shape"] in arguments.shapes):
+    rounds = {shape: arguments.rounds or ROUNDS[shape] for shape in arguments.shapes}
+    for number in range(max(rounds.values())):
+        for row in (row for row in rows if rounds.get(row["shape"], 0) > number):
             for order, samples in SAMPLES.items():
                 if int(row[f"B{order}_samples"]) <= number * samples:
                     add(row, order, *sample(arguments.program.resolve(), row, order))
