@@ -5,6 +5,7 @@
 #include <lammps/output.h>
 
 #include <algorithm>
+#include <unordered_map>
 
 using namespace LAMMPS_NS;
 
@@ -25,6 +26,9 @@ ContactHistory::ContactHistory(LAMMPS *lammps, int narg, char **arg) : Fix(lammp
     restart_peratom = 1;
     create_attribute = 1;
     maxexchange_dynamic = 1;
+    comm_forward = 1;
+    comm_reverse = 1 + stored_size;
+    stores_ids = 1;
     grow_arrays(atom->nmax);
     atom->add_callback(Atom::GROW);
     atom->add_callback(Atom::RESTART);
@@ -45,7 +49,8 @@ ContactHistory *ContactHistory::add(Modify &modify, std::string const &id)
 
 int ContactHistory::setmask()
 {
-    return FixConst::PRE_EXCHANGE | FixConst::MIN_PRE_EXCHANGE | FixConst::END_OF_STEP | FixConst::POST_RUN;
+    return FixConst::PRE_EXCHANGE | FixConst::MIN_PRE_EXCHANGE | FixConst::PRE_NEIGHBOR | FixConst::MIN_PRE_NEIGHBOR |
+           FixConst::END_OF_STEP | FixConst::POST_RUN;
 }
 
 void ContactHistory::start_step(NeighList const &list, bool rolls)
@@ -98,6 +103,18 @@ void ContactHistory::finish_step()
     num_atoms_ = atom->nlocal + atom->nghost;
 }
 
+// The states of a rerun come from a file that has no springs, and their atoms have other indices than those of the step before.
+void ContactHistory::setup_pre_exchange()
+{
+    if (is_rerun(*input)) {
+        contacts_.clear();
+        stored_.clear();
+        std::fill(rows_.begin(), rows_.end(), Row{});
+        is_complete_ = true;
+    }
+    complete();
+}
+
 // LAMMPS writes restart files after the last fix has ended its step.
 void ContactHistory::end_of_step()
 {
@@ -116,13 +133,13 @@ void ContactHistory::complete()
         stored_.clear();
         for (int i = 0; i < atom->nlocal; ++i) {
             std::vector<Stored> const &all = shared_[index(i)];
-            rows_[index(i)] = {stored_.size(), all.size()};
+            rows_[index(i)] = {stored_.size(), all.size(), all.empty() ? 0 : atom->tag[i]};
             stored_.insert(stored_.end(), all.begin(), all.end());
         }
         shared_.clear();
         is_complete_ = true;
     }
-    int const own = 1 + stored_size * longest_row();
+    int const own = row_head + stored_size * longest_row();
     MPI_Allreduce(&own, &maxexchange, 1, MPI_INT, MPI_MAX, world);
 }
 
@@ -137,7 +154,48 @@ void ContactHistory::share_contacts()
         shared_[index(c.i)].push_back({atom->tag[c.j], springs});
         if (c.j < atom->nlocal || shares) shared_[index(c.j)].push_back({atom->tag[c.i], springs.reversed()});
     }
-    if (shares) reverse_rows_to_owners(*comm, this);
+    if (shares) bring_rows_home();
+}
+
+/// Adds the rows of ghosts to those of their owners.
+void ContactHistory::bring_rows_home()
+{
+    num_sent_.clear();
+    if (comm->style == 0) return reverse_rows_to_owners(*comm, this);
+    // With comm_style tiled LAMMPS has no messages of different sizes: each ghost sends one contact after the other. Some come
+    // to a ghost on another processor, which sends them on.
+    num_sent_.resize(shared_.size());
+    while (is_any_left()) reverse_to_owners(*comm, this);
+}
+
+/// Whether ghosts on any processor have contacts that they have not sent.
+bool ContactHistory::is_any_left() const
+{
+    int left = 0;
+    for (std::size_t i = index(atom->nlocal); i < shared_.size(); ++i) left |= num_sent_[i] < shared_[i].size() ? 1 : 0;
+    MPI_Allreduce(MPI_IN_PLACE, &left, 1, MPI_INT, MPI_MAX, world);
+    return left != 0;
+}
+
+// Commands between runs may renumber the atoms, remove some, and give the tags of these to new ones (delete_atoms, create_atoms).
+void ContactHistory::follow_tags()
+{
+    stored_tags_.clear();
+    for (int i = 0; i < atom->nlocal; ++i) stored_tags_.push_back(rows_[index(i)].tag);
+    stored_tags_.resize(index(atom->nlocal + atom->nghost));
+    forward_to_ghosts(*comm, this);
+    std::unordered_map<tagint, tagint> tags; // by the stored one
+    for (int i = 0; i < atom->nlocal + atom->nghost; ++i)
+        if (stored_tags_[index(i)] != 0) tags[stored_tags_[index(i)]] = atom->tag[i];
+    for (int i = 0; i < atom->nlocal; ++i) {
+        Row &row = rows_[index(i)];
+        if (row.count == 0) continue;
+        row.tag = atom->tag[i];
+        for (std::size_t k = row.first; k < row.first + row.count; ++k) {
+            auto const found = tags.find(stored_[k].partner);
+            stored_[k].partner = found == tags.end() ? 0 : found->second; // no atom has the tag 0
+        }
+    }
 }
 
 int ContactHistory::longest_row() const
@@ -165,6 +223,7 @@ int ContactHistory::pack_exchange(int i, double *buffer)
     Row const row = rows_[index(i)];
     double *end = buffer;
     *end++ = static_cast<double>(row.count);
+    *end++ = static_cast<double>(row.tag);
     for (std::size_t k = row.first; k < row.first + row.count; ++k) end = write(stored_[k], end);
     return static_cast<int>(end - buffer);
 }
@@ -172,9 +231,9 @@ int ContactHistory::pack_exchange(int i, double *buffer)
 int ContactHistory::unpack_exchange(int i, double *buffer)
 {
     auto const count = static_cast<std::size_t>(buffer[0]);
-    rows_[index(i)] = {stored_.size(), count};
-    for (std::size_t k = 0; k < count; ++k) stored_.push_back(read(buffer + 1 + stored_size * k));
-    return 1 + stored_size * static_cast<int>(count);
+    rows_[index(i)] = {stored_.size(), count, static_cast<tagint>(buffer[1])};
+    for (std::size_t k = 0; k < count; ++k) stored_.push_back(read(buffer + row_head + stored_size * k));
+    return row_head + stored_size * static_cast<int>(count);
 }
 
 // In a restart file, the first number of an atom is how many there are.
@@ -191,9 +250,20 @@ void ContactHistory::unpack_restart(int i, int which)
     unpack_exchange(i, numbers + 1);
 }
 
-int ContactHistory::size_restart(int i) { return 2 + stored_size * static_cast<int>(rows_[index(i)].count); }
+int ContactHistory::size_restart(int i) { return 1 + row_head + stored_size * static_cast<int>(rows_[index(i)].count); }
 
 int ContactHistory::maxsize_restart() { return 1 + maxexchange; }
+
+int ContactHistory::pack_forward_comm(int count, int *atoms, double *buffer, int, int *)
+{
+    for (int k = 0; k < count; ++k) buffer[k] = static_cast<double>(stored_tags_[index(atoms[k])]);
+    return count;
+}
+
+void ContactHistory::unpack_forward_comm(int count, int first, double *buffer)
+{
+    for (int k = 0; k < count; ++k) stored_tags_[index(first + k)] = static_cast<tagint>(buffer[k]);
+}
 
 int ContactHistory::pack_reverse_comm_size(int count, int first)
 {
@@ -206,8 +276,16 @@ int ContactHistory::pack_reverse_comm(int count, int first, double *buffer)
 {
     double *end = buffer;
     for (int i = first; i < first + count; ++i) {
-        *end++ = static_cast<double>(shared_[index(i)].size());
-        for (Stored const &contact : shared_[index(i)]) end = write(contact, end);
+        std::vector<Stored> const &row = shared_[index(i)];
+        if (num_sent_.empty()) {
+            *end++ = static_cast<double>(row.size());
+            for (Stored const &contact : row) end = write(contact, end);
+        } else {
+            std::size_t &sent = num_sent_[index(i)];
+            bool const sends = sent < row.size();
+            *end++ = sends ? 1.0 : 0.0;
+            end = write(sends ? row[sent++] : Stored{}, end);
+        }
     }
     return static_cast<int>(end - buffer);
 }
@@ -217,6 +295,7 @@ void ContactHistory::unpack_reverse_comm(int count, int *atoms, double *buffer)
     for (int k = 0; k < count; ++k) {
         auto const size = static_cast<std::size_t>(*buffer++);
         for (std::size_t c = 0; c < size; ++c, buffer += stored_size) shared_[index(atoms[k])].push_back(read(buffer));
+        if (!num_sent_.empty() && size == 0) buffer += stored_size;
     }
 }
 

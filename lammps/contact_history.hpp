@@ -21,7 +21,7 @@ namespace pw85_lammps {
 /// same. complete() stores the contacts by atom and the tag of the partner, with both atoms, as each of them sees it. So a contact is
 /// found again after a new list, whichever atom has the pair then. If an atom touches two periodic images of another one, a new list
 /// gives both the springs of one of them. The normals are where the next search of the same pair starts. They are neither moved nor
-/// saved.
+/// saved. At the start of a run the stored tags become those that the atoms have then, which commands may have changed.
 class ContactHistory final : public LAMMPS_NS::Fix {
   public:
     ContactHistory(LAMMPS_NS::LAMMPS *lammps, int narg, char **arg);
@@ -64,7 +64,8 @@ class ContactHistory final : public LAMMPS_NS::Fix {
     void finish_step();
 
     int setmask() override;
-    void setup_pre_exchange() override { complete(); }
+    void setup_pre_exchange() override;
+    void setup_pre_neighbor() override { follow_tags(); }
     void pre_exchange() override { complete(); }
     void min_pre_exchange() override { complete(); }
     void end_of_step() override;
@@ -79,6 +80,8 @@ class ContactHistory final : public LAMMPS_NS::Fix {
     void unpack_restart(int i, int which) override;
     int size_restart(int i) override;
     int maxsize_restart() override;
+    int pack_forward_comm(int count, int *atoms, double *buffer, int pbc_flag, int *pbc) override;
+    void unpack_forward_comm(int count, int first, double *buffer) override;
     int pack_reverse_comm_size(int count, int first) override;
     int pack_reverse_comm(int count, int first, double *buffer) override;
     void unpack_reverse_comm(int count, int *atoms, double *buffer) override;
@@ -91,11 +94,13 @@ class ContactHistory final : public LAMMPS_NS::Fix {
         Springs springs;
     };
 
-    /// A range of stored_.
+    /// A range of stored_, and the tag that the atom had when the range was stored; zero if it had no contact.
     struct Row {
         std::size_t first, count;
+        LAMMPS_NS::tagint tag;
     };
 
+    static constexpr int row_head = 2; ///< numbers that a message has for each atom besides those of its contacts
     static constexpr int stored_size = 1 + Springs::size; ///< numbers that a message has for each contact
     static constexpr std::uint32_t nowhere = 0xffffffff;
 
@@ -106,7 +111,10 @@ class ContactHistory final : public LAMMPS_NS::Fix {
     void place_contact(int i, int j);
     void complete();
     void share_contacts();
+    void bring_rows_home();
+    bool is_any_left() const;
     int longest_row() const;
+    void follow_tags();
     static double *write(Stored const &contact, double *buffer);
     static Stored read(double const *buffer);
 
@@ -114,11 +122,14 @@ class ContactHistory final : public LAMMPS_NS::Fix {
     std::vector<Contact> contacts_;     ///< with those that have ended since the list was made
     std::vector<Vector> rolling_;       ///< by contact, if rolls_
     bool rolls_ = false;
-    LAMMPS_NS::bigint step_ = 0;              ///< the last finished step, counted from a new list
-    std::vector<Stored> stored_;              ///< valid if is_complete_
-    std::vector<Row> rows_;                   ///< by owned atom
-    std::vector<std::vector<Stored>> shared_; ///< by owned atom and ghost, while complete() works
-    LAMMPS_NS::bigint num_lists_ = 0;         ///< how many lists LAMMPS had made when the places were given
+    LAMMPS_NS::bigint step_ = 0;                 ///< the last finished step, counted from a new list
+    std::vector<Stored> stored_;                 ///< valid if is_complete_
+    std::vector<Row> rows_;                      ///< by owned atom
+    std::vector<std::vector<Stored>> shared_;    ///< by owned atom and ghost, while complete() works
+    LAMMPS_NS::bigint num_lists_ = 0;            ///< how many lists LAMMPS had made when the places were given
+    std::vector<LAMMPS_NS::tagint> stored_tags_; ///< by owned atom and ghost, while follow_tags() works
+    /// By owned atom and ghost, while complete() works with `comm_style tiled`: how many contacts it has sent to its owner.
+    std::vector<std::size_t> num_sent_;
     bool is_complete_ = true;
     int num_atoms_ = 0; ///< owned atoms and ghosts of the step
 };

@@ -50,8 +50,7 @@ int FixFire::setmask() { return FixConst::END_OF_STEP | FixConst::POST_RUN; }
 
 void FixFire::init()
 {
-    if (std::string(update->integrate_style).rfind("respa", 0) == 0)
-        stop_all(*error, std::string(style_name) + " does not work with run_style respa: use run_style verlet");
+    refuse_respa(*lmp, style_name);
     ellipsoids_->forget();
     read();
     original_timestep_ = timestep_ = update->dt;

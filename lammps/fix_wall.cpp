@@ -21,7 +21,8 @@ constexpr double farthest_turn = 0.5;
 
 } // namespace
 
-FixWall::FixWall(LAMMPS *lammps, int narg, char **arg) : Fix(lammps, narg, arg), first_step_(update->ntimestep)
+FixWall::FixWall(LAMMPS *lammps, int narg, char **arg)
+    : Fix(lammps, narg, arg), step_(update->ntimestep), masses_(lammps)
 {
     parse(narg, arg);
     ellipsoids_.emplace(lmp, style_name, "leave it out of the group");
@@ -59,13 +60,13 @@ int FixWall::setmask() { return FixConst::PRE_EXCHANGE | FixConst::MIN_PRE_EXCHA
 
 void FixWall::init()
 {
-    if (std::string(update->integrate_style).rfind("respa", 0) == 0)
-        stop_all(*error, std::string(style_name) + " does not work with run_style respa: use run_style verlet");
+    refuse_respa(*lmp, style_name);
     for (int axis = 0; axis < 3; ++axis)
         if (surface_->crosses(axis) && domain->periodicity[axis])
             stop_all(*error, std::string(style_name) +
                                  ": the box is periodic across the wall: use boundary f or s for this axis");
     ellipsoids_->forget();
+    masses_.start_run();
     time_step_check_.start_run();
 }
 
@@ -85,11 +86,26 @@ void FixWall::post_force(int)
     timestep_ = update->setupflag ? 0.0 : update->dt;
     energy_ = 0.0;
     time_step_check_.start_step();
-    motion_.move_to(time());
+    pass_time();
+    motion_.move_to(clock_.time());
     ellipsoids_->read([this](int i) { return (atom->mask[i] & groupbit) != 0; });
+    if (masses_.are_new()) masses_.read();
     for (int i = 0; i < atom->nlocal; ++i)
         if (ellipsoids_->selected(i)) touch(i);
-    time_step_check_.finish_step(*error, style_name, timestep_);
+    time_step_check_.finish_step(*lmp, style_name, timestep_);
+}
+
+/// Lets the time of a step pass. In the set-up of a run none passes. The states of a rerun are as many time steps apart as their
+/// numbers say, and nothing is known of their springs.
+void FixWall::pass_time()
+{
+    bool const is_from_file = is_rerun(*input);
+    if (is_from_file)
+        for (auto &row : contacts_) row.clear();
+    double const distance = static_cast<double>(update->ntimestep - step_);
+    double const in_run = update->setupflag ? 0.0 : 1.0;
+    clock_.advance(is_from_file ? distance : in_run, update->dt);
+    step_ = update->ntimestep;
 }
 
 /// Adds the forces of the wall on a grain.
@@ -139,7 +155,7 @@ void FixWall::push(int i, GrainGeometry const &contact, Springs &springs)
     if (!arms_at_surface_) g.meet_in_the_middle();
     Vector const spin = without_inertia(atom->rmass[i], ellipsoids_->form(i), vector(atom->angmom[i]));
     Vector const velocity = vector(atom->v[i]) + cross(spin, g.arm1) - motion_.velocity(vector(atom->x[i]) + g.arm2);
-    Encounter const e{g.normal, g.depth, g.radius, atom->rmass[i], velocity, spin - motion_.spin(), timestep_};
+    Encounter const e{g.normal, g.depth, g.radius, masses_.of(i), velocity, spin - motion_.spin(), timestep_};
     Reaction const reaction = law_.react(e, springs);
     time_step_check_.add(reaction.stiffness / e.mass);
     Vector const torque = cross(g.arm1, reaction.force) + reaction.couple;
@@ -157,18 +173,18 @@ double FixWall::compute_scalar()
     return sum;
 }
 
-// A restart file stores the step at which the motion of the wall began. All processors call this before LAMMPS asks for the sizes
+// A restart file stores the time of the motion of the wall. All processors call this before LAMMPS asks for the sizes
 // of the atoms.
 void FixWall::write_restart(FILE *file)
 {
     find_maxexchange();
     if (comm->me != 0) return;
-    int const size = sizeof(first_step_);
+    int const size = sizeof(clock_);
     std::fwrite(&size, sizeof(size), 1, file);
-    std::fwrite(&first_step_, sizeof(first_step_), 1, file);
+    std::fwrite(&clock_, sizeof(clock_), 1, file);
 }
 
-void FixWall::restart(char *state) { std::memcpy(&first_step_, state, sizeof(first_step_)); }
+void FixWall::restart(char *state) { std::memcpy(&clock_, state, sizeof(clock_)); }
 
 int FixWall::pack_exchange(int i, double *buffer)
 {

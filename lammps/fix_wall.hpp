@@ -4,6 +4,7 @@
 #ifndef PW85_LAMMPS_FIX_WALL_HPP_INCLUDED
 #define PW85_LAMMPS_FIX_WALL_HPP_INCLUDED
 
+#include "body_masses.hpp"
 #include "contact_law.hpp"
 #include "ellipsoids.hpp"
 #include "grain_geometry.hpp"
@@ -58,7 +59,7 @@ class FixWall final : public LAMMPS_NS::Fix {
 
     std::vector<Contact> &contacts(int i) { return contacts_[static_cast<std::size_t>(i)]; }
     void parse(int narg, char **arg);
-    double time() const { return static_cast<double>(update->ntimestep - first_step_) * update->dt; }
+    void pass_time();
     void inherit_springs(std::vector<Contact> &before, std::vector<Contact> &now) const;
     void touch(int i);
     void push(int i, GrainGeometry const &contact, Springs &springs);
@@ -66,10 +67,12 @@ class FixWall final : public LAMMPS_NS::Fix {
 
     std::unique_ptr<WallSurface> surface_;
     WallMotion motion_;
-    LAMMPS_NS::bigint first_step_;
+    WallClock clock_;
+    LAMMPS_NS::bigint step_; ///< up to which time has passed
     bool arms_at_surface_ = false;
     ContactLaw law_;
     std::optional<Ellipsoids> ellipsoids_;
+    BodyMasses masses_;
     std::vector<std::vector<Contact>> contacts_; ///< by owned atom
     std::vector<GrainGeometry> touching_;        ///< memory for touch()
     double timestep_ = 0.0, energy_ = 0.0;

@@ -25,6 +25,7 @@ template <class... Args, class... Rest> void make_args_checked(Rest &&...) = del
 #include <lammps/fix.h>
 #include <lammps/force.h>
 #include <lammps/group.h>
+#include <lammps/input.h>
 #include <lammps/memory.h>
 #include <lammps/modify.h>
 #include <lammps/neigh_list.h>
@@ -34,6 +35,7 @@ template <class... Args, class... Rest> void make_args_checked(Rest &&...) = del
 #include <lammps/update.h>
 #include <lammps/utils.h>
 
+#include <cstring>
 #include <string>
 
 namespace pw85_lammps {
@@ -52,7 +54,14 @@ namespace pw85_lammps {
     error.one(file, line, message);
 }
 
-/// Sends per-atom values from owners to ghosts; `Owner` is a Pair or a Compute. Releases of LAMMPS from 2022 on overload one name;
+/// Stops LAMMPS if the forces of different pairs have different time steps. All processors call this together.
+inline void refuse_respa(LAMMPS_NS::LAMMPS &lammps, std::string const &style)
+{
+    if (std::string(lammps.update->integrate_style).rfind("respa", 0) == 0)
+        stop_all(*lammps.error, style + " does not work with run_style respa: use run_style verlet");
+}
+
+/// Sends per-atom values from owners to ghosts; `Owner` is a Pair, a Fix or a Compute. Releases of LAMMPS from 2022 on overload one name;
 /// earlier ones have one name for each kind of owner.
 template <class Communicator, class Owner> void forward_to_ghosts(Communicator &comm, Owner *owner)
 {
@@ -60,22 +69,26 @@ template <class Communicator, class Owner> void forward_to_ghosts(Communicator &
         comm.forward_comm(owner);
     } else if constexpr (requires(LAMMPS_NS::Pair * &pair) { pair = owner; }) {
         comm.forward_comm_pair(owner);
+    } else if constexpr (requires(LAMMPS_NS::Fix * &fix) { fix = owner; }) {
+        comm.forward_comm_fix(owner);
     } else {
         comm.forward_comm_compute(owner);
     }
 }
 
-/// Sends per-atom values from ghosts back to their owners.
-template <class Communicator> void reverse_to_owners(Communicator &comm, LAMMPS_NS::Compute *owner)
+/// Sends per-atom values from ghosts back to their owners; `Owner` is a Fix or a Compute.
+template <class Communicator, class Owner> void reverse_to_owners(Communicator &comm, Owner *owner)
 {
     if constexpr (requires { comm.reverse_comm(owner); }) {
         comm.reverse_comm(owner);
+    } else if constexpr (requires(LAMMPS_NS::Fix * &fix) { fix = owner; }) {
+        comm.reverse_comm_fix(owner);
     } else {
         comm.reverse_comm_compute(owner);
     }
 }
 
-/// Sends rows of different lengths from ghosts back to their owners.
+/// Sends rows of different lengths from ghosts back to their owners. LAMMPS cannot do this with `comm_style tiled`.
 template <class Communicator> void reverse_rows_to_owners(Communicator &comm, LAMMPS_NS::Fix *owner)
 {
     if constexpr (requires { comm.reverse_comm_variable(owner); }) {
@@ -83,6 +96,18 @@ template <class Communicator> void reverse_rows_to_owners(Communicator &comm, LA
     } else {
         comm.reverse_comm_fix_variable(owner);
     }
+}
+
+/// The command of the input script that LAMMPS works on. In some releases its name is a protected member, which a derived class may read.
+struct CurrentCommand : LAMMPS_NS::Input {
+    static char const *name(LAMMPS_NS::Input const &input) { return input.*(&CurrentCommand::command); }
+};
+
+/// Whether LAMMPS takes the states of the atoms from a file, one after the other.
+inline bool is_rerun(LAMMPS_NS::Input const &input)
+{
+    char const *const name = CurrentCommand::name(input);
+    return name && std::strcmp(name, "rerun") == 0;
 }
 
 } // namespace pw85_lammps

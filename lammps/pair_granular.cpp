@@ -22,7 +22,7 @@ constexpr double least_cosine = 0.97;
 
 } // namespace
 
-PairGranular::PairGranular(LAMMPS *lammps) : Pair(lammps)
+PairGranular::PairGranular(LAMMPS *lammps) : Pair(lammps), masses_(lammps)
 {
     restartinfo = 0;
     single_enable = 0;
@@ -111,6 +111,7 @@ void PairGranular::init_style()
     if (!comm->ghost_velocity)
         stop_all(*error, std::string(style_name) + " needs velocities of ghosts: use comm_modify vel yes");
     if (!atom->tag_enable) stop_all(*error, std::string(style_name) + " needs atom IDs: use atom_modify id yes");
+    refuse_respa(*lmp, style_name);
     ellipsoids_.emplace(lmp, style_name, "give its type to another style of pair_style hybrid");
     std::fill_n(cutsq[0], (atom->ntypes + 1) * (atom->ntypes + 1), 0.0);
     used_types_.assign(static_cast<std::size_t>(atom->ntypes) + 1, false);
@@ -119,6 +120,7 @@ void PairGranular::init_style()
     frozen_ = 0;
     for (int k = 0; k < modify->nfix; ++k)
         if (std::strcmp(modify->fix[k]->style, "freeze") == 0) frozen_ |= modify->fix[k]->groupbit;
+    masses_.start_run();
     time_step_check_.start_run();
     Pair::init_style();
 }
@@ -174,6 +176,7 @@ void PairGranular::compute(int eflag, int vflag)
             ellipsoids_->require_cutoff(t, u, std::sqrt(cutsq[t][u]), reach);
     });
     forward_to_ghosts(*comm, this);
+    if (masses_.are_new()) read_masses();
     read_bodies();
     timestep_ = update->setupflag ? 0.0 : update->dt;
     time_step_check_.start_step();
@@ -182,7 +185,7 @@ void PairGranular::compute(int eflag, int vflag)
     history_->start_step(*list, rolls_);
     batch_.run(*list, ellipsoids_->reach(1.0), [this, eflag] { add_batch(eflag); });
     history_->finish_step();
-    time_step_check_.finish_step(*error, style_name, timestep_);
+    time_step_check_.finish_step(*lmp, style_name, timestep_);
     if (vflag_fdotr) virial_fdotr_compute();
 }
 
@@ -343,16 +346,25 @@ void PairGranular::keep_touch(std::size_t l, Vector const &f)
     touches_.push_back({overlaps_[l].i, overlaps_[l].j, g.arm1, g.normal, f, g.depth});
 }
 
+/// Reads the masses of owned atoms, and sends them to the ghosts.
+void PairGranular::read_masses()
+{
+    masses_.read();
+    sends_masses_ = true;
+    forward_to_ghosts(*comm, this);
+    sends_masses_ = false;
+}
+
 void PairGranular::read_bodies()
 {
     bodies_.resize(static_cast<std::size_t>(atom->nlocal + atom->nghost));
     for (int i = 0; i < atom->nlocal + atom->nghost; ++i) {
         if (!ellipsoids_->selected(i)) continue;
         Body &body = bodies_[static_cast<std::size_t>(i)];
-        double const *const q = ellipsoids_->form(i), mass = atom->rmass[i];
+        double const *const q = ellipsoids_->form(i), mass = masses_.of(i);
         body.x = vector(atom->x[i]);
         body.v = vector(atom->v[i]);
-        body.spin = without_inertia(mass, q, vector(atom->angmom[i]));
+        body.spin = without_inertia(atom->rmass[i], q, vector(atom->angmom[i]));
         std::copy_n(q, PW85_SYM, body.form.begin());
         body.mass = (atom->mask[i] & frozen_) != 0 ? -mass : mass;
     }
@@ -383,12 +395,12 @@ void PairGranular::refuse_depth(int i, int j) const
 
 int PairGranular::pack_forward_comm(int count, int *atoms, double *buffer, int, int *)
 {
-    return ellipsoids_->pack(count, atoms, buffer);
+    return sends_masses_ ? masses_.pack(count, atoms, buffer) : ellipsoids_->pack(count, atoms, buffer);
 }
 
 void PairGranular::unpack_forward_comm(int count, int first, double *buffer)
 {
-    ellipsoids_->unpack(count, first, buffer);
+    sends_masses_ ? masses_.unpack(count, first, buffer) : ellipsoids_->unpack(count, first, buffer);
 }
 
 double PairGranular::memory_usage() { return Pair::memory_usage() + (ellipsoids_ ? ellipsoids_->bytes() : 0.0); }

@@ -4,6 +4,7 @@
 #ifndef PW85_LAMMPS_PAIR_GRANULAR_HPP_INCLUDED
 #define PW85_LAMMPS_PAIR_GRANULAR_HPP_INCLUDED
 
+#include "body_masses.hpp"
 #include "contact_history.hpp"
 #include "contact_law.hpp"
 #include "ellipsoids.hpp"
@@ -63,7 +64,7 @@ class PairGranular final : public LAMMPS_NS::Pair {
     struct alignas(64) Body {
         Vector x, v, spin; ///< spin: angular velocity
         std::array<double, PW85_SYM> form;
-        double mass; ///< of a frozen atom: negative
+        double mass; ///< of the atom, or of the rigid body of which it is a part; of a frozen atom: negative
     };
 
     /// A pair of ellipsoids that overlap.
@@ -86,6 +87,7 @@ class PairGranular final : public LAMMPS_NS::Pair {
     void add_pairs(std::size_t count, int eflag);
     void sort_by_law(std::size_t count);
     void start_at_contact_function(std::span<std::size_t const> rows);
+    void read_masses();
     void read_bodies();
     Body const &body(int i) const { return bodies_[static_cast<std::size_t>(i)]; }
     void add_row(std::size_t l);
@@ -104,6 +106,8 @@ class PairGranular final : public LAMMPS_NS::Pair {
     std::vector<double> reaches_;
     std::vector<bool> used_types_;
     std::optional<Ellipsoids> ellipsoids_;
+    BodyMasses masses_;
+    bool sends_masses_ = false; ///< whether ghosts get masses, not forms
     std::string history_id_;
     ContactHistory *history_ = nullptr;
     bool rolls_ = false; ///< whether a law resists rolling

@@ -24,13 +24,14 @@ std::string rounded_down(double value)
 
 } // namespace
 
-void TimeStepCheck::finish_step(LAMMPS_NS::Error &error, std::string const &style, double timestep)
+void TimeStepCheck::finish_step(LAMMPS_NS::LAMMPS &lammps, std::string const &style, double timestep)
 {
-    double const limit = largest_phase / std::sqrt(fastest_);
+    // In some units a force over a mass is not an acceleration.
+    double const limit = largest_phase / std::sqrt(fastest_ * lammps.force->ftm2v);
     if (warned_ || timestep <= limit) return;
     warned_ = true;
-    error.warning(FLERR, style + ": the time step is too long for the stiffest contact: use timestep " +
-                             rounded_down(limit) + " or less");
+    lammps.error->warning(FLERR, style + ": the time step is too long for the stiffest contact: use timestep " +
+                                     rounded_down(limit) + " or less");
 }
 
 } // namespace pw85_lammps

@@ -16,11 +16,11 @@ class TimeStepCheck {
   public:
     void start_run() { warned_ = false; }
     void start_step() { fastest_ = 0.0; }
-    /// @param rate stiffness over mass of a contact
+    /// @param rate stiffness over mass of a contact, in the units of LAMMPS
     void add(double rate) { fastest_ = std::max(fastest_, rate); }
 
     /// @param timestep zero while a run is set up
-    void finish_step(LAMMPS_NS::Error &error, std::string const &style, double timestep);
+    void finish_step(LAMMPS_NS::LAMMPS &lammps, std::string const &style, double timestep);
 
   private:
     double fastest_ = 0.0; ///< largest rate

@@ -5,6 +5,7 @@
 #include <pw85.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
@@ -12,6 +13,7 @@
 #include <iterator>
 #include <map>
 #include <sstream>
+#include <string_view>
 #include <tuple>
 #include <utility>
 
@@ -31,6 +33,8 @@ constexpr double on_edge = 0x1p-30;
 constexpr double least_mu2 = 0.25;
 
 constexpr std::size_t stl_head = 84, stl_record = 50; ///< bytes
+
+constexpr std::string_view vertex_word = "vertex";
 
 using Soup = std::vector<std::array<Vector, 3>>;
 
@@ -71,13 +75,20 @@ Soup read_binary(std::string const &bytes)
     words.refuse("has a bad vertex " + std::to_string(index + 1) + " in its mesh: export the file anew, as STL");
 }
 
+/// Whether a word of a text file begins a vertex. Some programs write capitals.
+bool is_vertex(std::string const &word)
+{
+    return std::equal(word.begin(), word.end(), vertex_word.begin(), vertex_word.end(),
+                      [](unsigned char a, char b) { return std::tolower(a) == b; });
+}
+
 Soup read_text(std::string const &bytes, Words const &words)
 {
     Soup soup;
     std::istringstream stream(bytes);
     std::size_t count = 0;
     for (std::string word; stream >> word;) {
-        if (word != "vertex") continue;
+        if (!is_vertex(word)) continue;
         Vector x{};
         if (!(stream >> x[0] >> x[1] >> x[2])) refuse_vertex(words, count);
         if (count % 3 == 0) soup.emplace_back();

@@ -8,6 +8,27 @@
 
 namespace pw85_lammps {
 
+/// The time that has passed in the steps of runs. Their numbers do not give it, because both they and the time step may be set anew.
+class WallClock {
+  public:
+    /// Adds steps, which may be negative.
+    void advance(double steps, double timestep)
+    {
+        if (timestep != timestep_) *this = {time(), timestep};
+        steps_ += steps;
+    }
+
+    double time() const { return start_ + steps_ * timestep_; }
+
+    WallClock() = default;
+
+  private:
+    WallClock(double start, double timestep) : start_(start), timestep_(timestep) {}
+
+    double start_ = 0.0, timestep_ = 0.0; ///< when the time step became what it is, and the time step
+    double steps_ = 0.0;                  ///< since then
+};
+
 /// The motion of a rigid wall. The coordinates of the wall are those of space at time 0.
 class WallMotion {
   public:

@@ -190,10 +190,11 @@ Side parse_side(Words &words)
 std::unique_ptr<WallSurface> parse_planes(Words &words, int axis)
 {
     auto planes = std::make_unique<HalfSpaces>();
-    for (double const side : {-1.0, 1.0}) {
-        auto const place = words.number_or_null("place", -HUGE_VAL);
-        if (place) planes->add(axis, side, *place);
-    }
+    auto const lower = words.number_or_null("place", -HUGE_VAL), upper = words.number_or_null("place", -HUGE_VAL);
+    if (!lower && !upper) words.refuse("has no plane: give one place or two, and NULL for the other");
+    if (lower && upper && !(*lower < *upper)) words.refuse("has no room: give the lower place before the upper one");
+    if (lower) planes->add(axis, -1.0, *lower);
+    if (upper) planes->add(axis, 1.0, *upper);
     return planes;
 }
 

@@ -509,6 +509,14 @@ class Errors(unittest.TestCase):
             self.check(start + words, "Pair pw85/granular: atom 3 has a bad shape or quaternion (type 2): correct it with the set "
                        "command (set ... shape, set ... quat)")
 
+    def test_respa(self):
+        grains = lattice(Grains, 2, 2.0, SHAPES[:2], 3)
+        self.check(f"{self.START}{self.LAW}\nrun_style respa 2 2 pair 1", "Pair pw85/granular does not work with run_style respa",
+                   grains=grains)
+        self.check(f"pair_style zero 3.0\npair_coeff * *\nfix wall all wall/pw85 zplane 0.0 NULL law hooke 1000 0\n"
+                   "run_style respa 2 2 pair 1", "fix wall/pw85 does not work with run_style respa",
+                   grains=dataclasses.replace(grains, periodic=False))
+
     def test_missing_laws(self):
         one = "\npair_coeff {0} {0} {1}"
         for law in ("", one.format(1, "hertz 1 0"), one.format(1, "hooke 1 0") + "\npair_coeff 1 2 hooke 1 0"):
@@ -535,12 +543,13 @@ class Errors(unittest.TestCase):
         self.check(self.START + self.LAW, "atom 1 and atom 2 (types 1 and 2) overlap more than the law of force allows", "fix pw85/fire",
                    grains=deep)
 
-    def check_time_step(self, grains, commands, style, mass):
-        """The limit of a contact with this mass is 0.2 √(m/k). It is printed with three digits, rounded down by at most 1 %."""
+    def check_time_step(self, grains, commands, style, mass, units="lj", ftm2v=1.0):
+        """The limit of a contact with this mass is 0.2 √(m/k). It is printed with three digits, rounded down by at most 1 %. A force F
+        accelerates a mass m by ftm2v F/m."""
         commands = f"comm_modify vel yes\nneighbor 0.1 bin\n{commands}\nfix move all nve/asphere"
         warning = f"{style}: the time step is too long for the stiffest contact: use timestep "
-        limit = 0.2 * np.sqrt(mass / 1000.0)
-        text, _ = run(preamble(grains) + f"{commands}\ntimestep {1.01 * limit}\nrun 2\nrun 2\n"
+        limit = 0.2 * np.sqrt(mass / (1000.0 * ftm2v))
+        text, _ = run(preamble(grains).replace("units lj", f"units {units}") + f"{commands}\ntimestep {1.01 * limit}\nrun 2\nrun 2\n"
                       f"timestep {0.99 * limit}\nrun 2\n", grains)
         found = [float(part.split()[0]) for part in text.split(warning)[1:]]
         self.assertEqual(len(found), 2, text)  # once in each of the first two runs
@@ -548,10 +557,14 @@ class Errors(unittest.TestCase):
             self.assertLessEqual(value, limit)
             self.assertGreater(value, 0.99 * limit)
 
+    # kcal/mol/Å over g/mol is 4184e-7 Å/fs², and eV/Å over g/mol is 9648.5 Å/ps². In si all units fit.
+    UNITS = ("lj", 1.0), ("si", 1.0), ("real", 4.184e-4), ("metal", 9648.5)
+
     def test_time_step(self):
         """The mass of a contact of two equal grains is half of their own."""
-        near = lattice(Grains, 2, 0.95, SHAPES[:1], 3, jitter=0.0)
-        self.check_time_step(near, f"pair_style pw85/granular{self.LAW}", "Pair pw85/granular", 0.5 * near.masses[0])
+        near = lattice(Grains, 2, 0.95, SHAPES[:1], 3, speed=0.0, jitter=0.0)
+        for units, ftm2v in self.UNITS:
+            self.check_time_step(near, f"pair_style pw85/granular{self.LAW}", "Pair pw85/granular", 0.5 * near.masses[0], units, ftm2v)
 
     def test_time_step_of_walls(self):
         """The lightest grain that touches the wall counts; the third grain, which is lighter, does not touch it."""
@@ -559,7 +572,8 @@ class Errors(unittest.TestCase):
         grains = Grains(np.diag([4.0, 4.0, 4.0]), False, np.array([[1.0, 1.0, 0.74], [3.0, 1.0, 0.39], [2.0, 3.0, 2.0]]), shapes,
                         np.tile([1.0, 0.0, 0.0, 0.0], (3, 1)), np.ones(3, dtype=int), *np.zeros((2, 3, 3)))
         wall = "pair_style zero 2.0\npair_coeff * *\nfix wall all wall/pw85 zplane 0.0 NULL law hooke 1000 0"
-        self.check_time_step(grains, wall, "fix wall/pw85", grains.masses[1])
+        for units, ftm2v in self.UNITS:
+            self.check_time_step(grains, wall, "fix wall/pw85", grains.masses[1], units, ftm2v)
 
 
 if __name__ == "__main__":

@@ -294,6 +294,15 @@ class Meshes(unittest.TestCase):
                            (f"mesh {self.file}", "box 5.0 6.9 5.1 7.0 5.0 7.1 side out"))
         self.compare(found[-1], expected[-1], 1e-9, "solid box")
 
+    def test_capitals(self):
+        """Words of the format in capitals, or in any letters."""
+        write_text(self.file, divided_box((0.0, 0.0, 0.0), (1.0, 1.0, 1.0), 1))
+        text = Path(self.file).read_text()
+        expected = self.trajectory(f"mesh {self.file} scale 4 shift 4 4 4")[-1]
+        for written in (text.upper(), text.title()):
+            Path(self.file).write_text(written)
+            np.testing.assert_array_equal(self.trajectory(f"mesh {self.file} scale 4 shift 4 4 4")[-1], expected)
+
     def test_tube(self):
         """A cylinder of many flat parts is a cylinder, up to the square of their size."""
         cylinders = Cylinders()
@@ -338,6 +347,8 @@ class Errors(unittest.TestCase):
         law = "law hooke 1000 0"
         for words, message in ((f"zcone 1.0 {law}", "unknown shape zcone: use one of box, mesh, xcylinder"),
                                (f"zcylinder 0 {law}", "has a radius of zero"),
+                               (f"xplane NULL NULL {law}", "has no plane: give one place or two"),
+                               (f"yplane 3 2 {law}", "has no room: give the lower place before the upper one"),
                                (f"zcylinder 1.0 side left {law}", "unknown side left: use one of in, out"),
                                (f"zcylinder 1.0 shear x 1.0 {law}", "shear that is not along the wall: use wiggle or rotate"),
                                (f"box 0 1 0 1 2 2 {law}", "has an empty box"),
