@@ -1,13 +1,29 @@
 # SPDX-License-Identifier: GPL-2.0-only
 """Random ellipsoids, and runs of LAMMPS on them."""
 
+import functools
 import os
+import re
 import subprocess
 import tempfile
 from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
+
+
+@functools.cache
+def release():
+    """The day of the release of LAMMPS, as (year, month, day)."""
+    text = subprocess.run([os.environ["PW85_LMP"], "-h"], text=True, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, check=False).stdout
+    day, month, year = re.search(r"Simulator - (\d+) (\w{3})\w* (\d{4})", text).groups()
+    return int(year), 1 + "Jan Feb Mar Apr May Jun Jul Aug Sep Oct Nov Dec".split().index(month), int(day)
+
+
+def has_friction_of_walls():
+    """Whether LAMMPS's own walls have the friction of its styles gran/hooke/history and gran/hertz/history, as in September 2021. In
+    the releases of February 2025 and July 2026 they have another one."""
+    return release() < (2022, 1, 1)
 
 
 @dataclass

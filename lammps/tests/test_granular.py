@@ -8,7 +8,8 @@ import unittest
 import unittest.mock
 
 import numpy as np
-from lammps_runs import System, failure, numbers, preamble, run, thermo
+import spheres
+from lammps_runs import System, failure, has_friction_of_walls, numbers, preamble, run, thermo
 
 
 @dataclasses.dataclass
@@ -114,7 +115,7 @@ def granular(law, style="", types="* *"):
 
 
 class AgainstLammps:
-    """Spheres, by a style of LAMMPS and by the same law here."""
+    """Spheres, by the formulas of the law (spheres.py), by a style of LAMMPS, and by the same law here."""
 
     # A depth has an error of some u = 1e-16 times the distance of the centres, 1. The stiffest force grows by less than 2e4 for each unit
     # of depth and is some 200, so that it errs by some 1e-14. The errors grow along the trajectory.
@@ -134,41 +135,62 @@ class AgainstLammps:
             scale = np.abs(expected[:, columns]).max()
             np.testing.assert_allclose(found[:, columns], expected[:, columns], rtol=0, atol=tolerance * scale, err_msg=name)
 
-    def check(self, laws, *runs, first_half="", spheres=None):
+    def check(self, laws, *runs, first_half="", spheres=None, motion=None):
+        """Compares with LAMMPS's style, or with a motion by the formulas; if it is given, LAMMPS's style is compared with it, too."""
         spheres = spheres or self.spheres()
-        expected = move(spheres, laws[0], 200, first_half="pause" if first_half else "")
-        self.assertGreater(np.count_nonzero(np.abs(expected[0][:, 7:10]).max(axis=1)), 40, "hardly any contacts")
+        start = self.trajectory if first_half else self.forces
+        expected = None
+        if motion:
+            if first_half:
+                motion.run(200).set_up()
+            expected = [motion.state(), motion.run(200).state()]
+        if laws[0]:
+            theirs = move(spheres, laws[0], 200, first_half="pause" if first_half else "")
+            expected = expected or theirs
+            self.compare(theirs[0], expected[0], start, laws[0])
+            self.compare(theirs[-1], expected[-1], self.trajectory, laws[0])
+        self.assertGreater(np.count_nonzero(np.abs(expected[-1][:, 7:10]).max(axis=1)), 40, "hardly any contacts")
         for ranks, newton in runs:
             found = move(Grains(**vars(spheres)), laws[1], 200, ranks, newton, first_half)
             name = f"{laws[1]} {ranks} {newton} {first_half}"
-            self.compare(found[0], expected[0], self.trajectory if first_half else self.forces, name)
+            self.compare(found[0], expected[0], start, name)
             self.compare(found[-1], expected[-1], self.trajectory, name)
 
+    def check_motion(self, case, *runs, first_half=""):
+        """A law and walls, with LAMMPS beside them where its release has them."""
+        law, walls, words, lammps = case
+        ours = granular(law.words(), "arms surface") + words
+        theirs = f"pair_style gran/{law.lammps()}\npair_coeff * *{lammps}"
+        has_law = not lammps or has_friction_of_walls()
+        motion = spheres.Motion(self.spheres(), law, walls, periodic=(True, True, not walls))
+        self.check((theirs if has_law else None, ours), *runs, first_half=first_half, motion=motion)
+
     def test_hooke(self):
-        self.check(self.HOOKE, (1, "on"), (2, "off"))
+        self.check_motion(self.HOOKE, (1, "on"), (2, "off"))
 
     def test_hertz(self):
-        self.check(self.HERTZ, (1, "on"), (4, "on"))
+        self.check_motion(self.HERTZ, (1, "on"), (4, "on"))
 
     def test_restart(self):
-        """After a restart, spheres move as in a run of LAMMPS's own style that has only paused."""
-        self.check(self.HOOKE, (2, "on"), first_half="end")
-        self.check(self.HERTZ, (2, "on"), first_half="middle")
+        """After a restart, spheres move as if nothing had happened."""
+        self.check_motion(self.HOOKE, (2, "on"), first_half="end")
+        self.check_motion(self.HERTZ, (2, "on"), first_half="middle")
 
+
+HOOKE_LAW = spheres.Law("hooke", 10000, 20, 4000, 0.5, 0.4)
+HERTZ_LAW = spheres.Law("hertz", 100000, 200, 80000, 0.5, 0.5)
 
 # LAMMPS's own law, and the same one here.
-HOOKE = ("pair_style gran/hooke/history 10000 4000 20 10 0.4 1\npair_coeff * *",
-         granular("hooke 10000 20 damping mass_velocity tangential linear_history 4000 0.5 0.4", "arms surface"))
+HOOKE = (f"pair_style gran/{HOOKE_LAW.lammps()}\npair_coeff * *", granular(HOOKE_LAW.words(), "arms surface"))
 
 
 class Pairs(AgainstLammps, unittest.TestCase):
-    HOOKE = HOOKE
-    HERTZ = ("pair_style gran/hertz/history 100000 80000 200 100 0.5 1\npair_coeff * *",
-             granular("hertz 100000 200 tangential mindlin 80000 0.5 0.5", "arms surface"))
+    HOOKE = HOOKE_LAW, (), "", ""
+    HERTZ = HERTZ_LAW, (), "", ""
 
     def test_frozen(self):
         """A sphere in the group of fix freeze is as heavy as an infinite mass, which damping depends on."""
-        self.check([law + "\ngroup ice id 1:64:3\nfix ice ice freeze" for law in self.HOOKE], (2, "on"))
+        self.check([law + "\ngroup ice id 1:64:3\nfix ice ice freeze" for law in HOOKE], (2, "on"))
 
     def test_materials(self):
         """Forces without spin and without springs do not depend on the arms, which pair_style granular mixes."""
@@ -239,12 +261,12 @@ class Pairs(AgainstLammps, unittest.TestCase):
             quaternions=np.tile([1.0, 0.0, 0.0, 0.0], (3, 1)), types=np.ones(3, dtype=int),
             velocities=np.array([[15.0, 0.0, 1.0], [-9.0, 2.0, 0.0], [-3.0, -1.0, 0.0]]), spins=np.array([[0.0, 1.0, 2.0]] * 3))
         expected, found = (move(kind(**vars(spheres)), law + "\nneighbor 0.9 bin", 400)[-1]
-                           for kind, law in zip((Spheres, Grains), self.HOOKE, strict=True))
-        self.compare(found, expected, self.trajectory, self.HOOKE[1])
+                           for kind, law in zip((Spheres, Grains), HOOKE, strict=True))
+        self.compare(found, expected, self.trajectory, HOOKE[1])
 
     def test_freeze(self):
         """A contact with a grain of fix freeze has the mass of the other one, as in LAMMPS."""
-        self.check([law + "\ngroup still id <= 20\nfix still still freeze" for law in self.HOOKE], (2, "on"))
+        self.check([law + "\ngroup still id <= 20\nfix still still freeze" for law in HOOKE], (2, "on"))
 
     def test_mixing_as_lammps(self):
         """LAMMPS's release of September 2021 mixes constants, but leaves the words of the mixed law as they are in its memory. If memory
@@ -265,22 +287,28 @@ class Pairs(AgainstLammps, unittest.TestCase):
 
 
 class Walls(AgainstLammps, unittest.TestCase):
-    """Spheres between planes, as in LAMMPS's own fix wall/gran."""
+    """Spheres between planes, one of which may move."""
 
-    HOOKE = tuple(pair + wall for pair, wall in zip(Pairs.HOOKE, (
-        "\nfix wall all wall/gran hooke/history 20000 8000 30 15 0.3 1 zplane 0.05 3.95 shear x 3.0",
-        "\nfix wall all wall/pw85 zplane 0.05 3.95 shear x 3.0 arms surface law "
-        "hooke 20000 30 damping mass_velocity tangential linear_history 8000 0.5 0.3"), strict=True))
-    HERTZ = tuple(pair + wall for pair, wall in zip(Pairs.HERTZ, (
-        "\nfix wall all wall/gran hertz/history 200000 80000 300 150 0.3 1 zplane 0.05 NULL wiggle z 0.02 0.13"
-        "\nfix top all wall/gran hertz/history 200000 80000 300 150 0.3 1 zplane NULL 3.95",
-        "\nfix wall all wall/pw85 zplane 0.05 NULL wiggle z 0.02 0.13 arms surface law "
-        "hertz 200000 300 tangential mindlin 80000 0.5 0.3"
-        "\nfix top all wall/pw85 zplane NULL 3.95 arms surface law hertz 200000 300 tangential mindlin 80000 0.5 0.3"), strict=True))
+    HOOKE_WALL = spheres.Law("hooke", 20000, 30, 8000, 0.5, 0.3)
+    HERTZ_WALL = spheres.Law("hertz", 200000, 300, 80000, 0.5, 0.3)
+    SHEARED = spheres.Wall(HOOKE_WALL, spheres.planes((2, -1.0, 0.05), (2, 1.0, 3.95)),
+                           lambda time: lambda x: np.broadcast_to([3.0, 0.0, 0.0], x.shape))
+    HOOKE = (HOOKE_LAW, (SHEARED,), f"\nfix wall all wall/pw85 zplane 0.05 3.95 shear x 3.0 arms surface law {HOOKE_WALL.words()}",
+             f"\nfix wall all wall/gran {HOOKE_WALL.lammps()} zplane 0.05 3.95 shear x 3.0")
+    WIGGLED = spheres.Wall(
+        HERTZ_WALL, spheres.moved(spheres.planes((2, -1.0, 0.05)),
+                                  lambda time: 0.02 * (1.0 - np.cos(2.0 * np.pi * time / 0.13)) * np.array([0.0, 0.0, 1.0])),
+        lambda time: lambda x: np.broadcast_to([0.0, 0.0, 0.02 * 2.0 * np.pi / 0.13 * np.sin(2.0 * np.pi * time / 0.13)], x.shape))
+    TOP = spheres.Wall(HERTZ_WALL, spheres.planes((2, 1.0, 3.95)))
+    HERTZ = (HERTZ_LAW, (WIGGLED, TOP),
+             f"\nfix wall all wall/pw85 zplane 0.05 NULL wiggle z 0.02 0.13 arms surface law {HERTZ_WALL.words()}"
+             f"\nfix top all wall/pw85 zplane NULL 3.95 arms surface law {HERTZ_WALL.words()}",
+             f"\nfix wall all wall/gran {HERTZ_WALL.lammps()} zplane 0.05 NULL wiggle z 0.02 0.13"
+             f"\nfix top all wall/gran {HERTZ_WALL.lammps()} zplane NULL 3.95")
 
     def spheres(self, still=False):
-        spheres = super().spheres(still)
-        return dataclasses.replace(spheres, velocities=spheres.velocities + [0.0, 0.0, 7.0])
+        grains = super().spheres(still)
+        return dataclasses.replace(grains, velocities=grains.velocities + [0.0, 0.0, 7.0])
 
 
 # Ellipsoids with axis ratios up to 3, prolate, oblate and triaxial, of two sizes.

@@ -1,9 +1,8 @@
 # SPDX-License-Identifier: GPL-2.0-only
-"""Walls of all shapes: spheres against LAMMPS's own walls, ellipsoids against brute force, meshes against planes and cylinders."""
+"""Walls of all shapes: spheres against the formulas of their law and LAMMPS's own walls, ellipsoids against brute force, meshes against planes and cylinders."""
 
 import ctypes
 import dataclasses
-import functools
 import os
 import struct
 import tempfile
@@ -11,11 +10,13 @@ import unittest
 from pathlib import Path
 
 import numpy as np
-from lammps_runs import failure, preamble
+import spheres
+from lammps_runs import failure, has_friction_of_walls, preamble
 from scipy.optimize import brentq
-from test_granular import HOOKE, SHAPES, AgainstLammps, Grains, Spheres, energies, granular, lattice, move, rotation
+from test_granular import HOOKE, HOOKE_LAW, SHAPES, AgainstLammps, Grains, Spheres, energies, granular, lattice, move, rotation
 
-LAW = "hooke 20000 30 damping mass_velocity tangential linear_history 8000 0.5 0.3"
+WALL_LAW = spheres.Law("hooke", 20000, 30, 8000, 0.5, 0.3)
+LAW = WALL_LAW.words()
 MIDDLE = np.array([6.0, 6.0, 6.0])  # of the box of 12³ in which all tests take place
 
 
@@ -31,65 +32,66 @@ def in_large_box(grains, keep=slice(None)):
 
 
 class AgainstRegions(unittest.TestCase):
-    """Spheres and the walls of LAMMPS's own fix wall/gran/region, to rounding."""
+    """Spheres and walls by the formulas of the law, to rounding; beside them LAMMPS's own fix wall/gran/region, where its release has
+    this law."""
 
     forces, trajectory = AgainstLammps.forces, AgainstLammps.trajectory
     compare = AgainstLammps.compare
 
-    @staticmethod
-    @functools.cache
-    def alone(places):
-        """How the spheres at these places move without walls."""
-        spheres = AgainstRegions().spheres()
-        keep = [tuple(place) in places for place in spheres.centers]
-        return move(in_large_box(spheres, keep), HOOKE[0], 200)
-
     def spheres(self):
-        spheres = lattice(Spheres, 4, 1.0, [[0.5, 0.5, 0.5], [0.52, 0.52, 0.52]], 5)
-        return in_large_box(dataclasses.replace(spheres, velocities=9.0 * spheres.velocities))
+        grains = lattice(Spheres, 4, 1.0, [[0.5, 0.5, 0.5], [0.52, 0.52, 0.52]], 5)
+        return in_large_box(dataclasses.replace(grains, velocities=9.0 * grains.velocities))
 
     def check_region(self, region, ours, *others, **more):
-        theirs = f"{region}\nfix wall all wall/gran/region hooke/history 20000 8000 30 15 0.3 1 region wall"
-        self.check_wall(theirs, ours, *others, **more)
+        self.check_wall(f"{region}\nfix wall all wall/gran/region {WALL_LAW.lammps()} region wall", ours, *others, **more)
 
-    def check_wall(self, theirs, ours, keep=slice(None), first=True, ranks=(1,)):
+    def check_wall(self, theirs, ours, faces, velocity=None, keep=slice(None), first=True, ranks=(1,)):
         """`first`: whether spheres touch the wall at the start. LAMMPS's regions have no velocity then, even if they move."""
-        spheres = in_large_box(self.spheres(), keep)
-        alone = self.alone(frozenset(map(tuple, spheres.centers)))
-        expected = move(spheres, f"{HOOKE[0]}\n{theirs}", 200)
-        touched = np.count_nonzero(np.abs(expected[-1] - alone[-1]).max(axis=1) > 1e-6)
+        grains = in_large_box(self.spheres(), keep)
+        alone, touching = (spheres.Motion(grains, HOOKE_LAW, walls, periodic=(False, False, False))
+                           for walls in ((), (spheres.Wall(WALL_LAW, faces, velocity),)))
+        self.assertEqual(first, np.abs(touching.forces - alone.forces).max() > 0.0)
+        start, end = touching.state(), touching.run(200).state()
+        touched = np.count_nonzero(np.abs(end - alone.run(200).state()).max(axis=1) > 1e-6)
         self.assertGreater(touched, 5, f"hardly any sphere touches {ours}")
+        if has_friction_of_walls():
+            self.compare(move(grains, f"{HOOKE[0]}\n{theirs}", 200)[-1], end, self.trajectory, theirs)
         for count in ranks:
-            found = move(Grains(**vars(spheres)), HOOKE[1] + wall(ours), 200, count)
-            self.assertEqual(first, np.abs(expected[0][:, 7:10] - alone[0][:, 7:10]).max() > 0.0)
-            self.compare(found[0], expected[0], self.forces, ours)
-            self.compare(found[-1], expected[-1], self.trajectory, ours)
+            found = move(Grains(**vars(grains)), HOOKE[1] + wall(ours), 200, count)
+            self.compare(found[0], start, self.forces, ours)
+            self.compare(found[-1], end, self.trajectory, ours)
 
     def test_cylinders(self):
-        for axis in "xyz":
+        for k, axis in enumerate("xyz"):
             self.check_region(f"region wall cylinder {axis} 6.1 5.9 2.3 INF INF side in", f"{axis}cylinder 2.3 at 6.1 5.9",
-                              ranks=(2,) if axis == "z" else (1,))
+                              spheres.cylinder(k, 2.3, (6.1, 5.9)), ranks=(2,) if axis == "z" else (1,))
 
     def test_outside_of_a_cylinder(self):
         keep = np.hypot(*(self.spheres().centers - MIDDLE)[:, :2].T) > 0.8
-        self.check_region("region wall cylinder z 6.1 6.0 0.4 INF INF side out", "zcylinder 0.4 at 6.1 6.0 side out", keep, first=False)
+        self.check_region("region wall cylinder z 6.1 6.0 0.4 INF INF side out", "zcylinder 0.4 at 6.1 6.0 side out",
+                          spheres.cylinder(2, 0.4, (6.1, 6.0), -1.0), keep=keep, first=False)
 
     def test_boxes(self):
         # Three fixes with planes: LAMMPS's region of a box moves a sphere that touches two faces in another way.
-        planes = "".join(f"\nfix {axis} all wall/gran hooke/history 20000 8000 30 15 0.3 1 {axis}plane {place}"
-                         for axis, place in (("x", "4.1 7.9"), ("y", "4.05 8.1"), ("z", "3.9 8.0")))
-        self.check_wall(planes, "box 4.1 7.9 4.05 8.1 3.9 8.0", ranks=(2,))
+        places = (0, 4.1, 7.9), (1, 4.05, 8.1), (2, 3.9, 8.0)
+        theirs = "".join(f"\nfix {k} all wall/gran {WALL_LAW.lammps()} {'xyz'[k]}plane {low} {high}" for k, low, high in places)
+        faces = spheres.planes(*((k, side, place) for k, low, high in places for side, place in ((-1.0, low), (1.0, high))))
+        self.check_wall(theirs, "box 4.1 7.9 4.05 8.1 3.9 8.0", faces, ranks=(2,))
         keep = np.abs(self.spheres().centers - MIDDLE).max(axis=1) > 0.8
-        self.check_region("region wall block 5.0 6.9 5.1 7.0 5.0 7.1 side out", "box 5.0 6.9 5.1 7.0 5.0 7.1 side out", keep)
+        self.check_region("region wall block 5.0 6.9 5.1 7.0 5.0 7.1 side out", "box 5.0 6.9 5.1 7.0 5.0 7.1 side out",
+                          spheres.solid_box((5.0, 5.1, 5.0), (6.9, 7.0, 7.1)), keep=keep)
 
     def test_motions(self):
         turn = "variable turn equal 2*PI*step*dt/0.7\nregion wall {} rotate v_turn 6.1 5.9 6 {}"
+        pivot = (6.1, 5.9, 6.0)
         self.check_region(turn.format("cylinder z 6.1 5.9 2.9 INF INF side in", "0 0 1"),
-                        "zcylinder 2.9 at 6.1 5.9 rotate 6.1 5.9 6 0 0 1 0.7", first=False)
+                          "zcylinder 2.9 at 6.1 5.9 rotate 6.1 5.9 6 0 0 1 0.7",
+                          *spheres.rotated(spheres.cylinder(2, 2.9, (6.1, 5.9)), pivot, (0, 0, 1), 0.7), first=False)
         # The length of the axis is 1, because LAMMPS's regions take the velocity of a point to be proportional to it. No sphere reaches
         # two faces: see test_boxes().
         self.check_region(turn.format("block 3.5 8.5 -20 20 -20 20 side in", "0.48 0.6 0.64"),
-                        "box 3.5 8.5 -20 20 -20 20 rotate 6.1 5.9 6 0.48 0.6 0.64 0.7", first=False)
+                          "box 3.5 8.5 -20 20 -20 20 rotate 6.1 5.9 6 0.48 0.6 0.64 0.7",
+                          *spheres.rotated(spheres.planes((0, -1.0, 3.5), (0, 1.0, 8.5)), pivot, (0.48, 0.6, 0.64), 0.7), first=False)
 
 
 def forces_of(grains, fix, ranks=1):
@@ -289,8 +291,8 @@ class Meshes(unittest.TestCase):
         """Inside and outside are the same surface; the grains say on which side they are."""
         write_text(self.file, divided_box((5.0, 5.1, 5.0), (6.9, 7.0, 7.1), 3))
         keep = np.abs(self.spheres().centers - MIDDLE).max(axis=1) > 0.8
-        spheres = in_large_box(Grains(**vars(self.spheres())), keep)
-        found, expected = (move(spheres, granular(LAW) + wall(shape), 200) for shape in
+        grains = in_large_box(Grains(**vars(self.spheres())), keep)
+        found, expected = (move(grains, granular(LAW) + wall(shape), 200) for shape in
                            (f"mesh {self.file}", "box 5.0 6.9 5.1 7.0 5.0 7.1 side out"))
         self.compare(found[-1], expected[-1], 1e-9, "solid box")
 
