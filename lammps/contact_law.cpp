@@ -39,15 +39,18 @@ double larger(double a, double b) { return a > b ? a : b; }
 
 constexpr double tiny = std::numeric_limits<double>::min();
 
-/// 1 for positive numbers, 0 for zero.
-double one_if_positive(double x) { return x / larger(x, tiny); }
+} // namespace
 
-/// A vector of the same length, along its part in the tangent plane.
 Vector turn_into_plane(Vector const &x, Vector const &normal)
 {
     Vector const part = without_part_along(x, normal);
     return std::sqrt(dot(x, x) / larger(dot(part, part), tiny)) * part;
 }
+
+namespace {
+
+/// 1 for positive numbers, 0 for zero.
+double one_if_positive(double x) { return x / larger(x, tiny); }
 
 /// The spring and the damper of a contact, and the largest force that they can have.
 struct Slider {
@@ -111,15 +114,18 @@ double mass_of_contact(double m1, double m2)
 /// A law at some contacts.
 struct RowLaw {
     LawConstants constants;
-    double arms, timestep;
+    double inward_force, inward_motion; ///< how far from the surfaces forces act and velocities count, over the depth
+    double timestep;
     std::size_t begin, end;
 
     template <bool rolls> void react(GrainSearch::Rows const &geometry, ContactRows &rows, std::size_t l) const
     {
-        Vector const normal = load(geometry.turned, l), inward = arms * geometry.depth[l] * normal;
-        Vector const arm1 = load(geometry.arm1, l) - inward, arm2 = load(geometry.arm2, l) + inward;
+        Vector const normal = load(geometry.turned, l), overlap = geometry.depth[l] * normal;
+        Vector const end1 = load(geometry.arm1, l), end2 = load(geometry.arm2, l);
+        Vector const arm1 = end1 - inward_force * overlap, arm2 = end2 + inward_force * overlap;
+        Vector const place1 = end1 - inward_motion * overlap, place2 = end2 + inward_motion * overlap;
         Vector const spin1 = load(rows.spin1, l), spin2 = load(rows.spin2, l);
-        Vector const velocity = load(rows.velocity, l) + cross(spin1, arm1) - cross(spin2, arm2);
+        Vector const velocity = load(rows.velocity, l) + cross(spin1, place1) - cross(spin2, place2);
         double const mass = mass_of_contact(rows.mass1[l], rows.mass2[l]), share = rows.share[l];
         Springs springs{load(rows.sliding, l), rolls ? load(rows.rolling, l) : Vector{}};
         Encounter const e{normal, geometry.depth[l], geometry.radius[l], mass, velocity, spin1 - spin2, timestep};
@@ -281,9 +287,13 @@ Reaction ContactLaw::react(Encounter const &e, Springs &springs) const
 }
 
 void ContactLaw::react(GrainSearch::Rows const &geometry, ContactRows &rows, std::size_t first, std::size_t count,
-                       double arms, double timestep) const
+                       Arms arms, double timestep) const
 {
-    RowLaw const law{constants_, arms, timestep, first, first + count};
+    if (arms == Arms::granular)
+        for (std::size_t l = first; l < first + count; ++l)
+            store(turn_into_plane(load(rows.sliding, l), load(geometry.turned, l)), rows.sliding, l);
+    double const inward_force = arms == Arms::surface ? 0.0 : 0.5, inward_motion = arms == Arms::contact ? 0.5 : 0.0;
+    RowLaw const law{constants_, inward_force, inward_motion, timestep, first, first + count};
     resists_rolling_ ? react_rolling(law, geometry, rows) : react_sliding(law, geometry, rows);
 }
 

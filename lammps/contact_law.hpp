@@ -16,6 +16,22 @@
 
 namespace pw85_lammps {
 
+/// Where the force of a contact acts on each body: at the middle of the overlap, or at the deepest points of both surfaces, as in
+/// LAMMPS's gran/hooke/history and gran/hertz/history. The second choice does not conserve angular momentum. The third one is
+/// that of LAMMPS's style granular: the force acts at the middle, or on a wall at the surface of the grain; velocities are those
+/// of the deepest points; and springs keep their lengths when they turn with the contact.
+enum class Arms { contact, surface, granular };
+
+/// Reads `contact | surface | granular`.
+inline Arms parse_arms(Words &words)
+{
+    return words.choice<Arms>("place of its arms",
+                              {{"contact", Arms::contact}, {"surface", Arms::surface}, {"granular", Arms::granular}});
+}
+
+/// A vector of the same length, along its part in the tangent plane.
+Vector turn_into_plane(Vector const &x, Vector const &normal);
+
 /// What a law needs to know of a contact. Velocities are those of the first body relative to the second, at the contact.
 struct Encounter {
     Vector normal; ///< unit vector, out of the first body
@@ -102,8 +118,7 @@ class ContactLaw {
 
     /// Computes the forces of contacts from their geometry. Results are meaningless for pairs that do not overlap.
     ///
-    /// @param arms how far from the surfaces the forces act, as a part of the depth
-    void react(GrainSearch::Rows const &geometry, ContactRows &rows, std::size_t first, std::size_t count, double arms,
+    void react(GrainSearch::Rows const &geometry, ContactRows &rows, std::size_t first, std::size_t count, Arms arms,
                double timestep) const;
 
   private:

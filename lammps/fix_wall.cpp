@@ -50,8 +50,7 @@ void FixWall::parse(int narg, char **arg)
     Words words(lmp, std::string(style_name) + ": the wall", narg - 3, arg + 3);
     surface_ = WallSurface::parse(words);
     motion_.parse(words, *surface_);
-    if (words.skip("arms"))
-        arms_at_surface_ = words.choice<bool>("place of its arms", {{"contact", false}, {"surface", true}});
+    if (words.skip("arms")) arms_ = parse_arms(words);
     if (!words.skip("law")) words.refuse("lacks the word law, which follows its shape, its motion and its arms");
     law_ = ContactLaw::parse(lmp, style_name, words.num_left(), words.left());
 }
@@ -152,7 +151,8 @@ void FixWall::inherit_springs(std::vector<Contact> &before, std::vector<Contact>
 void FixWall::push(int i, GrainGeometry const &contact, Springs &springs)
 {
     GrainGeometry g = contact;
-    if (!arms_at_surface_) g.meet_in_the_middle();
+    if (arms_ == Arms::contact) g.meet_in_the_middle();
+    if (arms_ == Arms::granular) springs.sliding = turn_into_plane(springs.sliding, g.normal);
     Vector const spin = without_inertia(atom->rmass[i], ellipsoids_->form(i), vector(atom->angmom[i]));
     Vector const velocity = vector(atom->v[i]) + cross(spin, g.arm1) - motion_.velocity(vector(atom->x[i]) + g.arm2);
     Encounter const e{g.normal, g.depth, g.radius, masses_.of(i), velocity, spin - motion_.spin(), timestep_};

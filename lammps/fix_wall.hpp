@@ -69,7 +69,7 @@ class FixWall final : public LAMMPS_NS::Fix {
     WallMotion motion_;
     WallClock clock_;
     LAMMPS_NS::bigint step_; ///< up to which time has passed
-    bool arms_at_surface_ = false;
+    Arms arms_ = Arms::contact;
     ContactLaw law_;
     std::optional<Ellipsoids> ellipsoids_;
     BodyMasses masses_;

@@ -65,13 +65,10 @@ void PairGranular::settings(int narg, char **arg)
         if (!(cutoff_ > 0.0 && std::isfinite(cutoff_)))
             stop_all(*error, std::string(style_name) + ": the cutoff must be positive and finite");
     }
-    for (; k + 1 < narg && std::strcmp(arg[k], "arms") == 0; k += 2) {
-        std::string const where = arg[k + 1];
-        if (where != "contact" && where != "surface") break;
-        arms_ = where == "contact" ? Arms::contact : Arms::surface;
-    }
-    if (k != narg)
-        stop_all(*error, "Illegal pair_style command: use pair_style pw85/granular [cutoff] [arms contact|surface]");
+    Words words(lmp, std::string(style_name) + ": the pair_style command", narg - k, arg + k);
+    while (words.skip("arms")) arms_ = parse_arms(words);
+    if (!words.done())
+        words.refuse("has too many words: use pair_style pw85/granular [cutoff] [arms contact|surface|granular]");
     if (!history_) add_history();
     if (!allocated && domain->box_exist) allocate();
 }
@@ -297,10 +294,9 @@ GrainGeometry PairGranular::contact_from_anew(std::size_t l)
 /// Computes the forces and torques of all rows, law by law.
 void PairGranular::react(std::size_t count)
 {
-    double const arms = arms_ == Arms::contact ? 0.5 : 0.0;
     for (std::size_t l = 0, end = 0; l < count; l = end) {
         while (end < count && overlaps_[end].law == overlaps_[l].law) ++end;
-        materials_[overlaps_[l].law].law.react(search_.rows(), rows_, l, end - l, arms, timestep_);
+        materials_[overlaps_[l].law].law.react(search_.rows(), rows_, l, end - l, arms_, timestep_);
     }
 }
 
@@ -342,7 +338,7 @@ void PairGranular::add_gradient(std::size_t l, Vector &f, Vector &torque1, Vecto
 void PairGranular::keep_touch(std::size_t l, Vector const &f)
 {
     GrainGeometry g = search_.contact(l);
-    if (arms_ == Arms::contact) g.meet_in_the_middle();
+    if (arms_ != Arms::surface) g.meet_in_the_middle();
     touches_.push_back({overlaps_[l].i, overlaps_[l].j, g.arm1, g.normal, f, g.depth});
 }
 

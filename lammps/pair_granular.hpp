@@ -50,10 +50,6 @@ class PairGranular final : public LAMMPS_NS::Pair {
     std::vector<Touch> const &touches() const { return touches_; }
 
   private:
-    /// Where the force of a contact acts on each body: at the middle of the overlap, or at the deepest points of both surfaces, as in
-    /// LAMMPS's gran/hooke/history and gran/hertz/history. The second choice does not conserve angular momentum.
-    enum class Arms { contact, surface };
-
     struct Material {
         ContactLaw law;
         bool conserves = false; ///< whether the force is minus the gradient of the energy, of which R is a part

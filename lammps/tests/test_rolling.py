@@ -5,46 +5,70 @@ import dataclasses
 import unittest
 
 import numpy as np
-from test_granular import AgainstLammps, Grains, Spheres, granular, lattice, move
+import spheres
+from test_granular import HERTZ_LAW, HOOKE_LAW, AgainstLammps, Grains, Spheres, granular, lattice, move
 
 # The spring, the damper and the limit all act: the spheres start to roll, slide through the limit, and turn back.
 ROLLING = "rolling sds 3000 5 0.1"
 
 
 class AgainstGranular(unittest.TestCase):
-    """Without friction, because LAMMPS's pair_style granular has other arms for it."""
+    """LAMMPS's pair_style granular has other arms for friction than the default here."""
 
     compare = AgainstLammps.compare
-    LAWS = (("hooke 10000 20 damping mass_velocity tangential linear_nohistory 0 0 ", "hooke 10000 20 damping mass_velocity "),
-            ("hertz/material 200000 40 0.3 damping velocity tangential linear_nohistory 0 0 ",
-             "hertz/material 200000 40 0.3 damping velocity "))
+    NO_FRICTION = (("hooke 10000 20 damping mass_velocity tangential linear_nohistory 0 0 ", "hooke 10000 20 damping mass_velocity "),
+                   ("hertz/material 200000 40 0.3 damping velocity tangential linear_nohistory 0 0 ",
+                    "hertz/material 200000 40 0.3 damping velocity "))
+    FRICTION = (HOOKE_LAW.words(), HERTZ_LAW.words(),
+                "hertz/material 200000 0.7 0.3 damping tsuji tangential mindlin NULL 0.6 0.5",
+                "hooke 10000 20 damping mass_velocity tangential linear_nohistory 0.5 0.4")
 
     # Neighbour lists that hold for the whole run. When LAMMPS's style finds a pair in the other order in a new list, it reverses the
     # rolling spring, which is the same from both sides.
     LISTS = "\nneighbor 0.5 bin"
 
     def spheres(self):
-        spheres = lattice(Spheres, 4, 1.0, [[0.5, 0.5, 0.5], [0.52, 0.52, 0.52]], 5)
-        return dataclasses.replace(spheres, spins=3.0 * spheres.spins)
+        grains = lattice(Spheres, 4, 1.0, [[0.5, 0.5, 0.5], [0.52, 0.52, 0.52]], 5)
+        return dataclasses.replace(grains, spins=3.0 * grains.spins)
 
     def check(self, theirs, ours, steps, tolerance, ranks, least=20):
-        spheres = self.spheres()
-        expected = move(spheres, theirs, steps)[-1]
+        grains = self.spheres()
+        expected = move(grains, theirs, steps)[-1]
         self.assertGreater(np.count_nonzero(np.abs(expected[:, 10:13]).max(axis=1) > 0.1), least, "hardly any torques")
-        self.compare(move(Grains(**vars(spheres)), ours, steps, ranks)[-1], expected, tolerance, ours)
+        self.compare(move(Grains(**vars(grains)), ours, steps, ranks)[-1], expected, tolerance, ours)
+
+    def check_pairs(self, theirs, ours, style=""):
+        laws = f"pair_style granular\npair_coeff * * {theirs}{ROLLING}{self.LISTS}", granular(ours + ROLLING, style) + self.LISTS
+        # Each step adds some u to positions, and the stiffness turns them into errors of forces: see AgainstLammps.
+        self.check(*laws, 10, 1e-12, 1)
+        self.check(*laws, 100, 1e-9, 2)
 
     def test_pairs(self):
-        for theirs, ours in self.LAWS:
-            laws = f"pair_style granular\npair_coeff * * {theirs}{ROLLING}{self.LISTS}", granular(ours + ROLLING) + self.LISTS
-            # Each step adds some u to positions, and the stiffness turns them into errors of forces: see AgainstLammps.
-            self.check(*laws, 10, 1e-12, 1)
-            self.check(*laws, 100, 1e-9, 2)
+        for theirs, ours in self.NO_FRICTION:
+            self.check_pairs(theirs, ours)
+
+    def test_friction_of_pairs(self):
+        for law in self.FRICTION:
+            self.check_pairs(f"{law} ", f"{law} ", "arms granular")
+
+    def check_wall(self, theirs, ours, wall, arms, steps, tolerance):
+        self.check(f"pair_style granular\npair_coeff * * {theirs}\nfix wall all wall/gran granular {theirs}{ROLLING} {wall}",
+                   granular(ours, arms) + f"\nfix wall all wall/pw85 {wall} {arms} law {ours}{ROLLING}", steps, tolerance, 2, least=5)
 
     def test_walls(self):
-        theirs, ours = self.LAWS[0]
-        wall = "zplane 0.05 3.95"
-        self.check(f"pair_style granular\npair_coeff * * {theirs}\nfix wall all wall/gran granular {theirs}{ROLLING} {wall}",
-                   granular(ours) + f"\nfix wall all wall/pw85 {wall} law {ours}{ROLLING}", 200, 1e-9, 2, least=5)
+        self.check_wall(*self.NO_FRICTION[0], "zplane 0.05 3.95", "", 200, 1e-9)
+
+    def test_friction_of_walls(self):
+        for law in self.FRICTION[:2]:
+            self.check_wall(f"{law} ", f"{law} ", "zplane 0.05 3.95", "arms granular", 100, 1e-9)
+
+    def test_formulas(self):
+        """The same forces follow from the formulas, without rolling, which these do not have."""
+        grains = self.spheres()
+        for law in (HOOKE_LAW, HERTZ_LAW):
+            motion = spheres.Motion(grains, law, arms="granular").run(200).state()
+            found = move(Grains(**vars(grains)), granular(law.words(), "arms granular"), 200, 2)[-1]
+            self.compare(found, motion, 1e-9, law.words())
 
 
 class Walls(unittest.TestCase):
