@@ -205,6 +205,7 @@ def relax(system: System, steps: int = 20000, stage: Callable[[str], object] = s
     RelaxationInterrupted
         Ctrl-C. It has the same attribute, and is a KeyboardInterrupt.
     """
+    system.require_three_dimensions("a relaxation")
     soft = _Soft(system)
     best, least = (soft.centers, soft.quaternions), np.inf
     try:

@@ -105,6 +105,7 @@ class HardEllipsoids:
     def __init__(self, system: System, seed: SupportsIndex = 1) -> None:
         if not isinstance(system, System):
             raise TypeError(f"HardEllipsoids: system is no pypw85.System: {type(system).__name__}")
+        system.require_three_dimensions("a simulation of hard ellipsoids")
         number = operator.index(seed)
         if not 0 <= number < 2**64:
             raise ValueError(f"seed is no integer from 0 to 2**64 - 1: {number}")

@@ -83,6 +83,7 @@ def director(system: System) -> Floats:
 
 def principal_directions(system: System) -> Floats:
     """Unit vectors (n, 3) along the axes whose lengths differ most from the middle ones; NaN for spheres, which have no such axes."""
+    system.require_three_dimensions("the nematic order")
     order = np.argsort(system.semi_axes, axis=1)
     short, middle, long = np.take_along_axis(system.semi_axes, order, axis=1).T
     axes = np.eye(3)[np.where(long * short >= middle**2, order[:, 2], order[:, 0])]
@@ -200,6 +201,7 @@ def correlation(system: System, reach: float = 2.0, bins: int = 100) -> Correlat
     ValueError
         There is no cell.
     """
+    system.require_three_dimensions("a pair correlation")
     if system.cell is None:
         raise ValueError("a pair correlation needs a cell, for the density: give one (--cell)")
     found = system.neighbors(reach)

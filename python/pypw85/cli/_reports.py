@@ -16,7 +16,8 @@ _COLUMNS = ("frame", "step", "id1", "id2", "image_a", "image_b", "image_c", "mu"
 
 
 class Found(NamedTuple):
-    """A report and its frame. `contact_ids` and `worst_ids` are the ids of the particles of its pairs."""
+    """A report and its frame. `contact_ids` and `worst_ids` are the ids of the particles of its pairs; `source` and `notes` say what
+    was taken of the file."""
 
     frame: int
     step: int
@@ -25,6 +26,9 @@ class Found(NamedTuple):
     report: Report
     contact_ids: Any
     worst_ids: Any
+    dimensions: int
+    source: str
+    notes: tuple[str, ...]
 
     def table(self) -> Any:
         """Contacts by columns."""
@@ -72,8 +76,8 @@ def _as_json(found: Found) -> dict[str, Any]:
     report.pop("worst"), report.pop("contacts")
     cell = None if found.cell is None else found.cell.tolist()
     contacts = [_contact(*row) for row in zip(found.contact_ids.tolist(), *_lists(found.report.contacts))]
-    return {"frame": found.frame, "step": found.step, "cell": cell, "periodic": found.periodic, **report,
-            "contacts": contacts}  # fmt: skip
+    return {"frame": found.frame, "step": found.step, "cell": cell, "periodic": found.periodic, "dimensions": found.dimensions,
+            "source": found.source, "notes": found.notes, **report, "contacts": contacts}  # fmt: skip
 
 
 def _lists(contacts: Contacts) -> Iterator[list[Any]]:

@@ -31,8 +31,9 @@ from ._reports import Found, csv_report, hdf5_report, json_report
 @click.option("--hdf5", "hdf5_path", metavar="FILE", help="Write everything as HDF5.")
 @click.option("--workers", type=click.IntRange(1), default=1, show_default=True, help="Processes that share the frames.")
 @click.option("--varying", is_flag=True, help="The number of particles may change from frame to frame.")
+@click.option("--points", is_flag=True, help="Particles without a shape are points, and are left out.")
 def check(given: Input, worst: int, below: float, csv_path: str | None, json_path: str | None,
-          hdf5_path: str | None, workers: int, varying: bool) -> int:  # fmt: skip
+          hdf5_path: str | None, workers: int, varying: bool, points: bool) -> int:  # fmt: skip
     """Say which ellipsoids of FILE overlap. Ends with status 0 if none do, 1 if some, 2 if the input is bad."""
     outputs = [(csv_report, csv_path), (json_report, json_path), (hdf5_report, hdf5_path)]
     check_outputs(given, csv_path, json_path, hdf5_path)
@@ -40,14 +41,23 @@ def check(given: Input, worst: int, below: float, csv_path: str | None, json_pat
     with contextlib.ExitStack() as stack:
         adds = [stack.enter_context(kind(path)) for kind, path in outputs if path is not None]
         stage = stack.enter_context(progress())
-        for found in _survey_all(given, worst, below, workers, stage):
+        for found in _reported(_survey_all(given, worst, below, workers, stage), summary):
             summary.add(found, varying)
             for add in adds:
                 add(found)
         if summary.frames == 0:
             raise FileError(given.path, "there are no such frames: choose others (--frames)")
     summary.end()
-    return int(summary.overlaps > 0)
+    return summary.status(points)
+
+
+def _reported(surveys: Iterator[Found], summary: _Summary) -> Iterator[Found]:
+    """If a frame cannot be read, the report on those before it comes first."""
+    try:
+        yield from surveys
+    except FileError:
+        summary.end()
+        raise
 
 
 def survey(given: Input, location: Location, worst: int, below: float, stage: Callable[[str], object] = str) -> Found:
@@ -57,7 +67,8 @@ def survey(given: Input, location: Location, worst: int, below: float, stage: Ca
     stage(f"frame {location.frame}: checking")
     report = system.check(worst, below)
     return Found(location.frame, system.step, system.cell, system.periodic, report,
-                 system.ids[report.contacts.pairs], system.ids[report.worst.pairs])  # fmt: skip
+                 system.ids[report.contacts.pairs], system.ids[report.worst.pairs],
+                 system.dimensions, system.source, system.notes)  # fmt: skip
 
 
 def _survey_all(
@@ -81,20 +92,31 @@ def _survey_with_dask(
 
     os.environ.setdefault("OMP_NUM_THREADS", "1")
     shield_processes()
-    locations = given.locations()
+    locations = _until_error(given.locations())
     context = multiprocessing.get_context("spawn")  # a fork would inherit OpenMP's threads, which are gone in it
     with ProcessPoolExecutor(workers, context, signal.signal, (signal.SIGINT, signal.SIG_IGN)) as pool:
         while batch := list(itertools.islice(locations, 4 * workers)):
             tasks = [delayed(_survey_or_error)(given, location, worst, below) for location in batch]
-            stage(f"frames {batch[0].frame} to {batch[-1].frame}")
+            numbers = [one.frame or 0 for one in batch]
+            stage(f"frames {numbers[0]} to {numbers[-1]}")
             for found in compute(*tasks, scheduler="processes", pool=pool):
                 if isinstance(found, Exception):
                     raise found
                 yield found
 
 
-def _survey_or_error(given: Input, location: Location, worst: int, below: float) -> Found | Exception:
+def _until_error(locations: Iterator[Location]) -> Iterator[Location | FileError]:
+    """Frames, and behind them what is wrong with the next one, if that cannot be found."""
+    try:
+        yield from locations
+    except FileError as error:
+        yield error
+
+
+def _survey_or_error(given: Input, location: Location | FileError, worst: int, below: float) -> Found | Exception:
     """Returns errors as results, since dask would put the traceback of the worker into their text."""
+    if isinstance(location, FileError):
+        return location
     try:
         return survey(given, location, worst, below)
     except (OSError, ValueError, MemoryError) as error:
@@ -106,7 +128,8 @@ class _Summary:
 
     def __init__(self, given: Input, worst: int) -> None:
         self.given, self.count = given, worst
-        self.frames = self.overlaps = self.particles = 0
+        self.frames = self.overlaps = self.particles = self.shapeless = 0
+        self.source = ""
         self.worst: list[tuple[Any, ...]] = []
         self.warned: set[str] = set()
 
@@ -114,21 +137,34 @@ class _Summary:
         report = found.report
         total = report.particles + report.shapeless
         if self.frames == 0:
-            self.particles = total
             self._header(found)
-        elif total != self.particles and not varying:
+        elif found.source != self.source and total:
+            say(f"frame {found.frame}: {found.source}")
+        self.source = found.source if total or not self.frames else self.source
+        if total and self.particles and total != self.particles and not varying:
             raise FileError(self.given.path, f"there are {total} particles, but {self.particles} in the first frame: "
                             "allow it (--varying), or choose frames (--frames)", found.frame)  # fmt: skip
+        self.particles = self.particles or total
         self.frames += 1
         self.overlaps += report.overlaps
+        self.shapeless = max(self.shapeless, report.shapeless)
         say(_LINE.format(found.frame, found.step, report.particles, _number(report.packing_fraction),
                                 report.pairs_tested, report.overlaps, _number(report.smallest_mu)))  # fmt: skip
         self._warn(found)
         rows = zip(map(float, report.worst.mu), itertools.repeat(found.frame), found.worst_ids, *report.worst[1:2], *report.worst[4:])
         self.worst = sorted([*self.worst, *rows], key=lambda row: row[:2])[: self.count]
 
+    def status(self, points: bool) -> int:
+        """0 says that all particles of all frames were checked, and none overlap."""
+        if not self.particles:
+            raise FileError(self.given.path, "there are no particles: choose other frames (--frames), or write the file again")
+        if self.shapeless and not self.overlaps and not points:
+            raise FileError(self.given.path, f"{self.shapeless} particles without a shape were not checked: give them a shape (--shape), or "
+                            "say that they are points (--points)")  # fmt: skip
+        return int(self.overlaps > 0)
+
     def _header(self, found: Found) -> None:
-        say(f"{self.given.path}: {self.given.format}")
+        say(f"{self.given.path}: " + ", ".join(filter(None, [self.given.format, found.source])))
         if found.cell is None:
             say("no cell")
         else:
@@ -138,6 +174,10 @@ class _Summary:
 
     def _warn(self, found: Found) -> None:
         report, limit = found.report, found.report.nearest_image_limit
+        for note in found.notes:
+            self._once(note, note, found.frame)
+        if not report.particles + report.shapeless:
+            self._once("empty", "there are no particles", found.frame)
         if report.shapeless:
             self._once("shapes", f"{report.shapeless} particles without a shape are left out", found.frame)
         if limit is not None and limit < 1:

@@ -15,13 +15,13 @@ from .._packing import pack as pack_system
 from .._packing import relax as relax_system
 from .._system import System
 from .._voxels import check_voxels_name, save_voxels
-from ..formats import FORMATS, check_written_name, write
+from ..formats import WRITABLE, check_written_name, write
 from ._input import Finite, Input, Numbers, WholeNumber, input_options
 from ._interruption import is_interrupted, keeping_work
 from ._progress import progress, say
 
 _steps = click.option("--steps", type=WholeNumber(), default=20000, show_default=True, help="How many steps to try.")
-_to = click.option("--to", type=click.Choice(list(FORMATS)), help="Format of OUTPUT; by the end of its name if absent.")
+_to = click.option("--to", type=click.Choice(WRITABLE), help="Format of OUTPUT; by the end of its name if absent.")
 
 
 @click.command()
@@ -81,9 +81,9 @@ def relax(given: Input, output: str, to: str | None, steps: int) -> int:
     best = _Best(output)
 
     def relaxed() -> Iterator[System]:
-        for location in given.locations():
-            system = given.load(location)
-            yield system if is_interrupted() else best.of(partial(relax_system, system, steps, stage), location.frame)
+        for frame, system in given.numbered_systems():
+            done = is_interrupted() or not len(system)
+            yield system if done else best.of(partial(relax_system, system, steps, stage), frame)
 
     with keeping_work(), progress() as stage:
         write(output, relaxed(), to)

@@ -28,14 +28,16 @@ def plot(given: Input, picture: str, reach: float, bins: int) -> int:
     orders = []
     with progress() as stage:
         say(f"{'frame':>6} {'step':>10} {'nematic order':>14}")
-        for location in given.locations():
-            stage(f"frame {location.frame}")
-            system = given.load(location)
+        for frame, system in given.numbered_systems():
+            stage(f"frame {frame}")
+            if not len(system):
+                say(f"{frame:>6} {system.step:>10} {'no particles':>14}")
+                continue
             found.append(correlation(system, reach, bins))
-            orders.append((location.frame, nematic_order(system)))
-            say(f"{location.frame:>6} {system.step:>10} {orders[-1][1]:>14.4f}")
+            orders.append((frame, nematic_order(system)))
+            say(f"{frame:>6} {system.step:>10} {orders[-1][1]:>14.4f}")
         if not orders:
-            raise FileError(given.path, "there are no such frames: choose others (--frames)")
+            raise FileError(given.path, "there are no such frames with particles: choose others (--frames)")
         figure = _figure(found, orders)
         with replacing(picture) as temporary:
             figure.savefig(temporary)

@@ -10,6 +10,7 @@ from __future__ import annotations
 import gzip
 import itertools
 import os
+import re
 import warnings
 import zlib
 from types import ModuleType
@@ -17,7 +18,7 @@ from typing import Any
 from collections.abc import Iterable, Iterator
 
 from .._system import System
-from . import csv, gsd, hdf5, lammps_data, lammps_dump, vtk, xyz
+from . import csv, gsd, hdf5, lammps_data, lammps_dump, microstructpy, splats, vtk, xyz
 from ._errors import FileError, printable
 from ._files import Path, check_input, check_output, create_text, discard_unfinished, is_compressed, is_compressed_name, replacing
 from ._frames import Frame, Location, Options
@@ -25,10 +26,12 @@ from ._frames import Frame, Location, Options
 __all__ = [
     "FORMATS",
     "READABLE",
+    "WRITABLE",
     "FileError",
     "Location",
     "Options",
     "check_output",
+    "check_precision",
     "check_storable",
     "check_written_name",
     "discard_unfinished",
@@ -50,10 +53,23 @@ FORMATS: dict[str, ModuleType] = {
     "xyz": xyz,
     "hdf5": hdf5,
     "csv": csv,
+    "splats": splats,
+    "microstructpy": microstructpy,
     "vtk": vtk,
 }
 READABLE = [name for name, module in FORMATS.items() if hasattr(module, "load")]
+WRITABLE = [name for name, module in FORMATS.items() if hasattr(module, "save")]
 _WHOLE_FILES = (gsd, hdf5)
+_NOT_COMPRESSED = (*_WHOLE_FILES, splats)
+_WITH_COLUMNS = (lammps_dump, xyz, csv)
+# What files begin with that are not read, and what helps
+_OTHERS = [
+    (rb"---\s*(creator|timestep):", "this is a dump of LAMMPS in YAML: write it with dump custom"),
+    (rb"BZh|\x28\xb5\x2f\xfd|\xfd7zXZ", "it is compressed, but not by gzip: decompress it"),
+    (rb"# vtk DataFile|<\?xml|<VTKFile", "files of VTK and ParaView are not read: save the table as CSV"),
+    (rb"ply\s", "this is a mesh, no file of particles: read it with pypw85.Mesh.read"),
+    (rb"PK\x03\x04", "it is an archive or a spreadsheet: unpack it, or save the table as CSV"),
+]
 
 
 def guess(path: Path) -> str:
@@ -69,9 +85,12 @@ def guess(path: Path) -> str:
         raise FileError(path, "the file is empty: write it again")
     for name in READABLE:
         if FORMATS[name].recognise(start):
-            if is_packed and FORMATS[name] in _WHOLE_FILES:
+            if is_packed and FORMATS[name] in _NOT_COMPRESSED:
                 raise FileError(path, f"files of the format {name} are not read while compressed: decompress it (gunzip)")
             return name
+    for pattern, cure in _OTHERS:
+        if re.match(pattern, start):
+            raise FileError(path, cure)
     raise FileError(path, f"the format is not recognised: give it (--format), one of {', '.join(READABLE)}")
 
 
@@ -96,10 +115,20 @@ def check_written_name(path: Path, format: str | None) -> str:
         Nothing can be written there.
     """
     name = format or guess_for_writing(path)
+    if name not in WRITABLE:
+        raise FileError(path, f"the format {name} is only read: choose one of {', '.join(WRITABLE)}")
     if is_compressed_name(path) and (FORMATS[name] in _WHOLE_FILES or name not in READABLE):
         raise FileError(path, f"the format {name} is not written compressed: end the name without .gz")
     check_output(path)
     return name
+
+
+def check_precision(path: Path, format: str, precision: str | None) -> None:
+    """Refuses a precision of a format that has only one."""
+    if precision is not None and format != "gsd":
+        raise FileError(path, f"only files of the format gsd have a precision to choose, not {format}: leave out --precision")
+    if precision not in (None, "single", "double"):
+        raise ValueError(f"precision must be 'single' or 'double', not '{precision}'")
 
 
 def check_storable(path: Path, format: str, system: System) -> None:
@@ -123,7 +152,9 @@ def locate(path: Path, format: str, chosen: slice = slice(None)) -> Iterator[Loc
 
 
 def load(path: Path, format: str, location: Location, options: Options) -> System:
-    system: System = FORMATS[format].load(path, location, options)
+    module = FORMATS[format]
+    options.check(path, format, module in _WITH_COLUMNS)
+    system: System = module.load(path, location, options)
     return system
 
 
@@ -136,7 +167,7 @@ def frames(path: Path, chosen: slice = slice(None), format: str | None = None, *
     chosen : slice
         Which frames.
     format : str, optional
-        "lammps-dump", "lammps-data", "gsd", "xyz", "hdf5" or "csv"; by what is in the file if absent.
+        "lammps-dump", "lammps-data", "gsd", "xyz", "hdf5", "csv", "splats" or "microstructpy"; by what is in the file if absent.
     **options
         As for `read`.
 
@@ -150,8 +181,19 @@ def frames(path: Path, chosen: slice = slice(None), format: str | None = None, *
         As `read`.
     """
     format = format or guess(path)
+    said: set[str] = set()
+    first, has_particles = None, False
     for location in locate(path, format, chosen):
-        yield load(path, format, location, Options(**options))
+        system = load(path, format, location, Options(**options))
+        for note in system.notes:
+            if note not in said:
+                warnings.warn(f"{os.fspath(path)}, frame {location.frame}: {note}", stacklevel=2)
+                said.add(note)
+        first = location.frame if first is None else first
+        has_particles = has_particles or len(system) > 0
+        yield system
+    if first is not None and not has_particles:
+        raise FileError(path, "there are no particles: choose other frames, or write the file again", first)
 
 
 def read(path: Path, frame: int = 0, format: str | None = None, **options: Any) -> System:
@@ -163,11 +205,11 @@ def read(path: Path, frame: int = 0, format: str | None = None, **options: Any) 
     frame : int
         From 0, or from the last with -1.
     format : str, optional
-        "lammps-dump", "lammps-data", "gsd", "xyz", "hdf5" or "csv"; by what is in the file if absent.
+        "lammps-dump", "lammps-data", "gsd", "xyz", "hdf5", "csv", "splats" or "microstructpy"; by what is in the file if absent.
     **options
         What the file does not say, or wrongly: `lengths`, "radii" or "diameters"; `quaternion`, "wxyz" or "xyzw"; `cell`, its
         vectors by rows; `periodic`, three flags; `shape`, the lengths of particles without any; `shape_columns` and
-        `quaternion_columns`, names of columns of a dump or a CSV file.
+        `quaternion_columns`, names of columns of a dump, a CSV or an XYZ file; `dimensions`, 2 or 3.
 
     Returns
     -------
@@ -176,7 +218,8 @@ def read(path: Path, frame: int = 0, format: str | None = None, **options: Any) 
     Raises
     ------
     FileError
-        There is something wrong with the file, or the frame is not there.
+        There is something wrong with the file; or the frame is not there; or two programs mean different things by the names in the
+        file: the message says by which options to decide.
     OSError
         It cannot be opened.
     """
@@ -186,7 +229,7 @@ def read(path: Path, frame: int = 0, format: str | None = None, **options: Any) 
     raise FileError(path, "there is no such frame: choose another", frame)
 
 
-def write(path: Path, systems: System | Iterable[System], format: str | None = None) -> None:
+def write(path: Path, systems: System | Iterable[System], format: str | None = None, precision: str | None = None) -> None:
     """Write a system, or several as frames. The file is written atomically.
 
     A text file whose name ends with .gz is compressed. What the format cannot hold exactly, as numbers in double precision in a
@@ -197,7 +240,9 @@ def write(path: Path, systems: System | Iterable[System], format: str | None = N
     path : path
     systems : System or iterable of System
     format : str, optional
-        As for `read`, or "vtk"; by the end of the name if absent.
+        As for `read`, or "vtk", but neither "splats" nor "microstructpy"; by the end of the name if absent.
+    precision : str, optional
+        Of a GSD file: "single", or "double", which HOOMD-blue reads since its version 7; "single" if absent.
 
     Returns
     -------
@@ -211,35 +256,46 @@ def write(path: Path, systems: System | Iterable[System], format: str | None = N
     OSError
         The file cannot be written.
     """
-    module = FORMATS[check_written_name(path, format)]
-    several = _storable(path, module, [systems] if isinstance(systems, System) else systems)
+    name = check_written_name(path, format)
+    check_precision(path, name, precision)
+    module = FORMATS[name]
+    others = {} if precision is None else {"precision": precision}
+    several = _storable(path, module, [systems] if isinstance(systems, System) else systems, **others)
     with replacing(path) as temporary:
         if module in _WHOLE_FILES:
-            module.save(temporary, several)
+            module.save(temporary, several, **others)
             return
         with create_text(temporary, is_compressed_name(path)) as file:
             for frame, system in enumerate(several):
                 module.save(file, system, frame)
 
 
-def _storable(path: Path, module: ModuleType, systems: Iterable[System]) -> Iterator[System]:
+def _storable(path: Path, module: ModuleType, systems: Iterable[System], **others: str) -> Iterator[System]:
     """Checks that systems can be read again. Warns once of each kind of loss."""
     said: set[str] = set()
-    frame = -1
+    frame, has_particles = -1, False
     for frame, system in enumerate(systems):
-        Frame.of(path, frame, system).check()
-        for kind, sentence in _losses(module, system):
+        if len(system):
+            Frame.of(path, frame, system).check()
+            has_particles = True
+        for kind, sentence in _losses(module, system, **others):
             if kind not in said:
                 warnings.warn(f"{os.fspath(path)}, frame {frame}: {sentence}", stacklevel=4)
                 said.add(kind)
-        yield system
+        if len(system):
+            yield system
     if frame < 0:
         raise FileError(path, "there are no frames to write: choose others (--frames)")
+    if not has_particles:
+        raise FileError(path, "there are no particles", frame)
 
 
-def _losses(module: ModuleType, system: System) -> Iterator[tuple[str, str]]:
+def _losses(module: ModuleType, system: System, **others: str) -> Iterator[tuple[str, str]]:
     """What a format cannot store of a system: a word for each kind of loss, and a sentence."""
+    if not len(system):
+        yield "empty", "there are no particles: frames without any are left out"
+        return
     if hasattr(module, "losses"):
-        yield from module.losses(system)
+        yield from module.losses(system, **others)
     if system.shapeless:
         yield "shapeless", f"{system.shapeless} particles without a shape are left out"

@@ -62,6 +62,6 @@ def bounds(system: System) -> tuple[Floats, Floats, Floats]:
 
 def lost_periodicity(system: System) -> Iterator[tuple[str, str]]:
     """A word and a sentence on a system that is not periodic, for a format that cannot say so."""
-    if not all(system.periodic):
+    if not all(system.periodic[: system.dimensions]):
         yield ("periodic", "programs take what is in this format as periodic in all directions, which the system is not: "
                "say so where it is read (--periodic)")  # fmt: skip

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import dataclasses
 from typing import Any, NamedTuple
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 
 import numpy as np
 from numpy.typing import NDArray
@@ -36,7 +36,7 @@ class Options:
     """What the user knows better than the file.
 
     `lengths` is "radii" or "diameters", `quaternion` "wxyz" or "xyzw", `cell` rows of vectors, `periodic` three flags,
-    `shape` the lengths of particles without any, `shape_columns` and `quaternion_columns` names of columns.
+    `shape` the lengths of particles without any, `shape_columns` and `quaternion_columns` names of columns, `dimensions` 2 or 3.
     """
 
     lengths: str | None = None
@@ -46,11 +46,23 @@ class Options:
     shape: Sequence[float] | None = None
     shape_columns: Sequence[str] | None = None
     quaternion_columns: Sequence[str] | None = None
+    dimensions: int | None = None
+
+    def check(self, path: Path, format: str, has_columns: bool) -> None:
+        """Refuses options that a format has no use for."""
+        given = {"--shape-columns": self.shape_columns, "--quaternion-columns": self.quaternion_columns}
+        for name, value in given.items():
+            if value is not None and not has_columns:
+                raise FileError(path, f"files of the format {format} have no named columns: leave out {name}")
 
 
 @dataclasses.dataclass
 class Frame:
-    """A frame as a file has it. `lines` are those of the particles."""
+    """A frame as a file has it. `lines` are those of the particles.
+
+    `sizes` are radii of spheres, for particles whose lengths are 0. `tolerance` is how far the length of a quaternion may be from 1.
+    `dimensions` is None where the file does not say. `source` says what was taken of the file, `notes` what the user should know.
+    """
 
     path: Path
     location: Location
@@ -66,6 +78,11 @@ class Frame:
     periodic: Sequence[bool] = (True, True, True)
     step: int = 0
     lines: Sequence[int] | None = None
+    sizes: Floats | None = None
+    tolerance: float = _QUATERNION_TOLERANCE
+    dimensions: int | None = None
+    source: str = ""
+    notes: list[str] = dataclasses.field(default_factory=list)
 
     @classmethod
     def of(cls, path: Path, frame: int, system: System) -> Frame:
@@ -73,7 +90,7 @@ class Frame:
         return cls(
             path, Location(frame), system.centers, system.semi_axes, system.quaternions,
             types=system.types, ids=system.ids, cell=system.cell, origin=system.origin, periodic=system.periodic,
-            step=system.step,
+            step=system.step, dimensions=system.dimensions,
         )  # fmt: skip
 
     def error(self, reason: str, particle: int | None = None) -> FileError:
@@ -87,6 +104,8 @@ class Frame:
     def system(self, options: Options) -> System:
         """The system of this frame, once nothing is found wrong with it. Then the frame has no particles any more: their table, of
         which the arrays are views, would be as large as the system."""
+        if not len(self.positions):
+            return self._empty()
         self._take(options)
         has_shape = self.check()
         scale = 0.5 if self.lengths == "diameters" else 1.0
@@ -98,7 +117,7 @@ class Frame:
         del quaternions
         self.positions = arrays[0][:0]
         self.shapes = self.quaternions = self.types = self.ids = None
-        return System.from_axes(
+        system = System.from_axes(
             *arrays,
             cell=self.cell,
             periodic=self.periodic,
@@ -108,6 +127,27 @@ class Frame:
             step=self.step,
             shapeless=int((~has_shape).sum()),
         )
+        self._take_dimensions(system, options)
+        system.source, system.notes = self.source, tuple(self.notes)
+        return system
+
+    def _empty(self) -> System:
+        """A frame may be empty: frames behind it are not. A file without any particles is refused where its frames are read."""
+        self._check_cell()
+        system = System(np.empty((0, 3)), np.empty((0, 6)), self.cell, self.periodic, origin=self.origin, step=self.step)
+        system.source, system.dimensions = self.source, self.dimensions or 3
+        return system
+
+    def _take_dimensions(self, system: System, options: Options) -> None:
+        """Two dimensions where the file or the user says so, or where particles lie in a plane as in LAMMPS."""
+        system.dimensions = options.dimensions or self.dimensions or (2 if _is_flat(system) else 3)
+        if system.dimensions == 3:
+            return
+        system.periodic = (*system.periodic[:2], False)
+        reason = "" if options.dimensions or self.dimensions else (
+            ": all centres lie in one plane of z, and the cell is no higher than the particles, as with dimension 2 in LAMMPS")
+        self.notes.append(f"the system is taken as two-dimensional (--dimensions 3 if it is not){reason}: images along z are not "
+                          "counted, and densities, orders and correlations of three dimensions are refused")  # fmt: skip
 
     def check(self) -> NDArray[np.bool_]:
         """Which particles have a shape.
@@ -128,10 +168,29 @@ class Frame:
         self.order = options.quaternion or self.order
         self.cell = self.cell if options.cell is None else np.asarray(options.cell, dtype=np.float64)
         self.periodic = self.periodic if options.periodic is None else options.periodic
+        if options.periodic is not None and self.cell is None and any(options.periodic):
+            raise self.error("there is no cell that could be periodic: give one (--cell), or leave out --periodic")
+        self._take_spheres()
         if options.shape is not None:
             shape = np.asarray(options.shape, dtype=np.float64)
             known = np.zeros((len(self.positions), 3)) if self.shapes is None else self.shapes
-            self.shapes = np.where((known == 0).all(axis=1, keepdims=True), shape, known)
+            without = (known == 0).all(axis=1, keepdims=True)
+            self.shapes = np.where(without, shape, known)
+            count = int(without.sum())
+            used = f"{count} particles have the lengths of --shape as {self.lengths}" if count else "--shape is not needed"
+            self.source = ", ".join(filter(None, [self.source, used]))
+
+    def _take_spheres(self) -> None:
+        """Particles whose lengths are all 0 may be spheres."""
+        if self.sizes is None or self.shapes is None:
+            return
+        without = (self.shapes == 0).all(axis=1) & ~(self.sizes == 0)
+        if without.any():
+            sizes = (2.0 if self.lengths == "diameters" else 1.0) * self.sizes
+            self.shapes = np.where(without[:, None], sizes[:, None], self.shapes)
+            if self.quaternions is not None:  # which may be 0 0 0 0
+                unit = np.array([1.0, 0, 0, 0] if self.order == "wxyz" else [0.0, 0, 0, 1])
+                self.quaternions = np.where(without[:, None], unit, self.quaternions)
 
     def _first(self, wrong: NDArray[np.bool_], reason: str) -> None:
         if wrong.any():
@@ -170,7 +229,7 @@ class Frame:
         with np.errstate(over="ignore"):
             norms = np.linalg.norm(self.quaternions, axis=1)
         self._first(has_shape & ~(norms > 0), "has a quaternion that is zero or not a number: 1 0 0 0 means no rotation")
-        self._first(has_shape & ~(np.abs(norms - 1) <= _QUATERNION_TOLERANCE),
+        self._first(has_shape & ~(np.abs(norms - 1) <= self.tolerance),
                     "has a quaternion whose length is not 1: normalise it, or see whether these are its columns")  # fmt: skip
 
     def _check_cell(self) -> None:
@@ -188,6 +247,31 @@ class Frame:
             raise self.error(f"the cell has a vector beyond {_SMALLEST:g} to {_LARGEST:g}: choose another unit of length")
         if np.linalg.matrix_rank(self.cell / lengths[:, np.newaxis]) < 3:
             raise self.error("the vectors of the cell lie in a plane: correct them, or give others (--cell)")
+
+
+def lost_dimensions(system: System) -> Iterator[tuple[str, str]]:
+    """A word and a sentence on a system of two dimensions, for a format that cannot say so."""
+    if system.dimensions == 2:
+        yield "dimensions", "this format does not say that the system is two-dimensional: say so where it is read (--dimensions 2)"
+
+
+# The height of a box of two dimensions in LAMMPS, which its documents ask for
+_FLAT_BOX = (-0.5, 0.5)
+
+
+def _is_flat(system: System) -> bool:
+    """Whether particles lie in a plane of a system that LAMMPS would make with dimension 2: all centres have the same z, all turn about
+    z, and the cell is as high as LAMMPS asks for, or so low that each particle would overlap with itself."""
+    if len(system) < 2 or system.cell is None or not system.periodic[2]:
+        return False
+    height, bottom = float(system.cell[2, 2]), float(system.origin[2])
+    if system.cell[2, :2].any() or system.cell[:2, 2].any() or np.ptp(system.centers[:, 2]) != 0:
+        return False
+    # Rounded quaternions leave that much of a form outside of its plane.
+    off_plane = np.abs(system.q[:, [2, 4]]).max(axis=1) <= 1e-6 * system.q.max(axis=1)
+    if not off_plane.all():
+        return False
+    return (bottom, bottom + height) == _FLAT_BOX or bool((2 * np.sqrt(system.q[:, 5]) > height).all())
 
 
 def check_lengths_of_names(names: Sequence[str], error: Callable[[str], FileError]) -> None:

@@ -145,9 +145,12 @@ class Lines:
         return [word in _TRUE for word in words]
 
     def table(self, count: int, columns: Sequence[str], text: Sequence[str] = (), separator: str | None = None,
-              wanted: Sequence[str] | None = None) -> Table:  # fmt: skip
-        """The next `count` lines as a table with these columns; those in `text` are strings, those not wanted are skipped."""
-        return Table(self, count, list(columns), set(text), separator, None if wanted is None else set(wanted))
+              wanted: Sequence[str] | None = None, decimal_comma: bool = False, comment: str = "") -> Table:  # fmt: skip
+        """The next `count` lines as a table with these columns; those in `text` are strings, those not wanted are skipped.
+
+        Numbers may have a decimal comma, and lines may end with a comment that begins with `comment`, if this is asked for.
+        """
+        return Table(self, count, list(columns), set(text), separator, None if wanted is None else set(wanted), decimal_comma, comment)
 
 
 def locate_frames(path: os.PathLike[str], lines_of_frame: Callable[[Lines], int | None]) -> Iterator[Location]:
@@ -174,8 +177,9 @@ class Table:
     """Columns of `count` lines, by name. The first of the lines has the number `line`."""
 
     def __init__(self, lines: Lines, count: int, columns: list[str], text: set[str],
-                 separator: str | None, wanted: set[str] | None) -> None:  # fmt: skip
+                 separator: str | None, wanted: set[str] | None, decimal_comma: bool, comment: str) -> None:  # fmt: skip
         self.columns, self._lines, self._separator = columns, lines, separator
+        self._decimal_comma, self._comment = decimal_comma, comment
         chosen = columns if wanted is None else [name for name in columns if name in wanted]
         for name in chosen:
             if chosen.count(name) > 1:
@@ -273,6 +277,8 @@ class Table:
         return np.array(rows).reshape(len(rows), len(numbers)), codes, names
 
     def _split(self, line: str, row: int) -> list[str]:
+        if self._comment:
+            line = line.partition(self._comment)[0]
         fields = line.split(self._separator)
         if self._separator is not None and '"' in line:
             try:
@@ -287,7 +293,7 @@ class Table:
     def _number(self, field: str, row: int, column: int) -> float:
         word = field.strip()
         try:
-            return _number(word)
+            return _number(word.replace(",", ".") if self._decimal_comma else word)
         except ValueError:
             raise self._error(
                 row,

@@ -1,6 +1,6 @@
-"""Tables with a comma between columns and their names in the first line.
+"""Tables with a comma between columns and their names in the first line; read with semicolons, tabulators and decimal commas, too.
 
-Columns: x y z; the semi-axes a b c, or radius; the quaternion qw qx qy qz; id and type. A line ``# cell`` before the names
+Columns that are written: x y z; the semi-axes a b c, or radius; the quaternion qw qx qy qz; id and type. A line ``# cell`` before the names
 holds the nine components of the vectors of a cell, ``# origin`` three, ``# periodic`` three of T and F, ``# step`` a time step.
 Names of types are quoted where they have a comma or a quotation mark.
 """
@@ -15,19 +15,45 @@ from collections.abc import Iterator
 import numpy as np
 
 from .._system import System
-from ._frames import Frame, Location, Options
+from ._columns import fill, plain_name, take
+from ._frames import Frame, Location, Options, lost_dimensions
 from ._names import PRINTED, Rule, checked_names
 from ._table import Lines, coded, write_rows
 
 SUFFIXES = (".csv",)
 _NUMBER = re.compile(r"[-+]?[0-9.]+(?:[eE][-+]?[0-9]+)?")
 _POSITION, _SHAPE, _QUATERNION = ["x", "y", "z"], ["a", "b", "c"], ["qw", "qx", "qy", "qz"]
+_SEPARATORS = (",", ";", "\t", "|")
+# Names as `plain_name` makes them: first what is written, then those of spreadsheets, ParaView and DREAM.3D
+_POSITIONS = [
+    tuple(stem + end for end in ends)
+    for stem, ends in [("", "xyz"), ("pos", "xyz"), ("position", "xyz"), ("center", "xyz"), ("centre", "xyz"), ("centroid", "xyz"),
+                       ("c", "xyz"), ("points", "012"), ("centroids", "012"), ("coordinates", "012"), ("position", "012")]
+]  # fmt: skip
+_IDS, _TYPES = ("id", "ids", "particleid", "featureid", "index", "number"), ("type", "types", "species", "phase", "phases")
 
 
 def recognise(start: bytes) -> bool:
-    lines = start.removeprefix(b"\xef\xbb\xbf").split(b"\n")
-    names = next((line for line in lines if not line.startswith(b"#")), b"")
-    return {b"x", b"y", b"z"} <= {word.strip().strip(b'"') for word in names.split(b",")}
+    lines = start.decode("utf-8", errors="replace").removeprefix("\ufeff").splitlines()
+    # DREAM.3D writes a number before the names.
+    names = next((line for line in lines if line.strip() and not line.startswith("#") and not line.strip().isdecimal()), "")
+    return bool(_header(names)[1])
+
+
+def _header(line: str) -> tuple[str, list[str], list[str]]:
+    """The separator, the names of the columns that hold a position (none if there are none), and those of all columns."""
+    found = [(one, _split(line, one)) for one in _SEPARATORS]
+    for separator, columns in found:
+        plain = {plain_name(name): name for name in reversed(columns)}
+        for names in _POSITIONS:
+            if set(names) <= plain.keys():
+                return separator, [plain[name] for name in names], columns
+    separator, columns = max(found, key=lambda pair: len(pair[1]))
+    return separator, [], columns
+
+
+def _split(line: str, separator: str) -> list[str]:
+    return [word.strip().strip('"').strip() for word in line.split(separator)]
 
 
 def locate(path: os.PathLike[str]) -> Iterator[Location]:
@@ -36,45 +62,52 @@ def locate(path: os.PathLike[str]) -> Iterator[Location]:
 
 def load(path: os.PathLike[str], location: Location, options: Options) -> System:
     with Lines(path, location) as lines:
-        keys: dict[str, str] = {}
-        while (line := lines.expect("the names of the columns")).startswith("#"):
-            name, _, keys_of = line[1:].strip().partition(" ")
-            if name in ("cell", "origin", "periodic", "step"):
-                keys[name] = keys_of
-        columns = [word.strip().strip('"') for word in line.split(",")]
-        shape, quaternion = _named(columns, options, lines)
+        keys, line = _keys(lines)
+        separator, positions, columns = _header(line)
+        if not positions:
+            raise lines.error(f"there is no column 'x', but {' '.join(columns)}: rename those of positions to x, y and z")
+        taken = take(columns, options, lines.error, "radii", "wxyz")
+        plain = {plain_name(name): name for name in reversed(columns)}
+        ids, types = (next((plain[name] for name in names if name in plain), "") for names in (_IDS, _TYPES))
         periodic = lines.flags(keys.get("periodic", "T T T"), "periodic")
         step = lines.whole(keys.get("step", "0"), "step", -(2**63))
         cell = np.reshape(lines.numbers(keys["cell"], 9, "cell"), (3, 3)) if "cell" in keys else None
         origin = lines.numbers(keys.get("origin", "0 0 0"), 3, "origin")
-        table = lines.table(_remaining(lines), columns, ["type"], ",", [*_POSITION, *shape, *quaternion, "id", "type"])
-    has_types = "type" in table
+        count = _remaining(lines)
+        if not count:
+            raise lines.error("there are no particles")
+        wanted = [name for name in (*positions, *taken.columns, ids, types) if name]
+        table = lines.table(count, columns, [types], separator, wanted, decimal_comma=separator != ",")
     frame = Frame(
-        path, location, table.stack(_POSITION),
-        shapes=table.stack(shape if len(shape) == 3 else 3 * shape) if shape else None,
-        quaternions=table.stack(quaternion) if quaternion else None,
-        types=table["type"] if has_types else None, ids=table.integers("id") if "id" in table else None,
+        path, location, table.stack(positions),
+        types=table[types] if types else None, ids=table.integers(ids) if ids else None,
         cell=cell, origin=origin, periodic=periodic, step=step,
         lines=range(table.line, table.line + table.count),
     )  # fmt: skip
+    fill(frame, taken, table)
     return frame.system(options)
 
 
-def _named(columns: list[str], options: Options, lines: Lines) -> tuple[list[str], list[str]]:
-    known: list[str] = next((names for names in (_SHAPE, ["radius"]) if set(names) <= set(columns)), [])
-    shape = list(options.shape_columns or known)
-    quaternion = list(options.quaternion_columns or (_QUATERNION if set(_QUATERNION) <= set(columns) else []))
-    missing = [name for name in (*_POSITION, *shape, *quaternion) if name not in columns]
-    if missing:
-        raise lines.error(f"there is no column '{missing[0]}', but {' '.join(columns)}: rename or name columns")
-    return shape, quaternion
+def _keys(lines: Lines) -> tuple[dict[str, str], str]:
+    """What the lines before the names say, and the line with the names."""
+    keys: dict[str, str] = {}
+    while (line := lines.expect("the names of the columns")).startswith("#") or line.isdecimal() or not line:
+        name, _, value = line[1:].strip().partition(" ")
+        if name in ("cell", "origin", "periodic", "step"):
+            keys[name] = value
+    return keys, line
 
 
 def _remaining(lines: Lines) -> int:
+    """How many lines there are up to the last one that is not blank."""
     place = lines.location(lines.frame)
-    count = lines.skip(2**62)
+    count = last = 0
+    while (block := lines.read_block(2**62))[1]:
+        text = block[0].rstrip()
+        last = count + text.count(b"\n") + 1 if text else last
+        count += block[1]
     lines.back(place)
-    return count
+    return last
 
 
 def _is_no_formula(name: str) -> bool:
@@ -84,6 +117,10 @@ def _is_no_formula(name: str) -> bool:
 
 _HARMLESS: Rule = (_is_no_formula, "is a formula to a spreadsheet, which opens files of this format")
 _TRIMMED: Rule = (lambda name: name == name.strip() != "", "is empty, or begins or ends with a blank")
+
+
+def losses(system: System) -> Iterator[tuple[str, str]]:
+    yield from lost_dimensions(system)
 
 
 def save(file: IO[str], system: System, frame: int) -> None:

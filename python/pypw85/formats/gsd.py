@@ -1,4 +1,8 @@
-"""GSD files of HOOMD-blue, by the library gsd: shapes belong to types, and numbers have single precision."""
+"""GSD files of HOOMD-blue, by the library gsd: shapes belong to types.
+
+Numbers have single precision, or, since HOOMD-blue 7 and its schema 2.0, double precision. gsd.hoomd refuses schemas that are newer
+than it is. gsd.fl, which is used here, reads all of them.
+"""
 
 from __future__ import annotations
 
@@ -6,13 +10,14 @@ import collections
 import itertools
 import json
 import os
-from typing import Any
-from collections.abc import Iterator, Sequence
+from typing import Any, NamedTuple
+from collections.abc import Callable, Iterator, Sequence
 
 import numpy as np
 from numpy.typing import NDArray
 
 from .._conversions import _gsd_semi_axes
+from .._core import version
 from .._system import System
 from .._typing import Floats
 from ._boxes import box, lost_periodicity
@@ -22,6 +27,8 @@ from ._frames import Frame, Location, Options, check_lengths_of_names
 from ._names import Rule, checked_names, type_names
 
 SUFFIXES = (".gsd",)
+# Centres that far from the border, as a share of the cell, may be outside of it by rounding only.
+_ROUNDED = 2.0**-40
 _ASCII: Rule = (str.isascii, "is not ASCII, which the library gsd asks for")
 
 
@@ -29,21 +36,30 @@ def recognise(start: bytes) -> bool:
     return start[:8] == bytes.fromhex("DF65DF65DF65DF65")
 
 
-def _open(path: os.PathLike[str], mode: str = "r") -> Any:
-    """Opens a file. Before gsd 2.8, modes end with b, and frames are called snapshots."""
+def _open(path: os.PathLike[str], mode: str = "r", **schema: Any) -> Any:
+    """Opens a file. Before gsd 2.8, modes end with b."""
+    import gsd.fl
     import gsd.hoomd
 
     try:
-        return gsd.hoomd.open(os.fspath(path), mode if hasattr(gsd.hoomd, "Frame") else mode + "b")
+        return gsd.fl.open(os.fspath(path), mode if hasattr(gsd.hoomd, "Frame") else mode + "b", **schema)
     except (MemoryError, OSError, RuntimeError, ValueError) as error:
         raise FileError(path, f"no readable GSD file ({error}): it is broken or truncated; write it again") from None
+
+
+def _open_hoomd(path: os.PathLike[str]) -> Any:
+    file = _open(path)
+    if file.schema != "hoomd":
+        file.close()
+        raise FileError(path, f"the schema of this GSD file is '{file.schema}', not that of HOOMD-blue: it has no particles to check")
+    return file
 
 
 @guarded
 def _count(path: os.PathLike[str]) -> int:
     check_input(path)
-    with _open(path) as file:
-        return len(file)
+    with _open_hoomd(path) as file:
+        return int(file.nframes)
 
 
 def locate(path: os.PathLike[str]) -> Iterator[Location]:
@@ -102,8 +118,8 @@ class _Chunks:
 @guarded
 def load(path: os.PathLike[str], location: Location, options: Options) -> System:
     check_input(path)
-    with _open(path) as file:
-        chunks = _Chunks(path, file.file, location.frame)
+    with _open_hoomd(path) as file:
+        chunks = _Chunks(path, file, location.frame)
         typeid = chunks.rows("particles/typeid", 0, "ui").astype(np.int64)
         names = chunks.strings("particles/types", ["A"])
         shapes = chunks.strings("particles/type_shapes", [])
@@ -113,7 +129,8 @@ def load(path: os.PathLike[str], location: Location, options: Options) -> System
             path, location, chunks.rows("particles/position", [0.0] * 3, "f").astype(np.float64),
             quaternions=chunks.rows("particles/orientation", [1.0, 0, 0, 0], "f").astype(np.float64),
             ids=np.arange(chunks.count), cell=cell, origin=origin, periodic=periodic,
-            step=int(chunks.get("configuration/step", [0])[0]),
+            step=int(chunks.get("configuration/step", [0])[0]), dimensions=2 if dimensions == 2 else 3,
+            source="lengths of type_shapes as radii, quaternions orientation as w x y z",
         )  # fmt: skip
     check_lengths_of_names(names, frame.error)
     wrong = ~((typeid >= 0) & (typeid < len(names)))
@@ -146,50 +163,81 @@ def _shapes(frame: Frame, type_shapes: Sequence[str], typeid: Any) -> Floats:
     return selected
 
 
-def losses(system: System) -> Iterator[tuple[str, str]]:
+def losses(system: System, precision: str = "single") -> Iterator[tuple[str, str]]:
     yield from lost_periodicity(system)
     moved, turned, stretched = (
-        np.abs(_single(values) - values).max() for values in (_positions(system), system.quaternions, _box(system))
+        np.abs(_PRECISIONS[precision].rounded(values) - values).max()
+        for values in (_positions(system), system.quaternions, _box(system))
     )
     if moved or turned or stretched:
         yield ("precision", f"GSD has single precision: positions change by up to {moved:.1e}, components of quaternions by {turned:.1e}, "
-               f"of the box by {stretched:.1e}")  # fmt: skip
+               f"of the box by {stretched:.1e} (HOOMD-blue since 7 also reads --precision double)")  # fmt: skip
     if (np.diff(system.ids) != 1).any():
         yield "ids", "GSD has no ids: particles are numbered in their order, from 0"
     if len(_distinct_types(system)[0]) > len(np.unique(type_names(system))):
         yield "types", "GSD has one shape for each type: types with several are divided, and their names get a number"
 
 
-def save(path: os.PathLike[str], systems: Iterator[System]) -> None:
-    import gsd.hoomd
-
-    with _open(path, "w") as file:
+def save(path: os.PathLike[str], systems: Iterator[System], precision: str = "single") -> None:
+    kind = _PRECISIONS[precision]
+    with _open(path, "w", application=f"pw85 {version()}", schema="hoomd", schema_version=kind.schema) as file:
         for system in systems:
             if system.step < 0:
                 raise ValueError(f"GSD has no negative time steps, as {system.step}")
-            snapshot = gsd.hoomd.Frame() if hasattr(gsd.hoomd, "Frame") else gsd.hoomd.Snapshot()
-            first, typeid = _distinct_types(system)
-            snapshot.configuration.box, snapshot.configuration.step = _single(_box(system)), system.step
-            particles = snapshot.particles
-            particles.N, particles.typeid = len(system), typeid
-            particles.types = _names(checked_names(system, _ASCII)[first].tolist())
-            particles.type_shapes = [dict(zip(("type", *"abc"), ("Ellipsoid", *map(float, system.semi_axes[k])))) for k in first]
-            particles.position = _single(_positions(system))
-            particles.orientation = system.quaternions
-            file.append(snapshot)
+            for name, values in _chunks_of(system, kind).items():
+                file.write_chunk(name, values)
+            file.end_frame()
+
+
+class _Precision(NamedTuple):
+    schema: tuple[int, int]
+    rounded: Callable[[Floats], NDArray[Any]]
+
+
+def _chunks_of(system: System, kind: _Precision) -> dict[str, NDArray[Any]]:
+    first, typeid = _distinct_types(system)
+    shapes = [dict(zip(("type", *"abc"), ("Ellipsoid", *map(float, system.semi_axes[k])))) for k in first]
+    return {
+        "configuration/step": np.array([system.step], np.uint64),
+        "configuration/dimensions": np.array([system.dimensions], np.uint8),
+        "configuration/box": kind.rounded(_box(system)),
+        "particles/N": np.array([len(system)], np.uint32),
+        "particles/types": _text(_names(checked_names(system, _ASCII)[first].tolist())),
+        "particles/typeid": typeid.astype(np.uint32),
+        "particles/type_shapes": _text([json.dumps(shape) for shape in shapes]),
+        "particles/position": kind.rounded(_positions(system)),
+        "particles/orientation": kind.rounded(system.quaternions),
+    }
+
+
+def _text(rows: list[str]) -> NDArray[np.int8]:
+    """Rows of bytes, each of which ends with a null."""
+    words = np.array([row.encode() for row in rows] or [b""])
+    return words.astype(f"S{words.dtype.itemsize + 1}").view(np.int8).reshape(len(words), -1)
 
 
 def _box(system: System) -> Floats:
     cell, _ = box(system)
     lengths = np.diag(cell)
-    return np.concatenate([lengths, cell[[1, 2, 2], [0, 0, 1]] / lengths[[1, 2, 2]]])
+    tilts = cell[[1, 2, 2], [0, 0, 1]] / lengths[[1, 2, 2]]
+    return np.array([*lengths[:2], 0, tilts[0], 0, 0]) if system.dimensions == 2 else np.concatenate([lengths, tilts])
 
 
 def _positions(system: System) -> Floats:
     """HOOMD's origin is in the middle of the box."""
     cell, low = box(system)
-    positions: Floats = system.wrapped() - low - cell.sum(axis=0) / 2
+    # The middle is 0 in what was read from such a file, and positions keep their bits.
+    positions: Floats = _inside(system) - (low + cell.sum(axis=0) / 2)
     return positions
+
+
+def _inside(system: System) -> Floats:
+    """Wrapped centres; but centres at the border, or outside of it by rounding, stay as they are."""
+    if system.cell is None:
+        return system.centers
+    fractions = (system.centers - system.origin) @ np.linalg.inv(system.cell)
+    is_inside = ((fractions >= -_ROUNDED) & (fractions <= 1 + _ROUNDED)).all(axis=1, keepdims=True)
+    return np.where(is_inside, system.centers, system.wrapped())
 
 
 def _single(values: Floats) -> NDArray[np.float32]:
@@ -199,6 +247,9 @@ def _single(values: Floats) -> NDArray[np.float32]:
     if not (np.abs(rounded - values) <= 2.0**-23 * np.abs(values).max()).all():
         raise ValueError("lengths are beyond single precision, which GSD has: choose another unit of length")
     return rounded
+
+
+_PRECISIONS = {"single": _Precision((1, 4), _single), "double": _Precision((2, 0), lambda values: values.astype(np.float64))}
 
 
 def _distinct_types(system: System) -> tuple[NDArray[np.intp], NDArray[np.intp]]:

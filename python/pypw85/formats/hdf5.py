@@ -19,7 +19,7 @@ from .._system import System, quaternions_of
 from .._typing import Floats
 from ._errors import FileError, guarded
 from ._files import check_input
-from ._frames import Frame, Location, Options, check_lengths_of_names
+from ._frames import Frame, Location, Options, check_lengths_of_names, lost_dimensions
 from ._names import checked_names, numbers_if_all_are
 
 SUFFIXES = (".h5", ".hdf5", ".h5md")
@@ -131,7 +131,7 @@ def load(path: os.PathLike[str], location: Location, options: Options) -> System
         frame = Frame(
             path, location, positions, shapes=_floats(source, "semi_axes", n, 3), types=_species(source, n),
             quaternions=_floats(source, "orientation", n, 4), ids=_read(source, "id", (n,), "iu", "whole numbers"),
-            step=_step(source),
+            step=_step(source), source="lengths semi_axes as radii, quaternions orientation as w x y z",
         )  # fmt: skip
         if frame.shapes is None and (forms := _floats(source, "form", n, 6)) is not None:
             _take_forms(frame, forms)
@@ -146,6 +146,7 @@ def _take_forms(frame: Frame, forms: Floats) -> None:
     if bad.any():
         raise frame.error("has a form that is not positive definite: correct it", int(bad.argmax()))
     frame.quaternions = quaternions_of(rotation)
+    frame.source = "forms"
 
 
 def _take_box(frame: Frame, source: _Source) -> None:
@@ -226,6 +227,10 @@ def _step(source: _Source) -> int:
             raise source.error("position/step", f"has {len(steps)} frames, fewer than there are positions: write the file again")
         return int(steps[source.frame])
     return int(steps[()]) * source.frame + int(steps.attrs.get("offset", 0))
+
+
+def losses(system: System) -> Iterator[tuple[str, str]]:
+    yield from lost_dimensions(system)
 
 
 def save(path: os.PathLike[str], systems: Iterator[System]) -> None:

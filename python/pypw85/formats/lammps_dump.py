@@ -12,9 +12,10 @@ import numpy as np
 from .._system import System
 from .._typing import Floats
 from ._boxes import bounds, numbered_types
-from ._frames import Frame, Location, Options
+from ._columns import fill, take
+from ._frames import Frame, Location, Options, lost_dimensions
 from ._names import ONE_WORD, PRINTED, checked_names
-from ._table import Lines, Table, coded, locate_frames, write_rows
+from ._table import Lines, coded, locate_frames, write_rows
 
 SUFFIXES = (".dump", ".lammpstrj")
 _POSITIONS = (("x", "y", "z"), ("xu", "yu", "zu"), ("xs", "ys", "zs"), ("xsu", "ysu", "zsu"))
@@ -53,58 +54,26 @@ def load(path: os.PathLike[str], location: Location, options: Options) -> System
         positions = next((names for names in _POSITIONS if set(names) <= set(header.columns)), None)
         if positions is None:
             raise lines.error(f"there are no columns x y z, but {' '.join(header.columns)}: dump them")
-        shape, quaternion = _shape_columns(header.columns, options, lines)
-        wanted = ["id", _type_column(header.columns), *positions, *shape, *quaternion]
+        taken = take(header.columns, options, lines.error, "diameters", "wxyz")
+        wanted = ["id", _type_column(header.columns), *positions, *taken.columns]
         table = lines.table(header.particles, header.columns, [_LABEL], wanted=wanted)
     centers = table.stack(positions)
     if positions[0].startswith("xs"):
         centers = header.origin + centers @ header.cell
     frame = Frame(
         path, location, centers,
-        shapes=_shapes(table, shape),
-        quaternions=table.stack(quaternion) if quaternion else None,
-        lengths="radii" if shape == ("radius",) else "diameters",
         types=table[_LABEL] if _LABEL in table else table.integers("type") if "type" in table else None,
         ids=table.integers("id") if "id" in table else None,
         cell=header.cell, origin=header.origin, periodic=header.periodic, step=header.step,
         lines=range(table.line, table.line + table.count),
     )  # fmt: skip
+    fill(frame, taken, table)
     del table, centers  # of which the frame holds what it needs
     return frame.system(options)
 
 
 def _type_column(columns: Sequence[str]) -> str:
     return _LABEL if _LABEL in columns else "type"
-
-
-def _shapes(table: Table, columns: Sequence[str]) -> Floats | None:
-    return table.stack(columns if len(columns) == 3 else 3 * list(columns)) if columns else None
-
-
-def _shape_columns(columns: list[str], options: Options, lines: Lines) -> tuple[tuple[str, ...], tuple[str, ...]]:
-    """Names of the columns of shapes (3, 1 for spheres, or none) and quaternions (4 or none)."""
-    for given in (*(options.shape_columns or ()), *(options.quaternion_columns or ())):
-        if given not in columns:
-            raise lines.error(f"there is no column '{given}', but {' '.join(columns)}")
-    shape = tuple(options.shape_columns or ()) or _guess(columns, _SHAPE, r"c_\w*(?:shape|diam)\w*", 1, 3)
-    quaternion = tuple(options.quaternion_columns or ())
-    quaternion = quaternion or _guess(columns, _QUATERNION, r"c_\w*(?:quat|orient|^c_q)\w*", 1, 4)
-    quaternion = quaternion or _guess(columns, _QUATERNION, r"c_\w*shape\w*", 4, 4)
-    if not shape:
-        shape = next(((name,) for name in ("diameter", "radius") if name in columns), ())
-    return shape, quaternion
-
-
-def _guess(columns: list[str], named: tuple[str, ...], pattern: str, first: int, count: int) -> tuple[str, ...]:
-    """Columns by their names, or else the numbered columns of a compute, whose name the user has chosen."""
-    if set(named) <= set(columns):
-        return named
-    for name in columns:
-        if match := re.fullmatch(rf"({pattern})\[{first}\]", name):
-            numbered = tuple(f"{match[1]}[{k}]" for k in range(first, first + count))
-            if set(numbered) <= set(columns):
-                return numbered
-    return ()
 
 
 def _header(lines: Lines) -> _Header | None:
@@ -115,7 +84,7 @@ def _header(lines: Lines) -> _Header | None:
         line = lines.next()
     if line is None:
         return None
-    while not line.startswith("ITEM: ATOMS"):
+    while not re.match("ITEM: (ATOMS|ENTRIES)", line):
         if line.startswith("ITEM: TIMESTEP"):
             step = lines.whole(lines.expect("a time step"), "the time step", -(2**63))
         elif line.startswith("ITEM: NUMBER OF ATOMS"):
@@ -129,6 +98,8 @@ def _header(lines: Lines) -> _Header | None:
         line = lines.expect("'ITEM: ATOMS'")
     if count < 0 or box is None:
         raise lines.error("the number of particles or the box is missing before 'ITEM: ATOMS'")
+    if line.startswith("ITEM: ENTRIES"):
+        raise lines.error("this is a dump of pairs (dump local), which have no positions: dump atoms")
     return _Header(step, count, *box, line.split()[2:])
 
 
@@ -146,6 +117,10 @@ def _box(words: list[str], lines: Lines) -> tuple[Floats, Floats, list[bool]]:
     cell = np.diag(high - low)
     cell[1, 0], cell[2, 0], cell[2, 1] = xy, xz, yz
     return cell, low, periodic
+
+
+def losses(system: System) -> Iterator[tuple[str, str]]:
+    yield from lost_dimensions(system)
 
 
 def save(file: IO[Any], system: System, frame: int) -> None:

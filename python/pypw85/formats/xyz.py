@@ -1,4 +1,4 @@
-"""Extended XYZ with OVITO's properties Aspherical Shape (semi-axes) and Orientation (x, y, z, w), and XYZ without shapes.
+"""Extended XYZ with properties as OVITO, ASE and AniSOAP name them, and XYZ without shapes. What is written is as OVITO has it.
 
 ASE reads such files too, but says neither in which line nor in which column one is wrong.
 """
@@ -14,7 +14,8 @@ from collections.abc import Iterator
 import numpy as np
 
 from .._system import System
-from ._frames import Frame, Location, Options
+from ._columns import fill, take
+from ._frames import Frame, Location, Options, lost_dimensions
 from ._names import ONE_WORD, PRINTED, checked_names
 from ._table import Lines, coded, locate_frames, write_rows
 
@@ -22,7 +23,10 @@ SUFFIXES = (".xyz", ".extxyz")
 _NUMBER = re.compile(rb"[-+]?[0-9]*\.?[0-9]*(?:[eE][-+]?[0-9]+)?")
 # shlex takes some microseconds for each character.
 _LONGEST_COMMENT = 1 << 15
+# Columns of a frame without particles, which no line bounds
+_MOST_COLUMNS = 1 << 16
 # Names of properties without capitals and underscores, and how many columns each has.
+_TYPES = ("species", "type")
 _PROPERTIES = {"pos": 3, "asphericalshape": 3, "orientation": 4, "radius": 1, "species": 1, "type": 1, "id": 1}
 
 
@@ -56,30 +60,30 @@ def _count(lines: Lines) -> int | None:
 
 def load(path: os.PathLike[str], location: Location, options: Options) -> System:
     with Lines(path, location) as lines:
-        if not (count := _count(lines)):
-            raise lines.error("there are no particles")
+        count = _count(lines)
+        if count is None:
+            raise lines.error("the file has become shorter")
         keys = _keys(lines)
-        columns, text = _columns(keys, lines)
-        if "pos0" not in columns:
+        columns, text = _columns(keys, lines, count)
+        positions = [f"pos[{k}]" for k in (1, 2, 3)]
+        if positions[0] not in columns:
             raise lines.error("the property pos is missing in 'Properties='")
-        table = lines.table(count, columns, text, wanted=[name for name in columns if name[:-1] in _PROPERTIES])
+        taken = take(columns, options, lines.error, "radii", "xyzw")
+        wanted = ["id", *_TYPES, *positions, *taken.columns]
+        table = lines.table(count, columns, text, wanted=wanted)
         cell = keys.get("Lattice")
         box = None if cell is None else np.reshape(lines.numbers(cell, 9, "Lattice"), (3, 3))
         origin = lines.numbers(keys.get("Origin", "0 0 0"), 3, "Origin")
         periodic = lines.flags(keys.get("pbc", "T T T"), "pbc")
         step = lines.whole(keys.get("Timestep", "0"), "Timestep", -(2**63))
-    groups = {name: [f"{name}{k}" for k in range(n)] for name, n in _PROPERTIES.items() if f"{name}0" in columns}
-    shape = groups.get("asphericalshape") or 3 * groups.get("radius", [])
-    types = groups.get("species") or groups.get("type")
+    types = [name for name in _TYPES if name in columns]
     frame = Frame(
-        path, location, table.stack(groups["pos"]),
-        shapes=table.stack(shape) if shape else None,
-        quaternions=table.stack(groups["orientation"]) if "orientation" in groups else None,
-        order="xyzw",
+        path, location, table.stack(positions),
         types=table[types[0]] if types else None,
-        ids=table.integers("id0") if "id" in groups else None,
+        ids=table.integers("id") if "id" in columns else None,
         cell=box, origin=origin, periodic=periodic, step=step, lines=range(table.line, table.line + count),
     )  # fmt: skip
+    fill(frame, taken, table)
     return frame.system(options)
 
 
@@ -97,21 +101,22 @@ def _keys(lines: Lines) -> dict[str, str]:
     return dict(word.split("=", 1) for word in words if "=" in word)
 
 
-def _columns(keys: dict[str, str], lines: Lines) -> tuple[list[str], list[str]]:
-    """Names of the columns, numbered within each property, and of those that hold text."""
-    there = lines.columns_ahead()
+def _columns(keys: dict[str, str], lines: Lines, count: int) -> tuple[list[str], list[str]]:
+    """Names of the columns, numbered within each property of several, and of those that hold text."""
+    there = lines.columns_ahead() if count else 0
     if "Properties" not in keys:
-        columns = ["species0", "pos0", "pos1", "pos2"]
-        return columns + [f"column{k}" for k in range(len(columns), there)], ["species0"]
+        columns = ["species", "pos[1]", "pos[2]", "pos[3]"]
+        return columns + [f"column{k}" for k in range(len(columns), there)], ["species"]
     words = keys["Properties"].split(":")
     properties = list(zip(words[::3], words[1::3], words[2::3]))
     if len(words) % 3 or not all(kind in "SIRL" and re.fullmatch("[0-9]{1,18}", number) for _, kind, number in properties):
         raise lines.error(f"'Properties=' should have names, kinds and numbers of columns, not '{keys['Properties'][:80]}'")
     # Before names are made of a number that may be anything
-    if (total := sum(int(number) for *_, number in properties)) != there:
+    total = sum(int(number) for *_, number in properties)
+    if count and total != there:
         lines.expect("a particle")
         raise lines.error(f"{there} columns instead of the {total} of 'Properties=': the line is broken, or the file truncated")
-    return _named_columns(properties, lines)
+    return _named_columns(properties, lines) if total <= _MOST_COLUMNS else ([], [])
 
 
 def _named_columns(properties: list[tuple[str, str, str]], lines: Lines) -> tuple[list[str], list[str]]:
@@ -120,10 +125,15 @@ def _named_columns(properties: list[tuple[str, str, str]], lines: Lines) -> tupl
         plain = name.replace("_", "").lower()
         if plain in _PROPERTIES and int(number) != _PROPERTIES[plain]:
             raise lines.error(f"the property {name} has {number} columns instead of {_PROPERTIES[plain]}")
-        names = [f"{plain}{k}" for k in range(int(number))]
+        known = plain if plain in ("pos", "id", *_TYPES) else name
+        names = [known] if int(number) == 1 else [f"{known}[{k}]" for k in range(1, int(number) + 1)]
         columns += names
-        text += names if kind in "SL" or plain in ("species", "type") else []
+        text += names if kind in "SL" or plain in _TYPES else []
     return columns, text
+
+
+def losses(system: System) -> Iterator[tuple[str, str]]:
+    yield from lost_dimensions(system)
 
 
 def save(file: IO[str], system: System, frame: int) -> None:

@@ -1,0 +1,86 @@
+"""Seeds of MicroStructPy: ellipsoids and spheres in text, one key and its value on a line; without a cell."""
+
+from __future__ import annotations
+
+import os
+import re
+from collections.abc import Iterator
+
+import numpy as np
+
+from .._system import System
+from .._typing import Floats
+from ._frames import Frame, Location, Options
+from ._table import Lines
+
+SUFFIXES: tuple[str, ...] = ()
+_NUMBER = r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?"
+# Rotations by degrees about axes of the body, one after the other
+_ROTATION = re.compile(rf"\(\s*'?([xyz123])'?\s*,\s*({_NUMBER})\s*\)")
+
+
+def recognise(start: bytes) -> bool:
+    return re.match(rb"\s*geometry: *[a-z]+ *\r?\n", start, re.IGNORECASE) is not None
+
+
+def locate(path: os.PathLike[str]) -> Iterator[Location]:
+    yield Location(0)
+
+
+def load(path: os.PathLike[str], location: Location, options: Options) -> System:
+    centers, shapes, quaternions, phases, numbers = [], [], [], [], []
+    with Lines(path, location) as lines:
+        for number, seed in _seeds(lines):
+            last, lines.number = lines.number, number
+            centers.append(_vector(lines, seed, "position" if "position" in seed else "center"))
+            shapes.append(_lengths(lines, seed))
+            quaternions.append(_quaternion(seed.get("rot_seq", "")))
+            phases.append(lines.whole(seed.get("phase", "0"), "phase"))
+            numbers.append(number)
+            lines.number = last
+    if not centers:
+        raise lines.error("there are no seeds: the file is truncated; write it again")
+    frame = Frame(
+        path, location, np.array(centers), np.array(shapes), np.array(quaternions), types=np.array(phases), lines=numbers,
+        periodic=(False, False, False), source="lengths a b c as radii, rot_seq as degrees about axes of the body, of MicroStructPy",
+    )  # fmt: skip
+    return frame.system(options)
+
+
+def _seeds(lines: Lines) -> Iterator[tuple[int, dict[str, str]]]:
+    """The line in which each seed begins, and what it says."""
+    number, seed = 0, {}
+    while (line := lines.next()) is not None:
+        key, colon, value = line.partition(":")
+        key = key.strip().lower().replace(" ", "_")
+        if key == "geometry":
+            if seed:
+                yield number, seed
+            number, seed = lines.number, {}
+        if colon:
+            seed[key] = re.sub(r"np\.float\d+\(([^()]*)\)", r"\1", value).strip()
+    if seed:
+        yield number, seed
+
+
+def _vector(lines: Lines, seed: dict[str, str], key: str) -> list[float]:
+    return lines.numbers(re.sub(r"[()\[\],]", " ", seed.get(key, "")), 3, f"the {key} of a seed")
+
+
+def _lengths(lines: Lines, seed: dict[str, str]) -> list[float]:
+    kind = seed.get("geometry", "").lower()
+    if kind == "sphere":
+        return 3 * lines.numbers(seed.get("radius", seed.get("r", "")), 1, "the radius of a sphere")
+    if kind != "ellipsoid":
+        raise lines.error(f"the seed is of the geometry '{kind[:40]}': only ellipsoids and spheres can be checked")
+    return [lines.numbers(seed.get(key, ""), 1, f"the semi-axis {key} of a seed")[0] for key in "abc"]
+
+
+def _quaternion(rotations: str) -> Floats:
+    result: Floats = np.array([1.0, 0, 0, 0])
+    for axis, degrees in _ROTATION.findall(rotations):
+        half = np.radians(float(degrees)) / 2
+        vector = np.sin(half) * np.eye(3)["xyz123".index(axis) % 3]
+        w, v = result[0], result[1:]
+        result = np.array([w * np.cos(half) - v @ vector, *(w * vector + np.cos(half) * v + np.cross(v, vector))])
+    return result

@@ -1,0 +1,235 @@
+"""Files of other programs: read as their programs mean them, or refused with what decides; and files that those programs read."""
+
+import os
+import pathlib
+import shutil
+import subprocess
+import warnings
+
+import numpy as np
+import pytest
+
+import pypw85
+from systems import random_system
+
+FILES = pathlib.Path(os.environ["PYPW85_SOURCE"]) / "fuzz" / "files"
+
+# The smallest μ of each file, from closed forms, and what is said to have been taken.
+READ = {
+    "compute_q.dump": (0.375, "lengths c_diameter[1..3] as diameters, quaternions c_q[1..4] as w x y z"),
+    "quatxyzw.dump": (0.375, "quaternions quatw quatx quaty quatz as w x y z"),
+    "ovito_names.dump": (0.375, "lengths AsphericalShape.X AsphericalShape.Y AsphericalShape.Z as radii"),
+    "sphere_by_radius.dump": (0.75, "radius where these are 0"),
+    "flat.dump": (4 / 3, "as diameters"),
+    "zero_shape_and_radius.xyz": (0.5, "lengths aspherical_shape[1..3] as radii, radius where these are 0"),
+    "anisoap.xyz": (0.375, "lengths c_diameter[1..3] as diameters, quaternions c_q[1..4] as w x y z"),
+    "hybrid_write_data.data": (0.4 / 1.17, "as diameters"),
+    "general_triclinic.data": (0.5, "as diameters"),
+    "comments.data": (0.5, "as diameters"),
+    "unnormalised.data": (0.375, "quaternions quatw quati quatj quatk as w x y z"),
+    "schema2_double.gsd": (1 + 0.5e-12, "lengths of type_shapes as radii"),
+    "rods_and_spheres.csv": (2.0, "lengths a b c as radii, quaternions qw qx qy qz as w x y z"),
+    "semicolon.csv": (0.75, "lengths a b c as radii"),
+    "dream3d.csv": (0.75, "as Bunge's angles"),
+    "seeds.txt": (1.2, "rot_seq as degrees about axes of the body"),
+    "splats.ply": (0.375, "one standard deviation, as radii"),
+}
+
+
+def read(name, **options):
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        return pypw85.read(FILES / name, **options)
+
+
+@pytest.mark.parametrize("name", READ)
+def test_read(name):
+    system = read(name)
+    mu, source = READ[name]
+    # The angles of DREAM.3D and the lengths of splats have single precision.
+    np.testing.assert_allclose(system.check().smallest_mu, mu, rtol=1e-6 if name in ("dream3d.csv", "splats.ply") else 1e-14)
+    assert source in system.source
+
+
+REFUSED = {
+    "orient_ijkw.dump": r"line 9: c_orient\[1..4\] is x y z w for OVITO and moltemplate, and w x y z for others: .*--quaternion xyzw",
+    "liggghts_superquadric.dump": "line 11: particle 2 is no ellipsoid, but a superquadric with blockiness1 8",
+    "circumscribed_radius.dump": "radius may be that of the circumscribed sphere",
+    "hybrid_nohint.data": "line 12: the third column should be the flag 0 or 1 .*, not 2: .* hybrid",
+    "flag_row_missing.data": "line 13: the atom 2 has the flag 1, but there is none for it in the section Ellipsoids",
+}
+
+
+@pytest.mark.parametrize("name", REFUSED)
+def test_refused(name):
+    with pytest.raises(pypw85.FileError, match=REFUSED[name]):
+        read(name)
+
+
+@pytest.mark.parametrize("options, mu", [({"quaternion": "xyzw"}, 0.375), ({"quaternion": "wxyz"}, 1.5),
+                                         ({"quaternion_columns": [f"c_orient[{k}]" for k in (4, 1, 2, 3)]}, 0.375)])  # fmt: skip
+def test_what_the_message_advises_decides(options, mu):
+    np.testing.assert_allclose(read("orient_ijkw.dump", **options).check().smallest_mu, mu, rtol=1e-14)
+
+
+def dump(columns, *rows):
+    head = f"ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n{len(rows)}\nITEM: BOX BOUNDS ff ff ff\n" + 3 * "-9 9\n"
+    return f"{head}ITEM: ATOMS {columns}\n" + "".join(row + "\n" for row in rows)
+
+
+# Half of what the columns hold, or all of it, and the quaternion (w, x, y, z) of the columns 0.6 0 0.8 0
+@pytest.mark.parametrize("columns, share, quaternion", [
+    ("shapex shapey shapez quati quatj quatk quatw", 0.5, [0, 0.6, 0, 0.8]),
+    ("shapex shapey shapez quat1 quat2 quat3 quat4", 1, [0.6, 0, 0.8, 0]),
+    ("AsphericalShape.X AsphericalShape.Y AsphericalShape.Z quati quatj quatk quatw", 1, [0, 0.6, 0, 0.8]),
+    ("c_shape[1] c_shape[2] c_shape[3] c_q[1] c_q[2] c_q[3] c_q[4]", 0.5, [0.6, 0, 0.8, 0]),
+    ("c_diam[1] c_diam[2] c_diam[3] qx qy qz qw", 0.5, [0, 0.6, 0, 0.8]),
+])  # fmt: skip
+def test_columns_of_dumps(columns, share, quaternion, tmp_path):
+    path = tmp_path / "a.dump"
+    path.write_text(dump("id type x y z " + columns, "1 1 0 0 0 1 2 3 0.6 0 0.8 0"))
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        system = pypw85.read(path)
+    np.testing.assert_array_equal(system.semi_axes, share * np.array([[1, 2, 3]]))
+    np.testing.assert_array_equal(system.quaternions, [quaternion])
+
+
+def test_columns_with_two_meanings(tmp_path):
+    """Seven columns of one compute: lengths of property/atom, or of smd/tlsph/shape."""
+    path = tmp_path / "a.dump"
+    path.write_text(dump("id type x y z " + " ".join(f"c_shape[{k}]" for k in range(1, 8)), "1 1 0 0 0 1 2 3 0.6 0 0.8 0"))
+    with pytest.raises(pypw85.FileError, match="--lengths diameters or --lengths radii"):
+        pypw85.read(path)
+    for lengths, share in (("radii", 1), ("diameters", 0.5)):
+        system = pypw85.read(path, lengths=lengths)
+        np.testing.assert_array_equal(system.semi_axes, share * np.array([[1, 2, 3]]))
+        np.testing.assert_array_equal(system.quaternions, [[0.6, 0, 0.8, 0]])
+
+
+def test_named_columns_mean_what_their_names_say():
+    system = read("ovito_names.dump", shape_columns=[f"AsphericalShape.{x}" for x in "XYZ"],
+                  quaternion_columns=[f"Orientation.{x}" for x in "XYZW"])  # fmt: skip
+    np.testing.assert_allclose(system.check().smallest_mu, 0.375, rtol=1e-14)
+
+
+@pytest.mark.parametrize("header", ["X;Y;Z;Radius", "x (mm)\ty (mm)\tz (mm)\tradius (mm)", "Points:0,Points:1,Points:2,radius",
+                                    "centroid_x|centroid_y|centroid_z|r1|r2|r3"])  # fmt: skip
+def test_headers_of_tables(header, tmp_path):
+    separator = next(one for one in ";\t,|" if one in header)
+    number = "1,5" if separator in ";\t" else "1.5"
+    rows = [["0", "0", "0", number], ["0", "0", "2", number]]
+    rows = [row + [number] * (header.count(separator) - 3) for row in rows]
+    (tmp_path / "a.csv").write_text("\n".join([header, *(separator.join(row) for row in rows)]) + "\n\n")
+    np.testing.assert_allclose(pypw85.read(tmp_path / "a.csv").check().smallest_mu, 2 / 3, rtol=1e-15)
+
+
+def test_two_dimensions(tmp_path):
+    """Are never taken for three: not for statistics, not by relaxation, and not on the way through GSD."""
+    for name in ("flat.dump", "flat_mixture.gsd", "flat_gas.gsd"):
+        with pytest.warns(UserWarning, match="two-dimensional"):
+            system = pypw85.read(FILES / name)
+        assert (system.dimensions, system.periodic) == (2, (True, True, False))
+        assert system.check().packing_fraction is None
+        for function in (pypw85.nematic_order, pypw85.relax, pypw85.correlation, pypw85.HardEllipsoids):
+            with pytest.raises(ValueError, match="two-dimensional"):
+                function(system)
+    with pytest.warns(UserWarning, match="does not say that the system is two-dimensional"):
+        pypw85.write(tmp_path / "a.dump", system)
+    pypw85.write(tmp_path / "a.gsd", system)
+    again = read(tmp_path / "a.gsd")
+    assert again.dimensions == 2
+    np.testing.assert_array_equal(again.centers, system.centers)
+    assert read("flat.dump", dimensions=3).check().overlaps == 2
+
+
+def test_double_precision_in_gsd(tmp_path, assert_rows):
+    """Keeps all bits, as the file that came from HOOMD-blue has them; the schema is that of HOOMD-blue 7."""
+    import gsd.fl
+
+    random = np.random.default_rng(5)
+    system = random_system()
+    system = pypw85.System.from_axes(
+        random.uniform(-2, 2, (40, 3)), random.uniform(0.1, 0.2, (40, 3)), random.normal(size=(40, 4)), cell=4 / 3 * np.diag([3, 4, 5]),
+        origin=-2 / 3 * np.array([3, 4, 5]), ids=np.arange(40))  # fmt: skip
+    for given in (system, read("schema2_double.gsd")):
+        with warnings.catch_warnings():
+            warnings.filterwarnings("ignore", message=".*one shape for each type")
+            warnings.filterwarnings("error", message=".*single precision")
+            pypw85.write(tmp_path / "a.gsd", given, precision="double")
+        again = pypw85.read(tmp_path / "a.gsd")
+        for name in ("centers", "semi_axes", "quaternions"):
+            a, b = getattr(again, name), getattr(given, name)
+            assert_rows((a == b).all(axis=1), a, b)
+        np.testing.assert_array_equal(again.cell, given.cell)
+    with gsd.fl.open(str(tmp_path / "a.gsd"), "rb" if gsd.__version__ < "2.8" else "r") as file:
+        assert (file.schema, file.schema_version) == ("hoomd", (2, 0))
+    with pytest.raises(pypw85.FileError, match="leave out --precision"):
+        pypw85.write(tmp_path / "a.xyz", system, precision="double")
+
+
+def test_gsd_reads_what_was_written(tmp_path):
+    hoomd = pytest.importorskip("gsd.hoomd")
+    system = random_system(step=7)
+    pypw85.write(tmp_path / "a.gsd", [system, system])
+    with hoomd.open(str(tmp_path / "a.gsd"), "r" if hasattr(hoomd, "Frame") else "rb") as file:
+        snapshot = file[1]
+    assert (snapshot.configuration.step, snapshot.configuration.dimensions, snapshot.particles.N) == (7, 3, 40)
+    np.testing.assert_array_equal(snapshot.particles.position, system.centers.astype(np.float32))
+    shapes = [snapshot.particles.type_shapes[k] for k in snapshot.particles.typeid]
+    np.testing.assert_array_equal([[shape[name] for name in "abc"] for shape in shapes], system.semi_axes)
+
+
+def test_ase_reads_and_writes_extended_xyz(tmp_path):
+    io = pytest.importorskip("ase.io", reason="the Debian package python3-ase is missing")
+    system = random_system(types=["Fe"] * 40)
+    pypw85.write(tmp_path / "a.xyz", system)
+    atoms = io.read(tmp_path / "a.xyz", format="extxyz")
+    np.testing.assert_array_equal(atoms.arrays["aspherical_shape"], system.semi_axes)
+    np.testing.assert_array_equal(atoms.arrays["orientation"], np.roll(system.quaternions, -1, axis=1))
+    np.testing.assert_array_equal(atoms.cell, system.cell)
+    del atoms.arrays["aspherical_shape"], atoms.arrays["orientation"]
+    for k in range(3):
+        atoms.arrays[f"c_diameter[{k + 1}]"] = 2 * system.semi_axes[:, k]
+    atoms.arrays["c_q"] = system.quaternions
+    io.write(tmp_path / "b.xyz", atoms, format="extxyz")
+    again = pypw85.read(tmp_path / "b.xyz")
+    # ASE writes 8 decimals.
+    for name in ("centers", "semi_axes", "quaternions"):
+        np.testing.assert_allclose(getattr(again, name), getattr(system, name), atol=1e-8)
+
+
+@pytest.mark.skipif(shutil.which("lmp") is None, reason="LAMMPS is not installed")
+def test_lammps_reads_and_writes_data(tmp_path):
+    """Ids from 0, and tilts that LAMMPS refuses; it writes what it has read, also in a hybrid style."""
+    cell = np.array([[6, 0, 0], [5, 6, 0], [-4, 4.5, 6]])
+    system = pypw85.System.from_axes((np.arange(60).reshape(20, 3) % 7) / 7 @ cell, np.tile([0.25, 0.5, 0.75], (20, 1)),
+                                     np.tile([0.6, 0, 0.8, 0], (20, 1)), cell=cell, ids=np.arange(20))  # fmt: skip
+    with pytest.warns(UserWarning, match="ids of LAMMPS are different numbers from 1"):
+        pypw85.write(tmp_path / "a.data", system)
+    overlaps = system.check().overlaps
+    for style in ("ellipsoid", "hybrid ellipsoid dipole", "hybrid molecular ellipsoid"):
+        # The columns of other styles are those of the manual of LAMMPS.
+        text = (tmp_path / "a.data").read_text()
+        if style != "ellipsoid":
+            text = as_hybrid(text, "dipole" in style)
+        (tmp_path / "b.data").write_text(text)
+        commands = f"units lj\natom_style {style}\nread_data b.data\nwrite_data c.data\n"
+        done = subprocess.run(["lmp", "-in", "/dev/stdin", "-log", "none"], input=commands, cwd=tmp_path, capture_output=True, text=True)
+        assert done.returncode == 0 and "ERROR" not in done.stdout, done.stdout
+        for name in ("b.data", "c.data"):
+            again = pypw85.read(tmp_path / name)
+            assert (len(again), again.check().overlaps) == (20, overlaps) and overlaps > 0
+            np.testing.assert_allclose(np.sort(again.semi_axes, axis=1), np.sort(system.semi_axes, axis=1), rtol=1e-15)
+
+
+def as_hybrid(text, is_dipole):
+    """The section Atoms of hybrid styles: id type x y z, then the columns of each style."""
+    lines = text.splitlines()
+    first = lines.index("Atoms # ellipsoid")
+    lines[first] = "Atoms # hybrid"
+    for k in range(first + 2, lines.index("Ellipsoids") - 1):
+        number, kind, flag, density, *place = lines[k].split()
+        others = [flag, density, "0", "0", "0", "1"] if is_dipole else ["3", flag, density]
+        lines[k] = " ".join([number, kind, *place, *others])
+    return "\n".join(lines) + "\n"
