@@ -10,6 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 from . import _core
 from ._errors import PW85Error, Status
 from ._explanations import explain_values
+from ._mesh_files import read_triangles
 from ._pairs import _particles, _rows
 from ._typing import Floats
 
@@ -76,7 +77,7 @@ class Mesh:
     def read(cls, path: str | os.PathLike[str]) -> Mesh:
         """The triangles of a file, by meshio: STL, OBJ, PLY and more.
 
-        Squares are divided into two triangles.
+        Polygons are divided into triangles, along diagonals that lie inside of them if they are flat.
 
         Parameters
         ----------
@@ -92,20 +93,16 @@ class Mesh:
         ImportError
             meshio is not installed.
         ValueError
-            The file has no triangles.
+            The file is broken, or has no triangles. The message begins with the name of the file.
         """
         try:
-            import meshio
+            import meshio  # noqa: F401
         except ImportError as error:
             raise ImportError("Mesh.read needs meshio (Debian: python3-meshio)") from error
-        content = meshio.read(os.fspath(path))
-        cells = [np.asarray(block.data) for block in content.cells if block.type == "triangle"]
-        for block in content.cells:
-            if block.type == "quad":
-                cells += [np.asarray(block.data)[:, [0, 1, 2]], np.asarray(block.data)[:, [0, 2, 3]]]
-        if not cells:
-            raise ValueError(f"{os.fspath(path)} has no triangles")
-        return cls(content.points, np.concatenate(cells))
+        try:
+            return cls(*read_triangles(path))
+        except PW85Error as error:
+            raise ValueError(f"{os.fspath(path)}: {error}") from None
 
     def __len__(self) -> int:
         """Number of triangles."""
@@ -188,5 +185,5 @@ def _indices(triangles: ArrayLike) -> NDArray[np.int32]:
     if array.ndim != 2 or array.shape[1] != 3 or array.dtype.kind not in "iu":
         raise ValueError(f"triangles must be integers of the shape (m, 3), but they are {array.dtype} of the shape {array.shape}")
     fits = (array >= 0) & (array <= np.iinfo(np.int32).max)
-    return np.where(fits, array, -1).astype(np.int32)
+    return np.ascontiguousarray(np.where(fits, array, -1), dtype=np.int32)
 

@@ -138,3 +138,115 @@ def test_without_meshio(monkeypatch):
     monkeypatch.setitem(sys.modules, "meshio", None)
     with pytest.raises(ImportError, match="python3-meshio"):
         pypw85.Mesh.read("wall.stl")
+
+
+CUBE = np.array(np.meshgrid([-1.0, 1], [-1, 1], [-1, 1], indexing="ij")).reshape(3, -1).T
+FACES = [[0, 1, 3, 2], [4, 6, 7, 5], [0, 4, 5, 1], [2, 3, 7, 6], [0, 2, 6, 4], [1, 5, 7, 3]]
+
+
+def area(mesh):
+    a, b, c = np.swapaxes(mesh.vertices[mesh.triangles], 0, 1)
+    return np.linalg.norm(np.cross(b - a, c - a), axis=1).sum() / 2
+
+
+@pytest.mark.parametrize("name", ["{}", "{}/1", "{}/1/1", "{}//1"])
+@pytest.mark.parametrize("first", [1, -8])
+def test_faces_of_obj(name, first, tmp_path):
+    """Numbers of textures and normals, from the start or from the end, quads, and comments."""
+    pytest.importorskip("meshio")
+    lines = ["mtllib a.mtl", "o cube", *(f"v {' '.join(map(repr, corner.tolist()))} 1 0 0" for corner in CUBE), "vt 0 0", "vn 0 0 1"]
+    lines += ["f " + " ".join(name.format(first + k) for k in face) + " # a face" for face in FACES]
+    (tmp_path / "a.obj").write_text("\n".join(lines))
+    mesh = pypw85.Mesh.read(tmp_path / "a.obj")
+    assert (len(mesh), area(mesh)) == (12, 24)
+
+
+def test_polygons(tmp_path):
+    """An L of area 3, whose fan from the first corner would have 5, beside a triangle: every point of it is hit, none outside."""
+    pytest.importorskip("meshio")
+    corners = [(2, 1, 0), (1, 1, 0), (1, 2, 0), (0, 2, 0), (0, 0, 0), (2, 0, 0)]
+    for start in range(6):
+        for turn in (1, -1):
+            face = np.roll(np.arange(1, 7), start)[::turn]
+            text = [f"v {x} {y} {z}" for x, y, z in [*corners, (0, 0, 1)]] + ["f " + " ".join(map(str, face)), "f 5 6 7"]
+            (tmp_path / "a.obj").write_text("\n".join(text))
+            mesh = pypw85.Mesh.read(tmp_path / "a.obj")
+            assert (len(mesh), area(mesh)) == (5, 4)
+            small = np.tile(1e-4 * np.array([1.0, 0, 0, 1, 0, 1]), (4, 1))
+            assert mesh.overlap([[0.5, 1.5, 0], [1.5, 0.5, 0], [0.5, 0.5, 0], [1.5, 1.5, 0]], small).tolist() == [True] * 3 + [False]
+
+
+def test_text_of_stl(tmp_path):
+    """In capitals, several solids, "end solid", and without normals."""
+    pytest.importorskip("meshio")
+    facets = [f"  FACET\n   OUTER LOOP\n{''.join(f'    VERTEX {x} {y} {z}' + chr(10) for x, y, z in VERTICES[triangle])}"
+              "   END LOOP\n  END FACET\n" for triangle in TRIANGLES]  # fmt: skip
+    text = "SOLID one\n" + "".join(facets[:2]) + "END SOLID one\nsolid two\n" + "".join(facets[2:]) + "endsolid\n"
+    (tmp_path / "a.STL").write_text(text)
+    mesh = pypw85.Mesh.read(tmp_path / "a.STL")
+    assert (mesh.vertices[mesh.triangles] == VERTICES[TRIANGLES]).all()
+
+
+PLY = """ply
+format ascii 1.0
+comment made by hand
+element vertex 8
+property float x
+property float y
+property double z
+element face 6
+property list uchar int vertex_index
+element edge 0
+property int vertex1
+property int vertex2
+end_header
+"""
+
+
+@pytest.mark.parametrize("is_binary", [True, False])
+def test_faces_of_ply(is_binary, tmp_path):
+    """Quads, elements behind the faces, and the older name of the list."""
+    pytest.importorskip("meshio")
+    if is_binary:
+        points = np.array([tuple(corner) for corner in CUBE], [("x", "<f4"), ("y", "<f4"), ("z", "<f8")])
+        faces = np.array([(4, face) for face in FACES], [("n", "u1"), ("face", "<i4", 4)])
+        content = PLY.replace("ascii", "binary_little_endian").encode() + points.tobytes() + faces.tobytes()
+    else:
+        rows = [*CUBE.tolist(), *([4, *face] for face in FACES)]
+        content = (PLY + "\n".join(" ".join(map(str, row)) for row in rows) + "\n").encode()
+    (tmp_path / "a.ply").write_bytes(content)
+    mesh = pypw85.Mesh.read(tmp_path / "a.ply")
+    assert (len(mesh), area(mesh)) == (12, 24)
+
+
+BAD_MESHES = {
+    "a.obj": [("v 0 0 0\nf 1 2\n", "line 2: a face should have three"), ("v 0 0 0\nf 1 2 0\n", "line 2: a face"),
+              ("v 0 0 0\nf 1 2 3\n", "index that is no vertex"), ("v 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 -4\n", "line 4"),
+              ("v 0 0 nought\nf 1 1 1\n", "nought"), ("surf 0 1 0 1\n", "line 1: free-form")],
+    "a.stl": [("solid\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nendloop\nendfacet\nendsolid\n", "line 7: the facet before has 1"),
+              ("solid\nfacet normal 0 0 1\nvertex 0 0\n", "line 3: a vertex"), (84 * "\0" + "x", "a binary STL file of 0 triangles"),
+              ("solid\nfacet normal 0 0 1\nvertex 0 0 0\n", "the file ends within a facet")],
+    "a.ply": [("plain", "no header of a PLY file"),
+              (PLY.replace("ascii", "binary_little_endian").replace("element edge", "property uchar red\nelement edge"), "property 'red'"),
+              (PLY.replace("element vertex", "element camera 1\nelement vertex"), "elements 'camera' before the faces")],
+    "a.foo": [("", "foo")],
+    "a.vtk": [("nonsense", "a.vtk")],
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("name", BAD_MESHES)
+def test_broken_meshes(name, tmp_path):
+    pytest.importorskip("meshio")
+    for content, reason in BAD_MESHES[name]:
+        path = tmp_path / name
+        path.write_text(content)
+        with pytest.raises(ValueError, match=reason) as raised:
+            pypw85.Mesh.read(path)
+        assert str(raised.value).startswith(f"{path}: ") and "\n" not in str(raised.value)
+    with pytest.raises(FileNotFoundError):
+        pypw85.Mesh.read(tmp_path / f"missing-{name}")
+
+
+def test_order_of_memory():
+    mesh = pypw85.Mesh(np.asfortranarray(VERTICES), np.asfortranarray(TRIANGLES))
+    assert (mesh.triangles == TRIANGLES).all()

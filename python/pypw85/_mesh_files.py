@@ -1,0 +1,215 @@
+"""Triangles of files, by meshio: what its readers do not know of is put into the form that they read, or refused."""
+
+from __future__ import annotations
+
+import contextlib
+import io
+import os
+import re
+import tempfile
+from typing import Any
+from collections.abc import Iterator
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ._typing import Floats
+
+Path = str | os.PathLike[str]
+_HEADER_OF_STL = 84
+_TRIANGLE_OF_STL = 50
+
+
+def read_triangles(path: Path) -> tuple[Floats, NDArray[np.int64]]:
+    """Points and triangles of a file.
+
+    Raises
+    ------
+    ValueError
+        The file is none of its kind, or has no triangles; with its name, and the line where there are lines.
+    """
+    import meshio
+
+    name = os.fspath(path)
+    os.stat(name)  # meshio has errors of its own for files that are not there
+    said = io.StringIO()  # meshio prints some of its errors, and ends the program
+    try:
+        with contextlib.redirect_stderr(said), contextlib.redirect_stdout(said):
+            content = _READERS.get(os.path.splitext(name)[1].lower(), meshio.read)(name)
+    except (FileNotFoundError, PermissionError, IsADirectoryError):
+        raise
+    except (Exception, SystemExit) as error:
+        reason = " ".join((said.getvalue() or str(error)).split()) or type(error).__name__
+        raise ValueError(f"{name}: {reason.removeprefix(f'{name}, ')}") from None
+    points = np.asarray(content.points, dtype=np.float64)
+    if points.ndim == 2 and points.shape[1] == 2:
+        points = np.pad(points, ((0, 0), (0, 1)))
+    blocks = [np.asarray(block.data, dtype=np.int64) for block in content.cells if block.type in ("triangle", "quad", "polygon")]
+    if not blocks:
+        kinds = sorted({block.type for block in content.cells})
+        raise ValueError(f"{name} has no triangles" + (f", but {', '.join(kinds)}" if kinds else ""))
+    return points, np.concatenate([triangles_of(points, block) for block in blocks])
+
+
+def triangles_of(points: Floats, polygons: NDArray[np.int64]) -> NDArray[np.int64]:
+    """Triangles (m, 3) of polygons (n, k) in their order: fans of convex ones; others are cut along diagonals inside of them."""
+    count, sides = polygons.shape
+    if sides == 3 or not count or polygons.min() < 0 or polygons.max() >= len(points):
+        return polygons[:, :3]  # the mesh refuses indices that are no vertices
+    corners = points[polygons]
+    edges = np.roll(corners, -1, axis=1) - corners
+    normals = np.cross(corners - corners[:, :1], edges).sum(axis=1)
+    turns = np.einsum("nki,ni->nk", np.cross(np.roll(edges, 1, axis=1), edges), normals)
+    fan = np.array([(0, k, k + 1) for k in range(1, sides - 1)])
+    places = np.tile(fan, (count, 1, 1))
+    for row in np.flatnonzero((turns < 0).any(axis=1)):
+        flat = np.delete(corners[row], np.abs(normals[row]).argmax(), axis=1)
+        places[row] = _cut(flat * [1, _area(flat)])
+    return polygons[np.arange(count)[:, None, None], places].reshape(-1, 3)
+
+
+def _area(corners: Floats) -> float:
+    """The sign of the area of a polygon in the plane: 1 if it turns left."""
+    x, y = corners.T
+    return float(np.sign(x @ np.roll(y, -1) - y @ np.roll(x, -1)))
+
+
+def _cut(corners: Floats) -> list[tuple[int, int, int]]:
+    """Triangles of a polygon in the plane that turns left: cuts off one corner after the other that has no other corner inside."""
+    left = list(range(len(corners)))
+    cut = []
+    while len(left) > 3:
+        ears = ((left[k - 1], left[k], left[(k + 1) % len(left)]) for k in range(len(left)))
+        ear = next((one for one in ears if _is_ear(corners, left, one)), tuple(left[:3]))
+        cut.append(ear)
+        left.remove(ear[1])
+    return [*cut, tuple(left)]
+
+
+def _is_ear(corners: Floats, left: list[int], ear: tuple[int, ...]) -> bool:
+    a, b, c = corners[list(ear)]
+    others = corners[[k for k in left if k not in ear]]
+
+    def side(start: Floats, end: Floats, points: Floats) -> Any:
+        return (end[0] - start[0]) * (points[..., 1] - start[1]) - (end[1] - start[1]) * (points[..., 0] - start[0])
+
+    inside = (side(a, b, others) >= 0) & (side(b, c, others) >= 0) & (side(c, a, others) >= 0)
+    return bool(side(a, b, c) > 0 and not inside.any())
+
+
+def _obj(path: str) -> Any:
+    """Only vertices and faces, without the numbers of textures and normals, which meshio takes for data of vertices."""
+    import meshio
+
+    with open(path, encoding="utf-8", errors="replace") as file:
+        return meshio.read(io.StringIO("".join(_plain_obj(file))), file_format="obj")
+
+
+def _plain_obj(file: io.TextIOWrapper) -> Iterator[str]:
+    vertices, whole = 0, ""
+    for number, line in enumerate(file, 1):
+        whole += line.partition("#")[0].strip()
+        if whole.endswith("\\"):
+            whole = whole[:-1] + " "
+            continue
+        words, whole = whole.split(), ""
+        if words[:1] == ["v"]:
+            vertices += 1
+            yield f"v {' '.join(words[1:4])}\n"
+        elif words[:1] == ["f"]:
+            yield f"f {' '.join(map(str, _face(words[1:], vertices, number)))}\n"
+        elif words[:1] in (["surf"], ["curv"]):
+            raise ValueError(f"line {number}: free-form surfaces have no triangles: write polygons")
+
+
+def _face(words: list[str], vertices: int, number: int) -> list[int]:
+    """The vertices of a face, counted from 1. Negative numbers count from the last vertex before it."""
+    indices = [int(word.split("/")[0]) if re.fullmatch(r"-?\d+(/-?\d*){0,2}", word) else 0 for word in words]
+    indices = [vertices + 1 + index if index < 0 else index for index in indices]
+    if len(indices) < 3 or min(indices) < 1:
+        raise ValueError(f"line {number}: a face should have three or more numbers of vertices, not '{' '.join(words)[:80]}'")
+    return indices
+
+
+def _stl(path: str) -> Any:
+    """Binary files go to meshio as they are, text in small letters and without what is between the vertices."""
+    import meshio
+
+    size = os.path.getsize(path)
+    with open(path, "rb") as file:
+        start = file.read(_HEADER_OF_STL)
+        count = int.from_bytes(start[-4:], "little")
+        if size == _HEADER_OF_STL + _TRIANGLE_OF_STL * count and size > _HEADER_OF_STL:
+            return meshio.stl.read(path)
+        text = start + file.read()
+    if b"\0" in start or not text.lstrip()[:5].lower() == b"solid":
+        raise ValueError(f"a binary STL file of {count} triangles has {_HEADER_OF_STL + _TRIANGLE_OF_STL * count} bytes, and this one has "
+                         f"{size}: it is truncated, or no STL file; write it again")  # fmt: skip
+    with tempfile.TemporaryDirectory() as folder:
+        plain = os.path.join(folder, "plain.stl")
+        with open(plain, "w", encoding="ascii") as out:
+            out.writelines(_plain_stl(text.decode("latin-1").lower()))
+        return meshio.stl.read(plain)
+
+
+def _plain_stl(text: str) -> Iterator[str]:
+    yield "solid\n"
+    corners = 3
+    for number, line in enumerate(text.splitlines(), 1):
+        words = line.split()
+        if words[:1] == ["facet"] or "".join(words[:2]) == "endsolid":
+            if corners != 3:
+                raise ValueError(f"line {number}: the facet before has {corners} vertices instead of 3: correct it")
+            corners = 0 if words[0] == "facet" else 3
+            yield "facet normal 0 0 0\n" * (words[0] == "facet")
+        elif words[:1] == ["vertex"]:
+            corners += 1
+            yield f"vertex {' '.join(words[1:])}\n"
+            if len(words) != 4:
+                raise ValueError(f"line {number}: a vertex should have three numbers, not '{line.strip()[:80]}'")
+    if corners != 3:
+        raise ValueError(f"line {number}: the file ends within a facet: it is truncated; write it again")
+    yield "endsolid\n"
+
+
+# Names of types as meshio knows them in binary and in text files
+_TYPES = {"uchar": "uint8", "char": "int8", "int": "int32", "uint": "uint32", "float": "float32", "float64": "double"}
+
+
+def _ply(path: str) -> Any:
+    """The list of vertices is called vertex_indices for meshio, and elements behind the faces are left out."""
+    import meshio
+
+    with open(path, "rb") as file:
+        content = file.read()
+    header, end, data = content.partition(b"end_header")
+    if not content.startswith(b"ply") or not end:
+        raise ValueError("there is no header of a PLY file: it is truncated, or of another kind")
+    lines = [line.split() for line in header.decode("latin-1").splitlines()]
+    is_binary = any(words[:1] == ["format"] and words[1:2] != ["ascii"] for words in lines)
+    plain = "\n".join(" ".join(words) for words in _plain_ply(lines, is_binary))
+    return meshio.read(io.BytesIO(plain.encode() + b"\nend_header" + data), file_format="ply")
+
+
+def _plain_ply(lines: list[list[str]], is_binary: bool) -> Iterator[list[str]]:
+    element, properties = "", 0
+    for words in lines:
+        if words[:1] == ["element"]:
+            if element == "face":
+                return
+            element, properties = words[1], 0
+            if element not in ("vertex", "face"):
+                raise ValueError(f"there are elements '{element}' before the faces: write the file without them")
+        if words[:1] == ["property"]:
+            properties += 1
+            words = [_TYPES.get(word, word) if is_binary else word for word in words[:-1]] + words[-1:]
+            if element == "face" and properties > 1 and (is_binary or words[1] == "list"):
+                raise ValueError(f"faces have the property '{words[-1]}' besides the list of their vertices: write the file without it, or as "
+                                 "text")  # fmt: skip
+            if element == "face" and words[1] == "list":
+                words = [*words[:-1], "vertex_indices"]
+        if words and words[0] not in ("comment", "obj_info"):
+            yield words
+
+
+_READERS = {".obj": _obj, ".stl": _stl, ".ply": _ply}
