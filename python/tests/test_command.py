@@ -447,3 +447,62 @@ def test_examples_of_help(run, folder, name):
         done = run(*shlex.split(line)[1:])
         said = [one for one in done.err.splitlines() if not one.startswith("pw85: warning: ")]
         assert done.status == int(name == "check") and not said, (line, done)
+
+
+def file_of(name):
+    return pathlib.Path(os.environ["PYPW85_SOURCE"]) / "fuzz" / "files" / name
+
+
+def test_what_was_taken_is_said(run, folder):
+    done = run("check", file_of("compute_q.dump"), "--json", "a.json")
+    source = "lengths c_diameter[1..3] as diameters, quaternions c_q[1..4] as w x y z"
+    assert done.out.splitlines()[0].endswith(f": lammps-dump, {source}")
+    assert json.loads((folder / "a.json").read_text())["frames"][0]["source"] == source
+    done = run("check", file_of("compute_q.dump"), "--lengths", "radii", "--json", "a.json")
+    assert "c_diameter[1..3] as radii" in done.out and done.status == 1
+
+
+def test_clean_means_that_all_were_checked(run, folder):
+    """Particles without a shape are no reason for status 0, unless they are said to be points."""
+    (folder / "a.xyz").write_text("2\nProperties=species:S:1:pos:R:3:radius:R:1\nA 0 0 0 1\nB 3 0 0 0\n")
+    done = run("check", "a.xyz")
+    assert done.status == 2 and "1 particles without a shape were not checked: give them a shape (--shape)" in done.err
+    assert run("check", "a.xyz", "--points").status == 0
+    assert run("check", "a.xyz", "--shape", "1,1,1").status == 0
+    assert run("check", "a.xyz", "--shape", "2.5,2.5,2.5").status == 1
+
+
+@pytest.mark.parametrize("workers", [1, 2])
+def test_frames_before_a_broken_one(run, folder, workers):
+    """Are reported; an empty frame is one of them."""
+    text = file_of("empty_frame.dump").read_text()
+    (folder / "a.dump").write_text(text + text[:300])
+    whole, broken = (run("check", path, "--workers", workers) for path in (file_of("empty_frame.dump"), "a.dump"))
+    assert (whole.status, broken.status) == (1, 2)
+    assert broken.out.splitlines()[1:5] == whole.out.splitlines()[1:5] and "7       3" in broken.out.splitlines()[-1]
+    assert "frame 0: there are no particles" in whole.err
+    assert re.search(r"a\.dump, frame 3, line \d+: the file ends", broken.err), broken.err
+    (folder / "b.dump").write_text("".join(text.partition("quatk\n")[:2]))
+    assert "there are no particles" in run("check", "b.dump").err.splitlines()[-1]
+
+
+@pytest.mark.parametrize("name, arguments, reason", [
+    ("comments.data", ["--shape-columns", "a,b,c"], "have no named columns: leave out --shape-columns"),
+    ("schema2_double.gsd", ["--quaternion-columns", "a,b,c,d"], "have no named columns: leave out --quaternion-columns"),
+    ("anisoap.xyz", ["--shape-columns", "a,b,c"], "there is no column 'a', but species pos"),
+    ("rods_and_spheres.csv", ["--periodic", "ab"], "there is no cell that could be periodic"),
+])  # fmt: skip
+def test_options_without_a_use_are_refused(run, folder, name, arguments, reason):
+    done = run("check", file_of(name), *arguments)
+    assert done.status == 2 and reason in done.err
+    done = run("convert", file_of(name), "a.xyz", "--precision", "double")
+    assert done.status == 2 and "leave out --precision" in done.err
+
+
+def test_splats(run, folder):
+    for output in ("a.html", "a.png"):
+        assert run("draw", file_of("splats.ply"), output).status == 0
+    done = run("convert", file_of("splats.ply"), "a.xyz")
+    assert (done.status, done.err) == (0, "") and len(pypw85.read("a.xyz")) == 2
+    done = run("convert", "a.xyz", "a.ply", "--to", "splats")
+    assert done.status == 2
