@@ -65,7 +65,8 @@ def triangles_of(points: Floats, polygons: NDArray[np.int64]) -> NDArray[np.int6
     for row in np.flatnonzero((turns < 0).any(axis=1)):
         flat = np.delete(corners[row], np.abs(normals[row]).argmax(), axis=1)
         places[row] = _cut(flat * [1, _area(flat)])
-    return polygons[np.arange(count)[:, None, None], places].reshape(-1, 3)
+    cut: NDArray[np.int64] = polygons[np.arange(count)[:, None, None], places].reshape(-1, 3)
+    return cut
 
 
 def _area(corners: Floats) -> float:
@@ -74,7 +75,7 @@ def _area(corners: Floats) -> float:
     return float(np.sign(x @ np.roll(y, -1) - y @ np.roll(x, -1)))
 
 
-def _cut(corners: Floats) -> list[tuple[int, int, int]]:
+def _cut(corners: Floats) -> list[tuple[int, ...]]:
     """Triangles of a polygon in the plane that turns left: cuts off one corner after the other that has no other corner inside."""
     left = list(range(len(corners)))
     cut = []
@@ -176,19 +177,22 @@ def _plain_stl(text: str) -> Iterator[str]:
 _TYPES = {"uchar": "uint8", "char": "int8", "int": "int32", "uint": "uint32", "float": "float32", "float64": "double"}
 
 
-def _ply(path: str) -> Any:
+def read_ply(path: str) -> Any:
     """The list of vertices is called vertex_indices for meshio, and elements behind the faces are left out."""
     import meshio
 
     with open(path, "rb") as file:
         content = file.read()
-    header, end, data = content.partition(b"end_header")
-    if not content.startswith(b"ply") or not end:
+    end = re.search(rb"^end_header[ \t\r]*\n", content, re.MULTILINE)
+    if not content.startswith(b"ply") or end is None:  # without an end, meshio would look for it forever
         raise ValueError("there is no header of a PLY file: it is truncated, or of another kind")
-    lines = [line.split() for line in header.decode("latin-1").splitlines()]
+    lines = [line.split() for line in content[: end.start()].decode("latin-1").splitlines()]
     is_binary = any(words[:1] == ["format"] and words[1:2] != ["ascii"] for words in lines)
-    plain = "\n".join(" ".join(words) for words in _plain_ply(lines, is_binary))
-    return meshio.read(io.BytesIO(plain.encode() + b"\nend_header" + data), file_format="ply")
+    plain = "\n".join(" ".join(words) for words in _plain_ply(lines, is_binary)) + "\nend_header\n"
+    try:
+        return meshio.read(io.BytesIO(plain.encode() + content[end.end() :]), file_format="ply")
+    except meshio.ReadError as error:
+        raise ValueError(str(error) or "meshio cannot read it") from None
 
 
 def _plain_ply(lines: list[list[str]], is_binary: bool) -> Iterator[list[str]]:
@@ -212,4 +216,4 @@ def _plain_ply(lines: list[list[str]], is_binary: bool) -> Iterator[list[str]]:
             yield words
 
 
-_READERS = {".obj": _obj, ".stl": _stl, ".ply": _ply}
+_READERS = {".obj": _obj, ".stl": _stl, ".ply": read_ply}

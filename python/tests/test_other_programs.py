@@ -95,6 +95,12 @@ def test_columns_of_dumps(columns, share, quaternion, tmp_path):
     np.testing.assert_array_equal(system.quaternions, [quaternion])
 
 
+def test_type_twice(tmp_path):
+    """As in examples of LIGGGHTS."""
+    (tmp_path / "a.dump").write_text(dump("id type type x y z radius", "1 2 2 0 0 0 1"))
+    assert pypw85.read(tmp_path / "a.dump").types.tolist() == [2]
+
+
 def test_columns_with_two_meanings(tmp_path):
     """Seven columns of one compute: lengths of property/atom, or of smd/tlsph/shape."""
     path = tmp_path / "a.dump"
@@ -141,6 +147,8 @@ def test_two_dimensions(tmp_path):
     assert again.dimensions == 2
     np.testing.assert_array_equal(again.centers, system.centers)
     assert read("flat.dump", dimensions=3).check().overlaps == 2
+    with pytest.raises(pypw85.FileError, match="do not lie in one plane of z"):
+        read("comments.data", dimensions=2)
 
 
 def test_double_precision_in_gsd(tmp_path, assert_rows):

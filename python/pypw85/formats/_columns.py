@@ -34,7 +34,7 @@ _LENGTHS: list[tuple[str, list[Names], str]] = [
     (r"c\w*(?:shape|diam)\w*", [_INDEX, _FROM_1], "diameters"),
     ("", [("a", "b", "c")], "radii"),
 ]
-_LETTERS = [("w", "x", "y", "z"), ("w", "i", "j", "k")]
+_LETTERS: list[Names] = [("w", "x", "y", "z"), ("w", "i", "j", "k")]
 _QUADRUPLE = ("[1]", "[2]", "[3]", "[4]")
 _QUATERNIONS: list[tuple[str, list[Names], str]] = [
     ("quat|q|quaternion|quaternions|quats|orientation|orient", _LETTERS, "wxyz"),
@@ -90,7 +90,7 @@ def take(columns: Sequence[str], options: Options, error: Error, lengths: str, o
     shape, lengths = _shape(columns, plain, options, error, lengths)
     quaternion, order = _quaternion(columns, plain, options, error, order)
     euler = tuple(plain[name] for name in _EULER) if not quaternion and set(_EULER) <= plain.keys() else ()
-    sphere = next(((plain[name],) for name in _SPHERES if name in plain), ())
+    sphere: Names = next(((plain[name],) for name in _SPHERES if name in plain), ())
     exponents = [(plain[name], values) for name, values in _EXPONENTS if name in plain]
     if not shape and sphere:
         if quaternion:
@@ -157,7 +157,7 @@ def _quaternion(columns: Sequence[str], plain: dict[str, str], options: Options,
     found, meaning = _first(_QUATERNIONS, {plain_name(name): name for name in given} if given else plain)
     if given and found != given:
         # The letters of the names say the order; otherwise it is that of the option
-        is_scalar_last = bool(found) and meaning == "wxyz" and (*given[3:], *given[:3]) == found
+        is_scalar_last = bool(found) and meaning == "wxyz" and given[-1:] + given[:-1] == found
         found, meaning = given, "xyzw" if is_scalar_last and not found[0].endswith("]") else order
     if meaning == _ASK and found and options.quaternion is None:
         raise error(_TWO_ORDERS.format(_short(found)))

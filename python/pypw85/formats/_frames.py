@@ -143,6 +143,8 @@ class Frame:
         system.dimensions = options.dimensions or self.dimensions or (2 if _is_flat(system) else 3)
         if system.dimensions == 3:
             return
+        if options.dimensions == 2 and not _is_planar(system):
+            raise self.error("the centres do not lie in one plane of z, or the particles are turned out of it: leave out --dimensions 2")
         system.periodic = (*system.periodic[:2], False)
         reason = "" if options.dimensions or self.dimensions else (
             ": all centres lie in one plane of z, and the cell is no higher than the particles, as with dimension 2 in LAMMPS")
@@ -265,13 +267,17 @@ def _is_flat(system: System) -> bool:
     if len(system) < 2 or system.cell is None or not system.periodic[2]:
         return False
     height, bottom = float(system.cell[2, 2]), float(system.origin[2])
-    if system.cell[2, :2].any() or system.cell[:2, 2].any() or np.ptp(system.centers[:, 2]) != 0:
-        return False
-    # Rounded quaternions leave that much of a form outside of its plane.
-    off_plane = np.abs(system.q[:, [2, 4]]).max(axis=1) <= 1e-6 * system.q.max(axis=1)
-    if not off_plane.all():
+    if system.cell[2, :2].any() or system.cell[:2, 2].any() or not _is_planar(system):
         return False
     return (bottom, bottom + height) == _FLAT_BOX or bool((2 * np.sqrt(system.q[:, 5]) > height).all())
+
+
+def _is_planar(system: System) -> bool:
+    """Whether all centres have the same z, and z is a principal axis of all forms, but for quaternions in single precision."""
+    if not len(system) or np.ptp(system.centers[:, 2]) != 0:
+        return False
+    # A quaternion whose components err by 2⁻²⁴ turns the axis z by up to 2⁻²², and the form by that times its largest component.
+    return bool((np.abs(system.q[:, [2, 4]]).max(axis=1) <= 2.0**-21 * system.q.max(axis=1)).all())
 
 
 def check_lengths_of_names(names: Sequence[str], error: Callable[[str], FileError]) -> None:

@@ -25,6 +25,8 @@ _BLOCK = 1 << 22
 _WRITTEN = 1 << 16
 # The longest line in bytes. A file that is no text may be one line of any length, and small if it is compressed.
 _LONGEST = READ_AHEAD
+# The longest number; the midpoint of two numbers in double precision has up to 1075 digits.
+_LONGEST_NUMBER = 1 << 13
 _DIGITS = re.compile(r"[-+]?[0-9]+")
 _NUMBER = re.compile(r"[-+]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][-+]?[0-9]+)?|[-+]?(?:inf|infinity|nan)", re.ASCII | re.IGNORECASE)
 # Rows of numbers, and for each column of names, codes and the names that these count.
@@ -167,8 +169,8 @@ def locate_frames(path: os.PathLike[str], lines_of_frame: Callable[[Lines], int 
 
 
 def _number(word: str) -> float:
-    """As float(), which also takes digits of other scripts, and 1_000."""
-    if not _NUMBER.fullmatch(word):
+    """As float(), which also takes digits of other scripts, and 1_000, and whose time is quadratic in the number of digits."""
+    if len(word) > _LONGEST_NUMBER or not _NUMBER.fullmatch(word):
         raise ValueError(word)
     return float(word)
 

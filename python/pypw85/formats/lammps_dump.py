@@ -100,7 +100,13 @@ def _header(lines: Lines) -> _Header | None:
         raise lines.error("the number of particles or the box is missing before 'ITEM: ATOMS'")
     if line.startswith("ITEM: ENTRIES"):
         raise lines.error("this is a dump of pairs (dump local), which have no positions: dump atoms")
-    return _Header(step, count, *box, line.split()[2:])
+    return _Header(step, count, *box, _once_type(line.split()[2:]))
+
+
+def _once_type(columns: list[str]) -> list[str]:
+    """LIGGGHTS's examples dump the type twice, in columns side by side."""
+    first = columns.index("type") if "type" in columns else 0
+    return [f"{name} again" if name == "type" and k > first else name for k, name in enumerate(columns)]
 
 
 def _box(words: list[str], lines: Lines) -> tuple[Floats, Floats, list[bool]]:

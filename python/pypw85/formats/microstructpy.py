@@ -49,7 +49,7 @@ def load(path: os.PathLike[str], location: Location, options: Options) -> System
 
 def _seeds(lines: Lines) -> Iterator[tuple[int, dict[str, str]]]:
     """The line in which each seed begins, and what it says."""
-    number, seed = 0, {}
+    number, seed = 0, dict[str, str]()
     while (line := lines.next()) is not None:
         key, colon, value = line.partition(":")
         key = key.strip().lower().replace(" ", "_")

@@ -11,6 +11,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
+from .._mesh_files import read_ply
 from .._system import System
 from ._errors import FileError, guarded
 from ._files import check_input
@@ -31,10 +32,8 @@ def locate(path: os.PathLike[str]) -> Iterator[Location]:
 
 @guarded
 def load(path: os.PathLike[str], location: Location, options: Options) -> System:
-    import meshio
-
     count = _check_header(path)
-    content = meshio.ply.read(os.fspath(path))
+    content = read_ply(os.fspath(path))
     if len(content.points) != count:
         raise FileError(path, f"the file ends after {len(content.points)} of {count} splats: it is truncated; write it again", 0)
     columns = {name: np.asarray(values, dtype=np.float64) for name, values in content.point_data.items()}
