@@ -24,6 +24,17 @@ inline constexpr bool is_for_device = false;
 /// Before every function of the templates: it belongs to its unit alone, which runs what it was compiled to, with its own flags.
 #define PW85_FUNCTION PW85_ANYWHERE static
 
+/// Before a function of the tiers that hardly ever run: wider numbers and integers. A unit that defines PW85_RARE_ELSEWHERE takes the one
+/// instance for doubles that is compiled apart (src/rare.cpp). In other units the function belongs to its unit, as all functions do.
+/// A header that has such functions lists them in a macro (keyword, scalar, dimensions), which PW85_RARE_TIER() then declares.
+#ifdef PW85_RARE_ELSEWHERE
+#define PW85_RARE [[gnu::noinline, gnu::cold]] PW85_ANYWHERE
+#define PW85_RARE_TIER(functions) functions(extern, double, 2) functions(extern, double, 3)
+#else
+#define PW85_RARE [[gnu::noinline, gnu::cold]] PW85_FUNCTION
+#define PW85_RARE_TIER(functions)
+#endif
+
 /// Before every member function of what devices compute with: it has no address that another unit could take.
 #define PW85_MEMBER [[gnu::always_inline]] PW85_ANYWHERE
 

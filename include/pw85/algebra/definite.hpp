@@ -37,8 +37,7 @@ template <class T> PW85_FUNCTION constexpr T least_determinant() noexcept
 /// half of least_determinant(). Pivots are ratios of minors. They must exceed the fourth root of the smallest number times the
 /// largest diagonal entry. (In double an ellipsoid of aspect ratio 1e38 has such a small pivot. Its inverse leaves room for
 /// products of four entries.)
-template <class T, int D>
-[[gnu::noinline, gnu::cold]] PW85_FUNCTION inline bool has_positive_minors(SymmetricMatrix<T, D> const &a) noexcept
+template <class T, int D> PW85_RARE bool has_positive_minors(SymmetricMatrix<T, D> const &a) noexcept
 {
     using W = Widened<T>;
     auto const w = converted<W>(a);
@@ -73,6 +72,10 @@ template <class T, int D> PW85_FUNCTION inline bool is_positive_definite(Symmetr
     else
         return is_clearly_definite(a) || has_positive_pivots(a);
 }
+
+#define PW85_RARE_DEFINITE(keyword, T, D)                                                                              \
+    keyword template bool has_positive_minors(SymmetricMatrix<T, D> const &) noexcept;
+PW85_RARE_TIER(PW85_RARE_DEFINITE)
 
 } // namespace pw85::detail
 

@@ -120,8 +120,7 @@ template <class T, int D>
 }
 
 /// Does the same search with numbers of twice the digits, for a pair for which the digits of T do not suffice.
-template <class T, int D> [[gnu::noinline, gnu::cold]] PW85_FUNCTION inline Maximum<T>
-search_doubled(FactoredPair<T, D> const &pair, T const &t) noexcept
+template <class T, int D> PW85_RARE Maximum<T> search_doubled(FactoredPair<T, D> const &pair, T const &t) noexcept
 {
     using W = Doubled<T>;
     FactoredPair<W, D> const wide{converted<W>(pair.r12), converted<W>(pair.q1), converted<W>(pair.q2), W(pair.ratio)};
@@ -222,6 +221,10 @@ template <class T, int D>
     if (last.certain) return to_maximum(last, end.evaluations + 1, true);
     return maximize_by_directions(pair, start_from(rounded_pair, end.candidate));
 }
+
+#define PW85_RARE_FACTORED(keyword, T, D)                                                                              \
+    keyword template Maximum<T> search_doubled(FactoredPair<T, D> const &, T const &) noexcept;
+PW85_RARE_TIER(PW85_RARE_FACTORED)
 
 } // namespace pw85::detail
 

@@ -63,9 +63,9 @@ template <class T> PW85_FUNCTION constexpr T tolerated_error() noexcept
 }
 
 /// M⁻¹ x for M = w1 Q1 + w2 Q2. It is correct to rounding in the norm of M.
-template <class T, int D> [[gnu::noinline, gnu::cold]] PW85_FUNCTION inline Vector<T, D>
-solve_blend_extended(T const &w1, SymmetricMatrix<T, D> const &q1, T const &w2, SymmetricMatrix<T, D> const &q2,
-                     Vector<T, D> const &x) noexcept
+template <class T, int D> PW85_RARE Vector<T, D> solve_blend_extended(T const &w1, SymmetricMatrix<T, D> const &q1,
+                                                                      T const &w2, SymmetricMatrix<T, D> const &q2,
+                                                                      Vector<T, D> const &x) noexcept
 {
     using W = Widened<T>;
     auto const s = solve(factorize_blend(W(w1), converted<W>(q1), W(w2), converted<W>(q2)), converted<W>(x));
@@ -247,6 +247,11 @@ template <class T, int D> PW85_FUNCTION inline void rescale(ContactTorque<T, D> 
     t.rotation1 = times_power_of_two(t.rotation1, exponent);
     t.rotation2 = times_power_of_two(t.rotation2, exponent);
 }
+
+#define PW85_RARE_GEOMETRY(keyword, T, D)                                                                              \
+    keyword template Vector<T, D> solve_blend_extended(T const &, SymmetricMatrix<T, D> const &, T const &,            \
+                                                       SymmetricMatrix<T, D> const &, Vector<T, D> const &) noexcept;
+PW85_RARE_TIER(PW85_RARE_GEOMETRY)
 
 } // namespace pw85::detail
 

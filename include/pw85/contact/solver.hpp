@@ -60,7 +60,7 @@ maximize_in(Pair<T, D> const &pair, T const &t, int evaluations) noexcept
 /// They fail for one in many millions of nearly singular pairs. Then extended numbers follow. They fail only for pairs that are
 /// worse conditioned than positive definite forms can be.
 template <class T, int D>
-PW85_FUNCTION inline Maximum<T> maximize_wider(Pair<T, D> const &pair, T const &t, int evaluations) noexcept
+PW85_RARE Maximum<T> maximize_wider(Pair<T, D> const &pair, T const &t, int evaluations) noexcept
 {
     if constexpr (FLT_EVAL_METHOD == 0) {
         auto const m = maximize_in<Doubled<T>>(pair, t, evaluations);
@@ -125,6 +125,10 @@ template <class T, int D> [[gnu::noinline]] PW85_FUNCTION inline Maximum<T> maxi
     }
     return maximize_factorized(pair, candidate, evaluations);
 }
+
+#define PW85_RARE_SOLVER(keyword, T, D)                                                                                \
+    keyword template Maximum<T> maximize_wider(Pair<T, D> const &, T const &, int) noexcept;
+PW85_RARE_TIER(PW85_RARE_SOLVER)
 
 } // namespace pw85::detail
 

@@ -268,8 +268,8 @@ PW85_FUNCTION inline FoundSlab<Finer<T>, D> polish(DistancePair<T, D> const &pai
 
 /// The distance of a pair for which find_slab() has not found an accurate slab. The arguments are copied, so that callers keep
 /// theirs in registers where they do not call this function.
-template <class T, int D> [[gnu::noinline, gnu::cold]] PW85_FUNCTION inline Distance<T, D>
-refined_distance(DistancePair<T, D> pair, FoundSlab<T, D> found) noexcept
+template <class T, int D>
+PW85_RARE Distance<T, D> refined_distance(DistancePair<T, D> pair, FoundSlab<T, D> found) noexcept
 {
     if (!found.found) found = search_slab(pair);
     if (!found.accurate) found = step_slab(pair, found.slab);
@@ -320,6 +320,10 @@ template <class T, int D> PW85_FUNCTION inline Distance<T, D> no_distance(Status
     if (status == Status::success) result.distance = T(0);
     return result;
 }
+
+#define PW85_RARE_DISTANCE(keyword, T, D)                                                                              \
+    keyword template Distance<T, D> refined_distance(DistancePair<T, D>, FoundSlab<T, D>) noexcept;
+PW85_RARE_TIER(PW85_RARE_DISTANCE)
 
 } // namespace pw85::detail
 

@@ -224,8 +224,8 @@ template <class T> struct RoundedContact {
 };
 
 /// Steps 2 and 3, for what step 1 has left open.
-template <class T, int D> [[gnu::noinline, gnu::cold]] PW85_FUNCTION inline RoundedContact<T>
-settle(Pair<T, D> const &pair, ScaledPair<T, D> const &scaled, MaximumBounds<T> const &bounds) noexcept
+template <class T, int D> PW85_RARE RoundedContact<T> settle(Pair<T, D> const &pair, ScaledPair<T, D> const &scaled,
+                                                             MaximumBounds<T> const &bounds) noexcept
 {
     auto const &[r12, q1, q2, unit] = pair;
     ExtendedMaximum<T> maximum{bounds.lower, bounds.lambda};
@@ -267,6 +267,11 @@ template <class T, int D> PW85_FUNCTION inline RoundedContact<T> round_contact(P
     return passes_fast_checks(pair) ? round_contact(pair, ScaledPair<T, D>{pair, 0, 0, false, 0})
                                     : round_contact_scaled(pair);
 }
+
+#define PW85_RARE_ROUNDED(keyword, T, D)                                                                               \
+    keyword template RoundedContact<T> settle(Pair<T, D> const &, ScaledPair<T, D> const &,                            \
+                                              MaximumBounds<T> const &) noexcept;
+PW85_RARE_TIER(PW85_RARE_ROUNDED)
 
 } // namespace pw85::detail
 

@@ -425,9 +425,10 @@ PW85_FUNCTION inline int sign_of_difference(Numbers<T, D> const &numbers, Limb *
 /// Decides whether two ellipsoids overlap, for the numbers exactly as given. The result is never Decision::none. It uses a fixed
 /// array on the stack: 9 KiB for double, 1.3 KiB for float, 141 KiB for the long double of x86.
 template <class T, int D>
-requires exact::is_decidable<T>
-[[gnu::noinline]] static Decision decide_exactly(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
-                                                 SymmetricMatrix<T, D> const &q2) noexcept
+requires exact::is_decidable<T> PW85_RARE Decision decide_exactly(Vector<T, D> const &r12,
+                                                                  SymmetricMatrix<T, D> const &q1,
+                                                                  SymmetricMatrix<T, D> const &q2)
+noexcept
 {
     using namespace exact;
     Limb memory[Sizes(max_bits<T>()).total];
@@ -438,10 +439,9 @@ requires exact::is_decidable<T>
 /// The sign of μ² - m for the numbers exactly as given. m must be positive, and a multiple of half of the smallest positive number:
 /// it is a number of the type, or in the middle of two. It uses a fixed array on the stack: 10 KiB for double.
 template <class T, int D>
-requires exact::is_decidable<T>
-[[gnu::noinline]] static int compare_exactly(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
-                                             SymmetricMatrix<T, D> const &q2,
-                                             exact::BinaryFraction<T> const &m) noexcept
+requires exact::is_decidable<T> PW85_RARE int compare_exactly(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
+                                                              SymmetricMatrix<T, D> const &q2,
+                                                              exact::BinaryFraction<T> const &m) noexcept
 {
     using namespace exact;
     Limb memory[Sizes(max_bits<T>(std::numeric_limits<T>::max_exponent) + 1).total];
@@ -456,6 +456,13 @@ requires exact::is_decidable<T> PW85_FUNCTION inline int compare_exactly(Vector<
 {
     return compare_exactly(r12, q1, q2, exact::to_binary_fraction(m));
 }
+
+#define PW85_RARE_EXACT(keyword, T, D)                                                                                 \
+    keyword template Decision decide_exactly(Vector<T, D> const &, SymmetricMatrix<T, D> const &,                      \
+                                             SymmetricMatrix<T, D> const &) noexcept;                                  \
+    keyword template int compare_exactly(Vector<T, D> const &, SymmetricMatrix<T, D> const &,                          \
+                                         SymmetricMatrix<T, D> const &, exact::BinaryFraction<T> const &) noexcept;
+PW85_RARE_TIER(PW85_RARE_EXACT)
 
 } // namespace pw85::detail
 

@@ -212,9 +212,8 @@ PW85_FUNCTION constexpr int limbs_for_containment(Sizes const &sizes) noexcept
 /// Whether ellipsoid 2 is inside ellipsoid 1, for the numbers of a valid pair exactly as given. It uses 11 KiB of the stack for
 /// double.
 template <class T, int D>
-requires exact::is_decidable<T>
-[[gnu::noinline]] static bool contains_exactly(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
-                                               SymmetricMatrix<T, D> const &q2) noexcept
+requires exact::is_decidable<T> PW85_RARE bool
+contains_exactly(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, SymmetricMatrix<T, D> const &q2) noexcept
 {
     using namespace exact;
     Limb memory[limbs_for_containment(Sizes(max_bits<T>() + extra_bits))];
@@ -226,6 +225,11 @@ requires exact::is_decidable<T>
     if (largest_coordinate(r12) == T(0)) return least >= 0;
     return least > 0 && has_positive_roots(numbers, sizes, memory) && has_root_for_inside(numbers, sizes, memory);
 }
+
+#define PW85_RARE_EXACT_CONTAINMENT(keyword, T, D)                                                                     \
+    keyword template bool contains_exactly(Vector<T, D> const &, SymmetricMatrix<T, D> const &,                        \
+                                           SymmetricMatrix<T, D> const &) noexcept;
+PW85_RARE_TIER(PW85_RARE_EXACT_CONTAINMENT)
 
 } // namespace pw85::detail
 

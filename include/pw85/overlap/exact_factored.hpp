@@ -122,9 +122,9 @@ template <class T, int D>
 /// result is Decision::none only if there is no memory for the digits (max_bits_of_columns). It uses a fixed array on the stack, of
 /// 11.6 KiB.
 template <class T, int D>
-requires exact::is_decidable<T>
-[[gnu::noinline]] static Decision decide_exactly(Vector<T, D> const &r12, Factor<T, D> const &s1,
-                                                 Factor<T, D> const &s2) noexcept
+requires exact::is_decidable<T> PW85_RARE Decision decide_exactly(Vector<T, D> const &r12, Factor<T, D> const &s1,
+                                                                  Factor<T, D> const &s2)
+noexcept
 {
     using namespace exact;
     Limb memory[Sizes(max_bits_of_columns).total + limbs_of_determinant(max_bits_of_columns)];
@@ -136,6 +136,10 @@ requires exact::is_decidable<T>
         sign_of_quartic(sizes, memory, [&] { return make_quartic(columns, memory, memory + sizes.total); }) < 0;
     return to_decision(!overlap, overlap);
 }
+
+#define PW85_RARE_EXACT_FACTORED(keyword, T, D)                                                                        \
+    keyword template Decision decide_exactly(Vector<T, D> const &, Factor<T, D> const &, Factor<T, D> const &) noexcept;
+PW85_RARE_TIER(PW85_RARE_EXACT_FACTORED)
 
 } // namespace pw85::detail
 

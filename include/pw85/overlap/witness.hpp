@@ -80,8 +80,8 @@ template <class T> PW85_FUNCTION inline exact::Extended<T> scaled_by(exact::Exte
 }
 
 /// Computes the maximum with extended numbers, for a valid pair with r12 != 0.
-template <class T, int D> [[gnu::noinline, gnu::cold]] PW85_FUNCTION inline PreciseMaximum<T, D>
-maximize_precisely(ScaledPair<T, D> const &scaled, Vector<T, D> const &r12) noexcept
+template <class T, int D>
+PW85_RARE PreciseMaximum<T, D> maximize_precisely(ScaledPair<T, D> const &scaled, Vector<T, D> const &r12) noexcept
 {
     using W = exact::Extended<T>;
     auto const pair = widened<W>(scaled.pair);
@@ -111,9 +111,9 @@ template <class T> PW85_FUNCTION inline T spacing(T const &x) noexcept
 
 /// The decision by extended numbers whether f(λ) > 1. If M is scaled to a unit diagonal, its determinant is above 2^-214 for
 /// double, so f errs by less than 2^-150 of itself. For float these numbers are 2^-98 and 2^-80. The margins are 2^-79 and 2^-36.
-template <class T, int D> [[gnu::noinline, gnu::cold]] PW85_FUNCTION inline Decision
-decide_by_extended(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, SymmetricMatrix<T, D> const &q2,
-                   T const &lambda) noexcept
+template <class T, int D>
+PW85_RARE Decision decide_by_extended(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
+                                      SymmetricMatrix<T, D> const &q2, T const &lambda) noexcept
 {
     using W = exact::Extended<T>;
     W const margin(negative_power_of_two<T>(3 * mantissa_digits<T>() / 2));
@@ -259,6 +259,12 @@ template <class T, int D> PW85_FUNCTION inline void prove(OverlapWitness<T, D> &
         witness.lambda = lambda;
     }
 }
+
+#define PW85_RARE_WITNESS(keyword, T, D)                                                                               \
+    keyword template PreciseMaximum<T, D> maximize_precisely(ScaledPair<T, D> const &, Vector<T, D> const &) noexcept; \
+    keyword template Decision decide_by_extended(Vector<T, D> const &, SymmetricMatrix<T, D> const &,                  \
+                                                 SymmetricMatrix<T, D> const &, T const &) noexcept;
+PW85_RARE_TIER(PW85_RARE_WITNESS)
 
 } // namespace pw85::detail
 
