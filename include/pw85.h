@@ -774,7 +774,7 @@ PW85_API int pw85_intersect_line(double const origin[PW85_DIM], double const dir
  * centre to touch the set, and the point is where it then touches: the point x of the set where xᵀQ⁻¹x is least. If the centre is in
  * the set, μ² is 0. The set overlaps the ellipsoid if μ² < 1.
  *
- * The error of μ² is below 80 u S, to first order. Here S = Σ|s_i q_ij s_j| + 2 Σ_k w_k Σ|s_i v_ki| over the points v_k of the set
+ * The error of μ² is below 80 u S. Here S = Σ|s_i q_ij s_j| + 2 Σ_k w_k Σ|s_i v_ki| over the points v_k of the set
  * of which x = Σ w_k v_k is the mean with weights w_k > 0, and s = Q⁻¹x. Rounding the data entry by entry can change μ² by u S.
  *
  * For another position of the ellipsoid, subtract its centre from the points of the set.

@@ -359,6 +359,24 @@ void test_ends_of_range()
     g_assert_true(found.mu2 == infinity && found.triangle == 0 && found.point[0] == large);
 }
 
+// One far vertex makes a sliver, of which the nearest point is inside. The other triangle is farther away.
+void test_far_vertex()
+{
+    Soup const soup{{{799999995, -599999992, -900000007}, {-1, 2, 9}, {-9, 9, 0}, {0, 0, -3}, {1, 0, -3}, {0, 1, -3}},
+                    {{3, 4, 5}, {0, 1, 2}}};
+    auto const mesh = soup.mesh();
+    double const expected = 1.7121111309598007;
+    for (Vector3 const &center : {Vector3{0, 0, 0}, Vector3{0x1p-30, 0, 0}}) {
+        auto const found = pw85::mesh_contact(mesh, center, unit_sphere);
+        g_assert_cmpint(found.triangle, ==, 1);
+        g_assert_cmpfloat(std::abs(found.mu2 - expected), <, 1e-8);
+        g_assert_false(pw85::mesh_overlap(mesh, center, unit_sphere).overlap);
+    }
+    auto const larger = pw85::mesh_contact(mesh, {0, 0, 0}, {4, 0, 0, 4, 0, 4});
+    g_assert_cmpfloat(larger.mu2, <, 1);
+    g_assert_true(pw85::mesh_overlap(mesh, {0, 0, 0}, {4, 0, 0, 4, 0, 4}).overlap);
+}
+
 } // namespace
 
 int main(int argc, char **argv)
@@ -371,6 +389,7 @@ int main(int argc, char **argv)
     g_test_add_func("/mesh/touching", test_touching);
     g_test_add_func("/mesh/wide", test_wide);
     g_test_add_func("/mesh/batch", test_batch);
+    g_test_add_func("/mesh/far_vertex", test_far_vertex);
     g_test_add_func("/mesh/bad_input", test_bad_input);
     g_test_add_func("/mesh/ends_of_range", test_ends_of_range);
     return g_test_run();

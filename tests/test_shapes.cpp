@@ -95,6 +95,73 @@ void test_slivers()
     }
 }
 
+/// Checks the contact functions of one case in units of 2^0 and 2^±40, and that the exact answer agrees where it can be told.
+template <class Shape> void check_with_overlap(Case<Shape::size> const &c, int n, Failures &failures)
+{
+    auto const truth = Shape::truth(convert<Wide>(c));
+    for (int const exponent : {0, n % 2 == 0 ? 40 : -40}) {
+        auto const in_units = scaled(c, exponent, exponent);
+        check<Shape, double>(c, truth, exponent, exponent, failures);
+        int overlap = 7;
+        Shape::overlap_in_c(in_units, &overlap);
+        double const mu2 = contact_in_c<Shape>(in_units).mu2;
+        if (abs(Wide(truth.mu2 - 1)) > bound_of<double>(truth))
+            failures.check((mu2 < 1) == (overlap == 1), "overlap", overlap, mu2, [&] { return text(in_units); });
+    }
+}
+
+// The place of the nearest point of the plane is lost in rounding errors before the normal is.
+void test_long_slivers()
+{
+    Failures failures;
+    Random random(640);
+    for (int n = 0; n < draws(8000); ++n) check_with_overlap<Triangle>(long_sliver(random, n), n, failures);
+    Case<3> const far_vertex{{{799999995, -599999992, -900000007}, {-1, 2, 9}, {-9, 9, 0}}, {1, 0, 0, 1, 0, 1}};
+    check_with_overlap<Triangle>(far_vertex, 0, failures);
+}
+
+template <class T> void test_long_slivers_of()
+{
+    Failures failures;
+    Random random(641);
+    for (int n = 0; n < draws(400); ++n) {
+        auto c = long_sliver(random, 2 * n); // of aspect ratios that float can tell
+        if (n % 2 == 1) c.q = {1, 0, 0, 1, 0, 1};
+        for (auto &x : c.points) x = convert<double>(convert<float>(x));
+        c.q = convert<double>(convert<float>(c.q));
+        if (Triangle::contact(c).status != pw85::Status::success) continue;
+        check<Triangle, T>(c, Triangle::truth(convert<Wide>(c)), 0, 0, failures);
+    }
+}
+
+// The rounding of coordinates counts to second order: at aspect ratio A it changes μ² by up to A² u².
+template <class Shape> void test_thin_forms()
+{
+    Failures failures;
+    Random random(642);
+    for (int n = 0; n < draws(2000); ++n) check_with_overlap<Shape>(beside_thin_form<Shape>(random, n), n, failures);
+}
+
+// μ² is 0 where the set has the centre, whatever the point of the set is that rounding finds.
+template <class Shape, class T> void test_around_center()
+{
+    Failures failures;
+    Random random(643);
+    for (int n = 0; n < draws(400); ++n) {
+        auto const c = around_center<Shape>(random, n);
+        if (Shape::truth(convert<Wide>(c)).mu2 > Wide("1e-60")) continue; // rounded
+        auto const describe = [&] { return text(c); };
+        auto const found = Shape::contact(convert<T>(c));
+        bool const is_zero = found.mu2 == T(0) && pw85::detail::largest_coordinate(found.point) == T(0);
+        failures.check(is_zero, "mu2", static_cast<double>(found.mu2), 0, describe);
+        if constexpr (std::is_same_v<T, double>)
+            for (int const exponent : {-400, -40, 0, 40, 400}) {
+                double const in_c = contact_in_c<Shape>(scaled(c, exponent, exponent)).mu2;
+                failures.check(in_c == 0, "mu2 in C", in_c, 0, describe);
+            }
+    }
+}
+
 // Other scalars. Points and forms are those of float, so that all types have the same truth.
 template <class Shape, class T> void test_scalar()
 {
@@ -440,6 +507,11 @@ template <class Shape> void add_tests()
     g_test_add_func((prefix + "/orders").c_str(), test_orders<Shape>);
     g_test_add_func((prefix + "/float").c_str(), test_scalar<Shape, float>);
     g_test_add_func((prefix + "/long_double").c_str(), test_scalar<Shape, long double>);
+    g_test_add_func((prefix + "/thin_forms").c_str(), test_thin_forms<Shape>);
+    if constexpr (!std::is_same_v<Shape, Box>) {
+        g_test_add_func((prefix + "/around_center/double").c_str(), test_around_center<Shape, double>);
+        g_test_add_func((prefix + "/around_center/long_double").c_str(), test_around_center<Shape, long double>);
+    }
     g_test_add_func((prefix + "/near_touch/double").c_str(), test_near_touch<Shape, double>);
     g_test_add_func((prefix + "/near_touch/float").c_str(), test_near_touch<Shape, float>);
     g_test_add_func((prefix + "/small_integers").c_str(), test_small_integers<Shape>);
@@ -456,6 +528,9 @@ int main(int argc, char **argv)
     add_tests<Box>();
     g_test_add_func("/shapes/degenerate", test_degenerate);
     g_test_add_func("/shapes/slivers", test_slivers);
+    g_test_add_func("/shapes/long_slivers", test_long_slivers);
+    g_test_add_func("/shapes/long_slivers/float", test_long_slivers_of<float>);
+    g_test_add_func("/shapes/long_slivers/long_double", test_long_slivers_of<long double>);
     g_test_add_func("/shapes/beside_touch", test_beside_touch);
     g_test_add_func("/shapes/polytope/random", test_polytope);
     g_test_add_func("/shapes/polytope/many_planes", test_many_planes);

@@ -6,7 +6,7 @@
 /// (Separation in overlap_shapes.hpp). The bound is sharp if s is the normal at the nearest point of the box. The normal of a box
 /// is tried for its children first, because it costs little.
 ///
-/// The computed μ² of a triangle may be less than the exact one, by 80 u S to first order (pw85.h). A Margin is twice that.
+/// The computed μ² of a triangle may be less than the exact one, by 80 u S (pw85.h). A Margin is twice that.
 /// So a box is skipped only if the computed μ² of each of its triangles is above the limit, and the answer is that of a search of all
 /// triangles, bit by bit. By Cauchy's inequality |s_i| <= μ √(Q⁻¹)_ii. So the first part of S is at most (Σ|s_i| √Q_ii)² <= 3 μ²
 /// Σ Q_ii (Q⁻¹)_ii, and the second part is at most 2 μ Σ V_i √(Q⁻¹)_ii if no coordinate i in the box is larger than V_i.

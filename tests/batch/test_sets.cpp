@@ -128,8 +128,11 @@ template <class Shape> std::vector<Case<Shape::size>> mixed_cases(std::size_t co
         int const exponent = n % 7 % 3 - 1;
         cases.push_back(scaled(c, 40 * exponent, 40 * exponent));
     }
-    if constexpr (std::is_same_v<Shape, Triangle>)
+    if constexpr (std::is_same_v<Shape, Triangle>) {
         for (auto const &c : slivers()) cases.push_back(scaled(c, -32, 0)); // which pass the fast checks
+        for (int n = 0; n < 400; ++n) cases.push_back(long_sliver(random, n));
+    }
+    for (int n = 0; n < 100; ++n) cases.push_back(beside_thin_form<Shape>(random, n));
     return cases;
 }
 

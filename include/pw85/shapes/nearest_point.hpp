@@ -19,7 +19,12 @@
 /// A relative change of the entries of Q by ε changes μ² by at most ε Σ|s_i Q_ij s_j|, to first order, and one of the coordinates of
 /// the points v_k of which x = Σ w_k v_k is the mean by at most 2 ε Σ w_k |s_i v_ki|. S is the sum of the two. Rounding errors of the
 /// pivots of a positive definite matrix act like such a change of the entries, for any aspect ratio. So each formula errs by
-/// some u S.
+/// some u S, to first order.
+///
+/// 3. Rounding errors of a point of the set are of the order of u R, where R is a bound on the
+///    lengths of the points v_k. If they move the point by the vector e, μ² changes to second
+///    order by eᵀQ⁻¹e <= |e|² tr Q⁻¹. S does not bound this term, which is the larger one if the
+///    set is long or the ellipsoid is thin. SecondOrder tells whether the term is small.
 #ifndef PW85_SHAPES_NEAREST_POINT_HPP_INCLUDED
 #define PW85_SHAPES_NEAREST_POINT_HPP_INCLUDED
 
@@ -121,6 +126,45 @@ template <class T> struct Elimination {
     }
 };
 
+/// R of item 3.
+template <class T, int N> PW85_FUNCTION constexpr T reach_of(Vector<T, 3> const (&points)[N]) noexcept
+{
+    T sum = sum_of_magnitudes(points[0]);
+    for (int k = 1; k < N; ++k) sum = sum + sum_of_magnitudes(points[k]);
+    return sum;
+}
+
+/// The square of the unit roundoff of T, divided by the unit roundoff of the results, times 2^bits.
+/// The widest types would need a smaller number than the function can make, but no answer depends on
+/// it: there are no more digits.
+template <class T> PW85_FUNCTION constexpr T square_of_roundoff(int bits) noexcept
+{
+    int const exponent = 2 * mantissa_digits<T>() - result_digits<T>() - bits;
+    return negative_power_of_two<T>(exponent < 1022 ? exponent : 1022);
+}
+
+/// The term of second order of item 3 as the quotient error/divisor, divided by 50 u for the u of
+/// the results.
+template <class T> struct SecondOrder {
+    T error, divisor;
+
+    /// Whether the digits of T suffice for this μ².
+    PW85_MEMBER constexpr typename ScalarTraits<T>::Mask is_small(T const &mu2) const noexcept
+    {
+        return error < T(divisor * mu2);
+    }
+};
+
+/// The term for rounding errors that move a point by up to 20 u (square/divisor)^(1/2), with the u
+/// of T. If it is small, it is at most 50 u μ² with the u of the results, and that is at most 50 u S.
+template <class T> PW85_FUNCTION constexpr SecondOrder<T> second_order(SymmetricMatrix<T, 3> const &q, T const &square,
+                                                                       T const &divisor) noexcept
+{
+    auto const adj = adjugate(q);
+    T const trace = adj(0, 0) + adj(1, 1) + adj(2, 2);
+    return {T(square_of_roundoff<T>(3) * trace) * square, determinant(q, adj) * divisor};
+}
+
 template <class T, int N> PW85_FUNCTION constexpr bool is_finite(Vector<T, 3> const (&points)[N]) noexcept
 {
     bool finite = true;
@@ -158,6 +202,38 @@ find_with_digits(Vector<T, 3> const (&points)[N], SymmetricMatrix<T, 3> const &q
                                  found.certain};
 }
 
+/// Whether a segment has the centre. Numbers of type W represent products of two coordinates exactly.
+template <class W> PW85_FUNCTION inline bool has_center(Vector<W, 3> const &a, Vector<W, 3> const &b) noexcept
+{
+    return largest_coordinate(cross(a, b)) == W(0) && dot(a, b) <= W(0);
+}
+
+template <class W> PW85_FUNCTION inline bool has_center(Vector<W, 3> const (&ends)[2]) noexcept
+{
+    return has_center(ends[0], ends[1]);
+}
+
+/// Whether a triangle has the centre: on an edge, or in its plane with all three edges in the same
+/// sense about the centre.
+template <class W> PW85_FUNCTION inline bool has_center(Vector<W, 3> const (&vertices)[3]) noexcept
+{
+    auto const &[a, b, c] = vertices;
+    if (has_center(a, b) || has_center(b, c) || has_center(c, a)) return true;
+    auto const ab = cross(a, b), bc = cross(b, c), ca = cross(c, a);
+    return dot(a, bc) == W(0) && dot(ab, bc) > W(0) && dot(bc, ca) > W(0);
+}
+
+/// The contact by the numbers with the most digits. All are 0 if the set has the centre.
+template <class T, int N, class Find> PW85_FUNCTION inline ShapeContact<T>
+contact_with_all_digits(Vector<T, 3> const (&points)[N], SymmetricMatrix<T, 3> const &q, Find const &find) noexcept
+{
+    Vector<Widened<T>, 3> wide[N];
+    for (int k = 0; k < N; ++k) wide[k] = converted<Widened<T>>(points[k]);
+    if (has_center(wide)) return {T(0), {T(0), T(0), T(0)}, Status::success};
+    auto const found = find_with_digits<Widened<T>>(points, q, find);
+    return {found.mu2, found.point, Status::success};
+}
+
 /// Computes a contact in units in which the points and the form are of order one. The scaling changes no bit of the results of
 /// contact_of(). The limit is wider than that of contact_of() in any units. Where digits are lost, numbers with twice the digits come
 /// first, then those with more digits and a wider range, where there are such numbers.
@@ -180,8 +256,7 @@ contact_scaled(Vector<T, 3> const (&points)[N], SymmetricMatrix<T, 3> const &q, 
             return {times_power_of_two(found.mu2, 2 * (length - form)), times_power_of_two(found.point, length),
                     Status::success};
     }
-    auto const found = find_with_digits<Widened<T>>(points, q, find);
-    return {found.mu2, found.point, Status::success};
+    return contact_with_all_digits(points, q, find);
 }
 
 /// The contact function of a set that is given by points. `find` finds the nearest point in units of order one.

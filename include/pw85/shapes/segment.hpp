@@ -47,7 +47,10 @@ template <bool with_normal = false, bool refined = true> struct FindOnSegment {
     operator()(Vector<T, 3> const (&ends)[2], SymmetricMatrix<T, 3> const &q) const noexcept
     {
         auto const &[a, b] = ends;
-        return nearest_on_edge<with_normal, refined>(a, b, Elimination<T>(q));
+        auto nearest = nearest_on_edge<with_normal, refined>(a, b, Elimination<T>(q));
+        T const reach = reach_of(ends);
+        if constexpr (!with_normal) nearest.certain = second_order(q, T(reach * reach), T(1)).is_small(nearest.mu2);
+        return nearest;
     }
 };
 

@@ -13,11 +13,25 @@
 
 namespace pw85::detail {
 
-/// The nearest point of the plane of a triangle, and its weights: those of b and c, and 1 minus their sum.
+/// The nearest point of the plane of a triangle, and its weights: those of b and c, and 1 minus
+/// their sum. `errors` is that of errors_of_weights().
 template <class T, bool with_normal> struct NearestOnPlane {
     Nearest<T, with_normal> nearest;
     Vector<T, 3> weights;
+    SecondOrder<T> errors;
 };
+
+/// The term of second order of the weights. Near the triangle, rounding errors move the point of the
+/// plane by at most 20 u R |e1| |e2|/|n|. Of these, 7 u |p| |e2|/|n| and 7 u |e1| |p|/|n| are the
+/// errors of the products for the weights of b and c, with |p| <= R, and the rest is that of the
+/// normal. If this takes the point across an edge, the edge is at most that far away. `product` is
+/// no less than |e1| |e2|.
+template <class T> PW85_FUNCTION constexpr SecondOrder<T>
+errors_of_weights(SymmetricMatrix<T, 3> const &q, T const &reach, T const &product, T const &nn) noexcept
+{
+    T const size = reach * product;
+    return second_order(q, T(size * size), nn);
+}
 
 /// The square of how many times smaller the normal of a triangle may be than the terms of its coordinates. The error of the normal is
 /// larger by this factor, which is 8 for a type without guard digits.
@@ -26,11 +40,11 @@ template <class T> PW85_FUNCTION constexpr T square_of_largest_cancellation() no
     return T(64) / negative_power_of_two<T>(2 * (mantissa_digits<T>() - result_digits<T>()));
 }
 
-/// Whether n is not much smaller than the terms of its coordinates, in units of the bounding box of the ellipsoid.
-template <class T>
-PW85_FUNCTION constexpr typename ScalarTraits<T>::Mask is_accurate_normal(Vector<T, 3> const &n, Vector<T, 3> const &e1,
-                                                                          Vector<T, 3> const &e2,
-                                                                          SymmetricMatrix<T, 3> const &q) noexcept
+/// Whether n is not smaller than the terms of its coordinates by more than a factor, in units of the
+/// bounding box of the ellipsoid.
+template <class T> PW85_FUNCTION constexpr typename ScalarTraits<T>::Mask
+is_accurate_normal(Vector<T, 3> const &n, Vector<T, 3> const &e1, Vector<T, 3> const &e2,
+                   SymmetricMatrix<T, 3> const &q, T const &square_of_factor) noexcept
 {
     T size = T(0), terms = T(0);
     for (int i = 0; i < 3; ++i) {
@@ -39,7 +53,7 @@ PW85_FUNCTION constexpr typename ScalarTraits<T>::Mask is_accurate_normal(Vector
         size = size + T(n[i] * n[i]) * q(i, i);
         terms = terms + T(term * term) * q(i, i);
     }
-    return T(square_of_largest_cancellation<T>() * size) > terms;
+    return T(square_of_factor * size) > terms;
 }
 
 template <bool with_normal, class T> [[gnu::always_inline]] PW85_FUNCTION constexpr NearestOnPlane<T, with_normal>
@@ -53,8 +67,10 @@ nearest_on_plane(Vector<T, 3> const (&vertices)[3], SymmetricMatrix<T, 3> const 
     T const wb = dot(n, cross(p, e2)) * scale, wc = dot(n, cross(e1, p)) * scale, wa = T(1) - wb - wc;
     T const d = wa * da + wb * dot(n, b) + wc * dot(n, c);
     return {{T(d * d) * reciprocal, add_scaled(add_scaled(wa * a, wb, b), wc, c),
-             Normal<T, 3, with_normal>{choose(d < T(0), -n, n)}, is_accurate_normal(n, e1, e2, q)},
-            {wa, wb, wc}};
+             Normal<T, 3, with_normal>{choose(d < T(0), -n, n)},
+             is_accurate_normal(n, e1, e2, q, square_of_largest_cancellation<T>())},
+            {wa, wb, wc},
+            errors_of_weights(q, reach_of(vertices), T(sum_of_magnitudes(e1) * sum_of_magnitudes(e2)), nn)};
 }
 
 /// The ends of an edge.
@@ -95,7 +111,33 @@ nearest_of_edges(Vector<T, 3> const (&vertices)[3], Elimination<T> const &form) 
     return best;
 }
 
-/// The nearest point of a triangle.
+/// Whether the digits of T suffice for a triangle whose normal is not accurate and whose nearest
+/// point is on an edge, with this μ². There are two reasons:
+///
+/// - The place of the point of the plane is known, up to the errors of its weights. The normal
+///   matters for this only, so that the square of its relative error may be u. Its coordinates err
+///   by 4 u times their terms.
+/// - The triangle is so thin that its inside is no nearer than its edges. The height above the
+///   longer one of two edges is |n|/|e|. The error of |n| is at most 5 u |e1| |e2|, so that the true
+///   n² is at most 2 n² + 50 u² (|e1| |e2|)².
+///
+/// The function is not inlined: compilers would keep numbers in memory for it.
+template <class T> [[gnu::noinline]] PW85_FUNCTION inline typename ScalarTraits<T>::Mask
+edges_suffice(Vector<T, 3> const (&vertices)[3], SymmetricMatrix<T, 3> const &q, SecondOrder<T> const &errors,
+              T const &mu2) noexcept
+{
+    auto const &[a, b, c] = vertices;
+    Vector<T, 3> const e1 = b - a, e2 = c - a, n = cross(e1, e2);
+    T const size1 = sum_of_magnitudes(e1), size2 = sum_of_magnitudes(e2), longest = maximum(size1, size2);
+    T const product = size1 * size2, reach = reach_of(vertices), u = T(unit_roundoff<T>());
+    T const height = T(dot(n, n) / T(T(16) * u * u)) + product * product;
+    auto const place = is_accurate_normal(n, e1, e2, q, T(T(1) / square_of_roundoff<T>(4)));
+    auto const thin = longest == T(0) || second_order(q, height, T(longest * longest)).is_small(mu2);
+    return (place && errors.is_small(mu2)) || (thin && second_order(q, T(reach * reach), T(1)).is_small(mu2));
+}
+
+/// The nearest point of a triangle. Proofs, which use the normal, need not know whether the digits
+/// suffice.
 template <bool with_normal, bool refined, class T>
 [[gnu::always_inline]] PW85_FUNCTION constexpr Nearest<T, with_normal>
 nearest_on_triangle(Vector<T, 3> const (&vertices)[3], SymmetricMatrix<T, 3> const &q) noexcept
@@ -103,13 +145,26 @@ nearest_on_triangle(Vector<T, 3> const (&vertices)[3], SymmetricMatrix<T, 3> con
     auto const plane = nearest_on_plane<with_normal>(vertices, q);
     auto const &w = plane.weights;
     auto const inside = both_true(w[0] >= T(0), both_true(w[1] >= T(0), w[2] >= T(0)));
-    if (all_of(inside)) return plane.nearest;
+    auto const accurate = plane.nearest.certain;
+    auto nearest = plane.nearest;
+    if (all_of(inside)) {
+        if constexpr (!with_normal) nearest.certain = accurate && plane.errors.is_small(nearest.mu2);
+        return nearest;
+    }
     Elimination<T> const form(q);
-    auto const edge = nearest_edge(vertices, w, form);
-    auto nearest = nearest_on_edge<with_normal, refined>(edge.first, edge.second, form);
-    auto const known = inside || plane.nearest.certain;
-    if (!all_of(known)) nearest = choose(known, nearest, nearest_of_edges<with_normal, refined>(vertices, form));
-    return choose(inside, plane.nearest, nearest);
+    auto const ends = nearest_edge(vertices, w, form);
+    auto edge = nearest_on_edge<with_normal, refined>(ends.first, ends.second, form);
+    auto const known = inside || accurate;
+    auto edges_are_certain = T(0) < T(0);
+    if (!all_of(known)) {
+        auto const of_edges = nearest_of_edges<with_normal, refined>(vertices, form);
+        edge = choose(known, edge, of_edges);
+        if constexpr (!with_normal)
+            edges_are_certain = !known && edges_suffice(vertices, q, plane.errors, of_edges.mu2);
+    }
+    nearest = choose(inside, nearest, edge);
+    if constexpr (!with_normal) nearest.certain = (accurate && plane.errors.is_small(nearest.mu2)) || edges_are_certain;
+    return nearest;
 }
 
 /// The same for one triangle. The function is not inlined: with the checks around it, compilers would keep its numbers in memory.
