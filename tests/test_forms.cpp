@@ -103,6 +103,41 @@ void test_quaternion_and_rotation()
     }
 }
 
+/// Checks that no entry is -0.
+void check_zeros(Failures &failures, char const *what, double const *entries, int count)
+{
+    for (int k = 0; k < count; ++k)
+        failures.check(entries[k] != 0 || !std::signbit(entries[k]), what, entries[k], 0,
+                       [&] { return hex_text(entries, count); });
+}
+
+// Directions and turns along the axes, with zeros of both signs: a product of 0 and a negative number is -0.
+void test_no_negative_zeros()
+{
+    Failures failures;
+    double const numbers[] = {1.0, -1.0, 0.0, -0.0}, axes[3] = {2.0, 3.0, 5.0};
+    for (int code = 0; code < 256; ++code) {
+        double const n[4] = {numbers[code & 3], numbers[code >> 2 & 3], numbers[code >> 4 & 3], numbers[code >> 6]};
+        double q[6], s[9];
+        for (double const c : {1.0, 3.0}) {
+            pw85_spheroid(2.0, c, n, q);
+            check_zeros(failures, "spheroid", q, 6);
+        }
+        pw85_ellipsoid_quaternion(axes, n, q);
+        check_zeros(failures, "ellipsoid_quaternion", q, 6);
+        pw85_ellipsoid_factor(axes, n, s);
+        check_zeros(failures, "ellipsoid_factor", s, 9);
+        double const rotation[9] = {n[0], 0.0, -0.0, 0.0, n[1], -0.0, -0.0, 0.0, n[2]};
+        pw85_ellipsoid(axes, rotation, q);
+        check_zeros(failures, "ellipsoid", q, 6);
+    }
+    for (double const angle : {0.0, -0.0, 1e-320, -1e-320}) {
+        double q[3];
+        pw85_ellipse(2.0, 1.0, angle, q);
+        check_zeros(failures, "ellipse", q, 3);
+    }
+}
+
 void test_spheroid_is_an_ellipsoid()
 {
     // A quarter turn about y takes the polar axis z to x.
@@ -199,6 +234,7 @@ int main(int argc, char **argv)
     g_test_add_func("/forms/ellipsoid/quaternion", test_quaternion_and_rotation);
     g_test_add_func("/forms/ellipsoid/spheroid", test_spheroid_is_an_ellipsoid);
     g_test_add_func("/forms/ellipse", test_ellipse);
+    g_test_add_func("/forms/no_negative_zeros", test_no_negative_zeros);
     g_test_add_func("/forms/invalid/lengths", test_invalid_lengths);
     g_test_add_func("/forms/invalid/orientations", test_invalid_orientations);
     return g_test_run();

@@ -113,7 +113,8 @@ form_of_any_axes(Vector<T, 3> const &semi_axes, Vector<T, 4> const &quaternion) 
 
 namespace pw85 {
 
-// Q = a² (I - nnᵀ) + c² nnᵀ for the unit vector along n. There is no cancellation for any ratio of the lengths.
+// Q = a² (I - nnᵀ) + c² nnᵀ for the unit vector along n. There is no cancellation for any ratio of the
+// lengths. The addition of zero makes 0 of -0.
 template <class T> PW85_FUNCTION constexpr Form<T, 3> spheroid(T const &a, T const &c, Vector<T, 3> n) noexcept
 {
     using namespace detail;
@@ -126,7 +127,7 @@ template <class T> PW85_FUNCTION constexpr Form<T, 3> spheroid(T const &a, T con
     for (int i = 0; i < 3; ++i) {
         int const j = (i + 1) % 3, k = (i + 2) % 3;
         q(i, i) = (a2 * (n[j] * n[j] + n[k] * n[k]) + c2 * (n[i] * n[i])) / norm2;
-        for (int l = i + 1; l < 3; ++l) q(i, l) = (c - a) * (c + a) * (n[i] * n[l] / norm2);
+        for (int l = i + 1; l < 3; ++l) q(i, l) = (c - a) * (c + a) * (n[i] * n[l] / norm2) + T(0);
     }
     return checked_form(q);
 }
@@ -152,7 +153,9 @@ ellipsoid_factor(Vector<T, 3> const &semi_axes, Vector<T, 4> const &quaternion) 
 {
     using namespace detail;
     if (!is_oriented(semi_axes, quaternion)) return all_nan<EllipsoidFactor<T, 3>>(Status::invalid_argument);
-    return {factor_of_axes(semi_axes, rotation_matrix(quaternion).entries), Status::success};
+    auto s = factor_of_axes(semi_axes, rotation_matrix(quaternion).entries);
+    for (auto &entry : s.entries) entry = entry + T(0); // makes 0 of -0
+    return {s, Status::success};
 }
 
 // Moderate numbers need no other check, since then the form is finite and its diagonal is positive: each row of R is of length one
