@@ -1,5 +1,7 @@
 """The table of functions that the compiled part of the Python package includes: a row for each function of api/rows.py."""
 
+from math import prod
+
 from declarations import parameters
 from voice import may_fail
 
@@ -82,6 +84,16 @@ def batch(row):
     return f"batch<{row.many.name}>" if is_of_arrays and not has_motions else row.many.name.removeprefix("pw85_")
 
 
+def codes(row):
+    """The function of many rows that answers by bytes, or one that calls that of one row for each."""
+    if not row.is_truth():
+        return "nullptr"
+    if row.many is not None:
+        return f"codes<{row.many.name}>"
+    sizes = [str(prod(one.shape)) for one in row.inputs]
+    return f"codes_of_each<{', '.join([row.function.name, *sizes])}>"
+
+
 def table(rows):
     return "".join(
         ROW.format(
@@ -89,7 +101,7 @@ def table(rows):
             signature=row.signature(),
             body=body(row),
             batch=batch(row),
-            codes=f"codes<{row.many.name}>" if row.is_truth() else "nullptr",
+            codes=codes(row),
             if_bad=str(row.name in TRUE_IF_BAD).lower(),
         )
         for row in rows

@@ -13,6 +13,7 @@ HEADERS = ("pw85.h", "pw85_legacy.h", "pw85_zheng.h")
 # Python has one number of what this building block of 1.0's programs gives: f, by a function of python/src/function.cpp.
 ONE_OF_MANY = {"pw85__residual": "f"}
 NUMBERS_OF_MOTION = 7  # in a pw85_motion
+TRUTHS = ("overlap", "contains")  # integers that are truth values; others are signs and indices
 
 
 @dataclass
@@ -59,7 +60,9 @@ class RowFunction:
 
     def is_truth(self):
         """Whether the result is a truth value, which takes a byte where there are many rows."""
-        outputs = [one for one in parameters(self.many) if one.is_output()] if self.many is not None else []
+        outputs = [one for one in parameters(self.many or self.function) if one.is_output()]
+        if self.many is None:
+            return len(outputs) == 1 and outputs[0].type == "int" and outputs[0].name in TRUTHS
         return [one.type for one in outputs] == ["unsigned char"]
 
     def signature(self):

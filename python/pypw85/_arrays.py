@@ -49,6 +49,15 @@ def _to_double(x: Any) -> Any:
     return x.astype(np.float64, casting="unsafe" if x.dtype == np.object_ else "same_kind")
 
 
+def doubles(x: Any) -> Any:
+    """The array of plain() as float64, for formulas of the package.
+
+    NumPy computes in the type of the numbers that it is given: it would lose digits of single precision, and small integers overflow.
+    """
+    x = plain(x)
+    return x if getattr(x, "dtype", None) == np.float64 else _to_double(x)
+
+
 def is_dask_array(x: Any) -> bool:
     return _is_instance(x, "dask.array", "Array")
 

@@ -8,7 +8,7 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ._arrays import plain
+from ._arrays import doubles, plain
 from ._forms import packed
 from ._functions import ellipsoid, ellipsoid_quaternion
 from ._typing import Floats
@@ -40,11 +40,11 @@ def from_lammps(diameters: ArrayLike, quaternions_wxyz: ArrayLike) -> Floats:
     >>> pypw85.from_lammps([2, 4, 6], [1, 0, 0, 0])
     array([1., 0., 0., 4., 0., 9.])
     """
-    return ellipsoid_quaternion(0.5 * plain(diameters), quaternions_wxyz)
+    return ellipsoid_quaternion(0.5 * doubles(diameters), quaternions_wxyz)
 
 
 def _plain_rows(function: str, x: ArrayLike, size: int) -> Floats:
-    rows: Floats = plain(x)
+    rows: Floats = doubles(x)
     if rows.shape[-1:] != (size,):
         raise ValueError(f"{function}: the last dimension must be {size}, but the shape is {rows.shape}")
     return rows
@@ -236,7 +236,7 @@ def from_covariance(covariance: ArrayLike, confidence: float) -> Floats:
 
     if not 0 < confidence < 1:
         raise ValueError(f"from_covariance: the confidence must be between 0 and 1, not {confidence}")
-    return packed(covariance) * (2.0 * float(gammaincinv(1.5, confidence)))
+    return packed(doubles(covariance)) * (2.0 * float(gammaincinv(1.5, confidence)))
 
 
 def _gsd_semi_axes(shape: Mapping[str, Any]) -> tuple[float, float, float]:

@@ -848,6 +848,28 @@ def overlap_2d():
 
 
 @declared
+def contains_2d():
+    """
+    Parameters
+    ----------
+    **kwargs
+        As for any ufunc. With ``dtype=np.uint8`` the result is 1, 0, or 255 for a bad row, for `bad_rows`.
+
+    Returns
+    -------
+    (...) array of bool, or bool
+        A bad row is not inside.
+
+    Examples
+    --------
+    >>> import pypw85
+    >>> q1, q2 = pypw85.ellipse(2, 2, 0), pypw85.ellipse(1, 0.5, 0)
+    >>> pypw85.contains_2d([[1, 0], [1.5, 0]], q1, q2)
+    array([ True, False])
+    """
+
+
+@declared
 def contact_geometry_2d():
     """
     Examples

@@ -110,6 +110,23 @@ template <auto function> int codes(std::size_t n, Inputs in, unsigned char *answ
     return call_codes(function, n, in, answers);
 }
 
+/// The same by a function of one row, whose inputs are arrays of these sizes.
+template <auto function, std::size_t... sizes> int codes_of_each(std::size_t n, Inputs in, unsigned char *answers)
+{
+    int first_bad = PW85_SUCCESS;
+    for (std::size_t i = 0; i < n; ++i) {
+        int answer;
+        int const status = [&]<std::size_t... k>(std::index_sequence<k...>)
+        {
+            return function(in[k] + i * sizes..., &answer);
+        }
+        (std::make_index_sequence<sizeof...(sizes)>{});
+        answers[i] = status == PW85_SUCCESS ? static_cast<unsigned char>(answer) : 255;
+        if (first_bad == PW85_SUCCESS) first_bad = status;
+    }
+    return first_bad;
+}
+
 /// One call(begin, count) for each run of rows that have the same t_max. Returns the status of the first bad row.
 template <class Call> int for_runs(std::size_t n, double const *t_max, Call const &call)
 {
