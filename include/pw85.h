@@ -539,7 +539,7 @@ PW85_API int pw85_distance_2d(double const r12[2], double const q1[3], double co
  *
  * Ellipsoids that translate at constant velocities, turn about their centres at constant angular velocities, and grow. The first
  * contact is the least time in [0, t_max] at which μ <= 1; infinity stands for none. The search skips only time intervals that are
- * proved free of contact.
+ * proved free of contact, and ends where the contact function itself shows a contact. A larger t_max does not change a bit of it.
  *
  * At the time t that is returned |μ² - 1| <= 80 u S, with u = 2⁻⁵³, and before it μ² >= 1 - 80 u S. So the error of t is at most
  * 80 u S/|dμ²/dt| + 2 u t, unless the contact grazes. S is the change of μ² at that time for relative errors of one in the given
@@ -570,8 +570,10 @@ typedef struct pw85_motion {
  * @param t_max the time up to which contacts count, >= 0; may be infinity
  * @param[out] t the time, or infinity
  * @return #PW85_SUCCESS, #PW85_EINVAL (also for an ellipsoid that shrinks to nothing), #PW85_ENOTPD, #PW85_ECONVERGENCE (the
- *         ellipsoids turn thousands of times near each other without contact; sizes, the relative velocity or the time leave the
- *         range of double; or one turns by more than 2⁴³ radians, so that its orientation is unknown) */
+ *         ellipsoids turn by more than 50,000 radians near each other without contact, or by more than 10,000 if their aspect ratio
+ *         is 1000: the search ends after 100,000 steps; sizes, the relative velocity or the time leave the range of double; one
+ *         turns by more than 2⁴³ radians, so that its orientation is unknown; or one turns whose aspect ratio is above 10⁷, so that
+ *         rounding leaves no digit of its form) */
 PW85_API int pw85_first_contact(double const r12[PW85_DIM], double const q1[PW85_SYM], double const q2[PW85_SYM],
                                 pw85_motion const *motion1, pw85_motion const *motion2, double t_max, double *t);
 

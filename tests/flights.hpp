@@ -124,9 +124,9 @@ template <class T, int D> T sensitivity(Flight<T, D> const &f, T const &time)
 }
 
 /// By how much μ² may differ from 1 at the time of first contact, in units of u S. A pair touches where f is 1 up to the slack of
-/// slack_of_form(), 12 D u Σ M_ii s_i² over rᵀM⁻¹r, which is at most 12 D u (cond - 2); the last step may be wrong by as much
-/// again; and f itself errs by 4 u cond: 76 u cond in all. Rounding of positions comes to less than 16 u times their part of S;
-/// that of forms that turn was measured: all in all 13 u S is the most that was seen.
+/// slack_of_form(), 12 D u Σ M_ii s_i² over rᵀM⁻¹r, which is at most 12 D u (cond - 2); the last step of a translation may be wrong
+/// by as much again; and f itself errs by 4 u cond: 76 u cond in all. Rounding of positions comes to less than 16 u times their part of S;
+/// that of forms that turn was measured: all in all 18 u S is the most that was seen.
 inline constexpr double touching_error = 80.0;
 
 template <class To, class From, int D> pw85::Motion<To, D> convert_motion(pw85::Motion<From, D> const &m)
@@ -176,6 +176,36 @@ template <int D> Flight<double, D> random_flight(Random &random, double aspect, 
                         random_motion<D>(random, speed, moving), random_motion<D>(random, speed, moving), 3.0};
     double const closing = random.uniform(0.0, 2.0);
     for (int i = 0; i < D; ++i) f.motion2.velocity[i] -= closing * f.start.r12[i] / f.end;
+    return f;
+}
+
+/// The form of a needle or a disc in space, or of a slender ellipse, with the largest semi-axis `size`.
+template <int D> pw85::SymmetricMatrix<double, D> slender_form(Random &random, double size, double aspect, bool needle)
+{
+    double const least = size / aspect;
+    if constexpr (D == 2)
+        return random_form<2>(random, size, aspect);
+    else
+        return pw85::ellipsoid_quaternion(pw85::Vector<double, 3>{least, needle ? least : size, size},
+                                          random.direction<4>())
+            .q;
+}
+
+/// A needle, and a needle or a disc of another size, that turn while one passes the other, slowly or fast. Their contact
+/// function is huge on most of the way.
+template <int D> Flight<double, D> slender_flight(Random &random, double aspect, double slowest)
+{
+    double const speed = random.log_uniform(slowest, 2.0), size = random.log_uniform(0.1, 1.0);
+    bool const needle = random.uniform(0.0, 1.0) < 0.5;
+    Flight<double, D> f{{random.uniform(1.5, 3.0) * random.direction<D>(), slender_form<D>(random, 1.0, aspect, true),
+                         slender_form<D>(random, size, aspect, needle)},
+                        {},
+                        {},
+                        3.0 / speed};
+    f.motion2.velocity =
+        -speed / norm(f.start.r12) * f.start.r12 + random.uniform(0.0, 0.5) * speed * random.direction<D>();
+    for (auto *m : {&f.motion1, &f.motion2})
+        m->angular_velocity = random.log_uniform(0.2, 10.0) * random.direction<pw85::detail::rotation_axes<D>>();
     return f;
 }
 

@@ -78,21 +78,24 @@ template <int D> Real time_of_minimum(Flight<Real, D> const &f, Real a, Real b)
     return (a + b) / 2;
 }
 
-/// The largest depth from 0 to a time. A step is as long as the gap lasts at top speed, and where that is less than a thousandth
-/// of the ellipsoids' widths as long as this: then minima between steps are looked for. Ends where it is positive.
+/// The largest depth from 0 to a time. A step is as long as the gap lasts at top speed, and at least as long as a thousandth of the
+/// ellipsoids' widths or a 100,000th of the whole way: then minima between steps are looked for. Ends where it is positive.
 template <int D> Real largest_depth(Flight<Real, D> const &f, Real end)
 {
     Real const speed = top_speed(f);
     Real times[3] = {0, 0, 0}, values[3] = {4, 4, 4}, largest = -1;
+    bool short_of_gap = false;
     for (Real time = 0;;) {
         Gap const here = gap_at(f, time);
         largest = std::fmax(largest, depth_at(f, time));
         for (int k = 0; k < 2; ++k) times[k] = times[k + 1], values[k] = values[k + 1];
         times[2] = time, values[2] = here.mu2;
-        if (values[1] <= values[0] && values[1] <= values[2] && values[1] < 1.1L)
+        if (values[1] <= values[0] && values[1] <= values[2] && (values[1] < 1.1L || short_of_gap))
             largest = std::fmax(largest, depth_at(f, time_of_minimum(f, times[0], times[2])));
         if (time >= end || largest > 0) return largest;
-        time = std::fmin(end, time + std::fmax(here.gap, here.width / 1000) / speed);
+        Real const least = std::fmax(here.width / 1000 / speed, f.end / 100000);
+        short_of_gap = here.gap < 2 * least * speed;
+        time = std::fmin(end, time + std::fmax(here.gap / speed, least));
     }
 }
 
@@ -156,6 +159,23 @@ template <int D> void check_flights(Moving moving, bool graze)
     g_assert_cmpint(touching, <, 19 * flights / 20);
 }
 
+/// Needles and discs, of which few touch for longer than an instant.
+template <int D> void check_slender(int flights)
+{
+    Failures failures;
+    Random random(541 + D);
+    int touching = 0;
+    for (int n = 0; n < flights; ++n)
+        check_flight(failures, slender_flight<D>(random, random.log_uniform(10.0, 1e7), 0.1), touching);
+    g_assert_cmpint(touching, >, flights / 5);
+}
+
+void test_slender()
+{
+    check_slender<3>(motions);
+    check_slender<2>(motions / 2);
+}
+
 template <Moving moving, bool graze> void test_flights()
 {
     check_flights<3>(moving, graze);
@@ -172,5 +192,6 @@ int main(int argc, char **argv)
     g_test_add_func("/motion_truth/motion", test_flights<Moving::all, false>);
     g_test_add_func("/motion_truth/grazing_translation", test_flights<Moving::centres, true>);
     g_test_add_func("/motion_truth/grazing_motion", test_flights<Moving::all, true>);
+    g_test_add_func("/motion_truth/slender", test_slender);
     return g_test_run();
 }

@@ -1,5 +1,6 @@
 /// @file
-/// The first contact of two ellipsoids that turn and grow. All steps in time but the last, tiny one are proved free of contact.
+/// The first contact of two ellipsoids that turn and grow. All steps in time are proved free of contact, and the search ends where f
+/// is 1 to rounding at the time itself.
 ///
 /// In the units of a Pair, with M = Q1 + t Q2 for some t, and `target` the value of rᵀM⁻¹r where f = 1 (passage.hpp):
 ///
@@ -16,6 +17,10 @@
 ///    s·r, q is target sᵀMs from the polynomials, and ρ² is target times the sum of the squares of the remainders' factors. The
 ///    condition holds while P = (N - ρx³)² - q, of degree six, stays positive.
 /// 5. For x <= X, a power xᵏ is at most X^(k-2) x². So a parabola bounds P from below, and its first root has a closed form.
+/// 6. P is a difference of sums. Slender ellipsoids have a large s far from where they touch. There the rounding errors of f may be
+///    larger than 1, although they are tiny at the contact. So P must exceed a bound on its rounding errors. In the frame of an
+///    ellipsoid, m(x) - s0 is at most x (1 + |γ|)(1 + ω + |γ|)(|s1| + (ω + |γ|) |s0|) long for x <= 1. So the errors are at most
+///    those at s0 and what noise_of_step() bounds, times x².
 #ifndef PW85_MOTION_ADVANCE_HPP_INCLUDED
 #define PW85_MOTION_ADVANCE_HPP_INCLUDED
 
@@ -85,15 +90,54 @@ template <class T, int D> PW85_FUNCTION inline Blend<T, D> blend_at(BodyPair<T, 
     return {m, factors, solve(factors, pair.r12)};
 }
 
+/// f at one time and t, and Newton's step in log t to the maximum of f.
+template <class T, int D> struct Sight {
+    Blend<T, D> blend;
+    Vector<T, D> products[2]; ///< (Q - κI) s of each body
+    T a, b;                   ///< sᵀQs of each body
+    T excess, slack, target;  ///< as in a Passage
+    T blur;                   ///< what the rounding of forms that have turned can make of the excess
+    T newton, per_difference; ///< the step, and the step per h
+    bool near;                ///< whether to trust both
+};
+
+/// The largest eigenvalue of a form that turns, at most. A form that does not turn has no error of rotation.
+template <class T, int D> PW85_FUNCTION constexpr T most_that_turns(Body<T, D> const &body) noexcept
+{
+    return body.rate > T(0) ? body.most : T(0);
+}
+
+template <class T, int D> PW85_FUNCTION inline Sight<T, D> sight(BodyPair<T, D> const &pair, T const &t) noexcept
+{
+    auto const &[body1, body2] = pair.bodies;
+    auto const blend = blend_at(pair, t);
+    Vector<T, D> const &s = blend.s, y1 = product(body1.rest, s), y2 = product(body2.rest, s);
+    T const square = dot(s, s), a = dot(s, y1) + body1.least * square, b = dot(s, y2) + body2.least * square;
+    T const bend = inverse_form(blend.factors, add_scaled(y2, body2.least, s));
+    Slope<T> const of_h = slope(first_jet(a, b, bend, t), pair.ratio, t);
+    T const target = target_at(pair.tangent, pair.ratio, t), per = of_h.weight / of_h.k;
+    return {blend,
+            {y1, y2},
+            a,
+            b,
+            dot(s, pair.r12) - target,
+            slack_of_form(blend.m, s),
+            target,
+            T(12 * D * unit_roundoff<T>()) * square * (most_that_turns(body1) + t * most_that_turns(body2)),
+            -(of_h.difference / of_h.sum) * per,
+            per,
+            is_near(of_h)};
+}
+
 /// Products of a body with s0: (Q - κI) s0, ω × s0, and the derivative of Qs0.
 template <class T, int D> struct Response {
     Vector<T, D> product, turned, change;
 };
 
-template <class T, int D>
-PW85_FUNCTION constexpr Response<T, D> respond(Body<T, D> const &body, Vector<T, D> const &s) noexcept
+template <class T, int D> PW85_FUNCTION constexpr Response<T, D> respond(Body<T, D> const &body, Vector<T, D> const &s,
+                                                                         Vector<T, D> const &y) noexcept
 {
-    Vector<T, D> const y = product(body.rest, s), w = turning(body.omega, s);
+    Vector<T, D> const w = turning(body.omega, s);
     Vector<T, D> const outer = turning(body.omega, y), inner = product(body.rest, w);
     Response<T, D> result{y, w, {}};
     for (int i = 0; i < D; ++i)
@@ -138,37 +182,61 @@ template <class T, int D> PW85_FUNCTION inline Extent<T> extent(Body<T, D> const
             square_root(T(body.most - body.least)) * most};
 }
 
-/// The coefficients of P/N(0) of item 4. The first is the excess of f over 1 in the units of `target`.
+/// The coefficients of P/N(0) of item 4. The first is the excess of f over 1 in the units of `target`. The rounding errors of item 6
+/// have been subtracted.
 template <class T> struct Clearance {
     T p[7];
 };
 
-template <class T, int D>
-PW85_FUNCTION inline Clearance<T> clearance(BodyPair<T, D> const &pair, Path<T, D> const &path, Extent<T> const &e1,
-                                            Extent<T> const &e2, T const &t, T const &target) noexcept
+/// The part of the rounding errors of P that grows with x², for one body (item 6). slack_of_form() bounds those of f by 4 u cond;
+/// the most that was seen is 0.35 of this. A square (a + b)² is at most 10/7 a² + 10/3 b². So the errors are less than half of the
+/// slack and 5/4 of this bound, with |s_i| <= |s| and the largest eigenvalue for the diagonal.
+template <class T, int D> PW85_FUNCTION inline T noise_of_step(Body<T, D> const &body, Path<T, D> const &path) noexcept
 {
-    T const n0 = dot(path.s0, pair.r12), n1 = dot(path.s1, pair.r12) + dot(path.s0, pair.velocity),
-            n2 = dot(path.s1, pair.velocity), unit = T(1) / n0;
+    T const growth = absolute(body.growth), rate = body.rate + growth;
+    T const change =
+        (T(1) + growth) * (T(1) + rate) * (square_root(path.square[2]) + rate * square_root(path.square[0]));
+    return T(15 * D * unit_roundoff<T>()) * body.most * change * change;
+}
+
+template <class T, int D> PW85_FUNCTION inline Clearance<T> clearance(BodyPair<T, D> const &pair,
+                                                                      Sight<T, D> const &sight, Path<T, D> const &path,
+                                                                      Extent<T> const &e1, Extent<T> const &e2,
+                                                                      T const &t) noexcept
+{
+    T const target = sight.target, n0 = sight.excess + target,
+            n1 = dot(path.s1, pair.r12) + dot(path.s0, pair.velocity), n2 = dot(path.s1, pair.velocity),
+            unit = T(1) / n0;
     T const squares = e1.remainder * e1.remainder + t * e2.remainder * e2.remainder;
     T const rho = square_root(T(target * squares));
+    T const noise = noise_of_step(pair.bodies[0], path) + t * noise_of_step(pair.bodies[1], path);
     T q[5];
     for (int k = 1; k < 5; ++k) q[k] = target * (e1.square[k] + t * e2.square[k]);
-    return {{n0 - target, T(2) * n1 - unit * q[1], T(2) * n2 + unit * (n1 * n1 - q[2]),
+    return {{sight.excess, T(2) * n1 - unit * q[1], T(2) * n2 + unit * (n1 * n1 - q[2]) - noise,
              unit * (T(2) * n1 * n2 - q[3]) - T(2) * rho, unit * (n2 * n2 - T(2) * n1 * rho - q[4]),
              T(-2) * unit * n2 * rho, unit * rho * rho}};
 }
 
-/// A time up to which P is positive, near its first root (item 5). X decreases until it is near the root of the parabola.
+/// The excess of f over 1 less its rounding errors (item 6). The least slack at a contact, where ΣM_ii s_i² is sᵀMs, is not
+/// subtracted: a contact counts up to there, and well-conditioned pairs end at f = 1.
+template <class T, int D> PW85_FUNCTION inline T certain_excess(Sight<T, D> const &sight) noexcept
+{
+    T const hidden = T(12 * D * unit_roundoff<T>()) * sight.target;
+    return maximum(sight.excess, sight.slack) - T(0.5) * maximum(T(0), T(sight.slack - hidden));
+}
+
+/// A time up to which P is positive, near its first root (item 5), from the excess at its start. A parabola that misses zero by less
+/// than the slack leads to its least value, where the pair may touch. X decreases until it is near the root of the parabola.
 template <class T>
-PW85_FUNCTION inline T safe_time(Clearance<T> const &clearance, T const &slack, T const &end) noexcept
+PW85_FUNCTION inline T safe_time(Clearance<T> const &clearance, T const &excess, T const &slack) noexcept
 {
     auto const &p = clearance.p;
-    T const excess = maximum(p[0], slack), approach = T(-0.5) * p[1];
-    T lower = T(0), upper = minimum(end, first_root(excess, approach, p[2], slack)), x = upper;
+    T const approach = T(-0.5) * p[1], miss = minimum(slack, excess); // a pair that separates has no root at its start
+    T lower = T(0), upper = minimum(longest_advance<T>(), first_root(excess, approach, p[2], miss)), x = upper;
     for (int i = 0; i < 4 && lower <= T(0.9) * upper; ++i) {
         T tail = minimum(T(0), p[6]);
         for (int k = 5; k >= 3; --k) tail = minimum(T(0), p[k]) + x * tail;
-        T const root = first_root(excess, approach, T(p[2] + x * tail), slack);
+        T const root = first_root(excess, approach, T(p[2] + x * tail), miss);
         if (root < x) upper = x;
         lower = maximum(lower, minimum(root, x));
         x = square_root(T(lower * upper));
@@ -176,50 +244,23 @@ PW85_FUNCTION inline T safe_time(Clearance<T> const &clearance, T const &slack, 
     return lower;
 }
 
-/// A bound on how much too small P may be after a step x. It is the sum of the terms that are bounds themselves, and of what an
-/// error of log t takes from f: at most a quarter of its square, since f'' = -2 λ(1-λ) h' f at the maximum (contact/iteration.hpp).
-template <class T> PW85_FUNCTION inline T error_of_step(Clearance<T> const &clearance, T const &target, T const &x,
-                                                        T const &log_t) noexcept
-{
-    T sum = absolute(clearance.p[6]);
-    for (int k = 5; k >= 3; --k) sum = absolute(clearance.p[k]) + x * sum;
-    return x * x * x * sum + T(0.25) * log_t * log_t * target;
-}
-
-/// Newton's step in log t to the maximum of f, the change of this maximum with time, and whether to trust both.
-template <class T> struct Drift {
-    T newton, rate;
-    bool near;
-};
-
-template <class T, int D> PW85_FUNCTION inline Drift<T> find_drift(BodyPair<T, D> const &pair, Blend<T, D> const &blend,
-                                                                   Extent<T> const &e1, Extent<T> const &e2,
-                                                                   Vector<T, D> const &product2, T const &t) noexcept
-{
-    T const a = e1.square[0], b = e2.square[0];
-    Vector<T, D> const q = add_scaled(product2, pair.bodies[1].least, blend.s);
-    Slope<T> const s = slope(first_jet(a, b, inverse_form(blend.factors, q), t), pair.ratio, t);
-    T const change = T(0.5) * (e2.square[1] / b - e1.square[1] / a), per = s.weight / s.k; // of h; over h'
-    return {-(s.difference / s.sum) * per, -change * per, is_near(s)};
-}
-
-/// What one time and t show.
+/// What follows from one sight on: P, and how log t of the maximum of f changes with time.
 template <class T> struct View {
     Clearance<T> clearance;
-    T slack, target; ///< as in a Passage
-    Drift<T> drift;
+    T rate;
 };
 
-template <class T, int D> PW85_FUNCTION inline View<T> view(BodyPair<T, D> const &pair, T const &t) noexcept
+template <class T, int D>
+PW85_FUNCTION inline View<T> view(BodyPair<T, D> const &pair, Sight<T, D> const &sight, T const &t) noexcept
 {
-    auto const blend = blend_at(pair, t);
-    auto const i1 = respond(pair.bodies[0], blend.s), i2 = respond(pair.bodies[1], blend.s);
+    auto const &[body1, body2] = pair.bodies;
+    auto const &blend = sight.blend;
+    auto const i1 = respond(body1, blend.s, sight.products[0]), i2 = respond(body2, blend.s, sight.products[1]);
     Vector<T, D> const change = add_scaled(i1.change, t, i2.change);
     auto const path = make_path(blend.s, solve(blend.factors, pair.velocity - change));
-    auto const e1 = extent(pair.bodies[0], path, i1), e2 = extent(pair.bodies[1], path, i2);
-    T const target = target_at(pair.tangent, pair.ratio, t);
-    return {clearance(pair, path, e1, e2, t, target), slack_of_form(blend.m, blend.s), target,
-            find_drift(pair, blend, e1, e2, i2.product, t)};
+    auto const e1 = extent(body1, path, i1), e2 = extent(body2, path, i2);
+    T const change_of_h = T(0.5) * (e2.square[1] / sight.b - e1.square[1] / sight.a);
+    return {clearance(pair, sight, path, e1, e2, t), -change_of_h * sight.per_difference};
 }
 
 /// t at the maximum of f.
@@ -230,48 +271,53 @@ template <class T, int D> PW85_FUNCTION inline T maximiser(BodyPair<T, D> const 
     return maximum(smallest_number<T>(), minimum(largest_number<T>(), t));
 }
 
-/// Whether the numbers are finite, and the orientations are known. Neither is the fault of the arguments: sizes may grow out of the
-/// range of T, and angles may grow until their rounding errors exceed a thousandth of a radian.
+/// Whether the numbers are finite, and orientations and forms are known. None of this is the fault of the arguments: sizes may grow
+/// out of the range of T, angles may grow until their rounding errors exceed a thousandth of a radian, and a form may be so slender
+/// that no digit of f is left when it has turned.
 template <class T, int D>
-PW85_FUNCTION inline bool is_known(BodyPair<T, D> const &pair, View<T> const &view, T const &time) noexcept
+PW85_FUNCTION inline bool is_known(BodyPair<T, D> const &pair, Sight<T, D> const &sight, T const &time) noexcept
 {
-    return view.clearance.p[0] * T(0) == T(0) &&
-           maximum(pair.bodies[0].rate, pair.bodies[1].rate) * time <= longest_turn<T>();
+    T const f = sight.excess + sight.target;
+    return sight.excess * T(0) == T(0) &&
+           maximum(pair.bodies[0].rate, pair.bodies[1].rate) * time <= longest_turn<T>() &&
+           (sight.blur <= f || time == T(0));
 }
 
 /// Whether the excess of f over 1 is above rounding.
-template <class T> PW85_FUNCTION constexpr bool is_clear(View<T> const &view) noexcept
+template <class T, int D> PW85_FUNCTION constexpr bool is_clear(Sight<T, D> const &sight) noexcept
 {
-    return view.clearance.p[0] > view.slack;
+    return sight.excess > sight.slack;
 }
 
-/// Whether a view at a t that was carried over from an earlier time suffices: f is at its maximum, or near its maximum and clear.
-template <class T> PW85_FUNCTION constexpr bool is_enough(View<T> const &view) noexcept
+/// Whether a sight at a t that was carried over from an earlier time suffices: f is at its maximum, or near its maximum and clear.
+template <class T, int D> PW85_FUNCTION constexpr bool is_enough(Sight<T, D> const &sight) noexcept
 {
-    Drift<T> const &drift = view.drift;
-    return drift.near && (is_clear(view) || drift.newton * drift.newton <= T(unit_roundoff<T>()));
+    return sight.near && (is_clear(sight) || sight.newton * sight.newton <= T(unit_roundoff<T>()));
 }
 
 /// Whether a pair that is not clear separates, and overlaps by no more than a pair that has just collided.
-template <class T> PW85_FUNCTION constexpr bool just_separates(View<T> const &view) noexcept
+template <class T, int D>
+PW85_FUNCTION constexpr bool just_separates(Sight<T, D> const &sight, View<T> const &view) noexcept
 {
-    return view.clearance.p[1] > T(0) && view.clearance.p[0] >= -T(touching_tolerance) * view.slack;
+    return view.clearance.p[1] > T(0) && sight.excess >= -T(touching_tolerance) * sight.slack;
 }
 
-/// Whether a step of x in time and one in log t lead to the contact, to rounding.
-template <class T>
-PW85_FUNCTION constexpr bool ends_at_contact(View<T> const &view, T const &x, T const &log_t) noexcept
+/// Where a search ends that no step leads on: at a contact, if f exceeds 1 by no more than it changes while the time changes by its
+/// rounding error.
+template <class T, int D>
+PW85_FUNCTION inline FirstContact<T> end_of_steps(Sight<T, D> const &sight, View<T> const &view, T const &time) noexcept
 {
-    return view.drift.near && view.clearance.p[1] < T(0) && x < longest_advance<T>() &&
-           error_of_step(view.clearance, view.target, x, log_t) <= view.slack;
+    T const change = T(4 * unit_roundoff<T>()) * time * absolute(view.clearance.p[1]);
+    if (sight.excess <= sight.slack + change) return {time, Status::success};
+    return all_nan<FirstContact<T>>(Status::no_convergence);
 }
 
-/// The largest number of steps of first_contact(): some thousand radians of rotation without contact.
-inline constexpr int max_advances = 10000;
+/// The largest number of steps of first_contact(), a choice: some ten thousand radians of rotation without contact.
+inline constexpr int max_advances = 100000;
 
 /// first_contact() of a valid pair, in a unit of time in which its rates are below 2. A pair that has been apart touches when it is
 /// no longer clear. A pair that has not been apart may separate first. t follows the maximum of f; if it loses the maximum, the
-/// maximum is sought anew.
+/// maximum is sought anew. The steps do not depend on the end.
 template <class T, int D>
 PW85_FUNCTION inline FirstContact<T> advance_to_contact(MovingPair<T, D> const &moving, T const &end) noexcept
 {
@@ -280,22 +326,22 @@ PW85_FUNCTION inline FirstContact<T> advance_to_contact(MovingPair<T, D> const &
     for (int i = 0; i < max_advances; ++i) {
         T const wait = time_apart(moving, time);
         time = time + wait;
-        if (time >= end) return {infinity<T>(), Status::success};
+        if (time > end || time == infinity<T>()) return {infinity<T>(), Status::success};
         auto const pair = pair_at(moving, time);
         bool const sought = lost || wait > T(0);
         if (sought) t = maximiser(pair);
-        View<T> const v = view(pair, t);
-        if (!is_known(pair, v, time)) return all_nan<FirstContact<T>>(Status::no_convergence);
-        lost = !(sought || is_enough(v));
+        auto const here = sight(pair, t);
+        if (!is_known(pair, here, time)) return all_nan<FirstContact<T>>(Status::no_convergence);
+        lost = !(sought || is_enough(here));
         if (lost) continue;
-        if (!is_clear(v) && (apart || !just_separates(v))) return {time, Status::success};
-        apart = apart || is_clear(v);
-        T const x = safe_time(v.clearance, v.slack, minimum(T(end - time), longest_advance<T>()));
-        T const log_t = v.drift.newton + v.drift.rate * x, next = time + x;
-        if (next >= end) return {infinity<T>(), Status::success};
-        if (ends_at_contact(v, x, log_t) || !(next > time)) return {next, Status::success};
-        time = next;
-        lost = !(v.drift.near && absolute(log_t) < T(1));
+        if (apart && !is_clear(here)) return {time, Status::success};
+        auto const ahead = view(pair, here, t);
+        if (!is_clear(here) && !just_separates(here, ahead)) return {time, Status::success};
+        apart = apart || is_clear(here);
+        T const x = safe_time(ahead.clearance, certain_excess(here), here.slack), log_t = here.newton + ahead.rate * x;
+        if (!(time + x > time)) return end_of_steps(here, ahead, time);
+        time = time + x;
+        lost = !(here.near && absolute(log_t) < T(1));
         t = t * exponential(Step<T>{log_t, T(1)});
     }
     return all_nan<FirstContact<T>>(Status::no_convergence);

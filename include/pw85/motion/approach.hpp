@@ -200,8 +200,17 @@ PW85_FUNCTION inline RemotePair<T, D> remote_pair(MovingEllipsoids<T, D> const &
 /// of u.
 template <class T> PW85_FUNCTION constexpr T longest_turn() noexcept { return T(0x1p-10 / unit_roundoff<T>()); }
 
+/// Whether a form that has turned is known: its rounding error, some u of its largest entry, is less than its pivots.
+template <class T, int D> PW85_FUNCTION inline bool is_known_form(SymmetricMatrix<T, D> const &q) noexcept
+{
+    auto const factors = factorize(q, T(0));
+    T least = factors.pivots[0];
+    for (int i = 1; i < D; ++i) least = minimum(least, factors.pivots[i]);
+    return least > T(12 * D * unit_roundoff<T>()) * largest_diagonal(q);
+}
+
 /// Lets an ellipsoid turn and grow for some time, in the unit of the body. False if its size leaves the range of T, or if its
-/// orientation becomes unknown.
+/// orientation or its form becomes unknown.
 template <class T, int D> PW85_FUNCTION inline bool let_move(SymmetricMatrix<T, D> &q, Motion<T, D> &motion,
                                                              Body<T, D> const &body, int form, T const &time) noexcept
 {
@@ -209,7 +218,8 @@ template <class T, int D> PW85_FUNCTION inline bool let_move(SymmetricMatrix<T, 
     q = times_power_of_two(form_of(body_at(body, turning_form(body), time)), 2 * form);
     motion.growth = motion.growth / (T(1) + body.growth * time);
     T const size = largest_diagonal(q);
-    return is_finite(q) && size > smallest_number<T>() && body.rate * time <= longest_turn<T>();
+    return is_finite(q) && size > smallest_number<T>() && body.rate * time <= longest_turn<T>() &&
+           (body.rate == T(0) || is_known_form(q));
 }
 
 /// Lets a remote pair move until the spheres around its ellipsoids meet, and returns that time. Infinity if they do not meet before
@@ -231,7 +241,7 @@ template <class T, int D> [[gnu::noinline]] PW85_FUNCTION inline T come_near(Mov
     if (meeting.time >= times_power_of_two(moving.end, pair.rate)) return infinity<T>();
     T const time = times_power_of_two(meeting.time, -pair.rate);
     moving.r12 = times_power_of_two(r12_at_meeting(pair.r12, pair.velocity, reach, moment, meeting), pair.length);
-    moving.end = moving.end - time;
+    moving.end = moving.end - time + T(4 * unit_roundoff<T>()) * moving.end; // rounding cuts off no contact
     bool const known = let_move(moving.q1, moving.motion1, pair.bodies[0], pair.forms[0], meeting.time) &&
                        let_move(moving.q2, moving.motion2, pair.bodies[1], pair.forms[1], meeting.time);
     return in_range && known && time < infinity<T>() ? time : quiet_nan<T>();

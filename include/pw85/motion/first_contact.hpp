@@ -111,8 +111,8 @@ first_contact_from_afar(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1
     }
     if (is_remote(m.r12, m.q1, m.q2)) return all_nan<FirstContact<T>>(Status::no_convergence);
     auto const rest = first_contact_nearby(scale(pair_of(m.r12, m.q1, m.q2)), m.motion1, m.motion2, m.end);
-    if (!(rest.time < infinity<T>())) return rest;
-    return {minimum(end, T(waited + rest.time)), rest.status};
+    T const time = waited + rest.time;
+    return {time > end ? infinity<T>() : time, rest.status};
 }
 
 } // namespace pw85::detail

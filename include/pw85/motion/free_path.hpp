@@ -94,7 +94,7 @@ plane_from_afar(Pair<T, D> const &pair, Vector<T, D> const &velocity, T const &e
         waited = waited + wait;
     }
     auto plane = plane_of_passage(scale(pair_of(m.r12, m.q1, m.q2)), velocity, m.end);
-    plane.until = plane.until == m.end ? end : waited + plane.until;
+    plane.until = plane.until == m.end ? end : minimum(end, T(waited + plane.until));
     return plane;
 }
 

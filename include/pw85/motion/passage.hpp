@@ -236,6 +236,7 @@ find_passage(Flight<T, D> const &flight, T const &end) noexcept
 {
     T const &ratio = flight.pair.ratio;
     auto state = safeguarded_search(initial_guess(flight.pair), free_passage_steps);
+    T const latest = end + T(0x1p-20) * end; // rounding does not decide whether a contact at the end is one
     T time = T(0);
     bool last = false;
     for (int i = 0; i < max_passages; ++i) {
@@ -244,7 +245,7 @@ find_passage(Flight<T, D> const &flight, T const &end) noexcept
         T const reached = time + view.wait;
         if (view.outcome == PassageOutcome::none)
             return {infinity<T>(), t, minimum(end, T(time + wait_for_nearest(view))), Status::success};
-        if (last || reached > end) return contact_until(end, reached, t);
+        if (last || reached > latest) return contact_until(end, reached, t);
         bool const before = is_far(view.passage, view.target) && reached > time;
         Jet<T> const jet = jet_then(flight, view, t);
         Slope<T> const s = slope(jet, ratio, t);
