@@ -222,7 +222,11 @@ class Blocking:
 
 def _correlations(squares: list[Floats]) -> list[Floats]:
     """Those of successive blocks, for squared errors by blocks each of which are twice as long as those before."""
-    return [np.divide(twice, square, out=np.ones_like(twice), where=square != 0) - 1 for square, twice in itertools.pairwise(squares)]
+    found: list[Floats] = []
+    for square, twice in itertools.pairwise(squares):
+        ratio: Floats = np.divide(twice, square, out=np.ones_like(twice), where=square != 0)
+        found.append(ratio - 1.0)
+    return found
 
 
 def _block_correlation(length: float) -> float:

@@ -23,7 +23,7 @@ import pypw85
 
 sys.path += [str(Path(__file__).resolve().parents[1])]
 import csv_rows
-from formulas import TABLE
+from formulas import TABLE, branch_of, slope
 
 VOLUME = 4 / 3 * np.pi  # of each ellipsoid, because the product of its semi-axes is 1
 
@@ -70,11 +70,13 @@ class Effort(NamedTuple):
 class Estimate(NamedTuple):
     value: float
     error: float
-    drift: float  # of the mean from the first half to the second, in units of its error
+    drift: float  # from the first sample to the last, in units of its error
 
 
 # From both starts, on both sides of a transition and next to it
 TRANSITION = {"1/5": ("0.32", "0.34", "0.36")}
+# Isotropic, but so near a transition that the order is slow
+SLOW = (("3", "0.45"), ("1/3", "0.45"), ("5", "0.35"))
 RANDOM = {
     "1": ("0.1", "0.2", "0.3", "0.4", "0.45"),
     "3": ("0.1", "0.2", "0.3", "0.4", "0.45"),
@@ -124,7 +126,7 @@ def states() -> list[State]:
 def effort(state: State) -> Effort:
     """Orientations of long and flat ellipsoids relax slowly, parallel ones lose their order slowly, and volumes change slowly. Next to a
     transition the order takes longest."""
-    near = state.ensemble == "NVT" and state.target in TRANSITION.get(state.aspect, ())
+    near = state.ensemble == "NVT" and (state.target in TRANSITION.get(state.aspect, ()) or (state.aspect, state.target) in SLOW)
     if near or (state.start == "aligned" and state.target != "0.3"):
         slow = "3" in state.aspect or (near and state.target == "0.34")
         return Effort(cycles=512, sweeps=1600 if slow else 512, chains=64, translation=0.5)
@@ -147,15 +149,16 @@ def aligned_start(state: State) -> pypw85.System:
     return pypw85.System.from_axes(places, np.tile(state.semi_axes, (n, 1)), upright, cell=np.diag(edges * state.cells))
 
 
-def estimate(samples: list[float]) -> Estimate:
-    """Mean, with the largest of the errors from blocks of different lengths, of which there are 16 to 128: samples that follow each
-    other are correlated, and the errors grow until the blocks are independent."""
-    errors = []
-    for number in (16, 32, 64, 128):
-        means = np.mean(np.reshape(samples, (number, -1)), axis=1)
-        errors.append(means.std(ddof=1) / np.sqrt(number))
-    halves = np.mean(np.reshape(samples, (2, -1)), axis=1)
-    return Estimate(float(np.mean(samples)), max(errors), float((halves[1] - halves[0]) / (2 * max(errors))))
+def estimates(samples: list[tuple[float, ...]]) -> list[Estimate]:
+    """Those of each number of the samples. Errors are NaN if one of the numbers is too slow for the run (`pypw85.Blocking`). The drift is
+    that of a straight line, whose difference from the start to the end has the error √12 times that of the mean."""
+    averages = pypw85.Blocking(len(samples[0]))
+    for sample in samples:
+        averages.add(sample)
+    value, error, _ = averages.estimate()
+    n = len(samples)
+    drift = 12 * ((np.arange(n) - (n - 1) / 2) @ np.array(samples)) / n**2 / (np.sqrt(12) * error)
+    return [Estimate(*row) for row in zip(value.tolist(), error.tolist(), drift.tolist())]
 
 
 def crystal_order(simulation: pypw85.HardEllipsoids, cells: tuple[int, int, int]) -> float:
@@ -201,22 +204,28 @@ def measure(state: State, how: Effort, pressure: float = 0.0) -> tuple[Estimate,
         simulation.set_steps(steps.translation, steps.rotation, volume_step(len(start), pressure / float(state.target)))
     for _ in range(how.equilibration):
         one_cycle(simulation, how, beta_p)
-    samples, order = [], []
+    samples = []
     for _ in range(how.cycles):
-        samples.append(one_cycle(simulation, how, beta_p))
-        order.append(pypw85.nematic_order(simulation.system()))
+        found = one_cycle(simulation, how, beta_p)
+        samples.append((found, pypw85.nematic_order(simulation.system())))
     simulation.check()
     if aligned and crystal_order(simulation, state.cells) > 0.1:
         raise RuntimeError(f"{' '.join(state)} is still a crystal")
-    return estimate(samples), estimate(order)
+    result, order = estimates(samples)
+    return result, order
 
 
-def row_of(state: State, how: Effort, pressure: float = 0.0) -> dict[str, str]:
-    """Measures a state and makes its row."""
+def error_at_fraction(phi: float, phi_error: float, steepness: float) -> float:
+    """The error of Z = P/φ at the volume fraction φ that was found at the pressure P. With the true Z(φ) = P(φ)/φ, an error δ of φ
+    changes P/φ - Z(φ) by -(P/φ² + Z'(φ)) δ = -P'(φ) δ/φ. The error of P/φ alone, P δ/φ², leaves out that both numbers err together."""
+    return steepness * phi_error / phi
+
+
+def row_of(state: State, how: Effort, pressure: float = 0.0, steepness: float = 0.0) -> dict[str, str]:
+    """Measures a state and makes its row. In NPT it needs the pressure, and the derivative of the pressure by the volume fraction."""
     result, order = measure(state, how, pressure)
-    target = float(state.target)
-    z, z_error = (pressure / result.value, pressure * result.error / result.value**2) if pressure else result[:2]
-    phi, phi_error = result[:2] if pressure else (target, 0.0)
+    phi, phi_error = result[:2] if pressure else (float(state.target), 0.0)
+    z, z_error = (pressure / phi, error_at_fraction(phi, phi_error, steepness)) if pressure else result[:2]
     number = 4 * int(np.prod(state.cells)) if state.start == "aligned" else how.particles
     return state._asdict() | {
         "particles": str(number),
@@ -240,16 +249,24 @@ def read_table(path: Path = TABLE) -> dict[State, dict[str, str]]:
     return {State(*(row[name] for name in State._fields)): row for row in csv_rows.read(path)}
 
 
+def applied(state: State, rows: dict[State, dict[str, str]]) -> tuple[float, float]:
+    """The pressure that is applied, and its derivative by the volume fraction, from the rows at constant volume; zeros for none."""
+    if state.ensemble == "NVT":
+        return 0.0, 0.0
+    row = rows[state._replace(ensemble="NVT")]
+    return float(row["pressure"]), slope(row, branch_of(row, rows.values()))
+
+
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("table", nargs="?", type=Path, default=TABLE)
     path = parser.parse_args().table
+    pypw85.set_reproducible(True)  # so that random packings, from which runs start, have the same bits on every processor
     rows = read_table(path)
     for state in states():
         if state in rows:
             continue
-        pressure = 0.0 if state.ensemble == "NVT" else float(rows[state._replace(ensemble="NVT")]["pressure"])
-        rows[state] = row = row_of(state, effort(state), pressure)
+        rows[state] = row = row_of(state, effort(state), *applied(state, rows))
         csv_rows.write(path, (rows[one] for one in states() if one in rows))
         shown = ("fraction", "z", "z_error", "order", "drift", "order_drift")
         print(*state, *(f"{name} {row[name]}" for name in shown), flush=True)

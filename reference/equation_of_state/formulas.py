@@ -69,9 +69,9 @@ class Deviation(NamedTuple):
 
 
 def isotropic(rows: Iterable[Row], aspect: str) -> list[Row]:
-    """Those of a shape at constant volume from random starts, but for states next to a transition, whose order is above 0.15."""
+    """Those of a shape at constant volume from random starts, but for states next to a transition, whose order is above 0.15. That of spheres is NaN."""
     chosen = (aspect, "random", "NVT")
-    return [row for row in rows if (row["aspect"], row["start"], row["ensemble"]) == chosen and float(row["order"]) < 0.15]
+    return [row for row in rows if (row["aspect"], row["start"], row["ensemble"]) == chosen and not float(row["order"]) >= 0.15]
 
 
 def deviation(row: Row, z: float, error: float = 0.0) -> Deviation:

@@ -100,7 +100,7 @@ class Run:
         """Refuses a cell that changes its shape, and is so narrow that the images of a particle are next to each other."""
         if self.settings.change == "isotropic":
             return
-        shortest = float(np.linalg.norm(cell_reduce(self.simulation.cell), axis=1).min())
+        shortest = float(np.linalg.norm(cell_reduce(np.asarray(self.simulation.cell)), axis=1).min())
         if shortest < _LEAST_WIDTH * 2 * float(self.simulation.semi_axes.max()):
             edges = " × ".join(f"{edge:.4g}" for edge in self.edges())
             raise FileError(self.path, f"the cell has the edges {edges}, in which images of particles nearly touch: use --volume isotropic "
