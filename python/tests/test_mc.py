@@ -16,6 +16,7 @@ import numpy as np
 import pytest
 
 import pypw85
+from pypw85.cli import _runs as runs
 from systems import PW85, command, heed_interrupts, on_terminal, random_system
 
 h5py = pytest.importorskip("h5py")
@@ -122,8 +123,10 @@ def test_interrupted(run, folder, whole, kind):
     with open("run.dump", "a") as file:
         file.write("what was written behind the checkpoint")
     os.mkdir("other")
-    for name in ("run.h5", "run.dump"):
-        shutil.move(name, "other")
+    for name in ("run.h5", "run.dump", "run.h5.samples"):
+        if kind == "SIGKILL" or name != "run.h5.samples":
+            shutil.move(name, "other")
+    assert not os.path.exists("run.h5.samples")
     done = run("mc", "--resume", "other/run.h5")
     assert (done.status, done.err) == (0, "")
     assert done.out == "other/" + (whole / "out").read_text()
@@ -204,6 +207,46 @@ def test_table(run, folder, whole):
     for name in table.dtype.names:
         np.testing.assert_array_equal(table[name], samples[name])
     assert [frame.step for frame in pypw85.frames("run.xyz")] == list(range(10, 401, 10))
+
+
+def test_growing_samples(run, folder, monkeypatch):
+    """At a checkpoint, samples since the last one are added to files, and the file of the run does not grow with them. A run that was
+    killed goes on with what they had at its checkpoint; they must be there, and as they were."""
+    arguments = [*NPT, "--every", "1", "--sweeps", "200", "--trajectory-every", "1000", "--trajectory"]
+    assert run("mc", *arguments, "whole.dump", "--out", "whole.csv").status == 0
+    sizes, write = [], runs._write_durably
+    monkeypatch.setattr(runs, "_write_durably", lambda path, content: (sizes.append(len(content)), write(path, content)))
+    killed = pypw85.HardEllipsoids.chain
+    calls = itertools.count()
+
+    def chain(*others):
+        if next(calls) == 150:
+            raise MemoryError
+        return killed(*others)
+
+    with monkeypatch.context() as dying:
+        dying.setattr(pypw85.HardEllipsoids, "chain", chain)
+        assert run("mc", *arguments, "run.dump", "--out", "run.csv", "--checkpoint", "0").status != 0
+    row = 8 * (1 + len(pypw85._observables.Sample._fields))
+    assert os.path.getsize("run.csv.h5.samples") == 150 * row
+    # Blocking has a row for each doubling of the samples.
+    assert sizes[136] == sizes[155] and max(sizes) - sizes[45] < 60 * row
+    for name, more in (("run.csv.h5.samples", b"what was written behind the checkpoint"), ("run.csv", b"1,2,3")):
+        with open(name, "ab") as file:
+            file.write(more)
+    content_of = pathlib.Path("run.csv.h5.samples").read_bytes()
+    for bad, reason in (
+        (content_of[: 150 * row - 1], "is shorter than at the checkpoint, 9600 bytes: bring back the samples of this run"),
+        (b"x" + content_of[1:], "was changed after pw85 mc had written it: bring back a copy of it, or begin a new run"),
+    ):
+        pathlib.Path("run.csv.h5.samples").write_bytes(bad)
+        assert run("mc", "--resume", "run.csv").err.endswith(f"run.csv.h5.samples: {reason}\n")
+    pathlib.Path("run.csv.h5.samples").write_bytes(content_of)
+    assert run("mc", "--resume", "run.csv").status == 0
+    assert not os.path.exists("run.csv.h5.samples")
+    assert pathlib.Path("run.csv").read_text() == pathlib.Path("whole.csv").read_text()
+    one, other = content("run.csv.h5"), content("whole.csv.h5")
+    assert all(one[f"pw85_mc/{name}"] == other[f"pw85_mc/{name}"] for name in ("state", "samples", "averages", "progress"))
 
 
 def kinds_of(system):

@@ -8,6 +8,7 @@ import hashlib
 import io
 import json
 import os
+import zlib
 from typing import IO, Any, NamedTuple
 from collections.abc import Iterator
 
@@ -26,6 +27,8 @@ from .._system import System
 from ..formats import FORMATS, FileError, read, replacing
 from ..formats._errors import guarded
 
+# A sample in a file
+_ROW = np.dtype([(name, "f8") for name in ("sweep", *Sample._fields)])
 # The acceptance to which steps are tuned: the default of HardEllipsoids.tune().
 _ACCEPTANCE = 0.4
 _GROUP = "pw85_mc"
@@ -68,8 +71,10 @@ class Run:
         self._type_of = dict(zip(_kinds(simulation), particles.types, strict=True)) if settings.exchange else {}
         self._types = particles.types
         self.equilibrated = self.sweeps = 0
-        self.rows: list[tuple[float, ...]] = []
-        self.length = 0  # of the trajectory at the last checkpoint, in bytes
+        self.rows: list[tuple[float, ...]] = []  # since the last checkpoint
+        # At the last checkpoint: bytes of the trajectory and of the table, samples that are in their file, and the checksum of these.
+        self.length = self.table_length = self.saved = self.checksum = 0
+        self._finished: Any = None  # samples that are in the file of the run, as long as nothing has been added
         self._trajectory: IO[str] | None = None
 
     @property
@@ -137,17 +142,51 @@ class Run:
 
     # Files
 
-    def open_trajectory(self) -> None:
-        """Opens the trajectory at its length at the last checkpoint."""
+    def open(self) -> None:
+        """Opens trajectory, samples and table at their lengths at the last checkpoint."""
+        self._open_samples()
         name = self.settings.trajectory
         if name is None:
             return
         path = self._beside(name)
-        size = os.path.getsize(path) if os.path.exists(path) else 0
-        if size < self.length:
-            raise FileError(path, f"is shorter than at the checkpoint, {self.length} bytes: bring back the trajectory of this run")
+        _check_length(path, self.length, "trajectory")
         self._trajectory = open(path, "a", encoding="utf-8", newline="\n")  # noqa: SIM115 close() closes it
         self._trajectory.truncate(self.length)
+
+    @property
+    def samples_path(self) -> str:
+        """Where samples are until the run ends. They are added there at each checkpoint."""
+        return self.path + ".samples"
+
+    @property
+    def _table_path(self) -> str:
+        return self.path.removesuffix(".h5")
+
+    def _open_samples(self) -> None:
+        if self.settings.has_table:
+            _check_length(self._table_path, self.table_length, "table")
+        if self._finished is not None:
+            with self._explaining(self.samples_path):
+                _append(self.samples_path, 0, self._finished.tobytes())
+            self._finished = None
+            return
+        size = self.saved * _ROW.itemsize
+        _check_length(self.samples_path, size, "samples")
+        if size and _checksum(self.samples_path, size) != self.checksum:
+            raise FileError(self.samples_path, f"was changed after pw85 mc had written it: {_CURE}")
+
+    def _append_samples(self) -> None:
+        """Writes the samples since the last checkpoint behind those that are there."""
+        new = np.array(self.rows, _ROW).tobytes()
+        if new:
+            with self._explaining(self.samples_path):
+                _append(self.samples_path, self.saved * _ROW.itemsize, new)
+        if self.settings.has_table:
+            text = self._table_rows().encode()
+            with self._explaining(self._table_path):
+                _append(self._table_path, self.table_length, text)
+            self.table_length += len(text)
+        self.saved, self.checksum, self.rows = self.saved + len(self.rows), zlib.crc32(new, self.checksum), []
 
     def close(self) -> None:
         """Closes the trajectory. What is not written yet belongs to no checkpoint."""
@@ -159,19 +198,18 @@ class Run:
         with self._explaining(file.name):
             FORMATS[self.settings.trajectory_format].save(file, self.system(), self.sweeps)
 
-    def save(self) -> None:
-        """Writes a checkpoint. If that fails, the one before stays."""
+    def save(self, is_last: bool = False) -> None:
+        """Writes a checkpoint. If that fails, the one before stays. The last one has all samples, whose file goes away."""
         if self._trajectory is not None:
             with self._explaining(self._trajectory.name):
                 self._trajectory.flush()
                 os.fsync(self._trajectory.fileno())
                 self.length = os.fstat(self._trajectory.fileno()).st_size
-        files = {self.path: self._content()}
-        if self.settings.has_table:
-            files[self.path.removesuffix(".h5")] = self._table().encode()
-        for path, text in files.items():
-            with self._explaining(path):
-                _write_durably(path, text)
+        self._append_samples()
+        with self._explaining(self.path):
+            _write_durably(self.path, self._content(is_last))
+        if is_last and os.path.exists(self.samples_path):
+            os.unlink(self.samples_path)
 
     @contextlib.contextmanager
     def _explaining(self, path: str) -> Iterator[None]:
@@ -186,7 +224,7 @@ class Run:
     def _beside(self, name: str) -> str:
         return os.path.join(os.path.dirname(self.path), name)
 
-    def _content(self) -> bytes:
+    def _content(self, has_samples: bool) -> bytes:
         """A file of HDF5 with the last configuration as in H5MD, and everything else in a group of its own."""
         import h5py
 
@@ -197,9 +235,11 @@ class Run:
             group.attrs["version"] = version()
             group.attrs["settings"] = json.dumps(self.settings._asdict())
             group["state"] = np.frombuffer(self.simulation.save(), np.uint8)
-            group["progress"] = np.array([self.equilibrated, self.sweeps, self.length], np.int64)
+            progress = self.equilibrated, self.sweeps, self.length, self.table_length, self.saved, self.checksum
+            group["progress"] = np.array(progress, np.int64)
             group["corner"] = self.corner
-            group["samples"] = np.array(self.rows, np.dtype([(name, "f8") for name in ("sweep", *Sample._fields)]))
+            if has_samples:
+                group["samples"] = np.fromfile(self.samples_path, _ROW, self.saved) if self.saved else np.empty(0, _ROW)
             for name, numbers in self.observables.state().items():
                 group[f"observables/{name}"] = numbers
             self._write_results(group)
@@ -217,10 +257,11 @@ class Run:
             for name, numbers in pairs._asdict().items():
                 group[f"pair_correlation/{name}"] = numbers
 
-    def _table(self) -> str:
-        lines = [",".join(("sweep", *Sample._fields))]
+    def _table_rows(self) -> str:
+        """Those of the samples since the last checkpoint, at the first one behind the names of the columns."""
+        lines = [] if self.table_length else [",".join(_ROW.names or ())]
         lines += [f"{row[0]:.0f}," + ",".join(f"{value:.17g}" for value in row[1:]) for row in self.rows]
-        return "\n".join(lines) + "\n"
+        return "".join(f"{line}\n" for line in lines)
 
 
 def _digest(file: Any) -> str:
@@ -240,6 +281,31 @@ def _digest(file: Any) -> str:
 def _kinds(simulation: HardEllipsoids) -> list[bytes]:
     """The semi-axes of each particle, as something to compare and to look up."""
     return [axes.tobytes() for axes in simulation.semi_axes]
+
+
+def _check_length(path: str, length: int, what: str) -> None:
+    size = os.path.getsize(path) if os.path.exists(path) else 0
+    if size < length:
+        raise FileError(path, f"is shorter than at the checkpoint, {length} bytes: bring back the {what} of this run")
+
+
+def _append(path: str, place: int, content: bytes) -> None:
+    """Writes bytes at a place of a file, which ends there, and waits until they are on the disk."""
+    with open(path, "r+b" if os.path.exists(path) else "wb") as file:
+        file.truncate(place)
+        file.seek(place)
+        file.write(content)
+        file.flush()
+        os.fsync(file.fileno())
+
+
+def _checksum(path: str, size: int) -> int:
+    """That of the first bytes of a file."""
+    found = 0
+    with open(path, "rb") as file:
+        while size > 0 and (part := file.read(min(size, 1 << 20))):
+            found, size = zlib.crc32(part, found), size - len(part)
+    return found
 
 
 def _write_durably(path: str, content: bytes) -> None:
@@ -310,6 +376,6 @@ def _read(path: str, particles: System) -> Run:
         observables = Observables.restore({name: data[()] for name, data in group["observables"].items()})
         particles.origin = group["corner"][()]
         run = Run(path, settings, particles, HardEllipsoids.restore(group["state"][()].tobytes()), observables)
-        run.equilibrated, run.sweeps, run.length = group["progress"][()].tolist()
-        run.rows = group["samples"][()].tolist()
+        run.equilibrated, run.sweeps, run.length, run.table_length, run.saved, run.checksum = group["progress"][()].tolist()
+        run._finished = group["samples"][()] if "samples" in group else None
         return run

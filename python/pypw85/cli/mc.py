@@ -85,7 +85,7 @@ def mc(ctx: click.Context, given: Input | None, sweeps: int | None, checkpoint: 
             run = _continued(held, resumed, sweeps)
         held.enter_context(contextlib.closing(run))
         with keeping_work(), progress() as stage:
-            run.open_trajectory()
+            run.open()
             status = _go(run, checkpoint, stage)
     if status:
         say(f"pw85: interrupted after {_sweeps(run)}: continue with pw85 mc --resume {run.path}", sys.stderr)
@@ -139,7 +139,7 @@ def _start(held: contextlib.ExitStack, given: Input | None, sweeps: int | None, 
         raise click.UsageError("a run needs START, --sweeps and --out; or --resume")
     path, has_table = _run_file(out)
     growing = "" if trajectory is None else _growing_format(trajectory)
-    for name in (path, out, trajectory):
+    for name in (path, out, trajectory, path + ".samples"):
         _refuse_existing(name)
     system = _checked(given, one_frame(given))
     if exchange:
@@ -243,7 +243,7 @@ def _go(run: Run, checkpoint: float, stage: Callable[[str], None]) -> int:
                 saved = time.monotonic()
     except KeyboardInterrupt:
         status = 130
-    run.save()
+    run.save(is_last=True)
     return status
 
 
@@ -274,7 +274,7 @@ def _report(run: Run) -> None:
     for move, (trials, accepted) in run.simulation.counts.items():
         if trials:
             say(f"{accepted / trials:.3f} accepted of {trials} trials: {move}")
-    if run.rows:
+    if len(run.observables):
         say(_LINE.format("", "value", "error", "independent samples"))
     else:
         say(f"no averages: a sample is taken every {run.settings.every} sweeps (--every)")
@@ -298,12 +298,12 @@ _LARGEST_DRIFT = 3.0
 def _doubts(run: Run) -> Iterator[str]:
     """Says what makes the averages of a run doubtful."""
     averages = run.observables.estimates()
-    if run.rows and np.isnan(averages["density"].error):
+    if len(run.observables) and np.isnan(averages["density"].error):
         yield "the run is too short for errors, or began before it was in equilibrium: continue it (--resume, --sweeps)"
     for name, drift in run.observables.drifts().items():
         if abs(drift) > _LARGEST_DRIFT:
             yield f"{name} drifts from the start to the end, {drift:.1f} times the error: begin again, equilibrate for longer (--equilibrate)"
-    if run.settings.chains and run.rows and "compressibility_chains" not in averages:
+    if run.settings.chains and len(run.observables) and "compressibility_chains" not in averages:
         yield "there is no pressure from chains: a particle could touch its own image, which chains do not see"
     bias = averages.get("contacts_bias")
     if bias is not None and abs(bias.value) > max(_LARGEST_DRIFT * bias.error, averages["compressibility_contacts"].error):
