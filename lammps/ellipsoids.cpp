@@ -41,6 +41,7 @@ Ellipsoids::Ellipsoids(LAMMPS *lammps, std::string style, std::string otherwise)
         stop_all(*error, style_ + " needs ellipsoids: use atom_style ellipsoid, or atom_style hybrid with it");
     shapes_ = property_compute(lammps, *modify, {"shapex", "shapey", "shapez"});
     quaternions_ = property_compute(lammps, *modify, {"quatw", "quati", "quatj", "quatk"});
+    if (has_superellipsoids(*atom)) exponents_ = property_compute(lammps, *modify, {"block1", "block2"});
 }
 
 void Ellipsoids::reserve()
@@ -74,16 +75,24 @@ bool Ellipsoids::has_all_shapes() const
     return atom->tag_enable && std::equal(tags_.begin(), tags_.end(), atom->tag, atom->tag + atom->nlocal);
 }
 
-// The values that LAMMPS reports for atoms without a shape depend on its release. Here their semi-axes are zero.
+// The values that LAMMPS reports for atoms without a shape depend on its release. Here their semi-axes are zero, and those of
+// superellipsoids are no numbers.
 void Ellipsoids::read_shapes()
 {
     shapes_->compute_peratom();
+    if (exponents_) exponents_->compute_peratom();
     auto const count = static_cast<std::size_t>(atom->nlocal);
     tags_.assign(atom->tag, atom->tag + count);
     for (std::size_t i = 0; i < count; ++i) {
-        double const factor = atom->ellipsoid[i] < 0 ? 0.0 : 0.5;
+        double const factor = atom->ellipsoid[i] < 0 ? 0.0 : is_superellipsoid(static_cast<int>(i)) ? NAN : 0.5;
         for (std::size_t k = 0; k < PW85_DIM; ++k) semi_axes_[PW85_DIM * i + k] = factor * shapes_->array_atom[i][k];
     }
+}
+
+/// Whether an atom with a shape has other exponents than an ellipsoid, which are 2.
+bool Ellipsoids::is_superellipsoid(int i) const
+{
+    return exponents_ && (exponents_->array_atom[i][0] != 2.0 || exponents_->array_atom[i][1] != 2.0);
 }
 
 void Ellipsoids::refuse_shape(int i) const
@@ -93,6 +102,9 @@ void Ellipsoids::refuse_shape(int i) const
         refuse(i, "has no shape" + type +
                       "give it one with the set command (set ... shape Sx Sy Sz) or in the Ellipsoids section of the "
                       "data file, or " +
+                      otherwise_);
+    if (is_superellipsoid(i))
+        refuse(i, "is no ellipsoid, but a superellipsoid" + type + "make its exponents 2 (set ... block 2 2), or " +
                       otherwise_);
     refuse(i, "has a bad shape or quaternion" + type + "correct it with the set command (set ... shape, set ... quat)");
 }
@@ -166,7 +178,7 @@ void Ellipsoids::refuse_pair(int i, int j, std::string const &reason) const
 double Ellipsoids::bytes() const
 {
     return static_cast<double>((semi_axes_.capacity() + forms_.capacity() + radii_.capacity()) * sizeof(double)) +
-           shapes_->memory_usage() + quaternions_->memory_usage();
+           shapes_->memory_usage() + quaternions_->memory_usage() + (exponents_ ? exponents_->memory_usage() : 0.0);
 }
 
 } // namespace pw85_lammps

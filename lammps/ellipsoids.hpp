@@ -112,13 +112,15 @@ class Ellipsoids : protected LAMMPS_NS::Pointers {
     double semi_axis(int i, std::size_t k) const { return semi_axes_[PW85_DIM * static_cast<std::size_t>(i) + k]; }
     void reserve();
     void read_shapes();
+    bool is_superellipsoid(int i) const;
     bool has_all_shapes() const;
     [[noreturn]] void refuse_shape(int i) const;
     std::vector<double> largest_radii() const;
 
     std::string style_, otherwise_;
     std::unique_ptr<LAMMPS_NS::Compute> shapes_, quaternions_;
-    std::vector<LAMMPS_NS::tagint> tags_; ///< tags of the atoms whose semi-axes are stored
+    std::unique_ptr<LAMMPS_NS::Compute> exponents_; ///< null if LAMMPS has no superellipsoids
+    std::vector<LAMMPS_NS::tagint> tags_;           ///< tags of the atoms whose semi-axes are stored
     std::vector<double> semi_axes_, forms_, radii_;
 };
 

@@ -98,6 +98,13 @@ template <class Communicator> void reverse_rows_to_owners(Communicator &comm, LA
     }
 }
 
+/// Whether atoms of style ellipsoid may be superellipsoids. Releases of LAMMPS from March 2026 on have these.
+template <class Atoms> bool has_superellipsoids(Atoms const &atom)
+{
+    if constexpr (requires { atom.superellipsoid_flag; }) return atom.superellipsoid_flag != 0;
+    return false;
+}
+
 /// The command of the input script that LAMMPS works on. In some releases its name is a protected member, which a derived class may read.
 struct CurrentCommand : LAMMPS_NS::Input {
     static char const *name(LAMMPS_NS::Input const &input) { return input.*(&CurrentCommand::command); }
