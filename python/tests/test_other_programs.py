@@ -160,6 +160,7 @@ def test_double_precision_in_gsd(tmp_path, assert_rows):
     system = pypw85.System.from_axes(
         random.uniform(-2, 2, (40, 3)), random.uniform(0.1, 0.2, (40, 3)), random.normal(size=(40, 4)), cell=4 / 3 * np.diag([3, 4, 5]),
         origin=-2 / 3 * np.array([3, 4, 5]), ids=np.arange(40))  # fmt: skip
+    system.centers[0] = np.nextafter(-system.origin, 0)  # within the cell, but rounding moves it out
     for given in (system, read("schema2_double.gsd")):
         with warnings.catch_warnings():
             warnings.filterwarnings("ignore", message=".*one shape for each type")
@@ -188,6 +189,41 @@ def test_gsd_reads_what_was_written(tmp_path):
     np.testing.assert_array_equal([[shape[name] for name in "abc"] for shape in shapes], system.semi_axes)
 
 
+def test_ase_reads_dumps(tmp_path):
+    io = pytest.importorskip("ase.io", reason="the Debian package python3-ase is missing")
+    system = random_system()
+    pypw85.write(tmp_path / "a.dump", [system, system])
+    frames = io.read(tmp_path / "a.dump", index=":", format="lammps-dump-text")
+    assert len(frames) == 2
+    np.testing.assert_allclose(frames[1].positions, system.centers, atol=1e-14)
+
+
+def test_pandas_reads_and_writes_tables(tmp_path):
+    pandas = pytest.importorskip("pandas")
+    system = random_system()
+    pypw85.write(tmp_path / "a.csv", pypw85.System.from_axes(system.centers, system.semi_axes, system.quaternions))
+    table = pandas.read_csv(tmp_path / "a.csv", float_precision="round_trip")
+    np.testing.assert_array_equal(table[["x", "y", "z"]], system.centers)
+    table.rename(columns={"x": "Center X", "y": "Center Y", "z": "Center Z", "qw": "q0", "qx": "q1", "qy": "q2", "qz": "q3"}).to_csv(
+        tmp_path / "b.csv", sep=";", decimal=",")  # fmt: skip
+    again = pypw85.read(tmp_path / "b.csv")
+    for name in ("centers", "semi_axes", "quaternions"):
+        np.testing.assert_array_equal(getattr(again, name), getattr(system, name))
+
+
+@pytest.mark.parametrize("is_binary", [True, False])
+def test_meshio_writes_splats(is_binary, tmp_path):
+    meshio = pytest.importorskip("meshio")
+    system = random_system()
+    values = {f"scale_{k}": np.log(system.semi_axes[:, k]) for k in range(3)} | {f"rot_{k}": 3 * system.quaternions[:, k] for k in range(4)}
+    meshio.ply.write(tmp_path / "a.ply", meshio.Mesh(system.centers, [], point_data=values), binary=is_binary)
+    again = pypw85.read(tmp_path / "a.ply")
+    np.testing.assert_array_equal(again.centers, system.centers)
+    # exp() of log() errs by a unit of the logarithm, which is up to 1.4 here, and by one of its own.
+    np.testing.assert_allclose(again.semi_axes, system.semi_axes, rtol=8 * 2.0**-53)
+    np.testing.assert_allclose(again.quaternions, system.quaternions, atol=1e-7)  # which are units only in single precision
+
+
 def test_ase_reads_and_writes_extended_xyz(tmp_path):
     io = pytest.importorskip("ase.io", reason="the Debian package python3-ase is missing")
     system = random_system(types=["Fe"] * 40)
@@ -207,6 +243,16 @@ def test_ase_reads_and_writes_extended_xyz(tmp_path):
         np.testing.assert_allclose(getattr(again, name), getattr(system, name), atol=1e-8)
 
 
+DUMPS = """pair_style zero 1.5
+pair_coeff * *
+compute q all property/atom quatw quati quatj quatk
+compute diameter all property/atom shapex shapey shapez
+dump d all custom 1 c.dump id type x y z c_q[*] c_diameter[*]
+dump_modify d format float %.17g
+run 0
+"""
+
+
 @pytest.mark.skipif(shutil.which("lmp") is None, reason="LAMMPS is not installed")
 def test_lammps_reads_and_writes_data(tmp_path):
     """Ids from 0, and tilts that LAMMPS refuses; it writes what it has read, also in a hybrid style."""
@@ -222,13 +268,14 @@ def test_lammps_reads_and_writes_data(tmp_path):
         if style != "ellipsoid":
             text = as_hybrid(text, "dipole" in style)
         (tmp_path / "b.data").write_text(text)
-        commands = f"units lj\natom_style {style}\nread_data b.data\nwrite_data c.data\n"
+        commands = f"units lj\natom_style {style}\nread_data b.data\nwrite_data c.data\n" + DUMPS
         done = subprocess.run(["lmp", "-in", "/dev/stdin", "-log", "none"], input=commands, cwd=tmp_path, capture_output=True, text=True)
         assert done.returncode == 0 and "ERROR" not in done.stdout, done.stdout
         for name in ("b.data", "c.data"):
             again = pypw85.read(tmp_path / name)
             assert (len(again), again.check().overlaps) == (20, overlaps) and overlaps > 0
             np.testing.assert_allclose(np.sort(again.semi_axes, axis=1), np.sort(system.semi_axes, axis=1), rtol=1e-15)
+        assert pypw85.read(tmp_path / "c.dump").check().overlaps == overlaps
 
 
 def as_hybrid(text, is_dipole):
