@@ -208,8 +208,8 @@ def _plain_ply(lines: list[list[str]], is_binary: bool) -> Iterator[list[str]]:
             properties += 1
             words = [_TYPES.get(word, word) if is_binary else word for word in words[:-1]] + words[-1:]
             if element == "face" and properties > 1 and (is_binary or words[1] == "list"):
-                raise ValueError(f"faces have the property '{words[-1]}' besides the list of their vertices: write the file without it, or as "
-                                 "text")  # fmt: skip
+                raise ValueError(f"faces have the property '{words[-1]}' besides the list of their vertices, which meshio misreads: "
+                                 "write the file without it")  # fmt: skip
             if element == "face" and words[1] == "list":
                 words = [*words[:-1], "vertex_indices"]
         if words and words[0] not in ("comment", "obj_info"):

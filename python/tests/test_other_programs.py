@@ -72,6 +72,11 @@ def test_what_the_message_advises_decides(options, mu):
     np.testing.assert_allclose(read("orient_ijkw.dump", **options).check().smallest_mu, mu, rtol=1e-14)
 
 
+def test_shapes_for_circumscribed_radii():
+    assert read("circumscribed_radius.dump", shape=(2, 2, 4)).check().smallest_mu == 0.75
+    assert read("circumscribed_radius.dump", shape_columns=3 * ["radius"]).check().smallest_mu == 1.5 / 4
+
+
 def dump(columns, *rows):
     head = f"ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n{len(rows)}\nITEM: BOX BOUNDS ff ff ff\n" + 3 * "-9 9\n"
     return f"{head}ITEM: ATOMS {columns}\n" + "".join(row + "\n" for row in rows)

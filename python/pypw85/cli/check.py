@@ -159,8 +159,8 @@ class _Summary:
         if not self.particles:
             raise FileError(self.given.path, "there are no particles: choose other frames (--frames), or write the file again")
         if self.shapeless and not self.overlaps and not points:
-            raise FileError(self.given.path, f"{self.shapeless} particles without a shape were not checked: give them a shape (--shape), or "
-                            "say that they are points (--points)")  # fmt: skip
+            raise FileError(self.given.path, f"{self.shapeless} particles without a shape were not checked: give them a shape "
+                            "(--shape), or say that they are points (--points)")  # fmt: skip
         return int(self.overlaps > 0)
 
     def _header(self, found: Found) -> None:

@@ -92,12 +92,14 @@ def take(columns: Sequence[str], options: Options, error: Error, lengths: str, o
     euler = tuple(plain[name] for name in _EULER) if not quaternion and set(_EULER) <= plain.keys() else ()
     sphere: Names = next(((plain[name],) for name in _SPHERES if name in plain), ())
     exponents = [(plain[name], values) for name, values in _EXPONENTS if name in plain]
+    if not shape and sphere and quaternion and options.shape is None:
+        raise error(f"there are quaternions, but no shapes: {sphere[0]} may be that of the circumscribed sphere, as in LAMMPS since "
+                    f"2026: write shapes, name their columns (--shape-columns {','.join(3 * sphere)} for spheres), or give one "
+                    "shape for all particles (--shape)")  # fmt: skip
     if not shape and sphere:
-        if quaternion:
-            raise error(f"there are quaternions, but no shapes: {sphere[0]} may be that of the circumscribed sphere, as in LAMMPS since "
-                        f"2026: write shapes, name their columns (--shape-columns {','.join(3 * sphere)} for spheres), or give one "
-                        "shape (--shape, without that column)")  # fmt: skip
-        shape, sphere, lengths = sphere, (), options.lengths or _SPHERES[plain_name(sphere[0])]
+        if not quaternion:
+            shape, lengths = sphere, options.lengths or _SPHERES[plain_name(sphere[0])]
+        sphere = ()
     notes = []
     if is_liggghts(plain) and not exponents:
         notes.append("there are no columns blockiness1 and blockiness2: superquadrics of LIGGGHTS are taken as ellipsoids")
@@ -149,7 +151,7 @@ def _shape(columns: Sequence[str], plain: dict[str, str], options: Options, erro
         meaning = _ASK
     if meaning == _ASK and found and options.lengths is None:
         raise error(_SHAPE_OF_SMD.format(_short(found)))
-    return found, options.lengths or meaning
+    return found, options.lengths or (meaning if found else lengths)
 
 
 def _quaternion(columns: Sequence[str], plain: dict[str, str], options: Options, error: Error, order: str) -> tuple[Names, str]:
@@ -163,7 +165,7 @@ def _quaternion(columns: Sequence[str], plain: dict[str, str], options: Options,
         raise error(_TWO_ORDERS.format(_short(found)))
     if options.quaternion is not None and not given:  # of the columns as they stand in the file
         found = tuple(sorted(found, key=list(columns).index))
-    return found, options.quaternion or meaning
+    return found, options.quaternion or (meaning if found else order)
 
 
 def _given(columns: Sequence[str], names: Sequence[str] | None, error: Error) -> Names:

@@ -24,8 +24,8 @@ _ELLIPSOIDS = ["id", "shapex", "shapey", "shapez", "quatw", "quati", "quatj", "q
 # Exponents of superellipsoids, which LAMMPS has since 2026
 _BLOCKS = ["block1", "block2"]
 _STYLES_WITHOUT_SHAPES = set(
-    "angle atomic body bond bpm charge dielectric dipole dpd edpd electron full line mdpd mesont molecular oxdna peri rheo smd sph sphere spin "
-    "tdpd template tri wavepacket".split()
+    "angle atomic body bond bpm charge dielectric dipole dpd edpd electron full line mdpd mesont molecular oxdna peri rheo smd sph "
+    "sphere spin tdpd template tri wavepacket".split()
 )
 # Names of types, which LAMMPS has since 2022
 _LABELS = "Atom Type Labels"
@@ -210,8 +210,8 @@ def _check_flags(frame: Frame, atoms: Table, has_row: Any) -> None:
     if wrong.any():
         row = int(wrong.argmax())
         there = "none" if flags[row] == 1 else "one"
-        raise _error(frame, atoms, row, f"the atom {atoms.integers('id')[row]} has the flag {flags[row]:g}, but there is {there} for it in the "
-                     "section Ellipsoids, which LAMMPS refuses: correct one of both")  # fmt: skip
+        raise _error(frame, atoms, row, f"the atom {atoms.integers('id')[row]} has the flag {flags[row]:g}, but there is {there} for it in "
+                     "the section Ellipsoids, which LAMMPS refuses: correct one of both")  # fmt: skip
 
 
 def losses(system: System) -> Iterator[tuple[str, str]]:
