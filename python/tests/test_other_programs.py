@@ -125,12 +125,13 @@ def test_named_columns_mean_what_their_names_say():
 
 
 @pytest.mark.parametrize("header", ["X;Y;Z;Radius", "x (mm)\ty (mm)\tz (mm)\tradius (mm)", "Points:0,Points:1,Points:2,radius",
-                                    "centroid_x|centroid_y|centroid_z|r1|r2|r3"])  # fmt: skip
+                                    "centroid_x|centroid_y|centroid_z|r1|r2|r3", "# x y z r", "x y z diameter"])  # fmt: skip
 def test_headers_of_tables(header, tmp_path):
-    separator = next(one for one in ";\t,|" if one in header)
-    number = "1,5" if separator in ";\t" else "1.5"
+    separator = next(one for one in ";\t,| " if one in header)
+    number = "1,5" if separator in ";\t" else "3" if "diameter" in header else "1.5"
+    header_columns = header.removeprefix("# ")
     rows = [["0", "0", "0", number], ["0", "0", "2", number]]
-    rows = [row + [number] * (header.count(separator) - 3) for row in rows]
+    rows = [row + [number] * (header_columns.count(separator) - 3) for row in rows]
     (tmp_path / "a.csv").write_text("\n".join([header, *(separator.join(row) for row in rows)]) + "\n\n")
     np.testing.assert_allclose(pypw85.read(tmp_path / "a.csv").check().smallest_mu, 2 / 3, rtol=1e-15)
 

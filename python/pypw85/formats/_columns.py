@@ -47,7 +47,7 @@ _QUATERNIONS: list[tuple[str, list[Names], str]] = [
     (r"c\w*shape\w*", [("[4]", "[5]", "[6]", "[7]")], "wxyz"),
 ]
 _EULER = ("axiseulerangles0", "axiseulerangles1", "axiseulerangles2")
-_SPHERES = {"radius": "radii", "diameter": "diameters"}
+_SPHERES = {"radius": "radii", "r": "radii", "diameter": "diameters"}
 # Exponents of superquadrics, and the values with which these are ellipsoids. OVITO's are inverse, and 0 means 1 there.
 _EXPONENTS: list[tuple[str, tuple[float, ...]]] = [
     ("blockiness1", (2.0,)), ("blockiness2", (2.0,)), ("block1", (2.0,)), ("block2", (2.0,)),

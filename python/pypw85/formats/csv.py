@@ -7,6 +7,7 @@ Names of types are quoted where they have a comma or a quotation mark.
 
 from __future__ import annotations
 
+import itertools
 import os
 import re
 from typing import IO
@@ -23,7 +24,7 @@ from ._table import Lines, coded, write_rows
 SUFFIXES = (".csv",)
 _NUMBER = re.compile(r"[-+]?[0-9.]+(?:[eE][-+]?[0-9]+)?")
 _POSITION, _SHAPE, _QUATERNION = ["x", "y", "z"], ["a", "b", "c"], ["qw", "qx", "qy", "qz"]
-_SEPARATORS = (",", ";", "\t", "|")
+_SEPARATORS = (",", ";", "\t", "|", None)
 # Names as `plain_name` makes them: first what is written, then those of spreadsheets, ParaView and DREAM.3D
 _POSITIONS = [
     tuple(stem + end for end in ends)
@@ -35,14 +36,25 @@ _IDS, _TYPES = ("id", "ids", "particleid", "featureid", "index", "number"), ("ty
 
 def recognise(start: bytes) -> bool:
     lines = start.decode("utf-8", errors="replace").removeprefix("\ufeff").splitlines()
-    # DREAM.3D writes a number before the names.
-    names = next((line for line in lines if line.strip() and not line.startswith("#") and not line.strip().isdecimal()), "")
-    return bool(_header(names)[1])
+    return any(_are_names(line) for line in itertools.takewhile(_may_precede, lines)) or any(
+        _are_names(line) for line in itertools.islice(itertools.dropwhile(_may_precede, lines), 1))  # fmt: skip
 
 
-def _header(line: str) -> tuple[str, list[str], list[str]]:
-    """The separator, the names of the columns that hold a position (none if there are none), and those of all columns."""
-    found = [(one, _split(line, one)) for one in _SEPARATORS]
+def _may_precede(line: str) -> bool:
+    """Lines before the names of columns: comments, and the number of rows that DREAM.3D writes."""
+    return line.startswith("#") or not line.strip() or line.strip().isdecimal()
+
+
+def _are_names(line: str) -> bool:
+    return bool(_header(line)[1])
+
+
+def _header(line: str) -> tuple[str | None, list[str], list[str]]:
+    """The separator, the names of the columns that hold a position (none if there are none), and those of all columns.
+
+    The names may be a comment, as NumPy writes them.
+    """
+    found = [(one, _split(line.removeprefix("#"), one)) for one in _SEPARATORS]
     for separator, columns in found:
         plain = {plain_name(name): name for name in reversed(columns)}
         for names in _POSITIONS:
@@ -52,7 +64,7 @@ def _header(line: str) -> tuple[str, list[str], list[str]]:
     return separator, [], columns
 
 
-def _split(line: str, separator: str) -> list[str]:
+def _split(line: str, separator: str | None) -> list[str]:
     return [word.strip().strip('"').strip() for word in line.split(separator)]
 
 
@@ -91,7 +103,7 @@ def load(path: os.PathLike[str], location: Location, options: Options) -> System
 def _keys(lines: Lines) -> tuple[dict[str, str], str]:
     """What the lines before the names say, and the line with the names."""
     keys: dict[str, str] = {}
-    while (line := lines.expect("the names of the columns")).startswith("#") or line.isdecimal() or not line:
+    while _may_precede(line := lines.expect("the names of the columns")) and not _are_names(line):
         name, _, value = line[1:].strip().partition(" ")
         if name in ("cell", "origin", "periodic", "step"):
             keys[name] = value
