@@ -57,6 +57,11 @@ def exported_symbols(library):
             if line.split()[-2] not in "WV" and not line.split()[-1].startswith(".gomp_critical_user_pw85")]
 
 
+def made(source, folder, names):
+    """What is no source."""
+    return [name for name in names if Path(folder) == source and name.startswith(("build", ".git", "install"))]
+
+
 def units(build, source):
     """The units of the library with the flags that matter for what they become."""
     of_no_matter = re.compile(r"-[IMWc]|-D_FILE_OFFSET_BITS=|-DBOOST_ALL_NO_LIB|-DNDEBUG|-fdiagnostics-color|-isystem|[^-]")
@@ -72,12 +77,15 @@ def units(build, source):
 class Installation:
     def __init__(self, source, work):
         self.source, self.work = source, work
-        self.prefix, self.build = work / "prefix", work / "build"
+        # A build beside the sources has the relative paths of the tests' build, so that ccache finds its objects.
+        self.copy = work / "pw85"
+        self.prefix, self.build = work / "prefix", self.copy / "build"
         self.libdir = self.prefix / "lib"
 
     def install(self):
         """The installation itself, first staged to see that nothing is written outside DESTDIR."""
-        run("meson", "setup", self.build, self.source, f"--prefix={self.prefix}", "--libdir=lib", *OPTIONS,
+        shutil.copytree(self.source, self.copy, ignore=lambda folder, names: made(self.source, folder, names))
+        run("meson", "setup", self.build, self.copy, f"--prefix={self.prefix}", "--libdir=lib", *OPTIONS,
             "-Ddefault_library=both")
         run("meson", "compile", "-C", self.build)
         stage = self.work / "stage"
