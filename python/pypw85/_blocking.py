@@ -19,6 +19,8 @@ _LEAST_BLOCKS, _LENGTHS = 8, 3
 _FACTOR = 0.85
 # A run is too short if its samples are correlated over more than this part of it.
 _LONGEST_TIME = 1 / 8
+# Samples of more numbers, or of one, have no slowest number that tells of others.
+_MOST_RELATED = 16
 # The extrapolation of a correlation that is nearly one has no end.
 _LARGEST_CORRELATION = 0.95
 
@@ -41,7 +43,8 @@ class Blocking:
     the error that they give for the mean is too small. It grows with the length of the blocks until they are independent (Flyvbjerg
     and Petersen, J. Chem. Phys. 91, 461, 1989). The error is taken from the three longest lengths of which there are eight blocks or
     more: the largest of their errors, and of what these become if the correlation of successive blocks decays exponentially. All numbers
-    of a sample have the same blocks. If one of them is correlated over more than an eighth of the run, the run is too short for all of
+    of a sample have the same blocks, and what one of them has in common with the slowest one is extrapolated like that, for samples of 2 to
+    16 numbers. If one of them is correlated over more than an eighth of the run, the run is too short for all of
     them, and the errors are NaN, as for fewer than 32 samples. The manual has the derivation (Monte Carlo, "Averages and their errors").
     The memory grows with the logarithm of the number of samples.
 
@@ -63,7 +66,7 @@ class Blocking:
     True
     """
 
-    __slots__ = ("_counts", "_means", "_pending", "_squares", "_tilts", "size")
+    __slots__ = ("_counts", "_means", "_pending", "_products", "_squares", "_tilts", "size")
 
     def __init__(self, size: int = 1) -> None:
         self.size = operator.index(size)
@@ -75,6 +78,8 @@ class Blocking:
         self._means: list[Floats] = []
         self._squares: list[Floats] = []
         self._tilts: list[Floats] = []
+        # By the same, sums of products of deviations of any two numbers, if there are some, behind the size
+        self._products: list[Floats] = []
         self._pending: list[Floats] = []
 
     def __len__(self) -> int:
@@ -107,11 +112,16 @@ class Blocking:
             self._counts.append(0)
             for rows in self._rows():
                 rows.append(np.zeros(self.size))
+            self._products.append(np.zeros(_num_products(self.size)))
         self._counts[level] += 1
         deviation = block - self._means[level]
         self._tilts[level] = self._tilts[level] + (self._counts[level] - 1) / 2 * deviation
         self._means[level] = self._means[level] + deviation / self._counts[level]
-        self._squares[level] = self._squares[level] + deviation * (block - self._means[level])
+        remaining = block - self._means[level]
+        self._squares[level] = self._squares[level] + deviation * remaining
+        if self._products[level].size:
+            sums = self._products[level][1:] + np.outer(deviation, remaining).ravel()
+            self._products[level] = np.concatenate([[self.size], sums])
 
     def estimate(self) -> Estimate:
         """The averages.
@@ -125,7 +135,27 @@ class Blocking:
         error, samples = self.errors(self.squared_error)
         if self.too_slow().any():
             error, samples = np.full((2, self.size), np.nan)
+        elif self._products[0].size:
+            shared = np.sqrt(self._error_by_slowest(error**2))
+            factor = np.divide(shared, error, out=np.ones(self.size), where=shared > error)
+            error, samples = error * factor, samples / factor**2
         return Estimate(mean, error, samples)
+
+    def _error_by_slowest(self, squared: Floats) -> Floats:
+        """The squared errors by the shortest blocks, in which the part that goes with the slowest number is enlarged as that of it is. The
+        part is the squared correlation of their blocks, less what it is by chance."""
+        levels = self._levels()
+        squares = [self.squared_error(level) for level in levels]
+        r = _correlations(squares)[0]
+        slowest, m = int(np.argmax(np.where(np.isnan(r), -np.inf, r))), self._counts[levels[0]]
+        products = self._products[levels[0]][1:].reshape(self.size, self.size)
+        norm = np.diagonal(products) * products[slowest, slowest]
+        part = np.divide(products[slowest] ** 2, norm, out=np.zeros(self.size), where=norm > 0)
+        part = np.maximum(1 - (1 - part) * (m - 1) / (m - 2), 0)
+        own = _FACTOR * squares[0]
+        growth = squared[slowest] / own[slowest] if own[slowest] > 0 else 1.0
+        result: Floats = own * (1 + part * max(growth - 1, 0.0))
+        return result
 
     def drifts(self) -> Floats:
         """How far the numbers drift from the first sample to the last, by a straight line, over the standard error of this difference.
@@ -189,8 +219,8 @@ class Blocking:
 
     def state(self) -> Floats:
         """All numbers, for `restore`: a row for each length of blocks."""
-        rows = [np.concatenate([[count], *parts]) for count, *parts in zip(self._counts, *self._rows())]
-        return np.array(rows).reshape(len(rows), 1 + 4 * self.size)
+        rows = [np.concatenate([[count], *parts]) for count, *parts in zip(self._counts, *self._rows(), self._products)]
+        return np.array(rows).reshape(len(rows), _width(self.size))
 
     @classmethod
     def restore(cls, state: ArrayLike) -> Blocking:
@@ -204,20 +234,31 @@ class Blocking:
         -------
         Blocking
         """
-        made = cls(max(1, (np.shape(state)[-1] - 1) // 4) if np.ndim(state) == 2 else 1)
+        width = np.shape(state)[-1] if np.ndim(state) == 2 else 0
+        made = cls(next((size for size in range(1, width) if _width(size) == width), 1))
         made._take(state)
         return made
 
     def _take(self, state: ArrayLike) -> None:
         """Continues what has a state of this size."""
         rows = np.array(state, dtype=np.float64)
-        counts = rows[:, 0] if rows.ndim == 2 and rows.shape[1] == 1 + 4 * self.size else np.array([np.nan])
+        counts = rows[:, 0] if rows.ndim == 2 and rows.shape[1] == _width(self.size) else np.array([np.nan])
         first = counts[0] if len(counts) else 0
         if not (len(counts) < 64 and all(count >= 1 and count == first // 2**k for k, count in enumerate(counts))):
             raise ValueError(f"Blocking.restore: this is no state() of samples of {self.size} numbers")
         self._counts = [int(count) for count in counts]
         for k, parts in enumerate(self._rows()):
             parts[:] = rows[:, 1 + k * self.size : 1 + (k + 1) * self.size].copy()
+        self._products = list(rows[:, 1 + 4 * self.size :].copy())
+
+
+def _num_products(size: int) -> int:
+    return 1 + size * size if 1 < size <= _MOST_RELATED else 0
+
+
+def _width(size: int) -> int:
+    """Of the rows of a state. It is 1 more than a multiple of 4 without products, and 2 or 3 more with them, so each size has its own."""
+    return 1 + 4 * size + _num_products(size)
 
 
 def _correlations(squares: list[Floats]) -> list[Floats]:

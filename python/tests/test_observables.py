@@ -76,6 +76,21 @@ def test_the_slowest_decides(rng):
     assert np.isnan(together).mean() > 0.5 and all(np.isnan(run).all() or np.isfinite(run).all() for run in together)
 
 
+def test_errors_beside_the_slowest(rng):
+    """White noise that has a part of a slow number of the same run, which shows how slow it is: in 20 of its times the error is right, too.
+    So are those of the slow number and of noise beside them."""
+    found, part = [], 0.02
+    for _ in range(150):
+        slow, noise = correlated(rng, 50.0, (1000, 1))[0][:, 0], rng.normal(size=(2, 1000))
+        runs = np.stack([slow, np.sqrt(part) * slow + np.sqrt(1 - part) * noise[0], noise[1]], axis=1)
+        found.append(averages_of(2.0**30 * runs).estimate()[:2])
+    values, errors = np.moveaxis(found, 1, 0)
+    known = np.isfinite(errors[:, 0])
+    assert known.mean() > 0.8
+    for column in range(3):
+        assert 0.8 < rms((values / errors)[known, column]) < 1.15, column
+
+
 def test_block_correlation():
     """The correlation of the averages of successive blocks, by sums over all pairs of many points of each."""
     from pypw85 import _blocking
@@ -334,7 +349,7 @@ def test_refused_blocking(rng):
     state = averages.state()
     changed = state.copy()
     changed[1, 0] += 1
-    for bad in ([1, 2], state[:, :-1], state[1:, :-2], changed, np.full((1, 5), np.nan), np.full((1, 5), 0.5)):
+    for bad in ([1, 2], state[:, :-1], state[1:, :-2], changed, np.full((1, 5), np.nan), np.full((1, 14), np.nan), np.full((1, 5), 0.5)):
         with pytest.raises(ValueError, match=r"^Blocking\.restore: this is no state\(\)"):
             pypw85.Blocking.restore(bad)
     whole = pypw85.Observables().state()

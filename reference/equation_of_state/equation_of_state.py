@@ -152,10 +152,15 @@ def aligned_start(state: State) -> pypw85.System:
 def estimates(samples: list[tuple[float, ...]]) -> list[Estimate]:
     """Those of each number of the samples. Errors are NaN if one of the numbers is too slow for the run (`pypw85.Blocking`). The drift is
     that of a straight line, whose difference from the start to the end has the error √12 times that of the mean."""
-    averages = pypw85.Blocking(len(samples[0]))
-    for sample in samples:
-        averages.add(sample)
-    value, error, _ = averages.estimate()
+    found, slow = [], False
+    for numbers in zip(*samples):
+        averages = pypw85.Blocking()
+        for number in numbers:
+            averages.add(number)
+        found.append([averages.estimate().value[0], averages.errors(averages.squared_error)[0][0]])
+        slow = slow or bool(averages.too_slow()[0])
+    value, error = np.transpose(found)
+    error = np.where(slow, np.nan, error)
     n = len(samples)
     drift = 12 * ((np.arange(n) - (n - 1) / 2) @ np.array(samples)) / n**2 / (np.sqrt(12) * error)
     return [Estimate(*row) for row in zip(value.tolist(), error.tolist(), drift.tolist())]

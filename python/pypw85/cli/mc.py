@@ -131,8 +131,8 @@ def _continued(held: contextlib.ExitStack, name: str, sweeps: int | None) -> Run
     return run
 
 
-def _start(held: contextlib.ExitStack, given: Input | None, sweeps: int | None, *, out: str | None, trajectory: str | None, seed: int, width: float,
-           reach: float, bins: int, volume: Any, exchange: float, equilibrate: int | None, chain_length: float | None,
+def _start(held: contextlib.ExitStack, given: Input | None, sweeps: int | None, *, out: str | None, trajectory: str | None,
+           seed: int, width: float, reach: float, bins: int, volume: Any, exchange: float, equilibrate: int | None, chain_length: float | None,
            **others: Any) -> Run:  # fmt: skip
     """A run from the command line, held as by _continued(). Its files can be written, and its first checkpoint is."""
     if given is None or sweeps is None or out is None:
@@ -159,10 +159,7 @@ def _start(held: contextlib.ExitStack, given: Input | None, sweeps: int | None, 
         edges=tuple(np.linalg.norm(cell, axis=1).tolist()),
         **others,
     )
-    try:
-        observables = Observables(width, reach, bins)
-    except ValueError as error:
-        raise click.UsageError(str(error).partition(": ")[2]) from None
+    observables = _observables(width, reach, bins)
     held.enter_context(locked(path))
     _refuse_existing(path)
     simulation = HardEllipsoids(system, seed)
@@ -176,6 +173,13 @@ def _start(held: contextlib.ExitStack, given: Input | None, sweeps: int | None, 
         run.check_cell()
     run.save()
     return run
+
+
+def _observables(width: float, reach: float, bins: int) -> Observables:
+    try:
+        return Observables(width, reach, bins)
+    except ValueError as error:
+        raise click.UsageError(str(error).partition(": ")[2]) from None
 
 
 def _run_file(out: str) -> tuple[str, bool]:
@@ -302,7 +306,7 @@ def _doubts(run: Run) -> Iterator[str]:
         yield "the run is too short for errors, or began before it was in equilibrium: continue it (--resume, --sweeps)"
     for name, drift in run.observables.drifts().items():
         if abs(drift) > _LARGEST_DRIFT:
-            yield f"{name} drifts from the start to the end, {drift:.1f} times the error: begin again, equilibrate for longer (--equilibrate)"
+            yield f"{name} drifts from the start to the end, {drift:.1f} times the error: begin again, equilibrate longer (--equilibrate)"
     if run.settings.chains and len(run.observables) and "compressibility_chains" not in averages:
         yield "there is no pressure from chains: a particle could touch its own image, which chains do not see"
     bias = averages.get("contacts_bias")
