@@ -9,7 +9,7 @@ import unittest.mock
 
 import numpy as np
 import spheres
-from lammps_runs import System, failure, has_friction_of_walls, numbers, preamble, run, thermo
+from lammps_runs import System, failure, has_friction_of_walls, numbers, preamble, release, run, thermo
 
 
 @dataclasses.dataclass
@@ -532,10 +532,39 @@ class Errors(unittest.TestCase):
 
     def test_axes(self):
         """One axis that is zero (LAMMPS accepts this diameter, but its half rounds to zero), and axes that are no numbers."""
-        start = f"variable bad atom exp(1000)-exp(1000)\n{self.START}{self.LAW}\nset atom 3 "
-        for words in ("shape 1 5e-324 1", "shape 1 1 v_bad", "quat v_bad 0 1 90"):
+        start = f"variable bad atom exp(1000)-exp(1000)\nvariable tiny atom 2^(0-1074)\n{self.START}{self.LAW}\nset atom 3 "
+        for words in ("shape 1 v_tiny 1", "shape 1 1 v_bad", "quat v_bad 0 1 90"):
             self.check(start + words, "Pair pw85/granular: atom 3 has a bad shape or quaternion (type 2): correct it with the set "
                        "command (set ... shape, set ... quat)")
+
+    @unittest.skipUnless(release() >= (2026, 3, 30), "this LAMMPS has no superellipsoids")
+    def test_superellipsoids(self):
+        """They are refused, wherever they are needed; those with exponents of 2 are ellipsoids."""
+        grains = dataclasses.replace(lattice(Grains, 2, 0.9, SHAPES[:2], 3), periodic=False)
+        start = preamble(grains).replace("atom_style ellipsoid", "atom_style ellipsoid superellipsoid")
+
+        class Exponents(Grains):
+            """In data files these come after the quaternions."""
+
+            def data_file(self):
+                head, last = super().data_file().split("\nVelocities\n")
+                head, rows = head.split("Ellipsoids\n\n")
+                return f"{head}Ellipsoids\n\n" + rows.strip().replace("\n", " 2 2\n") + f" 2 2\n\nVelocities\n{last}"
+
+        grains, plain = Exponents(**vars(grains)), grains
+        zero, wall = "pair_style zero 4.0\npair_coeff * *\n", "fix wall all wall/pw85 zplane 0.0 NULL law hooke 1000 0\n"
+        styles = {"Pair pw85/granular": self.START + self.LAW + "\n", "Pair pw85/contact": "pair_style pw85/contact 4.0\npair_coeff * * 1\n",
+                  "fix wall/pw85": zero + wall, "fix pw85/fire": zero + "fix relax all pw85/fire\n",
+                  "Compute pw85/overlap": zero + "compute pairs all pw85/overlap\nthermo_style custom step c_pairs\n"}
+        for name, commands in styles.items():
+            for exponents in ("4 4", "2 3", "3 2"):
+                text = failure(f"{start}{commands}set atom 3 block {exponents}\nrun 1\n", grains)
+                self.assertIn(f"{name}: atom 3 is no ellipsoid, but a superellipsoid (type 2): make its exponents 2", text)
+        dump = "set atom 3 block 2 2\ndump state all custom 1 state.txt id fx fy fz\ndump_modify state sort id\nrun 0\n"
+        first, second = (run(f"{begin}{self.START}{self.LAW}\n{words}", system, 1, ("state.txt",))[1][0][0]
+                         for begin, words, system in ((start, dump, grains), (preamble(plain), dump.split("\n", 1)[1], plain)))
+        self.assertGreater(np.abs(first[:, 1:]).max(), 1.0, "no contacts")
+        np.testing.assert_array_equal(first, second)
 
     def test_respa(self):
         grains = lattice(Grains, 2, 2.0, SHAPES[:2], 3)

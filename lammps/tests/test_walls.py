@@ -389,9 +389,10 @@ class Errors(unittest.TestCase):
     def test_shapes(self):
         wall = "zplane 0 NULL law hooke 1000 0"
         self.check(wall, "fix wall/pw85: atom 3 has no shape (type 2): give it one", settings="set atom 3 shape 0 0 0")
-        for shape in ("5e-324 1 1", "v_bad 1 1"):
+        for shape in ("v_tiny 1 1", "v_bad 1 1"):
             self.check(wall, "fix wall/pw85: atom 3 has a bad shape or quaternion (type 2): correct it with the set command",
-                       settings=f"variable bad atom exp(1000)-exp(1000)\nset atom 3 shape {shape}")
+                       settings="variable bad atom exp(1000)-exp(1000)\nvariable tiny atom 2^(0-1074)\n"
+                                f"set atom 3 shape {shape}")
 
     def test_periodic(self):
         grains = dataclasses.replace(in_large_box(lattice(Grains, 2, 2.0, SHAPES[:2], 3)), periodic=True)
