@@ -257,6 +257,11 @@ def check_lammps(results):
     test_some(results, "lammps", ["--suite=lammps"], [*ONLY_TESTS, ONE_LIBRARY, "-Dlammps=enabled", "-Dpython=enabled"], {})
 
 
+def check_lammps_of_debian_13(results):
+    """Runs the tests of the styles with a newer LAMMPS, whose own walls have another friction."""
+    add_unless_missing(results, "scripts/test_lammps.sh trixie", ["scripts/test_lammps.sh", "trixie"])
+
+
 def check_clang(results):
     """Runs the tests that depend on the optimisation of a compiler, with clang. The sanitizers run all tests with clang."""
     suites = ["--suite=quick", "--suite=portable", "--suite=flags"]
@@ -336,6 +341,7 @@ PARTS = {
     "foreign": Part(check_foreign, f"{TEST} qemu-user g++-aarch64-linux-gnu", after=("tests", "pages")),
     "whole": Part(check_whole, TEST, after=("tests", "pages"), by_default=False),
     "all-sanitizers": Part(check_all_sanitizers, f"{TEST} clang libclang-rt-14-dev", after=("tests", "pages", "sanitizers"), by_default=False),
+    "lammps-of-debian-13": Part(check_lammps_of_debian_13, "git mmdebstrap", after=("lammps",), by_default=False),
     "valgrind": Part(check_valgrind, f"{TEST} valgrind", after=("tests", "pages"), by_default=False),
     "platforms": Part(check_platforms, f"{TEST} {MACHINES}", after=("tests", "pages", "foreign"), by_default=False),
     "debian": Part(check_debian, f"{TEST} {PAGES} git lintian debhelper dpkg-dev fakeroot dh-python", after=("tests", "pages"), by_default=False),
