@@ -100,6 +100,25 @@ def test_columns_of_dumps(columns, share, quaternion, tmp_path):
     np.testing.assert_array_equal(system.quaternions, [quaternion])
 
 
+def test_turned_boxes(tmp_path):
+    """LAMMPS turns positions into them, but not the quaternions of computes."""
+    text = dump("id type x y z c_q[1] c_q[2] c_q[3] c_q[4] c_diam[1] c_diam[2] c_diam[3]", "1 1 0 0 0 1 0 0 0 1 2 3")
+    box = "ITEM: BOX BOUNDS abc origin pp pp pp\n0 9 0 0\n-9 0 0 0\n0 0 9 0\n"
+    text = text.replace("ITEM: BOX BOUNDS ff ff ff\n" + 3 * "-9 9\n", box)
+    (tmp_path / "a.dump").write_text(text)
+    with pytest.raises(pypw85.FileError, match=r"line 9: the box is turned .* not the quaternions c_q\[1\]"):
+        pypw85.read(tmp_path / "a.dump")
+    (tmp_path / "a.dump").write_text(text.replace("9 0 0\n-9 0 0 0", "0 0 0\n0 9 0 0").replace("\n0 0 0 0\n", "\n9 0 0 0\n"))
+    assert pypw85.read(tmp_path / "a.dump").cell.tolist() == [[9, 0, 0], [0, 9, 0], [0, 0, 9]]
+
+
+def test_neighbours_behind_a_table(tmp_path):
+    """As DREAM.3D writes them; the first line says where they begin."""
+    text = (FILES / "dream3d.csv").read_text()
+    (tmp_path / "a.csv").write_text(text + "Feature_ID,NumNeighbors,NeighborList\n1,1,2\n2,1,1\n")
+    assert len(pypw85.read(tmp_path / "a.csv")) == 2
+
+
 def test_type_twice(tmp_path):
     """As in examples of LIGGGHTS."""
     (tmp_path / "a.dump").write_text(dump("id type type x y z radius", "1 2 2 0 0 0 1"))

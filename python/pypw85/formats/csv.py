@@ -85,7 +85,8 @@ def load(path: os.PathLike[str], location: Location, options: Options) -> System
         step = lines.whole(keys.get("step", "0"), "step", -(2**63))
         cell = np.reshape(lines.numbers(keys["cell"], 9, "cell"), (3, 3)) if "cell" in keys else None
         origin = lines.numbers(keys.get("origin", "0 0 0"), 3, "origin")
-        count = _remaining(lines)
+        # Behind the rows that DREAM.3D says there are, lists of neighbours may follow.
+        count = min(_remaining(lines), lines.whole(keys.get("rows", str(2**62)), "the number of rows"))
         if not count:
             raise lines.error("there are no particles")
         wanted = [name for name in (*positions, *taken.columns, ids, types) if name]
@@ -107,6 +108,8 @@ def _keys(lines: Lines) -> tuple[dict[str, str], str]:
         name, _, value = line[1:].strip().partition(" ")
         if name in ("cell", "origin", "periodic", "step"):
             keys[name] = value
+        elif line.isdecimal():
+            keys["rows"] = line
     return keys, line
 
 

@@ -12,7 +12,7 @@ import numpy as np
 from .._system import System
 from .._typing import Floats
 from ._boxes import bounds, numbered_types
-from ._columns import fill, take
+from ._columns import Taken, fill, take
 from ._frames import Frame, Location, Options, lost_dimensions
 from ._names import ONE_WORD, PRINTED, checked_names
 from ._table import Lines, coded, locate_frames, write_rows
@@ -55,6 +55,7 @@ def load(path: os.PathLike[str], location: Location, options: Options) -> System
         if positions is None:
             raise lines.error(f"there are no columns x y z, but {' '.join(header.columns)}: dump them")
         taken = take(header.columns, options, lines.error, "diameters", "wxyz")
+        _check_turned(header, taken, lines)
         wanted = ["id", _type_column(header.columns), *positions, *taken.columns]
         table = lines.table(header.particles, header.columns, [_LABEL], wanted=wanted)
     centers = table.stack(positions)
@@ -70,6 +71,14 @@ def load(path: os.PathLike[str], location: Location, options: Options) -> System
     fill(frame, taken, table)
     del table, centers  # of which the frame holds what it needs
     return frame.system(options)
+
+
+def _check_turned(header: _Header, taken: Taken, lines: Lines) -> None:
+    """LAMMPS turns positions into a general triclinic box, but not what computes give, as quaternions."""
+    is_turned = header.cell[np.triu_indices(3, 1)].any() or (np.diag(header.cell) < 0).any()
+    if is_turned and taken.quaternion and not taken.quaternion[0].lower().startswith("orientation"):
+        raise lines.error(f"the box is turned (triclinic/general): LAMMPS turns positions with it, but not the quaternions "
+                          f"{taken.quaternion[0]} of a compute: dump without triclinic/general")  # fmt: skip
 
 
 def _type_column(columns: Sequence[str]) -> str:
