@@ -188,11 +188,59 @@ def read_ply(path: str) -> Any:
         raise ValueError("there is no header of a PLY file: it is truncated, or of another kind")
     lines = [line.split() for line in content[: end.start()].decode("latin-1").splitlines()]
     is_binary = any(words[:1] == ["format"] and words[1:2] != ["ascii"] for words in lines)
+    if is_binary and len(_properties(lines, "face")) > 1:
+        return _faces_with_properties(lines, content[end.end() :])
     plain = "\n".join(" ".join(words) for words in _plain_ply(lines, is_binary)) + "\nend_header\n"
     try:
         return meshio.read(io.BytesIO(plain.encode() + content[end.end() :]), file_format="ply")
     except meshio.ReadError as error:
         raise ValueError(str(error) or "meshio cannot read it") from None
+
+
+# Types of NumPy in binary files
+_KINDS = dict(zip("char int8 uchar uint8 short int16 ushort uint16 int int32 uint uint32 float float32 double float64".split(),
+                  "i1 i1 u1 u1 i2 i2 u2 u2 i4 i4 u4 u4 f4 f4 f8 f8".split()))  # fmt: skip
+
+
+def _properties(lines: list[list[str]], element: str) -> list[list[str]]:
+    """The properties of an element, without the word property."""
+    inside = False
+    found = []
+    for words in lines:
+        inside = words[1] == element if words[:1] == ["element"] else inside
+        if inside and words[:1] == ["property"]:
+            found.append(words[1:])
+    return found
+
+
+def _faces_with_properties(lines: list[list[str]], data: bytes) -> Any:
+    """Faces with a color, for instance, behind their vertices, which meshio misreads: they must all have as many vertices."""
+    import meshio
+
+    elements = [(words[1], int(words[2])) for words in lines if words[:1] == ["element"]]
+    order = ">" if ["format", "binary_big_endian", "1.0"] in lines else "<"
+    if [name for name, _ in elements][:2] != ["vertex", "face"]:
+        raise ValueError("the first elements are not those of vertices and faces: write them first")
+    (_, vertices), (_, faces) = elements[:2]
+    points = np.dtype([(words[-1], order + _KINDS[words[0]]) for words in _properties(lines, "vertex")])
+    kinds: list[Any] = []
+    for k, words in enumerate(_properties(lines, "face")):
+        if words[0] == "list":
+            place = vertices * points.itemsize + np.dtype(kinds).itemsize
+            sides = int(np.frombuffer(data, order + _KINDS[words[1]], 1, place)[0]) if faces else 3
+            kinds += [(f"count {k}", order + _KINDS[words[1]]), (words[-1], order + _KINDS[words[2]], (sides,))]
+        else:
+            kinds.append((words[-1], order + _KINDS[words[0]]))
+    rows = np.frombuffer(data, np.dtype(kinds), faces, vertices * points.itemsize)
+    for name, *others in kinds:
+        if name.startswith("count ") and (rows[name] != rows[name][0]).any():
+            raise ValueError("faces have other properties besides lists of vertices, and these lists differ in length, which is not read: "
+                             "write the file without these properties")  # fmt: skip
+    name = next(one for one in ("vertex_indices", "vertex_index") if one in (rows.dtype.names or ()))
+    corners = np.frombuffer(data, points, vertices)
+    cells = rows[name].reshape(faces, -1)
+    kind = {3: "triangle", 4: "quad"}.get(cells.shape[1], "polygon")
+    return meshio.Mesh(np.stack([corners[axis].astype(np.float64) for axis in "xyz"], axis=1), [(kind, cells.astype(np.int64))])
 
 
 def _plain_ply(lines: list[list[str]], is_binary: bool) -> Iterator[list[str]]:
@@ -207,7 +255,7 @@ def _plain_ply(lines: list[list[str]], is_binary: bool) -> Iterator[list[str]]:
         if words[:1] == ["property"]:
             properties += 1
             words = [_TYPES.get(word, word) if is_binary else word for word in words[:-1]] + words[-1:]
-            if element == "face" and properties > 1 and (is_binary or words[1] == "list"):
+            if element == "face" and properties > 1 and words[1] == "list":
                 raise ValueError(f"faces have the property '{words[-1]}' besides the list of their vertices, which meshio misreads: "
                                  "write the file without it")  # fmt: skip
             if element == "face" and words[1] == "list":

@@ -219,6 +219,26 @@ def test_faces_of_ply(is_binary, tmp_path):
     assert (len(mesh), area(mesh)) == (12, 24)
 
 
+@pytest.mark.parametrize("order", ["<", ">"])
+def test_colored_faces_of_ply(order, tmp_path):
+    """Properties of faces lie between the lists of a binary file."""
+    pytest.importorskip("meshio")
+    format = "binary_little_endian" if order == "<" else "binary_big_endian"
+    header = PLY.replace("ascii", format).replace("vertex_index\n", "vertex_indices\nproperty uchar red\nproperty short flags\n")
+    points = np.array([tuple(corner) for corner in CUBE], [("x", order + "f4"), ("y", order + "f4"), ("z", order + "f8")])
+    kinds = [("n", "u1"), ("face", order + "i4", 4), ("red", "u1"), ("flags", order + "i2")]
+    faces = np.array([(4, face, 200, -3) for face in FACES], kinds)
+    path = tmp_path / "a.ply"
+    path.write_bytes(header.encode() + points.tobytes() + faces.tobytes())
+    mesh = pypw85.Mesh.read(path)
+    assert (len(mesh), area(mesh)) == (12, 24)
+    faces["n"][3] = 3
+    for content, reason in ((faces.tobytes(), "these lists differ in length"), (faces.tobytes()[:-1], "a.ply: buffer is smaller")):
+        path.write_bytes(header.encode() + points.tobytes() + content)
+        with pytest.raises(ValueError, match=reason):
+            pypw85.Mesh.read(path)
+
+
 BAD_MESHES = {
     "a.obj": [("v 0 0 0\nf 1 2\n", "line 2: a face should have three"), ("v 0 0 0\nf 1 2 0\n", "line 2: a face"),
               ("v 0 0 0\nf 1 2 3\n", "index that is no vertex"), ("v 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 -4\n", "line 4"),
@@ -227,7 +247,7 @@ BAD_MESHES = {
               ("solid\nfacet normal 0 0 1\nvertex 0 0\n", "line 3: a vertex"), (84 * "\0" + "x", "a binary STL file of 0 triangles"),
               ("solid\nfacet normal 0 0 1\nvertex 0 0 0\n", "the file ends within a facet")],
     "a.ply": [("plain", "no header of a PLY file"),
-              (PLY.replace("ascii", "binary_little_endian").replace("element edge", "property uchar red\nelement edge"), "property 'red'"),
+              (PLY.replace("element edge", "property list uchar float texcoord\nelement edge"), "property 'texcoord'"),
               (PLY.replace("element vertex", "element camera 1\nelement vertex"), "elements 'camera' before the faces")],
     "a.foo": [("", "foo")],
     "a.vtk": [("nonsense", "a.vtk")],
