@@ -173,8 +173,8 @@ def test_with_rest(aspect):
 
 @pytest.mark.parametrize("aspect", eos.RANDOM)
 def test_deviations(aspect):
-    """The series is nearly exact at low density: what is left out is B7 φ⁶, some 1e-4 there. As the page says, it is within 2 %, and the error, up to
-    the volume fraction 0.3, and too low by more at 0.4 and above. With the rest of spheres it is within 3 %, but for 1/5."""
+    """The series is nearly exact at low density: what is left out is B7 φ⁶, some 1e-4 there. As the page says, it is within
+    2 %, and the error, up to the volume fraction 0.3, and too low by more at 0.4 and above. With the rest of spheres it is within 3 %, but for 1/5."""
     by_series, by_both, by_parsons = formulas.deviations(ROWS.values(), aspect)
     ordered = eos.TRANSITION.get(aspect, ())[1:]
     assert [one.phi for one in by_series] == [float(phi) for phi in eos.RANDOM[aspect] if phi not in ordered]
@@ -255,7 +255,8 @@ def test_same_bits(state):
 
 
 def test_errors_at_constant_pressure():
-    """Where the true pressure is φ⁴, that is Z(φ) = φ³, an error of φ moves P/φ away from Z at this φ, by four times as much as P/φ alone."""
+    """Where the true pressure is φ⁴, that is Z(φ) = φ³, an error of φ moves P/φ away from Z at this φ, by four
+    times as much as P/φ alone."""
     phi, steepness, error = 0.3, 4 * 0.3**3, 1e-6
     moved = 0.3**4 / (phi + error) - (phi + error) ** 3
     assert eos.error_at_fraction(phi, error, steepness) == pytest.approx(abs(moved), rel=1e-4)

@@ -288,12 +288,14 @@ def test_constant_volume(run, folder):
 
 
 def test_needle(run, folder):
-    """A fluid whose cell changes its shape: the run ends before images touch. Other kinds go on, and a start that is too narrow is refused."""
+    """A fluid whose cell changes its shape: the run ends before images touch. Other kinds go on.
+    A start that is too narrow is refused."""
     fluid = pypw85.pack(np.full((20, 3), 0.5), 0.2, seed=1)
     pypw85.write("fluid.xyz", fluid)
     arguments = ["mc", "fluid.xyz", "--pressure", "0.5", "--volume-trials", 20, "--sweeps", "1e4", "--every", "1e4", "--chains", 0]
     done = run(*arguments, "--volume", "axis", "--out", "axis.h5")
-    cure = r"in which images of particles nearly touch: use --volume isotropic for fluids, or more particles \(--volume axis is for crystals\)"
+    cure = r"in which images of particles nearly touch: use --volume isotropic for fluids, or more particles "
+    cure += r"\(--volume axis is for crystals\)"
     assert done.status == 2 and re.search(rf"axis\.h5: the cell has the edges [\d.]+ × [\d.]+ × [\d.]+, {cure}$", done.err), done
     assert run("mc", "--resume", "axis.h5").status == 2
     short = ["--sweeps", 300, "--every", 1, "--volume-trials", 3]
@@ -331,7 +333,8 @@ def test_doubts(run, folder, monkeypatch):
     pypw85.write("dense.xyz", pypw85.pack(np.full((32, 3), 0.5), 0.45, seed=1))
     done = run("mc", "dense.xyz", "--sweeps", 400, "--every", 2, "--chains", 0, "--out", "wide.h5", "--width", 1)
     assert re.search(r"warning: the width biases compressibility_contacts by some \S+: choose a smaller one \(--width\)", done.out), done
-    assert run("mc", "start.xyz", "--sweeps", 3, "--out", "new.h5", "--width", 5).err.endswith("width is 5.0: it must be > 0 and at most 1\n")
+    done = run("mc", "start.xyz", "--sweeps", 3, "--out", "new.h5", "--width", 5)
+    assert done.err.endswith("width is 5.0: it must be > 0 and at most 1\n")
     pypw85.write("one.xyz", pypw85.System.from_axes([[0, 0, 0]], [[0.3, 0.3, 0.5]], [[1, 0, 0, 0]], cell=np.eye(3)))
     done = run("mc", "one.xyz", "--sweeps", 40, "--every", 1, "--out", "one.h5")
     assert "warning: there is no pressure from chains: a particle could touch its own image" in done.out
@@ -376,7 +379,8 @@ def test_two_at_once(run, folder, whole):
     """Only one process continues a run, under whatever name; the other one says so and changes nothing."""
     assert run("mc", *NPT, "--sweeps", 10, "--out", "run.h5", "--trajectory", "run.dump").status == 0
     os.symlink("run.h5", "link.h5")
-    held = subprocess.Popen([*PW85, "mc", "--resume", "run.h5", "--sweeps", "1e9"], stderr=subprocess.PIPE, text=True, preexec_fn=heed_interrupts)
+    endless = [*PW85, "mc", "--resume", "run.h5", "--sweeps", "1e9"]
+    held = subprocess.Popen(endless, stderr=subprocess.PIPE, text=True, preexec_fn=heed_interrupts)
     length = os.path.getsize("run.dump")
     while os.path.getsize("run.dump") == length:
         time.sleep(0.01)

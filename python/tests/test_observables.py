@@ -71,7 +71,8 @@ def test_the_slowest_decides(rng):
     """A slow part of 2 % of the variance of a number cannot be seen in 5 of its times. Another number of the run that shows it tells."""
     slow = correlated(rng, 200.0, (1000, 30))[0]
     mixed = np.sqrt(0.02) * slow + np.sqrt(0.98) * rng.normal(size=(1000, 30))
-    alone, together = ([averages_of(run).estimate().error for run in runs] for runs in (mixed.T, np.stack([mixed, slow], -1).swapaxes(0, 1)))
+    both = np.stack([mixed, slow], -1).swapaxes(0, 1)
+    alone, together = ([averages_of(run).estimate().error for run in runs] for runs in (mixed.T, both))
     assert np.isfinite(alone).mean() > 0.9
     assert np.isnan(together).mean() > 0.5 and all(np.isnan(run).all() or np.isfinite(run).all() for run in together)
 
@@ -377,7 +378,8 @@ def test_restored_observables(rng):
 
 
 def test_refused(rng):
-    for name, number in (("width", 0.0), ("width", np.nan), ("width", np.inf), ("width", 1.5), ("reach", -1.0), ("reach", np.inf), ("bins", 0)):
+    widths = [("width", number) for number in (0.0, np.nan, np.inf, 1.5)]
+    for name, number in (*widths, ("reach", -1.0), ("reach", np.inf), ("bins", 0)):
         with pytest.raises(ValueError, match=f"^Observables: {name} is {number}: it must be "):
             pypw85.Observables(**{name: number})
     with pytest.raises(TypeError):

@@ -132,8 +132,8 @@ def _continued(held: contextlib.ExitStack, name: str, sweeps: int | None) -> Run
 
 
 def _start(held: contextlib.ExitStack, given: Input | None, sweeps: int | None, *, out: str | None, trajectory: str | None,
-           seed: int, width: float, reach: float, bins: int, volume: Any, exchange: float, equilibrate: int | None, chain_length: float | None,
-           **others: Any) -> Run:  # fmt: skip
+           seed: int, width: float, reach: float, bins: int, volume: Any, exchange: float, equilibrate: int | None,
+           chain_length: float | None, **others: Any) -> Run:  # fmt: skip
     """A run from the command line, held as by _continued(). Its files can be written, and its first checkpoint is."""
     if given is None or sweeps is None or out is None:
         raise click.UsageError("a run needs START, --sweeps and --out; or --resume")
