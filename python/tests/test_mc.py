@@ -229,8 +229,8 @@ def test_growing_samples(run, folder, monkeypatch):
         assert run("mc", *arguments, "run.dump", "--out", "run.csv", "--checkpoint", "0").status != 0
     row = 8 * (1 + len(pypw85._observables.Sample._fields))
     assert os.path.getsize("run.csv.h5.samples") == 150 * row
-    # Blocking has a row for each doubling of the samples.
-    assert sizes[136] == sizes[155] and max(sizes) - sizes[45] < 60 * row
+    # Blocking has a row for each doubling of the samples, the last one at the 128th.
+    assert sizes[136] == sizes[155]
     for name, more in (("run.csv.h5.samples", b"what was written behind the checkpoint"), ("run.csv", b"1,2,3")):
         with open(name, "ab") as file:
             file.write(more)
