@@ -26,13 +26,16 @@ inline constexpr bool is_for_device = false;
 
 /// Before a function of the tiers that hardly ever run: wider numbers and integers. A unit that defines PW85_RARE_ELSEWHERE takes the one
 /// instance for doubles that is compiled apart (src/rare.cpp). In other units the function belongs to its unit, as all functions do.
-/// A header that has such functions lists them in a macro (keyword, scalar, dimensions), which PW85_RARE_TIER() then declares.
+/// A header that has such functions lists them in a macro (keyword, scalar, dimensions), which PW85_RARE_TIER() then declares;
+/// those that are for three dimensions alone have no number of them.
 #ifdef PW85_RARE_ELSEWHERE
 #define PW85_RARE [[gnu::noinline, gnu::cold]] PW85_ANYWHERE
 #define PW85_RARE_TIER(functions) functions(extern, double, 2) functions(extern, double, 3)
+#define PW85_RARE_TIER_IN_SPACE(functions) functions(extern, double)
 #else
 #define PW85_RARE [[gnu::noinline, gnu::cold]] PW85_FUNCTION
 #define PW85_RARE_TIER(functions)
+#define PW85_RARE_TIER_IN_SPACE(functions)
 #endif
 
 /// Before every member function of what devices compute with: it has no address that another unit could take.

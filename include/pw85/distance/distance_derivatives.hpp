@@ -94,8 +94,8 @@ template <class T> PW85_FUNCTION inline DistanceDerivatives<T> derivatives_acros
     return result;
 }
 
-template <class T> [[gnu::noinline]] PW85_FUNCTION inline DistanceDerivatives<T>
-refined_derivatives(DistancePair<T, 3> const &pair, FoundSlab<T, 3> found) noexcept
+template <class T>
+PW85_RARE DistanceDerivatives<T> refined_derivatives(DistancePair<T, 3> const &pair, FoundSlab<T, 3> found) noexcept
 {
     if (!found.found) found = search_slab(pair);
     if (!found.accurate) found = step_slab(pair, found.slab);
@@ -137,6 +137,10 @@ PW85_FUNCTION inline DistanceDerivatives<T> distance_derivatives_apart(Vector<T,
                                    : refined_derivatives(pair, found),
                     units);
 }
+
+#define PW85_RARE_DISTANCE_DERIVATIVES(keyword, T)                                                                     \
+    keyword template DistanceDerivatives<T> refined_derivatives(DistancePair<T, 3> const &, FoundSlab<T, 3>) noexcept;
+PW85_RARE_TIER_IN_SPACE(PW85_RARE_DISTANCE_DERIVATIVES)
 
 } // namespace pw85::detail
 

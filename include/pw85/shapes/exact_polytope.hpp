@@ -313,10 +313,10 @@ template <class T> PW85_FUNCTION inline GivenPlane<T> given_plane(T const *norma
 
 /// Whether a polytope overlaps the ellipsoid, for the numbers exactly as given.
 template <class T>
-requires exact::is_decidable<T>
-[[gnu::noinline]] static bool polytope_overlaps_exactly(std::size_t n, T const *normals, T const *offsets,
-                                                        SymmetricMatrix<T, 3> const &q,
-                                                        Vector<T, 3> const &center) noexcept
+requires exact::is_decidable<T> PW85_RARE bool polytope_overlaps_exactly(std::size_t n, T const *normals,
+                                                                         T const *offsets,
+                                                                         SymmetricMatrix<T, 3> const &q,
+                                                                         Vector<T, 3> const &center) noexcept
 {
     using namespace exact;
     auto const ellipsoid = given_ellipsoid(q, center);
@@ -331,6 +331,11 @@ requires exact::is_decidable<T>
     }
     return true;
 }
+
+#define PW85_RARE_EXACT_POLYTOPE(keyword, T)                                                                           \
+    keyword template bool polytope_overlaps_exactly(std::size_t, T const *, T const *, SymmetricMatrix<T, 3> const &,  \
+                                                    Vector<T, 3> const &) noexcept;
+PW85_RARE_TIER_IN_SPACE(PW85_RARE_EXACT_POLYTOPE)
 
 } // namespace pw85::detail
 

@@ -338,8 +338,8 @@ template <class T> PW85_FUNCTION inline Corner<T> corner_of_box(ShapeNumbers<T, 
 /// Whether a set overlaps the ellipsoid, for the numbers exactly as given. The functions use a fixed array on the stack: 10 KiB for
 /// double.
 template <class T>
-requires exact::is_decidable<T>
-[[gnu::noinline]] static bool overlaps_exactly(Vector<T, 3> const (&ends)[2], SymmetricMatrix<T, 3> const &q) noexcept
+requires exact::is_decidable<T> PW85_RARE bool overlaps_exactly(Vector<T, 3> const (&ends)[2],
+                                                                SymmetricMatrix<T, 3> const &q) noexcept
 {
     using namespace exact;
     Limb memory[limbs_for_shapes<T>()];
@@ -350,9 +350,8 @@ requires exact::is_decidable<T>
 }
 
 template <class T>
-requires exact::is_decidable<T>
-[[gnu::noinline]] static bool overlaps_exactly(Vector<T, 3> const (&vertices)[3],
-                                               SymmetricMatrix<T, 3> const &q) noexcept
+requires exact::is_decidable<T> PW85_RARE bool overlaps_exactly(Vector<T, 3> const (&vertices)[3],
+                                                                SymmetricMatrix<T, 3> const &q) noexcept
 {
     using namespace exact;
     Limb memory[limbs_for_shapes<T>()];
@@ -365,9 +364,8 @@ requires exact::is_decidable<T>
 }
 
 template <class T>
-requires exact::is_decidable<T>
-[[gnu::noinline]] static bool box_overlaps_exactly(Vector<T, 3> const &lower, Vector<T, 3> const &upper,
-                                                   SymmetricMatrix<T, 3> const &q) noexcept
+requires exact::is_decidable<T> PW85_RARE bool
+box_overlaps_exactly(Vector<T, 3> const &lower, Vector<T, 3> const &upper, SymmetricMatrix<T, 3> const &q) noexcept
 {
     using namespace exact;
     if (largest_coordinate(nearest_corner(lower, upper)) == T(0)) return true;
@@ -384,6 +382,13 @@ requires exact::is_decidable<T>
         if (face_overlaps(space, numbers, form, i, 0) || face_overlaps(space, numbers, form, i, 1)) return true;
     return false;
 }
+
+#define PW85_RARE_EXACT_SHAPES(keyword, T)                                                                             \
+    keyword template bool overlaps_exactly(Vector<T, 3> const(&)[2], SymmetricMatrix<T, 3> const &) noexcept;          \
+    keyword template bool overlaps_exactly(Vector<T, 3> const(&)[3], SymmetricMatrix<T, 3> const &) noexcept;          \
+    keyword template bool box_overlaps_exactly(Vector<T, 3> const &, Vector<T, 3> const &,                             \
+                                               SymmetricMatrix<T, 3> const &) noexcept;
+PW85_RARE_TIER_IN_SPACE(PW85_RARE_EXACT_SHAPES)
 
 } // namespace pw85::detail
 
