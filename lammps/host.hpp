@@ -105,7 +105,8 @@ template <class Atoms> bool has_superellipsoids(Atoms const &atom)
     return false;
 }
 
-/// The command of the input script that LAMMPS works on. In some releases its name is a protected member, which a derived class may read.
+/// The command of the input script that LAMMPS works on. In some releases its name is a protected
+/// member, which a derived class may read.
 struct CurrentCommand : LAMMPS_NS::Input {
     static char const *name(LAMMPS_NS::Input const &input) { return input.*(&CurrentCommand::command); }
 };

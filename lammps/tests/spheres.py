@@ -8,7 +8,8 @@ import numpy as np
 
 @dataclass
 class Law:
-    """hooke: F = K δ; hertz: F = K a δ with a = √(R δ). The damper is ETA m, or ETA m a for hertz; the spring of friction KT, or KT a."""
+    """hooke: F = K δ; hertz: F = K a δ with a = √(R δ). The damper is ETA m, or ETA m a for hertz; the spring of friction is KT, or
+    KT a."""
 
     form: str
     stiffness: float

@@ -553,7 +553,8 @@ class Errors(unittest.TestCase):
 
         grains, plain = Exponents(**vars(grains)), grains
         zero, wall = "pair_style zero 4.0\npair_coeff * *\n", "fix wall all wall/pw85 zplane 0.0 NULL law hooke 1000 0\n"
-        styles = {"Pair pw85/granular": self.START + self.LAW + "\n", "Pair pw85/contact": "pair_style pw85/contact 4.0\npair_coeff * * 1\n",
+        styles = {"Pair pw85/granular": self.START + self.LAW + "\n",
+                  "Pair pw85/contact": "pair_style pw85/contact 4.0\npair_coeff * * 1\n",
                   "fix wall/pw85": zero + wall, "fix pw85/fire": zero + "fix relax all pw85/fire\n",
                   "Compute pw85/overlap": zero + "compute pairs all pw85/overlap\nthermo_style custom step c_pairs\n"}
         for name, commands in styles.items():

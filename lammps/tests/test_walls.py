@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-only
-"""Walls of all shapes: spheres against the formulas of their law and LAMMPS's own walls, ellipsoids against brute force, meshes against planes and cylinders."""
+"""Walls of all shapes: spheres against the formulas of their law and LAMMPS's own walls, ellipsoids against brute force, meshes against
+planes and cylinders."""
 
 import ctypes
 import dataclasses
