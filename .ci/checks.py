@@ -435,10 +435,10 @@ def report_times(scheduler, record):
     print("\nThe longest steps, in seconds:")
     for name, seconds in sorted(scheduler.results.steps, key=lambda step: -step[1])[:20]:
         print(f"{seconds:8.0f}  {name}")
-    if "tests" not in scheduler.times or not TIMES.exists():
-        return
-    listed = subprocess.run(["meson", "introspect", "--tests", str(TEST_COMMAND_BUILD)], check=True, stdout=subprocess.PIPE).stdout
-    now = times.read(TIMES, json.loads(listed))
+    now = {}
+    if "tests" in scheduler.times and TIMES.exists():
+        listed = subprocess.run(["meson", "introspect", "--tests", str(TEST_COMMAND_BUILD)], check=True, stdout=subprocess.PIPE).stdout
+        now = times.read(TIMES, json.loads(listed))
     if record:
         times.store(now, scheduler.times)
     for sentence in times.grown(now, times.load()):

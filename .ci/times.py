@@ -1,7 +1,7 @@
 """Processor seconds of each compiled unit and of each test of README's test command, compared with those on record (times.json).
 
 Machines differ, so the times of a run are divided by the median of their ratios to the record. `.ci/run --record tests tutorial`
-makes the record anew; it must be a run without anything in the cache."""
+makes the record anew, of parts one after the other, without anything in the cache."""
 
 import datetime
 import json
@@ -42,10 +42,10 @@ def is_of(done, test):
 
 def grown(now, before):
     """Sentences about what takes longer than on record, or is long and not on record."""
-    common = [(kind, name) for kind in before for name in before[kind] if name in now[kind]]
+    common = [(kind, name) for kind in now for name in before[kind] if name in now[kind]]
     ratios = [now[kind][name] / before[kind][name] for kind, name in common if before[kind][name] >= LEAST]
     speed = statistics.median(ratios) if ratios else 1.0
-    for kind in before:
+    for kind in now:
         for name, seconds in sorted(now[kind].items(), key=lambda item: -item[1]):
             scaled, recorded = seconds / speed, before[kind].get(name, 0.0)
             if scaled > GROWTH * recorded and scaled > recorded + SECONDS:
@@ -64,7 +64,7 @@ def processor_name():
 
 
 def store(now, parts):
-    """Writes the record. `parts` has the minutes and the processor minutes of each part."""
+    """Writes what a run measured into the record. `parts` has the minutes and the processor minutes of each part."""
     record = load()
     record["machine"] = f"{processor_name()}, {datetime.date.today()}"
     record["parts"] = {**record.get("parts", {}), **parts}
