@@ -1,5 +1,6 @@
-// The one instance of the tiers that hardly ever run (PW85_RARE): the headers declare them, and define them for programs that have no
-// library.
+// The one instance for doubles of the tiers that hardly ever run. The templates are inlined into it, so that arguments are not copied
+// twice.
+#define PW85_RARE [[gnu::always_inline]] PW85_FUNCTION inline
 #include <pw85/contact/contact_factored.hpp>
 #include <pw85/distance/distance_derivatives.hpp>
 #include <pw85/overlap/contact_rounded.hpp>
@@ -9,23 +10,25 @@
 #include <pw85/shapes/exact_polytope.hpp>
 #include <pw85/shapes/exact_shapes.hpp>
 
-#define PW85_INSTANTIATE(functions) functions(, double, 2) functions(, double, 3)
-#define PW85_INSTANTIATE_IN_SPACE(functions) functions(, double)
+#define PW85_RARE_DEFINED(name, parameters, arguments)                                                                 \
+    auto name parameters noexcept->decltype(name<> arguments) { return name<> arguments; }
+#define PW85_DEFINE(functions) functions(PW85_RARE_DEFINED, double, 2) functions(PW85_RARE_DEFINED, double, 3)
+#define PW85_DEFINE_IN_SPACE(functions) functions(PW85_RARE_DEFINED, double)
 
 namespace pw85::detail {
 
-PW85_INSTANTIATE(PW85_RARE_DEFINITE)
-PW85_INSTANTIATE(PW85_RARE_SOLVER)
-PW85_INSTANTIATE(PW85_RARE_GEOMETRY)
-PW85_INSTANTIATE(PW85_RARE_FACTORED)
-PW85_INSTANTIATE(PW85_RARE_DISTANCE)
-PW85_INSTANTIATE(PW85_RARE_EXACT)
-PW85_INSTANTIATE(PW85_RARE_EXACT_FACTORED)
-PW85_INSTANTIATE(PW85_RARE_EXACT_CONTAINMENT)
-PW85_INSTANTIATE(PW85_RARE_ROUNDED)
-PW85_INSTANTIATE(PW85_RARE_WITNESS)
-PW85_INSTANTIATE_IN_SPACE(PW85_RARE_DISTANCE_DERIVATIVES)
-PW85_INSTANTIATE_IN_SPACE(PW85_RARE_EXACT_SHAPES)
-PW85_INSTANTIATE_IN_SPACE(PW85_RARE_EXACT_POLYTOPE)
+PW85_DEFINE(PW85_RARE_DEFINITE)
+PW85_DEFINE(PW85_RARE_SOLVER)
+PW85_DEFINE(PW85_RARE_GEOMETRY)
+PW85_DEFINE(PW85_RARE_FACTORED)
+PW85_DEFINE(PW85_RARE_DISTANCE)
+PW85_DEFINE(PW85_RARE_EXACT)
+PW85_DEFINE(PW85_RARE_EXACT_FACTORED)
+PW85_DEFINE(PW85_RARE_EXACT_CONTAINMENT)
+PW85_DEFINE(PW85_RARE_ROUNDED)
+PW85_DEFINE(PW85_RARE_WITNESS)
+PW85_DEFINE_IN_SPACE(PW85_RARE_DISTANCE_DERIVATIVES)
+PW85_DEFINE_IN_SPACE(PW85_RARE_EXACT_SHAPES)
+PW85_DEFINE_IN_SPACE(PW85_RARE_EXACT_POLYTOPE)
 
 } // namespace pw85::detail

@@ -24,18 +24,22 @@ inline constexpr bool is_for_device = false;
 /// Before every function of the templates: it belongs to its unit alone, which runs what it was compiled to, with its own flags.
 #define PW85_FUNCTION PW85_ANYWHERE static
 
-/// Before a function of the tiers that hardly ever run: wider numbers and integers. A unit that defines PW85_RARE_ELSEWHERE takes the one
-/// instance for doubles that is compiled apart (src/rare.cpp). In other units the function belongs to its unit, as all functions do.
-/// A header that has such functions lists them in a macro (keyword, scalar, dimensions), which PW85_RARE_TIER() then declares;
-/// those that are for three dimensions alone have no number of them.
+/// Before a function of the tiers that hardly ever run, wider numbers and integers, is PW85_RARE.
+///
+/// A unit that defines PW85_RARE_ELSEWHERE takes these functions for doubles from src/rare.cpp, where they are compiled once: a function
+/// for doubles goes before the template. A header that has such templates lists them in a macro (rare, scalar, dimensions), as
+/// rare(name, (parameters), (arguments)), for PW85_RARE_TIER(); those for three dimensions alone have no number of them.
 #ifdef PW85_RARE_ELSEWHERE
-#define PW85_RARE [[gnu::noinline, gnu::cold]] PW85_ANYWHERE
-#define PW85_RARE_TIER(functions) functions(extern, double, 2) functions(extern, double, 3)
-#define PW85_RARE_TIER_IN_SPACE(functions) functions(extern, double)
+#define PW85_RARE_DECLARED(name, parameters, arguments)                                                                \
+    [[gnu::cold]] auto name parameters noexcept->decltype(name<> arguments);
+#define PW85_RARE_TIER(functions) functions(PW85_RARE_DECLARED, double, 2) functions(PW85_RARE_DECLARED, double, 3)
+#define PW85_RARE_TIER_IN_SPACE(functions) functions(PW85_RARE_DECLARED, double)
 #else
-#define PW85_RARE [[gnu::noinline, gnu::cold]] PW85_FUNCTION
 #define PW85_RARE_TIER(functions)
 #define PW85_RARE_TIER_IN_SPACE(functions)
+#endif
+#ifndef PW85_RARE
+#define PW85_RARE [[gnu::noinline, gnu::cold]] PW85_FUNCTION
 #endif
 
 /// Before every member function of what devices compute with: it has no address that another unit could take.

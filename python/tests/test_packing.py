@@ -282,7 +282,7 @@ def test_compressibility_refuses(rng):
     with pytest.raises(ValueError, match="compressibility: num_particles is 0: it must be at least 1"):
         _statistics.compressibility([[1.1], [1.2]], 0)
     for width in (0.0, -1.0, np.nan, np.inf):
-        with pytest.raises(ValueError, match=f"compressibility: width is {width}: it must be > 0 and finite"):
+        with pytest.raises(ValueError, match=f"compressibility: width is {width}: it must be > 0 and at most 1"):
             _statistics.compressibility([[1.1], [1.2]], 10, width)
     empty = pypw85.System(np.empty((0, 3)), np.empty((0, 6)))
     for function in (pypw85.nematic_order, pypw85.director):

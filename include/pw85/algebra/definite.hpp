@@ -73,8 +73,7 @@ template <class T, int D> PW85_FUNCTION inline bool is_positive_definite(Symmetr
         return is_clearly_definite(a) || has_positive_pivots(a);
 }
 
-#define PW85_RARE_DEFINITE(keyword, T, D)                                                                              \
-    keyword template bool has_positive_minors(SymmetricMatrix<T, D> const &) noexcept;
+#define PW85_RARE_DEFINITE(rare, T, D) rare(has_positive_minors, (SymmetricMatrix<T, D> const &a), (a))
 PW85_RARE_TIER(PW85_RARE_DEFINITE)
 
 } // namespace pw85::detail

@@ -222,8 +222,7 @@ template <class T, int D>
     return maximize_by_directions(pair, start_from(rounded_pair, end.candidate));
 }
 
-#define PW85_RARE_FACTORED(keyword, T, D)                                                                              \
-    keyword template Maximum<T> search_doubled(FactoredPair<T, D> const &, T const &) noexcept;
+#define PW85_RARE_FACTORED(rare, T, D) rare(search_doubled, (FactoredPair<T, D> const &pair, T const &t), (pair, t))
 PW85_RARE_TIER(PW85_RARE_FACTORED)
 
 } // namespace pw85::detail

@@ -248,9 +248,11 @@ template <class T, int D> PW85_FUNCTION inline void rescale(ContactTorque<T, D> 
     t.rotation2 = times_power_of_two(t.rotation2, exponent);
 }
 
-#define PW85_RARE_GEOMETRY(keyword, T, D)                                                                              \
-    keyword template Vector<T, D> solve_blend_extended(T const &, SymmetricMatrix<T, D> const &, T const &,            \
-                                                       SymmetricMatrix<T, D> const &, Vector<T, D> const &) noexcept;
+#define PW85_RARE_GEOMETRY(rare, T, D)                                                                                 \
+    rare(solve_blend_extended,                                                                                         \
+         (T const &w1, SymmetricMatrix<T, D> const &q1, T const &w2, SymmetricMatrix<T, D> const &q2,                  \
+          Vector<T, D> const &x),                                                                                      \
+         (w1, q1, w2, q2, x))
 PW85_RARE_TIER(PW85_RARE_GEOMETRY)
 
 } // namespace pw85::detail

@@ -126,8 +126,7 @@ template <class T, int D> [[gnu::noinline]] PW85_FUNCTION inline Maximum<T> maxi
     return maximize_factorized(pair, candidate, evaluations);
 }
 
-#define PW85_RARE_SOLVER(keyword, T, D)                                                                                \
-    keyword template Maximum<T> maximize_wider(Pair<T, D> const &, T const &, int) noexcept;
+#define PW85_RARE_SOLVER(rare, T, D) rare(maximize_wider, (Pair<T, D> const &pair, T const &t, int n), (pair, t, n))
 PW85_RARE_TIER(PW85_RARE_SOLVER)
 
 } // namespace pw85::detail

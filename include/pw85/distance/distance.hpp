@@ -321,8 +321,8 @@ template <class T, int D> PW85_FUNCTION inline Distance<T, D> no_distance(Status
     return result;
 }
 
-#define PW85_RARE_DISTANCE(keyword, T, D)                                                                              \
-    keyword template Distance<T, D> refined_distance(DistancePair<T, D>, FoundSlab<T, D>) noexcept;
+#define PW85_RARE_DISTANCE(rare, T, D)                                                                                 \
+    rare(refined_distance, (DistancePair<T, D> pair, FoundSlab<T, D> found), (pair, found))
 PW85_RARE_TIER(PW85_RARE_DISTANCE)
 
 } // namespace pw85::detail

@@ -138,8 +138,8 @@ PW85_FUNCTION inline DistanceDerivatives<T> distance_derivatives_apart(Vector<T,
                     units);
 }
 
-#define PW85_RARE_DISTANCE_DERIVATIVES(keyword, T)                                                                     \
-    keyword template DistanceDerivatives<T> refined_derivatives(DistancePair<T, 3> const &, FoundSlab<T, 3>) noexcept;
+#define PW85_RARE_DISTANCE_DERIVATIVES(rare, T)                                                                        \
+    rare(refined_derivatives, (DistancePair<T, 3> const &pair, FoundSlab<T, 3> found), (pair, found))
 PW85_RARE_TIER_IN_SPACE(PW85_RARE_DISTANCE_DERIVATIVES)
 
 } // namespace pw85::detail

@@ -268,9 +268,9 @@ template <class T, int D> PW85_FUNCTION inline RoundedContact<T> round_contact(P
                                     : round_contact_scaled(pair);
 }
 
-#define PW85_RARE_ROUNDED(keyword, T, D)                                                                               \
-    keyword template RoundedContact<T> settle(Pair<T, D> const &, ScaledPair<T, D> const &,                            \
-                                              MaximumBounds<T> const &) noexcept;
+#define PW85_RARE_ROUNDED(rare, T, D)                                                                                  \
+    rare(settle, (Pair<T, D> const &pair, ScaledPair<T, D> const &scaled, MaximumBounds<T> const &bounds),             \
+         (pair, scaled, bounds))
 PW85_RARE_TIER(PW85_RARE_ROUNDED)
 
 } // namespace pw85::detail

@@ -457,11 +457,12 @@ requires exact::is_decidable<T> PW85_FUNCTION inline int compare_exactly(Vector<
     return compare_exactly(r12, q1, q2, exact::to_binary_fraction(m));
 }
 
-#define PW85_RARE_EXACT(keyword, T, D)                                                                                 \
-    keyword template Decision decide_exactly(Vector<T, D> const &, SymmetricMatrix<T, D> const &,                      \
-                                             SymmetricMatrix<T, D> const &) noexcept;                                  \
-    keyword template int compare_exactly(Vector<T, D> const &, SymmetricMatrix<T, D> const &,                          \
-                                         SymmetricMatrix<T, D> const &, exact::BinaryFraction<T> const &) noexcept;
+#define PW85_RARE_EXACT(rare, T, D)                                                                                    \
+    rare(decide_exactly, (Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, SymmetricMatrix<T, D> const &q2),  \
+         (r12, q1, q2)) rare(compare_exactly,                                                                          \
+                             (Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,                                \
+                              SymmetricMatrix<T, D> const &q2, exact::BinaryFraction<T> const &m),                     \
+                             (r12, q1, q2, m))
 PW85_RARE_TIER(PW85_RARE_EXACT)
 
 } // namespace pw85::detail

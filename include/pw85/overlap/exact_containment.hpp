@@ -226,9 +226,9 @@ contains_exactly(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, Symme
     return least > 0 && has_positive_roots(numbers, sizes, memory) && has_root_for_inside(numbers, sizes, memory);
 }
 
-#define PW85_RARE_EXACT_CONTAINMENT(keyword, T, D)                                                                     \
-    keyword template bool contains_exactly(Vector<T, D> const &, SymmetricMatrix<T, D> const &,                        \
-                                           SymmetricMatrix<T, D> const &) noexcept;
+#define PW85_RARE_EXACT_CONTAINMENT(rare, T, D)                                                                        \
+    rare(contains_exactly,                                                                                             \
+         (Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, SymmetricMatrix<T, D> const &q2), (r12, q1, q2))
 PW85_RARE_TIER(PW85_RARE_EXACT_CONTAINMENT)
 
 } // namespace pw85::detail

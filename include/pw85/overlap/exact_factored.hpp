@@ -137,8 +137,8 @@ noexcept
     return to_decision(!overlap, overlap);
 }
 
-#define PW85_RARE_EXACT_FACTORED(keyword, T, D)                                                                        \
-    keyword template Decision decide_exactly(Vector<T, D> const &, Factor<T, D> const &, Factor<T, D> const &) noexcept;
+#define PW85_RARE_EXACT_FACTORED(rare, T, D)                                                                           \
+    rare(decide_exactly, (Vector<T, D> const &r12, Factor<T, D> const &s1, Factor<T, D> const &s2), (r12, s1, s2))
 PW85_RARE_TIER(PW85_RARE_EXACT_FACTORED)
 
 } // namespace pw85::detail

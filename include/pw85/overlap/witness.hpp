@@ -260,10 +260,11 @@ template <class T, int D> PW85_FUNCTION inline void prove(OverlapWitness<T, D> &
     }
 }
 
-#define PW85_RARE_WITNESS(keyword, T, D)                                                                               \
-    keyword template PreciseMaximum<T, D> maximize_precisely(ScaledPair<T, D> const &, Vector<T, D> const &) noexcept; \
-    keyword template Decision decide_by_extended(Vector<T, D> const &, SymmetricMatrix<T, D> const &,                  \
-                                                 SymmetricMatrix<T, D> const &, T const &) noexcept;
+#define PW85_RARE_WITNESS(rare, T, D)                                                                                  \
+    rare(maximize_precisely, (ScaledPair<T, D> const &scaled, Vector<T, D> const &r12), (scaled, r12)) rare(           \
+        decide_by_extended,                                                                                            \
+        (Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, SymmetricMatrix<T, D> const &q2, T const &lambda),  \
+        (r12, q1, q2, lambda))
 PW85_RARE_TIER(PW85_RARE_WITNESS)
 
 } // namespace pw85::detail

@@ -332,9 +332,11 @@ requires exact::is_decidable<T> PW85_RARE bool polytope_overlaps_exactly(std::si
     return true;
 }
 
-#define PW85_RARE_EXACT_POLYTOPE(keyword, T)                                                                           \
-    keyword template bool polytope_overlaps_exactly(std::size_t, T const *, T const *, SymmetricMatrix<T, 3> const &,  \
-                                                    Vector<T, 3> const &) noexcept;
+#define PW85_RARE_EXACT_POLYTOPE(rare, T)                                                                              \
+    rare(polytope_overlaps_exactly,                                                                                    \
+         (std::size_t n, T const *normals, T const *offsets, SymmetricMatrix<T, 3> const &q,                           \
+          Vector<T, 3> const &center),                                                                                 \
+         (n, normals, offsets, q, center))
 PW85_RARE_TIER_IN_SPACE(PW85_RARE_EXACT_POLYTOPE)
 
 } // namespace pw85::detail

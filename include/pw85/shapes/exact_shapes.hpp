@@ -383,11 +383,12 @@ box_overlaps_exactly(Vector<T, 3> const &lower, Vector<T, 3> const &upper, Symme
     return false;
 }
 
-#define PW85_RARE_EXACT_SHAPES(keyword, T)                                                                             \
-    keyword template bool overlaps_exactly(Vector<T, 3> const(&)[2], SymmetricMatrix<T, 3> const &) noexcept;          \
-    keyword template bool overlaps_exactly(Vector<T, 3> const(&)[3], SymmetricMatrix<T, 3> const &) noexcept;          \
-    keyword template bool box_overlaps_exactly(Vector<T, 3> const &, Vector<T, 3> const &,                             \
-                                               SymmetricMatrix<T, 3> const &) noexcept;
+#define PW85_RARE_EXACT_SHAPES(rare, T)                                                                                \
+    rare(overlaps_exactly, (Vector<T, 3> const(&ends)[2], SymmetricMatrix<T, 3> const &q), (ends, q))                  \
+        rare(overlaps_exactly, (Vector<T, 3> const(&vertices)[3], SymmetricMatrix<T, 3> const &q), (vertices, q))      \
+            rare(box_overlaps_exactly,                                                                                 \
+                 (Vector<T, 3> const &lower, Vector<T, 3> const &upper, SymmetricMatrix<T, 3> const &q),               \
+                 (lower, upper, q))
 PW85_RARE_TIER_IN_SPACE(PW85_RARE_EXACT_SHAPES)
 
 } // namespace pw85::detail
