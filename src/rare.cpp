@@ -1,6 +1,5 @@
-// The one instance for doubles of the tiers that hardly ever run. The templates are inlined into it, so that arguments are not copied
-// twice.
-#define PW85_RARE [[gnu::always_inline]] PW85_FUNCTION inline
+// The one instance for doubles of the tiers that hardly ever run. Arguments are references, so that each function is a jump into its
+// template.
 #include <pw85/contact/contact_factored.hpp>
 #include <pw85/distance/distance_derivatives.hpp>
 #include <pw85/overlap/contact_rounded.hpp>

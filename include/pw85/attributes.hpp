@@ -38,9 +38,7 @@ inline constexpr bool is_for_device = false;
 #define PW85_RARE_TIER(functions)
 #define PW85_RARE_TIER_IN_SPACE(functions)
 #endif
-#ifndef PW85_RARE
 #define PW85_RARE [[gnu::noinline, gnu::cold]] PW85_FUNCTION
-#endif
 
 /// Before every member function of what devices compute with: it has no address that another unit could take.
 #define PW85_MEMBER [[gnu::always_inline]] PW85_ANYWHERE

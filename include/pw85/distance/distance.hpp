@@ -266,11 +266,12 @@ PW85_FUNCTION inline FoundSlab<Finer<T>, D> polish(DistancePair<T, D> const &pai
     return {given, true, false, true};
 }
 
-/// The distance of a pair for which find_slab() has not found an accurate slab. The arguments are copied, so that callers keep
-/// theirs in registers where they do not call this function.
+/// The distance of a pair for which find_slab() has not found an accurate slab. It is in memory, as a result of
+/// that function.
 template <class T, int D>
-PW85_RARE Distance<T, D> refined_distance(DistancePair<T, D> pair, FoundSlab<T, D> found) noexcept
+PW85_RARE Distance<T, D> refined_distance(DistancePair<T, D> const &pair, FoundSlab<T, D> const &slab) noexcept
 {
+    FoundSlab<T, D> found = slab;
     if (!found.found) found = search_slab(pair);
     if (!found.accurate) found = step_slab(pair, found.slab);
     if (found.accurate) return distance_across(found.slab);
@@ -322,7 +323,7 @@ template <class T, int D> PW85_FUNCTION inline Distance<T, D> no_distance(Status
 }
 
 #define PW85_RARE_DISTANCE(rare, T, D)                                                                                 \
-    rare(refined_distance, (DistancePair<T, D> pair, FoundSlab<T, D> found), (pair, found))
+    rare(refined_distance, (DistancePair<T, D> const &pair, FoundSlab<T, D> const &found), (pair, found))
 PW85_RARE_TIER(PW85_RARE_DISTANCE)
 
 } // namespace pw85::detail

@@ -94,9 +94,10 @@ template <class T> PW85_FUNCTION inline DistanceDerivatives<T> derivatives_acros
     return result;
 }
 
-template <class T>
-PW85_RARE DistanceDerivatives<T> refined_derivatives(DistancePair<T, 3> const &pair, FoundSlab<T, 3> found) noexcept
+template <class T> PW85_RARE DistanceDerivatives<T> refined_derivatives(DistancePair<T, 3> const &pair,
+                                                                        FoundSlab<T, 3> const &slab) noexcept
 {
+    FoundSlab<T, 3> found = slab;
     if (!found.found) found = search_slab(pair);
     if (!found.accurate) found = step_slab(pair, found.slab);
     if (found.accurate) return derivatives_across(pair, distance_across(found.slab));
@@ -139,7 +140,7 @@ PW85_FUNCTION inline DistanceDerivatives<T> distance_derivatives_apart(Vector<T,
 }
 
 #define PW85_RARE_DISTANCE_DERIVATIVES(rare, T)                                                                        \
-    rare(refined_derivatives, (DistancePair<T, 3> const &pair, FoundSlab<T, 3> found), (pair, found))
+    rare(refined_derivatives, (DistancePair<T, 3> const &pair, FoundSlab<T, 3> const &found), (pair, found))
 PW85_RARE_TIER_IN_SPACE(PW85_RARE_DISTANCE_DERIVATIVES)
 
 } // namespace pw85::detail
