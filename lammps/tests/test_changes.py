@@ -193,7 +193,7 @@ class Rerun(unittest.TestCase):
         spheres = self.spheres()
         pair = granular(law) + f"\nfix wall all wall/pw85 zplane 0.05 3.95 law {law}"
         start = script(spheres, pair, 1, "on").split("dump state")[0].replace("timestep 0.0005", "timestep 0.0002")
-        again = f"set group all angmom 0 0 0\n" if after_run else f"clear\n{start}"
+        again = "set group all angmom 0 0 0\n" if after_run else f"clear\n{start}"
         text = (start + self.DUMP.format("first.txt") + "run 100\nundump state\n" + again + self.DUMP.format("again.txt") +
                 "rerun first.txt dump x y z vx vy vz\n")
         return [np.array(states)[:, :, 7:] for states in run(text, spheres, ranks, ("first.txt", "again.txt"))[1]]

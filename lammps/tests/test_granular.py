@@ -571,7 +571,7 @@ class Errors(unittest.TestCase):
         grains = lattice(Grains, 2, 2.0, SHAPES[:2], 3)
         self.check(f"{self.START}{self.LAW}\nrun_style respa 2 2 pair 1", "Pair pw85/granular does not work with run_style respa",
                    grains=grains)
-        self.check(f"pair_style zero 3.0\npair_coeff * *\nfix wall all wall/pw85 zplane 0.0 NULL law hooke 1000 0\n"
+        self.check("pair_style zero 3.0\npair_coeff * *\nfix wall all wall/pw85 zplane 0.0 NULL law hooke 1000 0\n"
                    "run_style respa 2 2 pair 1", "fix wall/pw85 does not work with run_style respa",
                    grains=dataclasses.replace(grains, periodic=False))
 

@@ -232,7 +232,7 @@ def _faces_with_properties(lines: list[list[str]], data: bytes) -> Any:
         else:
             kinds.append((words[-1], order + _KINDS[words[0]]))
     rows = np.frombuffer(data, np.dtype(kinds), faces, vertices * points.itemsize)
-    for name, *others in kinds:
+    for name, *_ in kinds:
         if name.startswith("count ") and (rows[name] != rows[name][0]).any():
             raise ValueError("faces have other properties besides lists of vertices, and these lists differ in length, which is not read: "
                              "write the file without these properties")  # fmt: skip

@@ -174,7 +174,8 @@ def test_with_rest(aspect):
 @pytest.mark.parametrize("aspect", eos.RANDOM)
 def test_deviations(aspect):
     """The series is nearly exact at low density: what is left out is B7 φ⁶, some 1e-4 there. As the page says, it is within
-    2 %, and the error, up to the volume fraction 0.3, and too low by more at 0.4 and above. With the rest of spheres it is within 3 %, but for 1/5."""
+    2 %, and the error, up to the volume fraction 0.3, and too low by more at 0.4 and above. With the rest of spheres it is within
+    3 %, but for 1/5."""
     by_series, by_both, by_parsons = formulas.deviations(ROWS.values(), aspect)
     ordered = eos.TRANSITION.get(aspect, ())[1:]
     assert [one.phi for one in by_series] == [float(phi) for phi in eos.RANDOM[aspect] if phi not in ordered]

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 import pypw85
-from pypw85 import gufuncs, legacy
+from pypw85 import gufuncs
 
 N = 4
 CELL = np.array([[16.0, 0, 0], [1, 16, 0], [2, 1, 16]])
@@ -57,7 +57,8 @@ CALLS = {
     "contact_pairs": (lambda *x: pypw85.contact_pairs(*x[:4], images=x[4]), PAIRS, CENTERS, FORMS, CELL, IMAGES),
     "contact_polytope": (pypw85.contact_polytope, CENTERS, FORMS, CUBE, REACH),
     "f_neg": (pypw85.f_neg, 0.125 * SLOPES, CENTERS, FORMS, FORMS[::-1].copy()),
-    "first_contact_pairs": (lambda *x: pypw85.first_contact_pairs(*x[:4], cell=x[4], images=x[5]), PAIRS, CENTERS, FORMS, MOTIONS, CELL, IMAGES),
+    "first_contact_pairs": (
+        lambda *x: pypw85.first_contact_pairs(*x[:4], cell=x[4], images=x[5]), PAIRS, CENTERS, FORMS, MOTIONS, CELL, IMAGES),
     "from_covariance": (lambda x: pypw85.from_covariance(x, 0.5), pypw85.full(FORMS)),
     "from_euler": (lambda *x: pypw85.from_euler(x[0], "xyz", x[1]), AXES, TURNS),
     "from_gsd": (lambda *x: pypw85.from_gsd([{"type": "Ellipsoid", "a": 1, "b": 2, "c": 3}], *x), np.zeros(N, np.int32), QUATERNIONS),
@@ -65,7 +66,8 @@ CALLS = {
     "from_ovito": (pypw85.from_ovito, AXES, QUATERNIONS),
     "from_rotation_vector": (pypw85.from_rotation_vector, AXES, TURNS),
     "full": (pypw85.full, FORMS),
-    "law_forces_pairs": (lambda *x: pypw85.law_forces_pairs(*x[:3], pypw85.Law.soft_repulsion(2.0), *x[3:]), PAIRS, CENTERS, FORMS, CELL, IMAGES),
+    "law_forces_pairs": (
+        lambda *x: pypw85.law_forces_pairs(*x[:3], pypw85.Law.soft_repulsion(2.0), *x[3:]), PAIRS, CENTERS, FORMS, CELL, IMAGES),
     "motion": (pypw85.motion, CENTERS, CENTERS[::-1].copy(), SLOPES),
     "nearest_image_limit": (pypw85.nearest_image_limit, FORMS, CELL),
     "nearest_images": (pypw85.nearest_images, PAIRS, CENTERS, CELL),

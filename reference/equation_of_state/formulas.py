@@ -69,7 +69,8 @@ class Deviation(NamedTuple):
 
 
 def isotropic(rows: Iterable[Row], aspect: str) -> list[Row]:
-    """Those of a shape at constant volume from random starts, but for states next to a transition, whose order is above 0.15. That of spheres is NaN."""
+    """Those of a shape at constant volume from random starts, but for states next to a transition, whose order is above 0.15. That of
+    spheres is NaN."""
     chosen = (aspect, "random", "NVT")
     return [row for row in rows if (row["aspect"], row["start"], row["ensemble"]) == chosen and not float(row["order"]) >= 0.15]
 

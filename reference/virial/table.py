@@ -4,8 +4,9 @@
 Usage: table.py PROGRAM [--rounds N] [--shapes SHAPE...] [--table FILE], with PROGRAM built from virial.cpp.
 
 The second coefficient is exact; the others are by Monte Carlo. Each round adds SAMPLES to each row that has fewer than N rounds, or to
-each of some shapes, such as "prolate 20". Without N, each shape gets the rounds that it has in virial.csv, one to four (ROUNDS). The file is written whenever there are new samples, and has all that is needed to
-continue: to stop loses nothing, and a file that was continued is the same as one that was made at once.
+each of some shapes, such as "prolate 20". Without N, each shape gets the rounds that it has in virial.csv, one to four (ROUNDS). The
+file is written whenever there are new samples, and has all that is needed to continue: to stop loses nothing, and a file that was
+continued is the same as one that was made at once.
 """
 
 import argparse
