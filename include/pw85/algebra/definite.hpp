@@ -48,6 +48,9 @@ template <class T, int D> PW85_RARE bool has_positive_minors(SymmetricMatrix<T, 
     return positive && minors[D - 1] > W(least_determinant<W>() * diagonal_product(w));
 }
 
+#define PW85_RARE_DEFINITE(rare, T, D) rare(has_positive_minors, (SymmetricMatrix<T, D> const &a), (a))
+PW85_RARE_TIER(PW85_RARE_DEFINITE)
+
 /// Decides up to rounding errors, for types with digits to spare and for devices. The function uses pivots, which lose fewer digits
 /// than minors.
 template <class T, int D> PW85_FUNCTION inline bool has_positive_pivots(SymmetricMatrix<T, D> const &a) noexcept
@@ -72,9 +75,6 @@ template <class T, int D> PW85_FUNCTION inline bool is_positive_definite(Symmetr
     else
         return is_clearly_definite(a) || has_positive_pivots(a);
 }
-
-#define PW85_RARE_DEFINITE(rare, T, D) rare(has_positive_minors, (SymmetricMatrix<T, D> const &a), (a))
-PW85_RARE_TIER(PW85_RARE_DEFINITE)
 
 } // namespace pw85::detail
 

@@ -74,6 +74,13 @@ template <class T, int D> PW85_RARE Vector<T, D> solve_blend_extended(T const &w
     return result;
 }
 
+#define PW85_RARE_GEOMETRY(rare, T, D)                                                                                 \
+    rare(solve_blend_extended,                                                                                         \
+         (T const &w1, SymmetricMatrix<T, D> const &q1, T const &w2, SymmetricMatrix<T, D> const &q2,                  \
+          Vector<T, D> const &x),                                                                                      \
+         (w1, q1, w2, q2, x))
+PW85_RARE_TIER(PW85_RARE_GEOMETRY)
+
 /// M⁻¹ x for M = w1 Q1 + w2 Q2, where the adjugate is not accurate. It uses factorisation if that leaves some digits. Otherwise it
 /// uses extended numbers, if the type has them.
 template <class T, int D>
@@ -247,13 +254,6 @@ template <class T, int D> PW85_FUNCTION inline void rescale(ContactTorque<T, D> 
     t.rotation1 = times_power_of_two(t.rotation1, exponent);
     t.rotation2 = times_power_of_two(t.rotation2, exponent);
 }
-
-#define PW85_RARE_GEOMETRY(rare, T, D)                                                                                 \
-    rare(solve_blend_extended,                                                                                         \
-         (T const &w1, SymmetricMatrix<T, D> const &q1, T const &w2, SymmetricMatrix<T, D> const &q2,                  \
-          Vector<T, D> const &x),                                                                                      \
-         (w1, q1, w2, q2, x))
-PW85_RARE_TIER(PW85_RARE_GEOMETRY)
 
 } // namespace pw85::detail
 

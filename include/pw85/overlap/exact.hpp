@@ -448,6 +448,14 @@ requires exact::is_decidable<T> PW85_RARE int compare_exactly(Vector<T, D> const
     return sign_of_difference(to_numbers(r12, q1, q2, m), memory);
 }
 
+#define PW85_RARE_EXACT(rare, T, D)                                                                                    \
+    rare(decide_exactly, (Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, SymmetricMatrix<T, D> const &q2),  \
+         (r12, q1, q2)) rare(compare_exactly,                                                                          \
+                             (Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,                                \
+                              SymmetricMatrix<T, D> const &q2, exact::BinaryFraction<T> const &m),                     \
+                             (r12, q1, q2, m))
+PW85_RARE_TIER(PW85_RARE_EXACT)
+
 template <class T, int D>
 requires exact::is_decidable<T> PW85_FUNCTION inline int compare_exactly(Vector<T, D> const &r12,
                                                                          SymmetricMatrix<T, D> const &q1,
@@ -456,14 +464,6 @@ requires exact::is_decidable<T> PW85_FUNCTION inline int compare_exactly(Vector<
 {
     return compare_exactly(r12, q1, q2, exact::to_binary_fraction(m));
 }
-
-#define PW85_RARE_EXACT(rare, T, D)                                                                                    \
-    rare(decide_exactly, (Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, SymmetricMatrix<T, D> const &q2),  \
-         (r12, q1, q2)) rare(compare_exactly,                                                                          \
-                             (Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,                                \
-                              SymmetricMatrix<T, D> const &q2, exact::BinaryFraction<T> const &m),                     \
-                             (r12, q1, q2, m))
-PW85_RARE_TIER(PW85_RARE_EXACT)
 
 } // namespace pw85::detail
 

@@ -121,6 +121,13 @@ PW85_RARE Decision decide_by_extended(Vector<T, D> const &r12, SymmetricMatrix<T
     return to_decision(f > W(1) + margin, f < W(1) - margin);
 }
 
+#define PW85_RARE_WITNESS(rare, T, D)                                                                                  \
+    rare(maximize_precisely, (ScaledPair<T, D> const &scaled, Vector<T, D> const &r12), (scaled, r12)) rare(           \
+        decide_by_extended,                                                                                            \
+        (Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, SymmetricMatrix<T, D> const &q2, T const &lambda),  \
+        (r12, q1, q2, lambda))
+PW85_RARE_TIER(PW85_RARE_WITNESS)
+
 /// Whether f(λ) > 1. Extended numbers decide all pairs whose bounding boxes are apart by a factor of two. Integers decide the rest.
 template <class T, int D>
 PW85_FUNCTION inline bool exceeds_one(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
@@ -259,13 +266,6 @@ template <class T, int D> PW85_FUNCTION inline void prove(OverlapWitness<T, D> &
         witness.lambda = lambda;
     }
 }
-
-#define PW85_RARE_WITNESS(rare, T, D)                                                                                  \
-    rare(maximize_precisely, (ScaledPair<T, D> const &scaled, Vector<T, D> const &r12), (scaled, r12)) rare(           \
-        decide_by_extended,                                                                                            \
-        (Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, SymmetricMatrix<T, D> const &q2, T const &lambda),  \
-        (r12, q1, q2, lambda))
-PW85_RARE_TIER(PW85_RARE_WITNESS)
 
 } // namespace pw85::detail
 
