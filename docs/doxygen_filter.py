@@ -4,8 +4,7 @@ import re
 import sys
 from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).resolve().parent / "extensions"))
-from status_table import status_codes
+from statuses import status_codes
 
 # @param a,b text: one @param for each name. The text ends at the next command, a blank line, or the end of the comment.
 SHARED_PARAMETERS = re.compile(

@@ -1,21 +1,9 @@
-"""Directive ``pw85-status-table``: the table of status codes, from the list in include/pw85/status.h."""
-
-import re
-from pathlib import Path
+"""Directive ``pw85-status-table``: the table of status codes."""
 
 from docutils import nodes
 from docutils.statemachine import StringList
 from docutils.parsers.rst import Directive
-
-STATUS_H = Path(__file__).resolve().parents[2] / "include" / "pw85" / "status.h"
-ENTRY = re.compile(r'X\((\w+), (\w+), (\d+),\s*((?:"[^"]*"\s*)+)\)')
-
-
-def status_codes():
-    """(name in C, name in C++, value, text) for each code."""
-    source = STATUS_H.read_text(encoding="utf-8").replace("\\\n", "\n")
-    for c_name, cpp_name, value, literals in ENTRY.findall(source):
-        yield c_name, cpp_name, value, "".join(re.findall(r'"([^"]*)"', literals))
+from statuses import STATUS_H, status_codes
 
 
 class StatusTable(Directive):

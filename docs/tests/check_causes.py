@@ -16,7 +16,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "api"))
 from causes import CAUSES, FUNCTIONS, SUMS, is_named
 from declarations import OBJECTS, flattened, members
 from declarations import parameters as declared
-from extensions.status_table import status_codes
+from statuses import status_codes
 
 STATUSES = {name: int(value) for name, _, value, _ in status_codes()}
 ROWS = 2
