@@ -137,12 +137,12 @@ def assert_same(actual, expected):
     np.testing.assert_array_equal(actual, expected)
 
 
-@pytest.mark.parametrize("layout", LAYOUTS)
-@pytest.mark.parametrize("name", CALLS)
+CASES = [(name, layout) for name in CALLS for layout in LAYOUTS if (name, layout) != ("bad_rows", "other numbers")]  # NaN is no integer
+
+
+@pytest.mark.parametrize(("name", "layout"), CASES)
 def test_layouts(name, layout):
     call, *arguments = CALLS[name]
-    if layout == "other numbers" and name == "bad_rows":
-        pytest.skip("NaN is no integer")
     given = [LAYOUTS[layout](x) for x in arguments]
     kept = copy.deepcopy(given)
     assert_same(call(*given), call(*arguments))
