@@ -23,26 +23,30 @@ bool has_shared_memory(Driver const &driver) noexcept
 }
 
 /// Divides a block of memory into the arrays of a mailbox. Arrays of larger elements come first, so that each is aligned.
-Mailbox divide(Address memory, std::size_t capacity) noexcept
+Mailbox divide(void *count, Address memory, std::size_t capacity) noexcept
 {
     auto *const numbers = reinterpret_cast<double *>(memory);
     auto *const indices = reinterpret_cast<std::uint32_t *>(numbers + 15 * capacity);
-    return {indices + capacity,
+    return {static_cast<std::uint32_t *>(count),
             indices,
             numbers,
             numbers + 3 * capacity,
             numbers + 9 * capacity,
-            reinterpret_cast<unsigned char *>(indices + capacity + 1)};
+            reinterpret_cast<unsigned char *>(indices + capacity)};
 }
 
 SharedMailbox *make(Driver const &driver, Handle context, std::size_t capacity) noexcept
 {
-    std::size_t const size = (15 * sizeof(double) + sizeof(std::uint32_t) + 1) * capacity + sizeof(std::uint32_t);
+    std::size_t const size = (15 * sizeof(double) + sizeof(std::uint32_t) + 1) * capacity;
     Address memory = 0;
+    void *count = nullptr;
     auto *const made = new (std::nothrow) SharedMailbox{{}, capacity, context, true, nullptr};
-    if (made != nullptr && has_shared_memory(driver) && driver.allocate_managed(&memory, size, attach_global) == 0) {
-        made->mailbox = divide(memory, capacity);
-        return made;
+    if (made != nullptr && has_shared_memory(driver) && driver.allocate_pinned(&count, sizeof(std::uint32_t), 0) == 0) {
+        if (driver.allocate_managed(&memory, size, attach_global) == 0) {
+            made->mailbox = divide(count, memory, capacity);
+            return made;
+        }
+        driver.release_pinned(count);
     }
     delete made;
     return nullptr;

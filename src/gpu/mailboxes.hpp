@@ -2,8 +2,9 @@
 /// Mailboxes in memory that the device and the host share. The device posts pairs that it cannot decide (post_request() of
 /// work.hpp), and the host writes their results. gpu.cpp queues both steps.
 ///
-/// The driver manages the memory. A mailbox has room for every pair of a launch, but only pages that are written to take memory. A
-/// mailbox serves one call at a time, and later calls use it again.
+/// The driver manages the memory of the pairs. A mailbox has room for every pair of a launch, but only pages that are written to take
+/// memory. Each call reads the number of pairs, usually 0, on both sides; so it stands in pinned memory of the host, which does not
+/// move between them. A mailbox serves one call at a time, and later calls use it again.
 #ifndef PW85_GPU_MAILBOXES_HPP_INCLUDED
 #define PW85_GPU_MAILBOXES_HPP_INCLUDED
 
