@@ -5,7 +5,7 @@ Have the machine to yourself.
 
 All tables come from one run, which is written to docs/measurements.json with its conditions. --only replaces a single table, which
 a program of this folder, of python/bench or of lammps/bench prints, or all tables of lammps/bench (--only lammps), and stores its
-conditions with it. Tables that this run does not produce are kept: instructions on another processor (instructions.py), comparisons
+conditions with it (--only gpu, on a machine with a GPU, needs bench_gpu alone). Tables that this run does not produce are kept: instructions on another processor (instructions.py), comparisons
 with libraries that are not available now, and those of Python and of LAMMPS if these are not built. Times are nanoseconds per pair,
 the shortest of several repetitions in which the functions take turns, in several processes.
 """
@@ -66,8 +66,8 @@ def environment(target, threads=1):
     return dict(os.environ, PW85_TARGET=target, OMP_NUM_THREADS=str(threads))
 
 
-def read_table(program, *arguments, target):
-    text = subprocess.run([program, *arguments], check=True, stdout=subprocess.PIPE, text=True, env=environment(target))
+def read_table(program, *arguments, target, threads=1):
+    text = subprocess.run([program, *arguments], check=True, stdout=subprocess.PIPE, text=True, env=environment(target, threads))
     return list(csv.DictReader(text.stdout.splitlines()))
 
 
@@ -274,6 +274,16 @@ def measure_only(name, programs):
         put_apart(table, rows_alone(table, programs, best), conditions_of(context))
 
 
+def measure_gpu(program):
+    """The table of a GPU, whose machine need not have the other programs."""
+    query = ["nvidia-smi", "--query-gpu=name,driver_version", "--format=csv,noheader"]
+    device, driver = subprocess.run(query, check=True, stdout=subprocess.PIPE, text=True).stdout.splitlines()[0].split(", ")
+    context = json.loads(subprocess.run([program, "context"], check=True, stdout=subprocess.PIPE).stdout)
+    host = f"{processor('model name')} with {context['num_cpus']} threads"
+    rows = read_table(program, target=available_targets()[-1], threads=context["num_cpus"])
+    put_apart("gpu", rows, conditions_of(context, f"{device} with driver {driver}, {host}"))
+
+
 def rows_alone(name, programs, target):
     if name in PYTHON:
         return python_rows(name, build_of(programs), target)
@@ -303,7 +313,9 @@ def main():
     programs = {Path(path).stem: path for path in arguments[2 if only else 0 :]}
     if "peers" not in programs and not only:
         sys.exit("peers was not built: it needs libfcl-dev and libeigen3-dev")
-    if only:
+    if only == "gpu":
+        measure_gpu(programs["bench_gpu"])
+    elif only:
         measure_only(only, programs)
     else:
         write(measure(programs))

@@ -4,9 +4,7 @@
  *
  * The code is that of the functions for the host. Neither this library nor a program that uses it needs the CUDA toolkit: what a
  * GPU runs is in the library, and the driver (libcuda.so.1, of CUDA 12 or newer) is looked for at the first call. Where there is no
- * driver, no device, or not enough memory, functions return #PW85_EDEVICE, and everything else works as ever.
- *
- * No GPU has run this code yet: the tests run it on the host, with a stand-in for the driver. */
+ * driver, no device, or not enough memory, functions return #PW85_EDEVICE, and everything else works as ever. */
 #ifndef PW85_GPU_H_INCLUDED
 #define PW85_GPU_H_INCLUDED
 
