@@ -15,7 +15,7 @@ from declarations import SOURCE
 
 def files():
     """The texts of all of them by their paths."""
-    return {fortran.MODULE: fortran.module(), symbols.LIST: symbols.text()} | spans.headers()
+    return {fortran.MODULE: fortran.module()} | symbols.files() | spans.headers()
 
 
 def main(check=None):

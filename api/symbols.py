@@ -1,22 +1,36 @@
-"""Debian's list of the functions that the libraries export, each with the version that had it first: debian/libpw85-3.symbols.
+"""Debian's lists of the functions that the libraries export, each with the version that had it first: debian/*.symbols, one for each
+package.
 
-A function that the list does not have gets the present version. api/committed.py writes the list or compares it.
+A function that the list does not have gets the present version. api/committed.py writes the lists or compares them.
 """
 
 import re
 
 from declarations import SOURCE, functions, version
 
-LIST = SOURCE / "debian/libpw85-3.symbols"
-LIBRARIES = {"libpw85": ("pw85.h", "pw85_gpu.h"), "libpw85_legacy": ("pw85_legacy.h", "pw85_zheng.h")}
+# The packages, without the major version, and the headers of their libraries.
+PACKAGES = {
+    "libpw85": {"libpw85": ("pw85.h",), "libpw85_legacy": ("pw85_legacy.h", "pw85_zheng.h")},
+    "libpw85-gpu": {"libpw85_gpu": ("pw85_gpu.h",)},
+}
 
 
-def text():
+def text(package, libraries, known):
     major = version().split(".")[0]
-    first = dict(re.findall(r"^ (\w+)@Base (\S+)$", LIST.read_text(encoding="utf-8"), re.MULTILINE))
+    first = dict(re.findall(r"^ (\w+)@Base (\S+)$", known, re.MULTILINE))
     lines = []
-    for library, headers in LIBRARIES.items():
-        lines.append(f"{library}.so.{major} libpw85-{major} #MINVER#")
+    for library, headers in libraries.items():
+        lines.append(f"{library}.so.{major} {package} #MINVER#")
         names = sorted(function.name for header in headers for function in functions(header))
         lines += [f" {name}@Base {first.get(name, version())}" for name in names]
     return "".join(f"{line}\n" for line in lines)
+
+
+def files():
+    """The texts of the lists by their paths."""
+    texts = {}
+    for name, libraries in PACKAGES.items():
+        package = f"{name}-{version().split('.')[0]}"
+        path = SOURCE / "debian" / f"{package}.symbols"
+        texts[path] = text(package, libraries, path.read_text(encoding="utf-8") if path.exists() else "")
+    return texts

@@ -1,6 +1,6 @@
 /** @file
  * Many pairs on a graphics processor: the functions of pw85.h for arrays in the memory of an NVIDIA GPU, and for arrays of the
- * host that are sent there. Link with pw85.
+ * host that are sent there. Link with pw85_gpu and pw85.
  *
  * The code is that of the functions for the host. Neither this library nor a program that uses it needs the CUDA toolkit: what a
  * GPU runs is in the library, and the driver (libcuda.so.1, of CUDA 12 or newer) is looked for at the first call. Where there is no

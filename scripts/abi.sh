@@ -31,9 +31,9 @@ cp include/*.h $build/headers # only types of the C API are compared; other type
 cc -std=c99 -g -shared -fPIC -Iinclude -I$build/include scripts/abi/constants.c -o $build/src/libconstants.so
 
 failed=0
-for library in libpw85 libpw85_legacy libconstants; do
+for library in libpw85 libpw85_gpu libpw85_legacy libconstants; do
   abidw --exported-interfaces-only --headers-dir $build/headers --drop-private-types --no-corpus-path --no-comp-dir-path \
-    --no-elf-needed --no-show-locs --out-file $build/$library.abi $build/src/$library.so
+    --no-elf-needed --no-show-locs --out-file $build/$library.abi "$(find $build/src -name $library.so)"
   if [ $# -eq 1 ]; then
     cp $build/$library.abi scripts/abi
   elif ! abidiff --no-added-syms scripts/abi/$library.abi $build/$library.abi; then

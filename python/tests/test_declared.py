@@ -95,7 +95,8 @@ def make(tmp_path):
     """Makes a file of a template, by headers that declare one more function."""
     for folder in ("api", "include"):
         shutil.copytree(SOURCE / folder, tmp_path / folder)
-    for name in ("meson.build", "fortran/pw85.in.f90", "fortran/pw85.f90", "debian/libpw85-3.symbols", "python/pypw85/__init__.in.py"):
+    for name in ("meson.build", "fortran/pw85.in.f90", "fortran/pw85.f90", "debian/libpw85-3.symbols",
+                 "debian/libpw85-gpu-3.symbols", "python/pypw85/__init__.in.py"):
         (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
         shutil.copy(SOURCE / name, tmp_path / name)
     header = tmp_path / "include" / "pw85.h"

@@ -1,6 +1,7 @@
 // The pair of the tutorial, by the headers and the libraries that were installed, from C++20.
 #include <pw85.h>
 #include <pw85/pw85.hpp>
+#include <pw85_gpu.h>
 #include <pw85_legacy.h>
 
 #include <cstdio>
@@ -14,6 +15,8 @@ int main()
     double out[2], legacy[2];
     if (pw85_contact_function(r12.coordinates, q1.entries, q2.entries, out) != PW85_SUCCESS) return 1;
     if (pw85_legacy_contact_function2(r12.coordinates, q1.entries, q2.entries, legacy) != PW85_SUCCESS) return 2;
+    int devices;
+    if (pw85_gpu_count(&devices) != (devices > 0 ? PW85_SUCCESS : PW85_EDEVICE)) return 4;
     std::printf("mu^2 = %g\nlambda = %g\n", mu2, lambda);
     return status == pw85::Status::success ? 0 : 3;
 }

@@ -23,6 +23,7 @@ LIBRARIES_ONLY = [f"-D{name}=disabled" for name in ("tests", "bench", "python", 
 # time to compile unoptimised ones.
 UNOPTIMIZED = [] if shutil.which("ccache") else ["-Doptimization=0", "-Doptimized=false"]
 OPTIONS = [*LIBRARIES_ONLY, "-Dgpu=disabled", *UNOPTIMIZED]
+LIBRARIES = ("pw85_gpu", "pw85_legacy", "pw85")
 LANGUAGES = {"c": ("CC", "cc", "c99"), "cpp": ("CXX", "c++", "c++20")}
 
 
@@ -102,10 +103,9 @@ class Installation:
 
     def check_files(self):
         wanted = [self.libdir / name for name in (
-            "libpw85.so", "libpw85.so.3", "libpw85.a", "libpw85_legacy.so", "libpw85_legacy.so.3", "libpw85_legacy.a",
-            "pkgconfig/pw85.pc", "pkgconfig/pw85-headers.pc", "pkgconfig/pw85_legacy.pc", "cmake/pw85/pw85Config.cmake",
-            "cmake/pw85/pw85ConfigVersion.cmake", "cmake/pw85_legacy/pw85_legacyConfig.cmake",
-            "cmake/pw85_legacy/pw85_legacyConfigVersion.cmake")]
+            f"{pattern.replace('*', library)}" for library in LIBRARIES for pattern in (
+                "lib*.so", "lib*.so.3", "lib*.a", "pkgconfig/*.pc", "cmake/*/*Config.cmake", "cmake/*/*ConfigVersion.cmake"))]
+        wanted.append(self.libdir / "pkgconfig/pw85-headers.pc")
         wanted += [self.prefix / "include" / name for name in (
             "pw85.h", "pw85_gpu.h", "pw85_legacy.h", "pw85_zheng.h", "pw85_pre1.h", "pw85/pw85.hpp", "pw85/version.h")]
         wanted.append(self.prefix / "share/pw85/pw85_ref_data.h5")
@@ -138,16 +138,17 @@ class Installation:
                 raise Failed(f"installed by the tags {tags}: {sorted(map(str, staged ^ expected))} differ")
 
     def check_symbols(self):
-        """Shared libraries export the functions that Debian's package lists, each with its first version, and nothing else; those
+        """Shared libraries export the functions that Debian's packages list, each with its first version, and nothing else; those
         with which releases are compared are among them."""
-        listed = re.findall(r"^(\w+)\.so\S* .*\n((?: .*\n)+)", (self.source / "debian/libpw85-3.symbols").read_text(), re.MULTILINE)
-        if len(listed) != 2:
-            raise Failed(f"debian/libpw85-3.symbols knows {[library for library, _ in listed]}")
+        lists = "".join(path.read_text() for path in sorted((self.source / "debian").glob("*.symbols")))
+        listed = re.findall(r"^(\w+)\.so\S* .*\n((?: .*\n)+)", lists, re.MULTILINE)
+        if sorted(library for library, _ in listed) != ["libpw85", "libpw85_gpu", "libpw85_legacy"]:
+            raise Failed(f"debian/*.symbols know {[library for library, _ in listed]}")
         for library, lines in listed:
             names = {line.split("@")[0].strip() for line in lines.splitlines()}
             exported = set(exported_symbols(self.libdir / f"{library}.so"))
             if exported != names:
-                raise Failed(f"{library}.so exports {sorted(exported - names)}, which debian/libpw85-3.symbols does not have, and not "
+                raise Failed(f"{library}.so exports {sorted(exported - names)}, which debian/*.symbols do not have, and not "
                              f"{sorted(names - exported)}")
             record = ElementTree.parse(self.source / f"scripts/abi/{library}.abi")
             recorded = {symbol.get("name") for symbol in record.iter("elf-symbol")}
@@ -171,10 +172,10 @@ class Installation:
         variable, compiler, standard = LANGUAGES[language]
         folder = self.project(f"pkg-config-{kind}-{language}")
         static = ["--static"] if kind == "static" else []
-        flags = run("pkg-config", "--cflags", "--libs", *static, "pw85", "pw85_legacy", **self.environment()).split()
+        flags = run("pkg-config", "--cflags", "--libs", *static, *LIBRARIES, **self.environment()).split()
         if kind == "static":
-            # Both are in one folder: name the archives, leave the rest to the linker.
-            flags = [f"-l:lib{flag[2:]}.a" if flag in ("-lpw85", "-lpw85_legacy") else flag for flag in flags]
+            # All are in one folder: name the archives, leave the rest to the linker.
+            flags = [f"-l:lib{flag[2:]}.a" if flag[2:] in LIBRARIES else flag for flag in flags]
         program = folder / "consumer"
         command = os.environ.get(variable, compiler).split()
         run(*command, f"-std={standard}", "-pedantic-errors", "-Wall", "-Wextra", "-Werror",
@@ -372,7 +373,7 @@ class Installation:
         if f"{elsewhere}/lib/cmake/pw85" not in cache:
             raise Failed("the package was found elsewhere")
         check_program(folder / "build/consumer")
-        for package in ("pw85", "pw85_legacy", "pw85-headers"):
+        for package in (*LIBRARIES, "pw85-headers"):
             flags = run("pkg-config", "--cflags", "--libs", package, PKG_CONFIG_PATH=str(elsewhere / "lib/pkgconfig"))
             if str(self.prefix) in flags or str(elsewhere) not in flags:
                 raise Failed(f"pkg-config knows {package} at {flags}")
