@@ -2,12 +2,16 @@
 // template.
 #include <pw85/contact/contact_factored.hpp>
 #include <pw85/distance/distance_derivatives.hpp>
+#include <pw85/distance/hertz.hpp>
+#include <pw85/motion/closest_passage.hpp>
 #include <pw85/overlap/contact_rounded.hpp>
+#include <pw85/overlap/containment_factor.hpp>
 #include <pw85/overlap/exact_containment.hpp>
 #include <pw85/overlap/exact_factored.hpp>
 #include <pw85/overlap/witness.hpp>
 #include <pw85/shapes/exact_polytope.hpp>
 #include <pw85/shapes/exact_shapes.hpp>
+#include <pw85/shapes/triangle.hpp>
 
 #define PW85_RARE_DEFINED(name, parameters, arguments)                                                                 \
     auto name parameters noexcept->decltype(name<> arguments) { return name<> arguments; }
@@ -26,7 +30,13 @@ PW85_DEFINE(PW85_RARE_EXACT_FACTORED)
 PW85_DEFINE(PW85_RARE_EXACT_CONTAINMENT)
 PW85_DEFINE(PW85_RARE_ROUNDED)
 PW85_DEFINE(PW85_RARE_WITNESS)
+PW85_DEFINE(PW85_RARE_GAUGE)
 PW85_DEFINE_IN_SPACE(PW85_RARE_DISTANCE_DERIVATIVES)
+PW85_DEFINE_IN_SPACE(PW85_RARE_CURVATURE)
+PW85_DEFINE_IN_SPACE(PW85_RARE_HERTZ)
+PW85_DEFINE_IN_SPACE(PW85_RARE_PASSAGE)
+PW85_DEFINE_IN_SPACE(PW85_RARE_SEGMENT)
+PW85_DEFINE_IN_SPACE(PW85_RARE_TRIANGLE)
 PW85_DEFINE_IN_SPACE(PW85_RARE_EXACT_SHAPES)
 PW85_DEFINE_IN_SPACE(PW85_RARE_EXACT_POLYTOPE)
 

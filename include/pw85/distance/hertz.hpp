@@ -157,6 +157,18 @@ hertz_facing(FacingPair<T> const &pair, Vector<T, 3> const &normal, bool &accura
     return result;
 }
 
+/// The same by numbers with twice the digits.
+template <class T>
+PW85_RARE HertzContact<T> hertz_facing_finer(FacingPair<T> const &pair, Vector<T, 3> const &normal) noexcept
+{
+    bool accurate;
+    return hertz_facing<Finer<T>>(pair, normal, accurate);
+}
+
+#define PW85_RARE_HERTZ(rare, T)                                                                                       \
+    rare(hertz_facing_finer, (FacingPair<T> const &pair, Vector<T, 3> const &normal), (pair, normal))
+PW85_RARE_TIER_IN_SPACE(PW85_RARE_HERTZ)
+
 } // namespace pw85::detail
 
 namespace pw85 {
@@ -184,7 +196,7 @@ PW85_FUNCTION inline HertzContact<T> hertz_contact(Vector<T, 3> const &r12, Symm
     bool accurate;
     auto result = hertz_facing<T>(pair, normal, accurate);
     if constexpr (!std::is_same_v<Finer<T>, T>)
-        if (!accurate) result = hertz_facing<Finer<T>>(pair, normal, accurate);
+        if (!accurate) result = hertz_facing_finer(pair, normal);
     return in_units(result, pair);
 }
 

@@ -110,6 +110,28 @@ template <class T> PW85_FUNCTION inline Status scale_normal(Vector<T, 3> &normal
     return Status::success;
 }
 
+/// The curvature in units of order one, by numbers of type W; `accurate` says whether they suffice.
+template <class W, class T> PW85_FUNCTION inline Curvature<T>
+curvature_with(Vector<T, 3> const &normal, SymmetricMatrix<T, 3> const &scaled, bool &accurate) noexcept
+{
+    auto const frame = tangent_frame(converted<W>(normal));
+    auto const surface = curved_surface(converted<W>(scaled), frame);
+    accurate = surface.accurate;
+    return rounded_curvature<T>(principal_curvatures(surface.shape, frame));
+}
+
+/// The same by numbers with twice the digits.
+template <class T>
+PW85_RARE Curvature<T> curvature_finer(Vector<T, 3> const &normal, SymmetricMatrix<T, 3> const &scaled) noexcept
+{
+    bool accurate;
+    return curvature_with<Finer<T>>(normal, scaled, accurate);
+}
+
+#define PW85_RARE_CURVATURE(rare, T)                                                                                   \
+    rare(curvature_finer, (Vector<T, 3> const &normal, SymmetricMatrix<T, 3> const &scaled), (normal, scaled))
+PW85_RARE_TIER_IN_SPACE(PW85_RARE_CURVATURE)
+
 } // namespace pw85::detail
 
 namespace pw85 {
@@ -123,17 +145,9 @@ PW85_FUNCTION inline Curvature<T> curvature(Vector<T, 3> normal, SymmetricMatrix
     if (status != Status::success) return all_nan<Curvature<T>>(status);
     int const unit = unit_of(q);
     SymmetricMatrix<T, 3> const scaled = times_power_of_two(q, -2 * unit);
-    auto const compute = [&]<class W>(CurvedSurface<W> const &surface, TangentFrame<W> const &frame) {
-        return rounded_curvature<T>(principal_curvatures(surface.shape, frame));
-    };
-    auto const frame = tangent_frame(normal);
-    auto const surface = curved_surface(scaled, frame);
-    auto result = compute(surface, frame);
-    if (!surface.accurate) {
-        using W = Finer<T>;
-        auto const finer = tangent_frame(converted<W>(normal));
-        result = compute(curved_surface(converted<W>(scaled), finer), finer);
-    }
+    bool accurate;
+    auto result = curvature_with<T>(normal, scaled, accurate);
+    if (!accurate) result = curvature_finer(normal, scaled);
     result.curvatures = times_power_of_two(result.curvatures, -unit);
     return result;
 }

@@ -122,9 +122,9 @@ template <class T, int D> PW85_FUNCTION inline StationaryValue<T> largest_f(Pair
 
 /// closest_passage() by wider numbers: on the whole line by the shadows, or at an end of the range by the pair there. If the way
 /// leads through the centre, the separation of the shadows is 0 without rounding.
-template <class W, class T>
-[[gnu::noinline, gnu::cold]] PW85_FUNCTION inline ClosestPassage<T> find_closest_passage_in(Way<T> const &way) noexcept
+template <class T> PW85_RARE ClosestPassage<T> find_closest_passage_wider(Way<T> const &way) noexcept
 {
+    using W = Widened<T>;
     Way<W> const wide{widened<W>(way.pair), converted<W>(way.velocity), W(minimum(way.end, largest_number<T>()))};
     auto const pair = shadows(wide.pair, wide.velocity);
     bool const central = largest_coordinate(pair.r12) == W(T(0));
@@ -135,6 +135,9 @@ template <class W, class T>
     W const mu2 = largest_coordinate(end.r12) == W(T(0)) ? W(T(0)) : largest_f(end).mu2;
     return {rounded(mu2), rounded(t), Status::success};
 }
+
+#define PW85_RARE_PASSAGE(rare, T) rare(find_closest_passage_wider, (Way<T> const &way), (way))
+PW85_RARE_TIER_IN_SPACE(PW85_RARE_PASSAGE)
 
 /// μ² at one time, and the time that follows from its λ.
 template <class T> struct PassageStep {
@@ -189,7 +192,7 @@ template <class T>
         if (step.best) return {step.mu2, t, Status::success};
         t = step.next;
     }
-    return find_closest_passage_in<Widened<T>>(way);
+    return find_closest_passage_wider(way);
 }
 
 /// closest_passage() for a valid pair that moves.

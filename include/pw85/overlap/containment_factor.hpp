@@ -263,7 +263,7 @@ template <class T, int D> struct GaugeMinimum {
 /// ellipsoid
 /// 2. The largest Q2ii/Q1ii is a lower bound on λmax(Q1⁻¹Q2), and hence on ν.
 template <class W, class T, int D> [[gnu::noinline]] PW85_FUNCTION inline GaugeMinimum<T, D>
-find_gauge(ContainedPair<T, D> const &pair, W const &tolerance) noexcept
+find_gauge_with(ContainedPair<T, D> const &pair, W const &tolerance) noexcept
 {
     ContainedPair<W, D> const wide{converted<W>(pair.r12), converted<W>(pair.q1), converted<W>(pair.q2)};
     GaugeSearch<W, D> search{
@@ -277,17 +277,24 @@ find_gauge(ContainedPair<T, D> const &pair, W const &tolerance) noexcept
     return gauge;
 }
 
+/// Searches with wider numbers.
+template <class T, int D> PW85_RARE GaugeMinimum<T, D> find_gauge_wider(ContainedPair<T, D> const &pair) noexcept
+{
+    T const u = T(unit_roundoff<T>());
+    auto const finer = find_gauge_with(pair, Doubled<T>(u));
+    return finer.settled ? finer : find_gauge_with(pair, exact::Extended<T>(u));
+}
+
+#define PW85_RARE_GAUGE(rare, T, D) rare(find_gauge_wider, (ContainedPair<T, D> const &pair), (pair))
+PW85_RARE_TIER(PW85_RARE_GAUGE)
+
 /// Searches with T, then with wider numbers if T has them.
 template <class T, int D> PW85_FUNCTION inline GaugeMinimum<T, D> find_gauge(ContainedPair<T, D> const &pair) noexcept
 {
-    T const u = T(unit_roundoff<T>());
-    auto const gauge = find_gauge(pair, T(T(4) * u));
-    if (gauge.settled) return gauge;
-    if constexpr (has_extended_numbers<T>) {
-        auto const finer = find_gauge(pair, Doubled<T>(u));
-        return finer.settled ? finer : find_gauge(pair, exact::Extended<T>(u));
-    } else
-        return gauge;
+    auto const gauge = find_gauge_with(pair, T(T(4) * T(unit_roundoff<T>())));
+    if constexpr (has_extended_numbers<T>)
+        if (!gauge.settled) return find_gauge_wider(pair);
+    return gauge;
 }
 
 } // namespace pw85::detail

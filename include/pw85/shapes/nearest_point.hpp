@@ -187,7 +187,7 @@ passes_fast_checks(Vector<T, 3> const (&points)[N], SymmetricMatrix<T, 3> const 
 }
 
 /// Finds the nearest point with numbers of type W, which have more digits.
-template <class W, class T, int N, class Find> PW85_FUNCTION inline auto
+template <class W, class T, int N, class Find> PW85_FUNCTION inline Nearest<T, false>
 find_with_digits(Vector<T, 3> const (&points)[N], SymmetricMatrix<T, 3> const &q, Find const &find) noexcept
 {
     Vector<W, 3> wide[N];
@@ -223,8 +223,15 @@ template <class W> PW85_FUNCTION inline bool has_center(Vector<W, 3> const (&ver
     return dot(a, bc) == W(0) && dot(ab, bc) > W(0) && dot(bc, ca) > W(0);
 }
 
+/// The same by numbers with twice the digits.
+template <class T, int N, class Find> PW85_RARE Nearest<T, false>
+find_finer(Vector<T, 3> const (&points)[N], SymmetricMatrix<T, 3> const &q, Find const &find) noexcept
+{
+    return find_with_digits<Finer<T>>(points, q, find);
+}
+
 /// The contact by the numbers with the most digits. All are 0 if the set has the centre.
-template <class T, int N, class Find> PW85_FUNCTION inline ShapeContact<T>
+template <class T, int N, class Find> PW85_RARE ShapeContact<T>
 contact_with_all_digits(Vector<T, 3> const (&points)[N], SymmetricMatrix<T, 3> const &q, Find const &find) noexcept
 {
     Vector<Widened<T>, 3> wide[N];
@@ -233,6 +240,13 @@ contact_with_all_digits(Vector<T, 3> const (&points)[N], SymmetricMatrix<T, 3> c
     auto const found = find_with_digits<Widened<T>>(points, q, find);
     return {found.mu2, found.point, Status::success};
 }
+
+/// These tiers for a set of N points.
+#define PW85_RARE_SHAPE(rare, T, N, Find)                                                                              \
+    rare(find_finer, (Vector<T, 3> const(&points)[N], SymmetricMatrix<T, 3> const &q, Find const &find),               \
+         (points, q, find))                                                                                            \
+        rare(contact_with_all_digits,                                                                                  \
+             (Vector<T, 3> const(&points)[N], SymmetricMatrix<T, 3> const &q, Find const &find), (points, q, find))
 
 /// Computes a contact in units in which the points and the form are of order one. The scaling changes no bit of the results of
 /// contact_of(). The limit is wider than that of contact_of() in any units. Where digits are lost, numbers with twice the digits come
@@ -251,7 +265,7 @@ contact_scaled(Vector<T, 3> const (&points)[N], SymmetricMatrix<T, 3> const &q, 
     T const limit = T(16) * T(unscaled_limit<T>() * unscaled_limit<T>());
     if (!has_extended_numbers<T> || passes_fast_checks(scaled, unit, limit)) {
         auto found = find(scaled, unit);
-        if (!found.certain) found = find_with_digits<Finer<T>>(scaled, unit, find);
+        if (!found.certain) found = find_finer(scaled, unit, find);
         if (found.certain)
             return {times_power_of_two(found.mu2, 2 * (length - form)), times_power_of_two(found.point, length),
                     Status::success};

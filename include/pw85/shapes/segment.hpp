@@ -54,6 +54,9 @@ template <bool with_normal = false, bool refined = true> struct FindOnSegment {
     }
 };
 
+#define PW85_RARE_SEGMENT(rare, T) PW85_RARE_SHAPE(rare, T, 2, FindOnSegment<>)
+PW85_RARE_TIER_IN_SPACE(PW85_RARE_SEGMENT)
+
 } // namespace pw85::detail
 
 namespace pw85 {

@@ -185,6 +185,9 @@ template <bool with_normal = false, bool refined = true> struct FindOnTriangle {
     }
 };
 
+#define PW85_RARE_TRIANGLE(rare, T) PW85_RARE_SHAPE(rare, T, 3, FindOnTriangle<>)
+PW85_RARE_TIER_IN_SPACE(PW85_RARE_TRIANGLE)
+
 } // namespace pw85::detail
 
 namespace pw85 {
