@@ -18,9 +18,9 @@ if [ "$(uname -m)" != x86_64 ]; then
   exit 0
 fi
 build="build-abi"
-# Only changed sources are compiled again. The version script exports only functions of the library, as an optimised build does.
+# Only changed sources are compiled again.
 build_libraries() {
-  [ -f $build/build.ninja ] || LDFLAGS="-Wl,--version-script=$PWD/scripts/abi/exports.map" meson setup $build --buildtype=debug \
+  [ -f $build/build.ninja ] || meson setup $build --buildtype=debug \
     -Doptimized=false -Dsimd=disabled -Dgpu=disabled -Ddefault_library=shared -Dtests=disabled -Dbench=disabled -Dpython=disabled \
     -Dfortran=disabled || return
   meson compile -C $build

@@ -51,11 +51,8 @@ def links_shared_library(program):
 
 
 def exported_symbols(library):
-    """Without weak symbols (W, V), inline functions of the standard library, which unoptimised builds do not inline, and
-    without the lock of a critical section, which OpenMP shares by its name."""
     lines = run("nm", "--dynamic", "--defined-only", library).splitlines()
-    return [line.split()[-1] for line in lines
-            if line.split()[-2] not in "WV" and not line.split()[-1].startswith(".gomp_critical_user_pw85")]
+    return [line.split()[-1] for line in lines]
 
 
 def made(source, folder, names):
