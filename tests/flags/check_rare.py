@@ -1,0 +1,33 @@
+"""Whether the tiers that hardly ever run are compiled once: of an archive, rare.cpp alone has functions with wider numbers.
+
+Usage: check_rare.py NM ARCHIVE
+"""
+
+import re
+import subprocess
+import sys
+
+WIDER = re.compile(r"Doubled<|Extended<|sign_of_terms")
+
+
+def functions(nm, archive):
+    """Pairs of a unit and one of its functions."""
+    unit = None
+    command = [nm, "--demangle", "--defined-only", archive]
+    for line in subprocess.run(command, check=True, text=True, stdout=subprocess.PIPE).stdout.splitlines():
+        if line.endswith(".o:"):
+            unit = line[:-1]
+        elif found := re.match(r"\S* [tT] (.*)", line):
+            yield unit, found.group(1)
+
+
+def main():
+    wider = [(unit, name) for unit, name in functions(*sys.argv[1:]) if WIDER.search(name)]
+    elsewhere = [(unit, name) for unit, name in wider if not unit.endswith("rare.cpp.o")]
+    for unit, name in elsewhere:
+        print(f"{unit}: {name}")
+    print(f"{len(wider)} functions with wider numbers, {len(elsewhere)} of them elsewhere")
+    return 1 if elsewhere or len(wider) < 40 else 0
+
+
+sys.exit(main())
