@@ -85,7 +85,7 @@ class Parameter:
         return self.pointer and not self.const and not self.is_handle()
 
 
-@dataclass
+@dataclass(eq=False)  # each function is parsed once, so that what is found about it can be kept
 class Function:
     name: str
     type: str
@@ -100,6 +100,7 @@ class Function:
         """The first sentence of the comment."""
         return re.match(r".*?[.:;](?=\s|$)", " ".join(self.comment.split()))[0].rstrip(".:;")
 
+    @cache
     def sentences(self):
         """The sentence of the comment about each parameter that it describes, and whether it marks the parameter as an output."""
         found = {}
@@ -216,6 +217,7 @@ def shape_of(sentence, length, names):
     return () if length is None else (length,)
 
 
+@cache
 def parameters(function):
     """The parameters of a function of C, as described by its comment and those to which this refers."""
     found = [parameter(function, written) for written in function.parameters]
@@ -269,6 +271,7 @@ def members_read(function, struct):
             yield Parameter(name, match["type"], pointer, bool(match["const"]), None, comment, shape, nullable, False)
 
 
+@cache
 def flattened(function):
     """The parameters of a function. Each struct is replaced by the members that the function reads."""
     found = []
