@@ -1,9 +1,12 @@
-"""Whether tests see changes of the mathematics: each mutant is one changed expression of a header, and its test, compiled with this
-header in place of the true one, must fail. Prints the Test Anything Protocol. Usage: mutants.py SOURCE BUILD
+"""Whether tests see changes of the code: each mutant is one changed expression of a header, of the library or of the Python package, and
+its test must fail with the changed file in place of the true one. Prints the Test Anything Protocol.
+
+Usage: mutants.py SOURCE BUILD [WORD], for all mutants, or those of files with a word in their path
 """
 
 import json
 import os
+import re
 import shlex
 import shutil
 import subprocess
@@ -37,46 +40,102 @@ MUTANTS = [
 ]
 
 
+# The same of the library, which is linked anew, and the case of a test that must fail.
+LIBRARY_MUTANTS = [
+    ("simulation/volume.cpp", "return j >= i;", "return j > i;", "hard_ellipsoids/own_images"),
+    ("simulation/rough_boxes.hpp", "0x1p-18 * (farthest", "0x1p-40 * (farthest", "hard_ellipsoids/far_spheres"),
+    ("simulation/chains.cpp", "(stage + 0x1p-16 * sum_of_magnitudes(center))", "stage", "event_chains/passing_far_away"),
+    ("simulation/volume.cpp", "if (sum >= 0.0)", "if (sum >= -0.02)", "hard_ellipsoids/rejected_volumes"),
+]
+
+# The same of the Python package, and the file and cases of pytest that must fail.
+PYTHON_MUTANTS = [
+]
+
+
 class Tests:
-    """The programs of a build folder, compiled anew with other headers."""
+    """The programs of a build folder, made anew from a folder `work` with the sources of which one is changed."""
 
     def __init__(self, source, build):
         self.source, self.build = source, build
-        self.units = {Path(unit["output"]).name: unit for unit in json.loads((build / "compile_commands.json").read_text())}
-        ninja = subprocess.run(["ninja", "-C", build, "-t", "commands"], check=True, stdout=subprocess.PIPE, text=True).stdout
-        self.links = [shlex.split(line) for line in ninja.splitlines() if " -o tests/" in line and " -c " not in line]
+        units = json.loads((build / "compile_commands.json").read_text())
+        self.of_library = [unit for unit in units if unit["output"].startswith("src/libpw85.so")]
+        self.units = {Path(unit["output"]).name: unit for unit in units}
+        self.links = [shlex.split(line) for line in self.ninja("commands").splitlines() if " -o " in line and " -c " not in line]
+        self.read_by = {}  # what each object was compiled from
+        for line in self.ninja("deps").splitlines():
+            if not line.startswith(" "):
+                files = self.read_by[line.partition(":")[0]] = set()
+            else:
+                files.add(line.strip())
 
-    def fails(self, program, include, work):
-        """Whether a test fails with the headers of a folder; an error of the compiler is none of a test."""
+    def ninja(self, tool):
+        return subprocess.run(["ninja", "-C", self.build, "-t", tool], check=True, stdout=subprocess.PIPE, text=True).stdout
+
+    def fails_with_header(self, _, program, work):
+        """Whether a test fails that is compiled with the headers in `work`."""
         name, *arguments = program.split() if " " in program else (program, "--tap", "-k", "-m", "thorough")
         unit = self.units[f"{name}.cpp.o"]
-        changed = work / "changed.o"
-        words = [f"-I{include}" if word == "-I../include" else word for word in shlex.split(unit["command"])]
-        words[words.index("-o") + 1] = str(changed)
-        self.run(words)
         link = next(words for words in self.links if Path(words[words.index("-o") + 1]).name == name)
-        link = [str(changed) if word == unit["output"] else word for word in link]
-        link[link.index("-o") + 1] = str(work / "changed")
-        self.run(link)
-        environment = {**os.environ, "LD_LIBRARY_PATH": str(self.build / "src")}
-        return subprocess.run([work / "changed", *arguments], env=environment, cwd=self.build, timeout=300,
-                              stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL).returncode != 0
+        self.link(link, {unit["output"]: self.compile(unit, work, "changed.o")}, work / "changed")
+        return self.status(work / "changed", *arguments, LD_LIBRARY_PATH=self.build / "src") != 0
+
+    def fails_with_library(self, changed, case, work):
+        """Whether a case of a test fails with the library of which a file is changed."""
+        file = f"../{changed.relative_to(work)}"
+        units = [unit for unit in self.of_library if file in self.read_by[unit["output"]]]
+        link = next(words for words in self.links if words[words.index("-o") + 1].startswith("src/libpw85.so"))
+        objects = {unit["output"]: self.compile(unit, work, f"changed{k}.o") for k, unit in enumerate(units)}
+        self.link(link, objects, work / "libpw85.so.3")
+        program = self.build / f"tests/test_{case.partition('/')[0]}"
+        return self.status(program, "-p", f"/{case}", "-m", "thorough", LD_LIBRARY_PATH=work) != 0
+
+    def fails_with_package(self, changed, cases, work):
+        """Whether cases fail with the package in which a module is changed, not because of an error of pytest."""
+        package, test = work / "python/pypw85", self.source / "python/tests"
+        text = changed.read_text(encoding="utf-8")
+        shutil.rmtree(package)
+        shutil.copytree(self.build / "python/pypw85", package, symlinks=False)
+        changed.unlink()
+        changed.write_text(text, encoding="utf-8")
+        file, name = cases.split(" ", 1)
+        return self.status(sys.executable, "-m", "pytest", "-x", "-q", "-p", "no:cacheprovider", test / file, "-k", name,
+                           PYTHONPATH=f"{work / 'python'}:{test}", PYTHONDONTWRITEBYTECODE="1", PYPW85_SOURCE=self.source) == 1
+
+    def compile(self, unit, work, name):
+        """Compiles a unit with the sources in `work` in place of those beside the build folder."""
+        words = [re.sub(r"^(-I)?\.\./(?=include|src)", rf"\1{work}/", word) for word in shlex.split(unit["command"])]
+        words[words.index("-o") + 1] = str(work / name)
+        self.run(words)
+        return work / name
+
+    def link(self, words, objects, output):
+        words = [str(objects.get(word, word)) for word in words]
+        words[words.index("-o") + 1] = str(output)
+        self.run(words)
 
     def run(self, words):
         subprocess.run(words, cwd=self.build, check=True, stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
 
+    def status(self, *command, **environment):
+        variables = {**os.environ, **{name: str(value) for name, value in environment.items()}}
+        return subprocess.run(command, env=variables, cwd=self.build, timeout=300, stdout=subprocess.DEVNULL,
+                              stderr=subprocess.DEVNULL).returncode
 
-def is_seen(tests, header, old, new, test):
+
+def is_seen(tests, fails, file, old, new, test):
+    """Whether a test fails after a change of a file, and why not."""
     with tempfile.TemporaryDirectory(prefix="pw85-mutant-") as folder:
-        include = Path(folder) / "include"
-        shutil.copytree(tests.source / "include", include)
-        changed = include / "pw85" / header
+        work = Path(folder)
+        for part in ("include", "src", "python/pypw85"):
+            shutil.copytree(tests.source / part, work / part)
+        changed = work / file
         text = changed.read_text(encoding="utf-8")
         if text.count(old) != 1:
-            return False, f"{header} has {text.count(old)} times {old!r}"
+            return False, f"{file} has {text.count(old)} times {old!r}"
         changed.write_text(text.replace(old, new), encoding="utf-8")
         try:
-            return tests.fails(test, include, Path(folder)), f"{test} passes with {new!r}"
+            return fails(changed, test, work), f"{test} passes with {new!r}"
         except subprocess.CalledProcessError as error:
             return False, f"{error}\n{error.stdout.decode()}"
         except subprocess.TimeoutExpired:
@@ -84,14 +143,18 @@ def is_seen(tests, header, old, new, test):
 
 
 def main():
-    source, build = (Path(word).resolve() for word in sys.argv[1:])
+    source, build = (Path(word).resolve() for word in sys.argv[1:3])
     tests = Tests(source, build)
-    print(f"1..{len(MUTANTS)}")
+    mutants = [(tests.fails_with_header, f"include/pw85/{file}", *rest) for file, *rest in MUTANTS]
+    mutants += [(tests.fails_with_library, f"src/{file}", *rest) for file, *rest in LIBRARY_MUTANTS]
+    mutants += [(tests.fails_with_package, f"python/pypw85/{file}", *rest) for file, *rest in PYTHON_MUTANTS]
+    mutants = [mutant for mutant in mutants if all(word in mutant[1] for word in sys.argv[3:])]
+    print(f"1..{len(mutants)}")
     all_seen = True
-    for number, (header, old, new, test) in enumerate(MUTANTS, 1):
-        seen, why = is_seen(tests, header, old, new, test)
+    for number, (fails, file, old, new, test) in enumerate(mutants, 1):
+        seen, why = is_seen(tests, fails, file, old, new, test)
         all_seen = all_seen and seen
-        print(f"{'ok' if seen else 'not ok'} {number} {header}: {new}", flush=True)
+        print(f"{'ok' if seen else 'not ok'} {number} {file}: {new}", flush=True)
         if not seen:
             print("\n".join(f"# {line}" for line in why.splitlines()[:20]), flush=True)
     return 0 if all_seen else 1

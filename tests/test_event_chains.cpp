@@ -302,6 +302,35 @@ void test_far_away()
     }
 }
 
+// A way passes another sphere by less than the place at its end is rounded. So the place may overlap it, though the way has no contact.
+void test_passing_far_away()
+{
+    std::mt19937_64 random(13);
+    std::uniform_real_distribution<double> uniform(-1.0, 1.0);
+    double const direction[3] = {0.8, 0.6, 0}, across[3] = {-0.6, 0.8, 0}, quaternions[8] = {1, 0, 0, 0, 1, 0, 0, 0};
+    for (double const unit : {1.0, 0x1p40, 0x1p-40})
+        for (int k = 0; k < 1000; ++k) {
+            double const far = 0x1p40, along = 3.0 + uniform(random), gap = 0x1p-13 * uniform(random);
+            double centers[6], semi_axes[6];
+            for (int d = 0; d < 3; ++d) {
+                double const r12 = along * direction[d] + (1.0 + gap) * across[d];
+                centers[d] = unit * far * uniform(random);
+                centers[3 + d] = centers[d] + unit * r12;
+                semi_axes[d] = semi_axes[3 + d] = 0.5 * unit;
+            }
+            pw85_system const system{2, centers, nullptr, nullptr, {0, 0, 0}};
+            pw85_hard_ellipsoids *made = nullptr;
+            g_assert_cmpint(pw85_hard_ellipsoids_create(&system, semi_axes, quaternions, static_cast<std::size_t>(k),
+                                                        nullptr, &made),
+                            ==, PW85_SUCCESS);
+            Simulation const simulation(made);
+            chain(simulation, 1, unit * along, direction);
+            if (!is_free(simulation))
+                g_test_fail_printf("unit %a, from %a %a %a to %a %a %a by %a", unit, centers[0], centers[1], centers[2],
+                                   centers[3], centers[4], centers[5], along);
+        }
+}
+
 // One of two spheres is stored millions of cells away. A way ends some roundings of the coordinates of the particle that moves before a
 // contact, but the separation is rounded by those of the other one: to multiples of 2⁻²⁶, of which 0.6 is none. A chain of 2⁻²¹ often
 // ends that near to a contact. The test of the place prevents overlaps.
@@ -388,6 +417,7 @@ int main(int argc, char **argv)
     g_test_add_func("/event_chains/never_overlaps", test_never_overlaps);
     g_test_add_func("/event_chains/ways", test_ways);
     g_test_add_func("/event_chains/far_away", test_far_away);
+    g_test_add_func("/event_chains/passing_far_away", test_passing_far_away);
     g_test_add_func("/event_chains/far_partner", test_far_partner);
     g_test_add_func("/event_chains/reproducible", test_reproducible);
     g_test_add_func("/event_chains/members", test_members);

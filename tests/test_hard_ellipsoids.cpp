@@ -630,6 +630,109 @@ void test_neighbors()
     }
 }
 
+/// The probability that a trial of the volume of an ideal gas is rejected, by the midpoint rule over the factors that it draws: those of
+/// item 5 of src/simulation/engine.hpp, for an isotropic scaling of the lengths by (1 + x/2)/(1 - x/2) with |x| < `largest`.
+double rejection_of_volume(double n, double pressure, double volume, double largest)
+{
+    constexpr int points = 100;
+    double sum = 0.0;
+    for (int k = 0; k < points; ++k) {
+        double const x = largest * ((2 * k + 1.0) / points - 1.0);
+        double const determinant = std::pow((1.0 + 0.5 * x) / (1.0 - 0.5 * x), 3);
+        sum += std::max(0.0, 1.0 - std::pow(determinant, n + 1.0) * std::exp(-pressure * volume * (determinant - 1.0)));
+    }
+    return sum / points;
+}
+
+// How many trials are rejected, of steps so short that all are accepted with a probability above 0.98, and of longer ones. The cell is at
+// first larger than on average. The number of rejected trials, less the sum of the probabilities p, has the variance Σ p (1 - p), whatever
+// volumes occur.
+void test_rejected_volumes()
+{
+    constexpr double n = 8.0, pressure = 5.0;
+    for (double const largest : {0.001, 0.02, 0.3}) {
+        Start gas;
+        for (int k = 0; k < 8; ++k) gas.add({0.5 * (k & 1), 0.5 * (k >> 1 & 1), 0.5 * (k >> 2)}, {1e-9, 2e-9, 1e-9});
+        gas.cell = box(1.44, 1.44, 1.44);
+        HardEllipsoids simulation = gas.simulation();
+        g_assert_true(simulation.set_steps({0.1, 0.1, largest}) == Status::success);
+        double expected = 0.0, variance = 0.0;
+        for (int k = 0; k < 10000; ++k) {
+            double const p = rejection_of_volume(n, pressure, volume_of(simulation), largest);
+            expected += p;
+            variance += p * (1.0 - p);
+            g_assert_true(simulation.volume_moves(1, pressure) == Status::success);
+        }
+        auto const counts = simulation.counts();
+        double const rejected = static_cast<double>(counts.trials[4] - counts.accepted[4]);
+        g_test_message("steps of %g: %g rejected, expected %.1f +- %.1f", largest, rejected, expected,
+                       std::sqrt(variance));
+        g_assert_cmpfloat(expected, >, 20.0);
+        if (!(std::fabs(rejected - expected) <= 4.0 * std::sqrt(variance)))
+            g_test_fail_printf("steps of %a: %a rejected instead of %a", largest, rejected, expected);
+    }
+}
+
+// A single particle is compressed until it meets its own images, and never overlaps them.
+void test_own_images()
+{
+    for (CellChange const change : {CellChange::isotropic, CellChange::axis, CellChange::triclinic}) {
+        Start start;
+        start.add({0, 0, 0}, {0.3, 0.4, 0.5}, {0.8, 0.0, 0.6, 0.0});
+        start.cell = box(1.5, 1.5, 1.5);
+        HardEllipsoids simulation = start.simulation();
+        g_assert_true(simulation.set_steps({0.1, 0.1, 0.1}) == Status::success);
+        for (int k = 0; k < 100; ++k) {
+            g_assert_true(simulation.volume_moves(1, 1e3, change) == Status::success);
+            expect_no_overlap(simulation);
+        }
+        g_assert_cmpint(simulation.counts().accepted[4], >, 0);
+    }
+}
+
+// Far from the first particle, coordinates in single precision are multiples of an eighth of the longest semi-axis. Spheres that overlap
+// by less are found nevertheless.
+void test_far_spheres()
+{
+    std::mt19937_64 random(7);
+    std::uniform_real_distribution<double> uniform(-1.0, 1.0);
+    for (int const size : sizes) {
+        double const unit = std::ldexp(1.0, size);
+        Vector3 const far = unit * Vector3{0x1p20, -0x1p20, 0x1p20};
+        constexpr double radius = 0.95;
+        Start start;
+        start.add({0, 0, 0}, unit * Vector3{1.0, 1.0, 1.0});
+        start.add(far, unit * Vector3{radius, radius, radius});
+        start.add(far + unit * Vector3{8.0, 0.0, 0.0}, unit * Vector3{1.0, 1.0, 1.0});
+        HardEllipsoids simulation;
+        pw85::IndexPair pair;
+        pw85::Particles const particles{start.centers, {}, nullptr};
+        g_assert_true(hard_ellipsoids_create(particles, start.semi_axes, start.quaternions, 1, simulation, pair) ==
+                      Status::success);
+        int num_free = 0, num_near = 0;
+        for (int k = 0; k < 300; ++k) {
+            // One axis decides about the boxes of spheres that are near each other along it.
+            Vector3 r12 = {0.01 * uniform(random), 0.01 * uniform(random), 0.01 * uniform(random)};
+            r12[k % 3] = (k % 2 == 0 ? 1.0 : -1.0) * (1.0 + radius + 0.1 * uniform(random));
+            Vector3 const offset = unit * Vector3{uniform(random), uniform(random), uniform(random)};
+            Vector3 const first = far + offset, second = first + unit * r12, between = second - first;
+            bool free_first = false, free_second = false;
+            Quaternion const upright = {1, 0, 0, 0};
+            g_assert_true(simulation.try_placement(1, first, upright, true, free_first) == Status::success);
+            g_assert_true(simulation.try_placement(2, second, upright, false, free_second) == Status::success);
+            if (!free_first) continue;
+            bool const expected = dot(between, between) > unit * unit * (1.0 + radius) * (1.0 + radius);
+            if (free_second != expected)
+                g_test_fail_printf("size %d: free %d at %a %a %a from %a %a %a", size, free_second, second[0],
+                                   second[1], second[2], first[0], first[1], first[2]);
+            num_free += expected;
+            num_near += !expected;
+        }
+        g_assert_cmpint(num_free, >, 50);
+        g_assert_cmpint(num_near, >, 50);
+    }
+}
+
 /// Whether a particle would be free, by the contact function.
 bool is_free(AllImages const &all, std::size_t i, Vector3 const &center, pw85::SymmetricMatrix<double, 3> const &q)
 {
@@ -845,6 +948,9 @@ int main(int argc, char **argv)
     g_test_add_func("/hard_ellipsoids/exchange", test_exchange);
     g_test_add_func("/hard_ellipsoids/small_cell", test_small_cell);
     g_test_add_func("/hard_ellipsoids/neighbors", test_neighbors);
+    g_test_add_func("/hard_ellipsoids/rejected_volumes", test_rejected_volumes);
+    g_test_add_func("/hard_ellipsoids/own_images", test_own_images);
+    g_test_add_func("/hard_ellipsoids/far_spheres", test_far_spheres);
     g_test_add_func("/hard_ellipsoids/try", test_try);
     g_test_add_func("/hard_ellipsoids/compress", test_compress);
     g_test_add_func("/hard_ellipsoids/bad_input", test_bad_input);
