@@ -274,7 +274,6 @@ FAKE Result cuPointerGetAttribute(void *value, int attribute, Address pointer)
     return memory().contains(pointer, 1) ? success : invalid_value;
 }
 
-#ifndef FAKE_IS_OLD
 FAKE Result cuLibraryLoadData(Handle *library, void const *code, void *, void *, unsigned, void *, void *, unsigned)
 {
     if (is_mode("old_program")) return invalid_program;
@@ -282,7 +281,6 @@ FAKE Result cuLibraryLoadData(Handle *library, void const *code, void *, void *,
     *library = &program;
     return program.starts_with(".version") ? success : invalid_program;
 }
-#endif
 
 FAKE Result cuLibraryGetKernel(Handle *kernel, Handle, char const *name)
 {
