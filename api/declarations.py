@@ -21,7 +21,7 @@ docs/ (reference pages, checks of the comments), the other programs of this fold
 
 import re
 from dataclasses import dataclass, field
-from functools import cache
+from functools import cache, cached_property
 from pathlib import Path
 
 SOURCE = Path(__file__).resolve().parent.parent
@@ -100,7 +100,7 @@ class Function:
         """The first sentence of the comment."""
         return re.match(r".*?[.:;](?=\s|$)", " ".join(self.comment.split()))[0].rstrip(".:;")
 
-    @cache
+    @cached_property
     def sentences(self):
         """The sentence of the comment about each parameter that it describes, and whether it marks the parameter as an output."""
         found = {}
@@ -222,7 +222,7 @@ def parameters(function):
     """The parameters of a function of C, as described by its comment and those to which this refers."""
     found = [parameter(function, written) for written in function.parameters]
     if any("any output may be null" in text for other in referenced(function, c_functions())
-           for text, _ in other.sentences().values()):
+           for text, _ in other.sentences.values()):
         for one in found:
             one.nullable = one.nullable or one.is_output()
     return found
@@ -232,7 +232,7 @@ def parameter(function, written):
     match = PARAMETER.fullmatch(written)
     name, pointer = match["name"], "*" in match["pointers"] or match["length"] is not None
     length = None if match["length"] is None else length_of(match["length"])
-    sentences = [other.sentences()[name][0] for other in referenced(function, c_functions()) if name in other.sentences()]
+    sentences = [other.sentences[name][0] for other in referenced(function, c_functions()) if name in other.sentences]
     own = [sentence for sentence in sentences if not re.match(r"as for ", sentence)]
     names = function.parameter_names() + [member for struct in STRUCTS for member, _, _ in members(struct)]
     shape = shape_of(own[0] if own else "", length, names) if pointer else ()
@@ -260,7 +260,7 @@ def members_read(function, struct):
     """The members of a struct argument that a function reads, as parameters."""
     names = [name for name, _, _ in members(struct.type)]
     said = " ".join(
-        other.sentences()[struct.name][0] for other in referenced(function, c_functions()) if struct.name in other.sentences()
+        other.sentences[struct.name][0] for other in referenced(function, c_functions()) if struct.name in other.sentences
     )
     for name, declaration, comment in members(struct.type):
         match = PARAMETER.fullmatch(declaration)

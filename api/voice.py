@@ -125,10 +125,10 @@ def may_fail(function):
 
 def sentence_of(function, name):
     """The sentence of a parameter, and whether another function has it."""
-    other = next((one for one in referenced(function, c_functions()) if name in one.sentences()), None)
+    other = next((one for one in referenced(function, c_functions()) if name in one.sentences), None)
     if other is None:
         return "", False
-    text = other.sentences()[name][0]
+    text = other.sentences[name][0]
     match = re.match(r"as for (\w+)\(\)([,;] )?(.*)", text)
     if match is None:
         return text.rstrip("."), other is not function

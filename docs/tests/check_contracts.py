@@ -43,7 +43,7 @@ def complaints(function, known):
 
 def unreadable(function):
     """What a program cannot read of the parameters of a function of C, whose names and types are all that it needs to call it."""
-    marked = {name for name, (_, output) in function.sentences().items() if output}
+    marked = {name for name, (_, output) in function.sentences.items() if output}
     of_many = any(parameter.type == "size_t" for parameter in flattened(function))
     for parameter in flattened(function):
         is_array = parameter.pointer and not parameter.is_handle()
@@ -53,7 +53,7 @@ def unreadable(function):
             yield f"{parameter.name} is marked as an output, which it cannot be"
         if parameter.length is not None and math.prod(parameter.shape) != parameter.length:
             yield f"{parameter.name}: {parameter.shape} are not {parameter.length} numbers"
-        if parameter.is_output() and parameter.name in function.sentences() and parameter.name not in marked:
+        if parameter.is_output() and parameter.name in function.sentences and parameter.name not in marked:
             yield f"{parameter.name} is not marked as an output"
 
 
