@@ -3,11 +3,12 @@
 Usage: measure.py [--only TABLE] PROGRAM..., the programs of this folder, and pw85_uninstalled.in of a build with -Dlammps=enabled.
 Have the machine to yourself.
 
-All tables come from one run, which is written to docs/measurements.json with its conditions. --only replaces a single table, which
-a program of this folder, of python/bench or of lammps/bench prints, or all tables of lammps/bench (--only lammps), and stores its
-conditions with it (--only gpu, on a machine with a GPU, needs bench_gpu alone). Tables that this run does not produce are kept: instructions on another processor (instructions.py), comparisons
-with libraries that are not available now, and those of Python and of LAMMPS if these are not built. Times are nanoseconds per pair,
-the shortest of several repetitions in which the functions take turns, in several processes.
+All tables come from one run, which is written to docs/measurements.json with its conditions. --only replaces a single table, which a
+program of this folder, of python/bench or of lammps/bench prints, or all tables of lammps/bench (--only lammps) or of sizes.py (--only
+sizes), and stores its conditions with it (--only gpu, on a machine with a GPU, needs bench_gpu alone). Tables that this run does not
+produce are kept: instructions on another processor (instructions.py), comparisons with libraries that are not available now, and those of
+Python and of LAMMPS if these are not built. Times are nanoseconds per pair, the shortest of several repetitions in which the functions
+take turns, in several processes.
 """
 
 import csv
@@ -42,6 +43,8 @@ LAMMPS = {
     "lammps_styles": ("scaling.py",),
     "lammps_batch": ("against_batch.py", "src/libpw85.so"),
 }
+# Tables of sizes.py: its word for each
+SIZES = {"sizes": "functions", "size_parts": "parts"}
 COMPARED = {"pw85 2.0", "HOOMD-blue 2 (quaternions)"}  # libraries that are not in Debian
 DISPATCHED = "^(contact|overlap|contact_batch|overlap_batch)/[0-9e+]+$"
 
@@ -109,6 +112,10 @@ def lammps_rows(name, include, target):
     script, *words = LAMMPS[name]
     arguments = [str(build / word) if word.startswith("src/") else word for word in words]
     return read_table(sys.executable, ROOT / "lammps" / "bench" / script, include, *arguments, target=target)
+
+
+def size_rows(name, build, target):
+    return read_table(sys.executable, ROOT / "bench" / "sizes.py", build, SIZES[name], target=target)
 
 
 def build_of(programs):
@@ -236,6 +243,7 @@ def measure(programs):
     for name in ("closest_approach", "condition", "digits", "evaluations", "factored", "peers", "rounded", "shapes", "signed_distance"):
         tables[name] = read_table(programs[name], target=best)
     tables |= {name: rows_of_numbers(name, programs[name], best) for name in ("growth", "monte_carlo")}
+    tables |= {name: size_rows(name, build_of(programs), best) for name in SIZES}
     if has_python(build_of(programs)):
         tables |= {name: python_rows(name, build_of(programs), best) for name in PYTHON}
     if "pw85_uninstalled" in programs:
@@ -270,7 +278,7 @@ def put_apart(name, rows, conditions):
 def measure_only(name, programs):
     best = available_targets()[-1]
     context = nanoseconds(programs["speed"], "^overlap/2$", best, 1)[0]
-    for table in LAMMPS if name == "lammps" else [name]:
+    for table in {"lammps": LAMMPS, "sizes": SIZES}.get(name, [name]):
         put_apart(table, rows_alone(table, programs, best), conditions_of(context))
 
 
@@ -287,6 +295,8 @@ def measure_gpu(program):
 def rows_alone(name, programs, target):
     if name in PYTHON:
         return python_rows(name, build_of(programs), target)
+    if name in SIZES:
+        return size_rows(name, build_of(programs), target)
     if name in LAMMPS:
         return lammps_rows(name, programs["pw85_uninstalled"], target)
     return program_rows(name, programs[name], target)

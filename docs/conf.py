@@ -64,6 +64,7 @@ rst_epilog = f"""
 .. |conditions-of-shapes| replace:: {measurements.conditions("shapes")}
 .. |conditions-of-arrays| replace:: {measurements.conditions("arrays")}
 .. |conditions-of-calls| replace:: {measurements.conditions("calls")}
+.. |conditions-of-sizes| replace:: {measurements.conditions("sizes")}
 .. |conditions-of-gpu| replace:: {measurements.conditions("gpu")}
 .. |conditions-of-files| replace:: {measurements.conditions("files")}
 """
