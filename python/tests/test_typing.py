@@ -76,14 +76,28 @@ REVEALED = {
 }
 
 
+# Parts of NumPy have no types, which the package calls nevertheless. Other packages have them, but reading them takes longer than the
+# package itself.
+SETTINGS = """[mypy]
+strict = True
+ignore_missing_imports = True
+[mypy-pypw85.*]
+disallow_untyped_calls = False
+[mypy-torch.*,dask.*,scipy.*,matplotlib.*,meshio.*,PIL.*]
+follow_imports = skip
+"""
+
+
 @pytest.fixture(scope="module")
 def mypy(tmp_path_factory):
+    """All runs have the same settings, so that NumPy and the package are read once."""
     folder = tmp_path_factory.mktemp("mypy")
+    (folder / "mypy.ini").write_text(SETTINGS)
 
     def run(*arguments, **programs):
         for name, program in programs.items():
             (folder / f"{name}.py").write_text(program)
-        command = [sys.executable, "-m", "mypy", "--strict", f"--cache-dir={folder / 'cache'}", *arguments]
+        command = [sys.executable, "-m", "mypy", f"--cache-dir={folder / 'cache'}", *arguments]
         command += [f"{name}.py" for name in programs]
         return subprocess.run(command, cwd=folder, env={**os.environ, "MYPYPATH": str(PACKAGE.parent)},
                               stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
@@ -92,25 +106,22 @@ def mypy(tmp_path_factory):
 
 
 def test_programs(mypy):
-    done = mypy("--follow-imports=silent", program=PROGRAM)
+    done = mypy(program=PROGRAM)
     assert done.returncode == 0, done.stdout
-    done = mypy("--follow-imports=silent", **{f"wrong{n}": PROGRAM + line + "\n" for n, line in enumerate(WRONG)})
+    done = mypy(**{f"wrong{n}": PROGRAM + line + "\n" for n, line in enumerate(WRONG)})
     assert {int(n) for n in re.findall(r"^wrong(\d+)\.py:\d+: error", done.stdout, re.M)} == set(range(len(WRONG)))
 
 
 def test_revealed_types(mypy):
     lines = "".join(f"reveal_type({expression})\n" for expression in REVEALED)
-    done = mypy("--follow-imports=silent", revealed=PROGRAM + lines)
+    done = mypy(revealed=PROGRAM + lines)
     assert done.returncode == 0, done.stdout
     types = re.findall(r'Revealed type is "(.*)"', done.stdout)
     assert [re.sub(r"\w+\.", "", each).replace("Tuple", "tuple") for each in types] == list(REVEALED.values())
 
 
-def test_package(mypy, tmp_path):
-    # Parts of NumPy have no types. Other packages have them, but reading them takes longer than the package itself.
-    settings = tmp_path / "mypy.ini"
-    settings.write_text("[mypy]\n[mypy-torch.*,dask.*,scipy.*,matplotlib.*,meshio.*,PIL.*]\nfollow_imports = skip\n")
-    done = mypy("--allow-untyped-calls", "--ignore-missing-imports", f"--config-file={settings}", "-p", "pypw85")
+def test_package(mypy):
+    done = mypy("-p", "pypw85")
     assert done.returncode == 0, done.stdout
 
 
