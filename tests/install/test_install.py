@@ -2,7 +2,7 @@
 the compiler, CMake, Meson with the system dependency, Meson with a subproject; each with shared and static libraries. Also: CMake
 in whose tree pw85 is built, with the flags that Meson uses; the headers alone, where there is nothing else.
 
-Prints the Test Anything Protocol. Usage: test_install.py SOURCE_DIR [--whole]
+Prints the Test Anything Protocol. Usage: test_install.py SOURCE_DIR BUILD_DIR_OF_TESTS [--whole]
 """
 
 import json
@@ -73,8 +73,8 @@ def units(build, source):
 
 
 class Installation:
-    def __init__(self, source, work):
-        self.source, self.work = source, work
+    def __init__(self, source, tests_build, work):
+        self.source, self.tests_build, self.work = source, tests_build, work
         # A build beside the sources has the relative paths of the tests' build, so that ccache finds its objects.
         self.copy = work / "pw85"
         self.prefix, self.build = work / "prefix", self.copy / "build"
@@ -105,7 +105,7 @@ class Installation:
         wanted.append(self.libdir / "pkgconfig/pw85-headers.pc")
         wanted += [self.prefix / "include" / name for name in (
             "pw85.h", "pw85_gpu.h", "pw85_legacy.h", "pw85_zheng.h", "pw85_pre1.h", "pw85/pw85.hpp", "pw85/version.h")]
-        wanted.append(self.prefix / "share/pw85/pw85_ref_data.h5")
+        wanted += [self.prefix / "share" / name for name in ("pw85/pw85_ref_data.h5", "doc/pw85/LICENSE")]
         missing = [str(path) for path in wanted if not path.exists()]
         if missing:
             raise Failed(f"not installed: {missing}")
@@ -117,11 +117,9 @@ class Installation:
             raise Failed(f"headers not installed, or installed and no headers: {sorted(map(str, installed ^ headers))}")
 
     def check_tags(self):
-        """Those who package by Meson's tags lose nothing: each file has one, also of the parts that are not built here, and the
-        libraries that programs load are what `runtime` means."""
-        everything = self.work / "build-everything"
-        run("meson", "setup", everything, self.source, "-Dgpu=disabled")
-        for build in (self.build, everything):
+        """Those who package by Meson's tags lose nothing: each file has one, also of the parts that only the build of the tests has,
+        and the libraries that programs load are what `runtime` means."""
+        for build in (self.build, self.tests_build):
             plan = json.loads(run("meson", "introspect", "--install-plan", build))
             untagged = [file for files in plan.values() for file, details in files.items() if not details["tag"]]
             if untagged:
@@ -199,7 +197,7 @@ class Installation:
             environment = {} if subproject else self.environment()
             fast_to_build = [f"-Dpw85:{option}" for option in ("optimized=false", "simd=disabled", "gpu=disabled")] if subproject else []
             run("meson", "setup", folder / "build", folder, f"-Ddefault_library={kind}",
-                f"-Dsubproject={'true' if subproject else 'false'}", "-Doptimization=0", *fast_to_build, **environment)
+                f"-Dsubproject={'true' if subproject else 'false'}", "-Doptimization=0", "-Ddebug=false", *fast_to_build, **environment)
             run("meson", "compile", "-C", folder / "build")
         self.check(folder / f"build/consumer_{language}", kind, installed=not subproject)
 
@@ -214,6 +212,8 @@ class Installation:
         run("cmake", "-G", "Ninja", "-S", folder, "-B", build, *fast_to_build, f"-DFETCH={way == 'fetch'}",
             f"-DBUILD_SHARED_LIBS={kind == 'shared'}")
         run("cmake", "--build", build)
+        if not any(build.rglob("brent_boost.cpp.o")):
+            raise Failed("a project has GSL, for which it did not ask")
         for language in LANGUAGES:
             self.check(build / f"consumer_{language}", kind, installed=False)
         run(build / "consumer_98")
@@ -230,9 +230,10 @@ class Installation:
             raise Failed(f"the library of a project exports {exported_symbols(library)}")
 
     def cmake_flags(self):
-        """CMake compiles the units that Meson compiles, with the same flags, as the same version."""
+        """CMake compiles the units that Meson compiles, with the same flags, as the same version; the library's own level counts, unless
+        that is switched off."""
         self.compare_flags("shared", simd=True, gsl=True)
-        self.compare_flags("static", simd=False, gsl=False)
+        self.compare_flags("static", simd=False, gsl=False, optimized=False)
         boost = self.work / "boost/include"  # the headers, without those of this system's other libraries
         boost.mkdir(parents=True)
         (boost / "boost").symlink_to("/usr/include/boost")
@@ -245,14 +246,18 @@ class Installation:
                     cmake_options=["-DCMAKE_SYSTEM_NAME=Linux", f"-DCMAKE_SYSTEM_PROCESSOR={machine.split('-')[0]}",
                                    f"-DCMAKE_CXX_COMPILER={compiler}"])
 
-    def compare_flags(self, kind, simd, gsl, name="", environment=None, meson_options=(), cmake_options=()):
+    def compare_flags(self, kind, simd, gsl, optimized=True, name="", environment=None, meson_options=(), cmake_options=()):
         meson, cmake = (self.work / f"flags-{builder}-{kind}-{simd}-{gsl}-{name}" for builder in ("meson", "cmake"))
+        environment = {"CXXFLAGS": "-O2", **(environment or {})}  # of a distribution
         off = [f"-D{name}=disabled" for name, wanted in (("simd", simd), ("gsl", gsl)) if not wanted]
-        run("meson", "setup", meson, self.source, *LIBRARIES_ONLY, "-Dgpu=disabled", "--buildtype=plain", f"-Ddefault_library={kind}", *off,
-            *meson_options, **(environment or {}))
+        run("meson", "setup", meson, self.source, *LIBRARIES_ONLY, "-Dgpu=disabled", "--buildtype=plain",
+            f"-Doptimized={str(optimized).lower()}", f"-Ddefault_library={kind}", *off, *meson_options, **environment)
         run("cmake", "-G", "Ninja", "-S", self.source, "-B", cmake, f"-DBUILD_SHARED_LIBS={kind == 'shared'}",
-            f"-DPW85_SIMD={simd}", f"-DPW85_GSL={gsl}", "-DPW85_GPU=OFF", "-DCMAKE_EXPORT_COMPILE_COMMANDS=ON",
-            *cmake_options, **(environment or {}))
+            f"-DPW85_SIMD={simd}", f"-DPW85_GSL={gsl}", f"-DPW85_OPTIMIZED={optimized}", "-DPW85_GPU=OFF",
+            "-DCMAKE_EXPORT_COMPILE_COMMANDS=ON", *cmake_options, **environment)
+        for build in (meson, cmake):
+            self.check_level(build, "-O3" if optimized else "-O2")
+
         def macros(header):
             return header.read_text().partition("#define")[2].split()
 
@@ -324,18 +329,34 @@ class Installation:
             check_program(meson / "consumer")
 
     def optimization(self):
-        """The library sets its own level, behind those of build types, of flags of a distribution, and of other projects."""
-        ways = {"plain": ["--buildtype=plain"], "debug": ["--buildtype=debug"],
-                "own": ["--buildtype=debug", "-Doptimized=false"]}
-        for way, options in ways.items():
-            build = self.work / f"optimization-{way}"
-            run("meson", "setup", build, self.source, *LIBRARIES_ONLY, *options, CXXFLAGS="-O2")
-            self.check_level(build, "-O2" if way == "own" else "-O3")
-        folder = self.project("optimization-subproject")
+        """The library sets its own level, behind that of the build type of another project; cmake_flags() sees those of a
+        distribution."""
+        self.check_level(self.configured_subproject("debug", "--buildtype=debug"), "-O3")
+
+    def configured_subproject(self, name, *options):
+        folder = self.project(f"subproject-{name}")
         (folder / "subprojects").mkdir()
         (folder / "subprojects/pw85").symlink_to(self.source)
-        run("meson", "setup", folder / "build", folder, "--buildtype=debug", "-Dsubproject=true")
-        self.check_level(folder / "build", "-O3")
+        run("meson", "setup", folder / "build", folder, "-Dsubproject=true", "-Dpw85:gpu=disabled", *options)
+        return folder / "build"
+
+    def licence(self):
+        """Other projects have GSL, which is under the GPL, only if they ask for it (within_cmake() sees the same of CMake). Without GSL and
+        Boost, both are named."""
+        for name, options, brent in (("boost", [], "brent_boost.cpp"), ("gsl", ["-Dpw85:gsl=enabled"], "brent_gsl.cpp")):
+            build = self.configured_subproject(name, *options)
+            if brent not in (build / "compile_commands.json").read_text():
+                raise Failed(f"a subproject with the options {options} has not {brent}")
+        nothing = self.work / "nothing"
+        nothing.mkdir()
+        meson = ["meson", "setup", self.work / "no-brent-meson", self.source, *LIBRARIES_ONLY, "-Dgpu=disabled", "-Dgsl=disabled"]
+        cmake = ["cmake", "-S", self.source, "-B", self.work / "no-brent-cmake", "-DPW85_GPU=OFF", "-DCMAKE_DISABLE_FIND_PACKAGE_GSL=ON",
+                 "-DCMAKE_DISABLE_FIND_PACKAGE_Boost=ON"]
+        for command in (meson, cmake):
+            done = subprocess.run([str(word) for word in command], env={**os.environ, "BOOST_ROOT": str(nothing)}, text=True,
+                                  stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+            if done.returncode == 0 or not all(package in done.stdout for package in ("libgsl-dev", "libboost-dev")):
+                raise Failed(f"{command[0]} without GSL and Boost: status {done.returncode}\n{done.stdout}")
 
     def check_level(self, build, wanted):
         """Of several levels on a command line, the last one counts."""
@@ -354,7 +375,7 @@ class Installation:
         build = self.work / f"example-{name}"
         examples = self.source / "examples"
         run("meson", "setup", build, examples / name, f"-Dpw85_include={self.prefix}/include", *options)
-        run("meson", "compile", "-C", build)
+        run("meson", "compile", "-C", build, "tutorial")
         output = run(build / "tutorial", **self.environment())
         if output != (examples / name / "tutorial.txt").read_text():
             raise Failed(f"examples/{name} printed {output!r}")
@@ -397,15 +418,16 @@ def cases(installation, whole):
     yield "static within shared", installation.static_within_shared
     yield "headers", installation.headers_only
     yield "optimization", installation.optimization
+    yield "licence", installation.licence
     yield "examples/c", lambda: installation.example("c", f"-Dpw85_lib={installation.libdir}")
     yield "examples/cpp", lambda: installation.example("cpp", f"-Dpw85_lib={installation.libdir}")
 
 
 def main():
-    source = Path(sys.argv[1]).resolve()
+    source, tests_build = (Path(word).resolve() for word in sys.argv[1:3])
     failures = 0
     with tempfile.TemporaryDirectory(prefix="pw85-install-") as folder:
-        all_cases = list(cases(Installation(source, Path(folder).resolve()), "--whole" in sys.argv))
+        all_cases = list(cases(Installation(source, tests_build, Path(folder).resolve()), "--whole" in sys.argv))
         print(f"1..{len(all_cases)}", flush=True)
         for number, (name, case) in enumerate(all_cases, 1):
             try:
