@@ -46,10 +46,27 @@ LIBRARY_MUTANTS = [
     ("simulation/rough_boxes.hpp", "0x1p-18 * (farthest", "0x1p-40 * (farthest", "hard_ellipsoids/far_spheres"),
     ("simulation/chains.cpp", "(stage + 0x1p-16 * sum_of_magnitudes(center))", "stage", "event_chains/passing_far_away"),
     ("simulation/volume.cpp", "if (sum >= 0.0)", "if (sum >= -0.02)", "hard_ellipsoids/rejected_volumes"),
+    ("simulation/volume.cpp", "ordered_.size()) + 1.0", "ordered_.size())", "hard_ellipsoids/ideal_gas"),
+    ("simulation/volume.cpp", "|| mu2 <= scale * scale", "|| std::isfinite(mu2)", "hard_ellipsoids/compress"),
+    ("simulation/engine.cpp", "            stream = before;", "", "hard_ellipsoids/long_trials"),
+    ("simulation/engine.cpp", "return product / magnitude(product);", "return product;", "hard_ellipsoids/two_ellipsoids"),
+    ("simulation/engine.cpp", "if (move != rotation && domains_", "if (move == both && domains_", "hard_ellipsoids/long_trials"),
+    ("simulation/engine.cpp", "reach_of_domains = 2.125", "reach_of_domains = 1.0", "hard_ellipsoids/long_trials"),
+    ("simulation/chains.cpp", "largest_coordinate(translation - last_plane_.image.translation) == 0.0", "true", "event_chains/line"),
+    ("simulation/chains.cpp", " - moved;", ";", "event_chains/pressure"),
 ]
 
 # The same of the Python package, and the file and cases of pytest that must fail.
 PYTHON_MUTANTS = [
+    ("_statistics.py", "3 * num_particles * width", "2 * num_particles * width", "test_observables.py equation_of_state_of_hard_spheres"),
+    ("_statistics.py", "np.diff(edges**3)", "np.diff(edges**2)", "test_packing.py correlation"),
+    ("_statistics.py", "long * short >= middle**2", "long * short < middle**2", "test_observables.py director"),
+    ("_statistics.py", "1.5 * known.T", "1.4 * known.T", "test_packing.py nematic_order"),
+    ("_statistics.py", "directions[long - short <= _ROUND * long] = np.nan", "pass", "test_observables.py spheres_have_no_axes"),
+    ("_blocking.py", "self._pending[level] + block) / 2", "self._pending[level] + block) / 3", "test_observables.py blocks"),
+    ("_blocking.py", "_FACTOR = 0.85", "_FACTOR = 0.6", "test_observables.py errors_of_correlated_samples"),
+    ("_blocking.py", "_LONGEST_TIME = 1 / 8", "_LONGEST_TIME = 4", "test_observables.py the_slowest_decides"),
+    ("_blocking.py", "self._counts[level] - 1) / 2", "self._counts[level]) / 2", "test_observables.py drifts"),
 ]
 
 
@@ -100,11 +117,12 @@ class Tests:
         changed.write_text(text, encoding="utf-8")
         file, name = cases.split(" ", 1)
         return self.status(sys.executable, "-m", "pytest", "-x", "-q", "-p", "no:cacheprovider", test / file, "-k", name,
-                           PYTHONPATH=f"{work / 'python'}:{test}", PYTHONDONTWRITEBYTECODE="1", PYPW85_SOURCE=self.source) == 1
+                           PYTHONPATH=f"{work / 'python'}:{test}", PYTHONDONTWRITEBYTECODE="1", PYPW85_SOURCE=self.source,
+                           LD_LIBRARY_PATH=self.build / "src") == 1
 
     def compile(self, unit, work, name):
         """Compiles a unit with the sources in `work` in place of those beside the build folder."""
-        words = [re.sub(r"^(-I)?\.\./(?=include|src)", rf"\1{work}/", word) for word in shlex.split(unit["command"])]
+        words = [re.sub(r"^(-I)?\.\./(?=include|src)", rf"\1{work}/", word) for word in shlex.split(unit["command"]) if word != "-Werror"]
         words[words.index("-o") + 1] = str(work / name)
         self.run(words)
         return work / name
