@@ -1,19 +1,18 @@
-"""The causes for which functions of pw85.h return a status other than success, as their contracts in the header name them.
+"""The causes for which functions of the library return a status other than success, as their contracts name them.
 
 A contract names a cause by certain words in the description of a parameter or of the returned status. The conventions at the top of
-the header name the causes that hold for all functions. The chapter on errors shows the table, and docs/tests/check_causes.py
+pw85.h name the causes that hold for all functions. The chapter on errors shows the table, and docs/tests/check_causes.py
 provokes each cause in each function.
 """
 
 import re
 from dataclasses import dataclass
 
-from declarations import flattened, functions, members
+from declarations import PARTS, flattened, functions, members
 from declarations import parameters as declared
 
-HEADER = "pw85.h"
 REFERENCE = re.compile(r"(?:as (?:for|in)|contract as|see|arguments of) (pw85\w+)\(\)", re.IGNORECASE)
-KNOWN = {function.name: function for function in functions(HEADER)}
+KNOWN = {function.name: function for header in PARTS for function in functions(header)}
 
 
 @dataclass(frozen=True)

@@ -7,6 +7,8 @@ writes them all; with `check` names those whose text differs, and fails if there
 
 import sys
 
+import batch
+import declarations
 import fortran
 import spans
 import symbols
@@ -15,7 +17,9 @@ from declarations import SOURCE
 
 def files():
     """The texts of all of them by their paths."""
-    return {fortran.MODULE: fortran.module()} | symbols.files() | spans.headers()
+    made = batch.header()
+    declarations.replace({"pw85_batch.h": made})  # from which the others follow
+    return {batch.HEADER: made, fortran.MODULE: fortran.module()} | symbols.files() | spans.headers()
 
 
 def main(check=None):

@@ -26,12 +26,15 @@ from pathlib import Path
 
 SOURCE = Path(__file__).resolve().parent.parent
 INCLUDE = SOURCE / "include"
-C_HEADERS = ("pw85.h", "pw85_gpu.h", "pw85_zheng.h", "pw85_legacy.h", "pw85_pre1.h")
+# The headers of the library pw85: one pair; many rows; systems of particles; simulations.
+PARTS = ("pw85.h", "pw85_batch.h", "pw85_systems.h", "pw85_simulation.h")
+# Those of the functions that take numbers and arrays of the host, whatever the library.
+HOST_HEADERS = (*PARTS, "pw85_legacy.h", "pw85_zheng.h")
+C_HEADERS = (*PARTS, "pw85_gpu.h", "pw85_zheng.h", "pw85_legacy.h", "pw85_pre1.h")
 CPP_HEADERS = (
     "pw85/pw85.hpp",
-    *(f"pw85/batch/{name}.hpp" for name in ("rows", "pairs", "lists", "systems")),
-    "pw85/neighbors.hpp",
-    "pw85/meshes.hpp",
+    *(f"pw85/batch/{name}.hpp" for name in ("rows", "pairs")),
+    *(f"pw85/systems/{name}.hpp" for name in ("lists", "sums", "periodic", "neighbors", "meshes")),
     "pw85/simulation.hpp",
 )
 
@@ -137,11 +140,21 @@ def split_parameters(text):
     return [parameter for parameter in stripped if parameter not in ("", "void")]
 
 
+replaced = {}  # texts of headers that are not yet those of the files
+
+
+def replace(texts):
+    """Takes these texts for those of headers."""
+    replaced.update(texts)
+    for cached in (sections, c_functions, parameters, flattened):
+        cached.cache_clear()
+
+
 @cache
 def sections(header):
     """The sections of a header, in order; the first has no title, and is empty where every function is in one that has."""
     found = [Section("")]
-    text = (INCLUDE / header).read_text(encoding="utf-8")
+    text = replaced.get(header) or (INCLUDE / header).read_text(encoding="utf-8")
     for match in (CPP if header.endswith("pp") else C).finditer(text):
         if match["title"]:
             found.append(Section(match["title"].strip()))
@@ -244,8 +257,8 @@ def parameter(function, written):
 
 @cache
 def members(struct):
-    """Name, declaration and comment of each member of a struct of pw85.h, except for members that are arrays."""
-    text = (INCLUDE / "pw85.h").read_text(encoding="utf-8")
+    """Name, declaration and comment of each member of a struct argument, except for members that are arrays."""
+    text = (INCLUDE / "pw85_systems.h").read_text(encoding="utf-8")
     body = next(match["members"] for match in STRUCT.finditer(text) if match["name"] == struct)
     found = []
     for match in MEMBER.finditer(body):

@@ -9,11 +9,10 @@ import re
 import textwrap
 from dataclasses import dataclass
 
-from declarations import SOURCE, constants, functions, members, parameters, version
+from declarations import HOST_HEADERS, SOURCE, constants, functions, members, parameters, version
 
 FORTRAN = SOURCE / "fortran"
 MODULE, TEMPLATE = FORTRAN / "pw85.f90", FORTRAN / "pw85.in.f90"
-HEADERS = ("pw85.h", "pw85_legacy.h", "pw85_zheng.h")
 WIDTH = 120
 
 TYPES = {
@@ -106,11 +105,11 @@ def module():
     template = TEMPLATE.read_text(encoding="utf-8")
     numbers = dict(zip(("major", "minor", "patch"), version().split(".")))
     values = {f"PW85_VERSION_{part.upper()}": number for part, number in numbers.items()} | constants()
-    names = [function.name.lower() for header in HEADERS for function in functions(header)]
+    names = [function.name.lower() for header in HOST_HEADERS for function in functions(header)]
     made = {
         "constants": [constant(name, value) for name, value in values.items()],
         "names": [f"  public :: {name}" for name in names],
-        "interfaces": [line for header in HEADERS for line in [*interfaces(header, template), ""]][:-1],
+        "interfaces": [line for header in HOST_HEADERS for line in [*interfaces(header, template), ""]][:-1],
     }
     for name, lines in made.items():
         template = template.replace(f"  !@ {name}\n", "\n".join(lines) + "\n")

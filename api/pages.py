@@ -3,13 +3,13 @@
 import re
 from functools import cache
 
-from declarations import C_HEADERS, c_functions, functions, sections
+from declarations import C_HEADERS, PARTS, c_functions, functions, sections
 from python import package_names
 from python_functions import python_names
 from rows import name_of_many
 
 FUNCTION = re.compile(r":c:func:`(\w+)`")
-PURPOSE_HEADERS = ("pw85.h", "pw85_zheng.h")  # the table of purposes has all their functions
+PURPOSE_HEADERS = (*PARTS, "pw85_zheng.h")  # the table of purposes has all their functions
 
 
 def names_in_python():

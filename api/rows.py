@@ -7,9 +7,8 @@ the results, too: `out` of two numbers is `mu2` and `lambda` there.
 
 from dataclasses import dataclass
 
-from declarations import Function, Parameter, functions, parameters, referenced
+from declarations import HOST_HEADERS, Function, Parameter, functions, parameters, referenced
 
-HEADERS = ("pw85.h", "pw85_legacy.h", "pw85_zheng.h")
 # Python has one number of what this building block of 1.0's programs gives: f, by a function of python/src/function.cpp.
 ONE_OF_MANY = {"pw85__residual": "f"}
 NUMBERS_OF_MOTION = 7  # in a pw85_motion
@@ -117,7 +116,7 @@ def results(function, listed, known):
 
 def row_functions():
     """All of them, in the order of the headers."""
-    known = {function.name: function for header in HEADERS for function in functions(header)}
+    known = {function.name: function for header in HOST_HEADERS for function in functions(header)}
     found, relatives = [], set()
     for name, function in known.items():
         listed = parameters(function)

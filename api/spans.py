@@ -1,7 +1,7 @@
-"""The functions of C++ for many rows: headers with one function on std::span for each function of pw85.h of these kinds.
+"""The functions of C++ for many rows: headers with one function on std::span for each function of these kinds.
 
 - include/pw85/batch/rows.hpp: functions that take n rows;
-- include/pw85/batch/lists.hpp: functions that take a list of pairs and a system, and have rows for each pair.
+- include/pw85/systems/lists.hpp: functions that take a list of pairs and a system, and have rows for each pair.
 
 A function of C becomes one of C++ of the same name, without the prefix and without `_2d`, which the types say. An array becomes a
 span, and an output that may be null, but the first, a span that is empty by default. Outputs that are the members of a struct of
@@ -18,18 +18,20 @@ from math import prod
 
 from declarations import CPP_HEADERS, INCLUDE, SHAPE, c_functions, functions, parameters, referenced, sections, statuses
 
-FOLDER = INCLUDE / "pw85/batch"
+FOLDER = INCLUDE / "pw85"
 WIDTH = 120
 
 BEGIN = """\
 /// @file
 /// {brief}
 ///
-/// Made from pw85.h by api/committed.py.
-#ifndef PW85_BATCH_{guard}_HPP_INCLUDED
-#define PW85_BATCH_{guard}_HPP_INCLUDED
+/// Made from {part} by api/committed.py.
+#ifndef PW85_{guard}_HPP_INCLUDED
+#define PW85_{guard}_HPP_INCLUDED
 
-#include <pw85/batch/calls.hpp>
+#include <{part}>
+
+#include <pw85/{folder}/calls.hpp>
 
 namespace pw85 {{
 
@@ -44,11 +46,11 @@ END = """} // namespace pw85
 class Kind:
     """A header, and which functions it has."""
 
-    name: str
+    name: str  # with its folder in include/pw85
     brief: str
-    title: str  # of its functions; empty for the titles of the sections of pw85.h
+    part: str  # the header of C that declares them
     has: object  # whether it has a function of C
-    call: str  # of include/pw85/batch/calls.hpp
+    call: str  # of calls.hpp in its folder
     structs: dict  # the struct arguments: their declarations in C++, and what is said of them
 
 
@@ -88,17 +90,17 @@ def is_of_list(function):
 
 KINDS = (
     Kind(
-        "rows",
-        "Functions of many pairs, ellipsoids, points or lines, one row for each: the functions of pw85.h, on spans.",
-        "",
+        "batch/rows",
+        "Functions of many pairs, ellipsoids, points or lines, one row for each: the functions of pw85_batch.h, on spans.",
+        "pw85_batch.h",
         is_of_rows,
         "call_rows",
         {},
     ),
     Kind(
-        "lists",
-        "Functions of the pairs of a list, in a system of particles: the functions of pw85.h, on spans.",
-        "Lists of pairs",
+        "systems/lists",
+        "Functions of the pairs of a list, in a system of particles: the functions of pw85_systems.h, on spans.",
+        "pw85_systems.h",
         is_of_list,
         "call_pairs",
         {
@@ -112,7 +114,7 @@ KINDS = (
 @cache
 def structs():
     """The structs of spans by the names of their members, all of which may be left out."""
-    text = (FOLDER / "values.hpp").read_text(encoding="utf-8")
+    text = (FOLDER / "batch/values.hpp").read_text(encoding="utf-8")
     found = re.findall(r"^struct (\w+Spans) \{\n(.*?)^\};", text, re.MULTILINE | re.DOTALL)
     return {tuple(re.findall(r"(\w+) = \{\}", members)): name for name, members in found}
 
@@ -143,7 +145,7 @@ def span(function, parameter):
 @cache
 def names_in_cpp():
     """The functions of C that C++ has, too, and their names there."""
-    made = [f"pw85/batch/{kind.name}.hpp" for kind in KINDS]
+    made = [f"pw85/{kind.name}.hpp" for kind in KINDS]
     by_hand = {function.name for header in CPP_HEADERS if header not in made for function in functions(header)}
     return {
         name: plain(name)
@@ -220,13 +222,13 @@ def definition(function, kind):
 
 def header(kind):
     lines = []
-    for section in sections("pw85.h"):
+    for section in sections(kind.part):
         listed = [function for function in section.functions if kind.has(function)]
         if listed:
-            lines += [f"/// @name {kind.title or section.title}", "/// @{", ""]
+            lines += [f"/// @name {section.title}", "/// @{", ""]
             lines += [line for function in listed for line in definition(function, kind)]
             lines += ["/// @}", ""]
-    return BEGIN.format(brief=kind.brief, guard=kind.name.upper()) + "".join(f"{line}\n" for line in lines) + END
+    return BEGIN.format(brief=kind.brief, guard=kind.name.upper().replace("/", "_"), part=kind.part, folder=kind.name.split("/")[0]) + "".join(f"{line}\n" for line in lines) + END
 
 
 def headers():

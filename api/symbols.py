@@ -6,11 +6,11 @@ A function that the list does not have gets the present version. api/committed.p
 
 import re
 
-from declarations import SOURCE, functions, version
+from declarations import PARTS, SOURCE, functions, version
 
 # The packages, without the major version, and the headers of their libraries.
 PACKAGES = {
-    "libpw85": {"libpw85": ("pw85.h",), "libpw85_legacy": ("pw85_legacy.h", "pw85_zheng.h")},
+    "libpw85": {"libpw85": PARTS, "libpw85_legacy": ("pw85_legacy.h", "pw85_zheng.h")},
     "libpw85-gpu": {"libpw85_gpu": ("pw85_gpu.h",)},
 }
 

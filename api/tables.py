@@ -8,9 +8,7 @@ writes the rows of the table that tests/calls.hpp includes.
 import sys
 from pathlib import Path
 
-from declarations import OBJECTS, flattened, functions, members, members_read, parameters
-
-HEADERS = ("pw85.h", "pw85_legacy.h", "pw85_zheng.h")
+from declarations import HOST_HEADERS, OBJECTS, flattened, functions, members, members_read, parameters
 
 TYPES = {
     "double": "real",
@@ -73,7 +71,7 @@ def lines(function):
 
 
 def main(output):
-    listed = [function for header in HEADERS for function in functions(header) if not function.is_of_simulations()]
+    listed = [function for header in HOST_HEADERS for function in functions(header) if not function.is_of_simulations()]
     rows = [line for function in listed for line in lines(function)]
     Path(output).write_text("\n".join(rows) + "\n", encoding="utf-8")
 

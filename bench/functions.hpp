@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include <pw85.h>
+#include <pw85_batch.h>
 #include <pw85_legacy.h>
 #include <pw85_zheng.h>
 

@@ -13,6 +13,7 @@
 #include <thread>
 #include <vector>
 
+#include <pw85_batch.h>
 #include <pw85_gpu.h>
 
 #include "gpu/device.hpp"

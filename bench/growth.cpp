@@ -11,6 +11,8 @@
 #include <string>
 
 #include "pairs.hpp"
+#include <pw85/batch.hpp>
+
 #include "spheroids.hpp"
 #include "thread_gain.hpp"
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include <pw85.h>
+#include <pw85_batch.h>
 
 #include "least_time.hpp"
 #include "pairs.hpp"

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <vector>
 
-#include <pw85/neighbors.hpp>
+#include <pw85/systems.hpp>
 #include <pw85/pw85.hpp>
 
 #include <random_pairs.hpp>

@@ -21,7 +21,8 @@
 
 #include <benchmark/benchmark.h>
 
-#include <pw85/neighbors.hpp>
+#include <pw85/batch.hpp>
+#include <pw85/systems.hpp>
 #include <pw85/pw85.hpp>
 
 #include "spheroids.hpp"

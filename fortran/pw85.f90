@@ -133,6 +133,10 @@ module pw85
   public :: pw85_overlap_triangle
   public :: pw85_overlap_box
   public :: pw85_overlap_polytope
+  public :: pw85__cholesky_decomp
+  public :: pw85__cholesky_solve
+  public :: pw85__residual
+  public :: pw85_f_neg
   public :: pw85_contact_batch
   public :: pw85_overlap_batch
   public :: pw85_contact_rounded_batch
@@ -188,6 +192,9 @@ module pw85
   public :: pw85_overlap_polytope_batch
   public :: pw85_first_contact_batch
   public :: pw85_overlap_any
+  public :: pw85_ellipsoid_factor_batch
+  public :: pw85_ellipsoid_quaternion_batch
+  public :: pw85_bounding_boxes
   public :: pw85_overlap_any_indices
   public :: pw85_contact_pairs
   public :: pw85_overlap_pairs
@@ -229,13 +236,6 @@ module pw85
   public :: pw85_hard_ellipsoids_save
   public :: pw85_hard_ellipsoids_restore
   public :: pw85_hard_ellipsoids_destroy
-  public :: pw85_ellipsoid_factor_batch
-  public :: pw85_ellipsoid_quaternion_batch
-  public :: pw85_bounding_boxes
-  public :: pw85__cholesky_decomp
-  public :: pw85__cholesky_solve
-  public :: pw85__residual
-  public :: pw85_f_neg
   public :: pw85_legacy__det_sym
   public :: pw85_legacy__xt_adja_x
   public :: pw85_legacy__detq_as_poly
@@ -808,6 +808,41 @@ module pw85
       integer(c_int) :: status
     end function pw85_overlap_polytope
 
+    !> Cholesky factorisation A = L Lᵀ.
+    subroutine pw85__cholesky_decomp(a, l) bind(C, name='pw85__cholesky_decomp')
+      import
+      real(c_double), intent(in) :: a(6)
+      real(c_double), intent(out) :: l(6)
+    end subroutine pw85__cholesky_decomp
+
+    !> Solution of L Lᵀ x = b.
+    subroutine pw85__cholesky_solve(l, b, x) bind(C, name='pw85__cholesky_solve')
+      import
+      real(c_double), intent(in) :: l(6), b(3)
+      real(c_double), intent(out) :: x(3)
+    end subroutine pw85__cholesky_solve
+
+    !> Residual g(λ) = μ2² - μ1² = -f'(λ), whose root is the maximiser of f.
+    subroutine pw85__residual(lambda, r12, q1, q2, out) bind(C, name='pw85__residual')
+      import
+      real(c_double), value :: lambda
+      real(c_double), intent(in) :: r12(3), q1(6), q2(6)
+      real(c_double), intent(out) :: out(3)
+    end subroutine pw85__residual
+
+    !> -f(λ), with parameters in one block, as minimisers pass them.
+    function pw85_f_neg(lambda, params) result(value) bind(C, name='pw85_f_neg')
+      import
+      real(c_double), value :: lambda
+      real(c_double), intent(in) :: params(15)
+      real(c_double) :: value
+    end function pw85_f_neg
+
+  end interface
+
+  ! pw85_batch.h
+  interface
+
     !> pw85_contact() for n pairs.
     function pw85_contact_batch(n, r12, q1, q2, mu2, lambda) result(status) bind(C, name='pw85_contact_batch')
       import
@@ -898,11 +933,11 @@ module pw85
     end function pw85_closest_passage_batch
 
     !> pw85_free_path() for n pairs.
-    function pw85_free_path_batch(n, r12, q1, q2, direction, t_max, t) result(status) bind(C, &
+    function pw85_free_path_batch(n, r12, q1, q2, directions, t_max, t) result(status) bind(C, &
       name='pw85_free_path_batch')
       import
       integer(c_size_t), value :: n
-      real(c_double), intent(in) :: r12(3, n), q1(6, n), q2(6, n), direction(3, n), t_max(n)
+      real(c_double), intent(in) :: r12(3, n), q1(6, n), q2(6, n), directions(3, n), t_max(n)
       real(c_double), intent(out) :: t(n)
       integer(c_int) :: status
     end function pw85_free_path_batch
@@ -1358,6 +1393,40 @@ module pw85
       integer(c_int) :: status
     end function pw85_overlap_any
 
+    !> pw85_ellipsoid_factor() for n ellipsoids.
+    function pw85_ellipsoid_factor_batch(n, semi_axes, quaternions, s) result(status) bind(C, &
+      name='pw85_ellipsoid_factor_batch')
+      import
+      integer(c_size_t), value :: n
+      real(c_double), intent(in) :: semi_axes(3, n), quaternions(4, n)
+      real(c_double), intent(out) :: s(3, 3, n)
+      integer(c_int) :: status
+    end function pw85_ellipsoid_factor_batch
+
+    !> pw85_ellipsoid_quaternion() for n ellipsoids.
+    function pw85_ellipsoid_quaternion_batch(n, semi_axes, quaternions, q) result(status) bind(C, &
+      name='pw85_ellipsoid_quaternion_batch')
+      import
+      integer(c_size_t), value :: n
+      real(c_double), intent(in) :: semi_axes(3, n), quaternions(4, n)
+      real(c_double), intent(out) :: q(6, n)
+      integer(c_int) :: status
+    end function pw85_ellipsoid_quaternion_batch
+
+    !> Tight boxes, with sides along the axes, around n ellipsoids.
+    function pw85_bounding_boxes(n, q, half_widths) result(status) bind(C, name='pw85_bounding_boxes')
+      import
+      integer(c_size_t), value :: n
+      real(c_double), intent(in) :: q(6, n)
+      real(c_double), intent(out) :: half_widths(3, n)
+      integer(c_int) :: status
+    end function pw85_bounding_boxes
+
+  end interface
+
+  ! pw85_systems.h
+  interface
+
     !> pw85_overlap_any() for others of a system, by their indices.
     function pw85_overlap_any_indices(center, q1, system, n, indices, images, any) result(status) bind(C, &
       name='pw85_overlap_any_indices')
@@ -1570,6 +1639,11 @@ module pw85
       type(c_ptr), value :: mesh
     end subroutine pw85_mesh_destroy
 
+  end interface
+
+  ! pw85_simulation.h
+  interface
+
     !> Makes a simulation.
     function pw85_hard_ellipsoids_create(system, semi_axes, quaternions, seed, pair, simulation) result(status) &
       bind(C, name='pw85_hard_ellipsoids_create')
@@ -1757,65 +1831,6 @@ module pw85
       import
       type(c_ptr), value :: simulation
     end subroutine pw85_hard_ellipsoids_destroy
-
-    !> pw85_ellipsoid_factor() for n ellipsoids.
-    function pw85_ellipsoid_factor_batch(n, semi_axes, quaternions, s) result(status) bind(C, &
-      name='pw85_ellipsoid_factor_batch')
-      import
-      integer(c_size_t), value :: n
-      real(c_double), intent(in) :: semi_axes(3, n), quaternions(4, n)
-      real(c_double), intent(out) :: s(3, 3, n)
-      integer(c_int) :: status
-    end function pw85_ellipsoid_factor_batch
-
-    !> pw85_ellipsoid_quaternion() for n ellipsoids.
-    function pw85_ellipsoid_quaternion_batch(n, semi_axes, quaternions, q) result(status) bind(C, &
-      name='pw85_ellipsoid_quaternion_batch')
-      import
-      integer(c_size_t), value :: n
-      real(c_double), intent(in) :: semi_axes(3, n), quaternions(4, n)
-      real(c_double), intent(out) :: q(6, n)
-      integer(c_int) :: status
-    end function pw85_ellipsoid_quaternion_batch
-
-    !> Tight boxes, with sides along the axes, around n ellipsoids.
-    function pw85_bounding_boxes(n, q, half_widths) result(status) bind(C, name='pw85_bounding_boxes')
-      import
-      integer(c_size_t), value :: n
-      real(c_double), intent(in) :: q(6, n)
-      real(c_double), intent(out) :: half_widths(3, n)
-      integer(c_int) :: status
-    end function pw85_bounding_boxes
-
-    !> Cholesky factorisation A = L Lᵀ.
-    subroutine pw85__cholesky_decomp(a, l) bind(C, name='pw85__cholesky_decomp')
-      import
-      real(c_double), intent(in) :: a(6)
-      real(c_double), intent(out) :: l(6)
-    end subroutine pw85__cholesky_decomp
-
-    !> Solution of L Lᵀ x = b.
-    subroutine pw85__cholesky_solve(l, b, x) bind(C, name='pw85__cholesky_solve')
-      import
-      real(c_double), intent(in) :: l(6), b(3)
-      real(c_double), intent(out) :: x(3)
-    end subroutine pw85__cholesky_solve
-
-    !> Residual g(λ) = μ2² - μ1² = -f'(λ), whose root is the maximiser of f.
-    subroutine pw85__residual(lambda, r12, q1, q2, out) bind(C, name='pw85__residual')
-      import
-      real(c_double), value :: lambda
-      real(c_double), intent(in) :: r12(3), q1(6), q2(6)
-      real(c_double), intent(out) :: out(3)
-    end subroutine pw85__residual
-
-    !> -f(λ), with parameters in one block, as minimisers pass them.
-    function pw85_f_neg(lambda, params) result(value) bind(C, name='pw85_f_neg')
-      import
-      real(c_double), value :: lambda
-      real(c_double), intent(in) :: params(15)
-      real(c_double) :: value
-    end function pw85_f_neg
 
   end interface
 

@@ -8,7 +8,7 @@
 #ifndef PW85_GPU_H_INCLUDED
 #define PW85_GPU_H_INCLUDED
 
-#include <pw85.h>
+#include <pw85_systems.h>
 
 #ifdef __cplusplus
 extern "C" {

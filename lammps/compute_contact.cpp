@@ -3,6 +3,7 @@
 #include "compute_contact.hpp"
 
 #include <pw85.h>
+#include <pw85_systems.h>
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 // compute pw85/overlap: it tests the pairs of each batch, and counts the overlaps.
 #include "compute_overlap.hpp"
 
-#include <pw85.h>
+#include <pw85_systems.h>
 
 using namespace LAMMPS_NS;
 

@@ -2,6 +2,8 @@
 // Reads shapes and orientations from LAMMPS, converts them to forms by pw85, and packs them for the ghosts.
 #include "ellipsoids.hpp"
 
+#include <pw85_batch.h>
+
 #include <array>
 #include <cmath>
 #include <utility>

@@ -7,6 +7,7 @@
 #include "host.hpp"
 
 #include <pw85.h>
+#include <pw85_systems.h>
 
 #include <algorithm>
 #include <cstddef>

@@ -4,7 +4,7 @@
 #ifndef PW85_LAMMPS_NEIGHBOURS_HPP_INCLUDED
 #define PW85_LAMMPS_NEIGHBOURS_HPP_INCLUDED
 
-#include <pw85.h>
+#include <pw85_systems.h>
 
 #include "host.hpp"
 

@@ -3,6 +3,8 @@
 #include "pair_contact.hpp"
 
 #include <pw85.h>
+#include <pw85_batch.h>
+#include <pw85_systems.h>
 
 #include <algorithm>
 #include <cmath>

@@ -11,7 +11,9 @@
 #include <string>
 #include <vector>
 
+#include <pw85_batch.h>
 #include <pw85_legacy.h>
+#include <pw85_systems.h>
 #include <pw85_zheng.h>
 
 #include "sample.hpp"

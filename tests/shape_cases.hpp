@@ -8,6 +8,7 @@
 #include <vector>
 
 #include <pw85.h>
+#include <pw85_batch.h>
 
 #include "failures.hpp"
 #include "random_pairs.hpp"

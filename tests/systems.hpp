@@ -2,7 +2,7 @@
 #ifndef PW85_TESTS_SYSTEMS_HPP_INCLUDED
 #define PW85_TESTS_SYSTEMS_HPP_INCLUDED
 
-#include <pw85.h>
+#include <pw85_systems.h>
 
 namespace pw85_tests {
 

@@ -6,6 +6,7 @@
 #include <glib.h>
 
 #include <pw85.h>
+#include <pw85_batch.h>
 #include <pw85/pw85.hpp>
 
 #include "containment_truth.hpp"

@@ -10,6 +10,8 @@
 #include <glib.h>
 
 #include <pw85.h>
+#include <pw85_systems.h>
+#include <pw85_simulation.h>
 #include <pw85/simulation.hpp>
 
 #include "draws.hpp"

@@ -7,6 +7,7 @@
 #include <glib.h>
 
 #include <pw85.h>
+#include <pw85_batch.h>
 #include <pw85/pw85.hpp>
 
 #include "draws.hpp"

@@ -8,7 +8,7 @@
 
 #include <glib.h>
 
-#include <pw85/meshes.hpp>
+#include <pw85/systems.hpp>
 
 #include "draws.hpp"
 #include "failures.hpp"

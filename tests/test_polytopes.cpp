@@ -7,6 +7,7 @@
 #include <glib.h>
 
 #include <pw85.h>
+#include <pw85_batch.h>
 
 #include "draws.hpp"
 #include "failures.hpp"

@@ -17,6 +17,7 @@
 #include <unistd.h>
 
 #include <pw85/batch.hpp>
+#include <pw85/systems.hpp>
 
 #include "calls.hpp"
 #include "random_pairs.hpp"

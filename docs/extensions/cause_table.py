@@ -1,7 +1,7 @@
-"""Directive ``pw85-cause-table``: what makes functions of pw85.h fail, with which status, and which functions (docs/causes.py)."""
+"""Directive ``pw85-cause-table``: what makes functions of the library fail, with which status, and which functions (docs/causes.py)."""
 
 from causes import CAUSES, FUNCTIONS, has_cause
-from declarations import INCLUDE
+from declarations import INCLUDE, PARTS
 from docutils import nodes
 from docutils.parsers.rst import Directive
 from docutils.statemachine import StringList
@@ -19,14 +19,14 @@ def whom(cause):
 
 class CauseTable(Directive):
     def run(self):
-        path = str(INCLUDE / "pw85.h")
-        self.state.document.settings.record_dependencies.add(path)
+        for header in PARTS:
+            self.state.document.settings.record_dependencies.add(str(INCLUDE / header))
         lines = [".. list-table::", "   :header-rows: 1", "   :widths: 34 18 48", "   :class: stacked", ""]
         lines += ["   * - cause", "     - status", "     - functions"]
         for cause in CAUSES:
             lines += [f"   * - {cause.text}", f"     - ``{cause.status}``", f"     - {whom(cause)}"]
         container = nodes.container()
-        self.state.nested_parse(StringList(lines, path), self.content_offset, container)
+        self.state.nested_parse(StringList(lines, self.name), self.content_offset, container)
         return container.children
 
 

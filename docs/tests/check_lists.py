@@ -6,7 +6,7 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "api"))
 from declarations import CPP_HEADERS, functions
-from pages import FUNCTION, python_functions, unmentioned, with_twins
+from pages import FUNCTION, PURPOSE_HEADERS, python_functions, unmentioned, with_twins
 from python import package_names
 
 SOURCE = Path(sys.argv[1])
@@ -35,8 +35,7 @@ def text(path):
 
 
 def c_functions():
-    headers = ("pw85.h", "pw85_zheng.h")
-    return [function.name for header in headers for function in functions(header)]
+    return [function.name for header in PURPOSE_HEADERS for function in functions(header)]
 
 
 def plain(name):

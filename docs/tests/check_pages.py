@@ -191,8 +191,9 @@ def states_of_pairs():
 
 def searches():
     """Functions of C are found by their names, with and without prefix."""
-    names = [function.name for header in C_HEADERS for function in functions(header)]
-    by_name = {name: f"api/c.html#c.{name}" for name in names}
+    pages = {"pw85": "c_pair", "pw85_legacy": "c_others", "pw85_zheng": "c_others", "pw85_pre1": "c_others"}
+    page_of = {header: pages.get(header.removesuffix(".h"), header.replace("pw85", "c").removesuffix(".h")) for header in C_HEADERS}
+    by_name = {one.name: f"api/{page_of[header]}.html#c.{one.name}" for header in C_HEADERS for one in functions(header)}
     by_plain_name = {re.sub("^pw85_", "", name): address for name, address in by_name.items()}
     return {**by_plain_name, **by_name, **SEARCHES}
 

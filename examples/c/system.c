@@ -1,6 +1,7 @@
 /* Ellipsoids in a periodic cell: which of them overlap, and the energy and forces of a
  * soft repulsion that pushes them apart, for a few steps. */
 #include <pw85.h>
+#include <pw85_systems.h>
 
 #include <math.h>
 #include <stdio.h>

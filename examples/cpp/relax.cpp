@@ -2,7 +2,8 @@
 // repulsion Σ ½(1-μ)² of the pairs that overlap.
 // Usage: relax [number [packing fraction [seed]]]
 #include <gsl/gsl_multimin.h>
-#include <pw85/neighbors.hpp>
+#include <pw85/batch.hpp>
+#include <pw85/systems.hpp>
 #include <pw85/pw85.hpp>
 
 #include <cmath>

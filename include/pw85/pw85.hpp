@@ -35,8 +35,8 @@
 ///
 /// Its neighbours:
 ///
-/// - pw85/batch.hpp: many pairs, neighbour lists and periodic cells, as spans; needs the compiled library, which chooses
-///   the instruction set at run time.
+/// - pw85/batch.hpp: many pairs, as spans; needs the compiled library, which chooses the instruction set at run time.
+/// - pw85/systems.hpp, pw85/simulation.hpp: pair lists, neighbours, forces, meshes and periodic cells; Monte Carlo.
 /// - pw85/history/legacy.hpp: the rational form of f and the solvers that were superseded; pw85/history/zheng.hpp: the distance of closest
 ///   approach by the algorithms of Zheng et al. Both are there to check the contact function.
 /// - pw85.h: the C API of the compiled library. It has Brent's method as in pw85 1.0, too, which the library takes from GSL or

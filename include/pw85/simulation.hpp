@@ -1,12 +1,14 @@
 /// @file
 /// Monte Carlo of hard ellipsoids for C++. The members call the functions of the compiled library (link with pw85), and their contracts
-/// are those of pw85.h.
+/// are those of pw85_simulation.h.
 #ifndef PW85_SIMULATION_HPP_INCLUDED
 #define PW85_SIMULATION_HPP_INCLUDED
 
+#include <pw85_simulation.h>
+
 #include <memory>
 
-#include <pw85/batch.hpp>
+#include <pw85/systems.hpp>
 
 namespace pw85 {
 

@@ -7,7 +7,9 @@
 #include <utility>
 
 #include <pw85.h>
+#include <pw85_batch.h>
 #include <pw85_legacy.h>
+#include <pw85_systems.h>
 #include <pw85_zheng.h>
 
 namespace pypw85 {

@@ -10,6 +10,9 @@
 #include <vector>
 
 #include <pw85.h>
+#include <pw85_batch.h>
+#include <pw85_systems.h>
+#include <pw85_simulation.h>
 
 namespace pypw85 {
 namespace {

@@ -2,6 +2,7 @@
 #include <cstdint>
 
 #include <pw85.h>
+#include <pw85_systems.h>
 
 #include "arguments.hpp"
 #include "calls.hpp"

@@ -1,5 +1,6 @@
 // Many ellipsoids and one polytope. The Python layer converts and explains; what would read or write beyond an array is refused here.
 #include <pw85.h>
+#include <pw85_batch.h>
 
 #include "arguments.hpp"
 #include "calls.hpp"

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include <pw85/batch.hpp>
+#include <pw85/systems.hpp>
 
 namespace pw85_reference {
 

@@ -11,7 +11,7 @@
 #include <random>
 #include <vector>
 
-#include <pw85/neighbors.hpp>
+#include <pw85/systems.hpp>
 #include <pw85/pw85.hpp>
 
 #include "periodic_clusters.hpp"

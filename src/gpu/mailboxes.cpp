@@ -6,7 +6,7 @@
 #include <mutex>
 #include <new>
 
-#include <pw85.h>
+#include <pw85_batch.h>
 
 namespace pw85::detail::gpu {
 

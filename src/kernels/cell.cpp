@@ -1,6 +1,7 @@
 // The functions of the C API for periodic cells: the reduced cell (lattice.hpp), and the limit up to which nearest images suffice
 // (image_limit.hpp).
 #include <pw85.h>
+#include <pw85_systems.h>
 
 #include <algorithm>
 #include <cmath>

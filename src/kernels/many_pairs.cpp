@@ -1,6 +1,8 @@
 // The functions of many pairs of the C API that use lanes. They check the arguments of a call, choose the images, and call the
 // driver (many_pairs.hpp).
 #include <pw85.h>
+#include <pw85_batch.h>
+#include <pw85_systems.h>
 
 #include <cmath>
 

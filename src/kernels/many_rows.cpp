@@ -1,5 +1,6 @@
 // The functions of many rows of the C API that use no lanes. They call the function of one row for each row (each_row.hpp).
 #include <pw85.h>
+#include <pw85_batch.h>
 
 #include <pw85/distance/bounding_box.hpp>
 #include <pw85/shapes/overlap_polytope.hpp>

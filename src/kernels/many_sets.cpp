@@ -1,5 +1,6 @@
 // The functions of many ellipsoids and convex sets of the C API that use lanes. They call the driver (many_pairs.hpp).
 #include <pw85.h>
+#include <pw85_batch.h>
 
 #include "../c_arrays.hpp"
 #include "many_pairs.hpp"

@@ -1,5 +1,6 @@
 // The triangle meshes of the C API: how a mesh is made, and the functions that search it (search.hpp).
 #include <pw85.h>
+#include <pw85_systems.h>
 
 #include <cmath>
 #include <memory>

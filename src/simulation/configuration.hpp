@@ -3,7 +3,7 @@
 #ifndef PW85_SIMULATION_CONFIGURATION_HPP_INCLUDED
 #define PW85_SIMULATION_CONFIGURATION_HPP_INCLUDED
 
-#include <pw85.h>
+#include <pw85_systems.h>
 
 #include <pw85/contact/forms.hpp>
 #include <pw85/distance/bounding_box.hpp>

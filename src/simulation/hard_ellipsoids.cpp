@@ -4,6 +4,8 @@
 #include <memory>
 #include <new>
 
+#include <pw85_simulation.h>
+
 #include "../c_arrays.hpp"
 #include "chains.hpp"
 #include "engine.hpp"

@@ -6,7 +6,7 @@
 #include <limits>
 #include <vector>
 
-#include <pw85.h>
+#include <pw85_batch.h>
 
 #include "../random_pairs.hpp"
 

@@ -7,6 +7,7 @@
 #include <glib.h>
 
 #include <pw85/batch.hpp>
+#include <pw85/systems.hpp>
 
 #include "../condition_number.hpp"
 #include "../draws.hpp"

@@ -8,7 +8,7 @@
 
 #include <glib.h>
 
-#include <pw85/neighbors.hpp>
+#include <pw85/systems.hpp>
 #include <pw85/pw85.hpp>
 
 #include "../failures.hpp"

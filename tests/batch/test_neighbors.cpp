@@ -10,7 +10,7 @@
 
 #include <glib.h>
 
-#include <pw85/neighbors.hpp>
+#include <pw85/systems.hpp>
 
 #include "../draws.hpp"
 #include "../failures.hpp"

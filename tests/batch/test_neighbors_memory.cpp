@@ -5,7 +5,7 @@
 
 #include <glib.h>
 
-#include <pw85/neighbors.hpp>
+#include <pw85/systems.hpp>
 
 #include "../random_pairs.hpp"
 #include "../refused_memory.hpp"

@@ -6,6 +6,7 @@
 #include <glib.h>
 
 #include <pw85/batch.hpp>
+#include <pw85/systems.hpp>
 
 #include "../draws.hpp"
 #include "../failures.hpp"

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include <pw85/neighbors.hpp>
+#include <pw85/systems.hpp>
 #include <pw85/pw85.hpp>
 
 #include "../draws.hpp"

@@ -5,6 +5,7 @@
 #include <glib.h>
 
 #include <pw85/batch.hpp>
+#include <pw85/systems.hpp>
 
 #include "batch_data.hpp"
 

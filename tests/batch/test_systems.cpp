@@ -4,7 +4,8 @@
 
 #include <glib.h>
 
-#include <pw85/neighbors.hpp>
+#include <pw85/batch.hpp>
+#include <pw85/systems.hpp>
 
 #include "../condition_number.hpp"
 #include "../draws.hpp"

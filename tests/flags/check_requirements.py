@@ -12,7 +12,7 @@ import sys
 import tempfile
 from pathlib import Path
 
-ENTRIES = ["pw85/pw85.hpp", "pw85/batch.hpp", "pw85/history/legacy.hpp", "pw85/history/zheng.hpp"]
+ENTRIES = ["pw85/pw85.hpp", "pw85/batch.hpp", "pw85/systems.hpp", "pw85/history/legacy.hpp", "pw85/history/zheng.hpp"]
 INTEGERS = {
     "a vector of integers": "pw85::Vector const v{1, 0, 0}; (void)v;",
     "a spheroid of integers": "(void)pw85::spheroid(1, 2, pw85::Vector{0, 0, 1});",

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include <pw85.h>
+#include <pw85_batch.h>
 
 double plain_unit(double x);
 double other_unit(double x);

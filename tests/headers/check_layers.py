@@ -26,7 +26,8 @@ STANDS_ON = {
     "motion": ("ground", "algebra", "contact"),
     "history": ("ground", "algebra", "contact"),
     "batch": ("ground", "algebra", "motion"),
-    "entries": ("ground", "algebra", "contact", "overlap", "distance", "shapes", "motion", "batch"),
+    "systems": ("ground", "algebra", "motion", "batch"),
+    "entries": ("ground", "algebra", "contact", "overlap", "distance", "shapes", "motion", "batch", "systems"),
 }
 MAX_FLOORS = 8  # of folders, and of headers within a folder
 

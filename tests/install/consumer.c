@@ -1,5 +1,6 @@
 /* The pair of the tutorial, by installed libraries, from C99. */
 #include <pw85.h>
+#include <pw85_batch.h>
 #include <pw85_gpu.h>
 #include <pw85_legacy.h>
 #include <pw85_zheng.h>

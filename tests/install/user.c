@@ -1,5 +1,6 @@
 /* A shared library that uses pw85, and exports one function. */
 #include <pw85.h>
+#include <pw85_batch.h>
 
 int user_overlap(double const *r12, double const *q1, double const *q2);
 

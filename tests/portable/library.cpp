@@ -1,5 +1,6 @@
 // The library over the contact problems, from two threads at once where there are threads. Usage: portable_library PROBLEMS
 #include <pw85.h>
+#include <pw85_batch.h>
 #include <pw85_legacy.h>
 
 #include <cstring>

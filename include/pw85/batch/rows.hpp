@@ -1,9 +1,11 @@
 /// @file
-/// Functions of many pairs, ellipsoids, points or lines, one row for each: the functions of pw85.h, on spans.
+/// Functions of many pairs, ellipsoids, points or lines, one row for each: the functions of pw85_batch.h, on spans.
 ///
-/// Made from pw85.h by api/committed.py.
+/// Made from pw85_batch.h by api/committed.py.
 #ifndef PW85_BATCH_ROWS_HPP_INCLUDED
 #define PW85_BATCH_ROWS_HPP_INCLUDED
+
+#include <pw85_batch.h>
 
 #include <pw85/batch/calls.hpp>
 
@@ -17,7 +19,7 @@ namespace pw85 {
 /// @param r12,q1,q2 one for each pair
 /// @param[out] mu2 one for each pair
 /// @param[out] lambda one for each pair, or empty
-/// @return Status::success, Status::invalid_argument, or the status of the first bad pair
+/// @return as for contact(), of the first bad pair
 static inline Status contact_batch(Vectors r12, Forms q1, Forms q2, std::span<double> mu2,
                                    std::span<double> lambda = {}) noexcept
 {
@@ -28,7 +30,7 @@ static inline Status contact_batch(Vectors r12, Forms q1, Forms q2, std::span<do
 ///
 /// @param r12,q1,q2 one for each pair
 /// @param[out] overlap one for each pair: 1, 0, or 255 for a bad pair
-/// @return as for contact_batch()
+/// @return as for overlap(), of the first bad pair
 static inline Status overlap_batch(Vectors r12, Forms q1, Forms q2, std::span<unsigned char> overlap) noexcept
 {
     return detail::call_rows(pw85_overlap_batch, r12, q1, q2, overlap);
@@ -38,7 +40,7 @@ static inline Status overlap_batch(Vectors r12, Forms q1, Forms q2, std::span<un
 ///
 /// @param r12,q1,q2 one for each pair
 /// @param[out] mu2,lambda one for each pair, or empty
-/// @return as for contact_batch(), or Status::no_convergence as for contact_rounded()
+/// @return as for contact_rounded(), of the first bad pair
 static inline Status contact_rounded_batch(Vectors r12, Forms q1, Forms q2, std::span<double> mu2,
                                            std::span<double> lambda = {}) noexcept
 {
@@ -49,7 +51,7 @@ static inline Status contact_rounded_batch(Vectors r12, Forms q1, Forms q2, std:
 ///
 /// @param r12,s1,s2 one for each pair
 /// @param[out] overlap one for each pair: 1, 0, or 255 for a bad pair
-/// @return as for contact_batch(), or Status::no_convergence as for overlap_factored()
+/// @return as for overlap_factored(), of the first bad pair
 static inline Status overlap_factored_batch(Vectors r12, std::span<Factor<double, 3> const> s1,
                                             std::span<Factor<double, 3> const> s2,
                                             std::span<unsigned char> overlap) noexcept
@@ -60,9 +62,9 @@ static inline Status overlap_factored_batch(Vectors r12, std::span<Factor<double
 /// compare() for many pairs: see pw85_compare_batch().
 ///
 /// @param r12,q1,q2 one for each pair
-/// @param mu2 one for each pair, >= 0; may be infinity
+/// @param mu2 one for each pair, as for compare()
 /// @param[out] sign one for each pair: -1, 0 or 1, or 2 for a bad pair
-/// @return as for contact_batch()
+/// @return as for compare(), of the first bad pair
 static inline Status compare_batch(Vectors r12, Forms q1, Forms q2, std::span<double const> mu2,
                                    std::span<int> sign) noexcept
 {
@@ -75,7 +77,7 @@ static inline Status compare_batch(Vectors r12, Forms q1, Forms q2, std::span<do
 /// @param[out] overlap one for each pair: 1, 0, or 255 for a bad pair
 /// @param[out] lambda one for each pair, or empty; NaN where the ellipsoids are not apart
 /// @param[out] point one for each pair, or empty; NaN where they do not overlap
-/// @return as for contact_batch(), or Status::no_convergence as for overlap_witness()
+/// @return as for overlap_witness(), of the first bad pair
 static inline Status overlap_witness_batch(Vectors r12, Forms q1, Forms q2, std::span<unsigned char> overlap,
                                            std::span<double> lambda = {},
                                            std::span<Vector<double, 3>> point = {}) noexcept
@@ -87,7 +89,7 @@ static inline Status overlap_witness_batch(Vectors r12, Forms q1, Forms q2, std:
 ///
 /// @param r12,q1,q2 one for each pair
 /// @param[out] contains one for each pair: 1, 0, or 255 for a bad pair
-/// @return as for contact_batch()
+/// @return as for contains(), of the first bad pair
 static inline Status contains_batch(Vectors r12, Forms q1, Forms q2, std::span<unsigned char> contains) noexcept
 {
     return detail::call_rows(pw85_contains_batch, r12, q1, q2, contains);
@@ -97,7 +99,7 @@ static inline Status contains_batch(Vectors r12, Forms q1, Forms q2, std::span<u
 ///
 /// @param r12,q1,q2 one for each pair
 /// @param[out] mu2,point one for each pair, or empty
-/// @return as for contact_batch()
+/// @return as for containment(), of the first bad pair
 static inline Status containment_batch(Vectors r12, Forms q1, Forms q2, std::span<double> mu2,
                                        std::span<Vector<double, 3>> point = {}) noexcept
 {
@@ -110,7 +112,7 @@ static inline Status containment_batch(Vectors r12, Forms q1, Forms q2, std::spa
 /// @param t_max the end of the time, >= 0; may be infinity
 /// @param[out] mu2 one for each pair
 /// @param[out] t one for each pair, or empty
-/// @return as for contact_batch()
+/// @return as for closest_passage(), of the first bad pair
 static inline Status closest_passage_batch(Vectors r12, Forms q1, Forms q2, Vectors velocity, double t_max,
                                            std::span<double> mu2, std::span<double> t = {}) noexcept
 {
@@ -119,22 +121,22 @@ static inline Status closest_passage_batch(Vectors r12, Forms q1, Forms q2, Vect
 
 /// free_path() for many pairs: see pw85_free_path_batch().
 ///
-/// @param r12,q1,q2,direction one for each pair
-/// @param t_max one for each pair, each >= 0; may be infinity
+/// @param r12,q1,q2 one for each pair
+/// @param directions,t_max one for each pair, as for free_path()
 /// @param[out] t one for each pair
-/// @return as for contact_batch(); the causes of free_path()
-static inline Status free_path_batch(Vectors r12, Forms q1, Forms q2, Vectors direction, std::span<double const> t_max,
+/// @return as for free_path(), of the first bad pair
+static inline Status free_path_batch(Vectors r12, Forms q1, Forms q2, Vectors directions, std::span<double const> t_max,
                                      std::span<double> t) noexcept
 {
-    return detail::call_rows(pw85_free_path_batch, r12, q1, q2, direction, t_max, t);
+    return detail::call_rows(pw85_free_path_batch, r12, q1, q2, directions, t_max, t);
 }
 
 /// closest_approach() for many pairs: see pw85_closest_approach_batch().
 ///
-/// @param directions one for each pair, of any lengths > 0
+/// @param directions one for each pair, as for closest_approach()
 /// @param q1,q2 one for each pair
 /// @param[out] distance one for each pair
-/// @return as for contact_batch(); a zero direction is Status::invalid_argument
+/// @return as for closest_approach(), of the first bad pair
 static inline Status closest_approach_batch(Vectors directions, Forms q1, Forms q2, std::span<double> distance) noexcept
 {
     return detail::call_rows(pw85_closest_approach_batch, directions, q1, q2, distance);
@@ -144,7 +146,7 @@ static inline Status closest_approach_batch(Vectors directions, Forms q1, Forms 
 ///
 /// @param r12,s1,s2 one for each pair
 /// @param[out] mu2,lambda one for each pair, or empty
-/// @return as for contact_batch()
+/// @return as for contact_factored(), of the first bad pair
 static inline Status contact_factored_batch(Vectors r12, std::span<Factor<double, 3> const> s1,
                                             std::span<Factor<double, 3> const> s2, std::span<double> mu2,
                                             std::span<double> lambda = {}) noexcept
@@ -154,10 +156,9 @@ static inline Status contact_factored_batch(Vectors r12, std::span<Factor<double
 
 /// condition() for many pairs: see pw85_condition_batch().
 ///
-/// @param r12,q1,q2 one for each pair
-/// @param lambda one for each pair, as contact_batch() returns them
+/// @param r12,q1,q2,lambda one for each pair
 /// @param[out] cond one for each pair
-/// @return as for contact_batch()
+/// @return as for condition(), of the first bad pair
 static inline Status condition_batch(Vectors r12, Forms q1, Forms q2, std::span<double const> lambda,
                                      std::span<double> cond) noexcept
 {
@@ -168,7 +169,7 @@ static inline Status condition_batch(Vectors r12, Forms q1, Forms q2, std::span<
 ///
 /// @param r12,q1,q2 one for each pair
 /// @param[out] mu2,lambda one for each pair, or empty
-/// @return as for contact_batch()
+/// @return as for pw85_contact_function(), of the first bad pair
 static inline Status contact_function_batch(Vectors r12, Forms q1, Forms q2, std::span<double> mu2,
                                             std::span<double> lambda = {}) noexcept
 {
@@ -177,10 +178,9 @@ static inline Status contact_function_batch(Vectors r12, Forms q1, Forms q2, std
 
 /// contact_geometry() for many pairs: see pw85_contact_geometry_batch().
 ///
-/// @param r12 one for each pair, r12 != 0
-/// @param q1,q2,lambda one for each pair
+/// @param r12,q1,q2,lambda one for each pair
 /// @param[out] point,normal one for each pair, or empty
-/// @return as for contact_batch(); r12 = 0 and lambda outside [0, 1] are Status::invalid_argument
+/// @return as for contact_geometry(), of the first bad pair
 static inline Status contact_geometry_batch(Vectors r12, Forms q1, Forms q2, std::span<double const> lambda,
                                             std::span<Vector<double, 3>> point,
                                             std::span<Vector<double, 3>> normal = {}) noexcept
@@ -192,7 +192,7 @@ static inline Status contact_geometry_batch(Vectors r12, Forms q1, Forms q2, std
 ///
 /// @param r12,q1,q2,lambda one for each pair
 /// @param[out] d_r12,d_q1,d_q2 one for each pair, or empty
-/// @return as for contact_batch(); lambda outside [0, 1] is Status::invalid_argument
+/// @return as for contact_gradient(), of the first bad pair
 static inline Status contact_gradient_batch(Vectors r12, Forms q1, Forms q2, std::span<double const> lambda,
                                             std::span<Vector<double, 3>> d_r12,
                                             std::span<SymmetricMatrix<double, 3>> d_q1 = {},
@@ -203,10 +203,9 @@ static inline Status contact_gradient_batch(Vectors r12, Forms q1, Forms q2, std
 
 /// contact_geometry_factored() for many pairs: see pw85_contact_geometry_factored_batch().
 ///
-/// @param r12 one for each pair, r12 != 0
-/// @param s1,s2,lambda one for each pair
+/// @param r12,s1,s2,lambda one for each pair
 /// @param[out] point,normal one for each pair, or empty
-/// @return as for contact_batch(); r12 = 0 and lambda outside [0, 1] are Status::invalid_argument
+/// @return as for contact_geometry_factored(), of the first bad pair
 static inline Status contact_geometry_factored_batch(Vectors r12, std::span<Factor<double, 3> const> s1,
                                                      std::span<Factor<double, 3> const> s2,
                                                      std::span<double const> lambda, std::span<Vector<double, 3>> point,
@@ -219,7 +218,7 @@ static inline Status contact_geometry_factored_batch(Vectors r12, std::span<Fact
 ///
 /// @param r12,s1,s2,lambda one for each pair
 /// @param[out] d_r12,d_s1,d_s2 one for each pair, or empty
-/// @return as for contact_batch(); lambda outside [0, 1] is Status::invalid_argument
+/// @return as for contact_gradient_factored(), of the first bad pair
 static inline Status contact_gradient_factored_batch(Vectors r12, std::span<Factor<double, 3> const> s1,
                                                      std::span<Factor<double, 3> const> s2,
                                                      std::span<double const> lambda, std::span<Vector<double, 3>> d_r12,
@@ -233,7 +232,7 @@ static inline Status contact_gradient_factored_batch(Vectors r12, std::span<Fact
 ///
 /// @param r12,q1,q2,lambda one for each pair
 /// @param[out] d_rot1,d_rot2 one for each pair, or empty
-/// @return as for contact_gradient_batch()
+/// @return as for contact_torque(), of the first bad pair
 static inline Status contact_torque_batch(Vectors r12, Forms q1, Forms q2, std::span<double const> lambda,
                                           std::span<Vector<double, 3>> d_rot1,
                                           std::span<Vector<double, 3>> d_rot2 = {}) noexcept
@@ -243,10 +242,9 @@ static inline Status contact_torque_batch(Vectors r12, Forms q1, Forms q2, std::
 
 /// contact_hessian() for many pairs: see pw85_contact_hessian_batch().
 ///
-/// @param r12 one for each pair, r12 != 0
-/// @param q1,q2,lambda one for each pair
+/// @param r12,q1,q2,lambda one for each pair
 /// @param[out] hessian one for each pair
-/// @return as for contact_batch(); r12 = 0 and lambda outside [0, 1] are Status::invalid_argument
+/// @return as for contact_hessian(), of the first bad pair
 static inline Status contact_hessian_batch(Vectors r12, Forms q1, Forms q2, std::span<double const> lambda,
                                            std::span<std::array<double, 81>> hessian) noexcept
 {
@@ -258,7 +256,7 @@ static inline Status contact_hessian_batch(Vectors r12, Forms q1, Forms q2, std:
 /// @param r12,q1,q2 one for each pair
 /// @param[out] mu2 one for each pair
 /// @param[out] lambda one for each pair, or empty
-/// @return Status::success, Status::invalid_argument, or the status of the first bad pair
+/// @return as for contact(), of the first bad pair
 static inline Status contact_batch(FlatVectors r12, FlatForms q1, FlatForms q2, std::span<double> mu2,
                                    std::span<double> lambda = {}) noexcept
 {
@@ -269,7 +267,7 @@ static inline Status contact_batch(FlatVectors r12, FlatForms q1, FlatForms q2, 
 ///
 /// @param r12,q1,q2 one for each pair
 /// @param[out] overlap one for each pair: 1, 0, or 255 for a bad pair
-/// @return as for contact_batch()
+/// @return as for overlap(), of the first bad pair
 static inline Status overlap_batch(FlatVectors r12, FlatForms q1, FlatForms q2,
                                    std::span<unsigned char> overlap) noexcept
 {
@@ -278,10 +276,9 @@ static inline Status overlap_batch(FlatVectors r12, FlatForms q1, FlatForms q2,
 
 /// contact_geometry() for many pairs of ellipses: see pw85_contact_geometry_batch_2d().
 ///
-/// @param r12 one for each pair, r12 != 0
-/// @param q1,q2,lambda one for each pair
+/// @param r12,q1,q2,lambda one for each pair
 /// @param[out] point,normal one for each pair, or empty
-/// @return as for contact_batch(); r12 = 0 and lambda outside [0, 1] are Status::invalid_argument
+/// @return as for contact_geometry(), of the first bad pair
 static inline Status contact_geometry_batch(FlatVectors r12, FlatForms q1, FlatForms q2, std::span<double const> lambda,
                                             std::span<Vector<double, 2>> point,
                                             std::span<Vector<double, 2>> normal = {}) noexcept
@@ -293,7 +290,7 @@ static inline Status contact_geometry_batch(FlatVectors r12, FlatForms q1, FlatF
 ///
 /// @param r12,q1,q2,lambda one for each pair
 /// @param[out] d_r12,d_q1,d_q2 one for each pair, or empty
-/// @return as for contact_gradient_batch()
+/// @return as for contact_gradient(), of the first bad pair
 static inline Status contact_gradient_batch(FlatVectors r12, FlatForms q1, FlatForms q2, std::span<double const> lambda,
                                             std::span<Vector<double, 2>> d_r12,
                                             std::span<SymmetricMatrix<double, 2>> d_q1 = {},
@@ -306,7 +303,7 @@ static inline Status contact_gradient_batch(FlatVectors r12, FlatForms q1, FlatF
 ///
 /// @param r12,q1,q2,lambda one for each pair
 /// @param[out] d_rot1,d_rot2 one for each pair, or empty
-/// @return as for contact_gradient_batch()
+/// @return as for contact_torque(), of the first bad pair
 static inline Status contact_torque_batch(FlatVectors r12, FlatForms q1, FlatForms q2, std::span<double const> lambda,
                                           std::span<double> d_rot1, std::span<double> d_rot2 = {}) noexcept
 {
@@ -315,10 +312,9 @@ static inline Status contact_torque_batch(FlatVectors r12, FlatForms q1, FlatFor
 
 /// contact_hessian() for many pairs of ellipses: see pw85_contact_hessian_batch_2d().
 ///
-/// @param r12 one for each pair, r12 != 0
-/// @param q1,q2,lambda one for each pair
+/// @param r12,q1,q2,lambda one for each pair
 /// @param[out] hessian one for each pair
-/// @return as for contact_batch(); r12 = 0 and lambda outside [0, 1] are Status::invalid_argument
+/// @return as for contact_hessian(), of the first bad pair
 static inline Status contact_hessian_batch(FlatVectors r12, FlatForms q1, FlatForms q2, std::span<double const> lambda,
                                            std::span<std::array<double, 16>> hessian) noexcept
 {
@@ -327,10 +323,10 @@ static inline Status contact_hessian_batch(FlatVectors r12, FlatForms q1, FlatFo
 
 /// closest_approach() for many pairs of ellipses: see pw85_closest_approach_batch_2d().
 ///
-/// @param directions one for each pair, of any lengths > 0
+/// @param directions one for each pair, as for closest_approach()
 /// @param q1,q2 one for each pair
 /// @param[out] distance one for each pair
-/// @return as for closest_approach_batch()
+/// @return as for closest_approach(), of the first bad pair
 static inline Status closest_approach_batch(FlatVectors directions, FlatForms q1, FlatForms q2,
                                             std::span<double> distance) noexcept
 {
@@ -352,9 +348,8 @@ static inline Status contact_derivatives_batch(Vectors r12, Forms q1, Forms q2, 
 /// distance() for many pairs: see pw85_distance_batch().
 ///
 /// @param r12,q1,q2 one for each pair
-/// @param[out] distance one for each pair, or empty
-/// @param[out] point1,point2 one for each pair, or empty, relative to the centres of the first ellipsoids
-/// @return as for contact_batch(); Status::no_convergence, too
+/// @param[out] distance,point1,point2 one for each pair, or empty
+/// @return as for distance(), of the first bad pair
 static inline Status distance_batch(Vectors r12, Forms q1, Forms q2, std::span<double> distance,
                                     std::span<Vector<double, 3>> point1 = {},
                                     std::span<Vector<double, 3>> point2 = {}) noexcept
@@ -366,7 +361,7 @@ static inline Status distance_batch(Vectors r12, Forms q1, Forms q2, std::span<d
 ///
 /// @param r12,q1,q2 one for each pair
 /// @param[out] d_r12,d_rot1,d_rot2,hessian one for each pair, or empty
-/// @return as for contact_batch()
+/// @return as for distance_derivatives(), of the first bad pair
 static inline Status distance_derivatives_batch(Vectors r12, Forms q1, Forms q2, std::span<Vector<double, 3>> d_r12,
                                                 std::span<Vector<double, 3>> d_rot1 = {},
                                                 std::span<Vector<double, 3>> d_rot2 = {},
@@ -379,7 +374,7 @@ static inline Status distance_derivatives_batch(Vectors r12, Forms q1, Forms q2,
 ///
 /// @param r12,q1,q2 one for each pair
 /// @param[out] distance,point1,point2 one for each pair, or empty
-/// @return as for contact_batch()
+/// @return as for distance(), of the first bad pair
 static inline Status distance_batch(FlatVectors r12, FlatForms q1, FlatForms q2, std::span<double> distance,
                                     std::span<Vector<double, 2>> point1 = {},
                                     std::span<Vector<double, 2>> point2 = {}) noexcept
@@ -390,9 +385,8 @@ static inline Status distance_batch(FlatVectors r12, FlatForms q1, FlatForms q2,
 /// penetration() for many pairs: see pw85_penetration_batch().
 ///
 /// @param r12,q1,q2 one for each pair
-/// @param[out] depth one for each pair, or empty
-/// @param[out] direction one for each pair, or empty; NaN for pairs that do not overlap
-/// @return as for contact_batch(); Status::no_convergence, too
+/// @param[out] depth,direction one for each pair, or empty
+/// @return as for penetration(), of the first bad pair
 static inline Status penetration_batch(Vectors r12, Forms q1, Forms q2, std::span<double> depth,
                                        std::span<Vector<double, 3>> direction = {}) noexcept
 {
@@ -403,7 +397,7 @@ static inline Status penetration_batch(Vectors r12, Forms q1, Forms q2, std::spa
 ///
 /// @param r12,q1,q2 one for each pair
 /// @param[out] distance,point1,point2 one for each pair, or empty
-/// @return as for contact_batch(); Status::no_convergence, too
+/// @return as for signed_distance(), of the first bad pair
 static inline Status signed_distance_batch(Vectors r12, Forms q1, Forms q2, std::span<double> distance,
                                            std::span<Vector<double, 3>> point1 = {},
                                            std::span<Vector<double, 3>> point2 = {}) noexcept
@@ -415,7 +409,7 @@ static inline Status signed_distance_batch(Vectors r12, Forms q1, Forms q2, std:
 ///
 /// @param r12,q1,q2 one for each pair
 /// @param[out] d_r12,d_rot1,d_rot2,hessian one for each pair, or empty
-/// @return as for contact_batch(); Status::no_convergence, too
+/// @return as for signed_distance_derivatives(), of the first bad pair
 static inline Status signed_distance_derivatives_batch(Vectors r12, Forms q1, Forms q2,
                                                        std::span<Vector<double, 3>> d_r12,
                                                        std::span<Vector<double, 3>> d_rot1 = {},
@@ -427,10 +421,10 @@ static inline Status signed_distance_derivatives_batch(Vectors r12, Forms q1, Fo
 
 /// curvature() for many ellipsoids: see pw85_curvature_batch().
 ///
-/// @param normals one for each ellipsoid, of any lengths > 0
+/// @param normals one for each ellipsoid, as for curvature()
 /// @param q one for each ellipsoid
 /// @param[out] curvatures,directions one for each ellipsoid, or empty
-/// @return as for contact_batch(); a zero normal is Status::invalid_argument
+/// @return as for curvature(), of the first bad ellipsoid
 static inline Status curvature_batch(Vectors normals, Forms q, std::span<std::array<double, 2>> curvatures,
                                      std::span<std::array<double, 6>> directions = {}) noexcept
 {
@@ -439,9 +433,9 @@ static inline Status curvature_batch(Vectors normals, Forms q, std::span<std::ar
 
 /// hertz() for many contacts: see pw85_hertz_batch().
 ///
-/// @param curvatures one for each contact, > 0
+/// @param curvatures one for each contact, as for hertz()
 /// @param[out] radius,ellipse one for each contact, or empty
-/// @return as for contact_batch(); a curvature that is not positive is Status::invalid_argument
+/// @return as for hertz(), of the first bad contact
 static inline Status hertz_batch(std::span<std::array<double, 2> const> curvatures, std::span<double> radius,
                                  std::span<std::array<double, 2>> ellipse = {}) noexcept
 {
@@ -451,9 +445,9 @@ static inline Status hertz_batch(std::span<std::array<double, 2> const> curvatur
 /// hertz_contact() for many pairs: see pw85_hertz_contact_batch().
 ///
 /// @param r12,q1,q2 one for each pair
-/// @param normals one for each pair, of any lengths > 0
+/// @param normals one for each pair, as for hertz_contact()
 /// @param[out] depth,point,curvatures,directions,radius,ellipse one for each pair, or empty
-/// @return as for contact_batch(); a zero normal is Status::invalid_argument
+/// @return as for hertz_contact(), of the first bad pair
 static inline Status hertz_contact_batch(Vectors r12, Forms q1, Forms q2, Vectors normals, std::span<double> depth,
                                          std::span<Vector<double, 3>> point = {},
                                          std::span<std::array<double, 2>> curvatures = {},
@@ -467,9 +461,10 @@ static inline Status hertz_contact_batch(Vectors r12, Forms q1, Forms q2, Vector
 
 /// distance_plane() for many ellipsoids and half-spaces: see pw85_distance_plane_batch().
 ///
-/// @param normals,offsets,q one for each ellipsoid
+/// @param normals one for each ellipsoid, as for distance_plane()
+/// @param offsets,q one for each ellipsoid
 /// @param[out] distance,point one for each ellipsoid, or empty
-/// @return as for contact_batch(); a zero normal is Status::invalid_argument
+/// @return as for distance_plane(), of the first bad ellipsoid
 static inline Status distance_plane_batch(Vectors normals, std::span<double const> offsets, Forms q,
                                           std::span<double> distance, std::span<Vector<double, 3>> point = {}) noexcept
 {
@@ -478,9 +473,10 @@ static inline Status distance_plane_batch(Vectors normals, std::span<double cons
 
 /// distance_plane_derivatives() for many ellipsoids and half-spaces: see pw85_distance_plane_derivatives_batch().
 ///
-/// @param normals,q one for each ellipsoid
+/// @param normals one for each ellipsoid, as for distance_plane_derivatives()
+/// @param q one for each ellipsoid
 /// @param[out] d_center,d_rot one for each ellipsoid, or empty
-/// @return as for distance_plane_batch()
+/// @return as for distance_plane_derivatives(), of the first bad ellipsoid
 static inline Status distance_plane_derivatives_batch(Vectors normals, Forms q, std::span<Vector<double, 3>> d_center,
                                                       std::span<Vector<double, 3>> d_rot = {}) noexcept
 {
@@ -489,9 +485,10 @@ static inline Status distance_plane_derivatives_batch(Vectors normals, Forms q, 
 
 /// contact_plane() for many ellipsoids and half-spaces: see pw85_contact_plane_batch().
 ///
-/// @param normals,offsets,q one for each ellipsoid
+/// @param normals one for each ellipsoid, as for contact_plane()
+/// @param offsets,q one for each ellipsoid
 /// @param[out] mu2,point one for each ellipsoid, or empty
-/// @return as for distance_plane_batch()
+/// @return as for contact_plane(), of the first bad ellipsoid
 static inline Status contact_plane_batch(Vectors normals, std::span<double const> offsets, Forms q,
                                          std::span<double> mu2, std::span<Vector<double, 3>> point = {}) noexcept
 {
@@ -500,9 +497,10 @@ static inline Status contact_plane_batch(Vectors normals, std::span<double const
 
 /// contact_plane_derivatives() for many ellipsoids and half-spaces: see pw85_contact_plane_derivatives_batch().
 ///
-/// @param normals,offsets,q one for each ellipsoid
+/// @param normals one for each ellipsoid, as for contact_plane_derivatives()
+/// @param offsets,q one for each ellipsoid
 /// @param[out] d_center,d_rot one for each ellipsoid, or empty
-/// @return as for distance_plane_batch()
+/// @return as for contact_plane_derivatives(), of the first bad ellipsoid
 static inline Status contact_plane_derivatives_batch(Vectors normals, std::span<double const> offsets, Forms q,
                                                      std::span<Vector<double, 3>> d_center,
                                                      std::span<Vector<double, 3>> d_rot = {}) noexcept
@@ -512,10 +510,10 @@ static inline Status contact_plane_derivatives_batch(Vectors normals, std::span<
 
 /// distance_box() for many ellipsoids and boxes: see pw85_distance_box_batch().
 ///
-/// @param lower,upper one for each ellipsoid; lower <= upper
+/// @param lower,upper one for each ellipsoid, as for distance_box()
 /// @param q one for each ellipsoid
 /// @param[out] distance,point,normal one for each ellipsoid, or empty
-/// @return as for contact_batch(); lower > upper is Status::invalid_argument
+/// @return as for distance_box(), of the first bad ellipsoid
 static inline Status distance_box_batch(Vectors lower, Vectors upper, Forms q, std::span<double> distance,
                                         std::span<Vector<double, 3>> point = {},
                                         std::span<Vector<double, 3>> normal = {}) noexcept
@@ -525,11 +523,10 @@ static inline Status distance_box_batch(Vectors lower, Vectors upper, Forms q, s
 
 /// distance_cylinder() for many ellipsoids and cylinders: see pw85_distance_cylinder_batch().
 ///
-/// @param axis one for each ellipsoid, of any lengths > 0
-/// @param radius one for each ellipsoid, > 0
+/// @param axis,radius one for each ellipsoid, as for distance_cylinder()
 /// @param center,q one for each ellipsoid
 /// @param[out] distance,point,normal one for each ellipsoid, or empty
-/// @return as for contact_batch(); a zero axis and a radius that is not positive are Status::invalid_argument
+/// @return as for distance_cylinder(), of the first bad ellipsoid
 static inline Status distance_cylinder_batch(Vectors axis, std::span<double const> radius, Vectors center, Forms q,
                                              std::span<double> distance, std::span<Vector<double, 3>> point = {},
                                              std::span<Vector<double, 3>> normal = {}) noexcept
@@ -541,7 +538,7 @@ static inline Status distance_cylinder_batch(Vectors axis, std::span<double cons
 ///
 /// @param r,q one for each point
 /// @param[out] distance,point,normal one for each point, or empty
-/// @return as for contact_batch()
+/// @return as for distance_point(), of the first bad point
 static inline Status distance_point_batch(Vectors r, Forms q, std::span<double> distance,
                                           std::span<Vector<double, 3>> point = {},
                                           std::span<Vector<double, 3>> normal = {}) noexcept
@@ -552,11 +549,10 @@ static inline Status distance_point_batch(Vectors r, Forms q, std::span<double> 
 /// intersect_line() for many lines and ellipsoids: see pw85_intersect_line_batch().
 ///
 /// @param origin one for each line
-/// @param directions one for each line, of any lengths > 0
+/// @param directions one for each line, as for intersect_line()
 /// @param q one for each line
-/// @param[out] enter,leave one for each line, or empty: where a line enters and leaves, as t; NaN if it misses its
-/// ellipsoid
-/// @return as for contact_batch(); a zero direction is Status::invalid_argument
+/// @param[out] enter,leave one for each line, or empty
+/// @return as for intersect_line(), of the first bad line
 static inline Status intersect_line_batch(Vectors origin, Vectors directions, Forms q, std::span<double> enter,
                                           std::span<double> leave = {}) noexcept
 {
@@ -567,7 +563,7 @@ static inline Status intersect_line_batch(Vectors origin, Vectors directions, Fo
 ///
 /// @param end1,end2,q one for each ellipsoid
 /// @param[out] mu2,point one for each ellipsoid, or empty
-/// @return as for contact_batch()
+/// @return as for contact_segment(), of the first bad ellipsoid
 static inline Status contact_segment_batch(Vectors end1, Vectors end2, Forms q, std::span<double> mu2,
                                            std::span<Vector<double, 3>> point = {}) noexcept
 {
@@ -578,7 +574,7 @@ static inline Status contact_segment_batch(Vectors end1, Vectors end2, Forms q, 
 ///
 /// @param vertex1,vertex2,vertex3,q one for each ellipsoid
 /// @param[out] mu2,point one for each ellipsoid, or empty
-/// @return as for contact_batch()
+/// @return as for contact_triangle(), of the first bad ellipsoid
 static inline Status contact_triangle_batch(Vectors vertex1, Vectors vertex2, Vectors vertex3, Forms q,
                                             std::span<double> mu2, std::span<Vector<double, 3>> point = {}) noexcept
 {
@@ -587,10 +583,10 @@ static inline Status contact_triangle_batch(Vectors vertex1, Vectors vertex2, Ve
 
 /// contact_box() for many ellipsoids and boxes: see pw85_contact_box_batch().
 ///
-/// @param lower,upper one for each ellipsoid; lower <= upper
+/// @param lower,upper one for each ellipsoid, as for contact_box()
 /// @param q one for each ellipsoid
 /// @param[out] mu2,point one for each ellipsoid, or empty
-/// @return as for contact_batch(); lower > upper is Status::invalid_argument
+/// @return as for contact_box(), of the first bad ellipsoid
 static inline Status contact_box_batch(Vectors lower, Vectors upper, Forms q, std::span<double> mu2,
                                        std::span<Vector<double, 3>> point = {}) noexcept
 {
@@ -600,8 +596,8 @@ static inline Status contact_box_batch(Vectors lower, Vectors upper, Forms q, st
 /// overlap_segment() for many ellipsoids and segments: see pw85_overlap_segment_batch().
 ///
 /// @param end1,end2,q one for each ellipsoid
-/// @param[out] overlap one for each ellipsoid: 1 or 0, 255 for a bad row
-/// @return as for contact_batch()
+/// @param[out] overlap one for each ellipsoid: 1, 0, or 255 for a bad ellipsoid
+/// @return as for overlap_segment(), of the first bad ellipsoid
 static inline Status overlap_segment_batch(Vectors end1, Vectors end2, Forms q,
                                            std::span<unsigned char> overlap) noexcept
 {
@@ -611,8 +607,8 @@ static inline Status overlap_segment_batch(Vectors end1, Vectors end2, Forms q,
 /// overlap_triangle() for many ellipsoids and triangles: see pw85_overlap_triangle_batch().
 ///
 /// @param vertex1,vertex2,vertex3,q one for each ellipsoid
-/// @param[out] overlap one for each ellipsoid: 1 or 0, 255 for a bad row
-/// @return as for contact_batch()
+/// @param[out] overlap one for each ellipsoid: 1, 0, or 255 for a bad ellipsoid
+/// @return as for overlap_triangle(), of the first bad ellipsoid
 static inline Status overlap_triangle_batch(Vectors vertex1, Vectors vertex2, Vectors vertex3, Forms q,
                                             std::span<unsigned char> overlap) noexcept
 {
@@ -621,10 +617,10 @@ static inline Status overlap_triangle_batch(Vectors vertex1, Vectors vertex2, Ve
 
 /// overlap_box() for many ellipsoids and boxes: see pw85_overlap_box_batch().
 ///
-/// @param lower,upper one for each ellipsoid; lower <= upper
+/// @param lower,upper one for each ellipsoid, as for overlap_box()
 /// @param q one for each ellipsoid
-/// @param[out] overlap one for each ellipsoid: 1 or 0, 255 for a bad row
-/// @return as for contact_batch(); lower > upper is Status::invalid_argument
+/// @param[out] overlap one for each ellipsoid: 1, 0, or 255 for a bad ellipsoid
+/// @return as for overlap_box(), of the first bad ellipsoid
 static inline Status overlap_box_batch(Vectors lower, Vectors upper, Forms q, std::span<unsigned char> overlap) noexcept
 {
     return detail::call_rows(pw85_overlap_box_batch, lower, upper, q, overlap);
@@ -632,10 +628,11 @@ static inline Status overlap_box_batch(Vectors lower, Vectors upper, Forms q, st
 
 /// first_contact() for many pairs: see pw85_first_contact_batch().
 ///
-/// @param r12,q1,q2,motion1,motion2 one for each pair
+/// @param r12,q1,q2 one for each pair
+/// @param motion1,motion2 one for each pair, as for first_contact()
 /// @param t_max the time up to which contacts count, >= 0; may be infinity
 /// @param[out] t one for each pair
-/// @return as for contact_batch(); Status::no_convergence, too
+/// @return as for first_contact(), of the first bad pair
 static inline Status first_contact_batch(Vectors r12, Forms q1, Forms q2, std::span<Motion<double, 3> const> motion1,
                                          std::span<Motion<double, 3> const> motion2, double t_max,
                                          std::span<double> t) noexcept
@@ -650,10 +647,9 @@ static inline Status first_contact_batch(Vectors r12, Forms q1, Forms q2, std::s
 
 /// ellipsoid_factor() for many ellipsoids: see pw85_ellipsoid_factor_batch().
 ///
-/// @param semi_axes one for each ellipsoid, as for ellipsoid_factor()
-/// @param quaternions one for each ellipsoid: (w, x, y, z), of any lengths > 0
+/// @param semi_axes,quaternions one for each ellipsoid, as for ellipsoid_factor()
 /// @param[out] s one for each ellipsoid
-/// @return Status::success, Status::invalid_argument
+/// @return as for ellipsoid_factor(), of the first bad ellipsoid
 static inline Status ellipsoid_factor_batch(Vectors semi_axes, std::span<Vector<double, 4> const> quaternions,
                                             std::span<Factor<double, 3>> s) noexcept
 {
@@ -662,10 +658,9 @@ static inline Status ellipsoid_factor_batch(Vectors semi_axes, std::span<Vector<
 
 /// ellipsoid_quaternion() for many ellipsoids: see pw85_ellipsoid_quaternion_batch().
 ///
-/// @param semi_axes one for each ellipsoid, as for ellipsoid_quaternion()
-/// @param quaternions one for each ellipsoid: (w, x, y, z), of any lengths > 0
+/// @param semi_axes,quaternions one for each ellipsoid, as for ellipsoid_quaternion()
 /// @param[out] q one for each ellipsoid
-/// @return Status::success, Status::invalid_argument
+/// @return as for ellipsoid_quaternion(), of the first bad ellipsoid
 static inline Status ellipsoid_quaternion_batch(Vectors semi_axes, std::span<Vector<double, 4> const> quaternions,
                                                 std::span<SymmetricMatrix<double, 3>> q) noexcept
 {

@@ -1,11 +1,9 @@
 /// @file
-/// The arguments of the functions of many pairs and of systems: spans of rows, and structures of spans that belong together.
-/// calls.hpp converts them to the arguments of the C API.
+/// The arguments of the functions of many rows: spans of rows, and structures of spans that belong together. calls.hpp converts them
+/// to the arguments of the C API.
 #ifndef PW85_BATCH_VALUES_HPP_INCLUDED
 #define PW85_BATCH_VALUES_HPP_INCLUDED
 
-#include <array>
-#include <cstdint>
 #include <span>
 
 #include <pw85/algebra/factor.hpp>
@@ -21,60 +19,10 @@ using Forms = std::span<SymmetricMatrix<double, 3> const>;
 using FlatVectors = std::span<Vector<double, 2> const>;
 using FlatForms = std::span<SymmetricMatrix<double, 2> const>;
 
-/// The indices i and j of the particles of a pair.
-using IndexPair = std::array<std::int32_t, 2>;
-
-/// Multiples of the vectors of a cell, to be added to the second particle of a pair.
-using Image = std::array<std::int32_t, 3>;
-
-/// A periodic cell. The rows are its vectors.
-using Cell = std::array<Vector<double, 3>, 3>;
-
-/// A reduced cell. It is NaN if the status is not success.
-struct ReducedCell {
-    Cell cell;
-    Status status;
-};
-
 /// The outputs for the contact functions of pairs and their derivatives: see pw85_contact_derivatives_batch().
 struct DerivativeSpans {
     std::span<double> mu2 = {}, lambda = {};
     std::span<Vector<double, 3>> point = {}, normal = {}, d_r12 = {}, d_rot1 = {}, d_rot2 = {};
-};
-
-/// The outputs for first contacts: one time for each pair, and for each particle its next contact and the index of the pair, which
-/// is -1 if there is none. See pw85_first_contact_pairs().
-struct EventSpans {
-    std::span<double> time;
-    std::span<double> next = {};
-    std::span<std::int64_t> next_pair = {}; ///< needs `next`
-};
-
-/// The law of the energy U(μ²) of a pair, and its parameters. `kind` is PW85_LAW_SOFT_REPULSION, PW85_LAW_INVERSE_POWERS or
-/// PW85_LAW_TABLE: see pw85_law.
-struct Law {
-    int kind;
-    std::span<double const> parameters;
-};
-
-/// The outputs for forces and torques, one row for each particle, and for the virial: see pw85_contact_forces_pairs().
-struct ForceSpans {
-    std::span<Vector<double, 3>> forces = {}, torques = {};
-    std::array<Vector<double, 3>, 3> *virial = nullptr;
-};
-
-/// The pairs of a neighbour list, each with the image of its second particle. Without images the functions use the nearest ones.
-struct PairList {
-    std::span<IndexPair const> pairs;
-    std::span<Image const> images = {};
-};
-
-/// Particles, with or without a periodic cell.
-struct Particles {
-    Vectors centers;
-    Forms q;
-    Cell const *cell = nullptr;
-    std::array<int, 3> periodic = {1, 1, 1}; ///< the vectors of the cell along which there are images
 };
 
 } // namespace pw85

@@ -1,12 +1,12 @@
 /// @file
 /// Neighbour lists for C++. They call the functions of the compiled library (link with pw85), and their contracts are those of
-/// pw85.h.
-#ifndef PW85_NEIGHBORS_HPP_INCLUDED
-#define PW85_NEIGHBORS_HPP_INCLUDED
+/// pw85_systems.h.
+#ifndef PW85_SYSTEMS_NEIGHBORS_HPP_INCLUDED
+#define PW85_SYSTEMS_NEIGHBORS_HPP_INCLUDED
 
 #include <memory>
 
-#include <pw85/batch.hpp>
+#include <pw85/systems/calls.hpp>
 
 namespace pw85 {
 

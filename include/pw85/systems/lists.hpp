@@ -1,11 +1,13 @@
 /// @file
-/// Functions of the pairs of a list, in a system of particles: the functions of pw85.h, on spans.
+/// Functions of the pairs of a list, in a system of particles: the functions of pw85_systems.h, on spans.
 ///
-/// Made from pw85.h by api/committed.py.
-#ifndef PW85_BATCH_LISTS_HPP_INCLUDED
-#define PW85_BATCH_LISTS_HPP_INCLUDED
+/// Made from pw85_systems.h by api/committed.py.
+#ifndef PW85_SYSTEMS_LISTS_HPP_INCLUDED
+#define PW85_SYSTEMS_LISTS_HPP_INCLUDED
 
-#include <pw85/batch/calls.hpp>
+#include <pw85_systems.h>
+
+#include <pw85/systems/calls.hpp>
 
 namespace pw85 {
 

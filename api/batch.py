@@ -1,0 +1,122 @@
+"""The header include/pw85_batch.h, made of its template api/pw85_batch.in.h and of the functions of one row in pw85.h.
+
+A line of the template
+
+    @rows pw85_f ellipsoids and boxes: what is said of the results
+
+becomes the declaration of pw85_f_batch() with its contract. Its arrays have a row in the place of each number or array; what else is to
+be said of them stands in pw85.h. Where the line does not say of what the rows are, they are pairs; where it says nothing of the results,
+they are the same. Indented lines below, "name: text", are sentences of parameters. The declarations of functions that have none of one
+row are in the template as they are.
+"""
+
+import re
+import textwrap
+from dataclasses import dataclass
+from itertools import groupby
+
+from declarations import INCLUDE, SOURCE, functions, parameters
+from rows import TRUTHS, name_of_many
+
+HEADER, TEMPLATE = INCLUDE / "pw85_batch.h", SOURCE / "api/pw85_batch.in.h"
+WIDTH = 120
+ROWS = re.compile(r"^@rows (?P<name>\w+)(?: (?P<rows>[\w -]+))?(?:: (?P<results>.*))?\n(?P<said>(?:    .*\n)*)", re.MULTILINE)
+PLURALS = {"normal": "normals", "offset": "offsets", "direction": "directions", "quaternion": "quaternions"}  # of inputs
+NUMBERS = {"out": ("mu2", "lambda"), "t": ("enter", "leave")}  # that functions of one row write to one array
+ONE_FOR_ALL = {("pw85_first_contact", "t_max"), ("pw85_closest_passage", "t_max")}
+LIMITED = re.compile(r"[<>]=? |!= 0|shrink")  # what a sentence says of allowed values
+
+
+@dataclass
+class Argument:
+    """A parameter of a function of many rows."""
+
+    name: str
+    type: str
+    text: str  # its sentence
+    is_output: bool
+    nullable: bool
+    is_array: bool = True
+
+    def declared(self):
+        return f"{self.type} {'' if self.is_output else 'const '}*{self.name}" if self.is_array else f"{self.type} {self.name}"
+
+
+def names_and_shape(one):
+    """The names that a parameter of one row has in the function of many rows, and the shape of a row."""
+    if one.is_output():
+        numbers = NUMBERS.get(one.name, ())
+        return (numbers, ()) if one.length == len(numbers) else ([one.name], one.shape)
+    return [PLURALS.get(one.name, one.name)], one.shape
+
+
+def argument(function, one, name, shape, row, said):
+    """The parameter of many rows that stands for one of one row. `said` has the sentences of the template."""
+    is_truth = one.is_output() and one.type == "int" and one.name in TRUTHS
+    as_for = f"as for {function.name}()"
+    if (function.name, one.name) in ONE_FOR_ALL:
+        return Argument(name, one.type, f"{as_for}, for all rows", False, False, is_array=False)
+    text = "×".join(["n", *map(str, shape)])
+    if is_truth:
+        text += f": 1, 0, or 255 for a bad {row}"
+    elif not one.is_output() and LIMITED.search(one.text):
+        text += f", {as_for}"
+    nullable = one.is_output() and (one.nullable or len(names_and_shape(one)[0]) > 1)
+    return Argument(name, "unsigned char" if is_truth else one.type, said.get(name, text), one.is_output(), nullable)
+
+
+def arguments(function, row, said):
+    return [
+        argument(function, one, name, shape, row, said)
+        for one in parameters(function)
+        for names, shape in [names_and_shape(one)]
+        for name in names
+    ]
+
+
+def sentences(listed):
+    """The sentences of the parameters, one for neighbours that have the same."""
+    for (is_output, text), group in groupby(listed, lambda one: (one.is_output, one.text)):
+        names = [one.name for one in group]
+        each = f"{text} each" if is_output and len(names) > 1 and re.fullmatch(r"[n×\d]+", text) else text
+        yield f"@param{'[out]' if is_output else ''} {','.join(names)} {each}"
+
+
+def with_nulls(lines, listed, said):
+    """The sentences; the first one of the outputs says that they may be null, unless the template says which may be."""
+    first = next((i for i, line in enumerate(lines) if line.startswith("@param[out]")), None)
+    if any(one.nullable for one in listed) and not any("null" in text for text in said.values()):
+        lines[first] += "; any output may be null"
+    return lines
+
+
+def declaration(match):
+    """The declaration of a function of many rows with its comment, for a line of the template."""
+    function = next(one for one in functions("pw85.h") if one.name == match["name"])
+    said = dict(line.strip().split(": ", 1) for line in match["said"].splitlines())
+    rows = match["rows"] or "pairs"
+    row = rows.split()[0].removesuffix("s")
+    listed = arguments(function, row, said)
+    results = match["results"] or f"the {'answers' if any(one.type == 'unsigned char' for one in listed) else 'bits'} are the same."
+    text = [
+        f"{function.name}() for n {rows}{'.' if results[0].isupper() else ';'} {results}",
+        "",
+        f"@param n number of {row}s",
+        *with_nulls(list(sentences(listed)), listed, said),
+        f"@return as for {function.name}(), of the first bad {row}",
+    ]
+    lines = [line for part in text for line in textwrap.wrap(part, WIDTH - 3, break_on_hyphens=False) or [""]]
+    comment = "\n".join(f" * {line}".rstrip() for line in lines)
+    written = wrapped(f"PW85_API int {name_of_many(function.name)}(", ["size_t n", *(one.declared() for one in listed)])
+    return f"/**{comment[2:]} */\n{written}\n"
+
+
+def wrapped(begin, arguments):
+    """A declaration in lines that are aligned with its bracket."""
+    text = ", ".join(argument.replace(" ", "\0") for argument in arguments) + ");"
+    lines = textwrap.wrap(text, WIDTH - len(begin), break_long_words=False, break_on_hyphens=False)
+    return begin + ("\n" + " " * len(begin)).join(lines).replace("\0", " ")
+
+
+def header():
+    return ROWS.sub(declaration, TEMPLATE.read_text(encoding="utf-8"))

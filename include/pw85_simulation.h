@@ -1,0 +1,259 @@
+/** @file pw85_simulation.h
+ * @brief Monte Carlo simulations of hard ellipsoids.
+ *
+ * The conventions are those of pw85.h.
+ */
+#ifndef PW85_SIMULATION_H_INCLUDED
+#define PW85_SIMULATION_H_INCLUDED
+
+#include <pw85_systems.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/** @name Monte Carlo of hard ellipsoids
+ *
+ * A simulation owns particles, cell, lists of neighbours, random numbers and counts. Particles never overlap: each trial is decided by the
+ * exact overlap test, for the separations of centres as rounded to doubles. The target is the uniform distribution of all configurations
+ * without overlaps, at constant volume or, with trials of the volume, at constant pressure.
+ *
+ * The random numbers are those of Philox4x32-10 (Salmon and others 2011), selected by the seed and the number of the step. So the same
+ * calls give the same trajectory, bit by bit, with any number of threads and after pw85_hard_ellipsoids_restore().
+ *
+ * One simulation may be used by one thread at a time; the functions themselves run in parallel.
+ * @{ */
+
+/** A simulation. The library owns it. */
+typedef struct pw85_hard_ellipsoids pw85_hard_ellipsoids;
+
+/** Scales the cell in all directions alike. */
+#define PW85_CHANGE_ISOTROPIC 0
+
+/** Scales the cell along x, y or z, chosen at random. */
+#define PW85_CHANGE_AXIS 1
+
+/** Scales the cell along x, y or z, or shears it, chosen at random. A shear adds a multiple of a later coordinate to an earlier one, so
+ * that a cell whose vectors are a lower triangular matrix stays one. */
+#define PW85_CHANGE_TRICLINIC 2
+
+/** Makes a simulation. The arrays are copied.
+ *
+ * In the beginning, half of the trials are translations and half are rotations. The memory is some 420 bytes per particle, 24 more with
+ * trials of the volume, and 8 for each of its neighbours. While neighbours are listed, there are at least 10 more for each of them.
+ *
+ * @param system at most 2³¹ - 1 particles as for pw85_neighbors_create(); `q` may be null, it is not read. The cell may be smaller than
+ *        a particle, whose images must not overlap either.
+ * @param semi_axes num_particles×3: lengths of the principal semi-axes of each particle, > 0, whose squares are in the range of double
+ * @param quaternions num_particles×4: (w, x, y, z), of any lengths > 0
+ * @param seed selects the random numbers
+ * @param[out] pair the first two particles that overlap, the same for a particle and its own image; -1 if no particles overlap; may be null
+ * @param[out] simulation null on error; to be destroyed by pw85_hard_ellipsoids_destroy()
+ * @return #PW85_SUCCESS; #PW85_EOVERLAP if particles overlap; #PW85_EINVAL and #PW85_ENOTPD as for pw85_neighbors_create(); #PW85_ENOMEM */
+PW85_API int pw85_hard_ellipsoids_create(pw85_system const *system, double const *semi_axes, double const *quaternions,
+                                         size_t seed, int32_t pair[2], pw85_hard_ellipsoids **simulation);
+
+/** Makes sweeps. A sweep has as many trials as there are particles.
+ *
+ * For each sweep the cell is divided into domains with a random origin. Domains that are not neighbours are worked on at the same time.
+ * Each gets as many trials as it has particles, each of a random particle of the domain, and the domains of one colour come after those
+ * of another, in random order. A trial that leaves its domain is rejected. So the division does not change during a sweep, the way back of
+ * each trial is as probable as the trial, and a sweep is in detailed balance.
+ *
+ * A translation is by a point of a ball. A rotation multiplies the quaternion by (1, v) from the left, v a point of a ball. An exchange
+ * swaps the semi-axes of two particles of a domain.
+ *
+ * @param simulation a simulation
+ * @param num_sweeps how many
+ * @return #PW85_SUCCESS, #PW85_EINVAL; #PW85_ENOMEM, after which the last sweep is not complete */
+PW85_API int pw85_hard_ellipsoids_sweep(pw85_hard_ellipsoids *simulation, size_t num_sweeps);
+
+/** Makes event chains, which translate many particles at once and give the pressure.
+ *
+ * For each chain a random particle moves along a direction until it touches another one. This one moves on from there, and so on, until
+ * the sum of the ways is the length of the chain. No chain leads to an overlap (pw85_free_path(), and the exact overlap test of each
+ * place). Chains do not rotate particles: use sweeps of rotations, too.
+ *
+ * Chains along one direction keep the uniform distribution, without detailed balance, but do not change the coordinates across it.
+ * Chains along random directions are in detailed balance. βP/ρ, along the direction, is the mean of (x_last - x_first)/length over
+ * chains, where x is the coordinate along the direction of the particle that moves, which jumps at each contact (Michel, Kapfer
+ * and Krauth 2014). Make blocks of chains to see its error.
+ *
+ * @param simulation a simulation
+ * @param num_chains how many
+ * @param length of each chain, > 0, in the unit of length. It is long if it is the mean way between contacts times the number of
+ *        particles
+ * @param direction of any length > 0; or null for a random direction of each chain, isotropic
+ * @param[out] compressibility βP/ρ along the directions, by these chains; may be null. NaN on error, without chains or particles, and where
+ *        a particle could touch its own image if it turned: where the shortest vector of the lattice is not longer than twice the
+ *        longest semi-axis. Such contacts are a part of the pressure that chains do not find, because images move with their particle.
+ * @return #PW85_SUCCESS; #PW85_EINVAL, also for a zero direction; #PW85_ENOMEM or #PW85_ECONVERGENCE (particles block each other within
+ *         rounding errors, or the length is more than some 10¹⁵ ways), after which the last chain is not complete */
+PW85_API int pw85_hard_ellipsoids_chain(pw85_hard_ellipsoids *simulation, size_t num_chains, double length,
+                                        double const direction[PW85_DIM], double *compressibility);
+
+/** Tries changes of the cell and of all centres with it, at constant pressure.
+ *
+ * The coordinates are multiplied by a random matrix E. It is as probable as its inverse. The trial is accepted with the probability
+ * min(1, (det E)^(N+1) exp(-βP V (det E - 1))) if there is no overlap afterwards. So the density of volumes of N particles is that of
+ * V^N exp(-βPV) for each kind of change, and the kinds may be mixed. The logarithmic lengths and the shears of the cell are distributed
+ * uniformly otherwise; a fluid does not limit the shears.
+ *
+ * @param simulation a simulation with a cell that is periodic along its three vectors
+ * @param num_moves number of trials
+ * @param pressure βP, > 0, in the inverse cube of the unit of length
+ * @param change #PW85_CHANGE_ISOTROPIC, #PW85_CHANGE_AXIS or #PW85_CHANGE_TRICLINIC
+ * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOMEM */
+PW85_API int pw85_hard_ellipsoids_volume_moves(pw85_hard_ellipsoids *simulation, size_t num_moves, double pressure,
+                                               int change);
+
+/** Makes sweeps, and changes the steps after each of them towards an acceptance. Then it sets all counts to zero.
+ *
+ * Trials are not in detailed balance while the steps change: use this to equilibrate only. Translations become at most half as long as the
+ * longest semi-axis. Only where particles are far apart may they become longer, so that the lists of neighbours stay short.
+ *
+ * @param simulation a simulation
+ * @param num_sweeps how many
+ * @param acceptance the desired part of the trials that is accepted, > 0 and at most 1
+ * @param pressure βP as for pw85_hard_ellipsoids_volume_moves(), for one trial of the volume after each sweep; 0 for none
+ * @param change as for pw85_hard_ellipsoids_volume_moves()
+ * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOMEM */
+PW85_API int pw85_hard_ellipsoids_tune(pw85_hard_ellipsoids *simulation, size_t num_sweeps, double acceptance,
+                                       double pressure, int change);
+
+/** Sets the parts of the trials of a sweep that are translations, rotations, both at once, and exchanges.
+ *
+ * @param simulation a simulation
+ * @param fractions not negative; they are divided by their sum, which is positive
+ * @return #PW85_SUCCESS, #PW85_EINVAL */
+PW85_API int pw85_hard_ellipsoids_set_fractions(pw85_hard_ellipsoids *simulation, double const fractions[4]);
+
+/** Sets the largest changes of a trial.
+ *
+ * The lists of neighbours reach three times as far as a translation. So their memory grows with its third power.
+ *
+ * @param simulation a simulation
+ * @param steps positive: the length of a translation, in a cell that is periodic along its three vectors at most that of the longest one;
+ *        the tangent of half of the angle of a rotation, at most 1; the relative change of a length of the cell or the shear, at most 1
+ * @return #PW85_SUCCESS, #PW85_EINVAL */
+PW85_API int pw85_hard_ellipsoids_set_steps(pw85_hard_ellipsoids *simulation, double const steps[3]);
+
+/** The largest changes of a trial.
+ *
+ * @param simulation a simulation
+ * @param[out] steps as for pw85_hard_ellipsoids_set_steps()
+ * @return #PW85_SUCCESS, #PW85_EINVAL */
+PW85_API int pw85_hard_ellipsoids_steps(pw85_hard_ellipsoids const *simulation, double steps[3]);
+
+/** The numbers of trials since the simulation was made or tuned: translations, rotations, both at once, exchanges, volume.
+ *
+ * @param simulation a simulation
+ * @param[out] trials how many there were; -1 on error; may be null
+ * @param[out] accepted how many of them were accepted; -1 on error; may be null
+ * @return #PW85_SUCCESS, #PW85_EINVAL */
+PW85_API int pw85_hard_ellipsoids_counts(pw85_hard_ellipsoids const *simulation, int64_t trials[5],
+                                         int64_t accepted[5]);
+
+/** The images of particles whose bounding boxes meet that of one particle, ordered by their indices, then by their images. Particles
+ * that the given one may touch or overlap are among them. The order and the numbers depend on the present state alone.
+ *
+ * @param simulation a simulation
+ * @param particle index, from 0
+ * @param capacity how many images the arrays can have; with 0 the function only counts
+ * @param[out] count how many images there are, which may be more than `capacity`; 0 on error
+ * @param[out] particles capacity: index of each; the first `count` are written, as of the next arrays, which may all be null
+ * @param[out] images capacity×3: multiples of the vectors of the cell, to be added to the centre of that particle, or null
+ * @param[out] separations capacity×3: from the centre of the given particle to that of the image, or null
+ * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOMEM */
+PW85_API int pw85_hard_ellipsoids_neighbors(pw85_hard_ellipsoids *simulation, size_t particle, size_t capacity,
+                                            size_t *count, int32_t *particles, int32_t *images, double *separations);
+
+/** Whether a particle would be free of overlaps at another place, by the exact test; and moves it there, if wanted. All images are tested,
+ * those of the particle itself, too. Counts and random numbers stay as they are.
+ *
+ * A place near the present one takes about as long as a trial of a sweep. For other places, a new list of all neighbours is made.
+ *
+ * @param simulation a simulation
+ * @param particle index, from 0
+ * @param center new centre, anywhere in the cell or its images, or null for the present one
+ * @param quaternion new orientation (w, x, y, z), of any length > 0, or null for the present one
+ * @param take whether the particle shall stay there if it is free
+ * @param[out] is_free 1 or 0; -1 on error
+ * @return #PW85_SUCCESS; #PW85_EINVAL, also for a free place that is too far away for pw85_neighbors_create(); #PW85_ENOTPD;
+ *         #PW85_ENOMEM */
+PW85_API int pw85_hard_ellipsoids_try(pw85_hard_ellipsoids *simulation, size_t particle, double const center[PW85_DIM],
+                                      double const quaternion[4], int take, int *is_free);
+
+/** How far cell and centres can be compressed before particles touch: the factor of all lengths, the same in all directions; and
+ * compresses, if wanted. Particles keep their sizes. The factor is that of the least μ of all pairs, 1/μ, enlarged by no more than rounding
+ * errors require: the exact test finds no overlap after the coordinates are multiplied by the factor and rounded.
+ *
+ * @param simulation a simulation
+ * @param take whether the cell and the centres shall be multiplied by the factor
+ * @param[out] factor at most 1; 0, and nothing is changed, if there are no pairs; NaN on error
+ * @return #PW85_SUCCESS; #PW85_EINVAL, also if particles are too far apart for a list of neighbours; #PW85_ENOMEM */
+PW85_API int pw85_hard_ellipsoids_compress(pw85_hard_ellipsoids *simulation, int take, double *factor);
+
+/** Searches all particles for overlaps, by a neighbour list of its own.
+ *
+ * @param simulation a simulation
+ * @param[out] pair as for pw85_hard_ellipsoids_create()
+ * @return #PW85_SUCCESS if there is no overlap, #PW85_EOVERLAP, #PW85_EINVAL, #PW85_ENOMEM */
+PW85_API int pw85_hard_ellipsoids_check(pw85_hard_ellipsoids const *simulation, int32_t pair[2]);
+
+/** Particles and cell: pointers to the arrays of the simulation. They are valid until it is destroyed, and show its present state. Centres
+ * are not wrapped into the cell.
+ *
+ * @param simulation a simulation, or null
+ * @return the system; without particles for null */
+PW85_API pw85_system pw85_hard_ellipsoids_system(pw85_hard_ellipsoids const *simulation);
+
+/** The orientations, num_particles×4, as pw85_hard_ellipsoids_system() gives the rest.
+ *
+ * @param simulation a simulation, or null
+ * @return quaternions (w, x, y, z) of length one; null for null */
+PW85_API double const *pw85_hard_ellipsoids_quaternions(pw85_hard_ellipsoids const *simulation);
+
+/** The semi-axes, num_particles×3, as pw85_hard_ellipsoids_system() gives the rest.
+ *
+ * @param simulation a simulation, or null
+ * @return the lengths; null for null */
+PW85_API double const *pw85_hard_ellipsoids_semi_axes(pw85_hard_ellipsoids const *simulation);
+
+/** The number of bytes that pw85_hard_ellipsoids_save() writes.
+ *
+ * @param simulation a simulation, or null
+ * @return the number; 0 for null */
+PW85_API size_t pw85_hard_ellipsoids_num_bytes(pw85_hard_ellipsoids const *simulation);
+
+/** Writes the whole state of a simulation as bytes: 80 for each particle and some hundreds. They can be read on machines of the same
+ * kind.
+ *
+ * @param simulation a simulation
+ * @param num_bytes pw85_hard_ellipsoids_num_bytes()
+ * @param[out] bytes num_bytes
+ * @return #PW85_SUCCESS, #PW85_EINVAL */
+PW85_API int pw85_hard_ellipsoids_save(pw85_hard_ellipsoids const *simulation, size_t num_bytes, unsigned char *bytes);
+
+/** Makes a simulation from the bytes of another, which it continues bit by bit.
+ *
+ * @param num_bytes number of bytes
+ * @param bytes num_bytes
+ * @param[out] simulation null on error; to be destroyed by pw85_hard_ellipsoids_destroy()
+ * @return #PW85_SUCCESS; #PW85_EINVAL, also for bytes of another kind of machine or of another version; #PW85_EINVAL, #PW85_EOVERLAP,
+ *         #PW85_ENOTPD if bytes have been changed to a state that is not possible; #PW85_ENOMEM */
+PW85_API int pw85_hard_ellipsoids_restore(size_t num_bytes, unsigned char const *bytes,
+                                          pw85_hard_ellipsoids **simulation);
+
+/** Frees a simulation.
+ *
+ * @param simulation a simulation, or null */
+PW85_API void pw85_hard_ellipsoids_destroy(pw85_hard_ellipsoids *simulation);
+
+/** @} */
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
