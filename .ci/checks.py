@@ -285,7 +285,7 @@ def check_sanitizers(results):
 
 
 def check_all_sanitizers(results):
-    check_addresses(results, ["--no-suite=install", "--no-suite=flags", "--no-suite=whole"])
+    check_addresses(results, ["--no-suite=install", "--no-suite=flags", "--no-suite=whole", "--no-suite=thorough"])
 
 
 def check_tutorial(results):
@@ -306,10 +306,14 @@ def check_foreign(results):
         test(results, folder_of(machine.stem), ["--suite", "portable"])
 
 
+def check_thorough(results):
+    """All random inputs of the programs of which the test command takes an eighth."""
+    test(results, TEST_COMMAND_BUILD, ["--suite", "thorough"])
+
+
 def check_whole(results):
     """Whole proofs and long sweeps, in the folder of the test command."""
-    ok = run(["meson", "test", "-C", str(TEST_COMMAND_BUILD), "--print-errorlogs", "--suite", "whole"])
-    report(results, TEST_COMMAND_BUILD, ok)
+    test(results, TEST_COMMAND_BUILD, ["--suite", "whole"])
 
 
 TEST = "$test_packages"
@@ -339,6 +343,7 @@ PARTS = {
     "sanitizers": Part(check_sanitizers, f"{TEST} clang libclang-rt-14-dev", after=("tests",)),
     "clang-tidy": Part(check_tidy, f"{TEST} clang clang-tidy", after=("clang",)),
     "foreign": Part(check_foreign, f"{TEST} qemu-user g++-aarch64-linux-gnu", after=("tests",)),
+    "thorough": Part(check_thorough, TEST, after=("tests", "pages")),
     "whole": Part(check_whole, TEST, after=("tests", "pages"), by_default=False),
     "all-sanitizers": Part(check_all_sanitizers, f"{TEST} clang libclang-rt-14-dev", after=("tests", "sanitizers"), by_default=False),
     "lammps-of-debian-13": Part(check_lammps_of_debian_13, "git mmdebstrap", after=("lammps",), by_default=False),
@@ -348,7 +353,7 @@ PARTS = {
     "abi": Part(check_abi, f"{TEST} abigail-tools", after=("tests",), by_default=False),
 }
 # A part needs the build folder that another one leaves.
-NEEDS = {"pages": "tests", "static": "tests", "whole": "tests", "valgrind": "tests", "clang-tidy": "clang"}
+NEEDS = {"pages": "tests", "static": "tests", "thorough": "tests", "whole": "tests", "valgrind": "tests", "clang-tidy": "clang"}
 
 
 # The tests of memory, of threads and of bad input, and those of code that differs per instruction set.

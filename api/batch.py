@@ -1,10 +1,11 @@
-"""The header include/pw85_batch.h, made of its template api/pw85_batch.in.h and of the functions of one row in pw85.h.
+"""The header include/pw85_batch.h, made of its template api/pw85_batch.h.in and of the functions of one row in pw85.h.
 
 A line of the template
 
     @rows pw85_f ellipsoids and boxes: what is said of the results
 
-becomes the declaration of pw85_f_batch() with its contract. Its arrays have a row in the place of each number or array; what else is to
+becomes the declaration of pw85_f_batch() with its contract. "@lanes" is the same for functions that have lanes, and shims of their own;
+shims.py makes the others. Its arrays have a row in the place of each number or array; what else is to
 be said of them stands in pw85.h. Where the line does not say of what the rows are, they are pairs; where it says nothing of the results,
 they are the same. Indented lines below, "name: text", are sentences of parameters. The declarations of functions that have none of one
 row are in the template as they are.
@@ -18,9 +19,9 @@ from itertools import groupby
 from declarations import INCLUDE, SOURCE, functions, parameters
 from rows import TRUTHS, name_of_many
 
-HEADER, TEMPLATE = INCLUDE / "pw85_batch.h", SOURCE / "api/pw85_batch.in.h"
+HEADER, TEMPLATE = INCLUDE / "pw85_batch.h", SOURCE / "api/pw85_batch.h.in"
 WIDTH = 120
-ROWS = re.compile(r"^@rows (?P<name>\w+)(?: (?P<rows>[\w -]+))?(?:: (?P<results>.*))?\n(?P<said>(?:    .*\n)*)", re.MULTILINE)
+ROWS = re.compile(r"^@(?P<kind>rows|lanes) (?P<name>\w+)(?: (?P<rows>[\w -]+))?(?:: (?P<results>.*))?\n(?P<said>(?:    .*\n)*)", re.MULTILINE)
 PLURALS = {"normal": "normals", "offset": "offsets", "direction": "directions", "quaternion": "quaternions"}  # of inputs
 NUMBERS = {"out": ("mu2", "lambda"), "t": ("enter", "leave")}  # that functions of one row write to one array
 ONE_FOR_ALL = {("pw85_first_contact", "t_max"), ("pw85_closest_passage", "t_max")}
@@ -65,13 +66,24 @@ def argument(function, one, name, shape, row, said):
     return Argument(name, "unsigned char" if is_truth else one.type, said.get(name, text), one.is_output(), nullable)
 
 
-def arguments(function, row, said):
-    return [
-        argument(function, one, name, shape, row, said)
-        for one in parameters(function)
-        for names, shape in [names_and_shape(one)]
-        for name in names
-    ]
+class Statement:
+    """A line of the template."""
+
+    def __init__(self, match):
+        self.function = next(one for one in functions("pw85.h") if one.name == match["name"])
+        self.has_lanes = match["kind"] == "lanes"
+        self.rows = match["rows"] or "pairs"
+        self.row = self.rows.split()[0].removesuffix("s")
+        self.said = dict(line.strip().split(": ", 1) for line in match["said"].splitlines())
+        self.results = match["results"]
+
+    def arguments(self):
+        """The parameters of one row, each with those that stand for it in the function of many rows."""
+        return [
+            (one, [argument(self.function, one, name, shape, self.row, self.said) for name in names])
+            for one in parameters(self.function)
+            for names, shape in [names_and_shape(one)]
+        ]
 
 
 def sentences(listed):
@@ -92,31 +104,34 @@ def with_nulls(lines, listed, said):
 
 def declaration(match):
     """The declaration of a function of many rows with its comment, for a line of the template."""
-    function = next(one for one in functions("pw85.h") if one.name == match["name"])
-    said = dict(line.strip().split(": ", 1) for line in match["said"].splitlines())
-    rows = match["rows"] or "pairs"
-    row = rows.split()[0].removesuffix("s")
-    listed = arguments(function, row, said)
-    results = match["results"] or f"the {'answers' if any(one.type == 'unsigned char' for one in listed) else 'bits'} are the same."
+    statement = Statement(match)
+    listed = [one for _, many in statement.arguments() for one in many]
+    name, row = statement.function.name, statement.row
+    results = statement.results or f"the {'answers' if any(one.type == 'unsigned char' for one in listed) else 'bits'} are the same."
     text = [
-        f"{function.name}() for n {rows}{'.' if results[0].isupper() else ';'} {results}",
+        f"{name}() for n {statement.rows}{'.' if results[0].isupper() else ';'} {results}",
         "",
         f"@param n number of {row}s",
-        *with_nulls(list(sentences(listed)), listed, said),
-        f"@return as for {function.name}(), of the first bad {row}",
+        *with_nulls(list(sentences(listed)), listed, statement.said),
+        f"@return as for {name}(), of the first bad {row}",
     ]
     lines = [line for part in text for line in textwrap.wrap(part, WIDTH - 3, break_on_hyphens=False) or [""]]
     comment = "\n".join(f" * {line}".rstrip() for line in lines)
-    written = wrapped(f"PW85_API int {name_of_many(function.name)}(", ["size_t n", *(one.declared() for one in listed)])
+    written = wrapped(f"PW85_API int {name_of_many(name)}(", ["size_t n", *(one.declared() for one in listed)], ");")
     return f"/**{comment[2:]} */\n{written}\n"
 
 
-def wrapped(begin, arguments):
-    """A declaration in lines that are aligned with its bracket."""
-    text = ", ".join(argument.replace(" ", "\0") for argument in arguments) + ");"
+def wrapped(begin, arguments, end):
+    """A list of arguments in lines that are aligned with its bracket."""
+    text = ", ".join(argument.replace(" ", "\0") for argument in arguments) + end
     lines = textwrap.wrap(text, WIDTH - len(begin), break_long_words=False, break_on_hyphens=False)
     return begin + ("\n" + " " * len(begin)).join(lines).replace("\0", " ")
 
 
 def header():
     return ROWS.sub(declaration, TEMPLATE.read_text(encoding="utf-8"))
+
+
+def statements():
+    """The lines of the template, in order."""
+    return [Statement(match) for match in ROWS.finditer(TEMPLATE.read_text(encoding="utf-8"))]

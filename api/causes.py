@@ -8,7 +8,7 @@ provokes each cause in each function.
 import re
 from dataclasses import dataclass
 
-from declarations import PARTS, flattened, functions, members
+from declarations import PARTS, flattened, functions, members, referenced
 from declarations import parameters as declared
 
 REFERENCE = re.compile(r"(?:as (?:for|in)|contract as|see|arguments of) (pw85\w+)\(\)", re.IGNORECASE)
@@ -116,9 +116,10 @@ def outputs_may_be_null(function):
 
 
 def of_one_row(function):
-    """For a function of many rows, "pw85_f() for n pairs", the contract of the function of one row; otherwise an empty text."""
+    """For a function of many rows, "pw85_f() for n pairs", the contract of the function of one row with those to which it refers;
+    otherwise an empty text."""
     name = re.match(r"\s*(pw85\w+)\(\)[^.]*? for (?:n|the pairs) ", function.comment)
-    return KNOWN[name[1]].comment if name else ""
+    return " ".join(one.comment for one in referenced(KNOWN[name[1]], KNOWN)) if name else ""
 
 
 # These functions accept the values: a sum is NaN if one of its terms is NaN.

@@ -7,8 +7,8 @@
 #include <cmath>
 #include <vector>
 
-#include <pw85/systems.hpp>
 #include <pw85/pw85.hpp>
+#include <pw85/systems.hpp>
 
 #include <random_pairs.hpp>
 

@@ -22,8 +22,8 @@
 #include <benchmark/benchmark.h>
 
 #include <pw85/batch.hpp>
-#include <pw85/systems.hpp>
 #include <pw85/pw85.hpp>
+#include <pw85/systems.hpp>
 
 #include "spheroids.hpp"
 

@@ -121,7 +121,7 @@ PW85_API int pw85_is_reproducible(int *on);
  * @param n direction of the axis of revolution, of any length > 0
  * @param[out] q the form; NaN if a length is not positive or its square leaves the range of double, or n is zero or not
  *        finite */
-PW85_API void pw85_spheroid(double a, double c, double const n[PW85_DIM], double q[PW85_SYM]);
+PW85_API void pw85_spheroid(double a, double c, double const n[3], double q[6]);
 
 /** Quadratic form of a general ellipsoid, Q = R diag(semi_axes²) Rᵀ.
  *
@@ -131,8 +131,7 @@ PW85_API void pw85_spheroid(double a, double c, double const n[PW85_DIM], double
  *        accepted); reflections are accepted.
  * @param[out] q the form
  * @return #PW85_SUCCESS or #PW85_EINVAL */
-PW85_API int pw85_ellipsoid(double const semi_axes[PW85_DIM], double const rotation[PW85_DIM * PW85_DIM],
-                            double q[PW85_SYM]);
+PW85_API int pw85_ellipsoid(double const semi_axes[3], double const rotation[9], double q[6]);
 
 /** Quadratic form of a general ellipsoid whose orientation is a quaternion.
  *
@@ -141,8 +140,7 @@ PW85_API int pw85_ellipsoid(double const semi_axes[PW85_DIM], double const rotat
  *        space frame.
  * @param[out] q the form
  * @return #PW85_SUCCESS or #PW85_EINVAL */
-PW85_API int pw85_ellipsoid_quaternion(double const semi_axes[PW85_DIM], double const quaternion[4],
-                                       double q[PW85_SYM]);
+PW85_API int pw85_ellipsoid_quaternion(double const semi_axes[3], double const quaternion[4], double q[6]);
 
 /** Factor S of the quadratic form of a general ellipsoid, Q = S Sᵀ. It keeps the digits that squares of lengths lose: see
  * pw85_contact_factored().
@@ -152,8 +150,7 @@ PW85_API int pw85_ellipsoid_quaternion(double const semi_axes[PW85_DIM], double 
  *        space frame.
  * @param[out] s 3×3 matrix in row-major order; its columns are the semi-axes as vectors
  * @return #PW85_SUCCESS or #PW85_EINVAL */
-PW85_API int pw85_ellipsoid_factor(double const semi_axes[PW85_DIM], double const quaternion[4],
-                                   double s[PW85_DIM * PW85_DIM]);
+PW85_API int pw85_ellipsoid_factor(double const semi_axes[3], double const quaternion[4], double s[9]);
 
 /** Quadratic form (xx, xy, yy) of an ellipse.
  *
@@ -178,8 +175,7 @@ PW85_API int pw85_ellipse(double a, double b, double angle, double q[3]);
  * @param[out] out (μ², λ), with the maximiser λ of f in [0, 1]
  * @return #PW85_SUCCESS, #PW85_EINVAL (null pointer, NaN or infinity), #PW85_ENOTPD, #PW85_ECONVERGENCE (the bound on the
  *         error cannot be proved; this has never been seen) */
-PW85_API int pw85_contact(double const r12[PW85_DIM], double const q1[PW85_SYM], double const q2[PW85_SYM],
-                          double out[2]);
+PW85_API int pw85_contact(double const r12[3], double const q1[6], double const q2[6], double out[2]);
 
 /** Contact function of two ellipsoids, with μ² correctly rounded: it is the double nearest to the exact value for the numbers given.
  *
@@ -192,8 +188,7 @@ PW85_API int pw85_contact(double const r12[PW85_DIM], double const q1[PW85_SYM],
  * @param[out] out (μ², λ), with the maximiser λ of f in [0, 1]
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD, #PW85_ECONVERGENCE (the last digit of λ cannot be proved; this has never been
  *         seen) */
-PW85_API int pw85_contact_rounded(double const r12[PW85_DIM], double const q1[PW85_SYM], double const q2[PW85_SYM],
-                                  double out[2]);
+PW85_API int pw85_contact_rounded(double const r12[3], double const q1[6], double const q2[6], double out[2]);
 
 /** Contact function of two ellipsoids that are given by factors of their forms, Q1 = S1 S1ᵀ and Q2 = S2 S2ᵀ.
  *
@@ -206,8 +201,7 @@ PW85_API int pw85_contact_rounded(double const r12[PW85_DIM], double const q1[PW
  *        scaled to length one, span a volume above 2⁻³⁹, and if the lengths of its columns differ by less than a factor of 2¹²⁷.
  * @param[out] out (μ², λ), with the maximiser λ of f in [0, 1]
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD (a factor is singular, or nearly), #PW85_ECONVERGENCE as for pw85_contact() */
-PW85_API int pw85_contact_factored(double const r12[PW85_DIM], double const s1[PW85_DIM * PW85_DIM],
-                                   double const s2[PW85_DIM * PW85_DIM], double out[2]);
+PW85_API int pw85_contact_factored(double const r12[3], double const s1[9], double const s2[9], double out[2]);
 
 /** Condition number of the contact function: if each entry of r12, q1 and q2 changes by a fraction ε of itself, μ² changes by a
  * fraction of at most ε cond, to first order in ε.
@@ -221,16 +215,14 @@ PW85_API int pw85_contact_factored(double const r12[PW85_DIM], double const s1[P
  * @param lambda from pw85_contact()
  * @param[out] cond no less than 3; 0 for r12 = 0
  * @return #PW85_SUCCESS, #PW85_EINVAL (also for lambda outside [0, 1]), #PW85_ENOTPD */
-PW85_API int pw85_condition(double const r12[PW85_DIM], double const q1[PW85_SYM], double const q2[PW85_SYM],
-                            double lambda, double *cond);
+PW85_API int pw85_condition(double const r12[3], double const q1[6], double const q2[6], double lambda, double *cond);
 
 /** Contact function of two ellipsoids, by Brent's method on f and Newton-Raphson iterations on f' (the method and the
  * semantics of pw85 1.0). Same contract as pw85_contact(), which is several times faster.
  *
  * The relative error of μ² is below 4 u cond, too. Brent's method works on a problem in which both ellipsoids have been scaled
  * to similar size, so that #PW85_LAMBDA_ATOL has the same meaning for ellipsoids of all sizes. */
-PW85_API int pw85_contact_function(double const r12[PW85_DIM], double const q1[PW85_SYM], double const q2[PW85_SYM],
-                                   double out[2]);
+PW85_API int pw85_contact_function(double const r12[3], double const q1[6], double const q2[6], double out[2]);
 
 /** Point at which the ellipsoids, scaled by μ, touch, and their common normal.
  *
@@ -240,8 +232,8 @@ PW85_API int pw85_contact_function(double const r12[PW85_DIM], double const q1[P
  * @param[out] point relative to the centre of ellipsoid 1; may be null
  * @param[out] normal unit vector, outward from ellipsoid 1 and into ellipsoid 2; may be null
  * @return #PW85_SUCCESS, #PW85_EINVAL (also for lambda outside [0, 1] and r12 = 0), #PW85_ENOTPD */
-PW85_API int pw85_contact_geometry(double const r12[PW85_DIM], double const q1[PW85_SYM], double const q2[PW85_SYM],
-                                   double lambda, double point[PW85_DIM], double normal[PW85_DIM]);
+PW85_API int pw85_contact_geometry(double const r12[3], double const q1[6], double const q2[6], double lambda,
+                                   double point[3], double normal[3]);
 
 /** pw85_contact_geometry() of ellipsoids that are given by factors of their forms.
  *
@@ -254,9 +246,8 @@ PW85_API int pw85_contact_geometry(double const r12[PW85_DIM], double const q1[P
  * @param[out] point relative to the centre of ellipsoid 1; may be null
  * @param[out] normal unit vector, outward from ellipsoid 1 and into ellipsoid 2; may be null
  * @return #PW85_SUCCESS, #PW85_EINVAL (also for lambda outside [0, 1] and r12 = 0), #PW85_ENOTPD (a factor is singular, or nearly) */
-PW85_API int pw85_contact_geometry_factored(double const r12[PW85_DIM], double const s1[PW85_DIM * PW85_DIM],
-                                            double const s2[PW85_DIM * PW85_DIM], double lambda, double point[PW85_DIM],
-                                            double normal[PW85_DIM]);
+PW85_API int pw85_contact_geometry_factored(double const r12[3], double const s1[9], double const s2[9], double lambda,
+                                            double point[3], double normal[3]);
 
 /** Derivatives of μ².
  *
@@ -266,8 +257,8 @@ PW85_API int pw85_contact_geometry_factored(double const r12[PW85_DIM], double c
  * @param[out] d_q1,d_q2 derivatives with respect to the stored entries of q1 and q2 (an off-diagonal entry stands for
  * two entries of the matrix); may be null
  * @return #PW85_SUCCESS, #PW85_EINVAL (also for lambda outside [0, 1]), #PW85_ENOTPD */
-PW85_API int pw85_contact_gradient(double const r12[PW85_DIM], double const q1[PW85_SYM], double const q2[PW85_SYM],
-                                   double lambda, double d_r12[PW85_DIM], double d_q1[PW85_SYM], double d_q2[PW85_SYM]);
+PW85_API int pw85_contact_gradient(double const r12[3], double const q1[6], double const q2[6], double lambda,
+                                   double d_r12[3], double d_q1[6], double d_q2[6]);
 
 /** Derivatives of μ² of ellipsoids that are given by factors of their forms.
  *
@@ -279,9 +270,8 @@ PW85_API int pw85_contact_gradient(double const r12[PW85_DIM], double const q1[P
  * @param[out] d_r12 ∂μ²/∂r12; its negative is the derivative with respect to the centre of ellipsoid 1; may be null
  * @param[out] d_s1,d_s2 3×3, row-major: derivatives with respect to the entries of s1 and s2; may be null
  * @return #PW85_SUCCESS, #PW85_EINVAL (also for lambda outside [0, 1]), #PW85_ENOTPD (a factor is singular, or nearly) */
-PW85_API int pw85_contact_gradient_factored(double const r12[PW85_DIM], double const s1[PW85_DIM * PW85_DIM],
-                                            double const s2[PW85_DIM * PW85_DIM], double lambda, double d_r12[PW85_DIM],
-                                            double d_s1[PW85_DIM * PW85_DIM], double d_s2[PW85_DIM * PW85_DIM]);
+PW85_API int pw85_contact_gradient_factored(double const r12[3], double const s1[9], double const s2[9], double lambda,
+                                            double d_r12[3], double d_s1[9], double d_s2[9]);
 
 /** Derivatives of μ² with respect to rotations: for a rotation of an ellipsoid about its own centre by the small vector
  * ω, dμ² = d_rot·ω. The torque of an energy U(μ²) is -U'(μ²) d_rot.
@@ -290,8 +280,8 @@ PW85_API int pw85_contact_gradient_factored(double const r12[PW85_DIM], double c
  * @param lambda from pw85_contact()
  * @param[out] d_rot1,d_rot2 per radian, for ellipsoids 1 and 2; may be null
  * @return #PW85_SUCCESS, #PW85_EINVAL (also for lambda outside [0, 1]), #PW85_ENOTPD */
-PW85_API int pw85_contact_torque(double const r12[PW85_DIM], double const q1[PW85_SYM], double const q2[PW85_SYM],
-                                 double lambda, double d_rot1[PW85_DIM], double d_rot2[PW85_DIM]);
+PW85_API int pw85_contact_torque(double const r12[3], double const q1[6], double const q2[6], double lambda,
+                                 double d_rot1[3], double d_rot2[3]);
 
 /** Second derivatives of μ².
  *
@@ -303,8 +293,8 @@ PW85_API int pw85_contact_torque(double const r12[PW85_DIM], double const q1[PW8
  * @param[out] hessian 9×9, symmetric: second derivatives with respect to r12, rotation 1 and rotation 2. A vector ω describes
  *        the rotation by the angle |ω| about the direction of ω. λ is not held fixed: it maximises f for each changed pair.
  * @return #PW85_SUCCESS, #PW85_EINVAL (also for lambda outside [0, 1] and r12 = 0), #PW85_ENOTPD */
-PW85_API int pw85_contact_hessian(double const r12[PW85_DIM], double const q1[PW85_SYM], double const q2[PW85_SYM],
-                                  double lambda, double hessian[81]);
+PW85_API int pw85_contact_hessian(double const r12[3], double const q1[6], double const q2[6], double lambda,
+                                  double hessian[81]);
 
 /** Whether two ellipsoids overlap, μ² < 1. Tangent ellipsoids (μ² = 1) do not.
  *
@@ -314,8 +304,7 @@ PW85_API int pw85_contact_hessian(double const r12[PW85_DIM], double const q1[PW
  * @param r12,q1,q2 as for pw85_contact(); r12 = 0 is an overlap
  * @param[out] overlap 1 or 0; -1 on error
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD */
-PW85_API int pw85_overlap(double const r12[PW85_DIM], double const q1[PW85_SYM], double const q2[PW85_SYM],
-                          int *overlap);
+PW85_API int pw85_overlap(double const r12[3], double const q1[6], double const q2[6], int *overlap);
 
 /** Whether two ellipsoids overlap that are given by factors of their forms, Q1 = S1 S1ᵀ and Q2 = S2 S2ᵀ.
  *
@@ -329,8 +318,7 @@ PW85_API int pw85_overlap(double const r12[PW85_DIM], double const q1[PW85_SYM],
  * @param[out] overlap 1 or 0; -1 on error
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD (a factor is singular, or nearly), #PW85_ECONVERGENCE (the pair is so near to
  *         contact that only integers can decide, and their digits do not fit) */
-PW85_API int pw85_overlap_factored(double const r12[PW85_DIM], double const s1[PW85_DIM * PW85_DIM],
-                                   double const s2[PW85_DIM * PW85_DIM], int *overlap);
+PW85_API int pw85_overlap_factored(double const r12[3], double const s1[9], double const s2[9], int *overlap);
 
 /** The sign of μ² - mu2, for any number mu2.
  *
@@ -341,8 +329,7 @@ PW85_API int pw85_overlap_factored(double const r12[PW85_DIM], double const s1[P
  * @param mu2 >= 0; may be infinity
  * @param[out] sign -1 if μ² < mu2, 0 if they are equal, 1 if μ² > mu2; 2 on error
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD */
-PW85_API int pw85_compare(double const r12[PW85_DIM], double const q1[PW85_SYM], double const q2[PW85_SYM], double mu2,
-                          int *sign);
+PW85_API int pw85_compare(double const r12[3], double const q1[6], double const q2[6], double mu2, int *sign);
 
 /** Whether two ellipsoids overlap, as pw85_overlap(), with a number or a point that proves the answer.
  *
@@ -358,8 +345,8 @@ PW85_API int pw85_compare(double const r12[PW85_DIM], double const q1[PW85_SYM],
  *        NaN, also on success; may be null
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD, #PW85_ECONVERGENCE (no proof among the doubles was found; seen only where μ²
  *         differs from one by less than 1e-13, at aspect ratios up to 10⁸) */
-PW85_API int pw85_overlap_witness(double const r12[PW85_DIM], double const q1[PW85_SYM], double const q2[PW85_SYM],
-                                  int *overlap, double *lambda, double point[PW85_DIM]);
+PW85_API int pw85_overlap_witness(double const r12[3], double const q1[6], double const q2[6], int *overlap,
+                                  double *lambda, double point[3]);
 
 /** Whether ellipsoid 2 is inside ellipsoid 1. It may touch the surface of ellipsoid 1 from inside.
  *
@@ -368,8 +355,7 @@ PW85_API int pw85_overlap_witness(double const r12[PW85_DIM], double const q1[PW
  * @param r12,q1,q2 as for pw85_contact()
  * @param[out] contains 1 or 0; -1 on error
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD */
-PW85_API int pw85_contains(double const r12[PW85_DIM], double const q1[PW85_SYM], double const q2[PW85_SYM],
-                           int *contains);
+PW85_API int pw85_contains(double const r12[3], double const q1[6], double const q2[6], int *contains);
 
 /** The factor by which ellipsoid 1 must be scaled, its centre fixed, to contain ellipsoid 2, and the point where they touch then.
  *
@@ -384,8 +370,8 @@ PW85_API int pw85_contains(double const r12[PW85_DIM], double const q1[PW85_SYM]
  *        one of them: they do for r12 = 0, and wherever r12 is short and has no part along the longest direction of ellipsoid 2,
  *        measured by q1; may be null
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD, #PW85_ECONVERGENCE (the bounds cannot be made to agree; this has never been seen) */
-PW85_API int pw85_containment(double const r12[PW85_DIM], double const q1[PW85_SYM], double const q2[PW85_SYM],
-                              double *mu2, double point[PW85_DIM]);
+PW85_API int pw85_containment(double const r12[3], double const q1[6], double const q2[6], double *mu2,
+                              double point[3]);
 
 /** Distance of closest approach: the distance of the centres at which two ellipsoids of fixed orientation touch from
  * outside, when their centres are on a line of given direction d. It is |d|/μ(d).
@@ -394,8 +380,7 @@ PW85_API int pw85_containment(double const r12[PW85_DIM], double const q1[PW85_S
  * @param q1,q2 forms of the ellipsoids
  * @param[out] distance in the unit of the semi-axes
  * @return #PW85_SUCCESS, #PW85_EINVAL (also for a zero direction), #PW85_ENOTPD, #PW85_ECONVERGENCE as for pw85_contact() */
-PW85_API int pw85_closest_approach(double const direction[PW85_DIM], double const q1[PW85_SYM],
-                                   double const q2[PW85_SYM], double *distance);
+PW85_API int pw85_closest_approach(double const direction[3], double const q1[6], double const q2[6], double *distance);
 
 /** @}
  * @name Two dimensions
@@ -461,8 +446,8 @@ PW85_API int pw85_closest_approach_2d(double const direction[2], double const q1
  *        overlap, also on success; may be null
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD, #PW85_ECONVERGENCE (the errors cannot be bounded; seen only beyond
  *         aspect ratio 10⁶) */
-PW85_API int pw85_distance(double const r12[PW85_DIM], double const q1[PW85_SYM], double const q2[PW85_SYM],
-                           double *distance, double point1[PW85_DIM], double point2[PW85_DIM]);
+PW85_API int pw85_distance(double const r12[3], double const q1[6], double const q2[6], double *distance,
+                           double point1[3], double point2[3]);
 
 /** Derivatives of the distance of two ellipsoids that are apart; NaN if they overlap, also on success.
  *
@@ -474,9 +459,8 @@ PW85_API int pw85_distance(double const r12[PW85_DIM], double const q1[PW85_SYM]
  * @param[out] hessian 9×9, symmetric: second derivatives with respect to r12, rotation 1 and rotation 2, where the vector ω
  *        stands for the rotation by |ω| about ω; may be null
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD, #PW85_ECONVERGENCE as for pw85_distance() */
-PW85_API int pw85_distance_derivatives(double const r12[PW85_DIM], double const q1[PW85_SYM], double const q2[PW85_SYM],
-                                       double d_r12[PW85_DIM], double d_rot1[PW85_DIM], double d_rot2[PW85_DIM],
-                                       double hessian[81]);
+PW85_API int pw85_distance_derivatives(double const r12[3], double const q1[6], double const q2[6], double d_r12[3],
+                                       double d_rot1[3], double d_rot2[3], double hessian[81]);
 
 /** The depth of an overlap: the shortest translation of ellipsoid 2 that separates two ellipsoids.
  *
@@ -492,8 +476,8 @@ PW85_API int pw85_distance_derivatives(double const r12[PW85_DIM], double const 
  * @param[out] direction unit vector along which ellipsoid 2 is to move; NaN if they do not overlap, also on success; may be null
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD, #PW85_ECONVERGENCE (the proof takes too long; seen only for forms
  *         that are singular to working precision) */
-PW85_API int pw85_penetration(double const r12[PW85_DIM], double const q1[PW85_SYM], double const q2[PW85_SYM],
-                              double *depth, double direction[PW85_DIM]);
+PW85_API int pw85_penetration(double const r12[3], double const q1[6], double const q2[6], double *depth,
+                              double direction[3]);
 
 /** The signed distance of two ellipsoids: their distance if they are apart, minus the depth of their overlap otherwise.
  *
@@ -511,8 +495,8 @@ PW85_API int pw85_penetration(double const r12[PW85_DIM], double const q1[PW85_S
  * @param[out] point1,point2 the points of the surfaces of ellipsoids 1 and 2 where their normals are opposite and along point2 -
  *        point1: the closest points, or the deepest ones; both relative to the centre of ellipsoid 1; may be null
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD, #PW85_ECONVERGENCE as for pw85_distance() and pw85_penetration() */
-PW85_API int pw85_signed_distance(double const r12[PW85_DIM], double const q1[PW85_SYM], double const q2[PW85_SYM],
-                                  double *distance, double point1[PW85_DIM], double point2[PW85_DIM]);
+PW85_API int pw85_signed_distance(double const r12[3], double const q1[6], double const q2[6], double *distance,
+                                  double point1[3], double point2[3]);
 
 /** Derivatives of the signed distance of two ellipsoids.
  *
@@ -528,9 +512,8 @@ PW85_API int pw85_signed_distance(double const r12[PW85_DIM], double const q1[PW
  * @param[out] hessian 9×9, symmetric: second derivatives as for pw85_distance_derivatives(); NaN where the best direction is not
  *        isolated, up to half of the digits, also on success; may be null
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD, #PW85_ECONVERGENCE as for pw85_signed_distance() */
-PW85_API int pw85_signed_distance_derivatives(double const r12[PW85_DIM], double const q1[PW85_SYM],
-                                              double const q2[PW85_SYM], double d_r12[PW85_DIM],
-                                              double d_rot1[PW85_DIM], double d_rot2[PW85_DIM], double hessian[81]);
+PW85_API int pw85_signed_distance_derivatives(double const r12[3], double const q1[6], double const q2[6],
+                                              double d_r12[3], double d_rot1[3], double d_rot2[3], double hessian[81]);
 
 /** Distance of two ellipses; see pw85_distance(). */
 PW85_API int pw85_distance_2d(double const r12[2], double const q1[3], double const q2[3], double *distance,
@@ -558,9 +541,9 @@ PW85_API int pw85_distance_2d(double const r12[2], double const q1[3], double co
 /** How an ellipsoid moves. */
 typedef struct pw85_motion {
     /** velocity of the centre. */
-    double velocity[PW85_DIM];
+    double velocity[3];
     /** angular velocity about the centre, in radians per unit of time. */
-    double angular_velocity[PW85_DIM];
+    double angular_velocity[3];
     /** At time t the semi-axes are 1 + growth·t times those at time 0. */
     double growth;
 } pw85_motion;
@@ -576,8 +559,8 @@ typedef struct pw85_motion {
  *         is 1000: the search ends after 100,000 steps; sizes, the relative velocity or the time leave the range of double; one
  *         turns by more than 2⁴³ radians, so that its orientation is unknown; or one turns whose aspect ratio is above 10⁷, so that
  *         rounding leaves no digit of its form) */
-PW85_API int pw85_first_contact(double const r12[PW85_DIM], double const q1[PW85_SYM], double const q2[PW85_SYM],
-                                pw85_motion const *motion1, pw85_motion const *motion2, double t_max, double *t);
+PW85_API int pw85_first_contact(double const r12[3], double const q1[6], double const q2[6], pw85_motion const *motion1,
+                                pw85_motion const *motion2, double t_max, double *t);
 
 /** The least μ² while ellipsoid 2 passes ellipsoid 1 on a straight way: the least contact function for the separations r12 + t velocity,
  * 0 <= t <= t_max.
@@ -592,8 +575,8 @@ PW85_API int pw85_first_contact(double const r12[PW85_DIM], double const q1[PW85
  * @param[out] mu2 the least μ²; 0 if ellipsoid 2 passes through the centre of ellipsoid 1; may be null
  * @param[out] t the time, in [0, t_max]; 0 for a zero velocity or r12 = 0; may be null
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD, #PW85_ECONVERGENCE as for pw85_contact() */
-PW85_API int pw85_closest_passage(double const r12[PW85_DIM], double const q1[PW85_SYM], double const q2[PW85_SYM],
-                                  double const velocity[PW85_DIM], double t_max, double *mu2, double *t);
+PW85_API int pw85_closest_passage(double const r12[3], double const q1[6], double const q2[6], double const velocity[3],
+                                  double t_max, double *mu2, double *t);
 
 /** How far ellipsoid 1 may move along a direction before it touches ellipsoid 2: it moves by t direction, so that the separation is
  * r12 - t direction.
@@ -607,8 +590,8 @@ PW85_API int pw85_closest_passage(double const r12[PW85_DIM], double const q1[PW
  * @param t_max the end of the path, >= 0; may be infinity
  * @param[out] t in [0, t_max), or infinity if there is no contact on the path
  * @return #PW85_SUCCESS, #PW85_EINVAL (also for a zero direction), #PW85_ENOTPD, #PW85_ECONVERGENCE as for pw85_first_contact() */
-PW85_API int pw85_free_path(double const r12[PW85_DIM], double const q1[PW85_SYM], double const q2[PW85_SYM],
-                            double const direction[PW85_DIM], double t_max, double *t);
+PW85_API int pw85_free_path(double const r12[3], double const q1[6], double const q2[6], double const direction[3],
+                            double t_max, double *t);
 
 /** @}
  * @name Curvature and contact of grains
@@ -628,8 +611,7 @@ PW85_API int pw85_free_path(double const r12[PW85_DIM], double const q1[PW85_SYM
  * @param[out] directions 2×3: unit vectors along which the surface has these curvatures. Their cross product is the unit normal. If
  *        both curvatures are equal, they are any such vectors; may be null
  * @return #PW85_SUCCESS, #PW85_EINVAL (also for a zero normal), #PW85_ENOTPD */
-PW85_API int pw85_curvature(double const normal[PW85_DIM], double const q[PW85_SYM], double curvatures[2],
-                            double directions[6]);
+PW85_API int pw85_curvature(double const normal[3], double const q[6], double curvatures[2], double directions[6]);
 
 /** Hertz's theory of the contact of two elastic bodies: the force and the contact ellipse as functions of the depth.
  *
@@ -669,9 +651,9 @@ PW85_API int pw85_hertz(double const curvatures[2], double *radius, double ellip
  * @param[out] directions 2×3: the directions of these curvatures, and so of the contact ellipse; as for pw85_curvature(); may be null
  * @param[out] radius,ellipse as for pw85_hertz(); may be null
  * @return #PW85_SUCCESS, #PW85_EINVAL (also for a zero normal), #PW85_ENOTPD */
-PW85_API int pw85_hertz_contact(double const r12[PW85_DIM], double const q1[PW85_SYM], double const q2[PW85_SYM],
-                                double const normal[PW85_DIM], double *depth, double point[PW85_DIM],
-                                double curvatures[2], double directions[6], double *radius, double ellipse[2]);
+PW85_API int pw85_hertz_contact(double const r12[3], double const q1[6], double const q2[6], double const normal[3],
+                                double *depth, double point[3], double curvatures[2], double directions[6],
+                                double *radius, double ellipse[2]);
 
 /** @}
  * @name Walls, points and lines
@@ -692,8 +674,8 @@ PW85_API int pw85_hertz_contact(double const r12[PW85_DIM], double const q1[PW85
  * @param[out] distance in the unit of the semi-axes; negative if the two overlap: minus the depth; may be null
  * @param[out] point of the ellipsoid, nearest to the half-space or deepest in it; may be null
  * @return #PW85_SUCCESS, #PW85_EINVAL (also for a zero normal), #PW85_ENOTPD */
-PW85_API int pw85_distance_plane(double const normal[PW85_DIM], double offset, double const q[PW85_SYM],
-                                 double *distance, double point[PW85_DIM]);
+PW85_API int pw85_distance_plane(double const normal[3], double offset, double const q[6], double *distance,
+                                 double point[3]);
 
 /** Derivatives of the distance to a half-space, which do not depend on its offset: -n and n × point, with n the unit normal.
  *
@@ -701,8 +683,8 @@ PW85_API int pw85_distance_plane(double const normal[PW85_DIM], double offset, d
  * @param[out] d_center with respect to the position of the centre; may be null
  * @param[out] d_rot with respect to small rotation vectors about the centre, per radian; may be null
  * @return #PW85_SUCCESS, #PW85_EINVAL (also for a zero normal), #PW85_ENOTPD */
-PW85_API int pw85_distance_plane_derivatives(double const normal[PW85_DIM], double const q[PW85_SYM],
-                                             double d_center[PW85_DIM], double d_rot[PW85_DIM]);
+PW85_API int pw85_distance_plane_derivatives(double const normal[3], double const q[6], double d_center[3],
+                                             double d_rot[3]);
 
 /** Contact function of an ellipsoid with its centre at 0 and the half-space normal·x >= offset.
  *
@@ -711,8 +693,7 @@ PW85_API int pw85_distance_plane_derivatives(double const normal[PW85_DIM], doub
  *             may be null
  * @param[out] point where the scaled ellipsoid touches; may be null
  * @return #PW85_SUCCESS, #PW85_EINVAL (also for a zero normal), #PW85_ENOTPD */
-PW85_API int pw85_contact_plane(double const normal[PW85_DIM], double offset, double const q[PW85_SYM], double *mu2,
-                                double point[PW85_DIM]);
+PW85_API int pw85_contact_plane(double const normal[3], double offset, double const q[6], double *mu2, double point[3]);
 
 /** Derivatives of μ² of pw85_contact_plane(): -2μ n/α and 2μ² (n × p)/α, with p the point of the ellipsoid that is nearest to
  * the half-space, n the normal as given and α = n·p; zero if the centre is in the half-space.
@@ -721,8 +702,8 @@ PW85_API int pw85_contact_plane(double const normal[PW85_DIM], double offset, do
  * @param[out] d_center with respect to the position of the centre; may be null
  * @param[out] d_rot with respect to small rotation vectors about the centre, per radian; may be null
  * @return #PW85_SUCCESS, #PW85_EINVAL (also for a zero normal), #PW85_ENOTPD */
-PW85_API int pw85_contact_plane_derivatives(double const normal[PW85_DIM], double offset, double const q[PW85_SYM],
-                                            double d_center[PW85_DIM], double d_rot[PW85_DIM]);
+PW85_API int pw85_contact_plane_derivatives(double const normal[3], double offset, double const q[6],
+                                            double d_center[3], double d_rot[3]);
 
 /** Distance from an ellipsoid with its centre at 0 to the nearest face of a box around it.
  *
@@ -732,8 +713,8 @@ PW85_API int pw85_contact_plane_derivatives(double const normal[PW85_DIM], doubl
  * @param[out] point of the ellipsoid, nearest to that face or farthest beyond it; may be null
  * @param[out] normal outward unit normal of that face; may be null
  * @return #PW85_SUCCESS, #PW85_EINVAL (also for lower > upper), #PW85_ENOTPD */
-PW85_API int pw85_distance_box(double const lower[PW85_DIM], double const upper[PW85_DIM], double const q[PW85_SYM],
-                               double *distance, double point[PW85_DIM], double normal[PW85_DIM]);
+PW85_API int pw85_distance_box(double const lower[3], double const upper[3], double const q[6], double *distance,
+                               double point[3], double normal[3]);
 
 /** Distance from an ellipsoid to the wall of a cylinder of infinite length around it.
  *
@@ -745,9 +726,8 @@ PW85_API int pw85_distance_box(double const lower[PW85_DIM], double const upper[
  * @param[out] point of the ellipsoid, farthest from the axis, relative to its centre; may be null
  * @param[out] normal outward unit normal of the wall there; may be null
  * @return #PW85_SUCCESS, #PW85_EINVAL (also for a zero axis or a radius that is not positive), #PW85_ENOTPD */
-PW85_API int pw85_distance_cylinder(double const axis[PW85_DIM], double radius, double const center[PW85_DIM],
-                                    double const q[PW85_SYM], double *distance, double point[PW85_DIM],
-                                    double normal[PW85_DIM]);
+PW85_API int pw85_distance_cylinder(double const axis[3], double radius, double const center[3], double const q[6],
+                                    double *distance, double point[3], double normal[3]);
 
 /** Distance from a point to the surface of an ellipsoid.
  *
@@ -757,8 +737,8 @@ PW85_API int pw85_distance_cylinder(double const axis[PW85_DIM], double radius, 
  * @param[out] point of the surface, nearest to r, relative to the centre; one of them if there are several; may be null
  * @param[out] normal unit vector out of the ellipsoid at this point, the derivative of the distance; may be null
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD */
-PW85_API int pw85_distance_point(double const r[PW85_DIM], double const q[PW85_SYM], double *distance,
-                                 double point[PW85_DIM], double normal[PW85_DIM]);
+PW85_API int pw85_distance_point(double const r[3], double const q[6], double *distance, double point[3],
+                                 double normal[3]);
 
 /** The part t[0] <= t <= t[1] of the line origin + t·direction that is in an ellipsoid. A ray from the origin has t >= 0,
  * the segment from the origin to origin + direction 0 <= t <= 1.
@@ -768,8 +748,7 @@ PW85_API int pw85_distance_point(double const r[PW85_DIM], double const q[PW85_S
  * @param q form of the ellipsoid
  * @param[out] t NaN if the line misses the ellipsoid, also on success
  * @return #PW85_SUCCESS, #PW85_EINVAL (also for a zero direction), #PW85_ENOTPD */
-PW85_API int pw85_intersect_line(double const origin[PW85_DIM], double const direction[PW85_DIM],
-                                 double const q[PW85_SYM], double t[2]);
+PW85_API int pw85_intersect_line(double const origin[3], double const direction[3], double const q[6], double t[2]);
 
 /** @}
  * @name Shapes
@@ -791,8 +770,8 @@ PW85_API int pw85_intersect_line(double const origin[PW85_DIM], double const dir
  * @param[out] mu2 square of the factor by which the ellipsoid must be scaled to touch; may be null
  * @param[out] point of the segment, where the scaled ellipsoid touches; may be null
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD */
-PW85_API int pw85_contact_segment(double const end1[PW85_DIM], double const end2[PW85_DIM], double const q[PW85_SYM],
-                                  double *mu2, double point[PW85_DIM]);
+PW85_API int pw85_contact_segment(double const end1[3], double const end2[3], double const q[6], double *mu2,
+                                  double point[3]);
 
 /** Contact function of an ellipsoid and a triangle.
  *
@@ -802,9 +781,8 @@ PW85_API int pw85_contact_segment(double const end1[PW85_DIM], double const end2
  * @param[out] mu2 square of the factor by which the ellipsoid must be scaled to touch; may be null
  * @param[out] point of the triangle, where the scaled ellipsoid touches; may be null
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD */
-PW85_API int pw85_contact_triangle(double const vertex1[PW85_DIM], double const vertex2[PW85_DIM],
-                                   double const vertex3[PW85_DIM], double const q[PW85_SYM], double *mu2,
-                                   double point[PW85_DIM]);
+PW85_API int pw85_contact_triangle(double const vertex1[3], double const vertex2[3], double const vertex3[3],
+                                   double const q[6], double *mu2, double point[3]);
 
 /** Contact function of an ellipsoid and a solid box with sides along the axes.
  *
@@ -813,8 +791,8 @@ PW85_API int pw85_contact_triangle(double const vertex1[PW85_DIM], double const 
  * @param[out] mu2 square of the factor by which the ellipsoid must be scaled to touch; 0 if its centre is in the box; may be null
  * @param[out] point of the box, where the scaled ellipsoid touches; may be null
  * @return #PW85_SUCCESS, #PW85_EINVAL (also for lower > upper), #PW85_ENOTPD */
-PW85_API int pw85_contact_box(double const lower[PW85_DIM], double const upper[PW85_DIM], double const q[PW85_SYM],
-                              double *mu2, double point[PW85_DIM]);
+PW85_API int pw85_contact_box(double const lower[3], double const upper[3], double const q[6], double *mu2,
+                              double point[3]);
 
 /** Contact function of an ellipsoid and a polytope, the intersection of half-spaces: all x with normal·x <= offset for each of n planes.
  *
@@ -830,8 +808,8 @@ PW85_API int pw85_contact_box(double const lower[PW85_DIM], double const upper[P
  *        be null
  * @param[out] point of the polytope, where the scaled ellipsoid touches; NaN if the polytope is empty; may be null
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD, #PW85_ECONVERGENCE (this has never been seen) */
-PW85_API int pw85_contact_polytope(size_t n, double const *normals, double const *offsets, double const q[PW85_SYM],
-                                   double *mu2, double point[PW85_DIM]);
+PW85_API int pw85_contact_polytope(size_t n, double const *normals, double const *offsets, double const q[6],
+                                   double *mu2, double point[3]);
 
 /** Whether an ellipsoid and a segment overlap, μ² < 1. If they only touch, they do not. The answer is that of exact arithmetic for the
  * numbers given, as that of pw85_overlap().
@@ -839,8 +817,7 @@ PW85_API int pw85_contact_polytope(size_t n, double const *normals, double const
  * @param end1,end2,q as for pw85_contact_segment()
  * @param[out] overlap 1 or 0; -1 on error
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD */
-PW85_API int pw85_overlap_segment(double const end1[PW85_DIM], double const end2[PW85_DIM], double const q[PW85_SYM],
-                                  int *overlap);
+PW85_API int pw85_overlap_segment(double const end1[3], double const end2[3], double const q[6], int *overlap);
 
 /** Whether an ellipsoid and a triangle overlap, μ² < 1. If they only touch, they do not. The answer is that of exact arithmetic for
  * the numbers given, as that of pw85_overlap().
@@ -848,8 +825,8 @@ PW85_API int pw85_overlap_segment(double const end1[PW85_DIM], double const end2
  * @param vertex1,vertex2,vertex3,q as for pw85_contact_triangle()
  * @param[out] overlap 1 or 0; -1 on error
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD */
-PW85_API int pw85_overlap_triangle(double const vertex1[PW85_DIM], double const vertex2[PW85_DIM],
-                                   double const vertex3[PW85_DIM], double const q[PW85_SYM], int *overlap);
+PW85_API int pw85_overlap_triangle(double const vertex1[3], double const vertex2[3], double const vertex3[3],
+                                   double const q[6], int *overlap);
 
 /** Whether an ellipsoid and a solid box with sides along the axes overlap, μ² < 1. If they only touch, they do not. The answer is
  * that of exact arithmetic for the numbers given, as that of pw85_overlap().
@@ -857,8 +834,7 @@ PW85_API int pw85_overlap_triangle(double const vertex1[PW85_DIM], double const 
  * @param lower,upper,q as for pw85_contact_box()
  * @param[out] overlap 1 or 0; -1 on error
  * @return #PW85_SUCCESS, #PW85_EINVAL (also for lower > upper), #PW85_ENOTPD */
-PW85_API int pw85_overlap_box(double const lower[PW85_DIM], double const upper[PW85_DIM], double const q[PW85_SYM],
-                              int *overlap);
+PW85_API int pw85_overlap_box(double const lower[3], double const upper[3], double const q[6], int *overlap);
 
 /** Whether an ellipsoid and a polytope overlap, μ² < 1. If they only touch, they do not; an empty polytope does not overlap. The answer
  * is that of exact arithmetic for the numbers given, as that of pw85_overlap().
@@ -866,7 +842,7 @@ PW85_API int pw85_overlap_box(double const lower[PW85_DIM], double const upper[P
  * @param n,normals,offsets,q as for pw85_contact_polytope()
  * @param[out] overlap 1 or 0; -1 on error
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD */
-PW85_API int pw85_overlap_polytope(size_t n, double const *normals, double const *offsets, double const q[PW85_SYM],
+PW85_API int pw85_overlap_polytope(size_t n, double const *normals, double const *offsets, double const q[6],
                                    int *overlap);
 
 /** @}
@@ -880,22 +856,21 @@ PW85_API int pw85_overlap_polytope(size_t n, double const *normals, double const
  * @param a symmetric positive definite matrix
  * @param[out] l lower triangle of L by columns: (l11, l21, l31, l22, l32, l33); NaN if a pivot, computed in double, is not
  *        positive: that depends on rounding where `a` is singular to working precision */
-PW85_API void pw85__cholesky_decomp(double const a[PW85_SYM], double l[PW85_SYM]);
+PW85_API void pw85__cholesky_decomp(double const a[6], double l[6]);
 
 /** Solution of L Lᵀ x = b.
  *
  * @param l from pw85__cholesky_decomp()
  * @param b right-hand side
  * @param[out] x solution; may be the same array as b */
-PW85_API void pw85__cholesky_solve(double const l[PW85_SYM], double const b[PW85_DIM], double x[PW85_DIM]);
+PW85_API void pw85__cholesky_solve(double const l[6], double const b[3], double x[3]);
 
 /** Residual g(λ) = μ2² - μ1² = -f'(λ), whose root is the maximiser of f.
  *
  * @param lambda in [0, 1]
  * @param r12,q1,q2 as for pw85_contact()
  * @param[out] out (f, g, g') at λ; NaN for invalid input */
-PW85_API void pw85__residual(double lambda, double const r12[PW85_DIM], double const q1[PW85_SYM],
-                             double const q2[PW85_SYM], double out[3]);
+PW85_API void pw85__residual(double lambda, double const r12[3], double const q1[6], double const q2[6], double out[3]);
 
 /** -f(λ), with parameters in one block, as minimisers pass them.
  *

@@ -650,7 +650,7 @@ PW85_API int pw85_first_contact_batch(size_t n, double const *r12, double const 
  * @param q2 n×6
  * @param[out] any 1 or 0; -1 on error
  * @return #PW85_SUCCESS, #PW85_EINVAL, or the status of the first bad pair if no pair before it overlaps */
-PW85_API int pw85_overlap_any(double const q1[PW85_SYM], size_t n, double const *r12, double const *q2, int *any);
+PW85_API int pw85_overlap_any(double const q1[6], size_t n, double const *r12, double const *q2, int *any);
 
 /** @}
  * @name Many forms

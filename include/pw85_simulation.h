@@ -90,7 +90,7 @@ PW85_API int pw85_hard_ellipsoids_sweep(pw85_hard_ellipsoids *simulation, size_t
  * @return #PW85_SUCCESS; #PW85_EINVAL, also for a zero direction; #PW85_ENOMEM or #PW85_ECONVERGENCE (particles block each other within
  *         rounding errors, or the length is more than some 10¹⁵ ways), after which the last chain is not complete */
 PW85_API int pw85_hard_ellipsoids_chain(pw85_hard_ellipsoids *simulation, size_t num_chains, double length,
-                                        double const direction[PW85_DIM], double *compressibility);
+                                        double const direction[3], double *compressibility);
 
 /** Tries changes of the cell and of all centres with it, at constant pressure.
  *
@@ -181,7 +181,7 @@ PW85_API int pw85_hard_ellipsoids_neighbors(pw85_hard_ellipsoids *simulation, si
  * @param[out] is_free 1 or 0; -1 on error
  * @return #PW85_SUCCESS; #PW85_EINVAL, also for a free place that is too far away for pw85_neighbors_create(); #PW85_ENOTPD;
  *         #PW85_ENOMEM */
-PW85_API int pw85_hard_ellipsoids_try(pw85_hard_ellipsoids *simulation, size_t particle, double const center[PW85_DIM],
+PW85_API int pw85_hard_ellipsoids_try(pw85_hard_ellipsoids *simulation, size_t particle, double const center[3],
                                       double const quaternion[4], int take, int *is_free);
 
 /** How far cell and centres can be compressed before particles touch: the factor of all lengths, the same in all directions; and

@@ -65,9 +65,8 @@ typedef struct pw85_pair_list {
  * @param[out] any 1 or 0; -1 on error
  * @return as for pw85_overlap_any(); #PW85_EINVAL also for an index out of range, `images` without `cell`, a cell that is
  *         not finite or, unless there are images, singular, and if nearest images do not decide */
-PW85_API int pw85_overlap_any_indices(double const center[PW85_DIM], double const q1[PW85_SYM],
-                                      pw85_system const *system, size_t n, int32_t const *indices,
-                                      int32_t const *images, int *any);
+PW85_API int pw85_overlap_any_indices(double const center[3], double const q1[6], pw85_system const *system, size_t n,
+                                      int32_t const *indices, int32_t const *images, int *any);
 
 /** pw85_contact() for the pairs of a neighbour list.
  *
@@ -325,8 +324,8 @@ PW85_API int pw85_mesh_create(size_t num_vertices, double const *vertices, size_
  * @param[out] point where the scaled ellipsoid touches, relative to its centre; NaN if the mesh has no triangles; may be null
  * @param[out] triangle index of the nearest triangle, the first of several; -1 if the mesh has none, and on error; may be null
  * @return #PW85_SUCCESS; #PW85_EINVAL, also if the coordinates of a vertex relative to the centre overflow; #PW85_ENOTPD */
-PW85_API int pw85_mesh_contact(pw85_mesh const *mesh, double const center[PW85_DIM], double const q[PW85_SYM],
-                               double *mu2, double point[PW85_DIM], int32_t *triangle);
+PW85_API int pw85_mesh_contact(pw85_mesh const *mesh, double const center[3], double const q[6], double *mu2,
+                               double point[3], int32_t *triangle);
 
 /** Whether an ellipsoid and a mesh overlap, μ² < 1 for any triangle. If they only touch, they do not. The answer is that of exact
  * arithmetic for the rounded coordinates relative to the centre.
@@ -334,8 +333,7 @@ PW85_API int pw85_mesh_contact(pw85_mesh const *mesh, double const center[PW85_D
  * @param mesh,center,q as for pw85_mesh_contact()
  * @param[out] overlap 1 or 0; -1 on error
  * @return as for pw85_mesh_contact() */
-PW85_API int pw85_mesh_overlap(pw85_mesh const *mesh, double const center[PW85_DIM], double const q[PW85_SYM],
-                               int *overlap);
+PW85_API int pw85_mesh_overlap(pw85_mesh const *mesh, double const center[3], double const q[6], int *overlap);
 
 /** pw85_mesh_contact() for n ellipsoids and one mesh; the bits are the same. Runs in parallel.
  *

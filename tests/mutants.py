@@ -91,7 +91,7 @@ class Tests:
 
     def fails_with_header(self, _, program, work):
         """Whether a test fails that is compiled with the headers in `work`."""
-        name, *arguments = program.split() if " " in program else (program, "--tap", "-k", "-m", "thorough")
+        name, *arguments = program.split() if " " in program else (program, "--tap", "-k", "-m", "quick")
         unit = self.units[f"{name}.cpp.o"]
         link = next(words for words in self.links if Path(words[words.index("-o") + 1]).name == name)
         self.link(link, {unit["output"]: self.compile(unit, work, "changed.o")}, work / "changed")
@@ -105,7 +105,7 @@ class Tests:
         objects = {unit["output"]: self.compile(unit, work, f"changed{k}.o") for k, unit in enumerate(units)}
         self.link(link, objects, work / "libpw85.so.3")
         program = self.build / f"tests/test_{case.partition('/')[0]}"
-        return self.status(program, "-p", f"/{case}", "-m", "thorough", LD_LIBRARY_PATH=work) != 0
+        return self.status(program, "-p", f"/{case}", "-m", "quick", LD_LIBRARY_PATH=work) != 0
 
     def fails_with_package(self, changed, cases, work):
         """Whether cases fail with the package in which a module is changed, not because of an error of pytest."""

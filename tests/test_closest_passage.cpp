@@ -6,8 +6,8 @@
 #include <glib.h>
 
 #include <pw85.h>
-#include <pw85_batch.h>
 #include <pw85/pw85.hpp>
+#include <pw85_batch.h>
 
 #include "condition_number.hpp"
 #include "draws.hpp"

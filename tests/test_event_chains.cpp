@@ -10,9 +10,9 @@
 #include <glib.h>
 
 #include <pw85.h>
-#include <pw85_systems.h>
-#include <pw85_simulation.h>
 #include <pw85/simulation.hpp>
+#include <pw85_simulation.h>
+#include <pw85_systems.h>
 
 #include "draws.hpp"
 

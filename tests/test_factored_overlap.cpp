@@ -7,8 +7,8 @@
 #include <glib.h>
 
 #include <pw85.h>
-#include <pw85_batch.h>
 #include <pw85/pw85.hpp>
+#include <pw85_batch.h>
 
 #include "draws.hpp"
 #include "factors.hpp"

@@ -7,10 +7,10 @@
 #include <glib.h>
 
 #include <pw85.h>
-#include <pw85_batch.h>
-#include <pw85_systems.h>
 #include <pw85/batch.hpp>
 #include <pw85/systems.hpp>
+#include <pw85_batch.h>
+#include <pw85_systems.h>
 
 #include "draws.hpp"
 #include "flights.hpp"

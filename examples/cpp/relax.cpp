@@ -3,8 +3,8 @@
 // Usage: relax [number [packing fraction [seed]]]
 #include <gsl/gsl_multimin.h>
 #include <pw85/batch.hpp>
-#include <pw85/systems.hpp>
 #include <pw85/pw85.hpp>
+#include <pw85/systems.hpp>
 
 #include <cmath>
 #include <cstdio>

@@ -11,8 +11,8 @@
 
 #include <pw85.h>
 #include <pw85_batch.h>
-#include <pw85_systems.h>
 #include <pw85_simulation.h>
+#include <pw85_systems.h>
 
 namespace pypw85 {
 namespace {

@@ -2,8 +2,8 @@
 #include <cstdint>
 
 #include <pw85.h>
-#include <pw85_systems.h>
 #include <pw85_simulation.h>
+#include <pw85_systems.h>
 
 #include "arguments.hpp"
 #include "calls.hpp"

@@ -11,8 +11,8 @@
 #include <random>
 #include <vector>
 
-#include <pw85/systems.hpp>
 #include <pw85/pw85.hpp>
+#include <pw85/systems.hpp>
 
 #include "periodic_clusters.hpp"
 

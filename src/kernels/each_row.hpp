@@ -46,6 +46,44 @@ struct Numbers {
     double row(std::size_t i) const noexcept { return first[i]; }
 };
 
+/// Answers of the function of one row, an int each, as bytes: 255 for -1.
+struct Bytes {
+    static constexpr int width = 1;
+    unsigned char *first;
+
+    /// Takes the answer of a row, and stores it at the end of the call.
+    struct Answer {
+        unsigned char *byte;
+        int answer = -1;
+        operator int *() noexcept { return &answer; }
+        ~Answer() { *byte = static_cast<unsigned char>(answer); }
+    };
+
+    bool is_missing() const noexcept { return first == nullptr; }
+    Answer row(std::size_t i) const noexcept { return {first + i}; }
+};
+
+/// Two outputs, of which each may be null, for the two numbers that the function of one row writes to one array.
+struct TwoNumbers {
+    static constexpr int width = 1;
+    double *first, *second;
+
+    /// Takes the numbers of a row, and stores them at the end of the call.
+    struct Pair {
+        double *first, *second;
+        double numbers[2];
+        operator double *() noexcept { return numbers; }
+        ~Pair()
+        {
+            if (first != nullptr) *first = numbers[0];
+            if (second != nullptr) *second = numbers[1];
+        }
+    };
+
+    bool is_missing() const noexcept { return false; }
+    Pair row(std::size_t i) const noexcept { return {row_or_null(first, 1, i), row_or_null(second, 1, i), {}}; }
+};
+
 /// A number for all rows.
 struct SameNumber {
     static constexpr int width = 0;

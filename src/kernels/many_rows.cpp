@@ -1,98 +1,21 @@
-// The functions of many rows of the C API that use no lanes. They call the function of one row for each row (each_row.hpp).
-#include <pw85.h>
+// The functions of many rows that have no lanes. They call the function of one row for each row (each_row.hpp).
+//
+// Made from pw85.h and api/pw85_batch.h.in by api/committed.py.
 #include <pw85_batch.h>
 
-#include <pw85/distance/bounding_box.hpp>
-#include <pw85/shapes/overlap_polytope.hpp>
-
-#include "../c_arrays.hpp"
 #include "each_row.hpp"
 
-using namespace pw85;
-using namespace pw85::detail;
 using namespace pw85::detail::kernels;
 
-namespace {
-
-/// The bounding box of one form. The function is not inlined, so that the compiler cannot move its arithmetic out of the default
-/// floating-point environment.
-[[gnu::noinline]] int bounding_box_of(double const *q, double *half_widths) noexcept
+int pw85_contact_rounded_batch(size_t n, double const *r12, double const *q1, double const *q2, double *mu2,
+                               double *lambda)
 {
-    auto const box = bounding_box(c_api::load_matrix<3>(q));
-    c_api::store(box.half_widths, half_widths);
-    return static_cast<int>(box.status);
+    return each_row(n, pw85_contact_rounded, RowsOf<3>{r12}, RowsOf<6>{q1}, RowsOf<6>{q2}, TwoNumbers{mu2, lambda});
 }
 
-/// The half-spaces of a polytope, in arrays of the caller.
-struct Planes {
-    std::size_t count;
-    double const *normals, *offsets;
-
-    bool can_be_read() const noexcept
-    {
-        return count == 0 || (count <= PTRDIFF_MAX / (PW85_DIM * sizeof(double)) && !c_api::any_null(normals, offsets));
-    }
-};
-
-/// The contact function of one ellipsoid and a polytope. It is not inlined, as bounding_box_of().
-[[gnu::noinline]] int contact_planes(Planes const &planes, double const *center, double const *q, double *mu2,
-                                     double *point) noexcept
+int pw85_overlap_factored_batch(size_t n, double const *r12, double const *s1, double const *s2, unsigned char *overlap)
 {
-    auto const c = contact_polytope(planes.count, planes.normals, planes.offsets, c_api::load_matrix<3>(q),
-                                    c_api::load_vector<3>(center));
-    if (mu2 != nullptr) *mu2 = c.mu2;
-    c_api::store(c.point, point);
-    return static_cast<int>(c.status);
-}
-
-/// Whether one ellipsoid overlaps a polytope, as one byte.
-[[gnu::noinline]] int overlap_planes(Planes const &planes, double const *center, double const *q,
-                                     unsigned char *overlap) noexcept
-{
-    auto const answer = overlap_polytope(planes.count, planes.normals, planes.offsets, c_api::load_matrix<3>(q),
-                                         c_api::load_vector<3>(center));
-    *overlap = answer.status == Status::success ? answer.overlap : static_cast<unsigned char>(-1);
-    return static_cast<int>(answer.status);
-}
-
-/// Calls a function whose result is an array of two numbers, and stores each number unless its pointer is null.
-template <auto function>
-int with_two_numbers(double const *a, double const *b, double const *c, double *first, double *second) noexcept
-{
-    double out[2];
-    int const status = function(a, b, c, out);
-    if (first != nullptr) *first = out[0];
-    if (second != nullptr) *second = out[1];
-    return status;
-}
-
-/// Calls a function whose answer is an int, and stores the answer as one byte.
-template <auto function, class... Inputs>
-int with_byte(double const *first, Inputs... rest, unsigned char *byte) noexcept
-{
-    int answer = -1;
-    int const status = function(first, rest..., &answer);
-    *byte = static_cast<unsigned char>(answer); // -1 is 255
-    return status;
-}
-
-/// Whether ellipsoids overlap, as one byte, with a proof.
-int witness_with_byte(double const *r12, double const *q1, double const *q2, unsigned char *overlap, double *lambda,
-                      double *point) noexcept
-{
-    int answer = -1;
-    int const status = pw85_overlap_witness(r12, q1, q2, &answer, lambda, point);
-    *overlap = static_cast<unsigned char>(answer); // -1 is 255
-    return status;
-}
-
-} // namespace
-
-int pw85_overlap_witness_batch(size_t n, double const *r12, double const *q1, double const *q2, unsigned char *overlap,
-                               double *lambda, double *point)
-{
-    return each_row(n, witness_with_byte, RowsOf<3>{r12}, RowsOf<6>{q1}, RowsOf<6>{q2},
-                    RowsOf<1, unsigned char>{overlap}, OptionalRowsOf<1>{lambda}, OptionalRowsOf<3>{point});
+    return each_row(n, pw85_overlap_factored, RowsOf<3>{r12}, RowsOf<9>{s1}, RowsOf<9>{s2}, Bytes{overlap});
 }
 
 int pw85_compare_batch(size_t n, double const *r12, double const *q1, double const *q2, double const *mu2, int *sign)
@@ -100,17 +23,16 @@ int pw85_compare_batch(size_t n, double const *r12, double const *q1, double con
     return each_row(n, pw85_compare, RowsOf<3>{r12}, RowsOf<6>{q1}, RowsOf<6>{q2}, Numbers{mu2}, RowsOf<1, int>{sign});
 }
 
-int pw85_contains_batch(size_t n, double const *r12, double const *q1, double const *q2, unsigned char *contains)
+int pw85_overlap_witness_batch(size_t n, double const *r12, double const *q1, double const *q2, unsigned char *overlap,
+                               double *lambda, double *point)
 {
-    return each_row(n, with_byte<pw85_contains, double const *, double const *>, RowsOf<3>{r12}, RowsOf<6>{q1},
-                    RowsOf<6>{q2}, RowsOf<1, unsigned char>{contains});
+    return each_row(n, pw85_overlap_witness, RowsOf<3>{r12}, RowsOf<6>{q1}, RowsOf<6>{q2}, Bytes{overlap},
+                    OptionalRowsOf<1>{lambda}, OptionalRowsOf<3>{point});
 }
 
-int pw85_contact_rounded_batch(size_t n, double const *r12, double const *q1, double const *q2, double *mu2,
-                               double *lambda)
+int pw85_contains_batch(size_t n, double const *r12, double const *q1, double const *q2, unsigned char *contains)
 {
-    return each_row(n, with_two_numbers<pw85_contact_rounded>, RowsOf<3>{r12}, RowsOf<6>{q1}, RowsOf<6>{q2},
-                    OptionalRowsOf<1>{mu2}, OptionalRowsOf<1>{lambda});
+    return each_row(n, pw85_contains, RowsOf<3>{r12}, RowsOf<6>{q1}, RowsOf<6>{q2}, Bytes{contains});
 }
 
 int pw85_containment_batch(size_t n, double const *r12, double const *q1, double const *q2, double *mu2, double *point)
@@ -119,31 +41,17 @@ int pw85_containment_batch(size_t n, double const *r12, double const *q1, double
                     OptionalRowsOf<3>{point});
 }
 
+int pw85_free_path_batch(size_t n, double const *r12, double const *q1, double const *q2, double const *directions,
+                         double const *t_max, double *t)
+{
+    return each_row(n, pw85_free_path, RowsOf<3>{r12}, RowsOf<6>{q1}, RowsOf<6>{q2}, RowsOf<3>{directions},
+                    Numbers{t_max}, RowsOf<1, double>{t});
+}
+
 int pw85_contact_factored_batch(size_t n, double const *r12, double const *s1, double const *s2, double *mu2,
                                 double *lambda)
 {
-    return each_row(n, with_two_numbers<pw85_contact_factored>, RowsOf<3>{r12}, RowsOf<9>{s1}, RowsOf<9>{s2},
-                    OptionalRowsOf<1>{mu2}, OptionalRowsOf<1>{lambda});
-}
-
-int pw85_overlap_factored_batch(size_t n, double const *r12, double const *s1, double const *s2, unsigned char *overlap)
-{
-    return each_row(n, with_byte<pw85_overlap_factored, double const *, double const *>, RowsOf<3>{r12}, RowsOf<9>{s1},
-                    RowsOf<9>{s2}, RowsOf<1, unsigned char>{overlap});
-}
-
-int pw85_contact_geometry_factored_batch(size_t n, double const *r12, double const *s1, double const *s2,
-                                         double const *lambda, double *point, double *normal)
-{
-    return each_row(n, pw85_contact_geometry_factored, RowsOf<3>{r12}, RowsOf<9>{s1}, RowsOf<9>{s2}, Numbers{lambda},
-                    OptionalRowsOf<3>{point}, OptionalRowsOf<3>{normal});
-}
-
-int pw85_contact_gradient_factored_batch(size_t n, double const *r12, double const *s1, double const *s2,
-                                         double const *lambda, double *d_r12, double *d_s1, double *d_s2)
-{
-    return each_row(n, pw85_contact_gradient_factored, RowsOf<3>{r12}, RowsOf<9>{s1}, RowsOf<9>{s2}, Numbers{lambda},
-                    OptionalRowsOf<3>{d_r12}, OptionalRowsOf<9>{d_s1}, OptionalRowsOf<9>{d_s2});
+    return each_row(n, pw85_contact_factored, RowsOf<3>{r12}, RowsOf<9>{s1}, RowsOf<9>{s2}, TwoNumbers{mu2, lambda});
 }
 
 int pw85_condition_batch(size_t n, double const *r12, double const *q1, double const *q2, double const *lambda,
@@ -156,8 +64,7 @@ int pw85_condition_batch(size_t n, double const *r12, double const *q1, double c
 int pw85_contact_function_batch(size_t n, double const *r12, double const *q1, double const *q2, double *mu2,
                                 double *lambda)
 {
-    return each_row(n, with_two_numbers<pw85_contact_function>, RowsOf<3>{r12}, RowsOf<6>{q1}, RowsOf<6>{q2},
-                    OptionalRowsOf<1>{mu2}, OptionalRowsOf<1>{lambda});
+    return each_row(n, pw85_contact_function, RowsOf<3>{r12}, RowsOf<6>{q1}, RowsOf<6>{q2}, TwoNumbers{mu2, lambda});
 }
 
 int pw85_contact_geometry_batch(size_t n, double const *r12, double const *q1, double const *q2, double const *lambda,
@@ -172,6 +79,20 @@ int pw85_contact_gradient_batch(size_t n, double const *r12, double const *q1, d
 {
     return each_row(n, pw85_contact_gradient, RowsOf<3>{r12}, RowsOf<6>{q1}, RowsOf<6>{q2}, Numbers{lambda},
                     OptionalRowsOf<3>{d_r12}, OptionalRowsOf<6>{d_q1}, OptionalRowsOf<6>{d_q2});
+}
+
+int pw85_contact_geometry_factored_batch(size_t n, double const *r12, double const *s1, double const *s2,
+                                         double const *lambda, double *point, double *normal)
+{
+    return each_row(n, pw85_contact_geometry_factored, RowsOf<3>{r12}, RowsOf<9>{s1}, RowsOf<9>{s2}, Numbers{lambda},
+                    OptionalRowsOf<3>{point}, OptionalRowsOf<3>{normal});
+}
+
+int pw85_contact_gradient_factored_batch(size_t n, double const *r12, double const *s1, double const *s2,
+                                         double const *lambda, double *d_r12, double *d_s1, double *d_s2)
+{
+    return each_row(n, pw85_contact_gradient_factored, RowsOf<3>{r12}, RowsOf<9>{s1}, RowsOf<9>{s2}, Numbers{lambda},
+                    OptionalRowsOf<3>{d_r12}, OptionalRowsOf<9>{d_s1}, OptionalRowsOf<9>{d_s2});
 }
 
 int pw85_contact_torque_batch(size_t n, double const *r12, double const *q1, double const *q2, double const *lambda,
@@ -260,6 +181,26 @@ int pw85_signed_distance_derivatives_batch(size_t n, double const *r12, double c
                     OptionalRowsOf<81>{hessian});
 }
 
+int pw85_curvature_batch(size_t n, double const *normals, double const *q, double *curvatures, double *directions)
+{
+    return each_row(n, pw85_curvature, RowsOf<3>{normals}, RowsOf<6>{q}, OptionalRowsOf<2>{curvatures},
+                    OptionalRowsOf<6>{directions});
+}
+
+int pw85_hertz_batch(size_t n, double const *curvatures, double *radius, double *ellipse)
+{
+    return each_row(n, pw85_hertz, RowsOf<2>{curvatures}, OptionalRowsOf<1>{radius}, OptionalRowsOf<2>{ellipse});
+}
+
+int pw85_hertz_contact_batch(size_t n, double const *r12, double const *q1, double const *q2, double const *normals,
+                             double *depth, double *point, double *curvatures, double *directions, double *radius,
+                             double *ellipse)
+{
+    return each_row(n, pw85_hertz_contact, RowsOf<3>{r12}, RowsOf<6>{q1}, RowsOf<6>{q2}, RowsOf<3>{normals},
+                    OptionalRowsOf<1>{depth}, OptionalRowsOf<3>{point}, OptionalRowsOf<2>{curvatures},
+                    OptionalRowsOf<6>{directions}, OptionalRowsOf<1>{radius}, OptionalRowsOf<2>{ellipse});
+}
+
 int pw85_distance_plane_batch(size_t n, double const *normals, double const *offsets, double const *q, double *distance,
                               double *point)
 {
@@ -312,27 +253,8 @@ int pw85_distance_point_batch(size_t n, double const *r, double const *q, double
 int pw85_intersect_line_batch(size_t n, double const *origin, double const *directions, double const *q, double *enter,
                               double *leave)
 {
-    return each_row(n, with_two_numbers<pw85_intersect_line>, RowsOf<3>{origin}, RowsOf<3>{directions}, RowsOf<6>{q},
-                    OptionalRowsOf<1>{enter}, OptionalRowsOf<1>{leave});
-}
-
-int pw85_contact_polytope_batch(size_t num_ellipsoids, double const *centers, double const *q, size_t num_planes,
-                                double const *normals, double const *offsets, double *mu2, double *point)
-{
-    Planes const planes{num_planes, normals, offsets};
-    if (!planes.can_be_read()) return c_api::null_pointer();
-    auto const contact = [&](auto... arguments) { return contact_planes(planes, arguments...); };
-    return each_row(num_ellipsoids, contact, RowsOf<3>{centers}, RowsOf<6>{q}, OptionalRowsOf<1>{mu2},
-                    OptionalRowsOf<3>{point});
-}
-
-int pw85_overlap_polytope_batch(size_t num_ellipsoids, double const *centers, double const *q, size_t num_planes,
-                                double const *normals, double const *offsets, unsigned char *overlap)
-{
-    Planes const planes{num_planes, normals, offsets};
-    if (!planes.can_be_read()) return c_api::null_pointer();
-    auto const decide = [&](auto... arguments) { return overlap_planes(planes, arguments...); };
-    return each_row(num_ellipsoids, decide, RowsOf<3>{centers}, RowsOf<6>{q}, RowsOf<1, unsigned char>{overlap});
+    return each_row(n, pw85_intersect_line, RowsOf<3>{origin}, RowsOf<3>{directions}, RowsOf<6>{q},
+                    TwoNumbers{enter, leave});
 }
 
 int pw85_first_contact_batch(size_t n, double const *r12, double const *q1, double const *q2,
@@ -351,36 +273,4 @@ int pw85_ellipsoid_factor_batch(size_t n, double const *semi_axes, double const 
 int pw85_ellipsoid_quaternion_batch(size_t n, double const *semi_axes, double const *quaternions, double *q)
 {
     return each_row(n, pw85_ellipsoid_quaternion, RowsOf<3>{semi_axes}, RowsOf<4>{quaternions}, RowsOf<6, double>{q});
-}
-
-int pw85_bounding_boxes(size_t n, double const *q, double *half_widths)
-{
-    return each_row(n, bounding_box_of, RowsOf<6>{q}, RowsOf<3, double>{half_widths});
-}
-
-int pw85_curvature_batch(size_t n, double const *normals, double const *q, double *curvatures, double *directions)
-{
-    return each_row(n, pw85_curvature, RowsOf<3>{normals}, RowsOf<6>{q}, OptionalRowsOf<2>{curvatures},
-                    OptionalRowsOf<6>{directions});
-}
-
-int pw85_hertz_batch(size_t n, double const *curvatures, double *radius, double *ellipse)
-{
-    return each_row(n, pw85_hertz, RowsOf<2>{curvatures}, OptionalRowsOf<1>{radius}, OptionalRowsOf<2>{ellipse});
-}
-
-int pw85_hertz_contact_batch(size_t n, double const *r12, double const *q1, double const *q2, double const *normals,
-                             double *depth, double *point, double *curvatures, double *directions, double *radius,
-                             double *ellipse)
-{
-    return each_row(n, pw85_hertz_contact, RowsOf<3>{r12}, RowsOf<6>{q1}, RowsOf<6>{q2}, RowsOf<3>{normals},
-                    OptionalRowsOf<1>{depth}, OptionalRowsOf<3>{point}, OptionalRowsOf<2>{curvatures},
-                    OptionalRowsOf<6>{directions}, OptionalRowsOf<1>{radius}, OptionalRowsOf<2>{ellipse});
-}
-
-int pw85_free_path_batch(size_t n, double const *r12, double const *q1, double const *q2, double const *direction,
-                         double const *t_max, double *t)
-{
-    return each_row(n, pw85_free_path, RowsOf<3>{r12}, RowsOf<6>{q1}, RowsOf<6>{q2}, RowsOf<3>{direction},
-                    Numbers{t_max}, RowsOf<1, double>{t});
 }

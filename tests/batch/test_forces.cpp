@@ -8,8 +8,8 @@
 
 #include <glib.h>
 
-#include <pw85/systems.hpp>
 #include <pw85/pw85.hpp>
+#include <pw85/systems.hpp>
 
 #include "../failures.hpp"
 #include "../random_pairs.hpp"

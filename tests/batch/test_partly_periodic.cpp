@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include <pw85/systems.hpp>
 #include <pw85/pw85.hpp>
+#include <pw85/systems.hpp>
 
 #include "../draws.hpp"
 #include "../failures.hpp"

@@ -7,7 +7,6 @@
 #include <memory>
 
 #include <pw85/systems/calls.hpp>
-#include <pw85/pw85.hpp>
 
 namespace pw85 {
 
