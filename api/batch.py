@@ -21,7 +21,9 @@ from rows import TRUTHS, name_of_many
 
 HEADER, TEMPLATE = INCLUDE / "pw85_batch.h", SOURCE / "api/pw85_batch.h.in"
 WIDTH = 120
-ROWS = re.compile(r"^@(?P<kind>rows|lanes) (?P<name>\w+)(?: (?P<rows>[\w -]+))?(?:: (?P<results>.*))?\n(?P<said>(?:    .*\n)*)", re.MULTILINE)
+ROWS = re.compile(
+    r"^@(?P<kind>rows|lanes) (?P<name>\w+)(?: (?P<rows>[\w -]+))?(?:: (?P<results>.*))?\n(?P<said>(?:    .*\n)*)", re.MULTILINE
+)
 PLURALS = {"normal": "normals", "offset": "offsets", "direction": "directions", "quaternion": "quaternions"}  # of inputs
 NUMBERS = {"out": ("mu2", "lambda"), "t": ("enter", "leave")}  # that functions of one row write to one array
 ONE_FOR_ALL = {("pw85_first_contact", "t_max"), ("pw85_closest_passage", "t_max")}

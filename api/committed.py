@@ -20,7 +20,7 @@ def files():
     """The texts of all of them by their paths."""
     made = batch.header()
     declarations.replace({"pw85_batch.h": made})  # from which the others follow
-    return {batch.HEADER: made, shims.MANY_ROWS: shims.many_rows(), fortran.MODULE: fortran.module()} | symbols.files() | spans.headers()
+    return {batch.HEADER: made, fortran.MODULE: fortran.module()} | shims.files() | symbols.files() | spans.headers()
 
 
 def main(check=None):

@@ -1,26 +1,125 @@
-"""The functions of many rows of the C API that have no lanes: src/kernels/many_rows.cpp, made of the functions of one row.
+"""The functions of the C API that follow from their declarations, in src/c_api/.
 
-The functions are those of the lines "@rows" of api/pw85_batch.h.in. Each calls the function of one row for each row, with an argument of
-src/kernels/each_row.hpp for each parameter.
+- For each section of pw85.h a file with its functions of one row: they check pointers, set the floating-point environment, load the
+  inputs, call the template of the same name (or the kernel of the chosen instruction set), and store the members of its result, in order.
+- many_rows.cpp has the functions of many rows that have no lanes, the lines "@rows" of api/pw85_batch.h.in. They call the function of
+  one row for each row, with an argument of src/kernels/each_row.hpp for each parameter.
+
+What is not in these tables is written by hand, in the files beside src/c_api/.
 """
 
+import re
 from math import prod
 
 import batch
-from declarations import SOURCE
+from declarations import SOURCE, parameters, sections
 from rows import name_of_many
 
-MANY_ROWS = SOURCE / "src/kernels/many_rows.cpp"
+FOLDER = SOURCE / "src/c_api"
+# The sections with functions that are made: the file, and the headers that it includes.
+FILES = {
+    "Quadratic forms": ("forms", ("contact/forms",)),
+    "Contact of two ellipsoids": ("contact", ("contact/condition", "overlap/compare", "overlap/containment_factor", "overlap/witness")),
+    "Two dimensions": ("two_dimensions", ("pw85",)),
+    "Distance": ("distance", ()),
+    "Time": ("motion", ("motion/closest_passage", "motion/free_path")),
+    "Curvature and contact of grains": ("grains", ("distance/hertz",)),
+    "Walls, points and lines": ("walls", ("distance/line", "distance/walls")),
+}
+# Functions of these sections whose arguments or results are not those of their templates, one by one.
+BY_HAND = {
+    "pw85_spheroid", "pw85_ellipsoid", "pw85_contact_function", "pw85_penetration", "pw85_signed_distance",
+    "pw85_signed_distance_derivatives", "pw85_curvature", "pw85_hertz_contact",
+}  # fmt: skip
+# Those that kernels compute: struct OnePairKernels of src/kernels/kernels.hpp.
+DISPATCHED = re.compile(r"Kernel<decltype\((pw85_\w+)\)> ")
 BEGIN = """\
-// The functions of many rows that have no lanes. They call the function of one row for each row (each_row.hpp).
+// {what}
 //
-// Made from pw85.h and api/pw85_batch.h.in by api/committed.py.
-#include <pw85_batch.h>
-
-#include "each_row.hpp"
-
-using namespace pw85::detail::kernels;
+// Made from pw85.h by api/committed.py.
 """
+UNKNOWN = {"sign": 2}  # what an answer is on error; -1 for others
+# Where a result has a member that the function does not give out.
+MORE_MEMBERS = {"pw85_distance_plane": 2, "pw85_overlap_2d": 1, "pw85_overlap_witness": 2, "pw85_distance_2d": 3}
+
+
+def dispatched():
+    return set(DISPATCHED.findall((SOURCE / "src/kernels/kernels.hpp").read_text(encoding="utf-8")))
+
+
+def is_answer(one):
+    return one.is_output() and one.type == "int"
+
+
+def loaded(function, one):
+    """An input as an argument of the template."""
+    if not one.pointer:
+        return one.name
+    dimension = 2 if function.name.endswith("_2d") else 3
+    if one.type == "pw85_motion":
+        return f"load_motion(*{one.name})"
+    if re.fullmatch(r"q\d?", one.name):
+        return f"load_matrix<{dimension}>({one.name})"
+    return f"load_factor<3>({one.name})" if one.length == 9 else f"load_vector<{one.length}>({one.name})"
+
+
+def stored(one):
+    """An output as arguments of put(): a pointer for each member of the result."""
+    names = batch.names_and_shape(one)[0]
+    return [one.name, *(f"{one.name} + {i}" for i in range(1, len(names)))]
+
+
+def checks(listed):
+    """Statements that refuse null pointers. Answers and numbers are marked before anything else can fail."""
+    answers = [one for one in listed if is_answer(one)]
+    numbers = [one for one in listed if one.is_output() and not is_answer(one)]
+    needed = [one.name for one in listed if one.pointer and not is_answer(one) and (not one.is_output() or not one.nullable)]
+    marked = ", ".join(f"{one.name}, {one.length or 1}" for one in numbers)
+    if not answers:
+        return [f"    if (any_null({', '.join(needed)})) return null_pointer({marked});"]
+    lines = [f"    store_nan({one.name}, {one.length or 1});" for one in numbers]
+    for one in answers:
+        lines += [f"    if (any_null({one.name})) return PW85_EINVAL;", f"    *{one.name} = {UNKNOWN.get(one.name, -1)};"]
+    return [*lines, f"    if (any_null({', '.join(needed)})) return PW85_EINVAL;"]
+
+
+def body(function, of_kernels):
+    listed = parameters(function)
+    plain = re.sub("^pw85_|_2d$", "", function.name)
+    if function.name in of_kernels:
+        arguments = [f"kernels::chosen().one_pair->{plain}", *(one.name for one in listed)]
+        return batch.wrapped("    return in_default_environment(", arguments, ");")
+    called = f"pw85::{plain}({', '.join(loaded(function, one) for one in listed if not one.is_output())})"
+    outputs = [name for one in listed if one.is_output() for name in stored(one)]
+    if function.name in MORE_MEMBERS:
+        outputs.insert(MORE_MEMBERS[function.name], "nullptr")
+    put = batch.wrapped("        return put(", [called, *outputs], ");")
+    return f"    return in_default_environment([&] {{\n{put}\n    }});"
+
+
+def of_one_row(function, of_kernels):
+    begin = batch.wrapped(f"int {function.name}(", [*function.parameters], ")")
+    return "\n".join(["", begin, "{", *checks(parameters(function)), body(function, of_kernels), "}", ""])
+
+
+def one_row_file(title, headers, listed):
+    of_kernels = dispatched()
+    own = ["../c_arrays.hpp", "../floating_point_environment.hpp"]
+    own += ["../kernels/kernels.hpp"] if any(one.name in of_kernels for one in listed) else []
+    lines = [
+        "// clang-format off",
+        *BEGIN.format(what=f"The C API: {title[0].lower()}{title[1:]}.").splitlines(),
+        "#include <pw85.h>",
+        "",
+        *(f"#include <pw85/{header}.hpp>" for header in headers),
+        *([""] if headers else []),
+        *(f'#include "{header}"' for header in own),
+        "",
+        "using namespace pw85::detail;",
+        "using namespace pw85::detail::c_api;",
+        "",
+    ]
+    return "\n".join(lines) + "".join(of_one_row(function, of_kernels) for function in listed)
 
 
 def row_argument(one, many):
@@ -41,13 +140,32 @@ def row_argument(one, many):
     return f"RowsOf<{columns}{'' if element == 'double const' else f', {element}'}>{{{names}}}"
 
 
-def definition(statement):
+def of_many_rows(statement):
     name, listed = statement.function.name, statement.arguments()
-    parameters = ["size_t n", *(argument.declared() for _, many in listed for argument in many)]
+    declared = ["size_t n", *(argument.declared() for _, many in listed for argument in many)]
     arguments = ["n", name, *(row_argument(one, many) for one, many in listed)]
-    begin = batch.wrapped(f"int {name_of_many(name)}(", parameters, ")")
+    begin = batch.wrapped(f"int {name_of_many(name)}(", declared, ")")
     return f"\n{begin}\n{{\n{batch.wrapped('    return each_row(', arguments, ');')}\n}}\n"
 
 
 def many_rows():
-    return BEGIN + "".join(definition(statement) for statement in batch.statements() if not statement.has_lanes)
+    head = BEGIN.format(what="The C API: functions of many rows that have no lanes.").replace("pw85.h", "pw85.h and api/pw85_batch.h.in")
+    head += '#include <pw85_batch.h>\n\n#include "../kernels/each_row.hpp"\n\nusing namespace pw85::detail::kernels;\n'
+    return head + "".join(of_many_rows(statement) for statement in batch.statements() if not statement.has_lanes)
+
+
+def section_of(function, section):
+    """The section of which the file has the function: what two-dimensional functions instantiate stands in one file."""
+    return "Two dimensions" if function.name.endswith("_2d") else section.title
+
+
+def files():
+    """The texts of the files by their paths."""
+    of_sections = {title: [] for title in FILES}
+    for section in sections("pw85.h"):
+        for function in section.functions:
+            title = section_of(function, section)
+            if title in FILES and function.name not in BY_HAND:
+                of_sections[title].append(function)
+    one_row = {FOLDER / f"{FILES[title][0]}.cpp": one_row_file(title, FILES[title][1], listed) for title, listed in of_sections.items()}
+    return {FOLDER / "many_rows.cpp": many_rows()} | one_row

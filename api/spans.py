@@ -228,7 +228,9 @@ def header(kind):
             lines += [f"/// @name {section.title}", "/// @{", ""]
             lines += [line for function in listed for line in definition(function, kind)]
             lines += ["/// @}", ""]
-    return BEGIN.format(brief=kind.brief, guard=kind.name.upper().replace("/", "_"), part=kind.part, folder=kind.name.split("/")[0]) + "".join(f"{line}\n" for line in lines) + END
+    guard, folder = kind.name.upper().replace("/", "_"), kind.name.split("/")[0]
+    begin = BEGIN.format(brief=kind.brief, guard=guard, part=kind.part, folder=folder)
+    return begin + "".join(f"{line}\n" for line in lines) + END
 
 
 def headers():

@@ -2,10 +2,14 @@
 #ifndef PW85_C_ARRAYS_HPP_INCLUDED
 #define PW85_C_ARRAYS_HPP_INCLUDED
 
+#include <cstddef>
 #include <cstring>
 #include <type_traits>
 
+#include <pw85.h>
+
 #include <pw85/algebra/factor.hpp>
+#include <pw85/motion/motion.hpp>
 #include <pw85/status.hpp>
 
 namespace pw85::detail::c_api {
@@ -48,6 +52,28 @@ template <int D> Factor<double, D> load_factor(double const *a) noexcept
     return s;
 }
 
+inline Motion<double, 3> load_motion(pw85_motion const &m) noexcept
+{
+    return {load_vector<3>(m.velocity), load_vector<3>(m.angular_velocity), m.growth};
+}
+
+// Outputs may be null.
+
+inline void store(double number, double *x) noexcept
+{
+    if (x != nullptr) *x = number;
+}
+
+inline void store(int number, int *x) noexcept { *x = number; }
+
+/// A member that is not given out.
+template <class Member> void store(Member const &, std::nullptr_t) noexcept {}
+
+template <int size> void store(double const (&rows)[size][size], double *x) noexcept
+{
+    if (x != nullptr) std::memcpy(x, rows, sizeof rows);
+}
+
 template <int D> void store(Vector<double, D> const &v, double *x) noexcept
 {
     for (int i = 0; x != nullptr && i < D; ++i) x[i] = v[i];
@@ -61,6 +87,53 @@ template <int D> void store(SymmetricMatrix<double, D> const &m, double *a) noex
 template <int D> void store(Factor<double, D> const &s, double *a) noexcept
 {
     if (a != nullptr) std::memcpy(a, s.entries, sizeof s.entries);
+}
+
+/// Stores a member of a result. An answer is stored on success alone: the function has marked it as unknown before.
+template <class Member, class Output> void store_member(Status status, Member const &member, Output output) noexcept
+{
+    if constexpr (std::is_same_v<Member, bool> && std::is_same_v<Output, int *>) {
+        if (status == Status::success) *output = member;
+    } else {
+        store(member, output);
+    }
+}
+
+/// Stores the members of a result, in their order, and returns its status, which is the last one.
+template <class Result, class Output> int put(Result const &result, Output output) noexcept
+{
+    auto const &[member, status] = result;
+    store_member(status, member, output);
+    return static_cast<int>(status);
+}
+
+template <class Result, class First, class Second> int put(Result const &result, First first, Second second) noexcept
+{
+    auto const &[member1, member2, status] = result;
+    store_member(status, member1, first);
+    store_member(status, member2, second);
+    return static_cast<int>(status);
+}
+
+template <class Result, class First, class Second, class Third>
+int put(Result const &result, First first, Second second, Third third) noexcept
+{
+    auto const &[member1, member2, member3, status] = result;
+    store_member(status, member1, first);
+    store_member(status, member2, second);
+    store_member(status, member3, third);
+    return static_cast<int>(status);
+}
+
+template <class Result, class First, class Second, class Third, class Fourth>
+int put(Result const &result, First first, Second second, Third third, Fourth fourth) noexcept
+{
+    auto const &[member1, member2, member3, member4, status] = result;
+    store_member(status, member1, first);
+    store_member(status, member2, second);
+    store_member(status, member3, third);
+    store_member(status, member4, fourth);
+    return static_cast<int>(status);
 }
 
 /// Fills an array with NaN, unless it is null.

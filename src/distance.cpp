@@ -1,6 +1,4 @@
-// The C API of distances. The functions check for null pointers; the core checks everything else.
-#include <cstring>
-
+// The C API of depths and signed distances, which ask first whether a pair overlaps.
 #include <pw85.h>
 
 #include <pw85/distance/signed_distance.hpp>
@@ -12,21 +10,6 @@
 using namespace pw85;
 using namespace pw85::detail;
 using namespace pw85::detail::c_api;
-
-int pw85_distance(double const r12[3], double const q1[6], double const q2[6], double *distance, double point1[3],
-                  double point2[3])
-{
-    if (any_null(r12, q1, q2)) return null_pointer(distance, 1, point1, PW85_DIM, point2, PW85_DIM);
-    return in_default_environment(kernels::chosen().one_pair->distance, r12, q1, q2, distance, point1, point2);
-}
-
-int pw85_distance_derivatives(double const r12[3], double const q1[6], double const q2[6], double d_r12[3],
-                              double d_rot1[3], double d_rot2[3], double hessian[81])
-{
-    if (any_null(r12, q1, q2)) return null_pointer(d_r12, PW85_DIM, d_rot1, PW85_DIM, d_rot2, PW85_DIM, hessian, 81);
-    return in_default_environment(kernels::chosen().one_pair->distance_derivatives, r12, q1, q2, d_r12, d_rot1, d_rot2,
-                                  hessian);
-}
 
 /// Whether a valid pair overlaps. The answer is from the same code as pw85_overlap(), so that both agree on forms that are barely
 /// positive definite.
@@ -45,9 +28,7 @@ int pw85_penetration(double const r12[3], double const q1[6], double const q2[6]
         auto const p = overlapping == 1
                            ? penetration_overlapping(load_vector<3>(r12), load_matrix<3>(q1), load_matrix<3>(q2))
                            : no_penetration<double, 3>(status);
-        if (depth != nullptr) *depth = p.depth;
-        store(p.direction, direction);
-        return static_cast<int>(p.status);
+        return put(p, depth, direction);
     });
 }
 
@@ -59,11 +40,8 @@ int pw85_signed_distance(double const r12[3], double const q1[6], double const q
         int overlapping;
         overlaps(r12, q1, q2, overlapping);
         if (overlapping != 1) return kernels::chosen().one_pair->distance(r12, q1, q2, distance, point1, point2);
-        auto const d = signed_distance_overlapping(load_vector<3>(r12), load_matrix<3>(q1), load_matrix<3>(q2));
-        if (distance != nullptr) *distance = d.distance;
-        store(d.point1, point1);
-        store(d.point2, point2);
-        return static_cast<int>(d.status);
+        return put(signed_distance_overlapping(load_vector<3>(r12), load_matrix<3>(q1), load_matrix<3>(q2)), distance,
+                   point1, point2, nullptr);
     });
 }
 
@@ -76,11 +54,7 @@ int pw85_signed_distance_derivatives(double const r12[3], double const q1[6], do
         overlaps(r12, q1, q2, overlapping);
         if (overlapping != 1)
             return kernels::chosen().one_pair->distance_derivatives(r12, q1, q2, d_r12, d_rot1, d_rot2, hessian);
-        auto const d = signed_derivatives_overlapping(load_vector<3>(r12), load_matrix<3>(q1), load_matrix<3>(q2));
-        store(d.r12, d_r12);
-        store(d.rotation1, d_rot1);
-        store(d.rotation2, d_rot2);
-        if (hessian != nullptr) std::memcpy(hessian, d.hessian, sizeof d.hessian);
-        return static_cast<int>(d.status);
+        return put(signed_derivatives_overlapping(load_vector<3>(r12), load_matrix<3>(q1), load_matrix<3>(q2)), d_r12,
+                   d_rot1, d_rot2, hessian);
     });
 }

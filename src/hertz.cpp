@@ -1,4 +1,4 @@
-// The C API of curvatures and of Hertzian contacts. The functions check for null pointers; the core checks everything else.
+// The C API of curvatures and of Hertzian contacts whose results consist of several values.
 #include <pw85.h>
 
 #include <pw85/distance/hertz.hpp>
@@ -35,16 +35,6 @@ int pw85_curvature(double const normal[3], double const q[6], double curvatures[
         auto const c = curvature(load_vector<3>(normal), load_matrix<3>(q));
         store_curvature(c, curvatures, directions);
         return static_cast<int>(c.status);
-    });
-}
-
-int pw85_hertz(double const curvatures[2], double *radius, double ellipse[2])
-{
-    if (any_null(curvatures)) return null_pointer(radius, 1, ellipse, 2);
-    return in_default_environment([&] {
-        auto const h = hertz(load_vector<2>(curvatures));
-        store_hertz(h, radius, ellipse);
-        return static_cast<int>(h.status);
     });
 }
 

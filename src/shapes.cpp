@@ -16,13 +16,6 @@ using namespace pw85::detail::c_api;
 
 namespace {
 
-int store_contact(ShapeContact<double> const &c, double *mu2, double *point) noexcept
-{
-    if (mu2 != nullptr) *mu2 = c.mu2;
-    store(c.point, point);
-    return static_cast<int>(c.status);
-}
-
 /// The status for a null pointer; it marks the answer.
 int null_overlap(int *overlap) noexcept
 {
@@ -30,26 +23,19 @@ int null_overlap(int *overlap) noexcept
     return null_pointer();
 }
 
-int store_overlap(ShapeOverlap const &answer, int *overlap) noexcept
-{
-    *overlap = answer.status == Status::success ? static_cast<int>(answer.overlap) : -1;
-    return static_cast<int>(answer.status);
-}
-
 /// The answer of the core where the kernel has none. The functions are not inlined, because each call would save registers that only
 /// they need.
 template <class Core, class... Points>
 [[gnu::noinline]] int settle_contact(Core core, double *mu2, double *point, double const *q, Points... points) noexcept
 {
-    return in_default_environment(
-        [&] { return store_contact(core(load_vector<3>(points)..., load_matrix<3>(q)), mu2, point); });
+    return in_default_environment([&] { return put(core(load_vector<3>(points)..., load_matrix<3>(q)), mu2, point); });
 }
 
 template <class Core, class... Points>
 [[gnu::noinline]] int settle_overlap(Core core, int *overlap, double const *q, Points... points) noexcept
 {
-    return in_default_environment(
-        [&] { return store_overlap(core(load_vector<3>(points)..., load_matrix<3>(q)), overlap); });
+    *overlap = -1;
+    return in_default_environment([&] { return put(core(load_vector<3>(points)..., load_matrix<3>(q)), overlap); });
 }
 
 /// Whether the arrays of planes can be read.
@@ -117,12 +103,13 @@ int pw85_contact_polytope(size_t n, double const *normals, double const *offsets
 {
     if (any_null(q) || !are_planes(n, normals, offsets)) return null_pointer(mu2, 1, point, PW85_DIM);
     return in_default_environment(
-        [&] { return store_contact(contact_polytope(n, normals, offsets, load_matrix<3>(q), {}), mu2, point); });
+        [&] { return put(contact_polytope(n, normals, offsets, load_matrix<3>(q), {}), mu2, point); });
 }
 
 int pw85_overlap_polytope(size_t n, double const *normals, double const *offsets, double const q[6], int *overlap)
 {
     if (any_null(q, overlap) || !are_planes(n, normals, offsets)) return null_overlap(overlap);
+    *overlap = -1;
     return in_default_environment(
-        [&] { return store_overlap(overlap_polytope(n, normals, offsets, load_matrix<3>(q), {}), overlap); });
+        [&] { return put(overlap_polytope(n, normals, offsets, load_matrix<3>(q), {}), overlap); });
 }

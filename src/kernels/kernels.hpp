@@ -13,6 +13,8 @@
 #include <cstddef>
 #include <cstdint>
 
+#include <pw85.h>
+
 #include <pw85/attributes.hpp>
 
 #include "lattice.hpp"
@@ -237,33 +239,31 @@ template <class Law> struct LawKernel {
     LawSums (*evaluate)(Law const &, std::size_t n, double const *mu2, double *d_u) noexcept;
 };
 
-/// Functions for one pair, with the contracts of the C API for inputs that are not null.
+/// A pointer to a kernel that has the parameters of a function of the C API.
+template <class Function> struct KernelOf;
+template <class Result, class... Parameters> struct KernelOf<Result(Parameters...)> {
+    using Pointer = Result (*)(Parameters...) noexcept;
+};
+template <class Function> using Kernel = typename KernelOf<Function>::Pointer;
+
+/// Functions for one pair, with the contracts of the C API for inputs that are not null. api/shims.py reads this list.
 struct OnePairKernels {
-    int (*contact)(double const *r12, double const *q1, double const *q2, double *out) noexcept;
-    int (*overlap)(double const *r12, double const *q1, double const *q2, int *overlap) noexcept;
-    int (*contact_geometry)(double const *r12, double const *q1, double const *q2, double lambda, double *point,
-                            double *normal) noexcept;
-    int (*contact_gradient)(double const *r12, double const *q1, double const *q2, double lambda, double *d_r12,
-                            double *d_q1, double *d_q2) noexcept;
-    int (*contact_torque)(double const *r12, double const *q1, double const *q2, double lambda, double *d_rot1,
-                          double *d_rot2) noexcept;
-    int (*contact_hessian)(double const *r12, double const *q1, double const *q2, double lambda,
-                           double *hessian) noexcept;
-    int (*closest_approach)(double const *direction, double const *q1, double const *q2, double *distance) noexcept;
-    int (*distance)(double const *r12, double const *q1, double const *q2, double *distance, double *point1,
-                    double *point2) noexcept;
-    int (*distance_derivatives)(double const *r12, double const *q1, double const *q2, double *d_r12, double *d_rot1,
-                                double *d_rot2, double *hessian) noexcept;
-    int (*first_contact)(double const *r12, double const *q1, double const *q2, pw85_motion const *motion1,
-                         pw85_motion const *motion2, double end, double *time) noexcept;
-    int (*contact_factored)(double const *r12, double const *s1, double const *s2, double *out) noexcept;
-    int (*contact_rounded)(double const *r12, double const *q1, double const *q2, double *out) noexcept;
-    int (*overlap_factored)(double const *r12, double const *s1, double const *s2, int *overlap) noexcept;
-    int (*contact_geometry_factored)(double const *r12, double const *s1, double const *s2, double lambda,
-                                     double *point, double *normal) noexcept;
-    int (*contact_gradient_factored)(double const *r12, double const *s1, double const *s2, double lambda,
-                                     double *d_r12, double *d_s1, double *d_s2) noexcept;
-    int (*contains)(double const *r12, double const *q1, double const *q2, int *contains) noexcept;
+    Kernel<decltype(pw85_contact)> contact;
+    Kernel<decltype(pw85_overlap)> overlap;
+    Kernel<decltype(pw85_contact_geometry)> contact_geometry;
+    Kernel<decltype(pw85_contact_gradient)> contact_gradient;
+    Kernel<decltype(pw85_contact_torque)> contact_torque;
+    Kernel<decltype(pw85_contact_hessian)> contact_hessian;
+    Kernel<decltype(pw85_closest_approach)> closest_approach;
+    Kernel<decltype(pw85_distance)> distance;
+    Kernel<decltype(pw85_distance_derivatives)> distance_derivatives;
+    Kernel<decltype(pw85_first_contact)> first_contact;
+    Kernel<decltype(pw85_contact_factored)> contact_factored;
+    Kernel<decltype(pw85_contact_rounded)> contact_rounded;
+    Kernel<decltype(pw85_overlap_factored)> overlap_factored;
+    Kernel<decltype(pw85_contact_geometry_factored)> contact_geometry_factored;
+    Kernel<decltype(pw85_contact_gradient_factored)> contact_gradient_factored;
+    Kernel<decltype(pw85_contains)> contains;
 };
 
 /// Functions for one ellipsoid and a convex set, given by the points of Segments, Triangles or Boxes. They return false, and write

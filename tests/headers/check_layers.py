@@ -26,7 +26,7 @@ STANDS_ON = {
     "motion": ("ground", "algebra", "contact"),
     "history": ("ground", "algebra", "contact"),
     "batch": ("ground", "algebra", "motion"),
-    "systems": ("ground", "algebra", "motion", "batch"),
+    "systems": ("ground", "algebra", "contact", "overlap", "shapes", "motion", "batch"),
     "entries": ("ground", "algebra", "contact", "overlap", "distance", "shapes", "motion", "batch", "systems"),
 }
 MAX_FLOORS = 8  # of folders, and of headers within a folder

@@ -6,6 +6,7 @@
 
 #include <memory>
 
+#include <pw85/shapes/overlap_shapes.hpp>
 #include <pw85/systems/calls.hpp>
 
 namespace pw85 {

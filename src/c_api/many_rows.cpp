@@ -1,9 +1,9 @@
-// The functions of many rows that have no lanes. They call the function of one row for each row (each_row.hpp).
+// The C API: functions of many rows that have no lanes.
 //
 // Made from pw85.h and api/pw85_batch.h.in by api/committed.py.
 #include <pw85_batch.h>
 
-#include "each_row.hpp"
+#include "../kernels/each_row.hpp"
 
 using namespace pw85::detail::kernels;
 

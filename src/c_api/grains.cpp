@@ -1,0 +1,21 @@
+// clang-format off
+// The C API: curvature and contact of grains.
+//
+// Made from pw85.h by api/committed.py.
+#include <pw85.h>
+
+#include <pw85/distance/hertz.hpp>
+
+#include "../c_arrays.hpp"
+#include "../floating_point_environment.hpp"
+
+using namespace pw85::detail;
+using namespace pw85::detail::c_api;
+
+int pw85_hertz(double const curvatures[2], double *radius, double ellipse[2])
+{
+    if (any_null(curvatures)) return null_pointer(radius, 1, ellipse, 2);
+    return in_default_environment([&] {
+        return put(pw85::hertz(load_vector<2>(curvatures)), radius, ellipse);
+    });
+}
