@@ -34,7 +34,7 @@ template <class T, int M, int N> PW85_FUNCTION constexpr void set_nan(T (&rows)[
 
 /// Returns a result with NaN in every number and the given status. The type of a result has up to four numbers, vectors or
 /// matrices, followed by the status.
-template <class Result> PW85_FUNCTION constexpr Result all_nan(Status status) noexcept
+template <class Result> PW85_FUNCTION constexpr Result all_nan(StatusCode status) noexcept
 {
     Result result{};
     result.status = status;

@@ -18,8 +18,8 @@ namespace pw85 {
 /// @param[out] mu2 one for each pair
 /// @param[out] lambda one for each pair, or empty
 /// @return Status::success, Status::invalid_argument, or the status of the first bad pair
-static inline Status contact_batch(Vectors r12, Forms q1, Forms q2, std::span<double> mu2,
-                                   std::span<double> lambda = {}) noexcept
+static inline StatusCode contact_batch(Vectors r12, Forms q1, Forms q2, std::span<double> mu2,
+                                       std::span<double> lambda = {}) noexcept
 {
     return detail::call_rows(pw85_contact_batch, r12, q1, q2, mu2, lambda);
 }
@@ -29,7 +29,7 @@ static inline Status contact_batch(Vectors r12, Forms q1, Forms q2, std::span<do
 /// @param r12,q1,q2 one for each pair
 /// @param[out] overlap one for each pair: 1, 0, or 255 for a bad pair
 /// @return as for contact_batch()
-static inline Status overlap_batch(Vectors r12, Forms q1, Forms q2, std::span<unsigned char> overlap) noexcept
+static inline StatusCode overlap_batch(Vectors r12, Forms q1, Forms q2, std::span<unsigned char> overlap) noexcept
 {
     return detail::call_rows(pw85_overlap_batch, r12, q1, q2, overlap);
 }
@@ -39,8 +39,8 @@ static inline Status overlap_batch(Vectors r12, Forms q1, Forms q2, std::span<un
 /// @param r12,q1,q2 one for each pair
 /// @param[out] mu2,lambda one for each pair, or empty
 /// @return as for contact_batch(), or Status::no_convergence as for contact_rounded()
-static inline Status contact_rounded_batch(Vectors r12, Forms q1, Forms q2, std::span<double> mu2,
-                                           std::span<double> lambda = {}) noexcept
+static inline StatusCode contact_rounded_batch(Vectors r12, Forms q1, Forms q2, std::span<double> mu2,
+                                               std::span<double> lambda = {}) noexcept
 {
     return detail::call_rows(pw85_contact_rounded_batch, r12, q1, q2, mu2, lambda);
 }
@@ -50,9 +50,9 @@ static inline Status contact_rounded_batch(Vectors r12, Forms q1, Forms q2, std:
 /// @param r12,s1,s2 one for each pair
 /// @param[out] overlap one for each pair: 1, 0, or 255 for a bad pair
 /// @return as for contact_batch(), or Status::no_convergence as for overlap_factored()
-static inline Status overlap_factored_batch(Vectors r12, std::span<Factor<double, 3> const> s1,
-                                            std::span<Factor<double, 3> const> s2,
-                                            std::span<unsigned char> overlap) noexcept
+static inline StatusCode overlap_factored_batch(Vectors r12, std::span<Factor<double, 3> const> s1,
+                                                std::span<Factor<double, 3> const> s2,
+                                                std::span<unsigned char> overlap) noexcept
 {
     return detail::call_rows(pw85_overlap_factored_batch, r12, s1, s2, overlap);
 }
@@ -63,8 +63,8 @@ static inline Status overlap_factored_batch(Vectors r12, std::span<Factor<double
 /// @param mu2 one for each pair, >= 0; may be infinity
 /// @param[out] sign one for each pair: -1, 0 or 1, or 2 for a bad pair
 /// @return as for contact_batch()
-static inline Status compare_batch(Vectors r12, Forms q1, Forms q2, std::span<double const> mu2,
-                                   std::span<int> sign) noexcept
+static inline StatusCode compare_batch(Vectors r12, Forms q1, Forms q2, std::span<double const> mu2,
+                                       std::span<int> sign) noexcept
 {
     return detail::call_rows(pw85_compare_batch, r12, q1, q2, mu2, sign);
 }
@@ -76,9 +76,9 @@ static inline Status compare_batch(Vectors r12, Forms q1, Forms q2, std::span<do
 /// @param[out] lambda one for each pair, or empty; NaN where the ellipsoids are not apart
 /// @param[out] point one for each pair, or empty; NaN where they do not overlap
 /// @return as for contact_batch(), or Status::no_convergence as for overlap_witness()
-static inline Status overlap_witness_batch(Vectors r12, Forms q1, Forms q2, std::span<unsigned char> overlap,
-                                           std::span<double> lambda = {},
-                                           std::span<Vector<double, 3>> point = {}) noexcept
+static inline StatusCode overlap_witness_batch(Vectors r12, Forms q1, Forms q2, std::span<unsigned char> overlap,
+                                               std::span<double> lambda = {},
+                                               std::span<Vector<double, 3>> point = {}) noexcept
 {
     return detail::call_rows(pw85_overlap_witness_batch, r12, q1, q2, overlap, lambda, point);
 }
@@ -88,7 +88,7 @@ static inline Status overlap_witness_batch(Vectors r12, Forms q1, Forms q2, std:
 /// @param r12,q1,q2 one for each pair
 /// @param[out] contains one for each pair: 1, 0, or 255 for a bad pair
 /// @return as for contact_batch()
-static inline Status contains_batch(Vectors r12, Forms q1, Forms q2, std::span<unsigned char> contains) noexcept
+static inline StatusCode contains_batch(Vectors r12, Forms q1, Forms q2, std::span<unsigned char> contains) noexcept
 {
     return detail::call_rows(pw85_contains_batch, r12, q1, q2, contains);
 }
@@ -98,8 +98,8 @@ static inline Status contains_batch(Vectors r12, Forms q1, Forms q2, std::span<u
 /// @param r12,q1,q2 one for each pair
 /// @param[out] mu2,point one for each pair, or empty
 /// @return as for contact_batch()
-static inline Status containment_batch(Vectors r12, Forms q1, Forms q2, std::span<double> mu2,
-                                       std::span<Vector<double, 3>> point = {}) noexcept
+static inline StatusCode containment_batch(Vectors r12, Forms q1, Forms q2, std::span<double> mu2,
+                                           std::span<Vector<double, 3>> point = {}) noexcept
 {
     return detail::call_rows(pw85_containment_batch, r12, q1, q2, mu2, point);
 }
@@ -111,8 +111,8 @@ static inline Status containment_batch(Vectors r12, Forms q1, Forms q2, std::spa
 /// @param[out] mu2 one for each pair
 /// @param[out] t one for each pair, or empty
 /// @return as for contact_batch()
-static inline Status closest_passage_batch(Vectors r12, Forms q1, Forms q2, Vectors velocity, double t_max,
-                                           std::span<double> mu2, std::span<double> t = {}) noexcept
+static inline StatusCode closest_passage_batch(Vectors r12, Forms q1, Forms q2, Vectors velocity, double t_max,
+                                               std::span<double> mu2, std::span<double> t = {}) noexcept
 {
     return detail::call_rows(pw85_closest_passage_batch, r12, q1, q2, velocity, t_max, mu2, t);
 }
@@ -123,8 +123,8 @@ static inline Status closest_passage_batch(Vectors r12, Forms q1, Forms q2, Vect
 /// @param t_max one for each pair, each >= 0; may be infinity
 /// @param[out] t one for each pair
 /// @return as for contact_batch(); the causes of free_path()
-static inline Status free_path_batch(Vectors r12, Forms q1, Forms q2, Vectors direction, std::span<double const> t_max,
-                                     std::span<double> t) noexcept
+static inline StatusCode free_path_batch(Vectors r12, Forms q1, Forms q2, Vectors direction,
+                                         std::span<double const> t_max, std::span<double> t) noexcept
 {
     return detail::call_rows(pw85_free_path_batch, r12, q1, q2, direction, t_max, t);
 }
@@ -135,7 +135,8 @@ static inline Status free_path_batch(Vectors r12, Forms q1, Forms q2, Vectors di
 /// @param q1,q2 one for each pair
 /// @param[out] distance one for each pair
 /// @return as for contact_batch(); a zero direction is Status::invalid_argument
-static inline Status closest_approach_batch(Vectors directions, Forms q1, Forms q2, std::span<double> distance) noexcept
+static inline StatusCode closest_approach_batch(Vectors directions, Forms q1, Forms q2,
+                                                std::span<double> distance) noexcept
 {
     return detail::call_rows(pw85_closest_approach_batch, directions, q1, q2, distance);
 }
@@ -145,9 +146,9 @@ static inline Status closest_approach_batch(Vectors directions, Forms q1, Forms 
 /// @param r12,s1,s2 one for each pair
 /// @param[out] mu2,lambda one for each pair, or empty
 /// @return as for contact_batch()
-static inline Status contact_factored_batch(Vectors r12, std::span<Factor<double, 3> const> s1,
-                                            std::span<Factor<double, 3> const> s2, std::span<double> mu2,
-                                            std::span<double> lambda = {}) noexcept
+static inline StatusCode contact_factored_batch(Vectors r12, std::span<Factor<double, 3> const> s1,
+                                                std::span<Factor<double, 3> const> s2, std::span<double> mu2,
+                                                std::span<double> lambda = {}) noexcept
 {
     return detail::call_rows(pw85_contact_factored_batch, r12, s1, s2, mu2, lambda);
 }
@@ -158,8 +159,8 @@ static inline Status contact_factored_batch(Vectors r12, std::span<Factor<double
 /// @param lambda one for each pair, as contact_batch() returns them
 /// @param[out] cond one for each pair
 /// @return as for contact_batch()
-static inline Status condition_batch(Vectors r12, Forms q1, Forms q2, std::span<double const> lambda,
-                                     std::span<double> cond) noexcept
+static inline StatusCode condition_batch(Vectors r12, Forms q1, Forms q2, std::span<double const> lambda,
+                                         std::span<double> cond) noexcept
 {
     return detail::call_rows(pw85_condition_batch, r12, q1, q2, lambda, cond);
 }
@@ -169,8 +170,8 @@ static inline Status condition_batch(Vectors r12, Forms q1, Forms q2, std::span<
 /// @param r12,q1,q2 one for each pair
 /// @param[out] mu2,lambda one for each pair, or empty
 /// @return as for contact_batch()
-static inline Status contact_function_batch(Vectors r12, Forms q1, Forms q2, std::span<double> mu2,
-                                            std::span<double> lambda = {}) noexcept
+static inline StatusCode contact_function_batch(Vectors r12, Forms q1, Forms q2, std::span<double> mu2,
+                                                std::span<double> lambda = {}) noexcept
 {
     return detail::call_rows(pw85_contact_function_batch, r12, q1, q2, mu2, lambda);
 }
@@ -181,9 +182,9 @@ static inline Status contact_function_batch(Vectors r12, Forms q1, Forms q2, std
 /// @param q1,q2,lambda one for each pair
 /// @param[out] point,normal one for each pair, or empty
 /// @return as for contact_batch(); r12 = 0 and lambda outside [0, 1] are Status::invalid_argument
-static inline Status contact_geometry_batch(Vectors r12, Forms q1, Forms q2, std::span<double const> lambda,
-                                            std::span<Vector<double, 3>> point,
-                                            std::span<Vector<double, 3>> normal = {}) noexcept
+static inline StatusCode contact_geometry_batch(Vectors r12, Forms q1, Forms q2, std::span<double const> lambda,
+                                                std::span<Vector<double, 3>> point,
+                                                std::span<Vector<double, 3>> normal = {}) noexcept
 {
     return detail::call_rows(pw85_contact_geometry_batch, r12, q1, q2, lambda, point, normal);
 }
@@ -193,10 +194,10 @@ static inline Status contact_geometry_batch(Vectors r12, Forms q1, Forms q2, std
 /// @param r12,q1,q2,lambda one for each pair
 /// @param[out] d_r12,d_q1,d_q2 one for each pair, or empty
 /// @return as for contact_batch(); lambda outside [0, 1] is Status::invalid_argument
-static inline Status contact_gradient_batch(Vectors r12, Forms q1, Forms q2, std::span<double const> lambda,
-                                            std::span<Vector<double, 3>> d_r12,
-                                            std::span<SymmetricMatrix<double, 3>> d_q1 = {},
-                                            std::span<SymmetricMatrix<double, 3>> d_q2 = {}) noexcept
+static inline StatusCode contact_gradient_batch(Vectors r12, Forms q1, Forms q2, std::span<double const> lambda,
+                                                std::span<Vector<double, 3>> d_r12,
+                                                std::span<SymmetricMatrix<double, 3>> d_q1 = {},
+                                                std::span<SymmetricMatrix<double, 3>> d_q2 = {}) noexcept
 {
     return detail::call_rows(pw85_contact_gradient_batch, r12, q1, q2, lambda, d_r12, d_q1, d_q2);
 }
@@ -207,10 +208,11 @@ static inline Status contact_gradient_batch(Vectors r12, Forms q1, Forms q2, std
 /// @param s1,s2,lambda one for each pair
 /// @param[out] point,normal one for each pair, or empty
 /// @return as for contact_batch(); r12 = 0 and lambda outside [0, 1] are Status::invalid_argument
-static inline Status contact_geometry_factored_batch(Vectors r12, std::span<Factor<double, 3> const> s1,
-                                                     std::span<Factor<double, 3> const> s2,
-                                                     std::span<double const> lambda, std::span<Vector<double, 3>> point,
-                                                     std::span<Vector<double, 3>> normal = {}) noexcept
+static inline StatusCode contact_geometry_factored_batch(Vectors r12, std::span<Factor<double, 3> const> s1,
+                                                         std::span<Factor<double, 3> const> s2,
+                                                         std::span<double const> lambda,
+                                                         std::span<Vector<double, 3>> point,
+                                                         std::span<Vector<double, 3>> normal = {}) noexcept
 {
     return detail::call_rows(pw85_contact_geometry_factored_batch, r12, s1, s2, lambda, point, normal);
 }
@@ -220,11 +222,12 @@ static inline Status contact_geometry_factored_batch(Vectors r12, std::span<Fact
 /// @param r12,s1,s2,lambda one for each pair
 /// @param[out] d_r12,d_s1,d_s2 one for each pair, or empty
 /// @return as for contact_batch(); lambda outside [0, 1] is Status::invalid_argument
-static inline Status contact_gradient_factored_batch(Vectors r12, std::span<Factor<double, 3> const> s1,
-                                                     std::span<Factor<double, 3> const> s2,
-                                                     std::span<double const> lambda, std::span<Vector<double, 3>> d_r12,
-                                                     std::span<Factor<double, 3>> d_s1 = {},
-                                                     std::span<Factor<double, 3>> d_s2 = {}) noexcept
+static inline StatusCode contact_gradient_factored_batch(Vectors r12, std::span<Factor<double, 3> const> s1,
+                                                         std::span<Factor<double, 3> const> s2,
+                                                         std::span<double const> lambda,
+                                                         std::span<Vector<double, 3>> d_r12,
+                                                         std::span<Factor<double, 3>> d_s1 = {},
+                                                         std::span<Factor<double, 3>> d_s2 = {}) noexcept
 {
     return detail::call_rows(pw85_contact_gradient_factored_batch, r12, s1, s2, lambda, d_r12, d_s1, d_s2);
 }
@@ -234,9 +237,9 @@ static inline Status contact_gradient_factored_batch(Vectors r12, std::span<Fact
 /// @param r12,q1,q2,lambda one for each pair
 /// @param[out] d_rot1,d_rot2 one for each pair, or empty
 /// @return as for contact_gradient_batch()
-static inline Status contact_torque_batch(Vectors r12, Forms q1, Forms q2, std::span<double const> lambda,
-                                          std::span<Vector<double, 3>> d_rot1,
-                                          std::span<Vector<double, 3>> d_rot2 = {}) noexcept
+static inline StatusCode contact_torque_batch(Vectors r12, Forms q1, Forms q2, std::span<double const> lambda,
+                                              std::span<Vector<double, 3>> d_rot1,
+                                              std::span<Vector<double, 3>> d_rot2 = {}) noexcept
 {
     return detail::call_rows(pw85_contact_torque_batch, r12, q1, q2, lambda, d_rot1, d_rot2);
 }
@@ -247,8 +250,8 @@ static inline Status contact_torque_batch(Vectors r12, Forms q1, Forms q2, std::
 /// @param q1,q2,lambda one for each pair
 /// @param[out] hessian one for each pair
 /// @return as for contact_batch(); r12 = 0 and lambda outside [0, 1] are Status::invalid_argument
-static inline Status contact_hessian_batch(Vectors r12, Forms q1, Forms q2, std::span<double const> lambda,
-                                           std::span<std::array<double, 81>> hessian) noexcept
+static inline StatusCode contact_hessian_batch(Vectors r12, Forms q1, Forms q2, std::span<double const> lambda,
+                                               std::span<std::array<double, 81>> hessian) noexcept
 {
     return detail::call_rows(pw85_contact_hessian_batch, r12, q1, q2, lambda, hessian);
 }
@@ -259,8 +262,8 @@ static inline Status contact_hessian_batch(Vectors r12, Forms q1, Forms q2, std:
 /// @param[out] mu2 one for each pair
 /// @param[out] lambda one for each pair, or empty
 /// @return Status::success, Status::invalid_argument, or the status of the first bad pair
-static inline Status contact_batch(FlatVectors r12, FlatForms q1, FlatForms q2, std::span<double> mu2,
-                                   std::span<double> lambda = {}) noexcept
+static inline StatusCode contact_batch(FlatVectors r12, FlatForms q1, FlatForms q2, std::span<double> mu2,
+                                       std::span<double> lambda = {}) noexcept
 {
     return detail::call_rows(pw85_contact_batch_2d, r12, q1, q2, mu2, lambda);
 }
@@ -270,8 +273,8 @@ static inline Status contact_batch(FlatVectors r12, FlatForms q1, FlatForms q2, 
 /// @param r12,q1,q2 one for each pair
 /// @param[out] overlap one for each pair: 1, 0, or 255 for a bad pair
 /// @return as for contact_batch()
-static inline Status overlap_batch(FlatVectors r12, FlatForms q1, FlatForms q2,
-                                   std::span<unsigned char> overlap) noexcept
+static inline StatusCode overlap_batch(FlatVectors r12, FlatForms q1, FlatForms q2,
+                                       std::span<unsigned char> overlap) noexcept
 {
     return detail::call_rows(pw85_overlap_batch_2d, r12, q1, q2, overlap);
 }
@@ -282,9 +285,9 @@ static inline Status overlap_batch(FlatVectors r12, FlatForms q1, FlatForms q2,
 /// @param q1,q2,lambda one for each pair
 /// @param[out] point,normal one for each pair, or empty
 /// @return as for contact_batch(); r12 = 0 and lambda outside [0, 1] are Status::invalid_argument
-static inline Status contact_geometry_batch(FlatVectors r12, FlatForms q1, FlatForms q2, std::span<double const> lambda,
-                                            std::span<Vector<double, 2>> point,
-                                            std::span<Vector<double, 2>> normal = {}) noexcept
+static inline StatusCode contact_geometry_batch(FlatVectors r12, FlatForms q1, FlatForms q2,
+                                                std::span<double const> lambda, std::span<Vector<double, 2>> point,
+                                                std::span<Vector<double, 2>> normal = {}) noexcept
 {
     return detail::call_rows(pw85_contact_geometry_batch_2d, r12, q1, q2, lambda, point, normal);
 }
@@ -294,10 +297,10 @@ static inline Status contact_geometry_batch(FlatVectors r12, FlatForms q1, FlatF
 /// @param r12,q1,q2,lambda one for each pair
 /// @param[out] d_r12,d_q1,d_q2 one for each pair, or empty
 /// @return as for contact_gradient_batch()
-static inline Status contact_gradient_batch(FlatVectors r12, FlatForms q1, FlatForms q2, std::span<double const> lambda,
-                                            std::span<Vector<double, 2>> d_r12,
-                                            std::span<SymmetricMatrix<double, 2>> d_q1 = {},
-                                            std::span<SymmetricMatrix<double, 2>> d_q2 = {}) noexcept
+static inline StatusCode contact_gradient_batch(FlatVectors r12, FlatForms q1, FlatForms q2,
+                                                std::span<double const> lambda, std::span<Vector<double, 2>> d_r12,
+                                                std::span<SymmetricMatrix<double, 2>> d_q1 = {},
+                                                std::span<SymmetricMatrix<double, 2>> d_q2 = {}) noexcept
 {
     return detail::call_rows(pw85_contact_gradient_batch_2d, r12, q1, q2, lambda, d_r12, d_q1, d_q2);
 }
@@ -307,8 +310,9 @@ static inline Status contact_gradient_batch(FlatVectors r12, FlatForms q1, FlatF
 /// @param r12,q1,q2,lambda one for each pair
 /// @param[out] d_rot1,d_rot2 one for each pair, or empty
 /// @return as for contact_gradient_batch()
-static inline Status contact_torque_batch(FlatVectors r12, FlatForms q1, FlatForms q2, std::span<double const> lambda,
-                                          std::span<double> d_rot1, std::span<double> d_rot2 = {}) noexcept
+static inline StatusCode contact_torque_batch(FlatVectors r12, FlatForms q1, FlatForms q2,
+                                              std::span<double const> lambda, std::span<double> d_rot1,
+                                              std::span<double> d_rot2 = {}) noexcept
 {
     return detail::call_rows(pw85_contact_torque_batch_2d, r12, q1, q2, lambda, d_rot1, d_rot2);
 }
@@ -319,8 +323,9 @@ static inline Status contact_torque_batch(FlatVectors r12, FlatForms q1, FlatFor
 /// @param q1,q2,lambda one for each pair
 /// @param[out] hessian one for each pair
 /// @return as for contact_batch(); r12 = 0 and lambda outside [0, 1] are Status::invalid_argument
-static inline Status contact_hessian_batch(FlatVectors r12, FlatForms q1, FlatForms q2, std::span<double const> lambda,
-                                           std::span<std::array<double, 16>> hessian) noexcept
+static inline StatusCode contact_hessian_batch(FlatVectors r12, FlatForms q1, FlatForms q2,
+                                               std::span<double const> lambda,
+                                               std::span<std::array<double, 16>> hessian) noexcept
 {
     return detail::call_rows(pw85_contact_hessian_batch_2d, r12, q1, q2, lambda, hessian);
 }
@@ -331,8 +336,8 @@ static inline Status contact_hessian_batch(FlatVectors r12, FlatForms q1, FlatFo
 /// @param q1,q2 one for each pair
 /// @param[out] distance one for each pair
 /// @return as for closest_approach_batch()
-static inline Status closest_approach_batch(FlatVectors directions, FlatForms q1, FlatForms q2,
-                                            std::span<double> distance) noexcept
+static inline StatusCode closest_approach_batch(FlatVectors directions, FlatForms q1, FlatForms q2,
+                                                std::span<double> distance) noexcept
 {
     return detail::call_rows(pw85_closest_approach_batch_2d, directions, q1, q2, distance);
 }
@@ -343,7 +348,7 @@ static inline Status closest_approach_batch(FlatVectors directions, FlatForms q1
 /// @param r12,q1,q2 one for each pair
 /// @param[out] out one row for each pair in all spans, or in some: see pw85_contact_derivatives_batch()
 /// @return as for contact_batch()
-static inline Status contact_derivatives_batch(Vectors r12, Forms q1, Forms q2, DerivativeSpans const &out) noexcept
+static inline StatusCode contact_derivatives_batch(Vectors r12, Forms q1, Forms q2, DerivativeSpans const &out) noexcept
 {
     return detail::call_rows(pw85_contact_derivatives_batch, r12, q1, q2, out.mu2, out.lambda, out.point, out.normal,
                              out.d_r12, out.d_rot1, out.d_rot2);
@@ -355,9 +360,9 @@ static inline Status contact_derivatives_batch(Vectors r12, Forms q1, Forms q2, 
 /// @param[out] distance one for each pair, or empty
 /// @param[out] point1,point2 one for each pair, or empty, relative to the centres of the first ellipsoids
 /// @return as for contact_batch(); Status::no_convergence, too
-static inline Status distance_batch(Vectors r12, Forms q1, Forms q2, std::span<double> distance,
-                                    std::span<Vector<double, 3>> point1 = {},
-                                    std::span<Vector<double, 3>> point2 = {}) noexcept
+static inline StatusCode distance_batch(Vectors r12, Forms q1, Forms q2, std::span<double> distance,
+                                        std::span<Vector<double, 3>> point1 = {},
+                                        std::span<Vector<double, 3>> point2 = {}) noexcept
 {
     return detail::call_rows(pw85_distance_batch, r12, q1, q2, distance, point1, point2);
 }
@@ -367,10 +372,10 @@ static inline Status distance_batch(Vectors r12, Forms q1, Forms q2, std::span<d
 /// @param r12,q1,q2 one for each pair
 /// @param[out] d_r12,d_rot1,d_rot2,hessian one for each pair, or empty
 /// @return as for contact_batch()
-static inline Status distance_derivatives_batch(Vectors r12, Forms q1, Forms q2, std::span<Vector<double, 3>> d_r12,
-                                                std::span<Vector<double, 3>> d_rot1 = {},
-                                                std::span<Vector<double, 3>> d_rot2 = {},
-                                                std::span<std::array<double, 81>> hessian = {}) noexcept
+static inline StatusCode distance_derivatives_batch(Vectors r12, Forms q1, Forms q2, std::span<Vector<double, 3>> d_r12,
+                                                    std::span<Vector<double, 3>> d_rot1 = {},
+                                                    std::span<Vector<double, 3>> d_rot2 = {},
+                                                    std::span<std::array<double, 81>> hessian = {}) noexcept
 {
     return detail::call_rows(pw85_distance_derivatives_batch, r12, q1, q2, d_r12, d_rot1, d_rot2, hessian);
 }
@@ -380,9 +385,9 @@ static inline Status distance_derivatives_batch(Vectors r12, Forms q1, Forms q2,
 /// @param r12,q1,q2 one for each pair
 /// @param[out] distance,point1,point2 one for each pair, or empty
 /// @return as for contact_batch()
-static inline Status distance_batch(FlatVectors r12, FlatForms q1, FlatForms q2, std::span<double> distance,
-                                    std::span<Vector<double, 2>> point1 = {},
-                                    std::span<Vector<double, 2>> point2 = {}) noexcept
+static inline StatusCode distance_batch(FlatVectors r12, FlatForms q1, FlatForms q2, std::span<double> distance,
+                                        std::span<Vector<double, 2>> point1 = {},
+                                        std::span<Vector<double, 2>> point2 = {}) noexcept
 {
     return detail::call_rows(pw85_distance_batch_2d, r12, q1, q2, distance, point1, point2);
 }
@@ -393,8 +398,8 @@ static inline Status distance_batch(FlatVectors r12, FlatForms q1, FlatForms q2,
 /// @param[out] depth one for each pair, or empty
 /// @param[out] direction one for each pair, or empty; NaN for pairs that do not overlap
 /// @return as for contact_batch(); Status::no_convergence, too
-static inline Status penetration_batch(Vectors r12, Forms q1, Forms q2, std::span<double> depth,
-                                       std::span<Vector<double, 3>> direction = {}) noexcept
+static inline StatusCode penetration_batch(Vectors r12, Forms q1, Forms q2, std::span<double> depth,
+                                           std::span<Vector<double, 3>> direction = {}) noexcept
 {
     return detail::call_rows(pw85_penetration_batch, r12, q1, q2, depth, direction);
 }
@@ -404,9 +409,9 @@ static inline Status penetration_batch(Vectors r12, Forms q1, Forms q2, std::spa
 /// @param r12,q1,q2 one for each pair
 /// @param[out] distance,point1,point2 one for each pair, or empty
 /// @return as for contact_batch(); Status::no_convergence, too
-static inline Status signed_distance_batch(Vectors r12, Forms q1, Forms q2, std::span<double> distance,
-                                           std::span<Vector<double, 3>> point1 = {},
-                                           std::span<Vector<double, 3>> point2 = {}) noexcept
+static inline StatusCode signed_distance_batch(Vectors r12, Forms q1, Forms q2, std::span<double> distance,
+                                               std::span<Vector<double, 3>> point1 = {},
+                                               std::span<Vector<double, 3>> point2 = {}) noexcept
 {
     return detail::call_rows(pw85_signed_distance_batch, r12, q1, q2, distance, point1, point2);
 }
@@ -416,11 +421,11 @@ static inline Status signed_distance_batch(Vectors r12, Forms q1, Forms q2, std:
 /// @param r12,q1,q2 one for each pair
 /// @param[out] d_r12,d_rot1,d_rot2,hessian one for each pair, or empty
 /// @return as for contact_batch(); Status::no_convergence, too
-static inline Status signed_distance_derivatives_batch(Vectors r12, Forms q1, Forms q2,
-                                                       std::span<Vector<double, 3>> d_r12,
-                                                       std::span<Vector<double, 3>> d_rot1 = {},
-                                                       std::span<Vector<double, 3>> d_rot2 = {},
-                                                       std::span<std::array<double, 81>> hessian = {}) noexcept
+static inline StatusCode signed_distance_derivatives_batch(Vectors r12, Forms q1, Forms q2,
+                                                           std::span<Vector<double, 3>> d_r12,
+                                                           std::span<Vector<double, 3>> d_rot1 = {},
+                                                           std::span<Vector<double, 3>> d_rot2 = {},
+                                                           std::span<std::array<double, 81>> hessian = {}) noexcept
 {
     return detail::call_rows(pw85_signed_distance_derivatives_batch, r12, q1, q2, d_r12, d_rot1, d_rot2, hessian);
 }
@@ -431,8 +436,8 @@ static inline Status signed_distance_derivatives_batch(Vectors r12, Forms q1, Fo
 /// @param q one for each ellipsoid
 /// @param[out] curvatures,directions one for each ellipsoid, or empty
 /// @return as for contact_batch(); a zero normal is Status::invalid_argument
-static inline Status curvature_batch(Vectors normals, Forms q, std::span<std::array<double, 2>> curvatures,
-                                     std::span<std::array<double, 6>> directions = {}) noexcept
+static inline StatusCode curvature_batch(Vectors normals, Forms q, std::span<std::array<double, 2>> curvatures,
+                                         std::span<std::array<double, 6>> directions = {}) noexcept
 {
     return detail::call_rows(pw85_curvature_batch, normals, q, curvatures, directions);
 }
@@ -442,8 +447,8 @@ static inline Status curvature_batch(Vectors normals, Forms q, std::span<std::ar
 /// @param curvatures one for each contact, > 0
 /// @param[out] radius,ellipse one for each contact, or empty
 /// @return as for contact_batch(); a curvature that is not positive is Status::invalid_argument
-static inline Status hertz_batch(std::span<std::array<double, 2> const> curvatures, std::span<double> radius,
-                                 std::span<std::array<double, 2>> ellipse = {}) noexcept
+static inline StatusCode hertz_batch(std::span<std::array<double, 2> const> curvatures, std::span<double> radius,
+                                     std::span<std::array<double, 2>> ellipse = {}) noexcept
 {
     return detail::call_rows(pw85_hertz_batch, curvatures, radius, ellipse);
 }
@@ -454,12 +459,12 @@ static inline Status hertz_batch(std::span<std::array<double, 2> const> curvatur
 /// @param normals one for each pair, of any lengths > 0
 /// @param[out] depth,point,curvatures,directions,radius,ellipse one for each pair, or empty
 /// @return as for contact_batch(); a zero normal is Status::invalid_argument
-static inline Status hertz_contact_batch(Vectors r12, Forms q1, Forms q2, Vectors normals, std::span<double> depth,
-                                         std::span<Vector<double, 3>> point = {},
-                                         std::span<std::array<double, 2>> curvatures = {},
-                                         std::span<std::array<double, 6>> directions = {},
-                                         std::span<double> radius = {},
-                                         std::span<std::array<double, 2>> ellipse = {}) noexcept
+static inline StatusCode hertz_contact_batch(Vectors r12, Forms q1, Forms q2, Vectors normals, std::span<double> depth,
+                                             std::span<Vector<double, 3>> point = {},
+                                             std::span<std::array<double, 2>> curvatures = {},
+                                             std::span<std::array<double, 6>> directions = {},
+                                             std::span<double> radius = {},
+                                             std::span<std::array<double, 2>> ellipse = {}) noexcept
 {
     return detail::call_rows(pw85_hertz_contact_batch, r12, q1, q2, normals, depth, point, curvatures, directions,
                              radius, ellipse);
@@ -470,8 +475,9 @@ static inline Status hertz_contact_batch(Vectors r12, Forms q1, Forms q2, Vector
 /// @param normals,offsets,q one for each ellipsoid
 /// @param[out] distance,point one for each ellipsoid, or empty
 /// @return as for contact_batch(); a zero normal is Status::invalid_argument
-static inline Status distance_plane_batch(Vectors normals, std::span<double const> offsets, Forms q,
-                                          std::span<double> distance, std::span<Vector<double, 3>> point = {}) noexcept
+static inline StatusCode distance_plane_batch(Vectors normals, std::span<double const> offsets, Forms q,
+                                              std::span<double> distance,
+                                              std::span<Vector<double, 3>> point = {}) noexcept
 {
     return detail::call_rows(pw85_distance_plane_batch, normals, offsets, q, distance, point);
 }
@@ -481,8 +487,9 @@ static inline Status distance_plane_batch(Vectors normals, std::span<double cons
 /// @param normals,q one for each ellipsoid
 /// @param[out] d_center,d_rot one for each ellipsoid, or empty
 /// @return as for distance_plane_batch()
-static inline Status distance_plane_derivatives_batch(Vectors normals, Forms q, std::span<Vector<double, 3>> d_center,
-                                                      std::span<Vector<double, 3>> d_rot = {}) noexcept
+static inline StatusCode distance_plane_derivatives_batch(Vectors normals, Forms q,
+                                                          std::span<Vector<double, 3>> d_center,
+                                                          std::span<Vector<double, 3>> d_rot = {}) noexcept
 {
     return detail::call_rows(pw85_distance_plane_derivatives_batch, normals, q, d_center, d_rot);
 }
@@ -492,8 +499,8 @@ static inline Status distance_plane_derivatives_batch(Vectors normals, Forms q, 
 /// @param normals,offsets,q one for each ellipsoid
 /// @param[out] mu2,point one for each ellipsoid, or empty
 /// @return as for distance_plane_batch()
-static inline Status contact_plane_batch(Vectors normals, std::span<double const> offsets, Forms q,
-                                         std::span<double> mu2, std::span<Vector<double, 3>> point = {}) noexcept
+static inline StatusCode contact_plane_batch(Vectors normals, std::span<double const> offsets, Forms q,
+                                             std::span<double> mu2, std::span<Vector<double, 3>> point = {}) noexcept
 {
     return detail::call_rows(pw85_contact_plane_batch, normals, offsets, q, mu2, point);
 }
@@ -503,9 +510,9 @@ static inline Status contact_plane_batch(Vectors normals, std::span<double const
 /// @param normals,offsets,q one for each ellipsoid
 /// @param[out] d_center,d_rot one for each ellipsoid, or empty
 /// @return as for distance_plane_batch()
-static inline Status contact_plane_derivatives_batch(Vectors normals, std::span<double const> offsets, Forms q,
-                                                     std::span<Vector<double, 3>> d_center,
-                                                     std::span<Vector<double, 3>> d_rot = {}) noexcept
+static inline StatusCode contact_plane_derivatives_batch(Vectors normals, std::span<double const> offsets, Forms q,
+                                                         std::span<Vector<double, 3>> d_center,
+                                                         std::span<Vector<double, 3>> d_rot = {}) noexcept
 {
     return detail::call_rows(pw85_contact_plane_derivatives_batch, normals, offsets, q, d_center, d_rot);
 }
@@ -516,9 +523,9 @@ static inline Status contact_plane_derivatives_batch(Vectors normals, std::span<
 /// @param q one for each ellipsoid
 /// @param[out] distance,point,normal one for each ellipsoid, or empty
 /// @return as for contact_batch(); lower > upper is Status::invalid_argument
-static inline Status distance_box_batch(Vectors lower, Vectors upper, Forms q, std::span<double> distance,
-                                        std::span<Vector<double, 3>> point = {},
-                                        std::span<Vector<double, 3>> normal = {}) noexcept
+static inline StatusCode distance_box_batch(Vectors lower, Vectors upper, Forms q, std::span<double> distance,
+                                            std::span<Vector<double, 3>> point = {},
+                                            std::span<Vector<double, 3>> normal = {}) noexcept
 {
     return detail::call_rows(pw85_distance_box_batch, lower, upper, q, distance, point, normal);
 }
@@ -530,9 +537,9 @@ static inline Status distance_box_batch(Vectors lower, Vectors upper, Forms q, s
 /// @param center,q one for each ellipsoid
 /// @param[out] distance,point,normal one for each ellipsoid, or empty
 /// @return as for contact_batch(); a zero axis and a radius that is not positive are Status::invalid_argument
-static inline Status distance_cylinder_batch(Vectors axis, std::span<double const> radius, Vectors center, Forms q,
-                                             std::span<double> distance, std::span<Vector<double, 3>> point = {},
-                                             std::span<Vector<double, 3>> normal = {}) noexcept
+static inline StatusCode distance_cylinder_batch(Vectors axis, std::span<double const> radius, Vectors center, Forms q,
+                                                 std::span<double> distance, std::span<Vector<double, 3>> point = {},
+                                                 std::span<Vector<double, 3>> normal = {}) noexcept
 {
     return detail::call_rows(pw85_distance_cylinder_batch, axis, radius, center, q, distance, point, normal);
 }
@@ -542,9 +549,9 @@ static inline Status distance_cylinder_batch(Vectors axis, std::span<double cons
 /// @param r,q one for each point
 /// @param[out] distance,point,normal one for each point, or empty
 /// @return as for contact_batch()
-static inline Status distance_point_batch(Vectors r, Forms q, std::span<double> distance,
-                                          std::span<Vector<double, 3>> point = {},
-                                          std::span<Vector<double, 3>> normal = {}) noexcept
+static inline StatusCode distance_point_batch(Vectors r, Forms q, std::span<double> distance,
+                                              std::span<Vector<double, 3>> point = {},
+                                              std::span<Vector<double, 3>> normal = {}) noexcept
 {
     return detail::call_rows(pw85_distance_point_batch, r, q, distance, point, normal);
 }
@@ -557,8 +564,8 @@ static inline Status distance_point_batch(Vectors r, Forms q, std::span<double> 
 /// @param[out] enter,leave one for each line, or empty: where a line enters and leaves, as t; NaN if it misses its
 /// ellipsoid
 /// @return as for contact_batch(); a zero direction is Status::invalid_argument
-static inline Status intersect_line_batch(Vectors origin, Vectors directions, Forms q, std::span<double> enter,
-                                          std::span<double> leave = {}) noexcept
+static inline StatusCode intersect_line_batch(Vectors origin, Vectors directions, Forms q, std::span<double> enter,
+                                              std::span<double> leave = {}) noexcept
 {
     return detail::call_rows(pw85_intersect_line_batch, origin, directions, q, enter, leave);
 }
@@ -568,8 +575,8 @@ static inline Status intersect_line_batch(Vectors origin, Vectors directions, Fo
 /// @param end1,end2,q one for each ellipsoid
 /// @param[out] mu2,point one for each ellipsoid, or empty
 /// @return as for contact_batch()
-static inline Status contact_segment_batch(Vectors end1, Vectors end2, Forms q, std::span<double> mu2,
-                                           std::span<Vector<double, 3>> point = {}) noexcept
+static inline StatusCode contact_segment_batch(Vectors end1, Vectors end2, Forms q, std::span<double> mu2,
+                                               std::span<Vector<double, 3>> point = {}) noexcept
 {
     return detail::call_rows(pw85_contact_segment_batch, end1, end2, q, mu2, point);
 }
@@ -579,8 +586,8 @@ static inline Status contact_segment_batch(Vectors end1, Vectors end2, Forms q, 
 /// @param vertex1,vertex2,vertex3,q one for each ellipsoid
 /// @param[out] mu2,point one for each ellipsoid, or empty
 /// @return as for contact_batch()
-static inline Status contact_triangle_batch(Vectors vertex1, Vectors vertex2, Vectors vertex3, Forms q,
-                                            std::span<double> mu2, std::span<Vector<double, 3>> point = {}) noexcept
+static inline StatusCode contact_triangle_batch(Vectors vertex1, Vectors vertex2, Vectors vertex3, Forms q,
+                                                std::span<double> mu2, std::span<Vector<double, 3>> point = {}) noexcept
 {
     return detail::call_rows(pw85_contact_triangle_batch, vertex1, vertex2, vertex3, q, mu2, point);
 }
@@ -591,8 +598,8 @@ static inline Status contact_triangle_batch(Vectors vertex1, Vectors vertex2, Ve
 /// @param q one for each ellipsoid
 /// @param[out] mu2,point one for each ellipsoid, or empty
 /// @return as for contact_batch(); lower > upper is Status::invalid_argument
-static inline Status contact_box_batch(Vectors lower, Vectors upper, Forms q, std::span<double> mu2,
-                                       std::span<Vector<double, 3>> point = {}) noexcept
+static inline StatusCode contact_box_batch(Vectors lower, Vectors upper, Forms q, std::span<double> mu2,
+                                           std::span<Vector<double, 3>> point = {}) noexcept
 {
     return detail::call_rows(pw85_contact_box_batch, lower, upper, q, mu2, point);
 }
@@ -602,8 +609,8 @@ static inline Status contact_box_batch(Vectors lower, Vectors upper, Forms q, st
 /// @param end1,end2,q one for each ellipsoid
 /// @param[out] overlap one for each ellipsoid: 1 or 0, 255 for a bad row
 /// @return as for contact_batch()
-static inline Status overlap_segment_batch(Vectors end1, Vectors end2, Forms q,
-                                           std::span<unsigned char> overlap) noexcept
+static inline StatusCode overlap_segment_batch(Vectors end1, Vectors end2, Forms q,
+                                               std::span<unsigned char> overlap) noexcept
 {
     return detail::call_rows(pw85_overlap_segment_batch, end1, end2, q, overlap);
 }
@@ -613,8 +620,8 @@ static inline Status overlap_segment_batch(Vectors end1, Vectors end2, Forms q,
 /// @param vertex1,vertex2,vertex3,q one for each ellipsoid
 /// @param[out] overlap one for each ellipsoid: 1 or 0, 255 for a bad row
 /// @return as for contact_batch()
-static inline Status overlap_triangle_batch(Vectors vertex1, Vectors vertex2, Vectors vertex3, Forms q,
-                                            std::span<unsigned char> overlap) noexcept
+static inline StatusCode overlap_triangle_batch(Vectors vertex1, Vectors vertex2, Vectors vertex3, Forms q,
+                                                std::span<unsigned char> overlap) noexcept
 {
     return detail::call_rows(pw85_overlap_triangle_batch, vertex1, vertex2, vertex3, q, overlap);
 }
@@ -625,7 +632,8 @@ static inline Status overlap_triangle_batch(Vectors vertex1, Vectors vertex2, Ve
 /// @param q one for each ellipsoid
 /// @param[out] overlap one for each ellipsoid: 1 or 0, 255 for a bad row
 /// @return as for contact_batch(); lower > upper is Status::invalid_argument
-static inline Status overlap_box_batch(Vectors lower, Vectors upper, Forms q, std::span<unsigned char> overlap) noexcept
+static inline StatusCode overlap_box_batch(Vectors lower, Vectors upper, Forms q,
+                                           std::span<unsigned char> overlap) noexcept
 {
     return detail::call_rows(pw85_overlap_box_batch, lower, upper, q, overlap);
 }
@@ -636,9 +644,10 @@ static inline Status overlap_box_batch(Vectors lower, Vectors upper, Forms q, st
 /// @param t_max the time up to which contacts count, >= 0; may be infinity
 /// @param[out] t one for each pair
 /// @return as for contact_batch(); Status::no_convergence, too
-static inline Status first_contact_batch(Vectors r12, Forms q1, Forms q2, std::span<Motion<double, 3> const> motion1,
-                                         std::span<Motion<double, 3> const> motion2, double t_max,
-                                         std::span<double> t) noexcept
+static inline StatusCode first_contact_batch(Vectors r12, Forms q1, Forms q2,
+                                             std::span<Motion<double, 3> const> motion1,
+                                             std::span<Motion<double, 3> const> motion2, double t_max,
+                                             std::span<double> t) noexcept
 {
     return detail::call_rows(pw85_first_contact_batch, r12, q1, q2, motion1, motion2, t_max, t);
 }
@@ -654,8 +663,8 @@ static inline Status first_contact_batch(Vectors r12, Forms q1, Forms q2, std::s
 /// @param quaternions one for each ellipsoid: (w, x, y, z), of any lengths > 0
 /// @param[out] s one for each ellipsoid
 /// @return Status::success, Status::invalid_argument
-static inline Status ellipsoid_factor_batch(Vectors semi_axes, std::span<Vector<double, 4> const> quaternions,
-                                            std::span<Factor<double, 3>> s) noexcept
+static inline StatusCode ellipsoid_factor_batch(Vectors semi_axes, std::span<Vector<double, 4> const> quaternions,
+                                                std::span<Factor<double, 3>> s) noexcept
 {
     return detail::call_rows(pw85_ellipsoid_factor_batch, semi_axes, quaternions, s);
 }
@@ -666,8 +675,8 @@ static inline Status ellipsoid_factor_batch(Vectors semi_axes, std::span<Vector<
 /// @param quaternions one for each ellipsoid: (w, x, y, z), of any lengths > 0
 /// @param[out] q one for each ellipsoid
 /// @return Status::success, Status::invalid_argument
-static inline Status ellipsoid_quaternion_batch(Vectors semi_axes, std::span<Vector<double, 4> const> quaternions,
-                                                std::span<SymmetricMatrix<double, 3>> q) noexcept
+static inline StatusCode ellipsoid_quaternion_batch(Vectors semi_axes, std::span<Vector<double, 4> const> quaternions,
+                                                    std::span<SymmetricMatrix<double, 3>> q) noexcept
 {
     return detail::call_rows(pw85_ellipsoid_quaternion_batch, semi_axes, quaternions, q);
 }
@@ -677,7 +686,7 @@ static inline Status ellipsoid_quaternion_batch(Vectors semi_axes, std::span<Vec
 /// @param q one for each ellipsoid
 /// @param[out] half_widths one for each ellipsoid: √Qxx, √Qyy, √Qzz, in the unit of the semi-axes
 /// @return Status::success, Status::invalid_argument, or the status of the first bad form
-static inline Status bounding_boxes(Forms q, std::span<Vector<double, 3>> half_widths) noexcept
+static inline StatusCode bounding_boxes(Forms q, std::span<Vector<double, 3>> half_widths) noexcept
 {
     return detail::call_rows(pw85_bounding_boxes, q, half_widths);
 }

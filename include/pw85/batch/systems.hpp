@@ -28,19 +28,19 @@ static inline bool fits(std::size_t n, DerivativeSpans const &out) noexcept
 /// @param end as for first_contact()
 /// @param[out] out one time for each pair, and one event for each particle
 /// @return as for contact_pairs(), or Status::no_convergence
-static inline Status first_contact_pairs(PairList const &list, Particles const &particles,
-                                         std::span<Motion<double, 3> const> motions, double end,
-                                         EventSpans const &out) noexcept
+static inline StatusCode first_contact_pairs(PairList const &list, Particles const &particles,
+                                             std::span<Motion<double, 3> const> motions, double end,
+                                             EventSpans const &out) noexcept
 {
     std::size_t const n = list.pairs.size(), num_particles = particles.centers.size();
     if (out.time.size() != n || motions.size() != num_particles || !detail::fits(num_particles, out.next) ||
         !detail::fits(num_particles, out.next_pair) || !detail::fit(list, particles))
-        return Status::invalid_argument;
+        return StatusCode::invalid_argument;
     pw85_pair_list const c_list = detail::in_c(list);
     pw85_system const system = detail::in_c(particles);
-    return static_cast<Status>(pw85_first_contact_pairs(&c_list, &system, detail::in_c(motions), end,
-                                                        detail::in_c(out.time), detail::in_c(out.next),
-                                                        detail::in_c(out.next_pair)));
+    return static_cast<StatusCode>(pw85_first_contact_pairs(&c_list, &system, detail::in_c(motions), end,
+                                                            detail::in_c(out.time), detail::in_c(out.next),
+                                                            detail::in_c(out.next_pair)));
 }
 
 /// Forces, torques and virial from the energies of pairs: see pw85_contact_forces_pairs().
@@ -50,17 +50,18 @@ static inline Status first_contact_pairs(PairList const &list, Particles const &
 /// @param derivatives from contact_derivatives_pairs()
 /// @param[out] out the sums
 /// @return Status::success, Status::invalid_argument
-static inline Status contact_forces_pairs(PairList const &list, Particles const &particles, std::span<double const> d_u,
-                                          DerivativeSpans const &derivatives, ForceSpans const &out) noexcept
+static inline StatusCode contact_forces_pairs(PairList const &list, Particles const &particles,
+                                              std::span<double const> d_u, DerivativeSpans const &derivatives,
+                                              ForceSpans const &out) noexcept
 {
     std::size_t const n = list.pairs.size(), num_particles = particles.centers.size();
     if (d_u.size() != n || !detail::fits(n, derivatives) || !detail::fits(n, list.images) ||
         !detail::fits(num_particles, particles.q) || !detail::fits(num_particles, out.forces) ||
         !detail::fits(num_particles, out.torques))
-        return Status::invalid_argument;
+        return StatusCode::invalid_argument;
     pw85_pair_list const c_list = detail::in_c(list);
     pw85_system const system = detail::in_c(particles);
-    return static_cast<Status>(pw85_contact_forces_pairs(
+    return static_cast<StatusCode>(pw85_contact_forces_pairs(
         &c_list, &system, d_u.data(), detail::in_c(derivatives.d_r12), detail::in_c(derivatives.d_rot1),
         detail::in_c(derivatives.d_rot2), detail::in_c(out.forces), detail::in_c(out.torques),
         reinterpret_cast<double *>(out.virial)));
@@ -73,19 +74,19 @@ static inline Status contact_forces_pairs(PairList const &list, Particles const 
 /// @param[out] energy the sum of the energies
 /// @param[out] out the sums
 /// @return as for contact_pairs(); Status::invalid_argument also for a law whose parameters are not allowed; Status::out_of_memory
-static inline Status law_forces_pairs(PairList const &list, Particles const &particles, Law const &law, double &energy,
-                                      ForceSpans const &out) noexcept
+static inline StatusCode law_forces_pairs(PairList const &list, Particles const &particles, Law const &law,
+                                          double &energy, ForceSpans const &out) noexcept
 {
     std::size_t const num_particles = particles.centers.size();
     if (!detail::fit(list, particles) || !detail::fits(num_particles, out.forces) ||
         !detail::fits(num_particles, out.torques))
-        return Status::invalid_argument;
+        return StatusCode::invalid_argument;
     pw85_pair_list const c_list = detail::in_c(list);
     pw85_system const system = detail::in_c(particles);
     pw85_law const c_law = {law.kind, law.parameters.size(), law.parameters.data()};
-    return static_cast<Status>(pw85_law_forces_pairs(&c_list, &system, &c_law, &energy, detail::in_c(out.forces),
-                                                     detail::in_c(out.torques),
-                                                     reinterpret_cast<double *>(out.virial)));
+    return static_cast<StatusCode>(pw85_law_forces_pairs(&c_list, &system, &c_law, &energy, detail::in_c(out.forces),
+                                                         detail::in_c(out.torques),
+                                                         reinterpret_cast<double *>(out.virial)));
 }
 
 /// overlap_any() for other particles of a system, given by their indices: see pw85_overlap_any_indices().
@@ -95,15 +96,15 @@ static inline Status law_forces_pairs(PairList const &list, Particles const &par
 /// @param particles the system
 /// @param[out] any 1 or 0; -1 on error
 /// @return as for overlap_any(); Status::invalid_argument also if nearest images do not decide
-static inline Status overlap_any_indices(Vector<double, 3> const &center, SymmetricMatrix<double, 3> const &q1,
-                                         std::span<std::int32_t const> indices, Particles const &particles,
-                                         int &any) noexcept
+static inline StatusCode overlap_any_indices(Vector<double, 3> const &center, SymmetricMatrix<double, 3> const &q1,
+                                             std::span<std::int32_t const> indices, Particles const &particles,
+                                             int &any) noexcept
 {
     any = -1;
-    if (particles.centers.size() != particles.q.size()) return Status::invalid_argument;
+    if (particles.centers.size() != particles.q.size()) return StatusCode::invalid_argument;
     pw85_system const system = detail::in_c(particles);
-    return static_cast<Status>(pw85_overlap_any_indices(center.coordinates, q1.entries, &system, indices.size(),
-                                                        indices.data(), nullptr, &any));
+    return static_cast<StatusCode>(pw85_overlap_any_indices(center.coordinates, q1.entries, &system, indices.size(),
+                                                            indices.data(), nullptr, &any));
 }
 
 /// overlap_any() for given images of other particles of a system: see pw85_overlap_any_indices().
@@ -114,18 +115,18 @@ static inline Status overlap_any_indices(Vector<double, 3> const &center, Symmet
 /// @param particles the system, in a cell
 /// @param[out] any 1 or 0; -1 on error
 /// @return Status::success, Status::invalid_argument, Status::not_positive_definite
-static inline Status overlap_any_indices(Vector<double, 3> const &center, SymmetricMatrix<double, 3> const &q1,
-                                         std::span<std::int32_t const> indices, std::span<Image const> images,
-                                         Particles const &particles, int &any) noexcept
+static inline StatusCode overlap_any_indices(Vector<double, 3> const &center, SymmetricMatrix<double, 3> const &q1,
+                                             std::span<std::int32_t const> indices, std::span<Image const> images,
+                                             Particles const &particles, int &any) noexcept
 {
     any = -1;
     if (particles.centers.size() != particles.q.size() || images.size() != indices.size())
-        return Status::invalid_argument;
+        return StatusCode::invalid_argument;
     constexpr Image none{}; // null would ask for all images
     pw85_system const system = detail::in_c(particles);
-    return static_cast<Status>(pw85_overlap_any_indices(center.coordinates, q1.entries, &system, indices.size(),
-                                                        indices.data(), images.empty() ? none.data() : images[0].data(),
-                                                        &any));
+    return static_cast<StatusCode>(pw85_overlap_any_indices(center.coordinates, q1.entries, &system, indices.size(),
+                                                            indices.data(),
+                                                            images.empty() ? none.data() : images[0].data(), &any));
 }
 
 /// @}
@@ -141,7 +142,7 @@ static inline ReducedCell cell_reduce(Cell const &cell) noexcept
 {
     ReducedCell result;
     result.status =
-        static_cast<Status>(pw85_cell_reduce(detail::in_c(&cell), reinterpret_cast<double *>(&result.cell)));
+        static_cast<StatusCode>(pw85_cell_reduce(detail::in_c(&cell), reinterpret_cast<double *>(&result.cell)));
     return result;
 }
 
@@ -152,14 +153,14 @@ static inline ReducedCell cell_reduce(Cell const &cell) noexcept
 /// @param[out] r12 from the first to the image of the second, one for each pair, or none
 /// @param[out] images multiples of the vectors of the cell, one row for each pair, or none
 /// @return Status::success, or Status::invalid_argument, also for the first bad pair, whose rows are NaN and INT32_MIN
-static inline Status nearest_images(std::span<IndexPair const> pairs, Particles const &particles,
-                                    std::span<Vector<double, 3>> r12, std::span<Image> images = {}) noexcept
+static inline StatusCode nearest_images(std::span<IndexPair const> pairs, Particles const &particles,
+                                        std::span<Vector<double, 3>> r12, std::span<Image> images = {}) noexcept
 {
     std::size_t const n = pairs.size();
     if (!detail::fits(n, r12) || !detail::fits(n, images) || !detail::fits(particles.centers.size(), particles.q))
-        return Status::invalid_argument;
+        return StatusCode::invalid_argument;
     pw85_system const system = detail::in_c(particles);
-    return static_cast<Status>(
+    return static_cast<StatusCode>(
         pw85_nearest_images(n, detail::in_c(pairs), &system, detail::in_c(r12), detail::in_c(images)));
 }
 
@@ -169,12 +170,12 @@ static inline Status nearest_images(std::span<IndexPair const> pairs, Particles 
 /// @param[out] mu2 the limit; infinity if there are no particles
 /// @return Status::success, Status::invalid_argument (also for a cell that is singular or not finite),
 /// Status::not_positive_definite
-static inline Status nearest_image_limit(Particles const &particles, double &mu2) noexcept
+static inline StatusCode nearest_image_limit(Particles const &particles, double &mu2) noexcept
 {
     mu2 = detail::quiet_nan<double>();
-    if (!detail::fits(particles.q.size(), particles.centers)) return Status::invalid_argument;
+    if (!detail::fits(particles.q.size(), particles.centers)) return StatusCode::invalid_argument;
     pw85_system const system = detail::in_c(particles);
-    return static_cast<Status>(pw85_nearest_image_limit(&system, &mu2));
+    return static_cast<StatusCode>(pw85_nearest_image_limit(&system, &mu2));
 }
 
 /// @}

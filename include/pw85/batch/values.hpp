@@ -33,7 +33,7 @@ using Cell = std::array<Vector<double, 3>, 3>;
 /// A reduced cell. It is NaN if the status is not success.
 struct ReducedCell {
     Cell cell;
-    Status status;
+    StatusCode status;
 };
 
 /// The outputs for the contact functions of pairs and their derivatives: see pw85_contact_derivatives_batch().

@@ -25,7 +25,7 @@ template <class T, int D> struct ContactHessian {
     static constexpr int size = D + 2 * detail::rotation_axes<D>;
 
     T entries[size][size];
-    Status status;
+    StatusCode status;
 };
 
 } // namespace pw85
@@ -132,7 +132,7 @@ hessian_at(Tangency<T, D> const &at, SymmetricMatrix<T, D> const &q1, SymmetricM
         changes[D + i] = turn(b, 1, at.weight1 * q1, i);
         changes[D + axes + i] = turn(b, 2, at.weight2 * q2, i);
     }
-    ContactHessian<T, D> result{{}, Status::success};
+    ContactHessian<T, D> result{{}, StatusCode::success};
     for (int i = 0; i < size; ++i)
         for (int j = i; j < size; ++j)
             result.entries[i][j] = result.entries[j][i] = second_derivative(b, weight, changes[i], changes[j]);
@@ -162,7 +162,7 @@ PW85_FUNCTION inline ContactHessian<T, D> contact_hessian(Vector<T, D> const &r1
     return at_tangency(
         [](Tangency<T, D> const &at, SymmetricMatrix<T, D> const &p1, SymmetricMatrix<T, D> const &p2) {
             if (dot(at.v, at.v) > T(0)) return hessian_at(at, p1, p2);
-            return all_nan<ContactHessian<T, D>>(Status::invalid_argument);
+            return all_nan<ContactHessian<T, D>>(StatusCode::invalid_argument);
         },
         r12, q1, q2, lambda);
 }

@@ -70,14 +70,14 @@ template <class T, int D> PW85_FUNCTION inline bool is_clearly_regular(Factor<T,
 }
 
 /// The status of a pair of factors. If it is success, `scaled` becomes the pair in range.
-template <class T, int D> [[gnu::noinline]] PW85_FUNCTION inline Status
+template <class T, int D> [[gnu::noinline]] PW85_FUNCTION inline StatusCode
 validate(FactoredPair<T, D> const &pair, ScaledPair<T, D, Factor<T, D>> &scaled) noexcept
 {
     auto const &[r12, s1, s2, ratio] = pair;
-    if (!(is_finite(r12) && is_finite(s1) && is_finite(s2))) return Status::invalid_argument;
-    if (!(is_regular(s1) && is_regular(s2))) return Status::not_positive_definite;
+    if (!(is_finite(r12) && is_finite(s1) && is_finite(s2))) return StatusCode::invalid_argument;
+    if (!(is_regular(s1) && is_regular(s2))) return StatusCode::not_positive_definite;
     scaled = scale(pair);
-    return Status::success;
+    return StatusCode::success;
 }
 
 /// Whether a pair of factors is valid and in range and has r12 != 0, tested with products only. The result is true for almost all

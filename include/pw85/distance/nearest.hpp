@@ -29,7 +29,7 @@ template <class T, int D> struct SurfaceDistance {
     T distance;          ///< negative where the two overlap, or where the ellipsoid pierces an enclosure
     Vector<T, D> point;  ///< of the ellipsoid, relative to its centre
     Vector<T, D> normal; ///< unit vector, out of the ellipsoid at this point
-    Status status;
+    StatusCode status;
 };
 
 } // namespace pw85
@@ -160,11 +160,11 @@ template <class T, int D> PW85_FUNCTION inline SurfaceDistance<T, D>
 distance_point(Vector<T, D> const &r, SymmetricMatrix<T, D> const &q) noexcept
 {
     using namespace detail;
-    Status const status = is_finite(r) ? validate(q) : Status::invalid_argument;
-    if (status != Status::success) return all_nan<SurfaceDistance<T, D>>(status);
+    StatusCode const status = is_finite(r) ? validate(q) : StatusCode::invalid_argument;
+    if (status != StatusCode::success) return all_nan<SurfaceDistance<T, D>>(status);
     Vector<T, D> const n = extreme_normal(q, r, true);
     Support<T, D> const s = support(q, n);
-    return {dot(n, r) - s.extent, s.point, n, Status::success};
+    return {dot(n, r) - s.extent, s.point, n, StatusCode::success};
 }
 
 } // namespace pw85

@@ -41,17 +41,17 @@ namespace pw85 {
 template <class T, int D> struct Penetration {
     T depth;
     Vector<T, D> direction; ///< unit vector
-    Status status;
+    StatusCode status;
 };
 
 } // namespace pw85
 
 namespace pw85::detail {
 
-template <class T, int D> PW85_FUNCTION inline Penetration<T, D> no_penetration(Status status) noexcept
+template <class T, int D> PW85_FUNCTION inline Penetration<T, D> no_penetration(StatusCode status) noexcept
 {
     auto result = all_nan<Penetration<T, D>>(status);
-    if (status == Status::success) result.depth = T(0);
+    if (status == StatusCode::success) result.depth = T(0);
     return result;
 }
 
@@ -110,9 +110,9 @@ template <class T, int D> PW85_FUNCTION inline T try_ratio(DepthSearch<T, D> &se
 /// that the minimum is the global one.
 template <class T, int D> PW85_FUNCTION inline void descend(DepthSearch<T, D> &search, T c) noexcept
 {
-    T const small = negative_power_of_two<T>(mantissa_digits<T>() / 2 + 2);
+    T const threshold = negative_power_of_two<T>(mantissa_digits<T>() / 2 + 2);
     T excess = try_ratio(search, c), step = excess;
-    for (int i = 0; i < 16 && absolute(excess) > small; ++i) {
+    for (int i = 0; i < 16 && absolute(excess) > threshold; ++i) {
         T const next = c * (T(1) + step), after = try_ratio(search, next);
         T const secant = step * after / (excess - after);
         bool const forward = secant * after > T(0) && absolute(secant) < T(8) * absolute(after) && secant > T(-0.5);
@@ -432,8 +432,8 @@ template <class T, int D> PW85_FUNCTION inline T proved_bound(MinimumProof<T, D>
     T c = proof.ratio, step = T(2);
     for (int i = 0; i < 12 && step > T(1.05); ++i) {
         T const next = up ? T(c * step) : T(c / step), sum = c + next;
-        bool const far = up ? next > T(16) * proof.ratio : T(16) * next < proof.ratio;
-        if (far) break;
+        bool const distant = up ? next > T(16) * proof.ratio : T(16) * next < proof.ratio;
+        if (distant) break;
         if (is_definite(proof, next, T(T(1) / next)) && is_definite(proof, T(T(2) * c * next / sum), T(T(2) / sum)))
             c = next;
         else
@@ -498,9 +498,9 @@ penetration_in_range(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, S
     if (!is_shallow(search, T(least_radius(axes1) + least_radius(axes2)))) {
         RatioRange<T> const range = ratio_range(axes1, axes2);
         descend_from_all(search, range);
-        if (!prove_globally(search, range)) return no_penetration<T, D>(Status::no_convergence);
+        if (!prove_globally(search, range)) return no_penetration<T, D>(StatusCode::no_convergence);
     }
-    return {maximum(T(0), search.best.length), search.direction, Status::success};
+    return {maximum(T(0), search.best.length), search.direction, StatusCode::success};
 }
 
 /// Computes penetration() of a valid pair that overlaps. A pair of like sizes is scaled to sizes of order one, so that it gets the
@@ -533,7 +533,8 @@ template <class T, int D> PW85_FUNCTION inline Penetration<T, D>
 penetration(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, SymmetricMatrix<T, D> const &q2) noexcept
 {
     Overlap const decision = overlap(r12, q1, q2);
-    if (decision.status != Status::success || !decision.overlap) return detail::no_penetration<T, D>(decision.status);
+    if (decision.status != StatusCode::success || !decision.overlap)
+        return detail::no_penetration<T, D>(decision.status);
     return detail::penetration_overlapping(r12, q1, q2);
 }
 

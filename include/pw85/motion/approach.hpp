@@ -184,7 +184,7 @@ PW85_FUNCTION inline RemotePair<T, D> remote_pair(MovingEllipsoids<T, D> const &
     Vector<T, D> const velocity = relative_velocity(motion1, motion2);
     int const length = binary_exponent(largest_coordinate(r12));
     int const form1 = half_exponent(largest_diagonal(q1)), form2 = half_exponent(largest_diagonal(q2));
-    int rate = larger_exponent(std::numeric_limits<int>::min(), largest_coordinate(velocity), -length);
+    int rate = larger_exponent((std::numeric_limits<int>::min)(), largest_coordinate(velocity), -length);
     rate = larger_exponent(rate, T(absolute(motion1.growth)), form1 - length);
     rate = larger_exponent(rate, T(absolute(motion2.growth)), form2 - length);
     return {times_power_of_two(r12, -length),

@@ -38,7 +38,7 @@ namespace pw85 {
 template <class T> struct ShapeContact {
     T mu2; ///< square of the factor by which the ellipsoid must be scaled to touch; 0 if its centre is in the set
     Vector<T, 3> point; ///< where the scaled ellipsoid touches, relative to its centre
-    Status status;
+    StatusCode status;
 };
 
 } // namespace pw85
@@ -236,9 +236,9 @@ contact_with_all_digits(Vector<T, 3> const (&points)[N], SymmetricMatrix<T, 3> c
 {
     Vector<Widened<T>, 3> wide[N];
     for (int k = 0; k < N; ++k) wide[k] = converted<Widened<T>>(points[k]);
-    if (has_center(wide)) return {T(0), {T(0), T(0), T(0)}, Status::success};
+    if (has_center(wide)) return {T(0), {T(0), T(0), T(0)}, StatusCode::success};
     auto const found = find_with_digits<Widened<T>>(points, q, find);
-    return {found.mu2, found.point, Status::success};
+    return {found.mu2, found.point, StatusCode::success};
 }
 
 /// These tiers for a set of N points.
@@ -254,8 +254,8 @@ contact_with_all_digits(Vector<T, 3> const (&points)[N], SymmetricMatrix<T, 3> c
 template <class T, int N, class Find> [[gnu::noinline]] PW85_FUNCTION inline ShapeContact<T>
 contact_scaled(Vector<T, 3> const (&points)[N], SymmetricMatrix<T, 3> const &q, Find const &find) noexcept
 {
-    Status const status = is_finite(points) ? validate(q) : Status::invalid_argument;
-    if (status != Status::success) return all_nan<ShapeContact<T>>(status);
+    StatusCode const status = is_finite(points) ? validate(q) : StatusCode::invalid_argument;
+    if (status != StatusCode::success) return all_nan<ShapeContact<T>>(status);
     T largest = T(0);
     for (auto const &x : points) largest = maximum(largest, largest_coordinate(x));
     int const length = largest > T(0) ? binary_exponent(largest) : 0, form = half_exponent(largest_diagonal(q));
@@ -268,7 +268,7 @@ contact_scaled(Vector<T, 3> const (&points)[N], SymmetricMatrix<T, 3> const &q, 
         if (!found.certain) found = find_finer(scaled, unit, find);
         if (found.certain)
             return {times_power_of_two(found.mu2, 2 * (length - form)), times_power_of_two(found.point, length),
-                    Status::success};
+                    StatusCode::success};
     }
     return contact_with_all_digits(points, q, find);
 }
@@ -279,7 +279,7 @@ contact_of(Vector<T, 3> const (&points)[N], SymmetricMatrix<T, 3> const &q, Find
 {
     if (passes_fast_checks(points, q, unscaled_limit<T>())) {
         auto const found = find(points, q);
-        if (found.certain) return {found.mu2, found.point, Status::success};
+        if (found.certain) return {found.mu2, found.point, StatusCode::success};
     }
     return contact_scaled(points, q, find);
 }
