@@ -26,7 +26,7 @@ template <class T, int D> PW85_FUNCTION constexpr void set_nan(Factor<T, D> &s) 
     for (T &x : s.entries) set_nan(x);
 }
 
-template <class T, int M, int N> PW85_FUNCTION constexpr void set_nan(T (&rows)[M][N]) noexcept
+template <class T, std::size_t M, std::size_t N> PW85_FUNCTION constexpr void set_nan(T (&rows)[M][N]) noexcept
 {
     for (auto &row : rows)
         for (T &x : row) set_nan(x);

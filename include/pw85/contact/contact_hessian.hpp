@@ -24,7 +24,7 @@ namespace pw85 {
 template <class T, int D> struct ContactHessian {
     static constexpr int size = D + 2 * detail::rotation_axes<D>;
 
-    T entries[size][size];
+    T entries[std::size_t(size)][std::size_t(size)];
     StatusCode status;
 };
 
@@ -126,7 +126,7 @@ hessian_at(Tangency<T, D> const &at, SymmetricMatrix<T, D> const &q1, SymmetricM
     constexpr int size = ContactHessian<T, D>::size, axes = rotation_axes<D>;
     Balance<T, D> const b = balance(at, q1, q2);
     T const weight = at.lambda1 * at.lambda2;
-    Change<T, D> changes[size];
+    Change<T, D> changes[std::size_t(size)];
     for (int i = 0; i < D; ++i) changes[i] = shift(b, i);
     for (int i = 0; i < axes; ++i) {
         changes[D + i] = turn(b, 1, at.weight1 * q1, i);

@@ -36,7 +36,7 @@ template <class T, int D> PW85_FUNCTION inline bool is_regular(Factor<T, D> cons
     if (!(largest > T(0))) return false;
     T const floor = square_root(square_root(square_root(smallest_number<T>())));
     Factor<T, D> const scaled = times_power_of_two(s, -binary_exponent(largest));
-    Vector<T, D> columns[D];
+    Vector<T, D> columns[std::size_t(D)];
     for (int j = 0; j < D; ++j) {
         columns[j] = column(scaled, j);
         T const length = magnitude(columns[j]);
@@ -58,7 +58,7 @@ template <class T> PW85_FUNCTION constexpr T least_product_of_squares() noexcept
 /// factor may still be regular.
 template <class T, int D> PW85_FUNCTION inline bool is_clearly_regular(Factor<T, D> const &s) noexcept
 {
-    Vector<T, D> columns[D];
+    Vector<T, D> columns[std::size_t(D)];
     T product = T(1);
     for (int j = 0; j < D; ++j) {
         columns[j] = column(s, j);

@@ -47,8 +47,8 @@ template <class T> PW85_FUNCTION constexpr bool is_length(T const &x) noexcept
 }
 
 /// S = R diag(semi_axes), a factor of Q = R diag(semi_axes²) Rᵀ. R must be orthogonal.
-template <class T, int D>
-PW85_FUNCTION constexpr Factor<T, D> factor_of_axes(Vector<T, D> const &semi_axes, T const (&rotation)[D * D]) noexcept
+template <class T, int D> PW85_FUNCTION constexpr Factor<T, D>
+factor_of_axes(Vector<T, D> const &semi_axes, T const (&rotation)[std::size_t(D * D)]) noexcept
 {
     Factor<T, D> s{};
     for (int i = 0; i < D * D; ++i) s.entries[i] = rotation[i] * semi_axes[i % D];
@@ -56,8 +56,8 @@ PW85_FUNCTION constexpr Factor<T, D> factor_of_axes(Vector<T, D> const &semi_axe
 }
 
 /// Q = R diag(semi_axes²) Rᵀ. R must be orthogonal.
-template <class T, int D>
-PW85_FUNCTION constexpr Form<T, D> form_of_axes(Vector<T, D> const &semi_axes, T const (&rotation)[D * D]) noexcept
+template <class T, int D> PW85_FUNCTION constexpr Form<T, D>
+form_of_axes(Vector<T, D> const &semi_axes, T const (&rotation)[std::size_t(D * D)]) noexcept
 {
     return checked_form(form_of_factor(factor_of_axes(semi_axes, rotation)));
 }

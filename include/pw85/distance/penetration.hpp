@@ -247,7 +247,7 @@ PW85_FUNCTION inline bool prove_depth(DepthSearch<T, D> &search, RatioRange<T> c
 
 /// A square matrix of which only the lower triangle is used.
 template <class T, int N> struct LowerTriangle {
-    T entries[N][N];
+    T entries[std::size_t(N)][std::size_t(N)];
 };
 
 /// Replaces a symmetric matrix by its factor L, a = LLᵀ. Returns false if the matrix is not positive definite.
@@ -277,7 +277,7 @@ template <class T, int D> struct MinimumProof {
 /// Computes the directions orthogonal to the unit vector n: the columns of the reflection that exchanges n and a unit vector of the
 /// axes.
 template <class T, int D>
-PW85_FUNCTION inline void fill_tangents(Vector<T, D> const &n, Vector<T, D> (&tangents)[D - 1]) noexcept
+PW85_FUNCTION inline void fill_tangents(Vector<T, D> const &n, Vector<T, D> (&tangents)[std::size_t(D - 1)]) noexcept
 {
     int pole = 0;
     for (int i = 1; i < D; ++i)
@@ -294,7 +294,7 @@ PW85_FUNCTION inline void fill_tangents(Vector<T, D> const &n, Vector<T, D> (&ta
 
 /// Solves Ly = x in place, for the first N - 1 rows of a factor.
 template <class T, int N>
-PW85_FUNCTION inline void solve_forward(LowerTriangle<T, N> const &factor, T (&x)[N - 1]) noexcept
+PW85_FUNCTION inline void solve_forward(LowerTriangle<T, N> const &factor, T (&x)[std::size_t(N - 1)]) noexcept
 {
     for (int i = 0; i < N - 1; ++i) {
         for (int k = 0; k < i; ++k) x[i] = x[i] - factor.entries[i][k] * x[k];
@@ -309,7 +309,7 @@ PW85_FUNCTION inline void fill_entries(MinimumProof<T, D> &proof, DepthSearch<T,
 {
     auto const &[r12, q1, q2, n, best] = search;
     Vector<T, D> const p = product(q1, n), q = product(q2, n);
-    Vector<T, D> tangents[D - 1];
+    Vector<T, D> tangents[std::size_t(D - 1)];
     fill_tangents(n, tangents);
     T const a2 = dot(n, p), b2 = dot(n, q), back = dot(n, r12) - d;
     auto &[fixed, by_c, by_y] = proof.entries;
@@ -344,7 +344,7 @@ PW85_FUNCTION inline bool subtract_sigma(MinimumProof<T, D> &proof, T const &sig
     auto &[fixed, by_c, by_y] = proof.entries;
     T const c = proof.ratio, y = T(1) / c;
     LowerTriangle<T, D> h{};
-    T z[D - 1], p[D - 1], q[D - 1], product_p = T(0), product_q = T(0);
+    T z[std::size_t(D - 1)], p[std::size_t(D - 1)], q[std::size_t(D - 1)], product_p = T(0), product_q = T(0);
     for (int i = 0; i < D - 1; ++i) {
         for (int j = 0; j <= i; ++j)
             h.entries[i][j] = fixed.entries[i][j] + c * by_c.entries[i][j] + y * by_y.entries[i][j];

@@ -20,12 +20,12 @@ namespace pw85::detail {
 
 /// A sum with an error of some u of itself, even if the terms cancel. Each partial sum is kept as a sum of numbers whose digits do
 /// not overlap (J. R. Shewchuk, Discrete Comput. Geom. 18, 305, 1997).
-template <class T, int N> PW85_FUNCTION inline T exact_sum(T const (&terms)[N]) noexcept
+template <class T, std::size_t N> PW85_FUNCTION inline T exact_sum(T const (&terms)[N]) noexcept
 {
     T parts[N];
-    for (int n = 0; n < N; ++n) {
+    for (std::size_t n = 0; n < N; ++n) {
         T carried = terms[n];
-        for (int k = 0; k < n; ++k) {
+        for (std::size_t k = 0; k < n; ++k) {
             CompensatedSum<T> sum{parts[k], T(0)};
             add(sum, carried);
             parts[k] = sum.rest;
@@ -34,7 +34,7 @@ template <class T, int N> PW85_FUNCTION inline T exact_sum(T const (&terms)[N]) 
         parts[n] = carried;
     }
     T sum = parts[0];
-    for (int n = 1; n < N; ++n) sum = sum + parts[n];
+    for (std::size_t n = 1; n < N; ++n) sum = sum + parts[n];
     return sum;
 }
 

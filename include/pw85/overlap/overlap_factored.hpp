@@ -57,7 +57,7 @@ template <class T, int D> PW85_FUNCTION inline bool separates(FactoredPair<T, D>
 /// 9u Π|c|, where it exceeds least_volume() Π|c|. The factor 2 covers this.
 template <class T, int D> PW85_FUNCTION inline T bound_on_inverse(Factor<T, D> const &s) noexcept
 {
-    Vector<T, D> columns[D];
+    Vector<T, D> columns[std::size_t(D)];
     T product = T(1), sum = T(0);
     for (int j = 0; j < D; ++j) {
         columns[j] = column(s, j);

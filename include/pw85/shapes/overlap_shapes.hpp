@@ -27,7 +27,7 @@ namespace pw85::detail {
 
 /// A segment or a triangle: the hull of its ends or vertices.
 template <class T, int N> struct Hull {
-    Vector<T, 3> points[N];
+    Vector<T, 3> points[std::size_t(N)];
 
     PW85_MEMBER bool is_valid() const noexcept { return is_finite(points); }
 

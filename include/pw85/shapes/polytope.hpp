@@ -101,8 +101,8 @@ template <class T> PW85_FUNCTION inline bool are_independent(HalfSpace<T> const 
 
 /// Finds where the ellipsoid touches the intersection of some planes. `size` is 0 if a multiplier is not positive, or if rounding
 /// errors decide whether the planes intersect.
-template <int K, class T> PW85_FUNCTION inline TouchedPlanes<T> touch(SymmetricMatrix<T, 3> const &q,
-                                                                      HalfSpace<T> const *const (&planes)[K]) noexcept
+template <int K, class T> PW85_FUNCTION inline TouchedPlanes<T>
+touch(SymmetricMatrix<T, 3> const &q, HalfSpace<T> const *const (&planes)[std::size_t(K)]) noexcept
 {
     SymmetricMatrix<T, K> gram{};
     Vector<T, K> d{};
