@@ -273,6 +273,12 @@ class Installation:
             raise Failed(f"cmake --list-presets knows {listed}")
         run("cmake", "--preset", "headers", "-B", self.work / "preset", cwd=self.source)
 
+    def alone(self):
+        """The commands of the chapter on installation that install pw85 with CMake."""
+        home = self.work / "home"
+        run("sh", "-e", self.source / "docs/installation/cmake.sh", cwd=self.copy, HOME=str(home))
+        self.with_cmake("shared", "cpp", home / ".local", name="installed-alone")
+
     def static_within_shared(self):
         """As before, with the static library that is installed."""
         folder = self.project("static-within-shared")
@@ -479,6 +485,8 @@ def cases(installation, whole):
         yield f"cmake/{way}", lambda k=kind, w=way: installation.within_cmake(k, w)
     yield "cmake/readme", installation.readme
     yield "cmake/presets", installation.presets
+    if whole:
+        yield "cmake/alone", installation.alone
     yield "cmake/flags", installation.cmake_flags
     yield "cmake/versions", installation.cmake_versions
     yield "meson/cmake", installation.meson_via_cmake
