@@ -164,7 +164,22 @@ def build_for(results, machine):
         (boost / "include/boost").symlink_to("/usr/include/boost")
     options = ["-Dgsl=disabled", *(f"-D{name}=disabled" for name in ("bench", "python", "fortran"))]
     return build(results, machine.stem, [f"--cross-file={machine}", *options], {"BOOST_ROOT": str(boost)},
-                 ["contact_problems", "portable_headers", "portable_library", "portable_c"])
+                 ["contact_problems", "headers_after_others", "portable_headers", "portable_library", "portable_c"])
+
+
+def check_package_of_windows(results, machine, environment):
+    """Installs what was built for Windows, and builds and runs a program with it by find_package, with the DLLs from where that says."""
+    work = BUILDS / "windows"
+    shutil.rmtree(work, ignore_errors=True)
+    work.mkdir(parents=True)
+    for source, copy in (("windows_CMakeLists.txt", "CMakeLists.txt"), ("consumer.c", "consumer.c")):
+        shutil.copy(ROOT / "tests/install" / source, work / copy)
+    ok = run(["meson", "install", "-C", str(folder_of(machine)), "--destdir", str(work / "stage")])
+    package = next((work / "stage").rglob("cmake/pw85"), work)
+    ok = ok and run(["cmake", "-G", "Ninja", "-S", str(work), "-B", str(work / "build"), f"-Dpw85_DIR={package}",
+                     "-DCMAKE_SYSTEM_NAME=Windows", f"-DCMAKE_C_COMPILER={machine}-gcc-posix"])
+    ok = ok and run(["cmake", "--build", str(work / "build")])
+    results.add(f"{machine}: find_package", ok and run(["/usr/lib/wine/wine64", str(work / "build/consumer.exe")], **environment))
 
 
 def check_platforms(results):
@@ -177,6 +192,8 @@ def check_platforms(results):
                 continue
             if build_for(results, machine):
                 test(results, folder_of(machine.stem), ["--suite", "portable"], **environment)
+                if "mingw" in machine.stem:
+                    check_package_of_windows(results, machine.stem, environment)
 
 
 def tracked(*patterns):

@@ -213,7 +213,7 @@ def definition(function, kind):
     if struct:
         written[-len(outputs) :] = [f"{struct} const &out"]
         names[-len(outputs) :] = [f"out.{one.name}" for one in outputs]
-    yield from wrapped(f"static inline Status {plain(function.name)}(", [*kind.structs, *written], ") noexcept")
+    yield from wrapped(f"static inline StatusCode {plain(function.name)}(", [*kind.structs, *written], ") noexcept")
     yield "{"
     first = [declared.split("&")[1] for declared in kind.structs]
     yield from wrapped(f"    return detail::{kind.call}(", [function.name, *first, *names], ");")

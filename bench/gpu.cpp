@@ -202,7 +202,7 @@ int main(int argc, char **argv)
     std::puts("function,arrays,pairs,aspect,tangent,rate");
     for (double const aspect : {2.0, 10.0, 100.0}) measure_device(n, aspect, 0);
     for (int const tangent : {10, 1000, 100'000}) measure_device(n / 10 + 20, 10.0, tangent);
-    for (std::size_t const few : {1, 1000, 100'000}) measure_device(few, 10.0, 0);
+    for (std::size_t const few : {1u, 1000u, 100'000u}) measure_device(few, 10.0, 0);
     measure_lists(n / 100 + 20, 10.0);
     measure_host(n / 4 + 20, 10.0);
     return compare(compared) != 0;

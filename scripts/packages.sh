@@ -28,4 +28,4 @@ test_packages="$build_packages ccache python3 python3-dev python3-numpy python3-
   python3-tqdm libjs-three chromium-driver python3-selenium python3-nbclient python3-ipykernel python3-matplotlib
   python3-dask python3-pandas python3-xarray python3-scipy python3-torch python3-meshio python3-ase mypy python3-venv python3-mesonpy python3-pip patchelf cmake
   gfortran binutils libglib2.0-dev
-  libhdf5-dev libboost-dev libmpfr-dev"
+  libhdf5-dev libboost-dev libmpfr-dev libx11-dev libeigen3-dev libtbb-dev"

@@ -14,7 +14,7 @@ using Truth100 = Multiprecision<100>;
 /// ν + rᵀ(Q1 - Q2/ν)⁻¹r by elimination; infinity where the matrix is not positive definite.
 template <int D> Truth100 gauge(Sample<Truth100, D> const &s, Truth100 const &nu)
 {
-    Truth100 m[D][D], x[D], sum = nu;
+    Truth100 m[std::size_t(D)][std::size_t(D)], x[std::size_t(D)], sum = nu;
     for (int i = 0; i < D; ++i) {
         x[i] = s.r12[i];
         for (int j = 0; j < D; ++j) m[i][j] = s.q1(i, j) - s.q2(i, j) / nu;

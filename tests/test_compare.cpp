@@ -125,7 +125,7 @@ int random_integer(Random &random, int limit)
 
 /// A linear map of small integers with positive determinant: lower triangular, often diagonal, or the identity.
 template <int D> struct Map {
-    double l[D][D] = {};
+    double l[std::size_t(D)][std::size_t(D)] = {};
 };
 
 template <int D> Map<D> random_map(Random &random, int limit)

@@ -94,7 +94,7 @@ template <class T, int D> void test_random()
 }
 
 /// The same pair in another unit, and with the axes in another order.
-template <int D> Sample<double, D> changed(Sample<double, D> const &s, int exponent, int const (&order)[D])
+template <int D> Sample<double, D> changed(Sample<double, D> const &s, int exponent, int const (&order)[std::size_t(D)])
 {
     Sample<double, D> t = s;
     for (int i = 0; i < D; ++i) {
@@ -132,7 +132,7 @@ int random_integer(Random &random, int limit)
 
 /// The lower triangle L of a random form, of small integers; often diagonal.
 template <int D> struct Factor {
-    double l[D][D] = {};
+    double l[std::size_t(D)][std::size_t(D)] = {};
 };
 
 template <int D> Factor<D> random_factor(Random &random, int limit)

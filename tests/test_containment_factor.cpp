@@ -22,7 +22,7 @@ namespace {
 template <int D>
 pw85::Vector<Truth100, D> solved(pw85::SymmetricMatrix<Truth100, D> const &a, pw85::Vector<Truth100, D> x)
 {
-    Truth100 m[D][D];
+    Truth100 m[std::size_t(D)][std::size_t(D)];
     for (int i = 0; i < D; ++i)
         for (int j = 0; j < D; ++j) m[i][j] = a(i, j);
     for (int k = 0; k < D; ++k)

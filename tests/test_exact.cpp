@@ -88,7 +88,7 @@ template <int D> pw85::SymmetricMatrix<double, D> small_form(Random &random, int
 {
     pw85::SymmetricMatrix<double, D> q{};
     bool const diagonal = random.uniform(0.0, 1.0) < 0.5;
-    double l[D][D] = {};
+    double l[std::size_t(D)][std::size_t(D)] = {};
     for (int i = 0; i < D; ++i) {
         for (int j = 0; j < i && !diagonal; ++j) l[i][j] = random_integer(random, limit);
         l[i][i] = 1 + std::abs(random_integer(random, limit));

@@ -70,7 +70,7 @@ template <int D> void test_differences()
         auto const p = convert<Wide>(s);
         auto const exact = hessian_of(p);
         auto const at = [&](int i, int si, int j, int sj) {
-            Wide change[size] = {};
+            Wide change[std::size_t(size)] = {};
             change[i] += si * h;
             change[j] += sj * h;
             return moved_contact(p, change);

@@ -148,7 +148,7 @@ template <int D> void check_flight(Failures &failures, Flight<double, D> const &
 template <int D> void check_flights(Moving moving, bool graze)
 {
     Failures failures;
-    Random random(500 + D + (moving == Moving::all ? 10 : 0) + (graze ? 20 : 0));
+    Random random(static_cast<std::uint64_t>(500 + D + (moving == Moving::all ? 10 : 0) + (graze ? 20 : 0)));
     int const flights = D == 3 ? motions : motions / 2;
     int touching = 0;
     for (int n = 0; n < flights; ++n) {

@@ -100,7 +100,7 @@ template <int D> void test_outside()
 /// Whether Sylvester's criterion holds for K(w).
 template <int D> bool is_inside(Sample<double, D> const &s, double weight)
 {
-    Rational k[D][D], w = weight;
+    Rational k[std::size_t(D)][std::size_t(D)], w = weight;
     for (int i = 0; i < D; ++i)
         for (int j = 0; j < D; ++j)
             k[i][j] = Rational(s.q1(i, j)) - (1 + 1 / w) * Rational(s.q2(i, j)) -

@@ -27,6 +27,8 @@ RUN_DOCS = {"docs": None, "pictures": None}
 OTHER_SYSTEMS = ["fedora", "macos", "msys2"]
 # What .ci/run runs itself.
 ELSEWHERE = {"test": "scripts/test.sh"}
+# Scripts that the test of the installation runs (tests/install/test_install.py --whole).
+WHOLE = ["cmake"]
 # Commands that take minutes and that another test runs in its own build folder: docs_pages makes the pages.
 RUN_BY_OTHER_TESTS = ["meson compile -C build-docs docs"]
 
@@ -84,11 +86,11 @@ def checks(source, work, run_docs):
     shutil.copytree(source, copy, ignore=lambda folder, names: built(source, folder, names))
     home.mkdir()
     scripts = {script.stem: script for script in (copy / "docs" / "installation").glob("*.sh")}
-    known = {*RUN, *RUN_DOCS, *OTHER_SYSTEMS, *ELSEWHERE}
+    known = {*RUN, *RUN_DOCS, *OTHER_SYSTEMS, *ELSEWHERE, *WHOLE}
     yield "each script has a check", lambda: (set(scripts) == known, f"{set(scripts) ^ known}")
     omitted = [line for name in RUN_DOCS for line in commands(scripts[name]) if line in RUN_BY_OTHER_TESTS]
     yield "what other tests run", lambda: (omitted == RUN_BY_OTHER_TESTS, f"{omitted}")
-    for name in OTHER_SYSTEMS:
+    for name in OTHER_SYSTEMS + WHOLE:
         yield f"syntax of {name}", lambda name=name: (subprocess.run(["sh", "-n", scripts[name]]).returncode == 0, "")
     for name, command in ELSEWHERE.items():
         yield name, lambda name=name, command=command: (commands(scripts[name]) == [command], "")

@@ -40,50 +40,51 @@ class HardEllipsoids {
     {
     }
 
-    [[gnu::always_inline]] Status sweep(std::size_t num_sweeps) noexcept
+    [[gnu::always_inline]] StatusCode sweep(std::size_t num_sweeps) noexcept
     {
-        return static_cast<Status>(pw85_hard_ellipsoids_sweep(get(), num_sweeps));
+        return static_cast<StatusCode>(pw85_hard_ellipsoids_sweep(get(), num_sweeps));
     }
 
-    [[gnu::always_inline]] Status volume_moves(std::size_t num_moves, double pressure,
-                                               CellChange change = CellChange::isotropic) noexcept
+    [[gnu::always_inline]] StatusCode volume_moves(std::size_t num_moves, double pressure,
+                                                   CellChange change = CellChange::isotropic) noexcept
     {
-        return static_cast<Status>(
+        return static_cast<StatusCode>(
             pw85_hard_ellipsoids_volume_moves(get(), num_moves, pressure, static_cast<int>(change)));
     }
 
     /// Event chains along random directions.
-    [[gnu::always_inline]] Status chain(std::size_t num_chains, double length, double &compressibility) noexcept
+    [[gnu::always_inline]] StatusCode chain(std::size_t num_chains, double length, double &compressibility) noexcept
     {
-        return static_cast<Status>(pw85_hard_ellipsoids_chain(get(), num_chains, length, nullptr, &compressibility));
+        return static_cast<StatusCode>(
+            pw85_hard_ellipsoids_chain(get(), num_chains, length, nullptr, &compressibility));
     }
 
     /// Event chains along one direction.
-    [[gnu::always_inline]] Status chain(std::size_t num_chains, double length, Vector<double, 3> const &direction,
-                                        double &compressibility) noexcept
+    [[gnu::always_inline]] StatusCode chain(std::size_t num_chains, double length, Vector<double, 3> const &direction,
+                                            double &compressibility) noexcept
     {
-        return static_cast<Status>(
+        return static_cast<StatusCode>(
             pw85_hard_ellipsoids_chain(get(), num_chains, length, direction.coordinates, &compressibility));
     }
 
     /// @param pressure 0 for no trials of the volume
-    [[gnu::always_inline]] Status tune(std::size_t num_sweeps, double acceptance, double pressure = 0.0,
-                                       CellChange change = CellChange::isotropic) noexcept
+    [[gnu::always_inline]] StatusCode tune(std::size_t num_sweeps, double acceptance, double pressure = 0.0,
+                                           CellChange change = CellChange::isotropic) noexcept
     {
-        return static_cast<Status>(
+        return static_cast<StatusCode>(
             pw85_hard_ellipsoids_tune(get(), num_sweeps, acceptance, pressure, static_cast<int>(change)));
     }
 
-    [[gnu::always_inline]] Status set_fractions(TrialFractions const &fractions) noexcept
+    [[gnu::always_inline]] StatusCode set_fractions(TrialFractions const &fractions) noexcept
     {
         double const all[4] = {fractions.translation, fractions.rotation, fractions.both, fractions.exchange};
-        return static_cast<Status>(pw85_hard_ellipsoids_set_fractions(get(), all));
+        return static_cast<StatusCode>(pw85_hard_ellipsoids_set_fractions(get(), all));
     }
 
-    [[gnu::always_inline]] Status set_steps(TrialSteps const &steps) noexcept
+    [[gnu::always_inline]] StatusCode set_steps(TrialSteps const &steps) noexcept
     {
         double const all[3] = {steps.translation, steps.rotation, steps.volume};
-        return static_cast<Status>(pw85_hard_ellipsoids_set_steps(get(), all));
+        return static_cast<StatusCode>(pw85_hard_ellipsoids_set_steps(get(), all));
     }
 
     /// NaN for a null simulation.
@@ -105,41 +106,42 @@ class HardEllipsoids {
     /// Images near a particle. Arrays without elements are not written.
     ///
     /// @param[out] count of all images; the arrays get as many of them as the shortest one can have
-    [[gnu::always_inline]] Status neighbors(std::size_t particle, std::size_t &count,
-                                            std::span<std::int32_t> particles = {},
-                                            std::span<std::array<std::int32_t, 3>> images = {},
-                                            std::span<Vector<double, 3>> separations = {}) noexcept
+    [[gnu::always_inline]] StatusCode neighbors(std::size_t particle, std::size_t &count,
+                                                std::span<std::int32_t> particles = {},
+                                                std::span<std::array<std::int32_t, 3>> images = {},
+                                                std::span<Vector<double, 3>> separations = {}) noexcept
     {
         std::size_t capacity = SIZE_MAX;
         for (std::size_t const size : {particles.size(), images.size(), separations.size()})
             if (size > 0 && size < capacity) capacity = size;
-        return static_cast<Status>(pw85_hard_ellipsoids_neighbors(
+        return static_cast<StatusCode>(pw85_hard_ellipsoids_neighbors(
             get(), particle, capacity, &count, particles.empty() ? nullptr : particles.data(),
             images.empty() ? nullptr : images.front().data(),
             separations.empty() ? nullptr : separations.front().coordinates));
     }
 
     /// Tries a place of a particle, and takes it if it is free and `take`.
-    [[gnu::always_inline]] Status try_placement(std::size_t particle, Vector<double, 3> const &center,
-                                                Vector<double, 4> const &quaternion, bool take, bool &is_free) noexcept
+    [[gnu::always_inline]] StatusCode try_placement(std::size_t particle, Vector<double, 3> const &center,
+                                                    Vector<double, 4> const &quaternion, bool take,
+                                                    bool &is_free) noexcept
     {
         int found;
         int const status = pw85_hard_ellipsoids_try(get(), particle, center.coordinates, quaternion.coordinates,
                                                     static_cast<int>(take), &found);
         is_free = found == 1;
-        return static_cast<Status>(status);
+        return static_cast<StatusCode>(status);
     }
 
     /// @param[out] factor of all lengths, with which particles nearly touch
-    [[gnu::always_inline]] Status compress(bool take, double &factor) noexcept
+    [[gnu::always_inline]] StatusCode compress(bool take, double &factor) noexcept
     {
-        return static_cast<Status>(pw85_hard_ellipsoids_compress(get(), static_cast<int>(take), &factor));
+        return static_cast<StatusCode>(pw85_hard_ellipsoids_compress(get(), static_cast<int>(take), &factor));
     }
 
     /// @param[out] pair the first overlap, or -1
-    [[gnu::always_inline]] Status check(IndexPair &pair) const noexcept
+    [[gnu::always_inline]] StatusCode check(IndexPair &pair) const noexcept
     {
-        return static_cast<Status>(pw85_hard_ellipsoids_check(get(), pair.data()));
+        return static_cast<StatusCode>(pw85_hard_ellipsoids_check(get(), pair.data()));
     }
 
     /// Centres, forms and cell. They show the present state, and are valid as long as this object lives.
@@ -162,9 +164,9 @@ class HardEllipsoids {
     /// The length of the array that save() fills.
     [[gnu::always_inline]] std::size_t num_bytes() const noexcept { return pw85_hard_ellipsoids_num_bytes(get()); }
 
-    [[gnu::always_inline]] Status save(std::span<unsigned char> bytes) const noexcept
+    [[gnu::always_inline]] StatusCode save(std::span<unsigned char> bytes) const noexcept
     {
-        return static_cast<Status>(pw85_hard_ellipsoids_save(get(), bytes.size(), bytes.data()));
+        return static_cast<StatusCode>(pw85_hard_ellipsoids_save(get(), bytes.size(), bytes.data()));
     }
 
     [[gnu::always_inline]] pw85_hard_ellipsoids *get() const noexcept { return simulation_.get(); }
@@ -187,20 +189,20 @@ class HardEllipsoids {
 /// @param[out] simulation null on error
 /// @param[out] pair the first overlap, or -1
 /// @return Status::success, Status::overlap, Status::invalid_argument, Status::not_positive_definite, Status::out_of_memory
-static inline Status hard_ellipsoids_create(Particles const &particles, Vectors semi_axes,
-                                            std::span<Vector<double, 4> const> quaternions, std::size_t seed,
-                                            HardEllipsoids &simulation, IndexPair &pair) noexcept
+static inline StatusCode hard_ellipsoids_create(Particles const &particles, Vectors semi_axes,
+                                                std::span<Vector<double, 4> const> quaternions, std::size_t seed,
+                                                HardEllipsoids &simulation, IndexPair &pair) noexcept
 {
     simulation = HardEllipsoids();
     pair = {-1, -1};
     std::size_t const n = particles.centers.size();
-    if (semi_axes.size() != n || quaternions.size() != n) return Status::invalid_argument;
+    if (semi_axes.size() != n || quaternions.size() != n) return StatusCode::invalid_argument;
     pw85_hard_ellipsoids *made = nullptr;
     pw85_system const system = detail::in_c(particles);
     int const status = pw85_hard_ellipsoids_create(&system, detail::in_c(semi_axes), detail::in_c(quaternions), seed,
                                                    pair.data(), &made);
     simulation = HardEllipsoids(made);
-    return static_cast<Status>(status);
+    return static_cast<StatusCode>(status);
 }
 
 /// Makes a simulation from saved bytes: see pw85_hard_ellipsoids_restore().
@@ -208,12 +210,13 @@ static inline Status hard_ellipsoids_create(Particles const &particles, Vectors 
 /// @param bytes from HardEllipsoids::save()
 /// @param[out] simulation null on error
 /// @return Status::success, Status::invalid_argument, Status::overlap, Status::not_positive_definite, Status::out_of_memory
-static inline Status hard_ellipsoids_restore(std::span<unsigned char const> bytes, HardEllipsoids &simulation) noexcept
+static inline StatusCode hard_ellipsoids_restore(std::span<unsigned char const> bytes,
+                                                 HardEllipsoids &simulation) noexcept
 {
     pw85_hard_ellipsoids *made = nullptr;
     int const status = pw85_hard_ellipsoids_restore(bytes.size(), bytes.data(), &made);
     simulation = HardEllipsoids(made);
-    return static_cast<Status>(status);
+    return static_cast<StatusCode>(status);
 }
 
 } // namespace pw85

@@ -9,6 +9,11 @@
 
 namespace pw85 {
 
+// Xlib.h defines Status as a macro. The macro is set aside for these lines only, and StatusCode is the name that the headers and
+// programs with Xlib.h use.
+#pragma push_macro("Status")
+#undef Status
+
 /// Outcome of a call, with the numbers of the C API.
 enum class Status : int {
 #define PW85_STATUS_ENUMERATOR(c_name, name, value, text) name = value,
@@ -16,12 +21,17 @@ enum class Status : int {
 #undef PW85_STATUS_ENUMERATOR
 };
 
+/// Another name of Status, for programs that include Xlib.h.
+using StatusCode = Status;
+
+#pragma pop_macro("Status")
+
 /// A sentence that says what a status means; a constant, never null.
-PW85_FUNCTION constexpr char const *strerror(Status status) noexcept
+PW85_FUNCTION constexpr char const *strerror(StatusCode status) noexcept
 {
     switch (status) {
 #define PW85_STATUS_CASE(c_name, name, value, text)                                                                    \
-    case Status::name:                                                                                                 \
+    case StatusCode::name:                                                                                             \
         return text;
         PW85_STATUS_LIST(PW85_STATUS_CASE)
 #undef PW85_STATUS_CASE

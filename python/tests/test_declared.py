@@ -11,34 +11,36 @@ import pytest
 
 SOURCE = pathlib.Path(os.environ["PYPW85_SOURCE"])
 DECLARATIONS = """
-/** Volume of an ellipsoid; see pw85_contact() for what it is not.
+/** Girth of an ellipsoid; see pw85_contact() for what it is not.
  *
  * Its error is below 3 u.
  *
  * @param q form of the ellipsoid
- * @param[out] volume in the cube of the unit of the semi-axes; may be null
+ * @param[out] girth in the cube of the unit of the semi-axes; may be null
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD */
-PW85_API int pw85_volume(double const q[PW85_SYM], double *volume);
+PW85_API int pw85_girth(double const q[6], double *girth);
 
-/** pw85_volume() for n ellipsoids.
+"""
+BATCH_DECLARATIONS = """
+/** pw85_girth() for n ellipsoids.
  *
  * @param n number of ellipsoids
  * @param q n×6
- * @param[out] volume n
+ * @param[out] girth n
  * @return as for pw85_contact_batch() */
-PW85_API int pw85_volume_batch(size_t n, double const *q, double *volume);
+PW85_API int pw85_girth_batch(size_t n, double const *q, double *girth);
 
 """
-VOLUME = '''
+GIRTH = '''
 @overload
-def volume(q: Row, out: Floats | None = None) -> float: ...
+def girth(q: Row, out: Floats | None = None) -> float: ...
 @overload
-def volume(q: Rows, out: Any = None, **kwargs: Any) -> Floats: ...
+def girth(q: Rows, out: Any = None, **kwargs: Any) -> Floats: ...
 @overload
-def volume(q: ArrayLike, out: Any = None, **kwargs: Any) -> Any: ...
+def girth(q: ArrayLike, out: Any = None, **kwargs: Any) -> Any: ...
 @listed
-def volume(q: ArrayLike, out: Any = None, **kwargs: Any) -> Any:
-    """Volume of an ellipsoid; see `contact` for what it is not.
+def girth(q: ArrayLike, out: Any = None, **kwargs: Any) -> Any:
+    """Girth of an ellipsoid; see `contact` for what it is not.
 
     Parameters
     ----------
@@ -63,24 +65,24 @@ def volume(q: ArrayLike, out: Any = None, **kwargs: Any) -> Any:
     -----
     Its error is below 3 u.
     """
-    return _core.call_volume(q, out, kwargs)
+    return _core.call_girth(q, out, kwargs)
 '''
 
 
 LIST_DECLARATIONS = """
-/** Volumes for the pairs of a neighbour list; arguments as for pw85_contact_pairs().
+/** Girths for the pairs of a neighbour list; arguments as for pw85_contact_pairs().
  *
  * @param weight num_pairs: at most 1
  * @param[out] d_mu2 num_pairs×3; any output may be null
- * @param[out] volume num_pairs */
-PW85_API int pw85_volume_pairs(pw85_pair_list const *list, pw85_system const *system, double const *weight, double *d_mu2,
-                               double *volume);
+ * @param[out] girth num_pairs */
+PW85_API int pw85_girth_pairs(pw85_pair_list const *list, pw85_system const *system, double const *weight, double *d_mu2,
+                               double *girth);
 
-/** Volumes of the particles.
+/** Girths of the particles.
  *
  * @param list,system as for pw85_contact_pairs()
- * @param[out] volume num_particles */
-PW85_API int pw85_volume_particles(pw85_pair_list const *list, pw85_system const *system, double *volume);
+ * @param[out] girth num_particles */
+PW85_API int pw85_girth_particles(pw85_pair_list const *list, pw85_system const *system, double *girth);
 
 """
 
@@ -96,13 +98,18 @@ def make(tmp_path):
     for folder in ("api", "include"):
         shutil.copytree(SOURCE / folder, tmp_path / folder)
     for name in ("meson.build", "fortran/pw85.in.f90", "fortran/pw85.f90", "debian/libpw85-3.symbols",
-                 "debian/libpw85-gpu-3.symbols", "python/pypw85/__init__.in.py"):
+                 "debian/libpw85-gpu-3.symbols", "python/pypw85/__init__.in.py", "src/kernels/kernels.hpp",
+                 "src/c_api/many_rows.cpp"):
         (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
         shutil.copy(SOURCE / name, tmp_path / name)
-    header = tmp_path / "include" / "pw85.h"
-    text = header.read_text(encoding="utf-8")
-    place = text.index("/** @}")
-    header.write_text(text[:place] + (DECLARATIONS + LIST_DECLARATIONS).lstrip() + text[place:], encoding="utf-8")
+    for name, added in (("pw85.h", DECLARATIONS), ("pw85_batch.h", BATCH_DECLARATIONS), ("pw85_systems.h", LIST_DECLARATIONS)):
+        header = tmp_path / "include" / name
+        text = header.read_text(encoding="utf-8")
+        place = text.index("/** @}")
+        header.write_text(text[:place] + added.lstrip() + text[place:], encoding="utf-8")
+    batch = tmp_path / "api/pw85_batch.h.in"
+    batch.write_text(batch.read_text(encoding="utf-8").replace("@lanes pw85_contact:", "@rows pw85_girth ellipsoids\n\n@lanes pw85_contact:"),
+                     encoding="utf-8")  # fmt: skip
 
     def run(kind, template="", succeeds=True):
         (tmp_path / "in").write_text(template, encoding="utf-8")
@@ -117,10 +124,10 @@ def make(tmp_path):
 
 def test_new_function(make):
     """It is in the table, among the ufuncs and in the module, where a template does not know of it."""
-    row = r'\{"volume", "\(6\)->\(\)",.*?pw85_volume\(in\[0\], out\[0\]\).*?batch<pw85_volume_batch>, nullptr, false\}'
+    row = r'\{"girth", "\(6\)->\(\)",.*?pw85_girth\(in\[0\], out\[0\]\).*?batch<pw85_girth_batch>, nullptr, false\}'
     assert re.search(row, make("table"), re.S)
-    assert "\nvolume\n" in make("names", "#@ names\n").replace(",", "")
-    assert VOLUME in make("functions")
+    assert "\ngirth\n" in make("names", "#@ names\n").replace(",", "")
+    assert GIRTH in make("functions")
 
 
 def test_names_of_a_package(make):
@@ -139,9 +146,9 @@ __all__ = [
 """)
     names = {}
     exec(text[text.index("__all__") :], names)
-    assert {"abc", "contact", "distance_box", "volume", "width", "zoo"} <= set(names["__all__"])
+    assert {"abc", "contact", "distance_box", "girth", "width", "zoo"} <= set(names["__all__"])
     assert names["__all__"] == sorted(names["__all__"]) and not any(name.startswith("_") for name in names["__all__"])
-    assert "\n    volume,\n" in text and "\n    _cholesky_solve,\n" in text and "det_sym" not in text
+    assert "\n    girth,\n" in text and "\n    _cholesky_solve,\n" in text and "det_sym" not in text
 
 
 def run_program(folder, *arguments):
@@ -152,18 +159,21 @@ def run_program(folder, *arguments):
 def test_committed_files(make, tmp_path):
     """One command makes them anew with the new functions; before, it names each of them."""
     status, text = run_program(tmp_path, "api/committed.py", "check")
-    names = ("fortran/pw85.f90", "include/pw85/batch/rows.hpp", "include/pw85/batch/lists.hpp", "debian/libpw85-3.symbols")
+    names = ("fortran/pw85.f90", "include/pw85/batch/rows.hpp", "include/pw85/systems/lists.hpp", "debian/libpw85-3.symbols",
+             "include/pw85_batch.h", "src/c_api/many_rows.cpp")
     assert status == 1 and all(name in text for name in names)
     assert run_program(tmp_path, "api/committed.py") == (0, "")
     assert run_program(tmp_path, "api/committed.py", "check") == (0, "")
-    fortran, rows, lists, symbols = ((tmp_path / name).read_text(encoding="utf-8") for name in names)
-    assert "function pw85_volume(q, volume) result(status) bind(C, name='pw85_volume')" in fortran
-    assert "Status volume_batch(Forms q, std::span<double> volume) noexcept" in rows
-    assert "call_pairs(pw85_volume_pairs, list, particles, weight, d_mu2, volume)" in lists
-    assert "/// @param weight one for each pair: at most 1\n/// @param[out] d_mu2,volume one for each pair, or empty\n" in lists
-    assert "volume_particles" not in lists  # its rows are not those of pairs: it is written by hand
+    fortran, rows, lists, symbols, batch, many_rows = ((tmp_path / name).read_text(encoding="utf-8") for name in names)
+    assert "function pw85_girth(q, girth) result(status) bind(C, name='pw85_girth')" in fortran
+    assert "StatusCode girth_batch(Forms q, std::span<double> girth) noexcept" in rows
+    assert "PW85_API int pw85_girth_batch(size_t n, double const *q, double *girth);" in batch
+    assert "return each_row(n, pw85_girth, RowsOf<6>{q}, OptionalRowsOf<1>{girth});" in many_rows
+    assert "call_pairs(pw85_girth_pairs, list, particles, weight, d_mu2, girth)" in lists
+    assert "/// @param weight one for each pair: at most 1\n/// @param[out] d_mu2,girth one for each pair, or empty\n" in lists
+    assert "girth_particles" not in lists  # its rows are not those of pairs: it is written by hand
     version = re.search(r"version: '(.*)'", (tmp_path / "meson.build").read_text(encoding="utf-8"))[1]
-    assert f" pw85_strerror@Base 3.0.0\n pw85_version@Base 3.0.0\n pw85_volume@Base {version}\n" in symbols
+    assert f"\n pw85_girth@Base {version}\n" in symbols
 
 
 def test_first_version_of_a_symbol(make, tmp_path):
@@ -173,20 +183,20 @@ def test_first_version_of_a_symbol(make, tmp_path):
     path.write_text(path.read_text(encoding="utf-8") + " pw85_gone@Base 3.0.0\n", encoding="utf-8")
     assert run_program(tmp_path, "api/committed.py") == (0, "")
     text = path.read_text(encoding="utf-8")
-    assert " pw85_volume@Base 3.7.1\n" in text and " pw85_contact@Base 3.0.0\n" in text and "gone" not in text
+    assert " pw85_girth@Base 3.7.1\n" in text and " pw85_contact@Base 3.0.0\n" in text and "gone" not in text
 
 
 def test_pages(make, tmp_path):
     """The manual has the new function in its section and among purposes."""
-    program = "import pages; print(pages.python_functions('Version and errors'), [one.name for one in pages.unmentioned('')][4:6])"
-    expected = "['version', 'strerror', 'set_reproducible', 'is_reproducible', 'volume'] ['pw85_volume', 'pw85_volume_batch']\n"
+    program = "import pages; print(pages.python_functions('Version and errors'), [one.name for one in pages.unmentioned('')][4:5])"
+    expected = "['version', 'strerror', 'set_reproducible', 'is_reproducible', 'girth'] ['pw85_girth']\n"
     assert run_program(tmp_path / "api", "-c", program) == (0, expected)
 
 
 def test_what_a_template_says(make):
     text = make("functions", '''
 @declared
-def volume(form=None, v=None) -> Volume:
+def girth(form=None, v=None) -> Girth:
     """Parameters
     ----------
     form : (..., 6) array_like, optional
@@ -194,17 +204,17 @@ def volume(form=None, v=None) -> Volume:
 
     Examples
     --------
-    >>> volume()
+    >>> girth()
     """
-    return Volume(_core.call_volume(form, v, kwargs))
+    return Girth(_core.call_girth(form, v, kwargs))
 ''')
     head, made = text.partition("@listed")[::2]
     assert head == "\n"
-    assert made.startswith("\ndef volume(form: ArrayLike | None = None, v: Floats | None = None, **kwargs: Any) -> Volume:\n")
+    assert made.startswith("\ndef girth(form: ArrayLike | None = None, v: Floats | None = None, **kwargs: Any) -> Girth:\n")
     function = made.partition("\n\n\n")[0]
-    for part in ("Volume of an ellipsoid", "        The one.\n    v : (...) array, optional", "    Notes\n", "    >>> volume()"):
+    for part in ("Girth of an ellipsoid", "        The one.\n    v : (...) array, optional", "    Notes\n", "    >>> girth()"):
         assert part in function
-    assert "Form of the ellipsoid" not in function and function.endswith("    return Volume(_core.call_volume(form, v, kwargs))")
+    assert "Form of the ellipsoid" not in function and function.endswith("    return Girth(_core.call_girth(form, v, kwargs))")
 
 
 def test_one_of_two_parameters(make):
@@ -218,4 +228,4 @@ def test_one_of_two_parameters(make):
 @pytest.mark.parametrize("title, line, complaint", [("Parameters", "radius : (...)", "no such parameter: radius"),
                                                     ("Warning", "None.", "no such section: Warning")])  # fmt: skip
 def test_what_is_not_declared(make, title, line, complaint):
-    assert complaint in make("functions", template("volume", title, line), succeeds=False)
+    assert complaint in make("functions", template("girth", title, line), succeeds=False)

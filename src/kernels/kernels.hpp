@@ -106,7 +106,7 @@ struct NeighborList {
 
 /// The numbers of one pair.
 template <int D> struct PairRow {
-    double r12[D], q1[D * (D + 1) / 2], q2[D * (D + 1) / 2];
+    double r12[std::size_t(D)], q1[std::size_t(D * (D + 1) / 2)], q2[std::size_t(D * (D + 1) / 2)];
 };
 
 // Ellipsoids with their centres at 0, and convex sets.

@@ -74,7 +74,7 @@ void test_number_of_threads()
 {
 #ifdef _OPENMP
     Random random(21);
-    for (std::size_t const n : {4097, 10007, 50000}) {
+    for (std::size_t const n : {4097u, 10007u, 50000u}) {
         auto const pairs = mixed_pairs(random, n);
         omp_set_num_threads(1);
         BatchResult const expected = run_batch(pairs);
@@ -94,8 +94,8 @@ void test_even_shares()
 {
 #ifdef _OPENMP
     namespace kernels = pw85::detail::kernels;
-    for (std::size_t const threads : {1, 2, 3, 8, 16})
-        for (std::size_t const n : {4097, 5000, 10000, 12289, 33333, 1000000}) {
+    for (std::size_t const threads : {1u, 2u, 3u, 8u, 16u})
+        for (std::size_t const n : {4097u, 5000u, 10000u, 12289u, 33333u, 1000000u}) {
             omp_set_num_threads(static_cast<int>(threads));
             std::vector<std::size_t> shares(threads, 0);
             kernels::for_blocks(n, [&](kernels::Range range) {

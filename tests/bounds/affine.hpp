@@ -11,7 +11,7 @@ namespace pw85_bounds {
 
 template <int N> struct Affine {
     double center = 0.0;
-    double slopes[N] = {};
+    double slopes[std::size_t(N)] = {};
     double rest = 0.0;
 
     Affine() = default;

@@ -18,7 +18,7 @@ namespace pw85_bounds {
 /// The graph of a solution by factorisation, and the nodes of its parts.
 template <int D> struct RecordedSolution {
     Graph graph;
-    int lower[D][D], pivots[D], forward[D], back[D];
+    int lower[std::size_t(D)][std::size_t(D)], pivots[std::size_t(D)], forward[std::size_t(D)], back[std::size_t(D)];
     int entry; ///< an entry of the matrix
 };
 
@@ -57,7 +57,8 @@ inline Chain chain_of(Graph const &graph, int node)
 
 /// The counts: those of θ_ijk, for i and k and for k and j those of the substitutions, and of an entry of the matrix.
 template <int D> struct Counts {
-    int factors[D][D][D], forward[D][D], back[D][D], entry;
+    int factors[std::size_t(D)][std::size_t(D)][std::size_t(D)], forward[std::size_t(D)][std::size_t(D)],
+        back[std::size_t(D)][std::size_t(D)], entry;
 };
 
 /// The number of rounded products in a term of factors, down to the factors.
@@ -173,7 +174,7 @@ class DefiniteErrors {
 /// u w·x at most, as |Ks| = 1 and Σ_k K_ki² = 1.
 template <int D> struct SolutionCounts {
     Exact<D> c{};
-    double w[D] = {};
+    double w[std::size_t(D)] = {};
 };
 
 template <int D> SolutionCounts<D> count_solution()

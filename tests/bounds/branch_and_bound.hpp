@@ -41,7 +41,7 @@ template <int N> Box<N> whole_box(double const *ranges)
 
 /// Which angle to halve: that which moves the terms most. Its square counts as well: in the middle of a wide range slopes may
 /// vanish.
-template <int N> int angle_to_halve(Box<N> const &box, double (&variation)[N])
+template <int N> int angle_to_halve(Box<N> const &box, double (&variation)[std::size_t(N)])
 {
     for (int k = 0; k < N; ++k) variation[k] = std::min(variation[k], 100.0) + 30.0 * box.width[k] * box.width[k];
     return static_cast<int>(std::max_element(variation, variation + N) - variation);
@@ -51,7 +51,7 @@ template <int N> int angle_to_halve(Box<N> const &box, double (&variation)[N])
 template <int N, class Function> double value_at_center(Function &function, Box<N> box, double limit)
 {
     for (double &width : box.width) width = 0.0;
-    double variation[N] = {};
+    double variation[std::size_t(N)] = {};
     return function.bound(box, limit, variation);
 }
 
@@ -63,7 +63,7 @@ template <int N, class Function> Proof prove(Function &function, double const *r
     for (; !open.empty() && proof.boxes < most_boxes; ++proof.boxes) {
         Box<N> box = open.back();
         open.pop_back();
-        double variation[N] = {};
+        double variation[std::size_t(N)] = {};
         if (function.bound(box, limit, variation) <= limit) continue;
         if (proof.boxes % 64 == 0) proof.largest = std::max(proof.largest, value_at_center(function, box, limit));
         if (proof.largest > limit) return proof;

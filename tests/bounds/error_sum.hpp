@@ -50,7 +50,7 @@ template <int N> class ErrorSum {
 
     /// Σ |z_k ∂f/∂z_k| for f with the first weighting times x and the second times y, and in `variation` how much the variables
     /// move its terms.
-    Number sum_errors(double x, double y, double (&variation)[N]) const
+    Number sum_errors(double x, double y, double (&variation)[std::size_t(N)]) const
     {
         Number sum(0.0);
         double magnitudes = 0.0;

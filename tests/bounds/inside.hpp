@@ -64,11 +64,11 @@ template <int D, int N> class SolutionErrors {
     {
     }
 
-    double bound(Box<N> const &box, double, double (&variation)[N])
+    double bound(Box<N> const &box, double, double (&variation)[std::size_t(N)])
     {
         UnitPair<D, N> const pair(box);
         Number const root = pair.root_of_determinant(), d = root * root;
-        double less[N];
+        double less[std::size_t(N)];
         Number const a = error_of_product(pair, less), along = error_along(pair, variation);
         for (int i = 0; i < N; ++i) variation[i] += less[i];
         Number const both = hypotenuse(along, across_);
@@ -77,7 +77,7 @@ template <int D, int N> class SolutionErrors {
     }
 
   private:
-    Number error_along(UnitPair<D, N> const &pair, double (&variation)[N])
+    Number error_along(UnitPair<D, N> const &pair, double (&variation)[std::size_t(N)])
     {
         solution_.evaluate(pair);
         for (int j = 0; j < D; ++j) solution_.adjoint_of_result(0, j) = inner(pair.v[j], pair.w);
@@ -86,7 +86,7 @@ template <int D, int N> class SolutionErrors {
         return solution_.errors().sum_errors(1.0, 0.0, variation);
     }
 
-    Number error_of_product(UnitPair<D, N> const &pair, double (&variation)[N])
+    Number error_of_product(UnitPair<D, N> const &pair, double (&variation)[std::size_t(N)])
     {
         product_.evaluate(pair);
         product_.adjoint_of_result(0, 0) = Number(1.0);
@@ -197,11 +197,11 @@ template <int D, int N> class FormBound {
 
     explicit FormBound(double share) : of_determinant_(form_.of_determinant() + share) {}
 
-    double bound(Box<N> const &box, double limit, double (&variation)[N])
+    double bound(Box<N> const &box, double limit, double (&variation)[std::size_t(N)])
     {
         UnitPair<D, N> const pair(box);
         Number const root = pair.root_of_determinant(), rest = root * root * of_determinant_;
-        Number z[Exact<D>::size], s[D];
+        Number z[std::size_t(Exact<D>::size)], s[std::size_t(D)];
         for (int i = 0; i < D; ++i) s[i] = pair.scaled_solution(i);
         for (int i = 0; i < D; ++i)
             for (int j = i; j < D; ++j) z[Exact<D>::index(i, j)] = s[i] * s[j] * pair.entry(i, j);

@@ -68,7 +68,7 @@ class Record {
                 box.center[k] = ranges[k] * uniform();
                 box.width[k] = std::ldexp(uniform(), -4 - n % 4);
             }
-            double variation[N] = {};
+            double variation[std::size_t(N)] = {};
             sum += function.bound(box, std::numeric_limits<double>::infinity(), variation);
         }
         return sum / boxes;

@@ -17,14 +17,14 @@ inline constexpr double pi = 3.14159265358979323846;
 
 /// A range of each of N angles: center ± width.
 template <int N> struct Box {
-    double center[N], width[N];
+    double center[std::size_t(N)], width[std::size_t(N)];
 };
 
 /// x·y.
-template <int D, int N> Affine<N> inner(Affine<N> const (&x)[D], Affine<N> const (&y)[D])
+template <std::size_t D, int N> Affine<N> inner(Affine<N> const (&x)[D], Affine<N> const (&y)[D])
 {
     Affine<N> sum = x[0] * y[0];
-    for (int i = 1; i < D; ++i) sum = sum + x[i] * y[i];
+    for (std::size_t i = 1; i < D; ++i) sum = sum + x[i] * y[i];
     return sum;
 }
 
@@ -68,7 +68,7 @@ template <int N> struct UnitPair<3, N> {
 
     explicit UnitPair(Box<N> const &box)
     {
-        Number c[N], s[N];
+        Number c[std::size_t(N)], s[std::size_t(N)];
         for (int k = 0; k < N; ++k) {
             c[k] = Number::cosine(k, box.center[k], box.width[k]);
             s[k] = Number::sine(k, box.center[k], box.width[k]);

@@ -111,7 +111,7 @@ template <int D, int N> class WorstCase {
 
     /// A bound on the sum of the errors in a box, and in `variation` how much each angle moves it. It need not be a bound if it is
     /// above the limit.
-    double bound(Box<N> const &box, double limit, double (&variation)[N])
+    double bound(Box<N> const &box, double limit, double (&variation)[std::size_t(N)])
     {
         UnitPair<D, N> const pair(box);
         errors_.evaluate(pair);
@@ -136,7 +136,7 @@ template <int D, int N> class WorstCase {
 
     /// The largest error across, for any y = x_0 n_0 + x_1 n_1 of length 1. It is a norm of x, so it is at most that at the corners
     /// of a regular polygon around the circle: on directions 2h apart, over cos h. A few directions are enough for most boxes.
-    double bound_across(double limit, double (&variation)[N])
+    double bound_across(double limit, double (&variation)[std::size_t(N)])
     {
         double const few = largest_across(true, limit, variation), bound = few * circumscribed(coarse);
         if (few > limit || bound <= limit) return bound;
@@ -144,7 +144,7 @@ template <int D, int N> class WorstCase {
     }
 
     /// The same for one pair, without the share of the polygon.
-    double value_across(double (&variation)[N])
+    double value_across(double (&variation)[std::size_t(N)])
     {
         double const most = std::numeric_limits<double>::infinity();
         return std::max(largest_across(true, most, variation), largest_across(false, most, variation));
@@ -154,7 +154,7 @@ template <int D, int N> class WorstCase {
 
     /// The largest error in the directions of the coarse polygon, or in the others, up to one that is above the limit. That one comes
     /// first the next time.
-    double largest_across(bool few, double limit, double (&variation)[N])
+    double largest_across(bool few, double limit, double (&variation)[std::size_t(N)])
     {
         double largest = 0.0;
         for (int n = 0; n < directions && largest <= limit; ++n) {

@@ -55,6 +55,17 @@ def exported_symbols(library):
     return [line.split()[-1] for line in lines]
 
 
+def fields(package, kind):
+    """The fields of a file for pkg-config, each with its words. Where there is the static library alone, Meson has no private flags of
+    OpenMP, and one for the units of the user."""
+    lines = [re.match(r"(\S+?)(?:=|:\s*)(.*)", line) for line in package.read_text().splitlines() if line]
+    found = {line[1]: set(line[2].split()) for line in lines}
+    if kind == "static":
+        found["Libs"] = found.get("Libs", set()) | found.pop("Libs.private", set())
+        found["Cflags"] -= {"-fopenmp"}
+    return found
+
+
 def made(source, folder, names):
     """What is no source."""
     return [name for name in names if Path(folder) == source and name.startswith(("build", ".git", "install"))]
@@ -70,6 +81,10 @@ def units(build, source):
             words = [word for word in shlex.split(unit["command"]) if not of_no_matter.match(word) and word != "-o"]
             found.append((str(file.relative_to(source)), *sorted(set(words))))
     return sorted(found)
+
+
+def files_below(folder):
+    return [path.relative_to(folder) for path in folder.rglob("*") if not path.is_dir()]
 
 
 class Installation:
@@ -90,7 +105,7 @@ class Installation:
         run("meson", "install", "--no-rebuild", "-C", self.build, DESTDIR=str(stage))
         if self.prefix.exists():
             raise Failed(f"{self.prefix} was written to in spite of DESTDIR")
-        staged = {path.relative_to(stage) for path in stage.rglob("*") if not path.is_dir()}
+        staged = set(files_below(stage))
         run("meson", "install", "--no-rebuild", "-C", self.build)
         root = Path(self.prefix.anchor)
         installed = {path.relative_to(root) for path in self.prefix.rglob("*") if not path.is_dir()}
@@ -113,7 +128,7 @@ class Installation:
         headers = {path.relative_to(self.source / "include") for path in (self.source / "include").rglob("*.h*")
                    if path.suffix in (".h", ".hpp")}
         include = self.prefix / "include"
-        installed = {path.relative_to(include) for path in include.rglob("*") if not path.is_dir()}
+        installed = set(files_below(include))
         if installed != headers | {Path("pw85/version.h")}:
             raise Failed(f"headers not installed, or installed and no headers: {sorted(map(str, installed ^ headers))}")
 
@@ -128,7 +143,7 @@ class Installation:
         for tags, wanted in (("runtime", r"libpw85\w*\.so\.3.*"), ("devel", r"(?!libpw85\w*\.so\.3).*"), ("runtime,devel", ".*")):
             stage = self.work / f"stage-{tags}"
             run("meson", "install", "--no-rebuild", "-C", self.build, "--tags", tags, DESTDIR=str(stage))
-            staged = {path.relative_to(stage) for path in stage.rglob("*") if not path.is_dir()}
+            staged = set(files_below(stage))
             expected = {path for path in self.installed if re.fullmatch(wanted, path.name)}
             if staged != expected:
                 raise Failed(f"installed by the tags {tags}: {sorted(map(str, staged ^ expected))} differ")
@@ -178,14 +193,14 @@ class Installation:
             folder / f"consumer.{language}", "-o", program, *flags)
         self.check(program, kind)
 
-    def with_cmake(self, kind, language):
-        folder = self.project(f"cmake-{kind}-{language}")
+    def with_cmake(self, kind, language, prefix=None, name="cmake-{kind}-{language}"):
+        folder = self.project(name.format(kind=kind, language=language))
         build = folder / "build"
-        run("cmake", "-G", "Ninja", "-S", folder, "-B", build, f"-DCMAKE_PREFIX_PATH={self.prefix}",
+        run("cmake", "-G", "Ninja", "-S", folder, "-B", build, f"-DCMAKE_PREFIX_PATH={prefix or self.prefix}",
             f"-DPW85_USE_STATIC_LIBS={'ON' if kind == 'static' else 'OFF'}",
             f"-DLANGUAGE={'C' if language == 'c' else 'CXX'}")
         run("cmake", "--build", build)
-        self.check(build / "consumer", kind)
+        self.check(build / "consumer", kind, installed=prefix is None)
 
     def with_meson(self, kind, language, subproject=False):
         name = f"meson-{'subproject' if subproject else 'system'}-{kind}"
@@ -211,7 +226,7 @@ class Installation:
         build = folder / "build"
         fast_to_build = ["-DPW85_OPTIMIZED=OFF", "-DPW85_GPU=OFF", f"-DPW85_SIMD={kind == 'shared'}"]
         run("cmake", "-G", "Ninja", "-S", folder, "-B", build, *fast_to_build, f"-DFETCH={way == 'fetch'}",
-            f"-DBUILD_SHARED_LIBS={kind == 'shared'}")
+            f"-DBUILD_SHARED_LIBS={kind == 'shared'}", "-DCMAKE_INSTALL_LIBDIR=lib")
         run("cmake", "--build", build)
         if not any(build.rglob("brent_boost.cpp.o")):
             raise Failed("a project has GSL, for which it did not ask")
@@ -220,6 +235,50 @@ class Installation:
         run(build / "consumer_98")
         if exported_symbols(build / "libuser.so") != ["user_overlap"]:
             raise Failed(f"the library of a project exports {exported_symbols(build / 'libuser.so')}")
+
+        self.installed_by_cmake(kind, build, folder / "prefix")
+
+    def installed_by_cmake(self, kind, build, prefix):
+        """CMake installs the files that Meson installs, and they are as good."""
+        run("cmake", "--install", build, "--prefix", prefix)
+        other_kind = r"lib/\S*\.so(\.\S*)?" if kind == "static" else r"lib/\S*\.a"
+        of_meson = {path for path in (str(path) for path in files_below(self.prefix)) if not re.fullmatch(other_kind, path)}
+        of_project = r"lib/(cmake/user/.*|libuser\.so|libarchive\.a)|lib/cmake/pw85/pw85Targets-\w+\.cmake"
+        of_cmake = {path for path in (str(path) for path in files_below(prefix)) if not re.fullmatch(of_project, path)}
+        if of_cmake != of_meson:
+            raise Failed(f"only CMake, or only Meson, installs {sorted(of_cmake ^ of_meson)}")
+        for language in LANGUAGES:
+            self.with_cmake(kind, language, prefix, name=f"installed-by-cmake-{kind}-{language}")
+
+    def readme(self):
+        """README's block for CMake, with an installed pw85 and with a copy of it. within_cmake() sees the library of a copy."""
+        text = (self.source / "README.md").read_text()
+        folder = self.work / "readme"
+        folder.mkdir()
+        (folder / "CMakeLists.txt").write_text(re.search(r"^```cmake\n(.*?)^```$", text, re.MULTILINE | re.DOTALL)[1])
+        for name, target in (("examples", self.source / "examples"), ("pw85", self.source)):
+            (folder / name).symlink_to(target)
+        printed = re.search(r"^```text\n(.*?)^```$", text, re.MULTILINE | re.DOTALL)[1]
+        for build, programs, option in (("installed", ("pair_c", "pair_cpp"), f"-DCMAKE_PREFIX_PATH={self.prefix}"),
+                                        ("copy", ("pair_cpp",), "-DCMAKE_DISABLE_FIND_PACKAGE_pw85=ON")):
+            run("cmake", "-G", "Ninja", "-S", folder, "-B", folder / build, "-DPW85_GPU=OFF", option)
+            run("cmake", "--build", folder / build, "--target", *programs)
+            for program in programs:
+                output = run(folder / build / program, **self.environment())
+                if output != printed:
+                    raise Failed(f"README's program {program} printed {output!r}")
+
+    def presets(self):
+        listed = re.findall(r'^ +"(\w+)"', run("cmake", "--list-presets", cwd=self.source), re.MULTILINE)
+        if listed != ["release", "bsd", "headers"]:
+            raise Failed(f"cmake --list-presets knows {listed}")
+        run("cmake", "--preset", "headers", "-B", self.work / "preset", cwd=self.source)
+
+    def alone(self):
+        """The commands of the chapter on installation that install pw85 with CMake."""
+        home = self.work / "home"
+        run("sh", "-e", self.source / "docs/installation/cmake.sh", cwd=self.copy, HOME=str(home))
+        self.with_cmake("shared", "cpp", home / ".local", name="installed-alone")
 
     def static_within_shared(self):
         """As before, with the static library that is installed."""
@@ -251,11 +310,11 @@ class Installation:
         meson, cmake = (self.work / f"flags-{builder}-{kind}-{simd}-{gsl}-{name}" for builder in ("meson", "cmake"))
         environment = {"CXXFLAGS": "-O2", **(environment or {})}  # of a distribution
         off = [f"-D{name}=disabled" for name, wanted in (("simd", simd), ("gsl", gsl)) if not wanted]
-        run("meson", "setup", meson, self.source, *LIBRARIES_ONLY, "-Dgpu=disabled", "--buildtype=plain",
+        run("meson", "setup", meson, self.source, *LIBRARIES_ONLY, "-Dgpu=disabled", "--buildtype=plain", "--libdir=lib",
             f"-Doptimized={str(optimized).lower()}", f"-Ddefault_library={kind}", *off, *meson_options, **environment)
         run("cmake", "-G", "Ninja", "-S", self.source, "-B", cmake, f"-DBUILD_SHARED_LIBS={kind == 'shared'}",
             f"-DPW85_SIMD={simd}", f"-DPW85_GSL={gsl}", f"-DPW85_OPTIMIZED={optimized}", "-DPW85_GPU=OFF",
-            "-DCMAKE_EXPORT_COMPILE_COMMANDS=ON", *cmake_options, **environment)
+            "-DCMAKE_INSTALL_LIBDIR=lib", "-DCMAKE_EXPORT_COMPILE_COMMANDS=ON", *cmake_options, **environment)
         for build in (meson, cmake):
             self.check_level(build, "-O3" if optimized else "-O2")
 
@@ -266,8 +325,12 @@ class Installation:
                                  ("include/pw85/version.h", cmake / "include/pw85/version.h")):
             if macros(meson / header) != macros(of_cmake):
                 raise Failed(f"{header} differs:\n{of_cmake.read_text()}")
+        packages = list((meson / "meson-private").glob("*.pc"))
+        for package in packages:
+            if fields(package, kind) != fields(cmake / "cmake" / package.name, kind):
+                raise Failed(f"{package.name} differs:\n{package.read_text()}\n{(cmake / 'cmake' / package.name).read_text()}")
         differing = set(units(meson, self.source)) ^ set(units(cmake, self.source))
-        if differing or not units(meson, self.source):
+        if differing or not units(meson, self.source) or len(packages) != 4:
             raise Failed("\n".join(" ".join(unit) for unit in sorted(differing)))
 
     def cmake_versions(self):
@@ -319,9 +382,17 @@ class Installation:
         command = os.environ.get("CXX", "c++").split()
         run(*command, "-std=c++20", folder / "headers.cpp", "-o", folder / "consumer", *flags)
         check_program(folder / "consumer")
-        run("cmake", "-G", "Ninja", "-S", folder, "-B", folder / "cmake", f"-DCMAKE_PREFIX_PATH={prefix}")
-        run("cmake", "--build", folder / "cmake")
-        check_program(folder / "cmake/consumer")
+        (folder / "pw85").symlink_to(self.source)
+        without = [f"-DCMAKE_DISABLE_FIND_PACKAGE_{package}=ON" for package in ("GSL", "Boost", "OpenMP", "Python3")]
+        for way in (f"-DCMAKE_PREFIX_PATH={prefix}", "-DFETCH=ON"):
+            build = folder / f"cmake-{way == '-DFETCH=ON'}"
+            run("cmake", "-G", "Ninja", "-S", folder, "-B", build, "-DCMAKE_EXPORT_COMPILE_COMMANDS=ON", way, *without)
+            run("cmake", "--build", build)
+            check_program(build / "consumer")
+            run("cmake", "--install", build, "--prefix", folder / build.name / "prefix")
+            words = json.loads((build / "compile_commands.json").read_text())[0]["command"].split()
+            if "-isystem" not in words or any(word.startswith("-I") for word in words):
+                raise Failed(f"the compiler warns of the headers in the units of others: {words}")
         for subproject in ("false", "true"):
             meson = folder / f"meson-{subproject}"
             run("meson", "setup", meson, folder, f"-Dsubproject={subproject}",
@@ -413,6 +484,10 @@ def cases(installation, whole):
     yield "moved", installation.moved
     for kind, way in (("static", "fetch"), ("shared", "subdirectory"))[: 2 if whole else 1]:
         yield f"cmake/{way}", lambda k=kind, w=way: installation.within_cmake(k, w)
+    yield "cmake/readme", installation.readme
+    yield "cmake/presets", installation.presets
+    if whole:
+        yield "cmake/alone", installation.alone
     yield "cmake/flags", installation.cmake_flags
     yield "cmake/versions", installation.cmake_versions
     yield "meson/cmake", installation.meson_via_cmake

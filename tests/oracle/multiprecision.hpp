@@ -116,7 +116,7 @@ template <unsigned Digits> class Multiprecision {
 
     int kind_; // sign, and zero, infinite, not a number or regular
     long exponent_;
-    alignas(8) unsigned char limbs_[bits / 8];
+    alignas(8) unsigned char limbs_[std::size_t(bits / 8)];
 };
 
 } // namespace pw85_tests

@@ -26,7 +26,7 @@ template <class T, int D> PW85_FUNCTION constexpr void set_nan(Factor<T, D> &s) 
     for (T &x : s.entries) set_nan(x);
 }
 
-template <class T, int M, int N> PW85_FUNCTION constexpr void set_nan(T (&rows)[M][N]) noexcept
+template <class T, std::size_t M, std::size_t N> PW85_FUNCTION constexpr void set_nan(T (&rows)[M][N]) noexcept
 {
     for (auto &row : rows)
         for (T &x : row) set_nan(x);
@@ -34,7 +34,7 @@ template <class T, int M, int N> PW85_FUNCTION constexpr void set_nan(T (&rows)[
 
 /// Returns a result with NaN in every number and the given status. The type of a result has up to four numbers, vectors or
 /// matrices, followed by the status.
-template <class Result> PW85_FUNCTION constexpr Result all_nan(Status status) noexcept
+template <class Result> PW85_FUNCTION constexpr Result all_nan(StatusCode status) noexcept
 {
     Result result{};
     result.status = status;

@@ -139,11 +139,11 @@ template <class T> struct std::numeric_limits<pw85::detail::Doubled<T>>
         T const u = T(pw85::detail::unit_roundoff<T>());
         return pw85::detail::Doubled<T>(T(T(8) * u) * u);
     }
-    PW85_MEMBER static constexpr pw85::detail::Doubled<T> max() noexcept
+    PW85_MEMBER static constexpr pw85::detail::Doubled<T>(max)() noexcept
     {
         return pw85::detail::Doubled<T>(pw85::detail::largest_number<T>());
     }
-    PW85_MEMBER static constexpr pw85::detail::Doubled<T> min() noexcept
+    PW85_MEMBER static constexpr pw85::detail::Doubled<T>(min)() noexcept
     {
         return pw85::detail::Doubled<T>(pw85::detail::smallest_number<T>());
     }

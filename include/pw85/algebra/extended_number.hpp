@@ -258,8 +258,8 @@ template <class T> class std::numeric_limits<pw85::detail::exact::Extended<T>> {
     static constexpr bool is_specialized = true, is_integer = false;
     static constexpr int digits = Extended::bits - 16, max_exponent = std::numeric_limits<T>::max_exponent;
 
-    PW85_MEMBER static Extended max() noexcept { return Extended(pw85::detail::largest_number<T>()); }
-    PW85_MEMBER static Extended min() noexcept { return Extended(pw85::detail::smallest_number<T>()); }
+    PW85_MEMBER static Extended(max)() noexcept { return Extended(pw85::detail::largest_number<T>()); }
+    PW85_MEMBER static Extended(min)() noexcept { return Extended(pw85::detail::smallest_number<T>()); }
     // NOLINTNEXTLINE(readability-identifier-naming): numeric_limits calls it that
     PW85_MEMBER static Extended quiet_NaN() noexcept { return pw85::detail::exact::not_a_number<T>(); }
     PW85_MEMBER static Extended epsilon() noexcept { return with_exponent(Extended(1), 2 - digits); }

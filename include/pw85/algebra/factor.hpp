@@ -12,7 +12,7 @@ namespace pw85 {
 template <class T, int D> struct Factor {
     static_assert(detail::require_scalar<T>());
 
-    T entries[D * D]; ///< row-major
+    T entries[std::size_t(D * D)]; ///< row-major
 
     PW85_MEMBER constexpr T &operator()(int i, int j) noexcept { return entries[D * i + j]; }
     PW85_MEMBER constexpr T const &operator()(int i, int j) const noexcept { return entries[D * i + j]; }

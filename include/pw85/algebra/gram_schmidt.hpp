@@ -40,8 +40,8 @@ template <class T, int D> struct ConjugateDirection {
 template <class T, int D> struct ConjugateBasis {
     T alpha, beta;
     T least_rest; ///< the share of a square that projections must leave, so that no second ones follow
-    ConjugateDirection<T, D> directions[D];
-    T reciprocals[D]; ///< 1/(wᵀM w)
+    ConjugateDirection<T, D> directions[std::size_t(D)];
+    T reciprocals[std::size_t(D)]; ///< 1/(wᵀM w)
 };
 
 /// xᵀM y.

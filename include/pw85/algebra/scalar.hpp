@@ -25,6 +25,7 @@
 #include <pw85/algebra/elementary.hpp>
 #include <pw85/requirements.hpp>
 
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <type_traits>

@@ -15,7 +15,7 @@ template <class T, int D> struct SymmetricMatrix {
     static_assert(detail::require_scalar<T>());
     static constexpr int size = D * (D + 1) / 2;
 
-    T entries[size];
+    T entries[std::size_t(size)];
 
     /// Position of the entry in row i and column j of the upper triangle, i <= j.
     PW85_MEMBER static constexpr int index(int i, int j) noexcept { return i * D - i * (i - 1) / 2 + (j - i); }
@@ -197,9 +197,9 @@ template <class T, int D> PW85_FUNCTION constexpr T diagonal_product(SymmetricMa
 
 /// The factorisation A = L·diag(d)·Lᵀ with L unit lower triangular.
 template <class T, int D> struct Factorization {
-    T lower[D][D];    ///< l[i][j] for j < i; other entries are not used
-    T pivots[D];      ///< d
-    T reciprocals[D]; ///< 1/d
+    T lower[std::size_t(D)][std::size_t(D)]; ///< l[i][j] for j < i; other entries are not used
+    T pivots[std::size_t(D)];                ///< d
+    T reciprocals[std::size_t(D)];           ///< 1/d
 };
 
 /// Factorises a symmetric matrix. Pivots smaller than `floor` times the diagonal entry of `a` in their place are raised to this

@@ -11,7 +11,7 @@ namespace pw85 {
 template <class T, int D> struct Vector {
     static_assert(detail::require_scalar<T>());
 
-    T coordinates[D];
+    T coordinates[std::size_t(D)];
 
     PW85_MEMBER constexpr T &operator[](int i) noexcept { return coordinates[i]; }
     PW85_MEMBER constexpr T const &operator[](int i) const noexcept { return coordinates[i]; }

@@ -32,7 +32,7 @@ PW85_FUNCTION constexpr int limbs_for(int bits) noexcept { return (bits + limb_b
 template <int N> struct Digits {
     static constexpr int size = N;
 
-    Limb limbs[N];
+    Limb limbs[std::size_t(N)];
 };
 
 template <int M, int N> PW85_FUNCTION inline Digits<M + N> operator*(Digits<M> const &x, Digits<N> const &y) noexcept

@@ -65,11 +65,11 @@ static inline double in_c(double number) noexcept { return number; }
 
 /// Calls a function of rows if all arguments have as many rows as the first one.
 template <class Function, class First, class... Rest>
-static Status call_rows(Function const &function, First first, Rest... rest) noexcept
+static StatusCode call_rows(Function const &function, First first, Rest... rest) noexcept
 {
     std::size_t const n = first.size();
-    if (!(has_rows(n, rest) && ...)) return Status::invalid_argument;
-    return static_cast<Status>(function(n, in_c(first), in_c(rest)...));
+    if (!(has_rows(n, rest) && ...)) return StatusCode::invalid_argument;
+    return static_cast<StatusCode>(function(n, in_c(first), in_c(rest)...));
 }
 
 } // namespace pw85::detail

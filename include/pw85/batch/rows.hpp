@@ -20,8 +20,8 @@ namespace pw85 {
 /// @param[out] mu2 one for each pair
 /// @param[out] lambda one for each pair, or empty
 /// @return as for contact(), of the first bad pair
-static inline Status contact_batch(Vectors r12, Forms q1, Forms q2, std::span<double> mu2,
-                                   std::span<double> lambda = {}) noexcept
+static inline StatusCode contact_batch(Vectors r12, Forms q1, Forms q2, std::span<double> mu2,
+                                       std::span<double> lambda = {}) noexcept
 {
     return detail::call_rows(pw85_contact_batch, r12, q1, q2, mu2, lambda);
 }
@@ -31,7 +31,7 @@ static inline Status contact_batch(Vectors r12, Forms q1, Forms q2, std::span<do
 /// @param r12,q1,q2 one for each pair
 /// @param[out] overlap one for each pair: 1, 0, or 255 for a bad pair
 /// @return as for overlap(), of the first bad pair
-static inline Status overlap_batch(Vectors r12, Forms q1, Forms q2, std::span<unsigned char> overlap) noexcept
+static inline StatusCode overlap_batch(Vectors r12, Forms q1, Forms q2, std::span<unsigned char> overlap) noexcept
 {
     return detail::call_rows(pw85_overlap_batch, r12, q1, q2, overlap);
 }
@@ -41,8 +41,8 @@ static inline Status overlap_batch(Vectors r12, Forms q1, Forms q2, std::span<un
 /// @param r12,q1,q2 one for each pair
 /// @param[out] mu2,lambda one for each pair, or empty
 /// @return as for contact_rounded(), of the first bad pair
-static inline Status contact_rounded_batch(Vectors r12, Forms q1, Forms q2, std::span<double> mu2,
-                                           std::span<double> lambda = {}) noexcept
+static inline StatusCode contact_rounded_batch(Vectors r12, Forms q1, Forms q2, std::span<double> mu2,
+                                               std::span<double> lambda = {}) noexcept
 {
     return detail::call_rows(pw85_contact_rounded_batch, r12, q1, q2, mu2, lambda);
 }
@@ -52,9 +52,9 @@ static inline Status contact_rounded_batch(Vectors r12, Forms q1, Forms q2, std:
 /// @param r12,s1,s2 one for each pair
 /// @param[out] overlap one for each pair: 1, 0, or 255 for a bad pair
 /// @return as for overlap_factored(), of the first bad pair
-static inline Status overlap_factored_batch(Vectors r12, std::span<Factor<double, 3> const> s1,
-                                            std::span<Factor<double, 3> const> s2,
-                                            std::span<unsigned char> overlap) noexcept
+static inline StatusCode overlap_factored_batch(Vectors r12, std::span<Factor<double, 3> const> s1,
+                                                std::span<Factor<double, 3> const> s2,
+                                                std::span<unsigned char> overlap) noexcept
 {
     return detail::call_rows(pw85_overlap_factored_batch, r12, s1, s2, overlap);
 }
@@ -65,8 +65,8 @@ static inline Status overlap_factored_batch(Vectors r12, std::span<Factor<double
 /// @param mu2 one for each pair, as for compare()
 /// @param[out] sign one for each pair: -1, 0 or 1, or 2 for a bad pair
 /// @return as for compare(), of the first bad pair
-static inline Status compare_batch(Vectors r12, Forms q1, Forms q2, std::span<double const> mu2,
-                                   std::span<int> sign) noexcept
+static inline StatusCode compare_batch(Vectors r12, Forms q1, Forms q2, std::span<double const> mu2,
+                                       std::span<int> sign) noexcept
 {
     return detail::call_rows(pw85_compare_batch, r12, q1, q2, mu2, sign);
 }
@@ -78,9 +78,9 @@ static inline Status compare_batch(Vectors r12, Forms q1, Forms q2, std::span<do
 /// @param[out] lambda one for each pair, or empty; NaN where the ellipsoids are not apart
 /// @param[out] point one for each pair, or empty; NaN where they do not overlap
 /// @return as for overlap_witness(), of the first bad pair
-static inline Status overlap_witness_batch(Vectors r12, Forms q1, Forms q2, std::span<unsigned char> overlap,
-                                           std::span<double> lambda = {},
-                                           std::span<Vector<double, 3>> point = {}) noexcept
+static inline StatusCode overlap_witness_batch(Vectors r12, Forms q1, Forms q2, std::span<unsigned char> overlap,
+                                               std::span<double> lambda = {},
+                                               std::span<Vector<double, 3>> point = {}) noexcept
 {
     return detail::call_rows(pw85_overlap_witness_batch, r12, q1, q2, overlap, lambda, point);
 }
@@ -90,7 +90,7 @@ static inline Status overlap_witness_batch(Vectors r12, Forms q1, Forms q2, std:
 /// @param r12,q1,q2 one for each pair
 /// @param[out] contains one for each pair: 1, 0, or 255 for a bad pair
 /// @return as for contains(), of the first bad pair
-static inline Status contains_batch(Vectors r12, Forms q1, Forms q2, std::span<unsigned char> contains) noexcept
+static inline StatusCode contains_batch(Vectors r12, Forms q1, Forms q2, std::span<unsigned char> contains) noexcept
 {
     return detail::call_rows(pw85_contains_batch, r12, q1, q2, contains);
 }
@@ -100,8 +100,8 @@ static inline Status contains_batch(Vectors r12, Forms q1, Forms q2, std::span<u
 /// @param r12,q1,q2 one for each pair
 /// @param[out] mu2,point one for each pair, or empty
 /// @return as for containment(), of the first bad pair
-static inline Status containment_batch(Vectors r12, Forms q1, Forms q2, std::span<double> mu2,
-                                       std::span<Vector<double, 3>> point = {}) noexcept
+static inline StatusCode containment_batch(Vectors r12, Forms q1, Forms q2, std::span<double> mu2,
+                                           std::span<Vector<double, 3>> point = {}) noexcept
 {
     return detail::call_rows(pw85_containment_batch, r12, q1, q2, mu2, point);
 }
@@ -113,8 +113,8 @@ static inline Status containment_batch(Vectors r12, Forms q1, Forms q2, std::spa
 /// @param[out] mu2 one for each pair
 /// @param[out] t one for each pair, or empty
 /// @return as for closest_passage(), of the first bad pair
-static inline Status closest_passage_batch(Vectors r12, Forms q1, Forms q2, Vectors velocity, double t_max,
-                                           std::span<double> mu2, std::span<double> t = {}) noexcept
+static inline StatusCode closest_passage_batch(Vectors r12, Forms q1, Forms q2, Vectors velocity, double t_max,
+                                               std::span<double> mu2, std::span<double> t = {}) noexcept
 {
     return detail::call_rows(pw85_closest_passage_batch, r12, q1, q2, velocity, t_max, mu2, t);
 }
@@ -125,8 +125,8 @@ static inline Status closest_passage_batch(Vectors r12, Forms q1, Forms q2, Vect
 /// @param directions,t_max one for each pair, as for free_path()
 /// @param[out] t one for each pair
 /// @return as for free_path(), of the first bad pair
-static inline Status free_path_batch(Vectors r12, Forms q1, Forms q2, Vectors directions, std::span<double const> t_max,
-                                     std::span<double> t) noexcept
+static inline StatusCode free_path_batch(Vectors r12, Forms q1, Forms q2, Vectors directions,
+                                         std::span<double const> t_max, std::span<double> t) noexcept
 {
     return detail::call_rows(pw85_free_path_batch, r12, q1, q2, directions, t_max, t);
 }
@@ -137,7 +137,8 @@ static inline Status free_path_batch(Vectors r12, Forms q1, Forms q2, Vectors di
 /// @param q1,q2 one for each pair
 /// @param[out] distance one for each pair
 /// @return as for closest_approach(), of the first bad pair
-static inline Status closest_approach_batch(Vectors directions, Forms q1, Forms q2, std::span<double> distance) noexcept
+static inline StatusCode closest_approach_batch(Vectors directions, Forms q1, Forms q2,
+                                                std::span<double> distance) noexcept
 {
     return detail::call_rows(pw85_closest_approach_batch, directions, q1, q2, distance);
 }
@@ -147,9 +148,9 @@ static inline Status closest_approach_batch(Vectors directions, Forms q1, Forms 
 /// @param r12,s1,s2 one for each pair
 /// @param[out] mu2,lambda one for each pair, or empty
 /// @return as for contact_factored(), of the first bad pair
-static inline Status contact_factored_batch(Vectors r12, std::span<Factor<double, 3> const> s1,
-                                            std::span<Factor<double, 3> const> s2, std::span<double> mu2,
-                                            std::span<double> lambda = {}) noexcept
+static inline StatusCode contact_factored_batch(Vectors r12, std::span<Factor<double, 3> const> s1,
+                                                std::span<Factor<double, 3> const> s2, std::span<double> mu2,
+                                                std::span<double> lambda = {}) noexcept
 {
     return detail::call_rows(pw85_contact_factored_batch, r12, s1, s2, mu2, lambda);
 }
@@ -159,8 +160,8 @@ static inline Status contact_factored_batch(Vectors r12, std::span<Factor<double
 /// @param r12,q1,q2,lambda one for each pair
 /// @param[out] cond one for each pair
 /// @return as for condition(), of the first bad pair
-static inline Status condition_batch(Vectors r12, Forms q1, Forms q2, std::span<double const> lambda,
-                                     std::span<double> cond) noexcept
+static inline StatusCode condition_batch(Vectors r12, Forms q1, Forms q2, std::span<double const> lambda,
+                                         std::span<double> cond) noexcept
 {
     return detail::call_rows(pw85_condition_batch, r12, q1, q2, lambda, cond);
 }
@@ -170,8 +171,8 @@ static inline Status condition_batch(Vectors r12, Forms q1, Forms q2, std::span<
 /// @param r12,q1,q2 one for each pair
 /// @param[out] mu2,lambda one for each pair, or empty
 /// @return as for pw85_contact_function(), of the first bad pair
-static inline Status contact_function_batch(Vectors r12, Forms q1, Forms q2, std::span<double> mu2,
-                                            std::span<double> lambda = {}) noexcept
+static inline StatusCode contact_function_batch(Vectors r12, Forms q1, Forms q2, std::span<double> mu2,
+                                                std::span<double> lambda = {}) noexcept
 {
     return detail::call_rows(pw85_contact_function_batch, r12, q1, q2, mu2, lambda);
 }
@@ -181,9 +182,9 @@ static inline Status contact_function_batch(Vectors r12, Forms q1, Forms q2, std
 /// @param r12,q1,q2,lambda one for each pair
 /// @param[out] point,normal one for each pair, or empty
 /// @return as for contact_geometry(), of the first bad pair
-static inline Status contact_geometry_batch(Vectors r12, Forms q1, Forms q2, std::span<double const> lambda,
-                                            std::span<Vector<double, 3>> point,
-                                            std::span<Vector<double, 3>> normal = {}) noexcept
+static inline StatusCode contact_geometry_batch(Vectors r12, Forms q1, Forms q2, std::span<double const> lambda,
+                                                std::span<Vector<double, 3>> point,
+                                                std::span<Vector<double, 3>> normal = {}) noexcept
 {
     return detail::call_rows(pw85_contact_geometry_batch, r12, q1, q2, lambda, point, normal);
 }
@@ -193,10 +194,10 @@ static inline Status contact_geometry_batch(Vectors r12, Forms q1, Forms q2, std
 /// @param r12,q1,q2,lambda one for each pair
 /// @param[out] d_r12,d_q1,d_q2 one for each pair, or empty
 /// @return as for contact_gradient(), of the first bad pair
-static inline Status contact_gradient_batch(Vectors r12, Forms q1, Forms q2, std::span<double const> lambda,
-                                            std::span<Vector<double, 3>> d_r12,
-                                            std::span<SymmetricMatrix<double, 3>> d_q1 = {},
-                                            std::span<SymmetricMatrix<double, 3>> d_q2 = {}) noexcept
+static inline StatusCode contact_gradient_batch(Vectors r12, Forms q1, Forms q2, std::span<double const> lambda,
+                                                std::span<Vector<double, 3>> d_r12,
+                                                std::span<SymmetricMatrix<double, 3>> d_q1 = {},
+                                                std::span<SymmetricMatrix<double, 3>> d_q2 = {}) noexcept
 {
     return detail::call_rows(pw85_contact_gradient_batch, r12, q1, q2, lambda, d_r12, d_q1, d_q2);
 }
@@ -206,10 +207,11 @@ static inline Status contact_gradient_batch(Vectors r12, Forms q1, Forms q2, std
 /// @param r12,s1,s2,lambda one for each pair
 /// @param[out] point,normal one for each pair, or empty
 /// @return as for contact_geometry_factored(), of the first bad pair
-static inline Status contact_geometry_factored_batch(Vectors r12, std::span<Factor<double, 3> const> s1,
-                                                     std::span<Factor<double, 3> const> s2,
-                                                     std::span<double const> lambda, std::span<Vector<double, 3>> point,
-                                                     std::span<Vector<double, 3>> normal = {}) noexcept
+static inline StatusCode contact_geometry_factored_batch(Vectors r12, std::span<Factor<double, 3> const> s1,
+                                                         std::span<Factor<double, 3> const> s2,
+                                                         std::span<double const> lambda,
+                                                         std::span<Vector<double, 3>> point,
+                                                         std::span<Vector<double, 3>> normal = {}) noexcept
 {
     return detail::call_rows(pw85_contact_geometry_factored_batch, r12, s1, s2, lambda, point, normal);
 }
@@ -219,11 +221,12 @@ static inline Status contact_geometry_factored_batch(Vectors r12, std::span<Fact
 /// @param r12,s1,s2,lambda one for each pair
 /// @param[out] d_r12,d_s1,d_s2 one for each pair, or empty
 /// @return as for contact_gradient_factored(), of the first bad pair
-static inline Status contact_gradient_factored_batch(Vectors r12, std::span<Factor<double, 3> const> s1,
-                                                     std::span<Factor<double, 3> const> s2,
-                                                     std::span<double const> lambda, std::span<Vector<double, 3>> d_r12,
-                                                     std::span<Factor<double, 3>> d_s1 = {},
-                                                     std::span<Factor<double, 3>> d_s2 = {}) noexcept
+static inline StatusCode contact_gradient_factored_batch(Vectors r12, std::span<Factor<double, 3> const> s1,
+                                                         std::span<Factor<double, 3> const> s2,
+                                                         std::span<double const> lambda,
+                                                         std::span<Vector<double, 3>> d_r12,
+                                                         std::span<Factor<double, 3>> d_s1 = {},
+                                                         std::span<Factor<double, 3>> d_s2 = {}) noexcept
 {
     return detail::call_rows(pw85_contact_gradient_factored_batch, r12, s1, s2, lambda, d_r12, d_s1, d_s2);
 }
@@ -233,9 +236,9 @@ static inline Status contact_gradient_factored_batch(Vectors r12, std::span<Fact
 /// @param r12,q1,q2,lambda one for each pair
 /// @param[out] d_rot1,d_rot2 one for each pair, or empty
 /// @return as for contact_torque(), of the first bad pair
-static inline Status contact_torque_batch(Vectors r12, Forms q1, Forms q2, std::span<double const> lambda,
-                                          std::span<Vector<double, 3>> d_rot1,
-                                          std::span<Vector<double, 3>> d_rot2 = {}) noexcept
+static inline StatusCode contact_torque_batch(Vectors r12, Forms q1, Forms q2, std::span<double const> lambda,
+                                              std::span<Vector<double, 3>> d_rot1,
+                                              std::span<Vector<double, 3>> d_rot2 = {}) noexcept
 {
     return detail::call_rows(pw85_contact_torque_batch, r12, q1, q2, lambda, d_rot1, d_rot2);
 }
@@ -245,8 +248,8 @@ static inline Status contact_torque_batch(Vectors r12, Forms q1, Forms q2, std::
 /// @param r12,q1,q2,lambda one for each pair
 /// @param[out] hessian one for each pair
 /// @return as for contact_hessian(), of the first bad pair
-static inline Status contact_hessian_batch(Vectors r12, Forms q1, Forms q2, std::span<double const> lambda,
-                                           std::span<std::array<double, 81>> hessian) noexcept
+static inline StatusCode contact_hessian_batch(Vectors r12, Forms q1, Forms q2, std::span<double const> lambda,
+                                               std::span<std::array<double, 81>> hessian) noexcept
 {
     return detail::call_rows(pw85_contact_hessian_batch, r12, q1, q2, lambda, hessian);
 }
@@ -257,8 +260,8 @@ static inline Status contact_hessian_batch(Vectors r12, Forms q1, Forms q2, std:
 /// @param[out] mu2 one for each pair
 /// @param[out] lambda one for each pair, or empty
 /// @return as for contact(), of the first bad pair
-static inline Status contact_batch(FlatVectors r12, FlatForms q1, FlatForms q2, std::span<double> mu2,
-                                   std::span<double> lambda = {}) noexcept
+static inline StatusCode contact_batch(FlatVectors r12, FlatForms q1, FlatForms q2, std::span<double> mu2,
+                                       std::span<double> lambda = {}) noexcept
 {
     return detail::call_rows(pw85_contact_batch_2d, r12, q1, q2, mu2, lambda);
 }
@@ -268,8 +271,8 @@ static inline Status contact_batch(FlatVectors r12, FlatForms q1, FlatForms q2, 
 /// @param r12,q1,q2 one for each pair
 /// @param[out] overlap one for each pair: 1, 0, or 255 for a bad pair
 /// @return as for overlap(), of the first bad pair
-static inline Status overlap_batch(FlatVectors r12, FlatForms q1, FlatForms q2,
-                                   std::span<unsigned char> overlap) noexcept
+static inline StatusCode overlap_batch(FlatVectors r12, FlatForms q1, FlatForms q2,
+                                       std::span<unsigned char> overlap) noexcept
 {
     return detail::call_rows(pw85_overlap_batch_2d, r12, q1, q2, overlap);
 }
@@ -279,9 +282,9 @@ static inline Status overlap_batch(FlatVectors r12, FlatForms q1, FlatForms q2,
 /// @param r12,q1,q2,lambda one for each pair
 /// @param[out] point,normal one for each pair, or empty
 /// @return as for contact_geometry(), of the first bad pair
-static inline Status contact_geometry_batch(FlatVectors r12, FlatForms q1, FlatForms q2, std::span<double const> lambda,
-                                            std::span<Vector<double, 2>> point,
-                                            std::span<Vector<double, 2>> normal = {}) noexcept
+static inline StatusCode contact_geometry_batch(FlatVectors r12, FlatForms q1, FlatForms q2,
+                                                std::span<double const> lambda, std::span<Vector<double, 2>> point,
+                                                std::span<Vector<double, 2>> normal = {}) noexcept
 {
     return detail::call_rows(pw85_contact_geometry_batch_2d, r12, q1, q2, lambda, point, normal);
 }
@@ -291,10 +294,10 @@ static inline Status contact_geometry_batch(FlatVectors r12, FlatForms q1, FlatF
 /// @param r12,q1,q2,lambda one for each pair
 /// @param[out] d_r12,d_q1,d_q2 one for each pair, or empty
 /// @return as for contact_gradient(), of the first bad pair
-static inline Status contact_gradient_batch(FlatVectors r12, FlatForms q1, FlatForms q2, std::span<double const> lambda,
-                                            std::span<Vector<double, 2>> d_r12,
-                                            std::span<SymmetricMatrix<double, 2>> d_q1 = {},
-                                            std::span<SymmetricMatrix<double, 2>> d_q2 = {}) noexcept
+static inline StatusCode contact_gradient_batch(FlatVectors r12, FlatForms q1, FlatForms q2,
+                                                std::span<double const> lambda, std::span<Vector<double, 2>> d_r12,
+                                                std::span<SymmetricMatrix<double, 2>> d_q1 = {},
+                                                std::span<SymmetricMatrix<double, 2>> d_q2 = {}) noexcept
 {
     return detail::call_rows(pw85_contact_gradient_batch_2d, r12, q1, q2, lambda, d_r12, d_q1, d_q2);
 }
@@ -304,8 +307,9 @@ static inline Status contact_gradient_batch(FlatVectors r12, FlatForms q1, FlatF
 /// @param r12,q1,q2,lambda one for each pair
 /// @param[out] d_rot1,d_rot2 one for each pair, or empty
 /// @return as for contact_torque(), of the first bad pair
-static inline Status contact_torque_batch(FlatVectors r12, FlatForms q1, FlatForms q2, std::span<double const> lambda,
-                                          std::span<double> d_rot1, std::span<double> d_rot2 = {}) noexcept
+static inline StatusCode contact_torque_batch(FlatVectors r12, FlatForms q1, FlatForms q2,
+                                              std::span<double const> lambda, std::span<double> d_rot1,
+                                              std::span<double> d_rot2 = {}) noexcept
 {
     return detail::call_rows(pw85_contact_torque_batch_2d, r12, q1, q2, lambda, d_rot1, d_rot2);
 }
@@ -315,8 +319,9 @@ static inline Status contact_torque_batch(FlatVectors r12, FlatForms q1, FlatFor
 /// @param r12,q1,q2,lambda one for each pair
 /// @param[out] hessian one for each pair
 /// @return as for contact_hessian(), of the first bad pair
-static inline Status contact_hessian_batch(FlatVectors r12, FlatForms q1, FlatForms q2, std::span<double const> lambda,
-                                           std::span<std::array<double, 16>> hessian) noexcept
+static inline StatusCode contact_hessian_batch(FlatVectors r12, FlatForms q1, FlatForms q2,
+                                               std::span<double const> lambda,
+                                               std::span<std::array<double, 16>> hessian) noexcept
 {
     return detail::call_rows(pw85_contact_hessian_batch_2d, r12, q1, q2, lambda, hessian);
 }
@@ -327,8 +332,8 @@ static inline Status contact_hessian_batch(FlatVectors r12, FlatForms q1, FlatFo
 /// @param q1,q2 one for each pair
 /// @param[out] distance one for each pair
 /// @return as for closest_approach(), of the first bad pair
-static inline Status closest_approach_batch(FlatVectors directions, FlatForms q1, FlatForms q2,
-                                            std::span<double> distance) noexcept
+static inline StatusCode closest_approach_batch(FlatVectors directions, FlatForms q1, FlatForms q2,
+                                                std::span<double> distance) noexcept
 {
     return detail::call_rows(pw85_closest_approach_batch_2d, directions, q1, q2, distance);
 }
@@ -339,7 +344,7 @@ static inline Status closest_approach_batch(FlatVectors directions, FlatForms q1
 /// @param r12,q1,q2 one for each pair
 /// @param[out] out one row for each pair in all spans, or in some: see pw85_contact_derivatives_batch()
 /// @return as for contact_batch()
-static inline Status contact_derivatives_batch(Vectors r12, Forms q1, Forms q2, DerivativeSpans const &out) noexcept
+static inline StatusCode contact_derivatives_batch(Vectors r12, Forms q1, Forms q2, DerivativeSpans const &out) noexcept
 {
     return detail::call_rows(pw85_contact_derivatives_batch, r12, q1, q2, out.mu2, out.lambda, out.point, out.normal,
                              out.d_r12, out.d_rot1, out.d_rot2);
@@ -350,9 +355,9 @@ static inline Status contact_derivatives_batch(Vectors r12, Forms q1, Forms q2, 
 /// @param r12,q1,q2 one for each pair
 /// @param[out] distance,point1,point2 one for each pair, or empty
 /// @return as for distance(), of the first bad pair
-static inline Status distance_batch(Vectors r12, Forms q1, Forms q2, std::span<double> distance,
-                                    std::span<Vector<double, 3>> point1 = {},
-                                    std::span<Vector<double, 3>> point2 = {}) noexcept
+static inline StatusCode distance_batch(Vectors r12, Forms q1, Forms q2, std::span<double> distance,
+                                        std::span<Vector<double, 3>> point1 = {},
+                                        std::span<Vector<double, 3>> point2 = {}) noexcept
 {
     return detail::call_rows(pw85_distance_batch, r12, q1, q2, distance, point1, point2);
 }
@@ -362,10 +367,10 @@ static inline Status distance_batch(Vectors r12, Forms q1, Forms q2, std::span<d
 /// @param r12,q1,q2 one for each pair
 /// @param[out] d_r12,d_rot1,d_rot2,hessian one for each pair, or empty
 /// @return as for distance_derivatives(), of the first bad pair
-static inline Status distance_derivatives_batch(Vectors r12, Forms q1, Forms q2, std::span<Vector<double, 3>> d_r12,
-                                                std::span<Vector<double, 3>> d_rot1 = {},
-                                                std::span<Vector<double, 3>> d_rot2 = {},
-                                                std::span<std::array<double, 81>> hessian = {}) noexcept
+static inline StatusCode distance_derivatives_batch(Vectors r12, Forms q1, Forms q2, std::span<Vector<double, 3>> d_r12,
+                                                    std::span<Vector<double, 3>> d_rot1 = {},
+                                                    std::span<Vector<double, 3>> d_rot2 = {},
+                                                    std::span<std::array<double, 81>> hessian = {}) noexcept
 {
     return detail::call_rows(pw85_distance_derivatives_batch, r12, q1, q2, d_r12, d_rot1, d_rot2, hessian);
 }
@@ -375,9 +380,9 @@ static inline Status distance_derivatives_batch(Vectors r12, Forms q1, Forms q2,
 /// @param r12,q1,q2 one for each pair
 /// @param[out] distance,point1,point2 one for each pair, or empty
 /// @return as for distance(), of the first bad pair
-static inline Status distance_batch(FlatVectors r12, FlatForms q1, FlatForms q2, std::span<double> distance,
-                                    std::span<Vector<double, 2>> point1 = {},
-                                    std::span<Vector<double, 2>> point2 = {}) noexcept
+static inline StatusCode distance_batch(FlatVectors r12, FlatForms q1, FlatForms q2, std::span<double> distance,
+                                        std::span<Vector<double, 2>> point1 = {},
+                                        std::span<Vector<double, 2>> point2 = {}) noexcept
 {
     return detail::call_rows(pw85_distance_batch_2d, r12, q1, q2, distance, point1, point2);
 }
@@ -387,8 +392,8 @@ static inline Status distance_batch(FlatVectors r12, FlatForms q1, FlatForms q2,
 /// @param r12,q1,q2 one for each pair
 /// @param[out] depth,direction one for each pair, or empty
 /// @return as for penetration(), of the first bad pair
-static inline Status penetration_batch(Vectors r12, Forms q1, Forms q2, std::span<double> depth,
-                                       std::span<Vector<double, 3>> direction = {}) noexcept
+static inline StatusCode penetration_batch(Vectors r12, Forms q1, Forms q2, std::span<double> depth,
+                                           std::span<Vector<double, 3>> direction = {}) noexcept
 {
     return detail::call_rows(pw85_penetration_batch, r12, q1, q2, depth, direction);
 }
@@ -398,9 +403,9 @@ static inline Status penetration_batch(Vectors r12, Forms q1, Forms q2, std::spa
 /// @param r12,q1,q2 one for each pair
 /// @param[out] distance,point1,point2 one for each pair, or empty
 /// @return as for signed_distance(), of the first bad pair
-static inline Status signed_distance_batch(Vectors r12, Forms q1, Forms q2, std::span<double> distance,
-                                           std::span<Vector<double, 3>> point1 = {},
-                                           std::span<Vector<double, 3>> point2 = {}) noexcept
+static inline StatusCode signed_distance_batch(Vectors r12, Forms q1, Forms q2, std::span<double> distance,
+                                               std::span<Vector<double, 3>> point1 = {},
+                                               std::span<Vector<double, 3>> point2 = {}) noexcept
 {
     return detail::call_rows(pw85_signed_distance_batch, r12, q1, q2, distance, point1, point2);
 }
@@ -410,11 +415,11 @@ static inline Status signed_distance_batch(Vectors r12, Forms q1, Forms q2, std:
 /// @param r12,q1,q2 one for each pair
 /// @param[out] d_r12,d_rot1,d_rot2,hessian one for each pair, or empty
 /// @return as for signed_distance_derivatives(), of the first bad pair
-static inline Status signed_distance_derivatives_batch(Vectors r12, Forms q1, Forms q2,
-                                                       std::span<Vector<double, 3>> d_r12,
-                                                       std::span<Vector<double, 3>> d_rot1 = {},
-                                                       std::span<Vector<double, 3>> d_rot2 = {},
-                                                       std::span<std::array<double, 81>> hessian = {}) noexcept
+static inline StatusCode signed_distance_derivatives_batch(Vectors r12, Forms q1, Forms q2,
+                                                           std::span<Vector<double, 3>> d_r12,
+                                                           std::span<Vector<double, 3>> d_rot1 = {},
+                                                           std::span<Vector<double, 3>> d_rot2 = {},
+                                                           std::span<std::array<double, 81>> hessian = {}) noexcept
 {
     return detail::call_rows(pw85_signed_distance_derivatives_batch, r12, q1, q2, d_r12, d_rot1, d_rot2, hessian);
 }
@@ -425,8 +430,8 @@ static inline Status signed_distance_derivatives_batch(Vectors r12, Forms q1, Fo
 /// @param q one for each ellipsoid
 /// @param[out] curvatures,directions one for each ellipsoid, or empty
 /// @return as for curvature(), of the first bad ellipsoid
-static inline Status curvature_batch(Vectors normals, Forms q, std::span<std::array<double, 2>> curvatures,
-                                     std::span<std::array<double, 6>> directions = {}) noexcept
+static inline StatusCode curvature_batch(Vectors normals, Forms q, std::span<std::array<double, 2>> curvatures,
+                                         std::span<std::array<double, 6>> directions = {}) noexcept
 {
     return detail::call_rows(pw85_curvature_batch, normals, q, curvatures, directions);
 }
@@ -436,8 +441,8 @@ static inline Status curvature_batch(Vectors normals, Forms q, std::span<std::ar
 /// @param curvatures one for each contact, as for hertz()
 /// @param[out] radius,ellipse one for each contact, or empty
 /// @return as for hertz(), of the first bad contact
-static inline Status hertz_batch(std::span<std::array<double, 2> const> curvatures, std::span<double> radius,
-                                 std::span<std::array<double, 2>> ellipse = {}) noexcept
+static inline StatusCode hertz_batch(std::span<std::array<double, 2> const> curvatures, std::span<double> radius,
+                                     std::span<std::array<double, 2>> ellipse = {}) noexcept
 {
     return detail::call_rows(pw85_hertz_batch, curvatures, radius, ellipse);
 }
@@ -448,12 +453,12 @@ static inline Status hertz_batch(std::span<std::array<double, 2> const> curvatur
 /// @param normals one for each pair, as for hertz_contact()
 /// @param[out] depth,point,curvatures,directions,radius,ellipse one for each pair, or empty
 /// @return as for hertz_contact(), of the first bad pair
-static inline Status hertz_contact_batch(Vectors r12, Forms q1, Forms q2, Vectors normals, std::span<double> depth,
-                                         std::span<Vector<double, 3>> point = {},
-                                         std::span<std::array<double, 2>> curvatures = {},
-                                         std::span<std::array<double, 6>> directions = {},
-                                         std::span<double> radius = {},
-                                         std::span<std::array<double, 2>> ellipse = {}) noexcept
+static inline StatusCode hertz_contact_batch(Vectors r12, Forms q1, Forms q2, Vectors normals, std::span<double> depth,
+                                             std::span<Vector<double, 3>> point = {},
+                                             std::span<std::array<double, 2>> curvatures = {},
+                                             std::span<std::array<double, 6>> directions = {},
+                                             std::span<double> radius = {},
+                                             std::span<std::array<double, 2>> ellipse = {}) noexcept
 {
     return detail::call_rows(pw85_hertz_contact_batch, r12, q1, q2, normals, depth, point, curvatures, directions,
                              radius, ellipse);
@@ -465,8 +470,9 @@ static inline Status hertz_contact_batch(Vectors r12, Forms q1, Forms q2, Vector
 /// @param offsets,q one for each ellipsoid
 /// @param[out] distance,point one for each ellipsoid, or empty
 /// @return as for distance_plane(), of the first bad ellipsoid
-static inline Status distance_plane_batch(Vectors normals, std::span<double const> offsets, Forms q,
-                                          std::span<double> distance, std::span<Vector<double, 3>> point = {}) noexcept
+static inline StatusCode distance_plane_batch(Vectors normals, std::span<double const> offsets, Forms q,
+                                              std::span<double> distance,
+                                              std::span<Vector<double, 3>> point = {}) noexcept
 {
     return detail::call_rows(pw85_distance_plane_batch, normals, offsets, q, distance, point);
 }
@@ -477,8 +483,9 @@ static inline Status distance_plane_batch(Vectors normals, std::span<double cons
 /// @param q one for each ellipsoid
 /// @param[out] d_center,d_rot one for each ellipsoid, or empty
 /// @return as for distance_plane_derivatives(), of the first bad ellipsoid
-static inline Status distance_plane_derivatives_batch(Vectors normals, Forms q, std::span<Vector<double, 3>> d_center,
-                                                      std::span<Vector<double, 3>> d_rot = {}) noexcept
+static inline StatusCode distance_plane_derivatives_batch(Vectors normals, Forms q,
+                                                          std::span<Vector<double, 3>> d_center,
+                                                          std::span<Vector<double, 3>> d_rot = {}) noexcept
 {
     return detail::call_rows(pw85_distance_plane_derivatives_batch, normals, q, d_center, d_rot);
 }
@@ -489,8 +496,8 @@ static inline Status distance_plane_derivatives_batch(Vectors normals, Forms q, 
 /// @param offsets,q one for each ellipsoid
 /// @param[out] mu2,point one for each ellipsoid, or empty
 /// @return as for contact_plane(), of the first bad ellipsoid
-static inline Status contact_plane_batch(Vectors normals, std::span<double const> offsets, Forms q,
-                                         std::span<double> mu2, std::span<Vector<double, 3>> point = {}) noexcept
+static inline StatusCode contact_plane_batch(Vectors normals, std::span<double const> offsets, Forms q,
+                                             std::span<double> mu2, std::span<Vector<double, 3>> point = {}) noexcept
 {
     return detail::call_rows(pw85_contact_plane_batch, normals, offsets, q, mu2, point);
 }
@@ -501,9 +508,9 @@ static inline Status contact_plane_batch(Vectors normals, std::span<double const
 /// @param offsets,q one for each ellipsoid
 /// @param[out] d_center,d_rot one for each ellipsoid, or empty
 /// @return as for contact_plane_derivatives(), of the first bad ellipsoid
-static inline Status contact_plane_derivatives_batch(Vectors normals, std::span<double const> offsets, Forms q,
-                                                     std::span<Vector<double, 3>> d_center,
-                                                     std::span<Vector<double, 3>> d_rot = {}) noexcept
+static inline StatusCode contact_plane_derivatives_batch(Vectors normals, std::span<double const> offsets, Forms q,
+                                                         std::span<Vector<double, 3>> d_center,
+                                                         std::span<Vector<double, 3>> d_rot = {}) noexcept
 {
     return detail::call_rows(pw85_contact_plane_derivatives_batch, normals, offsets, q, d_center, d_rot);
 }
@@ -514,9 +521,9 @@ static inline Status contact_plane_derivatives_batch(Vectors normals, std::span<
 /// @param q one for each ellipsoid
 /// @param[out] distance,point,normal one for each ellipsoid, or empty
 /// @return as for distance_box(), of the first bad ellipsoid
-static inline Status distance_box_batch(Vectors lower, Vectors upper, Forms q, std::span<double> distance,
-                                        std::span<Vector<double, 3>> point = {},
-                                        std::span<Vector<double, 3>> normal = {}) noexcept
+static inline StatusCode distance_box_batch(Vectors lower, Vectors upper, Forms q, std::span<double> distance,
+                                            std::span<Vector<double, 3>> point = {},
+                                            std::span<Vector<double, 3>> normal = {}) noexcept
 {
     return detail::call_rows(pw85_distance_box_batch, lower, upper, q, distance, point, normal);
 }
@@ -527,9 +534,9 @@ static inline Status distance_box_batch(Vectors lower, Vectors upper, Forms q, s
 /// @param center,q one for each ellipsoid
 /// @param[out] distance,point,normal one for each ellipsoid, or empty
 /// @return as for distance_cylinder(), of the first bad ellipsoid
-static inline Status distance_cylinder_batch(Vectors axis, std::span<double const> radius, Vectors center, Forms q,
-                                             std::span<double> distance, std::span<Vector<double, 3>> point = {},
-                                             std::span<Vector<double, 3>> normal = {}) noexcept
+static inline StatusCode distance_cylinder_batch(Vectors axis, std::span<double const> radius, Vectors center, Forms q,
+                                                 std::span<double> distance, std::span<Vector<double, 3>> point = {},
+                                                 std::span<Vector<double, 3>> normal = {}) noexcept
 {
     return detail::call_rows(pw85_distance_cylinder_batch, axis, radius, center, q, distance, point, normal);
 }
@@ -539,9 +546,9 @@ static inline Status distance_cylinder_batch(Vectors axis, std::span<double cons
 /// @param r,q one for each point
 /// @param[out] distance,point,normal one for each point, or empty
 /// @return as for distance_point(), of the first bad point
-static inline Status distance_point_batch(Vectors r, Forms q, std::span<double> distance,
-                                          std::span<Vector<double, 3>> point = {},
-                                          std::span<Vector<double, 3>> normal = {}) noexcept
+static inline StatusCode distance_point_batch(Vectors r, Forms q, std::span<double> distance,
+                                              std::span<Vector<double, 3>> point = {},
+                                              std::span<Vector<double, 3>> normal = {}) noexcept
 {
     return detail::call_rows(pw85_distance_point_batch, r, q, distance, point, normal);
 }
@@ -553,8 +560,8 @@ static inline Status distance_point_batch(Vectors r, Forms q, std::span<double> 
 /// @param q one for each line
 /// @param[out] enter,leave one for each line, or empty
 /// @return as for intersect_line(), of the first bad line
-static inline Status intersect_line_batch(Vectors origin, Vectors directions, Forms q, std::span<double> enter,
-                                          std::span<double> leave = {}) noexcept
+static inline StatusCode intersect_line_batch(Vectors origin, Vectors directions, Forms q, std::span<double> enter,
+                                              std::span<double> leave = {}) noexcept
 {
     return detail::call_rows(pw85_intersect_line_batch, origin, directions, q, enter, leave);
 }
@@ -564,8 +571,8 @@ static inline Status intersect_line_batch(Vectors origin, Vectors directions, Fo
 /// @param end1,end2,q one for each ellipsoid
 /// @param[out] mu2,point one for each ellipsoid, or empty
 /// @return as for contact_segment(), of the first bad ellipsoid
-static inline Status contact_segment_batch(Vectors end1, Vectors end2, Forms q, std::span<double> mu2,
-                                           std::span<Vector<double, 3>> point = {}) noexcept
+static inline StatusCode contact_segment_batch(Vectors end1, Vectors end2, Forms q, std::span<double> mu2,
+                                               std::span<Vector<double, 3>> point = {}) noexcept
 {
     return detail::call_rows(pw85_contact_segment_batch, end1, end2, q, mu2, point);
 }
@@ -575,8 +582,8 @@ static inline Status contact_segment_batch(Vectors end1, Vectors end2, Forms q, 
 /// @param vertex1,vertex2,vertex3,q one for each ellipsoid
 /// @param[out] mu2,point one for each ellipsoid, or empty
 /// @return as for contact_triangle(), of the first bad ellipsoid
-static inline Status contact_triangle_batch(Vectors vertex1, Vectors vertex2, Vectors vertex3, Forms q,
-                                            std::span<double> mu2, std::span<Vector<double, 3>> point = {}) noexcept
+static inline StatusCode contact_triangle_batch(Vectors vertex1, Vectors vertex2, Vectors vertex3, Forms q,
+                                                std::span<double> mu2, std::span<Vector<double, 3>> point = {}) noexcept
 {
     return detail::call_rows(pw85_contact_triangle_batch, vertex1, vertex2, vertex3, q, mu2, point);
 }
@@ -587,8 +594,8 @@ static inline Status contact_triangle_batch(Vectors vertex1, Vectors vertex2, Ve
 /// @param q one for each ellipsoid
 /// @param[out] mu2,point one for each ellipsoid, or empty
 /// @return as for contact_box(), of the first bad ellipsoid
-static inline Status contact_box_batch(Vectors lower, Vectors upper, Forms q, std::span<double> mu2,
-                                       std::span<Vector<double, 3>> point = {}) noexcept
+static inline StatusCode contact_box_batch(Vectors lower, Vectors upper, Forms q, std::span<double> mu2,
+                                           std::span<Vector<double, 3>> point = {}) noexcept
 {
     return detail::call_rows(pw85_contact_box_batch, lower, upper, q, mu2, point);
 }
@@ -598,8 +605,8 @@ static inline Status contact_box_batch(Vectors lower, Vectors upper, Forms q, st
 /// @param end1,end2,q one for each ellipsoid
 /// @param[out] overlap one for each ellipsoid: 1, 0, or 255 for a bad ellipsoid
 /// @return as for overlap_segment(), of the first bad ellipsoid
-static inline Status overlap_segment_batch(Vectors end1, Vectors end2, Forms q,
-                                           std::span<unsigned char> overlap) noexcept
+static inline StatusCode overlap_segment_batch(Vectors end1, Vectors end2, Forms q,
+                                               std::span<unsigned char> overlap) noexcept
 {
     return detail::call_rows(pw85_overlap_segment_batch, end1, end2, q, overlap);
 }
@@ -609,8 +616,8 @@ static inline Status overlap_segment_batch(Vectors end1, Vectors end2, Forms q,
 /// @param vertex1,vertex2,vertex3,q one for each ellipsoid
 /// @param[out] overlap one for each ellipsoid: 1, 0, or 255 for a bad ellipsoid
 /// @return as for overlap_triangle(), of the first bad ellipsoid
-static inline Status overlap_triangle_batch(Vectors vertex1, Vectors vertex2, Vectors vertex3, Forms q,
-                                            std::span<unsigned char> overlap) noexcept
+static inline StatusCode overlap_triangle_batch(Vectors vertex1, Vectors vertex2, Vectors vertex3, Forms q,
+                                                std::span<unsigned char> overlap) noexcept
 {
     return detail::call_rows(pw85_overlap_triangle_batch, vertex1, vertex2, vertex3, q, overlap);
 }
@@ -621,7 +628,8 @@ static inline Status overlap_triangle_batch(Vectors vertex1, Vectors vertex2, Ve
 /// @param q one for each ellipsoid
 /// @param[out] overlap one for each ellipsoid: 1, 0, or 255 for a bad ellipsoid
 /// @return as for overlap_box(), of the first bad ellipsoid
-static inline Status overlap_box_batch(Vectors lower, Vectors upper, Forms q, std::span<unsigned char> overlap) noexcept
+static inline StatusCode overlap_box_batch(Vectors lower, Vectors upper, Forms q,
+                                           std::span<unsigned char> overlap) noexcept
 {
     return detail::call_rows(pw85_overlap_box_batch, lower, upper, q, overlap);
 }
@@ -633,9 +641,10 @@ static inline Status overlap_box_batch(Vectors lower, Vectors upper, Forms q, st
 /// @param t_max the time up to which contacts count, >= 0; may be infinity
 /// @param[out] t one for each pair
 /// @return as for first_contact(), of the first bad pair
-static inline Status first_contact_batch(Vectors r12, Forms q1, Forms q2, std::span<Motion<double, 3> const> motion1,
-                                         std::span<Motion<double, 3> const> motion2, double t_max,
-                                         std::span<double> t) noexcept
+static inline StatusCode first_contact_batch(Vectors r12, Forms q1, Forms q2,
+                                             std::span<Motion<double, 3> const> motion1,
+                                             std::span<Motion<double, 3> const> motion2, double t_max,
+                                             std::span<double> t) noexcept
 {
     return detail::call_rows(pw85_first_contact_batch, r12, q1, q2, motion1, motion2, t_max, t);
 }
@@ -650,8 +659,8 @@ static inline Status first_contact_batch(Vectors r12, Forms q1, Forms q2, std::s
 /// @param semi_axes,quaternions one for each ellipsoid, as for ellipsoid_factor()
 /// @param[out] s one for each ellipsoid
 /// @return as for ellipsoid_factor(), of the first bad ellipsoid
-static inline Status ellipsoid_factor_batch(Vectors semi_axes, std::span<Vector<double, 4> const> quaternions,
-                                            std::span<Factor<double, 3>> s) noexcept
+static inline StatusCode ellipsoid_factor_batch(Vectors semi_axes, std::span<Vector<double, 4> const> quaternions,
+                                                std::span<Factor<double, 3>> s) noexcept
 {
     return detail::call_rows(pw85_ellipsoid_factor_batch, semi_axes, quaternions, s);
 }
@@ -661,8 +670,8 @@ static inline Status ellipsoid_factor_batch(Vectors semi_axes, std::span<Vector<
 /// @param semi_axes,quaternions one for each ellipsoid, as for ellipsoid_quaternion()
 /// @param[out] q one for each ellipsoid
 /// @return as for ellipsoid_quaternion(), of the first bad ellipsoid
-static inline Status ellipsoid_quaternion_batch(Vectors semi_axes, std::span<Vector<double, 4> const> quaternions,
-                                                std::span<SymmetricMatrix<double, 3>> q) noexcept
+static inline StatusCode ellipsoid_quaternion_batch(Vectors semi_axes, std::span<Vector<double, 4> const> quaternions,
+                                                    std::span<SymmetricMatrix<double, 3>> q) noexcept
 {
     return detail::call_rows(pw85_ellipsoid_quaternion_batch, semi_axes, quaternions, q);
 }
@@ -672,7 +681,7 @@ static inline Status ellipsoid_quaternion_batch(Vectors semi_axes, std::span<Vec
 /// @param q one for each ellipsoid
 /// @param[out] half_widths one for each ellipsoid: √Qxx, √Qyy, √Qzz, in the unit of the semi-axes
 /// @return Status::success, Status::invalid_argument, or the status of the first bad form
-static inline Status bounding_boxes(Forms q, std::span<Vector<double, 3>> half_widths) noexcept
+static inline StatusCode bounding_boxes(Forms q, std::span<Vector<double, 3>> half_widths) noexcept
 {
     return detail::call_rows(pw85_bounding_boxes, q, half_widths);
 }

@@ -12,7 +12,7 @@ namespace pw85 {
 /// The distance of the centres at external tangency. It is NaN if the status is not success.
 template <class T> struct ClosestApproach {
     T distance;
-    Status status;
+    StatusCode status;
 };
 
 template <class T, int D> PW85_FUNCTION inline ClosestApproach<T>
@@ -20,18 +20,18 @@ closest_approach(Vector<T, D> direction, SymmetricMatrix<T, D> const &q1, Symmet
 {
     using namespace detail;
     T const largest = largest_coordinate(direction);
-    if (!is_finite(direction) || !(largest > T(0))) return all_nan<ClosestApproach<T>>(Status::invalid_argument);
+    if (!is_finite(direction) || !(largest > T(0))) return all_nan<ClosestApproach<T>>(StatusCode::invalid_argument);
     direction = direction / largest;
     auto const pair = pair_of(direction, q1, q2);
     ScaledPair<T, D> scaled{pair, 0, 0, false, 0};
     if (!passes_fast_checks(pair)) {
-        Status const status = validate(pair, scaled);
-        if (status != Status::success) return all_nan<ClosestApproach<T>>(status);
+        StatusCode const status = validate(pair, scaled);
+        if (status != StatusCode::success) return all_nan<ClosestApproach<T>>(status);
     }
     Maximum<T> const maximum = maximize(scaled.pair);
-    if (!maximum.converged || !(maximum.mu2 >= T(0))) return all_nan<ClosestApproach<T>>(Status::no_convergence);
+    if (!maximum.converged || !(maximum.mu2 >= T(0))) return all_nan<ClosestApproach<T>>(StatusCode::no_convergence);
     T const norm = square_root(dot(direction, direction));
-    return {times_power_of_two(T(norm / square_root(maximum.mu2)), scaled.form - scaled.length), Status::success};
+    return {times_power_of_two(T(norm / square_root(maximum.mu2)), scaled.form - scaled.length), StatusCode::success};
 }
 
 } // namespace pw85

@@ -11,7 +11,7 @@ namespace pw85 {
 /// A condition number. It is NaN if the status is not success.
 template <class T> struct Condition {
     T condition;
-    Status status;
+    StatusCode status;
 };
 
 } // namespace pw85
@@ -49,14 +49,14 @@ PW85_FUNCTION inline Condition<T> condition(Vector<T, D> const &r12, SymmetricMa
 {
     using namespace detail;
     ScaledPair<T, D> scaled;
-    Status const status =
-        lambda >= T(0) && lambda <= T(1) ? validate(pair_of(r12, q1, q2), scaled) : Status::invalid_argument;
-    if (status != Status::success) return all_nan<Condition<T>>(status);
-    if (largest_coordinate(r12) == T(0)) return {T(0), Status::success};
+    StatusCode const status =
+        lambda >= T(0) && lambda <= T(1) ? validate(pair_of(r12, q1, q2), scaled) : StatusCode::invalid_argument;
+    if (status != StatusCode::success) return all_nan<Condition<T>>(status);
+    if (largest_coordinate(r12) == T(0)) return {T(0), StatusCode::success};
     T const complement = complement_of(lambda);
     return {scaled.swapped ? condition_number(scaled.pair, complement, lambda)
                            : condition_number(scaled.pair, lambda, complement),
-            Status::success};
+            StatusCode::success};
 }
 
 } // namespace pw85

@@ -14,7 +14,7 @@ namespace pw85 {
 template <class T> struct Contact {
     T mu2;    ///< square of the common factor by which both ellipsoids must be scaled to touch
     T lambda; ///< the maximiser of f, in [0, 1]
-    Status status;
+    StatusCode status;
 };
 
 } // namespace pw85
@@ -54,8 +54,8 @@ is_accepted(Pair<T, D> const &pair, LastEvaluation<T> const &last) noexcept
 /// Converts a maximum to the contact function.
 template <class T> PW85_FUNCTION inline Contact<T> to_contact(Maximum<T> const &m) noexcept
 {
-    if (!m.converged || !(m.mu2 >= T(0))) return all_nan<Contact<T>>(Status::no_convergence);
-    return {m.mu2, m.lambda, Status::success};
+    if (!m.converged || !(m.mu2 >= T(0))) return all_nan<Contact<T>>(StatusCode::no_convergence);
+    return {m.mu2, m.lambda, StatusCode::success};
 }
 
 /// Converts a maximum in scaled units to the contact function in the units of the caller.
@@ -64,7 +64,7 @@ PW85_FUNCTION inline Contact<T> unscale(ScaledPair<T, D, Q> const &scaled, Maxim
 {
     Contact<T> result = to_contact(m);
     result.mu2 = times_power_of_two(result.mu2, 2 * (scaled.length - scaled.form));
-    if (scaled.swapped && result.status == Status::success) result.lambda = m.complement;
+    if (scaled.swapped && result.status == StatusCode::success) result.lambda = m.complement;
     return result;
 }
 
@@ -73,9 +73,9 @@ template <class T, int D, class Q>
 [[gnu::noinline]] PW85_FUNCTION inline Contact<T> contact_scaled(Pair<T, D, Q> pair) noexcept
 {
     ScaledPair<T, D, Q> scaled;
-    Status const status = validate(pair, scaled);
-    if (status != Status::success) return all_nan<Contact<T>>(status);
-    if (largest_coordinate(pair.r12) == T(0)) return {T(0), T(0.5), Status::success};
+    StatusCode const status = validate(pair, scaled);
+    if (status != StatusCode::success) return all_nan<Contact<T>>(status);
+    if (largest_coordinate(pair.r12) == T(0)) return {T(0), T(0.5), StatusCode::success};
     return unscale(scaled, maximize(scaled.pair));
 }
 

@@ -24,8 +24,8 @@ namespace pw85 {
 template <class T, int D> struct ContactHessian {
     static constexpr int size = D + 2 * detail::rotation_axes<D>;
 
-    T entries[size][size];
-    Status status;
+    T entries[std::size_t(size)][std::size_t(size)];
+    StatusCode status;
 };
 
 } // namespace pw85
@@ -126,13 +126,13 @@ hessian_at(Tangency<T, D> const &at, SymmetricMatrix<T, D> const &q1, SymmetricM
     constexpr int size = ContactHessian<T, D>::size, axes = rotation_axes<D>;
     Balance<T, D> const b = balance(at, q1, q2);
     T const weight = at.lambda1 * at.lambda2;
-    Change<T, D> changes[size];
+    Change<T, D> changes[std::size_t(size)];
     for (int i = 0; i < D; ++i) changes[i] = shift(b, i);
     for (int i = 0; i < axes; ++i) {
         changes[D + i] = turn(b, 1, at.weight1 * q1, i);
         changes[D + axes + i] = turn(b, 2, at.weight2 * q2, i);
     }
-    ContactHessian<T, D> result{{}, Status::success};
+    ContactHessian<T, D> result{{}, StatusCode::success};
     for (int i = 0; i < size; ++i)
         for (int j = i; j < size; ++j)
             result.entries[i][j] = result.entries[j][i] = second_derivative(b, weight, changes[i], changes[j]);
@@ -162,7 +162,7 @@ PW85_FUNCTION inline ContactHessian<T, D> contact_hessian(Vector<T, D> const &r1
     return at_tangency(
         [](Tangency<T, D> const &at, SymmetricMatrix<T, D> const &p1, SymmetricMatrix<T, D> const &p2) {
             if (dot(at.v, at.v) > T(0)) return hessian_at(at, p1, p2);
-            return all_nan<ContactHessian<T, D>>(Status::invalid_argument);
+            return all_nan<ContactHessian<T, D>>(StatusCode::invalid_argument);
         },
         r12, q1, q2, lambda);
 }

@@ -36,7 +36,7 @@ template <class T, int D> PW85_FUNCTION inline bool is_regular(Factor<T, D> cons
     if (!(largest > T(0))) return false;
     T const floor = square_root(square_root(square_root(smallest_number<T>())));
     Factor<T, D> const scaled = times_power_of_two(s, -binary_exponent(largest));
-    Vector<T, D> columns[D];
+    Vector<T, D> columns[std::size_t(D)];
     for (int j = 0; j < D; ++j) {
         columns[j] = column(scaled, j);
         T const length = magnitude(columns[j]);
@@ -58,7 +58,7 @@ template <class T> PW85_FUNCTION constexpr T least_product_of_squares() noexcept
 /// factor may still be regular.
 template <class T, int D> PW85_FUNCTION inline bool is_clearly_regular(Factor<T, D> const &s) noexcept
 {
-    Vector<T, D> columns[D];
+    Vector<T, D> columns[std::size_t(D)];
     T product = T(1);
     for (int j = 0; j < D; ++j) {
         columns[j] = column(s, j);
@@ -70,14 +70,14 @@ template <class T, int D> PW85_FUNCTION inline bool is_clearly_regular(Factor<T,
 }
 
 /// The status of a pair of factors. If it is success, `scaled` becomes the pair in range.
-template <class T, int D> [[gnu::noinline]] PW85_FUNCTION inline Status
+template <class T, int D> [[gnu::noinline]] PW85_FUNCTION inline StatusCode
 validate(FactoredPair<T, D> const &pair, ScaledPair<T, D, Factor<T, D>> &scaled) noexcept
 {
     auto const &[r12, s1, s2, ratio] = pair;
-    if (!(is_finite(r12) && is_finite(s1) && is_finite(s2))) return Status::invalid_argument;
-    if (!(is_regular(s1) && is_regular(s2))) return Status::not_positive_definite;
+    if (!(is_finite(r12) && is_finite(s1) && is_finite(s2))) return StatusCode::invalid_argument;
+    if (!(is_regular(s1) && is_regular(s2))) return StatusCode::not_positive_definite;
     scaled = scale(pair);
-    return Status::success;
+    return StatusCode::success;
 }
 
 /// Whether a pair of factors is valid and in range and has r12 != 0, tested with products only. The result is true for almost all

@@ -34,9 +34,9 @@ template <class T, int D> PW85_FUNCTION inline Vector<T, D> solve_for_separation
 template <class T> PW85_FUNCTION inline Candidate<T> end_of_search(SafeguardedSearch<T> const &state, Slope<T> const &s,
                                                                    TrustedStep<T> const &trusted) noexcept
 {
-    T const factor = trusted.near ? exponential(trusted.step) : T(1);
+    T const factor = trusted.nearby ? exponential(trusted.step) : T(1);
     Candidate<T> candidate{clamp(state, T(state.t * factor)), T(1), T(0)};
-    expect_derivatives(candidate, s, factor, trusted.near);
+    expect_derivatives(candidate, s, factor, trusted.nearby);
     return candidate;
 }
 
@@ -58,11 +58,11 @@ template <class T, int D>
         T const image = fixed_point_image(jet, pair.ratio);
         bool const pinned = is_narrow(state, penultimate_step<T>()); // t is in it
         take_bound(state, image > state.t, image);
-        bool const noise = trusted.near && !halves(state, trusted.size) && state.shortest < T(0.1);
+        bool const noise = trusted.nearby && !halves(state, trusted.size) && state.shortest < T(0.1);
         bool const found = trusted.size <= penultimate_step<T>() || pinned || noise;
         if (found || i >= max_steps) {
             candidate = end_of_search(state, s, trusted);
-            return found && trusted.near;
+            return found && trusted.nearby;
         }
         take_step(state, next_guess(jet, trusted, pair.ratio, state.t, image), trusted.size);
     }

@@ -12,13 +12,13 @@ namespace pw85 {
 /// A quadratic form. It is NaN if the status is not success.
 template <class T, int D> struct Form {
     SymmetricMatrix<T, D> q;
-    Status status;
+    StatusCode status;
 };
 
 /// A factor. It is NaN if the status is not success.
 template <class T, int D> struct EllipsoidFactor {
     Factor<T, D> s;
-    Status status;
+    StatusCode status;
 };
 
 } // namespace pw85
@@ -35,7 +35,7 @@ template <class T, int D> PW85_FUNCTION constexpr Form<T, D> checked_form(Symmet
 {
     bool valid = is_finite(q);
     for (int i = 0; i < D; ++i) valid = valid && q(i, i) > T(0);
-    return valid ? Form<T, D>{q, Status::success} : all_nan<Form<T, D>>(Status::invalid_argument);
+    return valid ? Form<T, D>{q, StatusCode::success} : all_nan<Form<T, D>>(StatusCode::invalid_argument);
 }
 
 /// Whether a length is positive and its square is a positive number of `T`. If the square vanishes, the form is singular. The
@@ -47,8 +47,8 @@ template <class T> PW85_FUNCTION constexpr bool is_length(T const &x) noexcept
 }
 
 /// S = R diag(semi_axes), a factor of Q = R diag(semi_axes²) Rᵀ. R must be orthogonal.
-template <class T, int D>
-PW85_FUNCTION constexpr Factor<T, D> factor_of_axes(Vector<T, D> const &semi_axes, T const (&rotation)[D * D]) noexcept
+template <class T, int D> PW85_FUNCTION constexpr Factor<T, D>
+factor_of_axes(Vector<T, D> const &semi_axes, T const (&rotation)[std::size_t(D * D)]) noexcept
 {
     Factor<T, D> s{};
     for (int i = 0; i < D * D; ++i) s.entries[i] = rotation[i] * semi_axes[i % D];
@@ -56,8 +56,8 @@ PW85_FUNCTION constexpr Factor<T, D> factor_of_axes(Vector<T, D> const &semi_axe
 }
 
 /// Q = R diag(semi_axes²) Rᵀ. R must be orthogonal.
-template <class T, int D>
-PW85_FUNCTION constexpr Form<T, D> form_of_axes(Vector<T, D> const &semi_axes, T const (&rotation)[D * D]) noexcept
+template <class T, int D> PW85_FUNCTION constexpr Form<T, D>
+form_of_axes(Vector<T, D> const &semi_axes, T const (&rotation)[std::size_t(D * D)]) noexcept
 {
     return checked_form(form_of_factor(factor_of_axes(semi_axes, rotation)));
 }
@@ -105,7 +105,7 @@ template <class T> PW85_FUNCTION constexpr bool is_moderate(T const &x) noexcept
 template <class T> [[gnu::noinline]] PW85_FUNCTION constexpr Form<T, 3>
 form_of_any_axes(Vector<T, 3> const &semi_axes, Vector<T, 4> const &quaternion) noexcept
 {
-    if (!is_oriented(semi_axes, quaternion)) return all_nan<Form<T, 3>>(Status::invalid_argument);
+    if (!is_oriented(semi_axes, quaternion)) return all_nan<Form<T, 3>>(StatusCode::invalid_argument);
     return checked_form(form_of_factor(factor_of_axes(semi_axes, rotation_matrix(quaternion).entries)));
 }
 
@@ -120,7 +120,7 @@ template <class T> PW85_FUNCTION constexpr Form<T, 3> spheroid(T const &a, T con
     using namespace detail;
     T const largest = largest_coordinate(n);
     if (!is_length(a) || !is_length(c) || !is_finite(n) || !(largest > T(0)))
-        return all_nan<Form<T, 3>>(Status::invalid_argument);
+        return all_nan<Form<T, 3>>(StatusCode::invalid_argument);
     n = n / largest;
     T const norm2 = dot(n, n), a2 = a * a, c2 = c * c;
     SymmetricMatrix<T, 3> q{};
@@ -145,17 +145,17 @@ PW85_FUNCTION constexpr Form<T, 3> ellipsoid(Vector<T, 3> const &semi_axes, T co
             valid = valid && absolute(product) <= T(rotation_tolerance);
         }
     }
-    return valid ? form_of_axes(semi_axes, rotation) : all_nan<Form<T, 3>>(Status::invalid_argument);
+    return valid ? form_of_axes(semi_axes, rotation) : all_nan<Form<T, 3>>(StatusCode::invalid_argument);
 }
 
 template <class T> PW85_FUNCTION constexpr EllipsoidFactor<T, 3>
 ellipsoid_factor(Vector<T, 3> const &semi_axes, Vector<T, 4> const &quaternion) noexcept
 {
     using namespace detail;
-    if (!is_oriented(semi_axes, quaternion)) return all_nan<EllipsoidFactor<T, 3>>(Status::invalid_argument);
+    if (!is_oriented(semi_axes, quaternion)) return all_nan<EllipsoidFactor<T, 3>>(StatusCode::invalid_argument);
     auto s = factor_of_axes(semi_axes, rotation_matrix(quaternion).entries);
     for (auto &entry : s.entries) entry = entry + T(0); // makes 0 of -0
-    return {s, Status::success};
+    return {s, StatusCode::success};
 }
 
 // Moderate numbers need no other check, since then the form is finite and its diagonal is positive: each row of R is of length one
@@ -168,13 +168,14 @@ template <class T> PW85_FUNCTION constexpr Form<T, 3> ellipsoid_quaternion(Vecto
     bool const first = both_true(is_moderate(norm2), is_moderate(semi_axes[0]));
     bool const others = both_true(is_moderate(semi_axes[1]), is_moderate(semi_axes[2]));
     if (!both_true(first, others)) return form_of_any_axes(semi_axes, quaternion);
-    return {form_of_factor(factor_of_axes(semi_axes, rotation_matrix(quaternion, norm2).entries)), Status::success};
+    return {form_of_factor(factor_of_axes(semi_axes, rotation_matrix(quaternion, norm2).entries)), StatusCode::success};
 }
 
 template <class T> PW85_FUNCTION inline Form<T, 2> ellipse(T const &a, T const &b, T const &angle) noexcept
 {
     using namespace detail;
-    if (!is_length(a) || !is_length(b) || !(angle * T(0) == T(0))) return all_nan<Form<T, 2>>(Status::invalid_argument);
+    if (!is_length(a) || !is_length(b) || !(angle * T(0) == T(0)))
+        return all_nan<Form<T, 2>>(StatusCode::invalid_argument);
     auto const [s, c] = sine_cosine(angle);
     T const rotation[4] = {c, -s, s, c};
     return form_of_axes(Vector<T, 2>{a, b}, rotation);

@@ -20,21 +20,21 @@ namespace pw85 {
 template <class T, int D> struct ContactGeometry {
     Vector<T, D> point;  ///< relative to the centre of ellipsoid 1
     Vector<T, D> normal; ///< unit vector, out of ellipsoid 1 and into ellipsoid 2
-    Status status;
+    StatusCode status;
 };
 
 /// Derivatives of μ² with respect to the separation and the stored entries of the forms.
 template <class T, int D> struct ContactGradient {
     Vector<T, D> r12;
     SymmetricMatrix<T, D> q1, q2;
-    Status status;
+    StatusCode status;
 };
 
 /// The derivatives of μ² with respect to the rotation vectors of the ellipsoids, each about its own centre. In two dimensions the
 /// one component is the derivative with respect to the angle.
 template <class T, int D = 3> struct ContactTorque {
     Vector<T, detail::rotation_axes<D>> rotation1, rotation2;
-    Status status;
+    StatusCode status;
 };
 
 } // namespace pw85
@@ -190,18 +190,18 @@ template <class T, int D, class Q> PW85_FUNCTION inline auto
 scaled_tangency(ScaledPair<T, D, Q> const &scaled, T const &lambda1, T const &lambda2, TangencyUnits &units) noexcept
 {
     T const &first = scaled.swapped ? lambda2 : lambda1, &second = scaled.swapped ? lambda1 : lambda2;
-    int const small = -2 * binary_exponent(scaled.pair.ratio);
+    int const shift = -2 * binary_exponent(scaled.pair.ratio);
     bool const first_leads =
-        !(second > T(0)) || (first > T(0) && binary_exponent(first) > binary_exponent(second) + small);
-    int const weight = first_leads ? binary_exponent(first) : binary_exponent(second) + small;
-    T const w1 = times_power_of_two(first, -weight), w2 = times_power_of_two(second, small - weight);
+        !(second > T(0)) || (first > T(0) && binary_exponent(first) > binary_exponent(second) + shift);
+    int const weight = first_leads ? binary_exponent(first) : binary_exponent(second) + shift;
+    T const w1 = times_power_of_two(first, -weight), w2 = times_power_of_two(second, shift - weight);
     auto const v = solve_blend(w1, scaled.pair.q1, w2, scaled.pair.q2, scaled.pair.r12);
     int const lambda = lambda2 > T(0) ? binary_exponent(lambda2) : 0;
     units = {scaled.length, scaled.length - 2 * scaled.form - weight, lambda,
              scaled.swapped ? scaled.second : scaled.form, scaled.swapped ? scaled.form : scaled.second};
     return Tangency<T, D, std::remove_const_t<decltype(v)>>{
         reordered(v, scaled.swapped), lambda1, times_power_of_two(lambda2, -lambda), scaled.swapped ? w2 : w1,
-        scaled.swapped ? w1 : w2,     lambda,  2 * weight - small - lambda};
+        scaled.swapped ? w1 : w2,     lambda,  2 * weight - shift - lambda};
 }
 
 /// Computes formula(tangency, q1, q2) for any pair at λ.
@@ -212,8 +212,9 @@ at_tangency_scaled(Formula formula, Pair<T, D, Q> pair, T const &lambda1, T cons
     TangencyUnits units;
     using At = decltype(scaled_tangency(scaled, lambda1, lambda2, units));
     using Result = decltype(formula(At{}, pair.q1, pair.q2));
-    Status const status = lambda2 >= T(0) && lambda2 <= T(1) ? validate(pair, scaled) : Status::invalid_argument;
-    if (status != Status::success) return all_nan<Result>(status);
+    StatusCode const status =
+        lambda2 >= T(0) && lambda2 <= T(1) ? validate(pair, scaled) : StatusCode::invalid_argument;
+    if (status != StatusCode::success) return all_nan<Result>(status);
     if (!(largest_coordinate(pair.r12) > T(0))) return formula(At{}, pair.q1, pair.q2);
     At const at = scaled_tangency(scaled, lambda1, lambda2, units);
     auto result =
@@ -266,8 +267,8 @@ PW85_FUNCTION inline ContactGeometry<T, D> contact_geometry(Vector<T, D> const &
     using namespace detail;
     return at_tangency(
         [](Tangency<T, D> const &at, SymmetricMatrix<T, D> const &p1, SymmetricMatrix<T, D> const &) {
-            if (!(dot(at.v, at.v) > T(0))) return all_nan<ContactGeometry<T, D>>(Status::invalid_argument);
-            return ContactGeometry<T, D>{tangency_point(at, p1), tangency_normal(at), Status::success};
+            if (!(dot(at.v, at.v) > T(0))) return all_nan<ContactGeometry<T, D>>(StatusCode::invalid_argument);
+            return ContactGeometry<T, D>{tangency_point(at, p1), tangency_normal(at), StatusCode::success};
         },
         r12, q1, q2, lambda);
 }
@@ -282,7 +283,7 @@ PW85_FUNCTION inline ContactGradient<T, D> contact_gradient(Vector<T, D> const &
             auto const nn = outer_weights(at.v);
             T const weight = at.lambda1 * at.lambda2;
             return ContactGradient<T, D>{separation_gradient(at), T(-at.lambda1 * weight) * nn,
-                                         T(-at.lambda2 * weight) * nn, Status::success};
+                                         T(-at.lambda2 * weight) * nn, StatusCode::success};
         },
         r12, q1, q2, lambda);
 }
@@ -295,7 +296,7 @@ PW85_FUNCTION inline ContactTorque<T, D> contact_torque(Vector<T, D> const &r12,
     return at_tangency(
         [](Tangency<T, D> const &at, SymmetricMatrix<T, D> const &p1, SymmetricMatrix<T, D> const &p2) {
             auto const gradients = rotation_gradients(at, p1, p2);
-            return ContactTorque<T, D>{gradients.first, gradients.second, Status::success};
+            return ContactTorque<T, D>{gradients.first, gradients.second, StatusCode::success};
         },
         r12, q1, q2, lambda);
 }

@@ -18,7 +18,7 @@ namespace pw85 {
 template <class T, int D> struct FactorGradient {
     Vector<T, D> r12;
     Factor<T, D> s1, s2;
-    Status status;
+    StatusCode status;
 };
 
 } // namespace pw85
@@ -66,11 +66,11 @@ PW85_FUNCTION inline ContactGeometry<T, D> contact_geometry_factored(Vector<T, D
     auto geometry = at_tangency(
         [&](FactoredTangency<T, D> const &at, Factor<T, D> const &p1, Factor<T, D> const &p2) {
             T const length = magnitude(at.v.w);
-            if (!(length > T(0))) return all_nan<ContactGeometry<T, D>>(Status::invalid_argument);
+            if (!(length > T(0))) return all_nan<ContactGeometry<T, D>>(StatusCode::invalid_argument);
             from_second = at.weight1 * squared_size(p1) > at.weight2 * squared_size(p2);
             Vector<T, D> const point =
                 from_second ? times(p2, T(-at.weight2) * at.v.second) : times(p1, at.weight1 * at.v.first);
-            return ContactGeometry<T, D>{point, T(T(1) / length) * at.v.w, Status::success};
+            return ContactGeometry<T, D>{point, T(T(1) / length) * at.v.w, StatusCode::success};
         },
         r12, s1, s2, lambda);
     if (from_second) geometry.point = r12 + geometry.point;
@@ -86,7 +86,7 @@ PW85_FUNCTION inline FactorGradient<T, D> contact_gradient_factored(Vector<T, D>
         [](FactoredTangency<T, D> const &at, Factor<T, D> const &, Factor<T, D> const &) {
             Vector<T, D> const n = T(T(2) * at.lambda1 * at.lambda2) * at.v.w;
             return FactorGradient<T, D>{n, outer_product(n, T(-at.lambda1) * at.v.first),
-                                        outer_product(n, T(-at.lambda2) * at.v.second), Status::success};
+                                        outer_product(n, T(-at.lambda2) * at.v.second), StatusCode::success};
         },
         r12, s1, s2, lambda);
 }

@@ -104,13 +104,13 @@ template <class T> PW85_FUNCTION inline T secular_factor(Jet<T> const &j, T cons
 template <class T> struct TrustedStep {
     Step<T> step;
     T size; ///< magnitude; 2 if the step is not trusted, which is above the size of all trusted steps
-    bool near;
+    bool nearby;
 };
 
 template <class T> PW85_FUNCTION constexpr TrustedStep<T> trust(Step<T> const &step, Slope<T> const &s) noexcept
 {
-    bool const near = is_near(s) && step.denominator > T(0) && is_within(step, T(2));
-    return {step, near ? T(absolute(step.numerator) / step.denominator) : T(2), near};
+    bool const nearby = is_near(s) && step.denominator > T(0) && is_within(step, T(2));
+    return {step, nearby ? T(absolute(step.numerator) / step.denominator) : T(2), nearby};
 }
 
 /// e^(x - h), limited to the range of the scalar. By item 3 it is between t and the root.
@@ -124,7 +124,7 @@ template <class T> PW85_FUNCTION inline T fixed_point_image(Jet<T> const &j, T c
 template <class T> PW85_FUNCTION inline T next_guess(Jet<T> const &j, TrustedStep<T> const &trusted, T const &ratio,
                                                      T const &t, T const &image) noexcept
 {
-    T const next = t * (trusted.near ? exponential(trusted.step) : secular_factor(j, ratio, t));
+    T const next = t * (trusted.nearby ? exponential(trusted.step) : secular_factor(j, ratio, t));
     return next > smallest_number<T>() && next < largest_number<T>() ? next : image;
 }
 

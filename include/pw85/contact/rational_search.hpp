@@ -51,11 +51,11 @@ take_step(RationalSearch<T, Form> &search, Pair<T, D> const &pair) noexcept
     Jet<T> const jet = evaluate_jet(search.form, t);
     Slope<T> const s = slope(jet, pair.ratio, t);
     Step<T> const step = halley_step(s);
-    auto const near = is_near(s), active = search.active;
+    auto const nearby = is_near(s), active = search.active;
     T factor = exponential(step);
-    auto const converged = active && near && is_within(step, penultimate_step<T>());
+    auto const converged = active && nearby && is_within(step, penultimate_step<T>());
     if (any_of(converged)) expect_derivatives(search.candidate, s, factor, converged);
-    if (!all_of(near)) factor = select(near, factor, secular_factor(jet, pair.ratio, t));
+    if (!all_of(nearby)) factor = select(nearby, factor, secular_factor(jet, pair.ratio, t));
     search.candidate.t = select(active, T(t * factor), t);
     search.active = active && !converged;
 }

@@ -12,33 +12,33 @@
 namespace pw85::detail {
 
 /// The status of one form.
-template <class T, int D> PW85_FUNCTION inline Status validate(SymmetricMatrix<T, D> const &q) noexcept
+template <class T, int D> PW85_FUNCTION inline StatusCode validate(SymmetricMatrix<T, D> const &q) noexcept
 {
-    if (!is_finite(q)) return Status::invalid_argument;
-    if (!has_positive_diagonal(q)) return Status::not_positive_definite;
+    if (!is_finite(q)) return StatusCode::invalid_argument;
+    if (!has_positive_diagonal(q)) return StatusCode::not_positive_definite;
     T const largest = largest_diagonal(q);
-    if (is_in_range(largest, largest, largest) && is_clearly_definite(q)) return Status::success;
+    if (is_in_range(largest, largest, largest) && is_clearly_definite(q)) return StatusCode::success;
     bool const definite = is_positive_definite(times_power_of_two(q, -2 * half_exponent(largest)));
-    return definite ? Status::success : Status::not_positive_definite;
+    return definite ? StatusCode::success : StatusCode::not_positive_definite;
 }
 
 /// The status of a pair. If it is success, `scaled` becomes the pair in range.
 template <class T, int D>
-[[gnu::noinline]] PW85_FUNCTION inline Status validate(Pair<T, D> const &pair, ScaledPair<T, D> &scaled) noexcept
+[[gnu::noinline]] PW85_FUNCTION inline StatusCode validate(Pair<T, D> const &pair, ScaledPair<T, D> &scaled) noexcept
 {
     auto const &[r12, q1, q2, ratio] = pair;
-    if (!(is_finite(r12) && is_finite(q1) && is_finite(q2))) return Status::invalid_argument;
-    if (!(has_positive_diagonal(q1) && has_positive_diagonal(q2))) return Status::not_positive_definite;
+    if (!(is_finite(r12) && is_finite(q1) && is_finite(q2))) return StatusCode::invalid_argument;
+    if (!(has_positive_diagonal(q1) && has_positive_diagonal(q2))) return StatusCode::not_positive_definite;
     scaled = scale(pair);
     bool const definite = is_positive_definite(scaled.pair.q1) && is_positive_definite(scaled.pair.q2);
-    return definite ? Status::success : Status::not_positive_definite;
+    return definite ? StatusCode::success : StatusCode::not_positive_definite;
 }
 
 /// Whether λ is in [0, 1] and a pair is valid.
 template <class T, int D> PW85_FUNCTION inline bool is_valid(T const &lambda, Pair<T, D> const &pair) noexcept
 {
     ScaledPair<T, D> scaled;
-    return lambda >= T(0) && lambda <= T(1) && validate(pair, scaled) == Status::success;
+    return lambda >= T(0) && lambda <= T(1) && validate(pair, scaled) == StatusCode::success;
 }
 
 /// Whether a pair is valid and in range and has r12 != 0, tested with products only. The result is true for almost all such pairs.

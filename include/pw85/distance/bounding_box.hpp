@@ -13,15 +13,15 @@ namespace pw85 {
 /// the status is not success.
 template <class T, int D> struct BoundingBox {
     Vector<T, D> half_widths;
-    Status status;
+    StatusCode status;
 };
 
 // The half-width along an axis is the support of the ellipsoid in the direction of this axis, the root of a diagonal entry.
 template <class T, int D> PW85_FUNCTION inline BoundingBox<T, D> bounding_box(SymmetricMatrix<T, D> const &q) noexcept
 {
-    Status const status = detail::validate(q);
-    if (status != Status::success) return detail::all_nan<BoundingBox<T, D>>(status);
-    BoundingBox<T, D> box{{}, Status::success};
+    StatusCode const status = detail::validate(q);
+    if (status != StatusCode::success) return detail::all_nan<BoundingBox<T, D>>(status);
+    BoundingBox<T, D> box{{}, StatusCode::success};
     for (int i = 0; i < D; ++i) box.half_widths[i] = detail::square_root(q(i, i));
     return box;
 }

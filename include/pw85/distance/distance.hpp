@@ -22,7 +22,7 @@ template <class T, int D> struct Distance {
     T distance;
     Vector<T, D> point1, point2; ///< the closest points, relative to the centre of ellipsoid 1
     Vector<T, D> normal; ///< unit vector out of ellipsoid 1 and into ellipsoid 2: the derivative with respect to r12
-    Status status;
+    StatusCode status;
 };
 
 } // namespace pw85
@@ -74,7 +74,7 @@ template <class T, int D> PW85_FUNCTION inline Distance<T, D> distance_across(Sl
 {
     T const reciprocal = T(1) / square_root(slab.norm2);
     return {maximum(T(0), T(reciprocal * slab.width)), slab.support1.point, slab.support2.point, reciprocal * slab.u,
-            Status::success};
+            StatusCode::success};
 }
 
 /// Whether the width of a slab exceeds its rounding error, 8uΣ of pw85_distance(). If so, the pair is proved to be apart. Here the
@@ -276,7 +276,7 @@ PW85_RARE Distance<T, D> refined_distance(DistancePair<T, D> const &pair, FoundS
     if (!found.accurate) found = step_slab(pair, found.slab);
     if (found.accurate) return distance_across(found.slab);
     auto const polished = polish(pair, found.slab);
-    if (!polished.accurate) return all_nan<Distance<T, D>>(Status::no_convergence);
+    if (!polished.accurate) return all_nan<Distance<T, D>>(StatusCode::no_convergence);
     return rounded<T, D>(distance_across(polished.slab));
 }
 
@@ -315,10 +315,10 @@ distance_apart(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, Symmetr
 }
 
 /// The distance of a pair that overlaps or is invalid.
-template <class T, int D> PW85_FUNCTION inline Distance<T, D> no_distance(Status status) noexcept
+template <class T, int D> PW85_FUNCTION inline Distance<T, D> no_distance(StatusCode status) noexcept
 {
     auto result = all_nan<Distance<T, D>>(status);
-    if (status == Status::success) result.distance = T(0);
+    if (status == StatusCode::success) result.distance = T(0);
     return result;
 }
 
@@ -339,7 +339,7 @@ distance(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, SymmetricMatr
     auto const found = ordinary ? find_slab(pair, false) : FoundSlab<T, D>{{}, false, false, false};
     if (found.accurate && is_wide(pair, found.slab)) return with_point2(r12, distance_across(found.slab));
     Overlap const decision = overlap(r12, q1, q2);
-    if (decision.status != Status::success || decision.overlap) return no_distance<T, D>(decision.status);
+    if (decision.status != StatusCode::success || decision.overlap) return no_distance<T, D>(decision.status);
     return found.tried ? with_point2(r12, settled_distance(pair, found)) : distance_apart(r12, q1, q2);
 }
 

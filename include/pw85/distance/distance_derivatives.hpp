@@ -24,7 +24,7 @@ template <class T> struct DistanceDerivatives {
     Vector<T, 3> r12;                  ///< the unit normal, from 1 to 2
     Vector<T, 3> rotation1, rotation2; ///< per radian, for rotation vectors about the own centres
     T hessian[9][9];                   ///< with respect to r12, rotation 1, rotation 2
-    Status status;
+    StatusCode status;
 };
 
 } // namespace pw85
@@ -87,7 +87,8 @@ template <class T> PW85_FUNCTION inline void distance_hessian(SurfaceElement<T, 
 template <class T> PW85_FUNCTION inline DistanceDerivatives<T> derivatives_across(DistancePair<T, 3> const &pair,
                                                                                   Distance<T, 3> const &d) noexcept
 {
-    DistanceDerivatives<T> result{d.normal, cross(d.normal, d.point1), cross(d.normal, d.point2), {}, Status::success};
+    DistanceDerivatives<T> result{
+        d.normal, cross(d.normal, d.point1), cross(d.normal, d.point2), {}, StatusCode::success};
     SurfaceElement<T, 3> const elements[2] = {surface_element(pair.q1, pair.scale1, d.normal),
                                               surface_element(pair.q2, pair.scale2, d.normal)};
     distance_hessian(elements, d.distance, d.normal, result.hessian);
@@ -102,10 +103,10 @@ template <class T> PW85_RARE DistanceDerivatives<T> refined_derivatives(Distance
     if (!found.accurate) found = step_slab(pair, found.slab);
     if (found.accurate) return derivatives_across(pair, distance_across(found.slab));
     auto const polished = polish(pair, found.slab);
-    if (!polished.accurate) return all_nan<DistanceDerivatives<T>>(Status::no_convergence);
+    if (!polished.accurate) return all_nan<DistanceDerivatives<T>>(StatusCode::no_convergence);
     auto const fine = derivatives_across(finer(pair), distance_across(polished.slab));
     DistanceDerivatives<T> result{
-        rounded(fine.r12), rounded(fine.rotation1), rounded(fine.rotation2), {}, Status::success};
+        rounded(fine.r12), rounded(fine.rotation1), rounded(fine.rotation2), {}, StatusCode::success};
     for (int i = 0; i < 9; ++i)
         for (int j = 0; j < 9; ++j) result.hessian[i][j] = rounded(fine.hessian[i][j]);
     return result;
@@ -151,7 +152,7 @@ template <class T> PW85_FUNCTION inline DistanceDerivatives<T>
 distance_derivatives(Vector<T, 3> const &r12, SymmetricMatrix<T, 3> const &q1, SymmetricMatrix<T, 3> const &q2) noexcept
 {
     Overlap const decision = overlap(r12, q1, q2);
-    if (decision.status != Status::success || decision.overlap)
+    if (decision.status != StatusCode::success || decision.overlap)
         return detail::all_nan<DistanceDerivatives<T>>(decision.status);
     return detail::distance_derivatives_apart(r12, q1, q2);
 }

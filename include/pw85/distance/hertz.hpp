@@ -33,7 +33,7 @@ namespace pw85 {
 template <class T> struct HertzEllipse {
     T radius;             ///< R of item 2
     Vector<T, 2> ellipse; ///< a²/δ and b²/δ
-    Status status;
+    StatusCode status;
 };
 
 /// The contact of two ellipsoids along a normal.
@@ -42,7 +42,7 @@ template <class T> struct HertzContact {
     Vector<T, 3> point;    ///< relative to the centre of ellipsoid 1
     Curvature<T> relative; ///< of the sum of both second fundamental forms
     HertzEllipse<T> hertz;
-    Status status;
+    StatusCode status;
 };
 
 } // namespace pw85
@@ -82,9 +82,9 @@ template <class T> PW85_FUNCTION inline T approximate_axis_ratio(T const &q) noe
 }
 
 /// Computes hertz() for curvatures in order.
-template <class T> PW85_FUNCTION inline HertzEllipse<T> hertz_ordered(T const &small, T const &large) noexcept
+template <class T> PW85_FUNCTION inline HertzEllipse<T> hertz_ordered(T const &smaller, T const &larger) noexcept
 {
-    T const q = large / small, last = negative_power_of_two<T>(mantissa_digits<T>() / 2 - 2);
+    T const q = larger / smaller, last = negative_power_of_two<T>(mantissa_digits<T>() / 2 - 2);
     T k = approximate_axis_ratio(q), mean = T(1), share = T(0.5), step = T(1);
     for (int i = 0; i < 40 && absolute(step) > last; ++i) {
         auto const at = elliptic_means(k);
@@ -95,8 +95,8 @@ template <class T> PW85_FUNCTION inline HertzEllipse<T> hertz_ordered(T const &s
         mean = at.mean + at.mean * (rest * step);
         share = at.share + slope * step;
     }
-    T const squared_length = T(2) * share / small; // a²/δ
-    return {squared_length * (mean * mean), {squared_length, T(2) * (T(1) - share) / large}, Status::success};
+    T const squared_length = T(2) * share / smaller; // a²/δ
+    return {squared_length * (mean * mean), {squared_length, T(2) * (T(1) - share) / larger}, StatusCode::success};
 }
 
 /// Two ellipsoids in units of their own, and a normal. Ellipsoid i is 2^unit_i times that of q_i. r12 is in the unit of the larger
@@ -108,29 +108,31 @@ template <class T> struct FacingPair {
 };
 
 /// Scales a pair and its normal, if they are valid.
-template <class T> PW85_FUNCTION inline Status scale_facing(Vector<T, 3> const &r12, SymmetricMatrix<T, 3> const &q1,
-                                                            SymmetricMatrix<T, 3> const &q2, Vector<T, 3> &normal,
-                                                            FacingPair<T> &pair) noexcept
+template <class T> PW85_FUNCTION inline StatusCode scale_facing(Vector<T, 3> const &r12,
+                                                                SymmetricMatrix<T, 3> const &q1,
+                                                                SymmetricMatrix<T, 3> const &q2, Vector<T, 3> &normal,
+                                                                FacingPair<T> &pair) noexcept
 {
-    if (!is_finite(r12) || scale_normal(normal) != Status::success) return Status::invalid_argument;
-    if (!(is_finite(q1) && is_finite(q2))) return Status::invalid_argument;
-    if (validate(q1) != Status::success || validate(q2) != Status::success) return Status::not_positive_definite;
+    if (!is_finite(r12) || scale_normal(normal) != StatusCode::success) return StatusCode::invalid_argument;
+    if (!(is_finite(q1) && is_finite(q2))) return StatusCode::invalid_argument;
+    if (validate(q1) != StatusCode::success || validate(q2) != StatusCode::success)
+        return StatusCode::not_positive_definite;
     int const unit1 = unit_of(q1), unit2 = unit_of(q2);
     pair = {times_power_of_two(r12, -maximum(unit1, unit2)), times_power_of_two(q1, -2 * unit1),
             times_power_of_two(q2, -2 * unit2), unit1, unit2};
-    return Status::success;
+    return StatusCode::success;
 }
 
 /// Returns a result in the units of the caller.
 template <class T>
 PW85_FUNCTION inline HertzContact<T> in_units(HertzContact<T> result, FacingPair<T> const &pair) noexcept
 {
-    int const large = maximum(pair.unit1, pair.unit2), small = minimum(pair.unit1, pair.unit2);
-    result.depth = times_power_of_two(result.depth, large);
-    result.point = times_power_of_two(result.point, large);
-    result.relative.curvatures = times_power_of_two(result.relative.curvatures, -small);
-    result.hertz.radius = times_power_of_two(result.hertz.radius, small);
-    result.hertz.ellipse = times_power_of_two(result.hertz.ellipse, small);
+    int const larger = maximum(pair.unit1, pair.unit2), smaller = minimum(pair.unit1, pair.unit2);
+    result.depth = times_power_of_two(result.depth, larger);
+    result.point = times_power_of_two(result.point, larger);
+    result.relative.curvatures = times_power_of_two(result.relative.curvatures, -smaller);
+    result.hertz.radius = times_power_of_two(result.hertz.radius, smaller);
+    result.hertz.ellipse = times_power_of_two(result.hertz.ellipse, smaller);
     return result;
 }
 
@@ -139,9 +141,9 @@ PW85_FUNCTION inline HertzContact<T> in_units(HertzContact<T> result, FacingPair
 template <class W, class T> PW85_FUNCTION inline HertzContact<T>
 hertz_facing(FacingPair<T> const &pair, Vector<T, 3> const &normal, bool &accurate) noexcept
 {
-    int const large = maximum(pair.unit1, pair.unit2);
-    W const scale1 = W(times_power_of_two(T(1), pair.unit1 - large)),
-            scale2 = W(times_power_of_two(T(1), pair.unit2 - large));
+    int const larger = maximum(pair.unit1, pair.unit2);
+    W const scale1 = W(times_power_of_two(T(1), pair.unit1 - larger)),
+            scale2 = W(times_power_of_two(T(1), pair.unit2 - larger));
     auto const frame = tangent_frame(converted<W>(normal));
     auto const surface1 = curved_surface(converted<W>(pair.q1), frame),
                surface2 = curved_surface(converted<W>(pair.q2), frame);
@@ -152,7 +154,7 @@ hertz_facing(FacingPair<T> const &pair, Vector<T, 3> const &normal, bool &accura
     // scale2 is the unit of the smaller ellipsoid over that of ellipsoid 1, if ellipsoid 1 is the larger one, and scale1 is 1.
     auto const relative = principal_curvatures(blend(scale2, surface1.shape, scale1, surface2.shape), frame);
     HertzContact<T> result{
-        rounded(depth), rounded(W(0.5) * (r12 + ends)), rounded_curvature<T>(relative), {}, Status::success};
+        rounded(depth), rounded(W(0.5) * (r12 + ends)), rounded_curvature<T>(relative), {}, StatusCode::success};
     result.hertz = hertz_ordered(result.relative.curvatures[0], result.relative.curvatures[1]);
     return result;
 }
@@ -177,10 +179,10 @@ template <class T> PW85_FUNCTION inline HertzEllipse<T> hertz(Vector<T, 2> const
 {
     using namespace detail;
     T const &x = curvatures[0], &y = curvatures[1];
-    if (!(is_finite(curvatures) && x > T(0) && y > T(0))) return all_nan<HertzEllipse<T>>(Status::invalid_argument);
+    if (!(is_finite(curvatures) && x > T(0) && y > T(0))) return all_nan<HertzEllipse<T>>(StatusCode::invalid_argument);
     if (x <= y) return hertz_ordered(x, y);
     auto const result = hertz_ordered(y, x);
-    return {result.radius, {result.ellipse[1], result.ellipse[0]}, Status::success};
+    return {result.radius, {result.ellipse[1], result.ellipse[0]}, StatusCode::success};
 }
 
 template <class T>
@@ -189,8 +191,8 @@ PW85_FUNCTION inline HertzContact<T> hertz_contact(Vector<T, 3> const &r12, Symm
 {
     using namespace detail;
     FacingPair<T> pair;
-    Status const status = scale_facing(r12, q1, q2, normal, pair);
-    if (status != Status::success)
+    StatusCode const status = scale_facing(r12, q1, q2, normal, pair);
+    if (status != StatusCode::success)
         return {quiet_nan<T>(), all_nan<Curvature<T>>(status).direction1, all_nan<Curvature<T>>(status),
                 all_nan<HertzEllipse<T>>(status), status};
     bool accurate;

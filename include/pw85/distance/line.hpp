@@ -16,7 +16,7 @@ namespace pw85 {
 /// ellipsoid.
 template <class T> struct Chord {
     T enter, leave;
-    Status status;
+    StatusCode status;
 };
 
 template <class T, int D> PW85_FUNCTION inline Chord<T>
@@ -25,8 +25,8 @@ intersect_line(Vector<T, D> const &origin, Vector<T, D> const &direction, Symmet
     using namespace detail;
     T const largest = largest_coordinate(direction);
     bool const valid = is_finite(origin) && is_finite(direction) && largest > T(0);
-    Status const status = valid ? validate(q) : Status::invalid_argument;
-    if (status != Status::success) return all_nan<Chord<T>>(status);
+    StatusCode const status = valid ? validate(q) : StatusCode::invalid_argument;
+    if (status != StatusCode::success) return all_nan<Chord<T>>(status);
     int const unit = half_exponent(largest_diagonal(q)), length = binary_exponent(largest);
     auto const factors = factorize(times_power_of_two(q, -2 * unit), T(unit_roundoff<T>()));
     Vector<T, D> const d = times_power_of_two(direction, -length), w = solve(factors, d);
@@ -34,10 +34,10 @@ intersect_line(Vector<T, D> const &origin, Vector<T, D> const &direction, Symmet
     T const norm2 = dot(d, w), middle = -dot(x, w) / norm2;
     x = add_scaled(x, middle, d);
     T const rest = T(1) - dot(x, solve(factors, x));
-    if (!(rest >= T(0))) return all_nan<Chord<T>>(Status::success);
+    if (!(rest >= T(0))) return all_nan<Chord<T>>(StatusCode::success);
     T const half = square_root(T(rest / norm2));
     return {times_power_of_two(T(middle - half), unit - length), times_power_of_two(T(middle + half), unit - length),
-            Status::success};
+            StatusCode::success};
 }
 
 } // namespace pw85

@@ -29,7 +29,7 @@ template <class T, int D> struct SurfaceDistance {
     T distance;          ///< negative where the two overlap, or where the ellipsoid pierces an enclosure
     Vector<T, D> point;  ///< of the ellipsoid, relative to its centre
     Vector<T, D> normal; ///< unit vector, out of the ellipsoid at this point
-    Status status;
+    StatusCode status;
 };
 
 } // namespace pw85
@@ -38,8 +38,8 @@ namespace pw85::detail {
 
 /// The squares of the semi-axes, which are positive, and the directions of the semi-axes as columns.
 template <class T, int D> struct PrincipalAxes {
-    T squares[D];
-    T axes[D][D];
+    T squares[std::size_t(D)];
+    T axes[std::size_t(D)][std::size_t(D)];
 };
 
 /// Turns the point (x, y) about the origin by an angle with cosine c and sine s.
@@ -91,13 +91,13 @@ template <class T, int D> PW85_FUNCTION inline PrincipalAxes<T, D> principal_axe
 
 /// The root of item 2 if F(0) >= 1, and zero otherwise. `roots` are √q_i |r_i|. 170 steps are more than any shape needs: see
 /// find_shift().
-template <class T, int D> PW85_FUNCTION inline T secular_root(T const (&gaps)[D], T const (&roots)[D]) noexcept
+template <class T, std::size_t D> PW85_FUNCTION inline T secular_root(T const (&gaps)[D], T const (&roots)[D]) noexcept
 {
     T sigma = T(0);
-    for (int i = 0; i < D; ++i) sigma = maximum(sigma, T(roots[i] - gaps[i]));
+    for (std::size_t i = 0; i < D; ++i) sigma = maximum(sigma, T(roots[i] - gaps[i]));
     for (int n = 0; n < 170; ++n) {
         T f2 = T(0), slope = T(0);
-        for (int i = 0; i < D; ++i) {
+        for (std::size_t i = 0; i < D; ++i) {
             if (!(roots[i] > T(0))) continue;
             T const x = roots[i] / (gaps[i] + sigma);
             f2 = f2 + x * x;
@@ -130,7 +130,7 @@ template <class T, int D> PW85_FUNCTION inline Vector<T, D> extreme_normal(Symme
     int last = 0;
     for (int i = 1; i < D; ++i)
         if (nearest ? p.squares[i] < p.squares[last] : p.squares[i] > p.squares[last]) last = i;
-    T gaps[D], along[D], roots[D];
+    T gaps[std::size_t(D)], along[std::size_t(D)], roots[std::size_t(D)];
     for (int i = 0; i < D; ++i) {
         along[i] = p.axes[0][i] * x[0];
         for (int k = 1; k < D; ++k) along[i] = along[i] + p.axes[k][i] * x[k];
@@ -138,7 +138,7 @@ template <class T, int D> PW85_FUNCTION inline Vector<T, D> extreme_normal(Symme
         roots[i] = square_root(p.squares[i]) * absolute(along[i]);
     }
     T const sigma = secular_root(gaps, roots);
-    T rest = T(1), v[D];
+    T rest = T(1), v[std::size_t(D)];
     for (int i = 0; i < D; ++i) {
         v[i] = roots[i] > T(0) ? T(along[i] / (gaps[i] + sigma)) : T(0);
         rest = rest - p.squares[i] * v[i] * v[i];
@@ -160,11 +160,11 @@ template <class T, int D> PW85_FUNCTION inline SurfaceDistance<T, D>
 distance_point(Vector<T, D> const &r, SymmetricMatrix<T, D> const &q) noexcept
 {
     using namespace detail;
-    Status const status = is_finite(r) ? validate(q) : Status::invalid_argument;
-    if (status != Status::success) return all_nan<SurfaceDistance<T, D>>(status);
+    StatusCode const status = is_finite(r) ? validate(q) : StatusCode::invalid_argument;
+    if (status != StatusCode::success) return all_nan<SurfaceDistance<T, D>>(status);
     Vector<T, D> const n = extreme_normal(q, r, true);
     Support<T, D> const s = support(q, n);
-    return {dot(n, r) - s.extent, s.point, n, Status::success};
+    return {dot(n, r) - s.extent, s.point, n, StatusCode::success};
 }
 
 } // namespace pw85

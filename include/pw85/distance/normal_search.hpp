@@ -169,8 +169,8 @@ PW85_FUNCTION constexpr Multipliers<T> advance(Multipliers<T> const &x, NormalSt
 {
     T const n = step.numerator, d = step.denominator, twice = d + d, bound = longest_step<T>();
     T const largest = (T(2) + bound) / (T(2) - bound), smallest = T(1) / largest;
-    auto const far = absolute(n) > bound * absolute(d), up = n * d > T(0);
-    T const factor = select(far, select(up, largest, smallest), rough_quotient(T(twice + n), T(twice - n)));
+    auto const distant = absolute(n) > bound * absolute(d), up = n * d > T(0);
+    T const factor = select(distant, select(up, largest, smallest), rough_quotient(T(twice + n), T(twice - n)));
     return {x.ratio * factor, maximum(T(0), T(x.shift + step.shift))};
 }
 

@@ -41,17 +41,17 @@ namespace pw85 {
 template <class T, int D> struct Penetration {
     T depth;
     Vector<T, D> direction; ///< unit vector
-    Status status;
+    StatusCode status;
 };
 
 } // namespace pw85
 
 namespace pw85::detail {
 
-template <class T, int D> PW85_FUNCTION inline Penetration<T, D> no_penetration(Status status) noexcept
+template <class T, int D> PW85_FUNCTION inline Penetration<T, D> no_penetration(StatusCode status) noexcept
 {
     auto result = all_nan<Penetration<T, D>>(status);
-    if (status == Status::success) result.depth = T(0);
+    if (status == StatusCode::success) result.depth = T(0);
     return result;
 }
 
@@ -110,9 +110,9 @@ template <class T, int D> PW85_FUNCTION inline T try_ratio(DepthSearch<T, D> &se
 /// that the minimum is the global one.
 template <class T, int D> PW85_FUNCTION inline void descend(DepthSearch<T, D> &search, T c) noexcept
 {
-    T const small = negative_power_of_two<T>(mantissa_digits<T>() / 2 + 2);
+    T const threshold = negative_power_of_two<T>(mantissa_digits<T>() / 2 + 2);
     T excess = try_ratio(search, c), step = excess;
-    for (int i = 0; i < 16 && absolute(excess) > small; ++i) {
+    for (int i = 0; i < 16 && absolute(excess) > threshold; ++i) {
         T const next = c * (T(1) + step), after = try_ratio(search, next);
         T const secant = step * after / (excess - after);
         bool const forward = secant * after > T(0) && absolute(secant) < T(8) * absolute(after) && secant > T(-0.5);
@@ -247,7 +247,7 @@ PW85_FUNCTION inline bool prove_depth(DepthSearch<T, D> &search, RatioRange<T> c
 
 /// A square matrix of which only the lower triangle is used.
 template <class T, int N> struct LowerTriangle {
-    T entries[N][N];
+    T entries[std::size_t(N)][std::size_t(N)];
 };
 
 /// Replaces a symmetric matrix by its factor L, a = LLᵀ. Returns false if the matrix is not positive definite.
@@ -277,7 +277,7 @@ template <class T, int D> struct MinimumProof {
 /// Computes the directions orthogonal to the unit vector n: the columns of the reflection that exchanges n and a unit vector of the
 /// axes.
 template <class T, int D>
-PW85_FUNCTION inline void fill_tangents(Vector<T, D> const &n, Vector<T, D> (&tangents)[D - 1]) noexcept
+PW85_FUNCTION inline void fill_tangents(Vector<T, D> const &n, Vector<T, D> (&tangents)[std::size_t(D - 1)]) noexcept
 {
     int pole = 0;
     for (int i = 1; i < D; ++i)
@@ -294,7 +294,7 @@ PW85_FUNCTION inline void fill_tangents(Vector<T, D> const &n, Vector<T, D> (&ta
 
 /// Solves Ly = x in place, for the first N - 1 rows of a factor.
 template <class T, int N>
-PW85_FUNCTION inline void solve_forward(LowerTriangle<T, N> const &factor, T (&x)[N - 1]) noexcept
+PW85_FUNCTION inline void solve_forward(LowerTriangle<T, N> const &factor, T (&x)[std::size_t(N - 1)]) noexcept
 {
     for (int i = 0; i < N - 1; ++i) {
         for (int k = 0; k < i; ++k) x[i] = x[i] - factor.entries[i][k] * x[k];
@@ -309,7 +309,7 @@ PW85_FUNCTION inline void fill_entries(MinimumProof<T, D> &proof, DepthSearch<T,
 {
     auto const &[r12, q1, q2, n, best] = search;
     Vector<T, D> const p = product(q1, n), q = product(q2, n);
-    Vector<T, D> tangents[D - 1];
+    Vector<T, D> tangents[std::size_t(D - 1)];
     fill_tangents(n, tangents);
     T const a2 = dot(n, p), b2 = dot(n, q), back = dot(n, r12) - d;
     auto &[fixed, by_c, by_y] = proof.entries;
@@ -344,7 +344,7 @@ PW85_FUNCTION inline bool subtract_sigma(MinimumProof<T, D> &proof, T const &sig
     auto &[fixed, by_c, by_y] = proof.entries;
     T const c = proof.ratio, y = T(1) / c;
     LowerTriangle<T, D> h{};
-    T z[D - 1], p[D - 1], q[D - 1], product_p = T(0), product_q = T(0);
+    T z[std::size_t(D - 1)], p[std::size_t(D - 1)], q[std::size_t(D - 1)], product_p = T(0), product_q = T(0);
     for (int i = 0; i < D - 1; ++i) {
         for (int j = 0; j <= i; ++j)
             h.entries[i][j] = fixed.entries[i][j] + c * by_c.entries[i][j] + y * by_y.entries[i][j];
@@ -432,8 +432,8 @@ template <class T, int D> PW85_FUNCTION inline T proved_bound(MinimumProof<T, D>
     T c = proof.ratio, step = T(2);
     for (int i = 0; i < 12 && step > T(1.05); ++i) {
         T const next = up ? T(c * step) : T(c / step), sum = c + next;
-        bool const far = up ? next > T(16) * proof.ratio : T(16) * next < proof.ratio;
-        if (far) break;
+        bool const distant = up ? next > T(16) * proof.ratio : T(16) * next < proof.ratio;
+        if (distant) break;
         if (is_definite(proof, next, T(T(1) / next)) && is_definite(proof, T(T(2) * c * next / sum), T(T(2) / sum)))
             c = next;
         else
@@ -498,9 +498,9 @@ penetration_in_range(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, S
     if (!is_shallow(search, T(least_radius(axes1) + least_radius(axes2)))) {
         RatioRange<T> const range = ratio_range(axes1, axes2);
         descend_from_all(search, range);
-        if (!prove_globally(search, range)) return no_penetration<T, D>(Status::no_convergence);
+        if (!prove_globally(search, range)) return no_penetration<T, D>(StatusCode::no_convergence);
     }
-    return {maximum(T(0), search.best.length), search.direction, Status::success};
+    return {maximum(T(0), search.best.length), search.direction, StatusCode::success};
 }
 
 /// Computes penetration() of a valid pair that overlaps. A pair of like sizes is scaled to sizes of order one, so that it gets the
@@ -533,7 +533,8 @@ template <class T, int D> PW85_FUNCTION inline Penetration<T, D>
 penetration(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, SymmetricMatrix<T, D> const &q2) noexcept
 {
     Overlap const decision = overlap(r12, q1, q2);
-    if (decision.status != Status::success || !decision.overlap) return detail::no_penetration<T, D>(decision.status);
+    if (decision.status != StatusCode::success || !decision.overlap)
+        return detail::no_penetration<T, D>(decision.status);
     return detail::penetration_overlapping(r12, q1, q2);
 }
 

@@ -26,7 +26,7 @@ namespace pw85 {
 template <class T> struct Curvature {
     Vector<T, 2> curvatures;
     Vector<T, 3> direction1, direction2; ///< direction1 × direction2 is the unit normal
-    Status status;
+    StatusCode status;
 };
 
 } // namespace pw85
@@ -72,7 +72,7 @@ template <class T> PW85_FUNCTION inline Curvature<T> principal_curvatures(Symmet
                                                                           TangentFrame<T> const &frame) noexcept
 {
     T const half = T(0.5) * (k[0] - k[2]), root = square_root(T(half * half + k[1] * k[1]));
-    T const large = T(0.5) * (k[0] + k[2]) + root, small = (k[0] * k[2] - k[1] * k[1]) / large;
+    T const larger = T(0.5) * (k[0] + k[2]) + root, smaller = (k[0] * k[2] - k[1] * k[1]) / larger;
     // The eigenvector of the larger one is (x, y).
     bool const first = half >= T(0);
     T const long_side = absolute(half) + root;
@@ -80,10 +80,10 @@ template <class T> PW85_FUNCTION inline Curvature<T> principal_curvatures(Symmet
     bool const umbilic = !(square > T(0));
     T const reciprocal = T(1) / square_root(square);
     T const c = umbilic ? T(0) : T(x * reciprocal), s = umbilic ? T(1) : T(y * reciprocal);
-    return {{small, large},
+    return {{smaller, larger},
             add_scaled(s * frame.e1, T(-c), frame.e2),
             add_scaled(c * frame.e1, s, frame.e2),
-            Status::success};
+            StatusCode::success};
 }
 
 /// Rounds to a type with fewer digits.
@@ -101,13 +101,13 @@ template <class T> PW85_FUNCTION inline int unit_of(SymmetricMatrix<T, 3> const 
 }
 
 /// Brings a normal into range. Returns Status::invalid_argument if it is zero or not finite.
-template <class T> PW85_FUNCTION inline Status scale_normal(Vector<T, 3> &normal) noexcept
+template <class T> PW85_FUNCTION inline StatusCode scale_normal(Vector<T, 3> &normal) noexcept
 {
-    if (is_in_range(sum_of_magnitudes(normal), T(1), T(1))) return Status::success;
+    if (is_in_range(sum_of_magnitudes(normal), T(1), T(1))) return StatusCode::success;
     T const largest = largest_coordinate(normal);
-    if (!(is_finite(normal) && largest > T(0))) return Status::invalid_argument;
+    if (!(is_finite(normal) && largest > T(0))) return StatusCode::invalid_argument;
     normal = times_power_of_two(normal, -binary_exponent(largest));
-    return Status::success;
+    return StatusCode::success;
 }
 
 /// The curvature in units of order one, by numbers of type W; `accurate` says whether they suffice.
@@ -140,9 +140,9 @@ template <class T>
 PW85_FUNCTION inline Curvature<T> curvature(Vector<T, 3> normal, SymmetricMatrix<T, 3> const &q) noexcept
 {
     using namespace detail;
-    Status status = scale_normal(normal);
-    if (status == Status::success) status = validate(q);
-    if (status != Status::success) return all_nan<Curvature<T>>(status);
+    StatusCode status = scale_normal(normal);
+    if (status == StatusCode::success) status = validate(q);
+    if (status != StatusCode::success) return all_nan<Curvature<T>>(status);
     int const unit = unit_of(q);
     SymmetricMatrix<T, 3> const scaled = times_power_of_two(q, -2 * unit);
     bool accurate;

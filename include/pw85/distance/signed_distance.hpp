@@ -38,7 +38,7 @@ template <class T, int D> PW85_FUNCTION inline Distance<T, D> distance_through(D
                                                                                Vector<T, D> const &direction) noexcept
 {
     Slab<T, D> const slab = accurate_slab_along(pair, direction);
-    return {minimum(T(0), slab.width), slab.support1.point, slab.support2.point, direction, Status::success};
+    return {minimum(T(0), slab.width), slab.support1.point, slab.support2.point, direction, StatusCode::success};
 }
 
 /// Computes signed_distance() of a valid pair that overlaps. The distance is minus the depth that penetration() returns.
@@ -48,7 +48,7 @@ PW85_FUNCTION inline Distance<T, D> signed_distance_overlapping(Vector<T, D> con
                                                                 SymmetricMatrix<T, D> const &q2) noexcept
 {
     auto const found = penetration_overlapping(r12, q1, q2);
-    if (found.status != Status::success) return all_nan<Distance<T, D>>(found.status);
+    if (found.status != StatusCode::success) return all_nan<Distance<T, D>>(found.status);
     DistanceUnits units;
     auto const pair = scale_overlapping(r12, q1, q2, units);
     Distance<T, D> result = distance_through(pair, found.direction);
@@ -90,7 +90,7 @@ signed_derivatives_overlapping(Vector<T, 3> const &r12, SymmetricMatrix<T, 3> co
                                SymmetricMatrix<T, 3> const &q2) noexcept
 {
     auto const found = penetration_overlapping(r12, q1, q2);
-    if (found.status != Status::success) return all_nan<DistanceDerivatives<T>>(found.status);
+    if (found.status != StatusCode::success) return all_nan<DistanceDerivatives<T>>(found.status);
     return derivatives_through(r12, q1, q2, found.direction);
 }
 
@@ -103,7 +103,7 @@ template <class T, int D> PW85_FUNCTION inline Distance<T, D>
 signed_distance(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, SymmetricMatrix<T, D> const &q2) noexcept
 {
     Overlap const decision = overlap(r12, q1, q2);
-    if (decision.status != Status::success) return detail::all_nan<Distance<T, D>>(decision.status);
+    if (decision.status != StatusCode::success) return detail::all_nan<Distance<T, D>>(decision.status);
     return decision.overlap ? detail::signed_distance_overlapping(r12, q1, q2) : detail::distance_apart(r12, q1, q2);
 }
 
@@ -114,7 +114,7 @@ PW85_FUNCTION inline DistanceDerivatives<T> signed_distance_derivatives(Vector<T
                                                                         SymmetricMatrix<T, 3> const &q2) noexcept
 {
     Overlap const decision = overlap(r12, q1, q2);
-    if (decision.status != Status::success) return detail::all_nan<DistanceDerivatives<T>>(decision.status);
+    if (decision.status != StatusCode::success) return detail::all_nan<DistanceDerivatives<T>>(decision.status);
     return decision.overlap ? detail::signed_derivatives_overlapping(r12, q1, q2)
                             : detail::distance_derivatives_apart(r12, q1, q2);
 }

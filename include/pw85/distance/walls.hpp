@@ -20,13 +20,13 @@ namespace pw85 {
 template <class T, int D> struct PlaneContact {
     T mu2; ///< square of the factor by which the ellipsoid must be scaled to touch; 0 if its centre is in the wall
     Vector<T, D> point; ///< where the scaled ellipsoid touches, relative to its centre
-    Status status;
+    StatusCode status;
 };
 
 /// Derivatives of the distance to a half-space, or of μ², with respect to the centre and to the rotation vector about the centre.
 template <class T> struct PlaneDerivatives {
     Vector<T, 3> center, rotation;
-    Status status;
+    StatusCode status;
 };
 
 } // namespace pw85
@@ -37,18 +37,18 @@ namespace pw85::detail {
 template <class T, int D> struct Wall {
     Vector<T, D> normal;
     T offset;
-    Status status;
+    StatusCode status;
 };
 
 template <class T, int D> PW85_FUNCTION inline Wall<T, D> normalize_wall(Vector<T, D> normal, T const &offset,
                                                                          SymmetricMatrix<T, D> const &q) noexcept
 {
-    Status const status = offset * T(0) == T(0) ? validate(q) : Status::invalid_argument;
+    StatusCode const status = offset * T(0) == T(0) ? validate(q) : StatusCode::invalid_argument;
     if (is_in_range(sum_of_magnitudes(normal), T(1), T(1))) return {normal, offset, status};
     T const largest = largest_coordinate(normal);
     bool const valid = is_finite(normal) && largest > T(0);
     normal = normal / largest;
-    return {normal, offset / largest, valid ? status : Status::invalid_argument};
+    return {normal, offset / largest, valid ? status : StatusCode::invalid_argument};
 }
 
 /// Computes distance_plane() in the units of a valid wall.
@@ -56,7 +56,7 @@ template <class T, int D> PW85_FUNCTION inline SurfaceDistance<T, D>
 distance_wall(Vector<T, D> const &normal, T const &offset, Support<T, D> const &s) noexcept
 {
     T const reciprocal = T(1) / square_root(dot(normal, normal));
-    return {(offset - s.extent) * reciprocal, s.point, reciprocal * normal, Status::success};
+    return {(offset - s.extent) * reciprocal, s.point, reciprocal * normal, StatusCode::success};
 }
 
 /// Computes distance_plane() for any wall. The arguments are copied, so that callers keep theirs in registers where they do not
@@ -65,7 +65,7 @@ template <class T, int D> [[gnu::noinline]] PW85_FUNCTION inline SurfaceDistance
 distance_plane_scaled(Vector<T, D> normal, T offset, SymmetricMatrix<T, D> q) noexcept
 {
     Wall<T, D> const wall = normalize_wall(normal, offset, q);
-    if (wall.status != Status::success) return all_nan<SurfaceDistance<T, D>>(wall.status);
+    if (wall.status != StatusCode::success) return all_nan<SurfaceDistance<T, D>>(wall.status);
     return distance_wall(wall.normal, wall.offset, support_of_any(q, wall.normal));
 }
 
@@ -112,10 +112,10 @@ contact_plane(Vector<T, D> const &normal, T const &offset, SymmetricMatrix<T, D>
 {
     using namespace detail;
     Wall<T, D> const wall = normalize_wall(normal, offset, q);
-    if (wall.status != Status::success) return all_nan<PlaneContact<T, D>>(wall.status);
+    if (wall.status != StatusCode::success) return all_nan<PlaneContact<T, D>>(wall.status);
     Support<T, D> const s = support_of_any(q, wall.normal);
     T const mu = wall_factor(wall, s);
-    return {mu * mu, mu * s.point, Status::success};
+    return {mu * mu, mu * s.point, StatusCode::success};
 }
 
 template <class T> PW85_FUNCTION inline PlaneDerivatives<T>
@@ -123,12 +123,12 @@ contact_plane_derivatives(Vector<T, 3> const &normal, T const &offset, Symmetric
 {
     using namespace detail;
     Wall<T, 3> const wall = normalize_wall(normal, offset, q);
-    if (wall.status != Status::success) return all_nan<PlaneDerivatives<T>>(wall.status);
+    if (wall.status != StatusCode::success) return all_nan<PlaneDerivatives<T>>(wall.status);
     Support<T, 3> const s = support_of_any(q, wall.normal);
     T const mu = wall_factor(wall, s), reciprocal = T(2) / s.extent;
     // Products in this order are zero for μ = 0, whatever the sizes.
     return {T(-mu) * (reciprocal * wall.normal), mu * (reciprocal * (mu * cross(wall.normal, s.point))),
-            Status::success};
+            StatusCode::success};
 }
 
 template <class T, int D> PW85_FUNCTION inline SurfaceDistance<T, D>
@@ -137,8 +137,8 @@ distance_box(Vector<T, D> const &lower, Vector<T, D> const &upper, SymmetricMatr
     using namespace detail;
     bool valid = is_finite(lower) && is_finite(upper);
     for (int i = 0; i < D; ++i) valid = valid && lower[i] <= upper[i];
-    Status const status = valid ? validate(q) : Status::invalid_argument;
-    if (status != Status::success) return all_nan<SurfaceDistance<T, D>>(status);
+    StatusCode const status = valid ? validate(q) : StatusCode::invalid_argument;
+    if (status != StatusCode::success) return all_nan<SurfaceDistance<T, D>>(status);
     int nearest = 0;
     T distance = T(0);
     for (int i = 0; i < D; ++i) {
@@ -151,7 +151,7 @@ distance_box(Vector<T, D> const &lower, Vector<T, D> const &upper, SymmetricMatr
     normal[nearest] = upper[nearest] <= -lower[nearest] ? T(1) : T(-1);
     T const factor = normal[nearest] / square_root(q(nearest, nearest));
     for (int k = 0; k < D; ++k) point[k] = factor * q(nearest, k);
-    return {distance, point, normal, Status::success};
+    return {distance, point, normal, StatusCode::success};
 }
 
 template <class T> PW85_FUNCTION inline SurfaceDistance<T, 3> distance_cylinder(Vector<T, 3> axis, T const &radius,
@@ -161,8 +161,8 @@ template <class T> PW85_FUNCTION inline SurfaceDistance<T, 3> distance_cylinder(
     using namespace detail;
     T const largest = largest_coordinate(axis);
     bool const valid = is_finite(axis) && largest > T(0) && is_finite(center) && radius > T(0) && radius * T(0) == T(0);
-    Status const status = valid ? validate(q) : Status::invalid_argument;
-    if (status != Status::success) return all_nan<SurfaceDistance<T, 3>>(status);
+    StatusCode const status = valid ? validate(q) : StatusCode::invalid_argument;
+    if (status != StatusCode::success) return all_nan<SurfaceDistance<T, 3>>(status);
     axis = axis / largest;
     axis = T(T(1) / square_root(dot(axis, axis))) * axis;
     Vector<T, 3> e1, e2;
@@ -173,7 +173,7 @@ template <class T> PW85_FUNCTION inline SurfaceDistance<T, 3> distance_cylinder(
         SymmetricMatrix<T, 2>{positive_form(q, e1, q1), dot(e1, q2), positive_form(q, e2, q2)}, across, false);
     Vector<T, 3> const n = add_scaled(n2[0] * e1, n2[1], e2);
     Support<T, 3> const s = support_of_any(q, n);
-    return {radius - dot(n2, across) - s.extent, s.point, n, Status::success};
+    return {radius - dot(n2, across) - s.extent, s.point, n, StatusCode::success};
 }
 
 } // namespace pw85

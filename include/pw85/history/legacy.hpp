@@ -117,9 +117,9 @@ template <class T> PW85_FUNCTION inline Contact<T> newton(CommonUnits<T> const &
         if (!(f.second < T(0)) || !(x > T(0) && x < T(1))) break;
         // One quadratically convergent step from here is exact to rounding.
         if (absolute(step) <= square_root(unit_roundoff<T>()) * minimum(x, T(T(1) - x)))
-            return {evaluate_f(x, pair.r12, pair.q1, pair.q2), x, Status::success};
+            return {evaluate_f(x, pair.r12, pair.q1, pair.q2), x, StatusCode::success};
     }
-    return all_nan<Contact<T>>(Status::no_convergence);
+    return all_nan<Contact<T>>(StatusCode::no_convergence);
 }
 
 /// Bisection on the numerator of f', to the last digit of λ. If cancellation in the polynomials makes the value of f meaningless
@@ -134,7 +134,7 @@ template <class T> PW85_FUNCTION inline Contact<T> bisection(CommonUnits<T> cons
     }
     T const f = evaluate_rational(p, x).f;
     bool const sensible = f > T(0) && f <= largest_number<T>();
-    return {sensible ? f : evaluate_f(x, pair.r12, pair.q1, pair.q2), x, Status::success};
+    return {sensible ? f : evaluate_f(x, pair.r12, pair.q1, pair.q2), x, StatusCode::success};
 }
 
 /// The contact function by one of the solvers above.
@@ -143,9 +143,9 @@ template <class T, class Solver> PW85_FUNCTION inline Contact<T> contact_by(Solv
                                                                             SymmetricMatrix<T, 3> const &q2) noexcept
 {
     ScaledPair<T, 3> scaled;
-    Status const status = validate(pair_of(r12, q1, q2), scaled);
-    if (status != Status::success) return all_nan<Contact<T>>(status);
-    if (largest_coordinate(r12) == T(0)) return {T(0), T(0.5), Status::success};
+    StatusCode const status = validate(pair_of(r12, q1, q2), scaled);
+    if (status != StatusCode::success) return all_nan<Contact<T>>(status);
+    if (largest_coordinate(r12) == T(0)) return {T(0), T(0.5), StatusCode::success};
     auto const pair = to_common_units(r12, q1, q2);
     Contact<T> result = solver(pair);
     result.mu2 = times_power_of_two(result.mu2, 2 * (pair.length - pair.form));

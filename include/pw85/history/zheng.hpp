@@ -223,8 +223,8 @@ template <class T> PW85_FUNCTION inline Plane<T> plane(Pencil<T> const &pencil, 
 {
     using elementary::exp;
     using elementary::log;
-    T const ratio = exp(-absolute(y)), near = ratio / (T(1) + ratio), far = T(1) / (T(1) + ratio);
-    T const before = y > T(0) ? far : near, after = y > T(0) ? near : far;
+    T const ratio = exp(-absolute(y)), lesser = ratio / (T(1) + ratio), greater = T(1) / (T(1) + ratio);
+    T const before = y > T(0) ? greater : lesser, after = y > T(0) ? lesser : greater;
     T const range = pencil.fan2.x0 - pencil.fan1.x0, x1 = range * before, x2 = range * after;
     auto const s1 = section(pencil.fan1, x1), s2 = section(pencil.fan2, x2);
     auto const touching = tangency(s1, s2, pencil.offset);
@@ -273,11 +273,11 @@ template <class T, int D> PW85_FUNCTION inline ClosestApproach<T>
 checked_distance(Vector<T, D> direction, SymmetricMatrix<T, D> const &q1, SymmetricMatrix<T, D> const &q2) noexcept
 {
     if (!is_finite(direction) || !(largest_coordinate(direction) > T(0)))
-        return all_nan<ClosestApproach<T>>(Status::invalid_argument);
+        return all_nan<ClosestApproach<T>>(StatusCode::invalid_argument);
     ScaledPair<T, D> scaled;
-    Status const status = validate(pair_of(direction, q1, q2), scaled);
-    if (status != Status::success) return all_nan<ClosestApproach<T>>(status);
-    return {times_power_of_two(distance(problem(scaled.pair)), scaled.form), Status::success};
+    StatusCode const status = validate(pair_of(direction, q1, q2), scaled);
+    if (status != StatusCode::success) return all_nan<ClosestApproach<T>>(status);
+    return {times_power_of_two(distance(problem(scaled.pair)), scaled.form), StatusCode::success};
 }
 
 } // namespace pw85::detail::zheng

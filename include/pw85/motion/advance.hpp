@@ -98,7 +98,7 @@ template <class T, int D> struct Sight {
     T excess, slack, target;  ///< as in a Passage
     T blur;                   ///< what the rounding of forms that have turned can make of the excess
     T newton, per_difference; ///< the step, and the step per h
-    bool near;                ///< whether to trust both
+    bool nearby;              ///< whether to trust both
 };
 
 /// The largest eigenvalue of a form that turns, at most. A form that does not turn has no error of rotation.
@@ -292,7 +292,7 @@ template <class T, int D> PW85_FUNCTION constexpr bool is_clear(Sight<T, D> cons
 /// Whether a sight at a t that was carried over from an earlier time suffices: f is at its maximum, or near its maximum and clear.
 template <class T, int D> PW85_FUNCTION constexpr bool is_enough(Sight<T, D> const &sight) noexcept
 {
-    return sight.near && (is_clear(sight) || sight.newton * sight.newton <= T(unit_roundoff<T>()));
+    return sight.nearby && (is_clear(sight) || sight.newton * sight.newton <= T(unit_roundoff<T>()));
 }
 
 /// Whether a pair that is not clear separates, and overlaps by no more than a pair that has just collided.
@@ -308,8 +308,8 @@ template <class T, int D>
 PW85_FUNCTION inline FirstContact<T> end_of_steps(Sight<T, D> const &sight, View<T> const &view, T const &time) noexcept
 {
     T const change = T(4 * unit_roundoff<T>()) * time * absolute(view.clearance.p[1]);
-    if (sight.excess <= sight.slack + change) return {time, Status::success};
-    return all_nan<FirstContact<T>>(Status::no_convergence);
+    if (sight.excess <= sight.slack + change) return {time, StatusCode::success};
+    return all_nan<FirstContact<T>>(StatusCode::no_convergence);
 }
 
 /// The largest number of steps of first_contact(), a choice: some ten thousand radians of rotation without contact.
@@ -326,25 +326,25 @@ PW85_FUNCTION inline FirstContact<T> advance_to_contact(MovingPair<T, D> const &
     for (int i = 0; i < max_advances; ++i) {
         T const wait = time_apart(moving, time);
         time = time + wait;
-        if (time > end || time == infinity<T>()) return {infinity<T>(), Status::success};
+        if (time > end || time == infinity<T>()) return {infinity<T>(), StatusCode::success};
         auto const pair = pair_at(moving, time);
         bool const sought = lost || wait > T(0);
         if (sought) t = maximiser(pair);
         auto const here = sight(pair, t);
-        if (!is_known(pair, here, time)) return all_nan<FirstContact<T>>(Status::no_convergence);
+        if (!is_known(pair, here, time)) return all_nan<FirstContact<T>>(StatusCode::no_convergence);
         lost = !(sought || is_enough(here));
         if (lost) continue;
-        if (apart && !is_clear(here)) return {time, Status::success};
+        if (apart && !is_clear(here)) return {time, StatusCode::success};
         auto const ahead = view(pair, here, t);
-        if (!is_clear(here) && !just_separates(here, ahead)) return {time, Status::success};
+        if (!is_clear(here) && !just_separates(here, ahead)) return {time, StatusCode::success};
         apart = apart || is_clear(here);
         T const x = safe_time(ahead.clearance, certain_excess(here), here.slack), log_t = here.newton + ahead.rate * x;
         if (!(time + x > time)) return end_of_steps(here, ahead, time);
         time = time + x;
-        lost = !(here.near && absolute(log_t) < T(1));
+        lost = !(here.nearby && absolute(log_t) < T(1));
         t = t * exponential(Step<T>{log_t, T(1)});
     }
-    return all_nan<FirstContact<T>>(Status::no_convergence);
+    return all_nan<FirstContact<T>>(StatusCode::no_convergence);
 }
 
 } // namespace pw85::detail

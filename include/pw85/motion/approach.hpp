@@ -20,12 +20,12 @@ namespace pw85::detail {
 
 /// A sum with an error of some u of itself, even if the terms cancel. Each partial sum is kept as a sum of numbers whose digits do
 /// not overlap (J. R. Shewchuk, Discrete Comput. Geom. 18, 305, 1997).
-template <class T, int N> PW85_FUNCTION inline T exact_sum(T const (&terms)[N]) noexcept
+template <class T, std::size_t N> PW85_FUNCTION inline T exact_sum(T const (&terms)[N]) noexcept
 {
     T parts[N];
-    for (int n = 0; n < N; ++n) {
+    for (std::size_t n = 0; n < N; ++n) {
         T carried = terms[n];
-        for (int k = 0; k < n; ++k) {
+        for (std::size_t k = 0; k < n; ++k) {
             CompensatedSum<T> sum{parts[k], T(0)};
             add(sum, carried);
             parts[k] = sum.rest;
@@ -34,7 +34,7 @@ template <class T, int N> PW85_FUNCTION inline T exact_sum(T const (&terms)[N]) 
         parts[n] = carried;
     }
     T sum = parts[0];
-    for (int n = 1; n < N; ++n) sum = sum + parts[n];
+    for (std::size_t n = 1; n < N; ++n) sum = sum + parts[n];
     return sum;
 }
 
@@ -184,7 +184,7 @@ PW85_FUNCTION inline RemotePair<T, D> remote_pair(MovingEllipsoids<T, D> const &
     Vector<T, D> const velocity = relative_velocity(motion1, motion2);
     int const length = binary_exponent(largest_coordinate(r12));
     int const form1 = half_exponent(largest_diagonal(q1)), form2 = half_exponent(largest_diagonal(q2));
-    int rate = larger_exponent(std::numeric_limits<int>::min(), largest_coordinate(velocity), -length);
+    int rate = larger_exponent((std::numeric_limits<int>::min)(), largest_coordinate(velocity), -length);
     rate = larger_exponent(rate, T(absolute(motion1.growth)), form1 - length);
     rate = larger_exponent(rate, T(absolute(motion2.growth)), form2 - length);
     return {times_power_of_two(r12, -length),

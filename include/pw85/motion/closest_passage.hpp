@@ -29,7 +29,7 @@ namespace pw85 {
 template <class T> struct ClosestPassage {
     T mu2;
     T time; ///< in [0, t_max]
-    Status status;
+    StatusCode status;
 };
 
 } // namespace pw85
@@ -130,10 +130,10 @@ template <class T> PW85_RARE ClosestPassage<T> find_closest_passage_wider(Way<T>
     bool const central = largest_coordinate(pair.r12) == W(T(0));
     auto const f = central ? StationaryValue<W>{W(T(0)), W(T(0.5)), W(T(0.5)), W(T(0))} : largest_f(pair);
     W const best = best_time(wide, weight_of(f, pair.ratio)), t = in_range(wide, best);
-    if (t == best) return {rounded(f.mu2), rounded(t), Status::success};
+    if (t == best) return {rounded(f.mu2), rounded(t), StatusCode::success};
     auto const end = pair_at(wide, t);
     W const mu2 = largest_coordinate(end.r12) == W(T(0)) ? W(T(0)) : largest_f(end).mu2;
-    return {rounded(mu2), rounded(t), Status::success};
+    return {rounded(mu2), rounded(t), StatusCode::success};
 }
 
 #define PW85_RARE_PASSAGE(rare, T) rare(find_closest_passage_wider, (Way<T> const &way), (way))
@@ -189,7 +189,7 @@ template <class T>
     T t = time_by_shadows(way);
     for (int i = 0; i < max_passage_steps; ++i) {
         auto const step = step_at(way, t);
-        if (step.best) return {step.mu2, t, Status::success};
+        if (step.best) return {step.mu2, t, StatusCode::success};
         t = step.next;
     }
     return find_closest_passage_wider(way);
@@ -221,15 +221,15 @@ PW85_FUNCTION inline ClosestPassage<T> closest_passage(Vector<T, 3> const &r12, 
     auto const pair = pair_of(r12, q1, q2);
     ScaledPair<T, 3> scaled{pair, 0, 0, false, 0};
     bool const valid = is_finite(velocity) && t_max >= T(0);
-    Status const status = !valid                     ? Status::invalid_argument
-                          : passes_fast_checks(pair) ? Status::success
-                                                     : validate(pair, scaled);
-    if (status != Status::success) return all_nan<ClosestPassage<T>>(status);
-    if (largest_coordinate(r12) == T(0)) return {T(0), T(0), Status::success};
+    StatusCode const status = !valid                     ? StatusCode::invalid_argument
+                              : passes_fast_checks(pair) ? StatusCode::success
+                                                         : validate(pair, scaled);
+    if (status != StatusCode::success) return all_nan<ClosestPassage<T>>(status);
+    if (largest_coordinate(r12) == T(0)) return {T(0), T(0), StatusCode::success};
     if (largest_coordinate(velocity) > T(0)) return pass_scaled(scaled, velocity, t_max);
     auto const c = contact(r12, q1, q2);
-    if (c.status != Status::success) return all_nan<ClosestPassage<T>>(c.status);
-    return {c.mu2, T(0), Status::success};
+    if (c.status != StatusCode::success) return all_nan<ClosestPassage<T>>(c.status);
+    return {c.mu2, T(0), StatusCode::success};
 }
 
 } // namespace pw85

@@ -29,7 +29,8 @@ PW85_FUNCTION inline T fastest(Motion<T, D> const &motion1, Motion<T, D> const &
 template <class T> PW85_FUNCTION inline FirstContact<T> in_unit_of_time(FirstContact<T> result, int exponent) noexcept
 {
     T const time = times_power_of_two(result.time, exponent);
-    if (result.time < infinity<T>() && !(time < infinity<T>())) return all_nan<FirstContact<T>>(Status::no_convergence);
+    if (result.time < infinity<T>() && !(time < infinity<T>()))
+        return all_nan<FirstContact<T>>(StatusCode::no_convergence);
     return {time, result.status};
 }
 
@@ -76,7 +77,7 @@ first_contact_of_motion(ScaledPair<T, D> const &scaled, Vector<T, D> const &velo
         maximum(square_root(largest_diagonal(pair.q1)), T(square_root(largest_diagonal(pair.q2)) / pair.ratio));
     int const length =
         larger_exponent(binary_exponent(size) + scaled.form, largest_coordinate(pair.r12), scaled.length);
-    int const across = larger_exponent(std::numeric_limits<int>::min(), largest_coordinate(velocity), -length);
+    int const across = larger_exponent((std::numeric_limits<int>::min)(), largest_coordinate(velocity), -length);
     int const rate = larger_exponent(across, fastest(motion1, motion2), 0);
     auto const first = to_body(pair.q1, scaled.swapped ? motion2 : motion1, rate),
                second = to_body(pair.q2, scaled.swapped ? motion1 : motion2, rate);
@@ -106,10 +107,10 @@ first_contact_from_afar(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1
     T waited = T(0);
     for (int i = 0; i < max_passages && is_remote(m.r12, m.q1, m.q2); ++i) {
         T const wait = come_near(m);
-        if (!(wait < infinity<T>())) return {wait, wait > T(0) ? Status::success : Status::no_convergence};
+        if (!(wait < infinity<T>())) return {wait, wait > T(0) ? StatusCode::success : StatusCode::no_convergence};
         waited = waited + wait;
     }
-    if (is_remote(m.r12, m.q1, m.q2)) return all_nan<FirstContact<T>>(Status::no_convergence);
+    if (is_remote(m.r12, m.q1, m.q2)) return all_nan<FirstContact<T>>(StatusCode::no_convergence);
     auto const rest = first_contact_nearby(scale(pair_of(m.r12, m.q1, m.q2)), m.motion1, m.motion2, m.end);
     T const time = waited + rest.time;
     return {time > end ? infinity<T>() : time, rest.status};
@@ -126,15 +127,15 @@ PW85_FUNCTION inline FirstContact<T> first_contact(Vector<T, D> const &r12, Symm
 {
     using namespace detail;
     bool const valid = end >= T(0) && is_valid_motion(motion1, end) && is_valid_motion(motion2, end);
-    if (!valid) return all_nan<FirstContact<T>>(Status::invalid_argument);
+    if (!valid) return all_nan<FirstContact<T>>(StatusCode::invalid_argument);
     auto const pair = pair_of(r12, q1, q2);
     ScaledPair<T, D> scaled{pair, 0, 0, false, 0};
     if (!passes_fast_checks(pair)) {
-        Status const status = validate(pair, scaled);
-        if (status != Status::success) return all_nan<FirstContact<T>>(status);
+        StatusCode const status = validate(pair, scaled);
+        if (status != StatusCode::success) return all_nan<FirstContact<T>>(status);
     }
-    if (largest_coordinate(r12) == T(0)) return {T(0), Status::success};
-    if (!is_finite(relative_velocity(motion1, motion2))) return all_nan<FirstContact<T>>(Status::no_convergence);
+    if (largest_coordinate(r12) == T(0)) return {T(0), StatusCode::success};
+    if (!is_finite(relative_velocity(motion1, motion2))) return all_nan<FirstContact<T>>(StatusCode::no_convergence);
     if (is_remote(r12, q1, q2)) return first_contact_from_afar(r12, q1, q2, motion1, motion2, end);
     return first_contact_nearby(scaled, motion1, motion2, end);
 }

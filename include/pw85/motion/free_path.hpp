@@ -23,7 +23,7 @@ namespace pw85 {
 /// How far an ellipsoid may move.
 template <class T> struct FreePath {
     T length; ///< in units of the direction; infinity without contact
-    Status status;
+    StatusCode status;
 };
 
 } // namespace pw85
@@ -63,7 +63,7 @@ template <class T, int D> struct SeparatingPlane {
     Vector<T, D> normal;
     T until;
     bool overlaps; ///< at the start, or touches and approaches: then there is no plane
-    Status status;
+    StatusCode status;
 };
 
 /// The plane for a valid pair that is not remote.
@@ -74,11 +74,11 @@ plane_of_passage(ScaledPair<T, D> const &scaled, Vector<T, D> const &velocity, T
     auto const [v, exponent] = scale_flight(scaled, velocity);
     T const last = times_power_of_two(end, -exponent);
     auto const found = find_passage(Flight<T, D>{scaled.pair, v, tangent_in_units(scaled)}, last);
-    if (found.status != Status::success) return {r12, T(0), false, found.status};
+    if (found.status != StatusCode::success) return {r12, T(0), false, found.status};
     auto const n = solve_blend(T(1), q1, found.t, q2, add_scaled(r12, found.shown, v));
     bool const to_end = found.time < infinity<T>() || !(found.shown < last);
     return {scaled.swapped ? -n : n, to_end ? end : times_power_of_two(found.shown, exponent), !(found.time > T(0)),
-            Status::success};
+            StatusCode::success};
 }
 
 /// The plane for a valid pair that is remote. It is found where the spheres around the ellipsoids meet. If they do not meet, the normal
@@ -90,7 +90,8 @@ plane_from_afar(Pair<T, D> const &pair, Vector<T, D> const &velocity, T const &e
     T waited = T(0);
     for (int i = 0; i < max_passages && is_remote(m.r12, m.q1, m.q2); ++i) {
         T const wait = come_near(m);
-        if (!(wait < infinity<T>())) return {{}, wait, false, wait > T(0) ? Status::success : Status::no_convergence};
+        if (!(wait < infinity<T>()))
+            return {{}, wait, false, wait > T(0) ? StatusCode::success : StatusCode::no_convergence};
         waited = waited + wait;
     }
     auto plane = plane_of_passage(scale(pair_of(m.r12, m.q1, m.q2)), velocity, m.end);
@@ -105,12 +106,12 @@ PW85_FUNCTION inline FreePath<T> free_path_of(ScaledPair<T, D> const &scaled, Pa
 {
     auto const plane = is_remote(pair.r12, pair.q1, pair.q2) ? plane_from_afar(pair, velocity, end)
                                                              : plane_of_passage(scaled, velocity, end);
-    if (plane.status != Status::success) return all_nan<FreePath<T>>(plane.status);
-    if (plane.overlaps) return {T(0), Status::success};
+    if (plane.status != StatusCode::success) return all_nan<FreePath<T>>(plane.status);
+    if (plane.overlaps) return {T(0), StatusCode::success};
     auto const [v, exponent] = scale_flight(scaled, velocity);
     T const free = free_by_normal(scaled, v, scaled.swapped ? -plane.normal : plane.normal);
     T const length = times_power_of_two(free, exponent);
-    return {length < plane.until ? length : infinity<T>(), Status::success};
+    return {length < plane.until ? length : infinity<T>(), StatusCode::success};
 }
 
 } // namespace pw85::detail
@@ -124,12 +125,12 @@ PW85_FUNCTION inline FreePath<T> free_path(Vector<T, D> const &r12, SymmetricMat
 {
     using namespace detail;
     bool const valid = end >= T(0) && is_finite(direction) && largest_coordinate(direction) > T(0);
-    if (!valid) return all_nan<FreePath<T>>(Status::invalid_argument);
+    if (!valid) return all_nan<FreePath<T>>(StatusCode::invalid_argument);
     auto const pair = pair_of(r12, q1, q2);
     ScaledPair<T, D> scaled{pair, 0, 0, false, 0};
-    Status const status = passes_fast_checks(pair) ? Status::success : validate(pair, scaled);
-    if (status != Status::success) return all_nan<FreePath<T>>(status);
-    if (largest_coordinate(r12) == T(0)) return {T(0), Status::success};
+    StatusCode const status = passes_fast_checks(pair) ? StatusCode::success : validate(pair, scaled);
+    if (status != StatusCode::success) return all_nan<FreePath<T>>(status);
+    if (largest_coordinate(r12) == T(0)) return {T(0), StatusCode::success};
     return free_path_of(scaled, pair, -direction, end);
 }
 

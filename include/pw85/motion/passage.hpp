@@ -21,7 +21,7 @@ namespace pw85 {
 /// When two ellipsoids touch first.
 template <class T> struct FirstContact {
     T time; ///< infinity if they do not
-    Status status;
+    StatusCode status;
 };
 
 } // namespace pw85
@@ -60,7 +60,7 @@ inline constexpr int touching_tolerance = 128;
 
 /// What one λ shows: the ellipsoids do not touch; they are too near from the beginning for this λ to decide; or they do not touch
 /// before some time.
-enum class PassageOutcome { none, near, contact };
+enum class PassageOutcome { none, too_near, contact };
 
 /// rᵀM⁻¹r where f = 1, for f = τ/(1+τ) rᵀM⁻¹r with τ = ratio² t.
 template <class T> PW85_FUNCTION constexpr T target_at(T const &tangent, T const &ratio, T const &t) noexcept
@@ -109,13 +109,13 @@ template <class T, int D> PW85_FUNCTION inline PassageOutcome passage_outcome(Pa
     bool const starts = !(origin > T(0));
     time = T(0);
     if (starts && p.excess > -T(touching_tolerance) * p.slack && p.approach < T(0)) return PassageOutcome::none;
-    if (starts && !(p.excess > T(0))) return PassageOutcome::near;
-    bool const far = is_far(p, target);
-    time = first_root(far ? T(p.excess - T(4) * p.slack) : p.excess, p.approach, p.speed, far ? T(0) : p.slack);
+    if (starts && !(p.excess > T(0))) return PassageOutcome::too_near;
+    bool const distant = is_far(p, target);
+    time = first_root(distant ? T(p.excess - T(4) * p.slack) : p.excess, p.approach, p.speed, distant ? T(0) : p.slack);
     if (!(time < infinity<T>())) return PassageOutcome::none;
     if (origin + time > T(0)) return PassageOutcome::contact;
     time = -origin;
-    return PassageOutcome::near;
+    return PassageOutcome::too_near;
 }
 
 /// A Jet without second derivatives, for Newton's steps, from A, B and bend = (Q2s)ᵀM⁻¹Q2s: A' = -2 (B - t bend), B' = -2 bend.
@@ -213,14 +213,14 @@ template <class T, int D> PW85_FUNCTION constexpr bool tells_delay(Outlook<T, D>
 /// those of the contact, those at which f exceeds one although the ellipsoids are nearest, or those at which f exceeds one at the end.
 template <class T> struct FoundPassage {
     T time, t, shown;
-    Status status;
+    StatusCode status;
 };
 
 /// A contact at t, if it is not after the end.
 template <class T>
 PW85_FUNCTION constexpr FoundPassage<T> contact_until(T const &end, T const &time, T const &t) noexcept
 {
-    return {time > end ? infinity<T>() : time, t, minimum(time, end), Status::success};
+    return {time > end ? infinity<T>() : time, t, minimum(time, end), StatusCode::success};
 }
 
 /// The time until the pair of an outlook is nearest, by its t.
@@ -244,7 +244,7 @@ find_passage(Flight<T, D> const &flight, T const &end) noexcept
         auto const view = outlook(flight, t, time);
         T const reached = time + view.wait;
         if (view.outcome == PassageOutcome::none)
-            return {infinity<T>(), t, minimum(end, T(time + wait_for_nearest(view))), Status::success};
+            return {infinity<T>(), t, minimum(end, T(time + wait_for_nearest(view))), StatusCode::success};
         if (last || reached > latest) return contact_until(end, reached, t);
         bool const before = is_far(view.passage, view.target) && reached > time;
         Jet<T> const jet = jet_then(flight, view, t);
@@ -261,7 +261,7 @@ find_passage(Flight<T, D> const &flight, T const &end) noexcept
         else
             take_step(state, next, trusted.size);
     }
-    return all_nan<FoundPassage<T>>(Status::no_convergence);
+    return all_nan<FoundPassage<T>>(StatusCode::no_convergence);
 }
 
 } // namespace pw85::detail

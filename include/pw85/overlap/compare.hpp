@@ -17,7 +17,7 @@ namespace pw85 {
 /// The sign of μ² - m. It is 2 if the status is not success.
 struct Comparison {
     int sign;
-    Status status;
+    StatusCode status;
 };
 
 } // namespace pw85
@@ -107,10 +107,10 @@ compare(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, SymmetricMatri
 {
     using namespace detail;
     Decision const first = compare_by_quartic(pair_of(r12, q1, q2), m);
-    if (first != Decision::none) return {to_sign(first), Status::success};
+    if (first != Decision::none) return {to_sign(first), StatusCode::success};
     ScaledPair<T, D> scaled;
-    Status const status = m >= T(0) ? validate(pair_of(r12, q1, q2), scaled) : Status::invalid_argument;
-    if (status != Status::success) return {2, status};
+    StatusCode const status = m >= T(0) ? validate(pair_of(r12, q1, q2), scaled) : StatusCode::invalid_argument;
+    if (status != StatusCode::success) return {2, status};
     bool const concentric = largest_coordinate(r12) == T(0), positive = m > T(0);
     if (concentric || !positive) return {(concentric ? 0 : 1) - (positive ? 1 : 0), status};
     if (m > largest_number<T>()) return {-1, status};

@@ -233,10 +233,10 @@ template <class T, int D> PW85_RARE RoundedContact<T> settle(Pair<T, D> const &p
         int const ratio = half_exponent(largest_diagonal(q1)) - half_exponent(largest_diagonal(q2));
         maximum = maximize_to_all_digits(scaled, scaled.swapped ? -ratio : ratio, bounds.t);
     }
-    RoundedContact<T> result{all_nan<Contact<T>>(Status::no_convergence), bounds.evaluations, 0};
+    RoundedContact<T> result{all_nan<Contact<T>>(StatusCode::no_convergence), bounds.evaluations, 0};
     if (!(maximum.lambda >= T(0) && maximum.mu2 >= T(0))) return result;
     T const mu2 = nearest_number(r12, q1, q2, maximum.mu2, result.comparisons);
-    result.contact = {mu2, maximum.lambda, Status::success};
+    result.contact = {mu2, maximum.lambda, StatusCode::success};
     return result;
 }
 
@@ -246,7 +246,7 @@ PW85_FUNCTION inline RoundedContact<T> round_contact(Pair<T, D> const &pair, Sca
 {
     MaximumBounds<T> bounds = no_bounds<T>();
     if constexpr (FLT_EVAL_METHOD == 0) bounds = bound_maximum(scaled);
-    if (decides(bounds)) return {{bounds.lower, bounds.lambda, Status::success}, bounds.evaluations, 0};
+    if (decides(bounds)) return {{bounds.lower, bounds.lambda, StatusCode::success}, bounds.evaluations, 0};
     return settle(pair, scaled, bounds);
 }
 
@@ -255,9 +255,9 @@ template <class T, int D>
 [[gnu::noinline]] PW85_FUNCTION inline RoundedContact<T> round_contact_scaled(Pair<T, D> pair) noexcept
 {
     ScaledPair<T, D> scaled;
-    Status const status = validate(pair, scaled);
-    if (status != Status::success) return {all_nan<Contact<T>>(status), 0, 0};
-    if (largest_coordinate(pair.r12) == T(0)) return {{T(0), T(0.5), Status::success}, 0, 0};
+    StatusCode const status = validate(pair, scaled);
+    if (status != StatusCode::success) return {all_nan<Contact<T>>(status), 0, 0};
+    if (largest_coordinate(pair.r12) == T(0)) return {{T(0), T(0.5), StatusCode::success}, 0, 0};
     return round_contact(pair, scaled);
 }
 

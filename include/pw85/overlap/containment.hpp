@@ -20,7 +20,7 @@ namespace pw85 {
 /// Whether one ellipsoid is inside another one. It is false if the status is not success.
 struct Containment {
     bool contains;
-    Status status;
+    StatusCode status;
 };
 
 } // namespace pw85
@@ -216,7 +216,7 @@ template <class T, int D> PW85_FUNCTION inline Nesting decide_nesting(NestedPair
     return all_of(is_clearly_definite(matrices, adjugate(matrices))) ? Nesting::inside : Nesting::none;
 }
 
-template <class T, int D> [[gnu::noinline]] PW85_FUNCTION inline Status validate_apart(Pair<T, D> pair) noexcept
+template <class T, int D> [[gnu::noinline]] PW85_FUNCTION inline StatusCode validate_apart(Pair<T, D> pair) noexcept
 {
     ScaledPair<T, D> scaled;
     return validate(pair, scaled);
@@ -232,8 +232,8 @@ contains(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, SymmetricMatr
     using namespace detail;
     auto const pair = pair_of(r12, q1, q2);
     bool const in_range = passes_fast_checks(pair);
-    Status const status = in_range ? Status::success : validate_apart(pair);
-    if (status != Status::success) return {false, status};
+    StatusCode const status = in_range ? StatusCode::success : validate_apart(pair);
+    if (status != StatusCode::success) return {false, status};
     auto const nested = nested_pair(pair, in_range ? 0 : half_exponent(largest_diagonal(q1)));
     if (exceeds_bounding_box(nested)) return {false, status};
     Nesting const nesting = decide_nesting(nested);

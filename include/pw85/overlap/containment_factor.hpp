@@ -34,7 +34,7 @@ namespace pw85 {
 template <class T, int D> struct Enclosure {
     T mu2;              ///< square of the factor of ellipsoid 1, about its centre
     Vector<T, D> point; ///< where they touch then, on ellipsoid 2; relative to the centre of ellipsoid 1
-    Status status;
+    StatusCode status;
 };
 
 } // namespace pw85
@@ -306,13 +306,13 @@ containment(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, SymmetricM
 {
     using namespace detail;
     auto const pair = pair_of(r12, q1, q2);
-    Status const status = passes_fast_checks(pair) ? Status::success : validate_apart(pair);
-    if (status != Status::success) return all_nan<Enclosure<T, D>>(status);
+    StatusCode const status = passes_fast_checks(pair) ? StatusCode::success : validate_apart(pair);
+    if (status != StatusCode::success) return all_nan<Enclosure<T, D>>(status);
     auto const scaled = scale_contained(pair);
     auto const gauge = find_gauge(scaled.pair);
-    if (!gauge.settled) return all_nan<Enclosure<T, D>>(Status::no_convergence);
+    if (!gauge.settled) return all_nan<Enclosure<T, D>>(StatusCode::no_convergence);
     return {times_power_of_two(gauge.mu2, 2 * (scaled.length - scaled.form)),
-            times_power_of_two(gauge.point, scaled.length), Status::success};
+            times_power_of_two(gauge.point, scaled.length), StatusCode::success};
 }
 
 } // namespace pw85

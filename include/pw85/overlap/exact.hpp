@@ -163,7 +163,7 @@ PW85_FUNCTION constexpr BitRange no_digits() noexcept { return {1 << 24, -(1 << 
 
 /// The numbers of a pair and of a comparison, in the order of symbolic_form().
 template <class T, int D> struct Numbers {
-    BinaryFraction<T> x[D * (D + 2) + 1];
+    BinaryFraction<T> x[std::size_t(D * (D + 2) + 1)];
     BitRange r, q, m; ///< ranges of the coordinates, of the entries of both forms, and of m
 };
 
@@ -431,7 +431,7 @@ requires exact::is_decidable<T> PW85_RARE Decision decide_exactly(Vector<T, D> c
 noexcept
 {
     using namespace exact;
-    Limb memory[Sizes(max_bits<T>()).total];
+    Limb memory[std::size_t(Sizes(max_bits<T>()).total)];
     bool const overlap = sign_of_difference(to_numbers(r12, q1, q2), memory) < 0;
     return to_decision(!overlap, overlap);
 }
@@ -444,7 +444,7 @@ requires exact::is_decidable<T> PW85_RARE int compare_exactly(Vector<T, D> const
                                                               exact::BinaryFraction<T> const &m) noexcept
 {
     using namespace exact;
-    Limb memory[Sizes(max_bits<T>(std::numeric_limits<T>::max_exponent) + 1).total];
+    Limb memory[std::size_t(Sizes(max_bits<T>(std::numeric_limits<T>::max_exponent) + 1).total)];
     return sign_of_difference(to_numbers(r12, q1, q2, m), memory);
 }
 

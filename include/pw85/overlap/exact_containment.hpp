@@ -88,17 +88,17 @@ static constexpr int extra_bits = 2;
 static constexpr Limb unit_limb[1] = {1};
 static constexpr WideInteger one{unit_limb, 1, 1};
 
-template <int Count> struct WideIntegers {
+template <std::size_t Count> struct WideIntegers {
     WideInteger values[Count];
 
     [[gnu::always_inline]] WideInteger operator[](int k) const noexcept { return values[k]; }
 };
 
 /// Adds a number, times its weight in each combination, to the sums.
-template <int Count> PW85_FUNCTION inline void
+template <std::size_t Count> PW85_FUNCTION inline void
 add_weighted(WideSum const (&sums)[Count], Combination const (&combinations)[Count], int k, WideInteger x) noexcept
 {
-    for (int i = 0; i < Count; ++i) {
+    for (int i = 0; i < int(Count); ++i) {
         int const weight = combinations[i].weights[k];
         Limb const factor = static_cast<Limb>(weight < 0 ? -weight : weight);
         if (weight != 0) add_product(sums[i], weight < 0 ? -1 : 1, x, {&factor, 1, 1});
@@ -106,14 +106,14 @@ add_weighted(WideSum const (&sums)[Count], Combination const (&combinations)[Cou
 }
 
 /// Computes combinations in units of 2^unit(), in memory for them. The scratch memory holds one coefficient of the form.
-template <int Count, class T, int D> [[gnu::noinline]] PW85_FUNCTION inline WideIntegers<Count>
+template <std::size_t Count, class T, int D> [[gnu::noinline]] PW85_FUNCTION inline WideIntegers<Count>
 combine(Numbers<T, D> const &numbers, Combination const (&combinations)[Count], Sizes const &sizes, Limb *memory,
         Limb *scratch) noexcept
 {
     static constexpr auto form = symbolic_form<D>();
     int const size = sizes.coefficient;
     WideSum sums[Count];
-    for (int i = 0; i < Count; ++i) sums[i] = zero_sum(memory + i * size, size);
+    for (int i = 0; i < int(Count); ++i) sums[i] = zero_sum(memory + i * size, size);
     for (int k = 0; k < 3; ++k) {
         WideSum const sum = zero_sum(scratch, size);
         for (int i = 0; i < form.a[k].size; ++i) add(sum, evaluate<D + 1>(numbers, form.a[k].terms[i]), 1);
@@ -125,7 +125,7 @@ combine(Numbers<T, D> const &numbers, Combination const (&combinations)[Count], 
         add_weighted(sums, combinations, 3 + k, value(sum));
     }
     WideIntegers<Count> result;
-    for (int i = 0; i < Count; ++i) result.values[i] = value(sums[i]);
+    for (int i = 0; i < int(Count); ++i) result.values[i] = value(sums[i]);
     return result;
 }
 
@@ -216,7 +216,7 @@ requires exact::is_decidable<T> PW85_RARE bool
 contains_exactly(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, SymmetricMatrix<T, D> const &q2) noexcept
 {
     using namespace exact;
-    Limb memory[limbs_for_containment(Sizes(max_bits<T>() + extra_bits))];
+    Limb memory[std::size_t(limbs_for_containment(Sizes(max_bits<T>() + extra_bits)))];
     auto const numbers = to_numbers(r12, q1, q2);
     if (is_far(numbers)) return false;
     Sizes const sizes(bits(numbers) + extra_bits);

@@ -17,7 +17,7 @@ namespace exact {
 
 /// The vectors of a pair: r12, the columns of S1, and the columns of S2.
 template <class T, int D> struct ExactColumns {
-    BinaryFraction<T> x[2 * D + 1][D];
+    BinaryFraction<T> x[std::size_t(2 * D + 1)][std::size_t(D)];
     BitRange r, s; ///< ranges of the coordinates of r12, and of the entries of both factors
 };
 
@@ -62,7 +62,7 @@ inline constexpr int max_bits_of_columns = 6 * 1500 + 2 * 2 + 10;
 
 /// The coordinates of D vectors as numbers of a monomial.
 template <class T, int D> struct SquareOfNumbers {
-    BinaryFraction<T> x[D * D];
+    BinaryFraction<T> x[std::size_t(D * D)];
     int exponent;
 };
 
@@ -74,7 +74,7 @@ template <class T, int D> PW85_FUNCTION inline int unit(SquareOfNumbers<T, D> co
 /// The determinant of D columns in symbols, which stand for the columns one after the other.
 template <int D> PW85_FUNCTION constexpr Polynomial symbolic_determinant() noexcept
 {
-    Vector<Polynomial, D> columns[D];
+    Vector<Polynomial, D> columns[std::size_t(D)];
     for (int j = 0; j < D; ++j)
         for (int i = 0; i < D; ++i) columns[j][i] = variable(D * j + i);
     return detail::determinant(columns);
@@ -127,7 +127,7 @@ requires exact::is_decidable<T> PW85_RARE Decision decide_exactly(Vector<T, D> c
 noexcept
 {
     using namespace exact;
-    Limb memory[Sizes(max_bits_of_columns).total + limbs_of_determinant(max_bits_of_columns)];
+    Limb memory[std::size_t(Sizes(max_bits_of_columns).total + limbs_of_determinant(max_bits_of_columns))];
     auto const columns = to_columns(r12, s1, s2);
     if (is_far(columns)) return Decision::apart;
     if (bits(columns) > max_bits_of_columns) return Decision::none;

@@ -119,7 +119,7 @@ requires exact::is_decidable<T>
 {
     using namespace exact;
     static constexpr auto gauge = symbolic_gauge<D>();
-    Limb memory[Sizes(max_bits<T>()).coefficient];
+    Limb memory[std::size_t(Sizes(max_bits<T>()).coefficient)];
     auto const numbers = to_numbers_of_gauge(x, center, q);
     if (bits(numbers) > max_bits<T>()) return false;
     WideSum const sum = zero_sum(memory, Sizes(bits(numbers)).coefficient);

@@ -26,14 +26,14 @@ enum class OverlapTier { quartic, contact, exact };
 struct OverlapDecision {
     Decision decision;
     OverlapTier tier;
-    Status status;
+    StatusCode status;
 };
 
 /// Whether two ellipsoids overlap. It is false if the status is not success.
 struct Overlap {
     bool overlap;
     OverlapTier tier;
-    Status status;
+    StatusCode status;
 };
 
 } // namespace pw85
@@ -67,11 +67,11 @@ template <class T, int D>
 [[gnu::noinline]] PW85_FUNCTION inline OverlapDecision decide_near_contact(Pair<T, D> pair) noexcept
 {
     ScaledPair<T, D> scaled;
-    Status const status = validate(pair, scaled);
-    if (status != Status::success) return {Decision::none, OverlapTier::contact, status};
-    if (largest_coordinate(pair.r12) == T(0)) return {Decision::overlap, OverlapTier::contact, Status::success};
+    StatusCode const status = validate(pair, scaled);
+    if (status != StatusCode::success) return {Decision::none, OverlapTier::contact, status};
+    if (largest_coordinate(pair.r12) == T(0)) return {Decision::overlap, OverlapTier::contact, StatusCode::success};
     T const tangent = times_power_of_two(T(1), 2 * (scaled.form - scaled.length));
-    return {decide_by_comparison(scaled.pair, tangent), OverlapTier::contact, Status::success};
+    return {decide_by_comparison(scaled.pair, tangent), OverlapTier::contact, StatusCode::success};
 }
 
 /// Tier 4, for a valid pair. For multiprecision numbers it compares μ² with 1, up to rounding.
@@ -79,16 +79,16 @@ template <class T, int D> [[gnu::noinline]] PW85_FUNCTION inline Overlap overlap
 {
     auto const &[r12, q1, q2, ratio] = pair;
     if constexpr (exact::is_decidable<T>)
-        return {decide_exactly(r12, q1, q2) == Decision::overlap, OverlapTier::exact, Status::success};
+        return {decide_exactly(r12, q1, q2) == Decision::overlap, OverlapTier::exact, StatusCode::success};
     else
-        return {contact(r12, q1, q2).mu2 < T(1), OverlapTier::contact, Status::success};
+        return {contact(r12, q1, q2).mu2 < T(1), OverlapTier::contact, StatusCode::success};
 }
 
 /// Tiers 3 and 4.
 template <class T, int D> [[gnu::noinline]] PW85_FUNCTION inline Overlap overlap_near_contact(Pair<T, D> pair) noexcept
 {
     auto const [decision, tier, status] = decide_near_contact(pair);
-    if (decision == Decision::none && status == Status::success) return overlap_exactly(pair);
+    if (decision == Decision::none && status == StatusCode::success) return overlap_exactly(pair);
     return {decision == Decision::overlap, tier, status};
 }
 
@@ -101,7 +101,7 @@ decide_overlap(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, Symmetr
 {
     using namespace detail;
     Decision const decision = decide_by_quartic(r12, q1, q2);
-    if (decision != Decision::none) return {decision, OverlapTier::quartic, Status::success};
+    if (decision != Decision::none) return {decision, OverlapTier::quartic, StatusCode::success};
     return decide_near_contact(pair_of(r12, q1, q2));
 }
 
@@ -110,7 +110,7 @@ template <class T, int D> PW85_FUNCTION inline Overlap overlap(Vector<T, D> cons
 {
     using namespace detail;
     Decision const decision = decide_by_quartic(r12, q1, q2);
-    if (decision != Decision::none) return {decision == Decision::overlap, OverlapTier::quartic, Status::success};
+    if (decision != Decision::none) return {decision == Decision::overlap, OverlapTier::quartic, StatusCode::success};
     return overlap_near_contact(pair_of(r12, q1, q2));
 }
 

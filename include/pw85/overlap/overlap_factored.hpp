@@ -57,7 +57,7 @@ template <class T, int D> PW85_FUNCTION inline bool separates(FactoredPair<T, D>
 /// 9u Π|c|, where it exceeds least_volume() Π|c|. The factor 2 covers this.
 template <class T, int D> PW85_FUNCTION inline T bound_on_inverse(Factor<T, D> const &s) noexcept
 {
-    Vector<T, D> columns[D];
+    Vector<T, D> columns[std::size_t(D)];
     T product = T(1), sum = T(0);
     for (int j = 0; j < D; ++j) {
         columns[j] = column(s, j);
@@ -141,11 +141,11 @@ template <class T, int D>
 [[gnu::noinline]] PW85_FUNCTION inline OverlapDecision decide_near_contact(FactoredPair<T, D> const &pair) noexcept
 {
     ScaledPair<T, D, Factor<T, D>> scaled;
-    Status const status = validate(pair, scaled);
-    if (status != Status::success) return {Decision::none, OverlapTier::contact, status};
+    StatusCode const status = validate(pair, scaled);
+    if (status != StatusCode::success) return {Decision::none, OverlapTier::contact, status};
     T const r = largest_coordinate(pair.r12), size = maximum(largest_entry(pair.q1), largest_entry(pair.q2));
-    bool const far = r / T(8) > size, concentric = !(r > T(0));
-    if (far || concentric) return {to_decision(far, concentric), OverlapTier::contact, status};
+    bool const distant = r / T(8) > size, concentric = !(r > T(0));
+    if (distant || concentric) return {to_decision(distant, concentric), OverlapTier::contact, status};
     auto const m = maximize(scaled.pair);
     T const alpha = scaled.swapped ? m.lambda : m.complement, beta = scaled.swapped ? m.complement : m.lambda;
     auto const common = in_common_units(pair);
@@ -160,9 +160,9 @@ overlap_exactly(Vector<T, D> const &r12, Factor<T, D> const &s1, Factor<T, D> co
     if constexpr (exact::is_decidable<T>) {
         Decision const decision = decide_exactly(r12, s1, s2);
         return {decision == Decision::overlap, OverlapTier::exact,
-                decision != Decision::none ? Status::success : Status::no_convergence};
+                decision != Decision::none ? StatusCode::success : StatusCode::no_convergence};
     } else {
-        return {contact_factored(r12, s1, s2).mu2 < T(1), OverlapTier::contact, Status::success};
+        return {contact_factored(r12, s1, s2).mu2 < T(1), OverlapTier::contact, StatusCode::success};
     }
 }
 
@@ -176,10 +176,10 @@ template <class T, int D> PW85_FUNCTION inline Overlap overlap_factored(Vector<T
     using namespace detail;
     auto const pair = pair_of(r12, s1, s2);
     Decision decision = passes_fast_checks(pair) ? decide_by_rounded_forms(pair) : Decision::none;
-    if (decision != Decision::none) return {decision == Decision::overlap, OverlapTier::contact, Status::success};
+    if (decision != Decision::none) return {decision == Decision::overlap, OverlapTier::contact, StatusCode::success};
     auto const near_contact = decide_near_contact(pair);
     decision = near_contact.decision;
-    if (decision == Decision::none && near_contact.status == Status::success) return overlap_exactly(r12, s1, s2);
+    if (decision == Decision::none && near_contact.status == StatusCode::success) return overlap_exactly(r12, s1, s2);
     return {decision == Decision::overlap, near_contact.tier, near_contact.status};
 }
 

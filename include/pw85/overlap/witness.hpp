@@ -25,7 +25,7 @@ template <class T, int D> struct OverlapWitness {
     T lambda;               ///< a λ with f > 1, if they are apart
     Vector<T, D> direction; ///< unit normal of a plane that separates them to rounding, from 1 to 2, if they are apart
     Vector<T, D> point;     ///< a point inside both, relative to the centre of ellipsoid 1, if they overlap
-    Status status;
+    StatusCode status;
 };
 
 } // namespace pw85
@@ -259,7 +259,7 @@ template <class T, int D> PW85_FUNCTION inline void prove(OverlapWitness<T, D> &
         else
             witness.lambda = find_lambda(r12, q1, q2, lambda, scaled);
         bool const proved = witness.lambda > T(0) || is_finite(witness.point);
-        if (!proved && compare_exactly(r12, q1, q2, T(1)) != 0) witness.status = Status::no_convergence;
+        if (!proved && compare_exactly(r12, q1, q2, T(1)) != 0) witness.status = StatusCode::no_convergence;
     } else if (witness.overlap) {
         witness.point = geometry.point;
     } else {
@@ -279,7 +279,7 @@ overlap_witness(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, Symmet
     OverlapWitness<T, D> witness{answer.overlap, quiet_nan<T>(), {}, {}, answer.status};
     set_nan(witness.direction);
     set_nan(witness.point);
-    if (answer.status != Status::success) return witness;
+    if (answer.status != StatusCode::success) return witness;
     if (largest_coordinate(r12) == T(0))
         witness.point = {};
     else

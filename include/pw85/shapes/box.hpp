@@ -138,17 +138,17 @@ passes_fast_checks(Vector<T, 3> const &lower, Vector<T, 3> const &upper, Symmetr
 template <class T> [[gnu::noinline]] PW85_FUNCTION inline ShapeContact<T>
 contact_box_scaled(Vector<T, 3> lower, Vector<T, 3> upper, SymmetricMatrix<T, 3> q) noexcept
 {
-    Status const status = is_box(lower, upper) ? validate(q) : Status::invalid_argument;
-    if (status != Status::success) return all_nan<ShapeContact<T>>(status);
+    StatusCode const status = is_box(lower, upper) ? validate(q) : StatusCode::invalid_argument;
+    if (status != StatusCode::success) return all_nan<ShapeContact<T>>(status);
     T const size = largest_coordinate(nearest_corner(lower, upper));
-    if (!(size > T(0))) return {T(0), {T(0), T(0), T(0)}, Status::success};
+    if (!(size > T(0))) return {T(0), {T(0), T(0), T(0)}, StatusCode::success};
     int const length = binary_exponent(size), form = half_exponent(largest_diagonal(q));
     auto const found = minimum_in_box(BoxProblem<T, 3>{times_power_of_two(lower, -length),
                                                        times_power_of_two(upper, -length),
                                                        {T(0), T(0), T(0)},
                                                        times_power_of_two(q, -2 * form)});
     return {times_power_of_two(found.value, 2 * (length - form)), times_power_of_two(found.point, length),
-            Status::success};
+            StatusCode::success};
 }
 
 } // namespace pw85::detail
@@ -161,7 +161,7 @@ contact_box(Vector<T, 3> const &lower, Vector<T, 3> const &upper, SymmetricMatri
     using namespace detail;
     if (passes_fast_checks(lower, upper, q)) {
         auto const found = minimum_in_box(BoxProblem<T, 3>{lower, upper, {T(0), T(0), T(0)}, q});
-        return {found.value, found.point, Status::success};
+        return {found.value, found.point, StatusCode::success};
     }
     return contact_box_scaled(lower, upper, q);
 }

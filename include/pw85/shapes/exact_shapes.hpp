@@ -55,7 +55,8 @@ struct WideForm {
     }
 };
 
-template <int N> PW85_FUNCTION inline WideInteger sum_of(Workspace &space, WideProduct const (&terms)[N]) noexcept
+template <std::size_t N>
+PW85_FUNCTION inline WideInteger sum_of(Workspace &space, WideProduct const (&terms)[N]) noexcept
 {
     int limbs = 0;
     for (auto const &[x, y, sign] : terms) limbs = maximum(limbs, x.size + y.size);
@@ -64,7 +65,7 @@ template <int N> PW85_FUNCTION inline WideInteger sum_of(Workspace &space, WideP
     return value(sum);
 }
 
-template <int N> PW85_FUNCTION inline int sign_of(Workspace space, WideProduct const (&terms)[N]) noexcept
+template <std::size_t N> PW85_FUNCTION inline int sign_of(Workspace space, WideProduct const (&terms)[N]) noexcept
 {
     return sum_of(space, terms).sign;
 }
@@ -137,19 +138,19 @@ template <class T> PW85_FUNCTION inline void add(WideSum sum, BinaryFraction<T> 
 }
 
 /// A form and the corners of a set, with their common unit 2^unit of length.
-template <class T, int N> struct ShapeNumbers {
+template <class T, std::size_t N> struct ShapeNumbers {
     Corner<T> corners[N];
     BinaryFraction<T> q[6];
     int unit;
     int coordinate_limbs, entry_limbs; ///< of a difference of coordinates, and of an entry of the form
 };
 
-template <class T, int N> PW85_FUNCTION inline ShapeNumbers<T, N>
+template <class T, std::size_t N> PW85_FUNCTION inline ShapeNumbers<T, N>
 to_shape_numbers(Vector<T, 3> const (&points)[N], SymmetricMatrix<T, 3> const &q) noexcept
 {
     ShapeNumbers<T, N> numbers;
     BitRange lengths = no_digits(), squares = no_digits();
-    for (int k = 0; k < N; ++k)
+    for (std::size_t k = 0; k < N; ++k)
         for (int i = 0; i < 3; ++i) lengths.include(numbers.corners[k].x[i] = to_binary_fraction(points[k][i]));
     for (int k = 0; k < 6; ++k) squares.include(numbers.q[k] = to_binary_fraction(q[k]));
     int const half = squares.low >= 0 ? squares.low / 2 : -((1 - squares.low) / 2);
@@ -159,7 +160,7 @@ to_shape_numbers(Vector<T, 3> const (&points)[N], SymmetricMatrix<T, 3> const &q
     return numbers;
 }
 
-template <class T, int N>
+template <class T, std::size_t N>
 PW85_FUNCTION inline WideForm integers_of_form(Workspace &space, ShapeNumbers<T, N> const &numbers) noexcept
 {
     WideForm q;
@@ -172,7 +173,7 @@ PW85_FUNCTION inline WideForm integers_of_form(Workspace &space, ShapeNumbers<T,
 }
 
 /// The coordinates of a corner.
-template <class T, int N> PW85_FUNCTION inline WideVector
+template <class T, std::size_t N> PW85_FUNCTION inline WideVector
 integers_of(Workspace &space, ShapeNumbers<T, N> const &numbers, Corner<T> const &a) noexcept
 {
     WideVector v;
@@ -185,7 +186,7 @@ integers_of(Workspace &space, ShapeNumbers<T, N> const &numbers, Corner<T> const
 }
 
 /// The differences b - a of the coordinates of two corners.
-template <class T, int N> PW85_FUNCTION inline WideVector
+template <class T, std::size_t N> PW85_FUNCTION inline WideVector
 difference(Workspace &space, ShapeNumbers<T, N> const &numbers, Corner<T> const &b, Corner<T> const &a) noexcept
 {
     WideVector v;
@@ -202,8 +203,8 @@ difference(Workspace &space, ShapeNumbers<T, N> const &numbers, Corner<T> const 
 PW85_FUNCTION constexpr int limbs_of_line(int c, int f) noexcept { return 2 * c + 3 + f + maximum(f, 2 * c); }
 
 /// Item 1.
-template <class T, int N> PW85_FUNCTION inline bool point_overlaps(Workspace space, ShapeNumbers<T, N> const &numbers,
-                                                                   WideForm const &q, Corner<T> const &corner) noexcept
+template <class T, std::size_t N> PW85_FUNCTION inline bool
+point_overlaps(Workspace space, ShapeNumbers<T, N> const &numbers, WideForm const &q, Corner<T> const &corner) noexcept
 {
     WideVector const x = integers_of(space, numbers, corner), f = product_with_adjugate(space, q, x);
     WideVector const row = row_of_adjugate(space, q, 0);
@@ -216,8 +217,8 @@ template <class T, int N> PW85_FUNCTION inline bool point_overlaps(Workspace spa
 }
 
 /// The sign of a·f for a corner a.
-template <class T, int N> PW85_FUNCTION inline int sign_of_dot_with(Workspace space, ShapeNumbers<T, N> const &numbers,
-                                                                    Corner<T> const &a, WideVector const &f) noexcept
+template <class T, std::size_t N> PW85_FUNCTION inline int
+sign_of_dot_with(Workspace space, ShapeNumbers<T, N> const &numbers, Corner<T> const &a, WideVector const &f) noexcept
 {
     WideVector const x = integers_of(space, numbers, a);
     return sign_of_dot(space, x, f);
@@ -225,9 +226,9 @@ template <class T, int N> PW85_FUNCTION inline int sign_of_dot_with(Workspace sp
 
 /// Where the nearest point of the line through two corners is: before the first one (-1), between them, or after the second one (1).
 /// Subtracts e·f from the sum.
-template <class T, int N> PW85_FUNCTION inline int place_on_line(Workspace space, ShapeNumbers<T, N> const &numbers,
-                                                                 WideForm const &q, Corner<T> const &first,
-                                                                 Corner<T> const &second, WideSum sum) noexcept
+template <class T, std::size_t N>
+PW85_FUNCTION inline int place_on_line(Workspace space, ShapeNumbers<T, N> const &numbers, WideForm const &q,
+                                       Corner<T> const &first, Corner<T> const &second, WideSum sum) noexcept
 {
     WideVector const e = difference(space, numbers, second, first), f = product_with_adjugate(space, q, e);
     for (int i = 0; i < 3; ++i) add_product(sum, -1, e.x[i], f.x[i]);
@@ -236,9 +237,9 @@ template <class T, int N> PW85_FUNCTION inline int place_on_line(Workspace space
 }
 
 /// Item 2.
-template <class T, int N> PW85_FUNCTION inline bool segment_overlaps(Workspace space, ShapeNumbers<T, N> const &numbers,
-                                                                     WideForm const &q, Corner<T> const &first,
-                                                                     Corner<T> const &second) noexcept
+template <class T, std::size_t N>
+PW85_FUNCTION inline bool segment_overlaps(Workspace space, ShapeNumbers<T, N> const &numbers, WideForm const &q,
+                                           Corner<T> const &first, Corner<T> const &second) noexcept
 {
     Workspace rest = space;
     WideSum const sum = rest.take(limbs_of_line(numbers.coordinate_limbs, numbers.entry_limbs));

@@ -38,7 +38,7 @@ namespace pw85 {
 template <class T> struct ShapeContact {
     T mu2; ///< square of the factor by which the ellipsoid must be scaled to touch; 0 if its centre is in the set
     Vector<T, 3> point; ///< where the scaled ellipsoid touches, relative to its centre
-    Status status;
+    StatusCode status;
 };
 
 } // namespace pw85
@@ -127,10 +127,10 @@ template <class T> struct Elimination {
 };
 
 /// R of item 3.
-template <class T, int N> PW85_FUNCTION constexpr T reach_of(Vector<T, 3> const (&points)[N]) noexcept
+template <class T, std::size_t N> PW85_FUNCTION constexpr T reach_of(Vector<T, 3> const (&points)[N]) noexcept
 {
     T sum = sum_of_magnitudes(points[0]);
-    for (int k = 1; k < N; ++k) sum = sum + sum_of_magnitudes(points[k]);
+    for (std::size_t k = 1; k < N; ++k) sum = sum + sum_of_magnitudes(points[k]);
     return sum;
 }
 
@@ -165,7 +165,7 @@ template <class T> PW85_FUNCTION constexpr SecondOrder<T> second_order(Symmetric
     return {T(square_of_roundoff<T>(3) * trace) * square, determinant(q, adj) * divisor};
 }
 
-template <class T, int N> PW85_FUNCTION constexpr bool is_finite(Vector<T, 3> const (&points)[N]) noexcept
+template <class T, std::size_t N> PW85_FUNCTION constexpr bool is_finite(Vector<T, 3> const (&points)[N]) noexcept
 {
     bool finite = true;
     for (auto const &x : points) finite = finite && is_finite(x);
@@ -173,11 +173,11 @@ template <class T, int N> PW85_FUNCTION constexpr bool is_finite(Vector<T, 3> co
 }
 
 /// Whether the sizes of the points and of the form are between `limit` and its inverse, and the form passes the fast checks.
-template <class T, int N> [[gnu::always_inline]] PW85_FUNCTION inline typename ScalarTraits<T>::Mask
+template <class T, std::size_t N> [[gnu::always_inline]] PW85_FUNCTION inline typename ScalarTraits<T>::Mask
 passes_fast_checks(Vector<T, 3> const (&points)[N], SymmetricMatrix<T, 3> const &q, T const &limit) noexcept
 {
     T smallest = sum_of_magnitudes(points[0]), total = smallest; // NaN if a number is NaN
-    for (int k = 1; k < N; ++k) {
+    for (std::size_t k = 1; k < N; ++k) {
         T const size = sum_of_magnitudes(points[k]);
         smallest = minimum(smallest, size);
         total = total + size;
@@ -187,11 +187,11 @@ passes_fast_checks(Vector<T, 3> const (&points)[N], SymmetricMatrix<T, 3> const 
 }
 
 /// Finds the nearest point with numbers of type W, which have more digits.
-template <class W, class T, int N, class Find> PW85_FUNCTION inline Nearest<T, false>
+template <class W, class T, std::size_t N, class Find> PW85_FUNCTION inline Nearest<T, false>
 find_with_digits(Vector<T, 3> const (&points)[N], SymmetricMatrix<T, 3> const &q, Find const &find) noexcept
 {
     Vector<W, 3> wide[N];
-    for (int k = 0; k < N; ++k) wide[k] = converted<W>(points[k]);
+    for (std::size_t k = 0; k < N; ++k) wide[k] = converted<W>(points[k]);
     auto const found = find(wide, converted<W>(q));
     if constexpr (std::is_same_v<T, W>)
         return found;
@@ -224,21 +224,21 @@ template <class W> PW85_FUNCTION inline bool has_center(Vector<W, 3> const (&ver
 }
 
 /// The same by numbers with twice the digits.
-template <class T, int N, class Find> PW85_RARE Nearest<T, false>
+template <class T, std::size_t N, class Find> PW85_RARE Nearest<T, false>
 find_finer(Vector<T, 3> const (&points)[N], SymmetricMatrix<T, 3> const &q, Find const &find) noexcept
 {
     return find_with_digits<Finer<T>>(points, q, find);
 }
 
 /// The contact by the numbers with the most digits. All are 0 if the set has the centre.
-template <class T, int N, class Find> PW85_RARE ShapeContact<T>
+template <class T, std::size_t N, class Find> PW85_RARE ShapeContact<T>
 contact_with_all_digits(Vector<T, 3> const (&points)[N], SymmetricMatrix<T, 3> const &q, Find const &find) noexcept
 {
     Vector<Widened<T>, 3> wide[N];
-    for (int k = 0; k < N; ++k) wide[k] = converted<Widened<T>>(points[k]);
-    if (has_center(wide)) return {T(0), {T(0), T(0), T(0)}, Status::success};
+    for (std::size_t k = 0; k < N; ++k) wide[k] = converted<Widened<T>>(points[k]);
+    if (has_center(wide)) return {T(0), {T(0), T(0), T(0)}, StatusCode::success};
     auto const found = find_with_digits<Widened<T>>(points, q, find);
-    return {found.mu2, found.point, Status::success};
+    return {found.mu2, found.point, StatusCode::success};
 }
 
 /// These tiers for a set of N points.
@@ -251,16 +251,16 @@ contact_with_all_digits(Vector<T, 3> const (&points)[N], SymmetricMatrix<T, 3> c
 /// Computes a contact in units in which the points and the form are of order one. The scaling changes no bit of the results of
 /// contact_of(). The limit is wider than that of contact_of() in any units. Where digits are lost, numbers with twice the digits come
 /// first, then those with more digits and a wider range, where there are such numbers.
-template <class T, int N, class Find> [[gnu::noinline]] PW85_FUNCTION inline ShapeContact<T>
+template <class T, std::size_t N, class Find> [[gnu::noinline]] PW85_FUNCTION inline ShapeContact<T>
 contact_scaled(Vector<T, 3> const (&points)[N], SymmetricMatrix<T, 3> const &q, Find const &find) noexcept
 {
-    Status const status = is_finite(points) ? validate(q) : Status::invalid_argument;
-    if (status != Status::success) return all_nan<ShapeContact<T>>(status);
+    StatusCode const status = is_finite(points) ? validate(q) : StatusCode::invalid_argument;
+    if (status != StatusCode::success) return all_nan<ShapeContact<T>>(status);
     T largest = T(0);
     for (auto const &x : points) largest = maximum(largest, largest_coordinate(x));
     int const length = largest > T(0) ? binary_exponent(largest) : 0, form = half_exponent(largest_diagonal(q));
     Vector<T, 3> scaled[N];
-    for (int k = 0; k < N; ++k) scaled[k] = times_power_of_two(points[k], -length);
+    for (std::size_t k = 0; k < N; ++k) scaled[k] = times_power_of_two(points[k], -length);
     auto const unit = times_power_of_two(q, -2 * form);
     T const limit = T(16) * T(unscaled_limit<T>() * unscaled_limit<T>());
     if (!has_extended_numbers<T> || passes_fast_checks(scaled, unit, limit)) {
@@ -268,18 +268,18 @@ contact_scaled(Vector<T, 3> const (&points)[N], SymmetricMatrix<T, 3> const &q, 
         if (!found.certain) found = find_finer(scaled, unit, find);
         if (found.certain)
             return {times_power_of_two(found.mu2, 2 * (length - form)), times_power_of_two(found.point, length),
-                    Status::success};
+                    StatusCode::success};
     }
     return contact_with_all_digits(points, q, find);
 }
 
 /// The contact function of a set that is given by points. `find` finds the nearest point in units of order one.
-template <class T, int N, class Find> [[gnu::always_inline]] PW85_FUNCTION inline ShapeContact<T>
+template <class T, std::size_t N, class Find> [[gnu::always_inline]] PW85_FUNCTION inline ShapeContact<T>
 contact_of(Vector<T, 3> const (&points)[N], SymmetricMatrix<T, 3> const &q, Find const &find) noexcept
 {
     if (passes_fast_checks(points, q, unscaled_limit<T>())) {
         auto const found = find(points, q);
-        if (found.certain) return {found.mu2, found.point, Status::success};
+        if (found.certain) return {found.mu2, found.point, StatusCode::success};
     }
     return contact_scaled(points, q, find);
 }

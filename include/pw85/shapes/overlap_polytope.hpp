@@ -43,8 +43,8 @@ PW85_FUNCTION inline bool shows_apart(SymmetricMatrix<T, 3> const &q, TouchedPla
     }
     for (int i = 0; i < 3; ++i) form = form + T(terms[i] * terms[i]) * q(i, i);
     least = least - T(4) * u * largest;
-    T const small = times_power_of_two(T(1), -underflow_bits);
-    return least > small && form * small < T(1) &&
+    T const underflow = times_power_of_two(T(1), -underflow_bits);
+    return least > underflow && form * underflow < T(1) &&
            T(T(T(1) - T(8) * u) * least) * least > T(quadratic_form(q, s) + T(48) * u * form);
 }
 
@@ -53,7 +53,7 @@ PW85_FUNCTION inline bool shows_apart(SymmetricMatrix<T, 3> const &q, TouchedPla
 template <class T> PW85_FUNCTION inline Decision decide_by_planes(Polytope<T> const &polytope) noexcept
 {
     T const limit = unscaled_limit<T>(), form = largest_diagonal(polytope.q);
-    T const small = times_power_of_two(T(1), -underflow_bits);
+    T const underflow = times_power_of_two(T(1), -underflow_bits);
     if (!(is_in_range(form, form, form) && is_clearly_definite(polytope.q) && is_finite(polytope.center)))
         return Decision::none;
     bool inside = true, apart = false;
@@ -62,7 +62,7 @@ template <class T> PW85_FUNCTION inline Decision decide_by_planes(Polytope<T> co
         T const offset = polytope.offsets[k], length = sum_of_magnitudes(g), d = -offset - dot(g, polytope.center);
         T const magnitude = absolute(offset) + magnitude_of_dot(g, polytope.center);
         if (!(length * limit > T(1) && length < limit && magnitude < T(limit * limit))) return Decision::none;
-        inside = inside && d < -T(T(T(8) * T(unit_roundoff<T>())) * magnitude + small);
+        inside = inside && d < -T(T(T(8) * T(unit_roundoff<T>())) * magnitude + underflow);
         TouchedPlanes<T> plane{};
         plane.size = 1;
         plane.multipliers[0] = T(1);
@@ -77,11 +77,11 @@ template <class T> PW85_FUNCTION inline bool shows_overlap(Polytope<T> const &po
 {
     Vector<T, 3> size = x;
     for (int i = 0; i < 3; ++i) size[i] = absolute(x[i]);
-    T const small = times_power_of_two(T(1), -underflow_bits);
+    T const underflow = times_power_of_two(T(1), -underflow_bits);
     for (std::size_t k = 0; k < polytope.count; ++k) {
         auto const h = polytope.half_space(k);
         T const error = T(T(8) * T(unit_roundoff<T>())) * T(magnitude_of_dot(h.g, size) + h.magnitude);
-        if (!(dot(h.g, x) - h.d > T(error + small))) return false;
+        if (!(dot(h.g, x) - h.d > T(error + underflow))) return false;
     }
     return shows_overlap(polytope.q, x, size);
 }
@@ -111,9 +111,10 @@ template <class T> PW85_FUNCTION inline ShapeOverlap overlap_polytope(std::size_
     using namespace detail;
     Polytope<T> const polytope{n, normals, offsets, q, center, 0, T(0)};
     Decision const simple = decide_by_planes(polytope);
-    if (simple != Decision::none) return {simple == Decision::overlap, Status::success};
-    Status const planes = check_planes(polytope).status, status = planes == Status::success ? validate(q) : planes;
-    if (status != Status::success) return {false, status};
+    if (simple != Decision::none) return {simple == Decision::overlap, StatusCode::success};
+    StatusCode const planes = check_planes(polytope).status,
+                     status = planes == StatusCode::success ? validate(q) : planes;
+    if (status != StatusCode::success) return {false, status};
     Decision const decision = decide_polytope(polytope);
     if (decision != Decision::none) return {decision == Decision::overlap, status};
     if constexpr (exact::is_decidable<T>)

@@ -18,7 +18,7 @@ namespace pw85 {
 /// Whether an ellipsoid and a convex set overlap. It is false if the status is not success.
 struct ShapeOverlap {
     bool overlap;
-    Status status;
+    StatusCode status;
 };
 
 } // namespace pw85
@@ -27,7 +27,7 @@ namespace pw85::detail {
 
 /// A segment or a triangle: the hull of its ends or vertices.
 template <class T, int N> struct Hull {
-    Vector<T, 3> points[N];
+    Vector<T, 3> points[std::size_t(N)];
 
     PW85_MEMBER bool is_valid() const noexcept { return is_finite(points); }
 
@@ -219,8 +219,8 @@ decide_scaled(Shape const &shape, SymmetricMatrix<T, 3> const &q) noexcept
 template <class T, class Shape> [[gnu::noinline]] PW85_FUNCTION inline ShapeOverlap
 overlap_of_any(Shape const &shape, SymmetricMatrix<T, 3> const &q) noexcept
 {
-    Status const status = shape.is_valid() ? validate(q) : Status::invalid_argument;
-    if (status != Status::success) return {false, status};
+    StatusCode const status = shape.is_valid() ? validate(q) : StatusCode::invalid_argument;
+    if (status != StatusCode::success) return {false, status};
     Decision const decision = decide_scaled(shape, q);
     if (decision != Decision::none) return {decision == Decision::overlap, status};
     if constexpr (exact::is_decidable<T>)
@@ -233,7 +233,7 @@ template <class T, class Shape>
 PW85_FUNCTION inline ShapeOverlap overlap_of(Shape const &shape, SymmetricMatrix<T, 3> const &q) noexcept
 {
     Decision const decision = decide<false>(shape, q);
-    if (decision != Decision::none) return {decision == Decision::overlap, Status::success};
+    if (decision != Decision::none) return {decision == Decision::overlap, StatusCode::success};
     return overlap_of_any(shape, q);
 }
 

@@ -101,8 +101,8 @@ template <class T> PW85_FUNCTION inline bool are_independent(HalfSpace<T> const 
 
 /// Finds where the ellipsoid touches the intersection of some planes. `size` is 0 if a multiplier is not positive, or if rounding
 /// errors decide whether the planes intersect.
-template <int K, class T> PW85_FUNCTION inline TouchedPlanes<T> touch(SymmetricMatrix<T, 3> const &q,
-                                                                      HalfSpace<T> const *const (&planes)[K]) noexcept
+template <int K, class T> PW85_FUNCTION inline TouchedPlanes<T>
+touch(SymmetricMatrix<T, 3> const &q, HalfSpace<T> const *const (&planes)[std::size_t(K)]) noexcept
 {
     SymmetricMatrix<T, K> gram{};
     Vector<T, K> d{};
@@ -203,21 +203,21 @@ PW85_FUNCTION inline PolytopeSearch<T> search_polytope(Polytope<T> const &polyto
 /// Whether the planes are valid; if so, the largest d that is positive, in units of their normals, or 0.
 template <class T> struct PlanesCheck {
     T largest;
-    Status status;
+    StatusCode status;
 };
 
 template <class T> PW85_FUNCTION inline PlanesCheck<T> check_planes(Polytope<T> const &polytope) noexcept
 {
     T largest = T(0);
-    if (!is_finite(polytope.center)) return {T(0), Status::invalid_argument};
+    if (!is_finite(polytope.center)) return {T(0), StatusCode::invalid_argument};
     for (std::size_t k = 0; k < polytope.count; ++k) {
         Vector<T, 3> const n = polytope.normal(k);
         T const offset = polytope.offsets[k];
         if (!(is_finite(n) && offset * T(0) == T(0) && largest_coordinate(n) > T(0)))
-            return {T(0), Status::invalid_argument};
+            return {T(0), StatusCode::invalid_argument};
         largest = maximum(largest, polytope.half_space(k).d);
     }
-    return {largest, Status::success};
+    return {largest, StatusCode::success};
 }
 
 /// The polytope in units of 2^length, with the form in units of 4^form.
@@ -242,17 +242,17 @@ template <class T> PW85_FUNCTION inline ShapeContact<T> contact_polytope(std::si
     using End = typename PolytopeSearch<T>::End;
     Polytope<T> polytope{n, normals, offsets, q, center, 0, T(0)};
     auto const [largest, status] = check_planes(polytope);
-    Status const both = status == Status::success ? validate(q) : status;
-    if (both != Status::success) return all_nan<ShapeContact<T>>(both);
-    if (!(largest > T(0))) return {T(0), {T(0), T(0), T(0)}, Status::success};
+    StatusCode const both = status == StatusCode::success ? validate(q) : status;
+    if (both != StatusCode::success) return all_nan<ShapeContact<T>>(both);
+    if (!(largest > T(0))) return {T(0), {T(0), T(0), T(0)}, StatusCode::success};
     int const form = half_exponent(largest_diagonal(q));
     polytope = scaled(polytope, binary_exponent(largest), form);
     auto const [at, end] = search_polytope(polytope, infinity<T>());
-    auto nowhere = all_nan<ShapeContact<T>>(end == End::empty ? Status::success : Status::no_convergence);
+    auto nowhere = all_nan<ShapeContact<T>>(end == End::empty ? StatusCode::success : StatusCode::no_convergence);
     if (end == End::empty) nowhere.mu2 = infinity<T>();
     if (end != End::found) return nowhere;
     return {times_power_of_two(at.mu2, 2 * (polytope.length - form)), times_power_of_two(at.point, polytope.length),
-            Status::success};
+            StatusCode::success};
 }
 
 } // namespace pw85

@@ -34,7 +34,7 @@ static inline pw85_pair_list in_c(PairList const &list) noexcept
 /// Converts a system. It has as many particles as there are centres, or as there are forms if centres are left out.
 static inline pw85_system in_c(Particles const &particles) noexcept
 {
-    return {std::max(particles.centers.size(), particles.q.size()),
+    return {(std::max)(particles.centers.size(), particles.q.size()),
             in_c(particles.centers),
             in_c(particles.q),
             in_c(particles.cell),
@@ -48,13 +48,13 @@ static inline bool fit(PairList const &list, Particles const &particles) noexcep
 }
 
 /// Calls a function of a list and a system, with rows for each pair, if all sizes are consistent.
-template <class Function, class... Rows> static Status call_pairs(Function const &function, PairList const &list,
-                                                                  Particles const &particles, Rows... rows) noexcept
+template <class Function, class... Rows> static StatusCode call_pairs(Function const &function, PairList const &list,
+                                                                      Particles const &particles, Rows... rows) noexcept
 {
-    if (!fit(list, particles) || !(has_rows(list.pairs.size(), rows) && ...)) return Status::invalid_argument;
+    if (!fit(list, particles) || !(has_rows(list.pairs.size(), rows) && ...)) return StatusCode::invalid_argument;
     pw85_pair_list const c_list = in_c(list);
     pw85_system const system = in_c(particles);
-    return static_cast<Status>(function(&c_list, &system, in_c(rows)...));
+    return static_cast<StatusCode>(function(&c_list, &system, in_c(rows)...));
 }
 
 } // namespace pw85::detail

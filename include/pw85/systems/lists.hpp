@@ -22,8 +22,8 @@ namespace pw85 {
 /// @param[out] lambda one for each pair, or empty
 /// @return as for contact_batch(); Status::invalid_argument also for `images` without `cell`, a cell that is not finite
 /// or, unless there are images, singular
-static inline Status contact_pairs(PairList const &list, Particles const &particles, std::span<double> mu2,
-                                   std::span<double> lambda = {}) noexcept
+static inline StatusCode contact_pairs(PairList const &list, Particles const &particles, std::span<double> mu2,
+                                       std::span<double> lambda = {}) noexcept
 {
     return detail::call_pairs(pw85_contact_pairs, list, particles, mu2, lambda);
 }
@@ -35,8 +35,8 @@ static inline Status contact_pairs(PairList const &list, Particles const &partic
 /// @param[out] overlap one for each pair: 1, 0, or 255 for a bad pair
 /// @return as for contact_batch(); Status::invalid_argument also for `images` without `cell`, a cell that is not finite
 /// or, unless there are images, singular
-static inline Status overlap_pairs(PairList const &list, Particles const &particles,
-                                   std::span<unsigned char> overlap) noexcept
+static inline StatusCode overlap_pairs(PairList const &list, Particles const &particles,
+                                       std::span<unsigned char> overlap) noexcept
 {
     return detail::call_pairs(pw85_overlap_pairs, list, particles, overlap);
 }
@@ -48,8 +48,8 @@ static inline Status overlap_pairs(PairList const &list, Particles const &partic
 /// @param[out] out one row for each pair in all spans, or in some: see pw85_contact_derivatives_pairs()
 /// @return as for contact_batch(); Status::invalid_argument also for `images` without `cell`, a cell that is not finite
 /// or, unless there are images, singular
-static inline Status contact_derivatives_pairs(PairList const &list, Particles const &particles,
-                                               DerivativeSpans const &out) noexcept
+static inline StatusCode contact_derivatives_pairs(PairList const &list, Particles const &particles,
+                                                   DerivativeSpans const &out) noexcept
 {
     return detail::call_pairs(pw85_contact_derivatives_pairs, list, particles, out.mu2, out.lambda, out.point,
                               out.normal, out.d_r12, out.d_rot1, out.d_rot2);

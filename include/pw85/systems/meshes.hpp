@@ -33,7 +33,7 @@ struct MeshContact {
     double mu2;              ///< infinity if the mesh has no triangles
     Vector<double, 3> point; ///< where the scaled ellipsoid touches, relative to its centre
     std::int32_t triangle;   ///< index of the nearest triangle; -1 if there is none
-    Status status;
+    StatusCode status;
 };
 
 /// Outputs of mesh_contact_batch(): one row for each ellipsoid, or none.
@@ -49,14 +49,14 @@ struct MeshContactSpans {
 /// @param triangles indices of vertices, from 0
 /// @param[out] mesh null on error
 /// @return Status::success, Status::invalid_argument, Status::out_of_memory
-static inline Status mesh_create(std::span<Vector<double, 3> const> vertices,
-                                 std::span<std::array<std::int32_t, 3> const> triangles, Mesh &mesh) noexcept
+static inline StatusCode mesh_create(std::span<Vector<double, 3> const> vertices,
+                                     std::span<std::array<std::int32_t, 3> const> triangles, Mesh &mesh) noexcept
 {
     pw85_mesh *made = nullptr;
     int const status =
         pw85_mesh_create(vertices.size(), detail::in_c(vertices), triangles.size(), detail::in_c(triangles), &made);
     mesh = Mesh(made);
-    return static_cast<Status>(status);
+    return static_cast<StatusCode>(status);
 }
 
 /// Contact function of an ellipsoid and a mesh: see pw85_mesh_contact().
@@ -69,8 +69,8 @@ static inline MeshContact mesh_contact(Mesh const &mesh, Vector<double, 3> const
                                        SymmetricMatrix<double, 3> const &q) noexcept
 {
     MeshContact found{};
-    found.status = static_cast<Status>(pw85_mesh_contact(mesh.get(), center.coordinates, q.entries, &found.mu2,
-                                                         found.point.coordinates, &found.triangle));
+    found.status = static_cast<StatusCode>(pw85_mesh_contact(mesh.get(), center.coordinates, q.entries, &found.mu2,
+                                                             found.point.coordinates, &found.triangle));
     return found;
 }
 
@@ -82,7 +82,7 @@ static inline ShapeOverlap mesh_overlap(Mesh const &mesh, Vector<double, 3> cons
                                         SymmetricMatrix<double, 3> const &q) noexcept
 {
     int overlap = 0;
-    auto const status = static_cast<Status>(pw85_mesh_overlap(mesh.get(), center.coordinates, q.entries, &overlap));
+    auto const status = static_cast<StatusCode>(pw85_mesh_overlap(mesh.get(), center.coordinates, q.entries, &overlap));
     return {overlap == 1, status};
 }
 
@@ -92,15 +92,15 @@ static inline ShapeOverlap mesh_overlap(Mesh const &mesh, Vector<double, 3> cons
 /// @param centers,q one for each ellipsoid
 /// @param[out] out one row for each ellipsoid, or none
 /// @return Status::success, Status::invalid_argument, or the status of the first bad ellipsoid
-static inline Status mesh_contact_batch(Mesh const &mesh, Vectors centers, Forms q,
-                                        MeshContactSpans const &out) noexcept
+static inline StatusCode mesh_contact_batch(Mesh const &mesh, Vectors centers, Forms q,
+                                            MeshContactSpans const &out) noexcept
 {
     std::size_t const n = centers.size();
     if (q.size() != n || !detail::fits(n, out.mu2) || !detail::fits(n, out.point) || !detail::fits(n, out.triangle))
-        return Status::invalid_argument;
-    return static_cast<Status>(pw85_mesh_contact_batch(mesh.get(), n, detail::in_c(centers), detail::in_c(q),
-                                                       detail::in_c(out.mu2), detail::in_c(out.point),
-                                                       out.triangle.data()));
+        return StatusCode::invalid_argument;
+    return static_cast<StatusCode>(pw85_mesh_contact_batch(mesh.get(), n, detail::in_c(centers), detail::in_c(q),
+                                                           detail::in_c(out.mu2), detail::in_c(out.point),
+                                                           out.triangle.data()));
 }
 
 /// mesh_overlap() for many ellipsoids: see pw85_mesh_overlap_batch().
@@ -109,12 +109,12 @@ static inline Status mesh_contact_batch(Mesh const &mesh, Vectors centers, Forms
 /// @param centers,q one for each ellipsoid
 /// @param[out] overlap one for each ellipsoid: 1 or 0; 255 for a bad one
 /// @return as for mesh_contact_batch()
-static inline Status mesh_overlap_batch(Mesh const &mesh, Vectors centers, Forms q,
-                                        std::span<unsigned char> overlap) noexcept
+static inline StatusCode mesh_overlap_batch(Mesh const &mesh, Vectors centers, Forms q,
+                                            std::span<unsigned char> overlap) noexcept
 {
     std::size_t const n = centers.size();
-    if (q.size() != n || overlap.size() != n) return Status::invalid_argument;
-    return static_cast<Status>(
+    if (q.size() != n || overlap.size() != n) return StatusCode::invalid_argument;
+    return static_cast<StatusCode>(
         pw85_mesh_overlap_batch(mesh.get(), n, detail::in_c(centers), detail::in_c(q), overlap.data()));
 }
 

@@ -52,16 +52,16 @@ class Neighbors {
 /// @param options which pairs to list
 /// @param[out] list empty on error
 /// @return Status::success, Status::invalid_argument, Status::not_positive_definite, Status::out_of_memory
-static inline Status neighbors_create(Particles const &particles, NeighborOptions const &options,
-                                      Neighbors &list) noexcept
+static inline StatusCode neighbors_create(Particles const &particles, NeighborOptions const &options,
+                                          Neighbors &list) noexcept
 {
     list = Neighbors();
-    if (particles.centers.size() != particles.q.size()) return Status::invalid_argument;
+    if (particles.centers.size() != particles.q.size()) return StatusCode::invalid_argument;
     pw85_neighbors *made = nullptr;
     pw85_system const system = detail::in_c(particles);
     int const status = pw85_neighbors_create(&system, options.scale, options.skin, &made);
     list = Neighbors(made);
-    return static_cast<Status>(status);
+    return static_cast<StatusCode>(status);
 }
 
 /// Finds the particle because of which a list cannot be made: see pw85_neighbors_check().
@@ -69,13 +69,13 @@ static inline Status neighbors_create(Particles const &particles, NeighborOption
 /// @param particles,options as for neighbors_create()
 /// @param[out] particle index of the first bad particle, or the number of particles if there is none
 /// @return the status of this particle or of the options, or Status::success
-static inline Status neighbors_check(Particles const &particles, NeighborOptions const &options,
-                                     std::size_t &particle) noexcept
+static inline StatusCode neighbors_check(Particles const &particles, NeighborOptions const &options,
+                                         std::size_t &particle) noexcept
 {
     particle = particles.centers.size();
-    if (particles.centers.size() != particles.q.size()) return Status::invalid_argument;
+    if (particles.centers.size() != particles.q.size()) return StatusCode::invalid_argument;
     pw85_system const system = detail::in_c(particles);
-    return static_cast<Status>(pw85_neighbors_check(&system, options.scale, options.skin, &particle));
+    return static_cast<StatusCode>(pw85_neighbors_check(&system, options.scale, options.skin, &particle));
 }
 
 /// Whether a list still has all pairs after particles or cell have changed: see pw85_neighbors_holds().
@@ -84,12 +84,12 @@ static inline Status neighbors_check(Particles const &particles, NeighborOptions
 /// @param particles the present positions and the present cell
 /// @param[out] holds 1, 0, or -1 on error
 /// @return Status::success, Status::invalid_argument, Status::not_positive_definite
-static inline Status neighbors_holds(Neighbors const &list, Particles const &particles, int &holds) noexcept
+static inline StatusCode neighbors_holds(Neighbors const &list, Particles const &particles, int &holds) noexcept
 {
     holds = -1;
-    if (particles.centers.size() != particles.q.size()) return Status::invalid_argument;
+    if (particles.centers.size() != particles.q.size()) return StatusCode::invalid_argument;
     pw85_system const system = detail::in_c(particles);
-    return static_cast<Status>(pw85_neighbors_holds(list.get(), &system, &holds));
+    return static_cast<StatusCode>(pw85_neighbors_holds(list.get(), &system, &holds));
 }
 
 } // namespace pw85

@@ -17,15 +17,15 @@ namespace pw85 {
 /// @param particles the system
 /// @param[out] any 1 or 0; -1 on error
 /// @return as for overlap_any(); Status::invalid_argument also if nearest images do not decide
-static inline Status overlap_any_indices(Vector<double, 3> const &center, SymmetricMatrix<double, 3> const &q1,
-                                         std::span<std::int32_t const> indices, Particles const &particles,
-                                         int &any) noexcept
+static inline StatusCode overlap_any_indices(Vector<double, 3> const &center, SymmetricMatrix<double, 3> const &q1,
+                                             std::span<std::int32_t const> indices, Particles const &particles,
+                                             int &any) noexcept
 {
     any = -1;
-    if (particles.centers.size() != particles.q.size()) return Status::invalid_argument;
+    if (particles.centers.size() != particles.q.size()) return StatusCode::invalid_argument;
     pw85_system const system = detail::in_c(particles);
-    return static_cast<Status>(pw85_overlap_any_indices(center.coordinates, q1.entries, &system, indices.size(),
-                                                        indices.data(), nullptr, &any));
+    return static_cast<StatusCode>(pw85_overlap_any_indices(center.coordinates, q1.entries, &system, indices.size(),
+                                                            indices.data(), nullptr, &any));
 }
 
 /// overlap_any() for given images of other particles of a system: see pw85_overlap_any_indices().
@@ -36,18 +36,18 @@ static inline Status overlap_any_indices(Vector<double, 3> const &center, Symmet
 /// @param particles the system, in a cell
 /// @param[out] any 1 or 0; -1 on error
 /// @return Status::success, Status::invalid_argument, Status::not_positive_definite
-static inline Status overlap_any_indices(Vector<double, 3> const &center, SymmetricMatrix<double, 3> const &q1,
-                                         std::span<std::int32_t const> indices, std::span<Image const> images,
-                                         Particles const &particles, int &any) noexcept
+static inline StatusCode overlap_any_indices(Vector<double, 3> const &center, SymmetricMatrix<double, 3> const &q1,
+                                             std::span<std::int32_t const> indices, std::span<Image const> images,
+                                             Particles const &particles, int &any) noexcept
 {
     any = -1;
     if (particles.centers.size() != particles.q.size() || images.size() != indices.size())
-        return Status::invalid_argument;
+        return StatusCode::invalid_argument;
     constexpr Image none{}; // null would ask for all images
     pw85_system const system = detail::in_c(particles);
-    return static_cast<Status>(pw85_overlap_any_indices(center.coordinates, q1.entries, &system, indices.size(),
-                                                        indices.data(), images.empty() ? none.data() : images[0].data(),
-                                                        &any));
+    return static_cast<StatusCode>(pw85_overlap_any_indices(center.coordinates, q1.entries, &system, indices.size(),
+                                                            indices.data(),
+                                                            images.empty() ? none.data() : images[0].data(), &any));
 }
 
 /// @}
@@ -63,7 +63,7 @@ static inline ReducedCell cell_reduce(Cell const &cell) noexcept
 {
     ReducedCell result;
     result.status =
-        static_cast<Status>(pw85_cell_reduce(detail::in_c(&cell), reinterpret_cast<double *>(&result.cell)));
+        static_cast<StatusCode>(pw85_cell_reduce(detail::in_c(&cell), reinterpret_cast<double *>(&result.cell)));
     return result;
 }
 
@@ -74,14 +74,14 @@ static inline ReducedCell cell_reduce(Cell const &cell) noexcept
 /// @param[out] r12 from the first to the image of the second, one for each pair, or none
 /// @param[out] images multiples of the vectors of the cell, one row for each pair, or none
 /// @return Status::success, or Status::invalid_argument, also for the first bad pair, whose rows are NaN and INT32_MIN
-static inline Status nearest_images(std::span<IndexPair const> pairs, Particles const &particles,
-                                    std::span<Vector<double, 3>> r12, std::span<Image> images = {}) noexcept
+static inline StatusCode nearest_images(std::span<IndexPair const> pairs, Particles const &particles,
+                                        std::span<Vector<double, 3>> r12, std::span<Image> images = {}) noexcept
 {
     std::size_t const n = pairs.size();
     if (!detail::fits(n, r12) || !detail::fits(n, images) || !detail::fits(particles.centers.size(), particles.q))
-        return Status::invalid_argument;
+        return StatusCode::invalid_argument;
     pw85_system const system = detail::in_c(particles);
-    return static_cast<Status>(
+    return static_cast<StatusCode>(
         pw85_nearest_images(n, detail::in_c(pairs), &system, detail::in_c(r12), detail::in_c(images)));
 }
 
@@ -91,12 +91,12 @@ static inline Status nearest_images(std::span<IndexPair const> pairs, Particles 
 /// @param[out] mu2 the limit; infinity if there are no particles
 /// @return Status::success, Status::invalid_argument (also for a cell that is singular or not finite),
 /// Status::not_positive_definite
-static inline Status nearest_image_limit(Particles const &particles, double &mu2) noexcept
+static inline StatusCode nearest_image_limit(Particles const &particles, double &mu2) noexcept
 {
     mu2 = detail::quiet_nan<double>();
-    if (!detail::fits(particles.q.size(), particles.centers)) return Status::invalid_argument;
+    if (!detail::fits(particles.q.size(), particles.centers)) return StatusCode::invalid_argument;
     pw85_system const system = detail::in_c(particles);
-    return static_cast<Status>(pw85_nearest_image_limit(&system, &mu2));
+    return static_cast<StatusCode>(pw85_nearest_image_limit(&system, &mu2));
 }
 
 /// @}

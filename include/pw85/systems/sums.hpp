@@ -28,19 +28,19 @@ static inline bool fits(std::size_t n, DerivativeSpans const &out) noexcept
 /// @param end as for first_contact()
 /// @param[out] out one time for each pair, and one event for each particle
 /// @return as for contact_pairs(), or Status::no_convergence
-static inline Status first_contact_pairs(PairList const &list, Particles const &particles,
-                                         std::span<Motion<double, 3> const> motions, double end,
-                                         EventSpans const &out) noexcept
+static inline StatusCode first_contact_pairs(PairList const &list, Particles const &particles,
+                                             std::span<Motion<double, 3> const> motions, double end,
+                                             EventSpans const &out) noexcept
 {
     std::size_t const n = list.pairs.size(), num_particles = particles.centers.size();
     if (out.time.size() != n || motions.size() != num_particles || !detail::fits(num_particles, out.next) ||
         !detail::fits(num_particles, out.next_pair) || !detail::fit(list, particles))
-        return Status::invalid_argument;
+        return StatusCode::invalid_argument;
     pw85_pair_list const c_list = detail::in_c(list);
     pw85_system const system = detail::in_c(particles);
-    return static_cast<Status>(pw85_first_contact_pairs(&c_list, &system, detail::in_c(motions), end,
-                                                        detail::in_c(out.time), detail::in_c(out.next),
-                                                        detail::in_c(out.next_pair)));
+    return static_cast<StatusCode>(pw85_first_contact_pairs(&c_list, &system, detail::in_c(motions), end,
+                                                            detail::in_c(out.time), detail::in_c(out.next),
+                                                            detail::in_c(out.next_pair)));
 }
 
 /// Forces, torques and virial from the energies of pairs: see pw85_contact_forces_pairs().
@@ -50,17 +50,18 @@ static inline Status first_contact_pairs(PairList const &list, Particles const &
 /// @param derivatives from contact_derivatives_pairs()
 /// @param[out] out the sums
 /// @return Status::success, Status::invalid_argument
-static inline Status contact_forces_pairs(PairList const &list, Particles const &particles, std::span<double const> d_u,
-                                          DerivativeSpans const &derivatives, ForceSpans const &out) noexcept
+static inline StatusCode contact_forces_pairs(PairList const &list, Particles const &particles,
+                                              std::span<double const> d_u, DerivativeSpans const &derivatives,
+                                              ForceSpans const &out) noexcept
 {
     std::size_t const n = list.pairs.size(), num_particles = particles.centers.size();
     if (d_u.size() != n || !detail::fits(n, derivatives) || !detail::fits(n, list.images) ||
         !detail::fits(num_particles, particles.q) || !detail::fits(num_particles, out.forces) ||
         !detail::fits(num_particles, out.torques))
-        return Status::invalid_argument;
+        return StatusCode::invalid_argument;
     pw85_pair_list const c_list = detail::in_c(list);
     pw85_system const system = detail::in_c(particles);
-    return static_cast<Status>(pw85_contact_forces_pairs(
+    return static_cast<StatusCode>(pw85_contact_forces_pairs(
         &c_list, &system, d_u.data(), detail::in_c(derivatives.d_r12), detail::in_c(derivatives.d_rot1),
         detail::in_c(derivatives.d_rot2), detail::in_c(out.forces), detail::in_c(out.torques),
         reinterpret_cast<double *>(out.virial)));
@@ -73,19 +74,19 @@ static inline Status contact_forces_pairs(PairList const &list, Particles const 
 /// @param[out] energy the sum of the energies
 /// @param[out] out the sums
 /// @return as for contact_pairs(); Status::invalid_argument also for a law whose parameters are not allowed; Status::out_of_memory
-static inline Status law_forces_pairs(PairList const &list, Particles const &particles, Law const &law, double &energy,
-                                      ForceSpans const &out) noexcept
+static inline StatusCode law_forces_pairs(PairList const &list, Particles const &particles, Law const &law,
+                                          double &energy, ForceSpans const &out) noexcept
 {
     std::size_t const num_particles = particles.centers.size();
     if (!detail::fit(list, particles) || !detail::fits(num_particles, out.forces) ||
         !detail::fits(num_particles, out.torques))
-        return Status::invalid_argument;
+        return StatusCode::invalid_argument;
     pw85_pair_list const c_list = detail::in_c(list);
     pw85_system const system = detail::in_c(particles);
     pw85_law const c_law = {law.kind, law.parameters.size(), law.parameters.data()};
-    return static_cast<Status>(pw85_law_forces_pairs(&c_list, &system, &c_law, &energy, detail::in_c(out.forces),
-                                                     detail::in_c(out.torques),
-                                                     reinterpret_cast<double *>(out.virial)));
+    return static_cast<StatusCode>(pw85_law_forces_pairs(&c_list, &system, &c_law, &energy, detail::in_c(out.forces),
+                                                         detail::in_c(out.torques),
+                                                         reinterpret_cast<double *>(out.virial)));
 }
 
 /// @}

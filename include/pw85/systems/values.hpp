@@ -24,7 +24,7 @@ using Cell = std::array<Vector<double, 3>, 3>;
 /// A reduced cell. It is NaN if the status is not success.
 struct ReducedCell {
     Cell cell;
-    Status status;
+    StatusCode status;
 };
 
 /// The outputs for first contacts: one time for each pair, and for each particle its next contact and the index of the pair, which
