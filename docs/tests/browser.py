@@ -143,6 +143,24 @@ def check_searches(driver, address, searches):
             yield f"a search for {query} finds first {first} instead of {expected}"
 
 
+def check_one_row(driver, address):
+    """Whether a function of several languages has one row, with links to each of them."""
+    driver.get(f"{address}/search.html?q=contact_gradient")
+    WebDriverWait(driver, 10).until(lambda d: "finished" in d.find_element("id", "search-results").text.lower())
+    rows = driver.find_elements("css selector", "#search-results li")
+    names = [row.find_element("tag name", "a").text.lower() for row in rows]
+    same = [row for row, name in zip(rows, names) if re.sub("^(pw85_|pypw85[.]|pw85::)", "", name) == "contact_gradient"]
+    places = [link.get_attribute("href") for row in same for link in row.find_elements("tag name", "a")]
+    pages = sorted(urllib.parse.urlparse(place).path for place in places)
+    if len(same) != 1 or pages != [f"/api/{language}.html" for language in ("c", "cpp", "fortran", "python")]:
+        yield f"contact_gradient has {len(same)} rows, with links to {pages}"
+    for place in places:
+        driver.get(place)
+        anchor = urllib.parse.unquote(place.partition("#")[2])
+        if not driver.execute_script("return !!document.getElementById(arguments[0])", anchor):
+            yield f"a search leads to {place}, which is not there"
+
+
 def shown(driver):
     """The numbers of the page with two ellipsoids, once it shows any."""
     WebDriverWait(driver, 10).until(lambda d: d.find_element("id", "pair-mu2").text)
@@ -242,3 +260,4 @@ def check(folder, pages, searches, states, screenshots):
                 yield from (f"{page}, {size}: {complaint}" for complaint in found)
         yield from check_interactive(driver, address, states, screenshots)
         yield from check_searches(driver, address, searches)
+        yield from check_one_row(driver, address)

@@ -34,6 +34,7 @@ RUN_BY_OTHER_TESTS = ["meson compile -C build-docs docs"]
 
 TOOLS = {
     "sudo": 'exec "$@"',
+    "python3": "echo 'a python3 that is not that of the system, as that of pyenv or conda' >&2; exit 1",
     "apt-get": """command -v dpkg-query >/dev/null || exit 0 # another system, where nothing is known of packages
 [ "$1" = install ] && shift && for package; do
   dpkg-query -W -f '${Status}\\n' "$package" | grep -q 'ok installed' || { echo "$package is not installed"; exit 1; }

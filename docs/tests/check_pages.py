@@ -31,17 +31,42 @@ for (const formula of JSON.parse(require("fs").readFileSync(0, "utf-8")))
 LONGEST_LINE = 88
 LEAST_CONTRAST = 4.5  # level AA of WCAG 2.1
 PRINTED = {"highlight-none", "highlight-text"}  # what programs print
-# What a search must find first.
+# What a search must find first: the chapter for its own word, then functions, and a sentence that says no where there is nothing.
 SEARCHES = {
     "changelog": "changelog.html",
-    "closest approach": "#c.pw85_closest_approach",
+    "closest approach": "closest_approach.html",
+    "containment": "containment.html",
+    "contains": "containment.html",
+    "curvature": "curvature.html",
+    "distance": "distance.html",
     "euler angles": "tasks/euler.html",
+    "event chain": "montecarlo.html",
+    "forces": "forces.html",
+    "GPU": "gpu.html",
+    "hard ellipsoids": "montecarlo.html",
+    "hertz": "curvature.html",
+    "LAMMPS": "lammps.html",
+    "license": "installation.html",
+    "mesh": "meshes.html",
     "minimum image": "glossary.html#term-minimum-image",
+    "Monte Carlo": "montecarlo.html",
+    "neighbors": "neighbors.html",
+    "neighbour list": "neighbors.html",
+    "NaN": "errors.html",
     "overlap": "#c.pw85_overlap",
+    "packing": "tasks/relax.html",
     "performance": "performance.html",
+    "periodic": "tasks/periodic.html",
+    "pip": "installation.html",
     "quaternion": "#c.pw85_ellipsoid_quaternion",
-    "relax": "#pypw85.relax",
+    "relax": "tasks/relax.html",
+    "threads": "batch.html",
     "torque": "#c.pw85_contact_torque",
+    "Windows": "installation.html",
+    **dict.fromkeys(
+        ["AMD GPU", "collision", "conda", "DEM", "Gay-Berne", "Julia", "MATLAB", "molecular dynamics", "Rust", "superellipsoid"],
+        "limits.html",
+    ),
 }
 VOID = {"area", "base", "br", "col", "embed", "hr", "img", "input", "link", "meta", "source", "track", "wbr"}
 NOT_PROSE = {"script", "style", "code", "pre", "svg", "dt", "head"}

@@ -26,9 +26,17 @@ def blocks(text):
     return re.findall(r"^```(\w+)\n(.*?)^```\n", text, re.MULTILINE | re.DOTALL)
 
 
+def make_foreign_python(folder):
+    """A python3 that is not that of the system, as that of pyenv or conda, and comes first on the path. It can do nothing."""
+    folder.mkdir()
+    (folder / "python3").write_text("#!/bin/sh\nexit 1\n", encoding="utf-8")
+    (folder / "python3").chmod(0o755)
+
+
 def run(script, folder):
     unset = ("PKG_CONFIG_PATH", "LD_LIBRARY_PATH", "CPATH", "LIBRARY_PATH")
     environment = {name: value for name, value in os.environ.items() if name not in unset}
+    environment["PATH"] = f"{folder.parent / 'foreign'}:{environment['PATH']}"
     return subprocess.run(["sh", "-e", "-c", script], cwd=folder, env=environment, check=True, stdout=subprocess.PIPE,
                           encoding="utf-8").stdout
 
@@ -67,6 +75,7 @@ def main():
     with tempfile.TemporaryDirectory(prefix="pw85-readme-") as folder:
         copy = Path(folder) / "pw85"
         shutil.copytree(source, copy, ignore=built(source))
+        make_foreign_python(Path(folder) / "foreign")
         run(tutorial(readme), copy)
         for language, compiler in COMPILERS.items():
             if not shutil.which(compiler):

@@ -233,10 +233,22 @@ bool limit_threads_after_fork()
 #endif
 }
 
+/// Python without its lock may keep it off: after the import nothing here is written to but what a call owns, and simulations have
+/// locks of their own (HardEllipsoids).
+bool declare_free_threading([[maybe_unused]] PyObject *module)
+{
+#ifdef Py_GIL_DISABLED
+    return PyUnstable_Module_SetGIL(module, Py_MOD_GIL_NOT_USED) == 0;
+#else
+    return true;
+#endif
+}
+
 PyObject *create_module()
 {
     Reference module(PyModule_Create(&definition));
-    bool good = module != nullptr && add(module.get(), "STATUSES", statuses()) &&
+    bool good = module != nullptr && declare_free_threading(module.get()) &&
+                add(module.get(), "STATUSES", statuses()) &&
                 add(module.get(), "LAMBDA_ATOL", Reference(PyFloat_FromDouble(PW85_LAMBDA_ATOL)));
     for (Function &function : functions()) good = good && register_function(module.get(), function);
     good = good && register_report(module.get(), "contact_pairs", "report_contact_pairs") &&

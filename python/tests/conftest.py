@@ -1,9 +1,29 @@
-"""What the tests share: random pairs, and a way to name a failing row."""
+"""What the tests share: the files that they need, random pairs, and a way to name a failing row."""
+
+import os
+import pathlib
 
 import numpy as np
 import pytest
 
 import pypw85
+
+# The variables that name files of the sources, the file that shows that a value is right, and the value where the tests lie in the
+# sources. Meson sets both.
+SOURCE = pathlib.Path(__file__).resolve().parents[2]
+VARIABLES = {
+    "PYPW85_SOURCE": ("the root of the sources of pw85", "include/pw85.h", SOURCE),
+    "PYPW85_REFERENCE_DATA": ("pw85_ref_data.h5 of the folder data of the sources", "", SOURCE / "data/pw85_ref_data.h5"),
+}
+
+
+def pytest_configure():
+    """Sets the variables, or says which one is missing. Modules of tests read them when they are collected."""
+    for name, (what, witness, usual) in VARIABLES.items():
+        given = pathlib.Path(os.environ.setdefault(name, str(usual)))
+        if not (given / witness).exists():
+            raise pytest.UsageError(f"set {name} to {what}: there is no {given / witness}")
+
 
 # Numbers in doctests are printed bare, as NumPy did before 2.0.
 np.set_printoptions(legacy="1.21")

@@ -13,7 +13,7 @@ import numpy as np
 import pypw85
 from pypw85 import cli
 
-PW85 = [sys.executable, "-m", "pypw85.cli"]
+PW85 = [sys.executable, "-m", "pypw85"]
 SUFFIXES = {"lammps-dump": "dump", "lammps-data": "data", "gsd": "gsd", "xyz": "xyz", "hdf5": "h5", "csv": "csv"}
 CELL = np.array([[4, 0, 0], [0.5, 4, 0], [-0.25, 0.5, 4]])
 

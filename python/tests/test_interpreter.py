@@ -59,6 +59,34 @@ def test_active_virtual_environment(tmp_path, make_venv):
     assert extension(tmp_path / "build")
 
 
+def make_foreign(folder):
+    """A folder with a python3 that is none of the system, as that of pyenv, and lacks NumPy. It comes first on the path."""
+    folder.mkdir()
+    (folder / "python3").write_text('#!/bin/sh\nexec /usr/bin/python3 -S "$@"\n')
+    (folder / "python3").chmod(0o755)
+    return folder
+
+
+def test_interpreter_that_is_asked_for(tmp_path, make_venv):
+    """It is taken even if another one comes first on the path, and no other one takes its place."""
+    path = [make_foreign(tmp_path / "bin")]
+    wanted = make_venv("env", system_site_packages=True) / "python3"
+    status, output = meson_setup(tmp_path / "build", "-Dpython=enabled", f"-Dpython_interpreter={wanted}", path=path)
+    assert status == 0, output
+    assert f"Program {wanted} (numpy) found: YES ({wanted})" in output
+    assert extension(tmp_path / "build")
+    status, output = meson_setup(tmp_path / "without", "-Dpython=enabled", f"-Dpython_interpreter={path[0] / 'python3'}")
+    assert status != 0 and "numpy" in output
+
+
+def test_active_environment_of_conda(tmp_path, monkeypatch):
+    """Its Python is the base of nothing else; what CONDA_PREFIX names was made active on purpose."""
+    path = [make_foreign(tmp_path / "bin")]
+    monkeypatch.setenv("CONDA_PREFIX", "/usr")  # where the foreign one is
+    status, output = meson_setup(tmp_path / "build", "-Dpython=enabled", path=path)
+    assert status != 0 and "numpy" in output
+
+
 def test_virtual_environment_without_numpy(tmp_path, make_venv):
     """It was made active on purpose: another interpreter would not be what is wanted."""
     path = [make_venv("env")]
@@ -73,11 +101,8 @@ def test_other_interpreter_without_numpy(tmp_path):
     """One that just happens to be first on the path does not hide Debian's."""
     if not pathlib.Path("/usr/bin/python3").exists():
         pytest.skip("no /usr/bin/python3")
-    folder = tmp_path / "bin"
-    folder.mkdir()
-    (folder / "python3").write_text('#!/bin/sh\nexec /usr/bin/python3 -S "$@"\n')
-    (folder / "python3").chmod(0o755)
-    status, output = meson_setup(tmp_path / "build", "-Dpython=enabled", path=[folder])
+    path = [make_foreign(tmp_path / "bin")]
+    status, output = meson_setup(tmp_path / "build", "-Dpython=enabled", path=path)
     assert status == 0, output
     assert "Program /usr/bin/python3 (numpy) found: YES" in output
 

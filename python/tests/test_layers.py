@@ -12,7 +12,7 @@ PACKAGE = pathlib.Path(pypw85.__file__).parent
 LAYERS = [
     {"_system"},
     {"formats", "_drawing", "_observables", "_packing", "_plotting", "_simulations", "_statistics", "_voxels"},
-    {"cli"},
+    {"cli", "__main__"},
     {""},  # the package itself
 ]
 PROGRAM = """
@@ -111,7 +111,7 @@ def test_downward():
 
 def test_without_other_packages(tmp_path):
     """Pictures and files need Matplotlib, tqdm and h5py when they are made, not when the package is imported."""
-    names = [f"pypw85.{name}" for name in module_names() if name not in ("", "torch", "cli.__main__")]
+    names = [f"pypw85.{name}" for name in module_names() if name not in ("", "torch", "__main__", "cli.__main__")]
     done = subprocess.run(
         [sys.executable, "-c", PROGRAM, *names], cwd=tmp_path, capture_output=True, text=True, check=False
     )

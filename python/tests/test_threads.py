@@ -1,6 +1,10 @@
 """Other threads run while arrays are computed, and processes may fork."""
 
+import concurrent.futures
 import multiprocessing
+import subprocess
+import sys
+import sysconfig
 import threading
 
 import numpy as np
@@ -62,6 +66,55 @@ def test_errors_of_threads_are_separate(random_pairs):
     for thread in threads:
         thread.join()
     assert not failures
+
+
+def everything(seed):
+    """What one thread computes: single pairs, arrays, lists of neighbours, a simulation, and text."""
+    rng = np.random.default_rng(seed)
+    q = pypw85.ellipsoid_quaternion(rng.uniform(0.5, 1, (60, 3)), rng.normal(size=(60, 4)))
+    centers = rng.uniform(0, 6, (60, 3))
+    pairs = pypw85.neighbors(centers, q, cell=6 * np.eye(3)).pairs
+    r12 = centers[pairs[:, 1]] - centers[pairs[:, 0]]
+    arrays = [*pypw85.contact(r12, q[pairs[:, 0]], q[pairs[:, 1]]), pypw85.overlap(r12, q[pairs[:, 0]], q[pairs[:, 1]])]
+    single = [pypw85.contact(r12[k], q[pairs[k, 0]], q[pairs[k, 1]])[0] for k in range(20)]
+    places = np.stack(np.meshgrid(*[np.arange(3.0)] * 3, indexing="ij"), axis=-1).reshape(-1, 3)
+    spheres = pypw85.System.from_axes(places, np.full((27, 3), 0.3), np.tile([1.0, 0, 0, 0], (27, 1)), cell=3 * np.eye(3))
+    simulation = pypw85.HardEllipsoids(spheres, seed=seed)
+    simulation.sweep(5)
+    return b"".join(np.ascontiguousarray(x).tobytes() for x in (pairs, *arrays, single, simulation.centers))
+
+
+def test_threads_at_once_give_what_one_gives():
+    """The same bits from many threads of Python that run everything at once. Without Python's lock, they do so in parallel."""
+    seeds = list(range(1, 9))
+    expected = [everything(seed) for seed in seeds]
+    assert len(set(expected)) == len(seeds)
+    interval = sys.getswitchinterval()
+    sys.setswitchinterval(1e-5)  # with the lock, threads take turns within calls of the package
+    try:
+        with concurrent.futures.ThreadPoolExecutor(len(seeds)) as pool:
+            for _ in range(5):
+                assert list(pool.map(everything, seeds)) == expected
+    finally:
+        sys.setswitchinterval(interval)
+
+
+def test_threads_share_arrays_and_a_simulation():
+    """Threads read the same arrays, and calls of one simulation wait for each other: none is lost."""
+    places = np.stack(np.meshgrid(*[np.arange(4.0)] * 3, indexing="ij"), axis=-1).reshape(-1, 3)
+    spheres = pypw85.System.from_axes(places, np.full((64, 3), 0.3), np.tile([1.0, 0, 0, 0], (64, 1)), cell=4 * np.eye(3))
+    alone, shared = (pypw85.HardEllipsoids(spheres, seed=5) for _ in range(2))
+    alone.sweep(40)
+    with concurrent.futures.ThreadPoolExecutor(8) as pool:
+        list(pool.map(lambda _: shared.sweep(1), range(40)))
+    assert np.array_equal(alone.centers, shared.centers)
+
+
+@pytest.mark.skipif(not sysconfig.get_config_var("Py_GIL_DISABLED"), reason="this Python has a lock that cannot be off")
+def test_lock_stays_off():
+    """Python without its lock takes it again, with a warning, for an extension that does not say that it needs none."""
+    code = "import sys, pypw85._core; sys.exit(sys._is_gil_enabled())"
+    subprocess.run([sys.executable, "-c", code], check=True)
 
 
 def sum_of_contacts(count):

@@ -94,12 +94,15 @@ def mypy(tmp_path_factory):
     folder = tmp_path_factory.mktemp("mypy")
     (folder / "mypy.ini").write_text(SETTINGS)
 
+    # In an installation mypy finds the package by itself, and refuses to be told where.
+    environment = os.environ if "site-packages" in PACKAGE.parts else {**os.environ, "MYPYPATH": str(PACKAGE.parent)}
+
     def run(*arguments, **programs):
         for name, program in programs.items():
             (folder / f"{name}.py").write_text(program)
         command = [sys.executable, "-m", "mypy", f"--cache-dir={folder / 'cache'}", *arguments]
         command += [f"{name}.py" for name in programs]
-        return subprocess.run(command, cwd=folder, env={**os.environ, "MYPYPATH": str(PACKAGE.parent)},
+        return subprocess.run(command, cwd=folder, env=environment,
                               stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
 
     return run

@@ -9,6 +9,7 @@ import re
 import shutil
 import subprocess
 import sys
+import tomllib
 import venv
 
 import pytest
@@ -37,7 +38,11 @@ def copy(tmp_path_factory):
 @pytest.fixture(scope="module")
 def installed(copy, tmp_path_factory):
     target = tmp_path_factory.mktemp("target")
-    run(*PIP, "--target", str(target), str(copy))
+    # Another python3 comes first on the path, as that of pyenv. The wheel is for the Python that runs pip.
+    foreign = tmp_path_factory.mktemp("foreign")
+    (foreign / "python3").write_text("#!/bin/sh\nexit 1\n")
+    (foreign / "python3").chmod(0o755)
+    run(*PIP, "--target", str(target), str(copy), env={**os.environ, "PATH": f"{foreign}:{os.environ['PATH']}"})
     return target
 
 
@@ -83,6 +88,55 @@ def test_metadata(information):
     assert readme.strip() == (SOURCE / "README.md").read_text(encoding="utf-8").strip()
 
 
+def test_metadata_of_an_installation_by_meson(information, tmp_path):
+    """It says what the wheel says."""
+    outputs = [tmp_path / "METADATA", tmp_path / "entry_points.txt", tmp_path / "INSTALLER"]
+    run(sys.executable, str(SOURCE / "python/dist_info.py"), str(SOURCE / "pyproject.toml"), pypw85.version(), *map(str, outputs))
+
+    def fields(path):
+        message = email.message_from_bytes(path.read_bytes())
+        plain = sorted((name, re.sub(r"[\s'\",]", "", value)) for name, value in message.items())
+        return [(name, value) for name, value in plain if not name.startswith(("License", "Metadata-Version"))], message.get_payload()
+
+    assert fields(outputs[0]) == fields(information / "METADATA")
+    assert outputs[1].read_text().split() == (information / "entry_points.txt").read_text().split()
+
+
+def test_versions_of_python():
+    """Those of the classifiers are those for which cibuildwheel builds, without a gap from the oldest that is allowed."""
+    project = tomllib.loads((SOURCE / "pyproject.toml").read_text(encoding="utf-8"))
+    minors = [int(minor) for minor in re.findall(r"Python :: 3\.(\d+)", "\n".join(project["project"]["classifiers"]))]
+    assert minors == list(range(11, minors[-1] + 1))
+    assert project["tool"]["cibuildwheel"]["build"].split() == [f"cp3{minor}-*" for minor in minors]
+    assert project["project"]["requires-python"] == ">= 3.11"
+    assert project["tool"]["ruff"]["target-version"] == "py311"
+
+
+def imported_by_pages():
+    """Top-level modules that programs of the manual import, and those that the functions they call need for files and pictures."""
+    programs = [*SOURCE.glob("examples/python/*.py"), *SOURCE.glob("docs/programs/*.py")]
+    lines = [line for path in programs for line in path.read_text(encoding="utf-8").splitlines()]
+    for page in SOURCE.glob("docs/**/*.rst"):
+        lines += re.sub(r"^ *(>>>|\.\.\.) ?", "", page.read_text(encoding="utf-8"), flags=re.MULTILINE).splitlines()
+    matches = [re.match(r" *(?:import|from) (\w+)(?:[.\w]*)(?: import \w.*| as \w+)?$", line) for line in lines]
+    return {match[1] for match in matches if match} - set(sys.stdlib_module_names)
+
+
+def test_extras():
+    """What the manual's programs import is in the extra `pages`, and what Sphinx imports for it in `docs`."""
+    extras = tomllib.loads((SOURCE / "pyproject.toml").read_text(encoding="utf-8"))["project"]["optional-dependencies"]
+    plain = {name: {re.sub(r"\[.*", "", requirement) for requirement in extra} for name, extra in extras.items()}
+    imported = imported_by_pages()
+    assert {"numpy", "pypw85", "scipy"} <= imported  # that imports are found at all
+    assert imported - {"numpy", "pypw85"} <= plain["pages"]
+    assert plain["plot"] | plain["files"] | plain["dask"] <= plain["pages"]
+    conf = (SOURCE / "docs/conf.py").read_text(encoding="utf-8")
+    used = re.findall(r'^    "(\w+)",$', conf.partition("extensions = [")[2].partition("]")[0], re.MULTILINE)
+    own = {path.stem for path in (SOURCE / "docs/extensions").glob("*.py")}
+    packages = {name.replace("myst_parser", "myst-parser").replace("_", "-") for name in used if name not in own}
+    assert packages | {"sphinx", "furo"} <= plain["docs"]
+
+
 def test_libraries(installed):
     """No more than what every system with wheels has (PEP 600), and the run-time library of OpenMP, which auditwheel puts into the
     wheel (scripts/test_wheel.sh): this says it without auditwheel, which Debian 12 lacks."""
@@ -102,7 +156,6 @@ def test_hardening(installed):
 
 def test_cibuildwheel():
     """What pyproject.toml tells cibuildwheel agrees with the rest of it."""
-    tomllib = pytest.importorskip("tomllib")
     project = tomllib.loads((SOURCE / "pyproject.toml").read_text(encoding="utf-8"))
     table = project["tool"]["cibuildwheel"]
     oldest = min(int(minor) for minor in re.findall(r"cp3(\d+)-\*", table["build"]))
@@ -129,8 +182,8 @@ def test_command(installed, tmp_path):
     (point,) = importlib.metadata.Distribution.at(next(installed.glob("*.dist-info"))).entry_points
     assert (point.name, point.value) == ("pw85", "pypw85.cli:main")
     environment = {**os.environ, "PYTHONPATH": str(installed)}
-    assert "overlaps" in run(sys.executable, "-m", "pypw85.cli", "check", "a.csv", succeeds=False, cwd=tmp_path, env=environment)
-    run(sys.executable, "-m", "pypw85.cli", "draw", "a.csv", "a.png", cwd=tmp_path, env=environment)
+    assert "overlaps" in run(sys.executable, "-m", "pypw85", "check", "a.csv", succeeds=False, cwd=tmp_path, env=environment)
+    run(sys.executable, "-m", "pypw85", "draw", "a.csv", "a.png", cwd=tmp_path, env=environment)
     assert (tmp_path / "a.png").stat().st_size > 1000
 
 

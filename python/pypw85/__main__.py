@@ -1,0 +1,5 @@
+"""``python3 -m pypw85`` is ``pw85``."""
+
+from .cli import main
+
+main()
