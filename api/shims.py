@@ -31,7 +31,7 @@ BY_HAND = {
     "pw85_spheroid", "pw85_ellipsoid", "pw85_contact_function", "pw85_penetration", "pw85_signed_distance",
     "pw85_signed_distance_derivatives", "pw85_curvature", "pw85_hertz_contact",
 }  # fmt: skip
-# Those that kernels compute: struct OnePairKernels of src/kernels/kernels.hpp.
+# Those that kernels compute: struct OnePairKernels of src/kernels/one_pair.hpp.
 DISPATCHED = re.compile(r"Kernel<decltype\((pw85_\w+)\)> ")
 BEGIN = """\
 // {what}
@@ -44,7 +44,7 @@ MORE_MEMBERS = {"pw85_distance_plane": 2, "pw85_overlap_2d": 1, "pw85_overlap_wi
 
 
 def dispatched():
-    return set(DISPATCHED.findall((SOURCE / "src/kernels/kernels.hpp").read_text(encoding="utf-8")))
+    return set(DISPATCHED.findall((SOURCE / "src/kernels/one_pair.hpp").read_text(encoding="utf-8")))
 
 
 def is_answer(one):
@@ -105,7 +105,7 @@ def of_one_row(function, of_kernels):
 def one_row_file(title, headers, listed):
     of_kernels = dispatched()
     own = ["../c_arrays.hpp", "../floating_point_environment.hpp"]
-    own += ["../kernels/kernels.hpp"] if any(one.name in of_kernels for one in listed) else []
+    own += ["../kernels/one_pair.hpp"] if any(one.name in of_kernels for one in listed) else []
     lines = [
         "// clang-format off",
         *BEGIN.format(what=f"The C API: {title[0].lower()}{title[1:]}.").splitlines(),

@@ -69,7 +69,7 @@ inline void store(int number, int *x) noexcept { *x = number; }
 /// A member that is not given out.
 template <class Member> void store(Member const &, std::nullptr_t) noexcept {}
 
-template <int size> void store(double const (&rows)[size][size], double *x) noexcept
+template <std::size_t size> void store(double const (&rows)[size][size], double *x) noexcept
 {
     if (x != nullptr) std::memcpy(x, rows, sizeof rows);
 }

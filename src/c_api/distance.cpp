@@ -6,7 +6,7 @@
 
 #include "../c_arrays.hpp"
 #include "../floating_point_environment.hpp"
-#include "../kernels/kernels.hpp"
+#include "../kernels/one_pair.hpp"
 
 using namespace pw85::detail;
 using namespace pw85::detail::c_api;

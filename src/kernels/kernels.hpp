@@ -13,8 +13,6 @@
 #include <cstddef>
 #include <cstdint>
 
-#include <pw85.h>
-
 #include <pw85/attributes.hpp>
 
 #include "lattice.hpp"
@@ -239,32 +237,7 @@ template <class Law> struct LawKernel {
     LawSums (*evaluate)(Law const &, std::size_t n, double const *mu2, double *d_u) noexcept;
 };
 
-/// A pointer to a kernel that has the parameters of a function of the C API.
-template <class Function> struct KernelOf;
-template <class Result, class... Parameters> struct KernelOf<Result(Parameters...)> {
-    using Pointer = Result (*)(Parameters...) noexcept;
-};
-template <class Function> using Kernel = typename KernelOf<Function>::Pointer;
-
-/// Functions for one pair, with the contracts of the C API for inputs that are not null. api/shims.py reads this list.
-struct OnePairKernels {
-    Kernel<decltype(pw85_contact)> contact;
-    Kernel<decltype(pw85_overlap)> overlap;
-    Kernel<decltype(pw85_contact_geometry)> contact_geometry;
-    Kernel<decltype(pw85_contact_gradient)> contact_gradient;
-    Kernel<decltype(pw85_contact_torque)> contact_torque;
-    Kernel<decltype(pw85_contact_hessian)> contact_hessian;
-    Kernel<decltype(pw85_closest_approach)> closest_approach;
-    Kernel<decltype(pw85_distance)> distance;
-    Kernel<decltype(pw85_distance_derivatives)> distance_derivatives;
-    Kernel<decltype(pw85_first_contact)> first_contact;
-    Kernel<decltype(pw85_contact_factored)> contact_factored;
-    Kernel<decltype(pw85_contact_rounded)> contact_rounded;
-    Kernel<decltype(pw85_overlap_factored)> overlap_factored;
-    Kernel<decltype(pw85_contact_geometry_factored)> contact_geometry_factored;
-    Kernel<decltype(pw85_contact_gradient_factored)> contact_gradient_factored;
-    Kernel<decltype(pw85_contains)> contains;
-};
+struct OnePairKernels; // one_pair.hpp
 
 /// Functions for one ellipsoid and a convex set, given by the points of Segments, Triangles or Boxes. They return false, and write
 /// nothing, if the input fails the fast checks or the digits do not suffice. `mu2` and `point` may be null.

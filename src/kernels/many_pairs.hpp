@@ -9,7 +9,7 @@
 
 #include <pw85.h>
 
-#include "kernels.hpp"
+#include "one_pair.hpp"
 #include "parallel.hpp"
 
 namespace pw85::detail::kernels {
@@ -28,9 +28,9 @@ template <int D> int settle(OnePairKernels const &one, PairRow<D> const &pair, C
 
 template <int D> int settle(OnePairKernels const &one, PairRow<D> const &pair, OverlapArray const &out) noexcept
 {
-    int overlap = 0;
+    int overlap = -1; // stays where the pair is bad, and becomes 255
     int const status = (D == 3 ? one.overlap : pw85_overlap_2d)(pair.r12, pair.q1, pair.q2, &overlap);
-    *out.overlap = static_cast<unsigned char>(overlap); // -1, for a bad pair, becomes 255
+    *out.overlap = static_cast<unsigned char>(overlap);
     return status;
 }
 

@@ -15,7 +15,7 @@
 #include <pw85/overlap/overlap_factored.hpp>
 
 #include "../c_arrays.hpp"
-#include "kernels.hpp"
+#include "one_pair.hpp"
 
 namespace pw85::detail::kernels {
 
