@@ -1,0 +1,115 @@
+/// @file
+/// The volume of the common part of two ellipsoids, and the area of that of two ellipses. pw85.hpp and the C API call them.
+///
+/// Whether there is a common part, and whether it is a whole ellipsoid, is decided without rounding errors (overlap/). Otherwise the pair
+/// is taken to its joint frame (joint_frame.hpp), and the common part is cut by half-planes through the axis of its rim
+/// (rim_axis.hpp). Each section is a sum of positive parts in closed form (section.hpp). Two sections make up an area. A volume is the integral
+/// of their first moments, which converges geometrically (elliptic_rule.hpp).
+#ifndef PW85_VOLUME_OVERLAP_VOLUME_HPP_INCLUDED
+#define PW85_VOLUME_OVERLAP_VOLUME_HPP_INCLUDED
+
+#include <pw85/overlap/containment.hpp>
+#include <pw85/overlap/overlap.hpp>
+#include <pw85/volume/elliptic_rule.hpp>
+#include <pw85/volume/volume.hpp>
+
+namespace pw85::detail {
+
+/// What two ellipsoids have in common: nothing, one of them as a whole, or a part of each.
+enum class CommonPart { nothing, first, second, part };
+
+/// The status of a pair, and what it has in common. Only an ellipsoid that is not clearly the larger one can be inside.
+struct CommonPartDecision {
+    CommonPart part;
+    Status status;
+};
+
+template <class T, int D> PW85_FUNCTION inline CommonPartDecision
+decide_common_part(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, SymmetricMatrix<T, D> const &q2) noexcept
+{
+    auto const [overlaps, tier, status] = overlap(r12, q1, q2);
+    if (status != Status::success || !overlaps) return {CommonPart::nothing, status};
+    auto const second = contains(r12, q1, q2);
+    if (second.status != Status::success) return {CommonPart::nothing, second.status};
+    if (second.contains) return {CommonPart::second, status};
+    auto const first = contains(-r12, q2, q1);
+    return {first.contains ? CommonPart::first : CommonPart::part, first.status};
+}
+
+/// The first moments of sections, for mean_over_half_planes().
+template <class T> struct MomentSum {
+    T moment;
+
+    PW85_MEMBER void add(T const &weight, RegionMoments<T> const &section) noexcept
+    {
+        moment = moment + weight * section.rho;
+    }
+    PW85_MEMBER MomentSum over(T const &count) const noexcept { return {moment / count}; }
+};
+
+template <class T>
+PW85_FUNCTION inline bool agree(MomentSum<T> const &x, MomentSum<T> const &y, T const &tolerance) noexcept
+{
+    return absolute(T(x.moment - y.moment)) <= T(tolerance * x.moment);
+}
+
+/// The measure of the common part in the joint frame.
+template <class T> PW85_FUNCTION inline T common_measure(RimFrame<T, 2> const &rim) noexcept
+{
+    auto const interval = axis_interval(rim);
+    auto const one = section(rim, interval, HalfPlane<T, 2>{{T(1)}});
+    return T(rim.half_chord * T(one.area + section(rim, interval, HalfPlane<T, 2>{{T(-1)}}).area));
+}
+
+template <class T> PW85_FUNCTION inline T common_measure(RimFrame<T, 3> const &rim) noexcept
+{
+    auto const interval = axis_interval(rim);
+    auto const mean = mean_over_half_planes<MomentSum<T>>(
+        elliptic_rule(rim), [&](HalfPlane<T, 3> const &half_plane) { return section(rim, interval, half_plane); });
+    return T(T(T(2) * circle_constant<T>()) * T(rim.half_chord * mean.moment));
+}
+
+/// The measure of the common part, for any pair. It is at most that of the smaller ellipsoid.
+template <class T, int D> struct CommonMeasure {
+    T measure;
+    Status status;
+};
+
+template <class T, int D> [[gnu::noinline]] PW85_FUNCTION inline CommonMeasure<T, D>
+measure_common_part(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, SymmetricMatrix<T, D> const &q2) noexcept
+{
+    auto const [part, status] = decide_common_part(r12, q1, q2);
+    if (status != Status::success) return {quiet_nan<T>(), status};
+    if (part == CommonPart::nothing) return {T(0), status};
+    if (part != CommonPart::part) return {measure_of(part == CommonPart::first ? q1 : q2), status};
+    auto const frame = joint_frame(r12, q1, q2);
+    T const scaled = T(common_measure(rim_frame(frame)) * frame.determinant);
+    T const measure = times_power_of_two(scaled, D * frame.exponent);
+    if (!(measure >= T(0))) return {quiet_nan<T>(), Status::no_convergence};
+    return {minimum(measure, measure_of(frame.swapped ? q2 : q1)), status};
+}
+
+} // namespace pw85::detail
+
+namespace pw85 {
+
+/// The volume of the common part of two ellipsoids.
+template <class T> PW85_FUNCTION inline Volume<T> overlap_volume(Vector<T, 3> const &r12,
+                                                                 SymmetricMatrix<T, 3> const &q1,
+                                                                 SymmetricMatrix<T, 3> const &q2) noexcept
+{
+    auto const [measure, status] = detail::measure_common_part(r12, q1, q2);
+    return {measure, status};
+}
+
+/// The area of the common part of two ellipses.
+template <class T> PW85_FUNCTION inline Area<T>
+overlap_area(Vector<T, 2> const &r12, SymmetricMatrix<T, 2> const &q1, SymmetricMatrix<T, 2> const &q2) noexcept
+{
+    auto const [measure, status] = detail::measure_common_part(r12, q1, q2);
+    return {measure, status};
+}
+
+} // namespace pw85
+
+#endif

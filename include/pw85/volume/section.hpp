@@ -1,0 +1,269 @@
+/// @file
+/// The section of the common part by a half-plane through the axis of its rim (rim_axis.hpp), for overlap_volume.hpp.
+///
+/// Let o + z ℓ be the axis, and ρ the distance from it in units of |g|, where g is the direction of the half-plane. Both surfaces are
+/// arcs of conics that meet at one or two points of the rim. So the section is a polygon, with its vertices on the axis and on the rim, and
+/// a segment of an ellipse on each of its outer sides. All parts are positive: nothing cancels, however thin the lens and however different
+/// the bodies.
+///
+/// For each body there is a metric in which it is a ball of radius R. There the half-plane has coordinates (s, r) with r = κ ρ
+/// and s along the image of the axis, and the arc is that of a circle about (0, ζ).
+#ifndef PW85_VOLUME_SECTION_HPP_INCLUDED
+#define PW85_VOLUME_SECTION_HPP_INCLUDED
+
+#include <pw85/volume/circular_segment.hpp>
+#include <pw85/volume/rim_axis.hpp>
+
+namespace pw85::detail {
+
+/// A body in its metric, relative to the axis of the rim.
+template <class T, int D> struct BodyOnAxis {
+    T stretch, start;         ///< s = start + stretch·z on the axis
+    T high, low;              ///< z of the ends of the axis inside the body
+    T half_chord;             ///< half of the length of the axis inside the body, in the metric
+    T along[D - 1];           ///< the coordinate s of the image of each g_i
+    T across[D - 1];          ///< ζ κ of each g_i
+    T products[D - 1][D - 1]; ///< κ²: products of the images of g_i, less their parts along the axis
+};
+
+/// What all half-planes of a pair share: the two bodies, the ball first, and the quadratic equation of the rim.
+template <class T, int D> struct RimFrame {
+    BodyOnAxis<T, D> bodies[2];
+    T heights[D - 1];
+    T half_chord;             ///< of the axis inside the ball
+    T alpha, beta, gamma;     ///< A(n1, n1), A(n1, n2), A(n2, n2)
+    T form[D - 1][D - 1];     ///< A(w_i, w_j) times 4 half_chord²
+};
+
+/// A point of a half-plane.
+template <class T> struct HalfPlanePoint {
+    T z, rho;
+};
+
+/// A half-plane: that of the direction Σ weights_i g_i.
+template <class T, int D> struct HalfPlane {
+    T weights[D - 1];
+};
+
+/// Area, ∫ρ and ∫z of a region of a half-plane.
+template <class T> struct RegionMoments {
+    T area, rho, z;
+};
+
+template <class T>
+PW85_FUNCTION inline RegionMoments<T> operator+(RegionMoments<T> const &a, RegionMoments<T> const &b) noexcept
+{
+    return {a.area + b.area, a.rho + b.rho, a.z + b.z};
+}
+
+/// A body from the images of the axis and of the vectors g_i, and of o less the centre. `half_chord` is only for the ball; it is computed
+/// if it is zero.
+template <class T, int D>
+PW85_FUNCTION inline BodyOnAxis<T, D> body_on_axis(Vector<T, D> const &direction, Vector<T, D> const &origin,
+                                                   Vector<T, D> const (&rays)[D - 1], T const &radius,
+                                                   T const &half_chord) noexcept
+{
+    BodyOnAxis<T, D> body{};
+    body.stretch = magnitude(direction);
+    Vector<T, D> const unit = direction / body.stretch;
+    body.start = dot(origin, unit);
+    Vector<T, D> const foot = add_scaled(origin, T(-body.start), unit);
+    T const distance = magnitude(foot);
+    body.half_chord = half_chord > T(0) ? half_chord
+                                        : square_root(maximum(T(T(radius - distance) * T(radius + distance)), T(0)));
+    body.high = T(body.half_chord - body.start) / body.stretch;
+    body.low = -(T(body.half_chord + body.start) / body.stretch);
+    Vector<T, D> perpendicular[D - 1];
+    for (int i = 0; i < D - 1; ++i) {
+        body.along[i] = dot(rays[i], unit);
+        perpendicular[i] = add_scaled(rays[i], T(-body.along[i]), unit);
+        body.across[i] = -dot(foot, rays[i]);
+        for (int j = 0; j <= i; ++j)
+            body.products[i][j] = body.products[j][i] = dot(perpendicular[i], perpendicular[j]);
+    }
+    return body;
+}
+
+template <class T, int D> PW85_FUNCTION inline RimFrame<T, D> rim_frame(JointFrame<T, D> const &frame) noexcept
+{
+    auto const axis = rim_axis(pencil(frame));
+    T const radius = frame.axes[D - 1];
+    Vector<T, D> rays[D - 1], images[D - 1], origin, direction;
+    for (int i = 0; i < D; ++i) {
+        T const ratio = radius / frame.axes[i];
+        origin[i] = ratio * axis.origin[i] - radius * frame.center[i];
+        direction[i] = ratio * axis.direction[i];
+        for (int j = 0; j < D - 1; ++j) {
+            rays[j][i] = axis.vertices[j][i] - axis.heights[j] * axis.origin[i];
+            images[j][i] = ratio * rays[j][i];
+        }
+    }
+    RimFrame<T, D> rim{};
+    rim.half_chord = axis.half_chord;
+    rim.bodies[0] = body_on_axis(axis.direction, axis.origin, rays, T(1), axis.half_chord);
+    rim.bodies[0].high = axis.half_chord; // the axis is perpendicular to o
+    rim.bodies[0].low = -axis.half_chord;
+    auto const &other = rim.bodies[1] = body_on_axis(direction, origin, images, radius, T(0));
+    T const scale = T(1) / T(other.stretch * other.stretch), chord4 = T(T(4) * T(axis.half_chord * axis.half_chord));
+    T const inside = T(other.high * other.low); // A(o, o)
+    rim.alpha = T(axis.half_chord - other.high) * T(axis.half_chord - other.low);
+    rim.gamma = T(axis.half_chord + other.high) * T(axis.half_chord + other.low);
+    rim.beta = inside - axis.half_chord * axis.half_chord;
+    for (int i = 0; i < D - 1; ++i) {
+        rim.heights[i] = axis.heights[i];
+        for (int j = 0; j <= i; ++j) {
+            T const mixed =
+                T(axis.heights[i] * dot(origin, images[j])) + T(axis.heights[j] * dot(origin, images[i]));
+            T const value = T(scale * T(dot(images[i], images[j]) + mixed)) +
+                            T(axis.heights[i] * axis.heights[j]) * inside;
+            rim.form[i][j] = rim.form[j][i] = T(chord4 * value);
+        }
+    }
+    return rim;
+}
+
+template <class T, int N> PW85_FUNCTION inline T linear(T const (&row)[N], T const (&weights)[N]) noexcept
+{
+    T sum = row[0] * weights[0];
+    for (int i = 1; i < N; ++i) sum = sum + row[i] * weights[i];
+    return sum;
+}
+
+template <class T, int N> PW85_FUNCTION inline T quadratic(T const (&rows)[N][N], T const (&weights)[N]) noexcept
+{
+    T sum = weights[0] * linear(rows[0], weights);
+    for (int i = 1; i < N; ++i) sum = sum + weights[i] * linear(rows[i], weights);
+    return sum;
+}
+
+/// The point of the rim with p²/q² = (numerator/denominator)², both >= 0; tilt = 2 half_chord·height of the vertex.
+template <class T> PW85_FUNCTION inline HalfPlanePoint<T> rim_point(T const &numerator, T const &denominator,
+                                                                    T const &half_chord, T const &tilt) noexcept
+{
+    bool const up = numerator >= denominator;
+    T const square = up ? T(denominator / numerator) : T(numerator / denominator), root = square_root(square);
+    T const scale = half_chord / T(T(1) + square + tilt * root), z = T(T(1) - square) * scale;
+    return {up ? z : T(-z), T(T(2) * root) * scale};
+}
+
+/// The two points of the rim in a half-plane, the upper one first. If there is only one, both are the same.
+template <class T> struct RimPoints {
+    HalfPlanePoint<T> upper, lower;
+};
+
+/// Solves αZ² - TZ + γ = 0 for Z = p/q > 0, without cancellation. Where rounding errors leave no solution, the points are where both
+/// would just meet.
+template <class T, int D>
+PW85_FUNCTION inline RimPoints<T> rim_points(RimFrame<T, D> const &rim, HalfPlane<T, D> const &half_plane) noexcept
+{
+    T const linear_term = -(T(2) * rim.beta + quadratic(rim.form, half_plane.weights));
+    T const tilt = T(T(2) * T(rim.half_chord * linear(rim.heights, half_plane.weights)));
+    bool const mirrored = rim.alpha < T(0) || (rim.alpha == T(0) && rim.gamma > T(0));
+    T const a = mirrored ? T(-rim.alpha) : rim.alpha, c = mirrored ? T(-rim.gamma) : rim.gamma;
+    T const product = T(a * c), least = product > T(0) ? T(T(2) * square_root(product)) : T(0);
+    T t = mirrored ? T(-linear_term) : linear_term;
+    if (product > T(0)) t = maximum(t, least);
+    T const root = square_root(maximum(T(t * t - T(4) * product), T(0)));
+    if (product > T(0)) {
+        T const sum = T(t + root);
+        return {rim_point(sum, T(T(2) * a), rim.half_chord, tilt), rim_point(T(T(2) * c), sum, rim.half_chord, tilt)};
+    }
+    auto const point = t > T(0) ? rim_point(T(t + root), T(T(2) * a), rim.half_chord, tilt)
+                                : rim_point(T(T(-2) * c), T(root - t), rim.half_chord, tilt);
+    return {point, point};
+}
+
+/// A body in a half-plane.
+template <class T> struct Arc {
+    T stretch, start, along, kappa, zeta, radius;
+};
+
+template <class T, int D>
+PW85_FUNCTION inline Arc<T> arc_of(BodyOnAxis<T, D> const &body, HalfPlane<T, D> const &half_plane) noexcept
+{
+    T const kappa = square_root(quadratic(body.products, half_plane.weights));
+    T const zeta = T(linear(body.across, half_plane.weights) / kappa);
+    T const radius = square_root(T(body.half_chord * body.half_chord + zeta * zeta));
+    return {body.stretch, body.start, linear(body.along, half_plane.weights), kappa, zeta, radius};
+}
+
+/// The segment between an arc and its chord from p down to q.
+template <class T> PW85_FUNCTION inline RegionMoments<T>
+segment_under(Arc<T> const &arc, HalfPlanePoint<T> const &p, HalfPlanePoint<T> const &q) noexcept
+{
+    T const drho = T(q.rho - p.rho), ds = T(arc.stretch * T(q.z - p.z) + arc.along * drho), dr = T(arc.kappa * drho);
+    T const length = square_root(T(ds * ds + dr * dr));
+    if (!(length > T(0))) return {T(0), T(0), T(0)};
+    T const z = T(T(0.5) * T(p.z + q.z)), rho = T(T(0.5) * T(p.rho + q.rho));
+    T const normal_s = T(dr / length), normal_r = T(-(ds / length)); // outward
+    T const s = arc.start + arc.stretch * z + arc.along * rho, r = T(arc.kappa * rho);
+    T const cosine = T(s * normal_s + T(r - arc.zeta) * normal_r) / arc.radius;
+    auto const segment = circular_segment(T(T(0.5) * length), arc.radius, cosine);
+    T const density = T(1) / T(arc.stretch * arc.kappa);
+    T const area = T(segment.area * density), moment = T(segment.moment * density);
+    T const outward_rho = T(normal_r / arc.kappa), outward_z = T(T(normal_s - arc.along * outward_rho) / arc.stretch);
+    return {area, rho * area + outward_rho * moment, z * area + outward_z * moment};
+}
+
+/// The triangle p, q, (z, 0), with p above q.
+template <class T> PW85_FUNCTION inline RegionMoments<T>
+triangle_under(HalfPlanePoint<T> const &p, HalfPlanePoint<T> const &q, T const &z) noexcept
+{
+    T const area = T(T(0.5) * T(T(p.z - z) * q.rho - T(q.z - z) * p.rho)), third = T(area / T(3));
+    return {area, T(third * T(p.rho + q.rho)), T(third * T(p.z + q.z + z))};
+}
+
+/// What is between the chord from p down to q and the axis.
+template <class T> PW85_FUNCTION inline RegionMoments<T> trapezoid_under(HalfPlanePoint<T> const &p,
+                                                                          HalfPlanePoint<T> const &q) noexcept
+{
+    T const height = T(p.z - q.z), sum = T(p.rho + q.rho), sixth = T(height / T(6));
+    return {T(T(0.5) * T(height * sum)), T(sixth * T(sum * sum - p.rho * q.rho)),
+            T(sixth * T(T(T(p.z + q.z) * sum) + p.z * p.rho + q.z * q.rho))};
+}
+
+/// The common part on the axis, and the point of the axis from which both bodies' parts of a section are seen.
+template <class T> struct AxisInterval {
+    T top, bottom, middle;
+    bool ball_above, ball_below; ///< whether the end is one of the ball
+};
+
+template <class T, int D> PW85_FUNCTION inline AxisInterval<T> axis_interval(RimFrame<T, D> const &rim) noexcept
+{
+    auto const &ball = rim.bodies[0], &other = rim.bodies[1];
+    bool const above = other.high >= ball.high, below = other.low <= ball.low;
+    T const top = above ? ball.high : other.high, bottom = below ? ball.low : other.low;
+    return {top, bottom, T(T(0.5) * T(top + bottom)), above, below};
+}
+
+/// Calls arc(p, q) for each arc of a body in a half-plane, from its upper to its lower end, and returns the sum.
+template <class T, int D, class Function>
+PW85_FUNCTION inline auto sum_over_arcs(AxisInterval<T> const &interval, RimPoints<T> const &points, int body,
+                                        Function const &arc) noexcept
+{
+    bool const above = interval.ball_above == (body == 0), below = interval.ball_below == (body == 0);
+    HalfPlanePoint<T> const top{interval.top, T(0)}, bottom{interval.bottom, T(0)};
+    if (above && below) return arc(top, points.upper) + arc(points.lower, bottom);
+    if (above) return arc(top, points.upper);
+    if (below) return arc(points.lower, bottom);
+    return arc(points.upper, points.lower);
+}
+
+/// The section of the common part. Both bodies' arcs are seen from the middle of the axis.
+template <class T, int D>
+PW85_FUNCTION inline RegionMoments<T> section(RimFrame<T, D> const &rim, AxisInterval<T> const &interval,
+                                              HalfPlane<T, D> const &half_plane) noexcept
+{
+    auto const points = rim_points(rim, half_plane);
+    auto const part = [&](int body) {
+        auto const arc = arc_of(rim.bodies[body], half_plane);
+        return sum_over_arcs<T, D>(interval, points, body, [&](HalfPlanePoint<T> const &p, HalfPlanePoint<T> const &q) {
+            return segment_under(arc, p, q) + triangle_under(p, q, interval.middle);
+        });
+    };
+    return part(0) + part(1);
+}
+
+} // namespace pw85::detail
+
+#endif
