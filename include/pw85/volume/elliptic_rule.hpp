@@ -47,12 +47,18 @@ inline constexpr int most_landen_steps = 12;
 
 /// The change of variable from the uniform parameter to ψ.
 template <class T> struct EllipticRule {
-    T moduli[most_landen_steps + 1]; ///< k, k1, ...
+    T moduli[most_landen_steps + 1], gaps[most_landen_steps + 1]; ///< k, k1, ... and 1 - k, 1 - k1, ...
     int steps;
     T factor;         ///< Π (1 + k_j)
     T stretch;        ///< √(tan ψ/tan χ)
     bool is_shifted;  ///< whether m < 0
 };
+
+/// The smallest ratio of E to T² that counts at the vertices: u².
+template <class T> PW85_FUNCTION constexpr T rim_floor() noexcept
+{
+    return T(T(unit_roundoff<T>()) * T(unit_roundoff<T>()));
+}
 
 /// k' of item 3.
 template <class T> PW85_FUNCTION inline T complementary_modulus(T const &ratio, T const &difference) noexcept
@@ -66,21 +72,24 @@ template <class T> PW85_FUNCTION inline T complementary_modulus(T const &ratio, 
 
 template <class T> PW85_FUNCTION inline EllipticRule<T> elliptic_rule(RimFrame<T, 3> const &rim) noexcept
 {
-    T const u2 = T(T(unit_roundoff<T>()) * T(unit_roundoff<T>()));
-    T const t1 = T(2) * rim.beta + rim.form[0][0], t2 = T(2) * rim.beta + rim.form[1][1];
-    T const product = T(T(4) * T(rim.alpha * rim.gamma)), square1 = T(t1 * t1), square2 = T(t2 * t2);
-    T const a = maximum(T(square1 - product), T(u2 * square1)), c = maximum(T(square2 - product), T(u2 * square2));
+    // a = t1² - 4αγ and c = t2² - 4αγ, with t - 2√(αγ) = excess if αγ > 0
+    T const e1 = rim.excess[0][0], e2 = rim.excess[1][1], product = T(T(4) * T(rim.alpha * rim.gamma));
+    T const least = rim.least, more = T(least + least), t1 = e1 + least, t2 = e2 + least;
+    T const tiny = smallest_number<T>(), negative = maximum(T(-product), T(0));
+    T const a = maximum(T(e1 * T(e1 + more) + negative), T(tiny + rim_floor<T>() * T(t1 * t1)));
+    T const c = maximum(T(e2 * T(e2 + more) + negative), T(tiny + rim_floor<T>() * T(t2 * t2)));
     T const scale = T(a * c), ratio = T(T(t1 * t2) - product) / square_root(scale), step = T(t1 - t2);
     T complement = complementary_modulus(ratio, T(-(T(product * T(step * step)) / scale)));
 
-    EllipticRule<T> rule{{}, 0, T(1), T(1), ratio > T(1)};
+    EllipticRule<T> rule{{}, {}, 0, T(1), T(1), ratio > T(1)};
     rule.stretch = square_root(square_root(square_root(T(a / c))));
     rule.moduli[0] = square_root(T(T(T(1) - complement) * T(T(1) + complement)));
     T const enough = T(0.875);
     while (rule.steps < most_landen_steps && complement < enough) {
         T const sum = T(1) + complement, next = T(T(1) - complement) / sum;
-        complement = T(2) * square_root(complement) / sum;
         rule.moduli[++rule.steps] = next;
+        rule.gaps[rule.steps] = T(complement + complement) / sum;
+        complement = T(T(2) * square_root(complement)) / sum;
         rule.factor = rule.factor * T(T(1) + next);
     }
     return rule;
@@ -95,9 +104,10 @@ template <class T> PW85_FUNCTION inline WeightedDirection<T> weighted_direction(
     T delta = square_root(T(T(1) - T(T(last * phi.sine) * T(last * phi.sine))));
     if (rule.steps > 0) weight = weight / delta;
     for (int j = rule.steps; j > 0; --j) {
-        T const term = T(rule.moduli[j] * T(phi.sine * phi.sine)), inverse = T(1) / T(T(1) + term);
-        phi = {T(T(phi.cosine * delta) * inverse), T(T(T(T(1) + rule.moduli[j]) * phi.sine) * inverse)};
-        delta = T(T(T(1) - term) * inverse); // √(1 - k² sin²φ) of the modulus before
+        T const k = rule.moduli[j], inverse = T(1) / T(T(1) + k * T(phi.sine * phi.sine));
+        T const difference = rule.gaps[j] + k * T(phi.cosine * phi.cosine); // 1 - k sin²φ
+        phi = {T(T(phi.cosine * delta) * inverse), T(T(T(T(1) + k) * phi.sine) * inverse)};
+        delta = T(difference * inverse); // √(1 - k² sin²φ) of the modulus before
     }
     if (rule.steps > 0) weight = weight * delta;
     auto const chi = half_turned(rule.is_shifted ? UnitVector2<T>{phi.sine, -phi.cosine} : phi);

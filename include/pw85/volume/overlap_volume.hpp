@@ -36,37 +36,52 @@ decide_common_part(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, Sym
     return {first.contains ? CommonPart::first : CommonPart::part, first.status};
 }
 
-/// The first moments of sections, for mean_over_half_planes().
-template <class T> struct MomentSum {
-    T moment;
+/// The mean of sections, for mean_over_half_planes(). The volume needs the sum of two of its four numbers. The others are there so that
+/// the means agree by chance only if all four do.
+template <class T> struct MeanSection {
+    T volume, numbers[4];
 
-    PW85_MEMBER void add(T const &weight, RegionMoments<T> const &section) noexcept
+    PW85_MEMBER void add(T const &weight, SectionParts<T> const &section) noexcept
     {
-        moment = moment + weight * section.rho;
+        T const values[] = {section.ball.rho, section.other.rho, section.ball.area, section.other.area};
+        volume = volume + weight * T(values[0] + values[1]);
+        for (int i = 0; i < 4; ++i) numbers[i] = numbers[i] + weight * values[i];
     }
-    PW85_MEMBER MomentSum over(T const &count) const noexcept { return {moment / count}; }
+    PW85_MEMBER MeanSection over(T const &count) const noexcept
+    {
+        MeanSection mean{volume / count, {}};
+        for (int i = 0; i < 4; ++i) mean.numbers[i] = numbers[i] / count;
+        return mean;
+    }
 };
 
 template <class T>
-PW85_FUNCTION inline bool agree(MomentSum<T> const &x, MomentSum<T> const &y, T const &tolerance) noexcept
+PW85_FUNCTION inline bool agree(MeanSection<T> const &x, MeanSection<T> const &y, T const &tolerance) noexcept
 {
-    return absolute(T(x.moment - y.moment)) <= T(tolerance * x.moment);
+    bool yes = true;
+    for (int i = 0; i < 4; ++i)
+        yes = yes && absolute(T(x.numbers[i] - y.numbers[i])) <= T(tolerance * T(x.numbers[i & 2] + x.numbers[i | 1]));
+    return yes;
 }
 
 /// The measure of the common part in the joint frame.
 template <class T> PW85_FUNCTION inline T common_measure(RimFrame<T, 2> const &rim) noexcept
 {
     auto const interval = axis_interval(rim);
-    auto const one = section(rim, interval, HalfPlane<T, 2>{{T(1)}});
-    return T(rim.half_chord * T(one.area + section(rim, interval, HalfPlane<T, 2>{{T(-1)}}).area));
+    T sum = T(0);
+    for (int side = -1; side < 2; side += 2) {
+        auto const [ball, other] = section(rim, interval, HalfPlane<T, 2>{{T(side)}});
+        sum = sum + T(ball.area + other.area);
+    }
+    return T(rim.half_chord * sum);
 }
 
 template <class T> PW85_FUNCTION inline T common_measure(RimFrame<T, 3> const &rim) noexcept
 {
     auto const interval = axis_interval(rim);
-    auto const mean = mean_over_half_planes<MomentSum<T>>(
+    auto const mean = mean_over_half_planes<MeanSection<T>>(
         elliptic_rule(rim), [&](HalfPlane<T, 3> const &half_plane) { return section(rim, interval, half_plane); });
-    return T(T(T(2) * circle_constant<T>()) * T(rim.half_chord * mean.moment));
+    return T(T(T(2) * circle_constant<T>()) * T(rim.half_chord * mean.volume));
 }
 
 /// The measure of the common part, for any pair. It is at most that of the smaller ellipsoid.

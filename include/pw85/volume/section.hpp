@@ -31,8 +31,10 @@ template <class T, int D> struct RimFrame {
     BodyOnAxis<T, D> bodies[2];
     T heights[D - 1];
     T half_chord;             ///< of the axis inside the ball
-    T alpha, beta, gamma;     ///< A(n1, n1), A(n1, n2), A(n2, n2)
-    T form[D - 1][D - 1];     ///< A(w_i, w_j) times 4 half_chord²
+    // The rim: αZ² - TZ + γ = 0 with α > 0 or α = 0 > γ.
+    T alpha, gamma;
+    T least;                  ///< 2√(αγ), or 0 if αγ < 0: the T with one solution
+    T excess[D - 1][D - 1];   ///< T - least as a quadratic form of the weights
 };
 
 /// A point of a half-plane.
@@ -84,11 +86,36 @@ PW85_FUNCTION inline BodyOnAxis<T, D> body_on_axis(Vector<T, D> const &direction
     return body;
 }
 
+/// The quadratic equation of the rim, from A(n1, n1), A(n1, n2), A(n2, n2) and A(w_i, w_j), over the square of the stretch of the axis. With
+/// h half of the chord of the ball, α and γ are (h - z1)(h - z2) and (h + z1)(h + z2) for the ends z1, z2 of the other chord, and T is
+/// -2A(n1, n2) - 4h²A(w, w).
+template <class T, int D> PW85_FUNCTION inline void set_rim_equation(RimFrame<T, D> &rim, Vector<T, D> const &origin,
+                                                                     Vector<T, D> const (&images)[D - 1]) noexcept
+{
+    auto const &other = rim.bodies[1];
+    T const h = rim.half_chord, scale = T(1) / T(other.stretch * other.stretch), inside = T(other.high * other.low);
+    T const alpha = T(T(h - other.high) * T(h - other.low)), gamma = T(T(h + other.high) * T(h + other.low));
+    T const sign = alpha < T(0) || (alpha == T(0) && gamma > T(0)) ? T(-1) : T(1), product = T(alpha * gamma);
+    rim.alpha = sign * alpha;
+    rim.gamma = sign * gamma;
+    rim.least = product > T(0) ? T(T(2) * square_root(product)) : T(0);
+    for (int i = 0; i < D - 1; ++i)
+        for (int j = 0; j <= i; ++j) {
+            T const mixed = T(rim.heights[i] * dot(origin, images[j])) + T(rim.heights[j] * dot(origin, images[i]));
+            T const form = T(scale * T(dot(images[i], images[j]) + mixed)) + T(rim.heights[i] * rim.heights[j]) * inside;
+            T const chords = T(T(-4) * T(h * h)) * form, mean = i == j ? T(T(2) * T(h * h - inside)) : T(0);
+            rim.excess[i][j] = rim.excess[j][i] = T(sign * T(mean + chords)) - (i == j ? rim.least : T(0));
+        }
+}
+
 template <class T, int D> PW85_FUNCTION inline RimFrame<T, D> rim_frame(JointFrame<T, D> const &frame) noexcept
 {
     auto const axis = rim_axis(pencil(frame));
     T const radius = frame.axes[D - 1];
+    RimFrame<T, D> rim{};
+    rim.half_chord = axis.half_chord;
     Vector<T, D> rays[D - 1], images[D - 1], origin, direction;
+    for (int j = 0; j < D - 1; ++j) rim.heights[j] = axis.heights[j];
     for (int i = 0; i < D; ++i) {
         T const ratio = radius / frame.axes[i];
         origin[i] = ratio * axis.origin[i] - radius * frame.center[i];
@@ -98,27 +125,11 @@ template <class T, int D> PW85_FUNCTION inline RimFrame<T, D> rim_frame(JointFra
             images[j][i] = ratio * rays[j][i];
         }
     }
-    RimFrame<T, D> rim{};
-    rim.half_chord = axis.half_chord;
     rim.bodies[0] = body_on_axis(axis.direction, axis.origin, rays, T(1), axis.half_chord);
     rim.bodies[0].high = axis.half_chord; // the axis is perpendicular to o
     rim.bodies[0].low = -axis.half_chord;
-    auto const &other = rim.bodies[1] = body_on_axis(direction, origin, images, radius, T(0));
-    T const scale = T(1) / T(other.stretch * other.stretch), chord4 = T(T(4) * T(axis.half_chord * axis.half_chord));
-    T const inside = T(other.high * other.low); // A(o, o)
-    rim.alpha = T(axis.half_chord - other.high) * T(axis.half_chord - other.low);
-    rim.gamma = T(axis.half_chord + other.high) * T(axis.half_chord + other.low);
-    rim.beta = inside - axis.half_chord * axis.half_chord;
-    for (int i = 0; i < D - 1; ++i) {
-        rim.heights[i] = axis.heights[i];
-        for (int j = 0; j <= i; ++j) {
-            T const mixed =
-                T(axis.heights[i] * dot(origin, images[j])) + T(axis.heights[j] * dot(origin, images[i]));
-            T const value = T(scale * T(dot(images[i], images[j]) + mixed)) +
-                            T(axis.heights[i] * axis.heights[j]) * inside;
-            rim.form[i][j] = rim.form[j][i] = T(chord4 * value);
-        }
-    }
+    rim.bodies[1] = body_on_axis(direction, origin, images, radius, T(0));
+    set_rim_equation(rim, origin, images);
     return rim;
 }
 
@@ -146,6 +157,36 @@ template <class T> PW85_FUNCTION inline HalfPlanePoint<T> rim_point(T const &num
     return {up ? z : T(-z), T(T(2) * root) * scale};
 }
 
+/// A body in a half-plane.
+template <class T> struct Arc {
+    T stretch, start, along, kappa, zeta, radius, half_chord;
+};
+
+template <class T, int D>
+PW85_FUNCTION inline Arc<T> arc_of(BodyOnAxis<T, D> const &body, HalfPlane<T, D> const &half_plane) noexcept
+{
+    T const kappa = square_root(quadratic(body.products, half_plane.weights));
+    T const zeta = T(linear(body.across, half_plane.weights) / kappa);
+    T const radius = square_root(T(body.half_chord * body.half_chord + zeta * zeta));
+    return {body.stretch, body.start, linear(body.along, half_plane.weights), kappa, zeta, radius, body.half_chord};
+}
+
+/// Moves a point of the rim along the circle of the ball by one step of Newton's method for the other surface. The axis is only as
+/// accurate as the vertices, which are ill-conditioned where the rim nearly touches itself. Points that are moved are
+/// in the same half-plane and on both surfaces, to rounding. A long step is not made: surfaces that nearly touch need no better point.
+template <class T> PW85_FUNCTION inline HalfPlanePoint<T> corrected(HalfPlanePoint<T> const &p, Arc<T> const &ball,
+                                                                    Arc<T> const &other) noexcept
+{
+    T const s = other.start + other.stretch * p.z + other.along * p.rho, r = T(other.kappa * p.rho);
+    T const excess = T(T(s - other.half_chord) * T(s + other.half_chord)) + r * T(r - T(2) * other.zeta);
+    T const dz = T(ball.zeta - ball.kappa * p.rho), drho = T(p.z / ball.kappa);
+    T const slope = T(2) * T(s * T(other.stretch * dz + other.along * drho) +
+                             T(T(r - other.zeta) * T(other.kappa * drho)));
+    T const step = T(excess / slope), limit = negative_power_of_two<T>(16);
+    bool const small = absolute(T(step * drho)) <= T(limit * p.rho) && absolute(step) <= limit;
+    return small ? HalfPlanePoint<T>{p.z - step * dz, p.rho - step * drho} : p;
+}
+
 /// The two points of the rim in a half-plane, the upper one first. If there is only one, both are the same.
 template <class T> struct RimPoints {
     HalfPlanePoint<T> upper, lower;
@@ -156,35 +197,25 @@ template <class T> struct RimPoints {
 template <class T, int D>
 PW85_FUNCTION inline RimPoints<T> rim_points(RimFrame<T, D> const &rim, HalfPlane<T, D> const &half_plane) noexcept
 {
-    T const linear_term = -(T(2) * rim.beta + quadratic(rim.form, half_plane.weights));
     T const tilt = T(T(2) * T(rim.half_chord * linear(rim.heights, half_plane.weights)));
-    bool const mirrored = rim.alpha < T(0) || (rim.alpha == T(0) && rim.gamma > T(0));
-    T const a = mirrored ? T(-rim.alpha) : rim.alpha, c = mirrored ? T(-rim.gamma) : rim.gamma;
-    T const product = T(a * c), least = product > T(0) ? T(T(2) * square_root(product)) : T(0);
-    T t = mirrored ? T(-linear_term) : linear_term;
-    if (product > T(0)) t = maximum(t, least);
-    T const root = square_root(maximum(T(t * t - T(4) * product), T(0)));
-    if (product > T(0)) {
-        T const sum = T(t + root);
-        return {rim_point(sum, T(T(2) * a), rim.half_chord, tilt), rim_point(T(T(2) * c), sum, rim.half_chord, tilt)};
+    T const excess = quadratic(rim.excess, half_plane.weights), two_alpha = T(T(2) * rim.alpha);
+    if (rim.least > T(0)) {
+        T const above = maximum(excess, T(0)), sum = above + rim.least + square_root(T(above * T(above + T(2) * rim.least)));
+        return {rim_point(sum, two_alpha, rim.half_chord, tilt),
+                rim_point(T(T(2) * rim.gamma), sum, rim.half_chord, tilt)};
     }
-    auto const point = t > T(0) ? rim_point(T(t + root), T(T(2) * a), rim.half_chord, tilt)
-                                : rim_point(T(T(-2) * c), T(root - t), rim.half_chord, tilt);
+    T const root = square_root(T(excess * excess - T(4) * T(rim.alpha * rim.gamma)));
+    auto const point = excess > T(0) ? rim_point(T(excess + root), two_alpha, rim.half_chord, tilt)
+                                     : rim_point(T(T(-2) * rim.gamma), T(root - excess), rim.half_chord, tilt);
     return {point, point};
 }
 
-/// A body in a half-plane.
-template <class T> struct Arc {
-    T stretch, start, along, kappa, zeta, radius;
-};
-
 template <class T, int D>
-PW85_FUNCTION inline Arc<T> arc_of(BodyOnAxis<T, D> const &body, HalfPlane<T, D> const &half_plane) noexcept
+PW85_FUNCTION inline RimPoints<T> corrected_rim_points(RimFrame<T, D> const &rim, HalfPlane<T, D> const &half_plane,
+                                                       Arc<T> const (&arcs)[2]) noexcept
 {
-    T const kappa = square_root(quadratic(body.products, half_plane.weights));
-    T const zeta = T(linear(body.across, half_plane.weights) / kappa);
-    T const radius = square_root(T(body.half_chord * body.half_chord + zeta * zeta));
-    return {body.stretch, body.start, linear(body.along, half_plane.weights), kappa, zeta, radius};
+    auto const points = rim_points(rim, half_plane);
+    return {corrected(points.upper, arcs[0], arcs[1]), corrected(points.lower, arcs[0], arcs[1])};
 }
 
 /// The segment between an arc and its chord from p down to q.
@@ -249,19 +280,24 @@ PW85_FUNCTION inline auto sum_over_arcs(AxisInterval<T> const &interval, RimPoin
     return arc(points.upper, points.lower);
 }
 
-/// The section of the common part. Both bodies' arcs are seen from the middle of the axis.
+/// A section of the common part: what is seen from the middle of the axis on the arcs of the ball, and on those of the other body.
+template <class T> struct SectionParts {
+    RegionMoments<T> ball, other;
+};
+
 template <class T, int D>
-PW85_FUNCTION inline RegionMoments<T> section(RimFrame<T, D> const &rim, AxisInterval<T> const &interval,
+PW85_FUNCTION inline SectionParts<T> section(RimFrame<T, D> const &rim, AxisInterval<T> const &interval,
                                               HalfPlane<T, D> const &half_plane) noexcept
 {
-    auto const points = rim_points(rim, half_plane);
+    Arc<T> const arcs[2] = {arc_of(rim.bodies[0], half_plane), arc_of(rim.bodies[1], half_plane)};
+    auto const points = corrected_rim_points(rim, half_plane, arcs);
     auto const part = [&](int body) {
-        auto const arc = arc_of(rim.bodies[body], half_plane);
+        auto const &arc = arcs[body];
         return sum_over_arcs<T, D>(interval, points, body, [&](HalfPlanePoint<T> const &p, HalfPlanePoint<T> const &q) {
             return segment_under(arc, p, q) + triangle_under(p, q, interval.middle);
         });
     };
-    return part(0) + part(1);
+    return {part(0), part(1)};
 }
 
 } // namespace pw85::detail
