@@ -47,15 +47,15 @@ template <class T, int D> struct HalfPlane {
     T weights[D - 1];
 };
 
-/// Area, ∫ρ and ∫z of a region of a half-plane.
+/// Area and ∫ρ of a region of a half-plane.
 template <class T> struct RegionMoments {
-    T area, rho, z;
+    T area, rho;
 };
 
 template <class T>
 PW85_FUNCTION inline RegionMoments<T> operator+(RegionMoments<T> const &a, RegionMoments<T> const &b) noexcept
 {
-    return {a.area + b.area, a.rho + b.rho, a.z + b.z};
+    return {a.area + b.area, a.rho + b.rho};
 }
 
 /// A body from the images of the axis and of the vectors g_i, and of o less the centre. `half_chord` is only for the ball; it is computed
@@ -108,9 +108,9 @@ template <class T, int D> PW85_FUNCTION inline void set_rim_equation(RimFrame<T,
         }
 }
 
-template <class T, int D> PW85_FUNCTION inline RimFrame<T, D> rim_frame(JointFrame<T, D> const &frame) noexcept
+template <class T, int D>
+PW85_FUNCTION inline RimFrame<T, D> rim_frame(JointFrame<T, D> const &frame, RimAxis<T, D> const &axis) noexcept
 {
-    auto const axis = rim_axis(pencil(frame));
     T const radius = frame.axes[D - 1];
     RimFrame<T, D> rim{};
     rim.half_chord = axis.half_chord;
@@ -224,16 +224,14 @@ segment_under(Arc<T> const &arc, HalfPlanePoint<T> const &p, HalfPlanePoint<T> c
 {
     T const drho = T(q.rho - p.rho), ds = T(arc.stretch * T(q.z - p.z) + arc.along * drho), dr = T(arc.kappa * drho);
     T const length = square_root(T(ds * ds + dr * dr));
-    if (!(length > T(0))) return {T(0), T(0), T(0)};
+    if (!(length > T(0))) return {T(0), T(0)};
     T const z = T(T(0.5) * T(p.z + q.z)), rho = T(T(0.5) * T(p.rho + q.rho));
     T const normal_s = T(dr / length), normal_r = T(-(ds / length)); // outward
     T const s = arc.start + arc.stretch * z + arc.along * rho, r = T(arc.kappa * rho);
     T const cosine = T(s * normal_s + T(r - arc.zeta) * normal_r) / arc.radius;
     auto const segment = circular_segment(T(T(0.5) * length), arc.radius, cosine);
     T const density = T(1) / T(arc.stretch * arc.kappa);
-    T const area = T(segment.area * density), moment = T(segment.moment * density);
-    T const outward_rho = T(normal_r / arc.kappa), outward_z = T(T(normal_s - arc.along * outward_rho) / arc.stretch);
-    return {area, rho * area + outward_rho * moment, z * area + outward_z * moment};
+    return {segment.area * density, T(T(r * segment.area + normal_r * segment.moment) * density) / arc.kappa};
 }
 
 /// The triangle p, q, (z, 0), with p above q.
@@ -241,7 +239,7 @@ template <class T> PW85_FUNCTION inline RegionMoments<T>
 triangle_under(HalfPlanePoint<T> const &p, HalfPlanePoint<T> const &q, T const &z) noexcept
 {
     T const area = T(T(0.5) * T(T(p.z - z) * q.rho - T(q.z - z) * p.rho)), third = T(area / T(3));
-    return {area, T(third * T(p.rho + q.rho)), T(third * T(p.z + q.z + z))};
+    return {area, T(third * T(p.rho + q.rho))};
 }
 
 /// What is between the chord from p down to q and the axis.
@@ -249,8 +247,7 @@ template <class T> PW85_FUNCTION inline RegionMoments<T> trapezoid_under(HalfPla
                                                                           HalfPlanePoint<T> const &q) noexcept
 {
     T const height = T(p.z - q.z), sum = T(p.rho + q.rho), sixth = T(height / T(6));
-    return {T(T(0.5) * T(height * sum)), T(sixth * T(sum * sum - p.rho * q.rho)),
-            T(sixth * T(T(T(p.z + q.z) * sum) + p.z * p.rho + q.z * q.rho))};
+    return {T(T(0.5) * T(height * sum)), T(sixth * T(sum * sum - p.rho * q.rho))};
 }
 
 /// The common part on the axis, and the point of the axis from which both bodies' parts of a section are seen.
