@@ -385,6 +385,140 @@ PW85_API int pw85_contains(double const r12[PW85_DIM], double const q1[PW85_SYM]
 PW85_API int pw85_containment(double const r12[PW85_DIM], double const q1[PW85_SYM], double const q2[PW85_SYM],
                               double *mu2, double point[PW85_DIM]);
 
+/** Volume of an ellipsoid, (4/3)π √det q.
+ *
+ * The relative error is below 2⁻⁵² if the semi-axes differ by a factor below 10⁷. It is below 2⁻⁵⁰ times the fourth power of a larger
+ * factor over 10²⁸.
+ *
+ * @param q form of the ellipsoid
+ * @param[out] volume in the third power of the unit of length
+ * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD */
+PW85_API int pw85_volume(double const q[PW85_SYM], double *volume);
+
+/** pw85_volume() for n ellipsoids; the bits are the same.
+ *
+ * @param n number of ellipsoids
+ * @param q n×6
+ * @param[out] volume n
+ * @return #PW85_SUCCESS, or the status of the first bad ellipsoid; #PW85_EINVAL if a pointer is null and n > 0 */
+PW85_API int pw85_volume_batch(size_t n, double const *q, double *volume);
+
+/** Volume of the common part of two ellipsoids.
+ *
+ * It is 0 exactly where pw85_overlap() says that they do not overlap, and pw85_volume() of the smaller one exactly where pw85_contains()
+ * says that this one is inside the other one. Otherwise the error is below 64 u v + 16 u s, with u = 2⁻⁵³ and the volume v of the smaller
+ * ellipsoid, where u s is the change of the result if each entry of r12, q1 and q2 changes by a fraction u of itself. For a thin lens
+ * the error is below 64 u + 16 u s/V of the volume V of the lens itself.
+ *
+ * @param r12,q1,q2 as for pw85_contact(); zero is valid for r12, too
+ * @param[out] volume in the third power of the unit of length
+ * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD, #PW85_ECONVERGENCE (the rim of the common part was not found; this has never been
+ *         seen) */
+PW85_API int pw85_overlap_volume(double const r12[PW85_DIM], double const q1[PW85_SYM], double const q2[PW85_SYM],
+                                 double *volume);
+
+/** pw85_overlap_volume() for n pairs; the bits are the same.
+ *
+ * @param n number of pairs
+ * @param r12 n×3
+ * @param q1,q2 n×6
+ * @param[out] volume n
+ * @return as for pw85_contact_batch() */
+PW85_API int pw85_overlap_volume_batch(size_t n, double const *r12, double const *q1, double const *q2, double *volume);
+
+/** Derivatives of the volume of the common part.
+ *
+ * They are 0 where the ellipsoids do not overlap. Where one is inside the other one, only the derivatives of its own volume are not 0.
+ *
+ * @param r12,q1,q2 as for pw85_overlap_volume()
+ * @param[out] d_r12 ∂V/∂r12; its negative is the derivative with respect to the centre of ellipsoid 1; may be null
+ * @param[out] d_q1,d_q2 derivatives with respect to the stored entries of q1 and q2 (an off-diagonal entry stands for two entries of the
+ *        matrix); may be null
+ * @return as for pw85_overlap_volume() */
+PW85_API int pw85_overlap_volume_gradient(double const r12[PW85_DIM], double const q1[PW85_SYM],
+                                          double const q2[PW85_SYM], double d_r12[PW85_DIM], double d_q1[PW85_SYM],
+                                          double d_q2[PW85_SYM]);
+
+/** pw85_overlap_volume_gradient() for n pairs; the bits are the same.
+ *
+ * @param n number of pairs
+ * @param r12 n×3
+ * @param q1,q2 n×6
+ * @param[out] d_r12 n×3
+ * @param[out] d_q1,d_q2 n×6; any output may be null
+ * @return as for pw85_contact_batch() */
+PW85_API int pw85_overlap_volume_gradient_batch(size_t n, double const *r12, double const *q1, double const *q2,
+                                                double *d_r12, double *d_q1, double *d_q2);
+
+/** Derivatives of the volume of the common part with respect to rotations: for a rotation of an ellipsoid about its own centre by the
+ * small vector ω, dV = d_rot·ω. The torque of an energy U(V) is -U'(V) d_rot. With ∂V/∂r12 from pw85_overlap_volume_gradient(), d_rot1 +
+ * d_rot2 + r12 × ∂V/∂r12 = 0.
+ *
+ * @param r12,q1,q2 as for pw85_overlap_volume()
+ * @param[out] d_rot1,d_rot2 per radian, for ellipsoids 1 and 2; may be null
+ * @return as for pw85_overlap_volume() */
+PW85_API int pw85_overlap_volume_torque(double const r12[PW85_DIM], double const q1[PW85_SYM],
+                                        double const q2[PW85_SYM], double d_rot1[PW85_DIM], double d_rot2[PW85_DIM]);
+
+/** pw85_overlap_volume_torque() for n pairs; the bits are the same.
+ *
+ * @param n number of pairs
+ * @param r12 n×3
+ * @param q1,q2 n×6
+ * @param[out] d_rot1,d_rot2 n×3; any output may be null
+ * @return as for pw85_contact_batch() */
+PW85_API int pw85_overlap_volume_torque_batch(size_t n, double const *r12, double const *q1, double const *q2,
+                                              double *d_rot1, double *d_rot2);
+
+/** Volume of the part of an ellipsoid that is in the half-space of the points x with normal·x <= offset, relative to the centre of the
+ * ellipsoid.
+ *
+ * @param normal outward normal of the half-space, of any length > 0
+ * @param offset in units of the length of `normal` times the unit of length
+ * @param q form of the ellipsoid
+ * @param[out] volume in the third power of the unit of length
+ * @return #PW85_SUCCESS, #PW85_EINVAL (also for a zero normal), #PW85_ENOTPD */
+PW85_API int pw85_overlap_volume_plane(double const normal[PW85_DIM], double offset, double const q[PW85_SYM],
+                                       double *volume);
+
+/** pw85_overlap_volume_plane() for n ellipsoids and half-spaces; the bits are the same.
+ *
+ * @param n number of ellipsoids
+ * @param normals n×3
+ * @param offsets n
+ * @param q n×6
+ * @param[out] volume n
+ * @return as for pw85_volume_batch() */
+PW85_API int pw85_overlap_volume_plane_batch(size_t n, double const *normals, double const *offsets, double const *q,
+                                             double *volume);
+
+/** Area of an ellipse, π √det q; see pw85_volume().
+ *
+ * @param q form of the ellipse
+ * @param[out] area in the square of the unit of length
+ * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD */
+PW85_API int pw85_area_2d(double const q[3], double *area);
+
+/** pw85_area_2d() for n ellipses; the bits are the same.
+ *
+ * @param n number of ellipses
+ * @param q n×3
+ * @param[out] area n
+ * @return as for pw85_volume_batch() */
+PW85_API int pw85_area_batch_2d(size_t n, double const *q, double *area);
+
+/** Area of the common part of two ellipses; see pw85_overlap_volume(). The bound on the error is the same, with areas. */
+PW85_API int pw85_overlap_area_2d(double const r12[2], double const q1[3], double const q2[3], double *area);
+
+/** pw85_overlap_area_2d() for n pairs; the bits are the same.
+ *
+ * @param n number of pairs
+ * @param r12 n×2
+ * @param q1,q2 n×3
+ * @param[out] area n
+ * @return as for pw85_contact_batch() */
+PW85_API int pw85_overlap_area_batch_2d(size_t n, double const *r12, double const *q1, double const *q2, double *area);
+
 /** Distance of closest approach: the distance of the centres at which two ellipsoids of fixed orientation touch from
  * outside, when their centres are on a line of given direction d. It is |d|/μ(d).
  *
@@ -1575,6 +1709,13 @@ PW85_API int pw85_contact_pairs(pw85_pair_list const *list, pw85_system const *s
  *
  * @param[out] overlap num_pairs: 1, 0, or 255 for a bad pair */
 PW85_API int pw85_overlap_pairs(pw85_pair_list const *list, pw85_system const *system, unsigned char *overlap);
+
+/** pw85_overlap_volume() for the pairs of a neighbour list; arguments as for pw85_contact_pairs(). Their sum is the two-body overlap
+ * of a system; what three ellipsoids have in common counts three times in it.
+ *
+ * @param[out] volume num_pairs
+ * @return as for pw85_contact_pairs() */
+PW85_API int pw85_overlap_volume_pairs(pw85_pair_list const *list, pw85_system const *system, double *volume);
 
 /** The derivatives for the pairs of a neighbour list; arguments as for pw85_contact_pairs(), outputs as for
  * pw85_contact_derivatives_batch().

@@ -9,6 +9,86 @@
 
 namespace pw85 {
 
+/// @name Contact of two ellipsoids
+/// @{
+
+/// volume() for many ellipsoids: see pw85_volume_batch().
+///
+/// @param q one for each ellipsoid
+/// @param[out] volume one for each ellipsoid
+/// @return Status::success, or the status of the first bad ellipsoid; Status::invalid_argument if a pointer is null and
+/// n > 0
+static inline Status volume_batch(Forms q, std::span<double> volume) noexcept
+{
+    return detail::call_rows(pw85_volume_batch, q, volume);
+}
+
+/// overlap_volume() for many pairs: see pw85_overlap_volume_batch().
+///
+/// @param r12,q1,q2 one for each pair
+/// @param[out] volume one for each pair
+/// @return as for contact_batch()
+static inline Status overlap_volume_batch(Vectors r12, Forms q1, Forms q2, std::span<double> volume) noexcept
+{
+    return detail::call_rows(pw85_overlap_volume_batch, r12, q1, q2, volume);
+}
+
+/// overlap_volume_gradient() for many pairs: see pw85_overlap_volume_gradient_batch().
+///
+/// @param r12,q1,q2 one for each pair
+/// @param[out] d_r12,d_q1,d_q2 one for each pair, or empty
+/// @return as for contact_batch()
+static inline Status overlap_volume_gradient_batch(Vectors r12, Forms q1, Forms q2, std::span<Vector<double, 3>> d_r12,
+                                                   std::span<SymmetricMatrix<double, 3>> d_q1 = {},
+                                                   std::span<SymmetricMatrix<double, 3>> d_q2 = {}) noexcept
+{
+    return detail::call_rows(pw85_overlap_volume_gradient_batch, r12, q1, q2, d_r12, d_q1, d_q2);
+}
+
+/// overlap_volume_torque() for many pairs: see pw85_overlap_volume_torque_batch().
+///
+/// @param r12,q1,q2 one for each pair
+/// @param[out] d_rot1,d_rot2 one for each pair, or empty
+/// @return as for contact_batch()
+static inline Status overlap_volume_torque_batch(Vectors r12, Forms q1, Forms q2, std::span<Vector<double, 3>> d_rot1,
+                                                 std::span<Vector<double, 3>> d_rot2 = {}) noexcept
+{
+    return detail::call_rows(pw85_overlap_volume_torque_batch, r12, q1, q2, d_rot1, d_rot2);
+}
+
+/// overlap_volume_plane() for many ellipsoids and half-spaces: see pw85_overlap_volume_plane_batch().
+///
+/// @param normals,offsets,q one for each ellipsoid
+/// @param[out] volume one for each ellipsoid
+/// @return as for volume_batch()
+static inline Status overlap_volume_plane_batch(Vectors normals, std::span<double const> offsets, Forms q,
+                                                std::span<double> volume) noexcept
+{
+    return detail::call_rows(pw85_overlap_volume_plane_batch, normals, offsets, q, volume);
+}
+
+/// area() for many ellipses: see pw85_area_batch_2d().
+///
+/// @param q one for each ellipse
+/// @param[out] area one for each ellipse
+/// @return as for volume_batch()
+static inline Status area_batch(FlatForms q, std::span<double> area) noexcept
+{
+    return detail::call_rows(pw85_area_batch_2d, q, area);
+}
+
+/// overlap_area() for many pairs of ellipses: see pw85_overlap_area_batch_2d().
+///
+/// @param r12,q1,q2 one for each pair
+/// @param[out] area one for each pair
+/// @return as for contact_batch()
+static inline Status overlap_area_batch(FlatVectors r12, FlatForms q1, FlatForms q2, std::span<double> area) noexcept
+{
+    return detail::call_rows(pw85_overlap_area_batch_2d, r12, q1, q2, area);
+}
+
+/// @}
+
 /// @name Many pairs
 /// @{
 

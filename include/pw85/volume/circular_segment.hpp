@@ -60,14 +60,15 @@ template <class T> PW85_FUNCTION inline CircularSegment<T> short_segment(T const
 
 /// The segment of a circle of this radius over a chord: sin α is half the chord over the radius. A short arc of a huge circle keeps all
 /// numbers near the size of its chord.
-template <class T> PW85_FUNCTION inline CircularSegment<T>
-circular_segment(T const &half_chord, T const &radius, T const &cosine) noexcept
+template <class T>
+PW85_FUNCTION inline CircularSegment<T> circular_segment(T const &half_chord, T const &radius, T const &cosine) noexcept
 {
     constexpr int most = 8;
     HalfAngle<T> angles[most + 1];
     angles[0] = {half_chord / radius, cosine};
     int n = 0;
-    while (n < most && !(angles[n].cosine > T(0) && T(angles[n].sine * angles[n].sine) <= largest_square_of_series<T>())) {
+    while (n < most &&
+           !(angles[n].cosine > T(0) && T(angles[n].sine * angles[n].sine) <= largest_square_of_series<T>())) {
         angles[n + 1] = halved(angles[n]);
         ++n;
     }

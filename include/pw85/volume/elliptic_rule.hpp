@@ -49,9 +49,9 @@ inline constexpr int most_landen_steps = 12;
 template <class T> struct EllipticRule {
     T moduli[most_landen_steps + 1], gaps[most_landen_steps + 1]; ///< k, k1, ... and 1 - k, 1 - k1, ...
     int steps;
-    T factor;         ///< Π (1 + k_j)
-    T stretch;        ///< √(tan ψ/tan χ)
-    bool is_shifted;  ///< whether m < 0
+    T factor;        ///< Π (1 + k_j)
+    T stretch;       ///< √(tan ψ/tan χ)
+    bool is_shifted; ///< whether m < 0
 };
 
 /// The smallest ratio of E to T² that counts at the vertices: u².
@@ -96,8 +96,8 @@ template <class T> PW85_FUNCTION inline EllipticRule<T> elliptic_rule(RimFrame<T
 }
 
 /// The half-planes at a value of the parameter.
-template <class T> PW85_FUNCTION inline WeightedDirection<T> weighted_direction(EllipticRule<T> const &rule,
-                                                                                UnitVector2<T> phi) noexcept
+template <class T>
+PW85_FUNCTION inline WeightedDirection<T> weighted_direction(EllipticRule<T> const &rule, UnitVector2<T> phi) noexcept
 {
     T const last = rule.moduli[rule.steps];
     T weight = rule.factor;

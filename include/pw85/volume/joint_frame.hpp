@@ -41,8 +41,7 @@ template <class T, int D> PW85_FUNCTION inline Columns<T, D> cholesky_columns(Sy
 }
 
 /// L⁻¹x for a lower triangular L.
-template <class T, int D>
-PW85_FUNCTION inline Vector<T, D> solve_lower(Columns<T, D> const &l, Vector<T, D> x) noexcept
+template <class T, int D> PW85_FUNCTION inline Vector<T, D> solve_lower(Columns<T, D> const &l, Vector<T, D> x) noexcept
 {
     for (int j = 0; j < D; ++j) {
         x[j] = x[j] / l[j][j];
@@ -127,9 +126,8 @@ PW85_FUNCTION inline bool has_larger_volume(LowerFactor<T, D> const &a, LowerFac
 }
 
 /// The joint frame of a valid pair.
-template <class T, int D>
-PW85_FUNCTION inline JointFrame<T, D> joint_frame(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
-                                                  SymmetricMatrix<T, D> const &q2) noexcept
+template <class T, int D> PW85_FUNCTION inline JointFrame<T, D>
+joint_frame(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, SymmetricMatrix<T, D> const &q2) noexcept
 {
     auto const f1 = lower_factor(q1), f2 = lower_factor(q2);
     bool const swapped = has_larger_volume(f1, f2);

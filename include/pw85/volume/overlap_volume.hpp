@@ -109,17 +109,16 @@ measure_common_part(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, Sy
 namespace pw85 {
 
 /// The volume of the common part of two ellipsoids.
-template <class T> PW85_FUNCTION inline Volume<T> overlap_volume(Vector<T, 3> const &r12,
-                                                                 SymmetricMatrix<T, 3> const &q1,
-                                                                 SymmetricMatrix<T, 3> const &q2) noexcept
+template <class T> PW85_FUNCTION inline Volume<T>
+overlap_volume(Vector<T, 3> const &r12, SymmetricMatrix<T, 3> const &q1, SymmetricMatrix<T, 3> const &q2) noexcept
 {
     auto const [measure, status] = detail::measure_common_part(r12, q1, q2);
     return {measure, status};
 }
 
 /// The area of the common part of two ellipses.
-template <class T> PW85_FUNCTION inline Area<T>
-overlap_area(Vector<T, 2> const &r12, SymmetricMatrix<T, 2> const &q1, SymmetricMatrix<T, 2> const &q2) noexcept
+template <class T> PW85_FUNCTION inline Area<T> overlap_area(Vector<T, 2> const &r12, SymmetricMatrix<T, 2> const &q1,
+                                                             SymmetricMatrix<T, 2> const &q2) noexcept
 {
     auto const [measure, status] = detail::measure_common_part(r12, q1, q2);
     return {measure, status};

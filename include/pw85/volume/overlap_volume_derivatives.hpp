@@ -41,19 +41,18 @@ namespace pw85::detail {
 /// The integrals of item 2, or their integrands. The vectors and tensors are by their components along ℓ, along the rays g_i of the
 /// vertices, and along their turned images k_i = ℓ×g_i/half_chord.
 template <class T> struct RimIntegrals {
-    T volumes[2];      ///< v of the ball, and of the other body
-    T normal_axis;     ///< ½ρ²
-    T normal_turn[2];  ///< -ρ z', along k_i
-    T axis_axis;       ///< ½ρ² z
-    T axis_ray[2];     ///< ⅓ρ³, along ℓ g_iᵀ
-    T turn_axis[2];    ///< -ρ z z', along k_i ℓᵀ
-    T turn_ray[2][2];  ///< -½ρ² z', along k_i g_jᵀ
+    T volumes[2];     ///< v of the ball, and of the other body
+    T normal_axis;    ///< ½ρ²
+    T normal_turn[2]; ///< -ρ z', along k_i
+    T axis_axis;      ///< ½ρ² z
+    T axis_ray[2];    ///< ⅓ρ³, along ℓ g_iᵀ
+    T turn_axis[2];   ///< -ρ z z', along k_i ℓᵀ
+    T turn_ray[2][2]; ///< -½ρ² z', along k_i g_jᵀ
 };
 
 /// The slope dz/dψ of the rim: both surfaces are F(z, ρ, ψ) = 0, with F half of s² + r² - 2rζ - (half of the chord)².
-template <class T>
-PW85_FUNCTION inline T slope_of_rim(RimFrame<T, 3> const &rim, HalfPlane<T, 3> const &half_plane,
-                                    HalfPlanePoint<T> const &p) noexcept
+template <class T> PW85_FUNCTION inline T slope_of_rim(RimFrame<T, 3> const &rim, HalfPlane<T, 3> const &half_plane,
+                                                       HalfPlanePoint<T> const &p) noexcept
 {
     T const(&w)[2] = half_plane.weights;
     T const turned[2] = {-w[1], w[0]};
@@ -86,15 +85,13 @@ template <class T> PW85_FUNCTION inline void add_rim_point(RimIntegrals<T> &sum,
         sum.axis_ray[i] = sum.axis_ray[i] + T(w * p.rho) * T(square * T(2)) / T(3);
         sum.turn_axis[i] = sum.turn_axis[i] + T(w * turn) * p.z;
         for (int j = 0; j < 2; ++j)
-            sum.turn_ray[i][j] =
-                sum.turn_ray[i][j] + T(w * half_plane.weights[j]) * T(T(T(0.5) * turn) * p.rho);
+            sum.turn_ray[i][j] = sum.turn_ray[i][j] + T(w * half_plane.weights[j]) * T(T(T(0.5) * turn) * p.rho);
     }
 }
 
 /// The integrands in a half-plane. The signs are those of the ball: its arcs end at the upper point or begin there.
-template <class T>
-PW85_FUNCTION inline RimIntegrals<T> rim_integrands(RimFrame<T, 3> const &rim, AxisInterval<T> const &interval,
-                                                    HalfPlane<T, 3> const &half_plane) noexcept
+template <class T> PW85_FUNCTION inline RimIntegrals<T>
+rim_integrands(RimFrame<T, 3> const &rim, AxisInterval<T> const &interval, HalfPlane<T, 3> const &half_plane) noexcept
 {
     Arc<T> const arcs[2] = {arc_of(rim.bodies[0], half_plane), arc_of(rim.bodies[1], half_plane)};
     auto const points = corrected_rim_points(rim, half_plane, arcs);
@@ -141,8 +138,8 @@ template <class T> struct MeanRimIntegrals {
 };
 
 /// Whether the volumes and the area vector agree, the numbers that are not small of a higher order.
-template <class T> PW85_FUNCTION inline bool
-agree(MeanRimIntegrals<T> const &x, MeanRimIntegrals<T> const &y, T const &tolerance) noexcept
+template <class T>
+PW85_FUNCTION inline bool agree(MeanRimIntegrals<T> const &x, MeanRimIntegrals<T> const &y, T const &tolerance) noexcept
 {
     auto const &a = x.integrals, &b = y.integrals;
     T const volume = T(a.volumes[0] + a.volumes[1]);
@@ -185,9 +182,10 @@ PW85_FUNCTION inline Vector<T, 3> rim_vector(RimIntegrals<T> const &m, RimBasis<
 
 /// ½ ∫ n (W(x - c))ᵀ dA for a body, with the diagonal matrix W and the offset o - c: its symmetric part. `sign` is 1 for the ball and -1 for
 /// the other body, and `volume` is its v.
-template <class T> PW85_FUNCTION inline SymmetricMatrix<T, 3>
-form_derivative(RimIntegrals<T> const &m, RimBasis<T> const &basis, T const &volume, T const &sign,
-                Vector<T, 3> const &offset, Vector<T, 3> const &weights) noexcept
+template <class T> PW85_FUNCTION inline SymmetricMatrix<T, 3> form_derivative(RimIntegrals<T> const &m,
+                                                                              RimBasis<T> const &basis, T const &volume,
+                                                                              T const &sign, Vector<T, 3> const &offset,
+                                                                              Vector<T, 3> const &weights) noexcept
 {
     T full[3][3] = {};
     auto const add = [&](Vector<T, 3> const &n, Vector<T, 3> const &x) {
@@ -216,10 +214,10 @@ template <class T> PW85_FUNCTION inline FrameDerivatives<T> frame_derivatives(Jo
     auto const axis = rim_axis(pencil(frame));
     auto const rim = rim_frame(frame, axis);
     auto const interval = axis_interval(rim);
-    auto const m = mean_over_half_planes<MeanRimIntegrals<T>>(
-                       elliptic_rule(rim),
-                       [&](HalfPlane<T, 3> const &half_plane) { return rim_integrands(rim, interval, half_plane); })
-                       .integrals;
+    auto const m =
+        mean_over_half_planes<MeanRimIntegrals<T>>(elliptic_rule(rim), [&](HalfPlane<T, 3> const &half_plane) {
+            return rim_integrands(rim, interval, half_plane);
+        }).integrals;
     auto const basis = rim_basis(axis);
     Vector<T, 3> weights, offset;
     for (int i = 0; i < 3; ++i) {
@@ -227,8 +225,7 @@ template <class T> PW85_FUNCTION inline FrameDerivatives<T> frame_derivatives(Jo
         offset[i] = axis.origin[i] - frame.axes[i] * frame.center[i];
     }
     T const factor = T(T(T(2) * circle_constant<T>()) * rim.half_chord);
-    auto const ball =
-        form_derivative(m, basis, m.volumes[0], T(1), axis.origin, Vector<T, 3>{T(1), T(1), T(1)});
+    auto const ball = form_derivative(m, basis, m.volumes[0], T(1), axis.origin, Vector<T, 3>{T(1), T(1), T(1)});
     auto const other = form_derivative(m, basis, m.volumes[1], T(-1), offset, weights);
     return {T(-factor) * rim_vector(m, basis), factor * ball, factor * other};
 }
@@ -285,8 +282,8 @@ derivatives_of_part(Vector<T, 3> const &r12, SymmetricMatrix<T, 3> const &q1, Sy
 }
 
 /// ∂V/∂Q of the volume of an ellipsoid as a whole, ½ V Q⁻¹.
-template <class T> PW85_FUNCTION inline SymmetricMatrix<T, 3>
-derivative_of_volume(SymmetricMatrix<T, 3> const &q) noexcept
+template <class T>
+PW85_FUNCTION inline SymmetricMatrix<T, 3> derivative_of_volume(SymmetricMatrix<T, 3> const &q) noexcept
 {
     int const e = half_exponent(largest_diagonal(q));
     auto const scaled = times_power_of_two(q, -2 * e);
@@ -303,8 +300,9 @@ derivative_of_volume(SymmetricMatrix<T, 3> const &q) noexcept
 }
 
 /// The same for any pair. Where one ellipsoid is inside the other one, only its own form counts.
-template <class T> [[gnu::noinline]] PW85_FUNCTION inline OverlapVolumeGradient<T> overlap_volume_derivatives(
-    Vector<T, 3> const &r12, SymmetricMatrix<T, 3> const &q1, SymmetricMatrix<T, 3> const &q2) noexcept
+template <class T> [[gnu::noinline]] PW85_FUNCTION inline OverlapVolumeGradient<T>
+overlap_volume_derivatives(Vector<T, 3> const &r12, SymmetricMatrix<T, 3> const &q1,
+                           SymmetricMatrix<T, 3> const &q2) noexcept
 {
     auto const [part, status] = decide_common_part(r12, q1, q2);
     if (status != Status::success) return all_nan<OverlapVolumeGradient<T>>(status);
@@ -316,8 +314,8 @@ template <class T> [[gnu::noinline]] PW85_FUNCTION inline OverlapVolumeGradient<
 }
 
 /// The axial vector of 2QG: its dot product with ω is the contraction of G with [ω]Q - Q[ω].
-template <class T> PW85_FUNCTION inline Vector<T, 3> torque_of(SymmetricMatrix<T, 3> const &q,
-                                                               SymmetricMatrix<T, 3> const &g) noexcept
+template <class T>
+PW85_FUNCTION inline Vector<T, 3> torque_of(SymmetricMatrix<T, 3> const &q, SymmetricMatrix<T, 3> const &g) noexcept
 {
     Vector<T, 3> torque{};
     for (int i = 0; i < 3; ++i) {
@@ -342,16 +340,20 @@ template <class T> PW85_FUNCTION inline SymmetricMatrix<T, 3> by_entries(Symmetr
 namespace pw85 {
 
 /// The derivatives of the volume of the common part.
-template <class T> PW85_FUNCTION inline OverlapVolumeGradient<T>
-overlap_volume_gradient(Vector<T, 3> const &r12, SymmetricMatrix<T, 3> const &q1, SymmetricMatrix<T, 3> const &q2) noexcept
+template <class T>
+PW85_FUNCTION inline OverlapVolumeGradient<T> overlap_volume_gradient(Vector<T, 3> const &r12,
+                                                                      SymmetricMatrix<T, 3> const &q1,
+                                                                      SymmetricMatrix<T, 3> const &q2) noexcept
 {
     auto const d = detail::overlap_volume_derivatives(r12, q1, q2);
     return {d.r12, detail::by_entries(d.q1), detail::by_entries(d.q2), d.status};
 }
 
 /// The derivatives with respect to rotations about the centres.
-template <class T> PW85_FUNCTION inline OverlapVolumeTorque<T>
-overlap_volume_torque(Vector<T, 3> const &r12, SymmetricMatrix<T, 3> const &q1, SymmetricMatrix<T, 3> const &q2) noexcept
+template <class T>
+PW85_FUNCTION inline OverlapVolumeTorque<T> overlap_volume_torque(Vector<T, 3> const &r12,
+                                                                  SymmetricMatrix<T, 3> const &q1,
+                                                                  SymmetricMatrix<T, 3> const &q2) noexcept
 {
     auto const d = detail::overlap_volume_derivatives(r12, q1, q2);
     return {detail::torque_of(q1, d.q1), detail::torque_of(q2, d.q2), d.status};

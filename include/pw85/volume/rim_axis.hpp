@@ -192,8 +192,8 @@ pole_interval(Pencil<T, D> const &p, int lower, int upper, int beyond, T const &
 
 /// The vertex at the root nearest to the pole of axis `upper` in the interval from the pole of axis `lower`. sign(p_upper - p_lower) is
 /// that of `sign`.
-template <class T, int D> PW85_FUNCTION inline Vertex<T, D>
-vertex_between(Pencil<T, D> const &p, int lower, int upper, int beyond, T const &sign) noexcept
+template <class T, int D> PW85_FUNCTION inline Vertex<T, D> vertex_between(Pencil<T, D> const &p, int lower, int upper,
+                                                                           int beyond, T const &sign) noexcept
 {
     using Place = typename PoleRoot<T>::Place;
     Vertex<T, D> v{{}, T(0)};
@@ -221,8 +221,7 @@ template <class T> struct PlaneRotation {
     T cosine, sine;
 };
 
-template <class T, int D>
-PW85_FUNCTION inline PlaneRotation<T> make_zero(Pencil<T, D> &p, int zero, int other) noexcept
+template <class T, int D> PW85_FUNCTION inline PlaneRotation<T> make_zero(Pencil<T, D> &p, int zero, int other) noexcept
 {
     T const length = square_root(T(p.b[zero] * p.b[zero] + p.b[other] * p.b[other]));
     if (!(length > T(0))) return {T(1), T(0)};
@@ -287,8 +286,7 @@ template <class T, int D> PW85_FUNCTION inline RimAxis<T, D> rim_axis(Pencil<T, 
     find_vertices(p, axis);
     T sum = T(1);
     for (T const &height : axis.heights) sum = sum + height * height;
-    for (int i = 0; i < D - 1; ++i)
-        axis.origin = axis.origin + T(axis.heights[i] / sum) * axis.vertices[i];
+    for (int i = 0; i < D - 1; ++i) axis.origin = axis.origin + T(axis.heights[i] / sum) * axis.vertices[i];
     axis.half_chord = T(1) / square_root(sum);
     return axis;
 }

@@ -30,11 +30,11 @@ template <class T, int D> struct BodyOnAxis {
 template <class T, int D> struct RimFrame {
     BodyOnAxis<T, D> bodies[2];
     T heights[D - 1];
-    T half_chord;             ///< of the axis inside the ball
+    T half_chord; ///< of the axis inside the ball
     // The rim: αZ² - TZ + γ = 0 with α > 0 or α = 0 > γ.
     T alpha, gamma;
-    T least;                  ///< 2√(αγ), or 0 if αγ < 0: the T with one solution
-    T excess[D - 1][D - 1];   ///< T - least as a quadratic form of the weights
+    T least;                ///< 2√(αγ), or 0 if αγ < 0: the T with one solution
+    T excess[D - 1][D - 1]; ///< T - least as a quadratic form of the weights
 };
 
 /// A point of a half-plane.
@@ -71,8 +71,8 @@ PW85_FUNCTION inline BodyOnAxis<T, D> body_on_axis(Vector<T, D> const &direction
     body.start = dot(origin, unit);
     Vector<T, D> const foot = add_scaled(origin, T(-body.start), unit);
     T const distance = magnitude(foot);
-    body.half_chord = half_chord > T(0) ? half_chord
-                                        : square_root(maximum(T(T(radius - distance) * T(radius + distance)), T(0)));
+    body.half_chord =
+        half_chord > T(0) ? half_chord : square_root(maximum(T(T(radius - distance) * T(radius + distance)), T(0)));
     body.high = T(body.half_chord - body.start) / body.stretch;
     body.low = -(T(body.half_chord + body.start) / body.stretch);
     Vector<T, D> perpendicular[D - 1];
@@ -102,7 +102,8 @@ template <class T, int D> PW85_FUNCTION inline void set_rim_equation(RimFrame<T,
     for (int i = 0; i < D - 1; ++i)
         for (int j = 0; j <= i; ++j) {
             T const mixed = T(rim.heights[i] * dot(origin, images[j])) + T(rim.heights[j] * dot(origin, images[i]));
-            T const form = T(scale * T(dot(images[i], images[j]) + mixed)) + T(rim.heights[i] * rim.heights[j]) * inside;
+            T const form =
+                T(scale * T(dot(images[i], images[j]) + mixed)) + T(rim.heights[i] * rim.heights[j]) * inside;
             T const chords = T(T(-4) * T(h * h)) * form, mean = i == j ? T(T(2) * T(h * h - inside)) : T(0);
             rim.excess[i][j] = rim.excess[j][i] = T(sign * T(mean + chords)) - (i == j ? rim.least : T(0));
         }
@@ -180,8 +181,8 @@ template <class T> PW85_FUNCTION inline HalfPlanePoint<T> corrected(HalfPlanePoi
     T const s = other.start + other.stretch * p.z + other.along * p.rho, r = T(other.kappa * p.rho);
     T const excess = T(T(s - other.half_chord) * T(s + other.half_chord)) + r * T(r - T(2) * other.zeta);
     T const dz = T(ball.zeta - ball.kappa * p.rho), drho = T(p.z / ball.kappa);
-    T const slope = T(2) * T(s * T(other.stretch * dz + other.along * drho) +
-                             T(T(r - other.zeta) * T(other.kappa * drho)));
+    T const slope =
+        T(2) * T(s * T(other.stretch * dz + other.along * drho) + T(T(r - other.zeta) * T(other.kappa * drho)));
     T const step = T(excess / slope), limit = negative_power_of_two<T>(16);
     bool const small = absolute(T(step * drho)) <= T(limit * p.rho) && absolute(step) <= limit;
     return small ? HalfPlanePoint<T>{p.z - step * dz, p.rho - step * drho} : p;
@@ -200,7 +201,8 @@ PW85_FUNCTION inline RimPoints<T> rim_points(RimFrame<T, D> const &rim, HalfPlan
     T const tilt = T(T(2) * T(rim.half_chord * linear(rim.heights, half_plane.weights)));
     T const excess = quadratic(rim.excess, half_plane.weights), two_alpha = T(T(2) * rim.alpha);
     if (rim.least > T(0)) {
-        T const above = maximum(excess, T(0)), sum = above + rim.least + square_root(T(above * T(above + T(2) * rim.least)));
+        T const above = maximum(excess, T(0)),
+                sum = above + rim.least + square_root(T(above * T(above + T(2) * rim.least)));
         return {rim_point(sum, two_alpha, rim.half_chord, tilt),
                 rim_point(T(T(2) * rim.gamma), sum, rim.half_chord, tilt)};
     }
@@ -210,17 +212,16 @@ PW85_FUNCTION inline RimPoints<T> rim_points(RimFrame<T, D> const &rim, HalfPlan
     return {point, point};
 }
 
-template <class T, int D>
-PW85_FUNCTION inline RimPoints<T> corrected_rim_points(RimFrame<T, D> const &rim, HalfPlane<T, D> const &half_plane,
-                                                       Arc<T> const (&arcs)[2]) noexcept
+template <class T, int D> PW85_FUNCTION inline RimPoints<T>
+corrected_rim_points(RimFrame<T, D> const &rim, HalfPlane<T, D> const &half_plane, Arc<T> const (&arcs)[2]) noexcept
 {
     auto const points = rim_points(rim, half_plane);
     return {corrected(points.upper, arcs[0], arcs[1]), corrected(points.lower, arcs[0], arcs[1])};
 }
 
 /// The segment between an arc and its chord from p down to q.
-template <class T> PW85_FUNCTION inline RegionMoments<T>
-segment_under(Arc<T> const &arc, HalfPlanePoint<T> const &p, HalfPlanePoint<T> const &q) noexcept
+template <class T> PW85_FUNCTION inline RegionMoments<T> segment_under(Arc<T> const &arc, HalfPlanePoint<T> const &p,
+                                                                       HalfPlanePoint<T> const &q) noexcept
 {
     T const drho = T(q.rho - p.rho), ds = T(arc.stretch * T(q.z - p.z) + arc.along * drho), dr = T(arc.kappa * drho);
     T const length = square_root(T(ds * ds + dr * dr));
@@ -235,16 +236,16 @@ segment_under(Arc<T> const &arc, HalfPlanePoint<T> const &p, HalfPlanePoint<T> c
 }
 
 /// The triangle p, q, (z, 0), with p above q.
-template <class T> PW85_FUNCTION inline RegionMoments<T>
-triangle_under(HalfPlanePoint<T> const &p, HalfPlanePoint<T> const &q, T const &z) noexcept
+template <class T> PW85_FUNCTION inline RegionMoments<T> triangle_under(HalfPlanePoint<T> const &p,
+                                                                        HalfPlanePoint<T> const &q, T const &z) noexcept
 {
     T const area = T(T(0.5) * T(T(p.z - z) * q.rho - T(q.z - z) * p.rho)), third = T(area / T(3));
     return {area, T(third * T(p.rho + q.rho))};
 }
 
 /// What is between the chord from p down to q and the axis.
-template <class T> PW85_FUNCTION inline RegionMoments<T> trapezoid_under(HalfPlanePoint<T> const &p,
-                                                                          HalfPlanePoint<T> const &q) noexcept
+template <class T>
+PW85_FUNCTION inline RegionMoments<T> trapezoid_under(HalfPlanePoint<T> const &p, HalfPlanePoint<T> const &q) noexcept
 {
     T const height = T(p.z - q.z), sum = T(p.rho + q.rho), sixth = T(height / T(6));
     return {T(T(0.5) * T(height * sum)), T(sixth * T(sum * sum - p.rho * q.rho))};
@@ -265,9 +266,8 @@ template <class T, int D> PW85_FUNCTION inline AxisInterval<T> axis_interval(Rim
 }
 
 /// Calls arc(p, q) for each arc of a body in a half-plane, from its upper to its lower end, and returns the sum.
-template <class T, int D, class Function>
-PW85_FUNCTION inline auto sum_over_arcs(AxisInterval<T> const &interval, RimPoints<T> const &points, int body,
-                                        Function const &arc) noexcept
+template <class T, int D, class Function> PW85_FUNCTION inline auto
+sum_over_arcs(AxisInterval<T> const &interval, RimPoints<T> const &points, int body, Function const &arc) noexcept
 {
     bool const above = interval.ball_above == (body == 0), below = interval.ball_below == (body == 0);
     HalfPlanePoint<T> const top{interval.top, T(0)}, bottom{interval.bottom, T(0)};
@@ -282,9 +282,8 @@ template <class T> struct SectionParts {
     RegionMoments<T> ball, other;
 };
 
-template <class T, int D>
-PW85_FUNCTION inline SectionParts<T> section(RimFrame<T, D> const &rim, AxisInterval<T> const &interval,
-                                              HalfPlane<T, D> const &half_plane) noexcept
+template <class T, int D> PW85_FUNCTION inline SectionParts<T>
+section(RimFrame<T, D> const &rim, AxisInterval<T> const &interval, HalfPlane<T, D> const &half_plane) noexcept
 {
     Arc<T> const arcs[2] = {arc_of(rim.bodies[0], half_plane), arc_of(rim.bodies[1], half_plane)};
     auto const points = corrected_rim_points(rim, half_plane, arcs);
