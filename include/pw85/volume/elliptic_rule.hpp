@@ -73,13 +73,14 @@ template <class T> PW85_FUNCTION inline T complementary_modulus(T const &ratio, 
 template <class T> PW85_FUNCTION inline EllipticRule<T> elliptic_rule(RimFrame<T, 3> const &rim) noexcept
 {
     // a = t1² - 4αγ and c = t2² - 4αγ, with t - 2√(αγ) = excess if αγ > 0
-    T const e1 = rim.excess[0][0], e2 = rim.excess[1][1], product = T(T(4) * T(rim.alpha * rim.gamma));
+    T const e1 = rim.excess[0], e2 = rim.excess[1], product = T(T(4) * T(rim.alpha * rim.gamma));
     T const least = rim.least, more = T(least + least), t1 = e1 + least, t2 = e2 + least;
     T const tiny = smallest_number<T>(), negative = maximum(T(-product), T(0));
     T const a = maximum(T(e1 * T(e1 + more) + negative), T(tiny + rim_floor<T>() * T(t1 * t1)));
     T const c = maximum(T(e2 * T(e2 + more) + negative), T(tiny + rim_floor<T>() * T(t2 * t2)));
-    T const scale = T(a * c), ratio = T(T(t1 * t2) - product) / square_root(scale), step = T(t1 - t2);
-    T complement = complementary_modulus(ratio, T(-(T(product * T(step * step)) / scale)));
+    T const scale = T(a * c), step = T(t1 - t2);
+    T const ratio = scale > T(0) ? T(T(T(t1 * t2) - product) / square_root(scale)) : T(1);
+    T complement = complementary_modulus(ratio, T(-(T(T(product * T(step * step)) / a) / c)));
 
     EllipticRule<T> rule{{}, {}, 0, T(1), T(1), ratio > T(1)};
     rule.stretch = square_root(square_root(square_root(T(a / c))));

@@ -98,6 +98,7 @@ measure_common_part(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, Sy
     if (part == CommonPart::nothing) return {T(0), status};
     if (part != CommonPart::part) return {measure_of(part == CommonPart::first ? q1 : q2), status};
     auto const frame = joint_frame(r12, q1, q2);
+    if (!(frame.axes[D - 1] >= thinnest_axis<T>())) return {quiet_nan<T>(), Status::no_convergence};
     T const scaled = T(common_measure(rim_frame(frame, rim_axis(pencil(frame)))) * frame.determinant);
     T const measure = times_power_of_two(scaled, D * frame.exponent);
     if (!(measure >= T(0))) return {quiet_nan<T>(), Status::no_convergence};

@@ -269,6 +269,7 @@ template <class T> PW85_FUNCTION inline OverlapVolumeGradient<T>
 derivatives_of_part(Vector<T, 3> const &r12, SymmetricMatrix<T, 3> const &q1, SymmetricMatrix<T, 3> const &q2) noexcept
 {
     auto const frame = joint_frame(r12, q1, q2);
+    if (!(frame.axes[2] >= thinnest_axis<T>())) return all_nan<OverlapVolumeGradient<T>>(Status::no_convergence);
     auto const d = frame_derivatives(frame);
     auto const map = gradient_map(frame);
     Vector<T, 3> center{};
@@ -277,6 +278,8 @@ derivatives_of_part(Vector<T, 3> const &r12, SymmetricMatrix<T, 3> const &q1, Sy
     auto const ball = times_power_of_two(congruent(map, d.ball, scale), frame.exponent);
     auto const other = times_power_of_two(congruent(map, d.other, scale), frame.exponent);
     Vector<T, 3> const force = times_power_of_two(scale * center, 2 * frame.exponent);
+    if (!is_finite(force) || !is_finite(ball) || !is_finite(other))
+        return all_nan<OverlapVolumeGradient<T>>(Status::no_convergence);
     if (frame.swapped) return {-force, other, ball, Status::success};
     return {force, ball, other, Status::success};
 }

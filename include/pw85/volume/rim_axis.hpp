@@ -29,7 +29,8 @@ template <class T, int D> struct RimAxis {
     Vector<T, D> origin, direction;
     Vector<T, D> vertices[D - 1];
     T heights[D - 1];
-    T half_chord; ///< half of the length of the axis inside the ball
+    T roots[D - 1]; ///< t of each vertex: A(w_i, w_i), in units of the pencil
+    T half_chord;   ///< half of the length of the axis inside the ball
 };
 
 /// The function h of item 1 between two poles: the interval (0, gap), with one more pole at gap + far, at a distance δ from the
@@ -156,7 +157,7 @@ template <class T, int D> PW85_FUNCTION inline Pencil<T, D> pencil(JointFrame<T,
 /// poles, `third` is the other axis, whose pole is at distance `far` beyond the upper or the lower pole.
 template <class T, int D> struct Vertex {
     Vector<T, D> x;
-    T height;
+    T height, root;
 };
 
 /// B(v, w).
@@ -169,10 +170,10 @@ template <class T, int D> PW85_FUNCTION inline T lorentz(Vertex<T, D> const &v, 
 template <class T, int D> PW85_FUNCTION inline Vertex<T, D> normalized(Vertex<T, D> v) noexcept
 {
     T const size = T(1) / maximum(largest_coordinate(v.x), absolute(v.height));
-    v = {size * v.x, size * v.height};
+    v = {size * v.x, size * v.height, v.root};
     T const floor = T(T(unit_roundoff<T>()) * T(unit_roundoff<T>()));
     T const scale = T(1) / square_root(maximum(lorentz(v, v), floor));
-    return {scale * v.x, scale * v.height};
+    return {scale * v.x, scale * v.height, v.root};
 }
 
 /// The interval between the poles of two axes; sign = -1 turns t to -t, so that the "upper" pole can be the one that is smaller.
@@ -196,13 +197,15 @@ template <class T, int D> PW85_FUNCTION inline Vertex<T, D> vertex_between(Penci
                                                                            int beyond, T const &sign) noexcept
 {
     using Place = typename PoleRoot<T>::Place;
-    Vertex<T, D> v{{}, T(0)};
+    Vertex<T, D> v{{}, T(0), p.poles[lower]};
     auto const interval = pole_interval(p, lower, upper, beyond, sign);
     if (!(interval.gap > T(0))) { // equal_poles_apart() has made b_lower zero
         v.x[lower] = T(1);
         return v;
     }
     auto const root = highest_root(interval, sign > T(0));
+    v.root =
+        root.delta <= root.epsilon ? T(p.poles[upper] - sign * root.delta) : T(p.poles[lower] + sign * root.epsilon);
     if (root.place != Place::between) {
         v.x[root.place == Place::upper ? upper : lower] = T(1);
         return v;
@@ -254,6 +257,7 @@ template <class T> PW85_FUNCTION inline void find_vertices(Pencil<T, 2> p, RimAx
     turn_back(v.x, 0, 1, turn);
     axis.vertices[0] = v.x;
     axis.heights[0] = v.height;
+    axis.roots[0] = v.root;
     T const size = square_root(dot(v.x, v.x));
     axis.direction = {-v.x[1] / size, v.x[0] / size};
 }
@@ -267,12 +271,13 @@ template <class T> PW85_FUNCTION inline void find_vertices(Pencil<T, 3> p, RimAx
     if (second) turn2 = make_zero(p, 2, 1);
     Vertex<T, 3> v[2] = {vertex_between(p, 0, 1, 2, T(1)), vertex_between(p, 2, 1, 0, T(-1))};
     T const along = lorentz(v[0], v[1]);
-    v[1] = normalized(Vertex<T, 3>{v[1].x - along * v[0].x, T(v[1].height - along * v[0].height)});
+    v[1] = normalized(Vertex<T, 3>{v[1].x - along * v[0].x, T(v[1].height - along * v[0].height), v[1].root});
     for (int i = 0; i < 2; ++i) {
         if (second) turn_back(v[i].x, 2, 1, turn2);
         if (first) turn_back(v[i].x, 0, 1, turn1);
         axis.vertices[i] = v[i].x;
         axis.heights[i] = v[i].height;
+        axis.roots[i] = v[i].root;
     }
     Vector<T, 3> const normal = cross(v[0].x, v[1].x);
     axis.direction = normal / magnitude(normal);

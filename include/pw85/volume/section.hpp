@@ -33,8 +33,8 @@ template <class T, int D> struct RimFrame {
     T half_chord; ///< of the axis inside the ball
     // The rim: αZ² - TZ + γ = 0 with α > 0 or α = 0 > γ.
     T alpha, gamma;
-    T least;                ///< 2√(αγ), or 0 if αγ < 0: the T with one solution
-    T excess[D - 1][D - 1]; ///< T - least as a quadratic form of the weights
+    T least;         ///< 2√(αγ), or 0 if αγ < 0: the T with one solution
+    T excess[D - 1]; ///< T - least at each vertex
 };
 
 /// A point of a half-plane.
@@ -86,27 +86,23 @@ PW85_FUNCTION inline BodyOnAxis<T, D> body_on_axis(Vector<T, D> const &direction
     return body;
 }
 
-/// The quadratic equation of the rim, from A(n1, n1), A(n1, n2), A(n2, n2) and A(w_i, w_j), over the square of the stretch of the axis. With
+/// The quadratic equation of the rim, from A(n1, n1), A(n1, n2), A(n2, n2) and A(w, w) = t, over the square of the stretch of the axis. With
 /// h half of the chord of the ball, α and γ are (h - z1)(h - z2) and (h + z1)(h + z2) for the ends z1, z2 of the other chord, and T is
-/// -2A(n1, n2) - 4h²A(w, w).
-template <class T, int D> PW85_FUNCTION inline void set_rim_equation(RimFrame<T, D> &rim, Vector<T, D> const &origin,
-                                                                     Vector<T, D> const (&images)[D - 1]) noexcept
+/// m - 4h²A(w, w) with m = 2(h² - z1 z2). As m² - 4αγ = 4h²(z1 - z2)², nothing cancels in m - 2√(αγ) for a thin disc.
+template <class T, int D>
+PW85_FUNCTION inline void set_rim_equation(RimFrame<T, D> &rim, RimAxis<T, D> const &axis, T const &shortest) noexcept
 {
     auto const &other = rim.bodies[1];
-    T const h = rim.half_chord, scale = T(1) / T(other.stretch * other.stretch), inside = T(other.high * other.low);
+    T const h = rim.half_chord, scale = T(shortest / other.stretch) / other.stretch, inside = T(other.high * other.low);
     T const alpha = T(T(h - other.high) * T(h - other.low)), gamma = T(T(h + other.high) * T(h + other.low));
     T const sign = alpha < T(0) || (alpha == T(0) && gamma > T(0)) ? T(-1) : T(1), product = T(alpha * gamma);
     rim.alpha = sign * alpha;
     rim.gamma = sign * gamma;
     rim.least = product > T(0) ? T(T(2) * square_root(product)) : T(0);
-    for (int i = 0; i < D - 1; ++i)
-        for (int j = 0; j <= i; ++j) {
-            T const mixed = T(rim.heights[i] * dot(origin, images[j])) + T(rim.heights[j] * dot(origin, images[i]));
-            T const form =
-                T(scale * T(dot(images[i], images[j]) + mixed)) + T(rim.heights[i] * rim.heights[j]) * inside;
-            T const chords = T(T(-4) * T(h * h)) * form, mean = i == j ? T(T(2) * T(h * h - inside)) : T(0);
-            rim.excess[i][j] = rim.excess[j][i] = T(sign * T(mean + chords)) - (i == j ? rim.least : T(0));
-        }
+    T const mean = T(T(2) * T(h * h - inside)), chord = T(T(T(4) * h) * T(other.half_chord / other.stretch));
+    T const rest =
+        sign > T(0) && rim.least > T(0) ? T(T(chord * chord) / T(mean + rim.least)) : T(sign * mean - rim.least);
+    for (int i = 0; i < D - 1; ++i) rim.excess[i] = rest - T(T(T(4) * sign) * T(h * h)) * T(scale * axis.roots[i]);
 }
 
 template <class T, int D>
@@ -130,7 +126,7 @@ PW85_FUNCTION inline RimFrame<T, D> rim_frame(JointFrame<T, D> const &frame, Rim
     rim.bodies[0].high = axis.half_chord; // the axis is perpendicular to o
     rim.bodies[0].low = -axis.half_chord;
     rim.bodies[1] = body_on_axis(direction, origin, images, radius, T(0));
-    set_rim_equation(rim, origin, images);
+    set_rim_equation(rim, axis, radius);
     return rim;
 }
 
@@ -148,12 +144,21 @@ template <class T, int N> PW85_FUNCTION inline T quadratic(T const (&rows)[N][N]
     return sum;
 }
 
+/// Σ row_i weights_i².
+template <class T, int N> PW85_FUNCTION inline T sum_of_squares(T const (&row)[N], T const (&weights)[N]) noexcept
+{
+    T sum = row[0] * T(weights[0] * weights[0]);
+    for (int i = 1; i < N; ++i) sum = sum + row[i] * T(weights[i] * weights[i]);
+    return sum;
+}
+
 /// The point of the rim with p²/q² = (numerator/denominator)², both >= 0; tilt = 2 half_chord·height of the vertex.
 template <class T> PW85_FUNCTION inline HalfPlanePoint<T> rim_point(T const &numerator, T const &denominator,
                                                                     T const &half_chord, T const &tilt) noexcept
 {
     bool const up = numerator >= denominator;
-    T const square = up ? T(denominator / numerator) : T(numerator / denominator), root = square_root(square);
+    T const larger = up ? numerator : denominator, smaller = up ? denominator : numerator;
+    T const square = larger > T(0) ? T(smaller / larger) : T(1), root = square_root(square);
     T const scale = half_chord / T(T(1) + square + tilt * root), z = T(T(1) - square) * scale;
     return {up ? z : T(-z), T(T(2) * root) * scale};
 }
@@ -199,7 +204,7 @@ template <class T, int D>
 PW85_FUNCTION inline RimPoints<T> rim_points(RimFrame<T, D> const &rim, HalfPlane<T, D> const &half_plane) noexcept
 {
     T const tilt = T(T(2) * T(rim.half_chord * linear(rim.heights, half_plane.weights)));
-    T const excess = quadratic(rim.excess, half_plane.weights), two_alpha = T(T(2) * rim.alpha);
+    T const excess = sum_of_squares(rim.excess, half_plane.weights), two_alpha = T(T(2) * rim.alpha);
     if (rim.least > T(0)) {
         T const above = maximum(excess, T(0)),
                 sum = above + rim.least + square_root(T(above * T(above + T(2) * rim.least)));
