@@ -413,7 +413,7 @@ PW85_API int pw85_volume_batch(size_t n, double const *q, double *volume);
  * @param r12,q1,q2 as for pw85_contact(); zero is valid for r12, too
  * @param[out] volume in the third power of the unit of length
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD, #PW85_ECONVERGENCE (if the smaller ellipsoid is taken to a unit ball by a linear
- *         map, the other one becomes a disc that is thinner than 2⁻²⁶) */
+ *         map, the other one becomes a disc that is thinner than 2⁻²¹) */
 PW85_API int pw85_overlap_volume(double const r12[PW85_DIM], double const q1[PW85_SYM], double const q2[PW85_SYM],
                                  double *volume);
 

@@ -93,11 +93,11 @@ template <class T> PW85_FUNCTION constexpr T longest_axis() noexcept
                                                : 128);
 }
 
-/// The thinnest ellipsoid in units of the ball that the sections resolve: its two surfaces are told apart to √u at least. In space, two
+/// The thinnest ellipsoid in units of the ball that the sections resolve: its two surfaces are told apart to eight digits or so. In space, two
 /// ellipsoids of aspect ratio 10⁶ can be so different, if one is a disc across the other.
 template <class T> PW85_FUNCTION constexpr T thinnest_axis() noexcept
 {
-    return negative_power_of_two<T>(mantissa_digits<T>() / 2);
+    return negative_power_of_two<T>(2 * mantissa_digits<T>() / 5);
 }
 
 /// The product of the pivots of the Cholesky factor: the volume in units of that of the unit ball.
