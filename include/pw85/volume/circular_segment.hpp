@@ -35,7 +35,7 @@ template <class T> PW85_FUNCTION inline HalfAngle<T> halved(HalfAngle<T> const &
 {
     T const twice = a.cosine > T(0) ? T(T(a.sine * a.sine) / T(T(1) + a.cosine)) : T(T(1) - a.cosine);
     T const w = T(T(0.5) * twice);
-    return {square_root(w), square_root(T(T(1) - w))};
+    return {square_root(w), square_root(maximum(T(T(1) - w), T(0)))};
 }
 
 /// The largest sin²α for which the series are summed. Each term is then smaller than the one before it by a factor of 2⁻⁵.
