@@ -507,7 +507,11 @@ PW85_API int pw85_area_2d(double const q[3], double *area);
  * @return as for pw85_volume_batch() */
 PW85_API int pw85_area_batch_2d(size_t n, double const *q, double *area);
 
-/** Area of the common part of two ellipses; see pw85_overlap_volume(). The bound on the error is the same, with areas. */
+/** Area of the common part of two ellipses; see pw85_overlap_volume(). The bound on the error is the same, with areas.
+ *
+ * @param r12,q1,q2 as for pw85_contact_2d(); zero is valid for r12, too
+ * @param[out] area in the square of the unit of length
+ * @return as for pw85_overlap_volume() */
 PW85_API int pw85_overlap_area_2d(double const r12[2], double const q1[3], double const q2[3], double *area);
 
 /** pw85_overlap_area_2d() for n pairs; the bits are the same.

@@ -338,6 +338,9 @@ template <class T> PW85_FUNCTION inline Volume<T>
 overlap_volume(Vector<T, 3> const &r12, SymmetricMatrix<T, 3> const &q1, SymmetricMatrix<T, 3> const &q2) noexcept;
 
 /// The area of the common part of two ellipses, likewise.
+///
+/// @param r12,q1,q2 as for overlap_volume()
+/// @return the area; Status::invalid_argument, Status::not_positive_definite, Status::no_convergence
 template <class T> PW85_FUNCTION inline Area<T> overlap_area(Vector<T, 2> const &r12, SymmetricMatrix<T, 2> const &q1,
                                                              SymmetricMatrix<T, 2> const &q2) noexcept;
 
@@ -345,7 +348,7 @@ template <class T> PW85_FUNCTION inline Area<T> overlap_area(Vector<T, 2> const 
 /// entries of the matrix.
 ///
 /// @param r12,q1,q2 as for overlap_volume()
-/// @return the derivatives; the status is that of overlap_volume()
+/// @return the derivatives; Status::invalid_argument, Status::not_positive_definite, Status::no_convergence
 template <class T>
 PW85_FUNCTION inline OverlapVolumeGradient<T> overlap_volume_gradient(Vector<T, 3> const &r12,
                                                                       SymmetricMatrix<T, 3> const &q1,
@@ -354,7 +357,7 @@ PW85_FUNCTION inline OverlapVolumeGradient<T> overlap_volume_gradient(Vector<T, 
 /// The derivatives of overlap_volume() with respect to rotations of the ellipsoids about their centres, per radian.
 ///
 /// @param r12,q1,q2 as for overlap_volume()
-/// @return the derivatives; the status is that of overlap_volume()
+/// @return the derivatives; Status::invalid_argument, Status::not_positive_definite, Status::no_convergence
 template <class T>
 PW85_FUNCTION inline OverlapVolumeTorque<T> overlap_volume_torque(Vector<T, 3> const &r12,
                                                                   SymmetricMatrix<T, 3> const &q1,

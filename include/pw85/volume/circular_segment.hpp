@@ -38,22 +38,51 @@ template <class T> PW85_FUNCTION inline HalfAngle<T> halved(HalfAngle<T> const &
     return {square_root(w), square_root(maximum(T(T(1) - w), T(0)))};
 }
 
-/// The largest sin²α for which the series are summed. Each term is then smaller than the one before it by a factor of 2⁻⁵.
-template <class T> PW85_FUNCTION constexpr T largest_square_of_series() noexcept { return negative_power_of_two<T>(5); }
+/// The largest sin²α for which the series are summed. Each term is then smaller than the one before it by a factor of 2⁻⁴.
+template <class T> PW85_FUNCTION constexpr T largest_square_of_series() noexcept { return negative_power_of_two<T>(4); }
 
-/// p/sin³α and q/sin⁵α for sin²α <= 2⁻⁵.
+/// The coefficients C(2n, n)/4ⁿ/(2n + 3) from n = 1 on, as many as the series needs.
+template <class T> struct SegmentSeries {
+    static constexpr int terms = mantissa_digits<T>() / 4 + 1;
+    T coefficients[terms];
+};
+
+template <class T> PW85_FUNCTION constexpr SegmentSeries<T> segment_series() noexcept
+{
+    SegmentSeries<T> series{};
+    T coefficient = T(1);
+    for (int n = 1; n <= series.terms; ++n) {
+        coefficient = T(coefficient * T(2 * n - 1)) / T(2 * n);
+        series.coefficients[n - 1] = coefficient / T(2 * n + 3);
+    }
+    return series;
+}
+
+template <class T> PW85_FUNCTION inline T sum_of_series(SegmentSeries<T> const &series, T const &x) noexcept
+{
+    T sum = series.coefficients[series.terms - 1];
+    for (int n = series.terms - 2; n >= 0; --n) sum = T(sum * x) + series.coefficients[n];
+    return sum;
+}
+
+/// Σ_{n>=1} C_n xⁿ⁻¹/(2n + 3) for x <= 2⁻⁴. The compiler computes the coefficients of a native type.
+template <class T> PW85_FUNCTION inline T sum_of_segment_series(T const &x) noexcept
+{
+    if constexpr (std::is_floating_point_v<T>) {
+        constexpr auto series = segment_series<T>();
+        return sum_of_series(series, x);
+    } else {
+        return sum_of_series(segment_series<T>(), x);
+    }
+}
+
+/// p/sin³α and q/sin⁵α for sin²α <= 2⁻⁴.
 ///
 /// Let C_n = C(2n, n)/4ⁿ. Then p/sin³α = 2 Σ C_n xⁿ/(2n + 3) with x = sin²α. With 1 - cos α = x/(1 + cos α), item 2 becomes
 /// q/sin⁵α = (p/sin³α)/(1 + cos α) - 2 Σ_{n>=1} C_n xⁿ⁻¹/(2n + 3). The difference is near 1/3 - 1/5, so that it loses two bits.
 template <class T> PW85_FUNCTION inline CircularSegment<T> short_segment(T const &x, T const &cosine) noexcept
 {
-    constexpr int terms = mantissa_digits<T>() / 5 + 1;
-    T coefficient = T(1), power = T(1), rest = T(0);
-    for (int n = 1; n <= terms; ++n) {
-        coefficient = T(coefficient * T(2 * n - 1)) / T(2 * n);
-        rest = rest + T(coefficient * power) / T(2 * n + 3);
-        power = power * x;
-    }
+    T const rest = sum_of_segment_series(x);
     T const area = T(2) * T(T(T(1) / T(3)) + x * rest);
     return {area, T(area / T(T(1) + cosine)) - T(T(2) * rest)};
 }
