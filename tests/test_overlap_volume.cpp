@@ -68,10 +68,22 @@ template <int D> double sensitivity(Sample<double, D> const &p)
         if (x != 0) sum += abs(measure(shifted(Fine(x * step))) - measure(shifted(Fine(-x * step)))) / (2 * step);
     };
     for (int i = 0; i < D; ++i)
-        add(exact.r12[i], [&](Fine const &d) { auto s = exact; s.r12[i] += d; return s; });
+        add(exact.r12[i], [&](Fine const &d) {
+            auto s = exact;
+            s.r12[i] += d;
+            return s;
+        });
     for (int k = 0; k < exact.q1.size; ++k) {
-        add(exact.q1[k], [&](Fine const &d) { auto s = exact; s.q1[k] += d; return s; });
-        add(exact.q2[k], [&](Fine const &d) { auto s = exact; s.q2[k] += d; return s; });
+        add(exact.q1[k], [&](Fine const &d) {
+            auto s = exact;
+            s.q1[k] += d;
+            return s;
+        });
+        add(exact.q2[k], [&](Fine const &d) {
+            auto s = exact;
+            s.q2[k] += d;
+            return s;
+        });
     }
     return static_cast<double>(sum);
 }
@@ -208,7 +220,7 @@ void test_decisions()
         pw85_contains(p.r12.coordinates, p.q1.entries, p.q2.entries, &inside2);
         pw85_contains(back.coordinates, p.q2.entries, p.q1.entries, &inside1);
         double const volume = measured(p), smaller = std::fmin(whole(p.q1), whole(p.q2));
-        bool const fits = overlap == 0  ? volume == 0.0
+        bool const fits = overlap == 0   ? volume == 0.0
                           : inside2 == 1 ? volume == whole(p.q2)
                           : inside1 == 1 ? volume == whole(p.q1)
                                          : volume >= 0.0 && volume <= smaller; // 0: a lens of rounding errors
@@ -350,10 +362,22 @@ void test_gradient()
                            [&] { return hex_text(p); });
         };
         for (int i = 0; i < 3; ++i)
-            check(d_r12[i], 1.0, [&](Fine const &d) { auto s = exact; s.r12[i] += d; return s; });
+            check(d_r12[i], 1.0, [&](Fine const &d) {
+                auto s = exact;
+                s.r12[i] += d;
+                return s;
+            });
         for (int k = 0; k < 6; ++k) {
-            check(d_q[0][k], size, [&](Fine const &d) { auto s = exact; s.q1[k] += d; return s; });
-            check(d_q[1][k], size, [&](Fine const &d) { auto s = exact; s.q2[k] += d; return s; });
+            check(d_q[0][k], size, [&](Fine const &d) {
+                auto s = exact;
+                s.q1[k] += d;
+                return s;
+            });
+            check(d_q[1][k], size, [&](Fine const &d) {
+                auto s = exact;
+                s.q2[k] += d;
+                return s;
+            });
         }
     }
 }
@@ -382,7 +406,8 @@ void test_balance()
                 for (int k = 0; k < 3; ++k)
                     sum += (k == j ? 2.0 : 1.0) * (p.q1(i, k) * g1(k, j) + p.q2(i, k) * g2(k, j));
                 double const expected = i == j ? volume : 0.0;
-                failures.check(std::abs(sum - expected) <= bound, "balance", sum, expected, [&] { return hex_text(p); });
+                failures.check(std::abs(sum - expected) <= bound, "balance", sum, expected,
+                               [&] { return hex_text(p); });
             }
         Vector3 const rest = torque1 + torque2 + pw85::cross(p.r12, force);
         for (int i = 0; i < 3; ++i)
@@ -431,7 +456,8 @@ void test_plane()
         pw85_overlap_volume_plane(normal.coordinates, offset, q.entries, &part);
         pw85_overlap_volume_plane(opposite.coordinates, -offset, q.entries, &rest);
         double const bound = 1e-12 * volume; // aspect 100: n q n loses up to four digits
-        failures.check(std::abs(part - expected) <= bound, "part", part, expected, [&] { return hex_text(q.entries, 6); });
+        failures.check(std::abs(part - expected) <= bound, "part", part, expected,
+                       [&] { return hex_text(q.entries, 6); });
         failures.check(std::abs(part + rest - volume) <= bound, "sum", part + rest, volume,
                        [&] { return hex_text(q.entries, 6); });
     }
