@@ -20,6 +20,7 @@ FOLDER = SOURCE / "src/c_api"
 FILES = {
     "Quadratic forms": ("forms", ("contact/forms",)),
     "Contact of two ellipsoids": ("contact", ("contact/condition", "overlap/compare", "overlap/containment_factor", "overlap/witness")),
+    "Volumes and common parts": ("volumes", ("volume/half_space", "volume/overlap_volume_derivatives")),
     "Two dimensions": ("two_dimensions", ("pw85",)),
     "Distance": ("distance", ()),
     "Time": ("motion", ("motion/closest_passage", "motion/free_path")),

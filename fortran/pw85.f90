@@ -96,6 +96,13 @@ module pw85
   public :: pw85_contains
   public :: pw85_containment
   public :: pw85_closest_approach
+  public :: pw85_volume
+  public :: pw85_overlap_volume
+  public :: pw85_overlap_volume_gradient
+  public :: pw85_overlap_volume_torque
+  public :: pw85_overlap_volume_plane
+  public :: pw85_area_2d
+  public :: pw85_overlap_area_2d
   public :: pw85_contact_2d
   public :: pw85_contact_geometry_2d
   public :: pw85_contact_gradient_2d
@@ -148,6 +155,13 @@ module pw85
   public :: pw85_closest_passage_batch
   public :: pw85_free_path_batch
   public :: pw85_closest_approach_batch
+  public :: pw85_volume_batch
+  public :: pw85_overlap_volume_batch
+  public :: pw85_overlap_volume_gradient_batch
+  public :: pw85_overlap_volume_torque_batch
+  public :: pw85_overlap_volume_plane_batch
+  public :: pw85_area_batch_2d
+  public :: pw85_overlap_area_batch_2d
   public :: pw85_contact_factored_batch
   public :: pw85_condition_batch
   public :: pw85_contact_function_batch
@@ -198,6 +212,7 @@ module pw85
   public :: pw85_overlap_any_indices
   public :: pw85_contact_pairs
   public :: pw85_overlap_pairs
+  public :: pw85_overlap_volume_pairs
   public :: pw85_contact_derivatives_pairs
   public :: pw85_contact_forces_pairs
   public :: pw85_law_forces_pairs
@@ -475,6 +490,68 @@ module pw85
       real(c_double), intent(out) :: distance
       integer(c_int) :: status
     end function pw85_closest_approach
+
+    !> Volume of an ellipsoid, (4/3)π √det q.
+    function pw85_volume(q, volume) result(status) bind(C, name='pw85_volume')
+      import
+      real(c_double), intent(in) :: q(6)
+      real(c_double), intent(out) :: volume
+      integer(c_int) :: status
+    end function pw85_volume
+
+    !> Volume of the common part of two ellipsoids.
+    function pw85_overlap_volume(r12, q1, q2, volume) result(status) bind(C, name='pw85_overlap_volume')
+      import
+      real(c_double), intent(in) :: r12(3), q1(6), q2(6)
+      real(c_double), intent(out) :: volume
+      integer(c_int) :: status
+    end function pw85_overlap_volume
+
+    !> Derivatives of the volume of the common part.
+    function pw85_overlap_volume_gradient(r12, q1, q2, d_r12, d_q1, d_q2) result(status) bind(C, &
+      name='pw85_overlap_volume_gradient')
+      import
+      real(c_double), intent(in) :: r12(3), q1(6), q2(6)
+      real(c_double), intent(out), optional :: d_r12(3), d_q1(6), d_q2(6)
+      integer(c_int) :: status
+    end function pw85_overlap_volume_gradient
+
+    !> Derivatives of the volume of the common part with respect to rotations.
+    function pw85_overlap_volume_torque(r12, q1, q2, d_rot1, d_rot2) result(status) bind(C, &
+      name='pw85_overlap_volume_torque')
+      import
+      real(c_double), intent(in) :: r12(3), q1(6), q2(6)
+      real(c_double), intent(out), optional :: d_rot1(3), d_rot2(3)
+      integer(c_int) :: status
+    end function pw85_overlap_volume_torque
+
+    !> Volume of the part of an ellipsoid that is in the half-space of the points x with normal·x <= offset, relative to
+    !> the centre of the ellipsoid.
+    function pw85_overlap_volume_plane(normal, offset, q, volume) result(status) bind(C, &
+      name='pw85_overlap_volume_plane')
+      import
+      real(c_double), intent(in) :: normal(3)
+      real(c_double), value :: offset
+      real(c_double), intent(in) :: q(6)
+      real(c_double), intent(out) :: volume
+      integer(c_int) :: status
+    end function pw85_overlap_volume_plane
+
+    !> Area of an ellipse, π √det q.
+    function pw85_area_2d(q, area) result(status) bind(C, name='pw85_area_2d')
+      import
+      real(c_double), intent(in) :: q(3)
+      real(c_double), intent(out) :: area
+      integer(c_int) :: status
+    end function pw85_area_2d
+
+    !> Area of the common part of two ellipses.
+    function pw85_overlap_area_2d(r12, q1, q2, area) result(status) bind(C, name='pw85_overlap_area_2d')
+      import
+      real(c_double), intent(in) :: r12(2), q1(3), q2(3)
+      real(c_double), intent(out) :: area
+      integer(c_int) :: status
+    end function pw85_overlap_area_2d
 
     !> Contact function of two ellipses.
     function pw85_contact_2d(r12, q1, q2, out) result(status) bind(C, name='pw85_contact_2d')
@@ -951,6 +1028,72 @@ module pw85
       real(c_double), intent(out) :: distance(n)
       integer(c_int) :: status
     end function pw85_closest_approach_batch
+
+    !> pw85_volume() for n ellipsoids.
+    function pw85_volume_batch(n, q, volume) result(status) bind(C, name='pw85_volume_batch')
+      import
+      integer(c_size_t), value :: n
+      real(c_double), intent(in) :: q(6, n)
+      real(c_double), intent(out) :: volume(n)
+      integer(c_int) :: status
+    end function pw85_volume_batch
+
+    !> pw85_overlap_volume() for n pairs.
+    function pw85_overlap_volume_batch(n, r12, q1, q2, volume) result(status) bind(C, name='pw85_overlap_volume_batch')
+      import
+      integer(c_size_t), value :: n
+      real(c_double), intent(in) :: r12(3, n), q1(6, n), q2(6, n)
+      real(c_double), intent(out) :: volume(n)
+      integer(c_int) :: status
+    end function pw85_overlap_volume_batch
+
+    !> pw85_overlap_volume_gradient() for n pairs.
+    function pw85_overlap_volume_gradient_batch(n, r12, q1, q2, d_r12, d_q1, d_q2) result(status) bind(C, &
+      name='pw85_overlap_volume_gradient_batch')
+      import
+      integer(c_size_t), value :: n
+      real(c_double), intent(in) :: r12(3, n), q1(6, n), q2(6, n)
+      real(c_double), intent(out), optional :: d_r12(3, n), d_q1(6, n), d_q2(6, n)
+      integer(c_int) :: status
+    end function pw85_overlap_volume_gradient_batch
+
+    !> pw85_overlap_volume_torque() for n pairs.
+    function pw85_overlap_volume_torque_batch(n, r12, q1, q2, d_rot1, d_rot2) result(status) bind(C, &
+      name='pw85_overlap_volume_torque_batch')
+      import
+      integer(c_size_t), value :: n
+      real(c_double), intent(in) :: r12(3, n), q1(6, n), q2(6, n)
+      real(c_double), intent(out), optional :: d_rot1(3, n), d_rot2(3, n)
+      integer(c_int) :: status
+    end function pw85_overlap_volume_torque_batch
+
+    !> pw85_overlap_volume_plane() for n ellipsoids and half-spaces.
+    function pw85_overlap_volume_plane_batch(n, normals, offsets, q, volume) result(status) bind(C, &
+      name='pw85_overlap_volume_plane_batch')
+      import
+      integer(c_size_t), value :: n
+      real(c_double), intent(in) :: normals(3, n), offsets(n), q(6, n)
+      real(c_double), intent(out) :: volume(n)
+      integer(c_int) :: status
+    end function pw85_overlap_volume_plane_batch
+
+    !> pw85_area_2d() for n ellipses.
+    function pw85_area_batch_2d(n, q, area) result(status) bind(C, name='pw85_area_batch_2d')
+      import
+      integer(c_size_t), value :: n
+      real(c_double), intent(in) :: q(3, n)
+      real(c_double), intent(out) :: area(n)
+      integer(c_int) :: status
+    end function pw85_area_batch_2d
+
+    !> pw85_overlap_area_2d() for n pairs.
+    function pw85_overlap_area_batch_2d(n, r12, q1, q2, area) result(status) bind(C, name='pw85_overlap_area_batch_2d')
+      import
+      integer(c_size_t), value :: n
+      real(c_double), intent(in) :: r12(2, n), q1(3, n), q2(3, n)
+      real(c_double), intent(out) :: area(n)
+      integer(c_int) :: status
+    end function pw85_overlap_area_batch_2d
 
     !> pw85_contact_factored() for n pairs.
     function pw85_contact_factored_batch(n, r12, s1, s2, mu2, lambda) result(status) bind(C, &
@@ -1458,6 +1601,15 @@ module pw85
       integer(c_int8_t), intent(out) :: overlap(list%num_pairs)
       integer(c_int) :: status
     end function pw85_overlap_pairs
+
+    !> pw85_overlap_volume() for the pairs of a neighbour list.
+    function pw85_overlap_volume_pairs(list, system, volume) result(status) bind(C, name='pw85_overlap_volume_pairs')
+      import
+      type(pw85_pair_list), intent(in) :: list
+      type(pw85_system), intent(in) :: system
+      real(c_double), intent(out) :: volume(list%num_pairs)
+      integer(c_int) :: status
+    end function pw85_overlap_volume_pairs
 
     !> The derivatives for the pairs of a neighbour list.
     function pw85_contact_derivatives_pairs(list, system, mu2, lambda, point, normal, d_r12, d_rot1, d_rot2) &

@@ -383,6 +383,79 @@ PW85_API int pw85_containment(double const r12[3], double const q1[6], double co
 PW85_API int pw85_closest_approach(double const direction[3], double const q1[6], double const q2[6], double *distance);
 
 /** @}
+ * @name Volumes and common parts
+ * @{ */
+
+/** Volume of an ellipsoid, (4/3)π √det q.
+ *
+ * The relative error is below 2⁻⁵² if the semi-axes differ by a factor below 10⁷. It is below 2⁻⁵⁰ times the fourth power of a larger
+ * factor over 10²⁸.
+ *
+ * @param q form of the ellipsoid
+ * @param[out] volume in the third power of the unit of length
+ * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD */
+PW85_API int pw85_volume(double const q[6], double *volume);
+
+/** Volume of the common part of two ellipsoids.
+ *
+ * It is 0 exactly where pw85_overlap() says that they do not overlap, and pw85_volume() of the smaller one exactly where pw85_contains()
+ * says that this one is inside the other one. Otherwise the error is below 64 u v + 16 u s, with u = 2⁻⁵³ and the volume v of the smaller
+ * ellipsoid, where u s is the change of the result if each entry of r12, q1 and q2 changes by a fraction u of itself. For a thin lens
+ * the error is below 64 u + 16 u s/V of the volume V of the lens itself.
+ *
+ * @param r12,q1,q2 as for pw85_contact(); zero is valid for r12, too
+ * @param[out] volume in the third power of the unit of length
+ * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD, #PW85_ECONVERGENCE (if the smaller ellipsoid is taken to a unit ball by a linear
+ *         map, the other one becomes a disc that is thinner than 2⁻²¹) */
+PW85_API int pw85_overlap_volume(double const r12[3], double const q1[6], double const q2[6], double *volume);
+
+/** Derivatives of the volume of the common part.
+ *
+ * They are 0 where the ellipsoids do not overlap. Where one is inside the other one, only the derivatives of its own volume are not 0.
+ *
+ * @param r12,q1,q2 as for pw85_overlap_volume()
+ * @param[out] d_r12 ∂V/∂r12; its negative is the derivative with respect to the centre of ellipsoid 1; may be null
+ * @param[out] d_q1,d_q2 derivatives with respect to the stored entries of q1 and q2 (an off-diagonal entry stands for two entries of the
+ *        matrix); may be null
+ * @return as for pw85_overlap_volume() */
+PW85_API int pw85_overlap_volume_gradient(double const r12[3], double const q1[6], double const q2[6], double d_r12[3],
+                                          double d_q1[6], double d_q2[6]);
+
+/** Derivatives of the volume of the common part with respect to rotations: for a rotation of an ellipsoid about its own centre by the
+ * small vector ω, dV = d_rot·ω. The torque of an energy U(V) is -U'(V) d_rot. With ∂V/∂r12 from pw85_overlap_volume_gradient(), d_rot1 +
+ * d_rot2 + r12 × ∂V/∂r12 = 0.
+ *
+ * @param r12,q1,q2 as for pw85_overlap_volume()
+ * @param[out] d_rot1,d_rot2 per radian, for ellipsoids 1 and 2; may be null
+ * @return as for pw85_overlap_volume() */
+PW85_API int pw85_overlap_volume_torque(double const r12[3], double const q1[6], double const q2[6], double d_rot1[3],
+                                        double d_rot2[3]);
+
+/** Volume of the part of an ellipsoid that is in the half-space of the points x with normal·x <= offset, relative to the centre of the
+ * ellipsoid.
+ *
+ * @param normal outward normal of the half-space, of any length > 0
+ * @param offset in units of the length of `normal` times the unit of length
+ * @param q form of the ellipsoid
+ * @param[out] volume in the third power of the unit of length
+ * @return #PW85_SUCCESS, #PW85_EINVAL (also for a zero normal), #PW85_ENOTPD */
+PW85_API int pw85_overlap_volume_plane(double const normal[3], double offset, double const q[6], double *volume);
+
+/** Area of an ellipse, π √det q; see pw85_volume().
+ *
+ * @param q form of the ellipse
+ * @param[out] area in the square of the unit of length
+ * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD */
+PW85_API int pw85_area_2d(double const q[3], double *area);
+
+/** Area of the common part of two ellipses; see pw85_overlap_volume(). The bound on the error is the same, with areas.
+ *
+ * @param r12,q1,q2 as for pw85_contact_2d(); zero is valid for r12, too
+ * @param[out] area in the square of the unit of length
+ * @return as for pw85_overlap_volume() */
+PW85_API int pw85_overlap_area_2d(double const r12[2], double const q1[3], double const q2[3], double *area);
+
+/** @}
  * @name Two dimensions
  * @{ */
 

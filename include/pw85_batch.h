@@ -152,6 +152,72 @@ PW85_API int pw85_free_path_batch(size_t n, double const *r12, double const *q1,
 PW85_API int pw85_closest_approach_batch(size_t n, double const *directions, double const *q1, double const *q2,
                                          double *distance);
 
+/** pw85_volume() for n ellipsoids; the bits are the same.
+ *
+ * @param n number of ellipsoids
+ * @param q n×6
+ * @param[out] volume n
+ * @return as for pw85_volume(), of the first bad ellipsoid */
+PW85_API int pw85_volume_batch(size_t n, double const *q, double *volume);
+
+/** pw85_overlap_volume() for n pairs; the bits are the same.
+ *
+ * @param n number of pairs
+ * @param r12 n×3
+ * @param q1,q2 n×6
+ * @param[out] volume n
+ * @return as for pw85_overlap_volume(), of the first bad pair */
+PW85_API int pw85_overlap_volume_batch(size_t n, double const *r12, double const *q1, double const *q2, double *volume);
+
+/** pw85_overlap_volume_gradient() for n pairs; the bits are the same.
+ *
+ * @param n number of pairs
+ * @param r12 n×3
+ * @param q1,q2 n×6
+ * @param[out] d_r12 n×3; any output may be null
+ * @param[out] d_q1,d_q2 n×6 each
+ * @return as for pw85_overlap_volume_gradient(), of the first bad pair */
+PW85_API int pw85_overlap_volume_gradient_batch(size_t n, double const *r12, double const *q1, double const *q2,
+                                                double *d_r12, double *d_q1, double *d_q2);
+
+/** pw85_overlap_volume_torque() for n pairs; the bits are the same.
+ *
+ * @param n number of pairs
+ * @param r12 n×3
+ * @param q1,q2 n×6
+ * @param[out] d_rot1,d_rot2 n×3 each; any output may be null
+ * @return as for pw85_overlap_volume_torque(), of the first bad pair */
+PW85_API int pw85_overlap_volume_torque_batch(size_t n, double const *r12, double const *q1, double const *q2,
+                                              double *d_rot1, double *d_rot2);
+
+/** pw85_overlap_volume_plane() for n ellipsoids and half-spaces; the bits are the same.
+ *
+ * @param n number of ellipsoids
+ * @param normals n×3, as for pw85_overlap_volume_plane()
+ * @param offsets n
+ * @param q n×6
+ * @param[out] volume n
+ * @return as for pw85_overlap_volume_plane(), of the first bad ellipsoid */
+PW85_API int pw85_overlap_volume_plane_batch(size_t n, double const *normals, double const *offsets, double const *q,
+                                             double *volume);
+
+/** pw85_area_2d() for n ellipses; the bits are the same.
+ *
+ * @param n number of ellipses
+ * @param q n×3
+ * @param[out] area n
+ * @return as for pw85_area_2d(), of the first bad ellipse */
+PW85_API int pw85_area_batch_2d(size_t n, double const *q, double *area);
+
+/** pw85_overlap_area_2d() for n pairs; the bits are the same.
+ *
+ * @param n number of pairs
+ * @param r12 n×2
+ * @param q1,q2 n×3
+ * @param[out] area n
+ * @return as for pw85_overlap_area_2d(), of the first bad pair */
+PW85_API int pw85_overlap_area_batch_2d(size_t n, double const *r12, double const *q1, double const *q2, double *area);
+
 /** pw85_contact_factored() for n pairs; the bits are the same.
  *
  * @param n number of pairs

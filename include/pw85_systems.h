@@ -89,6 +89,13 @@ PW85_API int pw85_contact_pairs(pw85_pair_list const *list, pw85_system const *s
  * @param[out] overlap num_pairs: 1, 0, or 255 for a bad pair */
 PW85_API int pw85_overlap_pairs(pw85_pair_list const *list, pw85_system const *system, unsigned char *overlap);
 
+/** pw85_overlap_volume() for the pairs of a neighbour list; arguments as for pw85_contact_pairs(). Their sum is the two-body overlap
+ * of a system; what three ellipsoids have in common counts three times in it.
+ *
+ * @param[out] volume num_pairs
+ * @return as for pw85_contact_pairs() */
+PW85_API int pw85_overlap_volume_pairs(pw85_pair_list const *list, pw85_system const *system, double *volume);
+
 /** The derivatives for the pairs of a neighbour list; arguments as for pw85_contact_pairs(), outputs as for
  * pw85_contact_derivatives_batch().
  *

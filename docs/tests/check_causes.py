@@ -58,7 +58,7 @@ VALID = {
     "images": None,
     "cell": np.diag([20.0, 20, 20]),
 }
-PLANE = {"q1": CIRCLE, "q2": CIRCLE, "direction": [0.0, 1], "directions": [0.0, 1], "r12": [3.0, 2]}
+PLANE = {"q": CIRCLE, "q1": CIRCLE, "q2": CIRCLE, "direction": [0.0, 1], "directions": [0.0, 1], "r12": [3.0, 2]}
 
 
 class Parameter:

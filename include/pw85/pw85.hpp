@@ -41,8 +41,8 @@
 ///   approach by the algorithms of Zheng et al. Both are there to check the contact function.
 /// - pw85.h: the C API of the compiled library. It has Brent's method as in pw85 1.0, too, which the library takes from GSL or
 ///   from Boost.Math.
-/// - The folders hold the definitions, one idea a header, with its mathematics at the top: algebra/, contact/, overlap/, distance/ and
-///   motion/. What is not public there is in namespace pw85::detail.
+/// - The folders hold the definitions, one idea a header, with its mathematics at the top: algebra/, contact/, overlap/, distance/, motion/
+///   and volume/. What is not public there is in namespace pw85::detail.
 #ifndef PW85_PW85_HPP_INCLUDED
 #define PW85_PW85_HPP_INCLUDED
 
@@ -67,6 +67,10 @@ struct Overlap;                                   // overlap, tier, status
 struct OverlapDecision;                           // decision, tier, status
 template <class T, int D> struct OverlapWitness;  // overlap, lambda, direction, point, status
 struct Containment;                               // contains, status
+template <class T> struct Volume;                 // volume, status
+template <class T> struct Area;                   // area, status
+template <class T> struct OverlapVolumeGradient;  // r12, q1, q2, status
+template <class T> struct OverlapVolumeTorque;    // rotation1, rotation2, status
 template <class T, int D> struct Enclosure;       // mu2, point, status
 struct Comparison;                                // sign, status
 template <class T, int D> struct Distance;        // distance, point1, point2, normal, status
@@ -310,6 +314,63 @@ contains(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, SymmetricMatr
 /// ellipsoid 1 (one of them if there are several); Status::invalid_argument, Status::not_positive_definite, Status::no_convergence
 template <class T, int D> PW85_FUNCTION inline Enclosure<T, D>
 containment(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, SymmetricMatrix<T, D> const &q2) noexcept;
+
+/// The volume of an ellipsoid, (4/3)π √det q.
+///
+/// @param q form of the ellipsoid
+/// @return the volume; Status::invalid_argument, Status::not_positive_definite
+template <class T> PW85_FUNCTION inline Volume<T> volume(SymmetricMatrix<T, 3> const &q) noexcept;
+
+/// The area of an ellipse, π √det q.
+///
+/// @param q form of the ellipse
+/// @return the area; Status::invalid_argument, Status::not_positive_definite
+template <class T> PW85_FUNCTION inline Area<T> area(SymmetricMatrix<T, 2> const &q) noexcept;
+
+/// The volume of the common part of two ellipsoids.
+///
+/// It is 0 exactly where overlap() is false, and that of the smaller ellipsoid exactly where it is inside the other one. The bound on the
+/// error is that of pw85_overlap_volume() in pw85.h.
+///
+/// @param r12,q1,q2 as for contact(); zero is valid for r12
+/// @return the volume; Status::invalid_argument, Status::not_positive_definite, Status::no_convergence
+template <class T> PW85_FUNCTION inline Volume<T>
+overlap_volume(Vector<T, 3> const &r12, SymmetricMatrix<T, 3> const &q1, SymmetricMatrix<T, 3> const &q2) noexcept;
+
+/// The area of the common part of two ellipses, likewise.
+///
+/// @param r12,q1,q2 as for overlap_volume()
+/// @return the area; Status::invalid_argument, Status::not_positive_definite, Status::no_convergence
+template <class T> PW85_FUNCTION inline Area<T> overlap_area(Vector<T, 2> const &r12, SymmetricMatrix<T, 2> const &q1,
+                                                             SymmetricMatrix<T, 2> const &q2) noexcept;
+
+/// The derivatives of overlap_volume() with respect to r12 and to the stored entries of both forms. An off-diagonal entry stands for two
+/// entries of the matrix.
+///
+/// @param r12,q1,q2 as for overlap_volume()
+/// @return the derivatives; Status::invalid_argument, Status::not_positive_definite, Status::no_convergence
+template <class T>
+PW85_FUNCTION inline OverlapVolumeGradient<T> overlap_volume_gradient(Vector<T, 3> const &r12,
+                                                                      SymmetricMatrix<T, 3> const &q1,
+                                                                      SymmetricMatrix<T, 3> const &q2) noexcept;
+
+/// The derivatives of overlap_volume() with respect to rotations of the ellipsoids about their centres, per radian.
+///
+/// @param r12,q1,q2 as for overlap_volume()
+/// @return the derivatives; Status::invalid_argument, Status::not_positive_definite, Status::no_convergence
+template <class T>
+PW85_FUNCTION inline OverlapVolumeTorque<T> overlap_volume_torque(Vector<T, 3> const &r12,
+                                                                  SymmetricMatrix<T, 3> const &q1,
+                                                                  SymmetricMatrix<T, 3> const &q2) noexcept;
+
+/// The volume of the part of an ellipsoid in the half-space of the points x with normal·x <= offset, relative to its centre.
+///
+/// @param normal of any length > 0
+/// @param offset in units of the length of `normal` times the unit of length
+/// @param q form of the ellipsoid
+/// @return the volume; Status::invalid_argument (also for a zero normal), Status::not_positive_definite
+template <class T> PW85_FUNCTION inline Volume<T> overlap_volume_plane(Vector<T, 3> const &normal, T const &offset,
+                                                                       SymmetricMatrix<T, 3> const &q) noexcept;
 
 /// The sign of μ² - m.
 ///
@@ -671,5 +732,9 @@ PW85_FUNCTION inline ShapeOverlap overlap_polytope(std::size_t n, T const *norma
 #include <pw85/shapes/polytope.hpp>
 #include <pw85/shapes/segment.hpp>
 #include <pw85/shapes/triangle.hpp>
+#include <pw85/volume/half_space.hpp>
+#include <pw85/volume/overlap_volume.hpp>
+#include <pw85/volume/overlap_volume_derivatives.hpp>
+#include <pw85/volume/volume.hpp>
 
 #endif

@@ -48,7 +48,8 @@ from ._motion import Events, first_contact_pairs, motion
 from ._neighbors import Neighbors, neighbors
 from ._observables import Observables, PairCorrelation, Sample
 from ._packing import OverlapsLeft, RelaxationInterrupted, pack, relax
-from ._pairs import contact_pairs, nearest_images, overlap_pairs
+from ._overlaps import jaccard, jaccard_2d, overlap_table, overlap_table_2d, sorensen, sorensen_2d, union_area_2d, union_volume
+from ._pairs import contact_pairs, nearest_images, overlap_pairs, overlap_volume_pairs
 from ._plotting import plot
 from ._polytopes import contact_polytope, overlap_polytope
 from ._simulations import HardEllipsoids, NearImages, TrialCounts, TrialSteps

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from typing import Any
+import math
 from collections.abc import Mapping, Sequence
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -201,27 +202,28 @@ def from_rotation_vector(semi_axes: ArrayLike, rotation_vectors: ArrayLike) -> F
 
 
 def from_covariance(covariance: ArrayLike, confidence: float) -> Floats:
-    """Forms of the ellipsoids of confidence of normal distributions in space. This needs SciPy.
+    """Forms of the ellipsoids of confidence of normal distributions in space, or of the ellipses in the plane. In space this needs SciPy.
 
     The ellipsoid about the mean has the given probability. Its form is the covariance times the quantile of the χ²
-    distribution with three degrees of freedom.
+    distribution with three degrees of freedom, or two in the plane. An ellipse whose form is the covariance itself, the
+    standard ellipse of ecology, has the confidence 1 - exp(-1/2), which is 39.3 %.
 
     Parameters
     ----------
-    covariance : (..., 3, 3) array_like
+    covariance : (..., 3, 3) or (..., 2, 2) array_like
         Symmetric and positive definite.
     confidence : float
         The probability, between 0 and 1.
 
     Returns
     -------
-    (..., 6) array
+    (..., 6) or (..., 3) array
         In the unit of the covariance.
 
     Raises
     ------
     ValueError
-        A matrix is not symmetric or not 3×3, or the probability is not between 0 and 1.
+        A matrix is not symmetric, or neither 3×3 nor 2×2, or the probability is not between 0 and 1.
 
     Examples
     --------
@@ -232,10 +234,15 @@ def from_covariance(covariance: ArrayLike, confidence: float) -> Floats:
     >>> pypw85.principal_axes(q)[0].round(3)
     array([2.795, 5.591, 8.386])
     """
-    from scipy.special import gammaincinv
-
     if not 0 < confidence < 1:
         raise ValueError(f"from_covariance: the confidence must be between 0 and 1, not {confidence}")
+    matrices = doubles(covariance)
+    if matrices.shape[-2:] == (2, 2):
+        in_space = np.zeros((*matrices.shape[:-2], 3, 3))
+        in_space[..., :2, :2] = matrices
+        return packed(in_space)[..., [0, 1, 3]] * (-2.0 * math.log1p(-confidence))
+    from scipy.special import gammaincinv
+
     return packed(doubles(covariance)) * (2.0 * float(gammaincinv(1.5, confidence)))
 
 

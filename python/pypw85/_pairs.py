@@ -115,6 +115,45 @@ def overlap_pairs(
 
 
 @documented
+def overlap_volume_pairs(
+    pairs: ArrayLike,
+    centers: ArrayLike,
+    q: ArrayLike,
+    cell: ArrayLike | None = None,
+    images: ArrayLike | None = None,
+) -> Floats:
+    """Volume of the common part (see `overlap_volume`) for the pairs of a neighbour list. Dask arrays are computed at once.
+
+    The sum is the two-body overlap of a system: what three ellipsoids have in common counts three times in it.
+
+    Parameters
+    ----------
+    {pair_list}
+
+    Returns
+    -------
+    array (k)
+        A bad pair is NaN; NumPy reports it as ``np.errstate(invalid=...)`` says.
+
+    {raises_pair_list}
+
+    Examples
+    --------
+    >>> import numpy as np, pypw85
+    >>> q = np.array([pypw85.spheroid(1, 1, [0, 0, 1])] * 2)
+    >>> pypw85.overlap_volume_pairs([[0, 1]], [[0, 0, 0], [9, 0, 0]], q, cell=10 * np.eye(3)).round(4)
+    array([1.309])
+    """
+    arrays = _pair_list(pairs, centers, q, cell, images)
+    volume = np.full(len(arrays[0]), _NO_MU2)
+    status = _core.overlap_volume_pairs(*arrays, volume)
+    if status:
+        _explain(status, *arrays, refused=volume.size == 0 or volume[0] == _NO_MU2)
+        _core.report_overlap_volume_pairs(status)
+    return volume
+
+
+@documented
 def nearest_images(
     pairs: ArrayLike, centers: ArrayLike, cell: ArrayLike
 ) -> tuple[Floats, NDArray[np.int32]]:

@@ -25,6 +25,9 @@ PyObject *contact_pairs(PyObject *self, PyObject *const *args, Py_ssize_t nargs)
 /// overlap_pairs(pairs, centers, q, cell or None, images or None, overlap): status. Arrays are contiguous and of the right type.
 PyObject *overlap_pairs(PyObject *self, PyObject *const *args, Py_ssize_t nargs);
 
+/// overlap_volume_pairs(pairs, centers, q, cell or None, images or None, volume): status. Arrays are contiguous and of the right type.
+PyObject *overlap_volume_pairs(PyObject *self, PyObject *const *args, Py_ssize_t nargs);
+
 /// first_contact_pairs(pairs, centers, q, cell or None, images or None, motions, t_max, t, next, next_pair): status. As above.
 PyObject *first_contact_pairs(PyObject *self, PyObject *const *args, Py_ssize_t nargs);
 

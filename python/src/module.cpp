@@ -149,6 +149,7 @@ PyMethodDef methods[] = {
     {"strerror", strerror, METH_O, "strerror(status, /)\n--\n\nSentence that says what a status means."},
     {"contact_pairs", as_method(contact_pairs), METH_FASTCALL, "Status of pw85_contact_pairs()."},
     {"overlap_pairs", as_method(overlap_pairs), METH_FASTCALL, "Status of pw85_overlap_pairs()."},
+    {"overlap_volume_pairs", as_method(overlap_volume_pairs), METH_FASTCALL, "Status of pw85_overlap_volume_pairs()."},
     {"first_contact_pairs", as_method(first_contact_pairs), METH_FASTCALL, "Status of pw85_first_contact_pairs()."},
     {"contact_derivatives_pairs", as_method(contact_derivatives_pairs), METH_FASTCALL,
      "Status of pw85_contact_derivatives_pairs()."},
@@ -253,6 +254,7 @@ PyObject *create_module()
     for (Function &function : functions()) good = good && register_function(module.get(), function);
     good = good && register_report(module.get(), "contact_pairs", "report_contact_pairs") &&
            register_report(module.get(), "overlap_pairs", "report_overlap_pairs") &&
+           register_report(module.get(), "overlap_volume_pairs", "report_overlap_volume_pairs") &&
            register_report(module.get(), "Mesh.contact", "report_mesh_contact");
     return good && limit_threads_after_fork() ? module.release() : nullptr;
 }

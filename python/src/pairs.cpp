@@ -78,6 +78,19 @@ PyObject *overlap_pairs(PyObject *, PyObject *const *args, Py_ssize_t nargs)
     return PyLong_FromLong(status);
 }
 
+PyObject *overlap_volume_pairs(PyObject *, PyObject *const *args, Py_ssize_t nargs)
+{
+    PairList read;
+    if (!right_number(nargs, 6) || !read_pair_list(args, read)) return nullptr;
+    auto *const volume = static_cast<double *>(data_of(args[5], NPY_DOUBLE, read.num_pairs, 0, true));
+    if (volume == nullptr) return nullptr;
+    int status;
+    Py_BEGIN_ALLOW_THREADS;
+    status = pw85_overlap_volume_pairs(&read.list, &read.system, volume);
+    Py_END_ALLOW_THREADS;
+    return PyLong_FromLong(status);
+}
+
 PyObject *contact_derivatives_pairs(PyObject *, PyObject *const *args, Py_ssize_t nargs)
 {
     PairList read;

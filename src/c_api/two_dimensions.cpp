@@ -12,6 +12,22 @@
 using namespace pw85::detail;
 using namespace pw85::detail::c_api;
 
+int pw85_area_2d(double const q[3], double *area)
+{
+    if (any_null(q, area)) return null_pointer(area, 1);
+    return in_default_environment([&] {
+        return put(pw85::area(load_matrix<2>(q)), area);
+    });
+}
+
+int pw85_overlap_area_2d(double const r12[2], double const q1[3], double const q2[3], double *area)
+{
+    if (any_null(r12, q1, q2, area)) return null_pointer(area, 1);
+    return in_default_environment([&] {
+        return put(pw85::overlap_area(load_vector<2>(r12), load_matrix<2>(q1), load_matrix<2>(q2)), area);
+    });
+}
+
 int pw85_contact_2d(double const r12[2], double const q1[3], double const q2[3], double out[2])
 {
     if (any_null(r12, q1, q2, out)) return null_pointer(out, 2);

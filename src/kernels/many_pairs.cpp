@@ -286,6 +286,25 @@ int pw85_first_contact_pairs(pw85_pair_list const *list, pw85_system const *syst
     return status;
 }
 
+int pw85_overlap_volume_pairs(pw85_pair_list const *list, pw85_system const *system, double *volume)
+{
+    if (any_null(list) || any_null(system)) return PW85_EINVAL;
+    if (list->num_pairs == 0) return PW85_SUCCESS;
+    if (any_null(volume)) return PW85_EINVAL;
+    Images images;
+    NeighborList rows;
+    if (int const status = prepare_list(*list, *system, images, rows)) return status;
+    LaneKernel<NeighborList, ContactArrays> const &lanes = *chosen().lanes;
+    auto const measure = [&](std::size_t n) {
+        constexpr std::uint16_t first = 0;
+        PairRow<3> pair;
+        lanes.gather(rows.from(n), &first, 1, &pair);
+        return pw85_overlap_volume(pair.r12, pair.q1, pair.q2, volume + n);
+    };
+    return for_all(
+        list->num_pairs, [&](Range range) { return for_rows(range, measure); }, block_of_calls);
+}
+
 int pw85_nearest_images(size_t num_pairs, int32_t const *pairs, pw85_system const *system, double *r12, int32_t *images)
 {
     if (any_null(system)) return PW85_EINVAL;

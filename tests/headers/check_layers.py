@@ -23,11 +23,12 @@ STANDS_ON = {
     "overlap": ("ground", "algebra", "contact"),
     "distance": ("ground", "algebra", "contact", "overlap"),
     "shapes": ("ground", "algebra", "contact", "overlap"),
+    "volume": ("ground", "algebra", "contact", "overlap"),
     "motion": ("ground", "algebra", "contact"),
     "history": ("ground", "algebra", "contact"),
     "batch": ("ground", "algebra", "motion"),
     "systems": ("ground", "algebra", "contact", "overlap", "shapes", "motion", "batch"),
-    "entries": ("ground", "algebra", "contact", "overlap", "distance", "shapes", "motion", "batch", "systems"),
+    "entries": ("ground", "algebra", "contact", "overlap", "distance", "shapes", "volume", "motion", "batch", "systems"),
 }
 MAX_FLOORS = 8  # of folders, and of headers within a folder
 

@@ -143,6 +143,84 @@ static inline StatusCode closest_approach_batch(Vectors directions, Forms q1, Fo
     return detail::call_rows(pw85_closest_approach_batch, directions, q1, q2, distance);
 }
 
+/// volume() for many ellipsoids: see pw85_volume_batch().
+///
+/// @param q one for each ellipsoid
+/// @param[out] volume one for each ellipsoid
+/// @return as for volume(), of the first bad ellipsoid
+static inline StatusCode volume_batch(Forms q, std::span<double> volume) noexcept
+{
+    return detail::call_rows(pw85_volume_batch, q, volume);
+}
+
+/// overlap_volume() for many pairs: see pw85_overlap_volume_batch().
+///
+/// @param r12,q1,q2 one for each pair
+/// @param[out] volume one for each pair
+/// @return as for overlap_volume(), of the first bad pair
+static inline StatusCode overlap_volume_batch(Vectors r12, Forms q1, Forms q2, std::span<double> volume) noexcept
+{
+    return detail::call_rows(pw85_overlap_volume_batch, r12, q1, q2, volume);
+}
+
+/// overlap_volume_gradient() for many pairs: see pw85_overlap_volume_gradient_batch().
+///
+/// @param r12,q1,q2 one for each pair
+/// @param[out] d_r12,d_q1,d_q2 one for each pair, or empty
+/// @return as for overlap_volume_gradient(), of the first bad pair
+static inline StatusCode overlap_volume_gradient_batch(Vectors r12, Forms q1, Forms q2,
+                                                       std::span<Vector<double, 3>> d_r12,
+                                                       std::span<SymmetricMatrix<double, 3>> d_q1 = {},
+                                                       std::span<SymmetricMatrix<double, 3>> d_q2 = {}) noexcept
+{
+    return detail::call_rows(pw85_overlap_volume_gradient_batch, r12, q1, q2, d_r12, d_q1, d_q2);
+}
+
+/// overlap_volume_torque() for many pairs: see pw85_overlap_volume_torque_batch().
+///
+/// @param r12,q1,q2 one for each pair
+/// @param[out] d_rot1,d_rot2 one for each pair, or empty
+/// @return as for overlap_volume_torque(), of the first bad pair
+static inline StatusCode overlap_volume_torque_batch(Vectors r12, Forms q1, Forms q2,
+                                                     std::span<Vector<double, 3>> d_rot1,
+                                                     std::span<Vector<double, 3>> d_rot2 = {}) noexcept
+{
+    return detail::call_rows(pw85_overlap_volume_torque_batch, r12, q1, q2, d_rot1, d_rot2);
+}
+
+/// overlap_volume_plane() for many ellipsoids and half-spaces: see pw85_overlap_volume_plane_batch().
+///
+/// @param normals one for each ellipsoid, as for overlap_volume_plane()
+/// @param offsets,q one for each ellipsoid
+/// @param[out] volume one for each ellipsoid
+/// @return as for overlap_volume_plane(), of the first bad ellipsoid
+static inline StatusCode overlap_volume_plane_batch(Vectors normals, std::span<double const> offsets, Forms q,
+                                                    std::span<double> volume) noexcept
+{
+    return detail::call_rows(pw85_overlap_volume_plane_batch, normals, offsets, q, volume);
+}
+
+/// area() for many ellipses: see pw85_area_batch_2d().
+///
+/// @param q one for each ellipse
+/// @param[out] area one for each ellipse
+/// @return as for area(), of the first bad ellipse
+static inline StatusCode area_batch(FlatForms q, std::span<double> area) noexcept
+{
+    return detail::call_rows(pw85_area_batch_2d, q, area);
+}
+
+/// overlap_area() for many pairs of ellipses: see pw85_overlap_area_batch_2d().
+///
+/// @param r12,q1,q2 one for each pair
+/// @param[out] area one for each pair
+/// @return as for overlap_area(), of the first bad pair
+static inline StatusCode overlap_area_batch(FlatVectors r12, FlatForms q1, FlatForms q2,
+                                            std::span<double> area) noexcept
+{
+    return detail::call_rows(pw85_overlap_area_batch_2d, r12, q1, q2, area);
+}
+
 /// contact_factored() for many pairs: see pw85_contact_factored_batch().
 ///
 /// @param r12,s1,s2 one for each pair

@@ -41,6 +41,18 @@ static inline StatusCode overlap_pairs(PairList const &list, Particles const &pa
     return detail::call_pairs(pw85_overlap_pairs, list, particles, overlap);
 }
 
+/// overlap_volume() for the pairs of a neighbour list: see pw85_overlap_volume_pairs().
+///
+/// @param list indices of particles, with or without images
+/// @param particles centres, forms and cell; sizes must fit, and indices be those of particles
+/// @param[out] volume one for each pair
+/// @return as for contact_pairs()
+static inline StatusCode overlap_volume_pairs(PairList const &list, Particles const &particles,
+                                              std::span<double> volume) noexcept
+{
+    return detail::call_pairs(pw85_overlap_volume_pairs, list, particles, volume);
+}
+
 /// The derivatives for the pairs of a neighbour list: see pw85_contact_derivatives_pairs().
 ///
 /// @param list indices of particles, with or without images

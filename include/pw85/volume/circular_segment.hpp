@@ -1,0 +1,123 @@
+/// @file
+/// Area and first moment of a segment of a circle, which is what a chord cuts off. section.hpp calls circular_segment(), for the
+/// arcs of both ellipsoids: an affine map takes an arc of an ellipse to an arc of a circle.
+///
+/// Let R be the radius, α half of the angle of the arc, and c = 2 R sin α the chord. The area of the segment is R² p(α), and the
+/// integral of the distance from the chord over it is R³ q(α), with
+///
+/// 1. p(α) = α - sin α cos α = 2 sin³α Σ C(2n, n)/4ⁿ sin²ⁿα/(2n + 3) for α <= π/2;
+/// 2. q(α) = ⅔ sin³α - p(α) cos α, which is the integral of p sin from 0 to α;
+/// 3. p(α) = 2 p(α/2) + 2 w sin α with w = sin²(α/2): the triangle of the chord and the middle of the arc, and a segment on each of its
+///    other sides;
+/// 4. q(α) = (4/3) w² sin α + 2 [w p(α/2) + cos(α/2) q(α/2)] likewise.
+///
+/// Items 3 and 4 have positive terms only, and so has the series of item 1. So both results have full relative accuracy for
+/// arcs of any length, from a lens as thin as can be to a whole circle.
+#ifndef PW85_VOLUME_CIRCULAR_SEGMENT_HPP_INCLUDED
+#define PW85_VOLUME_CIRCULAR_SEGMENT_HPP_INCLUDED
+
+#include <pw85/algebra/scalar.hpp>
+
+namespace pw85::detail {
+
+/// Area and first moment about the chord.
+template <class T> struct CircularSegment {
+    T area, moment;
+};
+
+/// The arc by its angle α: sin α >= 0 and cos α.
+template <class T> struct HalfAngle {
+    T sine, cosine;
+};
+
+/// α/2. If α is small, 1 - cos α is sin²α/(1 + cos α), without cancellation.
+template <class T> PW85_FUNCTION inline HalfAngle<T> halved(HalfAngle<T> const &a) noexcept
+{
+    T const twice = a.cosine > T(0) ? T(T(a.sine * a.sine) / T(T(1) + a.cosine)) : T(T(1) - a.cosine);
+    T const w = T(T(0.5) * twice);
+    return {square_root(w), square_root(maximum(T(T(1) - w), T(0)))};
+}
+
+/// The largest sin²α for which the series are summed. Each term is then smaller than the one before it by a factor of 2⁻⁴.
+template <class T> PW85_FUNCTION constexpr T largest_square_of_series() noexcept { return negative_power_of_two<T>(4); }
+
+/// The coefficients C(2n, n)/4ⁿ/(2n + 3) from n = 1 on, as many as the series needs.
+template <class T> struct SegmentSeries {
+    static constexpr int terms = mantissa_digits<T>() / 4 + 1;
+    T coefficients[std::size_t(terms)];
+};
+
+template <class T> PW85_FUNCTION constexpr SegmentSeries<T> segment_series() noexcept
+{
+    SegmentSeries<T> series{};
+    T coefficient = T(1);
+    for (int n = 1; n <= series.terms; ++n) {
+        coefficient = T(coefficient * T(2 * n - 1)) / T(2 * n);
+        series.coefficients[n - 1] = coefficient / T(2 * n + 3);
+    }
+    return series;
+}
+
+template <class T> PW85_FUNCTION inline T sum_of_series(SegmentSeries<T> const &series, T const &x) noexcept
+{
+    T sum = series.coefficients[series.terms - 1];
+    for (int n = series.terms - 2; n >= 0; --n) sum = T(sum * x) + series.coefficients[n];
+    return sum;
+}
+
+/// Σ_{n>=1} C_n xⁿ⁻¹/(2n + 3) for x <= 2⁻⁴. The compiler computes the coefficients of a native type.
+template <class T> PW85_FUNCTION inline T sum_of_segment_series(T const &x) noexcept
+{
+    if constexpr (std::is_floating_point_v<T>) {
+        constexpr auto series = segment_series<T>();
+        return sum_of_series(series, x);
+    } else {
+        return sum_of_series(segment_series<T>(), x);
+    }
+}
+
+/// p/sin³α and q/sin⁵α for sin²α <= 2⁻⁴.
+///
+/// Let C_n = C(2n, n)/4ⁿ. Then p/sin³α = 2 Σ C_n xⁿ/(2n + 3) with x = sin²α. With 1 - cos α = x/(1 + cos α), item 2 becomes
+/// q/sin⁵α = (p/sin³α)/(1 + cos α) - 2 Σ_{n>=1} C_n xⁿ⁻¹/(2n + 3). The difference is near 1/3 - 1/5, so that it loses two bits.
+template <class T> PW85_FUNCTION inline CircularSegment<T> short_segment(T const &x, T const &cosine) noexcept
+{
+    T const rest = sum_of_segment_series(x);
+    T const area = T(2) * T(T(T(1) / T(3)) + x * rest);
+    return {area, T(area / T(T(1) + cosine)) - T(T(2) * rest)};
+}
+
+/// The segment of a circle of this radius over a chord: sin α is half the chord over the radius. A short arc of a huge circle keeps all
+/// numbers near the size of its chord.
+template <class T>
+PW85_FUNCTION inline CircularSegment<T> circular_segment(T const &half_chord, T const &radius, T const &cosine) noexcept
+{
+    constexpr int most = 8;
+    HalfAngle<T> angles[most + 1];
+    angles[0] = {half_chord / radius, cosine};
+    int n = 0;
+    while (n < most &&
+           !(angles[n].cosine > T(0) && T(angles[n].sine * angles[n].sine) <= largest_square_of_series<T>())) {
+        angles[n + 1] = halved(angles[n]);
+        ++n;
+    }
+    T const s = angles[n].sine;
+    auto const series = short_segment(T(s * s), angles[n].cosine);
+    if (n == 0) {
+        T const square = T(half_chord * half_chord);
+        return {T(series.area * square) * s, T(T(series.moment * square) * half_chord) * T(s * s)};
+    }
+    T const cube = T(T(s * s) * s);
+    T p = series.area * cube, q = T(series.moment * cube) * T(s * s);
+    for (int k = n - 1; k >= 0; --k) {
+        T const w = T(angles[k + 1].sine * angles[k + 1].sine), sine = angles[k].sine;
+        q = T(T(4) / T(3)) * T(T(w * w) * sine) + T(2) * T(w * p + angles[k + 1].cosine * q);
+        p = T(2) * T(p + w * sine);
+    }
+    T const square = T(radius * radius);
+    return {p * square, q * T(square * radius)};
+}
+
+} // namespace pw85::detail
+
+#endif

@@ -1,0 +1,155 @@
+/// @file
+/// The half-planes over which a common part is integrated. overlap_volume.hpp and its derivatives call integrate_half_planes().
+///
+/// The rim is an elliptic curve: its points are algebraic in (cos ψ, sin ψ) but for the root of E(ψ) = T² - 4αγ (section.hpp), a form of
+/// degree 4 in (cos ψ, sin ψ). In the uniform parameter of the curve, dψ/√E, they are meromorphic and periodic, and the trapezoidal
+/// rule converges geometrically, at a rate that hardly depends on how near the rim is to touching itself.
+///
+/// 1. The vertices diagonalise the form, so E = a cos⁴ψ + 2b cos²ψ sin²ψ + c sin⁴ψ. With tan ψ = (a/c)^(1/4) tan χ it is proportional to
+///    1 - m sin²2χ with m = (1 - b/√(ac))/2. For m < 0 it is proportional to 1 - k² cos²2χ, with k² = |m|/(1 + |m|). So 2χ, less a quarter
+///    turn for m < 0, is an amplitude φ of the modulus k.
+/// 2. Landen's transformation sin φ = (1 + k1) sin φ1/(1 + k1 sin²φ1), with k1 = (1 - k')/(1 + k'), replaces k by k1 < k. A few of
+///    them make the modulus so small that φ1 itself serves as the uniform parameter.
+/// 3. k' is the root of (1 + b/√(ac))/2, and ac - b² = -4αγ(t1 - t2)², where t1 and t2 are T at the two vertices. So k' is computed without
+///    cancellation where the rim nearly touches itself. It is not below u²: the rest of a rim that touches itself does not count.
+#ifndef PW85_VOLUME_ELLIPTIC_RULE_HPP_INCLUDED
+#define PW85_VOLUME_ELLIPTIC_RULE_HPP_INCLUDED
+
+#include <pw85/volume/section.hpp>
+
+namespace pw85::detail {
+
+/// A direction in the plane of ψ, or in that of another angle.
+template <class T> struct UnitVector2 {
+    T cosine, sine;
+};
+
+template <class T> PW85_FUNCTION inline UnitVector2<T> turned(UnitVector2<T> const &a, UnitVector2<T> const &b) noexcept
+{
+    return {a.cosine * b.cosine - a.sine * b.sine, a.sine * b.cosine + a.cosine * b.sine};
+}
+
+/// Half of an angle, up to half a turn.
+template <class T> PW85_FUNCTION inline UnitVector2<T> half_turned(UnitVector2<T> const &a) noexcept
+{
+    T const root = square_root(T(T(0.5) * T(T(1) + absolute(a.cosine)))), other = a.sine / T(T(2) * root);
+    return a.cosine > T(0) ? UnitVector2<T>{root, other} : UnitVector2<T>{other, root};
+}
+
+/// A pair of opposite half-planes, by the direction of one, and its weight in the integral over ψ.
+template <class T> struct WeightedDirection {
+    UnitVector2<T> direction;
+    T weight;
+};
+
+/// The largest number of transformations of Landen. From k' = 2^-200 eleven lead to k' > 0.8.
+inline constexpr int most_landen_steps = 12;
+
+/// The change of variable from the uniform parameter to ψ.
+template <class T> struct EllipticRule {
+    T moduli[most_landen_steps + 1], gaps[most_landen_steps + 1]; ///< k, k1, ... and 1 - k, 1 - k1, ...
+    int steps;
+    T factor;        ///< Π (1 + k_j)
+    T stretch;       ///< √(tan ψ/tan χ)
+    bool is_shifted; ///< whether m < 0
+};
+
+/// The smallest ratio of E to T² that counts at the vertices: u².
+template <class T> PW85_FUNCTION constexpr T rim_floor() noexcept
+{
+    return T(T(unit_roundoff<T>()) * T(unit_roundoff<T>()));
+}
+
+/// k' of item 3.
+template <class T> PW85_FUNCTION inline T complementary_modulus(T const &ratio, T const &difference) noexcept
+{
+    T const u = T(unit_roundoff<T>());
+    T const square = ratio > T(1)   ? T(T(2) / T(T(1) + ratio))
+                     : ratio > T(0) ? T(T(0.5) * T(T(1) + ratio))
+                                    : T(T(T(0.5) * difference) / T(T(1) - ratio));
+    return maximum(square_root(maximum(square, T(0))), T(u * u));
+}
+
+template <class T> PW85_FUNCTION inline EllipticRule<T> elliptic_rule(RimFrame<T, 3> const &rim) noexcept
+{
+    // a = t1² - 4αγ and c = t2² - 4αγ, with t - 2√(αγ) = excess if αγ > 0
+    T const e1 = rim.excess[0], e2 = rim.excess[1], product = T(T(4) * T(rim.alpha * rim.gamma));
+    T const least = rim.least, more = T(least + least), t1 = e1 + least, t2 = e2 + least;
+    T const tiny = smallest_number<T>(), negative = maximum(T(-product), T(0));
+    T const a = maximum(T(e1 * T(e1 + more) + negative), T(tiny + rim_floor<T>() * T(t1 * t1)));
+    T const c = maximum(T(e2 * T(e2 + more) + negative), T(tiny + rim_floor<T>() * T(t2 * t2)));
+    T const scale = T(a * c), step = T(t1 - t2);
+    T const ratio = scale > T(0) ? T(T(T(t1 * t2) - product) / square_root(scale)) : T(1);
+    T complement = complementary_modulus(ratio, T(-(T(T(product * T(step * step)) / a) / c)));
+
+    EllipticRule<T> rule{{}, {}, 0, T(1), T(1), ratio > T(1)};
+    rule.stretch = square_root(square_root(square_root(T(a / c))));
+    rule.moduli[0] = square_root(T(T(T(1) - complement) * T(T(1) + complement)));
+    T const enough = T(0.875);
+    while (rule.steps < most_landen_steps && complement < enough) {
+        T const sum = T(1) + complement, next = T(T(1) - complement) / sum;
+        rule.moduli[++rule.steps] = next;
+        rule.gaps[rule.steps] = T(complement + complement) / sum;
+        complement = T(T(2) * square_root(complement)) / sum;
+        rule.factor = rule.factor * T(T(1) + next);
+    }
+    return rule;
+}
+
+/// The half-planes at a value of the parameter.
+template <class T>
+PW85_FUNCTION inline WeightedDirection<T> weighted_direction(EllipticRule<T> const &rule, UnitVector2<T> phi) noexcept
+{
+    T const last = rule.moduli[rule.steps];
+    T weight = rule.factor;
+    T delta = square_root(T(T(1) - T(T(last * phi.sine) * T(last * phi.sine))));
+    if (rule.steps > 0) weight = weight / delta;
+    for (int j = rule.steps; j > 0; --j) {
+        T const k = rule.moduli[j], inverse = T(1) / T(T(1) + k * T(phi.sine * phi.sine));
+        T const difference = rule.gaps[j] + k * T(phi.cosine * phi.cosine); // 1 - k sin²φ
+        phi = {T(T(phi.cosine * delta) * inverse), T(T(T(T(1) + k) * phi.sine) * inverse)};
+        delta = T(difference * inverse); // √(1 - k² sin²φ) of the modulus before
+    }
+    if (rule.steps > 0) weight = weight * delta;
+    auto const chi = half_turned(rule.is_shifted ? UnitVector2<T>{phi.sine, -phi.cosine} : phi);
+    UnitVector2<T> const psi{chi.cosine / rule.stretch, chi.sine * rule.stretch};
+    T const square = T(psi.cosine * psi.cosine + psi.sine * psi.sine), length = square_root(square);
+    return {{psi.cosine / length, psi.sine / length}, weight / square};
+}
+
+/// The rule is refined at most to 2^12 pairs of half-planes. 16 or 32 are usual.
+inline constexpr int finest_rule = 12;
+
+/// The mean over ψ of a function of half-planes. `Sums` has values, their sum, and a test whether two means agree. A refinement
+/// that changes the mean by a fraction ε leaves an error near ε², so that agreement to √u is sufficient.
+template <class Sums, class T, class Function>
+PW85_FUNCTION inline Sums mean_over_half_planes(EllipticRule<T> const &rule, Function const &function) noexcept
+{
+    UnitVector2<T> turns[finest_rule + 1]; // by 2π/2^k
+    turns[0] = {T(1), T(0)};
+    turns[1] = {T(-1), T(0)};
+    turns[2] = {T(0), T(1)};
+    for (int k = 3; k <= finest_rule; ++k) turns[k] = half_turned(turns[k - 1]);
+    Sums sum{}, mean{};
+    for (int k = 0; k <= finest_rule; ++k) {
+        int const points = k == 0 ? 1 : 1 << (k - 1);
+        for (int j = 0; j < points; ++j) {
+            UnitVector2<T> phi = turns[k];
+            for (int bit = 0; bit < k - 1; ++bit)
+                if ((j >> bit & 1) != 0) phi = turned(phi, turns[k - 1 - bit]);
+            auto const [direction, weight] = weighted_direction(rule, phi);
+            auto const one = function(HalfPlane<T, 3>{{direction.cosine, direction.sine}});
+            auto const opposite = function(HalfPlane<T, 3>{{-direction.cosine, -direction.sine}});
+            sum.add(weight, one);
+            sum.add(weight, opposite);
+        }
+        Sums const next = sum.over(T(1 << (k + 1)));
+        if (k >= 3 && agree(next, mean, T(T(0.125) * square_root(T(unit_roundoff<T>()))))) return next;
+        mean = next;
+    }
+    return mean;
+}
+
+} // namespace pw85::detail
+
+#endif

@@ -1,0 +1,302 @@
+/// @file
+/// The axis of the rim: a line about which the rim of the common part, where both surfaces intersect, is a curve of one or two
+/// points per half-plane. section.hpp finds these points, and overlap_volume.hpp integrates over the half-planes.
+///
+/// The pair is in its joint frame (joint_frame.hpp). With homogeneous coordinates X = (x, x0), the unit ball is B(X, X) <= 0 with
+/// B = diag(1, ..., 1, -1), and the other ellipsoid is A(X, X) <= 0 with A = [P, -b; -bᵀ, γ].
+///
+/// 1. The singular members of the pencil A - tB are at the roots of h(t) = t + γ - Σ b_i²/(p_i - t), with vertices x = (P - t)⁻¹b.
+///    Roots are separated by the poles p_i: between two neighbouring poles h falls from ∞ to -∞, so that there is an odd number of
+///    roots, one or three. h'(t) = 1 - |x|², so that the vertex of a root with h' < 0 is outside of the ball.
+/// 2. -h''/2 = Σ b_i²/(p_i - t)³ increases between two poles, so h is first convex and then concave there. The root nearest to the
+///    upper pole is in the concave part, or it is the only root and in the convex part. Newton's method from the pole converges
+///    monotonically to it.
+/// 3. In three dimensions let w1, w2 be the vertices of the roots that are nearest to the middle pole, on its two sides. Both are
+///    outside of the ball, and A(w1, w2) = B(w1, w2) = 0. The points that are conjugate to both are a line through the ball: the axis.
+///    It meets the sphere at n1 and n2, and A(w, n) = B(w, n) = 0 for each w of w1, w2 and n of n1, n2. So the pair is, up to a
+///    projective map, a ball and an ellipsoid that are symmetric about the two planes through their common axis. A point of
+///    the rim is X = p n1 + q n2 + cos ψ w1 + sin ψ w2, for which B(X, X) = 0 gives p q, and A(X, X) = 0 a quadratic equation in p².
+/// 4. In two dimensions there is one pole interval, and one such vertex. The "half-planes" are the two sides of the axis.
+#ifndef PW85_VOLUME_RIM_AXIS_HPP_INCLUDED
+#define PW85_VOLUME_RIM_AXIS_HPP_INCLUDED
+
+#include <pw85/volume/joint_frame.hpp>
+
+namespace pw85::detail {
+
+/// The axis o + z ℓ, with |ℓ| = 1 and o ⟂ ℓ, and the vertices (a_i, height_i) conjugate to it, for which B is the identity.
+template <class T, int D> struct RimAxis {
+    Vector<T, D> origin, direction;
+    Vector<T, D> vertices[std::size_t(D - 1)];
+    T heights[std::size_t(D - 1)];
+    T roots[std::size_t(D - 1)]; ///< t of each vertex: A(w_i, w_i), in units of the pencil
+    T half_chord;                ///< half of the length of the axis inside the ball
+};
+
+/// The function h of item 1 between two poles: the interval (0, gap), with one more pole at gap + far_gap, at a distance δ from the
+/// upper pole and ε from the lower pole.
+template <class T> struct PoleInterval {
+    T gap, far_gap;
+    T lower, upper, beyond; ///< b_i² of the pole below, above, and beyond the interval
+    T constant;             ///< h - (these terms) at the upper pole: p + γ
+
+    /// Value, slope and half of the negative second derivative.
+    struct Value {
+        T h, slope, bend;
+    };
+
+    PW85_MEMBER Value at(T const &delta, T const &epsilon) const noexcept
+    {
+        T const below = T(1) / epsilon, above = T(1) / delta,
+                farther = beyond > T(0) ? T(T(1) / T(far_gap + delta)) : T(0);
+        T const l = T(lower * below), u = T(upper * above), b = T(beyond * farther);
+        T const l2 = T(l * below), u2 = T(u * above), b2 = T(b * farther);
+        return {(constant - delta) + (l - u - b), T(1) - l2 - u2 - b2, u2 * above + b2 * farther - l2 * below};
+    }
+};
+
+/// A root by its distances from both poles. If it is at a pole, the vertex is at infinity in the direction of that axis.
+template <class T> struct PoleRoot {
+    enum class Place { between, lower, upper };
+    T delta, epsilon;
+    Place place;
+};
+
+inline constexpr int most_newton_steps = 200;
+
+/// Newton's method in the concave part, from above. It returns false if there is no root there.
+template <class T> PW85_FUNCTION inline bool descend(PoleInterval<T> const &f, T &delta) noexcept
+{
+    T const u4 = T(T(4) * T(unit_roundoff<T>()));
+    for (int step = 0; step < most_newton_steps; ++step) {
+        auto const value = f.at(delta, T(f.gap - delta));
+        if (!(value.bend >= T(0) && value.slope < T(0))) return false;
+        if (value.h >= T(0)) return true;
+        T const next = T(delta + value.h / value.slope);
+        if (!(next < f.gap)) return false;
+        bool const done = T(next - delta) <= T(u4 * delta);
+        delta = next;
+        if (done) return true;
+    }
+    return true;
+}
+
+/// Newton's method in the convex part, from below.
+template <class T> PW85_FUNCTION inline void ascend(PoleInterval<T> const &f, T &epsilon) noexcept
+{
+    T const u4 = T(T(4) * T(unit_roundoff<T>()));
+    for (int step = 0; step < most_newton_steps; ++step) {
+        auto const value = f.at(T(f.gap - epsilon), epsilon);
+        if (!(value.h > T(0) && value.slope < T(0))) return;
+        T const next = T(epsilon - value.h / value.slope);
+        if (!(next < f.gap)) return;
+        bool const done = T(next - epsilon) <= T(u4 * epsilon);
+        epsilon = next;
+        if (done) return;
+    }
+}
+
+/// The root of h that is nearest to the upper pole (item 2). The upper pole counts as a root if its term is zero and h is
+/// positive there: this is the limit of a small term. `or_zero` includes the limit h = 0.
+template <class T> PW85_FUNCTION inline PoleRoot<T> highest_root(PoleInterval<T> const &f, bool or_zero) noexcept
+{
+    using Place = typename PoleRoot<T>::Place;
+    T const half = T(T(0.5) * f.gap);
+    if (!(f.upper > T(0))) {
+        T const end = f.constant + f.lower / f.gap - (f.beyond > T(0) ? T(f.beyond / f.far_gap) : T(0));
+        if (end > T(0) || (or_zero && end == T(0))) return {T(0), f.gap, Place::upper};
+    }
+    // Without the pole above, h is below `most` in the upper half. So h <= 0 at this start and above it.
+    T const most = f.constant + f.lower / half;
+    T delta = most > T(0) ? minimum(half, T(f.upper / most)) : half;
+    if (delta == T(0)) delta = T(T(unit_roundoff<T>()) * half);
+    if (descend(f, delta)) {
+        T epsilon = T(f.gap - delta);
+        if (epsilon < delta) {
+            auto const value = f.at(delta, epsilon);
+            epsilon = maximum(T(epsilon - value.h / value.slope), T(T(0.5) * epsilon));
+        }
+        return {delta, epsilon, Place::between};
+    }
+    // Below `least`, h is positive in the lower half.
+    T const least = f.gap - f.constant + f.upper / half + (f.beyond > T(0) ? T(f.beyond / T(f.far_gap + half)) : T(0));
+    T epsilon = least > T(0) ? minimum(half, T(f.lower / least)) : half;
+    if (!(epsilon > T(0))) {
+        epsilon = T(T(unit_roundoff<T>()) * half);
+        if (!(f.at(T(f.gap - epsilon), epsilon).h > T(0))) return {f.gap, T(0), Place::lower};
+    }
+    ascend(f, epsilon);
+    return {T(f.gap - epsilon), epsilon, Place::between};
+}
+
+/// The pencil in the coordinates of the joint frame, A times the shortest axis, and the poles in increasing order.
+template <class T, int D> struct Pencil {
+    Vector<T, D> poles, b;
+    T constant;
+};
+
+template <class T, int D> PW85_FUNCTION inline Pencil<T, D> pencil(JointFrame<T, D> const &frame) noexcept
+{
+    T const shortest = frame.axes[std::size_t(D - 1)];
+    Pencil<T, D> pencil{{}, {}, {}};
+    T const least = negative_power_of_two<T>(std::numeric_limits<typename ScalarTraits<T>::Lane>::max_exponent / 8 < 128
+                                                 ? std::numeric_limits<typename ScalarTraits<T>::Lane>::max_exponent / 8
+                                                 : 128);
+    T square = T(0);
+    for (int i = 0; i < D; ++i) {
+        T const ratio = shortest / frame.axes[i];
+        pencil.poles[i] = ratio / frame.axes[i];
+        pencil.b[i] = ratio * frame.center[i];
+        if (absolute(pencil.b[i]) < least) pencil.b[i] = T(0);
+        square = square + frame.center[i] * frame.center[i];
+    }
+    pencil.constant = T(shortest * T(square - T(1)));
+    return pencil;
+}
+
+/// The vertex of the root, as a homogeneous vector whose last coordinate is the height. `lower` and `upper` are the axes of the two
+/// poles, `third` is the other axis, whose pole is at distance `far_gap` beyond the upper or the lower pole.
+template <class T, int D> struct Vertex {
+    Vector<T, D> x;
+    T height, root;
+};
+
+/// B(v, w).
+template <class T, int D> PW85_FUNCTION inline T lorentz(Vertex<T, D> const &v, Vertex<T, D> const &w) noexcept
+{
+    return dot(v.x, w.x) - v.height * w.height;
+}
+
+/// v/√B(v, v). v is first divided by its largest coordinate.
+template <class T, int D> PW85_FUNCTION inline Vertex<T, D> normalized(Vertex<T, D> v) noexcept
+{
+    T const size = T(1) / maximum(largest_coordinate(v.x), absolute(v.height));
+    v = {size * v.x, size * v.height, v.root};
+    T const floor = T(T(unit_roundoff<T>()) * T(unit_roundoff<T>()));
+    T const scale = T(1) / square_root(maximum(lorentz(v, v), floor));
+    return {scale * v.x, scale * v.height, v.root};
+}
+
+/// The interval between the poles of two axes; sign = -1 turns t to -t, so that the "upper" pole can be the one that is smaller.
+template <class T, int D> PW85_FUNCTION inline PoleInterval<T>
+pole_interval(Pencil<T, D> const &p, int lower, int upper, int beyond, T const &sign) noexcept
+{
+    bool const has_third = D == 3;
+    T const third = has_third ? T(p.b[beyond] * p.b[beyond]) : T(0);
+    T const far_gap = has_third ? T(sign * T(p.poles[beyond] - p.poles[upper])) : T(0);
+    return {T(sign * T(p.poles[upper] - p.poles[lower])),
+            far_gap,
+            T(p.b[lower] * p.b[lower]),
+            T(p.b[upper] * p.b[upper]),
+            third,
+            T(sign * T(p.poles[upper] + p.constant))};
+}
+
+/// The vertex at the root nearest to the pole of axis `upper` in the interval from the pole of axis `lower`. sign(p_upper - p_lower) is
+/// that of `sign`.
+template <class T, int D> PW85_FUNCTION inline Vertex<T, D> vertex_between(Pencil<T, D> const &p, int lower, int upper,
+                                                                           int beyond, T const &sign) noexcept
+{
+    using Place = typename PoleRoot<T>::Place;
+    Vertex<T, D> v{{}, T(0), p.poles[lower]};
+    auto const interval = pole_interval(p, lower, upper, beyond, sign);
+    if (!(interval.gap > T(0))) { // equal_poles_apart() has made b_lower zero
+        v.x[lower] = T(1);
+        return v;
+    }
+    auto const root = highest_root(interval, sign > T(0));
+    v.root =
+        root.delta <= root.epsilon ? T(p.poles[upper] - sign * root.delta) : T(p.poles[lower] + sign * root.epsilon);
+    if (root.place != Place::between) {
+        v.x[root.place == Place::upper ? upper : lower] = T(1);
+        return v;
+    }
+    // p_i - t, times sign: -ε, δ and far_gap + δ.
+    v.height = T(1);
+    v.x[lower] = -(T(sign * p.b[lower]) / root.epsilon);
+    v.x[upper] = root.delta > T(0) ? T(T(sign * p.b[upper]) / root.delta) : T(0);
+    if constexpr (D == 3)
+        v.x[beyond] = p.b[beyond] != T(0) ? T(T(sign * p.b[beyond]) / T(interval.far_gap + root.delta)) : T(0);
+    return normalized(v);
+}
+
+/// Turns the coordinates of two axes with the same pole so that b of the first is zero. Returns the rotation.
+template <class T> struct PlaneRotation {
+    T cosine, sine;
+};
+
+template <class T, int D> PW85_FUNCTION inline PlaneRotation<T> make_zero(Pencil<T, D> &p, int zero, int other) noexcept
+{
+    T const length = square_root(T(p.b[zero] * p.b[zero] + p.b[other] * p.b[other]));
+    if (!(length > T(0))) return {T(1), T(0)};
+    PlaneRotation<T> const turn{p.b[other] / length, p.b[zero] / length};
+    p.b[zero] = T(0);
+    p.b[other] = length;
+    return turn;
+}
+
+/// Turns a vector back.
+template <class T, int D>
+PW85_FUNCTION inline void turn_back(Vector<T, D> &x, int zero, int other, PlaneRotation<T> const &turn) noexcept
+{
+    T const a = x[zero], b = x[other];
+    x[zero] = turn.cosine * a + turn.sine * b;
+    x[other] = turn.cosine * b - turn.sine * a;
+}
+
+/// The vertex of a pair of ellipses: of the roots nearest to both poles, the one that is farther from a double root.
+template <class T> PW85_FUNCTION inline void find_vertices(Pencil<T, 2> p, RimAxis<T, 2> &axis) noexcept
+{
+    bool const equal = p.poles[0] == p.poles[1];
+    PlaneRotation<T> turn{T(1), T(0)};
+    if (equal) turn = make_zero(p, 0, 1);
+    Vertex<T, 2> v = vertex_between(p, 0, 1, 0, T(1));
+    if (!equal) {
+        auto const other = vertex_between(p, 1, 0, 0, T(-1));
+        if (absolute(other.height) < absolute(v.height)) v = other;
+    }
+    turn_back(v.x, 0, 1, turn);
+    axis.vertices[0] = v.x;
+    axis.heights[0] = v.height;
+    axis.roots[0] = v.root;
+    T const size = square_root(dot(v.x, v.x));
+    axis.direction = {-v.x[1] / size, v.x[0] / size};
+}
+
+/// The two vertices of item 3, made orthogonal with respect to B.
+template <class T> PW85_FUNCTION inline void find_vertices(Pencil<T, 3> p, RimAxis<T, 3> &axis) noexcept
+{
+    bool const first = p.poles[0] == p.poles[1], second = p.poles[1] == p.poles[2];
+    PlaneRotation<T> turn1{T(1), T(0)}, turn2{T(1), T(0)};
+    if (first) turn1 = make_zero(p, 0, 1);
+    if (second) turn2 = make_zero(p, 2, 1);
+    Vertex<T, 3> v[2] = {vertex_between(p, 0, 1, 2, T(1)), vertex_between(p, 2, 1, 0, T(-1))};
+    T const along = lorentz(v[0], v[1]);
+    v[1] = normalized(Vertex<T, 3>{v[1].x - along * v[0].x, T(v[1].height - along * v[0].height), v[1].root});
+    for (int i = 0; i < 2; ++i) {
+        if (second) turn_back(v[i].x, 2, 1, turn2);
+        if (first) turn_back(v[i].x, 0, 1, turn1);
+        axis.vertices[i] = v[i].x;
+        axis.heights[i] = v[i].height;
+        axis.roots[i] = v[i].root;
+    }
+    Vector<T, 3> const normal = cross(v[0].x, v[1].x);
+    axis.direction = normal / magnitude(normal);
+}
+
+/// The axis of the rim. a_i·x = height_i are the planes that contain it, and a_i·a_j = δ_ij + height_i height_j. So its point next to
+/// the centre of the ball is Σ height_i a_i/(1 + Σ height_i²).
+template <class T, int D> PW85_FUNCTION inline RimAxis<T, D> rim_axis(Pencil<T, D> const &p) noexcept
+{
+    RimAxis<T, D> axis{};
+    find_vertices(p, axis);
+    T sum = T(1);
+    for (T const &height : axis.heights) sum = sum + height * height;
+    for (int i = 0; i < D - 1; ++i) axis.origin = axis.origin + T(axis.heights[i] / sum) * axis.vertices[i];
+    axis.half_chord = T(1) / square_root(sum);
+    return axis;
+}
+
+} // namespace pw85::detail
+
+#endif

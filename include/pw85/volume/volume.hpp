@@ -1,0 +1,91 @@
+/// @file
+/// The volume of an ellipsoid, (4/3)π √det Q, and the area of an ellipse, π √det Q. pw85.hpp and overlap_volume.hpp use this file.
+#ifndef PW85_VOLUME_VOLUME_HPP_INCLUDED
+#define PW85_VOLUME_VOLUME_HPP_INCLUDED
+
+#include <pw85/algebra/all_nan.hpp>
+#include <pw85/algebra/doubled.hpp>
+#include <pw85/contact/validate.hpp>
+
+namespace pw85 {
+
+/// The volume of an ellipsoid or of a common part, in the third power of the unit of length. It is NaN if the status is not success.
+template <class T> struct Volume {
+    T volume;
+    StatusCode status;
+};
+
+/// The area of an ellipse or of a common part, likewise.
+template <class T> struct Area {
+    T area;
+    StatusCode status;
+};
+
+} // namespace pw85
+
+namespace pw85::detail {
+
+/// π.
+template <class T> PW85_FUNCTION inline T circle_constant() noexcept
+{
+    if constexpr (std::is_floating_point_v<typename ScalarTraits<T>::Lane>)
+        return T(static_cast<typename ScalarTraits<T>::Lane>(3.14159265358979323846264338327950288L));
+    else
+        return T(T(4) * atan2(T(1), T(1)));
+}
+
+/// π with the digits of Finer<T>: `high` and the rest.
+template <class T> PW85_FUNCTION inline Finer<T> fine_circle_constant() noexcept
+{
+    if constexpr (std::is_same_v<T, double>)
+        return {0x1.921fb54442d18p+1, 0x1.1a62633145c07p-53};
+    else if constexpr (std::is_same_v<T, float>)
+        return {0x1.921fb6p+1F, -0x1.777a5cp-24F};
+    else
+        return Finer<T>(circle_constant<T>());
+}
+
+/// The measure of the unit ball: 4π/3 or π.
+template <class T, int D> PW85_FUNCTION inline T unit_measure() noexcept
+{
+    T const pi = circle_constant<T>();
+    return D == 3 ? T(T(T(4) * pi) / T(3)) : pi;
+}
+
+/// The measure of an ellipsoid whose form is valid. The determinant has twice the digits, so that nothing is lost where the semi-axes
+/// differ by a factor below u^(-1/2); for each factor of four beyond, the result loses as many digits as the determinant.
+template <class T, int D> PW85_FUNCTION inline T measure_of(SymmetricMatrix<T, D> const &q) noexcept
+{
+    using Fine = Finer<T>;
+    int const e = half_exponent(largest_diagonal(q));
+    auto const fine = converted<Fine>(times_power_of_two(q, -2 * e));
+    auto const det = determinant(fine, adjugate(fine));
+    Fine const pi = fine_circle_constant<T>();
+    Fine const unit = D == 3 ? Fine(Fine(Fine(4) * pi) / Fine(3)) : pi;
+    using pw85::detail::sqrt;
+    return times_power_of_two(rounded(Fine(unit * square_root(det))), D * e);
+}
+
+} // namespace pw85::detail
+
+namespace pw85 {
+
+/// The volume of an ellipsoid.
+template <class T> PW85_FUNCTION inline Volume<T> volume(SymmetricMatrix<T, 3> const &q) noexcept
+{
+    StatusCode const status = detail::validate(q);
+    if (status != StatusCode::success) return detail::all_nan<Volume<T>>(status);
+    return {detail::measure_of(q), status};
+}
+
+/// The area of an ellipse.
+template <class T> PW85_FUNCTION inline Area<T> area(SymmetricMatrix<T, 2> const &q) noexcept
+{
+    StatusCode const status = detail::validate(q);
+    if (status != StatusCode::success) return detail::all_nan<Area<T>>(status);
+    return {detail::measure_of(q), status};
+}
+
+} // namespace pw85
+
+#endif

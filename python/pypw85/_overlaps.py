@@ -1,0 +1,201 @@
+"""Similarity of ellipsoids: indices of their common part, and tables of one set against another."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from ._functions import area_2d, overlap_area_2d, overlap_volume, volume
+from ._typing import Floats
+
+
+def union_volume(r12: ArrayLike, q1: ArrayLike, q2: ArrayLike) -> Any:
+    """Volume of the union of two ellipsoids: the sum of their volumes less that of the common part.
+
+    Parameters
+    ----------
+    r12 : (..., 3) array_like
+    q1, q2 : (..., 6) array_like
+
+    Returns
+    -------
+    (...) array or float
+
+    Examples
+    --------
+    >>> import pypw85
+    >>> ball = pypw85.spheroid(1, 1, [0, 0, 1])
+    >>> print(round(float(pypw85.union_volume([1, 0, 0], ball, ball)), 4))
+    7.0686
+    """
+    return volume(q1) + volume(q2) - overlap_volume(r12, q1, q2)
+
+
+def union_area_2d(r12: ArrayLike, q1: ArrayLike, q2: ArrayLike) -> Any:
+    """Area of the union of two ellipses; see `union_volume`.
+
+    Parameters
+    ----------
+    r12 : (..., 2) array_like
+    q1, q2 : (..., 3) array_like
+
+    Returns
+    -------
+    (...) array or float
+
+    Examples
+    --------
+    >>> import pypw85
+    >>> circle = pypw85.ellipse(1, 1, 0)
+    >>> print(round(float(pypw85.union_area_2d([1, 0], circle, circle)), 4))
+    5.0548
+    """
+    return area_2d(q1) + area_2d(q2) - overlap_area_2d(r12, q1, q2)
+
+
+def jaccard(r12: ArrayLike, q1: ArrayLike, q2: ArrayLike) -> Any:
+    """Jaccard index of two ellipsoids: the volume of the common part over that of the union ("intersection over union").
+
+    Parameters
+    ----------
+    r12 : (..., 3) array_like
+    q1, q2 : (..., 6) array_like
+
+    Returns
+    -------
+    (...) array or float
+        From 0 (apart) to 1 (the same ellipsoid).
+
+    Examples
+    --------
+    >>> import pypw85
+    >>> ball = pypw85.spheroid(1, 1, [0, 0, 1])
+    >>> print(round(float(pypw85.jaccard([1, 0, 0], ball, ball)), 4))
+    0.1852
+    """
+    common = overlap_volume(r12, q1, q2)
+    return common / (volume(q1) + volume(q2) - common)
+
+
+def jaccard_2d(r12: ArrayLike, q1: ArrayLike, q2: ArrayLike) -> Any:
+    """Jaccard index of two ellipses; see `jaccard`.
+
+    Parameters
+    ----------
+    r12 : (..., 2) array_like
+    q1, q2 : (..., 3) array_like
+
+    Returns
+    -------
+    (...) array or float
+
+    Examples
+    --------
+    >>> import pypw85
+    >>> circle = pypw85.ellipse(1, 1, 0)
+    >>> print(round(float(pypw85.jaccard_2d([1, 0], circle, circle)), 4))
+    0.243
+    """
+    common = overlap_area_2d(r12, q1, q2)
+    return common / (area_2d(q1) + area_2d(q2) - common)
+
+
+def sorensen(r12: ArrayLike, q1: ArrayLike, q2: ArrayLike) -> Any:
+    """Sørensen index (of Dice) of two ellipsoids: twice the volume of the common part over the sum of both volumes.
+
+    Parameters
+    ----------
+    r12 : (..., 3) array_like
+    q1, q2 : (..., 6) array_like
+
+    Returns
+    -------
+    (...) array or float
+        From 0 (apart) to 1 (the same ellipsoid).
+
+    Examples
+    --------
+    >>> import pypw85
+    >>> ball = pypw85.spheroid(1, 1, [0, 0, 1])
+    >>> print(round(float(pypw85.sorensen([1, 0, 0], ball, ball)), 4))
+    0.3125
+    """
+    return 2.0 * overlap_volume(r12, q1, q2) / (volume(q1) + volume(q2))
+
+
+def sorensen_2d(r12: ArrayLike, q1: ArrayLike, q2: ArrayLike) -> Any:
+    """Sørensen index (of Dice) of two ellipses; see `sorensen`.
+
+    Parameters
+    ----------
+    r12 : (..., 2) array_like
+    q1, q2 : (..., 3) array_like
+
+    Returns
+    -------
+    (...) array or float
+
+    Examples
+    --------
+    >>> import pypw85
+    >>> circle = pypw85.ellipse(1, 1, 0)
+    >>> print(round(float(pypw85.sorensen_2d([1, 0], circle, circle)), 4))
+    0.391
+    """
+    return 2.0 * overlap_area_2d(r12, q1, q2) / (area_2d(q1) + area_2d(q2))
+
+
+def overlap_table(centers1: ArrayLike, q1: ArrayLike, centers2: ArrayLike, q2: ArrayLike) -> Floats:
+    """Volumes of the common parts of each ellipsoid of one set with each of another one.
+
+    Parameters
+    ----------
+    centers1 : (n, 3) array_like
+    q1 : (n, 6) array_like
+    centers2 : (m, 3) array_like
+    q2 : (m, 6) array_like
+
+    Returns
+    -------
+    (n, m) array
+
+    Examples
+    --------
+    >>> import pypw85
+    >>> ball = pypw85.spheroid(1, 1, [0, 0, 1])
+    >>> pypw85.overlap_table([[0, 0, 0], [9, 0, 0]], [ball, ball], [[1, 0, 0]], [ball]).round(4)
+    array([[1.309],
+           [0.   ]])
+    """
+    return np.asarray(_table(overlap_volume, centers1, q1, centers2, q2), dtype=np.float64)
+
+
+def overlap_table_2d(centers1: ArrayLike, q1: ArrayLike, centers2: ArrayLike, q2: ArrayLike) -> Floats:
+    """Areas of the common parts of each ellipse of one set with each of another one; see `overlap_table`.
+
+    Parameters
+    ----------
+    centers1 : (n, 2) array_like
+    q1 : (n, 3) array_like
+    centers2 : (m, 2) array_like
+    q2 : (m, 3) array_like
+
+    Returns
+    -------
+    (n, m) array
+
+    Examples
+    --------
+    >>> import pypw85
+    >>> circle = pypw85.ellipse(1, 1, 0)
+    >>> pypw85.overlap_table_2d([[0, 0]], [circle], [[0, 0], [1, 0], [3, 0]], [circle] * 3).round(4)
+    array([[3.1416, 1.2284, 0.    ]])
+    """
+    return np.asarray(_table(overlap_area_2d, centers1, q1, centers2, q2), dtype=np.float64)
+
+
+def _table(function: Any, centers1: ArrayLike, q1: ArrayLike, centers2: ArrayLike, q2: ArrayLike) -> Any:
+    first, second = np.asarray(centers1, dtype=np.float64), np.asarray(centers2, dtype=np.float64)
+    return function(second[np.newaxis] - first[:, np.newaxis], np.asarray(q1)[:, np.newaxis], np.asarray(q2)[np.newaxis])

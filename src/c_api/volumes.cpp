@@ -1,0 +1,58 @@
+// clang-format off
+// The C API: volumes and common parts.
+//
+// Made from pw85.h by api/committed.py.
+#include <pw85.h>
+
+#include <pw85/volume/half_space.hpp>
+#include <pw85/volume/overlap_volume_derivatives.hpp>
+
+#include "../c_arrays.hpp"
+#include "../floating_point_environment.hpp"
+
+using namespace pw85::detail;
+using namespace pw85::detail::c_api;
+
+int pw85_volume(double const q[6], double *volume)
+{
+    if (any_null(q, volume)) return null_pointer(volume, 1);
+    return in_default_environment([&] {
+        return put(pw85::volume(load_matrix<3>(q)), volume);
+    });
+}
+
+int pw85_overlap_volume(double const r12[3], double const q1[6], double const q2[6], double *volume)
+{
+    if (any_null(r12, q1, q2, volume)) return null_pointer(volume, 1);
+    return in_default_environment([&] {
+        return put(pw85::overlap_volume(load_vector<3>(r12), load_matrix<3>(q1), load_matrix<3>(q2)), volume);
+    });
+}
+
+int pw85_overlap_volume_gradient(double const r12[3], double const q1[6], double const q2[6], double d_r12[3],
+                                 double d_q1[6], double d_q2[6])
+{
+    if (any_null(r12, q1, q2)) return null_pointer(d_r12, 3, d_q1, 6, d_q2, 6);
+    return in_default_environment([&] {
+        return put(pw85::overlap_volume_gradient(load_vector<3>(r12), load_matrix<3>(q1), load_matrix<3>(q2)), d_r12,
+                   d_q1, d_q2);
+    });
+}
+
+int pw85_overlap_volume_torque(double const r12[3], double const q1[6], double const q2[6], double d_rot1[3],
+                               double d_rot2[3])
+{
+    if (any_null(r12, q1, q2)) return null_pointer(d_rot1, 3, d_rot2, 3);
+    return in_default_environment([&] {
+        return put(pw85::overlap_volume_torque(load_vector<3>(r12), load_matrix<3>(q1), load_matrix<3>(q2)), d_rot1,
+                   d_rot2);
+    });
+}
+
+int pw85_overlap_volume_plane(double const normal[3], double offset, double const q[6], double *volume)
+{
+    if (any_null(normal, q, volume)) return null_pointer(volume, 1);
+    return in_default_environment([&] {
+        return put(pw85::overlap_volume_plane(load_vector<3>(normal), offset, load_matrix<3>(q)), volume);
+    });
+}

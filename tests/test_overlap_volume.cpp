@@ -1,0 +1,536 @@
+// Tests of the volume of the common part (include/pw85/volume/).
+#include <cmath>
+#include <cstring>
+#include <iterator>
+#include <limits>
+#include <numbers>
+
+#include <glib.h>
+
+#include <pw85.h>
+
+#include "draws.hpp"
+#include "failures.hpp"
+#include "random_pairs.hpp"
+#include "rotated.hpp"
+#include "wide.hpp"
+
+using namespace pw85_tests;
+
+namespace {
+
+constexpr double u = 0x1p-53;
+
+using Fine = Multiprecision<20>;
+using Vector3 = pw85::Vector<double, 3>;
+using Form3 = pw85::SymmetricMatrix<double, 3>;
+template <int D> using FineSample = Sample<Fine, D>;
+
+Fine measure(FineSample<3> const &p) { return pw85::overlap_volume(p.r12, p.q1, p.q2).volume; }
+Fine measure(FineSample<2> const &p) { return pw85::overlap_area(p.r12, p.q1, p.q2).area; }
+
+double measured(Sample<double, 3> const &p)
+{
+    double volume = 0.0;
+    g_assert_cmpint(pw85_overlap_volume(p.r12.coordinates, p.q1.entries, p.q2.entries, &volume), ==, PW85_SUCCESS);
+    return volume;
+}
+
+double measured(Sample<double, 2> const &p)
+{
+    double area = 0.0;
+    g_assert_cmpint(pw85_overlap_area_2d(p.r12.coordinates, p.q1.entries, p.q2.entries, &area), ==, PW85_SUCCESS);
+    return area;
+}
+
+double whole(Form3 const &q)
+{
+    double volume = 0.0;
+    g_assert_cmpint(pw85_volume(q.entries, &volume), ==, PW85_SUCCESS);
+    return volume;
+}
+
+double whole(pw85::SymmetricMatrix<double, 2> const &q)
+{
+    double area = 0.0;
+    g_assert_cmpint(pw85_area_2d(q.entries, &area), ==, PW85_SUCCESS);
+    return area;
+}
+
+/// By how much the measure changes if each number changes by a fraction of one: s of the contract. A difference quotient with a small
+/// step is exact enough here, as s counts only by its size.
+template <int D> double sensitivity(Sample<double, D> const &p)
+{
+    auto const exact = convert<Fine>(p);
+    Fine const step = ldexp(Fine(1), -40);
+    Fine sum = 0;
+    auto const add = [&](Fine const &x, auto &&shifted) {
+        if (x != 0) sum += abs(measure(shifted(Fine(x * step))) - measure(shifted(Fine(-x * step)))) / (2 * step);
+    };
+    for (int i = 0; i < D; ++i)
+        add(exact.r12[i], [&](Fine const &d) {
+            auto s = exact;
+            s.r12[i] += d;
+            return s;
+        });
+    for (int k = 0; k < exact.q1.size; ++k) {
+        add(exact.q1[k], [&](Fine const &d) {
+            auto s = exact;
+            s.q1[k] += d;
+            return s;
+        });
+        add(exact.q2[k], [&](Fine const &d) {
+            auto s = exact;
+            s.q2[k] += d;
+            return s;
+        });
+    }
+    return static_cast<double>(sum);
+}
+
+/// Checks a value against the contract.
+template <int D> void check_bound(Failures &failures, Sample<double, D> const &p, double actual, Fine const &truth)
+{
+    double const error = std::abs(static_cast<double>(Fine(Fine(actual) - truth)));
+    double const smaller = std::fmin(whole(p.q1), whole(p.q2));
+    if (error <= 16.0 * u * static_cast<double>(truth)) { // no need of the sensitivity
+        failures.check(true, "error", error, error, [] { return std::string(); });
+        return;
+    }
+    double const bound = u * (64.0 * smaller + 16.0 * sensitivity(p));
+    failures.check(error <= bound, "error", error, bound, [&] { return hex_text(p); });
+}
+
+/// Two balls, q = radius², by the formula of two caps in twice as many digits. The radii are roots of doubles, and both bodies are
+/// given as doubles exactly.
+void test_balls()
+{
+    Failures failures;
+    Random random(900);
+    for (int n = 0; n < draws(4000); ++n) {
+        double const a2 = random.log_uniform(0.1, 10.0), b2 = random.log_uniform(0.1, 10.0);
+        Wide const a = sqrt(Wide(a2)), b = sqrt(Wide(b2)), inner = abs(a - b);
+        double const share = n % 2 == 0 ? random.uniform(0.0, 1.0) : 1.0 - random.log_uniform(1e-8, 0.5);
+        Vector3 const r = static_cast<double>(inner + (a + b - inner) * Wide(share)) * random.direction<3>();
+        Sample<double, 3> const p{r, {{a2, 0, 0, a2, 0, a2}}, {{b2, 0, 0, b2, 0, b2}}};
+        Wide const d = sqrt(Wide(r[0]) * r[0] + Wide(r[1]) * r[1] + Wide(r[2]) * r[2]), h = a + b - d;
+        if (!(h > 0) || d <= inner) continue;
+        Wide const pi = 4 * atan(Wide(1));
+        Wide const truth = pi * h * h * (d * d + 2 * d * (a + b) - 3 * inner * inner) / (12 * d);
+        double const actual = measured(p), error = std::abs(static_cast<double>(Wide((Wide(actual) - truth) / truth)));
+        // dV/V of a lens is 2 dh/h, and h errs by the roundings of the data, up to (2a + 2b + d) u.
+        double const bound = u * (64.0 + 40.0 * static_cast<double>(Wide((a + b + d) / h)));
+        failures.check(error <= bound, "relative error of a lens", error, bound, [&] { return hex_text(p); });
+    }
+}
+
+struct Truth3 {
+    double r12[3], q1[6], q2[6];
+    char const *volume;
+};
+
+constexpr Truth3 truths[] = {
+#include "volume_truths.inc"
+};
+
+/// Values to 20 digits by two other ways (scripts/volume_truths.py).
+void test_record()
+{
+    Failures failures;
+    for (auto const &t : truths) {
+        Sample<double, 3> p{};
+        std::memcpy(p.r12.coordinates, t.r12, sizeof t.r12);
+        std::memcpy(p.q1.entries, t.q1, sizeof t.q1);
+        std::memcpy(p.q2.entries, t.q2, sizeof t.q2);
+        check_bound(failures, p, measured(p), Fine(t.volume));
+        double const error = std::abs(static_cast<double>(Fine(measure(convert<Fine>(p)) / Fine(t.volume) - 1)));
+        failures.check(error < 1e-19, "error in 38 digits", error, 1e-19, [&] { return hex_text(p); });
+    }
+    double volume = 0.0;
+    double const axes[2][3] = {{1.0, 1.0, 0.2}, {0.5, 1.0, 2.0}}, quaternions[2][4] = {{1, 0, 0, 0}, {1, 1, 0, 0}};
+    double q[2][6];
+    for (int i = 0; i < 2; ++i) pw85_ellipsoid_quaternion(axes[i], quaternions[i], q[i]);
+    double const r12[3] = {0.3, 0.2, 0.9};
+    pw85_overlap_volume(r12, q[0], q[1], &volume);
+    g_assert_cmpfloat(std::abs(volume - 0.165834501903), <, 1e-12);
+    double e[2][3], area = 0.0;
+    pw85_ellipse(43.28271488, 22.83392139, 3.120439222, e[0]);
+    pw85_ellipse(32.64211672, 27.84469155, 3.093992268, e[1]);
+    double const r[2] = {53.92619514 - 41.94107253, 45.62883047 - 39.78655647};
+    pw85_overlap_area_2d(r, e[0], e[1], &area);
+    g_assert_cmpfloat(std::abs(area - 2227.351908629), <, 1e-9);
+}
+
+/// Random pairs of all kinds against the same templates with 38 digits: the bound on rounding errors, and on the error of the rule, which
+/// is refined to other numbers of half-planes there.
+template <int D> void test_bound()
+{
+    Failures failures;
+    Random random(901);
+    for (int n = 0; n < draws(D == 3 ? 240 : 2000); ++n) {
+        PairOptions options{};
+        options.aspect = n % 4 == 0 ? 1.1 : n % 4 == 1 ? 3.0 : n % 4 == 2 ? 30.0 : 1000.0;
+        options.mu2_min = 1e-3;
+        options.mu2_max = 1.0;
+        auto const p = random_pair<D>(random, options);
+        check_bound(failures, p, measured(p), measure(convert<Fine>(p)));
+    }
+}
+
+/// Needles and discs with aspect ratios to 10⁶ whose axes are the coordinate axes, so that the data lose nothing.
+void test_slender()
+{
+    Failures failures;
+    Random random(902);
+    for (int n = 0; n < draws(200); ++n) {
+        Sample<double, 3> p{};
+        for (int i = 0; i < 3; ++i) {
+            p.q1(i, i) = random.log_uniform(1e-12, 1.0);
+            p.q2(i, i) = random.log_uniform(1e-12, 1.0);
+            p.r12[i] = random.uniform(-0.5, 0.5) * (std::sqrt(p.q1(i, i)) + std::sqrt(p.q2(i, i)));
+        }
+        double actual = 0.0;
+        int const status = pw85_overlap_volume(p.r12.coordinates, p.q1.entries, p.q2.entries, &actual);
+        if (status == PW85_ECONVERGENCE) continue; // a disc too thin
+        g_assert_cmpint(status, ==, PW85_SUCCESS);
+        Fine const truth = measure(convert<Fine>(p));
+        double const error = std::abs(static_cast<double>(Fine(Fine(actual) - truth)));
+        double const smaller = std::fmin(whole(p.q1), whole(p.q2)), bound = 1e-12 * smaller;
+        failures.check(error <= bound, "error", error, bound, [&] { return hex_text(p); });
+    }
+}
+
+/// 0 and whole volumes where the exact decisions say so, also next to tangency.
+void test_decisions()
+{
+    Failures failures;
+    Random random(903);
+    for (int n = 0; n < draws(8000); ++n) {
+        PairOptions options{};
+        auto p = random_pair<3>(random, options);
+        if (n % 3 == 0) p.r12 = std::sqrt(1.0 / pw85::contact(p.r12, p.q1, p.q2).mu2) * p.r12;
+        if (n % 3 == 1) { // next to internal tangency
+            p.r12 = 0.01 * p.r12;
+            double const scale = pw85::containment(p.r12, p.q1, p.q2).mu2 * (1.0 + random.uniform(-2.0, 2.0) * 0x1p-52);
+            p.q1 = scale * p.q1;
+        }
+        int overlap = 0, inside2 = 0, inside1 = 0;
+        Vector3 const back = -p.r12;
+        pw85_overlap(p.r12.coordinates, p.q1.entries, p.q2.entries, &overlap);
+        pw85_contains(p.r12.coordinates, p.q1.entries, p.q2.entries, &inside2);
+        pw85_contains(back.coordinates, p.q2.entries, p.q1.entries, &inside1);
+        double const volume = measured(p), smaller = std::fmin(whole(p.q1), whole(p.q2));
+        bool const fits = overlap == 0   ? volume == 0.0
+                          : inside2 == 1 ? volume == whole(p.q2)
+                          : inside1 == 1 ? volume == whole(p.q1)
+                                         : volume >= 0.0 && volume <= smaller; // 0: a lens of rounding errors
+        failures.check(fits, "volume", volume, smaller, [&] { return hex_text(p); });
+        double const swapped = measured(Sample<double, 3>{back, p.q2, p.q1});
+        failures.check(std::abs(swapped - volume) <= 1e-13 * smaller, "exchanged", swapped, volume,
+                       [&] { return hex_text(p); });
+    }
+}
+
+/// Tangent ellipsoids by exact numbers, and one inside the other by one unit in the last place.
+void test_tangency()
+{
+    double const ball[6] = {1, 0, 0, 1, 0, 1}, quarter[6] = {0.25, 0, 0, 0.25, 0, 0.25};
+    double const apart[3] = {1.5, 0, 0}, inside[3] = {0.5, 0, 0};
+    double const less[3] = {std::nextafter(1.5, 0), 0, 0}, more[3] = {std::nextafter(0.5, 1), 0, 0};
+    double volume = -1.0, small = 0.0;
+    pw85_volume(quarter, &small);
+    pw85_overlap_volume(apart, ball, quarter, &volume);
+    g_assert_cmpfloat(volume, ==, 0.0);
+    pw85_overlap_volume(less, ball, quarter, &volume);
+    g_assert_true(volume > 0.0 && volume < 1e-30);
+    pw85_overlap_volume(inside, ball, quarter, &volume);
+    g_assert_cmpfloat(volume, ==, small);
+    pw85_overlap_volume(more, ball, quarter, &volume);
+    g_assert_true(volume > 0.999999 * small && volume <= small);
+    double const zero[3] = {0, 0, 0};
+    pw85_overlap_volume(zero, ball, ball, &volume);
+    g_assert_cmpfloat(volume, ==, 0x1.0c152382d7366p+2); // 4π/3
+}
+
+/// Other units that are powers of two change no bit; a joint linear map multiplies by its determinant.
+void test_invariance()
+{
+    Failures failures;
+    Random random(904);
+    for (int n = 0; n < draws(400); ++n) {
+        PairOptions options{};
+        options.mu2_max = 1.0;
+        auto const p = random_pair<3>(random, options);
+        double const volume = measured(p), smaller = std::fmin(whole(p.q1), whole(p.q2));
+        for (int const e : {-200, 200}) {
+            Sample<double, 3> const scaled{std::ldexp(1.0, e) * p.r12, std::ldexp(1.0, 2 * e) * p.q1,
+                                           std::ldexp(1.0, 2 * e) * p.q2};
+            failures.check(std::ldexp(measured(scaled), -3 * e) == volume, "scaled", volume, volume,
+                           [&] { return hex_text(p); });
+        }
+        Sample<Wide, 3> mapped = convert<Wide>(p); // x + y/4, y - z/8, 2z: determinant 2
+        Wide const map[3][3] = {{1, 0.25, 0}, {0, 1, -0.125}, {0, 0, 2}};
+        auto const before = mapped;
+        for (int i = 0; i < 3; ++i) {
+            mapped.r12[i] = 0;
+            for (int k = 0; k < 3; ++k) mapped.r12[i] += map[i][k] * before.r12[k];
+            for (int j = i; j < 3; ++j) {
+                mapped.q1(i, j) = mapped.q2(i, j) = 0;
+                for (int k = 0; k < 3; ++k)
+                    for (int l = 0; l < 3; ++l) {
+                        mapped.q1(i, j) += map[i][k] * before.q1(k, l) * map[j][l];
+                        mapped.q2(i, j) += map[i][k] * before.q2(k, l) * map[j][l];
+                    }
+            }
+        }
+        double const image = measured(convert<double>(mapped)), bound = 1e-11 * smaller; // the data are rounded
+        failures.check(std::abs(image - 2.0 * volume) <= bound, "mapped", image, 2.0 * volume,
+                       [&] { return hex_text(p); });
+    }
+}
+
+/// The cube root of the volume is concave along a line of positions (Brunn and Minkowski), so that the volume falls from the middle on.
+void test_concave()
+{
+    Failures failures;
+    Random random(905);
+    for (int n = 0; n < draws(400); ++n) {
+        PairOptions options{};
+        options.mu2_min = options.mu2_max = 1.0;
+        auto const p = random_pair<3>(random, options);
+        double const smaller = std::cbrt(std::fmin(whole(p.q1), whole(p.q2)));
+        double roots[33], last = std::numeric_limits<double>::infinity();
+        for (int k = 0; k <= 32; ++k) {
+            roots[k] = std::cbrt(measured(Sample<double, 3>{k / 32.0 * p.r12, p.q1, p.q2}));
+            failures.check(roots[k] <= last + 1e-13 * smaller, "falls", roots[k], last, [&] { return hex_text(p); });
+            last = roots[k];
+        }
+        for (int k = 1; k < 32; ++k)
+            failures.check(2.0 * roots[k] >= roots[k - 1] + roots[k + 1] - 1e-12 * smaller, "concave", roots[k],
+                           0.5 * (roots[k - 1] + roots[k + 1]), [&] { return hex_text(p); });
+    }
+}
+
+/// The share of random points of the smaller body's box that are in both, within 5 σ.
+void test_monte_carlo()
+{
+    Failures failures;
+    Random random(906);
+    for (int n = 0; n < draws(16); ++n) {
+        PairOptions options{};
+        options.mu2_max = 0.9;
+        auto const p = random_pair<3>(random, options);
+        auto const f1 = pw85::detail::factorize(p.q1, 0.0), f2 = pw85::detail::factorize(p.q2, 0.0);
+        int const samples = 200000;
+        int hits = 0;
+        Vector3 half{};
+        for (int i = 0; i < 3; ++i) half[i] = std::sqrt(p.q1(i, i));
+        for (int k = 0; k < samples; ++k) {
+            Vector3 x{};
+            for (int i = 0; i < 3; ++i) x[i] = random.uniform(-half[i], half[i]);
+            hits += pw85::detail::inverse_form(f1, x) <= 1.0 && pw85::detail::inverse_form(f2, x - p.r12) <= 1.0;
+        }
+        double const box = 8.0 * half[0] * half[1] * half[2], share = measured(p) / box;
+        double const sigma = std::sqrt(samples * share * (1.0 - share)), deviation = hits - samples * share;
+        failures.check(std::abs(deviation) <= 5.0 * sigma + 1.0, "deviation", deviation, 5.0 * sigma,
+                       [&] { return hex_text(p); });
+    }
+}
+
+/// Derivatives against difference quotients of order four in 38 digits.
+void test_gradient()
+{
+    Failures failures;
+    Random random(907);
+    for (int n = 0; n < draws(40); ++n) {
+        PairOptions options{};
+        options.aspect = 4.0;
+        options.mu2_min = 0.05;
+        options.mu2_max = 0.9;
+        auto const p = random_pair<3>(random, options);
+        auto const exact = convert<Fine>(p);
+        double d_r12[3], d_q[2][6];
+        pw85_overlap_volume_gradient(p.r12.coordinates, p.q1.entries, p.q2.entries, d_r12, d_q[0], d_q[1]);
+        if (measured(p) == std::fmin(whole(p.q1), whole(p.q2))) continue;
+        double const size = std::sqrt(std::fmin(p.q1[0] + p.q1[3] + p.q1[5], p.q2[0] + p.q2[3] + p.q2[5]));
+        Fine const h = Fine(1e-5 * size);
+        auto const check = [&](double actual, double scale, auto &&shifted) {
+            auto const at = [&](int k) { return measure(shifted(Fine(h * k * scale))); };
+            Fine const quotient = (8 * (at(1) - at(-1)) - (at(2) - at(-2))) / (12 * h * scale);
+            double const expected = static_cast<double>(quotient), bound = 1e-9 * size * size / scale;
+            failures.check(std::abs(actual - expected) <= bound, "derivative", actual, expected,
+                           [&] { return hex_text(p); });
+        };
+        for (int i = 0; i < 3; ++i)
+            check(d_r12[i], 1.0, [&](Fine const &d) {
+                auto s = exact;
+                s.r12[i] += d;
+                return s;
+            });
+        for (int k = 0; k < 6; ++k) {
+            check(d_q[0][k], size, [&](Fine const &d) {
+                auto s = exact;
+                s.q1[k] += d;
+                return s;
+            });
+            check(d_q[1][k], size, [&](Fine const &d) {
+                auto s = exact;
+                s.q2[k] += d;
+                return s;
+            });
+        }
+    }
+}
+
+/// A joint linear map I + ε changes the volume by tr ε times itself: r12 Fᵀ + 2(Q1 G1 + Q2 G2) = V I. Its antisymmetric part says that
+/// torques and the moment of the force add up to zero.
+void test_balance()
+{
+    Failures failures;
+    Random random(908);
+    for (int n = 0; n < draws(2000); ++n) {
+        PairOptions options{};
+        options.aspect = 10.0;
+        options.mu2_max = 1.0;
+        auto const p = random_pair<3>(random, options);
+        Vector3 force{}, torque1{}, torque2{};
+        Form3 g1{}, g2{};
+        pw85_overlap_volume_gradient(p.r12.coordinates, p.q1.entries, p.q2.entries, force.coordinates, g1.entries,
+                                     g2.entries);
+        pw85_overlap_volume_torque(p.r12.coordinates, p.q1.entries, p.q2.entries, torque1.coordinates,
+                                   torque2.coordinates);
+        double const volume = measured(p), bound = 1e-11 * std::fmin(whole(p.q1), whole(p.q2));
+        for (int i = 0; i < 3; ++i)
+            for (int j = 0; j < 3; ++j) {
+                double sum = p.r12[i] * force[j];
+                for (int k = 0; k < 3; ++k)
+                    sum += (k == j ? 2.0 : 1.0) * (p.q1(i, k) * g1(k, j) + p.q2(i, k) * g2(k, j));
+                double const expected = i == j ? volume : 0.0;
+                failures.check(std::abs(sum - expected) <= bound, "balance", sum, expected,
+                               [&] { return hex_text(p); });
+            }
+        Vector3 const rest = torque1 + torque2 + pw85::cross(p.r12, force);
+        for (int i = 0; i < 3; ++i)
+            failures.check(std::abs(rest[i]) <= bound, "reaction", rest[i], bound, [&] { return hex_text(p); });
+    }
+}
+
+/// Two circles by the formula of two segments, in many digits.
+void test_circles()
+{
+    Failures failures;
+    Random random(909);
+    for (int n = 0; n < draws(4000); ++n) {
+        double const a2 = random.log_uniform(0.1, 10.0), b2 = random.log_uniform(0.1, 10.0);
+        Wide const a = sqrt(Wide(a2)), b = sqrt(Wide(b2)), inner = abs(a - b);
+        double const share = n % 2 == 0 ? random.uniform(0.0, 1.0) : 1.0 - random.log_uniform(1e-8, 0.5);
+        auto const r = static_cast<double>(inner + (a + b - inner) * Wide(share)) * random.direction<2>();
+        Sample<double, 2> const p{r, {{a2, 0, a2}}, {{b2, 0, b2}}};
+        Wide const d = sqrt(Wide(r[0]) * r[0] + Wide(r[1]) * r[1]), h = a + b - d;
+        if (!(h > 0) || d <= inner) continue;
+        Wide const x = (d * d + a * a - b * b) / (2 * d), y = sqrt(Wide(a * a - x * x));
+        Wide const truth = a * a * atan2(y, x) + b * b * atan2(y, Wide(d - x)) - d * y;
+        double const actual = measured(p), error = std::abs(static_cast<double>(Wide((Wide(actual) - truth) / truth)));
+        double const bound = u * (64.0 + 40.0 * static_cast<double>(Wide((a + b + d) / h)));
+        failures.check(error <= bound, "relative error of a lens", error, bound, [&] { return hex_text(p); });
+    }
+}
+
+/// The share h²(3 - h)/4, the whole and nothing, and both sides together.
+void test_plane()
+{
+    Failures failures;
+    Random random(910);
+    for (int n = 0; n < draws(4000); ++n) {
+        auto const q = random.form(1.0, random.log_uniform(1.0, 100.0));
+        Vector3 const normal = random.log_uniform(1e-100, 1e100) * random.direction<3>();
+        auto const wide = convert<Wide>(q);
+        auto const n2 = convert<Wide>(normal);
+        Wide const reach = sqrt(pw85::detail::quadratic_form(wide, n2));
+        double const offset = random.uniform(-1.2, 1.2) * static_cast<double>(reach);
+        Wide h = 1 + Wide(offset) / reach;
+        h = h < 0 ? Wide(0) : h > 2 ? Wide(2) : h;
+        double const volume = whole(q), expected = static_cast<double>(Wide(h * h * (3 - h) / 4)) * volume;
+        double part = -1.0, rest = -1.0;
+        Vector3 const opposite = -normal;
+        pw85_overlap_volume_plane(normal.coordinates, offset, q.entries, &part);
+        pw85_overlap_volume_plane(opposite.coordinates, -offset, q.entries, &rest);
+        double const bound = 1e-12 * volume; // aspect 100: n q n loses up to four digits
+        failures.check(std::abs(part - expected) <= bound, "part", part, expected,
+                       [&] { return hex_text(q.entries, 6); });
+        failures.check(std::abs(part + rest - volume) <= bound, "sum", part + rest, volume,
+                       [&] { return hex_text(q.entries, 6); });
+    }
+    double const q[6] = {1, 0, 0, 1, 0, 1}, zero[3] = {0, 0, 0};
+    double volume = 0.0;
+    g_assert_cmpint(pw85_overlap_volume_plane(zero, 1.0, q, &volume), ==, PW85_EINVAL);
+    g_assert_true(std::isnan(volume));
+}
+
+/// Volumes of ellipsoids by products of semi-axes.
+void test_whole()
+{
+    Failures failures;
+    Random random(911);
+    for (int n = 0; n < draws(4000); ++n) {
+        auto const q = random.form(random.log_uniform(1e-90, 1e90), random.log_uniform(1.0, 1e4));
+        auto const w = convert<Wide>(q);
+        Wide const det = pw85::detail::determinant(w, pw85::detail::adjugate(w));
+        Wide const truth = 16 * atan(Wide(1)) / 3 * sqrt(det);
+        double const volume = whole(q), error = std::abs(static_cast<double>(Wide(Wide(volume) / truth - 1)));
+        failures.check(error <= 2.0 * u, "volume", error, 2.0 * u, [&] { return hex_text(q.entries, 6); });
+    }
+}
+
+/// The functions of many pairs give the bits of those of one.
+void test_many()
+{
+    Random random(912);
+    constexpr int n = 8;
+    double centers[2 * n][3], q[2 * n][6], volumes[n];
+    std::int32_t pairs[n][2];
+    for (int k = 0; k < n; ++k) {
+        PairOptions options{};
+        auto const p = random_pair<3>(random, options);
+        for (int i = 0; i < 3; ++i) centers[2 * k][i] = 0.0;
+        std::memcpy(centers[2 * k + 1], p.r12.coordinates, sizeof centers[0]);
+        std::memcpy(q[2 * k], p.q1.entries, sizeof q[0]);
+        std::memcpy(q[2 * k + 1], p.q2.entries, sizeof q[0]);
+        pairs[k][0] = 2 * k;
+        pairs[k][1] = 2 * k + 1;
+    }
+    pw85_system const system{2 * n, centers[0], q[0], nullptr, {0, 0, 0}};
+    pw85_pair_list const list{n, pairs[0], nullptr};
+    g_assert_cmpint(pw85_overlap_volume_pairs(&list, &system, volumes), ==, PW85_SUCCESS);
+    for (int k = 0; k < n; ++k) {
+        double one = -1.0;
+        pw85_overlap_volume(centers[2 * k + 1], q[2 * k], q[2 * k + 1], &one);
+        g_assert_cmpfloat(one, ==, volumes[k]);
+    }
+    g_assert_cmpint(pw85_overlap_volume_pairs(&list, &system, nullptr), ==, PW85_EINVAL);
+    g_assert_cmpint(pw85_overlap_volume_pairs(nullptr, &system, volumes), ==, PW85_EINVAL);
+}
+
+} // namespace
+
+int main(int argc, char **argv)
+{
+    g_test_init(&argc, &argv, nullptr);
+    g_test_add_func("/overlap_volume/balls", test_balls);
+    g_test_add_func("/overlap_volume/record", test_record);
+    g_test_add_func("/overlap_volume/bound", test_bound<3>);
+    g_test_add_func("/overlap_volume/slender", test_slender);
+    g_test_add_func("/overlap_volume/decisions", test_decisions);
+    g_test_add_func("/overlap_volume/tangency", test_tangency);
+    g_test_add_func("/overlap_volume/invariance", test_invariance);
+    g_test_add_func("/overlap_volume/concave", test_concave);
+    g_test_add_func("/overlap_volume/monte_carlo", test_monte_carlo);
+    g_test_add_func("/overlap_volume/gradient", test_gradient);
+    g_test_add_func("/overlap_volume/balance", test_balance);
+    g_test_add_func("/overlap_volume/circles", test_circles);
+    g_test_add_func("/overlap_volume/bound_2d", test_bound<2>);
+    g_test_add_func("/overlap_volume/plane", test_plane);
+    g_test_add_func("/overlap_volume/whole", test_whole);
+    g_test_add_func("/overlap_volume/many", test_many);
+    return g_test_run();
+}
