@@ -121,7 +121,7 @@ template <class Keep, class Use> void PairBatch::run(LAMMPS_NS::NeighList const 
             entries[size_] = entry++;
             special[size_] = static_cast<unsigned char>(neighbours[k] >> SBBITS & 3);
             // There is no branch here, because a processor cannot predict which pairs are kept.
-            size_ += keep(i, j) ? 1 : 0;
+            size_ += keep(i, j) ? 1u : 0u;
             if (size_ < capacity) continue;
             use();
             size_ = 0;

@@ -259,14 +259,13 @@ class Installation:
         for name, target in (("examples", self.source / "examples"), ("pw85", self.source)):
             (folder / name).symlink_to(target)
         printed = re.search(r"^```text\n(.*?)^```$", text, re.MULTILINE | re.DOTALL)[1]
-        for build, programs, option in (("installed", ("pair_c", "pair_cpp"), f"-DCMAKE_PREFIX_PATH={self.prefix}"),
-                                        ("copy", ("pair_cpp",), "-DCMAKE_DISABLE_FIND_PACKAGE_pw85=ON")):
+        for build, program, option in (("installed", "pair_c", f"-DCMAKE_PREFIX_PATH={self.prefix}"),
+                                       ("copy", "pair_cpp", "-DCMAKE_DISABLE_FIND_PACKAGE_pw85=ON")):
             run("cmake", "-G", "Ninja", "-S", folder, "-B", folder / build, "-DPW85_GPU=OFF", option)
-            run("cmake", "--build", folder / build, "--target", *programs)
-            for program in programs:
-                output = run(folder / build / program, **self.environment())
-                if output != printed:
-                    raise Failed(f"README's program {program} printed {output!r}")
+            run("cmake", "--build", folder / build, "--target", program)
+            output = run(folder / build / program, **self.environment())
+            if output != printed:
+                raise Failed(f"README's program {program} printed {output!r}")
 
     def presets(self):
         listed = re.findall(r'^ +"(\w+)"', run("cmake", "--list-presets", cwd=self.source), re.MULTILINE)
