@@ -232,16 +232,40 @@ def check_tidy(results):
     results.add("clang-tidy", ok and bool(ours))
 
 
-def check_debian(results):
-    """Builds the Debian packages from the files that git tracks, runs lintian, and uses the unpacked packages in programs."""
-    work = BUILDS / "debian"
+def build_debian(work, sources, **environment):
+    """Builds the packages in `work`, from the files that git tracks in a folder of this name. Returns whether this succeeds."""
     shutil.rmtree(work, ignore_errors=True)
-    (work / "pw85").mkdir(parents=True)
-    run(["cp", "--parents", "-t", str(work / "pw85"), *tracked()])
-    ok = subprocess.run(["dpkg-buildpackage", "-b", "-us", "-uc", "-d"], cwd=work / "pw85",
-                        env={**os.environ, "PATH": "/usr/bin:/bin", "DEB_BUILD_OPTIONS": "nocheck",
-                             "DEB_BUILD_PROFILES": "nocheck"}).returncode == 0
-    results.add("debian: packages", ok)
+    (work / sources).mkdir(parents=True)
+    run(["cp", "--parents", "-t", str(work / sources), *tracked()])
+    words = {"PATH": "/usr/bin:/bin", "DEB_BUILD_OPTIONS": "nocheck", "DEB_BUILD_PROFILES": "nocheck", **environment}
+    command = ["dpkg-buildpackage", "-b", "-us", "-uc", "-d"]
+    return subprocess.run(command, cwd=work / sources, env={**os.environ, **words}).returncode == 0
+
+
+def check_reproducible(results, first):
+    """Builds the packages again, elsewhere, at another time of another zone, by one processor, and compares them bit by bit."""
+    second = BUILDS / "debian-again"
+    results.add("debian: packages, again", build_debian(second, "elsewhere/pw85", TZ="Pacific/Kiritimati", LC_ALL="C",
+                                                        DEB_BUILD_OPTIONS="nocheck parallel=1"))
+    packages = sorted(file.name for file in first.glob("*.deb"))
+    others = {name: next(second.rglob(name), None) for name in packages}
+    different = [name for name, other in others.items() if other is None or (first / name).read_bytes() != other.read_bytes()]
+    print("not reproducible:", *different)
+    results.add("debian: reproducible", len(packages) >= 5 and not different)
+
+
+def check_without_pages(results):
+    """Builds the packages without the manual, which needs no tool of the manual."""
+    work = BUILDS / "debian-nodoc"
+    ok = build_debian(work, "pw85", DEB_BUILD_OPTIONS="nocheck nodoc", DEB_BUILD_PROFILES="nocheck nodoc")
+    names = {file.name.partition("_")[0].removesuffix("-dbgsym") for file in work.glob("*.deb")}
+    results.add("debian: nodoc", ok and names == {"libpw85-3", "libpw85-dev", "libpw85-gpu-3", "python3-pypw85"})
+
+
+def check_debian(results):
+    """Builds the Debian packages, runs lintian, uses the unpacked packages in programs, and builds them in other ways."""
+    work = BUILDS / "debian"
+    results.add("debian: packages", build_debian(work, "pw85"))
     # lintian expects that the first version of a package closes a bug report that asks for it. There is no such report.
     changes = [str(file) for file in work.glob("*.changes")]
     results.add("debian: lintian", run(["lintian", "--allow-root", "--fail-on=error,warning",
@@ -249,6 +273,8 @@ def check_debian(results):
     for package in sorted(work.glob("*.deb")):
         run(["dpkg", "-x", str(package), str(work / "root")])
     results.add("debian: consumer", run(["debian/tests/consumer", str(work / "root")]))
+    check_reproducible(results, work)
+    check_without_pages(results)
 
 
 def check_abi(results):

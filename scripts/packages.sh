@@ -30,4 +30,4 @@ python_test_packages='python3 python3-pytest python3-h5py python3-gsd libjs-thre
   python3-ipykernel python3-matplotlib python3-dask python3-pandas python3-xarray python3-scipy python3-torch python3-meshio python3-ase
   mypy'
 test_packages="$build_packages $python_packages $python_test_packages ccache python3-pip patchelf cmake gfortran binutils libglib2.0-dev
-  libhdf5-dev libmpfr-dev libx11-dev libeigen3-dev libtbb-dev"
+  libhdf5-dev libmpfr-dev libx11-dev libeigen3-dev libtbb-dev python3-yaml"

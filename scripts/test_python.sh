@@ -6,6 +6,7 @@
 set -eu
 cd "$(dirname "$0")/.."
 . scripts/packages.sh
+# shellcheck disable=SC2086 # lists of words
 install_packages gcc g++ $python_packages $python_test_packages
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT

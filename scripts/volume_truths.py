@@ -14,6 +14,7 @@ converges slowly where the number of crossings depends on the direction, so that
 """
 
 import sys
+from itertools import pairwise
 
 from mpmath import atan2, cholesky, cos, eigsy, findroot, inverse, matrix, mp, mpf, pi, polyroots, quad, sin, sqrt
 
@@ -99,7 +100,7 @@ def by_slices(r, q1, q2):
     shares += [s for k in range(1, 40) for s in (mpf(2) ** -k / 200, 1 - mpf(2) ** -k / 200)]  # near the ends, sections are small
     grid = [low + (high - low) * share for share in sorted(shares)]
     ends = [low]
-    for x, y in zip(grid, grid[1:]):
+    for x, y in pairwise(grid):
         kind = len(crossings(*section(x)))
         if kind == len(crossings(*section(y))):
             continue
@@ -108,7 +109,7 @@ def by_slices(r, q1, q2):
             x, y = (middle, y) if len(crossings(*section(middle))) == kind else (x, middle)
         ends.append(x)
     ends.append(high)
-    volume = sum(quad(area, [x, y]) for x, y in zip(ends, ends[1:]))
+    volume = sum(quad(area, [x, y]) for x, y in pairwise(ends))
     return volume * lower[0, 0] * lower[1, 1] * lower[2, 2]
 
 
@@ -152,7 +153,7 @@ def by_radii(r, q1, q2):
             n = direction(theta, phi)
             return min(radius(0, n), radius(1, n)) ** 3 * sin(theta) / 3
 
-        return sum(quad(cone, [x, y], method="gauss-legendre") for x, y in zip(ends, ends[1:]))
+        return sum(quad(cone, [x, y], method="gauss-legendre") for x, y in pairwise(ends))
 
     return along
 

@@ -71,9 +71,6 @@ def complaints():
     entries = on_page_of_python()
     yield from (f"{name}: {entries.count(name)} times in docs/api/python.rst" for name in public if entries.count(name) != 1)
     yield from complaints_of_purposes()
-    absent = "Volume of an overlap\n   The volume that two ellipsoids share is not computed" in text("docs/limits.rst")
-    if absent == any("overlap_volume" in name for name in names):
-        yield "docs/limits.rst does not say whether there is a volume of an overlap"
 
 
 found = sorted(complaints())

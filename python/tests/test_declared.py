@@ -108,8 +108,8 @@ def make(tmp_path):
         place = text.index("/** @}")
         header.write_text(text[:place] + added.lstrip() + text[place:], encoding="utf-8")
     batch = tmp_path / "api/pw85_batch.h.in"
-    batch.write_text(batch.read_text(encoding="utf-8").replace("@lanes pw85_contact:", "@rows pw85_girth ellipsoids\n\n@lanes pw85_contact:"),
-                     encoding="utf-8")  # fmt: skip
+    text = batch.read_text(encoding="utf-8").replace("@lanes pw85_contact:", "@rows pw85_girth ellipsoids\n\n@lanes pw85_contact:")
+    batch.write_text(text, encoding="utf-8")
 
     def run(kind, template="", succeeds=True):
         (tmp_path / "in").write_text(template, encoding="utf-8")
