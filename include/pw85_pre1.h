@@ -29,8 +29,8 @@ extern "C" {
 #endif
 
 /** The function of pw85.h that its old namesake hides; contract as for pw85_contact(). */
-PW85_PRE1_FUNCTION int pw85_pre1_current_contact_function(double const r12[PW85_DIM], double const q1[PW85_SYM],
-                                                          double const q2[PW85_SYM], double out[2])
+PW85_PRE1_FUNCTION int pw85_pre1_current_contact_function(double const r12[3], double const q1[6], double const q2[6],
+                                                          double out[2])
 {
     return pw85_contact_function(r12, q1, q2, out);
 }
@@ -40,8 +40,8 @@ PW85_PRE1_FUNCTION int pw85_pre1_current_contact_function(double const r12[PW85_
  * @param r12,q1,q2 as for pw85_contact()
  * @param[out] out (μ², λ); may be null
  * @return μ²; NaN for invalid input */
-PW85_PRE1_FUNCTION double pw85_pre1_contact_function(double const r12[PW85_DIM], double const q1[PW85_SYM],
-                                                     double const q2[PW85_SYM], double *out)
+PW85_PRE1_FUNCTION double pw85_pre1_contact_function(double const r12[3], double const q1[6], double const q2[6],
+                                                     double *out)
 {
     double result[2];
     pw85_contact_function(r12, q1, q2, result);

@@ -33,8 +33,7 @@ PW85_API int pw85_zheng_ellipses(double const direction[2], double const q1[3], 
  * @param q1,q2 forms of the ellipsoids
  * @param[out] distance of the centres at external tangency
  * @return #PW85_SUCCESS, #PW85_EINVAL, #PW85_ENOTPD */
-PW85_API int pw85_zheng_ellipsoids(double const direction[PW85_DIM], double const q1[PW85_SYM],
-                                   double const q2[PW85_SYM], double *distance);
+PW85_API int pw85_zheng_ellipsoids(double const direction[3], double const q1[6], double const q2[6], double *distance);
 
 #ifdef __cplusplus
 }
