@@ -305,6 +305,11 @@ def check_lammps_of_debian_13(results):
     add_unless_missing(results, "scripts/test_lammps.sh trixie", ["scripts/test_lammps.sh", "trixie"])
 
 
+def check_python_of_debian_13(results):
+    """README's commands for Python and the tests of the installed package, with newer versions of Python and NumPy."""
+    results.add("scripts/test_python.sh, trixie", run(["scripts/test_release.sh", "trixie", "scripts/test_python.sh"]))
+
+
 def check_clang(results):
     """Runs the tests that depend on the optimisation of a compiler, with clang. The sanitizers run all tests with clang."""
     suites = ["--suite=quick", "--suite=portable", "--suite=flags"]
@@ -390,6 +395,7 @@ PARTS = {
     "whole": Part(check_whole, TEST, after=("tests", "pages"), by_default=False),
     "all-sanitizers": Part(check_all_sanitizers, f"{TEST} clang libclang-rt-14-dev", after=("tests", "sanitizers"), by_default=False),
     "lammps-of-debian-13": Part(check_lammps_of_debian_13, "git mmdebstrap", after=("lammps",), by_default=False),
+    "python-of-debian-13": Part(check_python_of_debian_13, "git mmdebstrap", by_default=False),
     "valgrind": Part(check_valgrind, f"{TEST} valgrind", after=("tests", "pages"), by_default=False),
     "platforms": Part(check_platforms, f"{TEST} {MACHINES}", after=("tests", "foreign"), by_default=False),
     "debian": Part(check_debian, f"{TEST} {PAGES} git lintian debhelper dpkg-dev fakeroot dh-python", after=("tests",), by_default=False),

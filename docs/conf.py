@@ -55,6 +55,7 @@ rst_epilog = f"""
 .. |conditions| replace:: {measurements.conditions()}
 .. |conditions-side-by-side| replace:: {measurements.conditions("side_by_side")}
 .. |conditions-of-instructions| replace:: {measurements.conditions("instructions")}
+.. |conditions-of-convex_peers| replace:: {measurements.conditions("convex_peers")}
 .. |conditions-of-peers| replace:: {measurements.conditions("peers")}
 .. |conditions-of-rounded| replace:: {measurements.conditions("rounded")}
 .. |conditions-of-signed_distance| replace:: {measurements.conditions("signed_distance")}
