@@ -34,4 +34,5 @@ class TapReport:
 
 @pytest.hookimpl(trylast=True)
 def pytest_configure(config):
+    config.option.verbose = 0  # comparisons ask for it, and it belongs to the terminal
     config.pluginmanager.register(TapReport(), "tap_report_results")

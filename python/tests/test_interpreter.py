@@ -9,7 +9,7 @@ import venv
 import pytest
 
 SOURCE = os.environ["PYPW85_SOURCE"]
-ONLY_PYTHON = [f"-D{name}=disabled" for name in ("tests", "bench", "fortran", "docs", "openmp", "simd")]
+ONLY_PYTHON = [f"-D{name}=disabled" for name in ("tests", "bench", "fortran", "docs", "gpu", "openmp", "simd")]
 CROSS_FILE = """
 [binaries]
 c = 'cc'
