@@ -8,6 +8,7 @@
 #include <glib.h>
 
 #include <pw85.h>
+#include <pw85_systems.h>
 
 #include "draws.hpp"
 #include "failures.hpp"
