@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """The checks of .ci/run, in parts that can be run alone: README's two commands, the tests with gcc and clang without warnings, the
 styles for LAMMPS, sanitizers, valgrind, format, static analysis, other platforms, Debian packages, the ABI.
 
@@ -208,6 +209,7 @@ def check_static(results):
     results.add("shellcheck", run(["shellcheck", "-x", "-s", "sh", "-e", "SC2046", *scripts]))  # unquoted lists of words
     prose = [file for file in tracked() if not file.endswith((".svg", ".png", ".ipynb", ".h5", ".js", ".out", "words.txt", "_pairs.txt"))]
     results.add("codespell", run(["codespell", "-L", "nin,numer", *prose]))
+    results.add("licences", run(["reuse", "lint"]))
     add_unless_missing(results, "ruff", ["scripts/sid.sh", "ruff", "check"])
     glib = subprocess.run(["pkg-config", "--cflags", "glib-2.0"], check=True, text=True, stdout=subprocess.PIPE).stdout.split()
     for file in tracked("*.c", ":!tests/headers/c89.c"):
@@ -259,7 +261,7 @@ def check_without_pages(results):
     work = BUILDS / "debian-nodoc"
     ok = build_debian(work, "pw85", DEB_BUILD_OPTIONS="nocheck nodoc", DEB_BUILD_PROFILES="nocheck nodoc")
     names = {file.name.partition("_")[0].removesuffix("-dbgsym") for file in work.glob("*.deb")}
-    results.add("debian: nodoc", ok and names == {"libpw85-3", "libpw85-dev", "libpw85-gpu-3", "python3-pypw85"})
+    results.add("debian: nodoc", ok and names == {"libpw85-3", "libpw85-dev", "libpw85-gpu3", "python3-pypw85"})
 
 
 def check_debian(results):
@@ -385,7 +387,7 @@ PARTS = {
     "format": Part(check_format, "git clang-format"),
     "tutorial": Part(check_tutorial, "$build_packages", after=("tests",)),
     "wheel": Part(check_wheel, TEST, after=("tests",)),
-    "static": Part(check_static, f"{TEST} git shellcheck codespell", after=("tests",)),
+    "static": Part(check_static, f"{TEST} git shellcheck codespell reuse", after=("tests",)),
     "clang": Part(check_clang, f"{TEST} clang", after=("tests",)),
     "lammps": Part(check_lammps, f"{TEST} {LAMMPS}", after=("tests",)),
     "sanitizers": Part(check_sanitizers, f"{TEST} clang libclang-rt-14-dev", after=("tests",)),

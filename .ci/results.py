@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """The results of checks: what passed, failed and was skipped, and how long each step took. Results of tests are counted from the
 logs of `meson test`, so that no list of tests is needed here. A step that is not a test counts as one result."""
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Processor seconds of each compiled unit and of each test of README's test command, compared with those on record (times.json).
 
 Machines differ, so the times of a run are divided by the median of their ratios to the record. `.ci/run --record tests tutorial`

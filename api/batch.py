@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """The header include/pw85_batch.h, made of its template api/pw85_batch.h.in and of the functions of one row in pw85.h.
 
 A line of the template

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """The causes for which functions of the library return a status other than success, as their contracts name them.
 
 A contract names a cause by certain words in the description of a parameter or of the returned status. The conventions at the top of

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Makes the files that follow from the headers and are committed, because builds without the generators need them.
 
 Usage: committed.py [check]

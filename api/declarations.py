@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Parses the declarations of the public headers with their comments. It is the only parser of these headers.
 
 The C headers declare every function. The properties of a parameter are read from its type, and from the words at the beginning of

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Docstrings in the form of NumPy: what the C headers say (voice.py), and what Python says otherwise in its place."""
 
 import re

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """The Fortran module fortran/pw85.f90, made of its template, with an interface for each function of the C headers.
 
 Functions that need more than an interface (for strings, pointers, and matrices that C stores by rows) are in the template

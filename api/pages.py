@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Lists of functions in the manual, which follow from the declarations: docs/extensions/reference.py shows them."""
 
 import re

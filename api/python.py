@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """What the Python package has by the declarations of the C API: its functions for rows of numbers (api/rows.py).
 
 Usage: python.py table OUTPUT               the table that the compiled part includes (python/src/function.cpp)

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Modules of Python functions: a template, in which functions that are marked `@declared` are made whole by the C declarations.
 
 In a template stands what is Python's own: examples, what it says otherwise in a text, other names and defaults of arguments, another

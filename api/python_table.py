@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """The table of functions that the compiled part of the Python package includes: a row for each function of api/rows.py."""
 
 from math import prod

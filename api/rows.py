@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """The functions of the C API that take one row of numbers to another one: those that Python offers for arrays of any shape.
 
 A function of one row is known by its parameters: numbers, arrays of stated length, motions. Its relative for many rows has the

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """The functions of the C API that follow from their declarations, in src/c_api/.
 
 - For each section of pw85.h a file with its functions of one row: they check pointers, set the floating-point environment, load the
@@ -35,6 +36,7 @@ BY_HAND = {
 # Those that kernels compute: struct OnePairKernels of src/kernels/one_pair.hpp.
 DISPATCHED = re.compile(r"Kernel<decltype\((pw85_\w+)\)> ")
 BEGIN = """\
+// SPDX-License-Identifier: BSD-3-Clause
 // {what}
 //
 // Made from pw85.h by api/committed.py.
@@ -108,8 +110,8 @@ def one_row_file(title, headers, listed):
     own = ["../c_arrays.hpp", "../floating_point_environment.hpp"]
     own += ["../kernels/one_pair.hpp"] if any(one.name in of_kernels for one in listed) else []
     lines = [
-        "// clang-format off",
         *BEGIN.format(what=f"The C API: {title[0].lower()}{title[1:]}.").splitlines(),
+        "// clang-format off",
         "#include <pw85.h>",
         "",
         *(f"#include <pw85/{header}.hpp>" for header in headers),

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """The functions of C++ for many rows: headers with one function on std::span for each function of these kinds.
 
 - include/pw85/batch/rows.hpp: functions that take n rows;
@@ -22,6 +23,7 @@ FOLDER = INCLUDE / "pw85"
 WIDTH = 120
 
 BEGIN = """\
+// SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// {brief}
 ///

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Debian's lists of the functions that the libraries export, each with the version that had it first: debian/*.symbols, one for each
 package.
 
@@ -8,9 +9,9 @@ import re
 
 from declarations import PARTS, SOURCE, functions, version
 
-# The packages, without the major version, and the headers of their libraries.
+# The packages, without the major version, and the headers of their libraries. A hyphen is between two numbers.
 PACKAGES = {
-    "libpw85": {"libpw85": PARTS, "libpw85_legacy": ("pw85_legacy.h", "pw85_zheng.h")},
+    "libpw85-": {"libpw85": PARTS, "libpw85_legacy": ("pw85_legacy.h", "pw85_zheng.h")},
     "libpw85-gpu": {"libpw85_gpu": ("pw85_gpu.h",)},
 }
 
@@ -30,7 +31,7 @@ def files():
     """The texts of the lists by their paths."""
     texts = {}
     for name, libraries in PACKAGES.items():
-        package = f"{name}-{version().split('.')[0]}"
+        package = f"{name}{version().split('.')[0]}"
         path = SOURCE / "debian" / f"{package}.symbols"
         texts[path] = text(package, libraries, path.read_text(encoding="utf-8") if path.exists() else "")
     return texts

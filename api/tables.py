@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Writes a table of the functions of the C headers for the tests: the parameters of each function, and a call of it.
 
 Usage: tables.py OUTPUT

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """What the comments of the C headers say, in the words of Python: other names, no pointers, whole sentences."""
 
 import re

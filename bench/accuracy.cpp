@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Prints the errors of the functions in units of u cond, as CSV. measure.py runs it.
 //
 //     accuracy                over the contact problems of the reference data

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Counts the steps of the searches for choices.py, over random pairs of several aspect ratios.
 //
 // Without arguments it prints the mean and the largest number of evaluations of f that the solver needs, and the per cent of pairs

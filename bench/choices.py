@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
 """Measures what other choices of the constants of the solver would cost.
 
     choices.py BUILD [COMPILER]

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Prints the largest relative errors of the distance of closest approach by aspect ratio, as CSV: for the contact function and for
 // the algorithms of Zheng et al. The reference is the contact function with 50 digits. Usage: closest_approach [PAIRS]
 #include <algorithm>

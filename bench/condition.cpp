@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Prints how many digits of the contact function random pairs have by their aspect ratio, as CSV. The truth is the contact function
 // for the semi-axes and quaternions exactly as given, in 200 digits. A row has the median and the largest condition number
 // (pw85_condition); the digits of the result from forms and from factors, -log10(relative error), the median and the least; and the

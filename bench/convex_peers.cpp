@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Compares DGD (growth distances of convex sets) and ellipsoid_tree (overlaps of ellipsoids) with this library on the same pairs.
 // measure.py runs it by name: --only convex_peers.
 //

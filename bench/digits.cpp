@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Prints the distribution of the correct decimal digits of f in both forms, as CSV, over /F of the reference data without λ = 0 and
 // 1, where f = 0. A row has the per cent of values with so many digits, floor(-log10(relative error)); the last row is for 16 or
 // more.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Prints the numbers of evaluations of f that the solvers need, and the per cent of overlaps that each tier decides, by aspect
 // ratio, as CSV. Usage: evaluations [PAIRS]
 //

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Prints the time of the functions that take factors beside that of the functions that take forms, on the same pairs, as CSV, in
 // nanoseconds. Half of the pairs overlap: μ² is log-uniform from 1/4 to 4.
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Converts ellipsoids to bodies of FCL, for peers.cpp and peer_fcl.cpp.
 #ifndef PW85_BENCH_FCL_BODIES_HPP_INCLUDED
 #define PW85_BENCH_FCL_BODIES_HPP_INCLUDED

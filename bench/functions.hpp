@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Calls of the functions of the C API on a pair and on a block of pairs, by their names. speed.cpp and instructions/calls.cpp use
 // them.
 #ifndef PW85_BENCH_FUNCTIONS_HPP_INCLUDED

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Measures the functions of pw85_gpu.h, and compares overlaps with those of the host. It needs a device, or the driver of the tests.
 // measure.py makes a table of what it prints.
 //

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Measures how the time per pair or particle grows with their number, and what a second thread gains. measure.py runs it.
 //
 // The rows are `function,number,time,speed_up,limit`: number of pairs, or of particles for neighbours; nanoseconds per pair or

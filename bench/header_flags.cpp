@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Measures overlap and contact of one pair: the functions of the library beside the templates of the headers, inlined. It is compiled by
 // several flags (meson.build), because a user's program chooses its own.
 //

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The parameters of HOOMD-blue's ellipsoids, for peer_hoomd.cpp and peer_hoomd_matrices.cpp.
 #ifndef PW85_BENCH_HOOMD_SHAPES_HPP_INCLUDED
 #define PW85_BENCH_HOOMD_SHAPES_HPP_INCLUDED

@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
 """Counts instructions per pair on 64-bit ARM by an emulator, for each instruction set. Without such a processor, speed cannot be
 measured otherwise; the cost of an instruction is not taken into account. The table goes to docs/measurements.json.
 

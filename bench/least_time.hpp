@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Measures the time of a block of calls on a machine that also runs other programs. peers.cpp and side_by_side.cpp use it.
 #ifndef PW85_BENCH_LEAST_TIME_HPP_INCLUDED
 #define PW85_BENCH_LEAST_TIME_HPP_INCLUDED

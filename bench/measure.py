@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Measures everything that README and manual show, and makes their tables and pictures from the results.
 
 Usage: measure.py [--only TABLE] PROGRAM..., the programs of this folder, and pw85_uninstalled.in of a build with -Dlammps=enabled.

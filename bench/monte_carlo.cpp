@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Measures the Monte Carlo of hard ellipsoids at packing fraction 0.4 and aspect ratio 3. measure.py runs it.
 //
 // The rows are `work,particles,per_second,speed_up,limit,bytes`: millions of trials, or of contacts for chains, in a second with one

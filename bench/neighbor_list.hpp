@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Makes a neighbour list like those of simulations: uniformly random centres, and all pairs closer than a cutoff. speed.cpp and
 // gpu.cpp use it.
 #ifndef PW85_BENCH_NEIGHBOR_LIST_HPP_INCLUDED

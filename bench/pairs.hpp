@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Makes blocks of random pairs that fit into the cache, as arguments of the functions of one pair and of many. The programs that
 // measure times use them.
 #ifndef PW85_BENCH_PAIRS_HPP_INCLUDED

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The interface by which side_by_side.cpp calls the overlap test of another library. It includes nothing of pw85, because pw85 2.0
 // uses the same names.
 #ifndef PW85_BENCH_PEER_HPP_INCLUDED

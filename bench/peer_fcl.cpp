@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The overlap test of FCL with its default solver, libccd, for side_by_side.cpp.
 #include <vector>
 

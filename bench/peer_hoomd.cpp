@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The overlap test of HOOMD-blue 2 for ellipsoids (hoomd/hpmc/ShapeEllipsoid.h) as its simulations call it: from semi-axes and
 // quaternions, with their mixed precision. For side_by_side.cpp.
 #include <vector>

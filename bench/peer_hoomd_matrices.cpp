@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The overlap test of HOOMD-blue 2 for ellipsoids (hoomd/hpmc/ShapeEllipsoid.h) alone, on matrices that are ready, in double. For
 // side_by_side.cpp.
 //

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Compares FCL with this library on the same pairs: the overlap test and the distance. measure.py runs it.
 //
 // Half of the pairs overlap, with the given |μ² - 1|; the distances are those of the other half. Times are in nanoseconds, the

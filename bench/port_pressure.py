@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
 """Estimates what limits the speed of the contact function. For many pairs it is the arithmetic of the loops, which keeps the ports
 of the processor busy; for one pair it is the latency of operations that depend on each other.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Compares pw85_contact_rounded() with pw85_contact() on the same pairs, in turn, and prints what decides the rounding, as CSV.
 // Usage: rounded
 //

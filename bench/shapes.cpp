@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Prints the time of the functions of one ellipsoid and a convex set, of their batches, and of the test whether one ellipsoid contains
 // another, as CSV, in nanoseconds. μ² is log-uniform from 1/4 to 4, so that half of the sets overlap, and half of the ellipsoids are
 // contained.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Compares the overlap tests of several libraries on the same pairs. measure.py runs it.
 //
 // Times are in nanoseconds per pair, for four aspect ratios; half of the pairs overlap, with μ² between 1/4 and 4. Wrong results

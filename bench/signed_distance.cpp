@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Prints the errors of signed distances against 50 digits, of this library and of FCL, as CSV. measure.py runs it.
 //
 // The bodies are those on which Drake measures its proximity queries: sizes from 2 mm to 20 cm, in metres. Here each semi-axis is

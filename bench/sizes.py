@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
 """Measures what functions and the library cost before they run: time of compilation, and bytes of code.
 
 Usage: sizes.py BUILD functions|parts, a build directory with both kinds of library.

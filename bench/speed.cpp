@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Measures the time per pair of every public function, by Google Benchmark: `items_per_second` counts pairs. measure.py runs it.
 // The names of the benchmarks are
 //

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Systems of spheroids in a cubic periodic cell, for systems.cpp and growth.cpp.
 #ifndef PW85_BENCH_SPHEROIDS_HPP_INCLUDED
 #define PW85_BENCH_SPHEROIDS_HPP_INCLUDED

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Measures functions of whole systems, by Google Benchmark: random ellipsoids in a cubic periodic cell, in processor time.
 // measure.py runs it. The names of the benchmarks are
 //

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Measures what a second thread gains, beside what the machine gives two programs. growth.cpp and monte_carlo.cpp use it.
 #ifndef PW85_BENCH_THREAD_GAIN_HPP_INCLUDED
 #define PW85_BENCH_THREAD_GAIN_HPP_INCLUDED

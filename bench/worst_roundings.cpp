@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Searches for pairs whose μ² is next to the middle of two doubles, and prints them for data/contact_rounded.wc: the 15 numbers of
 // r12, q1 and q2, in hexadecimal, and above them the distance from the middle. Usage: worst_roundings [PAIRS]
 //

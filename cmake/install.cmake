@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 # What CMake installs: the files that Meson installs, and targets that other projects can export with their own.
 if(NOT PW85_INSTALL)
   return()

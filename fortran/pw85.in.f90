@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: BSD-3-Clause
 !> The contact function of Perram and Wertheim for two ellipsoids: the C API of pw85.h, pw85_legacy.h and pw85_zheng.h.
 !>
 !> Those headers say what each function computes, in which units, and which statuses it returns. Names and order of arguments are the

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Reads broken files until a time is over: python3 fuzz/fuzz_files.py FORMAT SECONDS [SEED], with the package on PYTHONPATH.
 
 Each input is a file of fuzz/files with some bytes changed. It is a finding if reading it ends with anything but systems or a

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // libFuzzer target: raw bytes as doubles into every public function, by the table of them. A success must not come with a NaN in
 // the outputs, an error must. Then what several functions say of the same pair must fit together.
 #include <pw85.h>

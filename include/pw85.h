@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /** @file pw85.h
  * @brief The contact function of Perram and Wertheim for two ellipsoids: one pair, in C.
  *

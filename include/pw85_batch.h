@@ -1,7 +1,8 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /** @file pw85_batch.h
  * @brief Many rows: the functions of pw85.h for arrays.
  *
- * The conventions are those of pw85.h, and so is what the description of an argument leaves out. Made of api/pw85_batch.in.h and pw85.h
+ * The conventions are those of pw85.h, and so is what the description of an argument leaves out. Made of api/pw85_batch.h.in and pw85.h
  * by api/committed.py.
  */
 #ifndef PW85_BATCH_H_INCLUDED

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /** @file
  * Many pairs on a graphics processor: the functions of pw85.h for arrays in the memory of an NVIDIA GPU, and for arrays of the
  * host that are sent there. Link with pw85_gpu and pw85.

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /** @file pw85_legacy.h
  * @brief Superseded ways to compute the contact function, kept for reference and comparison (library pw85_legacy).
  *

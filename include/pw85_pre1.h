@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /** @file pw85_pre1.h
  * @brief Opt-in header that keeps programs written for the API before pw85 1.0 compiling.
  *

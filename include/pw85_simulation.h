@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /** @file pw85_simulation.h
  * @brief Monte Carlo simulations of hard ellipsoids.
  *

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /** @file pw85_systems.h
  * @brief Systems of particles: lists of pairs, periodic cells, neighbour lists and triangle meshes.
  *

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /** @file pw85_zheng.h
  * @brief Distance of closest approach by the algorithms of Zheng and Palffy-Muhoray (library pw85_legacy).
  *

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Writes what an installation by Meson says of the package: a folder pypw85-VERSION.dist-info, from pyproject.toml, so that
 importlib.metadata and pip know the package and its version. A wheel has its own, by meson-python.
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Build backend: meson-python, told by an older version's own means that only the package goes into the wheel.
 
 Before 0.13, meson-python does not obey ``install = ["--tags=..."]`` of pyproject.toml, and would add the headers, the

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Tables of reference data as files: rows are dictionaries of texts by the names of the columns."""
 
 from __future__ import annotations

@@ -1,4 +1,5 @@
 #!/bin/sh
+# SPDX-License-Identifier: BSD-3-Clause
 # Checks that programs that were linked with the last release run with the libraries of this tree. abidiff (package abigail-tools)
 # compares the libraries with scripts/abi: no function may be missing, and no type, size or status may have changed. New functions
 # and statuses are allowed. Usage:

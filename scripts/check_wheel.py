@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Checks a repaired wheel that is installed in an environment: the wheel contains the texts that licences require and nothing of
 GSL, and the environment uses the libraries inside the wheel. scripts/test_wheel.sh runs it by the Python of the environment.
 

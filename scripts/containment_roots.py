@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
 """Checks the criterion of include/pw85/overlap/exact_containment.hpp in rational numbers against 60 digits.
 
 Usage: containment_roots.py [PAIRS]

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 # The other scripts source this file. It installs the Debian or Ubuntu packages that are missing.
 
 # install_packages PACKAGE...

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Prints the section of CHANGELOG.md for a version, for the page of a release. Usage: release_notes.py VERSION
 
 It fails unless the section has a date, and the version is that of meson.build.

@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
 """Finds the worst cases of rounding errors, by climbing from many random starts at once.
 
 The program tests/bounds/graphs.cpp runs the templates of the library on a scalar that records, and prints every formula that a

@@ -1,4 +1,5 @@
 #!/bin/sh
+# SPDX-License-Identifier: BSD-3-Clause
 # Runs a tool that Debian 12 lacks, from the packages of Debian's suite sid. The first call unpacks them into build-sid; they are
 # not installed. Usage: scripts/sid.sh ruff|auditwheel [ARGUMENT...]. The exit status is 77 if the tool is not available, or if sid
 # has another minor version of ruff than that whose rules the sources follow.

@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
 """Writes the C++ headers as one file, for those who copy one file: all that pw85/pw85.hpp includes.
 
 Usage: scripts/single_header.py >pw85_all.hpp

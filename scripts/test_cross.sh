@@ -1,4 +1,5 @@
 #!/bin/sh
+# SPDX-License-Identifier: BSD-3-Clause
 # Builds pw85 with its tests for another machine, one of scripts/cross/ for which there is a Debian, and runs them by an emulator.
 # The libraries that the tests need come from Debian's packages for that machine. They are unpacked next to the build; only
 # compilers and emulator are installed. Usage: scripts/test_cross.sh aarch64-linux-gnu|i686-linux-gnu|s390x-linux-gnu [ARGUMENT OF

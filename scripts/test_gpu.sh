@@ -1,4 +1,5 @@
 #!/bin/sh
+# SPDX-License-Identifier: BSD-3-Clause
 # Tests and measures pw85_gpu.h on a machine with an NVIDIA GPU. It builds pw85 in ./build-gpu, runs the tests that need no device,
 # then the same program on the device (also under compute-sanitizer if that is installed), arrays of those Python libraries for GPUs
 # that are there, and bench/gpu. Arguments are passed to bench/gpu: the number of pairs, and the number of overlaps to compare with those

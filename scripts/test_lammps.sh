@@ -1,4 +1,5 @@
 #!/bin/sh
+# SPDX-License-Identifier: BSD-3-Clause
 # Builds the styles for LAMMPS, and runs their tests, with the LAMMPS of another release of Debian:
 #   scripts/test_lammps.sh RELEASE       RELEASE is trixie (13), ...; see scripts/test_release.sh
 # It exits with 77 if there is no such system and the tool that makes it is missing.

@@ -1,4 +1,5 @@
 #!/bin/sh
+# SPDX-License-Identifier: BSD-3-Clause
 # Installs the Python package as README says, into an environment of its own, and runs its tests there, of which it leaves out those
 # that build the package again (test_interpreter.py, test_wheel.py) and those of a GPU, for which Meson builds a driver. It shows the
 # versions of Python and NumPy and how long README's commands took. Further arguments go to pytest. For other versions than this system

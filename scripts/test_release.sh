@@ -1,4 +1,5 @@
 #!/bin/sh
+# SPDX-License-Identifier: BSD-3-Clause
 # Runs README's two commands, or COMMAND instead, in a minimal system of another release of Debian or Ubuntu:
 #   scripts/test_release.sh RELEASE [COMMAND...]       RELEASE is trixie, noble, ...
 # The system is the folder build-RELEASE, and its /pw85 has the files that git tracks. The folder is kept, and the next run

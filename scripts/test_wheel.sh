@@ -1,4 +1,5 @@
 #!/bin/sh
+# SPDX-License-Identifier: BSD-3-Clause
 # Builds the wheel, and from it a wheel for other systems (auditwheel). It shows what the wheel needs of a system, installs it into
 # an environment of its own, and tests it there by the command that cibuildwheel uses. The exit status is 77 if there is no
 # auditwheel.

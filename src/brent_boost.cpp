@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Brent's method of Boost.Math, for builds with that library. brent.cpp calls minimize().
 #include "brent_minimizer.hpp"
 

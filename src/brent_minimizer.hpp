@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Brent's method of the library that the build chooses: brent_gsl.cpp or brent_boost.cpp. brent.cpp calls it.
 #ifndef PW85_BRENT_MINIMIZER_HPP_INCLUDED
 #define PW85_BRENT_MINIMIZER_HPP_INCLUDED

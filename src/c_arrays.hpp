@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Converts between the arrays of the C API and the values of the C++ headers. All shims of the C API use it.
 #ifndef PW85_C_ARRAYS_HPP_INCLUDED
 #define PW85_C_ARRAYS_HPP_INCLUDED

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The C API of depths and signed distances, which ask first whether a pair overlaps.
 #include <pw85.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// Computes in the default floating-point environment of IEEE 754, whatever the caller's environment is. All functions of the C API
 /// use it.

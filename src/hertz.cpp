@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The C API of curvatures and of Hertzian contacts whose results consist of several values.
 #include <pw85.h>
 

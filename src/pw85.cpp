@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The C API: version, errors, the reproducible mode, and the functions of one pair that are not those of their templates, argument by
 // argument (api/shims.py makes the others).
 #include <pw85.h>

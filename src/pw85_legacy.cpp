@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The C API of the superseded variants (pw85_legacy.h). It calls history/legacy.hpp.
 #include <pw85_legacy.h>
 

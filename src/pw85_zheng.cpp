@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The C API of the algorithms of Zheng and Palffy-Muhoray (pw85_zheng.h). It calls history/zheng.hpp.
 #include <pw85_zheng.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The one instance for doubles of the tiers that hardly ever run. Arguments are references, so that each function is a jump into its
 // template.
 #include <pw85/contact/contact_factored.hpp>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The C API of an ellipsoid and convex sets. The functions check for null pointers. Kernels compute ordinary segments, triangles and
 // boxes; the core checks and computes everything else.
 #include <pw85.h>

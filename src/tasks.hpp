@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// Runs tasks in parallel, with dynamic scheduling. The neighbour lists use it.
 #ifndef PW85_TASKS_HPP_INCLUDED

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What a call of any function must do, with valid arguments and with one that is spoiled.
 #ifndef PW85_TESTS_CALL_CHECKS_HPP_INCLUDED
 #define PW85_TESTS_CALL_CHECKS_HPP_INCLUDED

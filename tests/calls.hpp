@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Calls every function of the C API with suitable arguments. api/tables.py reads the functions and their parameters from the
 // headers, so that a new function needs no entry in a table.
 #ifndef PW85_TESTS_CALLS_HPP_INCLUDED

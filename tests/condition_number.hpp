@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The entrywise condition number of μ²: if each stored entry of a pair changes by at most ε relative to itself, μ²
 // changes by at most ε·cond relative to itself, to first order. Accuracy is judged in units of u·cond.
 #ifndef PW85_TESTS_CONDITION_NUMBER_HPP_INCLUDED

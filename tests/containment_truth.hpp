@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The factor by which an ellipsoid must be scaled to contain another one, in 100 digits.
 #ifndef PW85_TESTS_CONTAINMENT_TRUTH_HPP_INCLUDED
 #define PW85_TESTS_CONTAINMENT_TRUTH_HPP_INCLUDED

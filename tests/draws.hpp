@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #ifndef PW85_TESTS_DRAWS_HPP_INCLUDED
 #define PW85_TESTS_DRAWS_HPP_INCLUDED
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Random pairs whose shapes, sizes and distances cover the whole range of forms in double precision.
 #ifndef PW85_TESTS_EXTREME_PAIRS_HPP_INCLUDED
 #define PW85_TESTS_EXTREME_PAIRS_HPP_INCLUDED

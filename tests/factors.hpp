@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Ellipsoids that are given by factors of their forms, and their exact products.
 #ifndef PW85_TESTS_FACTORS_HPP_INCLUDED
 #define PW85_TESTS_FACTORS_HPP_INCLUDED

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Counts and prints the failures of a test case that runs over many inputs.
 #ifndef PW85_TESTS_FAILURES_HPP_INCLUDED
 #define PW85_TESTS_FAILURES_HPP_INCLUDED

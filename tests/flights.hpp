@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Random pairs of moving ellipsoids, with independent formulas for their positions at a given time.
 #ifndef PW85_TESTS_FLIGHTS_HPP_INCLUDED
 #define PW85_TESTS_FLIGHTS_HPP_INCLUDED

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The least value of a function of one number by golden section.
 #ifndef PW85_TESTS_GOLDEN_SECTION_HPP_INCLUDED
 #define PW85_TESTS_GOLDEN_SECTION_HPP_INCLUDED

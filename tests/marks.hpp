@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What a call reads, as numbers to be changed, and what it says of its outputs.
 #ifndef PW85_TESTS_MARKS_HPP_INCLUDED
 #define PW85_TESTS_MARKS_HPP_INCLUDED

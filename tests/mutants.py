@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Whether tests see changes of the code: each mutant is one changed expression of a header, of the library or of the Python package, and
 its test must fail with the changed file in place of the true one. Prints the Test Anything Protocol.
 

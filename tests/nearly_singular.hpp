@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Pairs of forms that are singular to working precision or nearly so, and their exact properties. These are computed by rational
 // numbers and by bisection with 200 digits, independently of the library. (The condition number, the unit of errors, is that of the
 // tests.)

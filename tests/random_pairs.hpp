@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Random pairs of ellipsoids. The seeds are fixed and the generator is that of the C++ standard, so that every run on every
 // platform uses the same pairs, up to the rounding of the mathematical functions.
 #ifndef PW85_TESTS_RANDOM_PAIRS_HPP_INCLUDED

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Reads the reference data (data/README.md). Only reference_data.cpp uses HDF5.
 #ifndef PW85_TESTS_REFERENCE_DATA_HPP_INCLUDED
 #define PW85_TESTS_REFERENCE_DATA_HPP_INCLUDED

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// Refuses one request for memory. A program that includes this is linked with -Wl,--wrap=realloc, and has the library in itself.
 #ifndef PW85_TESTS_REFUSED_MEMORY_HPP_INCLUDED

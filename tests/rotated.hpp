@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Rotates forms in the wide type, for numerical derivatives.
 #ifndef PW85_TESTS_ROTATED_HPP_INCLUDED
 #define PW85_TESTS_ROTATED_HPP_INCLUDED

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The functions of one row behind those of many: a row of the one is what the other gives.
 #ifndef PW85_TESTS_ROWS_OF_CALLS_HPP_INCLUDED
 #define PW85_TESTS_ROWS_OF_CALLS_HPP_INCLUDED

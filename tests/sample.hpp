@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A pair of ellipsoids as test data. It is printed in hexadecimal floating point, which can be pasted into a test.
 #ifndef PW85_TESTS_SAMPLE_HPP_INCLUDED
 #define PW85_TESTS_SAMPLE_HPP_INCLUDED

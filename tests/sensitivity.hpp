@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // How much the distance along a direction depends on the entries of a pair.
 #ifndef PW85_TESTS_SENSITIVITY_HPP_INCLUDED
 #define PW85_TESTS_SENSITIVITY_HPP_INCLUDED

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Segments, triangles and boxes beside ellipsoids: random cases, the functions of each kind, and what their errors may be.
 #ifndef PW85_TESTS_SHAPE_CASES_HPP_INCLUDED
 #define PW85_TESTS_SHAPE_CASES_HPP_INCLUDED

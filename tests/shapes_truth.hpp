@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The contact function of an ellipsoid and convex sets by brute force in 50 digits: every face of the set, by Q⁻¹ for hulls of points
 // and by the equations of Karush, Kuhn and Tucker for sets of inequalities.
 #ifndef PW85_TESTS_SHAPES_TRUTH_HPP_INCLUDED

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Runs a test case with each of the two solvers of the contact function.
 #ifndef PW85_TESTS_SOLVERS_HPP_INCLUDED
 #define PW85_TESTS_SOLVERS_HPP_INCLUDED

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The signed distance in a wider type, from a normal that is nearly the best one.
 #ifndef PW85_TESTS_STATIONARY_WIDTH_HPP_INCLUDED
 #define PW85_TESTS_STATIONARY_WIDTH_HPP_INCLUDED

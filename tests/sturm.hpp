@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The exact order of μ² and a number, by Sturm's theorem in integers of any size.
 #ifndef PW85_TESTS_STURM_HPP_INCLUDED
 #define PW85_TESTS_STURM_HPP_INCLUDED

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Makes systems and lists of pairs as arguments of the C API. Their arrays must live as long as the call.
 #ifndef PW85_TESTS_SYSTEMS_HPP_INCLUDED
 #define PW85_TESTS_SYSTEMS_HPP_INCLUDED

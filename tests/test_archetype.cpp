@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A scalar that fulfils the requirements of algebra/scalar.hpp and no more: numbers without implicit conversions, products that are
 // not rounded until they are used, and for lanes a mask that is not bool and whose operators evaluate both sides. The templates
 // compile with it, and give the same bits as with double.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The parts of pw85_contact_function(): units, iterations, shapes for which neither method converges, and the absence of side
 // effects.
 #include <algorithm>

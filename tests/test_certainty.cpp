@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The error bound of a last evaluation for which is_certain(). If μ² is computed by exact sums from the s of the scalar's
 // arithmetic, its error is at most 2.8 u, wherever the search stopped: u for s, u for the step, and 0.8 u for its third order. A
 // refined s is rounded, which adds at most u cond/8 (error_of_solution()).

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Tests of the distance of closest approach, in two and three dimensions, and of the contact function of ellipses.
 #include <cmath>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The closest passage on a straight way, against golden section over the time of the contact function in 50 digits.
 #include <cmath>
 #include <limits>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The sign of μ² - m, against Sturm's theorem in integers of any size.
 #include <cmath>
 #include <limits>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Tests of the contact function by both solvers: those of the manual's chapter on testing, and the contact problems.
 #include <cmath>
 #include <map>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Whether an ellipsoid is inside another one, against κ² in 100 digits and against pairs that touch from inside by construction.
 #include <cmath>
 #include <limits>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The factor by which an ellipsoid must be scaled to contain another one, against the least value of g in 100 digits.
 #include <cmath>
 #include <limits>

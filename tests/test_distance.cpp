@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Tests of distances, closest points and derivatives. The items are those of include/pw85/distance/normal_search.hpp.
 #include <cmath>
 #include <limits>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The functions that the library has in place of those of the C library: sine and cosine, and powers of packs.
 #include <cmath>
 #include <limits>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Tests of f, its derivatives, and the linear algebra on which they stand, by the C API.
 #include <cmath>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Event chains of hard ellipsoids: their pressure against Carnahan and Starling, and what each chain keeps.
 #include <algorithm>
 #include <array>

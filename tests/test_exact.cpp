@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Tests of the exact tier of the overlap test alone. The reference is Sturm's theorem in integers of any size.
 #include <cmath>
 #include <limits>

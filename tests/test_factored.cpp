@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The contact function of ellipsoids that are given by factors of their forms, against 200 digits: for the factors as given, and for
 // semi-axes and quaternions as given. And the condition number.
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The contact point, the normal and the derivatives of ellipsoids that are given by factors of their forms, against 200 digits.
 #include <algorithm>
 #include <cmath>

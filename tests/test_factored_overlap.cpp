@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The overlap test of ellipsoids that are given by factors of their forms, against 200 digits and against pairs that are tangent by
 // construction. The tiers are also tested alone.
 #include <cmath>

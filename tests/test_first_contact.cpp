@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Tests of the time of first contact. The items are those of include/pw85/motion/first_contact.hpp.
 #include <algorithm>
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The floating-point environment of the caller. For valid input no function raises FE_INVALID, FE_DIVBYZERO or FE_OVERFLOW, or
 // traps if these are enabled. The caller's modes do not change results, and the functions do not change the modes.
 #include <cfenv>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Tests of the functions that make quadratic forms.
 #include <cmath>
 #include <limits>

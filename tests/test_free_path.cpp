@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // How far an ellipsoid may move along a direction, against the contact function in 50 digits.
 #include <cmath>
 #include <limits>

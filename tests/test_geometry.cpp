@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Tests of contact point, normal, gradient and torque. The items are those of include/pw85/contact/geometry.hpp.
 #include <cmath>
 

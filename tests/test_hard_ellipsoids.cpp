@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Monte Carlo of hard ellipsoids against exact distributions, counting, and itself: other numbers of threads, and saved states.
 #include <algorithm>
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Monte Carlo of hard ellipsoids while each allocation in turn fails: there is an error, and no overlap then or later.
 #include <vector>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Curvatures and the geometry of Hertzian contacts (include/pw85/distance/principal_curvatures.hpp, hertz.hpp), against closed
 // forms in 50 digits: the two invariants of the second fundamental form, and Hertz's equations in Carlson's integrals.
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Tests of the second derivatives of the contact function. The items are those of include/pw85/contact/contact_hessian.hpp.
 #include <cmath>
 

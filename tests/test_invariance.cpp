@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Tests of the invariances of the contact function. With f(λ) = λ(1-λ) r12ᵀ [(1-λ)Q1 + λQ2]⁻¹ r12:
 //
 // 1. exchange: (-r12, Q2, Q1) has the same μ², and 1-λ;

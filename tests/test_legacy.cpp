@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Tests of the superseded variants. Over the reference data they have the manual's tolerance of 1e-10. For other pairs, for which
 // cancellation in the rational form causes larger errors, the bound is that of a running error analysis, below.
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Tests of ellipsoids and triangle meshes against all triangles, one by one.
 #include <algorithm>
 #include <cmath>

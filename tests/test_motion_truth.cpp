@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The library misses no first contact. The test follows each motion in long double up to the time that the library returns, with
 // steps from an independent bound on the speed. `test_motion_truth MOTIONS` takes more motions than the test does.
 #include <cstdio>

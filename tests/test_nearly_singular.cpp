@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Forms that are singular to working precision, or nearly so. All functions agree on which of them are positive definite, and for
 // these the error of the contact function is within its bound.
 #include <cstring>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The proofs of overlap/containment.hpp, each against rational numbers: what floating-point numbers prove is true of the numbers
 // exactly as given. The cases are within some roundings of equality, where the proofs fail without their margins.
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Every function of the libraries writes the outputs of its contract and nothing else, and returns the right status. It is called
 // with valid arguments, and with NaN, infinities and null pointers in the place of each argument.
 #include <limits>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // pw85_overlap() gives the exact result for the numbers that it is given.
 #include <cmath>
 #include <limits>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Tests of the volume of the common part (include/pw85/volume/).
 #include <cmath>
 #include <cstring>

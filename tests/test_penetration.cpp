@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Tests of the depth of an overlap. The items are those of include/pw85/distance/penetration.hpp.
 #include <algorithm>
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Tests of ellipsoids and polytopes: overlaps against brute force in rational numbers, contacts with moved ellipsoids against 50 digits.
 #include <cmath>
 #include <limits>

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* A program for the API before pw85 1.0. It is C and C++, and is compiled as both. */
 #include <pw85_pre1.h>
 

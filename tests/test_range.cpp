@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Tests over the whole range, semi-axes from 1e-150 to 1e150 and size ratios up to 1e12, and beyond it.
 #include <cmath>
 #include <limits>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Tests of the reference data: its checksum, its shape, and the relations between its values.
 #include <glib.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // μ² correctly rounded, and λ within one unit in the last place, against exact arithmetic: Sturm's theorem in integers of any size
 // says on which side of the middle of two numbers μ² is, and the sign of f' in integers says on which side of a number λ is.
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Tests of the templates of the core in float, double, long double and a wider type, in two and three dimensions. All have the same
 // bound on the error, in units of the unit roundoff of the type.
 #include <cmath>

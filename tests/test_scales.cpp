@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Every function that takes lengths gives corresponding results at other scales. Pairs of various sizes and size ratios are
 // multiplied by a power of two; the results must change by the powers of it that belong to their units. Functions of time have
 // another unit of time, too.

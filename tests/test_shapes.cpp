@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Tests of an ellipsoid and convex sets (include/pw85/shapes/) against brute force in 50 digits.
 #include <algorithm>
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Tests of the signed distance and its derivatives. The items are those of include/pw85/distance/signed_distance.hpp.
 #include <algorithm>
 #include <cmath>

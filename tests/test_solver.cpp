@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Tests of the solver on the pairs that are most difficult for it: the bound on its evaluations, and the accuracy of its result.
 #include <algorithm>
 #include <cmath>

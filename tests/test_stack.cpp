@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Measures how much stack every public function needs. Each function is called in a thread with a small stack that is filled with a
 // pattern.
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Statuses of values, of every function, with what happens to the outputs: forms that are not positive definite, zero vectors, λ.
 // test_outputs.cpp has those of numbers that are not finite and of null pointers. Versions and texts.
 #include <cstring>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Any number of threads may call any function at any time. Many threads call all functions on the same data, and get the same bits.
 // The test is also run with ThreadSanitizer.
 #include <cstring>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Tests of each tier of the overlap test alone: its decisions are right, and its margins are not much larger than necessary. The
 // recorded pairs come from a search that maximised the rounding errors: they fail with margins a third to a half as large.
 #include <algorithm>

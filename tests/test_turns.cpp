@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The order in which threads work on the domains of a sweep: each is finished once, none while one next to it is worked on, and all that are
 // next to it and come first are finished before. Of domains that are next to each other, the order is that of their colours.
 #include <algorithm>

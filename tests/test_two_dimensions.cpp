@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Ellipses as sections of ellipsoids: a pair of ellipsoids with centres in the plane z = 0 and an axis along z has the same
 // derivatives as its section by that plane.
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Tests of walls, points and lines (include/pw85/distance/walls.hpp, nearest.hpp, line.hpp).
 #include <cmath>
 #include <cstring>

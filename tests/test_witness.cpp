@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What pw85_overlap_witness() returns as a proof is one, checked in rational numbers: integers times powers of two.
 #include <cmath>
 #include <limits>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Runs a random search for pairs on which a function exceeds its bound, and tests the reference of this search.
 #include <glib.h>
 

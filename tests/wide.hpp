@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The oracle of the tests: the templates of the core with a type of 50 digits and an unlimited exponent.
 #ifndef PW85_TESTS_WIDE_HPP_INCLUDED
 #define PW85_TESTS_WIDE_HPP_INCLUDED

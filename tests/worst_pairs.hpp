@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A random search for the pairs with the largest errors of the library. The reference is the core in a wide type. For each function
 // some climbers step from the worst pair that they have found to similar pairs with larger errors. Random crossed and general pairs
 // replace climbers with small errors. The seed and the results of the library determine a search.

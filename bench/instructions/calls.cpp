@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Calls a function on a block of pairs a number of times, for instructions.py. Usage: calls FUNCTION ASPECT TIMES
 #include <cstdlib>
 #include <cstring>

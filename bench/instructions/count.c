@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 // A plugin of QEMU that counts the instructions of a program and writes their number to stderr when the program ends.
 // instructions.py compiles it. Debian has no header for plugins of QEMU, so the necessary part of the interface (version 1) is
 // declared here.

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Whether a program needs no more than the installed source of the module and libpw85, for compilers that cannot read another's
 module file: `gfortran pw85.f90 PROGRAM -lpw85`.
 

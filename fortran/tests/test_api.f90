@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: BSD-3-Clause
 !> Calls every function of the module once, with answers that are known or follow from another function.
 program test_api
   use, intrinsic :: ieee_arithmetic, only: ieee_is_nan

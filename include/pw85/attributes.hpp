@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// What the declarations of the headers say to the compiler besides what they are.
 #ifndef PW85_ATTRIBUTES_HPP_INCLUDED

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// Many pairs at once, from C++: `std::span` over the functions of pw85_batch.h (link with pw85).
 ///

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Visibility of the symbols of the libraries. */
 #ifndef PW85_EXPORT_H_INCLUDED
 #define PW85_EXPORT_H_INCLUDED

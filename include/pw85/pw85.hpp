@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// The contact function of Perram and Wertheim for two ellipsoids, in C++: header-only, for any scalar.
 ///

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// Monte Carlo of hard ellipsoids for C++. The members call the functions of the compiled library (link with pw85), and their contracts
 /// are those of pw85_simulation.h.

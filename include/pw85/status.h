@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* The status codes of pw85: the one list behind the C enum, the C++ enum, the texts of pw85_strerror() and the
    table in the documentation. Append only: programs link to the numbers. */
 #ifndef PW85_STATUS_H_INCLUDED

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// What a call says of its success.
 #ifndef PW85_STATUS_HPP_INCLUDED

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// Systems of particles, from C++: the functions of pw85_systems.h on `std::span` (link with pw85), and their contracts. An index that
 /// is out of range is `Status::invalid_argument` before anything is written.

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* What Python is measured against: the same calls from C. */
 #include <stddef.h>
 

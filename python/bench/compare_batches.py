@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Functions of arrays in Python against the batches of the C library: python3 compare_batches.py LIBRARY [ROWS] [FUNCTION...]
 
 Prints CSV: the number of threads (OMP_NUM_THREADS) and of rows, nanoseconds for each row, and the ratio. Python and C take turns on

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Calls for one pair from Python against calls from C: python3 compare_calls.py LIBRARY_OF_C_LOOPS
 
 Prints CSV: nanoseconds of a call, and what Python adds. Python and C take turns, and the shortest time of each counts, which leaves

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Time and memory of reading, checking and writing a file: python3 measure_files.py [PARTICLES]
 
 Prints CSV: what is done with a dump of LAMMPS, the number of particles, seconds, and bytes of memory for each particle. Each row is a

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Elapsed time of a loop of the extension in one thread and shared by two, which the released GIL lets run side by side."""
 
 import threading

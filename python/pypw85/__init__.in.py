@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """The contact function of Perram and Wertheim for two ellipsoids.
 
 An ellipsoid with centre c and quadratic form Q is the set of points m with (m-c)ᵀ Q⁻¹ (m-c) <= 1. Q is symmetric

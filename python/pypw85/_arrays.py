@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Arguments that are not plain: labelled, masked and lazy arrays, long doubles, objects.
 
 The compiled part (`_core.call_...`) takes numbers, sequences and arrays of NumPy itself and hands everything else to

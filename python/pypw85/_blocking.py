@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Averages over correlated samples, with errors by blocking."""
 
 from __future__ import annotations

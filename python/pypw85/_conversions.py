@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Forms from other descriptions: the conventions of other programs, angles, rotation vectors, covariance matrices."""
 
 from __future__ import annotations

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Arrays in the memory of a GPU, of any library whose arrays have ``__cuda_array_interface__`` (CuPy, PyTorch, Numba) or are handed
 over by DLPack (JAX).
 

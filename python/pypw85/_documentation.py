@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Paragraphs that the docstrings of several functions share, and the functions of the compiled part by name."""
 
 from __future__ import annotations

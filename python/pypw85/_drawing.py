@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Pictures of a system: pixels by Matplotlib, or a page that a browser turns, by three.js.
 
 A picture is computed pixel by pixel: Matplotlib has no depth, so that its ellipsoids hide what lies before them.

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """What happens to bad input: exceptions for single calls, marked rows for arrays."""
 
 from __future__ import annotations

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Finds the argument because of which a call failed, its row, and the cause. Nothing here runs before a call has failed."""
 
 from __future__ import annotations

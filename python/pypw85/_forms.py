@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Quadratic forms: packing, and back to semi-axes and axes."""
 
 from __future__ import annotations

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """The functions for rows of numbers: forms, contact, distance, time of contact, walls, ellipses."""
 
 from __future__ import annotations

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Triangles of files, by meshio: what its readers do not know of is put into the form that they read, or refused."""
 
 from __future__ import annotations

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Triangle meshes."""
 
 from __future__ import annotations

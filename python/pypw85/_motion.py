@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Ellipsoids that move: the time of the first contact."""
 
 from __future__ import annotations

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Neighbour lists."""
 
 from __future__ import annotations

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Averages over a simulation of hard ellipsoids, with errors."""
 
 from __future__ import annotations

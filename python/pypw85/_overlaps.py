@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Similarity of ellipsoids: indices of their common part, and tables of one set against another."""
 
 from __future__ import annotations

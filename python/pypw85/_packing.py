@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Configurations without overlaps: overlapping ellipsoids push one another apart."""
 
 from __future__ import annotations

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Pairs of a neighbour list, in a periodic cell or not."""
 
 from __future__ import annotations

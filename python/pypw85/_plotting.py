@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """A picture of two ellipsoids and their contact. Needs Matplotlib, which is imported only here."""
 
 from __future__ import annotations

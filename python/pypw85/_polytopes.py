@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Many ellipsoids and one polytope."""
 
 from __future__ import annotations

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Statistics of a suspension of ellipsoids: nematic order, the distribution of μ, and the pressure that follows from it."""
 
 from __future__ import annotations

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Systems of many ellipsoids in a cell: neighbours, contacts, overlaps, a report, a picture."""
 
 from __future__ import annotations

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Systems of particles: derivatives, forces, one ellipsoid against many, nearest images."""
 
 from __future__ import annotations

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Types of arguments and results."""
 
 from __future__ import annotations

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Voxel images of systems, as input of solvers that use fast Fourier transforms."""
 
 from __future__ import annotations

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """The generalised ufuncs (`numpy.ufunc`) behind the functions of `pypw85` and `pypw85.legacy`.
 
 They take what ufuncs take (``out``, ``casting``, ``order``, ``dtype``, ``axes`` ...; NumPy has no ``where`` for

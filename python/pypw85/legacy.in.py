@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Superseded ways to compute the contact function, kept for reference and comparison.
 
 The rational form (`f2`, `contact_function2`, the polynomials) loses accuracy with the square of the aspect ratio and

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """The contact function and the signed distance of tensors of PyTorch, differentiable twice.
 
 Import it by name, ``import pypw85.torch``: `pypw85` itself does not need PyTorch.

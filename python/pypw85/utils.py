@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Options of the configuration file of pw85 1.0, for programs that were written for it. Nothing else reads this file."""
 
 from __future__ import annotations

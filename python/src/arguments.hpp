@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Arguments of functions that take arrays as they are.
 #ifndef PYPW85_ARGUMENTS_HPP_INCLUDED
 #define PYPW85_ARGUMENTS_HPP_INCLUDED

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Calls for one row go straight to the C function: a ufunc costs microseconds, the function a fraction of one.
 #include <algorithm>
 #include <cstring>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What the Python layer calls.
 #ifndef PYPW85_CALLS_HPP_INCLUDED
 #define PYPW85_CALLS_HPP_INCLUDED

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Arrays on a GPU that are handed from library to library by DLPack, and memory there for new ones.
 #include <cstdint>
 #include <new>

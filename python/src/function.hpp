@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The description from which a function of the C API becomes a generalised ufunc and a fast call for single arguments.
 #ifndef PYPW85_FUNCTION_HPP_INCLUDED
 #define PYPW85_FUNCTION_HPP_INCLUDED

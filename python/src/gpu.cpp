@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The functions for arrays on a GPU, whose addresses the Python layer reads and has checked.
 #include <pw85_gpu.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The loops of the generalised ufuncs. NumPy runs them without the GIL: nothing of Python is touched here.
 #include <algorithm>
 #include <cfenv>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The extension module pypw85._core: a ufunc and a callable "call_..." for each function, and the pair lists.
 #define PYPW85_IMPORTS_NUMPY
 #include "calls.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The NumPy C API, shared by all files of the extension: exactly one of them, module.cpp, imports it.
 #ifndef PYPW85_NUMPY_API_HPP_INCLUDED
 #define PYPW85_NUMPY_API_HPP_INCLUDED

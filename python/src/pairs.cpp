@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Neighbour lists and systems. The Python layer converts and explains; what would read or write beyond an array is refused here.
 #include <cstdint>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Many ellipsoids and one polytope. The Python layer converts and explains; what would read or write beyond an array is refused here.
 #include <pw85.h>
 #include <pw85_batch.h>

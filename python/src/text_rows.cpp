@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Rows of tables in text files, read and written. Python reads the rows that are not plain, word by word, and says what is wrong
 // with them.
 #include <algorithm>

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """What the tests share: the files that they need, random pairs, and a way to name a failing row."""
 
 import os

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Arrays of CuPy, PyTorch, Numba and JAX on a real GPU: scripts/test_gpu.sh runs this with the libraries that are there.
 
     python3 -m pytest python/tests/gpu_libraries.py

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Systems that several tests use, and the command as a function."""
 
 import contextlib

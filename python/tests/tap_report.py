@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Plugin of pytest: results in the Test Anything Protocol, so that Meson counts each test."""
 
 import pytest

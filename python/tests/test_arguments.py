@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Arguments that are no plain arrays: masked, labelled, of other types; and outputs in which results would get lost."""
 
 import decimal

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """The command pw85: what it prints and writes, its statuses, and one sentence for bad input."""
 
 import errno

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Forms, and the conventions of other programs."""
 
 import numpy as np

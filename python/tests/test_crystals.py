@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Dense crystals: `reference/crystals`."""
 
 import csv

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Dask arrays: chunk by chunk, lazily, mixed with anything, and no keyword that is swallowed."""
 
 import dask

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Functions that the package makes of the declarations of the C API, when the headers or the templates change."""
 
 import os
@@ -98,7 +99,7 @@ def make(tmp_path):
     for folder in ("api", "include"):
         shutil.copytree(SOURCE / folder, tmp_path / folder)
     for name in ("meson.build", "fortran/pw85.in.f90", "fortran/pw85.f90", "debian/libpw85-3.symbols",
-                 "debian/libpw85-gpu-3.symbols", "python/pypw85/__init__.in.py", "src/kernels/one_pair.hpp",
+                 "debian/libpw85-gpu3.symbols", "python/pypw85/__init__.in.py", "src/kernels/one_pair.hpp",
                  "src/c_api/many_rows.cpp"):
         (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
         shutil.copy(SOURCE / name, tmp_path / name)

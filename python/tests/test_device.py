@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Arrays on a GPU, by the driver of the tests: its memory is that of this process."""
 
 import ctypes

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Distances in Python: what the gufuncs give is what the mathematics says."""
 
 import numpy as np

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Pictures of systems: pixels against the quadratic equation, and the page in a browser without a screen."""
 
 import functools

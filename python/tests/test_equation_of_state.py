@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """The equation of state of hard spheroids: `reference/equation_of_state`."""
 
 import hashlib

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Bad input: exceptions for single calls, marked rows and one signal for arrays."""
 
 import pickle

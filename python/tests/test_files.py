@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Files of other programs: what is written is read again, conventions, and what is said of broken files."""
 
 import decimal

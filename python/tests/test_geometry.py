@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """What follows from the contact function, by finite differences and by the equations of the ellipsoids."""
 
 import numpy as np

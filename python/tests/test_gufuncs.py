@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """The conventions of NumPy: signatures, broadcasting, types, memory layouts, outputs."""
 
 import os

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """The interpreter that Meson builds the package for."""
 
 import json

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Layers of the package: functions <- System <- files and pictures, packing, statistics <- command. Imports go downward."""
 
 import ast

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Arrays of any order, strides, byte order and type that holds the numbers, read-only or not aligned: every function of the package
 that takes arrays gives the same results as for plain arrays, and leaves its arguments as they are."""
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """The names and semantics of the manual of pw85 1.0: results of the wrapper, and in-place outputs."""
 
 import itertools

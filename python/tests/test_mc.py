@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """The command pw85 mc: its files, interruptions, full disks, and one sentence for bad input."""
 
 import errno

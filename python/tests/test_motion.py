@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Moving ellipsoids in Python: what the gufunc gives is what the mathematics says."""
 
 import numpy as np

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Averages of simulations: errors by blocking, the equation of state by two routes, pair correlations, directors."""
 
 import itertools

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Names of the Python packages of pw85 1.0 and 2.0 that the manual of 1.0 does not explain."""
 
 import os

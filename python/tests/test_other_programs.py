@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Files of other programs: read as their programs mean them, or refused with what decides; and files that those programs read."""
 
 import importlib.metadata

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Indices and tables of common parts, and a worked example of niches."""
 
 import numpy as np

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Packings, relaxation, voxels, statistics, conversion."""
 
 import functools

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Jammed random packings: `reference/packings`."""
 
 import os

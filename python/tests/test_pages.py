@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """The page on the command, and the notebooks, do what they show."""
 
 import os

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """The picture: what is drawn lies where it should."""
 
 import matplotlib

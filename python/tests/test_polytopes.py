@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Ellipsoids and a polytope, and the example that culls splats."""
 
 import os

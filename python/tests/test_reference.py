@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """The compiled functions against the reference data: every value passes through Python unharmed."""
 
 import os

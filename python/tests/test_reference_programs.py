@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """The command lines of the programs that make the tables of reference data."""
 
 import os

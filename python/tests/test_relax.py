@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """The example that relaxes a packing: its gradient is that of its energy, and it leaves no overlap."""
 
 import importlib.util

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """The reproducible mode: it can be switched, and set from the environment."""
 
 import os

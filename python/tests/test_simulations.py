@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Monte Carlo of hard ellipsoids in Python."""
 
 import copy

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Derivatives of many pairs, images, cells, neighbour lists, one against many, boxes: against the functions of one pair."""
 
 import itertools

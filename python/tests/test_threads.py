@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Other threads run while arrays are computed, and processes may fork."""
 
 import concurrent.futures

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """The contact function and the signed distance of PyTorch's tensors: derivatives against differences, and against the library's own."""
 
 import subprocess

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """What type checkers and readers see: stubs under `mypy --strict`, and texts that are whole."""
 
 import ast

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Walls, points and lines in Python."""
 
 import numpy as np

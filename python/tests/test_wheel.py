@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """The wheel: built offline from a copy of the sources, installed somewhere else, used from there."""
 
 import email

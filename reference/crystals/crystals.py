@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Builds dense crystals of ellipsoids with two orientations, and writes crystals.csv.
 
 It needs pypw85 on the path.

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Measures the equation of state of hard spheroids by Monte Carlo, and writes equation_of_state.csv.
 
 It needs pypw85 on the path. States that the table already has are not measured again. So a run

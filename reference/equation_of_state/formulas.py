@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Formulas beside equation_of_state.csv: that of Parsons, the virial series from reference/virial/virial.csv alone and with the rest
 of that of spheres, and how far they are from the table; and the pressures of event chains beside the volume fractions at these
 pressures.

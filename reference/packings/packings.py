@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Makes jammed random packings of ellipsoids, and writes runs.csv with one row for each and packings.csv with their means.
 
 It needs pypw85 on the path. Runs that the folder already has are not made again. So a program that was

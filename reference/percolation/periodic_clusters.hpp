@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// Clusters of particles in a periodic cell, joined bond by bond, and the loops by which they wrap around the cell.
 #ifndef PW85_REFERENCE_PERIODIC_CLUSTERS_HPP_INCLUDED

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
 """An independent check of two thresholds: makes check.csv.
 
 It needs pypw85 on the path.

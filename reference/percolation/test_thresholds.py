@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Tests of wrapping.cpp, thresholds.py and spanning.py, and of the tables that they made. PW85_WRAPPING is the program."""
 
 import csv

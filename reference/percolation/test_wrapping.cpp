@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Clusters in a periodic cell and the insertion of spheroids, against a search through the images of all particles.
 #include <algorithm>
 #include <set>

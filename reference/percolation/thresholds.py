@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
 """Percolation thresholds of overlapping spheroids: makes percolation.csv and sizes.csv.
 
 The command may be stopped at any time and goes on where it was, by the numbers in the folder. Each round adds realisations for all

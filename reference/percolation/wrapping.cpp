@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Numbers of random, overlapping spheroids at which clusters first wrap around a periodic cube. thresholds.py runs it.
 //
 // Usage: wrapping ASPECT BOX SEED FIRST COUNT

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// Random, overlapping spheroids in a periodic cube, and how many of them it takes until a cluster wraps around the cube.
 #ifndef PW85_REFERENCE_WRAPPING_HPP_INCLUDED

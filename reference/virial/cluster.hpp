@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// Random clusters of hard ellipsoids: neighbours that overlap along the branches of a tree.
 #ifndef PW85_REFERENCE_CLUSTER_HPP_INCLUDED

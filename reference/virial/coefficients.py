@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """The table of virial coefficients of hard ellipsoids, and the fits of C. Vega, Virial coefficients and equation of state of hard
 ellipsoids, Molecular Physics 92, 651 (1997). All are in units of the volume of the ellipsoid."""
 

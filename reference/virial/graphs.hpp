@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// The graphs of the virial coefficients. All of them are enumerated, so that no table of diagrams is typed.
 #ifndef PW85_REFERENCE_GRAPHS_HPP_INCLUDED

@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
 """Writes the table of virial coefficients of hard ellipsoids, virial.csv. docs/reference/virial.rst has the method.
 
 Usage: table.py PROGRAM [--rounds N] [--shapes SHAPE...] [--table FILE], with PROGRAM built from virial.cpp.

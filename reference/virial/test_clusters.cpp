@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The sums over graphs (graphs.hpp), against numbers of graphs, Ree and Hoover's diagrams of B4, and particles on a ring of sites,
 // whose virial series follows from the grand partition function. The moments of the random rotations (cluster.hpp).
 #include <cmath>

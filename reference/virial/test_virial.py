@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Tests of virial.cpp and table.py, and of the table that they made. PW85_VIRIAL is the program."""
 
 import hashlib

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Monte Carlo of a virial coefficient of hard ellipsoids: docs/reference/virial.rst has the method.
 //
 //     virial A B C ORDER SAMPLES SEED [FIRST]

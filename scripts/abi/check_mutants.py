@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
 """Tests scripts/abi.sh in a copy of the tree: it must fail for changes that break programs, and succeed for changes that do not.
 Each change is undone before the next one, so that little is compiled twice."""
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* What programs take from the headers when they are compiled and no function has in its type: as variables of a library, for
    abidiff to compare. */
 #include <pw85.h>

@@ -1,7 +1,8 @@
-// clang-format off
+// SPDX-License-Identifier: BSD-3-Clause
 // The C API: distance.
 //
 // Made from pw85.h by api/committed.py.
+// clang-format off
 #include <pw85.h>
 
 #include "../c_arrays.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The C API: functions of many rows that have no lanes.
 //
 // Made from pw85.h and api/pw85_batch.h.in by api/committed.py.

@@ -1,7 +1,8 @@
-// clang-format off
+// SPDX-License-Identifier: BSD-3-Clause
 // The C API: time.
 //
 // Made from pw85.h by api/committed.py.
+// clang-format off
 #include <pw85.h>
 
 #include <pw85/motion/closest_passage.hpp>

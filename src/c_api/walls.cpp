@@ -1,7 +1,8 @@
-// clang-format off
+// SPDX-License-Identifier: BSD-3-Clause
 // The C API: walls, points and lines.
 //
 // Made from pw85.h by api/committed.py.
+// clang-format off
 #include <pw85.h>
 
 #include <pw85/distance/line.hpp>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The entry points of the program for a device. They call the functions of work.hpp. The file is compiled as CUDA, by a compiler
 // that need not have the CUDA headers, so it includes none of them.
 #include "work.hpp"

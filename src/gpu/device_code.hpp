@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// The compiled program for the device (device.cpp), as a part of the library. embed.py makes its definition; gpu.cpp loads it.
 #ifndef PW85_GPU_DEVICE_CODE_HPP_INCLUDED

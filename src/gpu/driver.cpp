@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Finds the library of NVIDIA's driver at run time, and keeps it loaded. gpu.cpp and host_arrays.cpp call driver().
 #include "driver.hpp"
 

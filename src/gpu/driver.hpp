@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// The part of NVIDIA's driver interface (CUDA driver API) that the library uses. The functions are declared here and found at run
 /// time (driver.cpp). So a build needs neither the headers nor the library of the driver. The other files of this folder use it.

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
 """Writes the program for the device into a C++ source, as an array. Usage: embed.py PROGRAM SOURCE
 
 The build calls it. It leaves out comments and empty lines.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The functions of pw85_gpu.h for arrays on a device. They check the arguments, load the program (device_code.hpp), and queue its
 // stages (work.hpp) on the caller's stream.
 #include <pw85_gpu.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The functions of pw85_gpu.h for arrays on the host. They divide the arrays into pieces and call the functions for arrays on a
 // device (gpu.cpp). Two pieces are in progress at any time: one is copied while the other one is computed.
 #include <pw85_gpu.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The list of all mailboxes. It grows and never shrinks. gpu.cpp acquires mailboxes; the driver calls compute_requests() and
 // release_mailbox() in the order of a stream.
 #include "mailboxes.hpp"

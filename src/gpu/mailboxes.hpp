@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// Mailboxes in memory that the device and the host share. The device posts pairs that it cannot decide (post_request() of
 /// work.hpp), and the host writes their results. gpu.cpp queues both steps.

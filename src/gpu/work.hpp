@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// The work of one thread of a device. It runs the search and the overlap tiers of the headers for one pair at a time, in two
 /// stages. device.cpp calls it on a device; the tests call it on the host.

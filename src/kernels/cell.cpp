@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The functions of the C API for periodic cells: the reduced cell (lattice.hpp), and the limit up to which nearest images suffice
 // (image_limit.hpp).
 #include <pw85.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Chooses the instruction set at run time. The functions of the C API call chosen(). The tables of functions are in one_pair.cpp,
 // one_set.cpp and lanes.cpp.
 #include "kernels.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// Calls a function of one row for each row of arrays, in parallel. many_rows.cpp and many_pairs.cpp use it for functions without
 /// lanes.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// Sums forces, torques and virial over the pairs of a neighbour list. The result has the same bits for any number of threads.
 /// pw85_contact_forces_pairs() (many_pairs.cpp) and law_forces.hpp use this file.

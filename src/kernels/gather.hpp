@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// Loads packs of pairs from rows in memory, one pair per lane: consecutive pairs, or pairs given by a list of indices. The lane
 /// kernels use it; rows.hpp has the part that does not depend on the instruction set.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// Finds the nearest images of the pairs of a neighbour list, and their multiples of the cell's vectors. pw85_nearest_images()
 /// (many_pairs.cpp) calls it.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// Decides whether only the nearest images in a lattice can overlap. pw85_nearest_image_limit() (cell.cpp) and
 /// pw85_overlap_any_indices() (many_pairs.cpp) use it.

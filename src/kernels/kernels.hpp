@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// The interface to the functions that are compiled once per instruction set. one_pair.cpp, one_set.cpp and lanes.cpp implement it,
 /// dispatch.cpp chooses the instruction set, and the C API calls chosen().

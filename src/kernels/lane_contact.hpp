@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// The kernel for the contact function, one pair per lane. It drives the search on the rational form (contact/rational_search.hpp).
 /// lanes.cpp puts it into its table, and the kernels for derivatives and closest approach call contact_chunk().

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// The kernel for the contact function with contact points, normals and derivatives, one pair per lane. lanes.cpp puts it into its
 /// table.

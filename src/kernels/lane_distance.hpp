@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// The kernel for distances, one pair per lane. It drives the search of item 2 of distance/normal_search.hpp. lanes.cpp puts it
 /// into its table.

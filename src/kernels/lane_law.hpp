@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// The kernels for laws: the energy U(μ²) of a pair and its derivative with respect to μ², one pair per lane. lanes.cpp makes the
 /// table of them, and law_forces.hpp sums the results.

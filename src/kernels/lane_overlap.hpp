@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// The kernel for the overlap test, one pair per lane. It drives the tests on the quartic (overlap/quartic.hpp). lanes.cpp puts it
 /// into its table.

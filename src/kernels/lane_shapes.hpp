@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// The kernels for ellipsoids and convex sets, one ellipsoid per lane: the contact functions with segments, triangles and boxes, and
 /// whether they overlap. lanes.cpp puts them into its table.

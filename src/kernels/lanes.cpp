@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The table of the lane kernels (lane_*.hpp). It is compiled once per instruction set. dispatch.cpp chooses a table, and
 // many_pairs.hpp calls its kernels.
 #include "kernels.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Reduces a lattice and prepares the search of nearest images (nearest_image.hpp). The items are those of lattice.hpp, which lists
 // the callers.
 #include "lattice.hpp"

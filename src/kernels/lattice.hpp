@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// Prepares a periodic lattice for the search of nearest images (nearest_image.hpp), for any skew of the cell. cell.cpp,
 /// periodic_cell.cpp and image_finder.hpp call the functions, which are in lattice.cpp.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// Sums energy, forces, torques and virial of a law over the pairs of a neighbour list. pw85_law_forces_pairs() (many_pairs.cpp)
 /// calls sum_law().

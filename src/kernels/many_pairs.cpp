@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The functions of many pairs of the C API that use lanes. They check the arguments of a call, choose the images, and call the
 // driver (many_pairs.hpp).
 #include <pw85.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// Drives the lane kernels: it divides the pairs among threads, and computes the pairs that lanes leave over by the function for
 /// one pair. many_pairs.cpp calls compute_all() and find_overlap(), many_sets.cpp compute_all(), and simulation/engine.cpp find_overlap().

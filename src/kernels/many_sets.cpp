@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The functions of many ellipsoids and convex sets of the C API that use lanes. They call the driver (many_pairs.hpp).
 #include <pw85.h>
 #include <pw85_batch.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// Finds the nearest image of a separation in a lattice that lattice.hpp has prepared. rows.hpp calls it for each pair of a list;
 /// image_finder.hpp and the neighbour lists call it as well.

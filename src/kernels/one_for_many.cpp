@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The functions of many rows that are not those of one row, row by row: many ellipsoids and one polytope, and bounding boxes.
 #include <pw85_batch.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The table of the functions for one pair, which call the headers of include/pw85. It is compiled for two instruction sets
 // (meson.build). The functions of the C API call it by chosen() (dispatch.cpp).
 #include <pw85.h>

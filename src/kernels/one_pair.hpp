@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// The table of the functions for one pair that are compiled per instruction set: one_pair.cpp has one for each, and chosen() returns the
 /// one to call.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The table of the functions for one ellipsoid and a convex set. It is compiled for the instruction sets of one_pair.cpp. The
 // functions of the C API call it by chosen() (dispatch.cpp).
 //

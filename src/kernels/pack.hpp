@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// The scalar of the lane kernels: a pack of as many doubles as a register of the target holds, with the arithmetic that
 /// algebra/scalar.hpp asks for. The lane kernels use it, and one_set.cpp computes a single row with it.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// Divides rows among threads, and finds the first bad row. All functions of many rows use it.
 #ifndef PW85_KERNELS_PARALLEL_HPP_INCLUDED

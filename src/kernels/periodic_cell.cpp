@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Replaces the vectors of a cell that are not periodic, so that lattice.hpp can reduce it. periodic_cell.hpp lists the callers.
 #include "periodic_cell.hpp"
 

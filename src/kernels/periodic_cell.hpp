@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// Prepares the cell of a system, in which any of the vectors may be periodic. The functions of lists (many_pairs.cpp, gpu/gpu.cpp)
 /// and the neighbour lists use it.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// Loads pairs from their rows in memory, one pair per lane of a scalar. The lane kernels (gather.hpp) and the code for devices
 /// (gpu/work.hpp) use it.

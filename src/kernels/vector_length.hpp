@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// The vector length of SVE, the vector extension of 64-bit ARM. It differs between processors; code is compiled for one length.
 /// dispatch.cpp compares both.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// Lists of the pairs that a kernel has not decided. The lane kernels fill them; many_pairs.hpp reads them.
 #ifndef PW85_KERNELS_WORKLIST_HPP_INCLUDED

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The triangle meshes of the C API: how a mesh is made, and the functions that search it (search.hpp).
 #include <pw85.h>
 #include <pw85_systems.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// A mesh of triangles with a tree of their boxes. mesh.cpp makes it, and search.hpp searches it.
 #ifndef PW85_MESHES_MESH_HPP_INCLUDED

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// Finds the triangles of a mesh that may be nearest to an ellipsoid, or may overlap it. mesh.cpp calls search().
 ///

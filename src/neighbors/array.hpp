@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// An array whose growth can fail. All files of this folder keep their data in it, because the C API reports missing memory as a
 /// status. kernels/law_forces.hpp uses it, too.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// Boxes with sides along the axes, and tests of one box against eight others. tree.hpp, order.hpp and periodicity.hpp include this
 /// file.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Builds the tree of build_tree.hpp. Two passes of order.hpp sort the particles: first into parts of the curve, then within each
 // part.
 #include "build_tree.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// Builds the tree of bounding boxes. It sorts the particles along a space-filling curve (order.hpp) and stores their boxes in this
 /// order (tree.hpp). neighbors.cpp calls build_tree() once per list.

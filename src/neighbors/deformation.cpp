@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Computes the intervals of deformation.hpp. The items are those of that file.
 #include "deformation.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// Decides whether a list still has all pairs after particles and cell have changed. pw85_neighbors_holds() (neighbors.cpp) calls
 /// it.

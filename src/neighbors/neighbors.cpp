@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The neighbour lists of the C API. To make a list takes three steps: measure the particles, build the tree of their bounding boxes
 // (build_tree.hpp), and find the pairs of boxes that intersect (search.hpp).
 #include <pw85.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Computes the positions on Morton's curve and makes the two passes that sort along the curve (order.hpp).
 #include "order.hpp"
 

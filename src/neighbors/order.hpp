@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// Sorts points along Morton's curve, so that neighbours in space are near each other in memory. build_tree.cpp calls this.
 ///

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// Loops over many rows and sums over them, as tasks for threads. The lists of this folder and the simulations use them.
 #ifndef PW85_NEIGHBORS_PARALLEL_HPP_INCLUDED

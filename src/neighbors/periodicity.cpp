@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Computes lattice vectors and moves boxes by them. The comment in periodicity.hpp derives the bounds on rounding errors.
 #include "periodicity.hpp"
 

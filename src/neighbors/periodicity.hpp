@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// The periodic images of a system along any of the vectors of its cell. The class moves points and boxes by lattice vectors.
 /// build_tree.cpp and search.cpp call it, and kernels/lattice.hpp reduces the lattice.

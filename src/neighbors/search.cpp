@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Finds the pairs of search.hpp by going down the tree: first pairs of groups, then each box of one group against the blocks of the
 // other group.
 #include "search.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// Finds the pairs of boxes of a tree that intersect, with periodic images. neighbors.cpp calls list_images(), and runs
 /// find_pairs() for each task.

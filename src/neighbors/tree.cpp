@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Computes the levels of the tree above the boxes of the particles (tree.hpp).
 #include "tree.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// A tree of boxes. Each box encloses eight boxes of the level below. build_tree() fills the tree, and find_pairs() searches it. So do the
 /// functions of a mesh (../meshes/).

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Sorts the particles of a simulation into bins.
 #include "bins.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// The particles of a simulation by their places. The event chains (chains.cpp) ask for the neighbours of a particle, and move it.
 /// Particles have numbers here in the order of the bins at the start, so that those that are near each other are near in memory.

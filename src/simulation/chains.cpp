@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Event chains: see chains.hpp.
 #include "chains.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// Event chains of hard ellipsoids, after Bernard, Krauth and Wilson, Event-chain Monte Carlo algorithms for hard-sphere systems (2009),
 /// doi:10.1103/PhysRevE.80.056704. hard_ellipsoids.cpp offers them in the C API.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// Random changes of the cell of a simulation. volume.cpp draws and applies them.
 #ifndef PW85_SIMULATION_CHANGE_HPP_INCLUDED

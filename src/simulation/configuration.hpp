@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// The particles of a simulation and their cell. neighborhood.hpp finds their neighbours, engine.hpp moves them.
 #ifndef PW85_SIMULATION_CONFIGURATION_HPP_INCLUDED

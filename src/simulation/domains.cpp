@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Divides the cell as domains.hpp says.
 #include "domains.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// Divides the cell into domains in which particles can be moved at the same time. engine.cpp makes them anew for each sweep.
 ///

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Sweeps: see engine.hpp.
 #include "engine.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// Monte Carlo of hard ellipsoids. hard_ellipsoids.cpp offers it in the C API.
 ///

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The C API of the simulations of hard ellipsoids.
 #include <cmath>
 #include <cstring>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Makes the rows of neighborhood.hpp from the pairs of a neighbour list.
 #include "neighborhood.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// The neighbours of each particle of a simulation, as rows. engine.hpp asks them whether a particle overlaps any other.
 ///

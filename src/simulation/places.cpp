@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Orders particles along Morton's curve: see places.hpp.
 #include "places.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// The order of the particles in the memory of the engine. Places follow Morton's curve, so that particles that are near each other in the
 /// cell are near in memory. The results of a simulation do not depend on it.

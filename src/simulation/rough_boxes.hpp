@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// Bounding boxes in single precision, 32 bytes for a particle. By them the engine passes over most neighbours of a particle.
 ///

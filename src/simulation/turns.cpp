@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Tells threads which domain is next: see turns.hpp.
 #include "turns.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// The order in which threads work on the domains of a sweep (domains.hpp). engine.cpp calls this.
 ///

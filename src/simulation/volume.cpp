@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Trials of the volume, and the test of a whole configuration: see engine.hpp.
 #include <algorithm>
 #include <atomic>

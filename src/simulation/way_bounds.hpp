@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// Lower bounds of the way of a particle to those that are near it. The event chains (chains.cpp) use this file.
 ///

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Pairs in arrays for the batch functions, and the results of these.
 #ifndef PW85_TESTS_BATCH_DATA_HPP_INCLUDED
 #define PW85_TESTS_BATCH_DATA_HPP_INCLUDED

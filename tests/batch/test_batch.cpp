@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Compares the batch functions with the functions for one pair, and with themselves: the result for a pair depends only on the
 // pair.
 #include <cstdint>

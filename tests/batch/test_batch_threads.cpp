@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Batches give the same bits with any number of threads, and from several threads at once. Small work starts no threads, and threads
 // share rows evenly.
 #include <filesystem>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Compares contact points, normals and derivatives of many pairs with those of one pair, and with a wider type.
 #include <cmath>
 

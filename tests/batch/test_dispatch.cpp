@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The choice of the instruction set: PW85_TARGET can select an older one, but never one that the processor lacks. The reproducible
 // mode goes before it.
 #include <cstdlib>

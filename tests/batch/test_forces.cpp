@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Compares forces, torques and virial of a list with the derivative of the energy of the whole system. The bits are the same with
 // any number of threads.
 #include <cmath>

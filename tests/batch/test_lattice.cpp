@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Tests of periodic cells: reduction, nearest images in cases that depend on each lattice vector that can matter, multiples of
 // images, and the limit up to which nearest images suffice.
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Compares neighbour lists with all pairs and all images in a wider type. Tests bad input, and how long a list stays valid.
 #include <algorithm>
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Makes neighbour lists while each allocation in turn fails: there is an error, no list, and no leak (which the sanitizers would
 // find).
 #include <cstddef>

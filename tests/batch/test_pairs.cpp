@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The functions for neighbour lists give the same as a batch of the separations, and nearest images are right in any periodic cell.
 #include <algorithm>
 #include <cstdint>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Compares systems that are periodic along some of the vectors of their cell with all images one by one. Tests systems and lists
 // that are errors.
 #include <glib.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Small batches open no parallel region, which costs some hundred nanoseconds even with one thread. The regions are counted by a
 // function with the name of the function of libgomp by which GCC opens them; the linker prefers it.
 #include <dlfcn.h>

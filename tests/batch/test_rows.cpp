@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The functions of many rows that have no lanes give what the functions of one row give, bit by bit and whatever the number of
 // threads. The test finds the functions by their names, so that a new function is tested as soon as it is declared.
 #include <string>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The functions of many ellipsoids and convex sets, which use lanes: against brute force in 50 digits, against the functions of one,
 // and with bad rows among the others.
 #include <cstring>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The functions of many rows with std::span give the same numbers and status as the functions of C. Sizes that do not match are
 // errors.
 #include <tuple>

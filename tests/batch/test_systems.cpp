@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Distances of closest approach of many pairs, one ellipsoid against many, and many forms give the same as the calls one by one.
 #include <algorithm>
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// Affine arithmetic with N variables ε_i in [-1, 1]: a number is center + Σ slopes_i ε_i ± rest, where `rest` bounds everything
 /// else, terms of higher order and the rounding errors of this arithmetic included. Unlike intervals, such numbers know that x - x

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// The rounding errors of a factorisation and of a solution by it, as changes of the matrix and of its factors: bounds of all
 /// orders.

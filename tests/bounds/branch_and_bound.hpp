@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// A proof that a function of a few angles is nowhere above a limit: by bounds on boxes, which are halved where the bound is above
 /// it.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// The rounding errors of a formula to first order. With z_k(1 + δ_k) for each rounded result, |δ_k| <= u, a result errs by
 /// Σ δ_k z_k ∂f/∂z_k, which is at most u Σ |z_k ∂f/∂z_k|.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// Symmetric matrices whose minors have no rounding errors.
 #ifndef PW85_TESTS_BOUNDS_EXACT_MATRIX_HPP_INCLUDED

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// The formulas whose rounding errors the library bounds, as graphs: the templates of the library on recorded numbers.
 #ifndef PW85_TESTS_BOUNDS_FORMULAS_HPP_INCLUDED

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// The rounding errors of shows_inside1() and shows_inside2(), to first order, for all pairs in a box of unit_pair.hpp.
 ///

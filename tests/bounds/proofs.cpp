@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Proves bounds on rounding errors that the comments of the headers name as theorems. Arguments may name some of them:
 //
 //     proofs prove [apart ...]      proves them

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// The range of the numbers of a formula, for doubles that pass the fast checks of the overlap test.
 #ifndef PW85_TESTS_BOUNDS_RANGE_HPP_INCLUDED

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// Proofs on record. A proof by branch and bound takes up to two minutes, and it says the same as long as its function and its limit
 /// are the same. So the record has, for each, the limit and the mean of the bounds on a few boxes. Any change of a formula, of a

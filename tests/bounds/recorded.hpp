@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// A scalar that records the arithmetic that is done with it. The templates of the library run on it, so that the bounds of this
 /// folder are bounds for the code itself.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// What rounding errors change beyond first order.
 #ifndef PW85_TESTS_BOUNDS_SECOND_ORDER_HPP_INCLUDED

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// All pairs of ellipsoids, as far as the rounding errors of the formulas in M = Q1 + t Q2 can tell them apart.
 ///

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// The rounding errors of a formula in M = Q1 + t Q2, to first order, for all pairs in a box of unit_pair.hpp.
 #ifndef PW85_TESTS_BOUNDS_WORST_CASE_HPP_INCLUDED

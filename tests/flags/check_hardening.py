@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Whether shared libraries are hardened, as meson.build has it: tables of the linker are read-only once the library is loaded, the
 stack is protected and not executable, and, on processors of x86-64, each exported function begins with the landing pad of an indirect
 jump. Usage: check_hardening.py [--landing-pads] LIBRARY...

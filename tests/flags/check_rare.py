@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Whether the tiers that hardly ever run are compiled once: of an archive, rare.cpp alone has functions with wider numbers.
 
 Usage: check_rare.py NM ARCHIVE

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """What the C++ headers say to compilers that they cannot work with, in the Test Anything Protocol.
 
 One message that names the cure for an older standard and for arithmetic that is not that of IEEE 754, and the first one

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Whether archives have functions that a linker may replace, in the Test Anything Protocol.
 
 Weak and unique symbols of one name are merged, and the one copy that stays may be for another processor or without NaN. So

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A program of two units with different flags, of which the plain one runs; with an argument, the other one does, too.
 // The plain one and the library must be what they are without the other: they run on any processor, and see NaN.
 #include <cmath>

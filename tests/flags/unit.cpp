@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A user's unit with all of the C++ API, to be compiled with any flags; UNIT is the name of its one function. UNIT_OF_DOUBLES leaves
 // out the other types.
 #include <pw85/history/legacy.hpp>

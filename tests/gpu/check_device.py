@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
 """Compiles the program for the device and looks at what comes of it. Usage: check_device.py PTXAS COMMAND...
 
 The command must succeed without a word, and the program need nothing from outside. The first stages, which all pairs go through, must

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Arrays in the memory of a device, for tests: of the fake driver or of a real one.
 #ifndef PW85_TESTS_GPU_DEVICE_HPP_INCLUDED
 #define PW85_TESTS_GPU_DEVICE_HPP_INCLUDED

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A driver that needs no device, as libcuda.so.1 in a folder of the tests. Each stream is a thread, the memory of the device is
 // that of the process, and the program is the same source compiled for the host. The environment variable PW85_FAKE_DRIVER selects
 // a way in which it fails. If it is used wrongly, it ends the process.

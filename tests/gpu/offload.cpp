@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Runs the tiers of a device on the contact problems, as target regions of OpenMP. They are compiled for another machine, which
 // here is the processor of this one. Usage: offload PROBLEMS
 #include <cmath>

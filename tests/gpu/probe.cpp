@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Whether a compiler can offload, as offload.cpp does: a region of OpenMP for another machine.
 int main()
 {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Writes the contact problems as plain numbers, for programs that another compiler makes. Usage: problems FILE
 #include <cstdio>
 

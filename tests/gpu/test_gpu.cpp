@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Compares the functions for devices with those for the host, on a device or with the driver of fake_driver.cpp.
 #include <algorithm>
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Tests the statuses if no device can be used. There is one run for each way in which a driver can fail.
 #include <cmath>
 #include <vector>

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* The headers of C, after those of others. */
 #include <stddef.h>
 #include <stdint.h>

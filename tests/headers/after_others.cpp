@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // All headers of C++, after those of others: the standard library, Boost, Eigen and TBB, where these are, and then macros, which the
 // standard library of GCC cannot bear. Their macros are as before behind our headers.
 #include <algorithm>

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* The public C headers in C89. */
 #include <pw85.h>
 #include <pw85_gpu.h>

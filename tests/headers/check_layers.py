@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
 """Whether the headers of include/pw85 depend on each other downward only.
 
     check_layers.py INCLUDE           complains about circles, about includes that lead upward, and about too many floors

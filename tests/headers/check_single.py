@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """The single header that scripts/single_header.py makes, in a folder without any other: it compiles without warnings, in two units that
 link, by all compilers that are there, and a compiler reads the same text as by pw85/pw85.hpp, so that all results are the same bits.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "every_header.hpp"
 
 double contact_in_the_other_unit();

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* The pair of the tutorial, by installed libraries, from C99. */
 #include <pw85.h>
 #include <pw85_batch.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The pair of the tutorial, by the headers and the libraries that were installed, from C++20.
 #include <pw85.h>
 #include <pw85/pw85.hpp>

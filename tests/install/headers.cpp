@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The pair of the tutorial, by the headers alone.
 #include <pw85/pw85.hpp>
 

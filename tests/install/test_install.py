@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Installs pw85 into a fresh prefix, and builds and runs programs in C99 and C++20 against it in four ways: pkg-config and
 the compiler, CMake, Meson with the system dependency, Meson with a subproject; each with shared and static libraries. Also: CMake
 in whose tree pw85 is built, with the flags that Meson uses; the headers alone, where there is nothing else.

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* A shared library that uses pw85, and exports one function. */
 #include <pw85.h>
 #include <pw85_batch.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A program in C++98 that uses the C API of a pw85 in the tree of its project.
 #include <pw85.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "multiprecision.hpp"
 
 #define MPFR_USE_NO_MACRO // functions, whose addresses can be taken

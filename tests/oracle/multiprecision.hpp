@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Numbers of many digits for the truths of the tests. All operations are compiled once, in multiprecision.cpp, so that a
 // template of the core with such a number is a sequence of calls, which takes a tenth of the time to compile.
 #ifndef PW85_TESTS_ORACLE_MULTIPRECISION_HPP_INCLUDED

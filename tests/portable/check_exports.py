@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Whether DLLs export functions of pw85, and no others. Usage: check_exports.py OBJDUMP DLL..."""
 
 import re

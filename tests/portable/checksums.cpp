@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Whether the reproducible mode gives the recorded bits on this machine. Each function of pw85.h that computes from numbers has a
 // line of 64-bit checksums of its outputs and statuses in checksums.txt: over 8,192, 131,072 and 1,007,616 pairs. Functions that
 // compute depths of overlaps take a sixteenth of the pairs, and functions that have no rows take one in 128.

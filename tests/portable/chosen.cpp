@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The instruction set that the library chooses on a processor. Usage: chosen EXPECTED
 #include <cstdio>
 #include <cstring>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Pairs of ellipsoids of every regime whose numbers are the same on all machines: they come from integers by sums, products with
 // powers of two and the exact overlap test, without a mathematical function.
 #ifndef PW85_TESTS_PORTABLE_EXACT_PAIRS_HPP_INCLUDED

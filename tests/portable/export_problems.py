@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Writes the contact problems of the reference data as plain doubles, as a machine has them, for programs that have no HDF5.
 
 A row is r12 (3), q1 (6), q2 (6), mu2, mu2_minus_1, lambda, cond. Usage: export_problems.py REFERENCE_DATA OUTPUT big|little

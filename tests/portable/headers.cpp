@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The headers over the contact problems. Usage: portable_headers PROBLEMS
 #include <pw85/pw85.hpp>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The library over the contact problems, from two threads at once where there are threads. Usage: portable_library PROBLEMS
 #include <pw85.h>
 #include <pw85_batch.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Distances of closest approach as the tests of the algorithms of Zheng and Palffy-Muhoray compare them.
 #ifndef PW85_TESTS_ZHENG_DISTANCES_HPP_INCLUDED
 #define PW85_TESTS_ZHENG_DISTANCES_HPP_INCLUDED

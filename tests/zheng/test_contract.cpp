@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What the C functions promise for invalid and extreme input.
 #include <limits>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Distance of closest approach of two ellipses, by the quartic.
 #include <numbers>
 

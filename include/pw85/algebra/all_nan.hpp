@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// The result of a call that fails: every number is NaN, and the status tells the cause. Every function with a status calls
 /// all_nan().

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// A number that is the sum of two numbers of a narrower type, and so has about twice its digits. The distances (distance/) and the
 /// solver of contact/ use it. The operators call error_free.hpp.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// Elementary functions of float, double and long double. Code writes `using elementary::sqrt;` instead of `using std::sqrt;`;
 /// scalar.hpp includes this file for all other headers.

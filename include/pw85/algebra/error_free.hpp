@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// Error-free transformations: sums and products together with their rounding errors. doubled.hpp, contact/refinement.hpp,
 /// contact/enclosure.hpp and motion/approach.hpp call them.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// Floating-point numbers with seven times the digits of a native type, computed in integers. definite.hpp and overlap/exact.hpp
 /// use them for pairs that are too nearly singular for the native type. The operators call wide_integer.hpp. Rounding modes,

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// Factors S of quadratic forms Q = S Sᵀ. They keep the digits that squares of lengths lose. contact/factor.hpp, the batches and
 /// the C arrays use them.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// Directions that are conjugate with respect to M = α S1 S1ᵀ + β S2 S2ᵀ, by Gram–Schmidt orthogonalisation of the unit vectors.
 /// contact/contact_factored.hpp and contact/geometry.hpp solve equations with M by them. M itself is never computed.

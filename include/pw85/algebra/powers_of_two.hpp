@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// Exponents of numbers, and products with powers of two. These products are exact. The scaling of pairs (contact/, motion/,
 /// distance/) and factor.hpp call them.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// A number with a bound on its error, which grows with each operation (J. H. Wilkinson, Rounding Errors in Algebraic Processes,
 /// 1963). The templates of contact/ compute with it where a bound must hold for forms of any shape. overlap/contact_rounded.hpp

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// The requirements of the templates on a scalar. A scalar `T` is a floating-point type (float, double, long double, a
 /// multiprecision number) or a pack of such numbers. Comparisons of a `T` give a mask, which is `bool` for plain numbers.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// The sine and cosine of an angle. contact/forms.hpp and motion/motion.hpp call sine_cosine(). For double it uses additions and
 /// products alone, because the functions of C libraries differ in their last bits.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// Packed symmetric matrices, their products, and the factorisations that solve linear equations with them. All algorithms of
 /// contact/, distance/, motion/ and overlap/ call them.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// Two numbers side by side, on which the same formula is computed. A function of one pair computes with both forms, or tests two
 /// points, at once. contact/both_forms.hpp and overlap/quartic.hpp use this file.

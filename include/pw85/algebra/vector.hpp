@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// Vectors of any scalar, with their operators and products. symmetric.hpp includes this file; every algorithm calls it.
 #ifndef PW85_ALGEBRA_VECTOR_HPP_INCLUDED

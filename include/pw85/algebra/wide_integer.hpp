@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// Integers of any width, in memory that the caller provides. extended_number.hpp and overlap/exact.hpp use them. A sum has a fixed
 /// number of limbs, the lowest one first. All operations are exact modulo 2^bits. So an intermediate overflow is harmless if the

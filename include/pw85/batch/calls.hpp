@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// Calls functions of the C API with spans. The functions here compare the sizes of spans, and convert rows to pointers to their
 /// numbers. rows.hpp, the headers of systems/ and the Python module call them.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// Functions of many pairs that differ from those of C: single precision, and one ellipsoid against many. batch.hpp includes this
 /// file. It calls rows.hpp and the C API.

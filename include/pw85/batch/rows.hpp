@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// Functions of many pairs, ellipsoids, points or lines, one row for each: the functions of pw85_batch.h, on spans.
 ///

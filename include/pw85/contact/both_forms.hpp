@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// The rational form of one pair, computed from both forms side by side (two_lanes.hpp). solver.hpp and overlap/quartic.hpp call it.
 /// Packs of lanes, which have one pair per lane, use the rational_form() of rational.hpp.

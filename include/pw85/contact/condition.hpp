@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// The entrywise condition number of the contact function. It says how many digits of μ² the data determine. The overlap test
 /// (comparison.hpp) uses it to bound the error of μ². The linear equations are solved by geometry.hpp.

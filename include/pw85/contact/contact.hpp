@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// The contact function of two ellipsoids. pw85.hpp, the lane kernels and the headers for derivatives, overlaps and closest
 /// approach use this file. It validates the pair (validate.hpp), and finds the maximum of f by the solver (solver.hpp).

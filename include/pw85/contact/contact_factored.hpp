@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// The contact function of ellipsoids that are given by factors, Qi = Si Siᵀ. pw85.hpp and the C API (one_pair.cpp) use this file.
 ///

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// The second derivatives of μ² with respect to positions and rotations, from the maximiser λ. pw85.hpp and the C API
 /// (one_pair.cpp) use this file. It takes the units and the linear solver from geometry.hpp.

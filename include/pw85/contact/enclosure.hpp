@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// Bounds on μ² and λ from one evaluation with residuals of twice the digits. overlap/contact_rounded.hpp calls enclose() and
 /// prove_step(). enclose() is for the types of the processor, prove_step() also for extended numbers.

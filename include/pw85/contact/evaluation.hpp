@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// The function f and its derivatives, by factorisation of the blended form. The searches (iteration.hpp), the rational form and
 /// the derivatives (geometry.hpp, contact_hessian.hpp) use this file.

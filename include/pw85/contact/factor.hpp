@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// The test whether a matrix S is a valid factor of a form Q = S Sᵀ, and the status of a pair of factors. The functions of
 /// factors (contact_factored.hpp, geometry_factored.hpp, overlap/overlap_factored.hpp) call it.

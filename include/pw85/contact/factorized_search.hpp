@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// The search for the maximum of f on the factorised form. It is slower than the search on the rational form, but it finds the
 /// maximum for all pairs. It computes one pair at a time. solver.hpp calls it for pairs whose rational form is not accurate.

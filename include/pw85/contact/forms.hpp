@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// Builders of quadratic forms, and of their factors, from lengths and directions.
 #ifndef PW85_CONTACT_FORMS_HPP_INCLUDED

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// The contact point, the normal and the first derivatives of μ², from the maximiser λ. pw85.hpp, the lane kernels, the code for
 /// devices, contact_hessian.hpp, condition.hpp and witness.hpp use this file.

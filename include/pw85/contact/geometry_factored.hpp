@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// The contact point, the normal and the first derivatives of μ² of ellipsoids that are given by factors, Qi = Si Siᵀ. pw85.hpp and
 /// the C API use this file. at_tangency() (geometry.hpp) solves the equations by conjugate directions (gram_schmidt.hpp), which give

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// The formulas of the search for the maximum of f: a third-order iteration in x = log t. rational_search.hpp and
 /// factorized_search.hpp call them.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// The rational form of f: rᵀ(Q1 + t Q2)⁻¹r = a(t)/b(t) with a = rᵀ adj(Q1 + t Q2) r and b = det(Q1 + t Q2).
 ///

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// The search for the maximum of f on the rational form, as a task. The scalar may be a number, a pack of lanes, or the number of a
 /// device's thread. A task has four parts:

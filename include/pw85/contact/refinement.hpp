@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// Iterative refinement of a solution of (Q1 + t Q2) s = r12, with a residual in twice the working precision. Each coordinate of
 /// the refined s is correct to rounding, even if the matrix is ill-conditioned. factorized_search.hpp calls refine().

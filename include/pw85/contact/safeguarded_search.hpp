@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// A search for a root t > 0. The caller has a method that suggests steps, such as Newton's. The search keeps them in a bracket of
 /// the root, and bisects the bracket if they do not converge.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// Scales a pair by powers of two, so that all intermediate results stay in range. validate.hpp, evaluation.hpp, refinement.hpp and
 /// the loaders of pairs (kernels/rows.hpp) use this file.

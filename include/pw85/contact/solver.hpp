@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// The maximum of f for any pair in range. contact.hpp calls maximize(); the headers for distances and first contacts use it as
 /// well. It takes the first of these methods whose result is certain:

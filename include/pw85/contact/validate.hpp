@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// The status of a form and of a pair. Every function checks its input here before it computes anything. If a pair is valid,
 /// scaling.hpp brings it into range.

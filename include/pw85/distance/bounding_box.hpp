@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// The tight box around an ellipsoid, with sides along the axes. The batch kernels and the neighbour lists call bounding_box(),
 /// which calls validate().

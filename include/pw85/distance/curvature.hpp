@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// How the point of an ellipsoid's surface moves when its normal turns. The derivatives of the distance (distance_derivatives.hpp)
 /// and the search for the depth of an overlap (penetration.hpp) call this code.

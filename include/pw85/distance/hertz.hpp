@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// Hertz's theory of the contact of two elastic bodies, and the geometry of a pair of ellipsoids that it needs. The C API
 /// (src/hertz.cpp) uses this file.

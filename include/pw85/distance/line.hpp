@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// The part of a straight line that is inside an ellipsoid. src/walls.cpp calls intersect_line(), which calls factorize() and
 /// solve().

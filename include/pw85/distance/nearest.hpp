@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// The nearest and the farthest point of an ellipsoid's surface from a point. walls.hpp and penetration.hpp call extreme_normal(),
 /// which calls principal_axes() and secular_root().

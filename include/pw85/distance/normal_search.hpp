@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// The search for the common normal of the closest points of two ellipsoids. distance.hpp and src/kernels/lane_distance.hpp call
 /// find_normal(), take_step() and search_normal(). These functions call the solvers of symmetric.hpp and accurate_product().

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// The depth of an overlap: the shortest translation that separates two ellipsoids. src/distance.cpp calls
 /// penetration_overlapping(), which calls extreme_normal() for the depth of a point in an ellipsoid, and support().

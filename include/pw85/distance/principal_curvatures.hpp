@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// The principal curvatures of an ellipsoid's surface at the point with a given normal. hertz.hpp and the C API (src/hertz.cpp) use
 /// this file.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// The signed distance of two ellipsoids: their distance if they are apart, minus the depth of their overlap otherwise. The C API
 /// (src/distance.cpp) calls signed_distance_overlapping() and signed_derivatives_overlapping(), which take the normal from

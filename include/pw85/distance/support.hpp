@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// The support of an ellipsoid: how far it reaches in some direction, and where. The distances, the walls and the proof of a
 /// penetration depth call support(). The search for a normal and the certificate of a distance call accurate_product().

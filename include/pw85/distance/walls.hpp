@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// An ellipsoid and walls: half-space, box, cylinder. src/walls.cpp calls these functions, which call support() and
 /// extreme_normal(). Distances are clearances. They are negative where the ellipsoid is in the wall.

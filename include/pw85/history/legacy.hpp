@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// The rational form of f in λ, from the values of its polynomials at four points, and the superseded solvers. They are kept for
 /// comparison; pw85_legacy.cpp calls them.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// The distance of closest approach of two ellipses, as the root of a quartic, and of two ellipsoids, as a maximum over planes. It
 /// is kept for comparison; pw85_zheng.cpp calls it.

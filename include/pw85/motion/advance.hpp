@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// The first contact of two ellipsoids that turn and grow. All steps in time are proved free of contact, and the search ends where f
 /// is 1 to rounding at the time itself.

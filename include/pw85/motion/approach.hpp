@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// Moves two ellipsoids that are far apart to where they are near. They cannot touch while the spheres around them, with growing
 /// radii, are apart.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// The least contact function of two ellipsoids when one passes the other on a straight way: the least μ² of the separations r + t
 /// v, 0 <= t <= t_max. pw85.hpp and the C API use this file.

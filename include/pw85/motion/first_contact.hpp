@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// The time of the first contact of two ellipsoids that translate, rotate about their centres and grow.
 #ifndef PW85_MOTION_FIRST_CONTACT_HPP_INCLUDED

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// How far an ellipsoid may move along a direction before it touches another one. pw85.hpp, the C API and the event chains use this
 /// file.

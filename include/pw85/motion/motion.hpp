@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// Ellipsoids that turn about their centres and grow.
 #ifndef PW85_MOTION_MOTION_HPP_INCLUDED

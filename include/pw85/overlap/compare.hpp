@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// The sign of μ² - m for any number m. pw85.hpp and the C API use this file. Its tiers are those of the overlap test (overlap.hpp),
 /// for the ellipsoids of m Q1 and m Q2:

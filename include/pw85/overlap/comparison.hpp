@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// The third tier of the overlap test. It computes μ² by the solver, and compares it with 1 up to a bound on its error. overlap.hpp
 /// and compare.hpp call it.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// The contact function with μ² correctly rounded, and λ with an error below one unit in the last place. pw85.hpp and the C API use
 /// this file. Each step is slower than the one before, and is taken only for pairs that the steps before it leave open:

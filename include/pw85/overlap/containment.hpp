@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// Whether one ellipsoid is inside another one. pw85.hpp and the C API use this file. Floating-point numbers decide first, with
 /// margins for their rounding errors. Integers decide the remaining pairs (exact_containment.hpp).

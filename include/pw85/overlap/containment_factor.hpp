@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// The factor by which ellipsoid 1 must be scaled to contain ellipsoid 2. pw85.hpp and the C API use this file.
 ///

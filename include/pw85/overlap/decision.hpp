@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// The result of one tier of the overlap test.
 #ifndef PW85_OVERLAP_DECISION_HPP_INCLUDED

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// The sign of μ² - m in integers, for any number m > 0. It is the last tier of compare.hpp and, with m = 1, of overlap.hpp.
 ///

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// Whether ellipsoid 2 is inside ellipsoid 1, decided in integers. containment.hpp calls contains_exactly(). The integers are those
 /// of exact.hpp.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// Decides in integers whether ellipsoids overlap that are given by factors, Qi = Si Siᵀ. It is the last tier of
 /// overlap_factored.hpp. The quartic is that of exact.hpp with m = 1, for the exact products.

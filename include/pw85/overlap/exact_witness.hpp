@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// Decides in integers whether a number or a point proves that two ellipsoids are apart, or that they overlap. witness.hpp calls
 /// it. The integers are those of exact.hpp.

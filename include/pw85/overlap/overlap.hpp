@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// The overlap test, and the ladder of its tiers. pw85.hpp, the C API, the headers for distances and the code for devices call it.
 /// Each tier decides for certain or not at all. Each tier is slower than the one before, and decides pairs that the tiers before it

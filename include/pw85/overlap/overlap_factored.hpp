@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// The overlap test of ellipsoids that are given by factors, Qi = Si Siᵀ. pw85.hpp and the C API use this file. The answer is that of
 /// exact arithmetic for the exact products of the factors.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// The first two tiers of the overlap test: the sign of a quartic. overlap.hpp calls it for one pair, lane_overlap.hpp for one pair
 /// per lane.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// A number or a point that proves the answer of the overlap test. pw85.hpp and the C API use this file. It calls overlap.hpp for
 /// the answer, extended numbers for candidates, and integers for the proof (exact_witness.hpp).

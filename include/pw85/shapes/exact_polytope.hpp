@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// Whether a polytope overlaps an ellipsoid, decided in integers. overlap_polytope.hpp calls these functions. A polytope that only
 /// touches the ellipsoid does not overlap it: the ellipsoid counts without its surface.

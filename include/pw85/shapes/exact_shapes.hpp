@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// Whether a convex set overlaps an ellipsoid with its centre at 0, decided in integers. overlap_shapes.hpp calls these functions. A
 /// set that only touches the ellipsoid does not overlap it: the ellipsoid counts without its surface.

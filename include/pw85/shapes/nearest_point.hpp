@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// What the shapes share: the result of a contact function, the point where it is reached, and the units in which it is computed.
 /// segment.hpp, triangle.hpp, box.hpp and polytope.hpp use this file.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// Whether a polytope overlaps an ellipsoid. Floating-point numbers decide first, with margins for their rounding errors. Integers
 /// decide the remaining cases (exact_polytope.hpp). The symbols are those of polytope.hpp.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// Whether a convex set overlaps an ellipsoid with its centre at 0: a segment, a triangle, a box. Floating-point numbers decide first,
 /// with margins for their rounding errors. Integers decide the remaining cases (exact_shapes.hpp).

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// The contact function of an ellipsoid and a segment. triangle.hpp uses it for the edges of a triangle. The items are those of
 /// nearest_point.hpp.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// The contact function of an ellipsoid and a triangle. The items are those of nearest_point.hpp.
 ///

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// Calls functions of pw85_systems.h with spans. The functions here compare the sizes of lists and systems, and convert them to the
 /// structs of C.

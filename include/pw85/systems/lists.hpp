@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// Functions of the pairs of a list, in a system of particles: the functions of pw85_systems.h, on spans.
 ///

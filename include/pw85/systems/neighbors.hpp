@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// Neighbour lists for C++. They call the functions of the compiled library (link with pw85), and their contracts are those of
 /// pw85_systems.h.

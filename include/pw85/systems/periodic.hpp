@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// Periodic cells and the images of particles, and one ellipsoid among the particles of a system. The functions call the C API.
 #ifndef PW85_SYSTEMS_PERIODIC_HPP_INCLUDED

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// First contacts and sums of forces over the pairs of a list. The functions call the C API. Functions whose only outputs are rows for
 /// the pairs are in lists.hpp.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// The arguments of the functions of systems: particles, lists of pairs, and the outputs that belong together. calls.hpp converts them
 /// to the arguments of the C API.

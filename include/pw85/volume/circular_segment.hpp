@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// Area and first moment of a segment of a circle, which is what a chord cuts off. section.hpp calls circular_segment(), for the
 /// arcs of both ellipsoids: an affine map takes an arc of an ellipse to an arc of a circle.

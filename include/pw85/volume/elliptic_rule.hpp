@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// The half-planes over which a common part is integrated. overlap_volume.hpp and its derivatives call integrate_half_planes().
 ///

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// The volume of the part of an ellipsoid that is in a half-space. pw85.hpp and the C API call it.
 ///

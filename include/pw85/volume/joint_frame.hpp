@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// The frame in which one ellipsoid is the unit ball and the principal axes of the other one are the coordinate axes.
 /// rim_axis.hpp and overlap_volume.hpp use it. A joint linear map multiplies every volume by its determinant, so that the common

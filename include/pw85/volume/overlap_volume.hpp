@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// The volume of the common part of two ellipsoids, and the area of that of two ellipses. pw85.hpp and the C API call them.
 ///

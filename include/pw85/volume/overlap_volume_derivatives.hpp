@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// The derivatives of the volume of the common part of two ellipsoids. pw85.hpp and the C API call them.
 ///

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// The axis of the rim: a line about which the rim of the common part, where both surfaces intersect, is a curve of one or two
 /// points per half-plane. section.hpp finds these points, and overlap_volume.hpp integrates over the half-planes.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// The section of the common part by a half-plane through the axis of its rim (rim_axis.hpp), for overlap_volume.hpp.
 ///

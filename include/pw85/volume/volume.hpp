@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// The volume of an ellipsoid, (4/3)π √det Q, and the area of an ellipse, π √det Q. pw85.hpp and overlap_volume.hpp use this file.
 #ifndef PW85_VOLUME_VOLUME_HPP_INCLUDED

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """The command ``pw85``.
 
 Exit statuses: 0 clean, 1 overlaps, 2 bad input or a bad command line, 130 interrupted, 141 if the reader of its output has gone.

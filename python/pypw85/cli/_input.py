@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Options of all commands that read a file."""
 
 from __future__ import annotations

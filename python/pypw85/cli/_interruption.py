@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Ctrl-C: work that can be kept is finished and written; all other work ends at once."""
 
 from __future__ import annotations

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """A line that shows the progress of work that takes longer than a second, on terminals, if tqdm is installed."""
 
 from __future__ import annotations

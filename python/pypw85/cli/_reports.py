@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Files with the results of `pw85 check`. Files are written atomically."""
 
 from __future__ import annotations

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Runs of `pw85 mc`: what they are asked to do, their state, and the file from which they continue."""
 
 from __future__ import annotations

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """``pw85 check``: do any ellipsoids overlap, and which are the worst?"""
 
 from __future__ import annotations

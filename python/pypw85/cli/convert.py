@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """``pw85 convert``: from one format to another."""
 
 from __future__ import annotations

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """``pw85 draw``: a picture of a frame."""
 
 from __future__ import annotations

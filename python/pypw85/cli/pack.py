@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """``pw85 pack``: random packings; ``pw85 relax``: a file without its overlaps."""
 
 from __future__ import annotations

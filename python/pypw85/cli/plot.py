@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """``pw85 plot``: distributions over the frames of a file."""
 
 from __future__ import annotations

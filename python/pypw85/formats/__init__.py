@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Files of other programs: recognising their format, finding and reading frames, writing.
 
 A format is a module. One that is read has ``recognise(start)``, ``locate(path)``, which finds frames without reading them, and

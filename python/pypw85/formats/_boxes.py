@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Boxes and types of a system as LAMMPS and HOOMD need them."""
 
 from __future__ import annotations

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """What the columns of other programs mean: which hold shapes and quaternions, in which order, as semi-axes or as diameters.
 
 One table for dumps, extended XYZ and CSV. Names are compared without capitals, blanks, dots, hyphens and underscores. A property

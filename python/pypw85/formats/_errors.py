@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Errors in files: each says what is wrong, where, and what helps."""
 
 from __future__ import annotations

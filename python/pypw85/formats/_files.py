@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Opening files. Compressed files are decompressed for reading. Files are written atomically."""
 
 from __future__ import annotations

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """What every format has in common: where a frame is, what one holds as it was read, and how a system is made of that."""
 
 from __future__ import annotations

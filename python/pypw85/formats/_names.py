@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Names of types: what they are, and which of them a format can hold."""
 
 from __future__ import annotations

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Tables of numbers in text files. Compiled code reads plain lines, and writes all; errors name the line and the column."""
 
 from __future__ import annotations

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Tables with a comma between columns and their names in the first line; read with semicolons, tabulators and decimal commas, too.
 
 Columns that are written: x y z; the semi-axes a b c, or radius; the quaternion qw qx qy qz; id and type. A line ``# cell`` before the names

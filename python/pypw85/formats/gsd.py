@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """GSD files of HOOMD-blue, by the library gsd: shapes belong to types.
 
 Numbers have single precision, or, since HOOMD-blue 7 and its schema 2.0, double precision. gsd.hoomd refuses schemas that are newer

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """HDF5 in the layout of H5MD (nongnu.org/h5md), by h5py.
 
 In the first group of /particles: position, and either semi_axes and orientation (w, x, y, z) or form; species, id; each of these

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Data files of LAMMPS (write_data) for atom_style ellipsoid, and for hybrid styles with it."""
 
 from __future__ import annotations

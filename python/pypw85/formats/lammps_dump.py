@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Dump files of LAMMPS (dump custom), as text."""
 
 from __future__ import annotations

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Seeds of MicroStructPy: ellipsoids and spheres in text, one key and its value on a line; without a cell."""
 
 from __future__ import annotations

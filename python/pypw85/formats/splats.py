@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Splats of 3D Gaussian splatting in PLY files, by meshio: positions, logarithms of standard deviations, quaternions of any length.
 
 The ellipsoid of a splat has its standard deviations as semi-axes.

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """For ParaView (written only): points with √Q, which its filter Tensor Glyph draws with a sphere of radius 1 for each.
 
 √Q, the symmetric root of Q, has the semi-axes as eigenvalues. Its components are in VTK's order: xx, yy, zz, xy, yz, xz.

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Extended XYZ with properties as OVITO, ASE and AniSOAP name them, and XYZ without shapes. What is written is as OVITO has it.
 
 ASE reads such files too, but says neither in which line nor in which column one is wrong.
