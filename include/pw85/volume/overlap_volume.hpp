@@ -131,7 +131,8 @@ measure_common_part(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, Sy
     if (part == CommonPart::nothing) return {T(0), status};
     if (part != CommonPart::part) return {measure_of(part == CommonPart::first ? q1 : q2), status};
     int const e = half_exponent(largest_diagonal(q1));
-    auto measured = measure_part(times_power_of_two(r12, -e), times_power_of_two(q1, -2 * e), times_power_of_two(q2, -2 * e));
+    auto measured =
+        measure_part(times_power_of_two(r12, -e), times_power_of_two(q1, -2 * e), times_power_of_two(q2, -2 * e));
     if constexpr (std::is_floating_point_v<T>)
         if (measured.half_chord < T(shortest_axis)) measured = measure_part_finely(r12, q1, q2, e);
     if (!(measured.measure >= T(0))) return {quiet_nan<T>(), Status::no_convergence};
