@@ -179,6 +179,23 @@ template <int D> void test_bound()
     }
 }
 
+/// Surfaces that touch from inside at a point, or nearly. Many of their rims cross themselves there, or would.
+void test_touching()
+{
+    Failures failures;
+    Random random(913);
+    for (int n = 0; n < draws(400); ++n) {
+        Sample<double, 3> p{{}, random.form(1.0, 3.0), random.form(random.log_uniform(0.7, 1.4), 3.0)};
+        Vector3 const normal = random.direction<3>();
+        Vector3 const point1 =
+            1.0 / std::sqrt(pw85::detail::quadratic_form(p.q1, normal)) * pw85::product(p.q1, normal);
+        Vector3 const point2 =
+            1.0 / std::sqrt(pw85::detail::quadratic_form(p.q2, normal)) * pw85::product(p.q2, normal);
+        p.r12 = point1 - point2 + random.sign() * random.log_uniform(1e-12, 1e-3) * normal;
+        check_bound(failures, p, measured(p), measure(convert<Fine>(p)));
+    }
+}
+
 /// Needles and discs with aspect ratios to 10⁶ whose axes are the coordinate axes, so that the data lose nothing.
 void test_slender()
 {
@@ -521,6 +538,7 @@ int main(int argc, char **argv)
     g_test_add_func("/overlap_volume/balls", test_balls);
     g_test_add_func("/overlap_volume/record", test_record);
     g_test_add_func("/overlap_volume/bound", test_bound<3>);
+    g_test_add_func("/overlap_volume/touching", test_touching);
     g_test_add_func("/overlap_volume/slender", test_slender);
     g_test_add_func("/overlap_volume/decisions", test_decisions);
     g_test_add_func("/overlap_volume/tangency", test_tangency);

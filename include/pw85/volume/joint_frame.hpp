@@ -6,9 +6,21 @@
 #ifndef PW85_VOLUME_JOINT_FRAME_HPP_INCLUDED
 #define PW85_VOLUME_JOINT_FRAME_HPP_INCLUDED
 
+#include <pw85/algebra/doubled.hpp>
 #include <pw85/algebra/powers_of_two.hpp>
 
 namespace pw85::detail {
+
+/// The exponent of a number with twice the digits, and its product with a power of two.
+template <class T> PW85_FUNCTION inline int binary_exponent(Doubled<T> const &x) noexcept
+{
+    return binary_exponent(x.high);
+}
+
+template <class T> PW85_FUNCTION inline Doubled<T> times_power_of_two(Doubled<T> const &x, int exponent) noexcept
+{
+    return {times_power_of_two(x.high, exponent), times_power_of_two(x.low, exponent)};
+}
 
 /// A square matrix by its columns.
 template <class T, int D> struct Columns {

@@ -65,7 +65,7 @@ PW85_FUNCTION inline bool agree(MeanSection<T> const &x, MeanSection<T> const &y
     return yes;
 }
 
-/// The measure of the common part in the joint frame.
+/// The measure of the common part in the joint frame; in space over 2π.
 template <class T> PW85_FUNCTION inline T common_measure(RimFrame<T, 2> const &rim) noexcept
 {
     auto const interval = axis_interval(rim);
@@ -82,7 +82,40 @@ template <class T> PW85_FUNCTION inline T common_measure(RimFrame<T, 3> const &r
     auto const interval = axis_interval(rim);
     auto const mean = mean_over_half_planes<MeanSection<T>>(
         elliptic_rule(rim), [&](HalfPlane<T, 3> const &half_plane) { return section(rim, interval, half_plane); });
-    return T(T(T(2) * circle_constant<T>()) * T(rim.half_chord * mean.volume));
+    return T(rim.half_chord * mean.volume);
+}
+
+/// The measure of a part, in its unit and over 2π in space, and the length of the axis in the ball.
+template <class T> struct PartMeasure {
+    T measure, half_chord;
+    int exponent;
+    bool swapped;
+};
+
+template <class T, int D> PW85_FUNCTION inline PartMeasure<T>
+measure_part(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, SymmetricMatrix<T, D> const &q2) noexcept
+{
+    auto const frame = joint_frame(r12, q1, q2);
+    auto const axis = rim_axis(pencil(frame));
+    bool const is_thin = !(frame.axes[std::size_t(D - 1)] >= thinnest_axis<T>());
+    T const measure = is_thin ? quiet_nan<T>() : T(common_measure(rim_frame(frame, axis)) * frame.determinant);
+    return {measure, axis.half_chord, frame.exponent, frame.swapped};
+}
+
+/// Where a rim nearly touches itself, two vertices nearly coincide on the sphere, and the axis leaves the ball: its length in it goes to zero as
+/// the fourth root of the distance from touching. Below this length more digits are needed.
+inline constexpr double shortest_axis = 0.25;
+
+/// The same with twice the digits.
+template <class T, int D> [[gnu::noinline, gnu::cold]] PW85_FUNCTION PartMeasure<T>
+measure_part_finely(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, SymmetricMatrix<T, D> const &q2,
+                    int exponent) noexcept
+{
+    using Fine = Finer<T>;
+    auto const fine = measure_part(converted<Fine>(times_power_of_two(r12, -exponent)),
+                                   converted<Fine>(times_power_of_two(q1, -2 * exponent)),
+                                   converted<Fine>(times_power_of_two(q2, -2 * exponent)));
+    return {rounded(fine.measure), rounded(fine.half_chord), fine.exponent, fine.swapped};
 }
 
 /// The measure of the common part, for any pair. It is at most that of the smaller ellipsoid.
@@ -98,12 +131,15 @@ measure_common_part(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, Sy
     if (status != StatusCode::success) return {quiet_nan<T>(), status};
     if (part == CommonPart::nothing) return {T(0), status};
     if (part != CommonPart::part) return {measure_of(part == CommonPart::first ? q1 : q2), status};
-    auto const frame = joint_frame(r12, q1, q2);
-    if (!(frame.axes[std::size_t(D - 1)] >= thinnest_axis<T>())) return {quiet_nan<T>(), StatusCode::no_convergence};
-    T const scaled = T(common_measure(rim_frame(frame, rim_axis(pencil(frame)))) * frame.determinant);
-    T const measure = times_power_of_two(scaled, D * frame.exponent);
-    if (!(measure >= T(0))) return {quiet_nan<T>(), StatusCode::no_convergence};
-    return {minimum(measure, measure_of(frame.swapped ? q2 : q1)), status};
+    int const e = half_exponent(largest_diagonal(q1));
+    auto measured =
+        measure_part(times_power_of_two(r12, -e), times_power_of_two(q1, -2 * e), times_power_of_two(q2, -2 * e));
+    if constexpr (std::is_floating_point_v<T>)
+        if (measured.half_chord < T(shortest_axis)) measured = measure_part_finely(r12, q1, q2, e);
+    if (!(measured.measure >= T(0))) return {quiet_nan<T>(), StatusCode::no_convergence};
+    T const scaled = D == 3 ? T(T(T(2) * circle_constant<T>()) * measured.measure) : measured.measure;
+    T const measure = times_power_of_two(scaled, D * (e + measured.exponent));
+    return {minimum(measure, measure_of(measured.swapped ? q2 : q1)), status};
 }
 
 } // namespace pw85::detail

@@ -68,7 +68,7 @@ template <class T> PW85_FUNCTION inline T slope_of_rim(RimFrame<T, 3> const &rim
     }
     T const determinant = T(by_z[0] * by_rho[1] - by_z[1] * by_rho[0]);
     T const slope = T(by_rho[0] * by_psi[1] - by_rho[1] * by_psi[0]) / determinant;
-    return absolute(slope) < infinity<T>() ? slope : T(0); // where the rim touches itself
+    return absolute(slope) < largest_number<T>() ? slope : T(0); // where the rim touches itself
 }
 
 /// Adds the integrand at a point of the rim, times a sign.
@@ -152,7 +152,7 @@ PW85_FUNCTION inline bool agree(MeanRimIntegrals<T> const &x, MeanRimIntegrals<T
     return yes;
 }
 
-/// Derivatives in the joint frame: with respect to the centre of the other ellipsoid, and to both forms as matrices.
+/// Derivatives over 2π in the joint frame: with respect to the centre of the other ellipsoid, and to both forms as matrices.
 template <class T> struct FrameDerivatives {
     Vector<T, 3> center;
     SymmetricMatrix<T, 3> ball, other;
@@ -210,9 +210,9 @@ template <class T> PW85_FUNCTION inline SymmetricMatrix<T, 3> form_derivative(Ri
     return g;
 }
 
-template <class T> PW85_FUNCTION inline FrameDerivatives<T> frame_derivatives(JointFrame<T, 3> const &frame) noexcept
+template <class T> PW85_FUNCTION inline FrameDerivatives<T> frame_derivatives(JointFrame<T, 3> const &frame,
+                                                                              RimAxis<T, 3> const &axis) noexcept
 {
-    auto const axis = rim_axis(pencil(frame));
     auto const rim = rim_frame(frame, axis);
     auto const interval = axis_interval(rim);
     auto const m =
@@ -225,7 +225,7 @@ template <class T> PW85_FUNCTION inline FrameDerivatives<T> frame_derivatives(Jo
         weights[i] = T(T(1) / frame.axes[i]) / frame.axes[i];
         offset[i] = axis.origin[i] - frame.axes[i] * frame.center[i];
     }
-    T const factor = T(T(T(2) * circle_constant<T>()) * rim.half_chord);
+    T const factor = rim.half_chord;
     auto const ball = form_derivative(m, basis, m.volumes[0], T(1), axis.origin, Vector<T, 3>{T(1), T(1), T(1)});
     auto const other = form_derivative(m, basis, m.volumes[1], T(-1), offset, weights);
     return {T(-factor) * rim_vector(m, basis), factor * ball, factor * other};
@@ -265,24 +265,61 @@ congruent(Columns<T, 3> const &c, SymmetricMatrix<T, 3> const &g, T const &facto
     return result;
 }
 
+/// The derivatives over 2π for a pair, as symmetric matrices, and the length of the axis in the ball.
+template <class T> struct PartDerivatives {
+    Vector<T, 3> r12;
+    SymmetricMatrix<T, 3> q1, q2;
+    T half_chord;
+};
+
+template <class T> PW85_FUNCTION inline PartDerivatives<T>
+part_derivatives(Vector<T, 3> const &r12, SymmetricMatrix<T, 3> const &q1, SymmetricMatrix<T, 3> const &q2) noexcept
+{
+    auto const frame = joint_frame(r12, q1, q2);
+    auto const axis = rim_axis(pencil(frame));
+    auto const d = frame_derivatives(frame, axis);
+    auto const map = gradient_map(frame);
+    Vector<T, 3> center{};
+    for (int i = 0; i < 3; ++i) center = add_scaled(center, d.center[i], map[i]);
+    bool const is_thin = !(frame.axes[2] >= thinnest_axis<T>());
+    T const scale = is_thin ? quiet_nan<T>() : frame.determinant;
+    auto const ball = times_power_of_two(congruent(map, d.ball, scale), frame.exponent);
+    auto const other = times_power_of_two(congruent(map, d.other, scale), frame.exponent);
+    Vector<T, 3> const force = times_power_of_two(scale * center, 2 * frame.exponent);
+    if (frame.swapped) return {-force, other, ball, axis.half_chord};
+    return {force, ball, other, axis.half_chord};
+}
+
+/// The same with twice the digits (see shortest_axis).
+template <class T> [[gnu::noinline, gnu::cold]] PW85_FUNCTION PartDerivatives<T>
+part_derivatives_finely(Vector<T, 3> const &r12, SymmetricMatrix<T, 3> const &q1,
+                        SymmetricMatrix<T, 3> const &q2) noexcept
+{
+    using Fine = Finer<T>;
+    auto const fine = part_derivatives(converted<Fine>(r12), converted<Fine>(q1), converted<Fine>(q2));
+    PartDerivatives<T> d{rounded(fine.r12), {}, {}, rounded(fine.half_chord)};
+    for (int k = 0; k < d.q1.size; ++k) {
+        d.q1[k] = rounded(fine.q1[k]);
+        d.q2[k] = rounded(fine.q2[k]);
+    }
+    return d;
+}
+
 /// The derivatives for a pair: ∂V/∂r12 and ∂V/∂Q1, ∂V/∂Q2 as symmetric matrices.
 template <class T> PW85_FUNCTION inline OverlapVolumeGradient<T>
 derivatives_of_part(Vector<T, 3> const &r12, SymmetricMatrix<T, 3> const &q1, SymmetricMatrix<T, 3> const &q2) noexcept
 {
-    auto const frame = joint_frame(r12, q1, q2);
-    if (!(frame.axes[2] >= thinnest_axis<T>())) return all_nan<OverlapVolumeGradient<T>>(StatusCode::no_convergence);
-    auto const d = frame_derivatives(frame);
-    auto const map = gradient_map(frame);
-    Vector<T, 3> center{};
-    for (int i = 0; i < 3; ++i) center = add_scaled(center, d.center[i], map[i]);
-    T const scale = frame.determinant;
-    auto const ball = times_power_of_two(congruent(map, d.ball, scale), frame.exponent);
-    auto const other = times_power_of_two(congruent(map, d.other, scale), frame.exponent);
-    Vector<T, 3> const force = times_power_of_two(scale * center, 2 * frame.exponent);
-    if (!is_finite(force) || !is_finite(ball) || !is_finite(other))
+    int const e = half_exponent(largest_diagonal(q1));
+    auto const r = times_power_of_two(r12, -e);
+    auto const a = times_power_of_two(q1, -2 * e), b = times_power_of_two(q2, -2 * e);
+    auto d = part_derivatives(r, a, b);
+    if constexpr (std::is_floating_point_v<T>)
+        if (d.half_chord < T(shortest_axis)) d = part_derivatives_finely(r, a, b);
+    if (!is_finite(d.r12) || !is_finite(d.q1) || !is_finite(d.q2))
         return all_nan<OverlapVolumeGradient<T>>(StatusCode::no_convergence);
-    if (frame.swapped) return {-force, other, ball, StatusCode::success};
-    return {force, ball, other, StatusCode::success};
+    T const turn = T(T(2) * circle_constant<T>());
+    return {times_power_of_two(turn * d.r12, 2 * e), times_power_of_two(turn * d.q1, e),
+            times_power_of_two(turn * d.q2, e), StatusCode::success};
 }
 
 /// ∂V/∂Q of the volume of an ellipsoid as a whole, ½ V Q⁻¹.
