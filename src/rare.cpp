@@ -13,6 +13,7 @@
 #include <pw85/shapes/exact_polytope.hpp>
 #include <pw85/shapes/exact_shapes.hpp>
 #include <pw85/shapes/triangle.hpp>
+#include <pw85/volume/overlap_volume_derivatives.hpp>
 
 #define PW85_RARE_DEFINED(name, parameters, arguments)                                                                 \
     auto name parameters noexcept->decltype(name<> arguments) { return name<> arguments; }
@@ -32,10 +33,13 @@ PW85_DEFINE(PW85_RARE_EXACT_CONTAINMENT)
 PW85_DEFINE(PW85_RARE_ROUNDED)
 PW85_DEFINE(PW85_RARE_WITNESS)
 PW85_DEFINE(PW85_RARE_GAUGE)
+PW85_DEFINE(PW85_RARE_MEASURE)
+PW85_DEFINE(PW85_RARE_COMMON_PART)
 PW85_DEFINE_IN_SPACE(PW85_RARE_DISTANCE_DERIVATIVES)
 PW85_DEFINE_IN_SPACE(PW85_RARE_CURVATURE)
 PW85_DEFINE_IN_SPACE(PW85_RARE_HERTZ)
 PW85_DEFINE_IN_SPACE(PW85_RARE_PASSAGE)
+PW85_DEFINE_IN_SPACE(PW85_RARE_COMMON_PART_DERIVATIVES)
 PW85_DEFINE_IN_SPACE(PW85_RARE_SEGMENT)
 PW85_DEFINE_IN_SPACE(PW85_RARE_TRIANGLE)
 PW85_DEFINE_IN_SPACE(PW85_RARE_EXACT_SHAPES)

@@ -33,6 +33,15 @@ def overlap_pairs(
     overlap: NDArray[np.uint8],
     /,
 ) -> int: ...
+def overlap_volume_pairs(
+    pairs: NDArray[np.int32],
+    centers: NDArray[np.float64],
+    q: NDArray[np.float64] | None,
+    cell: NDArray[np.float64] | None,
+    images: NDArray[np.int32] | None,
+    volume: NDArray[np.float64],
+    /,
+) -> int: ...
 
 def first_contact_pairs(*args: Any) -> int: ...
 def contact_derivatives_pairs(*args: Any) -> int: ...
@@ -88,6 +97,7 @@ def nearest_image_limit(q: NDArray[np.float64], cell: NDArray[np.float64] | None
 
 report_contact_pairs: np.ufunc
 report_overlap_pairs: np.ufunc
+report_overlap_volume_pairs: np.ufunc
 report_mesh_contact: np.ufunc
 
 #@ ufuncs

@@ -3,6 +3,7 @@
 that takes arrays gives the same results as for plain arrays, and leaves its arguments as they are."""
 
 import copy
+import re
 
 import numpy as np
 import pytest
@@ -14,6 +15,7 @@ N = 4
 CELL = np.array([[16.0, 0, 0], [1, 16, 0], [2, 1, 16]])
 CENTERS = np.array([[0.0, 0, 0], [3, 0, 1], [0, 4, 0], [1, 3, 4]])
 TURNS = np.array([[0.0, 0, 0], [3, 0, 1], [0, 14, 0], [1, 3, -12]])
+ELLIPSES = np.array([[4.0, 0, 1], [1, 0, 4], [2, 1, 2], [1, 0, 1]])
 FORMS = np.array([[4.0, 0, 0, 1, 0, 1], [1, 0, 0, 4, 0, 1], [2, 1, 0, 2, 0, 1], [1, 0, 0, 1, 0, 4]])
 AXES = np.array([[2.0, 1, 1], [1, 2, 1], [1, 1, 2], [3, 1, 1]])
 QUATERNIONS = np.array([[1.0, 0, 0, 0], [1, 1, 0, 0], [1, 0, 1, 0], [0, 1, 1, 2]])
@@ -67,6 +69,8 @@ CALLS = {
     "from_ovito": (pypw85.from_ovito, AXES, QUATERNIONS),
     "from_rotation_vector": (pypw85.from_rotation_vector, AXES, TURNS),
     "full": (pypw85.full, FORMS),
+    "jaccard": (pypw85.jaccard, CENTERS, FORMS, FORMS[::-1].copy()),
+    "jaccard_2d": (pypw85.jaccard_2d, CENTERS[:, :2].copy(), ELLIPSES, ELLIPSES[::-1].copy()),
     "law_forces_pairs": (
         lambda *x: pypw85.law_forces_pairs(*x[:3], pypw85.Law.soft_repulsion(2.0), *x[3:]), PAIRS, CENTERS, FORMS, CELL, IMAGES),
     "motion": (pypw85.motion, CENTERS, CENTERS[::-1].copy(), SLOPES),
@@ -77,9 +81,16 @@ CALLS = {
     "overlap_any_indices": (pypw85.overlap_any_indices, CENTERS[0], FORMS[0], PAIRS[1], CENTERS, FORMS, CELL, IMAGES[:2]),
     "overlap_pairs": (lambda *x: pypw85.overlap_pairs(*x[:4], images=x[4]), PAIRS, CENTERS, FORMS, CELL, IMAGES),
     "overlap_polytope": (pypw85.overlap_polytope, CENTERS, FORMS, CUBE, REACH),
+    "overlap_table": (pypw85.overlap_table, CENTERS, FORMS, CENTERS[1:].copy(), FORMS[1:].copy()),
+    "overlap_table_2d": (pypw85.overlap_table_2d, CENTERS[:, :2].copy(), ELLIPSES, CENTERS[:, 1:].copy(), ELLIPSES),
+    "overlap_volume_pairs": (lambda *x: pypw85.overlap_volume_pairs(*x[:4], images=x[4]), PAIRS, CENTERS, FORMS, CELL, IMAGES),
     "pack": (lambda *x: numbers_of(pypw85.pack(x[0], 0.0625, x[1], seed=1, types=x[2])), AXES, 4 * CELL, np.arange(N)),
     "packed": (pypw85.packed, pypw85.full(FORMS)),
     "principal_axes": (pypw85.principal_axes, FORMS),
+    "sorensen": (pypw85.sorensen, CENTERS, FORMS, FORMS[::-1].copy()),
+    "sorensen_2d": (pypw85.sorensen_2d, CENTERS[:, :2].copy(), ELLIPSES, ELLIPSES[::-1].copy()),
+    "union_area_2d": (pypw85.union_area_2d, CENTERS[:, :2].copy(), ELLIPSES, ELLIPSES[::-1].copy()),
+    "union_volume": (pypw85.union_volume, CENTERS, FORMS, FORMS[::-1].copy()),
 }  # fmt: skip
 
 # Functions whose arguments are systems, files, texts or numbers.
@@ -157,7 +168,7 @@ def test_no_function_is_left_out():
 
 
 # The only numbers of a row that are truth values are of the functions of these names; others are signs or mark bad rows by NaN.
-@pytest.mark.parametrize("name", [name for name in gufuncs.__all__ if name.startswith(("overlap", "contains")) and "witness" not in name])
+@pytest.mark.parametrize("name", [name for name in gufuncs.__all__ if name.startswith(("overlap", "contains")) and not re.search("witness|volume|area", name)])
 def test_truth_values(name):
     function, signature = getattr(pypw85, name), getattr(gufuncs, name).signature
     shapes = [tuple(map(int, filter(None, core.split(",")))) for core in signature.split("->")[0].strip("()").split("),(")]

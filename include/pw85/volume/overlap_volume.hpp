@@ -107,9 +107,9 @@ measure_part(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, Symmetric
 inline constexpr double shortest_axis = 0.25;
 
 /// The same with twice the digits.
-template <class T, int D> [[gnu::noinline, gnu::cold]] PW85_FUNCTION PartMeasure<T>
-measure_part_finely(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, SymmetricMatrix<T, D> const &q2,
-                    int exponent) noexcept
+template <class T, int D>
+PW85_RARE PartMeasure<T> measure_part_finely(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1,
+                                             SymmetricMatrix<T, D> const &q2, int exponent) noexcept
 {
     using Fine = Finer<T>;
     auto const fine = measure_part(converted<Fine>(times_power_of_two(r12, -exponent)),
@@ -117,6 +117,12 @@ measure_part_finely(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, Sy
                                    converted<Fine>(times_power_of_two(q2, -2 * exponent)));
     return {rounded(fine.measure), rounded(fine.half_chord), fine.exponent, fine.swapped};
 }
+
+#define PW85_RARE_COMMON_PART(rare, T, D)                                                                              \
+    rare(measure_part_finely,                                                                                          \
+         (Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, SymmetricMatrix<T, D> const &q2, int exponent),    \
+         (r12, q1, q2, exponent))
+PW85_RARE_TIER(PW85_RARE_COMMON_PART)
 
 /// The measure of the common part, for any pair. It is at most that of the smaller ellipsoid.
 template <class T, int D> struct CommonMeasure {

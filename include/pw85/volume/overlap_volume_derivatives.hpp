@@ -291,9 +291,9 @@ part_derivatives(Vector<T, 3> const &r12, SymmetricMatrix<T, 3> const &q1, Symme
 }
 
 /// The same with twice the digits (see shortest_axis).
-template <class T> [[gnu::noinline, gnu::cold]] PW85_FUNCTION PartDerivatives<T>
-part_derivatives_finely(Vector<T, 3> const &r12, SymmetricMatrix<T, 3> const &q1,
-                        SymmetricMatrix<T, 3> const &q2) noexcept
+template <class T> PW85_RARE PartDerivatives<T> part_derivatives_finely(Vector<T, 3> const &r12,
+                                                                        SymmetricMatrix<T, 3> const &q1,
+                                                                        SymmetricMatrix<T, 3> const &q2) noexcept
 {
     using Fine = Finer<T>;
     auto const fine = part_derivatives(converted<Fine>(r12), converted<Fine>(q1), converted<Fine>(q2));
@@ -304,6 +304,11 @@ part_derivatives_finely(Vector<T, 3> const &r12, SymmetricMatrix<T, 3> const &q1
     }
     return d;
 }
+
+#define PW85_RARE_COMMON_PART_DERIVATIVES(rare, T)                                                                     \
+    rare(part_derivatives_finely,                                                                                      \
+         (Vector<T, 3> const &r12, SymmetricMatrix<T, 3> const &q1, SymmetricMatrix<T, 3> const &q2), (r12, q1, q2))
+PW85_RARE_TIER_IN_SPACE(PW85_RARE_COMMON_PART_DERIVATIVES)
 
 /// The derivatives for a pair: ∂V/∂r12 and ∂V/∂Q1, ∂V/∂Q2 as symmetric matrices.
 template <class T> PW85_FUNCTION inline OverlapVolumeGradient<T>

@@ -55,7 +55,7 @@ template <class T, int D> PW85_FUNCTION inline T unit_measure() noexcept
 
 /// The measure of an ellipsoid whose form is valid. The determinant has twice the digits, so that nothing is lost where the semi-axes
 /// differ by a factor below u^(-1/2); for each factor of four beyond, the result loses as many digits as the determinant.
-template <class T, int D> PW85_FUNCTION inline T measure_of(SymmetricMatrix<T, D> const &q) noexcept
+template <class T, int D> PW85_RARE T measure_of(SymmetricMatrix<T, D> const &q) noexcept
 {
     using Fine = Finer<T>;
     int const e = half_exponent(largest_diagonal(q));
@@ -66,6 +66,9 @@ template <class T, int D> PW85_FUNCTION inline T measure_of(SymmetricMatrix<T, D
     using pw85::detail::sqrt;
     return times_power_of_two(rounded(Fine(unit * square_root(det))), D * e);
 }
+
+#define PW85_RARE_MEASURE(rare, T, D) rare(measure_of, (SymmetricMatrix<T, D> const &q), (q))
+PW85_RARE_TIER(PW85_RARE_MEASURE)
 
 } // namespace pw85::detail
 
