@@ -184,7 +184,7 @@ void test_touching()
 {
     Failures failures;
     Random random(913);
-    for (int n = 0; n < draws(400); ++n) {
+    for (int n = 0; n < draws(80); ++n) {
         Sample<double, 3> p{{}, random.form(1.0, 3.0), random.form(random.log_uniform(0.7, 1.4), 3.0)};
         Vector3 const normal = random.direction<3>();
         Vector3 const point1 =

@@ -205,9 +205,9 @@ def from_rotation_vector(semi_axes: ArrayLike, rotation_vectors: ArrayLike) -> F
 def from_covariance(covariance: ArrayLike, confidence: float) -> Floats:
     """Forms of ellipsoids of confidence of normal distributions in space, or of ellipses in the plane.
 
-    In space this needs SciPy. The ellipsoid about the mean has the given probability. Its form is the covariance times the quantile of the χ²
-    distribution with three degrees of freedom, or two in the plane. An ellipse whose form is the covariance itself, the
-    standard ellipse of ecology, has the confidence 1 - exp(-1/2), which is 39.3 %.
+    In space this needs SciPy. The ellipsoid about the mean has the given probability. Its form is the covariance times
+    the quantile of the χ² distribution with three degrees of freedom, or two in the plane. An ellipse whose form is the
+    covariance itself, the standard ellipse of ecology, has the confidence 1 - exp(-1/2), which is 39.3 %.
 
     Parameters
     ----------
