@@ -2,8 +2,8 @@
 /** @file pw85_batch.h
  * @brief Many rows: the functions of pw85.h for arrays.
  *
- * The conventions are those of pw85.h, and so is what the description of an argument leaves out. Made of api/pw85_batch.h.in and pw85.h
- * by api/committed.py.
+ * The conventions are those of pw85.h, and so is what the description of an argument leaves out. A program makes this header of
+ * pw85.h: see CONTRIBUTING.md.
  */
 #ifndef PW85_BATCH_H_INCLUDED
 #define PW85_BATCH_H_INCLUDED

@@ -152,7 +152,7 @@ def check_one_row(driver, address):
     same = [row for row, name in zip(rows, names) if re.sub("^(pw85_|pypw85[.]|pw85::)", "", name) == "contact_gradient"]
     places = [link.get_attribute("href") for row in same for link in row.find_elements("tag name", "a")]
     pages = sorted(urllib.parse.urlparse(place).path for place in places)
-    if len(same) != 1 or pages != [f"/api/{language}.html" for language in ("c", "cpp", "fortran", "python")]:
+    if len(same) != 1 or pages != [f"/api/{language}.html" for language in ("c_pair", "cpp", "fortran_pair", "python")]:
         yield f"contact_gradient has {len(same)} rows, with links to {pages}"
     for place in places:
         driver.get(place)

@@ -166,7 +166,8 @@ def overlap_table(centers1: ArrayLike, q1: ArrayLike, centers2: ArrayLike, q2: A
     --------
     >>> import pypw85
     >>> ball = pypw85.spheroid(1, 1, [0, 0, 1])
-    >>> pypw85.overlap_table([[0, 0, 0], [9, 0, 0]], [ball, ball], [[1, 0, 0]], [ball]).round(4)
+    >>> centers = [[0, 0, 0], [9, 0, 0]]
+    >>> pypw85.overlap_table(centers, [ball, ball], [[1, 0, 0]], [ball]).round(4)
     array([[1.309],
            [0.   ]])
     """
@@ -191,7 +192,8 @@ def overlap_table_2d(centers1: ArrayLike, q1: ArrayLike, centers2: ArrayLike, q2
     --------
     >>> import pypw85
     >>> circle = pypw85.ellipse(1, 1, 0)
-    >>> pypw85.overlap_table_2d([[0, 0]], [circle], [[0, 0], [1, 0], [3, 0]], [circle] * 3).round(4)
+    >>> centers = [[0, 0], [1, 0], [3, 0]]
+    >>> pypw85.overlap_table_2d([[0, 0]], [circle], centers, [circle] * 3).round(4)
     array([[3.1416, 1.2284, 0.    ]])
     """
     return np.asarray(_table(overlap_area_2d, centers1, q1, centers2, q2), dtype=np.float64)

@@ -142,7 +142,8 @@ def overlap_volume_pairs(
     --------
     >>> import numpy as np, pypw85
     >>> q = np.array([pypw85.spheroid(1, 1, [0, 0, 1])] * 2)
-    >>> pypw85.overlap_volume_pairs([[0, 1]], [[0, 0, 0], [9, 0, 0]], q, cell=10 * np.eye(3)).round(4)
+    >>> centers = [[0, 0, 0], [9, 0, 0]]
+    >>> pypw85.overlap_volume_pairs([[0, 1]], centers, q, cell=10 * np.eye(3)).round(4)
     array([1.309])
     """
     arrays = _pair_list(pairs, centers, q, cell, images)

@@ -200,8 +200,10 @@ void add_pairs(Checksums &sums, std::vector<ExactPair> const &pairs, Integers co
             }
             continue;
         }
-        bool const slow = is_one_of(name, {"pw85_penetration_batch", "pw85_signed_distance_batch",
-                                           "pw85_signed_distance_derivatives_batch"}); // some hundred microseconds
+        bool const slow =
+            is_one_of(name, {"pw85_penetration_batch", "pw85_signed_distance_batch", "pw85_overlap_volume_batch",
+                             "pw85_overlap_volume_gradient_batch", "pw85_overlap_volume_torque_batch",
+                             "pw85_signed_distance_derivatives_batch"}); // some hundred microseconds
         Call call(function, slow ? few : pairs);
         vary(call, integers, known);
         if (only.empty() || name == only) add_call(sums[name], call);

@@ -9,7 +9,7 @@
 /// 1. The vertices diagonalise the form, so E = a cos⁴ψ + 2b cos²ψ sin²ψ + c sin⁴ψ. With tan ψ = (a/c)^(1/4) tan χ it is proportional to
 ///    1 - m sin²2χ with m = (1 - b/√(ac))/2. For m < 0 it is proportional to 1 - k² cos²2χ, with k² = |m|/(1 + |m|). So 2χ, less a quarter
 ///    turn for m < 0, is an amplitude φ of the modulus k.
-/// 2. Landen's transformation sin φ = (1 + k1) sin φ1/(1 + k1 sin²φ1), with k1 = (1 - k')/(1 + k'), replaces k by k1 < k. A few of
+/// 2. The transformation of Landen sin φ = (1 + k1) sin φ1/(1 + k1 sin²φ1), with k1 = (1 - k')/(1 + k'), replaces k by k1 < k. A few of
 ///    them make the modulus so small that φ1 itself serves as the uniform parameter.
 /// 3. k' is the root of (1 + b/√(ac))/2, and ac - b² = -4αγ(t1 - t2)², where t1 and t2 are T at the two vertices. So k' is computed without
 ///    cancellation where the rim nearly touches itself. It is not below u²: the rest of a rim that touches itself does not count.
