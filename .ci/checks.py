@@ -345,6 +345,14 @@ def check_tutorial(results):
     results.add("scripts/tutorial.sh", run(["scripts/tutorial.sh"], **cold))
 
 
+def check_pip(results):
+    """README's commands for Python."""
+    home = BUILDS / "home"
+    shutil.rmtree(home, ignore_errors=True)
+    cold = {"CCACHE_DISABLE": "1"} if "PW85_RECORD" in os.environ else {}
+    results.add("docs/installation/python.sh", run(["sh", "-e", "docs/installation/python.sh"], HOME=str(home), **cold))
+
+
 def check_wheel(results):
     add_unless_missing(results, "scripts/test_wheel.sh", ["scripts/test_wheel.sh"])
 
@@ -379,13 +387,15 @@ class Part:
     packages: str  # that it needs, as words of scripts/packages.sh
     after: tuple = ()  # parts that must have ended before, if they run at all
     by_default: bool = True
+    alone: bool = False  # while times are put on record
 
 
 PARTS = {
-    "tests": Part(test_command, f"{TEST} qemu-user clang-19 clang-tools-19 libomp-19-dev"),
+    "tests": Part(test_command, f"{TEST} qemu-user clang-19 clang-tools-19 libomp-19-dev", alone=True),
     "pages": Part(check_pages, f"{TEST} libbenchmark-dev libfcl-dev {PAGES}", after=("tests",)),
     "format": Part(check_format, "git clang-format"),
-    "tutorial": Part(check_tutorial, "$build_packages", after=("tests",)),
+    "tutorial": Part(check_tutorial, "$build_packages", after=("tests",), alone=True),
+    "pip": Part(check_pip, "$python_packages", after=("tests",), by_default=False, alone=True),
     "wheel": Part(check_wheel, TEST, after=("tests",)),
     "static": Part(check_static, f"{TEST} git shellcheck codespell reuse", after=("tests",)),
     "clang": Part(check_clang, f"{TEST} clang", after=("tests",)),
@@ -427,17 +437,22 @@ def run_part(name, report_file):
 class Scheduler:
     """Runs parts as processes of their own, some at a time."""
 
-    def __init__(self, names, at_a_time):
-        self.at_a_time = at_a_time
+    def __init__(self, names, at_a_time, record):
+        self.at_a_time, self.record = at_a_time, record
         self.waiting, self.running, self.ended = list(names), set(), set()
         self.changed, self.results, self.times = threading.Condition(), Results(), {}
+
+    def can_start(self, name):
+        if any(other in self.waiting or other in self.running for other in PARTS[name].after):
+            return False
+        return not (self.record and self.running and any(PARTS[one].alone for one in (name, *self.running)))
 
     def next_part(self):
         """A part that can start now; None if all have started."""
         with self.changed:
             while self.waiting:
                 for name in self.waiting:
-                    if not any(other in self.waiting or other in self.running for other in PARTS[name].after):
+                    if self.can_start(name):
                         self.waiting.remove(name)
                         self.running.add(name)
                         return name
@@ -506,7 +521,7 @@ def list_parts():
     for name, part in PARTS.items():
         took = recorded.get(name)
         minutes = f"{took['minutes']:5.1f} min, {took['processor_minutes']:5.1f} of processors" if took else "not on record"
-        print(f"{name:16}{minutes:32}{'' if part.by_default else 'only by name or with `all`'}")
+        print(f"{name:20}{minutes:32}{'' if part.by_default else 'only by name or with `all`'}")
 
 
 def chosen_parts(words):
@@ -523,7 +538,7 @@ def chosen_parts(words):
 
 def main():
     parser = argparse.ArgumentParser(description="Runs checks.")
-    parser.add_argument("--record", action="store_true", help="make the record of times anew (.ci/times.json), one part after the other")
+    parser.add_argument("--record", action="store_true", help="put the times on record (.ci/times.json), those that README states with nothing beside")
     parser.add_argument("--one", nargs=2, metavar=("PART", "FILE"), help=argparse.SUPPRESS)
     parser.add_argument("words", nargs="*", help="parts, `all` or `list`")
     arguments = parser.parse_args()
@@ -541,7 +556,7 @@ def main():
         os.environ["PW85_RECORD"] = "1"
     if not install_packages(names):
         sys.exit("packages cannot be installed")
-    scheduler = Scheduler(names, 1 if arguments.record else min(2, os.cpu_count() or 1))
+    scheduler = Scheduler(names, min(2, os.cpu_count() or 1), arguments.record)
     scheduler.run()
     report_times(scheduler, arguments.record)
     results = scheduler.results

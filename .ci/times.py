@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Processor seconds of each compiled unit and of each test of README's test command, compared with those on record (times.json).
 
-Machines differ, so the times of a run are divided by the median of their ratios to the record. `.ci/run --record tests tutorial`
-makes the record anew, of parts one after the other, without anything in the cache."""
+Machines differ, so the times of a run are divided by the median of their ratios to the record. `.ci/run --record PART...` puts
+its times on record, without anything in the cache. README's commands run alone then, and all else two parts at a time, as always."""
 
 import datetime
 import json

@@ -17,8 +17,9 @@ import measurements
 HERE = Path(__file__).resolve().parent
 README, LAMMPS_README = HERE.parent / "README.md", HERE.parent / "lammps" / "README.md"
 SECTION = re.compile(r"<!-- measured (\w+) -->\n.*?<!-- end of measured -->", re.DOTALL)
-TIMES = HERE.parent / ".ci" / "times.json"  # of README's commands, by `.ci/run --record tests tutorial`
-COMMANDS = {"tutorial": "tutorial", "test": "tests"}  # README's scripts, and the parts of .ci/run that run them
+TIMES = HERE.parent / ".ci" / "times.json"  # of README's commands, by `.ci/run --record tests tutorial pip`
+# What README says before the minutes of its commands, and the parts of .ci/run that run them
+COMMANDS = {r"scripts/tutorial\.sh +# ": "tutorial", r"scripts/test\.sh +# ": "tests", "These commands take ": "pip"}
 PICTURES = {"accuracy": "accuracy", "digits": "digits", "evaluations": "evaluations", "growth": "growth", "throughput": "speed"}
 ASPECTS = ("2", "10", "100", "1000")
 FUNCTIONS = {
@@ -83,9 +84,9 @@ def side_by_side():
 SECTIONS = {"speed": readme_section, **{name: lambda lines=lines: "\n".join(lines()) for name, lines in measured_lammps.SECTIONS.items()}}
 
 
-def minutes(script):
+def minutes(part):
     """How long one of README's commands takes, in words."""
-    took = round(json.loads(TIMES.read_text(encoding="utf-8"))["parts"][COMMANDS[script]]["minutes"])
+    took = round(json.loads(TIMES.read_text(encoding="utf-8"))["parts"][part]["minutes"])
     return "about a minute" if took <= 1 else f"about {took} minutes"
 
 
@@ -96,7 +97,9 @@ def with_sections(page):
         return f"<!-- measured {found[1]} -->\n{SECTIONS[found[1]]()}\n<!-- end of measured -->"
 
     text = SECTION.sub(section, page.read_text(encoding="utf-8"))
-    return re.sub(r"(scripts/(tutorial|test)\.sh +# )about .* (?=on two cores)", lambda found: f"{found[1]}{minutes(found[2])} ", text)
+    for before, part in COMMANDS.items():
+        text = re.sub(rf"({before})about .*? (?=on two cores)", rf"\g<1>{minutes(part)} ", text)
+    return text
 
 
 def out_of_date():
