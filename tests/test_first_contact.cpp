@@ -316,7 +316,7 @@ void test_units()
     }
 }
 
-// Item 3 of advance.hpp: the root of the polynomial and the remainder bound that of the form of a body that turns and grows.
+// Item 3 of rotation.hpp: the root of the polynomial and the remainder bound that of the form of a body that turns and grows.
 // Vectors along the axis, and such that the rotation leaves little of the third order, make the growth's part of the remainder the
 // largest.
 void test_remainder()
@@ -329,7 +329,7 @@ void test_remainder()
         pw85::Motion<double, 3> const motion{{}, random.direction<3>(), random.uniform(-0.9, 1.0)};
         auto const body = pw85::detail::to_body(q, motion, 0);
         auto const s1 = n % 2 == 0 ? 1.0 / 3.0 * pw85::detail::turning(body.omega, axis) : random.direction<3>();
-        auto const path = pw85::detail::make_path(axis, s1);
+        auto const path = pw85::detail::normal_path(axis, s1);
         auto const e =
             pw85::detail::extent(body, path, pw85::detail::respond(body, axis, pw85::product(body.rest, axis)));
         double const x = random.uniform(0.1, 1.0), size = 1.0 + body.growth * x;

@@ -78,6 +78,8 @@ class Estimate(NamedTuple):
 TRANSITION = {"1/5": ("0.32", "0.34", "0.36")}
 # Isotropic, but so near a transition that the order is slow
 SLOW = (("3", "0.45"), ("1/3", "0.45"), ("5", "0.35"))
+# Aspect ratio, start, volume fraction: where 2^18 sweeps do not show how slow the order is
+SLOWEST = {("1/5", "random", f) for f in TRANSITION["1/5"]} | {("1/5", "aligned", "0.34"), ("5", "aligned", "0.5"), ("5", "aligned", "0.55")}
 RANDOM = {
     "1": ("0.1", "0.2", "0.3", "0.4", "0.45"),
     "3": ("0.1", "0.2", "0.3", "0.4", "0.45"),
@@ -129,7 +131,7 @@ def effort(state: State) -> Effort:
     transition the order takes longest."""
     near = state.ensemble == "NVT" and (state.target in TRANSITION.get(state.aspect, ()) or (state.aspect, state.target) in SLOW)
     if near or (state.start == "aligned" and state.target != "0.3"):
-        slow = "3" in state.aspect or (near and state.target == "0.34")
+        slow = "3" in state.aspect or (state.aspect, state.start, state.target) in SLOWEST
         return Effort(cycles=512, sweeps=1600 if slow else 512, chains=64, translation=0.5)
     if state.ensemble == "NPT":
         return Effort(particles=128, equilibration=40, cycles=512, sweeps=64, translation=0.5)

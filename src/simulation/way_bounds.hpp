@@ -4,7 +4,7 @@
 ///
 /// The particle moves by x d, so that the separation is r - x d. With M = Q1 + t Q2:
 ///
-/// 1. rᵀadj(M)r - (1 + 1/t) det M is positive where f > 1 at this t (item 1 of motion/passage.hpp). On the way it is a polynomial of degree
+/// 1. rᵀadj(M)r - (1 + 1/t) det M is positive where f > 1 at this t (item 1 of motion/translation.hpp). On the way it is a polynomial of degree
 ///    two. So its first root is a lower bound of the way, and there is no contact if it has no root ahead. Each t gives a bound; the contact
 ///    is the largest.
 /// 2. Newton's steps for the root of h (contact/iteration.hpp), each at the x of the present bound, lead to the t of the contact. After a
@@ -20,7 +20,7 @@
 #ifndef PW85_SIMULATION_WAY_BOUNDS_HPP_INCLUDED
 #define PW85_SIMULATION_WAY_BOUNDS_HPP_INCLUDED
 
-#include <pw85/motion/passage.hpp>
+#include <pw85/motion/translation.hpp>
 
 #include "../kernels/pack.hpp"
 #include "configuration.hpp"

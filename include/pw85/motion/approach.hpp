@@ -15,7 +15,7 @@
 #define PW85_MOTION_APPROACH_HPP_INCLUDED
 
 #include <pw85/algebra/error_free.hpp>
-#include <pw85/motion/passage.hpp>
+#include <pw85/motion/translation.hpp>
 
 namespace pw85::detail {
 
@@ -225,7 +225,8 @@ template <class T, int D> PW85_FUNCTION inline bool let_move(SymmetricMatrix<T, 
 
 /// Lets a remote pair move until the spheres around its ellipsoids meet, and returns that time. Infinity if they do not meet before
 /// the end; NaN if a number leaves the range of T.
-template <class T, int D> [[gnu::noinline]] PW85_FUNCTION inline T come_near(MovingEllipsoids<T, D> &moving) noexcept
+template <class T, int D>
+[[gnu::noinline]] PW85_FUNCTION inline T advance_until_spheres_meet(MovingEllipsoids<T, D> &moving) noexcept
 {
     T const speed = largest_coordinate(relative_velocity(moving.motion1, moving.motion2)), none = T(0);
     if (speed == none && moving.motion1.growth == none && moving.motion2.growth == none) return infinity<T>();

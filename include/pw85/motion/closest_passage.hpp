@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The least contact function of two ellipsoids when one passes the other on a straight way: the least μ² of the separations r + t
+/// The least contact function of two ellipsoids when one passes the other on a straight path: the least μ² of the separations r + t
 /// v, 0 <= t <= t_max. pw85.hpp and the C API use this file.
 ///
 /// 1. For fixed forms μ is a norm of the separation. So μ² is a convex function of t, strictly so for v != 0: its least value has
@@ -8,13 +8,13 @@
 /// 2. The least over t of the largest f over λ is the largest over λ of the least f over t, because f is convex in t and concave in
 ///    λ. For fixed λ, with W = [(1-λ)Q1 + λQ2]⁻¹, the best t on the line is -rᵀWv/vᵀWv.
 /// 3. Let P be a projection along v to the plane across v. The least (r + t v)ᵀW(r + t v) is (Pr)ᵀ[(1-λ) PQ1Pᵀ + λ PQ2Pᵀ]⁻¹ Pr. So on
-///    the whole line the least μ² is the contact function of the shadows of the ellipsoids along v, in two dimensions, and has the
+///    the whole line the least μ² is the contact function of the projections of the ellipsoids along v, in two dimensions, and has the
 ///    same λ.
 /// 4. For any λ and t, let n = W(r + t v). The least f at λ is f(λ, t) - λ(1-λ)(v·n)²/(vᵀWv), because the best t differs from t by
 ///    -v·n/(vᵀWv). So λ bounds the result from below, t bounds it from above, and the bounds differ by that term.
 ///
-/// The shadows give λ and t, and the pair at t gives μ². If the bounds differ by more than rounding errors, new t and λ follow from
-/// each other. If they still differ, or if r + t v cancels so much that its rounding matters, the shadows are computed with wider
+/// The projections give λ and t, and the pair at t gives μ². If the bounds differ by more than rounding errors, new t and λ follow from
+/// each other. If they still differ, or if r + t v cancels so much that its rounding matters, the projections are computed with wider
 /// numbers.
 ///
 /// The error of μ² is 4 u S for the contact function at t, 2 u S for the rounding of r + t v, u S for the difference of the bounds,
@@ -26,7 +26,7 @@
 
 namespace pw85 {
 
-/// The least contact function on a straight way, and when the ellipsoids are there.
+/// The least contact function on a straight path, and when the ellipsoids are there.
 template <class T> struct ClosestPassage {
     T mu2;
     T time; ///< in [0, t_max]
@@ -38,7 +38,7 @@ template <class T> struct ClosestPassage {
 namespace pw85::detail {
 
 /// A pair in range, and a velocity and an end of the time in units in which the velocity is of order one.
-template <class T> struct Way {
+template <class T> struct StraightPath {
     Pair<T, 3> pair;
     Vector<T, 3> velocity;
     T end;
@@ -72,17 +72,18 @@ PW85_FUNCTION inline SymmetricMatrix<T, 2> project(Projection<T> const &p, Symme
     return {dot(p.rows[0], first), dot(p.rows[0], second), dot(p.rows[1], second)};
 }
 
-/// The shadows of the ellipsoids along v.
-template <class T> PW85_FUNCTION inline Pair<T, 2> shadows(Pair<T, 3> const &pair, Vector<T, 3> const &v) noexcept
+/// The pair of the projections of the ellipsoids along v.
+template <class T>
+PW85_FUNCTION inline Pair<T, 2> projected_pair(Pair<T, 3> const &pair, Vector<T, 3> const &v) noexcept
 {
     auto const p = projection_along(v);
     return {{dot(p.rows[0], pair.r12), dot(p.rows[1], pair.r12)}, project(p, pair.q1), project(p, pair.q2), pair.ratio};
 }
 
 /// The pair at time t.
-template <class T> PW85_FUNCTION inline Pair<T, 3> pair_at(Way<T> const &way, T const &t) noexcept
+template <class T> PW85_FUNCTION inline Pair<T, 3> pair_at(StraightPath<T> const &path, T const &t) noexcept
 {
-    return {add_scaled(way.pair.r12, t, way.velocity), way.pair.q1, way.pair.q2, way.pair.ratio};
+    return {add_scaled(path.pair.r12, t, path.velocity), path.pair.q1, path.pair.q2, path.pair.ratio};
 }
 
 /// τ of a maximum in the units of a Pair: M = Q1 + τQ2.
@@ -92,24 +93,24 @@ template <class Maximum, class T> PW85_FUNCTION inline T weight_of(Maximum const
 }
 
 /// The best time on the whole line at τ, by item 2. The correction removes the error that a large r causes.
-template <class T> PW85_FUNCTION inline T best_time(Way<T> const &way, T const &tau) noexcept
+template <class T> PW85_FUNCTION inline T best_time(StraightPath<T> const &path, T const &tau) noexcept
 {
-    auto const &[r12, q1, q2, ratio] = way.pair;
-    auto const wv = solve_blend(T(1), q1, tau, q2, way.velocity);
-    T const norm = dot(way.velocity, wv), t = -dot(r12, wv) / norm;
-    return t - dot(pair_at(way, t).r12, wv) / norm;
+    auto const &[r12, q1, q2, ratio] = path.pair;
+    auto const wv = solve_blend(T(1), q1, tau, q2, path.velocity);
+    T const norm = dot(path.velocity, wv), t = -dot(r12, wv) / norm;
+    return t - dot(pair_at(path, t).r12, wv) / norm;
 }
 
-template <class T> PW85_FUNCTION inline T in_range(Way<T> const &way, T const &t) noexcept
+template <class T> PW85_FUNCTION inline T in_range(StraightPath<T> const &path, T const &t) noexcept
 {
-    return minimum(maximum(t, T(0)), way.end);
+    return minimum(maximum(t, T(0)), path.end);
 }
 
-/// The time by the shadows, or 0 if rounding errors are too large.
-template <class T> PW85_FUNCTION inline T time_by_shadows(Way<T> const &way) noexcept
+/// The time by the projections, or 0 if rounding errors are too large.
+template <class T> PW85_FUNCTION inline T time_by_projection(StraightPath<T> const &path) noexcept
 {
-    auto const m = maximize(shadows(way.pair, way.velocity));
-    return m.converged ? in_range(way, best_time(way, weight_of(m, way.pair.ratio))) : T(0);
+    auto const m = maximize(projected_pair(path.pair, path.velocity));
+    return m.converged ? in_range(path, best_time(path, weight_of(m, path.pair.ratio))) : T(0);
 }
 
 /// The largest f of a pair with r12 != 0, by the factorised form.
@@ -121,13 +122,14 @@ template <class T, int D> PW85_FUNCTION inline StationaryValue<T> largest_f(Pair
     return last_evaluation(pair, candidate, Precision::working).value;
 }
 
-/// closest_passage() by wider numbers: on the whole line by the shadows, or at an end of the range by the pair there. If the way
-/// leads through the centre, the separation of the shadows is 0 without rounding.
-template <class T> PW85_RARE ClosestPassage<T> find_closest_passage_wider(Way<T> const &way) noexcept
+/// closest_passage() by wider numbers: on the whole line by the projections, or at an end of the range by the pair there. If the path
+/// leads through the centre, the separation of the projections is 0 without rounding.
+template <class T> PW85_RARE ClosestPassage<T> find_closest_passage_wider(StraightPath<T> const &path) noexcept
 {
     using W = Widened<T>;
-    Way<W> const wide{widened<W>(way.pair), converted<W>(way.velocity), W(minimum(way.end, largest_number<T>()))};
-    auto const pair = shadows(wide.pair, wide.velocity);
+    StraightPath<W> const wide{widened<W>(path.pair), converted<W>(path.velocity),
+                               W(minimum(path.end, largest_number<T>()))};
+    auto const pair = projected_pair(wide.pair, wide.velocity);
     bool const central = largest_coordinate(pair.r12) == W(T(0));
     auto const f = central ? StationaryValue<W>{W(T(0)), W(T(0.5)), W(T(0.5)), W(T(0))} : largest_f(pair);
     W const best = best_time(wide, weight_of(f, pair.ratio)), t = in_range(wide, best);
@@ -137,7 +139,7 @@ template <class T> PW85_RARE ClosestPassage<T> find_closest_passage_wider(Way<T>
     return {rounded(mu2), rounded(t), StatusCode::success};
 }
 
-#define PW85_RARE_PASSAGE(rare, T) rare(find_closest_passage_wider, (Way<T> const &way), (way))
+#define PW85_RARE_PASSAGE(rare, T) rare(find_closest_passage_wider, (StraightPath<T> const &path), (path))
 PW85_RARE_TIER_IN_SPACE(PW85_RARE_PASSAGE)
 
 /// μ² at one time, and the time that follows from its λ.
@@ -151,12 +153,12 @@ template <class T> struct PassageStep {
 /// where δᵀM⁻¹δ <= 3 u² Σ x_i² (M⁻¹)_ii. It must be less than u S/64, so that S, which is computed at the rounded separation, is
 /// right.
 template <class T> PW85_FUNCTION inline bool
-is_rounding_harmless(Way<T> const &way, T const &t, Factorization<T, 3> const &factors, T const &sum) noexcept
+is_rounding_harmless(StraightPath<T> const &path, T const &t, Factorization<T, 3> const &factors, T const &sum) noexcept
 {
     T second = T(0);
     for (int i = 0; i < 3; ++i) {
         Vector<T, 3> unit{};
-        unit[i] = absolute(way.pair.r12[i]) + T(T(2) * t) * absolute(way.velocity[i]);
+        unit[i] = absolute(path.pair.r12[i]) + T(T(2) * t) * absolute(path.velocity[i]);
         second = second + inverse_form(factors, unit);
     }
     return t == T(0) || T(T(192 * unit_roundoff<T>()) * second) <= sum;
@@ -164,36 +166,36 @@ is_rounding_harmless(Way<T> const &way, T const &t, Factorization<T, 3> const &f
 
 /// Computes the step at t. With S, the sum of condition_sum() and the terms of r and of t v, the bounds of item 4 agree if they
 /// differ by u S.
-template <class T> PW85_FUNCTION inline PassageStep<T> step_at(Way<T> const &way, T const &t) noexcept
+template <class T> PW85_FUNCTION inline PassageStep<T> step_at(StraightPath<T> const &path, T const &t) noexcept
 {
-    auto const pair = pair_at(way, t);
+    auto const pair = pair_at(path, t);
     auto const m = largest_coordinate(pair.r12) > T(0) ? maximize(pair) : Maximum<T>{};
     if (!m.converged) return {quiet_nan<T>(), t, false};
     T const tau = weight_of(m, pair.ratio), u = T(unit_roundoff<T>());
     auto const n = solve_blend(T(1), pair.q1, tau, pair.q2, pair.r12);
-    auto const wv = solve_blend(T(1), pair.q1, tau, pair.q2, way.velocity);
-    T const along = dot(pair.r12, wv), delay = -along / dot(way.velocity, wv);
-    T const sum = condition_sum(pair, tau, n) + T(T(4) * t) * magnitude_of_dot(way.velocity, n);
-    bool const at_end = (t == T(0) && along >= T(0)) || (t == way.end && along <= T(0));
+    auto const wv = solve_blend(T(1), pair.q1, tau, pair.q2, path.velocity);
+    T const along = dot(pair.r12, wv), delay = -along / dot(path.velocity, wv);
+    T const sum = condition_sum(pair, tau, n) + T(T(4) * t) * magnitude_of_dot(path.velocity, n);
+    bool const at_end = (t == T(0) && along >= T(0)) || (t == path.end && along <= T(0));
     bool const best = at_end || T(-along * delay) <= u * sum;
-    return {m.mu2, in_range(way, T(t + delay)),
-            best && is_rounding_harmless(way, t, factorize_blend(T(1), pair.q1, tau, pair.q2), sum)};
+    return {m.mu2, in_range(path, T(t + delay)),
+            best && is_rounding_harmless(path, t, factorize_blend(T(1), pair.q1, tau, pair.q2), sum)};
 }
 
 /// How often t and λ follow from each other before wider numbers are used.
 inline constexpr int max_passage_steps = 3;
 
-/// closest_passage() in the units of a Way, with v != 0 and r12 != 0. Types without wider numbers use their own.
+/// closest_passage() in the units of a StraightPath, with v != 0 and r12 != 0. Types without wider numbers use their own.
 template <class T>
-[[gnu::noinline]] PW85_FUNCTION inline ClosestPassage<T> find_closest_passage(Way<T> const &way) noexcept
+[[gnu::noinline]] PW85_FUNCTION inline ClosestPassage<T> find_closest_passage(StraightPath<T> const &path) noexcept
 {
-    T t = time_by_shadows(way);
+    T t = time_by_projection(path);
     for (int i = 0; i < max_passage_steps; ++i) {
-        auto const step = step_at(way, t);
+        auto const step = step_at(path, t);
         if (step.best) return {step.mu2, t, StatusCode::success};
         t = step.next;
     }
-    return find_closest_passage_wider(way);
+    return find_closest_passage_wider(path);
 }
 
 /// closest_passage() for a valid pair that moves.
@@ -202,10 +204,10 @@ pass_scaled(ScaledPair<T, 3> const &scaled, Vector<T, 3> const &velocity, T cons
 {
     int const unit = binary_exponent(largest_coordinate(velocity)), exponent = scaled.length - unit;
     auto const v = times_power_of_two(scaled.swapped ? -velocity : velocity, -unit);
-    Way<T> const way{scaled.pair, v, times_power_of_two(t_max, -exponent)};
-    auto passage = find_closest_passage(way);
+    StraightPath<T> const path{scaled.pair, v, times_power_of_two(t_max, -exponent)};
+    auto passage = find_closest_passage(path);
     passage.mu2 = times_power_of_two(passage.mu2, 2 * (scaled.length - scaled.form));
-    passage.time = passage.time == way.end ? t_max : minimum(times_power_of_two(passage.time, exponent), t_max);
+    passage.time = passage.time == path.end ? t_max : minimum(times_power_of_two(passage.time, exponent), t_max);
     return passage;
 }
 

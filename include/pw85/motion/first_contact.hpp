@@ -5,7 +5,7 @@
 #define PW85_MOTION_FIRST_CONTACT_HPP_INCLUDED
 
 #include <pw85/contact/validate.hpp>
-#include <pw85/motion/advance.hpp>
+#include <pw85/motion/rotation.hpp>
 
 namespace pw85::detail {
 
@@ -44,13 +44,13 @@ template <class T, int D> PW85_FUNCTION inline T tangent_in_units(ScaledPair<T, 
 
 /// A valid pair that only translates, in the unit of time in which the speed is of order one. The unit of the caller is 2^-exponent
 /// of this one.
-template <class T, int D> struct ScaledFlight {
+template <class T, int D> struct ScaledTranslation {
     Vector<T, D> velocity;
     int exponent;
 };
 
-template <class T, int D> PW85_FUNCTION inline ScaledFlight<T, D> scale_flight(ScaledPair<T, D> const &scaled,
-                                                                               Vector<T, D> const &velocity) noexcept
+template <class T, int D> PW85_FUNCTION inline ScaledTranslation<T, D>
+scale_translation(ScaledPair<T, D> const &scaled, Vector<T, D> const &velocity) noexcept
 {
     T const largest = largest_coordinate(velocity);
     int const unit = largest > T(0) ? binary_exponent(largest) : 0;
@@ -61,9 +61,9 @@ template <class T, int D> PW85_FUNCTION inline ScaledFlight<T, D> scale_flight(S
 template <class T, int D> PW85_FUNCTION inline FirstContact<T>
 first_contact_of_translation(ScaledPair<T, D> const &scaled, Vector<T, D> const &velocity, T const &end) noexcept
 {
-    auto const [v, exponent] = scale_flight(scaled, velocity);
-    Flight<T, D> const flight{scaled.pair, v, tangent_in_units(scaled)};
-    auto const found = find_passage(flight, times_power_of_two(end, -exponent));
+    auto const [v, exponent] = scale_translation(scaled, velocity);
+    TranslatingPair<T, D> const moving{scaled.pair, v, tangent_in_units(scaled)};
+    auto const found = find_translation_contact(moving, times_power_of_two(end, -exponent));
     return in_unit_of_time(FirstContact<T>{found.time, found.status}, exponent);
 }
 
@@ -106,8 +106,8 @@ first_contact_from_afar(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1
 {
     MovingEllipsoids<T, D> m{r12, q1, q2, motion1, motion2, end};
     T waited = T(0);
-    for (int i = 0; i < max_passages && is_remote(m.r12, m.q1, m.q2); ++i) {
-        T const wait = come_near(m);
+    for (int i = 0; i < max_translation_steps && is_remote(m.r12, m.q1, m.q2); ++i) {
+        T const wait = advance_until_spheres_meet(m);
         if (!(wait < infinity<T>())) return {wait, wait > T(0) ? StatusCode::success : StatusCode::no_convergence};
         waited = waited + wait;
     }

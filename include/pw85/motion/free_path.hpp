@@ -11,7 +11,7 @@
 ///    stationary there, so an error in n counts only squared.
 /// 3. If n·d <= 0 for the normal of a pair that does not overlap, the pair separates, and there is no contact.
 ///
-/// The search of passage.hpp finds the contact and its normal. Item 1, with bounds on its rounding errors, then gives a distance that
+/// The search of translation.hpp finds the contact and its normal. Item 1, with bounds on its rounding errors, then gives a distance that
 /// is free for certain, whatever the error of the search.
 #ifndef PW85_MOTION_FREE_PATH_HPP_INCLUDED
 #define PW85_MOTION_FREE_PATH_HPP_INCLUDED
@@ -58,8 +58,8 @@ free_by_normal(ScaledPair<T, D> const &scaled, Vector<T, D> const &velocity, Vec
     return maximum(T(0), free / fastest * (T(1) - T(8) * u));
 }
 
-/// What a search for a passage shows, in the units of the caller: the normal of a plane that separates the ellipsoids until they touch,
-/// or at `until` if they do not touch.
+/// What the search for the contact of a translation shows, in the units of the caller: the normal of a plane that
+/// separates the ellipsoids until they touch, or at `until` if they do not touch.
 template <class T, int D> struct SeparatingPlane {
     Vector<T, D> normal;
     T until;
@@ -69,12 +69,12 @@ template <class T, int D> struct SeparatingPlane {
 
 /// The plane for a valid pair that is not remote.
 template <class T, int D> PW85_FUNCTION inline SeparatingPlane<T, D>
-plane_of_passage(ScaledPair<T, D> const &scaled, Vector<T, D> const &velocity, T const &end) noexcept
+plane_of_translation(ScaledPair<T, D> const &scaled, Vector<T, D> const &velocity, T const &end) noexcept
 {
     auto const &[r12, q1, q2, ratio] = scaled.pair;
-    auto const [v, exponent] = scale_flight(scaled, velocity);
+    auto const [v, exponent] = scale_translation(scaled, velocity);
     T const last = times_power_of_two(end, -exponent);
-    auto const found = find_passage(Flight<T, D>{scaled.pair, v, tangent_in_units(scaled)}, last);
+    auto const found = find_translation_contact(TranslatingPair<T, D>{scaled.pair, v, tangent_in_units(scaled)}, last);
     if (found.status != StatusCode::success) return {r12, T(0), false, found.status};
     auto const n = solve_blend(T(1), q1, found.t, q2, add_scaled(r12, found.shown, v));
     bool const to_end = found.time < infinity<T>() || !(found.shown < last);
@@ -89,13 +89,13 @@ plane_from_afar(Pair<T, D> const &pair, Vector<T, D> const &velocity, T const &e
 {
     MovingEllipsoids<T, D> m{pair.r12, pair.q1, pair.q2, {}, {velocity, {}, T(0)}, end};
     T waited = T(0);
-    for (int i = 0; i < max_passages && is_remote(m.r12, m.q1, m.q2); ++i) {
-        T const wait = come_near(m);
+    for (int i = 0; i < max_translation_steps && is_remote(m.r12, m.q1, m.q2); ++i) {
+        T const wait = advance_until_spheres_meet(m);
         if (!(wait < infinity<T>()))
             return {{}, wait, false, wait > T(0) ? StatusCode::success : StatusCode::no_convergence};
         waited = waited + wait;
     }
-    auto plane = plane_of_passage(scale(pair_of(m.r12, m.q1, m.q2)), velocity, m.end);
+    auto plane = plane_of_translation(scale(pair_of(m.r12, m.q1, m.q2)), velocity, m.end);
     plane.until = plane.until == m.end ? end : minimum(end, T(waited + plane.until));
     return plane;
 }
@@ -106,10 +106,10 @@ PW85_FUNCTION inline FreePath<T> free_path_of(ScaledPair<T, D> const &scaled, Pa
                                               Vector<T, D> const &velocity, T const &end) noexcept
 {
     auto const plane = is_remote(pair.r12, pair.q1, pair.q2) ? plane_from_afar(pair, velocity, end)
-                                                             : plane_of_passage(scaled, velocity, end);
+                                                             : plane_of_translation(scaled, velocity, end);
     if (plane.status != StatusCode::success) return all_nan<FreePath<T>>(plane.status);
     if (plane.overlaps) return {T(0), StatusCode::success};
-    auto const [v, exponent] = scale_flight(scaled, velocity);
+    auto const [v, exponent] = scale_translation(scaled, velocity);
     T const free = free_by_normal(scaled, v, scaled.swapped ? -plane.normal : plane.normal);
     T const length = times_power_of_two(free, exponent);
     return {length < plane.until ? length : infinity<T>(), StatusCode::success};

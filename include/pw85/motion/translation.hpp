@@ -10,8 +10,8 @@
 ///    root) lie on that side of λ on which f has its maximum at the time of the root. So the contact is found by a search for the
 ///    root of h (contact/iteration.hpp), in which every step also updates the time. The root is stationary at the contact, so an
 ///    error in λ counts only squared.
-#ifndef PW85_MOTION_PASSAGE_HPP_INCLUDED
-#define PW85_MOTION_PASSAGE_HPP_INCLUDED
+#ifndef PW85_MOTION_TRANSLATION_HPP_INCLUDED
+#define PW85_MOTION_TRANSLATION_HPP_INCLUDED
 
 #include <pw85/algebra/all_nan.hpp>
 #include <pw85/contact/solver.hpp>
@@ -49,7 +49,7 @@ PW85_FUNCTION inline T first_root(T const &excess, T const &approach, T const &s
 }
 
 /// Item 1 at one λ: rᵀM⁻¹r = target, the level of f = 1, at some time, and the coefficients of its change.
-template <class T, int D> struct Passage {
+template <class T, int D> struct SeparationBound {
     Vector<T, D> s, s_velocity; ///< M⁻¹r, M⁻¹v
     T excess, slack;            ///< rᵀM⁻¹r - target, and what rounding can make of it
     T approach, speed;          ///< -rᵀM⁻¹v, vᵀM⁻¹v
@@ -61,7 +61,7 @@ inline constexpr int touching_tolerance = 128;
 
 /// What one λ shows: the ellipsoids do not touch; they are too near from the beginning for this λ to decide; or they do not touch
 /// before some time.
-enum class PassageOutcome { none, too_near, contact };
+enum class BoundOutcome { none, too_near, contact };
 
 /// rᵀM⁻¹r where f = 1, for f = τ/(1+τ) rᵀM⁻¹r with τ = ratio² t.
 template <class T> PW85_FUNCTION constexpr T target_at(T const &tangent, T const &ratio, T const &t) noexcept
@@ -80,8 +80,9 @@ PW85_FUNCTION constexpr T slack_of_form(SymmetricMatrix<T, D> const &m, Vector<T
 }
 
 template <class T, int D>
-PW85_FUNCTION inline Passage<T, D> passage(Vector<T, D> const &r12, Vector<T, D> const &velocity, T const &target,
-                                           SymmetricMatrix<T, D> const &m, Factorization<T, D> const &factors) noexcept
+PW85_FUNCTION inline SeparationBound<T, D> separation_bound(Vector<T, D> const &r12, Vector<T, D> const &velocity,
+                                                            T const &target, SymmetricMatrix<T, D> const &m,
+                                                            Factorization<T, D> const &factors) noexcept
 {
     Vector<T, D> const y = substitute_forward(factors, r12), z = substitute_forward(factors, velocity),
                        s = substitute_back(factors, y);
@@ -93,9 +94,9 @@ PW85_FUNCTION inline Passage<T, D> passage(Vector<T, D> const &r12, Vector<T, D>
             dot_over_pivots(factors, z, z)};
 }
 
-/// Whether the ellipsoids are too far apart for this view to decide whether they touch. The rounding error of rᵀM⁻¹r is 16 u cond
+/// Whether the ellipsoids are too far apart for this bound to decide whether they touch. The rounding error of rᵀM⁻¹r is 16 u cond
 /// of the target or more, so it can hide by how much the least value of rᵀM⁻¹r misses the target.
-template <class T, int D> PW85_FUNCTION constexpr bool is_far(Passage<T, D> const &p, T const &target) noexcept
+template <class T, int D> PW85_FUNCTION constexpr bool is_far(SeparationBound<T, D> const &p, T const &target) noexcept
 {
     return p.excess > T(15) * target;
 }
@@ -104,19 +105,19 @@ template <class T, int D> PW85_FUNCTION constexpr bool is_far(Passage<T, D> cons
 /// rounding touches. A pair that overlaps at time 0 by no more than rounding, and separates, does not touch. From afar the
 /// discriminant errs by the rounding error of rᵀM⁻¹r, by that of vᵀM⁻¹v and by twice that of rᵀM⁻¹v. These errors are alike if v
 /// points at the other ellipsoid, so the step stops short of the contact by four times the first.
-template <class T, int D> PW85_FUNCTION inline PassageOutcome passage_outcome(Passage<T, D> const &p, T const &target,
-                                                                              T const &origin, T &time) noexcept
+template <class T, int D> PW85_FUNCTION inline BoundOutcome
+bound_outcome(SeparationBound<T, D> const &p, T const &target, T const &origin, T &time) noexcept
 {
     bool const starts = !(origin > T(0));
     time = T(0);
-    if (starts && p.excess > -T(touching_tolerance) * p.slack && p.approach < T(0)) return PassageOutcome::none;
-    if (starts && !(p.excess > T(0))) return PassageOutcome::too_near;
+    if (starts && p.excess > -T(touching_tolerance) * p.slack && p.approach < T(0)) return BoundOutcome::none;
+    if (starts && !(p.excess > T(0))) return BoundOutcome::too_near;
     bool const distant = is_far(p, target);
     time = first_root(distant ? T(p.excess - T(4) * p.slack) : p.excess, p.approach, p.speed, distant ? T(0) : p.slack);
-    if (!(time < infinity<T>())) return PassageOutcome::none;
-    if (origin + time > T(0)) return PassageOutcome::contact;
+    if (!(time < infinity<T>())) return BoundOutcome::none;
+    if (origin + time > T(0)) return BoundOutcome::contact;
     time = -origin;
-    return PassageOutcome::too_near;
+    return BoundOutcome::too_near;
 }
 
 /// A Jet without second derivatives, for Newton's steps, from A, B and bend = (Q2s)ᵀM⁻¹Q2s: A' = -2 (B - t bend), B' = -2 bend.
@@ -126,9 +127,9 @@ template <class T> PW85_FUNCTION constexpr Jet<T> first_jet(T const &a, T const 
     return {T(1), twice * (b - t * bend), T(0), unit * b, twice * bend, T(0), T(0)};
 }
 
-/// A step in log t after which one more view gives the contact: the error of the next t is about the square of the step, and the
+/// A step in log t after which one more bound gives the contact: the error of the next t is about the square of the step, and the
 /// time errs by the square of that error.
-template <class T> PW85_FUNCTION constexpr T last_passage_step() noexcept
+template <class T> PW85_FUNCTION constexpr T last_translation_step() noexcept
 {
     return negative_power_of_two<T>(mantissa_digits<T>() / 2 + 2);
 }
@@ -144,49 +145,50 @@ PW85_FUNCTION inline T delay(Slope<T> const &s, T const &ratio, T const &t, T co
     return T(0.25) * (lambda * (T(1) - lambda)) * (s.difference / level) * step * (target / root);
 }
 
-/// The largest number of values of t that find_passage() tries. It is more than search() needs, because the time changes with every
+/// The largest number of values of t that find_translation_contact() tries. It is more than search() needs, because the time changes with every
 /// step.
-inline constexpr int max_passages = 100;
+inline constexpr int max_translation_steps = 100;
 
 /// The number of steps that may go anywhere in the bracket, a choice: two more than those of search(), as the time moves.
-inline constexpr int free_passage_steps = 5;
+inline constexpr int free_translation_steps = 5;
 
 /// A pair that translates, in the units of a Pair.
-template <class T, int D> struct Flight {
+template <class T, int D> struct TranslatingPair {
     Pair<T, D> const &pair;
     Vector<T, D> const &velocity;
     T tangent; ///< f of a tangent pair
 };
 
 /// What item 1 says from some time on, at one t.
-template <class T, int D> struct Outlook {
+template <class T, int D> struct TimeBound {
     Factorization<T, D> factors;
     T target;
-    Passage<T, D> passage;
-    PassageOutcome outcome;
+    SeparationBound<T, D> separation;
+    BoundOutcome outcome;
     T wait; ///< from that time to the one to which item 1 leads
 };
 
 template <class T, int D>
-PW85_FUNCTION inline Outlook<T, D> outlook(Flight<T, D> const &flight, T const &t, T const &time) noexcept
+PW85_FUNCTION inline TimeBound<T, D> time_bound(TranslatingPair<T, D> const &moving, T const &t, T const &time) noexcept
 {
-    auto const m = blend(flight.pair.q1, t, flight.pair.q2);
+    auto const m = blend(moving.pair.q1, t, moving.pair.q2);
     auto const factors = factorize(m, T(unit_roundoff<T>()));
-    T const target = target_at(flight.tangent, flight.pair.ratio, t);
-    auto const p = passage(add_scaled(flight.pair.r12, time, flight.velocity), flight.velocity, target, m, factors);
+    T const target = target_at(moving.tangent, moving.pair.ratio, t);
+    auto const p =
+        separation_bound(add_scaled(moving.pair.r12, time, moving.velocity), moving.velocity, target, m, factors);
     T wait;
-    PassageOutcome const expected = passage_outcome(p, target, time, wait);
+    BoundOutcome const expected = bound_outcome(p, target, time, wait);
     return {factors, target, p, expected, wait};
 }
 
-/// The jet at the time to which an outlook leads.
-template <class T, int D>
-PW85_FUNCTION inline Jet<T> jet_then(Flight<T, D> const &flight, Outlook<T, D> const &view, T const &t) noexcept
+/// The jet at the time to which a bound leads.
+template <class T, int D> PW85_FUNCTION inline Jet<T> jet_then(TranslatingPair<T, D> const &moving,
+                                                               TimeBound<T, D> const &bound, T const &t) noexcept
 {
-    Vector<T, D> const s = add_scaled(view.passage.s, view.wait, view.passage.s_velocity);
+    Vector<T, D> const s = add_scaled(bound.separation.s, bound.wait, bound.separation.s_velocity);
     auto const weights = outer_weights(s);
-    T const a = positive_form(flight.pair.q1, weights), b = positive_form(flight.pair.q2, weights);
-    return first_jet(a, b, inverse_form(view.factors, product(flight.pair.q2, s)), t);
+    T const a = positive_form(moving.pair.q1, weights), b = positive_form(moving.pair.q2, weights);
+    return first_jet(a, b, inverse_form(bound.factors, product(moving.pair.q2, s)), t);
 }
 
 /// Newton's step for the root of h.
@@ -195,74 +197,75 @@ template <class T> PW85_FUNCTION constexpr Step<T> newton_step(Slope<T> const &s
     return {-s.difference * s.weight, s.sum * s.k};
 }
 
-/// How fast the excess of an outlook falls at the time to which it leads, over two.
-template <class T, int D> PW85_FUNCTION constexpr T root_then(Outlook<T, D> const &view) noexcept
+/// How fast the excess of a bound falls at the time to which it leads, over two.
+template <class T, int D> PW85_FUNCTION constexpr T root_then(TimeBound<T, D> const &bound) noexcept
 {
-    return view.passage.approach - view.passage.speed * view.wait;
+    return bound.separation.approach - bound.separation.speed * bound.wait;
 }
 
-/// Whether delay() is right to rounding for a step of some size. In a grazing passage f hardly changes with time, and the delay may
+/// Whether delay() is right to rounding for a step of some size. In a grazing contact f hardly changes with time, and the delay may
 /// shift the maximum of f.
-template <class T, int D> PW85_FUNCTION constexpr bool tells_delay(Outlook<T, D> const &view, T const &size) noexcept
+template <class T, int D> PW85_FUNCTION constexpr bool tells_delay(TimeBound<T, D> const &bound, T const &size) noexcept
 {
-    T const shift = size * size, grazing = last_passage_step<T>() * root_then(view);
-    return view.outcome == PassageOutcome::contact && size <= final_step<T>() &&
-           shift * shift * view.passage.speed * view.target < grazing * grazing;
+    T const shift = size * size, grazing = last_translation_step<T>() * root_then(bound);
+    return bound.outcome == BoundOutcome::contact && size <= final_step<T>() &&
+           shift * shift * bound.separation.speed * bound.target < grazing * grazing;
 }
 
-/// Where a search for a passage ends: the time of the contact, or infinity; and the t and the time at which f tells so. These are
-/// those of the contact, those at which f exceeds one although the ellipsoids are nearest, or those at which f exceeds one at the end.
-template <class T> struct FoundPassage {
+/// Where the search for the contact of a translation ends: the time of the contact, or infinity; and the t and the time
+/// at which f tells so. These are those of the contact, those at which f exceeds one although the ellipsoids are
+/// nearest, or those at which f exceeds one at the end.
+template <class T> struct TranslationContact {
     T time, t, shown;
     StatusCode status;
 };
 
 /// A contact at t, if it is not after the end.
 template <class T>
-PW85_FUNCTION constexpr FoundPassage<T> contact_until(T const &end, T const &time, T const &t) noexcept
+PW85_FUNCTION constexpr TranslationContact<T> contact_until(T const &end, T const &time, T const &t) noexcept
 {
     return {time > end ? infinity<T>() : time, t, minimum(time, end), StatusCode::success};
 }
 
-/// The time until the pair of an outlook is nearest, by its t.
-template <class T, int D> PW85_FUNCTION constexpr T wait_for_nearest(Outlook<T, D> const &view) noexcept
+/// The time until the pair of a bound is nearest, by its t.
+template <class T, int D> PW85_FUNCTION constexpr T wait_for_nearest(TimeBound<T, D> const &bound) noexcept
 {
-    auto const &[s, s_velocity, excess, slack, approach, speed] = view.passage;
+    auto const &[s, s_velocity, excess, slack, approach, speed] = bound.separation;
     return approach > T(0) ? T(approach / speed) : T(0);
 }
 
-/// The first contact of a flight, by items 1 and 2. A time before the root does not show on which side of t the maximum is.
-template <class T, int D> [[gnu::always_inline]] PW85_FUNCTION inline FoundPassage<T>
-find_passage(Flight<T, D> const &flight, T const &end) noexcept
+/// The first contact of a pair that translates, by items 1 and 2. A time before the root does not show on which side of t the maximum is.
+template <class T, int D> [[gnu::always_inline]] PW85_FUNCTION inline TranslationContact<T>
+find_translation_contact(TranslatingPair<T, D> const &moving, T const &end) noexcept
 {
-    T const &ratio = flight.pair.ratio;
-    auto state = safeguarded_search(initial_guess(flight.pair), free_passage_steps);
+    T const &ratio = moving.pair.ratio;
+    auto state = safeguarded_search(initial_guess(moving.pair), free_translation_steps);
     T const latest = end + T(0x1p-20) * end; // rounding does not decide whether a contact at the end is one
     T time = T(0);
     bool last = false;
-    for (int i = 0; i < max_passages; ++i) {
+    for (int i = 0; i < max_translation_steps; ++i) {
         T const t = state.t;
-        auto const view = outlook(flight, t, time);
-        T const reached = time + view.wait;
-        if (view.outcome == PassageOutcome::none)
-            return {infinity<T>(), t, minimum(end, T(time + wait_for_nearest(view))), StatusCode::success};
+        auto const bound = time_bound(moving, t, time);
+        T const reached = time + bound.wait;
+        if (bound.outcome == BoundOutcome::none)
+            return {infinity<T>(), t, minimum(end, T(time + wait_for_nearest(bound))), StatusCode::success};
         if (last || reached > latest) return contact_until(end, reached, t);
-        bool const before = is_far(view.passage, view.target) && reached > time;
-        Jet<T> const jet = jet_then(flight, view, t);
+        bool const before = is_far(bound.separation, bound.target) && reached > time;
+        Jet<T> const jet = jet_then(moving, bound, t);
         Slope<T> const s = slope(jet, ratio, t);
         auto const trusted = trust(newton_step(s), s);
         T const next = next_guess(jet, trusted, ratio, t, fixed_point_image(jet, ratio));
         if (!before) take_bound(state, s.difference < T(0), t);
-        if (!before && tells_delay(view, trusted.size))
-            return contact_until(end, T(reached + delay(s, ratio, t, root_then(view), view.target)), next);
+        if (!before && tells_delay(bound, trusted.size))
+            return contact_until(end, T(reached + delay(s, ratio, t, root_then(bound), bound.target)), next);
         time = reached;
-        last = !before && (trusted.size <= last_passage_step<T>() || is_narrow(state, last_passage_step<T>()));
+        last = !before && (trusted.size <= last_translation_step<T>() || is_narrow(state, last_translation_step<T>()));
         if (before || last)
             go_to(state, next);
         else
             take_step(state, next, trusted.size);
     }
-    return all_nan<FoundPassage<T>>(StatusCode::no_convergence);
+    return all_nan<TranslationContact<T>>(StatusCode::no_convergence);
 }
 
 } // namespace pw85::detail

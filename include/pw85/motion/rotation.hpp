@@ -3,7 +3,7 @@
 /// The first contact of two ellipsoids that turn and grow. All steps in time are proved free of contact, and the search ends where f
 /// is 1 to rounding at the time itself.
 ///
-/// In the units of a Pair, with M = Q1 + t Q2 for some t, and `target` the value of rᵀM⁻¹r where f = 1 (passage.hpp):
+/// In the units of a Pair, with M = Q1 + t Q2 for some t, and `target` the value of rᵀM⁻¹r where f = 1 (translation.hpp):
 ///
 /// 1. For any vector s, (s·r)² <= sᵀMs rᵀM⁻¹r. So there is no contact while s·r > √(target sᵀMs), whatever s and t are. The best s
 ///    and t are those of the maximum of f, where their errors count squared.
@@ -22,8 +22,8 @@
 ///    larger than 1, although they are tiny at the contact. So P must exceed a bound on its rounding errors. In the frame of an
 ///    ellipsoid, m(x) - s0 is at most x (1 + |γ|)(1 + ω + |γ|)(|s1| + (ω + |γ|) |s0|) long for x <= 1. So the errors are at most
 ///    those at s0 and what noise_of_step() bounds, times x².
-#ifndef PW85_MOTION_ADVANCE_HPP_INCLUDED
-#define PW85_MOTION_ADVANCE_HPP_INCLUDED
+#ifndef PW85_MOTION_ROTATION_HPP_INCLUDED
+#define PW85_MOTION_ROTATION_HPP_INCLUDED
 
 #include <pw85/motion/approach.hpp>
 
@@ -92,12 +92,12 @@ template <class T, int D> PW85_FUNCTION inline Blend<T, D> blend_at(BodyPair<T, 
 }
 
 /// f at one time and t, and Newton's step in log t to the maximum of f.
-template <class T, int D> struct Sight {
+template <class T, int D> struct StateAtTime {
     Blend<T, D> blend;
     Vector<T, D> products[2]; ///< (Q - κI) s of each body
     T a, b;                   ///< sᵀQs of each body
-    T excess, slack, target;  ///< as in a Passage
-    T blur;                   ///< what the rounding of forms that have turned can make of the excess
+    T excess, slack, target;  ///< as in a SeparationBound
+    T turning_slack;          ///< what the rounding of forms that have turned can make of the excess
     T newton, per_difference; ///< the step, and the step per h
     bool nearby;              ///< whether to trust both
 };
@@ -108,7 +108,8 @@ template <class T, int D> PW85_FUNCTION constexpr T most_that_turns(Body<T, D> c
     return body.rate > T(0) ? body.most : T(0);
 }
 
-template <class T, int D> PW85_FUNCTION inline Sight<T, D> sight(BodyPair<T, D> const &pair, T const &t) noexcept
+template <class T, int D>
+PW85_FUNCTION inline StateAtTime<T, D> state_at_time(BodyPair<T, D> const &pair, T const &t) noexcept
 {
     auto const &[body1, body2] = pair.bodies;
     auto const blend = blend_at(pair, t);
@@ -147,13 +148,13 @@ template <class T, int D> PW85_FUNCTION constexpr Response<T, D> respond(Body<T,
 }
 
 /// s(x) = s0 + x s1, and the coefficients of |s(x)|².
-template <class T, int D> struct Path {
+template <class T, int D> struct NormalPath {
     Vector<T, D> s0, s1;
     T square[3];
 };
 
 template <class T, int D>
-PW85_FUNCTION constexpr Path<T, D> make_path(Vector<T, D> const &s0, Vector<T, D> const &s1) noexcept
+PW85_FUNCTION constexpr NormalPath<T, D> normal_path(Vector<T, D> const &s0, Vector<T, D> const &s1) noexcept
 {
     return {s0, s1, {dot(s0, s0), T(2) * dot(s0, s1), dot(s1, s1)}};
 }
@@ -163,7 +164,7 @@ template <class T> struct Extent {
     T square[5], remainder;
 };
 
-template <class T, int D> PW85_FUNCTION inline Extent<T> extent(Body<T, D> const &body, Path<T, D> const &path,
+template <class T, int D> PW85_FUNCTION inline Extent<T> extent(Body<T, D> const &body, NormalPath<T, D> const &path,
                                                                 Response<T, D> const &response) noexcept
 {
     Vector<T, D> const w1 = turning(body.omega, path.s1);
@@ -192,7 +193,8 @@ template <class T> struct Clearance {
 /// The part of the rounding errors of P that grows with x², for one body (item 6). slack_of_form() bounds those of f by 4 u cond;
 /// the most that was seen is 0.35 of this. A square (a + b)² is at most 10/7 a² + 10/3 b². So the errors are less than half of the
 /// slack and 5/4 of this bound, with |s_i| <= |s| and the largest eigenvalue for the diagonal.
-template <class T, int D> PW85_FUNCTION inline T noise_of_step(Body<T, D> const &body, Path<T, D> const &path) noexcept
+template <class T, int D>
+PW85_FUNCTION inline T noise_of_step(Body<T, D> const &body, NormalPath<T, D> const &path) noexcept
 {
     T const growth = absolute(body.growth), rate = body.rate + growth;
     T const change =
@@ -201,11 +203,11 @@ template <class T, int D> PW85_FUNCTION inline T noise_of_step(Body<T, D> const 
 }
 
 template <class T, int D> PW85_FUNCTION inline Clearance<T> clearance(BodyPair<T, D> const &pair,
-                                                                      Sight<T, D> const &sight, Path<T, D> const &path,
-                                                                      Extent<T> const &e1, Extent<T> const &e2,
-                                                                      T const &t) noexcept
+                                                                      StateAtTime<T, D> const &state,
+                                                                      NormalPath<T, D> const &path, Extent<T> const &e1,
+                                                                      Extent<T> const &e2, T const &t) noexcept
 {
-    T const target = sight.target, n0 = sight.excess + target,
+    T const target = state.target, n0 = state.excess + target,
             n1 = dot(path.s1, pair.r12) + dot(path.s0, pair.velocity), n2 = dot(path.s1, pair.velocity),
             unit = T(1) / n0;
     T const squares = e1.remainder * e1.remainder + t * e2.remainder * e2.remainder;
@@ -213,17 +215,17 @@ template <class T, int D> PW85_FUNCTION inline Clearance<T> clearance(BodyPair<T
     T const noise = noise_of_step(pair.bodies[0], path) + t * noise_of_step(pair.bodies[1], path);
     T q[5];
     for (int k = 1; k < 5; ++k) q[k] = target * (e1.square[k] + t * e2.square[k]);
-    return {{sight.excess, T(2) * n1 - unit * q[1], T(2) * n2 + unit * (n1 * n1 - q[2]) - noise,
+    return {{state.excess, T(2) * n1 - unit * q[1], T(2) * n2 + unit * (n1 * n1 - q[2]) - noise,
              unit * (T(2) * n1 * n2 - q[3]) - T(2) * rho, unit * (n2 * n2 - T(2) * n1 * rho - q[4]),
              T(-2) * unit * n2 * rho, unit * rho * rho}};
 }
 
 /// The excess of f over 1 less its rounding errors (item 6). The least slack at a contact, where ΣM_ii s_i² is sᵀMs, is not
 /// subtracted: a contact counts up to there, and well-conditioned pairs end at f = 1.
-template <class T, int D> PW85_FUNCTION inline T certain_excess(Sight<T, D> const &sight) noexcept
+template <class T, int D> PW85_FUNCTION inline T certain_excess(StateAtTime<T, D> const &state) noexcept
 {
-    T const hidden = T(12 * D * unit_roundoff<T>()) * sight.target;
-    return maximum(sight.excess, sight.slack) - T(0.5) * maximum(T(0), T(sight.slack - hidden));
+    T const hidden = T(12 * D * unit_roundoff<T>()) * state.target;
+    return maximum(state.excess, state.slack) - T(0.5) * maximum(T(0), T(state.slack - hidden));
 }
 
 /// A time up to which P is positive, near its first root (item 5), from the excess at its start. A parabola that misses zero by less
@@ -245,23 +247,23 @@ PW85_FUNCTION inline T safe_time(Clearance<T> const &clearance, T const &excess,
     return lower;
 }
 
-/// What follows from one sight on: P, and how log t of the maximum of f changes with time.
-template <class T> struct View {
+/// What follows from one state on: P, and how log t of the maximum of f changes with time.
+template <class T> struct BoundAtLambda {
     Clearance<T> clearance;
     T rate;
 };
 
-template <class T, int D>
-PW85_FUNCTION inline View<T> view(BodyPair<T, D> const &pair, Sight<T, D> const &sight, T const &t) noexcept
+template <class T, int D> PW85_FUNCTION inline BoundAtLambda<T>
+bound_at_lambda(BodyPair<T, D> const &pair, StateAtTime<T, D> const &state, T const &t) noexcept
 {
     auto const &[body1, body2] = pair.bodies;
-    auto const &blend = sight.blend;
-    auto const i1 = respond(body1, blend.s, sight.products[0]), i2 = respond(body2, blend.s, sight.products[1]);
+    auto const &blend = state.blend;
+    auto const i1 = respond(body1, blend.s, state.products[0]), i2 = respond(body2, blend.s, state.products[1]);
     Vector<T, D> const change = add_scaled(i1.change, t, i2.change);
-    auto const path = make_path(blend.s, solve(blend.factors, pair.velocity - change));
+    auto const path = normal_path(blend.s, solve(blend.factors, pair.velocity - change));
     auto const e1 = extent(body1, path, i1), e2 = extent(body2, path, i2);
-    T const change_of_h = T(0.5) * (e2.square[1] / sight.b - e1.square[1] / sight.a);
-    return {clearance(pair, sight, path, e1, e2, t), -change_of_h * sight.per_difference};
+    T const change_of_h = T(0.5) * (e2.square[1] / state.b - e1.square[1] / state.a);
+    return {clearance(pair, state, path, e1, e2, t), -change_of_h * state.per_difference};
 }
 
 /// t at the maximum of f.
@@ -276,40 +278,40 @@ template <class T, int D> PW85_FUNCTION inline T maximiser(BodyPair<T, D> const 
 /// out of the range of T, angles may grow until their rounding errors exceed a thousandth of a radian, and a form may be so slender
 /// that no digit of f is left when it has turned.
 template <class T, int D>
-PW85_FUNCTION inline bool is_known(BodyPair<T, D> const &pair, Sight<T, D> const &sight, T const &time) noexcept
+PW85_FUNCTION inline bool is_known(BodyPair<T, D> const &pair, StateAtTime<T, D> const &state, T const &time) noexcept
 {
-    T const f = sight.excess + sight.target;
-    return sight.excess * T(0) == T(0) &&
+    T const f = state.excess + state.target;
+    return state.excess * T(0) == T(0) &&
            maximum(pair.bodies[0].rate, pair.bodies[1].rate) * time <= longest_turn<T>() &&
-           (sight.blur <= f || time == T(0));
+           (state.turning_slack <= f || time == T(0));
 }
 
 /// Whether the excess of f over 1 is above rounding.
-template <class T, int D> PW85_FUNCTION constexpr bool is_clear(Sight<T, D> const &sight) noexcept
+template <class T, int D> PW85_FUNCTION constexpr bool is_clear(StateAtTime<T, D> const &state) noexcept
 {
-    return sight.excess > sight.slack;
+    return state.excess > state.slack;
 }
 
-/// Whether a sight at a t that was carried over from an earlier time suffices: f is at its maximum, or near its maximum and clear.
-template <class T, int D> PW85_FUNCTION constexpr bool is_enough(Sight<T, D> const &sight) noexcept
+/// Whether a state at a t that was carried over from an earlier time suffices: f is at its maximum, or near its maximum and clear.
+template <class T, int D> PW85_FUNCTION constexpr bool is_enough(StateAtTime<T, D> const &state) noexcept
 {
-    return sight.nearby && (is_clear(sight) || sight.newton * sight.newton <= T(unit_roundoff<T>()));
+    return state.nearby && (is_clear(state) || state.newton * state.newton <= T(unit_roundoff<T>()));
 }
 
 /// Whether a pair that is not clear separates, and overlaps by no more than a pair that has just collided.
 template <class T, int D>
-PW85_FUNCTION constexpr bool just_separates(Sight<T, D> const &sight, View<T> const &view) noexcept
+PW85_FUNCTION constexpr bool just_separates(StateAtTime<T, D> const &state, BoundAtLambda<T> const &bound) noexcept
 {
-    return view.clearance.p[1] > T(0) && sight.excess >= -T(touching_tolerance) * sight.slack;
+    return bound.clearance.p[1] > T(0) && state.excess >= -T(touching_tolerance) * state.slack;
 }
 
 /// Where a search ends that no step leads on: at a contact, if f exceeds 1 by no more than it changes while the time changes by its
 /// rounding error.
-template <class T, int D>
-PW85_FUNCTION inline FirstContact<T> end_of_steps(Sight<T, D> const &sight, View<T> const &view, T const &time) noexcept
+template <class T, int D> PW85_FUNCTION inline FirstContact<T>
+end_of_steps(StateAtTime<T, D> const &state, BoundAtLambda<T> const &bound, T const &time) noexcept
 {
-    T const change = T(4 * unit_roundoff<T>()) * time * absolute(view.clearance.p[1]);
-    if (sight.excess <= sight.slack + change) return {time, StatusCode::success};
+    T const change = T(4 * unit_roundoff<T>()) * time * absolute(bound.clearance.p[1]);
+    if (state.excess <= state.slack + change) return {time, StatusCode::success};
     return all_nan<FirstContact<T>>(StatusCode::no_convergence);
 }
 
@@ -331,12 +333,12 @@ PW85_FUNCTION inline FirstContact<T> advance_to_contact(MovingPair<T, D> const &
         auto const pair = pair_at(moving, time);
         bool const sought = lost || wait > T(0);
         if (sought) t = maximiser(pair);
-        auto const here = sight(pair, t);
+        auto const here = state_at_time(pair, t);
         if (!is_known(pair, here, time)) return all_nan<FirstContact<T>>(StatusCode::no_convergence);
         lost = !(sought || is_enough(here));
         if (lost) continue;
         if (apart && !is_clear(here)) return {time, StatusCode::success};
-        auto const ahead = view(pair, here, t);
+        auto const ahead = bound_at_lambda(pair, here, t);
         if (!is_clear(here) && !just_separates(here, ahead)) return {time, StatusCode::success};
         apart = apart || is_clear(here);
         T const x = safe_time(ahead.clearance, certain_excess(here), here.slack), log_t = here.newton + ahead.rate * x;
