@@ -171,7 +171,7 @@ void test_value_margin()
     g_assert_true(true_mu2(value_pair.pair) < 1);
     auto const pair = to_pair(value_pair.pair);
     g_assert_true(pw85::detail::maximize(pair).mu2 > 1.0f);
-    g_assert_true(pw85::detail::decide_by_comparison(pair, 1.0f) == pw85::Decision::none);
+    g_assert_true(pw85::detail::decide_by_certified_value(pair, 1.0f) == pw85::Decision::none);
 }
 
 // A form of positive determinant that is indefinite, and definite forms for which rounded pivots are not positive.
@@ -224,14 +224,15 @@ struct Tally {
 template <class T, int D> void test_alone()
 {
     Random random(110 + D);
-    Tally points{"decide_by_points", {}}, search{"search_for_decision", {}}, comparison{"decide_by_comparison", {}};
+    Tally points{"decide_by_points", {}}, search{"search_for_decision", {}},
+        comparison{"decide_by_certified_value", {}};
     for (int n = 0; n < draws(3000); ++n) {
         auto const s = convert<T>(near_contact<D>(random, n, std::is_same_v<T, float> ? 1.1e3 : 1e6));
         pw85::detail::ScaledPair<T, D> scaled;
         if (pw85::detail::validate(pw85::detail::pair_of(s.r12, s.q1, s.q2), scaled) != pw85::Status::success) continue;
         bool const overlap = true_mu2(s) < 1;
         T const tangent = pw85::detail::times_power_of_two(T(1), 2 * (scaled.form - scaled.length));
-        comparison.count(pw85::detail::decide_by_comparison(scaled.pair, tangent), overlap, s);
+        comparison.count(pw85::detail::decide_by_certified_value(scaled.pair, tangent), overlap, s);
         if (!pw85::detail::passes_fast_checks(pw85::detail::pair_of(s.r12, s.q1, s.q2))) continue;
         T const guess = pw85::detail::initial_guess(to_pair(s));
         auto const quartic = coefficients(s);

@@ -52,44 +52,44 @@
 
 namespace pw85 {
 
-template <class T, int D> struct Form;            // q, status
-template <class T, int D> struct Factor;          // entries
-template <class T, int D> struct EllipsoidFactor; // s, status
-template <class T> struct Contact;                // mu2, lambda, status
-template <class T> struct Condition;              // condition, status
-template <class T, int D> struct ContactGeometry; // point, normal, status
-template <class T, int D> struct ContactGradient; // r12, q1, q2, status
-template <class T, int D> struct FactorGradient;  // r12, s1, s2, status
-template <class T, int D> struct ContactTorque;   // rotation1, rotation2, status
-template <class T, int D> struct ContactHessian;  // entries, status
-template <class T> struct ClosestApproach;        // distance, status
-template <class T, int D> struct BoundingBox;     // half_widths, status
-struct Overlap;                                   // overlap, tier, status
-struct OverlapDecision;                           // decision, tier, status
-template <class T, int D> struct OverlapWitness;  // overlap, lambda, direction, point, status
-struct Containment;                               // contains, status
-template <class T> struct Volume;                 // volume, status
-template <class T> struct Area;                   // area, status
-template <class T> struct OverlapVolumeGradient;  // r12, q1, q2, status
-template <class T> struct OverlapVolumeTorque;    // rotation1, rotation2, status
-template <class T, int D> struct Enclosure;       // mu2, point, status
-struct Comparison;                                // sign, status
-template <class T, int D> struct Distance;        // distance, point1, point2, normal, status
-template <class T> struct DistanceDerivatives;    // r12, rotation1, rotation2, hessian, status
-template <class T, int D> struct SurfaceDistance; // distance, point, normal, status
-template <class T> struct PlaneDerivatives;       // center, rotation, status
-template <class T, int D> struct PlaneContact;    // mu2, point, status
-template <class T> struct Chord;                  // enter, leave, status
-template <class T> struct Curvature;              // curvatures, direction1, direction2, status
-template <class T> struct HertzEllipse;           // radius, ellipse, status
-template <class T> struct HertzContact;           // depth, point, relative, hertz, status
-template <class T> struct ShapeContact;           // mu2, point, status
-struct ShapeOverlap;                              // overlap, status
-template <class T, int D> struct Penetration;     // depth, direction, status
-template <class T, int D> struct Motion;          // velocity, angular_velocity, growth
-template <class T> struct FirstContact;           // time, status
-template <class T> struct ClosestPassage;         // mu2, time, status
-template <class T> struct FreePath;               // length, status
+template <class T, int D> struct Form;             // q, status
+template <class T, int D> struct Factor;           // entries
+template <class T, int D> struct EllipsoidFactor;  // s, status
+template <class T> struct Contact;                 // mu2, lambda, status
+template <class T> struct Condition;               // condition, status
+template <class T, int D> struct ContactGeometry;  // point, normal, status
+template <class T, int D> struct ContactGradient;  // r12, q1, q2, status
+template <class T, int D> struct FactorGradient;   // r12, s1, s2, status
+template <class T, int D> struct ContactTorque;    // rotation1, rotation2, status
+template <class T, int D> struct ContactHessian;   // entries, status
+template <class T> struct ClosestApproach;         // distance, status
+template <class T, int D> struct BoundingBox;      // half_widths, status
+struct Overlap;                                    // overlap, tier, status
+struct OverlapDecision;                            // decision, tier, status
+template <class T, int D> struct OverlapWitness;   // overlap, lambda, direction, point, status
+struct Containment;                                // contains, status
+template <class T> struct Volume;                  // volume, status
+template <class T> struct Area;                    // area, status
+template <class T> struct OverlapVolumeGradient;   // r12, q1, q2, status
+template <class T> struct OverlapVolumeTorque;     // rotation1, rotation2, status
+template <class T, int D> struct ContainmentScale; // mu2, point, status
+struct Comparison;                                 // sign, status
+template <class T, int D> struct Distance;         // distance, point1, point2, normal, status
+template <class T> struct DistanceDerivatives;     // r12, rotation1, rotation2, hessian, status
+template <class T, int D> struct SurfaceDistance;  // distance, point, normal, status
+template <class T> struct PlaneDerivatives;        // center, rotation, status
+template <class T, int D> struct PlaneContact;     // mu2, point, status
+template <class T> struct Chord;                   // enter, leave, status
+template <class T> struct Curvature;               // curvatures, direction1, direction2, status
+template <class T> struct HertzEllipse;            // radius, ellipse, status
+template <class T> struct HertzContact;            // depth, point, relative, hertz, status
+template <class T> struct ShapeContact;            // mu2, point, status
+struct ShapeOverlap;                               // overlap, status
+template <class T, int D> struct Penetration;      // depth, direction, status
+template <class T, int D> struct Motion;           // velocity, angular_velocity, growth
+template <class T> struct FirstContact;            // time, status
+template <class T> struct ClosestPassage;          // mu2, time, status
+template <class T> struct FreePath;                // length, status
 
 /// @name Quadratic forms
 /// @{
@@ -313,7 +313,7 @@ contains(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, SymmetricMatr
 /// @param r12,q1,q2 as for contact(); zero is valid for r12
 /// @return the square of the factor, and the point of ellipsoid 2 where the scaled ellipsoid 1 touches it, relative to the centre of
 /// ellipsoid 1 (one of them if there are several); Status::invalid_argument, Status::not_positive_definite, Status::no_convergence
-template <class T, int D> PW85_FUNCTION inline Enclosure<T, D>
+template <class T, int D> PW85_FUNCTION inline ContainmentScale<T, D>
 containment(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, SymmetricMatrix<T, D> const &q2) noexcept;
 
 /// The volume of an ellipsoid, (4/3)π √det q.

@@ -223,7 +223,7 @@ template <class T> struct Maximum {
     T lambda, complement; ///< λ and 1-λ
     int evaluations;      ///< of f, in either form
     bool converged;
-    bool certain; ///< whether condition_number() bounds the error of μ², as decide_by_comparison() requires
+    bool certain; ///< whether condition_number() bounds the error of μ², as decide_by_certified_value() requires
 };
 
 } // namespace pw85::detail

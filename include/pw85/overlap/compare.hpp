@@ -4,12 +4,12 @@
 /// for the ellipsoids of m Q1 and m Q2:
 ///
 /// 1. compare_by_quartic(): the sign of the quartic at the points of a search;
-/// 2. compare_by_search(): μ² by the solver, with a bound on its error (comparison.hpp);
+/// 2. compare_by_search(): μ² by the solver, with a bound on its error (certified_value.hpp);
 /// 3. compare_last(): integers (exact.hpp).
 #ifndef PW85_OVERLAP_COMPARE_HPP_INCLUDED
 #define PW85_OVERLAP_COMPARE_HPP_INCLUDED
 
-#include <pw85/overlap/comparison.hpp>
+#include <pw85/overlap/certified_value.hpp>
 #include <pw85/overlap/exact.hpp>
 #include <pw85/overlap/quartic.hpp>
 
@@ -96,7 +96,7 @@ template <class T, int D>
 template <class T, int D>
 PW85_FUNCTION inline Decision compare_by_search(ScaledPair<T, D> const &scaled, T const &m) noexcept
 {
-    return decide_by_comparison(scaled.pair, T(times_power_of_two(m, 2 * (scaled.form - scaled.length))));
+    return decide_by_certified_value(scaled.pair, T(times_power_of_two(m, 2 * (scaled.form - scaled.length))));
 }
 
 } // namespace pw85::detail

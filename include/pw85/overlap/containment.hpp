@@ -29,7 +29,7 @@ struct Containment {
 namespace pw85::detail {
 
 /// What floating-point numbers prove about a pair.
-enum class Nesting { none, outside, inside };
+enum class ContainmentDecision { none, outside, inside };
 
 /// A pair with the difference Q1 - Q2. The unit is such that passes_fast_checks() is true, or that the largest diagonal entry of Q1
 /// is in [1, 4).
@@ -82,7 +82,7 @@ inline constexpr int nested_form_margin = 8, nested_product_margin = 6;
 ///
 /// The margins bound the roundings of the terms, and that of the sum with the margin. The magnitudes of the terms of nᵀQn add up to
 /// (Σ |ni| √Qii)² at most, which is at most D Σ Qii ni². `tiny` is far above the errors of underflow, because the entries of the
-/// forms are at most 2^24. Nothing overflows: as ellipsoid 2 is in the bounding box, the directions of decide_nesting() are below
+/// forms are at most 2^24. Nothing overflows: as ellipsoid 2 is in the bounding box, the directions of decide_containment() are below
 /// 2^64.
 template <class T, int D> PW85_FUNCTION inline typename ScalarTraits<T>::Mask
 shows_outside(NestedPair<T, D> const &pair, Vector<T, D> const &n) noexcept
@@ -175,18 +175,19 @@ second_lanes(SymmetricMatrix<TwoLanes<T>, D> const &a) noexcept
 }
 
 /// The search for a proof. It uses Newton's method on F(w) = 1, in a bracket.
-template <class T, int D> PW85_FUNCTION inline Nesting search_for_nesting(NestedPair<T, D> const &pair, T w) noexcept
+template <class T, int D>
+PW85_FUNCTION inline ContainmentDecision search_for_containment(NestedPair<T, D> const &pair, T w) noexcept
 {
     T low = T(0), high = infinity<T>();
     for (int step = 0; step < max_nesting_steps; ++step) {
         auto const matrices = inner_matrices(pair, w), adjugates = adjugate(matrices);
         auto const definite = is_clearly_definite(matrices, adjugates);
         if (all_of(definite) && w >= T(unit_roundoff<T>()) && T(w * T(unit_roundoff<T>())) <= T(1))
-            return Nesting::inside;
+            return ContainmentDecision::inside;
         T next = low;
         if (any_of(definite)) {
             auto const adj = second_lanes(adjugates);
-            if (shows_outside(pair, product(adj, pair.r12))) return Nesting::outside;
+            if (shows_outside(pair, product(adj, pair.r12))) return ContainmentDecision::outside;
             auto const found = take_nesting_step(pair, adj, T(T(1) / second_of(determinant(matrices, adjugates))), w);
             (found.excess > T(0) ? high : low) = w;
             next = found.next;
@@ -196,25 +197,27 @@ template <class T, int D> PW85_FUNCTION inline Nesting search_for_nesting(Nested
         if (absolute(T(next - w)) <= T(T(4) * T(unit_roundoff<T>())) * w) break;
         w = next;
     }
-    return Nesting::none;
+    return ContainmentDecision::none;
 }
 
 /// The decision by floating-point numbers, for an ellipsoid 2 in the bounding box. The search starts at the larger of two values: the
 /// w at which two balls with the extents along r would touch, to 10 %, and the trace of (Q1 - Q2)⁻¹Q2. M is positive definite there.
-template <class T, int D> PW85_FUNCTION inline Nesting decide_nesting(NestedPair<T, D> const &pair) noexcept
+template <class T, int D>
+PW85_FUNCTION inline ContainmentDecision decide_containment(NestedPair<T, D> const &pair) noexcept
 {
     T const u = T(unit_roundoff<T>());
     if (!is_clearly_definite(pair.difference)) {
         bool const outside = shows_outside(pair, negative_direction(pair.difference));
-        return outside ? Nesting::outside : Nesting::none;
+        return outside ? ContainmentDecision::outside : ContainmentDecision::none;
     }
     auto const adj = adjugate(pair.difference);
     T const r2 = dot(pair.r12, pair.r12), trace = contraction(adj, pair.q2) / determinant(pair.difference, adj);
     T const extent = coarse_root_of_ratio(quadratic_form(pair.q2, pair.r12), T(r2 * r2));
     T const largest = T(1) / u, start = maximum(u, maximum(trace, extent));
-    if (r2 > T(0) && start < largest) return search_for_nesting(pair, start);
+    if (r2 > T(0) && start < largest) return search_for_containment(pair, start);
     auto const matrices = inner_matrices(pair, largest);
-    return all_of(is_clearly_definite(matrices, adjugate(matrices))) ? Nesting::inside : Nesting::none;
+    return all_of(is_clearly_definite(matrices, adjugate(matrices))) ? ContainmentDecision::inside
+                                                                     : ContainmentDecision::none;
 }
 
 template <class T, int D> [[gnu::noinline]] PW85_FUNCTION inline StatusCode validate_apart(Pair<T, D> pair) noexcept
@@ -237,8 +240,8 @@ contains(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, SymmetricMatr
     if (status != StatusCode::success) return {false, status};
     auto const nested = nested_pair(pair, in_range ? 0 : half_exponent(largest_diagonal(q1)));
     if (exceeds_bounding_box(nested)) return {false, status};
-    Nesting const nesting = decide_nesting(nested);
-    if (nesting != Nesting::none) return {nesting == Nesting::inside, status};
+    ContainmentDecision const nesting = decide_containment(nested);
+    if (nesting != ContainmentDecision::none) return {nesting == ContainmentDecision::inside, status};
     if constexpr (exact::is_decidable<T>)
         return {contains_exactly(r12, q1, q2), status};
     else

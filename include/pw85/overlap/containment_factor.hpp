@@ -32,7 +32,7 @@
 namespace pw85 {
 
 /// How much ellipsoid 1 must be scaled to contain ellipsoid 2.
-template <class T, int D> struct Enclosure {
+template <class T, int D> struct ContainmentScale {
     T mu2;              ///< square of the factor of ellipsoid 1, about its centre
     Vector<T, D> point; ///< where they touch then, on ellipsoid 2; relative to the centre of ellipsoid 1
     StatusCode status;
@@ -72,7 +72,7 @@ PW85_FUNCTION inline ScaledContainedPair<T, D> scale_contained(Pair<T, D> const 
 }
 
 /// κ² from below by a direction n.
-template <class T, int D> struct Protrusion {
+template <class T, int D> struct SupportRatio {
     Vector<T, D> n; ///< with n·r >= 0
     T mu2;          ///< 0 if n is not a direction
     T root2;        ///< √(nᵀQ2n)
@@ -81,7 +81,7 @@ template <class T, int D> struct Protrusion {
 
 /// Item 1.
 template <class T, int D>
-PW85_FUNCTION inline Protrusion<T, D> reach_along(ContainedPair<T, D> const &pair, Vector<T, D> n) noexcept
+PW85_FUNCTION inline SupportRatio<T, D> support_ratio(ContainedPair<T, D> const &pair, Vector<T, D> n) noexcept
 {
     T const along = dot(n, pair.r12), q1 = quadratic_form(pair.q1, n), q2 = quadratic_form(pair.q2, n);
     if (!(q1 > T(0) && q2 > T(0) && q1 < largest_number<T>())) return {n, T(0), T(0), T(0)};
@@ -91,7 +91,7 @@ PW85_FUNCTION inline Protrusion<T, D> reach_along(ContainedPair<T, D> const &pai
 
 /// S of item 5. The scale of n does not enter.
 template <class T, int D>
-PW85_FUNCTION inline T reach_condition_sum(ContainedPair<T, D> const &pair, Protrusion<T, D> const &reach) noexcept
+PW85_FUNCTION inline T ratio_condition_sum(ContainedPair<T, D> const &pair, SupportRatio<T, D> const &reach) noexcept
 {
     T const q1 = quadratic_form(pair.q1, reach.n), factor = square_root(T(reach.mu2 / q1));
     T const magnitude1 = magnitude_of_form(pair.q1, reach.n), magnitude2 = magnitude_of_form(pair.q2, reach.n);
@@ -137,17 +137,17 @@ near_null_vector(SymmetricMatrix<T, D> const &q2, Factorization<T, D> const &fac
 }
 
 /// The best of n and of the two vectors n + αz with e = 1 (item 4).
-template <class T, int D> PW85_FUNCTION inline Protrusion<T, D>
+template <class T, int D> PW85_FUNCTION inline SupportRatio<T, D>
 reach_beyond(ContainedPair<T, D> const &pair, Vector<T, D> const &n, Vector<T, D> const &z, T const &nu) noexcept
 {
-    Protrusion<T, D> best = reach_along(pair, n);
+    SupportRatio<T, D> best = support_ratio(pair, n);
     T const a = quadratic_form(pair.q2, z), b = dot(n, product(pair.q2, z)), c = quadratic_form(pair.q2, n) - nu * nu;
     T const discriminant = b * b - T(a * c);
     if (!(discriminant >= T(0) && a > T(0))) return best;
     T const sum = b < T(0) ? T(b - square_root(discriminant)) : T(b + square_root(discriminant));
     T const alphas[2] = {T(-c / sum), T(-sum / a)};
     for (T const &alpha : alphas) {
-        auto const other = reach_along(pair, add_scaled(n, alpha, z));
+        auto const other = support_ratio(pair, add_scaled(n, alpha, z));
         if (other.mu2 > best.mu2) best = other;
     }
     return best;
@@ -156,7 +156,7 @@ reach_beyond(ContainedPair<T, D> const &pair, Vector<T, D> const &n, Vector<T, D
 /// The state of the search: a bracket of ν, the best reach, and the least g.
 template <class T, int D> struct GaugeSearch {
     T lower, upper; ///< of ν
-    Protrusion<T, D> best;
+    SupportRatio<T, D> best;
     T bound; ///< κ² from above
     T width; ///< of the bracket when next_in_bracket() was last called
 };
@@ -166,7 +166,7 @@ template <class T, int D> PW85_FUNCTION inline bool
 is_settled(ContainedPair<T, D> const &pair, GaugeSearch<T, D> const &search, T const &tolerance) noexcept
 {
     T const mu2 = search.best.mu2, gap = search.bound - mu2;
-    return mu2 > T(0) && (gap <= tolerance * mu2 || gap <= T(tolerance * reach_condition_sum(pair, search.best)));
+    return mu2 > T(0) && (gap <= tolerance * mu2 || gap <= T(tolerance * ratio_condition_sum(pair, search.best)));
 }
 
 /// Whether a matrix is positive definite, if its factorisation is subject to rounding errors. The factors are exact for a matrix
@@ -197,8 +197,8 @@ PW85_FUNCTION inline T evaluate_at(ContainedPair<T, D> const &pair, GaugeSearch<
         return nu;
     }
     auto const step = take_gauge_step(pair, m, factors, nu);
-    auto const reach =
-        step.e < T(1) ? reach_beyond(pair, step.n, near_null_vector(pair.q2, factors), nu) : reach_along(pair, step.n);
+    auto const reach = step.e < T(1) ? reach_beyond(pair, step.n, near_null_vector(pair.q2, factors), nu)
+                                     : support_ratio(pair, step.n);
     if (reach.mu2 > search.best.mu2) search.best = reach;
     search.bound = minimum(search.bound, step.upper);
     (step.e > T(1) ? search.lower : search.upper) = nu;
@@ -249,7 +249,7 @@ template <class T, int D> PW85_FUNCTION inline T initial_nu(ContainedPair<T, D> 
     }
     Vector<T, D> const n = solve(factors, pair.r12);
     T const q1 = quadratic_form(pair.q1, n), q2 = quadratic_form(pair.q2, n);
-    T const ball = q2 > T(0) ? T(square_root(reach_along(pair, n).mu2) * square_root(T(q2 / q1))) : T(0);
+    T const ball = q2 > T(0) ? T(square_root(support_ratio(pair, n).mu2) * square_root(T(q2 / q1))) : T(0);
     return maximum(sum, ball);
 }
 
@@ -302,16 +302,16 @@ template <class T, int D> PW85_FUNCTION inline GaugeMinimum<T, D> find_gauge(Con
 
 namespace pw85 {
 
-template <class T, int D> PW85_FUNCTION inline Enclosure<T, D>
+template <class T, int D> PW85_FUNCTION inline ContainmentScale<T, D>
 containment(Vector<T, D> const &r12, SymmetricMatrix<T, D> const &q1, SymmetricMatrix<T, D> const &q2) noexcept
 {
     using namespace detail;
     auto const pair = pair_of(r12, q1, q2);
     StatusCode const status = passes_fast_checks(pair) ? StatusCode::success : validate_apart(pair);
-    if (status != StatusCode::success) return all_nan<Enclosure<T, D>>(status);
+    if (status != StatusCode::success) return all_nan<ContainmentScale<T, D>>(status);
     auto const scaled = scale_contained(pair);
     auto const gauge = find_gauge(scaled.pair);
-    if (!gauge.settled) return all_nan<Enclosure<T, D>>(StatusCode::no_convergence);
+    if (!gauge.settled) return all_nan<ContainmentScale<T, D>>(StatusCode::no_convergence);
     return {times_power_of_two(gauge.mu2, 2 * (scaled.length - scaled.form)),
             times_power_of_two(gauge.point, scaled.length), StatusCode::success};
 }

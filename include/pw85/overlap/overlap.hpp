@@ -6,14 +6,14 @@
 ///
 /// 1. decide_by_points(): the sign of a quartic at two points, with bounds on the rounding errors (quartic.hpp);
 /// 2. search_for_decision(): the sign of the same quartic at the points of a search (quartic.hpp);
-/// 3. decide_by_comparison(): μ² by the solver, with a bound on its error (comparison.hpp);
+/// 3. decide_by_certified_value(): μ² by the solver, with a bound on its error (certified_value.hpp);
 /// 4. decide_exactly(): integers (exact.hpp).
 ///
 /// Devices run the first three tiers. src/kernels/lane_overlap.hpp runs the first two for one pair per lane.
 #ifndef PW85_OVERLAP_OVERLAP_HPP_INCLUDED
 #define PW85_OVERLAP_OVERLAP_HPP_INCLUDED
 
-#include <pw85/overlap/comparison.hpp>
+#include <pw85/overlap/certified_value.hpp>
 #include <pw85/overlap/exact.hpp>
 #include <pw85/overlap/quartic.hpp>
 
@@ -72,7 +72,7 @@ template <class T, int D>
     if (status != StatusCode::success) return {Decision::none, OverlapTier::contact, status};
     if (largest_coordinate(pair.r12) == T(0)) return {Decision::overlap, OverlapTier::contact, StatusCode::success};
     T const tangent = times_power_of_two(T(1), 2 * (scaled.form - scaled.length));
-    return {decide_by_comparison(scaled.pair, tangent), OverlapTier::contact, StatusCode::success};
+    return {decide_by_certified_value(scaled.pair, tangent), OverlapTier::contact, StatusCode::success};
 }
 
 /// Tier 4, for a valid pair. For multiprecision numbers it compares μ² with 1, up to rounding.

@@ -2,8 +2,8 @@
 /// @file
 /// The third tier of the overlap test. It computes μ² by the solver, and compares it with 1 up to a bound on its error. overlap.hpp
 /// and compare.hpp call it.
-#ifndef PW85_OVERLAP_COMPARISON_HPP_INCLUDED
-#define PW85_OVERLAP_COMPARISON_HPP_INCLUDED
+#ifndef PW85_OVERLAP_CERTIFIED_VALUE_HPP_INCLUDED
+#define PW85_OVERLAP_CERTIFIED_VALUE_HPP_INCLUDED
 
 #include <pw85/contact/condition.hpp>
 #include <pw85/overlap/decision.hpp>
@@ -23,8 +23,8 @@ template <class T, int D> PW85_FUNCTION inline T condition_number(Pair<T, D> con
 inline constexpr int value_margin = 8;
 
 /// The tier for a pair in range. `tangent` is the μ² of tangent ellipsoids in the units of the pair.
-template <class T, int D>
-[[gnu::noinline]] PW85_FUNCTION inline Decision decide_by_comparison(Pair<T, D> const &pair, T const &tangent) noexcept
+template <class T, int D> [[gnu::noinline]] PW85_FUNCTION inline Decision
+decide_by_certified_value(Pair<T, D> const &pair, T const &tangent) noexcept
 {
     Maximum<T> const m = maximize(pair);
     if (!m.certain) return Decision::none;
