@@ -710,9 +710,10 @@ PW85_API int pw85_hertz(double const curvatures[2], double *radius, double ellip
  * a negative depth proves that the ellipsoids are apart, by at least minus the depth, and the depth is at least that of
  * pw85_penetration() if they overlap.
  *
- * The error of the depth is below 8 u Σ, with Σ as for pw85_distance() with this normal. The relative error of the other numbers is below
- * 1e-12 up to aspect ratio 10⁶, for the normal as given. That of the point is relative to the lengths of which it is the sum, and
- * directions err by that over the relative difference of the curvatures.
+ * The error of the depth is below 8 u Σ, with Σ as for pw85_distance() with this normal. Up to aspect ratio 10⁶, and for the normal as
+ * given, the relative errors of curvatures, radius and ellipse are below 1e-12. The point is half the sum of r12 and of one vector of each
+ * ellipsoid; its error is below 1e-12 times the sum of their lengths. The directions err by less than 1e-12/(1 - k1/k2) radians, with
+ * the curvatures k1 < k2.
  *
  * @param r12 from the centre of ellipsoid 1 to that of ellipsoid 2
  * @param q1,q2 forms of the ellipsoids, in the square of the unit of r12

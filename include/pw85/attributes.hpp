@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// What the declarations of the headers say to the compiler besides what they are.
+/// Function attributes: host or device, and linkage.
 #ifndef PW85_ATTRIBUTES_HPP_INCLUDED
 #define PW85_ATTRIBUTES_HPP_INCLUDED
 
@@ -22,7 +22,7 @@ inline constexpr bool is_for_device = false;
 
 } // namespace pw85::detail
 
-/// Before every function of the templates: it belongs to its unit alone, which runs what it was compiled to, with its own flags.
+/// Before every function of the templates. Internal linkage: the linker cannot replace it by code compiled with other flags.
 #define PW85_FUNCTION PW85_ANYWHERE static
 
 /// Before a function of the tiers that hardly ever run, wider numbers and integers, is PW85_RARE.

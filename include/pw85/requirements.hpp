@@ -2,9 +2,8 @@
 /// @file
 /// What the headers ask of the compiler.
 ///
-/// NaN, infinity and rounding must be those of IEEE 754: the checks of the arguments look for the former two, the bounds on
-/// errors rest on the latter. With options that give them up, NaN passes for a number and a wrong answer for success. Who
-/// defines PW85_ALLOW_FAST_MATH takes that upon himself.
+/// NaN, infinity and rounding must be those of IEEE 754. With -ffast-math, NaN and infinity are not detected, and error bounds do
+/// not hold. A program that defines PW85_ALLOW_FAST_MATH compiles nevertheless, at its own risk.
 #ifndef PW85_REQUIREMENTS_HPP_INCLUDED
 #define PW85_REQUIREMENTS_HPP_INCLUDED
 

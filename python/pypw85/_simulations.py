@@ -23,7 +23,7 @@ Change = Literal["isotropic", "axis", "triclinic"]
 _CHANGES = {"isotropic": 0, "axis": 1, "triclinic": 2}
 _MOVES = ("translation", "rotation", "both", "exchange", "volume")
 
-# What the numbers of the methods must be. One that is 0 where it must not be is no cause where the method allows it.
+# Allowed ranges of the arguments. Some methods accept 0 as "none"; there 0 is not an error.
 _POSITIVE, _SHARE, _PART = (
     ("> 0 and finite", lambda x: 0 < x < np.inf),
     ("> 0 and at most 1", lambda x: 0 < x <= 1),
