@@ -38,6 +38,7 @@ from ._conversions import from_covariance, from_euler, from_gsd, from_lammps, fr
 from ._core import LAMBDA_ATOL as lambda_atol
 from ._core import is_reproducible, set_reproducible, strerror, version
 from ._errors import PW85Error, Status, bad_rows
+from ._forces import ContactForces, Law, LawForces, contact_derivatives_pairs, contact_forces_pairs, law_forces_pairs
 from ._forms import full, packed, principal_axes
 from ._functions import (
     ContactDerivatives,
@@ -49,6 +50,7 @@ from ._motion import Events, first_contact_pairs, motion
 from ._neighbors import Neighbors, neighbors
 from ._observables import Observables, PairCorrelation, Sample
 from ._packing import OverlapsLeft, RelaxationInterrupted, pack, relax
+from ._one_against_many import nearest_image_limit, overlap_any, overlap_any_indices
 from ._overlaps import jaccard, jaccard_2d, overlap_table, overlap_table_2d, sorensen, sorensen_2d, union_area_2d, union_volume
 from ._pairs import contact_pairs, nearest_images, overlap_pairs, overlap_volume_pairs
 from ._plotting import plot
@@ -56,17 +58,6 @@ from ._polytopes import contact_polytope, overlap_polytope
 from ._simulations import HardEllipsoids, NearImages, TrialCounts, TrialSteps
 from ._statistics import Compressibility, Correlation, compressibility, correlation, director, nematic_order
 from ._system import Contacts, Report, System
-from ._systems import (
-    ContactForces,
-    Law,
-    LawForces,
-    contact_derivatives_pairs,
-    contact_forces_pairs,
-    law_forces_pairs,
-    nearest_image_limit,
-    overlap_any,
-    overlap_any_indices,
-)
 from ._voxels import voxels
 from .formats import FileError, frames, read, write
 

@@ -14,7 +14,7 @@ from ._functions import ellipsoid_quaternion
 from ._neighbors import Neighbors, neighbors
 from ._pairs import overlap_pairs
 from ._system import System
-from ._systems import contact_derivatives_pairs, contact_forces_pairs
+from ._forces import contact_derivatives_pairs, contact_forces_pairs
 from ._typing import Floats
 
 # Repelling ellipsoids end with small overlaps. So they are larger by these factors while they move. A large factor separates them

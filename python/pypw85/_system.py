@@ -10,10 +10,11 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ._forms import principal_axes
+from ._forces import contact_derivatives_pairs
 from ._functions import ellipsoid_quaternion
 from ._neighbors import Neighbors, neighbors
+from ._one_against_many import nearest_image_limit
 from ._pairs import _cell, _rows, contact_pairs, overlap_pairs
-from ._systems import contact_derivatives_pairs, nearest_image_limit
 from ._typing import Floats
 
 Ints = NDArray[np.int32]

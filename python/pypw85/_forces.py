@@ -1,19 +1,17 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Systems of particles: derivatives, forces, one ellipsoid against many, nearest images."""
+"""Derivatives of the contact function of the pairs of a neighbour list, and the forces and torques that a law makes of them."""
 
 from __future__ import annotations
 
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from . import _core
 from ._device import apply_to_pairs, is_device_array
-from ._errors import PW85Error
-from ._explanations import explain_values
 from ._functions import ContactDerivatives
-from ._pairs import _cell, _explain, _images, _int32, _pair_list, _particles, _rows
+from ._pairs import _cell, _explain, _pair_list, _rows
 from ._typing import Floats
 
 
@@ -220,164 +218,3 @@ def law_forces_pairs(
     if status:
         _core.report_contact_pairs(status)
     return result._replace(energy=float(energy[0]))
-
-
-def overlap_any_indices(
-    center: ArrayLike,
-    q1: ArrayLike,
-    indices: ArrayLike,
-    centers: ArrayLike,
-    q: ArrayLike,
-    cell: ArrayLike | None = None,
-    images: ArrayLike | None = None,
-) -> bool:
-    """Whether an ellipsoid overlaps any of the given particles of a system, as the test of a Monte Carlo move.
-
-    Without `images` the answer is about all images of the others, and of the one itself: an error where none of the nearest ones
-    overlaps, but others could (`nearest_image_limit` of the one and the others is below 1). There, take the images of a neighbour
-    list, and write the trial into `centers` and `q` before the call, since its own index stands for images of itself.
-
-    Parameters
-    ----------
-    center : (3) array_like
-        Centre of the one.
-    q1 : (6) array_like
-        Its form.
-    indices : (n) array_like of int
-        The others.
-    centers, q : (N, 3) and (N, 6) array_like
-        All particles.
-    cell : (3, 3) array_like, optional
-        Rows are the vectors of the periodic cell.
-    images : (n, 3) array_like of int, optional
-        Multiples of the vectors of the cell, to be added to the centres of the others.
-
-    Returns
-    -------
-    bool
-
-    Raises
-    ------
-    PW85Error
-        A pair that no overlap precedes is bad, an index is out of range, the cell is singular, or nearest images do not decide.
-    ValueError
-        Shapes do not match.
-
-    Examples
-    --------
-    >>> import numpy as np, pypw85
-    >>> q = np.array([pypw85.spheroid(1, 1, [0, 0, 1])] * 3)
-    >>> centers = np.array([[0.0, 0, 0], [3, 0, 0], [9, 0, 0]])
-    >>> cell = 10 * np.eye(3)
-    >>> pypw85.overlap_any_indices(centers[0], q[0], [1, 2], centers, q, cell=cell)
-    True
-    """
-    others = np.asarray(indices)
-    if others.size == 0:
-        others = np.empty(0, np.int32)
-    if others.ndim != 1 or others.dtype.kind not in "iu":
-        raise ValueError("indices must be a row of integers")
-    one, form = _rows(np.asarray(center)[np.newaxis], 3, "center"), _rows(np.asarray(q1)[np.newaxis], 6, "q1")
-    status, overlap = _core.overlap_any_indices(
-        one,
-        form,
-        _int32(others, "indices"),
-        *_particles(centers, q),
-        _cell(cell),
-        _images(images, len(others), cell is not None),
-    )
-    if status:
-        raise PW85Error(status, "overlap_any_indices", _core.strerror(status),
-                        _blame(others, one, form, *_particles(centers, q), _cell(cell)))  # fmt: skip
-    return bool(overlap)
-
-
-def _blame(
-    indices: NDArray[Any], center: Floats, q1: Floats, centers: Floats, q: Floats, cell: Floats | None
-) -> str:
-    """Says what is wrong with the arguments of overlap_any_indices(). A row is one of `indices`."""
-    outside = (indices < 0) | (indices >= len(centers))
-    if outside.any():
-        row = int(outside.argmax())
-        return f"row ({row},): indices has {indices[row]}, but there are {len(centers)} particles"
-    singular = "" if cell is None else explain_values("cell_reduce", (cell,))
-    return singular or explain_values("overlap", (centers[indices] - center, q1, q[indices]))
-
-
-def overlap_any(q1: ArrayLike, r12: ArrayLike, q2: ArrayLike) -> bool:
-    """Whether an ellipsoid overlaps any of n others. Tests one after the other, up to the first overlap.
-
-    Parameters
-    ----------
-    q1 : (6) array_like
-        Form of the one.
-    r12 : (n, 3) array_like
-        Centres of the others, relative to that of the one.
-    q2 : (n, 6) array_like
-        Their forms.
-
-    Returns
-    -------
-    bool
-
-    Raises
-    ------
-    PW85Error
-        A pair that no overlap precedes is bad.
-    ValueError
-        Shapes do not match.
-
-    Examples
-    --------
-    >>> import numpy as np, pypw85
-    >>> q = np.array([pypw85.spheroid(1, 1, [0, 0, 1])] * 2)
-    >>> pypw85.overlap_any(q[0], [[3, 0, 0], [0, 1.5, 0]], q)
-    True
-    """
-    form = _rows(np.asarray(q1)[np.newaxis], 6, "q1")
-    separations, forms = _rows(r12, 3, "r12"), _rows(q2, 6, "q2")
-    if len(separations) != len(forms):
-        raise ValueError(f"{len(separations)} separations, but {len(forms)} forms")
-    status, overlap = _core.overlap_any(form, separations, forms)
-    if status:
-        detail = explain_values("overlap", (separations, form, forms))
-        raise PW85Error(status, "overlap_any", _core.strerror(status), detail)
-    return bool(overlap)
-
-
-def nearest_image_limit(q: ArrayLike, cell: ArrayLike) -> float:
-    """Up to which μ² nearest images are all there is: any image of a pair with a smaller μ² is the nearest one.
-
-    Where the limit is 1 or more, `overlap_pairs` with nearest images misses no overlap; a smaller μ² from `contact_pairs`
-    than the limit is the smallest of all images. In a rectangular cell, the limit is at least 1 where no bounding box is
-    wider than half the cell.
-
-    Parameters
-    ----------
-    q : (n, 6) array_like
-        Forms of the particles.
-    cell : (3, 3) array_like
-        Rows are the vectors of the periodic cell.
-
-    Returns
-    -------
-    float
-
-    Raises
-    ------
-    PW85Error
-        A form is bad, or the cell is singular or not finite.
-
-    Examples
-    --------
-    >>> import numpy as np, pypw85
-    >>> pypw85.nearest_image_limit([pypw85.spheroid(1, 2, [0, 0, 1])], 8 * np.eye(3))
-    1.0
-    """
-    rows = _cell(cell)
-    forms = _rows(q, 6, "q")
-    status, limit = _core.nearest_image_limit(forms, rows)
-    if status:
-        detail = explain_values("bounding_boxes", (forms,)) or explain_values("cell_reduce", (rows,))
-        raise PW85Error(status, "nearest_image_limit", _core.strerror(status), detail)
-    return float(limit)
