@@ -27,7 +27,7 @@ inline constexpr bool is_for_device = false;
 
 /// Before a function of the tiers that hardly ever run, wider numbers and integers, is PW85_RARE.
 ///
-/// A unit that defines PW85_RARE_ELSEWHERE takes these functions for doubles from src/rare.cpp, where they are compiled once: a function
+/// A unit that defines PW85_RARE_ELSEWHERE takes these functions for doubles from src/rare/, where they are compiled once: a function
 /// for doubles goes before the template. A header that has such templates lists them in a macro (rare, scalar, dimensions), as
 /// rare(name, (parameters), (arguments)), for PW85_RARE_TIER(); those for three dimensions alone have no number of
 /// them. The list follows the templates, before what calls them.

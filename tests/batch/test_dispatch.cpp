@@ -7,8 +7,8 @@
 
 #include <glib.h>
 
-#include "../../src/kernels/kernels.hpp"
-#include "../../src/kernels/vector_length.hpp"
+#include "../../src/simd/kernels.hpp"
+#include "../../src/simd/vector_length.hpp"
 #include "instruction_sets.h"
 
 namespace pw85::detail::kernels {

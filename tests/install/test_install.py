@@ -321,7 +321,7 @@ class Installation:
         def macros(header):
             return header.read_text().partition("#define")[2].split()
 
-        for header, of_cmake in (("src/kernels/instruction_sets.h", cmake / "kernels/instruction_sets.h"),
+        for header, of_cmake in (("src/simd/instruction_sets.h", cmake / "kernels/instruction_sets.h"),
                                  ("include/pw85/version.h", cmake / "include/pw85/version.h")):
             if macros(meson / header) != macros(of_cmake):
                 raise Failed(f"{header} differs:\n{of_cmake.read_text()}")

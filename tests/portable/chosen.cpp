@@ -3,7 +3,7 @@
 #include <cstdio>
 #include <cstring>
 
-#include "../../src/kernels/kernels.hpp"
+#include "../../src/simd/kernels.hpp"
 
 int main(int, char **argv)
 {
