@@ -42,6 +42,25 @@ inline constexpr bool is_for_device = false;
 #endif
 #define PW85_RARE [[gnu::noinline, gnu::cold]] PW85_FUNCTION
 
+/// What many questions call, and no caller inlines, is listed in the same way for PW85_SHARED_BY_QUESTIONS(). Units of the library that
+/// define PW85_SHARED_WITH take it from units for each instruction set (src/simd/shared_*.cpp): the macro is the name of theirs, so that
+/// each runs only what was compiled with its own flags.
+#ifdef PW85_SHARED_WITH
+#define PW85_SHARED_DECLARED(name, parameters, arguments)                                                              \
+    auto name parameters noexcept->decltype(detail::name<> arguments);
+#define PW85_SHARED_BY_QUESTIONS(functions)                                                                            \
+    inline namespace PW85_SHARED_WITH {                                                                                \
+    functions(PW85_SHARED_DECLARED, double, 2) functions(PW85_SHARED_DECLARED, double, 3)                              \
+    }
+#define PW85_SHARED_BY_QUESTIONS_IN_SPACE(functions)                                                                   \
+    inline namespace PW85_SHARED_WITH {                                                                                \
+    functions(PW85_SHARED_DECLARED, double)                                                                            \
+    }
+#else
+#define PW85_SHARED_BY_QUESTIONS(functions)
+#define PW85_SHARED_BY_QUESTIONS_IN_SPACE(functions)
+#endif
+
 /// Before every member function of what devices compute with: it has no address that another unit could take.
 #define PW85_MEMBER [[gnu::always_inline]] PW85_ANYWHERE
 
