@@ -5,9 +5,9 @@
 #include "define_shared.hpp"
 
 namespace pw85::detail {
-inline namespace PW85_SHARED_WITH {
+namespace PW85_COMPILED_FOR {
 
 PW85_SHARED_APPROACH(PW85_DEFINE_SHARED, double)
 
-} // namespace PW85_SHARED_WITH
+} // namespace PW85_COMPILED_FOR
 } // namespace pw85::detail

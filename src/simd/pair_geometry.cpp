@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The contact function of one pair, and what is derived of it. It is compiled for the baseline and for one newer instruction set (meson.build).
+// Points, normals and derivatives of the contact function of one pair. It is compiled for the baseline and for one newer instruction set (meson.build).
 #include "one_pair.hpp"
 
-#include <pw85/contact/closest_approach.hpp>
 #include <pw85/contact/contact_hessian.hpp>
 #include <pw85/contact/geometry.hpp>
 
@@ -12,20 +11,7 @@ namespace pw85::detail::kernels {
 
 using namespace c_api;
 
-namespace {
-
-Vector<double, 3> const &view_vector(double const *x) noexcept { return view<Vector<double, 3>>(x); }
-
-SymmetricMatrix<double, 3> const &view_matrix(double const *a) noexcept { return view<SymmetricMatrix<double, 3>>(a); }
-
-} // namespace
-
 namespace PW85_COMPILED_FOR {
-
-int contact(double const *r12, double const *q1, double const *q2, double *out) noexcept
-{
-    return put(pw85::contact(view_vector(r12), view_matrix(q1), view_matrix(q2)), out, out + 1);
-}
 
 int contact_geometry(double const *r12, double const *q1, double const *q2, double lambda, double *point,
                      double *normal) noexcept
@@ -51,11 +37,6 @@ int contact_torque(double const *r12, double const *q1, double const *q2, double
 int contact_hessian(double const *r12, double const *q1, double const *q2, double lambda, double *hessian) noexcept
 {
     return put(pw85::contact_hessian(load_vector<3>(r12), load_matrix<3>(q1), load_matrix<3>(q2), lambda), hessian);
-}
-
-int closest_approach(double const *direction, double const *q1, double const *q2, double *distance) noexcept
-{
-    return put(pw85::closest_approach(load_vector<3>(direction), load_matrix<3>(q1), load_matrix<3>(q2)), distance);
 }
 
 } // namespace PW85_COMPILED_FOR
