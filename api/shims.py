@@ -185,7 +185,7 @@ def many_rows_file(title, listed):
 
 
 def file_of(function, section):
-    """The file that has the function: what two-dimensional functions instantiate stands in one file, but for areas."""
+    """The file that has the function. What two-dimensional functions instantiate stands in one file."""
     if function.name.endswith("_2d"):
         return "two_dimensions"
     if function.name.endswith("_factored"):

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The contact function by Brent's method (brent.hpp): the method finds a candidate, and the search on the factorised form refines
-// it. pw85.cpp calls contact_function(), which calls minimize() of brent_gsl.cpp or brent_boost.cpp.
+// it. contact_function.cpp calls contact_function(), which calls minimize() of brent_gsl.cpp or brent_boost.cpp.
 #include "brent.hpp"
 
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The contact function by Brent's method, as pw85 1.0 computed it. pw85.cpp calls contact_function(); brent_minimizer.hpp offers
+// The contact function by Brent's method, as pw85 1.0 computed it. contact_function.cpp calls contact_function(); brent_minimizer.hpp offers
 // the method of one of two libraries.
 #ifndef PW85_BRENT_BRENT_HPP_INCLUDED
 #define PW85_BRENT_BRENT_HPP_INCLUDED

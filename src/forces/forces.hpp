@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// Sums forces, torques and virial over the pairs of a neighbour list. The result has the same bits for any number of threads.
-/// pw85_contact_forces_pairs() (many_pairs.cpp) and law_forces.hpp use this file.
+/// pw85_contact_forces_pairs() (sums.cpp) and law_forces.hpp use this file.
 #ifndef PW85_FORCES_FORCES_HPP_INCLUDED
 #define PW85_FORCES_FORCES_HPP_INCLUDED
 

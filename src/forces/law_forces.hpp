@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Sums energy, forces, torques and virial of a law over the pairs of a neighbour list. pw85_law_forces_pairs() (many_pairs.cpp)
+/// Sums energy, forces, torques and virial of a law over the pairs of a neighbour list. pw85_law_forces_pairs() (sums.cpp)
 /// calls sum_law().
 ///
 /// The pairs are divided into blocks of a fixed size, for any number of threads. The threads take blocks in turn, and write their
@@ -16,8 +16,8 @@
 #include <thread>
 
 #include "../base/array.hpp"
-#include "forces.hpp"
 #include "../rows/many_pairs.hpp"
+#include "forces.hpp"
 
 namespace pw85::detail::kernels {
 namespace {

@@ -42,7 +42,8 @@ InversePowers shifted(InversePowers law) noexcept
     double d_u;
     InversePowers everywhere = law;
     everywhere.mu2_max = HUGE_VAL;
-    in_default_environment([&] { law.shift = evaluate_of<InversePowers>(chosen())(everywhere, 1, &law.mu2_max, &d_u).energy; });
+    in_default_environment(
+        [&] { law.shift = evaluate_of<InversePowers>(chosen())(everywhere, 1, &law.mu2_max, &d_u).energy; });
     return law;
 }
 

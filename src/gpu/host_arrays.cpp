@@ -14,8 +14,8 @@
 using namespace pw85;
 using namespace pw85::detail;
 using namespace pw85::detail::gpu;
-using pw85::detail::c_api::any_null;
 using pw85::detail::max_rows;
+using pw85::detail::c_api::any_null;
 
 namespace {
 

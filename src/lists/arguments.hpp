@@ -54,7 +54,8 @@ inline int prepare_images(pw85_system const &system, bool given, Images &images)
 }
 
 /// Checks the arguments that the functions of lists share, and converts them for the kernels. `made` points into `images`.
-inline int prepare_list(pw85_pair_list const &list, pw85_system const &system, Images &images, NeighborList &made) noexcept
+inline int prepare_list(pw85_pair_list const &list, pw85_system const &system, Images &images,
+                        NeighborList &made) noexcept
 {
     if (list.num_pairs > max_rows || system.num_particles > max_rows) return PW85_EINVAL;
     if (c_api::any_null(list.pairs) || c_api::any_null(system.centers, system.q)) return PW85_EINVAL;

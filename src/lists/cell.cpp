@@ -10,10 +10,10 @@
 #include <pw85/distance/bounding_box.hpp>
 
 #include "../base/c_arrays.hpp"
-#include "image_limit.hpp"
-#include "../periodic/lattice.hpp"
 #include "../base/parallel.hpp"
+#include "../periodic/lattice.hpp"
 #include "../periodic/periodic_cell.hpp"
+#include "image_limit.hpp"
 
 using namespace pw85;
 using namespace pw85::detail;

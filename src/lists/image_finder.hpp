@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// Finds the nearest images of the pairs of a neighbour list, and their multiples of the cell's vectors. pw85_nearest_images()
-/// (many_pairs.cpp) calls it.
+/// (lists.cpp) calls it.
 #ifndef PW85_LISTS_IMAGE_FINDER_HPP_INCLUDED
 #define PW85_LISTS_IMAGE_FINDER_HPP_INCLUDED
 
 #include <pw85.h>
 #include <pw85/contact/scaling.hpp>
 
-#include "../simd/kernels.hpp"
 #include "../periodic/nearest_image.hpp"
+#include "../simd/kernels.hpp"
 
 namespace pw85::detail::kernels {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// Decides whether only the nearest images in a lattice can overlap. pw85_nearest_image_limit() (cell.cpp) and
-/// pw85_overlap_any_indices() (many_pairs.cpp) use it.
+/// pw85_overlap_any_indices() (lists.cpp) use it.
 ///
 /// An image that is not the nearest has r·v >= ½|v|² for a vector v to a face of the lattice's Voronoi cell. The coordinates of v
 /// are -1, 0 or 1 (item 3 of lattice.hpp). μ is the maximum over n of r·n divided by the sum of the two half-widths along n,

@@ -122,7 +122,7 @@ int pw85_first_contact_pairs(pw85_pair_list const *list, pw85_system const *syst
             PairRow<3> pair;
             gather(rows.from(n), &first, 1, &pair);
             return first_contact(pair.r12, pair.q1, pair.q2, motions + list->pairs[2 * n],
-                                   motions + list->pairs[2 * n + 1], t_max, t + n);
+                                 motions + list->pairs[2 * n + 1], t_max, t + n);
         });
     });
     // Comparing the NaN of bad pairs raises an exception.

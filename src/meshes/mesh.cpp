@@ -8,8 +8,8 @@
 #include <new>
 
 #include "../base/c_arrays.hpp"
-#include "../rows/each_row.hpp"
 #include "../neighbors/order.hpp"
+#include "../rows/each_row.hpp"
 #include "search.hpp"
 
 using namespace pw85;

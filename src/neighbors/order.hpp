@@ -12,8 +12,8 @@
 #include <pw85/algebra/symmetric.hpp>
 
 #include "../base/array.hpp"
-#include "boxes.hpp"
 #include "../base/parallel.hpp"
+#include "boxes.hpp"
 
 namespace pw85::detail::neighbors {
 

@@ -8,8 +8,8 @@
 #include <bit>
 
 #include "../base/array.hpp"
-#include "boxes.hpp"
 #include "../base/parallel.hpp"
+#include "boxes.hpp"
 
 namespace pw85::detail::neighbors {
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Prepares the cell of a system, in which any of the vectors may be periodic. The functions of lists (many_pairs.cpp, gpu/gpu.cpp)
+/// Prepares the cell of a system, in which any of the vectors may be periodic. The functions of lists (lists/, gpu/gpu.cpp)
 /// and the neighbour lists use it.
 #ifndef PW85_PERIODIC_PERIODIC_CELL_HPP_INCLUDED
 #define PW85_PERIODIC_PERIODIC_CELL_HPP_INCLUDED

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// Calls a function of one row for each row of arrays, in parallel. many_rows.cpp and many_pairs.cpp use it for functions without
+/// Calls a function of one row for each row of arrays, in parallel. The files c_api/*_rows.cpp and lists.cpp use it for functions without
 /// lanes.
 #ifndef PW85_ROWS_EACH_ROW_HPP_INCLUDED
 #define PW85_ROWS_EACH_ROW_HPP_INCLUDED
 
 #include <pw85/status.hpp>
 
-#include "../simd/kernels.hpp"
 #include "../base/parallel.hpp"
+#include "../simd/kernels.hpp"
 
 namespace pw85::detail::kernels {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// Drives the lane kernels: it divides the pairs among threads, and computes the pairs that lanes leave over by the function for
-/// one pair. many_pairs.cpp calls compute_all() and find_overlap(), many_sets.cpp compute_all(), and simulation/engine.cpp find_overlap().
+/// one pair. The files of this folder and lists/lists.cpp call compute_all() and find_overlap(), and simulation/engine.cpp find_overlap().
 #ifndef PW85_ROWS_MANY_PAIRS_HPP_INCLUDED
 #define PW85_ROWS_MANY_PAIRS_HPP_INCLUDED
 
@@ -10,9 +10,9 @@
 
 #include <pw85.h>
 
+#include "../base/parallel.hpp"
 #include "../simd/lanes.hpp"
 #include "../simd/one_pair.hpp"
-#include "../base/parallel.hpp"
 
 namespace pw85::detail::kernels {
 namespace {

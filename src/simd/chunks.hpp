@@ -36,16 +36,16 @@ std::size_t compute_chunks(Rows const &rows, std::size_t n, Arrays const &out, W
 
 // Definitions of the functions, in the namespace of the target.
 #define PW85_DEFINE_COMPUTE(Rows, Arrays)                                                                              \
-    [[gnu::flatten]] std::size_t compute(Rows const &rows, std::size_t n, Arrays const &out, Worklist &left_over)      \
-        noexcept                                                                                                       \
+    [[gnu::flatten]] std::size_t compute(Rows const &rows, std::size_t n, Arrays const &out,                           \
+                                         Worklist &left_over) noexcept                                                 \
     {                                                                                                                  \
         return compute_chunks(rows, n, out, left_over);                                                                \
     }
 #define PW85_DEFINE_GATHER(Rows)                                                                                       \
-    void gather(Rows const &rows, std::uint16_t const *indices, std::size_t count, PairRow<Rows::dimension> *pairs)    \
-        noexcept                                                                                                       \
+    void gather(Rows const &rows, std::uint16_t const *indices, std::size_t count,                                     \
+                PairRow<Rows::dimension> *pairs) noexcept                                                              \
     {                                                                                                                  \
-        detail::gather(rows, indices, count, pairs);                                                                  \
+        detail::gather(rows, indices, count, pairs);                                                                   \
     }
 
 #endif

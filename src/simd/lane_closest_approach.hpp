@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// The kernel for distances of closest approach, one pair per lane: |d|/μ(d), where d is the direction. It is the kernel of the
-/// contact function (lane_contact.hpp) with another result. lanes.cpp puts it into its table.
+/// contact function (lane_contact.hpp) with another result. lanes_contact.cpp defines it.
 #ifndef PW85_SIMD_LANE_CLOSEST_APPROACH_HPP_INCLUDED
 #define PW85_SIMD_LANE_CLOSEST_APPROACH_HPP_INCLUDED
 

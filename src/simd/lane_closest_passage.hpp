@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
 /// The kernel for closest passages, one pair per lane: the search of the contact function (lane_contact.hpp) on the rational form
-/// of the least f over the range of t. lanes.cpp puts it into its table.
+/// of the least f over the range of t. lanes_passage.cpp defines it.
 ///
 /// With M = Q1 + τ Q2, adj its adjugate, b its determinant and w = r × v:
 ///

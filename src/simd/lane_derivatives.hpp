@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The kernel for the contact function with contact points, normals and derivatives, one pair per lane. lanes.cpp puts it into its
-/// table.
+/// The kernel for the contact function with contact points, normals and derivatives, one pair per lane. lanes_derivatives.cpp and
+/// lanes_lists.cpp define it.
 ///
 /// The kernel evaluates the formulas of contact/geometry.hpp at the λ of the contact function (lane_contact.hpp), as the functions
 /// for one pair do. Ill-conditioned pairs are left over with their λ.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The kernels for laws: the energy U(μ²) of a pair and its derivative with respect to μ², one pair per lane. lanes.cpp makes the
-/// table of them, and law_forces.hpp sums the results.
+/// The kernels for laws: the energy U(μ²) of a pair and its derivative with respect to μ², one pair per lane. lanes_laws.cpp
+/// defines them, and law_forces.hpp sums the results.
 ///
 /// Each law has a function evaluate(). It gives NaN for NaN. Concentric ellipsoids have no force for any law. So if U has no
 /// derivative at μ = 0, evaluate() gives 0 for it.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /// @file
-/// The kernel for the overlap test, one pair per lane. It drives the tests on the quartic (overlap/quartic.hpp). lanes.cpp puts it
-/// into its table.
+/// The kernel for the overlap test, one pair per lane. It drives the tests on the quartic (overlap/quartic.hpp). lanes_overlap.cpp
+/// and lanes_lists.cpp define it.
 ///
 /// Each pair is first tested at about the same t as in the function for one pair. Undecided pairs are collected, so that all lanes
 /// stay in use. They are tested again at the next two t of the fixed-point map, and then at the t to which the search on the

@@ -35,7 +35,8 @@
     X(OneToIndexed, OverlapArray)
 
 /// Calls X(rows) for all rows that can be gathered.
-#define PW85_GATHERED_ROWS(X) X(PairArrays<2>) X(PairArrays<3>) X(Directions) X(OneToMany) X(NeighborList) X(OneToIndexed)
+#define PW85_GATHERED_ROWS(X)                                                                                          \
+    X(PairArrays<2>) X(PairArrays<3>) X(Directions) X(OneToMany) X(NeighborList) X(OneToIndexed)
 
 namespace pw85::detail::kernels {
 
@@ -45,9 +46,8 @@ template <class Rows, class Arrays>
 using ComputeLanes = std::size_t(Rows const &, std::size_t n, Arrays const &, Worklist &left_over) noexcept;
 
 /// Copies the pairs with the given indices, with the separations and images that lanes compute.
-template <class Rows>
-using GatherPairs = void(Rows const &, std::uint16_t const *indices, std::size_t count,
-                         PairRow<Rows::dimension> *pairs) noexcept;
+template <class Rows> using GatherPairs = void(Rows const &, std::uint16_t const *indices, std::size_t count,
+                                               PairRow<Rows::dimension> *pairs) noexcept;
 
 /// Writes the derivatives of U at n numbers μ².
 template <class Law> using EvaluateLaw = LawSums(Law const &, std::size_t n, double const *mu2, double *d_u) noexcept;

@@ -8,8 +8,7 @@ namespace pw85::detail::kernels {
 namespace {
 
 /// Computes the values of a law, pack by pack. Lanes beyond the last pair repeat that pair, and do not enter the sum.
-template <class Law>
-LawSums evaluate_law(Law const &given, std::size_t n, double const *mu2, double *d_u) noexcept
+template <class Law> LawSums evaluate_law(Law const &given, std::size_t n, double const *mu2, double *d_u) noexcept
 {
     Law const law = given; // so that no store to d_u may change it
     Pack energies = Pack(0.0), counts = Pack(0.0);

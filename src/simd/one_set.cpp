@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The table of the functions for one ellipsoid and a convex set. It is compiled for the instruction sets of one_pair.cpp. The
-// functions of the C API call it by chosen() (dispatch.cpp).
+// The functions for one ellipsoid and a convex set (one_set.hpp). They are compiled for the instruction sets of the functions for one pair.
 //
 // The formulas are those of many rows (lane_shapes.hpp), with the same numbers in both lanes. So select() is an instruction. It is not
 // a branch, which the processor could not predict. Two faces of a box are computed side by side.
@@ -8,6 +7,7 @@
 #undef PW85_LANES_AVX2
 #define PW85_LANES_FMA // One row has no use for more than two lanes.
 #endif
+#include "one_set.hpp"
 #include "pack.hpp"
 
 #include <pw85/shapes/overlap_shapes.hpp>
@@ -137,7 +137,7 @@ template <class Shape> PW85_INLINE bool overlap_of_one(Shape const &shape, doubl
 namespace PW85_COMPILED_FOR {
 
 [[gnu::flatten]] bool contact_segment(double const *first, double const *second, double const *q, double *mu2,
-                                   double *point) noexcept
+                                      double *point) noexcept
 {
     return contact_of_one(load_set<Segments>(first, second), q, mu2, point);
 }
@@ -148,7 +148,7 @@ namespace PW85_COMPILED_FOR {
 }
 
 [[gnu::flatten]] bool contact_box(double const *first, double const *second, double const *q, double *mu2,
-                                   double *point) noexcept
+                                  double *point) noexcept
 {
     return contact_of_one(load_set<Boxes>(first, second), q, mu2, point);
 }

@@ -7,8 +7,8 @@
 
 #include <pw85/contact/scaling.hpp>
 
-#include "kernels.hpp"
 #include "../periodic/nearest_image.hpp"
+#include "kernels.hpp"
 
 namespace pw85::detail {
 

@@ -43,8 +43,8 @@ template <auto baseline, auto... others> auto one_of(Target const &target) noexc
 
 /// A target's function for one pair or one set (one_pair.hpp, one_set.hpp).
 #define PW85_OF_PAIR(target, function)                                                                                 \
-    pw85::detail::kernels::one_of<pw85::detail::kernels::baseline::function PW85_INSTRUCTION_SETS(                     \
-        PW85_AND_OF_PAIR, function)>(target)
+    pw85::detail::kernels::one_of<pw85::detail::kernels::baseline::function PW85_INSTRUCTION_SETS(PW85_AND_OF_PAIR,    \
+                                                                                                  function)>(target)
 #define PW85_AND_OF_PAIR(name, one_pair, available, function) , pw85::detail::kernels::one_pair::function
 
 /// A target's function for lanes (lanes.hpp), of a type.
