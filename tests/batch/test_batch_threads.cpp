@@ -94,7 +94,7 @@ void test_number_of_threads()
 void test_even_shares()
 {
 #ifdef _OPENMP
-    namespace kernels = pw85::detail::kernels;
+    using namespace pw85::detail;
     for (std::size_t const threads : {1u, 2u, 3u, 8u, 16u})
         for (std::size_t const n : {4097u, 5000u, 10000u, 12289u, 33333u, 1000000u}) {
             omp_set_num_threads(static_cast<int>(threads));
