@@ -3,8 +3,8 @@
 
 - For each question of pw85.h a file with its functions of one row: they check pointers, set the floating-point environment, load the
   inputs, call the template of the same name (or the kernel of the chosen instruction set), and store the members of its result, in order.
-- The files *_rows.cpp have the functions of many rows that have no lanes, the lines "@rows" of api/pw85_batch.h.in. They call the function of
-  one row for each row, with an argument of src/rows/each_row.hpp for each parameter.
+- The files *_rows.cpp have the functions of many rows that have no lanes, the lines "@rows" of api/pw85_batch.h.in. They call the
+  function of one row for each row, with an argument of src/rows/each_row.hpp for each parameter.
 
 What is not in these tables is written by hand, in the files beside src/c_api/.
 """
@@ -39,6 +39,7 @@ FILES = {
     "walls": ("Walls, points and lines", ("distance/line", "distance/walls")),
     "shapes": ("Shapes", ()),
     "contact_function": ("The contact function by Brent's method", ()),
+    "others": ("Functions of sections that this table does not have", ()),
 }
 # The files of functions by their names or, if this table does not have the name, by the titles of their sections.
 FILE_OF = {
@@ -191,7 +192,7 @@ def file_of(function, section):
     if function.name.endswith("_factored"):
         return "factored"
     titles = {title: name for name, (title, _) in FILES.items()} | FILE_OF
-    return titles.get(function.name, titles.get(section.title))
+    return titles.get(function.name, titles.get(section.title, "others"))
 
 
 def files():
@@ -200,11 +201,10 @@ def files():
     for section in sections("pw85.h"):
         for function in section.functions:
             known[function.name] = name = file_of(function, section)
-            if name is not None and function.name not in BY_HAND:
+            if name not in ("shapes", "others") and function.name not in BY_HAND:
                 of_one.setdefault(name, []).append(function)
     for statement in batch.statements():
         if not statement.has_lanes:
             of_many.setdefault(known[statement.function.name], []).append(statement)
-    of_one.pop("shapes")  # by hand
     made = {FOLDER / f"{name}.cpp": one_row_file(*FILES[name], listed) for name, listed in of_one.items()}
     return made | {FOLDER / f"{name}_rows.cpp": many_rows_file(FILES[name][0], listed) for name, listed in of_many.items()}

@@ -161,7 +161,7 @@ def test_committed_files(make, tmp_path):
     """One command makes them anew with the new functions; before, it names each of them."""
     status, text = run_program(tmp_path, "api/committed.py", "check")
     names = ("fortran/pw85.f90", "include/pw85/batch/rows.hpp", "include/pw85/systems/lists.hpp", "debian/libpw85-3.symbols",
-             "include/pw85_batch.h", "src/c_api/forms_rows.cpp")
+             "include/pw85_batch.h", "src/c_api/others_rows.cpp")
     assert status == 1 and all(name in text for name in names)
     assert run_program(tmp_path, "api/committed.py") == (0, "")
     assert run_program(tmp_path, "api/committed.py", "check") == (0, "")

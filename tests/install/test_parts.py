@@ -20,10 +20,21 @@ PROJECT = """\
 cmake_minimum_required(VERSION 3.16)
 project(consumer LANGUAGES CXX)
 find_package(pw85 3 REQUIRED COMPONENTS {})
-file(WRITE a.cpp "#include <pw85.h>\\n#include <pw85_batch.h>\\n#include <pw85/batch.hpp>\\nint main() {{ int yes; double const r[3] = {{3, 0, 0}}, q[6] = {{1, 0, 0, 1, 0, 1}}; return pw85_overlap(r, q, q, &yes) + yes; }}\\n")
 add_executable(consumer a.cpp)
 target_compile_features(consumer PRIVATE cxx_std_20)
 target_link_libraries(consumer PRIVATE pw85::pw85)
+"""
+PROGRAM = """\
+#include <pw85.h>
+#include <pw85_batch.h>
+#include <pw85/batch.hpp>
+#include <pw85/pw85.hpp>
+int main()
+{
+    int yes;
+    double const r[3] = {3, 0, 0}, q[6] = {1, 0, 0, 1, 0, 1};
+    return pw85_overlap(r, q, q, &yes) + yes;
+}
 """
 
 
@@ -49,8 +60,8 @@ def by_meson(source, work, prefix):
 
 def by_cmake(source, work, prefix):
     build = work / "cmake"
-    run("cmake", "-G", "Ninja", "-S", source, "-B", build, "-DBUILD_SHARED_LIBS=ON", "-DCMAKE_INSTALL_LIBDIR=lib", "-DCMAKE_BUILD_TYPE=Release",
-        *(f"-DPW85_{name.upper()}=OFF" for name in OFF))  # fmt: skip
+    run("cmake", "-G", "Ninja", "-S", source, "-B", build, "-DBUILD_SHARED_LIBS=ON", "-DCMAKE_INSTALL_LIBDIR=lib",
+        "-DCMAKE_BUILD_TYPE=Release", *(f"-DPW85_{name.upper()}=OFF" for name in OFF))  # fmt: skip
     run("cmake", "--build", build)
     run("cmake", "--install", build, "--prefix", prefix)
 
@@ -75,6 +86,7 @@ def check_consumers(work, prefix):
         folder = work / f"consumer-{component}"
         folder.mkdir()
         (folder / "CMakeLists.txt").write_text(PROJECT.format(component))
+        (folder / "a.cpp").write_text(PROGRAM)
         text = run("cmake", "-G", "Ninja", "-S", folder, "-B", folder / "build", f"-DCMAKE_PREFIX_PATH={prefix}", succeeds=succeeds)
         if succeeds:
             run("cmake", "--build", folder / "build")

@@ -32,7 +32,8 @@ int main(int x, char **words)
 
 
 def output(*command, **environment):
-    return subprocess.run([str(word) for word in command], check=True, text=True, stdout=subprocess.PIPE, env={**os.environ, **environment}).stdout
+    arguments = [str(word) for word in command]
+    return subprocess.run(arguments, check=True, text=True, stdout=subprocess.PIPE, env={**os.environ, **environment}).stdout
 
 
 class Programs:
