@@ -105,7 +105,7 @@ def parts(build):
         yield {"part": library, "bytes": text_bytes(next((build / "src").rglob(f"{library}.so")))}
     units = {}
     for unit in [*(build / "src").glob("libpw85*.p/*.o"), *(build / "src/simd").glob("*.p/*.o")]:
-        name, kind = unit.name.removeprefix(".._"), unit.parent.name.removeprefix("libpw85_").partition("_")[0]
+        name, kind = unit.name.removeprefix(".._"), unit.parent.name.removeprefix("libpw85_").partition(".")[0].partition("_")[0]
         if kind.startswith("legacy"):
             continue
         room = next((room for room in ROOMS if name.startswith(f"{room}_")), "simd")

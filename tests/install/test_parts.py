@@ -93,8 +93,8 @@ def check_consumers(work, prefix):
             run(folder / "build/consumer")
         elif f"without the part {component}" not in " ".join(text.split()):
             raise Failed(f"the part {component} is missing, and a project is told: {text}")
-    parts = run("pkg-config", "--variable=parts", "pw85", PKG_CONFIG_PATH=str(prefix / "lib/pkgconfig")).split()
-    if parts != ["contact"]:
+    parts = run("pkg-config", "--variable=parts", "pw85", PKG_CONFIG_PATH=str(prefix / "lib/pkgconfig")).strip()
+    if parts != "contact":
         raise Failed(f"pkg-config says that pw85 has {parts}")
 
 
