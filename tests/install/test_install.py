@@ -347,6 +347,19 @@ class Installation:
             if found != accepted:
                 raise Failed(f"find_package(pw85 {wanted}): {'' if found else 'not '}found")
 
+    def cmake_components(self):
+        """The parts of the library by name; test_parts.py sees what projects are told where one is missing."""
+        folder = self.work / "cmake-components"
+        folder.mkdir()
+        (folder / "CMakeLists.txt").write_text(
+            "cmake_minimum_required(VERSION 3.16)\nproject(components LANGUAGES C)\n"
+            "find_package(pw85 3 REQUIRED COMPONENTS headers contact geometry systems simulation gpu legacy)\n"
+            "find_package(pw85 3 QUIET COMPONENTS other)\nif(pw85_FOUND)\n  message(FATAL_ERROR found)\nendif()\n")
+        run("cmake", "-G", "Ninja", "-S", folder, "-B", folder / "build", f"-DCMAKE_PREFIX_PATH={self.prefix}")
+        parts = run("pkg-config", "--variable=parts", "pw85", **self.environment()).strip()
+        if parts != "contact,geometry,systems,simulation":
+            raise Failed(f"pkg-config says that pw85 has {parts}")
+
     def meson_via_cmake(self):
         folder = self.project("meson-via-cmake")
         shutil.copy(HERE / "via_cmake_meson.build", folder / "meson.build")
@@ -490,6 +503,7 @@ def cases(installation, whole):
         yield "cmake/alone", installation.alone
     yield "cmake/flags", installation.cmake_flags
     yield "cmake/versions", installation.cmake_versions
+    yield "cmake/components", installation.cmake_components
     yield "meson/cmake", installation.meson_via_cmake
     yield "static within shared", installation.static_within_shared
     yield "headers", installation.headers_only
